@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "trident_base/config_reader.h"
+
+namespace trident::config_detail {
+
+/// One row of a reference table.
+struct DocumentRow {
+  std::string key;
+  std::string type;
+  std::string default_value;
+  std::string legal;
+  std::string doc;
+};
+
+std::string markdown_table(const std::vector<DocumentRow>& rows);
+
+/// What a type contributes to a table: its name, its legal values, the text of a value, and the rows
+/// below it.
+template <class T>
+struct Describe;
+
+/// The archive that lists a struct's fields instead of filling them.
+class ConfigDocumenter {
+ public:
+  ConfigDocumenter(std::string path, std::vector<DocumentRow>* rows)
+      : path_(std::move(path)), rows_(rows) {}
+
+  template <class T>
+  void field(const char* name, const T& value, const char* doc = "") {
+    add(name, value, Describe<T>::legal(), Describe<T>::text(value), doc);
+  }
+  template <class T>
+  void field(const char* name, const T& value, Range range, const char* doc = "") {
+    static_assert(RangeApplies<T>, "a Range is for numbers and for lists and maps of numbers");
+    add(name, value, range.text(), Describe<T>::text(value), doc);
+  }
+  template <class T>
+  void required(const char* name, const T& value, const char* doc = "") {
+    add(name, value, Describe<T>::legal(), "**required**", doc);
+  }
+  template <class T>
+  void required(const char* name, const T& value, Range range, const char* doc = "") {
+    static_assert(RangeApplies<T>, "a Range is for numbers and for lists and maps of numbers");
+    add(name, value, range.text(), "**required**", doc);
+  }
+
+ private:
+  template <class T>
+  void add(const char* name, const T& value, std::string legal, std::string default_value,
+           const char* doc) {
+    const std::string key = child_path(path_, name);
+    rows_->push_back({key, Describe<T>::type(), std::move(default_value), std::move(legal), doc});
+    Describe<T>::below(key, value, rows_);
+  }
+
+  std::string path_;
+  std::vector<DocumentRow>* rows_;
+};
+
+/// A value without rows below it.
+struct DescribeLeaf {
+  template <class T>
+  static void below(const std::string&, const T&, std::vector<DocumentRow>*) {}
+};
+
+template <>
+struct Describe<bool> : DescribeLeaf {
+  static std::string type() { return "bool"; }
+  static std::string legal() { return "true, false"; }
+  static std::string text(bool value) { return value ? "true" : "false"; }
+};
+
+template <>
+struct Describe<std::string> : DescribeLeaf {
+  static std::string type() { return "text"; }
+  static std::string legal() { return ""; }
+  static std::string text(const std::string& value) { return '"' + value + '"'; }
+};
+
+template <Number T>
+struct Describe<T> : DescribeLeaf {
+  static std::string type() { return std::is_integral_v<T> ? "whole number" : "number"; }
+  static std::string legal() { return std::is_unsigned_v<T> ? ">= 0" : Range::any().text(); }
+  static std::string text(T value) {
+    if constexpr (std::is_integral_v<T>) {
+      return std::to_string(value);
+    } else {
+      return number_text(value);
+    }
+  }
+};
+
+template <NamedEnum T>
+struct Describe<T> : DescribeLeaf {
+  static std::string type() { return "choice"; }
+  static std::string legal() { return join(enum_name_list<T>()); }
+  static std::string text(T value) {
+    for (const auto& entry : enum_names(T{})) {
+      if (entry.value == value) return entry.name;
+    }
+    return "";
+  }
+};
+
+template <Visitable T>
+struct Describe<T> {
+  static std::string type() { return "map"; }
+  static std::string legal() { return ""; }
+  static std::string text(const T&) { return ""; }
+  static void below(const std::string& key, const T& value, std::vector<DocumentRow>* rows) {
+    T copy = value;
+    ConfigDocumenter documenter(key, rows);
+    copy.visit(documenter);
+  }
+};
+
+template <class T>
+struct Describe<std::optional<T>> {
+  static std::string type() { return Describe<T>::type(); }
+  static std::string legal() { return Describe<T>::legal(); }
+  static std::string text(const std::optional<T>& value) {
+    return value ? Describe<T>::text(*value) : "none";
+  }
+  static void below(const std::string& key, const std::optional<T>& value,
+                    std::vector<DocumentRow>* rows) {
+    Describe<T>::below(key, value.value_or(T{}), rows);
+  }
+};
+
+/// Lists; the keys of an item stand below "key[]".
+template <class List, class T>
+struct DescribeList {
+  static std::string type() { return "list of " + Describe<T>::type(); }
+  static std::string legal() { return Describe<T>::legal(); }
+  static std::string text(const List& value) {
+    std::vector<std::string> parts;
+    for (const auto& item : value) parts.push_back(Describe<T>::text(item));
+    if (Visitable<T> && !parts.empty()) return std::to_string(parts.size()) + " items";
+    return '[' + join(parts) + ']';
+  }
+  static void below(const std::string& key, const List&, std::vector<DocumentRow>* rows) {
+    Describe<T>::below(key + "[]", T{}, rows);
+  }
+};
+
+template <class T>
+struct Describe<std::vector<T>> : DescribeList<std::vector<T>, T> {};
+
+template <class T, std::size_t N>
+struct Describe<std::array<T, N>> : DescribeList<std::array<T, N>, T> {
+  static std::string type() { return "list of " + std::to_string(N) + ' ' + Describe<T>::type(); }
+};
+
+template <int N>
+struct Describe<Eigen::Matrix<double, N, 1>> : DescribeList<Eigen::Matrix<double, N, 1>, double> {
+  static std::string type() {
+    return (N < 0 ? "list of " : "list of " + std::to_string(N) + ' ') + Describe<double>::type();
+  }
+};
+
+/// Maps with free keys; the keys of a value stand below "key.<name>".
+template <class T>
+struct Describe<std::map<std::string, T>> {
+  static std::string type() { return "map of name: " + Describe<T>::type(); }
+  static std::string legal() { return Describe<T>::legal(); }
+  static std::string text(const std::map<std::string, T>& value) {
+    std::vector<std::string> parts;
+    for (const auto& [name, item] : value) parts.push_back(name + ": " + Describe<T>::text(item));
+    return '{' + join(parts) + '}';
+  }
+  static void below(const std::string& key, const std::map<std::string, T>&,
+                    std::vector<DocumentRow>* rows) {
+    Describe<T>::below(key + ".<name>", T{}, rows);
+  }
+};
+
+}  // namespace trident::config_detail

@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "trident_base/config_node.h"
+#include "trident_base/config_types.h"
+#include "trident_base/string_util.h"
+
+namespace trident::config_detail {
+
+/// What a value reader must know to explain an error.
+struct ValueContext {
+  const std::string& file;
+  Range range;
+  std::string unit;  ///< "N s^2", taken from the "[…]" that ends a field's doc; may be empty.
+};
+
+[[noreturn]] void fail_type(const ValueContext& context, const ConfigNode& node,
+                            const std::string& path, const std::string& expected);
+[[noreturn]] void fail_range(const ValueContext& context, const ConfigNode& node,
+                             const std::string& path, const std::string& legal);
+
+bool read_bool(const ValueContext&, const ConfigNode&, const std::string& path);
+double read_double(const ValueContext&, const ConfigNode&, const std::string& path);
+const std::string& read_string(const ValueContext&, const ConfigNode&, const std::string& path);
+const ConfigNode& expect_sequence(const ValueContext&, const ConfigNode&, const std::string& path,
+                                  int size_or_any);
+const ConfigNode& expect_map(const ValueContext&, const ConfigNode&, const std::string& path);
+std::size_t read_choice(const ValueContext&, const ConfigNode&, const std::string& path,
+                        const std::vector<std::string>& names);
+
+/// Whole numbers, exactly: `is_negative` and `magnitude` of the text; range checks both the field's
+/// range and [lowest, highest] of the type.
+struct WholeNumber {
+  bool is_negative;
+  unsigned long long magnitude;
+};
+WholeNumber read_whole_number(const ValueContext&, const ConfigNode&, const std::string& path,
+                              long long lowest, unsigned long long highest);
+
+std::string unit_of(const char* doc);
+std::string child_path(const std::string& parent, const std::string& key);
+inline std::string item_path(const std::string& parent, std::size_t index) {
+  return parent + '[' + std::to_string(index) + ']';
+}
+
+inline constexpr int kAnySize = -1;
+
+template <NamedEnum T>
+std::vector<std::string> enum_name_list() {
+  std::vector<std::string> names;
+  for (const auto& entry : enum_names(T{})) names.emplace_back(entry.name);
+  return names;
+}
+
+/// The archive that fills a struct from one map node. `finish` reports, in this order: unknown keys,
+/// missing keys, a failed validate().
+class ConfigReader {
+ public:
+  ConfigReader(const ConfigNode& node, const std::string& file, std::string path);
+
+  template <class T>
+  void field(const char* name, T& value, const char* doc = "") {
+    if (const ConfigNode* child = take(name)) read_child(*child, name, value, Range::any(), doc);
+  }
+  template <class T>
+  void field(const char* name, T& value, Range range, const char* doc = "") {
+    static_assert(RangeApplies<T>, "a Range is for numbers and for lists and maps of numbers");
+    if (const ConfigNode* child = take(name)) read_child(*child, name, value, range, doc);
+  }
+  /// As `field`, but there is no default: the file must have the key.
+  template <class T>
+  void required(const char* name, T& value, const char* doc = "") {
+    field(name, value, doc);
+    note_required(name, doc, "");
+  }
+  template <class T>
+  void required(const char* name, T& value, Range range, const char* doc = "") {
+    field(name, value, range, doc);
+    note_required(name, doc, range.text());
+  }
+
+  template <class T>
+  static void read_struct(const ConfigNode& node, const std::string& file, const std::string& path,
+                          T& value) {
+    ConfigReader reader(node, file, path);
+    value.visit(reader);
+    reader.finish();
+    if constexpr (Validated<T>) {
+      try {
+        value.validate();
+      } catch (const ConfigError&) {
+        throw;
+      } catch (const Error& error) {
+        throw ConfigError(file, node.line, path, error.what());
+      }
+    }
+  }
+
+ private:
+  const ConfigNode* take(const char* name);
+  void note_required(const char* name, const char* doc, const std::string& legal);
+  void finish() const;
+
+  template <class T>
+  void read_child(const ConfigNode& node, const char* name, T& value, Range range,
+                  const char* doc) const {
+    read(ValueContext{file_, range, unit_of(doc)}, node, child_path(path_, name), value);
+  }
+
+  static void read(const ValueContext& c, const ConfigNode& node, const std::string& path,
+                   bool& value) {
+    value = read_bool(c, node, path);
+  }
+  static void read(const ValueContext& c, const ConfigNode& node, const std::string& path,
+                   std::string& value) {
+    value = read_string(c, node, path);
+  }
+  template <Number T>
+  static void read(const ValueContext& c, const ConfigNode& node, const std::string& path,
+                   T& value) {
+    if constexpr (std::is_floating_point_v<T>) {
+      value = static_cast<T>(read_double(c, node, path));
+    } else {
+      using Limits = std::numeric_limits<T>;
+      const WholeNumber n = read_whole_number(c, node, path, Limits::min(), Limits::max());
+      value = static_cast<T>(n.is_negative ? 0 - n.magnitude : n.magnitude);
+    }
+  }
+  template <NamedEnum T>
+  static void read(const ValueContext& c, const ConfigNode& node, const std::string& path,
+                   T& value) {
+    value = enum_names(T{})[read_choice(c, node, path, enum_name_list<T>())].value;
+  }
+  template <Visitable T>
+  static void read(const ValueContext& c, const ConfigNode& node, const std::string& path,
+                   T& value) {
+    read_struct(node, c.file, path, value);
+  }
+  template <class T>
+  static void read(const ValueContext& c, const ConfigNode& node, const std::string& path,
+                   std::optional<T>& value) {
+    if (node.kind == ConfigNode::Kind::kNull) {
+      value.reset();
+    } else {
+      read(c, node, path, value.emplace());
+    }
+  }
+  template <class T>
+  static void read(const ValueContext& c, const ConfigNode& node, const std::string& path,
+                   std::vector<T>& value) {
+    const ConfigNode& list = expect_sequence(c, node, path, kAnySize);
+    value.clear();
+    for (std::size_t i = 0; i < list.items.size(); ++i) {
+      T item{};
+      read(c, list.items[i], item_path(path, i), item);
+      value.push_back(std::move(item));
+    }
+  }
+  template <class T, std::size_t N>
+  static void read(const ValueContext& c, const ConfigNode& node, const std::string& path,
+                   std::array<T, N>& value) {
+    const ConfigNode& list = expect_sequence(c, node, path, N);
+    for (std::size_t i = 0; i < N; ++i) read(c, list.items[i], item_path(path, i), value[i]);
+  }
+  template <int N>
+  static void read(const ValueContext& c, const ConfigNode& node, const std::string& path,
+                   Eigen::Matrix<double, N, 1>& value) {
+    const ConfigNode& list = expect_sequence(c, node, path, N);
+    value.resize(static_cast<Eigen::Index>(list.items.size()));
+    for (std::size_t i = 0; i < list.items.size(); ++i) {
+      value[static_cast<Eigen::Index>(i)] = read_double(c, list.items[i], item_path(path, i));
+    }
+  }
+  template <class T>
+  static void read(const ValueContext& c, const ConfigNode& node, const std::string& path,
+                   std::map<std::string, T>& value) {
+    const ConfigNode& map = expect_map(c, node, path);
+    value.clear();
+    for (std::size_t i = 0; i < map.items.size(); ++i) {
+      T item{};
+      read(c, map.items[i], child_path(path, map.keys[i]), item);
+      value.emplace(map.keys[i], std::move(item));
+    }
+  }
+
+  const ConfigNode& node_;
+  const std::string& file_;
+  std::string path_;
+  std::vector<std::string> known_;
+  std::vector<std::string> missing_;  ///< Ready-made error texts, with the path in front.
+};
+
+}  // namespace trident::config_detail

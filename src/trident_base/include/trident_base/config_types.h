@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace trident {
+
+/// Legal values of a number, or of each number in a list or map. NaN is never legal; an infinite value
+/// only where `or_infinite()` was asked for.
+struct Range {
+  double lo = -std::numeric_limits<double>::infinity();
+  double hi = std::numeric_limits<double>::infinity();
+  bool lo_open = false;  ///< lo itself is not legal.
+  bool hi_open = false;  ///< hi itself is not legal.
+  bool infinite = false;
+
+  static constexpr Range any() { return {}; }
+  static constexpr Range at_least(double lo) { return {.lo = lo}; }
+  static constexpr Range at_most(double hi) { return {.hi = hi}; }
+  static constexpr Range non_negative() { return at_least(0.0); }
+  static constexpr Range positive() { return {.lo = 0.0, .lo_open = true}; }
+
+  constexpr Range or_infinite() const {
+    Range result = *this;
+    result.infinite = true;
+    return result;
+  }
+
+  bool contains(double value) const;
+  /// "in [0, 1)", ">= 0", "> 0", "a finite number".
+  std::string text() const;
+};
+
+/// An enum is read from YAML through a table found by argument-dependent lookup:
+///   enum class Timing { kDirect, kRotors };
+///   constexpr auto enum_names(Timing) {
+///     return std::array{EnumName{Timing::kDirect, "direct"}, EnumName{Timing::kRotors, "rotors"}};
+///   }
+template <class Enum>
+struct EnumName {
+  Enum value;
+  const char* name;
+};
+
+namespace config_detail {
+
+/// Stands for any archive when a type is asked whether it can be visited.
+struct ArchiveProbe {
+  template <class... Args>
+  void field(Args&&...) {}
+  template <class... Args>
+  void required(Args&&...) {}
+};
+
+template <class T>
+concept Visitable = std::is_class_v<T> && requires(T& value, ArchiveProbe& ar) { value.visit(ar); };
+
+template <class T>
+concept Validated = requires(const T& value) { value.validate(); };
+
+template <class T>
+concept NamedEnum = std::is_enum_v<T> && requires(T value) { enum_names(value); };
+
+template <class T>
+concept Number = std::is_arithmetic_v<T> && !std::is_same_v<T, bool>;
+
+/// The type that a Range on a field speaks about: the innermost element of lists, maps and optionals.
+template <class T>
+struct Element {
+  using Type = T;
+};
+template <class T>
+struct Element<std::vector<T>> : Element<T> {};
+template <class T, std::size_t N>
+struct Element<std::array<T, N>> : Element<T> {};
+template <class T>
+struct Element<std::optional<T>> : Element<T> {};
+template <class T>
+struct Element<std::map<std::string, T>> : Element<T> {};
+template <int N>
+struct Element<Eigen::Matrix<double, N, 1>> {
+  using Type = double;
+};
+
+template <class T>
+concept RangeApplies = Number<typename Element<T>::Type>;
+
+}  // namespace config_detail
+}  // namespace trident

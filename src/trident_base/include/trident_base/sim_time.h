@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+#include <compare>
+#include <cstdint>
+
+namespace trident {
+
+/// Simulated time, or a span of it, in whole nanoseconds. Integer, so that step k of period dt has the
+/// one stamp k * dt, on every machine and after any number of steps.
+struct SimTime {
+  std::int64_t ns = 0;
+
+  static SimTime from_seconds(double seconds) {
+    return {static_cast<std::int64_t>(std::llround(seconds * 1e9))};
+  }
+  double seconds() const { return static_cast<double>(ns) * 1e-9; }
+
+  auto operator<=>(const SimTime&) const = default;
+  SimTime operator+(SimTime other) const { return {ns + other.ns}; }
+  SimTime operator-(SimTime other) const { return {ns - other.ns}; }
+  SimTime operator*(std::int64_t factor) const { return {ns * factor}; }
+};
+
+}  // namespace trident

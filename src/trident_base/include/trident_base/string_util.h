@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace trident {
+
+/// "a, b, c".
+std::string join(const std::vector<std::string>& parts, std::string_view separator = ", ");
+
+/// Shortest decimal text that reads back as the same double; "inf", "-inf", "nan" otherwise.
+std::string number_text(double value);
+
+/// Number of single-character insertions, deletions, replacements and swaps of neighbours that lead
+/// from a to b, without regard to case (optimal string alignment distance).
+std::size_t edit_distance(std::string_view a, std::string_view b);
+
+/// The candidate nearest to `name`; empty when none is near enough to be a likely typing error.
+std::string closest_match(std::string_view name, const std::vector<std::string>& candidates);
+
+/// "'forse'; did you mean 'force'? Known: force, mass".
+std::string unknown_name_text(std::string_view name, const std::vector<std::string>& known);
+
+}  // namespace trident
