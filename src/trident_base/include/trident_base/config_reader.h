@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -102,6 +103,11 @@ class ConfigReader {
   }
 
  private:
+  struct MissingKey {
+    std::string key;  ///< Path.
+    std::string problem;
+  };
+
   const ConfigNode* take(const char* name);
   void note_required(const char* name, const char* doc, const std::string& legal);
   void finish() const;
@@ -124,7 +130,11 @@ class ConfigReader {
   static void read(const ValueContext& c, const ConfigNode& node, const std::string& path,
                    T& value) {
     if constexpr (std::is_floating_point_v<T>) {
-      value = static_cast<T>(read_double(c, node, path));
+      const double wide = read_double(c, node, path);
+      if (std::isfinite(wide) && std::abs(wide) > std::numeric_limits<T>::max()) {
+        fail_range(c, node, path, "a single-precision number");
+      }
+      value = static_cast<T>(wide);
     } else {
       using Limits = std::numeric_limits<T>;
       const WholeNumber n = read_whole_number(c, node, path, Limits::min(), Limits::max());
@@ -192,7 +202,7 @@ class ConfigReader {
   const std::string& file_;
   std::string path_;
   std::vector<std::string> known_;
-  std::vector<std::string> missing_;  ///< Ready-made error texts, with the path in front.
+  std::vector<MissingKey> missing_;
 };
 
 }  // namespace trident::config_detail

@@ -38,6 +38,11 @@ struct Range {
   }
 
   bool contains(double value) const;
+  /// True when neither end limits anything.
+  constexpr bool is_unbounded() const {
+    return lo == -std::numeric_limits<double>::infinity() &&
+           hi == std::numeric_limits<double>::infinity();
+  }
   /// "in [0, 1)", ">= 0", "> 0", "a finite number".
   std::string text() const;
 };

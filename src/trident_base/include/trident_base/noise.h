@@ -80,6 +80,7 @@ class GaussMarkov {
 
   /// The bias of sample `index` [unit]. Samples that were skipped (nobody listened) are caught up with,
   /// so the value depends on the index alone; an index before the last one replays from the start.
+  /// Pass the same stream each time.
   double sample(const RandomStream& stream, std::uint64_t index);
 
   /// Forgets the state: the next sample starts again from b[-1] = 0 (reset_simulation).
@@ -92,6 +93,7 @@ class GaussMarkov {
   std::uint32_t channel_;
   std::uint64_t next_index_ = 0;
   double bias_ = 0.0;
+  double turn_on_ = 0.0;
 };
 
 /// Noise of one three-axis inertial sensor.

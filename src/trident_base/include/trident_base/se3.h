@@ -44,7 +44,7 @@ struct SE3 {
   /// Moves a twist from frame b to frame a: T * exp(t) == exp(T.adjoint() * t) * T.
   Adjoint adjoint() const;
   /// (roll, pitch, yaw) [rad], the inverse of `from_xyz_rpy`; pitch in [-pi/2, pi/2]. At pitch
-  /// +-pi/2, where only roll -+ yaw is defined, roll is 0.
+  /// +-pi/2, where only roll -+ yaw is defined, yaw is 0.
   Eigen::Vector3d rpy() const;
   /// 4x4 homogeneous matrix.
   Eigen::Matrix4d matrix() const;

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "trident_base/config_node.h"
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+#include <utility>
+
+namespace trident {
+namespace {
+
+constexpr std::size_t kMaxShownBytes = 60;
+
+std::string located(const std::string& file, int line, const std::string& key,
+                    const std::string& problem) {
+  std::string text = file;
+  if (line > 0) text += ':' + std::to_string(line);
+  text += ": ";
+  if (!key.empty()) text += key + ": ";
+  return text + problem;
+}
+
+std::string counted(std::size_t count, const std::string& noun) {
+  return std::to_string(count) + ' ' + noun + (count == 1 ? "" : "s");
+}
+
+}  // namespace
+
+ConfigError::ConfigError(std::string file, int line, std::string key, const std::string& problem)
+    : Error(located(file, line, key, problem)),
+      file_(std::move(file)),
+      line_(line),
+      key_(std::move(key)) {}
+
+const ConfigNode* ConfigNode::find(std::string_view key) const {
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    if (keys[i] == key) return &items[i];
+  }
+  return nullptr;
+}
+
+std::string ConfigNode::describe() const {
+  switch (kind) {
+    case Kind::kNull:
+      return "nothing";
+    case Kind::kSequence:
+      return "a list of " + counted(items.size(), "item");
+    case Kind::kMap:
+      return "a map of " + counted(items.size(), "key");
+    case Kind::kScalar:
+      break;
+  }
+  const std::string shown =
+      scalar.size() > kMaxShownBytes ? scalar.substr(0, kMaxShownBytes) + "..." : scalar;
+  return quoted ? "the text '" + shown + '\'' : shown;
+}
+
+std::string read_config_file(const std::string& path) {
+  errno = 0;
+  std::ifstream stream(path, std::ios::binary);
+  std::ostringstream text;
+  // Inserting a stream buffer without a single byte sets failbit, so an empty file is let through.
+  if (stream && stream.peek() != std::ifstream::traits_type::eof()) text << stream.rdbuf();
+  if (!stream.is_open() || stream.bad() || text.bad()) {
+    const std::string reason = errno != 0 ? std::strerror(errno) : "read error";
+    throw ConfigError(path, 0, "", "cannot read the file: " + reason);
+  }
+  return text.str();
+}
+
+}  // namespace trident
