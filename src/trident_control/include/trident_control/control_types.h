@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Geometry>
+
+namespace trident {
+
+/// Measured state. The twist is in the body frame, as nav_msgs/Odometry carries it.
+struct OdometryState {
+  Eigen::Vector3d p_world_body = Eigen::Vector3d::Zero();            ///< [m]
+  Eigen::Quaterniond R_world_body = Eigen::Quaterniond::Identity();  ///< unit quaternion
+  Eigen::Vector3d v_body = Eigen::Vector3d::Zero();                  ///< [m/s]
+  Eigen::Vector3d w_body = Eigen::Vector3d::Zero();                  ///< [rad/s]
+};
+
+/// Reference of a position controller.
+struct TrajectoryPoint {
+  Eigen::Vector3d p_world = Eigen::Vector3d::Zero();  ///< [m]
+  Eigen::Vector3d v_world = Eigen::Vector3d::Zero();  ///< [m/s]
+  Eigen::Vector3d a_world = Eigen::Vector3d::Zero();  ///< [m/s^2]
+  double yaw = 0.0;                                   ///< [rad]
+  double yaw_rate = 0.0;                              ///< [rad/s]
+};
+
+/// Reference of an attitude controller: roll and pitch angle, yaw rate, collective thrust.
+struct AttitudeCommand {
+  double roll = 0.0;      ///< [rad]
+  double pitch = 0.0;     ///< [rad]
+  double yaw_rate = 0.0;  ///< [rad/s]
+  double thrust = 0.0;    ///< along body z [N]
+};
+
+/// Outcome of one control step. On anything but `ok` the output span has not been written.
+enum class ControlStatus {
+  ok,
+  invalid_state,      ///< a non-finite number, or a quaternion that is not a rotation
+  invalid_reference,  ///< a non-finite number
+  wrong_rotor_count,  ///< the output span is not as long as the vehicle has rotors
+};
+
+/// True when every number is finite and the quaternion's norm is 1 within 5 %.
+bool is_valid(const OdometryState& state);
+bool is_valid(const TrajectoryPoint& point);
+bool is_valid(const AttitudeCommand& command);
+
+/// Heading of a rotation: the angle that a z-y-x Euler decomposition gives last [rad, -pi..pi].
+/// Scale of the quaternion is not corrected for, as in RotorS.
+double yaw_from_quaternion(const Eigen::Quaterniond& R_world_body);
+
+}  // namespace trident

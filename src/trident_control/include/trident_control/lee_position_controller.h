@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+
+#include "trident_control/attitude_law.h"
+#include "trident_control/control_types.h"
+#include "trident_control/vehicle_params.h"
+
+namespace trident {
+
+/// Defaults: RotorS' controller for the Firefly.
+struct LeeGains : AttitudeGains {
+  Eigen::Vector3d position{6.0, 6.0, 6.0};  ///< [N/m]
+  Eigen::Vector3d velocity{4.7, 4.7, 4.7};  ///< [N s/m]
+
+  void validate() const;
+};
+
+struct LeeParams {
+  LeeGains gains;
+  VehicleParams vehicle;
+  AttitudeQuirks quirks;
+};
+
+/// Geometric position controller as RotorS flies it.
+///   a   = (k_p e_p + k_v e_v) / m - g e3 - a_d
+///   b3d = -a / |a|;  b2d = normalize(b3d x (cos yaw, sin yaw, 0));  b1d = b2d x b3d;  T = -m a .
+///   (R e3)
+/// then AttitudeLaw. Lee, Leok, McClamroch, CDC 2010, eq. 12, 15 (gains in N/m, divided by the mass
+/// here). A wanted acceleration of zero length keeps the present thrust axis; one along the
+/// heading, for which b2d has no direction, keeps the present body y. Copyable, immutable, no
+/// allocation in compute().
+class LeePositionController {
+ public:
+  /// Throws trident::Error naming the field, value and legal range.
+  explicit LeePositionController(const LeeParams& params);
+
+  std::size_t rotor_count() const { return attitude_law_.rotor_count(); }
+
+  /// `rotor_speeds`: rotor_count() values [rad/s, >= 0], untouched unless the result is ok.
+  [[nodiscard]] ControlStatus compute(const OdometryState& state, const TrajectoryPoint& reference,
+                                      std::span<double> rotor_speeds) const;
+
+ private:
+  AttitudeLaw attitude_law_;
+  Eigen::Vector3d position_gain_;  // k_p / m [1/s^2]
+  Eigen::Vector3d velocity_gain_;  // k_v / m [1/s]
+  double mass_;
+  double gravity_;
+};
+
+}  // namespace trident

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+
+#include "trident_control/attitude_law.h"
+#include "trident_control/control_types.h"
+#include "trident_control/vehicle_params.h"
+
+namespace trident {
+
+struct RollPitchYawrateThrustParams {
+  AttitudeGains gains;
+  VehicleParams vehicle;
+  AttitudeQuirks quirks;
+};
+
+/// Holds commanded roll and pitch at the vehicle's present heading, turns at the commanded yaw
+/// rate, and applies the commanded thrust: Rd = Rz(present yaw) Rx(roll) Ry(pitch), then
+/// AttitudeLaw.
+class RollPitchYawrateThrustController {
+ public:
+  /// Throws trident::Error naming the field, value and legal range.
+  explicit RollPitchYawrateThrustController(const RollPitchYawrateThrustParams& params);
+
+  std::size_t rotor_count() const { return attitude_law_.rotor_count(); }
+
+  /// `rotor_speeds`: rotor_count() values [rad/s, >= 0], untouched unless the result is ok.
+  [[nodiscard]] ControlStatus compute(const OdometryState& state, const AttitudeCommand& command,
+                                      std::span<double> rotor_speeds) const;
+
+ private:
+  AttitudeLaw attitude_law_;
+};
+
+}  // namespace trident

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <array>
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include "trident_control/lee_position_controller.h"
+#include "trident_control/roll_pitch_yawrate_thrust_controller.h"
+#include "trident_control/setpoint_queue.h"
+
+namespace {
+std::atomic<long> allocations{0};
+}
+
+void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* memory = std::malloc(size)) return memory;
+  throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace trident {
+namespace {
+
+template <typename Action>
+long allocations_in(const Action& action) {
+  const long before = allocations;
+  action();
+  return allocations - before;
+}
+
+TEST(AllocationFree, the_counter_counts) {
+  EXPECT_GE(allocations_in([] { ::operator delete(::operator new(8)); }), 1);
+}
+
+TEST(AllocationFree, controllers) {
+  const LeePositionController lee{LeeParams{}};
+  const RollPitchYawrateThrustController attitude{RollPitchYawrateThrustParams{}};
+  std::array<double, 6> speeds;
+  int ok = 0;
+  EXPECT_EQ(allocations_in([&] {
+              for (int i = 0; i < 1000; ++i) {
+                ok += lee.compute({}, {}, speeds) == ControlStatus::ok;
+                ok += attitude.compute({}, {0.1, 0.1, 0.1, 15.0}, speeds) == ControlStatus::ok;
+              }
+            }),
+            0);
+  EXPECT_EQ(ok, 2000);
+}
+
+TEST(AllocationFree, streamed_set_points) {
+  SetpointQueue queue;
+  std::array<TimedSetpoint, 5> points;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    points[i].time_from_start = {static_cast<long>(i) * 10'000'000};
+  EXPECT_EQ(allocations_in([&] {
+              for (long k = 1; k < 10000; ++k) {
+                if (k % 5 == 1) queue.push({k * 10'000'000}, points);
+                queue.advance({k * 10'000'000});
+              }
+            }),
+            0);
+}
+
+}  // namespace
+}  // namespace trident
