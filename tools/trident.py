@@ -1,0 +1,13 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""Starts the Trident command line whatever PYTHONPATH and working directory are."""
+
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+
+from trident_tool.cli import main  # noqa: E402  (the path has to be set first)
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

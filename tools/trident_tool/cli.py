@@ -1,0 +1,205 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""The subcommands of ./trident."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+from trident_tool.building import build
+from trident_tool.environment import ros_environment
+from trident_tool.lint import CHECKS, run_checks
+from trident_tool.provision import provision
+from trident_tool.running import run_launch_file
+from trident_tool.shell import shell
+from trident_tool.testing import test
+from trident_tool.viewing import view
+from trident_tool.workspace import Runner, TridentError, Workspace
+
+Handler = Callable[[Workspace, Runner, argparse.Namespace], int]
+
+_EPILOG = """\
+Every command installs and builds what is missing first; what is done is not done again.
+  ./trident run multi_uav_simulation.launch           six fireflies fly a formation; verdict and pictures in out/latest
+  ./trident run multi_uav_simulation.launch uavs:=4 real_time_factor:=1
+  ./trident test -k fleet                             the tests whose names match
+"""
+
+
+class _Parser(argparse.ArgumentParser):
+    """Reports a wrong command line in one line and exits with 2."""
+
+    def error(self, message: str) -> None:  # type: ignore[override]
+        self.exit(2, f"{self.prog}: {message} (see ./trident help)\n")
+
+
+def _cmd_setup(workspace: Workspace, runner: Runner, options: argparse.Namespace) -> int:
+    del workspace, runner, options  # main() has done it
+    return 0
+
+
+def _cmd_build(workspace: Workspace, runner: Runner, options: argparse.Namespace) -> int:
+    build(workspace, runner, options.targets, options.jobs)
+    return 0
+
+
+def _cmd_test(workspace: Workspace, runner: Runner, options: argparse.Namespace) -> int:
+    return test(workspace, runner, options.pattern, options.jobs, options.rest)
+
+
+def _cmd_run(workspace: Workspace, runner: Runner, options: argparse.Namespace) -> int:
+    build(workspace, runner)
+    return run_launch_file(workspace, runner, options.words)
+
+
+def _eval_module(
+    workspace: Workspace, runner: Runner, module: Sequence[str], rest: Sequence[str]
+) -> int:
+    build(workspace, runner)
+    env = None if runner.dry_run else ros_environment(workspace)
+    return runner.run(["/usr/bin/python3", "-m", *module, *rest], env=env)
+
+
+def _cmd_bench(workspace: Workspace, runner: Runner, options: argparse.Namespace) -> int:
+    return _eval_module(
+        workspace, runner, ["trident_eval.bench"], [options.what, *_bench_options(options)]
+    )
+
+
+def _bench_options(options: argparse.Namespace) -> list[str]:
+    words = ["--quick"] if options.quick else []
+    words += ["--out", str(options.out)] if options.out else []
+    words += ["--profile"] if options.profile else []
+    return [*words, *options.rest]
+
+
+def _cmd_report(workspace: Workspace, runner: Runner, options: argparse.Namespace) -> int:
+    if not runner.dry_run and not options.source.exists():
+        raise TridentError(f"{options.source} does not exist: report needs a run folder or a bag")
+    return _eval_module(
+        workspace, runner, ["trident_eval", "report"], [str(options.source), *options.rest]
+    )
+
+
+def _cmd_view(workspace: Workspace, runner: Runner, options: argparse.Namespace) -> int:
+    build(workspace, runner)
+    return view(workspace, runner, options.source, options.config, options.screenshot)
+
+
+def _cmd_shell(workspace: Workspace, runner: Runner, options: argparse.Namespace) -> int:
+    build(workspace, runner)
+    return shell(workspace, runner, options.command)
+
+
+def _cmd_lint(workspace: Workspace, runner: Runner, options: argparse.Namespace) -> int:
+    if not options.checks or "clang-tidy" in options.checks:
+        build(workspace, runner)
+    return run_checks(workspace, runner, options.checks, options.fix)
+
+
+def make_parser() -> argparse.ArgumentParser:
+    """The command line: one subparser per subcommand, each with its handler as ``handler``."""
+    common = argparse.ArgumentParser(add_help=False)
+    common.add_argument(
+        "--dry-run", action="store_true", help="print what would be done, and do nothing"
+    )
+    parser = _Parser(
+        prog="trident",
+        description="Air, land and sea robots in one ROS 1 workspace.",
+        epilog=_EPILOG,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    commands = parser.add_subparsers(dest="name", metavar="COMMAND", parser_class=_Parser)
+
+    def add(name: str, handler: Handler, text: str) -> argparse.ArgumentParser:
+        sub = commands.add_parser(name, help=text, description=text, parents=[common])
+        sub.set_defaults(handler=handler)
+        return sub
+
+    _add_workspace_commands(add)
+    _add_running_commands(add)
+    commands.add_parser("help", help="show this text")
+    return parser
+
+
+def _add_workspace_commands(add: Callable[[str, Handler, str], argparse.ArgumentParser]) -> None:
+    add("setup", _cmd_setup, "install the Debian and Python packages that are missing")
+
+    sub = add("build", _cmd_build, "configure and build the workspace")
+    sub.add_argument("targets", nargs="*", metavar="TARGET", help="default: everything but the tests")
+    sub.add_argument("-j", "--jobs", type=int, help="parallel compilers")
+
+    sub = add("test", _cmd_test, "build and run the tests; what is not known is handed to ctest")
+    sub.add_argument("-k", dest="pattern", metavar="REGEX", help="only tests whose names match")
+    sub.add_argument("-j", "--jobs", type=int, help="tests at a time")
+
+    sub = add("lint", _cmd_lint, "run the static checks alone")
+    sub.add_argument("checks", nargs="*", metavar="CHECK", help=f"of {', '.join(CHECKS)}; default: all")
+    sub.add_argument("--fix", action="store_true", help="mend layout and what ruff can mend")
+
+
+def _add_running_commands(add: Callable[[str, Handler, str], argparse.ArgumentParser]) -> None:
+    sub = add("run", _cmd_run, "run a launch file to its end, as fast as possible, and judge it")
+    sub.add_argument(
+        "words",
+        nargs="+",
+        metavar="[PACKAGE] FILE.launch [name:=value …]",
+        help="a file of launch/, a path, or a package and a file; real_time_factor:=1 for real time",
+    )
+
+    sub = add("bench", _cmd_bench, "measure")
+    sub.add_argument("what", choices=["sim"], help="what to measure")
+    sub.add_argument("--quick", action="store_true", help="fewer and shorter measurements")
+    sub.add_argument("--out", type=Path, metavar="FILE.json", help="where the rows go")
+    sub.add_argument("--profile", action="store_true", help="time per stage of a step")
+
+    sub = add("report", _cmd_report, "plots of a run or a bag")
+    sub.add_argument("source", type=Path, metavar="RUN_OR_BAG")
+
+    sub = add("view", _cmd_view, "look at the run in progress, a bag or a world in rviz")
+    sub.add_argument("source", nargs="?", type=Path, metavar="BAG_OR_WORLD")
+    sub.add_argument("--config", metavar="NAME", help="a configuration of config/rviz")
+    sub.add_argument("--screenshot", type=Path, metavar="FILE.png", help="off-screen, into a picture")
+
+    sub = add("shell", _cmd_shell, "a shell in which the workspace is sourced")
+    sub.add_argument("-c", dest="command", metavar="COMMAND", help="run this instead")
+
+
+def parse_command_line(argv: Sequence[str]) -> argparse.Namespace:
+    """Options of a command line; words that test, bench and report pass on are in ``rest``.
+
+    Exits with 0 for help and with 2 for a wrong command line.
+    """
+    parser = make_parser()
+    options, rest = parser.parse_known_args(argv)
+    if options.name in (None, "help"):
+        parser.print_help()
+        parser.exit(0)
+    if rest and options.name not in ("test", "bench", "report"):
+        parser.error(f"{options.name}: unknown option {rest[0]!r}")
+    options.rest = rest
+    return options
+
+
+def main(argv: Sequence[str]) -> int:
+    """Runs one subcommand and returns the exit code of the process."""
+    options = parse_command_line(argv)
+    workspace = Workspace.of_this_file()
+    runner = Runner(dry_run=options.dry_run)
+    try:
+        provision(workspace, runner)
+        handler: Handler = options.handler
+        return handler(workspace, runner, options)
+    except TridentError as error:
+        print(f"trident: {error}", file=sys.stderr)
+        return 1
+    except KeyboardInterrupt:
+        print("trident: interrupted", file=sys.stderr)
+        return 130
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 141

@@ -1,0 +1,149 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""Launch files: finding them, and checking arguments before anything is started."""
+
+from __future__ import annotations
+
+import difflib
+import subprocess
+import xml.etree.ElementTree as ElementTree
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from trident_tool.workspace import TridentError, Workspace
+
+
+@dataclass(frozen=True)
+class LaunchRequest:
+    """What the user asked for: a launch file, perhaps the package it is in, and roslaunch arguments."""
+
+    file: str
+    package: str | None
+    args: dict[str, str]
+
+
+@dataclass(frozen=True)
+class DeclaredArgs:
+    """Arguments that a launch file declares at its top level."""
+
+    optional: frozenset[str]
+    required: frozenset[str]
+    fixed: frozenset[str]
+
+    @property
+    def settable(self) -> list[str]:
+        """Those a user may give, sorted."""
+        return sorted(self.optional | self.required)
+
+
+def parse_request(words: Sequence[str]) -> LaunchRequest:
+    """Splits ``[PACKAGE] FILE.launch [name:=value …]``.
+
+    Raises:
+        TridentError: no file, more than a package and a file, an empty name, or a name given twice.
+    """
+    names = [word for word in words if ":=" not in word]
+    if not 1 <= len(names) <= 2:
+        found = " ".join(names) if names else "nothing"
+        raise TridentError(f"run needs [PACKAGE] FILE.launch [name:=value …], found {found}")
+    args: dict[str, str] = {}
+    for word in words:
+        name, separator, value = word.partition(":=")
+        if not separator:
+            continue
+        if not name or name in args:
+            raise TridentError(f"argument {word!r}: its name is {'given twice' if name else 'empty'}")
+        args[name] = value
+    return LaunchRequest(names[-1], names[0] if len(names) == 2 else None, args)
+
+
+def _closest(name: str, candidates: Sequence[str]) -> str:
+    close = difflib.get_close_matches(name, candidates, n=1)
+    return f"; did you mean {close[0]!r}?" if close else ""
+
+
+def _package_folder(package: str, env: Mapping[str, str]) -> Path:
+    result = subprocess.run(
+        ["rospack", "find", package], env=dict(env), capture_output=True, text=True, check=False
+    )
+    if result.returncode != 0:
+        raise TridentError(f"there is no package {package!r} on ROS_PACKAGE_PATH")
+    return Path(result.stdout.strip())
+
+
+def find_launch_file(workspace: Workspace, request: LaunchRequest, env: Mapping[str, str]) -> Path:
+    """The launch file of ``request``: in its package, or a path, or below the workspace's launch/.
+
+    Raises:
+        TridentError: there is none, or more than one.
+    """
+    if request.package is None and Path(request.file).is_file():
+        return Path(request.file).resolve()
+    if request.package is None:
+        top, where = workspace.launch, str(workspace.launch)
+    else:
+        top = _package_folder(request.package, env)
+        where = f"package {request.package} ({top})"
+    for direct in (top / request.file, top / "launch" / request.file):
+        if direct.is_file():
+            return direct
+    found = sorted(path for path in top.rglob(Path(request.file).name) if path.is_file())
+    if len(found) == 1:
+        return found[0]
+    if found:
+        raise TridentError(f"{request.file} is ambiguous: {', '.join(map(str, found))}")
+    known = sorted(path.name for path in top.rglob("*.launch"))
+    hint = _closest(request.file, known)
+    raise TridentError(f"there is no launch file {request.file!r} in {where}{hint}")
+
+
+def _own_elements(element: ElementTree.Element) -> Iterator[ElementTree.Element]:
+    """Elements of a launch file that are not inside an <include>, whose <arg>s belong to another file."""
+    for child in element:
+        yield child
+        if child.tag != "include":
+            yield from _own_elements(child)
+
+
+def declared_args(launch_file: Path) -> DeclaredArgs:
+    """Arguments of a launch file.
+
+    Raises:
+        TridentError: the file is not well-formed; names file, line and column.
+    """
+    try:
+        root = ElementTree.parse(launch_file).getroot()
+    except ElementTree.ParseError as error:
+        line, column = error.position
+        raise TridentError(f"{launch_file}:{line}:{column}: not well-formed XML ({error.msg})") from None
+    groups: dict[str, set[str]] = {"default": set(), "value": set(), "none": set()}
+    for element in _own_elements(root):
+        if element.tag == "arg" and "name" in element.attrib:
+            kind = next((kind for kind in ("value", "default") if kind in element.attrib), "none")
+            groups[kind].add(element.attrib["name"])
+    optional = groups["default"] - groups["value"]
+    return DeclaredArgs(
+        frozenset(optional),
+        frozenset(groups["none"] - optional - groups["value"]),
+        frozenset(groups["value"]),
+    )
+
+
+def check_args(launch_file: Path, declared: DeclaredArgs, given: Mapping[str, str]) -> None:
+    """Refuses what roslaunch would only complain about after a master was started.
+
+    Raises:
+        TridentError: an argument is unknown, cannot be set, or is missing.
+    """
+    for name in given:
+        if name in declared.settable:
+            continue
+        if name in declared.fixed:
+            raise TridentError(f"{launch_file.name} sets {name!r} itself, it cannot be given")
+        known = ", ".join(declared.settable) or "none"
+        hint = _closest(name, declared.settable)
+        raise TridentError(f"{launch_file.name} has no argument {name!r}{hint} (it has: {known})")
+    missing = sorted(declared.required - set(given))
+    if missing:
+        raise TridentError(f"{launch_file.name} needs {', '.join(f'{name}:=…' for name in missing)}")

@@ -1,0 +1,226 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""clang-tidy over the ROS-free cores, with results cached by content.
+
+A result is kept under a key made of everything that it depends on: the source, the headers of this repository that it reaches,
+the compiler flags, the configuration and clang-tidy's version. The cache lives outside the clone, so that a fresh clone of a
+checked commit has nothing to do.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import re
+import shlex
+import subprocess
+import sys
+from collections.abc import Iterable, Mapping
+from concurrent.futures import ThreadPoolExecutor, as_completed
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from trident_tool.workspace import Runner, TridentError, Workspace, base_environment
+
+_INCLUDE = re.compile(rb'^[ \t]*#[ \t]*include[ \t]*[<"]([^>"]+)[>"]', re.MULTILINE)
+_CORE = re.compile(r"src/[^/]+/src/.+\.(cpp|cc)")
+_TOKEN_ROOT = "<root>"
+
+
+@dataclass(frozen=True)
+class CompileCommand:
+    """One translation unit: its source and the flags it is compiled with."""
+
+    source: Path
+    flags: tuple[str, ...]
+
+    @property
+    def include_dirs(self) -> list[Path]:
+        """Folders of -I and -isystem, in order."""
+        dirs: list[Path] = []
+        following = False
+        for flag in self.flags:
+            if following:
+                dirs.append(Path(flag))
+                following = False
+            elif flag in ("-I", "-isystem"):
+                following = True
+            elif flag.startswith("-I"):
+                dirs.append(Path(flag[2:]))
+        return dirs
+
+
+def parse_compile_commands(text: str) -> list[CompileCommand]:
+    """Translation units of a compile_commands.json, without the compiler, -o, -c and the launcher."""
+    units = []
+    for entry in json.loads(text):
+        source = Path(entry["directory"], entry["file"]).resolve()
+        words = entry["arguments"] if "arguments" in entry else shlex.split(entry["command"])
+        start = next((i for i, word in enumerate(words) if word.startswith("-")), len(words))
+        flags: list[str] = []
+        skip = False
+        for word in words[start:]:
+            if skip or word in ("-o", "-c"):
+                skip = not skip
+            else:
+                flags.append(word)
+        units.append(CompileCommand(source, tuple(flags)))
+    return units
+
+
+def core_units(units: Iterable[CompileCommand], root: Path) -> list[CompileCommand]:
+    """Those of ``units`` whose source is in the core (``src/<pkg>/src``) of a package, once each, by name."""
+    found = {}
+    for unit in units:
+        if unit.source.is_relative_to(root) and _CORE.fullmatch(
+            unit.source.relative_to(root).as_posix()
+        ):
+            found.setdefault(unit.source, unit)
+    return [found[source] for source in sorted(found)]
+
+
+@dataclass
+class IncludeScanner:
+    """Finds the headers of this repository that a file reaches, textually: conditions are not evaluated.
+
+    Including too much only makes a key change more often than it must.
+    """
+
+    root: Path
+    _direct: dict[Path, list[str]] = field(default_factory=dict)
+
+    def reached(self, unit: CompileCommand) -> list[Path]:
+        """The source and all headers below ``root`` that it includes, directly or not, sorted."""
+        pending = [unit.source]
+        seen = {unit.source}
+        while pending:
+            current = pending.pop()
+            for name in self._included_names(current):
+                header = self._resolve(name, current.parent, unit.include_dirs)
+                if header is not None and header not in seen:
+                    seen.add(header)
+                    pending.append(header)
+        return sorted(seen)
+
+    def _included_names(self, path: Path) -> list[str]:
+        if path not in self._direct:
+            names = _INCLUDE.findall(path.read_bytes())
+            self._direct[path] = [name.decode("utf-8", "replace") for name in names]
+        return self._direct[path]
+
+    def _resolve(self, name: str, beside: Path, include_dirs: Iterable[Path]) -> Path | None:
+        for folder in (beside, *include_dirs):
+            candidate = Path(os.path.normpath(folder / name))
+            if candidate.is_relative_to(self.root) and candidate.is_file():
+                return candidate
+        return None
+
+
+def cache_key(unit: CompileCommand, files: Iterable[Path], root: Path, settings: str) -> str:
+    """Digest of all that a result depends on; equal for equal content in clones at other places."""
+    digest = hashlib.sha256(settings.encode())
+    for flag in unit.flags:
+        digest.update(flag.replace(str(root), _TOKEN_ROOT).encode() + b"\0")
+    for path in files:
+        digest.update(path.relative_to(root).as_posix().encode() + b"\0")
+        digest.update(hashlib.sha256(path.read_bytes()).digest())
+    return digest.hexdigest()
+
+
+def cache_folder(env: Mapping[str, str]) -> Path:
+    """Where results are kept: $XDG_CACHE_HOME or ~/.cache."""
+    base = env.get("XDG_CACHE_HOME") or os.path.join(env.get("HOME", "/tmp"), ".cache")
+    return Path(base, "trident", "clang-tidy")
+
+
+@dataclass(frozen=True)
+class Result:
+    """Exit code and findings of one translation unit, paths relative to the clone."""
+
+    code: int
+    findings: str
+
+
+def load_result(path: Path) -> Result | None:
+    """A kept result, or None if there is none that can be read."""
+    try:
+        data = json.loads(path.read_text(encoding="utf-8"))
+        return Result(int(data["code"]), str(data["findings"]))
+    except (OSError, ValueError, KeyError, TypeError):
+        return None
+
+
+def store_result(path: Path, result: Result) -> None:
+    """Keeps ``result``; a reader never sees half of it."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    temporary = path.with_suffix(f".{os.getpid()}")
+    temporary.write_text(json.dumps(result.__dict__), encoding="utf-8")
+    temporary.replace(path)
+
+
+def _check(unit: CompileCommand, workspace: Workspace, env: Mapping[str, str]) -> Result:
+    process = subprocess.run(
+        ["clang-tidy", "--quiet", "-p", str(workspace.build), str(unit.source)],
+        env=env,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    findings = process.stdout.replace(f"{workspace.root}/", "")
+    if process.returncode != 0 and not findings.strip():
+        findings = process.stderr.replace(f"{workspace.root}/", "")
+    return Result(process.returncode, findings)
+
+
+def _settings(workspace: Workspace) -> str:
+    version = subprocess.run(["clang-tidy", "--version"], capture_output=True, text=True, check=False)
+    config = (workspace.root / ".clang-tidy").read_text(encoding="utf-8")
+    return version.stdout + config
+
+
+def run_clang_tidy(workspace: Workspace, runner: Runner) -> int:
+    """Checks every core file whose result is not known yet; returns 1 if any has findings.
+
+    Raises:
+        TridentError: the workspace is not configured.
+    """
+    database = workspace.build / "compile_commands.json"
+    if runner.dry_run:
+        return runner.run(["clang-tidy", "--quiet", "-p", workspace.build, "src/*/src/**.cpp"])
+    if not database.is_file():
+        raise TridentError(f"{database} does not exist: run ./trident build")
+    units = core_units(
+        parse_compile_commands(database.read_text(encoding="utf-8")), workspace.root
+    )
+    units = [unit for unit in units if unit.source.is_file()]
+    env = base_environment()
+    folder = cache_folder(env)
+    settings = _settings(workspace)
+    scanner = IncludeScanner(workspace.root)
+    kept: dict[Path, Result] = {}
+    open_units: dict[Path, tuple[CompileCommand, Path]] = {}
+    for unit in units:
+        key = cache_key(unit, scanner.reached(unit), workspace.root, settings)
+        result = load_result(folder / key)
+        if result is None:
+            open_units[unit.source] = (unit, folder / key)
+        else:
+            kept[unit.source] = result
+    print(f"clang-tidy: {len(units)} core files, {len(kept)} known, {len(open_units)} to check")
+    with ThreadPoolExecutor(max_workers=len(os.sched_getaffinity(0))) as pool:
+        futures = {
+            pool.submit(_check, unit, workspace, env): (unit, path)
+            for unit, path in open_units.values()
+        }
+        for number, future in enumerate(as_completed(futures), start=1):
+            unit, path = futures[future]
+            kept[unit.source] = future.result()
+            store_result(path, kept[unit.source])
+            name = unit.source.relative_to(workspace.root)
+            print(f"[{number}/{len(futures)}] {name}", flush=True)
+    bad = [source for source in sorted(kept) if kept[source].code != 0]
+    for source in bad:
+        sys.stdout.write(kept[source].findings)
+    print(f"clang-tidy: {len(bad)} of {len(units)} files have findings")
+    return int(bool(bad))

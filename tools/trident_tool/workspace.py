@@ -1,0 +1,118 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""Where things are in a clone of the repository, and the errors and commands every subcommand shares."""
+
+from __future__ import annotations
+
+import os
+import shlex
+import subprocess
+import sys
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+
+class TridentError(Exception):
+    """A failure that the user can act on; its text is the whole message."""
+
+
+@dataclass(frozen=True)
+class Workspace:
+    """Paths of one clone. Nothing outside ``root`` is written, except the clang-tidy cache."""
+
+    root: Path
+
+    @property
+    def build(self) -> Path:
+        return self.root / "build"
+
+    @property
+    def devel(self) -> Path:
+        return self.build / "devel"
+
+    @property
+    def venv(self) -> Path:
+        return self.root / ".venv"
+
+    @property
+    def venv_python(self) -> Path:
+        return self.venv / "bin" / "python"
+
+    @property
+    def out(self) -> Path:
+        return self.root / "out"
+
+    @property
+    def launch(self) -> Path:
+        return self.root / "launch"
+
+    @staticmethod
+    def of_this_file() -> Workspace:
+        """The clone that this file belongs to."""
+        return Workspace(Path(__file__).resolve().parents[2])
+
+
+def hide_from_crawlers(directory: Path) -> None:
+    """Keeps catkin and rospack from searching ``directory`` (created if needed) for packages."""
+    directory.mkdir(parents=True, exist_ok=True)
+    for marker in ("CATKIN_IGNORE", "rospack_nosubdirs"):
+        (directory / marker).touch()
+
+
+def say(text: str) -> None:
+    """One line about what is going on, on stderr, so that stdout stays the command's own."""
+    print(f"trident: {text}", file=sys.stderr, flush=True)
+
+
+@dataclass(frozen=True)
+class Runner:
+    """Runs commands, or in a dry run prints them instead."""
+
+    dry_run: bool = False
+
+    def run(
+        self,
+        command: Sequence[str | Path],
+        *,
+        cwd: Path | None = None,
+        env: Mapping[str, str] | None = None,
+    ) -> int:
+        """Runs ``command`` in the foreground and returns its exit code (0 in a dry run)."""
+        words = [str(word) for word in command]
+        if self.dry_run:
+            print(f"would run: {shlex.join(words)}", flush=True)
+            return 0
+        return subprocess.run(words, cwd=cwd, env=env, check=False).returncode
+
+    def check(
+        self,
+        command: Sequence[str | Path],
+        *,
+        what: str,
+        cwd: Path | None = None,
+        env: Mapping[str, str] | None = None,
+    ) -> None:
+        """Runs ``command``.
+
+        Raises:
+            TridentError: it failed; names ``what`` was being done and the command.
+        """
+        code = self.run(command, cwd=cwd, env=env)
+        if code != 0:
+            line = shlex.join([str(word) for word in command])
+            raise TridentError(f"{what} failed (exit code {code}): {line}")
+
+
+def base_environment() -> dict[str, str]:
+    """The caller's environment with /usr/bin first on PATH and without another Python's settings.
+
+    Debian's ROS is built for /usr/bin/python3: another python3 earlier on PATH breaks catkin and pluginlib.
+    """
+    env = dict(os.environ)
+    path = [entry for entry in env.get("PATH", "").split(os.pathsep) if entry]
+    first = ["/usr/bin", "/bin"]
+    env["PATH"] = os.pathsep.join(first + [entry for entry in path if entry not in first])
+    for name in ("PYTHONHOME", "VIRTUAL_ENV", "__PYVENV_LAUNCHER__"):
+        env.pop(name, None)
+    return env
