@@ -1,0 +1,117 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""A formation from a file: which file, how it is laid out, how many fly, scale and offset."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import numpy.typing as npt
+
+from trident_fleet.core.errors import FormationError
+from trident_fleet.core.mat_file import (
+    DEFAULT_VEHICLES,
+    LayoutRequest,
+    deinterleave,
+    is_mat_file,
+    read_mat_positions,
+)
+from trident_fleet.core.text_file import read_text_rows
+
+Vector = tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class FormationSource:
+    """Where the rows of a formation come from.
+
+    Attributes:
+        file: text file or .mat file.
+        vehicles_in_file: how many vehicles the rows interleave; 0 means 6, or the .mat's shape.
+        uavs: how many of them fly, the first ones; 0 means all.
+        scale: factor per axis, file units to metres.
+        offset: added after scaling, per axis [m, world].
+        layout: of a .mat matrix, one of `mat_file.LAYOUTS`; "" infers it.
+        first_row: rows before this one are left out.
+    """
+
+    file: str
+    vehicles_in_file: int = 0
+    uavs: int = 0
+    scale: Vector = (1.0, 1.0, 1.0)
+    offset: Vector = (0.0, 0.0, 0.0)
+    layout: str = ""
+    first_row: int = 0
+
+    def validate(self) -> None:
+        """Raise FormationError on the first field with an illegal value."""
+        if not self.file:
+            raise FormationError("formation_file: empty; legal: path of a text or .mat file")
+        for name in ("vehicles_in_file", "uavs", "first_row"):
+            value = getattr(self, name)
+            if value < 0:
+                raise FormationError(f"{name}: {value}; legal: 0 or more")
+        for axis, factor in zip("xyz", self.scale, strict=True):
+            if not math.isfinite(factor) or factor == 0.0:
+                raise FormationError(f"scale_{axis}: {factor}; legal: finite, not 0")
+        for axis, shift in zip("xyz", self.offset, strict=True):
+            if not math.isfinite(shift):
+                raise FormationError(f"offset_{axis}: {shift}; legal: finite")
+
+
+def read_formation(source: FormationSource) -> npt.NDArray[np.float64]:
+    """Read a formation file, scaled and shifted.
+
+    Args:
+        source: file, layout, scale and offset.
+
+    Returns:
+        p_world of each row and flying vehicle [m], shape (T, uavs, 3).
+
+    Raises:
+        FormationError: anything wrong with the file or with `source`.
+    """
+    source.validate()
+    positions = _read_positions(Path(source.file).expanduser(), source)
+    positions = _select(positions, source)
+    return positions * np.array(source.scale) + np.array(source.offset)
+
+
+def _read_positions(path: Path, source: FormationSource) -> npt.NDArray[np.float64]:
+    try:
+        with path.open("rb") as stream:
+            head = stream.read(4096)
+        if is_mat_file(path, head):
+            request = LayoutRequest(source.layout, source.vehicles_in_file)
+            return read_mat_positions(path, request)
+        if source.layout:
+            raise FormationError(
+                f"layout: '{source.layout}' for the text file {path}; legal: empty, text rows are"
+                " interleaved vehicle by vehicle"
+            )
+        vehicles = source.vehicles_in_file or DEFAULT_VEHICLES
+        return deinterleave(read_text_rows(path), vehicles, str(path))
+    except OSError as error:
+        reason = error.strerror or str(error)
+        raise FormationError(
+            f"{path}: {reason}; legal: a readable text or .mat formation file"
+        ) from error
+
+
+def _select(
+    positions: npt.NDArray[np.float64], source: FormationSource
+) -> npt.NDArray[np.float64]:
+    steps, vehicles, _ = positions.shape
+    if source.uavs > vehicles:
+        raise FormationError(
+            f"uavs: {source.uavs}, but {source.file} holds {vehicles} vehicles; legal: 1 to"
+            f" {vehicles}"
+        )
+    if source.first_row >= steps:
+        raise FormationError(
+            f"seq: row {source.first_row} of {source.file}; legal: 0 to {steps - 1}"
+        )
+    return positions[source.first_row :, : source.uavs or vehicles]

@@ -1,0 +1,191 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""Positions from MATLAB .mat files (v4 to v7): one numeric variable, `vehicle_pos`."""
+
+from __future__ import annotations
+
+import io
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from trident_fleet.core.errors import FormationError
+
+VARIABLE = "vehicle_pos"
+LAYOUTS_2D = ("TNx3", "3xTN")
+LAYOUTS_3D = ("3xNxT", "3xTxN", "Nx3xT", "Tx3xN", "NxTx3", "TxNx3")
+LAYOUTS = LAYOUTS_2D + LAYOUTS_3D
+DEFAULT_VEHICLES = 6
+
+_V5_MAGIC = b"MATLAB 5.0 MAT-file"
+_V73_MAGIC = b"MATLAB 7.3 MAT-file"
+_HDF5_MAGIC = b"\x89HDF\r\n\x1a\n"
+
+
+@dataclass(frozen=True)
+class LayoutRequest:
+    """What the caller knows about the matrix.
+
+    Attributes:
+        layout: one of `LAYOUTS`, or "" to infer it from the shape. T steps, N vehicles, 3 axes; TN
+            means interleaved vehicle by vehicle.
+        vehicles_in_file: N, or 0 to take it from the shape (6 where the shape does not say).
+    """
+
+    layout: str = ""
+    vehicles_in_file: int = 0
+
+
+def is_mat_file(path: Path, head: bytes) -> bool:
+    """Whether `head`, the file's first bytes, or the suffix of a binary file say .mat."""
+    if head.startswith((_V5_MAGIC, _V73_MAGIC, _HDF5_MAGIC)):
+        return True
+    return path.suffix.lower() == ".mat" and b"\0" in head
+
+
+def read_mat_positions(path: Path, request: LayoutRequest) -> npt.NDArray[np.float64]:
+    """Read `vehicle_pos` of a .mat file.
+
+    Args:
+        path: the file.
+        request: layout and number of vehicles, as far as known.
+
+    Returns:
+        Positions in the file's own units, shape (T, N, 3).
+
+    Raises:
+        FormationError: not a readable .mat file, no such variable, not real finite numbers, or a
+            shape that fits no layout or several.
+    """
+    return arrange(_load_variable(path), request, f"{path}: variable {VARIABLE}")
+
+
+def arrange(
+    matrix: npt.NDArray[np.float64], request: LayoutRequest, where: str
+) -> npt.NDArray[np.float64]:
+    """Bring a matrix of any orientation to shape (T, N, 3). Errors begin with `where`."""
+    _check_finite(matrix, where)
+    if request.layout and request.layout not in LAYOUTS:
+        raise FormationError(f"layout: '{request.layout}'; legal: {', '.join(LAYOUTS)}")
+    layout = request.layout or _infer_layout(matrix.shape, request.vehicles_in_file, where)
+    positions = _apply_layout(matrix, layout, request.vehicles_in_file, where)
+    if positions.size == 0:
+        raise FormationError(f"{where}: empty ({_shape_text(matrix.shape)}); legal: T, N >= 1")
+    return positions
+
+
+def _apply_layout(
+    matrix: npt.NDArray[np.float64], layout: str, vehicles: int, where: str
+) -> npt.NDArray[np.float64]:
+    axes = layout.split("x")
+    if len(axes) != matrix.ndim or matrix.shape[axes.index("3")] != 3:
+        raise FormationError(
+            f"{where}: {_shape_text(matrix.shape)} does not fit layout {layout};"
+            f" legal: {len(axes)} dimensions, 3 at number {axes.index('3') + 1}"
+        )
+    if matrix.ndim == 2:
+        rows = matrix if layout == "TNx3" else matrix.T
+        return deinterleave(rows, vehicles or DEFAULT_VEHICLES, where)
+    positions = np.transpose(matrix, [axes.index(axis) for axis in ("T", "N", "3")])
+    if vehicles and positions.shape[1] != vehicles:
+        raise FormationError(
+            f"{where}: {_shape_text(matrix.shape)} read as {layout} holds {positions.shape[1]}"
+            f" vehicles, but vehicles_in_file is {vehicles}; legal: equal, or 0 to take the file's"
+        )
+    return np.ascontiguousarray(positions)
+
+
+def deinterleave(
+    rows: npt.NDArray[np.float64], vehicles: int, where: str
+) -> npt.NDArray[np.float64]:
+    """Split rows (T*N, 3), interleaved vehicle by vehicle, into shape (T, N, 3)."""
+    if len(rows) % vehicles:
+        raise FormationError(
+            f"{where}: {len(rows)} rows do not divide by vehicles_in_file {vehicles};"
+            f" legal: a multiple of {vehicles}"
+        )
+    return np.ascontiguousarray(rows.reshape(-1, vehicles, 3))
+
+
+def _infer_layout(shape: tuple[int, ...], vehicles: int, where: str) -> str:
+    fitting = _fitting_layouts(shape, vehicles)
+    if len(fitting) == 1:
+        return fitting[0]
+    if fitting:
+        raise FormationError(
+            f"{where}: {_shape_text(shape)} is ambiguous; give `layout`, one of"
+            f" {', '.join(fitting)} (T steps, N vehicles, 3 axes)"
+        )
+    wanted = f" with N = vehicles_in_file = {vehicles}" if vehicles and len(shape) == 3 else ""
+    raise FormationError(
+        f"{where}: {_shape_text(shape)} fits no layout{wanted}; legal: {', '.join(LAYOUTS)}"
+    )
+
+
+def _fitting_layouts(shape: tuple[int, ...], vehicles: int) -> list[str]:
+    if len(shape) == 2:
+        return [name for name in LAYOUTS_2D if shape[name.split("x").index("3")] == 3]
+    if len(shape) != 3:
+        return []
+    fitting = []
+    for name in LAYOUTS_3D:
+        size = dict(zip(name.split("x"), shape, strict=True))
+        # Without a given N a formation has more steps than vehicles.
+        right_count = size["N"] == vehicles if vehicles else size["N"] <= size["T"]
+        if size["3"] == 3 and right_count:
+            fitting.append(name)
+    return fitting
+
+
+def _load_variable(path: Path) -> npt.NDArray[np.float64]:
+    raw = path.read_bytes()
+    if raw.startswith((_V73_MAGIC, _HDF5_MAGIC)):
+        raise FormationError(
+            f"{path}: a v7.3 (HDF5) .mat file, which is not read yet; legal: v7 or older"
+            f" (in MATLAB: save('{path.name}', '{VARIABLE}', '-v7'))"
+        )
+    variables = _load_all(path, raw)
+    if VARIABLE not in variables:
+        found = ", ".join(sorted(variables)) or "none"
+        raise FormationError(
+            f"{path}: no variable {VARIABLE}; the file holds: {found}; legal: a numeric matrix"
+            f" {VARIABLE}"
+        )
+    return _as_real(variables[VARIABLE], f"{path}: variable {VARIABLE}")
+
+
+def _load_all(path: Path, raw: bytes) -> dict[str, Any]:
+    # Imported here: it costs 0.3 s that text files should not pay, in each vehicle's process.
+    from scipy.io import loadmat
+
+    try:
+        loaded = loadmat(io.BytesIO(raw))
+    except Exception as error:  # scipy's readers raise whatever a corrupt file leads them to
+        detail = " ".join(str(error).split()) or type(error).__name__
+        raise FormationError(
+            f"{path}: not a readable .mat file ({detail}); legal: MATLAB v4, v5, v6 or v7"
+        ) from error
+    return {name: value for name, value in loaded.items() if not name.startswith("__")}
+
+
+def _as_real(value: Any, where: str) -> npt.NDArray[np.float64]:
+    if not isinstance(value, np.ndarray) or value.dtype.kind not in "fiu":
+        kind = str(getattr(value, "dtype", type(value).__name__))
+        raise FormationError(f"{where}: of type {kind}; legal: a full matrix of real numbers")
+    return value.astype(np.float64)
+
+
+def _check_finite(matrix: npt.NDArray[np.float64], where: str) -> None:
+    bad = np.argwhere(~np.isfinite(matrix))
+    if len(bad):
+        # MATLAB counts from one.
+        place = ", ".join(str(index + 1) for index in bad[0])
+        value = matrix[tuple(bad[0])]
+        raise FormationError(f"{where}({place}): {value} is not finite; legal: finite numbers")
+
+
+def _shape_text(shape: tuple[int, ...]) -> str:
+    return "x".join(str(size) for size in shape)
