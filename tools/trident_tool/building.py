@@ -9,6 +9,8 @@ import fcntl
 import hashlib
 import os
 import shutil
+import subprocess
+import sys
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
@@ -120,9 +122,26 @@ def configure(workspace: Workspace, runner: Runner) -> None:
         and stamp.read_text(encoding="utf-8") == key
     ):
         return
-    runner.check(configure_command(workspace), what="configuring", env=clean_environment())
-    if not runner.dry_run:
-        stamp.write_text(key, encoding="utf-8")
+    command = configure_command(workspace)
+    if runner.dry_run:
+        runner.run(command)
+        return
+    say("configuring the workspace")
+    log = workspace.build / "configure.log"
+    with log.open("wb") as file:
+        code = subprocess.run(
+            command, env=clean_environment(), stdout=file, stderr=subprocess.STDOUT, check=False
+        ).returncode
+    if code != 0:
+        sys.stderr.write(errors_of_cmake(log.read_text(encoding="utf-8", errors="replace")))
+        raise TridentError(f"configuring failed (exit code {code}); all of it is in {log}")
+    stamp.write_text(key, encoding="utf-8")
+
+
+def errors_of_cmake(output: str) -> str:
+    """The part of cmake's output from its first error on, or the last lines where it names none."""
+    start = output.find("CMake Error")
+    return output[start:] if start >= 0 else "\n".join(output.splitlines()[-20:]) + "\n"
 
 
 def build(

@@ -64,12 +64,19 @@ def missing_packages(wanted: Iterable[str], installed: set[str]) -> list[str]:
     return [name for name in wanted if name not in installed]
 
 
-def _privileged(command: list[str]) -> list[str]:
+def apt_get(arguments: list[str]) -> list[str]:
+    """An apt-get call that asks nothing, with sudo unless this is root.
+
+    Raises:
+        TridentError: neither root nor sudo; says what root has to run.
+    """
+    # env, because sudo drops the caller's variables.
+    command = ["env", "DEBIAN_FRONTEND=noninteractive", "apt-get", "-o", "Dpkg::Use-Pty=0", *arguments]
     if os.geteuid() == 0:
         return command
     if shutil.which("sudo") is None:
-        packages = " ".join(word for word in command[1:] if not word.startswith("-"))
-        raise TridentError(f"neither root nor sudo here; as root, run once: apt-get {packages}")
+        line = " ".join(["apt-get", *arguments])
+        raise TridentError(f"neither root nor sudo here; as root, run once: {line}")
     return ["sudo", *command]
 
 
@@ -81,11 +88,9 @@ def install_apt(workspace: Workspace, runner: Runner) -> None:
     if not missing:
         return
     say(f"installing {len(missing)} Debian packages: {' '.join(missing)}")
-    # env, because sudo drops the caller's variables.
-    quiet = ["env", "DEBIAN_FRONTEND=noninteractive", "apt-get", "-o", "Dpkg::Use-Pty=0"]
-    install = [*quiet, "install", "-y", "--no-install-recommends", *missing]
-    runner.check(_privileged([*quiet, "update"]), what="reading the package lists")
-    runner.check(_privileged(install), what="installing the Debian packages")
+    install = apt_get(["install", "-y", "--no-install-recommends", *missing])
+    runner.check(apt_get(["update"]), what="reading the package lists")
+    runner.check(install, what="installing the Debian packages")
 
 
 def venv_key(workspace: Workspace, requirements: str, interpreter: str) -> str:
