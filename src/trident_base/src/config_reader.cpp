@@ -26,9 +26,9 @@ std::string with_unit(const std::string& legal, const std::string& unit) {
 }
 
 std::string number_expected(const ValueContext& context) {
-  return with_unit(context.range.is_unbounded() ? "a finite number"
-                                                : "a number " + context.range.text(),
-                   context.unit);
+  return with_unit(
+      context.range.is_unbounded() ? "a finite number" : "a number " + context.range.text(),
+      context.unit);
 }
 
 // YAML's spelling of what std::from_chars calls inf and nan.
@@ -115,9 +115,8 @@ const std::string& read_string(const ValueContext& context, const ConfigNode& no
 const ConfigNode& expect_sequence(const ValueContext& context, const ConfigNode& node,
                                   const std::string& path, int size_or_any) {
   const bool is_sized = size_or_any >= 0;
-  const bool is_legal =
-      node.kind == Kind::kSequence &&
-      (!is_sized || node.items.size() == static_cast<std::size_t>(size_or_any));
+  const bool is_legal = node.kind == Kind::kSequence &&
+                        (!is_sized || node.items.size() == static_cast<std::size_t>(size_or_any));
   if (!is_legal) {
     fail_type(context, node, path,
               is_sized ? "a list of " + std::to_string(size_or_any) + " items" : "a list");
@@ -161,8 +160,8 @@ WholeNumber read_whole_number(const ValueContext& context, const ConfigNode& nod
 
   // |lowest| without overflow, for lowest <= 0.
   const unsigned long long most_negative = 0 - static_cast<unsigned long long>(lowest);
-  const bool fits = result.ec == std::errc() &&
-                    (is_negative ? magnitude <= most_negative : magnitude <= highest);
+  const bool fits =
+      result.ec == std::errc() && (is_negative ? magnitude <= most_negative : magnitude <= highest);
   const double value = static_cast<double>(magnitude) * (is_negative ? -1.0 : 1.0);
   if (!fits || !context.range.contains(value)) {
     fail_range(context, node, path, "a whole number " + legal);
@@ -203,9 +202,10 @@ void ConfigReader::finish() const {
   for (std::size_t i = 0; i < node_.keys.size(); ++i) {
     const std::string& key = node_.keys[i];
     if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
+    const std::string suggestion = or_suggestion(key, known_);
     throw ConfigError(file_, node_.key_lines[i], child_path(path_, key),
-                      "unknown key (with " + node_.items[i].describe() + ')' +
-                          or_suggestion(key, known_) + (" Known keys: " + join(known_)));
+                      "unknown key (its value is " + node_.items[i].describe() + ')' +
+                          (suggestion.empty() ? "." : suggestion) + " Known keys: " + join(known_));
   }
   if (!missing_.empty()) {
     throw ConfigError(file_, node_.line, missing_.front().key, missing_.front().problem);

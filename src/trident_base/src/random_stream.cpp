@@ -65,10 +65,10 @@ RandomStream::RandomStream(std::uint64_t world_seed, std::string_view entity_nam
 
 std::array<std::uint32_t, 4> RandomStream::block(std::uint64_t sample_index, std::uint32_t channel,
                                                  Use use) const {
-  return philox4x32_10({static_cast<std::uint32_t>(sample_index),
-                        static_cast<std::uint32_t>(sample_index >> 32), channel,
-                        static_cast<std::uint32_t>(use)},
-                       key_);
+  return philox4x32_10(
+      {static_cast<std::uint32_t>(sample_index), static_cast<std::uint32_t>(sample_index >> 32),
+       channel, static_cast<std::uint32_t>(use)},
+      key_);
 }
 
 double RandomStream::uniform(std::uint64_t sample_index, std::uint32_t channel) const {

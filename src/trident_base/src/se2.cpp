@@ -36,8 +36,9 @@ SE2 SE2::inverse() const { return {wrap_to_pi(-angle), -(rotation().transpose() 
 
 SE2::Tangent SE2::log() const {
   const double w = wrap_to_pi(angle);
-  const double along = w == 0.0 ? 1.0 : 0.5 * w / std::tan(0.5 * w);
-  return {along * p.x() + 0.5 * w * p.y(), along * p.y() - 0.5 * w * p.x(), w};
+  const double half = 0.5 * w;
+  const double along = half == 0.0 ? 1.0 : half / std::tan(half);
+  return {along * p.x() + half * p.y(), along * p.y() - half * p.x(), w};
 }
 
 SE2::Adjoint SE2::adjoint() const {
@@ -56,8 +57,6 @@ Eigen::Matrix2d SE2::rotation() const {
   return result;
 }
 
-SE3 SE2::to_se3(double z) const {
-  return SE3::from_xyz_rpy({p.x(), p.y(), z}, 0.0, 0.0, angle);
-}
+SE3 SE2::to_se3(double z) const { return SE3::from_xyz_rpy({p.x(), p.y(), z}, 0.0, 0.0, angle); }
 
 }  // namespace trident

@@ -58,7 +58,8 @@ Eigen::Matrix3d so3_left_jacobian(const Eigen::Vector3d& rotation_vector) {
 
 Eigen::Matrix3d so3_left_jacobian_inverse(const Eigen::Vector3d& rotation_vector) {
   const Eigen::Matrix3d S = skew(rotation_vector);
-  return Eigen::Matrix3d::Identity() - 0.5 * S + cotangent_remainder(rotation_vector.norm()) * S * S;
+  return Eigen::Matrix3d::Identity() - 0.5 * S +
+         cotangent_remainder(rotation_vector.norm()) * S * S;
 }
 
 }  // namespace trident

@@ -143,7 +143,8 @@ class TreeBuilder : public YAML::EventHandler {
     map->keys.push_back(key.scalar);
     map->key_lines.push_back(key.line);
     if (is_duplicate) {
-      fail(key.line, "duplicate key, given before on line " + std::to_string(map->key_lines[index]));
+      fail(key.line,
+           "duplicate key, given before on line " + std::to_string(map->key_lines[index]));
     }
   }
 

@@ -1,3 +1,36 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
 
+# One translation unit per public header: each must compile on its own.
+file(GLOB trident_base_headers RELATIVE ${CMAKE_CURRENT_SOURCE_DIR}/include
+  CONFIGURE_DEPENDS include/trident_base/*.h)
+set(header_sources)
+foreach(header IN LISTS trident_base_headers)
+  string(REPLACE "/" "_" name ${header})
+  set(source ${CMAKE_CURRENT_BINARY_DIR}/headers/${name}.cpp)
+  file(CONFIGURE OUTPUT ${source} CONTENT "#include \"${header}\"\n")
+  list(APPEND header_sources ${source})
+endforeach()
+
+catkin_add_gtest(trident_base_test
+  test/config_document_test.cpp
+  test/config_error_test.cpp
+  test/gauss_markov_test.cpp
+  test/noise_test.cpp
+  test/random_stream_test.cpp
+  test/registry_test.cpp
+  test/se2_test.cpp
+  test/se3_test.cpp
+  test/sha256_test.cpp
+  test/sim_time_test.cpp
+  test/so3_test.cpp
+  test/string_util_test.cpp
+  test/yaml_config_test.cpp
+  test/yaml_tree_test.cpp
+  ${header_sources}
+)
+target_link_libraries(trident_base_test trident_base ${GTEST_MAIN_LIBRARIES})
+
+# Alone, because it replaces the global operator new.
+catkin_add_gtest(trident_base_allocation_test test/allocation_test.cpp)
+target_link_libraries(trident_base_allocation_test trident_base ${GTEST_MAIN_LIBRARIES})

@@ -21,8 +21,8 @@ struct DocumentRow {
 
 std::string markdown_table(const std::vector<DocumentRow>& rows);
 
-/// What a type contributes to a table: its name, its legal values, the text of a value, and the rows
-/// below it.
+/// What a type contributes to a table: its name, its legal values, the text of a value, and the
+/// rows below it.
 template <class T>
 struct Describe;
 
@@ -87,7 +87,14 @@ struct Describe<std::string> : DescribeLeaf {
 template <Number T>
 struct Describe<T> : DescribeLeaf {
   static std::string type() { return std::is_integral_v<T> ? "whole number" : "number"; }
-  static std::string legal() { return std::is_unsigned_v<T> ? ">= 0" : Range::any().text(); }
+  static std::string legal() {
+    if constexpr (std::is_integral_v<T>) {
+      using Limits = std::numeric_limits<T>;
+      return "in [" + std::to_string(Limits::min()) + ", " + std::to_string(Limits::max()) + ']';
+    } else {
+      return Range::any().text();
+    }
+  }
   static std::string text(T value) {
     if constexpr (std::is_integral_v<T>) {
       return std::to_string(value);

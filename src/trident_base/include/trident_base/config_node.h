@@ -28,8 +28,8 @@ class ConfigError : public Error {
   std::string key_;
 };
 
-/// One value of a configuration before it has a type: what YAML text says, with its line. Other sources
-/// (the ROS parameter server) build the same tree and get the same checks.
+/// One value of a configuration before it has a type: what YAML text says, with its line. Other
+/// sources (the ROS parameter server) build the same tree and get the same checks.
 struct ConfigNode {
   enum class Kind { kNull, kScalar, kSequence, kMap };
 
@@ -47,9 +47,9 @@ struct ConfigNode {
   std::string describe() const;
 };
 
-/// Parses one YAML document; empty text gives an empty map. `file_label` names the source in errors.
-/// Throws ConfigError for malformed text, a second document, a duplicate or non-scalar key, or an alias
-/// that would make the tree larger than a million nodes.
+/// Parses one YAML document; empty text gives an empty map. `file_label` names the source in
+/// errors. Throws ConfigError for malformed text, a second document, a duplicate or non-scalar key,
+/// or an alias that would make the tree larger than a million nodes.
 ConfigNode parse_yaml(const std::string& text, const std::string& file_label);
 
 /// The text of a file; throws ConfigError naming the file when it cannot be read.

@@ -58,8 +58,8 @@ std::vector<std::string> enum_name_list() {
   return names;
 }
 
-/// The archive that fills a struct from one map node. `finish` reports, in this order: unknown keys,
-/// missing keys, a failed validate().
+/// The archive that fills a struct from one map node. `finish` reports, in this order: unknown
+/// keys, missing keys, a failed validate().
 class ConfigReader {
  public:
   ConfigReader(const ConfigNode& node, const std::string& file, std::string path);

@@ -16,8 +16,8 @@
 
 namespace trident {
 
-/// Legal values of a number, or of each number in a list or map. NaN is never legal; an infinite value
-/// only where `or_infinite()` was asked for.
+/// Legal values of a number, or of each number in a list or map. NaN is never legal; an infinite
+/// value only where `or_infinite()` was asked for.
 struct Range {
   double lo = -std::numeric_limits<double>::infinity();
   double hi = std::numeric_limits<double>::infinity();
@@ -69,18 +69,25 @@ struct ArchiveProbe {
 };
 
 template <class T>
-concept Visitable = std::is_class_v<T> && requires(T& value, ArchiveProbe& ar) { value.visit(ar); };
+concept Visitable = std::is_class_v<T> && requires(T& value, ArchiveProbe& ar) {
+  value.visit(ar);
+};
 
 template <class T>
-concept Validated = requires(const T& value) { value.validate(); };
+concept Validated = requires(const T& value) {
+  value.validate();
+};
 
 template <class T>
-concept NamedEnum = std::is_enum_v<T> && requires(T value) { enum_names(value); };
+concept NamedEnum = std::is_enum_v<T> && requires(T value) {
+  enum_names(value);
+};
 
 template <class T>
 concept Number = std::is_arithmetic_v<T> && !std::is_same_v<T, bool>;
 
-/// The type that a Range on a field speaks about: the innermost element of lists, maps and optionals.
+/// The type that a Range on a field speaks about: the innermost element of lists, maps and
+/// optionals.
 template <class T>
 struct Element {
   using Type = T;

@@ -12,8 +12,8 @@
 
 namespace trident {
 
-// Every sample is addressed by (index, channel) of the sensor's RandomStream. A vector sample uses the
-// channels [channel, channel + 3); give each quantity of a sensor its own channels.
+// Every sample is addressed by (index, channel) of the sensor's RandomStream. A vector sample uses
+// the channels [channel, channel + 3); give each quantity of a sensor its own channels.
 
 /// Discrete Gaussian noise, in the unit of the measurement (SDF's <noise type="gaussian">).
 struct GaussianNoise {
@@ -23,8 +23,8 @@ struct GaussianNoise {
   double sample(const RandomStream& stream, std::uint64_t index, std::uint32_t channel) const;
 };
 
-/// Continuous white noise: `density` [unit/sqrt(Hz)], sampled with period dt [s] it has the standard
-/// deviation density / sqrt(dt).
+/// Continuous white noise: `density` [unit/sqrt(Hz)], sampled with period dt [s] it has the
+/// standard deviation density / sqrt(dt).
 struct WhiteNoise {
   double density = 0.0;
 
@@ -69,8 +69,9 @@ struct GaussMarkovParams {
 /// First-order Gauss-Markov bias, discretised exactly for sample period dt:
 ///   b[k] = exp(-dt/tau) b[k-1] + sqrt(-random_walk^2 * tau/2 * (exp(-2 dt/tau) - 1)) n[k],
 ///   b[-1] = 0. The stationary variance is random_walk^2 * tau / 2.
-/// (Maybeck, Stochastic Models, Estimation, and Control, vol. 1, sec. 4.11; RotorS' IMU uses the same.)
-/// Uses two channels: `channel` for the driving noise, `channel + kTurnOnChannelOffset` for turn-on.
+/// (Maybeck, Stochastic Models, Estimation, and Control, vol. 1, sec. 4.11; RotorS' IMU uses the
+/// same.) Uses two channels: `channel` for the driving noise, `channel + kTurnOnChannelOffset` for
+/// turn-on.
 class GaussMarkov {
  public:
   static constexpr std::uint32_t kTurnOnChannelOffset = 0x10000;
@@ -78,9 +79,9 @@ class GaussMarkov {
   /// Throws Error when a parameter or dt [s] is outside its legal range.
   GaussMarkov(const GaussMarkovParams& params, double dt, std::uint32_t channel);
 
-  /// The bias of sample `index` [unit]. Samples that were skipped (nobody listened) are caught up with,
-  /// so the value depends on the index alone; an index before the last one replays from the start.
-  /// Pass the same stream each time.
+  /// The bias of sample `index` [unit]. Samples that were skipped (nobody listened) are caught up
+  /// with, so the value depends on the index alone; an index before the last one replays from the
+  /// start. Pass the same stream each time.
   double sample(const RandomStream& stream, std::uint64_t index);
 
   /// Forgets the state: the next sample starts again from b[-1] = 0 (reset_simulation).
@@ -105,9 +106,8 @@ struct InertialNoiseParams {
 /// Defaults: an ADIS16448 with doubled data-sheet densities, as RotorS ships it.
 struct ImuNoiseParams {
   /// [rad/s/sqrt(Hz)], {[rad/s^2/sqrt(Hz)], [s], [rad/s]}
-  InertialNoiseParams gyroscope{
-      deg_to_rad(2.0 * 35.0 / 3600.0),
-      {deg_to_rad(2.0 * 4.0 / 3600.0), 1000.0, deg_to_rad(0.5)}};
+  InertialNoiseParams gyroscope{deg_to_rad(2.0 * 35.0 / 3600.0),
+                                {deg_to_rad(2.0 * 4.0 / 3600.0), 1000.0, deg_to_rad(0.5)}};
   /// [m/s^2/sqrt(Hz)], {[m/s^3/sqrt(Hz)], [s], [m/s^2]}
   InertialNoiseParams accelerometer{2.0 * 2.0e-3, {2.0 * 3.0e-3, 300.0, 20.0e-3 * 9.8}};
 };
@@ -119,8 +119,8 @@ class ImuNoise {
   /// `dt` is the sample period [s]. Throws Error when a parameter is outside its legal range.
   ImuNoise(const ImuNoiseParams& params, double dt, const RandomStream& stream);
 
-  /// Adds the noise of sample `index` to the angular velocity [rad/s] and the specific force [m/s^2],
-  /// both in the sensor's frame.
+  /// Adds the noise of sample `index` to the angular velocity [rad/s] and the specific force
+  /// [m/s^2], both in the sensor's frame.
   void add(std::uint64_t index, Eigen::Vector3d* w_sensor, Eigen::Vector3d* f_sensor);
 
   void reset();

@@ -13,10 +13,10 @@ namespace trident {
 std::array<std::uint32_t, 4> philox4x32_10(const std::array<std::uint32_t, 4>& counter,
                                            const std::array<std::uint32_t, 2>& key);
 
-/// The random numbers of one entity (a sensor, a link). Each number is a pure function of (world seed,
-/// entity name, sample index, channel): nothing that another entity or a subscriber does can shift it,
-/// and it can be asked for in any order. Distributions are our own, because those of <random> differ
-/// between standard libraries. Cheap to copy; no allocation.
+/// The random numbers of one entity (a sensor, a link). Each number is a pure function of (world
+/// seed, entity name, sample index, channel): nothing that another entity or a subscriber does can
+/// shift it, and it can be asked for in any order. Distributions are our own, because those of
+/// <random> differ between standard libraries. Cheap to copy; no allocation.
 class RandomStream {
  public:
   /// `entity_name` is the full scoped name, e.g. "UAV1/firefly/imu".

@@ -13,8 +13,9 @@
 
 namespace trident {
 
-/// Name -> factory, filled by explicit `add` calls at start-up (`register_builtin_plugins(registry)`);
-/// there is no static registration. Ordered by name, so that iteration is the same in every run.
+/// Name -> factory, filled by explicit `add` calls at start-up
+/// (`register_builtin_plugins(registry)`); there is no static registration. Ordered by name, so
+/// that iteration is the same in every run.
 template <class Factory>
 class Registry {
  public:

@@ -8,8 +8,9 @@
 
 namespace trident {
 
-/// Rigid transform T_a_b in the plane: p_a = T_a_b * p_b. `angle` [rad] is kept in (-pi, pi] by every
-/// operation here; `p` is the origin of b in a [m]. Tangent vectors are (vx [m], vy [m], w [rad]).
+/// Rigid transform T_a_b in the plane: p_a = T_a_b * p_b. `angle` [rad] is kept in (-pi, pi] by
+/// every operation here; `p` is the origin of b in a [m]. Tangent vectors are (vx [m], vy [m], w
+/// [rad]).
 struct SE2 {
   using Tangent = Eigen::Vector3d;
   using Adjoint = Eigen::Matrix3d;

@@ -9,9 +9,9 @@ namespace trident {
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
-/// Rigid transform T_a_b: takes coordinates in frame b to coordinates in frame a (p_a = T_a_b * p_b).
-/// `R` is a unit quaternion, `p` the origin of b in a [m]. Tangent vectors are (v [m], w [rad]): the
-/// translational part first.
+/// Rigid transform T_a_b: takes coordinates in frame b to coordinates in frame a (p_a = T_a_b *
+/// p_b). `R` is a unit quaternion, `p` the origin of b in a [m]. Tangent vectors are (v [m], w
+/// [rad]): the translational part first.
 struct SE3 {
   using Tangent = Vector6d;
   using Adjoint = Matrix6d;

@@ -9,7 +9,8 @@
 
 namespace trident {
 
-/// Incremental SHA-256 (FIPS 180-4). The bytes that a number contributes are the same on every machine.
+/// Incremental SHA-256 (FIPS 180-4). The bytes that a number contributes are the same on every
+/// machine.
 class Sha256 {
  public:
   Sha256();

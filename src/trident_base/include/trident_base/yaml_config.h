@@ -23,13 +23,15 @@ namespace trident {
 //       ar.field("time_constant_up", time_constant_up, Range::positive(), "spin-up lag [s]");
 //       ar.required("angles", angles, Range{-3.2, 3.2}, "azimuth of each rotor [rad]");
 //     }
-//     void validate() const;                          // optional: rules across fields; throws Error
+//     void validate() const;                          // optional: rules across fields; throws
+//     Error
 //   };
 //   const auto motor = load_yaml<Motor>("config/motor.yaml");
 //
-// Field types: bool, whole numbers, float, double, std::string, enums with enum_names() (config_types.h),
-// structs with visit(), Eigen column vectors, std::array, and std::vector, std::optional,
-// std::map<std::string, …> of these. A list or a map in the file replaces the default one.
+// Field types: bool, whole numbers, float, double, std::string, enums with enum_names()
+// (config_types.h), structs with visit(), Eigen column vectors, std::array, and std::vector,
+// std::optional, std::map<std::string, …> of these. A list or a map in the file replaces the
+// default one.
 //
 // Errors, each a ConfigError with file, line, key path, value and what is legal: malformed YAML,
 // duplicate key, unknown key (with the nearest known one), missing required key, wrong type, out of
