@@ -7,8 +7,8 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
-from trident_tool.lint import run_checks  # noqa: E402  (the path has to be set first)
-from trident_tool.workspace import Runner, TridentError, Workspace  # noqa: E402
+from trident_tool.lint import run_checks
+from trident_tool.workspace import Runner, TridentError, Workspace
 
 if __name__ == "__main__":
     try:

@@ -7,7 +7,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
-from trident_tool.cli import main  # noqa: E402  (the path has to be set first)
+from trident_tool.cli import main
 
 if __name__ == "__main__":
     sys.exit(main(sys.argv[1:]))

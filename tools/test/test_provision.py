@@ -3,7 +3,6 @@
 from pathlib import Path
 
 import pytest
-
 from trident_tool import provision
 from trident_tool.provision import (
     missing_packages,
@@ -97,7 +96,7 @@ def test_without_root_and_sudo_the_message_says_what_to_do(
     monkeypatch.setattr(provision, "installed_packages", lambda: {"git"})
     monkeypatch.setattr("os.geteuid", lambda: 1000)
     monkeypatch.setattr("shutil.which", lambda name: None)
-    with pytest.raises(TridentError, match="as root, run once: apt-get install .*cmake"):
+    with pytest.raises(TridentError, match=r"as root, run once: apt-get install .*cmake"):
         provision.install_apt(clone, Runner(dry_run=True))
 
 

@@ -24,6 +24,7 @@ from trident_tool.workspace import (
 )
 
 _STAMP = ".trident-configured"
+_BUILT_STAMP = ".trident-built"
 # A translation unit that includes Eigen, PCL or roscpp needs about this much memory.
 _BYTES_PER_JOB = 1.5e9
 
@@ -58,7 +59,7 @@ def configure_command(workspace: Workspace) -> list[str]:
 
 
 def package_manifests(workspace: Workspace) -> list[Path]:
-    """package.xml of every package in the workspace, sorted; folders with CATKIN_IGNORE are skipped."""
+    """package.xml of every package in the workspace, sorted; CATKIN_IGNORE is respected."""
     found: list[Path] = []
     for folder, subfolders, files in os.walk(workspace.root / "src"):
         if "CATKIN_IGNORE" in files:
@@ -72,7 +73,7 @@ def package_manifests(workspace: Workspace) -> list[Path]:
 def configure_key(workspace: Workspace) -> str:
     """What the configuration depends on beyond the files that ninja itself watches.
 
-    ninja re-runs cmake when a CMakeLists.txt or package.xml changes, but does not see a new package.
+    ninja re-runs cmake when a CMakeLists.txt or package.xml changes, but misses a new package.
     """
     names = [str(path.relative_to(workspace.root)) for path in package_manifests(workspace)]
     return hashlib.sha256("\0".join([*configure_command(workspace), *names]).encode()).hexdigest()
@@ -99,7 +100,7 @@ def _exclusive(workspace: Workspace) -> Iterator[None]:
 
 
 def _configured_elsewhere(workspace: Workspace) -> bool:
-    """Whether build/ was made by a clone at another place (moved or copied): cmake refuses such a folder."""
+    """Whether build/ was made at another place (moved or copied), which cmake refuses."""
     cache = workspace.build / "CMakeCache.txt"
     if not cache.is_file():
         return False
@@ -108,7 +109,7 @@ def _configured_elsewhere(workspace: Workspace) -> bool:
 
 
 def configure(workspace: Workspace, runner: Runner) -> None:
-    """Runs cmake if the workspace is not configured, has moved, or has other packages than before."""
+    """Runs cmake if the workspace is not configured, has moved, or has other packages."""
     stamp = workspace.build / _STAMP
     key = configure_key(workspace)
     if _configured_elsewhere(workspace):
@@ -144,21 +145,65 @@ def errors_of_cmake(output: str) -> str:
     return output[start:] if start >= 0 else "\n".join(output.splitlines()[-20:]) + "\n"
 
 
+def source_key(workspace: Workspace, targets: Sequence[str]) -> str:
+    """Digest of what a build of ``targets`` depends on: names, sizes and times of the files.
+
+    ninja alone cannot tell that there is nothing to do, because genmsg's checks always run.
+    Debian's package state stands for the libraries and headers outside the clone.
+    """
+    digest = hashlib.sha256("\0".join([configure_key(workspace), *targets]).encode())
+    paths = [workspace.root / "CMakeLists.txt", Path("/var/lib/dpkg/status")]
+    for top in ("cmake", "src", "tests"):
+        for folder, subfolders, files in os.walk(workspace.root / top):
+            subfolders[:] = sorted(name for name in subfolders if name != "__pycache__")
+            paths += [Path(folder, name) for name in sorted(files)]
+    for path in paths:
+        with contextlib.suppress(FileNotFoundError):  # an editor's file that has just gone
+            state = path.lstat()
+            digest.update(f"{path}\0{state.st_size}\0{state.st_mtime_ns}\0".encode())
+    return digest.hexdigest()
+
+
+def _is_built(workspace: Workspace, key: str) -> bool:
+    stamp = workspace.build / _BUILT_STAMP
+    return (
+        (workspace.devel / "setup.sh").is_file()
+        and stamp.is_file()
+        and key in stamp.read_text(encoding="utf-8").splitlines()
+    )
+
+
+def _remember_built(workspace: Workspace, key: str) -> None:
+    """Adds ``key`` to the last few: building one target does not undo another."""
+    stamp = workspace.build / _BUILT_STAMP
+    known = stamp.read_text(encoding="utf-8").splitlines() if stamp.is_file() else []
+    stamp.write_text("\n".join([*known[-7:], key]) + "\n", encoding="utf-8")
+
+
 def build(
     workspace: Workspace, runner: Runner, targets: Sequence[str] = (), jobs: int | None = None
-) -> None:
+) -> bool:
     """Configures if needed and builds ``targets`` (default: everything but the tests).
+
+    Returns:
+        Whether there was anything to do.
 
     Raises:
         TridentError: cmake or the compiler failed; their own output says why.
     """
+    key = source_key(workspace, targets)
+    if _is_built(workspace, key):
+        return False
     command = ["ninja", "-C", str(workspace.build), f"-j{jobs or default_jobs()}", *targets]
     if runner.dry_run:
         configure(workspace, runner)
         runner.run(command)
-        return
+        return True
     if not os.access(workspace.build, os.W_OK):
         raise TridentError(f"{workspace.build} is not writable: was it built by another user?")
     with _exclusive(workspace):
         configure(workspace, runner)
-        runner.check(command, what="building", env=clean_environment())
+        # stdout belongs to the command that is run after the build.
+        runner.check(command, what="building", env=clean_environment(), stdout=sys.stderr)
+        _remember_built(workspace, key)
+    return True

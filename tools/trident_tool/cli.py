@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import argparse
+import difflib
 import os
 import sys
 from collections.abc import Callable, Sequence
@@ -16,18 +17,32 @@ from trident_tool.lint import CHECKS, run_checks
 from trident_tool.provision import provision
 from trident_tool.running import run_launch_file
 from trident_tool.shell import shell
-from trident_tool.testing import test
+from trident_tool.testing import run_tests
 from trident_tool.viewing import view
-from trident_tool.workspace import Runner, TridentError, Workspace
+from trident_tool.workspace import Runner, TridentError, Workspace, say
 
 Handler = Callable[[Workspace, Runner, argparse.Namespace], int]
 
 _EPILOG = """\
 Every command installs and builds what is missing first; what is done is not done again.
-  ./trident run multi_uav_simulation.launch           six fireflies fly a formation; verdict and pictures in out/latest
+  ./trident run multi_uav_simulation.launch   six fireflies fly a formation; see out/latest
   ./trident run multi_uav_simulation.launch uavs:=4 real_time_factor:=1
-  ./trident test -k fleet                             the tests whose names match
+  ./trident test -k fleet                     the tests whose names match
 """
+
+
+COMMANDS = (
+    "setup",
+    "build",
+    "test",
+    "lint",
+    "run",
+    "bench",
+    "report",
+    "view",
+    "shell",
+    "help",
+)
 
 
 class _Parser(argparse.ArgumentParser):
@@ -43,12 +58,13 @@ def _cmd_setup(workspace: Workspace, runner: Runner, options: argparse.Namespace
 
 
 def _cmd_build(workspace: Workspace, runner: Runner, options: argparse.Namespace) -> int:
-    build(workspace, runner, options.targets, options.jobs)
+    if not build(workspace, runner, options.targets, options.jobs):
+        say("the build is up to date")
     return 0
 
 
 def _cmd_test(workspace: Workspace, runner: Runner, options: argparse.Namespace) -> int:
-    return test(workspace, runner, options.pattern, options.jobs, options.rest)
+    return run_tests(workspace, runner, options.pattern, options.jobs, options.rest)
 
 
 def _cmd_run(workspace: Workspace, runner: Runner, options: argparse.Namespace) -> int:
@@ -103,7 +119,7 @@ def _cmd_lint(workspace: Workspace, runner: Runner, options: argparse.Namespace)
 
 def make_parser() -> argparse.ArgumentParser:
     """The command line: one subparser per subcommand, each with its handler as ``handler``."""
-    common = argparse.ArgumentParser(add_help=False)
+    common = _Parser(add_help=False)
     common.add_argument(
         "--dry-run", action="store_true", help="print what would be done, and do nothing"
     )
@@ -130,7 +146,9 @@ def _add_workspace_commands(add: Callable[[str, Handler, str], argparse.Argument
     add("setup", _cmd_setup, "install the Debian and Python packages that are missing")
 
     sub = add("build", _cmd_build, "configure and build the workspace")
-    sub.add_argument("targets", nargs="*", metavar="TARGET", help="default: everything but the tests")
+    sub.add_argument(
+        "targets", nargs="*", metavar="TARGET", help="default: everything but the tests"
+    )
     sub.add_argument("-j", "--jobs", type=int, help="parallel compilers")
 
     sub = add("test", _cmd_test, "build and run the tests; what is not known is handed to ctest")
@@ -138,7 +156,9 @@ def _add_workspace_commands(add: Callable[[str, Handler, str], argparse.Argument
     sub.add_argument("-j", "--jobs", type=int, help="tests at a time")
 
     sub = add("lint", _cmd_lint, "run the static checks alone")
-    sub.add_argument("checks", nargs="*", metavar="CHECK", help=f"of {', '.join(CHECKS)}; default: all")
+    sub.add_argument(
+        "checks", nargs="*", metavar="CHECK", help=f"of {', '.join(CHECKS)}; default: all"
+    )
     sub.add_argument("--fix", action="store_true", help="mend layout and what ruff can mend")
 
 
@@ -148,7 +168,7 @@ def _add_running_commands(add: Callable[[str, Handler, str], argparse.ArgumentPa
         "words",
         nargs="+",
         metavar="[PACKAGE] FILE.launch [name:=value …]",
-        help="a file of launch/, a path, or a package and a file; real_time_factor:=1 for real time",
+        help="a file of launch/, a path, or package and file; real_time_factor:=1: in real time",
     )
 
     sub = add("bench", _cmd_bench, "measure")
@@ -163,7 +183,9 @@ def _add_running_commands(add: Callable[[str, Handler, str], argparse.ArgumentPa
     sub = add("view", _cmd_view, "look at the run in progress, a bag or a world in rviz")
     sub.add_argument("source", nargs="?", type=Path, metavar="BAG_OR_WORLD")
     sub.add_argument("--config", metavar="NAME", help="a configuration of config/rviz")
-    sub.add_argument("--screenshot", type=Path, metavar="FILE.png", help="off-screen, into a picture")
+    sub.add_argument(
+        "--screenshot", type=Path, metavar="FILE.png", help="off-screen, into a picture"
+    )
 
     sub = add("shell", _cmd_shell, "a shell in which the workspace is sourced")
     sub.add_argument("-c", dest="command", metavar="COMMAND", help="run this instead")
@@ -175,6 +197,13 @@ def parse_command_line(argv: Sequence[str]) -> argparse.Namespace:
     Exits with 0 for help and with 2 for a wrong command line.
     """
     parser = make_parser()
+    if argv and argv[0] == "--dry-run":
+        argv = [*argv[1:], *argv[:1]]  # it may stand before the command, too
+    first = argv[0] if argv else "help"
+    if not first.startswith("-") and first not in COMMANDS:
+        close = difflib.get_close_matches(first, COMMANDS, n=1)
+        hint = f"did you mean {close[0]!r}?" if close else f"there are {', '.join(COMMANDS)}"
+        parser.exit(2, f"trident: there is no command {first!r}; {hint}\n")
     options, rest = parser.parse_known_args(argv)
     if options.name in (None, "help"):
         parser.print_help()

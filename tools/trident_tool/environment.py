@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""The environment of a built workspace, as a ROS user gets it by sourcing build/devel/setup.bash."""
+"""The environment of a built workspace, as sourcing build/devel/setup.bash gives it."""
 
 from __future__ import annotations
 
@@ -12,7 +12,9 @@ from trident_tool.workspace import TridentError, Workspace, base_environment
 
 def parse_environment(block: bytes) -> dict[str, str]:
     """Variables of the output of ``env -0``."""
-    entries = (entry.partition("=") for entry in block.decode("utf-8", "surrogateescape").split("\0"))
+    entries = (
+        entry.partition("=") for entry in block.decode("utf-8", "surrogateescape").split("\0")
+    )
     return {name: value for name, equals, value in entries if equals}
 
 
@@ -42,5 +44,7 @@ def ros_environment(workspace: Workspace) -> dict[str, str]:
         check=False,
     )
     if result.returncode != 0:
-        raise TridentError(f"sourcing {setup} failed: {result.stderr.decode(errors='replace').strip()}")
+        raise TridentError(
+            f"sourcing {setup} failed: {result.stderr.decode(errors='replace').strip()}"
+        )
     return parse_environment(result.stdout)

@@ -38,7 +38,12 @@ def read_xwd(data: bytes) -> Image:
         raise TridentError(f"not an X window dump: {len(data)} bytes, need at least {_HEADER.size}")
     fields = _HEADER.unpack_from(data)
     header_bytes, version, width, height = fields[0], fields[1], fields[4], fields[5]
-    little_endian, bits_per_pixel, row_bytes, colours = fields[7] == 0, fields[11], fields[12], fields[19]
+    little_endian, bits_per_pixel, row_bytes, colours = (
+        fields[7] == 0,
+        fields[11],
+        fields[12],
+        fields[19],
+    )
     if version != 7 or bits_per_pixel != 32:
         raise TridentError(f"X window dump of version {version}, {bits_per_pixel} bits: need 7, 32")
     start = header_bytes + colours * _COLOUR_BYTES
@@ -61,7 +66,9 @@ def write_png(image: Image, target: Path) -> None:
     )
 
     def chunk(kind: bytes, body: bytes) -> bytes:
-        return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
+        return (
+            struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
+        )
 
     header = struct.pack(">IIBBBBB", image.width, image.height, 8, 2, 0, 0, 0)
     target.parent.mkdir(parents=True, exist_ok=True)

@@ -16,7 +16,7 @@ from trident_tool.workspace import TridentError, Workspace
 
 @dataclass(frozen=True)
 class LaunchRequest:
-    """What the user asked for: a launch file, perhaps the package it is in, and roslaunch arguments."""
+    """What the user asked for: a launch file, perhaps its package, and roslaunch arguments."""
 
     file: str
     package: str | None
@@ -53,7 +53,9 @@ def parse_request(words: Sequence[str]) -> LaunchRequest:
         if not separator:
             continue
         if not name or name in args:
-            raise TridentError(f"argument {word!r}: its name is {'given twice' if name else 'empty'}")
+            raise TridentError(
+                f"argument {word!r}: its name is {'given twice' if name else 'empty'}"
+            )
         args[name] = value
     return LaunchRequest(names[-1], names[0] if len(names) == 2 else None, args)
 
@@ -99,7 +101,7 @@ def find_launch_file(workspace: Workspace, request: LaunchRequest, env: Mapping[
 
 
 def _own_elements(element: ElementTree.Element) -> Iterator[ElementTree.Element]:
-    """Elements of a launch file that are not inside an <include>, whose <arg>s belong to another file."""
+    """Elements outside of <include>, whose <arg>s belong to another file."""
     for child in element:
         yield child
         if child.tag != "include":
@@ -116,7 +118,9 @@ def declared_args(launch_file: Path) -> DeclaredArgs:
         root = ElementTree.parse(launch_file).getroot()
     except ElementTree.ParseError as error:
         line, column = error.position
-        raise TridentError(f"{launch_file}:{line}:{column}: not well-formed XML ({error.msg})") from None
+        raise TridentError(
+            f"{launch_file}:{line}:{column}: not well-formed XML ({error.msg})"
+        ) from None
     groups: dict[str, set[str]] = {"default": set(), "value": set(), "none": set()}
     for element in _own_elements(root):
         if element.tag == "arg" and "name" in element.attrib:
@@ -146,4 +150,6 @@ def check_args(launch_file: Path, declared: DeclaredArgs, given: Mapping[str, st
         raise TridentError(f"{launch_file.name} has no argument {name!r}{hint} (it has: {known})")
     missing = sorted(declared.required - set(given))
     if missing:
-        raise TridentError(f"{launch_file.name} needs {', '.join(f'{name}:=…' for name in missing)}")
+        raise TridentError(
+            f"{launch_file.name} needs {', '.join(f'{name}:=…' for name in missing)}"
+        )

@@ -64,7 +64,7 @@ def _clang_format(workspace: Workspace, runner: Runner, fix: bool) -> int:
     if not files:
         return 0
     mode = ["-i"] if fix else ["--dry-run", "--Werror"]
-    return runner.run(["clang-format", "--style=file", *mode, *files])
+    return runner.run(["clang-format", "--style=file", *mode, *map(str, files)])
 
 
 def _ruff(workspace: Workspace, runner: Runner, fix: bool) -> int:
@@ -82,7 +82,7 @@ def _mypy(workspace: Workspace, runner: Runner, fix: bool) -> int:
     packages = [package.parent for root in roots for package in sorted(root.glob("*/__init__.py"))]
     env = base_environment()
     env["MYPYPATH"] = os.pathsep.join(map(str, roots))
-    command = [
+    command: list[str | Path] = [
         workspace.venv_python,
         "-m",
         "mypy",

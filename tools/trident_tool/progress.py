@@ -48,7 +48,10 @@ class Tail:
 
 
 def progress_line(report: dict[str, Any], width: int = 100) -> str:
-    """One line of text for a record of progress.jsonl (keys sim_s, end_s, rtf, vehicles, state; all optional)."""
+    """One line of text for a record of progress.jsonl.
+
+    Its keys sim_s, end_s, rtf, vehicles and state are all optional.
+    """
     sim_s = float(report.get("sim_s") or 0.0)
     end_s = float(report.get("end_s") or 0.0)
     parts = []
@@ -90,7 +93,7 @@ def required_node_failed(log: str) -> str | None:
 
 
 def last_complaints(folder: Path, count: int = 15) -> list[str]:
-    """The last error lines of each node log below ``folder``, newest log last, at most ``count`` lines."""
+    """The last error lines of the node logs below ``folder``, newest log last."""
     logs = sorted(folder.rglob("*.log"), key=lambda path: path.stat().st_mtime)
     lines: list[str] = []
     for path in logs:
@@ -104,7 +107,7 @@ def last_complaints(folder: Path, count: int = 15) -> list[str]:
 
 @dataclass
 class ProgressView:
-    """One updating line on a terminal, an occasional line elsewhere; complaints are shown as they come."""
+    """One updating line on a terminal, an occasional line elsewhere; complaints as they come."""
 
     run_folder: Path
     stream: IO[str] = field(default_factory=lambda: sys.stderr)

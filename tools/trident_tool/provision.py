@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""Installs what is missing: Debian packages and the pinned Python environment. Nothing is done twice."""
+"""Installs what is missing: Debian packages and the pinned Python environment."""
 
 from __future__ import annotations
 
@@ -29,7 +29,9 @@ def parse_package_list(text: str, source: str = "apt-packages.txt") -> list[str]
         if not words:
             continue
         if len(words) > 1:
-            raise TridentError(f"{source}:{number}: one package name per line, found {line.strip()!r}")
+            raise TridentError(
+                f"{source}:{number}: one package name per line, found {line.strip()!r}"
+            )
         if words[0] in names:
             raise TridentError(f"{source}:{number}: {words[0]!r} is listed twice")
         names.append(words[0])
@@ -71,7 +73,14 @@ def apt_get(arguments: list[str]) -> list[str]:
         TridentError: neither root nor sudo; says what root has to run.
     """
     # env, because sudo drops the caller's variables.
-    command = ["env", "DEBIAN_FRONTEND=noninteractive", "apt-get", "-o", "Dpkg::Use-Pty=0", *arguments]
+    command = [
+        "env",
+        "DEBIAN_FRONTEND=noninteractive",
+        "apt-get",
+        "-o",
+        "Dpkg::Use-Pty=0",
+        *arguments,
+    ]
     if os.geteuid() == 0:
         return command
     if shutil.which("sudo") is None:
@@ -115,7 +124,13 @@ def install_venv(workspace: Workspace, runner: Runner) -> None:
         ["/usr/bin/python3", "-m", "venv", "--system-site-packages", workspace.venv],
         what="creating .venv",
     )
-    pip = [workspace.venv_python, "-m", "pip", "--disable-pip-version-check", "install"]
+    pip: list[str | Path] = [
+        workspace.venv_python,
+        "-m",
+        "pip",
+        "--disable-pip-version-check",
+        "install",
+    ]
     runner.check([*pip, "-r", requirements], what="installing the Python packages")
     if not runner.dry_run:
         hide_from_crawlers(workspace.venv)
@@ -133,5 +148,7 @@ def provision(workspace: Workspace, runner: Runner) -> None:
 
 def pinned_requirements(path: Path) -> list[str]:
     """Lines of a requirements file that pin a package, comments removed."""
-    lines = (line.split("#", 1)[0].strip() for line in path.read_text(encoding="utf-8").splitlines())
+    lines = (
+        line.split("#", 1)[0].strip() for line in path.read_text(encoding="utf-8").splitlines()
+    )
     return [line for line in lines if line]

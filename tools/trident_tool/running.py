@@ -99,7 +99,9 @@ def plan_run(workspace: Workspace, words: Sequence[str], env: Mapping[str, str])
     check_args(launch_file, declared, args)
     folder = new_run_folder(workspace.out, launch_file.stem, datetime.now())
     port = free_port()
-    return Run(folder, launch_file, args, port, run_environment(env, folder, port, real_time_factor))
+    return Run(
+        folder, launch_file, args, port, run_environment(env, folder, port, real_time_factor)
+    )
 
 
 def _commit(workspace: Workspace) -> str:
@@ -209,7 +211,9 @@ def run_launch_file(workspace: Workspace, runner: Runner, words: Sequence[str]) 
     log = (run.folder / "roslaunch.log").read_text(encoding="utf-8", errors="replace")
     failed_node = required_node_failed(log)
     if code != 0 or failed_node is not None:
-        _report_failure(run, f"{failed_node} died" if failed_node else f"roslaunch exit code {code}")
+        _report_failure(
+            run, f"{failed_node} died" if failed_node else f"roslaunch exit code {code}"
+        )
         if (run.folder / "progress.jsonl").is_file():
             judge(run, runner)
         return code or 1

@@ -12,16 +12,24 @@ from trident_tool.environment import ros_environment
 from trident_tool.workspace import Runner, Workspace, base_environment, hide_from_crawlers
 
 
-def ctest_command(workspace: Workspace, pattern: str | None, jobs: int, extra: Sequence[str]) -> list[str]:
+def ctest_command(
+    workspace: Workspace, pattern: str | None, jobs: int, extra: Sequence[str]
+) -> list[str]:
     """The ctest call; ``pattern`` is a regular expression over test names."""
-    command = ["ctest", "--test-dir", str(workspace.build), "--output-on-failure", "--no-tests=error"]
+    command = [
+        "ctest",
+        "--test-dir",
+        str(workspace.build),
+        "--output-on-failure",
+        "--no-tests=error",
+    ]
     command += ["-j", str(jobs)]
     if pattern:
         command += ["-R", pattern]
     return [*command, *extra]
 
 
-def test(
+def run_tests(
     workspace: Workspace,
     runner: Runner,
     pattern: str | None = None,
@@ -30,13 +38,15 @@ def test(
 ) -> int:
     """Builds all and the tests, runs them, and returns ctest's exit code."""
     build(workspace, runner, ["all", "tests"])
-    # Simulations and their controllers keep more than one core busy each: more at once only adds noise.
+    # A simulation and its controllers keep more than one core busy: more at once only adds noise.
     parallel = jobs or min(2, len(os.sched_getaffinity(0)))
     env = base_environment() if runner.dry_run else ros_environment(workspace)
     log = workspace.build / "test_log"
     env |= {"ROS_LOG_DIR": str(log), "ROS_HOSTNAME": "localhost", "CTEST_OUTPUT_ON_FAILURE": "1"}
     env.pop("ROS_IP", None)
-    env.pop("DISPLAY", None)  # the tests are headless everywhere, not only where there is no display
+    env.pop(
+        "DISPLAY", None
+    )  # the tests are headless everywhere, not only where there is no display
     if not runner.dry_run:
         hide_from_crawlers(log)
     return runner.run(ctest_command(workspace, pattern, parallel, extra), env=env)

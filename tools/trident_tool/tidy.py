@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """clang-tidy over the ROS-free cores, with results cached by content.
 
-A result is kept under a key made of everything that it depends on: the source, the headers of this repository that it reaches,
-the compiler flags, the configuration and clang-tidy's version. The cache lives outside the clone, so that a fresh clone of a
-checked commit has nothing to do.
+A result is kept under a key made of everything that it depends on: the source, the headers of this
+repository that it reaches, the compiler flags, the configuration and clang-tidy's version. The
+cache lives outside the clone, so that a fresh clone of a checked commit has nothing to do.
 """
 
 from __future__ import annotations
@@ -52,7 +52,7 @@ class CompileCommand:
 
 
 def parse_compile_commands(text: str) -> list[CompileCommand]:
-    """Translation units of a compile_commands.json, without the compiler, -o, -c and the launcher."""
+    """Translation units of a compile_commands.json; compiler, -o and -c are left out."""
     units = []
     for entry in json.loads(text):
         source = Path(entry["directory"], entry["file"]).resolve()
@@ -70,8 +70,8 @@ def parse_compile_commands(text: str) -> list[CompileCommand]:
 
 
 def core_units(units: Iterable[CompileCommand], root: Path) -> list[CompileCommand]:
-    """Those of ``units`` whose source is in the core (``src/<pkg>/src``) of a package, once each, by name."""
-    found = {}
+    """Those of ``units`` in the core (``src/<pkg>/src``) of a package, once each, by name."""
+    found: dict[Path, CompileCommand] = {}
     for unit in units:
         if unit.source.is_relative_to(root) and _CORE.fullmatch(
             unit.source.relative_to(root).as_posix()
@@ -82,9 +82,10 @@ def core_units(units: Iterable[CompileCommand], root: Path) -> list[CompileComma
 
 @dataclass
 class IncludeScanner:
-    """Finds the headers of this repository that a file reaches, textually: conditions are not evaluated.
+    """Finds the headers of this repository that a file reaches.
 
-    Including too much only makes a key change more often than it must.
+    The search is textual, conditions are not evaluated: including too much only makes a key
+    change more often than it must.
     """
 
     root: Path
@@ -174,7 +175,9 @@ def _check(unit: CompileCommand, workspace: Workspace, env: Mapping[str, str]) -
 
 
 def _settings(workspace: Workspace) -> str:
-    version = subprocess.run(["clang-tidy", "--version"], capture_output=True, text=True, check=False)
+    version = subprocess.run(
+        ["clang-tidy", "--version"], capture_output=True, text=True, check=False
+    )
     config = (workspace.root / ".clang-tidy").read_text(encoding="utf-8")
     return version.stdout + config
 
@@ -190,9 +193,7 @@ def run_clang_tidy(workspace: Workspace, runner: Runner) -> int:
         return runner.run(["clang-tidy", "--quiet", "-p", workspace.build, "src/*/src/**.cpp"])
     if not database.is_file():
         raise TridentError(f"{database} does not exist: run ./trident build")
-    units = core_units(
-        parse_compile_commands(database.read_text(encoding="utf-8")), workspace.root
-    )
+    units = core_units(parse_compile_commands(database.read_text(encoding="utf-8")), workspace.root)
     units = [unit for unit in units if unit.source.is_file()]
     env = base_environment()
     folder = cache_folder(env)

@@ -165,12 +165,17 @@ def view(
     if screenshot is None and not os.environ.get("DISPLAY") and not runner.dry_run:
         raise TridentError(
             "there is no DISPLAY. For a picture: ./trident view --screenshot FILE.png [BAG|WORLD]; "
-            "for plots: ./trident report RUN_OR_BAG; elsewhere: rviz with ROS_MASTER_URI set to this machine"
+            "for plots: ./trident report RUN_OR_BAG; elsewhere: rviz with this ROS_MASTER_URI"
         )
     feeds = source_commands(source)
     configuration = pick_config(workspace, config)
     # The splash screen would be taken for the first picture.
-    command = ["rviz", "--splash-screen", "", *(["-d", str(configuration)] if configuration else [])]
+    command = [
+        "rviz",
+        "--splash-screen",
+        "",
+        *(["-d", str(configuration)] if configuration else []),
+    ]
     if screenshot is not None:
         command.append("--fullscreen")
     if runner.dry_run:

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""Where things are in a clone of the repository, and the errors and commands every subcommand shares."""
+"""Where things are in a clone of the repository; how commands are run and errors reported."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ import sys
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import IO
 
 
 class TridentError(Exception):
@@ -25,26 +26,32 @@ class Workspace:
 
     @property
     def build(self) -> Path:
+        """The build folder; also where caches and logs of the tools go."""
         return self.root / "build"
 
     @property
     def devel(self) -> Path:
+        """Catkin's devel space."""
         return self.build / "devel"
 
     @property
     def venv(self) -> Path:
+        """The Python environment with the pinned packages."""
         return self.root / ".venv"
 
     @property
     def venv_python(self) -> Path:
+        """Python of the environment."""
         return self.venv / "bin" / "python"
 
     @property
     def out(self) -> Path:
+        """Where runs leave their results."""
         return self.root / "out"
 
     @property
     def launch(self) -> Path:
+        """The workspace's own launch files."""
         return self.root / "launch"
 
     @staticmethod
@@ -77,13 +84,14 @@ class Runner:
         *,
         cwd: Path | None = None,
         env: Mapping[str, str] | None = None,
+        stdout: IO[str] | None = None,
     ) -> int:
         """Runs ``command`` in the foreground and returns its exit code (0 in a dry run)."""
         words = [str(word) for word in command]
         if self.dry_run:
             print(f"would run: {shlex.join(words)}", flush=True)
             return 0
-        return subprocess.run(words, cwd=cwd, env=env, check=False).returncode
+        return subprocess.run(words, cwd=cwd, env=env, stdout=stdout, check=False).returncode
 
     def check(
         self,
@@ -92,13 +100,14 @@ class Runner:
         what: str,
         cwd: Path | None = None,
         env: Mapping[str, str] | None = None,
+        stdout: IO[str] | None = None,
     ) -> None:
         """Runs ``command``.
 
         Raises:
             TridentError: it failed; names ``what`` was being done and the command.
         """
-        code = self.run(command, cwd=cwd, env=env)
+        code = self.run(command, cwd=cwd, env=env, stdout=stdout)
         if code != 0:
             line = shlex.join([str(word) for word in command])
             raise TridentError(f"{what} failed (exit code {code}): {line}")
@@ -107,7 +116,8 @@ class Runner:
 def base_environment() -> dict[str, str]:
     """The caller's environment with /usr/bin first on PATH and without another Python's settings.
 
-    Debian's ROS is built for /usr/bin/python3: another python3 earlier on PATH breaks catkin and pluginlib.
+    Debian's ROS is built for /usr/bin/python3: another python3 earlier on PATH breaks catkin and
+    pluginlib.
     """
     env = dict(os.environ)
     path = [entry for entry in env.get("PATH", "").split(os.pathsep) if entry]

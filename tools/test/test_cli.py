@@ -1,0 +1,115 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+from pathlib import Path
+
+import pytest
+
+from trident_tool import cli
+from trident_tool.cli import COMMANDS, make_parser, parse_command_line
+from trident_tool.workspace import Runner, TridentError, Workspace
+
+
+def _exit_code(argv: list[str]) -> int | str | None:
+    with pytest.raises(SystemExit) as caught:
+        parse_command_line(argv)
+    return caught.value.code
+
+
+@pytest.mark.parametrize("argv", [[], ["help"], ["-h"], ["run", "-h"]])
+def test_help_is_a_success(argv: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    assert _exit_code(argv) == 0
+    assert "trident" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("argv", "message"),
+    [
+        (["buidl"], "trident: there is no command 'buidl'; did you mean 'build'?"),
+        (["zzz"], "trident: there is no command 'zzz'; there are setup, build,"),
+        (["run"], "the following arguments are required"),
+        (["run", "--fast", "a.launch"], "run: unknown option '--fast'"),
+        (["bench", "slam"], "invalid choice: 'slam'"),
+        (["build", "-j", "many"], "invalid int value: 'many'"),
+    ],
+)
+def test_a_wrong_command_line_is_one_line_and_exit_code_2(
+    argv: list[str], message: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert _exit_code(argv) == 2
+    error = capsys.readouterr().err
+    assert message in error
+    assert error.count("\n") == 1
+
+
+def test_every_command_has_help_and_every_parser_is_a_command() -> None:
+    help_text = make_parser().format_help()
+    assert all(f"\n    {name} " in help_text for name in COMMANDS)
+
+
+@pytest.mark.parametrize("argv", [["--dry-run", "build"], ["build", "--dry-run"]])
+def test_dry_run_may_stand_before_or_after_the_command(argv: list[str]) -> None:
+    assert parse_command_line(argv).dry_run
+
+
+def test_a_word_inside_a_shell_command_is_not_an_option() -> None:
+    options = parse_command_line(["shell", "-c", "ls --dry-run"])
+    assert options.command == "ls --dry-run"
+    assert not options.dry_run
+
+
+def test_unknown_options_of_test_go_to_ctest() -> None:
+    options = parse_command_line(["test", "-k", "fleet", "--repeat", "until-fail:3"])
+    assert (options.pattern, options.rest) == ("fleet", ["--repeat", "until-fail:3"])
+
+
+class _Steps:
+    """Records which steps a subcommand takes, in place of the real ones."""
+
+    def __init__(self, monkeypatch: pytest.MonkeyPatch, clone: Workspace) -> None:
+        self.names: list[str] = []
+        for name in ("provision", "build"):
+            monkeypatch.setattr(cli, name, lambda *_args, name=name: self.names.append(name))
+        monkeypatch.setattr(Workspace, "of_this_file", staticmethod(lambda: clone))
+
+
+@pytest.mark.parametrize(
+    ("argv", "printed"),
+    [
+        (
+            ["bench", "sim", "--quick", "--out", "rows.json", "--dry-run"],
+            "would run: /usr/bin/python3 -m trident_eval.bench sim --quick --out rows.json\n",
+        ),
+        (
+            ["report", "out/latest", "--dry-run"],
+            "would run: /usr/bin/python3 -m trident_eval report out/latest\n",
+        ),
+        (["shell", "-c", "rosnode list", "--dry-run"], "would run: bash -c 'rosnode list'\n"),
+    ],
+)
+def test_dry_run_prints_the_command_after_setup_and_build(
+    argv: list[str],
+    printed: str,
+    clone: Workspace,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    steps = _Steps(monkeypatch, clone)
+    assert cli.main(argv) == 0
+    assert steps.names == ["provision", "build"]
+    assert capsys.readouterr().out == printed
+
+
+def test_an_error_is_one_line_and_exit_code_1(
+    clone: Workspace, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    _Steps(monkeypatch, clone)
+    assert cli.main(["report", str(clone.root / "gone.bag")]) == 1
+    error = capsys.readouterr().err
+    assert error.startswith("trident: ")
+    assert "gone.bag does not exist" in error
+    assert error.count("\n") == 1
+
+
+def test_a_failing_command_is_named(tmp_path: Path) -> None:
+    with pytest.raises(TridentError, match=r"copying failed \(exit code 3\): sh -c 'exit 3'"):
+        Runner().check(["sh", "-c", "exit 3"], what="copying", cwd=tmp_path)
