@@ -4,7 +4,6 @@ import os
 from pathlib import Path
 
 import pytest
-
 from trident_tool.building import (
     build,
     build_jobs,

@@ -3,7 +3,6 @@
 from pathlib import Path
 
 import pytest
-
 from trident_tool import cli
 from trident_tool.cli import COMMANDS, make_parser, parse_command_line
 from trident_tool.workspace import Runner, TridentError, Workspace

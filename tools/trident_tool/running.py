@@ -138,9 +138,11 @@ def open_run_folder(workspace: Workspace, run: Run) -> None:
 def _stop(process: subprocess.Popen[bytes]) -> None:
     """Ends roslaunch the way Ctrl-C does, and by force if that takes too long.
 
-    roslaunch itself waits up to 15 s for a node that ignores SIGINT.
+    roslaunch itself waits up to 15 s for a node that ignores SIGINT. A second Ctrl-C is ignored
+    meanwhile: killing roslaunch would leave its nodes behind.
     """
-    for sign, patience_s in ((signal.SIGINT, 25.0), (signal.SIGTERM, 5.0)):
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    for sign, patience_s in ((signal.SIGINT, 40.0), (signal.SIGTERM, 5.0)):
         process.send_signal(sign)
         with contextlib.suppress(subprocess.TimeoutExpired):
             process.wait(patience_s)
@@ -168,10 +170,7 @@ def launch(run: Run) -> int:
             return process.returncode
         except KeyboardInterrupt:
             say("stopping")
-            with contextlib.suppress(KeyboardInterrupt):
-                _stop(process)
-            if process.poll() is None:
-                process.kill()
+            _stop(process)
             return _INTERRUPTED
         finally:
             view.close()

@@ -1,0 +1,132 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+import json
+from pathlib import Path
+
+import pytest
+from trident_tool.lint import is_python, python_files, run_checks, source_files
+from trident_tool.tidy import (
+    CompileCommand,
+    IncludeScanner,
+    Result,
+    cache_folder,
+    cache_key,
+    core_units,
+    load_result,
+    parse_compile_commands,
+    store_result,
+)
+from trident_tool.workspace import Runner, TridentError, Workspace
+
+
+def _unit(root: Path, name: str = "src/pkg/src/a.cpp") -> CompileCommand:
+    include = root / "src/pkg/include/pkg"
+    include.mkdir(parents=True, exist_ok=True)
+    source = root / name
+    source.parent.mkdir(parents=True, exist_ok=True)
+    source.write_text('#include "pkg/b.h"\n#include <vector>\nint a;\n', encoding="utf-8")
+    (include / "b.h").write_text("# include <pkg/c.h>\n#include <pkg/b.h>\n", encoding="utf-8")
+    (include / "c.h").write_text("int c;\n", encoding="utf-8")
+    return CompileCommand(source, (f"-I{include.parent}", "-O2"))
+
+
+def _key(unit: CompileCommand, root: Path, settings: str = "14") -> str:
+    return cache_key(unit, IncludeScanner(root).reached(unit), root, settings)
+
+
+def test_compile_commands_lose_compiler_launcher_and_output() -> None:
+    entry = {
+        "directory": "/build",
+        "file": "../a.cpp",
+        "command": "/usr/bin/ccache /usr/bin/c++ -DX=1 -I/inc -isystem /sys -o a.o -c ../a.cpp",
+    }
+    (unit,) = parse_compile_commands(json.dumps([entry]))
+    assert unit.source == Path("/a.cpp")
+    assert unit.flags == ("-DX=1", "-I/inc", "-isystem", "/sys")
+    assert unit.include_dirs == [Path("/inc"), Path("/sys")]
+
+
+def test_only_core_sources_are_checked_once_each(tmp_path: Path) -> None:
+    names = [
+        "src/pkg/src/z.cpp",
+        "src/pkg/src/deep/a.cpp",
+        "src/pkg/src/z.cpp",
+        "src/pkg/ros/node.cpp",
+        "src/pkg/test/a_test.cpp",
+        "build/src/pkg/src/generated.cpp",
+    ]
+    units = core_units([CompileCommand(tmp_path / name, ()) for name in names], tmp_path)
+    found = [unit.source.relative_to(tmp_path).as_posix() for unit in units]
+    assert found == ["src/pkg/src/deep/a.cpp", "src/pkg/src/z.cpp"]
+
+
+def test_headers_are_followed_through_each_other(tmp_path: Path) -> None:
+    unit = _unit(tmp_path)
+    names = [path.name for path in IncludeScanner(tmp_path).reached(unit)]
+    assert names == ["b.h", "c.h", "a.cpp"]
+
+
+def test_key_depends_on_every_header_flag_and_setting(tmp_path: Path) -> None:
+    unit = _unit(tmp_path)
+    first = _key(unit, tmp_path)
+    assert _key(unit, tmp_path) == first
+    assert _key(unit, tmp_path, settings="15") != first
+    assert _key(CompileCommand(unit.source, (*unit.flags, "-DX")), tmp_path) != first
+    header = tmp_path / "src/pkg/include/pkg/c.h"
+    header.write_text("int d;\n", encoding="utf-8")
+    assert _key(unit, tmp_path) != first
+
+
+def test_key_is_the_same_in_a_clone_at_another_place(tmp_path: Path) -> None:
+    keys = {_key(_unit(tmp_path / clone), tmp_path / clone) for clone in ("one", "two")}
+    assert len(keys) == 1
+
+
+def test_results_survive_and_a_broken_one_counts_as_none(tmp_path: Path) -> None:
+    path = tmp_path / "cache" / "key"
+    assert load_result(path) is None
+    store_result(path, Result(1, "a.cpp:1: bad\n"))
+    assert load_result(path) == Result(1, "a.cpp:1: bad\n")
+    assert [file.name for file in path.parent.iterdir()] == ["key"]
+    path.write_text('{"code": 1', encoding="utf-8")
+    assert load_result(path) is None
+
+
+def test_cache_folder_follows_the_environment() -> None:
+    assert cache_folder({"XDG_CACHE_HOME": "/c"}) == Path("/c/trident/clang-tidy")
+    assert cache_folder({"HOME": "/h"}) == Path("/h/.cache/trident/clang-tidy")
+
+
+def test_generated_hidden_and_linked_folders_are_not_checked(tmp_path: Path) -> None:
+    for name in ("src/a.py", "build/b.py", ".venv/c.py", "out/d.py"):
+        path = tmp_path / name
+        path.parent.mkdir(parents=True)
+        path.touch()
+    (tmp_path / "link").symlink_to(tmp_path / "src")
+    assert [path.relative_to(tmp_path).as_posix() for path in source_files(tmp_path)] == [
+        "src/a.py"
+    ]
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "expected"),
+    [
+        ("a.py", "", True),
+        ("node", "#!/usr/bin/env python3\n", True),
+        ("script", "#!/bin/sh\n", False),
+        ("LICENSE", "python", False),
+        ("a.txt", "#!/usr/bin/python3\n", False),
+    ],
+)
+def test_python_is_known_by_suffix_or_first_line(
+    tmp_path: Path, name: str, text: str, expected: bool
+) -> None:
+    path = tmp_path / name
+    path.write_text(text, encoding="utf-8")
+    assert is_python(path) is expected
+    assert python_files(tmp_path) == ([path] if expected else [])
+
+
+def test_an_unknown_check_is_refused_with_the_names(clone: Workspace) -> None:
+    with pytest.raises(TridentError, match="no check 'pylint'; the checks are clang-format, ruff"):
+        run_checks(clone, Runner(dry_run=True), ["pylint"])
