@@ -8,8 +8,8 @@
 
 namespace trident {
 
-/// Simulated time, or a span of it, in whole nanoseconds. Integer, so that step k of period dt has the
-/// one stamp k * dt, on every machine and after any number of steps.
+/// Simulated time, or a span of it, in whole nanoseconds. Integer, so that step k of period dt has
+/// the one stamp k * dt, on every machine and after any number of steps.
 struct SimTime {
   std::int64_t ns = 0;
 
