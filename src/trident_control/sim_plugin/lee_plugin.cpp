@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "trident_control_sim/lee_plugin.h"
+
+#include <sstream>
+
+#include "trident_base/error.h"
+#include "trident_sim/samples.h"
+#include "trident_sim/world.h"
+
+namespace trident {
+namespace {
+
+std::string join_namespace(const std::string& ns, const std::string& topic) {
+  return ns.empty() ? topic : ns + "/" + topic;
+}
+
+std::vector<std::string> split(const std::string& text) {
+  std::istringstream in(text);
+  std::vector<std::string> words;
+  for (std::string word; in >> word;) words.push_back(word);
+  return words;
+}
+
+class LeePlugin : public Plugin {
+ public:
+  explicit LeePlugin(const PluginContext& context)
+      : world_(context.world),
+        controller_(load_lee_params(split(context.params.required_text("parameterFiles")))) {
+    const std::string ns = context.params.text("robotNamespace", "");
+    const auto topic = [&](const char* key, const char* fallback) {
+      return join_namespace(ns, context.params.text(key, fallback));
+    };
+    PortBoard& board = context.world.ports();
+    odometry_name_ = topic("odometryTopic", "odometry_sensor1/odometry");
+    odometry_ = board.find_out<OdometrySample>(odometry_name_);
+    if (odometry_ == nullptr) {
+      context.params.refuse("odometryTopic", odometry_name_, "the topic of an odometry plugin before it");
+    }
+    odometry_->add_listener();
+    command_ = {board, board.subscribe<ActuatorCommand>(topic("commandTopic", "command/motor_speed"))};
+    trajectory_ = {
+        board, board.subscribe<TrajectorySample>(topic("trajectoryTopic", "command/trajectory"))};
+    answer_.angular_velocities.size = controller_.rotor_count();
+    direct_ = context.world.timing() == LoopTiming::kDirect;
+  }
+
+  ~LeePlugin() override {
+    if (auto* still = world_.ports().find_out<OdometrySample>(odometry_name_)) still->remove_listener();
+  }
+
+  std::vector<Phase> phases() const override { return {direct_ ? Phase::kPost : Phase::kControl}; }
+  void pre_step(Phase, World&, const StepInfo&) override { update(); }
+  void post_step(const World&, const StepInfo&) override { update(); }
+
+  void reset() override {
+    setpoints_ = SetpointQueue{};
+    trajectory_->clear();
+    trajectory_seen_ = 0;
+    odometry_seen_ = odometry_->count();
+  }
+
+ private:
+  void update() {
+    for (; trajectory_seen_ < trajectory_->count(); ++trajectory_seen_) {
+      const TrajectorySample& sample = trajectory_->at(trajectory_seen_);
+      if (setpoints_.push(sample.stamp, sample.points) != SetpointResult::accepted) {
+        world_.report(Severity::kError, odometry_name_ + ": a trajectory was refused (empty, not "
+                                                         "finite or not in time order)");
+      }
+    }
+    if (odometry_->count() == odometry_seen_) return;
+    odometry_seen_ = odometry_->count();
+    const OdometrySample& state = odometry_->value;
+    const TrajectoryPoint* reference = setpoints_.advance(state.stamp);
+    auto speeds = std::span(answer_.angular_velocities.data.data(), controller_.rotor_count());
+    if (reference == nullptr) {
+      std::fill(speeds.begin(), speeds.end(), 0.0);
+    } else if (controller_.compute({state.T_parent_child.p, state.T_parent_child.R, state.v_child,
+                                    state.w_child},
+                                   *reference, speeds) != ControlStatus::ok) {
+      return;  // a state that is not finite gets no answer, as from the node
+    }
+    answer_.stamp = state.stamp;
+    command_->write(answer_);
+  }
+
+  World& world_;
+  LeePositionController controller_;
+  SetpointQueue setpoints_;
+  std::string odometry_name_;
+  OutPort<OdometrySample>* odometry_ = nullptr;
+  InHandle<ActuatorCommand> command_;
+  InHandle<TrajectorySample> trajectory_;
+  std::uint64_t odometry_seen_ = 0, trajectory_seen_ = 0;
+  ActuatorCommand answer_;
+  bool direct_ = false;
+};
+
+}  // namespace
+
+void register_control_plugins(PluginRegistry& registry) {
+  registry.add("libtrident_lee_position_controller.so",
+               {[](const PluginContext& context) { return std::make_unique<LeePlugin>(context); }, {}});
+}
+
+}  // namespace trident

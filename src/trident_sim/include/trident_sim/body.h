@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <ode/ode.h>
+
+#include <Eigen/Geometry>
+#include <string>
+#include <vector>
+
+#include "trident_base/se3.h"
+#include "trident_sim/model_spec.h"
+
+namespace trident {
+
+/// One collision shape with its ODE geometry.
+struct Geom {
+  dGeomID id = nullptr;
+  dTriMeshDataID mesh = nullptr;
+  Surface surface;
+  std::string name;  ///< "model::link::collision"
+};
+
+/// One rigid body: a link with everything rigidly fixed to it, and the rotors it carries. The body
+/// frame has its origin at the composite centre of mass and the axes of the first link.
+/// State in the world frame; `inertia` in the body frame, about the origin.
+struct Body {
+  std::string name;
+  SE3 T_world_body;
+  Eigen::Vector3d v_world = Eigen::Vector3d::Zero();
+  Eigen::Vector3d w_world = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d R_world_body = Eigen::Matrix3d::Identity();  ///< T_world_body.R as a matrix
+
+  double mass_kg = 0.0;
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Identity();
+  Eigen::Matrix3d inertia_inverse = Eigen::Matrix3d::Identity();
+  double linear_damping = 0.0, angular_damping = 0.0;
+  bool gravity = true;
+
+  // Accumulated over a step, world frame, torque about the centre of mass.
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();
+  Eigen::Vector3d torque = Eigen::Vector3d::Zero();
+  /// Angular momentum of the spun rotors about their own axes [kg m^2/s], body frame.
+  Eigen::Vector3d rotor_momentum = Eigen::Vector3d::Zero();
+  // Velocities at the beginning of the last step; accelerations are differences over a step.
+  Eigen::Vector3d v_before = Eigen::Vector3d::Zero();
+  Eigen::Vector3d w_before = Eigen::Vector3d::Zero();
+
+  dBodyID ode = nullptr;
+  std::vector<Geom> geoms;
+  Eigen::Vector3d bound_centre = Eigen::Vector3d::Zero();  ///< body frame
+  double bound_radius_m = 0.0;                             ///< 0: nothing to collide with
+  int joint_count = 0;     ///< ODE joints that last longer than a step
+  bool in_contact = false;  ///< this step
+  bool kinematic = false;   ///< moves with its velocity, whatever pushes
+  bool self_collide = false;
+  const void* owner = nullptr;  ///< bodies of one model do not collide unless self_collide
+
+  void set_orientation(const Eigen::Quaterniond& R_world_body_new) {
+    T_world_body.R = R_world_body_new;
+    R_world_body = R_world_body_new.toRotationMatrix();
+  }
+  /// World velocity of the point p (world coordinates) that moves with the body.
+  Eigen::Vector3d velocity_at(const Eigen::Vector3d& p_world) const {
+    return v_world + w_world.cross(p_world - T_world_body.p);
+  }
+  void add_force_at(const Eigen::Vector3d& force_world, const Eigen::Vector3d& p_world) {
+    force += force_world;
+    torque += (p_world - T_world_body.p).cross(force_world);
+  }
+};
+
+}  // namespace trident

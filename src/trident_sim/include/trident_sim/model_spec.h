@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "trident_base/se3.h"
+#include "trident_sim/param_tree.h"
+
+namespace trident {
+
+// What a world and a model are made of, as plain data. The SDF reader fills it; nothing else in the
+// simulator sees libsdformat, whose documents cost tens of megabytes each.
+
+struct BoxShape {
+  Eigen::Vector3d size;  ///< full edge lengths [m]
+};
+struct SphereShape {
+  double radius;  ///< [m]
+};
+struct CylinderShape {
+  double radius, length;  ///< [m], axis along z
+};
+struct CapsuleShape {
+  double radius, length;  ///< [m], axis along z, length without the caps
+};
+struct PlaneShape {
+  Eigen::Vector3d normal;
+};
+struct MeshShape {
+  std::string file;  ///< resolved path
+  Eigen::Vector3d scale;
+};
+using Shape = std::variant<BoxShape, SphereShape, CylinderShape, CapsuleShape, PlaneShape, MeshShape>;
+
+/// Contact parameters of one collision, with Gazebo's defaults.
+struct Surface {
+  double mu = 1.0, mu2 = 1.0;
+  Eigen::Vector3d fdir1 = Eigen::Vector3d::Zero();  ///< link frame; zero: any direction
+  double slip1 = 0.0, slip2 = 0.0;
+  double restitution = 0.0;
+  double bounce_threshold_m_s = 1e5;
+  double kp_n_m = 1e12, kd_ns_m = 1.0;
+  std::optional<double> min_depth_m;     ///< else the world's contact_surface_layer
+  std::optional<double> max_vel_m_s;     ///< else the world's contact_max_correcting_vel
+  std::uint32_t collide_bitmask = 0xffff;
+};
+
+struct CollisionSpec {
+  std::string name;
+  SE3 T_link_shape;
+  Shape shape;
+  Surface surface;
+};
+
+struct VisualSpec {
+  std::string name;
+  SE3 T_link_shape;
+  Shape shape;
+};
+
+struct Inertial {
+  double mass_kg = 1.0;
+  SE3 T_link_com;  ///< origin at the centre of mass, axes of `inertia`
+  Eigen::Matrix3d inertia_com = Eigen::Matrix3d::Identity();  ///< [kg m^2] about the centre of mass
+};
+
+struct LinkSpec {
+  std::string name;
+  SE3 T_model_link;
+  Inertial inertial;
+  bool gravity = true;
+  bool kinematic = false;
+  double linear_damping = 0.0, angular_damping = 0.0;
+  std::vector<CollisionSpec> collisions;
+  std::vector<VisualSpec> visuals;
+};
+
+enum class JointType { kFixed, kRevolute, kPrismatic };
+
+struct JointSpec {
+  std::string name;
+  JointType type = JointType::kFixed;
+  std::string parent, child;
+  SE3 T_model_joint;
+  Eigen::Vector3d axis_model = Eigen::Vector3d::UnitZ();
+  double lower = -std::numeric_limits<double>::infinity();  ///< [rad] or [m]
+  double upper = std::numeric_limits<double>::infinity();
+  double effort = std::numeric_limits<double>::infinity();    ///< [N m] or [N]
+  double velocity = std::numeric_limits<double>::infinity();  ///< [rad/s] or [m/s]
+  double damping = 0.0, friction = 0.0;
+
+  /// A joint that cannot move: fixed, or a revolute one whose limits leave no play.
+  bool rigid() const { return type == JointType::kFixed || (upper - lower) <= 1e-9; }
+};
+
+struct PluginSpec {
+  std::string name, filename;
+  ParamNode params;
+};
+
+struct ModelSpec {
+  std::string name;
+  SE3 T_world_model;
+  bool is_static = false;
+  bool self_collide = false;
+  std::vector<LinkSpec> links;
+  std::vector<JointSpec> joints;
+  std::vector<PluginSpec> plugins;
+};
+
+/// `<physics>` and `<gravity>` with Gazebo's defaults.
+struct PhysicsSpec {
+  double max_step_size_s = 0.001;
+  double real_time_factor = 1.0;
+  double real_time_update_rate_hz = 1000.0;
+  Eigen::Vector3d gravity{0.0, 0.0, -9.8};
+  std::string solver = "quick";
+  int iterations = 50;
+  int precon_iterations = 0;
+  double sor = 1.3;
+  double cfm = 0.0, erp = 0.2;
+  double contact_max_correcting_vel = 100.0;
+  double contact_surface_layer = 0.001;
+  int max_contacts = 20;
+};
+
+struct SphericalCoordinates {
+  double latitude_deg = 0.0, longitude_deg = 0.0, elevation_m = 0.0, heading_deg = 0.0;
+};
+
+struct WorldSpec {
+  std::string name = "default";
+  PhysicsSpec physics;
+  SphericalCoordinates spherical;
+  std::vector<ModelSpec> models;
+  std::vector<PluginSpec> plugins;
+};
+
+}  // namespace trident

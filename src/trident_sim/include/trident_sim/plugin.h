@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "trident_base/sim_time.h"
+#include "trident_sim/param_tree.h"
+#include "trident_sim/port.h"
+
+namespace trident {
+
+class World;
+class Model;
+
+/// One step leads from the state at `begin` to the state at `end` = begin + dt.
+struct StepInfo {
+  std::uint64_t step = 0;  ///< number of the step since time zero, the first is 1
+  SimTime begin, end, dt;
+  double dt_s = 0.0;
+};
+
+/// When in a step a plugin runs. Within a phase plugins run in model name order, then in file order.
+enum class Phase {
+  kSense,    ///< pre_step: measure the state at `begin` (RotorS' plugins measure here)
+  kControl,  ///< pre_step: turn measurements and set-points into commands
+  kActuate,  ///< pre_step: turn commands into forces
+  kPost      ///< post_step: measure the state at `end`
+};
+
+/// What a plugin is given when it is made; the references outlive the plugin.
+struct PluginContext {
+  World& world;
+  Model* model;  ///< nullptr for a world plugin
+  const PluginParams& params;
+  std::string name;  ///< "model::plugin", the name of its random stream
+};
+
+/// A vehicle part, sensor or world effect. Constructed when its model is spawned (a bad parameter
+/// throws Error and refuses the model), then called once per step in each phase of phases(), always
+/// by the stepping thread, then destroyed when the model is deleted. It gives its ports back itself
+/// through PortHandle.
+class Plugin {
+ public:
+  virtual ~Plugin() = default;
+  virtual std::vector<Phase> phases() const = 0;
+  virtual void pre_step(Phase /*phase*/, World& /*world*/, const StepInfo& /*info*/) {}
+  virtual void post_step(const World& /*world*/, const StepInfo& /*info*/) {}
+  /// Back to the state after construction (filters, biases, sample counters).
+  virtual void reset() {}
+};
+
+/// Owns a port of the board for as long as a plugin lives.
+template <class P>
+class PortHandle {
+ public:
+  PortHandle() = default;
+  PortHandle(PortBoard& board, P* port) : board_(&board), port_(port) {}
+  PortHandle(PortHandle&& other) noexcept { *this = std::move(other); }
+  PortHandle& operator=(PortHandle&& other) noexcept {
+    std::swap(board_, other.board_);
+    std::swap(port_, other.port_);
+    return *this;
+  }
+  ~PortHandle() {
+    if (port_ != nullptr) board_->release(port_);
+  }
+  P* operator->() const { return port_; }
+  P* get() const { return port_; }
+  explicit operator bool() const { return port_ != nullptr; }
+
+ private:
+  PortBoard* board_ = nullptr;
+  P* port_ = nullptr;
+};
+
+template <class T>
+using OutHandle = PortHandle<OutPort<T>>;
+template <class T>
+using InHandle = PortHandle<InPort<T>>;
+
+}  // namespace trident

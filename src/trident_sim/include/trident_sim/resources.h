@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace trident {
+
+/// Finds files that SDF, URDF and launch files name: `model://`, `package://`, `file://`, absolute
+/// and relative paths. Search order: explicit folders, GAZEBO_MODEL_PATH, GAZEBO_RESOURCE_PATH, and
+/// for `package://` the folders of ROS_PACKAGE_PATH (a package is a folder with a package.xml).
+class Resources {
+ public:
+  /// Takes the environment's search paths; `extra_folders` come first.
+  explicit Resources(std::vector<std::string> extra_folders = {});
+
+  /// The existing file or folder that `uri` means, or "" when there is none.
+  /// `base_folder`: where the naming file lies, for relative paths.
+  std::string find(std::string_view uri, std::string_view base_folder = "") const;
+  /// The .sdf file of a model folder (its model.config's newest, else model.sdf); "" when none.
+  static std::string model_file(const std::string& folder);
+  /// Folders searched, for error messages.
+  std::string searched() const;
+
+ private:
+  std::string find_package(std::string_view package) const;
+
+  std::vector<std::string> model_folders_;
+  std::vector<std::string> package_folders_;
+};
+
+}  // namespace trident

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "trident_base/se3.h"
+#include "trident_base/sim_time.h"
+
+namespace trident {
+
+// The plain structs that flow through ports. SI units; frames in the names.
+
+/// A bounded list of doubles that never allocates.
+struct SmallVector {
+  static constexpr std::size_t kCapacity = 32;
+  std::array<double, kCapacity> data{};
+  std::size_t size = 0;
+
+  std::span<const double> view() const { return {data.data(), size}; }
+  void assign(std::span<const double> values) {
+    size = std::min(values.size(), kCapacity);
+    std::copy_n(values.begin(), size, data.begin());
+  }
+};
+
+/// Commanded rotor speeds [rad/s]. `stamp` is that of the odometry it answers; 0: unstamped.
+struct ActuatorCommand {
+  SimTime stamp;
+  SmallVector angular_velocities;
+};
+
+/// Measured rotor speeds [rad/s], signed, joint rate times slow-down.
+struct ActuatorState {
+  SimTime stamp;
+  SmallVector angular_velocities;
+};
+
+using Covariance6 = std::array<double, 36>;
+
+/// Pose of `child` in `parent` and the twist of the child expressed in the child's frame.
+struct OdometrySample {
+  SimTime stamp;
+  std::string parent_frame, child_frame;
+  SE3 T_parent_child;
+  Eigen::Vector3d v_child = Eigen::Vector3d::Zero();
+  Eigen::Vector3d w_child = Eigen::Vector3d::Zero();
+  Covariance6 pose_covariance{}, twist_covariance{};
+};
+struct PoseSample {
+  SimTime stamp;
+  std::string frame;
+  SE3 T_frame_body;
+};
+struct PoseWithCovarianceSample {
+  SimTime stamp;
+  std::string frame;
+  SE3 T_frame_body;
+  Covariance6 covariance{};
+};
+struct PointSample {
+  SimTime stamp;
+  std::string frame;
+  Eigen::Vector3d p_frame = Eigen::Vector3d::Zero();
+};
+struct TransformSample {
+  SimTime stamp;
+  std::string parent_frame, child_frame;
+  SE3 T_parent_child;
+};
+/// A transform for the frame tree (/tf) rather than for a topic of its own.
+struct FrameSample : TransformSample {};
+struct ImuSample {
+  SimTime stamp;
+  std::string frame;
+  Eigen::Quaterniond R_world_imu = Eigen::Quaterniond::Identity();
+  Eigen::Vector3d w_imu = Eigen::Vector3d::Zero();  ///< [rad/s]
+  Eigen::Vector3d a_imu = Eigen::Vector3d::Zero();  ///< specific force [m/s^2]
+  std::array<double, 9> gyro_covariance{}, accel_covariance{}, orientation_covariance{};
+};
+struct JointStateSample {
+  SimTime stamp;
+  std::string frame;
+  std::vector<std::string> names;
+  std::vector<double> positions;  ///< [rad]
+};
+struct ScalarSample {
+  SimTime stamp;
+  double value = 0.0;
+};
+struct WindSample {
+  SimTime stamp;
+  std::string frame;
+  Eigen::Vector3d v_world = Eigen::Vector3d::Zero();  ///< [m/s]
+};
+struct WrenchSample {
+  SimTime stamp;
+  std::string frame;
+  Eigen::Vector3d force = Eigen::Vector3d::Zero(), torque = Eigen::Vector3d::Zero();
+};
+
+}  // namespace trident

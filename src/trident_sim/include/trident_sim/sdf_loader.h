@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "trident_sim/model_spec.h"
+#include "trident_sim/resources.h"
+
+namespace trident {
+
+/// Receives one line per thing a user should know but that does not stop the load.
+using WarningSink = std::function<void(const std::string&)>;
+
+/// Reads SDF 1.4 to 1.9 worlds. Throws Error naming file and line or element.
+WorldSpec load_world_file(const std::string& path, const Resources& resources,
+                          const WarningSink& warn);
+WorldSpec load_world_string(const std::string& xml, const std::string& label,
+                            const Resources& resources, const WarningSink& warn);
+
+/// Reads the one model of an SDF or URDF text (`<sdf>`, `<model>` or `<robot>`). A URDF is checked
+/// before libsdformat converts it: see check_urdf(). `label` names the source in errors.
+ModelSpec load_model_string(const std::string& xml, const std::string& label,
+                            const Resources& resources, const WarningSink& warn);
+
+/// Refuses (throws) a URDF whose links have a mass <= 0 or an inertia that is not positive definite;
+/// warns of links without `<inertial>`, which the SDF conversion drops silently, unless a
+/// fixed child brings the inertia.
+void check_urdf(const std::string& xml, const std::string& label, const WarningSink& warn);
+
+}  // namespace trident

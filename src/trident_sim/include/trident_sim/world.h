@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "trident_base/sim_time.h"
+#include "trident_sim/model.h"
+#include "trident_sim/model_spec.h"
+#include "trident_sim/plugin_registry.h"
+#include "trident_sim/port.h"
+#include "trident_sim/samples.h"
+#include "trident_sim/sdf_loader.h"
+
+namespace trident {
+
+class PhysicsEngine;
+
+/// How measurements and commands are delayed.
+enum class LoopTiming {
+  /// As RotorS on Gazebo: state k is measured as step k+1 begins and stamped (k+1) dt; the command
+  /// computed from it moves the motors as step k+3 begins.
+  kRotors,
+  /// No artificial delay: state k is measured as step k ends and stamped k dt; the command computed
+  /// from it acts in step k+1.
+  kDirect
+};
+
+enum class Severity { kWarning, kError };
+/// Where the world tells of trouble that does not stop it. One call per event.
+using ReportSink = std::function<void(Severity, const std::string&)>;
+
+struct WorldOptions {
+  std::uint64_t seed = 0;
+  LoopTiming timing = LoopTiming::kRotors;
+  ReportSink report;
+};
+
+struct SpawnRequest {
+  std::string name;             ///< "": the name in the file
+  std::string xml;              ///< SDF or URDF text
+  std::string label;            ///< names the source in errors; "": the model's name
+  std::string robot_namespace;  ///< given to plugins that have no <robotNamespace>
+  SE3 T_world_model;
+};
+
+/// The simulated world: models, physics, plugins, ports and time. Not thread-safe: one thread at a
+/// time. Nothing in it reads a clock, prints or draws unseeded random numbers.
+class World {
+ public:
+  World(const WorldSpec& spec, const Resources& resources, const PluginRegistry& registry,
+        WorldOptions options);
+  ~World();
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
+
+  /// Throws Error (bad model, name taken) and leaves the world as it was.
+  Model& spawn(const SpawnRequest& request);
+  Model& spawn(ModelSpec spec, const std::string& robot_namespace);
+  /// Throws Error when there is no such model.
+  void remove(const std::string& name);
+
+  /// Advances by `n` steps of physics().max_step_size_s.
+  void step(std::uint64_t n = 1);
+
+  /// Poses, joint states, velocities and plugins as spawned; time goes on.
+  void reset_models();
+  /// reset_models() and time zero.
+  void reset();
+
+  SimTime time() const { return time_; }
+  std::uint64_t step_count() const { return step_count_; }
+  SimTime dt() const { return dt_; }
+  std::uint64_t seed() const { return options_.seed; }
+  LoopTiming timing() const { return options_.timing; }
+  const std::string& name() const { return name_; }
+  const PhysicsSpec& physics() const { return physics_; }
+  /// Throws Error when a value is out of range.
+  void set_physics(const PhysicsSpec& physics);
+  const SphericalCoordinates& spherical() const { return spherical_; }
+
+  const std::map<std::string, std::unique_ptr<Model>>& models() const { return models_; }
+  Model* find_model(const std::string& name) const;
+  /// "model::link", or a link name that is unique in the world; nullptr when unknown.
+  Link* find_link(const std::string& scoped_name) const;
+
+  void set_model_pose(Model& model, const SE3& T_world_model);
+  void set_model_twist(Model& model, const Eigen::Vector3d& v_world, const Eigen::Vector3d& w_world);
+  void set_link_state(Link& link, const SE3& T_world_link, const Eigen::Vector3d& v_world,
+                      const Eigen::Vector3d& w_world);
+
+  /// A wrench on a body from `start` for `duration` (negative: until cleared). Frames: world axes,
+  /// applied at `p_link` of the link.
+  struct AppliedWrench {
+    Link* link;
+    Eigen::Vector3d force_world, torque_world, p_link;
+    SimTime start, duration;
+  };
+  void apply_wrench(const AppliedWrench& wrench);
+  void clear_wrenches(const Link& link);
+  struct AppliedEffort {
+    Joint* joint;
+    double effort;
+    SimTime start, duration;
+  };
+  void apply_effort(const AppliedEffort& effort);
+  void clear_efforts(const Joint& joint);
+
+  PortBoard& ports() { return ports_; }
+  const PortBoard& ports() const { return ports_; }
+  void report(Severity severity, const std::string& text) const;
+
+  /// SHA-256 over name, pose, velocities and rotor speeds of every model in name order, as
+  /// IEEE-754 bytes, with the step count.
+  std::string state_hash() const;
+
+  /// Wall nanoseconds per stage since the last call, when profiling is on.
+  struct StageTimes {
+    std::uint64_t steps = 0;
+    double sense_s = 0, control_s = 0, actuate_s = 0, physics_s = 0, post_s = 0;
+  };
+  void set_profiling(bool on) { profiling_ = on; }
+  StageTimes take_stage_times();
+
+ private:
+  void rebuild_schedule();
+  void run_phase(Phase phase, const StepInfo& info);
+  void apply_external(const StepInfo& info);
+  std::unique_ptr<Model> build_model(ModelSpec spec, const std::string& robot_namespace);
+  void create_plugins(Model& model, const std::vector<PluginSpec>& specs);
+  std::unique_ptr<Plugin> create_plugin(const PluginSpec& spec, Model* model,
+                                        const std::string& owner);
+  void drop_references(const Model& model);
+
+  std::string name_;
+  PhysicsSpec physics_;
+  SphericalCoordinates spherical_;
+  Resources resources_;
+  const PluginRegistry& registry_;
+  WorldOptions options_;
+  PortBoard ports_;
+  std::unique_ptr<PhysicsEngine> engine_;
+  std::map<std::string, std::unique_ptr<Model>> models_;
+  std::vector<std::unique_ptr<Plugin>> world_plugins_;
+  std::vector<Plugin*> schedule_[4];
+  std::vector<AppliedWrench> wrenches_;
+  std::vector<AppliedEffort> efforts_;
+  SimTime time_, dt_;
+  std::uint64_t step_count_ = 0;
+  bool profiling_ = false;
+  StageTimes stage_times_;
+};
+
+}  // namespace trident

@@ -1,0 +1,343 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <set>
+
+#include "physics_engine.h"
+#include "shapes.h"
+#include "trident_base/error.h"
+
+namespace trident {
+namespace {
+
+/// Which links move as one: disjoint sets joined by rigid and spun joints. The last element stands
+/// for the world.
+class LinkGroups {
+ public:
+  explicit LinkGroups(std::size_t links) : parent_(links + 1) {
+    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+  }
+  std::size_t world() const { return parent_.size() - 1; }
+  std::size_t find(std::size_t i) const { return parent_[i] == i ? i : find(parent_[i]); }
+  void join(std::size_t a, std::size_t b) {
+    // The lower index leads, so that a body has the frame of its first link; the world always does.
+    const std::size_t lo = std::min(find(a), find(b));
+    const std::size_t hi = std::max(find(a), find(b));
+    if (lo == hi) return;
+    if (hi == world()) {
+      parent_[lo] = hi;
+    } else {
+      parent_[hi] = lo;
+    }
+  }
+
+ private:
+  std::vector<std::size_t> parent_;
+};
+
+Eigen::Matrix3d about_origin(double mass, const Eigen::Vector3d& p) {
+  return mass * (p.squaredNorm() * Eigen::Matrix3d::Identity() - p * p.transpose());
+}
+
+/// A rotor seen from its carrier: free about its axis, so that inertia does not load the carrier, and
+/// round, because it turns many times in the time in which the carrier moves.
+Eigen::Matrix3d spun_inertia(const Eigen::Matrix3d& inertia, const Eigen::Vector3d& axis,
+                             double& axial) {
+  axial = axis.dot(inertia * axis);
+  const double transverse = 0.5 * (inertia.trace() - axial);
+  return transverse * (Eigen::Matrix3d::Identity() - axis * axis.transpose());
+}
+
+class Builder {
+ public:
+  Builder(Model& model, const std::vector<std::string>& spun, dWorldID world)
+      : model_(model), spec_(model.spec), spun_(spun.begin(), spun.end()), world_(world),
+        groups_(spec_.links.size()) {}
+
+  void run() {
+    index_links();
+    group_links();
+    make_links();
+    make_bodies();
+    make_geoms();
+    make_joints();
+  }
+
+ private:
+  std::size_t link_index(const std::string& name, const std::string& joint) const {
+    if (name == "world") return groups_.world();
+    const auto it = index_.find(name);
+    if (it == index_.end()) {
+      throw Error("model '" + model_.name + "': joint '" + joint + "' names link '" + name +
+                  "', which is not there");
+    }
+    return it->second;
+  }
+
+  void index_links() {
+    for (std::size_t i = 0; i < spec_.links.size(); ++i) {
+      if (!index_.emplace(spec_.links[i].name, i).second) {
+        throw Error("model '" + model_.name + "': two links are named '" + spec_.links[i].name +
+                    "'");
+      }
+    }
+  }
+
+  void group_links() {
+    for (const JointSpec& joint : spec_.joints) {
+      const std::size_t parent = link_index(joint.parent, joint.name);
+      const std::size_t child = link_index(joint.child, joint.name);
+      if (joint.rigid() || spun_.contains(joint.name)) groups_.join(parent, child);
+    }
+    if (model_.is_static) {
+      for (std::size_t i = 0; i < spec_.links.size(); ++i) groups_.join(i, groups_.world());
+    }
+  }
+
+  void make_links() {
+    for (const LinkSpec& spec : spec_.links) {
+      auto link = std::make_unique<Link>();
+      link->name = spec.name;
+      link->inertial = spec.inertial;
+      link->T_body_link = model_.T_world_model_initial * spec.T_model_link;
+      model_.links.push_back(std::move(link));
+    }
+  }
+
+  const JointSpec* spun_joint_of(const std::string& child) const {
+    for (const JointSpec& joint : spec_.joints) {
+      if (joint.child == child && spun_.contains(joint.name)) return &joint;
+    }
+    return nullptr;
+  }
+
+  /// Inertia of one link about its own centre of mass, model axes.
+  Eigen::Matrix3d link_inertia(const LinkSpec& spec) const {
+    const Eigen::Matrix3d R =
+        (spec.T_model_link.R * spec.inertial.T_link_com.R).toRotationMatrix();
+    const Eigen::Matrix3d inertia = R * spec.inertial.inertia_com * R.transpose();
+    const JointSpec* spun = spun_joint_of(spec.name);
+    double axial = 0.0;
+    return spun == nullptr ? inertia : spun_inertia(inertia, spun->axis_model, axial);
+  }
+
+  void make_bodies() {
+    std::map<std::size_t, std::vector<std::size_t>> members;
+    for (std::size_t i = 0; i < spec_.links.size(); ++i) members[groups_.find(i)].push_back(i);
+    for (const auto& [leader, links] : members) {
+      if (leader == groups_.world()) continue;
+      model_.bodies.push_back(make_body(leader, links));
+      for (const std::size_t i : links) attach_link(*model_.bodies.back(), i);
+    }
+  }
+
+  std::unique_ptr<Body> make_body(std::size_t leader, const std::vector<std::size_t>& links) {
+    auto body = std::make_unique<Body>();
+    const LinkSpec& first = spec_.links[leader];
+    body->name = model_.name + "::" + first.name;
+    Eigen::Vector3d weighted = Eigen::Vector3d::Zero();
+    for (const std::size_t i : links) {
+      const LinkSpec& link = spec_.links[i];
+      body->mass_kg += link.inertial.mass_kg;
+      weighted += link.inertial.mass_kg * (link.T_model_link * link.inertial.T_link_com.p);
+    }
+    const Eigen::Vector3d p_model_com = weighted / body->mass_kg;
+    Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
+    for (const std::size_t i : links) {
+      const LinkSpec& link = spec_.links[i];
+      const Eigen::Vector3d p = link.T_model_link * link.inertial.T_link_com.p - p_model_com;
+      inertia += link_inertia(link) + about_origin(link.inertial.mass_kg, p);
+    }
+    const Eigen::Matrix3d R = first.T_model_link.R.toRotationMatrix();
+    body->inertia = R.transpose() * inertia * R;
+    body->inertia_inverse = body->inertia.inverse();
+    body->T_world_body = model_.T_world_model_initial * SE3{first.T_model_link.R, p_model_com};
+    body->set_orientation(body->T_world_body.R);
+    body->gravity = first.gravity;
+    body->kinematic = first.kinematic;
+    body->linear_damping = first.linear_damping;
+    body->angular_damping = first.angular_damping;
+    body->self_collide = spec_.self_collide;
+    body->owner = &model_;
+    make_ode_body(*body);
+    return body;
+  }
+
+  void make_ode_body(Body& body) {
+    body.ode = dBodyCreate(world_);
+    dMass mass;
+    const Eigen::Matrix3d& I = body.inertia;
+    dMassSetParameters(&mass, body.mass_kg, 0, 0, 0, I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2),
+                       I(1, 2));
+    dBodySetMass(body.ode, &mass);
+    dBodySetGyroscopicMode(body.ode, 0);  // the engine adds that torque, rotors included
+    dBodySetGravityMode(body.ode, 0);
+    dBodySetAutoDisableFlag(body.ode, 0);
+    dBodySetData(body.ode, &body);
+    if (body.kinematic) dBodySetKinematic(body.ode);
+    dBodyDisable(body.ode);
+  }
+
+  void attach_link(Body& body, std::size_t i) {
+    Link& link = *model_.links[i];
+    link.body = &body;
+    link.T_body_link = body.T_world_body.inverse() * link.T_body_link;
+  }
+
+  void make_geoms() {
+    for (std::size_t i = 0; i < spec_.links.size(); ++i) {
+      Link& link = *model_.links[i];
+      for (const CollisionSpec& spec : spec_.links[i].collisions) {
+        Geom geom = make_geom(spec, model_.name + "::" + link.name + "::" + spec.name);
+        const SE3 T_base_shape = link.T_body_link * spec.T_link_shape;
+        if (link.body == nullptr) {
+          place_static_geom(geom, T_base_shape);
+          model_.static_geoms.push_back(std::move(geom));
+        } else {
+          place_on_body(*link.body, std::move(geom), T_base_shape);
+        }
+      }
+    }
+    for (const auto& body : model_.bodies) bound(*body);
+  }
+
+  void place_on_body(Body& body, Geom geom, const SE3& T_body_shape) {
+    if (dGeomGetClass(geom.id) == dPlaneClass) {
+      const std::string name = geom.name;
+      destroy_geom(geom);
+      throw Error("collision '" + name + "' is a plane on a link that moves; a plane must be static");
+    }
+    dGeomSetBody(geom.id, body.ode);
+    dGeomSetOffsetPosition(geom.id, T_body_shape.p.x(), T_body_shape.p.y(), T_body_shape.p.z());
+    const dQuaternion q = {T_body_shape.R.w(), T_body_shape.R.x(), T_body_shape.R.y(),
+                           T_body_shape.R.z()};
+    dGeomSetOffsetQuaternion(geom.id, q);
+    body.geoms.push_back(std::move(geom));
+  }
+
+  /// Bounding sphere of all shapes, from their boxes while the ODE body is at the origin.
+  static void bound(Body& body) {
+    if (body.geoms.empty()) return;
+    Eigen::AlignedBox3d all;
+    std::vector<Eigen::AlignedBox3d> boxes;
+    for (const Geom& geom : body.geoms) {
+      dReal aabb[6];
+      dGeomGetAABB(geom.id, aabb);
+      boxes.emplace_back(Eigen::Vector3d(aabb[0], aabb[2], aabb[4]),
+                         Eigen::Vector3d(aabb[1], aabb[3], aabb[5]));
+      all.extend(boxes.back());
+    }
+    body.bound_centre = all.center();
+    for (const auto& box : boxes) {
+      const Eigen::Vector3d reach =
+          (box.max() - body.bound_centre).cwiseAbs().cwiseMax((box.min() - body.bound_centre).cwiseAbs());
+      body.bound_radius_m = std::max(body.bound_radius_m, reach.norm());
+    }
+  }
+
+  void make_joints() {
+    for (const JointSpec& spec : spec_.joints) {
+      auto joint = std::make_unique<Joint>();
+      joint->spec = spec;
+      joint->damping = spec.damping;
+      joint->parent = model_.find_link(spec.parent);
+      joint->child = model_.find_link(spec.child);
+      if (spun_.contains(spec.name)) {
+        make_spun(*joint);
+      } else if (!spec.rigid() && joint->child->body != body_of(joint->parent)) {
+        pending_.push_back(joint.get());
+      }
+      model_.joints.push_back(std::move(joint));
+    }
+    place_bodies();
+    for (Joint* joint : pending_) make_ode_joint(*joint);
+  }
+
+  static Body* body_of(const Link* link) { return link == nullptr ? nullptr : link->body; }
+
+  void make_spun(Joint& joint) const {
+    joint.spun = true;
+    const LinkSpec& spec = spec_.links[index_.at(joint.spec.child)];
+    const Eigen::Matrix3d R = (spec.T_model_link.R * spec.inertial.T_link_com.R).toRotationMatrix();
+    spun_inertia(R * spec.inertial.inertia_com * R.transpose(), joint.spec.axis_model,
+                 joint.axial_inertia);
+    if (joint.child->body == nullptr) return;
+    const Eigen::Quaterniond R_world_model = model_.T_world_model_initial.R;
+    joint.axis_body =
+        joint.child->body->T_world_body.R.conjugate() * (R_world_model * joint.spec.axis_model);
+  }
+
+  void place_bodies() const {
+    for (const auto& body : model_.bodies) {
+      const SE3& T = body->T_world_body;
+      dBodySetPosition(body->ode, T.p.x(), T.p.y(), T.p.z());
+      const dQuaternion q = {T.R.w(), T.R.x(), T.R.y(), T.R.z()};
+      dBodySetQuaternion(body->ode, q);
+    }
+  }
+
+  void make_ode_joint(Joint& joint) const {
+    const JointSpec& spec = joint.spec;
+    Body* child = joint.child->body;
+    Body* parent = body_of(joint.parent);
+    const Eigen::Vector3d axis = model_.T_world_model_initial.R * spec.axis_model;
+    const Eigen::Vector3d anchor = model_.T_world_model_initial * spec.T_model_joint.p;
+    const bool hinge = spec.type == JointType::kRevolute;
+    joint.ode = hinge ? dJointCreateHinge(world_, nullptr) : dJointCreateSlider(world_, nullptr);
+    dJointAttach(joint.ode, child ? child->ode : nullptr, parent ? parent->ode : nullptr);
+    const auto set = hinge ? dJointSetHingeParam : dJointSetSliderParam;
+    if (hinge) {
+      dJointSetHingeAnchor(joint.ode, anchor.x(), anchor.y(), anchor.z());
+      dJointSetHingeAxis(joint.ode, axis.x(), axis.y(), axis.z());
+    } else {
+      dJointSetSliderAxis(joint.ode, axis.x(), axis.y(), axis.z());
+    }
+    if (std::isfinite(spec.lower)) set(joint.ode, dParamLoStop, spec.lower);
+    if (std::isfinite(spec.upper)) set(joint.ode, dParamHiStop, spec.upper);
+    if (spec.friction > 0.0) {
+      set(joint.ode, dParamVel, 0.0);
+      set(joint.ode, dParamFMax, spec.friction);
+    }
+    for (Body* body : {child, parent}) {
+      if (body != nullptr) ++body->joint_count;
+    }
+  }
+
+  Model& model_;
+  const ModelSpec& spec_;
+  std::set<std::string> spun_;
+  dWorldID world_;
+  LinkGroups groups_;
+  std::map<std::string, std::size_t> index_;
+  std::vector<Joint*> pending_;
+};
+
+}  // namespace
+
+void PhysicsEngine::build(Model& model, const std::vector<std::string>& spun_joints) {
+  try {
+    Builder(model, spun_joints, world_).run();
+  } catch (...) {
+    destroy(model);
+    throw;
+  }
+}
+
+void PhysicsEngine::destroy(Model& model) {
+  for (const auto& joint : model.joints) {
+    if (joint->ode != nullptr) dJointDestroy(joint->ode);
+    joint->ode = nullptr;
+  }
+  for (const auto& body : model.bodies) {
+    for (Geom& geom : body->geoms) destroy_geom(geom);
+    body->geoms.clear();
+    if (body->ode != nullptr) dBodyDestroy(body->ode);
+    body->ode = nullptr;
+  }
+  for (Geom& geom : model.static_geoms) destroy_geom(geom);
+  model.static_geoms.clear();
+}
+
+}  // namespace trident

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <ode/ode.h>
+
+#include <string>
+
+#include "trident_sim/body.h"
+
+namespace trident {
+
+/// Makes the ODE geometry of a shape, unplaced. Throws Error for a mesh that cannot be read.
+Geom make_geom(const CollisionSpec& spec, const std::string& scoped_name);
+void destroy_geom(Geom& geom);
+/// Places `geom`, which is not attached to a body, in the world.
+void place_static_geom(Geom& geom, const SE3& T_world_shape);
+
+}  // namespace trident

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "plugin_util.h"
+
+namespace trident {
+namespace {
+
+std::string without_outer_slashes(const std::string& text) {
+  const auto first = text.find_first_not_of('/');
+  if (first == std::string::npos) return "";
+  return text.substr(first, text.find_last_not_of('/') - first + 1);
+}
+
+}  // namespace
+
+std::string scoped_topic(const PluginParams& params, const std::string& topic) {
+  const std::string clean = without_outer_slashes(topic);
+  if (!topic.empty() && topic.front() == '/') return clean;
+  const std::string ns = without_outer_slashes(params.text("robotNamespace", ""));
+  return ns.empty() ? clean : ns + "/" + clean;
+}
+
+Link& required_link(const PluginContext& context, const std::string& key) {
+  const std::string name = context.params.required_text(key);
+  if (context.model == nullptr) throw Error(context.params.owner() + ": belongs in a model");
+  Link* link = context.model->find_link(name);
+  if (link == nullptr) {
+    std::string known;
+    for (const auto& other : context.model->links) known += (known.empty() ? "" : ", ") + other->name;
+    context.params.refuse(key, name, "a link of the model: " + known);
+  }
+  return *link;
+}
+
+Joint& required_joint(const PluginContext& context, const std::string& key) {
+  const std::string name = context.params.required_text(key);
+  if (context.model == nullptr) throw Error(context.params.owner() + ": belongs in a model");
+  Joint* joint = context.model->find_joint(name);
+  if (joint == nullptr) {
+    std::string known;
+    for (const auto& other : context.model->joints) {
+      known += (known.empty() ? "" : ", ") + other->spec.name;
+    }
+    context.params.refuse(key, name, "a joint of the model: " + known);
+  }
+  return *joint;
+}
+
+Eigen::Vector3d link_velocity_world(const Link& link) {
+  return link.v_world_at(link.T_world_link().p);
+}
+
+Eigen::Vector3d link_acceleration_world(const Link& link, double dt_s) {
+  if (link.body == nullptr) return Eigen::Vector3d::Zero();
+  const Body& body = *link.body;
+  const Eigen::Vector3d r = link.T_world_link().p - body.T_world_body.p;
+  const Eigen::Vector3d linear = (body.v_world - body.v_before) / dt_s;
+  const Eigen::Vector3d angular = (body.w_world - body.w_before) / dt_s;
+  return linear + angular.cross(r) + body.w_world.cross(body.w_world.cross(r));
+}
+
+}  // namespace trident

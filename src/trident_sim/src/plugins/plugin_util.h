@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "trident_base/error.h"
+#include "trident_sim/world.h"
+
+namespace trident {
+
+/// "<robotNamespace>/<topic>" without doubled or outer slashes; an absolute topic stands alone.
+std::string scoped_topic(const PluginParams& params, const std::string& topic);
+
+Link& required_link(const PluginContext& context, const std::string& key);
+Joint& required_joint(const PluginContext& context, const std::string& key);
+
+template <class T>
+OutHandle<T> advertise(const PluginContext& context, const std::string& name, PortRank rank) {
+  PortBoard& board = context.world.ports();
+  return {board, board.advertise<T>(name, rank)};
+}
+template <class T>
+InHandle<T> subscribe(const PluginContext& context, const std::string& name) {
+  PortBoard& board = context.world.ports();
+  return {board, board.subscribe<T>(name)};
+}
+
+/// Velocity and acceleration of a link's own frame origin.
+Eigen::Vector3d link_velocity_world(const Link& link);
+Eigen::Vector3d link_acceleration_world(const Link& link, double dt_s);
+
+/// A plugin that measures once per step: as the step begins in `rotors` timing, as it ends in
+/// `direct`. The stamp is the end of the step in both (see LoopTiming).
+class MeasuringPlugin : public Plugin {
+ public:
+  explicit MeasuringPlugin(LoopTiming timing) : timing_(timing) {}
+  std::vector<Phase> phases() const final {
+    return {timing_ == LoopTiming::kRotors ? Phase::kSense : Phase::kPost};
+  }
+  void pre_step(Phase, World& world, const StepInfo& info) final { measure(world, info); }
+  void post_step(const World& world, const StepInfo& info) final { measure(world, info); }
+
+ protected:
+  virtual void measure(const World& world, const StepInfo& info) = 0;
+
+ private:
+  LoopTiming timing_;
+};
+
+}  // namespace trident

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "rotors/rotors_plugins.h"
+#include "trident_sim/world.h"
+
+namespace trident {
+namespace {
+
+/// A name that is known but has nothing to do here.
+PluginFactory nothing_to_do() {
+  return {[](const PluginContext&) -> std::unique_ptr<Plugin> { return nullptr; }, {}};
+}
+
+PluginFactory told_once(std::string what) {
+  return {[what = std::move(what)](const PluginContext& context) -> std::unique_ptr<Plugin> {
+            context.world.report(Severity::kWarning, context.params.owner() + ": " + what);
+            return nullptr;
+          },
+          {}};
+}
+
+}  // namespace
+
+void register_builtin_plugins(PluginRegistry& registry) {
+  registry.add("librotors_gazebo_motor_model.so", motor_model_factory());
+  registry.add("librotors_gazebo_multirotor_base_plugin.so", multirotor_base_factory());
+  registry.add("librotors_gazebo_controller_interface.so", controller_interface_factory());
+  registry.add("librotors_gazebo_odometry_plugin.so", odometry_factory());
+  registry.add("librotors_gazebo_imu_plugin.so", imu_factory());
+  registry.add("librotors_gazebo_wind_plugin.so", wind_factory());
+  registry.add("librotors_gazebo_ros_interface_plugin.so", nothing_to_do());
+  registry.add("librotors_gazebo_bag_plugin.so",
+               told_once("bags are recorded by 'rosbag record' (launch argument record), not by the "
+                         "simulator; enable_logging has no effect"));
+}
+
+}  // namespace trident

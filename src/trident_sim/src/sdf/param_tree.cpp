@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "trident_sim/param_tree.h"
+
+#include <cmath>
+#include <sstream>
+
+#include "trident_base/error.h"
+
+namespace trident {
+namespace {
+
+std::string trimmed(const std::string& text) {
+  const auto first = text.find_first_not_of(" \t\r\n");
+  if (first == std::string::npos) return "";
+  return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
+}
+
+std::string describe(Limits limits) {
+  std::ostringstream out;
+  out << "a finite number";
+  if (std::isfinite(limits.lo) || std::isfinite(limits.hi)) {
+    out << " in [" << limits.lo << ", " << limits.hi << "]";
+  }
+  return out.str();
+}
+
+bool parse_number(const std::string& text, double& value) {
+  try {
+    std::size_t used = 0;
+    value = std::stod(text, &used);
+    return used == text.size() && std::isfinite(value);
+  } catch (const std::exception&) {
+    return false;
+  }
+}
+
+}  // namespace
+
+const ParamNode* ParamNode::find(std::string_view child_name) const {
+  for (const ParamNode& child : children) {
+    if (child.name == child_name) return &child;
+  }
+  return nullptr;
+}
+
+std::optional<std::string> PluginParams::raw(std::string_view key) const {
+  const ParamNode* node = root_->find(key);
+  if (node == nullptr) return std::nullopt;
+  return trimmed(node->text);
+}
+
+void PluginParams::refuse(std::string_view key, std::string_view value,
+                          std::string_view expected) const {
+  throw Error(owner_ + ": <" + std::string(key) + "> is '" + std::string(value) +
+              "', expected " + std::string(expected));
+}
+
+std::string PluginParams::text(std::string_view key, std::string_view fallback) const {
+  return raw(key).value_or(std::string(fallback));
+}
+
+std::string PluginParams::required_text(std::string_view key) const {
+  const auto value = raw(key);
+  if (!value || value->empty()) {
+    throw Error(owner_ + ": required element <" + std::string(key) + "> is missing or empty");
+  }
+  return *value;
+}
+
+double PluginParams::number(std::string_view key, double fallback, Limits limits) const {
+  const auto text = raw(key);
+  if (!text) return fallback;
+  double value = 0.0;
+  if (!parse_number(*text, value) || value < limits.lo || value > limits.hi) {
+    refuse(key, *text, describe(limits));
+  }
+  return value;
+}
+
+int PluginParams::integer(std::string_view key, int fallback, Limits limits) const {
+  const double value = number(key, fallback, limits);
+  if (value != std::floor(value) || std::abs(value) > 1e9) {
+    refuse(key, *raw(key), "a whole number");
+  }
+  return static_cast<int>(value);
+}
+
+int PluginParams::required_integer(std::string_view key, Limits limits) const {
+  required_text(key);
+  return integer(key, 0, limits);
+}
+
+bool PluginParams::flag(std::string_view key, bool fallback) const {
+  const auto text = raw(key);
+  if (!text) return fallback;
+  if (*text == "1" || *text == "true" || *text == "True" || *text == "TRUE") return true;
+  if (*text == "0" || *text == "false" || *text == "False" || *text == "FALSE") return false;
+  refuse(key, *text, "true or false");
+}
+
+Eigen::Vector3d PluginParams::vector3(std::string_view key,
+                                      const Eigen::Vector3d& fallback) const {
+  const auto text = raw(key);
+  if (!text) return fallback;
+  std::istringstream in(*text);
+  std::string word;
+  Eigen::Vector3d value;
+  for (int i = 0; i < 3; ++i) {
+    if (!(in >> word) || !parse_number(word, value[i])) refuse(key, *text, "three finite numbers");
+  }
+  if (in >> word) refuse(key, *text, "three finite numbers");
+  return value;
+}
+
+}  // namespace trident

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <sdf/sdf.hh>
+#include <string>
+
+#include "trident_sim/sdf_loader.h"
+
+namespace trident {
+
+/// Where a document comes from: for finding its files and for naming it in errors.
+struct ConvertContext {
+  const Resources& resources;
+  const std::string& label;
+  std::string base_folder;
+  const WarningSink& warn;
+};
+
+WorldSpec convert_world(const sdf::World& world, const ConvertContext& context);
+ModelSpec convert_model(const sdf::Model& model, const ConvertContext& context);
+
+}  // namespace trident

@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "trident_sim/sdf_loader.h"
+
+#include <malloc.h>
+#include <tinyxml2.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sdf/sdf.hh>
+#include <sstream>
+
+#include "sdf_convert.h"
+#include "trident_base/error.h"
+
+namespace trident {
+namespace {
+
+/// libsdformat's schema and documents cost tens of megabytes; give them back to the system.
+struct TrimOnExit {
+  ~TrimOnExit() { malloc_trim(0); }
+};
+
+sdf::ParserConfig parser_config(const Resources& resources, const std::string& base_folder) {
+  sdf::Console::Instance()->SetQuiet(true);
+  sdf::ParserConfig config;
+  config.SetFindCallback(
+      [&resources, base_folder](const std::string& uri) { return resources.find(uri, base_folder); });
+  return config;
+}
+
+std::string describe(const sdf::Error& error, const std::string& label) {
+  std::string where = error.FilePath().value_or(label);
+  if (where.empty() || where.starts_with("<")) where = label;
+  if (error.LineNumber()) where += ":" + std::to_string(*error.LineNumber());
+  return where + ": " + error.Message();
+}
+
+/// RotorS' published vehicles break the triangle inequality of inertia; what must hold, positive
+/// definiteness, is checked by convert_inertial().
+bool is_checked_elsewhere(const sdf::Error& error) {
+  return error.Code() == sdf::ErrorCode::LINK_INERTIA_INVALID;
+}
+
+/// An include that is not found leaves a hole in the world, not a broken file.
+bool is_tolerable(const sdf::Error& error) {
+  switch (error.Code()) {
+    case sdf::ErrorCode::URI_LOOKUP:
+    case sdf::ErrorCode::URI_INVALID:
+    case sdf::ErrorCode::VERSION_DEPRECATED:
+    case sdf::ErrorCode::ATTRIBUTE_DEPRECATED:
+    case sdf::ErrorCode::ELEMENT_DEPRECATED:
+      return true;
+    default:
+      return false;
+  }
+}
+
+void raise_or_warn(const sdf::Errors& errors, const std::string& label, const WarningSink& warn) {
+  for (const sdf::Error& error : errors) {
+    if (!is_tolerable(error) && !is_checked_elsewhere(error)) throw Error(describe(error, label));
+  }
+  for (const sdf::Error& error : errors) {
+    if (is_tolerable(error)) warn(describe(error, label));
+  }
+}
+
+/// libsdformat reports no line for malformed XML; tinyxml2 does.
+void check_well_formed(const std::string& xml, const std::string& label) {
+  tinyxml2::XMLDocument document;
+  if (document.Parse(xml.c_str(), xml.size()) != tinyxml2::XML_SUCCESS) {
+    throw Error(label + ":" + std::to_string(document.ErrorLineNum()) +
+                ": not well-formed XML: " + document.ErrorStr());
+  }
+}
+
+std::string root_element(const std::string& xml) {
+  tinyxml2::XMLDocument document;
+  document.Parse(xml.c_str(), xml.size());
+  const auto* root = document.RootElement();
+  return root == nullptr ? "" : root->Name();
+}
+
+WorldSpec load_world(const std::string& xml, const std::string& label,
+                     const std::string& base_folder, const Resources& resources,
+                     const WarningSink& warn) {
+  const TrimOnExit trim;
+  check_well_formed(xml, label);
+  if (root_element(xml) != "sdf") {
+    throw Error(label + ": root element is <" + root_element(xml) + ">, expected <sdf>");
+  }
+  sdf::Root root;
+  raise_or_warn(root.LoadSdfString(xml, parser_config(resources, base_folder)), label, warn);
+  if (root.WorldCount() != 1) {
+    throw Error(label + ": holds " + std::to_string(root.WorldCount()) +
+                " <world> elements, expected 1");
+  }
+  return convert_world(*root.WorldByIndex(0), {resources, label, base_folder, warn});
+}
+
+}  // namespace
+
+WorldSpec load_world_file(const std::string& path, const Resources& resources,
+                          const WarningSink& warn) {
+  const std::string found = resources.find(path);
+  if (found.empty() || std::filesystem::is_directory(found)) {
+    throw Error("world file '" + path + "' not found; searched: as given, then " +
+                resources.searched());
+  }
+  std::ifstream file(found, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  if (!file) throw Error("world file '" + found + "' cannot be read");
+  return load_world(text.str(), found, std::filesystem::path(found).parent_path().string(),
+                    resources, warn);
+}
+
+WorldSpec load_world_string(const std::string& xml, const std::string& label,
+                            const Resources& resources, const WarningSink& warn) {
+  return load_world(xml, label, "", resources, warn);
+}
+
+ModelSpec load_model_string(const std::string& xml, const std::string& label,
+                            const Resources& resources, const WarningSink& warn) {
+  const TrimOnExit trim;
+  check_well_formed(xml, label);
+  const std::string kind = root_element(xml);
+  std::string text = xml;
+  if (kind == "robot") {
+    check_urdf(xml, label, warn);
+  } else if (kind == "model") {
+    const auto begin = xml.find("<model");
+    text = "<sdf version='1.4'>" + xml.substr(begin) + "</sdf>";
+  } else if (kind != "sdf") {
+    throw Error(label + ": root element is <" + kind + ">, expected <robot>, <sdf> or <model>");
+  }
+  sdf::Root root;
+  raise_or_warn(root.LoadSdfString(text, parser_config(resources, "")), label, warn);
+  const sdf::Model* model = root.Model();
+  if (model == nullptr && root.WorldCount() == 1 && root.WorldByIndex(0)->ModelCount() == 1) {
+    model = root.WorldByIndex(0)->ModelByIndex(0);
+  }
+  if (model == nullptr) throw Error(label + ": holds no <model>");
+  return convert_model(*model, {resources, label, "", warn});
+}
+
+}  // namespace trident

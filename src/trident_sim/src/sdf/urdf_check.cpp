@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include <tinyxml2.h>
+
+#include <Eigen/Eigenvalues>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "trident_base/error.h"
+#include "trident_sim/sdf_loader.h"
+
+namespace trident {
+namespace {
+
+std::string place(const std::string& label, const tinyxml2::XMLElement& element,
+                  const std::string& link) {
+  return label + ":" + std::to_string(element.GetLineNum()) + ": link '" + link + "'";
+}
+
+double attribute(const tinyxml2::XMLElement* element, const char* name, const std::string& where) {
+  const char* text = element == nullptr ? nullptr : element->Attribute(name);
+  double value = 0.0;
+  if (text == nullptr) throw Error(where + ": inertial has no '" + name + "'");
+  if (element->QueryDoubleAttribute(name, &value) != tinyxml2::XML_SUCCESS ||
+      !std::isfinite(value)) {
+    throw Error(where + ": inertial " + name + " = '" + text + "' is not a finite number");
+  }
+  return value;
+}
+
+void check_inertial(const tinyxml2::XMLElement& inertial, const std::string& where) {
+  const double mass = attribute(inertial.FirstChildElement("mass"), "value", where);
+  if (mass <= 0.0) {
+    std::ostringstream text;
+    text << where << ": mass is " << mass << " kg, must be > 0";
+    throw Error(text.str());
+  }
+  const auto* element = inertial.FirstChildElement("inertia");
+  const auto at = [&](const char* name) { return attribute(element, name, where); };
+  Eigen::Matrix3d inertia;
+  inertia << at("ixx"), at("ixy"), at("ixz"), at("ixy"), at("iyy"), at("iyz"), at("ixz"), at("iyz"),
+      at("izz");
+  const double smallest =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia, Eigen::EigenvaluesOnly)
+          .eigenvalues()
+          .minCoeff();
+  if (!(smallest > 0.0)) {
+    std::ostringstream text;
+    text << where << ": inertia is not positive definite (smallest eigenvalue " << smallest
+         << " kg m^2, must be > 0)";
+    throw Error(text.str());
+  }
+}
+
+/// Links that are rigidly joined to a link with inertia on the child side.
+std::set<std::string> carried_inertia(const tinyxml2::XMLElement& robot,
+                                      const std::set<std::string>& with_inertia) {
+  std::multimap<std::string, std::string> fixed_children;
+  for (auto* joint = robot.FirstChildElement("joint"); joint != nullptr;
+       joint = joint->NextSiblingElement("joint")) {
+    const auto* parent = joint->FirstChildElement("parent");
+    const auto* child = joint->FirstChildElement("child");
+    if (parent == nullptr || child == nullptr || !joint->Attribute("type", "fixed")) continue;
+    if (parent->Attribute("link") == nullptr || child->Attribute("link") == nullptr) continue;
+    fixed_children.emplace(parent->Attribute("link"), child->Attribute("link"));
+  }
+  std::set<std::string> result = with_inertia;
+  for (bool grown = true; grown;) {
+    grown = false;
+    for (const auto& [parent, child] : fixed_children) {
+      if (result.contains(child) && result.insert(parent).second) grown = true;
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+void check_urdf(const std::string& xml, const std::string& label, const WarningSink& warn) {
+  tinyxml2::XMLDocument document;
+  if (document.Parse(xml.c_str(), xml.size()) != tinyxml2::XML_SUCCESS) {
+    throw Error(label + ":" + std::to_string(document.ErrorLineNum()) +
+                ": URDF is not well-formed XML: " + document.ErrorStr());
+  }
+  const auto* robot = document.FirstChildElement("robot");
+  if (robot == nullptr) throw Error(label + ": URDF has no <robot> element");
+  std::set<std::string> with_inertia;
+  std::vector<const tinyxml2::XMLElement*> without;
+  for (auto* link = robot->FirstChildElement("link"); link != nullptr;
+       link = link->NextSiblingElement("link")) {
+    const char* name = link->Attribute("name");
+    if (name == nullptr) {
+      throw Error(label + ":" + std::to_string(link->GetLineNum()) + ": link without a name");
+    }
+    const auto* inertial = link->FirstChildElement("inertial");
+    if (inertial == nullptr) {
+      without.push_back(link);
+      continue;
+    }
+    check_inertial(*inertial, place(label, *inertial, name));
+    with_inertia.insert(name);
+  }
+  const std::set<std::string> carried = carried_inertia(*robot, with_inertia);
+  for (const auto* link : without) {
+    const std::string name = link->Attribute("name");
+    if (carried.contains(name) || name == "world") continue;
+    warn(place(label, *link, name) +
+         " has no <inertial>: it is not simulated, nor is what hangs on it (SDF conversion drops it)");
+  }
+}
+
+}  // namespace trident

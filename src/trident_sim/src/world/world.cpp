@@ -1,0 +1,355 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "trident_sim/world.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "../physics/physics_engine.h"
+#include "trident_base/error.h"
+
+namespace trident {
+namespace {
+
+/// Adds the wall time between construction and destruction, when there is somewhere to add it.
+class StageTimer {
+ public:
+  explicit StageTimer(double* seconds) : seconds_(seconds) {
+    if (seconds_ != nullptr) begin_ = Clock::now();
+  }
+  ~StageTimer() {
+    if (seconds_ != nullptr) {
+      *seconds_ += std::chrono::duration<double>(Clock::now() - begin_).count();
+    }
+  }
+  StageTimer(const StageTimer&) = delete;
+  StageTimer& operator=(const StageTimer&) = delete;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  double* seconds_;
+  Clock::time_point begin_;
+};
+
+void check(bool ok, const std::string& field, double value, const std::string& legal) {
+  if (!ok) {
+    throw Error("physics: " + field + " is " + std::to_string(value) + ", must be " + legal);
+  }
+}
+
+void validate(const PhysicsSpec& physics) {
+  const double dt = physics.max_step_size_s;
+  check(dt >= 1e-6 && dt <= 1.0, "max_step_size", dt, "in [1e-6, 1] s");
+  check(physics.gravity.allFinite(), "gravity", physics.gravity.norm(), "finite");
+  check(physics.iterations >= 1 && physics.iterations <= 100000, "iterations", physics.iterations,
+        "in [1, 100000]");
+  check(physics.sor > 0.0 && physics.sor < 2.0, "sor", physics.sor, "in (0, 2)");
+  check(physics.cfm >= 0.0 && std::isfinite(physics.cfm), "cfm", physics.cfm, ">= 0");
+  check(physics.erp >= 0.0 && physics.erp <= 1.0, "erp", physics.erp, "in [0, 1]");
+  check(physics.contact_surface_layer >= 0.0, "contact_surface_layer",
+        physics.contact_surface_layer, ">= 0 m");
+  check(physics.max_contacts >= 1, "max_contacts", physics.max_contacts, ">= 1");
+  check(physics.real_time_update_rate_hz >= 0.0, "real_time_update_rate",
+        physics.real_time_update_rate_hz, ">= 0 Hz");
+}
+
+bool finite(const SE3& T) { return T.p.allFinite() && T.R.coeffs().allFinite(); }
+
+}  // namespace
+
+World::World(const WorldSpec& spec, const Resources& resources, const PluginRegistry& registry,
+             WorldOptions options)
+    : name_(spec.name), physics_(spec.physics), spherical_(spec.spherical), resources_(resources),
+      registry_(registry), options_(std::move(options)) {
+  validate(physics_);
+  engine_ = std::make_unique<PhysicsEngine>(physics_);
+  dt_ = SimTime::from_seconds(physics_.max_step_size_s);
+  for (const ModelSpec& model : spec.models) spawn(model, "");
+  for (const PluginSpec& plugin : spec.plugins) {
+    if (auto made = create_plugin(plugin, nullptr, "world '" + name_ + "'")) {
+      world_plugins_.push_back(std::move(made));
+    }
+  }
+  rebuild_schedule();
+}
+
+World::~World() {
+  world_plugins_.clear();
+  for (auto& [name, model] : models_) {
+    model->plugins.clear();
+    engine_->destroy(*model);
+  }
+}
+
+void World::report(Severity severity, const std::string& text) const {
+  if (options_.report) options_.report(severity, text);
+}
+
+Model& World::spawn(const SpawnRequest& request) {
+  const std::string label = !request.label.empty()  ? request.label
+                            : !request.name.empty() ? "model '" + request.name + "'"
+                                                    : "model";
+  ModelSpec spec =
+      load_model_string(request.xml, label, resources_,
+                        [this](const std::string& text) { report(Severity::kWarning, text); });
+  if (!request.name.empty()) spec.name = request.name;
+  spec.T_world_model = request.T_world_model;
+  return spawn(std::move(spec), request.robot_namespace);
+}
+
+Model& World::spawn(ModelSpec spec, const std::string& robot_namespace) {
+  if (spec.name.empty()) throw Error("a model needs a name");
+  if (models_.contains(spec.name)) {
+    throw Error("model name '" + spec.name + "' already exists in the world");
+  }
+  if (!finite(spec.T_world_model)) {
+    throw Error("model '" + spec.name + "': initial pose is not finite");
+  }
+  std::unique_ptr<Model> model = build_model(std::move(spec), robot_namespace);
+  Model& result = *model;
+  models_.emplace(result.name, std::move(model));
+  rebuild_schedule();
+  return result;
+}
+
+std::unique_ptr<Model> World::build_model(ModelSpec spec, const std::string& robot_namespace) {
+  auto model = std::make_unique<Model>();
+  model->name = spec.name;
+  model->robot_namespace = robot_namespace;
+  model->T_world_model_initial = spec.T_world_model;
+  model->is_static = spec.is_static;
+  std::vector<PluginSpec> plugins = std::move(spec.plugins);
+  spec.plugins.clear();
+  model->spec = std::move(spec);
+  std::vector<std::string> spun;
+  for (const PluginSpec& plugin : plugins) {
+    const PluginFactory* factory = registry_.find(plugin.filename);
+    if (factory == nullptr || !factory->spun_joint) continue;
+    const PluginParams params(plugin.params, "model '" + model->name + "' plugin '" + plugin.name + "'");
+    if (std::string joint = factory->spun_joint(params); !joint.empty()) spun.push_back(joint);
+  }
+  engine_->build(*model, spun);
+  try {
+    create_plugins(*model, plugins);
+  } catch (...) {
+    model->plugins.clear();
+    engine_->destroy(*model);
+    throw;
+  }
+  return model;
+}
+
+void World::create_plugins(Model& model, const std::vector<PluginSpec>& specs) {
+  for (const PluginSpec& spec : specs) {
+    auto plugin = create_plugin(spec, &model, "model '" + model.name + "'");
+    if (plugin) model.plugins.push_back(std::move(plugin));
+  }
+}
+
+std::unique_ptr<Plugin> World::create_plugin(const PluginSpec& spec, Model* model,
+                                             const std::string& owner) {
+  const PluginFactory* factory = registry_.find(spec.filename);
+  if (factory == nullptr) {
+    std::string known;
+    for (const std::string& name : registry_.names()) known += (known.empty() ? "" : ", ") + name;
+    report(Severity::kWarning, owner + ": plugin '" + spec.name + "' (" + spec.filename +
+                                   ") is unknown and is left out; known: " + known);
+    return nullptr;
+  }
+  ParamNode params = spec.params;
+  if (model != nullptr && params.find("robotNamespace") == nullptr) {
+    params.children.push_back({"robotNamespace", model->robot_namespace, {}, {}});
+  }
+  const PluginParams reader(params, owner + " plugin '" + spec.name + "'");
+  const std::string name = (model ? model->name : name_) + "::" + spec.name;
+  return factory->create({*this, model, reader, name});
+}
+
+void World::drop_references(const Model& model) {
+  const auto of_model = [&model](const Link* link) {
+    return std::any_of(model.links.begin(), model.links.end(),
+                       [link](const auto& own) { return own.get() == link; });
+  };
+  std::erase_if(wrenches_, [&](const AppliedWrench& w) { return of_model(w.link); });
+  std::erase_if(efforts_, [&](const AppliedEffort& e) { return of_model(e.joint->child); });
+}
+
+void World::remove(const std::string& name) {
+  const auto it = models_.find(name);
+  if (it == models_.end()) throw Error("model '" + name + "' does not exist");
+  drop_references(*it->second);
+  it->second->plugins.clear();
+  engine_->destroy(*it->second);
+  models_.erase(it);
+  rebuild_schedule();
+}
+
+void World::rebuild_schedule() {
+  for (auto& phase : schedule_) phase.clear();
+  const auto add = [this](Plugin* plugin) {
+    for (const Phase phase : plugin->phases()) {
+      schedule_[static_cast<std::size_t>(phase)].push_back(plugin);
+    }
+  };
+  std::vector<Model*> models;
+  for (const auto& plugin : world_plugins_) add(plugin.get());
+  for (const auto& [name, model] : models_) {
+    models.push_back(model.get());
+    for (const auto& plugin : model->plugins) add(plugin.get());
+  }
+  engine_->set_models(std::move(models));
+}
+
+void World::run_phase(Phase phase, const StepInfo& info) {
+  for (Plugin* plugin : schedule_[static_cast<std::size_t>(phase)]) {
+    plugin->pre_step(phase, *this, info);
+  }
+}
+
+void World::step(std::uint64_t n) {
+  StageTimes* times = profiling_ ? &stage_times_ : nullptr;
+  for (std::uint64_t i = 0; i < n; ++i) {
+    const StepInfo info{step_count_ + 1, time_, time_ + dt_, dt_, physics_.max_step_size_s};
+    {
+      const StageTimer timer(times ? &times->sense_s : nullptr);
+      run_phase(Phase::kSense, info);
+    }
+    {
+      const StageTimer timer(times ? &times->control_s : nullptr);
+      run_phase(Phase::kControl, info);
+    }
+    {
+      const StageTimer timer(times ? &times->actuate_s : nullptr);
+      run_phase(Phase::kActuate, info);
+      if (!wrenches_.empty() || !efforts_.empty()) apply_external(info);
+    }
+    {
+      const StageTimer timer(times ? &times->physics_s : nullptr);
+      engine_->step(info.dt_s);
+    }
+    time_ = info.end;
+    step_count_ = info.step;
+    const StageTimer timer(times ? &times->post_s : nullptr);
+    for (Plugin* plugin : schedule_[static_cast<std::size_t>(Phase::kPost)]) {
+      plugin->post_step(*this, info);
+    }
+    if (times != nullptr) ++times->steps;
+  }
+}
+
+World::StageTimes World::take_stage_times() {
+  const StageTimes result = stage_times_;
+  stage_times_ = {};
+  return result;
+}
+
+void World::reset_models() {
+  wrenches_.clear();
+  efforts_.clear();
+  for (auto& [name, model] : models_) {
+    if (model->is_static) continue;
+    for (const auto& joint : model->joints) {
+      joint->spun_position = 0.0;
+      joint->spun_velocity = 0.0;
+      joint->force = 0.0;
+    }
+    for (std::size_t i = 0; i < model->links.size(); ++i) {
+      Link& link = *model->links[i];
+      if (link.body == nullptr) continue;
+      const SE3 T = model->T_world_model_initial * model->spec.links[i].T_model_link *
+                    link.T_body_link.inverse();
+      link.body->T_world_body.p = T.p;
+      link.body->set_orientation(T.R);
+      link.body->v_world.setZero();
+      link.body->w_world.setZero();
+      link.body->v_before.setZero();
+      link.body->w_before.setZero();
+    }
+    engine_->push_state(*model);
+    for (const auto& plugin : model->plugins) plugin->reset();
+  }
+  for (const auto& plugin : world_plugins_) plugin->reset();
+  rebuild_schedule();
+}
+
+void World::reset() {
+  time_ = {};
+  step_count_ = 0;
+  reset_models();
+}
+
+void World::set_physics(const PhysicsSpec& physics) {
+  validate(physics);
+  physics_ = physics;
+  dt_ = SimTime::from_seconds(physics.max_step_size_s);
+  engine_->configure(physics_);
+}
+
+Model* World::find_model(const std::string& name) const {
+  const auto it = models_.find(name);
+  return it == models_.end() ? nullptr : it->second.get();
+}
+
+Link* World::find_link(const std::string& scoped_name) const {
+  const auto split = scoped_name.find("::");
+  if (split != std::string::npos) {
+    Model* model = find_model(scoped_name.substr(0, split));
+    if (model != nullptr) return model->find_link(scoped_name.substr(split + 2));
+  }
+  Link* found = nullptr;
+  for (const auto& [name, model] : models_) {
+    Link* link = model->find_link(scoped_name);
+    if (link == nullptr) continue;
+    if (found != nullptr) return nullptr;
+    found = link;
+  }
+  return found;
+}
+
+void World::set_model_pose(Model& model, const SE3& T_world_model) {
+  if (!finite(T_world_model) || T_world_model.R.norm() < 1e-6) {
+    throw Error("model '" + model.name + "': pose is not finite or has a zero quaternion");
+  }
+  if (model.is_static) throw Error("model '" + model.name + "' is static and cannot be moved");
+  const SE3 target{T_world_model.R.normalized(), T_world_model.p};
+  const SE3 T_move = target * model.T_world_model().inverse();
+  for (const auto& body : model.bodies) {
+    const SE3 moved = T_move * body->T_world_body;
+    body->T_world_body.p = moved.p;
+    body->set_orientation(moved.R.normalized());
+    body->v_world = T_move.R * body->v_world;
+    body->w_world = T_move.R * body->w_world;
+  }
+  engine_->push_state(model);
+}
+
+void World::set_model_twist(Model& model, const Eigen::Vector3d& v_world,
+                            const Eigen::Vector3d& w_world) {
+  if (!v_world.allFinite() || !w_world.allFinite()) {
+    throw Error("model '" + model.name + "': twist is not finite");
+  }
+  const Eigen::Vector3d p_world = model.T_world_model().p;
+  for (const auto& body : model.bodies) {
+    body->w_world = w_world;
+    body->v_world = v_world + w_world.cross(body->T_world_body.p - p_world);
+  }
+  engine_->push_state(model);
+}
+
+void World::set_link_state(Link& link, const SE3& T_world_link, const Eigen::Vector3d& v_world,
+                           const Eigen::Vector3d& w_world) {
+  if (!finite(T_world_link) || T_world_link.R.norm() < 1e-6 || !v_world.allFinite() ||
+      !w_world.allFinite()) {
+    throw Error("link '" + link.name + "': state is not finite or has a zero quaternion");
+  }
+  if (link.body == nullptr) throw Error("link '" + link.name + "' is static and cannot be moved");
+  const SE3 T = SE3{T_world_link.R.normalized(), T_world_link.p} * link.T_body_link.inverse();
+  link.body->T_world_body.p = T.p;
+  link.body->set_orientation(T.R.normalized());
+  link.body->w_world = w_world;
+  link.body->v_world = v_world + w_world.cross(T.p - T_world_link.p);
+  dBodySetPosition(link.body->ode, T.p.x(), T.p.y(), T.p.z());
+}
+
+}  // namespace trident
