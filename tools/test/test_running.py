@@ -230,6 +230,17 @@ def test_last_complaints_name_the_log(tmp_path: Path) -> None:
     assert last_complaints(tmp_path) == ["UAV1-lee.log: [ERROR] [1.0]: no gains"]
 
 
+def test_a_complaint_in_several_logs_is_said_once(tmp_path: Path) -> None:
+    texts = {
+        "roslaunch.log": "\x1b[31m[ERROR] [17.5]: no gains\x1b[0m\n",
+        "rosout.log": "17.5 ERROR /lee [lee.cpp:11(main)] [topics: /rosout] no gains\n",
+    }
+    for name, text in texts.items():
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    (complaint,) = last_complaints(tmp_path)
+    assert complaint.endswith("no gains")
+
+
 def test_ansi_codes_and_titles_are_removed() -> None:
     assert strip_ansi("\x1b[31mred\x1b[0m \x1b]2;title\x07text") == "red text"
 

@@ -14,10 +14,14 @@ from pathlib import Path
 from typing import IO, Any
 
 _ANSI = re.compile(r"\x1b(\[[0-9;?]*[A-Za-z]|\][^\x07]*\x07)")
-_WORTH_SHOWING = re.compile(r"\[\s*(WARN|ERROR|FATAL)\s*\]|has died|Traceback|RLException|^ERROR")
+# roslaunch says "REQUIRED process has died" also of a node that ended well, so that is left out.
+_WORTH_SHOWING = re.compile(
+    r"\[\s*(WARN|ERROR|FATAL)\s*\]|process has died \[pid|Traceback|RLException|^ERROR"
+)
 _DIED = re.compile(r"process has died \[pid \d+, exit code (-?\d+)")
 _REQUIRED = re.compile(r"REQUIRED process \[([^\]]+)\] has died")
 
+_ERROR_LINE = re.compile(r"\bERROR\b|\bFATAL\b|Error:|Traceback|process has died \[pid")
 _MAX_SHOWN = 30  # lines of complaints: a node that warns at every step must not flood the terminal
 _QUIET_PERIOD_S = 10.0  # wall time between two lines where the output is not a terminal
 
@@ -93,16 +97,17 @@ def required_node_failed(log: str) -> str | None:
 
 
 def last_complaints(folder: Path, count: int = 15) -> list[str]:
-    """The last error lines of the node logs below ``folder``, newest log last."""
-    logs = sorted(folder.rglob("*.log"), key=lambda path: path.stat().st_mtime)
-    lines: list[str] = []
-    for path in logs:
-        if path.is_symlink():
-            continue
+    """The last error lines of the logs below ``folder``, newest log last, each said once."""
+    logs = [path for path in folder.rglob("*.log") if not path.is_symlink()]
+    found: dict[str, str] = {}
+    for path in sorted(logs, key=lambda path: path.stat().st_mtime):
         text = strip_ansi(path.read_text(encoding="utf-8", errors="replace")).splitlines()
-        bad = [line.strip() for line in text if re.search(r"ERROR|FATAL|Error:|Traceback", line)]
-        lines += [f"{path.name}: {line}" for line in bad[-5:] if line]
-    return lines[-count:]
+        bad = [line.strip(" =") for line in text if _ERROR_LINE.search(line)]
+        for line in bad[-5:]:
+            # A message is in the node's own log, in rosout.log and on the console.
+            message = re.split(r"\]:? |: ", line)[-1]
+            found.setdefault(message, f"{path.name}: {line}")
+    return list(found.values())[-count:]
 
 
 @dataclass
@@ -126,7 +131,8 @@ class ProgressView:
         reports = [parse_report(line) for line in self._progress.lines()]
         newest = next((report for report in reversed(reports) if report is not None), None)
         if newest is not None:
-            self._show(progress_line(newest, shutil.get_terminal_size().columns - 1))
+            columns = shutil.get_terminal_size().columns if self.stream.isatty() else 200
+            self._show(progress_line(newest, columns - 1))
 
     def close(self) -> None:
         """Shows the rest and leaves the terminal on a fresh line."""

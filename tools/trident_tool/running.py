@@ -7,7 +7,6 @@ from __future__ import annotations
 import contextlib
 import json
 import os
-import shlex
 import signal
 import socket
 import subprocess
@@ -202,10 +201,10 @@ def run_launch_file(workspace: Workspace, runner: Runner, words: Sequence[str]) 
     run = plan_run(workspace, words, ros_environment(workspace))
     open_run_folder(workspace, run)
     say(f"{run.launch_file.name} -> {run.folder.relative_to(workspace.root)}")
-    say(f"to look inside, in ./trident shell: export ROS_MASTER_URI={run.env['ROS_MASTER_URI']}")
+    say("to look inside while it runs: ./trident shell, then rostopic, rosnode, rosservice …")
     code = launch(run)
     if code == _INTERRUPTED:
-        say(f"interrupted; plots: ./trident report {shlex.quote(str(run.folder))}")
+        say(f"interrupted; plots: ./trident report {run.folder.relative_to(workspace.root)}")
         return code
     log = (run.folder / "roslaunch.log").read_text(encoding="utf-8", errors="replace")
     failed_node = required_node_failed(log)
