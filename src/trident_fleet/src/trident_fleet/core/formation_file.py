@@ -35,7 +35,6 @@ class FormationSource:
         scale: factor per axis, file units to metres.
         offset: added after scaling, per axis [m, world].
         layout: of a .mat matrix, one of `mat_file.LAYOUTS`; "" infers it.
-        first_row: rows before this one are left out.
     """
 
     file: str
@@ -44,13 +43,12 @@ class FormationSource:
     scale: Vector = (1.0, 1.0, 1.0)
     offset: Vector = (0.0, 0.0, 0.0)
     layout: str = ""
-    first_row: int = 0
 
     def validate(self) -> None:
         """Raise FormationError on the first field with an illegal value."""
         if not self.file:
             raise FormationError("formation_file: empty; legal: path of a text or .mat file")
-        for name in ("vehicles_in_file", "uavs", "first_row"):
+        for name in ("vehicles_in_file", "uavs"):
             value = getattr(self, name)
             if value < 0:
                 raise FormationError(f"{name}: {value}; legal: 0 or more")
@@ -69,15 +67,43 @@ def read_formation(source: FormationSource) -> npt.NDArray[np.float64]:
         source: file, layout, scale and offset.
 
     Returns:
-        p_world of each row and flying vehicle [m], shape (T, uavs, 3).
+        p_world of each row and vehicle in the file [m], shape (T, N, 3).
 
     Raises:
         FormationError: anything wrong with the file or with `source`.
     """
     source.validate()
     positions = _read_positions(Path(source.file).expanduser(), source)
-    positions = _select(positions, source)
-    return positions * np.array(source.scale) + np.array(source.offset)
+    vehicles = positions.shape[1]
+    if source.uavs > vehicles:
+        raise FormationError(
+            f"uavs: {source.uavs}, but {source.file} holds {vehicles} vehicles; legal: 1 to"
+            f" {vehicles}"
+        )
+    with np.errstate(over="ignore"):
+        scaled = positions * np.array(source.scale) + np.array(source.offset)
+    if not np.isfinite(scaled).all():
+        raise FormationError(
+            f"{source.file}: beyond |value| < 1.8e308 after scale {source.scale} and offset"
+            f" {source.offset}; legal: smaller values"
+        )
+    return scaled
+
+
+def flying_rows(
+    positions: npt.NDArray[np.float64], uavs: int, first_row: int = 0
+) -> npt.NDArray[np.float64]:
+    """The part of a formation that is flown: the first `uavs` vehicles (0: all), from a row on.
+
+    Raises:
+        FormationError: there is no such row.
+    """
+    steps, vehicles, _ = positions.shape
+    if not 0 <= first_row < steps:
+        raise FormationError(
+            f"seq: begins at row {first_row + 1} of {steps}; legal: 0 to {steps * vehicles - 1}"
+        )
+    return positions[first_row:, : uavs or vehicles]
 
 
 def _read_positions(path: Path, source: FormationSource) -> npt.NDArray[np.float64]:
@@ -99,19 +125,3 @@ def _read_positions(path: Path, source: FormationSource) -> npt.NDArray[np.float
         raise FormationError(
             f"{path}: {reason}; legal: a readable text or .mat formation file"
         ) from error
-
-
-def _select(
-    positions: npt.NDArray[np.float64], source: FormationSource
-) -> npt.NDArray[np.float64]:
-    steps, vehicles, _ = positions.shape
-    if source.uavs > vehicles:
-        raise FormationError(
-            f"uavs: {source.uavs}, but {source.file} holds {vehicles} vehicles; legal: 1 to"
-            f" {vehicles}"
-        )
-    if source.first_row >= steps:
-        raise FormationError(
-            f"seq: row {source.first_row} of {source.file}; legal: 0 to {steps - 1}"
-        )
-    return positions[source.first_row :, : source.uavs or vehicles]

@@ -8,6 +8,7 @@ import enum
 from collections import deque
 
 import numpy as np
+import numpy.typing as npt
 
 from trident_fleet.core.config import GateConfig, PlanConfig
 from trident_fleet.core.encoding import NS_PER_S
@@ -118,7 +119,7 @@ class FormationGate:
             self._window_ns.popleft()
         if self._waited_s(elapsed_ns) < self._config.settle_s:
             return
-        offset = np.mean(self._window, axis=0)
+        offset = np.mean(np.array(self._window), axis=0)
         present = np.sqrt((offset**2).sum(axis=-1)) <= self._config.max_offset_m
         if present.all():
             self.steady_offset = offset
@@ -149,7 +150,7 @@ class FormationGate:
         self._enter(Phase.ROWS, elapsed_ns)
 
     def _check_timeout(
-        self, elapsed_ns: int, arrived: np.ndarray, error: Array, limit_s: float
+        self, elapsed_ns: int, arrived: npt.NDArray[np.bool_], error: Array, limit_s: float
     ) -> None:
         if self._waited_s(elapsed_ns) <= limit_s:
             return

@@ -62,7 +62,7 @@ class QuinticPath:
         return float(self.time[-1] - self.time[0])
 
     def sample(self, time: Array) -> Motion:
-        """Evaluate at times [s], shape (M,). Before and after the knots: the end states, at rest."""
+        """Evaluate at times [s], shape (M,). Outside of the knots: at rest at the nearest end."""
         return Motion(
             position=self.derivative(time, 0),
             velocity=self.derivative(time, 1),

@@ -11,7 +11,7 @@ import numpy as np
 from trident_fleet.core.encoding import NS_PER_S, encode_message, encode_points, sample_times
 from trident_fleet.core.errors import FormationError
 from trident_fleet.core.plan import FormationPlan
-from trident_fleet.core.quintic import Motion
+from trident_fleet.core.quintic import Array, Motion
 
 
 @dataclass(frozen=True)
@@ -90,6 +90,6 @@ def encode_period(
     ]
 
 
-def period_times(elapsed_ns: int, config: FeedConfig) -> np.ndarray:
+def period_times(elapsed_ns: int, config: FeedConfig) -> Array:
     """Times of the points of the period that begins `elapsed_ns` after the first one [s]."""
     return sample_times(elapsed_ns, config.period_ns, config.point_ns)

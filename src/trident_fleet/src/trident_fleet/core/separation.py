@@ -5,11 +5,12 @@
 from __future__ import annotations
 
 import numpy as np
+import numpy.typing as npt
 
 from trident_fleet.core.quintic import Array
 
 
-def pairs(count: int) -> tuple[np.ndarray, np.ndarray]:
+def pairs(count: int) -> tuple[npt.NDArray[np.intp], npt.NDArray[np.intp]]:
     """Indices i < j of every pair of `count` vehicles, two arrays of equal length."""
     return np.triu_indices(count, k=1)
 

@@ -117,9 +117,7 @@ def _excess_of_differences(chord: Array, steps: Array, limits: FlightLimits) -> 
     # From rest, acceleration has to build up from nothing within the first step.
     jerk[0] = max(jerk[0], 2.0 * acceleration[0] / steps[0])
     jerk[-1] = max(jerk[-1], 2.0 * acceleration[-1] / steps[-1])
-    return _combined(
-        _norms(speed), np.maximum(acceleration[1:], acceleration[:-1]), jerk, limits
-    )
+    return _combined(_norms(speed), np.maximum(acceleration[1:], acceleration[:-1]), jerk, limits)
 
 
 def _excess_of_path(path: QuinticPath, limits: FlightLimits, samples: int) -> Array:

@@ -4,6 +4,8 @@
 
 from __future__ import annotations
 
+import itertools
+
 import numpy as np
 
 from trident_fleet.core.config import FlightLimits, PlanConfig
@@ -38,7 +40,7 @@ def transit_points(spawn: Array, goal: Array, config: PlanConfig) -> Array:
         FormationError: two vehicles spawn or end at the same place.
     """
     required = _required_separation(spawn, goal, config)
-    climbed = spawn + [0.0, 0.0, config.climb_m]
+    climbed = spawn + np.array([0.0, 0.0, config.climb_m])
     straight = np.stack([spawn, climbed, goal])
     if min_separation(straight) >= required - _SLACK_M:
         return straight
@@ -56,7 +58,7 @@ def transit_points(spawn: Array, goal: Array, config: PlanConfig) -> Array:
 def transit_path(points: Array, limits: FlightLimits) -> QuinticPath:
     """Minimum-jerk legs between the points, rest to rest, as fast as the limits allow."""
     path = None
-    for start, end in zip(points[:-1], points[1:], strict=True):
+    for start, end in itertools.pairwise(points):
         leg = rest_to_rest(start, end, _leg_duration(start, end, limits))
         path = leg if path is None else path.then(leg)
     if path is None:

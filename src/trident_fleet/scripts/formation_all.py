@@ -1,0 +1,10 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""Formation node of all vehicles."""
+
+import sys
+
+from trident_fleet.nodes.main import main_all
+
+sys.exit(main_all())

@@ -1,0 +1,159 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""The two ways to fly a formation, wired to clock, states and set-point topics."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, Protocol
+
+import rospy
+
+from trident_fleet.core.feeders import (
+    Batch,
+    GateFeed,
+    GateFeeder,
+    TimeFeeder,
+    end_of_plan_ns,
+)
+from trident_fleet.core.gate import FormationGate, Phase
+from trident_fleet.core.plan import plan_formation
+from trident_fleet.core.quintic import Array
+from trident_fleet.core.record import Origin, gate_record, plan_record
+from trident_fleet.core.schedule import PlannedFeed
+from trident_fleet.core.settings import FleetSettings, Vehicle
+from trident_fleet.nodes.setpoint_topic import SetpointTopic
+from trident_fleet.nodes.world_link import WorldLink
+
+
+@dataclass(frozen=True)
+class Crew:
+    """What a flight works with.
+
+    Attributes:
+        settings: of the formation.
+        vehicles: the whole formation.
+        fed: those that this process commands.
+        topics: their set-point topics, in the same order.
+        link: line to the simulator.
+        record: writes a record.
+        restart: to be called when the world's time has been reset.
+    """
+
+    settings: FleetSettings
+    vehicles: list[Vehicle]
+    fed: list[Vehicle]
+    topics: list[SetpointTopic]
+    link: WorldLink
+    record: Callable[[dict[str, Any]], None]
+    restart: Callable[[], None]
+
+    @property
+    def fed_indices(self) -> list[int]:
+        """Columns of the fed vehicles."""
+        return [vehicle.index for vehicle in self.fed]
+
+    def send(self, batches: list[Batch]) -> None:
+        """Publish messages, oldest first."""
+        for batch in batches:
+            for topic, message in zip(self.topics, batch, strict=True):
+                topic.publish(message)
+
+
+class Flight(Protocol):
+    """A flight that has been planned and not begun."""
+
+    def begin(self) -> list[rospy.Subscriber]:
+        """Send the first set-points and subscribe to what triggers the others."""
+
+
+class TimeFlight:
+    """A flight that is planned in time and sent ahead of the clock."""
+
+    def __init__(self, crew: Crew, rows: Array, spawn: Array, origin: Origin) -> None:
+        """Plan it.
+
+        Args:
+            crew: who flies.
+            rows: p_world of each row and vehicle [m], shape (T, N, 3).
+            spawn: where the vehicles stand [m, world], shape (N, 3).
+            origin: where the flight comes from, and its start.
+
+        Raises:
+            FormationError: it cannot be flown.
+        """
+        settings = crew.settings
+        self._crew = crew
+        self._lock = threading.Lock()
+        self._now_ns = origin.start_ns
+        plan = plan_formation(rows, spawn, settings.plan)
+        self._end_ns = end_of_plan_ns(origin.start_ns, plan.duration, settings.feed)
+        feed = PlannedFeed(plan, crew.fed_indices, origin.start_ns, settings.feed)
+        self._feeder = TimeFeeder(feed, settings.lookahead, crew.link.is_lockstep)
+        for vehicle in crew.fed:
+            crew.record(plan_record(plan, vehicle.index, origin))
+
+    def begin(self) -> list[rospy.Subscriber]:
+        """Send the first set-points and go on with the clock."""
+        if self._crew.link.is_lockstep:
+            self._crew.link.enroll(self._end_ns)
+        self._on_clock(self._now_ns)
+        return [self._crew.link.on_clock(self._on_clock)]
+
+    def _on_clock(self, now_ns: int) -> None:
+        with self._lock:
+            if now_ns < self._now_ns - self._crew.settings.feed.period_ns:
+                self._crew.restart()
+                return
+            self._now_ns = max(now_ns, self._now_ns)
+            self._crew.send(self._feeder.due(now_ns))
+
+
+class GateFlight:
+    """A flight row by row, driven by measured states."""
+
+    def __init__(self, crew: Crew, rows: Array, spawn: Array, origin: Origin) -> None:
+        """Plan its take-off. Arguments and errors as for `TimeFlight`."""
+        settings = crew.settings
+        self._crew = crew
+        self._rows = rows
+        self._origin = origin
+        names = [vehicle.name for vehicle in crew.vehicles]
+        self._gate = FormationGate(rows, spawn, names, settings.plan, settings.gate)
+        feed = GateFeed(crew.fed_indices, origin.start_ns, settings.plan.yaw_rad, settings.feed)
+        self._feeder = GateFeeder(self._gate, feed)
+        self._stamp_ns = origin.start_ns
+        self._is_over = False
+
+    def begin(self) -> list[rospy.Subscriber]:
+        """Send the first set-points and go on with each state."""
+        self._write_records()
+        subscribers = self._crew.link.on_state(self._on_state)
+        self._crew.send(self._feeder.begin())
+        return subscribers
+
+    def _on_state(self, stamp_ns: int, position: Array) -> None:
+        if stamp_ns < self._stamp_ns - self._crew.settings.feed.period_ns:
+            self._crew.restart()
+            return
+        self._stamp_ns = max(stamp_ns, self._stamp_ns)
+        batches = self._feeder.on_state(stamp_ns, position)
+        if self._feeder.end_ns is not None and not self._is_over:
+            self._finish(self._feeder.end_ns)
+        self._crew.send(batches)
+
+    def _finish(self, end_ns: int) -> None:
+        self._is_over = True
+        # The records must be there before the world may end.
+        self._write_records()
+        if self._gate.phase is Phase.FAILED:
+            rospy.logerr("formation: %s", self._gate.failure)
+        if self._crew.link.is_lockstep:
+            self._crew.link.enroll(end_ns)
+
+    def _write_records(self) -> None:
+        for vehicle in self._crew.fed:
+            rows = self._rows[:, vehicle.index].tolist()
+            self._crew.record(gate_record(self._gate, rows, vehicle.index, self._origin))

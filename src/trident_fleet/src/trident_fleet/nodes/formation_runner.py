@@ -1,0 +1,136 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""Flies a formation, or one vehicle of it: enrol, plan, feed set-points, record."""
+
+from __future__ import annotations
+
+import threading
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+import rospy
+
+from trident_fleet.core.errors import FormationError
+from trident_fleet.core.quintic import Array
+from trident_fleet.core.record import Origin, refusal_record, write_record
+from trident_fleet.core.settings import FleetSettings, Vehicle
+from trident_fleet.nodes.flights import Crew, Flight, GateFlight, TimeFlight
+from trident_fleet.nodes.setpoint_topic import SetpointTopic
+from trident_fleet.nodes.world_link import WorldLink
+
+_CONNECT_LIMIT_S = 20.0
+
+
+class FormationRunner:
+    """One process' share of a formation flight; starts over when the world's time is reset."""
+
+    def __init__(
+        self,
+        settings: FleetSettings,
+        vehicles: list[Vehicle],
+        fed: list[Vehicle],
+        rows: Array,
+        out_dir: Path | None,
+    ) -> None:
+        """Advertise the set-point topics.
+
+        Args:
+            settings: of the formation.
+            vehicles: the whole formation.
+            fed: the vehicles that this process commands.
+            rows: p_world of each row and vehicle [m], shape (T, N, 3).
+            out_dir: where the records go; None: nowhere.
+        """
+        self._rows = rows
+        self._wake = threading.Event()
+        self._crew = Crew(
+            settings=settings,
+            vehicles=vehicles,
+            fed=fed,
+            topics=[SetpointTopic(vehicle.prefix, settings.lookahead + 2) for vehicle in fed],
+            link=WorldLink(vehicles, fed, settings),
+            record=lambda record: keep_record(record, out_dir),
+            restart=self._wake.set,
+        )
+        rospy.on_shutdown(self._wake.set)
+
+    def run(self) -> None:
+        """Fly until the node is shut down.
+
+        Raises:
+            FormationError: the formation cannot be flown.
+        """
+        while not rospy.is_shutdown() and self._crew.link.wait_for_simulator():
+            self._wake.clear()
+            self._fly_once()
+
+    def _fly_once(self) -> None:
+        """One flight, until the world's time is reset or the node is shut down."""
+        crew = self._crew
+        start_ns = crew.link.enroll() if crew.link.is_lockstep else self._next_period_ns()
+        spawn = crew.link.wait_for_spawn()
+        if spawn is None:
+            return
+        self._prepare_topics()
+        make: type[TimeFlight] | type[GateFlight]
+        make = TimeFlight if crew.settings.mode == "time" else GateFlight
+        flight: Flight = make(crew, self._rows, spawn, self._origin(start_ns))
+        subscribers = flight.begin()
+        self._wake.wait()
+        for subscriber in subscribers:
+            subscriber.unregister()
+
+    def _prepare_topics(self) -> None:
+        crew = self._crew
+        for topic in crew.topics:
+            topic.forget()
+            if not topic.wait_for_controller(crew.link.is_lockstep, _CONNECT_LIMIT_S):
+                rospy.logwarn("%s: no controller listens yet", topic.topic)
+            if crew.settings.guard:
+                topic.guard()
+
+    def _next_period_ns(self) -> int:
+        """Without lockstep: the first whole period from now on."""
+        first: list[int] = []
+        clock = self._crew.link.on_clock(first.append)
+        while not first and not rospy.is_shutdown() and not self._wake.wait(0.02):
+            pass
+        clock.unregister()
+        period_ns = self._crew.settings.feed.period_ns
+        return (first[-1] // period_ns + 1) * period_ns if first else 0
+
+    def _origin(self, start_ns: int) -> Origin:
+        settings = self._crew.settings
+        return Origin(
+            source=settings.source,
+            vehicles=[vehicle.name for vehicle in self._crew.vehicles],
+            start_ns=start_ns,
+            settings={
+                "plan": asdict(settings.plan),
+                "gate": asdict(settings.gate),
+                "feed": asdict(settings.feed),
+            },
+        )
+
+
+def refuse(
+    error: FormationError, settings: FleetSettings, fed: list[Vehicle], out_dir: Path | None
+) -> None:
+    """Say why these vehicles do not fly: in their records, and to a world that waits for them."""
+    origin = Origin(settings.source, [vehicle.name for vehicle in fed])
+    for index in range(len(fed)):
+        keep_record(refusal_record(error, index, origin), out_dir)
+    link = WorldLink(fed, fed, settings)
+    if link.wait_for_simulator():
+        link.withdraw()
+
+
+def keep_record(record: dict[str, Any], out_dir: Path | None) -> None:
+    """Write a record, if there is a folder for it."""
+    if out_dir:
+        try:
+            write_record(out_dir, record)
+        except FormationError as error:
+            # The flight is worth more than its record.
+            rospy.logerr("%s", error)

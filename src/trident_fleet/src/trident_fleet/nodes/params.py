@@ -1,0 +1,35 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""Parameters of a formation node: its own ones, else those common to the fleet."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import rospkg
+import rospy
+
+COMMON_NAMESPACE = "/formation"
+DEFAULT_FORMATION = "config/formations/hexagon_translate_rotate.txt"
+
+
+def get_param(name: str) -> Any:
+    """`~name`, else `/formation/name`, else None."""
+    value = rospy.get_param("~" + name, None)
+    return rospy.get_param(f"{COMMON_NAMESPACE}/{name}", None) if value is None else value
+
+
+def default_formation_file() -> str:
+    """Path of the formation that is flown when none is given; "" if it is not installed."""
+    try:
+        path = Path(rospkg.RosPack().get_path("trident_bringup")) / DEFAULT_FORMATION
+    except rospkg.ResourceNotFound:
+        return ""
+    return str(path)
+
+
+def out_dir() -> Path | None:
+    """Folder of the run's results: `~out_dir`, else what the simulator writes to; None: nowhere."""
+    folder = get_param("out_dir") or rospy.get_param("/gazebo/out_dir", "")
+    return Path(folder) if folder else None

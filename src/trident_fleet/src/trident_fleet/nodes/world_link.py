@@ -1,0 +1,226 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""The simulator as a formation node sees it: lockstep enrolment, clock and measured states."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+
+import numpy as np
+import rosgraph
+import rospy
+from gazebo_msgs.msg import ModelStates
+from gazebo_msgs.srv import GetModelState
+from geometry_msgs.msg import Pose
+from rosgraph_msgs.msg import Clock
+
+from trident_fleet.core.errors import FormationError
+from trident_fleet.core.quintic import Array
+from trident_fleet.core.settings import FleetSettings, Vehicle
+from trident_msgs.msg import FleetState
+from trident_msgs.srv import EnrollSource
+
+SIMULATOR = "/gazebo"
+_ENROLL = SIMULATOR + "/enroll_source"
+_SPAWN = SIMULATOR + "/spawn_urdf_model"
+_MODEL_STATE = SIMULATOR + "/get_model_state"
+_POLL_S = 0.05
+_REPORT_S = 10.0
+_SERVICE_LIMIT_S = 5.0
+
+StateCallback = Callable[[int, Array], None]
+ClockCallback = Callable[[int], None]
+
+
+class WorldLink:
+    """One node's line to the simulator.
+
+    Attributes:
+        is_lockstep: whether the simulator waits for this node's set-points.
+    """
+
+    def __init__(
+        self, vehicles: list[Vehicle], fed: list[Vehicle], settings: FleetSettings
+    ) -> None:
+        """Remember who is who; nothing is called yet.
+
+        Args:
+            vehicles: the whole formation.
+            fed: those that this node commands.
+            settings: of the formation.
+        """
+        self._vehicles = vehicles
+        self._fed = fed
+        self._settings = settings
+        self.is_lockstep = False
+
+    def enroll(self, end_ns: int = 0) -> int:
+        """Enrol this node's vehicles in the lockstep, or tell when it ends.
+
+        Args:
+            end_ns: last instant at which the world has to wait [ns]; 0: not known yet.
+
+        Returns:
+            Stamp of the first set-point [ns].
+
+        Raises:
+            FormationError: the simulator refuses.
+        """
+        answer = self._call_enroll(end_ns, enroll=True)
+        if not answer.success:
+            raise FormationError(f"{_ENROLL}: refused: {answer.message}")
+        return int(answer.start_time.to_nsec())
+
+    def withdraw(self) -> None:
+        """Do not make the world wait for this node any longer; errors are of no use any more."""
+        if self.is_lockstep:
+            try:
+                end_ns = self.enroll() + self._settings.feed.period_ns
+                self.enroll(end_ns)
+                self._call_enroll(0, enroll=False)
+            except (FormationError, rospy.ServiceException, rospy.ROSException) as error:
+                rospy.loginfo("withdrawing from the lockstep: %s", error)
+
+    def wait_for_simulator(self) -> bool:
+        """Wait for a simulator, and find out whether it offers lockstep.
+
+        Returns:
+            False if the node was shut down while waiting.
+        """
+        began = reported = time.monotonic()
+        plain_since = None
+        while not rospy.is_shutdown():
+            if _service_exists(_ENROLL):
+                self.is_lockstep = True
+                return True
+            now = time.monotonic()
+            if plain_since is None and _service_exists(_SPAWN):
+                plain_since = now
+            if plain_since is not None and now - plain_since > self._settings.enroll_wait_s:
+                rospy.logwarn("no service %s: this simulator does not wait for set-points", _ENROLL)
+                self.is_lockstep = False
+                return True
+            if now - reported > _REPORT_S:
+                rospy.logwarn("no simulator after %.0f s, still waiting", now - began)
+                reported = now
+            time.sleep(_POLL_S)
+        return False
+
+    def wait_for_spawn(self) -> Array | None:
+        """Positions of all vehicles [m, world], shape (N, 3), once the last one is there.
+
+        Returns:
+            None if the node was shut down while waiting.
+        """
+        found: dict[str, Array] = {}
+        names = [vehicle.name for vehicle in self._vehicles]
+        subscriber = rospy.Subscriber(
+            SIMULATOR + "/fleet_state",
+            FleetState,
+            lambda state: found.update(_positions_by_name(state.name, state.pose)),
+            tcp_nodelay=True,
+        )
+        reported = asked = time.monotonic()
+        try:
+            while not rospy.is_shutdown():
+                missing = [name for name in names if name not in found]
+                if not missing:
+                    return np.array([found[name] for name in names])
+                now = time.monotonic()
+                if now - asked > 1.0:
+                    # A world that stands still may have nothing to publish.
+                    found.update(_ask_for_poses(missing))
+                    asked = now
+                if now - reported > _REPORT_S:
+                    rospy.logwarn("not in the world yet: %s", ", ".join(missing))
+                    reported = now
+                time.sleep(_POLL_S)
+        finally:
+            subscriber.unregister()
+        return None
+
+    def on_clock(self, callback: ClockCallback) -> rospy.Subscriber:
+        """Call back with simulated time [ns], the newest there is."""
+        return rospy.Subscriber(
+            "/clock",
+            Clock,
+            lambda message: callback(message.clock.to_nsec()),
+            queue_size=1,
+            tcp_nodelay=True,
+        )
+
+    def on_state(self, callback: StateCallback) -> list[rospy.Subscriber]:
+        """Call back with stamp [ns] and positions [m, world], shape (N, 3), once per period."""
+        if self.is_lockstep:
+            return [
+                rospy.Subscriber(
+                    SIMULATOR + "/fleet_state",
+                    FleetState,
+                    lambda state: callback(
+                        state.header.stamp.to_nsec(), self._in_order(state.name, state.pose)
+                    ),
+                    tcp_nodelay=True,
+                )
+            ]
+        return self._on_model_states(callback)
+
+    def _on_model_states(self, callback: StateCallback) -> list[rospy.Subscriber]:
+        """The same from gazebo_ros' unstamped states, at the first clock of each period."""
+        newest: list[ModelStates] = []
+        period_ns = self._settings.feed.period_ns
+        last_index = [-1]
+
+        def keep(states: ModelStates) -> None:
+            newest[:] = [states]
+
+        def tick(now_ns: int) -> None:
+            index = now_ns // period_ns
+            if newest and index != last_index[0]:
+                last_index[0] = index
+                callback(index * period_ns, self._in_order(newest[0].name, newest[0].pose))
+
+        states = rospy.Subscriber(SIMULATOR + "/model_states", ModelStates, keep, queue_size=1)
+        return [states, self.on_clock(tick)]
+
+    def _in_order(self, names: list[str], poses: list[Pose]) -> Array:
+        by_name = _positions_by_name(names, poses)
+        gone = np.full(3, np.nan)
+        return np.array([by_name.get(vehicle.name, gone) for vehicle in self._vehicles])
+
+    def _call_enroll(self, end_ns: int, enroll: bool) -> EnrollSource._response_class:
+        rospy.wait_for_service(_ENROLL, timeout=_SERVICE_LIMIT_S)
+        return rospy.ServiceProxy(_ENROLL, EnrollSource)(
+            node=rospy.get_name(),
+            vehicles=[vehicle.name for vehicle in self._fed],
+            period=rospy.Duration(0, self._settings.feed.period_ns),
+            end_time=rospy.Time(*divmod(end_ns, 1_000_000_000)),
+            enroll=enroll,
+        )
+
+
+def _service_exists(name: str) -> bool:
+    try:
+        rosgraph.Master(rospy.get_name()).lookupService(name)
+    except rosgraph.MasterError:
+        return False
+    return True
+
+
+def _positions_by_name(names: list[str], poses: list[Pose]) -> dict[str, Array]:
+    return {
+        name: np.array([pose.position.x, pose.position.y, pose.position.z])
+        for name, pose in zip(names, poses, strict=True)
+    }
+
+
+def _ask_for_poses(names: list[str]) -> dict[str, Array]:
+    found = {}
+    for name in names:
+        try:
+            answer = rospy.ServiceProxy(_MODEL_STATE, GetModelState)(name, "")
+        except (rospy.ServiceException, rospy.ROSException):
+            break
+        if answer.success:
+            found.update(_positions_by_name([name], [answer.pose]))
+    return found
