@@ -233,6 +233,7 @@ def test_last_complaints_name_the_log(tmp_path: Path) -> None:
 def test_a_complaint_in_several_logs_is_said_once(tmp_path: Path) -> None:
     texts = {
         "roslaunch.log": "\x1b[31m[ERROR] [17.5]: no gains\x1b[0m\n",
+        "lee-2.log": "[rosout][ERROR] 2026-11-21 07:28:39,327: no gains\n",
         "rosout.log": "17.5 ERROR /lee [lee.cpp:11(main)] [topics: /rosout] no gains\n",
     }
     for name, text in texts.items():

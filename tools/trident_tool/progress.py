@@ -98,13 +98,17 @@ def required_node_failed(log: str) -> str | None:
 
 def last_complaints(folder: Path, count: int = 15) -> list[str]:
     """The last error lines of the logs below ``folder``, newest log last, each said once."""
-    logs = [path for path in folder.rglob("*.log") if not path.is_symlink()]
+    logs = [
+        path
+        for path in folder.rglob("*.log")
+        if not path.is_symlink() and not path.name.startswith(("rosout", "roslaunch-", "master"))
+    ]
     found: dict[str, str] = {}
     for path in sorted(logs, key=lambda path: path.stat().st_mtime):
         text = strip_ansi(path.read_text(encoding="utf-8", errors="replace")).splitlines()
         bad = [line.strip(" =") for line in text if _ERROR_LINE.search(line)]
         for line in bad[-5:]:
-            # A message is in the node's own log, in rosout.log and on the console.
+            # A message is in the node's own log and on the console.
             message = re.split(r"\]:? |: ", line)[-1]
             found.setdefault(message, f"{path.name}: {line}")
     return list(found.values())[-count:]
