@@ -2,10 +2,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """Makes Debian's ROS message headers usable from C++20.
 
-Debian 12 generated most of its message headers with an older gencpp, which names allocators through
-``std::allocator<void>::rebind``; C++20 has removed that member. The headers concerned are copied with
-each ``typename A::template rebind<T>::other`` written as ``std::allocator_traits<A>::rebind_alloc<T>``,
-which is the same type: objects compiled against the originals stay compatible.
+Debian 12 generated most of its message headers with an older gencpp, which names allocators
+through ``std::allocator<void>::rebind``; C++20 has removed that member. The headers concerned are
+copied with each ``typename A::template rebind<T>::other`` written as
+``std::allocator_traits<A>::rebind_alloc<T>``, which is the same type: objects compiled against the
+originals stay compatible.
 
 Usage: modernise_message_headers.py SHARE_DIR INCLUDE_DIR OUTPUT_DIR
 """

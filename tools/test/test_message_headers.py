@@ -36,7 +36,7 @@ def test_nested_uses_are_replaced_and_the_rest_is_kept(script: ModuleType) -> No
     "text", [OLD.format("char")[:-7], OLD.format("char").replace("other", "x")]
 )
 def test_an_unknown_form_is_refused(script: ModuleType, text: str) -> None:
-    with pytest.raises(ValueError, match="rebind|unclosed"):
+    with pytest.raises(ValueError, match=r"rebind|unclosed"):
         script.modernise(text)
 
 
