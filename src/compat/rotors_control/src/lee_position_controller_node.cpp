@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "trident_control_ros/lee_position_controller_node.h"
+
+#include "trident_control_ros/node_main.h"
+
+int main(int argc, char** argv) {
+  return trident::run_node(argc, argv, "lee_position_controller_node",
+                           [](ros::NodeHandle& node, trident::ParameterTree& parameters) {
+                             const trident::LeeParams params = parameters.lee_params();
+                             return std::make_shared<trident::LeePositionControllerNode>(
+                                 node, params, parameters.setpoint_queue_params());
+                           });
+}

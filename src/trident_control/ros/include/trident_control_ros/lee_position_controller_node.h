@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <geometry_msgs/PoseStamped.h>
+#include <ros/ros.h>
+#include <trajectory_msgs/MultiDOFJointTrajectory.h>
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "trident_control/lee_position_controller.h"
+#include "trident_control/setpoint_queue.h"
+#include "trident_control_ros/inline_callback_queue.h"
+#include "trident_control_ros/motor_command_publisher.h"
+
+namespace trident {
+
+/// RotorS' lee_position_controller_node.
+/// Subscribes `odometry`, `command/pose`, `command/trajectory`; answers each odometry message with
+/// one `command/motor_speed` of the same stamp, zeros until a set-point acts. A stamped set-point
+/// is confirmed on `command/accepted_setpoint` (std_msgs/Header: its stamp, and the topic it came
+/// on as frame_id) once every later odometry message will see it. Time is the stamps of the
+/// odometry, nothing else. Everything runs on roscpp's socket thread.
+class LeePositionControllerNode {
+ public:
+  LeePositionControllerNode(ros::NodeHandle& node, const LeeParams& params,
+                            const SetpointQueueParams& queue_params);
+  ~LeePositionControllerNode();
+
+ private:
+  void on_odometry(std::span<const std::uint8_t> bytes);
+  void on_pose(const geometry_msgs::PoseStamped& message);
+  void on_trajectory(const trajectory_msgs::MultiDOFJointTrajectory& message);
+  void accept(const std_msgs::Header& header, const std::string& topic);
+
+  LeePositionController controller_;
+  SetpointQueue setpoints_;
+  std::vector<TimedSetpoint> incoming_;  // reused
+
+  InlineCallbackQueue queue_;
+  MotorCommandPublisher motors_;
+  ros::Publisher accepted_;
+  ros::Subscriber pose_;
+  ros::Subscriber trajectory_;
+  ros::Subscriber odometry_;
+};
+
+}  // namespace trident

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <geometry_msgs/PoseStamped.h>
+#include <mav_msgs/RollPitchYawrateThrust.h>
+#include <ros/time.h>
+#include <trajectory_msgs/MultiDOFJointTrajectory.h>
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "trident_base/sim_time.h"
+#include "trident_control/control_types.h"
+#include "trident_control/setpoint_queue.h"
+
+namespace trident {
+
+/// What a controller reads of a nav_msgs/Odometry.
+struct StampedOdometry {
+  ros::Time stamp;
+  OdometryState state;
+};
+
+SimTime to_sim_time(const ros::Time& time);
+SimTime to_sim_time(const ros::Duration& duration);
+
+/// Reads a serialised nav_msgs/Odometry; nullopt when the bytes end too early.
+std::optional<StampedOdometry> parse_odometry(std::span<const std::uint8_t> bytes);
+
+TrajectoryPoint to_trajectory_point(const geometry_msgs::Pose& pose);
+
+/// Missing velocities or accelerations are zero. nullopt when there is no transform. Only the first
+/// joint is read: a multirotor is one body.
+std::optional<TrajectoryPoint> to_trajectory_point(
+    const trajectory_msgs::MultiDOFJointTrajectoryPoint& point);
+
+/// Converts every point into `out` (reused). Returns the index of a point without transform, or
+/// nullopt.
+std::optional<std::size_t> to_setpoints(const trajectory_msgs::MultiDOFJointTrajectory& message,
+                                        std::vector<TimedSetpoint>& out);
+
+AttitudeCommand to_attitude_command(const mav_msgs::RollPitchYawrateThrust& message);
+
+}  // namespace trident

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <ros/ros.h>
+
+#include <functional>
+#include <span>
+#include <string>
+#include <utility>
+
+namespace trident {
+
+/// Hands the serialised bytes of each message to a function, without building a message object: an
+/// Odometry would cost an allocation, two strings and 600 bytes of covariance that no controller
+/// reads.
+class RawSubscriptionHelper : public ros::SubscriptionCallbackHelper {
+ public:
+  using Handler = std::function<void(std::span<const std::uint8_t>)>;
+
+  explicit RawSubscriptionHelper(Handler handler) : handler_(std::move(handler)) {}
+
+  /// No message comes back, so roscpp does not go on to call().
+  ros::VoidConstPtr deserialize(
+      const ros::SubscriptionCallbackHelperDeserializeParams& p) override {
+    handler_({p.buffer, p.length});
+    return {};
+  }
+  void call(ros::SubscriptionCallbackHelperCallParams&) override {}
+  const std::type_info& getTypeInfo() override { return typeid(void); }
+  bool isConst() override { return true; }
+  bool hasHeader() override { return true; }
+
+ private:
+  Handler handler_;
+};
+
+/// Options of a subscription to `Message` whose bytes go to `handler`. TCP_NODELAY is asked for:
+/// without it every other message of a publisher waits for an acknowledgement (up to 40 ms).
+template <typename Message>
+ros::SubscribeOptions raw_subscription(const std::string& topic, std::uint32_t queue_size,
+                                       RawSubscriptionHelper::Handler handler,
+                                       ros::CallbackQueueInterface* queue) {
+  ros::SubscribeOptions options(topic, queue_size, ros::message_traits::md5sum<Message>(),
+                                ros::message_traits::datatype<Message>());
+  options.helper = boost::make_shared<RawSubscriptionHelper>(std::move(handler));
+  options.callback_queue = queue;
+  options.transport_hints = ros::TransportHints().tcpNoDelay();
+  return options;
+}
+
+}  // namespace trident

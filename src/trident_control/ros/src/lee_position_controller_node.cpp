@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "trident_control_ros/lee_position_controller_node.h"
+
+#include <nav_msgs/Odometry.h>
+#include <std_msgs/Header.h>
+
+#include <algorithm>
+
+#include "trident_control_ros/message_conversions.h"
+#include "trident_control_ros/raw_subscription.h"
+
+namespace trident {
+namespace {
+
+const char* reason(SetpointResult result) {
+  switch (result) {
+    case SetpointResult::accepted:
+      return "accepted";
+    case SetpointResult::empty:
+      return "it has no points: at least 1 is needed";
+    case SetpointResult::non_finite:
+      return "a position, velocity, acceleration or quaternion in it is NaN or infinite: all must "
+             "be finite";
+    case SetpointResult::unordered:
+      return "its time_from_start decreases or is negative: it must grow from 0 or more";
+    case SetpointResult::too_many_points:
+      return "it has more than 65536 points";
+  }
+  return "unknown";
+}
+
+template <typename Message>
+ros::SubscribeOptions inline_subscription(
+    const std::string& topic,
+    const boost::function<void(const boost::shared_ptr<Message const>&)>& handler,
+    ros::CallbackQueueInterface* queue) {
+  auto options = ros::SubscribeOptions::create<Message>(topic, 1, handler, {}, queue);
+  options.transport_hints = ros::TransportHints().tcpNoDelay();
+  return options;
+}
+
+}  // namespace
+
+LeePositionControllerNode::LeePositionControllerNode(ros::NodeHandle& node, const LeeParams& params,
+                                                     const SetpointQueueParams& queue_params)
+    : controller_(params),
+      setpoints_(queue_params),
+      motors_(node, controller_.rotor_count()),
+      accepted_(node.advertise<std_msgs::Header>("command/accepted_setpoint", 10)) {
+  auto pose = inline_subscription<geometry_msgs::PoseStamped>(
+      "command/pose", [this](const auto& message) { on_pose(*message); }, &queue_);
+  auto trajectory = inline_subscription<trajectory_msgs::MultiDOFJointTrajectory>(
+      "command/trajectory", [this](const auto& message) { on_trajectory(*message); }, &queue_);
+  auto odometry = raw_subscription<nav_msgs::Odometry>(
+      "odometry", 1, [this](std::span<const std::uint8_t> bytes) { on_odometry(bytes); }, &queue_);
+  pose_ = node.subscribe(pose);
+  trajectory_ = node.subscribe(trajectory);
+  odometry_ = node.subscribe(odometry);
+}
+
+LeePositionControllerNode::~LeePositionControllerNode() {
+  odometry_.shutdown();
+  trajectory_.shutdown();
+  pose_.shutdown();
+}
+
+void LeePositionControllerNode::on_odometry(std::span<const std::uint8_t> bytes) {
+  const auto odometry = parse_odometry(bytes);
+  if (!odometry) {
+    ROS_ERROR_THROTTLE(5.0, "odometry of %zu bytes is too short to be a nav_msgs/Odometry; ignored",
+                       bytes.size());
+    return;
+  }
+  const TrajectoryPoint* setpoint = setpoints_.advance(to_sim_time(odometry->stamp));
+  const std::span<double> speeds = motors_.rotor_speeds();
+  if (!setpoint) {
+    std::fill(speeds.begin(), speeds.end(), 0.0);
+  } else if (controller_.compute(odometry->state, *setpoint, speeds) != ControlStatus::ok) {
+    ROS_ERROR_THROTTLE(5.0,
+                       "odometry stamped %.9f s has a number that is NaN or infinite, or an "
+                       "orientation that is no "
+                       "unit quaternion; it gets no answer",
+                       odometry->stamp.toSec());
+    return;
+  }
+  motors_.publish(odometry->stamp);
+}
+
+void LeePositionControllerNode::on_pose(const geometry_msgs::PoseStamped& message) {
+  incoming_.assign(1, TimedSetpoint{{}, to_trajectory_point(message.pose)});
+  accept(message.header, pose_.getTopic());
+}
+
+void LeePositionControllerNode::on_trajectory(
+    const trajectory_msgs::MultiDOFJointTrajectory& message) {
+  if (const auto index = to_setpoints(message, incoming_)) {
+    ROS_ERROR("%s: set-point refused: its point %zu has no transform, 1 is needed",
+              trajectory_.getTopic().c_str(), *index);
+    return;
+  }
+  accept(message.header, trajectory_.getTopic());
+}
+
+void LeePositionControllerNode::accept(const std_msgs::Header& header, const std::string& topic) {
+  const SetpointResult result = setpoints_.push(to_sim_time(header.stamp), incoming_);
+  if (result != SetpointResult::accepted) {
+    ROS_ERROR("%s: set-point stamped %.9f s refused: %s", topic.c_str(), header.stamp.toSec(),
+              reason(result));
+    return;
+  }
+  if (header.stamp.isZero()) return;
+  std_msgs::Header confirmation;
+  confirmation.stamp = header.stamp;
+  confirmation.frame_id = topic;
+  accepted_.publish(confirmation);
+}
+
+}  // namespace trident

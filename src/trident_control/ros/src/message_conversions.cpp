@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "trident_control_ros/message_conversions.h"
+
+#include <cstring>
+
+namespace trident {
+namespace {
+
+constexpr std::size_t kCovarianceBytes = 36 * sizeof(double);
+
+/// Walks over little-endian bytes; once they run out, everything read is zero and ok() is false.
+class ByteReader {
+ public:
+  explicit ByteReader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
+
+  bool ok() const { return ok_; }
+
+  template <typename T>
+  T read() {
+    T value{};
+    if (take(sizeof(T))) std::memcpy(&value, bytes_.data() + position_ - sizeof(T), sizeof(T));
+    return value;
+  }
+  void skip(std::size_t count) { take(count); }
+  void skip_string() { skip(read<std::uint32_t>()); }
+  Eigen::Vector3d read_vector() {
+    const double x = read<double>();
+    const double y = read<double>();
+    return {x, y, read<double>()};
+  }
+
+ private:
+  bool take(std::size_t count) {
+    ok_ = ok_ && count <= bytes_.size() - position_;
+    if (ok_) position_ += count;
+    return ok_;
+  }
+
+  std::span<const std::uint8_t> bytes_;
+  std::size_t position_ = 0;
+  bool ok_ = true;
+};
+
+Eigen::Vector3d to_vector(const geometry_msgs::Vector3& v) { return {v.x, v.y, v.z}; }
+
+double yaw_of(const geometry_msgs::Quaternion& q) {
+  return yaw_from_quaternion(Eigen::Quaterniond(q.w, q.x, q.y, q.z));
+}
+
+}  // namespace
+
+SimTime to_sim_time(const ros::Time& time) {
+  return {static_cast<std::int64_t>(time.sec) * 1'000'000'000 + time.nsec};
+}
+
+SimTime to_sim_time(const ros::Duration& duration) { return {duration.toNSec()}; }
+
+std::optional<StampedOdometry> parse_odometry(std::span<const std::uint8_t> bytes) {
+  ByteReader reader(bytes);
+  StampedOdometry odometry;
+  reader.skip(sizeof(std::uint32_t));  // seq
+  odometry.stamp.sec = reader.read<std::uint32_t>();
+  odometry.stamp.nsec = reader.read<std::uint32_t>();
+  reader.skip_string();  // frame_id
+  reader.skip_string();  // child_frame_id
+  OdometryState& state = odometry.state;
+  state.p_world_body = reader.read_vector();
+  state.R_world_body.vec() = reader.read_vector();
+  state.R_world_body.w() = reader.read<double>();
+  reader.skip(kCovarianceBytes);
+  state.v_body = reader.read_vector();
+  state.w_body = reader.read_vector();
+  reader.skip(kCovarianceBytes);
+  if (!reader.ok()) return std::nullopt;
+  return odometry;
+}
+
+TrajectoryPoint to_trajectory_point(const geometry_msgs::Pose& pose) {
+  TrajectoryPoint point;
+  point.p_world = Eigen::Vector3d(pose.position.x, pose.position.y, pose.position.z);
+  point.yaw = yaw_of(pose.orientation);
+  return point;
+}
+
+std::optional<TrajectoryPoint> to_trajectory_point(
+    const trajectory_msgs::MultiDOFJointTrajectoryPoint& message) {
+  if (message.transforms.empty()) return std::nullopt;
+  TrajectoryPoint point;
+  point.p_world = to_vector(message.transforms.front().translation);
+  point.yaw = yaw_of(message.transforms.front().rotation);
+  if (!message.velocities.empty()) {
+    point.v_world = to_vector(message.velocities.front().linear);
+    point.yaw_rate = message.velocities.front().angular.z;
+  }
+  if (!message.accelerations.empty()) {
+    point.a_world = to_vector(message.accelerations.front().linear);
+  }
+  return point;
+}
+
+std::optional<std::size_t> to_setpoints(const trajectory_msgs::MultiDOFJointTrajectory& message,
+                                        std::vector<TimedSetpoint>& out) {
+  out.clear();
+  for (std::size_t i = 0; i < message.points.size(); ++i) {
+    const auto point = to_trajectory_point(message.points[i]);
+    if (!point) return i;
+    out.push_back({to_sim_time(message.points[i].time_from_start), *point});
+  }
+  return std::nullopt;
+}
+
+AttitudeCommand to_attitude_command(const mav_msgs::RollPitchYawrateThrust& message) {
+  return {message.roll, message.pitch, message.yaw_rate, message.thrust.z};
+}
+
+}  // namespace trident

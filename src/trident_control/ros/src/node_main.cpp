@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "trident_control_ros/node_main.h"
+
+#include <pthread.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <thread>
+
+#include "trident_base/error.h"
+
+namespace trident {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto kShutdownLimit = 800ms;
+constexpr auto kLookAtRosEvery = 100ms;
+
+sigset_t ending_signals() {
+  sigset_t signals;
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGINT);
+  sigaddset(&signals, SIGTERM);
+  return signals;
+}
+
+// Takes the signals on a thread of its own: ros::init and the first registration may wait for a
+// master for ever, and ros::shutdown may wait for one that has gone.
+void shut_down_on_signal(std::atomic<bool>& has_ended) {
+  const sigset_t signals = ending_signals();
+  int signal = 0;
+  sigwait(&signals, &signal);
+  std::thread([&has_ended] {
+    std::this_thread::sleep_for(kShutdownLimit);
+    if (!has_ended) _exit(0);
+  }).detach();
+  ros::shutdown();
+}
+
+void log_notes(const ParameterTree& parameters) {
+  for (const std::string& note : parameters.notes()) ROS_WARN("%s", note.c_str());
+  for (const std::string& name : parameters.unknown_names()) {
+    ROS_WARN("private parameter '%s' is not one that this node knows; ignored", name.c_str());
+  }
+}
+
+}  // namespace
+
+int run_node(int argc, char** argv, const std::string& name, const NodeFactory& make_node) {
+  static std::atomic<bool> has_ended{false};
+  const sigset_t signals = ending_signals();
+  pthread_sigmask(SIG_BLOCK, &signals,
+                  nullptr);  // before any thread exists, so that all inherit it
+  std::thread(shut_down_on_signal, std::ref(has_ended)).detach();
+
+  ros::init(argc, argv, name, ros::init_options::NoSigintHandler);
+  int result = 0;
+  try {
+    ros::NodeHandle node;
+    ros::NodeHandle private_node("~");
+    ParameterTree parameters = ParameterTree::of_node(private_node);
+    const RunningNode running = make_node(node, parameters);
+    log_notes(parameters);
+    while (ros::ok()) std::this_thread::sleep_for(kLookAtRosEvery);
+  } catch (const Error& error) {
+    ROS_FATAL("%s", error.what());
+    result = 1;
+  }
+  ros::shutdown();
+  has_ended = true;
+  return result;
+}
+
+}  // namespace trident
