@@ -52,7 +52,9 @@ def _attributes(element: ET.Element) -> dict[str, tuple[Value, ...]]:
 def _shapes(link: ET.Element, tag: str) -> list[Any]:
     shapes = []
     for element in link.findall(tag):
-        (shape,) = element.find("geometry") or ()
+        geometry = element.find("geometry")
+        assert geometry is not None
+        (shape,) = geometry
         shapes.append((_origin(element), shape.tag, _attributes(shape)))
     return shapes
 
