@@ -21,7 +21,7 @@
 
 #include "trident_control_ros/direct_publication.h"
 #include "trident_control_ros/inline_callback_queue.h"
-#include "trident_control_ros/raw_subscription.h"
+#include "trident_control_ros/subscriptions.h"
 
 namespace {
 

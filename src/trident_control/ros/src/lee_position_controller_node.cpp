@@ -8,7 +8,8 @@
 #include <algorithm>
 
 #include "trident_control_ros/message_conversions.h"
-#include "trident_control_ros/raw_subscription.h"
+#include "trident_control_ros/node_main.h"
+#include "trident_control_ros/subscriptions.h"
 
 namespace trident {
 namespace {
@@ -28,16 +29,6 @@ const char* reason(SetpointResult result) {
       return "it has more than 65536 points";
   }
   return "unknown";
-}
-
-template <typename Message>
-ros::SubscribeOptions inline_subscription(
-    const std::string& topic,
-    const boost::function<void(const boost::shared_ptr<Message const>&)>& handler,
-    ros::CallbackQueueInterface* queue) {
-  auto options = ros::SubscribeOptions::create<Message>(topic, 1, handler, {}, queue);
-  options.transport_hints = ros::TransportHints().tcpNoDelay();
-  return options;
 }
 
 }  // namespace
@@ -72,16 +63,14 @@ void LeePositionControllerNode::on_odometry(std::span<const std::uint8_t> bytes)
                        bytes.size());
     return;
   }
+  set_log_time(odometry->stamp);
   const TrajectoryPoint* setpoint = setpoints_.advance(to_sim_time(odometry->stamp));
   const std::span<double> speeds = motors_.rotor_speeds();
   if (!setpoint) {
     std::fill(speeds.begin(), speeds.end(), 0.0);
   } else if (controller_.compute(odometry->state, *setpoint, speeds) != ControlStatus::ok) {
-    ROS_ERROR_THROTTLE(5.0,
-                       "odometry stamped %.9f s has a number that is NaN or infinite, or an "
-                       "orientation that is no "
-                       "unit quaternion; it gets no answer",
-                       odometry->stamp.toSec());
+    ROS_ERROR_THROTTLE(5.0, "odometry stamped %.9f s refused: %s", odometry->stamp.toSec(),
+                       kInvalidStateText);
     return;
   }
   motors_.publish(odometry->stamp);

@@ -10,6 +10,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <thread>
+#include <vector>
 
 #include "trident_base/error.h"
 
@@ -42,6 +43,17 @@ void shut_down_on_signal(std::atomic<bool>& has_ended) {
   ros::shutdown();
 }
 
+// With /use_sim_time, roscpp subscribes to /clock in every node: thousands of messages a second, through a
+// thread of their own, for a node that never asks for the time. Its log takes the stamps of the odometry.
+void init_without_clock(int argc, char** argv, const std::string& name) {
+  std::string no_clock = "/clock:=/clock_not_used";
+  std::vector<char*> arguments(argv, argv + argc);
+  arguments.push_back(no_clock.data());
+  int count = static_cast<int>(arguments.size());
+  arguments.push_back(nullptr);
+  ros::init(count, arguments.data(), name, ros::init_options::NoSigintHandler);
+}
+
 void log_notes(const ParameterTree& parameters) {
   for (const std::string& note : parameters.notes()) ROS_WARN("%s", note.c_str());
   for (const std::string& name : parameters.unknown_names()) {
@@ -51,6 +63,10 @@ void log_notes(const ParameterTree& parameters) {
 
 }  // namespace
 
+void set_log_time(const ros::Time& stamp) {
+  if (ros::Time::isSimTime()) ros::Time::setNow(stamp);
+}
+
 int run_node(int argc, char** argv, const std::string& name, const NodeFactory& make_node) {
   static std::atomic<bool> has_ended{false};
   const sigset_t signals = ending_signals();
@@ -58,7 +74,7 @@ int run_node(int argc, char** argv, const std::string& name, const NodeFactory& 
                   nullptr);  // before any thread exists, so that all inherit it
   std::thread(shut_down_on_signal, std::ref(has_ended)).detach();
 
-  ros::init(argc, argv, name, ros::init_options::NoSigintHandler);
+  init_without_clock(argc, argv, name);
   int result = 0;
   try {
     ros::NodeHandle node;

@@ -24,6 +24,10 @@ struct StampedOdometry {
   OdometryState state;
 };
 
+/// Why a controller refuses a state; ends a sentence.
+inline constexpr const char* kInvalidStateText =
+    "a number in it is NaN or infinite, or its orientation is no unit quaternion; it gets no answer";
+
 SimTime to_sim_time(const ros::Time& time);
 SimTime to_sim_time(const ros::Duration& duration);
 

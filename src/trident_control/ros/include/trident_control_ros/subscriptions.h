@@ -49,4 +49,15 @@ ros::SubscribeOptions raw_subscription(const std::string& topic, std::uint32_t q
   return options;
 }
 
+/// The same for whole messages that come seldom.
+template <typename Message>
+ros::SubscribeOptions inline_subscription(
+    const std::string& topic,
+    const boost::function<void(const boost::shared_ptr<Message const>&)>& handler,
+    ros::CallbackQueueInterface* queue) {
+  auto options = ros::SubscribeOptions::create<Message>(topic, 1, handler, {}, queue);
+  options.transport_hints = ros::TransportHints().tcpNoDelay();
+  return options;
+}
+
 }  // namespace trident

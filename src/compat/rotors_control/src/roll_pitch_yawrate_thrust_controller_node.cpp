@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "trident_control_ros/roll_pitch_yawrate_thrust_controller_node.h"
+
+#include "trident_control_ros/node_main.h"
+
+int main(int argc, char** argv) {
+  return trident::run_node(argc, argv, "roll_pitch_yawrate_thrust_controller_node",
+                           [](ros::NodeHandle& node, trident::ParameterTree& parameters) {
+                             return std::make_shared<trident::RollPitchYawrateThrustControllerNode>(
+            node, parameters.roll_pitch_yawrate_thrust_params());
+      });
+}

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <mav_msgs/RollPitchYawrateThrust.h>
+#include <ros/ros.h>
+
+#include <optional>
+#include <span>
+
+#include "trident_control/roll_pitch_yawrate_thrust_controller.h"
+#include "trident_control_ros/inline_callback_queue.h"
+#include "trident_control_ros/motor_command_publisher.h"
+
+namespace trident {
+
+/// RotorS' roll_pitch_yawrate_thrust_controller_node.
+/// Subscribes `odometry` and `command/roll_pitch_yawrate_thrust`; answers each odometry message with one
+/// `command/motor_speed` of the same stamp, zeros until a command has come and again after the world was
+/// reset (stamps that run backwards). Everything runs on roscpp's socket thread.
+class RollPitchYawrateThrustControllerNode {
+ public:
+  RollPitchYawrateThrustControllerNode(ros::NodeHandle& node,
+                                       const RollPitchYawrateThrustParams& params);
+  ~RollPitchYawrateThrustControllerNode();
+
+ private:
+  void on_odometry(std::span<const std::uint8_t> bytes);
+  void on_command(const mav_msgs::RollPitchYawrateThrust& message);
+
+  RollPitchYawrateThrustController controller_;
+  std::optional<AttitudeCommand> command_;
+  ros::Time last_stamp_;
+
+  InlineCallbackQueue queue_;
+  MotorCommandPublisher motors_;
+  ros::Subscriber command_subscriber_;
+  ros::Subscriber odometry_;
+};
+
+}  // namespace trident

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "trident_control_ros/roll_pitch_yawrate_thrust_controller_node.h"
+
+#include <nav_msgs/Odometry.h>
+
+#include <algorithm>
+
+#include "trident_control_ros/message_conversions.h"
+#include "trident_control_ros/node_main.h"
+#include "trident_control_ros/subscriptions.h"
+
+namespace trident {
+
+RollPitchYawrateThrustControllerNode::RollPitchYawrateThrustControllerNode(
+    ros::NodeHandle& node, const RollPitchYawrateThrustParams& params)
+    : controller_(params), motors_(node, controller_.rotor_count()) {
+  auto command = inline_subscription<mav_msgs::RollPitchYawrateThrust>(
+      "command/roll_pitch_yawrate_thrust", [this](const auto& message) { on_command(*message); },
+      &queue_);
+  auto odometry = raw_subscription<nav_msgs::Odometry>(
+      "odometry", 1, [this](std::span<const std::uint8_t> bytes) { on_odometry(bytes); }, &queue_);
+  command_subscriber_ = node.subscribe(command);
+  odometry_ = node.subscribe(odometry);
+}
+
+RollPitchYawrateThrustControllerNode::~RollPitchYawrateThrustControllerNode() {
+  odometry_.shutdown();
+  command_subscriber_.shutdown();
+}
+
+void RollPitchYawrateThrustControllerNode::on_odometry(std::span<const std::uint8_t> bytes) {
+  const auto odometry = parse_odometry(bytes);
+  if (!odometry) {
+    ROS_ERROR_THROTTLE(5.0, "odometry of %zu bytes is too short to be a nav_msgs/Odometry; ignored",
+                       bytes.size());
+    return;
+  }
+  set_log_time(odometry->stamp);
+  if (odometry->stamp < last_stamp_) command_.reset();
+  last_stamp_ = odometry->stamp;
+  const std::span<double> speeds = motors_.rotor_speeds();
+  if (!command_) {
+    std::fill(speeds.begin(), speeds.end(), 0.0);
+  } else if (controller_.compute(odometry->state, *command_, speeds) != ControlStatus::ok) {
+    ROS_ERROR_THROTTLE(5.0, "odometry stamped %.9f s refused: %s", odometry->stamp.toSec(),
+                       kInvalidStateText);
+    return;
+  }
+  motors_.publish(odometry->stamp);
+}
+
+void RollPitchYawrateThrustControllerNode::on_command(
+    const mav_msgs::RollPitchYawrateThrust& message) {
+  const AttitudeCommand command = to_attitude_command(message);
+  if (!is_valid(command)) {
+    ROS_ERROR(
+        "%s: command refused: roll %g, pitch %g, yaw rate %g, thrust.z %g: all must be finite",
+        command_subscriber_.getTopic().c_str(), command.roll, command.pitch, command.yaw_rate,
+        command.thrust);
+    return;
+  }
+  command_ = command;
+}
+
+}  // namespace trident
