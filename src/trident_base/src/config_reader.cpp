@@ -45,13 +45,13 @@ struct ParsedDouble {
 };
 
 ParsedDouble parse_double(std::string_view text) {
-  const bool is_negative = text.starts_with('-');
-  if (is_negative || text.starts_with('+')) text.remove_prefix(1);
+  const bool is_negative = starts_with(text, "-");
+  if (is_negative || starts_with(text, "+")) text.remove_prefix(1);
   text = without_dot(text);
   double value = 0.0;
   const char* end = text.data() + text.size();
   const auto result = std::from_chars(text.data(), end, value);
-  const bool is_number = !text.starts_with('-') && !text.empty() && result.ptr == end &&
+  const bool is_number = !starts_with(text, "-") && !text.empty() && result.ptr == end &&
                          result.ec != std::errc::invalid_argument;
   return {is_number, result.ec != std::errc::result_out_of_range, is_negative ? -value : value};
 }
@@ -145,9 +145,9 @@ WholeNumber read_whole_number(const ValueContext& context, const ConfigNode& nod
                               const std::string& path, long long lowest,
                               unsigned long long highest) {
   std::string_view text = node.scalar;
-  const bool is_negative = text.starts_with('-');
-  if (is_negative || text.starts_with('+')) text.remove_prefix(1);
-  const bool is_hex = text.starts_with("0x");
+  const bool is_negative = starts_with(text, "-");
+  if (is_negative || starts_with(text, "+")) text.remove_prefix(1);
+  const bool is_hex = starts_with(text, "0x");
   if (is_hex) text.remove_prefix(2);
 
   unsigned long long magnitude = 0;
@@ -172,7 +172,7 @@ WholeNumber read_whole_number(const ValueContext& context, const ConfigNode& nod
 std::string unit_of(const char* doc) {
   const std::string_view text(doc);
   const std::size_t open = text.rfind('[');
-  if (!text.ends_with(']') || open == std::string_view::npos) return "";
+  if (!ends_with(text, "]") || open == std::string_view::npos) return "";
   return std::string(text.substr(open + 1, text.size() - open - 2));
 }
 

@@ -3,7 +3,8 @@
 #include "trident_base/random_stream.h"
 
 #include <cmath>
-#include <numbers>
+
+#include "trident_base/angle.h"
 
 namespace trident {
 namespace {
@@ -80,7 +81,7 @@ double RandomStream::normal(std::uint64_t sample_index, std::uint32_t channel) c
   const auto words = block(sample_index, channel, Use::kNormal);
   // 1 - u is in (0, 1], so the logarithm is finite.
   const double radius = std::sqrt(-2.0 * std::log(1.0 - to_unit(join_words(words[0], words[1]))));
-  return radius * std::cos(2.0 * std::numbers::pi * to_unit(join_words(words[2], words[3])));
+  return radius * std::cos(2.0 * kPi * to_unit(join_words(words[2], words[3])));
 }
 
 std::uint64_t RandomStream::bits(std::uint64_t sample_index, std::uint32_t channel) const {

@@ -5,8 +5,8 @@
 #include <openssl/evp.h>
 
 #include <array>
-#include <bit>
 #include <cstdint>
+#include <cstring>
 
 #include "trident_base/error.h"
 
@@ -42,7 +42,9 @@ void Sha256::update(const void* data, std::size_t size) {
 }
 
 void Sha256::update_double(double value) {
-  const auto bits = std::bit_cast<std::uint64_t>(value);
+  std::uint64_t bits = 0;
+  static_assert(sizeof bits == sizeof value);
+  std::memcpy(&bits, &value, sizeof bits);
   std::array<unsigned char, 8> bytes;
   for (std::size_t i = 0; i < bytes.size(); ++i) {
     bytes[i] = static_cast<unsigned char>(bits >> (8 * i));

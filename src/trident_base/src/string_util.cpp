@@ -20,7 +20,7 @@ std::string lower_case(std::string_view text) {
 }
 
 bool is_prefix(const std::string& a, const std::string& b) {
-  return a.size() >= kMinPrefix && b.starts_with(a);
+  return a.size() >= kMinPrefix && starts_with(b, a);
 }
 
 }  // namespace

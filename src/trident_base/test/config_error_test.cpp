@@ -51,7 +51,7 @@ TEST(ConfigError, WholeNumbersRespectTheirTypeAndRange) {
   for (const char* text : {"1.0", "1e3", "'1'", "one", "", "[1]", "1 2", "--1", "0x"}) {
     const std::string error = error_of(std::string("slots: ") + text);
     EXPECT_TRUE(
-        error.starts_with("cfg/v.yaml:1: slots: must be a whole number in [0, 255], but is"))
+        starts_with(error, "cfg/v.yaml:1: slots: must be a whole number in [0, 255], but is"))
         << error;
   }
 }
@@ -145,8 +145,7 @@ TEST(ConfigError, AnUnreadableFileIsNamed) {
       load_yaml<VehicleConfig>(path);
       FAIL() << path << " was read";
     } catch (const ConfigError& error) {
-      EXPECT_TRUE(std::string(error.what()).starts_with(path + ": cannot read the file: "))
-          << error.what();
+      EXPECT_TRUE(starts_with(error.what(), path + ": cannot read the file: ")) << error.what();
     }
   }
 }

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <numbers>
 
 #include "is_near.h"
 #include "trident_base/angle.h"
@@ -15,21 +14,20 @@ namespace {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-using std::numbers::pi;
 
 constexpr std::uint64_t kCases = 100;
 
 Vector3d tangent(std::uint64_t i) {
-  return random_vector<3>(i, 1.0).cwiseProduct(Vector3d(20.0, 20.0, pi));
+  return random_vector<3>(i, 1.0).cwiseProduct(Vector3d(20.0, 20.0, kPi));
 }
 
 TEST(Angle, WrapsIntoTheHalfOpenInterval) {
-  EXPECT_DOUBLE_EQ(wrap_to_pi(3 * pi / 2), -pi / 2);
-  EXPECT_DOUBLE_EQ(wrap_to_pi(-3 * pi / 2), pi / 2);
-  EXPECT_EQ(wrap_to_pi(pi), pi);
-  EXPECT_EQ(wrap_to_pi(-pi), pi);
+  EXPECT_DOUBLE_EQ(wrap_to_pi(3 * kPi / 2), -kPi / 2);
+  EXPECT_DOUBLE_EQ(wrap_to_pi(-3 * kPi / 2), kPi / 2);
+  EXPECT_EQ(wrap_to_pi(kPi), kPi);
+  EXPECT_EQ(wrap_to_pi(-kPi), kPi);
   EXPECT_EQ(wrap_to_pi(0.25), 0.25);
-  EXPECT_NEAR(wrap_to_pi(0.25 + 200 * pi), 0.25, 1e-12);
+  EXPECT_NEAR(wrap_to_pi(0.25 + 200 * kPi), 0.25, 1e-12);
 }
 
 TEST(Angle, DifferenceTakesTheShortWay) {
@@ -65,7 +63,7 @@ TEST(Se2, LogInvertsExp) {
   for (std::uint64_t i = 0; i < kCases; ++i) {
     EXPECT_TRUE(is_near(SE2::exp(tangent(i)).log(), tangent(i), 1e-13));
   }
-  for (const double w : {0.0, std::numeric_limits<double>::denorm_min(), 1e-300, 1e-9, 1e-3, pi}) {
+  for (const double w : {0.0, std::numeric_limits<double>::denorm_min(), 1e-300, 1e-9, 1e-3, kPi}) {
     const Vector3d t(1.0, -2.0, w);
     EXPECT_TRUE(is_near(SE2::exp(t).log(), t, 1e-14)) << w;
   }
@@ -81,9 +79,9 @@ TEST(Se2, AdjointMovesTwistsBetweenFrames) {
 
 TEST(Se2, EveryOperationKeepsTheAngleWrapped) {
   const SE2 T = SE2::from_xy_yaw(0, 0, 3.0);
-  EXPECT_NEAR((T * T).angle, 6.0 - 2 * pi, 1e-15);
-  EXPECT_EQ(SE2::from_xy_yaw(0, 0, -pi).angle, pi);
-  EXPECT_EQ(SE2::from_xy_yaw(0, 0, pi).inverse().angle, pi);
+  EXPECT_NEAR((T * T).angle, 6.0 - 2 * kPi, 1e-15);
+  EXPECT_EQ(SE2::from_xy_yaw(0, 0, -kPi).angle, kPi);
+  EXPECT_EQ(SE2::from_xy_yaw(0, 0, kPi).inverse().angle, kPi);
 }
 
 TEST(Se2, ProjectionKeepsPlaceAndHeadingOfATiltedPose) {

@@ -4,16 +4,15 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
 #include <vector>
 
 #include "is_near.h"
+#include "trident_base/angle.h"
 
 namespace trident {
 namespace {
 
 using Eigen::Vector3d;
-using std::numbers::pi;
 
 constexpr std::uint64_t kCases = 100;
 
@@ -21,7 +20,7 @@ constexpr std::uint64_t kCases = 100;
 Vector6d tangent(std::uint64_t i) {
   Vector6d t = random_vector<6>(i, 1.0);
   t.head<3>() *= 20.0;
-  t.tail<3>() = t.tail<3>().normalized() * pi * (static_cast<double>(i) / kCases);
+  t.tail<3>() = t.tail<3>().normalized() * kPi * (static_cast<double>(i) / kCases);
   return t;
 }
 
@@ -61,8 +60,8 @@ TEST(Se3, ExpOfATwistIsTheMotionOfManySmallSteps) {
 
 TEST(Se3, ExpOfAQuarterTurnMovesAlongTheArc) {
   Vector6d twist;
-  twist << pi / 2, 0, 0, 0, 0, pi / 2;  // radius 1
-  EXPECT_TRUE(is_near(SE3::exp(twist), SE3::from_xyz_rpy({1, 1, 0}, 0, 0, pi / 2), 1e-15));
+  twist << kPi / 2, 0, 0, 0, 0, kPi / 2;  // radius 1
+  EXPECT_TRUE(is_near(SE3::exp(twist), SE3::from_xyz_rpy({1, 1, 0}, 0, 0, kPi / 2), 1e-15));
 }
 
 TEST(Se3, AdjointMovesTwistsBetweenFrames) {
@@ -77,14 +76,14 @@ TEST(Se3, AdjointMovesTwistsBetweenFrames) {
 
 TEST(Se3, RollPitchYawTurnAboutFixedAxes) {
   // First roll takes y to z, then yaw leaves z where it is.
-  const SE3 T = SE3::from_xyz_rpy({1, 2, 3}, pi / 2, 0, pi / 2);
+  const SE3 T = SE3::from_xyz_rpy({1, 2, 3}, kPi / 2, 0, kPi / 2);
   EXPECT_TRUE(is_near(T * Vector3d::UnitY(), Vector3d(1, 2, 4), 1e-15));
   EXPECT_TRUE(is_near(T * Vector3d::UnitX(), Vector3d(1, 3, 3), 1e-15));
 }
 
 TEST(Se3, RpyInvertsFromXyzRpy) {
   for (std::uint64_t i = 0; i < kCases; ++i) {
-    const Vector3d rpy = random_vector<3>(i, 1.0).cwiseProduct(Vector3d(pi, pi / 2, pi));
+    const Vector3d rpy = random_vector<3>(i, 1.0).cwiseProduct(Vector3d(kPi, kPi / 2, kPi));
     EXPECT_TRUE(is_near(SE3::from_xyz_rpy({0, 0, 0}, rpy[0], rpy[1], rpy[2]).rpy(), rpy, 1e-13));
   }
 }
@@ -92,7 +91,7 @@ TEST(Se3, RpyInvertsFromXyzRpy) {
 TEST(Se3, RpyReproducesTheRotationAtAndNearGimbalLock) {
   for (const double off : {0.0, 1e-15, 1e-13, 1e-11, 1e-9, 1e-7, 1e-4}) {
     for (const double sign : {-1.0, 1.0}) {
-      const SE3 T = SE3::from_xyz_rpy(Vector3d::Zero(), 0.7, sign * (pi / 2 - off), -0.4);
+      const SE3 T = SE3::from_xyz_rpy(Vector3d::Zero(), 0.7, sign * (kPi / 2 - off), -0.4);
       const Vector3d rpy = T.rpy();
       EXPECT_TRUE(is_near(SE3::from_xyz_rpy({0, 0, 0}, rpy[0], rpy[1], rpy[2]), T, 1e-12)) << off;
     }

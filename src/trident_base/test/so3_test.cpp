@@ -6,10 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "is_near.h"
+#include "trident_base/angle.h"
 
 namespace trident {
 namespace {
@@ -17,14 +17,13 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
-using std::numbers::pi;
 
 // Rotation vectors in many directions, at the lengths where formulas change or lose digits.
 std::vector<Vector3d> rotation_vectors() {
   std::vector<Vector3d> result{Vector3d::Zero()};
   std::uint64_t i = 0;
   for (const double angle : {1e-200, 1e-12, 1e-8, 1e-4, 0.05, 0.29999, 0.3, 0.30001, 1.0, 2.0, 3.0,
-                             pi - 1e-4, pi - 1e-9}) {
+                             kPi - 1e-4, kPi - 1e-9}) {
     for (int k = 0; k < 8; ++k) result.push_back(angle * random_vector<3>(i++, 1.0).normalized());
   }
   return result;
@@ -52,15 +51,15 @@ TEST(So3, LogInvertsExp) {
 }
 
 TEST(So3, LogTakesTheShortWayForBothSignsOfTheQuaternion) {
-  const Quaterniond q = so3_exp(Vector3d(0.0, 0.0, 1.5 * pi));
+  const Quaterniond q = so3_exp(Vector3d(0.0, 0.0, 1.5 * kPi));
   const Quaterniond minus_q(-q.w(), -q.x(), -q.y(), -q.z());
-  EXPECT_TRUE(is_near(so3_log(q), Vector3d(0.0, 0.0, -0.5 * pi), 1e-14));
-  EXPECT_TRUE(is_near(so3_log(minus_q), Vector3d(0.0, 0.0, -0.5 * pi), 1e-14));
+  EXPECT_TRUE(is_near(so3_log(q), Vector3d(0.0, 0.0, -0.5 * kPi), 1e-14));
+  EXPECT_TRUE(is_near(so3_log(minus_q), Vector3d(0.0, 0.0, -0.5 * kPi), 1e-14));
 }
 
 TEST(So3, LogOfAHalfTurnHasLengthPi) {
   EXPECT_TRUE(
-      is_near(so3_log(Quaterniond(0.0, 0.6, 0.0, -0.8)), pi * Vector3d(0.6, 0.0, -0.8), 1e-14));
+      is_near(so3_log(Quaterniond(0.0, 0.6, 0.0, -0.8)), kPi * Vector3d(0.6, 0.0, -0.8), 1e-14));
 }
 
 TEST(So3, LeftJacobianAgreesWithCentralDifferences) {

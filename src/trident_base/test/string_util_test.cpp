@@ -9,6 +9,21 @@
 namespace trident {
 namespace {
 
+TEST(StringUtil, StartsWithAndEndsWith) {
+  EXPECT_TRUE(starts_with("rotor_0", "rotor"));
+  EXPECT_TRUE(ends_with("rotor_0", "_0"));
+  for (const char* part : {"", "rotor_0"}) {
+    EXPECT_TRUE(starts_with("rotor_0", part)) << part;
+    EXPECT_TRUE(ends_with("rotor_0", part)) << part;
+  }
+  for (const char* other : {"otor", "rotor_00", "x_rotor_0"}) {
+    EXPECT_FALSE(starts_with("rotor_0", other)) << other;
+    EXPECT_FALSE(ends_with("rotor_0", other)) << other;
+  }
+  EXPECT_FALSE(starts_with("", "a"));
+  EXPECT_FALSE(ends_with("", "a"));
+}
+
 TEST(StringUtil, Join) {
   EXPECT_EQ(join({}), "");
   EXPECT_EQ(join({"a"}), "a");

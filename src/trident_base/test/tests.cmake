@@ -24,6 +24,7 @@ catkin_add_gtest(trident_base_test
   test/sha256_test.cpp
   test/sim_time_test.cpp
   test/so3_test.cpp
+  test/span_test.cpp
   test/string_util_test.cpp
   test/yaml_config_test.cpp
   test/yaml_tree_test.cpp

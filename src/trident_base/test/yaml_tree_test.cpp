@@ -5,6 +5,7 @@
 #include <string>
 
 #include "trident_base/config_node.h"
+#include "trident_base/string_util.h"
 
 namespace trident {
 namespace {
@@ -42,9 +43,9 @@ TEST(YamlTree, MalformedTextNamesTheLine) {
   for (const char* text : {"a: 1\nb: [1, 2\nc: 3", "a: 1\nb: 'open", "a: 1\n\tb: 2", "a: 1\n  b: 2",
                            "a: 1\nb: *c", "a: 1\n]"}) {
     const std::string error = error_of(text);
-    EXPECT_TRUE(error.starts_with("v.yaml:2: ") || error.starts_with("v.yaml:3: ")) << error;
+    EXPECT_TRUE(starts_with(error, "v.yaml:2: ") || starts_with(error, "v.yaml:3: ")) << error;
   }
-  EXPECT_TRUE(error_of("a: [1, 2").starts_with("v.yaml:1: malformed YAML: "));
+  EXPECT_TRUE(starts_with(error_of("a: [1, 2"), "v.yaml:1: malformed YAML: "));
 }
 
 TEST(YamlTree, DuplicateKeysAreErrorsWithBothLines) {
@@ -82,7 +83,7 @@ TEST(YamlTree, AliasesCannotExplode) {
 }
 
 TEST(YamlTree, DeepNestingIsAnErrorNotACrash) {
-  EXPECT_TRUE(error_of(std::string(100'000, '[')).starts_with("v.yaml:1: "));
+  EXPECT_TRUE(starts_with(error_of(std::string(100'000, '[')), "v.yaml:1: "));
 }
 
 }  // namespace

@@ -22,8 +22,8 @@ struct DocumentRow {
 std::string markdown_table(const std::vector<DocumentRow>& rows);
 
 /// What a type contributes to a table: its name, its legal values, the text of a value, and the
-/// rows below it.
-template <class T>
+/// rows below it. The second parameter is for the specialisations that hold for a kind of types.
+template <class T, class = void>
 struct Describe;
 
 /// The archive that lists a struct's fields instead of filling them.
@@ -38,7 +38,7 @@ class ConfigDocumenter {
   }
   template <class T>
   void field(const char* name, const T& value, Range range, const char* doc = "") {
-    static_assert(RangeApplies<T>, "a Range is for numbers and for lists and maps of numbers");
+    static_assert(range_applies_v<T>, "a Range is for numbers and for lists and maps of numbers");
     add(name, value, range.text(), Describe<T>::text(value), doc);
   }
   template <class T>
@@ -47,7 +47,7 @@ class ConfigDocumenter {
   }
   template <class T>
   void required(const char* name, const T& value, Range range, const char* doc = "") {
-    static_assert(RangeApplies<T>, "a Range is for numbers and for lists and maps of numbers");
+    static_assert(range_applies_v<T>, "a Range is for numbers and for lists and maps of numbers");
     add(name, value, range.text(), "**required**", doc);
   }
 
@@ -84,8 +84,8 @@ struct Describe<std::string> : DescribeLeaf {
   static std::string text(const std::string& value) { return '"' + value + '"'; }
 };
 
-template <Number T>
-struct Describe<T> : DescribeLeaf {
+template <class T>
+struct Describe<T, std::enable_if_t<is_number_v<T>>> : DescribeLeaf {
   static std::string type() { return std::is_integral_v<T> ? "whole number" : "number"; }
   static std::string legal() {
     if constexpr (std::is_integral_v<T>) {
@@ -104,8 +104,8 @@ struct Describe<T> : DescribeLeaf {
   }
 };
 
-template <NamedEnum T>
-struct Describe<T> : DescribeLeaf {
+template <class T>
+struct Describe<T, std::enable_if_t<is_named_enum_v<T>>> : DescribeLeaf {
   static std::string type() { return "choice"; }
   static std::string legal() { return join(enum_name_list<T>()); }
   static std::string text(T value) {
@@ -116,8 +116,8 @@ struct Describe<T> : DescribeLeaf {
   }
 };
 
-template <Visitable T>
-struct Describe<T> {
+template <class T>
+struct Describe<T, std::enable_if_t<is_visitable_v<T>>> {
   static std::string type() { return "map"; }
   static std::string legal() { return ""; }
   static std::string text(const T&) { return ""; }
@@ -149,7 +149,7 @@ struct DescribeList {
   static std::string text(const List& value) {
     std::vector<std::string> parts;
     for (const auto& item : value) parts.push_back(Describe<T>::text(item));
-    if (Visitable<T> && !parts.empty()) return std::to_string(parts.size()) + " items";
+    if (is_visitable_v<T> && !parts.empty()) return std::to_string(parts.size()) + " items";
     return '[' + join(parts) + ']';
   }
   static void below(const std::string& key, const List&, std::vector<DocumentRow>* rows) {

@@ -51,7 +51,7 @@ inline std::string item_path(const std::string& parent, std::size_t index) {
 
 inline constexpr int kAnySize = -1;
 
-template <NamedEnum T>
+template <class T>
 std::vector<std::string> enum_name_list() {
   std::vector<std::string> names;
   for (const auto& entry : enum_names(T{})) names.emplace_back(entry.name);
@@ -70,7 +70,7 @@ class ConfigReader {
   }
   template <class T>
   void field(const char* name, T& value, Range range, const char* doc = "") {
-    static_assert(RangeApplies<T>, "a Range is for numbers and for lists and maps of numbers");
+    static_assert(range_applies_v<T>, "a Range is for numbers and for lists and maps of numbers");
     if (const ConfigNode* child = take(name)) read_child(*child, name, value, range, doc);
   }
   /// As `field`, but there is no default: the file must have the key.
@@ -91,7 +91,7 @@ class ConfigReader {
     ConfigReader reader(node, file, path);
     value.visit(reader);
     reader.finish();
-    if constexpr (Validated<T>) {
+    if constexpr (is_validated_v<T>) {
       try {
         value.validate();
       } catch (const ConfigError&) {
@@ -126,30 +126,27 @@ class ConfigReader {
                    std::string& value) {
     value = read_string(c, node, path);
   }
-  template <Number T>
+  template <class T>
   static void read(const ValueContext& c, const ConfigNode& node, const std::string& path,
                    T& value) {
+    static_assert(is_number_v<T> || is_named_enum_v<T> || is_visitable_v<T>,
+                  "a field needs a type with visit(archive), an enum with enum_names, a number, "
+                  "bool or text, or a vector, array, optional, map or Eigen vector of these");
     if constexpr (std::is_floating_point_v<T>) {
       const double wide = read_double(c, node, path);
       if (std::isfinite(wide) && std::abs(wide) > std::numeric_limits<T>::max()) {
         fail_range(c, node, path, "a single-precision number");
       }
       value = static_cast<T>(wide);
-    } else {
+    } else if constexpr (std::is_integral_v<T>) {
       using Limits = std::numeric_limits<T>;
       const WholeNumber n = read_whole_number(c, node, path, Limits::min(), Limits::max());
       value = static_cast<T>(n.is_negative ? 0 - n.magnitude : n.magnitude);
+    } else if constexpr (is_named_enum_v<T>) {
+      value = enum_names(T{})[read_choice(c, node, path, enum_name_list<T>())].value;
+    } else if constexpr (is_visitable_v<T>) {
+      read_struct(node, c.file, path, value);
     }
-  }
-  template <NamedEnum T>
-  static void read(const ValueContext& c, const ConfigNode& node, const std::string& path,
-                   T& value) {
-    value = enum_names(T{})[read_choice(c, node, path, enum_name_list<T>())].value;
-  }
-  template <Visitable T>
-  static void read(const ValueContext& c, const ConfigNode& node, const std::string& path,
-                   T& value) {
-    read_struct(node, c.file, path, value);
   }
   template <class T>
   static void read(const ValueContext& c, const ConfigNode& node, const std::string& path,

@@ -26,10 +26,12 @@ struct Range {
   bool infinite = false;
 
   static constexpr Range any() { return {}; }
-  static constexpr Range at_least(double lo) { return {.lo = lo}; }
-  static constexpr Range at_most(double hi) { return {.hi = hi}; }
+  static constexpr Range at_least(double lo) { return {lo}; }
+  static constexpr Range at_most(double hi) {
+    return {-std::numeric_limits<double>::infinity(), hi};
+  }
   static constexpr Range non_negative() { return at_least(0.0); }
-  static constexpr Range positive() { return {.lo = 0.0, .lo_open = true}; }
+  static constexpr Range positive() { return {0.0, std::numeric_limits<double>::infinity(), true}; }
 
   constexpr Range or_infinite() const {
     Range result = *this;
@@ -57,6 +59,8 @@ struct EnumName {
   Enum value;
   const char* name;
 };
+template <class Enum>
+EnumName(Enum, const char*) -> EnumName<Enum>;
 
 namespace config_detail {
 
@@ -68,23 +72,28 @@ struct ArchiveProbe {
   void required(Args&&...) {}
 };
 
+// Eigen's matrices have a visit() of another meaning.
+template <class T, class = void>
+inline constexpr bool is_visitable_v = false;
 template <class T>
-concept Visitable = std::is_class_v<T> && requires(T& value, ArchiveProbe& ar) {
-  value.visit(ar);
-};
+inline constexpr bool is_visitable_v<
+    T, std::void_t<decltype(std::declval<T&>().visit(std::declval<ArchiveProbe&>()))>> =
+    std::is_class_v<T> && !std::is_base_of_v<Eigen::EigenBase<T>, T>;
+
+template <class T, class = void>
+inline constexpr bool is_validated_v = false;
+template <class T>
+inline constexpr bool
+    is_validated_v<T, std::void_t<decltype(std::declval<const T&>().validate())>> = true;
+
+template <class T, class = void>
+inline constexpr bool is_named_enum_v = false;
+template <class T>
+inline constexpr bool is_named_enum_v<T, std::void_t<decltype(enum_names(std::declval<T>()))>> =
+    std::is_enum_v<T>;
 
 template <class T>
-concept Validated = requires(const T& value) {
-  value.validate();
-};
-
-template <class T>
-concept NamedEnum = std::is_enum_v<T> && requires(T value) {
-  enum_names(value);
-};
-
-template <class T>
-concept Number = std::is_arithmetic_v<T> && !std::is_same_v<T, bool>;
+inline constexpr bool is_number_v = std::is_arithmetic_v<T> && !std::is_same_v<T, bool>;
 
 /// The type that a Range on a field speaks about: the innermost element of lists, maps and
 /// optionals.
@@ -106,7 +115,7 @@ struct Element<Eigen::Matrix<double, N, 1>> {
 };
 
 template <class T>
-concept RangeApplies = Number<typename Element<T>::Type>;
+inline constexpr bool range_applies_v = is_number_v<typename Element<T>::Type>;
 
 }  // namespace config_detail
 }  // namespace trident

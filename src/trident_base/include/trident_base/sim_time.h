@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cmath>
-#include <compare>
 #include <cstdint>
 
 namespace trident {
@@ -18,7 +17,12 @@ struct SimTime {
   }
   double seconds() const { return static_cast<double>(ns) * 1e-9; }
 
-  auto operator<=>(const SimTime&) const = default;
+  friend constexpr bool operator==(SimTime a, SimTime b) { return a.ns == b.ns; }
+  friend constexpr bool operator!=(SimTime a, SimTime b) { return a.ns != b.ns; }
+  friend constexpr bool operator<(SimTime a, SimTime b) { return a.ns < b.ns; }
+  friend constexpr bool operator<=(SimTime a, SimTime b) { return a.ns <= b.ns; }
+  friend constexpr bool operator>(SimTime a, SimTime b) { return a.ns > b.ns; }
+  friend constexpr bool operator>=(SimTime a, SimTime b) { return a.ns >= b.ns; }
   SimTime operator+(SimTime other) const { return {ns + other.ns}; }
   SimTime operator-(SimTime other) const { return {ns - other.ns}; }
   SimTime operator*(std::int64_t factor) const { return {ns * factor}; }
