@@ -137,7 +137,7 @@ class PortBoard {
   template <class P>
   P* add(std::unique_ptr<P> port) {
     auto& map = port->direction() == PortDirection::kOut ? out_ : in_;
-    if (map.contains(port->name())) {
+    if (map.count(port->name()) != 0) {
       throw Error("port '" + port->name() + "' is already taken: two plugins use one topic name");
     }
     P* raw = port.get();

@@ -3,14 +3,15 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cstddef>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "trident_base/se3.h"
 #include "trident_base/sim_time.h"
+#include "trident_base/span.h"
 
 namespace trident {
 
@@ -22,8 +23,8 @@ struct SmallVector {
   std::array<double, kCapacity> data{};
   std::size_t size = 0;
 
-  std::span<const double> view() const { return {data.data(), size}; }
-  void assign(std::span<const double> values) {
+  Span<const double> view() const { return {data.data(), size}; }
+  void assign(Span<const double> values) {
     size = std::min(values.size(), kCapacity);
     std::copy_n(values.begin(), size, data.begin());
   }

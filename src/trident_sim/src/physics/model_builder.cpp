@@ -41,8 +41,8 @@ Eigen::Matrix3d about_origin(double mass, const Eigen::Vector3d& p) {
   return mass * (p.squaredNorm() * Eigen::Matrix3d::Identity() - p * p.transpose());
 }
 
-/// A rotor seen from its carrier: free about its axis, so that inertia does not load the carrier, and
-/// round, because it turns many times in the time in which the carrier moves.
+/// A rotor seen from its carrier: free about its axis, so that inertia does not load the carrier,
+/// and round, because it turns many times in the time in which the carrier moves.
 Eigen::Matrix3d spun_inertia(const Eigen::Matrix3d& inertia, const Eigen::Vector3d& axis,
                              double& axial) {
   axial = axis.dot(inertia * axis);
@@ -53,7 +53,10 @@ Eigen::Matrix3d spun_inertia(const Eigen::Matrix3d& inertia, const Eigen::Vector
 class Builder {
  public:
   Builder(Model& model, const std::vector<std::string>& spun, dWorldID world)
-      : model_(model), spec_(model.spec), spun_(spun.begin(), spun.end()), world_(world),
+      : model_(model),
+        spec_(model.spec),
+        spun_(spun.begin(), spun.end()),
+        world_(world),
         groups_(spec_.links.size()) {}
 
   void run() {
@@ -89,7 +92,7 @@ class Builder {
     for (const JointSpec& joint : spec_.joints) {
       const std::size_t parent = link_index(joint.parent, joint.name);
       const std::size_t child = link_index(joint.child, joint.name);
-      if (joint.rigid() || spun_.contains(joint.name)) groups_.join(parent, child);
+      if (joint.rigid() || is_spun(joint.name)) groups_.join(parent, child);
     }
     if (model_.is_static) {
       for (std::size_t i = 0; i < spec_.links.size(); ++i) groups_.join(i, groups_.world());
@@ -106,17 +109,18 @@ class Builder {
     }
   }
 
+  bool is_spun(const std::string& joint) const { return spun_.count(joint) != 0; }
+
   const JointSpec* spun_joint_of(const std::string& child) const {
     for (const JointSpec& joint : spec_.joints) {
-      if (joint.child == child && spun_.contains(joint.name)) return &joint;
+      if (joint.child == child && is_spun(joint.name)) return &joint;
     }
     return nullptr;
   }
 
   /// Inertia of one link about its own centre of mass, model axes.
   Eigen::Matrix3d link_inertia(const LinkSpec& spec) const {
-    const Eigen::Matrix3d R =
-        (spec.T_model_link.R * spec.inertial.T_link_com.R).toRotationMatrix();
+    const Eigen::Matrix3d R = (spec.T_model_link.R * spec.inertial.T_link_com.R).toRotationMatrix();
     const Eigen::Matrix3d inertia = R * spec.inertial.inertia_com * R.transpose();
     const JointSpec* spun = spun_joint_of(spec.name);
     double axial = 0.0;
@@ -207,7 +211,8 @@ class Builder {
     if (dGeomGetClass(geom.id) == dPlaneClass) {
       const std::string name = geom.name;
       destroy_geom(geom);
-      throw Error("collision '" + name + "' is a plane on a link that moves; a plane must be static");
+      throw Error("collision '" + name +
+                  "' is a plane on a link that moves; a plane must be static");
     }
     dGeomSetBody(geom.id, body.ode);
     dGeomSetOffsetPosition(geom.id, T_body_shape.p.x(), T_body_shape.p.y(), T_body_shape.p.z());
@@ -231,8 +236,9 @@ class Builder {
     }
     body.bound_centre = all.center();
     for (const auto& box : boxes) {
-      const Eigen::Vector3d reach =
-          (box.max() - body.bound_centre).cwiseAbs().cwiseMax((box.min() - body.bound_centre).cwiseAbs());
+      const Eigen::Vector3d reach = (box.max() - body.bound_centre)
+                                        .cwiseAbs()
+                                        .cwiseMax((box.min() - body.bound_centre).cwiseAbs());
       body.bound_radius_m = std::max(body.bound_radius_m, reach.norm());
     }
   }
@@ -244,7 +250,7 @@ class Builder {
       joint->damping = spec.damping;
       joint->parent = model_.find_link(spec.parent);
       joint->child = model_.find_link(spec.child);
-      if (spun_.contains(spec.name)) {
+      if (is_spun(spec.name)) {
         make_spun(*joint);
       } else if (!spec.rigid() && joint->child->body != body_of(joint->parent)) {
         pending_.push_back(joint.get());

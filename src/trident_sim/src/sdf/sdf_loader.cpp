@@ -24,14 +24,15 @@ struct TrimOnExit {
 sdf::ParserConfig parser_config(const Resources& resources, const std::string& base_folder) {
   sdf::Console::Instance()->SetQuiet(true);
   sdf::ParserConfig config;
-  config.SetFindCallback(
-      [&resources, base_folder](const std::string& uri) { return resources.find(uri, base_folder); });
+  config.SetFindCallback([&resources, base_folder](const std::string& uri) {
+    return resources.find(uri, base_folder);
+  });
   return config;
 }
 
 std::string describe(const sdf::Error& error, const std::string& label) {
   std::string where = error.FilePath().value_or(label);
-  if (where.empty() || where.starts_with("<")) where = label;
+  if (where.empty() || where.front() == '<') where = label;
   if (error.LineNumber()) where += ":" + std::to_string(*error.LineNumber());
   return where + ": " + error.Message();
 }

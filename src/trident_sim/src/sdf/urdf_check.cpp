@@ -71,7 +71,7 @@ std::set<std::string> carried_inertia(const tinyxml2::XMLElement& robot,
   for (bool grown = true; grown;) {
     grown = false;
     for (const auto& [parent, child] : fixed_children) {
-      if (result.contains(child) && result.insert(parent).second) grown = true;
+      if (result.count(child) != 0 && result.insert(parent).second) grown = true;
     }
   }
   return result;
@@ -106,9 +106,10 @@ void check_urdf(const std::string& xml, const std::string& label, const WarningS
   const std::set<std::string> carried = carried_inertia(*robot, with_inertia);
   for (const auto* link : without) {
     const std::string name = link->Attribute("name");
-    if (carried.contains(name) || name == "world") continue;
+    if (carried.count(name) != 0 || name == "world") continue;
     warn(place(label, *link, name) +
-         " has no <inertial>: it is not simulated, nor is what hangs on it (SDF conversion drops it)");
+         " has no <inertial>: it is not simulated, nor is what hangs on it (SDF conversion drops "
+         "it)");
   }
 }
 

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <bit>
+#include <cmath>
 
+#include "drop_if.h"
 #include "trident_base/error.h"
 #include "trident_base/sha256.h"
 #include "trident_sim/world.h"
@@ -30,7 +31,7 @@ void World::apply_wrench(const AppliedWrench& wrench) {
 }
 
 void World::clear_wrenches(const Link& link) {
-  std::erase_if(wrenches_, [&link](const AppliedWrench& w) { return w.link == &link; });
+  drop_if(wrenches_, [&link](const AppliedWrench& w) { return w.link == &link; });
 }
 
 void World::apply_effort(const AppliedEffort& effort) {
@@ -41,15 +42,16 @@ void World::apply_effort(const AppliedEffort& effort) {
 }
 
 void World::clear_efforts(const Joint& joint) {
-  std::erase_if(efforts_, [&joint](const AppliedEffort& e) { return e.joint == &joint; });
+  drop_if(efforts_, [&joint](const AppliedEffort& e) { return e.joint == &joint; });
 }
 
 void World::apply_external(const StepInfo& info) {
-  std::erase_if(wrenches_, [&](const auto& w) { return finished(w.start, w.duration, info); });
-  std::erase_if(efforts_, [&](const auto& e) { return finished(e.start, e.duration, info); });
+  drop_if(wrenches_, [&](const auto& w) { return finished(w.start, w.duration, info); });
+  drop_if(efforts_, [&](const auto& e) { return finished(e.start, e.duration, info); });
   for (const AppliedWrench& wrench : wrenches_) {
     if (!active(wrench.start, info)) continue;
-    wrench.link->body->add_force_at(wrench.force_world, wrench.link->T_world_link() * wrench.p_link);
+    wrench.link->body->add_force_at(wrench.force_world,
+                                    wrench.link->T_world_link() * wrench.p_link);
     wrench.link->body->torque += wrench.torque_world;
   }
   for (const AppliedEffort& effort : efforts_) {

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "../physics/physics_engine.h"
+#include "drop_if.h"
 #include "trident_base/error.h"
 
 namespace trident {
@@ -60,8 +61,12 @@ bool finite(const SE3& T) { return T.p.allFinite() && T.R.coeffs().allFinite(); 
 
 World::World(const WorldSpec& spec, const Resources& resources, const PluginRegistry& registry,
              WorldOptions options)
-    : name_(spec.name), physics_(spec.physics), spherical_(spec.spherical), resources_(resources),
-      registry_(registry), options_(std::move(options)) {
+    : name_(spec.name),
+      physics_(spec.physics),
+      spherical_(spec.spherical),
+      resources_(resources),
+      registry_(registry),
+      options_(std::move(options)) {
   validate(physics_);
   engine_ = std::make_unique<PhysicsEngine>(physics_);
   dt_ = SimTime::from_seconds(physics_.max_step_size_s);
@@ -100,7 +105,7 @@ Model& World::spawn(const SpawnRequest& request) {
 
 Model& World::spawn(ModelSpec spec, const std::string& robot_namespace) {
   if (spec.name.empty()) throw Error("a model needs a name");
-  if (models_.contains(spec.name)) {
+  if (models_.count(spec.name) != 0) {
     throw Error("model name '" + spec.name + "' already exists in the world");
   }
   if (!finite(spec.T_world_model)) {
@@ -126,7 +131,8 @@ std::unique_ptr<Model> World::build_model(ModelSpec spec, const std::string& rob
   for (const PluginSpec& plugin : plugins) {
     const PluginFactory* factory = registry_.find(plugin.filename);
     if (factory == nullptr || !factory->spun_joint) continue;
-    const PluginParams params(plugin.params, "model '" + model->name + "' plugin '" + plugin.name + "'");
+    const PluginParams params(plugin.params,
+                              "model '" + model->name + "' plugin '" + plugin.name + "'");
     if (std::string joint = factory->spun_joint(params); !joint.empty()) spun.push_back(joint);
   }
   engine_->build(*model, spun);
@@ -171,8 +177,8 @@ void World::drop_references(const Model& model) {
     return std::any_of(model.links.begin(), model.links.end(),
                        [link](const auto& own) { return own.get() == link; });
   };
-  std::erase_if(wrenches_, [&](const AppliedWrench& w) { return of_model(w.link); });
-  std::erase_if(efforts_, [&](const AppliedEffort& e) { return of_model(e.joint->child); });
+  drop_if(wrenches_, [&](const AppliedWrench& w) { return of_model(w.link); });
+  drop_if(efforts_, [&](const AppliedEffort& e) { return of_model(e.joint->child); });
 }
 
 void World::remove(const std::string& name) {
