@@ -6,17 +6,22 @@ Debian 12 generated most of its message headers with an older gencpp, which name
 through ``std::allocator<void>::rebind``; C++20 has removed that member. The headers concerned are
 copied with each ``typename A::template rebind<T>::other`` written as
 ``std::allocator_traits<A>::rebind_alloc<T>``, which is the same type: objects compiled against the
-originals stay compatible.
+originals stay compatible. roscpp's serialization.h is treated likewise.
 
 Usage: modernise_message_headers.py SHARE_DIR INCLUDE_DIR OUTPUT_DIR
 """
 
+import re
 import sys
 from pathlib import Path
 
 _OLD_HEAD = "typename ContainerAllocator::template rebind<"
 _OLD_TAIL = "::other"
 _NEW_HEAD = "typename std::allocator_traits<ContainerAllocator>::template rebind_alloc<"
+
+
+# A copy has no siblings beside it, so they are included by their full names.
+_SIBLING = re.compile(r'^#include "([A-Za-z0-9_]+\.h)"', re.MULTILINE)
 
 
 def _end_of_template_argument(text: str, start: int) -> int:
@@ -53,8 +58,8 @@ def modernise(text: str) -> str:
 
 def old_headers(share: Path, include: Path) -> list[Path]:
     """Headers of the ROS packages in ``share`` that use the removed member."""
-    packages = sorted(manifest.parent.name for manifest in share.glob("*/package.xml"))
-    headers = (header for name in packages for header in sorted((include / name).glob("*.h")))
+    folders = ["ros", *sorted(manifest.parent.name for manifest in share.glob("*/package.xml"))]
+    headers = (header for name in folders for header in sorted((include / name).glob("*.h")))
     return [header for header in headers if _OLD_HEAD in header.read_text(encoding="utf-8")]
 
 
@@ -65,6 +70,7 @@ def main(share: Path, include: Path, output: Path) -> None:
         target = output / header.relative_to(include)
         wanted.add(target)
         text = modernise(header.read_text(encoding="utf-8"))
+        text = _SIBLING.sub(rf"#include <{header.parent.name}/\1>", text)
         if target.is_file() and target.read_text(encoding="utf-8") == text:
             continue
         target.parent.mkdir(parents=True, exist_ok=True)

@@ -47,6 +47,15 @@ def _add_header(include: Path, package: str, text: str) -> Path:
     return header
 
 
+def test_siblings_are_included_by_their_full_names(script: ModuleType, tmp_path: Path) -> None:
+    text = '#include "types.h"\n#include "ros/time.h"\n'
+    _add_header(tmp_path / "include", "ros", text + OLD.format("T"))
+    (tmp_path / "share").mkdir()
+    script.main(tmp_path / "share", tmp_path / "include", tmp_path / "output")
+    copy = (tmp_path / "output" / "ros" / "A.h").read_text(encoding="utf-8")
+    assert copy == '#include <ros/types.h>\n#include "ros/time.h"\n' + NEW.format("T")
+
+
 def test_only_old_headers_of_ros_packages_are_copied(script: ModuleType, tmp_path: Path) -> None:
     share, include, output = tmp_path / "share", tmp_path / "include", tmp_path / "output"
     for package in ("old_msgs", "new_msgs"):
