@@ -50,6 +50,7 @@ def test_a_run_is_headless_fast_and_under_its_own_master(clone: Workspace) -> No
     run = plan_run(clone, ["fly.launch"], {"HOME": "/h"})
     assert run.env["TRIDENT_REAL_TIME_FACTOR"] == "0"
     assert run.env["TRIDENT_HEADLESS"] == "1"
+    assert run.env["TRIDENT_END"] == "1"
     assert run.env["TRIDENT_OUT"] == str(run.folder)
     assert run.env["ROS_MASTER_URI"] == f"http://localhost:{run.port}"
     assert run.env["HOME"] == "/h"
@@ -275,6 +276,14 @@ def test_blank_screen_is_known() -> None:
 def test_what_is_no_window_dump_is_refused(data: bytes) -> None:
     with pytest.raises(TridentError, match="X window dump"):
         read_xwd(data)
+
+
+def test_the_border_around_a_window_is_cut_off() -> None:
+    black, red = bytes(3), b"\xff\0\0"
+    rows = [[black] * 4, [black, red, red, black], [black, black, red, black], [black] * 4]
+    image = Image(4, 4, b"".join(b"".join(row) for row in rows))
+    assert image.cropped() == Image(2, 2, red + red + black + red)
+    assert Image(2, 1, bytes(6)).cropped() == Image(2, 1, bytes(6))
 
 
 def test_png_holds_the_pixels(tmp_path: Path) -> None:

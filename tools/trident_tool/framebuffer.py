@@ -27,6 +27,18 @@ class Image:
         """Whether every pixel has the same colour."""
         return self.rgb == self.rgb[:3] * (self.width * self.height)
 
+    def cropped(self) -> Image:
+        """This picture without the black rows and columns around it; as it is if all is black."""
+        stride = 3 * self.width
+        rows = [self.rgb[row * stride : (row + 1) * stride] for row in range(self.height)]
+        bright_rows = [index for index, row in enumerate(rows) if any(row)]
+        if not bright_rows:
+            return self
+        rows = rows[bright_rows[0] : bright_rows[-1] + 1]
+        left = min(len(row) - len(row.lstrip(b"\0")) for row in rows if any(row)) // 3
+        right = -(-max(len(row.rstrip(b"\0")) for row in rows) // 3)
+        return Image(right - left, len(rows), b"".join(row[3 * left : 3 * right] for row in rows))
+
 
 def read_xwd(data: bytes) -> Image:
     """Decodes an X window dump of version 7 in 32 bits per pixel, as Xvfb keeps it.

@@ -71,6 +71,7 @@ def run_environment(
         "TRIDENT_OUT": str(folder),
         "TRIDENT_REAL_TIME_FACTOR": real_time_factor,
         "TRIDENT_HEADLESS": "1",
+        "TRIDENT_END": "1",  # the launch ends with the job, where a plain roslaunch goes on
         "ROS_MASTER_URI": f"http://localhost:{port}",
         "ROS_LOG_DIR": str(folder / "log"),
         "ROS_HOME": str(folder / "ros_home"),

@@ -142,7 +142,8 @@ def _screenshot(command: Sequence[str], env: dict[str, str], target: Path) -> No
         env = env | {"DISPLAY": display, "LIBGL_ALWAYS_SOFTWARE": "1", "QT_X11_NO_MITSHM": "1"}
         env.setdefault("XDG_RUNTIME_DIR", folder)
         with _started(command, env) as viewer:
-            write_png(_wait_for_picture(screen, viewer), target)
+            # There is no window manager: the window does not fill the screen.
+            write_png(_wait_for_picture(screen, viewer).cropped(), target)
     say(f"wrote {target}")
 
 
@@ -177,7 +178,7 @@ def view(
         *(["-d", str(configuration)] if configuration else []),
     ]
     if screenshot is not None:
-        command.append("--fullscreen")
+        command.append("--fullscreen")  # the picture without menus and panels
     if runner.dry_run:
         for feed in feeds:
             runner.run(feed)
