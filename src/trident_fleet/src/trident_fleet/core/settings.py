@@ -46,7 +46,8 @@ class FleetSettings:
         mode: `time` (planned in time, with feed-forward) or `gate` (row by row).
         lookahead: how many periods ahead of /clock set-points are sent in `time` mode.
         guard: send again what another publisher on the same topic has overridden.
-        enroll_wait_s: wall-clock time to wait for the lockstep service of the simulator [s].
+        enroll_wait_s: how long a simulator may take to offer lockstep, wall-clock time [s].
+        connect_wait_s: how long a vehicle's controller may take to listen, wall-clock time [s].
     """
 
     source: FormationSource
@@ -57,6 +58,7 @@ class FleetSettings:
     lookahead: int = 5
     guard: bool = False
     enroll_wait_s: float = 5.0
+    connect_wait_s: float = 20.0
 
 
 def read_settings(get: Getter, default_file: str) -> FleetSettings:
@@ -85,6 +87,7 @@ def read_settings(get: Getter, default_file: str) -> FleetSettings:
         lookahead=params.integer("lookahead", 5),
         guard=params.flag("guard", False),
         enroll_wait_s=params.number("enroll_wait", 5.0),
+        connect_wait_s=params.number("connect_wait", 20.0),
     )
     for part in (settings.source, settings.plan, settings.gate, settings.feed):
         part.validate()

@@ -99,8 +99,10 @@ class TimeFlight:
         """Send the first set-points and go on with the clock."""
         if self._crew.link.is_lockstep:
             self._crew.link.enroll(self._end_ns)
+        clock = self._crew.link.on_clock(self._on_clock)
+        self._crew.link.wait_for_publisher([clock])
         self._on_clock(self._now_ns)
-        return [self._crew.link.on_clock(self._on_clock)]
+        return [clock]
 
     def _on_clock(self, now_ns: int) -> None:
         with self._lock:
@@ -131,6 +133,7 @@ class GateFlight:
         """Send the first set-points and go on with each state."""
         self._write_records()
         subscribers = self._crew.link.on_state(self._on_state)
+        self._crew.link.wait_for_publisher(subscribers)
         self._crew.send(self._feeder.begin())
         return subscribers
 

@@ -19,8 +19,6 @@ from trident_fleet.nodes.flights import Crew, Flight, GateFlight, TimeFlight
 from trident_fleet.nodes.setpoint_topic import SetpointTopic
 from trident_fleet.nodes.world_link import WorldLink
 
-_CONNECT_LIMIT_S = 20.0
-
 
 class FormationRunner:
     """One process' share of a formation flight; starts over when the world's time is reset."""
@@ -85,7 +83,7 @@ class FormationRunner:
         crew = self._crew
         for topic in crew.topics:
             topic.forget()
-            if not topic.wait_for_controller(crew.link.is_lockstep, _CONNECT_LIMIT_S):
+            if not topic.wait_for_controller(crew.link.is_lockstep, crew.settings.connect_wait_s):
                 rospy.logwarn("%s: no controller listens yet", topic.topic)
             if crew.settings.guard:
                 topic.guard()

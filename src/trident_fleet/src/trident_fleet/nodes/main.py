@@ -21,7 +21,7 @@ from trident_fleet.core.settings import (
     seat_of_sequence,
 )
 from trident_fleet.nodes.formation_runner import FormationRunner, refuse
-from trident_fleet.nodes.params import default_formation_file, get_param, out_dir
+from trident_fleet.nodes.params import default_formation_file, get_fleet_param, get_param, out_dir
 
 Crewing = tuple[list[Vehicle], list[Vehicle], Array]
 """The whole formation, the vehicles this process feeds, and the rows to fly."""
@@ -109,7 +109,7 @@ def _run(
 
 def _with_default(name: str, default: Any) -> Getter:
     def get(asked: str) -> Any:
-        value = get_param(asked)
+        value = get_fleet_param(asked)
         return default if value is None and asked == name else value
 
     return get

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 from typing import Any
 
@@ -18,6 +19,19 @@ def get_param(name: str) -> Any:
     """`~name`, else `/formation/name`, else None."""
     value = rospy.get_param("~" + name, None)
     return rospy.get_param(f"{COMMON_NAMESPACE}/{name}", None) if value is None else value
+
+
+def get_fleet_param(name: str) -> Any:
+    """The same, with the formation file's path made absolute."""
+    value = get_param(name)
+    is_path = name == "formation_file" and isinstance(value, str) and value
+    return _where_the_user_is(value) if is_path else value
+
+
+def _where_the_user_is(file: str) -> str:
+    """Roslaunch starts nodes in ROS_HOME, but leaves PWD as it was where it was called."""
+    path = Path(file).expanduser()
+    return str(path if path.is_absolute() else Path(os.environ.get("PWD", ".")) / path)
 
 
 def default_formation_file() -> str:

@@ -10,8 +10,6 @@ from collections.abc import Callable
 import numpy as np
 import rosgraph
 import rospy
-from gazebo_msgs.msg import ModelStates
-from gazebo_msgs.srv import GetModelState
 from geometry_msgs.msg import Pose
 from rosgraph_msgs.msg import Clock
 
@@ -140,6 +138,19 @@ class WorldLink:
             subscriber.unregister()
         return None
 
+    def wait_for_publisher(self, subscribers: list[rospy.Subscriber]) -> None:
+        """Wait until these are connected: the first set-point may let the world run away.
+
+        After the limit that is told about, and the flight goes on.
+        """
+        give_up = time.monotonic() + self._settings.connect_wait_s
+        for subscriber in subscribers:
+            while not subscriber.get_num_connections() and not rospy.is_shutdown():
+                if time.monotonic() > give_up:
+                    rospy.logwarn("%s: nobody publishes it yet", subscriber.resolved_name)
+                    return
+                time.sleep(_POLL_S)
+
     def on_clock(self, callback: ClockCallback) -> rospy.Subscriber:
         """Call back with simulated time [ns], the newest there is."""
         return rospy.Subscriber(
@@ -167,6 +178,9 @@ class WorldLink:
 
     def _on_model_states(self, callback: StateCallback) -> list[rospy.Subscriber]:
         """The same from gazebo_ros' unstamped states, at the first clock of each period."""
+        # Imported here, as below: only a plain Gazebo pays for it.
+        from gazebo_msgs.msg import ModelStates
+
         newest: list[ModelStates] = []
         period_ns = self._settings.feed.period_ns
         last_index = [-1]
@@ -215,6 +229,8 @@ def _positions_by_name(names: list[str], poses: list[Pose]) -> dict[str, Array]:
 
 
 def _ask_for_poses(names: list[str]) -> dict[str, Array]:
+    from gazebo_msgs.srv import GetModelState
+
     found = {}
     for name in names:
         try:

@@ -1,0 +1,128 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""Recorded runs: odometry and commands of every vehicle in a rosbag."""
+
+from __future__ import annotations
+
+import re
+import sys
+from collections import defaultdict
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from trident_eval.core.errors import EvalError
+from trident_eval.core.scene import Scene
+from trident_eval.core.tracks import Array, Tracks
+
+_ODOMETRY = re.compile(r"/(?P<name>.+)/(?P<source>odometry_sensor1|ground_truth)/odometry$")
+_COMMAND = re.compile(r"/(?P<name>.+)/command/(trajectory|pose)$")
+_PROGRESS_EVERY = 2000
+
+Samples = list[tuple[float, float, float, float]]
+
+
+def read_bag(path: Path) -> Scene:
+    """Read odometry and commands of every vehicle.
+
+    Args:
+        path: the bag. Topics `/<vehicle>/odometry_sensor1/odometry` (else `ground_truth/odometry`),
+            `/<vehicle>/command/trajectory` and `/<vehicle>/command/pose`.
+
+    Returns:
+        The scene, at the odometry stamps of the first vehicle; vehicles in order of their names.
+
+    Raises:
+        EvalError: no readable bag, or no odometry in it.
+    """
+    import rosbag
+
+    try:
+        with rosbag.Bag(str(path)) as bag:
+            return _read_open_bag(bag, path)
+    except (OSError, rosbag.ROSBagException) as error:
+        raise EvalError(f"{path}: {error}; legal: a readable, closed rosbag") from error
+
+
+def _read_open_bag(bag: Any, path: Path) -> Scene:
+    topics = list(bag.get_type_and_topic_info().topics)
+    odometry = _odometry_topics(topics)
+    commands = {topic: match["name"] for topic in topics if (match := _COMMAND.match(topic))}
+    if not odometry:
+        raise EvalError(
+            f"{path}: no odometry; topics: {', '.join(topics) or 'none'}; legal:"
+            " /<vehicle>/odometry_sensor1/odometry or /<vehicle>/ground_truth/odometry"
+        )
+    measured: dict[str, Samples] = defaultdict(list)
+    commanded: dict[str, Samples] = defaultdict(list)
+    wanted = [*odometry, *commands]
+    total = bag.get_message_count(topic_filters=wanted)
+    for count, (topic, message, _) in enumerate(bag.read_messages(topics=wanted)):
+        _show_progress(count, total)
+        if topic in odometry:
+            position = message.pose.pose.position
+            stamp = message.header.stamp.to_sec()
+            measured[odometry[topic]].append((stamp, position.x, position.y, position.z))
+        else:
+            _add_command(commanded[commands[topic]], message)
+    _show_progress(total, total)
+    return _scene(path, dict(measured), dict(commanded))
+
+
+def _odometry_topics(topics: list[str]) -> dict[str, str]:
+    """Topic -> vehicle, one topic for each vehicle."""
+    chosen: dict[str, str] = {}
+    for wanted in ("ground_truth", "odometry_sensor1"):
+        for topic in topics:
+            match = _ODOMETRY.match(topic)
+            if match and match["source"] == wanted:
+                chosen[match["name"]] = topic
+    return {topic: name for name, topic in chosen.items()}
+
+
+def _add_command(samples: Samples, message: Any) -> None:
+    """A newer message replaces what older ones said about the time from its stamp on."""
+    start = message.header.stamp.to_sec()
+    while samples and samples[-1][0] >= start - 1e-9:
+        samples.pop()
+    if hasattr(message, "points"):
+        for point in message.points:
+            position = point.transforms[0].translation
+            stamp = start + point.time_from_start.to_sec()
+            samples.append((stamp, position.x, position.y, position.z))
+    else:
+        position = message.pose.position
+        samples.append((start, position.x, position.y, position.z))
+
+
+def _scene(path: Path, measured: dict[str, Samples], commanded: dict[str, Samples]) -> Scene:
+    names = sorted(measured)
+    time = np.unique(np.array(measured[names[0]])[:, 0])
+    position = np.stack([_interpolate(measured[name], time) for name in names], axis=1)
+    command = None
+    if commanded:
+        command = np.stack([_hold(commanded.get(name, []), time) for name in names], axis=1)
+    return Scene(title=path.name, tracks=Tracks(names, time, position), commanded=command)
+
+
+def _interpolate(samples: Samples, time: Array) -> Array:
+    """Positions at other times, shape (M, 3); NaN before the first and after the last sample."""
+    table = np.array(sorted(samples))
+    columns = [np.interp(time, table[:, 0], table[:, axis], np.nan, np.nan) for axis in (1, 2, 3)]
+    return np.stack(columns, axis=1)
+
+
+def _hold(samples: Samples, time: Array) -> Array:
+    """The set-point that is in effect at each time, shape (M, 3); NaN before the first one."""
+    if not samples:
+        return np.full((len(time), 3), np.nan)
+    table = np.array(samples)
+    index = np.searchsorted(table[:, 0], time + 1e-9, side="right") - 1
+    return np.where(index[:, None] >= 0, table[np.maximum(index, 0), 1:], np.nan)
+
+
+def _show_progress(count: int, total: int) -> None:
+    if sys.stderr.isatty() and total and (count % _PROGRESS_EVERY == 0 or count == total):
+        end = "\n" if count == total else ""
+        print(f"\rreading {100 * count // total:3d} %", end=end, file=sys.stderr, flush=True)

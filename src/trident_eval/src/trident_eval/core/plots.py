@@ -1,0 +1,216 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""Pictures of a run: paths, formation error, separation, tracking error."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from trident_eval.core.scene import Scene
+from trident_eval.core.tracks import Array
+
+# Okabe and Ito's colours, told apart by colour-blind readers too.
+_COLOURS = ("#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#56B4E9", "#8C6D00", "#555555")
+_LIMIT = "#B00020"
+_OUTSIDE = "#F0F0F0"
+_SNAPSHOTS = 7
+_STYLE: dict[str, Any] = {
+    "figure.dpi": 110,
+    "savefig.dpi": 150,
+    "font.size": 10,
+    "axes.titlesize": 11,
+    "axes.grid": True,
+    "axes.axisbelow": True,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "grid.color": "#DDDDDD",
+    "grid.linewidth": 0.7,
+    "legend.frameon": False,
+    "lines.linewidth": 1.4,
+}
+
+
+def draw_all(scene: Scene, folder: Path) -> list[Path]:
+    """Draw every picture that the scene has data for.
+
+    Args:
+        scene: what to show.
+        folder: where the PNG files go; must exist.
+
+    Returns:
+        The files that were written.
+    """
+    import matplotlib
+
+    matplotlib.use("Agg")
+    drawings = {
+        "paths.png": _draw_paths,
+        "formation_error.png": _draw_formation_error,
+        "separation.png": _draw_separation,
+        "tracking_error.png": _draw_tracking_error,
+    }
+    written = []
+    with matplotlib.rc_context(_STYLE):
+        for name, draw in drawings.items():
+            figure = draw(scene)
+            if figure is not None:
+                # No creation date in the file: the same run gives the same bytes.
+                figure.savefig(folder / name, metadata={"Software": None})
+                written.append(folder / name)
+    return written
+
+
+def _new_figure(width: float, height: float) -> Any:
+    from matplotlib.figure import Figure
+
+    return Figure(figsize=(width, height), layout="constrained")
+
+
+def _draw_paths(scene: Scene) -> Any:
+    figure = _new_figure(11.5, 5.4)
+    figure.suptitle(f"{scene.title}: paths")
+    grid = figure.add_gridspec(1, 2, width_ratios=(1.0, 1.15))
+    space = figure.add_subplot(grid[0], projection="3d")
+    plan = figure.add_subplot(grid[1])
+    for index, name in enumerate(scene.tracks.names):
+        x, y, z = scene.tracks.position[:, index].T
+        colour = _colour(index)
+        space.plot(x, y, z, color=colour)
+        plan.plot(x, y, color=colour, label=name)
+        if scene.commanded is not None:
+            cx, cy, _ = scene.commanded[:, index].T
+            plan.plot(cx, cy, color="black", linewidth=0.6, linestyle=(0, (4, 3)), zorder=3)
+    _mark_formations(scene, space, plan)
+    if scene.commanded is not None:
+        plan.plot([], [], color="black", linewidth=0.6, linestyle=(0, (4, 3)), label="command")
+    _label_space(space, scene)
+    plan.set(xlabel="x [m]", ylabel="y [m]", title="plan view", aspect="equal")
+    plan.margins(0.06)
+    _legend_below(plan, -0.12)
+    return figure
+
+
+def _label_space(space: Any, scene: Scene) -> None:
+    space.set(xlabel="x [m]", ylabel="y [m]", zlabel="z [m]", title="3D")
+    points = scene.tracks.position.reshape(-1, 3)
+    points = points[np.isfinite(points).all(axis=1)]
+    if len(points):
+        low, high = points.min(axis=0), points.max(axis=0)
+        low[2] = min(low[2], 0.0)
+        extent = np.maximum(high - low, 0.2 * max(float((high - low).max()), 1.0))
+        space.set_box_aspect(extent, zoom=0.92)
+        space.set_zlim(low[2], low[2] + extent[2])
+    space.view_init(elev=28, azim=-62)
+    for axis in (space.xaxis, space.yaxis, space.zaxis):
+        axis.set_pane_color((1.0, 1.0, 1.0, 0.0))
+    space.locator_params(axis="z", nbins=4)
+
+
+def _mark_formations(scene: Scene, space: Any, plan: Any) -> None:
+    """The shape at some instants: a closed line around the vehicles, and a dot for each."""
+    time = scene.tracks.time
+    begin, end = scene.counted_s or (time[0], time[-1])
+    for instant in np.linspace(begin, end, _SNAPSHOTS):
+        points = scene.tracks.position[int(np.argmin(np.abs(time - instant)))]
+        points = points[np.isfinite(points).all(axis=1)]
+        if len(points) < 2:
+            continue
+        around = points[_around(points)]
+        plan.plot(around[:, 0], around[:, 1], color="#777777", linewidth=0.9, zorder=4)
+        plan.plot(points[:, 0], points[:, 1], "o", color="#333333", markersize=3.5, zorder=5)
+        space.plot(*around.T, color="#777777", linewidth=0.9)
+
+
+def _around(points: Array) -> Any:
+    """Order of points around their centre, closed; along the line if they are on one."""
+    flat = points[:, :2] - points[:, :2].mean(axis=0)
+    u, singular, _ = np.linalg.svd(flat, full_matrices=False)
+    if singular[-1] < 0.05 * max(singular[0], 1e-9):
+        return np.argsort(u[:, 0])
+    order = np.argsort(np.arctan2(flat[:, 1], flat[:, 0]))
+    return np.append(order, order[0])
+
+
+def _draw_formation_error(scene: Scene) -> Any:
+    error = scene.formation_error()
+    if error is None:
+        return None
+    figure, axes = _time_figure(scene, "formation error", "RMS after rigid alignment [m]")
+    axes.plot(scene.tracks.time, error, color=_COLOURS[0], label="all vehicles")
+    if scene.formation_limit_m is not None:
+        _limit(axes, scene.formation_limit_m, f"limit of the mean {scene.formation_limit_m:g} m")
+    _fit(axes, scene, error, scene.formation_limit_m)
+    _finish(axes)
+    return figure
+
+
+def _draw_separation(scene: Scene) -> Any:
+    separation = scene.separation()
+    if separation is None:
+        return None
+    figure, axes = _time_figure(scene, "smallest separation", "distance of the closest pair [m]")
+    axes.plot(scene.tracks.time, separation, color=_COLOURS[2], label="flown")
+    if scene.file_separation_m is not None:
+        label = f"minimum of the file {scene.file_separation_m:.3f} m"
+        axes.axhline(scene.file_separation_m, color="#777777", linestyle=":", label=label)
+    if scene.separation_limit_m is not None:
+        _limit(axes, scene.separation_limit_m, f"limit {scene.separation_limit_m:.3f} m")
+    axes.set_ylim(bottom=0.0)
+    _finish(axes)
+    return figure
+
+
+def _draw_tracking_error(scene: Scene) -> Any:
+    error = scene.tracking_error()
+    if error is None:
+        return None
+    figure, axes = _time_figure(scene, "tracking error", "distance to the command [m]")
+    for index, name in enumerate(scene.tracks.names):
+        axes.plot(scene.tracks.time, error[:, index], color=_colour(index), label=name)
+    _fit(axes, scene, error, None)
+    _finish(axes)
+    return figure
+
+
+def _time_figure(scene: Scene, what: str, unit: str) -> tuple[Any, Any]:
+    figure = _new_figure(9.0, 3.8)
+    axes = figure.add_subplot()
+    axes.set(title=f"{scene.title}: {what}", xlabel="simulated time [s]", ylabel=unit)
+    time = scene.tracks.time
+    axes.set_xlim(time[0], max(time[-1], time[0] + 1e-3))
+    if scene.counted_s:
+        begin, end = scene.counted_s
+        axes.axvspan(time[0], begin, color=_OUTSIDE, zorder=0, label="not counted")
+        axes.axvspan(end, time[-1], color=_OUTSIDE, zorder=0)
+    return figure, axes
+
+
+def _fit(axes: Any, scene: Scene, values: Array, limit: float | None) -> None:
+    """Scale to what counts: the take-off may be far off, and must not flatten the rest."""
+    counted = values
+    if scene.counted_s:
+        begin, end = scene.counted_s
+        inside = (scene.tracks.time >= begin) & (scene.tracks.time <= end)
+        counted = values[inside] if inside.any() else values
+    finite = counted[np.isfinite(counted)]
+    top = max(float(finite.max()) if len(finite) else 0.0, limit or 0.0, 1e-3)
+    axes.set_ylim(0.0, 1.15 * top)
+
+
+def _limit(axes: Any, value: float, label: str) -> None:
+    axes.axhline(value, color=_LIMIT, linestyle="--", linewidth=1.1, label=label)
+
+
+def _finish(axes: Any) -> None:
+    _legend_below(axes, -0.17)
+
+
+def _legend_below(axes: Any, offset: float) -> None:
+    axes.legend(loc="upper center", bbox_to_anchor=(0.5, offset), ncols=8, fontsize=9)
+
+
+def _colour(index: int) -> str:
+    return _COLOURS[index % len(_COLOURS)]
