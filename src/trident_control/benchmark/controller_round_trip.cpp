@@ -19,6 +19,7 @@
 #include <thread>
 #include <vector>
 
+#include "trident_base/span.h"
 #include "trident_control_ros/direct_publication.h"
 #include "trident_control_ros/inline_callback_queue.h"
 #include "trident_control_ros/subscriptions.h"
@@ -46,7 +47,7 @@ class Lockstep {
       publications_.emplace_back(publishers_.back());
       auto options = trident::raw_subscription<mav_msgs::Actuators>(
           "command/motor_speed", 1,
-          [this](std::span<const std::uint8_t> bytes) { on_answer(bytes); }, &queue_);
+          [this](trident::Span<const std::uint8_t> bytes) { on_answer(bytes); }, &queue_);
       subscribers_.push_back(node.subscribe(options));
     }
     // send() belongs on the socket thread, which calls this after every poll.
@@ -73,7 +74,7 @@ class Lockstep {
     for (auto& publication : publications_)
       publication.send({serialized.buf.get(), serialized.num_bytes});
   }
-  void on_answer(std::span<const std::uint8_t> bytes) {
+  void on_answer(trident::Span<const std::uint8_t> bytes) {
     std::uint32_t stamp[2];
     std::memcpy(stamp, bytes.data() + 4, sizeof(stamp));
     if (ros::Time(stamp[0], stamp[1]) != message_.header.stamp || --open_ > 0) return;

@@ -73,7 +73,7 @@ class LeePlugin : public Plugin {
     odometry_seen_ = odometry_->count();
     const OdometrySample& state = odometry_->value;
     const TrajectoryPoint* reference = setpoints_.advance(state.stamp);
-    auto speeds = std::span(answer_.angular_velocities.data.data(), controller_.rotor_count());
+    auto speeds = Span(answer_.angular_velocities.data.data(), controller_.rotor_count());
     if (reference == nullptr) {
       std::fill(speeds.begin(), speeds.end(), 0.0);
     } else if (controller_.compute({state.T_parent_child.p, state.T_parent_child.R, state.v_child,
@@ -105,3 +105,7 @@ void register_control_plugins(PluginRegistry& registry) {
 }
 
 }  // namespace trident
+
+extern "C" void trident_register_plugins(trident::PluginRegistry& registry) {
+  trident::register_control_plugins(registry);
+}

@@ -56,7 +56,7 @@ AttitudeLaw::AttitudeLaw(const VehicleParams& vehicle, const AttitudeGains& gain
 
 void AttitudeLaw::compute(const Eigen::Matrix3d& R_WB, const Eigen::Vector3d& w_B,
                           const Eigen::Matrix3d& R_WD, double yaw_rate, double thrust,
-                          std::span<double> rotor_speeds) const {
+                          Span<double> rotor_speeds) const {
   const Eigen::Matrix3d R_DB = R_WD.transpose() * R_WB;
   // vee(R_DB - R_DB')/2, and R_DB e3 (or R_BD e3) times the yaw rate.
   const Eigen::Vector3d e_R =

@@ -55,7 +55,7 @@ LeePositionController::LeePositionController(const LeeParams& params)
 
 ControlStatus LeePositionController::compute(const OdometryState& state,
                                              const TrajectoryPoint& reference,
-                                             std::span<double> rotor_speeds) const {
+                                             Span<double> rotor_speeds) const {
   if (rotor_speeds.size() != rotor_count()) return ControlStatus::wrong_rotor_count;
   if (!is_valid(state)) return ControlStatus::invalid_state;
   if (!is_valid(reference)) return ControlStatus::invalid_reference;

@@ -13,7 +13,7 @@ RollPitchYawrateThrustController::RollPitchYawrateThrustController(
 
 ControlStatus RollPitchYawrateThrustController::compute(const OdometryState& state,
                                                         const AttitudeCommand& command,
-                                                        std::span<double> rotor_speeds) const {
+                                                        Span<double> rotor_speeds) const {
   if (rotor_speeds.size() != rotor_count()) return ControlStatus::wrong_rotor_count;
   if (!is_valid(state)) return ControlStatus::invalid_state;
   if (!is_valid(command)) return ControlStatus::invalid_reference;

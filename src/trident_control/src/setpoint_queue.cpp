@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kReserved = 256;
 
-SetpointResult check(std::span<const TimedSetpoint> points) {
+SetpointResult check(Span<const TimedSetpoint> points) {
   if (points.empty()) return SetpointResult::empty;
   if (points.size() > SetpointQueue::kMaxPoints) return SetpointResult::too_many_points;
   SimTime previous;
@@ -29,7 +29,7 @@ SetpointQueue::SetpointQueue(const SetpointQueueParams& params) : params_(params
   scheduled_.reserve(kReserved);
 }
 
-SetpointResult SetpointQueue::push(SimTime stamp, std::span<const TimedSetpoint> points) {
+SetpointResult SetpointQueue::push(SimTime stamp, Span<const TimedSetpoint> points) {
   const SetpointResult result = check(points);
   if (result != SetpointResult::accepted) return result;
   // While no states come, an unbounded stream of messages must not fill the memory.

@@ -4,8 +4,8 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <span>
 
+#include "trident_base/span.h"
 #include "trident_control/vehicle_params.h"
 
 namespace trident {
@@ -45,7 +45,7 @@ class AttitudeLaw {
   /// rotor_count() long.
   void compute(const Eigen::Matrix3d& R_world_body, const Eigen::Vector3d& w_body,
                const Eigen::Matrix3d& R_world_desired, double yaw_rate, double thrust,
-               std::span<double> rotor_speeds) const;
+               Span<double> rotor_speeds) const;
 
  private:
   AllocationInverse to_squared_speeds_;  // A^+ diag(J, 1)

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <span>
 
+#include "trident_base/span.h"
 #include "trident_control/attitude_law.h"
 #include "trident_control/control_types.h"
 #include "trident_control/vehicle_params.h"
@@ -42,7 +42,7 @@ class LeePositionController {
 
   /// `rotor_speeds`: rotor_count() values [rad/s, >= 0], untouched unless the result is ok.
   [[nodiscard]] ControlStatus compute(const OdometryState& state, const TrajectoryPoint& reference,
-                                      std::span<double> rotor_speeds) const;
+                                      Span<double> rotor_speeds) const;
 
  private:
   AttitudeLaw attitude_law_;

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <span>
-
+#include "trident_base/span.h"
 #include "trident_control/attitude_law.h"
 #include "trident_control/control_types.h"
 #include "trident_control/vehicle_params.h"
@@ -28,7 +27,7 @@ class RollPitchYawrateThrustController {
 
   /// `rotor_speeds`: rotor_count() values [rad/s, >= 0], untouched unless the result is ok.
   [[nodiscard]] ControlStatus compute(const OdometryState& state, const AttitudeCommand& command,
-                                      std::span<double> rotor_speeds) const;
+                                      Span<double> rotor_speeds) const;
 
  private:
   AttitudeLaw attitude_law_;

@@ -4,10 +4,10 @@
 
 #include <cstddef>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "trident_base/sim_time.h"
+#include "trident_base/span.h"
 #include "trident_control/control_types.h"
 
 namespace trident {
@@ -58,7 +58,7 @@ class SetpointQueue {
   explicit SetpointQueue(const SetpointQueueParams& params = {});
 
   /// `stamp` zero = no stamp. Refused messages change nothing.
-  SetpointResult push(SimTime stamp, std::span<const TimedSetpoint> points);
+  SetpointResult push(SimTime stamp, Span<const TimedSetpoint> points);
 
   /// The set-point in effect for the state stamped `state_stamp`; nullptr before the first one.
   /// The pointer is valid until the next call.

@@ -36,7 +36,7 @@ TRIDENT_REVEAL(WritingMessage, ros::TransportSubscriberLink, bool, writing_messa
 
 #undef TRIDENT_REVEAL
 
-ros::SerializedMessage copy_of(std::span<const std::uint8_t> bytes) {
+ros::SerializedMessage copy_of(Span<const std::uint8_t> bytes) {
   boost::shared_array<std::uint8_t> buffer(new std::uint8_t[bytes.size()]);
   std::memcpy(buffer.get(), bytes.data(), bytes.size());
   return {buffer, bytes.size()};
@@ -59,7 +59,7 @@ DirectPublication::DirectPublication(const ros::Publisher& publisher)
 
 std::uint32_t DirectPublication::next_sequence() { return publication_->incrementSequence(); }
 
-void DirectPublication::send(std::span<const std::uint8_t> frame) {
+void DirectPublication::send(Span<const std::uint8_t> frame) {
   {
     boost::mutex::scoped_lock lock((*publication_).*pointer_to(SubscriberLinksMutex{}));
     links_ = (*publication_).*pointer_to(SubscriberLinks{});
@@ -69,7 +69,7 @@ void DirectPublication::send(std::span<const std::uint8_t> frame) {
   links_.clear();
 }
 
-void DirectPublication::send_to(ros::SubscriberLink& link, std::span<const std::uint8_t> frame) {
+void DirectPublication::send_to(ros::SubscriberLink& link, Span<const std::uint8_t> frame) {
   std::size_t sent = 0;
   if (ros::TransportTCP* const transport = idle_transport(link)) {
     const std::int32_t written = transport->write(const_cast<std::uint8_t*>(frame.data()),

@@ -44,7 +44,7 @@ LeePositionControllerNode::LeePositionControllerNode(ros::NodeHandle& node, cons
   auto trajectory = inline_subscription<trajectory_msgs::MultiDOFJointTrajectory>(
       "command/trajectory", [this](const auto& message) { on_trajectory(*message); }, &queue_);
   auto odometry = raw_subscription<nav_msgs::Odometry>(
-      "odometry", 1, [this](std::span<const std::uint8_t> bytes) { on_odometry(bytes); }, &queue_);
+      "odometry", 1, [this](Span<const std::uint8_t> bytes) { on_odometry(bytes); }, &queue_);
   pose_ = node.subscribe(pose);
   trajectory_ = node.subscribe(trajectory);
   odometry_ = node.subscribe(odometry);
@@ -56,7 +56,7 @@ LeePositionControllerNode::~LeePositionControllerNode() {
   pose_.shutdown();
 }
 
-void LeePositionControllerNode::on_odometry(std::span<const std::uint8_t> bytes) {
+void LeePositionControllerNode::on_odometry(Span<const std::uint8_t> bytes) {
   const auto odometry = parse_odometry(bytes);
   if (!odometry) {
     ROS_ERROR_THROTTLE(5.0, "odometry of %zu bytes is too short to be a nav_msgs/Odometry; ignored",
@@ -65,7 +65,7 @@ void LeePositionControllerNode::on_odometry(std::span<const std::uint8_t> bytes)
   }
   set_log_time(odometry->stamp);
   const TrajectoryPoint* setpoint = setpoints_.advance(to_sim_time(odometry->stamp));
-  const std::span<double> speeds = motors_.rotor_speeds();
+  const Span<double> speeds = motors_.rotor_speeds();
   if (!setpoint) {
     std::fill(speeds.begin(), speeds.end(), 0.0);
   } else if (controller_.compute(odometry->state, *setpoint, speeds) != ControlStatus::ok) {

@@ -12,7 +12,7 @@ constexpr std::size_t kCovarianceBytes = 36 * sizeof(double);
 /// Walks over little-endian bytes; once they run out, everything read is zero and ok() is false.
 class ByteReader {
  public:
-  explicit ByteReader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
+  explicit ByteReader(Span<const std::uint8_t> bytes) : bytes_(bytes) {}
 
   bool ok() const { return ok_; }
 
@@ -37,7 +37,7 @@ class ByteReader {
     return ok_;
   }
 
-  std::span<const std::uint8_t> bytes_;
+  Span<const std::uint8_t> bytes_;
   std::size_t position_ = 0;
   bool ok_ = true;
 };
@@ -56,7 +56,7 @@ SimTime to_sim_time(const ros::Time& time) {
 
 SimTime to_sim_time(const ros::Duration& duration) { return {duration.toNSec()}; }
 
-std::optional<StampedOdometry> parse_odometry(std::span<const std::uint8_t> bytes) {
+std::optional<StampedOdometry> parse_odometry(Span<const std::uint8_t> bytes) {
   ByteReader reader(bytes);
   StampedOdometry odometry;
   reader.skip(sizeof(std::uint32_t));  // seq

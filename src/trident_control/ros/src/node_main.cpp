@@ -75,9 +75,9 @@ int run_node(int argc, char** argv, const std::string& name, const NodeFactory& 
   std::thread(shut_down_on_signal, std::ref(has_ended)).detach();
 
   init_without_clock(argc, argv, name);
+  ros::NodeHandle node;  // outlives the catch: logging ends with the last handle
   int result = 0;
   try {
-    ros::NodeHandle node;
     ros::NodeHandle private_node("~");
     ParameterTree parameters = ParameterTree::of_node(private_node);
     const RunningNode running = make_node(node, parameters);

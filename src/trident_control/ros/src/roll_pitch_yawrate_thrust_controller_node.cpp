@@ -19,7 +19,7 @@ RollPitchYawrateThrustControllerNode::RollPitchYawrateThrustControllerNode(
       "command/roll_pitch_yawrate_thrust", [this](const auto& message) { on_command(*message); },
       &queue_);
   auto odometry = raw_subscription<nav_msgs::Odometry>(
-      "odometry", 1, [this](std::span<const std::uint8_t> bytes) { on_odometry(bytes); }, &queue_);
+      "odometry", 1, [this](Span<const std::uint8_t> bytes) { on_odometry(bytes); }, &queue_);
   command_subscriber_ = node.subscribe(command);
   odometry_ = node.subscribe(odometry);
 }
@@ -29,7 +29,7 @@ RollPitchYawrateThrustControllerNode::~RollPitchYawrateThrustControllerNode() {
   command_subscriber_.shutdown();
 }
 
-void RollPitchYawrateThrustControllerNode::on_odometry(std::span<const std::uint8_t> bytes) {
+void RollPitchYawrateThrustControllerNode::on_odometry(Span<const std::uint8_t> bytes) {
   const auto odometry = parse_odometry(bytes);
   if (!odometry) {
     ROS_ERROR_THROTTLE(5.0, "odometry of %zu bytes is too short to be a nav_msgs/Odometry; ignored",
@@ -39,7 +39,7 @@ void RollPitchYawrateThrustControllerNode::on_odometry(std::span<const std::uint
   set_log_time(odometry->stamp);
   if (odometry->stamp < last_stamp_) command_.reset();
   last_stamp_ = odometry->stamp;
-  const std::span<double> speeds = motors_.rotor_speeds();
+  const Span<double> speeds = motors_.rotor_speeds();
   if (!command_) {
     std::fill(speeds.begin(), speeds.end(), 0.0);
   } else if (controller_.compute(odometry->state, *command_, speeds) != ControlStatus::ok) {

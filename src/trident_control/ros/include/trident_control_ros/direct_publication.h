@@ -6,7 +6,8 @@
 #include <ros/publisher.h>
 
 #include <cstdint>
-#include <span>
+
+#include "trident_base/span.h"
 
 namespace trident {
 
@@ -24,10 +25,10 @@ class DirectPublication {
   std::uint32_t next_sequence();
 
   /// `frame`: a whole message with the 4-byte length that TCPROS puts before it.
-  void send(std::span<const std::uint8_t> frame);
+  void send(Span<const std::uint8_t> frame);
 
  private:
-  void send_to(ros::SubscriberLink& link, std::span<const std::uint8_t> frame);
+  void send_to(ros::SubscriberLink& link, Span<const std::uint8_t> frame);
 
   ros::PublicationPtr publication_;
   std::vector<ros::SubscriberLinkPtr> links_;  // reused by send(), empty between calls

@@ -6,10 +6,10 @@
 #include <ros/ros.h>
 #include <trajectory_msgs/MultiDOFJointTrajectory.h>
 
-#include <span>
 #include <string>
 #include <vector>
 
+#include "trident_base/span.h"
 #include "trident_control/lee_position_controller.h"
 #include "trident_control/setpoint_queue.h"
 #include "trident_control_ros/inline_callback_queue.h"
@@ -30,7 +30,7 @@ class LeePositionControllerNode {
   ~LeePositionControllerNode();
 
  private:
-  void on_odometry(std::span<const std::uint8_t> bytes);
+  void on_odometry(Span<const std::uint8_t> bytes);
   void on_pose(const geometry_msgs::PoseStamped& message);
   void on_trajectory(const trajectory_msgs::MultiDOFJointTrajectory& message);
   void accept(const std_msgs::Header& header, const std::string& topic);

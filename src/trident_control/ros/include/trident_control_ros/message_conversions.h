@@ -9,10 +9,10 @@
 
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "trident_base/sim_time.h"
+#include "trident_base/span.h"
 #include "trident_control/control_types.h"
 #include "trident_control/setpoint_queue.h"
 
@@ -26,13 +26,14 @@ struct StampedOdometry {
 
 /// Why a controller refuses a state; ends a sentence.
 inline constexpr const char* kInvalidStateText =
-    "a number in it is NaN or infinite, or its orientation is no unit quaternion; it gets no answer";
+    "a number in it is NaN or infinite, or its orientation is no unit quaternion; it gets no "
+    "answer";
 
 SimTime to_sim_time(const ros::Time& time);
 SimTime to_sim_time(const ros::Duration& duration);
 
 /// Reads a serialised nav_msgs/Odometry; nullopt when the bytes end too early.
-std::optional<StampedOdometry> parse_odometry(std::span<const std::uint8_t> bytes);
+std::optional<StampedOdometry> parse_odometry(Span<const std::uint8_t> bytes);
 
 TrajectoryPoint to_trajectory_point(const geometry_msgs::Pose& pose);
 

@@ -5,9 +5,9 @@
 #include <ros/ros.h>
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
+#include "trident_base/span.h"
 #include "trident_control_ros/direct_publication.h"
 
 namespace trident {
@@ -19,7 +19,7 @@ class MotorCommandPublisher {
   MotorCommandPublisher(ros::NodeHandle& node, std::size_t rotor_count);
 
   /// Where the next command is to be written [rad/s].
-  std::span<double> rotor_speeds() { return speeds_; }
+  Span<double> rotor_speeds() { return speeds_; }
   /// Only from roscpp's socket thread.
   void publish(const ros::Time& stamp);
 

@@ -6,8 +6,8 @@
 #include <ros/ros.h>
 
 #include <optional>
-#include <span>
 
+#include "trident_base/span.h"
 #include "trident_control/roll_pitch_yawrate_thrust_controller.h"
 #include "trident_control_ros/inline_callback_queue.h"
 #include "trident_control_ros/motor_command_publisher.h"
@@ -15,9 +15,9 @@
 namespace trident {
 
 /// RotorS' roll_pitch_yawrate_thrust_controller_node.
-/// Subscribes `odometry` and `command/roll_pitch_yawrate_thrust`; answers each odometry message with one
-/// `command/motor_speed` of the same stamp, zeros until a command has come and again after the world was
-/// reset (stamps that run backwards). Everything runs on roscpp's socket thread.
+/// Subscribes `odometry` and `command/roll_pitch_yawrate_thrust`; answers each odometry message
+/// with one `command/motor_speed` of the same stamp, zeros until a command has come and again after
+/// the world was reset (stamps that run backwards). Everything runs on roscpp's socket thread.
 class RollPitchYawrateThrustControllerNode {
  public:
   RollPitchYawrateThrustControllerNode(ros::NodeHandle& node,
@@ -25,7 +25,7 @@ class RollPitchYawrateThrustControllerNode {
   ~RollPitchYawrateThrustControllerNode();
 
  private:
-  void on_odometry(std::span<const std::uint8_t> bytes);
+  void on_odometry(Span<const std::uint8_t> bytes);
   void on_command(const mav_msgs::RollPitchYawrateThrust& message);
 
   RollPitchYawrateThrustController controller_;

@@ -5,9 +5,10 @@
 #include <ros/ros.h>
 
 #include <functional>
-#include <span>
 #include <string>
 #include <utility>
+
+#include "trident_base/span.h"
 
 namespace trident {
 
@@ -16,7 +17,7 @@ namespace trident {
 /// reads.
 class RawSubscriptionHelper : public ros::SubscriptionCallbackHelper {
  public:
-  using Handler = std::function<void(std::span<const std::uint8_t>)>;
+  using Handler = std::function<void(Span<const std::uint8_t>)>;
 
   explicit RawSubscriptionHelper(Handler handler) : handler_(std::move(handler)) {}
 
