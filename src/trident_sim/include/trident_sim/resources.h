@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,16 +20,15 @@ class Resources {
   /// The existing file or folder that `uri` means, or "" when there is none.
   /// `base_folder`: where the naming file lies, for relative paths.
   std::string find(std::string_view uri, std::string_view base_folder = "") const;
-  /// The .sdf file of a model folder (its model.config's newest, else model.sdf); "" when none.
-  static std::string model_file(const std::string& folder);
   /// Folders searched, for error messages.
   std::string searched() const;
 
  private:
-  std::string find_package(std::string_view package) const;
+  const std::string& find_package(std::string_view package) const;
 
   std::vector<std::string> model_folders_;
   std::vector<std::string> package_folders_;
+  mutable std::map<std::string, std::string> packages_;  ///< name -> folder, "" when not found
 };
 
 }  // namespace trident

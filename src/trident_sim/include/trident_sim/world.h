@@ -53,7 +53,7 @@ struct SpawnRequest {
 /// time. Nothing in it reads a clock, prints or draws unseeded random numbers.
 class World {
  public:
-  World(const WorldSpec& spec, const Resources& resources, const PluginRegistry& registry,
+  World(const WorldSpec& spec, const Resources& resources, PluginRegistry& registry,
         WorldOptions options);
   ~World();
   World(const World&) = delete;
@@ -141,7 +141,7 @@ class World {
   PhysicsSpec physics_;
   SphericalCoordinates spherical_;
   Resources resources_;
-  const PluginRegistry& registry_;
+  PluginRegistry& registry_;
   WorldOptions options_;
   PortBoard ports_;
   std::unique_ptr<PhysicsEngine> engine_;

@@ -6,8 +6,6 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include <tinyxml2.h>
-
 namespace trident {
 namespace fs = std::filesystem;
 namespace {
@@ -19,7 +17,9 @@ void append_path_list(const char* variable, std::vector<std::string>& folders) {
   std::size_t begin = 0;
   while (begin <= list.size()) {
     const std::size_t end = std::min(list.find(':', begin), list.size());
-    if (end > begin) folders.push_back(list.substr(begin, end - begin));
+    const std::string folder = list.substr(begin, end - begin);
+    // Launch files of RotorS leave a literal ${GAZEBO_MODEL_PATH} behind: roslaunch does not expand it.
+    if (!folder.empty() && folder[0] != '$') folders.push_back(folder);
     begin = end + 1;
   }
 }
@@ -61,11 +61,13 @@ Resources::Resources(std::vector<std::string> extra_folders)
   append_path_list("ROS_PACKAGE_PATH", package_folders_);
 }
 
-std::string Resources::find_package(std::string_view package) const {
+const std::string& Resources::find_package(std::string_view package) const {
+  const auto [entry, is_new] = packages_.try_emplace(std::string(package));
   for (const std::string& folder : package_folders_) {
-    if (std::string found = find_package_below(folder, package, 3); !found.empty()) return found;
+    if (!is_new || !entry->second.empty()) break;
+    entry->second = find_package_below(folder, package, 3);
   }
-  return "";
+  return entry->second;
 }
 
 std::string Resources::find(std::string_view uri, std::string_view base_folder) const {
@@ -79,41 +81,21 @@ std::string Resources::find(std::string_view uri, std::string_view base_folder) 
   if (scheme.empty() && !base_folder.empty() && present(fs::path(base_folder) / rest)) {
     return (fs::path(base_folder) / rest).string();
   }
+  for (const std::string& folder : model_folders_) {
+    if (present(fs::path(folder) / rest)) return (fs::path(folder) / rest).string();
+  }
   // libsdformat turns a URDF's package:// into model://, so either may mean a package.
   if (scheme == "package" || scheme == "model") {
     const auto slash = rest.find('/');
-    const std::string package = find_package(rest.substr(0, slash));
+    const std::string& package = find_package(rest.substr(0, slash));
     if (!package.empty()) {
       const fs::path path =
           slash == std::string_view::npos ? fs::path(package) : fs::path(package) / rest.substr(slash + 1);
       if (present(path)) return path.string();
     }
   }
-  for (const std::string& folder : model_folders_) {
-    if (present(fs::path(folder) / rest)) return (fs::path(folder) / rest).string();
-  }
   if (scheme.empty() && present(rest)) return std::string(rest);
   return "";
-}
-
-std::string Resources::model_file(const std::string& folder) {
-  if (fs::is_regular_file(folder)) return folder;
-  tinyxml2::XMLDocument config;
-  const fs::path root(folder);
-  if (config.LoadFile((root / "model.config").c_str()) == tinyxml2::XML_SUCCESS) {
-    const char* best = nullptr;
-    double best_version = -1.0;
-    for (auto* sdf = config.RootElement()->FirstChildElement("sdf"); sdf != nullptr;
-         sdf = sdf->NextSiblingElement("sdf")) {
-      const double version = sdf->DoubleAttribute("version", 0.0);
-      if (sdf->GetText() != nullptr && version > best_version && version < 1.95) {
-        best = sdf->GetText();
-        best_version = version;
-      }
-    }
-    if (best != nullptr && present(root / best)) return (root / best).string();
-  }
-  return present(root / "model.sdf") ? (root / "model.sdf").string() : "";
 }
 
 std::string Resources::searched() const {

@@ -4,6 +4,9 @@
 
 #include <dlfcn.h>
 
+#include <cstdlib>
+#include <sstream>
+
 #include "trident_base/error.h"
 
 namespace trident {
@@ -30,6 +33,28 @@ std::vector<std::string> PluginRegistry::names() const {
   std::vector<std::string> result;
   for (const auto& [name, factory] : factories_) result.push_back(name);
   return result;
+}
+
+const PluginFactory* PluginRegistry::find_or_load(const std::string& filename) {
+  if (const PluginFactory* known = find(filename)) return known;
+  const std::string file = "lib" + key(filename) + ".so";
+  std::vector<std::string> paths;
+  if (const char* list = std::getenv("GAZEBO_PLUGIN_PATH")) {
+    std::istringstream folders(list);
+    for (std::string folder; std::getline(folders, folder, ':');) {
+      if (!folder.empty()) paths.push_back(folder + "/" + file);
+    }
+  }
+  paths.push_back(file);
+  for (const std::string& path : paths) {
+    void* library = dlopen(path.c_str(), RTLD_LAZY | RTLD_LOCAL);
+    if (library == nullptr) continue;
+    const bool is_ours = dlsym(library, "trident_register_plugins") != nullptr;
+    if (is_ours) load_shared_object(path);
+    dlclose(library);
+    if (const PluginFactory* found = find(filename)) return found;
+  }
+  return nullptr;
 }
 
 void PluginRegistry::load_shared_object(const std::string& path) {

@@ -59,7 +59,7 @@ bool finite(const SE3& T) { return T.p.allFinite() && T.R.coeffs().allFinite(); 
 
 }  // namespace
 
-World::World(const WorldSpec& spec, const Resources& resources, const PluginRegistry& registry,
+World::World(const WorldSpec& spec, const Resources& resources, PluginRegistry& registry,
              WorldOptions options)
     : name_(spec.name),
       physics_(spec.physics),
@@ -129,7 +129,7 @@ std::unique_ptr<Model> World::build_model(ModelSpec spec, const std::string& rob
   model->spec = std::move(spec);
   std::vector<std::string> spun;
   for (const PluginSpec& plugin : plugins) {
-    const PluginFactory* factory = registry_.find(plugin.filename);
+    const PluginFactory* factory = registry_.find_or_load(plugin.filename);
     if (factory == nullptr || !factory->spun_joint) continue;
     const PluginParams params(plugin.params,
                               "model '" + model->name + "' plugin '" + plugin.name + "'");
@@ -155,7 +155,7 @@ void World::create_plugins(Model& model, const std::vector<PluginSpec>& specs) {
 
 std::unique_ptr<Plugin> World::create_plugin(const PluginSpec& spec, Model* model,
                                              const std::string& owner) {
-  const PluginFactory* factory = registry_.find(spec.filename);
+  const PluginFactory* factory = registry_.find_or_load(spec.filename);
   if (factory == nullptr) {
     std::string known;
     for (const std::string& name : registry_.names()) known += (known.empty() ? "" : ", ") + name;

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "trident_base/sim_time.h"
+
+namespace trident {
+
+/// Wall time in nanoseconds, handed in by the caller: nothing here reads a clock.
+using WallTime = std::int64_t;
+
+/// One vehicle's conversation with its controller. States go out by their stamps, at most one of them
+/// unanswered (RotorS' controller keeps a queue of one and would drop the second); answers carry
+/// the stamp of their state.
+///
+/// A controller enrols with its first answer to a state it was sent. From then on states wait in line
+/// here until their predecessor is answered, and the world may ask whether a stamp is answered.
+class LockstepVehicle {
+ public:
+  enum class Answer {
+    kForeign,   ///< not the stamp of a state that was sent; the controller runs free
+    kEnrolled,  ///< the first answer: from now on the world waits for this controller
+    kExpected   ///< the answer that was waited for
+  };
+
+  /// A state with this stamp was made. True: send it now; false: keep it until next_to_send().
+  bool on_state(SimTime stamp, WallTime now);
+  Answer on_answer(SimTime stamp, WallTime now);
+  /// After an answer: the stamp of the state to send next, or nothing (ns < 0).
+  SimTime next_to_send(WallTime now);
+
+  /// The world has seen that a controller is connected and waits for it from the first state on.
+  void enrol() { enrolled_ = true; }
+  /// The controller is gone, or too slow: states flow freely again.
+  void release();
+  /// Time was set back or the states in flight are void.
+  void clear();
+
+  bool enrolled() const { return enrolled_; }
+  /// True when every state stamped up to `stamp` has its answer (or nobody is waited for).
+  bool answered_up_to(SimTime stamp) const;
+  /// Wall time for which the oldest state has been without an answer, 0 when there is none.
+  WallTime waiting_for(WallTime now) const;
+
+ private:
+  static constexpr std::size_t kRemembered = 256;
+  void remember(SimTime stamp);
+
+  bool enrolled_ = false;
+  bool in_flight_ = false;
+  WallTime sent_at_ = 0;
+  std::deque<SimTime> waiting_;  ///< front: sent when in_flight_, the rest in line
+  std::array<std::int64_t, kRemembered> sent_{};  ///< stamps [ns], for recognising a first answer
+  std::size_t sent_count_ = 0;
+};
+
+/// Nodes that give set-points ahead of time. The world does not pass a multiple of a source's period
+/// before each of its vehicles has a set-point that covers it.
+class SetpointSources {
+ public:
+  struct Source {
+    std::vector<std::string> vehicles;
+    SimTime period, start, end;  ///< end 0: not known yet
+    WallTime since = 0;          ///< wall time since which the world waits for it, 0: it does not
+  };
+
+  /// Throws Error for a period that is not positive or a source without vehicles. `now`: sim time.
+  SimTime enrol(const std::string& node, const std::vector<std::string>& vehicles, SimTime period,
+                SimTime end, SimTime now);
+  void release(const std::string& node);
+  void clear() { sources_.clear(), covered_.clear(); }
+
+  /// A set-point for `vehicle` stamped `stamp` has reached the one that uses it.
+  void on_setpoint(const std::string& vehicle, SimTime stamp);
+
+  /// The first source that the world must wait for before it may reach `time`, or nullptr.
+  const std::string* blocking(SimTime time) const;
+  /// Vehicles of `node` whose set-point for `time` is missing.
+  std::vector<std::string> missing(const std::string& node, SimTime time) const;
+
+  /// The latest end of all sources; ns 0 while one has none or there are no sources.
+  SimTime end() const;
+  const std::map<std::string, Source>& all() const { return sources_; }
+  std::map<std::string, Source>& all() { return sources_; }
+
+ private:
+  bool covers(const Source& source, SimTime time) const;
+
+  std::map<std::string, Source> sources_;
+  std::map<std::string, SimTime> covered_;
+};
+
+}  // namespace trident

@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "conversions.h"
+
+#include <algorithm>
+
+namespace trident {
+
+geometry_msgs::Point to_point(const Eigen::Vector3d& p) {
+  geometry_msgs::Point result;
+  result.x = p.x(), result.y = p.y(), result.z = p.z();
+  return result;
+}
+
+geometry_msgs::Vector3 to_vector(const Eigen::Vector3d& v) {
+  geometry_msgs::Vector3 result;
+  result.x = v.x(), result.y = v.y(), result.z = v.z();
+  return result;
+}
+
+geometry_msgs::Quaternion to_quaternion(const Eigen::Quaterniond& q) {
+  geometry_msgs::Quaternion result;
+  result.x = q.x(), result.y = q.y(), result.z = q.z(), result.w = q.w();
+  return result;
+}
+
+geometry_msgs::Pose to_pose(const SE3& T) {
+  geometry_msgs::Pose result;
+  result.position = to_point(T.p);
+  result.orientation = to_quaternion(T.R);
+  return result;
+}
+
+Eigen::Vector3d from_point(const geometry_msgs::Point& p) { return {p.x, p.y, p.z}; }
+Eigen::Vector3d from_vector(const geometry_msgs::Vector3& v) { return {v.x, v.y, v.z}; }
+
+SE3 from_pose(const geometry_msgs::Pose& pose) {
+  Eigen::Quaterniond q(pose.orientation.w, pose.orientation.x, pose.orientation.y,
+                       pose.orientation.z);
+  if (q.coeffs().isZero(0.0)) q.setIdentity();
+  return {q.coeffs().allFinite() ? q.normalized() : q, from_point(pose.position)};
+}
+
+void convert(const OdometrySample& sample, nav_msgs::Odometry& message) {
+  message.header.stamp = to_ros(sample.stamp);
+  message.header.frame_id = sample.parent_frame;
+  message.child_frame_id = sample.child_frame;
+  message.pose.pose = to_pose(sample.T_parent_child);
+  message.twist.twist.linear = to_vector(sample.v_child);
+  message.twist.twist.angular = to_vector(sample.w_child);
+  std::copy(sample.pose_covariance.begin(), sample.pose_covariance.end(),
+            message.pose.covariance.begin());
+  std::copy(sample.twist_covariance.begin(), sample.twist_covariance.end(),
+            message.twist.covariance.begin());
+}
+
+void convert(const PoseSample& sample, geometry_msgs::Pose& message) {
+  message = to_pose(sample.T_frame_body);
+}
+
+void convert(const PoseWithCovarianceSample& sample,
+             geometry_msgs::PoseWithCovarianceStamped& message) {
+  message.header.stamp = to_ros(sample.stamp);
+  message.header.frame_id = sample.frame;
+  message.pose.pose = to_pose(sample.T_frame_body);
+  std::copy(sample.covariance.begin(), sample.covariance.end(), message.pose.covariance.begin());
+}
+
+void convert(const PointSample& sample, geometry_msgs::PointStamped& message) {
+  message.header.stamp = to_ros(sample.stamp);
+  message.header.frame_id = sample.frame;
+  message.point = to_point(sample.p_frame);
+}
+
+void convert(const TransformSample& sample, geometry_msgs::TransformStamped& message) {
+  message.header.stamp = to_ros(sample.stamp);
+  message.header.frame_id = sample.parent_frame;
+  message.child_frame_id = sample.child_frame;
+  message.transform.translation = to_vector(sample.T_parent_child.p);
+  message.transform.rotation = to_quaternion(sample.T_parent_child.R);
+}
+
+void convert(const ImuSample& sample, sensor_msgs::Imu& message) {
+  message.header.stamp = to_ros(sample.stamp);
+  message.header.frame_id = sample.frame;
+  message.orientation = to_quaternion(sample.R_world_imu);
+  message.angular_velocity = to_vector(sample.w_imu);
+  message.linear_acceleration = to_vector(sample.a_imu);
+  for (std::size_t i = 0; i < 9; ++i) {
+    message.orientation_covariance[i] = sample.orientation_covariance[i];
+    message.angular_velocity_covariance[i] = sample.gyro_covariance[i];
+    message.linear_acceleration_covariance[i] = sample.accel_covariance[i];
+  }
+}
+
+void convert(const ActuatorState& sample, mav_msgs::Actuators& message) {
+  message.header.stamp = to_ros(sample.stamp);
+  const SmallVector& speeds = sample.angular_velocities;
+  message.angular_velocities.assign(speeds.data.begin(),
+                                    speeds.data.begin() + static_cast<std::ptrdiff_t>(speeds.size));
+}
+
+void convert(const JointStateSample& sample, sensor_msgs::JointState& message) {
+  message.header.stamp = to_ros(sample.stamp);
+  message.header.frame_id = sample.frame;
+  message.name = sample.names;
+  message.position = sample.positions;
+}
+
+void convert(const ScalarSample& sample, std_msgs::Float32& message) {
+  message.data = static_cast<float>(sample.value);
+}
+
+void convert(const WindSample& sample, rotors_comm::WindSpeed& message) {
+  message.header.stamp = to_ros(sample.stamp);
+  message.header.frame_id = sample.frame;
+  message.velocity = to_vector(sample.v_world);
+}
+
+void convert(const WrenchSample& sample, geometry_msgs::WrenchStamped& message) {
+  message.header.stamp = to_ros(sample.stamp);
+  message.header.frame_id = sample.frame;
+  message.wrench.force = to_vector(sample.force);
+  message.wrench.torque = to_vector(sample.torque);
+}
+
+}  // namespace trident

@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "port_binder.h"
+
+#include <algorithm>
+
+#include "conversions.h"
+
+namespace trident {
+namespace {
+
+constexpr std::uint32_t kQueue = 100;
+
+template <class Sample, class Message>
+class TypedBinding : public OutputBinding {
+ public:
+  TypedBinding(ros::NodeHandle& node, OutPort<Sample>& port)
+      : OutputBinding(port), port_(port),
+        publisher_(node.advertise<Message>("/" + port.name(), kQueue)) {}
+
+  void publish() override {
+    convert(port_.value, message_);
+    publisher_.publish(message_);
+  }
+  ros::SerializedMessage serialize() override {
+    convert(port_.value, message_);
+    return ros::serialization::serializeMessage(message_);
+  }
+  std::uint32_t subscribers() const override { return publisher_.getNumSubscribers(); }
+  const ros::Publisher& publisher() const override { return publisher_; }
+
+ private:
+  OutPort<Sample>& port_;
+  ros::Publisher publisher_;
+  Message message_;
+};
+
+/// A transform: collected, and published with all others of the step as one message.
+class FrameBinding : public OutputBinding {
+ public:
+  FrameBinding(OutPort<FrameSample>& port, ros::Publisher& tf, tf2_msgs::TFMessage& message)
+      : OutputBinding(port), port_(port), tf_(tf), message_(message) {}
+
+  void publish() override {
+    message_.transforms.emplace_back();
+    convert(port_.value, message_.transforms.back());
+  }
+  ros::SerializedMessage serialize() override { return {}; }
+  std::uint32_t subscribers() const override { return tf_.getNumSubscribers(); }
+  const ros::Publisher& publisher() const override { return tf_; }
+
+ private:
+  OutPort<FrameSample>& port_;
+  ros::Publisher& tf_;
+  tf2_msgs::TFMessage& message_;
+};
+
+template <class Sample, class Message>
+std::unique_ptr<OutputBinding> try_bind(ros::NodeHandle& node, PortBase& port) {
+  auto* typed = dynamic_cast<OutPort<Sample>*>(&port);
+  if (typed == nullptr) return nullptr;
+  return std::make_unique<TypedBinding<Sample, Message>>(node, *typed);
+}
+
+using BindFunction = std::unique_ptr<OutputBinding> (*)(ros::NodeHandle&, PortBase&);
+constexpr BindFunction kBindFunctions[] = {
+    try_bind<OdometrySample, nav_msgs::Odometry>,
+    try_bind<PoseSample, geometry_msgs::Pose>,
+    try_bind<PoseWithCovarianceSample, geometry_msgs::PoseWithCovarianceStamped>,
+    try_bind<PointSample, geometry_msgs::PointStamped>,
+    try_bind<TransformSample, geometry_msgs::TransformStamped>,
+    try_bind<ImuSample, sensor_msgs::Imu>,
+    try_bind<ActuatorState, mav_msgs::Actuators>,
+    try_bind<JointStateSample, sensor_msgs::JointState>,
+    try_bind<ScalarSample, std_msgs::Float32>,
+    try_bind<WindSample, rotors_comm::WindSpeed>,
+    try_bind<WrenchSample, geometry_msgs::WrenchStamped>,
+};
+
+}  // namespace
+
+void OutputBinding::set_wanted(bool wanted) {
+  if (wanted == wanted_) return;
+  wanted_ = wanted;
+  if (wanted) {
+    port_->add_listener();
+  } else {
+    port_->remove_listener();
+  }
+}
+
+PortBinder::PortBinder(ros::NodeHandle& node, PortBoard& board)
+    : node_(node), board_(board), tf_(node.advertise<tf2_msgs::TFMessage>("/tf", kQueue)) {}
+
+void PortBinder::sync() {
+  if (board_.version() == version_) return;
+  version_ = board_.version();
+  for (auto it = entries_.begin(); it != entries_.end();) {
+    PortBase* now = board_.find(it->first, PortDirection::kOut);
+    it = now == &it->second.binding->port() ? std::next(it) : entries_.erase(it);
+  }
+  board_.for_each([this](PortBase& port) {
+    if (port.direction() != PortDirection::kOut || entries_.count(port.name()) > 0) return;
+    std::unique_ptr<OutputBinding> binding;
+    if (auto* frame = dynamic_cast<OutPort<FrameSample>*>(&port)) {
+      binding = std::make_unique<FrameBinding>(*frame, tf_, tf_message_);
+    }
+    for (const BindFunction bind : kBindFunctions) {
+      if (!binding) binding = bind(node_, port);
+    }
+    if (binding) entries_.emplace(port.name(), Entry{std::move(binding), false});
+  });
+  rebuild_active();
+}
+
+std::vector<OutputBinding*> PortBinder::hold_back_odometry(const std::string& prefix) {
+  std::vector<OutputBinding*> result;
+  for (auto& [name, entry] : entries_) {
+    if (name.compare(0, prefix.size(), prefix) != 0) continue;
+    if (dynamic_cast<OutPort<OdometrySample>*>(&entry.binding->port()) == nullptr) continue;
+    entry.held_back = true;
+    result.push_back(entry.binding.get());
+  }
+  rebuild_active();
+  return result;
+}
+
+void PortBinder::scan_subscribers() {
+  bool changed = false;
+  for (auto& [name, entry] : entries_) {
+    const bool wanted = entry.binding->subscribers() > 0;
+    changed = changed || wanted != entry.binding->wanted();
+    entry.binding->set_wanted(wanted);
+  }
+  if (changed) rebuild_active();
+}
+
+void PortBinder::rebuild_active() {
+  active_.clear();
+  for (auto& [name, entry] : entries_) {
+    if (entry.binding->wanted() && !entry.held_back) active_.push_back(entry.binding.get());
+  }
+  std::stable_sort(active_.begin(), active_.end(), [](OutputBinding* a, OutputBinding* b) {
+    return a->port().rank() < b->port().rank();
+  });
+}
+
+void PortBinder::publish_fresh() {
+  bool frames_open = true;
+  const auto send_frames = [this, &frames_open] {
+    frames_open = false;
+    if (tf_message_.transforms.empty()) return;
+    tf_.publish(tf_message_);
+    tf_message_.transforms.clear();
+  };
+  for (OutputBinding* binding : active_) {
+    if (frames_open && binding->port().rank() != PortRank::kTransform) send_frames();
+    if (binding->take_fresh()) binding->publish();
+  }
+  send_frames();
+}
+
+}  // namespace trident

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "run_files.h"
+
+#include <cerrno>
+#include <cstring>
+
+#include "trident_base/error.h"
+
+namespace trident {
+namespace {
+
+constexpr std::int64_t kRecordPeriodNs = 50'000'000;
+constexpr const char* kStateColumns = "t,name,x,y,z,qx,qy,qz,qw,vx,vy,vz,wx,wy,wz\n";
+
+std::FILE* open_for_writing(const std::string& path) {
+  std::FILE* file = std::fopen(path.c_str(), "w");
+  if (file == nullptr) {
+    throw Error("out_dir: '" + path + "' cannot be written: " + std::strerror(errno));
+  }
+  return file;
+}
+
+std::string json_escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '"' || c == '\\') result += '\\';
+    result += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+  }
+  return result;
+}
+
+}  // namespace
+
+RunFiles::RunFiles(const std::string& folder, std::uint64_t seed) : folder_(folder), seed_(seed) {
+  last_progress_ = std::chrono::steady_clock::now();
+  if (folder_.empty()) return;
+  states_ = open_for_writing(folder_ + "/states.csv");
+  std::fputs(kStateColumns, states_);
+  progress_ = open_for_writing(folder_ + "/progress.jsonl");
+}
+
+RunFiles::~RunFiles() {
+  if (states_ != nullptr) std::fclose(states_);
+  if (progress_ != nullptr) std::fclose(progress_);
+}
+
+void RunFiles::restart() {
+  if (states_ == nullptr) return;
+  std::fclose(states_);
+  states_ = open_for_writing(folder_ + "/states.csv");
+  std::fputs(kStateColumns, states_);
+}
+
+void RunFiles::record(const World& world) {
+  if (states_ == nullptr || world.time().ns % kRecordPeriodNs != 0) return;
+  for (const auto& [name, model] : world.models()) {
+    const Link* link = model->canonical_link();
+    if (model->is_static || link == nullptr) continue;
+    const SE3 T = model->T_world_model();
+    const Eigen::Vector3d v = link->v_world_at(T.p);
+    const Eigen::Vector3d w = link->w_world();
+    std::fprintf(states_,
+                 "%.4f,%s,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g\n",
+                 world.time().seconds(), name.c_str(), T.p.x(), T.p.y(), T.p.z(), T.R.x(), T.R.y(),
+                 T.R.z(), T.R.w(), v.x(), v.y(), v.z(), w.x(), w.y(), w.z());
+  }
+}
+
+void RunFiles::progress(const World& world, SimTime end, std::size_t vehicles,
+                        const std::string& state) {
+  if (progress_ == nullptr) return;
+  const auto now = std::chrono::steady_clock::now();
+  const double wall_s = std::chrono::duration<double>(now - last_progress_).count();
+  const double rtf = (world.time() - last_progress_time_).seconds() / std::max(wall_s, 1e-9);
+  last_progress_ = now;
+  last_progress_time_ = world.time();
+  std::fprintf(progress_,
+               "{\"sim_s\": %.3f, \"end_s\": %.3f, \"rtf\": %.2f, \"vehicles\": %zu, "
+               "\"state\": \"%s\"}\n",
+               world.time().seconds(), end.seconds(), rtf, vehicles, json_escaped(state).c_str());
+  std::fflush(progress_);
+}
+
+void RunFiles::finish(const World& world, const std::string& reason, double wall_s,
+                      SimTime simulated) {
+  if (folder_.empty()) return;
+  std::FILE* file = open_for_writing(folder_ + "/run.json");
+  const double sim_s = simulated.seconds();
+  std::fprintf(file,
+               "{\"state_hash\": \"%s\", \"sim_s\": %.6f, \"wall_s\": %.6f, \"rtf\": %.4f, "
+               "\"end_reason\": \"%s\", \"seed\": %llu, \"steps\": %llu, \"step_size_s\": %.9g, "
+               "\"world\": \"%s\"}\n",
+               world.state_hash().c_str(), world.time().seconds(), sim_s > 0.0 ? wall_s : 0.0,
+               sim_s > 0.0 ? sim_s / wall_s : 0.0, json_escaped(reason).c_str(),
+               static_cast<unsigned long long>(seed_),
+               static_cast<unsigned long long>(world.step_count()),
+               world.physics().max_step_size_s, json_escaped(world.name()).c_str());
+  std::fclose(file);
+  if (states_ != nullptr) std::fflush(states_);
+}
+
+}  // namespace trident

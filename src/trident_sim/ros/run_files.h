@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+#include <cstdio>
+#include <string>
+
+#include "trident_sim/world.h"
+
+namespace trident {
+
+/// What a run leaves in its folder: states.csv (every 0.05 s of simulated time), progress.jsonl (every
+/// second of wall time), run.json (at the end). Without a folder nothing is written.
+class RunFiles {
+ public:
+  /// Throws Error when the folder cannot be written.
+  RunFiles(const std::string& folder, std::uint64_t seed);
+  ~RunFiles();
+  RunFiles(const RunFiles&) = delete;
+  RunFiles& operator=(const RunFiles&) = delete;
+
+  void record(const World& world);
+  void progress(const World& world, SimTime end, std::size_t vehicles, const std::string& state);
+  /// `wall_s`, `simulated`: since the first step.
+  void finish(const World& world, const std::string& reason, double wall_s, SimTime simulated);
+  /// Time went back to zero: the record begins anew.
+  void restart();
+
+ private:
+  std::string folder_;
+  std::uint64_t seed_;
+  std::FILE* states_ = nullptr;
+  std::FILE* progress_ = nullptr;
+  std::chrono::steady_clock::time_point last_progress_;
+  SimTime last_progress_time_;
+};
+
+}  // namespace trident

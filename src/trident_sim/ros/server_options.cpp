@@ -1,0 +1,199 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "server_options.h"
+
+#include <ros/ros.h>
+#include <xmlrpcpp/XmlRpcValue.h>
+
+#include <cstdlib>
+
+#include "trident_base/error.h"
+
+namespace trident {
+namespace {
+
+std::string environment(const char* name) {
+  const char* value = std::getenv(name);
+  return value == nullptr ? "" : value;
+}
+
+double to_number(const std::string& option, const std::string& text, double lo, double hi) {
+  try {
+    std::size_t used = 0;
+    const double value = std::stod(text, &used);
+    if (used == text.size() && value >= lo && value <= hi) return value;
+  } catch (const std::exception&) {
+  }
+  throw Error("option " + option + " is '" + text + "', must be a number in [" +
+              std::to_string(lo) + ", " + std::to_string(hi) + "]");
+}
+
+bool to_flag(const std::string& text) { return text == "1" || text == "true" || text == "yes"; }
+
+/// The private parameters, fetched in one call.
+class Parameters {
+ public:
+  Parameters() {
+    if (!ros::param::get("~", tree_) || tree_.getType() != XmlRpc::XmlRpcValue::TypeStruct) {
+      tree_ = XmlRpc::XmlRpcValue();
+      tree_["_"] = 0;
+    }
+  }
+  void number(const char* name, double& value, double lo, double hi) {
+    if (!tree_.hasMember(name)) return;
+    XmlRpc::XmlRpcValue& entry = tree_[name];
+    if (entry.getType() == XmlRpc::XmlRpcValue::TypeDouble) {
+      value = static_cast<double>(entry);
+    } else if (entry.getType() == XmlRpc::XmlRpcValue::TypeInt) {
+      value = static_cast<int>(entry);
+    } else {
+      refuse(name, entry, "a number");
+    }
+    if (!(value >= lo && value <= hi)) {
+      refuse(name, entry, "in [" + std::to_string(lo) + ", " + std::to_string(hi) + "]");
+    }
+  }
+  template <class Integer>
+  void integer(const char* name, Integer& value, double hi) {
+    double number_value = static_cast<double>(value);
+    number(name, number_value, 0, hi);
+    value = static_cast<Integer>(number_value);
+  }
+  void flag(const char* name, bool& value) {
+    if (!tree_.hasMember(name)) return;
+    XmlRpc::XmlRpcValue& entry = tree_[name];
+    if (entry.getType() == XmlRpc::XmlRpcValue::TypeBoolean) {
+      value = static_cast<bool>(entry);
+    } else if (entry.getType() == XmlRpc::XmlRpcValue::TypeInt) {
+      value = static_cast<int>(entry) != 0;
+    } else {
+      refuse(name, entry, "true or false");
+    }
+  }
+  void text(const char* name, std::string& value) {
+    if (!tree_.hasMember(name)) return;
+    if (tree_[name].getType() != XmlRpc::XmlRpcValue::TypeString) refuse(name, tree_[name], "text");
+    value = static_cast<std::string>(tree_[name]);
+  }
+  void names(const char* name, std::vector<std::string>& values) {
+    if (!tree_.hasMember(name)) return;
+    XmlRpc::XmlRpcValue& entry = tree_[name];
+    if (entry.getType() != XmlRpc::XmlRpcValue::TypeArray) refuse(name, entry, "a list of names");
+    for (int i = 0; i < entry.size(); ++i) values.push_back(static_cast<std::string>(entry[i]));
+  }
+  bool is_list(const char* name) {
+    return tree_.hasMember(name) && tree_[name].getType() == XmlRpc::XmlRpcValue::TypeArray;
+  }
+  [[noreturn]] static void refuse(const std::string& name, XmlRpc::XmlRpcValue& value,
+                                  const std::string& legal) {
+    throw Error("parameter " + ros::this_node::getName() + "/" + name + " is " + value.toXml() +
+                ", must be " + legal);
+  }
+
+ private:
+  XmlRpc::XmlRpcValue tree_;
+};
+
+void read_environment(ServerOptions& options) {
+  if (const auto text = environment("TRIDENT_REAL_TIME_FACTOR"); !text.empty()) {
+    options.real_time_factor = to_number("TRIDENT_REAL_TIME_FACTOR", text, 0.0, 1e6);
+  }
+  if (const auto text = environment("TRIDENT_END_TIME"); !text.empty()) {
+    options.end_time_s = to_number("TRIDENT_END_TIME", text, 0.0, 1e9);
+  }
+  if (const auto text = environment("TRIDENT_WAIT_FOR"); !text.empty()) {
+    options.wait_for = static_cast<int>(to_number("TRIDENT_WAIT_FOR", text, 0, 10000));
+  }
+  if (const auto text = environment("TRIDENT_SEED"); !text.empty()) {
+    options.seed = static_cast<std::uint64_t>(to_number("TRIDENT_SEED", text, 0, 9e15));
+  }
+  options.end_on_finish = to_flag(environment("TRIDENT_END"));
+  options.out_dir = environment("TRIDENT_OUT");
+}
+
+void read_timing(Parameters& parameters, ServerOptions& options) {
+  std::string timing = "rotors";
+  parameters.text("timing", timing);
+  if (timing != "rotors" && timing != "direct") {
+    throw Error("parameter /gazebo/timing is '" + timing + "', must be rotors or direct");
+  }
+  options.timing = timing == "rotors" ? LoopTiming::kRotors : LoopTiming::kDirect;
+  std::string policy = "free_run";
+  parameters.text("lockstep_policy", policy);
+  if (policy == "wait") {
+    options.loss_policy = LossPolicy::kWait;
+  } else if (policy == "pause") {
+    options.loss_policy = LossPolicy::kPause;
+  } else if (policy != "free_run") {
+    throw Error("parameter /gazebo/lockstep_policy is '" + policy +
+                "', must be free_run, wait or pause");
+  }
+}
+
+void read_parameters(ServerOptions& options) {
+  Parameters parameters;
+  parameters.number("real_time_factor", options.real_time_factor, 0.0, 1e6);
+  parameters.number("end_time", options.end_time_s, 0.0, 1e9);
+  parameters.flag("end_on_finish", options.end_on_finish);
+  if (parameters.is_list("wait_for")) {
+    parameters.names("wait_for", options.wait_for_models);
+    options.wait_for = static_cast<int>(options.wait_for_models.size());
+  } else {
+    parameters.integer("wait_for", options.wait_for, 10000);
+  }
+  parameters.integer("wait_for_sources", options.wait_for_sources, 10000);
+  parameters.integer("seed", options.seed, 9e15);
+  parameters.number("lockstep_timeout", options.lockstep_timeout_s, 0.01, 1e6);
+  parameters.number("max_clock_rate", options.max_clock_rate_hz, 1.0, 1e5);
+  parameters.number("pub_clock_frequency", options.pub_clock_frequency_hz, 0.0, 1e5);
+  parameters.text("out_dir", options.out_dir);
+  parameters.names("plugin_libraries", options.plugin_libraries);
+  read_timing(parameters, options);
+}
+
+/// gzserver's command line, as far as it has a meaning here.
+void read_arguments(const std::vector<std::string>& arguments, ServerOptions& options) {
+  const auto value_of = [&](std::size_t& i) -> const std::string& {
+    if (i + 1 >= arguments.size()) throw Error("option " + arguments[i] + " needs a value");
+    return arguments[++i];
+  };
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const std::string& argument = arguments[i];
+    if (argument == "-u" || argument == "--pause") {
+      options.paused = true;
+    } else if (argument == "--verbose") {
+      options.verbose = true;
+    } else if (argument == "-e" || argument == "--physics") {
+      if (const auto& engine = value_of(i); engine != "ode") {
+        throw Error("option -e is '" + engine + "', must be ode");
+      }
+    } else if (argument == "-s" || argument == "--server-plugin" || argument == "-g" ||
+               argument == "--gui-plugin" || argument == "--record_path") {
+      value_of(i);  // gazebo_ros' own system plugins are built in
+    } else if (argument == "--seed") {
+      options.seed = static_cast<std::uint64_t>(to_number(argument, value_of(i), 0, 9e15));
+    } else if (argument == "--iters") {
+      options.iterations = static_cast<std::uint64_t>(to_number(argument, value_of(i), 1, 9e15));
+    } else if (argument == "-r" || argument == "--record" || argument == "--lockstep" ||
+               argument.empty()) {
+      continue;
+    } else if (argument[0] == '-') {
+      throw Error("option " + argument +
+                  " is unknown; known: -u, --verbose, -e ode, -s, -r, --seed N, --iters N, --lockstep");
+    } else {
+      options.world_file = argument;
+    }
+  }
+}
+
+}  // namespace
+
+ServerOptions read_server_options(const std::vector<std::string>& arguments) {
+  ServerOptions options;
+  read_environment(options);
+  read_parameters(options);
+  read_arguments(arguments, options);
+  return options;
+}
+
+}  // namespace trident

@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gazebo_msgs/ApplyBodyWrench.h>
+#include <gazebo_msgs/ApplyJointEffort.h>
+#include <gazebo_msgs/BodyRequest.h>
+#include <gazebo_msgs/JointRequest.h>
+
+#include "conversions.h"
+#include "services.h"
+#include "trident_base/error.h"
+
+namespace trident {
+namespace {
+
+using gazebo_msgs::ApplyBodyWrench;
+using gazebo_msgs::ApplyJointEffort;
+using gazebo_msgs::BodyRequest;
+using gazebo_msgs::JointRequest;
+
+Link& required_link(const World& world, const std::string& name) {
+  Link* link = world.find_link(name);
+  if (link == nullptr) throw Error("body [" + name + "] does not exist (write it model::link)");
+  return *link;
+}
+
+/// A joint by name, which must be unique in the world.
+Joint& required_joint(const World& world, const std::string& name) {
+  Joint* found = nullptr;
+  for (const auto& [model_name, model] : world.models()) {
+    Joint* joint = model->find_joint(name);
+    if (joint == nullptr) continue;
+    if (found != nullptr) throw Error("joint [" + name + "] is in more than one model");
+    found = joint;
+  }
+  if (found == nullptr) throw Error("joint [" + name + "] does not exist");
+  return *found;
+}
+
+/// In the world's frame the wrench acts at the body's centre of mass plus reference_point, in another
+/// frame at reference_point of that frame; axes are the frame's.
+void apply_body_wrench(Simulation& simulation, const ApplyBodyWrench::Request& request) {
+  Simulation::Access access(simulation);
+  World& world = access.world();
+  Link& link = required_link(world, request.body_name);
+  const ReferenceFrame frame = find_reference_frame(world, request.reference_frame);
+  const std::string& name = request.reference_frame;
+  const bool in_world = name.empty() || name == "world" || name == "map" || name == "/map";
+  const Eigen::Vector3d point = from_point(request.reference_point);
+  const Eigen::Vector3d p_world =
+      in_world ? Eigen::Vector3d(link.p_world_com() + point) : frame.T_world_frame * point;
+  world.apply_wrench({&link, frame.T_world_frame.R * from_vector(request.wrench.force),
+                      frame.T_world_frame.R * from_vector(request.wrench.torque),
+                      link.T_world_link().inverse() * p_world, from_ros(request.start_time),
+                      from_ros(request.duration)});
+}
+
+void apply_joint_effort(Simulation& simulation, const ApplyJointEffort::Request& request) {
+  Simulation::Access access(simulation);
+  Joint& joint = required_joint(access.world(), request.joint_name);
+  access.world().apply_effort(
+      {&joint, request.effort, from_ros(request.start_time), from_ros(request.duration)});
+}
+
+}  // namespace
+
+void advertise_force_services(ros::NodeHandle& node, Simulation& simulation, Servers& servers) {
+  servers.push_back(
+      node.advertiseService<ApplyBodyWrench::Request, ApplyBodyWrench::Response>(
+          "apply_body_wrench", [&](ApplyBodyWrench::Request& request, auto& response) {
+            return answer(response, "ApplyBodyWrench: ",
+                          [&] { apply_body_wrench(simulation, request); });
+          }));
+  servers.push_back(
+      node.advertiseService<ApplyJointEffort::Request, ApplyJointEffort::Response>(
+          "apply_joint_effort", [&](ApplyJointEffort::Request& request, auto& response) {
+            return answer(response, "ApplyJointEffort: ",
+                          [&] { apply_joint_effort(simulation, request); });
+          }));
+  servers.push_back(node.advertiseService<BodyRequest::Request, BodyRequest::Response>(
+      "clear_body_wrenches", [&](BodyRequest::Request& request, BodyRequest::Response&) {
+        Simulation::Access access(simulation);
+        const Link* link = access.world().find_link(request.body_name);
+        if (link == nullptr) {
+          ROS_ERROR("ClearBodyWrenches: body [%s] does not exist", request.body_name.c_str());
+        } else {
+          access.world().clear_wrenches(*link);
+        }
+        return link != nullptr;
+      }));
+  for (const char* name : {"clear_joint_forces", "clear_joint_efforts"}) {
+    servers.push_back(node.advertiseService<JointRequest::Request, JointRequest::Response>(
+        name, [&](JointRequest::Request& request, JointRequest::Response&) {
+          try {
+            Simulation::Access access(simulation);
+            access.world().clear_efforts(required_joint(access.world(), request.joint_name));
+            return true;
+          } catch (const Error& error) {
+            ROS_ERROR("ClearJointForces: %s", error.what());
+            return false;
+          }
+        }));
+  }
+}
+
+}  // namespace trident

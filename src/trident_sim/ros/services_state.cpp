@@ -1,0 +1,180 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gazebo_msgs/GetLinkState.h>
+#include <gazebo_msgs/GetModelProperties.h>
+#include <gazebo_msgs/GetModelState.h>
+#include <gazebo_msgs/GetWorldProperties.h>
+#include <gazebo_msgs/SetLinkState.h>
+#include <gazebo_msgs/SetModelState.h>
+
+#include "conversions.h"
+#include "services.h"
+#include "trident_base/error.h"
+
+namespace trident {
+namespace {
+
+using gazebo_msgs::GetLinkState;
+using gazebo_msgs::GetModelProperties;
+using gazebo_msgs::GetModelState;
+using gazebo_msgs::GetWorldProperties;
+using gazebo_msgs::SetLinkState;
+using gazebo_msgs::SetModelState;
+
+Model& required_model(const World& world, const std::string& name) {
+  Model* model = world.find_model(name);
+  if (model == nullptr) throw Error("model [" + name + "] does not exist");
+  return *model;
+}
+
+Link& required_link(const World& world, const std::string& name) {
+  Link* link = world.find_link(name);
+  if (link == nullptr) throw Error("link [" + name + "] does not exist (write it model::link)");
+  return *link;
+}
+
+/// Pose and twist of a point that moves with `link`, seen from `frame`.
+void fill(const Link* link, const SE3& T_world_body, const ReferenceFrame& frame,
+          geometry_msgs::Pose& pose, geometry_msgs::Twist& twist) {
+  const Eigen::Quaterniond R_frame_world = frame.T_world_frame.R.conjugate();
+  pose = to_pose(frame.T_world_frame.inverse() * T_world_body);
+  if (link == nullptr) return;
+  twist.linear = to_vector(R_frame_world * (link->v_world_at(T_world_body.p) - frame.v_world));
+  twist.angular = to_vector(R_frame_world * (link->w_world() - frame.w_world));
+}
+
+void get_model_state(Simulation& simulation, const GetModelState::Request& request,
+                     GetModelState::Response& response) {
+  Simulation::Access access(simulation);
+  const World& world = access.world();
+  const Model& model = required_model(world, request.model_name);
+  const ReferenceFrame frame = find_reference_frame(world, request.relative_entity_name);
+  response.header.stamp = to_ros(world.time());
+  response.header.frame_id = request.relative_entity_name;
+  fill(model.canonical_link(), model.T_world_model(), frame, response.pose, response.twist);
+  response.status_message = "GetModelState: got properties";
+}
+
+void set_model_state(Simulation& simulation, const gazebo_msgs::ModelState& state) {
+  Simulation::Access access(simulation);
+  World& world = access.world();
+  Model& model = required_model(world, state.model_name);
+  const SE3 T_world_frame = find_reference_frame(world, state.reference_frame).T_world_frame;
+  world.set_model_pose(model, T_world_frame * from_pose(state.pose));
+  world.set_model_twist(model, T_world_frame.R * from_vector(state.twist.linear),
+                        T_world_frame.R * from_vector(state.twist.angular));
+}
+
+void get_link_state(Simulation& simulation, const GetLinkState::Request& request,
+                    GetLinkState::Response& response) {
+  Simulation::Access access(simulation);
+  const World& world = access.world();
+  const Link& link = required_link(world, request.link_name);
+  response.link_state.link_name = request.link_name;
+  response.link_state.reference_frame = request.reference_frame;
+  fill(&link, link.T_world_link(), find_reference_frame(world, request.reference_frame),
+       response.link_state.pose, response.link_state.twist);
+  response.status_message = "GetLinkState: got state";
+}
+
+void set_link_state(Simulation& simulation, const gazebo_msgs::LinkState& state) {
+  Simulation::Access access(simulation);
+  World& world = access.world();
+  Link& link = required_link(world, state.link_name);
+  const SE3 T_world_frame = find_reference_frame(world, state.reference_frame).T_world_frame;
+  world.set_link_state(link, T_world_frame * from_pose(state.pose),
+                       T_world_frame.R * from_vector(state.twist.linear),
+                       T_world_frame.R * from_vector(state.twist.angular));
+}
+
+void get_model_properties(Simulation& simulation, const std::string& name,
+                          GetModelProperties::Response& response) {
+  Simulation::Access access(simulation);
+  const Model& model = required_model(access.world(), name);
+  for (const auto& link : model.links) response.body_names.push_back(link->name);
+  for (const auto& joint : model.joints) response.joint_names.push_back(joint->spec.name);
+  for (const LinkSpec& link : model.spec.links) {
+    for (const CollisionSpec& collision : link.collisions) {
+      response.geom_names.push_back(collision.name);
+    }
+  }
+  if (model.canonical_link() != nullptr) {
+    response.canonical_body_name = model.canonical_link()->name;
+  }
+  response.is_static = model.is_static;
+  response.status_message = "GetModelProperties: got properties";
+}
+
+void get_world_properties(Simulation& simulation, GetWorldProperties::Response& response) {
+  Simulation::Access access(simulation);
+  response.sim_time = access.world().time().seconds();
+  for (const auto& [name, model] : access.world().models()) response.model_names.push_back(name);
+  response.rendering_enabled = false;
+  response.status_message = "GetWorldProperties: got properties";
+}
+
+/// A topic form of a set_ service: errors are logged, there is nobody to answer.
+template <class State, class Set>
+auto logged(Simulation& simulation, const char* what, Set set) {
+  return [&simulation, what, set](const State& state) {
+    try {
+      set(simulation, state);
+    } catch (const Error& error) {
+      ROS_ERROR("%s: %s", what, error.what());
+    }
+  };
+}
+
+template <class Service, class Work>
+void serve(ros::NodeHandle& node, const char* name, const char* prefix, Servers& servers,
+           Work work) {
+  using Request = typename Service::Request;
+  using Response = typename Service::Response;
+  servers.push_back(node.advertiseService<Request, Response>(
+      name, [prefix, work](Request& request, Response& response) {
+        return answer(response, prefix, [&] { work(request, response); });
+      }));
+}
+
+}  // namespace
+
+void advertise_state_services(ros::NodeHandle& node, Simulation& simulation, Servers& servers) {
+  serve<GetModelState>(node, "get_model_state", "GetModelState: ", servers,
+                       [&](auto& request, auto& response) {
+                         get_model_state(simulation, request, response);
+                       });
+  serve<SetModelState>(node, "set_model_state", "SetModelState: ", servers,
+                       [&](auto& request, auto& response) {
+                         set_model_state(simulation, request.model_state);
+                         response.status_message = "SetModelState: set model state done";
+                       });
+  serve<GetLinkState>(node, "get_link_state", "GetLinkState: ", servers,
+                      [&](auto& request, auto& response) {
+                        get_link_state(simulation, request, response);
+                      });
+  serve<SetLinkState>(node, "set_link_state", "SetLinkState: ", servers,
+                      [&](auto& request, auto& response) {
+                        set_link_state(simulation, request.link_state);
+                        response.status_message = "SetLinkState: success";
+                      });
+  serve<GetModelProperties>(node, "get_model_properties", "GetModelProperties: ", servers,
+                            [&](auto& request, auto& response) {
+                              get_model_properties(simulation, request.model_name, response);
+                            });
+  serve<GetWorldProperties>(node, "get_world_properties", "GetWorldProperties: ", servers,
+                            [&](auto&, auto& response) { get_world_properties(simulation, response); });
+}
+
+void subscribe_state_topics(ros::NodeHandle& node, Simulation& simulation,
+                            std::vector<ros::Subscriber>& subscribers) {
+  subscribers.push_back(node.subscribe<gazebo_msgs::ModelState>(
+      "set_model_state", 10,
+      boost::function<void(const gazebo_msgs::ModelState&)>(
+          logged<gazebo_msgs::ModelState>(simulation, "set_model_state", set_model_state))));
+  subscribers.push_back(node.subscribe<gazebo_msgs::LinkState>(
+      "set_link_state", 10,
+      boost::function<void(const gazebo_msgs::LinkState&)>(
+          logged<gazebo_msgs::LinkState>(simulation, "set_link_state", set_link_state))));
+}
+
+}  // namespace trident

@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "vehicle_link.h"
+
+#include <geometry_msgs/PoseStamped.h>
+#include <std_msgs/Header.h>
+#include <trajectory_msgs/MultiDOFJointTrajectory.h>
+
+#include <chrono>
+#include <cstring>
+
+#include "conversions.h"
+#include "trident_control_ros/subscriptions.h"
+
+namespace trident {
+namespace {
+
+WallTime wall_now() {
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(
+             std::chrono::steady_clock::now().time_since_epoch())
+      .count();
+}
+
+/// Stamp of a serialised message that begins with a header; zero when it is too short.
+SimTime header_stamp(const std::uint8_t* bytes, std::size_t size) {
+  std::uint32_t fields[3] = {0, 0, 0};  // seq, sec, nsec
+  if (size < sizeof(fields)) return {};
+  std::memcpy(fields, bytes, sizeof(fields));
+  return {static_cast<std::int64_t>(fields[1]) * 1'000'000'000 + fields[2]};
+}
+
+}  // namespace
+
+bool LockstepHub::ready() const {
+  for (const VehicleLink* vehicle : vehicles) {
+    if (!vehicle->lockstep.answered_up_to(required_stamp)) return false;
+  }
+  return sources.blocking(next_time) == nullptr;
+}
+
+VehicleLink::VehicleLink(ros::NodeHandle& node, LockstepHub& hub, InPort<ActuatorCommand>& port,
+                         std::vector<OutputBinding*> odometry, InlineCallbackQueue& queue)
+    : hub_(hub), port_(&port), odometry_(std::move(odometry)) {
+  const std::string tail = "command/motor_speed";
+  prefix_ = port.name().substr(0, port.name().size() - tail.size());
+  name_ = prefix_.empty() ? "vehicle" : prefix_.substr(0, prefix_.size() - 1);
+  for (OutputBinding* binding : odometry_) {
+    direct_.push_back(std::make_unique<DirectPublication>(binding->publisher()));
+  }
+  ros::SubscribeOptions commands = raw_subscription<mav_msgs::Actuators>(
+      "/" + port.name(), 10,
+      [this](const auto& bytes) {
+        on_command(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
+      },
+      &queue);
+  commands_ = node.subscribe(commands);
+  const auto on_setpoint = [this](bool confirmation) {
+    return [this, confirmation](const auto& bytes) {
+      const std::lock_guard lock(hub_.mutex);
+      // A confirmation says that the controller has it; without one, that it was sent must do.
+      if (!confirmation && confirms_setpoints()) return;
+      hub_.sources.on_setpoint(name_, header_stamp(bytes.data(), bytes.size()));
+      hub_.notify_if_ready();
+    };
+  };
+  auto accepted = raw_subscription<std_msgs::Header>("/" + prefix_ + "command/accepted_setpoint",
+                                                     100, on_setpoint(true), &queue);
+  accepted_ = node.subscribe(accepted);
+  auto poses = raw_subscription<geometry_msgs::PoseStamped>("/" + prefix_ + "command/pose", 100,
+                                                            on_setpoint(false), &queue);
+  poses_ = node.subscribe(poses);
+  auto trajectories = raw_subscription<trajectory_msgs::MultiDOFJointTrajectory>(
+      "/" + prefix_ + "command/trajectory", 100, on_setpoint(false), &queue);
+  trajectories_ = node.subscribe(trajectories);
+}
+
+VehicleLink::~VehicleLink() {
+  // Ends the callbacks, which hold this, before the members go.
+  commands_.shutdown();
+  accepted_.shutdown();
+  poses_.shutdown();
+  trajectories_.shutdown();
+}
+
+void VehicleLink::on_command(const std::uint8_t* bytes, std::uint32_t size) {
+  try {
+    ros::serialization::IStream stream(const_cast<std::uint8_t*>(bytes), size);
+    ros::serialization::deserialize(stream, message_);
+  } catch (const ros::serialization::StreamOverrunException&) {
+    return;  // roscpp checked the type; a torn message has nothing to say
+  }
+  ActuatorCommand command;
+  command.stamp = from_ros(message_.header.stamp);
+  const auto& speeds = message_.angular_velocities;
+  command.angular_velocities.size = std::min(speeds.size(), SmallVector::kCapacity);
+  std::copy_n(speeds.begin(), command.angular_velocities.size,
+              command.angular_velocities.data.begin());
+  const std::lock_guard lock(hub_.mutex);
+  const auto answer = lockstep.on_answer(command.stamp, wall_now());
+  if (answer == LockstepVehicle::Answer::kForeign && lockstep.enrolled()) return;
+  if (answer == LockstepVehicle::Answer::kEnrolled) {
+    hub_.news.push_back(name_ + ": controller enrolled at state " +
+                        std::to_string(command.stamp.seconds()) + " s; the world waits for it");
+  }
+  inbox_.push_back(command);
+  send_next();
+  hub_.notify_if_ready();
+}
+
+void VehicleLink::send_next() {
+  if (lockstep.next_to_send(wall_now()).ns < 0 || outbox_.empty()) return;
+  for (auto& [index, message] : outbox_.front().messages) {
+    const std::uint32_t sequence = direct_[index]->next_sequence();
+    std::memcpy(message.buf.get() + 4, &sequence, sizeof(sequence));
+    direct_[index]->send({message.buf.get(), message.num_bytes});
+  }
+  outbox_.pop_front();
+}
+
+void VehicleLink::deliver() {
+  for (const ActuatorCommand& command : inbox_) port_->write(command);
+  inbox_.clear();
+}
+
+void VehicleLink::send_state(SimTime stamp, WallTime now) {
+  State state{stamp, {}};
+  for (std::size_t i = 0; i < odometry_.size(); ++i) {
+    if (odometry_[i]->wanted() && odometry_[i]->take_fresh()) {
+      state.messages.emplace_back(i, odometry_[i]->serialize());
+    }
+  }
+  if (state.messages.empty()) return;
+  const std::lock_guard lock(hub_.mutex);
+  readers_when_sent = odometry_readers();
+  if (!lockstep.on_state(stamp, now)) {
+    outbox_.push_back(std::move(state));
+    return;
+  }
+  for (auto& [index, message] : state.messages) {
+    ros::TopicManager::instance()->publish(
+        odometry_[index]->publisher().getTopic(),
+        [&message = message] { return message; }, message);
+  }
+}
+
+bool VehicleLink::has_controller() const {
+  return commands_.getNumPublishers() > 0 && odometry_readers() > 0;
+}
+
+std::uint32_t VehicleLink::odometry_readers() const {
+  std::uint32_t count = 0;
+  for (const OutputBinding* binding : odometry_) count += binding->subscribers();
+  return count;
+}
+
+void VehicleLink::clear() {
+  lockstep.clear();
+  outbox_.clear();
+  inbox_.clear();
+}
+
+void VehicleLink::release() {
+  lockstep.release();
+  outbox_.clear();
+}
+
+}  // namespace trident

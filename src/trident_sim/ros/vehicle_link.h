@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <mav_msgs/Actuators.h>
+#include <ros/ros.h>
+
+#include <condition_variable>
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "port_binder.h"
+#include "trident_control_ros/direct_publication.h"
+#include "trident_control_ros/inline_callback_queue.h"
+#include "trident_sim/lockstep.h"
+#include "trident_sim/samples.h"
+
+namespace trident {
+
+class VehicleLink;
+
+/// What the stepping thread and roscpp's socket thread share. Everything below is under `mutex`, which
+/// neither thread holds while it takes the world's.
+struct LockstepHub {
+  std::mutex mutex;
+  std::condition_variable changed;
+  std::vector<VehicleLink*> vehicles;
+  SetpointSources sources;
+  bool stepper_waits = false;
+  SimTime required_stamp{-1};  ///< of the states whose answers the next step needs
+  SimTime next_time;           ///< to which the next step leads
+  std::vector<std::string> news;  ///< one line per event, for the log
+
+  bool ready() const;
+  /// Wakes the stepping thread if what it waits for is there.
+  void notify_if_ready() {
+    if (stepper_waits && ready()) changed.notify_one();
+  }
+};
+
+/// One vehicle that takes motor commands: its odometry goes out and its commands come in, in lockstep
+/// when its controller answers stamps.
+class VehicleLink {
+ public:
+  VehicleLink(ros::NodeHandle& node, LockstepHub& hub, InPort<ActuatorCommand>& port,
+              std::vector<OutputBinding*> odometry, InlineCallbackQueue& queue);
+  ~VehicleLink();
+
+  const std::string& name() const { return name_; }
+  InPort<ActuatorCommand>& port() const { return *port_; }
+
+  // Stepping thread:
+  /// Hands the commands that have come to the port. Under the hub's mutex.
+  void deliver();
+  /// Sends or queues the odometry of the step that was just made.
+  void send_state(SimTime stamp, WallTime now);
+  /// A node publishes commands and someone reads the odometry.
+  bool has_controller() const;
+  bool confirms_setpoints() const { return accepted_.getNumPublishers() > 0; }
+  std::uint32_t odometry_readers() const;
+  void clear();
+  /// Stops waiting for the controller; what was in line for it is dropped.
+  void release();
+
+  LockstepVehicle lockstep;             ///< under the hub's mutex
+  std::uint32_t readers_when_sent = 0;  ///< under the hub's mutex
+
+ private:
+  struct State {
+    SimTime stamp;
+    std::vector<std::pair<std::size_t, ros::SerializedMessage>> messages;
+  };
+  void on_command(const std::uint8_t* bytes, std::uint32_t size);
+  void send_next();
+
+  std::string name_, prefix_;
+  LockstepHub& hub_;
+  InPort<ActuatorCommand>* port_;
+  std::vector<OutputBinding*> odometry_;
+  std::vector<std::unique_ptr<DirectPublication>> direct_;
+  std::deque<State> outbox_;            ///< states in line, under the hub's mutex
+  std::vector<ActuatorCommand> inbox_;  ///< under the hub's mutex
+  mav_msgs::Actuators message_;         ///< socket thread
+  ros::Subscriber commands_, accepted_, poses_, trajectories_;
+};
+
+}  // namespace trident

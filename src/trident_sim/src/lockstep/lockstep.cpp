@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "trident_sim/lockstep.h"
+
+#include <algorithm>
+
+#include "trident_base/error.h"
+
+namespace trident {
+
+void LockstepVehicle::remember(SimTime stamp) {
+  sent_[sent_count_ % kRemembered] = stamp.ns;
+  ++sent_count_;
+}
+
+bool LockstepVehicle::on_state(SimTime stamp, WallTime now) {
+  if (!enrolled_) {
+    remember(stamp);
+    return true;
+  }
+  waiting_.push_back(stamp);
+  if (in_flight_) return false;
+  in_flight_ = true;
+  sent_at_ = now;
+  remember(stamp);
+  return true;
+}
+
+LockstepVehicle::Answer LockstepVehicle::on_answer(SimTime stamp, WallTime now) {
+  const std::size_t known = std::min(sent_count_, kRemembered);
+  if (std::find(sent_.begin(), sent_.begin() + static_cast<std::ptrdiff_t>(known), stamp.ns) ==
+      sent_.begin() + static_cast<std::ptrdiff_t>(known)) {
+    return Answer::kForeign;
+  }
+  if (!enrolled_) {
+    enrolled_ = true;
+    return Answer::kEnrolled;
+  }
+  if (in_flight_ && stamp >= waiting_.front()) {
+    waiting_.pop_front();
+    in_flight_ = false;
+    sent_at_ = now;
+  }
+  return Answer::kExpected;
+}
+
+SimTime LockstepVehicle::next_to_send(WallTime now) {
+  if (in_flight_ || waiting_.empty()) return {-1};
+  in_flight_ = true;
+  sent_at_ = now;
+  remember(waiting_.front());
+  return waiting_.front();
+}
+
+void LockstepVehicle::release() {
+  enrolled_ = false;
+  in_flight_ = false;
+  waiting_.clear();
+}
+
+void LockstepVehicle::clear() {
+  in_flight_ = false;
+  waiting_.clear();
+  sent_count_ = 0;
+}
+
+bool LockstepVehicle::answered_up_to(SimTime stamp) const {
+  return !enrolled_ || waiting_.empty() || waiting_.front() > stamp;
+}
+
+WallTime LockstepVehicle::waiting_for(WallTime now) const {
+  return enrolled_ && in_flight_ ? now - sent_at_ : 0;
+}
+
+SimTime SetpointSources::enrol(const std::string& node, const std::vector<std::string>& vehicles,
+                               SimTime period, SimTime end, SimTime now) {
+  if (period.ns <= 0) {
+    throw Error("set-point source '" + node + "': period is " + std::to_string(period.seconds()) +
+                " s, must be > 0");
+  }
+  if (vehicles.empty()) throw Error("set-point source '" + node + "': names no vehicles");
+  const auto known = sources_.find(node);
+  if (known != sources_.end() && known->second.vehicles == vehicles &&
+      known->second.period == period) {
+    known->second.end = end;
+    return known->second.start;
+  }
+  const SimTime start{(now.ns + period.ns - 1) / period.ns * period.ns};
+  sources_[node] = {vehicles, period, start, end, 0};
+  return start;
+}
+
+void SetpointSources::release(const std::string& node) { sources_.erase(node); }
+
+void SetpointSources::on_setpoint(const std::string& vehicle, SimTime stamp) {
+  SimTime& covered = covered_.try_emplace(vehicle, SimTime{-1}).first->second;
+  covered = std::max(covered, stamp);
+}
+
+bool SetpointSources::covers(const Source& source, SimTime time) const {
+  if (time < source.start || (source.end.ns > 0 && time >= source.end)) return true;
+  const SimTime due{time.ns / source.period.ns * source.period.ns};
+  return std::all_of(source.vehicles.begin(), source.vehicles.end(),
+                     [&](const std::string& vehicle) {
+                       const auto it = covered_.find(vehicle);
+                       return it != covered_.end() && it->second >= due;
+                     });
+}
+
+const std::string* SetpointSources::blocking(SimTime time) const {
+  for (const auto& [node, source] : sources_) {
+    if (!covers(source, time)) return &node;
+  }
+  return nullptr;
+}
+
+std::vector<std::string> SetpointSources::missing(const std::string& node, SimTime time) const {
+  std::vector<std::string> result;
+  const Source& source = sources_.at(node);
+  const SimTime due{time.ns / source.period.ns * source.period.ns};
+  for (const std::string& vehicle : source.vehicles) {
+    const auto it = covered_.find(vehicle);
+    if (it == covered_.end() || it->second < due) result.push_back(vehicle);
+  }
+  return result;
+}
+
+SimTime SetpointSources::end() const {
+  SimTime latest{0};
+  for (const auto& [node, source] : sources_) {
+    if (source.end.ns == 0) return {0};
+    latest = std::max(latest, source.end);
+  }
+  return latest;
+}
+
+}  // namespace trident
