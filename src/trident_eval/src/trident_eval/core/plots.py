@@ -89,24 +89,34 @@ def _draw_paths(scene: Scene) -> Any:
     _label_space(space, scene)
     plan.set(xlabel="x [m]", ylabel="y [m]", title="plan view", aspect="equal")
     plan.margins(0.06)
-    _legend_below(plan, -0.12)
+    figure.legend(*plan.get_legend_handles_labels(), loc="lower center", ncols=8, fontsize=9)
+    figure.get_layout_engine().set(rect=(0.0, 0.07, 1.0, 0.93))
     return figure
 
 
 def _label_space(space: Any, scene: Scene) -> None:
+    from matplotlib.ticker import MaxNLocator
+
     space.set(xlabel="x [m]", ylabel="y [m]", zlabel="z [m]", title="3D")
     points = scene.tracks.position.reshape(-1, 3)
     points = points[np.isfinite(points).all(axis=1)]
     if len(points):
         low, high = points.min(axis=0), points.max(axis=0)
         low[2] = min(low[2], 0.0)
+        # Equal scales, but a flat flight keeps some height.
         extent = np.maximum(high - low, 0.2 * max(float((high - low).max()), 1.0))
-        space.set_box_aspect(extent, zoom=0.92)
+        space.set(xlim=_span(low[0], extent[0]), ylim=_span(low[1], extent[1]))
         space.set_zlim(low[2], low[2] + extent[2])
-    space.view_init(elev=28, azim=-62)
-    for axis in (space.xaxis, space.yaxis, space.zaxis):
+        space.set_box_aspect(extent, zoom=1.25)
+    space.view_init(elev=30, azim=-62)
+    for axis, bins in ((space.xaxis, 6), (space.yaxis, 5), (space.zaxis, 3)):
         axis.set_pane_color((1.0, 1.0, 1.0, 0.0))
-    space.locator_params(axis="z", nbins=4)
+        axis.set_major_locator(MaxNLocator(bins))
+        axis.labelpad = 7
+
+
+def _span(low: float, extent: float) -> tuple[float, float]:
+    return low - 0.02 * extent, low + 1.02 * extent
 
 
 def _mark_formations(scene: Scene, space: Any, plan: Any) -> None:

@@ -1,18 +1,17 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""Positions from MATLAB .mat files (v4 to v7): one numeric variable, `vehicle_pos`."""
+"""Positions from MATLAB .mat files (v5 to v7): one numeric variable, `vehicle_pos`."""
 
 from __future__ import annotations
 
-import io
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from trident_fleet.core.errors import FormationError
+from trident_fleet.core.mat5 import MAGIC, MatError, read_variables
 
 VARIABLE = "vehicle_pos"
 LAYOUTS_2D = ("TNx3", "3xTN")
@@ -20,7 +19,6 @@ LAYOUTS_3D = ("3xNxT", "3xTxN", "Nx3xT", "Tx3xN", "NxTx3", "TxNx3")
 LAYOUTS = LAYOUTS_2D + LAYOUTS_3D
 DEFAULT_VEHICLES = 6
 
-_V5_MAGIC = b"MATLAB 5.0 MAT-file"
 _V73_MAGIC = b"MATLAB 7.3 MAT-file"
 _HDF5_MAGIC = b"\x89HDF\r\n\x1a\n"
 
@@ -41,7 +39,7 @@ class LayoutRequest:
 
 def is_mat_file(path: Path, head: bytes) -> bool:
     """Whether `head`, the file's first bytes, or the suffix of a binary file say .mat."""
-    if head.startswith((_V5_MAGIC, _V73_MAGIC, _HDF5_MAGIC)):
+    if head.startswith((MAGIC, _V73_MAGIC, _HDF5_MAGIC)):
         return True
     return path.suffix.lower() == ".mat" and b"\0" in head
 
@@ -147,35 +145,25 @@ def _load_variable(path: Path) -> npt.NDArray[np.float64]:
             f"{path}: a v7.3 (HDF5) .mat file, which is not read yet; legal: v7 or older"
             f" (in MATLAB: save('{path.name}', '{VARIABLE}', '-v7'))"
         )
-    variables = _load_all(path, raw)
+    try:
+        variables = {variable.name: variable for variable in read_variables(raw)}
+    except MatError as error:
+        raise FormationError(
+            f"{path}: not a readable .mat file ({error}); legal: MATLAB v5, v6 or v7"
+        ) from error
     if VARIABLE not in variables:
         found = ", ".join(sorted(variables)) or "none"
         raise FormationError(
             f"{path}: no variable {VARIABLE}; the file holds: {found}; legal: a numeric matrix"
             f" {VARIABLE}"
         )
-    return _as_real(variables[VARIABLE], f"{path}: variable {VARIABLE}")
-
-
-def _load_all(path: Path, raw: bytes) -> dict[str, Any]:
-    # Imported here: it costs 0.3 s that text files should not pay, in each vehicle's process.
-    from scipy.io import loadmat
-
-    try:
-        loaded = loadmat(io.BytesIO(raw))
-    except Exception as error:  # scipy's readers raise whatever a corrupt file leads them to
-        detail = " ".join(str(error).split()) or type(error).__name__
+    variable = variables[VARIABLE]
+    if variable.values is None:
         raise FormationError(
-            f"{path}: not a readable .mat file ({detail}); legal: MATLAB v4, v5, v6 or v7"
-        ) from error
-    return {name: value for name, value in loaded.items() if not name.startswith("__")}
-
-
-def _as_real(value: Any, where: str) -> npt.NDArray[np.float64]:
-    if not isinstance(value, np.ndarray) or value.dtype.kind not in "fiu":
-        kind = str(getattr(value, "dtype", type(value).__name__))
-        raise FormationError(f"{where}: of type {kind}; legal: a full matrix of real numbers")
-    return value.astype(np.float64)
+            f"{path}: variable {VARIABLE}: of type {variable.kind}; legal: a full matrix of real"
+            " numbers"
+        )
+    return variable.values
 
 
 def _check_finite(matrix: npt.NDArray[np.float64], where: str) -> None:

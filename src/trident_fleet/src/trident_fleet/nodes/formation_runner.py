@@ -67,13 +67,15 @@ class FormationRunner:
         """One flight, until the world's time is reset or the node is shut down."""
         crew = self._crew
         start_ns = crew.link.enroll() if crew.link.is_lockstep else self._next_period_ns()
-        spawn = crew.link.wait_for_spawn()
-        if spawn is None:
+        spawned = crew.link.wait_for_spawn()
+        if spawned is None:
             return
+        # A node that is started again finds its enrolment as old as its first life.
+        start_ns = max(start_ns, self._period_from(spawned.stamp_ns))
         self._prepare_topics()
         make: type[TimeFlight] | type[GateFlight]
         make = TimeFlight if crew.settings.mode == "time" else GateFlight
-        flight: Flight = make(crew, self._rows, spawn, self._origin(start_ns))
+        flight: Flight = make(crew, self._rows, spawned.position, self._origin(start_ns))
         subscribers = flight.begin()
         self._wake.wait()
         for subscriber in subscribers:
@@ -95,8 +97,11 @@ class FormationRunner:
         while not first and not rospy.is_shutdown() and not self._wake.wait(0.02):
             pass
         clock.unregister()
+        return self._period_from(first[-1] + 1) if first else 0
+
+    def _period_from(self, time_ns: int) -> int:
         period_ns = self._crew.settings.feed.period_ns
-        return (first[-1] // period_ns + 1) * period_ns if first else 0
+        return -(-time_ns // period_ns) * period_ns
 
     def _origin(self, start_ns: int) -> Origin:
         settings = self._crew.settings

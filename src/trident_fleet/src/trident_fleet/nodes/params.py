@@ -44,6 +44,7 @@ def default_formation_file() -> str:
 
 
 def out_dir() -> Path | None:
-    """Folder of the run's results: `~out_dir`, else what the simulator writes to; None: nowhere."""
+    """Folder of the run's results: `~out_dir`, else the simulator's; None: nothing is written."""
     folder = get_param("out_dir") or rospy.get_param("/gazebo/out_dir", "")
+    folder = folder or os.environ.get("TRIDENT_OUT")
     return Path(folder) if folder else None

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
+from dataclasses import dataclass
 
 import numpy as np
 import rosgraph
@@ -13,6 +14,7 @@ import rospy
 from geometry_msgs.msg import Pose
 from rosgraph_msgs.msg import Clock
 
+from trident_fleet.core.encoding import NS_PER_S
 from trident_fleet.core.errors import FormationError
 from trident_fleet.core.quintic import Array
 from trident_fleet.core.settings import FleetSettings, Vehicle
@@ -24,11 +26,25 @@ _ENROLL = SIMULATOR + "/enroll_source"
 _SPAWN = SIMULATOR + "/spawn_urdf_model"
 _MODEL_STATE = SIMULATOR + "/get_model_state"
 _POLL_S = 0.05
+_ASK_S = 1.0
 _REPORT_S = 10.0
 _SERVICE_LIMIT_S = 5.0
 
 StateCallback = Callable[[int, Array], None]
 ClockCallback = Callable[[int], None]
+
+
+@dataclass(frozen=True)
+class Spawned:
+    """Where the vehicles stood when the last one was there.
+
+    Attributes:
+        stamp_ns: simulated time of the newest state [ns]; 0 where states have no stamp.
+        position: p_world [m], shape (N, 3).
+    """
+
+    stamp_ns: int
+    position: Array
 
 
 class WorldLink:
@@ -65,18 +81,26 @@ class WorldLink:
         Raises:
             FormationError: the simulator refuses.
         """
-        answer = self._call_enroll(end_ns, enroll=True)
+        rospy.wait_for_service(_ENROLL, timeout=_SERVICE_LIMIT_S)
+        answer = rospy.ServiceProxy(_ENROLL, EnrollSource)(
+            node=rospy.get_name(),
+            vehicles=[vehicle.name for vehicle in self._fed],
+            period=rospy.Duration(0, self._settings.feed.period_ns),
+            end_time=rospy.Time(*divmod(end_ns, NS_PER_S)),
+            enroll=True,
+        )
         if not answer.success:
             raise FormationError(f"{_ENROLL}: refused: {answer.message}")
         return int(answer.start_time.to_nsec())
 
     def withdraw(self) -> None:
-        """Do not make the world wait for this node any longer; errors are of no use any more."""
+        """Be there, so that a world that waits for all sources can start, but feed nothing.
+
+        Errors are told and no more: there is nothing left to save.
+        """
         if self.is_lockstep:
             try:
-                end_ns = self.enroll() + self._settings.feed.period_ns
-                self.enroll(end_ns)
-                self._call_enroll(0, enroll=False)
+                self.enroll(end_ns=self.enroll() + 1)
             except (FormationError, rospy.ServiceException, rospy.ROSException) as error:
                 rospy.loginfo("withdrawing from the lockstep: %s", error)
 
@@ -105,28 +129,30 @@ class WorldLink:
             time.sleep(_POLL_S)
         return False
 
-    def wait_for_spawn(self) -> Array | None:
-        """Positions of all vehicles [m, world], shape (N, 3), once the last one is there.
+    def wait_for_spawn(self) -> Spawned | None:
+        """Wait until all vehicles are in the world.
 
         Returns:
             None if the node was shut down while waiting.
         """
         found: dict[str, Array] = {}
+        stamp_ns = [0]
         names = [vehicle.name for vehicle in self._vehicles]
-        subscriber = rospy.Subscriber(
-            SIMULATOR + "/fleet_state",
-            FleetState,
-            lambda state: found.update(_positions_by_name(state.name, state.pose)),
-            tcp_nodelay=True,
-        )
+
+        def on_state(state: FleetState) -> None:
+            stamp_ns[0] = state.header.stamp.to_nsec()
+            found.update(_positions_by_name(state.name, state.pose))
+
+        topic = SIMULATOR + "/fleet_state"
+        subscriber = rospy.Subscriber(topic, FleetState, on_state, tcp_nodelay=True)
         reported = asked = time.monotonic()
         try:
             while not rospy.is_shutdown():
                 missing = [name for name in names if name not in found]
                 if not missing:
-                    return np.array([found[name] for name in names])
+                    return Spawned(stamp_ns[0], np.array([found[name] for name in names]))
                 now = time.monotonic()
-                if now - asked > 1.0:
+                if now - asked > _ASK_S:
                     # A world that stands still may have nothing to publish.
                     found.update(_ask_for_poses(missing))
                     asked = now
@@ -201,16 +227,6 @@ class WorldLink:
         by_name = _positions_by_name(names, poses)
         gone = np.full(3, np.nan)
         return np.array([by_name.get(vehicle.name, gone) for vehicle in self._vehicles])
-
-    def _call_enroll(self, end_ns: int, enroll: bool) -> EnrollSource._response_class:
-        rospy.wait_for_service(_ENROLL, timeout=_SERVICE_LIMIT_S)
-        return rospy.ServiceProxy(_ENROLL, EnrollSource)(
-            node=rospy.get_name(),
-            vehicles=[vehicle.name for vehicle in self._fed],
-            period=rospy.Duration(0, self._settings.feed.period_ns),
-            end_time=rospy.Time(*divmod(end_ns, 1_000_000_000)),
-            enroll=enroll,
-        )
 
 
 def _service_exists(name: str) -> bool:
