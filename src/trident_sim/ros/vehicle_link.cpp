@@ -3,6 +3,7 @@
 #include "vehicle_link.h"
 
 #include <geometry_msgs/PoseStamped.h>
+#include <ros/topic_manager.h>
 #include <std_msgs/Header.h>
 #include <trajectory_msgs/MultiDOFJointTrajectory.h>
 
