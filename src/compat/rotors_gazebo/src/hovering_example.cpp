@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Starts the simulation, and sends one vehicle to the point of its private parameters x, y, z [m],
+// yaw [rad].
+#include <ros/ros.h>
+#include <std_srvs/Empty.h>
+
+#include <chrono>
+#include <thread>
+
+#include "trajectory_sender.h"
+
+namespace {
+
+constexpr int kTries = 10;
+constexpr double kTimeForTheWorldToSettle_s = 5.0;  // simulated
+
+bool unpause_physics() {
+  std_srvs::Empty request;
+  for (int i = 0; i <= kTries && ros::ok(); ++i) {
+    if (ros::service::call("/gazebo/unpause_physics", request)) return true;
+    ROS_INFO("Wait for 1 second before trying to unpause Gazebo again.");
+    std::this_thread::sleep_for(std::chrono::seconds(1));
+  }
+  return false;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "hovering_example");
+  ros::NodeHandle node;
+  const ros::NodeHandle private_node("~");
+  trident::TrajectorySender sender(node);
+  ROS_INFO("Started hovering example.");
+  if (!unpause_physics()) {
+    ROS_FATAL("Could not wake up Gazebo.");
+    return 1;
+  }
+  ROS_INFO("Unpaused the Gazebo simulation.");
+
+  trident::Waypoint goal;
+  private_node.param("x", goal.x, 0.0);
+  private_node.param("y", goal.y, 0.0);
+  private_node.param("z", goal.z, 1.0);
+  private_node.param("yaw", goal.yaw, 0.0);
+  ros::Duration(kTimeForTheWorldToSettle_s).sleep();
+  return sender.send(trident::trajectory_through({goal})) ? 0 : 1;
+}
