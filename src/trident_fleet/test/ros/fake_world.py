@@ -1,10 +1,13 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""A world of points that speaks the lockstep protocol: what the formation nodes are tested against.
+"""A world of points that follow their set-points with a lag: what the nodes are tested against.
 
-Usage: fake_world.py RESULT.json VEHICLES SOURCES [SECONDS]. Vehicles UAV1.. stand 1.6 m apart and
-follow their set-points with a lag. Ends when all sources have ended, or at SECONDS.
+Usage: fake_world.py RESULT.json VEHICLES SOURCES KIND
+
+KIND `lockstep` speaks the lockstep protocol and ends when all sources have ended; `plain` is like
+Gazebo: it offers model states and a spawn service, waits for nobody, and ends when the vehicles
+have moved along x and come to rest.
 """
 
 from __future__ import annotations
@@ -16,12 +19,17 @@ import sys
 import threading
 import time
 from collections import deque
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import rospy
+from gazebo_msgs.msg import ModelStates
+from gazebo_msgs.srv import GetModelState, GetModelStateResponse
 from geometry_msgs.msg import Point, Pose, Quaternion, Twist
 from rosgraph_msgs.msg import Clock
+from std_srvs.srv import Empty
 from trajectory_msgs.msg import MultiDOFJointTrajectory
 
 from trident_msgs.msg import FleetState
@@ -31,113 +39,161 @@ PERIOD_NS = 100_000_000
 STEPS = 10
 FOLLOW = 0.35
 WALL_LIMIT_S = 60.0
+PLAIN_PERIOD_WALL_S = 0.02
 
 
-class FakeWorld:
-    """Positions, the newest set-points, and who is enrolled."""
+class World:
+    """Positions of the vehicles, and the set-points that came for them."""
 
-    def __init__(self, vehicles: int, sources: int) -> None:
+    def __init__(self, vehicles: int) -> None:
         self.names = [f"UAV{i + 1}" for i in range(vehicles)]
         self.position = np.array([[0.0, 4.0 - 1.6 * i, 0.1] for i in range(vehicles)])
-        self.sources = sources
-        self.ends: dict[str, int] = {}
         self.changed = threading.Condition()
         self.inbox: list[deque[bytes]] = [deque() for _ in self.names]
         self.newest = [-1] * vehicles
-        self.digest = [hashlib.sha256() for _ in self.names]
-        self.messages = 0
         self.clock = rospy.Publisher("/clock", Clock, queue_size=10, tcp_nodelay=True)
-        self.fleet = rospy.Publisher("/gazebo/fleet_state", FleetState, queue_size=50, latch=True)
         for index, name in enumerate(self.names):
-            rospy.Subscriber(
-                f"/{name}/command/trajectory",
-                rospy.AnyMsg,
-                self.on_setpoint,
-                callback_args=index,
-                tcp_nodelay=True,
-            )
+            topic = f"/{name}/command/trajectory"
+            rospy.Subscriber(topic, rospy.AnyMsg, self.on_setpoint, index, tcp_nodelay=True)
+
+    def on_setpoint(self, message: rospy.AnyMsg, index: int) -> None:
+        with self.changed:
+            self.inbox[index].append(message._buff)
+            self.newest[index] = stamp_ns(message._buff)
+            self.changed.notify_all()
+
+    def publish_clock(self, time_ns: int) -> None:
+        self.clock.publish(rospy.Time(*divmod(time_ns, 1_000_000_000)))
+
+    def poses(self) -> list[Pose]:
+        return [Pose(Point(*p), Quaternion(0, 0, 0, 1)) for p in self.position.tolist()]
+
+    def follow(self, index: int, raw: bytes) -> None:
+        message = MultiDOFJointTrajectory()
+        message.deserialize(raw)
+        assert len(message.points) == STEPS
+        for point in message.points:
+            target = point.transforms[0].translation
+            error = np.array([target.x, target.y, target.z]) - self.position[index]
+            self.position[index] += FOLLOW * error
+
+
+class LockstepWorld(World):
+    """Does not pass a period before every vehicle has a set-point for it."""
+
+    def __init__(self, vehicles: int, sources: int) -> None:
+        super().__init__(vehicles)
+        self.sources = sources
+        self.ends: dict[str, int] = {}
+        self.flown = [hashlib.sha256() for _ in self.names]
+        self.fleet = rospy.Publisher("/gazebo/fleet_state", FleetState, queue_size=50, latch=True)
         self.publish_state(0)
         rospy.Service("/gazebo/enroll_source", EnrollSource, self.on_enroll)
 
     def on_enroll(self, request: EnrollSourceRequest) -> EnrollSourceResponse:
         with self.changed:
-            if request.enroll:
-                self.ends[request.node] = request.end_time.to_nsec()
-            else:
-                self.ends[request.node] = min(1, self.ends.get(request.node, 1))
+            self.ends[request.node] = request.end_time.to_nsec()
             self.changed.notify_all()
         return EnrollSourceResponse(True, rospy.Time(0), "")
-
-    def on_setpoint(self, message: rospy.AnyMsg, index: int) -> None:
-        seconds, nanoseconds = struct.unpack_from("<II", message._buff, 4)
-        with self.changed:
-            self.inbox[index].append(message._buff)
-            self.newest[index] = seconds * 1_000_000_000 + nanoseconds
-            self.digest[index].update(message._buff)
-            self.messages += 1
-            self.changed.notify_all()
 
     def publish_state(self, time_ns: int) -> None:
         state = FleetState()
         state.header.stamp = rospy.Time(*divmod(time_ns, 1_000_000_000))
         state.header.frame_id = "world"
         state.name = self.names
-        state.pose = [Pose(Point(*p), Quaternion(0, 0, 0, 1)) for p in self.position.tolist()]
+        state.pose = self.poses()
         state.twist = [Twist() for _ in self.names]
         self.fleet.publish(state)
 
-    def wait_until(self, condition: object, what: str) -> None:
+    def wait_until(self, condition: Callable[[], bool], what: str) -> None:
         with self.changed:
-            if not self.changed.wait_for(condition, timeout=WALL_LIMIT_S):  # type: ignore[arg-type]
+            if not self.changed.wait_for(condition, timeout=WALL_LIMIT_S):
                 raise SystemExit(f"fake_world: waited {WALL_LIMIT_S:g} s for {what}")
 
-    def move(self, time_ns: int) -> None:
-        for index, inbox in enumerate(self.inbox):
-            setpoint = self.take(inbox, time_ns)
-            for point in setpoint.points:
-                target = point.transforms[0].translation
-                error = np.array([target.x, target.y, target.z]) - self.position[index]
-                self.position[index] += FOLLOW * error
-
-    def take(self, inbox: deque[bytes], time_ns: int) -> MultiDOFJointTrajectory:
-        while True:
-            message = MultiDOFJointTrajectory()
-            message.deserialize(inbox.popleft())
-            if message.header.stamp.to_nsec() == time_ns:
-                assert len(message.points) == STEPS
-                return message
-
-    def run(self, limit_ns: int) -> dict[str, object]:
+    def run(self) -> dict[str, Any]:
         self.wait_until(lambda: len(self.ends) == self.sources, f"{self.sources} sources")
         began, time_ns = time.monotonic(), 0
-        while time_ns < limit_ns and not self.is_over(time_ns) and not rospy.is_shutdown():
-            self.clock.publish(rospy.Time(*divmod(time_ns, 1_000_000_000)))
+        while True:
+            self.publish_clock(time_ns)
             if time_ns:
                 self.publish_state(time_ns)
-            # Bound now: the lambda runs within this round.
-            self.wait_until(lambda due=time_ns: min(self.newest) >= due, f"set-points {time_ns}")
-            self.move(time_ns)
+            self.wait_until(lambda now=time_ns: self.may_pass(now), f"set-points for {time_ns} ns")
+            if self.is_over(time_ns):
+                break
+            for index in range(len(self.names)):
+                self.follow(index, self.take(index, time_ns))
             time_ns += PERIOD_NS
         wall_s = time.monotonic() - began
         return {
             "sim_s": time_ns / 1e9,
             "wall_s": wall_s,
-            "messages": self.messages,
-            "position": self.position.tolist(),
-            "ends": self.ends,
-            "digest": [digest.hexdigest() for digest in self.digest],
+            "digest": [digest.hexdigest() for digest in self.flown],
         }
+
+    def may_pass(self, time_ns: int) -> bool:
+        return min(self.newest) >= time_ns or self.is_over(time_ns)
 
     def is_over(self, time_ns: int) -> bool:
         ends = list(self.ends.values())
-        return all(ends) and time_ns >= max(ends)
+        # A source that ends before the first period does not fly at all.
+        return all(ends) and time_ns + PERIOD_NS > max(ends)
+
+    def take(self, index: int, time_ns: int) -> bytes:
+        while True:
+            raw = self.inbox[index].popleft()
+            if stamp_ns(raw) == time_ns:
+                self.flown[index].update(raw)
+                return raw
+
+
+class PlainWorld(World):
+    """Runs at its own pace, like Gazebo: nobody is waited for."""
+
+    def __init__(self, vehicles: int) -> None:
+        super().__init__(vehicles)
+        self.states = rospy.Publisher("/gazebo/model_states", ModelStates, queue_size=10)
+        rospy.Service("/gazebo/spawn_urdf_model", Empty, lambda _: None)
+        rospy.Service("/gazebo/get_model_state", GetModelState, self.on_get)
+
+    def on_get(self, request: Any) -> GetModelStateResponse:
+        response = GetModelStateResponse()
+        response.success = request.model_name in self.names
+        if response.success:
+            response.pose = self.poses()[self.names.index(request.model_name)]
+        return response
+
+    def run(self) -> dict[str, Any]:
+        time_ns, early, resting = 0, 0, 0
+        begin = self.position.copy()
+        give_up = time.monotonic() + WALL_LIMIT_S
+        while resting < 20 and time.monotonic() < give_up:
+            self.publish_clock(time_ns)
+            self.states.publish(ModelStates(self.names, self.poses(), [Twist()] * len(self.names)))
+            time.sleep(PLAIN_PERIOD_WALL_S)
+            before = self.position.copy()
+            with self.changed:
+                early += sum(newest > time_ns for newest in self.newest)
+                for index, inbox in enumerate(self.inbox):
+                    if inbox:
+                        self.follow(index, inbox.pop())
+                        inbox.clear()
+            has_left = np.abs(self.position - begin)[:, 0].min() > 0.5
+            is_still = np.abs(self.position - before).max() < 1e-4
+            resting = resting + 1 if has_left and is_still else 0
+            time_ns += PERIOD_NS
+        return {"sim_s": time_ns / 1e9, "early": early}
+
+
+def stamp_ns(raw: bytes) -> int:
+    seconds, nanoseconds = struct.unpack_from("<II", raw, 4)
+    return int(seconds) * 1_000_000_000 + int(nanoseconds)
 
 
 def main() -> None:
-    result, vehicles, sources = sys.argv[1], int(sys.argv[2]), int(sys.argv[3])
-    limit_s = float(sys.argv[4]) if len(sys.argv) > 4 else 600.0
+    result, vehicles, sources, kind = sys.argv[1], int(sys.argv[2]), int(sys.argv[3]), sys.argv[4]
     rospy.init_node("gazebo", disable_signals=True)
-    outcome = FakeWorld(vehicles, sources).run(round(limit_s * 1e9))
+    world = PlainWorld(vehicles) if kind == "plain" else LockstepWorld(vehicles, sources)
+    outcome = world.run() | {"position": world.position.tolist()}
     Path(result).write_text(json.dumps(outcome), encoding="utf-8")
 
 
