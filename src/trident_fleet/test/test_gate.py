@@ -22,7 +22,7 @@ Follow = Callable[[int, Array, Array], Array]
 def rows_ahead(count: int, step_m: float = 0.15) -> Array:
     ahead = np.zeros((count, 3, 3))
     ahead[:, :, 0] = step_m * np.arange(count)[:, None]
-    return SPAWN + [0.0, 0.0, 1.0] + ahead
+    return SPAWN + np.array([0.0, 0.0, 1.0]) + ahead
 
 
 def new_gate(rows: Array, config: GateConfig | None = None) -> FormationGate:
