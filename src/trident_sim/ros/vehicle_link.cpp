@@ -103,6 +103,7 @@ void VehicleLink::on_command(const std::uint8_t* bytes, std::uint32_t size) {
     hub_.news.push_back(name_ + ": controller enrolled at state " +
                         std::to_string(command.stamp.seconds()) + " s; the world waits for it");
   }
+  loss_told = false;
   inbox_.push_back(command);
   send_next();
   hub_.notify_if_ready();

@@ -67,6 +67,7 @@ class VehicleLink {
 
   LockstepVehicle lockstep;             ///< under the hub's mutex
   std::uint32_t readers_when_sent = 0;  ///< under the hub's mutex
+  bool loss_told = false;               ///< under the hub's mutex
 
  private:
   struct State {

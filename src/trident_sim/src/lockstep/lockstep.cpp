@@ -85,7 +85,8 @@ SimTime SetpointSources::enrol(const std::string& node, const std::vector<std::s
     known->second.end = end;
     return known->second.start;
   }
-  const SimTime start{(now.ns + period.ns - 1) / period.ns * period.ns};
+  // Never time zero: a stamp of zero would mean none.
+  const SimTime start{(now.ns / period.ns + 1) * period.ns};
   sources_[node] = {vehicles, period, start, end, 0};
   return start;
 }

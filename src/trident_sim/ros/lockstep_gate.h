@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <ros/ros.h>
+
+#include <chrono>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "port_binder.h"
+#include "server_options.h"
+#include "trident_sim/world.h"
+#include "vehicle_link.h"
+
+namespace trident {
+
+/// Decides when the world may make its next step: when everything that was declared is there, when each
+/// enrolled controller has answered the states that the step needs, and when each set-point source has
+/// given what it owes. Called by the stepping thread and by services, with the world's mutex held.
+class LockstepGate {
+ public:
+  /// `pause`: what LossPolicy::kPause does.
+  LockstepGate(ros::NodeHandle& node, const ServerOptions& options, ReportSink report,
+               std::function<void()> pause);
+  ~LockstepGate();
+
+  /// Follows the vehicles that came or went.
+  void sync(World& world, PortBinder& binder);
+
+  /// Everything that time zero is held for is there.
+  bool start_allowed(const World& world, PortBinder& binder);
+  /// What it is held for, in words; "" when nothing is missing.
+  std::string missing_for_start(const World& world);
+
+  /// True: the step may be made, and the commands for it are in the ports. False: something was waited
+  /// for, up to milliseconds, with `world_mutex` released; look again. `about_to_wait` is called
+  /// before the wait for a set-point source, which lives by /clock.
+  bool allows_step(const World& world, std::mutex& world_mutex,
+                   const std::function<void()>& about_to_wait);
+  /// Sends, or lines up, the odometry of the step that was just made.
+  void send_states(SimTime stamp);
+
+  /// The states under way are void; after a reset of time the set-points too.
+  void clear(bool with_time);
+
+  SimTime enrol_source(const std::string& node, const std::vector<std::string>& vehicles,
+                       SimTime period, SimTime end, SimTime now);
+  void release_source(const std::string& node);
+  /// End of the last source; 0 while one has none.
+  SimTime sources_end();
+
+  std::size_t vehicle_count() const { return vehicles_.size(); }
+  /// Name of each vehicle and whether its controller is in lockstep.
+  std::vector<std::pair<std::string, bool>> vehicle_states();
+  /// What happened since the last call, a line each.
+  std::vector<std::string> take_news();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  void check_losses(const World& world);
+  void check_vehicle(VehicleLink& vehicle, WallTime now);
+  void check_source(SimTime time, WallTime now);
+  void lose(const std::string& who, const std::string& why);
+
+  ros::NodeHandle& node_;
+  const ServerOptions& options_;
+  ReportSink report_;
+  std::function<void()> pause_;
+  InlineCallbackQueue inline_queue_;
+  LockstepHub hub_;
+  std::map<std::string, std::unique_ptr<VehicleLink>> vehicles_;
+  bool released_ = false;  ///< time zero is no longer held
+  Clock::time_point complete_since_;
+};
+
+}  // namespace trident
