@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "benchmark_options.h"
+
+#include <cmath>
+#include <map>
+
+#include "trident_base/error.h"
+
+namespace trident {
+namespace {
+
+constexpr int kMaxVehicles = 1000;
+
+double number(const std::string& option, const std::string& text, double lo, double hi) {
+  try {
+    std::size_t used = 0;
+    const double value = std::stod(text, &used);
+    if (used == text.size() && value >= lo && value <= hi) return value;
+  } catch (const std::exception&) {
+  }
+  throw Error("option " + option + " is '" + text + "', must be a number in [" +
+              std::to_string(lo) + ", " + std::to_string(hi) + "]");
+}
+
+void require(const std::string& option, const std::string& value) {
+  if (value.empty()) throw Error("option " + option + " is missing; see sim_benchmark --help");
+}
+
+void set_number(const std::string& name, const std::string& text, BenchmarkOptions& options) {
+  if (name == "--n") {
+    const double n = number(name, text, 1, kMaxVehicles);
+    if (n != std::floor(n)) throw Error("option --n is '" + text + "', must be a whole number");
+    options.vehicles = static_cast<int>(n);
+  } else if (name == "--window") {
+    options.window_s = number(name, text, 1.0, 1e6);
+  } else if (name == "--min-wall") {
+    options.min_wall_s = number(name, text, 0.0, 3600.0);
+  } else if (name == "--airborne") {
+    options.airborne_z_m = number(name, text, 0.0, 0.9);
+  } else {
+    throw Error("option " + name + " is unknown; see sim_benchmark --help");
+  }
+}
+
+}  // namespace
+
+const char* const kBenchmarkUsage =
+    "sim_benchmark: hovering vehicles whose controllers run inside the simulator; no ROS\n"
+    "  --world FILE       SDF world\n"
+    "  --urdf FILE        one vehicle, with MARKER where its namespace goes\n"
+    "  --marker MARKER\n"
+    "  --parameters TEXT  the controller's YAML files, separated by spaces\n"
+    "  --n N              vehicles (6)\n"
+    "  --window S         simulated seconds of a measured window (60)\n"
+    "  --min-wall S       windows are added until this wall time is reached (2)\n"
+    "  --airborne Z       measured once all are above it [m] (0.5)\n"
+    "  --profile          time per stage of a step\n"
+    "Prints one JSON object.\n";
+
+BenchmarkOptions parse_benchmark_options(const std::vector<std::string>& arguments) {
+  BenchmarkOptions options;
+  const std::map<std::string, std::string*> texts = {{"--world", &options.world_file},
+                                                     {"--urdf", &options.urdf_file},
+                                                     {"--marker", &options.marker},
+                                                     {"--parameters", &options.parameters}};
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const std::string& name = arguments[i];
+    if (name == "--profile") {
+      options.profile = true;
+      continue;
+    }
+    if (i + 1 == arguments.size()) {
+      throw Error("option " + name + " is unknown or needs a value; see sim_benchmark --help");
+    }
+    const std::string& value = arguments[++i];
+    if (const auto text = texts.find(name); text != texts.end()) {
+      *text->second = value;
+    } else {
+      set_number(name, value, options);
+    }
+  }
+  for (const auto& [name, value] : texts) require(name, *value);
+  return options;
+}
+
+}  // namespace trident
