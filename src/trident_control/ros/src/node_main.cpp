@@ -43,8 +43,9 @@ void shut_down_on_signal(std::atomic<bool>& has_ended) {
   ros::shutdown();
 }
 
-// With /use_sim_time, roscpp subscribes to /clock in every node: thousands of messages a second, through a
-// thread of their own, for a node that never asks for the time. Its log takes the stamps of the odometry.
+// With /use_sim_time, roscpp subscribes to /clock in every node: thousands of messages a second,
+// through a thread of their own, for a node that never asks for the time. Its log takes the stamps
+// of the odometry.
 void init_without_clock(int argc, char** argv, const std::string& name) {
   std::string no_clock = "/clock:=/clock_not_used";
   std::vector<char*> arguments(argv, argv + argc);
