@@ -1,0 +1,183 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""Command line of the benchmark."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import shlex
+import signal
+import sys
+import time
+from collections.abc import Callable
+from datetime import datetime
+from pathlib import Path
+from types import FrameType
+from typing import Any
+
+from trident_eval.bench import in_process, launches, lockstep
+from trident_eval.bench.machine import describe_commit, describe_machine
+from trident_eval.bench.rows import (
+    Plan,
+    caption,
+    failed_row,
+    markdown_table,
+    number_text,
+    plan_rows,
+    profile_table,
+    summarize,
+)
+from trident_eval.bench.vehicle import Setup, prepare
+from trident_eval.core.errors import EvalError
+
+MEASURED, FAILED, UNUSABLE = 0, 1, 2
+
+
+def make_parser() -> argparse.ArgumentParser:
+    """The command line."""
+    parser = argparse.ArgumentParser(prog="trident bench", description=__doc__)
+    commands = parser.add_subparsers(required=True, metavar="COMMAND")
+    sim = commands.add_parser("sim", help="measure the simulator")
+    sim.add_argument("--quick", action="store_true", help="N <= 6, one run each, no launch files")
+    sim.add_argument("--out", type=Path, metavar="FILE.json", help="where the rows go")
+    sim.add_argument("--profile", action="store_true", help="time per stage of a step")
+    sim.add_argument("--markdown", action="store_true", help="a Markdown table on stdout")
+    sim.add_argument("--runs", type=_positive, metavar="N", help="runs per row (3; --quick: 1)")
+    sim.add_argument("--mode", action="append", default=[], help="only this mode; may be repeated")
+    sim.add_argument(
+        "--controller",
+        type=Path,
+        metavar="PROGRAM",
+        help="for lockstep_external: another build of lee_position_controller_node",
+    )
+    sim.set_defaults(run=_sim)
+    table = commands.add_parser("table", help="the Markdown table of a saved benchmark")
+    table.add_argument("source", type=Path, metavar="FILE.json")
+    table.set_defaults(run=_table)
+    return parser
+
+
+def _positive(text: str) -> int:
+    value = int(text)
+    if value < 1:
+        raise argparse.ArgumentTypeError(f"{text} is not legal; legal: >= 1")
+    return value
+
+
+def say(text: str) -> None:
+    """One line on stderr: stdout is the result's."""
+    print(text, file=sys.stderr, flush=True)
+
+
+def measure_once(plan: Plan, setup: Setup, profile: bool) -> dict[str, Any]:
+    """One run of a row.
+
+    Raises:
+        EvalError: it could not be measured.
+    """
+    modes: dict[str, Callable[[], dict[str, Any]]] = {
+        "in_process": lambda: in_process.measure(plan, setup, profile),
+        "lockstep_external": lambda: lockstep.measure(plan, setup),
+        "startup": lambda: launches.measure_startup(plan),
+        "main_job": lambda: launches.measure_main_job(),
+        "tutorial_full": lambda: launches.measure_tutorial(plan),
+    }
+    return modes[plan.mode]()
+
+
+def measure_row(plan: Plan, setup: Setup, profile: bool, where: str) -> dict[str, Any]:
+    """One row: all its runs, with a line about each; a run that fails makes a row that says so."""
+    results = []
+    for number in range(1, plan.runs + 1):
+        begin = time.monotonic()
+        try:
+            result = measure_once(plan, setup, profile)
+        except EvalError as error:
+            say(f"{where} {plan.mode} n={plan.n}: {error}")
+            return failed_row(plan, str(error).splitlines()[0])
+        results.append(result)
+        rtf = f"rtf {number_text(result['rtf'])}, " if result.get("rtf") else ""
+        say(
+            f"{where} {plan.mode} n={plan.n} run {number}/{plan.runs}: {rtf}"
+            f"{time.monotonic() - begin:.0f} s"
+        )
+    return summarize(plan, results)
+
+
+def _sim(options: argparse.Namespace) -> int:
+    plans = plan_rows(options.quick, options.mode, options.runs)
+    if options.out and not options.out.parent.is_dir():
+        raise EvalError(f"--out {options.out}: its folder does not exist")
+    setup = prepare(options.controller)
+    document: dict[str, Any] = {
+        "command": shlex.join(["./trident", "bench", *sys.argv[1:]]),
+        "started": datetime.now().astimezone().isoformat(timespec="seconds"),
+        "commit": describe_commit(Path(__file__).resolve().parent),
+        "machine": describe_machine(),
+        "controller": str(options.controller or "rotors_control/lee_position_controller_node"),
+        "rows": [],
+    }
+    for number, plan in enumerate(plans, 1):
+        row = measure_row(plan, setup, options.profile, f"[{number}/{len(plans)}]")
+        document["rows"].append(row)
+        _write(options.out, document)  # what has been measured is kept, whatever comes
+    if options.out:
+        say(f"written: {options.out}")
+    if options.markdown or not options.out:
+        _print_tables(document, options.profile)
+    return FAILED if any("error" in row for row in document["rows"]) else MEASURED
+
+
+def _write(path: Path | None, document: dict[str, Any]) -> None:
+    if path is None:
+        return
+    text = json.dumps(document, indent=2, allow_nan=False) + "\n"
+    temporary = path.with_name(f".{path.name}.part")
+    temporary.write_text(text, encoding="utf-8")
+    temporary.replace(path)
+
+
+def _print_tables(document: dict[str, Any], profile: bool) -> None:
+    print(markdown_table(document["rows"]))
+    print(f"\n{caption(document)}")
+    if profile:
+        print(profile_table(document["rows"]))
+
+
+def _table(options: argparse.Namespace) -> int:
+    try:
+        document = json.loads(options.source.read_text(encoding="utf-8"))
+        _print_tables(document, profile=True)
+    except (OSError, ValueError, KeyError, TypeError) as error:
+        reason = f"no {error}" if isinstance(error, KeyError) else str(error)
+        raise EvalError(f"{options.source}: {reason}; legal: a file that --out has written") from error
+    return MEASURED
+
+
+def _end_on_signal(number: int, frame: FrameType | None) -> None:
+    del frame
+    raise SystemExit(128 + number)  # so that every `with` ends its processes
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Runs a subcommand.
+
+    Returns:
+        0: measured; 1: a row failed; 2: nothing could be measured; 130: interrupted.
+    """
+    options = make_parser().parse_args(arguments)
+    for number in (signal.SIGTERM, signal.SIGHUP):
+        signal.signal(number, _end_on_signal)
+    try:
+        return int(options.run(options))
+    except EvalError as error:
+        say(f"trident_eval.bench: {error}")
+        return UNUSABLE
+    except KeyboardInterrupt:
+        say("trident_eval.bench: interrupted")
+        return 130
+
+
+if __name__ == "__main__":
+    sys.exit(main())

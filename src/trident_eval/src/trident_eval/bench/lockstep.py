@@ -1,0 +1,122 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""Mode ``lockstep_external``: the server node, one controller process per vehicle, ROS between."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+import time
+from typing import Any
+
+from trident_eval.bench.processes import Master, Processes
+from trident_eval.bench.procfs import process_tree
+from trident_eval.bench.rows import Plan
+from trident_eval.bench.vehicle import (
+    SPAWN_HEIGHT_M,
+    Setup,
+    describe,
+    place,
+    program,
+    vehicle_name,
+)
+from trident_eval.core.errors import EvalError
+
+_STEP_S = 0.01  # rotors_gazebo/worlds/basic.world
+_SPAWN_LIMIT_S = 120.0
+_FLIGHT_LIMIT_S = 900.0
+
+
+def set_params(processes: Processes, master: Master, plan: Plan, setup: Setup) -> None:
+    """Sets the parameters that a launch file would."""
+    out = processes.folder / "out"
+    out.mkdir()
+    server = {"wait_for": plan.n, "real_time_factor": 0.0, "out_dir": str(out)}
+    params: dict[str, Any] = {"/use_sim_time": True, "/gazebo": server}
+    controller = setup.controller_params()
+    for index in range(plan.n):
+        params[f"/{vehicle_name(index)}"] = {
+            "robot_description": describe(setup.template, index),
+            "lee_position_controller_node": controller,
+        }
+    master.set_params(params)
+
+
+def start_server(processes: Processes, setup: Setup) -> subprocess.Popen[bytes]:
+    """Starts the simulator, paused at time zero."""
+    command = [program("gazebo_ros", "gzserver"), "-u", str(setup.world), "__name:=gazebo"]
+    return processes.start("gazebo", command)
+
+
+def spawn_all(processes: Processes, n: int) -> None:
+    """Runs one spawn_model process per vehicle, all at once, to their ends."""
+    spawners = []
+    for index in range(n):
+        name = vehicle_name(index)
+        x, y = place(index)
+        command = [
+            program("gazebo_ros", "spawn_model"),
+            *("-urdf", "-param", "robot_description", "-model", name),
+            *("-x", str(x), "-y", str(y), "-z", str(SPAWN_HEIGHT_M)),
+        ]
+        log = f"spawn_{name}"
+        spawners.append((log, processes.start(log, command, {"ROS_NAMESPACE": name})))
+    for log, process in spawners:
+        processes.finish(log, process, _SPAWN_LIMIT_S)
+
+
+def start_controllers(processes: Processes, n: int, program_path: str) -> list[int]:
+    """Starts one controller process per vehicle; returns their ids."""
+    node = "lee_position_controller_node"
+    words = [program_path, f"__name:={node}", "odometry:=odometry_sensor1/odometry"]
+    return [
+        processes.start(f"{node}_{i + 1}", words, {"ROS_NAMESPACE": vehicle_name(i)}).pid
+        for i in range(n)
+    ]
+
+
+def measure(plan: Plan, setup: Setup) -> dict[str, Any]:
+    """One run.
+
+    Raises:
+        EvalError: a process fails or takes too long.
+    """
+    with Processes() as processes:
+        roscore, master = processes.start_master()
+        set_params(processes, master, plan, setup)
+        program("gazebo_ros", "spawn_model")  # found now, so that the search is not timed
+        begin = time.perf_counter()
+        server = start_server(processes, setup)
+        spawn_all(processes, plan.n)
+        startup_s = time.perf_counter() - begin
+        controllers = start_controllers(processes, plan.n, setup.controller)
+        result = pilot_result(processes, plan, roscore.pid, server.pid, controllers)
+        processes.stop(server)
+        return result | {"startup_s": startup_s, "state_hash": final_hash(processes)}
+
+
+def pilot_result(
+    processes: Processes, plan: Plan, roscore: int, server: int, controllers: list[int]
+) -> dict[str, Any]:
+    """Lets the pilot fly; returns what it measured."""
+    core = process_tree(roscore)
+    command = [
+        *(sys.executable, "-m", "trident_eval.bench.pilot"),
+        *("--window", str(plan.window_s), "--dt", str(_STEP_S), "--server", str(server)),
+        *("--controllers", *map(str, controllers), "--master", *map(str, core)),
+    ]
+    pilot = processes.start("pilot", command)
+    processes.finish("pilot", pilot, _FLIGHT_LIMIT_S)
+    lines = processes.log("pilot").read_text(encoding="utf-8").splitlines()
+    result: dict[str, Any] = json.loads(lines[-1])
+    return result
+
+
+def final_hash(processes: Processes) -> str:
+    """Hash of the simulator's last state, from the run.json that it writes as it ends."""
+    path = processes.folder / "out" / "run.json"
+    try:
+        return str(json.loads(path.read_text(encoding="utf-8"))["state_hash"])
+    except (OSError, ValueError, KeyError) as error:
+        raise EvalError(f"{path.name} of the simulator: {error}\n{processes.tails()}") from error
