@@ -20,9 +20,9 @@
 #include <vector>
 
 #include "trident_base/span.h"
-#include "trident_control_ros/direct_publication.h"
-#include "trident_control_ros/inline_callback_queue.h"
-#include "trident_control_ros/subscriptions.h"
+#include "trident_ros/direct_publication.h"
+#include "trident_ros/inline_callback_queue.h"
+#include "trident_ros/subscriptions.h"
 
 namespace {
 

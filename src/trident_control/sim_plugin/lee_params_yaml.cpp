@@ -29,7 +29,8 @@ class LeeYaml {
   }
 
  private:
-  [[noreturn]] void refuse(const YAML::Node& node, const std::string& key, const std::string& legal) {
+  [[noreturn]] void refuse(const YAML::Node& node, const std::string& key,
+                           const std::string& legal) {
     const std::string value = node.IsScalar() ? "'" + node.Scalar() + "'" : "not a number";
     throw Error(file_ + ":" + std::to_string(node.Mark().line + 1) + ": " + key + " is " + value +
                 ", legal: " + legal);

@@ -35,10 +35,12 @@ class LeePlugin : public Plugin {
     odometry_name_ = topic("odometryTopic", "odometry_sensor1/odometry");
     odometry_ = board.find_out<OdometrySample>(odometry_name_);
     if (odometry_ == nullptr) {
-      context.params.refuse("odometryTopic", odometry_name_, "the topic of an odometry plugin before it");
+      context.params.refuse("odometryTopic", odometry_name_,
+                            "the topic of an odometry plugin before it");
     }
     odometry_->add_listener();
-    command_ = {board, board.subscribe<ActuatorCommand>(topic("commandTopic", "command/motor_speed"))};
+    command_ = {board,
+                board.subscribe<ActuatorCommand>(topic("commandTopic", "command/motor_speed"))};
     trajectory_ = {
         board, board.subscribe<TrajectorySample>(topic("trajectoryTopic", "command/trajectory"))};
     answer_.angular_velocities.size = controller_.rotor_count();
@@ -46,7 +48,8 @@ class LeePlugin : public Plugin {
   }
 
   ~LeePlugin() override {
-    if (auto* still = world_.ports().find_out<OdometrySample>(odometry_name_)) still->remove_listener();
+    if (auto* still = world_.ports().find_out<OdometrySample>(odometry_name_))
+      still->remove_listener();
   }
 
   std::vector<Phase> phases() const override { return {direct_ ? Phase::kPost : Phase::kControl}; }
@@ -65,8 +68,9 @@ class LeePlugin : public Plugin {
     for (; trajectory_seen_ < trajectory_->count(); ++trajectory_seen_) {
       const TrajectorySample& sample = trajectory_->at(trajectory_seen_);
       if (setpoints_.push(sample.stamp, sample.points) != SetpointResult::accepted) {
-        world_.report(Severity::kError, odometry_name_ + ": a trajectory was refused (empty, not "
-                                                         "finite or not in time order)");
+        world_.report(Severity::kError, odometry_name_ +
+                                            ": a trajectory was refused (empty, not "
+                                            "finite or not in time order)");
       }
     }
     if (odometry_->count() == odometry_seen_) return;
@@ -76,9 +80,9 @@ class LeePlugin : public Plugin {
     auto speeds = Span(answer_.angular_velocities.data.data(), controller_.rotor_count());
     if (reference == nullptr) {
       std::fill(speeds.begin(), speeds.end(), 0.0);
-    } else if (controller_.compute({state.T_parent_child.p, state.T_parent_child.R, state.v_child,
-                                    state.w_child},
-                                   *reference, speeds) != ControlStatus::ok) {
+    } else if (controller_.compute(
+                   {state.T_parent_child.p, state.T_parent_child.R, state.v_child, state.w_child},
+                   *reference, speeds) != ControlStatus::ok) {
       return;  // a state that is not finite gets no answer, as from the node
     }
     answer_.stamp = state.stamp;
@@ -100,8 +104,9 @@ class LeePlugin : public Plugin {
 }  // namespace
 
 void register_control_plugins(PluginRegistry& registry) {
-  registry.add("libtrident_lee_position_controller.so",
-               {[](const PluginContext& context) { return std::make_unique<LeePlugin>(context); }, {}});
+  registry.add(
+      "libtrident_lee_position_controller.so",
+      {[](const PluginContext& context) { return std::make_unique<LeePlugin>(context); }, {}});
 }
 
 }  // namespace trident

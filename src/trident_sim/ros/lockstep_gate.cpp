@@ -120,9 +120,9 @@ bool LockstepGate::start_allowed(const World& world, PortBinder& binder) {
     return false;
   }
   if (complete_since_ == Clock::time_point{}) complete_since_ = Clock::now();
-  const bool all_confirm =
-      std::all_of(vehicles_.begin(), vehicles_.end(),
-                  [](const auto& entry) { return entry.second->confirms_setpoints(); });
+  const bool all_confirm = std::all_of(vehicles_.begin(), vehicles_.end(), [](const auto& entry) {
+    return entry.second->confirms_setpoints();
+  });
   if (!all_confirm && Clock::now() - complete_since_ < kConfirmationGrace) return false;
   released_ = true;
   binder.scan_subscribers();

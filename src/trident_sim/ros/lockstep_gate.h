@@ -19,9 +19,10 @@
 
 namespace trident {
 
-/// Decides when the world may make its next step: when everything that was declared is there, when each
-/// enrolled controller has answered the states that the step needs, and when each set-point source has
-/// given what it owes. Called by the stepping thread and by services, with the world's mutex held.
+/// Decides when the world may make its next step: when everything that was declared is there, when
+/// each enrolled controller has answered the states that the step needs, and when each set-point
+/// source has given what it owes. Called by the stepping thread and by services, with the world's
+/// mutex held.
 class LockstepGate {
  public:
   /// `pause`: what LossPolicy::kPause does.
@@ -37,9 +38,9 @@ class LockstepGate {
   /// What it is held for, in words; "" when nothing is missing.
   std::string missing_for_start(const World& world);
 
-  /// True: the step may be made, and the commands for it are in the ports. False: something was waited
-  /// for, up to milliseconds, with `world_mutex` released; look again. `about_to_wait` is called
-  /// before the wait for a set-point source, which lives by /clock.
+  /// True: the step may be made, and the commands for it are in the ports. False: something was
+  /// waited for, up to milliseconds, with `world_mutex` released; look again. `about_to_wait` is
+  /// called before the wait for a set-point source, which lives by /clock.
   bool allows_step(const World& world, std::mutex& world_mutex,
                    const std::function<void()>& about_to_wait);
   /// Sends, or lines up, the odometry of the step that was just made.

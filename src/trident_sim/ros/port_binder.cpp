@@ -15,7 +15,8 @@ template <class Sample, class Message>
 class TypedBinding : public OutputBinding {
  public:
   TypedBinding(ros::NodeHandle& node, OutPort<Sample>& port)
-      : OutputBinding(port), port_(port),
+      : OutputBinding(port),
+        port_(port),
         publisher_(node.advertise<Message>("/" + port.name(), kQueue)) {}
 
   void publish() override {

@@ -94,8 +94,8 @@ void RunFiles::finish(const World& world, const std::string& reason, double wall
                world.state_hash().c_str(), world.time().seconds(), sim_s > 0.0 ? wall_s : 0.0,
                sim_s > 0.0 ? sim_s / wall_s : 0.0, json_escaped(reason).c_str(),
                static_cast<unsigned long long>(seed_),
-               static_cast<unsigned long long>(world.step_count()),
-               world.physics().max_step_size_s, json_escaped(world.name()).c_str());
+               static_cast<unsigned long long>(world.step_count()), world.physics().max_step_size_s,
+               json_escaped(world.name()).c_str());
   std::fclose(file);
   if (states_ != nullptr) std::fflush(states_);
 }

@@ -10,8 +10,8 @@
 
 namespace trident {
 
-/// What a run leaves in its folder: states.csv (every 0.05 s of simulated time), progress.jsonl (every
-/// second of wall time), run.json (at the end). Without a folder nothing is written.
+/// What a run leaves in its folder: states.csv (every 0.05 s of simulated time), progress.jsonl
+/// (every second of wall time), run.json (at the end). Without a folder nothing is written.
 class RunFiles {
  public:
   /// Throws Error when the folder cannot be written.

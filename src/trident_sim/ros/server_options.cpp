@@ -178,8 +178,9 @@ void read_arguments(const std::vector<std::string>& arguments, ServerOptions& op
                argument.empty()) {
       continue;
     } else if (argument[0] == '-') {
-      throw Error("option " + argument +
-                  " is unknown; known: -u, --verbose, -e ode, -s, -r, --seed N, --iters N, --lockstep");
+      throw Error(
+          "option " + argument +
+          " is unknown; known: -u, --verbose, -e ode, -s, -r, --seed N, --iters N, --lockstep");
     } else {
       options.world_file = argument;
     }

@@ -14,7 +14,8 @@ namespace trident {
 /// What the world does when an enrolled controller or source does not answer in time.
 enum class LossPolicy { kFreeRun, kWait, kPause };
 
-/// How the server runs: command line, then private parameters (/gazebo/...), then the environment that
+/// How the server runs: command line, then private parameters (/gazebo/...), then the environment
+/// that
 /// `./trident run` sets, then these defaults.
 struct ServerOptions {
   std::string world_file = "worlds/empty.world";
@@ -22,18 +23,18 @@ struct ServerOptions {
   bool verbose = false;
   std::uint64_t seed = 0;
   LoopTiming timing = LoopTiming::kRotors;
-  double real_time_factor = -1.0;    ///< 0: as fast as possible; < 0: what the world file asks for
-  std::uint64_t iterations = 0;      ///< end after so many steps; 0: do not
-  double end_time_s = 0.0;           ///< end at this simulated time; 0: do not
-  bool end_on_finish = false;        ///< end when the last set-point source has ended
-  int wait_for = 0;                  ///< vehicles with controllers before time zero is left
+  double real_time_factor = -1.0;  ///< 0: as fast as possible; < 0: what the world file asks for
+  std::uint64_t iterations = 0;    ///< end after so many steps; 0: do not
+  double end_time_s = 0.0;         ///< end at this simulated time; 0: do not
+  bool end_on_finish = false;      ///< end when the last set-point source has ended
+  int wait_for = 0;                ///< vehicles with controllers before time zero is left
   std::vector<std::string> wait_for_models;  ///< the same by name
-  int wait_for_sources = 0;          ///< set-point sources before time zero is left
-  double lockstep_timeout_s = 2.0;   ///< wall time without an answer
+  int wait_for_sources = 0;                  ///< set-point sources before time zero is left
+  double lockstep_timeout_s = 2.0;           ///< wall time without an answer
   LossPolicy loss_policy = LossPolicy::kFreeRun;
-  double max_clock_rate_hz = 200.0;  ///< wall rate of /clock and of the state topics
+  double max_clock_rate_hz = 200.0;     ///< wall rate of /clock and of the state topics
   double pub_clock_frequency_hz = 0.0;  ///< simulated rate of /clock; 0: every step
-  std::string out_dir;               ///< where results go; "": none are written
+  std::string out_dir;                  ///< where results go; "": none are written
   std::vector<std::string> plugin_libraries;
 };
 

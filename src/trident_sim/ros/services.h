@@ -20,8 +20,8 @@ void subscribe_state_topics(ros::NodeHandle& node, Simulation& simulation,
 void advertise_force_services(ros::NodeHandle& node, Simulation& simulation, Servers& servers);
 void advertise_run_services(ros::NodeHandle& node, Simulation& simulation, Servers& servers);
 
-/// Pose of a reference frame in the world: "", "world", "map" and "/map" are the world; else a model, or
-/// a link as "model::link". Throws Error for an unknown name.
+/// Pose of a reference frame in the world: "", "world", "map" and "/map" are the world; else a
+/// model, or a link as "model::link". Throws Error for an unknown name.
 struct ReferenceFrame {
   SE3 T_world_frame;
   Eigen::Vector3d v_world = Eigen::Vector3d::Zero();

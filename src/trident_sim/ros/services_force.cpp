@@ -36,8 +36,8 @@ Joint& required_joint(const World& world, const std::string& name) {
   return *found;
 }
 
-/// In the world's frame the wrench acts at the body's centre of mass plus reference_point, in another
-/// frame at reference_point of that frame; axes are the frame's.
+/// In the world's frame the wrench acts at the body's centre of mass plus reference_point, in
+/// another frame at reference_point of that frame; axes are the frame's.
 void apply_body_wrench(Simulation& simulation, const ApplyBodyWrench::Request& request) {
   Simulation::Access access(simulation);
   World& world = access.world();
@@ -64,18 +64,16 @@ void apply_joint_effort(Simulation& simulation, const ApplyJointEffort::Request&
 }  // namespace
 
 void advertise_force_services(ros::NodeHandle& node, Simulation& simulation, Servers& servers) {
-  servers.push_back(
-      node.advertiseService<ApplyBodyWrench::Request, ApplyBodyWrench::Response>(
-          "apply_body_wrench", [&](ApplyBodyWrench::Request& request, auto& response) {
-            return answer(response, "ApplyBodyWrench: ",
-                          [&] { apply_body_wrench(simulation, request); });
-          }));
-  servers.push_back(
-      node.advertiseService<ApplyJointEffort::Request, ApplyJointEffort::Response>(
-          "apply_joint_effort", [&](ApplyJointEffort::Request& request, auto& response) {
-            return answer(response, "ApplyJointEffort: ",
-                          [&] { apply_joint_effort(simulation, request); });
-          }));
+  servers.push_back(node.advertiseService<ApplyBodyWrench::Request, ApplyBodyWrench::Response>(
+      "apply_body_wrench", [&](ApplyBodyWrench::Request& request, auto& response) {
+        return answer(response,
+                      "ApplyBodyWrench: ", [&] { apply_body_wrench(simulation, request); });
+      }));
+  servers.push_back(node.advertiseService<ApplyJointEffort::Request, ApplyJointEffort::Response>(
+      "apply_joint_effort", [&](ApplyJointEffort::Request& request, auto& response) {
+        return answer(response,
+                      "ApplyJointEffort: ", [&] { apply_joint_effort(simulation, request); });
+      }));
   servers.push_back(node.advertiseService<BodyRequest::Request, BodyRequest::Response>(
       "clear_body_wrenches", [&](BodyRequest::Request& request, BodyRequest::Response&) {
         Simulation::Access access(simulation);

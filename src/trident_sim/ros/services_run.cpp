@@ -75,9 +75,8 @@ void enrol(Simulation& simulation, const EnrollSource::Request& request,
   try {
     Simulation::Access access(simulation);
     if (request.enroll) {
-      response.start_time =
-          to_ros(simulation.enrol_source(request.node, request.vehicles, from_ros(request.period),
-                                         from_ros(request.end_time)));
+      response.start_time = to_ros(simulation.enrol_source(
+          request.node, request.vehicles, from_ros(request.period), from_ros(request.end_time)));
     } else {
       simulation.release_source(request.node);
     }
@@ -119,8 +118,8 @@ void advertise_run_services(ros::NodeHandle& node, Simulation& simulation, Serve
   servers.push_back(
       node.advertiseService<GetPhysicsProperties::Request, GetPhysicsProperties::Response>(
           "get_physics_properties", [&](GetPhysicsProperties::Request&, auto& response) {
-            return answer(response, "GetPhysicsProperties: ",
-                          [&] { get_physics(simulation, response); });
+            return answer(response,
+                          "GetPhysicsProperties: ", [&] { get_physics(simulation, response); });
           }));
   servers.push_back(
       node.advertiseService<SetPhysicsProperties::Request, SetPhysicsProperties::Response>(

@@ -23,8 +23,7 @@ void spawn(Simulation& simulation, const gazebo_msgs::SpawnModel::Request& reque
   spawn.xml = request.model_xml;
   spawn.robot_namespace = request.robot_namespace;
   const auto first = spawn.robot_namespace.find_first_not_of('/');
-  spawn.robot_namespace =
-      first == std::string::npos ? "" : spawn.robot_namespace.substr(first);
+  spawn.robot_namespace = first == std::string::npos ? "" : spawn.robot_namespace.substr(first);
   spawn.T_world_model = find_reference_frame(world, request.reference_frame).T_world_frame *
                         from_pose(request.initial_pose);
   world.spawn(spawn);
@@ -63,7 +62,8 @@ void advertise_spawn_services(ros::NodeHandle& node, Simulation& simulation, Ser
         }));
   }
   servers.push_back(node.advertiseService<DeleteModel::Request, DeleteModel::Response>(
-      "delete_model", [&simulation](DeleteModel::Request& request, DeleteModel::Response& response) {
+      "delete_model",
+      [&simulation](DeleteModel::Request& request, DeleteModel::Response& response) {
         return answer(response, "DeleteModel: ", [&] {
           remove(simulation, request.model_name);
           response.status_message = "DeleteModel: successfully deleted model";

@@ -139,19 +139,17 @@ void serve(ros::NodeHandle& node, const char* name, const char* prefix, Servers&
 }  // namespace
 
 void advertise_state_services(ros::NodeHandle& node, Simulation& simulation, Servers& servers) {
-  serve<GetModelState>(node, "get_model_state", "GetModelState: ", servers,
-                       [&](auto& request, auto& response) {
-                         get_model_state(simulation, request, response);
-                       });
+  serve<GetModelState>(
+      node, "get_model_state", "GetModelState: ", servers,
+      [&](auto& request, auto& response) { get_model_state(simulation, request, response); });
   serve<SetModelState>(node, "set_model_state", "SetModelState: ", servers,
                        [&](auto& request, auto& response) {
                          set_model_state(simulation, request.model_state);
                          response.status_message = "SetModelState: set model state done";
                        });
-  serve<GetLinkState>(node, "get_link_state", "GetLinkState: ", servers,
-                      [&](auto& request, auto& response) {
-                        get_link_state(simulation, request, response);
-                      });
+  serve<GetLinkState>(
+      node, "get_link_state", "GetLinkState: ", servers,
+      [&](auto& request, auto& response) { get_link_state(simulation, request, response); });
   serve<SetLinkState>(node, "set_link_state", "SetLinkState: ", servers,
                       [&](auto& request, auto& response) {
                         set_link_state(simulation, request.link_state);
@@ -161,8 +159,9 @@ void advertise_state_services(ros::NodeHandle& node, Simulation& simulation, Ser
                             [&](auto& request, auto& response) {
                               get_model_properties(simulation, request.model_name, response);
                             });
-  serve<GetWorldProperties>(node, "get_world_properties", "GetWorldProperties: ", servers,
-                            [&](auto&, auto& response) { get_world_properties(simulation, response); });
+  serve<GetWorldProperties>(
+      node, "get_world_properties", "GetWorldProperties: ", servers,
+      [&](auto&, auto& response) { get_world_properties(simulation, response); });
 }
 
 void subscribe_state_topics(ros::NodeHandle& node, Simulation& simulation,

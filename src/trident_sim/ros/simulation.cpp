@@ -39,10 +39,9 @@ Simulation::Simulation(ros::NodeHandle& node, const ServerOptions& options)
                       [&](const std::string& text) { report(Severity::kWarning, text); });
   world_ = std::make_unique<World>(spec, resources_, registry_,
                                    WorldOptions{options.seed, options.timing, report});
-  real_time_factor_ =
-      options.real_time_factor >= 0.0
-          ? options.real_time_factor
-          : spec.physics.real_time_update_rate_hz * spec.physics.max_step_size_s;
+  real_time_factor_ = options.real_time_factor >= 0.0
+                          ? options.real_time_factor
+                          : spec.physics.real_time_update_rate_hz * spec.physics.max_step_size_s;
   binder_ = std::make_unique<PortBinder>(node_, world_->ports());
   topics_ = std::make_unique<StateTopics>(node_, options.max_clock_rate_hz,
                                           options.pub_clock_frequency_hz);
@@ -164,8 +163,8 @@ void Simulation::every_so_often() {
   if (now < next_second_) return;
   next_second_ = now + std::chrono::seconds(1);
   publish_diagnostics();
-  const SimTime end = options_.end_time_s > 0.0 ? SimTime::from_seconds(options_.end_time_s)
-                                                : gate_->sources_end();
+  const SimTime end =
+      options_.end_time_s > 0.0 ? SimTime::from_seconds(options_.end_time_s) : gate_->sources_end();
   files_->progress(*world_, end, gate_->vehicle_count(), describe_state());
 }
 

@@ -16,8 +16,8 @@ namespace trident {
 /// /clock, /gazebo/model_states, /gazebo/link_states and /gazebo/fleet_state.
 class StateTopics {
  public:
-  /// `max_rate_hz`: wall rate above which nothing but the fleet state is sent; `clock_frequency_hz`:
-  /// simulated rate of /clock, 0: every step.
+  /// `max_rate_hz`: wall rate above which nothing but the fleet state is sent;
+  /// `clock_frequency_hz`: simulated rate of /clock, 0: every step.
   StateTopics(ros::NodeHandle& node, double max_rate_hz, double clock_frequency_hz);
 
   /// After a step. `every_step`: the wall rate does not matter.

@@ -11,7 +11,7 @@
 #include <cstring>
 
 #include "conversions.h"
-#include "trident_control_ros/subscriptions.h"
+#include "trident_ros/subscriptions.h"
 
 namespace trident {
 namespace {
@@ -140,8 +140,8 @@ void VehicleLink::send_state(SimTime stamp, WallTime now) {
   }
   for (auto& [index, message] : state.messages) {
     ros::TopicManager::instance()->publish(
-        odometry_[index]->publisher().getTopic(),
-        [&message = message] { return message; }, message);
+        odometry_[index]->publisher().getTopic(), [&message = message] { return message; },
+        message);
   }
 }
 

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "port_binder.h"
-#include "trident_control_ros/direct_publication.h"
-#include "trident_control_ros/inline_callback_queue.h"
+#include "trident_ros/direct_publication.h"
+#include "trident_ros/inline_callback_queue.h"
 #include "trident_sim/lockstep.h"
 #include "trident_sim/samples.h"
 
@@ -22,16 +22,16 @@ namespace trident {
 
 class VehicleLink;
 
-/// What the stepping thread and roscpp's socket thread share. Everything below is under `mutex`, which
-/// neither thread holds while it takes the world's.
+/// What the stepping thread and roscpp's socket thread share. Everything below is under `mutex`,
+/// which neither thread holds while it takes the world's.
 struct LockstepHub {
   std::mutex mutex;
   std::condition_variable changed;
   std::vector<VehicleLink*> vehicles;
   SetpointSources sources;
   bool stepper_waits = false;
-  SimTime required_stamp{-1};  ///< of the states whose answers the next step needs
-  SimTime next_time;           ///< to which the next step leads
+  SimTime required_stamp{-1};     ///< of the states whose answers the next step needs
+  SimTime next_time;              ///< to which the next step leads
   std::vector<std::string> news;  ///< one line per event, for the log
 
   bool ready() const;
@@ -41,8 +41,8 @@ struct LockstepHub {
   }
 };
 
-/// One vehicle that takes motor commands: its odometry goes out and its commands come in, in lockstep
-/// when its controller answers stamps.
+/// One vehicle that takes motor commands: its odometry goes out and its commands come in, in
+/// lockstep when its controller answers stamps.
 class VehicleLink {
  public:
   VehicleLink(ros::NodeHandle& node, LockstepHub& hub, InPort<ActuatorCommand>& port,

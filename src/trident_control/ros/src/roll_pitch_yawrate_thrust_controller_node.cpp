@@ -8,7 +8,7 @@
 
 #include "trident_control_ros/message_conversions.h"
 #include "trident_control_ros/node_main.h"
-#include "trident_control_ros/subscriptions.h"
+#include "trident_ros/subscriptions.h"
 
 namespace trident {
 

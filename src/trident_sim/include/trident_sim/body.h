@@ -50,7 +50,7 @@ struct Body {
   std::vector<Geom> geoms;
   Eigen::Vector3d bound_centre = Eigen::Vector3d::Zero();  ///< body frame
   double bound_radius_m = 0.0;                             ///< 0: nothing to collide with
-  int joint_count = 0;     ///< ODE joints that last longer than a step
+  int joint_count = 0;      ///< ODE joints that last longer than a step
   bool in_contact = false;  ///< this step
   bool kinematic = false;   ///< moves with its velocity, whatever pushes
   bool self_collide = false;

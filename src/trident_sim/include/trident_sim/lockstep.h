@@ -16,12 +16,13 @@ namespace trident {
 /// Wall time in nanoseconds, handed in by the caller: nothing here reads a clock.
 using WallTime = std::int64_t;
 
-/// One vehicle's conversation with its controller. States go out by their stamps, at most one of them
-/// unanswered (RotorS' controller keeps a queue of one and would drop the second); answers carry
-/// the stamp of their state.
+/// One vehicle's conversation with its controller. States go out by their stamps, at most one of
+/// them unanswered (RotorS' controller keeps a queue of one and would drop the second); answers
+/// carry the stamp of their state.
 ///
-/// A controller enrols with its first answer to a state it was sent. From then on states wait in line
-/// here until their predecessor is answered, and the world may ask whether a stamp is answered.
+/// A controller enrols with its first answer to a state it was sent. From then on states wait in
+/// line here until their predecessor is answered, and the world may ask whether a stamp is
+/// answered.
 class LockstepVehicle {
  public:
   enum class Answer {
@@ -56,13 +57,13 @@ class LockstepVehicle {
   bool enrolled_ = false;
   bool in_flight_ = false;
   WallTime sent_at_ = 0;
-  std::deque<SimTime> waiting_;  ///< front: sent when in_flight_, the rest in line
+  std::deque<SimTime> waiting_;                   ///< front: sent when in_flight_, the rest in line
   std::array<std::int64_t, kRemembered> sent_{};  ///< stamps [ns], for recognising a first answer
   std::size_t sent_count_ = 0;
 };
 
-/// Nodes that give set-points ahead of time. The world does not pass a multiple of a source's period
-/// before each of its vehicles has a set-point that covers it.
+/// Nodes that give set-points ahead of time. The world does not pass a multiple of a source's
+/// period before each of its vehicles has a set-point that covers it.
 class SetpointSources {
  public:
   struct Source {

@@ -43,8 +43,8 @@ struct Joint {
   double spun_position = 0.0;                            ///< [rad]
   double spun_velocity = 0.0;                            ///< [rad/s]
 
-  double force = 0.0;           ///< applied in the next step [N m] or [N]
-  double damping = 0.0;         ///< [N m s/rad] or [N s/m]
+  double force = 0.0;    ///< applied in the next step [N m] or [N]
+  double damping = 0.0;  ///< [N m s/rad] or [N s/m]
 
   double position() const;  ///< [rad] or [m]
   double velocity() const;  ///< [rad/s] or [m/s]

@@ -37,7 +37,8 @@ struct MeshShape {
   std::string file;  ///< resolved path
   Eigen::Vector3d scale;
 };
-using Shape = std::variant<BoxShape, SphereShape, CylinderShape, CapsuleShape, PlaneShape, MeshShape>;
+using Shape =
+    std::variant<BoxShape, SphereShape, CylinderShape, CapsuleShape, PlaneShape, MeshShape>;
 
 /// Contact parameters of one collision, with Gazebo's defaults.
 struct Surface {
@@ -47,8 +48,8 @@ struct Surface {
   double restitution = 0.0;
   double bounce_threshold_m_s = 1e5;
   double kp_n_m = 1e12, kd_ns_m = 1.0;
-  std::optional<double> min_depth_m;     ///< else the world's contact_surface_layer
-  std::optional<double> max_vel_m_s;     ///< else the world's contact_max_correcting_vel
+  std::optional<double> min_depth_m;  ///< else the world's contact_surface_layer
+  std::optional<double> max_vel_m_s;  ///< else the world's contact_max_correcting_vel
   std::uint32_t collide_bitmask = 0xffff;
 };
 

@@ -23,7 +23,8 @@ struct StepInfo {
   double dt_s = 0.0;
 };
 
-/// When in a step a plugin runs. Within a phase plugins run in model name order, then in file order.
+/// When in a step a plugin runs. Within a phase plugins run in model name order, then in file
+/// order.
 enum class Phase {
   kSense,    ///< pre_step: measure the state at `begin` (RotorS' plugins measure here)
   kControl,  ///< pre_step: turn measurements and set-points into commands

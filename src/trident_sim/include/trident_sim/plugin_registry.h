@@ -33,8 +33,8 @@ class PluginRegistry {
   /// GAZEBO_PLUGIN_PATH or the loader's own path, if it is one of ours (see load_shared_object).
   const PluginFactory* find_or_load(const std::string& filename);
 
-  /// Loads a shared object that exports `extern "C" void trident_register_plugins(PluginRegistry&)`.
-  /// Throws Error when it cannot be loaded or does not.
+  /// Loads a shared object that exports `extern "C" void
+  /// trident_register_plugins(PluginRegistry&)`. Throws Error when it cannot be loaded or does not.
   void load_shared_object(const std::string& path);
 
  private:

@@ -24,8 +24,8 @@ WorldSpec load_world_string(const std::string& xml, const std::string& label,
 ModelSpec load_model_string(const std::string& xml, const std::string& label,
                             const Resources& resources, const WarningSink& warn);
 
-/// Refuses (throws) a URDF whose links have a mass <= 0 or an inertia that is not positive definite;
-/// warns of links without `<inertial>`, which the SDF conversion drops silently, unless a
+/// Refuses (throws) a URDF whose links have a mass <= 0 or an inertia that is not positive
+/// definite; warns of links without `<inertial>`, which the SDF conversion drops silently, unless a
 /// fixed child brings the inertia.
 void check_urdf(const std::string& xml, const std::string& label, const WarningSink& warn);
 

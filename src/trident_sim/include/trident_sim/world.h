@@ -90,7 +90,8 @@ class World {
   Link* find_link(const std::string& scoped_name) const;
 
   void set_model_pose(Model& model, const SE3& T_world_model);
-  void set_model_twist(Model& model, const Eigen::Vector3d& v_world, const Eigen::Vector3d& w_world);
+  void set_model_twist(Model& model, const Eigen::Vector3d& v_world,
+                       const Eigen::Vector3d& w_world);
   void set_link_state(Link& link, const SE3& T_world_link, const Eigen::Vector3d& v_world,
                       const Eigen::Vector3d& w_world);
 

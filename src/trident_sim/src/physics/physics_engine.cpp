@@ -11,8 +11,8 @@
 namespace trident {
 namespace {
 
-/// Up to this many constraint rows ODE's exact (Dantzig) solver is used whatever the world asks for:
-/// it is then both faster and better than the iterative one.
+/// Up to this many constraint rows ODE's exact (Dantzig) solver is used whatever the world asks
+/// for: it is then both faster and better than the iterative one.
 constexpr int kExactSolverRows = 150;
 
 void init_ode_once() {
@@ -42,8 +42,9 @@ void pull(Body& body) {
   body.w_world = {w[0], w[1], w[2]};
 }
 
-/// Several contacts under one body hold it more often than it can move, which the exact solver needs
-/// a little softness to tell apart: 1e8 N/m at a step of 10 ms, and 1e-8 m/s of creep per newton.
+/// Several contacts under one body hold it more often than it can move, which the exact solver
+/// needs a little softness to tell apart: 1e8 N/m at a step of 10 ms, and 1e-8 m/s of creep per
+/// newton.
 constexpr double kLeastNormalCfm = 1e-6;
 constexpr double kLeastSlip = 1e-8;
 
@@ -99,7 +100,7 @@ void PhysicsEngine::configure(const PhysicsSpec& spec) {
   contact_buffer_.resize(static_cast<std::size_t>(std::clamp(spec.max_contacts, 1, 64)));
 }
 
-void PhysicsEngine::set_models(std::vector<Model*> models) {
+void PhysicsEngine::set_models(const std::vector<Model*>& models) {
   bodies_.clear();
   ode_joints_.clear();
   spun_joints_.clear();
@@ -181,9 +182,7 @@ void PhysicsEngine::find_contacts(double dt_s) {
 }
 
 void PhysicsEngine::sweep_bodies(double dt_s) {
-  const auto low = [this](std::size_t i) {
-    return centres_[i].x() - bodies_[i]->bound_radius_m;
-  };
+  const auto low = [this](std::size_t i) { return centres_[i].x() - bodies_[i]->bound_radius_m; };
   // Insertion sort: the order hardly changes from step to step.
   for (std::size_t k = 1; k < order_.size(); ++k) {
     const std::size_t moved = order_[k];

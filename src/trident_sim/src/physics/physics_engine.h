@@ -29,7 +29,7 @@ class PhysicsEngine {
   void build(Model& model, const std::vector<std::string>& spun_joints);
   void destroy(Model& model);
   /// Takes over the list of models, in the order in which they are to be stepped.
-  void set_models(std::vector<Model*> models);
+  void set_models(const std::vector<Model*>& models);
 
   void step(double dt_s);
   /// Copies poses and velocities of the bodies of `model` into ODE, after they were set by hand.
@@ -39,9 +39,9 @@ class PhysicsEngine {
   struct StaticGeom {
     Geom* geom;
     bool is_plane;
-    Eigen::Vector3d lo, hi;      ///< bounds of anything but a plane
-    Eigen::Vector3d normal;      ///< of a plane
-    double offset;               ///< of a plane: normal . p = offset
+    Eigen::Vector3d lo, hi;  ///< bounds of anything but a plane
+    Eigen::Vector3d normal;  ///< of a plane
+    double offset;           ///< of a plane: normal . p = offset
   };
 
   void find_contacts(double dt_s);

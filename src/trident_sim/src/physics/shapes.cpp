@@ -14,7 +14,7 @@ namespace trident {
 namespace {
 
 struct TriangleSoup {
-  std::vector<float> vertices;        ///< x y z
+  std::vector<float> vertices;  ///< x y z
   std::vector<dTriIndex> indices;
 };
 
@@ -42,8 +42,8 @@ void append_node(const aiScene& scene, const aiNode& node, const aiMatrix4x4& T_
 
 TriangleSoup read_mesh(const MeshShape& shape, const std::string& scoped_name) {
   Assimp::Importer importer;
-  const aiScene* scene = importer.ReadFile(
-      shape.file, aiProcess_Triangulate | aiProcess_JoinIdenticalVertices);
+  const aiScene* scene =
+      importer.ReadFile(shape.file, aiProcess_Triangulate | aiProcess_JoinIdenticalVertices);
   if (scene == nullptr || scene->mRootNode == nullptr) {
     throw Error("collision '" + scoped_name + "': mesh '" + shape.file +
                 "' cannot be read: " + importer.GetErrorString());

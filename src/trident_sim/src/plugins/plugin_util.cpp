@@ -14,7 +14,7 @@ std::string without_outer_slashes(const std::string& text) {
 }  // namespace
 
 std::string scoped_topic(const PluginParams& params, const std::string& topic) {
-  const std::string clean = without_outer_slashes(topic);
+  std::string clean = without_outer_slashes(topic);
   if (!topic.empty() && topic.front() == '/') return clean;
   const std::string ns = without_outer_slashes(params.text("robotNamespace", ""));
   return ns.empty() ? clean : ns + "/" + clean;
@@ -26,7 +26,8 @@ Link& required_link(const PluginContext& context, const std::string& key) {
   Link* link = context.model->find_link(name);
   if (link == nullptr) {
     std::string known;
-    for (const auto& other : context.model->links) known += (known.empty() ? "" : ", ") + other->name;
+    for (const auto& other : context.model->links)
+      known += (known.empty() ? "" : ", ") + other->name;
     context.params.refuse(key, name, "a link of the model: " + known);
   }
   return *link;

@@ -29,9 +29,10 @@ void register_builtin_plugins(PluginRegistry& registry) {
   registry.add("librotors_gazebo_imu_plugin.so", imu_factory());
   registry.add("librotors_gazebo_wind_plugin.so", wind_factory());
   registry.add("librotors_gazebo_ros_interface_plugin.so", nothing_to_do());
-  registry.add("librotors_gazebo_bag_plugin.so",
-               told_once("bags are recorded by 'rosbag record' (launch argument record), not by the "
-                         "simulator; enable_logging has no effect"));
+  registry.add(
+      "librotors_gazebo_bag_plugin.so",
+      told_once("bags are recorded by 'rosbag record' (launch argument record), not by the "
+                "simulator; enable_logging has no effect"));
 }
 
 }  // namespace trident

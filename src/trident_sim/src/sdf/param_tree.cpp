@@ -52,8 +52,8 @@ std::optional<std::string> PluginParams::raw(std::string_view key) const {
 
 void PluginParams::refuse(std::string_view key, std::string_view value,
                           std::string_view expected) const {
-  throw Error(owner_ + ": <" + std::string(key) + "> is '" + std::string(value) +
-              "', expected " + std::string(expected));
+  throw Error(owner_ + ": <" + std::string(key) + "> is '" + std::string(value) + "', expected " +
+              std::string(expected));
 }
 
 std::string PluginParams::text(std::string_view key, std::string_view fallback) const {
@@ -99,8 +99,7 @@ bool PluginParams::flag(std::string_view key, bool fallback) const {
   refuse(key, *text, "true or false");
 }
 
-Eigen::Vector3d PluginParams::vector3(std::string_view key,
-                                      const Eigen::Vector3d& fallback) const {
+Eigen::Vector3d PluginParams::vector3(std::string_view key, const Eigen::Vector3d& fallback) const {
   const auto text = raw(key);
   if (!text) return fallback;
   std::istringstream in(*text);

@@ -18,7 +18,8 @@ void append_path_list(const char* variable, std::vector<std::string>& folders) {
   while (begin <= list.size()) {
     const std::size_t end = std::min(list.find(':', begin), list.size());
     const std::string folder = list.substr(begin, end - begin);
-    // Launch files of RotorS leave a literal ${GAZEBO_MODEL_PATH} behind: roslaunch does not expand it.
+    // Launch files of RotorS leave a literal ${GAZEBO_MODEL_PATH} behind: roslaunch does not expand
+    // it.
     if (!folder.empty() && folder[0] != '$') folders.push_back(folder);
     begin = end + 1;
   }
@@ -72,8 +73,10 @@ const std::string& Resources::find_package(std::string_view package) const {
 
 std::string Resources::find(std::string_view uri, std::string_view base_folder) const {
   const auto scheme_end = uri.find("://");
-  const std::string_view scheme = scheme_end == std::string_view::npos ? "" : uri.substr(0, scheme_end);
-  const std::string_view rest = scheme_end == std::string_view::npos ? uri : uri.substr(scheme_end + 3);
+  const std::string_view scheme =
+      scheme_end == std::string_view::npos ? "" : uri.substr(0, scheme_end);
+  const std::string_view rest =
+      scheme_end == std::string_view::npos ? uri : uri.substr(scheme_end + 3);
   if (scheme == "file" || (scheme.empty() && !rest.empty() && rest.front() == '/')) {
     if (present(rest)) return std::string(rest);
     if (scheme.empty()) return "";
@@ -89,8 +92,9 @@ std::string Resources::find(std::string_view uri, std::string_view base_folder) 
     const auto slash = rest.find('/');
     const std::string& package = find_package(rest.substr(0, slash));
     if (!package.empty()) {
-      const fs::path path =
-          slash == std::string_view::npos ? fs::path(package) : fs::path(package) / rest.substr(slash + 1);
+      const fs::path path = slash == std::string_view::npos
+                                ? fs::path(package)
+                                : fs::path(package) / rest.substr(slash + 1);
       if (present(path)) return path.string();
     }
   }

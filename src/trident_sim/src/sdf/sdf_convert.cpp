@@ -183,8 +183,9 @@ LinkSpec convert_link(const sdf::Link& from, const std::string& prefix, const SE
     auto shape = convert_shape(*collision.Geom(), name, true, context);
     if (!shape) continue;
     check_positive(*shape, name, context);
-    link.collisions.push_back({collision.Name(), resolve(collision.SemanticPose(), from.Name(), name),
-                               *shape, convert_surface(collision)});
+    link.collisions.push_back({collision.Name(),
+                               resolve(collision.SemanticPose(), from.Name(), name), *shape,
+                               convert_surface(collision)});
   }
   for (std::size_t i = 0; i < from.VisualCount(); ++i) {
     const sdf::Visual& visual = *from.VisualByIndex(i);

@@ -7,7 +7,8 @@ namespace trident {
 double Joint::position() const {
   if (spun) return spun_position;
   if (ode == nullptr) return 0.0;
-  return spec.type == JointType::kRevolute ? dJointGetHingeAngle(ode) : dJointGetSliderPosition(ode);
+  return spec.type == JointType::kRevolute ? dJointGetHingeAngle(ode)
+                                           : dJointGetSliderPosition(ode);
 }
 
 double Joint::velocity() const {

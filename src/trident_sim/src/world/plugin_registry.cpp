@@ -42,7 +42,7 @@ const PluginFactory* PluginRegistry::find_or_load(const std::string& filename) {
   if (const char* list = std::getenv("GAZEBO_PLUGIN_PATH")) {
     std::istringstream folders(list);
     for (std::string folder; std::getline(folders, folder, ':');) {
-      if (!folder.empty()) paths.push_back(folder + "/" + file);
+      if (!folder.empty()) paths.push_back(folder.append("/").append(file));
     }
   }
   paths.push_back(file);
@@ -59,7 +59,8 @@ const PluginFactory* PluginRegistry::find_or_load(const std::string& filename) {
 
 void PluginRegistry::load_shared_object(const std::string& path) {
   void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (library == nullptr) throw Error("plugin library '" + path + "' cannot be loaded: " + dlerror());
+  if (library == nullptr)
+    throw Error("plugin library '" + path + "' cannot be loaded: " + dlerror());
   using Register = void (*)(PluginRegistry&);
   auto* function = reinterpret_cast<Register>(dlsym(library, "trident_register_plugins"));
   if (function == nullptr) {

@@ -204,7 +204,7 @@ void World::rebuild_schedule() {
     models.push_back(model.get());
     for (const auto& plugin : model->plugins) add(plugin.get());
   }
-  engine_->set_models(std::move(models));
+  engine_->set_models(models);
 }
 
 void World::run_phase(Phase phase, const StepInfo& info) {

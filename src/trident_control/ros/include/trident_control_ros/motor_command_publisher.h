@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "trident_base/span.h"
-#include "trident_control_ros/direct_publication.h"
+#include "trident_ros/direct_publication.h"
 
 namespace trident {
 

@@ -10,8 +10,8 @@ namespace trident {
 namespace {
 
 /// Passes rotor speed commands on to the motors, each at its time: in `rotors` timing the answer to
-/// the odometry stamped s acts in the step that begins at s + dt, in `direct` timing in the one that
-/// begins at s. The stamp decides, never the moment of arrival, so a run can be repeated.
+/// the odometry stamped s acts in the step that begins at s + dt, in `direct` timing in the one
+/// that begins at s. The stamp decides, never the moment of arrival, so a run can be repeated.
 class ControllerInterface : public Plugin {
  public:
   explicit ControllerInterface(const PluginContext& context)
@@ -75,10 +75,11 @@ class ControllerInterface : public Plugin {
       return true;
     }
     if (!refused_) {
-      world.report(Severity::kError,
-                   name_ + ": motor command " + std::to_string(bad - speeds.begin()) + " is " +
-                       std::to_string(*bad) +
-                       " rad/s, must be finite; such commands are refused, the last good one stays");
+      world.report(
+          Severity::kError,
+          name_ + ": motor command " + std::to_string(bad - speeds.begin()) + " is " +
+              std::to_string(*bad) +
+              " rad/s, must be finite; such commands are refused, the last good one stays");
     }
     refused_ = true;
     return false;
@@ -95,8 +96,9 @@ class ControllerInterface : public Plugin {
 }  // namespace
 
 PluginFactory controller_interface_factory() {
-  return {[](const PluginContext& context) { return std::make_unique<ControllerInterface>(context); },
-          {}};
+  return {
+      [](const PluginContext& context) { return std::make_unique<ControllerInterface>(context); },
+      {}};
 }
 
 }  // namespace trident

@@ -13,7 +13,8 @@ ImuNoiseParams read_noise(const PluginParams& params) {
   InertialNoiseParams& gyro = noise.gyroscope;
   InertialNoiseParams& accel = noise.accelerometer;
   gyro.noise_density = params.number("gyroscopeNoiseDensity", gyro.noise_density, not_negative);
-  // RotorS' xacros write gyroscopeRandomWalk and its plugin reads gyroscopeBiasRandomWalk; both count.
+  // RotorS' xacros write gyroscopeRandomWalk and its plugin reads gyroscopeBiasRandomWalk; both
+  // count.
   gyro.bias.random_walk = params.number("gyroscopeRandomWalk", gyro.bias.random_walk, not_negative);
   gyro.bias.random_walk =
       params.number("gyroscopeBiasRandomWalk", gyro.bias.random_walk, not_negative);
@@ -21,7 +22,8 @@ ImuNoiseParams read_noise(const PluginParams& params) {
       params.number("gyroscopeBiasCorrelationTime", gyro.bias.correlation_time, positive);
   gyro.bias.turn_on_stddev =
       params.number("gyroscopeTurnOnBiasSigma", gyro.bias.turn_on_stddev, not_negative);
-  accel.noise_density = params.number("accelerometerNoiseDensity", accel.noise_density, not_negative);
+  accel.noise_density =
+      params.number("accelerometerNoiseDensity", accel.noise_density, not_negative);
   accel.bias.random_walk =
       params.number("accelerometerRandomWalk", accel.bias.random_walk, not_negative);
   accel.bias.correlation_time =
@@ -31,13 +33,15 @@ ImuNoiseParams read_noise(const PluginParams& params) {
   return noise;
 }
 
-/// Angular velocity and specific force of a link in its own frame, with Gauss-Markov biases and white
-/// noise. Unlike RotorS every IMU has its own random stream.
+/// Angular velocity and specific force of a link in its own frame, with Gauss-Markov biases and
+/// white noise. Unlike RotorS every IMU has its own random stream.
 class Imu : public MeasuringPlugin {
  public:
   explicit Imu(const PluginContext& context)
-      : MeasuringPlugin(context.world.timing()), link_(required_link(context, "linkName")),
-        noise_params_(read_noise(context.params)), stream_(context.world.seed(), context.name),
+      : MeasuringPlugin(context.world.timing()),
+        link_(required_link(context, "linkName")),
+        noise_params_(read_noise(context.params)),
+        stream_(context.world.seed(), context.name),
         noise_(noise_params_, context.world.physics().max_step_size_s, stream_),
         noise_dt_s_(context.world.physics().max_step_size_s) {
     const PluginParams& params = context.params;

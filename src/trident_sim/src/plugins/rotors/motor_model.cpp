@@ -21,7 +21,8 @@ class MotorModel : public Plugin {
     motor_number_ = static_cast<std::size_t>(
         params.required_integer("motorNumber", {0, SmallVector::kCapacity - 1}));
     const std::string turning = params.required_text("turningDirection");
-    if (turning != "cw" && turning != "ccw") params.refuse("turningDirection", turning, "cw or ccw");
+    if (turning != "cw" && turning != "ccw")
+      params.refuse("turningDirection", turning, "cw or ccw");
     direction_ = turning == "ccw" ? 1.0 : -1.0;
     const std::string type = params.text("motorType", "velocity");
     if (type != "velocity") params.refuse("motorType", type, "velocity");
@@ -83,13 +84,13 @@ class MotorModel : public Plugin {
     const double speed = joint_.velocity() * slowdown_;
     const double thrust = direction_ * std::abs(speed) * speed * motor_constant_;
     const Eigen::Vector3d axis = body.R_world_body * joint_.axis_body;
-    const Eigen::Vector3d thrust_axis = body.R_world_body * (link_.T_body_link.R * Eigen::Vector3d::UnitZ());
+    const Eigen::Vector3d thrust_axis =
+        body.R_world_body * (link_.T_body_link.R * Eigen::Vector3d::UnitZ());
     const Eigen::Vector3d arm =
         body.R_world_body * (link_.T_body_link * link_.inertial.T_link_com.p);
     const Eigen::Vector3d velocity = body.v_world + body.w_world.cross(arm) - wind_velocity();
     const Eigen::Vector3d across = velocity - velocity.dot(axis) * axis;
-    const Eigen::Vector3d force =
-        thrust * thrust_axis - std::abs(speed) * rotor_drag_ * across;
+    const Eigen::Vector3d force = thrust * thrust_axis - std::abs(speed) * rotor_drag_ * across;
     body.force += force;
     body.torque += arm.cross(force) - direction_ * thrust * moment_constant_ * thrust_axis -
                    std::abs(speed) * rolling_moment_ * across;

@@ -38,7 +38,8 @@ class MultirotorBase : public MeasuringPlugin {
       }
     }
     motor_speed_ = advertise<ActuatorState>(
-        context, scoped_topic(params, params.text("motorPubTopic", "motor_speed")), PortRank::kState);
+        context, scoped_topic(params, params.text("motorPubTopic", "motor_speed")),
+        PortRank::kState);
     joint_states_ = advertise<JointStateSample>(
         context, scoped_topic(params, params.text("jointStatePubTopic", "joint_states")),
         PortRank::kState);
@@ -54,7 +55,8 @@ class MultirotorBase : public MeasuringPlugin {
     if (motor_speed_->wanted()) {
       SmallVector& speeds = motor_speed_->value.angular_velocities;
       speeds.size = rotors_.empty() ? 0 : rotors_.back().first + 1;
-      for (const auto& [number, joint] : rotors_) speeds.data[number] = joint->velocity() * slowdown_;
+      for (const auto& [number, joint] : rotors_)
+        speeds.data[number] = joint->velocity() * slowdown_;
       motor_speed_->value.stamp = info.end;
       motor_speed_->publish();
     }
@@ -77,7 +79,8 @@ class MultirotorBase : public MeasuringPlugin {
 }  // namespace
 
 PluginFactory multirotor_base_factory() {
-  return {[](const PluginContext& context) { return std::make_unique<MultirotorBase>(context); }, {}};
+  return {[](const PluginContext& context) { return std::make_unique<MultirotorBase>(context); },
+          {}};
 }
 
 }  // namespace trident

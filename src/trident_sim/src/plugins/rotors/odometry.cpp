@@ -36,12 +36,13 @@ VectorNoise read_noise(const PluginParams& params, const std::string& what, std:
   return noise;
 }
 
-/// The pose of a link's centre of mass in the parent frame and its twist in the link's frame, on the
-/// five topics of RotorS and in the frame tree.
+/// The pose of a link's centre of mass in the parent frame and its twist in the link's frame, on
+/// the five topics of RotorS and in the frame tree.
 class Odometry : public MeasuringPlugin {
  public:
   explicit Odometry(const PluginContext& context)
-      : MeasuringPlugin(context.world.timing()), link_(required_link(context, "linkName")),
+      : MeasuringPlugin(context.world.timing()),
+        link_(required_link(context, "linkName")),
         stream_(context.world.seed(), context.name) {
     const PluginParams& params = context.params;
     position_ = read_noise(params, "Position", 0);
@@ -52,7 +53,8 @@ class Odometry : public MeasuringPlugin {
     delay_steps_ = static_cast<std::size_t>(params.integer("measurementDelay", 0, {0, 100000}));
     unknown_delay_ = SimTime::from_seconds(params.number("unknownDelay", 0.0, {0.0, 1e6}));
     if (!params.text("covarianceImage", "").empty()) {
-      params.refuse("covarianceImage", params.text("covarianceImage", ""), "no such element: not supported");
+      params.refuse("covarianceImage", params.text("covarianceImage", ""),
+                    "no such element: not supported");
     }
     make_ports(context);
   }
@@ -79,12 +81,13 @@ class Odometry : public MeasuringPlugin {
     const auto topic = [&](const char* key, const char* fallback) {
       return scoped_topic(params, params.text(key, fallback));
     };
-    odometry_ = advertise<OdometrySample>(context, topic("odometryTopic", "odometry"),
-                                          PortRank::kOdometry);
+    odometry_ =
+        advertise<OdometrySample>(context, topic("odometryTopic", "odometry"), PortRank::kOdometry);
     pose_ = advertise<PoseSample>(context, topic("poseTopic", "pose"), PortRank::kOdometry);
     pose_with_covariance_ = advertise<PoseWithCovarianceSample>(
         context, topic("poseWithCovarianceTopic", "pose_with_covariance"), PortRank::kOdometry);
-    point_ = advertise<PointSample>(context, topic("positionTopic", "position"), PortRank::kOdometry);
+    point_ =
+        advertise<PointSample>(context, topic("positionTopic", "position"), PortRank::kOdometry);
     transform_ = advertise<TransformSample>(context, topic("transformTopic", "transform"),
                                             PortRank::kOdometry);
     const std::string parent = params.text("parentFrameId", "world");

@@ -9,7 +9,8 @@ namespace {
 Eigen::Vector3d read_direction(const PluginParams& params, const char* key,
                                const Eigen::Vector3d& fallback) {
   const Eigen::Vector3d direction = params.vector3(key, fallback);
-  if (direction.norm() < 1e-9) params.refuse(key, params.text(key, ""), "a vector that is not zero");
+  if (direction.norm() < 1e-9)
+    params.refuse(key, params.text(key, ""), "a vector that is not zero");
   return direction.normalized();
 }
 
@@ -27,8 +28,8 @@ class Wind : public Plugin {
     gust_direction_ = read_direction(params, "windGustDirection", Eigen::Vector3d::UnitY());
     force_mean_n_ = params.number("windForceMean", 0.0);
     gust_start_ = SimTime::from_seconds(params.number("windGustStart", 10.0, {0.0, 1e9}));
-    gust_end_ = gust_start_ +
-                SimTime::from_seconds(params.number("windGustDuration", 0.0, {0.0, 1e9}));
+    gust_end_ =
+        gust_start_ + SimTime::from_seconds(params.number("windGustDuration", 0.0, {0.0, 1e9}));
     gust_force_mean_n_ = params.number("windGustForceMean", 0.0);
     wind_world_ = params.number("windSpeedMean", 0.0) * direction_;
     const std::string speed_topic =
@@ -45,7 +46,8 @@ class Wind : public Plugin {
 
   void pre_step(Phase, World&, const StepInfo& info) override {
     Eigen::Vector3d force = force_mean_n_ * direction_;
-    if (info.end >= gust_start_ && info.end < gust_end_) force += gust_force_mean_n_ * gust_direction_;
+    if (info.end >= gust_start_ && info.end < gust_end_)
+      force += gust_force_mean_n_ * gust_direction_;
     if (link_.body != nullptr && !force.isZero()) {
       link_.body->add_force_at(force, link_.T_world_link() * offset_);
     }

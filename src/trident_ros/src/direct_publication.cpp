@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-#include "trident_control_ros/direct_publication.h"
+#include "trident_ros/direct_publication.h"
 
 #include <ros/connection.h>
 #include <ros/publication.h>
