@@ -142,6 +142,7 @@ def test_a_refused_formation_fails_with_the_reason(planned_run: Run) -> None:
         (planned_run.folder / f"formation_{name}.json").write_text(json.dumps(record))
     command = read_command(planned_run.folder)
     assert isinstance(command, Refusal)
+    assert command.names == NAMES
     verdict = verdict_of(planned_run)
     assert "f.txt:3: 2 columns" in verdict.reasons
     assert verdict.numbers["rows_flown"] is None

@@ -78,7 +78,9 @@ def read_command(folder: Path) -> Command | Refusal | None:
     if not files:
         return None
     records = [_read_record(path) for path in files]
-    names = max((list(record["vehicles"]) for record in records), key=len)
+    # A refusing node may know of no vehicle but its own.
+    named = [name for record in records for name in (*record["vehicles"], record["vehicle"])]
+    names = list(dict.fromkeys(named))
     by_name = {record["vehicle"]: record for record in records}
     errors = list(dict.fromkeys(record["error"] for record in records if record.get("error")))
     flying = [name for name in names if "rows" in by_name.get(name, {})]

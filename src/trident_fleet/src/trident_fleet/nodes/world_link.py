@@ -100,7 +100,7 @@ class WorldLink:
         """
         if self.is_lockstep:
             try:
-                self.enroll(end_ns=self.enroll() + 1)
+                self.enroll(end_ns=max(self.enroll(), 1))
             except (FormationError, rospy.ServiceException, rospy.ROSException) as error:
                 rospy.loginfo("withdrawing from the lockstep: %s", error)
 
