@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace trident {
+
+// Parts of the module _core; module.cpp calls each once.
+void bind_samples(pybind11::module_& module);
+void bind_model(pybind11::module_& module);
+void bind_session(pybind11::module_& module);
+
+}  // namespace trident

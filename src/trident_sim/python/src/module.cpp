@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include <pybind11/pybind11.h>
+
+#include "bindings.h"
+#include "trident_base/error.h"
+
+namespace py = pybind11;
+
+PYBIND11_MODULE(_core, module) {
+  module.doc() = "Compiled part of trident_sim; import trident_sim instead.";
+  auto& error = py::register_exception<trident::Error>(module, "Error", PyExc_ValueError);
+  error.attr("__module__") = "trident_sim";
+  error.attr("__doc__") =
+      "Bad input: a file, a field, a name or a value. The text names it and what is legal.";
+  trident::bind_samples(module);
+  trident::bind_model(module);
+  trident::bind_session(module);
+}

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "port_access.h"
+
+#include <map>
+#include <typeindex>
+
+#include "trident_base/error.h"
+#include "trident_control_sim/lee_plugin.h"
+#include "trident_sim/samples.h"
+
+namespace py = pybind11;
+
+namespace trident {
+namespace {
+
+template <class Sample>
+std::pair<const std::type_index, PortType> entry(const char* name) {
+  // The type was compared before either is called.
+  return {typeid(Sample),
+          {name,
+           [](const PortBase& port) {
+             return py::cast(static_cast<const OutPort<Sample>&>(port).value);
+           },
+           [](PortBase& port, const py::handle& sample) {
+             static_cast<InPort<Sample>&>(port).write(sample.cast<const Sample&>());
+           },
+           InPort<Sample>::kDepth}};
+}
+
+const std::map<std::type_index, PortType>& port_types() {
+  static const std::map<std::type_index, PortType> types = {
+      entry<ActuatorCommand>("ActuatorCommand"),
+      entry<ActuatorState>("ActuatorState"),
+      entry<FrameSample>("FrameSample"),
+      entry<ImuSample>("ImuSample"),
+      entry<JointStateSample>("JointStateSample"),
+      entry<OdometrySample>("OdometrySample"),
+      entry<PointSample>("PointSample"),
+      entry<PoseSample>("PoseSample"),
+      entry<PoseWithCovarianceSample>("PoseWithCovarianceSample"),
+      entry<ScalarSample>("ScalarSample"),
+      entry<TrajectorySample>("TrajectorySample"),
+      entry<TransformSample>("TransformSample"),
+      entry<WindSample>("WindSample"),
+      entry<WrenchSample>("WrenchSample"),
+  };
+  return types;
+}
+
+}  // namespace
+
+const PortType* find_port_type(const PortBase& port) {
+  const auto it = port_types().find(port.type());
+  return it == port_types().end() ? nullptr : &it->second;
+}
+
+PortBase& PortView::required(PortDirection direction) const {
+  if (PortBase* port = find(direction)) return *port;
+  const bool other_way =
+      find(direction == PortDirection::kOut ? PortDirection::kIn : PortDirection::kOut) != nullptr;
+  const char* kind = direction == PortDirection::kOut ? "output" : "input";
+  throw Error("port '" + name_ + "' " +
+              (other_way ? std::string("is not an ") + kind : "is no longer in the world"));
+}
+
+const PortType& PortView::required_type(const PortBase& port) const {
+  if (const PortType* type = find_port_type(port)) return *type;
+  throw Error("port '" + name_ +
+              "' carries a type that Python does not know: " + port.type().name());
+}
+
+std::string PortView::type() const {
+  const PortBase* port = find(PortDirection::kOut);
+  if (port == nullptr) port = &required(PortDirection::kIn);
+  const PortType* type = find_port_type(*port);
+  return type != nullptr ? type->name : port->type().name();
+}
+
+std::uint64_t PortView::count() const {
+  const PortBase* port = find(PortDirection::kOut);
+  return (port != nullptr ? *port : required(PortDirection::kIn)).count();
+}
+
+py::object PortView::value() {
+  const PortBase& port = required(PortDirection::kOut);
+  const PortType& type = required_type(port);
+  if (!subscribed()) subscribe(true);
+  if (port.count() == 0) {
+    throw Error("port '" + name_ + "' has no value yet; it is subscribed now, step the world");
+  }
+  return type.read(port);
+}
+
+py::object PortView::read() {
+  const PortBase& port = required(PortDirection::kOut);
+  const PortType& type = required_type(port);
+  if (!subscribed()) subscribe(true);
+  if (port.count() == seen_) return py::none();
+  seen_ = port.count();
+  return type.read(port);
+}
+
+void PortView::write(const py::args& args, const py::kwargs& kwargs) {
+  PortBase& port = required(PortDirection::kIn);
+  const PortType& type = required_type(port);
+  const py::object sample_class = py::module_::import("trident_sim._core").attr(type.name);
+  const bool is_sample =
+      args.size() == 1 && kwargs.empty() && py::isinstance(args[0], sample_class);
+  const py::object sample =
+      is_sample ? py::reinterpret_borrow<py::object>(args[0]) : sample_class(*args, **kwargs);
+  session_->count_write(port, type.depth);
+  type.write(port, sample);
+}
+
+}  // namespace trident

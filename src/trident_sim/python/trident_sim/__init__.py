@@ -1,0 +1,73 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""The simulator as a library: the same world as the ROS server's, stepped in this process.
+
+No ROS is imported and no master is needed. SI units; `world` is ENU, bodies are x forward, y left,
+z up; quaternions are x y z w. Arrays that are returned are copies.
+
+Example:
+    world = trident_sim.World("package://rotors_gazebo/worlds/basic.world", seed=1)
+    urdf = trident_sim.expand_xacro("my_robot.xacro", namespace="UAV1")
+    robot = world.spawn("UAV1", urdf=urdf, pose=(0.0, 0.0, 0.1))
+    world.step(100)
+    print(world.time, robot.position, world.state_hash())
+"""
+
+from trident_sim._core import (
+    ActuatorCommand,
+    ActuatorState,
+    Error,
+    FrameSample,
+    ImuSample,
+    Joint,
+    JointStateSample,
+    Link,
+    Message,
+    Model,
+    OdometrySample,
+    PointSample,
+    Port,
+    PoseSample,
+    PoseWithCovarianceSample,
+    ScalarSample,
+    TrajectorySample,
+    TransformSample,
+    WindSample,
+    WrenchSample,
+)
+from trident_sim.description import (
+    expand_xacro,
+    find_resource,
+    lee_parameter_files,
+    with_lee_controller,
+)
+from trident_sim.world import SimulationWarning, World
+
+__all__ = [
+    "ActuatorCommand",
+    "ActuatorState",
+    "Error",
+    "FrameSample",
+    "ImuSample",
+    "Joint",
+    "JointStateSample",
+    "Link",
+    "Message",
+    "Model",
+    "OdometrySample",
+    "PointSample",
+    "Port",
+    "PoseSample",
+    "PoseWithCovarianceSample",
+    "ScalarSample",
+    "SimulationWarning",
+    "TrajectorySample",
+    "TransformSample",
+    "WindSample",
+    "World",
+    "WrenchSample",
+    "expand_xacro",
+    "find_resource",
+    "lee_parameter_files",
+    "with_lee_controller",
+]
