@@ -221,6 +221,11 @@ void LockstepGate::clear(bool with_time) {
 SimTime LockstepGate::enrol_source(const std::string& node,
                                    const std::vector<std::string>& vehicles, SimTime period,
                                    SimTime end, SimTime now) {
+  for (const auto& [topic, vehicle] : vehicles_) {
+    const bool is_fed =
+        std::find(vehicles.begin(), vehicles.end(), vehicle->name()) != vehicles.end();
+    if (is_fed) vehicle->watch_setpoints();
+  }
   const std::lock_guard<std::mutex> lock(hub_.mutex);
   const bool is_new = hub_.sources.all().count(node) == 0;
   const SimTime start = hub_.sources.enrol(node, vehicles, period, end, now);

@@ -90,6 +90,7 @@ bool Simulation::run_once() {
   const bool stepping = steps_wanted_ > 0;
   if ((paused_ && !stepping) || !gate_->start_allowed(*world_, *binder_)) {
     restart_pace();
+    topics_->publish_clock(world_->time());
     wait(milliseconds(1));
     return true;
   }
@@ -159,6 +160,7 @@ void Simulation::every_so_often() {
   next_scan_ = now + kScanPeriod;
   binder_->scan_subscribers();
   topics_->scan(*world_);
+  topics_->catch_up_clock(world_->time());
   for (const std::string& line : gate_->take_news()) ROS_INFO("%s", line.c_str());
   if (now < next_second_) return;
   next_second_ = now + std::chrono::seconds(1);

@@ -54,6 +54,13 @@ void StateTopics::publish(const World& world, bool every_step) {
   if (world.time().ns % state_period_.ns == 0 && fleet_listeners_ > 0) publish_fleet(world);
 }
 
+void StateTopics::catch_up_clock(SimTime time) {
+  const auto now = Clock::now();
+  if (clock_period_.ns > 0 || now - last_clock_ < least_interval_) return;
+  last_clock_ = now;
+  publish_clock(time);
+}
+
 void StateTopics::publish_clock(SimTime time) {
   if (time == clock_sent_) return;
   clock_sent_ = time;

@@ -22,6 +22,8 @@ class StateTopics {
 
   /// After a step. `every_step`: the wall rate does not matter.
   void publish(const World& world, bool every_step);
+  /// While time stands: sends the last /clock if the wall rate held it back.
+  void catch_up_clock(SimTime time);
   /// Sends /clock unless this time is out already.
   void publish_clock(SimTime time);
   /// New listeners of the fleet state get the present one at once, even while time stands.

@@ -41,7 +41,7 @@ bool LockstepHub::ready() const {
 
 VehicleLink::VehicleLink(ros::NodeHandle& node, LockstepHub& hub, InPort<ActuatorCommand>& port,
                          std::vector<OutputBinding*> odometry, InlineCallbackQueue& queue)
-    : hub_(hub), port_(&port), odometry_(std::move(odometry)) {
+    : node_(node), hub_(hub), queue_(queue), port_(&port), odometry_(std::move(odometry)) {
   const std::string tail = "command/motor_speed";
   prefix_ = port.name().substr(0, port.name().size() - tail.size());
   name_ = prefix_.empty() ? "vehicle" : prefix_.substr(0, prefix_.size() - 1);
@@ -55,24 +55,32 @@ VehicleLink::VehicleLink(ros::NodeHandle& node, LockstepHub& hub, InPort<Actuato
       },
       &queue);
   commands_ = node.subscribe(commands);
-  const auto on_setpoint = [this](bool confirmation) {
-    return [this, confirmation](const auto& bytes) {
-      const std::lock_guard lock(hub_.mutex);
-      // A confirmation says that the controller has it; without one, that it was sent must do.
-      if (!confirmation && confirms_setpoints()) return;
-      hub_.sources.on_setpoint(name_, header_stamp(bytes.data(), bytes.size()));
-      hub_.notify_if_ready();
-    };
-  };
-  auto accepted = raw_subscription<std_msgs::Header>("/" + prefix_ + "command/accepted_setpoint",
-                                                     100, on_setpoint(true), &queue);
+  auto accepted = raw_subscription<std_msgs::Header>(
+      "/" + prefix_ + "command/accepted_setpoint", 100,
+      [this](const auto& bytes) { on_setpoint(header_stamp(bytes.data(), bytes.size()), true); },
+      &queue);
   accepted_ = node.subscribe(accepted);
+}
+
+void VehicleLink::watch_setpoints() {
+  if (poses_ || confirms_setpoints()) return;
+  const auto handler = [this](const auto& bytes) {
+    on_setpoint(header_stamp(bytes.data(), bytes.size()), false);
+  };
   auto poses = raw_subscription<geometry_msgs::PoseStamped>("/" + prefix_ + "command/pose", 100,
-                                                            on_setpoint(false), &queue);
-  poses_ = node.subscribe(poses);
+                                                            handler, &queue_);
+  poses_ = node_.subscribe(poses);
   auto trajectories = raw_subscription<trajectory_msgs::MultiDOFJointTrajectory>(
-      "/" + prefix_ + "command/trajectory", 100, on_setpoint(false), &queue);
-  trajectories_ = node.subscribe(trajectories);
+      "/" + prefix_ + "command/trajectory", 100, handler, &queue_);
+  trajectories_ = node_.subscribe(trajectories);
+}
+
+void VehicleLink::on_setpoint(SimTime stamp, bool is_confirmation) {
+  const std::lock_guard<std::mutex> lock(hub_.mutex);
+  // A confirmation says that the controller has it; without one, that it was sent must do.
+  if (!is_confirmation && confirms_setpoints()) return;
+  hub_.sources.on_setpoint(name_, stamp);
+  hub_.notify_if_ready();
 }
 
 VehicleLink::~VehicleLink() {

@@ -60,6 +60,9 @@ class VehicleLink {
   /// A node publishes commands and someone reads the odometry.
   bool has_controller() const;
   bool confirms_setpoints() const { return accepted_.getNumPublishers() > 0; }
+  /// Reads the set-point topics themselves, for a controller that does not confirm. Only on
+  /// request: many publishers send once, as soon as somebody listens, and mean the controller.
+  void watch_setpoints();
   std::uint32_t odometry_readers() const;
   void clear();
   /// Stops waiting for the controller; what was in line for it is dropped.
@@ -76,9 +79,12 @@ class VehicleLink {
   };
   void on_command(const std::uint8_t* bytes, std::uint32_t size);
   void send_next();
+  void on_setpoint(SimTime stamp, bool is_confirmation);
 
   std::string name_, prefix_;
+  ros::NodeHandle& node_;
   LockstepHub& hub_;
+  InlineCallbackQueue& queue_;
   InPort<ActuatorCommand>* port_;
   std::vector<OutputBinding*> odometry_;
   std::vector<std::unique_ptr<DirectPublication>> direct_;

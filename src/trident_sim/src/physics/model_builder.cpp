@@ -269,10 +269,12 @@ class Builder {
     const Eigen::Matrix3d R = (spec.T_model_link.R * spec.inertial.T_link_com.R).toRotationMatrix();
     spun_inertia(R * spec.inertial.inertia_com * R.transpose(), joint.spec.axis_model,
                  joint.axial_inertia);
+    joint.transverse_inertia = 0.5 * (spec.inertial.inertia_com.trace() - joint.axial_inertia);
     if (joint.child->body == nullptr) return;
     const Eigen::Quaterniond R_world_model = model_.T_world_model_initial.R;
     joint.axis_body =
         joint.child->body->T_world_body.R.conjugate() * (R_world_model * joint.spec.axis_model);
+    joint.rotor_axis_body = joint.axis_body;
   }
 
   void place_bodies() const {

@@ -3,10 +3,11 @@
 #include "physics_engine.h"
 
 #include <algorithm>
-#include <mutex>
 #include <numeric>
 
 #include "free_body.h"
+#include "ode_context.h"
+#include "rotor_axis.h"
 
 namespace trident {
 namespace {
@@ -14,13 +15,6 @@ namespace {
 /// Up to this many constraint rows ODE's exact (Dantzig) solver is used whatever the world asks
 /// for: it is then both faster and better than the iterative one.
 constexpr int kExactSolverRows = 150;
-
-void init_ode_once() {
-  static std::once_flag once;
-  std::call_once(once, [] { dInitODE2(0); });
-  thread_local const bool ready = dAllocateODEDataForThread(dAllocateMaskAll) != 0;
-  static_cast<void>(ready);
-}
 
 void push(const Body& body) {
   const SE3& T = body.T_world_body;
@@ -74,8 +68,9 @@ bool boxes_overlap(const dReal* a, const dReal* b) {
 
 }  // namespace
 
-PhysicsEngine::PhysicsEngine(const PhysicsSpec& spec) : contact_buffer_(64) {
-  init_ode_once();
+PhysicsEngine::PhysicsEngine(const PhysicsSpec& spec, bool rotor_axes_lag)
+    : rotor_axes_lag_(rotor_axes_lag), contact_buffer_(64) {
+  init_ode();
   world_ = dWorldCreate();
   contacts_ = dJointGroupCreate(0);
   configure(spec);
@@ -146,6 +141,9 @@ void PhysicsEngine::step(double dt_s) {
   for (const Joint* joint : spun_joints_) {
     joint->child->body->rotor_momentum +=
         joint->axial_inertia * joint->spun_velocity * joint->axis_body;
+    if (!rotor_axes_lag_) continue;
+    Body& body = *joint->child->body;
+    body.torque += body.R_world_body * rotor_axis_reaction(*joint, spec_.erp, dt_s);
   }
   for (Body* body : bodies_) {
     body->in_contact = false;
@@ -278,11 +276,17 @@ void PhysicsEngine::solve_constrained(double dt_s) {
       dJointAddSliderForce(joint->ode, limited);
     }
   }
+  const std::uint64_t messages = ode_message_count();
   const int rows = 3 * contact_count_ + 6 * static_cast<int>(ode_joints_.size());
   if (spec_.solver == "quick" && rows > kExactSolverRows) {
     dWorldQuickStep(world_, dt_s);
   } else {
     dWorldStep(world_, dt_s);
+  }
+  if (ode_message_count() != messages && !solver_told_) {
+    solver_told_ = true;
+    report_("physics: the solver reports '" + last_ode_message() +
+            "'; contacts may be inaccurate (said once)");
   }
   for (Body* body : bodies_) {
     if (body->joint_count == 0 && !body->in_contact) continue;
@@ -300,6 +304,7 @@ void PhysicsEngine::advance_rotors(double dt_s) {
     joint->spun_position += dt_s * joint->spun_velocity;
     const Eigen::Vector3d dw_world = body.w_world - body.w_before;
     joint->spun_velocity -= joint->axis_body.dot(body.R_world_body.transpose() * dw_world);
+    if (rotor_axes_lag_) advance_rotor_axis(*joint, spec_.erp, dt_s);
   }
 }
 

@@ -4,7 +4,9 @@
 
 #include <ode/ode.h>
 
+#include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "trident_sim/model.h"
@@ -17,7 +19,8 @@ namespace trident {
 /// on the order in which models were added.
 class PhysicsEngine {
  public:
-  explicit PhysicsEngine(const PhysicsSpec& spec);
+  /// `rotor_axes_lag`: the axes of spun rotors lag behind their carriers as in Gazebo.
+  PhysicsEngine(const PhysicsSpec& spec, bool rotor_axes_lag);
   ~PhysicsEngine();
   PhysicsEngine(const PhysicsEngine&) = delete;
   PhysicsEngine& operator=(const PhysicsEngine&) = delete;
@@ -52,7 +55,10 @@ class PhysicsEngine {
   void solve_constrained(double dt_s);
   void advance_rotors(double dt_s);
 
+  Report report_;
+  bool solver_told_ = false;
   PhysicsSpec spec_;
+  bool rotor_axes_lag_;
   Eigen::Vector3d gravity_;
   dWorldID world_;
   dJointGroupID contacts_;

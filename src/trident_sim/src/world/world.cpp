@@ -68,7 +68,7 @@ World::World(const WorldSpec& spec, const Resources& resources, PluginRegistry& 
       registry_(registry),
       options_(std::move(options)) {
   validate(physics_);
-  engine_ = std::make_unique<PhysicsEngine>(physics_);
+  engine_ = std::make_unique<PhysicsEngine>(physics_, options_.timing == LoopTiming::kRotors);
   dt_ = SimTime::from_seconds(physics_.max_step_size_s);
   for (const ModelSpec& model : spec.models) spawn(model, "");
   for (const PluginSpec& plugin : spec.plugins) {
@@ -258,6 +258,7 @@ void World::reset_models() {
     for (const auto& joint : model->joints) {
       joint->spun_position = 0.0;
       joint->spun_velocity = 0.0;
+      joint->rotor_axis_body = joint->axis_body;
       joint->force = 0.0;
     }
     for (std::size_t i = 0; i < model->links.size(); ++i) {

@@ -83,9 +83,11 @@ class MotorModel : public Plugin {
     Body& body = *link_.body;
     const double speed = joint_.velocity() * slowdown_;
     const double thrust = direction_ * std::abs(speed) * speed * motor_constant_;
-    const Eigen::Vector3d axis = body.R_world_body * joint_.axis_body;
+    const Eigen::Vector3d axis = body.R_world_body * joint_.rotor_axis_body;
+    // Thrust acts along the rotor link's z, which leans with the rotor's axis.
     const Eigen::Vector3d thrust_axis =
-        body.R_world_body * (link_.T_body_link.R * Eigen::Vector3d::UnitZ());
+        body.R_world_body * (link_.T_body_link.R * Eigen::Vector3d::UnitZ() +
+                             (joint_.rotor_axis_body - joint_.axis_body));
     const Eigen::Vector3d arm =
         body.R_world_body * (link_.T_body_link * link_.inertial.T_link_com.p);
     const Eigen::Vector3d velocity = body.v_world + body.w_world.cross(arm) - wind_velocity();
