@@ -68,8 +68,8 @@ bool boxes_overlap(const dReal* a, const dReal* b) {
 
 }  // namespace
 
-PhysicsEngine::PhysicsEngine(const PhysicsSpec& spec, bool rotor_axes_lag)
-    : rotor_axes_lag_(rotor_axes_lag), contact_buffer_(64) {
+PhysicsEngine::PhysicsEngine(const PhysicsSpec& spec, bool rotor_axes_lag, Report report)
+    : report_(std::move(report)), rotor_axes_lag_(rotor_axes_lag), contact_buffer_(64) {
   init_ode();
   world_ = dWorldCreate();
   contacts_ = dJointGroupCreate(0);

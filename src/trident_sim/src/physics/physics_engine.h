@@ -19,8 +19,10 @@ namespace trident {
 /// on the order in which models were added.
 class PhysicsEngine {
  public:
+  /// Receives what the user should know, a line each.
+  using Report = std::function<void(const std::string&)>;
   /// `rotor_axes_lag`: the axes of spun rotors lag behind their carriers as in Gazebo.
-  PhysicsEngine(const PhysicsSpec& spec, bool rotor_axes_lag);
+  PhysicsEngine(const PhysicsSpec& spec, bool rotor_axes_lag, Report report);
   ~PhysicsEngine();
   PhysicsEngine(const PhysicsEngine&) = delete;
   PhysicsEngine& operator=(const PhysicsEngine&) = delete;

@@ -68,7 +68,9 @@ World::World(const WorldSpec& spec, const Resources& resources, PluginRegistry& 
       registry_(registry),
       options_(std::move(options)) {
   validate(physics_);
-  engine_ = std::make_unique<PhysicsEngine>(physics_, options_.timing == LoopTiming::kRotors);
+  engine_ = std::make_unique<PhysicsEngine>(
+      physics_, options_.timing == LoopTiming::kRotors,
+      [this](const std::string& text) { report(Severity::kWarning, text); });
   dt_ = SimTime::from_seconds(physics_.max_step_size_s);
   for (const ModelSpec& model : spec.models) spawn(model, "");
   for (const PluginSpec& plugin : spec.plugins) {
