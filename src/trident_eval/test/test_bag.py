@@ -121,6 +121,47 @@ def test_a_bag_without_odometry_names_its_topics(
     assert "no odometry; topics: /UAV1/imu" in capsys.readouterr().err
 
 
+def test_what_the_recorder_dropped_is_a_gap_and_no_flight(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "gap.bag"
+    with rosbag.Bag(str(path), "w") as out:
+        for step in range(41):
+            now = 1.0 + 0.05 * step
+            for name in NAMES[:2]:
+                if name == "UAV2" and 10 < step < 30:
+                    continue
+                message = odometry(now, np.array([0.05 * step, 0.0, 1.0]))
+                out.write(f"/{name}/ground_truth/odometry", message, rospy.Time.from_sec(now))
+    position = read_bag(path).tracks.position
+    assert np.isfinite(position[:, 0]).all()
+    assert np.isfinite(position[[10, 30], 1]).all()
+    assert np.isnan(position[11:30, 1]).all()
+    assert "1.0 s of the odometry of UAV2 are missing" in capsys.readouterr().err
+
+
+def test_the_simulators_states_stand_in_for_dropped_odometry(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    fleet_state = pytest.importorskip("trident_msgs.msg").FleetState
+    path = tmp_path / "fleet.bag"
+    with rosbag.Bag(str(path), "w") as out:
+        for step in range(21):
+            now = 1.0 + 0.1 * step
+            state = fleet_state(name=["UAV1", "box"])
+            state.header.stamp = rospy.Time.from_sec(now)
+            for x in (0.1 * step, 9.0):
+                state.pose.append(pose(now, np.array([x, 0.0, 1.0])).pose)
+            out.write("/gazebo/fleet_state", state, rospy.Time.from_sec(now))
+            if step < 5 or step > 15:
+                message = odometry(now + 0.01, np.array([0.1 * step, 0.0, 1.0]))
+                out.write("/UAV1/odometry_sensor1/odometry", message, rospy.Time.from_sec(now))
+    tracks = read_bag(path).tracks
+    assert tracks.names == ["UAV1"]
+    np.testing.assert_allclose(tracks.position[:, 0, 0], tracks.time - 1.0, atol=1e-9)
+    assert capsys.readouterr().err == ""
+
+
 def test_a_bag_of_a_run_gives_the_numbers_of_the_run(planned_run: Run, tmp_path: Path) -> None:
     path = tmp_path / "flight.bag"
     with rosbag.Bag(str(path), "w") as out:

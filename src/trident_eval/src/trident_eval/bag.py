@@ -18,7 +18,9 @@ from trident_eval.core.tracks import Array, Tracks
 
 _ODOMETRY = re.compile(r"/(?P<name>.+)/(?P<source>odometry_sensor1|ground_truth)/odometry$")
 _COMMAND = re.compile(r"/(?P<name>.+)/command/(trajectory|pose)$")
+_FLEET = "/gazebo/fleet_state"
 _PROGRESS_EVERY = 2000
+LONGEST_GAP_S = 0.25
 
 Samples = list[tuple[float, float, float, float]]
 
@@ -28,10 +30,11 @@ def read_bag(path: Path) -> Scene:
 
     Args:
         path: the bag. Topics `/<vehicle>/odometry_sensor1/odometry` (else `ground_truth/odometry`),
-            `/<vehicle>/command/trajectory` and `/<vehicle>/command/pose`.
+            `/<vehicle>/command/trajectory`, `/<vehicle>/command/pose`, `/gazebo/fleet_state`.
 
     Returns:
-        The scene, at the odometry stamps of the first vehicle; vehicles in order of their names.
+        The scene, at the odometry stamps of all vehicles; vehicles in order of their names. Where a
+        vehicle has no odometry for longer than `LONGEST_GAP_S`, its position is NaN.
 
     Raises:
         EvalError: no readable bag, or no odometry in it.
@@ -55,8 +58,9 @@ def _read_open_bag(bag: Any, path: Path) -> Scene:
             " /<vehicle>/odometry_sensor1/odometry or /<vehicle>/ground_truth/odometry"
         )
     measured: dict[str, Samples] = defaultdict(list)
+    fleet: dict[str, Samples] = defaultdict(list)
     commanded: dict[str, Samples] = defaultdict(list)
-    wanted = [*odometry, *commands]
+    wanted = [*odometry, *commands, _FLEET]
     total = bag.get_message_count(topic_filters=wanted)
     for count, (topic, message, _) in enumerate(bag.read_messages(topics=wanted)):
         _show_progress(count, total)
@@ -64,10 +68,12 @@ def _read_open_bag(bag: Any, path: Path) -> Scene:
             position = message.pose.pose.position
             stamp = message.header.stamp.to_sec()
             measured[odometry[topic]].append((stamp, position.x, position.y, position.z))
+        elif topic == _FLEET:
+            _add_fleet(fleet, message)
         else:
             _add_command(commanded[commands[topic]], message)
     _show_progress(total, total)
-    return _scene(path, dict(measured), dict(commanded))
+    return _scene(path, _complete(path, dict(measured), fleet), dict(commanded))
 
 
 def _odometry_topics(topics: list[str]) -> dict[str, str]:
@@ -96,21 +102,56 @@ def _add_command(samples: Samples, message: Any) -> None:
         samples.append((start, position.x, position.y, position.z))
 
 
+def _add_fleet(fleet: dict[str, Samples], message: Any) -> None:
+    stamp = message.header.stamp.to_sec()
+    for name, pose in zip(message.name, message.pose, strict=True):
+        position = pose.position
+        fleet[name].append((stamp, position.x, position.y, position.z))
+
+
+def _complete(
+    path: Path, measured: dict[str, Samples], fleet: dict[str, Samples]
+) -> dict[str, Samples]:
+    """The odometry, or the simulator's own states where a recorder has dropped too much of it.
+
+    They are not mixed: odometry carries the stamp of the step after its state.
+    """
+    missing = {name: _missing_s(samples) for name, samples in measured.items()}
+    if not any(missing.values()):
+        return measured
+    if all(name in fleet for name in measured):
+        return {name: fleet[name] for name in measured}
+    for name, seconds in sorted(missing.items()):
+        if seconds:
+            print(f"{path}: {seconds:.1f} s of the odometry of {name} are missing", file=sys.stderr)
+    return measured
+
+
+def _missing_s(samples: Samples) -> float:
+    gaps = np.diff(sorted(sample[0] for sample in samples))
+    return float(gaps[gaps > LONGEST_GAP_S].sum())
+
+
 def _scene(path: Path, measured: dict[str, Samples], commanded: dict[str, Samples]) -> Scene:
     names = sorted(measured)
-    time = np.unique(np.array(measured[names[0]])[:, 0])
-    position = np.stack([_interpolate(measured[name], time) for name in names], axis=1)
+    tables = {name: np.array(sorted(samples)) for name, samples in measured.items()}
+    time = np.unique(np.concatenate([table[:, 0] for table in tables.values()]))
+    position = np.stack([_interpolate(tables[name], time) for name in names], axis=1)
     command = None
     if commanded:
         command = np.stack([_hold(commanded.get(name, []), time) for name in names], axis=1)
     return Scene(title=path.name, tracks=Tracks(names, time, position), commanded=command)
 
 
-def _interpolate(samples: Samples, time: Array) -> Array:
-    """Positions at other times, shape (M, 3); NaN before the first and after the last sample."""
-    table = np.array(sorted(samples))
+def _interpolate(table: Array, time: Array) -> Array:
+    """Positions at other times, shape (M, 3); NaN outside of the samples and in gaps."""
     columns = [np.interp(time, table[:, 0], table[:, axis], np.nan, np.nan) for axis in (1, 2, 3)]
-    return np.stack(columns, axis=1)
+    position = np.stack(columns, axis=1)
+    after = np.searchsorted(table[:, 0], time).clip(1, max(len(table) - 1, 1))
+    is_gap = (np.diff(table[:, 0], append=np.inf) > LONGEST_GAP_S)[after - 1]
+    is_sample = np.isin(time, table[:, 0])
+    position[is_gap & ~is_sample] = np.nan
+    return position
 
 
 def _hold(samples: Samples, time: Array) -> Array:

@@ -107,12 +107,12 @@ def _label_space(space: Any, scene: Scene) -> None:
         extent = np.maximum(high - low, 0.2 * max(float((high - low).max()), 1.0))
         space.set(xlim=_span(low[0], extent[0]), ylim=_span(low[1], extent[1]))
         space.set_zlim(low[2], low[2] + extent[2])
-        space.set_box_aspect(extent, zoom=1.25)
+        space.set_box_aspect(extent, zoom=1.0)
     space.view_init(elev=30, azim=-62)
     for axis, bins in ((space.xaxis, 6), (space.yaxis, 5), (space.zaxis, 3)):
         axis.set_pane_color((1.0, 1.0, 1.0, 0.0))
         axis.set_major_locator(MaxNLocator(bins))
-        axis.labelpad = 7
+        axis.labelpad = 5
 
 
 def _span(low: float, extent: float) -> tuple[float, float]:

@@ -85,7 +85,7 @@ class FormationRunner:
         crew = self._crew
         for topic in crew.topics:
             topic.forget()
-            if not topic.wait_for_controller(crew.link.is_lockstep, crew.settings.connect_wait_s):
+            if not topic.wait_for_controller(crew.settings.connect_wait_s):
                 rospy.logwarn("%s: no controller listens yet", topic.topic)
             if crew.settings.guard:
                 topic.guard()

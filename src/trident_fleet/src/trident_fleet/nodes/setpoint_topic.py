@@ -68,21 +68,19 @@ class SetpointTopic(rospy.SubscribeListener):  # type: ignore[misc]
             self.topic, rospy.AnyMsg, self._on_command, tcp_nodelay=True
         )
 
-    def wait_for_controller(self, needs_simulator: bool, limit_s: float) -> bool:
-        """Wait until the vehicle's controller (and the simulator) have connected.
+    def wait_for_controller(self, limit_s: float) -> bool:
+        """Wait until the vehicle's controller, a node in its namespace, has connected.
 
         Args:
-            needs_simulator: whether the simulator has to listen as well.
             limit_s: longest wait, in wall-clock time [s].
 
         Returns:
-            Whether they have.
+            Whether it has.
         """
         give_up = time.monotonic() + limit_s
         while time.monotonic() < give_up and not rospy.is_shutdown():
             peers = {connection.endpoint_id for connection in self._publisher.impl.connections}
-            has_controller = any(peer.startswith(self._prefix) for peer in peers)
-            if has_controller and (self._simulator in peers or not needs_simulator):
+            if any(peer.startswith(self._prefix) for peer in peers):
                 return True
             time.sleep(_POLL_S)
         return False
