@@ -39,9 +39,12 @@ struct Joint {
 
   bool spun = false;
   Eigen::Vector3d axis_body = Eigen::Vector3d::UnitZ();  ///< of the carrier's body, spun only
-  double axial_inertia = 0.0;                            ///< [kg m^2], spun only
-  double spun_position = 0.0;                            ///< [rad]
-  double spun_velocity = 0.0;                            ///< [rad/s]
+  /// Where the rotor's own axis points, which lags behind axis_body as in Gazebo; spun only
+  Eigen::Vector3d rotor_axis_body = Eigen::Vector3d::UnitZ();
+  double transverse_inertia = 0.0;  ///< [kg m^2], mean, spun only
+  double axial_inertia = 0.0;       ///< [kg m^2], spun only
+  double spun_position = 0.0;       ///< [rad]
+  double spun_velocity = 0.0;       ///< [rad/s]
 
   double force = 0.0;    ///< applied in the next step [N m] or [N]
   double damping = 0.0;  ///< [N m s/rad] or [N s/m]

@@ -1,0 +1,23 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+
+# Fixtures, models and the conformance suite of plugins, for the tests of this package and of others.
+add_library(trident_sim_test_support STATIC
+  test_support/golden_data.cpp
+  test_support/models.cpp
+  test_support/test_world.cpp
+)
+target_include_directories(trident_sim_test_support PUBLIC test_support ${GTEST_INCLUDE_DIRS})
+target_compile_definitions(trident_sim_test_support PUBLIC TRIDENT_REPOSITORY="${CMAKE_SOURCE_DIR}")
+target_compile_options(trident_sim_test_support PRIVATE -Wall -Wextra)
+target_link_libraries(trident_sim_test_support PUBLIC trident_sim)
+
+# Closed loops, with the Lee controller as a plugin (trident_control_sim is defined later on).
+catkin_add_gtest(trident_sim_flight_test
+  test/golden_flight_test.cpp
+  test/golden_replay_test.cpp
+  test/golden_rigid_test.cpp
+  test_support/golden_world.cpp
+)
+target_link_libraries(trident_sim_flight_test
+  trident_sim_test_support trident_control_sim ${GTEST_MAIN_LIBRARIES})
