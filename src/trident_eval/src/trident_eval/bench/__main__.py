@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import os
 import shlex
 import signal
 import sys
@@ -21,11 +22,13 @@ from trident_eval.bench.machine import describe_commit, describe_machine
 from trident_eval.bench.rows import (
     Plan,
     caption,
+    check_hover,
     failed_row,
     markdown_table,
     number_text,
     plan_rows,
     profile_table,
+    same_flight,
     summarize,
 )
 from trident_eval.bench.vehicle import Setup, prepare
@@ -80,7 +83,7 @@ def measure_once(plan: Plan, setup: Setup, profile: bool) -> dict[str, Any]:
         "in_process": lambda: in_process.measure(plan, setup, profile),
         "lockstep_external": lambda: lockstep.measure(plan, setup),
         "startup": lambda: launches.measure_startup(plan),
-        "main_job": lambda: launches.measure_main_job(),
+        "main_job": lambda: launches.measure_main_job(plan),
         "tutorial_full": lambda: launches.measure_tutorial(plan),
     }
     return modes[plan.mode]()
@@ -88,11 +91,13 @@ def measure_once(plan: Plan, setup: Setup, profile: bool) -> dict[str, Any]:
 
 def measure_row(plan: Plan, setup: Setup, profile: bool, where: str) -> dict[str, Any]:
     """One row: all its runs, with a line about each; a run that fails makes a row that says so."""
-    results = []
+    results: list[dict[str, Any]] = []
+    load = os.getloadavg()[0]
     for number in range(1, plan.runs + 1):
         begin = time.monotonic()
         try:
             result = measure_once(plan, setup, profile)
+            check_hover(result)
         except EvalError as error:
             say(f"{where} {plan.mode} n={plan.n}: {error}")
             return failed_row(plan, str(error).splitlines()[0])
@@ -102,7 +107,7 @@ def measure_row(plan: Plan, setup: Setup, profile: bool, where: str) -> dict[str
             f"{where} {plan.mode} n={plan.n} run {number}/{plan.runs}: {rtf}"
             f"{time.monotonic() - begin:.0f} s"
         )
-    return summarize(plan, results)
+    return summarize(plan, results) | {"load_average": load}
 
 
 def _sim(options: argparse.Namespace) -> int:
@@ -122,6 +127,8 @@ def _sim(options: argparse.Namespace) -> int:
         row = measure_row(plan, setup, options.profile, f"[{number}/{len(plans)}]")
         document["rows"].append(row)
         _write(options.out, document)  # what has been measured is kept, whatever comes
+    document["same_flight"] = {str(n): same for n, same in same_flight(document["rows"]).items()}
+    _write(options.out, document)
     if options.out:
         say(f"written: {options.out}")
     if options.markdown or not options.out:
@@ -141,6 +148,9 @@ def _write(path: Path | None, document: dict[str, Any]) -> None:
 def _print_tables(document: dict[str, Any], profile: bool) -> None:
     print(markdown_table(document["rows"]))
     print(f"\n{caption(document)}")
+    for n, same in document.get("same_flight", {}).items():
+        ends = "the same state" if same else "DIFFERENT states"
+        print(f"\nN = {n}: in-process and lockstep flights end in {ends}, to the bit.")
     if profile:
         print(profile_table(document["rows"]))
 
@@ -151,7 +161,9 @@ def _table(options: argparse.Namespace) -> int:
         _print_tables(document, profile=True)
     except (OSError, ValueError, KeyError, TypeError) as error:
         reason = f"no {error}" if isinstance(error, KeyError) else str(error)
-        raise EvalError(f"{options.source}: {reason}; legal: a file that --out has written") from error
+        raise EvalError(
+            f"{options.source}: {reason}; legal: a file that --out has written"
+        ) from error
     return MEASURED
 
 

@@ -63,7 +63,7 @@ class Pilot:
             pose.pose.orientation.w = 1.0
             publisher.publish(pose)
         deadline = time.monotonic() + _CONNECT_LIMIT_S
-        for index, publisher in enumerate(self._publishers):
+        for publisher in self._publishers:
             while publisher.get_num_connections() == 0:
                 if time.monotonic() > deadline:
                     raise EvalError(f"no controller listens to {publisher.resolved_name}")

@@ -23,7 +23,7 @@ from trident_eval.core.errors import EvalError
 
 _POLL_S = 0.005
 _START_LIMIT_S = 60.0
-_STOP_LIMIT_S = 10.0
+_STOP_LIMIT_S = 30.0
 _SHOWN_LINES = 8
 _CALLER = "/trident_bench"
 
@@ -58,7 +58,8 @@ class Processes:
             "ROS_LOG_DIR": str(self.folder / "log"),
             "PYTHONUNBUFFERED": "1",
         }
-        self.env.pop("ROS_IP", None)
+        for name in ("ROS_IP", "ROSCONSOLE_FORMAT"):  # the output is read
+            self.env.pop(name, None)
         self._running: list[tuple[str, subprocess.Popen[bytes]]] = []
 
     def __enter__(self) -> Processes:
@@ -103,7 +104,9 @@ class Processes:
         try:
             code = process.wait(limit_s)
         except subprocess.TimeoutExpired as error:
-            raise EvalError(f"{name} has not ended within {limit_s:.0f} s\n{self.tails()}") from error
+            raise EvalError(
+                f"{name} has not ended within {limit_s:.0f} s\n{self.tails()}"
+            ) from error
         if code != 0:
             raise EvalError(f"{name} has ended with exit code {code}\n{last_lines(self.log(name))}")
 
@@ -135,9 +138,14 @@ class Processes:
 
     def stop_all(self) -> None:
         """Ends everything that was started, the last first: by SIGINT, then by force."""
-        for _, process in reversed(self._running):
-            self.stop(process)
-        self._running.clear()
+        # A second Ctrl-C must not leave processes behind.
+        before = signal.signal(signal.SIGINT, signal.SIG_IGN)
+        try:
+            for _, process in reversed(self._running):
+                self.stop(process)
+            self._running.clear()
+        finally:
+            signal.signal(signal.SIGINT, before)
 
     @staticmethod
     def stop(process: subprocess.Popen[bytes]) -> None:

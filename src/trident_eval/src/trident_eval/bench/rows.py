@@ -20,8 +20,6 @@ MEASURES = (
     "startup_s",
     "sim_s",
     "wall_s",
-    "job_wall_s",
-    "job_cpu_s",
     "others_cpu_cores",
 )
 _COLUMNS = (
@@ -36,6 +34,8 @@ _COLUMNS = (
     ("runs", "runs"),
 )
 _SIGNIFICANT_DIGITS = 3
+#: The controller's steady offset is 0.04 m; a vehicle further away is not hovering.
+MAX_OFFSET_M = 0.1
 
 
 @dataclass(frozen=True)
@@ -103,9 +103,9 @@ def summarize(plan: Plan, results: Sequence[Mapping[str, Any]]) -> dict[str, Any
         values = [result[key] for result in results if result.get(key) is not None]
         row[key] = statistics.median(values) if len(values) == len(results) else None
     row["rtf_all"] = [result.get("rtf") for result in results]
-    hashes = {result["state_hash"] for result in results if result.get("state_hash")}
-    row["state_hash"] = hashes.pop() if len(hashes) == 1 else None
-    row["repeatable"] = None if not row["state_hash"] and not hashes else not hashes
+    hashes = [result["state_hash"] for result in results if result.get("state_hash")]
+    row["state_hash"] = hashes[0] if len(set(hashes)) == 1 else None
+    row["repeatable"] = len(set(hashes)) == 1 if len(hashes) > 1 else None
     row["runs"] = len(results)
     return row | _details(results[-1])
 
@@ -114,6 +114,35 @@ def _details(result: Mapping[str, Any]) -> dict[str, Any]:
     """What is not a measure, as the last run has it."""
     known = {*MEASURES, "state_hash", "n", "mode"}
     return {key: value for key, value in result.items() if key not in known}
+
+
+def check_hover(result: Mapping[str, Any]) -> None:
+    """A simulator that loses its vehicles is not measured.
+
+    Raises:
+        EvalError: at the end of the run a vehicle is not where it was told to hover.
+    """
+    offset_m = result.get("largest_offset_m")
+    if offset_m is not None and not offset_m <= MAX_OFFSET_M:
+        raise EvalError(
+            f"a vehicle is {offset_m:.3f} m from its place at the end; legal: <= {MAX_OFFSET_M} m"
+        )
+
+
+def same_flight(rows: Iterable[Mapping[str, Any]]) -> dict[int, bool]:
+    """Per N: whether the flights in-process and in lockstep end in the same state, to the bit.
+
+    Both modes fly the same vehicles for the same simulated time, so they must.
+    """
+    hashes: dict[int, dict[str, Any]] = {}
+    for row in rows:
+        if row["mode"] in ("in_process", "lockstep_external") and "error" not in row:
+            hashes.setdefault(row["n"], {})[row["mode"]] = row["state_hash"]
+    return {
+        n: None not in by_mode.values() and len(set(by_mode.values())) == 1
+        for n, by_mode in hashes.items()
+        if len(by_mode) == 2
+    }
 
 
 def failed_row(plan: Plan, reason: str) -> dict[str, Any]:

@@ -41,7 +41,9 @@ def package_folder(package: str) -> Path:
     Raises:
         EvalError: there is none; the workspace is not sourced.
     """
-    found = subprocess.run(["rospack", "find", package], capture_output=True, text=True, check=False)
+    found = subprocess.run(
+        ["rospack", "find", package], capture_output=True, text=True, check=False
+    )
     if found.returncode != 0:
         raise EvalError(f"package {package} is not found; legal: a shell that has sourced a build")
     return Path(found.stdout.strip())
