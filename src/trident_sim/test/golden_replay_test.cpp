@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <cmath>
 
 #include "golden_data.h"
 #include "golden_world.h"
@@ -23,7 +23,10 @@ TEST_P(GoldenReplay, RecordedCommandsLeadToTheRecordedMotion) {
   const auto flight = read_flight(folder + "hover_" + name + ".csv", kDt);
   const auto commands = read_commands(folder + "motor_commands_" + name + ".csv");
   GoldenWorld world(golden_folder() + "/params/basic.world");
-  Model& firefly = world.add_firefly(name, flight.front().T_world_base, false);
+  Model& firefly = world.add_firefly(name,
+                                     at(std::round(flight.front().T_world_base.p.x()),
+                                        std::round(flight.front().T_world_base.p.y()), 0.08),
+                                     false);
   auto* in = world->ports().find_in<ActuatorCommand>(name + "/command/motor_speed");
   std::size_t next = 0;
   Deviation deviation;
