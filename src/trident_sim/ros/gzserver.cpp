@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <ros/ros.h>
 
+#include <cstdio>
+
 #include "server_options.h"
 #include "services.h"
 #include "simulation.h"
@@ -42,7 +44,8 @@ int main(int argc, char** argv) {
   try {
     return serve(arguments);
   } catch (const std::exception& error) {
-    ROS_FATAL("%s", error.what());
+    // Not ROS_FATAL: by now the last node handle has gone, and ROS' log with it.
+    std::fprintf(stderr, "[FATAL] gzserver: %s\n", error.what());
     return 1;
   }
 }

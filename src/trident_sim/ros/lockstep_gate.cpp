@@ -173,6 +173,8 @@ void LockstepGate::check_vehicle(VehicleLink& vehicle, WallTime now) {
   const double waited_s = static_cast<double>(waited) * 1e-9;
   const bool disconnected =
       waited > kDisconnectedAfter && vehicle.odometry_readers() < vehicle.readers_when_sent;
+  vehicle.connection_lost = vehicle.connection_lost || disconnected;
+  if (vehicle.connection_lost && vehicle.odometry_readers() > 0) vehicle.send_again();
   if (!disconnected && waited_s < options_.lockstep_timeout_s) return;
   if (options_.loss_policy == LossPolicy::kWait && vehicle.loss_told) return;
   vehicle.loss_told = true;
@@ -214,7 +216,10 @@ void LockstepGate::send_states(SimTime stamp) {
 
 void LockstepGate::clear(bool with_time) {
   const std::lock_guard<std::mutex> lock(hub_.mutex);
-  for (VehicleLink* vehicle : hub_.vehicles) vehicle->clear();
+  for (VehicleLink* vehicle : hub_.vehicles) {
+    vehicle->clear();
+    if (with_time) vehicle->announce_reset();
+  }
   if (with_time) hub_.sources.clear();
 }
 

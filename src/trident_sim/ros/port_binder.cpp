@@ -129,7 +129,10 @@ std::vector<OutputBinding*> PortBinder::hold_back_odometry(const std::string& pr
 void PortBinder::scan_subscribers() {
   bool changed = false;
   for (auto& [name, entry] : entries_) {
-    const bool wanted = entry.binding->subscribers() > 0;
+    // Odometry that the lockstep sends stays wanted: when its reader dies, the world must still
+    // have a state to wait for an answer to.
+    const bool wanted =
+        entry.binding->subscribers() > 0 || (entry.held_back && entry.binding->wanted());
     changed = changed || wanted != entry.binding->wanted();
     entry.binding->set_wanted(wanted);
   }

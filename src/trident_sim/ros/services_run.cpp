@@ -13,6 +13,8 @@
 namespace trident {
 namespace {
 
+const ros::Duration kDefaultPeriod(0.1);  ///< of set-point sources that give none
+
 using gazebo_msgs::GetPhysicsProperties;
 using gazebo_msgs::SetPhysicsProperties;
 using trident_msgs::EnrollSource;
@@ -75,8 +77,9 @@ void enrol(Simulation& simulation, const EnrollSource::Request& request,
   try {
     Simulation::Access access(simulation);
     if (request.enroll) {
+      const ros::Duration period = request.period.isZero() ? kDefaultPeriod : request.period;
       response.start_time = to_ros(simulation.enrol_source(
-          request.node, request.vehicles, from_ros(request.period), from_ros(request.end_time)));
+          request.node, request.vehicles, from_ros(period), from_ros(request.end_time)));
     } else {
       simulation.release_source(request.node);
     }

@@ -124,6 +124,7 @@ void VehicleLink::send_next() {
     std::memcpy(message.buf.get() + 4, &sequence, sizeof(sequence));
     direct_[index]->send({message.buf.get(), message.num_bytes});
   }
+  under_way_ = std::move(outbox_.front());
   outbox_.pop_front();
 }
 
@@ -141,15 +142,38 @@ void VehicleLink::send_state(SimTime stamp, WallTime now) {
   }
   if (state.messages.empty()) return;
   const std::lock_guard lock(hub_.mutex);
-  readers_when_sent = odometry_readers();
+  // At least one, so that a reader that has just died is missed.
+  readers_when_sent = std::max(1U, odometry_readers());
   if (!lockstep.on_state(stamp, now)) {
     outbox_.push_back(std::move(state));
     return;
   }
-  for (auto& [index, message] : state.messages) {
+  publish(state);
+  under_way_ = std::move(state);
+}
+
+void VehicleLink::publish(const State& state) {
+  for (const auto& [index, message] : state.messages) {
+    ros::SerializedMessage copy = message;
     ros::TopicManager::instance()->publish(
-        odometry_[index]->publisher().getTopic(), [&message = message] { return message; },
-        message);
+        odometry_[index]->publisher().getTopic(), [&copy] { return copy; }, copy);
+  }
+}
+
+void VehicleLink::send_again() {
+  connection_lost = false;
+  readers_when_sent = odometry_readers();
+  publish(under_way_);
+}
+
+void VehicleLink::announce_reset() {
+  for (OutputBinding* binding : odometry_) {
+    auto* port = dynamic_cast<OutPort<OdometrySample>*>(&binding->port());
+    if (port == nullptr || binding->subscribers() == 0) continue;
+    port->value.stamp = {};
+    port->value.v_child.setZero();
+    port->value.w_child.setZero();
+    binding->publish();
   }
 }
 

@@ -65,11 +65,16 @@ class VehicleLink {
   void watch_setpoints();
   std::uint32_t odometry_readers() const;
   void clear();
+  /// Tells the readers of the odometry that time is back at zero: a state at rest, stamped zero.
+  void announce_reset();
+  /// Sends the state under way again, to a controller that came back. Under the hub's mutex.
+  void send_again();
   /// Stops waiting for the controller; what was in line for it is dropped.
   void release();
 
   LockstepVehicle lockstep;             ///< under the hub's mutex
   std::uint32_t readers_when_sent = 0;  ///< under the hub's mutex
+  bool connection_lost = false;         ///< under the hub's mutex
   bool loss_told = false;               ///< under the hub's mutex
 
  private:
@@ -79,6 +84,7 @@ class VehicleLink {
   };
   void on_command(const std::uint8_t* bytes, std::uint32_t size);
   void send_next();
+  void publish(const State& state);
   void on_setpoint(SimTime stamp, bool is_confirmation);
 
   std::string name_, prefix_;
@@ -88,6 +94,7 @@ class VehicleLink {
   InPort<ActuatorCommand>* port_;
   std::vector<OutputBinding*> odometry_;
   std::vector<std::unique_ptr<DirectPublication>> direct_;
+  State under_way_;                     ///< the last one sent, under the hub's mutex
   std::deque<State> outbox_;            ///< states in line, under the hub's mutex
   std::vector<ActuatorCommand> inbox_;  ///< under the hub's mutex
   mav_msgs::Actuators message_;         ///< socket thread

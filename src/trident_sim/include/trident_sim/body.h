@@ -42,7 +42,8 @@ struct Body {
   Eigen::Vector3d torque = Eigen::Vector3d::Zero();
   /// Angular momentum of the spun rotors about their own axes [kg m^2/s], body frame.
   Eigen::Vector3d rotor_momentum = Eigen::Vector3d::Zero();
-  // Velocities at the beginning of the last step; accelerations are differences over a step.
+  // State at the beginning of the last step; accelerations are differences over a step.
+  SE3 T_before;
   Eigen::Vector3d v_before = Eigen::Vector3d::Zero();
   Eigen::Vector3d w_before = Eigen::Vector3d::Zero();
 
@@ -52,6 +53,7 @@ struct Body {
   double bound_radius_m = 0.0;                             ///< 0: nothing to collide with
   int joint_count = 0;      ///< ODE joints that last longer than a step
   bool in_contact = false;  ///< this step
+  bool frozen = false;      ///< its state grew without bound: it stands until a reset
   bool kinematic = false;   ///< moves with its velocity, whatever pushes
   bool self_collide = false;
   const void* owner = nullptr;  ///< bodies of one model do not collide unless self_collide

@@ -106,8 +106,8 @@ void bind_session(py::module_& module) {
       .def_property_readonly("seed", [](Session& s) { return s.world().seed(); })
       .def_property_readonly("name", [](Session& s) { return s.world().name(); })
       .def_property_readonly("gravity", [](Session& s) { return s.world().physics().gravity; })
-      .def_property_readonly("message_count", [](Session& s) { return s.messages.size(); })
-      .def_property_readonly("messages", [](Session& s) { return s.messages; })
+      .def_property_readonly("message_count", [](Session& s) { return s.messages().size(); })
+      .def_property_readonly("messages", [](Session& s) { return s.messages(); })
       .def("model_names", &model_names)
       .def(
           "has_model",

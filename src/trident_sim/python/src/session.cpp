@@ -53,8 +53,8 @@ Session::Session(const SessionOptions& options) : resources_(options.folders) {
   register_builtin_plugins(registry_);
   register_control_plugins(registry_);
   const auto report = [this](Severity severity, const std::string& text) {
-    messages.push_back({severity == Severity::kError ? "error" : "warning", text,
-                        world_ ? world_->time().seconds() : 0.0});
+    messages_.push_back({severity == Severity::kError ? "error" : "warning", text,
+                         world_ ? world_->time().seconds() : 0.0});
   };
   const auto warn = [&report](const std::string& text) { report(Severity::kWarning, text); };
   const py::gil_scoped_release unlocked;
@@ -69,7 +69,12 @@ Session::Session(const SessionOptions& options) : resources_(options.folders) {
 
 Session::~Session() = default;
 
-World& Session::world() {
+const std::vector<Message>& Session::messages() const {
+  world();
+  return messages_;
+}
+
+World& Session::world() const {
   if (busy_) throw Error("the world is in use by another thread: one thread at a time");
   return *world_;
 }
@@ -166,6 +171,10 @@ void Session::prune() {
   for (auto it = subscribed_.begin(); it != subscribed_.end();) {
     const bool is_there = find_port(it->first, PortDirection::kOut) == it->second;
     it = is_there ? std::next(it) : subscribed_.erase(it);
+  }
+  for (auto it = writes_.begin(); it != writes_.end();) {
+    const bool is_there = find_port(it->first, PortDirection::kIn) != nullptr;
+    it = is_there ? std::next(it) : writes_.erase(it);
   }
 }
 

@@ -42,7 +42,7 @@ class Session {
   Session& operator=(const Session&) = delete;
 
   /// Throws Error while another thread steps.
-  World& world();
+  World& world() const;
   Model& model(const std::string& name);
   Link& link(const std::string& model_name, const std::string& name);
   Joint& joint(const std::string& model_name, const std::string& name);
@@ -61,14 +61,17 @@ class Session {
   /// Throws Error when the port has no room for a value that its reader has not seen.
   void count_write(const PortBase& port, std::uint64_t depth);
 
-  std::vector<Message> messages;
+  /// What has been reported, oldest first.
+  const std::vector<Message>& messages() const;
 
  private:
   /// Marks the world as in use while the interpreter's lock is not held.
   class Busy;
 
+  /// Forgets ports that are no longer there.
   void prune();
 
+  std::vector<Message> messages_;  // written while the world is made, so before it
   Resources resources_;
   PluginRegistry registry_;
   std::unique_ptr<World> world_;

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import difflib
 import os
 import warnings
 from collections.abc import Iterator, Mapping, Sequence
@@ -33,7 +34,7 @@ class Models(Mapping[str, Model]):
 
     def __getitem__(self, name: str) -> Model:
         if not self._session.has_model(name):
-            raise KeyError(name)
+            raise KeyError(f"model '{name}' is not in the world; there are: {', '.join(self)}")
         return Model(self._session, name)
 
     def __iter__(self) -> Iterator[str]:
@@ -54,7 +55,10 @@ class Ports(Mapping[str, Port]):
 
     def __getitem__(self, name: str) -> Port:
         if not self._session.has_port(name):
-            raise KeyError(name)
+            near = difflib.get_close_matches(str(name), list(self), n=5, cutoff=0.4)
+            raise KeyError(
+                f"port '{name}' is not in the world; similar: {', '.join(near) or 'none'}"
+            )
         return Port(self._session, name)
 
     def __iter__(self) -> Iterator[str]:
@@ -141,9 +145,7 @@ class World:
         """
         given = [source for source in (urdf, sdf, file) if source is not None]
         if len(given) != 1:
-            raise Error(
-                f"spawn of '{name}': {len(given)} of urdf, sdf and file, legal: one of them"
-            )
+            raise Error(f"spawn of '{name}': {len(given)} of urdf, sdf, file given, legal: one")
         label = ""
         text = urdf if urdf is not None else sdf
         if text is None:

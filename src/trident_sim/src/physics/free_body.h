@@ -18,6 +18,12 @@ inline void apply_velocity_decay(Body& body, double dt_s) {
   if (body.angular_damping > 0.0) body.w_world *= std::max(0.0, 1.0 - dt_s * body.angular_damping);
 }
 
+/// Not a number, or beyond what any vehicle does: the next steps could only make it worse.
+inline bool is_diverged(const Body& body) {
+  return !(body.v_world.squaredNorm() < 1e10 && body.w_world.squaredNorm() < 1e8 &&
+           body.T_world_body.p.squaredNorm() < 1e14);
+}
+
 /// Semi-implicit Euler: velocities from the forces at the beginning of the step, then the pose with
 /// the new velocities, as ODE does (quaternion by its derivative, then normalised).
 void integrate_free_body(Body& body, double dt_s);

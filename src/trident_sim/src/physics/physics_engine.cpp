@@ -147,6 +147,7 @@ void PhysicsEngine::step(double dt_s) {
   }
   for (Body* body : bodies_) {
     body->in_contact = false;
+    body->T_before = body->T_world_body;
     body->v_before = body->v_world;
     body->w_before = body->w_world;
     if (body->gravity) body->force += body->mass_kg * gravity_;
@@ -156,7 +157,7 @@ void PhysicsEngine::step(double dt_s) {
   for (Body* body : bodies_) {
     if (body->joint_count > 0 || body->in_contact) {
       constrained = true;
-    } else {
+    } else if (!body->frozen) {
       integrate_free_body(*body, dt_s);
     }
   }
@@ -165,7 +166,20 @@ void PhysicsEngine::step(double dt_s) {
   for (Body* body : bodies_) {
     body->force.setZero();
     body->torque.setZero();
+    if (is_diverged(*body)) freeze(*body);
   }
+}
+
+void PhysicsEngine::freeze(Body& body) {
+  report_(
+      "body '" + body.name +
+      "': its state grows without bound (over 1e5 m/s, 1e4 rad/s or 1e7 m, or not a number); it "
+      "stands still from here until a reset");
+  body.T_world_body.p = body.T_before.p;
+  body.set_orientation(body.T_before.R);
+  body.v_world.setZero();
+  body.w_world.setZero();
+  body.frozen = true;
 }
 
 void PhysicsEngine::find_contacts(double dt_s) {
@@ -174,7 +188,7 @@ void PhysicsEngine::find_contacts(double dt_s) {
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     Body& body = *bodies_[i];
     centres_[i] = body.T_world_body.p + body.R_world_body * body.bound_centre;
-    if (body.bound_radius_m > 0.0) collide_with_static(body, centres_[i], dt_s);
+    if (body.bound_radius_m > 0.0 && !body.frozen) collide_with_static(body, centres_[i], dt_s);
   }
   sweep_bodies(dt_s);
 }
@@ -217,6 +231,7 @@ void PhysicsEngine::collide_with_static(Body& body, const Eigen::Vector3d& centr
 
 void PhysicsEngine::collide_bodies(Body& a, Body& b, double dt_s) {
   if (a.owner == b.owner && !a.self_collide) return;
+  if (a.frozen || b.frozen) return;
   if (dAreConnectedExcluding(a.ode, b.ode, dJointTypeContact)) return;
   push(a);
   push(b);

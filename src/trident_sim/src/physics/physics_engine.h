@@ -49,6 +49,7 @@ class PhysicsEngine {
     double offset;           ///< of a plane: normal . p = offset
   };
 
+  void freeze(Body& body);
   void find_contacts(double dt_s);
   void sweep_bodies(double dt_s);
   void collide_with_static(Body& body, const Eigen::Vector3d& centre, double dt_s);

@@ -272,6 +272,7 @@ void World::reset_models() {
       link.body->set_orientation(T.R);
       link.body->v_world.setZero();
       link.body->w_world.setZero();
+      link.body->frozen = false;
       link.body->v_before.setZero();
       link.body->w_before.setZero();
     }
