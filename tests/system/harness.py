@@ -194,6 +194,8 @@ class Ros(RosProcesses):
         self._count = 0
         super().__init__(folder)
         self.env["ROS_LOG_DIR"] = str(folder / "ros_log")
+        # Debian's ROS is built for /usr/bin/python3, which "env python3" must find first.
+        self.env["PATH"] = "/usr/bin:" + self.env["PATH"]
         # Logs are read while their writers run.
         self.env |= {"PYTHONUNBUFFERED": "1", "ROSCONSOLE_STDOUT_LINE_BUFFERED": "1"}
         self.env.pop("DISPLAY", None)
@@ -527,3 +529,12 @@ def fresh_folder(path: Path) -> str:
 def environment(**changes: str) -> Mapping[str, str]:
     """The environment of the tests with changes."""
     return {**os.environ, **changes}
+
+
+def topic_rate(ros: Ros, topic: str) -> float:
+    """What ``rostopic hz`` says of a topic, in messages per wall second."""
+    process = ros.launch(["rostopic", "hz", "--wall-time", topic])
+    pattern = re.compile(r"average rate: ([0-9.]+)")
+    eventually(lambda: len(pattern.findall(process.log)) >= 2, f"a rate of {topic}")
+    process.stop()
+    return float(pattern.findall(process.log)[-1])

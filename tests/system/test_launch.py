@@ -1,0 +1,192 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""Launch files as their users start them: roslaunch, a look around, Ctrl-C."""
+
+from __future__ import annotations
+
+import math
+import os
+import re
+import signal
+import time
+from collections.abc import Iterator
+from itertools import combinations
+from pathlib import Path
+
+import pytest
+from gazebo_msgs.msg import ModelStates
+from harness import Gazebo, Process, Ros, eventually, recorder, topic_rate
+
+FLEET = [f"UAV{number}" for number in range(1, 7)]
+SHUTDOWN_LIMIT_S = 5.0
+
+
+class Launch(Gazebo):
+    """A running roslaunch; asks its simulator."""
+
+    def __init__(self, ros: Ros, *words: str, **env: str) -> None:
+        self.ros = ros
+        self.out_dir = None
+        self.log_folder = ros.folder / f"launch-{len(list(ros.folder.iterdir()))}"
+        self.process = ros.launch(
+            ["roslaunch", "--disable-title", *words],
+            "roslaunch",
+            ROS_LOG_DIR=str(self.log_folder),
+            **env,
+        )
+
+    def spawned(self, names: list[str]) -> Launch:
+        self.ready()
+
+        def all_there() -> bool:
+            assert self.process.running, self.log
+            return set(names) <= set(self.ask("get_world_properties").model_names)
+
+        eventually(all_there, f"models {names}")
+        return self
+
+    def interrupt(self) -> None:
+        """Ctrl-C, and what must be true of the end."""
+        nodes = group_of(self.process)
+        assert len(nodes) > 1
+        begin = time.monotonic()
+        self.process.send(signal.SIGINT)
+        self.process.wait()
+        took = time.monotonic() - begin
+        assert took < SHUTDOWN_LIMIT_S, f"the shutdown took {took:.1f} s:\n{self.log}"
+        eventually(lambda: not any(alive(pid) for pid in nodes), "the end of all nodes")
+        assert "escalating to SIGTERM" not in self.log
+        for name, text in self.logs():
+            assert "Traceback" not in text, f"{name}:\n{text[-3000:]}"
+            assert "Segmentation fault" not in text, f"{name}:\n{text[-3000:]}"
+        assert not re.findall(r"has died.*", self.log)
+
+    def logs(self) -> Iterator[tuple[str, str]]:
+        yield "roslaunch", self.log
+        for file in self.log_folder.rglob("*.log"):
+            if file.is_file():
+                yield file.name, file.read_text(encoding="utf-8", errors="replace")
+
+
+def children_of(pid: int) -> list[int]:
+    try:
+        text = Path(f"/proc/{pid}/task/{pid}/children").read_text(encoding="ascii")
+    except OSError:
+        return []
+    return [int(word) for word in text.split()]
+
+
+def group_of(process: Process) -> list[int]:
+    """Process ids of a launch's nodes; roslaunch gives each a session of its own."""
+    return children_of(process.popen.pid)
+
+
+def alive(pid: int) -> bool:
+    try:
+        state = Path(f"/proc/{pid}/stat").read_text(encoding="ascii").rsplit(")", 1)[1].split()[0]
+    except OSError:
+        return False
+    return state != "Z"
+
+
+@pytest.fixture(autouse=True)
+def no_nodes_left(ros: Ros) -> Iterator[None]:
+    """Ends the nodes of a launch whose test has failed; they are not in roslaunch's group."""
+    yield
+    for process in ros.programs:
+        nodes = group_of(process) if process.running else []
+        process.stop(signal.SIGINT, limit_s=30.0)
+        for pid in nodes:
+            if alive(pid):
+                os.kill(pid, signal.SIGKILL)
+
+
+def separation(states: ModelStates) -> float:
+    points = [
+        (pose.position.x, pose.position.y, pose.position.z)
+        for name, pose in zip(states.name, states.pose, strict=True)
+        if name in FLEET
+    ]
+    return min(math.dist(a, b) for a, b in combinations(points, 2))
+
+
+def test_the_headline_launch_runs_in_real_time_until_ctrl_c(ros: Ros) -> None:
+    launch = Launch(ros, "trident_bringup", "multi_uav_simulation.launch").spawned(FLEET)
+    launch.until(1.0)
+    wall, simulated = time.monotonic(), launch.time()
+    assert topic_rate(ros, "/UAV3/odometry_sensor1/odometry") == pytest.approx(100.0, rel=0.2)
+    launch.until(simulated + 4.0)
+    factor = (launch.time() - simulated) / (time.monotonic() - wall)
+    assert factor == pytest.approx(1.0, abs=0.2)
+    info = ros.call("rosnode", "info", "/gazebo")
+    assert "/UAV6/odometry_sensor1/odometry [nav_msgs/Odometry]" in info
+    state = ros.call("rosservice", "call", "/gazebo/get_model_state", "UAV1", "world")
+    assert "success: True" in state
+    assert re.search(r"status_message: \S+", state)
+    assert "/UAV2/command/motor_speed" in ros.call("rostopic", "list")
+    launch.interrupt()
+
+
+def test_the_tutorial_form_flies_the_formation_and_not_the_hovering_example(ros: Ros) -> None:
+    launch = Launch(
+        ros,
+        "rotors_gazebo",
+        "multi_uav_simulation.launch",
+        "gui:=true",
+        TRIDENT_REAL_TIME_FACTOR="3",
+    ).spawned(FLEET)
+    with recorder("/gazebo/model_states", ModelStates) as states:
+        launch.until(15.0)
+        assert min(separation(message) for message in states.messages) > 0.5
+    heights = [launch.position(name)[2] for name in FLEET]
+    assert min(heights) > 0.3, "all have taken off"
+    places = [launch.position(name)[:2] for name in FLEET]
+    assert all(math.dist(a, b) > 0.5 for a, b in combinations(places, 2)), "not all at (0, 0, 1)"
+    assert launch.log.count("Publishing 1 waypoint(s)") == len(FLEET), "the examples have run"
+    assert "there is no display" in launch.log
+    assert "rviz" in launch.log
+    topics = set(ros.call("rostopic", "list").split())
+    assert {f"/{name}/joint_states" for name in FLEET} <= topics
+    launch.interrupt()
+
+
+def test_the_hovering_example_as_it_stands_paused_with_a_viewer(ros: Ros) -> None:
+    launch = Launch(
+        ros, "rotors_gazebo", "mav_hovering_example.launch", TRIDENT_REAL_TIME_FACTOR="10"
+    ).spawned(["firefly"])
+    eventually(
+        lambda: launch.position("firefly") == pytest.approx((0.0, 0.0, 1.04), abs=0.02),
+        "hovering at 1.04 m",
+    )
+    launch.interrupt()
+
+
+def test_the_swarm_example_takes_nine_to_their_places(ros: Ros) -> None:
+    launch = Launch(
+        ros, "rotors_gazebo", "firefly_swarm_hovering_example.launch", TRIDENT_REAL_TIME_FACTOR="4"
+    ).spawned([f"firefly{number}" for number in range(1, 10)])
+    goals = [(0, -1), (1, -1), (1, 0), (1, -2), (-1, 0), (-2, 0), (-3, 0), (-4, 0), (0, 0)]
+
+    def all_there() -> bool:
+        return all(
+            launch.position(f"firefly{number}") == pytest.approx((x, y, 1.04), abs=0.05)
+            for number, (x, y) in enumerate(goals, 1)
+        )
+
+    eventually(all_there, "all nine at their places", limit_s=120.0)
+    launch.interrupt()
+
+
+def test_empty_world_takes_the_arguments_of_the_original(ros: Ros) -> None:
+    words = (
+        "paused:=true use_sim_time:=true gui:=false headless:=true recording:=false debug:=false "
+        "physics:=ode verbose:=true output:=screen respawn_gazebo:=false server_required:=true "
+        "use_clock_frequency:=true pub_clock_frequency:=50 world_name:=worlds/empty.world"
+    )
+    launch = Launch(ros, "gazebo_ros", "empty_world.launch", *words.split()).spawned(
+        ["ground_plane"]
+    )
+    assert launch.time() == 0.0
+    assert ros.master.getParam("/system_tests", "/use_sim_time")[2] is True
+    launch.step(10)
+    launch.interrupt()
