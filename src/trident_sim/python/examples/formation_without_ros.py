@@ -55,6 +55,19 @@ class Flight:
     plan: FormationPlan
     settings: FleetSettings
 
+    @property
+    def start_ns(self) -> int:
+        """When the plan begins: with the first period after time zero, as under ROS [ns].
+
+        A set-point stamped zero would be one without a stamp.
+        """
+        return self.settings.feed.period_ns
+
+    @property
+    def end_ns(self) -> int:
+        """When the flight is over [ns]."""
+        return end_of_plan_ns(self.start_ns, self.plan.duration, self.settings.feed)
+
 
 def spawn_vehicle(world: trident_sim.World, name: str, y_m: float, mav_name: str) -> None:
     """One vehicle with its controller, as launch/robot/uav.launch starts them."""
@@ -96,7 +109,7 @@ def prepare(args: argparse.Namespace) -> Flight:
 def set_points(flight: Flight) -> Iterator[list[trident_sim.TrajectorySample]]:
     """The set-points of each period, one trajectory per vehicle, those of the formation nodes."""
     feed, plan = flight.settings.feed, flight.plan
-    periods = end_of_plan_ns(0, plan.duration, feed) // feed.period_ns + 1
+    periods = (flight.end_ns - flight.start_ns) // feed.period_ns + 1
     per_period = feed.period_ns // feed.point_ns
     stamps_ns = np.arange(periods * per_period, dtype=np.int64) * feed.point_ns
     motion = plan.sample(stamps_ns / NS_PER_S)
@@ -110,7 +123,7 @@ def set_points(flight: Flight) -> Iterator[list[trident_sim.TrajectorySample]]:
                 motion.velocity[points, vehicle],
                 motion.acceleration[points, vehicle],
                 yaw=plan.yaw_rad,
-                stamp=period * feed.period_ns / NS_PER_S,
+                stamp=(flight.start_ns + period * feed.period_ns) / NS_PER_S,
             )
             for vehicle in range(plan.rows.shape[1])
         ]
@@ -119,8 +132,8 @@ def set_points(flight: Flight) -> Iterator[list[trident_sim.TrajectorySample]]:
 def fly(flight: Flight, watch: AtPeriod | None = None) -> None:
     """Fly to the end of the plan.
 
-    A set-point acts at the state of its stamp, which is measured in the step before; so each
-    period is fed while the one before it is flown.
+    A set-point acts at the state of its stamp, which is measured in the step that leads there; so
+    each period is fed one period ahead.
 
     Args:
         flight: what `prepare` has made.
@@ -132,9 +145,7 @@ def fly(flight: Flight, watch: AtPeriod | None = None) -> None:
     for period, samples in enumerate(set_points(flight)):
         for port, sample in zip(inputs, samples, strict=True):
             port.write(sample)
-        if period == 0:
-            continue
-        end_ns = period * feed.period_ns
+        end_ns = flight.start_ns + period * feed.period_ns
         while watch and world.time_ns + RECORD_NS < end_ns:
             world.step_until((world.time_ns + RECORD_NS) / NS_PER_S)
             watch(world)
