@@ -153,7 +153,8 @@ class Processes:
         if process.poll() is not None:
             return
         tree = process_tree(process.pid)
-        process.send_signal(signal.SIGINT)
+        with contextlib.suppress(ProcessLookupError):
+            os.killpg(process.pid, signal.SIGINT)  # as a terminal does on Ctrl-C
         try:
             process.wait(_STOP_LIMIT_S)
         except subprocess.TimeoutExpired:
