@@ -41,6 +41,11 @@ class PhysicsEngine {
   void push_state(Model& model);
 
  private:
+  /// A body with rotors: spun_joints_[first] to spun_joints_[last - 1].
+  struct SpunCarrier {
+    Body* body;
+    std::size_t first, last;
+  };
   struct StaticGeom {
     Geom* geom;
     bool is_plane;
@@ -50,6 +55,7 @@ class PhysicsEngine {
   };
 
   void freeze(Body& body);
+  void load_rotors(double dt_s);
   void find_contacts(double dt_s);
   void sweep_bodies(double dt_s);
   void collide_with_static(Body& body, const Eigen::Vector3d& centre, double dt_s);
@@ -70,7 +76,7 @@ class PhysicsEngine {
   std::vector<Eigen::Vector3d> centres_;  ///< of the bounding spheres, world frame
   std::vector<std::size_t> order_;        ///< bodies by the low end of their x interval
   std::vector<Joint*> ode_joints_, spun_joints_;
-  std::vector<Body*> spun_carriers_;
+  std::vector<SpunCarrier> spun_carriers_;
   std::vector<StaticGeom> statics_;
   std::vector<dContact> contact_buffer_;
 };

@@ -19,6 +19,7 @@ namespace trident {
 Eigen::Vector3d rotor_axis_reaction(const Joint& joint, double erp, double dt_s);
 
 /// Moves rotor_axis_body by one step, after the carrier and the rotor's rate have been moved.
-void advance_rotor_axis(Joint& joint, double erp, double dt_s);
+/// `w_body`: the carrier's angular velocity in its own frame.
+void advance_rotor_axis(Joint& joint, const Eigen::Vector3d& w_body, double erp, double dt_s);
 
 }  // namespace trident

@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+// Broad phase, narrow phase and contact joints of PhysicsEngine.
+#include <algorithm>
+
+#include "body_sync.h"
+#include "physics_engine.h"
+
+namespace trident {
+namespace {
+
+/// Several contacts under one body hold it more often than it can move, which the exact solver
+/// needs a little softness to tell apart: 1e8 N/m at a step of 10 ms, and 1e-8 m/s of creep per
+/// newton.
+constexpr double kLeastNormalCfm = 1e-6;
+constexpr double kLeastSlip = 1e-8;
+
+/// Contact parameters of a pair, combined as Gazebo combines them: springs in series, dampers in
+/// parallel, the smaller friction and restitution.
+dSurfaceParameters combine(const Surface& a, const Surface& b, double dt_s) {
+  dSurfaceParameters surface{};
+  const double kp = 1.0 / (1.0 / a.kp_n_m + 1.0 / b.kp_n_m);
+  const double kd = a.kd_ns_m + b.kd_ns_m;
+  surface.mode = dContactBounce | dContactMu2 | dContactSoftERP | dContactSoftCFM |
+                 dContactApprox1 | dContactSlip1 | dContactSlip2;
+  surface.mu = std::min(a.mu, b.mu);
+  surface.mu2 = std::min(a.mu2, b.mu2);
+  surface.slip1 = std::max(kLeastSlip, std::min(a.slip1, b.slip1));
+  surface.slip2 = std::max(kLeastSlip, std::min(a.slip2, b.slip2));
+  surface.bounce = std::min(a.restitution, b.restitution);
+  surface.bounce_vel = std::min(a.bounce_threshold_m_s, b.bounce_threshold_m_s);
+  surface.soft_erp = dt_s * kp / (dt_s * kp + kd);
+  surface.soft_cfm = std::max(kLeastNormalCfm, 1.0 / (dt_s * kp + kd));
+  return surface;
+}
+
+bool boxes_overlap(const dReal* a, const dReal* b) {
+  return a[0] <= b[1] && b[0] <= a[1] && a[2] <= b[3] && b[2] <= a[3] && a[4] <= b[5] &&
+         b[4] <= a[5];
+}
+
+}  // namespace
+
+void PhysicsEngine::find_contacts(double dt_s) {
+  if (contact_count_ > 0) dJointGroupEmpty(contacts_);
+  contact_count_ = 0;
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    Body& body = *bodies_[i];
+    centres_[i] = body.T_world_body.p + body.R_world_body * body.bound_centre;
+    if (body.bound_radius_m > 0.0 && !body.frozen) collide_with_static(body, centres_[i], dt_s);
+  }
+  sweep_bodies(dt_s);
+}
+
+void PhysicsEngine::sweep_bodies(double dt_s) {
+  const auto low = [this](std::size_t i) { return centres_[i].x() - bodies_[i]->bound_radius_m; };
+  // Insertion sort: the order hardly changes from step to step.
+  for (std::size_t k = 1; k < order_.size(); ++k) {
+    const std::size_t moved = order_[k];
+    std::size_t at = k;
+    for (; at > 0 && low(order_[at - 1]) > low(moved); --at) order_[at] = order_[at - 1];
+    order_[at] = moved;
+  }
+  for (std::size_t k = 0; k < order_.size(); ++k) {
+    const std::size_t i = order_[k];
+    const double high = centres_[i].x() + bodies_[i]->bound_radius_m;
+    for (std::size_t m = k + 1; m < order_.size() && low(order_[m]) <= high; ++m) {
+      const std::size_t j = order_[m];
+      const double reach = bodies_[i]->bound_radius_m + bodies_[j]->bound_radius_m;
+      if ((centres_[i] - centres_[j]).squaredNorm() > reach * reach) continue;
+      collide_bodies(*bodies_[std::min(i, j)], *bodies_[std::max(i, j)], dt_s);
+    }
+  }
+}
+
+void PhysicsEngine::collide_with_static(Body& body, const Eigen::Vector3d& centre, double dt_s) {
+  bool pushed = false;
+  for (const StaticGeom& other : statics_) {
+    if (other.is_plane) {
+      if (other.normal.dot(centre) - other.offset > body.bound_radius_m) continue;
+    } else {
+      const Eigen::Vector3d nearest = centre.cwiseMax(other.lo).cwiseMin(other.hi);
+      if ((nearest - centre).squaredNorm() > body.bound_radius_m * body.bound_radius_m) continue;
+    }
+    if (!pushed) push(body);
+    pushed = true;
+    for (Geom& geom : body.geoms) collide_geoms(geom, &body, *other.geom, nullptr, dt_s);
+  }
+}
+
+void PhysicsEngine::collide_bodies(Body& a, Body& b, double dt_s) {
+  if (a.owner == b.owner && !a.self_collide) return;
+  if (a.frozen || b.frozen) return;
+  if (dAreConnectedExcluding(a.ode, b.ode, dJointTypeContact)) return;
+  push(a);
+  push(b);
+  for (Geom& geom_a : a.geoms) {
+    for (Geom& geom_b : b.geoms) collide_geoms(geom_a, &a, geom_b, &b, dt_s);
+  }
+}
+
+void PhysicsEngine::collide_geoms(Geom& a, Body* body_a, Geom& b, Body* body_b, double dt_s) {
+  if ((a.surface.collide_bitmask & b.surface.collide_bitmask) == 0) return;
+  dReal box_a[6], box_b[6];
+  dGeomGetAABB(a.id, box_a);
+  dGeomGetAABB(b.id, box_b);
+  if (!boxes_overlap(box_a, box_b)) return;
+  const int found = dCollide(a.id, b.id, static_cast<int>(contact_buffer_.size()),
+                             &contact_buffer_[0].geom, sizeof(dContact));
+  for (int i = 0; i < found; ++i) {
+    dContact& contact = contact_buffer_[static_cast<std::size_t>(i)];
+    contact.surface = combine(a.surface, b.surface, dt_s);
+    if (!a.surface.fdir1.isZero() && body_a != nullptr) {
+      const Eigen::Vector3d direction = body_a->R_world_body * a.surface.fdir1;
+      const Eigen::Vector3d normal(contact.geom.normal[0], contact.geom.normal[1],
+                                   contact.geom.normal[2]);
+      const Eigen::Vector3d tangent = direction - normal * normal.dot(direction);
+      if (tangent.norm() > 1e-9) {
+        contact.surface.mode |= dContactFDir1;
+        for (int k = 0; k < 3; ++k) contact.fdir1[k] = tangent.normalized()[k];
+      }
+    }
+    const dJointID joint = dJointCreateContact(world_, contacts_, &contact);
+    dJointAttach(joint, body_a ? body_a->ode : nullptr, body_b ? body_b->ode : nullptr);
+    ++contact_count_;
+  }
+  if (found > 0) {
+    body_a->in_contact = true;
+    if (body_b != nullptr) body_b->in_contact = true;
+  }
+}
+
+}  // namespace trident
