@@ -7,7 +7,8 @@
 namespace trident {
 
 // Parts of the module _core; module.cpp calls each once.
-void bind_samples(pybind11::module_& module);
+void bind_measurements(pybind11::module_& module);
+void bind_commands(pybind11::module_& module);
 void bind_model(pybind11::module_& module);
 void bind_session(pybind11::module_& module);
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+import numpy.typing as npt
 import pytest
 from conftest import ROTORS, Fly
 
@@ -125,7 +126,7 @@ def test_reset_and_the_same_commands_give_the_same_state(make_flight: Fly) -> No
 
 
 def test_noise_follows_the_seed_and_does_not_move_the_vehicle(make_flight: Fly) -> None:
-    def imu_and_hash(seed: int, listen: bool = True) -> tuple[np.ndarray, str]:
+    def imu_and_hash(seed: int, listen: bool = True) -> tuple[npt.NDArray[np.float64], str]:
         world = make_flight(seed=seed)
         port = world.ports["UAV1/imu"]
         if listen:

@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
+#include "bindings.h"
+#include "sample_class.h"
+#include "trident_base/error.h"
+#include "trident_control_sim/lee_plugin.h"
+
+namespace trident {
+namespace {
+
+SmallVector to_small_vector(const py::handle& value, const std::string& what) {
+  const NumpyArray array = to_array(value, what, 1);
+  const auto size = static_cast<std::size_t>(array.size());
+  if (size == 0 || size > SmallVector::kCapacity) {
+    throw Error(what + " has " + std::to_string(size) + " values, legal: 1 to " +
+                std::to_string(SmallVector::kCapacity));
+  }
+  SmallVector result;
+  result.assign({array.data(), size});
+  return result;
+}
+
+void bind_actuators(py::module_& module) {
+  const auto speeds = [](const auto& s) { return to_numpy(s.angular_velocities.view()); };
+  const auto make = [](const py::object& values, double stamp) {
+    return ActuatorCommand{to_time(stamp, "stamp"), to_small_vector(values, "angular_velocities")};
+  };
+  stamped<ActuatorCommand>(module, "ActuatorCommand", "Commanded rotor speeds.")
+      .def(py::init(make), py::arg("angular_velocities"), py::arg("stamp") = 0.0,
+           "angular_velocities: rotor speeds [rad/s], shape (n,).\n"
+           "stamp: that of the odometry it answers [s]; 0: it acts in the next step.")
+      .def_property_readonly(
+          "angular_velocities", [speeds](const ActuatorCommand& s) { return speeds(s); },
+          "Rotor speeds [rad/s], shape (n,).");
+  stamped<ActuatorState>(module, "ActuatorState", "Rotor speeds.")
+      .def_property_readonly(
+          "angular_velocities", [speeds](const ActuatorState& s) { return speeds(s); },
+          "Rotor speeds, signed [rad/s], shape (n,).");
+}
+
+void bind_wind(py::module_& module) {
+  const auto make_wind = [](const py::object& velocity, double stamp, const std::string& frame) {
+    return WindSample{to_time(stamp, "stamp"), frame, to_vector3(velocity, "velocity")};
+  };
+  stamped<WindSample>(module, "WindSample", "Wind at a vehicle.")
+      .def(py::init(make_wind), py::arg("velocity"), py::arg("stamp") = 0.0,
+           py::arg("frame") = "world", "velocity: in the world frame [m/s], shape (3,).")
+      .def_readonly("frame", &WindSample::frame)
+      .def_property_readonly(
+          "velocity", [](const WindSample& s) { return s.v_world; },
+          "In the world frame [m/s], shape (3,).");
+}
+
+/// Numbers of one trajectory, checked against the count of its positions.
+class TrajectoryFields {
+ public:
+  explicit TrajectoryFields(const py::object& positions)
+      : positions_(to_array(positions, "positions", 2)), n_(positions_.shape(0)) {
+    check_columns(positions_, "positions");
+    if (n_ == 0) throw Error("positions has no points, legal: 1 or more");
+  }
+  py::ssize_t count() const { return n_; }
+  const double* positions() const { return positions_.data(); }
+
+  /// nullptr when absent. The array lives as long as this.
+  const double* vectors(const py::object& value, const char* what) {
+    if (value.is_none()) return nullptr;
+    NumpyArray array = to_array(value, what, 2);
+    check_columns(array, what);
+    return keep(array, what);
+  }
+  const double* scalars(const py::object& value, const char* what) {
+    if (value.is_none()) return nullptr;
+    if (!py::isinstance<py::float_>(value) && !py::isinstance<py::int_>(value)) {
+      return keep(to_array(value, what, 1), what);
+    }
+    NumpyArray same(n_);
+    std::fill_n(same.mutable_data(), n_, value.cast<double>());
+    return keep(to_array(same, what, 1), what);
+  }
+
+ private:
+  static void check_columns(const NumpyArray& array, const std::string& what) {
+    if (array.shape(1) == 3) return;
+    throw Error(what + " has shape (" + std::to_string(array.shape(0)) + ", " +
+                std::to_string(array.shape(1)) + "), legal: (n, 3)");
+  }
+  const double* keep(const NumpyArray& array, const std::string& what) {
+    if (array.shape(0) != n_) {
+      throw Error(what + " has " + std::to_string(array.shape(0)) +
+                  " rows, legal: " + std::to_string(n_) + " as in positions");
+    }
+    kept_.push_back(array);
+    return array.data();
+  }
+
+  NumpyArray positions_;
+  py::ssize_t n_;
+  std::vector<NumpyArray> kept_;
+};
+
+TrajectorySample make_trajectory(const py::object& positions, const py::object& times,
+                                 const py::object& velocities, const py::object& accelerations,
+                                 const py::object& yaw, const py::object& yaw_rate, double stamp) {
+  TrajectoryFields fields(positions);
+  const double* t = fields.scalars(times, "times");
+  const double* v = fields.vectors(velocities, "velocities");
+  const double* a = fields.vectors(accelerations, "accelerations");
+  const double* heading = fields.scalars(yaw, "yaw");
+  const double* heading_rate = fields.scalars(yaw_rate, "yaw_rate");
+  if (t == nullptr && fields.count() > 1) {
+    throw Error("times is missing, legal: one for each of the " + std::to_string(fields.count()) +
+                " positions");
+  }
+  TrajectorySample sample{to_time(stamp, "stamp"), {}};
+  sample.points.resize(static_cast<std::size_t>(fields.count()));
+  for (py::ssize_t i = 0; i < fields.count(); ++i) {
+    TimedSetpoint& timed = sample.points[static_cast<std::size_t>(i)];
+    if (t != nullptr) timed.time_from_start = to_time(t[i], "times[" + std::to_string(i) + "]");
+    if (i > 0 && t[i] < t[i - 1]) {
+      throw Error("times[" + std::to_string(i) + "] is " + std::to_string(t[i]) +
+                  " s, legal: not before the one before it, " + std::to_string(t[i - 1]) + " s");
+    }
+    timed.point.p_world = Eigen::Vector3d(fields.positions() + 3 * i);
+    if (v != nullptr) timed.point.v_world = Eigen::Vector3d(v + 3 * i);
+    if (a != nullptr) timed.point.a_world = Eigen::Vector3d(a + 3 * i);
+    if (heading != nullptr) timed.point.yaw = heading[i];
+    if (heading_rate != nullptr) timed.point.yaw_rate = heading_rate[i];
+  }
+  return sample;
+}
+
+void bind_trajectory(py::module_& module) {
+  stamped<TrajectorySample>(module, "TrajectorySample",
+                            "Set-points of a position controller, in the world frame.")
+      .def(py::init(&make_trajectory), py::arg("positions"), py::arg("times") = py::none(),
+           py::arg("velocities") = py::none(), py::arg("accelerations") = py::none(),
+           py::arg("yaw") = py::none(), py::arg("yaw_rate") = py::none(), py::arg("stamp") = 0.0,
+           "positions: [m], shape (n, 3).\n"
+           "times: of each point after the stamp [s], shape (n,); may be left out for one point.\n"
+           "velocities, accelerations: [m/s], [m/s^2], shape (n, 3), else 0.\n"
+           "yaw, yaw_rate: [rad], [rad/s], a number or shape (n,), else 0.\n"
+           "stamp: simulated time of the start [s]; 0: with the next state.")
+      .def("__len__", [](const TrajectorySample& s) { return s.points.size(); });
+}
+
+}  // namespace
+
+void bind_commands(py::module_& module) {
+  bind_actuators(module);
+  bind_wind(module);
+  bind_trajectory(module);
+}
+
+}  // namespace trident
