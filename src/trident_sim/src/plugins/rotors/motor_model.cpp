@@ -42,6 +42,8 @@ class MotorModel : public Plugin {
         context, scoped_topic(params, params.text("motorSpeedPubTopic", "motor_speed")),
         PortRank::kState);
     name_ = params.owner();
+    arm_body_ = link_.T_body_link * link_.inertial.T_link_com.p;
+    axis_to_thrust_body_ = link_.T_body_link.R * Eigen::Vector3d::UnitZ() - joint_.axis_body;
   }
 
   std::vector<Phase> phases() const override { return {Phase::kActuate}; }
@@ -81,15 +83,13 @@ class MotorModel : public Plugin {
 
   void apply_forces() {
     Body& body = *link_.body;
+    const Eigen::Matrix3d& R = body.R_world_body;
     const double speed = joint_.velocity() * slowdown_;
     const double thrust = direction_ * std::abs(speed) * speed * motor_constant_;
-    const Eigen::Vector3d axis = body.R_world_body * joint_.rotor_axis_body;
+    const Eigen::Vector3d axis = R * joint_.rotor_axis_body;
     // Thrust acts along the rotor link's z, which leans with the rotor's axis.
-    const Eigen::Vector3d thrust_axis =
-        body.R_world_body * (link_.T_body_link.R * Eigen::Vector3d::UnitZ() +
-                             (joint_.rotor_axis_body - joint_.axis_body));
-    const Eigen::Vector3d arm =
-        body.R_world_body * (link_.T_body_link * link_.inertial.T_link_com.p);
+    const Eigen::Vector3d thrust_axis = axis + R * axis_to_thrust_body_;
+    const Eigen::Vector3d arm = R * arm_body_;
     const Eigen::Vector3d velocity = body.v_world + body.w_world.cross(arm) - wind_velocity();
     const Eigen::Vector3d across = velocity - velocity.dot(axis) * axis;
     const Eigen::Vector3d force = thrust * thrust_axis - std::abs(speed) * rotor_drag_ * across;
@@ -117,6 +117,8 @@ class MotorModel : public Plugin {
   Joint& joint_;
   Link& link_;
   std::string name_;
+  Eigen::Vector3d arm_body_;             ///< rotor's centre of mass
+  Eigen::Vector3d axis_to_thrust_body_;  ///< zero when the joint turns about the link's z
   std::size_t motor_number_ = 0;
   double direction_ = 1.0;
   double rotor_drag_, rolling_moment_, max_speed_, motor_constant_, moment_constant_;
