@@ -100,8 +100,16 @@ def test_a_failed_process_is_named_with_its_last_words():
 def test_a_process_that_takes_too_long_is_named():
     with Processes() as processes:
         process = processes.start("slow", ["sleep", "1000"])
-        with pytest.raises(EvalError, match="slow has not ended within 0 s"):
+        with pytest.raises(EvalError, match="the end of slow did not happen"):
             processes.finish("slow", process, 0.05)
+
+
+def test_the_failure_of_another_process_ends_the_wait():
+    with Processes() as processes:
+        processes.start("gazebo", ["sh", "-c", "echo no world; exit 1"])
+        spawner = processes.start("spawner", ["sleep", "1000"])
+        with pytest.raises(EvalError, match=r"gazebo has ended with exit code 1\n  no world"):
+            processes.finish("spawner", spawner, _LIMIT_S)
 
 
 def test_what_did_not_happen_is_named():

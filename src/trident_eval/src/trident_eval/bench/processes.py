@@ -25,6 +25,7 @@ _POLL_S = 0.005
 _START_LIMIT_S = 60.0
 _STOP_LIMIT_S = 30.0
 _SHOWN_LINES = 8
+_SHOWN_LOGS = 4
 _CALLER = "/trident_bench"
 
 
@@ -99,16 +100,23 @@ class Processes:
         """Waits for the end of a process.
 
         Raises:
-            EvalError: it takes longer than ``limit_s`` of wall time, or fails.
+            EvalError: it takes longer than ``limit_s`` of wall time, or it or another one fails.
         """
-        try:
-            code = process.wait(limit_s)
-        except subprocess.TimeoutExpired as error:
-            raise EvalError(
-                f"{name} has not ended within {limit_s:.0f} s\n{self.tails()}"
-            ) from error
-        if code != 0:
-            raise EvalError(f"{name} has ended with exit code {code}\n{last_lines(self.log(name))}")
+        self.wait_until(lambda: process.poll() is not None, f"the end of {name}", limit_s)
+        self.check_running()
+
+    def check_running(self) -> None:
+        """Nothing can come of a measurement one of whose processes has failed.
+
+        Raises:
+            EvalError: a process has ended with another exit code than 0.
+        """
+        for name, process in self._running:
+            if process.poll() not in (None, 0):
+                raise EvalError(
+                    f"{name} has ended with exit code {process.returncode}\n"
+                    f"{last_lines(self.log(name))}"
+                )
 
     def wait_until(
         self, condition: Callable[[], bool], what: str, limit_s: float = _START_LIMIT_S
@@ -116,17 +124,20 @@ class Processes:
         """Polls ``condition``.
 
         Raises:
-            EvalError: ``what`` has not happened within ``limit_s`` of wall time.
+            EvalError: ``what`` takes longer than ``limit_s`` of wall time, or a process fails.
         """
         deadline = time.monotonic() + limit_s
         while not condition():
+            self.check_running()
             if time.monotonic() > deadline:
                 raise EvalError(f"{what} did not happen within {limit_s:.0f} s\n{self.tails()}")
             time.sleep(_POLL_S)
 
     def tails(self) -> str:
-        """The last lines of all processes' output."""
-        tails = ((name, last_lines(self.log(name), 3)) for name, _ in self._running)
+        """The last lines of the processes that wrote last."""
+        logs = [self.log(name) for name, _ in self._running]
+        newest = sorted(logs, key=lambda log: log.stat().st_mtime)[-_SHOWN_LOGS:]
+        tails = ((log.stem, last_lines(log, 3)) for log in newest)
         return "\n".join(f"{name}:\n{text}" for name, text in tails if text)
 
     def start_master(self) -> tuple[subprocess.Popen[bytes], Master]:
