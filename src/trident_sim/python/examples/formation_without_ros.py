@@ -113,15 +113,19 @@ def set_points(flight: Flight) -> Iterator[list[trident_sim.TrajectorySample]]:
     per_period = feed.period_ns // feed.point_ns
     stamps_ns = np.arange(periods * per_period, dtype=np.int64) * feed.point_ns
     motion = plan.sample(stamps_ns / NS_PER_S)
+    position, velocity, acceleration = (
+        np.ascontiguousarray(array.swapaxes(0, 1))  # vehicle by vehicle, as they are handed over
+        for array in (motion.position, motion.velocity, motion.acceleration)
+    )
     times = stamps_ns[:per_period] / NS_PER_S
     for period in range(periods):
         points = slice(period * per_period, (period + 1) * per_period)
         yield [
             trident_sim.TrajectorySample(
-                motion.position[points, vehicle],
+                position[vehicle, points],
                 times,
-                motion.velocity[points, vehicle],
-                motion.acceleration[points, vehicle],
+                velocity[vehicle, points],
+                acceleration[vehicle, points],
                 yaw=plan.yaw_rad,
                 stamp=(flight.start_ns + period * feed.period_ns) / NS_PER_S,
             )

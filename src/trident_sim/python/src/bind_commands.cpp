@@ -64,6 +64,13 @@ class TrajectoryFields {
   py::ssize_t count() const { return n_; }
   const double* positions() const { return positions_.data(); }
 
+  /// Time of point i of `times`.
+  static SimTime time(const double* times, py::ssize_t i) {
+    const double least = i > 0 ? times[i - 1] : 0.0;
+    if (times[i] >= least && times[i] <= kMaxSeconds) return SimTime::from_seconds(times[i]);
+    throw Error("times[" + std::to_string(i) + "] is " + std::to_string(times[i]) + " s, legal: " +
+                std::to_string(least) + (i > 0 ? " s, the one before it," : " s") + " to 9e9 s");
+  }
   /// nullptr when absent. The array lives as long as this.
   const double* vectors(const py::object& value, const char* what) {
     if (value.is_none()) return nullptr;
@@ -118,11 +125,7 @@ TrajectorySample make_trajectory(const py::object& positions, const py::object& 
   sample.points.resize(static_cast<std::size_t>(fields.count()));
   for (py::ssize_t i = 0; i < fields.count(); ++i) {
     TimedSetpoint& timed = sample.points[static_cast<std::size_t>(i)];
-    if (t != nullptr) timed.time_from_start = to_time(t[i], "times[" + std::to_string(i) + "]");
-    if (i > 0 && t[i] < t[i - 1]) {
-      throw Error("times[" + std::to_string(i) + "] is " + std::to_string(t[i]) +
-                  " s, legal: not before the one before it, " + std::to_string(t[i - 1]) + " s");
-    }
+    if (t != nullptr) timed.time_from_start = fields.time(t, i);
     timed.point.p_world = Eigen::Vector3d(fields.positions() + 3 * i);
     if (v != nullptr) timed.point.v_world = Eigen::Vector3d(v + 3 * i);
     if (a != nullptr) timed.point.a_world = Eigen::Vector3d(a + 3 * i);

@@ -62,7 +62,7 @@ SE3 to_pose(const py::handle& value, const std::string& what) {
 }
 
 SimTime to_time(double seconds, const std::string& what) {
-  if (!std::isfinite(seconds) || seconds < 0.0 || seconds > 9e9) {
+  if (!(seconds >= 0.0 && seconds <= kMaxSeconds)) {
     throw Error(what + " is " + std::to_string(seconds) + " s, legal: 0 to 9e9 s");
   }
   return SimTime::from_seconds(seconds);

@@ -26,7 +26,9 @@ NumpyArray to_array(const pybind11::handle& value, const std::string& what, int 
 Eigen::Vector3d to_vector3(const pybind11::handle& value, const std::string& what);
 /// (x, y, z), (x, y, z, roll, pitch, yaw) or (x, y, z, qx, qy, qz, qw); [m], [rad].
 SE3 to_pose(const pybind11::handle& value, const std::string& what);
-/// Seconds, finite and not negative.
+/// Nine decimal digits of seconds are nanoseconds that an integer of 64 bits holds.
+constexpr double kMaxSeconds = 9e9;
+/// Seconds, 0 to kMaxSeconds.
 SimTime to_time(double seconds, const std::string& what);
 
 /// (x, y, z, w), as ROS orders them.
