@@ -5,12 +5,25 @@
 add_library(trident_sim_test_support STATIC
   test_support/golden_data.cpp
   test_support/models.cpp
+  test_support/quad_world.cpp
   test_support/test_world.cpp
 )
 target_include_directories(trident_sim_test_support PUBLIC test_support ${GTEST_INCLUDE_DIRS})
 target_compile_definitions(trident_sim_test_support PUBLIC TRIDENT_REPOSITORY="${CMAKE_SOURCE_DIR}")
 target_compile_options(trident_sim_test_support PRIVATE -Wall -Wextra)
 target_link_libraries(trident_sim_test_support PUBLIC trident_sim)
+
+catkin_add_gtest(trident_sim_test
+  test/command_timing_test.cpp
+  test/imu_test.cpp
+  test/lockstep_test.cpp
+  test/motor_model_test.cpp
+  test/odometry_test.cpp
+  test/port_test.cpp
+  test/setpoint_sources_test.cpp
+  test/wind_test.cpp
+)
+target_link_libraries(trident_sim_test trident_sim_test_support ${GTEST_MAIN_LIBRARIES})
 
 # Closed loops, with the Lee controller as a plugin (trident_control_sim is defined later on).
 catkin_add_gtest(trident_sim_flight_test

@@ -27,6 +27,7 @@ struct Geom {
 struct Body {
   std::string name;
   SE3 T_world_body;
+  SE3 T_world_body_initial;  ///< as spawned
   Eigen::Vector3d v_world = Eigen::Vector3d::Zero();
   Eigen::Vector3d w_world = Eigen::Vector3d::Zero();
   Eigen::Matrix3d R_world_body = Eigen::Matrix3d::Identity();  ///< T_world_body.R as a matrix
@@ -52,6 +53,7 @@ struct Body {
   Eigen::Vector3d bound_centre = Eigen::Vector3d::Zero();  ///< body frame
   double bound_radius_m = 0.0;                             ///< 0: nothing to collide with
   int joint_count = 0;      ///< ODE joints that last longer than a step
+  std::size_t number = 0;   ///< in the order of the engine
   bool in_contact = false;  ///< this step
   bool frozen = false;      ///< its state grew without bound: it stands until a reset
   bool kinematic = false;   ///< moves with its velocity, whatever pushes

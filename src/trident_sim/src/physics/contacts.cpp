@@ -9,6 +9,8 @@
 namespace trident {
 namespace {
 
+constexpr int kRowsPerContact = 3;
+
 /// Several contacts under one body hold it more often than it can move, which the exact solver
 /// needs a little softness to tell apart: 1e8 N/m at a step of 10 ms, and 1e-8 m/s of creep per
 /// newton.
@@ -44,6 +46,7 @@ bool boxes_overlap(const dReal* a, const dReal* b) {
 void PhysicsEngine::find_contacts(double dt_s) {
   if (contact_count_ > 0) dJointGroupEmpty(contacts_);
   contact_count_ = 0;
+  islands_.reset(bodies_.size());
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     Body& body = *bodies_[i];
     centres_[i] = body.T_world_body.p + body.R_world_body * body.bound_centre;
@@ -124,10 +127,12 @@ void PhysicsEngine::collide_geoms(Geom& a, Body* body_a, Geom& b, Body* body_b, 
     dJointAttach(joint, body_a ? body_a->ode : nullptr, body_b ? body_b->ode : nullptr);
     ++contact_count_;
   }
-  if (found > 0) {
-    body_a->in_contact = true;
-    if (body_b != nullptr) body_b->in_contact = true;
-  }
+  if (found == 0) return;
+  body_a->in_contact = true;
+  islands_.add_rows(body_a->number, kRowsPerContact * found);
+  if (body_b == nullptr) return;
+  body_b->in_contact = true;
+  islands_.join(body_a->number, body_b->number);
 }
 
 }  // namespace trident

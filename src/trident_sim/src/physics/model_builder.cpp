@@ -159,6 +159,7 @@ class Builder {
     body->inertia_inverse = body->inertia.inverse();
     body->T_world_body = model_.T_world_model_initial * SE3{first.T_model_link.R, p_model_com};
     body->set_orientation(body->T_world_body.R);
+    body->T_world_body_initial = body->T_world_body;
     body->gravity = first.gravity;
     body->kinematic = first.kinematic;
     body->linear_damping = first.linear_damping;

@@ -17,6 +17,21 @@ namespace {
 /// for: it is then both faster and better than the iterative one.
 constexpr int kExactSolverRows = 150;
 
+constexpr int kRowsPerJoint = 6;
+
+bool is_constrained(const Body& body) { return body.joint_count > 0 || body.in_contact; }
+
+void apply_effort(Joint& joint) {
+  const double effort = joint.force - joint.damping * joint.velocity();
+  joint.force = 0.0;
+  const double limited = std::clamp(effort, -joint.spec.effort, joint.spec.effort);
+  if (joint.spec.type == JointType::kRevolute) {
+    dJointAddHingeTorque(joint.ode, limited);
+  } else {
+    dJointAddSliderForce(joint.ode, limited);
+  }
+}
+
 }  // namespace
 
 PhysicsEngine::PhysicsEngine(const PhysicsSpec& spec, bool rotor_axes_lag, Report report)
@@ -81,6 +96,7 @@ void PhysicsEngine::set_models(const std::vector<Model*>& models) {
     }
     spun_carriers_.back().last = i + 1;
   }
+  for (std::size_t i = 0; i < bodies_.size(); ++i) bodies_[i]->number = i;
   centres_.resize(bodies_.size());
   order_.resize(bodies_.size());
   std::iota(order_.begin(), order_.end(), std::size_t{0});
@@ -89,6 +105,8 @@ void PhysicsEngine::set_models(const std::vector<Model*>& models) {
 void PhysicsEngine::push_state(Model& model) {
   for (const auto& body : model.bodies) push(*body);
 }
+
+void PhysicsEngine::push_state(Body& body) { push(body); }
 
 void PhysicsEngine::step(double dt_s) {
   load_rotors(dt_s);
@@ -102,7 +120,7 @@ void PhysicsEngine::step(double dt_s) {
   find_contacts(dt_s);
   bool constrained = false;
   for (Body* body : bodies_) {
-    if (body->joint_count > 0 || body->in_contact) {
+    if (is_constrained(*body)) {
       constrained = true;
     } else if (!body->frozen) {
       integrate_free_body(*body, dt_s);
@@ -130,39 +148,53 @@ void PhysicsEngine::freeze(Body& body) {
 }
 
 void PhysicsEngine::solve_constrained(double dt_s) {
+  for (const Joint* joint : ode_joints_) {
+    const Body* child = joint->child->body;
+    const Body* parent = joint->parent != nullptr ? joint->parent->body : nullptr;
+    const Body* either = child != nullptr ? child : parent;
+    islands_.add_rows(either->number, kRowsPerJoint);
+    if (child != nullptr && parent != nullptr) islands_.join(child->number, parent->number);
+  }
+  bool any_small = false, any_large = false;
   for (Body* body : bodies_) {
-    if (body->joint_count == 0 && !body->in_contact) continue;
+    if (!is_constrained(*body)) continue;
     push(*body);
+    (is_large_island(*body) ? any_large : any_small) = true;
+  }
+  const std::uint64_t messages = ode_message_count();
+  if (any_small) solve_islands(false, dt_s);
+  if (any_large) solve_islands(true, dt_s);
+  if (ode_message_count() != messages && !solver_told_) {
+    solver_told_ = true;
+    report_("physics: the solver reports '" + last_ode_message() +
+            "'; contacts may be inaccurate (said once)");
+  }
+}
+
+bool PhysicsEngine::is_large_island(const Body& body) {
+  return spec_.solver == "quick" && islands_.rows_of_island(body.number) > kExactSolverRows;
+}
+
+void PhysicsEngine::solve_islands(bool large, double dt_s) {
+  for (Body* body : bodies_) {
+    if (!is_constrained(*body) || is_large_island(*body) != large) continue;
     const Eigen::Vector3d torque = body->torque + gyroscopic_torque(*body);
     dBodySetForce(body->ode, body->force.x(), body->force.y(), body->force.z());
     dBodySetTorque(body->ode, torque.x(), torque.y(), torque.z());
     dBodyEnable(body->ode);
   }
   for (Joint* joint : ode_joints_) {
-    const double effort = joint->force - joint->damping * joint->velocity();
-    joint->force = 0.0;
-    if (effort == 0.0) continue;
-    const double limited = std::clamp(effort, -joint->spec.effort, joint->spec.effort);
-    if (joint->spec.type == JointType::kRevolute) {
-      dJointAddHingeTorque(joint->ode, limited);
-    } else {
-      dJointAddSliderForce(joint->ode, limited);
-    }
+    const Body* body = joint->child->body != nullptr ? joint->child->body : joint->parent->body;
+    if (is_large_island(*body) == large) apply_effort(*joint);
   }
-  const std::uint64_t messages = ode_message_count();
-  const int rows = 3 * contact_count_ + 6 * static_cast<int>(ode_joints_.size());
-  if (spec_.solver == "quick" && rows > kExactSolverRows) {
+  if (large) {
+    dRandSetSeed(0);  // the iterative solver shuffles its rows: the same way in every step
     dWorldQuickStep(world_, dt_s);
   } else {
     dWorldStep(world_, dt_s);
   }
-  if (ode_message_count() != messages && !solver_told_) {
-    solver_told_ = true;
-    report_("physics: the solver reports '" + last_ode_message() +
-            "'; contacts may be inaccurate (said once)");
-  }
   for (Body* body : bodies_) {
-    if (body->joint_count == 0 && !body->in_contact) continue;
+    if (!is_constrained(*body) || is_large_island(*body) != large) continue;
     pull(*body);
     apply_velocity_decay(*body, dt_s);
     dBodyDisable(body->ode);

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "islands.h"
 #include "trident_sim/model.h"
 #include "trident_sim/model_spec.h"
 
@@ -39,6 +40,7 @@ class PhysicsEngine {
   void step(double dt_s);
   /// Copies poses and velocities of the bodies of `model` into ODE, after they were set by hand.
   void push_state(Model& model);
+  void push_state(Body& body);
 
  private:
   /// A body with rotors: spun_joints_[first] to spun_joints_[last - 1].
@@ -62,6 +64,8 @@ class PhysicsEngine {
   void collide_bodies(Body& a, Body& b, double dt_s);
   void collide_geoms(Geom& a, Body* body_a, Geom& b, Body* body_b, double dt_s);
   void solve_constrained(double dt_s);
+  bool is_large_island(const Body& body);
+  void solve_islands(bool large, double dt_s);
   void advance_rotors(double dt_s);
 
   Report report_;
@@ -72,6 +76,7 @@ class PhysicsEngine {
   dWorldID world_;
   dJointGroupID contacts_;
   int contact_count_ = 0;
+  Islands islands_;
   std::vector<Body*> bodies_;
   std::vector<Eigen::Vector3d> centres_;  ///< of the bounding spheres, world frame
   std::vector<std::size_t> order_;        ///< bodies by the low end of their x interval

@@ -50,9 +50,21 @@ void validate(const PhysicsSpec& physics) {
   check(physics.erp >= 0.0 && physics.erp <= 1.0, "erp", physics.erp, "in [0, 1]");
   check(physics.contact_surface_layer >= 0.0, "contact_surface_layer",
         physics.contact_surface_layer, ">= 0 m");
+  check(physics.contact_max_correcting_vel >= 0.0, "contact_max_correcting_vel",
+        physics.contact_max_correcting_vel, ">= 0 m/s");
   check(physics.max_contacts >= 1, "max_contacts", physics.max_contacts, ">= 1");
   check(physics.real_time_update_rate_hz >= 0.0, "real_time_update_rate",
         physics.real_time_update_rate_hz, ">= 0 Hz");
+}
+
+/// Puts a body somewhere by hand. The jump is no acceleration: its past moves with it.
+void place(Body& body, const SE3& T_world_body, const Eigen::Vector3d& v_world,
+           const Eigen::Vector3d& w_world) {
+  body.T_world_body.p = T_world_body.p;
+  body.set_orientation(T_world_body.R);
+  body.v_world = body.v_before = v_world;
+  body.w_world = body.w_before = w_world;
+  body.frozen = false;
 }
 
 bool finite(const SE3& T) { return T.p.allFinite() && T.R.coeffs().allFinite(); }
@@ -110,9 +122,10 @@ Model& World::spawn(ModelSpec spec, const std::string& robot_namespace) {
   if (models_.count(spec.name) != 0) {
     throw Error("model name '" + spec.name + "' already exists in the world");
   }
-  if (!finite(spec.T_world_model)) {
-    throw Error("model '" + spec.name + "': initial pose is not finite");
+  if (!finite(spec.T_world_model) || spec.T_world_model.R.norm() < 1e-6) {
+    throw Error("model '" + spec.name + "': initial pose is not finite or has a zero quaternion");
   }
+  spec.T_world_model.R.normalize();
   std::unique_ptr<Model> model = build_model(std::move(spec), robot_namespace);
   Model& result = *model;
   models_.emplace(result.name, std::move(model));
@@ -256,25 +269,14 @@ void World::reset_models() {
   wrenches_.clear();
   efforts_.clear();
   for (auto& [name, model] : models_) {
-    if (model->is_static) continue;
     for (const auto& joint : model->joints) {
       joint->spun_position = 0.0;
       joint->spun_velocity = 0.0;
       joint->rotor_axis_body = joint->axis_body;
       joint->force = 0.0;
     }
-    for (std::size_t i = 0; i < model->links.size(); ++i) {
-      Link& link = *model->links[i];
-      if (link.body == nullptr) continue;
-      const SE3 T = model->T_world_model_initial * model->spec.links[i].T_model_link *
-                    link.T_body_link.inverse();
-      link.body->T_world_body.p = T.p;
-      link.body->set_orientation(T.R);
-      link.body->v_world.setZero();
-      link.body->w_world.setZero();
-      link.body->frozen = false;
-      link.body->v_before.setZero();
-      link.body->w_before.setZero();
+    for (const auto& body : model->bodies) {
+      place(*body, body->T_world_body_initial, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero());
     }
     engine_->push_state(*model);
     for (const auto& plugin : model->plugins) plugin->reset();
@@ -326,10 +328,8 @@ void World::set_model_pose(Model& model, const SE3& T_world_model) {
   const SE3 T_move = target * model.T_world_model().inverse();
   for (const auto& body : model.bodies) {
     const SE3 moved = T_move * body->T_world_body;
-    body->T_world_body.p = moved.p;
-    body->set_orientation(moved.R.normalized());
-    body->v_world = T_move.R * body->v_world;
-    body->w_world = T_move.R * body->w_world;
+    place(*body, {moved.R.normalized(), moved.p}, T_move.R * body->v_world,
+          T_move.R * body->w_world);
   }
   engine_->push_state(model);
 }
@@ -341,8 +341,8 @@ void World::set_model_twist(Model& model, const Eigen::Vector3d& v_world,
   }
   const Eigen::Vector3d p_world = model.T_world_model().p;
   for (const auto& body : model.bodies) {
-    body->w_world = w_world;
-    body->v_world = v_world + w_world.cross(body->T_world_body.p - p_world);
+    const SE3 T = body->T_world_body;
+    place(*body, T, v_world + w_world.cross(T.p - p_world), w_world);
   }
   engine_->push_state(model);
 }
@@ -355,11 +355,9 @@ void World::set_link_state(Link& link, const SE3& T_world_link, const Eigen::Vec
   }
   if (link.body == nullptr) throw Error("link '" + link.name + "' is static and cannot be moved");
   const SE3 T = SE3{T_world_link.R.normalized(), T_world_link.p} * link.T_body_link.inverse();
-  link.body->T_world_body.p = T.p;
-  link.body->set_orientation(T.R.normalized());
-  link.body->w_world = w_world;
-  link.body->v_world = v_world + w_world.cross(T.p - T_world_link.p);
-  dBodySetPosition(link.body->ode, T.p.x(), T.p.y(), T.p.z());
+  place(*link.body, {T.R.normalized(), T.p}, v_world + w_world.cross(T.p - T_world_link.p),
+        w_world);
+  engine_->push_state(*link.body);
 }
 
 }  // namespace trident

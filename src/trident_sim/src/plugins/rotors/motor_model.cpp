@@ -63,6 +63,7 @@ class MotorModel : public Plugin {
     reference_ = 0.0;
     filtered_ = 0.0;
     command_seen_ = 0;
+    refused_ = false;
     command_->clear();
   }
 
@@ -71,14 +72,23 @@ class MotorModel : public Plugin {
     if (command_->count() == command_seen_) return;
     command_seen_ = command_->count();
     const SmallVector& speeds = command_->at(command_seen_ - 1).angular_velocities;
-    if (motor_number_ < speeds.size) {
+    if (motor_number_ >= speeds.size) {
+      tell_once(world, "is not in a command of " + std::to_string(speeds.size) + " speeds");
+    } else if (!std::isfinite(speeds.data[motor_number_])) {
+      tell_once(world, "is commanded " + std::to_string(speeds.data[motor_number_]) +
+                           " rad/s, must be finite");
+    } else {
       reference_ = std::min(speeds.data[motor_number_], max_speed_);
-    } else if (!short_command_told_) {
-      short_command_told_ = true;
-      world.report(Severity::kError, name_ + ": motor " + std::to_string(motor_number_) +
-                                         " is not in a command of " + std::to_string(speeds.size) +
-                                         " speeds; it keeps its last one");
+      refused_ = false;
     }
+  }
+
+  void tell_once(World& world, const std::string& what) {
+    if (!refused_) {
+      world.report(Severity::kError, name_ + ": motor " + std::to_string(motor_number_) + " " +
+                                         what + "; it keeps its last one");
+    }
+    refused_ = true;
   }
 
   void apply_forces() {
@@ -126,7 +136,7 @@ class MotorModel : public Plugin {
   double decay_dt_s_ = -1.0, decay_up_ = 0.0, decay_down_ = 0.0;
   double reference_ = 0.0, filtered_ = 0.0;
   std::uint64_t command_seen_ = 0;
-  bool short_command_told_ = false;
+  bool refused_ = false;
   InHandle<ActuatorCommand> command_;
   InHandle<WindSample> wind_;
   OutHandle<ScalarSample> speed_;

@@ -63,16 +63,24 @@ class Odometry : public MeasuringPlugin {
 
  protected:
   void measure(const World&, const StepInfo& info) override {
-    if (!anyone_listens() || info.step % divisor_ != 0) return;
-    OdometrySample& out = odometry_->value;
-    sample(info, delay_steps_ == 0 ? out : scratch_);
-    if (delay_steps_ > 0) {
-      delayed_.push_back({info.step + delay_steps_, scratch_});
-      if (delayed_.front().first > info.step) return;
-      out = delayed_.front().second;
-      delayed_.pop_front();
+    if (!anyone_listens()) return;
+    const bool is_due = info.step % divisor_ == 0;
+    if (delay_steps_ == 0) {
+      if (!is_due) return;
+      sample(info, odometry_->value);
+      send(odometry_->value);
+      return;
     }
-    send(out);
+    if (is_due) {
+      sample(info, scratch_);
+      delayed_.push_back({info.step + delay_steps_, scratch_});
+    }
+    // What became due while nobody listened is of no use to who listens now.
+    while (!delayed_.empty() && delayed_.front().first < info.step) delayed_.pop_front();
+    if (delayed_.empty() || delayed_.front().first > info.step) return;
+    odometry_->value = delayed_.front().second;
+    delayed_.pop_front();
+    send(odometry_->value);
   }
 
  private:
