@@ -16,6 +16,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
+from types import FrameType
 
 from trident_tool.environment import ros_environment
 from trident_tool.launchfile import check_args, declared_args, find_launch_file, parse_request
@@ -151,9 +152,17 @@ def _stop(process: subprocess.Popen[bytes]) -> None:
     process.wait()
 
 
+def _interrupt(_number: int, _frame: FrameType | None) -> None:
+    raise KeyboardInterrupt
+
+
 def launch(run: Run) -> int:
-    """Runs roslaunch to its end, showing progress. Returns its exit code, or 130 after Ctrl-C."""
+    """Runs roslaunch to its end, showing progress.
+
+    Returns its exit code, or 130 after Ctrl-C or SIGTERM.
+    """
     view = ProgressView(run.folder)
+    signal.signal(signal.SIGTERM, _interrupt)
     with (run.folder / "roslaunch.log").open("wb") as log:
         process = subprocess.Popen(
             run.command,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trident_control_sim/lee_plugin.h"
 
+#include <algorithm>
 #include <sstream>
 
 #include "trident_base/error.h"
@@ -12,7 +13,9 @@ namespace trident {
 namespace {
 
 std::string join_namespace(const std::string& ns, const std::string& topic) {
-  return ns.empty() ? topic : ns + "/" + topic;
+  const auto first = ns.find_first_not_of('/');
+  if (first == std::string::npos) return topic;
+  return ns.substr(first, ns.find_last_not_of('/') - first + 1) + "/" + topic;
 }
 
 std::vector<std::string> split(const std::string& text) {
@@ -65,6 +68,7 @@ class LeePlugin : public Plugin {
 
  private:
   void update() {
+    trajectory_seen_ = std::max(trajectory_seen_, trajectory_->oldest());
     for (; trajectory_seen_ < trajectory_->count(); ++trajectory_seen_) {
       const TrajectorySample& sample = trajectory_->at(trajectory_seen_);
       if (setpoints_.push(sample.stamp, sample.points) != SetpointResult::accepted) {

@@ -22,7 +22,7 @@ struct TrajectorySample {
 /// same ports, with the same timing and the same arithmetic as the node. Parameters:
 /// robotNamespace; odometryTopic (odometry_sensor1/odometry); commandTopic (command/motor_speed);
 /// trajectoryTopic (command/trajectory); parameterFiles: space separated YAML files as the node's
-/// rosparam loads (lee_controller_<mav>.yaml, <mav>.yaml), resolved like mesh files.
+/// rosparam loads (lee_controller_<mav>.yaml, <mav>.yaml), as absolute paths without spaces.
 void register_control_plugins(PluginRegistry& registry);
 
 /// Controller parameters from the YAML files of rotors_gazebo/resource. Throws Error.
