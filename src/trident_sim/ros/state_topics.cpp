@@ -72,8 +72,10 @@ void StateTopics::publish_clock(SimTime time) {
 void StateTopics::scan(const World& world) {
   const std::uint32_t listeners = fleet_.getNumSubscribers();
   const bool standing = world.time().ns % state_period_.ns == 0;
+  const bool is_news = listeners > fleet_listeners_ || world.models().size() != fleet_models_;
   fleet_listeners_ = listeners;
-  if (listeners > 0 && standing && world.step_count() == 0) publish_fleet(world);
+  fleet_models_ = world.models().size();
+  if (is_news && listeners > 0 && standing && world.step_count() == 0) publish_fleet(world);
 }
 
 void StateTopics::publish_fleet(const World& world) {

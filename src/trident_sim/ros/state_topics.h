@@ -30,7 +30,10 @@ class StateTopics {
   void scan(const World& world);
   /// The fleet state is sent at the multiples of this.
   void set_state_period(SimTime period) { state_period_ = period; }
-  void restart() { clock_sent_ = {-1}; }
+  void restart() {
+    clock_sent_ = {-1};
+    fleet_models_ = 0;
+  }
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -45,6 +48,7 @@ class StateTopics {
   SimTime clock_sent_{-1};
   SimTime state_period_{100'000'000};
   std::uint32_t fleet_listeners_ = 0;
+  std::size_t fleet_models_ = 0;
 };
 
 }  // namespace trident

@@ -20,7 +20,12 @@ catkin_add_gtest(trident_sim_test
   test/motor_model_test.cpp
   test/odometry_test.cpp
   test/port_test.cpp
+  test/resources_test.cpp
+  test/sdf_error_test.cpp
+  test/sdf_frames_test.cpp
+  test/sdf_world_test.cpp
   test/setpoint_sources_test.cpp
+  test/urdf_test.cpp
   test/wind_test.cpp
 )
 target_link_libraries(trident_sim_test trident_sim_test_support ${GTEST_MAIN_LIBRARIES})
