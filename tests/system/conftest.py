@@ -44,9 +44,9 @@ def start_gazebo(ros: Ros) -> Callable[..., Gazebo]:
 
 
 @pytest.fixture
-def gazebo(start_gazebo: Callable[..., Gazebo]) -> Gazebo:
-    """A paused server on the basic world."""
-    return start_gazebo()
+def gazebo(start_gazebo: Callable[..., Gazebo], request: pytest.FixtureRequest) -> Gazebo:
+    """A paused server on the basic world; indirect parameters are its options."""
+    return start_gazebo(**getattr(request, "param", {}))
 
 
 @pytest.hookimpl(hookwrapper=True)
