@@ -9,7 +9,9 @@
 namespace trident {
 namespace {
 
-constexpr std::uint32_t kQueue = 100;
+// Deep: a recorder that falls behind for a moment must not lose anything.
+constexpr std::uint32_t kQueue = 1000;
+constexpr auto kDisplayPeriod = std::chrono::milliseconds(40);
 
 template <class Sample, class Message>
 class TypedBinding : public OutputBinding {
@@ -29,6 +31,7 @@ class TypedBinding : public OutputBinding {
   }
   std::uint32_t subscribers() const override { return publisher_.getNumSubscribers(); }
   const ros::Publisher& publisher() const override { return publisher_; }
+  bool is_for_display() const override { return std::is_same_v<Sample, JointStateSample>; }
 
  private:
   OutPort<Sample>& port_;
@@ -149,17 +152,27 @@ void PortBinder::rebuild_active() {
   });
 }
 
-void PortBinder::publish_fresh() {
-  bool frames_open = true;
-  const auto send_frames = [this, &frames_open] {
-    frames_open = false;
-    if (tf_message_.transforms.empty()) return;
-    tf_.publish(tf_message_);
-    tf_message_.transforms.clear();
-  };
+void PortBinder::send_frames() {
+  if (tf_message_.transforms.empty()) return;
+  tf_.publish(tf_message_);
+  tf_message_.transforms.clear();
+}
+
+bool PortBinder::display_is_due(bool every_step) {
+  const auto now = std::chrono::steady_clock::now();
+  if (!every_step && now - last_display_ < kDisplayPeriod) return false;
+  last_display_ = now;
+  return true;
+}
+
+void PortBinder::publish_fresh(PortRank first, PortRank last, bool every_step) {
+  const bool is_display_due = last >= PortRank::kState && display_is_due(every_step);
   for (OutputBinding* binding : active_) {
-    if (frames_open && binding->port().rank() != PortRank::kTransform) send_frames();
-    if (binding->take_fresh()) binding->publish();
+    const PortRank rank = binding->port().rank();
+    if (rank < first || rank > last) continue;
+    if (rank > PortRank::kTransform) send_frames();
+    if (!binding->take_fresh()) continue;
+    if (is_display_due || !binding->is_for_display()) binding->publish();
   }
   send_frames();
 }

@@ -5,6 +5,7 @@
 #include <ros/ros.h>
 #include <tf2_msgs/TFMessage.h>
 
+#include <chrono>
 #include <map>
 #include <memory>
 #include <string>
@@ -28,6 +29,8 @@ class OutputBinding {
   virtual ros::SerializedMessage serialize() = 0;
   virtual std::uint32_t subscribers() const = 0;
   virtual const ros::Publisher& publisher() const = 0;
+  /// Joint states: of use to displays only.
+  virtual bool is_for_display() const { return false; }
 
   PortBase& port() const { return *port_; }
   /// Tells the port whether anybody listens.
@@ -55,8 +58,10 @@ class PortBinder {
   void sync();
   /// Finds out which topics have subscribers.
   void scan_subscribers();
-  /// Publishes what is new, in the order of the ports' ranks, except the bindings held back.
-  void publish_fresh();
+  /// Publishes what is new among the ports of these ranks, in their order, except what is held
+  /// back. Unless `every_step`, joint states, which only displays need, keep to a wall rate: each
+  /// one makes a robot_state_publisher ask the master for its tf_prefix.
+  void publish_fresh(PortRank first, PortRank last, bool every_step);
   /// Bindings of odometry in a namespace ("UAV1/"), which the lockstep sends itself.
   std::vector<OutputBinding*> hold_back_odometry(const std::string& prefix);
 
@@ -66,6 +71,8 @@ class PortBinder {
     bool held_back = false;
   };
   void rebuild_active();
+  void send_frames();
+  bool display_is_due(bool every_step);
 
   ros::NodeHandle& node_;
   PortBoard& board_;
@@ -74,6 +81,7 @@ class PortBinder {
   std::vector<OutputBinding*> active_;  ///< wanted, not held back, by rank
   ros::Publisher tf_;
   tf2_msgs::TFMessage tf_message_;
+  std::chrono::steady_clock::time_point last_display_;
 };
 
 }  // namespace trident

@@ -6,6 +6,7 @@
 #include <xmlrpcpp/XmlRpcValue.h>
 
 #include <cstdlib>
+#include <set>
 
 #include "trident_base/error.h"
 
@@ -36,11 +37,11 @@ class Parameters {
   Parameters() {
     if (!ros::param::get("~", tree_) || tree_.getType() != XmlRpc::XmlRpcValue::TypeStruct) {
       tree_ = XmlRpc::XmlRpcValue();
-      tree_["_"] = 0;
+      tree_[kNothing] = 0;
     }
   }
   void number(const char* name, double& value, double lo, double hi) {
-    if (!tree_.hasMember(name)) return;
+    if (!has(name)) return;
     XmlRpc::XmlRpcValue& entry = tree_[name];
     if (entry.getType() == XmlRpc::XmlRpcValue::TypeDouble) {
       value = static_cast<double>(entry);
@@ -60,7 +61,7 @@ class Parameters {
     value = static_cast<Integer>(number_value);
   }
   void flag(const char* name, bool& value) {
-    if (!tree_.hasMember(name)) return;
+    if (!has(name)) return;
     XmlRpc::XmlRpcValue& entry = tree_[name];
     if (entry.getType() == XmlRpc::XmlRpcValue::TypeBoolean) {
       value = static_cast<bool>(entry);
@@ -71,18 +72,18 @@ class Parameters {
     }
   }
   void text(const char* name, std::string& value) {
-    if (!tree_.hasMember(name)) return;
+    if (!has(name)) return;
     if (tree_[name].getType() != XmlRpc::XmlRpcValue::TypeString) refuse(name, tree_[name], "text");
     value = static_cast<std::string>(tree_[name]);
   }
   void names(const char* name, std::vector<std::string>& values) {
-    if (!tree_.hasMember(name)) return;
+    if (!has(name)) return;
     XmlRpc::XmlRpcValue& entry = tree_[name];
     if (entry.getType() != XmlRpc::XmlRpcValue::TypeArray) refuse(name, entry, "a list of names");
     for (int i = 0; i < entry.size(); ++i) values.push_back(static_cast<std::string>(entry[i]));
   }
   bool is_list(const char* name) {
-    return tree_.hasMember(name) && tree_[name].getType() == XmlRpc::XmlRpcValue::TypeArray;
+    return has(name) && tree_[name].getType() == XmlRpc::XmlRpcValue::TypeArray;
   }
   [[noreturn]] static void refuse(const std::string& name, XmlRpc::XmlRpcValue& value,
                                   const std::string& legal) {
@@ -90,8 +91,30 @@ class Parameters {
                 ", must be " + legal);
   }
 
+  /// One sentence per parameter that nothing has asked for.
+  std::vector<std::string> unknown() {
+    std::string known;
+    for (const std::string& name : asked_for_) known += (known.empty() ? "" : ", ") + name;
+    std::vector<std::string> result;
+    for (const auto& entry : tree_) {
+      const std::string& name = entry.first;
+      const bool is_foreign = name == kNothing || name == "enable_ros_network";
+      if (is_foreign || asked_for_.count(name) > 0) continue;
+      result.push_back("parameter " + ros::this_node::getName() + "/" + name +
+                       " is unknown and has no effect; known: " + known);
+    }
+    return result;
+  }
+
  private:
+  static constexpr const char* kNothing = "_";  ///< keeps an empty tree a struct
+  bool has(const std::string& name) {
+    asked_for_.insert(name);
+    return tree_.hasMember(name);
+  }
+
   XmlRpc::XmlRpcValue tree_;
+  std::set<std::string> asked_for_;
 };
 
 void read_environment(ServerOptions& options) {
@@ -149,6 +172,7 @@ void read_parameters(ServerOptions& options) {
   parameters.text("out_dir", options.out_dir);
   parameters.names("plugin_libraries", options.plugin_libraries);
   read_timing(parameters, options);
+  options.warnings = parameters.unknown();
 }
 
 /// gzserver's command line, as far as it has a meaning here.

@@ -32,10 +32,11 @@ struct ServerOptions {
   int wait_for_sources = 0;                  ///< set-point sources before time zero is left
   double lockstep_timeout_s = 2.0;           ///< wall time without an answer
   LossPolicy loss_policy = LossPolicy::kFreeRun;
-  double max_clock_rate_hz = 200.0;     ///< wall rate of /clock and of the state topics
+  double max_clock_rate_hz = 50.0;      ///< wall rate of /clock and of the state topics
   double pub_clock_frequency_hz = 0.0;  ///< simulated rate of /clock; 0: every step
   std::string out_dir;                  ///< where results go; "": none are written
   std::vector<std::string> plugin_libraries;
+  std::vector<std::string> warnings;  ///< about the options themselves
 };
 
 /// Reads all of it; `arguments` without ROS' own. Throws Error naming the option.

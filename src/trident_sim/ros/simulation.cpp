@@ -49,6 +49,7 @@ Simulation::Simulation(ros::NodeHandle& node, const ServerOptions& options)
   gate_ = std::make_unique<LockstepGate>(node_, options_, report, [this] { paused_ = true; });
   sync_topics();
   topics_->publish_clock(world_->time());
+  for (const std::string& warning : options.warnings) this->report(Severity::kWarning, warning);
 }
 
 void Simulation::report(Severity severity, const std::string& text) {
@@ -149,9 +150,11 @@ void Simulation::make_step() {
     first_step_time_ = world_->time();
   }
   world_->step();
-  topics_->publish(*world_, real_time_factor_ > 0.0 && real_time_factor_ <= kEveryStepFactor);
-  binder_->publish_fresh();
+  const bool every_step = real_time_factor_ > 0.0 && real_time_factor_ <= kEveryStepFactor;
+  topics_->publish(*world_, every_step);
+  binder_->publish_fresh(PortRank::kTransform, PortRank::kOdometry, every_step);
   gate_->send_states(world_->time());
+  binder_->publish_fresh(PortRank::kState, PortRank::kSensor, every_step);
   files_->record(*world_);
 }
 

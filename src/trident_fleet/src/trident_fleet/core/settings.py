@@ -55,7 +55,7 @@ class FleetSettings:
     gate: GateConfig = field(default_factory=GateConfig)
     feed: FeedConfig = field(default_factory=FeedConfig)
     mode: str = "time"
-    lookahead: int = 5
+    lookahead: int = 10
     guard: bool = False
     enroll_wait_s: float = 5.0
     connect_wait_s: float = 20.0
