@@ -109,8 +109,8 @@ TEST(MotorModel, RollingMomentActsAlongTheMotion) {
   options.rolling_moment = 3e-5;
   const Change with = fly_sideways(options);
   const double torque = -4.0 * 400.0 * 3e-5 * 4.0;
-  const Model& model = *QuadWorld().quad;
-  EXPECT_NEAR(with.angular.x(), torque / model.bodies[0]->inertia(0, 0), 1e-6);
+  QuadWorld quad(options);
+  EXPECT_NEAR(with.angular.x(), torque / quad.body().inertia(0, 0), 1e-6);
   EXPECT_NEAR(with.angular.y(), 0.0, 1e-9);
 }
 

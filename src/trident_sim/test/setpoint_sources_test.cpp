@@ -24,18 +24,17 @@ TEST(SetpointSources, NobodyBlocksAnEmptyWorld) {
 
 TEST(SetpointSources, BlocksUntilEveryVehicleHasItsSetpoint) {
   SetpointSources sources = with_source();
-  ASSERT_NE(sources.blocking(ms(0)), nullptr);
-  EXPECT_EQ(*sources.blocking(ms(0)), "leader");
-  sources.on_setpoint("UAV1", ms(0));
-  EXPECT_EQ(sources.missing("leader", ms(0)), std::vector<std::string>{"UAV2"});
-  EXPECT_NE(sources.blocking(ms(0)), nullptr);
-  sources.on_setpoint("UAV2", ms(0));
-  EXPECT_EQ(sources.blocking(ms(0)), nullptr);
+  ASSERT_NE(sources.blocking(ms(100)), nullptr);
+  EXPECT_EQ(*sources.blocking(ms(100)), "leader");
+  sources.on_setpoint("UAV1", ms(100));
+  EXPECT_EQ(sources.missing("leader", ms(100)), std::vector<std::string>{"UAV2"});
+  EXPECT_NE(sources.blocking(ms(100)), nullptr);
+  sources.on_setpoint("UAV2", ms(100));
+  EXPECT_EQ(sources.blocking(ms(100)), nullptr);
 }
 
 TEST(SetpointSources, BlocksAtItsPeriodOnly) {
   SetpointSources sources = with_source();
-  for (const char* name : {"UAV1", "UAV2"}) sources.on_setpoint(name, ms(0));
   EXPECT_EQ(sources.blocking(ms(99)), nullptr);
   EXPECT_NE(sources.blocking(ms(100)), nullptr);
   for (const char* name : {"UAV1", "UAV2"}) sources.on_setpoint(name, ms(300));
@@ -50,12 +49,12 @@ TEST(SetpointSources, AnOldSetpointDoesNotUncover) {
   EXPECT_EQ(sources.blocking(ms(300)), nullptr);
 }
 
-TEST(SetpointSources, StartsAtTheNextMultipleOfItsPeriod) {
+TEST(SetpointSources, StartsAtTheNextMultipleOfItsPeriodAfterNow) {
   SetpointSources sources;
   EXPECT_EQ(sources.enrol("leader", {"UAV1"}, ms(100), {0}, ms(130)), ms(200));
   EXPECT_EQ(sources.blocking(ms(199)), nullptr);
   EXPECT_NE(sources.blocking(ms(200)), nullptr);
-  EXPECT_EQ(sources.enrol("other", {"UAV2"}, ms(100), {0}, ms(200)), ms(200));
+  EXPECT_EQ(sources.enrol("other", {"UAV2"}, ms(100), {0}, ms(200)), ms(300));
 }
 
 TEST(SetpointSources, DoesNotBlockFromItsEndOn) {
@@ -83,15 +82,15 @@ TEST(SetpointSources, EnrollingAgainOnlyMovesTheEnd) {
 TEST(SetpointSources, SourcesBlockInNameOrder) {
   SetpointSources sources = with_source();
   sources.enrol("alpha", {"UAV3"}, ms(50), {0}, ms(0));
-  EXPECT_EQ(*sources.blocking(ms(0)), "alpha");
-  sources.on_setpoint("UAV3", ms(0));
-  EXPECT_EQ(*sources.blocking(ms(0)), "leader");
+  EXPECT_EQ(*sources.blocking(ms(100)), "alpha");
+  sources.on_setpoint("UAV3", ms(100));
+  EXPECT_EQ(*sources.blocking(ms(100)), "leader");
 }
 
 TEST(SetpointSources, AReleasedSourceDoesNotBlock) {
   SetpointSources sources = with_source();
   sources.release("leader");
-  EXPECT_EQ(sources.blocking(ms(0)), nullptr);
+  EXPECT_EQ(sources.blocking(ms(100)), nullptr);
 }
 
 TEST(SetpointSources, ClearForgetsWhatWasCovered) {
@@ -100,7 +99,7 @@ TEST(SetpointSources, ClearForgetsWhatWasCovered) {
   sources.clear();
   EXPECT_TRUE(sources.all().empty());
   sources.enrol("leader", {"UAV1", "UAV2"}, ms(100), {0}, ms(0));
-  EXPECT_NE(sources.blocking(ms(0)), nullptr);
+  EXPECT_NE(sources.blocking(ms(100)), nullptr);
 }
 
 TEST(SetpointSources, RefusesNonsense) {

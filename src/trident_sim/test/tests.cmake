@@ -14,8 +14,15 @@ target_compile_options(trident_sim_test_support PRIVATE -Wall -Wextra)
 target_link_libraries(trident_sim_test_support PUBLIC trident_sim)
 
 catkin_add_gtest(trident_sim_test
+  test/broadphase_test.cpp
   test/command_timing_test.cpp
+  test/contact_test.cpp
+  test/determinism_test.cpp
+  test/free_body_test.cpp
+  test/friction_test.cpp
   test/imu_test.cpp
+  test/inertia_test.cpp
+  test/joint_test.cpp
   test/lockstep_test.cpp
   test/motor_model_test.cpp
   test/odometry_test.cpp
@@ -27,6 +34,8 @@ catkin_add_gtest(trident_sim_test
   test/setpoint_sources_test.cpp
   test/urdf_test.cpp
   test/wind_test.cpp
+  test/world_lifecycle_test.cpp
+  test/world_state_test.cpp
 )
 target_link_libraries(trident_sim_test trident_sim_test_support ${GTEST_MAIN_LIBRARIES})
 

@@ -17,7 +17,7 @@ namespace trident {
 struct Geom {
   dGeomID id = nullptr;
   dTriMeshDataID mesh = nullptr;
-  Surface surface;
+  Surface surface;   ///< fdir1 in the frame of the body, of the world for a static geometry
   std::string name;  ///< "model::link::collision"
 };
 

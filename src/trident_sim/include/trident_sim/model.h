@@ -46,6 +46,7 @@ struct Joint {
   double spun_position = 0.0;       ///< [rad]
   double spun_velocity = 0.0;       ///< [rad/s]
 
+  double inertia = 0.0;  ///< of the two bodies against each other [kg m^2] or [kg], ODE joints only
   double force = 0.0;    ///< applied in the next step [N m] or [N]
   double damping = 0.0;  ///< [N m s/rad] or [N s/m]
 

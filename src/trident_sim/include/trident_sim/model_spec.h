@@ -43,7 +43,7 @@ using Shape =
 /// Contact parameters of one collision, with Gazebo's defaults.
 struct Surface {
   double mu = 1.0, mu2 = 1.0;
-  Eigen::Vector3d fdir1 = Eigen::Vector3d::Zero();  ///< link frame; zero: any direction
+  Eigen::Vector3d fdir1 = Eigen::Vector3d::Zero();  ///< collision frame; zero: any direction
   double slip1 = 0.0, slip2 = 0.0;
   double restitution = 0.0;
   double bounce_threshold_m_s = 1e5;

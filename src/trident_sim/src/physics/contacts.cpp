@@ -41,6 +41,12 @@ bool boxes_overlap(const dReal* a, const dReal* b) {
          b[4] <= a[5];
 }
 
+/// World direction of a surface's mu, or zero for any.
+Eigen::Vector3d friction_direction(const Geom& geom, const Body* body) {
+  const Eigen::Vector3d& fdir1 = geom.surface.fdir1;
+  return body == nullptr ? fdir1 : Eigen::Vector3d(body->R_world_body * fdir1);
+}
+
 }  // namespace
 
 void PhysicsEngine::find_contacts(double dt_s) {
@@ -110,11 +116,12 @@ void PhysicsEngine::collide_geoms(Geom& a, Body* body_a, Geom& b, Body* body_b, 
   if (!boxes_overlap(box_a, box_b)) return;
   const int found = dCollide(a.id, b.id, static_cast<int>(contact_buffer_.size()),
                              &contact_buffer_[0].geom, sizeof(dContact));
+  const Eigen::Vector3d direction =
+      a.surface.fdir1.isZero() ? friction_direction(b, body_b) : friction_direction(a, body_a);
   for (int i = 0; i < found; ++i) {
     dContact& contact = contact_buffer_[static_cast<std::size_t>(i)];
     contact.surface = combine(a.surface, b.surface, dt_s);
-    if (!a.surface.fdir1.isZero() && body_a != nullptr) {
-      const Eigen::Vector3d direction = body_a->R_world_body * a.surface.fdir1;
+    if (!direction.isZero()) {
       const Eigen::Vector3d normal(contact.geom.normal[0], contact.geom.normal[1],
                                    contact.geom.normal[2]);
       const Eigen::Vector3d tangent = direction - normal * normal.dot(direction);

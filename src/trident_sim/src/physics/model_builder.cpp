@@ -197,6 +197,7 @@ class Builder {
       for (const CollisionSpec& spec : spec_.links[i].collisions) {
         Geom geom = make_geom(spec, model_.name + "::" + link.name + "::" + spec.name);
         const SE3 T_base_shape = link.T_body_link * spec.T_link_shape;
+        geom.surface.fdir1 = T_base_shape.R * geom.surface.fdir1;
         if (link.body == nullptr) {
           place_static_geom(geom, T_base_shape);
           model_.static_geoms.push_back(std::move(geom));
@@ -287,6 +288,18 @@ class Builder {
     }
   }
 
+  static double mobility_of(const Body* body) {
+    return body == nullptr || body->kinematic ? 0.0 : 1.0 / body->mass_kg;
+  }
+  /// One over the inertia of `body`, as spawned, about an axis through `anchor` [1/(kg m^2)].
+  static double mobility_about(const Body* body, const Eigen::Vector3d& axis,
+                               const Eigen::Vector3d& anchor) {
+    if (body == nullptr || body->kinematic) return 0.0;
+    const Eigen::Vector3d axis_body = body->R_world_body.transpose() * axis;
+    const Eigen::Vector3d arm = axis.cross(body->T_world_body.p - anchor);
+    return 1.0 / (axis_body.dot(body->inertia * axis_body) + body->mass_kg * arm.squaredNorm());
+  }
+
   void make_ode_joint(Joint& joint) const {
     const JointSpec& spec = joint.spec;
     Body* child = joint.child->body;
@@ -303,6 +316,9 @@ class Builder {
     } else {
       dJointSetSliderAxis(joint.ode, axis.x(), axis.y(), axis.z());
     }
+    const double mobility = (hinge ? mobility_about(child, axis, anchor) : mobility_of(child)) +
+                            (hinge ? mobility_about(parent, axis, anchor) : mobility_of(parent));
+    joint.inertia = mobility > 0.0 ? 1.0 / mobility : 0.0;
     if (std::isfinite(spec.lower)) set(joint.ode, dParamLoStop, spec.lower);
     if (std::isfinite(spec.upper)) set(joint.ode, dParamHiStop, spec.upper);
     if (spec.friction > 0.0) {

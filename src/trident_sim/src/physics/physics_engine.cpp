@@ -21,8 +21,10 @@ constexpr int kRowsPerJoint = 6;
 
 bool is_constrained(const Body& body) { return body.joint_count > 0 || body.in_contact; }
 
-void apply_effort(Joint& joint) {
-  const double effort = joint.force - joint.damping * joint.velocity();
+void apply_effort(Joint& joint, double dt_s) {
+  // Damping may stop a joint within a step but not turn it round, or it would feed on itself.
+  const double damping = std::min(joint.damping, joint.inertia / dt_s);
+  const double effort = joint.force - damping * joint.velocity();
   joint.force = 0.0;
   const double limited = std::clamp(effort, -joint.spec.effort, joint.spec.effort);
   if (joint.spec.type == JointType::kRevolute) {
@@ -185,7 +187,7 @@ void PhysicsEngine::solve_islands(bool large, double dt_s) {
   }
   for (Joint* joint : ode_joints_) {
     const Body* body = joint->child->body != nullptr ? joint->child->body : joint->parent->body;
-    if (is_large_island(*body) == large) apply_effort(*joint);
+    if (is_large_island(*body) == large) apply_effort(*joint, dt_s);
   }
   if (large) {
     dRandSetSeed(0);  // the iterative solver shuffles its rows: the same way in every step

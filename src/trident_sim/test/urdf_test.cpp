@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include "scratch_folder.h"
+#include "test_world.h"
+
+namespace trident {
+namespace {
+
+std::string inertial(const std::string& mass = "1", const std::string& ixx = "0.1") {
+  return "<inertial><mass value='" + mass + "'/><inertia ixx='" + ixx +
+         "' ixy='0' ixz='0' iyy='0.1' iyz='0' izz='0.1'/></inertial>";
+}
+std::string link(const std::string& name, const std::string& content) {
+  return "<link name='" + name + "'>" + content + "</link>\n";
+}
+std::string joint(const std::string& type, const std::string& parent, const std::string& child,
+                  const std::string& extra = "") {
+  return "<joint name='" + child + "_joint' type='" + type + "'><origin xyz='0 0 1' rpy='0 0 0'/>" +
+         "<parent link='" + parent + "'/><child link='" + child + "'/>" + extra + "</joint>\n";
+}
+std::string robot(const std::string& content) {
+  return "<?xml version='1.0'?>\n<robot name='r'>\n" + content + "</robot>\n";
+}
+
+struct Loaded {
+  ModelSpec model;
+  std::vector<std::string> warnings;
+};
+Loaded load(const std::string& xml, const std::vector<std::string>& folders = {}) {
+  Loaded loaded;
+  loaded.model = load_model_string(xml, "robot.urdf", Resources(folders),
+                                   [&](const std::string& t) { loaded.warnings.push_back(t); });
+  return loaded;
+}
+
+TEST(Urdf, LinksAndJointsAreConverted) {
+  const Loaded loaded = load(
+      robot(link("base", inertial()) + link("arm", inertial()) +
+            joint("revolute", "base", "arm",
+                  "<axis xyz='0 1 0'/><limit lower='-1' upper='2' effort='3' velocity='4'/>")));
+  ASSERT_EQ(loaded.model.links.size(), 2u);
+  ASSERT_EQ(loaded.model.joints.size(), 1u);
+  EXPECT_EQ(loaded.model.joints[0].type, JointType::kRevolute);
+  EXPECT_DOUBLE_EQ(loaded.model.joints[0].upper, 2.0);
+  EXPECT_TRUE(is_near(loaded.model.joints[0].axis_model, {0, 1, 0}, 1e-9));
+  EXPECT_TRUE(loaded.warnings.empty());
+}
+
+TEST(Urdf, ContinuousJointsHaveNoLimits) {
+  const Loaded loaded = load(robot(link("base", inertial()) + link("wheel", inertial()) +
+                                   joint("continuous", "base", "wheel", "<axis xyz='0 1 0'/>")));
+  EXPECT_TRUE(std::isinf(loaded.model.joints[0].upper));
+  EXPECT_FALSE(loaded.model.joints[0].rigid());
+}
+
+TEST(Urdf, FixedAndZeroLimitJointsBecomeOneBody) {
+  TestWorld world;
+  Model& model = world.add(
+      load(robot(link("base", inertial("1")) + link("fixed", inertial("2")) +
+                 link("sensor", inertial("1")) + joint("fixed", "base", "fixed") +
+                 joint("revolute", "base", "sensor",
+                       "<axis xyz='0 0 1'/><limit lower='0' upper='0' effort='0' velocity='0'/>")))
+          .model);
+  ASSERT_EQ(model.bodies.size(), 1u);
+  EXPECT_DOUBLE_EQ(model.bodies[0]->mass_kg, 4.0);
+  EXPECT_TRUE(is_near(model.bodies[0]->T_world_body.p, {0, 0, 0.75}, 1e-9));
+  ASSERT_NE(model.find_link("sensor"), nullptr);
+  EXPECT_TRUE(is_near(model.find_link("sensor")->T_world_link(), at(0, 0, 1), 1e-9));
+}
+
+TEST(Urdf, GazeboTagsReachTheModel) {
+  const Loaded loaded = load(
+      robot(link("base", inertial() +
+                             "<collision><geometry><sphere radius='0.1'/></geometry></collision>") +
+            "<gazebo reference='base'><mu1>0.3</mu1><mu2>0.2</mu2><kp>1000</kp></gazebo>"
+            "<gazebo><plugin name='p' filename='libp.so'><topic>t</topic></plugin></gazebo>"
+            "<gazebo><static>true</static></gazebo>"));
+  EXPECT_DOUBLE_EQ(loaded.model.links[0].collisions[0].surface.mu, 0.3);
+  EXPECT_DOUBLE_EQ(loaded.model.links[0].collisions[0].surface.mu2, 0.2);
+  EXPECT_DOUBLE_EQ(loaded.model.links[0].collisions[0].surface.kp_n_m, 1000.0);
+  ASSERT_EQ(loaded.model.plugins.size(), 1u);
+  EXPECT_EQ(loaded.model.plugins[0].params.find("topic")->text, "t");
+  EXPECT_TRUE(loaded.model.is_static);
+}
+
+TEST(Urdf, ALinkWithoutInertialIsAWarningWithItsLine) {
+  const Loaded loaded = load(robot(link("base", inertial()) + link("ghost", "") +
+                                   joint("continuous", "base", "ghost", "<axis xyz='0 0 1'/>")));
+  ASSERT_EQ(loaded.warnings.size(), 1u);
+  EXPECT_TRUE(contains(loaded.warnings[0], "robot.urdf:4"));
+  EXPECT_TRUE(contains(loaded.warnings[0], "'ghost'"));
+}
+
+TEST(Urdf, ARootThatAFixedChildGivesInertiaIsFine) {
+  const Loaded loaded = load(robot(link("base", "") + link("base_inertia", inertial()) +
+                                   joint("fixed", "base", "base_inertia")));
+  EXPECT_TRUE(loaded.warnings.empty());
+  EXPECT_EQ(loaded.model.links[0].name, "base");
+  EXPECT_DOUBLE_EQ(loaded.model.links[0].inertial.mass_kg, 1.0);
+}
+
+struct BadInertial {
+  const char *mass, *ixx, *told;
+};
+class UrdfInertial : public testing::TestWithParam<BadInertial> {};
+
+TEST_P(UrdfInertial, IsRefusedWithFileLineLinkAndValue) {
+  const std::string error = error_of([] {
+    load(robot(link("base", inertial()) + link("bad", inertial(GetParam().mass, GetParam().ixx)) +
+               joint("fixed", "base", "bad")));
+  });
+  EXPECT_TRUE(contains(error, "robot.urdf:4: link 'bad'"));
+  EXPECT_TRUE(contains(error, GetParam().told));
+}
+INSTANTIATE_TEST_SUITE_P(Bad, UrdfInertial,
+                         testing::Values(BadInertial{"0", "0.1", "mass is 0 kg, must be > 0"},
+                                         BadInertial{"-2", "0.1", "mass is -2 kg"},
+                                         BadInertial{"heavy", "0.1",
+                                                     "'heavy' is not a finite number"},
+                                         BadInertial{"nan", "0.1", "not a finite number"},
+                                         BadInertial{"1", "0", "not positive definite"},
+                                         BadInertial{"1", "-0.1", "not positive definite"}));
+
+TEST(Urdf, AMissingVisualMeshIsOneWarning) {
+  const std::string visual =
+      "<visual><geometry><mesh filename='package://no_such_package/a.dae'/></geometry></visual>";
+  const Loaded loaded = load(robot(link("base", inertial() + visual)));
+  ASSERT_EQ(loaded.warnings.size(), 1u);
+  EXPECT_TRUE(contains(loaded.warnings[0], "no_such_package/a.dae"));
+}
+
+TEST(Urdf, AMissingCollisionMeshRefusesTheModel) {
+  const std::string collision =
+      "<collision><geometry><mesh "
+      "filename='package://no_such_package/a.stl'/></geometry></collision>";
+  const std::string error = error_of([&] { load(robot(link("base", inertial() + collision))); });
+  EXPECT_TRUE(contains(error, "robot.urdf"));
+  EXPECT_TRUE(contains(error, "no_such_package/a.stl"));
+  EXPECT_TRUE(contains(error, "searched:"));
+}
+
+TEST(Urdf, MeshesOfPackagesAreFound) {
+  const ScratchFolder folder;
+  folder.write("my_robot/package.xml", "<package/>");
+  const std::string mesh = folder.write("my_robot/meshes/a.stl", "solid a\nendsolid a\n");
+  const ScopedEnvironment path("ROS_PACKAGE_PATH", folder.path());
+  const Loaded loaded = load(robot(link(
+      "base", inertial() + "<collision><geometry><mesh filename='package://my_robot/meshes/a.stl' "
+                           "scale='2 2 2'/></geometry></collision>")));
+  const auto& shape = std::get<MeshShape>(loaded.model.links[0].collisions[0].shape);
+  EXPECT_EQ(shape.file, mesh);
+  EXPECT_EQ(shape.scale, Eigen::Vector3d(2, 2, 2));
+}
+
+}  // namespace
+}  // namespace trident
