@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "quad_world.h"
 #include "trident_base/random_stream.h"
@@ -81,6 +82,29 @@ TEST_P(Determinism, TheOrderOfSpawningDoesNotMatter) {
   std::reverse(models.begin(), models.begin() + 9);
   spawn(b, models);
   EXPECT_EQ(run(a), run(b));
+}
+
+TEST_P(Determinism, AnIslandDoesNotFeelAnother) {
+  TestWorld alone(spec()), both(spec());
+  std::vector<ModelSpec> models = scene();
+  models.resize(21);  // without the quads
+  spawn(alone, models);
+  spawn(both, models);
+  for (std::size_t i = 1; i < models.size(); ++i) {
+    models[i].name = "a_far_" + models[i].name;
+    models[i].T_world_model.p.y() += 50.0;
+    models[i].T_world_model.p.z() += 50.0 * std::tan(0.1);
+    both.add(models[i]);
+  }
+  alone->step(100);
+  both->step(100);
+  for (const auto& [name, model] : alone->models()) {
+    if (model->is_static) continue;
+    const Body& a = *model->bodies[0];
+    const Body& b = *both->find_model(name)->bodies[0];
+    EXPECT_EQ(a.T_world_body.p, b.T_world_body.p) << name;
+    EXPECT_EQ(a.w_world, b.w_world) << name;
+  }
 }
 
 TEST_P(Determinism, WhoListensDoesNotMatter) {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace trident {
@@ -22,10 +23,12 @@ class Islands {
     a = find(a);
     b = find(b);
     if (a == b) return;
+    if (b < a) std::swap(a, b);
     parent_[b] = a;
     rows_[a] += rows_[b];
   }
   void add_rows(std::size_t body, int rows) { rows_[find(body)] += rows; }
+  bool is_first_of_island(std::size_t body) { return find(body) == body; }
   int rows_of_island(std::size_t body) { return rows_[find(body)]; }
 
  private:

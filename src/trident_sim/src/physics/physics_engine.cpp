@@ -183,24 +183,32 @@ void PhysicsEngine::solve_islands(bool large, double dt_s) {
     const Eigen::Vector3d torque = body->torque + gyroscopic_torque(*body);
     dBodySetForce(body->ode, body->force.x(), body->force.y(), body->force.z());
     dBodySetTorque(body->ode, torque.x(), torque.y(), torque.z());
-    dBodyEnable(body->ode);
   }
   for (Joint* joint : ode_joints_) {
     const Body* body = joint->child->body != nullptr ? joint->child->body : joint->parent->body;
     if (is_large_island(*body) == large) apply_effort(*joint, dt_s);
   }
-  if (large) {
-    dRandSetSeed(0);  // the iterative solver shuffles its rows: the same way in every step
-    dWorldQuickStep(world_, dt_s);
-  } else {
-    dWorldStep(world_, dt_s);
+  // ODE goes through an island from its first enabled body on and wakes the others: enabling the
+  // one of the first name makes the order of rows, hence rounding, independent of who came first.
+  for (Body* body : bodies_) {
+    if (!is_constrained(*body) || is_large_island(*body) != large) continue;
+    if (!islands_.is_first_of_island(body->number)) continue;
+    dBodyEnable(body->ode);
+    if (large) solve_large_island(dt_s);
   }
+  if (!large) dWorldStep(world_, dt_s);
   for (Body* body : bodies_) {
     if (!is_constrained(*body) || is_large_island(*body) != large) continue;
     pull(*body);
     apply_velocity_decay(*body, dt_s);
     dBodyDisable(body->ode);
   }
+}
+
+void PhysicsEngine::solve_large_island(double dt_s) {
+  dRandSetSeed(0);  // the iterative solver shuffles its rows: the same way in every step
+  dWorldQuickStep(world_, dt_s);
+  for (Body* body : bodies_) dBodyDisable(body->ode);  // the next island is solved alone
 }
 
 void PhysicsEngine::load_rotors(double dt_s) {

@@ -66,6 +66,7 @@ class PhysicsEngine {
   void solve_constrained(double dt_s);
   bool is_large_island(const Body& body);
   void solve_islands(bool large, double dt_s);
+  void solve_large_island(double dt_s);
   void advance_rotors(double dt_s);
 
   Report report_;
