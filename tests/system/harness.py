@@ -10,6 +10,7 @@ is ended with the test. Waiting is always for a condition, with a limit that a l
 from __future__ import annotations
 
 import json
+import math
 import os
 import re
 import shutil
@@ -19,8 +20,8 @@ import subprocess
 import sys
 import threading
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
-from functools import lru_cache
+from contextlib import contextmanager, suppress
+from functools import cache
 from pathlib import Path
 from typing import Any
 from urllib.parse import urlparse
@@ -45,6 +46,7 @@ from gazebo_msgs.srv import (
 from geometry_msgs.msg import Point, Pose, PoseStamped, Quaternion
 from std_msgs.msg import Header
 from std_srvs.srv import Empty
+
 from trident_msgs.srv import EnrollSource, Step
 
 REPO = Path(__file__).resolve().parents[2]
@@ -83,7 +85,7 @@ def eventually(condition: Callable[[], bool], what: str, limit_s: float = LIMIT_
     wait_until(condition, what, limit_s)
 
 
-@lru_cache(maxsize=None)
+@cache
 def package(name: str) -> Path:
     """Source folder of a package."""
     found = subprocess.run(["rospack", "find", name], capture_output=True, text=True, check=True)
@@ -99,7 +101,7 @@ def program(package_name: str, name: str) -> str:
     raise AssertionError(f"{package_name}/{name} is not built")
 
 
-@lru_cache(maxsize=None)
+@cache
 def _vehicle_template(mav_name: str) -> str:
     model = package("rotors_description") / "urdf" / "mav_generic_odometry_sensor.gazebo"
     arguments = {
@@ -135,8 +137,6 @@ def box_sdf(name: str, size_m: float = 0.2, mass_kg: float = 2.0, extra: str = "
 
 def pose(x: float = 0.0, y: float = 0.0, z: float = 0.0, yaw_rad: float = 0.0) -> Pose:
     """A pose from its position [m] and heading."""
-    import math
-
     turn = Quaternion(0.0, 0.0, math.sin(yaw_rad / 2.0), math.cos(yaw_rad / 2.0))
     return Pose(Point(x, y, z), turn)
 
@@ -170,14 +170,10 @@ class Process:
         """Ends it; what is left of its group after ``limit_s`` is killed. Returns the exit code."""
         if self.running:
             self.send(number)
-        try:
+        with suppress(subprocess.TimeoutExpired):
             self.popen.wait(limit_s)
-        except subprocess.TimeoutExpired:
-            pass
-        try:
+        with suppress(ProcessLookupError):
             os.killpg(self.popen.pid, signal.SIGKILL)
-        except ProcessLookupError:
-            pass
         return self.popen.wait()
 
     def eventually_logs(self, text: str, limit_s: float = LIMIT_S) -> None:
@@ -199,15 +195,14 @@ class Ros(RosProcesses):
         # Logs are read while their writers run.
         self.env |= {"PYTHONUNBUFFERED": "1", "ROSCONSOLE_STDOUT_LINE_BUFFERED": "1"}
         self.env.pop("DISPLAY", None)
-        os.environ.update(
-            {name: self.env[name] for name in ("ROS_MASTER_URI", "ROS_IP", "ROS_HOME", "ROS_LOG_DIR")}
-        )
+        for name in ("ROS_MASTER_URI", "ROS_IP", "ROS_HOME", "ROS_LOG_DIR"):
+            os.environ[name] = self.env[name]
         os.environ.pop("ROS_HOSTNAME", None)
         self.env.pop("ROS_HOSTNAME", None)
         # This node lives on wall time: servers come, go and reset theirs.
         self.set_param("/use_sim_time", False)
         rospy.init_node("system_tests", disable_signals=True)
-        self._permanent = {entry for entry in rospy.get_param_names()}
+        self._permanent = set(rospy.get_param_names())
 
     def launch(self, command: Sequence[object], name: str = "", **env: str) -> Process:
         """Starts a program in a process group of its own, with its output in a file."""
@@ -421,9 +416,7 @@ class Pilot:
             for name in vehicles
         }
         self._subscribers = [
-            rospy.Subscriber(
-                f"/{name}/command/accepted_setpoint", Header, self._on_accepted, name
-            )
+            rospy.Subscriber(f"/{name}/command/accepted_setpoint", Header, self._on_accepted, name)
             for name in vehicles
         ]
 

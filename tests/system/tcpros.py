@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""A bare TCPROS subscriber: what has arrived on which connection, without rospy's threads between."""
+"""A bare TCPROS subscriber: what has arrived on a connection, without rospy's threads."""
 
 from __future__ import annotations
 
@@ -57,4 +57,3 @@ class RawSubscriber:
 
     def close(self) -> None:
         self._socket.close()
-

@@ -185,7 +185,9 @@ def test_a_missing_picture_is_a_warning_and_a_missing_hull_a_refusal(gazebo: Gaz
     gazebo.spawn("a", whole.replace(visual, f'<visual name="visual">{mesh}</visual>'), pose(z=2.0))
     told = [line for line in complaints(gazebo.log) if "part.dae" in line]
     assert len(told) == 1, gazebo.log
-    hull = whole.replace(f'<collision name="collision">{box[0]}', f'<collision name="collision">{mesh}')
+    hull = whole.replace(
+        f'<collision name="collision">{box[0]}', f'<collision name="collision">{mesh}'
+    )
     assert "part.dae" in refused_spawn(gazebo, "b", hull)
 
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""Lockstep over ROS: equal hashes whatever listens and however fast, and what happens when a part dies."""
+"""Lockstep over ROS: equal hashes whoever listens, and what happens when a part dies."""
 
 from __future__ import annotations
 
@@ -200,7 +200,9 @@ def test_a_source_that_falls_silent_is_named_and_released(
 
 
 @pytest.mark.parametrize("fields", [{"period": rospy.Duration(0)}, {"vehicles": []}])
-def test_a_source_without_period_or_vehicles_is_told(gazebo: Gazebo, fields: dict[str, Any]) -> None:
+def test_a_source_without_period_or_vehicles_is_told(
+    gazebo: Gazebo, fields: dict[str, Any]
+) -> None:
     request = {"node": "/odd", "vehicles": ["UAV1"], "period": rospy.Duration(0.1), "enroll": True}
     response = gazebo.call("enroll_source", **{**request, **fields})
     # A period of zero stands for the default.
@@ -329,7 +331,9 @@ def test_policy_pause_pauses_and_can_be_unpaused(start_gazebo: StartGazebo) -> N
     with pilot_of(*VEHICLES) as pilot:
         hover(gazebo, pilot)
         controllers["UAV1"].stop(signal.SIGKILL)
-        gazebo.process.eventually_logs("the controller of UAV1 has disconnected; the world is paused")
+        gazebo.process.eventually_logs(
+            "the controller of UAV1 has disconnected; the world is paused"
+        )
         eventually(lambda: bool(gazebo.ask("get_physics_properties").pause), "the pause")
         stands_at = gazebo.time()
         gazebo.ask("unpause_physics")

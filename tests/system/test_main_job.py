@@ -11,6 +11,7 @@ import shutil
 import subprocess
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -183,7 +184,7 @@ def test_the_recording_can_be_played(ros: Ros, recorded: Outcome) -> None:
         topics = set(bag.get_type_and_topic_info().topics)
     assert {f"/UAV{n}/odometry_sensor1/odometry" for n in range(1, 7)} <= topics
     assert recorded_stamps == sorted(set(recorded_stamps))
-    gaps = [(b - a).to_sec() for a, b in zip(recorded_stamps, recorded_stamps[1:], strict=False)]
+    gaps = [(b - a).to_sec() for a, b in pairwise(recorded_stamps)]
     assert max(gaps) <= 0.1, "pictures drawn from the recording show the flight"
     assert recorded_stamps[0].to_sec() <= 0.2
     heard = Recorder(topic, Odometry, queue_size=100000)

@@ -163,7 +163,9 @@ def test_step_blocks_and_ends_exactly_with_clock_sent(gazebo: Gazebo) -> None:
             assert response.sim_time.to_nsec() == done * 10_000_000
             assert gazebo.time() == pytest.approx(done * DT, abs=1e-12)
             eventually(
-                lambda at=response.sim_time: bool(clock.messages) and clock.messages[-1].clock == at,
+                lambda at=response.sim_time: (
+                    bool(clock.messages) and clock.messages[-1].clock == at
+                ),
                 f"/clock at {response.sim_time}",
             )
         stamps = [message.clock.to_nsec() for message in clock.messages]
@@ -263,7 +265,9 @@ def test_a_wrench_ends_after_its_duration_and_turns_about_its_point(gazebo: Gaze
     inertia = 2.0 * 0.2**2 / 6.0
     assert state.twist.angular.z == pytest.approx(-0.1 * 0.1 * 0.2 / inertia, rel=0.01)
     assert math.hypot(state.twist.linear.x, state.twist.linear.y) == pytest.approx(0.01, rel=0.01)
-    refused = gazebo.refusal("apply_body_wrench", body_name="a::nothing", duration=rospy.Duration(1))
+    refused = gazebo.refusal(
+        "apply_body_wrench", body_name="a::nothing", duration=rospy.Duration(1)
+    )
     assert "a::nothing" in refused
 
 
@@ -338,7 +342,8 @@ def test_the_hovering_example_flies_whether_the_world_was_paused_or_not(
 def test_spawn_model_waits_in_wall_time_while_the_clock_stands(ros: Ros, gazebo: Gazebo) -> None:
     ros.set_param("/use_sim_time", True)
     ros.set_param("/UAV1/robot_description", vehicle_urdf("UAV1"))
-    arguments = "-urdf -param robot_description -model UAV1 -x 1 -y 2 -z 0.3 -Y 1.5".split()
+    arguments = ["-urdf", "-param", "robot_description", "-model", "UAV1"]
+    arguments += ["-x", "1", "-y", "2", "-z", "0.3", "-Y", "1.5"]
     output = ros.call("rosrun", "gazebo_ros", "spawn_model", *arguments, "__ns:=/UAV1")
     assert "Successfully spawned" in output
     assert gazebo.position("UAV1") == pytest.approx((1.0, 2.0, 0.3), abs=1e-6)
