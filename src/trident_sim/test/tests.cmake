@@ -4,7 +4,9 @@
 # Fixtures, models and the conformance suite of plugins, for the tests of this package and of others.
 add_library(trident_sim_test_support STATIC
   test_support/golden_data.cpp
+  test_support/lee_quad.cpp
   test_support/models.cpp
+  test_support/plugin_conformance.cpp
   test_support/quad_world.cpp
   test_support/test_world.cpp
 )
@@ -26,8 +28,10 @@ catkin_add_gtest(trident_sim_test
   test/lockstep_test.cpp
   test/motor_model_test.cpp
   test/odometry_test.cpp
+  test/plugin_conformance_test.cpp
   test/port_test.cpp
   test/resources_test.cpp
+  test/rotor_axis_test.cpp
   test/sdf_error_test.cpp
   test/sdf_frames_test.cpp
   test/sdf_world_test.cpp
@@ -41,10 +45,16 @@ target_link_libraries(trident_sim_test trident_sim_test_support ${GTEST_MAIN_LIB
 
 # Closed loops, with the Lee controller as a plugin (trident_control_sim is defined later on).
 catkin_add_gtest(trident_sim_flight_test
+  test/closed_loop_test.cpp
   test/golden_flight_test.cpp
   test/golden_replay_test.cpp
   test/golden_rigid_test.cpp
   test_support/golden_world.cpp
 )
 target_link_libraries(trident_sim_flight_test
+  trident_sim_test_support trident_control_sim ${GTEST_MAIN_LIBRARIES})
+
+# Alone, because it replaces malloc.
+catkin_add_gtest(trident_sim_allocation_test test/allocation_test.cpp)
+target_link_libraries(trident_sim_allocation_test
   trident_sim_test_support trident_control_sim ${GTEST_MAIN_LIBRARIES})

@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <new>
+
+#include "lee_quad.h"
+#include "test_world.h"
+#include "trident_control_sim/lee_plugin.h"
+
+namespace {
+std::size_t allocation_count = 0;
+}  // namespace
+
+// Alone in its program, because it replaces malloc, which ODE uses, and with it operator new.
+extern "C" {
+void* __libc_malloc(std::size_t size);
+void* __libc_calloc(std::size_t count, std::size_t size);
+void* __libc_realloc(void* memory, std::size_t size);
+void* malloc(std::size_t size) {
+  ++allocation_count;
+  return __libc_malloc(size);
+}
+void* calloc(std::size_t count, std::size_t size) {
+  ++allocation_count;
+  return __libc_calloc(count, size);
+}
+void* realloc(void* memory, std::size_t size) {
+  ++allocation_count;
+  return __libc_realloc(memory, size);
+}
+}
+
+namespace trident {
+namespace {
+
+template <class Work>
+std::size_t allocations_of(Work work) {
+  const std::size_t before = allocation_count;
+  work();
+  return allocation_count - before;
+}
+
+TEST(Allocation, TheCounterCounts) {
+  EXPECT_EQ(allocations_of([] { ::operator delete(::operator new(8)); }), 1u);
+}
+
+class Allocation : public testing::TestWithParam<LoopTiming> {
+ protected:
+  Allocation() : lee_(1.0), world_(world_spec(), options()) {
+    register_control_plugins(world_.registry);
+    world_.add(make_ground());
+    world_.add(lee_.model());
+    TimedSetpoint setpoint;
+    setpoint.point.p_world = {0, 0, 2};
+    world_->ports().find_in<TrajectorySample>("quad/command/trajectory")->write({{0}, {setpoint}});
+    world_->step(300);
+  }
+  static WorldOptions options() {
+    WorldOptions options;
+    options.timing = GetParam();
+    return options;
+  }
+
+  LeeQuad lee_;
+  TestWorld world_;
+};
+
+TEST_P(Allocation, FlyingDoesNotAllocate) {
+  EXPECT_EQ(allocations_of([this] { world_->step(1000); }), 0u);
+  EXPECT_GT(world_->find_model("quad")->T_world_model().p.z(), 1.5);
+}
+
+TEST_P(Allocation, PublishingDoesNotAllocate) {
+  for (const char* name : {"quad/odometry", "quad/pose", "quad/motor_speed", "quad/joint_states",
+                           "tf/quad/base_link"}) {
+    world_->ports().find(name, PortDirection::kOut)->add_listener();
+  }
+  world_->step(10);
+  EXPECT_EQ(allocations_of([this] { world_->step(1000); }), 0u);
+}
+
+/// ODE keeps the memory of contact joints and of its solvers from step to step.
+TEST_P(Allocation, RestingOnTheGroundDoesNotAllocateOnceSettled) {
+  Model& box = world_.add(make_body("box", BoxShape{{0.2, 0.2, 0.2}}, at(5, 0, 0.1)));
+  world_->step(200);
+  EXPECT_EQ(allocations_of([this] { world_->step(100); }), 0u);
+  EXPECT_TRUE(box.bodies[0]->in_contact);
+}
+INSTANTIATE_TEST_SUITE_P(Timing, Allocation,
+                         testing::Values(LoopTiming::kRotors, LoopTiming::kDirect),
+                         [](const auto& info) {
+                           return info.param == LoopTiming::kRotors ? "rotors" : "direct";
+                         });
+
+}  // namespace
+}  // namespace trident

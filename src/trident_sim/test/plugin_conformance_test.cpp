@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "plugin_conformance.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "test_world.h"
+
+namespace trident {
+namespace {
+
+const ParamList kBase{{"robotNamespace", "ns"}, {"linkName", "base_link"}};
+
+std::vector<PluginCase> all_cases() {
+  return {
+      {"librotors_gazebo_motor_model.so",
+       motor_params({}, 1),
+       {"jointName", "linkName", "motorNumber", "turningDirection"},
+       {"motorNumber", "timeConstantUp", "timeConstantDown", "maxRotVelocity", "motorConstant",
+        "momentConstant", "rotorDragCoefficient", "rollingMomentCoefficient",
+        "rotorVelocitySlowdownSim"}},
+      {"librotors_gazebo_multirotor_base_plugin.so",
+       kBase,
+       {"linkName"},
+       {"rotorVelocitySlowdownSim"}},
+      {"librotors_gazebo_controller_interface.so", kBase, {}, {}},
+      {"librotors_gazebo_odometry_plugin.so",
+       {{"robotNamespace", "ns"},
+        {"linkName", "base_link"},
+        {"measurementDelay", "2"},
+        {"noiseNormalPosition", "0.1 0.1 0.1"}},
+       {"linkName"},
+       {"measurementDivisor", "measurementDelay", "unknownDelay", "noiseNormalPosition",
+        "noiseUniformAngularVelocity"}},
+      {"librotors_gazebo_imu_plugin.so",
+       kBase,
+       {"linkName"},
+       {"gyroscopeNoiseDensity", "gyroscopeRandomWalk", "gyroscopeBiasCorrelationTime",
+        "gyroscopeTurnOnBiasSigma", "accelerometerNoiseDensity", "accelerometerRandomWalk",
+        "accelerometerBiasCorrelationTime", "accelerometerTurnOnBiasSigma"}},
+      {"librotors_gazebo_wind_plugin.so",
+       {{"robotNamespace", "ns"},
+        {"linkName", "base_link"},
+        {"windForceMean", "2"},
+        {"windGustStart", "0.05"},
+        {"windGustDuration", "0.05"},
+        {"windGustForceMean", "3"}},
+       {"linkName"},
+       {"windForceMean", "windGustStart", "windGustDuration", "windGustForceMean", "windSpeedMean",
+        "xyzOffset", "windDirection"}},
+  };
+}
+
+class BuiltinPlugin : public testing::TestWithParam<PluginCase> {};
+void PrintTo(const PluginCase& plugin, std::ostream* out) { *out << plugin.filename; }
+
+TEST_P(BuiltinPlugin, Conforms) { expect_plugin_conforms(GetParam()); }
+INSTANTIATE_TEST_SUITE_P(All, BuiltinPlugin, testing::ValuesIn(all_cases()));
+
+TEST(BuiltinPlugins, AllHaveACase) {
+  PluginRegistry registry;
+  register_builtin_plugins(registry);
+  // These two do nothing here: ROS is bound by the server, bags are written by rosbag.
+  std::set<std::string> cases{"rotors_gazebo_ros_interface_plugin", "rotors_gazebo_bag_plugin"};
+  for (const PluginCase& plugin : all_cases()) {
+    cases.insert(plugin.filename.substr(3, plugin.filename.size() - 6));
+  }
+  const auto names = registry.names();
+  EXPECT_EQ(cases, std::set<std::string>(names.begin(), names.end()));
+}
+
+TEST(BuiltinPlugins, EnumeratedValuesAreRefusedWithTheLegalOnes) {
+  const auto refusal = [](const std::string& filename, ParamList params, const std::string& key,
+                          const std::string& value) {
+    params.emplace(params.begin(), key, value);
+    TestWorld world;
+    ModelSpec spec = make_quad();
+    spec.plugins = {make_plugin("case", filename, params)};
+    return error_of([&] { world.add(std::move(spec)); });
+  };
+  const ParamList motor = motor_params({}, 1);
+  EXPECT_TRUE(
+      contains(refusal("librotors_gazebo_motor_model.so", motor, "turningDirection", "left"),
+               "<turningDirection> is 'left', expected cw or ccw"));
+  EXPECT_TRUE(contains(refusal("librotors_gazebo_motor_model.so", motor, "motorType", "steam"),
+                       "<motorType> is 'steam', expected velocity"));
+  EXPECT_TRUE(contains(refusal("librotors_gazebo_motor_model.so", motor, "motorNumber", "99"),
+                       "in [0, 31]"));
+  EXPECT_TRUE(contains(refusal("librotors_gazebo_motor_model.so", motor, "jointName", "elbow"),
+                       "a joint of the model: rotor_0_joint"));
+  EXPECT_TRUE(contains(refusal("librotors_gazebo_wind_plugin.so", kBase, "windDirection", "0 0 0"),
+                       "a vector that is not zero"));
+  EXPECT_TRUE(contains(
+      refusal("librotors_gazebo_odometry_plugin.so", kBase, "noiseNormalPosition", "-1 0 0"),
+      "values >= 0"));
+}
+
+TEST(PluginRegistry, FoldersPrefixAndSuffixDoNotMatter) {
+  PluginRegistry registry;
+  register_builtin_plugins(registry);
+  for (const char* name : {"librotors_gazebo_imu_plugin.so", "rotors_gazebo_imu_plugin",
+                           "/opt/ros/lib/librotors_gazebo_imu_plugin.so"}) {
+    EXPECT_NE(registry.find(name), nullptr) << name;
+  }
+  EXPECT_EQ(registry.find("libsomething_else.so"), nullptr);
+  EXPECT_TRUE(contains(error_of([&] { registry.add("rotors_gazebo_imu_plugin", {}); }), "twice"));
+  EXPECT_TRUE(contains(error_of([&] { registry.load_shared_object("/no/such/lib.so"); }),
+                       "/no/such/lib.so"));
+}
+
+}  // namespace
+}  // namespace trident

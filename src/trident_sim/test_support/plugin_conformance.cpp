@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "plugin_conformance.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+
+#include "test_world.h"
+
+namespace trident {
+namespace {
+
+class Host {
+ public:
+  Host(const PluginCase& plugin, void (*register_plugins)(PluginRegistry&)) {
+    if (register_plugins != nullptr) register_plugins(world_.registry);
+    ModelSpec spec = make_quad();
+    spec.plugins = {make_plugin("case", plugin.filename, plugin.params)};
+    world_.add(std::move(spec));
+  }
+
+  std::vector<std::string> ports() {
+    std::vector<std::string> names;
+    world_->ports().for_each([&](const PortBase& port) { names.push_back(port.name()); });
+    return names;
+  }
+
+  void listen() {
+    for (const std::string& name : ports()) {
+      if (auto* port = world_->ports().find(name, PortDirection::kOut)) port->add_listener();
+    }
+  }
+
+  /// Numbers of all outputs over some steps with the same inputs each time.
+  std::vector<double> outputs() {
+    std::vector<double> numbers;
+    for (int step = 0; step < 20; ++step) {
+      feed(100.0 + step);
+      std::map<std::string, std::uint64_t> before;
+      world_->ports().for_each([&](const PortBase& port) { before[port.name()] = port.count(); });
+      world_->step();
+      world_->ports().for_each([&](const PortBase& port) {
+        if (port.count() != before[port.name()]) append(port, numbers);
+      });
+    }
+    return numbers;
+  }
+
+  World* operator->() { return &*world_; }
+
+ private:
+  void feed(double value) {
+    for (const std::string& name : ports()) {
+      if (auto* in = world_->ports().find_in<ActuatorCommand>(name)) {
+        const std::vector<double> speeds(4, value);
+        ActuatorCommand command;
+        command.angular_velocities.assign({speeds.data(), speeds.size()});
+        in->write(command);
+      }
+    }
+  }
+
+  template <class T>
+  static const T* value_of(const PortBase& port) {
+    const auto* typed = dynamic_cast<const OutPort<T>*>(&port);
+    return typed == nullptr ? nullptr : &typed->value;
+  }
+  static void append(const SE3& T, std::vector<double>& numbers) {
+    numbers.insert(numbers.end(), T.p.data(), T.p.data() + 3);
+    numbers.insert(numbers.end(), T.R.coeffs().data(), T.R.coeffs().data() + 4);
+  }
+  static void append(const Eigen::Vector3d& v, std::vector<double>& numbers) {
+    numbers.insert(numbers.end(), v.data(), v.data() + 3);
+  }
+
+  static void append(const PortBase& port, std::vector<double>& numbers) {
+    if (port.direction() != PortDirection::kOut) return;
+    if (const auto* odometry = value_of<OdometrySample>(port)) {
+      numbers.push_back(odometry->stamp.seconds());
+      append(odometry->T_parent_child, numbers);
+      append(odometry->v_child, numbers);
+      append(odometry->w_child, numbers);
+    } else if (const auto* imu = value_of<ImuSample>(port)) {
+      numbers.push_back(imu->stamp.seconds());
+      append(imu->a_imu, numbers);
+      append(imu->w_imu, numbers);
+    } else if (const auto* speeds = value_of<ActuatorState>(port)) {
+      const auto view = speeds->angular_velocities.view();
+      numbers.push_back(speeds->stamp.seconds());
+      numbers.insert(numbers.end(), view.begin(), view.end());
+    } else if (const auto* joints = value_of<JointStateSample>(port)) {
+      numbers.insert(numbers.end(), joints->positions.begin(), joints->positions.end());
+    } else if (const auto* scalar = value_of<ScalarSample>(port)) {
+      numbers.push_back(scalar->value);
+    } else if (const auto* wind = value_of<WindSample>(port)) {
+      append(wind->v_world, numbers);
+    } else if (const auto* wrench = value_of<WrenchSample>(port)) {
+      append(wrench->force, numbers);
+    }
+  }
+
+  TestWorld world_;
+};
+
+PluginCase without(PluginCase plugin, const std::string& key) {
+  auto& params = plugin.params;
+  params.erase(std::remove_if(params.begin(), params.end(),
+                              [&](const auto& param) { return param.first == key; }),
+               params.end());
+  return plugin;
+}
+
+PluginCase with(PluginCase plugin, const std::string& key, const std::string& value) {
+  plugin = without(std::move(plugin), key);
+  plugin.params.emplace_back(key, value);
+  return plugin;
+}
+
+}  // namespace
+
+void expect_plugin_conforms(const PluginCase& plugin, void (*register_plugins)(PluginRegistry&)) {
+  SCOPED_TRACE(plugin.filename);
+  const auto refusal = [&](const PluginCase& bad) {
+    return error_of([&] { Host(bad, register_plugins); });
+  };
+  for (const std::string& key : plugin.required) {
+    const std::string error = refusal(without(plugin, key));
+    EXPECT_TRUE(contains(error, "<" + key + ">"));
+    EXPECT_TRUE(contains(error, "model 'quad' plugin 'case'"));
+  }
+  for (const std::string& key : plugin.numbers) {
+    for (const char* value : {"nan", "inf", "much", ""}) {
+      EXPECT_TRUE(contains(refusal(with(plugin, key, value)), "<" + key + ">"));
+    }
+  }
+  Host host(plugin, register_plugins);
+  EXPECT_FALSE(host.ports().empty());
+  host.listen();
+  const std::vector<double> first = host.outputs();
+  EXPECT_FALSE(first.empty());
+  host->reset();
+  EXPECT_EQ(host.outputs(), first) << "after a reset";
+  host->remove("quad");
+  EXPECT_TRUE(host.ports().empty());
+}
+
+}  // namespace trident

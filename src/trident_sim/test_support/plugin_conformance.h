@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "models.h"
+#include "trident_sim/plugin_registry.h"
+
+namespace trident {
+
+/// What every plugin owes its user. A new plugin's test is one of these and one call.
+struct PluginCase {
+  std::string filename;
+  ParamList params;                   ///< valid and complete
+  std::vector<std::string> required;  ///< without one of these it refuses, naming it
+  std::vector<std::string> numbers;   ///< these refuse what is not a finite number
+};
+
+/// Expects, of the plugin alone on the links of make_quad(): it constructs; refuses a missing
+/// required element and a bad number with the element's name; runs; after a reset gives the outputs
+/// of its first run; and takes its ports with it when its model is deleted.
+void expect_plugin_conforms(const PluginCase& plugin,
+                            void (*register_plugins)(PluginRegistry&) = nullptr);
+
+}  // namespace trident
