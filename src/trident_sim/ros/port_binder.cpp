@@ -172,9 +172,18 @@ void PortBinder::publish_fresh(PortRank first, PortRank last, bool every_step) {
     if (rank < first || rank > last) continue;
     if (rank > PortRank::kTransform) send_frames();
     if (!binding->take_fresh()) continue;
-    if (is_display_due || !binding->is_for_display()) binding->publish();
+    binding->is_late = binding->is_for_display() && !is_display_due;
+    if (!binding->is_late) binding->publish();
   }
   send_frames();
+}
+
+void PortBinder::publish_held_display() {
+  for (OutputBinding* binding : active_) {
+    if (!binding->is_late) continue;
+    binding->is_late = false;
+    binding->publish();
+  }
 }
 
 }  // namespace trident

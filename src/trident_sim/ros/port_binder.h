@@ -36,6 +36,7 @@ class OutputBinding {
   /// Tells the port whether anybody listens.
   void set_wanted(bool wanted);
   bool wanted() const { return wanted_; }
+  bool is_late = false;  ///< a value was not published yet, for the wall rate of displays
   /// True once per new value.
   bool take_fresh() {
     if (port_->count() == seen_) return false;
@@ -56,6 +57,8 @@ class PortBinder {
 
   /// Follows ports that came or went; to be called whenever models did.
   void sync();
+  /// Sends what the wall rate of displays held back; for when the world comes to stand.
+  void publish_held_display();
   /// Finds out which topics have subscribers.
   void scan_subscribers();
   /// Publishes what is new among the ports of these ranks, in their order, except what is held

@@ -92,6 +92,7 @@ bool Simulation::run_once() {
   if ((paused_ && !stepping) || !gate_->start_allowed(*world_, *binder_)) {
     restart_pace();
     topics_->publish_clock(world_->time());
+    binder_->publish_held_display();
     wait(milliseconds(1));
     return true;
   }
@@ -102,6 +103,7 @@ bool Simulation::run_once() {
   make_step();
   if (stepping && --steps_wanted_ == 0) {
     topics_->publish_clock(world_->time());
+    binder_->publish_held_display();
     stepped_.notify_all();
   }
   return true;

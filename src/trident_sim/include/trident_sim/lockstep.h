@@ -53,13 +53,17 @@ class LockstepVehicle {
  private:
   static constexpr std::size_t kRemembered = 256;
   void remember(SimTime stamp);
+  bool was_sent(SimTime stamp) const;
 
   bool enrolled_ = false;
   bool in_flight_ = false;
   WallTime sent_at_ = 0;
-  std::deque<SimTime> waiting_;                   ///< front: sent when in_flight_, the rest in line
-  std::array<std::int64_t, kRemembered> sent_{};  ///< stamps [ns], for recognising a first answer
+  std::deque<SimTime> waiting_;  ///< front: sent when in_flight_, the rest in line
+  /// The latest stamps [ns], for recognising an answer; of older ones only the first is kept, for a
+  /// controller that meets a world which runs far ahead of it.
+  std::array<std::int64_t, kRemembered> sent_{};
   std::size_t sent_count_ = 0;
+  SimTime first_sent_;
 };
 
 /// Nodes that give set-points ahead of time. The world does not pass a multiple of a source's

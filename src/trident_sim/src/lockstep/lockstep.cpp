@@ -9,8 +9,18 @@
 namespace trident {
 
 void LockstepVehicle::remember(SimTime stamp) {
+  if (sent_count_ == 0) first_sent_ = stamp;
   sent_[sent_count_ % kRemembered] = stamp.ns;
   ++sent_count_;
+}
+
+bool LockstepVehicle::was_sent(SimTime stamp) const {
+  if (sent_count_ > kRemembered) {
+    const SimTime oldest{sent_[sent_count_ % kRemembered]};
+    if (stamp < oldest) return stamp >= first_sent_;
+  }
+  const auto end = sent_.begin() + static_cast<std::ptrdiff_t>(std::min(sent_count_, kRemembered));
+  return std::find(sent_.begin(), end, stamp.ns) != end;
 }
 
 bool LockstepVehicle::on_state(SimTime stamp, WallTime now) {
@@ -27,11 +37,7 @@ bool LockstepVehicle::on_state(SimTime stamp, WallTime now) {
 }
 
 LockstepVehicle::Answer LockstepVehicle::on_answer(SimTime stamp, WallTime now) {
-  const std::size_t known = std::min(sent_count_, kRemembered);
-  if (std::find(sent_.begin(), sent_.begin() + static_cast<std::ptrdiff_t>(known), stamp.ns) ==
-      sent_.begin() + static_cast<std::ptrdiff_t>(known)) {
-    return Answer::kForeign;
-  }
+  if (!was_sent(stamp)) return Answer::kForeign;
   if (!enrolled_) {
     enrolled_ = true;
     return Answer::kEnrolled;
