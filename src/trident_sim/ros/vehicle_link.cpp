@@ -57,15 +57,14 @@ VehicleLink::VehicleLink(ros::NodeHandle& node, LockstepHub& hub, InPort<Actuato
   commands_ = node.subscribe(commands);
   auto accepted = raw_subscription<std_msgs::Header>(
       "/" + prefix_ + "command/accepted_setpoint", 100,
-      [this](const auto& bytes) { on_setpoint(header_stamp(bytes.data(), bytes.size()), true); },
-      &queue);
+      [this](const auto& bytes) { on_confirmation(bytes.data(), bytes.size()); }, &queue);
   accepted_ = node.subscribe(accepted);
 }
 
 void VehicleLink::watch_setpoints() {
   if (poses_ || confirms_setpoints()) return;
   const auto handler = [this](const auto& bytes) {
-    on_setpoint(header_stamp(bytes.data(), bytes.size()), false);
+    on_setpoint(header_stamp(bytes.data(), bytes.size()), false, false);
   };
   auto poses = raw_subscription<geometry_msgs::PoseStamped>("/" + prefix_ + "command/pose", 100,
                                                             handler, &queue_);
@@ -75,11 +74,26 @@ void VehicleLink::watch_setpoints() {
   trajectories_ = node_.subscribe(trajectories);
 }
 
-void VehicleLink::on_setpoint(SimTime stamp, bool is_confirmation) {
+void VehicleLink::on_confirmation(const std::uint8_t* bytes, std::size_t size) {
+  std_msgs::Header header;
+  try {
+    ros::serialization::IStream stream(const_cast<std::uint8_t*>(bytes),
+                                       static_cast<std::uint32_t>(size));
+    ros::serialization::deserialize(stream, header);
+  } catch (const ros::serialization::StreamOverrunException&) {
+    return;
+  }
+  // Sources guard their trajectories and send them again; a pose from elsewhere they do not see.
+  const std::string& topic = header.frame_id;
+  const bool replaces = topic.find("command/trajectory") != std::string::npos;
+  on_setpoint(from_ros(header.stamp), true, replaces);
+}
+
+void VehicleLink::on_setpoint(SimTime stamp, bool is_confirmation, bool replaces) {
   const std::lock_guard<std::mutex> lock(hub_.mutex);
   // A confirmation says that the controller has it; without one, that it was sent must do.
   if (!is_confirmation && confirms_setpoints()) return;
-  hub_.sources.on_setpoint(name_, stamp);
+  hub_.sources.on_setpoint(name_, stamp, replaces);
   hub_.notify_if_ready();
 }
 

@@ -85,7 +85,8 @@ class VehicleLink {
   void on_command(const std::uint8_t* bytes, std::uint32_t size);
   void send_next();
   void publish(const State& state);
-  void on_setpoint(SimTime stamp, bool is_confirmation);
+  void on_confirmation(const std::uint8_t* bytes, std::size_t size);
+  void on_setpoint(SimTime stamp, bool is_confirmation, bool replaces);
 
   std::string name_, prefix_;
   ros::NodeHandle& node_;

@@ -42,6 +42,16 @@ TEST(SetpointSources, BlocksAtItsPeriodOnly) {
   EXPECT_NE(sources.blocking(ms(400)), nullptr);
 }
 
+TEST(SetpointSources, AnOldSetpointThatReplacesTheLaterOnesUncovers) {
+  SetpointSources sources = with_source();
+  for (const char* name : {"UAV1", "UAV2"}) sources.on_setpoint(name, ms(800));
+  EXPECT_EQ(sources.blocking(ms(700)), nullptr);
+  sources.on_setpoint("UAV2", ms(500), true);
+  EXPECT_EQ(sources.blocking(ms(599)), nullptr);
+  ASSERT_NE(sources.blocking(ms(600)), nullptr);
+  EXPECT_EQ(sources.missing("leader", ms(600)), std::vector<std::string>{"UAV2"});
+}
+
 TEST(SetpointSources, AnOldSetpointDoesNotUncover) {
   SetpointSources sources = with_source();
   for (const char* name : {"UAV1", "UAV2"}) sources.on_setpoint(name, ms(300));

@@ -82,8 +82,9 @@ class SetpointSources {
   void release(const std::string& node);
   void clear() { sources_.clear(), covered_.clear(); }
 
-  /// A set-point for `vehicle` stamped `stamp` has reached the one that uses it.
-  void on_setpoint(const std::string& vehicle, SimTime stamp);
+  /// A set-point for `vehicle` stamped `stamp` has reached the one that uses it. `replaces`: it
+  /// took the place of all later ones there, so nothing beyond it is covered any more.
+  void on_setpoint(const std::string& vehicle, SimTime stamp, bool replaces = false);
 
   /// The first source that the world must wait for before it may reach `time`, or nullptr.
   const std::string* blocking(SimTime time) const;

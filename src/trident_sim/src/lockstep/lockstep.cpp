@@ -99,9 +99,9 @@ SimTime SetpointSources::enrol(const std::string& node, const std::vector<std::s
 
 void SetpointSources::release(const std::string& node) { sources_.erase(node); }
 
-void SetpointSources::on_setpoint(const std::string& vehicle, SimTime stamp) {
+void SetpointSources::on_setpoint(const std::string& vehicle, SimTime stamp, bool replaces) {
   SimTime& covered = covered_.try_emplace(vehicle, SimTime{-1}).first->second;
-  covered = std::max(covered, stamp);
+  covered = replaces ? stamp : std::max(covered, stamp);
 }
 
 bool SetpointSources::covers(const Source& source, SimTime time) const {

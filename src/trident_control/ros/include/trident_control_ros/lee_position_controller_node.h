@@ -12,8 +12,8 @@
 #include "trident_base/span.h"
 #include "trident_control/lee_position_controller.h"
 #include "trident_control/setpoint_queue.h"
-#include "trident_ros/inline_callback_queue.h"
 #include "trident_control_ros/motor_command_publisher.h"
+#include "trident_ros/inline_callback_queue.h"
 
 namespace trident {
 

@@ -9,8 +9,8 @@
 
 #include "trident_base/span.h"
 #include "trident_control/roll_pitch_yawrate_thrust_controller.h"
-#include "trident_ros/inline_callback_queue.h"
 #include "trident_control_ros/motor_command_publisher.h"
+#include "trident_ros/inline_callback_queue.h"
 
 namespace trident {
 

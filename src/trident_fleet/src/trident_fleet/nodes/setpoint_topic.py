@@ -55,7 +55,7 @@ class SetpointTopic(rospy.SubscribeListener):  # type: ignore[misc]
         """Send one serialised message to all subscribers."""
         with self._lock:
             self._recent.append(message)
-            self._publisher.publish(_raw(message))
+            self._send(message)
 
     def forget(self) -> None:
         """Late subscribers no longer get what was sent so far."""
@@ -106,7 +106,15 @@ class SetpointTopic(rospy.SubscribeListener):  # type: ignore[misc]
             return
         with self._lock:
             for recent in self._recent:
-                self._publisher.publish(_raw(recent))
+                self._send(recent)
+
+    def _send(self, message: bytes) -> None:
+        try:
+            self._publisher.publish(_raw(message))
+        except rospy.ROSException:
+            # The topic closes while rospy shuts down, also between two lines of a callback.
+            if not rospy.is_shutdown():
+                raise
 
 
 def _raw(message: bytes) -> rospy.AnyMsg:
