@@ -173,14 +173,29 @@ void LockstepGate::check_vehicle(VehicleLink& vehicle, WallTime now) {
   const double waited_s = static_cast<double>(waited) * 1e-9;
   const bool disconnected =
       waited > kDisconnectedAfter && vehicle.odometry_readers() < vehicle.readers_when_sent;
-  vehicle.connection_lost = vehicle.connection_lost || disconnected;
-  if (vehicle.connection_lost && vehicle.odometry_readers() > 0) vehicle.send_again();
-  if (!disconnected && waited_s < options_.lockstep_timeout_s) return;
+  const bool is_silent = waited_s >= options_.lockstep_timeout_s;
+  if (disconnected || is_silent) vehicle.connection_lost = true;
+  send_again_if_back(vehicle, now);
+  if (!disconnected && !is_silent) return;
   if (options_.loss_policy == LossPolicy::kWait && vehicle.loss_told) return;
   vehicle.loss_told = true;
   lose("the controller of " + vehicle.name(),
        disconnected ? "has disconnected" : "has not answered for " + seconds_text(waited_s));
   if (options_.loss_policy != LossPolicy::kWait) vehicle.release();
+}
+
+void LockstepGate::send_again_if_back(VehicleLink& vehicle, WallTime now) {
+  // A new reader is the controller that came back. One that was back before its loss was noticed,
+  // or is just slow, gets the state again once per timeout.
+  const std::uint32_t readers = vehicle.odometry_readers();
+  const bool is_new = readers > vehicle.readers_seen;
+  const double since_s = static_cast<double>(now - vehicle.sent_again_at) * 1e-9;
+  vehicle.readers_seen = readers;
+  if (!vehicle.connection_lost || readers == 0) return;
+  if (is_new || since_s > options_.lockstep_timeout_s) {
+    vehicle.sent_again_at = now;
+    vehicle.send_again();
+  }
 }
 
 void LockstepGate::check_source(SimTime time, WallTime now) {

@@ -65,6 +65,7 @@ class LockstepGate {
   using Clock = std::chrono::steady_clock;
   void check_losses(const World& world);
   void check_vehicle(VehicleLink& vehicle, WallTime now);
+  void send_again_if_back(VehicleLink& vehicle, WallTime now);
   void check_source(SimTime time, WallTime now);
   void lose(const std::string& who, const std::string& why);
 

@@ -126,6 +126,7 @@ void VehicleLink::on_command(const std::uint8_t* bytes, std::uint32_t size) {
                         std::to_string(command.stamp.seconds()) + " s; the world waits for it");
   }
   loss_told = false;
+  connection_lost = false;
   inbox_.push_back(command);
   send_next();
   hub_.notify_if_ready();
@@ -175,7 +176,6 @@ void VehicleLink::publish(const State& state) {
 }
 
 void VehicleLink::send_again() {
-  connection_lost = false;
   readers_when_sent = odometry_readers();
   publish(under_way_);
 }

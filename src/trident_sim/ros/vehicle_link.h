@@ -74,7 +74,9 @@ class VehicleLink {
 
   LockstepVehicle lockstep;             ///< under the hub's mutex
   std::uint32_t readers_when_sent = 0;  ///< under the hub's mutex
-  bool connection_lost = false;         ///< under the hub's mutex
+  std::uint32_t readers_seen = 0;       ///< under the hub's mutex
+  WallTime sent_again_at = 0;           ///< under the hub's mutex
+  bool connection_lost = false;         ///< under the hub's mutex; until the next answer
   bool loss_told = false;               ///< under the hub's mutex
 
  private:
