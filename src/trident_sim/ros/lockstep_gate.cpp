@@ -18,6 +18,9 @@ constexpr WallTime kDisconnectedAfter = 20'000'000;
 /// A set-point source may be a script that starts slowly: it gets this many times a controller's
 /// patience.
 constexpr double kSourcePatience = 10.0;
+/// A source that sees another node's trajectory sends its own again; if it has not by then, it will
+/// not.
+constexpr double kReplacementPatience_s = 0.1;
 const std::string kCommandTopic = "command/motor_speed";
 
 WallTime wall_now() {
@@ -208,6 +211,7 @@ void LockstepGate::check_source(SimTime time, WallTime now) {
   auto& source = hub_.sources.all().at(node);
   if (source.since == 0) source.since = now;
   const double waited_s = static_cast<double>(now - source.since) * 1e-9;
+  if (waited_s > kReplacementPatience_s) hub_.sources.forget_replacements();
   if (waited_s < kSourcePatience * options_.lockstep_timeout_s) return;
   source.since = now;
   lose("set-point source " + node, "has sent nothing for " + seconds_text(waited_s) + " for " +

@@ -80,11 +80,13 @@ class SetpointSources {
   SimTime enrol(const std::string& node, const std::vector<std::string>& vehicles, SimTime period,
                 SimTime end, SimTime now);
   void release(const std::string& node);
-  void clear() { sources_.clear(), covered_.clear(); }
+  void clear() { sources_.clear(), covered_.clear(), replaced_.clear(); }
 
   /// A set-point for `vehicle` stamped `stamp` has reached the one that uses it. `replaces`: it
   /// took the place of all later ones there, so nothing beyond it is covered any more.
   void on_setpoint(const std::string& vehicle, SimTime stamp, bool replaces = false);
+  /// What was replaced counts as covered again: its source has not sent it once more.
+  void forget_replacements() { replaced_.clear(); }
 
   /// The first source that the world must wait for before it may reach `time`, or nullptr.
   const std::string* blocking(SimTime time) const;
@@ -98,9 +100,11 @@ class SetpointSources {
 
  private:
   bool covers(const Source& source, SimTime time) const;
+  bool is_covered(const std::string& vehicle, SimTime due) const;
 
   std::map<std::string, Source> sources_;
-  std::map<std::string, SimTime> covered_;
+  std::map<std::string, SimTime> covered_;   ///< the latest set-point of each vehicle
+  std::map<std::string, SimTime> replaced_;  ///< where it is less, because of another node's
 };
 
 }  // namespace trident

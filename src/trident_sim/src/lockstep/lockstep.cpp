@@ -101,17 +101,27 @@ void SetpointSources::release(const std::string& node) { sources_.erase(node); }
 
 void SetpointSources::on_setpoint(const std::string& vehicle, SimTime stamp, bool replaces) {
   SimTime& covered = covered_.try_emplace(vehicle, SimTime{-1}).first->second;
-  covered = replaces ? stamp : std::max(covered, stamp);
+  if (replaces && stamp < covered) {
+    replaced_[vehicle] = stamp;
+    return;
+  }
+  covered = std::max(covered, stamp);
+  const auto replaced = replaced_.find(vehicle);
+  if (replaced != replaced_.end() && stamp >= covered) replaced_.erase(replaced);
+}
+
+bool SetpointSources::is_covered(const std::string& vehicle, SimTime due) const {
+  const auto replaced = replaced_.find(vehicle);
+  if (replaced != replaced_.end() && replaced->second < due) return false;
+  const auto covered = covered_.find(vehicle);
+  return covered != covered_.end() && covered->second >= due;
 }
 
 bool SetpointSources::covers(const Source& source, SimTime time) const {
   if (time < source.start || (source.end.ns > 0 && time >= source.end)) return true;
   const SimTime due{time.ns / source.period.ns * source.period.ns};
   return std::all_of(source.vehicles.begin(), source.vehicles.end(),
-                     [&](const std::string& vehicle) {
-                       const auto it = covered_.find(vehicle);
-                       return it != covered_.end() && it->second >= due;
-                     });
+                     [&](const std::string& vehicle) { return is_covered(vehicle, due); });
 }
 
 const std::string* SetpointSources::blocking(SimTime time) const {
@@ -126,8 +136,7 @@ std::vector<std::string> SetpointSources::missing(const std::string& node, SimTi
   const Source& source = sources_.at(node);
   const SimTime due{time.ns / source.period.ns * source.period.ns};
   for (const std::string& vehicle : source.vehicles) {
-    const auto it = covered_.find(vehicle);
-    if (it == covered_.end() || it->second < due) result.push_back(vehicle);
+    if (!is_covered(vehicle, due)) result.push_back(vehicle);
   }
   return result;
 }
