@@ -3,8 +3,8 @@
 """A master, the simulator under it, controllers and clients: what the system tests are made of.
 
 One master and one rospy node live as long as the pytest process (rospy allows one node a process);
-everything else is started per test, in a process group of its own, writes to a log of its own, and
-is ended with the test. Waiting is always for a condition, with a limit that a loaded machine meets.
+everything else is started per test, in a session of its own, writes to a log of its own, and is
+ended with the test. Waiting is always for a condition, with a limit that a loaded machine meets.
 """
 
 from __future__ import annotations
@@ -19,6 +19,7 @@ import socket
 import subprocess
 import sys
 import threading
+import uuid
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from functools import cache
@@ -144,9 +145,22 @@ def pose(x: float = 0.0, y: float = 0.0, z: float = 0.0, yaw_rad: float = 0.0) -
 class Process:
     """A started program and its log."""
 
-    def __init__(self, popen: subprocess.Popen[str], log: Path) -> None:
-        self.popen = popen
+    def __init__(self, command: list[str], env: Mapping[str, str], log: Path) -> None:
         self.log_file = log
+        # Inherited by all that it starts. Process ids are reused, so that what is left over is not
+        # to be found by a number remembered.
+        self._mark = f"TRIDENT_TEST_PROCESS={uuid.uuid4()}"
+        name, value = self._mark.split("=")
+        with log.open("w", encoding="utf-8") as output:
+            self.popen = subprocess.Popen(
+                command,
+                env={**env, name: value},
+                stdin=subprocess.DEVNULL,
+                stdout=output,
+                stderr=subprocess.STDOUT,
+                start_new_session=True,
+                text=True,
+            )
 
     @property
     def log(self) -> str:
@@ -167,14 +181,25 @@ class Process:
         return self.popen.returncode
 
     def stop(self, number: int = signal.SIGINT, limit_s: float = 20.0) -> int:
-        """Ends it; what is left of its group after ``limit_s`` is killed. Returns the exit code."""
+        """Ends it; what is left after ``limit_s``, or of its children, is killed. Its exit code."""
         if self.running:
             self.send(number)
-        with suppress(subprocess.TimeoutExpired):
-            self.popen.wait(limit_s)
-        with suppress(ProcessLookupError):
-            os.killpg(self.popen.pid, signal.SIGKILL)
+            with suppress(subprocess.TimeoutExpired):
+                self.popen.wait(limit_s)
+        for pid in self.family():
+            with suppress(ProcessLookupError):
+                os.kill(pid, signal.SIGKILL)
         return self.popen.wait()
+
+    def family(self) -> list[int]:
+        """Process ids of what runs of it and of all that it started."""
+        mark = self._mark.encode()
+        found = []
+        for folder in Path("/proc").glob("[0-9]*"):
+            with suppress(OSError):
+                if mark in (folder / "environ").read_bytes():
+                    found.append(int(folder.name))
+        return found
 
     def eventually_logs(self, text: str, limit_s: float = LIMIT_S) -> None:
         """Returns when ``text`` is in the log."""
@@ -205,22 +230,12 @@ class Ros(RosProcesses):
         self._permanent = set(rospy.get_param_names())
 
     def launch(self, command: Sequence[object], name: str = "", **env: str) -> Process:
-        """Starts a program in a process group of its own, with its output in a file."""
+        """Starts a program in a session of its own, with its output in a file."""
         words = [str(word) for word in command]
         self._count += 1
         label = name or Path(words[0]).name
         path = self.folder / f"{self._count:03d}-{label.strip('/').replace('/', '.')}.log"
-        with path.open("w", encoding="utf-8") as output:
-            popen = subprocess.Popen(
-                words,
-                env={**self.env, **env},
-                stdin=subprocess.DEVNULL,
-                stdout=output,
-                stderr=subprocess.STDOUT,
-                start_new_session=True,
-                text=True,
-            )
-        process = Process(popen, path)
+        process = Process(words, {**self.env, **env}, path)
         self.programs.append(process)
         return process
 

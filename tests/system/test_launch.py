@@ -5,17 +5,15 @@
 from __future__ import annotations
 
 import math
-import os
 import re
 import signal
 import time
 from collections.abc import Iterator
 from itertools import combinations
-from pathlib import Path
 
 import pytest
 from gazebo_msgs.msg import ModelStates
-from harness import Gazebo, Process, Ros, eventually, recorder, topic_rate
+from harness import Gazebo, Ros, eventually, recorder, topic_rate
 
 FLEET = [f"UAV{number}" for number in range(1, 7)]
 SHUTDOWN_LIMIT_S = 5.0
@@ -47,8 +45,7 @@ class Launch(Gazebo):
 
     def interrupt(self) -> None:
         """Ctrl-C, and what must be true of the end."""
-        nodes = group_of(self.process)
-        assert nodes
+        assert len(self.process.family()) > 1
         begin = time.monotonic()
         self.process.send(signal.SIGINT)
         self.process.wait()
@@ -57,7 +54,7 @@ class Launch(Gazebo):
         # Debian's joint_state_publisher can lock up in rospy's signal handler; that is not ours.
         assert not {name for name in slow if "joint_state_publisher" not in name}, self.log
         assert slow or took < SHUTDOWN_LIMIT_S, f"the shutdown took {took:.1f} s:\n{self.log}"
-        eventually(lambda: not any(alive(pid) for pid in nodes), "the end of all nodes")
+        eventually(lambda: not self.process.family(), "the end of all nodes")
         for name, text in self.logs():
             # rospy's own sockets, closed while it connects them, are noted in its log file only.
             told = [line for line in text.splitlines() if "[rospy.internal]" not in line]
@@ -70,39 +67,6 @@ class Launch(Gazebo):
         for file in self.log_folder.rglob("*.log"):
             if file.is_file():
                 yield file.name, file.read_text(encoding="utf-8", errors="replace")
-
-
-def children_of(pid: int) -> list[int]:
-    try:
-        text = Path(f"/proc/{pid}/task/{pid}/children").read_text(encoding="ascii")
-    except OSError:
-        return []
-    return [int(word) for word in text.split()]
-
-
-def group_of(process: Process) -> list[int]:
-    """Process ids of a launch's nodes; roslaunch gives each a session of its own."""
-    return children_of(process.popen.pid)
-
-
-def alive(pid: int) -> bool:
-    try:
-        state = Path(f"/proc/{pid}/stat").read_text(encoding="ascii").rsplit(")", 1)[1].split()[0]
-    except OSError:
-        return False
-    return state != "Z"
-
-
-@pytest.fixture(autouse=True)
-def no_nodes_left(ros: Ros) -> Iterator[None]:
-    """Ends the nodes of a launch whose test has failed; they are not in roslaunch's group."""
-    yield
-    for process in ros.programs:
-        nodes = group_of(process) if process.running else []
-        process.stop(signal.SIGINT, limit_s=30.0)
-        for pid in nodes:
-            if alive(pid):
-                os.kill(pid, signal.SIGKILL)
 
 
 def separation(states: ModelStates) -> float:
