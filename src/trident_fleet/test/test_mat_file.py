@@ -11,27 +11,16 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from layouts import laid_out, positions
 from scipy.io import savemat
 from trident_fleet.core.errors import FormationError
 from trident_fleet.core.mat_file import (
     LAYOUTS,
-    LAYOUTS_2D,
     LAYOUTS_3D,
     LayoutRequest,
     arrange,
     read_mat_positions,
 )
-
-
-def positions(steps: int, vehicles: int) -> np.ndarray:
-    return np.arange(steps * vehicles * 3, dtype=np.float64).reshape(steps, vehicles, 3)
-
-
-def laid_out(p: np.ndarray, layout: str) -> np.ndarray:
-    if layout in LAYOUTS_2D:
-        rows = p.reshape(-1, 3)
-        return rows if layout == "TNx3" else rows.T
-    return np.transpose(p, ["TN3".index(axis) for axis in layout.split("x")])
 
 
 @pytest.mark.parametrize("layout", LAYOUTS)
@@ -116,16 +105,6 @@ def test_a_missing_variable_names_those_that_are_there(tmp_path: Path) -> None:
     savemat(tmp_path / "f.mat", {"pos": np.ones(3), "dt": 0.1})
     with pytest.raises(FormationError, match=r"no variable vehicle_pos; the file holds: dt, pos"):
         read_mat_positions(tmp_path / "f.mat", LayoutRequest())
-
-
-@pytest.mark.parametrize(
-    "head", [b"MATLAB 7.3 MAT-file, Platform: GLNXA64".ljust(512), b"\x89HDF\r\n\x1a\n"]
-)
-def test_a_v73_file_says_that_it_is_not_read_yet(tmp_path: Path, head: bytes) -> None:
-    path = tmp_path / "f.mat"
-    path.write_bytes(head + b"\0" * 64)
-    with pytest.raises(FormationError, match=r"v7\.3 \(HDF5\).*not read yet.*'-v7'"):
-        read_mat_positions(path, LayoutRequest())
 
 
 @pytest.fixture(scope="module")

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""Positions from MATLAB .mat files (v5 to v7): one numeric variable, `vehicle_pos`."""
+"""Positions from MATLAB .mat files (v5 to v7.3): one numeric variable, `vehicle_pos`."""
 
 from __future__ import annotations
 
@@ -10,8 +10,9 @@ from pathlib import Path
 import numpy as np
 import numpy.typing as npt
 
+from trident_fleet.core import mat5, mat73
 from trident_fleet.core.errors import FormationError
-from trident_fleet.core.mat5 import MAGIC, MatError, read_variables
+from trident_fleet.core.mat5 import MatError, Variable
 
 VARIABLE = "vehicle_pos"
 LAYOUTS_2D = ("TNx3", "3xTN")
@@ -19,8 +20,7 @@ LAYOUTS_3D = ("3xNxT", "3xTxN", "Nx3xT", "Tx3xN", "NxTx3", "TxNx3")
 LAYOUTS = LAYOUTS_2D + LAYOUTS_3D
 DEFAULT_VEHICLES = 6
 
-_V73_MAGIC = b"MATLAB 7.3 MAT-file"
-_HDF5_MAGIC = b"\x89HDF\r\n\x1a\n"
+_HDF5_HEADS = (mat73.MAGIC, mat73.HDF5_MAGIC)
 
 
 @dataclass(frozen=True)
@@ -39,7 +39,7 @@ class LayoutRequest:
 
 def is_mat_file(path: Path, head: bytes) -> bool:
     """Whether `head`, the file's first bytes, or the suffix of a binary file say .mat."""
-    if head.startswith((MAGIC, _V73_MAGIC, _HDF5_MAGIC)):
+    if head.startswith((mat5.MAGIC, *_HDF5_HEADS)):
         return True
     return path.suffix.lower() == ".mat" and b"\0" in head
 
@@ -139,17 +139,11 @@ def _fitting_layouts(shape: tuple[int, ...], vehicles: int) -> list[str]:
 
 
 def _load_variable(path: Path) -> npt.NDArray[np.float64]:
-    raw = path.read_bytes()
-    if raw.startswith((_V73_MAGIC, _HDF5_MAGIC)):
-        raise FormationError(
-            f"{path}: a v7.3 (HDF5) .mat file, which is not read yet; legal: v7 or older"
-            f" (in MATLAB: save('{path.name}', '{VARIABLE}', '-v7'))"
-        )
     try:
-        variables = {variable.name: variable for variable in read_variables(raw)}
+        variables = {variable.name: variable for variable in _read_variables(path)}
     except MatError as error:
         raise FormationError(
-            f"{path}: not a readable .mat file ({error}); legal: MATLAB v5, v6 or v7"
+            f"{path}: not a readable .mat file ({error}); legal: MATLAB v5, v6, v7 or v7.3"
         ) from error
     if VARIABLE not in variables:
         found = ", ".join(sorted(variables)) or "none"
@@ -164,6 +158,14 @@ def _load_variable(path: Path) -> npt.NDArray[np.float64]:
             " numbers"
         )
     return variable.values
+
+
+def _read_variables(path: Path) -> list[Variable]:
+    with path.open("rb") as stream:
+        is_hdf5 = stream.read(len(mat73.MAGIC)).startswith(_HDF5_HEADS)
+    return (
+        mat73.read_variables(path, VARIABLE) if is_hdf5 else mat5.read_variables(path.read_bytes())
+    )
 
 
 def _check_finite(matrix: npt.NDArray[np.float64], where: str) -> None:
