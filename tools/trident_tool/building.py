@@ -32,6 +32,11 @@ _BYTES_PER_JOB = 1.5e9
 _LEAKING = ("CMAKE_PREFIX_PATH", "ROS_PACKAGE_PATH", "PYTHONPATH", "LD_LIBRARY_PATH")
 
 
+def _shared_compiler_cache(workspace: Workspace) -> dict[str, str]:
+    """What lets ccache serve one clone with what it compiled for another."""
+    return {"CCACHE_BASEDIR": str(workspace.root), "CCACHE_NOHASHDIR": "1"}
+
+
 def build_jobs(cpus: int, memory_bytes: float) -> int:
     """Parallel compilers for a machine with ``cpus`` cores and ``memory_bytes`` of memory."""
     return max(1, min(cpus, int(memory_bytes / _BYTES_PER_JOB)))
@@ -204,6 +209,7 @@ def build(
     with _exclusive(workspace):
         configure(workspace, runner)
         # stdout belongs to the command that is run after the build.
-        runner.check(command, what="building", env=clean_environment(), stdout=sys.stderr)
+        env = clean_environment() | _shared_compiler_cache(workspace)
+        runner.check(command, what="building", env=env, stdout=sys.stderr)
         _remember_built(workspace, key)
     return True

@@ -2,39 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trident_ros/direct_publication.h"
 
-#include <ros/connection.h>
-#include <ros/publication.h>
-#include <ros/subscriber_link.h>
-#include <ros/topic_manager.h>
-#include <ros/transport/transport_tcp.h>
-#include <ros/transport_subscriber_link.h>
+#include <sys/socket.h>
 
 #include <cstring>
 
+#include "roscpp_internals.h"
+
 namespace trident {
 namespace {
-
-// roscpp has no accessor for these four members. An explicit instantiation may name private
-// members, and hands out pointers to them; the layout is the one of the installed headers, as for
-// any inline function.
-template <typename Tag, typename Tag::Member member>
-struct Reveal {
-  friend typename Tag::Member pointer_to(Tag) { return member; }
-};
-
-#define TRIDENT_REVEAL(name, owner, type, field) \
-  struct name {                                  \
-    using Member = type owner::*;                \
-    friend Member pointer_to(name);              \
-  };                                             \
-  template struct Reveal<name, &owner::field>
-
-TRIDENT_REVEAL(SubscriberLinks, ros::Publication, ros::V_SubscriberLink, subscriber_links_);
-TRIDENT_REVEAL(SubscriberLinksMutex, ros::Publication, boost::mutex, subscriber_links_mutex_);
-TRIDENT_REVEAL(HeaderWritten, ros::TransportSubscriberLink, bool, header_written_);
-TRIDENT_REVEAL(WritingMessage, ros::TransportSubscriberLink, bool, writing_message_);
-
-#undef TRIDENT_REVEAL
 
 ros::SerializedMessage copy_of(Span<const std::uint8_t> bytes) {
   boost::shared_array<std::uint8_t> buffer(new std::uint8_t[bytes.size()]);
@@ -46,10 +21,22 @@ ros::SerializedMessage copy_of(Span<const std::uint8_t> bytes) {
 ros::TransportTCP* idle_transport(ros::SubscriberLink& link) {
   auto* const tcp_link = dynamic_cast<ros::TransportSubscriberLink*>(&link);
   if (!tcp_link) return nullptr;
-  const bool is_idle =
-      tcp_link->*pointer_to(HeaderWritten{}) && !(tcp_link->*pointer_to(WritingMessage{}));
+  boost::mutex::scoped_lock lock(tcp_link->*pointer_to(OutboxMutex{}));
+  const bool is_idle = tcp_link->*pointer_to(HeaderWritten{}) &&
+                       !(tcp_link->*pointer_to(WritingMessage{})) &&
+                       (tcp_link->*pointer_to(Outbox{})).empty();
   if (!is_idle) return nullptr;
   return dynamic_cast<ros::TransportTCP*>(tcp_link->getConnection()->getTransport().get());
+}
+
+// Bytes that the socket took at once; 0 also when it is broken, which roscpp finds out itself.
+std::size_t write_now(ros::TransportTCP& transport, Span<const std::uint8_t> bytes) {
+  // The lock keeps the descriptor from being closed, and its number from being given away.
+  boost::recursive_mutex::scoped_lock lock(transport.*pointer_to(CloseMutex{}));
+  if (transport.*pointer_to(SocketClosed{})) return 0;
+  const auto sent = ::send(transport.*pointer_to(Socket{}), bytes.data(), bytes.size(),
+                           MSG_DONTWAIT | MSG_NOSIGNAL);
+  return sent > 0 ? static_cast<std::size_t>(sent) : 0;
 }
 
 }  // namespace
@@ -58,6 +45,8 @@ DirectPublication::DirectPublication(const ros::Publisher& publisher)
     : publication_(ros::TopicManager::instance()->lookupPublication(publisher.getTopic())) {}
 
 std::uint32_t DirectPublication::next_sequence() { return publication_->incrementSequence(); }
+
+std::uint32_t DirectPublication::subscribers() const { return publication_->getNumSubscribers(); }
 
 void DirectPublication::send(Span<const std::uint8_t> frame) {
   {
@@ -72,10 +61,7 @@ void DirectPublication::send(Span<const std::uint8_t> frame) {
 void DirectPublication::send_to(ros::SubscriberLink& link, Span<const std::uint8_t> frame) {
   std::size_t sent = 0;
   if (ros::TransportTCP* const transport = idle_transport(link)) {
-    const std::int32_t written = transport->write(const_cast<std::uint8_t*>(frame.data()),
-                                                  static_cast<std::uint32_t>(frame.size()));
-    if (written < 0) return;  // closed; roscpp has dropped the link
-    sent = static_cast<std::size_t>(written);
+    sent = write_now(*transport, frame);
   }
   if (sent < frame.size()) link.enqueueMessage(copy_of(frame.subspan(sent)), true, false);
 }

@@ -13,6 +13,7 @@ using std::chrono::milliseconds;
 /// After every declared part is there, controllers get this long to announce that they confirm
 /// set-points; those that do not are taken not to.
 constexpr auto kConfirmationGrace = milliseconds(300);
+constexpr auto kLookAtLossesEvery = milliseconds(2);
 /// A broken connection counts after this time without an answer, which may have been under way.
 constexpr WallTime kDisconnectedAfter = 20'000'000;
 /// A set-point source may be a script that starts slowly: it gets this many times a controller's
@@ -143,6 +144,8 @@ bool LockstepGate::allows_step(const World& world, std::mutex& world_mutex,
   const bool delayed = options_.timing == LoopTiming::kRotors;
   hub_.required_stamp = delayed ? world.time() - world.dt() : world.time();
   hub_.next_time = world.time() + world.dt();
+  if (!has_just_read_) read_commands(milliseconds(0));
+  has_just_read_ = false;
   if (hub_.ready()) {
     for (VehicleLink* vehicle : hub_.vehicles) vehicle->deliver();
     return true;
@@ -151,17 +154,37 @@ bool LockstepGate::allows_step(const World& world, std::mutex& world_mutex,
     lock.unlock();
     about_to_wait();
     lock.lock();
-    if (hub_.ready()) return false;  // looked at again at once
   }
   world_mutex.unlock();
-  hub_.stepper_waits = true;
-  hub_.changed.wait_for(lock, milliseconds(2));
-  hub_.stepper_waits = false;
-  const bool ready = hub_.ready();
+  const bool ready = wait_until_ready(lock);
+  has_just_read_ = true;
   lock.unlock();
   world_mutex.lock();
   if (!ready) check_losses(world);
   return false;  // the world may have changed meanwhile
+}
+
+bool LockstepGate::wait_until_ready(std::unique_lock<std::mutex>& lock) {
+  const auto limit = Clock::now() + kLookAtLossesEvery;
+  bool is_over = false;
+  while (!hub_.ready() && !is_over) {
+    hub_.stepper_waits = true;
+    lock.unlock();
+    is_over = !hub_.commands.wait(kLookAtLossesEvery) || Clock::now() > limit;
+    lock.lock();
+    hub_.stepper_waits = false;
+    hub_.commands.read();
+  }
+  return hub_.ready();
+}
+
+void LockstepGate::read_commands(milliseconds limit) {
+  if (hub_.commands.wait(limit)) hub_.commands.read();
+}
+
+void LockstepGate::read_while_standing() {
+  const std::lock_guard<std::mutex> lock(hub_.mutex);
+  read_commands(milliseconds(0));
 }
 
 void LockstepGate::check_losses(const World& world) {
@@ -229,6 +252,7 @@ void LockstepGate::lose(const std::string& who, const std::string& why) {
 }
 
 void LockstepGate::send_states(SimTime stamp) {
+  const std::lock_guard<std::mutex> lock(hub_.mutex);
   const WallTime now = wall_now();
   for (VehicleLink* vehicle : hub_.vehicles) vehicle->send_state(stamp, now);
 }

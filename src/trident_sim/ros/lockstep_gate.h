@@ -43,6 +43,8 @@ class LockstepGate {
   /// called before the wait for a set-point source, which lives by /clock.
   bool allows_step(const World& world, std::mutex& world_mutex,
                    const std::function<void()>& about_to_wait);
+  /// Takes the commands that come while no step is to be made.
+  void read_while_standing();
   /// Sends, or lines up, the odometry of the step that was just made.
   void send_states(SimTime stamp);
 
@@ -63,6 +65,8 @@ class LockstepGate {
 
  private:
   using Clock = std::chrono::steady_clock;
+  bool wait_until_ready(std::unique_lock<std::mutex>& lock);
+  void read_commands(std::chrono::milliseconds limit);
   void check_losses(const World& world);
   void check_vehicle(VehicleLink& vehicle, WallTime now);
   void send_again_if_back(VehicleLink& vehicle, WallTime now);
@@ -76,6 +80,7 @@ class LockstepGate {
   InlineCallbackQueue inline_queue_;
   LockstepHub hub_;
   std::map<std::string, std::unique_ptr<VehicleLink>> vehicles_;
+  bool has_just_read_ = false;
   bool released_ = false;  ///< time zero is no longer held
   Clock::time_point complete_since_;
 };

@@ -16,18 +16,22 @@ constexpr auto kDisplayPeriod = std::chrono::milliseconds(40);
 template <class Sample, class Message>
 class TypedBinding : public OutputBinding {
  public:
-  TypedBinding(ros::NodeHandle& node, OutPort<Sample>& port)
+  TypedBinding(TopicAdvertiser& advertiser, OutPort<Sample>& port)
       : OutputBinding(port),
         port_(port),
-        publisher_(node.advertise<Message>("/" + port.name(), kQueue)) {}
+        publisher_(advertiser.advertise<Message>("/" + port.name(), kQueue)) {}
 
   void publish() override {
     convert(port_.value, message_);
     publisher_.publish(message_);
   }
-  ros::SerializedMessage serialize() override {
+  void serialize(std::vector<std::uint8_t>& bytes) override {
     convert(port_.value, message_);
-    return ros::serialization::serializeMessage(message_);
+    const std::uint32_t length = ros::serialization::serializationLength(message_);
+    bytes.resize(sizeof(length) + length);
+    ros::serialization::OStream stream(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
+    ros::serialization::serialize(stream, length);
+    ros::serialization::serialize(stream, message_);
   }
   std::uint32_t subscribers() const override { return publisher_.getNumSubscribers(); }
   const ros::Publisher& publisher() const override { return publisher_; }
@@ -49,7 +53,7 @@ class FrameBinding : public OutputBinding {
     message_.transforms.emplace_back();
     convert(port_.value, message_.transforms.back());
   }
-  ros::SerializedMessage serialize() override { return {}; }
+  void serialize(std::vector<std::uint8_t>& bytes) override { bytes.clear(); }
   std::uint32_t subscribers() const override { return tf_.getNumSubscribers(); }
   const ros::Publisher& publisher() const override { return tf_; }
 
@@ -60,13 +64,13 @@ class FrameBinding : public OutputBinding {
 };
 
 template <class Sample, class Message>
-std::unique_ptr<OutputBinding> try_bind(ros::NodeHandle& node, PortBase& port) {
+std::unique_ptr<OutputBinding> try_bind(TopicAdvertiser& advertiser, PortBase& port) {
   auto* typed = dynamic_cast<OutPort<Sample>*>(&port);
   if (typed == nullptr) return nullptr;
-  return std::make_unique<TypedBinding<Sample, Message>>(node, *typed);
+  return std::make_unique<TypedBinding<Sample, Message>>(advertiser, *typed);
 }
 
-using BindFunction = std::unique_ptr<OutputBinding> (*)(ros::NodeHandle&, PortBase&);
+using BindFunction = std::unique_ptr<OutputBinding> (*)(TopicAdvertiser&, PortBase&);
 constexpr BindFunction kBindFunctions[] = {
     try_bind<OdometrySample, nav_msgs::Odometry>,
     try_bind<PoseSample, geometry_msgs::Pose>,
@@ -94,7 +98,9 @@ void OutputBinding::set_wanted(bool wanted) {
 }
 
 PortBinder::PortBinder(ros::NodeHandle& node, PortBoard& board)
-    : node_(node), board_(board), tf_(node.advertise<tf2_msgs::TFMessage>("/tf", kQueue)) {}
+    : board_(board),
+      advertiser_(node),
+      tf_(advertiser_.advertise<tf2_msgs::TFMessage>("/tf", kQueue)) {}
 
 void PortBinder::sync() {
   if (board_.version() == version_) return;
@@ -110,7 +116,7 @@ void PortBinder::sync() {
       binding = std::make_unique<FrameBinding>(*frame, tf_, tf_message_);
     }
     for (const BindFunction bind : kBindFunctions) {
-      if (!binding) binding = bind(node_, port);
+      if (!binding) binding = bind(advertiser_, port);
     }
     if (binding) entries_.emplace(port.name(), Entry{std::move(binding), false});
   });
@@ -130,6 +136,7 @@ std::vector<OutputBinding*> PortBinder::hold_back_odometry(const std::string& pr
 }
 
 void PortBinder::scan_subscribers() {
+  if (!advertiser_.take_change()) return;
   bool changed = false;
   for (auto& [name, entry] : entries_) {
     // Odometry that the lockstep sends stays wanted: when its reader dies, the world must still

@@ -5,12 +5,14 @@
 #include <ros/ros.h>
 #include <tf2_msgs/TFMessage.h>
 
+#include <atomic>
 #include <chrono>
 #include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "trident_ros/inline_callback_queue.h"
 #include "trident_sim/port.h"
 
 namespace trident {
@@ -26,7 +28,7 @@ class OutputBinding {
   /// Converts the present value and publishes it.
   virtual void publish() = 0;
   /// Converts the present value to the bytes that go over the wire, length first.
-  virtual ros::SerializedMessage serialize() = 0;
+  virtual void serialize(std::vector<std::uint8_t>& bytes) = 0;
   virtual std::uint32_t subscribers() const = 0;
   virtual const ros::Publisher& publisher() const = 0;
   /// Joint states: of use to displays only.
@@ -50,6 +52,29 @@ class OutputBinding {
   bool wanted_ = false;
 };
 
+/// Advertises topics and notes when a subscriber comes or goes.
+class TopicAdvertiser {
+ public:
+  explicit TopicAdvertiser(ros::NodeHandle& node) : node_(node) {}
+
+  template <class Message>
+  ros::Publisher advertise(const std::string& topic, std::uint32_t queue_size) {
+    const auto note = [this](const ros::SingleSubscriberPublisher&) { has_changed_ = true; };
+    ros::AdvertiseOptions options;
+    options.init<Message>(topic, queue_size, note, note);
+    options.callback_queue = &queue_;
+    has_changed_ = true;
+    return node_.advertise(options);
+  }
+  /// True once after a change.
+  bool take_change() { return has_changed_.exchange(false); }
+
+ private:
+  ros::NodeHandle& node_;
+  InlineCallbackQueue queue_;
+  std::atomic<bool> has_changed_{true};
+};
+
 /// Keeps one topic per output port of a board, and the frame tree on /tf.
 class PortBinder {
  public:
@@ -59,7 +84,7 @@ class PortBinder {
   void sync();
   /// Sends what the wall rate of displays held back; for when the world comes to stand.
   void publish_held_display();
-  /// Finds out which topics have subscribers.
+  /// Finds out which topics have subscribers, if any came or went since the last call.
   void scan_subscribers();
   /// Publishes what is new among the ports of these ranks, in their order, except what is held
   /// back. Unless `every_step`, joint states, which only displays need, keep to a wall rate: each
@@ -77,8 +102,8 @@ class PortBinder {
   void send_frames();
   bool display_is_due(bool every_step);
 
-  ros::NodeHandle& node_;
   PortBoard& board_;
+  TopicAdvertiser advertiser_;
   std::uint64_t version_ = 0;
   std::map<std::string, Entry> entries_;
   std::vector<OutputBinding*> active_;  ///< wanted, not held back, by rank

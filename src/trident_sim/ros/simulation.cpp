@@ -93,6 +93,7 @@ bool Simulation::run_once() {
     restart_pace();
     topics_->publish_clock(world_->time());
     binder_->publish_held_display();
+    gate_->read_while_standing();
     wait(milliseconds(1));
     return true;
   }

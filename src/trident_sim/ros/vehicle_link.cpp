@@ -3,7 +3,6 @@
 #include "vehicle_link.h"
 
 #include <geometry_msgs/PoseStamped.h>
-#include <ros/topic_manager.h>
 #include <std_msgs/Header.h>
 #include <trajectory_msgs/MultiDOFJointTrajectory.h>
 
@@ -15,6 +14,8 @@
 
 namespace trident {
 namespace {
+
+constexpr std::size_t kSequenceAt = 4;  // header.seq, after the length of the message
 
 WallTime wall_now() {
   return std::chrono::duration_cast<std::chrono::nanoseconds>(
@@ -48,13 +49,8 @@ VehicleLink::VehicleLink(ros::NodeHandle& node, LockstepHub& hub, InPort<Actuato
   for (OutputBinding* binding : odometry_) {
     direct_.push_back(std::make_unique<DirectPublication>(binding->publisher()));
   }
-  ros::SubscribeOptions commands = raw_subscription<mav_msgs::Actuators>(
-      "/" + port.name(), 10,
-      [this](const auto& bytes) {
-        on_command(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
-      },
-      &queue);
-  commands_ = node.subscribe(commands);
+  commands_ = hub.commands.subscribe<mav_msgs::Actuators>(
+      node, "/" + port.name(), 10, [this](Span<const std::uint8_t> bytes) { on_command(bytes); });
   auto accepted = raw_subscription<std_msgs::Header>(
       "/" + prefix_ + "command/accepted_setpoint", 100,
       [this](const auto& bytes) { on_confirmation(bytes.data(), bytes.size()); }, &queue);
@@ -99,15 +95,17 @@ void VehicleLink::on_setpoint(SimTime stamp, bool is_confirmation, bool replaces
 
 VehicleLink::~VehicleLink() {
   // Ends the callbacks, which hold this, before the members go.
-  commands_.shutdown();
+  commands_.reset();
   accepted_.shutdown();
   poses_.shutdown();
   trajectories_.shutdown();
 }
 
-void VehicleLink::on_command(const std::uint8_t* bytes, std::uint32_t size) {
+// Under the hub's mutex, which the stepping thread holds as it reads.
+void VehicleLink::on_command(Span<const std::uint8_t> bytes) {
   try {
-    ros::serialization::IStream stream(const_cast<std::uint8_t*>(bytes), size);
+    ros::serialization::IStream stream(const_cast<std::uint8_t*>(bytes.data()),
+                                       static_cast<std::uint32_t>(bytes.size()));
     ros::serialization::deserialize(stream, message_);
   } catch (const ros::serialization::StreamOverrunException&) {
     return;  // roscpp checked the type; a torn message has nothing to say
@@ -118,7 +116,6 @@ void VehicleLink::on_command(const std::uint8_t* bytes, std::uint32_t size) {
   command.angular_velocities.size = std::min(speeds.size(), SmallVector::kCapacity);
   std::copy_n(speeds.begin(), command.angular_velocities.size,
               command.angular_velocities.data.begin());
-  const std::lock_guard lock(hub_.mutex);
   const auto answer = lockstep.on_answer(command.stamp, wall_now());
   if (answer == LockstepVehicle::Answer::kForeign && lockstep.enrolled()) return;
   if (answer == LockstepVehicle::Answer::kEnrolled) {
@@ -129,18 +126,21 @@ void VehicleLink::on_command(const std::uint8_t* bytes, std::uint32_t size) {
   connection_lost = false;
   inbox_.push_back(command);
   send_next();
-  hub_.notify_if_ready();
 }
 
 void VehicleLink::send_next() {
   if (lockstep.next_to_send(wall_now()).ns < 0 || outbox_.empty()) return;
-  for (auto& [index, message] : outbox_.front().messages) {
-    const std::uint32_t sequence = direct_[index]->next_sequence();
-    std::memcpy(message.buf.get() + 4, &sequence, sizeof(sequence));
-    direct_[index]->send({message.buf.get(), message.num_bytes});
-  }
+  send(outbox_.front());
   under_way_ = std::move(outbox_.front());
   outbox_.pop_front();
+}
+
+void VehicleLink::send(State& state) {
+  for (auto& [index, message] : state.messages) {
+    const std::uint32_t sequence = direct_[index]->next_sequence();
+    std::memcpy(message.data() + kSequenceAt, &sequence, sizeof(sequence));
+    direct_[index]->send(message);
+  }
 }
 
 void VehicleLink::deliver() {
@@ -151,53 +151,47 @@ void VehicleLink::deliver() {
 void VehicleLink::send_state(SimTime stamp, WallTime now) {
   State state{stamp, {}};
   for (std::size_t i = 0; i < odometry_.size(); ++i) {
-    if (odometry_[i]->wanted() && odometry_[i]->take_fresh()) {
-      state.messages.emplace_back(i, odometry_[i]->serialize());
-    }
+    if (!odometry_[i]->wanted() || !odometry_[i]->take_fresh()) continue;
+    state.messages.emplace_back(i, std::vector<std::uint8_t>{});
+    odometry_[i]->serialize(state.messages.back().second);
   }
   if (state.messages.empty()) return;
-  const std::lock_guard lock(hub_.mutex);
   // At least one, so that a reader that has just died is missed.
   readers_when_sent = std::max(1U, odometry_readers());
   if (!lockstep.on_state(stamp, now)) {
     outbox_.push_back(std::move(state));
     return;
   }
-  publish(state);
+  send(state);
   under_way_ = std::move(state);
-}
-
-void VehicleLink::publish(const State& state) {
-  for (const auto& [index, message] : state.messages) {
-    ros::SerializedMessage copy = message;
-    ros::TopicManager::instance()->publish(
-        odometry_[index]->publisher().getTopic(), [&copy] { return copy; }, copy);
-  }
 }
 
 void VehicleLink::send_again() {
   readers_when_sent = odometry_readers();
-  publish(under_way_);
+  send(under_way_);
 }
 
 void VehicleLink::announce_reset() {
-  for (OutputBinding* binding : odometry_) {
-    auto* port = dynamic_cast<OutPort<OdometrySample>*>(&binding->port());
-    if (port == nullptr || binding->subscribers() == 0) continue;
+  State state{{}, {}};
+  for (std::size_t i = 0; i < odometry_.size(); ++i) {
+    auto* port = dynamic_cast<OutPort<OdometrySample>*>(&odometry_[i]->port());
+    if (port == nullptr || direct_[i]->subscribers() == 0) continue;
     port->value.stamp = {};
     port->value.v_child.setZero();
     port->value.w_child.setZero();
-    binding->publish();
+    state.messages.emplace_back(i, std::vector<std::uint8_t>{});
+    odometry_[i]->serialize(state.messages.back().second);
   }
+  send(state);
 }
 
 bool VehicleLink::has_controller() const {
-  return commands_.getNumPublishers() > 0 && odometry_readers() > 0;
+  return commands_->publishers() > 0 && odometry_readers() > 0;
 }
 
 std::uint32_t VehicleLink::odometry_readers() const {
   std::uint32_t count = 0;
-  for (const OutputBinding* binding : odometry_) count += binding->subscribers();
+  for (const auto& publication : direct_) count += publication->subscribers();
   return count;
 }
 

@@ -5,7 +5,6 @@
 #include <mav_msgs/Actuators.h>
 #include <ros/ros.h>
 
-#include <condition_variable>
 #include <deque>
 #include <memory>
 #include <mutex>
@@ -13,6 +12,7 @@
 #include <vector>
 
 #include "port_binder.h"
+#include "trident_ros/direct_inbox.h"
 #include "trident_ros/direct_publication.h"
 #include "trident_ros/inline_callback_queue.h"
 #include "trident_sim/lockstep.h"
@@ -26,7 +26,7 @@ class VehicleLink;
 /// which neither thread holds while it takes the world's.
 struct LockstepHub {
   std::mutex mutex;
-  std::condition_variable changed;
+  DirectInbox commands;  ///< of all vehicles; read by the stepping thread, under `mutex`
   std::vector<VehicleLink*> vehicles;
   SetpointSources sources;
   bool stepper_waits = false;
@@ -37,7 +37,7 @@ struct LockstepHub {
   bool ready() const;
   /// Wakes the stepping thread if what it waits for is there.
   void notify_if_ready() {
-    if (stepper_waits && ready()) changed.notify_one();
+    if (stepper_waits && ready()) commands.wake();
   }
 };
 
@@ -55,7 +55,7 @@ class VehicleLink {
   // Stepping thread:
   /// Hands the commands that have come to the port. Under the hub's mutex.
   void deliver();
-  /// Sends or queues the odometry of the step that was just made.
+  /// Sends or queues the odometry of the step that was just made. Under the hub's mutex.
   void send_state(SimTime stamp, WallTime now);
   /// A node publishes commands and someone reads the odometry.
   bool has_controller() const;
@@ -65,7 +65,8 @@ class VehicleLink {
   void watch_setpoints();
   std::uint32_t odometry_readers() const;
   void clear();
-  /// Tells the readers of the odometry that time is back at zero: a state at rest, stamped zero.
+  /// Tells (under the hub's mutex) the readers of the odometry that time is back at zero: a state
+  /// at rest, stamped zero.
   void announce_reset();
   /// Sends the state under way again, to a controller that came back. Under the hub's mutex.
   void send_again();
@@ -82,11 +83,11 @@ class VehicleLink {
  private:
   struct State {
     SimTime stamp;
-    std::vector<std::pair<std::size_t, ros::SerializedMessage>> messages;
+    std::vector<std::pair<std::size_t, std::vector<std::uint8_t>>> messages;
   };
-  void on_command(const std::uint8_t* bytes, std::uint32_t size);
+  void on_command(Span<const std::uint8_t> bytes);
   void send_next();
-  void publish(const State& state);
+  void send(State& state);
   void on_confirmation(const std::uint8_t* bytes, std::size_t size);
   void on_setpoint(SimTime stamp, bool is_confirmation, bool replaces);
 
@@ -96,12 +97,13 @@ class VehicleLink {
   InlineCallbackQueue& queue_;
   InPort<ActuatorCommand>* port_;
   std::vector<OutputBinding*> odometry_;
-  std::vector<std::unique_ptr<DirectPublication>> direct_;
+  std::vector<std::unique_ptr<DirectPublication>> direct_;  ///< used under the hub's mutex
   State under_way_;                     ///< the last one sent, under the hub's mutex
   std::deque<State> outbox_;            ///< states in line, under the hub's mutex
   std::vector<ActuatorCommand> inbox_;  ///< under the hub's mutex
-  mav_msgs::Actuators message_;         ///< socket thread
-  ros::Subscriber commands_, accepted_, poses_, trajectories_;
+  mav_msgs::Actuators message_;         ///< reused, under the hub's mutex
+  std::unique_ptr<DirectSubscription> commands_;
+  ros::Subscriber accepted_, poses_, trajectories_;
 };
 
 }  // namespace trident

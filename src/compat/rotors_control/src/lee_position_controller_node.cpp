@@ -8,7 +8,7 @@ int main(int argc, char** argv) {
   return trident::run_node(argc, argv, "lee_position_controller_node",
                            [](ros::NodeHandle& node, trident::ParameterTree& parameters) {
                              const trident::LeeParams params = parameters.lee_params();
-                             return std::make_shared<trident::LeePositionControllerNode>(
+                             return std::make_unique<trident::LeePositionControllerNode>(
                                  node, params, parameters.setpoint_queue_params());
                            });
 }

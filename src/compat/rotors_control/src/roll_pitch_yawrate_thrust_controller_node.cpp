@@ -7,7 +7,7 @@
 int main(int argc, char** argv) {
   return trident::run_node(argc, argv, "roll_pitch_yawrate_thrust_controller_node",
                            [](ros::NodeHandle& node, trident::ParameterTree& parameters) {
-                             return std::make_shared<trident::RollPitchYawrateThrustControllerNode>(
+                             return std::make_unique<trident::RollPitchYawrateThrustControllerNode>(
                                  node, parameters.roll_pitch_yawrate_thrust_params());
                            });
 }

@@ -8,7 +8,6 @@
 #include <algorithm>
 
 #include "trident_control_ros/message_conversions.h"
-#include "trident_control_ros/node_main.h"
 #include "trident_ros/subscriptions.h"
 
 namespace trident {
@@ -43,17 +42,20 @@ LeePositionControllerNode::LeePositionControllerNode(ros::NodeHandle& node, cons
       "command/pose", [this](const auto& message) { on_pose(*message); }, &queue_);
   auto trajectory = inline_subscription<trajectory_msgs::MultiDOFJointTrajectory>(
       "command/trajectory", [this](const auto& message) { on_trajectory(*message); }, &queue_);
-  auto odometry = raw_subscription<nav_msgs::Odometry>(
-      "odometry", 1, [this](Span<const std::uint8_t> bytes) { on_odometry(bytes); }, &queue_);
   pose_ = node.subscribe(pose);
   trajectory_ = node.subscribe(trajectory);
-  odometry_ = node.subscribe(odometry);
+  odometry_ = inbox_.subscribe<nav_msgs::Odometry>(
+      node, "odometry", 1, [this](Span<const std::uint8_t> bytes) { on_odometry(bytes); });
 }
 
 LeePositionControllerNode::~LeePositionControllerNode() {
-  odometry_.shutdown();
+  odometry_.reset();
   trajectory_.shutdown();
   pose_.shutdown();
+}
+
+void LeePositionControllerNode::spin_once(std::chrono::milliseconds limit) {
+  if (inbox_.wait(limit)) inbox_.read();
 }
 
 void LeePositionControllerNode::on_odometry(Span<const std::uint8_t> bytes) {
@@ -64,6 +66,7 @@ void LeePositionControllerNode::on_odometry(Span<const std::uint8_t> bytes) {
     return;
   }
   set_log_time(odometry->stamp);
+  const std::lock_guard<std::mutex> lock(mutex_);
   const TrajectoryPoint* setpoint = setpoints_.advance(to_sim_time(odometry->stamp));
   const Span<double> speeds = motors_.rotor_speeds();
   if (!setpoint) {
@@ -92,7 +95,10 @@ void LeePositionControllerNode::on_trajectory(
 }
 
 void LeePositionControllerNode::accept(const std_msgs::Header& header, const std::string& topic) {
-  const SetpointResult result = setpoints_.push(to_sim_time(header.stamp), incoming_);
+  const SetpointResult result = [&] {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return setpoints_.push(to_sim_time(header.stamp), incoming_);
+  }();
   if (result != SetpointResult::accepted) {
     ROS_ERROR("%s: set-point stamped %.9f s refused: %s", topic.c_str(), header.stamp.toSec(),
               reason(result));

@@ -81,9 +81,9 @@ int run_node(int argc, char** argv, const std::string& name, const NodeFactory& 
   try {
     ros::NodeHandle private_node("~");
     ParameterTree parameters = ParameterTree::of_node(private_node);
-    const RunningNode running = make_node(node, parameters);
+    const std::unique_ptr<RunningNode> running = make_node(node, parameters);
     log_notes(parameters);
-    while (ros::ok()) std::this_thread::sleep_for(kLookAtRosEvery);
+    while (ros::ok()) running->spin_once(kLookAtRosEvery);
   } catch (const Error& error) {
     ROS_FATAL("%s", error.what());
     result = 1;

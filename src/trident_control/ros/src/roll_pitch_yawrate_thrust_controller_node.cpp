@@ -7,7 +7,6 @@
 #include <algorithm>
 
 #include "trident_control_ros/message_conversions.h"
-#include "trident_control_ros/node_main.h"
 #include "trident_ros/subscriptions.h"
 
 namespace trident {
@@ -18,15 +17,18 @@ RollPitchYawrateThrustControllerNode::RollPitchYawrateThrustControllerNode(
   auto command = inline_subscription<mav_msgs::RollPitchYawrateThrust>(
       "command/roll_pitch_yawrate_thrust", [this](const auto& message) { on_command(*message); },
       &queue_);
-  auto odometry = raw_subscription<nav_msgs::Odometry>(
-      "odometry", 1, [this](Span<const std::uint8_t> bytes) { on_odometry(bytes); }, &queue_);
   command_subscriber_ = node.subscribe(command);
-  odometry_ = node.subscribe(odometry);
+  odometry_ = inbox_.subscribe<nav_msgs::Odometry>(
+      node, "odometry", 1, [this](Span<const std::uint8_t> bytes) { on_odometry(bytes); });
 }
 
 RollPitchYawrateThrustControllerNode::~RollPitchYawrateThrustControllerNode() {
-  odometry_.shutdown();
+  odometry_.reset();
   command_subscriber_.shutdown();
+}
+
+void RollPitchYawrateThrustControllerNode::spin_once(std::chrono::milliseconds limit) {
+  if (inbox_.wait(limit)) inbox_.read();
 }
 
 void RollPitchYawrateThrustControllerNode::on_odometry(Span<const std::uint8_t> bytes) {
@@ -37,6 +39,7 @@ void RollPitchYawrateThrustControllerNode::on_odometry(Span<const std::uint8_t> 
     return;
   }
   set_log_time(odometry->stamp);
+  const std::lock_guard<std::mutex> lock(mutex_);
   if (odometry->stamp < last_stamp_) command_.reset();
   last_stamp_ = odometry->stamp;
   const Span<double> speeds = motors_.rotor_speeds();
@@ -60,6 +63,7 @@ void RollPitchYawrateThrustControllerNode::on_command(
         command.thrust);
     return;
   }
+  const std::lock_guard<std::mutex> lock(mutex_);
   command_ = command;
 }
 

@@ -6,6 +6,8 @@
 #include <ros/ros.h>
 #include <trajectory_msgs/MultiDOFJointTrajectory.h>
 
+#include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -13,6 +15,8 @@
 #include "trident_control/lee_position_controller.h"
 #include "trident_control/setpoint_queue.h"
 #include "trident_control_ros/motor_command_publisher.h"
+#include "trident_control_ros/node_main.h"
+#include "trident_ros/direct_inbox.h"
 #include "trident_ros/inline_callback_queue.h"
 
 namespace trident {
@@ -22,12 +26,14 @@ namespace trident {
 /// one `command/motor_speed` of the same stamp, zeros until a set-point acts. A stamped set-point
 /// is confirmed on `command/accepted_setpoint` (std_msgs/Header: its stamp, and the topic it came
 /// on as frame_id) once every later odometry message will see it. Time is the stamps of the
-/// odometry, nothing else. Everything runs on roscpp's socket thread.
-class LeePositionControllerNode {
+/// odometry, nothing else. Odometry is handled in spin_once(), set-points on roscpp's socket
+/// thread.
+class LeePositionControllerNode : public RunningNode {
  public:
   LeePositionControllerNode(ros::NodeHandle& node, const LeeParams& params,
                             const SetpointQueueParams& queue_params);
-  ~LeePositionControllerNode();
+  ~LeePositionControllerNode() override;
+  void spin_once(std::chrono::milliseconds limit) override;
 
  private:
   void on_odometry(Span<const std::uint8_t> bytes);
@@ -36,15 +42,17 @@ class LeePositionControllerNode {
   void accept(const std_msgs::Header& header, const std::string& topic);
 
   LeePositionController controller_;
-  SetpointQueue setpoints_;
+  std::mutex mutex_;
+  SetpointQueue setpoints_;              // under mutex_
   std::vector<TimedSetpoint> incoming_;  // reused
 
+  DirectInbox inbox_;
   InlineCallbackQueue queue_;
   MotorCommandPublisher motors_;
   ros::Publisher accepted_;
   ros::Subscriber pose_;
   ros::Subscriber trajectory_;
-  ros::Subscriber odometry_;
+  std::unique_ptr<DirectSubscription> odometry_;
 };
 
 }  // namespace trident

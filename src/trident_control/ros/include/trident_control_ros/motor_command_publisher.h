@@ -20,7 +20,7 @@ class MotorCommandPublisher {
 
   /// Where the next command is to be written [rad/s].
   Span<double> rotor_speeds() { return speeds_; }
-  /// Only from roscpp's socket thread.
+  /// Calls must not overlap.
   void publish(const ros::Time& stamp);
 
  private:

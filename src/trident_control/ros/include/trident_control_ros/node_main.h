@@ -4,6 +4,7 @@
 
 #include <ros/ros.h>
 
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <string>
@@ -12,15 +13,24 @@
 
 namespace trident {
 
-/// A running node; destroying it ends its subscriptions.
-using RunningNode = std::shared_ptr<void>;
+/// A node whose hot loop is served by the thread that calls it.
+class RunningNode {
+ public:
+  RunningNode() = default;
+  RunningNode(const RunningNode&) = delete;
+  RunningNode& operator=(const RunningNode&) = delete;
+  virtual ~RunningNode() = default;
+  /// Handles what has come, or comes within `limit`.
+  virtual void spin_once(std::chrono::milliseconds limit) = 0;
+};
 /// Makes a node that has read its parameters.
-using NodeFactory = std::function<RunningNode(ros::NodeHandle& node, ParameterTree& parameters)>;
+using NodeFactory =
+    std::function<std::unique_ptr<RunningNode>(ros::NodeHandle& node, ParameterTree& parameters)>;
 
-/// main() of a node that works on roscpp's socket thread only: initialises ROS, makes the node,
-/// logs notes on its parameters, and waits. SIGINT and SIGTERM end it within a second even when the
-/// master does not answer, and also while it still waits for a master. /clock is not subscribed to.
-/// Returns 0, or 1 after an error in the parameters, which is logged.
+/// main() of a node: initialises ROS, makes the node, logs notes on its parameters, and spins.
+/// SIGINT and SIGTERM end it within a second even when the master does not answer, and also while
+/// it still waits for a master. /clock is not subscribed to. Returns 0, or 1 after an error in the
+/// parameters, which is logged.
 int run_node(int argc, char** argv, const std::string& name, const NodeFactory& make_node);
 
 /// Under simulated time, makes `stamp` the time of what this process logs next.

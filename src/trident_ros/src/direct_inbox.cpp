@@ -1,0 +1,260 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "trident_ros/direct_inbox.h"
+
+#include <fcntl.h>
+#include <ros/poll_manager.h>
+#include <ros/transport_publisher_link.h>
+#include <sys/epoll.h>
+#include <sys/eventfd.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+
+#include "roscpp_internals.h"
+#include "trident_base/error.h"
+
+namespace trident {
+namespace {
+
+constexpr std::uint64_t kWakeKey = 0;
+constexpr std::size_t kFirstBuffer = 1 << 16;
+constexpr std::size_t kLength = sizeof(std::uint32_t);    // before each message of TCPROS
+constexpr std::uint32_t kLongestMessage = 1'000'000'000;  // roscpp's own limit
+
+void watch(int epoll, int descriptor, std::uint64_t key) {
+  epoll_event event{};
+  event.events = EPOLLIN;
+  event.data.u64 = key;
+  if (epoll_ctl(epoll, EPOLL_CTL_ADD, descriptor, &event) != 0) {
+    throw Error(std::string("epoll_ctl: ") + std::strerror(errno));
+  }
+}
+
+ros::SubscriptionPtr find_subscription(const std::string& topic) {
+  ros::TopicManager& manager = *ros::TopicManager::instance();
+  boost::mutex::scoped_lock lock(manager.*pointer_to(SubscriptionsMutex{}));
+  for (const ros::SubscriptionPtr& subscription : manager.*pointer_to(Subscriptions{})) {
+    if (subscription->getName() == topic) return subscription;
+  }
+  return nullptr;
+}
+
+/// Between two messages: all bytes read so far belong to messages that were handed over.
+bool is_between_messages(const ros::Connection& connection) {
+  return connection.*pointer_to(HasReadCallback{}) != 0 &&
+         connection.*pointer_to(ReadSize{}) == kLength && connection.*pointer_to(ReadFilled{}) == 0;
+}
+
+/// A second descriptor of the transport's socket, valid whenever roscpp closes its own; -1: none.
+int duplicate_socket(ros::TransportTCP& transport) {
+  boost::recursive_mutex::scoped_lock lock(transport.*pointer_to(CloseMutex{}));
+  if (transport.*pointer_to(SocketClosed{})) return -1;
+  return fcntl(transport.*pointer_to(Socket{}), F_DUPFD_CLOEXEC, 0);
+}
+
+}  // namespace
+
+struct DirectInbox::Topic {
+  Handler handler;
+  ros::SubscriptionPtr subscription;
+  bool has_new_link = false;
+};
+
+struct DirectInbox::Link {
+  Link(int epoll_set, std::uint64_t topic_id, ros::ConnectionPtr its_connection, int socket)
+      : topic(topic_id),
+        connection(std::move(its_connection)),
+        descriptor(socket),
+        epoll(epoll_set) {}
+  ~Link() {
+    // Closing alone would not end the watch: roscpp's descriptor is of the same socket.
+    epoll_ctl(epoll, EPOLL_CTL_DEL, descriptor, nullptr);
+    close(descriptor);
+  }
+  std::uint64_t topic;
+  ros::ConnectionPtr connection;
+  int descriptor;
+  int epoll;
+  std::vector<std::uint8_t> partial;  ///< the beginning of a message
+};
+
+DirectSubscription::~DirectSubscription() {
+  subscriber_.shutdown();
+  inbox_.remove(id_);
+}
+
+DirectInbox::DirectInbox() : buffer_(kFirstBuffer) {
+  epoll_ = epoll_create1(EPOLL_CLOEXEC);
+  wake_ = eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
+  if (epoll_ < 0 || wake_ < 0) throw Error(std::string("sockets: ") + std::strerror(errno));
+  watch(epoll_, wake_, kWakeKey);
+  listener_ = ros::PollManager::instance()->addPollThreadListener([this] { take_over_links(); });
+}
+
+DirectInbox::~DirectInbox() {
+  ros::PollManager::instance()->removePollThreadListener(listener_);
+  links_.clear();
+  close(wake_);
+  close(epoll_);
+}
+
+std::uint64_t DirectInbox::add(Handler handler) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::uint64_t id = next_key_++;
+  topics_[id] = std::make_unique<Topic>(Topic{std::move(handler), nullptr, false});
+  return id;
+}
+
+void DirectInbox::attach(std::uint64_t id, const std::string& topic) {
+  ros::SubscriptionPtr subscription = find_subscription(topic);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  topics_.at(id)->subscription = std::move(subscription);
+}
+
+void DirectInbox::remove(std::uint64_t id) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  topics_.erase(id);
+  for (auto it = links_.begin(); it != links_.end();) {
+    it = it->second->topic == id ? links_.erase(it) : std::next(it);
+  }
+}
+
+void DirectInbox::put(std::uint64_t id, Span<const std::uint8_t> bytes) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const auto topic = topics_.find(id);
+    if (topic == topics_.end()) return;
+    topic->second->has_new_link = true;
+    put_.emplace_back(id, std::vector<std::uint8_t>(bytes.begin(), bytes.end()));
+  }
+  has_put_ = true;
+  has_new_links_ = true;
+  wake();
+}
+
+// On roscpp's socket thread, between two polls: nobody is reading.
+void DirectInbox::take_over_links() {
+  if (!has_new_links_.exchange(false)) return;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (auto& [id, topic] : topics_) {
+    if (topic->has_new_link && topic->subscription) take_over(*topic, id);
+  }
+}
+
+void DirectInbox::take_over(Topic& topic, std::uint64_t id) {
+  topic.has_new_link = false;
+  boost::mutex::scoped_lock lock((*topic.subscription).*pointer_to(PublisherLinksMutex{}));
+  for (const ros::PublisherLinkPtr& link : (*topic.subscription).*pointer_to(PublisherLinks{})) {
+    auto* const tcp_link = dynamic_cast<ros::TransportPublisherLink*>(link.get());
+    if (tcp_link == nullptr) continue;
+    const ros::ConnectionPtr& connection = tcp_link->getConnection();
+    auto* const transport = dynamic_cast<ros::TransportTCP*>(connection->getTransport().get());
+    const bool is_ours = std::any_of(links_.begin(), links_.end(), [&](const auto& entry) {
+      return entry.second->connection == connection;
+    });
+    if (transport == nullptr || is_ours || !is_between_messages(*connection)) continue;
+    const int descriptor = duplicate_socket(*transport);
+    if (descriptor < 0) continue;
+    transport->disableRead();
+    const std::uint64_t key = next_key_++;
+    links_[key] = std::make_unique<Link>(epoll_, id, connection, descriptor);
+    watch(epoll_, descriptor, key);
+  }
+}
+
+bool DirectInbox::wait(std::chrono::milliseconds limit) {
+  std::array<epoll_event, 64> events;
+  const int count =
+      epoll_wait(epoll_, events.data(), events.size(), static_cast<int>(limit.count()));
+  ready_.clear();
+  for (int i = 0; i < count; ++i) ready_.push_back(events[static_cast<std::size_t>(i)].data.u64);
+  return count > 0;
+}
+
+void DirectInbox::read() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (has_put_.exchange(false)) read_put();
+  for (const std::uint64_t key : ready_) {
+    if (key == kWakeKey) {
+      std::uint64_t count = 0;
+      [[maybe_unused]] const auto size = ::read(wake_, &count, sizeof(count));
+    } else {
+      read_link(key);
+    }
+  }
+  ready_.clear();
+}
+
+void DirectInbox::wake() {
+  const std::uint64_t one = 1;
+  [[maybe_unused]] const auto size = ::write(wake_, &one, sizeof(one));
+}
+
+void DirectInbox::read_put() {
+  for (const auto& [id, bytes] : put_) {
+    const auto topic = topics_.find(id);
+    if (topic != topics_.end()) topic->second->handler({bytes.data(), bytes.size()});
+  }
+  put_.clear();
+}
+
+void DirectInbox::read_link(std::uint64_t key) {
+  const auto entry = links_.find(key);
+  if (entry == links_.end()) return;
+  Link& link = *entry->second;
+  const std::size_t kept = link.partial.size();
+  std::copy(link.partial.begin(), link.partial.end(), buffer_.begin());
+  link.partial.clear();
+  const auto got =
+      recv(link.descriptor, buffer_.data() + kept, buffer_.size() - kept, MSG_DONTWAIT);
+  if (got > 0) {
+    hand_out(link, kept + static_cast<std::size_t>(got));
+  } else if (got == 0 || (errno != EAGAIN && errno != EINTR)) {
+    give_back(key);
+  } else {
+    link.partial.assign(buffer_.begin(), buffer_.begin() + static_cast<std::ptrdiff_t>(kept));
+  }
+}
+
+void DirectInbox::hand_out(Link& link, std::size_t size) {
+  const Handler& handler = topics_.at(link.topic)->handler;
+  std::size_t begin = 0;
+  while (size - begin >= kLength) {
+    std::uint32_t length = 0;
+    std::memcpy(&length, buffer_.data() + begin, kLength);
+    if (length > kLongestMessage) {
+      shutdown(link.descriptor, SHUT_RDWR);  // the next read ends the link
+      return;
+    }
+    if (size - begin < kLength + length) {
+      if (buffer_.size() < 2 * (kLength + length)) {
+        std::vector<std::uint8_t> larger(2 * (kLength + length));
+        std::copy_n(buffer_.begin() + static_cast<std::ptrdiff_t>(begin), size - begin,
+                    larger.begin());
+        buffer_.swap(larger);
+        size -= begin;
+        begin = 0;
+      }
+      break;
+    }
+    handler({buffer_.data() + begin + kLength, length});
+    begin += kLength + length;
+  }
+  link.partial.assign(buffer_.begin() + static_cast<std::ptrdiff_t>(begin),
+                      buffer_.begin() + static_cast<std::ptrdiff_t>(size));
+}
+
+// roscpp finds the end of the connection by reading, drops it and looks for its publisher again.
+void DirectInbox::give_back(std::uint64_t key) {
+  const auto entry = links_.find(key);
+  const ros::ConnectionPtr connection = entry->second->connection;
+  links_.erase(entry);
+  connection->getTransport()->enableRead();
+}
+
+}  // namespace trident
