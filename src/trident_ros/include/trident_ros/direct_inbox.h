@@ -76,6 +76,8 @@ class DirectInbox {
   void read();
   /// Ends a wait(), or the next one.
   void wake();
+  /// Connections that are read here, not by roscpp.
+  std::size_t link_count();
 
  private:
   friend class DirectSubscription;
