@@ -54,6 +54,18 @@ TEST(SdfError, ShapesMustHaveASize) {
                "cylinder length"));
 }
 
+TEST(SdfError, CorrectionsOfContactsMustBeFinite) {
+  for (const char* name : {"min_depth", "max_vel"}) {
+    const std::string element = "<" + std::string(name) + ">";
+    const std::string error = load_error(
+        model("<link name='l'><collision name='c'><geometry><sphere><radius>1</radius></sphere>"
+              "</geometry><surface><contact><ode>" +
+              element + "inf</" + name + "></ode></contact></surface></collision></link>"));
+    EXPECT_TRUE(contains(
+        error, "bad.sdf: link 'l' collision 'c': " + element + " is inf, must be a finite number"));
+  }
+}
+
 TEST(SdfError, AMeshThatIsNotThereRefusesTheModel) {
   EXPECT_TRUE(contains(load_error(collision("<mesh><uri>model://gone/a.stl</uri></mesh>")),
                        "mesh 'model://gone/a.stl' not found; searched:"));

@@ -83,7 +83,8 @@ TEST(SdfWorld, SurfaceIsRead) {
     <geometry><sphere><radius>0.5</radius></sphere></geometry>
     <surface><friction><ode><mu>0.4</mu><mu2>0.3</mu2><slip1>0.1</slip1><fdir1>1 0 0</fdir1></ode></friction>
     <bounce><restitution_coefficient>0.7</restitution_coefficient><threshold>0.01</threshold></bounce>
-    <contact><collide_bitmask>3</collide_bitmask><ode><kp>1e5</kp><kd>10</kd></ode></contact></surface>
+    <contact><collide_bitmask>3</collide_bitmask><ode><kp>1e5</kp><kd>10</kd>
+    <min_depth>0.003</min_depth><max_vel>0.1</max_vel></ode></contact></surface>
     </collision></link></model>)"));
   const Surface& surface = world.models[0].links[0].collisions[0].surface;
   EXPECT_DOUBLE_EQ(surface.mu, 0.4);
@@ -95,6 +96,20 @@ TEST(SdfWorld, SurfaceIsRead) {
   EXPECT_DOUBLE_EQ(surface.kp_n_m, 1e5);
   EXPECT_DOUBLE_EQ(surface.kd_ns_m, 10.0);
   EXPECT_EQ(surface.collide_bitmask, 3u);
+  EXPECT_EQ(surface.min_depth_m, 0.003);
+  EXPECT_EQ(surface.max_vel_m_s, 0.1);
+}
+
+TEST(SdfWorld, ContactsAreCorrectedAsTheWorldSaysByDefault) {
+  for (const char* contact : {"<kp>1e5</kp>", "<max_vel>-1</max_vel>"}) {
+    const WorldSpec world = load(world_text(
+        "<model name='m'><link name='l'><collision name='c'><geometry><sphere><radius>0.5</radius>"
+        "</sphere></geometry><surface><contact><ode>" +
+        std::string(contact) + "</ode></contact></surface></collision></link></model>"));
+    const Surface& surface = world.models[0].links[0].collisions[0].surface;
+    EXPECT_FALSE(surface.min_depth_m);
+    EXPECT_FALSE(surface.max_vel_m_s);
+  }
 }
 
 TEST(SdfWorld, AllShapesAreRead) {

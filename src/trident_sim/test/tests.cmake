@@ -18,6 +18,7 @@ target_link_libraries(trident_sim_test_support PUBLIC trident_sim)
 catkin_add_gtest(trident_sim_test
   test/broadphase_test.cpp
   test/command_timing_test.cpp
+  test/contact_correction_test.cpp
   test/contact_test.cpp
   test/determinism_test.cpp
   test/free_body_test.cpp

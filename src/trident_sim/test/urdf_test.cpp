@@ -74,12 +74,15 @@ TEST(Urdf, GazeboTagsReachTheModel) {
   const Loaded loaded = load(
       robot(link("base", inertial() +
                              "<collision><geometry><sphere radius='0.1'/></geometry></collision>") +
-            "<gazebo reference='base'><mu1>0.3</mu1><mu2>0.2</mu2><kp>1000</kp></gazebo>"
+            "<gazebo reference='base'><mu1>0.3</mu1><mu2>0.2</mu2><kp>1000</kp>"
+            "<minDepth>0.002</minDepth><maxVel>0.4</maxVel></gazebo>"
             "<gazebo><plugin name='p' filename='libp.so'><topic>t</topic></plugin></gazebo>"
             "<gazebo><static>true</static></gazebo>"));
   EXPECT_DOUBLE_EQ(loaded.model.links[0].collisions[0].surface.mu, 0.3);
   EXPECT_DOUBLE_EQ(loaded.model.links[0].collisions[0].surface.mu2, 0.2);
   EXPECT_DOUBLE_EQ(loaded.model.links[0].collisions[0].surface.kp_n_m, 1000.0);
+  EXPECT_EQ(loaded.model.links[0].collisions[0].surface.min_depth_m, 0.002);
+  EXPECT_EQ(loaded.model.links[0].collisions[0].surface.max_vel_m_s, 0.4);
   ASSERT_EQ(loaded.model.plugins.size(), 1u);
   EXPECT_EQ(loaded.model.plugins[0].params.find("topic")->text, "t");
   EXPECT_TRUE(loaded.model.is_static);

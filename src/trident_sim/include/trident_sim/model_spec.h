@@ -48,8 +48,10 @@ struct Surface {
   double restitution = 0.0;
   double bounce_threshold_m_s = 1e5;
   double kp_n_m = 1e12, kd_ns_m = 1.0;
-  std::optional<double> min_depth_m;  ///< else the world's contact_surface_layer
-  std::optional<double> max_vel_m_s;  ///< else the world's contact_max_correcting_vel
+  /// Depth to which nothing is pushed out; else the world's contact_surface_layer
+  std::optional<double> min_depth_m;
+  /// Speed at which it is pushed out at most, >= 0; else the world's contact_max_correcting_vel
+  std::optional<double> max_vel_m_s;
   std::uint32_t collide_bitmask = 0xffff;
 };
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Broad phase, narrow phase and contact joints of PhysicsEngine.
 #include <algorithm>
+#include <optional>
 
 #include "body_sync.h"
 #include "physics_engine.h"
@@ -34,6 +35,34 @@ dSurfaceParameters combine(const Surface& a, const Surface& b, double dt_s) {
   surface.soft_erp = dt_s * kp / (dt_s * kp + kd);
   surface.soft_cfm = std::max(kLeastNormalCfm, 1.0 / (dt_s * kp + kd));
   return surface;
+}
+
+/// How far a pair may sink into each other, and how fast what is deeper is pushed out.
+struct Correction {
+  double min_depth_m, max_vel_m_s;
+};
+
+/// `b`: nullptr when it is static. As in Gazebo a static surface has no say, of two bodies the
+/// smaller value counts, and the world's maximum speed bounds them all.
+Correction combine_corrections(const Surface& a, const Surface* b, const PhysicsSpec& world) {
+  const auto smaller = [&](std::optional<double> Surface::*field, double of_world) {
+    const double of_a = (a.*field).value_or(of_world);
+    return b == nullptr ? of_a : std::min(of_a, (b->*field).value_or(of_world));
+  };
+  return {smaller(&Surface::min_depth_m, world.contact_surface_layer),
+          std::min(smaller(&Surface::max_vel_m_s, world.contact_max_correcting_vel),
+                   world.contact_max_correcting_vel)};
+}
+
+/// ODE knows one depth and one speed for the whole world and pushes out at erp / dt (depth - the
+/// world's layer). This is the depth to tell it so that it follows the pair's; where they are the
+/// world's, the depth itself to the last bit.
+double depth_to_tell(double depth_m, const Correction& pair, const PhysicsSpec& world, double erp,
+                     double dt_s) {
+  const double layer = world.contact_surface_layer;
+  const double depth = pair.min_depth_m == layer ? depth_m : depth_m - pair.min_depth_m + layer;
+  if (pair.max_vel_m_s >= world.contact_max_correcting_vel || !(erp > 0.0)) return depth;
+  return std::min(depth, layer + pair.max_vel_m_s * dt_s / erp);
 }
 
 bool boxes_overlap(const dReal* a, const dReal* b) {
@@ -116,11 +145,15 @@ void PhysicsEngine::collide_geoms(Geom& a, Body* body_a, Geom& b, Body* body_b, 
   if (!boxes_overlap(box_a, box_b)) return;
   const int found = dCollide(a.id, b.id, static_cast<int>(contact_buffer_.size()),
                              &contact_buffer_[0].geom, sizeof(dContact));
+  const Correction correction =
+      combine_corrections(a.surface, body_b == nullptr ? nullptr : &b.surface, spec_);
   const Eigen::Vector3d direction =
       a.surface.fdir1.isZero() ? friction_direction(b, body_b) : friction_direction(a, body_a);
   for (int i = 0; i < found; ++i) {
     dContact& contact = contact_buffer_[static_cast<std::size_t>(i)];
     contact.surface = combine(a.surface, b.surface, dt_s);
+    contact.geom.depth =
+        depth_to_tell(contact.geom.depth, correction, spec_, contact.surface.soft_erp, dt_s);
     if (!direction.isZero()) {
       const Eigen::Vector3d normal(contact.geom.normal[0], contact.geom.normal[1],
                                    contact.geom.normal[2]);

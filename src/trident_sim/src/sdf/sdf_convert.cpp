@@ -121,7 +121,17 @@ void check_positive(const Shape& shape, const std::string& what, const ConvertCo
   }
 }
 
-Surface convert_surface(const sdf::Collision& collision) {
+std::optional<double> number_if_given(const sdf::ElementPtr& element, const char* name,
+                                      const std::string& what, const ConvertContext& context) {
+  if (!element->HasElement(name)) return std::nullopt;
+  const double value = element->Get<double>(name);
+  if (std::isfinite(value)) return value;
+  throw Error(context.label + ": " + what + ": <" + name + "> is " + std::to_string(value) +
+              ", must be a finite number");
+}
+
+Surface convert_surface(const sdf::Collision& collision, const std::string& what,
+                        const ConvertContext& context) {
   Surface surface;
   if (const sdf::Surface* from = collision.Surface()) {
     if (from->Contact()) surface.collide_bitmask = from->Contact()->CollideBitmask();
@@ -140,8 +150,10 @@ Surface convert_surface(const sdf::Collision& collision) {
   if (const auto ode = descend(element, {"contact", "ode"})) {
     surface.kp_n_m = value_or(ode, {"kp"}, surface.kp_n_m);
     surface.kd_ns_m = value_or(ode, {"kd"}, surface.kd_ns_m);
-    if (ode->HasElement("min_depth")) surface.min_depth_m = ode->Get<double>("min_depth");
-    if (ode->HasElement("max_vel")) surface.max_vel_m_s = ode->Get<double>("max_vel");
+    surface.min_depth_m = number_if_given(ode, "min_depth", what, context);
+    surface.max_vel_m_s = number_if_given(ode, "max_vel", what, context);
+    // Gazebo's way to ask for the world's.
+    if (surface.max_vel_m_s.value_or(0.0) < 0.0) surface.max_vel_m_s.reset();
   }
   return surface;
 }
@@ -185,7 +197,7 @@ LinkSpec convert_link(const sdf::Link& from, const std::string& prefix, const SE
     check_positive(*shape, name, context);
     link.collisions.push_back({collision.Name(),
                                resolve(collision.SemanticPose(), from.Name(), name), *shape,
-                               convert_surface(collision)});
+                               convert_surface(collision, name, context)});
   }
   for (std::size_t i = 0; i < from.VisualCount(); ++i) {
     const sdf::Visual& visual = *from.VisualByIndex(i);
