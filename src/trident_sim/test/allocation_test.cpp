@@ -6,6 +6,7 @@
 #include <new>
 
 #include "lee_quad.h"
+#include "scratch_folder.h"
 #include "test_world.h"
 #include "trident_control_sim/lee_plugin.h"
 
@@ -79,6 +80,29 @@ TEST_P(Allocation, PublishingDoesNotAllocate) {
   }
   world_->step(10);
   EXPECT_EQ(allocations_of([this] { world_->step(1000); }), 0u);
+}
+
+TEST_P(Allocation, AWindFieldDoesNotAllocate) {
+  const ScratchFolder folder;
+  ModelSpec probe = make_body("probe", SphereShape{0.1}, at(0, 0, 50));
+  probe.links[0].gravity = false;
+  probe.plugins.push_back(make_plugin(
+      "wind", "librotors_gazebo_wind_plugin.so",
+      {{"robotNamespace", "quad"},
+       {"linkName", "link"},
+       {"frameId", "a_frame_with_a_name_too_long_for_a_short_string"},
+       {"useCustomStaticWindField", "true"},
+       {"customWindFieldPath",
+        folder.write("wind.txt",
+                     "min_x: -9 min_y: -9 n_x: 2 n_y: 2 res_x: 18 res_y: 18 bottom_z: 0 0 0 0 "
+                     "top_z: 99 99 99 99 vertical_spacing_factors: 0 1 u: 1 1 1 1 1 1 1 1 "
+                     "v: 0 0 0 0 0 0 0 0 w: 0 0 0 0 0 0 0 0")}}));
+  world_.add(std::move(probe));
+  auto* speed = world_->ports().find_out<WindSample>("quad/wind_speed");
+  speed->add_listener();
+  world_->step(10);
+  EXPECT_EQ(allocations_of([this] { world_->step(1000); }), 0u);
+  EXPECT_EQ(speed->value.v_world, Eigen::Vector3d(1, 0, 0));
 }
 
 /// ODE keeps the memory of contact joints and of its solvers from step to step.

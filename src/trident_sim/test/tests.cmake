@@ -38,11 +38,15 @@ catkin_add_gtest(trident_sim_test
   test/sdf_world_test.cpp
   test/setpoint_sources_test.cpp
   test/urdf_test.cpp
+  test/wind_field_file_test.cpp
+  test/wind_field_plugin_test.cpp
+  test/wind_field_test.cpp
   test/wind_test.cpp
   test/world_lifecycle_test.cpp
   test/world_state_test.cpp
 )
 target_link_libraries(trident_sim_test trident_sim_test_support ${GTEST_MAIN_LIBRARIES})
+target_include_directories(trident_sim_test PRIVATE src)  # parts of plugins
 
 # Closed loops, with the Lee controller as a plugin (trident_control_sim is defined later on).
 catkin_add_gtest(trident_sim_flight_test

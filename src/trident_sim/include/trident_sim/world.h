@@ -79,6 +79,8 @@ class World {
   std::uint64_t seed() const { return options_.seed; }
   LoopTiming timing() const { return options_.timing; }
   const std::string& name() const { return name_; }
+  /// Where plugins find the files that their parameters name.
+  const Resources& resources() const { return resources_; }
   const PhysicsSpec& physics() const { return physics_; }
   /// Throws Error when a value is out of range.
   void set_physics(const PhysicsSpec& physics);

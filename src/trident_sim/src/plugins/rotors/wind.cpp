@@ -1,7 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
+#include <filesystem>
+#include <optional>
+
 #include "../plugin_util.h"
 #include "rotors_plugins.h"
+#include "wind_field.h"
 
 namespace trident {
 namespace {
@@ -14,23 +18,35 @@ Eigen::Vector3d read_direction(const PluginParams& params, const char* key,
   return direction.normalized();
 }
 
+/// The field that <customWindFieldPath> names, or nothing when the wind is the same everywhere.
+std::optional<WindGrid> read_field(const PluginContext& context) {
+  const PluginParams& params = context.params;
+  if (!params.flag("useCustomStaticWindField", false)) return std::nullopt;
+  const std::string path = params.required_text("customWindFieldPath");
+  const Resources& resources = context.world.resources();
+  const std::string file = resources.find(path);
+  if (file.empty() || std::filesystem::is_directory(file)) {
+    params.refuse("customWindFieldPath", path,
+                  "a file; searched: as given, then " + resources.searched());
+  }
+  try {
+    return read_wind_grid(file);
+  } catch (const Error& error) {
+    throw Error(params.owner() + ": <customWindFieldPath>: " + error.what());
+  }
+}
+
 /// A constant wind force, one gust of force, and a constant wind speed that the rotors of the same
-/// namespace feel.
+/// namespace feel; or the wind speed of a field at the link's origin. As in RotorS a field takes
+/// the place of the forces, and outside of it the constant speed blows.
 class Wind : public Plugin {
  public:
-  explicit Wind(const PluginContext& context) : link_(required_link(context, "linkName")) {
+  explicit Wind(const PluginContext& context)
+      : link_(required_link(context, "linkName")), field_(read_field(context)) {
     const PluginParams& params = context.params;
-    if (params.flag("useCustomStaticWindField", false)) {
-      params.refuse("useCustomStaticWindField", "true", "false: wind fields are not supported");
-    }
     offset_ = params.vector3("xyzOffset", Eigen::Vector3d::Zero());
     direction_ = read_direction(params, "windDirection", Eigen::Vector3d::UnitX());
-    gust_direction_ = read_direction(params, "windGustDirection", Eigen::Vector3d::UnitY());
-    force_mean_n_ = params.number("windForceMean", 0.0);
-    gust_start_ = SimTime::from_seconds(params.number("windGustStart", 10.0, {0.0, 1e9}));
-    gust_end_ =
-        gust_start_ + SimTime::from_seconds(params.number("windGustDuration", 0.0, {0.0, 1e9}));
-    gust_force_mean_n_ = params.number("windGustForceMean", 0.0);
+    if (!field_) read_forces(params);
     wind_world_ = params.number("windSpeedMean", 0.0) * direction_;
     const std::string speed_topic =
         scoped_topic(params, params.text("windSpeedPubTopic", "wind_speed"));
@@ -45,31 +61,51 @@ class Wind : public Plugin {
   std::vector<Phase> phases() const override { return {Phase::kControl}; }
 
   void pre_step(Phase, World&, const StepInfo& info) override {
+    if (!field_) push(info);
+    blow(info);
+  }
+
+  void reset() override { to_rotors_->clear(); }
+
+ private:
+  void read_forces(const PluginParams& params) {
+    gust_direction_ = read_direction(params, "windGustDirection", Eigen::Vector3d::UnitY());
+    force_mean_n_ = params.number("windForceMean", 0.0);
+    gust_start_ = SimTime::from_seconds(params.number("windGustStart", 10.0, {0.0, 1e9}));
+    gust_end_ =
+        gust_start_ + SimTime::from_seconds(params.number("windGustDuration", 0.0, {0.0, 1e9}));
+    gust_force_mean_n_ = params.number("windGustForceMean", 0.0);
+  }
+
+  void push(const StepInfo& info) {
     Eigen::Vector3d force = force_mean_n_ * direction_;
     if (info.end >= gust_start_ && info.end < gust_end_)
       force += gust_force_mean_n_ * gust_direction_;
     if (link_.body != nullptr && !force.isZero()) {
       link_.body->add_force_at(force, link_.T_world_link() * offset_);
     }
-    if (to_rotors_->count() == 0) to_rotors_->write({info.end, speed_->value.frame, wind_world_});
-    if (force_->wanted()) {
-      force_->value.stamp = info.end;
-      force_->value.force = force;
-      force_->publish();
-    }
-    if (speed_->wanted()) {
-      speed_->value.stamp = info.end;
-      speed_->value.v_world = wind_world_;
-      speed_->publish();
-    }
+    if (!force_->wanted()) return;
+    force_->value.stamp = info.end;
+    force_->value.force = force;
+    force_->publish();
   }
 
-  void reset() override { to_rotors_->clear(); }
+  void blow(const StepInfo& info) {
+    speed_->value.stamp = info.end;
+    speed_->value.v_world = wind_world_;
+    if (field_) {
+      speed_->value.v_world = wind_at(*field_, link_.T_world_link().p).value_or(wind_world_);
+    }
+    // A constant wind is told once, so that whoever writes to the port later is heard.
+    if (field_ || to_rotors_->count() == 0) to_rotors_->write(speed_->value);
+    if (speed_->wanted()) speed_->publish();
+  }
 
- private:
   Link& link_;
-  Eigen::Vector3d offset_, direction_, gust_direction_, wind_world_;
-  double force_mean_n_, gust_force_mean_n_;
+  std::optional<WindGrid> field_;
+  Eigen::Vector3d offset_, direction_, wind_world_;
+  Eigen::Vector3d gust_direction_ = Eigen::Vector3d::UnitY();
+  double force_mean_n_ = 0.0, gust_force_mean_n_ = 0.0;
   SimTime gust_start_, gust_end_;
   OutHandle<WrenchSample> force_;
   OutHandle<WindSample> speed_;
