@@ -28,6 +28,7 @@ from harness import (
     recorder,
 )
 from nav_msgs.msg import Odometry
+from std_msgs.msg import Bool
 
 VEHICLES = ("UAV1", "UAV2")
 END_S = 6.0
@@ -105,6 +106,21 @@ def listens(ros: Ros, topic: str, node_part: str) -> bool:
     return any(
         name == topic and any(node_part in node for node in nodes) for name, nodes in subscribers
     )
+
+
+def test_ready_is_latched_and_turns_true_with_the_last_declared_part(
+    start_gazebo: StartGazebo,
+) -> None:
+    gazebo = start_gazebo(wait_for=len(VEHICLES))
+    with recorder("/gazebo/ready", Bool) as ready:
+        assert not ready.received(1)[-1].data
+        for name in VEHICLES:
+            assert not ready.received(1)[-1].data
+            gazebo.spawn(name, at=pose(0.0, Y_OF[name], 0.1))
+            gazebo.controller(name)
+        assert ready.received(2)[-1].data
+    with recorder("/gazebo/ready", Bool) as late:
+        assert late.received(1)[-1].data
 
 
 def test_equal_hashes_whoever_listens_and_however_fast(ros: Ros, start_gazebo: StartGazebo) -> None:

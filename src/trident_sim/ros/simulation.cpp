@@ -3,6 +3,7 @@
 #include "simulation.h"
 
 #include <diagnostic_msgs/DiagnosticArray.h>
+#include <std_msgs/Bool.h>
 
 #include <algorithm>
 #include <thread>
@@ -31,6 +32,8 @@ Simulation::Simulation(ros::NodeHandle& node, const ServerOptions& options)
   register_builtin_plugins(registry_);
   for (const std::string& library : options.plugin_libraries) registry_.load_shared_object(library);
   diagnostics_ = node_.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 10);
+  ready_ = node_.advertise<std_msgs::Bool>("/gazebo/ready", 1, true);
+  ready_.publish(std_msgs::Bool());
   const auto report = [this](Severity severity, const std::string& text) {
     this->report(severity, text);
   };
@@ -167,6 +170,7 @@ void Simulation::every_so_often() {
   binder_->scan_subscribers();
   topics_->scan(*world_);
   topics_->catch_up_clock(world_->time());
+  if (!is_ready_) announce_readiness();
   for (const std::string& line : gate_->take_news()) ROS_INFO("%s", line.c_str());
   if (now < next_second_) return;
   next_second_ = now + std::chrono::seconds(1);
@@ -174,6 +178,14 @@ void Simulation::every_so_often() {
   const SimTime end =
       options_.end_time_s > 0.0 ? SimTime::from_seconds(options_.end_time_s) : gate_->sources_end();
   files_->progress(*world_, end, gate_->vehicle_count(), describe_state());
+}
+
+void Simulation::announce_readiness() {
+  if (!gate_->missing_for_start(*world_).empty()) return;
+  is_ready_ = true;
+  std_msgs::Bool message;
+  message.data = 1;
+  ready_.publish(message);
 }
 
 std::string Simulation::describe_state() {

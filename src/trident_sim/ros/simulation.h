@@ -74,6 +74,7 @@ class Simulation {
   void wait(std::chrono::microseconds time);
   void make_step();
   void every_so_often();
+  void announce_readiness();
   void publish_diagnostics();
   std::string describe_state();
 
@@ -102,6 +103,8 @@ class Simulation {
   std::string end_reason_;
   std::vector<std::pair<Severity, std::string>> complaints_;  ///< the latest, for /diagnostics
   ros::Publisher diagnostics_;
+  ros::Publisher ready_;  ///< latched: everything that was declared is there
+  bool is_ready_ = false;
 };
 
 }  // namespace trident
