@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <cstdio>
 #include <cstdlib>
 #include <new>
 
@@ -112,6 +114,28 @@ TEST_P(Allocation, RestingOnTheGroundDoesNotAllocateOnceSettled) {
   EXPECT_EQ(allocations_of([this] { world_->step(100); }), 0u);
   EXPECT_TRUE(box.bodies[0]->in_contact);
 }
+/// Memory of this process that is in use [pages].
+long resident_pages() {
+  std::FILE* file = std::fopen("/proc/self/statm", "r");
+  long total = 0, resident = 0;
+  if (file == nullptr || std::fscanf(file, "%ld %ld", &total, &resident) != 2) resident = -1;
+  if (file != nullptr) std::fclose(file);
+  return resident;
+}
+
+TEST_P(Allocation, TenMillionStepsLeaveMemoryTimeAndFlightAlone) {
+  const std::uint64_t kSteps = GetParam() == LoopTiming::kRotors ? 9'000'000 : 1'000'000;
+  const SimTime begin = world_->time();
+  const SE3 hovering = world_->find_model("quad")->T_world_model();
+  const long pages = resident_pages();
+  EXPECT_EQ(allocations_of([&] { world_->step(kSteps); }), 0u);
+  EXPECT_LE(resident_pages(), pages + 1);
+  EXPECT_EQ((world_->time() - begin).ns, static_cast<std::int64_t>(kSteps) * world_->dt().ns);
+  const SE3 now = world_->find_model("quad")->T_world_model();
+  EXPECT_LT((now.p - hovering.p).norm(), 0.1);
+  EXPECT_NEAR(now.R.norm(), 1.0, 1e-12);
+}
+
 INSTANTIATE_TEST_SUITE_P(Timing, Allocation,
                          testing::Values(LoopTiming::kRotors, LoopTiming::kDirect),
                          [](const auto& info) {
