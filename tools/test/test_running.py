@@ -97,7 +97,7 @@ def test_latest_points_at_the_newest_run(clone: Workspace, monkeypatch: pytest.M
     _opened_run(clone, [], monkeypatch)
     second = _opened_run(clone, [], monkeypatch)
     assert (clone.out / "latest").resolve() == second.folder
-    facts = json.loads((clone.out / "latest" / "run.json").read_text(encoding="utf-8"))
+    facts = json.loads((clone.out / "latest" / "launch.json").read_text(encoding="utf-8"))
     assert facts["ros_master_uri"] == second.env["ROS_MASTER_URI"]
     assert (clone.out / "rospack_nosubdirs").is_file()
 
@@ -152,7 +152,7 @@ def test_the_master_of_a_run_is_found_only_while_it_listens(clone: Workspace) ->
         server.bind(("localhost", 0))
         server.listen()
         uri = f"http://localhost:{server.getsockname()[1]}"
-        (folder / "run.json").write_text(json.dumps({"ros_master_uri": uri}), encoding="utf-8")
+        (folder / "launch.json").write_text(json.dumps({"ros_master_uri": uri}), encoding="utf-8")
         assert running_master(clone) == uri
     assert running_master(clone) is None
 

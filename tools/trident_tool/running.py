@@ -5,7 +5,6 @@
 from __future__ import annotations
 
 import contextlib
-import json
 import os
 import signal
 import socket
@@ -19,6 +18,7 @@ from pathlib import Path
 from types import FrameType
 
 from trident_tool.environment import ros_environment
+from trident_tool.launch_facts import save_launch, save_parameters
 from trident_tool.launchfile import check_args, declared_args, find_launch_file, parse_request
 from trident_tool.progress import ProgressView, last_complaints, required_node_failed
 from trident_tool.workspace import Runner, Workspace, base_environment, hide_from_crawlers, say
@@ -30,9 +30,10 @@ _INTERRUPTED = 130  # what a shell reports for a command that ended by Ctrl-C
 
 @dataclass(frozen=True)
 class Run:
-    """One run: its folder, its launch file, and how roslaunch is called."""
+    """One run: its folder, what was asked for, its launch file, and how roslaunch is called."""
 
     folder: Path
+    words: tuple[str, ...]
     launch_file: Path
     args: dict[str, str]
     port: int
@@ -100,37 +101,23 @@ def plan_run(workspace: Workspace, words: Sequence[str], env: Mapping[str, str])
     check_args(launch_file, declared, args)
     folder = new_run_folder(workspace.out, launch_file.stem, datetime.now())
     port = free_port()
-    return Run(
-        folder, launch_file, args, port, run_environment(env, folder, port, real_time_factor)
-    )
-
-
-def _commit(workspace: Workspace) -> str:
-    with contextlib.suppress(OSError):
-        result = subprocess.run(
-            ["git", "-C", str(workspace.root), "describe", "--always", "--dirty"],
-            capture_output=True,
-            text=True,
-            check=False,
-        )
-        return result.stdout.strip()
-    return ""
+    run_env = run_environment(env, folder, port, real_time_factor)
+    return Run(folder, tuple(words), launch_file, args, port, run_env)
 
 
 def open_run_folder(workspace: Workspace, run: Run) -> None:
-    """Makes the run's folder with run.json, and points out/latest at it."""
+    """Makes the run's folder with launch.json, and points out/latest at it."""
     hide_from_crawlers(workspace.out)
     for folder in (run.folder, run.folder / "log", run.folder / "ros_home"):
         folder.mkdir(parents=True)
-    facts = {
-        "launch_file": str(run.launch_file),
-        "args": run.args,
-        "commit": _commit(workspace),
-        "started": datetime.now().astimezone().isoformat(timespec="seconds"),
-        "ros_master_uri": run.env["ROS_MASTER_URI"],
-        "real_time_factor": run.env["TRIDENT_REAL_TIME_FACTOR"],
-    }
-    (run.folder / "run.json").write_text(json.dumps(facts, indent=2) + "\n", encoding="utf-8")
+    save_launch(
+        workspace,
+        run.folder,
+        words=run.words,
+        launch_file=run.launch_file,
+        args=run.args,
+        env=run.env,
+    )
     temporary = workspace.out / f".latest.{os.getpid()}"
     temporary.symlink_to(run.folder.name)
     temporary.replace(workspace.out / "latest")
@@ -162,6 +149,7 @@ def launch(run: Run) -> int:
     Returns its exit code, or 130 after Ctrl-C or SIGTERM.
     """
     view = ProgressView(run.folder)
+    progress = run.folder / "progress.jsonl"
     signal.signal(signal.SIGTERM, _interrupt)
     with (run.folder / "roslaunch.log").open("wb") as log:
         process = subprocess.Popen(
@@ -173,8 +161,11 @@ def launch(run: Run) -> int:
             start_new_session=True,  # Ctrl-C reaches this process only, which passes it on once
         )
         try:
+            has_parameters = False
             while process.poll() is None:
                 view.update()
+                if not has_parameters and progress.is_file():  # roslaunch has set all of them
+                    has_parameters = save_parameters(run.env["ROS_MASTER_URI"], run.folder)
                 time.sleep(_POLL_S)
             return process.returncode
         except KeyboardInterrupt:

@@ -10,6 +10,7 @@ from pathlib import Path
 from urllib.parse import urlsplit
 
 from trident_tool.environment import ros_environment
+from trident_tool.launch_facts import LAUNCH_FILE
 from trident_tool.workspace import Runner, Workspace, say
 
 # An interactive bash reads the user's own settings first: they must not undo the order of PATH.
@@ -33,7 +34,7 @@ def master_answers(uri: str) -> bool:
 
 def running_master(workspace: Workspace) -> str | None:
     """ROS_MASTER_URI of the newest run if that run is still going."""
-    facts = workspace.out / "latest" / "run.json"
+    facts = workspace.out / "latest" / LAUNCH_FILE
     try:
         uri = str(json.loads(facts.read_text(encoding="utf-8"))["ros_master_uri"])
     except (OSError, ValueError, KeyError):

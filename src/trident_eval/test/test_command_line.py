@@ -10,7 +10,13 @@ import pytest
 from runs import NAMES, Run
 from trident_eval.__main__ import main
 
-PICTURES = ["formation_error.png", "paths.png", "separation.png", "tracking_error.png"]
+PICTURES = [
+    "formation_error.png",
+    "height.png",
+    "paths.png",
+    "separation.png",
+    "tracking_error.png",
+]
 
 
 def assert_is_picture(path: Path) -> None:
@@ -55,8 +61,26 @@ def test_a_bad_run_exits_with_one_and_says_why(
 def test_a_run_that_left_nothing_fails(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["verdict", str(tmp_path)]) == 1
     assert "states.csv: No such file" in capsys.readouterr().out
+    page = (tmp_path / "report.html").read_text()
+    assert "FAIL" in page
+    assert "states.csv: No such file" in page
     verdict = json.loads((tmp_path / "verdict.json").read_text())
     assert verdict["pass"] is False
+
+
+def test_the_verdict_is_told_before_anything_is_drawn(
+    planned_run: Run, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    shown: list[str] = []
+
+    def draw(_scene: object, _folder: Path) -> list[Path]:
+        shown.append(capsys.readouterr().out)
+        return []
+
+    monkeypatch.setattr("trident_eval.__main__.draw_all", draw)
+    assert main(["verdict", str(planned_run.folder)]) == 0
+    assert "PASS" in shown[0]
+    assert (planned_run.folder / "verdict.json").is_file()
 
 
 def test_no_folder_is_no_run(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -82,7 +106,7 @@ def test_a_run_without_formation_has_paths_and_separation(planned_run: Run) -> N
         (planned_run.folder / f"formation_{name}.json").unlink()
     assert main(["verdict", str(planned_run.folder)]) == 0
     drawn = sorted(path.name for path in planned_run.folder.glob("*.png"))
-    assert drawn == ["paths.png", "separation.png"]
+    assert drawn == ["height.png", "paths.png", "separation.png"]
 
 
 def test_the_same_run_gives_the_same_pictures(planned_run: Run, tmp_path: Path) -> None:

@@ -6,20 +6,30 @@ from __future__ import annotations
 
 import argparse
 import json
+import platform
 import sys
+from datetime import datetime
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from trident_eval.bag import read_bag
+from trident_eval.core.animation import animate
 from trident_eval.core.command import Command, read_command
+from trident_eval.core.complaints import complaints
 from trident_eval.core.errors import EvalError
+from trident_eval.core.page import Report, page
 from trident_eval.core.plots import draw_all
-from trident_eval.core.report import page, table
+from trident_eval.core.provenance import Provenance, read_object, read_provenance
+from trident_eval.core.report import table
 from trident_eval.core.scene import Scene, formation_scene
 from trident_eval.core.tracks import read_states
+from trident_eval.core.vehicles import flights
 from trident_eval.core.verdict import Verdict, judge
 
 PASSED, FAILED, UNUSABLE = 0, 1, 2
+ANIMATION = "animation.gif"
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -46,6 +56,7 @@ def _parser() -> argparse.ArgumentParser:
     report = commands.add_parser("report", help="draw a run or a rosbag")
     report.add_argument("source", type=Path, metavar="RUN_OR_BAG", help="folder of a run, or a bag")
     report.add_argument("--out", type=Path, metavar="DIR", help="folder of the pictures")
+    report.add_argument("--animate", action="store_true", help="a moving plan view, too (GIF)")
     report.set_defaults(run=_report)
     return parser
 
@@ -63,9 +74,12 @@ def _verdict(options: argparse.Namespace) -> int:
     numbers = verdict.to_json()
     text = json.dumps(numbers, indent=2, allow_nan=False)
     (folder / "verdict.json").write_text(text + "\n", encoding="utf-8")
-    if scene and not options.no_pictures:
-        _draw(scene, numbers, folder)
-    print(table(numbers))
+    print(table(numbers), flush=True)  # pictures take longer than the verdict
+    if not options.no_pictures:
+        try:
+            write_report(scene, numbers, folder, folder)
+        except EvalError as error:
+            print(f"trident_eval: no report: {error}", file=sys.stderr)
     return PASSED if verdict.passed else FAILED
 
 
@@ -79,38 +93,84 @@ def _report(options: argparse.Namespace) -> int:
         scene, numbers = read_bag(source), None
         folder = options.out or source.with_name(source.stem + "_report")
     folder.mkdir(parents=True, exist_ok=True)
-    for picture in _draw(scene, numbers, folder):
+    if options.animate:
+        animate(scene, folder / ANIMATION, _show_frames)
+    for picture in write_report(scene, numbers, source, folder):
         print(picture)
     return PASSED
+
+
+def _show_frames(count: int, total: int) -> None:
+    if sys.stderr.isatty():
+        end = "\n" if count == total else ""
+        print(f"\rdrawing {100 * count // total:3d} %", end=end, file=sys.stderr, flush=True)
 
 
 def _judge_folder(folder: Path) -> tuple[Scene, Verdict]:
     tracks = read_states(folder / "states.csv")
     command = read_command(folder)
-    verdict = judge(tracks, command, _run_summary(folder / "run.json"))
+    verdict = judge(tracks, command, read_object(folder / "run.json"))
     title = folder.resolve().name
     if isinstance(command, Command):
         return formation_scene(title, tracks, command), verdict
     return Scene(title, tracks), verdict
 
 
-def _run_summary(path: Path) -> dict[str, Any]:
-    if not path.exists():
-        return {}
-    try:
-        summary = json.loads(path.read_text(encoding="utf-8"))
-    except (OSError, ValueError) as error:
-        raise EvalError(f"{path}: {error}; legal: what the simulator writes at its end") from error
-    if not isinstance(summary, dict):
-        raise EvalError(f"{path}: not an object; legal: what the simulator writes at its end")
-    return summary
+def write_report(
+    scene: Scene | None, numbers: dict[str, Any] | None, source: Path, folder: Path
+) -> list[Path]:
+    """Draw a scene and write report.html, which holds the pictures.
+
+    Args:
+        scene: what to show; None: nothing is known of the vehicles.
+        numbers: of the verdict, if there is one.
+        source: the run's folder, or a bag.
+        folder: where the files go; an animation that is there already is shown too.
+
+    Returns:
+        The files.
+
+    Raises:
+        EvalError: a file of the run is not what it should be.
+    """
+    pictures = draw_all(scene, folder) if scene else []
+    if scene and (folder / ANIMATION).is_file():
+        pictures.insert(0, folder / ANIMATION)
+    provenance = read_provenance(source) if source.is_dir() else Provenance()
+    report = Report(
+        title=source.resolve().name,
+        about=_about(scene, source, provenance),
+        verdict=numbers,
+        flown=flights(scene) if scene else (),
+        pictures=pictures,
+        provenance=provenance,
+        complaints=complaints(source / "roslaunch.log"),
+        drawn_with=_drawn_with(),
+    )
+    path = folder / "report.html"
+    path.write_text(page(report), encoding="utf-8")
+    return [*pictures, path]
 
 
-def _draw(scene: Scene, numbers: dict[str, Any] | None, folder: Path) -> list[Path]:
-    pictures = draw_all(scene, folder)
-    report = folder / "report.html"
-    report.write_text(page(scene.title, numbers, pictures), encoding="utf-8")
-    return [*pictures, report]
+def _about(scene: Scene | None, source: Path, provenance: Provenance) -> str:
+    words = [Path(provenance.launch.get("launch_file", source)).name]
+    if scene:
+        begin, end = scene.tracks.time[0], scene.tracks.time[-1]
+        count = len(scene.tracks.names)
+        words.append(f"{count} vehicle{'s' * (count != 1)}")
+        words.append(f"{begin:.1f} s to {end:.1f} s of simulated time")
+    return ", ".join(words)
+
+
+def _drawn_with() -> dict[str, str]:
+    import matplotlib
+
+    return {
+        "Python": platform.python_version(),
+        "numpy": np.__version__,
+        "matplotlib": matplotlib.__version__,
+        "written": datetime.now().astimezone().isoformat(timespec="seconds"),
+    }
 
 
 if __name__ == "__main__":

@@ -48,6 +48,7 @@ def draw_all(scene: Scene, folder: Path) -> list[Path]:
     matplotlib.use("Agg")
     drawings = {
         "paths.png": _draw_paths,
+        "height.png": _draw_height,
         "formation_error.png": _draw_formation_error,
         "separation.png": _draw_separation,
         "tracking_error.png": _draw_tracking_error,
@@ -77,9 +78,8 @@ def _draw_paths(scene: Scene) -> Any:
     plan = figure.add_subplot(grid[1])
     for index, name in enumerate(scene.tracks.names):
         x, y, z = scene.tracks.position[:, index].T
-        colour = _colour(index)
-        space.plot(x, y, z, color=colour)
-        plan.plot(x, y, color=colour, label=name)
+        space.plot(x, y, z, color=colour(index))
+        plan.plot(x, y, color=colour(index), label=name)
         if scene.commanded is not None:
             cx, cy, _ = scene.commanded[:, index].T
             plan.plot(cx, cy, color="black", linewidth=0.6, linestyle=(0, (4, 3)), zorder=3)
@@ -128,13 +128,13 @@ def _mark_formations(scene: Scene, space: Any, plan: Any) -> None:
         points = points[np.isfinite(points).all(axis=1)]
         if len(points) < 2:
             continue
-        around = points[_around(points)]
-        plan.plot(around[:, 0], around[:, 1], color="#777777", linewidth=0.9, zorder=4)
+        outline = points[around(points)]
+        plan.plot(outline[:, 0], outline[:, 1], color="#777777", linewidth=0.9, zorder=4)
         plan.plot(points[:, 0], points[:, 1], "o", color="#333333", markersize=3.5, zorder=5)
-        space.plot(*around.T, color="#777777", linewidth=0.9)
+        space.plot(*outline.T, color="#777777", linewidth=0.9)
 
 
-def _around(points: Array) -> Any:
+def around(points: Array) -> Any:
     """Order of points around their centre, closed; along the line if they are on one."""
     flat = points[:, :2] - points[:, :2].mean(axis=0)
     u, singular, _ = np.linalg.svd(flat, full_matrices=False)
@@ -142,6 +142,16 @@ def _around(points: Array) -> Any:
         return np.argsort(u[:, 0])
     order = np.argsort(np.arctan2(flat[:, 1], flat[:, 0]))
     return np.append(order, order[0])
+
+
+def _draw_height(scene: Scene) -> Any:
+    figure, axes = _time_figure(scene, "height", "z in the world [m]")
+    for index, name in enumerate(scene.tracks.names):
+        z = scene.tracks.position[:, index, 2]
+        axes.plot(scene.tracks.time, z, color=colour(index), label=name)
+    axes.set_ylim(bottom=min(0.0, axes.get_ylim()[0]))
+    _finish(axes)
+    return figure
 
 
 def _draw_formation_error(scene: Scene) -> Any:
@@ -179,7 +189,7 @@ def _draw_tracking_error(scene: Scene) -> Any:
         return None
     figure, axes = _time_figure(scene, "tracking error", "distance to the command [m]")
     for index, name in enumerate(scene.tracks.names):
-        axes.plot(scene.tracks.time, error[:, index], color=_colour(index), label=name)
+        axes.plot(scene.tracks.time, error[:, index], color=colour(index), label=name)
     _fit(axes, scene, error, None)
     _finish(axes)
     return figure
@@ -222,5 +232,6 @@ def _legend_below(axes: Any, offset: float) -> None:
     axes.legend(loc="upper center", bbox_to_anchor=(0.5, offset), ncols=8, fontsize=9)
 
 
-def _colour(index: int) -> str:
+def colour(index: int) -> str:
+    """Colour of a vehicle, in the order of the scene."""
     return _COLOURS[index % len(_COLOURS)]

@@ -1,11 +1,10 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""Verdict and pictures for people: a short table, and a page."""
+"""A verdict for people: its rows, and a short table of text."""
 
 from __future__ import annotations
 
-import html
-from pathlib import Path
+from dataclasses import dataclass
 from typing import Any
 
 _ROWS = (
@@ -20,50 +19,68 @@ _ROWS = (
     ("real-time factor", "rtf", ""),
     ("state hash", "state_hash", ""),
 )
+_BELOW = {"formation_rms_m": "formation_rms_limit_m"}
+_AT_LEAST = {"min_separation_m": "min_separation_limit_m"}
 
 
-def verdict_rows(verdict: dict[str, Any]) -> list[tuple[str, str]]:
-    """Label and value of everything in a verdict that is known, in the order to be shown."""
-    shown = [("vehicles", ", ".join(verdict.get("vehicles") or []))]
+@dataclass(frozen=True)
+class Row:
+    """One line of a verdict.
+
+    Attributes:
+        label: what it is.
+        value: with its unit.
+        limit: what it is held against; "" where nothing is, or the value says it.
+        is_met: whether the value is as it must be; None where any value is.
+    """
+
+    label: str
+    value: str
+    limit: str = ""
+    is_met: bool | None = None
+
+
+def verdict_rows(verdict: dict[str, Any]) -> list[Row]:
+    """Everything in a verdict that is known, in the order to be shown."""
+    shown = [Row("vehicles", ", ".join(verdict.get("vehicles") or []))]
     for label, key, unit in _ROWS:
         value = verdict.get(key)
-        if value is None:
-            continue
-        text = f"{value:.3f}" if isinstance(value, float) else str(value)
-        if key == "rows_flown":
-            text = f"{value} of {verdict.get('rows')}"
-        shown.append((label, f"{text} {unit}".strip()))
+        if value is not None or _limit(verdict, key) is not None:
+            shown.append(_row(verdict, label, key, unit))
     return shown
 
 
 def table(verdict: dict[str, Any]) -> str:
     """The verdict as aligned lines of text."""
     rows = verdict_rows(verdict)
-    width = max(len(label) for label, _ in rows)
-    lines = [f"  {label:<{width}}  {value}" for label, value in rows]
+    width = max(len(row.label) for row in rows)
+    lines = []
+    for row in rows:
+        limit = f"  (limit: {row.limit})" if row.limit else ""
+        lines.append(f"  {row.label:<{width}}  {row.value}{limit}")
     lines.append(f"  {'verdict':<{width}}  {'PASS' if verdict['pass'] else 'FAIL'}")
     lines += [f"    - {reason}" for reason in verdict["reasons"]]
     return "\n".join(lines)
 
 
-def page(title: str, verdict: dict[str, Any] | None, pictures: list[Path]) -> str:
-    """The verdict (if there is one) and the pictures, which lie beside it, as one HTML page."""
-    parts = [
-        "<!doctype html><html lang='en'><meta charset='utf-8'>",
-        f"<title>{html.escape(title)}</title>",
-        "<style>body{font:15px/1.5 sans-serif;max-width:1100px;margin:2em auto;padding:0 1em}"
-        "img{max-width:100%}td{padding:.1em 1.5em .1em 0}.bad{color:#b00020}</style>",
-        f"<h1>{html.escape(title)}</h1>",
-    ]
-    if verdict is not None:
-        word = "pass" if verdict["pass"] else "fail"
-        parts.append(f"<p><b class='{'' if verdict['pass'] else 'bad'}'>{word}</b></p><table>")
-        for label, value in verdict_rows(verdict):
-            parts.append(f"<tr><td>{html.escape(label)}<td>{html.escape(value)}")
-        parts.append("</table><ul class='bad'>")
-        parts += [f"<li>{html.escape(reason)}" for reason in verdict["reasons"]]
-        parts.append("</ul>")
-    for picture in pictures:
-        name = html.escape(picture.name)
-        parts.append(f"<p><img src='{name}' alt='{name}'></p>")
-    return "\n".join(parts) + "\n"
+def _row(verdict: dict[str, Any], label: str, key: str, unit: str) -> Row:
+    value, limit = verdict.get(key), _limit(verdict, key)
+    if key == "rows_flown":
+        return Row(label, f"{value} of {verdict.get('rows')}", "", value == verdict.get("rows"))
+    text = "unknown" if value is None else _text(value, unit)
+    if limit is None:
+        return Row(label, text)
+    if key in _BELOW:
+        return Row(label, text, f"below {_text(limit, unit)}", value is not None and value < limit)
+    is_met = value is not None and value >= limit
+    return Row(label, text, f"at least {_text(limit, unit)}", is_met)
+
+
+def _limit(verdict: dict[str, Any], key: str) -> Any:
+    name = _BELOW.get(key) or _AT_LEAST.get(key)
+    return verdict.get(name) if name else None
+
+
+def _text(value: Any, unit: str) -> str:
+    text = f"{value:.3f}" if isinstance(value, float) else str(value)
+    return f"{text} {unit}".strip()

@@ -81,8 +81,10 @@ def judge(tracks: Tracks, command: Command | Refusal | None, run: dict[str, Any]
         "vehicles": names,
         "formation_file": None,
         "formation_rms_m": None,
+        "formation_rms_limit_m": None,
         "tracking_rms_m": None,
         "min_separation_m": None,
+        "min_separation_limit_m": None,
         "file_min_separation_m": None,
         "rows_flown": None,
         "rows": None,
@@ -159,13 +161,17 @@ def _rows_flown(tracks: Tracks, command: Command, offset: Array) -> int:
 def _judge_formation(tracks: Tracks, command: Command, verdict: Verdict) -> None:
     result = score(tracks, command)
     file_separation = _known(min_separation(command.rows))
+    least = None if file_separation is None else file_separation - SEPARATION_SLACK_M
+    limit = FORMATION_RMS_LIMIT_M[command.mode]
     total = len(command.rows)
     verdict.numbers |= {
         "mode": command.mode,
         "formation_file": command.file,
         "formation_rms_m": result.formation_rms_m,
+        "formation_rms_limit_m": limit,
         "tracking_rms_m": result.tracking_rms_m,
         "min_separation_m": result.min_separation_m,
+        "min_separation_limit_m": least,
         "file_min_separation_m": file_separation,
         "rows_flown": result.rows_flown,
         "rows": total,
@@ -177,16 +183,13 @@ def _judge_formation(tracks: Tracks, command: Command, verdict: Verdict) -> None
         verdict.numbers["steady_offset_m"] = None
     if result.rows_flown < total:
         verdict.reasons.append(f"{result.rows_flown} of {total} rows flown by all vehicles")
-    limit = FORMATION_RMS_LIMIT_M[command.mode]
     if result.formation_rms_m is None or result.formation_rms_m >= limit:
         verdict.reasons.append(f"formation RMS {_text(result.formation_rms_m)}, limit {limit:g} m")
-    if file_separation is not None:
-        least = file_separation - SEPARATION_SLACK_M
-        if result.min_separation_m is None or result.min_separation_m < least:
-            verdict.reasons.append(
-                f"minimum separation {_text(result.min_separation_m)}, limit {least:.3f} m"
-                f"{_closest_pair(tracks.between(result.start_s or 0.0, result.end_s))}"
-            )
+    if least is not None and (result.min_separation_m is None or result.min_separation_m < least):
+        verdict.reasons.append(
+            f"minimum separation {_text(result.min_separation_m)}, limit {least:.3f} m"
+            f"{_closest_pair(tracks.between(result.start_s or 0.0, result.end_s))}"
+        )
 
 
 def _closest_pair(tracks: Tracks) -> str:
