@@ -7,7 +7,12 @@ from setuptools import setup
 
 setup(
     **generate_distutils_setup(
-        packages=["trident_fleet", "trident_fleet.core", "trident_fleet.nodes"],
+        packages=[
+            "trident_fleet",
+            "trident_fleet.cli",
+            "trident_fleet.core",
+            "trident_fleet.nodes",
+        ],
         package_dir={"": "src"},
         package_data={"trident_fleet": ["py.typed"]},
     )

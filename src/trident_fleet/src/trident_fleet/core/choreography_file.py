@@ -1,0 +1,129 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""Choreographies from a YAML file, or from the words of a command line."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from trident_fleet.core.choreography import Choreography, Step
+from trident_fleet.core.errors import FormationError
+from trident_fleet.core.formation_file import Vector
+from trident_fleet.core.patterns import KINDS, Pattern
+from trident_fleet.core.strict_yaml import Section, load
+
+_STEP_KEYS = ("reconfigure", "translate_m", "rotate_deg", "rescale")
+
+
+def read_choreography(path: Path) -> Choreography:
+    """Read a YAML file.
+
+    Args:
+        path: with keys `vehicles`, `begin`, `steps` and the optional others of `Choreography`.
+
+    Raises:
+        FormationError: unreadable, an unknown key, a wrong type; names file, line and key.
+    """
+    root = load(path)
+    start = root.section("begin")
+    default = Choreography(1, Pattern("line"))
+    choreography = Choreography(
+        vehicles=root.integer("vehicles", 6),
+        begin=_pattern(start, ("position_m", "heading_deg")),
+        steps=tuple(_step(section) for section in root.sections("steps")),
+        position_m=start.vector("position_m", default.position_m),
+        heading_deg=start.number("heading_deg", default.heading_deg),
+        min_separation_m=root.number("min_separation_m", default.min_separation_m),
+        row_spacing_m=root.number("row_spacing_m", default.row_spacing_m),
+    )
+    root.finish()
+    try:
+        choreography.validate()
+    except FormationError as error:
+        raise FormationError(_placed(str(error), path)) from error
+    return choreography
+
+
+def parse_words(words: list[str], vehicles: int, spacing_m: float) -> Choreography:
+    """Read a command line: a pattern to begin with, then patterns and moves.
+
+    Args:
+        words: `line`, `wedge`, `circle`, `grid`; `translate:X,Y,Z` [m], `rotate:DEGREES`,
+            `rescale:FACTOR`.
+        vehicles: how many.
+        spacing_m: of all patterns [m].
+
+    Raises:
+        FormationError: another word, or a first one that is no pattern.
+    """
+    if not words or words[0] not in KINDS:
+        first = f"'{words[0]}'" if words else "nothing"
+        raise FormationError(f"{first} to begin with; legal: {', '.join(KINDS)}")
+    steps = [_step_of_word(word, number, spacing_m) for number, word in enumerate(words[1:], 2)]
+    return Choreography(vehicles, Pattern(words[0], spacing_m), tuple(steps))
+
+
+def _pattern(section: Section, besides: tuple[str, ...] = ()) -> Pattern:
+    """A pattern; keys that are named in `besides` are read by the caller."""
+    kind = section.text("pattern", "")
+    if kind not in KINDS:
+        raise FormationError(f"{section.where}: pattern: '{kind}'; legal: {', '.join(KINDS)}")
+    pattern = Pattern(
+        kind=kind,
+        spacing_m=section.number("spacing_m", 1.5),
+        radius_m=section.number("radius_m", 0.0) if kind == "circle" else 0.0,
+        opening_deg=section.number("opening_deg", 90.0) if kind == "wedge" else 90.0,
+        columns=section.integer("columns", 0) if kind == "grid" else 0,
+    )
+    for name in besides:
+        section.skip(name)
+    section.finish()
+    try:
+        pattern.validate()
+    except FormationError as error:
+        raise FormationError(f"{section.where}: {error}") from error
+    return pattern
+
+
+def _step(section: Section) -> Step:
+    if not any(key in section for key in _STEP_KEYS):
+        raise FormationError(f"{section.where}: an empty step; legal: {', '.join(_STEP_KEYS)}")
+    step = Step(
+        pattern=_pattern(section.section("reconfigure")) if "reconfigure" in section else None,
+        translate_m=section.vector("translate_m", (0.0, 0.0, 0.0)),
+        rotate_deg=section.number("rotate_deg", 0.0),
+        rescale=section.number("rescale", 1.0),
+        where=section.where,
+    )
+    section.skip("reconfigure")
+    section.finish()
+    return step
+
+
+def _placed(message: str, path: Path) -> str:
+    return message if message.startswith(str(path)) else f"{path}: {message}"
+
+
+def _step_of_word(word: str, number: int, spacing_m: float) -> Step:
+    where = f"step {number} ({word})"
+    if word in KINDS:
+        return Step(pattern=Pattern(word, spacing_m), where=where)
+    name, _, value = word.partition(":")
+    numbers = _numbers(value)
+    if name == "rotate" and len(numbers) == 1:
+        return Step(rotate_deg=numbers[0], where=where)
+    if name == "rescale" and len(numbers) == 1:
+        return Step(rescale=numbers[0], where=where)
+    if name == "translate" and len(numbers) == 3:
+        way: Vector = (numbers[0], numbers[1], numbers[2])
+        return Step(translate_m=way, where=where)
+    raise FormationError(
+        f"'{word}'; legal: {', '.join(KINDS)}, translate:X,Y,Z, rotate:DEGREES, rescale:FACTOR"
+    )
+
+
+def _numbers(text: str) -> list[float]:
+    try:
+        return [float(part) for part in text.split(",")]
+    except ValueError:
+        return []
