@@ -6,6 +6,17 @@
 
 namespace trident {
 
+std::string one_line(std::string text) {
+  constexpr std::size_t kLongest = 400;
+  for (char& c : text) {
+    if (static_cast<unsigned char>(c) < 0x20) c = ' ';
+  }
+  if (text.size() <= kLongest) return text;
+  std::size_t cut = kLongest;
+  while (cut > 0 && (text[cut] & 0xC0) == 0x80) --cut;  // not within a UTF-8 character
+  return text.substr(0, cut) + " ...";
+}
+
 geometry_msgs::Point to_point(const Eigen::Vector3d& p) {
   geometry_msgs::Point result;
   result.x = p.x(), result.y = p.y(), result.z = p.z();

@@ -21,6 +21,10 @@
 
 namespace trident {
 
+/// A text that may quote what a user sent, for a log or a status: without line ends and other
+/// control characters, and not longer than a screen is wide a few times.
+std::string one_line(std::string text);
+
 inline ros::Time to_ros(SimTime time) {
   ros::Time result;
   result.fromNSec(static_cast<std::uint64_t>(time.ns));

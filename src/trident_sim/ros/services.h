@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "conversions.h"
 #include "simulation.h"
 
 namespace trident {
@@ -37,7 +38,7 @@ bool answer(Response& response, const char* failure_prefix, Work&& work) {
     response.success = true;
   } catch (const std::exception& error) {
     response.success = false;
-    response.status_message = std::string(failure_prefix) + error.what();
+    response.status_message = one_line(std::string(failure_prefix) + error.what());
     ROS_ERROR("%s", response.status_message.c_str());
   }
   return true;

@@ -79,7 +79,7 @@ void advertise_force_services(ros::NodeHandle& node, Simulation& simulation, Ser
         Simulation::Access access(simulation);
         const Link* link = access.world().find_link(request.body_name);
         if (link == nullptr) {
-          ROS_ERROR("ClearBodyWrenches: body [%s] does not exist", request.body_name.c_str());
+          ROS_ERROR("ClearBodyWrenches: body [%s] does not exist", one_line(request.body_name).c_str());
         } else {
           access.world().clear_wrenches(*link);
         }
@@ -93,7 +93,7 @@ void advertise_force_services(ros::NodeHandle& node, Simulation& simulation, Ser
             access.world().clear_efforts(required_joint(access.world(), request.joint_name));
             return true;
           } catch (const Error& error) {
-            ROS_ERROR("ClearJointForces: %s", error.what());
+            ROS_ERROR("ClearJointForces: %s", one_line(error.what()).c_str());
             return false;
           }
         }));

@@ -120,7 +120,7 @@ auto logged(Simulation& simulation, const char* what, Set set) {
     try {
       set(simulation, state);
     } catch (const Error& error) {
-      ROS_ERROR("%s: %s", what, error.what());
+      ROS_ERROR("%s: %s", what, one_line(error.what()).c_str());
     }
   };
 }

@@ -55,7 +55,8 @@ Simulation::Simulation(ros::NodeHandle& node, const ServerOptions& options)
   for (const std::string& warning : options.warnings) this->report(Severity::kWarning, warning);
 }
 
-void Simulation::report(Severity severity, const std::string& text) {
+void Simulation::report(Severity severity, const std::string& raw_text) {
+  const std::string text = one_line(raw_text);
   if (severity == Severity::kError) {
     ROS_ERROR("%s", text.c_str());
   } else {
