@@ -13,6 +13,7 @@ from pathlib import Path
 
 from trident_tool.building import build
 from trident_tool.environment import ros_environment
+from trident_tool.formation import add_formation_commands
 from trident_tool.lint import CHECKS, run_checks
 from trident_tool.provision import provision
 from trident_tool.running import run_launch_file
@@ -37,6 +38,8 @@ COMMANDS = (
     "test",
     "lint",
     "run",
+    "formation",
+    "formation-launch",
     "bench",
     "report",
     "view",
@@ -138,6 +141,7 @@ def make_parser() -> argparse.ArgumentParser:
 
     _add_workspace_commands(add)
     _add_running_commands(add)
+    add_formation_commands(add)
     commands.add_parser("help", help="show this text")
     return parser
 

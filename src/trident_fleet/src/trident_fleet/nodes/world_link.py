@@ -146,12 +146,15 @@ class WorldLink:
         topic = SIMULATOR + "/fleet_state"
         subscriber = rospy.Subscriber(topic, FleetState, on_state, tcp_nodelay=True)
         reported = asked = time.monotonic()
+        known = 0
         try:
             while not rospy.is_shutdown():
                 missing = [name for name in names if name not in found]
                 if not missing:
                     return Spawned(stamp_ns[0], np.array([found[name] for name in names]))
                 now = time.monotonic()
+                if len(found) > known:
+                    known, asked = len(found), now
                 if now - asked > _ASK_S:
                     # A world that stands still may have nothing to publish.
                     found.update(_ask_for_poses(missing))
