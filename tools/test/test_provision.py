@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 from trident_tool import provision
 from trident_tool.provision import (
+    link_workspace,
     missing_packages,
     parse_dpkg_status,
     parse_package_list,
@@ -112,3 +113,22 @@ def test_venv_is_left_alone_when_its_stamp_fits(
     (clone.venv / ".trident-stamp").write_text(venv_key(clone, "a==1\n", version), encoding="utf-8")
     provision.install_venv(clone, Runner(dry_run=True))
     assert capsys.readouterr().out == ""
+
+
+def test_the_python_of_the_clone_finds_what_is_built(clone: Workspace) -> None:
+    link_workspace(clone)  # nothing to link in yet
+    source = clone.root / "src" / "fleet" / "src"
+    (source / "fleet").mkdir(parents=True)
+    (source / "fleet" / "py.typed").touch()
+    site = clone.venv / "lib" / "python3.11" / "site-packages"
+    site.mkdir(parents=True)
+    link_workspace(clone)
+    link = site / "trident.pth"
+    packages = clone.devel / "lib" / "python3" / "dist-packages"
+    assert link.read_text(encoding="utf-8") == f"{source}\n{packages}\n"
+    before = link.stat().st_mtime_ns
+    link_workspace(clone)
+    assert link.stat().st_mtime_ns == before, "what is done is not done again"
+    link.write_text("/elsewhere\n", encoding="utf-8")  # the clone was moved
+    link_workspace(clone)
+    assert "elsewhere" not in link.read_text(encoding="utf-8")

@@ -15,6 +15,7 @@ from pathlib import Path
 from trident_tool.workspace import Runner, TridentError, Workspace, hide_from_crawlers, say
 
 _STAMP = ".trident-stamp"
+_LINK = "trident.pth"
 
 
 def parse_package_list(text: str, source: str = "apt-packages.txt") -> list[str]:
@@ -137,11 +138,27 @@ def install_venv(workspace: Workspace, runner: Runner) -> None:
         stamp.write_text(key, encoding="utf-8")
 
 
+def link_workspace(workspace: Workspace) -> None:
+    """Has the Python of .venv find the workspace's packages without a sourced shell.
+
+    What is on PYTHONPATH, such as an overlay, comes first. Typed packages are found where their
+    sources are: type checkers cannot look through the modules that catkin puts in the devel space.
+    """
+    typed = sorted({path.parents[1] for path in workspace.root.glob("src/*/src/*/py.typed")})
+    folders = [*typed, workspace.devel / "lib" / "python3" / "dist-packages"]
+    text = "".join(f"{folder}\n" for folder in folders)
+    for site in workspace.venv.glob("lib/python3.*/site-packages"):
+        link = site / _LINK
+        if not link.is_file() or link.read_text(encoding="utf-8") != text:
+            link.write_text(text, encoding="utf-8")
+
+
 def provision(workspace: Workspace, runner: Runner) -> None:
     """Brings the machine and the clone to the state that building needs."""
     install_apt(workspace, runner)
     install_venv(workspace, runner)
     if not runner.dry_run:
+        link_workspace(workspace)
         hide_from_crawlers(workspace.build)
         hide_from_crawlers(workspace.out)
 

@@ -33,7 +33,6 @@ import trident_sim
 NS_PER_S = 1_000_000_000
 FORMATION = "package://trident_bringup/config/formations/hexagon_translate_rotate.txt"
 WORLD = "package://rotors_gazebo/worlds/{}.world"
-MODEL = "package://rotors_description/urdf/mav_generic_odometry_sensor.gazebo"
 SPAWN_Y_M = (4.0, 2.4, 0.8, -0.8, -2.4, -4.0)
 SPAWN_Z_M = 0.1
 RECORD_NS = 50_000_000
@@ -71,18 +70,7 @@ class Flight:
 
 def spawn_vehicle(world: trident_sim.World, name: str, y_m: float, mav_name: str) -> None:
     """One vehicle with its controller, as launch/robot/uav.launch starts them."""
-    urdf = trident_sim.expand_xacro(
-        MODEL,
-        mav_name=mav_name,
-        namespace=name,
-        enable_ground_truth=True,
-        enable_logging=False,
-        log_file=mav_name,
-        wait_to_record_bag=False,
-        enable_mavlink_interface=False,
-    )
-    files = trident_sim.lee_parameter_files(mav_name)
-    urdf = trident_sim.with_lee_controller(urdf, name, files)
+    urdf = trident_sim.multirotor(name, mav_name)
     world.spawn(name, urdf=urdf, pose=(0.0, y_m, SPAWN_Z_M))
 
 

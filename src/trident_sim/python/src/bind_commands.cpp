@@ -47,7 +47,8 @@ void bind_wind(py::module_& module) {
   stamped<WindSample>(module, "WindSample", "Wind at a vehicle.")
       .def(py::init(make_wind), py::arg("velocity"), py::arg("stamp") = 0.0,
            py::arg("frame") = "world", "velocity: in the world frame [m/s], shape (3,).")
-      .def_readonly("frame", &WindSample::frame)
+      .def_readonly("frame", &WindSample::frame,
+                    "Of the header; the velocity is in the world frame.")
       .def_property_readonly(
           "velocity", [](const WindSample& s) { return s.v_world; },
           "In the world frame [m/s], shape (3,).");

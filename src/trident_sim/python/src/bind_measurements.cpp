@@ -46,25 +46,26 @@ void bind_transform(py::module_& module, const char* name, const char* doc) {
   transform.def_property_readonly(
       "orientation", [](const Sample& s) { return xyzw(s.T_parent_child.R); },
       "Of child_frame in parent_frame, quaternion x y z w, shape (4,).");
-  transform.def_readonly("parent_frame", &Sample::parent_frame)
-      .def_readonly("child_frame", &Sample::child_frame);
+  transform.def_readonly("parent_frame", &Sample::parent_frame, "Frame that the values are in.")
+      .def_readonly("child_frame", &Sample::child_frame, "Frame whose pose it is.");
 }
 
 void bind_poses(py::module_& module) {
   auto pose = stamped<PoseSample>(module, "PoseSample", "Pose of a body in frame.");
   add_pose(pose, &PoseSample::T_frame_body);
-  pose.def_readonly("frame", &PoseSample::frame);
+  pose.def_readonly("frame", &PoseSample::frame, "Frame that the values are in.");
   auto covered = stamped<PoseWithCovarianceSample>(module, "PoseWithCovarianceSample",
                                                    "Pose of a body in frame, with covariance.");
   add_pose(covered, &PoseWithCovarianceSample::T_frame_body);
-  covered.def_readonly("frame", &PoseWithCovarianceSample::frame)
+  covered.def_readonly("frame", &PoseWithCovarianceSample::frame, "Frame that the values are in.")
       .def_property_readonly(
           "covariance", [](const PoseWithCovarianceSample& s) { return to_matrix(s.covariance); },
           "x y z, rotation x y z [m, rad], shape (6, 6).");
   stamped<PointSample>(module, "PointSample", "Position of a body in frame.")
-      .def_readonly("frame", &PointSample::frame)
+      .def_readonly("frame", &PointSample::frame, "Frame that the values are in.")
       .def_property_readonly(
-          "position", [](const PointSample& s) { return s.p_frame; }, "[m], shape (3,).");
+          "position", [](const PointSample& s) { return s.p_frame; },
+          "Of the body in frame [m], shape (3,).");
   bind_transform<TransformSample>(module, "TransformSample",
                                   "Pose of child_frame in parent_frame.");
   bind_transform<FrameSample>(module, "FrameSample",
@@ -83,17 +84,23 @@ void bind_imu(py::module_& module) {
       .def_property_readonly(
           "linear_acceleration", [](const ImuSample& s) { return s.a_imu; },
           "Specific force in frame [m/s^2], shape (3,).")
-      .def_property_readonly("orientation_covariance",
-                             [](const ImuSample& s) { return to_matrix(s.orientation_covariance); })
-      .def_property_readonly("angular_velocity_covariance",
-                             [](const ImuSample& s) { return to_matrix(s.gyro_covariance); })
-      .def_property_readonly("linear_acceleration_covariance",
-                             [](const ImuSample& s) { return to_matrix(s.accel_covariance); });
+      .def_property_readonly(
+          "orientation_covariance",
+          [](const ImuSample& s) { return to_matrix(s.orientation_covariance); },
+          "Rotation x y z [rad], shape (3, 3).")
+      .def_property_readonly(
+          "angular_velocity_covariance",
+          [](const ImuSample& s) { return to_matrix(s.gyro_covariance); },
+          "x y z in frame [rad/s], shape (3, 3).")
+      .def_property_readonly(
+          "linear_acceleration_covariance",
+          [](const ImuSample& s) { return to_matrix(s.accel_covariance); },
+          "x y z in frame [m/s^2], shape (3, 3).");
 }
 
 void bind_others(py::module_& module) {
   stamped<JointStateSample>(module, "JointStateSample", "Joint angles.")
-      .def_readonly("frame", &JointStateSample::frame)
+      .def_readonly("frame", &JointStateSample::frame, "Of the header; joint angles have none.")
       .def_readonly("names", &JointStateSample::names, "Joint names, n of them.")
       .def_property_readonly(
           "positions", [](const JointStateSample& s) { return to_numpy(s.positions); },
@@ -101,11 +108,11 @@ void bind_others(py::module_& module) {
   stamped<ScalarSample>(module, "ScalarSample", "One number.")
       .def_readonly("value", &ScalarSample::value, "SI unit of the quantity.");
   stamped<WrenchSample>(module, "WrenchSample", "Force and torque in frame.")
-      .def_readonly("frame", &WrenchSample::frame)
+      .def_readonly("frame", &WrenchSample::frame, "Frame that the values are in.")
       .def_property_readonly(
-          "force", [](const WrenchSample& s) { return s.force; }, "[N], shape (3,).")
+          "force", [](const WrenchSample& s) { return s.force; }, "In frame [N], shape (3,).")
       .def_property_readonly(
-          "torque", [](const WrenchSample& s) { return s.torque; }, "[N m], shape (3,).");
+          "torque", [](const WrenchSample& s) { return s.torque; }, "In frame [N m], shape (3,).");
 }
 
 }  // namespace

@@ -109,7 +109,7 @@ class ModelView {
 
 void bind_links(py::module_& module) {
   py::class_<LinkView>(module, "Link", "A link of a model, by name.")
-      .def_property_readonly("name", &LinkView::name)
+      .def_property_readonly("name", &LinkView::name, "Of the link in its model.")
       .def_property_readonly(
           "position", [](const LinkView& v) { return v.T_world_link().p; },
           "Origin of the link in the world [m], shape (3,).")
@@ -122,25 +122,27 @@ void bind_links(py::module_& module) {
           "angular_velocity", [](const LinkView& v) { return v.link().w_world(); },
           "In the world frame [rad/s], shape (3,).")
       .def_property_readonly(
-          "mass", [](const LinkView& v) { return v.link().inertial.mass_kg; }, "[kg]")
+          "mass", [](const LinkView& v) { return v.link().inertial.mass_kg; }, "Of the link [kg].")
       .def("apply_wrench", &LinkView::apply_wrench, py::arg("force"),
            py::arg("torque") = py::make_tuple(0, 0, 0), py::arg("duration") = -1.0,
            py::arg("point") = py::make_tuple(0, 0, 0),
            "Push from now on. force [N], torque [N m]: world frame, shape (3,). point: where the\n"
            "force acts, link frame [m], shape (3,). duration [s]; negative: until cleared.")
-      .def("clear_wrenches", &LinkView::clear_wrenches);
+      .def("clear_wrenches", &LinkView::clear_wrenches, "End all pushes on this link.");
 }
 
 void bind_joints(py::module_& module) {
   py::class_<JointView>(module, "Joint", "A joint of a model, by name.")
-      .def_property_readonly("name", &JointView::name)
+      .def_property_readonly("name", &JointView::name, "Of the joint in its model.")
       .def_property_readonly(
-          "position", [](const JointView& v) { return v.joint().position(); }, "[rad] or [m]")
+          "position", [](const JointView& v) { return v.joint().position(); },
+          "Angle [rad] or way [m] along its axis; 0: as its description has it.")
       .def_property_readonly(
-          "velocity", [](const JointView& v) { return v.joint().velocity(); }, "[rad/s] or [m/s]")
+          "velocity", [](const JointView& v) { return v.joint().velocity(); },
+          "Rate of its position [rad/s] or [m/s].")
       .def("apply_effort", &JointView::apply_effort, py::arg("effort"), py::arg("duration") = -1.0,
            "Drive it from now on. effort [N m] or [N]; duration [s]; negative: until cleared.")
-      .def("clear_efforts", &JointView::clear_efforts);
+      .def("clear_efforts", &JointView::clear_efforts, "End all efforts on this joint.");
 }
 
 }  // namespace
@@ -150,11 +152,13 @@ void bind_model(py::module_& module) {
   bind_joints(module);
   py::class_<ModelView>(module, "Model", "A model of the world, by name.")
       .def(py::init<std::shared_ptr<Session>, std::string>())
-      .def_property_readonly("name", &ModelView::name)
+      .def_property_readonly("name", &ModelView::name, "Of the model in the world.")
       .def_property_readonly(
           "namespace", [](const ModelView& v) { return v.model().robot_namespace; },
           "Prefix of its ports where the model does not say one.")
-      .def_property_readonly("is_static", [](const ModelView& v) { return v.model().is_static; })
+      .def_property_readonly(
+          "is_static", [](const ModelView& v) { return v.model().is_static; },
+          "Whether it never moves.")
       .def_property_readonly(
           "position", [](const ModelView& v) { return v.model().T_world_model().p; },
           "Origin of the model in the world [m], shape (3,).")
@@ -165,7 +169,7 @@ void bind_model(py::module_& module) {
                              "Of the model's origin, in the world frame [m/s], shape (3,).")
       .def_property_readonly("angular_velocity", &ModelView::w_world,
                              "In the world frame [rad/s], shape (3,).")
-      .def_property_readonly("mass", &ModelView::mass_kg, "[kg]")
+      .def_property_readonly("mass", &ModelView::mass_kg, "Of all its links [kg].")
       .def("set_pose", &ModelView::set_pose, py::arg("pose"),
            "Put it there. pose in the world: x y z, x y z roll pitch yaw, or x y z qx qy qz qw\n"
            "[m, rad], shape (3,), (6,) or (7,).")
@@ -174,8 +178,9 @@ void bind_model(py::module_& module) {
            "Of the whole model, in the world frame [m/s], [rad/s], shape (3,).")
       .def_property_readonly("links", &ModelView::links, "Names of its links.")
       .def_property_readonly("joints", &ModelView::joints, "Names of its joints.")
-      .def("link", &ModelView::link, py::arg("name"))
-      .def("joint", &ModelView::joint, py::arg("name"))
+      .def("link", &ModelView::link, py::arg("name"), "One of its links; Error if there is none.")
+      .def("joint", &ModelView::joint, py::arg("name"),
+           "One of its joints; Error if there is none.")
       .def("__repr__", [](const ModelView& v) { return "<trident_sim.Model '" + v.name() + "'>"; });
   for (const char* name : {"Link", "Joint", "Model"}) {
     module.attr(name).attr("__module__") = "trident_sim";

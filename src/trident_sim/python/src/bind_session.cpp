@@ -57,17 +57,20 @@ void bind_ports(py::module_& module) {
                        "A named place where the world leaves measurements (an output), takes\n"
                        "commands (an input), or both. Only what is subscribed is computed.")
       .def(py::init<std::shared_ptr<Session>, std::string>())
-      .def_property_readonly("name", &PortView::name)
+      .def_property_readonly("name", &PortView::name, "Full name, as that of the ROS topic.")
       .def_property_readonly("is_output", &PortView::is_output, "Whether it can be read.")
       .def_property_readonly("is_input", &PortView::is_input, "Whether it can be written.")
       .def_property_readonly("type", &PortView::type,
                              "Name of the class of its values, those that are read first.")
       .def_property_readonly("count", &PortView::count, "How many values there have been.")
-      .def_property_readonly("subscribed", &PortView::subscribed)
+      .def_property_readonly("subscribed", &PortView::subscribed,
+                             "Whether its values are asked for.")
       .def(
           "subscribe", [](PortView& port) { port.subscribe(true); },
           "From the next step on, have its values computed.")
-      .def("unsubscribe", [](PortView& port) { port.subscribe(false); })
+      .def(
+          "unsubscribe", [](PortView& port) { port.subscribe(false); },
+          "Have its values computed no longer.")
       .def_property_readonly("value", &PortView::value,
                              "The newest value, a copy. Subscribes; Error before the first value.")
       .def("read", &PortView::read,
@@ -84,8 +87,8 @@ void bind_ports(py::module_& module) {
 
 void bind_session(py::module_& module) {
   py::class_<Message>(module, "Message", "Something that went wrong and did not stop the world.")
-      .def_readonly("severity", &Message::severity, "'warning' or 'error'")
-      .def_readonly("text", &Message::text)
+      .def_readonly("severity", &Message::severity, "How bad it is: 'warning' or 'error'.")
+      .def_readonly("text", &Message::text, "What went wrong, and where.")
       .def_readonly("time", &Message::time_s, "Simulated time [s].")
       .def("__repr__", [](const Message& m) {
         return "<trident_sim.Message " + std::to_string(m.time_s) + " s " + m.severity + ": " +

@@ -41,22 +41,7 @@ def world() -> trident_sim.World:
 
 @pytest.fixture(scope="session")
 def firefly_urdf() -> str:
-    try:
-        path = trident_sim.find_resource(
-            "package://rotors_description/urdf/mav_generic_odometry_sensor.gazebo"
-        )
-    except trident_sim.Error as error:
-        pytest.skip(f"source the workspace first: {error}")
-    return trident_sim.expand_xacro(
-        path,
-        mav_name="firefly",
-        namespace="UAV1",
-        enable_ground_truth=True,
-        enable_logging=False,
-        log_file="firefly",
-        wait_to_record_bag=False,
-        enable_mavlink_interface=False,
-    )
+    return trident_sim.multirotor("UAV1", controlled=False)
 
 
 Fly = Callable[..., trident_sim.World]

@@ -66,15 +66,3 @@ def test_public_names_are_documented_and_say_where_they_belong() -> None:
 
 def test_typed() -> None:
     assert (PACKAGE / "py.typed").is_file()
-
-
-def test_the_example_of_the_readme_runs() -> None:
-    readme = (PACKAGE.parent / "README.md").read_text(encoding="utf-8")
-    code = readme.partition("```python\n")[2].partition("```")[0]
-    result = subprocess.run(
-        [sys.executable, "-c", code + "print(world.time, uav.position[2] > 0.9, world.messages)"],
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    assert (result.returncode, result.stdout.splitlines()[-1:]) == (0, ["5.0 True []"]), result

@@ -7,10 +7,10 @@ z up; quaternions are x y z w. Arrays that are returned are copies.
 
 Example:
     world = trident_sim.World("package://rotors_gazebo/worlds/basic.world", seed=1)
-    urdf = trident_sim.expand_xacro("my_robot.xacro", namespace="UAV1")
-    robot = world.spawn("UAV1", urdf=urdf, pose=(0.0, 0.0, 0.1))
-    world.step(100)
-    print(world.time, robot.position, world.state_hash())
+    uav = world.spawn("UAV1", urdf=trident_sim.multirotor("UAV1"), pose=(0.0, 0.0, 0.1))
+    world.ports["UAV1/command/trajectory"].write([[0.0, 0.0, 1.0]])
+    world.step(500)
+    print(world.time, uav.position, world.state_hash())
 """
 
 from trident_sim._core import (
@@ -35,13 +35,17 @@ from trident_sim._core import (
     WindSample,
     WrenchSample,
 )
+from trident_sim._environment import complete_environment
 from trident_sim.description import (
     expand_xacro,
     find_resource,
     lee_parameter_files,
+    multirotor,
     with_lee_controller,
 )
 from trident_sim.world import SimulationWarning, World
+
+complete_environment()
 
 __all__ = [
     "ActuatorCommand",
@@ -69,5 +73,6 @@ __all__ = [
     "expand_xacro",
     "find_resource",
     "lee_parameter_files",
+    "multirotor",
     "with_lee_controller",
 ]

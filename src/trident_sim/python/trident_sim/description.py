@@ -13,6 +13,7 @@ from trident_sim import _core
 from trident_sim._core import Error
 
 FilePath = str | os.PathLike[str]
+_MULTIROTOR = "package://rotors_description/urdf/mav_generic_odometry_sensor.gazebo"
 _LEE_PLUGIN = "libtrident_lee_position_controller.so"
 
 
@@ -128,3 +129,36 @@ def with_lee_controller(
         if found:
             return head + addition + found + tail
     raise Error("with_lee_controller: description has neither </robot> nor </model>")
+
+
+def multirotor(namespace: str, vehicle: str = "firefly", *, controlled: bool = True) -> str:
+    """Describe a multirotor of RotorS with motors, IMU, odometry and ground truth.
+
+    It is the one that `spawn_mav.launch` spawns. With a controller it takes set-points on
+    `<namespace>/command/trajectory` (position [m] and yaw [rad] in the world frame), without one
+    rotor speeds [rad/s] on `<namespace>/command/motor_speed`.
+
+    Args:
+        namespace: prefix of its ports.
+        vehicle: `firefly`, `hummingbird` or `iris`.
+        controlled: whether the Lee position controller flies it.
+
+    Returns:
+        Text of the URDF.
+
+    Raises:
+        Error: there is no such vehicle, or xacro is not installed.
+    """
+    urdf = expand_xacro(
+        _MULTIROTOR,
+        mav_name=vehicle,
+        namespace=namespace,
+        enable_ground_truth=True,
+        enable_logging=False,
+        log_file=vehicle,
+        wait_to_record_bag=False,
+        enable_mavlink_interface=False,
+    )
+    if not controlled:
+        return urdf
+    return with_lee_controller(urdf, namespace, lee_parameter_files(vehicle))
