@@ -6,27 +6,57 @@
 #include "conversions.h"
 #include "services.h"
 #include "trident_base/error.h"
+#include "trident_sim/sdf_loader.h"
 
 namespace trident {
 namespace {
 
-void spawn(Simulation& simulation, const gazebo_msgs::SpawnModel::Request& request) {
-  Simulation::Access access(simulation);
-  World& world = access.world();
+void check_request(const World& world, const gazebo_msgs::SpawnModel::Request& request) {
   if (world.find_model(request.model_name) != nullptr) {
     throw Error("model name " + request.model_name + " already exist.");
   }
   if (request.model_name.empty()) throw Error("model_name is empty");
   if (request.model_xml.empty()) throw Error("model_xml of '" + request.model_name + "' is empty");
-  SpawnRequest spawn;
-  spawn.name = request.model_name;
-  spawn.xml = request.model_xml;
-  spawn.robot_namespace = request.robot_namespace;
-  const auto first = spawn.robot_namespace.find_first_not_of('/');
-  spawn.robot_namespace = first == std::string::npos ? "" : spawn.robot_namespace.substr(first);
-  spawn.T_world_model = find_reference_frame(world, request.reference_frame).T_world_frame *
-                        from_pose(request.initial_pose);
-  world.spawn(spawn);
+}
+
+void report_all(const World& world, const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) world.report(Severity::kWarning, warning);
+}
+
+/// Reads the model while the world goes on: that takes longer than a hundred steps. Warnings come
+/// before an error, as from World::spawn().
+ModelSpec read_model(Simulation& simulation, const Resources& resources,
+                     const gazebo_msgs::SpawnModel::Request& request) {
+  std::vector<std::string> warnings;
+  const auto warn = [&warnings](const std::string& text) { warnings.push_back(text); };
+  try {
+    ModelSpec spec =
+        load_model_string(request.model_xml, "model '" + request.model_name + "'", resources, warn);
+    if (!warnings.empty()) report_all(Simulation::Access(simulation).world(), warnings);
+    return spec;
+  } catch (const Error&) {
+    report_all(Simulation::Access(simulation).world(), warnings);
+    throw;
+  }
+}
+
+void spawn(Simulation& simulation, const Resources& resources,
+           const gazebo_msgs::SpawnModel::Request& request) {
+  {
+    const Simulation::Access access(simulation);
+    check_request(access.world(), request);
+    find_reference_frame(access.world(), request.reference_frame);
+  }
+  ModelSpec spec = read_model(simulation, resources, request);
+  const Simulation::Access access(simulation);
+  World& world = access.world();
+  check_request(world, request);  // another request may have been faster
+  spec.name = request.model_name;
+  spec.T_world_model = find_reference_frame(world, request.reference_frame).T_world_frame *
+                       from_pose(request.initial_pose);
+  const auto first = request.robot_namespace.find_first_not_of('/');
+  world.spawn(std::move(spec),
+              first == std::string::npos ? "" : request.robot_namespace.substr(first));
   simulation.sync_topics();
 }
 
@@ -52,11 +82,14 @@ ReferenceFrame find_reference_frame(const World& world, const std::string& name)
 void advertise_spawn_services(ros::NodeHandle& node, Simulation& simulation, Servers& servers) {
   using gazebo_msgs::DeleteModel;
   using gazebo_msgs::SpawnModel;
+  // Not the world's own: models are read beside it. Loads go one at a time, so sharing is safe.
+  const auto resources = std::make_shared<Resources>();
   for (const char* name : {"spawn_urdf_model", "spawn_sdf_model", "spawn_gazebo_model"}) {
     servers.push_back(node.advertiseService<SpawnModel::Request, SpawnModel::Response>(
-        name, [&simulation](SpawnModel::Request& request, SpawnModel::Response& response) {
+        name,
+        [&simulation, resources](SpawnModel::Request& request, SpawnModel::Response& response) {
           return answer(response, "SpawnModel: Failure - ", [&] {
-            spawn(simulation, request);
+            spawn(simulation, *resources, request);
             response.status_message = "SpawnModel: Successfully spawned entity";
           });
         }));

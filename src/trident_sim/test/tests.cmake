@@ -35,6 +35,7 @@ catkin_add_gtest(trident_sim_test
   test/rotor_axis_test.cpp
   test/sdf_error_test.cpp
   test/sdf_frames_test.cpp
+  test/sdf_schema_test.cpp
   test/sdf_world_test.cpp
   test/setpoint_sources_test.cpp
   test/urdf_test.cpp
@@ -45,7 +46,8 @@ catkin_add_gtest(trident_sim_test
   test/world_lifecycle_test.cpp
   test/world_state_test.cpp
 )
-target_link_libraries(trident_sim_test trident_sim_test_support ${GTEST_MAIN_LIBRARIES})
+target_link_libraries(trident_sim_test
+  trident_sim_test_support sdformat12::sdformat12 ${GTEST_MAIN_LIBRARIES})
 target_include_directories(trident_sim_test PRIVATE src)  # parts of plugins
 
 # Closed loops, with the Lee controller as a plugin (trident_control_sim is defined later on).
