@@ -81,3 +81,55 @@ def test_undefined_argument_names_it(tmp_path: Path) -> None:
     result = expand([str(PACKAGE / "xacro"), str(path)])
     assert result.returncode != 0
     assert "missing_name" in result.stderr
+
+
+def write_package(folder: Path, name: str) -> Path:
+    folder.mkdir(parents=True)
+    (folder / "package.xml").write_text(f"<package><name>{name}</name></package>\n")
+    return folder
+
+
+def test_the_first_folder_of_the_path_that_has_a_package_wins(tmp_path: Path) -> None:
+    path = tmp_path / "model.xacro"
+    path.write_text(
+        '<robot xmlns:xacro="http://ros.org/wiki/xacro" a="$(find pkg_a)" b="$(find pkg_b)"/>\n'
+    )
+    first = write_package(tmp_path / "overlay/some/folder", "pkg_a")
+    write_package(tmp_path / "underlay/pkg_a", "pkg_a")
+    second = write_package(tmp_path / "underlay/pkg_b", "pkg_b")
+    folders = f"{tmp_path}/overlay:{tmp_path}/underlay"
+    result = expand([str(PACKAGE / "xacro"), str(path)], ROS_PACKAGE_PATH=folders)
+    assert result.returncode == 0, result.stderr
+    assert f'a="{first}"' in result.stdout
+    assert f'b="{second}"' in result.stdout
+
+
+def test_a_package_that_is_not_there_is_named_with_the_folders_searched(tmp_path: Path) -> None:
+    path = tmp_path / "model.xacro"
+    path.write_text('<robot xmlns:xacro="http://ros.org/wiki/xacro" a="$(find no_such)"/>\n')
+    result = expand([str(PACKAGE / "xacro"), str(path)], ROS_PACKAGE_PATH=str(tmp_path))
+    assert result.returncode != 0
+    assert "no_such" in result.stderr
+    assert str(tmp_path) in result.stderr
+    assert "Traceback" not in result.stderr
+
+
+def test_eval_converts_arguments(tmp_path: Path) -> None:
+    path = tmp_path / "model.xacro"
+    path.write_text(
+        '<robot xmlns:xacro="http://ros.org/wiki/xacro" a="$(eval size * 2)" '
+        "b=\"$(eval name + '_y')\"/>\n"
+    )
+    result = expand([str(PACKAGE / "xacro"), str(path), "size:=3", "name:=x"])
+    assert result.returncode == 0, result.stderr
+    assert 'a="6"' in result.stdout
+    assert 'b="x_y"' in result.stdout
+
+
+def test_malformed_xml_is_one_clear_error(tmp_path: Path) -> None:
+    path = tmp_path / "model.xacro"
+    path.write_text("<robot><link></robot>\n")
+    result = expand([str(PACKAGE / "xacro"), str(path)])
+    assert result.returncode != 0
+    assert str(path) in result.stderr
+    assert "Traceback" not in result.stderr
