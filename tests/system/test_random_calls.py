@@ -39,7 +39,17 @@ class RandomRequests:
 
     def __init__(self, seed: int, names: list[str]) -> None:
         self.random = random.Random(seed)
-        self.texts = [*names, *names, "", "world", "no_such", "ünï\ncode", "x" * 500, "UAV1::", "::"]
+        self.texts = [
+            *names,
+            *names,
+            "",
+            "world",
+            "no_such",
+            "ünï\ncode",
+            "x" * 500,
+            "UAV1::",
+            "::",
+        ]
         self.texts += [box_sdf("box"), vehicle_urdf("UAV1")[:3000], "<sdf/>", "<robot name='r'/>"]
         self.numbers = [0.0, 1.0, -1.0, 0.01, 1e-9, 1e300, float("nan"), float("inf")]
 
@@ -59,7 +69,9 @@ class RandomRequests:
         if kind == "string":
             return self.random.choice(self.texts)
         if kind.startswith("float"):
-            return self.random.choice((self.random.uniform(-2, 2), self.random.choice(self.numbers)))
+            return self.random.choice(
+                (self.random.uniform(-2, 2), self.random.choice(self.numbers))
+            )
         if kind == "bool":
             return self.random.random() < 0.5
         if kind in ("time", "duration"):
