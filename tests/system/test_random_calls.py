@@ -103,8 +103,9 @@ def outcome(proxy: Any, requests: RandomRequests) -> tuple[bool, str]:
     response_class = proxy.service_class._response_class
     try:
         response = proxy(requests.fill(proxy.request_class()))
-    except rospy.ServiceException as error:
-        assert not response_class.__slots__, f"{proxy.resolved_name}: {error}"
+    except rospy.ServiceException:
+        if response_class.__slots__:
+            raise
         return False, "an empty response has no words, the log does"
     words = getattr(response, "status_message", "") or getattr(response, "message", "")
     return bool(getattr(response, "success", True)), words

@@ -38,11 +38,30 @@ SEED_FILE = """<?xml version="1.0"?>
   <xacro:rotor name="a"><origin xyz="${arms[0]} 0 0"/></xacro:rotor>
   <xacro:rotor name="b" side="1"><origin xyz="${cos(pi/3)} 0 0"/></xacro:rotor>
   <xacro:if value="${mass > 1}"><link name="$(eval 1 + 2)"/></xacro:if>
-  <xacro:unless value="0"><link name="x_${name|default}"/></xacro:unless>
+  <xacro:unless value="0"><link name="x"/></xacro:unless>
 </robot>
-""".replace("_${name|default}", "")
-VALUES = ["", "nan", "${", "}", "${1/0}", "${undefined}", "$(arg none)", "$(find no_such)", "${'a'*9}",
-          "^", "**block", "params", "\x00", "&", "<", "xacro:rotor", "-1", "1e999", "${mass}"]  # fmt: skip
+"""
+VALUES = [
+    "",
+    "nan",
+    "${",
+    "}",
+    "${1/0}",
+    "${undefined}",
+    "$(arg none)",
+    "$(find no_such)",
+    "${'a'*9}",
+    "^",
+    "**block",
+    "params",
+    "\x00",
+    "&",
+    "<",
+    "xacro:rotor",
+    "-1",
+    "1e999",
+    "${mass}",
+]
 
 
 def mutate(text: str, generator: random.Random) -> str:
