@@ -59,12 +59,6 @@ int duplicate_socket(ros::TransportTCP& transport) {
 
 }  // namespace
 
-struct DirectInbox::Topic {
-  Handler handler;
-  ros::SubscriptionPtr subscription;
-  bool has_new_link = false;
-};
-
 struct DirectInbox::Link {
   Link(int epoll_set, std::uint64_t topic_id, ros::ConnectionPtr its_connection, int socket)
       : topic(topic_id),
@@ -88,11 +82,12 @@ DirectSubscription::~DirectSubscription() {
   inbox_.remove(id_);
 }
 
-DirectInbox::DirectInbox() : buffer_(kFirstBuffer) {
+DirectInbox::DirectInbox(Sockets sockets) : sockets_(sockets), buffer_(kFirstBuffer) {
   epoll_ = epoll_create1(EPOLL_CLOEXEC);
   wake_ = eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
   if (epoll_ < 0 || wake_ < 0) throw Error(std::string("sockets: ") + std::strerror(errno));
   watch(epoll_, wake_, kWakeKey);
+  if (sockets_ == Sockets::kReadByRoscpp) return;
   listener_ = ros::PollManager::instance()->addPollThreadListener([this] { take_over_links(); });
 }
 
@@ -103,17 +98,21 @@ DirectInbox::~DirectInbox() {
   close(epoll_);
 }
 
-std::uint64_t DirectInbox::add(Handler handler) {
+std::uint64_t DirectInbox::add(Topic topic) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const std::uint64_t id = next_key_++;
-  topics_[id] = std::make_unique<Topic>(Topic{std::move(handler), nullptr, false});
+  topics_.emplace(id, std::move(topic));
   return id;
 }
 
-void DirectInbox::attach(std::uint64_t id, const std::string& topic) {
-  ros::SubscriptionPtr subscription = find_subscription(topic);
+std::unique_ptr<DirectSubscription> DirectInbox::subscribed(ros::NodeHandle& node, std::uint64_t id,
+                                                            ros::SubscribeOptions options) {
+  std::unique_ptr<DirectSubscription> result(new DirectSubscription(*this, id));
+  result->subscriber_ = node.subscribe(options);
+  ros::SubscriptionPtr subscription = find_subscription(result->subscriber_.getTopic());
   const std::lock_guard<std::mutex> lock(mutex_);
-  topics_.at(id)->subscription = std::move(subscription);
+  topics_.at(id).subscription = std::move(subscription);
+  return result;
 }
 
 void DirectInbox::remove(std::uint64_t id) {
@@ -124,17 +123,19 @@ void DirectInbox::remove(std::uint64_t id) {
   }
 }
 
-void DirectInbox::put(std::uint64_t id, Span<const std::uint8_t> bytes) {
+DirectInbox::Handler DirectInbox::putter(std::uint64_t id) {
+  return [this, id](Span<const std::uint8_t> bytes) {
+    put({id, {bytes.begin(), bytes.end()}, nullptr});
+  };
+}
+
+// Without mutex_, which the reading thread may hold: its handlers publish, too.
+void DirectInbox::put(Item item) {
   {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    const auto topic = topics_.find(id);
-    if (topic == topics_.end()) return;
-    topic->second->has_new_link = true;
-    put_.emplace_back(id, std::vector<std::uint8_t>(bytes.begin(), bytes.end()));
+    const std::lock_guard<std::mutex> lock(put_mutex_);
+    put_.push_back(std::move(item));
   }
-  has_put_ = true;
-  has_new_links_ = true;
-  wake();
+  if (!has_put_.exchange(true)) wake();
 }
 
 // On roscpp's socket thread, between two polls: nobody is reading.
@@ -142,7 +143,7 @@ void DirectInbox::take_over_links() {
   if (!has_new_links_.exchange(false)) return;
   const std::lock_guard<std::mutex> lock(mutex_);
   for (auto& [id, topic] : topics_) {
-    if (topic->has_new_link && topic->subscription) take_over(*topic, id);
+    if (topic.has_new_link && topic.subscription) take_over(topic, id);
   }
 }
 
@@ -178,14 +179,14 @@ bool DirectInbox::wait(std::chrono::milliseconds limit) {
 
 void DirectInbox::read() {
   const std::lock_guard<std::mutex> lock(mutex_);
+  // Before what it announces: a put() that comes meanwhile must end the next wait.
+  if (std::find(ready_.begin(), ready_.end(), kWakeKey) != ready_.end()) {
+    std::uint64_t count = 0;
+    [[maybe_unused]] const auto size = ::read(wake_, &count, sizeof(count));
+  }
   if (has_put_.exchange(false)) read_put();
   for (const std::uint64_t key : ready_) {
-    if (key == kWakeKey) {
-      std::uint64_t count = 0;
-      [[maybe_unused]] const auto size = ::read(wake_, &count, sizeof(count));
-    } else {
-      read_link(key);
-    }
+    if (key != kWakeKey) read_link(key);
   }
   ready_.clear();
 }
@@ -201,11 +202,22 @@ std::size_t DirectInbox::link_count() {
 }
 
 void DirectInbox::read_put() {
-  for (const auto& [id, bytes] : put_) {
-    const auto topic = topics_.find(id);
-    if (topic != topics_.end()) topic->second->handler({bytes.data(), bytes.size()});
+  {
+    const std::lock_guard<std::mutex> lock(put_mutex_);
+    being_read_.swap(put_);
   }
-  put_.clear();
+  for (const Item& item : being_read_) {
+    const auto topic = topics_.find(item.topic);
+    if (topic == topics_.end()) continue;
+    if (item.object) {
+      topic->second.on_object(item.object.get());
+      continue;
+    }
+    topic->second.on_bytes({item.bytes.data(), item.bytes.size()});
+    topic->second.has_new_link = true;
+    has_new_links_ = true;
+  }
+  being_read_.clear();
 }
 
 void DirectInbox::read_link(std::uint64_t key) {
@@ -227,7 +239,7 @@ void DirectInbox::read_link(std::uint64_t key) {
 }
 
 void DirectInbox::hand_out(Link& link, std::size_t size) {
-  const Handler& handler = topics_.at(link.topic)->handler;
+  const Handler& handler = topics_.at(link.topic).on_bytes;
   std::size_t begin = 0;
   while (size - begin >= kLength) {
     std::uint32_t length = 0;

@@ -17,6 +17,13 @@ ros::SerializedMessage copy_of(Span<const std::uint8_t> bytes) {
   return {buffer, bytes.size()};
 }
 
+// A frame of which a subscriber in this process sees what is behind the length.
+ros::SerializedMessage unframed_copy_of(Span<const std::uint8_t> frame) {
+  ros::SerializedMessage copy = copy_of(frame);
+  copy.message_start = copy.buf.get() + sizeof(std::uint32_t);
+  return copy;
+}
+
 // The transport of a link that has nothing queued and could take bytes now, or null.
 ros::TransportTCP* idle_transport(ros::SubscriberLink& link) {
   auto* const tcp_link = dynamic_cast<ros::TransportSubscriberLink*>(&link);
@@ -48,22 +55,54 @@ std::uint32_t DirectPublication::next_sequence() { return publication_->incremen
 
 std::uint32_t DirectPublication::subscribers() const { return publication_->getNumSubscribers(); }
 
-void DirectPublication::send(Span<const std::uint8_t> frame) {
-  {
-    boost::mutex::scoped_lock lock((*publication_).*pointer_to(SubscriberLinksMutex{}));
-    links_ = (*publication_).*pointer_to(SubscriberLinks{});
+void DirectPublication::take_links() {
+  boost::mutex::scoped_lock lock((*publication_).*pointer_to(SubscriberLinksMutex{}));
+  links_ = (*publication_).*pointer_to(SubscriberLinks{});
+}
+
+// In all of these without the lock: a failing write drops its link, and that takes the lock.
+void DirectPublication::send(DirectMessage& message) {
+  take_links();
+  const std::uint32_t sequence = next_sequence();
+  for (const ros::SubscriberLinkPtr& link : links_) {
+    if (link->isIntraprocess()) {
+      hand_over(*link, message, sequence);
+    } else {
+      write(*link, message.frame(sequence));
+    }
   }
-  // Without the lock: a failing write drops its link, and that takes the lock.
-  for (const ros::SubscriberLinkPtr& link : links_) send_to(*link, frame);
   links_.clear();
 }
 
-void DirectPublication::send_to(ros::SubscriberLink& link, Span<const std::uint8_t> frame) {
+void DirectPublication::send(Span<const std::uint8_t> frame) {
+  take_links();
+  for (const ros::SubscriberLinkPtr& link : links_) {
+    if (link->isIntraprocess()) {
+      link->enqueueMessage(unframed_copy_of(frame), true, false);
+    } else {
+      write(*link, frame);
+    }
+  }
+  links_.clear();
+}
+
+void DirectPublication::write(ros::SubscriberLink& link, Span<const std::uint8_t> frame) {
   std::size_t sent = 0;
   if (ros::TransportTCP* const transport = idle_transport(link)) {
     sent = write_now(*transport, frame);
   }
   if (sent < frame.size()) link.enqueueMessage(copy_of(frame.subspan(sent)), true, false);
+}
+
+void DirectPublication::hand_over(ros::SubscriberLink& link, DirectMessage& message,
+                                  std::uint32_t sequence) {
+  bool takes_bytes = false, takes_object = false;
+  link.getPublishTypes(takes_bytes, takes_object, message.type());
+  ros::SerializedMessage form;
+  if (takes_bytes) form = unframed_copy_of(message.frame(sequence));
+  if (takes_object) form.message = message.object();
+  form.type_info = &message.type();  // also without an object: it tells who has asked for bytes
+  if (takes_bytes || takes_object) link.enqueueMessage(form, takes_bytes, takes_object);
 }
 
 }  // namespace trident

@@ -3,9 +3,11 @@
 //
 // Talks to echo_node.py; run by test_direct_inbox.py.
 #include <gtest/gtest.h>
+#include <ros/callback_queue.h>
 #include <ros/ros.h>
 #include <std_msgs/String.h>
 
+#include <algorithm>
 #include <chrono>
 #include <functional>
 #include <string>
@@ -147,6 +149,102 @@ TEST_F(DirectInboxTest, MessagesOfThisProcessPassThroughRoscpp) {
   }
   EXPECT_TRUE(spin([&] { return answers().size() == 3; }));
   EXPECT_EQ(answers(), (std::vector<std::string>{"one", "two", "three"}));
+}
+
+/// Publisher and subscriber in this process, on a topic of their own.
+class InsideTest : public testing::Test {
+ protected:
+  InsideTest()
+      : publisher_(node_.advertise<std_msgs::String>("inside", 10)),
+        direct_(publisher_),
+        subscription_(inbox_.subscribe<std_msgs::String>(
+            node_, "inside", 10,
+            [this](Span<const std::uint8_t> bytes) { bytes_.push_back(text_of(bytes)); },
+            [this](const std_msgs::String& message) { on_object(message); })) {}
+
+  void on_object(const std_msgs::String& message) {
+    objects_.push_back(&message);
+    texts_.push_back(message.data);
+    if (message.data == "ask again") send("from a handler");
+  }
+  boost::shared_ptr<const std_msgs::String> send(const std::string& text) {
+    auto message = boost::make_shared<std_msgs::String>();
+    message->data = text;
+    ObjectMessage<std_msgs::String> outgoing(message);
+    direct_.send(outgoing);
+    return message;
+  }
+  void read() {
+    if (inbox_.wait(0ms)) inbox_.read();
+  }
+
+  ros::NodeHandle node_;
+  std::vector<std::string> bytes_, texts_;
+  std::vector<const std_msgs::String*> objects_;
+  DirectInbox inbox_{DirectInbox::Sockets::kReadByRoscpp};
+  ros::Publisher publisher_;
+  DirectPublication direct_;
+  std::unique_ptr<DirectSubscription> subscription_;
+};
+
+TEST_F(InsideTest, AnObjectComesAsItIsAndOnce) {
+  const auto first = send("one"), second = send("two");
+  EXPECT_TRUE(objects_.empty());  // handlers run in read() only
+  read();
+  EXPECT_EQ(objects_, (std::vector<const std_msgs::String*>{first.get(), second.get()}));
+  EXPECT_TRUE(bytes_.empty());
+}
+
+TEST_F(InsideTest, EverySubscriberGetsTheFormThatItTakes) {
+  std::vector<std::string> raw;
+  const auto also = inbox_.subscribe<std_msgs::String>(
+      node_, "inside", 10,
+      [&raw](Span<const std::uint8_t> bytes) { raw.push_back(text_of(bytes)); });
+  const auto sent = send("one");
+  read();
+  EXPECT_EQ(objects_, std::vector<const std_msgs::String*>{sent.get()});
+  EXPECT_EQ(raw, std::vector<std::string>{"one"});
+  std_msgs::String two;
+  two.data = "two";
+  const auto frame = ros::serialization::serializeMessage(two);
+  direct_.send({frame.buf.get(), frame.num_bytes});
+  read();
+  EXPECT_EQ(bytes_, std::vector<std::string>{"two"});
+  EXPECT_EQ(raw, (std::vector<std::string>{"one", "two"}));
+  EXPECT_EQ(objects_.size(), 1U);
+}
+
+TEST_F(InsideTest, AHandlerMayPublishToItsOwnInbox) {
+  send("ask again");
+  read();
+  read();
+  EXPECT_EQ(texts_, (std::vector<std::string>{"ask again", "from a handler"}));
+}
+
+TEST_F(InsideTest, ASubscriberOfRoscppGetsTheObject) {
+  boost::shared_ptr<const std_msgs::String> got;
+  ros::CallbackQueue queue;
+  ros::NodeHandle node;
+  node.setCallbackQueue(&queue);
+  const ros::Subscriber subscriber = node.subscribe<std_msgs::String>(
+      "inside", 1, [&got](const boost::shared_ptr<const std_msgs::String>& m) { got = m; });
+  const auto sent = send("one");
+  queue.callAvailable();
+  EXPECT_EQ(got.get(), sent.get());
+}
+
+TEST(MessagePool, GivesWhatNobodyHoldsAnyMore) {
+  MessagePool<std_msgs::String> pool;
+  auto first = pool.take();
+  const auto second = pool.take();
+  EXPECT_NE(first.get(), second.get());
+  const auto* const address = first.get();
+  first.reset();
+  EXPECT_EQ(pool.take().get(), address);
+  std::vector<boost::shared_ptr<std_msgs::String>> held;
+  for (int i = 0; i < 100; ++i) held.push_back(pool.take());
+  std::sort(held.begin(), held.end());
+  EXPECT_EQ(std::adjacent_find(held.begin(), held.end()), held.end());
 }
 
 TEST(DirectInboxWaits, UntilItIsWokenOrTheTimeIsOver) {

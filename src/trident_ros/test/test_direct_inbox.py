@@ -24,5 +24,5 @@ def test_against_another_process(ros: RosProcesses) -> None:
     echo = ros.start_node("/echo", [PYTHON, str(ECHO)])
     code, output = ros.run([built_program("trident_ros", "direct_inbox_check")])
     assert code == 0, output
-    assert "PASSED  ] 6 tests" in output
+    assert "PASSED  ] 11 tests" in output
     assert echo.poll() is None

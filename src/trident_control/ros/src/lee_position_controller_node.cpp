@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trident_control_ros/lee_position_controller_node.h"
 
-#include <nav_msgs/Odometry.h>
 #include <std_msgs/Header.h>
 
 #include <algorithm>
@@ -33,7 +32,8 @@ const char* reason(SetpointResult result) {
 }  // namespace
 
 LeePositionControllerNode::LeePositionControllerNode(ros::NodeHandle& node, const LeeParams& params,
-                                                     const SetpointQueueParams& queue_params)
+                                                     const SetpointQueueParams& queue_params,
+                                                     OdometryThread thread)
     : controller_(params),
       setpoints_(queue_params),
       motors_(node, controller_.rotor_count()),
@@ -44,8 +44,8 @@ LeePositionControllerNode::LeePositionControllerNode(ros::NodeHandle& node, cons
       "command/trajectory", [this](const auto& message) { on_trajectory(*message); }, &queue_);
   pose_ = node.subscribe(pose);
   trajectory_ = node.subscribe(trajectory);
-  odometry_ = inbox_.subscribe<nav_msgs::Odometry>(
-      node, "odometry", 1, [this](Span<const std::uint8_t> bytes) { on_odometry(bytes); });
+  odometry_ = std::make_unique<OdometryInput>(
+      node, thread, [this](const StampedOdometry& odometry) { on_odometry(odometry); });
 }
 
 LeePositionControllerNode::~LeePositionControllerNode() {
@@ -55,28 +55,21 @@ LeePositionControllerNode::~LeePositionControllerNode() {
 }
 
 void LeePositionControllerNode::spin_once(std::chrono::milliseconds limit) {
-  if (inbox_.wait(limit)) inbox_.read();
+  odometry_->spin_once(limit);
 }
 
-void LeePositionControllerNode::on_odometry(Span<const std::uint8_t> bytes) {
-  const auto odometry = parse_odometry(bytes);
-  if (!odometry) {
-    ROS_ERROR_THROTTLE(5.0, "odometry of %zu bytes is too short to be a nav_msgs/Odometry; ignored",
-                       bytes.size());
-    return;
-  }
-  set_log_time(odometry->stamp);
+void LeePositionControllerNode::on_odometry(const StampedOdometry& odometry) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const TrajectoryPoint* setpoint = setpoints_.advance(to_sim_time(odometry->stamp));
+  const TrajectoryPoint* setpoint = setpoints_.advance(to_sim_time(odometry.stamp));
   const Span<double> speeds = motors_.rotor_speeds();
   if (!setpoint) {
     std::fill(speeds.begin(), speeds.end(), 0.0);
-  } else if (controller_.compute(odometry->state, *setpoint, speeds) != ControlStatus::ok) {
-    ROS_ERROR_THROTTLE(5.0, "odometry stamped %.9f s refused: %s", odometry->stamp.toSec(),
+  } else if (controller_.compute(odometry.state, *setpoint, speeds) != ControlStatus::ok) {
+    ROS_ERROR_THROTTLE(5.0, "odometry stamped %.9f s refused: %s", odometry.stamp.toSec(),
                        kInvalidStateText);
     return;
   }
-  motors_.publish(odometry->stamp);
+  motors_.publish(odometry.stamp);
 }
 
 void LeePositionControllerNode::on_pose(const geometry_msgs::PoseStamped& message) {

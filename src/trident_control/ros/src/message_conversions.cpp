@@ -76,6 +76,19 @@ std::optional<StampedOdometry> parse_odometry(Span<const std::uint8_t> bytes) {
   return odometry;
 }
 
+StampedOdometry to_stamped_odometry(const nav_msgs::Odometry& message) {
+  const geometry_msgs::Pose& pose = message.pose.pose;
+  StampedOdometry odometry;
+  odometry.stamp = message.header.stamp;
+  OdometryState& state = odometry.state;
+  state.p_world_body = {pose.position.x, pose.position.y, pose.position.z};
+  state.R_world_body.coeffs() << pose.orientation.x, pose.orientation.y, pose.orientation.z,
+      pose.orientation.w;
+  state.v_body = to_vector(message.twist.twist.linear);
+  state.w_body = to_vector(message.twist.twist.angular);
+  return odometry;
+}
+
 TrajectoryPoint to_trajectory_point(const geometry_msgs::Pose& pose) {
   TrajectoryPoint point;
   point.p_world = Eigen::Vector3d(pose.position.x, pose.position.y, pose.position.z);

@@ -26,19 +26,32 @@ std::vector<std::uint8_t> frame_of_zeros(std::size_t rotor_count) {
 
 }  // namespace
 
+MotorCommandPublisher::Command::Command(std::size_t rotor_count)
+    : speeds(rotor_count, 0.0), bytes(frame_of_zeros(rotor_count)) {}
+
+Span<const std::uint8_t> MotorCommandPublisher::Command::frame(std::uint32_t sequence) {
+  std::memcpy(bytes.data() + kSequenceAt, &sequence, sizeof(sequence));
+  std::memcpy(bytes.data() + kSecondsAt, &stamp.sec, sizeof(stamp.sec));
+  std::memcpy(bytes.data() + kNanosecondsAt, &stamp.nsec, sizeof(stamp.nsec));
+  std::memcpy(bytes.data() + kSpeedsAt, speeds.data(), speeds.size() * sizeof(double));
+  return bytes;
+}
+
+boost::shared_ptr<void const> MotorCommandPublisher::Command::object() {
+  const auto message = pool.take();
+  message->header.stamp = stamp;
+  message->angular_velocities = speeds;
+  return message;
+}
+
 MotorCommandPublisher::MotorCommandPublisher(ros::NodeHandle& node, std::size_t rotor_count)
     : publisher_(node.advertise<mav_msgs::Actuators>("command/motor_speed", 1)),
       publication_(publisher_),
-      speeds_(rotor_count, 0.0),
-      frame_(frame_of_zeros(rotor_count)) {}
+      command_(rotor_count) {}
 
 void MotorCommandPublisher::publish(const ros::Time& stamp) {
-  const std::uint32_t sequence = publication_.next_sequence();
-  std::memcpy(frame_.data() + kSequenceAt, &sequence, sizeof(sequence));
-  std::memcpy(frame_.data() + kSecondsAt, &stamp.sec, sizeof(stamp.sec));
-  std::memcpy(frame_.data() + kNanosecondsAt, &stamp.nsec, sizeof(stamp.nsec));
-  std::memcpy(frame_.data() + kSpeedsAt, speeds_.data(), speeds_.size() * sizeof(double));
-  publication_.send(frame_);
+  command_.stamp = stamp;
+  publication_.send(command_);
 }
 
 }  // namespace trident

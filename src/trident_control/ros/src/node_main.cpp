@@ -55,14 +55,14 @@ void init_without_clock(int argc, char** argv, const std::string& name) {
   ros::init(count, arguments.data(), name, ros::init_options::NoSigintHandler);
 }
 
+}  // namespace
+
 void log_notes(const ParameterTree& parameters) {
   for (const std::string& note : parameters.notes()) ROS_WARN("%s", note.c_str());
   for (const std::string& name : parameters.unknown_names()) {
     ROS_WARN("private parameter '%s' is not one that this node knows; ignored", name.c_str());
   }
 }
-
-}  // namespace
 
 void set_log_time(const ros::Time& stamp) {
   if (ros::Time::isSimTime()) ros::Time::setNow(stamp);

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trident_control_ros/roll_pitch_yawrate_thrust_controller_node.h"
 
-#include <nav_msgs/Odometry.h>
-
 #include <algorithm>
 
 #include "trident_control_ros/message_conversions.h"
@@ -12,14 +10,14 @@
 namespace trident {
 
 RollPitchYawrateThrustControllerNode::RollPitchYawrateThrustControllerNode(
-    ros::NodeHandle& node, const RollPitchYawrateThrustParams& params)
+    ros::NodeHandle& node, const RollPitchYawrateThrustParams& params, OdometryThread thread)
     : controller_(params), motors_(node, controller_.rotor_count()) {
   auto command = inline_subscription<mav_msgs::RollPitchYawrateThrust>(
       "command/roll_pitch_yawrate_thrust", [this](const auto& message) { on_command(*message); },
       &queue_);
   command_subscriber_ = node.subscribe(command);
-  odometry_ = inbox_.subscribe<nav_msgs::Odometry>(
-      node, "odometry", 1, [this](Span<const std::uint8_t> bytes) { on_odometry(bytes); });
+  odometry_ = std::make_unique<OdometryInput>(
+      node, thread, [this](const StampedOdometry& odometry) { on_odometry(odometry); });
 }
 
 RollPitchYawrateThrustControllerNode::~RollPitchYawrateThrustControllerNode() {
@@ -28,29 +26,22 @@ RollPitchYawrateThrustControllerNode::~RollPitchYawrateThrustControllerNode() {
 }
 
 void RollPitchYawrateThrustControllerNode::spin_once(std::chrono::milliseconds limit) {
-  if (inbox_.wait(limit)) inbox_.read();
+  odometry_->spin_once(limit);
 }
 
-void RollPitchYawrateThrustControllerNode::on_odometry(Span<const std::uint8_t> bytes) {
-  const auto odometry = parse_odometry(bytes);
-  if (!odometry) {
-    ROS_ERROR_THROTTLE(5.0, "odometry of %zu bytes is too short to be a nav_msgs/Odometry; ignored",
-                       bytes.size());
-    return;
-  }
-  set_log_time(odometry->stamp);
+void RollPitchYawrateThrustControllerNode::on_odometry(const StampedOdometry& odometry) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (odometry->stamp < last_stamp_) command_.reset();
-  last_stamp_ = odometry->stamp;
+  if (odometry.stamp < last_stamp_) command_.reset();
+  last_stamp_ = odometry.stamp;
   const Span<double> speeds = motors_.rotor_speeds();
   if (!command_) {
     std::fill(speeds.begin(), speeds.end(), 0.0);
-  } else if (controller_.compute(odometry->state, *command_, speeds) != ControlStatus::ok) {
-    ROS_ERROR_THROTTLE(5.0, "odometry stamped %.9f s refused: %s", odometry->stamp.toSec(),
+  } else if (controller_.compute(odometry.state, *command_, speeds) != ControlStatus::ok) {
+    ROS_ERROR_THROTTLE(5.0, "odometry stamped %.9f s refused: %s", odometry.stamp.toSec(),
                        kInvalidStateText);
     return;
   }
-  motors_.publish(odometry->stamp);
+  motors_.publish(odometry.stamp);
 }
 
 void RollPitchYawrateThrustControllerNode::on_command(

@@ -72,6 +72,17 @@ TEST(ParseOdometry, refuses_a_string_length_beyond_the_end) {
   EXPECT_FALSE(parse_odometry(bytes));
 }
 
+TEST(ToStampedOdometry, gives_what_parsing_the_bytes_gives) {
+  const auto parsed = parse_odometry(bytes_of(some_odometry()));
+  const StampedOdometry converted = to_stamped_odometry(some_odometry());
+  ASSERT_TRUE(parsed);
+  EXPECT_EQ(converted.stamp, parsed->stamp);
+  EXPECT_EQ(converted.state.p_world_body, parsed->state.p_world_body);
+  EXPECT_EQ(converted.state.R_world_body.coeffs(), parsed->state.R_world_body.coeffs());
+  EXPECT_EQ(converted.state.v_body, parsed->state.v_body);
+  EXPECT_EQ(converted.state.w_body, parsed->state.w_body);
+}
+
 TEST(ToTrajectoryPoint, takes_the_yaw_of_a_tilted_pose) {
   const Eigen::Quaterniond q = Eigen::AngleAxisd(0.8, Eigen::Vector3d::UnitZ()) *
                                Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitY()) *

@@ -45,14 +45,20 @@ class DirectSubscription {
 /// costs three reads, a poll of all its sockets, a pass over all its publications and the waking
 /// of a second thread per message; this one a poll and a read. roscpp makes the connections and
 /// ends them. What comes before a connection is taken over, or on a transport other than TCP,
-/// passes through here in order.
+/// passes through here in order; so do the objects that publishers in this process hand over.
 /// wait() and read() belong to one thread; the rest may be called from any.
 class DirectInbox {
  public:
   using Handler = std::function<void(Span<const std::uint8_t>)>;  ///< bytes of one message
+  template <class Message>
+  using ObjectHandler = std::function<void(const Message&)>;
+
+  /// Who reads the sockets. In a process that others share, a nodelet manager, it must be roscpp:
+  /// another subscriber of the same topic would hear nothing any more.
+  enum class Sockets { kReadHere, kReadByRoscpp };
 
   /// Throws Error when the system has no descriptor left.
-  DirectInbox();
+  explicit DirectInbox(Sockets sockets = Sockets::kReadHere);
   ~DirectInbox();
   DirectInbox(const DirectInbox&) = delete;
   DirectInbox& operator=(const DirectInbox&) = delete;
@@ -61,13 +67,23 @@ class DirectInbox {
   template <typename Message>
   std::unique_ptr<DirectSubscription> subscribe(ros::NodeHandle& node, const std::string& topic,
                                                 std::uint32_t queue_size, Handler handler) {
-    const std::uint64_t id = add(std::move(handler));
-    auto options = raw_subscription<Message>(
-        topic, queue_size, [this, id](Span<const std::uint8_t> bytes) { put(id, bytes); }, &queue_);
-    std::unique_ptr<DirectSubscription> result(new DirectSubscription(*this, id));
-    result->subscriber_ = node.subscribe(options);
-    attach(id, result->subscriber_.getTopic());
-    return result;
+    const std::uint64_t id = add({std::move(handler), {}, nullptr, false});
+    return subscribed(node, id, raw_subscription<Message>(topic, queue_size, putter(id), &queue_));
+  }
+  /// The same, and objects of publishers in this process come as they are.
+  template <typename Message>
+  std::unique_ptr<DirectSubscription> subscribe(ros::NodeHandle& node, const std::string& topic,
+                                                std::uint32_t queue_size, Handler on_bytes,
+                                                ObjectHandler<Message> on_object) {
+    auto on_any = [on_object = std::move(on_object)](const void* message) {
+      on_object(*static_cast<const Message*>(message));
+    };
+    const std::uint64_t id = add({std::move(on_bytes), std::move(on_any), nullptr, false});
+    const auto put_object = [this, id](const boost::shared_ptr<Message const>& message) {
+      put({id, {}, message});
+    };
+    return subscribed(
+        node, id, object_subscription<Message>(topic, queue_size, putter(id), put_object, &queue_));
   }
 
   /// Waits until there is something to read, or wake() is called. False: the time is over.
@@ -81,13 +97,26 @@ class DirectInbox {
 
  private:
   friend class DirectSubscription;
-  struct Topic;
+  struct Topic {
+    Handler on_bytes;
+    std::function<void(const void*)> on_object;
+    ros::SubscriptionPtr subscription;
+    bool has_new_link;
+  };
   struct Link;
+  /// What came through roscpp: bytes or an object.
+  struct Item {
+    std::uint64_t topic;
+    std::vector<std::uint8_t> bytes;
+    boost::shared_ptr<void const> object;
+  };
 
-  std::uint64_t add(Handler handler);
-  void attach(std::uint64_t id, const std::string& topic);
+  std::uint64_t add(Topic topic);
+  std::unique_ptr<DirectSubscription> subscribed(ros::NodeHandle& node, std::uint64_t id,
+                                                 ros::SubscribeOptions options);
   void remove(std::uint64_t id);
-  void put(std::uint64_t id, Span<const std::uint8_t> bytes);
+  Handler putter(std::uint64_t id);
+  void put(Item item);
   void take_over_links();
   void take_over(Topic& topic, std::uint64_t id);
   void read_put();
@@ -95,16 +124,18 @@ class DirectInbox {
   void hand_out(Link& link, std::size_t size);
   void give_back(std::uint64_t key);
 
+  Sockets sockets_;
   InlineCallbackQueue queue_;
   std::mutex mutex_;
   int epoll_ = -1;
   int wake_ = -1;
   std::uint64_t next_key_ = 1;
-  std::unordered_map<std::uint64_t, std::unique_ptr<Topic>> topics_;
+  std::unordered_map<std::uint64_t, Topic> topics_;
   std::unordered_map<std::uint64_t, std::unique_ptr<Link>> links_;
   std::atomic<bool> has_new_links_{false};
   std::atomic<bool> has_put_{false};
-  std::vector<std::pair<std::uint64_t, std::vector<std::uint8_t>>> put_;  ///< through roscpp
+  std::mutex put_mutex_;  ///< taken after mutex_: a handler may publish to a topic of this inbox
+  std::vector<Item> put_, being_read_;
   std::vector<std::uint8_t> buffer_;
   std::vector<std::uint64_t> ready_;  ///< found by wait()
   boost::signals2::connection listener_;

@@ -36,6 +36,24 @@ class RawSubscriptionHelper : public ros::SubscriptionCallbackHelper {
   Handler handler_;
 };
 
+/// The same, and from publishers in this process takes the message object itself.
+template <class Message>
+class ObjectSubscriptionHelper : public RawSubscriptionHelper {
+ public:
+  using ObjectHandler = std::function<void(const boost::shared_ptr<Message const>&)>;
+
+  ObjectSubscriptionHelper(Handler on_bytes, ObjectHandler on_object)
+      : RawSubscriptionHelper(std::move(on_bytes)), on_object_(std::move(on_object)) {}
+
+  void call(ros::SubscriptionCallbackHelperCallParams& p) override {
+    on_object_(boost::static_pointer_cast<Message const>(p.event.getConstMessage()));
+  }
+  const std::type_info& getTypeInfo() override { return typeid(Message); }
+
+ private:
+  ObjectHandler on_object_;
+};
+
 /// Options of a subscription to `Message` whose bytes go to `handler`. TCP_NODELAY is asked for:
 /// without it every other message of a publisher waits for an acknowledgement (up to 40 ms).
 template <typename Message>
@@ -47,6 +65,18 @@ ros::SubscribeOptions raw_subscription(const std::string& topic, std::uint32_t q
   options.helper = boost::make_shared<RawSubscriptionHelper>(std::move(handler));
   options.callback_queue = queue;
   options.transport_hints = ros::TransportHints().tcpNoDelay();
+  return options;
+}
+
+/// The same, and publishers in this process hand their objects to `on_object`.
+template <typename Message>
+ros::SubscribeOptions object_subscription(
+    const std::string& topic, std::uint32_t queue_size, RawSubscriptionHelper::Handler on_bytes,
+    typename ObjectSubscriptionHelper<Message>::ObjectHandler on_object,
+    ros::CallbackQueueInterface* queue) {
+  auto options = raw_subscription<Message>(topic, queue_size, {}, queue);
+  options.helper = boost::make_shared<ObjectSubscriptionHelper<Message>>(std::move(on_bytes),
+                                                                         std::move(on_object));
   return options;
 }
 

@@ -11,12 +11,11 @@
 #include <string>
 #include <vector>
 
-#include "trident_base/span.h"
 #include "trident_control/lee_position_controller.h"
 #include "trident_control/setpoint_queue.h"
 #include "trident_control_ros/motor_command_publisher.h"
 #include "trident_control_ros/node_main.h"
-#include "trident_ros/direct_inbox.h"
+#include "trident_control_ros/odometry_input.h"
 #include "trident_ros/inline_callback_queue.h"
 
 namespace trident {
@@ -26,17 +25,18 @@ namespace trident {
 /// one `command/motor_speed` of the same stamp, zeros until a set-point acts. A stamped set-point
 /// is confirmed on `command/accepted_setpoint` (std_msgs/Header: its stamp, and the topic it came
 /// on as frame_id) once every later odometry message will see it. Time is the stamps of the
-/// odometry, nothing else. Odometry is handled in spin_once(), set-points on roscpp's socket
-/// thread.
+/// odometry, nothing else. Odometry is handled in spin_once(), or by the thread of its publisher;
+/// set-points on roscpp's socket thread.
 class LeePositionControllerNode : public RunningNode {
  public:
   LeePositionControllerNode(ros::NodeHandle& node, const LeeParams& params,
-                            const SetpointQueueParams& queue_params);
+                            const SetpointQueueParams& queue_params,
+                            OdometryThread thread = OdometryThread::kCaller);
   ~LeePositionControllerNode() override;
   void spin_once(std::chrono::milliseconds limit) override;
 
  private:
-  void on_odometry(Span<const std::uint8_t> bytes);
+  void on_odometry(const StampedOdometry& odometry);
   void on_pose(const geometry_msgs::PoseStamped& message);
   void on_trajectory(const trajectory_msgs::MultiDOFJointTrajectory& message);
   void accept(const std_msgs::Header& header, const std::string& topic);
@@ -46,13 +46,12 @@ class LeePositionControllerNode : public RunningNode {
   SetpointQueue setpoints_;              // under mutex_
   std::vector<TimedSetpoint> incoming_;  // reused
 
-  DirectInbox inbox_;
   InlineCallbackQueue queue_;
   MotorCommandPublisher motors_;
   ros::Publisher accepted_;
   ros::Subscriber pose_;
   ros::Subscriber trajectory_;
-  std::unique_ptr<DirectSubscription> odometry_;
+  std::unique_ptr<OdometryInput> odometry_;
 };
 
 }  // namespace trident

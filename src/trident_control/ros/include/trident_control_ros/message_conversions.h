@@ -4,6 +4,7 @@
 
 #include <geometry_msgs/PoseStamped.h>
 #include <mav_msgs/RollPitchYawrateThrust.h>
+#include <nav_msgs/Odometry.h>
 #include <ros/time.h>
 #include <trajectory_msgs/MultiDOFJointTrajectory.h>
 
@@ -34,6 +35,8 @@ SimTime to_sim_time(const ros::Duration& duration);
 
 /// Reads a serialised nav_msgs/Odometry; nullopt when the bytes end too early.
 std::optional<StampedOdometry> parse_odometry(Span<const std::uint8_t> bytes);
+
+StampedOdometry to_stamped_odometry(const nav_msgs::Odometry& message);
 
 TrajectoryPoint to_trajectory_point(const geometry_msgs::Pose& pose);
 

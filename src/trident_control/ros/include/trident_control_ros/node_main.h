@@ -33,6 +33,9 @@ using NodeFactory =
 /// parameters, which is logged.
 int run_node(int argc, char** argv, const std::string& name, const NodeFactory& make_node);
 
+/// Logs which parameters were not set, and which are not known.
+void log_notes(const ParameterTree& parameters);
+
 /// Under simulated time, makes `stamp` the time of what this process logs next.
 void set_log_time(const ros::Time& stamp);
 

@@ -9,11 +9,10 @@
 #include <mutex>
 #include <optional>
 
-#include "trident_base/span.h"
 #include "trident_control/roll_pitch_yawrate_thrust_controller.h"
 #include "trident_control_ros/motor_command_publisher.h"
 #include "trident_control_ros/node_main.h"
-#include "trident_ros/direct_inbox.h"
+#include "trident_control_ros/odometry_input.h"
 #include "trident_ros/inline_callback_queue.h"
 
 namespace trident {
@@ -21,17 +20,18 @@ namespace trident {
 /// RotorS' roll_pitch_yawrate_thrust_controller_node.
 /// Subscribes `odometry` and `command/roll_pitch_yawrate_thrust`; answers each odometry message
 /// with one `command/motor_speed` of the same stamp, zeros until a command has come and again after
-/// the world was reset (stamps that run backwards). Odometry is handled in spin_once(), commands
-/// on roscpp's socket thread.
+/// the world was reset (stamps that run backwards). Odometry is handled in spin_once(), or by the
+/// thread of its publisher; commands on roscpp's socket thread.
 class RollPitchYawrateThrustControllerNode : public RunningNode {
  public:
   RollPitchYawrateThrustControllerNode(ros::NodeHandle& node,
-                                       const RollPitchYawrateThrustParams& params);
+                                       const RollPitchYawrateThrustParams& params,
+                                       OdometryThread thread = OdometryThread::kCaller);
   ~RollPitchYawrateThrustControllerNode() override;
   void spin_once(std::chrono::milliseconds limit) override;
 
  private:
-  void on_odometry(Span<const std::uint8_t> bytes);
+  void on_odometry(const StampedOdometry& odometry);
   void on_command(const mav_msgs::RollPitchYawrateThrust& message);
 
   RollPitchYawrateThrustController controller_;
@@ -39,11 +39,10 @@ class RollPitchYawrateThrustControllerNode : public RunningNode {
   std::optional<AttitudeCommand> command_;  // under mutex_
   ros::Time last_stamp_;
 
-  DirectInbox inbox_;
   InlineCallbackQueue queue_;
   MotorCommandPublisher motors_;
   ros::Subscriber command_subscriber_;
-  std::unique_ptr<DirectSubscription> odometry_;
+  std::unique_ptr<OdometryInput> odometry_;
 };
 
 }  // namespace trident

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+// The controller nodes for a nodelet manager: with the simulator in the same one, odometry and
+// motor commands pass as objects, and the simulator's stepping thread runs the control laws.
+#include <nodelet/nodelet.h>
+#include <pluginlib/class_list_macros.hpp>
+
+#include <memory>
+
+#include "trident_control_ros/lee_position_controller_node.h"
+#include "trident_control_ros/node_main.h"
+#include "trident_control_ros/roll_pitch_yawrate_thrust_controller_node.h"
+
+namespace trident {
+namespace {
+
+/// A bad parameter throws, and the manager refuses the nodelet with that text.
+class ControllerNodelet : public nodelet::Nodelet {
+ public:
+  void onInit() override {
+    ParameterTree parameters = ParameterTree::of_node(getPrivateNodeHandle());
+    node_ = make(getNodeHandle(), parameters);
+    log_notes(parameters);
+  }
+
+ protected:
+  virtual std::unique_ptr<RunningNode> make(ros::NodeHandle& node, ParameterTree& parameters) = 0;
+
+ private:
+  std::unique_ptr<RunningNode> node_;
+};
+
+}  // namespace
+
+class LeePositionControllerNodelet : public ControllerNodelet {
+ protected:
+  std::unique_ptr<RunningNode> make(ros::NodeHandle& node, ParameterTree& parameters) override {
+    const LeeParams params = parameters.lee_params();
+    return std::make_unique<LeePositionControllerNode>(
+        node, params, parameters.setpoint_queue_params(), OdometryThread::kPublisher);
+  }
+};
+
+class RollPitchYawrateThrustControllerNodelet : public ControllerNodelet {
+ protected:
+  std::unique_ptr<RunningNode> make(ros::NodeHandle& node, ParameterTree& parameters) override {
+    return std::make_unique<RollPitchYawrateThrustControllerNode>(
+        node, parameters.roll_pitch_yawrate_thrust_params(), OdometryThread::kPublisher);
+  }
+};
+
+}  // namespace trident
+
+PLUGINLIB_EXPORT_CLASS(trident::LeePositionControllerNodelet, nodelet::Nodelet)
+PLUGINLIB_EXPORT_CLASS(trident::RollPitchYawrateThrustControllerNodelet, nodelet::Nodelet)
