@@ -32,11 +32,16 @@ _IMPORTED = ("trident_xacro", "xacro", "roslaunch", "rosgraph", "rospkg", "yaml"
 _KEPT_AT_MOST = 200
 
 
-def describe_call() -> tuple[Any, ...]:
+def describe_call() -> dict[str, Any]:
     """What of this process an expansion depends on, other than code, files and environment."""
-    encodings = (sys.stdout.encoding, sys.getdefaultencoding(), io.text_encoding(None))
-    flags = tuple(sys.flags)
-    return (tuple(sys.argv), os.getcwd(), sys.version, tuple(sys.path), flags, encodings)
+    files = [word for word in sys.argv[1:] if ":=" not in word and not word.startswith("-")]
+    needs_folder = not all(os.path.isabs(file) for file in files)
+    return {
+        "words": sys.argv,
+        "folder": os.getcwd() if needs_folder else None,
+        "interpreter": (sys.version, tuple(sys.flags), sys.path),
+        "encodings": (sys.stdout.encoding, sys.getdefaultencoding(), io.text_encoding(None)),
+    }
 
 
 def _signature(path: str) -> tuple[int, int, int]:
@@ -54,7 +59,7 @@ def _read(path: str) -> bytes:
         return file.read()
 
 
-def _path_of(call: tuple[Any, ...]) -> str:
+def _path_of(call: dict[str, Any]) -> str:
     cache = os.environ.get("XDG_CACHE_HOME") or os.path.expanduser("~/.cache")
     name = f"{zlib.crc32(repr(call).encode('utf-8', 'surrogateescape')):08x}"
     return os.path.join(cache, "trident", "xacro", name)
@@ -70,7 +75,7 @@ def _is_current(kept: dict[str, Any], find_package: Callable[[str], str]) -> boo
     )
 
 
-def look_up(call: tuple[Any, ...], find_package: Callable[[str], str]) -> str | None:
+def look_up(call: dict[str, Any], find_package: Callable[[str], str]) -> str | None:
     """The output of the same call, if nothing that it depends on has changed."""
     try:
         kept = marshal.loads(_read(_path_of(call)))
@@ -84,8 +89,9 @@ def look_up(call: tuple[Any, ...], find_package: Callable[[str], str]) -> str | 
 class Recorder:
     """Watches the library during an expansion, and keeps it if it may be kept."""
 
-    def __init__(self, library: ModuleType) -> None:
+    def __init__(self, library: ModuleType, call: dict[str, Any]) -> None:
         """Puts itself between the library and all that it asks the outside."""
+        self._call = call
         self._files: dict[str, bytes] = {}
         self._packages: dict[str, str] = {}
         self._environment: dict[str, str | None] = {}
@@ -125,7 +131,7 @@ class Recorder:
         self._may_be_kept = self._may_be_kept and not errors.was_written
         return output.getvalue()
 
-    def keep(self, call: tuple[Any, ...], output: str) -> None:
+    def keep(self, output: str) -> None:
         """Keeps the output of an expansion that has succeeded."""
         if not self._may_be_kept:
             return
@@ -135,7 +141,7 @@ class Recorder:
             if name.split(".")[0] in _IMPORTED and getattr(module, "__file__", None)
         ]
         kept = {
-            "call": call,
+            "call": self._call,
             "code": {path: _signature(path) for path in [*code, __file__] if path},
             "origins": {name: _origin(name) for name in _IMPORTED},
             "files": self._files,
@@ -144,7 +150,7 @@ class Recorder:
             "output": output,
         }
         try:
-            _write(_path_of(call), marshal.dumps(kept))
+            _write(_path_of(self._call), marshal.dumps(kept))
         except OSError:
             return  # a full disk or a home that cannot be written: it is expanded every time
 
@@ -155,7 +161,8 @@ class Recorder:
             return builtins.open(path, mode)
         content = _read(path)
         is_same = self._files.setdefault(path, content) == content
-        self._may_be_kept = self._may_be_kept and is_same
+        is_found_again = os.path.isabs(path) or self._call["folder"] is not None
+        self._may_be_kept = self._may_be_kept and is_same and is_found_again
         return io.TextIOWrapper(_NamedBytes(path, content))
 
     def _evaluate(self, expression: str, names: dict[str, Any], values: Any) -> Any:
@@ -172,7 +179,9 @@ class Recorder:
             self._packages[words[1]] = result
         elif words[:1] in (["env"], ["optenv"]) and len(words) > 1:
             self._environment[words[1]] = os.environ.get(words[1])
-        elif words[:1] not in (["arg"], ["cwd"]):
+        elif words[:1] == ["cwd"]:
+            self._may_be_kept = self._may_be_kept and self._call["folder"] is not None
+        elif words[:1] != ["arg"]:
             self._may_be_kept = False
         return result
 
