@@ -6,67 +6,30 @@ from __future__ import annotations
 
 import math
 import re
-import signal
 import time
-from collections.abc import Iterator
 from itertools import combinations
 
 import pytest
 from gazebo_msgs.msg import ModelStates
-from harness import Gazebo, Ros, eventually, recorder, topic_rate
+from harness import Launch, Ros, eventually, recorder, topic_rate
 
 FLEET = [f"UAV{number}" for number in range(1, 7)]
 SHUTDOWN_LIMIT_S = 5.0
 
 
-class Launch(Gazebo):
-    """A running roslaunch; asks its simulator."""
-
-    def __init__(self, ros: Ros, *words: str, **env: str) -> None:
-        self.ros = ros
-        self.out_dir = None
-        self.log_folder = ros.folder / f"launch-{len(list(ros.folder.iterdir()))}"
-        self.process = ros.launch(
-            ["roslaunch", "--disable-title", *words],
-            "roslaunch",
-            ROS_LOG_DIR=str(self.log_folder),
-            **env,
-        )
-
-    def spawned(self, names: list[str]) -> Launch:
-        self.ready()
-
-        def all_there() -> bool:
-            assert self.process.running, self.log
-            return set(names) <= set(self.ask("get_world_properties").model_names)
-
-        eventually(all_there, f"models {names}")
-        return self
-
-    def interrupt(self) -> None:
-        """Ctrl-C, and what must be true of the end."""
-        assert len(self.process.family()) > 1
-        begin = time.monotonic()
-        self.process.send(signal.SIGINT)
-        self.process.wait()
-        took = time.monotonic() - begin
-        slow = set(re.findall(r"\[(\S+)-\d+\] escalating to SIGTERM", self.log))
-        # Debian's joint_state_publisher can lock up in rospy's signal handler; that is not ours.
-        assert not {name for name in slow if "joint_state_publisher" not in name}, self.log
-        assert slow or took < SHUTDOWN_LIMIT_S, f"the shutdown took {took:.1f} s:\n{self.log}"
-        eventually(lambda: not self.process.family(), "the end of all nodes")
-        for name, text in self.logs():
-            # rospy's own sockets, closed while it connects them, are noted in its log file only.
-            told = [line for line in text.splitlines() if "[rospy.internal]" not in line]
-            assert not any("Traceback" in line for line in told), f"{name}:\n{text[-3000:]}"
-            assert "Segmentation fault" not in text, f"{name}:\n{text[-3000:]}"
-        assert not re.findall(r"has died.*", self.log)
-
-    def logs(self) -> Iterator[tuple[str, str]]:
-        yield "roslaunch", self.log
-        for file in self.log_folder.rglob("*.log"):
-            if file.is_file():
-                yield file.name, file.read_text(encoding="utf-8", errors="replace")
+def interrupt(run: Launch) -> None:
+    """Ctrl-C, and what must be true of the end."""
+    assert len(run.process.family()) > 1
+    unclean = run.end()
+    # Debian's joint_state_publisher can lock up in rospy's signal handler; that is not ours.
+    assert all("joint_state_publisher" in text for text in unclean), f"{unclean}:\n{run.log}"
+    took = run.shutdown_s
+    assert unclean or took < SHUTDOWN_LIMIT_S, f"the shutdown took {took:.1f} s:\n{run.log}"
+    for name, text in run.logs():
+        # rospy's own sockets, closed while it connects them, are noted in its log file only.
+        told = [line for line in text.splitlines() if "[rospy.internal]" not in line]
+        assert not any("Traceback" in line for line in told), f"{name}:\n{text[-3000:]}"
+        assert "Segmentation fault" not in text, f"{name}:\n{text[-3000:]}"
 
 
 def separation(states: ModelStates) -> float:
@@ -79,12 +42,14 @@ def separation(states: ModelStates) -> float:
 
 
 def test_the_headline_launch_runs_in_real_time_until_ctrl_c(ros: Ros) -> None:
-    launch = Launch(ros, "trident_bringup", "multi_uav_simulation.launch").spawned(FLEET)
-    launch.until(1.0)
-    wall, simulated = time.monotonic(), launch.time()
+    run = Launch(
+        ros, "trident_bringup", "multi_uav_simulation.launch", real_time_factor=None
+    ).spawned(*FLEET)
+    run.until(1.0)
+    wall, simulated = time.monotonic(), run.time()
     assert topic_rate(ros, "/UAV3/odometry_sensor1/odometry") == pytest.approx(100.0, rel=0.2)
-    launch.until(simulated + 4.0)
-    factor = (launch.time() - simulated) / (time.monotonic() - wall)
+    run.until(simulated + 4.0)
+    factor = (run.time() - simulated) / (time.monotonic() - wall)
     assert factor == pytest.approx(1.0, abs=0.2)
     info = ros.call("rosnode", "info", "/gazebo")
     assert "/UAV6/odometry_sensor1/odometry [nav_msgs/Odometry]" in info
@@ -92,58 +57,58 @@ def test_the_headline_launch_runs_in_real_time_until_ctrl_c(ros: Ros) -> None:
     assert "success: True" in state
     assert re.search(r"status_message: \S+", state)
     assert "/UAV2/command/motor_speed" in ros.call("rostopic", "list")
-    launch.interrupt()
+    interrupt(run)
 
 
 def test_the_tutorial_form_flies_the_formation_and_not_the_hovering_example(ros: Ros) -> None:
-    launch = Launch(
+    run = Launch(
         ros,
         "rotors_gazebo",
         "multi_uav_simulation.launch",
-        "gui:=true",
-        TRIDENT_REAL_TIME_FACTOR="3",
-    ).spawned(FLEET)
+        gui=True,
+        real_time_factor=3.0,
+    ).spawned(*FLEET)
     with recorder("/gazebo/model_states", ModelStates) as states:
-        launch.until(15.0)
+        run.until(15.0)
         closest = min(states.messages, key=separation)
         assert separation(closest) > 0.5, closest
-    heights = [launch.position(name)[2] for name in FLEET]
+    heights = [run.position(name)[2] for name in FLEET]
     assert min(heights) > 0.3, "all have taken off"
-    places = [launch.position(name)[:2] for name in FLEET]
+    places = [run.position(name)[:2] for name in FLEET]
     assert all(math.dist(a, b) > 0.5 for a, b in combinations(places, 2)), "not all at (0, 0, 1)"
-    assert launch.log.count("Publishing 1 waypoint(s)") == len(FLEET), "the examples have run"
-    assert "there is no display" in launch.log
-    assert "rviz" in launch.log
+    assert run.log.count("Publishing 1 waypoint(s)") == len(FLEET), "the examples have run"
+    assert "there is no display" in run.log
+    assert "rviz" in run.log
     topics = set(ros.call("rostopic", "list").split())
     assert {f"/{name}/joint_states" for name in FLEET} <= topics
-    launch.interrupt()
+    interrupt(run)
 
 
 def test_the_hovering_example_as_it_stands_paused_with_a_viewer(ros: Ros) -> None:
-    launch = Launch(
-        ros, "rotors_gazebo", "mav_hovering_example.launch", TRIDENT_REAL_TIME_FACTOR="10"
-    ).spawned(["firefly"])
+    run = Launch(
+        ros, "rotors_gazebo", "mav_hovering_example.launch", real_time_factor=10.0
+    ).spawned("firefly")
     eventually(
-        lambda: launch.position("firefly") == pytest.approx((0.0, 0.0, 1.04), abs=0.02),
+        lambda: run.position("firefly") == pytest.approx((0.0, 0.0, 1.04), abs=0.02),
         "hovering at 1.04 m",
     )
-    launch.interrupt()
+    interrupt(run)
 
 
 def test_the_swarm_example_takes_nine_to_their_places(ros: Ros) -> None:
-    launch = Launch(
-        ros, "rotors_gazebo", "firefly_swarm_hovering_example.launch", TRIDENT_REAL_TIME_FACTOR="4"
-    ).spawned([f"firefly{number}" for number in range(1, 10)])
+    run = Launch(
+        ros, "rotors_gazebo", "firefly_swarm_hovering_example.launch", real_time_factor=4.0
+    ).spawned(*(f"firefly{number}" for number in range(1, 10)))
     goals = [(0, -1), (1, -1), (1, 0), (1, -2), (-1, 0), (-2, 0), (-3, 0), (-4, 0), (0, 0)]
 
     def all_there() -> bool:
         return all(
-            launch.position(f"firefly{number}") == pytest.approx((x, y, 1.04), abs=0.05)
+            run.position(f"firefly{number}") == pytest.approx((x, y, 1.04), abs=0.05)
             for number, (x, y) in enumerate(goals, 1)
         )
 
     eventually(all_there, "all nine at their places", limit_s=120.0)
-    launch.interrupt()
+    interrupt(run)
 
 
 def test_empty_world_takes_the_arguments_of_the_original(ros: Ros) -> None:
@@ -152,10 +117,10 @@ def test_empty_world_takes_the_arguments_of_the_original(ros: Ros) -> None:
         "physics:=ode verbose:=true output:=screen respawn_gazebo:=false server_required:=true "
         "use_clock_frequency:=true pub_clock_frequency:=50 world_name:=worlds/empty.world"
     )
-    launch = Launch(ros, "gazebo_ros", "empty_world.launch", *words.split()).spawned(
-        ["ground_plane"]
-    )
-    assert launch.time() == 0.0
+    run = Launch(
+        ros, "gazebo_ros", "empty_world.launch", *words.split(), real_time_factor=None
+    ).spawned("ground_plane")
+    assert run.time() == 0.0
     assert ros.master.getParam("/system_tests", "/use_sim_time")[2] is True
-    launch.step(10)
-    launch.interrupt()
+    run.step(10)
+    interrupt(run)

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from ros_processes import PYTHON, RosProcesses, built_program
+from trident.testing import PYTHON, RosProcesses, program
 
 ECHO = Path(__file__).with_name("echo_node.py")
 
@@ -22,7 +22,7 @@ def ros(tmp_path: Path) -> Iterator[RosProcesses]:
 
 def test_against_another_process(ros: RosProcesses) -> None:
     echo = ros.start_node("/echo", [PYTHON, str(ECHO)])
-    code, output = ros.run([built_program("trident_ros", "direct_inbox_check")])
+    code, output = ros.run([program("trident_ros", "direct_inbox_check")])
     assert code == 0, output
     assert "PASSED  ] 11 tests" in output
     assert echo.poll() is None

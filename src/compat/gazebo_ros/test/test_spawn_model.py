@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from ros_processes import PYTHON, TIMEOUT_S, RosProcesses, built_program, wait_until
+from trident.testing import LIMIT_S, PYTHON, RosProcesses, eventually, program
 
 HERE = Path(__file__).parent
 
@@ -31,12 +31,12 @@ class Simulation(RosProcesses):
 
     def spawn(self, arguments: str, **options: Any) -> tuple[int, str]:
         """Runs spawn_model to its end; returns exit code and output."""
-        return self.run([built_program("gazebo_ros", "spawn_model"), *arguments.split()], **options)
+        return self.run([program("gazebo_ros", "spawn_model"), *arguments.split()], **options)
 
     def start_spawner(self, arguments: str, **options: Any) -> subprocess.Popen[str]:
         """Starts spawn_model and returns once the master knows it."""
-        program = built_program("gazebo_ros", "spawn_model")
-        return self.start_node("/spawner", [program, *arguments.split()], **options)
+        command = [program("gazebo_ros", "spawn_model"), *arguments.split()]
+        return self.start_node("/spawner", command, **options)
 
     def calls(self) -> list[dict[str, Any]]:
         """What the simulator was asked, in order."""
@@ -82,7 +82,7 @@ def test_waits_on_the_wall_clock_while_simulated_time_stands_still(ros: Simulati
     process.stdin.write("<sdf/>")
     process.stdin.close()
     ros.start_simulator()
-    assert process.wait(TIMEOUT_S) == 0
+    assert process.wait(LIMIT_S) == 0
     (call,) = ros.calls()
     assert (call["call"], call["xml"], call["namespace"]) == ("spawn_sdf", "<sdf/>", "/r")
 
@@ -135,11 +135,11 @@ def test_failures_give_one_line_and_exit_code_1(ros: Simulation, arguments: str,
 def test_b_stays_and_deletes_the_model_when_it_is_told_to_end(ros: Simulation) -> None:
     ros.start_simulator()
     process = ros.start_spawner("-database box -sdf -model box -b")
-    wait_until(lambda: len(ros.calls()) == 1, "the spawn")
+    eventually(lambda: len(ros.calls()) == 1, "the spawn")
     assert ros.spawn("-database box -sdf -model other")[0] == 0  # one without -b ends
     assert process.poll() is None
     process.send_signal(signal.SIGINT)
-    assert process.wait(TIMEOUT_S) == 0
+    assert process.wait(LIMIT_S) == 0
     assert ros.calls()[2] == {"call": "delete", "model": "box"}
 
 
@@ -162,7 +162,7 @@ print(g.spawn_sdf_model_client("bad", "<sdf/>", "", Pose(), "", "/gazebo"))
 print(g.set_model_configuration_client("a", "", ["j"], [0.5], "/gazebo"))
 """
     process = ros.start([PYTHON, "-c", script], stderr=sys.stderr)
-    output, _ = process.communicate(timeout=TIMEOUT_S)
+    output, _ = process.communicate(timeout=LIMIT_S)
     results = [line for line in output.splitlines() if line in ("True", "False")]
     assert results == ["True", "False", "True"]
     assert [call["call"] for call in ros.calls()] == ["spawn_urdf", "spawn_sdf", "configure"]

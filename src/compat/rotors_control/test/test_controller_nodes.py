@@ -16,7 +16,7 @@ from typing import Any
 
 import pytest
 import yaml
-from ros_processes import RosProcesses, built_program, wait_until
+from trident.testing import RosProcesses, eventually, program
 
 RESOURCE = Path(__file__).resolve().parents[2] / "rotors_gazebo" / "resource"
 LEE = "lee_position_controller_node"
@@ -44,7 +44,7 @@ def start_controller(
     ros: RosProcesses, name: str = LEE, parameters: dict[str, Any] | None = None
 ) -> subprocess.Popen[str]:
     ros.set_param(f"/UAV1/{name}", parameters or firefly_parameters())
-    return ros.start_node(f"/UAV1/{name}", [built_program("rotors_control", name)], env=NAMESPACE)
+    return ros.start_node(f"/UAV1/{name}", [program("rotors_control", name)], env=NAMESPACE)
 
 
 def end(process: subprocess.Popen[str], how: signal.Signals) -> float:
@@ -58,7 +58,7 @@ def end(process: subprocess.Popen[str], how: signal.Signals) -> float:
 def test_answers_equal_the_core_over_two_lives_of_the_simulator(ros: RosProcesses) -> None:
     ros.set_param("/use_sim_time", True)
     controller = start_controller(ros)
-    check = built_program("rotors_control", "lee_node_check")
+    check = program("rotors_control", "lee_node_check")
     for _ in range(2):
         code, output = ros.run([check], env=NAMESPACE)
         assert code == 0, output
@@ -74,7 +74,7 @@ def test_does_not_listen_to_the_clock(ros: RosProcesses) -> None:
         _, _, (_publishers, subscribers, _services) = ros.master.getSystemState("/test")
         return [topic for topic, _ in subscribers]
 
-    wait_until(lambda: "/UAV1/odometry" in subscribed(), "the subscription of the odometry")
+    eventually(lambda: "/UAV1/odometry" in subscribed(), "the subscription of the odometry")
     assert "/clock" not in subscribed()
 
 
@@ -89,7 +89,7 @@ def test_every_shipped_parameter_file_is_complete(
     parameters = firefly_parameters(f"{prefix}_{vehicle}.yaml")
     parameters.update(yaml.safe_load((RESOURCE / f"{vehicle}.yaml").read_text()))
     process = start_controller(ros, name, parameters)
-    wait_until(lambda: "odometry" in str(ros.master.getSystemState("/test")), "its subscriptions")
+    eventually(lambda: "odometry" in str(ros.master.getSystemState("/test")), "its subscriptions")
     end(process, signal.SIGTERM)
     assert process.stdout is not None
     assert process.stdout.read() == ""
@@ -134,7 +134,7 @@ def test_a_subscriber_that_does_not_read_delays_nobody_and_gets_whole_messages_l
     stalled = RawSubscriber(
         ros, f"/UAV1/{LEE}", "/UAV1/command/motor_speed", "25741daf38ed25442e3a66a855ee8d9c"
     )
-    bench = built_program("trident_control", "controller_round_trip")
+    bench = program("trident_control", "controller_round_trip")
     code, output = ros.run([bench, "4", f"/UAV1={controller.pid}"])
     assert code == 0, output
     sequence = -1
@@ -181,7 +181,7 @@ def test_signal_ends_it_within_a_second_though_the_master_hangs(ros: RosProcesse
 
 def test_signal_ends_it_while_it_waits_for_a_master(ros: RosProcesses) -> None:
     process = ros.start(
-        [built_program("rotors_control", LEE)], env={"ROS_MASTER_URI": "http://127.0.0.1:9"}
+        [program("rotors_control", LEE)], env={"ROS_MASTER_URI": "http://127.0.0.1:9"}
     )
     assert process.stdout is not None
     assert "Failed to contact master" in process.stdout.readline()
@@ -191,7 +191,7 @@ def test_signal_ends_it_while_it_waits_for_a_master(ros: RosProcesses) -> None:
 def test_rosnode_kill_ends_it(ros: RosProcesses) -> None:
     process = start_controller(ros)
     ros.run(["rosnode", "kill", f"/UAV1/{LEE}"])
-    wait_until(lambda: process.poll() is not None, "the end of the node")
+    eventually(lambda: process.poll() is not None, "the end of the node")
     assert process.returncode == 0
 
 
@@ -217,7 +217,7 @@ def test_bad_parameters_give_one_error_and_exit_code_1(
     ros: RosProcesses, change: dict[str, Any], text: str
 ) -> None:
     ros.set_param(f"/UAV1/{LEE}", {**firefly_parameters(), **change})
-    code, output = ros.run([built_program("rotors_control", LEE)], env=NAMESPACE)
+    code, output = ros.run([program("rotors_control", LEE)], env=NAMESPACE)
     assert code == 1, output
     assert text in output
     assert len([line for line in output.splitlines() if "FATAL" in line]) == 1

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from ros_processes import PYTHON, RosProcesses, built_program, wait_until
+from trident.testing import PYTHON, RosProcesses, eventually, program
 
 HERE = Path(__file__).parent
 NAMESPACE = {"ROS_NAMESPACE": "/UAV1"}
@@ -30,7 +30,7 @@ class Vehicle(RosProcesses):
         self.start_node("/UAV1/vehicle", command, env=NAMESPACE)
 
     def run_example(self, name: str, *arguments: str) -> tuple[int, str]:
-        return self.run([built_program("rotors_gazebo", name), *arguments], env=NAMESPACE)
+        return self.run([program("rotors_gazebo", name), *arguments], env=NAMESPACE)
 
     def events(self) -> list[dict[str, Any]]:
         text = self.log.read_text() if self.log.exists() else ""
@@ -38,7 +38,7 @@ class Vehicle(RosProcesses):
 
     def unpause(self) -> None:
         self.start(["rosservice", "call", "/gazebo/unpause_physics"])
-        wait_until(lambda: bool(self.events()), "the start of the clock")
+        eventually(lambda: bool(self.events()), "the start of the clock")
 
 
 @pytest.fixture
@@ -53,7 +53,7 @@ def test_hovering_example_unpauses_then_sends_one_point_that_a_late_listener_get
 ) -> None:
     example = ros.start(
         [
-            built_program("rotors_gazebo", "hovering_example"),
+            program("rotors_gazebo", "hovering_example"),
             *["_x:=1.5", "_z:=2", f"_yaw:={math.pi / 2}"],
         ],
         env=NAMESPACE,
@@ -61,7 +61,7 @@ def test_hovering_example_unpauses_then_sends_one_point_that_a_late_listener_get
     ros.start_simulator()  # later than the node: it must try again
     output, _ = example.communicate(timeout=30.0)
     assert example.returncode == 0, output
-    wait_until(lambda: len(ros.events()) == 2, "arrival of the trajectory")
+    eventually(lambda: len(ros.events()) == 2, "arrival of the trajectory")
     unpause, trajectory = ros.events()
     assert unpause == {"event": "unpause"}
     assert trajectory["stamp"] >= 20.0
@@ -80,7 +80,7 @@ def test_waypoint_publisher_sends_its_argument(ros: Vehicle) -> None:
     ros.unpause()
     code, output = ros.run_example("waypoint_publisher", "1", "-2", "3", "-90", "5")
     assert code == 0, output
-    wait_until(lambda: len(ros.events()) == 2, "arrival of the trajectory")
+    eventually(lambda: len(ros.events()) == 2, "arrival of the trajectory")
     (point,) = ros.events()[1]["points"]
     assert point == pytest.approx([0.0, 1.0, -2.0, 3.0, -math.sqrt(0.5), math.sqrt(0.5)])
 
@@ -93,7 +93,7 @@ def test_waypoint_publisher_file_waits_for_the_simulator_then_sends_all_lines(
     example = HERE.parent / "resource" / "example_waypoints.txt"
     code, output = ros.run_example("waypoint_publisher_file", str(example))
     assert code == 0, output
-    wait_until(lambda: len(ros.events()) == 2, "arrival of the trajectory")
+    eventually(lambda: len(ros.events()) == 2, "arrival of the trajectory")
     trajectory = ros.events()[1]
     assert trajectory["stamp"] >= 30.0
     lines = [line.split() for line in example.read_text().splitlines() if line[:1].strip("#")]

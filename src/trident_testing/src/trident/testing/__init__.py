@@ -1,0 +1,46 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""Tests of launch files, in lockstep: the result does not depend on how fast the machine is.
+
+Fixtures for pytest are in `trident.testing.pytest_plugin`; other test runners use the classes:
+
+    ros = Ros(folder)
+    with Launch(ros, "trident_bringup", "multi_uav_simulation.launch", uavs=2, paused=True) as run:
+        run.ready()
+        run.step_to(6.0)
+        assert abs(run.position("UAV1")[2] - 1.5) < 0.1
+    ros.shutdown()
+"""
+
+from trident.testing.gazebo import Gazebo
+from trident.testing.launch import Launch
+from trident.testing.master import PYTHON, Ros, RosProcesses
+from trident.testing.models import box_sdf, pose, vehicle_urdf
+from trident.testing.programs import Process, complaints, package, program
+from trident.testing.simulation import SERVICES, Simulation, State
+from trident.testing.topics import Pilot, Recorder, pilot_of, recorder
+from trident.testing.waiting import LIMIT_S, eventually
+
+__all__ = [
+    "LIMIT_S",
+    "PYTHON",
+    "SERVICES",
+    "Gazebo",
+    "Launch",
+    "Pilot",
+    "Process",
+    "Recorder",
+    "Ros",
+    "RosProcesses",
+    "Simulation",
+    "State",
+    "box_sdf",
+    "complaints",
+    "eventually",
+    "package",
+    "pilot_of",
+    "pose",
+    "program",
+    "recorder",
+    "vehicle_urdf",
+]
