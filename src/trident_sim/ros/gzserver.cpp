@@ -4,34 +4,18 @@
 
 #include <cstdio>
 
-#include "server_options.h"
-#include "services.h"
-#include "simulation.h"
+#include "server.h"
 
 namespace {
 
-/// Services are answered by threads of their own: one may wait for steps while others are asked.
-constexpr std::uint32_t kServiceThreads = 4;
-
 int serve(const std::vector<std::string>& arguments) {
-  ros::NodeHandle node;
-  ros::NodeHandle private_node("~");
-  const trident::ServerOptions options = trident::read_server_options(arguments);
+  const ros::NodeHandle node, private_node("~");
+  const trident::ServerOptions options = trident::read_server_options(private_node, arguments);
   if (!ros::param::has("/use_sim_time")) ros::param::set("/use_sim_time", true);
-  trident::Simulation simulation(node, options);
-  trident::Servers servers;
-  std::vector<ros::Subscriber> subscribers;
-  trident::subscribe_state_topics(private_node, simulation, subscribers);
-  trident::advertise_state_services(private_node, simulation, servers);
-  trident::advertise_force_services(private_node, simulation, servers);
-  trident::advertise_run_services(private_node, simulation, servers);
-  trident::advertise_spawn_services(private_node, simulation, servers);
-  ros::AsyncSpinner spinner(kServiceThreads);
-  spinner.start();
-  const std::string reason = simulation.run();
+  trident::Server server(node, private_node, options);
+  const std::string reason = server.run();
   ROS_INFO("end of the run: %s", reason.c_str());
   ros::shutdown();
-  spinner.stop();
   return 0;
 }
 

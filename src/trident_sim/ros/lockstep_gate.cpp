@@ -63,7 +63,12 @@ std::map<std::string, InPort<ActuatorCommand>*> commanded_ports(const PortBoard&
 
 LockstepGate::LockstepGate(ros::NodeHandle& node, const ServerOptions& options, ReportSink report,
                            std::function<void()> pause)
-    : node_(node), options_(options), report_(std::move(report)), pause_(std::move(pause)) {}
+    : node_(node),
+      options_(options),
+      report_(std::move(report)),
+      pause_(std::move(pause)),
+      hub_(options.shares_process ? DirectInbox::Sockets::kReadByRoscpp
+                                  : DirectInbox::Sockets::kReadHere) {}
 
 LockstepGate::~LockstepGate() {
   {

@@ -21,26 +21,24 @@ class TypedBinding : public OutputBinding {
         port_(port),
         publisher_(advertiser.advertise<Message>("/" + port.name(), kQueue)) {}
 
-  void publish() override {
-    convert(port_.value, message_);
-    publisher_.publish(message_);
-  }
-  void serialize(std::vector<std::uint8_t>& bytes) override {
-    convert(port_.value, message_);
-    const std::uint32_t length = ros::serialization::serializationLength(message_);
-    bytes.resize(sizeof(length) + length);
-    ros::serialization::OStream stream(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
-    ros::serialization::serialize(stream, length);
-    ros::serialization::serialize(stream, message_);
+  void publish() override { publisher_.publish(converted()); }
+  std::unique_ptr<DirectMessage> message() override {
+    return std::make_unique<ObjectMessage<Message>>(converted());
   }
   std::uint32_t subscribers() const override { return publisher_.getNumSubscribers(); }
   const ros::Publisher& publisher() const override { return publisher_; }
   bool is_for_display() const override { return std::is_same_v<Sample, JointStateSample>; }
 
  private:
+  boost::shared_ptr<Message> converted() {
+    const auto message = pool_.take();
+    convert(port_.value, *message);
+    return message;
+  }
+
   OutPort<Sample>& port_;
   ros::Publisher publisher_;
-  Message message_;
+  MessagePool<Message> pool_;
 };
 
 /// A transform: collected, and published with all others of the step as one message.
@@ -53,7 +51,7 @@ class FrameBinding : public OutputBinding {
     message_.transforms.emplace_back();
     convert(port_.value, message_.transforms.back());
   }
-  void serialize(std::vector<std::uint8_t>& bytes) override { bytes.clear(); }
+  std::unique_ptr<DirectMessage> message() override { return nullptr; }
   std::uint32_t subscribers() const override { return tf_.getNumSubscribers(); }
   const ros::Publisher& publisher() const override { return tf_; }
 

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "trident_ros/direct_message.h"
 #include "trident_ros/inline_callback_queue.h"
 #include "trident_sim/port.h"
 
@@ -27,8 +28,9 @@ class OutputBinding {
 
   /// Converts the present value and publishes it.
   virtual void publish() = 0;
-  /// Converts the present value to the bytes that go over the wire, length first.
-  virtual void serialize(std::vector<std::uint8_t>& bytes) = 0;
+  /// Converts the present value into a message that may wait to be sent; nullptr when the topic
+  /// takes no single messages.
+  virtual std::unique_ptr<DirectMessage> message() = 0;
   virtual std::uint32_t subscribers() const = 0;
   virtual const ros::Publisher& publisher() const = 0;
   /// Joint states: of use to displays only.

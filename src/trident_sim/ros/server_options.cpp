@@ -34,8 +34,8 @@ bool to_flag(const std::string& text) { return text == "1" || text == "true" || 
 /// The private parameters, fetched in one call.
 class Parameters {
  public:
-  Parameters() {
-    if (!ros::param::get("~", tree_) || tree_.getType() != XmlRpc::XmlRpcValue::TypeStruct) {
+  explicit Parameters(const ros::NodeHandle& private_node) : root_(private_node.getNamespace()) {
+    if (!private_node.getParam("", tree_) || tree_.getType() != XmlRpc::XmlRpcValue::TypeStruct) {
       tree_ = XmlRpc::XmlRpcValue();
       tree_[kNothing] = 0;
     }
@@ -85,10 +85,9 @@ class Parameters {
   bool is_list(const char* name) {
     return has(name) && tree_[name].getType() == XmlRpc::XmlRpcValue::TypeArray;
   }
-  [[noreturn]] static void refuse(const std::string& name, XmlRpc::XmlRpcValue& value,
-                                  const std::string& legal) {
-    throw Error("parameter " + ros::this_node::getName() + "/" + name + " is " + value.toXml() +
-                ", must be " + legal);
+  [[noreturn]] void refuse(const std::string& name, XmlRpc::XmlRpcValue& value,
+                           const std::string& legal) const {
+    throw Error("parameter " + root_ + "/" + name + " is " + value.toXml() + ", must be " + legal);
   }
 
   /// One sentence per parameter that nothing has asked for.
@@ -100,7 +99,7 @@ class Parameters {
       const std::string& name = entry.first;
       const bool is_foreign = name == kNothing || name == "enable_ros_network";
       if (is_foreign || asked_for_.count(name) > 0) continue;
-      result.push_back("parameter " + ros::this_node::getName() + "/" + name +
+      result.push_back("parameter " + root_ + "/" + name +
                        " is unknown and has no effect; known: " + known);
     }
     return result;
@@ -113,6 +112,7 @@ class Parameters {
     return tree_.hasMember(name);
   }
 
+  std::string root_;
   XmlRpc::XmlRpcValue tree_;
   std::set<std::string> asked_for_;
 };
@@ -153,8 +153,8 @@ void read_timing(Parameters& parameters, ServerOptions& options) {
   }
 }
 
-void read_parameters(ServerOptions& options) {
-  Parameters parameters;
+void read_parameters(const ros::NodeHandle& private_node, ServerOptions& options) {
+  Parameters parameters(private_node);
   parameters.number("real_time_factor", options.real_time_factor, 0.0, 1e6);
   parameters.number("end_time", options.end_time_s, 0.0, 1e9);
   parameters.flag("end_on_finish", options.end_on_finish);
@@ -213,10 +213,11 @@ void read_arguments(const std::vector<std::string>& arguments, ServerOptions& op
 
 }  // namespace
 
-ServerOptions read_server_options(const std::vector<std::string>& arguments) {
+ServerOptions read_server_options(const ros::NodeHandle& private_node,
+                                  const std::vector<std::string>& arguments) {
   ServerOptions options;
   read_environment(options);
-  read_parameters(options);
+  read_parameters(private_node, options);
   read_arguments(arguments, options);
   return options;
 }

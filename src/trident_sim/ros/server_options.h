@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <ros/node_handle.h>
+
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -36,10 +38,12 @@ struct ServerOptions {
   double pub_clock_frequency_hz = 0.0;  ///< simulated rate of /clock; 0: every step
   std::string out_dir;                  ///< where results go; "": none are written
   std::vector<std::string> plugin_libraries;
+  bool shares_process = false;        ///< it is one of the nodelets of a manager
   std::vector<std::string> warnings;  ///< about the options themselves
 };
 
 /// Reads all of it; `arguments` without ROS' own. Throws Error naming the option.
-ServerOptions read_server_options(const std::vector<std::string>& arguments);
+ServerOptions read_server_options(const ros::NodeHandle& private_node,
+                                  const std::vector<std::string>& arguments);
 
 }  // namespace trident

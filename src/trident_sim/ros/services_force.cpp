@@ -79,7 +79,8 @@ void advertise_force_services(ros::NodeHandle& node, Simulation& simulation, Ser
         Simulation::Access access(simulation);
         const Link* link = access.world().find_link(request.body_name);
         if (link == nullptr) {
-          ROS_ERROR("ClearBodyWrenches: body [%s] does not exist", one_line(request.body_name).c_str());
+          ROS_ERROR("ClearBodyWrenches: body [%s] does not exist",
+                    one_line(request.body_name).c_str());
         } else {
           access.world().clear_wrenches(*link);
         }

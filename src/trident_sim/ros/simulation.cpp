@@ -75,7 +75,7 @@ void Simulation::sync_topics() {
 std::string Simulation::run() {
   restart_pace();
   next_second_ = Clock::now();
-  while (ros::ok() && run_once()) {
+  while (ros::ok() && !stopped_ && run_once()) {
   }
   const std::lock_guard<std::mutex> lock(mutex_);
   ended_ = true;

@@ -27,8 +27,10 @@ class Simulation {
   /// Throws Error when the world cannot be loaded.
   Simulation(ros::NodeHandle& node, const ServerOptions& options);
 
-  /// Steps until the end of the run or of ROS. Returns the reason of the end.
+  /// Steps until the end of the run or of ROS, or stop(). Returns the reason of the end.
   std::string run();
+  /// From any thread: run() comes to its end.
+  void stop() { stopped_ = true; }
 
   /// Exclusive use of the world while it lives; the stepping thread makes way.
   class Access {
@@ -84,6 +86,7 @@ class Simulation {
   PluginRegistry registry_;
   std::mutex mutex_;
   std::atomic<int> waiting_{0};
+  std::atomic<bool> stopped_{false};
   std::unique_ptr<World> world_;
   std::unique_ptr<PortBinder> binder_;
   std::unique_ptr<StateTopics> topics_;

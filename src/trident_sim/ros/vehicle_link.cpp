@@ -15,8 +15,6 @@
 namespace trident {
 namespace {
 
-constexpr std::size_t kSequenceAt = 4;  // header.seq, after the length of the message
-
 WallTime wall_now() {
   return std::chrono::duration_cast<std::chrono::nanoseconds>(
              std::chrono::steady_clock::now().time_since_epoch())
@@ -50,7 +48,8 @@ VehicleLink::VehicleLink(ros::NodeHandle& node, LockstepHub& hub, InPort<Actuato
     direct_.push_back(std::make_unique<DirectPublication>(binding->publisher()));
   }
   commands_ = hub.commands.subscribe<mav_msgs::Actuators>(
-      node, "/" + port.name(), 10, [this](Span<const std::uint8_t> bytes) { on_command(bytes); });
+      node, "/" + port.name(), 10, [this](Span<const std::uint8_t> bytes) { on_command(bytes); },
+      [this](const mav_msgs::Actuators& message) { on_command(message); });
   auto accepted = raw_subscription<std_msgs::Header>(
       "/" + prefix_ + "command/accepted_setpoint", 100,
       [this](const auto& bytes) { on_confirmation(bytes.data(), bytes.size()); }, &queue);
@@ -110,9 +109,13 @@ void VehicleLink::on_command(Span<const std::uint8_t> bytes) {
   } catch (const ros::serialization::StreamOverrunException&) {
     return;  // roscpp checked the type; a torn message has nothing to say
   }
+  on_command(message_);
+}
+
+void VehicleLink::on_command(const mav_msgs::Actuators& message) {
   ActuatorCommand command;
-  command.stamp = from_ros(message_.header.stamp);
-  const auto& speeds = message_.angular_velocities;
+  command.stamp = from_ros(message.header.stamp);
+  const auto& speeds = message.angular_velocities;
   command.angular_velocities.size = std::min(speeds.size(), SmallVector::kCapacity);
   std::copy_n(speeds.begin(), command.angular_velocities.size,
               command.angular_velocities.data.begin());
@@ -136,11 +139,7 @@ void VehicleLink::send_next() {
 }
 
 void VehicleLink::send(State& state) {
-  for (auto& [index, message] : state.messages) {
-    const std::uint32_t sequence = direct_[index]->next_sequence();
-    std::memcpy(message.data() + kSequenceAt, &sequence, sizeof(sequence));
-    direct_[index]->send(message);
-  }
+  for (const auto& [index, message] : state.messages) direct_[index]->send(*message);
 }
 
 void VehicleLink::deliver() {
@@ -152,8 +151,7 @@ void VehicleLink::send_state(SimTime stamp, WallTime now) {
   State state{stamp, {}};
   for (std::size_t i = 0; i < odometry_.size(); ++i) {
     if (!odometry_[i]->wanted() || !odometry_[i]->take_fresh()) continue;
-    state.messages.emplace_back(i, std::vector<std::uint8_t>{});
-    odometry_[i]->serialize(state.messages.back().second);
+    state.messages.emplace_back(i, odometry_[i]->message());
   }
   if (state.messages.empty()) return;
   // At least one, so that a reader that has just died is missed.
@@ -179,8 +177,7 @@ void VehicleLink::announce_reset() {
     port->value.stamp = {};
     port->value.v_child.setZero();
     port->value.w_child.setZero();
-    state.messages.emplace_back(i, std::vector<std::uint8_t>{});
-    odometry_[i]->serialize(state.messages.back().second);
+    state.messages.emplace_back(i, odometry_[i]->message());
   }
   send(state);
 }

@@ -25,6 +25,8 @@ class VehicleLink;
 /// What the stepping thread and roscpp's socket thread share. Everything below is under `mutex`,
 /// which neither thread holds while it takes the world's.
 struct LockstepHub {
+  explicit LockstepHub(DirectInbox::Sockets sockets) : commands(sockets) {}
+
   std::mutex mutex;
   DirectInbox commands;  ///< of all vehicles; read by the stepping thread, under `mutex`
   std::vector<VehicleLink*> vehicles;
@@ -83,9 +85,10 @@ class VehicleLink {
  private:
   struct State {
     SimTime stamp;
-    std::vector<std::pair<std::size_t, std::vector<std::uint8_t>>> messages;
+    std::vector<std::pair<std::size_t, std::unique_ptr<DirectMessage>>> messages;
   };
   void on_command(Span<const std::uint8_t> bytes);
+  void on_command(const mav_msgs::Actuators& message);
   void send_next();
   void send(State& state);
   void on_confirmation(const std::uint8_t* bytes, std::size_t size);

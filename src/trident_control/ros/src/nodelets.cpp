@@ -7,6 +7,7 @@
 
 #include <memory>
 
+#include "trident_base/error.h"
 #include "trident_control_ros/lee_position_controller_node.h"
 #include "trident_control_ros/node_main.h"
 #include "trident_control_ros/roll_pitch_yawrate_thrust_controller_node.h"
@@ -14,13 +15,18 @@
 namespace trident {
 namespace {
 
-/// A bad parameter throws, and the manager refuses the nodelet with that text.
+/// With a bad parameter the manager does not get the nodelet.
 class ControllerNodelet : public nodelet::Nodelet {
  public:
   void onInit() override {
-    ParameterTree parameters = ParameterTree::of_node(getPrivateNodeHandle());
-    node_ = make(getNodeHandle(), parameters);
-    log_notes(parameters);
+    try {
+      ParameterTree parameters = ParameterTree::of_node(getPrivateNodeHandle());
+      node_ = make(getNodeHandle(), parameters);
+      log_notes(parameters);
+    } catch (const Error& error) {
+      NODELET_FATAL("%s", error.what());  // the manager says only that it failed
+      throw;
+    }
   }
 
  protected:

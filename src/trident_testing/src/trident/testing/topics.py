@@ -76,13 +76,18 @@ class Pilot:
         vehicles: their namespaces.
     """
 
-    def __init__(self, vehicles: Sequence[str]) -> None:
+    def __init__(
+        self, vehicles: Sequence[str], node: str = "/{}/lee_position_controller_node"
+    ) -> None:
         """Advertise and subscribe.
 
         Args:
             vehicles: their namespaces, e.g. UAV1.
+            node: name of a controller's node, {} standing for the vehicle; of nodelets, their
+                manager's.
         """
         self.vehicles = list(vehicles)
+        self._node = node
         self._accepted: dict[str, set[int]] = {name: set() for name in vehicles}
         self._lock = threading.Lock()
         self._publishers = {
@@ -101,7 +106,7 @@ class Pilot:
     def connected(self, vehicle: str) -> Pilot:
         """Return when the controller of `vehicle` listens, and is heard."""
         index = self.vehicles.index(vehicle)
-        controller = f"/{vehicle}/lee_position_controller_node"
+        controller = self._node.format(vehicle)
 
         def is_connected() -> bool:
             listeners = {link.endpoint_id for link in self._publishers[vehicle].impl.connections}
@@ -142,9 +147,9 @@ class Pilot:
 
 
 @contextmanager
-def pilot_of(*vehicles: str) -> Iterator[Pilot]:
-    """A pilot whose topics end with the block."""
-    pilot = Pilot(vehicles)
+def pilot_of(*vehicles: str, **options: str) -> Iterator[Pilot]:
+    """A pilot whose topics end with the block; options as those of `Pilot`."""
+    pilot = Pilot(vehicles, **options)
     try:
         yield pilot
     finally:

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <ros/callback_queue.h>
+#include <ros/ros.h>
+
+#include <string>
+#include <vector>
+
+#include "services.h"
+#include "simulation.h"
+
+namespace trident {
+
+/// A simulation with its services and topics: the process gzserver, or a nodelet.
+class Server {
+ public:
+  /// Throws Error when an option is bad or the world cannot be loaded. `private_node`: /gazebo.
+  Server(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
+         const ServerOptions& options);
+  ~Server();
+  Server(const Server&) = delete;
+  Server& operator=(const Server&) = delete;
+
+  /// Steps until the end of the run or of ROS, or stop(). Returns the reason of the end.
+  std::string run() { return simulation_.run(); }
+  /// From any thread.
+  void stop() { simulation_.stop(); }
+
+ private:
+  ros::CallbackQueue queue_;  ///< of services: one may wait for steps while others are asked
+  ros::NodeHandle node_, private_node_;
+  Simulation simulation_;
+  Servers servers_;
+  std::vector<ros::Subscriber> subscribers_;
+  ros::AsyncSpinner spinner_;
+};
+
+}  // namespace trident
