@@ -16,7 +16,7 @@ _RESULT = {"rtf": 50.0, "cpu_s_per_sim_s": 0.02, "state_hash": "ab", "largest_of
 @pytest.fixture
 def measured(monkeypatch):
     """Answers of the measurement per mode; an exception is raised."""
-    answers = {"in_process": _RESULT, "lockstep_external": _RESULT}
+    answers = dict.fromkeys(("in_process", "lockstep_nodelet", "lockstep_external"), _RESULT)
 
     def measure_once(plan, setup, profile):
         answer = answers[plan.mode]
@@ -36,6 +36,8 @@ def test_rows_are_written_and_said(measured, tmp_path, capsys):
     assert [(row["mode"], row["n"]) for row in document["rows"]] == [
         ("in_process", 1),
         ("in_process", 6),
+        ("lockstep_nodelet", 1),
+        ("lockstep_nodelet", 6),
         ("lockstep_external", 1),
         ("lockstep_external", 6),
     ]
@@ -44,7 +46,7 @@ def test_rows_are_written_and_said(measured, tmp_path, capsys):
     assert document["commit"]
     said = capsys.readouterr()
     assert said.out == ""
-    assert "[4/4] lockstep_external n=6 run 1/1: rtf 50" in said.err
+    assert "[6/6] lockstep_external n=6 run 1/1: rtf 50" in said.err
 
 
 def test_the_saved_rows_give_the_printed_table(measured, tmp_path, capsys):
@@ -70,7 +72,7 @@ def test_lost_vehicles_fail_their_row(measured, tmp_path):
     measured["lockstep_external"] = _RESULT | {"largest_offset_m": 3.0}
     out = tmp_path / "b.json"
     assert bench.main(["sim", "--quick", "--out", str(out)]) == bench.FAILED
-    assert "3.000 m from its place" in json.loads(out.read_text())["rows"][2]["error"]
+    assert "3.000 m from its place" in json.loads(out.read_text())["rows"][4]["error"]
 
 
 @pytest.mark.parametrize(

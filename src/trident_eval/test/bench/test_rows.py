@@ -31,6 +31,7 @@ def test_the_full_benchmark_has_every_row_of_the_issue_three_times():
     sizes = {mode: [p.n for p in plans if p.mode == mode] for mode in {p.mode for p in plans}}
     assert sizes == {
         "in_process": [1, 6, 24, 100],
+        "lockstep_nodelet": [1, 6, 24],
         "lockstep_external": [1, 6, 24],
         "startup": [6],
         "main_job": [6],
@@ -43,7 +44,9 @@ def test_the_full_benchmark_has_every_row_of_the_issue_three_times():
 def test_quick_is_small_but_measures_a_minute():
     plans = plan_rows(quick=True)
     assert {(p.mode, p.n) for p in plans} == {
-        (mode, n) for mode in ("in_process", "lockstep_external") for n in (1, 6)
+        (mode, n)
+        for mode in ("in_process", "lockstep_nodelet", "lockstep_external")
+        for n in (1, 6)
     }
     assert all(p.runs == 1 and p.window_s == 60.0 for p in plans)
 
@@ -53,7 +56,7 @@ def test_equal_sizes_have_equal_windows_so_that_hashes_can_be_compared():
         plans = plan_rows(quick)
         windows = {(p.mode, p.n): p.window_s for p in plans}
         for (mode, n), window in windows.items():
-            if mode == "lockstep_external":
+            if mode.startswith("lockstep"):
                 assert windows["in_process", n] == window
 
 
@@ -63,7 +66,7 @@ def test_modes_and_runs_can_be_chosen():
 
 
 def test_an_unknown_mode_is_named_with_the_legal_ones():
-    with pytest.raises(EvalError, match=r"'gpu' is unknown; legal: in_process, lockstep_external"):
+    with pytest.raises(EvalError, match=r"'gpu' is unknown; legal: in_process, lockstep_nodelet"):
         plan_rows(quick=False, modes=["gpu"])
 
 
@@ -119,12 +122,16 @@ def test_flights_are_compared_per_size():
         {"mode": "in_process", "n": 6, "state_hash": "b"},
         {"mode": "in_process", "n": 24, "state_hash": None},
         {"mode": "in_process", "n": 100, "state_hash": "d"},
+        {"mode": "lockstep_nodelet", "n": 1, "state_hash": "a"},
+        {"mode": "lockstep_nodelet", "n": 24, "state_hash": "c"},
+        {"mode": "lockstep_nodelet", "n": 40, "state_hash": "e"},
         {"mode": "lockstep_external", "n": 1, "state_hash": "a"},
         {"mode": "lockstep_external", "n": 6, "state_hash": "x"},
+        {"mode": "lockstep_external", "n": 40, "state_hash": "f"},
         {"mode": "lockstep_external", "n": 24, "state_hash": None},
         {"mode": "main_job", "n": 1, "state_hash": "z"},
     ]
-    assert same_flight(rows) == {1: True, 6: False, 24: False}
+    assert same_flight(rows) == {1: True, 6: False, 24: False, 40: False}
 
 
 def test_a_row_that_failed_is_not_compared():

@@ -81,6 +81,7 @@ def measure_once(plan: Plan, setup: Setup, profile: bool) -> dict[str, Any]:
     """
     modes: dict[str, Callable[[], dict[str, Any]]] = {
         "in_process": lambda: in_process.measure(plan, setup, profile),
+        "lockstep_nodelet": lambda: lockstep.measure(plan, setup),
         "lockstep_external": lambda: lockstep.measure(plan, setup),
         "startup": lambda: launches.measure_startup(plan),
         "main_job": lambda: launches.measure_main_job(plan),

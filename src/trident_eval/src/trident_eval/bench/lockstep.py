@@ -1,6 +1,9 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""Mode ``lockstep_external``: the server node, one controller process per vehicle, ROS between."""
+"""Modes ``lockstep_external`` and ``lockstep_nodelet``: the server and one controller per vehicle.
+
+External: a process each, ROS between them. Nodelet: all in one nodelet manager.
+"""
 
 from __future__ import annotations
 
@@ -8,6 +11,7 @@ import json
 import subprocess
 import sys
 import time
+from collections.abc import Sequence
 from typing import Any
 
 from trident_eval.bench.processes import Master, Processes
@@ -23,6 +27,8 @@ from trident_eval.bench.vehicle import (
 )
 from trident_eval.core.errors import EvalError
 
+_NODELET = ("rosrun", "nodelet", "nodelet")
+_MANAGER = "/nodelets"
 _STEP_S = 0.01  # rotors_gazebo/worlds/basic.world
 _SPAWN_LIMIT_S = 120.0
 _FLIGHT_LIMIT_S = 900.0
@@ -49,6 +55,14 @@ def start_server(processes: Processes, setup: Setup) -> subprocess.Popen[bytes]:
     return processes.start("gazebo", command)
 
 
+def start_manager(processes: Processes, setup: Setup) -> subprocess.Popen[bytes]:
+    """Starts a nodelet manager and loads the simulator into it."""
+    manager = processes.start("manager", [*_NODELET, "manager", f"__name:={_MANAGER[1:]}"])
+    words = ["gazebo_ros/gzserver", _MANAGER, "-u", str(setup.world), "__name:=gazebo"]
+    processes.start("gazebo", [*_NODELET, "load", *words])
+    return manager
+
+
 def spawn_all(processes: Processes, n: int) -> None:
     """Runs one spawn_model process per vehicle, all at once, to their ends."""
     spawners = []
@@ -66,10 +80,10 @@ def spawn_all(processes: Processes, n: int) -> None:
         processes.finish(log, process, _SPAWN_LIMIT_S)
 
 
-def start_controllers(processes: Processes, n: int, program_path: str) -> list[int]:
-    """Starts one controller process per vehicle; returns their ids."""
+def start_controllers(processes: Processes, n: int, command: Sequence[str]) -> list[int]:
+    """Starts one controller process per vehicle, or one that loads it; returns their ids."""
     node = "lee_position_controller_node"
-    words = [program_path, f"__name:={node}", "odometry:=odometry_sensor1/odometry"]
+    words = [*command, f"__name:={node}", "odometry:=odometry_sensor1/odometry"]
     return [
         processes.start(f"{node}_{i + 1}", words, {"ROS_NAMESPACE": vehicle_name(i)}).pid
         for i in range(n)
@@ -86,11 +100,15 @@ def measure(plan: Plan, setup: Setup) -> dict[str, Any]:
         roscore, master = processes.start_master()
         set_params(processes, master, plan, setup)
         program("gazebo_ros", "spawn_model")  # found now, so that the search is not timed
+        in_manager = plan.mode == "lockstep_nodelet"
         begin = time.perf_counter()
-        server = start_server(processes, setup)
+        server = (start_manager if in_manager else start_server)(processes, setup)
         spawn_all(processes, plan.n)
         startup_s = time.perf_counter() - begin
-        controllers = start_controllers(processes, plan.n, setup.controller)
+        loading = [*_NODELET, "load", "rotors_control/lee_position_controller", _MANAGER]
+        controllers = start_controllers(
+            processes, plan.n, loading if in_manager else [setup.controller]
+        )
         result = pilot_result(processes, plan, roscore.pid, server.pid, controllers)
         processes.stop(server)
         return result | {"startup_s": startup_s, "state_hash": final_hash(processes)}
