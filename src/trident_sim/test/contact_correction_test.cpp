@@ -14,7 +14,7 @@ constexpr double kDt = 0.01, kRadius = 0.5, kLayer = 0.001;
 /// Less than gravity takes away in a step, so that a body does not leave what pushes it out.
 constexpr double kGently = 0.05;
 /// Softness of a contact: what a newton takes from the speed of being pushed out [m/s].
-constexpr double kSoftness = 1e-6;
+constexpr double kSoftness = 1e-8;
 
 Surface with_max_vel(double max_vel_m_s) {
   Surface surface;

@@ -82,9 +82,10 @@ TEST(SdfError, InertiaMustBePositive) {
 
 TEST(SdfError, UnknownJointTypesAndLinksAreNamed) {
   const std::string links = "<link name='a'/><link name='b'/>";
-  EXPECT_TRUE(contains(load_error(model(links + "<joint name='j' type='ball'><parent>a</parent>"
-                                                "<child>b</child></joint>")),
-                       "legal: fixed, revolute, continuous, prismatic"));
+  EXPECT_TRUE(
+      contains(load_error(model(links + "<joint name='j' type='revolute2'><parent>a</parent>"
+                                        "<child>b</child></joint>")),
+               "legal: fixed, revolute, continuous, prismatic"));
   EXPECT_TRUE(contains(load_error(model(links + "<joint name='j' type='fixed'><parent>a</parent>"
                                                 "<child>nowhere</child></joint>")),
                        "nowhere"));

@@ -50,6 +50,22 @@ target_link_libraries(trident_sim_test
   trident_sim_test_support sdformat12::sdformat12 ${GTEST_MAIN_LIBRARIES})
 target_include_directories(trident_sim_test PRIVATE src)  # parts of plugins
 
+# Joints, terrain, contacts against closed forms, snapshots of flights.
+catkin_add_gtest(trident_sim_physics_test
+  test/contact_closed_form_test.cpp
+  test/coupled_joint_test.cpp
+  test/heightmap_test.cpp
+  test/joint_drive_test.cpp
+  test/joint_types_test.cpp
+  test/sdf_joint_test.cpp
+  test/snapshot_test.cpp
+  test/solver_options_test.cpp
+  test_support/golden_world.cpp
+)
+target_link_libraries(trident_sim_physics_test
+  trident_sim_test_support trident_control_sim PkgConfig::PNG ${GTEST_MAIN_LIBRARIES})
+target_include_directories(trident_sim_physics_test PRIVATE src)  # parts of the core
+
 # Closed loops, with the Lee controller as a plugin (trident_control_sim is defined later on).
 catkin_add_gtest(trident_sim_flight_test
   test/closed_loop_test.cpp

@@ -76,6 +76,15 @@ JointSpec make_joint(const std::string& name, JointType type, const std::string&
   return joint;
 }
 
+ModelSpec make_on_world(JointType type, const Eigen::Vector3d& p, const Eigen::Vector3d& axis,
+                        const Eigen::Vector3d& inertia) {
+  ModelSpec model;
+  model.name = "m";
+  model.links.push_back(make_link("bob", 1.0, inertia, SE3{Eigen::Quaterniond::Identity(), p}));
+  model.joints.push_back(make_joint("j", type, "world", "bob", {}, axis));
+  return model;
+}
+
 double QuadOptions::hover_speed_rad_s(double gravity) const {
   return std::sqrt(mass_kg() * gravity / (4.0 * motor_constant));
 }

@@ -33,6 +33,11 @@ JointSpec make_joint(const std::string& name, JointType type, const std::string&
                      const std::string& child, const SE3& T_model_joint,
                      const Eigen::Vector3d& axis_model);
 
+/// A model "m" of a link "bob" of 1 kg, its origin and centre of mass at `p`, on a joint "j" to the
+/// world at the origin.
+ModelSpec make_on_world(JointType type, const Eigen::Vector3d& p, const Eigen::Vector3d& axis,
+                        const Eigen::Vector3d& inertia = {0.02, 0.03, 0.04});
+
 /// A quadrotor in "+" form with RotorS' plugins, unlike any of RotorS' vehicles.
 struct QuadOptions {
   std::string name = "quad";

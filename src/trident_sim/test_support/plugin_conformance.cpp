@@ -142,6 +142,10 @@ void expect_plugin_conforms(const PluginCase& plugin, void (*register_plugins)(P
   EXPECT_FALSE(first.empty());
   host->reset();
   EXPECT_EQ(host.outputs(), first) << "after a reset";
+  const Snapshot snapshot = host->save_snapshot();
+  const std::vector<double> next = host.outputs();
+  host->restore_snapshot(snapshot);
+  EXPECT_EQ(host.outputs(), next) << "after a snapshot";
   host->remove("quad");
   EXPECT_TRUE(host.ports().empty());
 }

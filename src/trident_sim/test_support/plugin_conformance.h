@@ -20,7 +20,8 @@ struct PluginCase {
 
 /// Expects, of the plugin alone on the links of make_quad(): it constructs; refuses a missing
 /// required element and a bad number with the element's name; runs; after a reset gives the outputs
-/// of its first run; and takes its ports with it when its model is deleted.
+/// of its first run; goes on from a snapshot as it did; and takes its ports with it when its model
+/// is deleted.
 void expect_plugin_conforms(const PluginCase& plugin,
                             void (*register_plugins)(PluginRegistry&) = nullptr);
 

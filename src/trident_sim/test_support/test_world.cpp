@@ -13,6 +13,12 @@ WorldSpec world_spec(double dt_s) {
   return spec;
 }
 
+WorldSpec weightless(double dt_s) {
+  WorldSpec spec = world_spec(dt_s);
+  spec.physics.gravity.setZero();
+  return spec;
+}
+
 TestWorld::TestWorld(const WorldSpec& spec, WorldOptions options, const Resources& resources)
     : world_((register_builtin_plugins(registry), spec), resources, registry,
              listening(std::move(options))) {}

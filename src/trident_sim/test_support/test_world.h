@@ -22,6 +22,9 @@ struct Report {
 /// An empty world with step `dt_s`, gravity (0, 0, -9.8) and ODE's exact solver.
 WorldSpec world_spec(double dt_s = 0.01);
 
+/// The same without gravity.
+WorldSpec weightless(double dt_s = 0.001);
+
 /// A world of plain specs with all built-in plugins, which keeps what it is told.
 class TestWorld {
  public:

@@ -10,6 +10,7 @@
 
 #include "trident_base/se3.h"
 #include "trident_sim/model_spec.h"
+#include "trident_sim/state_archive.h"
 
 namespace trident {
 
@@ -17,6 +18,7 @@ namespace trident {
 struct Geom {
   dGeomID id = nullptr;
   dTriMeshDataID mesh = nullptr;
+  dHeightfieldDataID heightfield = nullptr;
   Surface surface;   ///< fdir1 in the frame of the body, of the world for a static geometry
   std::string name;  ///< "model::link::collision"
 };
@@ -36,7 +38,8 @@ struct Body {
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Identity();
   Eigen::Matrix3d inertia_inverse = Eigen::Matrix3d::Identity();
   double linear_damping = 0.0, angular_damping = 0.0;
-  bool gravity = true;
+  double weight_kg = 0.0;                              ///< of the links that gravity pulls
+  Eigen::Vector3d p_weight = Eigen::Vector3d::Zero();  ///< where, from the origin, body frame
 
   // Accumulated over a step, world frame, torque about the centre of mass.
   Eigen::Vector3d force = Eigen::Vector3d::Zero();
@@ -63,6 +66,10 @@ struct Body {
   void set_orientation(const Eigen::Quaterniond& R_world_body_new) {
     T_world_body.R = R_world_body_new;
     R_world_body = R_world_body_new.toRotationMatrix();
+  }
+  void state(StateArchive& archive) {
+    archive(T_world_body, R_world_body, v_world, w_world, T_before, v_before, w_before, force,
+            torque, rotor_momentum, in_contact, frozen);
   }
   /// World velocity of the point p (world coordinates) that moves with the body.
   Eigen::Vector3d velocity_at(const Eigen::Vector3d& p_world) const {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -29,13 +31,46 @@ struct Link {
   }
 };
 
-/// A joint as users know it: rigid (no degree of freedom), an ODE joint, or a spun rotor, which is
+/// One axis of a joint at run time: `to` moves against `from`, about the axis or along it. A body
+/// that is nullptr stands for the world.
+struct JointAxis {
+  AxisSpec spec;
+  bool linear = false;
+  Body *from = nullptr, *to = nullptr;
+  const Body* carrier = nullptr;  ///< which the axis is fixed to
+  Eigen::Vector3d axis_carrier = Eigen::Vector3d::UnitZ();
+  Eigen::Vector3d p_from_anchor = Eigen::Vector3d::Zero(), p_to_anchor = Eigen::Vector3d::Zero();
+  Eigen::Quaterniond R_from_to_zero = Eigen::Quaterniond::Identity();
+
+  double inertia = 0.0;  ///< of `to` against `from` as spawned [kg m^2] or [kg]
+  double damping = 0.0;  ///< [N m s/rad] or [N s/m]
+  double force = 0.0;    ///< applied in the next step [N m] or [N]
+  double turned = 0.0;   ///< position at the end of the last step, for counting turns [rad]
+
+  Eigen::Vector3d axis_world() const;
+  /// Position and rate of an angle or a length as they are measured, without turns.
+  double angle() const;  ///< in (-pi, pi]
+  double angle_rate() const;
+  double length() const;
+  double length_rate() const;
+  /// Turn of `to` against `from` since zero, in the axes of `from`.
+  Eigen::Quaterniond turn() const;
+  /// Adds a torque or a force on `to`, and its reaction on `from`.
+  void push(double effort) const;
+};
+
+/// A joint as users know it: rigid (no degree of freedom), held by ODE, or a spun rotor, which is
 /// kept as a scalar rate on its carrier (see docs/architecture.md, "Rotors").
 struct Joint {
   JointSpec spec;
   Link* parent = nullptr;  ///< nullptr: the world
   Link* child = nullptr;
-  dJointID ode = nullptr;
+  dJointID ode = nullptr;          ///< nullptr: rigid or spun
+  std::vector<dJointID> ode_more;  ///< what a screw and a gearbox need besides
+  std::vector<Body*> held;         ///< bodies that its constraints act on, ODE joints only
+  Body* reference = nullptr;       ///< of a gearbox; nullptr: the world
+  Body* shaft = nullptr;           ///< of a gearbox
+  std::array<JointAxis, 2> axes;   ///< the first axis_count() of them
 
   bool spun = false;
   Eigen::Vector3d axis_body = Eigen::Vector3d::UnitZ();  ///< of the carrier's body, spun only
@@ -46,14 +81,20 @@ struct Joint {
   double spun_position = 0.0;       ///< [rad]
   double spun_velocity = 0.0;       ///< [rad/s]
 
-  double inertia = 0.0;  ///< of the two bodies against each other [kg m^2] or [kg], ODE joints only
-  double force = 0.0;    ///< applied in the next step [N m] or [N]
-  double damping = 0.0;  ///< [N m s/rad] or [N s/m]
-
-  double position() const;  ///< [rad] or [m]
-  double velocity() const;  ///< [rad/s] or [m/s]
+  /// Axes that can be read and driven; none of a rigid joint, a ball and a spun rotor's neighbours.
+  std::size_t axis_count() const;
+  /// [rad] or [m]. An angle counts turns. 0 for an axis that the joint does not have.
+  double position(std::size_t axis = 0) const;
+  double velocity(std::size_t axis = 0) const;  ///< [rad/s] or [m/s]
   /// Sets the rate; on a spun joint this is how a motor drives its rotor.
   void set_velocity(double rate);
+  /// Adds to what drives the axis in the next step [N m] or [N].
+  void add_effort(double effort, std::size_t axis = 0) { axes[axis].force += effort; }
+  /// Keeps the positions, so that the next ones count turns. Called after each step.
+  void count_turns();
+  /// As spawned: nothing turned, nothing driven.
+  void reset();
+  void state(StateArchive& archive);
 };
 
 /// One spawned model: its links, joints, bodies and plugins.
@@ -64,7 +105,7 @@ class Model {
   ModelSpec spec;  ///< without the plugins' parameters, which nothing needs after construction
   SE3 T_world_model_initial;
   bool is_static = false;
-  std::size_t index = 0;
+  std::uint64_t spawn_number = 0;  ///< tells models of one name apart that came one after another
 
   std::vector<std::unique_ptr<Body>> bodies;
   std::vector<std::unique_ptr<Link>> links;

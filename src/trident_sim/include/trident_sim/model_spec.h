@@ -37,8 +37,12 @@ struct MeshShape {
   std::string file;  ///< resolved path
   Eigen::Vector3d scale;
 };
-using Shape =
-    std::variant<BoxShape, SphereShape, CylinderShape, CapsuleShape, PlaneShape, MeshShape>;
+struct HeightmapShape {
+  std::string file;      ///< resolved path of a PNG or PGM picture, of any size
+  Eigen::Vector3d size;  ///< extents [m]; black is at z 0, the brightest pixel at size.z
+};
+using Shape = std::variant<BoxShape, SphereShape, CylinderShape, CapsuleShape, PlaneShape,
+                           MeshShape, HeightmapShape>;
 
 /// Contact parameters of one collision, with Gazebo's defaults.
 struct Surface {
@@ -85,22 +89,41 @@ struct LinkSpec {
   std::vector<VisualSpec> visuals;
 };
 
-enum class JointType { kFixed, kRevolute, kPrismatic };
+enum class JointType { kFixed, kRevolute, kPrismatic, kBall, kUniversal, kScrew, kGearbox };
 
-struct JointSpec {
-  std::string name;
-  JointType type = JointType::kFixed;
-  std::string parent, child;
-  SE3 T_model_joint;
+/// What one axis of a joint allows and resists.
+struct AxisSpec {
   Eigen::Vector3d axis_model = Eigen::Vector3d::UnitZ();
   double lower = -std::numeric_limits<double>::infinity();  ///< [rad] or [m]
   double upper = std::numeric_limits<double>::infinity();
   double effort = std::numeric_limits<double>::infinity();    ///< [N m] or [N]
   double velocity = std::numeric_limits<double>::infinity();  ///< [rad/s] or [m/s]
-  double damping = 0.0, friction = 0.0;
+  double damping = 0.0;                                       ///< [N m s/rad] or [N s/m]
+  double friction = 0.0;                     ///< at most, against any motion [N m] or [N]
+  double spring_stiffness = 0.0;             ///< [N m/rad] or [N/m]
+  double spring_reference = 0.0;             ///< where the spring is at rest [rad] or [m]
+  std::optional<double> stop_erp, stop_cfm;  ///< of the limits; else the world's
+};
 
-  /// A joint that cannot move: fixed, or a revolute one whose limits leave no play.
-  bool rigid() const { return type == JointType::kFixed || (upper - lower) <= 1e-9; }
+/// A joint, and its first axis. A screw's axis is its angle.
+struct JointSpec : AxisSpec {
+  std::string name;
+  JointType type = JointType::kFixed;
+  std::string parent, child;
+  SE3 T_model_joint;
+  AxisSpec axis2;              ///< of universal and gearbox joints
+  double screw_pitch_m = 0.0;  ///< travel per turn; positive: a right-handed thread
+  /// Of the angles against the reference body: child's about axis2 = -ratio times parent's about
+  /// the first axis.
+  double gearbox_ratio = 1.0;
+  std::string gearbox_reference_body;
+
+  /// A joint that cannot move: fixed, or with one axis whose limits leave no play.
+  bool rigid() const {
+    const bool has_one_axis =
+        type == JointType::kRevolute || type == JointType::kPrismatic || type == JointType::kScrew;
+    return type == JointType::kFixed || (has_one_axis && (upper - lower) <= 1e-9);
+  }
 };
 
 struct PluginSpec {
@@ -124,9 +147,12 @@ struct PhysicsSpec {
   double real_time_factor = 1.0;
   double real_time_update_rate_hz = 1000.0;
   Eigen::Vector3d gravity{0.0, 0.0, -9.8};
-  std::string solver = "quick";
+  std::string solver = "quick";  ///< or "world": ODE's exact (Dantzig) solver for everything
+  /// With "quick", islands of bodies with up to so many constraint rows are solved exactly: it is
+  /// then both faster and better. 0: never (`<trident:exact_solver_rows>` of `<physics>`).
+  int exact_solver_rows = 150;
   int iterations = 50;
-  int precon_iterations = 0;
+  int precon_iterations = 0;  ///< kept for whoever asks; ODE has no preconditioning
   double sor = 1.3;
   double cfm = 0.0, erp = 0.2;
   double contact_max_correcting_vel = 100.0;

@@ -10,6 +10,7 @@
 #include "trident_base/sim_time.h"
 #include "trident_sim/param_tree.h"
 #include "trident_sim/port.h"
+#include "trident_sim/state_archive.h"
 
 namespace trident {
 
@@ -52,6 +53,9 @@ class Plugin {
   virtual void post_step(const World& /*world*/, const StepInfo& /*info*/) {}
   /// Back to the state after construction (filters, biases, sample counters).
   virtual void reset() {}
+  /// Saves or restores every member that changes from step to step; a snapshot of the world is only
+  /// as complete as this.
+  virtual void state(StateArchive& /*archive*/) {}
 };
 
 /// Owns a port of the board for as long as a plugin lives.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "trident_base/error.h"
+#include "trident_sim/state_archive.h"
 
 namespace trident {
 
@@ -39,6 +41,8 @@ class PortBase {
   bool wanted() const { return listeners_ > 0; }
   void add_listener() { ++listeners_; }
   void remove_listener() { --listeners_; }
+  /// What was written so far; who listens is not part of it.
+  virtual void state(StateArchive& archive) { archive(count_); }
 
  protected:
   std::uint64_t count_ = 0;
@@ -59,6 +63,10 @@ class OutPort : public PortBase {
       : PortBase(std::move(name), PortDirection::kOut, rank, typeid(T)) {}
   T value{};
   void publish() { ++count_; }
+  void state(StateArchive& archive) override {
+    PortBase::state(archive);
+    archive(value);
+  }
 };
 
 /// Written from outside, read by a plugin. Keeps the last kDepth values, because an answer to an
@@ -76,9 +84,13 @@ class InPort : public PortBase {
   std::uint64_t oldest() const { return count_ > kDepth ? count_ - kDepth : 0; }
   const T& at(std::uint64_t index) const { return ring_[index % kDepth]; }
   void clear() { count_ = 0; }
+  void state(StateArchive& archive) override {
+    PortBase::state(archive);
+    archive(ring_);
+  }
 
  private:
-  T ring_[kDepth]{};
+  std::array<T, kDepth> ring_{};
 };
 
 /// All ports of a world by full name ("UAV1/odometry_sensor1/odometry"), in name order.

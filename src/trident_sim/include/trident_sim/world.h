@@ -10,12 +10,14 @@
 #include <vector>
 
 #include "trident_base/sim_time.h"
+#include "trident_sim/joint_drive.h"
 #include "trident_sim/model.h"
 #include "trident_sim/model_spec.h"
 #include "trident_sim/plugin_registry.h"
 #include "trident_sim/port.h"
 #include "trident_sim/samples.h"
 #include "trident_sim/sdf_loader.h"
+#include "trident_sim/snapshot.h"
 
 namespace trident {
 
@@ -73,6 +75,13 @@ class World {
   /// reset_models() and time zero.
   void reset();
 
+  /// The state as it is now. To be called between steps.
+  Snapshot save_snapshot();
+  /// Goes back to a state of this world: the steps that follow are those that followed it then, to
+  /// the bit, if the same commands come. Throws Error when models or ports have come or gone since
+  /// then, and leaves the world as it was.
+  void restore_snapshot(const Snapshot& snapshot);
+
   SimTime time() const { return time_; }
   std::uint64_t step_count() const { return step_count_; }
   SimTime dt() const { return dt_; }
@@ -108,11 +117,19 @@ class World {
   void clear_wrenches(const Link& link);
   struct AppliedEffort {
     Joint* joint;
-    double effort;
+    double effort;  ///< [N m] or [N]
     SimTime start, duration;
+    std::size_t axis = 0;
   };
   void apply_effort(const AppliedEffort& effort);
   void clear_efforts(const Joint& joint);
+
+  /// Drives an axis of a joint from now on, in place of a drive that it has. The drive lives until
+  /// it is removed or replaced, or the joint's model goes. Throws Error as JointDrive does.
+  JointDrive& add_drive(Joint& joint, const DriveSpec& spec, std::size_t axis = 0);
+  JointDrive* find_drive(const Joint& joint, std::size_t axis = 0) const;
+  /// Nothing happens when there is none.
+  void remove_drive(const Joint& joint, std::size_t axis = 0);
 
   PortBoard& ports() { return ports_; }
   const PortBoard& ports() const { return ports_; }
@@ -139,6 +156,9 @@ class World {
   std::unique_ptr<Plugin> create_plugin(const PluginSpec& spec, Model* model,
                                         const std::string& owner);
   void drop_references(const Model& model);
+  void restore_drives(const std::vector<JointDrive>& drives);
+  std::vector<std::string> inventory() const;
+  void state(StateArchive& archive);
 
   std::string name_;
   PhysicsSpec physics_;
@@ -153,8 +173,11 @@ class World {
   std::vector<Plugin*> schedule_[4];
   std::vector<AppliedWrench> wrenches_;
   std::vector<AppliedEffort> efforts_;
+  std::vector<std::unique_ptr<JointDrive>> drives_;
   SimTime time_, dt_;
   std::uint64_t step_count_ = 0;
+  std::uint64_t spawn_count_ = 0;
+  std::shared_ptr<const int> identity_ = std::make_shared<int>();
   bool profiling_ = false;
   StageTimes stage_times_;
 };

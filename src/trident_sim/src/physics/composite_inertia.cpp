@@ -76,6 +76,7 @@ void set_inertia(Body& body, const CompositeInertia& inertia,
   dMassSetParameters(&mass, body.mass_kg, 0, 0, 0, I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2),
                      I(1, 2));
   dBodySetMass(body.ode, &mass);
+  if (body.kinematic) dBodySetKinematic(body.ode);  // which a mass ends
 }
 
 }  // namespace trident

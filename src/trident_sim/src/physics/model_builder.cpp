@@ -5,6 +5,9 @@
 #include <numeric>
 #include <set>
 
+#include "composite_inertia.h"
+#include "joint_anchor.h"
+#include "ode_joint.h"
 #include "physics_engine.h"
 #include "shapes.h"
 #include "trident_base/error.h"
@@ -36,19 +39,6 @@ class LinkGroups {
  private:
   std::vector<std::size_t> parent_;
 };
-
-Eigen::Matrix3d about_origin(double mass, const Eigen::Vector3d& p) {
-  return mass * (p.squaredNorm() * Eigen::Matrix3d::Identity() - p * p.transpose());
-}
-
-/// A rotor seen from its carrier: free about its axis, so that inertia does not load the carrier,
-/// and round, because it turns many times in the time in which the carrier moves.
-Eigen::Matrix3d spun_inertia(const Eigen::Matrix3d& inertia, const Eigen::Vector3d& axis,
-                             double& axial) {
-  axial = axis.dot(inertia * axis);
-  const double transverse = 0.5 * (inertia.trace() - axial);
-  return transverse * (Eigen::Matrix3d::Identity() - axis * axis.transpose());
-}
 
 class Builder {
  public:
@@ -118,13 +108,9 @@ class Builder {
     return nullptr;
   }
 
-  /// Inertia of one link about its own centre of mass, model axes.
-  Eigen::Matrix3d link_inertia(const LinkSpec& spec) const {
-    const Eigen::Matrix3d R = (spec.T_model_link.R * spec.inertial.T_link_com.R).toRotationMatrix();
-    const Eigen::Matrix3d inertia = R * spec.inertial.inertia_com * R.transpose();
-    const JointSpec* spun = spun_joint_of(spec.name);
-    double axial = 0.0;
-    return spun == nullptr ? inertia : spun_inertia(inertia, spun->axis_model, axial);
+  BodyPart part(std::size_t i) const {
+    const JointSpec* spun = spun_joint_of(spec_.links[i].name);
+    return {&spec_.links[i], spun == nullptr ? nullptr : &spun->axis_model};
   }
 
   void make_bodies() {
@@ -141,42 +127,25 @@ class Builder {
     auto body = std::make_unique<Body>();
     const LinkSpec& first = spec_.links[leader];
     body->name = model_.name + "::" + first.name;
-    Eigen::Vector3d weighted = Eigen::Vector3d::Zero();
-    for (const std::size_t i : links) {
-      const LinkSpec& link = spec_.links[i];
-      body->mass_kg += link.inertial.mass_kg;
-      weighted += link.inertial.mass_kg * (link.T_model_link * link.inertial.T_link_com.p);
-    }
-    const Eigen::Vector3d p_model_com = weighted / body->mass_kg;
-    Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
-    for (const std::size_t i : links) {
-      const LinkSpec& link = spec_.links[i];
-      const Eigen::Vector3d p = link.T_model_link * link.inertial.T_link_com.p - p_model_com;
-      inertia += link_inertia(link) + about_origin(link.inertial.mass_kg, p);
-    }
-    const Eigen::Matrix3d R = first.T_model_link.R.toRotationMatrix();
-    body->inertia = R.transpose() * inertia * R;
-    body->inertia_inverse = body->inertia.inverse();
-    body->T_world_body = model_.T_world_model_initial * SE3{first.T_model_link.R, p_model_com};
+    std::vector<BodyPart> parts;
+    for (const std::size_t i : links) parts.push_back(part(i));
+    const CompositeInertia inertia = compose_inertia(parts);
+    body->T_world_body =
+        model_.T_world_model_initial * SE3{first.T_model_link.R, inertia.p_model_com};
     body->set_orientation(body->T_world_body.R);
     body->T_world_body_initial = body->T_world_body;
-    body->gravity = first.gravity;
     body->kinematic = first.kinematic;
     body->linear_damping = first.linear_damping;
     body->angular_damping = first.angular_damping;
     body->self_collide = spec_.self_collide;
     body->owner = &model_;
     make_ode_body(*body);
+    set_inertia(*body, inertia, first.T_model_link.R);
     return body;
   }
 
   void make_ode_body(Body& body) {
     body.ode = dBodyCreate(world_);
-    dMass mass;
-    const Eigen::Matrix3d& I = body.inertia;
-    dMassSetParameters(&mass, body.mass_kg, 0, 0, 0, I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2),
-                       I(1, 2));
-    dBodySetMass(body.ode, &mass);
     dBodySetGyroscopicMode(body.ode, 0);  // the engine adds that torque, rotors included
     dBodySetGravityMode(body.ode, 0);
     dBodySetAutoDisableFlag(body.ode, 0);
@@ -210,11 +179,12 @@ class Builder {
   }
 
   void place_on_body(Body& body, Geom geom, const SE3& T_body_shape) {
-    if (dGeomGetClass(geom.id) == dPlaneClass) {
+    if (must_be_static(geom)) {
       const std::string name = geom.name;
+      const char* kind = geom.heightfield != nullptr ? "heightmap" : "plane";
       destroy_geom(geom);
-      throw Error("collision '" + name +
-                  "' is a plane on a link that moves; a plane must be static");
+      throw Error("collision '" + name + "' is a " + kind + " on a link that moves; a " + kind +
+                  " must be static");
     }
     dGeomSetBody(geom.id, body.ode);
     dGeomSetOffsetPosition(geom.id, T_body_shape.p.x(), T_body_shape.p.y(), T_body_shape.p.z());
@@ -249,7 +219,6 @@ class Builder {
     for (const JointSpec& spec : spec_.joints) {
       auto joint = std::make_unique<Joint>();
       joint->spec = spec;
-      joint->damping = spec.damping;
       joint->parent = model_.find_link(spec.parent);
       joint->child = model_.find_link(spec.child);
       if (is_spun(spec.name)) {
@@ -259,8 +228,26 @@ class Builder {
       }
       model_.joints.push_back(std::move(joint));
     }
-    place_bodies();
-    for (Joint* joint : pending_) make_ode_joint(*joint);
+    place_as_spawned(model_);
+    for (Joint* joint : pending_) {
+      if (joint->spec.type == JointType::kGearbox) add_shaft(*joint);
+      make_ode_joint(model_, *joint, world_);
+    }
+  }
+
+  void add_shaft(Joint& joint) {
+    const std::string& reference = joint.spec.gearbox_reference_body;
+    if (link_index(reference, joint.spec.name) != groups_.world()) {
+      joint.reference = model_.find_link(reference)->body;
+    }
+    const Body *parent = body_of(joint.parent), *child = joint.child->body;
+    if (parent == nullptr || child == nullptr || parent == joint.reference ||
+        child == joint.reference) {
+      throw Error("model '" + model_.name + "': gearbox '" + joint.spec.name +
+                  "': parent and child must move against the reference body '" + reference + "'");
+    }
+    model_.bodies.push_back(make_shaft(model_, joint, world_));
+    joint.shaft = model_.bodies.back().get();
   }
 
   static Body* body_of(const Link* link) { return link == nullptr ? nullptr : link->body; }
@@ -268,66 +255,14 @@ class Builder {
   void make_spun(Joint& joint) const {
     joint.spun = true;
     const LinkSpec& spec = spec_.links[index_.at(joint.spec.child)];
-    const Eigen::Matrix3d R = (spec.T_model_link.R * spec.inertial.T_link_com.R).toRotationMatrix();
-    spun_inertia(R * spec.inertial.inertia_com * R.transpose(), joint.spec.axis_model,
-                 joint.axial_inertia);
-    joint.transverse_inertia = 0.5 * (spec.inertial.inertia_com.trace() - joint.axial_inertia);
+    const RotorInertia inertia = rotor_inertia(spec, joint.spec.axis_model);
+    joint.axial_inertia = inertia.axial;
+    joint.transverse_inertia = inertia.transverse;
     if (joint.child->body == nullptr) return;
     const Eigen::Quaterniond R_world_model = model_.T_world_model_initial.R;
     joint.axis_body =
         joint.child->body->T_world_body.R.conjugate() * (R_world_model * joint.spec.axis_model);
     joint.rotor_axis_body = joint.axis_body;
-  }
-
-  void place_bodies() const {
-    for (const auto& body : model_.bodies) {
-      const SE3& T = body->T_world_body;
-      dBodySetPosition(body->ode, T.p.x(), T.p.y(), T.p.z());
-      const dQuaternion q = {T.R.w(), T.R.x(), T.R.y(), T.R.z()};
-      dBodySetQuaternion(body->ode, q);
-    }
-  }
-
-  static double mobility_of(const Body* body) {
-    return body == nullptr || body->kinematic ? 0.0 : 1.0 / body->mass_kg;
-  }
-  /// One over the inertia of `body`, as spawned, about an axis through `anchor` [1/(kg m^2)].
-  static double mobility_about(const Body* body, const Eigen::Vector3d& axis,
-                               const Eigen::Vector3d& anchor) {
-    if (body == nullptr || body->kinematic) return 0.0;
-    const Eigen::Vector3d axis_body = body->R_world_body.transpose() * axis;
-    const Eigen::Vector3d arm = axis.cross(body->T_world_body.p - anchor);
-    return 1.0 / (axis_body.dot(body->inertia * axis_body) + body->mass_kg * arm.squaredNorm());
-  }
-
-  void make_ode_joint(Joint& joint) const {
-    const JointSpec& spec = joint.spec;
-    Body* child = joint.child->body;
-    Body* parent = body_of(joint.parent);
-    const Eigen::Vector3d axis = model_.T_world_model_initial.R * spec.axis_model;
-    const Eigen::Vector3d anchor = model_.T_world_model_initial * spec.T_model_joint.p;
-    const bool hinge = spec.type == JointType::kRevolute;
-    joint.ode = hinge ? dJointCreateHinge(world_, nullptr) : dJointCreateSlider(world_, nullptr);
-    dJointAttach(joint.ode, child ? child->ode : nullptr, parent ? parent->ode : nullptr);
-    const auto set = hinge ? dJointSetHingeParam : dJointSetSliderParam;
-    if (hinge) {
-      dJointSetHingeAnchor(joint.ode, anchor.x(), anchor.y(), anchor.z());
-      dJointSetHingeAxis(joint.ode, axis.x(), axis.y(), axis.z());
-    } else {
-      dJointSetSliderAxis(joint.ode, axis.x(), axis.y(), axis.z());
-    }
-    const double mobility = (hinge ? mobility_about(child, axis, anchor) : mobility_of(child)) +
-                            (hinge ? mobility_about(parent, axis, anchor) : mobility_of(parent));
-    joint.inertia = mobility > 0.0 ? 1.0 / mobility : 0.0;
-    if (std::isfinite(spec.lower)) set(joint.ode, dParamLoStop, spec.lower);
-    if (std::isfinite(spec.upper)) set(joint.ode, dParamHiStop, spec.upper);
-    if (spec.friction > 0.0) {
-      set(joint.ode, dParamVel, 0.0);
-      set(joint.ode, dParamFMax, spec.friction);
-    }
-    for (Body* body : {child, parent}) {
-      if (body != nullptr) ++body->joint_count;
-    }
   }
 
   Model& model_;
@@ -351,10 +286,7 @@ void PhysicsEngine::build(Model& model, const std::vector<std::string>& spun_joi
 }
 
 void PhysicsEngine::destroy(Model& model) {
-  for (const auto& joint : model.joints) {
-    if (joint->ode != nullptr) dJointDestroy(joint->ode);
-    joint->ode = nullptr;
-  }
+  for (const auto& joint : model.joints) destroy_ode_joint(*joint);
   for (const auto& body : model.bodies) {
     for (Geom& geom : body->geoms) destroy_geom(geom);
     body->geoms.clear();

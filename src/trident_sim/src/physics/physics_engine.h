@@ -41,6 +41,8 @@ class PhysicsEngine {
   /// Copies poses and velocities of the bodies of `model` into ODE, after they were set by hand.
   void push_state(Model& model);
   void push_state(Body& body);
+  /// What the next step's result depends on besides the bodies and joints.
+  void state(StateArchive& archive) { archive(order_); }
 
  private:
   /// A body with rotors: spun_joints_[first] to spun_joints_[last - 1].
@@ -66,11 +68,14 @@ class PhysicsEngine {
   void solve_constrained(double dt_s);
   bool is_large_island(const Body& body);
   void solve_islands(bool large, double dt_s);
-  void solve_large_island(double dt_s);
+  void solve_iteratively(int iterations, double dt_s);
+  /// False when the solver has failed.
+  bool solve_exactly(double dt_s);
+  void solve_one_by_one(double dt_s);
+  static void put_back(const Body& body);
   void advance_rotors(double dt_s);
 
   Report report_;
-  bool solver_told_ = false;
   PhysicsSpec spec_;
   bool rotor_axes_lag_;
   Eigen::Vector3d gravity_;

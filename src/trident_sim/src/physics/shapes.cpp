@@ -5,9 +5,12 @@
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
+#include <algorithm>
 #include <assimp/Importer.hpp>
+#include <cmath>
 #include <vector>
 
+#include "height_image.h"
 #include "trident_base/error.h"
 
 namespace trident {
@@ -70,7 +73,41 @@ dGeomID make_mesh(const MeshShape& shape, const std::string& scoped_name, dTriMe
   return id;
 }
 
+/// Below the lowest sample the ground is this thick [m], as in Gazebo: what has sunk in deeper
+/// falls.
+constexpr double kGroundThickness = 1.0;
+
+/// A field over the shape's x and y, centred on its origin; the top of the picture lies at +y. As
+/// in Gazebo the brightest pixel is at size.z, black at zero.
+dGeomID make_heightmap(const HeightmapShape& shape, const std::string& scoped_name,
+                       dHeightfieldDataID& data) {
+  HeightImage image;
+  try {
+    image = read_height_image(shape.file);
+  } catch (const Error& error) {
+    throw Error("collision '" + scoped_name + "': heightmap: " + error.what());
+  }
+  std::vector<float>& heights = image.brightness;
+  const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
+  const double scale = *high > 0.0F ? shape.size.z() / *high : 0.0;
+  const double lowest = scale * *low, highest = scale * *high;
+  data = dGeomHeightfieldDataCreate();
+  for (float& height : heights) height = static_cast<float>(scale * height);
+  dGeomHeightfieldDataBuildSingle(data, heights.data(), 1, shape.size.x(), shape.size.y(),
+                                  image.columns, image.rows, 1.0, 0.0, kGroundThickness, 0);
+  dGeomHeightfieldDataSetBounds(data, lowest, highest);
+  return dCreateHeightfield(nullptr, data, 1);
+}
+
+/// ODE's heightfields stand on their x-z plane.
+const Eigen::Quaterniond kUpright(std::sqrt(0.5), std::sqrt(0.5), 0.0, 0.0);
+
 }  // namespace
+
+bool must_be_static(const Geom& geom) {
+  const int kind = dGeomGetClass(geom.id);
+  return kind == dPlaneClass || kind == dHeightfieldClass;
+}
 
 Geom make_geom(const CollisionSpec& spec, const std::string& scoped_name) {
   Geom geom;
@@ -92,6 +129,9 @@ Geom make_geom(const CollisionSpec& spec, const std::string& scoped_name) {
       return dCreatePlane(nullptr, s.normal.x(), s.normal.y(), s.normal.z(), 0.0);
     }
     dGeomID operator()(const MeshShape& s) const { return make_mesh(s, geom.name, geom.mesh); }
+    dGeomID operator()(const HeightmapShape& s) const {
+      return make_heightmap(s, geom.name, geom.heightfield);
+    }
   };
   geom.id = std::visit(Maker{geom}, spec.shape);
   return geom;
@@ -102,9 +142,11 @@ void destroy_geom(Geom& geom) {
   auto* soup = static_cast<TriangleSoup*>(geom.mesh != nullptr ? dGeomGetData(geom.id) : nullptr);
   dGeomDestroy(geom.id);
   if (geom.mesh != nullptr) dGeomTriMeshDataDestroy(geom.mesh);
+  if (geom.heightfield != nullptr) dGeomHeightfieldDataDestroy(geom.heightfield);
   delete soup;
   geom.id = nullptr;
   geom.mesh = nullptr;
+  geom.heightfield = nullptr;
 }
 
 void place_static_geom(Geom& geom, const SE3& T_world_shape) {
@@ -117,8 +159,10 @@ void place_static_geom(Geom& geom, const SE3& T_world_shape) {
     return;
   }
   dGeomSetPosition(geom.id, T_world_shape.p.x(), T_world_shape.p.y(), T_world_shape.p.z());
-  const dQuaternion q = {T_world_shape.R.w(), T_world_shape.R.x(), T_world_shape.R.y(),
-                         T_world_shape.R.z()};
+  const Eigen::Quaterniond R = dGeomGetClass(geom.id) == dHeightfieldClass
+                                   ? Eigen::Quaterniond(T_world_shape.R * kUpright)
+                                   : T_world_shape.R;
+  const dQuaternion q = {R.w(), R.x(), R.y(), R.z()};
   dGeomSetQuaternion(geom.id, q);
 }
 

@@ -10,9 +10,12 @@
 
 namespace trident {
 
-/// Makes the ODE geometry of a shape, unplaced. Throws Error for a mesh that cannot be read.
+/// Makes the ODE geometry of a shape, unplaced. Throws Error for a mesh or image that cannot be
+/// read.
 Geom make_geom(const CollisionSpec& spec, const std::string& scoped_name);
 void destroy_geom(Geom& geom);
+/// Whether ODE knows the shape only as part of what never moves, a plane or a heightmap.
+bool must_be_static(const Geom& geom);
 /// Places `geom`, which is not attached to a body, in the world.
 void place_static_geom(Geom& geom, const SE3& T_world_shape);
 

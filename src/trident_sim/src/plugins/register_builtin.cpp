@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
+#include "joints/joint_plugins.h"
 #include "rotors/rotors_plugins.h"
 #include "trident_sim/world.h"
 
@@ -22,6 +23,7 @@ PluginFactory told_once(std::string what) {
 }  // namespace
 
 void register_builtin_plugins(PluginRegistry& registry) {
+  registry.add("libtrident_joint_drive.so", joint_drive_factory());
   registry.add("librotors_gazebo_motor_model.so", motor_model_factory());
   registry.add("librotors_gazebo_multirotor_base_plugin.so", multirotor_base_factory());
   registry.add("librotors_gazebo_controller_interface.so", controller_interface_factory());

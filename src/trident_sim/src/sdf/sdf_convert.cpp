@@ -3,42 +3,13 @@
 #include "sdf_convert.h"
 
 #include <Eigen/Eigenvalues>
-#include <ignition/math/eigen3/Conversions.hh>
 
+#include "sdf_joint.h"
+#include "sdf_values.h"
 #include "trident_base/error.h"
 
 namespace trident {
 namespace {
-
-SE3 to_se3(const ignition::math::Pose3d& pose) {
-  return {ignition::math::eigen3::convert(pose.Rot()).normalized(),
-          ignition::math::eigen3::convert(pose.Pos())};
-}
-
-Eigen::Vector3d to_eigen(const ignition::math::Vector3d& v) {
-  return ignition::math::eigen3::convert(v);
-}
-
-SE3 resolve(const sdf::SemanticPose& pose, const std::string& frame, const std::string& what) {
-  ignition::math::Pose3d result;
-  const sdf::Errors errors = pose.Resolve(result, frame);
-  if (!errors.empty()) throw Error(what + ": " + errors.front().Message());
-  return to_se3(result);
-}
-
-sdf::ElementPtr descend(sdf::ElementPtr element, std::initializer_list<const char*> path) {
-  for (const char* name : path) {
-    if (!element || !element->HasElement(name)) return nullptr;
-    element = element->GetElement(name);
-  }
-  return element;
-}
-
-template <class T>
-T value_or(const sdf::ElementPtr& root, std::initializer_list<const char*> path, T fallback) {
-  const sdf::ElementPtr element = descend(root, path);
-  return element ? element->Get<T>() : fallback;
-}
 
 ParamNode to_param_node(const sdf::ElementPtr& element) {
   ParamNode node;
@@ -65,10 +36,22 @@ std::vector<PluginSpec> convert_plugins(const sdf::ElementPtr& owner) {
   return plugins;
 }
 
-/// The shape, or nothing for one that is not simulated (said once). A missing mesh file throws
-/// when `mesh_required`.
+/// The path of a shape's file. A missing one throws when `required`.
+std::optional<std::string> find_file(const char* kind, const std::string& uri,
+                                     const std::string& what, bool required,
+                                     const ConvertContext& context) {
+  std::string file = context.resources.find(uri, context.base_folder);
+  if (!file.empty()) return file;
+  const std::string text = context.label + ": " + what + ": " + kind + " '" + uri + "' not found";
+  if (required) throw Error(text + "; searched: " + context.resources.searched());
+  context.warn(text + "; shown without it");
+  return std::nullopt;
+}
+
+/// The shape, or nothing for one that is not simulated (said once). A missing file throws when
+/// `file_required`.
 std::optional<Shape> convert_shape(const sdf::Geometry& geometry, const std::string& what,
-                                   bool mesh_required, const ConvertContext& context) {
+                                   bool file_required, const ConvertContext& context) {
   switch (geometry.Type()) {
     case sdf::GeometryType::BOX:
       return BoxShape{to_eigen(geometry.BoxShape()->Size())};
@@ -81,22 +64,23 @@ std::optional<Shape> convert_shape(const sdf::Geometry& geometry, const std::str
     case sdf::GeometryType::PLANE:
       return PlaneShape{to_eigen(geometry.PlaneShape()->Normal())};
     case sdf::GeometryType::MESH: {
-      const std::string uri = geometry.MeshShape()->Uri();
-      const std::string file = context.resources.find(uri, context.base_folder);
-      if (file.empty()) {
-        const std::string text = context.label + ": " + what + ": mesh '" + uri + "' not found";
-        if (mesh_required) throw Error(text + "; searched: " + context.resources.searched());
-        context.warn(text + "; shown without it");
-        return std::nullopt;
-      }
-      return MeshShape{file, to_eigen(geometry.MeshShape()->Scale())};
+      const auto file =
+          find_file("mesh", geometry.MeshShape()->Uri(), what, file_required, context);
+      if (!file) return std::nullopt;
+      return MeshShape{*file, to_eigen(geometry.MeshShape()->Scale())};
+    }
+    case sdf::GeometryType::HEIGHTMAP: {
+      const sdf::Heightmap& heightmap = *geometry.HeightmapShape();
+      const auto file = find_file("heightmap", heightmap.Uri(), what, file_required, context);
+      if (!file) return std::nullopt;
+      return HeightmapShape{*file, to_eigen(heightmap.Size())};
     }
     case sdf::GeometryType::EMPTY:
       return std::nullopt;
     default:
       context.warn(context.label + ": " + what +
                    ": geometry type is not simulated (known: box, sphere, cylinder, capsule, "
-                   "plane, mesh)");
+                   "plane, mesh, heightmap)");
       return std::nullopt;
   }
 }
@@ -118,20 +102,18 @@ void check_positive(const Shape& shape, const std::string& what, const ConvertCo
   } else if (const auto* capsule = std::get_if<CapsuleShape>(&shape)) {
     check("capsule radius", capsule->radius);
     check("capsule length", capsule->length);
+  } else if (const auto* heightmap = std::get_if<HeightmapShape>(&shape)) {
+    for (int i = 0; i < 3; ++i) check("heightmap size", heightmap->size[i]);
   }
 }
 
-std::optional<double> number_if_given(const sdf::ElementPtr& element, const char* name,
-                                      const std::string& what, const ConvertContext& context) {
-  if (!element->HasElement(name)) return std::nullopt;
-  const double value = element->Get<double>(name);
-  if (std::isfinite(value)) return value;
-  throw Error(context.label + ": " + what + ": <" + name + "> is " + std::to_string(value) +
-              ", must be a finite number");
+/// Where the shape is in its collision or visual: only a heightmap says so.
+SE3 shape_offset(const sdf::Geometry& geometry) {
+  if (geometry.Type() != sdf::GeometryType::HEIGHTMAP) return {};
+  return {Eigen::Quaterniond::Identity(), to_eigen(geometry.HeightmapShape()->Position())};
 }
 
-Surface convert_surface(const sdf::Collision& collision, const std::string& what,
-                        const ConvertContext& context) {
+Surface convert_surface(const sdf::Collision& collision, const std::string& what) {
   Surface surface;
   if (const sdf::Surface* from = collision.Surface()) {
     if (from->Contact()) surface.collide_bitmask = from->Contact()->CollideBitmask();
@@ -150,8 +132,8 @@ Surface convert_surface(const sdf::Collision& collision, const std::string& what
   if (const auto ode = descend(element, {"contact", "ode"})) {
     surface.kp_n_m = value_or(ode, {"kp"}, surface.kp_n_m);
     surface.kd_ns_m = value_or(ode, {"kd"}, surface.kd_ns_m);
-    surface.min_depth_m = number_if_given(ode, "min_depth", what, context);
-    surface.max_vel_m_s = number_if_given(ode, "max_vel", what, context);
+    surface.min_depth_m = number_if_given(ode, "min_depth", what);
+    surface.max_vel_m_s = number_if_given(ode, "max_vel", what);
     // Gazebo's way to ask for the world's.
     if (surface.max_vel_m_s.value_or(0.0) < 0.0) surface.max_vel_m_s.reset();
   }
@@ -195,78 +177,21 @@ LinkSpec convert_link(const sdf::Link& from, const std::string& prefix, const SE
     auto shape = convert_shape(*collision.Geom(), name, true, context);
     if (!shape) continue;
     check_positive(*shape, name, context);
-    link.collisions.push_back({collision.Name(),
-                               resolve(collision.SemanticPose(), from.Name(), name), *shape,
-                               convert_surface(collision, name, context)});
+    const SE3 T_link_shape =
+        resolve(collision.SemanticPose(), from.Name(), name) * shape_offset(*collision.Geom());
+    link.collisions.push_back({collision.Name(), T_link_shape, *shape,
+                               convert_surface(collision, context.label + ": " + name)});
   }
   for (std::size_t i = 0; i < from.VisualCount(); ++i) {
     const sdf::Visual& visual = *from.VisualByIndex(i);
     const std::string name = what + " visual '" + visual.Name() + "'";
     auto shape = convert_shape(*visual.Geom(), name, false, context);
     if (!shape) continue;
-    link.visuals.push_back(
-        {visual.Name(), resolve(visual.SemanticPose(), from.Name(), name), *shape});
+    const SE3 T_link_shape =
+        resolve(visual.SemanticPose(), from.Name(), name) * shape_offset(*visual.Geom());
+    link.visuals.push_back({visual.Name(), T_link_shape, *shape});
   }
   return link;
-}
-
-void convert_axis(const sdf::Joint& from, const std::string& what, JointSpec& joint) {
-  const sdf::JointAxis* axis = from.Axis(0);
-  if (axis == nullptr) throw Error(what + ": has no <axis>");
-  ignition::math::Vector3d direction;
-  const sdf::Errors errors = axis->ResolveXyz(direction, "__model__");
-  if (!errors.empty()) throw Error(what + ": " + errors.front().Message());
-  joint.axis_model = to_eigen(direction).normalized();
-  joint.lower = axis->Lower();
-  joint.upper = axis->Upper();
-  if (joint.lower <= -1e16) joint.lower = -std::numeric_limits<double>::infinity();
-  if (joint.upper >= 1e16) joint.upper = std::numeric_limits<double>::infinity();
-  if (joint.lower > joint.upper) {
-    throw Error(what + ": lower limit " + std::to_string(joint.lower) + " is above upper limit " +
-                std::to_string(joint.upper));
-  }
-  joint.effort = axis->Effort();
-  joint.velocity = axis->MaxVelocity();
-  joint.damping = axis->Damping();
-  joint.friction = axis->Friction();
-}
-
-JointSpec convert_joint(const sdf::Joint& from, const std::string& prefix, const SE3& T_root_model,
-                        const ConvertContext& context) {
-  JointSpec joint;
-  joint.name = prefix + from.Name();
-  const std::string what = context.label + ": joint '" + joint.name + "'";
-  switch (from.Type()) {
-    case sdf::JointType::FIXED:
-      joint.type = JointType::kFixed;
-      break;
-    case sdf::JointType::REVOLUTE:
-    case sdf::JointType::CONTINUOUS:
-      joint.type = JointType::kRevolute;
-      break;
-    case sdf::JointType::PRISMATIC:
-      joint.type = JointType::kPrismatic;
-      break;
-    default:
-      throw Error(what + ": type is not supported (legal: fixed, revolute, continuous, prismatic)");
-  }
-  std::string parent, child;
-  if (!from.ResolveParentLink(parent).empty() || !from.ResolveChildLink(child).empty()) {
-    throw Error(what + ": parent '" + from.ParentLinkName() + "' or child '" +
-                from.ChildLinkName() + "' is not a link of the model");
-  }
-  joint.parent = parent == "world" ? parent : prefix + parent;
-  joint.child = prefix + child;
-  joint.T_model_joint = T_root_model * resolve(from.SemanticPose(), "__model__", what);
-  if (joint.type != JointType::kFixed) {
-    convert_axis(from, what, joint);
-    joint.axis_model = T_root_model.R * joint.axis_model;
-    if (from.Type() == sdf::JointType::CONTINUOUS) {
-      joint.lower = -std::numeric_limits<double>::infinity();
-      joint.upper = std::numeric_limits<double>::infinity();
-    }
-  }
-  return joint;
 }
 
 /// Nested models become part of the outermost one, their names joined by "::".
@@ -309,6 +234,7 @@ PhysicsSpec convert_physics(const sdf::World& world, const std::string& label) {
     throw Error(label + ": <max_step_size> is " + std::to_string(spec.max_step_size_s) +
                 " s, must be in (0, 1]");
   }
+  spec.exact_solver_rows = value_or(element, {"trident:exact_solver_rows"}, spec.exact_solver_rows);
   const auto ode = descend(element, {"ode"});
   spec.solver = value_or(ode, {"solver", "type"}, spec.solver);
   spec.iterations = value_or(ode, {"solver", "iters"}, spec.iterations);

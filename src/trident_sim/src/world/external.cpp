@@ -17,6 +17,12 @@ bool finished(SimTime start, SimTime duration, const StepInfo& info) {
   return duration.ns >= 0 && start + duration <= info.begin;
 }
 
+void check_drivable(const Joint& joint, std::size_t axis) {
+  if (axis < joint.axis_count()) return;
+  throw Error("joint '" + joint.spec.name + "' has " + std::to_string(joint.axis_count()) +
+              " axes that can be driven, none numbered " + std::to_string(axis));
+}
+
 }  // namespace
 
 void World::apply_wrench(const AppliedWrench& wrench) {
@@ -38,11 +44,45 @@ void World::apply_effort(const AppliedEffort& effort) {
   if (!std::isfinite(effort.effort)) {
     throw Error("effort on joint '" + effort.joint->spec.name + "' is not finite");
   }
+  check_drivable(*effort.joint, effort.axis);
   efforts_.push_back(effort);
 }
 
 void World::clear_efforts(const Joint& joint) {
   drop_if(efforts_, [&joint](const AppliedEffort& e) { return e.joint == &joint; });
+}
+
+JointDrive& World::add_drive(Joint& joint, const DriveSpec& spec, std::size_t axis) {
+  auto drive = std::make_unique<JointDrive>(joint, axis, spec);
+  remove_drive(joint, axis);
+  drives_.push_back(std::move(drive));
+  return *drives_.back();
+}
+
+JointDrive* World::find_drive(const Joint& joint, std::size_t axis) const {
+  for (const auto& drive : drives_) {
+    if (&drive->joint() == &joint && drive->axis() == axis) return drive.get();
+  }
+  return nullptr;
+}
+
+void World::remove_drive(const Joint& joint, std::size_t axis) {
+  drop_if(drives_,
+          [&](const auto& drive) { return &drive->joint() == &joint && drive->axis() == axis; });
+}
+
+void World::restore_drives(const std::vector<JointDrive>& drives) {
+  std::vector<std::unique_ptr<JointDrive>> restored;
+  for (const JointDrive& then : drives) {
+    // Whoever holds a drive keeps it: it stays the same object.
+    const auto same = std::find_if(drives_.begin(), drives_.end(), [&then](const auto& now) {
+      return now != nullptr && &now->joint() == &then.joint() && now->axis() == then.axis();
+    });
+    restored.push_back(same != drives_.end() ? std::move(*same)
+                                             : std::make_unique<JointDrive>(then));
+    *restored.back() = then;
+  }
+  drives_ = std::move(restored);
 }
 
 void World::apply_external(const StepInfo& info) {
@@ -55,7 +95,7 @@ void World::apply_external(const StepInfo& info) {
     wrench.link->body->torque += wrench.torque_world;
   }
   for (const AppliedEffort& effort : efforts_) {
-    if (active(effort.start, info)) effort.joint->force += effort.effort;
+    if (active(effort.start, info)) effort.joint->add_effort(effort.effort, effort.axis);
   }
 }
 

@@ -42,6 +42,11 @@ void check(bool ok, const std::string& field, double value, const std::string& l
 void validate(const PhysicsSpec& physics) {
   const double dt = physics.max_step_size_s;
   check(dt >= 1e-6 && dt <= 1.0, "max_step_size", dt, "in [1e-6, 1] s");
+  if (physics.solver != "quick" && physics.solver != "world") {
+    throw Error("physics: solver type is '" + physics.solver + "', legal: quick, world");
+  }
+  check(physics.exact_solver_rows >= 0, "exact_solver_rows", physics.exact_solver_rows, ">= 0");
+  check(physics.precon_iterations >= 0, "precon_iters", physics.precon_iterations, ">= 0");
   check(physics.gravity.allFinite(), "gravity", physics.gravity.norm(), "finite");
   check(physics.iterations >= 1 && physics.iterations <= 100000, "iterations", physics.iterations,
         "in [1, 100000]");
@@ -128,6 +133,7 @@ Model& World::spawn(ModelSpec spec, const std::string& robot_namespace) {
   spec.T_world_model.R.normalize();
   std::unique_ptr<Model> model = build_model(std::move(spec), robot_namespace);
   Model& result = *model;
+  result.spawn_number = ++spawn_count_;
   models_.emplace(result.name, std::move(model));
   rebuild_schedule();
   return result;
@@ -194,6 +200,7 @@ void World::drop_references(const Model& model) {
   };
   drop_if(wrenches_, [&](const AppliedWrench& w) { return of_model(w.link); });
   drop_if(efforts_, [&](const AppliedEffort& e) { return of_model(e.joint->child); });
+  drop_if(drives_, [&](const auto& drive) { return of_model(drive->joint().child); });
 }
 
 void World::remove(const std::string& name) {
@@ -244,6 +251,7 @@ void World::step(std::uint64_t n) {
       const StageTimer timer(times ? &times->actuate_s : nullptr);
       run_phase(Phase::kActuate, info);
       if (!wrenches_.empty() || !efforts_.empty()) apply_external(info);
+      for (const auto& drive : drives_) drive->apply(info.dt_s);
     }
     {
       const StageTimer timer(times ? &times->physics_s : nullptr);
@@ -268,13 +276,9 @@ World::StageTimes World::take_stage_times() {
 void World::reset_models() {
   wrenches_.clear();
   efforts_.clear();
+  for (const auto& drive : drives_) drive->reset();
   for (auto& [name, model] : models_) {
-    for (const auto& joint : model->joints) {
-      joint->spun_position = 0.0;
-      joint->spun_velocity = 0.0;
-      joint->rotor_axis_body = joint->axis_body;
-      joint->force = 0.0;
-    }
+    for (const auto& joint : model->joints) joint->reset();
     for (const auto& body : model->bodies) {
       place(*body, body->T_world_body_initial, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero());
     }

@@ -44,6 +44,7 @@ class ControllerInterface : public Plugin {
     next_ = 0;
     refused_ = false;
   }
+  void state(StateArchive& archive) override { archive(next_, refused_); }
 
  private:
   /// Stamps further ahead than this belong to another clock and count as none.

@@ -57,6 +57,7 @@ class Imu : public MeasuringPlugin {
   }
 
   void reset() override { noise_.reset(); }
+  void state(StateArchive& archive) override { archive(noise_, noise_dt_s_); }
 
  protected:
   void measure(const World& world, const StepInfo& info) override {

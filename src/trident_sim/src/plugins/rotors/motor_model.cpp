@@ -66,6 +66,9 @@ class MotorModel : public Plugin {
     refused_ = false;
     command_->clear();
   }
+  void state(StateArchive& archive) override {
+    archive(reference_, filtered_, command_seen_, refused_);
+  }
 
  private:
   void read_command(World& world) {

@@ -60,6 +60,7 @@ class Odometry : public MeasuringPlugin {
   }
 
   void reset() override { delayed_.clear(); }
+  void state(StateArchive& archive) override { archive(delayed_); }
 
  protected:
   void measure(const World&, const StepInfo& info) override {
