@@ -17,4 +17,5 @@ PYBIND11_MODULE(_core, module) {
   trident::bind_commands(module);
   trident::bind_model(module);
   trident::bind_session(module);
+  trident::bind_physics(module);
 }

@@ -96,6 +96,10 @@ py::object PortView::read() {
   const PortBase& port = required(PortDirection::kOut);
   const PortType& type = required_type(port);
   if (!subscribed()) subscribe(true);
+  if (restores_seen_ != session_->restore_count()) {
+    restores_seen_ = session_->restore_count();
+    seen_ = 0;
+  }
   if (port.count() == seen_) return py::none();
   seen_ = port.count();
   return type.read(port);

@@ -51,7 +51,7 @@ class PortView {
 
   std::shared_ptr<Session> session_;
   std::string name_;
-  std::uint64_t seen_ = 0;
+  std::uint64_t seen_ = 0, restores_seen_ = 0;
 };
 
 }  // namespace trident

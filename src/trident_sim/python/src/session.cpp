@@ -138,6 +138,12 @@ void Session::reset(bool with_time) {
   writes_.clear();
 }
 
+void Session::restore(const Snapshot& snapshot) {
+  world().restore_snapshot(snapshot);
+  writes_.clear();
+  ++restore_count_;
+}
+
 PortBase* Session::find_port(const std::string& name, PortDirection direction) {
   return world().ports().find(name, direction);
 }

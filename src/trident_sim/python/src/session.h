@@ -53,6 +53,9 @@ class Session {
   /// Steps without the interpreter's lock; looks for Ctrl-C now and then.
   void step(std::uint64_t n);
   void reset(bool with_time);
+  void restore(const Snapshot& snapshot);
+  /// How often time has been turned back; what was read before is news again.
+  std::uint64_t restore_count() const { return restore_count_; }
 
   PortBase* find_port(const std::string& name, PortDirection direction);
   /// Marks an output as wanted until it vanishes or unsubscribe().
@@ -80,6 +83,7 @@ class Session {
     std::uint64_t step = 0, count = 0;
   };
   std::map<std::string, Writes> writes_;
+  std::uint64_t restore_count_ = 0;
   std::atomic<bool> busy_{false};
 };
 

@@ -54,7 +54,7 @@ def test_stub_and_module_have_the_same_members() -> None:
         public = {member for member in vars(cls) if not member.startswith("_")}
         assert {member for member in stubs[name] if not member.startswith("_")} == public, name
     functions = {name for name, item in vars(_core).items() if callable(item)} - set(compiled)
-    assert functions == {"find_resource"}
+    assert functions == {"find_resource", "restore_snapshot", "save_snapshot"}
 
 
 def test_public_names_are_documented_and_say_where_they_belong() -> None:

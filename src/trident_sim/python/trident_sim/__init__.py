@@ -16,6 +16,7 @@ Example:
 from trident_sim._core import (
     ActuatorCommand,
     ActuatorState,
+    Drive,
     Error,
     FrameSample,
     ImuSample,
@@ -30,6 +31,7 @@ from trident_sim._core import (
     PoseSample,
     PoseWithCovarianceSample,
     ScalarSample,
+    Snapshot,
     TrajectorySample,
     TransformSample,
     WindSample,
@@ -50,6 +52,7 @@ complete_environment()
 __all__ = [
     "ActuatorCommand",
     "ActuatorState",
+    "Drive",
     "Error",
     "FrameSample",
     "ImuSample",
@@ -65,6 +68,7 @@ __all__ = [
     "PoseWithCovarianceSample",
     "ScalarSample",
     "SimulationWarning",
+    "Snapshot",
     "TrajectorySample",
     "TransformSample",
     "WindSample",

@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import difflib
+import math
 import os
 import warnings
 from collections.abc import Iterator, Mapping, Sequence
@@ -13,7 +14,18 @@ from pathlib import Path
 import numpy as np
 import numpy.typing as npt
 
-from trident_sim._core import Error, Message, Model, Port, Session, find_resource
+from trident_sim._core import (
+    Drive,
+    Error,
+    Message,
+    Model,
+    Port,
+    Session,
+    Snapshot,
+    find_resource,
+    restore_snapshot,
+    save_snapshot,
+)
 
 _NS_PER_S = 1_000_000_000
 
@@ -200,6 +212,66 @@ class World:
             time: whether time begins at zero again.
         """
         self._session.reset(time)
+
+    def save_snapshot(self) -> Snapshot:
+        """The whole state as it is now: bodies, joints, plugins with their noise, ports, time."""
+        return save_snapshot(self._session)
+
+    def restore_snapshot(self, snapshot: Snapshot) -> None:
+        """Go back to a state of this world, any number of times.
+
+        The same commands afterwards give the same states, to the bit, as they did then.
+
+        Raises:
+            Error: models or ports have come or gone since then; the world is as before.
+        """
+        restore_snapshot(self._session, snapshot)
+
+    def drive(
+        self,
+        model: str,
+        joint: str,
+        mode: str = "position",
+        *,
+        target: float = 0.0,
+        p: float = 0.0,
+        i: float = 0.0,
+        d: float = 0.0,
+        integral_limit: float = math.inf,
+        effort_limit: float = math.inf,
+        axis: int = 0,
+    ) -> Drive:
+        """Drive an axis of a joint from now on, in place of a drive that it has.
+
+        Args:
+            model: name of the model.
+            joint: name of the joint in it.
+            mode: what the target is: `position` [rad] or [m], `velocity` [rad/s] or [m/s], or
+                `effort` [N m] or [N].
+            target: at first, and after a reset.
+            p: effort per error.
+            i: effort per error and second.
+            d: effort per rate of the error; in `position` mode per rate of the joint.
+            integral_limit: of the effort of the i term.
+            effort_limit: of the whole effort; the joint's own limit holds as well.
+            axis: 0, or 1 for the second axis of a universal joint or a gearbox.
+
+        Returns:
+            The drive; its `target` can be set at any time between two steps.
+
+        Raises:
+            Error: there is no such joint or axis, or a value is illegal.
+        """
+        if axis < 0:
+            raise Error(f"drive of joint '{joint}': axis is {axis}, legal: 0 or 1")
+        gains = {
+            "p": p,
+            "i": i,
+            "d": d,
+            "integral_limit": integral_limit,
+            "effort_limit": effort_limit,
+        }
+        return Drive(self._session, model, joint, mode, target, gains, axis)
 
     @property
     def time(self) -> float:
