@@ -66,6 +66,10 @@ class LeePlugin : public Plugin {
     odometry_seen_ = odometry_->count();
   }
 
+  void state(StateArchive& archive) override {
+    archive(setpoints_, odometry_seen_, trajectory_seen_, answer_);
+  }
+
  private:
   void update() {
     trajectory_seen_ = std::max(trajectory_seen_, trajectory_->oldest());
