@@ -21,7 +21,7 @@ from trident_fleet.core.position_file import reading_args, write_positions
 from trident_fleet.core.quintic import Array
 from trident_fleet.core.separation import min_separation
 
-CONFIG = REPO / "config" / "formations" / "patterns_tour.yaml"
+CONFIGS = sorted((REPO / "config" / "formations").glob("*.yaml"))
 GOOD = """\
 vehicles: 4
 begin: {pattern: line, spacing_m: 2.0}
@@ -220,10 +220,11 @@ def test_written_files_are_read_back(tmp_path: Path, count: int, suffix: str) ->
     assert path.read_bytes() == again
 
 
-def test_the_shipped_file_is_what_its_config_makes(tmp_path: Path) -> None:
+@pytest.mark.parametrize("config", CONFIGS, ids=lambda path: path.stem)
+def test_a_shipped_file_is_what_its_config_makes(tmp_path: Path, config: Path) -> None:
     made = tmp_path / "made.txt"
-    assert make_formation.main([str(CONFIG), "--out", str(made)]) == 0
-    assert made.read_bytes() == CONFIG.with_suffix(".txt").read_bytes()
+    assert make_formation.main([str(config), "--out", str(made)]) == 0
+    assert made.read_bytes() == config.with_suffix(".txt").read_bytes()
 
 
 def test_the_command_line_says_what_was_made_and_how_to_fly_it(

@@ -204,3 +204,80 @@ def test_the_tutorial_node_flies_in_a_world_without_lockstep(
     goal = [[1.05, 4.0 - 1.6 * i, 1.0] for i in range(3)]
     np.testing.assert_allclose(result["position"], goal, atol=0.05)
     assert result["early"] == 0
+
+
+def follow(folder: Path, formation: Path, *topic: str) -> RosSession:
+    """UAV1 flies what is its own in the formation, UAV2 and UAV3 follow it."""
+    folder.mkdir()
+    session = new_session(folder)
+    try:
+        world = session.world(3, 2)
+        session.vehicle(0, *params(formation, "time"), "_uavs:=1")
+        script = FLEET / "scripts" / "leader_follower.py"
+        own = ["_followers:=UAV2 UAV3", "_pattern:=line", "_end_when_still:=2.0", *topic]
+        session.start(PYTHON, script, *own, *session.common())
+        session.result(world)
+    finally:
+        session.stop()
+    return session
+
+
+@pytest.fixture
+def long_way(tmp_path: Path) -> Path:
+    """Three vehicles, a hundred rows ahead and up."""
+    path = tmp_path / "long.txt"
+    rows = [
+        f"{3 * row + i + 1} {0.25 * row} {4.0 - 1.6 * i} {1.0 + 0.02 * row}"
+        for row in range(100)
+        for i in range(3)
+    ]
+    path.write_text("\n".join(rows) + "\n")
+    return path
+
+
+def test_followers_hold_their_places_and_runs_repeat_to_the_bit(
+    tmp_path: Path, long_way: Path
+) -> None:
+    runs = [follow(tmp_path / name, long_way) for name in ("first", "second")]
+    worlds = [json.loads((run.folder / "world.json").read_text()) for run in runs]
+    assert worlds[0]["digest"] == worlds[1]["digest"]
+    position = np.array(worlds[0]["position"])
+    leader, followers = position[0], position[1:]
+    np.testing.assert_allclose(leader, [24.75, 4.0, 2.98], atol=0.01)
+    # The leader has the middle of the line.
+    np.testing.assert_allclose(followers - leader, [[0, 2, 0], [0, -2, 0]], atol=0.02)
+    following = [record for record in runs[0].records() if record["mode"] == "follow"]
+    records = {record["vehicle"]: record for record in following}
+    assert list(records) == ["UAV1", "UAV2", "UAV3"]
+    record = records["UAV2"]
+    assert (record["mode"], record["leader"], record["error"]) == ("follow", "UAV1", "")
+    assert len(record["rows"]) > 5
+    np.testing.assert_allclose(record["rows"][-1] - leader, [0, 2, 0], atol=0.02)
+
+
+def test_without_a_leader_the_followers_hover_until_they_give_up(
+    session: RosSession, long_way: Path
+) -> None:
+    world = session.world(3, 2)
+    session.vehicle(0, *params(long_way, "time"), "_uavs:=1")
+    script = FLEET / "scripts" / "leader_follower.py"
+    own = ["_followers:=UAV2 UAV3", "_leader:=nobody", "_end_when_still:=1.0", "_give_up:=3.0"]
+    session.start(PYTHON, script, *own, *session.common())
+    position = session.result(world)["position"]
+    np.testing.assert_allclose(position[1:], [[0.0, 2.4, 0.6], [0.0, 0.8, 0.6]], atol=0.01)
+    errors = {r["vehicle"]: r["error"] for r in session.records() if r["mode"] == "follow"}
+    assert set(errors) == {"nobody", "UAV2", "UAV3"}
+    assert set(errors.values()) == {"the leader has not been seen"}
+
+
+def test_a_topic_of_another_type_is_refused(session: RosSession, long_way: Path) -> None:
+    world = session.world(3, 2)
+    session.vehicle(0, *params(long_way, "time"), "_uavs:=1")
+    script = FLEET / "scripts" / "leader_follower.py"
+    own = ["_followers:=UAV2 UAV3", "_leader_topic:=/clock"]
+    node = session.start(PYTHON, script, *own, *session.common())
+    session.result(world)
+    output, _ = node.communicate(timeout=LIMIT_S)
+    assert node.returncode == 1
+    assert "leader_topic: /clock is a rosgraph_msgs/Clock; legal: trident_msgs/FleetState" in output
+    assert "Traceback" not in output

@@ -27,7 +27,7 @@ import numpy as np
 import rospy
 from gazebo_msgs.msg import ModelStates
 from gazebo_msgs.srv import GetModelState, GetModelStateResponse
-from geometry_msgs.msg import Point, Pose, Quaternion, Twist
+from geometry_msgs.msg import Point, Pose, Quaternion, Twist, Vector3
 from rosgraph_msgs.msg import Clock
 from std_srvs.srv import Empty
 from trajectory_msgs.msg import MultiDOFJointTrajectory
@@ -48,6 +48,7 @@ class World:
     def __init__(self, vehicles: int) -> None:
         self.names = [f"UAV{i + 1}" for i in range(vehicles)]
         self.position = np.array([[0.0, 4.0 - 1.6 * i, 0.1] for i in range(vehicles)])
+        self.velocity = np.zeros((vehicles, 3))
         self.changed = threading.Condition()
         self.inbox: list[deque[bytes]] = [deque() for _ in self.names]
         self.newest = [-1] * vehicles
@@ -68,14 +69,19 @@ class World:
     def poses(self) -> list[Pose]:
         return [Pose(Point(*p), Quaternion(0, 0, 0, 1)) for p in self.position.tolist()]
 
+    def twists(self) -> list[Twist]:
+        return [Twist(linear=Vector3(*v)) for v in self.velocity.tolist()]
+
     def follow(self, index: int, raw: bytes) -> None:
         message = MultiDOFJointTrajectory()
         message.deserialize(raw)
         assert len(message.points) == STEPS
+        before = self.position[index].copy()
         for point in message.points:
             target = point.transforms[0].translation
             error = np.array([target.x, target.y, target.z]) - self.position[index]
             self.position[index] += FOLLOW * error
+        self.velocity[index] = (self.position[index] - before) / (PERIOD_NS / 1e9)
 
 
 class LockstepWorld(World):
@@ -85,6 +91,7 @@ class LockstepWorld(World):
         super().__init__(vehicles)
         self.sources = sources
         self.ends: dict[str, int] = {}
+        self.source_of: dict[str, str] = {}
         self.flown = [hashlib.sha256() for _ in self.names]
         self.fleet = rospy.Publisher("/gazebo/fleet_state", FleetState, queue_size=50, latch=True)
         self.publish_state(0)
@@ -93,6 +100,7 @@ class LockstepWorld(World):
     def on_enroll(self, request: EnrollSourceRequest) -> EnrollSourceResponse:
         with self.changed:
             self.ends[request.node] = request.end_time.to_nsec()
+            self.source_of.update(dict.fromkeys(request.vehicles, request.node))
             self.changed.notify_all()
         return EnrollSourceResponse(True, rospy.Time(0), "")
 
@@ -102,7 +110,7 @@ class LockstepWorld(World):
         state.header.frame_id = "world"
         state.name = self.names
         state.pose = self.poses()
-        state.twist = [Twist() for _ in self.names]
+        state.twist = self.twists()
         self.fleet.publish(state)
 
     def wait_until(self, condition: Callable[[], bool], what: str) -> None:
@@ -120,7 +128,7 @@ class LockstepWorld(World):
             self.wait_until(lambda now=time_ns: self.may_pass(now), f"set-points for {time_ns} ns")
             if self.is_over(time_ns):
                 break
-            for index in range(len(self.names)):
+            for index in self.fed_at(time_ns):
                 self.follow(index, self.take(index, time_ns))
             time_ns += PERIOD_NS
         wall_s = time.monotonic() - began
@@ -131,7 +139,14 @@ class LockstepWorld(World):
         }
 
     def may_pass(self, time_ns: int) -> bool:
-        return min(self.newest) >= time_ns or self.is_over(time_ns)
+        fed = self.fed_at(time_ns)
+        return all(self.newest[index] >= time_ns for index in fed) or self.is_over(time_ns)
+
+    def fed_at(self, time_ns: int) -> list[int]:
+        """Vehicles whose source has not ended before the others."""
+        ends = [self.ends[self.source_of[name]] for name in self.names]
+        early = [0 < end <= time_ns and end < max(ends) for end in ends]
+        return [index for index, is_early in enumerate(early) if not is_early]
 
     def is_over(self, time_ns: int) -> bool:
         ends = list(self.ends.values())

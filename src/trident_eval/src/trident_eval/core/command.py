@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 from trident_fleet.core.quintic import QuinticPath
+from trident_fleet.core.record import FOLLOW
 
 from trident_eval.core.errors import EvalError
 from trident_eval.core.tracks import Array
@@ -22,15 +23,16 @@ class Command:
 
     Attributes:
         names: of the vehicles, in the order of the formation.
-        mode: `time` or `gate`.
+        mode: `time`, `gate` or `follow`; in the last, the leader's measured motion and the places
+            around it are what was commanded.
         file: the formation file.
         rows: p_world of each row and vehicle [m], shape (T, N, 3).
         paths: planned motion of each vehicle, in simulated time [s]: of the whole flight in mode
-            `time`, of the take-off in mode `gate`.
+            `time`, since all have joined in mode `follow`, of the take-off in mode `gate`.
         hover_s: when the hover at the first row begins and ends [s].
         command_s: when each row is commanded [s], shape (rows commanded,).
         arrival_s: when each row is (to be) reached [s], shape (rows reached,).
-        steady_offset: hover error that the gate subtracted [m], shape (N, 3); None in mode `time`.
+        steady_offset: hover error that was subtracted [m], shape (N, 3); None in mode `time`.
         errors: what went wrong, as the nodes tell it.
     """
 
@@ -48,7 +50,7 @@ class Command:
     def position(self, time: Array) -> Array:
         """Commanded p_world [m] at simulated times [s], shape (M,) -> (M, N, 3)."""
         planned = np.stack([path.derivative(time, 0)[:, 0] for path in self.paths], axis=1)
-        if self.mode == "time" or not len(self.command_s):
+        if self.mode != "gate" or not len(self.command_s):
             return planned
         row = np.searchsorted(self.command_s, time + 1e-9, side="right") - 1
         return np.where(row[:, None, None] >= 0, self.rows[np.maximum(row, 0)], planned)
@@ -78,6 +80,8 @@ def read_command(folder: Path) -> Command | Refusal | None:
     if not files:
         return None
     records = [_read_record(path) for path in files]
+    # What a leader was told itself is not what its followers are judged by.
+    records = [record for record in records if record.get("mode") == FOLLOW] or records
     # A refusing node may know of no vehicle but its own.
     named = [name for record in records for name in (*record["vehicles"], record["vehicle"])]
     names = list(dict.fromkeys(named))
@@ -111,9 +115,8 @@ def _read_record(path: Path) -> dict[str, Any]:
 def _combine(names: list[str], records: list[dict[str, Any]], errors: list[str]) -> Command:
     first = records[0]
     start = float(first["start_time_s"])
-    is_gate = first["mode"] == "gate"
     rows = np.stack([np.array(record["rows"], dtype=np.float64) for record in records], axis=1)
-    if is_gate:
+    if first["mode"] == "gate":
         command = start + np.array(first["command_time_s"], dtype=np.float64)
         # All processes decide alike; a record written earlier than the others knows less.
         reached = min(len(record["arrival_time_s"]) for record in records)
@@ -124,6 +127,10 @@ def _combine(names: list[str], records: list[dict[str, Any]], errors: list[str])
         command = arrival = start + np.array(first["row_time_s"], dtype=np.float64)
         offset = None
         hover_end = float(arrival[0])
+    if first["mode"] == FOLLOW:
+        # Nobody hovers: places move on from the beginning.
+        offset = np.zeros((len(records), 3))
+        hover_end = start + float(first["hover_end_s"])
     return Command(
         names=names,
         mode=first["mode"],

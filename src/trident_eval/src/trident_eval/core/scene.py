@@ -72,6 +72,6 @@ def formation_scene(title: str, tracks: Tracks, command: Command) -> Scene:
         commanded=command.position(tracks.time),
         counted_s=None if result.start_s is None else (result.start_s, result.end_s),
         formation_limit_m=FORMATION_RMS_LIMIT_M[command.mode],
-        separation_limit_m=separation - SEPARATION_SLACK_M if is_known else None,
+        separation_limit_m=separation - SEPARATION_SLACK_M[command.mode] if is_known else None,
         file_separation_m=separation if is_known else None,
     )

@@ -14,8 +14,9 @@ from trident_eval.core.command import Command, Refusal
 from trident_eval.core.metrics import closest_approach, rigid_residuals, rms
 from trident_eval.core.tracks import Array, Tracks
 
-FORMATION_RMS_LIMIT_M = {"time": 0.05, "gate": 0.08}
-SEPARATION_SLACK_M = 0.1
+FORMATION_RMS_LIMIT_M = {"time": 0.05, "gate": 0.08, "follow": 0.08}
+# Followers learn a period late what their leader does.
+SEPARATION_SLACK_M = {"time": 0.1, "gate": 0.1, "follow": 0.2}
 ARRIVAL_RADIUS_M = 0.1
 # A planned row may be passed this much early or late [s].
 ROW_WINDOW_S = 0.5
@@ -147,7 +148,7 @@ def _first_arrival(tracks: Tracks, command: Command, offset: Array) -> float | N
 
 
 def _rows_flown(tracks: Tracks, command: Command, offset: Array) -> int:
-    margin = ROW_WINDOW_S if command.mode == "time" else 0.0
+    margin = 0.0 if command.mode == "gate" else ROW_WINDOW_S
     flown = 0
     for row, (begin, end) in enumerate(zip(command.command_s, command.arrival_s, strict=False)):
         if end > tracks.time[-1] + 1e-6:
@@ -161,7 +162,7 @@ def _rows_flown(tracks: Tracks, command: Command, offset: Array) -> int:
 def _judge_formation(tracks: Tracks, command: Command, verdict: Verdict) -> None:
     result = score(tracks, command)
     file_separation = _known(min_separation(command.rows))
-    least = None if file_separation is None else file_separation - SEPARATION_SLACK_M
+    least = None if file_separation is None else file_separation - SEPARATION_SLACK_M[command.mode]
     limit = FORMATION_RMS_LIMIT_M[command.mode]
     total = len(command.rows)
     verdict.numbers |= {

@@ -10,7 +10,8 @@ from dataclasses import dataclass, field, fields
 from trident_fleet.core.errors import FormationError
 
 
-def _check_positive(config: object, allow_zero: tuple[str, ...] = ()) -> None:
+def check_positive(config: object, allow_zero: tuple[str, ...] = ()) -> None:
+    """Raise FormationError if a number of a dataclass is not finite and over (or at) zero."""
     for item in fields(config):  # type: ignore[arg-type]
         value = getattr(config, item.name)
         if not isinstance(value, int | float) or isinstance(value, bool):
@@ -37,7 +38,7 @@ class FlightLimits:
 
     def validate(self) -> None:
         """Raise FormationError on the first field with an illegal value."""
-        _check_positive(self)
+        check_positive(self)
 
 
 @dataclass(frozen=True)
@@ -69,7 +70,7 @@ class PlanConfig:
         if not math.isfinite(self.yaw_rad):
             raise FormationError(f"yaw_rad: {self.yaw_rad}; legal: finite")
         shown = PlanConfig(**{**self.__dict__, "yaw_rad": 0.0})
-        _check_positive(shown, allow_zero=("yaw_rad", "min_separation_m"))
+        check_positive(shown, allow_zero=("yaw_rad", "min_separation_m"))
 
 
 @dataclass(frozen=True)
@@ -96,7 +97,7 @@ class GateConfig:
 
     def validate(self) -> None:
         """Raise FormationError on the first field with an illegal value."""
-        _check_positive(self)
+        check_positive(self)
         if self.average_s > self.settle_s:
             raise FormationError(
                 f"average_s: {self.average_s}; legal: at most settle_s {self.settle_s}"

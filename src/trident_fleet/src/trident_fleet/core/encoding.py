@@ -64,6 +64,21 @@ def encode_points(
     return points
 
 
+def encode_turning_points(
+    motion: Motion,
+    vehicle: int,
+    turn: tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]],
+    time_from_start_ns: npt.NDArray[np.int64],
+) -> npt.NDArray[np.void]:
+    """The same for a heading that changes: `turn` is yaw [rad] and yaw rate [rad/s], shape (M,)."""
+    points = encode_points(motion, vehicle, 0.0, time_from_start_ns)
+    yaw, yaw_rate = turn
+    points["rotation"][:, 2] = np.sin(yaw / 2.0)
+    points["rotation"][:, 3] = np.cos(yaw / 2.0)
+    points["angular_velocity"][:, 2] = yaw_rate
+    return points
+
+
 def encode_message(stamp_ns: int, points: npt.NDArray[np.void]) -> bytes:
     """A whole serialised message: frame `world`, joint `base_link`, the given points."""
     head = struct.pack(

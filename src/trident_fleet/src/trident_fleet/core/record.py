@@ -18,6 +18,8 @@ from trident_fleet.core.plan import FormationPlan
 from trident_fleet.core.quintic import QuinticPath
 
 FORMAT = 1
+FOLLOW = "follow"
+"""Mode of the records of a leader and its followers."""
 
 
 @dataclass(frozen=True)
@@ -89,7 +91,9 @@ def write_record(folder: Path, record: dict[str, Any]) -> Path:
     Raises:
         FormationError: the folder cannot be written.
     """
-    path = record_path(folder, record["vehicle"])
+    # A leader has a record of its own flight, too.
+    prefix = f"{FOLLOW}_" if record.get("mode") == FOLLOW else ""
+    path = record_path(folder, prefix + record["vehicle"])
     try:
         folder.mkdir(parents=True, exist_ok=True)
         partial = path.with_suffix(f".{os.getpid()}.tmp")

@@ -71,7 +71,7 @@ def read_settings(get: Getter, default_file: str) -> FleetSettings:
     Raises:
         FormationError: a parameter of the wrong type or out of range.
     """
-    params = _Params(get)
+    params = Params(get)
     mode = params.text("mode", "time")
     if mode not in MODES:
         raise FormationError(f"mode: '{mode}'; legal: {', '.join(MODES)}")
@@ -79,10 +79,7 @@ def read_settings(get: Getter, default_file: str) -> FleetSettings:
         source=_source(params, default_file),
         plan=_plan(params),
         gate=_gate(params),
-        feed=FeedConfig(
-            period_ns=round(params.number("period", 0.1) * 1e9),
-            point_ns=round(params.number("point_spacing", 0.01) * 1e9),
-        ),
+        feed=read_feed(params),
         mode=mode,
         lookahead=params.integer("lookahead", 5),
         guard=params.flag("guard", False),
@@ -147,6 +144,13 @@ def seat_of_sequence(seq: int, vehicles_in_file: int, uavs: int) -> tuple[int, i
     return index, row
 
 
+def names_of(given: Any) -> list[str]:
+    """Names from a list, or from a text with commas or blanks between them."""
+    if isinstance(given, str):
+        return given.replace(",", " ").split()
+    return [str(name) for name in given or []]
+
+
 def fleet_of_names(names: list[str]) -> list[Vehicle]:
     """Vehicles in the order of their names, each in the namespace of its name.
 
@@ -162,7 +166,15 @@ def _vehicle(prefix: str, index: int) -> Vehicle:
     return Vehicle(name=prefix.strip("/").rsplit("/", 1)[-1], prefix=prefix, index=index)
 
 
-def _source(params: _Params, default_file: str) -> FormationSource:
+def read_feed(params: Params) -> FeedConfig:
+    """Period and spacing of set-points."""
+    return FeedConfig(
+        period_ns=round(params.number("period", 0.1) * 1e9),
+        point_ns=round(params.number("point_spacing", 0.01) * 1e9),
+    )
+
+
+def _source(params: Params, default_file: str) -> FormationSource:
     return FormationSource(
         file=params.text("formation_file", "") or default_file,
         vehicles_in_file=params.integer("vehicles_in_file", 0),
@@ -173,7 +185,7 @@ def _source(params: _Params, default_file: str) -> FormationSource:
     )
 
 
-def _plan(params: _Params) -> PlanConfig:
+def _plan(params: Params) -> PlanConfig:
     limits, plan = FlightLimits(), PlanConfig()
     return PlanConfig(
         limits=FlightLimits(
@@ -190,7 +202,7 @@ def _plan(params: _Params) -> PlanConfig:
     )
 
 
-def _gate(params: _Params) -> GateConfig:
+def _gate(params: Params) -> GateConfig:
     gate = GateConfig()
     return GateConfig(
         radius_m=params.number("gate_radius", gate.radius_m),
@@ -200,13 +212,15 @@ def _gate(params: _Params) -> GateConfig:
     )
 
 
-class _Params:
+class Params:
     """Typed access, with one clear error for a value of another type."""
 
     def __init__(self, get: Getter) -> None:
+        """Read from `get`, which gives None for a parameter that is not set."""
         self._get = get
 
     def text(self, name: str, default: str) -> str:
+        """A text."""
         value = self._get(name)
         if value is None:
             return default
@@ -215,6 +229,7 @@ class _Params:
         return value
 
     def number(self, name: str, default: float) -> float:
+        """A finite number."""
         value = self._get(name)
         if value is None:
             return default
@@ -225,6 +240,7 @@ class _Params:
         return float(value)
 
     def integer(self, name: str, default: int) -> int:
+        """A whole number."""
         value = self._get(name)
         if value is None:
             return default
@@ -233,6 +249,7 @@ class _Params:
         return value
 
     def flag(self, name: str, default: bool) -> bool:
+        """True or false."""
         value = self._get(name)
         if value is None:
             return default

@@ -59,14 +59,15 @@ def transit_path(points: Array, limits: FlightLimits) -> QuinticPath:
     """Minimum-jerk legs between the points, rest to rest, as fast as the limits allow."""
     path = None
     for start, end in itertools.pairwise(points):
-        leg = rest_to_rest(start, end, _leg_duration(start, end, limits))
+        leg = rest_to_rest(start, end, leg_duration(start, end, limits))
         path = leg if path is None else path.then(leg)
     if path is None:
         raise AssertionError("a way has two points or more")
     return path
 
 
-def _leg_duration(start: Array, end: Array, limits: FlightLimits) -> float:
+def leg_duration(start: Array, end: Array, limits: FlightLimits) -> float:
+    """Time of a minimum-jerk leg [s], both of shape (N, 3) [m], as short as the limits allow."""
     way = float(np.sqrt(((end - start) ** 2).sum(axis=-1)).max())
     return max(
         _PEAK_SPEED * way / limits.v_max,

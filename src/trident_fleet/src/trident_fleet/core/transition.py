@@ -18,6 +18,9 @@ _SLACK_M = 1e-9
 _ORDERS = 32  # that are tried for the waves, all but the first two at random
 _SEED = 20140101
 
+Waves = tuple[tuple[int, ...], ...]
+"""Vehicles that move in step, wave after wave; the others stand meanwhile."""
+
 
 @dataclass(frozen=True)
 class Transition:
@@ -27,7 +30,7 @@ class Transition:
         start: p_world of the vehicles [m], shape (N, 3).
         goal: of the same vehicles [m], shape (N, 3).
         place: the place that each vehicle has got, shape (N,).
-        waves: vehicles that move in step, wave after wave; the others stand meanwhile.
+        waves: who moves when.
         separation_m: smallest distance of any two on the way [m].
         guaranteed_m: what theory promises for a single wave [m].
     """
@@ -35,7 +38,7 @@ class Transition:
     start: Array
     goal: Array
     place: tuple[int, ...]
-    waves: tuple[tuple[int, ...], ...]
+    waves: Waves
     separation_m: float
     guaranteed_m: float
 
@@ -63,12 +66,7 @@ def plan_transition(start: Array, places: Array, required_m: float) -> Transitio
     check_apart(places, required_m, "after: places")
     place = assign(start, places)
     goal = places[place]
-    everyone = tuple(range(len(start)))
-    waves: tuple[tuple[int, ...], ...] | None = (everyone,)
-    if min_separation(np.stack([start, goal])) < required_m - _SLACK_M:
-        waves = _fewest_waves(start, goal, required_m)
-    if waves is None:
-        raise FormationError(_refusal(start, goal, required_m))
+    waves = schedule_waves(start, goal, required_m)
     return Transition(
         start=start,
         goal=goal,
@@ -77,6 +75,25 @@ def plan_transition(start: Array, places: Array, required_m: float) -> Transitio
         separation_m=min_separation(_corners(start, goal, waves)),
         guaranteed_m=guaranteed_separation(start, goal),
     )
+
+
+def schedule_waves(start: Array, goal: Array, required_m: float) -> Waves:
+    """Who moves when on straight ways that are given: all at once, or the fewest waves found.
+
+    Args:
+        start: p_world of the vehicles [m], shape (N, 3).
+        goal: of the same vehicles [m], shape (N, 3); the same as `start` for one that stays.
+        required_m: smallest distance of any two [m].
+
+    Raises:
+        FormationError: no order of departures helps.
+    """
+    if min_separation(np.stack([start, goal])) >= required_m - _SLACK_M:
+        return (tuple(range(len(start))),)
+    waves = _fewest_waves(start, goal, required_m)
+    if waves is None:
+        raise FormationError(_refusal(start, goal, required_m))
+    return waves
 
 
 def closest_pair(points: Array) -> tuple[int, int, float]:
@@ -106,7 +123,7 @@ def _refusal(start: Array, goal: Array, required_m: float) -> str:
     )
 
 
-def _corners(start: Array, goal: Array, waves: tuple[tuple[int, ...], ...]) -> Array:
+def _corners(start: Array, goal: Array, waves: Waves) -> Array:
     points = [start]
     for wave in waves:
         after = points[-1].copy()
@@ -115,9 +132,7 @@ def _corners(start: Array, goal: Array, waves: tuple[tuple[int, ...], ...]) -> A
     return np.stack(points)
 
 
-def _fewest_waves(
-    start: Array, goal: Array, required_m: float
-) -> tuple[tuple[int, ...], ...] | None:
+def _fewest_waves(start: Array, goal: Array, required_m: float) -> Waves | None:
     count = len(start)
     rng = np.random.default_rng(_SEED)
     # Who has far to go first, then the opposite, then any order.
@@ -128,9 +143,7 @@ def _fewest_waves(
     return min(found, key=len, default=None)
 
 
-def _waves(
-    start: Array, goal: Array, required_m: float, order: list[int]
-) -> tuple[tuple[int, ...], ...]:
+def _waves(start: Array, goal: Array, required_m: float, order: list[int]) -> Waves:
     """Waves that take along whom they can, in the given order; none if somebody is left over."""
     place, left, waves = start.copy(), list(order), []
     while left:

@@ -5,8 +5,9 @@
 from __future__ import annotations
 
 import threading
+import time
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from typing import Any, Protocol
 
 import rospy
@@ -26,6 +27,9 @@ from trident_fleet.core.schedule import PlannedFeed
 from trident_fleet.core.settings import FleetSettings, Vehicle
 from trident_fleet.nodes.setpoint_topic import SetpointTopic
 from trident_fleet.nodes.world_link import WorldLink
+
+_STANDS_S = 1.0
+_TOLD_MOST = 3
 
 
 @dataclass(frozen=True)
@@ -55,6 +59,11 @@ class Crew:
         """Columns of the fed vehicles."""
         return [vehicle.index for vehicle in self.fed]
 
+    def repeat(self) -> None:
+        """Publish the latest messages again."""
+        for topic in self.topics:
+            topic.repeat()
+
     def send(self, batches: list[Batch]) -> None:
         """Publish messages, oldest first."""
         for batch in batches:
@@ -62,11 +71,65 @@ class Crew:
                 topic.publish(message)
 
 
+class Standstill:
+    """Tells, a few times at most, that simulated time has stood still for a second of wall time.
+
+    A confirmation of a set-point that gets lost, as those of the first ones may while everybody
+    still connects, would leave world and sources waiting for each other.
+    """
+
+    def __init__(self, link: WorldLink) -> None:
+        """Begin to watch; without lockstep nobody waits."""
+        self._is_lockstep = link.is_lockstep
+        self._time_ns = -1
+        self._since = time.monotonic()
+        self._told = 0
+
+    def is_told(self, time_ns: int) -> bool:
+        """Whether the latest set-points should be sent again, at simulated time `time_ns`."""
+        now = time.monotonic()
+        if time_ns != self._time_ns:
+            self._time_ns, self._since, self._told = time_ns, now, 0
+        if not self._is_lockstep or self._told == _TOLD_MOST or now - self._since < _STANDS_S:
+            return False
+        self._since = now
+        self._told += 1
+        return True
+
+
 class Flight(Protocol):
     """A flight that has been planned and not begun."""
 
     def begin(self) -> list[rospy.Subscriber]:
         """Send the first set-points and subscribe to what triggers the others."""
+
+    def watch(self) -> None:
+        """Called a few times a second, whatever simulated time does."""
+
+
+FlightMaker = Callable[[Crew, Array, int], Flight]
+"""Plans a flight from spawn positions [m, world], shape (N, 3), and the first stamp [ns]."""
+
+
+def formation_flight(rows: Array) -> FlightMaker:
+    """Flights through rows: p_world of each row and vehicle [m], shape (T, N, 3)."""
+
+    def make(crew: Crew, spawn: Array, start_ns: int) -> Flight:
+        settings = crew.settings
+        origin = Origin(
+            source=settings.source,
+            vehicles=[vehicle.name for vehicle in crew.vehicles],
+            start_ns=start_ns,
+            settings={
+                "plan": asdict(settings.plan),
+                "gate": asdict(settings.gate),
+                "feed": asdict(settings.feed),
+            },
+        )
+        kind = TimeFlight if settings.mode == "time" else GateFlight
+        return kind(crew, rows, spawn, origin)
+
+    return make
 
 
 class TimeFlight:
@@ -87,6 +150,7 @@ class TimeFlight:
         settings = crew.settings
         self._crew = crew
         self._lock = threading.Lock()
+        self._standstill = Standstill(crew.link)
         self._now_ns = origin.start_ns
         plan = plan_formation(rows, spawn, settings.plan)
         self._end_ns = end_of_plan_ns(origin.start_ns, plan.duration, settings.feed)
@@ -103,6 +167,11 @@ class TimeFlight:
         self._crew.link.wait_for_publisher([clock])
         self._on_clock(self._now_ns)
         return [clock]
+
+    def watch(self) -> None:
+        """Help a world that waits for what it has been sent."""
+        if self._standstill.is_told(self._now_ns):
+            self._crew.repeat()
 
     def _on_clock(self, now_ns: int) -> None:
         with self._lock:
@@ -127,6 +196,7 @@ class GateFlight:
         feed = GateFeed(crew.fed_indices, origin.start_ns, settings.plan.yaw_rad, settings.feed)
         self._feeder = GateFeeder(self._gate, feed)
         self._stamp_ns = origin.start_ns
+        self._standstill = Standstill(crew.link)
         self._is_over = False
 
     def begin(self) -> list[rospy.Subscriber]:
@@ -136,6 +206,11 @@ class GateFlight:
         self._crew.link.wait_for_publisher(subscribers)
         self._crew.send(self._feeder.begin())
         return subscribers
+
+    def watch(self) -> None:
+        """Help a world that waits for what it has been sent."""
+        if self._standstill.is_told(self._stamp_ns):
+            self._crew.repeat()
 
     def _on_state(self, stamp_ns: int, position: Array) -> None:
         if stamp_ns < self._stamp_ns - self._crew.settings.feed.period_ns:

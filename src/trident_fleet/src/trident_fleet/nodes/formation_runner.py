@@ -5,19 +5,19 @@
 from __future__ import annotations
 
 import threading
-from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
 import rospy
 
 from trident_fleet.core.errors import FormationError
-from trident_fleet.core.quintic import Array
 from trident_fleet.core.record import Origin, refusal_record, write_record
 from trident_fleet.core.settings import FleetSettings, Vehicle
-from trident_fleet.nodes.flights import Crew, Flight, GateFlight, TimeFlight
+from trident_fleet.nodes.flights import Crew, FlightMaker
 from trident_fleet.nodes.setpoint_topic import SetpointTopic
 from trident_fleet.nodes.world_link import WorldLink
+
+_WATCH_S = 0.2
 
 
 class FormationRunner:
@@ -28,7 +28,7 @@ class FormationRunner:
         settings: FleetSettings,
         vehicles: list[Vehicle],
         fed: list[Vehicle],
-        rows: Array,
+        make: FlightMaker,
         out_dir: Path | None,
     ) -> None:
         """Advertise the set-point topics.
@@ -37,10 +37,10 @@ class FormationRunner:
             settings: of the formation.
             vehicles: the whole formation.
             fed: the vehicles that this process commands.
-            rows: p_world of each row and vehicle [m], shape (T, N, 3).
+            make: plans a flight.
             out_dir: where the records go; None: nowhere.
         """
-        self._rows = rows
+        self._make = make
         self._wake = threading.Event()
         self._crew = Crew(
             settings=settings,
@@ -73,11 +73,10 @@ class FormationRunner:
         # A node that is started again finds its enrolment as old as its first life.
         start_ns = max(start_ns, self._period_from(spawned.stamp_ns))
         self._prepare_topics()
-        make: type[TimeFlight] | type[GateFlight]
-        make = TimeFlight if crew.settings.mode == "time" else GateFlight
-        flight: Flight = make(crew, self._rows, spawned.position, self._origin(start_ns))
+        flight = self._make(crew, spawned.position, start_ns)
         subscribers = flight.begin()
-        self._wake.wait()
+        while not self._wake.wait(_WATCH_S):
+            flight.watch()
         for subscriber in subscribers:
             subscriber.unregister()
 
@@ -102,19 +101,6 @@ class FormationRunner:
     def _period_from(self, time_ns: int) -> int:
         period_ns = self._crew.settings.feed.period_ns
         return -(-time_ns // period_ns) * period_ns
-
-    def _origin(self, start_ns: int) -> Origin:
-        settings = self._crew.settings
-        return Origin(
-            source=settings.source,
-            vehicles=[vehicle.name for vehicle in self._crew.vehicles],
-            start_ns=start_ns,
-            settings={
-                "plan": asdict(settings.plan),
-                "gate": asdict(settings.gate),
-                "feed": asdict(settings.feed),
-            },
-        )
 
 
 def refuse(

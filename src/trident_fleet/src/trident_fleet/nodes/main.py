@@ -17,9 +17,11 @@ from trident_fleet.core.settings import (
     Vehicle,
     fleet_around,
     fleet_of_names,
+    names_of,
     read_settings,
     seat_of_sequence,
 )
+from trident_fleet.nodes.flights import formation_flight
 from trident_fleet.nodes.formation_runner import FormationRunner, refuse
 from trident_fleet.nodes.params import default_formation_file, get_fleet_param, get_param, out_dir
 
@@ -67,20 +69,18 @@ def main_all() -> int:
     def crew(settings: FleetSettings) -> Crewing:
         positions = read_formation(settings.source)
         uavs = settings.source.uavs or positions.shape[1]
-        names = _names(given) or [f"UAV{number + 1}" for number in range(uavs)]
+        names = names_of(given) or [f"UAV{number + 1}" for number in range(uavs)]
         if len(names) != uavs:
             raise FormationError(f"vehicles: {len(names)} names for {uavs} vehicles; legal: {uavs}")
         vehicles = fleet_of_names(names)
         return vehicles, vehicles, flying_rows(positions, uavs)
 
-    fed = [Vehicle(name, f"/{name}/", index) for index, name in enumerate(_names(given))]
+    # A world that waits for this node has to hear of it even if the formation cannot be read.
+    uavs = get_param("uavs")
+    count = uavs if isinstance(uavs, int) and uavs > 0 else 1
+    names = names_of(given) or [f"UAV{number + 1}" for number in range(count)]
+    fed = [Vehicle(name, f"/{name}/", index) for index, name in enumerate(names)]
     return _run(crew, fed, False, is_spokesman=True)
-
-
-def _names(given: Any) -> list[str]:
-    if isinstance(given, str):
-        return given.replace(",", " ").split()
-    return [str(name) for name in given or []]
 
 
 def _run(
@@ -94,7 +94,7 @@ def _run(
     try:
         settings = read_settings(_with_default("guard", guard), settings.source.file)
         vehicles, fed, rows = crew(settings)
-        FormationRunner(settings, vehicles, fed, rows, folder).run()
+        FormationRunner(settings, vehicles, fed, formation_flight(rows), folder).run()
     except FormationError as error:
         (rospy.logfatal if is_spokesman else rospy.loginfo)("formation: %s", error)
         refuse(error, settings, fallback, folder)

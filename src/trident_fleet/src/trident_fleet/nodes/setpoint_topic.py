@@ -57,6 +57,12 @@ class SetpointTopic(rospy.SubscribeListener):  # type: ignore[misc]
             self._recent.append(message)
             self._send(message)
 
+    def repeat(self) -> None:
+        """Send the recent messages again: the first ones may have got lost as peers connected."""
+        with self._lock:
+            for recent in self._recent:
+                self._send(recent)
+
     def forget(self) -> None:
         """Late subscribers no longer get what was sent so far."""
         with self._lock:
@@ -104,9 +110,7 @@ class SetpointTopic(rospy.SubscribeListener):  # type: ignore[misc]
     def _on_command(self, message: rospy.AnyMsg) -> None:
         if message._connection_header["callerid"] == rospy.get_name():
             return
-        with self._lock:
-            for recent in self._recent:
-                self._send(recent)
+        self.repeat()
 
     def _send(self, message: bytes) -> None:
         try:

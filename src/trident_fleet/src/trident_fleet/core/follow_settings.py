@@ -1,0 +1,142 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""Settings of a leader-follower node from named parameters, checked by type and range."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from trident_fleet.core.config import PlanConfig
+from trident_fleet.core.errors import FormationError
+from trident_fleet.core.follow_config import FollowConfig
+from trident_fleet.core.formation_file import FormationSource
+from trident_fleet.core.patterns import Pattern, places
+from trident_fleet.core.quintic import Array
+from trident_fleet.core.reference import ReferenceConfig
+from trident_fleet.core.settings import (
+    FleetSettings,
+    Getter,
+    Params,
+    Vehicle,
+    fleet_of_names,
+    names_of,
+    read_feed,
+)
+
+
+@dataclass(frozen=True)
+class FollowSettings:
+    """Everything a leader-follower node needs to know.
+
+    Attributes:
+        leader: model name of the leader in the simulator, or any name for one outside.
+        leader_topic: its odometry or pose; "": the simulator's fleet state.
+        followers: the vehicles that are commanded.
+        config: places, limits and waits.
+        fleet: how set-points are fed.
+        leader_timeout_s: silence after which the leader counts as lost [s].
+    """
+
+    leader: str
+    leader_topic: str
+    followers: list[Vehicle]
+    config: FollowConfig
+    fleet: FleetSettings
+    leader_timeout_s: float
+
+
+def read_follow_settings(get: Getter) -> FollowSettings:
+    """Build settings from parameters.
+
+    Args:
+        get: value of a parameter, or None where it is not set.
+
+    Raises:
+        FormationError: a parameter of the wrong type or out of range.
+    """
+    params = Params(get)
+    followers = fleet_of_names(names_of(get("followers")))
+    leader = params.text("leader", "UAV1").strip("/")
+    if leader in [vehicle.name for vehicle in followers]:
+        raise FormationError(f"followers: {leader} is the leader; legal: other vehicles")
+    config = _config(params, read_offsets(get("offsets"), params, len(followers)))
+    config.validate()
+    timeout_s = params.number("leader_timeout", 2.0)
+    if timeout_s <= 0.0:
+        raise FormationError(f"leader_timeout: {timeout_s}; legal: greater than 0")
+    fleet = FleetSettings(
+        source=FormationSource(""),
+        plan=config.plan,
+        feed=config.feed,
+        guard=params.flag("guard", False),
+        enroll_wait_s=params.number("enroll_wait", 5.0),
+        connect_wait_s=params.number("connect_wait", 20.0),
+    )
+    topic = params.text("leader_topic", "")
+    return FollowSettings(leader, topic, followers, config, fleet, timeout_s)
+
+
+def read_offsets(given: Any, params: Params, count: int) -> Array:
+    """Places around the leader, shape (count, 3) [m]: as given, or by `pattern` and `spacing`.
+
+    The leader has the foremost place of a pattern, of several the most central one; in a circle, it
+    is in the middle.
+
+    Raises:
+        FormationError: not as many places as followers, or an unknown pattern.
+    """
+    if given is not None:
+        return _given_offsets(given, count)
+    pattern = Pattern(
+        kind=params.text("pattern", "wedge"),
+        spacing_m=params.number("spacing", 2.0),
+        opening_deg=params.number("opening_deg", 90.0),
+    )
+    if pattern.kind == "circle":
+        return places(pattern, count)
+    points = places(pattern, count + 1)
+    order = np.lexsort((np.abs(points[:, 1]), -np.round(points[:, 0], 6)))
+    return np.delete(points, order[0], axis=0) - points[order[0]]
+
+
+def _given_offsets(given: Any, count: int) -> Array:
+    try:
+        offsets = np.array(given, dtype=np.float64)
+    except (TypeError, ValueError):
+        offsets = np.zeros(0)
+    if offsets.shape != (count, 3):
+        raise FormationError(
+            f"offsets: {given!r}; legal: [x, y, z] in metres for each of {count} followers"
+        )
+    return offsets
+
+
+def _config(params: Params, offsets: Array) -> FollowConfig:
+    reference, plan = ReferenceConfig(), PlanConfig()
+    default = FollowConfig(offsets)
+    return FollowConfig(
+        offsets=offsets,
+        frame=params.text("frame", default.frame),
+        assign=params.flag("assign", default.assign),
+        lowest_m=params.number("lowest", default.lowest_m),
+        min_separation_m=params.number("min_separation", default.min_separation_m),
+        end_when_still_s=params.number("end_when_still", default.end_when_still_s),
+        give_up_s=params.number("give_up", default.give_up_s),
+        plan=PlanConfig(
+            ground_s=params.number("ground_time", plan.ground_s),
+            climb_m=params.number("climb", plan.climb_m),
+            yaw_rad=math.radians(params.number("yaw_deg", 0.0)),
+        ),
+        reference=ReferenceConfig(
+            bandwidth=params.number("bandwidth", reference.bandwidth),
+            v_max=params.number("v_max", reference.v_max),
+            a_max=params.number("a_max", reference.a_max),
+            closing_speed=params.number("closing_speed", reference.closing_speed),
+            yaw_rate_max=params.number("yaw_rate_max", reference.yaw_rate_max),
+        ),
+        feed=read_feed(params),
+    )

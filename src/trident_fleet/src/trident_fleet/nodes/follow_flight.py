@@ -1,0 +1,228 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""A flight around a leader, driven by its measured states."""
+
+from __future__ import annotations
+
+import threading
+import time
+from dataclasses import asdict, replace
+
+import numpy as np
+import rospy
+
+from trident_fleet.core.encoding import NS_PER_S, encode_message, encode_turning_points
+from trident_fleet.core.errors import FormationError
+from trident_fleet.core.follow_record import FollowLog
+from trident_fleet.core.follow_settings import FollowSettings
+from trident_fleet.core.followers import Followers, Phase, Slots
+from trident_fleet.core.leader import Decoder, LeaderState, LeaderTrack
+from trident_fleet.core.quintic import Array
+from trident_fleet.nodes.flights import Crew, Flight, FlightMaker, Standstill
+from trident_fleet.nodes.leader_topic import LeaderTopic
+
+# A stamp farther than this from simulated time is from another clock [ns].
+_FOREIGN_STAMP_NS = NS_PER_S
+_POLL_S = 0.05
+_REPORT_S = 10.0
+
+
+def follow_flight(settings: FollowSettings) -> FlightMaker:
+    """Flights around the leader of these settings."""
+
+    def make(crew: Crew, spawn: Array, start_ns: int) -> Flight:
+        return FollowFlight(crew, settings, spawn, start_ns)
+
+    return make
+
+
+class FollowFlight:
+    """Commands period n by the leader's state one period earlier (without lockstep: at its begin).
+
+    A leader that the simulator publishes is waited for: the set-points are a function of its
+    states. One from outside counts as it comes.
+    """
+
+    def __init__(self, crew: Crew, settings: FollowSettings, spawn: Array, start_ns: int) -> None:
+        """Plan the take-off.
+
+        Args:
+            crew: the followers.
+            settings: of the formation.
+            spawn: where the followers stand [m, world], shape (N, 3).
+            start_ns: simulated time of the first set-point [ns].
+
+        Raises:
+            FormationError: an illegal configuration.
+        """
+        self._crew, self._settings = crew, settings
+        self._start_ns = self._now_ns = start_ns
+        self._period_ns = settings.config.feed.period_ns
+        self._lead = 1 if crew.link.is_lockstep else 0
+        self._followers = Followers(spawn, settings.config)
+        names = [vehicle.name for vehicle in crew.fed]
+        self._log = FollowLog(settings.leader, names, start_ns)
+        self._topic = LeaderTopic(settings.leader_topic, settings.leader)
+        self._track = LeaderTrack()
+        self._lock = threading.Lock()
+        self._standstill = Standstill(crew.link)
+        self._over = threading.Event()
+        self._has_begun = False
+        self._next = 0  # period to command next
+        self._heard_at = time.monotonic()
+        self._is_silent = False
+        self._told = ""
+        rospy.on_shutdown(self._leave)
+
+    @property
+    def _waits_for_leader(self) -> bool:
+        return self._topic.is_simulated and self._crew.link.is_lockstep and not self._is_silent
+
+    def begin(self) -> list[rospy.Subscriber]:
+        """Send the first set-points and go on with clock and leader."""
+        clock = self._crew.link.on_clock(self._on_clock)
+        self._crew.link.wait_for_publisher([clock])
+        if self._waits_for_leader:
+            self._wait_for_topic()
+        with self._lock:
+            for _ in range(2 * self._lead):
+                self._send_period(None, 0)
+            self._has_begun = True
+            self._heard_at = time.monotonic()
+            self._go_on()
+        return [clock]
+
+    def watch(self) -> None:
+        """Look for the leader's topic, and notice that the world waits for a silent one.
+
+        Silence is measured in wall-clock time: simulated time stands meanwhile.
+        """
+        if not self._over.is_set():
+            self._try_subscribe()
+        with self._lock:
+            silent_s = time.monotonic() - self._heard_at
+            is_due = self._now_ns >= self._boundary_ns()
+            if self._waits_for_leader and is_due and silent_s > self._settings.leader_timeout_s:
+                self._is_silent = True
+                rospy.logwarn("nothing on %s; the followers hold their places", self._topic.name)
+            self._go_on()
+        if self._standstill.is_told(self._now_ns):
+            self._crew.repeat()
+
+    def close(self) -> None:
+        """Hear no more of the leader."""
+        self._over.set()
+        self._topic.close()
+
+    def _leave(self) -> None:
+        if not self._over.is_set():
+            self.close()
+            self.write_records()
+
+    def _wait_for_topic(self) -> None:
+        """As long as the first set-points are not there, simulated time does not run."""
+        reported = time.monotonic()
+        self._try_subscribe()
+        while not self._topic.has_publisher and not self._over.wait(_POLL_S):
+            self._try_subscribe()
+            if time.monotonic() - reported > _REPORT_S:
+                rospy.logwarn("leader_topic: nobody publishes %s yet", self._topic.name)
+                reported = time.monotonic()
+
+    def _try_subscribe(self) -> None:
+        try:
+            self._topic.try_subscribe(self._on_leader)
+        except FormationError as error:
+            self._log.error = str(error)
+            with self._lock:
+                self._has_begun = False
+            self._leave()
+            raise
+
+    def _on_leader(self, stamp_ns: int, decode: Decoder) -> None:
+        with self._lock:
+            if not self._topic.is_simulated and abs(stamp_ns - self._now_ns) > _FOREIGN_STAMP_NS:
+                stamp_ns = self._now_ns
+            self._track.add(stamp_ns - self._start_ns, decode)
+            self._heard_at = time.monotonic()
+            if self._is_silent:
+                self._is_silent = False
+                rospy.loginfo("%s is heard again", self._topic.name)
+            self._go_on()
+
+    def _on_clock(self, now_ns: int) -> None:
+        with self._lock:
+            if now_ns < self._now_ns - self._period_ns:
+                self.close()
+                self._crew.restart()
+                return
+            self._now_ns = max(now_ns, self._now_ns)
+            self._go_on()
+
+    def _boundary_ns(self) -> int:
+        """Simulated time of the leader's state that the next period is commanded by [ns]."""
+        return self._start_ns + (self._next - self._lead) * self._period_ns
+
+    def _go_on(self) -> None:
+        """Command all periods whose leader state is known."""
+        while self._has_begun:
+            elapsed_ns = self._boundary_ns() - self._start_ns
+            if self._waits_for_leader:
+                is_due = self._track.is_known_at(elapsed_ns)
+            else:
+                is_due = self._now_ns >= self._boundary_ns()
+            if not is_due:
+                return
+            self._send_period(self._track.at(elapsed_ns), elapsed_ns)
+
+    def _send_period(self, leader: LeaderState | None, elapsed_ns: int) -> None:
+        if leader is not None:
+            self._log.add(self._followers, leader)
+            if elapsed_ns - leader.stamp_ns > self._settings.leader_timeout_s * NS_PER_S:
+                leader = _at_rest(leader, elapsed_ns)
+        window_ns = self._next * self._period_ns
+        slots = self._followers.step(leader, elapsed_ns, window_ns)
+        self._next += 1
+        self._tell_problem()
+        if self._followers.phase is Phase.DONE and not self._over.is_set():
+            self._finish(self._start_ns + elapsed_ns + 3 * self._period_ns)
+        # Without lockstep, what the clock has overtaken is not worth sending.
+        if self._crew.link.is_lockstep or self._boundary_ns() > self._now_ns:
+            self._crew.send([self._encoded(slots, self._start_ns + window_ns)])
+
+    def _encoded(self, slots: Slots, stamp_ns: int) -> list[bytes]:
+        feed = self._settings.config.feed
+        offsets = np.arange(0, feed.period_ns, feed.point_ns, dtype=np.int64)
+        turn = (slots.yaw, slots.yaw_rate)
+        return [
+            encode_message(stamp_ns, encode_turning_points(slots.motion, index, turn, offsets))
+            for index in range(len(self._crew.fed))
+        ]
+
+    def _tell_problem(self) -> None:
+        """Why the followers cannot join their leader, once; it changes with every state."""
+        problem = self._followers.problem
+        if bool(problem) != bool(self._told):
+            if problem:
+                rospy.logwarn("%s; they hover until there is a way", problem)
+            self._told = self._log.error = problem
+
+    def _finish(self, end_ns: int) -> None:
+        self._over.set()
+        # The records must be there before the world may end.
+        self.write_records()
+        if self._crew.link.is_lockstep:
+            self._crew.link.enroll(end_ns)
+
+    def write_records(self) -> None:
+        """Say what the followers should have done so far."""
+        config = asdict(self._settings.config)
+        config["offsets"] = self._settings.config.offsets.tolist()
+        for record in self._log.records({"follow": config}):
+            self._crew.record(record)
+
+
+def _at_rest(leader: LeaderState, elapsed_ns: int) -> LeaderState:
+    """Where it was last, as if it had stopped."""
+    still = np.zeros(3)
+    return replace(leader, stamp_ns=elapsed_ns, velocity=still, acceleration=still, yaw_rate=0.0)
