@@ -1,5 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
+"""Types of the compiled part of trident_sim; docstrings as in the module, for editors."""
+
 import typing
 from collections.abc import Sequence
 
@@ -10,129 +12,193 @@ _Array = npt.NDArray[np.float64]
 _Vector = Sequence[float] | _Array
 _Matrix = Sequence[Sequence[float]] | _Array
 
-class Error(ValueError): ...
+class Error(ValueError):
+    """Bad input: a file, a field, a name or a value. The text names it and what is legal."""
 
 class _Stamped:
     @property
-    def stamp(self) -> float: ...
+    def stamp(self) -> float:
+        """Simulated time of the sample [s]."""
     @property
-    def stamp_ns(self) -> int: ...
+    def stamp_ns(self) -> int:
+        """Simulated time of the sample, exact [ns]."""
 
 class ActuatorCommand(_Stamped):
-    def __init__(self, angular_velocities: _Vector, stamp: float = 0.0) -> None: ...
+    """Commanded rotor speeds."""
+    def __init__(self, angular_velocities: _Vector, stamp: float = 0.0) -> None:
+        """angular_velocities: rotor speeds [rad/s], shape (n,).
+        stamp: that of the odometry it answers [s]; 0: it acts in the next step.
+        """
     @property
-    def angular_velocities(self) -> _Array: ...
+    def angular_velocities(self) -> _Array:
+        """Rotor speeds [rad/s], shape (n,)."""
 
 class ActuatorState(_Stamped):
+    """Rotor speeds."""
     @property
-    def angular_velocities(self) -> _Array: ...
+    def angular_velocities(self) -> _Array:
+        """Rotor speeds, signed [rad/s], shape (n,)."""
 
 class OdometrySample(_Stamped):
+    """Pose of child_frame in parent_frame, twist in child_frame, as nav_msgs/Odometry has them."""
     @property
-    def parent_frame(self) -> str: ...
+    def parent_frame(self) -> str:
+        """Frame of the pose."""
     @property
-    def child_frame(self) -> str: ...
+    def child_frame(self) -> str:
+        """Frame of the twist."""
     @property
-    def position(self) -> _Array: ...
+    def position(self) -> _Array:
+        """Position [m], shape (3,)."""
     @property
-    def orientation(self) -> _Array: ...
+    def orientation(self) -> _Array:
+        """Unit quaternion x y z w, shape (4,)."""
     @property
-    def linear_velocity(self) -> _Array: ...
+    def linear_velocity(self) -> _Array:
+        """In child_frame [m/s], shape (3,)."""
     @property
-    def angular_velocity(self) -> _Array: ...
+    def angular_velocity(self) -> _Array:
+        """In child_frame [rad/s], shape (3,)."""
     @property
-    def pose_covariance(self) -> _Array: ...
+    def pose_covariance(self) -> _Array:
+        """x y z, rotation x y z [m, rad], shape (6, 6)."""
     @property
-    def twist_covariance(self) -> _Array: ...
+    def twist_covariance(self) -> _Array:
+        """Linear x y z, angular x y z [m/s, rad/s], shape (6, 6)."""
 
 class PoseSample(_Stamped):
+    """Pose of a body in frame."""
     @property
-    def frame(self) -> str: ...
+    def frame(self) -> str:
+        """Frame that the values are in."""
     @property
-    def position(self) -> _Array: ...
+    def position(self) -> _Array:
+        """Position [m], shape (3,)."""
     @property
-    def orientation(self) -> _Array: ...
+    def orientation(self) -> _Array:
+        """Unit quaternion x y z w, shape (4,)."""
 
 class PoseWithCovarianceSample(_Stamped):
+    """Pose of a body in frame, with covariance."""
     @property
-    def frame(self) -> str: ...
+    def frame(self) -> str:
+        """Frame that the values are in."""
     @property
-    def position(self) -> _Array: ...
+    def position(self) -> _Array:
+        """Position [m], shape (3,)."""
     @property
-    def orientation(self) -> _Array: ...
+    def orientation(self) -> _Array:
+        """Unit quaternion x y z w, shape (4,)."""
     @property
-    def covariance(self) -> _Array: ...
+    def covariance(self) -> _Array:
+        """x y z, rotation x y z [m, rad], shape (6, 6)."""
 
 class PointSample(_Stamped):
+    """Position of a body in frame."""
     @property
-    def frame(self) -> str: ...
+    def frame(self) -> str:
+        """Frame that the values are in."""
     @property
-    def position(self) -> _Array: ...
+    def position(self) -> _Array:
+        """Of the body in frame [m], shape (3,)."""
 
 class TransformSample(_Stamped):
+    """Pose of child_frame in parent_frame."""
     @property
-    def parent_frame(self) -> str: ...
+    def parent_frame(self) -> str:
+        """Frame that the values are in."""
     @property
-    def child_frame(self) -> str: ...
+    def child_frame(self) -> str:
+        """Frame whose pose it is."""
     @property
-    def position(self) -> _Array: ...
+    def position(self) -> _Array:
+        """Origin of child_frame in parent_frame [m], shape (3,)."""
     @property
-    def orientation(self) -> _Array: ...
+    def orientation(self) -> _Array:
+        """Of child_frame in parent_frame, quaternion x y z w, shape (4,)."""
 
 class FrameSample(_Stamped):
+    """Pose of child_frame in parent_frame, for the tree of frames."""
     @property
-    def parent_frame(self) -> str: ...
+    def parent_frame(self) -> str:
+        """Frame that the values are in."""
     @property
-    def child_frame(self) -> str: ...
+    def child_frame(self) -> str:
+        """Frame whose pose it is."""
     @property
-    def position(self) -> _Array: ...
+    def position(self) -> _Array:
+        """Origin of child_frame in parent_frame [m], shape (3,)."""
     @property
-    def orientation(self) -> _Array: ...
+    def orientation(self) -> _Array:
+        """Of child_frame in parent_frame, quaternion x y z w, shape (4,)."""
 
 class ImuSample(_Stamped):
+    """What an inertial measurement unit measures."""
     @property
-    def frame(self) -> str: ...
+    def frame(self) -> str:
+        """Frame of the IMU."""
     @property
-    def orientation(self) -> _Array: ...
+    def orientation(self) -> _Array:
+        """Of the IMU in the world, quaternion x y z w, shape (4,)."""
     @property
-    def angular_velocity(self) -> _Array: ...
+    def angular_velocity(self) -> _Array:
+        """In frame [rad/s], shape (3,)."""
     @property
-    def linear_acceleration(self) -> _Array: ...
+    def linear_acceleration(self) -> _Array:
+        """Specific force in frame [m/s^2], shape (3,)."""
     @property
-    def orientation_covariance(self) -> _Array: ...
+    def orientation_covariance(self) -> _Array:
+        """Rotation x y z [rad], shape (3, 3)."""
     @property
-    def angular_velocity_covariance(self) -> _Array: ...
+    def angular_velocity_covariance(self) -> _Array:
+        """x y z in frame [rad/s], shape (3, 3)."""
     @property
-    def linear_acceleration_covariance(self) -> _Array: ...
+    def linear_acceleration_covariance(self) -> _Array:
+        """x y z in frame [m/s^2], shape (3, 3)."""
 
 class JointStateSample(_Stamped):
+    """Joint angles."""
     @property
-    def frame(self) -> str: ...
+    def frame(self) -> str:
+        """Of the header; joint angles have none."""
     @property
-    def names(self) -> list[str]: ...
+    def names(self) -> list[str]:
+        """Joint names, n of them."""
     @property
-    def positions(self) -> _Array: ...
+    def positions(self) -> _Array:
+        """Angles [rad], shape (n,)."""
 
 class ScalarSample(_Stamped):
+    """One number."""
     @property
-    def value(self) -> float: ...
+    def value(self) -> float:
+        """SI unit of the quantity."""
 
 class WindSample(_Stamped):
-    def __init__(self, velocity: _Vector, stamp: float = 0.0, frame: str = "world") -> None: ...
+    """Wind at a vehicle."""
+    def __init__(self, velocity: _Vector, stamp: float = 0.0, frame: str = "world") -> None:
+        """velocity: in the world frame [m/s], shape (3,)."""
     @property
-    def frame(self) -> str: ...
+    def frame(self) -> str:
+        """Of the header; the velocity is in the world frame."""
     @property
-    def velocity(self) -> _Array: ...
+    def velocity(self) -> _Array:
+        """In the world frame [m/s], shape (3,)."""
 
 class WrenchSample(_Stamped):
+    """Force and torque in frame."""
     @property
-    def frame(self) -> str: ...
+    def frame(self) -> str:
+        """Frame that the values are in."""
     @property
-    def force(self) -> _Array: ...
+    def force(self) -> _Array:
+        """In frame [N], shape (3,)."""
     @property
-    def torque(self) -> _Array: ...
+    def torque(self) -> _Array:
+        """In frame [N m], shape (3,)."""
 
 class TrajectorySample(_Stamped):
+    """Set-points of a position controller, in the world frame."""
     def __init__(
         self,
         positions: _Matrix,
@@ -142,99 +208,160 @@ class TrajectorySample(_Stamped):
         yaw: float | _Vector | None = None,
         yaw_rate: float | _Vector | None = None,
         stamp: float = 0.0,
-    ) -> None: ...
+    ) -> None:
+        """positions: [m], shape (n, 3).
+        times: of each point after the stamp [s], shape (n,); may be left out for one point.
+        velocities, accelerations: [m/s], [m/s^2], shape (n, 3), else 0.
+        yaw, yaw_rate: [rad], [rad/s], a number or shape (n,), else 0.
+        stamp: simulated time of the start [s]; 0: with the next state.
+        """
     def __len__(self) -> int: ...
 
 class Link:
+    """A link of a model, by name."""
     @property
-    def name(self) -> str: ...
+    def name(self) -> str:
+        """Of the link in its model."""
     @property
-    def position(self) -> _Array: ...
+    def position(self) -> _Array:
+        """Origin of the link in the world [m], shape (3,)."""
     @property
-    def orientation(self) -> _Array: ...
+    def orientation(self) -> _Array:
+        """Of the link in the world, quaternion x y z w, shape (4,)."""
     @property
-    def linear_velocity(self) -> _Array: ...
+    def linear_velocity(self) -> _Array:
+        """Of the link's origin, in the world frame [m/s], shape (3,)."""
     @property
-    def angular_velocity(self) -> _Array: ...
+    def angular_velocity(self) -> _Array:
+        """In the world frame [rad/s], shape (3,)."""
     @property
-    def mass(self) -> float: ...
+    def mass(self) -> float:
+        """Of the link [kg]."""
     def apply_wrench(
         self,
         force: _Vector,
         torque: _Vector = (0, 0, 0),
         duration: float = -1.0,
         point: _Vector = (0, 0, 0),
-    ) -> None: ...
-    def clear_wrenches(self) -> None: ...
+    ) -> None:
+        """Push from now on. force [N], torque [N m]: world frame, shape (3,). point: where the
+        force acts, link frame [m], shape (3,). duration [s]; negative: until cleared.
+        """
+    def clear_wrenches(self) -> None:
+        """End all pushes on this link."""
 
 class Joint:
+    """A joint of a model, by name."""
     @property
-    def name(self) -> str: ...
+    def name(self) -> str:
+        """Of the joint in its model."""
     @property
-    def position(self) -> float: ...
+    def position(self) -> float:
+        """Angle [rad] or way [m] along its axis; 0: as its description has it."""
     @property
-    def velocity(self) -> float: ...
-    def apply_effort(self, effort: float, duration: float = -1.0) -> None: ...
-    def clear_efforts(self) -> None: ...
+    def velocity(self) -> float:
+        """Rate of its position [rad/s] or [m/s]."""
+    def apply_effort(self, effort: float, duration: float = -1.0) -> None:
+        """Drive it from now on. effort [N m] or [N]; duration [s]; negative: until cleared."""
+    def clear_efforts(self) -> None:
+        """End all efforts on this joint."""
 
 class Model:
+    """A model of the world, by name."""
     def __init__(self, session: Session, name: str) -> None: ...
     @property
-    def name(self) -> str: ...
+    def name(self) -> str:
+        """Of the model in the world."""
     @property
-    def namespace(self) -> str: ...
+    def namespace(self) -> str:
+        """Prefix of its ports where the model does not say one."""
     @property
-    def is_static(self) -> bool: ...
+    def is_static(self) -> bool:
+        """Whether it never moves."""
     @property
-    def position(self) -> _Array: ...
+    def position(self) -> _Array:
+        """Origin of the model in the world [m], shape (3,)."""
     @property
-    def orientation(self) -> _Array: ...
+    def orientation(self) -> _Array:
+        """Of the model in the world, quaternion x y z w, shape (4,)."""
     @property
-    def linear_velocity(self) -> _Array: ...
+    def linear_velocity(self) -> _Array:
+        """Of the model's origin, in the world frame [m/s], shape (3,)."""
     @property
-    def angular_velocity(self) -> _Array: ...
+    def angular_velocity(self) -> _Array:
+        """In the world frame [rad/s], shape (3,)."""
     @property
-    def mass(self) -> float: ...
-    def set_pose(self, pose: _Vector) -> None: ...
-    def set_velocity(self, linear: _Vector, angular: _Vector = (0, 0, 0)) -> None: ...
+    def mass(self) -> float:
+        """Of all its links [kg]."""
+    def set_pose(self, pose: _Vector) -> None:
+        """Put it there. pose in the world: x y z, x y z roll pitch yaw, or x y z qx qy qz qw
+        [m, rad], shape (3,), (6,) or (7,).
+        """
+    def set_velocity(self, linear: _Vector, angular: _Vector = (0, 0, 0)) -> None:
+        """Of the whole model, in the world frame [m/s], [rad/s], shape (3,)."""
     @property
-    def links(self) -> list[str]: ...
+    def links(self) -> list[str]:
+        """Names of its links."""
     @property
-    def joints(self) -> list[str]: ...
-    def link(self, name: str) -> Link: ...
-    def joint(self, name: str) -> Joint: ...
+    def joints(self) -> list[str]:
+        """Names of its joints."""
+    def link(self, name: str) -> Link:
+        """One of its links; Error if there is none."""
+    def joint(self, name: str) -> Joint:
+        """One of its joints; Error if there is none."""
 
 class Port:
+    """A named place where the world leaves measurements (an output), takes
+    commands (an input), or both. Only what is subscribed is computed.
+    """
     def __init__(self, session: Session, name: str) -> None: ...
     @property
-    def name(self) -> str: ...
+    def name(self) -> str:
+        """Full name, as that of the ROS topic."""
     @property
-    def is_output(self) -> bool: ...
+    def is_output(self) -> bool:
+        """Whether it can be read."""
     @property
-    def is_input(self) -> bool: ...
+    def is_input(self) -> bool:
+        """Whether it can be written."""
     @property
-    def type(self) -> str: ...
+    def type(self) -> str:
+        """Name of the class of its values, those that are read first."""
     @property
-    def count(self) -> int: ...
+    def count(self) -> int:
+        """How many values there have been."""
     @property
-    def subscribed(self) -> bool: ...
-    def subscribe(self) -> None: ...
-    def unsubscribe(self) -> None: ...
+    def subscribed(self) -> bool:
+        """Whether its values are asked for."""
+    def subscribe(self) -> None:
+        """From the next step on, have its values computed."""
+    def unsubscribe(self) -> None:
+        """Have its values computed no longer."""
     # Which class it is, `type` tells; a union would make every use a cast.
     @property
-    def value(self) -> typing.Any: ...
-    def read(self) -> typing.Any: ...
-    def write(self, *args: typing.Any, **kwargs: typing.Any) -> None: ...
+    def value(self) -> typing.Any:
+        """The newest value, a copy. Subscribes; Error before the first value."""
+    def read(self) -> typing.Any:
+        """The newest value if this Port object has not returned it yet, else None. Subscribes."""
+    def write(self, *args: typing.Any, **kwargs: typing.Any) -> None:
+        """Give it a value: one of its class, or what that class is made of.
+        At most 8 between two steps.
+        """
 
 class Message:
+    """Something that went wrong and did not stop the world."""
     @property
-    def severity(self) -> str: ...
+    def severity(self) -> str:
+        """How bad it is: 'warning' or 'error'."""
     @property
-    def text(self) -> str: ...
+    def text(self) -> str:
+        """What went wrong, and where."""
     @property
-    def time(self) -> float: ...
+    def time(self) -> float:
+        """Simulated time [s]."""
 
 class Drive:
+    """What drives an axis of a joint towards a target."""
     def __init__(
         self,
         session: Session,
@@ -246,18 +373,25 @@ class Drive:
         axis: int,
     ) -> None: ...
     @property
-    def target(self) -> float: ...
+    def target(self) -> float:
+        """Position [rad] or [m], velocity [rad/s] or [m/s], or effort [N m] or [N]."""
     @target.setter
-    def target(self, target: float) -> None: ...
+    def target(self, target: float) -> None:
+        """Position [rad] or [m], velocity [rad/s] or [m/s], or effort [N m] or [N]."""
     @property
-    def effort(self) -> float: ...
-    def remove(self) -> None: ...
+    def effort(self) -> float:
+        """Asked for in the last step [N m] or [N]."""
+    def remove(self) -> None:
+        """Drive the axis no longer."""
 
 class Snapshot:
+    """The state of a world between two steps."""
     @property
-    def time(self) -> float: ...
+    def time(self) -> float:
+        """Simulated time [s]."""
     @property
-    def step_count(self) -> int: ...
+    def step_count(self) -> int:
+        """Steps since time zero."""
 
 class Session:
     def __init__(
