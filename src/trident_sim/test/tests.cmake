@@ -33,6 +33,7 @@ catkin_add_gtest(trident_sim_test
   test/port_test.cpp
   test/resources_test.cpp
   test/rotor_axis_test.cpp
+  test/run_time_changes_test.cpp
   test/sdf_error_test.cpp
   test/sdf_frames_test.cpp
   test/sdf_schema_test.cpp

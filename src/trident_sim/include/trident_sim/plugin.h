@@ -53,6 +53,8 @@ class Plugin {
   virtual void post_step(const World& /*world*/, const StepInfo& /*info*/) {}
   /// Back to the state after construction (filters, biases, sample counters).
   virtual void reset() {}
+  /// The frame of a body of the model has moved in it: the mass of a link was set.
+  virtual void body_frames_moved() {}
   /// Saves or restores every member that changes from step to step; a snapshot of the world is only
   /// as complete as this.
   virtual void state(StateArchive& /*archive*/) {}

@@ -7,9 +7,11 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "trident_base/sim_time.h"
+#include "trident_sim/axis_params.h"
 #include "trident_sim/joint_drive.h"
 #include "trident_sim/model.h"
 #include "trident_sim/model_spec.h"
@@ -105,6 +107,17 @@ class World {
                        const Eigen::Vector3d& w_world);
   void set_link_state(Link& link, const SE3& T_world_link, const Eigen::Vector3d& v_world,
                       const Eigen::Vector3d& w_world);
+
+  /// Mass, centre of mass, inertia and weight of a link, from the next step on; what it is part of
+  /// goes on moving as it does. Throws Error when mass or a principal inertia is not > 0.
+  void set_link_inertial(Link& link, const Inertial& inertial, bool gravity);
+  /// Throws Error, and changes nothing, for a value out of range, or a joint without such an axis.
+  void set_axis_params(Joint& joint, std::size_t axis, const AxisParams& params);
+  /// Turns or shifts joints of `model` to positions, with all that hangs on their children; of a
+  /// universal joint the first axis. Gives back the joints that were stopped by a limit. Throws
+  /// Error, and moves nothing, for a joint that is unknown, has no position or closes a loop.
+  std::vector<std::string> set_joint_positions(
+      Model& model, const std::vector<std::pair<std::string, double>>& positions);
 
   /// A wrench on a body from `start` for `duration` (negative: until cleared). Frames: world axes,
   /// applied at `p_link` of the link.

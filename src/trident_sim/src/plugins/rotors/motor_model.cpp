@@ -42,7 +42,7 @@ class MotorModel : public Plugin {
         context, scoped_topic(params, params.text("motorSpeedPubTopic", "motor_speed")),
         PortRank::kState);
     name_ = params.owner();
-    arm_body_ = link_.T_body_link * link_.inertial.T_link_com.p;
+    MotorModel::body_frames_moved();
     axis_to_thrust_body_ = link_.T_body_link.R * Eigen::Vector3d::UnitZ() - joint_.axis_body;
   }
 
@@ -58,6 +58,8 @@ class MotorModel : public Plugin {
       speed_->publish();
     }
   }
+
+  void body_frames_moved() override { arm_body_ = link_.T_body_link * link_.inertial.T_link_com.p; }
 
   void reset() override {
     reference_ = 0.0;
