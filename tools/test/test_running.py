@@ -31,7 +31,6 @@ from trident_tool.running import (
     run_environment,
 )
 from trident_tool.shell import running_master
-from trident_tool.viewing import pick_config, source_commands
 from trident_tool.workspace import TridentError, Workspace
 
 DIED = """\
@@ -294,22 +293,3 @@ def test_png_holds_the_pixels(tmp_path: Path) -> None:
     start = data.index(b"IDAT") + 4
     length = struct.unpack(">I", data[start - 8 : start - 4])[0]
     assert zlib.decompress(data[start : start + length]) == b"\0" + bytes(range(6))
-
-
-def test_view_refuses_what_it_cannot_show(tmp_path: Path) -> None:
-    with pytest.raises(TridentError, match="does not exist"):
-        source_commands(tmp_path / "gone.bag")
-    text = tmp_path / "a.txt"
-    text.touch()
-    with pytest.raises(TridentError, match=r"a \.bag, a \.world or an \.sdf"):
-        source_commands(text)
-
-
-def test_rviz_configuration_by_name(clone: Workspace) -> None:
-    assert pick_config(clone, None) is None
-    wanted = clone.root / "config" / "rviz" / "fleet.rviz"
-    wanted.touch()
-    assert pick_config(clone, None) == wanted
-    assert pick_config(clone, "fleet") == wanted
-    with pytest.raises(TridentError, match=r"'slam'.*\(it has: fleet\)"):
-        pick_config(clone, "slam")

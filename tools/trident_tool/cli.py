@@ -17,9 +17,10 @@ from trident_tool.formation import add_formation_commands
 from trident_tool.lint import CHECKS, run_checks
 from trident_tool.provision import provision
 from trident_tool.running import run_launch_file
+from trident_tool.screenshot import Size
 from trident_tool.shell import shell
 from trident_tool.testing import run_tests
-from trident_tool.viewing import view
+from trident_tool.viewing import Look, view
 from trident_tool.workspace import Runner, TridentError, Workspace, say
 
 Handler = Callable[[Workspace, Runner, argparse.Namespace], int]
@@ -99,14 +100,14 @@ def _bench_options(options: argparse.Namespace) -> list[str]:
 def _cmd_report(workspace: Workspace, runner: Runner, options: argparse.Namespace) -> int:
     if not runner.dry_run and not options.source.exists():
         raise TridentError(f"{options.source} does not exist: report needs a run folder or a bag")
-    return _eval_module(
-        workspace, runner, ["trident_eval", "report"], [str(options.source), *options.rest]
-    )
+    rest = [str(options.source), *(["--animate"] if options.animate else []), *options.rest]
+    return _eval_module(workspace, runner, ["trident_eval", "report"], rest)
 
 
 def _cmd_view(workspace: Workspace, runner: Runner, options: argparse.Namespace) -> int:
     build(workspace, runner)
-    return view(workspace, runner, options.source, options.config, options.screenshot)
+    look = Look(tuple(options.words), options.config, options.screenshot, options.at, options.size)
+    return view(workspace, runner, look)
 
 
 def _cmd_shell(workspace: Workspace, runner: Runner, options: argparse.Namespace) -> int:
@@ -181,18 +182,37 @@ def _add_running_commands(add: Callable[[str, Handler, str], argparse.ArgumentPa
     sub.add_argument("--out", type=Path, metavar="FILE.json", help="where the rows go")
     sub.add_argument("--profile", action="store_true", help="time per stage of a step")
 
-    sub = add("report", _cmd_report, "plots of a run or a bag")
+    sub = add("report", _cmd_report, "one page about a run or a bag: plots, what went in")
     sub.add_argument("source", type=Path, metavar="RUN_OR_BAG")
+    sub.add_argument("--animate", action="store_true", help="a moving plan view, too (GIF)")
 
-    sub = add("view", _cmd_view, "look at the run in progress, a bag or a world in rviz")
-    sub.add_argument("source", nargs="?", type=Path, metavar="BAG_OR_WORLD")
+    sub = add("view", _cmd_view, "look at the run in progress, a bag, a world or a launch in rviz")
+    sub.add_argument(
+        "words",
+        nargs="*",
+        metavar="BAG | WORLD | [PACKAGE] FILE.launch [name:=value …]",
+        help="default: the run in progress",
+    )
     sub.add_argument("--config", metavar="NAME", help="a configuration of config/rviz")
     sub.add_argument(
         "--screenshot", type=Path, metavar="FILE.png", help="off-screen, into a picture"
     )
+    sub.add_argument(
+        "--at", type=float, metavar="SECONDS", help="hold a launch at this simulated time"
+    )
+    sub.add_argument(
+        "--size", type=_size, default=Size(), metavar="WxH", help="of the picture; 1600x1000"
+    )
 
     sub = add("shell", _cmd_shell, "a shell in which the workspace is sourced")
     sub.add_argument("-c", dest="command", metavar="COMMAND", help="run this instead")
+
+
+def _size(text: str) -> Size:
+    try:
+        return Size.parse(text)
+    except ValueError as error:
+        raise argparse.ArgumentTypeError(str(error)) from error
 
 
 def parse_command_line(argv: Sequence[str]) -> argparse.Namespace:

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""Looks at a run, a bag or a world in rviz; without a display, off-screen into a PNG file."""
+"""Looks at a run, a bag, a world or a launch file in rviz; without a display, off-screen."""
 
 from __future__ import annotations
 
@@ -8,21 +8,38 @@ import contextlib
 import os
 import subprocess
 import tempfile
-import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from trident_tool.environment import ros_environment
-from trident_tool.framebuffer import Image, read_xwd, write_png
+from trident_tool.launchfile import check_args, declared_args, find_launch_file, parse_request
+from trident_tool.processes import started, wait_for_master
 from trident_tool.running import free_port
-from trident_tool.shell import master_answers, running_master
-from trident_tool.workspace import Runner, TridentError, Workspace, say
+from trident_tool.screenshot import Size, resized, screenshot
+from trident_tool.shell import running_master
+from trident_tool.workspace import Runner, TridentError, Workspace, base_environment, say
 
-_SCREEN = "1600x1000x24"
-_POLL_S = 0.5
-_SETTLED_POLLS = 4  # equal pictures in a row before one is kept
-_MIN_WALL_S = 8.0  # rviz paints an empty scene first and adds displays as their messages come
-_TIMEOUT_S = 60.0
+_MARKERS = ["rosrun", "trident_eval", "fleet_markers.py"]
+
+
+@dataclass(frozen=True)
+class Look:
+    """What is to be seen, and how.
+
+    Attributes:
+        words: a bag, a world, or a launch file with its arguments; nothing: the run in progress.
+        config: name of a configuration of config/rviz, or a path; None: the first one.
+        screenshot: PNG file to be made off-screen; None: rviz on the display.
+        at_s: simulated time at which a launch file is held; None: it runs on.
+        size: of the screenshot.
+    """
+
+    words: tuple[str, ...] = ()
+    config: str | None = None
+    screenshot: Path | None = None
+    at_s: float | None = None
+    size: Size = field(default_factory=Size)
 
 
 def pick_config(workspace: Workspace, name: str | None) -> Path | None:
@@ -44,161 +61,127 @@ def pick_config(workspace: Workspace, name: str | None) -> Path | None:
     raise TridentError(f"there is no rviz configuration {name!r} in {folder} (it has: {names})")
 
 
-def source_commands(source: Path | None) -> list[list[str]]:
-    """Commands that feed rviz from ``source``: a bag is played, a world is simulated.
+def source_command(
+    workspace: Workspace, words: Sequence[str], env: Mapping[str, str]
+) -> list[str] | None:
+    """The command that feeds rviz: a bag is played, a world simulated, a launch file launched.
 
     Raises:
-        TridentError: the source does not exist or is neither.
+        TridentError: the source does not exist or is none of them; an argument is wrong.
     """
-    if source is None:
-        return []
-    if not source.exists():
-        raise TridentError(f"{source} does not exist")
-    if source.suffix == ".bag":
-        return [["rosbag", "play", "--clock", "--quiet", str(source)]]
-    if source.suffix in (".world", ".sdf"):
+    if not words:
+        return None
+    source = Path(words[0])
+    if source.suffix == ".bag" or source.suffix in (".world", ".sdf"):
+        if len(words) > 1:
+            raise TridentError(f"view shows one thing at a time, found also {words[1]}")
+        if not source.exists():
+            raise TridentError(f"{source} does not exist")
+        if source.suffix == ".bag":
+            return ["rosbag", "play", "--clock", "--quiet", str(source)]
         world = f"world_name:={source.resolve()}"
-        return [["roslaunch", "gazebo_ros", "empty_world.launch", "gui:=false", world]]
-    raise TridentError(f"{source}: view shows a .bag, a .world or an .sdf file")
+        return ["roslaunch", "gazebo_ros", "empty_world.launch", "gui:=false", world]
+    if not any(word.endswith(".launch") for word in words[:2]):
+        raise TridentError(f"{source}: view shows a .bag, a .world, an .sdf or a .launch file")
+    request = parse_request(words)
+    file = find_launch_file(workspace, request, env)
+    check_args(file, declared_args(file), request.args)
+    given = [f"{name}:={value}" for name, value in request.args.items()]
+    return ["roslaunch", "--disable-title", str(file), *given]
 
 
-@contextlib.contextmanager
-def _started(command: Sequence[str], env: dict[str, str]) -> Iterator[subprocess.Popen[bytes]]:
-    process = subprocess.Popen(
-        command,
-        env=env,
-        stdin=subprocess.DEVNULL,
-        stdout=subprocess.DEVNULL,
-        stderr=subprocess.DEVNULL,
-        start_new_session=True,
-    )
-    try:
-        yield process
-    finally:
-        process.terminate()
-        try:
-            process.wait(10.0)
-        except subprocess.TimeoutExpired:
-            process.kill()
-            process.wait()
+def rviz_command(look: Look, configuration: Path | None) -> list[str]:
+    """The call of rviz. The splash screen would be taken for the first picture."""
+    command = ["rviz", "--splash-screen", ""]
+    command += ["-d", str(configuration)] if configuration else []
+    # The picture is without menus and panels.
+    return [*command, "--fullscreen"] if look.screenshot is not None else command
 
 
-@contextlib.contextmanager
-def _virtual_screen(folder: Path) -> Iterator[tuple[str, Path]]:
-    """An X server without a display; gives its name and the file that holds its picture.
-
-    Raises:
-        TridentError: Xvfb did not start.
-    """
-    read_end, write_end = os.pipe()
-    command = ["Xvfb", "-displayfd", str(write_end), "-screen", "0", _SCREEN, "-fbdir", str(folder)]
-    process = subprocess.Popen(
-        [*command, "-nolisten", "tcp"],
-        pass_fds=[write_end],
-        stdin=subprocess.DEVNULL,
-        stdout=subprocess.DEVNULL,
-        stderr=subprocess.DEVNULL,
-    )
-    os.close(write_end)
-    try:
-        with os.fdopen(read_end) as pipe:
-            number = pipe.readline().strip()
-        if not number:
-            raise TridentError("Xvfb did not start")
-        yield f":{number}", folder / "Xvfb_screen0"
-    finally:
-        process.terminate()
-        process.wait()
+def view_environment(env: Mapping[str, str]) -> dict[str, str]:
+    """Environment of what is looked at: in real time, until it is ended, with no other viewer."""
+    return {"TRIDENT_REAL_TIME_FACTOR": "1", "TRIDENT_HEADLESS": "1"} | {
+        name: value for name, value in env.items() if name not in ("DISPLAY", "TRIDENT_END")
+    }
 
 
-def _wait_for_picture(screen: Path, viewer: subprocess.Popen[bytes]) -> Image:
-    """The picture of ``screen`` once it shows something and has stopped changing.
+def view(workspace: Workspace, runner: Runner, look: Look) -> int:
+    """The ``view`` subcommand.
 
     Raises:
-        TridentError: rviz ended, or the screen stayed blank.
+        TridentError: there is nothing to be seen, or no display for it.
     """
-    started = time.monotonic()
-    last = read_xwd(screen.read_bytes())
-    equal = 0
-    while (wall_s := time.monotonic() - started) < _TIMEOUT_S:
-        if viewer.poll() is not None:
-            raise TridentError(f"rviz ended with exit code {viewer.returncode}")
-        time.sleep(_POLL_S)
-        picture = read_xwd(screen.read_bytes())
-        equal = equal + 1 if picture == last else 0
-        last = picture
-        if wall_s >= _MIN_WALL_S and equal >= _SETTLED_POLLS and not picture.is_blank():
-            return picture
-    if last.is_blank():
-        raise TridentError(f"the screen was still blank after {_TIMEOUT_S:.0f} s")
-    return last  # a moving scene never settles; what it shows now is as good as later
+    if look.screenshot is None and not os.environ.get("DISPLAY") and not runner.dry_run:
+        raise TridentError(
+            "there is no DISPLAY. For a picture: ./trident view --screenshot FILE.png "
+            "[BAG|WORLD|LAUNCH]; for plots: ./trident report RUN_OR_BAG; elsewhere: rviz with this "
+            "ROS_MASTER_URI"
+        )
+    env = base_environment() if runner.dry_run else ros_environment(workspace)
+    feed = source_command(workspace, look.words, env)
+    if look.at_s is not None and (feed is None or "--disable-title" not in feed):
+        raise TridentError("--at goes with a launch file only")
+    command = rviz_command(look, pick_config(workspace, look.config))
+    if runner.dry_run:
+        for words in [feed, _MARKERS, command]:
+            runner.run(words or ["true"])
+        return 0
+    env.setdefault("ROS_HOSTNAME", "localhost")
+    return _show(workspace, runner, look, feed, command, env)
 
 
-def _screenshot(command: Sequence[str], env: dict[str, str], target: Path) -> None:
-    with (
-        tempfile.TemporaryDirectory(prefix="trident-view-") as folder,
-        _virtual_screen(Path(folder)) as (display, screen),
-    ):
-        env = env | {"DISPLAY": display, "LIBGL_ALWAYS_SOFTWARE": "1", "QT_X11_NO_MITSHM": "1"}
-        env.setdefault("XDG_RUNTIME_DIR", folder)
-        with _started(command, env) as viewer:
-            # There is no window manager: the window does not fill the screen.
-            write_png(_wait_for_picture(screen, viewer).cropped(), target)
-    say(f"wrote {target}")
-
-
-def _wait_for_master(uri: str, process: subprocess.Popen[bytes]) -> None:
-    deadline = time.monotonic() + 20.0
-    while not master_answers(uri):
-        if process.poll() is not None or time.monotonic() > deadline:
-            raise TridentError("roscore did not start")
-        time.sleep(0.1)
-
-
-def view(
+def _show(
     workspace: Workspace,
     runner: Runner,
-    source: Path | None = None,
-    config: str | None = None,
-    screenshot: Path | None = None,
+    look: Look,
+    feed: list[str] | None,
+    command: list[str],
+    env: dict[str, str],
 ) -> int:
-    """The ``view`` subcommand."""
-    if screenshot is None and not os.environ.get("DISPLAY") and not runner.dry_run:
-        raise TridentError(
-            "there is no DISPLAY. For a picture: ./trident view --screenshot FILE.png [BAG|WORLD]; "
-            "for plots: ./trident report RUN_OR_BAG; elsewhere: rviz with this ROS_MASTER_URI"
-        )
-    feeds = source_commands(source)
-    configuration = pick_config(workspace, config)
-    # The splash screen would be taken for the first picture.
-    command = [
-        "rviz",
-        "--splash-screen",
-        "",
-        *(["-d", str(configuration)] if configuration else []),
-    ]
-    if screenshot is not None:
-        command.append("--fullscreen")  # the picture without menus and panels
-    if runner.dry_run:
-        for feed in feeds:
-            runner.run(feed)
-        return runner.run(command)
-    env = ros_environment(workspace)
-    env.setdefault("ROS_HOSTNAME", "localhost")
-    uri = None if feeds else running_master(workspace)
     with contextlib.ExitStack() as stack:
+        uri = None if feed else running_master(workspace)
         if uri is None:
             port = free_port()
             uri = f"http://localhost:{port}"
-            env["ROS_MASTER_URI"] = uri
-            core = stack.enter_context(_started(["roscore", "-p", str(port)], env))
-            _wait_for_master(uri, core)
-        env["ROS_MASTER_URI"] = uri
-        if feeds:
+            core = stack.enter_context(started(["roscore", "-p", str(port)], _at(env, uri)))
+            wait_for_master(uri, core)
+        env = _at(env, uri)
+        source: subprocess.Popen[bytes] | None = None
+        if feed:
             runner.run(["rosparam", "set", "use_sim_time", "true"], env=env)
-        for feed in feeds:
-            stack.enter_context(_started(feed, env))
-        if screenshot is None:
+            source = stack.enter_context(started(feed, view_environment(env)))
+        stack.enter_context(started(_MARKERS, env))
+        if look.at_s is not None:
+            _hold(runner, look.at_s, env)
+        if source is not None and source.poll() not in (None, 0):
+            raise TridentError(f"{' '.join(feed or [])} ended with exit code {source.returncode}")
+        if look.screenshot is None:
             return runner.run(command, env=env)
-        _screenshot(command, env, screenshot)
+        _take_picture(command, env, look.screenshot, look.size)
+        say(f"wrote {look.screenshot}")
     return 0
+
+
+def _take_picture(command: list[str], env: dict[str, str], target: Path, size: Size) -> None:
+    """A screenshot of rviz, with the window of its configuration as large as the picture."""
+    with tempfile.TemporaryDirectory(prefix="trident-view-") as folder:
+        for index, word in enumerate(command):
+            if word.endswith(".rviz"):
+                copy = Path(folder) / "sized.rviz"
+                text = resized(Path(word).read_text(encoding="utf-8"), size)
+                copy.write_text(text, encoding="utf-8")
+                command = [*command[:index], str(copy), *command[index + 1 :]]
+        screenshot(command, env, target, size)
+
+
+def _at(env: Mapping[str, str], uri: str) -> dict[str, str]:
+    return {**env, "ROS_MASTER_URI": uri}
+
+
+def _hold(runner: Runner, at_s: float, env: Mapping[str, str]) -> None:
+    say(f"simulating to {at_s:g} s")
+    runner.check(
+        ["rosrun", "trident_eval", "hold_at.py", str(at_s)],
+        what=f"holding the simulation at {at_s:g} s",
+        env=env,
+    )

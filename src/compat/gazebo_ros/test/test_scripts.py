@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import os
 import subprocess
+import time
 from pathlib import Path
 
 import pytest
@@ -41,20 +42,39 @@ def test_viewer_without_a_display_says_how_to_look_and_succeeds(tmp_path: Path) 
     assert "./trident view --screenshot" in result.stdout
 
 
-def test_viewer_with_a_display_is_rviz_with_our_configuration(tmp_path: Path) -> None:
-    (tmp_path / "config" / "rviz").mkdir(parents=True)
-    config = tmp_path / "config" / "rviz" / "a.rviz"
-    config.touch()
+@pytest.fixture
+def viewer(tmp_path: Path) -> Path:
+    """Stand-ins of rviz, which ends at once, and of the node beside it, which does not."""
     stand_in(tmp_path, "rospack", f"echo {tmp_path}")
-    stand_in(tmp_path, "rviz", 'echo "rviz $*"')
-    result = run("gzclient", "--verbose", "__name:=gazebo_gui", path=tmp_path, DISPLAY=":7")
+    until_told = f"while [ ! -e {tmp_path}/node ]; do sleep 0.01; done"
+    stand_in(tmp_path, "rviz", f'echo "rviz $*"; {until_told}; exit ${{RVIZ_CODE:-0}}')
+    wait = 'trap "echo ended >>$0.log; exit" TERM; while :; do sleep 0.01; done'
+    stand_in(tmp_path, "rosrun", f'echo "$*" >$0.log; touch {tmp_path}/node; {wait}')
+    return tmp_path
+
+
+def test_viewer_with_a_display_is_rviz_with_our_configuration(viewer: Path) -> None:
+    (viewer / "config" / "rviz").mkdir(parents=True)
+    for name in ("a.rviz", "b.rviz"):
+        (viewer / "config" / "rviz" / name).touch()
+    result = run("gzclient", "--verbose", "__name:=gazebo_gui", path=viewer, DISPLAY=":7")
+    config = viewer / "config" / "rviz" / "a.rviz"
     assert result.stdout == f"rviz -d {config} __name:=gazebo_gui\n"
 
 
-def test_viewer_without_a_configuration_is_plain_rviz(tmp_path: Path) -> None:
-    stand_in(tmp_path, "rospack", f"echo {tmp_path}")
-    stand_in(tmp_path, "rviz", 'echo "rviz $*"')
-    assert run("gzclient", path=tmp_path, DISPLAY=":7").stdout == "rviz \n"
+def test_viewer_without_a_configuration_is_plain_rviz(viewer: Path) -> None:
+    assert run("gzclient", path=viewer, DISPLAY=":7").stdout == "rviz \n"
+
+
+@pytest.mark.parametrize("code", [0, 3])
+def test_the_markers_of_the_fleet_end_with_the_viewer(viewer: Path, code: int) -> None:
+    result = run("gzclient", path=viewer, DISPLAY=":7", RVIZ_CODE=str(code))
+    assert result.returncode == code
+    log = viewer / "rosrun.log"
+    begin = time.monotonic()
+    while "ended" not in log.read_text() and time.monotonic() < begin + 10.0:
+        os.sched_yield()
+    assert log.read_text() == "trident_eval fleet_markers.py\nended\n"
 
 
 @pytest.mark.parametrize("code", [0, 3])

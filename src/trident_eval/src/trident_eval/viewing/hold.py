@@ -1,0 +1,76 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""Node hold_at: takes a simulation to a simulated time, to the step, and leaves it paused there."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+
+import rospy
+from gazebo_msgs.srv import GetPhysicsProperties, GetWorldProperties
+from std_srvs.srv import Empty
+
+from trident_msgs.srv import Step
+
+_START_LIMIT_S = 60.0
+_TRIES = 20
+_CHUNK_S = 0.1  # of simulated time, so that whoever watches can follow
+
+
+class Held:
+    """A simulation that is stepped by this node."""
+
+    def __init__(self) -> None:
+        """Wait for the simulator.
+
+        Raises:
+            rospy.ROSException: there is none.
+        """
+        rospy.wait_for_service("/gazebo/step", _START_LIMIT_S)
+        self._pause = rospy.ServiceProxy("/gazebo/pause_physics", Empty)
+        self._step = rospy.ServiceProxy("/gazebo/step", Step)
+        world = rospy.ServiceProxy("/gazebo/get_world_properties", GetWorldProperties)
+        physics = rospy.ServiceProxy("/gazebo/get_physics_properties", GetPhysicsProperties)
+        self._pause()
+        self.time_s = float(world().sim_time)
+        self.dt_s = float(physics().time_step)
+
+    def advance(self, n: int) -> None:
+        """Do n steps; a node of the launch may unpause the world meanwhile.
+
+        Raises:
+            rospy.ROSException: it refuses, however often it is paused.
+        """
+        for _ in range(_TRIES):
+            response = self._step(n=n)
+            if response.success:
+                self.time_s = response.sim_time.to_sec()
+                return
+            self._pause()
+        raise rospy.ROSException(response.message)
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Run to the end.
+
+    Returns:
+        0: the world stands at the time; 1: it cannot, because it is past it or not there.
+    """
+    parser = argparse.ArgumentParser(prog="hold_at", description=__doc__)
+    parser.add_argument("time_s", type=float, metavar="SECONDS", help="simulated time")
+    options = parser.parse_args(rospy.myargv(arguments or sys.argv)[1:])
+    rospy.init_node("hold_at", anonymous=True)
+    try:
+        held = Held()
+        if held.time_s > options.time_s + 0.5 * held.dt_s:
+            rospy.logerr("it is %.3f s already, past %.3f s", held.time_s, options.time_s)
+            return 1
+        while not rospy.is_shutdown():
+            left = round((options.time_s - held.time_s) / held.dt_s)
+            if left <= 0:
+                return 0
+            held.advance(min(left, max(1, round(_CHUNK_S / held.dt_s))))
+    except rospy.ROSException as error:
+        rospy.logerr("the simulation cannot be held: %s", error)
+    return 1

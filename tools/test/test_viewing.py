@@ -1,0 +1,97 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+from pathlib import Path
+
+import pytest
+from trident_tool.screenshot import Size, resized
+from trident_tool.viewing import Look, pick_config, source_command, view, view_environment
+from trident_tool.workspace import Runner, TridentError, Workspace
+
+
+def test_nothing_stands_for_the_run_in_progress(clone: Workspace) -> None:
+    assert source_command(clone, [], {}) is None
+
+
+def test_a_bag_is_played_and_a_world_simulated(clone: Workspace, tmp_path: Path) -> None:
+    bag, world = tmp_path / "run.bag", tmp_path / "a.world"
+    bag.touch()
+    world.touch()
+    assert source_command(clone, [str(bag)], {}) == [
+        *("rosbag", "play", "--clock", "--quiet"),
+        str(bag),
+    ]
+    command = source_command(clone, [str(world)], {})
+    assert command is not None
+    assert command[:3] == ["roslaunch", "gazebo_ros", "empty_world.launch"]
+    assert command[-1] == f"world_name:={world.resolve()}"
+
+
+def test_a_launch_file_is_launched_with_its_arguments(clone: Workspace) -> None:
+    file = clone.launch / "fly.launch"
+    file.write_text('<launch><arg name="uavs" default="1"/></launch>', encoding="utf-8")
+    command = source_command(clone, ["fly.launch", "uavs:=3"], {})
+    assert command == ["roslaunch", "--disable-title", str(file), "uavs:=3"]
+    with pytest.raises(TridentError, match="no argument 'uav'"):
+        source_command(clone, ["fly.launch", "uav:=3"], {})
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (["gone.bag"], "gone.bag does not exist"),
+        (["a.txt"], r"a\.txt: view shows a \.bag, a \.world, an \.sdf or a \.launch file"),
+        (["gone.launch"], r"no launch file 'gone\.launch'"),
+        (["a.bag", "b.bag"], "one thing at a time, found also b.bag"),
+    ],
+)
+def test_what_cannot_be_shown_is_refused(clone: Workspace, words: list[str], message: str) -> None:
+    with pytest.raises(TridentError, match=message):
+        source_command(clone, words, {})
+
+
+def test_without_a_display_only_a_picture_can_be_made(
+    clone: Workspace, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.delenv("DISPLAY", raising=False)
+    with pytest.raises(TridentError, match="there is no DISPLAY"):
+        view(clone, Runner(), Look())
+
+
+def test_only_a_launch_can_be_held(clone: Workspace, tmp_path: Path) -> None:
+    bag = tmp_path / "run.bag"
+    bag.touch()
+    for words in ((), (str(bag),)):
+        with pytest.raises(TridentError, match="--at goes with a launch file only"):
+            view(clone, Runner(dry_run=True), Look(words, at_s=3.0))
+
+
+def test_what_is_looked_at_runs_in_real_time_and_does_not_end() -> None:
+    env = view_environment({"HOME": "/h", "DISPLAY": ":1", "TRIDENT_END": "1"})
+    assert env == {"HOME": "/h", "TRIDENT_REAL_TIME_FACTOR": "1", "TRIDENT_HEADLESS": "1"}
+    assert view_environment({"TRIDENT_REAL_TIME_FACTOR": "5"})["TRIDENT_REAL_TIME_FACTOR"] == "5"
+
+
+@pytest.mark.parametrize("text", ["", "1200", "1200x", "99x700", "700x99999", "-1x2", "1.5x200"])
+def test_a_size_that_is_none_is_refused(text: str) -> None:
+    with pytest.raises(ValueError, match="legal: WIDTHxHEIGHT"):
+        Size.parse(text)
+
+
+def test_the_window_is_as_large_as_the_picture() -> None:
+    assert Size.parse("1200x700") == Size(1200, 700)
+    text = (
+        "Views: ~\nWindow Geometry:\n  Displays:\n    collapsed: true\n  Height: 9\n  Width: 14\n"
+    )
+    sized = "Views: ~\nWindow Geometry:\n  Height: 700\n  Width: 1200\n"
+    assert resized(text, Size(1200, 700)) == sized
+    assert resized("Views: ~\n", Size(1200, 700)) == sized
+
+
+def test_rviz_configuration_by_name(clone: Workspace) -> None:
+    assert pick_config(clone, None) is None
+    wanted = clone.root / "config" / "rviz" / "fleet.rviz"
+    wanted.touch()
+    assert pick_config(clone, None) == wanted
+    assert pick_config(clone, "fleet") == wanted
+    with pytest.raises(TridentError, match=r"'slam'.*\(it has: fleet\)"):
+        pick_config(clone, "slam")

@@ -1,0 +1,120 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""A picture of a program that needs a display, without one."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import re
+import subprocess
+import tempfile
+import time
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from trident_tool.framebuffer import Image, read_xwd, write_png
+from trident_tool.processes import started
+from trident_tool.workspace import TridentError
+
+_POLL_S = 0.5
+_SETTLED_POLLS = 4  # equal pictures in a row before one is kept
+_MIN_WALL_S = 8.0  # rviz paints an empty scene first and adds displays as their messages come
+_TIMEOUT_S = 60.0
+_LARGEST = 8192
+
+
+@dataclass(frozen=True)
+class Size:
+    """Of a picture [pixel]."""
+
+    width: int = 1600
+    height: int = 1000
+
+    @staticmethod
+    def parse(text: str) -> Size:
+        """The size that a text like 1200x750 means.
+
+        Raises:
+            ValueError: it means none.
+        """
+        found = re.fullmatch(r"(\d+)x(\d+)", text)
+        if found is None or not all(100 <= int(side) <= _LARGEST for side in found.groups()):
+            raise ValueError(f"{text!r}; legal: WIDTHxHEIGHT, each 100 to {_LARGEST}")
+        return Size(int(found[1]), int(found[2]))
+
+
+@contextlib.contextmanager
+def _virtual_screen(folder: Path, size: Size) -> Iterator[tuple[str, Path]]:
+    """An X server without a display; gives its name and the file that holds its picture.
+
+    Raises:
+        TridentError: Xvfb did not start.
+    """
+    read_end, write_end = os.pipe()
+    screen = f"{size.width}x{size.height}x24"
+    command = ["Xvfb", "-displayfd", str(write_end), "-screen", "0", screen, "-fbdir", str(folder)]
+    process = subprocess.Popen(
+        [*command, "-nolisten", "tcp", "-nocursor"],
+        pass_fds=[write_end],
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+    )
+    os.close(write_end)
+    try:
+        with os.fdopen(read_end) as pipe:
+            number = pipe.readline().strip()
+        if not number:
+            raise TridentError("Xvfb did not start")
+        yield f":{number}", folder / "Xvfb_screen0"
+    finally:
+        process.terminate()
+        process.wait()
+
+
+def _wait_for_picture(screen: Path, viewer: subprocess.Popen[bytes]) -> Image:
+    """The picture of ``screen`` once it shows something and has stopped changing.
+
+    Raises:
+        TridentError: the program ended, or the screen stayed blank.
+    """
+    begin = time.monotonic()
+    last = read_xwd(screen.read_bytes())
+    equal = 0
+    while (wall_s := time.monotonic() - begin) < _TIMEOUT_S:
+        if viewer.poll() is not None:
+            raise TridentError(f"rviz ended with exit code {viewer.returncode}")
+        time.sleep(_POLL_S)
+        picture = read_xwd(screen.read_bytes())
+        equal = equal + 1 if picture == last else 0
+        last = picture
+        if wall_s >= _MIN_WALL_S and equal >= _SETTLED_POLLS and not picture.is_blank():
+            return picture
+    if last.is_blank():
+        raise TridentError(f"the screen was still blank after {_TIMEOUT_S:.0f} s")
+    return last  # a moving scene never settles; what it shows now is as good as later
+
+
+def resized(configuration: str, size: Size) -> str:
+    """An rviz configuration with a window of this size: there is no window manager to decide."""
+    head = configuration.partition("Window Geometry:")[0]
+    return f"{head}Window Geometry:\n  Height: {size.height}\n  Width: {size.width}\n"
+
+
+def screenshot(command: Sequence[str], env: Mapping[str, str], target: Path, size: Size) -> None:
+    """Runs a program on a screen of its own until its picture stands still, and keeps that.
+
+    Raises:
+        TridentError: there is no picture.
+    """
+    with (
+        tempfile.TemporaryDirectory(prefix="trident-view-") as folder,
+        _virtual_screen(Path(folder), size) as (display, screen),
+    ):
+        # Software rendering: the same picture on every machine.
+        changes = {"DISPLAY": display, "LIBGL_ALWAYS_SOFTWARE": "1", "QT_X11_NO_MITSHM": "1"}
+        changes.setdefault("XDG_RUNTIME_DIR", env.get("XDG_RUNTIME_DIR", folder))
+        with started(command, {**env, **changes}) as viewer:
+            write_png(_wait_for_picture(screen, viewer).cropped(), target)
