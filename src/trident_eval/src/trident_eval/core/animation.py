@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from trident_eval.core.errors import EvalError
-from trident_eval.core.plots import around, colour
+from trident_eval.core.plots import MANY, colour, outline_of
 from trident_eval.core.scene import Scene
 from trident_eval.core.tracks import Array
 
@@ -23,7 +23,6 @@ _DPI = 100
 _COLOURS_OF_GIF = 96
 _NEARLY_WHITE = 240
 _TRAIL_S = 6.0
-_LABELLED_VEHICLES = 12
 
 
 @dataclass(frozen=True)
@@ -138,7 +137,7 @@ class _PlanView:
         axes, names = self._axes, self._scene.tracks.names
         count = range(len(names))
         style: dict[str, Any] = {"animated": True}
-        labels = names if len(names) <= _LABELLED_VEHICLES else []
+        labels = names if len(names) <= MANY else []
         return {
             "trails": [
                 axes.plot([], [], color=colour(i), linewidth=2.0, **style)[0] for i in count
@@ -179,7 +178,7 @@ class _PlanView:
             name.set_visible(is_there)
             name.xy = place[:2] if is_there else (0.0, 0.0)
         known = now[np.isfinite(now).all(axis=1)]
-        outline = known[around(known)] if len(known) > 1 else np.empty((0, 3))
+        outline = outline_of(known) if len(known) > 1 else np.empty((0, 3))
         moving["outline"].set_data(outline[:, 0], outline[:, 1])
         if self._scene.commanded is not None:
             moving["commands"].set_data(*self._scene.commanded[index, :, :2].T)

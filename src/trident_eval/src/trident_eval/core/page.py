@@ -30,7 +30,7 @@ pre{background:#f5f5f5;padding:.8em 1em;overflow-x:auto;white-space:pre-wrap}
 summary{cursor:pointer;margin:.5em 0}pre{font-family:ui-monospace,monospace;font-size:.9em}
 """
 _CAPTIONS = {
-    "paths": "Paths in 3D and in plan; dots and grey outlines: the formation at seven instants.",
+    "paths": "Paths in 3D and in plan; dots and grey outlines: the formation at some instants.",
     "height": "Height of each vehicle above the ground plane of the world.",
     "formation_error": "Error of the shape, after the rigid motion that fits it best.",
     "separation": "Distance of the closest two vehicles.",

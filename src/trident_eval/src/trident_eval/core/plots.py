@@ -16,7 +16,9 @@ from trident_eval.core.tracks import Array
 _COLOURS = ("#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#56B4E9", "#8C6D00", "#555555")
 _LIMIT = "#B00020"
 _OUTSIDE = "#F0F0F0"
-_SNAPSHOTS = 7
+_SNAPSHOTS, _SNAPSHOTS_OF_MANY = 7, 3
+# More are not told apart by eight colours, nor read as a ring of neighbours.
+MANY = 12
 _STYLE: dict[str, Any] = {
     "figure.dpi": 110,
     "savefig.dpi": 150,
@@ -79,7 +81,7 @@ def _draw_paths(scene: Scene) -> Any:
     for index, name in enumerate(scene.tracks.names):
         x, y, z = scene.tracks.position[:, index].T
         space.plot(x, y, z, color=colour(index))
-        plan.plot(x, y, color=colour(index), label=name)
+        plan.plot(x, y, color=colour(index), label=label(scene, name))
         if scene.commanded is not None:
             cx, cy, _ = scene.commanded[:, index].T
             plan.plot(cx, cy, color="black", linewidth=0.6, linestyle=(0, (4, 3)), zorder=3)
@@ -90,7 +92,7 @@ def _draw_paths(scene: Scene) -> Any:
     plan.set(xlabel="x [m]", ylabel="y [m]", title="plan view", aspect="equal")
     plan.margins(0.06)
     figure.legend(*plan.get_legend_handles_labels(), loc="lower center", ncols=8, fontsize=9)
-    figure.get_layout_engine().set(rect=(0.0, 0.07, 1.0, 0.93))
+    figure.get_layout_engine().set(rect=(0.0, 0.07, 1.0, 0.93), wspace=0.1)
     return figure
 
 
@@ -107,7 +109,7 @@ def _label_space(space: Any, scene: Scene) -> None:
         extent = np.maximum(high - low, 0.2 * max(float((high - low).max()), 1.0))
         space.set(xlim=_span(low[0], extent[0]), ylim=_span(low[1], extent[1]))
         space.set_zlim(low[2], low[2] + extent[2])
-        space.set_box_aspect(extent, zoom=1.0)
+        space.set_box_aspect(extent, zoom=0.95)
     space.view_init(elev=30, azim=-62)
     for axis, bins in ((space.xaxis, 6), (space.yaxis, 5), (space.zaxis, 3)):
         axis.set_pane_color((1.0, 1.0, 1.0, 0.0))
@@ -123,32 +125,58 @@ def _mark_formations(scene: Scene, space: Any, plan: Any) -> None:
     """The shape at some instants: a closed line around the vehicles, and a dot for each."""
     time = scene.tracks.time
     begin, end = scene.counted_s or (time[0], time[-1])
-    for instant in np.linspace(begin, end, _SNAPSHOTS):
+    many = len(scene.tracks.names) > MANY
+    for instant in np.linspace(begin, end, _SNAPSHOTS_OF_MANY if many else _SNAPSHOTS):
         points = scene.tracks.position[int(np.argmin(np.abs(time - instant)))]
         points = points[np.isfinite(points).all(axis=1)]
         if len(points) < 2:
             continue
-        outline = points[around(points)]
+        outline = outline_of(points)
         plan.plot(outline[:, 0], outline[:, 1], color="#777777", linewidth=0.9, zorder=4)
         plan.plot(points[:, 0], points[:, 1], "o", color="#333333", markersize=3.5, zorder=5)
         space.plot(*outline.T, color="#777777", linewidth=0.9)
 
 
-def around(points: Array) -> Any:
-    """Order of points around their centre, closed; along the line if they are on one."""
+def outline_of(points: Array) -> Array:
+    """A line that shows the shape of some points, shape (N, 3) -> (K, 3).
+
+    Few are joined with their neighbours around the centre (along the line if they are on one), of
+    many it is the convex hull in plan; closed.
+    """
     flat = points[:, :2] - points[:, :2].mean(axis=0)
     u, singular, _ = np.linalg.svd(flat, full_matrices=False)
     if singular[-1] < 0.05 * max(singular[0], 1e-9):
-        return np.argsort(u[:, 0])
+        return points[np.argsort(u[:, 0])]
+    if len(points) > MANY:
+        return points[_hull(flat)]
     order = np.argsort(np.arctan2(flat[:, 1], flat[:, 0]))
-    return np.append(order, order[0])
+    return points[np.append(order, order[0])]
+
+
+def _hull(flat: Array) -> list[int]:
+    """Indices of the convex hull of points in a plane, closed (Andrew's monotone chain)."""
+    order = np.lexsort((flat[:, 1], flat[:, 0])).tolist()
+    ring: list[int] = []
+    for chain in (order, order[::-1]):
+        half: list[int] = []
+        for index in chain:
+            while len(half) > 1 and _turn(flat[half[-2]], flat[half[-1]], flat[index]) <= 0.0:
+                half.pop()
+            half.append(index)
+        ring += half[:-1]
+    return [*ring, ring[0]]
+
+
+def _turn(a: Array, b: Array, c: Array) -> float:
+    """Twice the area of a triangle in a plane, positive if it turns left [m^2]."""
+    return float((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]))
 
 
 def _draw_height(scene: Scene) -> Any:
     figure, axes = _time_figure(scene, "height", "z in the world [m]")
     for index, name in enumerate(scene.tracks.names):
         z = scene.tracks.position[:, index, 2]
-        axes.plot(scene.tracks.time, z, color=colour(index), label=name)
+        axes.plot(scene.tracks.time, z, color=colour(index), label=label(scene, name))
     axes.set_ylim(bottom=min(0.0, axes.get_ylim()[0]))
     _finish(axes)
     return figure
@@ -189,7 +217,8 @@ def _draw_tracking_error(scene: Scene) -> Any:
         return None
     figure, axes = _time_figure(scene, "tracking error", "distance to the command [m]")
     for index, name in enumerate(scene.tracks.names):
-        axes.plot(scene.tracks.time, error[:, index], color=colour(index), label=name)
+        values = error[:, index]
+        axes.plot(scene.tracks.time, values, color=colour(index), label=label(scene, name))
     _fit(axes, scene, error, None)
     _finish(axes)
     return figure
@@ -229,9 +258,15 @@ def _finish(axes: Any) -> None:
 
 
 def _legend_below(axes: Any, offset: float) -> None:
-    axes.legend(loc="upper center", bbox_to_anchor=(0.5, offset), ncols=8, fontsize=9)
+    if axes.get_legend_handles_labels()[0]:
+        axes.legend(loc="upper center", bbox_to_anchor=(0.5, offset), ncols=8, fontsize=9)
 
 
 def colour(index: int) -> str:
     """Colour of a vehicle, in the order of the scene."""
     return _COLOURS[index % len(_COLOURS)]
+
+
+def label(scene: Scene, name: str) -> str:
+    """What a legend says of a vehicle; nothing where there are too many for one."""
+    return name if len(scene.tracks.names) <= MANY else "_nolegend_"

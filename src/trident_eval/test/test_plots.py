@@ -1,0 +1,55 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from trident_eval.core.plots import MANY, draw_all, label, outline_of
+from trident_eval.core.scene import Scene
+from trident_eval.core.tracks import Array, Tracks
+
+
+def grid(side: int) -> Array:
+    """Points of a square, row by row, shape (side^2, 3) [m]."""
+    x, y = np.meshgrid(np.arange(side), np.arange(side))
+    return np.stack([x.ravel(), y.ravel(), np.ones(side * side)], axis=1).astype(np.float64)
+
+
+def area(line: Array) -> float:
+    """What a closed line encloses in plan [m^2]."""
+    x, y = line[:, 0], line[:, 1]
+    return float(0.5 * abs((x[:-1] * y[1:] - x[1:] * y[:-1]).sum()))
+
+
+def test_few_are_joined_with_their_neighbours() -> None:
+    angle = np.array([0.0, 4.0, 2.0, 3.0, 1.0, 5.0]) * np.pi / 3.0
+    hexagon = np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=1)
+    line = outline_of(hexagon)
+    assert len(line) == 7
+    np.testing.assert_array_equal(line[0], line[-1])
+    np.testing.assert_allclose(np.linalg.norm(np.diff(line, axis=0), axis=1), 1.0)
+
+
+def test_a_row_is_a_line_from_end_to_end() -> None:
+    row = np.array([[0.0, 3.0, 1.0], [0.0, 0.0, 1.0], [0.0, 1.0, 1.0]])
+    assert outline_of(row)[:, 1].tolist() in ([0.0, 1.0, 3.0], [3.0, 1.0, 0.0])
+
+
+def test_many_have_their_hull_around_them() -> None:
+    line = outline_of(grid(5))
+    assert area(line) == pytest.approx(16.0)
+    assert {tuple(point) for point in line[:, :2]} == {(0, 0), (4, 0), (4, 4), (0, 4)}
+    np.testing.assert_array_equal(line[0], line[-1])
+
+
+@pytest.mark.parametrize("side", [1, 3, 4])
+def test_pictures_of_few_and_many(tmp_path: Path, side: int) -> None:
+    time = np.linspace(0.0, 4.0, 30)
+    position = grid(side)[None] + time[:, None, None] * np.array([0.2, 0.1, 0.0])
+    names = [f"UAV{number}" for number in range(side * side)]
+    scene = Scene("s", Tracks(names, time, position), position + 0.01)
+    drawn = {path.stem for path in draw_all(scene, tmp_path)}
+    assert drawn >= {"paths", "height", "tracking_error"}
+    assert (label(scene, "UAV0") == "UAV0") == (side * side <= MANY)
