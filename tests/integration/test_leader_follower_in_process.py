@@ -76,7 +76,7 @@ def build() -> tuple[trident_sim.World, FormationPlan]:
 
 def fly() -> Flown:
     world, plan = build()
-    followers = Followers(PLACES[1:], FollowConfig(WEDGE, frame="world", end_when_still_s=2.0))
+    followers = Followers(PLACES[1:], FollowConfig(WEDGE, frame="world", end_when_still_s=5.0))
     track = LeaderTrack()
     position, ideal = [], []
     leader: LeaderState | None = None

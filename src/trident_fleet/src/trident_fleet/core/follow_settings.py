@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -97,7 +97,8 @@ def read_offsets(given: Any, params: Params, count: int) -> Array:
         opening_deg=params.number("opening_deg", 90.0),
     )
     if pattern.kind == "circle":
-        return places(pattern, count)
+        # Up to six on a circle are nearer to its middle than to each other.
+        return places(replace(pattern, radius_m=pattern.spacing_m if count <= 6 else 0.0), count)
     points = places(pattern, count + 1)
     order = np.lexsort((np.abs(points[:, 1]), -np.round(points[:, 0], 6)))
     return np.delete(points, order[0], axis=0) - points[order[0]]

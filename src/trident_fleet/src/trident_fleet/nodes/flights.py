@@ -85,7 +85,7 @@ class Standstill:
         self._since = time.monotonic()
         self._told = 0
 
-    def is_told(self, time_ns: int) -> bool:
+    def is_due(self, time_ns: int) -> bool:
         """Whether the latest set-points should be sent again, at simulated time `time_ns`."""
         now = time.monotonic()
         if time_ns != self._time_ns:
@@ -161,6 +161,7 @@ class TimeFlight:
 
     def begin(self) -> list[rospy.Subscriber]:
         """Send the first set-points and go on with the clock."""
+        self._crew.link.close_states()
         if self._crew.link.is_lockstep:
             self._crew.link.enroll(self._end_ns)
         clock = self._crew.link.on_clock(self._on_clock)
@@ -170,7 +171,7 @@ class TimeFlight:
 
     def watch(self) -> None:
         """Help a world that waits for what it has been sent."""
-        if self._standstill.is_told(self._now_ns):
+        if self._standstill.is_due(self._now_ns):
             self._crew.repeat()
 
     def _on_clock(self, now_ns: int) -> None:
@@ -209,7 +210,7 @@ class GateFlight:
 
     def watch(self) -> None:
         """Help a world that waits for what it has been sent."""
-        if self._standstill.is_told(self._stamp_ns):
+        if self._standstill.is_due(self._stamp_ns):
             self._crew.repeat()
 
     def _on_state(self, stamp_ns: int, position: Array) -> None:

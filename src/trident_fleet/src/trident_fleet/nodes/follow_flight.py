@@ -24,6 +24,7 @@ from trident_fleet.nodes.leader_topic import LeaderTopic
 # A stamp farther than this from simulated time is from another clock [ns].
 _FOREIGN_STAMP_NS = NS_PER_S
 _POLL_S = 0.05
+_NOTICED_S = 0.1
 _REPORT_S = 10.0
 
 
@@ -106,7 +107,7 @@ class FollowFlight:
                 self._is_silent = True
                 rospy.logwarn("nothing on %s; the followers hold their places", self._topic.name)
             self._go_on()
-        if self._standstill.is_told(self._now_ns):
+        if self._standstill.is_due(self._now_ns):
             self._crew.repeat()
 
     def close(self) -> None:
@@ -128,6 +129,8 @@ class FollowFlight:
             if time.monotonic() - reported > _REPORT_S:
                 rospy.logwarn("leader_topic: nobody publishes %s yet", self._topic.name)
                 reported = time.monotonic()
+        # The simulator notices who listens every few milliseconds, and sends nothing before.
+        self._over.wait(_NOTICED_S)
 
     def _try_subscribe(self) -> None:
         try:

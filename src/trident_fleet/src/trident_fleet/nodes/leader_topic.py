@@ -71,18 +71,24 @@ class LeaderTopic:
         return True
 
     def _subscribed(self, type_name: str, callback: MessageCallback) -> rospy.Subscriber:
-        """Messages come undecoded: of a hundred a second, ten count."""
-        message_class = roslib.message.get_message_class(type_name)
-        reader = _READERS[type_name]
+        message_class, reader = roslib.message.get_message_class(type_name), _READERS[type_name]
 
-        def decoder(raw: bytes) -> Decoder:
-            return lambda: reader(message_class().deserialize(raw), self._leader)
+        def on_message(message: Any) -> None:
+            callback(message.header.stamp.to_nsec(), lambda: reader(message, self._leader))
 
-        def on_message(message: rospy.AnyMsg) -> None:
+        def on_raw(message: rospy.AnyMsg) -> None:
             _, seconds, nanoseconds = _STAMP.unpack_from(message._buff)
-            callback(seconds * NS_PER_S + nanoseconds, decoder(message._buff))
+            raw = message._buff
+            callback(
+                seconds * NS_PER_S + nanoseconds,
+                lambda: reader(message_class().deserialize(raw), self._leader),
+            )
 
-        return rospy.Subscriber(self.name, rospy.AnyMsg, on_message, tcp_nodelay=True)
+        if self.name == FLEET_STATE:
+            # Whose subscription this node has already, decoded.
+            return rospy.Subscriber(self.name, message_class, on_message, tcp_nodelay=True)
+        # Of a hundred messages a second, ten count.
+        return rospy.Subscriber(self.name, rospy.AnyMsg, on_raw, tcp_nodelay=True)
 
     @property
     def has_publisher(self) -> bool:

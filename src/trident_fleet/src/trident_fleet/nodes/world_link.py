@@ -67,6 +67,7 @@ class WorldLink:
         self._vehicles = vehicles
         self._fed = fed
         self._settings = settings
+        self._spawn_states: rospy.Subscriber | None = None
         self.is_lockstep = False
 
     def enroll(self, end_ns: int = 0) -> int:
@@ -132,40 +133,52 @@ class WorldLink:
     def wait_for_spawn(self) -> Spawned | None:
         """Wait until all vehicles are in the world.
 
+        The subscription of the fleet's states stays open until `close_states`: the simulator
+        notices a new one within milliseconds, in which a fast world makes many steps.
+
         Returns:
             None if the node was shut down while waiting.
         """
         found: dict[str, Array] = {}
         stamp_ns = [0]
+        is_done: list[bool] = []
         names = [vehicle.name for vehicle in self._vehicles]
 
         def on_state(state: FleetState) -> None:
+            if is_done:
+                return
             stamp_ns[0] = state.header.stamp.to_nsec()
             found.update(_positions_by_name(state.name, state.pose))
 
         topic = SIMULATOR + "/fleet_state"
         subscriber = rospy.Subscriber(topic, FleetState, on_state, tcp_nodelay=True)
+        self.close_states()
+        self._spawn_states = subscriber
         reported = asked = time.monotonic()
         known = 0
-        try:
-            while not rospy.is_shutdown():
-                missing = [name for name in names if name not in found]
-                if not missing:
-                    return Spawned(stamp_ns[0], np.array([found[name] for name in names]))
-                now = time.monotonic()
-                if len(found) > known:
-                    known, asked = len(found), now
-                if now - asked > _ASK_S:
-                    # A world that stands still may have nothing to publish.
-                    found.update(_ask_for_poses(missing))
-                    asked = now
-                if now - reported > _REPORT_S:
-                    rospy.logwarn("not in the world yet: %s", ", ".join(missing))
-                    reported = now
-                time.sleep(_POLL_S)
-        finally:
-            subscriber.unregister()
+        while not rospy.is_shutdown():
+            missing = [name for name in names if name not in found]
+            if not missing:
+                is_done.append(True)
+                return Spawned(stamp_ns[0], np.array([found[name] for name in names]))
+            now = time.monotonic()
+            if len(found) > known:
+                known, asked = len(found), now
+            if now - asked > _ASK_S:
+                # A world that stands still may have nothing to publish.
+                found.update(_ask_for_poses(missing))
+                asked = now
+            if now - reported > _REPORT_S:
+                rospy.logwarn("not in the world yet: %s", ", ".join(missing))
+                reported = now
+            time.sleep(_POLL_S)
         return None
+
+    def close_states(self) -> None:
+        """A flight that needs no states costs none."""
+        if self._spawn_states is not None:
+            self._spawn_states.unregister()
+            self._spawn_states = None
 
     def wait_for_publisher(self, subscribers: list[rospy.Subscriber]) -> None:
         """Wait until these are connected: the first set-point may let the world run away.
