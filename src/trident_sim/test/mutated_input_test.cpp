@@ -36,7 +36,19 @@ const char* const kModel = R"(<sdf version='1.6'><model name='m'><pose>0 0 1 0 0
 <radius>0.05</radius><length>0.3</length></cylinder></geometry></collision></link>
 <joint name='j' type='revolute'><parent>base</parent><child>arm</child><axis><xyz>0 0 1</xyz><limit>
 <lower>-1</lower><upper>1</upper><effort>10</effort><velocity>5</velocity></limit><dynamics>
-<damping>0.01</damping><friction>0.001</friction></dynamics></axis></joint>
+<damping>0.01</damping><friction>0.001</friction><spring_reference>0.1</spring_reference>
+<spring_stiffness>0.2</spring_stiffness></dynamics></axis><physics><ode><limit><erp>0.3</erp><cfm>0</cfm>
+</limit></ode></physics></joint>
+<link name='b'><pose>0 0 1 0 0 0</pose></link><link name='c'><pose>1 0 1 0 0 0</pose></link>
+<joint name='b' type='ball'><parent>base</parent><child>b</child><pose>0 0 -0.5 0 0 0</pose></joint>
+<joint name='u' type='universal'><parent>b</parent><child>c</child><axis><xyz>1 0 0</xyz></axis>
+<axis2><xyz>0 1 0</xyz><limit><lower>-1</lower><upper>2</upper></limit></axis2></joint>
+<link name='d'><pose>0 1 1 0 0 0</pose></link><joint name='s' type='screw'><parent>arm</parent><child>d
+</child><thread_pitch>20</thread_pitch><axis><xyz>0 0 1</xyz></axis></joint>
+<joint name='g' type='gearbox'><parent>arm</parent><child>c</child><gearbox_ratio>2</gearbox_ratio>
+<gearbox_reference_body>base</gearbox_reference_body><axis><xyz>0 0 1</xyz></axis><axis2><xyz>1 0 0</xyz>
+</axis2></joint><plugin name='drive' filename='libtrident_joint_drive.so'><jointName>j</jointName>
+<mode>position</mode><p>1</p><i>0.1</i><d>0.01</d><effortLimit>2</effortLimit></plugin>
 <plugin name='odometry' filename='librotors_gazebo_odometry_plugin.so'><robotNamespace>m</robotNamespace>
 <linkName>base</linkName><odometryTopic>odometry</odometryTopic><measurementDelay>1</measurementDelay>
 <measurementDivisor>1</measurementDivisor><noiseNormalPosition>0 0 0</noiseNormalPosition></plugin>

@@ -64,9 +64,8 @@ TEST(SdfJoint, TheNewThreadPitchIsInMetresPerTurnAndRightHanded) {
 }
 
 TEST(SdfJoint, APitchOfZeroIsRefused) {
-  EXPECT_TRUE(
-      contains(load_error("screw", "<thread_pitch>0</thread_pitch>" + kAxis),
-               "m.sdf: joint 'j': <thread_pitch> is 0.000000, must be finite and not zero"));
+  EXPECT_TRUE(contains(load_error("screw", "<thread_pitch>0</thread_pitch>" + kAxis),
+                       "m.sdf: joint 'j': <thread_pitch> is 0.000000, must be a travel of"));
 }
 
 TEST(SdfJoint, AGearboxHasARatioAndAReference) {
@@ -79,7 +78,7 @@ TEST(SdfJoint, AGearboxHasARatioAndAReference) {
   EXPECT_TRUE(contains(load_error("gearbox", kAxis + kAxis2), "has no <gearbox_reference_body>"));
   EXPECT_TRUE(contains(
       load_error("gearbox", "<gearbox_ratio>0</gearbox_ratio>" + reference + kAxis + kAxis2),
-      "<gearbox_ratio> is 0.000000, must be finite and not zero"));
+      "<gearbox_ratio> is 0.000000, must be 1e-3 to 1e3"));
 }
 
 TEST(SdfJoint, SpringAndStopsAreRead) {
@@ -94,6 +93,17 @@ TEST(SdfJoint, SpringAndStopsAreRead) {
   EXPECT_EQ(joint.stop_erp, 0.6);
   EXPECT_EQ(joint.stop_cfm, 0.001);
   EXPECT_FALSE(load("revolute", kAxis).stop_erp);
+}
+
+TEST(SdfJoint, DynamicsMustBeFiniteAndNotNegative) {
+  for (const char* name : {"damping", "friction", "spring_stiffness"}) {
+    for (const char* value : {"-1", "inf", "-inf", "nan"}) {
+      const std::string element = "<" + std::string(name) + ">";
+      EXPECT_TRUE(contains(load_error("revolute", "<axis><xyz>0 0 1</xyz><dynamics>" + element +
+                                                      value + "</" + name + "></dynamics></axis>"),
+                           "m.sdf: joint 'j': " + element + " is "));
+    }
+  }
 }
 
 TEST(SdfJoint, WhatIsNotSupportedNamesWhatIs) {

@@ -126,7 +126,7 @@ void update_screw(const Joint& joint, double erp) {
 /// ODE sees angles in (-pi, pi] only. Limits beyond are moved by the turns that have been counted,
 /// and hold in the turn that they are in.
 void update_stops(const Joint& joint) {
-  const AxisSpec& spec = joint.spec;
+  const AxisSpec& spec = joint.axes[0].spec;
   const bool is_above = std::isfinite(spec.upper) && spec.upper > kPi;
   const bool is_below = std::isfinite(spec.lower) && spec.lower < -kPi;
   if (!is_above && !is_below) return;

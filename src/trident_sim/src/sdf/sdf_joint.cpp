@@ -14,6 +14,21 @@ constexpr double kTurn = 6.283185307179586;
 /// SDF's way to say that there is no limit.
 constexpr double kNoLimit = 1e16;
 
+void check_dynamics(const AxisSpec& spec, const std::string& what) {
+  const std::pair<const char*, double> values[] = {{"damping", spec.damping},
+                                                   {"friction", spec.friction},
+                                                   {"spring_stiffness", spec.spring_stiffness}};
+  for (const auto& [name, value] : values) {
+    if (std::isfinite(value) && value >= 0.0) continue;
+    throw Error(what + ": <" + name + "> is " + std::to_string(value) +
+                ", must be finite and >= 0");
+  }
+  if (!std::isfinite(spec.spring_reference)) {
+    throw Error(what + ": <spring_reference> is " + std::to_string(spec.spring_reference) +
+                ", must be finite");
+  }
+}
+
 AxisSpec convert_axis(const sdf::Joint& from, unsigned int index, const std::string& what) {
   const sdf::JointAxis* axis = from.Axis(index);
   if (axis == nullptr) throw Error(what + ": has no " + (index == 0 ? "<axis>" : "<axis2>"));
@@ -34,6 +49,7 @@ AxisSpec convert_axis(const sdf::Joint& from, unsigned int index, const std::str
   spec.friction = axis->Friction();
   spec.spring_stiffness = axis->SpringStiffness();
   spec.spring_reference = axis->SpringReference();
+  check_dynamics(spec, what);
   return spec;
 }
 
@@ -64,18 +80,19 @@ double convert_pitch(const sdf::Joint& from, const std::string& what) {
   const double value =
       is_metric ? value_or(element, {"screw_thread_pitch"}, 0.0) : from.ThreadPitch();
   const double pitch_m = is_metric ? value : -kTurn / value;
-  if (std::isfinite(pitch_m) && std::abs(pitch_m) >= 1e-9) return pitch_m;
+  if (std::abs(pitch_m) >= 1e-6 && std::abs(pitch_m) <= 1e3) return pitch_m;
   throw Error(what + ": <" + name + "> is " + std::to_string(value) +
-              ", must be finite and not zero");
+              ", must be a travel of 1e-6 to 1e3 m per turn, either way");
 }
 
 void convert_gearbox(const sdf::Joint& from, const std::string& prefix, const std::string& what,
                      JointSpec& joint) {
   const auto element = from.Element();
   joint.gearbox_ratio = value_or(element, {"gearbox_ratio"}, joint.gearbox_ratio);
-  if (!std::isfinite(joint.gearbox_ratio) || joint.gearbox_ratio == 0.0) {
+  const double size = std::abs(joint.gearbox_ratio);
+  if (!(size >= 1e-3 && size <= 1e3)) {
     throw Error(what + ": <gearbox_ratio> is " + std::to_string(joint.gearbox_ratio) +
-                ", must be finite and not zero");
+                ", must be 1e-3 to 1e3, either way");
   }
   const auto body = value_or(element, {"gearbox_reference_body"}, std::string());
   if (body.empty()) throw Error(what + ": has no <gearbox_reference_body>, legal: a link or world");
