@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "conversions.h"
+#include "entity_lookup.h"
 #include "simulation.h"
 
 namespace trident {
@@ -18,17 +19,9 @@ void advertise_state_services(ros::NodeHandle& node, Simulation& simulation, Ser
 /// /gazebo/set_model_state and /gazebo/set_link_state as topics.
 void subscribe_state_topics(ros::NodeHandle& node, Simulation& simulation,
                             std::vector<ros::Subscriber>& subscribers);
+void advertise_property_services(ros::NodeHandle& node, Simulation& simulation, Servers& servers);
 void advertise_force_services(ros::NodeHandle& node, Simulation& simulation, Servers& servers);
 void advertise_run_services(ros::NodeHandle& node, Simulation& simulation, Servers& servers);
-
-/// Pose of a reference frame in the world: "", "world", "map" and "/map" are the world; else a
-/// model, or a link as "model::link". Throws Error for an unknown name.
-struct ReferenceFrame {
-  SE3 T_world_frame;
-  Eigen::Vector3d v_world = Eigen::Vector3d::Zero();
-  Eigen::Vector3d w_world = Eigen::Vector3d::Zero();
-};
-ReferenceFrame find_reference_frame(const World& world, const std::string& name);
 
 /// Runs `work`; an Error becomes success = false and its text the status message.
 template <class Response, class Work>
@@ -42,6 +35,18 @@ bool answer(Response& response, const char* failure_prefix, Work&& work) {
     ROS_ERROR("%s", response.status_message.c_str());
   }
   return true;
+}
+
+/// Advertises a service that `work` answers; see answer().
+template <class Service, class Work>
+void serve(ros::NodeHandle& node, const char* name, const char* failure_prefix, Servers& servers,
+           Work work) {
+  using Request = typename Service::Request;
+  using Response = typename Service::Response;
+  servers.push_back(node.advertiseService<Request, Response>(
+      name, [failure_prefix, work](Request& request, Response& response) {
+        return answer(response, failure_prefix, [&] { work(request, response); });
+      }));
 }
 
 }  // namespace trident

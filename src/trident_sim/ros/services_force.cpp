@@ -17,31 +17,12 @@ using gazebo_msgs::ApplyJointEffort;
 using gazebo_msgs::BodyRequest;
 using gazebo_msgs::JointRequest;
 
-Link& required_link(const World& world, const std::string& name) {
-  Link* link = world.find_link(name);
-  if (link == nullptr) throw Error("body [" + name + "] does not exist (write it model::link)");
-  return *link;
-}
-
-/// A joint by name, which must be unique in the world.
-Joint& required_joint(const World& world, const std::string& name) {
-  Joint* found = nullptr;
-  for (const auto& [model_name, model] : world.models()) {
-    Joint* joint = model->find_joint(name);
-    if (joint == nullptr) continue;
-    if (found != nullptr) throw Error("joint [" + name + "] is in more than one model");
-    found = joint;
-  }
-  if (found == nullptr) throw Error("joint [" + name + "] does not exist");
-  return *found;
-}
-
 /// In the world's frame the wrench acts at the body's centre of mass plus reference_point, in
 /// another frame at reference_point of that frame; axes are the frame's.
 void apply_body_wrench(Simulation& simulation, const ApplyBodyWrench::Request& request) {
   Simulation::Access access(simulation);
   World& world = access.world();
-  Link& link = required_link(world, request.body_name);
+  Link& link = required_body(world, request.body_name);
   const ReferenceFrame frame = find_reference_frame(world, request.reference_frame);
   const std::string& name = request.reference_frame;
   const bool in_world = name.empty() || name == "world" || name == "map" || name == "/map";
@@ -64,16 +45,13 @@ void apply_joint_effort(Simulation& simulation, const ApplyJointEffort::Request&
 }  // namespace
 
 void advertise_force_services(ros::NodeHandle& node, Simulation& simulation, Servers& servers) {
-  servers.push_back(node.advertiseService<ApplyBodyWrench::Request, ApplyBodyWrench::Response>(
-      "apply_body_wrench", [&](ApplyBodyWrench::Request& request, auto& response) {
-        return answer(response,
-                      "ApplyBodyWrench: ", [&] { apply_body_wrench(simulation, request); });
-      }));
-  servers.push_back(node.advertiseService<ApplyJointEffort::Request, ApplyJointEffort::Response>(
-      "apply_joint_effort", [&](ApplyJointEffort::Request& request, auto& response) {
-        return answer(response,
-                      "ApplyJointEffort: ", [&] { apply_joint_effort(simulation, request); });
-      }));
+  serve<ApplyBodyWrench>(node, "apply_body_wrench", "ApplyBodyWrench: ", servers,
+                         [&](auto& request, auto&) { apply_body_wrench(simulation, request); });
+  serve<ApplyJointEffort>(node, "apply_joint_effort", "ApplyJointEffort: ", servers,
+                          [&](auto& request, auto& response) {
+                            apply_joint_effort(simulation, request);
+                            response.status_message = "ApplyJointEffort: effort set";
+                          });
   servers.push_back(node.advertiseService<BodyRequest::Request, BodyRequest::Response>(
       "clear_body_wrenches", [&](BodyRequest::Request& request, BodyRequest::Response&) {
         Simulation::Access access(simulation);

@@ -68,17 +68,6 @@ void remove(Simulation& simulation, const std::string& name) {
 
 }  // namespace
 
-ReferenceFrame find_reference_frame(const World& world, const std::string& name) {
-  if (name.empty() || name == "world" || name == "map" || name == "/map") return {};
-  const Model* model = world.find_model(name);
-  const Link* link = model != nullptr ? model->canonical_link() : world.find_link(name);
-  if (link == nullptr) {
-    throw Error("reference frame '" + name + "' is not world, a model or a link (model::link)");
-  }
-  const SE3 T = model != nullptr ? model->T_world_model() : link->T_world_link();
-  return {T, link->v_world_at(T.p), link->w_world()};
-}
-
 void advertise_spawn_services(ros::NodeHandle& node, Simulation& simulation, Servers& servers) {
   using gazebo_msgs::DeleteModel;
   using gazebo_msgs::SpawnModel;

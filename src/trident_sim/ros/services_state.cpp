@@ -21,18 +21,6 @@ using gazebo_msgs::GetWorldProperties;
 using gazebo_msgs::SetLinkState;
 using gazebo_msgs::SetModelState;
 
-Model& required_model(const World& world, const std::string& name) {
-  Model* model = world.find_model(name);
-  if (model == nullptr) throw Error("model [" + name + "] does not exist");
-  return *model;
-}
-
-Link& required_link(const World& world, const std::string& name) {
-  Link* link = world.find_link(name);
-  if (link == nullptr) throw Error("link [" + name + "] does not exist (write it model::link)");
-  return *link;
-}
-
 /// Pose and twist of a point that moves with `link`, seen from `frame`.
 void fill(const Link* link, const SE3& T_world_body, const ReferenceFrame& frame,
           geometry_msgs::Pose& pose, geometry_msgs::Twist& twist) {
@@ -80,9 +68,10 @@ void get_link_state(Simulation& simulation, const GetLinkState::Request& request
 void set_link_state(Simulation& simulation, const gazebo_msgs::LinkState& state) {
   Simulation::Access access(simulation);
   World& world = access.world();
-  Link& link = required_link(world, state.link_name);
+  Link* link = world.find_link(state.link_name);
+  if (link == nullptr) throw Error("link does not exist: [" + state.link_name + "]");
   const SE3 T_world_frame = find_reference_frame(world, state.reference_frame).T_world_frame;
-  world.set_link_state(link, T_world_frame * from_pose(state.pose),
+  world.set_link_state(*link, T_world_frame * from_pose(state.pose),
                        T_world_frame.R * from_vector(state.twist.linear),
                        T_world_frame.R * from_vector(state.twist.angular));
 }
@@ -123,17 +112,6 @@ auto logged(Simulation& simulation, const char* what, Set set) {
       ROS_ERROR("%s: %s", what, one_line(error.what()).c_str());
     }
   };
-}
-
-template <class Service, class Work>
-void serve(ros::NodeHandle& node, const char* name, const char* prefix, Servers& servers,
-           Work work) {
-  using Request = typename Service::Request;
-  using Response = typename Service::Response;
-  servers.push_back(node.advertiseService<Request, Response>(
-      name, [prefix, work](Request& request, Response& response) {
-        return answer(response, prefix, [&] { work(request, response); });
-      }));
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ constexpr double kGivenUpDelay_s = 0.25;
 }  // namespace
 
 Simulation::Simulation(ros::NodeHandle& node, const ServerOptions& options)
-    : node_(node), options_(options), paused_(options.paused) {
+    : node_(node), options_(options), performance_(node), paused_(options.paused) {
   register_builtin_plugins(registry_);
   for (const std::string& library : options.plugin_libraries) registry_.load_shared_object(library);
   diagnostics_ = node_.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 10);
@@ -171,6 +171,7 @@ void Simulation::every_so_often() {
   binder_->scan_subscribers();
   topics_->scan(*world_);
   topics_->catch_up_clock(world_->time());
+  performance_.publish(*world_);
   if (!is_ready_) announce_readiness();
   for (const std::string& line : gate_->take_news()) ROS_INFO("%s", line.c_str());
   if (now < next_second_) return;

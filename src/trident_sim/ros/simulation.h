@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "lockstep_gate.h"
+#include "performance_topic.h"
 #include "port_binder.h"
 #include "run_files.h"
 #include "server_options.h"
@@ -90,6 +91,7 @@ class Simulation {
   std::unique_ptr<World> world_;
   std::unique_ptr<PortBinder> binder_;
   std::unique_ptr<StateTopics> topics_;
+  PerformanceTopic performance_;
   std::unique_ptr<RunFiles> files_;
   std::unique_ptr<LockstepGate> gate_;
 

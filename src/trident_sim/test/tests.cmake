@@ -31,6 +31,7 @@ catkin_add_gtest(trident_sim_test
   test/odometry_test.cpp
   test/plugin_conformance_test.cpp
   test/port_test.cpp
+  test/reset_test.cpp
   test/resources_test.cpp
   test/rotor_axis_test.cpp
   test/run_time_changes_test.cpp

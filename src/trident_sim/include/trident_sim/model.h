@@ -20,6 +20,7 @@ struct Link {
   Body* body = nullptr;  ///< nullptr: part of a static model
   SE3 T_body_link;       ///< for a static link: T_world_link
   Inertial inertial;
+  bool gravity = true;  ///< whether gravity pulls it
 
   SE3 T_world_link() const { return body ? body->T_world_body * T_body_link : T_body_link; }
   Eigen::Vector3d p_world_com() const { return T_world_link() * inertial.T_link_com.p; }

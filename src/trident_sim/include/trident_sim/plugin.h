@@ -22,6 +22,9 @@ struct StepInfo {
   std::uint64_t step = 0;  ///< number of the step since time zero, the first is 1
   SimTime begin, end, dt;
   double dt_s = 0.0;
+  /// Number of the step since the models were reset. Noise and sample rates count by it, so that
+  /// they begin anew with every reset.
+  std::uint64_t sample = 0;
 };
 
 /// When in a step a plugin runs. Within a phase plugins run in model name order, then in file

@@ -13,8 +13,8 @@ namespace trident {
 /// Receives one line per thing a user should know but that does not stop the load.
 using WarningSink = std::function<void(const std::string&)>;
 
-/// Reads SDF 1.4 to 1.9 worlds. Throws Error naming file and line or element. All loads of a process
-/// may be called from any thread, but go one at a time.
+/// Reads SDF 1.4 to 1.9 worlds. Throws Error naming file and line or element. All loads of a
+/// process may be called from any thread, but go one at a time.
 WorldSpec load_world_file(const std::string& path, const Resources& resources,
                           const WarningSink& warn);
 WorldSpec load_world_string(const std::string& xml, const std::string& label,

@@ -72,7 +72,8 @@ class World {
   /// Advances by `n` steps of physics().max_step_size_s.
   void step(std::uint64_t n = 1);
 
-  /// Poses, joint states, velocities and plugins as spawned; time goes on.
+  /// Poses, velocities, joints, drives and plugins, with their filters and noise, as spawned, and
+  /// no forces applied from outside; time and the number of the step go on.
   void reset_models();
   /// reset_models() and time zero.
   void reset();
@@ -109,7 +110,8 @@ class World {
                       const Eigen::Vector3d& w_world);
 
   /// Mass, centre of mass, inertia and weight of a link, from the next step on; what it is part of
-  /// goes on moving as it does. Throws Error when mass or a principal inertia is not > 0.
+  /// goes on moving as it does. Snapshots from before fit no more. Throws Error when mass or a
+  /// principal inertia is not > 0.
   void set_link_inertial(Link& link, const Inertial& inertial, bool gravity);
   /// Throws Error, and changes nothing, for a value out of range, or a joint without such an axis.
   void set_axis_params(Joint& joint, std::size_t axis, const AxisParams& params);
@@ -189,6 +191,7 @@ class World {
   std::vector<std::unique_ptr<JointDrive>> drives_;
   SimTime time_, dt_;
   std::uint64_t step_count_ = 0;
+  std::uint64_t reset_step_ = 0;  ///< step count of the last reset of the models
   std::uint64_t spawn_count_ = 0;
   std::shared_ptr<const int> identity_ = std::make_shared<int>();
   bool profiling_ = false;

@@ -94,6 +94,7 @@ class Builder {
       auto link = std::make_unique<Link>();
       link->name = spec.name;
       link->inertial = spec.inertial;
+      link->gravity = spec.gravity;
       link->T_body_link = model_.T_world_model_initial * spec.T_model_link;
       model_.links.push_back(std::move(link));
     }

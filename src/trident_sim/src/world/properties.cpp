@@ -13,25 +13,27 @@
 namespace trident {
 namespace {
 
+/// Beyond what is built, and far enough below what a double holds.
+constexpr double kHeaviest_kg = 1e12;
 constexpr double kTurn = 6.283185307179586;
 
 void validate(const Link& link, const Inertial& inertial) {
   const auto refuse = [&link](const std::string& why) {
     throw Error("link [" + link.name + "]: " + why);
   };
-  if (!(inertial.mass_kg > 0.0) || !std::isfinite(inertial.mass_kg)) {
-    refuse("mass is " + std::to_string(inertial.mass_kg) + " kg, must be finite and > 0");
+  if (!(inertial.mass_kg > 0.0 && inertial.mass_kg <= kHeaviest_kg)) {
+    refuse("mass is " + std::to_string(inertial.mass_kg) + " kg, must be in (0, 1e12]");
   }
   if (!inertial.T_link_com.p.allFinite() || !inertial.T_link_com.R.coeffs().allFinite()) {
     refuse("com is not finite");
   }
   if (!inertial.inertia_com.allFinite()) refuse("inertia is not finite");
-  const double smallest =
+  const Eigen::Vector3d principal =
       Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertial.inertia_com, Eigen::EigenvaluesOnly)
-          .eigenvalues()
-          .minCoeff();
-  if (!(smallest > 0.0)) {
-    refuse("smallest principal inertia is " + std::to_string(smallest) + " kg m^2, must be > 0");
+          .eigenvalues();
+  if (!(principal.minCoeff() > 0.0 && principal.maxCoeff() <= kHeaviest_kg)) {
+    refuse("principal inertias are " + std::to_string(principal.minCoeff()) + " to " +
+           std::to_string(principal.maxCoeff()) + " kg m^2, must be in (0, 1e12]");
   }
 }
 
@@ -141,10 +143,11 @@ void World::set_link_inertial(Link& link, const Inertial& inertial, bool gravity
                                [&link](const auto& own) { return own.get() == &link; });
   LinkSpec& spec = model.spec.links[static_cast<std::size_t>(at - model.links.begin())];
   spec.inertial = link.inertial = inertial;
-  spec.gravity = gravity;
+  spec.gravity = link.gravity = gravity;
   if (link.body == nullptr) return;
   recompose(model, *link.body);
   engine_->push_state(model);
+  model.spawn_number = ++spawn_count_;  // older snapshots are of other body frames
   for (const auto& plugin : model.plugins) plugin->body_frames_moved();
 }
 

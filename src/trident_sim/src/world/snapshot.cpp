@@ -40,7 +40,7 @@ std::vector<std::string> World::inventory() const {
 /// Everything but the drives, which may come and go. The order is that of names, and the same both
 /// ways.
 void World::state(StateArchive& archive) {
-  archive(time_, dt_, step_count_, physics_, wrenches_, efforts_);
+  archive(time_, dt_, step_count_, reset_step_, physics_, wrenches_, efforts_);
   for (const auto& [name, model] : models_) {
     for (const auto& body : model->bodies) body->state(archive);
     for (const auto& joint : model->joints) joint->state(archive);

@@ -238,7 +238,9 @@ void World::run_phase(Phase phase, const StepInfo& info) {
 void World::step(std::uint64_t n) {
   StageTimes* times = profiling_ ? &stage_times_ : nullptr;
   for (std::uint64_t i = 0; i < n; ++i) {
-    const StepInfo info{step_count_ + 1, time_, time_ + dt_, dt_, physics_.max_step_size_s};
+    const std::uint64_t step = step_count_ + 1;
+    const StepInfo info{
+        step, time_, time_ + dt_, dt_, physics_.max_step_size_s, step - reset_step_};
     {
       const StageTimer timer(times ? &times->sense_s : nullptr);
       run_phase(Phase::kSense, info);
@@ -274,6 +276,7 @@ World::StageTimes World::take_stage_times() {
 }
 
 void World::reset_models() {
+  reset_step_ = step_count_;
   wrenches_.clear();
   efforts_.clear();
   for (const auto& drive : drives_) drive->reset();

@@ -72,7 +72,7 @@ class Imu : public MeasuringPlugin {
     const Eigen::Quaterniond R_imu_world = out.R_world_imu.conjugate();
     out.w_imu = R_imu_world * link_.w_world();
     out.a_imu = R_imu_world * (link_acceleration_world(link_, info.dt_s) - world.physics().gravity);
-    noise_.add(info.step, &out.w_imu, &out.a_imu);
+    noise_.add(info.sample, &out.w_imu, &out.a_imu);
     imu_->publish();
   }
 

@@ -65,7 +65,7 @@ class Odometry : public MeasuringPlugin {
  protected:
   void measure(const World&, const StepInfo& info) override {
     if (!anyone_listens()) return;
-    const bool is_due = info.step % divisor_ == 0;
+    const bool is_due = info.sample % divisor_ == 0;
     if (delay_steps_ == 0) {
       if (!is_due) return;
       sample(info, odometry_->value);
@@ -74,11 +74,11 @@ class Odometry : public MeasuringPlugin {
     }
     if (is_due) {
       sample(info, scratch_);
-      delayed_.push_back({info.step + delay_steps_, scratch_});
+      delayed_.push_back({info.sample + delay_steps_, scratch_});
     }
     // What became due while nobody listened is of no use to who listens now.
-    while (!delayed_.empty() && delayed_.front().first < info.step) delayed_.pop_front();
-    if (delayed_.empty() || delayed_.front().first > info.step) return;
+    while (!delayed_.empty() && delayed_.front().first < info.sample) delayed_.pop_front();
+    if (delayed_.empty() || delayed_.front().first > info.sample) return;
     odometry_->value = delayed_.front().second;
     delayed_.pop_front();
     send(odometry_->value);
@@ -139,14 +139,14 @@ class Odometry : public MeasuringPlugin {
     const Eigen::Quaterniond R_link_world = T_world_link.R.conjugate();
     out.v_child = R_link_world * link_velocity_world(link_);
     out.w_child = R_link_world * link_.w_world();
-    if (!position_.zero()) out.T_parent_child.p += position_.sample(stream_, info.step);
+    if (!position_.zero()) out.T_parent_child.p += position_.sample(stream_, info.sample);
     if (!rotation_.zero()) {
-      const Eigen::Vector3d half = 0.5 * rotation_.sample(stream_, info.step);
+      const Eigen::Vector3d half = 0.5 * rotation_.sample(stream_, info.sample);
       const Eigen::Quaterniond small(1.0, half.x(), half.y(), half.z());
       out.T_parent_child.R = (out.T_parent_child.R * small).normalized();
     }
-    if (!linear_.zero()) out.v_child += linear_.sample(stream_, info.step);
-    if (!angular_.zero()) out.w_child += angular_.sample(stream_, info.step);
+    if (!linear_.zero()) out.v_child += linear_.sample(stream_, info.sample);
+    if (!angular_.zero()) out.w_child += angular_.sample(stream_, info.sample);
   }
 
   void send(const OdometrySample& out) {

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "entity_lookup.h"
+
+#include "trident_base/error.h"
+
+namespace trident {
+
+Model& required_model(const World& world, const std::string& name) {
+  Model* model = world.find_model(name);
+  if (model == nullptr) throw Error("model does not exist: [" + name + "]");
+  return *model;
+}
+
+Link& required_link(const World& world, const std::string& name) {
+  Link* link = world.find_link(name);
+  if (link != nullptr) return *link;
+  throw Error("link not found, did you forget to scope the link by model name? [" + name +
+              "], write it model::link");
+}
+
+Link& required_body(const World& world, const std::string& name) {
+  Link* link = world.find_link(name);
+  if (link == nullptr) throw Error("body does not exist: [" + name + "], write it model::link");
+  return *link;
+}
+
+Joint& required_joint(const World& world, const std::string& name) {
+  const auto split = name.find("::");
+  if (split != std::string::npos) {
+    const Model* model = world.find_model(name.substr(0, split));
+    Joint* joint = model == nullptr ? nullptr : model->find_joint(name.substr(split + 2));
+    if (joint != nullptr) return *joint;
+  }
+  Joint* found = nullptr;
+  for (const auto& [model_name, model] : world.models()) {
+    Joint* joint = model->find_joint(name);
+    if (joint == nullptr) continue;
+    if (found != nullptr) {
+      throw Error("joint [" + name + "] is in more than one model, write it model::joint");
+    }
+    found = joint;
+  }
+  if (found == nullptr) throw Error("joint not found: [" + name + "]");
+  return *found;
+}
+
+ReferenceFrame find_reference_frame(const World& world, const std::string& name) {
+  if (name.empty() || name == "world" || name == "map" || name == "/map") return {};
+  const Model* model = world.find_model(name);
+  const Link* link = model != nullptr ? model->canonical_link() : world.find_link(name);
+  if (link == nullptr) {
+    throw Error("reference frame '" + name + "' is not world, a model or a link (model::link)");
+  }
+  const SE3 T = model != nullptr ? model->T_world_model() : link->T_world_link();
+  return {T, link->v_world_at(T.p), link->w_world()};
+}
+
+}  // namespace trident
