@@ -33,6 +33,14 @@ TEST(SdfError, AWrongRootIsNamed) {
   EXPECT_TRUE(contains(load_error("<sdf version='1.6'></sdf>"), "no <model>"));
 }
 
+TEST(SdfError, AVersionThatIsNoNumberIsToldWithItsLine) {
+  for (const char* version : {"", "one", "1", "1.6.2", "1.x", "model://no"}) {
+    const std::string error =
+        load_error("\n<sdf version='" + std::string(version) + "'><model name='m'/></sdf>");
+    EXPECT_TRUE(contains(error, "bad.sdf:2: <sdf> version is '" + std::string(version) + "'"));
+  }
+}
+
 TEST(SdfError, AWorldFileWithoutAWorldIsRefused) {
   const std::string error = error_of([] {
     load_world_string("<sdf version='1.6'></sdf>", "empty.world", Resources(), [](const auto&) {});

@@ -136,7 +136,7 @@ def test_what_is_not_a_clean_end_is_told(
     run.ready()
     until(lambda: bool(run.died()) if "exit" in command else ready.exists())
     assert run.end() == told
-    assert run.process.family() == []
+    until(lambda: not run.process.family())
 
 
 def until(condition: Callable[[], bool]) -> None:

@@ -20,8 +20,8 @@ Eigen::Matrix3d link_inertia(const LinkSpec& link) {
 /// A rotor seen from its carrier: free about its axis, so that inertia does not load the carrier,
 /// and round, because it turns many times in the time in which the carrier moves.
 Eigen::Matrix3d part_inertia(const BodyPart& part) {
+  if (part.spun_axis == nullptr) return link_inertia(*part.link);
   const Eigen::Matrix3d inertia = link_inertia(*part.link);
-  if (part.spun_axis == nullptr) return inertia;
   const Eigen::Vector3d& axis = *part.spun_axis;
   const double transverse = 0.5 * (inertia.trace() - axis.dot(inertia * axis));
   return transverse * (Eigen::Matrix3d::Identity() - axis * axis.transpose());

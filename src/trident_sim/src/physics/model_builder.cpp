@@ -129,6 +129,7 @@ class Builder {
     const LinkSpec& first = spec_.links[leader];
     body->name = model_.name + "::" + first.name;
     std::vector<BodyPart> parts;
+    parts.reserve(links.size());
     for (const std::size_t i : links) parts.push_back(part(i));
     const CompositeInertia inertia = compose_inertia(parts);
     body->T_world_body =

@@ -140,6 +140,9 @@ Surface convert_surface(const sdf::Collision& collision, const std::string& what
   return surface;
 }
 
+/// Of a mass [kg] and of an inertia [kg m^2]; numbers beyond overflow where they are multiplied.
+constexpr double kHeaviest = 1e12;
+
 Inertial convert_inertial(const sdf::Link& link, const std::string& what,
                           const ConvertContext& context) {
   const auto& from = link.Inertial();
@@ -147,14 +150,14 @@ Inertial convert_inertial(const sdf::Link& link, const std::string& what,
   inertial.mass_kg = from.MassMatrix().Mass();
   inertial.T_link_com = to_se3(from.Pose());
   inertial.inertia_com = ignition::math::eigen3::convert(from.MassMatrix().Moi());
-  const double smallest =
+  const Eigen::Vector3d principal =
       Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertial.inertia_com, Eigen::EigenvaluesOnly)
-          .eigenvalues()
-          .minCoeff();
-  if (!(inertial.mass_kg > 0.0) || !(smallest > 0.0)) {
+          .eigenvalues();
+  if (!(inertial.mass_kg > 0.0) || !(principal.minCoeff() > 0.0) ||
+      !(inertial.mass_kg <= kHeaviest) || !(principal.maxCoeff() <= kHeaviest)) {
     throw Error(context.label + ": " + what + ": mass " + std::to_string(inertial.mass_kg) +
-                " kg, smallest principal inertia " + std::to_string(smallest) +
-                " kg m^2; both must be > 0");
+                " kg, principal inertia " + std::to_string(principal.minCoeff()) + " to " +
+                std::to_string(principal.maxCoeff()) + " kg m^2; all must be > 0 and <= 1e12");
   }
   return inertial;
 }

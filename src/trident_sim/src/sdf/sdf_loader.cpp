@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trident_sim/sdf_loader.h"
 
+#include <console_bridge/console.h>
 #include <malloc.h>
 #include <tinyxml2.h>
 
 #include <algorithm>
 #include <atomic>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <mutex>
@@ -89,8 +91,8 @@ void drop_lookup_errors(const std::vector<PlainInclude>& includes, sdf::Errors& 
 }
 
 /// What sdf::Root::LoadSdfString() does, in a third of its time.
-sdf::Root load_root(const std::string& text, const UriFinder& find, const std::string& label,
-                    const WarningSink& warn) {
+sdf::Root load_trusted_root(const std::string& text, const UriFinder& find,
+                            const std::string& label, const WarningSink& warn) {
   sdf::Console::Instance()->SetQuiet(true);
   const std::vector<PlainInclude> includes = read_plain_includes(text, find);
   sdf::ParserConfig config;
@@ -118,6 +120,33 @@ sdf::Root load_root(const std::string& text, const UriFinder& find, const std::s
   return root;
 }
 
+/// libsdformat and what it calls throw of their own at some damaged texts, and the URDF parser
+/// writes about others to stderr.
+sdf::Root load_root(const std::string& text, const UriFinder& find, const std::string& label,
+                    const WarningSink& warn) {
+  console_bridge::noOutputHandler();
+  try {
+    return load_trusted_root(text, find, label, warn);
+  } catch (const Error&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw Error(label + ": libsdformat cannot read it: " + error.what());
+  }
+}
+
+/// libsdformat takes the version for a number without a look.
+void check_version(const tinyxml2::XMLElement& root, const std::string& label) {
+  const char* const version = root.Attribute("version");
+  const std::string text = version == nullptr ? "" : version;
+  int major = 0, minor = 0, end = 0;
+  if (std::sscanf(text.c_str(), "%1d.%2d%n", &major, &minor, &end) == 2 &&
+      static_cast<std::size_t>(end) == text.size()) {
+    return;
+  }
+  throw Error(label + ":" + std::to_string(root.GetLineNum()) + ": <sdf> version is '" + text +
+              "', must be 1.2 to 1.9");
+}
+
 /// libsdformat reports no line for malformed XML; tinyxml2 does.
 void check_well_formed(const std::string& xml, const std::string& label) {
   tinyxml2::XMLDocument document;
@@ -125,6 +154,8 @@ void check_well_formed(const std::string& xml, const std::string& label) {
     throw Error(label + ":" + std::to_string(document.ErrorLineNum()) +
                 ": not well-formed XML: " + document.ErrorStr());
   }
+  const tinyxml2::XMLElement* const root = document.RootElement();
+  if (root != nullptr && std::string(root->Name()) == "sdf") check_version(*root, label);
 }
 
 std::string root_element(const std::string& xml) {
