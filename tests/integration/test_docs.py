@@ -61,6 +61,22 @@ def test_the_plugin_of_the_docs_pushes(
     assert box.position[0] == pytest.approx(expected, rel=1e-9)
 
 
+def test_a_plugin_that_lacks_a_symbol_is_refused(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    source = tmp_path / "lacking.cpp"
+    source.write_text(
+        'void absent(); extern "C" void trident_register_plugins(void*) { absent(); }\n',
+        encoding="utf-8",
+    )
+    library = tmp_path / "liblacking.so"
+    subprocess.run(["g++", "-shared", "-fPIC", str(source), "-o", str(library)], check=True)
+    monkeypatch.setenv("GAZEBO_PLUGIN_PATH", str(tmp_path))
+    sdf = BOX.format(link="base_link", force=1.0).replace("push_plugin", "lacking")
+    with pytest.raises(trident_sim.Error, match=r"liblacking\.so.*cannot be loaded.*absent"):
+        trident_sim.World(EMPTY).spawn("box", sdf=sdf)
+
+
 @pytest.mark.parametrize(
     ("link", "force", "told"), [("wheel", 1.0, "linkName"), ("base_link", 1000.0, "force")]
 )
@@ -76,5 +92,5 @@ def test_the_world_of_the_docs_loads(tmp_path: Path) -> None:
     file = tmp_path / "yard.world"
     file.write_text(code_of("add_a_world.md", "xml"), encoding="utf-8")
     world = trident_sim.World(str(file))
-    assert {"ground_plane", "wall"} <= {model.name for model in world.models}
+    assert {"ground_plane", "wall"} <= set(world.models)
     world.step(10)

@@ -87,12 +87,12 @@ def test_a_difference_is_found(tmp_path: Path) -> None:
     """The comparison above could fail: one digit of one state, or of the hash, is enough."""
     code, result, _ = fly_without_ros("--uavs", "1")
     assert code == 0
-    states = "t,name,x,y,z,qx,qy,qz,qw,vx,vy,vz,wx,wy,wz\n0.0500,UAV1,0,0,0,0,0,0,1,0,0,0,0,0,0\n"
+    states = "t,name,x,y,z,qx,qy,qz,qw,vx,vy,vz,wx,wy,wz\n0.05,UAV1,0,0,0,0,0,0,1,0,0,0,0,0,0\n"
     (tmp_path / "states.csv").write_text(states, encoding="utf-8")
     (tmp_path / "run.json").write_text(json.dumps(result), encoding="utf-8")
     code, compared, complaints = fly_without_ros("--uavs", "1", "--compare", str(tmp_path))
     assert (code, compared["equal"], compared["state_hash"]) == (1, False, result["state_hash"])
-    assert "first difference: here ['0.0500', 'UAV1'" in complaints
+    assert "first difference: UAV1 at 0.05 s: here (" in complaints
 
 
 def test_a_run_that_has_not_ended_cannot_be_compared(tmp_path: Path) -> None:

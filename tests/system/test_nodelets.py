@@ -8,6 +8,7 @@ from contextlib import AbstractContextManager
 from typing import Any
 
 import pytest
+from bond.msg import Status
 from harness import (
     Gazebo,
     Pilot,
@@ -19,6 +20,7 @@ from harness import (
     package,
     pilot_of,
     pose,
+    recorder,
 )
 
 MANAGER = "/nodelets"
@@ -54,6 +56,30 @@ class Nodelets(Gazebo):
         command = ["rosrun", "nodelet", "nodelet", "load", kind, MANAGER, *arguments]
         return self.ros.launch(command, kind)
 
+    def bound(self, loaders: int) -> None:
+        """Return when manager and loaders have heard of each other.
+
+        A flight of milliseconds could end before: then the manager, which ends with it, aborts in
+        nodelet::Loader's destructor (bond::Bond's calls back into it).
+        """
+        with recorder(f"{MANAGER}/bond", Status) as statuses:
+            statuses.connected(1 + loaders)
+
+            def is_bound(bond: str) -> bool:
+                """The manager has spoken after the loader has."""
+                senders = [
+                    message._connection_header["callerid"]
+                    for message in statuses.messages
+                    if message.id == bond
+                ]
+                loader_spoke = [sender != MANAGER for sender in senders]
+                return True in loader_spoke and MANAGER in senders[loader_spoke.index(True) :]
+
+            def all_bound() -> bool:
+                return sum(map(is_bound, {message.id for message in statuses.messages})) == loaders
+
+            eventually(all_bound, f"{loaders} bonds")
+
 
 def fly(ros: Ros, kind: type[Processes | Nodelets], label: str, **params: Any) -> dict[str, Any]:
     """Two vehicles take off and fly a metre aside; the results."""
@@ -62,6 +88,8 @@ def fly(ros: Ros, kind: type[Processes | Nodelets], label: str, **params: Any) -
     for name in VEHICLES:
         gazebo.spawn(name, at=pose(0.0, Y_OF[name], 0.1))
         gazebo.controller(name)
+    if isinstance(gazebo, Nodelets):
+        gazebo.bound(1 + len(VEHICLES))
     with gazebo.pilot() as pilot:
         for name in VEHICLES:
             pilot.send(name, 0.0, Y_OF[name], 1.0, 0.01)

@@ -15,7 +15,7 @@ struct SimTime {
   static SimTime from_seconds(double seconds) {
     return {static_cast<std::int64_t>(std::llround(seconds * 1e9))};
   }
-  double seconds() const { return static_cast<double>(ns) * 1e-9; }
+  double seconds() const { return static_cast<double>(ns) / 1e9; }
 
   friend constexpr bool operator==(SimTime a, SimTime b) { return a.ns == b.ns; }
   friend constexpr bool operator!=(SimTime a, SimTime b) { return a.ns != b.ns; }

@@ -146,14 +146,17 @@ def fly(flight: Flight, watch: AtPeriod | None = None) -> None:
             watch(world)
 
 
-def state_rows(world: trident_sim.World) -> Iterator[list[str]]:
-    """One row per vehicle, as the simulator's states.csv has them."""
+State = tuple[float, str, tuple[float, ...]]
+
+
+def states_of(world: trident_sim.World) -> Iterator[State]:
+    """Time, name and numbers of every vehicle, as a row of the simulator's states.csv has them."""
     for name, model in world.models.items():
         if not model.is_static:
             numbers = np.concatenate(
                 [model.position, model.orientation, model.linear_velocity, model.angular_velocity]
             )
-            yield [f"{world.time:.4f}", name, *(f"{number:.9g}" for number in numbers)]
+            yield world.time, name, tuple(map(float, numbers))
 
 
 class Comparison:
@@ -174,18 +177,22 @@ class Comparison:
             raise ValueError(f"{run}/run.json: no state_hash, the run has not ended")
         self.state_hash = str(facts["state_hash"])
         with (run / "states.csv").open(encoding="utf-8", newline="") as file:
-            rows = list(csv.reader(file))
-        self._recorded = {(row[0], row[1]): row for row in rows[1:]}
+            rows = list(csv.reader(file))[1:]
+        self._recorded: dict[tuple[float, str], tuple[float, ...]] = {
+            (float(row[0]), row[1]): tuple(map(float, row[2:])) for row in rows
+        }
         self.compared = 0
         self.first_difference: str | None = None
 
     def __call__(self, world: trident_sim.World) -> None:
         """Compare the present states, until the first difference."""
-        for row in state_rows(world):
-            recorded = self._recorded.get((row[0], row[1]))
+        for time_s, name, numbers in states_of(world):
+            recorded = self._recorded.get((time_s, name))
             self.compared += 1
-            if recorded != row and self.first_difference is None:
-                self.first_difference = f"here {row}, recorded {recorded}"
+            if recorded != numbers and self.first_difference is None:
+                self.first_difference = (
+                    f"{name} at {time_s} s: here {numbers}, recorded {recorded}"
+                )
 
 
 def parse_args(argv: list[str] | None) -> argparse.Namespace:

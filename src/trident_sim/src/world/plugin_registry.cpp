@@ -10,6 +10,31 @@
 #include "trident_base/error.h"
 
 namespace trident {
+namespace {
+
+constexpr char kRegisterSymbol[] = "trident_register_plugins";
+
+/// Our own library's symbols are made visible first: in Python it was loaded for its module alone,
+/// and a plugin need not have been linked to it.
+void* open_now(const std::string& path) {
+  Dl_info self{};
+  if (dladdr(kRegisterSymbol, &self) != 0) {
+    dlopen(self.dli_fname, RTLD_LAZY | RTLD_GLOBAL | RTLD_NOLOAD);
+  }
+  return dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+}
+
+/// One that lacks a symbol can be ours, too: opening it lazily tells.
+bool is_ours(const std::string& path) {
+  void* library = open_now(path);
+  if (library == nullptr) library = dlopen(path.c_str(), RTLD_LAZY | RTLD_LOCAL);
+  if (library == nullptr) return false;
+  const bool exports = dlsym(library, kRegisterSymbol) != nullptr;
+  dlclose(library);
+  return exports;
+}
+
+}  // namespace
 
 std::string PluginRegistry::key(const std::string& filename) {
   std::string name = filename.substr(filename.rfind('/') + 1);
@@ -47,24 +72,21 @@ const PluginFactory* PluginRegistry::find_or_load(const std::string& filename) {
   }
   paths.push_back(file);
   for (const std::string& path : paths) {
-    void* library = dlopen(path.c_str(), RTLD_LAZY | RTLD_LOCAL);
-    if (library == nullptr) continue;
-    const bool is_ours = dlsym(library, "trident_register_plugins") != nullptr;
-    if (is_ours) load_shared_object(path);
-    dlclose(library);
+    if (!is_ours(path)) continue;
+    load_shared_object(path);
     if (const PluginFactory* found = find(filename)) return found;
   }
   return nullptr;
 }
 
 void PluginRegistry::load_shared_object(const std::string& path) {
-  void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+  void* library = open_now(path);
   if (library == nullptr)
     throw Error("plugin library '" + path + "' cannot be loaded: " + dlerror());
   using Register = void (*)(PluginRegistry&);
-  auto* function = reinterpret_cast<Register>(dlsym(library, "trident_register_plugins"));
+  auto* function = reinterpret_cast<Register>(dlsym(library, kRegisterSymbol));
   if (function == nullptr) {
-    throw Error("plugin library '" + path + "' does not export trident_register_plugins");
+    throw Error("plugin library '" + path + "' does not export " + kRegisterSymbol);
   }
   function(*this);  // the library stays loaded: its factories live in the registry
 }
