@@ -36,7 +36,7 @@ def main() -> int:
         return 1
     except (rospy.ROSException, rospy.ServiceException) as error:
         # A simulator that goes away while it is asked something; on shutdown that is no news.
-        if not rospy.is_shutdown():
+        if not rospy.core.is_shutdown_requested():
             rospy.logfatal("leader_follower: %s", error)
             return 1
     return 0

@@ -116,8 +116,8 @@ class SetpointTopic(rospy.SubscribeListener):  # type: ignore[misc]
         try:
             self._publisher.publish(_raw(message))
         except rospy.ROSException:
-            # The topic closes while rospy shuts down, also between two lines of a callback.
-            if not rospy.is_shutdown():
+            # Topics close when rospy begins to shut down, before is_shutdown() tells of it.
+            if not rospy.core.is_shutdown_requested():
                 raise
 
 

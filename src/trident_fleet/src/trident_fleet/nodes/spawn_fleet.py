@@ -40,7 +40,7 @@ def main() -> int:
         positions = read_positions(rospy.get_param("~positions", None), get_param("uavs"))
         spawned = _spawn_all(description, token, positions)
     except (FormationError, rospy.ServiceException, rospy.ROSException) as error:
-        if not rospy.is_shutdown():
+        if not rospy.core.is_shutdown_requested():
             rospy.logfatal("spawn_fleet: %s", error)
         return 1
     rospy.loginfo("%d vehicles are in the world", spawned)
