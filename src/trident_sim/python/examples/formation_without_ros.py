@@ -190,9 +190,7 @@ class Comparison:
             recorded = self._recorded.get((time_s, name))
             self.compared += 1
             if recorded != numbers and self.first_difference is None:
-                self.first_difference = (
-                    f"{name} at {time_s} s: here {numbers}, recorded {recorded}"
-                )
+                self.first_difference = f"{name} at {time_s} s: here {numbers}, recorded {recorded}"
 
 
 def parse_args(argv: list[str] | None) -> argparse.Namespace:
