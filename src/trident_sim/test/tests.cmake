@@ -37,6 +37,7 @@ catkin_add_gtest(trident_sim_test
   test/run_time_changes_test.cpp
   test/sdf_error_test.cpp
   test/sdf_frames_test.cpp
+  test/sdf_look_test.cpp
   test/sdf_schema_test.cpp
   test/sdf_world_test.cpp
   test/setpoint_sources_test.cpp

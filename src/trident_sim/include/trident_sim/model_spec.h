@@ -66,10 +66,38 @@ struct CollisionSpec {
   Surface surface;
 };
 
+/// What a surface looks like. Colours: red, green, blue, alpha in [0, 1].
+struct Material {
+  Eigen::Vector4d ambient{0.7, 0.7, 0.7, 1.0}, diffuse{0.7, 0.7, 0.7, 1.0};
+  Eigen::Vector4d specular{0.0, 0.0, 0.0, 1.0}, emissive{0.0, 0.0, 0.0, 1.0};
+  std::string script;        ///< name of an OGRE material, "Gazebo/Grey" say; its colours are above
+  std::string texture_file;  ///< resolved path of a picture; "": none
+  bool is_given = false;     ///< false: a mesh's own materials count
+};
+
 struct VisualSpec {
   std::string name;
   SE3 T_link_shape;
   Shape shape;
+  Material material;
+  double transparency = 0.0;  ///< 1: invisible
+  bool casts_shadows = true;
+  std::uint32_t visibility_flags = 0xffffffff;
+};
+
+struct PluginSpec {
+  std::string name, filename;
+  ParamNode params;
+};
+
+/// A `<sensor>` of a link. What it does is up to its plugins, as in gazebo_ros.
+struct SensorSpec {
+  std::string name, type;  ///< type as in the file: "ray", "gpu_ray", "camera", ...
+  SE3 T_link_sensor;
+  double update_rate_hz = 0.0;  ///< 0: every step
+  bool always_on = false, visualize = false;
+  ParamNode params;  ///< the whole element but its plugins; empty once they are made
+  std::vector<PluginSpec> plugins;
 };
 
 struct Inertial {
@@ -87,6 +115,7 @@ struct LinkSpec {
   double linear_damping = 0.0, angular_damping = 0.0;
   std::vector<CollisionSpec> collisions;
   std::vector<VisualSpec> visuals;
+  std::vector<SensorSpec> sensors;
 };
 
 enum class JointType { kFixed, kRevolute, kPrismatic, kBall, kUniversal, kScrew, kGearbox };
@@ -126,11 +155,6 @@ struct JointSpec : AxisSpec {
   }
 };
 
-struct PluginSpec {
-  std::string name, filename;
-  ParamNode params;
-};
-
 struct ModelSpec {
   std::string name;
   SE3 T_world_model;
@@ -164,11 +188,33 @@ struct SphericalCoordinates {
   double latitude_deg = 0.0, longitude_deg = 0.0, elevation_m = 0.0, heading_deg = 0.0;
 };
 
+enum class LightType { kDirectional, kPoint, kSpot };
+
+struct LightSpec {
+  std::string name;
+  LightType type = LightType::kPoint;
+  SE3 T_world_light;
+  Eigen::Vector3d direction_light{0.0, 0.0, -1.0};  ///< in the light's frame, of unit length
+  Eigen::Vector4d diffuse{1.0, 1.0, 1.0, 1.0}, specular{0.1, 0.1, 0.1, 1.0};
+  bool casts_shadows = false;
+  double range_m = 10.0;  ///< nothing is lit beyond; neither this nor what follows: directional
+  double attenuation_constant = 1.0, attenuation_linear = 0.0, attenuation_quadratic = 0.0;
+  double spot_inner_rad = 0.0, spot_outer_rad = 0.0, spot_falloff = 0.0;
+};
+
+/// What the world looks like where nothing else says so, with Gazebo's defaults.
+struct SceneSpec {
+  Eigen::Vector4d ambient{0.4, 0.4, 0.4, 1.0}, background{0.7, 0.7, 0.7, 1.0};
+  bool shadows = true;
+};
+
 struct WorldSpec {
   std::string name = "default";
   PhysicsSpec physics;
   SphericalCoordinates spherical;
   std::vector<ModelSpec> models;
+  std::vector<LightSpec> lights;
+  SceneSpec scene;
   std::vector<PluginSpec> plugins;
 };
 

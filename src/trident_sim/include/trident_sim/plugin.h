@@ -16,6 +16,8 @@ namespace trident {
 
 class World;
 class Model;
+struct Link;
+struct SensorSpec;
 
 /// One step leads from the state at `begin` to the state at `end` = begin + dt.
 struct StepInfo {
@@ -41,7 +43,9 @@ struct PluginContext {
   World& world;
   Model* model;  ///< nullptr for a world plugin
   const PluginParams& params;
-  std::string name;  ///< "model::plugin", the name of its random stream
+  std::string name;      ///< "model::plugin", the name of its random stream
+  Link* link = nullptr;  ///< of a sensor's plugin: what the sensor sits on; else nullptr
+  const SensorSpec* sensor = nullptr;  ///< of a sensor's plugin; else nullptr
 };
 
 /// A vehicle part, sensor or world effect. Constructed when its model is spawned (a bad parameter

@@ -97,6 +97,8 @@ class World {
   /// Throws Error when a value is out of range.
   void set_physics(const PhysicsSpec& physics);
   const SphericalCoordinates& spherical() const { return spherical_; }
+  const SceneSpec& scene() const { return scene_; }
+  const std::vector<LightSpec>& lights() const { return lights_; }
 
   const std::map<std::string, std::unique_ptr<Model>>& models() const { return models_; }
   Model* find_model(const std::string& name) const;
@@ -168,7 +170,14 @@ class World {
   void apply_external(const StepInfo& info);
   std::unique_ptr<Model> build_model(ModelSpec spec, const std::string& robot_namespace);
   void create_plugins(Model& model, const std::vector<PluginSpec>& specs);
-  std::unique_ptr<Plugin> create_plugin(const PluginSpec& spec, Model* model,
+  void create_sensor(Model& model, const LinkSpec& link, SensorSpec& sensor);
+  /// Where a plugin belongs: to the world, a model, or a sensor on a link.
+  struct PluginPlace {
+    Model* model = nullptr;
+    Link* link = nullptr;
+    const SensorSpec* sensor = nullptr;
+  };
+  std::unique_ptr<Plugin> create_plugin(const PluginSpec& spec, const PluginPlace& place,
                                         const std::string& owner);
   void drop_references(const Model& model);
   void restore_drives(const std::vector<JointDrive>& drives);
@@ -178,6 +187,8 @@ class World {
   std::string name_;
   PhysicsSpec physics_;
   SphericalCoordinates spherical_;
+  SceneSpec scene_;
+  std::vector<LightSpec> lights_;
   Resources resources_;
   PluginRegistry& registry_;
   WorldOptions options_;

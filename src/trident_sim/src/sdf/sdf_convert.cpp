@@ -5,36 +5,14 @@
 #include <Eigen/Eigenvalues>
 
 #include "sdf_joint.h"
+#include "sdf_look.h"
+#include "sdf_params.h"
+#include "sdf_sensor.h"
 #include "sdf_values.h"
 #include "trident_base/error.h"
 
 namespace trident {
 namespace {
-
-ParamNode to_param_node(const sdf::ElementPtr& element) {
-  ParamNode node;
-  node.name = element->GetName();
-  if (element->GetValue()) node.text = element->GetValue()->GetAsString();
-  for (std::size_t i = 0; i < element->GetAttributeCount(); ++i) {
-    const auto attribute = element->GetAttribute(static_cast<unsigned>(i));
-    node.attributes.emplace_back(attribute->GetKey(), attribute->GetAsString());
-  }
-  for (auto child = element->GetFirstElement(); child; child = child->GetNextElement()) {
-    node.children.push_back(to_param_node(child));
-  }
-  return node;
-}
-
-std::vector<PluginSpec> convert_plugins(const sdf::ElementPtr& owner) {
-  std::vector<PluginSpec> plugins;
-  if (!owner || !owner->HasElement("plugin")) return plugins;
-  for (auto element = owner->GetElement("plugin"); element;
-       element = element->GetNextElement("plugin")) {
-    plugins.push_back({element->Get<std::string>("name"), element->Get<std::string>("filename"),
-                       to_param_node(element)});
-  }
-  return plugins;
-}
 
 /// The path of a shape's file. A missing one throws when `required`.
 std::optional<std::string> find_file(const char* kind, const std::string& uri,
@@ -190,9 +168,16 @@ LinkSpec convert_link(const sdf::Link& from, const std::string& prefix, const SE
     const std::string name = what + " visual '" + visual.Name() + "'";
     auto shape = convert_shape(*visual.Geom(), name, false, context);
     if (!shape) continue;
-    const SE3 T_link_shape =
+    VisualSpec result;
+    result.name = visual.Name();
+    result.T_link_shape =
         resolve(visual.SemanticPose(), from.Name(), name) * shape_offset(*visual.Geom());
-    link.visuals.push_back({visual.Name(), T_link_shape, *shape});
+    result.shape = *shape;
+    convert_look(visual, name, context, result);
+    link.visuals.push_back(std::move(result));
+  }
+  for (std::size_t i = 0; i < from.SensorCount(); ++i) {
+    link.sensors.push_back(convert_sensor(*from.SensorByIndex(i), from.Name(), what, context));
   }
   return link;
 }
@@ -289,6 +274,10 @@ WorldSpec convert_world(const sdf::World& from, const ConvertContext& context) {
         resolve(from.ModelByIndex(i)->SemanticPose(), "world", "model '" + model.name + "'");
     spec.models.push_back(std::move(model));
   }
+  for (std::size_t i = 0; i < from.LightCount(); ++i) {
+    spec.lights.push_back(convert_light(*from.LightByIndex(i), context));
+  }
+  spec.scene = convert_scene(from);
   spec.plugins = convert_plugins(from.Element());
   return spec;
 }

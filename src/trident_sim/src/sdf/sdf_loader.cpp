@@ -51,9 +51,10 @@ std::string describe(const sdf::Error& error, const std::string& label) {
 }
 
 /// RotorS' published vehicles break the triangle inequality of inertia; what must hold, positive
-/// definiteness, is checked by convert_inertial().
+/// definiteness, is checked by convert_inertial(). Gazebo knows its materials by name alone.
 bool is_checked_elsewhere(const sdf::Error& error) {
-  return error.Code() == sdf::ErrorCode::LINK_INERTIA_INVALID;
+  return error.Code() == sdf::ErrorCode::LINK_INERTIA_INVALID ||
+         error.Message().rfind("A <script> element is missing a child <uri>", 0) == 0;
 }
 
 /// An include that is not found leaves a hole in the world, not a broken file.

@@ -81,6 +81,8 @@ World::World(const WorldSpec& spec, const Resources& resources, PluginRegistry& 
     : name_(spec.name),
       physics_(spec.physics),
       spherical_(spec.spherical),
+      scene_(spec.scene),
+      lights_(spec.lights),
       resources_(resources),
       registry_(registry),
       options_(std::move(options)) {
@@ -91,7 +93,7 @@ World::World(const WorldSpec& spec, const Resources& resources, PluginRegistry& 
   dt_ = SimTime::from_seconds(physics_.max_step_size_s);
   for (const ModelSpec& model : spec.models) spawn(model, "");
   for (const PluginSpec& plugin : spec.plugins) {
-    if (auto made = create_plugin(plugin, nullptr, "world '" + name_ + "'")) {
+    if (auto made = create_plugin(plugin, {}, "world '" + name_ + "'")) {
       world_plugins_.push_back(std::move(made));
     }
   }
@@ -168,14 +170,32 @@ std::unique_ptr<Model> World::build_model(ModelSpec spec, const std::string& rob
 }
 
 void World::create_plugins(Model& model, const std::vector<PluginSpec>& specs) {
+  const std::string owner = "model '" + model.name + "'";
   for (const PluginSpec& spec : specs) {
-    auto plugin = create_plugin(spec, &model, "model '" + model.name + "'");
-    if (plugin) model.plugins.push_back(std::move(plugin));
+    if (auto plugin = create_plugin(spec, {&model, nullptr, nullptr}, owner)) {
+      model.plugins.push_back(std::move(plugin));
+    }
+  }
+  for (LinkSpec& link : model.spec.links) {
+    for (SensorSpec& sensor : link.sensors) create_sensor(model, link, sensor);
   }
 }
 
-std::unique_ptr<Plugin> World::create_plugin(const PluginSpec& spec, Model* model,
+void World::create_sensor(Model& model, const LinkSpec& link, SensorSpec& sensor) {
+  const std::string owner =
+      "model '" + model.name + "' link '" + link.name + "' sensor '" + sensor.name + "'";
+  for (const PluginSpec& spec : sensor.plugins) {
+    if (auto plugin = create_plugin(spec, {&model, model.find_link(link.name), &sensor}, owner)) {
+      model.plugins.push_back(std::move(plugin));
+    }
+  }
+  sensor.plugins.clear();
+  sensor.params = {};
+}
+
+std::unique_ptr<Plugin> World::create_plugin(const PluginSpec& spec, const PluginPlace& place,
                                              const std::string& owner) {
+  Model* const model = place.model;
   const PluginFactory* factory = registry_.find_or_load(spec.filename);
   if (factory == nullptr) {
     std::string known;
@@ -189,8 +209,9 @@ std::unique_ptr<Plugin> World::create_plugin(const PluginSpec& spec, Model* mode
     params.children.push_back({"robotNamespace", model->robot_namespace, {}, {}});
   }
   const PluginParams reader(params, owner + " plugin '" + spec.name + "'");
-  const std::string name = (model ? model->name : name_) + "::" + spec.name;
-  return factory->create({*this, model, reader, name});
+  std::string name = (model ? model->name : name_) + "::";
+  if (place.sensor != nullptr) name += place.link->name + "::" + place.sensor->name + "::";
+  return factory->create({*this, model, reader, name + spec.name, place.link, place.sensor});
 }
 
 void World::drop_references(const Model& model) {

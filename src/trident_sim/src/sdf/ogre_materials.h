@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+
+namespace trident {
+
+struct OgreMaterial {
+  Eigen::Vector4d ambient, diffuse;
+};
+
+/// Colours of a material that Gazebo classic ships ("Gazebo/Grey"); a textured one has the mean
+/// colour of what it shows. nullptr: not one of those.
+const OgreMaterial* find_ogre_material(const std::string& name);
+
+}  // namespace trident
