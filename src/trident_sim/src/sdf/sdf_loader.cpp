@@ -51,10 +51,21 @@ std::string describe(const sdf::Error& error, const std::string& label) {
 }
 
 /// RotorS' published vehicles break the triangle inequality of inertia; what must hold, positive
-/// definiteness, is checked by convert_inertial(). Gazebo knows its materials by name alone.
+/// definiteness, is checked by convert_inertial().
 bool is_checked_elsewhere(const sdf::Error& error) {
-  return error.Code() == sdf::ErrorCode::LINK_INERTIA_INVALID ||
-         error.Message().rfind("A <script> element is missing a child <uri>", 0) == 0;
+  return error.Code() == sdf::ErrorCode::LINK_INERTIA_INVALID;
+}
+
+/// Gazebo knows its materials by name alone; libsdformat refuses a script without its file.
+void complete_material_scripts(const sdf::ElementPtr& element) {
+  for (auto child = element->GetFirstElement(); child; child = child->GetNextElement()) {
+    if (child->GetName() == "material" && child->HasElement("script")) {
+      const auto uri = child->GetElement("script")->GetElement("uri");
+      const auto text = uri->Get<std::string>();
+      if (text.empty() || text == "__default__") uri->Set(std::string("gazebo.material"));
+    }
+    complete_material_scripts(child);
+  }
 }
 
 /// An include that is not found leaves a hole in the world, not a broken file.
@@ -112,6 +123,7 @@ sdf::Root load_trusted_root(const std::string& text, const UriFinder& find,
       include.element->SetParent(world);
       world->InsertElement(include.element);
     }
+    complete_material_scripts(document->Root());
     const sdf::Errors load_errors = root.Load(document, config);
     errors.insert(errors.end(), load_errors.begin(), load_errors.end());
   } else {
