@@ -63,6 +63,17 @@ def test_unknown_options_of_test_go_to_ctest() -> None:
     assert (options.pattern, options.rest) == ("fleet", ["--repeat", "until-fail:3"])
 
 
+def test_sanitizers_are_a_build_of_their_own(
+    monkeypatch: pytest.MonkeyPatch, clone: Workspace, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(Workspace, "of_this_file", staticmethod(lambda: clone))
+    monkeypatch.setattr(cli, "provision", lambda *_args: None)
+    assert cli.main(["test", "--sanitize", "--dry-run"]) == 0
+    told = capsys.readouterr().out
+    assert "-DTRIDENT_SANITIZE=ON" in told
+    assert "core_tests" in told
+
+
 class _Steps:
     """Records which steps a subcommand takes, in place of the real ones."""
 

@@ -17,6 +17,7 @@ from trident_tool.formation import add_formation_commands
 from trident_tool.lint import CHECKS, run_checks
 from trident_tool.provision import provision
 from trident_tool.running import run_launch_file
+from trident_tool.sanitizing import run_sanitized
 from trident_tool.screenshot import Size
 from trident_tool.shell import shell
 from trident_tool.testing import run_tests
@@ -68,6 +69,8 @@ def _cmd_build(workspace: Workspace, runner: Runner, options: argparse.Namespace
 
 
 def _cmd_test(workspace: Workspace, runner: Runner, options: argparse.Namespace) -> int:
+    if options.sanitize:
+        return run_sanitized(workspace, runner)
     return run_tests(workspace, runner, options.pattern, options.jobs, options.rest)
 
 
@@ -159,6 +162,11 @@ def _add_workspace_commands(add: Callable[[str, Handler, str], argparse.Argument
     sub = add("test", _cmd_test, "build and run the tests; what is not known is handed to ctest")
     sub.add_argument("-k", dest="pattern", metavar="REGEX", help="only tests whose names match")
     sub.add_argument("-j", "--jobs", type=int, help="tests at a time")
+    sub.add_argument(
+        "--sanitize",
+        action="store_true",
+        help="the cores' unit tests instead, built with AddressSanitizer and UBSan",
+    )
 
     sub = add("lint", _cmd_lint, "run the static checks alone")
     sub.add_argument(
