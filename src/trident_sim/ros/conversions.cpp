@@ -104,6 +104,55 @@ void convert(const ImuSample& sample, sensor_msgs::Imu& message) {
   }
 }
 
+void convert(const LaserScanSample& sample, sensor_msgs::LaserScan& message) {
+  message.header.stamp = to_ros(sample.stamp);
+  message.header.frame_id = sample.frame;
+  message.angle_min = static_cast<float>(sample.angle_min_rad);
+  message.angle_max = static_cast<float>(sample.angle_max_rad);
+  message.angle_increment = static_cast<float>(sample.angle_increment_rad);
+  message.time_increment = static_cast<float>(sample.time_increment_s);
+  message.scan_time = static_cast<float>(sample.scan_time_s);
+  message.range_min = static_cast<float>(sample.range_min_m);
+  message.range_max = static_cast<float>(sample.range_max_m);
+  message.ranges = sample.ranges;
+  message.intensities = sample.intensities;
+}
+
+void convert(const FluidPressureSample& sample, sensor_msgs::FluidPressure& message) {
+  message.header.stamp = to_ros(sample.stamp);
+  message.header.frame_id = sample.frame;
+  message.fluid_pressure = sample.pressure_pa;
+  message.variance = sample.variance;
+}
+
+void convert(const MagneticFieldSample& sample, sensor_msgs::MagneticField& message) {
+  message.header.stamp = to_ros(sample.stamp);
+  message.header.frame_id = sample.frame;
+  message.magnetic_field = to_vector(sample.field_t);
+  std::copy(sample.covariance.begin(), sample.covariance.end(),
+            message.magnetic_field_covariance.begin());
+}
+
+void convert(const GnssFixSample& sample, sensor_msgs::NavSatFix& message) {
+  message.header.stamp = to_ros(sample.stamp);
+  message.header.frame_id = sample.frame;
+  message.status.status = sensor_msgs::NavSatStatus::STATUS_FIX;
+  message.status.service = sensor_msgs::NavSatStatus::SERVICE_GPS;
+  message.latitude = sample.latitude_deg;
+  message.longitude = sample.longitude_deg;
+  message.altitude = sample.altitude_m;
+  std::copy(sample.covariance_enu.begin(), sample.covariance_enu.end(),
+            message.position_covariance.begin());
+  message.position_covariance_type = sensor_msgs::NavSatFix::COVARIANCE_TYPE_KNOWN;
+}
+
+void convert(const TwistSample& sample, geometry_msgs::TwistStamped& message) {
+  message.header.stamp = to_ros(sample.stamp);
+  message.header.frame_id = sample.frame;
+  message.twist.linear = to_vector(sample.v);
+  message.twist.angular = to_vector(sample.w);
+}
+
 void convert(const ActuatorState& sample, mav_msgs::Actuators& message) {
   message.header.stamp = to_ros(sample.stamp);
   const SmallVector& speeds = sample.angular_velocities;

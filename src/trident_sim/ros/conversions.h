@@ -7,13 +7,18 @@
 #include <geometry_msgs/PoseWithCovarianceStamped.h>
 #include <geometry_msgs/TransformStamped.h>
 #include <geometry_msgs/Twist.h>
+#include <geometry_msgs/TwistStamped.h>
 #include <geometry_msgs/WrenchStamped.h>
 #include <mav_msgs/Actuators.h>
 #include <nav_msgs/Odometry.h>
 #include <ros/time.h>
 #include <rotors_comm/WindSpeed.h>
+#include <sensor_msgs/FluidPressure.h>
 #include <sensor_msgs/Imu.h>
 #include <sensor_msgs/JointState.h>
+#include <sensor_msgs/LaserScan.h>
+#include <sensor_msgs/MagneticField.h>
+#include <sensor_msgs/NavSatFix.h>
 #include <std_msgs/Float32.h>
 
 #include "trident_base/sim_time.h"
@@ -52,6 +57,11 @@ void convert(const PoseWithCovarianceSample& sample,
 void convert(const PointSample& sample, geometry_msgs::PointStamped& message);
 void convert(const TransformSample& sample, geometry_msgs::TransformStamped& message);
 void convert(const ImuSample& sample, sensor_msgs::Imu& message);
+void convert(const LaserScanSample& sample, sensor_msgs::LaserScan& message);
+void convert(const FluidPressureSample& sample, sensor_msgs::FluidPressure& message);
+void convert(const MagneticFieldSample& sample, sensor_msgs::MagneticField& message);
+void convert(const GnssFixSample& sample, sensor_msgs::NavSatFix& message);
+void convert(const TwistSample& sample, geometry_msgs::TwistStamped& message);
 void convert(const ActuatorState& sample, mav_msgs::Actuators& message);
 void convert(const JointStateSample& sample, sensor_msgs::JointState& message);
 void convert(const ScalarSample& sample, std_msgs::Float32& message);

@@ -13,7 +13,7 @@ namespace {
 
 const ParamList kBase{{"robotNamespace", "ns"}, {"linkName", "base_link"}};
 
-std::vector<PluginCase> all_cases() {
+std::vector<PluginCase> model_cases() {
   return {
       {"librotors_gazebo_motor_model.so",
        motor_params({}, 1),
@@ -60,7 +60,48 @@ std::vector<PluginCase> all_cases() {
        {"linkName"},
        {"windForceMean", "windGustStart", "windGustDuration", "windGustForceMean", "windSpeedMean",
         "xyzOffset", "windDirection"}},
+      {"librotors_gazebo_magnetometer_plugin.so",
+       {{"robotNamespace", "ns"}, {"linkName", "base_link"}, {"noiseNormal", "1e-7 1e-7 1e-7"}},
+       {"linkName"},
+       {"refMagNorth", "refMagEast", "refMagDown", "noiseNormal", "noiseUniformInitialBias"}},
+      {"librotors_gazebo_pressure_plugin.so",
+       {{"robotNamespace", "ns"}, {"linkName", "base_link"}, {"pressureVariance", "4"}},
+       {"linkName"},
+       {"referenceAltitude", "pressureVariance"}},
+      {"libgazebo_ros_imu.so",
+       {{"robotNamespace", "ns"}, {"bodyName", "base_link"}, {"gaussianNoise", "0.1"}},
+       {"bodyName"},
+       {"gaussianNoise", "updateRate", "xyzOffset", "rpyOffset"}},
   };
+}
+
+SensorSpec sensor_of(const std::string& type) {
+  SensorSpec sensor;
+  sensor.type = type;
+  sensor.update_rate_hz = 50.0;
+  sensor.params.name = "sensor";
+  return sensor;
+}
+
+std::vector<PluginCase> sensor_cases() {
+  return {
+      {"librotors_gazebo_gps_plugin.so",
+       {{"robotNamespace", "ns"}},
+       {},
+       {"horPosStdDev", "verPosStdDev", "horVelStdDev", "verVelStdDev"},
+       sensor_of("gps")},
+      {"libgazebo_ros_imu_sensor.so",
+       {{"robotNamespace", "ns"}, {"frameName", "imu"}, {"gaussianNoise", "0.1"}},
+       {"frameName"},
+       {"gaussianNoise", "updateRateHZ", "xyzOffset", "rpyOffset"},
+       sensor_of("imu")},
+  };
+}
+
+std::vector<PluginCase> all_cases() {
+  std::vector<PluginCase> cases = model_cases();
+  for (PluginCase& plugin : sensor_cases()) cases.push_back(std::move(plugin));
+  return cases;
 }
 
 class BuiltinPlugin : public testing::TestWithParam<PluginCase> {};

@@ -23,11 +23,14 @@ catkin_add_gtest(trident_sim_test
   test/determinism_test.cpp
   test/free_body_test.cpp
   test/friction_test.cpp
+  test/gazebo_imu_test.cpp
   test/imu_test.cpp
   test/inertia_test.cpp
   test/joint_test.cpp
+  test/lidar_spec_test.cpp
   test/lockstep_test.cpp
   test/motor_model_test.cpp
+  test/navigation_sensors_test.cpp
   test/odometry_test.cpp
   test/plugin_conformance_test.cpp
   test/port_test.cpp
@@ -35,6 +38,7 @@ catkin_add_gtest(trident_sim_test
   test/resources_test.cpp
   test/rotor_axis_test.cpp
   test/run_time_changes_test.cpp
+  test/sample_clock_test.cpp
   test/sdf_error_test.cpp
   test/sdf_frames_test.cpp
   test/sdf_look_test.cpp
@@ -50,7 +54,7 @@ catkin_add_gtest(trident_sim_test
   test/world_state_test.cpp
 )
 target_link_libraries(trident_sim_test
-  trident_sim_test_support sdformat12::sdformat12 ${GTEST_MAIN_LIBRARIES})
+  trident_sim_test_support sdformat12::sdformat12 PkgConfig::GEOGRAPHICLIB ${GTEST_MAIN_LIBRARIES})
 target_include_directories(trident_sim_test PRIVATE src)  # parts of plugins
 
 # Joints, terrain, contacts against closed forms, snapshots of flights.

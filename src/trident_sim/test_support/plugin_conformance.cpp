@@ -18,6 +18,12 @@ class Host {
     if (register_plugins != nullptr) register_plugins(world_.registry);
     ModelSpec spec = make_quad();
     spec.plugins = {make_plugin("case", plugin.filename, plugin.params)};
+    if (plugin.sensor) {
+      LinkSpec& base = spec.links.front();
+      base.sensors.push_back(*plugin.sensor);
+      base.sensors.back().name = "case";
+      base.sensors.back().plugins.swap(spec.plugins);
+    }
     world_.add(std::move(spec));
   }
 
@@ -86,6 +92,18 @@ class Host {
       numbers.push_back(imu->stamp.seconds());
       append(imu->a_imu, numbers);
       append(imu->w_imu, numbers);
+    } else if (const auto* pressure = value_of<FluidPressureSample>(port)) {
+      numbers.push_back(pressure->pressure_pa);
+    } else if (const auto* magnetic = value_of<MagneticFieldSample>(port)) {
+      append(magnetic->field_t, numbers);
+    } else if (const auto* fix = value_of<GnssFixSample>(port)) {
+      numbers.insert(numbers.end(), {fix->latitude_deg, fix->longitude_deg, fix->altitude_m});
+    } else if (const auto* twist = value_of<TwistSample>(port)) {
+      append(twist->v, numbers);
+      append(twist->w, numbers);
+    } else if (const auto* scan = value_of<LaserScanSample>(port)) {
+      numbers.push_back(scan->stamp.seconds());
+      numbers.insert(numbers.end(), scan->ranges.begin(), scan->ranges.end());
     } else if (const auto* speeds = value_of<ActuatorState>(port)) {
       const auto view = speeds->angular_velocities.view();
       numbers.push_back(speeds->stamp.seconds());
@@ -128,7 +146,8 @@ void expect_plugin_conforms(const PluginCase& plugin, void (*register_plugins)(P
   for (const std::string& key : plugin.required) {
     const std::string error = refusal(without(plugin, key));
     EXPECT_TRUE(contains(error, "<" + key + ">"));
-    EXPECT_TRUE(contains(error, "model 'quad' plugin 'case'"));
+    EXPECT_TRUE(contains(error, "model 'quad' "));
+    EXPECT_TRUE(contains(error, " plugin 'case'"));
   }
   for (const std::string& key : plugin.numbers) {
     for (const char* value : {"nan", "inf", "much", ""}) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,8 @@ struct PluginCase {
   ParamList params;                   ///< valid and complete
   std::vector<std::string> required;  ///< without one of these it refuses, naming it
   std::vector<std::string> numbers;   ///< these refuse what is not a finite number
+  /// Of a sensor's plugin: the sensor, which is put on base_link
+  std::optional<SensorSpec> sensor = std::nullopt;
 };
 
 /// Expects, of the plugin alone on the links of make_quad(): it constructs; refuses a missing

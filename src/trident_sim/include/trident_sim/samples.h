@@ -84,6 +84,41 @@ struct ImuSample {
   Eigen::Vector3d a_imu = Eigen::Vector3d::Zero();  ///< specific force [m/s^2]
   std::array<double, 9> gyro_covariance{}, accel_covariance{}, orientation_covariance{};
 };
+/// Ranges of one sweep of a planar lidar, about the z axis of its frame.
+struct LaserScanSample {
+  SimTime stamp;  ///< of the first beam
+  std::string frame;
+  double angle_min_rad = 0.0, angle_max_rad = 0.0, angle_increment_rad = 0.0;
+  double time_increment_s = 0.0;  ///< between beams; 0: all at once
+  double scan_time_s = 0.0;       ///< between scans; 0: not told
+  double range_min_m = 0.0, range_max_m = 0.0;
+  std::vector<float> ranges;  ///< [m]; +inf: nothing in range, -inf: too near (REP 117)
+  std::vector<float> intensities;
+};
+struct FluidPressureSample {
+  SimTime stamp;
+  std::string frame;
+  double pressure_pa = 0.0, variance = 0.0;  ///< [Pa], [Pa^2]
+};
+struct MagneticFieldSample {
+  SimTime stamp;
+  std::string frame;
+  Eigen::Vector3d field_t = Eigen::Vector3d::Zero();  ///< in frame [T]
+  std::array<double, 9> covariance{};                 ///< [T^2]
+};
+/// A position fix of a satellite receiver, WGS84.
+struct GnssFixSample {
+  SimTime stamp;
+  std::string frame;
+  double latitude_deg = 0.0, longitude_deg = 0.0, altitude_m = 0.0;  ///< above the ellipsoid
+  std::array<double, 9> covariance_enu{};                            ///< [m^2]
+};
+struct TwistSample {
+  SimTime stamp;
+  std::string frame;
+  Eigen::Vector3d v = Eigen::Vector3d::Zero();  ///< [m/s]
+  Eigen::Vector3d w = Eigen::Vector3d::Zero();  ///< [rad/s]
+};
 struct JointStateSample {
   SimTime stamp;
   std::string frame;

@@ -98,6 +98,61 @@ void bind_imu(py::module_& module) {
           "x y z in frame [m/s^2], shape (3, 3).");
 }
 
+void bind_laser_scan(py::module_& module) {
+  using Scan = LaserScanSample;
+  stamped<Scan>(module, "LaserScanSample", "One sweep of a planar lidar; stamp: its first beam.")
+      .def_readonly("frame", &Scan::frame, "Frame of the lidar; beams turn about its z.")
+      .def_readonly("angle_min", &Scan::angle_min_rad, "Of the first beam [rad].")
+      .def_readonly("angle_max", &Scan::angle_max_rad, "Of the last beam [rad].")
+      .def_readonly("angle_increment", &Scan::angle_increment_rad, "From beam to beam [rad].")
+      .def_readonly("time_increment", &Scan::time_increment_s, "From beam to beam [s].")
+      .def_readonly("scan_time", &Scan::scan_time_s, "From scan to scan [s]; 0: not told.")
+      .def_readonly("range_min", &Scan::range_min_m, "Smallest range [m].")
+      .def_readonly("range_max", &Scan::range_max_m, "Largest range [m].")
+      .def_property_readonly(
+          "ranges",
+          [](const Scan& s) {
+            return py::array_t<float>(static_cast<py::ssize_t>(s.ranges.size()), s.ranges.data());
+          },
+          "[m], shape (n,), float32; inf: nothing in range, -inf: too near.")
+      .def_property_readonly(
+          "intensities",
+          [](const Scan& s) {
+            return py::array_t<float>(static_cast<py::ssize_t>(s.intensities.size()),
+                                      s.intensities.data());
+          },
+          "Shape (n,), float32.");
+}
+
+void bind_navigation(py::module_& module) {
+  stamped<FluidPressureSample>(module, "FluidPressureSample", "What a barometer measures.")
+      .def_readonly("frame", &FluidPressureSample::frame, "Frame of the barometer.")
+      .def_readonly("pressure", &FluidPressureSample::pressure_pa, "Static pressure [Pa].")
+      .def_readonly("variance", &FluidPressureSample::variance, "[Pa^2].");
+  stamped<MagneticFieldSample>(module, "MagneticFieldSample", "What a magnetometer measures.")
+      .def_readonly("frame", &MagneticFieldSample::frame, "Frame that the field is in.")
+      .def_property_readonly(
+          "field", [](const MagneticFieldSample& s) { return s.field_t; },
+          "In frame [T], shape (3,).")
+      .def_property_readonly(
+          "covariance", [](const MagneticFieldSample& s) { return to_matrix(s.covariance); },
+          "x y z in frame [T^2], shape (3, 3).");
+  stamped<GnssFixSample>(module, "GnssFixSample", "A satellite receiver's position fix, WGS84.")
+      .def_readonly("frame", &GnssFixSample::frame, "Frame of the antenna.")
+      .def_readonly("latitude", &GnssFixSample::latitude_deg, "[deg], north positive.")
+      .def_readonly("longitude", &GnssFixSample::longitude_deg, "[deg], east positive.")
+      .def_readonly("altitude", &GnssFixSample::altitude_m, "Above the ellipsoid [m].")
+      .def_property_readonly(
+          "covariance", [](const GnssFixSample& s) { return to_matrix(s.covariance_enu); },
+          "East, north, up [m^2], shape (3, 3).");
+  stamped<TwistSample>(module, "TwistSample", "Linear and angular velocity.")
+      .def_readonly("frame", &TwistSample::frame, "Frame of what moves.")
+      .def_property_readonly(
+          "linear", [](const TwistSample& s) { return s.v; }, "[m/s], shape (3,).")
+      .def_property_readonly(
+          "angular", [](const TwistSample& s) { return s.w; }, "[rad/s], shape (3,).");
+}
+
 void bind_others(py::module_& module) {
   stamped<JointStateSample>(module, "JointStateSample", "Joint angles.")
       .def_readonly("frame", &JointStateSample::frame, "Of the header; joint angles have none.")
@@ -121,6 +176,8 @@ void bind_measurements(py::module_& module) {
   bind_odometry(module);
   bind_poses(module);
   bind_imu(module);
+  bind_laser_scan(module);
+  bind_navigation(module);
   bind_others(module);
 }
 

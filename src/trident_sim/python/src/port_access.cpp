@@ -32,9 +32,13 @@ const std::map<std::type_index, PortType>& port_types() {
   static const std::map<std::type_index, PortType> types = {
       entry<ActuatorCommand>("ActuatorCommand"),
       entry<ActuatorState>("ActuatorState"),
+      entry<FluidPressureSample>("FluidPressureSample"),
       entry<FrameSample>("FrameSample"),
+      entry<GnssFixSample>("GnssFixSample"),
       entry<ImuSample>("ImuSample"),
       entry<JointStateSample>("JointStateSample"),
+      entry<LaserScanSample>("LaserScanSample"),
+      entry<MagneticFieldSample>("MagneticFieldSample"),
       entry<OdometrySample>("OdometrySample"),
       entry<PointSample>("PointSample"),
       entry<PoseSample>("PoseSample"),
@@ -42,6 +46,7 @@ const std::map<std::type_index, PortType>& port_types() {
       entry<ScalarSample>("ScalarSample"),
       entry<TrajectorySample>("TrajectorySample"),
       entry<TransformSample>("TransformSample"),
+      entry<TwistSample>("TwistSample"),
       entry<WindSample>("WindSample"),
       entry<WrenchSample>("WrenchSample"),
   };

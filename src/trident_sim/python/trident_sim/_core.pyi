@@ -9,6 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 _Array = npt.NDArray[np.float64]
+_Floats = npt.NDArray[np.float32]
 _Vector = Sequence[float] | _Array
 _Matrix = Sequence[Sequence[float]] | _Array
 
@@ -155,6 +156,93 @@ class ImuSample(_Stamped):
     @property
     def linear_acceleration_covariance(self) -> _Array:
         """x y z in frame [m/s^2], shape (3, 3)."""
+
+class LaserScanSample(_Stamped):
+    """One sweep of a planar lidar; stamp: its first beam."""
+    @property
+    def frame(self) -> str:
+        """Frame of the lidar; beams turn about its z."""
+    @property
+    def angle_min(self) -> float:
+        """Of the first beam [rad]."""
+    @property
+    def angle_max(self) -> float:
+        """Of the last beam [rad]."""
+    @property
+    def angle_increment(self) -> float:
+        """From beam to beam [rad]."""
+    @property
+    def time_increment(self) -> float:
+        """From beam to beam [s]."""
+    @property
+    def scan_time(self) -> float:
+        """From scan to scan [s]; 0: not told."""
+    @property
+    def range_min(self) -> float:
+        """Smallest range [m]."""
+    @property
+    def range_max(self) -> float:
+        """Largest range [m]."""
+    @property
+    def ranges(self) -> _Floats:
+        """[m], shape (n,), float32; inf: nothing in range, -inf: too near."""
+    @property
+    def intensities(self) -> _Floats:
+        """Shape (n,), float32."""
+
+class FluidPressureSample(_Stamped):
+    """What a barometer measures."""
+    @property
+    def frame(self) -> str:
+        """Frame of the barometer."""
+    @property
+    def pressure(self) -> float:
+        """Static pressure [Pa]."""
+    @property
+    def variance(self) -> float:
+        """[Pa^2]."""
+
+class MagneticFieldSample(_Stamped):
+    """What a magnetometer measures."""
+    @property
+    def frame(self) -> str:
+        """Frame that the field is in."""
+    @property
+    def field(self) -> _Array:
+        """In frame [T], shape (3,)."""
+    @property
+    def covariance(self) -> _Array:
+        """x y z in frame [T^2], shape (3, 3)."""
+
+class GnssFixSample(_Stamped):
+    """A satellite receiver's position fix, WGS84."""
+    @property
+    def frame(self) -> str:
+        """Frame of the antenna."""
+    @property
+    def latitude(self) -> float:
+        """[deg], north positive."""
+    @property
+    def longitude(self) -> float:
+        """[deg], east positive."""
+    @property
+    def altitude(self) -> float:
+        """Above the ellipsoid [m]."""
+    @property
+    def covariance(self) -> _Array:
+        """East, north, up [m^2], shape (3, 3)."""
+
+class TwistSample(_Stamped):
+    """Linear and angular velocity."""
+    @property
+    def frame(self) -> str:
+        """Frame of what moves."""
+    @property
+    def linear(self) -> _Array:
+        """[m/s], shape (3,)."""
+    @property
+    def angular(self) -> _Array:
+        """[rad/s], shape (3,)."""
 
 class JointStateSample(_Stamped):
     """Joint angles."""

@@ -20,6 +20,10 @@ std::string scoped_topic(const PluginParams& params, const std::string& topic) {
   return ns.empty() ? clean : ns + "/" + clean;
 }
 
+std::string prefixed_frame(const PluginParams& params, const std::string& frame) {
+  return scoped_topic(params, frame);
+}
+
 Link& required_link(const PluginContext& context, const std::string& key) {
   const std::string name = context.params.required_text(key);
   if (context.model == nullptr) throw Error(context.params.owner() + ": belongs in a model");

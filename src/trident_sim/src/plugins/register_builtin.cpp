@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "joints/joint_plugins.h"
 #include "rotors/rotors_plugins.h"
+#include "sensors/sensor_plugins.h"
 #include "trident_sim/world.h"
 
 namespace trident {
@@ -30,6 +31,11 @@ void register_builtin_plugins(PluginRegistry& registry) {
   registry.add("librotors_gazebo_odometry_plugin.so", odometry_factory());
   registry.add("librotors_gazebo_imu_plugin.so", imu_factory());
   registry.add("librotors_gazebo_wind_plugin.so", wind_factory());
+  registry.add("librotors_gazebo_gps_plugin.so", gps_factory());
+  registry.add("librotors_gazebo_magnetometer_plugin.so", magnetometer_factory());
+  registry.add("librotors_gazebo_pressure_plugin.so", air_pressure_factory());
+  registry.add("libgazebo_ros_imu.so", gazebo_imu_factory());
+  registry.add("libgazebo_ros_imu_sensor.so", gazebo_imu_sensor_factory());
   registry.add("librotors_gazebo_ros_interface_plugin.so", nothing_to_do());
   registry.add(
       "librotors_gazebo_bag_plugin.so",

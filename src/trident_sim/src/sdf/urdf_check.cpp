@@ -40,9 +40,11 @@ void check_inertial(const tinyxml2::XMLElement& inertial, const std::string& whe
   }
   const auto* element = inertial.FirstChildElement("inertia");
   const auto at = [&](const char* name) { return attribute(element, name, where); };
+  // First all numbers: a refusal amid a matrix' comma list would trip Eigen's check of its length.
+  const double xx = at("ixx"), xy = at("ixy"), xz = at("ixz");
+  const double yy = at("iyy"), yz = at("iyz"), zz = at("izz");
   Eigen::Matrix3d inertia;
-  inertia << at("ixx"), at("ixy"), at("ixz"), at("ixy"), at("iyy"), at("iyz"), at("ixz"), at("iyz"),
-      at("izz");
+  inertia << xx, xy, xz, xy, yy, yz, xz, yz, zz;
   const double smallest =
       Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia, Eigen::EigenvaluesOnly)
           .eigenvalues()

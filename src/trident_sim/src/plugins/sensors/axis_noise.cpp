@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "axis_noise.h"
+
+#include <cmath>
+
+namespace trident {
+namespace {
+
+constexpr double kLargest = 1e9;
+
+AxisNoise read_axis_noise(const ParamNode& node, const std::string& owner) {
+  const PluginParams params(node, owner + " <noise>");
+  AxisNoise noise;
+  noise.mean = params.number("mean", 0.0, {-kLargest, kLargest});
+  noise.stddev = params.number("stddev", 0.0, {0.0, kLargest});
+  noise.bias_mean = params.number("bias_mean", 0.0, {-kLargest, kLargest});
+  noise.bias_stddev = params.number("bias_stddev", 0.0, {0.0, kLargest});
+  noise.dynamic_bias_stddev = params.number("dynamic_bias_stddev", 0.0, {0.0, kLargest});
+  noise.dynamic_bias_correlation_time_s =
+      params.number("dynamic_bias_correlation_time", 0.0, {0.0, kLargest});
+  return noise;
+}
+
+bool is_gaussian(const ParamNode& noise, const std::string& owner) {
+  std::string type = PluginParams(noise, owner).text("type", "none");
+  for (const auto& [key, value] : noise.attributes) {
+    if (key == "type") type = value;
+  }
+  if (type == "none" || type.empty()) return false;
+  if (type == "gaussian" || type == "gaussian_quantized") return true;
+  PluginParams(noise, owner).refuse("noise type", type, "none, gaussian or gaussian_quantized");
+}
+
+}  // namespace
+
+std::array<AxisNoise, 3> read_axis_noises(const ParamNode* element, const std::string& owner) {
+  std::array<AxisNoise, 3> noises;
+  if (element == nullptr) return noises;
+  const char* const names[] = {"x", "y", "z"};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const ParamNode* const axis = element->find(names[i]);
+    const ParamNode* const noise = axis != nullptr ? axis->find("noise") : nullptr;
+    const std::string what = owner + " <" + element->name + "> <" + names[i] + ">";
+    if (noise != nullptr && is_gaussian(*noise, what)) noises[i] = read_axis_noise(*noise, what);
+  }
+  return noises;
+}
+
+AxisNoiseSource::AxisNoiseSource(const AxisNoise& noise, double dt_s, std::uint32_t channel)
+    : noise_(noise), channel_(channel) {
+  if (noise.dynamic_bias_stddev <= 0.0 || noise.dynamic_bias_correlation_time_s <= 0.0) return;
+  // The driving noise that keeps the bias at its standard deviation.
+  const double tau = noise.dynamic_bias_correlation_time_s;
+  wandering_.emplace(GaussMarkovParams{noise.dynamic_bias_stddev * std::sqrt(2.0 / tau), tau, 0.0},
+                     dt_s, channel + 3);
+}
+
+double AxisNoiseSource::sample(const RandomStream& stream, std::uint64_t index) {
+  double value = noise_.mean;
+  if (noise_.stddev > 0.0) value += noise_.stddev * stream.normal(index, channel_);
+  if (noise_.bias_mean != 0.0 || noise_.bias_stddev > 0.0) {
+    const double bias = noise_.bias_mean + noise_.bias_stddev * stream.normal(0, channel_ + 1);
+    value += (stream.bits(0, channel_ + 1) & 1U) != 0U ? bias : -bias;
+  }
+  return wandering_ ? value + wandering_->sample(stream, index) : value;
+}
+
+void AxisNoiseSource::reset() {
+  if (wandering_) wandering_->reset();
+}
+
+}  // namespace trident

@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+// RotorS' receiver, magnetometer and barometer.
+#include <gtest/gtest.h>
+
+#include <GeographicLib/Geodesic.hpp>
+#include <cmath>
+
+#include "models.h"
+#include "plugins/sensors/air_pressure.h"
+#include "test_world.h"
+
+namespace trident {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+WorldSpec zurich() {
+  WorldSpec spec = weightless(0.01);
+  spec.spherical = {47.3667, 8.55, 500.0, 0.0};
+  return spec;
+}
+
+ModelSpec body_with(const std::string& file, ParamList params, const SE3& T_world_model) {
+  ModelSpec model = make_body("a", SphereShape{0.1}, T_world_model);
+  params.insert(params.begin(), {{"robotNamespace", "a"}, {"linkName", "link"}});
+  model.plugins.push_back(make_plugin("p", file, params));
+  return model;
+}
+
+template <class Sample>
+OutPort<Sample>& listen(TestWorld& world, const std::string& name) {
+  auto* port = world->ports().find_out<Sample>(name);
+  port->add_listener();
+  return *port;
+}
+
+const ParamList kExact{
+    {"horPosStdDev", "0"}, {"verPosStdDev", "0"}, {"horVelStdDev", "0"}, {"verVelStdDev", "0"}};
+const char kGps[] = "librotors_gazebo_gps_plugin.so";
+const char kMagnetometer[] = "librotors_gazebo_magnetometer_plugin.so";
+const char kBarometer[] = "librotors_gazebo_pressure_plugin.so";
+
+TEST(Gps, MetresAreMetresOnTheEllipsoid) {
+  TestWorld world(zurich());
+  world.add(body_with(kGps, kExact, at(300, 400, 20)));
+  auto& fix = listen<GnssFixSample>(world, "a/gps");
+  world->step(1);
+  double distance_m = 0.0, azimuth_deg = 0.0, back_deg = 0.0;
+  GeographicLib::Geodesic::WGS84().Inverse(47.3667, 8.55, fix.value.latitude_deg,
+                                           fix.value.longitude_deg, distance_m, azimuth_deg,
+                                           back_deg);
+  // On the ellipsoid, 500 m below the plane that the metres are on.
+  EXPECT_NEAR(distance_m, 500.0 * 6371e3 / (6371e3 + 520.0), 2e-3);
+  EXPECT_NEAR(azimuth_deg, std::atan2(300.0, 400.0) * 180.0 / kPi, 1e-3);
+  EXPECT_NEAR(fix.value.altitude_m, 520.0 + 500.0 * 500.0 / (2.0 * 6371e3), 1e-3);
+}
+
+TEST(Gps, TheWorldsHeadingTurnsItsXFromEastToNorth) {
+  WorldSpec spec = zurich();
+  spec.spherical.heading_deg = 90.0;
+  TestWorld world(spec);
+  Model& body = world.add(body_with(kGps, kExact, at(100, 0, 0)));
+  auto& fix = listen<GnssFixSample>(world, "a/gps");
+  auto& speed = listen<TwistSample>(world, "a/ground_speed");
+  world->set_model_twist(body, {2, 0, 0}, {0, 0, 0});
+  world->step(1);
+  EXPECT_GT(fix.value.latitude_deg, 47.3667 + 8e-4);
+  EXPECT_NEAR(fix.value.longitude_deg, 8.55, 1e-9);
+  EXPECT_TRUE(is_near(speed.value.v, {0, 2, 0}, 1e-9));
+}
+
+TEST(Gps, NoiseAndCovarianceAreThoseOfTheFile) {
+  TestWorld world(zurich());
+  world.add(body_with(kGps, {{"horPosStdDev", "3"}, {"verPosStdDev", "6"}}, at(0, 0, 0)));
+  auto& fix = listen<GnssFixSample>(world, "a/gps");
+  constexpr int kSamples = 4000;
+  double sum = 0.0, squares = 0.0;
+  for (int i = 0; i < kSamples; ++i) {
+    world->step(1);
+    sum += fix.value.altitude_m - 500.0;
+    squares += std::pow(fix.value.altitude_m - 500.0, 2);
+  }
+  EXPECT_NEAR(sum / kSamples, 0.0, 4.0 * 6.0 / std::sqrt(kSamples));
+  EXPECT_NEAR(std::sqrt(squares / kSamples), 6.0, 4.0 * 6.0 / std::sqrt(2.0 * kSamples));
+  EXPECT_EQ(fix.value.covariance_enu[0], 9.0);
+  EXPECT_EQ(fix.value.covariance_enu[8], 36.0);
+}
+
+TEST(Magnetometer, TurnsTheFieldIntoItsFrame) {
+  for (const bool is_enu : {false, true}) {
+    TestWorld world(zurich());
+    world.add(body_with(kMagnetometer, {{"worldIsEnu", is_enu ? "1" : "0"}},
+                        SE3::from_xyz_rpy({0, 0, 1}, 0, 0, kPi / 2.0)));
+    auto& field = listen<MagneticFieldSample>(world, "a/magnetic_field");
+    world->step(1);
+    const Eigen::Vector3d expected = is_enu ? Eigen::Vector3d(2.1493e-5, -8.15e-7, -4.2795e-5)
+                                            : Eigen::Vector3d(8.15e-7, -2.1493e-5, 4.2795e-5);
+    EXPECT_TRUE(is_near(field.value.field_t, expected, 1e-12)) << is_enu;
+  }
+}
+
+TEST(Magnetometer, ItsBiasIsDrawnOncePerSeed) {
+  std::vector<double> seen;
+  for (const std::uint64_t seed : {1u, 1u, 2u}) {
+    WorldOptions options;
+    options.seed = seed;
+    TestWorld world(zurich(), options);
+    world.add(body_with(kMagnetometer, {{"noiseUniformInitialBias", "1e-6 0 0"}}, at(0, 0, 1)));
+    auto& field = listen<MagneticFieldSample>(world, "a/magnetic_field");
+    world->step(1);
+    seen.push_back(field.value.field_t.x());
+    EXPECT_LE(std::abs(field.value.field_t.x() - 2.1493e-5), 1e-6);
+    world->step(5);
+    EXPECT_EQ(field.value.field_t.x(), seen.back()) << "a bias, not noise";
+  }
+  EXPECT_EQ(seen[0], seen[1]);
+  EXPECT_NE(seen[0], seen[2]);
+}
+
+TEST(Barometer, FollowsTheStandardAtmosphere) {
+  // U.S. Standard Atmosphere 1976, table I.
+  EXPECT_NEAR(standard_pressure_pa(0.0), 101325.0, 0.01);
+  EXPECT_NEAR(standard_pressure_pa(500.0), 95461.0, 1.0);
+  EXPECT_NEAR(standard_pressure_pa(1000.0), 89876.0, 1.0);
+  EXPECT_NEAR(standard_pressure_pa(5000.0), 54048.0, 2.0);
+  TestWorld world(zurich());
+  world.add(body_with(kBarometer, {{"referenceAltitude", "400"}}, at(0, 0, 100)));
+  auto& pressure = listen<FluidPressureSample>(world, "a/air_pressure");
+  world->step(1);
+  EXPECT_NEAR(pressure.value.pressure_pa, standard_pressure_pa(500.0), 1e-6);
+}
+
+TEST(NavigationSensors, BadParametersAreRefused) {
+  TestWorld world(zurich());
+  const auto refusal = [&](const char* file, const ParamList& params) {
+    return error_of([&] { world.add(body_with(file, params, {})); });
+  };
+  EXPECT_TRUE(contains(refusal(kGps, {{"horPosStdDev", "-1"}}), "<horPosStdDev> is '-1'"));
+  EXPECT_TRUE(contains(refusal(kMagnetometer, {{"refMagNorth", "5"}}), "<refMagNorth> is '5'"));
+  EXPECT_TRUE(contains(refusal(kMagnetometer, {{"noiseNormal", "0 -1 0"}}), "three numbers >= 0"));
+  EXPECT_TRUE(contains(refusal(kBarometer, {{"pressureVariance", "nan"}}), "<pressureVariance>"));
+}
+
+}  // namespace
+}  // namespace trident
