@@ -42,6 +42,7 @@ const std::map<std::type_index, PortType>& port_types() {
       entry<ScalarSample>("ScalarSample"),
       entry<TrajectorySample>("TrajectorySample"),
       entry<TransformSample>("TransformSample"),
+      entry<TwistCommand>("TwistCommand"),
       entry<WindSample>("WindSample"),
       entry<WrenchSample>("WrenchSample"),
   };

@@ -34,6 +34,7 @@ from trident_sim._core import (
     Snapshot,
     TrajectorySample,
     TransformSample,
+    TwistCommand,
     WindSample,
     WrenchSample,
 )
@@ -71,6 +72,7 @@ __all__ = [
     "Snapshot",
     "TrajectorySample",
     "TransformSample",
+    "TwistCommand",
     "WindSample",
     "World",
     "WrenchSample",

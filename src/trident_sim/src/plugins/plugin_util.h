@@ -14,6 +14,8 @@ std::string scoped_topic(const PluginParams& params, const std::string& topic);
 
 Link& required_link(const PluginContext& context, const std::string& key);
 Joint& required_joint(const PluginContext& context, const std::string& key);
+/// The joint that `key` names, or the one of the name `fallback`.
+Joint& joint_or(const PluginContext& context, const std::string& key, const std::string& fallback);
 
 template <class T>
 OutHandle<T> advertise(const PluginContext& context, const std::string& name, PortRank rank) {
