@@ -15,6 +15,7 @@ endforeach()
 catkin_add_gtest(trident_base_test
   test/config_document_test.cpp
   test/config_error_test.cpp
+  test/diff_drive_odometry_test.cpp
   test/gauss_markov_test.cpp
   test/noise_test.cpp
   test/random_stream_test.cpp

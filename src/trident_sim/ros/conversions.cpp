@@ -52,6 +52,10 @@ SE3 from_pose(const geometry_msgs::Pose& pose) {
   return {q.coeffs().allFinite() ? q.normalized() : q, from_point(pose.position)};
 }
 
+TwistCommand from_twist(const geometry_msgs::Twist& twist) {
+  return {SimTime{}, from_vector(twist.linear), from_vector(twist.angular)};
+}
+
 void convert(const OdometrySample& sample, nav_msgs::Odometry& message) {
   message.header.stamp = to_ros(sample.stamp);
   message.header.frame_id = sample.parent_frame;
@@ -165,6 +169,7 @@ void convert(const JointStateSample& sample, sensor_msgs::JointState& message) {
   message.header.frame_id = sample.frame;
   message.name = sample.names;
   message.position = sample.positions;
+  message.velocity = sample.velocities;
 }
 
 void convert(const ScalarSample& sample, std_msgs::Float32& message) {

@@ -48,6 +48,7 @@ Eigen::Vector3d from_point(const geometry_msgs::Point& p);
 Eigen::Vector3d from_vector(const geometry_msgs::Vector3& v);
 /// A zero quaternion, which many callers send, counts as identity.
 SE3 from_pose(const geometry_msgs::Pose& pose);
+TwistCommand from_twist(const geometry_msgs::Twist& twist);
 
 // Sample -> message. The message is reused from call to call.
 void convert(const OdometrySample& sample, nav_msgs::Odometry& message);

@@ -25,6 +25,14 @@ constexpr double kEveryStepFactor = 2.0;
 /// A delay longer than this is not caught up with in a burst.
 constexpr double kGivenUpDelay_s = 0.25;
 
+/// The parameter tf_prefix of a namespace or the next one above that has it.
+std::string find_tf_prefix(const std::string& robot_namespace) {
+  const ros::NodeHandle node("/" + robot_namespace);
+  std::string name, prefix;
+  if (node.searchParam("tf_prefix", name)) node.getParam(name, prefix);
+  return prefix;
+}
+
 }  // namespace
 
 Simulation::Simulation(ros::NodeHandle& node, const ServerOptions& options)
@@ -40,12 +48,14 @@ Simulation::Simulation(ros::NodeHandle& node, const ServerOptions& options)
   const WorldSpec spec =
       load_world_file(options.world_file, resources_,
                       [&](const std::string& text) { report(Severity::kWarning, text); });
-  world_ = std::make_unique<World>(spec, resources_, registry_,
-                                   WorldOptions{options.seed, options.timing, report});
+  world_ =
+      std::make_unique<World>(spec, resources_, registry_,
+                              WorldOptions{options.seed, options.timing, report, find_tf_prefix});
   real_time_factor_ = options.real_time_factor >= 0.0
                           ? options.real_time_factor
                           : spec.physics.real_time_update_rate_hz * spec.physics.max_step_size_s;
   binder_ = std::make_unique<PortBinder>(node_, world_->ports());
+  inputs_ = std::make_unique<InputBinder>(node_, world_->ports());
   topics_ = std::make_unique<StateTopics>(node_, options.max_clock_rate_hz,
                                           options.pub_clock_frequency_hz);
   files_ = std::make_unique<RunFiles>(options.out_dir, options.seed);
@@ -68,6 +78,7 @@ void Simulation::report(Severity severity, const std::string& raw_text) {
 
 void Simulation::sync_topics() {
   binder_->sync();
+  inputs_->sync();
   gate_->sync(*world_, *binder_);
   binder_->scan_subscribers();
 }
@@ -156,6 +167,7 @@ void Simulation::make_step() {
     first_step_ = Clock::now();
     first_step_time_ = world_->time();
   }
+  inputs_->deliver();
   world_->step();
   const bool every_step = real_time_factor_ > 0.0 && real_time_factor_ <= kEveryStepFactor;
   topics_->publish(*world_, every_step);
@@ -232,6 +244,7 @@ void Simulation::reset(bool with_time) {
     world_->reset_models();
   }
   gate_->clear(with_time);
+  inputs_->clear();
   restart_pace();
   topics_->restart();
   topics_->publish_clock(world_->time());

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "input_binder.h"
 #include "lockstep_gate.h"
 #include "performance_topic.h"
 #include "port_binder.h"
@@ -90,6 +91,7 @@ class Simulation {
   std::atomic<bool> stopped_{false};
   std::unique_ptr<World> world_;
   std::unique_ptr<PortBinder> binder_;
+  std::unique_ptr<InputBinder> inputs_;
   std::unique_ptr<StateTopics> topics_;
   PerformanceTopic performance_;
   std::unique_ptr<RunFiles> files_;

@@ -53,7 +53,7 @@ TEST(GazeboImu, AtRestReadsGravityUpwards) {
   world->step(300);
   EXPECT_TRUE(is_near(imu.value.a_imu, {0, 0, kGravity}, 1e-3));
   EXPECT_TRUE(is_near(imu.value.w_imu, {0, 0, 0}, 1e-4));
-  EXPECT_EQ(imu.value.frame, "a/imu_link");
+  EXPECT_EQ(imu.value.frame, "imu_link");
   EXPECT_EQ(imu.value.stamp, world->time());
 }
 
@@ -165,7 +165,7 @@ TEST(GazeboImu, TheModelsPluginMeasuresABodyByName) {
   world->step(300);
   EXPECT_EQ(imu.count(), 150u);
   EXPECT_TRUE(is_near(imu.value.a_imu, {0, 0, kGravity}, 1e-3));
-  EXPECT_EQ(imu.value.frame, "a/link");
+  EXPECT_EQ(imu.value.frame, "link");
 }
 
 TEST(GazeboImu, BadParametersAreRefused) {

@@ -3,6 +3,7 @@
 
 # Fixtures, models and the conformance suite of plugins, for the tests of this package and of others.
 add_library(trident_sim_test_support STATIC
+  test_support/cart.cpp
   test_support/golden_data.cpp
   test_support/lee_quad.cpp
   test_support/models.cpp
@@ -72,6 +73,13 @@ catkin_add_gtest(trident_sim_physics_test
 target_link_libraries(trident_sim_physics_test
   trident_sim_test_support trident_control_sim PkgConfig::PNG ${GTEST_MAIN_LIBRARIES})
 target_include_directories(trident_sim_physics_test PRIVATE src)  # parts of the core
+
+# Ground robots on their wheels.
+catkin_add_gtest(trident_sim_ground_test
+  test/drive_plugins_test.cpp
+  test/ground_drive_test.cpp
+)
+target_link_libraries(trident_sim_ground_test trident_sim_test_support ${GTEST_MAIN_LIBRARIES})
 
 # Closed loops, with the Lee controller as a plugin (trident_control_sim is defined later on).
 catkin_add_gtest(trident_sim_flight_test

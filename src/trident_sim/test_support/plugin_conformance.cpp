@@ -65,6 +65,9 @@ class Host {
         command.angular_velocities.assign({speeds.data(), speeds.size()});
         in->write(command);
       }
+      if (auto* in = world_->ports().find_in<TwistCommand>(name)) {
+        in->write({{}, {0.01 * value, 0.0, 0.0}, {0.0, 0.0, 0.002 * value}});
+      }
     }
   }
 
@@ -110,6 +113,7 @@ class Host {
       numbers.insert(numbers.end(), view.begin(), view.end());
     } else if (const auto* joints = value_of<JointStateSample>(port)) {
       numbers.insert(numbers.end(), joints->positions.begin(), joints->positions.end());
+      numbers.insert(numbers.end(), joints->velocities.begin(), joints->velocities.end());
     } else if (const auto* scalar = value_of<ScalarSample>(port)) {
       numbers.push_back(scalar->value);
     } else if (const auto* wind = value_of<WindSample>(port)) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -60,6 +61,13 @@ struct JointAxis {
   void push(double effort) const;
 };
 
+/// Keeps an axis at a rate with a limited effort, within the solver of the contacts: ODE's joint
+/// motor, which Gazebo knows as "vel" and "fmax".
+struct JointMotor {
+  double rate = 0.0;          ///< [rad/s] or [m/s]
+  double effort_limit = 0.0;  ///< [N m] or [N]
+};
+
 /// A joint as users know it: rigid (no degree of freedom), held by ODE, or a spun rotor, which is
 /// kept as a scalar rate on its carrier (see docs/architecture.md, "Rotors").
 struct Joint {
@@ -72,6 +80,8 @@ struct Joint {
   Body* reference = nullptr;       ///< of a gearbox; nullptr: the world
   Body* shaft = nullptr;           ///< of a gearbox
   std::array<JointAxis, 2> axes;   ///< the first axis_count() of them
+  /// On the axis of a revolute or prismatic joint, in place of its dry friction
+  std::optional<JointMotor> motor;
 
   bool spun = false;
   Eigen::Vector3d axis_body = Eigen::Vector3d::UnitZ();  ///< of the carrier's body, spun only

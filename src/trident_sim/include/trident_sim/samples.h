@@ -36,6 +36,14 @@ struct ActuatorCommand {
   SmallVector angular_velocities;
 };
 
+/// Wanted velocity of a vehicle in its own frame (ROS' cmd_vel). It acts from the next step on;
+/// `stamp` is not looked at.
+struct TwistCommand {
+  SimTime stamp;
+  Eigen::Vector3d v_base = Eigen::Vector3d::Zero();  ///< [m/s]
+  Eigen::Vector3d w_base = Eigen::Vector3d::Zero();  ///< [rad/s]
+};
+
 /// Measured rotor speeds [rad/s], signed, joint rate times slow-down.
 struct ActuatorState {
   SimTime stamp;
@@ -123,7 +131,8 @@ struct JointStateSample {
   SimTime stamp;
   std::string frame;
   std::vector<std::string> names;
-  std::vector<double> positions;  ///< [rad]
+  std::vector<double> positions;   ///< [rad] or [m]
+  std::vector<double> velocities;  ///< [rad/s] or [m/s]; empty: not told
 };
 struct ScalarSample {
   SimTime stamp;

@@ -43,6 +43,8 @@ struct WorldOptions {
   std::uint64_t seed = 0;
   LoopTiming timing = LoopTiming::kRotors;
   ReportSink report;
+  /// What names of frames begin with in a robot's namespace (ROS' parameter tf_prefix); none: "".
+  std::function<std::string(const std::string& robot_namespace)> tf_prefix{};
 };
 
 struct SpawnRequest {
@@ -90,6 +92,9 @@ class World {
   SimTime dt() const { return dt_; }
   std::uint64_t seed() const { return options_.seed; }
   LoopTiming timing() const { return options_.timing; }
+  std::string tf_prefix(const std::string& robot_namespace) const {
+    return options_.tf_prefix ? options_.tf_prefix(robot_namespace) : "";
+  }
   const std::string& name() const { return name_; }
   /// Where plugins find the files that their parameters name.
   const Resources& resources() const { return resources_; }

@@ -54,6 +54,25 @@ void bind_wind(py::module_& module) {
           "In the world frame [m/s], shape (3,).");
 }
 
+void bind_twist(py::module_& module) {
+  const auto make = [](const py::object& linear, const py::object& angular, double stamp) {
+    return TwistCommand{to_time(stamp, "stamp"), to_vector3(linear, "linear_velocity"),
+                        to_vector3(angular, "angular_velocity")};
+  };
+  stamped<TwistCommand>(module, "TwistCommand", "Wanted velocity of a vehicle in its own frame.")
+      .def(py::init(make), py::arg("linear_velocity"), py::arg("angular_velocity"),
+           py::arg("stamp") = 0.0,
+           "linear_velocity: [m/s], shape (3,).\n"
+           "angular_velocity: [rad/s], shape (3,).\n"
+           "stamp: [s], not looked at: it acts from the next step on.")
+      .def_property_readonly(
+          "linear_velocity", [](const TwistCommand& s) { return s.v_base; },
+          "In the vehicle's frame [m/s], shape (3,).")
+      .def_property_readonly(
+          "angular_velocity", [](const TwistCommand& s) { return s.w_base; },
+          "In the vehicle's frame [rad/s], shape (3,).");
+}
+
 /// Numbers of one trajectory, checked against the count of its positions.
 class TrajectoryFields {
  public:
@@ -155,6 +174,7 @@ void bind_trajectory(py::module_& module) {
 void bind_commands(py::module_& module) {
   bind_actuators(module);
   bind_wind(module);
+  bind_twist(module);
   bind_trajectory(module);
 }
 

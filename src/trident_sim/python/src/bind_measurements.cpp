@@ -154,12 +154,15 @@ void bind_navigation(py::module_& module) {
 }
 
 void bind_others(py::module_& module) {
-  stamped<JointStateSample>(module, "JointStateSample", "Joint angles.")
+  stamped<JointStateSample>(module, "JointStateSample", "Joint angles and rates.")
       .def_readonly("frame", &JointStateSample::frame, "Of the header; joint angles have none.")
       .def_readonly("names", &JointStateSample::names, "Joint names, n of them.")
       .def_property_readonly(
           "positions", [](const JointStateSample& s) { return to_numpy(s.positions); },
-          "Angles [rad], shape (n,).");
+          "Angles [rad] or lengths [m], shape (n,).")
+      .def_property_readonly(
+          "velocities", [](const JointStateSample& s) { return to_numpy(s.velocities); },
+          "Rates [rad/s] or [m/s], shape (n,); shape (0,) where they are not told.");
   stamped<ScalarSample>(module, "ScalarSample", "One number.")
       .def_readonly("value", &ScalarSample::value, "SI unit of the quantity.");
   stamped<WrenchSample>(module, "WrenchSample", "Force and torque in frame.")

@@ -47,6 +47,7 @@ const std::map<std::type_index, PortType>& port_types() {
       entry<TrajectorySample>("TrajectorySample"),
       entry<TransformSample>("TransformSample"),
       entry<TwistSample>("TwistSample"),
+      entry<TwistCommand>("TwistCommand"),
       entry<WindSample>("WindSample"),
       entry<WrenchSample>("WrenchSample"),
   };

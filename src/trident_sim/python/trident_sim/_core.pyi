@@ -245,7 +245,7 @@ class TwistSample(_Stamped):
         """[rad/s], shape (3,)."""
 
 class JointStateSample(_Stamped):
-    """Joint angles."""
+    """Joint angles and rates."""
     @property
     def frame(self) -> str:
         """Of the header; joint angles have none."""
@@ -254,13 +254,31 @@ class JointStateSample(_Stamped):
         """Joint names, n of them."""
     @property
     def positions(self) -> _Array:
-        """Angles [rad], shape (n,)."""
+        """Angles [rad] or lengths [m], shape (n,)."""
+    @property
+    def velocities(self) -> _Array:
+        """Rates [rad/s] or [m/s], shape (n,); shape (0,) where they are not told."""
 
 class ScalarSample(_Stamped):
     """One number."""
     @property
     def value(self) -> float:
         """SI unit of the quantity."""
+
+class TwistCommand(_Stamped):
+    """Wanted velocity of a vehicle in its own frame."""
+    def __init__(
+        self, linear_velocity: _Vector, angular_velocity: _Vector, stamp: float = 0.0
+    ) -> None:
+        """linear_velocity: [m/s], shape (3,).
+        angular_velocity: [rad/s], shape (3,).
+        stamp: [s], not looked at: it acts from the next step on."""
+    @property
+    def linear_velocity(self) -> _Array:
+        """In the vehicle's frame [m/s], shape (3,)."""
+    @property
+    def angular_velocity(self) -> _Array:
+        """In the vehicle's frame [rad/s], shape (3,)."""
 
 class WindSample(_Stamped):
     """Wind at a vehicle."""

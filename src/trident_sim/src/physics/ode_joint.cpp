@@ -136,6 +136,13 @@ void update_stops(const Joint& joint) {
   dJointSetHingeParam(joint.ode, dParamHiStop, hi < kPi ? hi : dInfinity);
 }
 
+void update_motor(const Joint& joint) {
+  const auto set =
+      joint.spec.type == JointType::kPrismatic ? dJointSetSliderParam : dJointSetHingeParam;
+  set(joint.ode, dParamVel, joint.motor->rate);
+  set(joint.ode, dParamFMax, joint.motor->effort_limit);
+}
+
 void set_axis(dJointID motor, int number, const Eigen::Vector3d& axis_world) {
   dJointSetAMotorAxis(motor, number, 0, axis_world.x(), axis_world.y(), axis_world.z());
 }
@@ -240,6 +247,7 @@ std::unique_ptr<Body> make_shaft(const Model& model, const Joint& joint, dWorldI
 
 void prepare_ode_joint(Joint& joint, double erp, double dt_s) {
   if (joint.spec.type == JointType::kRevolute) update_stops(joint);
+  if (joint.motor) update_motor(joint);
   if (joint.spec.type == JointType::kScrew) update_screw(joint, erp);
   if (joint.spec.type == JointType::kGearbox) update_gearbox(joint, erp, dt_s);
 }

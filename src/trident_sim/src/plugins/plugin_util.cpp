@@ -20,10 +20,6 @@ std::string scoped_topic(const PluginParams& params, const std::string& topic) {
   return ns.empty() ? clean : ns + "/" + clean;
 }
 
-std::string prefixed_frame(const PluginParams& params, const std::string& frame) {
-  return scoped_topic(params, frame);
-}
-
 Link& required_link(const PluginContext& context, const std::string& key) {
   const std::string name = context.params.required_text(key);
   if (context.model == nullptr) throw Error(context.params.owner() + ": belongs in a model");
@@ -38,7 +34,11 @@ Link& required_link(const PluginContext& context, const std::string& key) {
 }
 
 Joint& required_joint(const PluginContext& context, const std::string& key) {
-  const std::string name = context.params.required_text(key);
+  return joint_or(context, key, context.params.required_text(key));
+}
+
+Joint& joint_or(const PluginContext& context, const std::string& key, const std::string& fallback) {
+  const std::string name = context.params.text(key, fallback);
   if (context.model == nullptr) throw Error(context.params.owner() + ": belongs in a model");
   Joint* joint = context.model->find_joint(name);
   if (joint == nullptr) {

@@ -12,12 +12,10 @@ namespace trident {
 /// "<robotNamespace>/<topic>" without doubled or outer slashes; an absolute topic stands alone.
 std::string scoped_topic(const PluginParams& params, const std::string& topic);
 
-/// A frame's name as gazebo_ros resolves it: below the plugin's namespace, which stands for
-/// tf_prefix; a name with a leading slash is used without it and stands alone.
-std::string prefixed_frame(const PluginParams& params, const std::string& frame);
-
 Link& required_link(const PluginContext& context, const std::string& key);
 Joint& required_joint(const PluginContext& context, const std::string& key);
+/// The joint that `key` names, or the one of the name `fallback`.
+Joint& joint_or(const PluginContext& context, const std::string& key, const std::string& fallback);
 
 template <class T>
 OutHandle<T> advertise(const PluginContext& context, const std::string& name, PortRank rank) {

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
+#include "gazebo_ros/gazebo_ros_plugins.h"
 #include "joints/joint_plugins.h"
 #include "rotors/rotors_plugins.h"
 #include "sensors/sensor_plugins.h"
@@ -25,6 +26,12 @@ PluginFactory told_once(std::string what) {
 
 void register_builtin_plugins(PluginRegistry& registry) {
   registry.add("libtrident_joint_drive.so", joint_drive_factory());
+  registry.add("libgazebo_ros_diff_drive.so", diff_drive_factory());
+  registry.add("libgazebo_ros_skid_steer_drive.so", skid_steer_drive_factory());
+  registry.add("libgazebo_ros_tricycle_drive.so", tricycle_drive_factory());
+  registry.add("libgazebo_ros_planar_move.so", planar_move_factory());
+  registry.add("libgazebo_ros_joint_state_publisher.so", joint_state_publisher_factory());
+  registry.add("libgazebo_ros_p3d.so", p3d_factory());
   registry.add("librotors_gazebo_motor_model.so", motor_model_factory());
   registry.add("librotors_gazebo_multirotor_base_plugin.so", multirotor_base_factory());
   registry.add("librotors_gazebo_controller_interface.so", controller_interface_factory());

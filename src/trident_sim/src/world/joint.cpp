@@ -134,11 +134,12 @@ void Joint::reset() {
   spun_position = 0.0;
   spun_velocity = 0.0;
   rotor_axis_body = axis_body;
+  if (motor) motor->rate = 0.0;
   for (JointAxis& axis : axes) axis.turned = axis.force = 0.0;
 }
 
 void Joint::state(StateArchive& archive) {
-  archive(spun_position, spun_velocity, rotor_axis_body);
+  archive(spun_position, spun_velocity, rotor_axis_body, motor);
   for (JointAxis& axis : axes) archive(axis.turned, axis.force);
 }
 

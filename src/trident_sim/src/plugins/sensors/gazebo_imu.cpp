@@ -37,7 +37,7 @@ class GazeboImu : public MeasuringPlugin {
     imu_ =
         advertise<ImuSample>(context, scoped_topic(context.params, site_.topic), PortRank::kSensor);
     ImuSample& value = imu_->value;
-    value.frame = prefixed_frame(context.params, site_.frame);
+    value.frame = site_.frame;  // as upstream, without tf_prefix
     const std::string& owner = context.params.owner();
     const auto gyro = read_axis_noises(child(element, "angular_velocity"), owner);
     const auto accel = read_axis_noises(child(element, "linear_acceleration"), owner);

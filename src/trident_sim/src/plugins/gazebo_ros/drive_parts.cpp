@@ -1,0 +1,256 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "drive_parts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace trident {
+namespace {
+
+std::string without_outer_slashes(std::string text) {
+  while (!text.empty() && text.back() == '/') text.pop_back();
+  return text.substr(std::min(text.find_first_not_of('/'), text.size()));
+}
+
+}  // namespace
+
+std::string resolved_frame(const PluginContext& context, const std::string& name,
+                           FramePrefix from) {
+  if (!name.empty() && name.front() == '/') return without_outer_slashes(name);
+  const std::string space = without_outer_slashes(context.params.text("robotNamespace", ""));
+  std::string prefix = without_outer_slashes(context.world.tf_prefix(space));
+  if (prefix.empty() && from == FramePrefix::kTfPrefixOrNamespace) prefix = space;
+  return prefix.empty() ? name : prefix + "/" + name;
+}
+
+Joint& motor_joint(const PluginContext& context, const std::string& key,
+                   const std::string& fallback) {
+  Joint& joint = joint_or(context, key, fallback);
+  if (joint.ode == nullptr || joint.spec.type != JointType::kRevolute) {
+    context.params.refuse(key, joint.spec.name, "a revolute or continuous joint that can turn");
+  }
+  return joint;
+}
+
+bool is_second_choice(const PluginParams& params, const std::string& key, const char* first,
+                      const char* second) {
+  const std::string value = params.text(key, first);
+  if (value != first && value != second) {
+    params.refuse(key, value, std::string(first) + " or " + second);
+  }
+  return value == second;
+}
+
+RateTicker::RateTicker(double rate_hz)
+    : period_(rate_hz > 0.0 ? SimTime::from_seconds(1.0 / rate_hz) : SimTime{}) {}
+
+bool RateTicker::tick(const StepInfo& info) {
+  if (period_.ns <= 0) return true;
+  elapsed_ = elapsed_ + info.dt;
+  if (elapsed_ < period_) return false;
+  elapsed_.ns %= period_.ns;
+  return true;
+}
+
+VelocityInput::VelocityInput(const PluginContext& context, const std::string& topic)
+    : owner_(context.params.owner()), port_(subscribe<TwistCommand>(context, topic)) {}
+
+void VelocityInput::poll(const World& world) {
+  is_new_ = false;
+  if (port_->count() == seen_) return;
+  seen_ = port_->count();
+  const TwistCommand& newest = port_->at(seen_ - 1);
+  const bool is_good = newest.v_base.allFinite() && newest.w_base.allFinite();
+  if (is_good) {
+    command_ = newest;
+    is_new_ = true;
+  } else if (!is_refused_) {
+    const auto list = [](const Eigen::Vector3d& v) {
+      return "(" + std::to_string(v.x()) + ", " + std::to_string(v.y()) + ", " +
+             std::to_string(v.z()) + ")";
+    };
+    world.report(Severity::kError, owner_ + ": velocity command " + list(newest.v_base) + " m/s, " +
+                                       list(newest.w_base) +
+                                       " rad/s must be finite; such commands are refused, the "
+                                       "last good one stays");
+  }
+  is_refused_ = !is_good;
+}
+
+void VelocityInput::reset() {
+  port_->clear();
+  command_ = {};
+  seen_ = 0;
+  is_refused_ = is_new_ = false;
+}
+
+BaseState base_state_in_world(const Model& model) {
+  BaseState state;
+  state.T_odom_base = model.T_world_model();
+  const Link* link = model.canonical_link();
+  if (link == nullptr) return state;
+  const Eigen::Vector3d v_world = link_velocity_world(*link);
+  const double yaw = SE2::projected(state.T_odom_base).angle;
+  const double c = std::cos(yaw), s = std::sin(yaw);
+  state.v_base = {c * v_world.x() + s * v_world.y(), c * v_world.y() - s * v_world.x(), 0.0};
+  state.w_base = {0.0, 0.0, link->w_world().z()};
+  return state;
+}
+
+OdometryOutput::OdometryOutput(const PluginContext& context, const Names& names, bool with_topic,
+                               bool with_transform) {
+  if (with_topic) {
+    odometry_ = advertise<OdometrySample>(context, names.topic, PortRank::kOdometry);
+    odometry_->value.parent_frame = names.odom_frame;
+    odometry_->value.child_frame = names.base_frame;
+  }
+  if (with_transform) {
+    frame_ = advertise<FrameSample>(context, "tf/" + names.base_frame, PortRank::kTransform);
+    frame_->value.parent_frame = names.odom_frame;
+    frame_->value.child_frame = names.base_frame;
+  }
+}
+
+void OdometryOutput::set_covariance(const Covariance6& pose, const Covariance6& twist) {
+  if (!odometry_) return;
+  odometry_->value.pose_covariance = pose;
+  odometry_->value.twist_covariance = twist;
+}
+
+void OdometryOutput::set_planar_covariance(const Eigen::Matrix3d& covariance) {
+  if (!odometry_) return;
+  constexpr std::size_t kRows[] = {0, 1, 5};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      odometry_->value.pose_covariance[6 * kRows[i] + kRows[k]] =
+          covariance(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k));
+    }
+  }
+}
+
+bool OdometryOutput::wanted() const {
+  return (odometry_ && odometry_->wanted()) || (frame_ && frame_->wanted());
+}
+
+void OdometryOutput::publish(SimTime stamp, const BaseState& state) {
+  if (frame_ && frame_->wanted()) {
+    frame_->value.stamp = stamp;
+    frame_->value.T_parent_child = state.T_odom_base;
+    frame_->publish();
+  }
+  if (odometry_ && odometry_->wanted()) {
+    OdometrySample& value = odometry_->value;
+    value.stamp = stamp;
+    value.T_parent_child = state.T_odom_base;
+    value.v_child = state.v_base;
+    value.w_child = state.w_base;
+    odometry_->publish();
+  }
+}
+
+Covariance6 planar_covariance(double x, double y, double yaw) {
+  constexpr double kUnknown = 1e12;
+  Covariance6 result{};
+  const double diagonal[] = {x, y, kUnknown, kUnknown, kUnknown, yaw};
+  for (std::size_t i = 0; i < 6; ++i) result[7 * i] = diagonal[i];
+  return result;
+}
+
+JointStates::JointStates(const PluginContext& context, const std::string& topic,
+                         const std::vector<Joint*>& joints)
+    : topic_(topic) {
+  auto* shared = context.world.ports().find_out<JointStateSample>(topic);
+  if (shared == nullptr) {
+    own_ = advertise<JointStateSample>(context, topic, PortRank::kState);
+    shared = own_.get();
+  }
+  JointStateSample& value = shared->value;
+  for (Joint* joint : joints) {
+    const auto at = std::find(value.names.begin(), value.names.end(), joint->spec.name);
+    entries_.emplace_back(static_cast<std::size_t>(at - value.names.begin()), joint);
+    if (at == value.names.end()) value.names.push_back(joint->spec.name);
+  }
+  value.positions.resize(value.names.size());
+  value.velocities.resize(value.names.size());
+}
+
+void JointStates::publish(const World& world, SimTime stamp) {
+  // The plugin that was first may be gone, and its topic with it.
+  auto* port = own_ ? own_.get() : world.ports().find_out<JointStateSample>(topic_);
+  if (port == nullptr || !port->wanted()) return;
+  JointStateSample& value = port->value;
+  for (const auto& [index, joint] : entries_) {
+    if (index >= value.velocities.size() || value.names[index] != joint->spec.name) return;
+    value.positions[index] = joint->position();
+    value.velocities[index] = joint->velocity();
+  }
+  value.stamp = stamp;
+  port->publish();
+}
+
+WheelFrames::WheelFrames(const PluginContext& context, const std::vector<Joint*>& joints,
+                         FramePrefix from) {
+  for (Joint* joint : joints) {
+    const std::string child = resolved_frame(context, joint->child->name, from);
+    const std::string parent =
+        joint->parent == nullptr ? "world" : resolved_frame(context, joint->parent->name, from);
+    frames_.emplace_back(joint,
+                         advertise<FrameSample>(context, "tf/" + child, PortRank::kTransform));
+    frames_.back().second->value.parent_frame = parent;
+    frames_.back().second->value.child_frame = child;
+  }
+}
+
+void WheelFrames::publish(SimTime stamp) {
+  for (auto& [joint, port] : frames_) {
+    if (!port->wanted()) continue;
+    const SE3 T_world_parent = joint->parent == nullptr ? SE3() : joint->parent->T_world_link();
+    port->value.stamp = stamp;
+    port->value.T_parent_child = T_world_parent.inverse() * joint->child->T_world_link();
+    port->publish();
+  }
+}
+
+DrivenWheel::DrivenWheel(Joint& joint, double diameter_m, double torque_limit, double acceleration)
+    : joint_(&joint),
+      radius_m_(0.5 * diameter_m),
+      torque_limit_(torque_limit),
+      acceleration_(acceleration) {
+  joint_->motor = JointMotor{0.0, torque_limit_};
+}
+
+double DrivenWheel::speed_limit() const {
+  const double rate = joint_->axes[0].spec.velocity;
+  return rate > 0.0 ? radius_m_ * rate : std::numeric_limits<double>::infinity();
+}
+
+void DrivenWheel::drive(double dt_s) {
+  const double change = wanted_ - ramped_;
+  const double most = acceleration_ > 0.0 ? acceleration_ * dt_s : std::abs(change);
+  ramped_ += std::clamp(change, -most, most);
+  joint_->motor = JointMotor{ramped_ / radius_m_, torque_limit_};
+}
+
+void DrivenWheel::reset() {
+  wanted_ = ramped_ = 0.0;
+  joint_->motor = JointMotor{0.0, torque_limit_};
+}
+
+double SpeedClamp::factor(const World& world, double excess) {
+  if (!(excess > 1.0)) {
+    is_told_ = false;
+    return 1.0;
+  }
+  if (!is_told_) {
+    world.report(Severity::kWarning,
+                 owner_ + ": velocity command is " + std::to_string(excess) +
+                     " times what the velocity limit of a wheel's joint allows; it is scaled down "
+                     "to that limit, turn and all");
+  }
+  is_told_ = true;
+  return 1.0 / excess;
+}
+
+}  // namespace trident

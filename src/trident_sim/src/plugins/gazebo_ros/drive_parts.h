@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "../plugin_util.h"
+#include "trident_base/se2.h"
+#include "trident_sim/samples.h"
+
+namespace trident {
+
+// What the drives of gazebo_plugins are made of.
+
+/// Whether frames are prefixed by the namespace where there is no tf_prefix: some of upstream's
+/// plugins do that, others do not.
+enum class FramePrefix { kTfPrefix, kTfPrefixOrNamespace };
+
+/// "prefix/name" as tf::resolve() makes it; a name that begins with '/' is kept, without that.
+std::string resolved_frame(const PluginContext& context, const std::string& name, FramePrefix from);
+
+/// The revolute joint that `key` names, or `fallback`. Throws Error for one that is unknown or
+/// cannot be turned by a motor.
+Joint& motor_joint(const PluginContext& context, const std::string& key,
+                   const std::string& fallback);
+
+/// Text of `key`, which must be one of two. Returns whether it is the second.
+bool is_second_choice(const PluginParams& params, const std::string& key, const char* first,
+                      const char* second);
+
+/// Divides time into periods: due once a period, beginning one period after a reset.
+class RateTicker {
+ public:
+  /// 0: due at every step.
+  explicit RateTicker(double rate_hz);
+  bool tick(const StepInfo& info);
+  void reset() { elapsed_ = {}; }
+  void state(StateArchive& archive) { archive(elapsed_); }
+
+ private:
+  SimTime period_, elapsed_;
+};
+
+/// The newest velocity command that is a number. Others are told once and the last good one stays.
+class VelocityInput {
+ public:
+  VelocityInput(const PluginContext& context, const std::string& topic);
+  void poll(const World& world);
+  const TwistCommand& command() const { return command_; }
+  /// Of the last command, whether a new one came in the last poll().
+  bool is_new() const { return is_new_; }
+  void reset();
+  void state(StateArchive& archive) { archive(command_, seen_, is_refused_, is_new_); }
+
+ private:
+  std::string owner_;
+  InHandle<TwistCommand> port_;
+  TwistCommand command_;
+  std::uint64_t seen_ = 0;
+  bool is_refused_ = false, is_new_ = false;
+};
+
+/// Where and how fast the base of a vehicle is.
+struct BaseState {
+  SE3 T_odom_base;
+  Eigen::Vector3d v_base = Eigen::Vector3d::Zero(), w_base = Eigen::Vector3d::Zero();
+};
+/// Of a model in the world. As upstream tells it: velocity along x and y of the heading, yaw rate.
+BaseState base_state_in_world(const Model& model);
+
+/// The topic of the odometry and the transform odom -> base.
+class OdometryOutput {
+ public:
+  struct Names {
+    std::string topic, odom_frame, base_frame;  ///< frames resolved
+  };
+  OdometryOutput(const PluginContext& context, const Names& names, bool with_topic,
+                 bool with_transform);
+  void set_covariance(const Covariance6& pose, const Covariance6& twist);
+  /// Of x, y and yaw, in place of those of the pose's.
+  void set_planar_covariance(const Eigen::Matrix3d& covariance);
+  bool wanted() const;
+  void publish(SimTime stamp, const BaseState& state);
+
+ private:
+  OutHandle<OdometrySample> odometry_;
+  OutHandle<FrameSample> frame_;
+};
+
+/// Diagonal of x, y and yaw; what does not happen in the plane is unknown (1e12).
+Covariance6 planar_covariance(double x, double y, double yaw);
+
+/// Angles and rates of joints on a topic. Plugins that name the same topic share it.
+class JointStates {
+ public:
+  JointStates(const PluginContext& context, const std::string& topic,
+              const std::vector<Joint*>& joints);
+  void publish(const World& world, SimTime stamp);
+
+ private:
+  std::string topic_;
+  OutHandle<JointStateSample> own_;  ///< none: another plugin was first
+  std::vector<std::pair<std::size_t, Joint*>> entries_;
+};
+
+/// Transforms of wheels against the links that carry them.
+class WheelFrames {
+ public:
+  WheelFrames(const PluginContext& context, const std::vector<Joint*>& joints, FramePrefix from);
+  void publish(SimTime stamp);
+
+ private:
+  std::vector<std::pair<Joint*, OutHandle<FrameSample>>> frames_;
+};
+
+/// A wheel turned by a motor of limited torque, whose wanted rate follows a ramp.
+class DrivenWheel {
+ public:
+  /// `acceleration` [m/s^2] at the rim; 0: at once.
+  DrivenWheel(Joint& joint, double diameter_m, double torque_limit, double acceleration);
+
+  const Joint& joint() const { return *joint_; }
+  double radius_m() const { return radius_m_; }
+  /// Of the rim, where the joint has a velocity limit, else infinite [m/s].
+  double speed_limit() const;
+  void set_speed(double rim_speed) { wanted_ = rim_speed; }
+  /// To be called before each step.
+  void drive(double dt_s);
+  void reset();
+  void state(StateArchive& archive) { archive(wanted_, ramped_); }
+
+ private:
+  Joint* joint_;
+  double radius_m_, torque_limit_, acceleration_;
+  double wanted_ = 0.0, ramped_ = 0.0;  ///< of the rim [m/s]
+};
+
+/// Scales speeds of wheels so that none is beyond its limit, which keeps the curvature, and tells
+/// of it once.
+class SpeedClamp {
+ public:
+  explicit SpeedClamp(std::string owner) : owner_(std::move(owner)) {}
+  /// What to multiply all speeds with; `excess`: the largest ratio of a speed to its limit.
+  double factor(const World& world, double excess);
+  void reset() { is_told_ = false; }
+  void state(StateArchive& archive) { archive(is_told_); }
+
+ private:
+  std::string owner_;
+  bool is_told_ = false;
+};
+
+}  // namespace trident

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "drive_parts.h"
+#include "gazebo_ros_plugins.h"
+#include "trident_base/random_stream.h"
+
+namespace trident {
+namespace {
+
+SE3 read_offset(const PluginParams& params) {
+  const Eigen::Vector3d p = params.vector3("xyzOffset", Eigen::Vector3d::Zero());
+  const Eigen::Vector3d rpy = params.vector3("rpyOffset", Eigen::Vector3d::Zero());
+  return SE3::from_xyz_rpy(p, rpy.x(), rpy.y(), rpy.z());
+}
+
+/// libgazebo_ros_p3d.so: the true pose of a link, with the velocities of its origin in the axes of
+/// the frame, as upstream tells them (not in those of the link). <bodyName>, <topicName>,
+/// <frameName> (world, map or a link of the model), <xyzOffset>, <rpyOffset>, <gaussianNoise> of
+/// the velocities, <updateRate> (0: every step).
+class P3d : public Plugin {
+ public:
+  explicit P3d(const PluginContext& context)
+      : link_(required_link(context, "bodyName")),
+        offset_(read_offset(context.params)),
+        noise_(context.params.number("gaussianNoise", 0.0, {0.0, 1e6})),
+        stream_(context.world.seed(), context.name),
+        ticker_(context.params.number("updateRate", 0.0, {0.0, 1e9})) {
+    const PluginParams& params = context.params;
+    const std::string frame = params.text("frameName", "world");
+    const std::string bare = frame.substr(frame.find_first_not_of('/') == 1 ? 1 : 0);
+    if (bare != "world" && bare != "map") {
+      reference_ = context.model->find_link(bare);
+      if (reference_ == nullptr) params.refuse("frameName", frame, "world, map or a link");
+    }
+    odometry_ = advertise<OdometrySample>(
+        context, scoped_topic(params, params.required_text("topicName")), PortRank::kOdometry);
+    OdometrySample& value = odometry_->value;
+    value.parent_frame = resolved_frame(context, frame, FramePrefix::kTfPrefix);
+    value.child_frame = resolved_frame(context, link_.name, FramePrefix::kTfPrefix);
+    for (std::size_t i = 0; i < 6; ++i) {
+      value.pose_covariance[7 * i] = value.twist_covariance[7 * i] = noise_ * noise_;
+    }
+  }
+
+  std::vector<Phase> phases() const override { return {Phase::kPost}; }
+
+  void post_step(const World&, const StepInfo& info) override {
+    if (!ticker_.tick(info) || !odometry_->wanted()) return;
+    OdometrySample& value = odometry_->value;
+    const SE3 T_world_frame = reference_ == nullptr ? SE3() : reference_->T_world_link();
+    const Eigen::Quaterniond R_frame_world = T_world_frame.R.conjugate();
+    Eigen::Vector3d v = link_velocity_world(link_), w = link_.w_world();
+    if (reference_ != nullptr) {
+      v -= link_velocity_world(*reference_);
+      w -= reference_->w_world();
+    }
+    const SE3 T_frame_link = T_world_frame.inverse() * link_.T_world_link();
+    value.stamp = info.end;
+    value.T_parent_child.p = T_frame_link.p + offset_.p;
+    value.T_parent_child.R = (offset_.R * T_frame_link.R).normalized();
+    value.v_child = R_frame_world * v + disturbance(info, 0);
+    value.w_child = R_frame_world * w + disturbance(info, 3);
+    odometry_->publish();
+  }
+
+  void reset() override { ticker_.reset(); }
+  void state(StateArchive& archive) override { ticker_.state(archive); }
+
+ private:
+  Eigen::Vector3d disturbance(const StepInfo& info, std::uint32_t channel) const {
+    if (noise_ == 0.0) return Eigen::Vector3d::Zero();
+    return noise_ * Eigen::Vector3d(stream_.normal(info.sample, channel),
+                                    stream_.normal(info.sample, channel + 1),
+                                    stream_.normal(info.sample, channel + 2));
+  }
+
+  const Link& link_;
+  const Link* reference_ = nullptr;
+  SE3 offset_;
+  double noise_;
+  RandomStream stream_;
+  RateTicker ticker_;
+  OutHandle<OdometrySample> odometry_;
+};
+
+}  // namespace
+
+PluginFactory p3d_factory() {
+  return {[](const PluginContext& context) { return std::make_unique<P3d>(context); }, {}};
+}
+
+}  // namespace trident

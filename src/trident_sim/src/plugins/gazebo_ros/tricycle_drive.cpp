@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "drive_parts.h"
+#include "gazebo_ros_plugins.h"
+#include "trident_base/angle.h"
+#include "trident_base/diff_drive_odometry.h"
+
+namespace trident {
+namespace {
+
+constexpr Limits kLength{1e-6, 1e6};
+constexpr Limits kNotNegative{0.0, 1e12};
+
+/// Turns a steering joint to an angle: at most at `speed`, else as fast as its torque can.
+struct Steering {
+  Joint* joint;
+  double torque_limit;
+  double speed;  ///< [rad/s]; 0: no limit
+  double tolerance_rad;
+
+  void aim(double target_rad, double period_s) const {
+    const double error = std::clamp(target_rad, -0.5 * kPi, 0.5 * kPi) - joint->position();
+    double rate = error / period_s;
+    if (speed > 0.0) rate = std::clamp(rate, -speed, speed);
+    joint->motor =
+        JointMotor{std::abs(error) < tolerance_rad && speed > 0.0 ? 0.0 : rate, torque_limit};
+  }
+};
+
+/// libgazebo_ros_tricycle_drive.so: one wheel that is steered and driven, two that only roll and
+/// may measure. linear.x of the command is the speed of the driven wheel's rim [m/s], angular.z the
+/// steering angle [rad], as upstream. <wheelAcceleration> counts at the rim [m/s^2].
+class TricycleDrive : public Plugin {
+ public:
+  explicit TricycleDrive(const PluginContext& context)
+      : model_(of(context)),
+        ticker_(context.params.number("updateRate", 100.0, kNotNegative)),
+        steering_(read_steering(context)),
+        left_(motor_joint(context, "encoderWheelLeftJoint", "left_wheel_joint")),
+        right_(motor_joint(context, "encoderWheelRightJoint", "right_wheel_joint")),
+        wheel_(motor_joint(context, "actuatedWheelJoint", "front_wheel_joint"),
+               context.params.number("actuatedWheelDiameter", 0.15, kLength),
+               steering_.torque_limit,
+               context.params.number("wheelAcceleration", 0.0, kNotNegative)),
+        command_(context,
+                 scoped_topic(context.params, context.params.text("commandTopic", "cmd_vel"))),
+        clamp_(context.params.owner()),
+        from_encoders_(is_second_choice(context.params, "odometrySource", "world", "encoder")),
+        odometry_({context.params.number("encoderWheelSeparation", 0.5, kLength),
+                   0.5 * context.params.number("encoderWheelDiameter", 0.15, kLength), 0.0}),
+        output_(context, names(context), true, true) {
+    output_.set_covariance(planar_covariance(1e-5, 1e-5, 1e-3), {});
+    Joint& driven = motor_joint(context, "actuatedWheelJoint", "front_wheel_joint");
+    const std::vector<Joint*> all{steering_.joint, &driven, &left_, &right_};
+    if (context.params.flag("publishWheelJointState", false)) {
+      states_.emplace(context, scoped_topic(context.params, "joint_states"), all);
+    }
+    if (context.params.flag("publishWheelTF", false)) {
+      frames_.emplace(context, all, FramePrefix::kTfPrefixOrNamespace);
+    }
+    read_encoders();
+  }
+
+  std::vector<Phase> phases() const override { return {Phase::kControl, Phase::kPost}; }
+
+  void pre_step(Phase, World& world, const StepInfo& info) override {
+    is_due_ = ticker_.tick(info);
+    if (is_due_) {
+      command_.poll(world);
+      const double speed = command_.command().v_base.x();
+      wheel_.set_speed(speed * clamp_.factor(world, std::abs(speed) / wheel_.speed_limit()));
+    }
+    wheel_.drive(info.dt_s);
+    // A period of several steps, so that the angle is approached and not overshot.
+    steering_.aim(command_.command().w_base.z(), 10.0 * info.dt_s);
+  }
+
+  void post_step(const World& world, const StepInfo& info) override {
+    const Eigen::Vector2d before = encoders_;
+    read_encoders();
+    odometry_.update(encoders_[0] - before[0], encoders_[1] - before[1]);
+    if (!is_due_) return;
+    if (output_.wanted()) output_.publish(info.end, measured());
+    if (states_) states_->publish(world, info.end);
+    if (frames_) frames_->publish(info.end);
+  }
+
+  void reset() override {
+    ticker_.reset();
+    command_.reset();
+    clamp_.reset();
+    wheel_.reset();
+    odometry_.reset();
+    read_encoders();
+    is_due_ = false;
+  }
+  void state(StateArchive& archive) override {
+    ticker_.state(archive);
+    command_.state(archive);
+    clamp_.state(archive);
+    wheel_.state(archive);
+    archive(odometry_, encoders_, is_due_);
+  }
+
+ private:
+  static Model& of(const PluginContext& context) {
+    if (context.model == nullptr) throw Error(context.params.owner() + ": belongs in a model");
+    return *context.model;
+  }
+  static Steering read_steering(const PluginContext& context) {
+    const PluginParams& params = context.params;
+    return {&motor_joint(context, "steeringJoint", "front_steering_joint"),
+            params.number("wheelTorque", 5.0, kNotNegative),
+            params.number("steeringSpeed", 0.0, kNotNegative),
+            params.number("steeringAngleTolerance", 0.01, kNotNegative)};
+  }
+  static OdometryOutput::Names names(const PluginContext& context) {
+    const PluginParams& params = context.params;
+    const auto frame = [&](const char* key, const char* fallback) {
+      return resolved_frame(context, params.text(key, fallback), FramePrefix::kTfPrefixOrNamespace);
+    };
+    return {scoped_topic(params, params.text("odometryTopic", "odom")),
+            frame("odometryFrame", "odom"), frame("robotBaseFrame", "base_link")};
+  }
+
+  void read_encoders() { encoders_ = {left_.position(), right_.position()}; }
+
+  BaseState measured() const {
+    if (!from_encoders_) return base_state_in_world(model_);
+    const DiffDriveOdometryParams& params = odometry_.params();
+    const double left = params.wheel_radius_m * left_.velocity();
+    const double right = params.wheel_radius_m * right_.velocity();
+    BaseState state;
+    state.T_odom_base = odometry_.T_odom_base().to_se3();
+    state.v_base.x() = 0.5 * (left + right);
+    state.w_base.z() = (right - left) / params.wheel_separation_m;
+    return state;
+  }
+
+  const Model& model_;
+  RateTicker ticker_;
+  Steering steering_;
+  Joint &left_, &right_;
+  DrivenWheel wheel_;
+  VelocityInput command_;
+  SpeedClamp clamp_;
+  bool from_encoders_;
+  DiffDriveOdometry odometry_;
+  OdometryOutput output_;
+  std::optional<JointStates> states_;
+  std::optional<WheelFrames> frames_;
+  Eigen::Vector2d encoders_ = Eigen::Vector2d::Zero();  ///< left, right [rad]
+  bool is_due_ = false;
+};
+
+}  // namespace
+
+PluginFactory tricycle_drive_factory() {
+  return {[](const PluginContext& context) { return std::make_unique<TricycleDrive>(context); },
+          {}};
+}
+
+}  // namespace trident
