@@ -69,6 +69,7 @@ Ray make_ray(double azimuth, double elevation, double t_max_m) {
 
 std::vector<Ray> make_fan() {
   std::vector<Ray> rays;
+  rays.reserve(360);
   for (int i = 0; i < 360; ++i) rays.push_back(make_ray(2.0 * kPi * i / 360.0, 0.0, 30.0));
   return rays;
 }
@@ -76,6 +77,7 @@ std::vector<Ray> make_fan() {
 /// 16 rings from -15 to 15 degrees, in the order in which such a sensor fires: column by column.
 std::vector<Ray> make_rings() {
   std::vector<Ray> rays;
+  rays.reserve(1800 * 16);
   for (int column = 0; column < 1800; ++column) {
     for (int ring = 0; ring < 16; ++ring) {
       rays.push_back(

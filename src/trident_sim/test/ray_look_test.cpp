@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What cameras need of a hit: materials, texture coordinates and smooth normals.
 #include <gtest/gtest.h>
+#include <png.h>
 
 #include <cmath>
 
@@ -100,6 +101,72 @@ TEST(RayLook, ShapesHaveTextureCoordinates) {
   EXPECT_TRUE(uv_is(look(scene, {20.5, 0, 5}, -kZ), 0.75, 0.5));
   EXPECT_TRUE(uv_is(look(scene, {35, 0, 1}, -kX), 0.5, 0.75));
   EXPECT_TRUE(uv_is(look(scene, {5, 3, 0}, -kZ), 5.0, 3.0));
+}
+
+/// 2 x 2 pixels: red, green above blue, white.
+std::string write_picture(const ScratchFolder& folder) {
+  const std::string file = folder.path() + "/four.png";
+  const std::vector<std::uint8_t> rgb = {255, 0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 255};
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  png.width = png.height = 2;
+  png.format = PNG_FORMAT_RGB;
+  EXPECT_NE(png_image_write_to_file(&png, file.c_str(), 0, rgb.data(), 0, nullptr), 0);
+  return file;
+}
+
+Material with_picture(const std::string& file) {
+  Material material;
+  material.is_given = true;
+  material.texture_file = file;
+  return material;
+}
+
+TEST(RayLook, APictureCoversABoxUpright) {
+  const ScratchFolder folder;
+  TestWorld world;
+  world.add(
+      make_visual("box", BoxShape{{2, 2, 2}}, at(0, 0, 0), with_picture(write_picture(folder))));
+  RayScene& scene = fresh_rays(world, RayGeometry::kVisual);
+  // Seen from -x, +y is on the left.
+  const RayHit top_left = look(scene, {-5, 0.5, 0.5}, kX);
+  EXPECT_TRUE(is_near(scene.albedo(top_left), Material().diffuse.head<3>(), 1e-12));
+  scene.use_textures();
+  const auto colour = [&](double y, double z) { return scene.albedo(look(scene, {-5, y, z}, kX)); };
+  EXPECT_TRUE(is_near(colour(0.5, 0.5), {1, 0, 0}, 1e-6));
+  EXPECT_TRUE(is_near(colour(-0.5, 0.5), {0, 1, 0}, 1e-6));
+  EXPECT_TRUE(is_near(colour(0.5, -0.5), {0, 0, 1}, 1e-6));
+  EXPECT_TRUE(is_near(colour(-0.5, -0.5), {1, 1, 1}, 1e-6));
+  EXPECT_TRUE(is_near(colour(0.0, 0.5), {0.5, 0.5, 0}, 1e-6)) << "half way between";
+  EXPECT_TRUE(is_near(scene.albedo(look(scene, {-5, 5, 0}, kX)), {0, 0, 0}, 0.0));
+}
+
+TEST(RayLook, APictureRepeatsOnAPlane) {
+  const ScratchFolder folder;
+  TestWorld world;
+  ModelSpec floor = make_visual("floor", PlaneShape{kZ}, {}, with_picture(write_picture(folder)));
+  floor.is_static = true;
+  world.add(floor);
+  RayScene& scene = fresh_rays(world, RayGeometry::kVisual);
+  scene.use_textures();
+  for (const double x : {-7.0, 0.0, 12.0}) {
+    const RayHit hit = look(scene, {x + 0.25, x + 0.75, 3}, -kZ);
+    EXPECT_TRUE(is_near(scene.albedo(hit), {1, 0, 0}, 1e-5)) << x;
+  }
+}
+
+TEST(RayLook, APictureThatCannotBeReadIsToldOfOnce) {
+  const ScratchFolder folder;
+  const std::string file = folder.write("photo.jpg", "no PNG");
+  TestWorld world;
+  world.add(make_visual("a", BoxShape{{1, 1, 1}}, at(3, 0, 0), with_picture(file)));
+  RayScene& scene = fresh_rays(world, RayGeometry::kVisual);
+  EXPECT_TRUE(world.reports.empty()) << "nobody needs it";
+  scene.use_textures();
+  world.add(make_visual("b", BoxShape{{1, 1, 1}}, at(-3, 0, 0), with_picture(file)));
+  scene.refresh();
+  EXPECT_EQ(world.told(Severity::kWarning, "texture '" + file + "' cannot be read as a PNG"), 1u);
+  EXPECT_TRUE(is_near(scene.albedo(look(scene, {0, 0, 0}, -kX)), {0.7, 0.7, 0.7}, 1e-12));
 }
 
 }  // namespace

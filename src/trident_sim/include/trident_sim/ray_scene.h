@@ -91,6 +91,13 @@ class RayScene {
   void occluded(Span<const Ray> rays, Span<bool> result, const RayFilter& filter = {}) const;
   static constexpr std::size_t kPacket = 16;
 
+  /// Has refresh() read the pictures of the materials from now on, of visual scenes. Cameras need
+  /// them, lidars do not. A picture that cannot be read is reported once; only PNG can.
+  void use_textures();
+  /// Colour of what was met, red, green, blue in [0, 1]: its picture's where it has one that was
+  /// read, else its material's diffuse. Black: nothing was met, or the scene is not visual.
+  Eigen::Vector3d albedo(const RayHit& hit) const;
+
   RayGeometry geometry() const;
   const std::vector<RayShape>& shapes() const;
   const std::vector<Material>& materials() const;

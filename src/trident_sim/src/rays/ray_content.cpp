@@ -27,7 +27,10 @@ void RayScene::Content::refresh() {
   if (device_ == nullptr) device_ = make_device();
   follow_models();
   follow_links();
-  if (models_changed_) number();
+  if (models_changed_) {
+    number();
+    find_textures();
+  }
   for (PlacedPlane& plane : planes_) plane.surface = flat_surface(*plane.shape, 0);
   if (fixed_changed_) commit_fixed();
   if (parts_changed_) {
@@ -188,19 +191,6 @@ void RayScene::Content::number() {
       ++link_id;
     }
     ++model_id;
-  }
-}
-
-/// A visual's own material counts for the whole of it; else the mesh's.
-void RayScene::Content::add_material(TracedShape& shape) {
-  shape.material = static_cast<std::uint32_t>(materials.size());
-  shape.has_mesh_materials = shape.mesh != nullptr && !shape.visual->material.is_given &&
-                             !shape.mesh->triangle_materials.empty();
-  if (shape.has_mesh_materials) {
-    const std::vector<Material>& own = shape.mesh->materials;
-    materials.insert(materials.end(), own.begin(), own.end());
-  } else {
-    materials.push_back(shape.visual->material);
   }
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "embree.h"
+#include "texture.h"
 #include "trident_sim/model.h"
 #include "trident_sim/ray_scene.h"
 
@@ -42,6 +43,8 @@ class RayScene::Content {
   Content(const World& world, RayGeometry kind) : geometry(kind), world_(world) {}
 
   void refresh();
+  void use_textures();
+  Eigen::Vector3d albedo(const RayHit& hit) const;
   void cast_packet(const Ray* rays, RayHit* hits, std::size_t count, const RayFilter& filter) const;
   void occlude_packet(const Ray* rays, bool* result, std::size_t count,
                       const RayFilter& filter) const;
@@ -52,7 +55,7 @@ class RayScene::Content {
   Commits commits;
 
  private:
-  // Following the world: ray_content.cpp
+  // Following the world: ray_content.cpp, materials: ray_look.cpp
   void follow_models();
   void follow_links();
   void note_change(const TracedModel& traced);
@@ -64,6 +67,8 @@ class RayScene::Content {
   void make_part(TracedLink& link);
   void number();
   void add_material(TracedShape& shape);
+  void find_textures();
+  const Texture* find_texture(const std::string& file);
   void commit_fixed();
   void attach_parts();
 
@@ -80,6 +85,9 @@ class RayScene::Content {
   EmbreeDevice device_;  ///< goes after all that is made with it
   std::map<std::string, TracedModel> models_;
   std::map<std::string, std::weak_ptr<const TriangleMesh>> meshes_;
+  bool use_textures_ = false;
+  std::map<std::string, std::unique_ptr<Texture>> textures_;  ///< nullptr: cannot be read
+  std::vector<const Texture*> material_textures_;             ///< by material; nullptr: none
   bool models_changed_ = false, fixed_changed_ = false;
   bool parts_changed_ = false, parts_moved_ = false;
 

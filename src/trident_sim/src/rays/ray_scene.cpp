@@ -42,6 +42,10 @@ void RayScene::occluded(Span<const Ray> rays, Span<bool> result, const RayFilter
   }
 }
 
+void RayScene::use_textures() { content_->use_textures(); }
+
+Eigen::Vector3d RayScene::albedo(const RayHit& hit) const { return content_->albedo(hit); }
+
 RayGeometry RayScene::geometry() const { return content_->geometry; }
 const std::vector<RayShape>& RayScene::shapes() const { return content_->shapes; }
 const std::vector<Material>& RayScene::materials() const { return content_->materials; }
