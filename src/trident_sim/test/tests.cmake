@@ -100,3 +100,15 @@ target_link_libraries(trident_sim_allocation_test
 # Alone: libsdformat's messages about damaged input fill pages, and a crash must not hide other tests.
 catkin_add_gtest(trident_sim_mutated_input_test test/mutated_input_test.cpp)
 target_link_libraries(trident_sim_mutated_input_test trident_sim_test_support ${GTEST_MAIN_LIBRARIES})
+
+# Ray casting.
+catkin_add_gtest(trident_sim_rays_test
+  test/mesh_test.cpp
+  test/ray_brute_force_test.cpp
+  test/ray_look_test.cpp
+  test/ray_scene_test.cpp
+  test/ray_shape_test.cpp
+)
+target_link_libraries(trident_sim_rays_test
+  trident_sim_test_support PkgConfig::PNG ${GTEST_MAIN_LIBRARIES})
+target_include_directories(trident_sim_rays_test PRIVATE src)  # parts of the core

@@ -24,6 +24,8 @@
 namespace trident {
 
 class PhysicsEngine;
+class RayScene;
+enum class RayGeometry;
 
 /// How measurements and commands are delayed.
 enum class LoopTiming {
@@ -153,6 +155,10 @@ class World {
   /// Nothing happens when there is none.
   void remove_drive(const Joint& joint, std::size_t axis = 0);
 
+  /// The world as rays see it; made when first asked for. It follows the world when its refresh()
+  /// is called.
+  RayScene& rays(RayGeometry geometry);
+
   PortBoard& ports() { return ports_; }
   const PortBoard& ports() const { return ports_; }
   void report(Severity severity, const std::string& text) const;
@@ -212,6 +218,7 @@ class World {
   std::shared_ptr<const int> identity_ = std::make_shared<int>();
   bool profiling_ = false;
   StageTimes stage_times_;
+  std::unique_ptr<RayScene> ray_scenes_[2];  ///< by RayGeometry
 };
 
 }  // namespace trident

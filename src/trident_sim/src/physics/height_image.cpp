@@ -4,6 +4,7 @@
 
 #include <png.h>
 
+#include <algorithm>
 #include <csetjmp>
 #include <cstdio>
 #include <fstream>
@@ -146,6 +147,15 @@ HeightImage read_height_image(const std::string& file) {
   }
   if (magic[0] == '\x89' && magic[1] == 'P') return read_png(file);
   throw Error("image '" + file + "' is neither a PNG nor a PGM (P2, P5)");
+}
+
+HeightImage read_heights(const HeightmapShape& shape) {
+  HeightImage image = read_height_image(shape.file);
+  std::vector<float>& values = image.brightness;
+  const float brightest = *std::max_element(values.begin(), values.end());
+  const double scale = brightest > 0.0F ? shape.size.z() / brightest : 0.0;
+  for (float& value : values) value = static_cast<float>(scale * value);
+  return image;
 }
 
 }  // namespace trident

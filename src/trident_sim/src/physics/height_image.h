@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "trident_sim/model_spec.h"
+
 namespace trident {
 
 /// A grey picture whose brightness is height. Rows from the top of the picture down.
@@ -16,5 +18,8 @@ struct HeightImage {
 /// Reads a PNG (8 or 16 bit; colours are turned grey) or a PGM (P2 or P5, up to 65535). What the
 /// file is, its first bytes tell. Throws Error with the file's name.
 HeightImage read_height_image(const std::string& file);
+
+/// The same, with heights [m] instead of brightness: black is at 0, the brightest pixel at size.z.
+HeightImage read_heights(const HeightmapShape& shape);
 
 }  // namespace trident

@@ -2,68 +2,30 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "shapes.h"
 
-#include <assimp/postprocess.h>
-#include <assimp/scene.h>
-
 #include <algorithm>
-#include <assimp/Importer.hpp>
 #include <cmath>
+#include <cstdint>
+#include <memory>
 #include <vector>
 
+#include "../geometry/mesh.h"
 #include "height_image.h"
 #include "trident_base/error.h"
 
 namespace trident {
 namespace {
 
-struct TriangleSoup {
-  std::vector<float> vertices;  ///< x y z
-  std::vector<dTriIndex> indices;
-};
-
-void append_node(const aiScene& scene, const aiNode& node, const aiMatrix4x4& T_root_parent,
-                 const Eigen::Vector3d& scale, TriangleSoup& soup) {
-  const aiMatrix4x4 T_root_node = T_root_parent * node.mTransformation;
-  for (unsigned m = 0; m < node.mNumMeshes; ++m) {
-    const aiMesh& mesh = *scene.mMeshes[node.mMeshes[m]];
-    const auto first = static_cast<dTriIndex>(soup.vertices.size() / 3);
-    for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
-      const aiVector3D p = T_root_node * mesh.mVertices[v];
-      soup.vertices.push_back(static_cast<float>(p.x * scale.x()));
-      soup.vertices.push_back(static_cast<float>(p.y * scale.y()));
-      soup.vertices.push_back(static_cast<float>(p.z * scale.z()));
-    }
-    for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
-      if (mesh.mFaces[f].mNumIndices != 3) continue;
-      for (int i = 0; i < 3; ++i) soup.indices.push_back(first + mesh.mFaces[f].mIndices[i]);
-    }
-  }
-  for (unsigned c = 0; c < node.mNumChildren; ++c) {
-    append_node(scene, *node.mChildren[c], T_root_node, scale, soup);
-  }
-}
-
-TriangleSoup read_mesh(const MeshShape& shape, const std::string& scoped_name) {
-  Assimp::Importer importer;
-  const aiScene* scene =
-      importer.ReadFile(shape.file, aiProcess_Triangulate | aiProcess_JoinIdenticalVertices);
-  if (scene == nullptr || scene->mRootNode == nullptr) {
-    throw Error("collision '" + scoped_name + "': mesh '" + shape.file +
-                "' cannot be read: " + importer.GetErrorString());
-  }
-  TriangleSoup soup;
-  append_node(*scene, *scene->mRootNode, aiMatrix4x4(), shape.scale, soup);
-  if (soup.indices.empty()) {
-    throw Error("collision '" + scoped_name + "': mesh '" + shape.file + "' has no triangles");
-  }
-  return soup;
-}
-
 dGeomID make_mesh(const MeshShape& shape, const std::string& scoped_name, dTriMeshDataID& data) {
-  const TriangleSoup soup = read_mesh(shape, scoped_name);
+  static_assert(sizeof(dTriIndex) == sizeof(std::uint32_t));
+  std::unique_ptr<TriangleMesh> mesh;
+  try {
+    mesh = std::make_unique<TriangleMesh>(read_mesh(shape, MeshDetail::kShape));
+  } catch (const Error& error) {
+    throw Error("collision '" + scoped_name + "': " + error.what());
+  }
   // ODE keeps pointers, not copies: the arrays live as long as the mesh data, which owns them
   // through its user pointer (see destroy_geom).
-  auto* owned = new TriangleSoup(soup);
+  TriangleMesh* const owned = mesh.release();
   data = dGeomTriMeshDataCreate();
   dGeomTriMeshDataBuildSingle(data, owned->vertices.data(), 3 * sizeof(float),
                               static_cast<int>(owned->vertices.size() / 3), owned->indices.data(),
@@ -83,19 +45,16 @@ dGeomID make_heightmap(const HeightmapShape& shape, const std::string& scoped_na
                        dHeightfieldDataID& data) {
   HeightImage image;
   try {
-    image = read_height_image(shape.file);
+    image = read_heights(shape);
   } catch (const Error& error) {
     throw Error("collision '" + scoped_name + "': heightmap: " + error.what());
   }
-  std::vector<float>& heights = image.brightness;
-  const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
-  const double scale = *high > 0.0F ? shape.size.z() / *high : 0.0;
-  const double lowest = scale * *low, highest = scale * *high;
+  const std::vector<float>& heights = image.brightness;
+  const auto [lowest, highest] = std::minmax_element(heights.begin(), heights.end());
   data = dGeomHeightfieldDataCreate();
-  for (float& height : heights) height = static_cast<float>(scale * height);
   dGeomHeightfieldDataBuildSingle(data, heights.data(), 1, shape.size.x(), shape.size.y(),
                                   image.columns, image.rows, 1.0, 0.0, kGroundThickness, 0);
-  dGeomHeightfieldDataSetBounds(data, lowest, highest);
+  dGeomHeightfieldDataSetBounds(data, *lowest, *highest);
   return dCreateHeightfield(nullptr, data, 1);
 }
 
@@ -139,11 +98,11 @@ Geom make_geom(const CollisionSpec& spec, const std::string& scoped_name) {
 
 void destroy_geom(Geom& geom) {
   if (geom.id == nullptr) return;
-  auto* soup = static_cast<TriangleSoup*>(geom.mesh != nullptr ? dGeomGetData(geom.id) : nullptr);
+  auto* mesh = static_cast<TriangleMesh*>(geom.mesh != nullptr ? dGeomGetData(geom.id) : nullptr);
   dGeomDestroy(geom.id);
   if (geom.mesh != nullptr) dGeomTriMeshDataDestroy(geom.mesh);
   if (geom.heightfield != nullptr) dGeomHeightfieldDataDestroy(geom.heightfield);
-  delete soup;
+  delete mesh;
   geom.id = nullptr;
   geom.mesh = nullptr;
   geom.heightfield = nullptr;

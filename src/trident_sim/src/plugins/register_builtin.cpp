@@ -41,6 +41,9 @@ void register_builtin_plugins(PluginRegistry& registry) {
   registry.add("librotors_gazebo_gps_plugin.so", gps_factory());
   registry.add("librotors_gazebo_magnetometer_plugin.so", magnetometer_factory());
   registry.add("librotors_gazebo_pressure_plugin.so", air_pressure_factory());
+  registry.add("libgazebo_ros_laser.so", gazebo_laser_factory());
+  registry.add("libgazebo_ros_gpu_laser.so", gazebo_laser_factory());
+  registry.add("libtrident_lidar.so", lidar_factory());
   registry.add("libgazebo_ros_imu.so", gazebo_imu_factory());
   registry.add("libgazebo_ros_imu_sensor.so", gazebo_imu_sensor_factory());
   registry.add("librotors_gazebo_ros_interface_plugin.so", nothing_to_do());

@@ -9,6 +9,7 @@
 #include "../physics/physics_engine.h"
 #include "drop_if.h"
 #include "trident_base/error.h"
+#include "trident_sim/ray_scene.h"
 
 namespace trident {
 namespace {
@@ -288,6 +289,12 @@ void World::step(std::uint64_t n) {
     }
     if (times != nullptr) ++times->steps;
   }
+}
+
+RayScene& World::rays(RayGeometry geometry) {
+  std::unique_ptr<RayScene>& scene = ray_scenes_[static_cast<std::size_t>(geometry)];
+  if (scene == nullptr) scene = std::make_unique<RayScene>(*this, geometry);
+  return *scene;
 }
 
 World::StageTimes World::take_stage_times() {

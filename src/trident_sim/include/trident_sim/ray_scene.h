@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "trident_base/span.h"
+#include "trident_sim/model_spec.h"
+
+namespace trident {
+
+class Model;
+class World;
+struct Link;
+
+/// What rays meet: collision shapes (`ray` sensors) or visual shapes (`gpu_ray`, cameras).
+enum class RayGeometry { kCollision, kVisual };
+
+struct Ray {
+  Eigen::Vector3d p_world_origin = Eigen::Vector3d::Zero();
+  Eigen::Vector3d direction_world = Eigen::Vector3d::UnitX();  ///< of unit length
+  double t_min_m = 0.0;                                        ///< what is nearer is not met
+  double t_max_m = std::numeric_limits<double>::infinity();
+};
+
+/// The first surface that a ray meets.
+struct RayHit {
+  static constexpr std::uint32_t kNothing = 0xffffffff;
+
+  double distance_m = std::numeric_limits<double>::infinity();  ///< infinite: nothing met
+  /// Of unit length, against the ray. Of a visual mesh with normals of its own those, interpolated.
+  Eigen::Vector3d normal_world = Eigen::Vector3d::Zero();
+  std::uint32_t shape = kNothing;     ///< index into RayScene::shapes()
+  std::uint32_t material = kNothing;  ///< index into RayScene::materials(), visual scenes only
+  /// Texture coordinates, v upwards, visual scenes only: in [0, 1] over each face of a box and the
+  /// hull of a round shape, metres on a plane, the file's own on a mesh.
+  Eigen::Vector2f uv = Eigen::Vector2f::Zero();
+
+  bool met() const { return shape != kNothing; }
+};
+
+/// Which shapes a cast does not see. One for all its rays, as they come from one sensor.
+struct RayFilter {
+  std::uint32_t mask = 0xffffffff;  ///< seen is what has a bit of it in <visibility_flags>
+  const Link* exclude_link = nullptr;
+  const Model* exclude_model = nullptr;
+
+  bool excludes() const { return exclude_link != nullptr || exclude_model != nullptr; }
+};
+
+/// What a RayHit::shape stands for.
+struct RayShape {
+  std::string model, link, name;         ///< of the collision or visual
+  std::uint32_t model_id = 0;            ///< number of the model, in name order
+  std::uint32_t link_id = 0;             ///< number of the link, model by model
+  const Model* model_address = nullptr;  ///< to compare with, alive or not
+  const Link* link_address = nullptr;    ///< likewise
+};
+
+/// The world as rays see it, by Embree. What never moves lies in one scene, which is committed
+/// again when a part of it comes, goes or moves; every moving link has a scene of its own, which is
+/// instanced. Embree counts in float and only tells which surface is met; where, and how it leans,
+/// is then worked out in double from the shape itself: ranges to boxes, spheres, cylinders,
+/// capsules and planes are exact also far from the origin.
+///
+/// Planes are infinite and met from both sides, like all surfaces. Visuals with transparency 1 or
+/// alpha 0 are not there. A visual mesh that cannot be read is reported once and left out.
+class RayScene {
+ public:
+  /// Sees nothing before the first refresh(). `world` must outlive the scene.
+  RayScene(const World& world, RayGeometry geometry);
+  ~RayScene();
+  RayScene(const RayScene&) = delete;
+  RayScene& operator=(const RayScene&) = delete;
+
+  /// Follows the world: models that came and went, links that moved. Cheap when nothing did. Not to
+  /// be called while another thread casts; hits from before lose their indices when models came or
+  /// went.
+  void refresh();
+
+  /// Casts each ray; hits.size() >= rays.size(). A ray with a component that is not finite meets
+  /// nothing. Any number of threads may cast at the same time. Rays are cast in packets of
+  /// kPacket: a result does not depend on threads as long as work is divided between packets.
+  void cast(Span<const Ray> rays, Span<RayHit> hits, const RayFilter& filter = {}) const;
+  /// Whether anything that casts shadows lies between t_min and t_max; faster than cast().
+  void occluded(Span<const Ray> rays, Span<bool> result, const RayFilter& filter = {}) const;
+  static constexpr std::size_t kPacket = 16;
+
+  /// Has refresh() read the pictures of the materials from now on, of visual scenes. Cameras need
+  /// them, lidars do not. A picture that cannot be read is reported once; only PNG can.
+  void use_textures();
+  /// Colour of what was met, red, green, blue in [0, 1]: its picture's where it has one that was
+  /// read, else its material's diffuse. Black: nothing was met, or the scene is not visual.
+  Eigen::Vector3d albedo(const RayHit& hit) const;
+
+  RayGeometry geometry() const;
+  const std::vector<RayShape>& shapes() const;
+  const std::vector<Material>& materials() const;
+
+  /// How often what never moves, and the moving links' places, were committed.
+  struct Commits {
+    std::uint64_t fixed = 0, moving = 0;
+  };
+  Commits commits() const;
+
+ private:
+  class Content;
+  std::unique_ptr<Content> content_;
+};
+
+}  // namespace trident

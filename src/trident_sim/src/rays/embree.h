@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <embree3/rtcore.h>
+
+#include <memory>
+#include <vector>
+
+#include "ray_shape.h"
+
+namespace trident {
+
+struct ReleaseDevice {
+  using pointer = RTCDevice;
+  void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
+};
+struct ReleaseScene {
+  using pointer = RTCScene;
+  void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+};
+struct ReleaseGeometry {
+  using pointer = RTCGeometry;
+  void operator()(RTCGeometry geometry) const { rtcReleaseGeometry(geometry); }
+};
+using EmbreeDevice = std::unique_ptr<RTCDevice, ReleaseDevice>;
+using EmbreeScene = std::unique_ptr<RTCScene, ReleaseScene>;
+using EmbreeGeometry = std::unique_ptr<RTCGeometry, ReleaseGeometry>;
+
+/// Embree's context with what the sensor does not see, for the callbacks.
+struct CastContext {
+  RTCIntersectContext embree;  ///< first: callbacks get its address
+  const RayFilter* filter;
+  bool shadows_only;  ///< only what casts shadows counts
+};
+/// For casts with `filter`; embree.filter is set where triangles must be asked one by one.
+CastContext make_context(const RayFilter& filter, bool shadows_only, bool some_cast_no_shadow);
+
+/// Builds on the calling thread alone, so that what it builds is always the same. Throws Error.
+EmbreeDevice make_device();
+enum class SceneUse { kFixed, kMoving };
+EmbreeScene make_scene(RTCDevice device, SceneUse use);
+
+/// Adds a shape to a scene, at R_scene_shape and p_scene_shape; `shape` must outlive it. Its number
+/// there is the count of those before it. Not for planes.
+void attach_shape(RTCDevice device, RTCScene scene, const TracedShape& shape);
+/// An instance of `part`, committed at its place.
+EmbreeGeometry attach_instance(RTCDevice device, RTCScene scene, RTCScene part, const SE3& T);
+void place_instance(RTCGeometry instance, const SE3& T_world_link);
+
+}  // namespace trident

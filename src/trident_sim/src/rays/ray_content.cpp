@@ -1,0 +1,235 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ray_content.h"
+
+#include <algorithm>
+
+#include "trident_base/error.h"
+#include "trident_sim/world.h"
+
+namespace trident {
+namespace {
+
+bool same(const SE3& a, const SE3& b) { return a.p == b.p && a.R.coeffs() == b.R.coeffs(); }
+
+bool visible(const VisualSpec& visual) {
+  return visual.transparency < 1.0 &&
+         !(visual.material.is_given && visual.material.diffuse.w() <= 0.0);
+}
+
+std::string numbers(const Eigen::Vector3d& v) {
+  return std::to_string(v.x()) + " " + std::to_string(v.y()) + " " + std::to_string(v.z());
+}
+
+}  // namespace
+
+void RayScene::Content::refresh() {
+  if (device_ == nullptr) device_ = make_device();
+  follow_models();
+  follow_links();
+  if (models_changed_) {
+    number();
+    find_textures();
+  }
+  for (PlacedPlane& plane : planes_) plane.surface = flat_surface(*plane.shape, 0);
+  if (fixed_changed_) commit_fixed();
+  if (parts_changed_) {
+    attach_parts();
+  } else if (parts_moved_) {
+    rtcCommitScene(moving_.get());
+    ++commits.moving;
+  }
+  models_changed_ = fixed_changed_ = parts_changed_ = parts_moved_ = false;
+}
+
+void RayScene::Content::note_change(const TracedModel& traced) {
+  models_changed_ = true;
+  for (const TracedLink& link : traced.links) {
+    if (link.shapes.empty()) continue;
+    (link.moves ? parts_changed_ : fixed_changed_) = true;
+  }
+}
+
+void RayScene::Content::follow_models() {
+  for (auto it = models_.begin(); it != models_.end();) {
+    const Model* const alive = world_.find_model(it->first);
+    if (alive != nullptr && alive->spawn_number == it->second.spawn_number) {
+      ++it;
+      continue;
+    }
+    note_change(it->second);
+    it = models_.erase(it);
+  }
+  if (models_.size() == world_.models().size()) return;
+  for (const auto& [name, model] : world_.models()) {
+    if (models_.count(name) == 0) note_change(models_.emplace(name, trace(*model)).first->second);
+  }
+}
+
+TracedModel RayScene::Content::trace(const Model& model) {
+  TracedModel traced{&model, model.spawn_number, {}};
+  for (std::size_t i = 0; i < model.links.size(); ++i) {
+    TracedLink link;
+    link.link = model.links[i].get();
+    link.moves = link.link->body != nullptr;
+    link.T_world_link = link.link->T_world_link();
+    add_shapes(model, model.spec.links[i], link);
+    set_places(link);
+    if (link.moves) make_part(link);
+    traced.links.push_back(std::move(link));
+  }
+  return traced;
+}
+
+void RayScene::Content::add_shapes(const Model& model, const LinkSpec& spec, TracedLink& link) {
+  const auto add = [&](const auto& part) {
+    std::unique_ptr<TracedShape> shape =
+        trace_shape(part.shape, model.name + "::" + spec.name + "::" + part.name);
+    if (shape == nullptr) return;
+    shape->name = part.name;
+    shape->T_link_shape = part.T_link_shape;
+    shape->model = &model;
+    shape->link = link.link;
+    link.shapes.push_back(std::move(shape));
+  };
+  if (geometry == RayGeometry::kCollision) {
+    for (const CollisionSpec& collision : spec.collisions) add(collision);
+    return;
+  }
+  for (const VisualSpec& visual : spec.visuals) {
+    const std::size_t before = link.shapes.size();
+    if (visible(visual)) add(visual);
+    if (link.shapes.size() == before) continue;
+    link.shapes.back()->visual = &visual;
+    link.shapes.back()->mask = visual.visibility_flags;
+    link.shapes.back()->casts_shadows = visual.casts_shadows;
+  }
+}
+
+std::unique_ptr<TracedShape> RayScene::Content::trace_shape(const Shape& shape,
+                                                            const std::string& what) {
+  try {
+    return std::make_unique<TracedShape>(make_traced_shape(shape, find_mesh(shape)));
+  } catch (const Error& error) {
+    const bool is_visual = geometry == RayGeometry::kVisual;
+    world_.report(Severity::kWarning, std::string(is_visual ? "visual '" : "collision '") + what +
+                                          "': " + error.what() + "; sensors do not see it");
+    return nullptr;
+  }
+}
+
+/// Shapes of one file and size share a mesh. nullptr: the shape is neither mesh nor heightmap.
+std::shared_ptr<const TriangleMesh> RayScene::Content::find_mesh(const Shape& shape) {
+  const auto* const mesh = std::get_if<MeshShape>(&shape);
+  const auto* const heightmap = std::get_if<HeightmapShape>(&shape);
+  if (mesh == nullptr && heightmap == nullptr) return nullptr;
+  const std::string key = mesh != nullptr ? mesh->file + "\nmesh " + numbers(mesh->scale)
+                                          : heightmap->file + "\nmap " + numbers(heightmap->size);
+  std::weak_ptr<const TriangleMesh>& known = meshes_[key];
+  if (auto alive = known.lock()) return alive;
+  const MeshDetail detail =
+      geometry == RayGeometry::kVisual ? MeshDetail::kLook : MeshDetail::kShape;
+  auto read = std::make_shared<const TriangleMesh>(
+      mesh != nullptr ? read_mesh(*mesh, detail) : read_heightmap(*heightmap, detail));
+  known = read;
+  return read;
+}
+
+void RayScene::Content::set_places(TracedLink& link) {
+  for (const auto& shape : link.shapes) {
+    const SE3 T_world_shape = link.T_world_link * shape->T_link_shape;
+    shape->R_world_shape = T_world_shape.R.normalized().toRotationMatrix();
+    shape->p_world_shape = T_world_shape.p;
+    const SE3& T_scene_shape = link.moves ? shape->T_link_shape : T_world_shape;
+    shape->R_scene_shape = T_scene_shape.R.normalized().toRotationMatrix();
+    shape->p_scene_shape = T_scene_shape.p;
+  }
+}
+
+void RayScene::Content::make_part(TracedLink& link) {
+  for (const auto& shape : link.shapes) {
+    if (shape->kind == SurfaceKind::kPlane) continue;
+    if (link.scene == nullptr) link.scene = make_scene(device_.get(), SceneUse::kFixed);
+    attach_shape(device_.get(), link.scene.get(), *shape);
+  }
+  if (link.scene != nullptr) rtcCommitScene(link.scene.get());
+}
+
+void RayScene::Content::follow_links() {
+  for (auto& [name, model] : models_) {
+    for (TracedLink& link : model.links) {
+      if (link.shapes.empty()) continue;
+      const SE3 T_world_link = link.link->T_world_link();
+      if (same(T_world_link, link.T_world_link)) continue;
+      link.T_world_link = T_world_link;
+      set_places(link);
+      if (!link.moves) fixed_changed_ = true;
+      if (link.instance == nullptr) continue;
+      place_instance(link.instance.get(), T_world_link);
+      parts_moved_ = true;
+    }
+  }
+}
+
+void RayScene::Content::number() {
+  shapes.clear();
+  materials.clear();
+  planes_.clear();
+  some_cast_no_shadow_ = false;
+  std::uint32_t model_id = 0, link_id = 0;
+  for (auto& [model_name, model] : models_) {
+    for (TracedLink& link : model.links) {
+      for (const auto& shape : link.shapes) {
+        shape->index = static_cast<std::uint32_t>(shapes.size());
+        shapes.push_back(
+            {model_name, link.link->name, shape->name, model_id, link_id, model.model, link.link});
+        if (shape->visual != nullptr) add_material(*shape);
+        if (shape->kind == SurfaceKind::kPlane)
+          planes_.push_back({shape.get(), flat_surface(*shape, 0)});
+        some_cast_no_shadow_ = some_cast_no_shadow_ || !shape->casts_shadows;
+      }
+      ++link_id;
+    }
+    ++model_id;
+  }
+}
+
+void RayScene::Content::commit_fixed() {
+  fixed_.reset();
+  fixed_shapes_.clear();
+  for (const auto& [name, model] : models_) {
+    for (const TracedLink& link : model.links) {
+      if (link.moves) continue;
+      for (const auto& shape : link.shapes) {
+        if (shape->kind == SurfaceKind::kPlane) continue;
+        if (fixed_ == nullptr) fixed_ = make_scene(device_.get(), SceneUse::kFixed);
+        attach_shape(device_.get(), fixed_.get(), *shape);
+        fixed_shapes_.push_back(shape.get());
+      }
+    }
+  }
+  if (fixed_ != nullptr) rtcCommitScene(fixed_.get());
+  ++commits.fixed;
+}
+
+void RayScene::Content::attach_parts() {
+  moving_.reset();
+  part_shapes_.clear();
+  for (auto& [name, model] : models_) {
+    for (TracedLink& link : model.links) {
+      link.instance.reset();
+      if (link.scene == nullptr) continue;
+      if (moving_ == nullptr) moving_ = make_scene(device_.get(), SceneUse::kMoving);
+      link.instance =
+          attach_instance(device_.get(), moving_.get(), link.scene.get(), link.T_world_link);
+      part_shapes_.emplace_back();
+      for (const auto& shape : link.shapes) {
+        if (shape->kind != SurfaceKind::kPlane) part_shapes_.back().push_back(shape.get());
+      }
+    }
+  }
+  if (moving_ != nullptr) rtcCommitScene(moving_.get());
+  ++commits.moving;
+}
+
+}  // namespace trident

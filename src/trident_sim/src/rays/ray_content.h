@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "embree.h"
+#include "texture.h"
+#include "trident_sim/model.h"
+#include "trident_sim/ray_scene.h"
+
+namespace trident {
+
+/// A link as rays know it.
+struct TracedLink {
+  const Link* link = nullptr;
+  SE3 T_world_link;
+  bool moves = false;
+  std::vector<std::unique_ptr<TracedShape>> shapes;
+  EmbreeScene scene;        ///< of a moving link: of its shapes but planes; nullptr: there are none
+  EmbreeGeometry instance;  ///< of that, in the scene of what moves
+};
+
+struct TracedModel {
+  const Model* model = nullptr;
+  std::uint64_t spawn_number = 0;
+  std::vector<TracedLink> links;
+};
+
+/// A plane where it lies now. Planes are met without Embree, which knows nothing infinite.
+struct PlacedPlane {
+  const TracedShape* shape;
+  FlatSurface surface;
+};
+
+/// What RayScene holds: shapes, Embree's scenes, and tables that lead from Embree's numbers back.
+class RayScene::Content {
+ public:
+  Content(const World& world, RayGeometry kind) : geometry(kind), world_(world) {}
+
+  void refresh();
+  void use_textures();
+  Eigen::Vector3d albedo(const RayHit& hit) const;
+  void cast_packet(const Ray* rays, RayHit* hits, std::size_t count, const RayFilter& filter) const;
+  void occlude_packet(const Ray* rays, bool* result, std::size_t count,
+                      const RayFilter& filter) const;
+
+  const RayGeometry geometry;
+  std::vector<RayShape> shapes;
+  std::vector<Material> materials;
+  Commits commits;
+
+ private:
+  // Following the world: ray_content.cpp, materials: ray_look.cpp
+  void follow_models();
+  void follow_links();
+  void note_change(const TracedModel& traced);
+  TracedModel trace(const Model& model);
+  void add_shapes(const Model& model, const LinkSpec& spec, TracedLink& link);
+  std::unique_ptr<TracedShape> trace_shape(const Shape& shape, const std::string& what);
+  std::shared_ptr<const TriangleMesh> find_mesh(const Shape& shape);
+  static void set_places(TracedLink& link);
+  void make_part(TracedLink& link);
+  void number();
+  void add_material(TracedShape& shape);
+  void find_textures();
+  const Texture* find_texture(const std::string& file);
+  void commit_fixed();
+  void attach_parts();
+
+  // Casting: ray_cast.cpp
+  const TracedShape* nearest_plane(const Ray& ray, const RayFilter& filter, bool shadows_only,
+                                   double& t) const;
+  const TracedShape& shape_met(std::uint32_t instance, std::uint32_t geometry_number) const;
+  void add_look(const Ray& ray, const TracedShape& shape, std::uint32_t primitive,
+                RayHit& hit) const;
+  RayHit describe(const Ray& ray, const TracedShape& shape, std::uint32_t primitive,
+                  double t) const;
+
+  const World& world_;
+  EmbreeDevice device_;  ///< goes after all that is made with it
+  std::map<std::string, TracedModel> models_;
+  std::map<std::string, std::weak_ptr<const TriangleMesh>> meshes_;
+  bool use_textures_ = false;
+  std::map<std::string, std::unique_ptr<Texture>> textures_;  ///< nullptr: cannot be read
+  std::vector<const Texture*> material_textures_;             ///< by material; nullptr: none
+  bool models_changed_ = false, fixed_changed_ = false;
+  bool parts_changed_ = false, parts_moved_ = false;
+
+  EmbreeScene fixed_, moving_;  ///< nullptr: empty
+  std::vector<PlacedPlane> planes_;
+  std::vector<const TracedShape*> fixed_shapes_;              ///< by geomID
+  std::vector<std::vector<const TracedShape*>> part_shapes_;  ///< by instID, then geomID
+  bool some_cast_no_shadow_ = false;
+};
+
+}  // namespace trident

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+// Materials and pictures of visual scenes.
+#include "ray_content.h"
+#include "trident_base/error.h"
+#include "trident_sim/world.h"
+
+namespace trident {
+
+/// A visual's own material counts for the whole of it; else the mesh's.
+void RayScene::Content::add_material(TracedShape& shape) {
+  shape.material = static_cast<std::uint32_t>(materials.size());
+  shape.has_mesh_materials = shape.mesh != nullptr && !shape.visual->material.is_given &&
+                             !shape.mesh->triangle_materials.empty();
+  if (shape.has_mesh_materials) {
+    const std::vector<Material>& own = shape.mesh->materials;
+    materials.insert(materials.end(), own.begin(), own.end());
+  } else {
+    materials.push_back(shape.visual->material);
+  }
+}
+
+void RayScene::Content::use_textures() {
+  if (use_textures_) return;
+  use_textures_ = true;
+  find_textures();
+}
+
+void RayScene::Content::find_textures() {
+  material_textures_.assign(materials.size(), nullptr);
+  if (!use_textures_) return;
+  for (std::size_t i = 0; i < materials.size(); ++i) {
+    const std::string& file = materials[i].texture_file;
+    if (!file.empty()) material_textures_[i] = find_texture(file);
+  }
+}
+
+const Texture* RayScene::Content::find_texture(const std::string& file) {
+  const auto known = textures_.find(file);
+  if (known != textures_.end()) return known->second.get();
+  std::unique_ptr<Texture>& texture = textures_[file];
+  try {
+    texture = std::make_unique<Texture>(read_texture(file));
+  } catch (const Error& error) {
+    world_.report(Severity::kWarning, std::string(error.what()) + "; cameras do not see it");
+  }
+  return texture.get();
+}
+
+Eigen::Vector3d RayScene::Content::albedo(const RayHit& hit) const {
+  if (hit.material >= materials.size()) return Eigen::Vector3d::Zero();
+  if (const Texture* const texture = material_textures_[hit.material]) return texture->at(hit.uv);
+  return materials[hit.material].diffuse.head<3>();
+}
+
+}  // namespace trident

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "trident_sim/ray_scene.h"
+
+#include <algorithm>
+#include <string>
+
+#include "ray_content.h"
+#include "trident_base/error.h"
+
+namespace trident {
+namespace {
+
+void check_room(const char* what, std::size_t rays, std::size_t results) {
+  if (results >= rays) return;
+  throw Error(std::string(what) + ": room for " + std::to_string(results) + " results of " +
+              std::to_string(rays) + " rays");
+}
+
+}  // namespace
+
+RayScene::RayScene(const World& world, RayGeometry geometry)
+    : content_(std::make_unique<Content>(world, geometry)) {}
+
+RayScene::~RayScene() = default;
+
+void RayScene::refresh() { content_->refresh(); }
+
+void RayScene::cast(Span<const Ray> rays, Span<RayHit> hits, const RayFilter& filter) const {
+  check_room("cast", rays.size(), hits.size());
+  for (std::size_t first = 0; first < rays.size(); first += kPacket) {
+    content_->cast_packet(rays.data() + first, hits.data() + first,
+                          std::min(kPacket, rays.size() - first), filter);
+  }
+}
+
+void RayScene::occluded(Span<const Ray> rays, Span<bool> result, const RayFilter& filter) const {
+  check_room("occluded", rays.size(), result.size());
+  for (std::size_t first = 0; first < rays.size(); first += kPacket) {
+    content_->occlude_packet(rays.data() + first, result.data() + first,
+                             std::min(kPacket, rays.size() - first), filter);
+  }
+}
+
+void RayScene::use_textures() { content_->use_textures(); }
+
+Eigen::Vector3d RayScene::albedo(const RayHit& hit) const { return content_->albedo(hit); }
+
+RayGeometry RayScene::geometry() const { return content_->geometry; }
+const std::vector<RayShape>& RayScene::shapes() const { return content_->shapes; }
+const std::vector<Material>& RayScene::materials() const { return content_->materials; }
+RayScene::Commits RayScene::commits() const { return content_->commits; }
+
+}  // namespace trident
