@@ -1,0 +1,119 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""Every ground robot expands into one tree of links, with bodies that can exist and its figures."""
+
+from __future__ import annotations
+
+import xml.etree.ElementTree as ET
+from pathlib import Path
+
+import pytest
+import xacro
+
+URDF = Path(__file__).resolve().parents[1] / "urdf"
+ROBOTS = sorted(path.name.removesuffix(".urdf.xacro") for path in URDF.glob("*.urdf.xacro"))
+
+
+def expand(robot: str, **args: str) -> ET.Element:
+    document = xacro.process_file(str(URDF / f"{robot}.urdf.xacro"), mappings=args)
+    return ET.fromstring(document.toxml())
+
+
+def numbers(element: ET.Element | None, name: str) -> list[float]:
+    return [] if element is None else [float(word) for word in element.get(name, "").split()]
+
+
+def joint(model: ET.Element, name: str) -> ET.Element:
+    found = model.find(f"joint[@name='{name}']")
+    assert found is not None, name
+    return found
+
+
+def origin(model: ET.Element, joint_name: str) -> list[float]:
+    return numbers(joint(model, joint_name).find("origin"), "xyz")
+
+
+def drive(model: ET.Element, key: str) -> str:
+    found = model.find(f".//plugin[@filename='libgazebo_ros_diff_drive.so']/{key}")
+    assert found is not None, key
+    return found.text or ""
+
+
+def test_there_are_robots() -> None:
+    assert {"my_nav_robot", "tutorial_ugv", "turtlebot3_burger"} <= set(ROBOTS)
+
+
+@pytest.mark.parametrize("robot", ROBOTS)
+def test_links_are_one_tree_from_base_footprint(robot: str) -> None:
+    model = expand(robot)
+    links = {link.get("name") for link in model.findall("link")}
+    parents = {
+        j.find("child").get("link"): j.find("parent").get("link")  # type: ignore[union-attr]
+        for j in model.findall("joint")
+    }
+    assert links - set(parents) == {"base_footprint"}
+    assert set(parents.values()) <= links
+
+
+@pytest.mark.parametrize("robot", ROBOTS)
+def test_bodies_can_exist(robot: str) -> None:
+    for inertial in expand(robot).findall(".//inertial"):
+        mass = numbers(inertial.find("mass"), "value")[0]
+        inertia = inertial.find("inertia")
+        xx, yy, zz = (numbers(inertia, key)[0] for key in ("ixx", "iyy", "izz"))
+        assert mass > 0
+        assert min(xx, yy, zz) > 0
+        assert max(xx, yy, zz) <= 0.5 * (xx + yy + zz)
+
+
+@pytest.mark.parametrize("robot", ROBOTS)
+def test_the_drive_fits_the_wheels(robot: str) -> None:
+    model = expand(robot)
+    left, right = origin(model, "wheel_left_joint"), origin(model, "wheel_right_joint")
+    assert left[1] - right[1] == pytest.approx(float(drive(model, "wheelSeparation")))
+    shape = model.find("link[@name='wheel_left_link']/collision/geometry/cylinder")
+    radius = numbers(shape, "radius")[0]
+    assert 2 * radius == pytest.approx(float(drive(model, "wheelDiameter")))
+    # Wheel and caster stand on the ground.
+    height = origin(model, "base_joint")[2]
+    assert height + left[2] == pytest.approx(radius)
+
+
+@pytest.mark.parametrize("source", ["encoder", "world"])
+def test_the_source_of_odometry_is_an_argument(source: str) -> None:
+    assert drive(expand("my_nav_robot", odometry_source=source), "odometrySource") == source
+
+
+def test_figures_of_the_navigation_robot() -> None:
+    model = expand("my_nav_robot")
+    box = model.find("link[@name='base_link']/collision/geometry/box")
+    assert numbers(box, "size") == [0.25, 0.20, 0.07]
+    assert numbers(model.find("link[@name='base_link']/inertial/mass"), "value") == [2.0]
+    assert float(drive(model, "wheelSeparation")) == pytest.approx(0.22)
+    assert float(drive(model, "wheelDiameter")) == pytest.approx(0.066)
+    assert origin(model, "laser_link_joint")[2] == pytest.approx(0.06)
+    assert origin(model, "camera_link_joint")[0] == pytest.approx(0.12)
+    assert model.find("link[@name='camera_optical_frame']") is not None
+
+
+def test_figures_of_the_rover() -> None:
+    model = expand("tutorial_ugv")
+    assert float(drive(model, "wheelSeparation")) == pytest.approx(0.4)
+    assert float(drive(model, "wheelDiameter")) == pytest.approx(0.2)
+    limit = numbers(joint(model, "wheel_left_joint").find("limit"), "velocity")[0]
+    assert 0.1 * limit == pytest.approx(2.0)
+    camera = joint(model, "stereo_link_joint").find("origin")
+    assert numbers(camera, "xyz") == [0.3, 0.0, 0.2]
+    assert numbers(camera, "rpy") == [0.0, 0.2, 0.0]
+
+
+def test_figures_of_the_burger() -> None:
+    model = expand("turtlebot3_burger")
+    assert origin(model, "base_joint") == [0, 0, 0.01]
+    assert origin(model, "wheel_left_joint") == [0, 0.08, 0.023]
+    assert origin(model, "caster_back_joint") == [-0.081, 0, -0.004]
+    assert origin(model, "imu_joint") == [-0.032, 0, 0.068]
+    assert origin(model, "base_scan_joint") == [-0.032, 0, 0.172]
+    assert numbers(model.find("link[@name='base_link']/inertial/mass"), "value") == [0.8257]
+    assert float(drive(model, "updateRate")) == 30
+    assert drive(model, "odometrySource") == "world"
