@@ -68,5 +68,18 @@ TEST(Mesh, WhatCannotBeReadIsNamed) {
   }
 }
 
+TEST(Mesh, AHeightmapTooLargeForTrianglesIsLeftOutOfWhatRaysSee) {
+  const ScratchFolder folder;
+  const std::string file =
+      folder.write("large.pgm", "P5\n2050 2050\n255\n" + std::string(2050 * 2050, 'x'));
+  TestWorld world;
+  world.add(make_visual("hills", HeightmapShape{file, {10, 10, 1}}, {}));
+  const RayScene& scene = fresh_rays(world, RayGeometry::kVisual);
+  EXPECT_TRUE(scene.shapes().empty());
+  EXPECT_EQ(world.told(Severity::kWarning,
+                       "'hills::link::visual': heightmap '" + file + "' has 2050 x 2050 samples"),
+            1u);
+}
+
 }  // namespace
 }  // namespace trident

@@ -2,11 +2,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "../physics/height_image.h"
 #include "mesh.h"
+#include "trident_base/error.h"
 
 namespace trident {
+namespace {
+
+/// So many samples become triangles that need about 0.8 GB; ODE, which needs none, takes more.
+constexpr std::size_t kMaxSamples = std::size_t{2049} * 2049;
+
+}  // namespace
 
 TriangleMesh read_heightmap(const HeightmapShape& shape, MeshDetail detail) {
   const HeightImage image = read_heights(shape);
+  if (image.brightness.size() > kMaxSamples) {
+    throw Error("heightmap '" + shape.file + "' has " + std::to_string(image.columns) + " x " +
+                std::to_string(image.rows) + " samples, rays can be cast at up to " +
+                std::to_string(kMaxSamples));
+  }
   const auto columns = static_cast<std::uint32_t>(image.columns);
   const auto rows = static_cast<std::uint32_t>(image.rows);
   TriangleMesh mesh;

@@ -32,7 +32,8 @@ TriangleMesh read_mesh(const MeshShape& shape, MeshDetail detail);
 
 /// The surface of a heightmap, centred on its origin in x and y, the top of the picture at +y: two
 /// triangles between four samples, parted from +x +y to -x -y as ODE does it. Texture coordinates
-/// in [0, 1] over the whole. Throws Error with the file's name.
+/// in [0, 1] over the whole. Throws Error with the file's name, also for more than 2049 x 2049
+/// samples.
 TriangleMesh read_heightmap(const HeightmapShape& shape, MeshDetail detail);
 
 }  // namespace trident

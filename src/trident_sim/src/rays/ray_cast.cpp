@@ -25,7 +25,7 @@ bool usable(const Ray& ray) {
 
 /// Rays that go about the same way through about the same place are best cast as one.
 bool coherent(const Ray* rays, std::size_t count) {
-  constexpr double kMaxSpread = 0.5;  ///< of directions, about [rad]; of origins [m]
+  constexpr double kMaxSpread = 0.8;  ///< of directions, about [rad]; of origins [m]
   for (std::size_t i = 1; i < count; ++i) {
     const double turn = (rays[i].direction_world - rays[0].direction_world).squaredNorm();
     const double shift = (rays[i].p_world_origin - rays[0].p_world_origin).squaredNorm();
