@@ -6,11 +6,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from functools import partial
 
 import pytest
 import rospy
 from geometry_msgs.msg import Twist
-from harness import Launch, eventually, recorder
+from harness import Launch, Recorder, eventually, recorder
 from nav_msgs.msg import Odometry
 from sensor_msgs.msg import JointState
 from tf2_msgs.msg import TFMessage
@@ -34,6 +35,10 @@ def transforms(messages: list[TFMessage]) -> dict[str, str]:
     return {t.child_frame_id: t.header.frame_id for m in messages for t in m.transforms}
 
 
+def is_after(heard: Recorder, seconds: float) -> bool:
+    return bool(heard.messages) and heard.messages[-1].header.stamp.to_sec() > seconds
+
+
 def acts(state: JointState, v: float, w: float) -> bool:
     """Whether the wheels turn as a velocity wants them to."""
     left, right = state.velocity
@@ -54,7 +59,11 @@ def command(run: Launch, v: float, w: float, seconds: float) -> None:
     publisher.unregister()
 
 
-@pytest.mark.parametrize("robot", ["my_nav_robot", "tutorial_ugv", "turtlebot3_burger"])
+#: How much of its way a robot may slip; the burger's wheels have a friction of 0.1 only.
+SLIP = {"my_nav_robot": 0.03, "tutorial_ugv": 0.03, "turtlebot3_burger": 0.15}
+
+
+@pytest.mark.parametrize("robot", SLIP)
 def test_a_robot_in_a_room_goes_where_it_is_told(launch: Start, robot: str) -> None:
     run = launch(
         "trident_bringup", "robot_in_room.launch", robot=robot, paused=True, x=-2, y=-1, yaw=0.5
@@ -67,7 +76,11 @@ def test_a_robot_in_a_room_goes_where_it_is_told(launch: Start, robot: str) -> N
         run.step(200)
         command(run, 0.2, 0.0, 3.0)
         command(run, 0.2, 0.3, 3.0)
-        eventually(lambda: bool(told.messages and truth.messages), "odometry")
+        # Standing, so that messages of two topics need not be of one moment.
+        command(run, 0.0, 0.0, 1.0)
+        late = run.time() - 0.5
+        for heard in (told, truth):
+            eventually(partial(is_after, heard, late), "the last odometry")
         eventually(lambda: "wheel_left_link" in transforms(tf.messages), "wheels in /tf")
     odom, actual = told.messages[-1], truth.messages[-1]
     assert (odom.header.frame_id, odom.child_frame_id) == ("odom", "base_footprint")
@@ -80,9 +93,9 @@ def test_a_robot_in_a_room_goes_where_it_is_told(launch: Start, robot: str) -> N
     x, y = odom.pose.pose.position.x, odom.pose.pose.position.y
     seen = (-2 + x * math.cos(0.5) - y * math.sin(0.5), -1 + x * math.sin(0.5) + y * math.cos(0.5))
     error = math.dist(seen, (actual.pose.pose.position.x, actual.pose.pose.position.y))
-    assert error < 0.03 * way + 0.01
+    assert error < SLIP[robot] * way + 0.01
     turned = math.remainder(yaw_of(odom) + 0.5 - yaw_of(actual), 2 * math.pi)
-    assert abs(turned) < 0.05
+    assert abs(turned) < 2 * SLIP[robot]
 
 
 def test_turtlebot3_world_starts_with_a_burger(launch: Start) -> None:
@@ -96,7 +109,7 @@ def test_turtlebot3_world_starts_with_a_burger(launch: Start) -> None:
     with recorder("/odom", Odometry) as told:
         run.step(500)
         command(run, 0.15, 0.0, 2.0)
-        eventually(lambda: bool(told.messages), "odometry")
+        eventually(partial(is_after, told, run.time() - 0.1), "the last odometry")
     pose = told.messages[-1].pose.pose
     # World odometry: it begins where the robot was spawned.
     assert pose.position.x > -2.0 + 0.2

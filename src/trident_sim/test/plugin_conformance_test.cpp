@@ -126,8 +126,38 @@ SensorSpec sensor_of(const std::string& type) {
   return sensor;
 }
 
+/// Looks down at the rotors.
+SensorSpec lidar() {
+  SensorSpec sensor = sensor_of("ray");
+  sensor.T_link_sensor = SE3::from_xyz_rpy({0, 0, 0.5}, 0, 1.2, 0);
+  const auto element = [](const char* name, std::vector<ParamNode> children) {
+    return ParamNode{name, "", {}, std::move(children)};
+  };
+  const auto text = [](const char* name, const char* value) {
+    return ParamNode{name, value, {}, {}};
+  };
+  sensor.params.children = {element(
+      "ray",
+      {element("scan", {element("horizontal", {text("samples", "20"), text("min_angle", "-1"),
+                                               text("max_angle", "1")})}),
+       element("range", {text("min", "0.1"), text("max", "20")}),
+       element("noise", {text("type", "gaussian"), text("stddev", "0.01")})})};
+  return sensor;
+}
+
 std::vector<PluginCase> sensor_cases() {
   return {
+      {"libgazebo_ros_laser.so",
+       {{"robotNamespace", "ns"}, {"topicName", "scan"}},
+       {},
+       {},
+       lidar()},
+      {"libgazebo_ros_gpu_laser.so",
+       {{"robotNamespace", "ns"}, {"topicName", "scan"}},
+       {},
+       {},
+       lidar()},
+      {"libtrident_lidar.so", {{"robotNamespace", "ns"}, {"rolling", "true"}}, {}, {}, lidar()},
       {"librotors_gazebo_gps_plugin.so",
        {{"robotNamespace", "ns"}},
        {},

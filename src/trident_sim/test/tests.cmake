@@ -103,6 +103,7 @@ target_link_libraries(trident_sim_mutated_input_test trident_sim_test_support ${
 
 # Ray casting.
 catkin_add_gtest(trident_sim_rays_test
+  test/laser_scanner_test.cpp
   test/mesh_test.cpp
   test/ray_brute_force_test.cpp
   test/ray_look_test.cpp
