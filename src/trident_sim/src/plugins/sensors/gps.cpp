@@ -47,10 +47,8 @@ class Gps : public MeasuringPlugin {
         context, scoped_topic(params, params.text("groundSpeedTopic", "ground_speed")),
         PortRank::kSensor);
     fix_->value.frame = speed_->value.frame = link_.name;
-    for (int axis = 0; axis < 3; ++axis) {
-      const double stddev = position_noise_.stddev[axis];
-      fix_->value.covariance_enu[static_cast<std::size_t>(4 * axis)] = stddev * stddev;
-    }
+    const Eigen::Vector3d variance = position_noise_.stddev.cwiseAbs2();
+    fix_->value.covariance_enu = {variance.x(), 0, 0, 0, variance.y(), 0, 0, 0, variance.z()};
   }
 
  protected:

@@ -33,10 +33,8 @@ class Magnetometer : public MeasuringPlugin {
         context, scoped_topic(params, params.text("magnetometerTopic", "magnetic_field")),
         PortRank::kSensor);
     magnetic_->value.frame = link_.name;
-    for (int axis = 0; axis < 3; ++axis) {
-      const double stddev = noise_.stddev[axis];
-      magnetic_->value.covariance[static_cast<std::size_t>(4 * axis)] = stddev * stddev;
-    }
+    const Eigen::Vector3d variance = noise_.stddev.cwiseAbs2();
+    magnetic_->value.covariance = {variance.x(), 0, 0, 0, variance.y(), 0, 0, 0, variance.z()};
   }
 
  protected:
@@ -52,7 +50,7 @@ class Magnetometer : public MeasuringPlugin {
   static constexpr std::uint32_t kBiasChannel = 16;
 
   static Eigen::Vector3d non_negative(const PluginParams& params, const char* key) {
-    const Eigen::Vector3d value = params.vector3(key, Eigen::Vector3d::Zero());
+    Eigen::Vector3d value = params.vector3(key, Eigen::Vector3d::Zero());
     if (value.minCoeff() < 0.0) params.refuse(key, params.text(key, ""), "three numbers >= 0");
     return value;
   }
