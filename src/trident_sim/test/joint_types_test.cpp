@@ -157,6 +157,27 @@ TEST(Spring, AStiffOneIsStable) {
   EXPECT_NEAR(model.find_joint("j")->position(), 0.5, 0.01);
 }
 
+TEST(Spring, OneThatPullsBeyondAllBoundsStopsItsBodiesAndNotTheProgram) {
+  TestWorld world(weightless(0.01));
+  ModelSpec spec = make_on_world(JointType::kRevolute, {0, 0, 0}, {0, 0, 1});
+  spec.joints[0].spring_stiffness = 0.2;
+  spec.joints[0].spring_reference = -1e308;
+  world.add(std::move(spec));
+  world->step(10);
+  EXPECT_EQ(world.told(Severity::kWarning, "grows without bound"), 1u);
+}
+
+TEST(Revolute, AnEffortBeyondAllBoundsStopsItsBodiesAndNotTheProgram) {
+  for (const double effort : {1e308, -1e308, 1e30}) {
+    TestWorld world(weightless(0.01));
+    Model& model = world.add(
+        make_on_world(JointType::kRevolute, {0, 0, 0}, {0, 0.6, 0.8}, {1e-9, 2e-9, 1e-9}));
+    world->apply_effort({model.find_joint("j"), effort, SimTime{0}, SimTime{-1}});
+    world->step(10);
+    EXPECT_EQ(world.told(Severity::kWarning, "grows without bound"), 1u) << effort;
+  }
+}
+
 TEST(Revolute, AnglesCountTurns) {
   TestWorld world(weightless(0.01));
   Model& model = world.add(make_on_world(JointType::kRevolute, {0, 0, 0}, {0, 0, 1}));

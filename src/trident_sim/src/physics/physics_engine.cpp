@@ -30,10 +30,22 @@ void pull_down(Body& body, const Eigen::Vector3d& gravity) {
   if (!body.p_weight.isZero(0.0)) body.torque += (body.R_world_body * body.p_weight).cross(weight);
 }
 
+/// Accelerations that nothing survives [m/s^2], [rad/s^2]. ODE ends the program when a rotation
+/// overflows; below these it does not, and the body is frozen after the step.
+constexpr double kDeadlyAcceleration = 1e14;
+
+Eigen::Vector3d bounded(const Eigen::Vector3d& v, double limit) {
+  if (!v.allFinite()) return Eigen::Vector3d::Constant(limit);
+  return v.cwiseMax(-limit).cwiseMin(limit);
+}
+
 /// Hands the forces of this step to ODE.
 void load(const Body& body) {
-  const Eigen::Vector3d torque = body.torque + gyroscopic_torque(body);
-  dBodySetForce(body.ode, body.force.x(), body.force.y(), body.force.z());
+  const double smallest_inertia = body.inertia.diagonal().minCoeff();
+  const Eigen::Vector3d force = bounded(body.force, kDeadlyAcceleration * body.mass_kg);
+  const Eigen::Vector3d torque =
+      bounded(body.torque + gyroscopic_torque(body), kDeadlyAcceleration * smallest_inertia);
+  dBodySetForce(body.ode, force.x(), force.y(), force.z());
   dBodySetTorque(body.ode, torque.x(), torque.y(), torque.z());
 }
 
@@ -156,10 +168,12 @@ void PhysicsEngine::step(double dt_s) {
 }
 
 void PhysicsEngine::freeze(Body& body) {
-  report_(
-      "body '" + body.name +
-      "': its state grows without bound (over 1e5 m/s, 1e4 rad/s or 1e7 m, or not a number); it "
-      "stands still from here until a reset");
+  // A frozen one on a joint is still pulled at, and held again.
+  if (!body.frozen) {
+    report_("body '" + body.name +
+            "': its state grows without bound (over 1e5 m/s, 1e4 rad/s or 1e7 m, or not a number); "
+            "it stands still from here until a reset");
+  }
   body.T_world_body.p = body.T_before.p;
   body.set_orientation(body.T_before.R);
   body.v_world.setZero();
