@@ -52,7 +52,7 @@ def test_a_lidar_measures_as_its_maker_tells(macro: str, tmp_path: Path) -> None
         world.spawn(f"wall{number}", sdf=WALL, pose=(*place, 0.0, 0.0, yaw))
     world.spawn("carrier", urdf=expand(macro, tmp_path), pose=(0.0, 0.0, 0.05))
     port = world.ports["carrier/scan"]
-    port.listen()
+    assert port.read() is None, "reading subscribes"
     turns = 3
     world.step(math.ceil(turns / rate_hz / world.dt))
     scan = port.read()

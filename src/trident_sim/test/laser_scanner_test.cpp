@@ -105,6 +105,30 @@ TEST(LaserScanner, SeesTheWallsWhereTheyAre) {
   }
 }
 
+TEST(LaserScanner, OneThatIsAllButLevelLosesNoBeams) {
+  // Beams whose height about changes its sign, a few at a time.
+  for (const double tilt : {1e-6, 1e-8, 1e-9, 1e-10, 1e-12}) {
+    for (const double azimuth : {0.3, kPi / 4.0, 3.0 * kPi / 4.0}) {
+      TestWorld world(weightless(0.002));
+      add_walls(world, 4.0);
+      LidarOptions options;
+      options.file = "libtrident_lidar.so";
+      options.rate_hz = 5.5;
+      const Eigen::Vector3d axis(std::cos(azimuth), std::sin(azimuth), 0.0);
+      options.T_link_sensor.R = Eigen::AngleAxisd(tilt, axis);
+      options.T_link_sensor.p = {0, 0, 0.15};
+      world.add(robot_with(options));
+      auto& scan = listen(world);
+      world->step(300);
+      for (std::size_t i = 0; i < 360; ++i) {
+        EXPECT_NEAR(scan.value.ranges[i], wall_range(4.0, static_cast<double>(i) * kPi / 180.0),
+                    1e-3)
+            << tilt << " rad about " << azimuth << ", beam " << i;
+      }
+    }
+  }
+}
+
 TEST(LaserScanner, OutOfRangeIsInfinite) {
   TestWorld world(weightless());
   world.add(make_static("far", BoxShape{{1, 1, 1}}, at(20.5, 0, 0)));

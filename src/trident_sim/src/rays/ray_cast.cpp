@@ -23,8 +23,21 @@ bool usable(const Ray& ray) {
          ray.t_min_m <= ray.t_max_m;
 }
 
+/// Whether a component of a direction is about zero, or changes its sign among the rays. Embree
+/// 3.13.5 loses whole coherent packets with such: those of a lidar that is all but level.
+bool near_an_axis_plane(const Ray* rays, std::size_t count) {
+  constexpr double kAboutZero = 1e-4;
+  Eigen::Array3d lowest = rays[0].direction_world.array(), highest = lowest;
+  for (std::size_t i = 1; i < count; ++i) {
+    lowest = lowest.min(rays[i].direction_world.array());
+    highest = highest.max(rays[i].direction_world.array());
+  }
+  return (lowest < kAboutZero && highest > -kAboutZero).any();
+}
+
 /// Rays that go about the same way through about the same place are best cast as one.
 bool coherent(const Ray* rays, std::size_t count) {
+  if (near_an_axis_plane(rays, count)) return false;
   constexpr double kMaxSpread = 0.8;  ///< of directions, about [rad]; of origins [m]
   for (std::size_t i = 1; i < count; ++i) {
     const double turn = (rays[i].direction_world - rays[0].direction_world).squaredNorm();
