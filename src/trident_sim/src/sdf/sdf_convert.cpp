@@ -63,11 +63,14 @@ std::optional<Shape> convert_shape(const sdf::Geometry& geometry, const std::str
   }
 }
 
+/// Of a shape [m]: as far as bodies may go. Contacts of larger ones overflow.
+constexpr double kLargest = 1e7;
+
 void check_positive(const Shape& shape, const std::string& what, const ConvertContext& context) {
   const auto check = [&](const char* field, double value) {
-    if (!(value > 0.0) || !std::isfinite(value)) {
+    if (!(value > 0.0) || !(value <= kLargest)) {
       throw Error(context.label + ": " + what + ": " + field + " is " + std::to_string(value) +
-                  " m, must be finite and > 0");
+                  " m, must be finite, > 0 and at most 1e7");
     }
   };
   if (const auto* box = std::get_if<BoxShape>(&shape)) {

@@ -31,6 +31,10 @@ inline SE3 resolve(const sdf::SemanticPose& pose, const std::string& frame,
   ignition::math::Pose3d result;
   const sdf::Errors errors = pose.Resolve(result, frame);
   if (!errors.empty()) throw Error(what + ": " + errors.front().Message());
+  if (!(result.Pos().Length() <= 1e9)) {
+    throw Error(what + ": <pose> is " + std::to_string(result.Pos().Length()) +
+                " m away, must be within 1e9 m");
+  }
   return to_se3(result);
 }
 
