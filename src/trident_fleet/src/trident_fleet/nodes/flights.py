@@ -12,6 +12,7 @@ from typing import Any, Protocol
 
 import rospy
 
+from trident_fleet.core.encoding import NS_PER_S
 from trident_fleet.core.feeders import (
     Batch,
     GateFeed,
@@ -58,6 +59,23 @@ class Crew:
     def fed_indices(self) -> list[int]:
         """Columns of the fed vehicles."""
         return [vehicle.index for vehicle in self.fed]
+
+    def is_reset(self, newest_ns: int, now_ns: int) -> bool:
+        """Whether simulated time has gone back; then it is told, and the flight starts over.
+
+        Args:
+            newest_ns: time that was known so far [ns].
+            now_ns: the simulator's time now [ns].
+        """
+        if now_ns >= newest_ns - self.settings.feed.period_ns:
+            return False
+        rospy.loginfo(
+            "formation: simulated time went back from %.3f s to %.3f s; the flight starts over",
+            newest_ns / NS_PER_S,
+            now_ns / NS_PER_S,
+        )
+        self.restart()
+        return True
 
     def repeat(self) -> None:
         """Publish the latest messages again."""
@@ -166,7 +184,9 @@ class TimeFlight:
             self._crew.link.enroll(self._end_ns)
         clock = self._crew.link.on_clock(self._on_clock)
         self._crew.link.wait_for_publisher([clock])
-        self._on_clock(self._now_ns)
+        with self._lock:
+            # The clock may have run meanwhile: its callback sends, too.
+            self._send_due()
         return [clock]
 
     def watch(self) -> None:
@@ -176,11 +196,14 @@ class TimeFlight:
 
     def _on_clock(self, now_ns: int) -> None:
         with self._lock:
-            if now_ns < self._now_ns - self._crew.settings.feed.period_ns:
-                self._crew.restart()
+            if self._crew.is_reset(self._now_ns, now_ns):
                 return
             self._now_ns = max(now_ns, self._now_ns)
-            self._crew.send(self._feeder.due(now_ns))
+            self._send_due()
+
+    def _send_due(self) -> None:
+        """Under the lock: whoever waits for it must not come with an old time."""
+        self._crew.send(self._feeder.due(self._now_ns))
 
 
 class GateFlight:
@@ -197,6 +220,7 @@ class GateFlight:
         feed = GateFeed(crew.fed_indices, origin.start_ns, settings.plan.yaw_rad, settings.feed)
         self._feeder = GateFeeder(self._gate, feed)
         self._stamp_ns = origin.start_ns
+        self._lock = threading.Lock()
         self._standstill = Standstill(crew.link)
         self._is_over = False
 
@@ -205,7 +229,8 @@ class GateFlight:
         self._write_records()
         subscribers = self._crew.link.on_state(self._on_state)
         self._crew.link.wait_for_publisher(subscribers)
-        self._crew.send(self._feeder.begin())
+        with self._lock:
+            self._crew.send(self._feeder.begin())
         return subscribers
 
     def watch(self) -> None:
@@ -214,14 +239,14 @@ class GateFlight:
             self._crew.repeat()
 
     def _on_state(self, stamp_ns: int, position: Array) -> None:
-        if stamp_ns < self._stamp_ns - self._crew.settings.feed.period_ns:
-            self._crew.restart()
-            return
-        self._stamp_ns = max(stamp_ns, self._stamp_ns)
-        batches = self._feeder.on_state(stamp_ns, position)
-        if self._feeder.end_ns is not None and not self._is_over:
-            self._finish(self._feeder.end_ns)
-        self._crew.send(batches)
+        with self._lock:
+            if self._crew.is_reset(self._stamp_ns, stamp_ns):
+                return
+            self._stamp_ns = max(stamp_ns, self._stamp_ns)
+            batches = self._feeder.on_state(stamp_ns, position)
+            if self._feeder.end_ns is not None and not self._is_over:
+                self._finish(self._feeder.end_ns)
+            self._crew.send(batches)
 
     def _finish(self, end_ns: int) -> None:
         self._is_over = True

@@ -155,9 +155,8 @@ class FollowFlight:
 
     def _on_clock(self, now_ns: int) -> None:
         with self._lock:
-            if now_ns < self._now_ns - self._period_ns:
+            if self._crew.is_reset(self._now_ns, now_ns):
                 self.close()
-                self._crew.restart()
                 return
             self._now_ns = max(now_ns, self._now_ns)
             self._go_on()
