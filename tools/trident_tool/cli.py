@@ -23,6 +23,7 @@ from trident_tool.shell import shell
 from trident_tool.testing import run_tests
 from trident_tool.viewing import Look, view
 from trident_tool.workspace import Runner, TridentError, Workspace, say
+from trident_tool.worlds import add_world_commands
 
 Handler = Callable[[Workspace, Runner, argparse.Namespace], int]
 
@@ -45,6 +46,7 @@ COMMANDS = (
     "bench",
     "report",
     "view",
+    "worldmap",
     "shell",
     "help",
 )
@@ -146,6 +148,7 @@ def make_parser() -> argparse.ArgumentParser:
     _add_workspace_commands(add)
     _add_running_commands(add)
     add_formation_commands(add)
+    add_world_commands(add)
     commands.add_parser("help", help="show this text")
     return parser
 

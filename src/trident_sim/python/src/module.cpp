@@ -18,4 +18,5 @@ PYBIND11_MODULE(_core, module) {
   trident::bind_model(module);
   trident::bind_session(module);
   trident::bind_physics(module);
+  trident::bind_rays(module);
 }

@@ -51,7 +51,7 @@ from trident_sim.description import (
     multirotor,
     with_lee_controller,
 )
-from trident_sim.world import SimulationWarning, World
+from trident_sim.world import RayHits, ShapeName, SimulationWarning, World
 
 complete_environment()
 
@@ -76,7 +76,9 @@ __all__ = [
     "Port",
     "PoseSample",
     "PoseWithCovarianceSample",
+    "RayHits",
     "ScalarSample",
+    "ShapeName",
     "SimulationWarning",
     "Snapshot",
     "TrajectorySample",

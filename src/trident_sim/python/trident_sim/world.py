@@ -9,7 +9,9 @@ import math
 import os
 import warnings
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -22,7 +24,9 @@ from trident_sim._core import (
     Port,
     Session,
     Snapshot,
+    cast_rays,
     find_resource,
+    ray_shapes,
     restore_snapshot,
     save_snapshot,
 )
@@ -32,6 +36,38 @@ _NS_PER_S = 1_000_000_000
 FilePath = str | os.PathLike[str]
 PoseLike = Sequence[float] | npt.NDArray[np.float64]
 """x y z, x y z roll pitch yaw, or x y z qx qy qz qw, in the world frame [m, rad]."""
+
+
+class ShapeName(NamedTuple):
+    """Whose shape a ray has met.
+
+    Attributes:
+        model: name of the model.
+        link: name of the link in it.
+        name: of the collision or visual in the link.
+    """
+
+    model: str
+    link: str
+    name: str
+
+
+@dataclass(frozen=True)
+class RayHits:
+    """What n rays meet first.
+
+    Attributes:
+        distance: along each ray [m], shape (n,); inf: nothing.
+        normal: of the surface, of unit length, against the ray, in the world frame, shape (n, 3);
+            zero: nothing.
+        shape: index into `shapes`, shape (n,); -1: nothing.
+        shapes: all that rays can meet.
+    """
+
+    distance: npt.NDArray[np.float64]
+    normal: npt.NDArray[np.float64]
+    shape: npt.NDArray[np.int64]
+    shapes: list[ShapeName]
 
 
 class SimulationWarning(UserWarning):
@@ -272,6 +308,32 @@ class World:
             "effort_limit": effort_limit,
         }
         return Drive(self._session, model, joint, mode, target, gains, axis)
+
+    def cast_rays(
+        self,
+        origins: npt.ArrayLike,
+        directions: npt.ArrayLike,
+        *,
+        max_distance: float = math.inf,
+        visual: bool = False,
+    ) -> RayHits:
+        """What rays meet in the world as it is now.
+
+        Args:
+            origins: where each begins, in the world frame [m], shape (n, 3).
+            directions: of any length but zero, in the world frame, shape (n, 3).
+            max_distance: what is farther is not met [m].
+            visual: look for what cameras see, not for what bodies touch.
+
+        Raises:
+            Error: a wrong shape, a value that is not finite, or a direction of length zero.
+        """
+        hits = cast_rays(
+            self._session, np.asarray(origins), np.asarray(directions), max_distance, visual
+        )
+        names = [ShapeName(*shape) for shape in ray_shapes(self._session, visual)]
+        self._warn()
+        return RayHits(*hits, names)
 
     @property
     def time(self) -> float:

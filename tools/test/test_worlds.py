@@ -1,0 +1,49 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+import pytest
+from trident_tool import cli, worlds
+from trident_tool.workspace import Workspace
+
+
+@pytest.fixture(autouse=True)
+def _nothing_is_built(clone: Workspace, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(cli, "provision", lambda *_args: None)
+    monkeypatch.setattr(worlds, "build", lambda *_args: None)
+    monkeypatch.setattr(Workspace, "of_this_file", staticmethod(lambda: clone))
+
+
+@pytest.mark.parametrize(
+    ("words", "passed_on"),
+    [
+        ("worldmap room", "worldmap room"),
+        (
+            "worldmap a.world --height 0.2 --height 1 --start=-2,0 --out m.pgm --resolution 0.1",
+            "worldmap a.world --out m.pgm --resolution 0.1 --height 0.2 --height 1.0 --start=-2,0",
+        ),
+    ],
+)
+def test_what_is_given_is_passed_on(
+    words: str, passed_on: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert cli.main([*words.split(), "--dry-run"]) == 0
+    expected = f"would run: /usr/bin/python3 -m trident_sim.{passed_on}\n"
+    assert capsys.readouterr().out == expected
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        ("worldmap", "worldmap: the following arguments are required: WORLD"),
+        ("worldmap room --height low", "argument --height: invalid float value: 'low'"),
+        ("worldmap room --hight 1", "worldmap: unknown option '--hight'"),
+    ],
+)
+def test_a_wrong_command_line_is_one_line(
+    words: str, message: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with pytest.raises(SystemExit) as caught:
+        cli.main(words.split())
+    assert caught.value.code == 2
+    error = capsys.readouterr().err
+    assert message in error
+    assert error.count("\n") == 1

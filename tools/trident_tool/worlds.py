@@ -1,0 +1,44 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""The subcommands about worlds."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Callable
+from pathlib import Path
+
+from trident_tool.building import build
+from trident_tool.environment import ros_environment
+from trident_tool.formation import Handler, option_words
+from trident_tool.workspace import Runner, Workspace
+
+
+def add_world_commands(add: Callable[[str, Handler, str], argparse.ArgumentParser]) -> None:
+    """Adds ``worldmap`` to the command line."""
+    sub = add("worldmap", _cmd_worldmap, "the true occupancy map of a world, for map_server")
+    sub.add_argument("world", metavar="WORLD", help="name of a file in worlds/, or a path")
+    sub.add_argument("--out", type=Path, metavar="FILE.pgm", help="default: WORLD.pgm, here")
+    sub.add_argument("--resolution", type=float, metavar="M", help="side of a cell; default 0.05")
+    sub.add_argument(
+        "--height",
+        type=float,
+        action="append",
+        metavar="M",
+        help="to cut at; default 0.2; may be repeated",
+    )
+    sub.add_argument(
+        "--start", metavar="X,Y", help="a free place, default 0,0; free is what it leads to"
+    )
+    sub.add_argument("--reach", type=float, metavar="M", help="around the start; default 100")
+    sub.add_argument("--margin", type=float, metavar="M", help="around obstacles; default 0.5")
+
+
+def _cmd_worldmap(workspace: Workspace, runner: Runner, options: argparse.Namespace) -> int:
+    build(workspace, runner)
+    env = None if runner.dry_run else ros_environment(workspace)
+    names = ("out", "resolution", "height", "reach", "margin")
+    words = [options.world, *option_words(options, names)]
+    if options.start is not None:
+        words.append(f"--start={options.start}")  # may begin with a minus
+    return runner.run(["/usr/bin/python3", "-m", "trident_sim.worldmap", *words], env=env)
