@@ -47,6 +47,7 @@ COMMANDS = (
     "report",
     "view",
     "worldmap",
+    "worldgen",
     "shell",
     "help",
 )

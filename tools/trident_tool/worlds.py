@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from trident_tool.building import build
@@ -15,7 +15,7 @@ from trident_tool.workspace import Runner, Workspace
 
 
 def add_world_commands(add: Callable[[str, Handler, str], argparse.ArgumentParser]) -> None:
-    """Adds ``worldmap`` to the command line."""
+    """Adds ``worldmap`` and ``worldgen`` to the command line."""
     sub = add("worldmap", _cmd_worldmap, "the true occupancy map of a world, for map_server")
     sub.add_argument("world", metavar="WORLD", help="name of a file in worlds/, or a path")
     sub.add_argument("--out", type=Path, metavar="FILE.pgm", help="default: WORLD.pgm, here")
@@ -33,12 +33,28 @@ def add_world_commands(add: Callable[[str, Handler, str], argparse.ArgumentParse
     sub.add_argument("--reach", type=float, metavar="M", help="around the start; default 100")
     sub.add_argument("--margin", type=float, metavar="M", help="around obstacles; default 0.5")
 
+    sub = add("worldgen", _cmd_worldgen, "make a world from a seed")
+    sub.add_argument("kind", choices=["hall", "office"])
+    sub.add_argument("--seed", type=int, metavar="N", help="default 1, as those of worlds/")
+    sub.add_argument("--length", type=float, metavar="M", help="along x")
+    sub.add_argument("--width", type=float, metavar="M", help="along y")
+    sub.add_argument("--out", type=Path, metavar="FOLDER", help="default: here")
+
 
 def _cmd_worldmap(workspace: Workspace, runner: Runner, options: argparse.Namespace) -> int:
-    build(workspace, runner)
-    env = None if runner.dry_run else ros_environment(workspace)
     names = ("out", "resolution", "height", "reach", "margin")
     words = [options.world, *option_words(options, names)]
     if options.start is not None:
         words.append(f"--start={options.start}")  # may begin with a minus
-    return runner.run(["/usr/bin/python3", "-m", "trident_sim.worldmap", *words], env=env)
+    return _run_module(workspace, runner, "worldmap", words)
+
+
+def _cmd_worldgen(workspace: Workspace, runner: Runner, options: argparse.Namespace) -> int:
+    given = option_words(options, ("seed", "length", "width", "out"))
+    return _run_module(workspace, runner, "worldgen", [options.kind, *given])
+
+
+def _run_module(workspace: Workspace, runner: Runner, name: str, words: Sequence[str]) -> int:
+    build(workspace, runner)
+    env = None if runner.dry_run else ros_environment(workspace)
+    return runner.run(["/usr/bin/python3", "-m", f"trident_sim.{name}", *words], env=env)

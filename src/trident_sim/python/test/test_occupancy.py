@@ -95,6 +95,14 @@ def test_only_what_can_be_reached_is_free(yard: trident_sim.World) -> None:
     assert outside.at(2.05, 0.0) == OCCUPIED
 
 
+def test_far_walls_are_solid() -> None:
+    places = np.linspace(20.0, 95.0, 50)
+    walls = [box("0.15 3 1", f"{x} 0 0.5", f"wall{i}") for i, x in enumerate(places)]
+    result = occupancy_map(world_of(*walls))
+    values = {result.at(x + dx, y) for x in places for dx in (-0.05, 0.0, 0.05) for y in (-1, 0, 1)}
+    assert values == {OCCUPIED}
+
+
 @pytest.mark.parametrize("x", [2.0, 2.5, 3.0, 4.0])
 def test_shapes_with_coincident_faces_are_one(x: float) -> None:
     world = world_of(box("2 2 1", "2 0 0.5", "a"), box("2 2 1", f"{x} 0 0.5", "b"))

@@ -21,7 +21,8 @@ FREE, OCCUPIED, UNKNOWN = 0, 100, -1
 
 _PIXEL = {FREE: 254, OCCUPIED: 0, UNKNOWN: 205}  # what map_saver writes
 _ROWS_PER_CELL = 2
-_STEP_M = 1e-6  # beyond a surface that was met
+_BEYOND_M = 1e-4  # a surface that was met; Embree's floats resolve 8e-6 m at 100 m
+_SAME_M = 1e-6  # places of one surface
 _MOST_SURFACES = 10_000
 _MOST_CELLS = 100_000_000
 
@@ -185,7 +186,7 @@ def _cut(
         lines.append(line)
         shapes.append(hits.shape[met])
         places.append(place)
-        place = place + _STEP_M
+        place = place + _BEYOND_M
     if not lines:
         return (np.empty(0),) * 3
     return _paired(across, np.concatenate(lines), np.concatenate(shapes), np.concatenate(places))
@@ -260,8 +261,8 @@ def _draw_solid(
     solid = spans.end > spans.begin
     row = np.floor((spans.line[solid] - origin[1 - axis]) / resolution).astype(np.int64)
     # A surface on the edge of two cells belongs to the one within the shape.
-    begin = np.floor((spans.begin[solid] + _STEP_M - origin[axis]) / resolution).astype(np.int64)
-    end = np.floor((spans.end[solid] - _STEP_M - origin[axis]) / resolution).astype(np.int64)
+    begin = np.floor((spans.begin[solid] + _SAME_M - origin[axis]) / resolution).astype(np.int64)
+    end = np.floor((spans.end[solid] - _SAME_M - origin[axis]) / resolution).astype(np.int64)
     end = np.maximum(begin, end)
     kept = (row >= 0) & (row < lines)
     row, begin, end = row[kept], begin[kept].clip(0, length - 1), end[kept].clip(0, length - 1)
@@ -292,7 +293,7 @@ def _draw_lone(
     lone = spans.end <= spans.begin
     row = np.floor((spans.line[lone] - origin[1 - axis]) / resolution).astype(np.int64)
     place = (spans.begin[lone] - origin[axis]) / resolution
-    shift = _STEP_M / resolution
+    shift = _SAME_M / resolution
     near, far = (np.floor(place + sign * shift).astype(np.int64) for sign in (-1, 1))
     kept = (row >= 0) & (row < lines) & (near >= 0) & (far < length)
     row, near, far = row[kept], near[kept], far[kept]

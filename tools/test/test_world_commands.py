@@ -20,6 +20,8 @@ def _nothing_is_built(clone: Workspace, monkeypatch: pytest.MonkeyPatch) -> None
             "worldmap a.world --height 0.2 --height 1 --start=-2,0 --out m.pgm --resolution 0.1",
             "worldmap a.world --out m.pgm --resolution 0.1 --height 0.2 --height 1.0 --start=-2,0",
         ),
+        ("worldgen office --seed 4 --out w", "worldgen office --seed 4 --out w"),
+        ("worldgen hall --length 12.5", "worldgen hall --length 12.5"),
     ],
 )
 def test_what_is_given_is_passed_on(
@@ -36,6 +38,7 @@ def test_what_is_given_is_passed_on(
         ("worldmap", "worldmap: the following arguments are required: WORLD"),
         ("worldmap room --height low", "argument --height: invalid float value: 'low'"),
         ("worldmap room --hight 1", "worldmap: unknown option '--hight'"),
+        ("worldgen castle", "argument kind: invalid choice: 'castle'"),
     ],
 )
 def test_a_wrong_command_line_is_one_line(

@@ -1,0 +1,173 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""SDF text of static shapes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from trident_sim._core import Error
+
+_LICENCE = (
+    "<!-- SPDX-FileCopyrightText: 2026 The Trident authors -->\n"
+    "<!-- SPDX-License-Identifier: Apache-2.0 -->\n"
+)
+_GAZEBO_MATERIALS = "file://media/materials/scripts/gazebo.material"
+
+Point = tuple[float, float, float]
+Files = dict[str, str | bytes]
+"""Contents by path, relative to the folder that they are written to."""
+
+
+@dataclass(frozen=True)
+class Material:
+    """One of Gazebo's materials, by name."""
+
+    name: str
+
+    def text(self) -> str:
+        """As an element of a visual."""
+        script = f"<uri>{_GAZEBO_MATERIALS}</uri><name>{self.name}</name>"
+        return f"<material><script>{script}</script></material>"
+
+
+@dataclass(frozen=True)
+class Picture:
+    """A picture on each face of a box, and the colour where pictures are not shown."""
+
+    uri: str
+    colour: tuple[float, float, float]
+
+    def text(self) -> str:
+        """As an element of a visual."""
+        colour = f"{_numbers(self.colour)} 1"
+        return (
+            f"<material><ambient>{colour}</ambient><diffuse>{colour}</diffuse>"
+            f"<pbr><metal><albedo_map>{self.uri}</albedo_map></metal></pbr></material>"
+        )
+
+
+@dataclass
+class StaticModel:
+    """Shapes that never move, seen and touched alike."""
+
+    name: str
+    parts: list[str] = field(default_factory=list)
+
+    def box(
+        self,
+        name: str,
+        size: Point,
+        centre: Point,
+        material: Material | Picture,
+        *,
+        yaw: float = 0.0,
+        solid: bool = True,
+    ) -> None:
+        """Add a box: size and centre [m], yaw [rad]; one that is not solid is only seen."""
+        geometry = f"<box><size>{_numbers(size)}</size></box>"
+        self._add(name, geometry, centre, yaw, material, solid)
+
+    def cylinder(
+        self, name: str, radius: float, length: float, centre: Point, material: Material | Picture
+    ) -> None:
+        """Add an upright cylinder: radius, length and centre [m]."""
+        geometry = (
+            f"<cylinder><radius>{_number(radius)}</radius>"
+            f"<length>{_number(length)}</length></cylinder>"
+        )
+        self._add(name, geometry, centre, 0.0, material, True)
+
+    def _add(
+        self,
+        name: str,
+        geometry: str,
+        centre: Point,
+        yaw: float,
+        material: Material | Picture,
+        solid: bool,
+    ) -> None:
+        pose = f"<pose>{_numbers(centre)} 0 0 {_number(yaw)}</pose>"
+        shape = f"{pose}<geometry>{geometry}</geometry>"
+        if solid:
+            self.parts.append(f'        <collision name="{name}">{shape}</collision>')
+        self.parts.append(f'        <visual name="{name}_visual">{shape}{material.text()}</visual>')
+
+    def text(self) -> str:
+        """As an element of a world."""
+        return "\n".join(
+            [
+                f'    <model name="{self.name}">',
+                "      <static>true</static>",
+                '      <link name="link">',
+                *self.parts,
+                "      </link>",
+                "    </model>",
+            ]
+        )
+
+
+def world_text(comment: str, models: Sequence[StaticModel], lights: Sequence[str] = ()) -> str:
+    """A world on a ground plane under the sun, 1000 steps of 1 ms per second."""
+    body = "\n".join([*lights, *(model.text() for model in models)])
+    return f"""<?xml version="1.0"?>
+{_LICENCE}<!-- {comment} -->
+<sdf version="1.6">
+  <world name="default">
+    <include>
+      <uri>model://ground_plane</uri>
+    </include>
+    <include>
+      <uri>model://sun</uri>
+    </include>
+    <physics type="ode">
+      <max_step_size>0.001</max_step_size>
+      <real_time_factor>1</real_time_factor>
+      <real_time_update_rate>1000</real_time_update_rate>
+      <gravity>0 0 -9.8</gravity>
+    </physics>
+    <scene>
+      <ambient>0.4 0.4 0.4 1</ambient>
+      <background>0.7 0.7 0.7 1</background>
+      <shadows>true</shadows>
+    </scene>
+{body}
+  </world>
+</sdf>
+"""
+
+
+def write_files(files: Files, folder: Path) -> list[Path]:
+    """Write them below a folder, which is made.
+
+    Raises:
+        Error: one cannot be written.
+    """
+    written = []
+    for name, content in sorted(files.items()):
+        path = folder / name
+        data = content if isinstance(content, bytes) else content.encode()
+        try:
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_bytes(data)
+        except OSError as error:
+            raise Error(f"{path}: cannot be written: {error.strerror}") from error
+        written.append(path)
+    return written
+
+
+def require(name: str, value: float, lowest: float, highest: float, unit: str = "m") -> None:
+    """Raise Error unless lowest <= value <= highest."""
+    if not lowest <= value <= highest:
+        after = f" {unit}" if unit else ""
+        raise Error(f"{name}: {value:g}{after}, legal: {lowest:g} to {highest:g}{after}")
+
+
+def _number(value: float) -> str:
+    return f"{round(value, 4) + 0.0:g}"
+
+
+def _numbers(values: Sequence[float]) -> str:
+    return " ".join(_number(value) for value in values)
