@@ -99,8 +99,8 @@ def office(config: OfficeConfig | None = None) -> Files:
         _furnish(furniture, f"room{number}", room, config, random)
     comment = (
         f"An office of {config.length:g} m x {config.width:g} m: {len(rooms)} rooms along "
-        f"corridors of {config.corridor:g} m that form two loops. Made by ./trident worldgen office "
-        f"--seed {config.seed}"
+        f"corridors of {config.corridor:g} m that form two loops. "
+        f"Made by ./trident worldgen office --seed {config.seed}"
     )
     return {"office.world": world_text(comment, [building, furniture])}
 

@@ -1,0 +1,129 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""Drives a robot from waypoint to waypoint: `odom` in, `cmd_vel` out.
+
+Parameters: `~waypoints`, a list of [x, y] [m] in the frame of `odom`, or `~waypoints_file`, a YAML
+file with such a list, or one with `waypoints` in it; the others: see FollowerConfig. `path`
+(nav_msgs/Path) and `~done` (std_msgs/Bool) are latched.
+"""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path as FilePath
+from typing import Any
+
+import rospy
+import yaml
+from geometry_msgs.msg import PoseStamped, Twist
+from nav_msgs.msg import Odometry, Path
+from std_msgs.msg import Bool
+
+from trident_nav.core.errors import NavError
+from trident_nav.core.waypoints import FollowerConfig, WaypointFollower
+from trident_nav.nodes.params import read_config, twist
+
+
+class FollowerNode:
+    """The follower between topics."""
+
+    def __init__(self) -> None:
+        """Read the parameters.
+
+        Raises:
+            NavError: an illegal one.
+        """
+        config = read_config(FollowerConfig)
+        self._waypoints = read_waypoints()
+        self._follower = WaypointFollower(self._waypoints, config)
+        self._is_loop = config.loop
+        self._path_frame = ""
+        self._was_done = False
+        self._velocity = rospy.Publisher("cmd_vel", Twist, queue_size=1, tcp_nodelay=True)
+        self._path = rospy.Publisher("path", Path, queue_size=1, latch=True)
+        self._done = rospy.Publisher("~done", Bool, queue_size=1, latch=True)
+        self._done.publish(Bool(False))
+        rospy.Subscriber("odom", Odometry, self._on_odometry, queue_size=1, tcp_nodelay=True)
+
+    def _on_odometry(self, odometry: Odometry) -> None:
+        if odometry.header.frame_id != self._path_frame:
+            self._path_frame = odometry.header.frame_id
+            self._path.publish(self._path_message())
+        position, q = odometry.pose.pose.position, odometry.pose.pose.orientation
+        yaw = math.atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z))
+        time_s = odometry.header.stamp.to_sec()
+        velocity = self._follower.command(time_s, (position.x, position.y, yaw))
+        is_done = self._follower.is_done
+        if is_done and self._was_done:
+            return  # whoever drives next is not to be stopped
+        try:
+            self._velocity.publish(twist(velocity))
+            if is_done != self._was_done:
+                self._was_done = is_done
+                self._done.publish(Bool(is_done))
+        except rospy.ROSException:
+            # Topics close when rospy begins to shut down.
+            if not rospy.core.is_shutdown_requested():
+                raise
+
+    def _path_message(self) -> Path:
+        message = Path()
+        message.header.frame_id = self._path_frame
+        points = [*self._waypoints, *(self._waypoints[:1] if self._is_loop else [])]
+        for x, y in points:
+            pose = PoseStamped()
+            pose.header.frame_id = self._path_frame
+            pose.pose.position.x, pose.pose.position.y = x, y
+            pose.pose.orientation.w = 1.0
+            message.poses.append(pose)
+        return message
+
+
+def read_waypoints() -> list[list[float]]:
+    """`~waypoints`, or what is in `~waypoints_file`.
+
+    Raises:
+        NavError: neither or both are there, or the file cannot be read.
+    """
+    points, file = rospy.get_param("~waypoints", None), rospy.get_param("~waypoints_file", "")
+    if (points is None) == (not file):
+        given = "neither" if points is None else "both"
+        raise NavError(f"~waypoints, ~waypoints_file: {given} given, legal: one of them")
+    if file:
+        points = _read_file(FilePath(file))
+    try:
+        return [[float(value) for value in point] for point in points]
+    except (TypeError, ValueError) as error:
+        raise NavError(f"~waypoints: {points!r}, legal: a list of [x, y]") from error
+
+
+def _read_file(path: FilePath) -> Any:
+    try:
+        found = yaml.safe_load(path.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise NavError(f"{path}: cannot be read: {error.strerror}") from error
+    except (yaml.YAMLError, UnicodeDecodeError) as error:
+        line = getattr(getattr(error, "problem_mark", None), "line", None)
+        where = f"{path}:{line + 1}" if line is not None else str(path)
+        raise NavError(f"{where}: not a YAML file") from error
+    if isinstance(found, dict):
+        found = found.get("waypoints")
+    if not isinstance(found, list):
+        raise NavError(f"{path}: holds no list of waypoints")
+    return found
+
+
+def main() -> int:
+    """Run until the node is shut down.
+
+    Returns:
+        Exit code of the process.
+    """
+    rospy.init_node("waypoint_follower")
+    try:
+        FollowerNode()
+    except NavError as error:
+        rospy.logfatal("waypoint_follower: %s", error)
+        return 1
+    rospy.spin()
+    return 0
