@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "camera_conversions.h"
 #include "conversions.h"
 
 namespace trident {
@@ -11,6 +12,12 @@ namespace {
 
 // Deep: a recorder that falls behind for a moment must not lose anything.
 constexpr std::uint32_t kQueue = 1000;
+// Of samples of megabytes, of which a deep queue would fill the memory.
+constexpr std::uint32_t kPictureQueue = 10;
+template <class Sample>
+constexpr std::uint32_t kQueueOf =
+    std::is_same_v<Sample, ImageSample> || std::is_same_v<Sample, ImageCloudSample> ? kPictureQueue
+                                                                                    : kQueue;
 constexpr auto kDisplayPeriod = std::chrono::milliseconds(40);
 
 template <class Sample, class Message>
@@ -19,7 +26,7 @@ class TypedBinding : public OutputBinding {
   TypedBinding(TopicAdvertiser& advertiser, OutPort<Sample>& port)
       : OutputBinding(port),
         port_(port),
-        publisher_(advertiser.advertise<Message>("/" + port.name(), kQueue)) {}
+        publisher_(advertiser.advertise<Message>("/" + port.name(), kQueueOf<Sample>)) {}
 
   void publish() override { publisher_.publish(converted()); }
   std::unique_ptr<DirectMessage> message() override {
@@ -77,6 +84,10 @@ constexpr BindFunction kBindFunctions[] = {
     try_bind<TransformSample, geometry_msgs::TransformStamped>,
     try_bind<ImuSample, sensor_msgs::Imu>,
     try_bind<LaserScanSample, sensor_msgs::LaserScan>,
+    try_bind<ImageSample, sensor_msgs::Image>,
+    try_bind<CameraInfoSample, sensor_msgs::CameraInfo>,
+    try_bind<ImageCloudSample, sensor_msgs::PointCloud2>,
+    try_bind<BoundingBoxesSample, trident_msgs::BoundingBoxes>,
     try_bind<FluidPressureSample, sensor_msgs::FluidPressure>,
     try_bind<MagneticFieldSample, sensor_msgs::MagneticField>,
     try_bind<GnssFixSample, sensor_msgs::NavSatFix>,

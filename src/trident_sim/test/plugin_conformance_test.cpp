@@ -145,6 +145,36 @@ SensorSpec lidar() {
   return sensor;
 }
 
+/// Looks down at the rotors.
+SensorSpec camera() {
+  SensorSpec sensor = sensor_of("camera");
+  sensor.T_link_sensor = SE3::from_xyz_rpy({0, 0, 0.5}, 0, 1.2, 0);
+  const auto text = [](const char* name, const char* value) {
+    return ParamNode{name, value, {}, {}};
+  };
+  sensor.params.children = {
+      {"camera",
+       "",
+       {},
+       {{"image", "", {}, {text("width", "16"), text("height", "10")}},
+        {"noise", "", {}, {text("type", "gaussian"), text("stddev", "0.05")}}}}};
+  return sensor;
+}
+
+const std::vector<std::string> kCameraNumbers{"updateRate", "focalLength",  "Cx",
+                                              "CxPrime",    "distortionK1", "distortionT2"};
+
+std::vector<PluginCase> camera_cases() {
+  const ParamList params{{"robotNamespace", "ns"}, {"cameraName", "eye"}, {"updateRate", "50"}};
+  std::vector<std::string> depth_numbers = kCameraNumbers;
+  depth_numbers.insert(depth_numbers.end(), {"hackBaseline", "pointCloudCutoff"});
+  return {{"libgazebo_ros_camera.so", params, {}, kCameraNumbers, camera()},
+          {"libgazebo_ros_depth_camera.so", params, {}, depth_numbers, camera()},
+          {"libgazebo_ros_openni_kinect.so", params, {}, depth_numbers, camera()},
+          {"libgazebo_ros_multicamera.so", params, {}, kCameraNumbers, camera()},
+          {"libtrident_camera.so", params, {}, kCameraNumbers, camera()}};
+}
+
 std::vector<PluginCase> sensor_cases() {
   return {
       {"libgazebo_ros_laser.so",
@@ -174,6 +204,7 @@ std::vector<PluginCase> sensor_cases() {
 std::vector<PluginCase> all_cases() {
   std::vector<PluginCase> cases = model_cases();
   for (PluginCase& plugin : sensor_cases()) cases.push_back(std::move(plugin));
+  for (PluginCase& plugin : camera_cases()) cases.push_back(std::move(plugin));
   return cases;
 }
 

@@ -101,6 +101,16 @@ target_link_libraries(trident_sim_allocation_test
 catkin_add_gtest(trident_sim_mutated_input_test test/mutated_input_test.cpp)
 target_link_libraries(trident_sim_mutated_input_test trident_sim_test_support ${GTEST_MAIN_LIBRARIES})
 
+# Cameras.
+catkin_add_gtest(trident_sim_cameras_test
+  test/camera_model_test.cpp
+  test/camera_picture_test.cpp
+  test/camera_plugins_test.cpp
+)
+target_link_libraries(trident_sim_cameras_test
+  trident_sim_test_support PkgConfig::PNG ${GTEST_MAIN_LIBRARIES})
+target_include_directories(trident_sim_cameras_test PRIVATE src)  # parts of the core
+
 # Ray casting.
 catkin_add_gtest(trident_sim_rays_test
   test/laser_scanner_test.cpp

@@ -107,6 +107,11 @@ class Host {
     } else if (const auto* scan = value_of<LaserScanSample>(port)) {
       numbers.push_back(scan->stamp.seconds());
       numbers.insert(numbers.end(), scan->ranges.begin(), scan->ranges.end());
+    } else if (const auto* image = value_of<ImageSample>(port)) {
+      numbers.push_back(image->stamp.seconds());
+      numbers.insert(numbers.end(), image->data.begin(), image->data.end());
+    } else if (const auto* info = value_of<CameraInfoSample>(port)) {
+      numbers.push_back(info->stamp.seconds());
     } else if (const auto* speeds = value_of<ActuatorState>(port)) {
       const auto view = speeds->angular_velocities.view();
       numbers.push_back(speeds->stamp.seconds());

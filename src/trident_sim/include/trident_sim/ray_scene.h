@@ -17,6 +17,10 @@ namespace trident {
 class Model;
 class World;
 struct Link;
+struct PacketHits;
+struct RayPacket;
+struct SurfaceLook;
+struct SurfacePoint;
 
 /// What rays meet: collision shapes (`ray` sensors) or visual shapes (`gpu_ray`, cameras).
 enum class RayGeometry { kCollision, kVisual };
@@ -97,6 +101,18 @@ class RayScene {
   /// Colour of what was met, red, green, blue in [0, 1]: its picture's where it has one that was
   /// read, else its material's diffuse. Black: nothing was met, or the scene is not visual.
   Eigen::Vector3d albedo(const RayHit& hit) const;
+
+  // For pictures, whose neighbouring rays meet the same surfaces: see rays/ray_packet.h.
+
+  /// What each ray of a packet meets first, in float.
+  void meet(const RayPacket& rays, PacketHits& hits, std::uint32_t mask = 0xffffffff) const;
+  /// Which rays of a packet anything that casts shadows lies on, bit by bit.
+  std::uint32_t shaded(const RayPacket& rays, std::uint32_t mask = 0xffffffff) const;
+  /// What the surface is like that a ray of a packet met.
+  SurfaceLook look(std::uint32_t shape, std::uint32_t primitive) const;
+  /// Likewise, at the point of it that a ray meets near distance `t`.
+  SurfacePoint look_at(std::uint32_t shape, std::uint32_t primitive, const Ray& ray,
+                       double t) const;
 
   RayGeometry geometry() const;
   const std::vector<RayShape>& shapes() const;

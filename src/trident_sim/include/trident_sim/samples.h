@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -102,6 +103,49 @@ struct LaserScanSample {
   double range_min_m = 0.0, range_max_m = 0.0;
   std::vector<float> ranges;  ///< [m]; +inf: nothing in range, -inf: too near (REP 117)
   std::vector<float> intensities;
+};
+/// A picture, row by row from the top, as sensor_msgs/Image has it.
+struct ImageSample {
+  SimTime stamp;
+  std::string frame;     ///< optical: x right, y down, z ahead
+  std::string encoding;  ///< "rgb8", "bgr8", "mono8", "mono16", "16UC1" [mm] or "32FC1" [m]
+  std::uint32_t width = 0, height = 0;
+  std::uint32_t bytes_per_row = 0;
+  std::vector<std::uint8_t> data;  ///< little-endian
+};
+/// What a camera is like, as sensor_msgs/CameraInfo has it: a pinhole with "plumb_bob" distortion.
+struct CameraInfoSample {
+  SimTime stamp;
+  std::string frame;
+  std::uint32_t width = 0, height = 0;
+  std::array<double, 5> D{};  ///< k1 k2 t1 t2 k3
+  std::array<double, 9> K{};  ///< row by row
+  std::array<double, 9> R{1, 0, 0, 0, 1, 0, 0, 0, 1};
+  std::array<double, 12> P{};  ///< row by row
+};
+/// Points of a picture, pixel by pixel, in the optical frame.
+struct ImageCloudSample {
+  struct Point {
+    float x, y, z;      ///< [m]; not a number: nothing is seen there
+    std::uint32_t rgb;  ///< 0x00rrggbb
+  };
+  SimTime stamp;
+  std::string frame;
+  std::uint32_t width = 0, height = 0;
+  bool is_dense = false;  ///< every point is a number
+  std::vector<Point> points;
+};
+/// What a camera sees of models or links.
+struct BoundingBoxesSample {
+  struct Box {
+    std::uint32_t label = 0;  ///< in the segmentation image; 0 is nothing
+    std::string name;         ///< "model" or "model::link"
+    std::uint32_t x_min = 0, y_min = 0, x_max = 0, y_max = 0;  ///< [pixels], outermost ones
+    std::uint32_t pixels = 0;                                  ///< that show it
+  };
+  SimTime stamp;
+  std::string frame;
+  std::vector<Box> boxes;  ///< by label
 };
 struct FluidPressureSample {
   SimTime stamp;

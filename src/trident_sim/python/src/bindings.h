@@ -8,6 +8,7 @@ namespace trident {
 
 // Parts of the module _core; module.cpp calls each once.
 void bind_measurements(pybind11::module_& module);
+void bind_cameras(pybind11::module_& module);
 void bind_commands(pybind11::module_& module);
 void bind_model(pybind11::module_& module);
 void bind_physics(pybind11::module_& module);

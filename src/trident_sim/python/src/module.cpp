@@ -14,6 +14,7 @@ PYBIND11_MODULE(_core, module) {
   error.attr("__doc__") =
       "Bad input: a file, a field, a name or a value. The text names it and what is legal.";
   trident::bind_measurements(module);
+  trident::bind_cameras(module);
   trident::bind_commands(module);
   trident::bind_model(module);
   trident::bind_session(module);

@@ -32,9 +32,13 @@ const std::map<std::type_index, PortType>& port_types() {
   static const std::map<std::type_index, PortType> types = {
       entry<ActuatorCommand>("ActuatorCommand"),
       entry<ActuatorState>("ActuatorState"),
+      entry<BoundingBoxesSample>("BoundingBoxesSample"),
+      entry<CameraInfoSample>("CameraInfoSample"),
       entry<FluidPressureSample>("FluidPressureSample"),
       entry<FrameSample>("FrameSample"),
       entry<GnssFixSample>("GnssFixSample"),
+      entry<ImageCloudSample>("ImageCloudSample"),
+      entry<ImageSample>("ImageSample"),
       entry<ImuSample>("ImuSample"),
       entry<JointStateSample>("JointStateSample"),
       entry<LaserScanSample>("LaserScanSample"),

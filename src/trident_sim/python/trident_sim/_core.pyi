@@ -10,6 +10,8 @@ import numpy.typing as npt
 
 _Array = npt.NDArray[np.float64]
 _Floats = npt.NDArray[np.float32]
+_Bytes = npt.NDArray[np.uint8]
+_Pixels = npt.NDArray[np.uint8] | npt.NDArray[np.uint16] | _Floats
 _Vector = Sequence[float] | _Array
 _Matrix = Sequence[Sequence[float]] | _Array
 
@@ -189,6 +191,87 @@ class LaserScanSample(_Stamped):
     @property
     def intensities(self) -> _Floats:
         """Shape (n,), float32."""
+
+class ImageSample(_Stamped):
+    """A picture; stamp: when it was taken."""
+    @property
+    def frame(self) -> str:
+        """Optical frame: x right, y down, z ahead."""
+    @property
+    def encoding(self) -> str:
+        """rgb8, bgr8, mono8, mono16, 16UC1 or 32FC1, as ROS names them."""
+    @property
+    def pixels(self) -> _Pixels:
+        """Shape (height, width, 3), uint8, of colours; else (height, width): m, mm or labels."""
+
+class ImageCloudSample(_Stamped):
+    """Points of a picture, pixel by pixel."""
+    @property
+    def frame(self) -> str:
+        """Optical frame: x right, y down, z ahead."""
+    @property
+    def points(self) -> _Floats:
+        """[m], shape (height, width, 3), float32; nan: nothing is seen there."""
+    @property
+    def colors(self) -> _Bytes:
+        """Red, green, blue, shape (height, width, 3), uint8."""
+
+class CameraInfoSample(_Stamped):
+    """A pinhole camera, as sensor_msgs/CameraInfo has it."""
+    @property
+    def frame(self) -> str:
+        """Optical frame: x right, y down, z ahead."""
+    @property
+    def width(self) -> int:
+        """[pixels]."""
+    @property
+    def height(self) -> int:
+        """[pixels]."""
+    @property
+    def d(self) -> _Array:
+        """Distortion (plumb_bob): k1 k2 t1 t2 k3, shape (5,)."""
+    @property
+    def k(self) -> _Array:
+        """Focal lengths and middle of the raw picture [pixels], shape (3, 3)."""
+    @property
+    def r(self) -> _Array:
+        """Rotation that rectifies, shape (3, 3)."""
+    @property
+    def p(self) -> _Array:
+        """Projection of the rectified picture [pixels], shape (3, 4)."""
+
+class BoundingBox:
+    """What a camera sees of one model or link."""
+    @property
+    def label(self) -> int:
+        """Of its pixels in the segmentation picture."""
+    @property
+    def name(self) -> str:
+        """Model, or model::link."""
+    @property
+    def x_min(self) -> int:
+        """Leftmost pixel."""
+    @property
+    def y_min(self) -> int:
+        """Topmost pixel."""
+    @property
+    def x_max(self) -> int:
+        """Rightmost pixel."""
+    @property
+    def y_max(self) -> int:
+        """Lowest pixel."""
+    @property
+    def pixels(self) -> int:
+        """How many show it."""
+
+class BoundingBoxesSample(_Stamped):
+    """What a camera sees, by label."""
+    @property
+    def frame(self) -> str:
+        """Optical frame of the camera."""
+    @property
+    def boxes(self) -> list[BoundingBox]:
+        """One per model or link that is seen."""
 
 class FluidPressureSample(_Stamped):
     """What a barometer measures."""

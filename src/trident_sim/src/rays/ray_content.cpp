@@ -173,6 +173,7 @@ void RayScene::Content::follow_links() {
 
 void RayScene::Content::number() {
   shapes.clear();
+  traced_shapes_.clear();
   materials.clear();
   planes_.clear();
   some_cast_no_shadow_ = false;
@@ -181,6 +182,7 @@ void RayScene::Content::number() {
     for (TracedLink& link : model.links) {
       for (const auto& shape : link.shapes) {
         shape->index = static_cast<std::uint32_t>(shapes.size());
+        traced_shapes_.push_back(shape.get());
         shapes.push_back(
             {model_name, link.link->name, shape->name, model_id, link_id, model.model, link.link});
         if (shape->visual != nullptr) add_material(*shape);

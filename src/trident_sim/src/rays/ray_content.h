@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "embree.h"
+#include "ray_packet.h"
 #include "texture.h"
 #include "trident_sim/model.h"
 #include "trident_sim/ray_scene.h"
@@ -48,6 +49,12 @@ class RayScene::Content {
   void cast_packet(const Ray* rays, RayHit* hits, std::size_t count, const RayFilter& filter) const;
   void occlude_packet(const Ray* rays, bool* result, std::size_t count,
                       const RayFilter& filter) const;
+
+  void meet_packet(const RayPacket& rays, PacketHits& hits, std::uint32_t mask) const;
+  std::uint32_t shaded_lanes(const RayPacket& rays, std::uint32_t mask) const;
+  SurfaceLook look(std::uint32_t shape, std::uint32_t primitive) const;
+  SurfacePoint look_at(std::uint32_t shape, std::uint32_t primitive, const Ray& ray,
+                       double t) const;
 
   const RayGeometry geometry;
   std::vector<RayShape> shapes;
@@ -95,6 +102,7 @@ class RayScene::Content {
   std::vector<PlacedPlane> planes_;
   std::vector<const TracedShape*> fixed_shapes_;              ///< by geomID
   std::vector<std::vector<const TracedShape*>> part_shapes_;  ///< by instID, then geomID
+  std::vector<const TracedShape*> traced_shapes_;             ///< by TracedShape::index
   bool some_cast_no_shadow_ = false;
 };
 

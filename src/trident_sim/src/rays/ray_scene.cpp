@@ -46,6 +46,23 @@ void RayScene::use_textures() { content_->use_textures(); }
 
 Eigen::Vector3d RayScene::albedo(const RayHit& hit) const { return content_->albedo(hit); }
 
+void RayScene::meet(const RayPacket& rays, PacketHits& hits, std::uint32_t mask) const {
+  content_->meet_packet(rays, hits, mask);
+}
+
+std::uint32_t RayScene::shaded(const RayPacket& rays, std::uint32_t mask) const {
+  return content_->shaded_lanes(rays, mask);
+}
+
+SurfaceLook RayScene::look(std::uint32_t shape, std::uint32_t primitive) const {
+  return content_->look(shape, primitive);
+}
+
+SurfacePoint RayScene::look_at(std::uint32_t shape, std::uint32_t primitive, const Ray& ray,
+                               double t) const {
+  return content_->look_at(shape, primitive, ray, t);
+}
+
 RayGeometry RayScene::geometry() const { return content_->geometry; }
 const std::vector<RayShape>& RayScene::shapes() const { return content_->shapes; }
 const std::vector<Material>& RayScene::materials() const { return content_->materials; }

@@ -19,4 +19,13 @@ PluginFactory gps_factory();
 PluginFactory magnetometer_factory();
 PluginFactory air_pressure_factory();
 
+/// gazebo_plugins' cameras: colour; depth (libgazebo_ros_depth_camera.so); colour and depth from
+/// one place (libgazebo_ros_openni_kinect.so); several side by side.
+PluginFactory gazebo_camera_factory();
+PluginFactory gazebo_depth_camera_factory();
+PluginFactory gazebo_kinect_factory();
+PluginFactory gazebo_multicamera_factory();
+/// Our camera: colour, depth, labels and bounding boxes, whichever are asked for.
+PluginFactory camera_factory();
+
 }  // namespace trident

@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "camera_spec.h"
+
+#include <map>
+#include <sstream>
+
+#include "trident_base/error.h"
+#include "trident_sim/param_tree.h"
+
+namespace trident {
+namespace {
+
+constexpr double kMostPixels = 16384;  ///< a side
+constexpr double kFarthest = 1e6;      ///< [m]
+
+const ParamNode& child_or_empty(const ParamNode& node, const char* name) {
+  static const ParamNode empty;
+  const ParamNode* const child = node.find(name);
+  return child != nullptr ? *child : empty;
+}
+
+PixelFormat read_format(const PluginParams& image) {
+  static const std::map<std::string, PixelFormat> formats = {
+      {"R8G8B8", PixelFormat::kRgb8}, {"RGB_INT8", PixelFormat::kRgb8},
+      {"B8G8R8", PixelFormat::kBgr8}, {"BGR_INT8", PixelFormat::kBgr8},
+      {"L8", PixelFormat::kMono8},    {"L_INT8", PixelFormat::kMono8},
+  };
+  const std::string text = image.text("format", "R8G8B8");
+  const auto known = formats.find(text);
+  if (known == formats.end()) image.refuse("format", text, "R8G8B8, B8G8R8 or L8");
+  return known->second;
+}
+
+GaussianNoise read_noise(const ParamNode& camera, const std::string& owner) {
+  GaussianNoise noise;
+  const ParamNode* const node = camera.find("noise");
+  if (node == nullptr) return noise;
+  const PluginParams params(*node, owner + " <noise>");
+  const std::string type = params.text("type", "none");
+  if (type == "none") return noise;
+  if (type != "gaussian") params.refuse("type", type, "none or gaussian");
+  noise.mean = params.number("mean", 0.0, {-1.0, 1.0});
+  noise.stddev = params.number("stddev", 0.0, {0.0, 1.0});
+  return noise;
+}
+
+Distortion read_distortion(const ParamNode& camera, const std::string& owner) {
+  const PluginParams params(child_or_empty(camera, "distortion"), owner + " <distortion>");
+  Distortion distortion;
+  distortion.k1 = params.number("k1", 0.0);
+  distortion.k2 = params.number("k2", 0.0);
+  distortion.k3 = params.number("k3", 0.0);
+  distortion.t1 = params.number("p1", 0.0);
+  distortion.t2 = params.number("p2", 0.0);
+  return distortion;
+}
+
+SE3 read_pose(const PluginParams& params) {
+  const std::string text = params.text("pose", "0 0 0 0 0 0");
+  std::istringstream words(text);
+  double values[6];
+  for (double& value : values) {
+    if (!(words >> value)) params.refuse("pose", text, "six finite numbers: x y z roll pitch yaw");
+  }
+  return SE3::from_xyz_rpy({values[0], values[1], values[2]}, values[3], values[4], values[5]);
+}
+
+CameraSpec read_camera(const ParamNode& element, const std::string& owner) {
+  CameraSpec camera;
+  for (const auto& [key, value] : element.attributes) {
+    if (key == "name") camera.name = value;
+  }
+  const std::string whose = owner + " <camera>";
+  const PluginParams params(element, whose);
+  camera.T_sensor_camera = read_pose(params);
+  camera.angle_of_view_rad =
+      params.number("horizontal_fov", camera.angle_of_view_rad, {0.01, 3.14});
+  const PluginParams image(child_or_empty(element, "image"), whose + " <image>");
+  camera.width = image.integer("width", camera.width, {1.0, kMostPixels});
+  camera.height = image.integer("height", camera.height, {1.0, kMostPixels});
+  camera.format = read_format(image);
+  const PluginParams clip(child_or_empty(element, "clip"), whose + " <clip>");
+  camera.near_m = clip.number("near", camera.near_m, {0.0, kFarthest});
+  camera.far_m = clip.number("far", camera.far_m, {0.0, kFarthest});
+  if (!(camera.near_m < camera.far_m)) {
+    clip.refuse("near", clip.text("near", "0.1"), "less than <far>, " + clip.text("far", "100"));
+  }
+  camera.noise = read_noise(element, whose);
+  camera.distortion = read_distortion(element, whose);
+  return camera;
+}
+
+}  // namespace
+
+const char* encoding_name(PixelFormat format) {
+  switch (format) {
+    case PixelFormat::kBgr8:
+      return "bgr8";
+    case PixelFormat::kMono8:
+      return "mono8";
+    default:
+      return "rgb8";
+  }
+}
+
+int channel_count(PixelFormat format) { return format == PixelFormat::kMono8 ? 1 : 3; }
+
+std::vector<CameraSpec> read_camera_specs(const SensorSpec& sensor, const std::string& owner) {
+  std::vector<CameraSpec> cameras;
+  for (const ParamNode& child : sensor.params.children) {
+    if (child.name == "camera") cameras.push_back(read_camera(child, owner));
+  }
+  if (cameras.empty()) throw Error(owner + ": <camera> is missing");
+  return cameras;
+}
+
+}  // namespace trident

@@ -1,0 +1,230 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "../gazebo_ros/drive_parts.h"
+#include "camera_outputs.h"
+#include "sample_clock.h"
+#include "sensor_plugins.h"
+#include "trident_base/error.h"
+
+namespace trident {
+namespace {
+
+constexpr double kFarthest = 1e6;  ///< [m] or [pixels]
+
+const SensorSpec& required_sensor(const PluginContext& context) {
+  if (context.sensor == nullptr) {
+    throw Error(context.params.owner() +
+                ": belongs in a <sensor> of type camera, depth or multicamera");
+  }
+  return *context.sensor;
+}
+
+/// The slower of the sensor's rate and the plugin's, as in gazebo_plugins; 0: every step.
+double rate_hz(const PluginContext& context) {
+  const double sensor = required_sensor(context).update_rate_hz;
+  const double plugin = context.params.number("updateRate", 0.0, {0.0, kFarthest});
+  return plugin > 0.0 && (sensor <= 0.0 || plugin < sensor) ? plugin : sensor;
+}
+
+/// A sensor's cameras, drawn at once.
+class CameraSensor : public MeasuringPlugin {
+ public:
+  CameraSensor(const PluginContext& context, const std::vector<CameraSetup>& setups)
+      : MeasuringPlugin(context.world.timing()),
+        link_(*context.link),
+        T_link_sensor_(required_sensor(context).T_link_sensor),
+        clock_(rate_hz(context)) {
+    for (const CameraSetup& setup : setups) {
+      cameras_.push_back(std::make_unique<CameraOutputs>(context, setup));
+    }
+  }
+
+ protected:
+  void measure(const World&, const StepInfo& info) override {
+    if (!clock_.is_due(info)) return;
+    const SE3 T_world_sensor = link_.T_world_link() * T_link_sensor_;
+    for (const auto& camera : cameras_) {
+      camera->measure(T_world_sensor, info.end, clock_.count_at(info));
+    }
+  }
+
+ private:
+  Link& link_;
+  SE3 T_link_sensor_;
+  SampleClock clock_;
+  std::vector<std::unique_ptr<CameraOutputs>> cameras_;
+};
+
+/// "<robotNamespace>/<cameraName>/<topic>"; an absolute topic stands alone.
+std::string camera_topic(const PluginParams& params, const std::string& camera,
+                         const std::string& topic) {
+  const bool stands_alone = camera.empty() || (!topic.empty() && topic.front() == '/');
+  return scoped_topic(params, stands_alone ? topic : camera + "/" + topic);
+}
+
+/// The plugin's coefficients; the `<distortion>` of the camera where it has none, or must not.
+Distortion read_distortion(const PluginParams& params, const Distortion& of_camera) {
+  Distortion distortion;
+  distortion.k1 = params.number("distortionK1", 0.0);
+  distortion.k2 = params.number("distortionK2", 0.0);
+  distortion.k3 = params.number("distortionK3", 0.0);
+  distortion.t1 = params.number("distortionT1", 0.0);
+  distortion.t2 = params.number("distortionT2", 0.0);
+  return params.flag("autoDistortion", false) || distortion.is_none() ? of_camera : distortion;
+}
+
+double number_or(const PluginParams& params, const char* key, double fallback) {
+  const double value = params.number(key, 0.0, {0.0, kFarthest});
+  return value == 0.0 ? fallback : value;  // upstream's "work it out"
+}
+
+/// Where the middle of the picture is taken to be.
+enum class Centre { kPixelMiddle, kGazebo };
+
+CameraSetup read_setup(const PluginContext& context, const CameraSpec& spec, Centre centre) {
+  const PluginParams& params = context.params;
+  CameraSetup setup;
+  setup.owner = params.owner();
+  setup.spec = spec;
+  setup.model = CameraModel::from_angle_of_view(spec.width, spec.height, spec.angle_of_view_rad);
+  CameraModel& model = setup.model;
+  const double shift = centre == Centre::kGazebo ? 1.0 : 0.0;
+  const double focal = number_or(params, "focalLength", model.fx);
+  if (std::abs(focal - model.fx) > 1e-3 * model.fx) {
+    context.world.report(Severity::kWarning,
+                         params.owner() + ": <focalLength> is " + std::to_string(focal) +
+                             " pixels, <horizontal_fov> says " + std::to_string(model.fx) +
+                             "; the picture is drawn with the former");
+  }
+  model.fx = model.fy = focal;
+  model.cx = number_or(params, "Cx", model.cx + shift);
+  model.cy = number_or(params, "Cy", model.cy + shift);
+  setup.rectified_cx = number_or(params, "CxPrime", model.cx);
+  model.distortion = read_distortion(params, spec.distortion);
+  setup.depth_range = {spec.near_m, spec.far_m, std::numeric_limits<float>::infinity()};
+  return setup;
+}
+
+/// What all cameras of gazebo_plugins have: colour and its CameraInfo.
+CameraSetup read_gazebo_setup(const PluginContext& context, const CameraSpec& spec,
+                              const std::string& camera, const char* image, const char* info) {
+  const PluginParams& params = context.params;
+  CameraSetup setup = read_setup(context, spec, Centre::kGazebo);
+  setup.frame = resolved_frame(context, params.text("frameName", "/world"), FramePrefix::kTfPrefix);
+  const auto topic = [&](const char* key, const char* fallback) {
+    return camera_topic(params, camera, params.text(key, fallback));
+  };
+  setup.topics.image = topic("imageTopicName", image);
+  setup.topics.info = topic("cameraInfoTopicName", info);
+  return setup;
+}
+
+CameraSpec only_camera(const PluginContext& context) {
+  std::vector<CameraSpec> specs =
+      read_camera_specs(required_sensor(context), context.params.owner());
+  if (specs.size() == 1) return specs.front();
+  throw Error(context.params.owner() + ": the sensor has " + std::to_string(specs.size()) +
+              " cameras, this plugin takes one; several are for libgazebo_ros_multicamera.so");
+}
+
+std::unique_ptr<Plugin> make_camera(const PluginContext& context) {
+  const PluginParams& params = context.params;
+  CameraSetup setup = read_gazebo_setup(context, only_camera(context),
+                                        params.text("cameraName", ""), "image_raw", "camera_info");
+  setup.baseline_m = params.number("hackBaseline", 0.0, {-kFarthest, kFarthest});
+  return std::make_unique<CameraSensor>(context, std::vector<CameraSetup>{setup});
+}
+
+/// Colour, depth and points; they differ by the names of their topics alone.
+std::unique_ptr<Plugin> make_depth_camera(const PluginContext& context, const char* image,
+                                          const char* info) {
+  const PluginParams& params = context.params;
+  const std::string camera = params.text("cameraName", "");
+  CameraSetup setup = read_gazebo_setup(context, only_camera(context), camera, image, info);
+  const auto topic = [&](const char* key, const char* fallback) {
+    return camera_topic(params, camera, params.text(key, fallback));
+  };
+  setup.baseline_m = params.number("hackBaseline", 0.0, {-kFarthest, kFarthest});
+  setup.topics.depth = topic("depthImageTopicName", "depth/image_raw");
+  setup.topics.depth_info = topic("depthImageCameraInfoTopicName", "depth/camera_info");
+  setup.topics.cloud = topic("pointCloudTopicName", "points");
+  setup.depth_range.min_m = params.number("pointCloudCutoff", 0.4, {0.0, kFarthest});
+  setup.depth_range.max_m = params.number("pointCloudCutoffMax", 5.0, {0.0, kFarthest});
+  setup.depth_range.beyond = std::numeric_limits<float>::quiet_NaN();
+  if (!(setup.depth_range.min_m < setup.depth_range.max_m)) {
+    params.refuse("pointCloudCutoff", params.text("pointCloudCutoff", "0.4"),
+                  "less than <pointCloudCutoffMax>, " + params.text("pointCloudCutoffMax", "5.0"));
+  }
+  if (params.flag("useDepth16UC1Format", false)) setup.depth_format = DepthFormat::kMillimetres;
+  return std::make_unique<CameraSensor>(context, std::vector<CameraSetup>{setup});
+}
+
+/// The first camera, or the one called left, is the left one of a pair.
+std::unique_ptr<Plugin> make_multicamera(const PluginContext& context) {
+  const PluginParams& params = context.params;
+  const std::string prefix = params.text("cameraName", "");
+  const double baseline_m = params.number("hackBaseline", 0.0, {-kFarthest, kFarthest});
+  std::vector<CameraSetup> setups;
+  for (const CameraSpec& spec : read_camera_specs(required_sensor(context), params.owner())) {
+    const std::string camera = prefix.empty() ? spec.name : prefix + "/" + spec.name;
+    setups.push_back(read_gazebo_setup(context, spec, camera, "image_raw", "camera_info"));
+    if (spec.name.find("right") != std::string::npos) setups.back().baseline_m = baseline_m;
+  }
+  return std::make_unique<CameraSensor>(context, setups);
+}
+
+LabelKind read_label_kind(const PluginParams& params) {
+  return is_second_choice(params, "labels", "model", "link") ? LabelKind::kLink : LabelKind::kModel;
+}
+
+/// Ours: all that a camera can tell, with the true middle of the picture.
+std::unique_ptr<Plugin> make_own_camera(const PluginContext& context) {
+  const PluginParams& params = context.params;
+  CameraSetup setup = read_setup(context, only_camera(context), Centre::kPixelMiddle);
+  setup.frame = resolved_frame(context, params.text("frameName", context.link->name),
+                               FramePrefix::kTfPrefixOrNamespace);
+  const std::string camera = params.text("cameraName", context.sensor->name);
+  const auto topic = [&](const char* key, const char* fallback) {
+    return camera_topic(params, camera, params.text(key, fallback));
+  };
+  setup.topics = {topic("imageTopicName", "image_raw"),
+                  topic("cameraInfoTopicName", "camera_info"),
+                  topic("depthImageTopicName", "depth/image_raw"),
+                  topic("depthImageCameraInfoTopicName", "depth/camera_info"),
+                  topic("pointCloudTopicName", "points"),
+                  topic("labelImageTopicName", "segmentation/image_raw"),
+                  topic("boundingBoxesTopicName", "segmentation/boxes")};
+  if (params.flag("useDepth16UC1Format", false)) setup.depth_format = DepthFormat::kMillimetres;
+  setup.label_kind = read_label_kind(params);
+  return std::make_unique<CameraSensor>(context, std::vector<CameraSetup>{setup});
+}
+
+}  // namespace
+
+PluginFactory gazebo_camera_factory() { return {make_camera, {}}; }
+
+PluginFactory gazebo_depth_camera_factory() {
+  return {[](const PluginContext& context) {
+            return make_depth_camera(context, "image_raw", "camera_info");
+          },
+          {}};
+}
+
+PluginFactory gazebo_kinect_factory() {
+  return {[](const PluginContext& context) {
+            return make_depth_camera(context, "ir/image_raw", "ir/camera_info");
+          },
+          {}};
+}
+
+PluginFactory gazebo_multicamera_factory() { return {make_multicamera, {}}; }
+
+PluginFactory camera_factory() { return {make_own_camera, {}}; }
+
+}  // namespace trident

@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+// Packets as pictures cast them: Embree and planes in float, the exact surface for whoever asks.
+#include "ray_packet.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "ray_content.h"
+
+namespace trident {
+namespace {
+
+constexpr std::size_t kLanes = kPacketLanes;
+
+/// Embree 3.13.5 loses coherent packets whose directions are about an axis plane.
+bool away_from_axis_planes(const PacketFloats& component, const RayPacket& rays) {
+  constexpr float kAboutZero = 1e-4F;
+  float low = std::numeric_limits<float>::max(), high = -low;
+  for (std::size_t i = 0; i < kLanes; ++i) {
+    if (rays.valid[i] == 0) continue;
+    low = std::min(low, component[i]);
+    high = std::max(high, component[i]);
+  }
+  return low >= kAboutZero || high <= -kAboutZero;
+}
+
+bool coherent(const RayPacket& rays) {
+  return away_from_axis_planes(rays.direction_x, rays) &&
+         away_from_axis_planes(rays.direction_y, rays) &&
+         away_from_axis_planes(rays.direction_z, rays);
+}
+
+void copy_rays(const RayPacket& from, const PacketFloats& t_max, std::uint32_t mask, RTCRay16& to) {
+  std::memcpy(to.org_x, from.origin_x.data(), sizeof(to.org_x));
+  std::memcpy(to.org_y, from.origin_y.data(), sizeof(to.org_y));
+  std::memcpy(to.org_z, from.origin_z.data(), sizeof(to.org_z));
+  std::memcpy(to.dir_x, from.direction_x.data(), sizeof(to.dir_x));
+  std::memcpy(to.dir_y, from.direction_y.data(), sizeof(to.dir_y));
+  std::memcpy(to.dir_z, from.direction_z.data(), sizeof(to.dir_z));
+  std::memcpy(to.tnear, from.t_min.data(), sizeof(to.tnear));
+  std::memcpy(to.tfar, t_max.data(), sizeof(to.tfar));
+  std::fill_n(to.time, kLanes, 0.0F);
+  std::fill_n(to.mask, kLanes, mask);
+  std::fill_n(to.id, kLanes, 0U);
+  std::fill_n(to.flags, kLanes, 0U);
+}
+
+/// Distances to a plane, lane by lane; not finite along the plane.
+PacketFloats plane_distances(const FlatSurface& plane, const RayPacket& rays) {
+  const Eigen::Vector3f n = plane.normal_world.cast<float>();
+  const auto offset = static_cast<float>(plane.offset_m);
+  PacketFloats t;
+  for (std::size_t i = 0; i < kLanes; ++i) {
+    const float height =
+        n.x() * rays.origin_x[i] + n.y() * rays.origin_y[i] + n.z() * rays.origin_z[i] - offset;
+    const float sinking =
+        n.x() * rays.direction_x[i] + n.y() * rays.direction_y[i] + n.z() * rays.direction_z[i];
+    t[i] = -height / sinking;
+  }
+  return t;
+}
+
+}  // namespace
+
+void RayScene::Content::meet_packet(const RayPacket& rays, PacketHits& hits,
+                                    std::uint32_t mask) const {
+  hits.t = rays.t_max;
+  hits.shape.fill(RayHit::kNothing);
+  hits.primitive.fill(0);
+  const RayFilter filter{mask, nullptr, nullptr};
+  for (const PlacedPlane& plane : planes_) {
+    if (!plane.shape->seen_by(filter)) continue;
+    const PacketFloats t = plane_distances(plane.surface, rays);
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      if (rays.valid[i] == 0 || !(t[i] >= rays.t_min[i] && t[i] <= hits.t[i])) continue;
+      hits.t[i] = t[i];
+      hits.shape[i] = plane.shape->index;
+    }
+  }
+  if (fixed_ == nullptr && moving_ == nullptr) return;
+  alignas(64) RTCRayHit16 embree;
+  copy_rays(rays, hits.t, mask, embree.ray);
+  std::fill_n(embree.hit.geomID, kLanes, RTC_INVALID_GEOMETRY_ID);
+  std::fill_n(embree.hit.instID[0], kLanes, RTC_INVALID_GEOMETRY_ID);
+  CastContext context = make_context(filter, false, some_cast_no_shadow_);
+  if (fixed_ != nullptr) {
+    if (coherent(rays)) context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    rtcIntersect16(rays.valid.data(), fixed_.get(), &context.embree, &embree);
+  }
+  if (moving_ != nullptr) {
+    context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+    rtcIntersect16(rays.valid.data(), moving_.get(), &context.embree, &embree);
+  }
+  for (std::size_t i = 0; i < kLanes; ++i) {
+    if (rays.valid[i] == 0 || embree.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) continue;
+    hits.t[i] = embree.ray.tfar[i];
+    hits.shape[i] = shape_met(embree.hit.instID[0][i], embree.hit.geomID[i]).index;
+    hits.primitive[i] = embree.hit.primID[i];
+  }
+}
+
+std::uint32_t RayScene::Content::shaded_lanes(const RayPacket& rays, std::uint32_t mask) const {
+  std::uint32_t shaded = 0, wanted = 0;
+  for (std::size_t i = 0; i < kLanes; ++i) wanted |= rays.valid[i] != 0 ? 1U << i : 0U;
+  const RayFilter filter{mask, nullptr, nullptr};
+  for (const PlacedPlane& plane : planes_) {
+    if (!plane.shape->seen_by(filter) || !plane.shape->casts_shadows) continue;
+    const PacketFloats t = plane_distances(plane.surface, rays);
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      shaded |= t[i] >= rays.t_min[i] && t[i] <= rays.t_max[i] ? 1U << i : 0U;
+    }
+  }
+  alignas(64) RTCRay16 embree;
+  copy_rays(rays, rays.t_max, mask, embree);
+  // Never with the flag for coherent rays: with instances Embree 3.13.5 does not come back then.
+  CastContext context = make_context(filter, true, some_cast_no_shadow_);
+  for (RTCScene scene : {fixed_.get(), moving_.get()}) {
+    if (scene == nullptr || (wanted & ~shaded) == 0) continue;
+    alignas(64) std::array<int, kLanes> valid;
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      valid[i] = ((wanted & ~shaded) >> i & 1U) != 0 ? -1 : 0;
+    }
+    rtcOccluded16(valid.data(), scene, &context.embree, &embree);
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      shaded |= valid[i] != 0 && embree.tfar[i] < 0.0F ? 1U << i : 0U;
+    }
+  }
+  return shaded & wanted;
+}
+
+SurfaceLook RayScene::Content::look(std::uint32_t shape_index, std::uint32_t primitive) const {
+  const TracedShape& shape = *traced_shapes_[shape_index];
+  SurfaceLook look;
+  look.material = shape.material;
+  if (shape.has_mesh_materials) look.material += shape.mesh->triangle_materials[primitive];
+  if (look.material < material_textures_.size()) look.texture = material_textures_[look.material];
+  look.is_flat = !shape.is_round();
+  if (!look.is_flat) return look;
+  look.is_smooth = shape.kind == SurfaceKind::kMesh && !shape.mesh->normals.empty();
+  const FlatSurface surface = flat_surface(shape, primitive);
+  look.normal_world = surface.normal_world;
+  look.offset_m = surface.offset_m;
+  // Texture coordinates are linear in the place; the shape's own axes give their slopes.
+  const Eigen::Vector2d base = texture_at(shape, primitive, Eigen::Vector3d::Zero()).cast<double>();
+  Eigen::Matrix<double, 2, 3> slope;
+  for (int axis = 0; axis < 3; ++axis) {
+    slope.col(axis) =
+        texture_at(shape, primitive, Eigen::Vector3d::Unit(axis)).cast<double>() - base;
+  }
+  look.uv_slope = slope * shape.R_world_shape.transpose();
+  look.uv_base = base - look.uv_slope * shape.p_world_shape;
+  return look;
+}
+
+SurfacePoint RayScene::Content::look_at(std::uint32_t shape_index, std::uint32_t primitive,
+                                        const Ray& ray, double t) const {
+  const TracedShape& shape = *traced_shapes_[shape_index];
+  const LocalRay local = shape.to_local(ray);
+  SurfacePoint point;
+  point.t = t;
+  if (shape.is_round()) {
+    point.t = first_meeting(shape, local).value_or(t);
+    point.normal_world = shape.R_world_shape * round_normal(shape, local.at(point.t));
+  } else {
+    const FlatSurface surface = flat_surface(shape, primitive);
+    point.normal_world = surface.normal_world;
+    if (const double exact = surface.distance(ray); std::isfinite(exact)) point.t = exact;
+    if (shape.kind == SurfaceKind::kMesh) {
+      const Eigen::Vector3d smooth = smooth_normal(*shape.mesh, primitive, local.at(point.t));
+      if (!smooth.isZero(0.0)) point.normal_world = shape.R_world_shape * smooth;
+    }
+  }
+  point.uv = texture_at(shape, primitive, local.at(point.t)).cast<double>();
+  return point;
+}
+
+}  // namespace trident
