@@ -276,13 +276,12 @@ TEST(CameraPicture, ACameraLooksOutOfItsHousing) {
   }
 }
 
-/// 2 x 2 pixels: red, green above blue, white.
-std::string write_picture(const ScratchFolder& folder) {
-  const std::string file = folder.path() + "/four.png";
-  const std::vector<std::uint8_t> rgb = {255, 0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 255};
+/// A square picture.
+std::string write_picture(const ScratchFolder& folder, const std::vector<std::uint8_t>& rgb) {
+  const std::string file = folder.path() + "/picture.png";
   png_image png{};
   png.version = PNG_IMAGE_VERSION;
-  png.width = png.height = 2;
+  png.width = png.height = static_cast<png_uint_32>(std::lround(std::sqrt(rgb.size() / 3)));
   png.format = PNG_FORMAT_RGB;
   EXPECT_NE(png_image_write_to_file(&png, file.c_str(), 0, rgb.data(), 0, nullptr), 0);
   return file;
@@ -295,7 +294,7 @@ TEST(CameraPicture, TexturesAreUprightAndNotMirrored) {
   TestWorld world(spec);
   Material material;
   material.is_given = true;
-  material.texture_file = write_picture(folder);
+  material.texture_file = write_picture(folder, {255, 0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 255});
   world.add(make_visual("poster", BoxShape{{0.1, 2, 2}}, at(3, 0, 0), material));
   world.add(robot_with_camera({}));
   auto& image = listen_to<ImageSample>(world, "r/eye/image_raw");
@@ -316,6 +315,30 @@ TEST(CameraPicture, TexturesAreUprightAndNotMirrored) {
   EXPECT_GT(low_left[2], 230);
   EXPECT_LT(low_left[0] + low_left[1], 40);
   for (const int channel : low_right) EXPECT_GT(channel, 230);
+}
+
+TEST(CameraPicture, ATextureFromAfarIsItsMean) {
+  const ScratchFolder folder;
+  std::vector<std::uint8_t> rgb;
+  for (int i = 0; i < 64 * 64; ++i) {
+    const std::uint8_t value = (i / 64 + i % 64) % 2 == 0 ? 255 : 0;
+    rgb.insert(rgb.end(), 3, value);
+  }
+  WorldSpec spec = dark_world();
+  spec.scene.ambient = {1, 1, 1, 1};
+  TestWorld world(spec);
+  Material material;
+  material.is_given = true;
+  material.texture_file = write_picture(folder, rgb);
+  world.add(make_visual("board", BoxShape{{0.1, 2, 2}}, at(10, 0, 0), material));
+  world.add(robot_with_camera({}));
+  auto& image = listen_to<ImageSample>(world, "r/eye/image_raw");
+  world->step(100);
+  for (int row = 53; row < 67; ++row) {
+    for (int column = 73; column < 87; ++column) {
+      EXPECT_NEAR(pixel(image.value, column, row)[0], 128, 10) << column << " " << row;
+    }
+  }
 }
 
 TEST(CameraPicture, ATextureThatCannotBeReadIsToldOnce) {

@@ -15,6 +15,11 @@ namespace {
 constexpr std::size_t kLanes = kPacketLanes;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
+float within_one(float value) {
+  const float at_most = value < 1.0F ? value : 1.0F;
+  return at_most > 0.0F ? at_most : 0.0F;
+}
+
 void set_lane(PacketColor& colors, std::size_t lane, const Eigen::Vector3f& color) {
   for (std::size_t i = 0; i < 3; ++i) colors[i][lane] = color[static_cast<Eigen::Index>(i)];
 }
@@ -29,6 +34,7 @@ struct CameraRenderer::Frame {
   Eigen::Vector3d p_world_camera;
   Eigen::Vector3f x_world, y_world, z_world;  ///< axes of the optical frame
   Eigen::Vector3f background;
+  float pixel_angle;  ///< about that which a pixel spans in the middle of the picture [rad]
 };
 
 /// What the rays of one tile meet.
@@ -45,6 +51,7 @@ CameraRenderer::CameraRenderer(World& world, const CameraSpec& spec, const Camer
       spec_(spec),
       width_(model.width),
       height_(model.height),
+      pixel_angle_(static_cast<float>(1.0 / model.fx)),
       table_(model, owner) {}
 
 void CameraRenderer::render(const SE3& T_world_camera, std::uint64_t noise_key, Picture& picture) {
@@ -60,7 +67,8 @@ void CameraRenderer::render(const SE3& T_world_camera, std::uint64_t noise_key, 
                     -R.col(1),
                     -R.col(2),
                     R.col(0),
-                    world_.scene().background.head<3>().cast<float>()};
+                    world_.scene().background.head<3>().cast<float>(),
+                    pixel_angle_};
   const std::size_t pixels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
   if (picture.wants_colors) {
     picture.colors.resize(pixels * static_cast<std::size_t>(channel_count(spec_.format)));
@@ -205,7 +213,12 @@ bool CameraRenderer::describe(const Frame& frame, std::size_t lane, bool with_lo
     return true;
   }
   if (surface.look.is_flat) uv = surface.look.uv_slope * p_world + surface.look.uv_base;
-  const Eigen::Vector3f albedo = surface.look.texture->at(uv.cast<float>()).cast<float>();
+  // What a pixel covers of a surface that it sees aslant is longer than wide; the mean of both.
+  const float aslant = std::abs(normal.dot(direction.cast<float>()));
+  const float width_m =
+      static_cast<float>(t) * frame.pixel_angle / std::sqrt(std::max(aslant, 1e-3F));
+  const Eigen::Vector3f albedo =
+      surface.look.texture->at(uv.cast<float>(), width_m * surface.texels_per_metre);
   set_lane(points.ambient, lane, albedo);
   set_lane(points.diffuse, lane, albedo);
   return true;
@@ -224,11 +237,11 @@ void CameraRenderer::store_colors(const Frame& frame, const PacketColor& color, 
     for (float& value : noise) value = mean + stddev * value;
   }
   // As Gazebo's: one number for the channels of a pixel.
-  std::array<std::array<std::uint8_t, kLanes>, 3> bytes;
+  std::array<std::array<int, kLanes>, 3> bytes;
   for (std::size_t channel = 0; channel < 3; ++channel) {
     for (std::size_t i = 0; i < kLanes; ++i) {
-      const float value = std::clamp(color[channel][i], 0.0F, 1.0F) + noise[i];
-      bytes[channel][i] = static_cast<std::uint8_t>(std::clamp(value, 0.0F, 1.0F) * 255.0F + 0.5F);
+      const float value = within_one(within_one(color[channel][i]) + noise[i]);
+      bytes[channel][i] = static_cast<int>(value * 255.0F + 0.5F);
     }
   }
   std::uint8_t* const out = picture.colors.data();
@@ -241,9 +254,9 @@ void CameraRenderer::store_colors(const Frame& frame, const PacketColor& color, 
   }
   const std::size_t first = spec_.format == PixelFormat::kBgr8 ? 2 : 0, last = 2 - first;
   for_pixels(column, row, [&](std::size_t lane, std::size_t pixel) {
-    out[3 * pixel] = bytes[first][lane];
-    out[3 * pixel + 1] = bytes[1][lane];
-    out[3 * pixel + 2] = bytes[last][lane];
+    out[3 * pixel] = static_cast<std::uint8_t>(bytes[first][lane]);
+    out[3 * pixel + 1] = static_cast<std::uint8_t>(bytes[1][lane]);
+    out[3 * pixel + 2] = static_cast<std::uint8_t>(bytes[last][lane]);
   });
 }
 

@@ -51,6 +51,7 @@ class CameraRenderer {
   World& world_;
   CameraSpec spec_;
   int width_, height_;
+  float pixel_angle_;
   ViewTable table_;
   SurfaceCache surfaces_;
 };

@@ -49,7 +49,8 @@ const Texture* RayScene::Content::find_texture(const std::string& file) {
 
 Eigen::Vector3d RayScene::Content::albedo(const RayHit& hit) const {
   if (hit.material >= materials.size()) return Eigen::Vector3d::Zero();
-  if (const Texture* const texture = material_textures_[hit.material]) return texture->at(hit.uv);
+  if (const Texture* const texture = material_textures_[hit.material])
+    return texture->at(hit.uv).cast<double>();
   return materials[hit.material].diffuse.head<3>();
 }
 

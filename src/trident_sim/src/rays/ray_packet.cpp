@@ -15,21 +15,19 @@ namespace {
 constexpr std::size_t kLanes = kPacketLanes;
 
 /// Embree 3.13.5 loses coherent packets whose directions are about an axis plane.
-bool away_from_axis_planes(const PacketFloats& component, const RayPacket& rays) {
+bool away_from_axis_plane(const PacketFloats& component) {
   constexpr float kAboutZero = 1e-4F;
-  float low = std::numeric_limits<float>::max(), high = -low;
+  int above = 0, below = 0;
   for (std::size_t i = 0; i < kLanes; ++i) {
-    if (rays.valid[i] == 0) continue;
-    low = std::min(low, component[i]);
-    high = std::max(high, component[i]);
+    above += component[i] >= kAboutZero ? 1 : 0;
+    below += component[i] <= -kAboutZero ? 1 : 0;
   }
-  return low >= kAboutZero || high <= -kAboutZero;
+  return above == kLanes || below == kLanes;
 }
 
 bool coherent(const RayPacket& rays) {
-  return away_from_axis_planes(rays.direction_x, rays) &&
-         away_from_axis_planes(rays.direction_y, rays) &&
-         away_from_axis_planes(rays.direction_z, rays);
+  return away_from_axis_plane(rays.direction_x) && away_from_axis_plane(rays.direction_y) &&
+         away_from_axis_plane(rays.direction_z);
 }
 
 void copy_rays(const RayPacket& from, const PacketFloats& t_max, std::uint32_t mask, RTCRay16& to) {

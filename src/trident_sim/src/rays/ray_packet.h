@@ -17,7 +17,7 @@ constexpr std::size_t kPacketLanes = RayScene::kPacket;
 using PacketFloats = std::array<float, kPacketLanes>;
 
 /// Rays component by component, in the world. Directions may have any length but zero; distances
-/// count in it. Rays of one packet may begin anywhere.
+/// count in it. Rays of one packet may begin anywhere. Lanes that do not count hold numbers, too.
 struct RayPacket {
   alignas(64) PacketFloats origin_x, origin_y, origin_z;
   alignas(64) PacketFloats direction_x, direction_y, direction_z;
