@@ -189,7 +189,7 @@ def _add_running_commands(add: Callable[[str, Handler, str], argparse.ArgumentPa
     )
 
     sub = add("bench", _cmd_bench, "measure")
-    sub.add_argument("what", choices=["sim"], help="what to measure")
+    sub.add_argument("what", choices=["sim", "sensors"], help="what to measure")
     sub.add_argument("--quick", action="store_true", help="fewer and shorter measurements")
     sub.add_argument("--out", type=Path, metavar="FILE.json", help="where the rows go")
     sub.add_argument("--profile", action="store_true", help="time per stage of a step")

@@ -145,6 +145,22 @@ TEST(DrivePlugins, FramesAreResolvedAsUpstreamResolvesThem) {
   EXPECT_EQ(frame("robot", "/odom"), "odom");
 }
 
+TEST(PlanarMove, OfTwoRobotsWithOneFrameTheFirstGivesItsTransform) {
+  TestWorld world(world_spec(0.001));
+  for (const char* const name : {"a", "b"}) {
+    ModelSpec spec = make_body(name, BoxShape{{0.4, 0.4, 0.1}}, SE3());
+    spec.plugins = {
+        make_plugin("move", "libgazebo_ros_planar_move.so", {{"robotNamespace", name}})};
+    world.add(std::move(spec));
+    world->ports().find_out<OdometrySample>(std::string(name) + "/odom")->add_listener();
+  }
+  EXPECT_EQ(world.told(Severity::kWarning, "'base_footprint' has a transform already"), 1u);
+  world->step(100);
+  for (const char* const topic : {"a/odom", "b/odom"}) {
+    EXPECT_GT(world->ports().find_out<OdometrySample>(topic)->value.stamp.ns, 0) << topic;
+  }
+}
+
 TEST(DrivePlugins, ASecondRunAfterAResetIsTheFirst) {
   CartOptions options = with({{"odometrySource", "encoder"}, {"wheelAcceleration", "0.7"}});
   CartWorld cart(options);

@@ -33,6 +33,22 @@ Link& required_link(const PluginContext& context, const std::string& key) {
   return *link;
 }
 
+OutHandle<FrameSample> advertise_frame(const PluginContext& context, const std::string& parent,
+                                       const std::string& child) {
+  const std::string name = "tf/" + child;
+  if (context.world.ports().find(name, PortDirection::kOut) != nullptr) {
+    context.world.report(Severity::kWarning,
+                         context.params.owner() + ": frame '" + child +
+                             "' has a transform already, so that this plugin sends none; robots "
+                             "need frames of their own, e.g. by a tf_prefix");
+    return {};
+  }
+  auto frame = advertise<FrameSample>(context, name, PortRank::kTransform);
+  frame->value.parent_frame = parent;
+  frame->value.child_frame = child;
+  return frame;
+}
+
 Joint& required_joint(const PluginContext& context, const std::string& key) {
   return joint_or(context, key, context.params.required_text(key));
 }

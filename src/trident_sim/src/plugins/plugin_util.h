@@ -5,6 +5,7 @@
 #include <string>
 
 #include "trident_base/error.h"
+#include "trident_sim/samples.h"
 #include "trident_sim/world.h"
 
 namespace trident {
@@ -27,6 +28,11 @@ InHandle<T> subscribe(const PluginContext& context, const std::string& name) {
   PortBoard& board = context.world.ports();
   return {board, board.subscribe<T>(name)};
 }
+
+/// The transform of `child` in `parent`. Empty, and reported, when another plugin gives that of
+/// `child` already: a frame has one parent.
+OutHandle<FrameSample> advertise_frame(const PluginContext& context, const std::string& parent,
+                                       const std::string& child);
 
 /// Velocity and acceleration of a link's own frame origin.
 Eigen::Vector3d link_velocity_world(const Link& link);

@@ -17,7 +17,7 @@ from pathlib import Path
 from types import FrameType
 from typing import Any
 
-from trident_eval.bench import in_process, launches, lockstep
+from trident_eval.bench import in_process, launches, lockstep, sensors
 from trident_eval.bench.machine import describe_commit, describe_machine
 from trident_eval.bench.rows import (
     Plan,
@@ -55,6 +55,12 @@ def make_parser() -> argparse.ArgumentParser:
         help="for lockstep_external: another build of lee_position_controller_node",
     )
     sim.set_defaults(run=_sim)
+    rays = commands.add_parser("sensors", help="measure lidars and cameras")
+    rays.add_argument("--quick", action="store_true", help="a fifth of the time, one run each")
+    rays.add_argument("--out", type=Path, metavar="FILE.json", help="where the rows go")
+    rays.add_argument("--runs", type=_positive, metavar="N", help="runs per row (3; --quick: 1)")
+    rays.add_argument("--mode", action="append", default=[], help="only this row; may be repeated")
+    rays.set_defaults(run=_sensors)
     table = commands.add_parser("table", help="the Markdown table of a saved benchmark")
     table.add_argument("source", type=Path, metavar="FILE.json")
     table.set_defaults(run=_table)
@@ -116,11 +122,7 @@ def _sim(options: argparse.Namespace) -> int:
     if options.out and not options.out.parent.is_dir():
         raise EvalError(f"--out {options.out}: its folder does not exist")
     setup = prepare(options.controller)
-    document: dict[str, Any] = {
-        "command": shlex.join(["./trident", "bench", *sys.argv[1:]]),
-        "started": datetime.now().astimezone().isoformat(timespec="seconds"),
-        "commit": describe_commit(Path(__file__).resolve().parent),
-        "machine": describe_machine(),
+    document = _document() | {
         "controller": str(options.controller or "rotors_control/lee_position_controller_node"),
         "rows": [],
     }
@@ -135,6 +137,41 @@ def _sim(options: argparse.Namespace) -> int:
     if options.markdown or not options.out:
         _print_tables(document, options.profile)
     return FAILED if any("error" in row for row in document["rows"]) else MEASURED
+
+
+def _sensors(options: argparse.Namespace) -> int:
+    cases = [case for case in sensors.CASES if not options.mode or case.name in options.mode]
+    known = [case.name for case in sensors.CASES]
+    if unknown := sorted(set(options.mode) - set(known)):
+        raise EvalError(f"mode {unknown[0]!r} is unknown; legal: {', '.join(known)}")
+    if options.out and not options.out.parent.is_dir():
+        raise EvalError(f"--out {options.out}: its folder does not exist")
+    document = _document() | {"gazebo": sensors.GAZEBO, "rows": []}
+    for number, case in enumerate(cases, 1):
+        try:
+            row = sensors.measure(case, options.runs or (1 if options.quick else 3), options.quick)
+        except EvalError as error:
+            say(str(error))
+            row = {"mode": case.name, "n": case.robots, "error": str(error).splitlines()[0]}
+        document["rows"].append(row)
+        say(f"[{number}/{len(cases)}] {sensors.line(row)}")
+        _write(options.out, document | sensors.headline(document["rows"]))
+    if options.out:
+        say(f"written: {options.out}")
+    else:
+        print(sensors.markdown_table(document["rows"]))
+        print(f"\n{caption(document)}")
+    return FAILED if any("error" in row for row in document["rows"]) else MEASURED
+
+
+def _document() -> dict[str, Any]:
+    """What was measured, when and on what."""
+    return {
+        "command": shlex.join(["./trident", "bench", *sys.argv[1:]]),
+        "started": datetime.now().astimezone().isoformat(timespec="seconds"),
+        "commit": describe_commit(Path(__file__).resolve().parent),
+        "machine": describe_machine(),
+    }
 
 
 def _write(path: Path | None, document: dict[str, Any]) -> None:

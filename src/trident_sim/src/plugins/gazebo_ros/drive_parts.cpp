@@ -106,11 +106,7 @@ OdometryOutput::OdometryOutput(const PluginContext& context, const Names& names,
     odometry_->value.parent_frame = names.odom_frame;
     odometry_->value.child_frame = names.base_frame;
   }
-  if (with_transform) {
-    frame_ = advertise<FrameSample>(context, "tf/" + names.base_frame, PortRank::kTransform);
-    frame_->value.parent_frame = names.odom_frame;
-    frame_->value.child_frame = names.base_frame;
-  }
+  if (with_transform) frame_ = advertise_frame(context, names.odom_frame, names.base_frame);
 }
 
 void OdometryOutput::set_covariance(const Covariance6& pose, const Covariance6& twist) {
@@ -196,10 +192,8 @@ WheelFrames::WheelFrames(const PluginContext& context, const std::vector<Joint*>
     const std::string child = resolved_frame(context, joint->child->name, from);
     const std::string parent =
         joint->parent == nullptr ? "world" : resolved_frame(context, joint->parent->name, from);
-    frames_.emplace_back(joint,
-                         advertise<FrameSample>(context, "tf/" + child, PortRank::kTransform));
-    frames_.back().second->value.parent_frame = parent;
-    frames_.back().second->value.child_frame = child;
+    auto frame = advertise_frame(context, parent, child);
+    if (frame) frames_.emplace_back(joint, std::move(frame));
   }
 }
 

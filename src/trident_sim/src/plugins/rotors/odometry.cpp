@@ -101,7 +101,7 @@ class Odometry : public MeasuringPlugin {
                                             PortRank::kOdometry);
     const std::string parent = params.text("parentFrameId", "world");
     const std::string child = params.text("childFrameId", "odometry_sensor");
-    frame_ = advertise<FrameSample>(context, "tf/" + child, PortRank::kTransform);
+    frame_ = advertise_frame(context, parent, child);
     OdometrySample& value = odometry_->value;
     value.parent_frame = parent;
     value.child_frame = child;
@@ -112,10 +112,8 @@ class Odometry : public MeasuringPlugin {
     pose_with_covariance_->value.frame = parent;
     pose_with_covariance_->value.covariance = value.pose_covariance;
     point_->value.frame = parent;
-    for (TransformSample* t : {&transform_->value, static_cast<TransformSample*>(&frame_->value)}) {
-      t->parent_frame = parent;
-      t->child_frame = child;
-    }
+    transform_->value.parent_frame = parent;
+    transform_->value.child_frame = child;
   }
 
   static void fill_diagonal(Covariance6& covariance, const Eigen::Vector3d& first,
@@ -129,7 +127,7 @@ class Odometry : public MeasuringPlugin {
 
   bool anyone_listens() const {
     return odometry_->wanted() || pose_->wanted() || pose_with_covariance_->wanted() ||
-           point_->wanted() || transform_->wanted() || frame_->wanted();
+           point_->wanted() || transform_->wanted() || (frame_ && frame_->wanted());
   }
 
   void sample(const StepInfo& info, OdometrySample& out) const {
@@ -150,7 +148,7 @@ class Odometry : public MeasuringPlugin {
   }
 
   void send(const OdometrySample& out) {
-    if (frame_->wanted()) {
+    if (frame_ && frame_->wanted()) {
       frame_->value.stamp = out.stamp;
       frame_->value.T_parent_child = out.T_parent_child;
       frame_->publish();
