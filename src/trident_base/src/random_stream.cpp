@@ -40,6 +40,15 @@ std::uint64_t join_words(std::uint32_t high, std::uint32_t low) {
 // [0, 1) with 53 bits.
 double to_unit(std::uint64_t bits) { return static_cast<double>(bits >> 11) * 0x1.0p-53; }
 
+/// Box-Muller on 32 bits each; single precision is quicker and enough for noise.
+void box_muller(std::uint32_t for_radius, std::uint32_t for_angle, float* two) {
+  const float u = (static_cast<float>(for_radius) + 0.5F) * 0x1.0p-32F;  // in (0, 1]
+  const float radius = std::sqrt(-2.0F * std::log(u));
+  const float angle = static_cast<float>(2.0 * kPi * 0x1.0p-32) * static_cast<float>(for_angle);
+  two[0] = radius * std::cos(angle);
+  two[1] = radius * std::sin(angle);
+}
+
 }  // namespace
 
 std::array<std::uint32_t, 4> philox4x32_10(const std::array<std::uint32_t, 4>& counter,
@@ -82,6 +91,15 @@ double RandomStream::normal(std::uint64_t sample_index, std::uint32_t channel) c
   // 1 - u is in (0, 1], so the logarithm is finite.
   const double radius = std::sqrt(-2.0 * std::log(1.0 - to_unit(join_words(words[0], words[1]))));
   return radius * std::cos(2.0 * kPi * to_unit(join_words(words[2], words[3])));
+}
+
+std::array<float, 4> RandomStream::normals4(std::uint64_t sample_index,
+                                            std::uint32_t channel) const {
+  const auto words = block(sample_index, channel, Use::kNormals4);
+  std::array<float, 4> result;
+  box_muller(words[0], words[1], &result[0]);
+  box_muller(words[2], words[3], &result[2]);
+  return result;
 }
 
 std::uint64_t RandomStream::bits(std::uint64_t sample_index, std::uint32_t channel) const {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "statistics.h"
+#include "trident_base/noise.h"
 
 namespace trident {
 namespace {
@@ -79,6 +80,40 @@ TEST(RandomStream, NormalIsStandardNormal) {
   EXPECT_NEAR(m.kurtosis, 3.0, 4.0 * std::sqrt(24.0 / n));
   const auto cumulative = [](double x) { return 0.5 * std::erfc(-x / std::sqrt(2.0)); };
   EXPECT_LT(kolmogorov_smirnov(samples, cumulative), 1.95);
+}
+
+TEST(RandomStream, FourNormalsAtATimeAreStandardNormalAndIndependent) {
+  const RandomStream stream(3, "lidar");
+  std::array<std::vector<double>, 4> of_place;
+  std::vector<double> all;
+  for (std::uint64_t i = 0; i < kSamples; ++i) {
+    const auto four = stream.normals4(i, 5);
+    for (std::size_t k = 0; k < 4; ++k) of_place[k].push_back(four[k]);
+    all.insert(all.end(), four.begin(), four.end());
+  }
+  const Moments m = moments(all);
+  const double n = 4.0 * kSamples;
+  EXPECT_NEAR(m.mean, 0.0, 4.0 / std::sqrt(n));
+  EXPECT_NEAR(m.variance, 1.0, 4.0 * std::sqrt(2.0 / n));
+  EXPECT_NEAR(m.skewness, 0.0, 4.0 * std::sqrt(6.0 / n));
+  EXPECT_NEAR(m.kurtosis, 3.0, 4.0 * std::sqrt(24.0 / n));
+  const auto cumulative = [](double x) { return 0.5 * std::erfc(-x / std::sqrt(2.0)); };
+  EXPECT_LT(kolmogorov_smirnov(all, cumulative), 1.95);
+  for (std::size_t k = 1; k < 4; ++k) {
+    EXPECT_LT(std::abs(correlation(of_place[0], of_place[k])), kUncorrelated) << k;
+  }
+  EXPECT_LT(std::abs(correlation(of_place[0], normals(stream, 5))), kUncorrelated);
+}
+
+TEST(NormalRow, IsAFunctionOfItsChannelInAnyOrder) {
+  const RandomStream stream(3, "lidar");
+  NormalRow forward(stream, 7), backward(stream, 7);
+  std::vector<float> values;
+  for (std::uint32_t channel = 0; channel < 50; ++channel) values.push_back(forward.at(channel));
+  for (std::uint32_t channel = 50; channel-- > 0;) {
+    EXPECT_EQ(backward.at(channel), values[channel]) << channel;
+  }
+  EXPECT_NE(values[0], values[1]);
 }
 
 TEST(RandomStream, NamesAreIndependent) {

@@ -35,6 +35,12 @@ WALL = """<sdf version="1.6"><model name="wall"><static>true</static><link name=
 <collision name="c"><geometry><box><size>0.2 2.0 2.0</size></box></geometry></collision></link>
 </model></sdf>"""
 
+#: Rings, their lowest and highest elevation [deg], columns of a scan, largest range [m].
+RINGS = {
+    "velodyne_vlp16": (16, -15.0, 15.0, 1808, 100.0),
+    "ouster_os1_64": (64, -22.5, 22.5, 1024, 120.0),
+}
+
 
 def expand(macro: str, tmp_path: Path) -> str:
     file = tmp_path / "carrier.xacro"
@@ -66,3 +72,64 @@ def test_a_lidar_measures_as_its_maker_tells(macro: str, tmp_path: Path) -> None
     ranges = np.asarray(scan.ranges)
     assert np.isfinite(ranges).all()
     assert RADIUS_M - 0.15 < ranges.min() < ranges.max() < RADIUS_M / math.cos(math.pi / 24) + 0.15
+
+
+def walled_world(macro: str, tmp_path: Path, height_m: float = 0.05) -> trident_sim.World:
+    """A carrier at a height among walls 8 m high."""
+    world = trident_sim.World(EMPTY)
+    for number in range(24):
+        yaw = math.tau * number / 24
+        place = ((RADIUS_M + 0.1) * math.cos(yaw), (RADIUS_M + 0.1) * math.sin(yaw), 1.0)
+        world.spawn(
+            f"wall{number}", sdf=WALL.replace("2.0 2.0", "2.0 8.0"), pose=(*place, 0.0, 0.0, yaw)
+        )
+    world.spawn("carrier", urdf=expand(macro, tmp_path), pose=(0.0, 0.0, height_m))
+    return world
+
+
+@pytest.mark.parametrize("macro", RINGS)
+def test_a_lidar_of_many_rings_turns_as_its_maker_tells(macro: str, tmp_path: Path) -> None:
+    rings, lowest_deg, highest_deg, columns, range_m = RINGS[macro]
+    world = walled_world(f'{macro} topic="points"', tmp_path, height_m=2.0)
+    port = world.ports["carrier/points"]
+    assert port.read() is None, "reading subscribes"
+    world.step(round(0.3 / world.dt))
+    cloud = port.read()
+    assert cloud.stamp == pytest.approx(0.2, abs=1e-6)
+    assert cloud.frame == "carrier/laser"
+    points = cloud.points
+    assert len(points) == rings * columns, "walls and ground all around, none too near"
+    assert set(points["ring"]) == set(range(rings))
+    assert (np.diff(points["time"]) >= 0.0).all()
+    assert 0.099 < points["time"][-1] < 0.1
+    ranges = np.sqrt(points["x"] ** 2 + points["y"] ** 2 + points["z"] ** 2)
+    assert ranges.max() < range_m
+    elevations = np.degrees(np.arcsin(points["z"] / ranges))
+    step_deg = (highest_deg - lowest_deg) / (rings - 1)
+    assert elevations == pytest.approx(lowest_deg + step_deg * points["ring"], abs=1e-3)
+    azimuths = np.arctan2(points["y"], points["x"])
+    turned = math.tau * 10.0 * points["time"]
+    assert np.abs(np.angle(np.exp(1j * (azimuths - turned)))).max() < 1e-4
+
+
+def test_a_rosette_fills_its_cone(tmp_path: Path) -> None:
+    world = walled_world('livox_mid40 topic="points"', tmp_path, height_m=2.0)
+    port = world.ports["carrier/points"]
+    assert port.read() is None, "reading subscribes"
+    world.step(round(0.2 / world.dt))
+    points = port.read().points
+    assert len(points) == 20_000
+    off_axis = np.degrees(np.arctan2(np.hypot(points["y"], points["z"]), points["x"]))
+    assert 19.0 < off_axis.max() < 19.2 + 1e-3
+    assert off_axis.min() < 1.0
+
+
+def test_a_point_lidar_of_1000_hz_measures_each_millisecond(tmp_path: Path) -> None:
+    world = walled_world("tfmini_plus", tmp_path)
+    port = world.ports["carrier/scan"]
+    assert port.read() is None, "reading subscribes"
+    world.step(round(0.1 / world.dt))
+    scan = port.read()
+    assert port.count == pytest.approx(100, abs=1), "one a millisecond, whatever the step"
+    assert len(scan.ranges) == 1
+    assert scan.ranges[0] == pytest.approx(RADIUS_M, abs=0.05)

@@ -6,6 +6,7 @@
 
 #include "camera_conversions.h"
 #include "conversions.h"
+#include "range_conversions.h"
 
 namespace trident {
 namespace {
@@ -16,8 +17,10 @@ constexpr std::uint32_t kQueue = 1000;
 constexpr std::uint32_t kPictureQueue = 10;
 template <class Sample>
 constexpr std::uint32_t kQueueOf =
-    std::is_same_v<Sample, ImageSample> || std::is_same_v<Sample, ImageCloudSample> ? kPictureQueue
-                                                                                    : kQueue;
+    std::is_same_v<Sample, ImageSample> || std::is_same_v<Sample, ImageCloudSample> ||
+            std::is_same_v<Sample, LidarCloudSample>
+        ? kPictureQueue
+        : kQueue;
 constexpr auto kDisplayPeriod = std::chrono::milliseconds(40);
 
 template <class Sample, class Message>
@@ -28,18 +31,21 @@ class TypedBinding : public OutputBinding {
         port_(port),
         publisher_(advertiser.advertise<Message>("/" + port.name(), kQueueOf<Sample>)) {}
 
-  void publish() override { publisher_.publish(converted()); }
+  void publish() override {
+    for (const Sample& sample : port_.earlier()) publisher_.publish(converted(sample));
+    publisher_.publish(converted(port_.value));
+  }
   std::unique_ptr<DirectMessage> message() override {
-    return std::make_unique<ObjectMessage<Message>>(converted());
+    return std::make_unique<ObjectMessage<Message>>(converted(port_.value));
   }
   std::uint32_t subscribers() const override { return publisher_.getNumSubscribers(); }
   const ros::Publisher& publisher() const override { return publisher_; }
   bool is_for_display() const override { return std::is_same_v<Sample, JointStateSample>; }
 
  private:
-  boost::shared_ptr<Message> converted() {
+  boost::shared_ptr<Message> converted(const Sample& sample) {
     const auto message = pool_.take();
-    convert(port_.value, *message);
+    convert(sample, *message);
     return message;
   }
 
@@ -88,6 +94,7 @@ constexpr BindFunction kBindFunctions[] = {
     try_bind<CameraInfoSample, sensor_msgs::CameraInfo>,
     try_bind<ImageCloudSample, sensor_msgs::PointCloud2>,
     try_bind<BoundingBoxesSample, trident_msgs::BoundingBoxes>,
+    try_bind<LidarCloudSample, sensor_msgs::PointCloud2>,
     try_bind<FluidPressureSample, sensor_msgs::FluidPressure>,
     try_bind<MagneticFieldSample, sensor_msgs::MagneticField>,
     try_bind<GnssFixSample, sensor_msgs::NavSatFix>,

@@ -6,79 +6,14 @@
 #include <cmath>
 #include <limits>
 
-#include "models.h"
+#include "lidar_rig.h"
 #include "test_world.h"
+#include "trident_base/angle.h"
 
 namespace trident {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr float kInf = std::numeric_limits<float>::infinity();
-
-ParamNode text_node(const std::string& name, const std::string& text) {
-  return {name, text, {}, {}};
-}
-
-struct LidarOptions {
-  std::string file = "libgazebo_ros_laser.so", type = "ray";
-  int beams = 360;
-  double min_rad = 0.0, max_rad = 2.0 * kPi * 359.0 / 360.0;
-  double range_min_m = 0.1, range_max_m = 10.0;
-  double rate_hz = 10.0, stddev_m = 0.0;
-  ParamList params;
-  SE3 T_link_sensor;
-};
-
-SensorSpec make_lidar(const LidarOptions& options) {
-  SensorSpec sensor;
-  sensor.name = "laser";
-  sensor.type = options.type;
-  sensor.update_rate_hz = options.rate_hz;
-  sensor.T_link_sensor = options.T_link_sensor;
-  const ParamNode fan{"horizontal",
-                      "",
-                      {},
-                      {text_node("samples", std::to_string(options.beams)),
-                       text_node("min_angle", std::to_string(options.min_rad)),
-                       text_node("max_angle", std::to_string(options.max_rad))}};
-  const ParamNode range{"range",
-                        "",
-                        {},
-                        {text_node("min", std::to_string(options.range_min_m)),
-                         text_node("max", std::to_string(options.range_max_m))}};
-  const ParamNode noise{
-      "noise",
-      "",
-      {},
-      {text_node("type", "gaussian"), text_node("stddev", std::to_string(options.stddev_m))}};
-  const ParamNode scan{"scan", "", {}, {fan}};
-  sensor.params = {"sensor", "", {}, {{"ray", "", {}, {scan, range, noise}}}};
-  ParamList params = options.params;
-  params.insert(params.begin(), {{"robotNamespace", "r"}, {"topicName", "scan"}});
-  sensor.plugins.push_back(make_plugin("p", options.file, params));
-  return sensor;
-}
-
-/// A small body that carries the lidar, weightless at the origin.
-ModelSpec robot_with(const LidarOptions& options, const SE3& T_world_model = {}) {
-  ModelSpec model = make_body("robot", SphereShape{0.05}, T_world_model);
-  model.links[0].gravity = false;
-  model.links[0].sensors.push_back(make_lidar(options));
-  return model;
-}
-
-/// A square room of half width `half_m` around the origin.
-void add_walls(TestWorld& world, double half_m) {
-  const double thick = 0.2, centre = half_m + thick / 2.0, length = 2.0 * half_m + 2.0 * thick;
-  world.add(make_static("east", BoxShape{{thick, length, 2.0}}, at(centre, 0, 0)));
-  world.add(make_static("west", BoxShape{{thick, length, 2.0}}, at(-centre, 0, 0)));
-  world.add(make_static("north", BoxShape{{length, thick, 2.0}}, at(0, centre, 0)));
-  world.add(make_static("south", BoxShape{{length, thick, 2.0}}, at(0, -centre, 0)));
-}
-
-double wall_range(double half_m, double angle) {
-  return half_m / std::max(std::abs(std::cos(angle)), std::abs(std::sin(angle)));
-}
 
 OutPort<LaserScanSample>& listen(TestWorld& world) {
   auto* port = world->ports().find_out<LaserScanSample>("r/scan");

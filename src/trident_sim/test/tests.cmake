@@ -5,6 +5,7 @@
 add_library(trident_sim_test_support STATIC
   test_support/cart.cpp
   test_support/golden_data.cpp
+  test_support/lidar_rig.cpp
   test_support/lee_quad.cpp
   test_support/models.cpp
   test_support/plugin_conformance.cpp
@@ -114,7 +115,9 @@ target_include_directories(trident_sim_cameras_test PRIVATE src)  # parts of the
 # Ray casting.
 catkin_add_gtest(trident_sim_rays_test
   test/laser_scanner_test.cpp
+  test/lidar_pattern_test.cpp
   test/mesh_test.cpp
+  test/point_lidar_test.cpp
   test/ray_brute_force_test.cpp
   test/ray_look_test.cpp
   test/ray_scene_test.cpp

@@ -112,6 +112,11 @@ class Host {
       numbers.insert(numbers.end(), image->data.begin(), image->data.end());
     } else if (const auto* info = value_of<CameraInfoSample>(port)) {
       numbers.push_back(info->stamp.seconds());
+    } else if (const auto* cloud = value_of<LidarCloudSample>(port)) {
+      numbers.push_back(cloud->stamp.seconds());
+      for (const LidarPoint& point : cloud->points) {
+        numbers.insert(numbers.end(), {point.x, point.y, point.z, point.intensity, point.time});
+      }
     } else if (const auto* speeds = value_of<ActuatorState>(port)) {
       const auto view = speeds->angular_velocities.view();
       numbers.push_back(speeds->stamp.seconds());

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
 
@@ -21,6 +22,27 @@ struct GaussianNoise {
   double stddev = 0.0;
 
   double sample(const RandomStream& stream, std::uint64_t index, std::uint32_t channel) const;
+};
+
+/// Standard normals of one sample whose channels 0, 1, 2, ... are asked for about in order, as
+/// those of the beams of a scan are. A number is a function of sample and channel alone.
+class NormalRow {
+ public:
+  NormalRow(const RandomStream& stream, std::uint64_t index) : stream_(stream), index_(index) {}
+
+  float at(std::uint32_t channel) {
+    if (channel / 4 != block_) {
+      block_ = channel / 4;
+      values_ = stream_.normals4(index_, block_);
+    }
+    return values_[channel % 4];
+  }
+
+ private:
+  const RandomStream& stream_;
+  std::uint64_t index_;
+  std::uint32_t block_ = std::numeric_limits<std::uint32_t>::max();
+  std::array<float, 4> values_{};
 };
 
 /// Continuous white noise: `density` [unit/sqrt(Hz)], sampled with period dt [s] it has the

@@ -64,6 +64,8 @@ struct CollisionSpec {
   SE3 T_link_shape;
   Shape shape;
   Surface surface;
+  /// `<laser_retro>`: how strongly a lidar sees it
+  std::optional<double> laser_retro = std::nullopt;
 };
 
 /// What a surface looks like. Colours: red, green, blue, alpha in [0, 1].
@@ -83,6 +85,7 @@ struct VisualSpec {
   double transparency = 0.0;  ///< 1: invisible
   bool casts_shadows = true;
   std::uint32_t visibility_flags = 0xffffffff;
+  std::optional<double> laser_retro;  ///< how strongly a lidar sees it; else its colour tells
 };
 
 struct PluginSpec {

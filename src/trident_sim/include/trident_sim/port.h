@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "trident_base/error.h"
+#include "trident_base/span.h"
 #include "trident_sim/state_archive.h"
 
 namespace trident {
@@ -63,10 +64,25 @@ class OutPort : public PortBase {
       : PortBase(std::move(name), PortDirection::kOut, rank, typeid(T)) {}
   T value{};
   void publish() { ++count_; }
+
+  /// Of a sensor that is faster than the step: what was published in the same step before `value`,
+  /// oldest first. Its plugin calls forget_earlier() before the first sample of a step and
+  /// set_aside() before it overwrites one by the next.
+  Span<const T> earlier() const { return {earlier_.data(), earlier_count_}; }
+  void forget_earlier() { earlier_count_ = 0; }
+  void set_aside() {
+    if (earlier_count_ == earlier_.size()) earlier_.emplace_back();
+    earlier_[earlier_count_++] = value;
+  }
+
   void state(StateArchive& archive) override {
     PortBase::state(archive);
-    archive(value);
+    archive(value, earlier_, earlier_count_);
   }
+
+ private:
+  std::vector<T> earlier_;
+  std::size_t earlier_count_ = 0;
 };
 
 /// Written from outside, read by a plugin. Keeps the last kDepth values, because an answer to an

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -64,6 +65,7 @@ struct RayShape {
   std::uint32_t link_id = 0;             ///< number of the link, model by model
   const Model* model_address = nullptr;  ///< to compare with, alive or not
   const Link* link_address = nullptr;    ///< likewise
+  std::optional<double> laser_retro;     ///< where its collision or visual tells it
 };
 
 /// The world as rays see it, by Embree. What never moves lies in one scene, which is committed
@@ -101,6 +103,9 @@ class RayScene {
   /// Colour of what was met, red, green, blue in [0, 1]: its picture's where it has one that was
   /// read, else its material's diffuse. Black: nothing was met, or the scene is not visual.
   Eigen::Vector3d albedo(const RayHit& hit) const;
+  /// How strongly a lidar sees what was met: the shape's `<laser_retro>`; else, of a visual, 100
+  /// times the luminance of its material's diffuse colour, of a collision 0. 0: nothing was met.
+  double intensity(const RayHit& hit) const;
 
   // For pictures, whose neighbouring rays meet the same surfaces: see rays/ray_packet.h.
 

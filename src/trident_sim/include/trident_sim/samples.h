@@ -147,6 +147,21 @@ struct BoundingBoxesSample {
   std::string frame;
   std::vector<Box> boxes;  ///< by label
 };
+/// One return of a lidar with many rings, as the 22 bytes that ROS carries of it.
+struct __attribute__((packed)) LidarPoint {
+  float x = 0.0F, y = 0.0F, z = 0.0F;  ///< in the sensor's frame when the beam was cast [m]
+  float intensity = 0.0F;
+  std::uint16_t ring = 0;  ///< 0: the lowest
+  float time = 0.0F;       ///< of the beam, since the stamp [s]
+};
+static_assert(sizeof(LidarPoint) == 22, "PointCloud2's field table tells these offsets");
+/// Returns of one scan in the order in which their beams were cast; beams that met nothing in range
+/// are left out.
+struct LidarCloudSample {
+  SimTime stamp;  ///< of the first beam, whether it came back or not
+  std::string frame;
+  std::vector<LidarPoint> points;
+};
 struct FluidPressureSample {
   SimTime stamp;
   std::string frame;

@@ -109,6 +109,8 @@ class World {
 
   const std::map<std::string, std::unique_ptr<Model>>& models() const { return models_; }
   Model* find_model(const std::string& name) const;
+  /// Changes whenever a model comes or goes.
+  std::uint64_t models_version() const { return models_version_; }
   /// "model::link", or a link name that is unique in the world; nullptr when unknown.
   Link* find_link(const std::string& scoped_name) const;
 
@@ -215,6 +217,7 @@ class World {
   std::uint64_t step_count_ = 0;
   std::uint64_t reset_step_ = 0;  ///< step count of the last reset of the models
   std::uint64_t spawn_count_ = 0;
+  std::uint64_t models_version_ = 0;
   std::shared_ptr<const int> identity_ = std::make_shared<int>();
   bool profiling_ = false;
   StageTimes stage_times_;

@@ -124,6 +124,21 @@ void bind_laser_scan(py::module_& module) {
           "Shape (n,), float32.");
 }
 
+py::array_t<LidarPoint> to_structured(const std::vector<LidarPoint>& points) {
+  return py::array_t<LidarPoint>(static_cast<py::ssize_t>(points.size()), points.data());
+}
+
+void bind_lidar_cloud(py::module_& module) {
+  using Cloud = LidarCloudSample;
+  PYBIND11_NUMPY_DTYPE(LidarPoint, x, y, z, intensity, ring, time);
+  stamped<Cloud>(module, "LidarCloudSample",
+                 "One scan of a lidar with many rings; stamp: its first beam.")
+      .def_readonly("frame", &Cloud::frame, "Frame of the lidar.")
+      .def_property_readonly(
+          "points", [](const Cloud& s) { return to_structured(s.points); },
+          "Shape (n,), structured: x y z [m] in frame, intensity, ring, time since stamp [s].");
+}
+
 void bind_navigation(py::module_& module) {
   stamped<FluidPressureSample>(module, "FluidPressureSample", "What a barometer measures.")
       .def_readonly("frame", &FluidPressureSample::frame, "Frame of the barometer.")
@@ -180,6 +195,7 @@ void bind_measurements(py::module_& module) {
   bind_poses(module);
   bind_imu(module);
   bind_laser_scan(module);
+  bind_lidar_cloud(module);
   bind_navigation(module);
   bind_others(module);
 }

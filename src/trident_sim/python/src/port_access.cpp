@@ -42,6 +42,7 @@ const std::map<std::type_index, PortType>& port_types() {
       entry<ImuSample>("ImuSample"),
       entry<JointStateSample>("JointStateSample"),
       entry<LaserScanSample>("LaserScanSample"),
+      entry<LidarCloudSample>("LidarCloudSample"),
       entry<MagneticFieldSample>("MagneticFieldSample"),
       entry<OdometrySample>("OdometrySample"),
       entry<PointSample>("PointSample"),

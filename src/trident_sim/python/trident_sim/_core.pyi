@@ -273,6 +273,15 @@ class BoundingBoxesSample(_Stamped):
     def boxes(self) -> list[BoundingBox]:
         """One per model or link that is seen."""
 
+class LidarCloudSample(_Stamped):
+    """One scan of a lidar with many rings; stamp: its first beam."""
+    @property
+    def frame(self) -> str:
+        """Frame of the lidar."""
+    @property
+    def points(self) -> npt.NDArray[np.void]:
+        """Shape (n,), structured: x y z [m] in frame, intensity, ring, time since stamp [s]."""
+
 class FluidPressureSample(_Stamped):
     """What a barometer measures."""
     @property

@@ -49,6 +49,9 @@ void register_builtin_plugins(PluginRegistry& registry) {
   registry.add("libgazebo_ros_openni_kinect.so", gazebo_kinect_factory());
   registry.add("libgazebo_ros_multicamera.so", gazebo_multicamera_factory());
   registry.add("libtrident_camera.so", camera_factory());
+  registry.add("libtrident_lidar3d.so", point_lidar_factory());
+  registry.add("libgazebo_ros_velodyne_laser.so", velodyne_laser_factory());
+  registry.add("libgazebo_ros_velodyne_gpu_laser.so", velodyne_laser_factory());
   registry.add("libgazebo_ros_imu.so", gazebo_imu_factory());
   registry.add("libgazebo_ros_imu_sensor.so", gazebo_imu_sensor_factory());
   registry.add("librotors_gazebo_ros_interface_plugin.so", nothing_to_do());

@@ -19,39 +19,56 @@ struct Packet {
 };
 
 bool usable(const Ray& ray) {
-  return ray.p_world_origin.allFinite() && ray.direction_world.allFinite() &&
-         ray.t_min_m <= ray.t_max_m;
+  // Not finite if one of them is not.
+  const double sum = ray.p_world_origin.sum() + ray.direction_world.sum();
+  return std::isfinite(sum) && ray.t_min_m <= ray.t_max_m;
+}
+
+struct Extent {
+  float low, high;
+};
+Extent extent_of(const float* lanes) {
+  const Eigen::Map<const Eigen::Array<float, kLanes, 1>, Eigen::Aligned64> values(lanes);
+  return {values.minCoeff(), values.maxCoeff()};
 }
 
 /// Whether a component of a direction is about zero, or changes its sign among the rays. Embree
 /// 3.13.5 loses whole coherent packets with such: those of a lidar that is all but level.
-bool near_an_axis_plane(const Ray* rays, std::size_t count) {
-  constexpr double kAboutZero = 1e-4;
-  Eigen::Array3d lowest = rays[0].direction_world.array(), highest = lowest;
-  for (std::size_t i = 1; i < count; ++i) {
-    lowest = lowest.min(rays[i].direction_world.array());
-    highest = highest.max(rays[i].direction_world.array());
-  }
-  return (lowest < kAboutZero && highest > -kAboutZero).any();
+bool near_an_axis_plane(const Extent& component) {
+  constexpr float kAboutZero = 1e-4F;
+  return component.low < kAboutZero && component.high > -kAboutZero;
 }
 
 /// Rays that go about the same way through about the same place are best cast as one.
-bool coherent(const Ray* rays, std::size_t count) {
-  if (near_an_axis_plane(rays, count)) return false;
-  constexpr double kMaxSpread = 0.8;  ///< of directions, about [rad]; of origins [m]
-  for (std::size_t i = 1; i < count; ++i) {
-    const double turn = (rays[i].direction_world - rays[0].direction_world).squaredNorm();
-    const double shift = (rays[i].p_world_origin - rays[0].p_world_origin).squaredNorm();
-    if (!(std::max(turn, shift) <= kMaxSpread * kMaxSpread)) return false;
+bool coherent(const RTCRay16& rays) {
+  constexpr float kMaxSpread = 0.8F;  ///< of directions, about [rad]; of origins [m]
+  float turn = 0.0F, shift = 0.0F;
+  for (const float* component : {rays.dir_x, rays.dir_y, rays.dir_z}) {
+    const Extent extent = extent_of(component);
+    if (near_an_axis_plane(extent)) return false;
+    turn += (extent.high - extent.low) * (extent.high - extent.low);
   }
-  return true;
+  for (const float* component : {rays.org_x, rays.org_y, rays.org_z}) {
+    const Extent extent = extent_of(component);
+    shift += (extent.high - extent.low) * (extent.high - extent.low);
+  }
+  return std::max(turn, shift) <= kMaxSpread * kMaxSpread;
 }
 
 /// The surface at t_max must not get lost by rounding; it is measured again anyway.
 float beyond(double t) { return static_cast<float>(t * (1.0 + 1e-6)); }
 
+/// What all rays of a packet have in common.
 template <class Rays>
-void set_ray(Rays& rays, std::size_t lane, const Ray& ray, float t_max, std::uint32_t mask) {
+void set_common(Rays& rays, std::uint32_t mask) {
+  std::fill_n(rays.time, kLanes, 0.0F);
+  std::fill_n(rays.mask, kLanes, mask);
+  std::fill_n(rays.id, kLanes, 0U);
+  std::fill_n(rays.flags, kLanes, 0U);
+}
+
+template <class Rays>
+void set_ray(Rays& rays, std::size_t lane, const Ray& ray, float t_max) {
   rays.org_x[lane] = static_cast<float>(ray.p_world_origin.x());
   rays.org_y[lane] = static_cast<float>(ray.p_world_origin.y());
   rays.org_z[lane] = static_cast<float>(ray.p_world_origin.z());
@@ -60,10 +77,6 @@ void set_ray(Rays& rays, std::size_t lane, const Ray& ray, float t_max, std::uin
   rays.dir_z[lane] = static_cast<float>(ray.direction_world.z());
   rays.tnear[lane] = static_cast<float>(ray.t_min_m);
   rays.tfar[lane] = t_max;
-  rays.time[lane] = 0.0F;
-  rays.mask[lane] = mask;
-  rays.id[lane] = 0;
-  rays.flags[lane] = 0;
 }
 
 }  // namespace
@@ -129,17 +142,27 @@ void RayScene::Content::cast_packet(const Ray* rays, RayHit* hits, std::size_t c
   std::array<const TracedShape*, kLanes> planes{};
   std::array<double, kLanes> limits{};
   RTCHit16& met = packet.embree.hit;
+  std::fill_n(met.geomID, kLanes, RTC_INVALID_GEOMETRY_ID);
+  std::fill_n(met.instID[0], kLanes, RTC_INVALID_GEOMETRY_ID);
+  set_common(packet.embree.ray, filter.mask);
   for (std::size_t lane = 0; lane < count; ++lane) {
-    met.geomID[lane] = met.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;
     hits[lane] = {};
     if (!usable(rays[lane])) continue;
     packet.valid[lane] = -1;
     planes[lane] = nearest_plane(rays[lane], filter, false, limits[lane]);
-    set_ray(packet.embree.ray, lane, rays[lane], beyond(limits[lane]), filter.mask);
+    set_ray(packet.embree.ray, lane, rays[lane], beyond(limits[lane]));
+  }
+  // Lanes that do not count look like one that does.
+  const auto some = std::find(packet.valid.begin(), packet.valid.end(), -1);
+  if (some == packet.valid.end()) return;
+  for (std::size_t lane = 0; lane < kLanes; ++lane) {
+    if (packet.valid[lane] == 0) {
+      set_ray(packet.embree.ray, lane, rays[some - packet.valid.begin()], 0.0F);
+    }
   }
   CastContext context = make_context(filter, false, some_cast_no_shadow_);
   if (fixed_ != nullptr) {
-    if (coherent(rays, count)) context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    if (coherent(packet.embree.ray)) context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
     rtcIntersect16(packet.valid.data(), fixed_.get(), &context.embree, &packet.embree);
   }
   if (moving_ != nullptr) {
@@ -162,6 +185,7 @@ void RayScene::Content::occlude_packet(const Ray* rays, bool* result, std::size_
                                        const RayFilter& filter) const {
   alignas(64) std::array<int, kLanes> valid{};
   RTCRay16 packet;
+  set_common(packet, filter.mask);
   for (std::size_t lane = 0; lane < count; ++lane) {
     result[lane] = false;
     if (!usable(rays[lane])) continue;
@@ -169,7 +193,7 @@ void RayScene::Content::occlude_packet(const Ray* rays, bool* result, std::size_
     result[lane] = nearest_plane(rays[lane], filter, true, t) != nullptr;
     if (result[lane]) continue;
     valid[lane] = -1;
-    set_ray(packet, lane, rays[lane], static_cast<float>(rays[lane].t_max_m), filter.mask);
+    set_ray(packet, lane, rays[lane], static_cast<float>(rays[lane].t_max_m));
   }
   // Never with the flag for coherent rays: with instances Embree 3.13.5 does not come back then.
   CastContext context = make_context(filter, true, some_cast_no_shadow_);

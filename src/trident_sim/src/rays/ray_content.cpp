@@ -51,6 +51,8 @@ void RayScene::Content::note_change(const TracedModel& traced) {
 }
 
 void RayScene::Content::follow_models() {
+  if (seen_models_ == world_.models_version()) return;
+  seen_models_ = world_.models_version();
   for (auto it = models_.begin(); it != models_.end();) {
     const Model* const alive = world_.find_model(it->first);
     if (alive != nullptr && alive->spawn_number == it->second.spawn_number) {
@@ -87,6 +89,7 @@ void RayScene::Content::add_shapes(const Model& model, const LinkSpec& spec, Tra
         trace_shape(part.shape, model.name + "::" + spec.name + "::" + part.name);
     if (shape == nullptr) return;
     shape->name = part.name;
+    shape->laser_retro = part.laser_retro;
     shape->T_link_shape = part.T_link_shape;
     shape->model = &model;
     shape->link = link.link;
@@ -183,8 +186,8 @@ void RayScene::Content::number() {
       for (const auto& shape : link.shapes) {
         shape->index = static_cast<std::uint32_t>(shapes.size());
         traced_shapes_.push_back(shape.get());
-        shapes.push_back(
-            {model_name, link.link->name, shape->name, model_id, link_id, model.model, link.link});
+        shapes.push_back({model_name, link.link->name, shape->name, model_id, link_id, model.model,
+                          link.link, shape->laser_retro});
         if (shape->visual != nullptr) add_material(*shape);
         if (shape->kind == SurfaceKind::kPlane)
           planes_.push_back({shape.get(), flat_surface(*shape, 0)});

@@ -46,6 +46,7 @@ class RayScene::Content {
   void refresh();
   void use_textures();
   Eigen::Vector3d albedo(const RayHit& hit) const;
+  double intensity(const RayHit& hit) const;
   void cast_packet(const Ray* rays, RayHit* hits, std::size_t count, const RayFilter& filter) const;
   void occlude_packet(const Ray* rays, bool* result, std::size_t count,
                       const RayFilter& filter) const;
@@ -91,6 +92,7 @@ class RayScene::Content {
   const World& world_;
   EmbreeDevice device_;  ///< goes after all that is made with it
   std::map<std::string, TracedModel> models_;
+  std::optional<std::uint64_t> seen_models_;  ///< World::models_version()
   std::map<std::string, std::weak_ptr<const TriangleMesh>> meshes_;
   bool use_textures_ = false;
   std::map<std::string, std::unique_ptr<Texture>> textures_;  ///< nullptr: cannot be read

@@ -54,4 +54,13 @@ Eigen::Vector3d RayScene::Content::albedo(const RayHit& hit) const {
   return materials[hit.material].diffuse.head<3>();
 }
 
+double RayScene::Content::intensity(const RayHit& hit) const {
+  if (!hit.met()) return 0.0;
+  if (const auto& told = shapes[hit.shape].laser_retro) return *told;
+  if (hit.material >= materials.size()) return 0.0;
+  constexpr double kRed = 0.2126, kGreen = 0.7152, kBlue = 0.0722;  // ITU-R BT.709
+  const Eigen::Vector4d& color = materials[hit.material].diffuse;
+  return 100.0 * (kRed * color[0] + kGreen * color[1] + kBlue * color[2]);
+}
+
 }  // namespace trident

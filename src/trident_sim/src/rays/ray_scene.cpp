@@ -63,6 +63,8 @@ SurfacePoint RayScene::look_at(std::uint32_t shape, std::uint32_t primitive, con
   return content_->look_at(shape, primitive, ray, t);
 }
 
+double RayScene::intensity(const RayHit& hit) const { return content_->intensity(hit); }
+
 RayGeometry RayScene::geometry() const { return content_->geometry; }
 const std::vector<RayShape>& RayScene::shapes() const { return content_->shapes; }
 const std::vector<Material>& RayScene::materials() const { return content_->materials; }

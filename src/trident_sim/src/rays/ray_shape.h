@@ -60,6 +60,7 @@ struct TracedShape {
   bool has_mesh_materials = false;            ///< `material` is the first of the mesh's own
   std::uint32_t mask = 0xffffffff;
   bool casts_shadows = true;
+  std::optional<double> laser_retro;
 
   bool is_round() const {
     return kind == SurfaceKind::kSphere || kind == SurfaceKind::kCylinder ||

@@ -163,8 +163,10 @@ LinkSpec convert_link(const sdf::Link& from, const std::string& prefix, const SE
     check_positive(*shape, name, context);
     const SE3 T_link_shape =
         resolve(collision.SemanticPose(), from.Name(), name) * shape_offset(*collision.Geom());
-    link.collisions.push_back({collision.Name(), T_link_shape, *shape,
-                               convert_surface(collision, context.label + ": " + name)});
+    link.collisions.push_back(
+        {collision.Name(), T_link_shape, *shape,
+         convert_surface(collision, context.label + ": " + name),
+         number_if_given(collision.Element(), "laser_retro", context.label + ": " + name)});
   }
   for (std::size_t i = 0; i < from.VisualCount(); ++i) {
     const sdf::Visual& visual = *from.VisualByIndex(i);
@@ -177,6 +179,8 @@ LinkSpec convert_link(const sdf::Link& from, const std::string& prefix, const SE
         resolve(visual.SemanticPose(), from.Name(), name) * shape_offset(*visual.Geom());
     result.shape = *shape;
     convert_look(visual, name, context, result);
+    result.laser_retro =
+        number_if_given(visual.Element(), "laser_retro", context.label + ": " + name);
     link.visuals.push_back(std::move(result));
   }
   for (std::size_t i = 0; i < from.SensorCount(); ++i) {

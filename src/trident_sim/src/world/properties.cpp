@@ -148,6 +148,7 @@ void World::set_link_inertial(Link& link, const Inertial& inertial, bool gravity
   recompose(model, *link.body);
   engine_->push_state(model);
   model.spawn_number = ++spawn_count_;  // older snapshots are of other body frames
+  ++models_version_;
   for (const auto& plugin : model.plugins) plugin->body_frames_moved();
 }
 

@@ -138,6 +138,7 @@ Model& World::spawn(ModelSpec spec, const std::string& robot_namespace) {
   Model& result = *model;
   result.spawn_number = ++spawn_count_;
   models_.emplace(result.name, std::move(model));
+  ++models_version_;
   rebuild_schedule();
   return result;
 }
@@ -232,6 +233,7 @@ void World::remove(const std::string& name) {
   it->second->plugins.clear();
   engine_->destroy(*it->second);
   models_.erase(it);
+  ++models_version_;
   rebuild_schedule();
 }
 

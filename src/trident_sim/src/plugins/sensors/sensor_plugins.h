@@ -10,6 +10,9 @@ namespace trident {
 PluginFactory gazebo_laser_factory();
 /// Our planar lidar: every beam at its own time, unless `<rolling>` says no.
 PluginFactory lidar_factory();
+/// Velodyne's snapshots as points, of velodyne_gazebo_plugins, and our rolling lidar of many rings.
+PluginFactory velodyne_laser_factory();
+PluginFactory point_lidar_factory();
 /// gazebo_ros' IMUs: of a model (libgazebo_ros_imu.so) and of a sensor
 /// (libgazebo_ros_imu_sensor.so).
 PluginFactory gazebo_imu_factory();

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "trident_base/error.h"
+#include "trident_sim/ray_scene.h"
+#include "trident_sim/world.h"
+
+namespace trident {
+
+/// `ray` sensors meet collisions, `gpu_ray` and `gpu_lidar` sensors visuals.
+inline RayGeometry geometry_of(const SensorSpec& sensor) {
+  return sensor.type.rfind("gpu", 0) == 0 ? RayGeometry::kVisual : RayGeometry::kCollision;
+}
+
+/// The rays of a sensor's beams and what they met, in memory that is kept from cast to cast. Beams
+/// begin at the smallest range: what is nearer is not seen.
+class BeamCaster {
+ public:
+  BeamCaster(World& world, RayGeometry geometry, double range_min_m, double range_max_m)
+      : scene_(world.rays(geometry)) {
+    blank_.t_min_m = range_min_m;
+    blank_.t_max_m = range_max_m;
+  }
+
+  /// Room for so many beams, which are then aimed one by one.
+  void begin(std::size_t beams) {
+    rays_.resize(beams, blank_);
+    hits_.resize(beams);
+  }
+  void aim(std::size_t beam, const Eigen::Vector3d& p_world_origin,
+           const Eigen::Vector3d& direction_world) {
+    rays_[beam].p_world_origin = p_world_origin;
+    rays_[beam].direction_world = direction_world;
+  }
+  /// Has what is cast from now on see the world as it is now.
+  void refresh() { scene_.refresh(); }
+  void cast() { scene_.cast({rays_.data(), rays_.size()}, {hits_.data(), hits_.size()}); }
+  const RayHit& hit(std::size_t beam) const { return hits_[beam]; }
+  double intensity(const RayHit& hit) const { return scene_.intensity(hit); }
+
+ private:
+  RayScene& scene_;
+  Ray blank_;
+  std::vector<Ray> rays_;
+  std::vector<RayHit> hits_;
+};
+
+/// Throws Error when the plugin does not sit in a sensor.
+inline const SensorSpec& required_ray_sensor(const PluginContext& context) {
+  if (context.sensor == nullptr) {
+    throw Error(context.params.owner() + ": belongs in a <sensor> of type ray or gpu_ray");
+  }
+  return *context.sensor;
+}
+
+}  // namespace trident

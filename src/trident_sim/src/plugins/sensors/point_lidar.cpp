@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+#include <limits>
+
+#include "../gazebo_ros/drive_parts.h"
+#include "../plugin_util.h"
+#include "beam_caster.h"
+#include "lidar_pattern.h"
+#include "lidar_spec.h"
+#include "rolling_sweep.h"
+#include "sample_clock.h"
+#include "sensor_plugins.h"
+#include "trident_base/error.h"
+
+namespace trident {
+namespace {
+
+/// What a returning beam must keep to: the sensor's `<range>` and the plugin's <min_range>,
+/// <max_range> and <min_intensity>.
+struct ReturnLimits {
+  double range_min_m, range_max_m, intensity_min;
+};
+
+ReturnLimits read_limits(const LidarSpec& spec, const PluginParams& params) {
+  constexpr double kAny = std::numeric_limits<double>::lowest();
+  ReturnLimits limits{};
+  limits.range_min_m = std::max(spec.range_min_m, params.number("min_range", 0.0, {0.0, 1e9}));
+  limits.range_max_m = std::min(spec.range_max_m, params.number("max_range", 1e9, {0.0, 1e9}));
+  limits.intensity_min = params.number("min_intensity", kAny);
+  if (!(limits.range_min_m < limits.range_max_m)) {
+    throw Error(params.owner() + ": ranges from " + std::to_string(limits.range_min_m) + " m to " +
+                std::to_string(limits.range_max_m) +
+                " m are left by <range>, <min_range> and <max_range>; the smallest must be less "
+                "than the largest");
+  }
+  return limits;
+}
+
+/// A lidar with many rings, whose returns are points in its frame. As a snapshot all beams of a
+/// scan are cast at once, as Gazebo does, and stamped with that time; rolling, each is cast from
+/// where the sensor is as its column is cast, and the stamp is that of the first.
+class PointLidar : public MeasuringPlugin {
+ public:
+  PointLidar(const PluginContext& context, const std::string& default_topic, bool is_rolling)
+      : PointLidar(context, read_lidar_spec(required_ray_sensor(context), context.params.owner()),
+                   default_topic, context.params.flag("rolling", is_rolling)) {}
+
+  void reset() override {
+    track_.reset();
+    sweep_.reset();
+    points_.clear();
+  }
+  void state(StateArchive& archive) override {
+    track_.state(archive);
+    sweep_.state(archive);
+    archive(points_);
+  }
+
+ protected:
+  void measure(const World&, const StepInfo& info) override {
+    if (is_rolling_) {
+      roll(info);
+    } else if (clock_.is_due(info) && cloud_->wanted()) {
+      const SE3 T_world_sensor = link_.T_world_link() * T_link_sensor_;
+      cast(clock_.count_at(info), 0, pattern_->columns(),
+           [&](std::size_t) -> const SE3& { return T_world_sensor; });
+      publish(info.end);
+    }
+  }
+
+ private:
+  PointLidar(const PluginContext& context, const LidarSpec& spec, const std::string& default_topic,
+             bool is_rolling)
+      : MeasuringPlugin(context.world.timing()),
+        link_(*context.link),
+        T_link_sensor_(context.sensor->T_link_sensor),
+        clock_(context.sensor->update_rate_hz),
+        is_rolling_(is_rolling),
+        limits_(read_limits(spec, context.params)),
+        stddev_m_(
+            std::hypot(spec.noise.stddev, context.params.number("gaussianNoise", 0.0, {0.0, 1e6}))),
+        bias_m_(spec.noise.mean),
+        stream_(context.world.seed(), context.name),
+        caster_(context.world, geometry_of(*context.sensor), limits_.range_min_m,
+                limits_.range_max_m),
+        pattern_(checked_pattern(context, spec, is_rolling)),
+        sweep_(clock_.rate_hz(), pattern_->columns(), pattern_->column_period_s()) {
+    const PluginParams& params = context.params;
+    cloud_ = advertise<LidarCloudSample>(
+        context, scoped_topic(params, params.text("topicName", default_topic)), PortRank::kSensor);
+    cloud_->value.frame = resolved_frame(context, params.text("frameName", link_.name),
+                                         FramePrefix::kTfPrefixOrNamespace);
+    const std::size_t most = pattern_->columns() * pattern_->beams().size();
+    cloud_->value.points.reserve(most);
+    points_.reserve(most);
+  }
+
+  static std::unique_ptr<LidarPattern> checked_pattern(const PluginContext& context,
+                                                       const LidarSpec& spec, bool is_rolling) {
+    const double rate_hz = context.sensor->update_rate_hz;
+    if (is_rolling && !(rate_hz > 0.0)) {
+      throw Error(context.params.owner() + ": a rolling scan needs an <update_rate> > 0");
+    }
+    return make_pattern({spec, rate_hz, is_rolling}, context.params);
+  }
+
+  /// The columns whose time lies in this step, from where the sensor was at that time.
+  void roll(const StepInfo& info) {
+    track_.follow(link_.T_world_link() * T_link_sensor_);
+    sweep_.begin_step(info, cloud_->wanted());
+    if (!cloud_->wanted()) points_.clear();
+    const double middle_s = 0.5 * pattern_->beams()[pattern_->firing_order().back()].time_s;
+    while (const auto due = sweep_.next()) {
+      cast(due->scan, due->first, due->last,
+           [&](std::size_t column) { return track_.at(sweep_.fraction(*due, column, middle_s)); });
+      if (due->is_complete) publish(sweep_.stamp(*due));
+    }
+  }
+
+  /// Columns [first, last) of a scan, each from `T_world_sensor(column)`, in blocks that fit into
+  /// the cache, the last of which is not a small one.
+  template <class Pose>
+  void cast(std::uint64_t scan, std::size_t first, std::size_t last, const Pose& T_world_sensor) {
+    NormalRow noise(stream_, scan);
+    caster_.refresh();
+    while (first < last) {
+      const std::size_t left = last - first, columns = left <= kBlock * 3 / 2 ? left : kBlock;
+      cast_block(scan, first, columns, T_world_sensor, noise);
+      first += columns;
+    }
+  }
+
+  template <class Pose>
+  void cast_block(std::uint64_t scan, std::size_t first, std::size_t columns,
+                  const Pose& T_world_sensor, NormalRow& noise) {
+    const std::size_t beams = pattern_->beams().size();
+    directions_.resize(beams * columns);
+    caster_.begin(beams * columns);
+    for (std::size_t i = 0; i < columns; ++i) {
+      Eigen::Vector3d* const directions = &directions_[i * beams];
+      pattern_->aim(scan, first + i, directions);
+      const SE3& T = T_world_sensor(first + i);
+      const Eigen::Matrix3d R = T.R.toRotationMatrix();
+      for (std::size_t beam = 0; beam < beams; ++beam) {
+        caster_.aim(place(beam, i, columns), T.p, R * directions[beam]);
+      }
+    }
+    caster_.cast();
+    for (std::size_t i = 0; i < columns; ++i) collect(first + i, i, columns, noise);
+  }
+
+  /// Of a beam of the i-th of `columns` among all that are cast: neighbours go in one packet.
+  std::size_t place(std::size_t beam, std::size_t i, std::size_t columns) const {
+    return pattern_->neighbours() == LidarPattern::Neighbours::kAcrossColumns
+               ? beam * columns + i
+               : i * pattern_->beams().size() + beam;
+  }
+
+  /// The returns of a column, which was the i-th of `columns` that were cast.
+  void collect(std::size_t column, std::size_t i, std::size_t columns, NormalRow& noise) {
+    const std::size_t beams = pattern_->beams().size();
+    const double begin_s = static_cast<double>(column) * pattern_->column_period_s();
+    for (const std::size_t beam : pattern_->firing_order()) {
+      const RayHit& hit = caster_.hit(place(beam, i, columns));
+      if (!(hit.distance_m < limits_.range_max_m)) continue;
+      const double intensity = caster_.intensity(hit);
+      const auto channel = static_cast<std::uint32_t>(column * beams + beam);
+      const double range_m =
+          hit.distance_m + bias_m_ +
+          (stddev_m_ > 0.0 ? stddev_m_ * static_cast<double>(noise.at(channel)) : 0.0);
+      const bool counts = range_m >= limits_.range_min_m && range_m <= limits_.range_max_m &&
+                          intensity >= limits_.intensity_min;
+      if (!counts) continue;
+      const LidarPattern::Beam& timing = pattern_->beams()[beam];
+      const Eigen::Vector3f p = (range_m * directions_[i * beams + beam]).cast<float>();
+      points_.push_back({p.x(), p.y(), p.z(), static_cast<float>(intensity), timing.ring,
+                         static_cast<float>(begin_s + timing.time_s)});
+    }
+  }
+
+  void publish(SimTime stamp) {
+    cloud_->value.stamp = stamp;
+    cloud_->value.points.swap(points_);
+    points_.clear();
+    cloud_->publish();
+  }
+
+  static constexpr std::size_t kBlock = 32;  ///< columns that are cast at a time
+
+  Link& link_;
+  SE3 T_link_sensor_;
+  SampleClock clock_;
+  bool is_rolling_;
+  ReturnLimits limits_;
+  double stddev_m_, bias_m_;
+  RandomStream stream_;
+  BeamCaster caster_;
+  std::unique_ptr<LidarPattern> pattern_;
+  SensorTrack track_;
+  RollingSweep sweep_;
+  OutHandle<LidarCloudSample> cloud_;
+  std::vector<Eigen::Vector3d> directions_;  ///< of what is being cast, in the sensor's frame
+  std::vector<LidarPoint> points_;           ///< of the scan in progress
+};
+
+PluginFactory point_lidar(const char* default_topic, bool is_rolling) {
+  return {[=](const PluginContext& context) {
+            return std::make_unique<PointLidar>(context, default_topic, is_rolling);
+          },
+          {}};
+}
+
+}  // namespace
+
+PluginFactory velodyne_laser_factory() { return point_lidar("/world", false); }
+PluginFactory point_lidar_factory() { return point_lidar("points", true); }
+
+}  // namespace trident
