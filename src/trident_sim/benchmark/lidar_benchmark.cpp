@@ -113,7 +113,7 @@ void print(const std::string& name, const Lidar& lidar, const Cost& cost, int ro
       cost.scans_per_s / cost.cpu_s_per_s);
 }
 
-int run(double simulated_s) {
+int run(double simulated_s, const std::string& only) {
   const Texts topic = {{"topicName", "scan"}};
   Texts vlp = topic;
   vlp.insert(vlp.end(), {{"beamPeriod", "2.304e-6"},
@@ -131,10 +131,11 @@ int run(double simulated_s) {
   for (const Lidar& lidar : {vlp16, os1, snapshot, planar, rolling}) {
     for (const double dt_s : {0.001, 0.01}) {
       for (const int robots : {1, 6}) {
+        const std::string name = std::string(lidar.name) + (dt_s < 0.005 ? "_1ms" : "_10ms") +
+                                 "_x" + std::to_string(robots);
+        if (name.find(only) == std::string::npos) continue;
         std::printf(",\n ");
-        print(std::string(lidar.name) + (dt_s < 0.005 ? "_1ms" : "_10ms") + "_x" +
-                  std::to_string(robots),
-              lidar, measure(lidar, robots, dt_s, simulated_s), robots);
+        print(name, lidar, measure(lidar, robots, dt_s, simulated_s), robots);
         std::fflush(stdout);
       }
     }
@@ -146,5 +147,7 @@ int run(double simulated_s) {
 }  // namespace
 }  // namespace trident
 
-/// Argument: simulated seconds per figure (10).
-int main(int argc, char** argv) { return trident::run(argc > 1 ? std::atof(argv[1]) : 10.0); }
+/// Arguments: simulated seconds per figure (10), part of the names of the figures to take (all).
+int main(int argc, char** argv) {
+  return trident::run(argc > 1 ? std::atof(argv[1]) : 10.0, argc > 2 ? argv[2] : "");
+}

@@ -106,6 +106,7 @@ TracedShape make_traced_shape(const Shape& shape, std::shared_ptr<const Triangle
   TracedShape made;
   std::visit(Maker{made}, shape);
   made.mesh = std::move(mesh);
+  made.reach_m = round_bounds(made).norm();
   return made;
 }
 

@@ -41,7 +41,8 @@ struct TracedShape {
   SurfaceKind kind = SurfaceKind::kBox;
   Eigen::Vector3d half_size = Eigen::Vector3d::Zero();  ///< of a box [m]
   double radius_m = 0.0, half_length_m = 0.0;           ///< of round shapes
-  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();    ///< of a plane
+  double reach_m = 0.0;  ///< of a round shape's points, from its middle
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< of a plane
   std::shared_ptr<const TriangleMesh> mesh;
 
   SE3 T_link_shape;
