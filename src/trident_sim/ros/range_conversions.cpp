@@ -45,4 +45,65 @@ void convert(const LidarCloudSample& sample, sensor_msgs::PointCloud2& message) 
   if (message.width > 0) std::memcpy(message.data.data(), sample.points.data(), message.row_step);
 }
 
+void convert(const PointListSample& sample, sensor_msgs::PointCloud& message) {
+  message.header.stamp = to_ros(sample.stamp);
+  message.header.frame_id = sample.frame;
+  message.points.resize(sample.points.size());
+  for (std::size_t i = 0; i < sample.points.size(); ++i) {
+    message.points[i].x = sample.points[i].x();
+    message.points[i].y = sample.points[i].y();
+    message.points[i].z = sample.points[i].z();
+  }
+  message.channels.resize(1);
+  message.channels[0].name = "intensity";
+  message.channels[0].values = sample.intensities;
+}
+
+void convert(const RangeSample& sample, sensor_msgs::Range& message) {
+  message.header.stamp = to_ros(sample.stamp);
+  message.header.frame_id = sample.frame;
+  message.radiation_type =
+      sample.is_infrared ? sensor_msgs::Range::INFRARED : sensor_msgs::Range::ULTRASOUND;
+  message.field_of_view = static_cast<float>(sample.field_of_view_rad);
+  message.min_range = static_cast<float>(sample.range_min_m);
+  message.max_range = static_cast<float>(sample.range_max_m);
+  message.range = static_cast<float>(sample.range_m);
+}
+
+void convert(const ContactsSample& sample, gazebo_msgs::ContactsState& message) {
+  message.header.stamp = to_ros(sample.stamp);
+  message.header.frame_id = sample.frame;
+  message.states.clear();
+  for (const TouchSample& touch : sample.touches) {
+    message.states.emplace_back();
+    gazebo_msgs::ContactState& state = message.states.back();
+    state.info = touch.collision1 + " touches " + touch.collision2;
+    state.collision1_name = touch.collision1;
+    state.collision2_name = touch.collision2;
+    Eigen::Vector3d force = Eigen::Vector3d::Zero(), torque = Eigen::Vector3d::Zero();
+    for (std::size_t i = 0; i < touch.depths.size(); ++i) {
+      state.wrenches.emplace_back();
+      state.wrenches.back().force = to_vector(touch.forces[i]);
+      state.wrenches.back().torque = to_vector(touch.torques[i]);
+      force += touch.forces[i];
+      torque += touch.torques[i];
+      state.contact_positions.push_back(to_vector(touch.positions[i]));
+      state.contact_normals.push_back(to_vector(touch.normals[i]));
+    }
+    state.depths = touch.depths;
+    state.total_wrench.force = to_vector(force);
+    state.total_wrench.torque = to_vector(torque);
+  }
+}
+
+void convert(const GnssStatusSample& sample, trident_msgs::GnssStatus& message) {
+  message.header.stamp = to_ros(sample.stamp);
+  message.header.frame_id = sample.frame;
+  message.fix_type = static_cast<std::uint8_t>(sample.fix_type);
+  message.horizontal_stddev = sample.stddev_horizontal_m;
+  message.vertical_stddev = sample.stddev_vertical_m;
+  message.satellites = static_cast<std::uint8_t>(sample.satellites);
+  message.geoid_separation = sample.geoid_separation_m;
+}
+
 }  // namespace trident

@@ -8,6 +8,7 @@
 #include <new>
 
 #include "lee_quad.h"
+#include "lidar_rig.h"
 #include "scratch_folder.h"
 #include "test_world.h"
 #include "trident_control_sim/lee_plugin.h"
@@ -105,6 +106,40 @@ TEST_P(Allocation, AWindFieldDoesNotAllocate) {
   world_->step(10);
   EXPECT_EQ(allocations_of([this] { world_->step(1000); }), 0u);
   EXPECT_EQ(speed->value.v_world, Eigen::Vector3d(1, 0, 0));
+}
+
+/// Of a robot that stands: where links move, Embree allocates as it commits their places.
+TEST_P(Allocation, LidarsDoNotAllocateOnceTheyTurn) {
+  add_walls(world_, 40.0);
+  LidarOptions options;
+  options.stddev_m = 0.01;
+  const std::pair<const char*, int> lidars[] = {{"libgazebo_ros_laser.so", 1},
+                                                {"libtrident_lidar.so", 1},
+                                                {"libtrident_lidar3d.so", 4},
+                                                {"libgazebo_ros_velodyne_laser.so", 4},
+                                                {"libgazebo_ros_range.so", 2}};
+  ModelSpec mast = make_static("mast", SphereShape{0.05}, at(20, 0, 1));
+  for (const auto& [file, rings] : lidars) {
+    options.file = file;
+    options.rings = rings;
+    options.highest_rad = 0.1 * (rings - 1);
+    mast.links[0].sensors.push_back(make_lidar(options));
+    SensorSpec& sensor = mast.links[0].sensors.back();
+    sensor.name = file;
+    sensor.plugins[0].params.children[1].text = file;  // its topic
+  }
+  world_.add(std::move(mast));
+  std::vector<PortBase*> ports;
+  for (const auto& [file, rings] : lidars) {
+    ports.push_back(world_->ports().find(std::string("r/") + file, PortDirection::kOut));
+    ASSERT_NE(ports.back(), nullptr) << file;
+    ports.back()->add_listener();
+  }
+  world_->remove("quad");
+  world_->step(100);
+  const std::uint64_t before = ports.back()->count();
+  EXPECT_EQ(allocations_of([this] { world_->step(300); }), 0u);
+  EXPECT_GT(ports.back()->count(), before + 20);
 }
 
 /// ODE keeps the memory of contact joints and of its solvers from step to step.

@@ -86,6 +86,10 @@ std::vector<PluginCase> model_cases() {
        {{"robotNamespace", "ns"}, {"jointName", "rotor_0_joint, rotor_1_joint"}},
        {"jointName"},
        {"updateRate"}},
+      {"libtrident_wheel_encoder.so",
+       {{"robotNamespace", "ns"}, {"jointName", "rotor_0_joint, rotor_1_joint"}},
+       {"jointName"},
+       {"ticksPerTurn", "updateRate"}},
       {"libgazebo_ros_p3d.so",
        {{"robotNamespace", "ns"},
         {"bodyName", "base_link"},
@@ -175,6 +179,13 @@ std::vector<PluginCase> camera_cases() {
           {"libtrident_camera.so", params, {}, kCameraNumbers, camera()}};
 }
 
+SensorSpec bumper() {
+  SensorSpec sensor = sensor_of("contact");
+  const ParamNode collision{"collision", make_collision(SphereShape{0.05}).name, {}, {}};
+  sensor.params.children = {ParamNode{"contact", "", {}, {collision}}};
+  return sensor;
+}
+
 std::vector<PluginCase> sensor_cases() {
   return {
       {"libgazebo_ros_laser.so",
@@ -203,6 +214,23 @@ std::vector<PluginCase> sensor_cases() {
        {},
        {"min_range", "max_range", "min_intensity", "gaussianNoise"},
        lidar()},
+      {"libgazebo_ros_range.so",
+       {{"robotNamespace", "ns"}, {"gaussianNoise", "0.01"}},
+       {},
+       {"gaussianNoise", "fov", "updateRate"},
+       lidar()},
+      {"libgazebo_ros_block_laser.so",
+       {{"robotNamespace", "ns"}, {"gaussianNoise", "0.01"}},
+       {},
+       {"gaussianNoise", "updateRate"},
+       lidar()},
+      {"libgazebo_ros_bumper.so", {{"robotNamespace", "ns"}}, {}, {}, bumper()},
+      {"libtrident_gnss.so",
+       {{"robotNamespace", "ns"}, {"floatTime", "0.1"}, {"fixedTime", "0.3"}},
+       {},
+       {"satellites", "rtkSatellites", "floatTime", "fixedTime", "singleHorizontalStdDev",
+        "fixedVerticalStdDev"},
+       sensor_of("gps")},
       {"librotors_gazebo_gps_plugin.so",
        {{"robotNamespace", "ns"}},
        {},

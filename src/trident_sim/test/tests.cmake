@@ -19,6 +19,7 @@ target_link_libraries(trident_sim_test_support PUBLIC trident_sim)
 
 catkin_add_gtest(trident_sim_test
   test/broadphase_test.cpp
+  test/bumper_test.cpp
   test/command_timing_test.cpp
   test/contact_correction_test.cpp
   test/contact_test.cpp
@@ -26,6 +27,7 @@ catkin_add_gtest(trident_sim_test
   test/free_body_test.cpp
   test/friction_test.cpp
   test/gazebo_imu_test.cpp
+  test/gnss_test.cpp
   test/imu_test.cpp
   test/inertia_test.cpp
   test/joint_test.cpp
@@ -122,6 +124,7 @@ catkin_add_gtest(trident_sim_rays_test
   test/ray_look_test.cpp
   test/ray_scene_test.cpp
   test/ray_shape_test.cpp
+  test/small_sensors_test.cpp
 )
 target_link_libraries(trident_sim_rays_test
   trident_sim_test_support PkgConfig::PNG ${GTEST_MAIN_LIBRARIES})

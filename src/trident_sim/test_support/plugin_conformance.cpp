@@ -20,6 +20,7 @@ class Host {
     spec.plugins = {make_plugin("case", plugin.filename, plugin.params)};
     if (plugin.sensor) {
       LinkSpec& base = spec.links.front();
+      base.collisions.push_back(make_collision(SphereShape{0.05}));  // for a bumper
       base.sensors.push_back(*plugin.sensor);
       base.sensors.back().name = "case";
       base.sensors.back().plugins.swap(spec.plugins);
@@ -101,6 +102,10 @@ class Host {
       append(magnetic->field_t, numbers);
     } else if (const auto* fix = value_of<GnssFixSample>(port)) {
       numbers.insert(numbers.end(), {fix->latitude_deg, fix->longitude_deg, fix->altitude_m});
+    } else if (const auto* status = value_of<GnssStatusSample>(port)) {
+      numbers.insert(numbers.end(),
+                     {status->stamp.seconds(), static_cast<double>(status->satellites),
+                      static_cast<double>(status->fix_type)});
     } else if (const auto* twist = value_of<TwistSample>(port)) {
       append(twist->v, numbers);
       append(twist->w, numbers);
@@ -116,6 +121,15 @@ class Host {
       numbers.push_back(cloud->stamp.seconds());
       for (const LidarPoint& point : cloud->points) {
         numbers.insert(numbers.end(), {point.x, point.y, point.z, point.intensity, point.time});
+      }
+    } else if (const auto* points = value_of<PointListSample>(port)) {
+      for (const Eigen::Vector3f& p : points->points) append(p.cast<double>(), numbers);
+    } else if (const auto* range = value_of<RangeSample>(port)) {
+      numbers.insert(numbers.end(), {range->stamp.seconds(), range->range_m});
+    } else if (const auto* contacts = value_of<ContactsSample>(port)) {
+      numbers.push_back(contacts->stamp.seconds());
+      for (const TouchSample& touch : contacts->touches) {
+        for (const Eigen::Vector3d& force : touch.forces) append(force, numbers);
       }
     } else if (const auto* speeds = value_of<ActuatorState>(port)) {
       const auto view = speeds->angular_velocities.view();

@@ -21,6 +21,7 @@ struct Geom {
   dHeightfieldDataID heightfield = nullptr;
   Surface surface;   ///< fdir1 in the frame of the body, of the world for a static geometry
   std::string name;  ///< "model::link::collision"
+  int watchers = 0;  ///< who wants its contacts in World::contacts()
 };
 
 /// One rigid body: a link with everything rigidly fixed to it, and the rotors it carries. The body

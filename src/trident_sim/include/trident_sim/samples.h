@@ -162,6 +162,34 @@ struct LidarCloudSample {
   std::string frame;
   std::vector<LidarPoint> points;
 };
+/// Points with an intensity each, one per beam (sensor_msgs/PointCloud).
+struct PointListSample {
+  SimTime stamp;
+  std::string frame;
+  std::vector<Eigen::Vector3f> points;  ///< in frame [m]
+  std::vector<float> intensities;
+};
+/// The distance to the nearest thing in a cone about x.
+struct RangeSample {
+  SimTime stamp;
+  std::string frame;
+  bool is_infrared = false;  ///< else ultrasound
+  double field_of_view_rad = 0.0;
+  double range_min_m = 0.0, range_max_m = 0.0;
+  double range_m = 0.0;  ///< the largest range: nothing met
+};
+/// Where two collisions touch: a point, normal, wrench and depth for each contact, all in frame.
+struct TouchSample {
+  std::string collision1, collision2;               ///< "model::link::collision"
+  std::vector<Eigen::Vector3d> positions, normals;  ///< normals point into collision 1
+  std::vector<Eigen::Vector3d> forces, torques;     ///< on collision 1 [N], [N m]
+  std::vector<double> depths;                       ///< [m]
+};
+struct ContactsSample {
+  SimTime stamp;
+  std::string frame;
+  std::vector<TouchSample> touches;
+};
 struct FluidPressureSample {
   SimTime stamp;
   std::string frame;
@@ -179,6 +207,17 @@ struct GnssFixSample {
   std::string frame;
   double latitude_deg = 0.0, longitude_deg = 0.0, altitude_m = 0.0;  ///< above the ellipsoid
   std::array<double, 9> covariance_enu{};                            ///< [m^2]
+};
+/// How good a fix is.
+struct GnssStatusSample {
+  enum class FixType { kNone = 0, kSingle = 1, kFloat = 2, kFixed = 3 };
+
+  SimTime stamp;
+  std::string frame;
+  FixType fix_type = FixType::kNone;
+  double stddev_horizontal_m = 0.0, stddev_vertical_m = 0.0;  ///< per axis, one sigma
+  int satellites = 0;
+  double geoid_separation_m = 0.0;  ///< height of the geoid above the ellipsoid; NaN: not known
 };
 struct TwistSample {
   SimTime stamp;

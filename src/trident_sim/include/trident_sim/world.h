@@ -12,6 +12,7 @@
 
 #include "trident_base/sim_time.h"
 #include "trident_sim/axis_params.h"
+#include "trident_sim/contact.h"
 #include "trident_sim/joint_drive.h"
 #include "trident_sim/model.h"
 #include "trident_sim/model_spec.h"
@@ -156,6 +157,10 @@ class World {
   JointDrive* find_drive(const Joint& joint, std::size_t axis = 0) const;
   /// Nothing happens when there is none.
   void remove_drive(const Joint& joint, std::size_t axis = 0);
+
+  /// Contacts of the last step of collisions that are watched (Geom::watchers), two by two in an
+  /// order that is the same in every run.
+  const std::vector<Contact>& contacts() const;
 
   /// The world as rays see it; made when first asked for. It follows the world when its refresh()
   /// is called.

@@ -16,6 +16,18 @@ Matrix3RowMajor to_matrix(const std::array<double, 9>& values) {
   return Eigen::Map<const Matrix3RowMajor>(values.data());
 }
 
+/// Shape (n, 3).
+template <class Scalar>
+py::array_t<Scalar> to_rows(const std::vector<Eigen::Matrix<Scalar, 3, 1>>& points) {
+  py::array_t<Scalar> result({static_cast<py::ssize_t>(points.size()), py::ssize_t{3}});
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (int axis = 0; axis < 3; ++axis) {
+      result.mutable_at(static_cast<py::ssize_t>(i), axis) = points[i][axis];
+    }
+  }
+  return result;
+}
+
 void bind_odometry(py::module_& module) {
   auto odometry = stamped<OdometrySample>(
       module, "OdometrySample",
@@ -139,6 +151,53 @@ void bind_lidar_cloud(py::module_& module) {
           "Shape (n,), structured: x y z [m] in frame, intensity, ring, time since stamp [s].");
 }
 
+void bind_ranges(py::module_& module) {
+  using Points = PointListSample;
+  stamped<Points>(module, "PointListSample", "A point per beam of a lidar.")
+      .def_readonly("frame", &Points::frame, "Frame of the points.")
+      .def_property_readonly(
+          "points", [](const Points& s) { return to_rows(s.points); },
+          "In frame [m], shape (n, 3), float32.")
+      .def_property_readonly(
+          "intensities",
+          [](const Points& s) {
+            return py::array_t<float>(static_cast<py::ssize_t>(s.intensities.size()),
+                                      s.intensities.data());
+          },
+          "Shape (n,), float32.");
+  stamped<RangeSample>(module, "RangeSample", "The nearest thing in a cone about x.")
+      .def_readonly("frame", &RangeSample::frame, "Frame of the sensor.")
+      .def_readonly("is_infrared", &RangeSample::is_infrared, "Else ultrasound.")
+      .def_readonly("field_of_view", &RangeSample::field_of_view_rad, "Of the cone [rad].")
+      .def_readonly("range_min", &RangeSample::range_min_m, "Smallest range [m].")
+      .def_readonly("range_max", &RangeSample::range_max_m, "Largest range [m].")
+      .def_readonly("range", &RangeSample::range_m, "[m]; the largest range: nothing met.");
+}
+
+void bind_contacts(py::module_& module) {
+  py::class_<TouchSample> touch(module, "TouchSample", "Contacts of two collisions.");
+  touch.attr("__module__") = "trident_sim";
+  touch.def_readonly("collision1", &TouchSample::collision1, "model::link::collision.")
+      .def_readonly("collision2", &TouchSample::collision2, "model::link::collision.")
+      .def_property_readonly(
+          "positions", [](const TouchSample& s) { return to_rows(s.positions); },
+          "In the world [m], shape (n, 3).")
+      .def_property_readonly(
+          "normals", [](const TouchSample& s) { return to_rows(s.normals); },
+          "In the world, into collision 1, shape (n, 3).")
+      .def_property_readonly(
+          "forces", [](const TouchSample& s) { return to_rows(s.forces); },
+          "On collision 1, in the world [N], shape (n, 3).")
+      .def_property_readonly(
+          "torques", [](const TouchSample& s) { return to_rows(s.torques); },
+          "On collision 1, about its body's centre of mass [N m], shape (n, 3).")
+      .def_property_readonly(
+          "depths", [](const TouchSample& s) { return to_numpy(s.depths); }, "[m], shape (n,).");
+  stamped<ContactsSample>(module, "ContactsSample", "What the collisions of a bumper touch.")
+      .def_readonly("frame", &ContactsSample::frame, "Frame that a message is said to be in.")
+      .def_readonly("touches", &ContactsSample::touches, "One for each pair of collisions.");
+}
+
 void bind_navigation(py::module_& module) {
   stamped<FluidPressureSample>(module, "FluidPressureSample", "What a barometer measures.")
       .def_readonly("frame", &FluidPressureSample::frame, "Frame of the barometer.")
@@ -160,6 +219,17 @@ void bind_navigation(py::module_& module) {
       .def_property_readonly(
           "covariance", [](const GnssFixSample& s) { return to_matrix(s.covariance_enu); },
           "East, north, up [m^2], shape (3, 3).");
+  stamped<GnssStatusSample>(module, "GnssStatusSample", "How good a satellite receiver's fix is.")
+      .def_readonly("frame", &GnssStatusSample::frame, "Frame of the antenna.")
+      .def_property_readonly(
+          "fix_type", [](const GnssStatusSample& s) { return static_cast<int>(s.fix_type); },
+          "0: none, 1: single, 2: float, 3: fixed.")
+      .def_readonly("horizontal_stddev", &GnssStatusSample::stddev_horizontal_m,
+                    "Per axis, one sigma [m].")
+      .def_readonly("vertical_stddev", &GnssStatusSample::stddev_vertical_m, "One sigma [m].")
+      .def_readonly("satellites", &GnssStatusSample::satellites, "In view.")
+      .def_readonly("geoid_separation", &GnssStatusSample::geoid_separation_m,
+                    "Height of the geoid above the ellipsoid [m]; NaN: not known.");
   stamped<TwistSample>(module, "TwistSample", "Linear and angular velocity.")
       .def_readonly("frame", &TwistSample::frame, "Frame of what moves.")
       .def_property_readonly(
@@ -196,6 +266,8 @@ void bind_measurements(py::module_& module) {
   bind_imu(module);
   bind_laser_scan(module);
   bind_lidar_cloud(module);
+  bind_ranges(module);
+  bind_contacts(module);
   bind_navigation(module);
   bind_others(module);
 }

@@ -282,6 +282,72 @@ class LidarCloudSample(_Stamped):
     def points(self) -> npt.NDArray[np.void]:
         """Shape (n,), structured: x y z [m] in frame, intensity, ring, time since stamp [s]."""
 
+class PointListSample(_Stamped):
+    """A point per beam of a lidar."""
+    @property
+    def frame(self) -> str:
+        """Frame of the points."""
+    @property
+    def points(self) -> _Floats:
+        """In frame [m], shape (n, 3), float32."""
+    @property
+    def intensities(self) -> _Floats:
+        """Shape (n,), float32."""
+
+class RangeSample(_Stamped):
+    """The nearest thing in a cone about x."""
+    @property
+    def frame(self) -> str:
+        """Frame of the sensor."""
+    @property
+    def is_infrared(self) -> bool:
+        """Else ultrasound."""
+    @property
+    def field_of_view(self) -> float:
+        """Of the cone [rad]."""
+    @property
+    def range_min(self) -> float:
+        """Smallest range [m]."""
+    @property
+    def range_max(self) -> float:
+        """Largest range [m]."""
+    @property
+    def range(self) -> float:
+        """[m]; the largest range: nothing met."""
+
+class TouchSample:
+    """Contacts of two collisions."""
+    @property
+    def collision1(self) -> str:
+        """model::link::collision."""
+    @property
+    def collision2(self) -> str:
+        """model::link::collision."""
+    @property
+    def positions(self) -> _Array:
+        """In the world [m], shape (n, 3)."""
+    @property
+    def normals(self) -> _Array:
+        """In the world, into collision 1, shape (n, 3)."""
+    @property
+    def forces(self) -> _Array:
+        """On collision 1, in the world [N], shape (n, 3)."""
+    @property
+    def torques(self) -> _Array:
+        """On collision 1, about its body's centre of mass [N m], shape (n, 3)."""
+    @property
+    def depths(self) -> _Array:
+        """[m], shape (n,)."""
+
+class ContactsSample(_Stamped):
+    """What the collisions of a bumper touch."""
+    @property
+    def frame(self) -> str:
+        """Frame that a message is said to be in."""
+    @property
+    def touches(self) -> list[TouchSample]:
+        """One for each pair of collisions."""
+
 class FluidPressureSample(_Stamped):
     """What a barometer measures."""
     @property
@@ -323,6 +389,27 @@ class GnssFixSample(_Stamped):
     @property
     def covariance(self) -> _Array:
         """East, north, up [m^2], shape (3, 3)."""
+
+class GnssStatusSample(_Stamped):
+    """How good a satellite receiver's fix is."""
+    @property
+    def frame(self) -> str:
+        """Frame of the antenna."""
+    @property
+    def fix_type(self) -> int:
+        """0: none, 1: single, 2: float, 3: fixed."""
+    @property
+    def horizontal_stddev(self) -> float:
+        """Per axis, one sigma [m]."""
+    @property
+    def vertical_stddev(self) -> float:
+        """One sigma [m]."""
+    @property
+    def satellites(self) -> int:
+        """In view."""
+    @property
+    def geoid_separation(self) -> float:
+        """Height of the geoid above the ellipsoid [m]; NaN: not known."""
 
 class TwistSample(_Stamped):
     """Linear and angular velocity."""

@@ -76,11 +76,33 @@ Eigen::Vector3d friction_direction(const Geom& geom, const Body* body) {
   return body == nullptr ? fdir1 : Eigen::Vector3d(body->R_world_body * fdir1);
 }
 
+/// Of a geometry that is part of the world the middle of its box; a plane's has no end.
+Eigen::Vector3d centre_of(const Geom& geom, const Body* body) {
+  if (body != nullptr) return body->T_world_body.p;
+  dReal box[6];
+  dGeomGetAABB(geom.id, box);
+  const Eigen::Vector3d middle =
+      0.5 * Eigen::Vector3d(box[0] + box[1], box[2] + box[3], box[4] + box[5]);
+  return middle.allFinite() ? middle : Eigen::Vector3d(Eigen::Vector3d::Zero());
+}
+
+Contact contact_of(const Geom& a, const Body* body_a, const Geom& b, const Body* body_b,
+                   double depth_m) {
+  Contact contact;
+  contact.geom1 = &a;
+  contact.geom2 = &b;
+  contact.depth_m = depth_m;
+  contact.p_world_centre1 = centre_of(a, body_a);
+  contact.p_world_centre2 = centre_of(b, body_b);
+  return contact;
+}
+
 }  // namespace
 
 void PhysicsEngine::find_contacts(double dt_s) {
   if (contact_count_ > 0) dJointGroupEmpty(contacts_);
   contact_count_ = 0;
+  watched_count_ = 0;
   islands_.reset(bodies_.size());
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     Body& body = *bodies_[i];
@@ -149,8 +171,10 @@ void PhysicsEngine::collide_geoms(Geom& a, Body* body_a, Geom& b, Body* body_b, 
       combine_corrections(a.surface, body_b == nullptr ? nullptr : &b.surface, spec_);
   const Eigen::Vector3d direction =
       a.surface.fdir1.isZero() ? friction_direction(b, body_b) : friction_direction(a, body_a);
+  const bool is_watched = a.watchers + b.watchers > 0;
   for (int i = 0; i < found; ++i) {
     dContact& contact = contact_buffer_[static_cast<std::size_t>(i)];
+    const double depth_m = contact.geom.depth;
     contact.surface = combine(a.surface, b.surface, dt_s);
     contact.geom.depth =
         depth_to_tell(contact.geom.depth, correction, spec_, contact.surface.soft_erp, dt_s);
@@ -166,6 +190,7 @@ void PhysicsEngine::collide_geoms(Geom& a, Body* body_a, Geom& b, Body* body_b, 
     const dJointID joint = dJointCreateContact(world_, contacts_, &contact);
     dJointAttach(joint, body_a ? body_a->ode : nullptr, body_b ? body_b->ode : nullptr);
     ++contact_count_;
+    if (is_watched) watch(joint, contact.geom, contact_of(a, body_a, b, body_b, depth_m));
   }
   if (found == 0) return;
   body_a->in_contact = true;
@@ -173,6 +198,25 @@ void PhysicsEngine::collide_geoms(Geom& a, Body* body_a, Geom& b, Body* body_b, 
   if (body_b == nullptr) return;
   body_b->in_contact = true;
   islands_.join(body_a->number, body_b->number);
+}
+
+void PhysicsEngine::watch(dJointID joint, const dContactGeom& found, const Contact& of) {
+  if (watched_count_ == watched_.size()) watched_.emplace_back();
+  Watched& watched = watched_[watched_count_++];
+  watched.contact = of;
+  watched.contact.p_world = {found.pos[0], found.pos[1], found.pos[2]};
+  watched.contact.normal_world = {found.normal[0], found.normal[1], found.normal[2]};
+  watched.feedback = {};
+  dJointSetFeedback(joint, &watched.feedback);
+}
+
+void PhysicsEngine::tell_contacts() {
+  told_.clear();
+  for (std::size_t i = 0; i < watched_count_; ++i) {
+    const dReal* const force = watched_[i].feedback.f1;
+    told_.push_back(watched_[i].contact);
+    told_.back().force_world = {force[0], force[1], force[2]};
+  }
 }
 
 }  // namespace trident

@@ -98,6 +98,7 @@ void PhysicsEngine::set_models(const std::vector<Model*>& models) {
   spun_joints_.clear();
   spun_carriers_.clear();
   statics_.clear();
+  told_.clear();
   for (Model* model : models) {
     for (const auto& body : model->bodies) bodies_.push_back(body.get());
     for (const auto& joint : model->joints) {
@@ -158,6 +159,7 @@ void PhysicsEngine::step(double dt_s) {
     }
   }
   if (constrained) solve_constrained(dt_s);
+  if (watched_count_ > 0 || !told_.empty()) tell_contacts();
   for (Joint* joint : ode_joints_) joint->count_turns();
   advance_rotors(dt_s);
   for (Body* body : bodies_) {

@@ -4,12 +4,14 @@
 
 #include <ode/ode.h>
 
+#include <deque>
 #include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "islands.h"
+#include "trident_sim/contact.h"
 #include "trident_sim/model.h"
 #include "trident_sim/model_spec.h"
 
@@ -41,6 +43,8 @@ class PhysicsEngine {
   /// Copies poses and velocities of the bodies of `model` into ODE, after they were set by hand.
   void push_state(Model& model);
   void push_state(Body& body);
+  /// Of the last step, of the geometries that are watched.
+  const std::vector<Contact>& contacts() const { return told_; }
   /// What the next step's result depends on besides the bodies and joints.
   void state(StateArchive& archive) { archive(order_); }
 
@@ -65,6 +69,8 @@ class PhysicsEngine {
   void collide_with_static(Body& body, const Eigen::Vector3d& centre, double dt_s);
   void collide_bodies(Body& a, Body& b, double dt_s);
   void collide_geoms(Geom& a, Body* body_a, Geom& b, Body* body_b, double dt_s);
+  void watch(dJointID joint, const dContactGeom& found, const Contact& of);
+  void tell_contacts();
   void solve_constrained(double dt_s);
   bool is_large_island(const Body& body);
   void solve_islands(bool large, double dt_s);
@@ -90,6 +96,14 @@ class PhysicsEngine {
   std::vector<SpunCarrier> spun_carriers_;
   std::vector<StaticGeom> statics_;
   std::vector<dContact> contact_buffer_;
+  /// A watched contact of this step; ODE keeps the address of its forces.
+  struct Watched {
+    Contact contact;
+    dJointFeedback feedback;
+  };
+  std::deque<Watched> watched_;
+  std::size_t watched_count_ = 0;
+  std::vector<Contact> told_;
 };
 
 }  // namespace trident

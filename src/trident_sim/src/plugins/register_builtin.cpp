@@ -52,6 +52,11 @@ void register_builtin_plugins(PluginRegistry& registry) {
   registry.add("libtrident_lidar3d.so", point_lidar_factory());
   registry.add("libgazebo_ros_velodyne_laser.so", velodyne_laser_factory());
   registry.add("libgazebo_ros_velodyne_gpu_laser.so", velodyne_laser_factory());
+  registry.add("libgazebo_ros_range.so", range_factory());
+  registry.add("libgazebo_ros_block_laser.so", block_laser_factory());
+  registry.add("libgazebo_ros_bumper.so", bumper_factory());
+  registry.add("libtrident_gnss.so", gnss_factory());
+  registry.add("libtrident_wheel_encoder.so", wheel_encoder_factory());
   registry.add("libgazebo_ros_imu.so", gazebo_imu_factory());
   registry.add("libgazebo_ros_imu_sensor.so", gazebo_imu_sensor_factory());
   registry.add("librotors_gazebo_ros_interface_plugin.so", nothing_to_do());

@@ -293,6 +293,8 @@ void World::step(std::uint64_t n) {
   }
 }
 
+const std::vector<Contact>& World::contacts() const { return engine_->contacts(); }
+
 RayScene& World::rays(RayGeometry geometry) {
   std::unique_ptr<RayScene>& scene = ray_scenes_[static_cast<std::size_t>(geometry)];
   if (scene == nullptr) scene = std::make_unique<RayScene>(*this, geometry);

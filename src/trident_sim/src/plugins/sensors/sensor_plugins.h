@@ -13,6 +13,15 @@ PluginFactory lidar_factory();
 /// Velodyne's snapshots as points, of velodyne_gazebo_plugins, and our rolling lidar of many rings.
 PluginFactory velodyne_laser_factory();
 PluginFactory point_lidar_factory();
+/// gazebo_ros' cone of rays that tells the nearest, and its cloud of one point per beam.
+PluginFactory range_factory();
+PluginFactory block_laser_factory();
+/// gazebo_ros' bumper.
+PluginFactory bumper_factory();
+/// Our receiver with RTK.
+PluginFactory gnss_factory();
+/// Our encoders on joints.
+PluginFactory wheel_encoder_factory();
 /// gazebo_ros' IMUs: of a model (libgazebo_ros_imu.so) and of a sensor
 /// (libgazebo_ros_imu_sensor.so).
 PluginFactory gazebo_imu_factory();
