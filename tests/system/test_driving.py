@@ -6,11 +6,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from pathlib import Path as FilePath
 
+import numpy as np
 import rospy
 from geometry_msgs.msg import Twist
 from harness import Launch, Ros, eventually, recorder
 from nav_msgs.msg import Path
+from PIL import Image
 from sensor_msgs.msg import Joy
 from std_msgs.msg import Bool
 
@@ -71,3 +74,20 @@ def test_a_follower_without_waypoints_says_so(ros: Ros) -> None:
     assert node.wait() == 1
     assert "neither given, legal: one of them" in node.log
     assert "Traceback" not in node.log
+
+
+def test_an_observer_draws_what_goes_on(launch: Start, tmp_path: FilePath) -> None:
+    run = launch("trident_bringup", "robot_in_room.launch", real_time_factor=1).spawned(ROBOT)
+    before = run.models()
+    words = ["--from", "2", "-2", "1.5", "--at", "0", "0", "0", "--size", "160x100"]
+    out = tmp_path / "seen.png"
+    run.ros.call(
+        *("rosrun", "trident_eval", "observer.py", *words),
+        *("--count", "2", "--every", "0.2", "--out", out),
+    )
+    first, second = (Image.open(tmp_path / f"seen_000{n}.png") for n in (0, 1))
+    assert first.size == second.size == (160, 100)
+    # The robot is dark before a bright floor.
+    middle = np.asarray(first.convert("L"), dtype=float)[40:60, 70:90]
+    assert np.ptp(middle) > 30.0
+    eventually(lambda: run.models() == before, "the end of the camera")
