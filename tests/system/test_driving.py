@@ -79,7 +79,8 @@ def test_a_follower_without_waypoints_says_so(ros: Ros) -> None:
 def test_an_observer_draws_what_goes_on(launch: Start, tmp_path: FilePath) -> None:
     run = launch("trident_bringup", "robot_in_room.launch", real_time_factor=1).spawned(ROBOT)
     before = run.models()
-    words = ["--from", "2", "-2", "1.5", "--at", "0", "0", "0", "--size", "160x100"]
+    words = ["--model", ROBOT, "--from", "2", "-2", "1.5", "--at", "0", "0", "0"]
+    words += ["--size", "160x100"]
     out = tmp_path / "seen.png"
     run.ros.call(
         *("rosrun", "trident_eval", "observer.py", *words),

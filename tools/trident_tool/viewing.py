@@ -20,6 +20,7 @@ from trident_tool.screenshot import Size, resized, screenshot
 from trident_tool.shell import running_master
 from trident_tool.workspace import Runner, TridentError, Workspace, base_environment, say
 
+_SHOWN_S = 1.0  # simulated; what rviz does not hear then is not sent again by a world that stands
 _MARKERS = ["rosrun", "trident_eval", "fleet_markers.py"]
 
 
@@ -152,7 +153,11 @@ def _show(
             source = stack.enter_context(started(feed, view_environment(env)))
         stack.enter_context(started(_MARKERS, env))
         if look.at_s is not None:
-            _hold(runner, look.at_s, env)
+            last_s = _SHOWN_S if look.screenshot is not None else 0.0
+            _hold(runner, max(look.at_s - last_s, 0.0), env)
+            if last_s:
+                hold = ["rosrun", "trident_eval", "hold_at.py", "--viewer", str(look.at_s)]
+                stack.enter_context(started(hold, env))
         if source is not None and source.poll() not in (None, 0):
             raise TridentError(f"{' '.join(feed or [])} ended with exit code {source.returncode}")
         if look.screenshot is None:

@@ -6,7 +6,9 @@ from __future__ import annotations
 
 import argparse
 import sys
+import time
 
+import rosgraph
 import rospy
 from gazebo_msgs.srv import GetPhysicsProperties, GetWorldProperties
 from std_srvs.srv import Empty
@@ -15,6 +17,8 @@ from trident_msgs.srv import Step
 
 _START_LIMIT_S = 60.0
 _TRIES = 20
+_POLL_S = 0.1
+_CONNECT_S = 1.0
 _CHUNK_S = 0.1  # of simulated time, so that whoever watches can follow
 
 
@@ -51,6 +55,24 @@ class Held:
         raise rospy.ROSException(response.message)
 
 
+def wait_for_viewer() -> None:
+    """Wait until an rviz listens to transforms.
+
+    Raises:
+        rospy.ROSException: there is none within the limit.
+    """
+    give_up = time.monotonic() + _START_LIMIT_S
+    master = rosgraph.Master(rospy.get_name())
+    while not rospy.is_shutdown():
+        _, subscribers, _ = master.getSystemState()
+        if any(node.startswith("/rviz") for node in dict(subscribers).get("/tf", [])):
+            time.sleep(_CONNECT_S)  # it has asked for its topics; its sockets need a moment
+            return
+        if time.monotonic() > give_up:
+            raise rospy.ROSException(f"no rviz within {_START_LIMIT_S:g} s")
+        time.sleep(_POLL_S)
+
+
 def main(arguments: list[str] | None = None) -> int:
     """Run to the end.
 
@@ -59,6 +81,11 @@ def main(arguments: list[str] | None = None) -> int:
     """
     parser = argparse.ArgumentParser(prog="hold_at", description=__doc__)
     parser.add_argument("time_s", type=float, metavar="SECONDS", help="simulated time")
+    parser.add_argument(
+        "--viewer",
+        action="store_true",
+        help="first wait for an rviz, which then sees the way there",
+    )
     options = parser.parse_args(rospy.myargv(arguments or sys.argv)[1:])
     rospy.init_node("hold_at", anonymous=True)
     try:
@@ -66,6 +93,8 @@ def main(arguments: list[str] | None = None) -> int:
         if held.time_s > options.time_s + 0.5 * held.dt_s:
             rospy.logerr("it is %.3f s already, past %.3f s", held.time_s, options.time_s)
             return 1
+        if options.viewer:
+            wait_for_viewer()
         while not rospy.is_shutdown():
             left = round((options.time_s - held.time_s) / held.dt_s)
             if left <= 0:

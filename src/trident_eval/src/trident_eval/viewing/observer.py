@@ -13,13 +13,14 @@ import math
 import os
 import sys
 import threading
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 import numpy.typing as npt
 import rospy
-from gazebo_msgs.srv import DeleteModel, SpawnModel
+from gazebo_msgs.srv import DeleteModel, GetModelState, SpawnModel
 from geometry_msgs.msg import Point, Pose, Quaternion
 from PIL import Image as Picture
 from sensor_msgs.msg import Image
@@ -180,16 +181,42 @@ def main(arguments: list[str] | None = None) -> int:
     rospy.init_node("observer", anonymous=True, disable_signals=True)
     try:
         width, height = _size(options.size)
-        view = View(
-            tuple(options.place), tuple(options.at), width, height, math.radians(options.fov)
-        )
         _check(options)
+        about = place_of(options.model) if options.model else (0.0, 0.0, 0.0)
+        view = View(
+            _sum(about, options.place),
+            _sum(about, options.at),
+            width,
+            height,
+            math.radians(options.fov),
+        )
         with Observer(view) as observer:
             _write(observer, options)
     except EvalError as error:
         print(f"observer: {error}", file=sys.stderr)
         return 1
     return 0
+
+
+def place_of(model: str) -> Place:
+    """Where a model is now [m, world].
+
+    Raises:
+        EvalError: there is none of that name, or no simulator.
+    """
+    try:
+        rospy.wait_for_service("/gazebo/get_model_state", _SERVICE_LIMIT_S)
+        answer = rospy.ServiceProxy("/gazebo/get_model_state", GetModelState)(model, "")
+    except (rospy.ROSException, rospy.ServiceException) as error:
+        raise EvalError(f"no simulator: {error}") from error
+    if not answer.success:
+        raise EvalError(f"--model {model}: {answer.status_message}")
+    place = answer.pose.position
+    return place.x, place.y, place.z
+
+
+def _sum(a: Sequence[float], b: Sequence[float]) -> Place:
+    return a[0] + b[0], a[1] + b[1], a[2] + b[2]
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -202,6 +229,7 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument(
         "--at", nargs=3, type=float, default=default.target, metavar=axes, help="looked at [m]"
     )
+    parser.add_argument("--model", metavar="NAME", help="both from where this model is now")
     parser.add_argument("--fov", type=float, default=70.0, metavar="DEG", help="horizontal")
     parser.add_argument("--size", default="960x600", metavar="WxH", help="pixels; 960x600")
     parser.add_argument("--out", type=Path, default=Path("observer.png"), metavar="FILE.png")
