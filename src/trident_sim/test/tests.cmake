@@ -106,9 +106,12 @@ target_link_libraries(trident_sim_mutated_input_test trident_sim_test_support ${
 
 # Cameras.
 catkin_add_gtest(trident_sim_cameras_test
+  test/camera_light_test.cpp
   test/camera_model_test.cpp
   test/camera_picture_test.cpp
   test/camera_plugins_test.cpp
+  test/depth_camera_test.cpp
+  test/segmentation_camera_test.cpp
 )
 target_link_libraries(trident_sim_cameras_test
   trident_sim_test_support PkgConfig::PNG ${GTEST_MAIN_LIBRARIES})

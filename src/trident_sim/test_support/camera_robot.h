@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <cstring>
 #include <string>
 #include <vector>
 
 #include "models.h"
+#include "ray_check.h"
 #include "test_world.h"
 #include "trident_sim/samples.h"
 
@@ -102,6 +105,58 @@ inline Material glowing(double red, double green, double blue) {
 inline WorldSpec dark_world() {
   WorldSpec spec = weightless();
   spec.scene.background = {0, 0, 0, 1};
+  return spec;
+}
+
+/// Point of a world seen by a camera at the origin that looks along x, in its optical frame.
+inline Eigen::Vector3d optical(const Eigen::Vector3d& p_world) {
+  return {-p_world.y(), -p_world.z(), p_world.x()};
+}
+
+/// By CameraInfo, as ROS defines it.
+inline Eigen::Vector2d projected(const CameraInfoSample& info, const Eigen::Vector3d& p) {
+  const double x = p.x() / p.z(), y = p.y() / p.z(), r2 = x * x + y * y;
+  const auto& [k1, k2, t1, t2, k3] = info.D;
+  const double radial = 1.0 + k1 * r2 + k2 * r2 * r2 + k3 * r2 * r2 * r2;
+  const double u = x * radial + 2.0 * t1 * x * y + t2 * (r2 + 2.0 * x * x);
+  const double v = y * radial + t1 * (r2 + 2.0 * y * y) + 2.0 * t2 * x * y;
+  return {info.K[0] * u + info.K[2], info.K[4] * v + info.K[5]};
+}
+
+/// Three bytes of a pixel.
+inline std::array<int, 3> pixel(const ImageSample& image, int column, int row) {
+  const std::uint8_t* const p = &image.data[static_cast<std::size_t>(row) * image.bytes_per_row +
+                                            3 * static_cast<std::size_t>(column)];
+  return {p[0], p[1], p[2]};
+}
+
+/// Of a 32FC1 picture [m].
+inline float depth_at(const ImageSample& image, int column, int row) {
+  float depth = 0.0F;
+  std::memcpy(&depth,
+              &image.data[static_cast<std::size_t>(row) * image.bytes_per_row +
+                          4 * static_cast<std::size_t>(column)],
+              4);
+  return depth;
+}
+
+/// Something of each kind in view, lit.
+inline void add_things(TestWorld& world) {
+  world.add(make_visual("ball", SphereShape{0.5}, at(3, 0.7, 0.2)));
+  world.add(make_visual("box", BoxShape{{1, 1, 1}}, SE3::from_xyz_rpy({4, -1, 0}, 0.3, 0.2, 0.1)));
+  world.add(make_visual("can", CylinderShape{0.3, 1.0}, at(2, -0.4, -0.5)));
+  ModelSpec ground = make_visual("ground", PlaneShape{Eigen::Vector3d::UnitZ()}, at(0, 0, -1));
+  ground.is_static = true;
+  world.add(ground);
+}
+
+inline WorldSpec sunny() {
+  WorldSpec spec = weightless();
+  LightSpec sun;
+  sun.type = LightType::kDirectional;
+  sun.direction_light = Eigen::Vector3d(1, 0.3, -1).normalized();
+  sun.casts_shadows = true;
+  spec.lights = {sun};
   return spec;
 }
 

@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::size_t kLanes = kPacketLanes;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kHalf = 0.5F;  // rounds when cut off
 
 float within_one(float value) {
   const float at_most = value < 1.0F ? value : 1.0F;
@@ -94,7 +95,7 @@ void CameraRenderer::for_pixels(int column, int row, Store&& store) const {
         static_cast<std::size_t>(row * kSide + y) * static_cast<std::size_t>(width_) +
         static_cast<std::size_t>(column * kSide);
     for (int x = 0; x < columns; ++x) {
-      store(static_cast<std::size_t>(y * kSide + x), first + static_cast<std::size_t>(x));
+      store(ViewTable::lane_of(x, y), first + static_cast<std::size_t>(x));
     }
   }
 }
@@ -241,7 +242,7 @@ void CameraRenderer::store_colors(const Frame& frame, const PacketColor& color, 
   for (std::size_t channel = 0; channel < 3; ++channel) {
     for (std::size_t i = 0; i < kLanes; ++i) {
       const float value = within_one(within_one(color[channel][i]) + noise[i]);
-      bytes[channel][i] = static_cast<int>(value * 255.0F + 0.5F);
+      bytes[channel][i] = static_cast<int>(value * 255.0F + kHalf);
     }
   }
   std::uint8_t* const out = picture.colors.data();

@@ -57,7 +57,7 @@ void write_cloud(const Picture& picture, PixelFormat format, const CameraModel& 
   for (int row = 0; row < model.height; ++row) {
     for (int column = 0; column < model.width; ++column, ++pixel) {
       const ViewTable::Tile& tile = table.tile(column / kSide, row / kSide);
-      const auto lane = static_cast<std::size_t>(row % kSide * kSide + column % kSide);
+      const std::size_t lane = ViewTable::lane_of(column, row);
       const float depth = picture.depths[pixel];
       ImageCloudSample::Point& point = cloud.points[pixel];
       const bool is_seen = range.holds(depth);

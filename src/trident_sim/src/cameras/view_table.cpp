@@ -31,7 +31,7 @@ ViewTable::ViewTable(const CameraModel& model, const std::string& owner)
       Tile& tile =
           tiles_[static_cast<std::size_t>(row / kSide) * static_cast<std::size_t>(tile_columns_) +
                  static_cast<std::size_t>(column / kSide)];
-      const auto lane = static_cast<std::size_t>(row % kSide * kSide + column % kSide);
+      const std::size_t lane = lane_of(column, row);
       tile.x[lane] = static_cast<float>(direction.x());
       tile.y[lane] = static_cast<float>(direction.y());
     }

@@ -24,6 +24,12 @@ class ViewTable {
   /// Throws Error that begins with `owner` when the distortion does not tell where a pixel looks.
   ViewTable(const CameraModel& model, const std::string& owner);
 
+  /// Of a pixel in its tile.
+  static std::size_t lane_of(int column, int row) {
+    constexpr auto kWide = static_cast<unsigned>(kSide);
+    return static_cast<unsigned>(row) % kWide * kWide + static_cast<unsigned>(column) % kWide;
+  }
+
   int tile_columns() const { return tile_columns_; }
   int tile_rows() const { return static_cast<int>(tiles_.size()) / tile_columns_; }
   const Tile& tile(int column, int row) const {

@@ -48,6 +48,7 @@ void register_builtin_plugins(PluginRegistry& registry) {
   registry.add("libgazebo_ros_depth_camera.so", gazebo_depth_camera_factory());
   registry.add("libgazebo_ros_openni_kinect.so", gazebo_kinect_factory());
   registry.add("libgazebo_ros_multicamera.so", gazebo_multicamera_factory());
+  registry.add("librotors_gazebo_noisydepth_plugin.so", noisy_depth_camera_factory());
   registry.add("libtrident_camera.so", camera_factory());
   registry.add("libtrident_lidar3d.so", point_lidar_factory());
   registry.add("libgazebo_ros_velodyne_laser.so", velodyne_laser_factory());

@@ -87,6 +87,9 @@ void CameraOutputs::measure(const SE3& T_world_sensor, SimTime stamp, std::uint6
   picture_.wants_depths = wanted.depth || wanted.cloud;
   picture_.wants_shapes = wanted.labels || wanted.boxes;
   renderer_.render(T_world_sensor * setup_.spec.T_sensor_camera, stream_.bits(number, 0), picture_);
+  if (picture_.wants_depths) {
+    setup_.depth_noise.apply(stream_.bits(number, 1), picture_.depths);
+  }
   if (wanted.depth) publish_depths(stamp);
   if (wanted.labels || wanted.boxes) publish_labels(wanted, stamp);
   if (wanted.cloud) {

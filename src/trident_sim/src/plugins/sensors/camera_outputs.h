@@ -5,6 +5,7 @@
 #include <string>
 
 #include "../../cameras/camera_renderer.h"
+#include "../../cameras/depth_noise.h"
 #include "../../cameras/picture_products.h"
 #include "../plugin_util.h"
 #include "trident_base/random_stream.h"
@@ -21,6 +22,7 @@ struct CameraSetup {
   double rectified_cx = 0.0, baseline_m = 0.0;
   std::string frame;
   DepthRange depth_range;
+  DepthNoise depth_noise;
   DepthFormat depth_format = DepthFormat::kMetres;
   LabelKind label_kind = LabelKind::kModel;
   /// Full names of ports; "": not told.

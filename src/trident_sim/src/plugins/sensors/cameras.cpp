@@ -1,9 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "../gazebo_ros/drive_parts.h"
@@ -165,6 +168,52 @@ std::unique_ptr<Plugin> make_depth_camera(const PluginContext& context, const ch
   return std::make_unique<CameraSensor>(context, std::vector<CameraSetup>{setup});
 }
 
+/// `<depthNoiseModelName>`, in letters of either case, and what goes with it.
+DepthNoise read_depth_noise(const PluginParams& params, const CameraModel& model,
+                            const char* fallback) {
+  static const std::map<std::string, DepthNoiseModel> models = {
+      {"none", DepthNoiseModel::kNone},
+      {"kinect", DepthNoiseModel::kKinect},
+      {"d435", DepthNoiseModel::kD435}};
+  const std::string text = params.text("depthNoiseModelName", fallback);
+  std::string name = text;
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const auto known = models.find(name);
+  if (known == models.end()) params.refuse("depthNoiseModelName", text, "none, Kinect or D435");
+  DepthNoise noise;
+  noise.model = known->second;
+  noise.min_m = params.number("depthNoiseMinDist", noise.min_m, {0.0, kFarthest});
+  noise.max_m = params.number("depthNoiseMaxDist", noise.max_m, {0.0, kFarthest});
+  if (!(noise.min_m < noise.max_m)) {
+    params.refuse("depthNoiseMinDist", params.text("depthNoiseMinDist", "0.2"),
+                  "less than <depthNoiseMaxDist>, " + params.text("depthNoiseMaxDist", "1000"));
+  }
+  noise.focal_px = model.fx;
+  noise.baseline_m = params.number("baseline", noise.baseline_m, {1e-4, 10.0});
+  noise.subpixel_error_px =
+      params.number("D435NoiseSubpixelErr", noise.subpixel_error_px, {0.0, 100.0});
+  noise.max_stddev_m = params.number("D435MaxStdev", noise.max_stddev_m, {0.0, kFarthest});
+  return noise;
+}
+
+/// RotorS': a Kinect without points, whose depths are noisy.
+std::unique_ptr<Plugin> make_noisy_depth_camera(const PluginContext& context) {
+  const PluginParams& params = context.params;
+  const std::string camera = params.text("cameraName", "");
+  CameraSetup setup =
+      read_gazebo_setup(context, only_camera(context), camera, "ir/image_raw", "ir/camera_info");
+  setup.topics.depth =
+      camera_topic(params, camera, params.text("depthImageTopicName", "depth/image_raw"));
+  setup.topics.depth_info = camera_topic(
+      params, camera, params.text("depthImageCameraInfoTopicName", "depth/camera_info"));
+  setup.depth_noise = read_depth_noise(params, setup.model, "Kinect");
+  // The noise has a range of its own.
+  setup.depth_range = {0.0, std::numeric_limits<double>::infinity(),
+                       std::numeric_limits<float>::quiet_NaN()};
+  return std::make_unique<CameraSensor>(context, std::vector<CameraSetup>{setup});
+}
+
 /// The first camera, or the one called left, is the left one of a pair.
 std::unique_ptr<Plugin> make_multicamera(const PluginContext& context) {
   const PluginParams& params = context.params;
@@ -202,6 +251,7 @@ std::unique_ptr<Plugin> make_own_camera(const PluginContext& context) {
                   topic("boundingBoxesTopicName", "segmentation/boxes")};
   if (params.flag("useDepth16UC1Format", false)) setup.depth_format = DepthFormat::kMillimetres;
   setup.label_kind = read_label_kind(params);
+  setup.depth_noise = read_depth_noise(params, setup.model, "none");
   return std::make_unique<CameraSensor>(context, std::vector<CameraSetup>{setup});
 }
 
@@ -224,6 +274,8 @@ PluginFactory gazebo_kinect_factory() {
 }
 
 PluginFactory gazebo_multicamera_factory() { return {make_multicamera, {}}; }
+
+PluginFactory noisy_depth_camera_factory() { return {make_noisy_depth_camera, {}}; }
 
 PluginFactory camera_factory() { return {make_own_camera, {}}; }
 

@@ -37,6 +37,8 @@ PluginFactory gazebo_camera_factory();
 PluginFactory gazebo_depth_camera_factory();
 PluginFactory gazebo_kinect_factory();
 PluginFactory gazebo_multicamera_factory();
+/// RotorS' depth camera with the noise of a real one.
+PluginFactory noisy_depth_camera_factory();
 /// Our camera: colour, depth, labels and bounding boxes, whichever are asked for.
 PluginFactory camera_factory();
 
