@@ -10,7 +10,7 @@ import re
 import subprocess
 import tempfile
 import time
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -74,8 +74,10 @@ def _virtual_screen(folder: Path, size: Size) -> Iterator[tuple[str, Path]]:
         process.wait()
 
 
-def _wait_for_picture(screen: Path, viewer: subprocess.Popen[bytes]) -> Image:
-    """The picture of ``screen`` once it shows something and has stopped changing.
+def _wait_for_picture(
+    screen: Path, viewer: subprocess.Popen[bytes], is_ready: Callable[[], bool]
+) -> Image:
+    """The picture of ``screen`` once all is ready, it shows something and has stopped changing.
 
     Raises:
         TridentError: the program ended, or the screen stayed blank.
@@ -88,7 +90,7 @@ def _wait_for_picture(screen: Path, viewer: subprocess.Popen[bytes]) -> Image:
             raise TridentError(f"rviz ended with exit code {viewer.returncode}")
         time.sleep(_POLL_S)
         picture = read_xwd(screen.read_bytes())
-        equal = equal + 1 if picture == last else 0
+        equal = equal + 1 if picture == last and is_ready() else 0
         last = picture
         if wall_s >= _MIN_WALL_S and equal >= _SETTLED_POLLS and not picture.is_blank():
             return picture
@@ -103,8 +105,21 @@ def resized(configuration: str, size: Size) -> str:
     return f"{head}Window Geometry:\n  Height: {size.height}\n  Width: {size.width}\n"
 
 
-def screenshot(command: Sequence[str], env: Mapping[str, str], target: Path, size: Size) -> None:
+def screenshot(
+    command: Sequence[str],
+    env: Mapping[str, str],
+    target: Path,
+    size: Size,
+    is_ready: Callable[[], bool] = lambda: True,
+) -> None:
     """Runs a program on a screen of its own until its picture stands still, and keeps that.
+
+    Args:
+        command: the program.
+        env: its environment.
+        target: where the picture goes.
+        size: of the screen.
+        is_ready: whether what it shows has been sent.
 
     Raises:
         TridentError: there is no picture.
@@ -117,4 +132,4 @@ def screenshot(command: Sequence[str], env: Mapping[str, str], target: Path, siz
         changes = {"DISPLAY": display, "LIBGL_ALWAYS_SOFTWARE": "1", "QT_X11_NO_MITSHM": "1"}
         changes.setdefault("XDG_RUNTIME_DIR", env.get("XDG_RUNTIME_DIR", folder))
         with started(command, {**env, **changes}) as viewer:
-            write_png(_wait_for_picture(screen, viewer).cropped(), target)
+            write_png(_wait_for_picture(screen, viewer, is_ready).cropped(), target)

@@ -8,7 +8,7 @@ import contextlib
 import os
 import subprocess
 import tempfile
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -152,22 +152,35 @@ def _show(
             runner.run(["rosparam", "set", "use_sim_time", "true"], env=env)
             source = stack.enter_context(started(feed, view_environment(env)))
         stack.enter_context(started(_MARKERS, env))
+        last_steps: subprocess.Popen[bytes] | None = None
         if look.at_s is not None:
             last_s = _SHOWN_S if look.screenshot is not None else 0.0
             _hold(runner, max(look.at_s - last_s, 0.0), env)
             if last_s:
                 hold = ["rosrun", "trident_eval", "hold_at.py", "--viewer", str(look.at_s)]
-                stack.enter_context(started(hold, env))
+                last_steps = stack.enter_context(started(hold, env))
         if source is not None and source.poll() not in (None, 0):
             raise TridentError(f"{' '.join(feed or [])} ended with exit code {source.returncode}")
         if look.screenshot is None:
             return runner.run(command, env=env)
-        _take_picture(command, env, look.screenshot, look.size)
+        _take_picture(
+            command,
+            env,
+            look.screenshot,
+            look.size,
+            lambda: last_steps is None or last_steps.poll() is not None,
+        )
         say(f"wrote {look.screenshot}")
     return 0
 
 
-def _take_picture(command: list[str], env: dict[str, str], target: Path, size: Size) -> None:
+def _take_picture(
+    command: list[str],
+    env: dict[str, str],
+    target: Path,
+    size: Size,
+    is_ready: Callable[[], bool],
+) -> None:
     """A screenshot of rviz, with the window of its configuration as large as the picture."""
     with tempfile.TemporaryDirectory(prefix="trident-view-") as folder:
         for index, word in enumerate(command):
@@ -176,7 +189,7 @@ def _take_picture(command: list[str], env: dict[str, str], target: Path, size: S
                 text = resized(Path(word).read_text(encoding="utf-8"), size)
                 copy.write_text(text, encoding="utf-8")
                 command = [*command[:index], str(copy), *command[index + 1 :]]
-        screenshot(command, env, target, size)
+        screenshot(command, env, target, size, is_ready)
 
 
 def _at(env: Mapping[str, str], uri: str) -> dict[str, str]:
