@@ -89,7 +89,7 @@ def hall(config: HallConfig | None = None) -> Files:
     _crates(model, config, random)
     comment = (
         f"A hall of {config.length:g} m x {config.width:g} m, covered with pictures for cameras. "
-        f"Made by ./trident worldgen hall --seed {config.seed}"
+        f"Made by ./trident worldgen hall, seed {config.seed}"
     )
     files["hall.world"] = world_text(comment, [model])
     return files

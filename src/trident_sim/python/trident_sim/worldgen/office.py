@@ -100,7 +100,7 @@ def office(config: OfficeConfig | None = None) -> Files:
     comment = (
         f"An office of {config.length:g} m x {config.width:g} m: {len(rooms)} rooms along "
         f"corridors of {config.corridor:g} m that form two loops. "
-        f"Made by ./trident worldgen office --seed {config.seed}"
+        f"Made by ./trident worldgen office, seed {config.seed}"
     )
     return {"office.world": world_text(comment, [building, furniture])}
 
