@@ -112,7 +112,14 @@ def _cmd_report(workspace: Workspace, runner: Runner, options: argparse.Namespac
 
 def _cmd_view(workspace: Workspace, runner: Runner, options: argparse.Namespace) -> int:
     build(workspace, runner)
-    look = Look(tuple(options.words), options.config, options.screenshot, options.at, options.size)
+    look = Look(
+        tuple(options.words),
+        options.config,
+        options.screenshot,
+        options.at,
+        options.live,
+        options.size,
+    )
     return view(workspace, runner, look)
 
 
@@ -211,6 +218,13 @@ def _add_running_commands(add: Callable[[str, Handler, str], argparse.ArgumentPa
     )
     sub.add_argument(
         "--at", type=float, metavar="SECONDS", help="hold a launch at this simulated time"
+    )
+    sub.add_argument(
+        "--live",
+        type=float,
+        default=0.0,
+        metavar="SECONDS",
+        help="with --at: rviz sees so much of the time before; sensors need it",
     )
     sub.add_argument(
         "--size", type=_size, default=Size(), metavar="WxH", help="of the picture; 1600x1000"

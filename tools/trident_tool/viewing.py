@@ -20,7 +20,6 @@ from trident_tool.screenshot import Size, resized, screenshot
 from trident_tool.shell import running_master
 from trident_tool.workspace import Runner, TridentError, Workspace, base_environment, say
 
-_SHOWN_S = 1.0  # simulated; what rviz does not hear then is not sent again by a world that stands
 _MARKERS = ["rosrun", "trident_eval", "fleet_markers.py"]
 
 
@@ -33,6 +32,8 @@ class Look:
         config: name of a configuration of config/rviz, or a path; None: the first one.
         screenshot: PNG file to be made off-screen; None: rviz on the display.
         at_s: simulated time at which a launch file is held; None: it runs on.
+        live_s: how much of the time before that rviz sees go by: what sensors send is not sent
+            again by a world that stands [s].
         size: of the screenshot.
     """
 
@@ -40,6 +41,7 @@ class Look:
     config: str | None = None
     screenshot: Path | None = None
     at_s: float | None = None
+    live_s: float = 0.0
     size: Size = field(default_factory=Size)
 
 
@@ -122,6 +124,8 @@ def view(workspace: Workspace, runner: Runner, look: Look) -> int:
     feed = source_command(workspace, look.words, env)
     if look.at_s is not None and (feed is None or "--disable-title" not in feed):
         raise TridentError("--at goes with a launch file only")
+    if look.live_s and look.at_s is None:
+        raise TridentError("--live goes with --at only")
     command = rviz_command(look, pick_config(workspace, look.config))
     if runner.dry_run:
         for words in [feed, _MARKERS, command]:
@@ -154,9 +158,8 @@ def _show(
         stack.enter_context(started(_MARKERS, env))
         last_steps: subprocess.Popen[bytes] | None = None
         if look.at_s is not None:
-            last_s = _SHOWN_S if look.screenshot is not None else 0.0
-            _hold(runner, max(look.at_s - last_s, 0.0), env)
-            if last_s:
+            _hold(runner, max(look.at_s - look.live_s, 0.0), env)
+            if look.live_s:
                 hold = ["rosrun", "trident_eval", "hold_at.py", "--viewer", str(look.at_s)]
                 last_steps = stack.enter_context(started(hold, env))
         if source is not None and source.poll() not in (None, 0):

@@ -110,7 +110,8 @@ class RosettePattern : public LidarPattern {
     double cone_half_rad, rate1_rad_s, rate2_rad_s;
   };
   RosettePattern(std::size_t points, double scan_period_s, const Prisms& prisms, bool is_rolling)
-      : LidarPattern(points / kGroup, is_rolling ? scan_period_s / (points / kGroup) : 0.0,
+      : LidarPattern(points / kGroup,
+                     is_rolling ? scan_period_s / static_cast<double>(points / kGroup) : 0.0,
                      group(is_rolling ? scan_period_s / static_cast<double>(points) : 0.0),
                      Neighbours::kWithinColumn),
         prisms_(prisms),

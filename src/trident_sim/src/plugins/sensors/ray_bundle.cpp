@@ -46,7 +46,7 @@ void RayBundle::cast() {
 }
 
 std::string sensor_topic(const PluginParams& params, const std::string& fallback) {
-  const std::string topic = scoped_topic(params, params.text("topicName", fallback));
+  std::string topic = scoped_topic(params, params.text("topicName", fallback));
   if (params.text("topicName", fallback).find_first_not_of('/') == std::string::npos) {
     params.refuse("topicName", params.text("topicName", ""), "the name of a topic");
   }
