@@ -110,8 +110,7 @@ class RosettePattern : public LidarPattern {
     double cone_half_rad, rate1_rad_s, rate2_rad_s;
   };
   RosettePattern(std::size_t points, double scan_period_s, const Prisms& prisms, bool is_rolling)
-      : LidarPattern(points / kGroup,
-                     is_rolling ? scan_period_s / static_cast<double>(points / kGroup) : 0.0,
+      : LidarPattern(points / kGroup, is_rolling ? column_period_s(scan_period_s, points) : 0.0,
                      group(is_rolling ? scan_period_s / static_cast<double>(points) : 0.0),
                      Neighbours::kWithinColumn),
         prisms_(prisms),
@@ -136,6 +135,10 @@ class RosettePattern : public LidarPattern {
   }
 
  private:
+  static double column_period_s(double scan_period_s, std::size_t points) {
+    const std::size_t columns = points / kGroup;
+    return scan_period_s / static_cast<double>(columns);
+  }
   struct Bends {
     Eigen::Vector2d first, second;
   };
