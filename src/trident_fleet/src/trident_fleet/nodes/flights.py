@@ -60,12 +60,15 @@ class Crew:
         """Columns of the fed vehicles."""
         return [vehicle.index for vehicle in self.fed]
 
-    def is_reset(self, newest_ns: int, now_ns: int) -> bool:
-        """Whether simulated time has gone back; then it is told, and the flight starts over.
+    def restart_if_reset(self, newest_ns: int, now_ns: int) -> bool:
+        """Tell of simulated time that has gone back, and have the flight start over.
 
         Args:
             newest_ns: time that was known so far [ns].
             now_ns: the simulator's time now [ns].
+
+        Returns:
+            Whether it has: nothing of this flight is to be sent any more.
         """
         if now_ns >= newest_ns - self.settings.feed.period_ns:
             return False
@@ -196,7 +199,7 @@ class TimeFlight:
 
     def _on_clock(self, now_ns: int) -> None:
         with self._lock:
-            if self._crew.is_reset(self._now_ns, now_ns):
+            if self._crew.restart_if_reset(self._now_ns, now_ns):
                 return
             self._now_ns = max(now_ns, self._now_ns)
             self._send_due()
@@ -240,7 +243,7 @@ class GateFlight:
 
     def _on_state(self, stamp_ns: int, position: Array) -> None:
         with self._lock:
-            if self._crew.is_reset(self._stamp_ns, stamp_ns):
+            if self._crew.restart_if_reset(self._stamp_ns, stamp_ns):
                 return
             self._stamp_ns = max(stamp_ns, self._stamp_ns)
             batches = self._feeder.on_state(stamp_ns, position)

@@ -155,7 +155,7 @@ class FollowFlight:
 
     def _on_clock(self, now_ns: int) -> None:
         with self._lock:
-            if self._crew.is_reset(self._now_ns, now_ns):
+            if self._crew.restart_if_reset(self._now_ns, now_ns):
                 self.close()
                 return
             self._now_ns = max(now_ns, self._now_ns)
