@@ -46,6 +46,17 @@ def test_compile_commands_lose_compiler_launcher_and_output() -> None:
     assert unit.include_dirs == [Path("/inc"), Path("/sys")]
 
 
+def test_precompiled_headers_are_left_out_and_other_includes_kept() -> None:
+    entry = {
+        "directory": "/build",
+        "file": "a.cpp",
+        "command": "env A=b /usr/bin/ccache /usr/bin/c++ -O2 -Winvalid-pch -include "
+        "/build/CMakeFiles/x.dir/cmake_pch.hxx -include /inc/own.h -o a.o -c a.cpp",
+    }
+    (unit,) = parse_compile_commands(json.dumps([entry]))
+    assert unit.flags == ("-O2", "-include", "/inc/own.h")
+
+
 def test_only_core_sources_are_checked_once_each(tmp_path: Path) -> None:
     names = [
         "src/pkg/src/z.cpp",

@@ -52,7 +52,11 @@ class CompileCommand:
 
 
 def parse_compile_commands(text: str) -> list[CompileCommand]:
-    """Translation units of a compile_commands.json; compiler, -o and -c are left out."""
+    """Translation units of a compile_commands.json.
+
+    Compiler, -o and -c are left out, and so are precompiled headers: they are gcc's, which clang
+    cannot read, and a source must include by itself what it uses.
+    """
     units = []
     for entry in json.loads(text):
         source = Path(entry["directory"], entry["file"]).resolve()
@@ -65,8 +69,18 @@ def parse_compile_commands(text: str) -> list[CompileCommand]:
                 skip = not skip
             else:
                 flags.append(word)
-        units.append(CompileCommand(source, tuple(flags)))
+        units.append(CompileCommand(source, _without_precompiled_headers(flags)))
     return units
+
+
+def _without_precompiled_headers(flags: list[str]) -> tuple[str, ...]:
+    kept: list[str] = []
+    for flag in flags:
+        if flag.endswith("/cmake_pch.hxx") and kept and kept[-1] == "-include":
+            kept.pop()
+        elif flag != "-Winvalid-pch":
+            kept.append(flag)
+    return tuple(kept)
 
 
 def core_units(units: Iterable[CompileCommand], root: Path) -> list[CompileCommand]:

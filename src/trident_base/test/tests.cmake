@@ -28,11 +28,14 @@ catkin_add_gtest(trident_base_test
   test/span_test.cpp
   test/string_util_test.cpp
   test/wheel_encoder_test.cpp
+  test/worker_pool_test.cpp
   test/yaml_config_test.cpp
   test/yaml_tree_test.cpp
   ${header_sources}
 )
 target_link_libraries(trident_base_test trident_base ${GTEST_MAIN_LIBRARIES})
+trident_precompile_headers(trident_base_test <gtest/gtest.h>)
+set_source_files_properties(${header_sources} PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
 
 # Alone, because it replaces the global operator new.
 catkin_add_gtest(trident_base_allocation_test test/allocation_test.cpp)

@@ -5,8 +5,10 @@
 #include <ros/ros.h>
 #include <xmlrpcpp/XmlRpcValue.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <set>
+#include <thread>
 
 #include "trident_base/error.h"
 
@@ -153,6 +155,12 @@ void read_timing(Parameters& parameters, ServerOptions& options) {
   }
 }
 
+/// As many as there are cores, up to what a camera's picture is worth; they sleep when not needed.
+std::size_t default_sensor_threads() {
+  constexpr unsigned kMost = 8;
+  return std::clamp(std::thread::hardware_concurrency(), 1U, kMost);
+}
+
 void read_parameters(const ros::NodeHandle& private_node, ServerOptions& options) {
   Parameters parameters(private_node);
   parameters.number("real_time_factor", options.real_time_factor, 0.0, 1e6);
@@ -171,6 +179,11 @@ void read_parameters(const ros::NodeHandle& private_node, ServerOptions& options
   parameters.number("pub_clock_frequency", options.pub_clock_frequency_hz, 0.0, 1e5);
   parameters.text("out_dir", options.out_dir);
   parameters.names("plugin_libraries", options.plugin_libraries);
+  options.sensor_threads = default_sensor_threads();
+  parameters.integer("sensor_threads", options.sensor_threads, 256);
+  if (options.sensor_threads < 1) {
+    throw Error("parameter /gazebo/sensor_threads is 0, must be in [1, 256]");
+  }
   read_timing(parameters, options);
   options.warnings = parameters.unknown();
 }

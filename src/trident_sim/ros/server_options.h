@@ -38,6 +38,7 @@ struct ServerOptions {
   double pub_clock_frequency_hz = 0.0;  ///< simulated rate of /clock; 0: every step
   std::string out_dir;                  ///< where results go; "": none are written
   std::vector<std::string> plugin_libraries;
+  std::size_t sensor_threads = 1;     ///< that share the work of lidars and cameras
   bool shares_process = false;        ///< it is one of the nodelets of a manager
   std::vector<std::string> warnings;  ///< about the options themselves
 };

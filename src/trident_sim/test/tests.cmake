@@ -60,6 +60,7 @@ catkin_add_gtest(trident_sim_test
 target_link_libraries(trident_sim_test
   trident_sim_test_support sdformat12::sdformat12 PkgConfig::GEOGRAPHICLIB ${GTEST_MAIN_LIBRARIES})
 target_include_directories(trident_sim_test PRIVATE src)  # parts of plugins
+trident_precompile_headers(trident_sim_test <gtest/gtest.h>)
 
 # Joints, terrain, contacts against closed forms, snapshots of flights.
 catkin_add_gtest(trident_sim_physics_test
@@ -132,3 +133,9 @@ catkin_add_gtest(trident_sim_rays_test
 target_link_libraries(trident_sim_rays_test
   trident_sim_test_support PkgConfig::PNG ${GTEST_MAIN_LIBRARIES})
 target_include_directories(trident_sim_rays_test PRIVATE src)  # parts of the core
+
+# One set of precompiled headers for all of them.
+foreach(test trident_sim_physics_test trident_sim_ground_test trident_sim_flight_test trident_sim_allocation_test
+             trident_sim_mutated_input_test trident_sim_cameras_test trident_sim_rays_test)
+  target_precompile_headers(${test} REUSE_FROM trident_sim_test)
+endforeach()

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "trident_base/sim_time.h"
+#include "trident_base/worker_pool.h"
 #include "trident_sim/axis_params.h"
 #include "trident_sim/contact.h"
 #include "trident_sim/joint_drive.h"
@@ -48,6 +49,8 @@ struct WorldOptions {
   ReportSink report;
   /// What names of frames begin with in a robot's namespace (ROS' parameter tf_prefix); none: "".
   std::function<std::string(const std::string& robot_namespace)> tf_prefix{};
+  /// Threads that share the work of lidars and cameras, 1 to 256. Results do not depend on it.
+  std::size_t sensor_threads = 1;
 };
 
 struct SpawnRequest {
@@ -166,6 +169,9 @@ class World {
   /// is called.
   RayScene& rays(RayGeometry geometry);
 
+  /// For work within a step that is worth sharing, and whose result does not depend on who does it.
+  WorkerPool& workers() { return workers_; }
+
   PortBoard& ports() { return ports_; }
   const PortBoard& ports() const { return ports_; }
   void report(Severity severity, const std::string& text) const;
@@ -210,6 +216,7 @@ class World {
   Resources resources_;
   PluginRegistry& registry_;
   WorldOptions options_;
+  WorkerPool workers_;
   PortBoard ports_;
   std::unique_ptr<PhysicsEngine> engine_;
   std::map<std::string, std::unique_ptr<Model>> models_;

@@ -18,8 +18,10 @@ namespace {
 std::shared_ptr<Session> make_session(const std::string& world, std::uint64_t seed,
                                       const std::string& timing,
                                       const std::vector<std::string>& folders,
-                                      const std::vector<std::string>& plugins) {
-  return std::make_shared<Session>(SessionOptions{world, seed, timing, folders, plugins});
+                                      const std::vector<std::string>& plugins,
+                                      std::size_t sensor_threads) {
+  return std::make_shared<Session>(
+      SessionOptions{world, seed, timing, folders, plugins, sensor_threads});
 }
 
 std::string spawn(Session& session, const std::string& name, const std::string& xml,
@@ -97,7 +99,7 @@ void bind_session(py::module_& module) {
   module.attr("Message").attr("__module__") = "trident_sim";
   py::class_<Session, std::shared_ptr<Session>>(module, "Session")
       .def(py::init(&make_session), py::arg("world"), py::arg("seed"), py::arg("timing"),
-           py::arg("folders"), py::arg("plugins"))
+           py::arg("folders"), py::arg("plugins"), py::arg("sensor_threads"))
       .def("spawn", &spawn)
       .def("remove", &Session::remove)
       .def("step", &Session::step)

@@ -63,8 +63,9 @@ Session::Session(const SessionOptions& options) : resources_(options.folders) {
                        options.world[options.world.find_first_not_of(" \t\r\n")] == '<';
   const WorldSpec spec = is_text ? load_world_string(options.world, "world", resources_, warn)
                                  : load_world_file(options.world, resources_, warn);
-  world_ = std::make_unique<World>(spec, resources_, registry_,
-                                   WorldOptions{options.seed, timing, report});
+  world_ = std::make_unique<World>(
+      spec, resources_, registry_,
+      WorldOptions{options.seed, timing, report, {}, options.sensor_threads});
 }
 
 Session::~Session() = default;

@@ -23,6 +23,7 @@ struct SessionOptions {
   std::string timing = "rotors";     ///< or "direct"
   std::vector<std::string> folders;  ///< searched before the environment's paths
   std::vector<std::string> plugins;  ///< shared objects with plugins, besides the built-in ones
+  std::size_t sensor_threads = 1;
 };
 
 /// One event that did not stop the world.

@@ -680,7 +680,13 @@ class Snapshot:
 
 class Session:
     def __init__(
-        self, world: str, seed: int, timing: str, folders: list[str], plugins: list[str]
+        self,
+        world: str,
+        seed: int,
+        timing: str,
+        folders: list[str],
+        plugins: list[str],
+        sensor_threads: int,
     ) -> None: ...
     def spawn(self, name: str, xml: str, label: str, namespace: str, pose: _Vector) -> str: ...
     def remove(self, name: str) -> None: ...

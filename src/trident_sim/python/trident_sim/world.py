@@ -137,6 +137,7 @@ class World:
         timing: str = "rotors",
         folders: Sequence[FilePath] = (),
         plugins: Sequence[FilePath] = (),
+        sensor_threads: int = 1,
     ) -> None:
         """Load a world.
 
@@ -150,15 +151,24 @@ class World:
             folders: searched for files before GAZEBO_MODEL_PATH, GAZEBO_RESOURCE_PATH and
                 ROS_PACKAGE_PATH.
             plugins: shared objects that hold plugins, besides those that are built in.
+            sensor_threads: threads that share the work of lidars and cameras, 1 to 256; what these
+                measure does not depend on it.
 
         Raises:
             Error: the world cannot be found or read, or an argument is illegal.
         """
         if not 0 <= seed < 2**64:
             raise Error(f"seed is {seed}, legal: 0 to 2^64 - 1")
+        if not 1 <= sensor_threads <= 256:
+            raise Error(f"sensor_threads is {sensor_threads}, legal: 1 to 256")
         self._told = 0
         self._session = Session(
-            os.fspath(world), seed, timing, [*map(_path, folders)], [*map(_path, plugins)]
+            os.fspath(world),
+            seed,
+            timing,
+            [*map(_path, folders)],
+            [*map(_path, plugins)],
+            sensor_threads,
         )
         self._folders = [*map(_path, folders)]
         self.models = Models(self._session)

@@ -8,6 +8,7 @@
 
 #include "../rays/texture.h"
 #include "image_noise.h"
+#include "surface_cache.h"
 
 namespace trident {
 namespace {
@@ -38,8 +39,9 @@ struct CameraRenderer::Frame {
   float pixel_angle;  ///< about that which a pixel spans in the middle of the picture [rad]
 };
 
-/// What the rays of one tile meet.
+/// What the rays of one tile meet, and the surfaces that those before it met.
 struct CameraRenderer::Seen {
+  SurfaceCache surfaces;
   RayPacket rays;
   PacketHits hits;
   std::array<double, kLanes> depths;
@@ -53,13 +55,19 @@ CameraRenderer::CameraRenderer(World& world, const CameraSpec& spec, const Camer
       width_(model.width),
       height_(model.height),
       pixel_angle_(static_cast<float>(1.0 / model.fx)),
-      table_(model, owner) {}
+      table_(model, owner) {
+  for (std::size_t worker = 0; worker < world.workers().threads(); ++worker) {
+    seen_.push_back(std::make_unique<Seen>());
+  }
+}
+
+CameraRenderer::~CameraRenderer() = default;
 
 void CameraRenderer::render(const SE3& T_world_camera, std::uint64_t noise_key, Picture& picture) {
   RayScene& scene = world_.rays(RayGeometry::kVisual);
   scene.use_textures();
   scene.refresh();
-  surfaces_.begin_picture(scene, T_world_camera.p);
+  for (const auto& seen : seen_) seen->surfaces.begin_picture(scene, T_world_camera.p);
   const Eigen::Matrix3f R = T_world_camera.R.toRotationMatrix().cast<float>();
   const Frame frame{scene,
                     Lighting(world_, scene),
@@ -70,18 +78,23 @@ void CameraRenderer::render(const SE3& T_world_camera, std::uint64_t noise_key, 
                     R.col(0),
                     world_.scene().background.head<3>().cast<float>(),
                     pixel_angle_};
+  make_room(picture);
+  // A row of tiles is a part of the work: what it draws depends on no other.
+  const auto rows = static_cast<std::size_t>(table_.tile_rows());
+  world_.workers().share(rows, [&](std::size_t row, std::size_t worker) {
+    for (int column = 0; column < table_.tile_columns(); ++column) {
+      render_tile(frame, column, static_cast<int>(row), *seen_[worker], picture);
+    }
+  });
+}
+
+void CameraRenderer::make_room(Picture& picture) const {
   const std::size_t pixels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
   if (picture.wants_colors) {
     picture.colors.resize(pixels * static_cast<std::size_t>(channel_count(spec_.format)));
   }
   if (picture.wants_depths) picture.depths.resize(pixels);
   if (picture.wants_shapes) picture.shapes.resize(pixels);
-  Seen seen{};
-  for (int row = 0; row < table_.tile_rows(); ++row) {
-    for (int column = 0; column < table_.tile_columns(); ++column) {
-      render_tile(frame, column, row, seen, picture);
-    }
-  }
 }
 
 /// Calls store(lane, pixel) for the pixels of a tile that are within the picture.
@@ -101,7 +114,7 @@ void CameraRenderer::for_pixels(int column, int row, Store&& store) const {
 }
 
 void CameraRenderer::render_tile(const Frame& frame, int column, int row, Seen& seen,
-                                 Picture& picture) {
+                                 Picture& picture) const {
   see(frame, table_.tile(column, row), picture.wants_colors, seen);
   if (picture.wants_depths) {
     for_pixels(column, row, [&](std::size_t lane, std::size_t pixel) {
@@ -124,7 +137,7 @@ void CameraRenderer::render_tile(const Frame& frame, int column, int row, Seen& 
 
 /// Casts the rays of a tile, again from behind a surface that is seen from behind.
 void CameraRenderer::see(const Frame& frame, const ViewTable::Tile& tile, bool with_look,
-                         Seen& seen) {
+                         Seen& seen) const {
   constexpr int kMostBehindOneAnother = 32;
   RayPacket& rays = seen.rays;
   rays.origin_x.fill(static_cast<float>(frame.p_world_camera.x()));
@@ -166,14 +179,15 @@ void CameraRenderer::see(const Frame& frame, const ViewTable::Tile& tile, bool w
 }
 
 /// Notes what a lane meets. False: that is a surface from behind, beyond which the ray begins now.
-bool CameraRenderer::describe(const Frame& frame, std::size_t lane, bool with_look, Seen& seen) {
+bool CameraRenderer::describe(const Frame& frame, std::size_t lane, bool with_look,
+                              Seen& seen) const {
   RayPacket& rays = seen.rays;
   const std::uint32_t shape = seen.hits.shape[lane], primitive = seen.hits.primitive[lane];
   if (shape == Picture::kNothing) {
     seen.depths[lane] = kInfinity;
     return true;
   }
-  const SeenSurface& surface = surfaces_.find(shape, primitive);
+  const SeenSurface& surface = seen.surfaces.find(shape, primitive);
   const Eigen::Vector3d direction(rays.direction_x[lane], rays.direction_y[lane],
                                   rays.direction_z[lane]);
   double t = surface.gap_m / surface.look.normal_world.dot(direction);

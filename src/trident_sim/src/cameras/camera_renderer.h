@@ -3,12 +3,12 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "camera_spec.h"
 #include "lighting.h"
-#include "surface_cache.h"
 #include "view_table.h"
 
 namespace trident {
@@ -32,6 +32,9 @@ class CameraRenderer {
   /// Throws Error that begins with `owner`, see ViewTable. `world` must outlive this.
   CameraRenderer(World& world, const CameraSpec& spec, const CameraModel& model,
                  const std::string& owner);
+  ~CameraRenderer();
+  CameraRenderer(const CameraRenderer&) = delete;
+  CameraRenderer& operator=(const CameraRenderer&) = delete;
 
   /// `T_world_camera`: x ahead, z up. `noise_key`: random bits of this picture's own.
   void render(const SE3& T_world_camera, std::uint64_t noise_key, Picture& picture);
@@ -40,9 +43,10 @@ class CameraRenderer {
  private:
   struct Frame;
   struct Seen;
-  void render_tile(const Frame& frame, int column, int row, Seen& seen, Picture& picture);
-  void see(const Frame& frame, const ViewTable::Tile& tile, bool with_look, Seen& seen);
-  bool describe(const Frame& frame, std::size_t lane, bool with_look, Seen& seen);
+  void make_room(Picture& picture) const;
+  void render_tile(const Frame& frame, int column, int row, Seen& seen, Picture& picture) const;
+  void see(const Frame& frame, const ViewTable::Tile& tile, bool with_look, Seen& seen) const;
+  bool describe(const Frame& frame, std::size_t lane, bool with_look, Seen& seen) const;
   void store_colors(const Frame& frame, const PacketColor& color, int column, int row,
                     Picture& picture) const;
   template <class Store>
@@ -53,7 +57,7 @@ class CameraRenderer {
   int width_, height_;
   float pixel_angle_;
   ViewTable table_;
-  SurfaceCache surfaces_;
+  std::vector<std::unique_ptr<Seen>> seen_;  ///< by worker
 };
 
 }  // namespace trident

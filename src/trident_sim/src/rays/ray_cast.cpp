@@ -165,10 +165,7 @@ void RayScene::Content::cast_packet(const Ray* rays, RayHit* hits, std::size_t c
     if (coherent(packet.embree.ray)) context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
     rtcIntersect16(packet.valid.data(), fixed_.get(), &context.embree, &packet.embree);
   }
-  if (moving_ != nullptr) {
-    context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
-    rtcIntersect16(packet.valid.data(), moving_.get(), &context.embree, &packet.embree);
-  }
+  moving_.intersect(packet.valid, packet.embree, context);
   for (std::size_t lane = 0; lane < count; ++lane) {
     const Ray& ray = rays[lane];
     if (met.geomID[lane] != RTC_INVALID_GEOMETRY_ID) {
@@ -197,15 +194,17 @@ void RayScene::Content::occlude_packet(const Ray* rays, bool* result, std::size_
   }
   // Never with the flag for coherent rays: with instances Embree 3.13.5 does not come back then.
   CastContext context = make_context(filter, true, some_cast_no_shadow_);
-  for (RTCScene scene : {fixed_.get(), moving_.get()}) {
-    if (scene == nullptr) continue;
-    rtcOccluded16(valid.data(), scene, &context.embree, &packet);
+  if (fixed_ != nullptr) rtcOccluded16(valid.data(), fixed_.get(), &context.embree, &packet);
+  const auto note = [&] {
     for (std::size_t lane = 0; lane < count; ++lane) {
       if (valid[lane] == 0 || packet.tfar[lane] >= 0.0F) continue;
       result[lane] = true;
       valid[lane] = 0;
     }
-  }
+  };
+  note();
+  moving_.occlude(valid, packet, context);
+  note();
 }
 
 }  // namespace trident

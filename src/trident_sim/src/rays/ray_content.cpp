@@ -36,8 +36,7 @@ void RayScene::Content::refresh() {
   if (parts_changed_) {
     attach_parts();
   } else if (parts_moved_) {
-    rtcCommitScene(moving_.get());
-    ++commits.moving;
+    commit_moving();
   }
   models_changed_ = fixed_changed_ = parts_changed_ = parts_moved_ = false;
 }
@@ -167,8 +166,8 @@ void RayScene::Content::follow_links() {
       link.T_world_link = T_world_link;
       set_places(link);
       if (!link.moves) fixed_changed_ = true;
-      if (link.instance == nullptr) continue;
-      place_instance(link.instance.get(), T_world_link);
+      if (!link.part) continue;
+      moving_.place(*link.part, T_world_link);
       parts_moved_ = true;
     }
   }
@@ -218,23 +217,25 @@ void RayScene::Content::commit_fixed() {
 }
 
 void RayScene::Content::attach_parts() {
-  moving_.reset();
+  moving_.clear();
   part_shapes_.clear();
   for (auto& [name, model] : models_) {
     for (TracedLink& link : model.links) {
-      link.instance.reset();
+      link.part.reset();
       if (link.scene == nullptr) continue;
-      if (moving_ == nullptr) moving_ = make_scene(device_.get(), SceneUse::kMoving);
-      link.instance =
-          attach_instance(device_.get(), moving_.get(), link.scene.get(), link.T_world_link);
+      link.part = moving_.add(link.scene.get(), link.T_world_link);
       part_shapes_.emplace_back();
       for (const auto& shape : link.shapes) {
         if (shape->kind != SurfaceKind::kPlane) part_shapes_.back().push_back(shape.get());
       }
     }
   }
-  if (moving_ != nullptr) rtcCommitScene(moving_.get());
+  commit_moving();
+}
+
+void RayScene::Content::commit_moving() {
   ++commits.moving;
+  moving_.commit(device_.get());
 }
 
 }  // namespace trident

@@ -5,10 +5,12 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "embree.h"
+#include "moving_parts.h"
 #include "ray_packet.h"
 #include "texture.h"
 #include "trident_sim/model.h"
@@ -22,8 +24,8 @@ struct TracedLink {
   SE3 T_world_link;
   bool moves = false;
   std::vector<std::unique_ptr<TracedShape>> shapes;
-  EmbreeScene scene;        ///< of a moving link: of its shapes but planes; nullptr: there are none
-  EmbreeGeometry instance;  ///< of that, in the scene of what moves
+  EmbreeScene scene;  ///< of a moving link: of its shapes but planes; nullptr: there are none
+  std::optional<std::size_t> part;  ///< number of that among what moves
 };
 
 struct TracedModel {
@@ -79,6 +81,7 @@ class RayScene::Content {
   const Texture* find_texture(const std::string& file);
   void commit_fixed();
   void attach_parts();
+  void commit_moving();
 
   // Casting: ray_cast.cpp
   const TracedShape* nearest_plane(const Ray& ray, const RayFilter& filter, bool shadows_only,
@@ -100,10 +103,11 @@ class RayScene::Content {
   bool models_changed_ = false, fixed_changed_ = false;
   bool parts_changed_ = false, parts_moved_ = false;
 
-  EmbreeScene fixed_, moving_;  ///< nullptr: empty
+  EmbreeScene fixed_;  ///< nullptr: empty
+  MovingParts moving_;
   std::vector<PlacedPlane> planes_;
   std::vector<const TracedShape*> fixed_shapes_;              ///< by geomID
-  std::vector<std::vector<const TracedShape*>> part_shapes_;  ///< by instID, then geomID
+  std::vector<std::vector<const TracedShape*>> part_shapes_;  ///< by part, then geomID
   std::vector<const TracedShape*> traced_shapes_;             ///< by TracedShape::index
   bool some_cast_no_shadow_ = false;
 };

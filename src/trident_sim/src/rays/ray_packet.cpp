@@ -77,7 +77,7 @@ void RayScene::Content::meet_packet(const RayPacket& rays, PacketHits& hits,
       hits.shape[i] = plane.shape->index;
     }
   }
-  if (fixed_ == nullptr && moving_ == nullptr) return;
+  if (fixed_ == nullptr && moving_.empty()) return;
   alignas(64) RTCRayHit16 embree;
   copy_rays(rays, hits.t, mask, embree.ray);
   std::fill_n(embree.hit.geomID, kLanes, RTC_INVALID_GEOMETRY_ID);
@@ -87,10 +87,7 @@ void RayScene::Content::meet_packet(const RayPacket& rays, PacketHits& hits,
     if (coherent(rays)) context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
     rtcIntersect16(rays.valid.data(), fixed_.get(), &context.embree, &embree);
   }
-  if (moving_ != nullptr) {
-    context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
-    rtcIntersect16(rays.valid.data(), moving_.get(), &context.embree, &embree);
-  }
+  moving_.intersect(rays.valid, embree, context);
   for (std::size_t i = 0; i < kLanes; ++i) {
     if (rays.valid[i] == 0 || embree.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) continue;
     hits.t[i] = embree.ray.tfar[i];
@@ -114,16 +111,27 @@ std::uint32_t RayScene::Content::shaded_lanes(const RayPacket& rays, std::uint32
   copy_rays(rays, rays.t_max, mask, embree);
   // Never with the flag for coherent rays: with instances Embree 3.13.5 does not come back then.
   CastContext context = make_context(filter, true, some_cast_no_shadow_);
-  for (RTCScene scene : {fixed_.get(), moving_.get()}) {
-    if (scene == nullptr || (wanted & ~shaded) == 0) continue;
-    alignas(64) std::array<int, kLanes> valid;
+  const auto left = [&] {
+    MovingParts::Lanes valid;
     for (std::size_t i = 0; i < kLanes; ++i) {
       valid[i] = ((wanted & ~shaded) >> i & 1U) != 0 ? -1 : 0;
     }
-    rtcOccluded16(valid.data(), scene, &context.embree, &embree);
+    return valid;
+  };
+  const auto note = [&](const MovingParts::Lanes& valid) {
     for (std::size_t i = 0; i < kLanes; ++i) {
       shaded |= valid[i] != 0 && embree.tfar[i] < 0.0F ? 1U << i : 0U;
     }
+  };
+  if (fixed_ != nullptr && (wanted & ~shaded) != 0) {
+    alignas(64) const MovingParts::Lanes valid = left();
+    rtcOccluded16(valid.data(), fixed_.get(), &context.embree, &embree);
+    note(valid);
+  }
+  if (!moving_.empty() && (wanted & ~shaded) != 0) {
+    const MovingParts::Lanes valid = left();
+    moving_.occlude(valid, embree, context);
+    note(valid);
   }
   return shaded & wanted;
 }

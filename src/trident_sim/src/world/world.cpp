@@ -86,7 +86,8 @@ World::World(const WorldSpec& spec, const Resources& resources, PluginRegistry& 
       lights_(spec.lights),
       resources_(resources),
       registry_(registry),
-      options_(std::move(options)) {
+      options_(std::move(options)),
+      workers_(options_.sensor_threads) {
   validate(physics_);
   engine_ = std::make_unique<PhysicsEngine>(
       physics_, options_.timing == LoopTiming::kRotors,

@@ -44,6 +44,7 @@ class Case:
         rate_hz: samples per simulated second.
         robots: how many carry one.
         sim_s: simulated time of one run [s].
+        threads: that share the work; what is asked for is asked of one.
     """
 
     name: str
@@ -53,6 +54,7 @@ class Case:
     rate_hz: float
     robots: int = 1
     sim_s: float = 10.0
+    threads: int = 1
 
 
 def _lidar(samples: int, rings: int, rate_hz: float, plugin: str, topic: str) -> str:
@@ -143,6 +145,15 @@ CASES = (
         rays=640 * 480,
         rate_hz=30.0,
         sim_s=5.0,
+    ),
+    Case(
+        "rgbd_640x480_30hz_2threads",
+        _rgbd(640, 480, 30),
+        _IMAGES,
+        rays=640 * 480,
+        rate_hz=30.0,
+        sim_s=5.0,
+        threads=2,
     ),
     Case(
         "rgbd_640x480_30hz_points",
@@ -248,7 +259,7 @@ def _make(case: Case) -> tuple[Any, list[Any]]:
     import trident_sim
 
     try:
-        world = trident_sim.World(world_text())
+        world = trident_sim.World(world_text(), sensor_threads=case.threads)
         ports = []
         for index in range(case.robots):
             bearing = 2.0 * math.pi * index / case.robots

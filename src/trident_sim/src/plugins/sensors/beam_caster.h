@@ -39,7 +39,11 @@ class BeamCaster {
   }
   /// Has what is cast from now on see the world as it is now.
   void refresh() { scene_.refresh(); }
-  void cast() { scene_.cast({rays_.data(), rays_.size()}, {hits_.data(), hits_.size()}); }
+  void cast() { cast(0, rays_.size()); }
+  /// Beams [first, first + count) alone; several threads may do so at a time.
+  void cast(std::size_t first, std::size_t count) {
+    scene_.cast({rays_.data() + first, count}, {hits_.data() + first, count});
+  }
   const RayHit& hit(std::size_t beam) const { return hits_[beam]; }
   double intensity(const RayHit& hit) const { return scene_.intensity(hit); }
 

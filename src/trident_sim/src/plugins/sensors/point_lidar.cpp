@@ -82,6 +82,7 @@ class PointLidar : public MeasuringPlugin {
             std::hypot(spec.noise.stddev, context.params.number("gaussianNoise", 0.0, {0.0, 1e6}))),
         bias_m_(spec.noise.mean),
         stream_(context.world.seed(), context.name),
+        workers_(context.world.workers()),
         caster_(context.world, geometry_of(*context.sensor), limits_.range_min_m,
                 limits_.range_max_m),
         pattern_(checked_pattern(context, spec, is_rolling)),
@@ -118,51 +119,79 @@ class PointLidar : public MeasuringPlugin {
     }
   }
 
+  /// Columns that are cast at a time, the first beam of which is the `base`-th that is aimed.
+  struct Block {
+    std::size_t first, columns, base;
+  };
+
   /// Columns [first, last) of a scan, each from `T_world_sensor(column)`, in blocks that fit into
-  /// the cache, the last of which is not a small one.
+  /// the cache, the last of which is not a small one. Threads cast a block each; which rays go
+  /// together, and so the result, is the same as with one.
   template <class Pose>
   void cast(std::uint64_t scan, std::size_t first, std::size_t last, const Pose& T_world_sensor) {
+    constexpr std::size_t kColumns = 32;
+    const std::size_t beams = pattern_->beams().size();
+    const bool is_shared = workers_.threads() > 1;
     NormalRow noise(stream_, scan);
     caster_.refresh();
-    while (first < last) {
-      const std::size_t left = last - first, columns = left <= kBlock * 3 / 2 ? left : kBlock;
-      cast_block(scan, first, columns, T_world_sensor, noise);
-      first += columns;
+    blocks_.clear();
+    for (std::size_t begin = first, columns = 0; begin < last; begin += columns) {
+      const std::size_t left = last - begin;
+      columns = left <= kColumns * 3 / 2 ? left : kColumns;
+      blocks_.push_back({begin, columns, is_shared ? (begin - first) * beams : 0});
     }
+    if (!is_shared) {
+      for (const Block& block : blocks_) {
+        make_room(block.columns * beams);
+        cast_block(scan, block, T_world_sensor);
+        collect(block, noise);
+      }
+      return;
+    }
+    make_room((last - first) * beams);
+    workers_.share(blocks_.size(), [&](std::size_t i, std::size_t) {
+      cast_block(scan, blocks_[i], T_world_sensor);
+    });
+    for (const Block& block : blocks_) collect(block, noise);
+  }
+
+  void make_room(std::size_t beams) {
+    directions_.resize(beams);
+    caster_.begin(beams);
   }
 
   template <class Pose>
-  void cast_block(std::uint64_t scan, std::size_t first, std::size_t columns,
-                  const Pose& T_world_sensor, NormalRow& noise) {
+  void cast_block(std::uint64_t scan, const Block& block, const Pose& T_world_sensor) {
     const std::size_t beams = pattern_->beams().size();
-    directions_.resize(beams * columns);
-    caster_.begin(beams * columns);
-    for (std::size_t i = 0; i < columns; ++i) {
-      Eigen::Vector3d* const directions = &directions_[i * beams];
-      pattern_->aim(scan, first + i, directions);
-      const SE3& T = T_world_sensor(first + i);
+    for (std::size_t i = 0; i < block.columns; ++i) {
+      Eigen::Vector3d* const directions = &directions_[block.base + i * beams];
+      pattern_->aim(scan, block.first + i, directions);
+      const SE3& T = T_world_sensor(block.first + i);
       const Eigen::Matrix3d R = T.R.toRotationMatrix();
       for (std::size_t beam = 0; beam < beams; ++beam) {
-        caster_.aim(place(beam, i, columns), T.p, R * directions[beam]);
+        caster_.aim(place(block, beam, i), T.p, R * directions[beam]);
       }
     }
-    caster_.cast();
-    for (std::size_t i = 0; i < columns; ++i) collect(first + i, i, columns, noise);
+    caster_.cast(block.base, block.columns * beams);
   }
 
-  /// Of a beam of the i-th of `columns` among all that are cast: neighbours go in one packet.
-  std::size_t place(std::size_t beam, std::size_t i, std::size_t columns) const {
-    return pattern_->neighbours() == LidarPattern::Neighbours::kAcrossColumns
-               ? beam * columns + i
-               : i * pattern_->beams().size() + beam;
+  /// Of a beam of the i-th column of a block among all that are aimed: neighbours go in one packet.
+  std::size_t place(const Block& block, std::size_t beam, std::size_t i) const {
+    return block.base + (pattern_->neighbours() == LidarPattern::Neighbours::kAcrossColumns
+                             ? beam * block.columns + i
+                             : i * pattern_->beams().size() + beam);
   }
 
-  /// The returns of a column, which was the i-th of `columns` that were cast.
-  void collect(std::size_t column, std::size_t i, std::size_t columns, NormalRow& noise) {
-    const std::size_t beams = pattern_->beams().size();
+  void collect(const Block& block, NormalRow& noise) {
+    for (std::size_t i = 0; i < block.columns; ++i) collect_column(block, i, noise);
+  }
+
+  /// The returns of the i-th column of a block.
+  void collect_column(const Block& block, std::size_t i, NormalRow& noise) {
+    const std::size_t beams = pattern_->beams().size(), column = block.first + i;
     const double begin_s = static_cast<double>(column) * pattern_->column_period_s();
     for (const std::size_t beam : pattern_->firing_order()) {
-      const RayHit& hit = caster_.hit(place(beam, i, columns));
+      const RayHit& hit = caster_.hit(place(block, beam, i));
       if (!(hit.distance_m < limits_.range_max_m)) continue;
       const double intensity = caster_.intensity(hit);
       const auto channel = static_cast<std::uint32_t>(column * beams + beam);
@@ -173,7 +202,8 @@ class PointLidar : public MeasuringPlugin {
                           intensity >= limits_.intensity_min;
       if (!counts) continue;
       const LidarPattern::Beam& timing = pattern_->beams()[beam];
-      const Eigen::Vector3f p = (range_m * directions_[i * beams + beam]).cast<float>();
+      const Eigen::Vector3f p =
+          (range_m * directions_[block.base + i * beams + beam]).cast<float>();
       points_.push_back({p.x(), p.y(), p.z(), static_cast<float>(intensity), timing.ring,
                          static_cast<float>(begin_s + timing.time_s)});
     }
@@ -186,8 +216,6 @@ class PointLidar : public MeasuringPlugin {
     cloud_->publish();
   }
 
-  static constexpr std::size_t kBlock = 32;  ///< columns that are cast at a time
-
   Link& link_;
   SE3 T_link_sensor_;
   SampleClock clock_;
@@ -195,12 +223,14 @@ class PointLidar : public MeasuringPlugin {
   ReturnLimits limits_;
   double stddev_m_, bias_m_;
   RandomStream stream_;
+  WorkerPool& workers_;
   BeamCaster caster_;
   std::unique_ptr<LidarPattern> pattern_;
   SensorTrack track_;
   RollingSweep sweep_;
   OutHandle<LidarCloudSample> cloud_;
   std::vector<Eigen::Vector3d> directions_;  ///< of what is being cast, in the sensor's frame
+  std::vector<Block> blocks_;                ///< likewise
   std::vector<LidarPoint> points_;           ///< of the scan in progress
 };
 

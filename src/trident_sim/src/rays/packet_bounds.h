@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <embree3/rtcore.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "trident_sim/ray_scene.h"
+
+namespace trident {
+
+/// A box around all of a scene, a trace larger than Embree's, as floats are.
+struct PacketBounds {
+  std::array<float, 3> low{}, high{};
+};
+
+inline PacketBounds with_slack(PacketBounds bounds) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const float slack =
+        1e-5F * (1.0F + std::max(std::abs(bounds.low[i]), std::abs(bounds.high[i])));
+    bounds.low[i] -= slack;
+    bounds.high[i] += slack;
+  }
+  return bounds;
+}
+
+inline PacketBounds bounds_of(RTCScene scene) {
+  RTCBounds box;
+  rtcGetSceneBounds(scene, &box);
+  return with_slack(
+      {{box.lower_x, box.lower_y, box.lower_z}, {box.upper_x, box.upper_y, box.upper_z}});
+}
+
+/// Takes from `valid` the lanes whose rays miss the box for certain, and tells whether any is left.
+/// Most rays miss the few things that move, and Embree takes those through its tree one by one.
+template <class Rays>
+bool keep_lanes_that_meet(const PacketBounds& bounds, const Rays& rays,
+                          std::array<int, RayScene::kPacket>& valid) {
+  const std::array<const float*, 3> origin = {rays.org_x, rays.org_y, rays.org_z};
+  const std::array<const float*, 3> direction = {rays.dir_x, rays.dir_y, rays.dir_z};
+  constexpr std::size_t kLanes = RayScene::kPacket;
+  alignas(64) std::array<float, kLanes> enter, leave;
+  for (std::size_t i = 0; i < kLanes; ++i) {
+    enter[i] = rays.tnear[i];
+    leave[i] = rays.tfar[i];
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const float low = bounds.low[axis], high = bounds.high[axis];
+    const float *const from = origin[axis], *const along = direction[axis];
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      // A ray along a side of the box: infinite, and not a number on the very edge, which is off.
+      const float inverse = 1.0F / along[i];
+      const float a = (low - from[i]) * inverse, b = (high - from[i]) * inverse;
+      const float first = a < b ? a : b, last = a < b ? b : a;
+      enter[i] = first > enter[i] ? first : enter[i];
+      leave[i] = last < leave[i] ? last : leave[i];
+    }
+  }
+  constexpr float kRounding = 1.0F + 1e-5F;
+  int any = 0;
+  for (std::size_t i = 0; i < kLanes; ++i) {
+    valid[i] &= enter[i] <= leave[i] * kRounding ? -1 : 0;
+    any |= valid[i];
+  }
+  return any != 0;
+}
+
+}  // namespace trident
