@@ -4,10 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <GeographicLib/Geodesic.hpp>
+#include <GeographicLib/LocalCartesian.hpp>
 #include <cmath>
 
 #include "models.h"
 #include "plugins/sensors/air_pressure.h"
+#include "sample_statistics.h"
 #include "test_world.h"
 
 namespace trident {
@@ -87,6 +89,34 @@ TEST(Gps, NoiseAndCovarianceAreThoseOfTheFile) {
   EXPECT_EQ(fix.value.covariance_enu[8], 36.0);
 }
 
+TEST(Gps, SpreadsInTheHorizontalAndOfTheSpeedAreThoseOfTheFile) {
+  TestWorld world(zurich());
+  world.add(body_with(kGps,
+                      {{"horPosStdDev", "3"}, {"horVelStdDev", "0.1"}, {"verVelStdDev", "0.4"}},
+                      at(0, 0, 0)));
+  auto& fix = listen<GnssFixSample>(world, "a/gps");
+  auto& speed = listen<TwistSample>(world, "a/ground_speed");
+  const GeographicLib::LocalCartesian earth(47.3667, 8.55, 500.0);
+  constexpr int kSamples = 4000;
+  std::vector<double> east, north, across, up;
+  for (int i = 0; i < kSamples; ++i) {
+    world->step(1);
+    Eigen::Vector3d p;
+    earth.Forward(fix.value.latitude_deg, fix.value.longitude_deg, fix.value.altitude_m, p.x(),
+                  p.y(), p.z());
+    east.push_back(p.x());
+    north.push_back(p.y());
+    across.push_back(speed.value.v.y());
+    up.push_back(speed.value.v.z());
+  }
+  for (const auto& [samples, sigma] :
+       {std::pair(east, 3.0), std::pair(north, 3.0), std::pair(across, 0.1), std::pair(up, 0.4)}) {
+    const SampleStatistics seen = statistics_of(samples);
+    EXPECT_NEAR(seen.mean, 0.0, 4.0 * sigma / std::sqrt(kSamples));
+    EXPECT_NEAR(seen.stddev, sigma, 4.0 * sigma / std::sqrt(2.0 * kSamples));
+  }
+}
+
 TEST(Magnetometer, TurnsTheFieldIntoItsFrame) {
   for (const bool is_enu : {false, true}) {
     TestWorld world(zurich());
@@ -116,6 +146,53 @@ TEST(Magnetometer, ItsBiasIsDrawnOncePerSeed) {
   }
   EXPECT_EQ(seen[0], seen[1]);
   EXPECT_NE(seen[0], seen[2]);
+}
+
+TEST(Magnetometer, NoiseAndBiasHaveTheirSpreads) {
+  TestWorld world(zurich());
+  world.add(body_with(kMagnetometer, {{"noiseNormal", "8e-8 0 2e-7"}}, at(0, 0, 1)));
+  auto& field = listen<MagneticFieldSample>(world, "a/magnetic_field");
+  constexpr int kSamples = 4000;
+  std::vector<double> x, z;
+  for (int i = 0; i < kSamples; ++i) {
+    world->step(1);
+    x.push_back(field.value.field_t.x());
+    z.push_back(field.value.field_t.z());
+    EXPECT_EQ(field.value.field_t.y(), 8.15e-7);
+  }
+  EXPECT_NEAR(statistics_of(x).mean, 2.1493e-5, 4.0 * 8e-8 / std::sqrt(kSamples));
+  EXPECT_NEAR(statistics_of(x).stddev, 8e-8, 4.0 * 8e-8 / std::sqrt(2.0 * kSamples));
+  EXPECT_NEAR(statistics_of(z).stddev, 2e-7, 4.0 * 2e-7 / std::sqrt(2.0 * kSamples));
+  EXPECT_DOUBLE_EQ(field.value.covariance[8], 4e-14);
+
+  std::vector<double> biases;
+  for (std::uint64_t seed = 1; seed <= 600; ++seed) {
+    WorldOptions options;
+    options.seed = seed;
+    TestWorld other(zurich(), options);
+    other.add(body_with(kMagnetometer, {{"noiseUniformInitialBias", "4e-7 0 0"}}, at(0, 0, 1)));
+    auto& biased = listen<MagneticFieldSample>(other, "a/magnetic_field");
+    other->step(1);
+    biases.push_back(biased.value.field_t.x() - 2.1493e-5);
+  }
+  const double sigma = 4e-7 / std::sqrt(3.0);  // of a uniform distribution
+  EXPECT_NEAR(statistics_of(biases).mean, 0.0, 4.0 * sigma / std::sqrt(600.0));
+  EXPECT_NEAR(statistics_of(biases).stddev, sigma, 0.1 * sigma);
+}
+
+TEST(Barometer, NoiseHasItsVariance) {
+  TestWorld world(zurich());
+  world.add(body_with(kBarometer, {{"pressureVariance", "25"}}, at(0, 0, 0)));
+  auto& pressure = listen<FluidPressureSample>(world, "a/air_pressure");
+  constexpr int kSamples = 4000;
+  std::vector<double> errors;
+  for (int i = 0; i < kSamples; ++i) {
+    world->step(1);
+    errors.push_back(pressure.value.pressure_pa - standard_pressure_pa(500.0));
+  }
+  EXPECT_NEAR(statistics_of(errors).mean, 0.0, 4.0 * 5.0 / std::sqrt(kSamples));
+  EXPECT_NEAR(statistics_of(errors).stddev, 5.0, 4.0 * 5.0 / std::sqrt(2.0 * kSamples));
+  EXPECT_EQ(pressure.value.variance, 25.0);
 }
 
 TEST(Barometer, FollowsTheStandardAtmosphere) {

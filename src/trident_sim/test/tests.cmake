@@ -28,6 +28,7 @@ catkin_add_gtest(trident_sim_test
   test/friction_test.cpp
   test/gazebo_imu_test.cpp
   test/gnss_test.cpp
+  test/imu_statistics_test.cpp
   test/imu_test.cpp
   test/inertia_test.cpp
   test/joint_test.cpp
