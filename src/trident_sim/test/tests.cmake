@@ -37,6 +37,7 @@ catkin_add_gtest(trident_sim_test
   test/motor_model_test.cpp
   test/navigation_sensors_test.cpp
   test/odometry_test.cpp
+  test/ogre_script_test.cpp
   test/plugin_conformance_test.cpp
   test/port_test.cpp
   test/reset_test.cpp
@@ -124,6 +125,7 @@ catkin_add_gtest(trident_sim_rays_test
   test/laser_scanner_test.cpp
   test/lidar_pattern_test.cpp
   test/mesh_test.cpp
+  test/picture_file_test.cpp
   test/point_lidar_test.cpp
   test/ray_brute_force_test.cpp
   test/ray_look_test.cpp
@@ -132,7 +134,7 @@ catkin_add_gtest(trident_sim_rays_test
   test/small_sensors_test.cpp
 )
 target_link_libraries(trident_sim_rays_test
-  trident_sim_test_support PkgConfig::PNG ${GTEST_MAIN_LIBRARIES})
+  trident_sim_test_support PkgConfig::JPEG PkgConfig::PNG ${GTEST_MAIN_LIBRARIES})
 target_include_directories(trident_sim_rays_test PRIVATE src)  # parts of the core
 
 # One set of precompiled headers for all of them.

@@ -78,7 +78,7 @@ class RayScene::Content {
   void number();
   void add_material(TracedShape& shape);
   void find_textures();
-  const Texture* find_texture(const std::string& file);
+  const Texture* find_texture(const Material& material);
   void commit_fixed();
   void attach_parts();
   void commit_moving();

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
 // Materials and pictures of visual scenes.
+#include <sstream>
+
 #include "ray_content.h"
 #include "trident_base/error.h"
 #include "trident_sim/world.h"
@@ -30,19 +32,21 @@ void RayScene::Content::find_textures() {
   material_textures_.assign(materials.size(), nullptr);
   if (!use_textures_) return;
   for (std::size_t i = 0; i < materials.size(); ++i) {
-    const std::string& file = materials[i].texture_file;
-    if (!file.empty()) material_textures_[i] = find_texture(file);
+    if (!materials[i].texture_file.empty()) material_textures_[i] = find_texture(materials[i]);
   }
 }
 
-const Texture* RayScene::Content::find_texture(const std::string& file) {
-  const auto known = textures_.find(file);
+const Texture* RayScene::Content::find_texture(const Material& material) {
+  const auto known = textures_.find(material.texture_file);
   if (known != textures_.end()) return known->second.get();
-  std::unique_ptr<Texture>& texture = textures_[file];
+  std::unique_ptr<Texture>& texture = textures_[material.texture_file];
   try {
-    texture = std::make_unique<Texture>(read_texture(file));
+    texture = std::make_unique<Texture>(read_texture(material.texture_file));
   } catch (const Error& error) {
-    world_.report(Severity::kWarning, std::string(error.what()) + "; cameras do not see it");
+    std::ostringstream text;
+    text << error.what() << "; cameras see the colour (" << material.diffuse.head<3>().transpose()
+         << ") instead";
+    world_.report(Severity::kWarning, text.str());
   }
   return texture.get();
 }

@@ -2,28 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "texture.h"
 
-#include <png.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "trident_base/error.h"
+#include "picture_file.h"
 
 namespace trident {
 namespace {
-
-/// Frees what libpng holds, also when reading fails.
-struct PngImage {
-  png_image image{};
-  PngImage() { image.version = PNG_IMAGE_VERSION; }
-  ~PngImage() { png_image_free(&image); }
-  PngImage(const PngImage&) = delete;
-  PngImage& operator=(const PngImage&) = delete;
-};
-
-/// 16384 x 16384 pixels need 0.8 GB; more is a mistake.
-constexpr png_uint_32 kMaxSide = 16384;
 
 /// Whole pixels to the left of `x`, and how far it is from there to the next.
 struct Place {
@@ -79,24 +65,9 @@ std::size_t level_for(float width_px, std::size_t levels) {
 }  // namespace
 
 Texture read_texture(const std::string& file) {
-  PngImage png;
-  const auto refuse = [&](const std::string& why) {
-    throw Error("texture '" + file + "' cannot be read as a PNG: " + why);
-  };
-  if (png_image_begin_read_from_file(&png.image, file.c_str()) == 0) refuse(png.image.message);
-  if (png.image.width > kMaxSide || png.image.height > kMaxSide) {
-    refuse("it has " + std::to_string(png.image.width) + " x " + std::to_string(png.image.height) +
-           " pixels, legal: up to " + std::to_string(kMaxSide) + " a side");
-  }
-  // With alpha, which would else be laid upon a background.
-  png.image.format = PNG_FORMAT_RGBA;
-  std::vector<std::uint8_t> rgba(PNG_IMAGE_SIZE(png.image));
-  if (png_image_finish_read(&png.image, nullptr, rgba.data(), 0, nullptr) == 0) {
-    refuse(png.image.message);
-  }
+  PictureFile picture = read_picture(file);
   Texture texture;
-  texture.levels.push_back(
-      {static_cast<int>(png.image.width), static_cast<int>(png.image.height), std::move(rgba)});
+  texture.levels.push_back({picture.columns, picture.rows, std::move(picture.rgba)});
   while (texture.levels.back().columns > 1 || texture.levels.back().rows > 1) {
     texture.levels.push_back(halved(texture.levels.back()));
   }

@@ -23,7 +23,8 @@ struct Texture {
   Eigen::Vector3f at(const Eigen::Vector2f& uv, float width_px = 0.0F) const;
 };
 
-/// Reads a PNG; what it has of transparency is left out. Throws Error with the file's name.
+/// Reads a PNG or a JPEG; what it has of transparency is left out. Throws Error with the file's
+/// name.
 Texture read_texture(const std::string& file);
 
 }  // namespace trident

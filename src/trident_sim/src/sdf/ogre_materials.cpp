@@ -7,15 +7,21 @@
 namespace trident {
 namespace {
 
+OgreMaterial of(const Eigen::Vector4d& ambient, const Eigen::Vector4d& diffuse) {
+  OgreMaterial material;
+  material.ambient = ambient;
+  material.diffuse = diffuse;
+  return material;
+}
 OgreMaterial plain(double r, double g, double b, double a = 1.0) {
-  return {{r, g, b, a}, {r, g, b, a}};
+  return of({r, g, b, a}, {r, g, b, a});
 }
 
 std::map<std::string, OgreMaterial> make_table() {
   // Of gazebo-classic 11, media/materials/scripts/gazebo.material.
   return {
-      {"Gazebo/Grey", {{0.3, 0.3, 0.3, 1.0}, {0.7, 0.7, 0.7, 1.0}}},
-      {"Gazebo/Gray", {{0.3, 0.3, 0.3, 1.0}, {0.7, 0.7, 0.7, 1.0}}},
+      {"Gazebo/Grey", of({0.3, 0.3, 0.3, 1.0}, {0.7, 0.7, 0.7, 1.0})},
+      {"Gazebo/Gray", of({0.3, 0.3, 0.3, 1.0}, {0.7, 0.7, 0.7, 1.0})},
       {"Gazebo/DarkGrey", plain(0.175, 0.175, 0.175)},
       {"Gazebo/DarkGray", plain(0.175, 0.175, 0.175)},
       {"Gazebo/White", plain(1.0, 1.0, 1.0)},
@@ -25,7 +31,7 @@ std::map<std::string, OgreMaterial> make_table() {
       {"Gazebo/RedBright", plain(0.87, 0.26, 0.07)},
       {"Gazebo/Green", plain(0.0, 1.0, 0.0)},
       {"Gazebo/Blue", plain(0.0, 0.0, 1.0)},
-      {"Gazebo/SkyBlue", {{0.13, 0.44, 0.70, 1.0}, {0.0, 0.0, 1.0, 1.0}}},
+      {"Gazebo/SkyBlue", of({0.13, 0.44, 0.70, 1.0}, {0.0, 0.0, 1.0, 1.0})},
       {"Gazebo/Yellow", plain(1.0, 1.0, 0.0)},
       {"Gazebo/ZincYellow", plain(0.9725, 0.9529, 0.2078)},
       {"Gazebo/DarkYellow", plain(0.7, 0.7, 0.0)},
@@ -33,7 +39,7 @@ std::map<std::string, OgreMaterial> make_table() {
       {"Gazebo/Turquoise", plain(0.0, 1.0, 1.0)},
       {"Gazebo/Orange", plain(1.0, 0.5088, 0.0468)},
       {"Gazebo/Indigo", plain(0.33, 0.0, 0.5)},
-      {"Gazebo/Gold", {{0.4, 0.24869, 0.020759, 1.0}, {0.8, 0.64869, 0.120759, 1.0}}},
+      {"Gazebo/Gold", of({0.4, 0.24869, 0.020759, 1.0}, {0.8, 0.64869, 0.120759, 1.0})},
       {"Gazebo/WhiteGlow", plain(1.0, 1.0, 1.0)},
       {"Gazebo/RedGlow", plain(1.0, 0.0, 0.0)},
       {"Gazebo/GreenGlow", plain(0.0, 1.0, 0.0)},
@@ -49,7 +55,7 @@ std::map<std::string, OgreMaterial> make_table() {
       {"Gazebo/OrangeTransparent", plain(1.0, 0.44, 0.0, 0.4)},
       {"Gazebo/BlueLaser", plain(0.0, 0.0, 1.0, 0.4)},
       {"Gazebo/Pioneer2Body",
-       {{0.481193, 0.000123, 0.000123, 1.0}, {0.681193, 0.000923, 0.000923, 1.0}}},
+       of({0.481193, 0.000123, 0.000123, 1.0}, {0.681193, 0.000923, 0.000923, 1.0})},
       // Pictures there; rough means of theirs here.
       {"Gazebo/Wood", plain(0.55, 0.38, 0.22)},
       {"Gazebo/WoodFloor", plain(0.52, 0.36, 0.20)},

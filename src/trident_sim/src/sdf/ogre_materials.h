@@ -7,8 +7,11 @@
 
 namespace trident {
 
+/// OGRE's defaults.
 struct OgreMaterial {
-  Eigen::Vector4d ambient, diffuse;
+  Eigen::Vector4d ambient{1.0, 1.0, 1.0, 1.0}, diffuse{1.0, 1.0, 1.0, 1.0};
+  Eigen::Vector4d specular{0.0, 0.0, 0.0, 1.0}, emissive{0.0, 0.0, 0.0, 1.0};
+  std::string texture;  ///< name of a picture's file; "": none
 };
 
 /// Colours of a material that Gazebo classic ships ("Gazebo/Grey"); a textured one has the mean

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <sdf/sdf.hh>
 #include <string>
 
+#include "ogre_script.h"
 #include "trident_sim/sdf_loader.h"
 
 namespace trident {
@@ -15,6 +17,7 @@ struct ConvertContext {
   const std::string& label;
   std::string base_folder;
   const WarningSink& warn;
+  std::shared_ptr<OgreScripts> scripts = std::make_shared<OgreScripts>();
 };
 
 WorldSpec convert_world(const sdf::World& world, const ConvertContext& context);

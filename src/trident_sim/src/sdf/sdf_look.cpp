@@ -3,6 +3,9 @@
 #include "sdf_look.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <sstream>
+#include <vector>
 
 #include "ogre_materials.h"
 #include "sdf_values.h"
@@ -21,29 +24,101 @@ void read_color(const sdf::ElementPtr& material, const char* name, Eigen::Vector
   if (material->HasElement(name)) color = to_rgba(material->Get<ignition::math::Color>(name));
 }
 
-/// A script's name stands for its colours; colours beside it count where it is unknown.
+std::string color_text(const Eigen::Vector4d& color) {
+  std::ostringstream text;
+  text << "(" << color[0] << " " << color[1] << " " << color[2] << ")";
+  return text.str();
+}
+
+/// Where the `<uri>`s of a script lead, with those that lead nowhere.
+struct ScriptPaths {
+  std::vector<std::string> found, missing;
+};
+
+ScriptPaths find_script_paths(const sdf::ElementPtr& script, const ConvertContext& context) {
+  ScriptPaths paths;
+  auto uri = script->HasElement("uri") ? script->GetElement("uri") : nullptr;
+  for (; uri; uri = uri->GetNextElement("uri")) {
+    const auto text = uri->Get<std::string>();
+    const bool is_gazebos = std::filesystem::path(text).filename() == "gazebo.material";
+    const std::string path = context.resources.find(text, context.base_folder);
+    if (!path.empty()) {
+      paths.found.push_back(path);
+    } else if (!is_gazebos && !text.empty() && text != "__default__") {
+      paths.missing.push_back(text);
+    }
+  }
+  return paths;
+}
+
+/// A script's picture lies in one of the folders named beside it, beside the script, in the folder
+/// "textures" next to that of the scripts, or among those of GAZEBO_RESOURCE_PATH.
+std::string find_script_texture(const std::string& name, const ScriptPaths& paths,
+                                const ConvertContext& context) {
+  namespace fs = std::filesystem;
+  std::vector<fs::path> folders;
+  for (const std::string& path : paths.found) {
+    std::error_code ignored;
+    const fs::path folder =
+        fs::is_directory(path, ignored) ? fs::path(path) : fs::path(path).parent_path();
+    folders.push_back(folder);
+    folders.push_back(folder / ".." / "textures");
+    folders.push_back((folder / "").parent_path().parent_path() / "textures");
+  }
+  for (const fs::path& folder : folders) {
+    std::error_code ignored;
+    if (fs::exists(folder / name, ignored)) return (folder / name).lexically_normal().string();
+  }
+  return context.resources.find("media/materials/textures/" + name, context.base_folder);
+}
+
+void set_texture(const std::string& name, const std::string& file, const std::string& what,
+                 const ConvertContext& context, Material& material) {
+  material.texture_file = file;
+  if (!file.empty() || !context.scripts->is_news("texture " + name)) return;
+  context.warn(context.label + ": " + what + ": texture '" + name +
+               "' not found; shown without it, in the colour " + color_text(material.diffuse));
+}
+
+/// A script's material stands for its colours; colours beside it count where it is unknown. One
+/// that a script on disk has comes before Gazebo's of the same name.
 void read_script(const sdf::ElementPtr& element, const std::string& what,
                  const ConvertContext& context, Material& material) {
   material.script = value_or(element, {"script", "name"}, std::string());
   if (material.script.empty() || material.script == "__default__") return;
-  if (const OgreMaterial* known = find_ogre_material(material.script)) {
+  const ScriptPaths paths = find_script_paths(element->GetElement("script"), context);
+  for (const std::string& path : paths.found) {
+    const OgreMaterial* const own = context.scripts->find(path, material.script, context.warn);
+    if (own == nullptr) continue;
+    material.ambient = own->ambient;
+    material.diffuse = own->diffuse;
+    material.specular = own->specular;
+    material.emissive = own->emissive;
+    if (own->texture.empty()) return;
+    set_texture(own->texture, find_script_texture(own->texture, paths, context), what, context,
+                material);
+    return;
+  }
+  if (const OgreMaterial* const known = find_ogre_material(material.script)) {
     material.ambient = known->ambient;
     material.diffuse = known->diffuse;
-  } else if (!element->HasElement("diffuse")) {
-    context.warn(context.label + ": " + what + ": material script '" + material.script +
-                 "' is not known by its name; shown in grey");
+    return;
   }
+  const bool has_color = element->HasElement("diffuse");
+  if (has_color && paths.missing.empty()) return;
+  if (!context.scripts->is_news("script " + material.script)) return;
+  const std::string where = paths.missing.empty() ? "is not known by its name"
+                                                  : "not found, nor is '" + paths.missing[0] + "'";
+  context.warn(context.label + ": " + what + ": material script '" + material.script + "' " +
+               where + "; shown in " + (has_color ? "the colour " : "grey ") +
+               color_text(material.diffuse));
 }
 
 void read_texture(const sdf::ElementPtr& element, const std::string& what,
                   const ConvertContext& context, Material& material) {
   const auto uri = value_or(element, {"pbr", "metal", "albedo_map"}, std::string());
   if (uri.empty()) return;
-  material.texture_file = context.resources.find(uri, context.base_folder);
-  if (material.texture_file.empty()) {
-    context.warn(context.label + ": " + what + ": texture '" + uri +
-                 "' not found; shown without it");
-  }
+  set_texture(uri, context.resources.find(uri, context.base_folder), what, context, material);
 }
 
 LightType light_type(sdf::LightType type) {

@@ -100,9 +100,10 @@ class RingPattern : public LidarPattern {
 };
 
 /// Two wedge prisms in a row, each of which turns and bends the beam by the same small angle: what
-/// Livox' Mid sensors do (Brazeal, Wilkinson, Hochmair, "A rigorous observation model for the
-/// Risley prism-based Livox Mid-40 lidar sensor", Sensors 21(14):4722, 2021, with the speeds of the
-/// prisms), to first order: the bends add as vectors in the plane x = 1,
+/// Livox' Mid sensors do (optics: Brazeal, Wilkinson, Hochmair, "A rigorous observation model for
+/// the Risley prism-based Livox Mid-40 lidar sensor", Sensors 21(14):4722, 2021; equal wedges at
+/// 7294 and -4664 rpm: the "risley" scanner of HELIOS++, 3dgeo-heidelberg/helios), to first order:
+/// the bends add as vectors in the plane x = 1,
 ///   (y, z) = tan(half cone) / 2 (e^(i w1 t) + e^(i w2 t)).
 class RosettePattern : public LidarPattern {
  public:
