@@ -2,51 +2,147 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "input_binder.h"
 
+#include <geometry_msgs/Twist.h>
+#include <std_msgs/Empty.h>
+#include <std_msgs/Float64.h>
+#include <std_srvs/Empty.h>
+
+#include <mutex>
+#include <optional>
+
 #include "conversions.h"
+#include "trident_sim/commands.h"
 
 namespace trident {
+namespace {
 
-void InputBinder::Mailbox::put(const geometry_msgs::Twist& message) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  newest_ = from_twist(message);
+TwistCommand from_message(const geometry_msgs::Twist& message) { return from_twist(message); }
+ScalarSample from_message(const std_msgs::Float64& message) { return {SimTime{}, message.data}; }
+TriggerCommand from_message(const std_msgs::Empty&) { return {}; }
+
+template <class Command>
+class Mailbox {
+ public:
+  void put(const Command& command) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    newest_ = command;
+  }
+  std::optional<Command> take() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    std::optional<Command> taken;
+    taken.swap(newest_);
+    return taken;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::optional<Command> newest_;
+};
+
+/// What topics and services have in common.
+template <class Command>
+class MailboxBinding : public InputBinding {
+ public:
+  explicit MailboxBinding(InPort<Command>& port) : port_(port) {}
+
+  PortBase& port() const final { return port_; }
+  void deliver() final {
+    if (const auto command = mailbox_->take()) port_.write(*command);
+  }
+  void forget() final { mailbox_->take(); }
+
+ protected:
+  using Box = std::shared_ptr<Mailbox<Command>>;
+  const Box& mailbox() const { return mailbox_; }
+
+ private:
+  InPort<Command>& port_;
+  /// Outlives a message that is under way.
+  Box mailbox_ = std::make_shared<Mailbox<Command>>();
+};
+
+template <class Command, class Message>
+class TopicBinding : public MailboxBinding<Command> {
+ public:
+  TopicBinding(ros::NodeHandle& node, ros::CallbackQueueInterface& queue, InPort<Command>& port)
+      : MailboxBinding<Command>(port) {
+    ros::SubscribeOptions options;
+    options.init<Message>("/" + port.name(), 1,
+                          [mailbox = this->mailbox()](const boost::shared_ptr<const Message>& m) {
+                            mailbox->put(from_message(*m));
+                          });
+    options.callback_queue = &queue;
+    options.transport_hints = ros::TransportHints().tcpNoDelay();
+    subscriber_ = node.subscribe(options);
+  }
+
+ private:
+  ros::Subscriber subscriber_;
+};
+
+/// Answers at once; what was asked for is done in the next step.
+class ServiceBinding : public MailboxBinding<ServiceCommand> {
+ public:
+  ServiceBinding(ros::NodeHandle& node, ros::CallbackQueueInterface& queue,
+                 InPort<ServiceCommand>& port)
+      : MailboxBinding(port) {
+    ros::AdvertiseServiceOptions options;
+    options.init<std_srvs::Empty::Request, std_srvs::Empty::Response>(
+        "/" + port.name(),
+        [mailbox = mailbox()](std_srvs::Empty::Request&, std_srvs::Empty::Response&) {
+          mailbox->put({});
+          return true;
+        });
+    options.callback_queue = &queue;
+    server_ = node.advertiseService(options);
+  }
+
+ private:
+  ros::ServiceServer server_;
+};
+
+template <class Command, class Binding>
+std::unique_ptr<InputBinding> try_bind(ros::NodeHandle& node, ros::CallbackQueueInterface& queue,
+                                       PortBase& port) {
+  auto* typed = dynamic_cast<InPort<Command>*>(&port);
+  if (typed == nullptr) return nullptr;
+  return std::make_unique<Binding>(node, queue, *typed);
 }
 
-std::optional<TwistCommand> InputBinder::Mailbox::take() {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  std::optional<TwistCommand> taken;
-  taken.swap(newest_);
-  return taken;
-}
+using BindFunction = std::unique_ptr<InputBinding> (*)(ros::NodeHandle&,
+                                                       ros::CallbackQueueInterface&, PortBase&);
+constexpr BindFunction kBindFunctions[] = {
+    try_bind<TwistCommand, TopicBinding<TwistCommand, geometry_msgs::Twist>>,
+    try_bind<ScalarSample, TopicBinding<ScalarSample, std_msgs::Float64>>,
+    try_bind<TriggerCommand, TopicBinding<TriggerCommand, std_msgs::Empty>>,
+    try_bind<ServiceCommand, ServiceBinding>,
+};
+
+}  // namespace
 
 void InputBinder::sync() {
   if (board_.version() == version_) return;
   version_ = board_.version();
   for (auto it = entries_.begin(); it != entries_.end();) {
-    const bool is_there = board_.find_in<TwistCommand>(it->first) == it->second.port;
-    it = is_there ? std::next(it) : entries_.erase(it);
+    const PortBase* const now = board_.find(it->first, PortDirection::kIn);
+    it = now == &it->second->port() ? std::next(it) : entries_.erase(it);
   }
   board_.for_each([this](PortBase& port) {
-    auto* input = dynamic_cast<InPort<TwistCommand>*>(&port);
-    if (input == nullptr || entries_.count(port.name()) > 0) return;
-    auto mailbox = std::make_shared<Mailbox>();
-    ros::SubscribeOptions options;
-    options.init<geometry_msgs::Twist>(
-        "/" + port.name(), 1,
-        [mailbox](const geometry_msgs::Twist::ConstPtr& message) { mailbox->put(*message); });
-    options.callback_queue = &queue_;
-    options.transport_hints = ros::TransportHints().tcpNoDelay();
-    entries_.emplace(port.name(), Entry{input, mailbox, node_.subscribe(options)});
+    if (port.direction() != PortDirection::kIn || entries_.count(port.name()) > 0) return;
+    std::unique_ptr<InputBinding> binding;
+    for (const BindFunction bind : kBindFunctions) {
+      if (!binding) binding = bind(node_, queue_, port);
+    }
+    if (binding) entries_.emplace(port.name(), std::move(binding));
   });
 }
 
 void InputBinder::deliver() {
-  for (auto& [name, entry] : entries_) {
-    if (const auto command = entry.mailbox->take()) entry.port->write(*command);
-  }
+  for (auto& [name, binding] : entries_) binding->deliver();
 }
 
 void InputBinder::clear() {
-  for (auto& [name, entry] : entries_) entry.mailbox->take();
+  for (auto& [name, binding] : entries_) binding->forget();
 }
 
 }  // namespace trident

@@ -109,6 +109,7 @@ target_link_libraries(trident_sim_mutated_input_test trident_sim_test_support ${
 
 # Cameras.
 catkin_add_gtest(trident_sim_cameras_test
+  test/camera_control_test.cpp
   test/camera_light_test.cpp
   test/camera_model_test.cpp
   test/camera_picture_test.cpp

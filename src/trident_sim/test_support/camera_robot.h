@@ -120,7 +120,7 @@ inline Eigen::Vector2d projected(const CameraInfoSample& info, const Eigen::Vect
   const double radial = 1.0 + k1 * r2 + k2 * r2 * r2 + k3 * r2 * r2 * r2;
   const double u = x * radial + 2.0 * t1 * x * y + t2 * (r2 + 2.0 * x * x);
   const double v = y * radial + t1 * (r2 + 2.0 * y * y) + 2.0 * t2 * x * y;
-  return {info.K[0] * u + info.K[2], info.K[4] * v + info.K[5]};
+  return {info.K[0] * u + info.K[1] * v + info.K[2], info.K[4] * v + info.K[5]};
 }
 
 /// Three bytes of a pixel.

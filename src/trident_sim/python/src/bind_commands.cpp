@@ -6,6 +6,7 @@
 #include "sample_class.h"
 #include "trident_base/error.h"
 #include "trident_control_sim/lee_plugin.h"
+#include "trident_sim/commands.h"
 
 namespace trident {
 namespace {
@@ -71,6 +72,13 @@ void bind_twist(py::module_& module) {
       .def_property_readonly(
           "angular_velocity", [](const TwistCommand& s) { return s.w_base; },
           "In the vehicle's frame [rad/s], shape (3,).");
+}
+
+template <class Command>
+void bind_request(py::module_& module, const char* name, const char* doc) {
+  stamped<Command>(module, name, doc)
+      .def(py::init([](double stamp) { return Command{to_time(stamp, "stamp")}; }),
+           py::arg("stamp") = 0.0, "stamp: [s], not looked at: it acts in the next step.");
 }
 
 /// Numbers of one trajectory, checked against the count of its positions.
@@ -175,6 +183,10 @@ void bind_commands(py::module_& module) {
   bind_actuators(module);
   bind_wind(module);
   bind_twist(module);
+  bind_request<ServiceCommand>(module, "ServiceCommand",
+                               "A request without arguments, as a service of ROS takes it.");
+  bind_request<TriggerCommand>(module, "TriggerCommand",
+                               "A request without arguments, as a topic of ROS takes it.");
   bind_trajectory(module);
 }
 

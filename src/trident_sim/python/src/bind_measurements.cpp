@@ -249,6 +249,10 @@ void bind_others(py::module_& module) {
           "velocities", [](const JointStateSample& s) { return to_numpy(s.velocities); },
           "Rates [rad/s] or [m/s], shape (n,); shape (0,) where they are not told.");
   stamped<ScalarSample>(module, "ScalarSample", "One number.")
+      .def(py::init([](double value, double stamp) {
+             return ScalarSample{to_time(stamp, "stamp"), value};
+           }),
+           py::arg("value"), py::arg("stamp") = 0.0, "value: SI unit of the quantity.\nstamp: [s].")
       .def_readonly("value", &ScalarSample::value, "SI unit of the quantity.");
   stamped<WrenchSample>(module, "WrenchSample", "Force and torque in frame.")
       .def_readonly("frame", &WrenchSample::frame, "Frame that the values are in.")

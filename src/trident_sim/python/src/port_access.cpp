@@ -7,6 +7,7 @@
 
 #include "trident_base/error.h"
 #include "trident_control_sim/lee_plugin.h"
+#include "trident_sim/commands.h"
 #include "trident_sim/samples.h"
 
 namespace py = pybind11;
@@ -53,8 +54,10 @@ const std::map<std::type_index, PortType>& port_types() {
       entry<PoseWithCovarianceSample>("PoseWithCovarianceSample"),
       entry<RangeSample>("RangeSample"),
       entry<ScalarSample>("ScalarSample"),
+      entry<ServiceCommand>("ServiceCommand"),
       entry<TrajectorySample>("TrajectorySample"),
       entry<TransformSample>("TransformSample"),
+      entry<TriggerCommand>("TriggerCommand"),
       entry<TwistSample>("TwistSample"),
       entry<TwistCommand>("TwistCommand"),
       entry<WindSample>("WindSample"),

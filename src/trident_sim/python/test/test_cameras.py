@@ -52,7 +52,8 @@ def ports(world: trident_sim.World) -> dict[str, trident_sim.Port]:
     world.spawn("wall", sdf=WALL, pose=(WALL_M + 0.5, 5.0, 0.0))
     found = {name.removeprefix("robot/eye/"): port for name, port in world.ports.items()}
     for port in found.values():
-        port.subscribe()
+        if port.is_output:
+            port.subscribe()
     world.step(10)
     return found
 
@@ -110,3 +111,13 @@ def test_labels_and_boxes(ports: dict[str, trident_sim.Port]) -> None:
 def test_a_camera_of_no_pixels_is_refused(world: trident_sim.World) -> None:
     with pytest.raises(trident_sim.Error, match=r"<width> is '0', expected"):
         world.spawn("robot", sdf=MODEL.replace(f"<width>{WIDTH}", "<width>0"))
+
+
+def test_the_angle_of_view_can_be_set(
+    world: trident_sim.World, ports: dict[str, trident_sim.Port]
+) -> None:
+    ports["set_hfov"].write(0.5)
+    world.step(10)
+    info = ports["camera_info"].value
+    assert isinstance(info, trident_sim.CameraInfoSample)
+    assert info.k[0, 0] == pytest.approx(WIDTH / 2 / np.tan(0.25))

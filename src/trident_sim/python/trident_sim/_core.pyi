@@ -440,9 +440,22 @@ class JointStateSample(_Stamped):
 
 class ScalarSample(_Stamped):
     """One number."""
+    def __init__(self, value: float, stamp: float = 0.0) -> None:
+        """value: SI unit of the quantity.
+        stamp: [s]."""
     @property
     def value(self) -> float:
         """SI unit of the quantity."""
+
+class ServiceCommand(_Stamped):
+    """A request without arguments, as a service of ROS takes it."""
+    def __init__(self, stamp: float = 0.0) -> None:
+        """stamp: [s], not looked at: it acts in the next step."""
+
+class TriggerCommand(_Stamped):
+    """A request without arguments, as a topic of ROS takes it."""
+    def __init__(self, stamp: float = 0.0) -> None:
+        """stamp: [s], not looked at: it acts in the next step."""
 
 class TwistCommand(_Stamped):
     """Wanted velocity of a vehicle in its own frame."""

@@ -55,11 +55,12 @@ CameraModel CameraModel::from_angle_of_view(int width, int height, double angle_
 
 Eigen::Vector2d CameraModel::project(const Eigen::Vector3d& p_optical) const {
   const Eigen::Vector2d p = distortion.apply(p_optical.head<2>() / p_optical.z());
-  return {fx * p.x() + cx, fy * p.y() + cy};
+  return {fx * p.x() + skew * p.y() + cx, fy * p.y() + cy};
 }
 
 std::optional<Eigen::Vector2d> CameraModel::back_project(const Eigen::Vector2d& pixel) const {
-  const Eigen::Vector2d p((pixel.x() - cx) / fx, (pixel.y() - cy) / fy);
+  const double y = (pixel.y() - cy) / fy;
+  const Eigen::Vector2d p((pixel.x() - cx - skew * y) / fx, y);
   return distortion.is_none() ? p : distortion.undo(p);
 }
 

@@ -33,6 +33,7 @@ struct Distortion {
 struct CameraModel {
   int width = 0, height = 0;
   double fx = 0.0, fy = 0.0, cx = 0.0, cy = 0.0;  ///< [pixels]
+  double skew = 0.0;  ///< how far right a point at y = 1 appears of one at y = 0 [pixels]
   Distortion distortion;
 
   /// Square pixels and the middle of the picture. Angle of view along a row [rad].

@@ -56,6 +56,35 @@ Distortion read_distortion(const ParamNode& camera, const std::string& owner) {
   return distortion;
 }
 
+constexpr Limits kFocal{1e-3, 1e6}, kOffset{-1e6, 1e6};  // [pixels]
+
+std::optional<Intrinsics> read_intrinsics(const ParamNode& lens, const std::string& owner) {
+  const ParamNode* const node = lens.find("intrinsics");
+  if (node == nullptr) return std::nullopt;
+  const PluginParams params(*node, owner + " <intrinsics>");
+  Intrinsics k;
+  k.fx = params.number("fx", k.fx, kFocal);
+  k.fy = params.number("fy", k.fy, kFocal);
+  k.cx = params.number("cx", k.cx, kOffset);
+  k.cy = params.number("cy", k.cy, kOffset);
+  k.s = params.number("s", k.s, kOffset);
+  return k;
+}
+
+std::optional<Projection> read_projection(const ParamNode& lens, const std::string& owner) {
+  const ParamNode* const node = lens.find("projection");
+  if (node == nullptr) return std::nullopt;
+  const PluginParams params(*node, owner + " <projection>");
+  Projection p;
+  p.fx = params.number("p_fx", p.fx, kFocal);
+  p.fy = params.number("p_fy", p.fy, kFocal);
+  p.cx = params.number("p_cx", p.cx, kOffset);
+  p.cy = params.number("p_cy", p.cy, kOffset);
+  p.tx = params.number("tx", p.tx, kOffset);
+  p.ty = params.number("ty", p.ty, kOffset);
+  return p;
+}
+
 SE3 read_pose(const PluginParams& params) {
   const std::string text = params.text("pose", "0 0 0 0 0 0");
   std::istringstream words(text);
@@ -74,8 +103,8 @@ CameraSpec read_camera(const ParamNode& element, const std::string& owner) {
   const std::string whose = owner + " <camera>";
   const PluginParams params(element, whose);
   camera.T_sensor_camera = read_pose(params);
-  camera.angle_of_view_rad =
-      params.number("horizontal_fov", camera.angle_of_view_rad, {0.01, 3.14});
+  camera.angle_of_view_rad = params.number("horizontal_fov", camera.angle_of_view_rad,
+                                           {kLeastAngleOfView, kLargestAngleOfView});
   const PluginParams image(child_or_empty(element, "image"), whose + " <image>");
   camera.width = image.integer("width", camera.width, {1.0, kMostPixels});
   camera.height = image.integer("height", camera.height, {1.0, kMostPixels});
@@ -88,6 +117,9 @@ CameraSpec read_camera(const ParamNode& element, const std::string& owner) {
   }
   camera.noise = read_noise(element, whose);
   camera.distortion = read_distortion(element, whose);
+  const ParamNode& lens = child_or_empty(element, "lens");
+  camera.intrinsics = read_intrinsics(lens, whose + " <lens>");
+  camera.projection = read_projection(lens, whose + " <lens>");
   return camera;
 }
 

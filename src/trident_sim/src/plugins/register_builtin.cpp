@@ -44,10 +44,13 @@ void register_builtin_plugins(PluginRegistry& registry) {
   registry.add("libgazebo_ros_laser.so", gazebo_laser_factory());
   registry.add("libgazebo_ros_gpu_laser.so", gazebo_laser_factory());
   registry.add("libtrident_lidar.so", lidar_factory());
-  registry.add("libgazebo_ros_camera.so", gazebo_camera_factory());
+  registry.add("libgazebo_ros_camera.so", gazebo_camera_factory(Shutter::kRate));
+  registry.add("libgazebo_ros_triggered_camera.so", gazebo_camera_factory(Shutter::kTrigger));
   registry.add("libgazebo_ros_depth_camera.so", gazebo_depth_camera_factory());
   registry.add("libgazebo_ros_openni_kinect.so", gazebo_kinect_factory());
-  registry.add("libgazebo_ros_multicamera.so", gazebo_multicamera_factory());
+  registry.add("libgazebo_ros_multicamera.so", gazebo_multicamera_factory(Shutter::kRate));
+  registry.add("libgazebo_ros_triggered_multicamera.so",
+               gazebo_multicamera_factory(Shutter::kTrigger));
   registry.add("librotors_gazebo_noisydepth_plugin.so", noisy_depth_camera_factory());
   registry.add("libtrident_camera.so", camera_factory());
   registry.add("libtrident_lidar3d.so", point_lidar_factory());

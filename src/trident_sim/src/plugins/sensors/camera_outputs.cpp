@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "camera_outputs.h"
 
+#include <cmath>
+
 #include "trident_sim/ray_scene.h"
 
 namespace trident {
@@ -39,9 +41,12 @@ void describe_camera(const CameraSetup& setup, const OutHandle<CameraInfoSample>
   info.width = static_cast<std::uint32_t>(model.width);
   info.height = static_cast<std::uint32_t>(model.height);
   info.D = {d.k1, d.k2, d.t1, d.t2, d.k3};
-  info.K = {model.fx, 0, model.cx, 0, model.fy, model.cy, 0, 0, 1};
+  info.K = {model.fx, model.skew, model.cx, 0, model.fy, model.cy, 0, 0, 1};
   const double shift = 0.0 - model.fx * setup.baseline_m;
-  info.P = {model.fx, 0, setup.rectified_cx, shift, 0, model.fy, model.cy, 0, 0, 0, 1, 0};
+  info.P = {model.fx, model.skew, setup.rectified_cx, shift, 0, model.fy, model.cy, 0, 0, 0, 1, 0};
+  if (!setup.projection) return;
+  const Projection& p = *setup.projection;
+  info.P = {p.fx, 0, p.cx, p.tx, 0, p.fy, p.cy, p.ty, 0, 0, 1, 0};
 }
 
 template <class Sample>
@@ -55,7 +60,9 @@ void publish(const OutHandle<Sample>& port, SimTime stamp) {
 CameraOutputs::CameraOutputs(const PluginContext& context, const CameraSetup& setup)
     : world_(context.world),
       setup_(setup),
-      renderer_(context.world, setup.spec, setup.model, setup.owner),
+      now_(setup),
+      renderer_(
+          std::make_unique<CameraRenderer>(context.world, setup.spec, setup.model, setup.owner)),
       stream_(context.world.seed(), context.name + "::" + setup.spec.name) {
   const CameraSetup::Topics& topics = setup.topics;
   image_ = advertise_if_named<ImageSample>(context, topics.image, setup.frame);
@@ -74,6 +81,28 @@ CameraOutputs::CameraOutputs(const PluginContext& context, const CameraSetup& se
   describe_camera(setup, depth_info_);
 }
 
+void CameraOutputs::set_angle_of_view(const std::optional<double>& angle_rad) {
+  CameraSetup changed = setup_;
+  if (angle_rad) {
+    const double focal = 0.5 * setup_.model.width / std::tan(0.5 * *angle_rad);
+    const double zoom = focal / setup_.model.fx;
+    changed.model.fx *= zoom;
+    changed.model.fy *= zoom;
+    changed.model.skew *= zoom;
+    changed.depth_noise.focal_px *= zoom;
+    if (changed.projection) {
+      for (double* const value : {&changed.projection->fx, &changed.projection->fy,
+                                  &changed.projection->tx, &changed.projection->ty}) {
+        *value *= zoom;
+      }
+    }
+  }
+  renderer_ = std::make_unique<CameraRenderer>(world_, changed.spec, changed.model, changed.owner);
+  now_ = changed;
+  describe_camera(now_, info_);
+  describe_camera(now_, depth_info_);
+}
+
 CameraOutputs::Wants CameraOutputs::wants() const {
   return {is_wanted(image_), is_wanted(depth_), is_wanted(cloud_), is_wanted(labels_),
           is_wanted(boxes_)};
@@ -86,14 +115,14 @@ void CameraOutputs::measure(const SE3& T_world_sensor, SimTime stamp, std::uint6
   picture_.wants_colors = wanted.image || wanted.cloud;
   picture_.wants_depths = wanted.depth || wanted.cloud;
   picture_.wants_shapes = wanted.labels || wanted.boxes;
-  renderer_.render(T_world_sensor * setup_.spec.T_sensor_camera, stream_.bits(number, 0), picture_);
+  renderer_->render(T_world_sensor * now_.spec.T_sensor_camera, stream_.bits(number, 0), picture_);
   if (picture_.wants_depths) {
-    setup_.depth_noise.apply(stream_.bits(number, 1), picture_.depths);
+    now_.depth_noise.apply(stream_.bits(number, 1), picture_.depths);
   }
   if (wanted.depth) publish_depths(stamp);
   if (wanted.labels || wanted.boxes) publish_labels(wanted, stamp);
   if (wanted.cloud) {
-    write_cloud(picture_, setup_.spec.format, setup_.model, renderer_.table(), setup_.depth_range,
+    write_cloud(picture_, now_.spec.format, now_.model, renderer_->table(), now_.depth_range,
                 cloud_->value);
     publish(cloud_, stamp);
   }
@@ -109,18 +138,18 @@ void CameraOutputs::publish_infos(SimTime stamp) {
 }
 
 void CameraOutputs::publish_depths(SimTime stamp) {
-  write_depths(picture_.depths, setup_.depth_range, setup_.depth_format, depth_->value.data);
+  write_depths(picture_.depths, now_.depth_range, now_.depth_format, depth_->value.data);
   publish(depth_, stamp);
 }
 
 void CameraOutputs::publish_labels(const Wants& wanted, SimTime stamp) {
-  const Labels labels(world_.rays(RayGeometry::kVisual), setup_.label_kind);
+  const Labels labels(world_.rays(RayGeometry::kVisual), now_.label_kind);
   if (wanted.labels) {
     write_labels(picture_.shapes, labels, labels_->value.data);
     publish(labels_, stamp);
   }
   if (wanted.boxes) {
-    write_boxes(picture_.shapes, setup_.model.width, labels, boxes_->value.boxes);
+    write_boxes(picture_.shapes, now_.model.width, labels, boxes_->value.boxes);
     publish(boxes_, stamp);
   }
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "../../cameras/camera_renderer.h"
@@ -20,6 +21,7 @@ struct CameraSetup {
   /// Of P alone: its middle column [pixels], and how far right of the left camera of a stereo pair
   /// this one is [m].
   double rectified_cx = 0.0, baseline_m = 0.0;
+  std::optional<Projection> projection;  ///< all of P, in place of these two
   std::string frame;
   DepthRange depth_range;
   DepthNoise depth_noise;
@@ -37,6 +39,9 @@ class CameraOutputs {
  public:
   CameraOutputs(const PluginContext& context, const CameraSetup& setup);
 
+  /// From now on the angle of view along a row is this; none: as the file has it. Throws Error when
+  /// the distortion is too strong for it, and leaves all as it was.
+  void set_angle_of_view(const std::optional<double>& angle_rad);
   /// Draws, if anybody wants it, and publishes. `number` of the picture since the last reset.
   void measure(const SE3& T_world_sensor, SimTime stamp, std::uint64_t number);
 
@@ -51,8 +56,9 @@ class CameraOutputs {
   void publish_labels(const Wants& wanted, SimTime stamp);
 
   World& world_;
-  CameraSetup setup_;
-  CameraRenderer renderer_;
+  const CameraSetup setup_;
+  CameraSetup now_;  ///< `setup_` with the angle of view that was set
+  std::unique_ptr<CameraRenderer> renderer_;
   RandomStream stream_;
   Picture picture_;
   OutHandle<ImageSample> image_, depth_, labels_;

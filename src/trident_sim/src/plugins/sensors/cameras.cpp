@@ -10,66 +10,13 @@
 #include <vector>
 
 #include "../gazebo_ros/drive_parts.h"
-#include "camera_outputs.h"
-#include "sample_clock.h"
-#include "sensor_plugins.h"
+#include "camera_sensor.h"
 #include "trident_base/error.h"
 
 namespace trident {
 namespace {
 
 constexpr double kFarthest = 1e6;  ///< [m] or [pixels]
-
-const SensorSpec& required_sensor(const PluginContext& context) {
-  if (context.sensor == nullptr) {
-    throw Error(context.params.owner() +
-                ": belongs in a <sensor> of type camera, depth or multicamera");
-  }
-  return *context.sensor;
-}
-
-/// The slower of the sensor's rate and the plugin's, as in gazebo_plugins; 0: every step.
-double rate_hz(const PluginContext& context) {
-  const double sensor = required_sensor(context).update_rate_hz;
-  const double plugin = context.params.number("updateRate", 0.0, {0.0, kFarthest});
-  return plugin > 0.0 && (sensor <= 0.0 || plugin < sensor) ? plugin : sensor;
-}
-
-/// A sensor's cameras, drawn at once.
-class CameraSensor : public MeasuringPlugin {
- public:
-  CameraSensor(const PluginContext& context, const std::vector<CameraSetup>& setups)
-      : MeasuringPlugin(context.world.timing()),
-        link_(*context.link),
-        T_link_sensor_(required_sensor(context).T_link_sensor),
-        clock_(rate_hz(context)) {
-    for (const CameraSetup& setup : setups) {
-      cameras_.push_back(std::make_unique<CameraOutputs>(context, setup));
-    }
-  }
-
- protected:
-  void measure(const World&, const StepInfo& info) override {
-    if (!clock_.is_due(info)) return;
-    const SE3 T_world_sensor = link_.T_world_link() * T_link_sensor_;
-    for (const auto& camera : cameras_) {
-      camera->measure(T_world_sensor, info.end, clock_.count_at(info));
-    }
-  }
-
- private:
-  Link& link_;
-  SE3 T_link_sensor_;
-  SampleClock clock_;
-  std::vector<std::unique_ptr<CameraOutputs>> cameras_;
-};
-
-/// "<robotNamespace>/<cameraName>/<topic>"; an absolute topic stands alone.
-std::string camera_topic(const PluginParams& params, const std::string& camera,
-                         const std::string& topic) {
-  const bool stands_alone = camera.empty() || (!topic.empty() && topic.front() == '/');
-  return scoped_topic(params, stands_alone ? topic : camera + "/" + topic);
-}
 
 /// The plugin's coefficients; the `<distortion>` of the camera where it has none, or must not.
 Distortion read_distortion(const PluginParams& params, const Distortion& of_camera) {
@@ -90,24 +37,42 @@ double number_or(const PluginParams& params, const char* key, double fallback) {
 /// Where the middle of the picture is taken to be.
 enum class Centre { kPixelMiddle, kGazebo };
 
+/// `<intrinsics>` as they are told, or what the angle of view means.
+CameraModel read_lens(const CameraSpec& spec, Centre centre) {
+  CameraModel model =
+      CameraModel::from_angle_of_view(spec.width, spec.height, spec.angle_of_view_rad);
+  if (spec.intrinsics) {
+    const Intrinsics& k = *spec.intrinsics;
+    model.fx = k.fx;
+    model.fy = k.fy;
+    model.cx = k.cx;
+    model.cy = k.cy;
+    model.skew = k.s;
+  } else if (centre == Centre::kGazebo) {
+    model.cx += 1.0;
+    model.cy += 1.0;
+  }
+  return model;
+}
+
 CameraSetup read_setup(const PluginContext& context, const CameraSpec& spec, Centre centre) {
   const PluginParams& params = context.params;
   CameraSetup setup;
   setup.owner = params.owner();
   setup.spec = spec;
-  setup.model = CameraModel::from_angle_of_view(spec.width, spec.height, spec.angle_of_view_rad);
+  setup.model = read_lens(spec, centre);
+  setup.projection = spec.projection;
   CameraModel& model = setup.model;
-  const double shift = centre == Centre::kGazebo ? 1.0 : 0.0;
   const double focal = number_or(params, "focalLength", model.fx);
   if (std::abs(focal - model.fx) > 1e-3 * model.fx) {
-    context.world.report(Severity::kWarning,
-                         params.owner() + ": <focalLength> is " + std::to_string(focal) +
-                             " pixels, <horizontal_fov> says " + std::to_string(model.fx) +
-                             "; the picture is drawn with the former");
+    context.world.report(Severity::kWarning, params.owner() + ": <focalLength> is " +
+                                                 std::to_string(focal) + " pixels, <camera> says " +
+                                                 std::to_string(model.fx) +
+                                                 "; the picture is drawn with the former");
   }
-  model.fx = model.fy = focal;
-  model.cx = number_or(params, "Cx", model.cx + shift);
-  model.cy = number_or(params, "Cy", model.cy + shift);
+  if (params.number("focalLength", 0.0) != 0.0) model.fx = model.fy = focal;
+  model.cx = number_or(params, "Cx", model.cx);
+  model.cy = number_or(params, "Cy", model.cy);
   setup.rectified_cx = number_or(params, "CxPrime", model.cx);
   model.distortion = read_distortion(params, spec.distortion);
   setup.depth_range = {spec.near_m, spec.far_m, std::numeric_limits<float>::infinity()};
@@ -136,12 +101,13 @@ CameraSpec only_camera(const PluginContext& context) {
               " cameras, this plugin takes one; several are for libgazebo_ros_multicamera.so");
 }
 
-std::unique_ptr<Plugin> make_camera(const PluginContext& context) {
+std::unique_ptr<Plugin> make_camera(const PluginContext& context, Shutter shutter) {
   const PluginParams& params = context.params;
-  CameraSetup setup = read_gazebo_setup(context, only_camera(context),
-                                        params.text("cameraName", ""), "image_raw", "camera_info");
+  const std::string camera = params.text("cameraName", "");
+  CameraSetup setup =
+      read_gazebo_setup(context, only_camera(context), camera, "image_raw", "camera_info");
   setup.baseline_m = params.number("hackBaseline", 0.0, {-kFarthest, kFarthest});
-  return std::make_unique<CameraSensor>(context, std::vector<CameraSetup>{setup});
+  return std::make_unique<CameraSensor>(context, camera, std::vector<CameraSetup>{setup}, shutter);
 }
 
 /// Colour, depth and points; they differ by the names of their topics alone.
@@ -165,7 +131,7 @@ std::unique_ptr<Plugin> make_depth_camera(const PluginContext& context, const ch
                   "less than <pointCloudCutoffMax>, " + params.text("pointCloudCutoffMax", "5.0"));
   }
   if (params.flag("useDepth16UC1Format", false)) setup.depth_format = DepthFormat::kMillimetres;
-  return std::make_unique<CameraSensor>(context, std::vector<CameraSetup>{setup});
+  return std::make_unique<CameraSensor>(context, camera, std::vector<CameraSetup>{setup});
 }
 
 /// `<depthNoiseModelName>`, in letters of either case, and what goes with it.
@@ -211,11 +177,11 @@ std::unique_ptr<Plugin> make_noisy_depth_camera(const PluginContext& context) {
   // The noise has a range of its own.
   setup.depth_range = {0.0, std::numeric_limits<double>::infinity(),
                        std::numeric_limits<float>::quiet_NaN()};
-  return std::make_unique<CameraSensor>(context, std::vector<CameraSetup>{setup});
+  return std::make_unique<CameraSensor>(context, camera, std::vector<CameraSetup>{setup});
 }
 
 /// The first camera, or the one called left, is the left one of a pair.
-std::unique_ptr<Plugin> make_multicamera(const PluginContext& context) {
+std::unique_ptr<Plugin> make_multicamera(const PluginContext& context, Shutter shutter) {
   const PluginParams& params = context.params;
   const std::string prefix = params.text("cameraName", "");
   const double baseline_m = params.number("hackBaseline", 0.0, {-kFarthest, kFarthest});
@@ -225,7 +191,7 @@ std::unique_ptr<Plugin> make_multicamera(const PluginContext& context) {
     setups.push_back(read_gazebo_setup(context, spec, camera, "image_raw", "camera_info"));
     if (spec.name.find("right") != std::string::npos) setups.back().baseline_m = baseline_m;
   }
-  return std::make_unique<CameraSensor>(context, setups);
+  return std::make_unique<CameraSensor>(context, prefix, setups, shutter);
 }
 
 LabelKind read_label_kind(const PluginParams& params) {
@@ -252,12 +218,14 @@ std::unique_ptr<Plugin> make_own_camera(const PluginContext& context) {
   if (params.flag("useDepth16UC1Format", false)) setup.depth_format = DepthFormat::kMillimetres;
   setup.label_kind = read_label_kind(params);
   setup.depth_noise = read_depth_noise(params, setup.model, "none");
-  return std::make_unique<CameraSensor>(context, std::vector<CameraSetup>{setup});
+  return std::make_unique<CameraSensor>(context, camera, std::vector<CameraSetup>{setup});
 }
 
 }  // namespace
 
-PluginFactory gazebo_camera_factory() { return {make_camera, {}}; }
+PluginFactory gazebo_camera_factory(Shutter shutter) {
+  return {[shutter](const PluginContext& context) { return make_camera(context, shutter); }, {}};
+}
 
 PluginFactory gazebo_depth_camera_factory() {
   return {[](const PluginContext& context) {
@@ -273,7 +241,10 @@ PluginFactory gazebo_kinect_factory() {
           {}};
 }
 
-PluginFactory gazebo_multicamera_factory() { return {make_multicamera, {}}; }
+PluginFactory gazebo_multicamera_factory(Shutter shutter) {
+  return {[shutter](const PluginContext& context) { return make_multicamera(context, shutter); },
+          {}};
+}
 
 PluginFactory noisy_depth_camera_factory() { return {make_noisy_depth_camera, {}}; }
 

@@ -31,12 +31,17 @@ PluginFactory gps_factory();
 PluginFactory magnetometer_factory();
 PluginFactory air_pressure_factory();
 
+/// When a camera takes pictures: at the sensor's rate, or one for each std_msgs/Empty on
+/// `<triggerTopicName>` (image_trigger), at the end of the next step.
+enum class Shutter { kRate, kTrigger };
+
 /// gazebo_plugins' cameras: colour; depth (libgazebo_ros_depth_camera.so); colour and depth from
 /// one place (libgazebo_ros_openni_kinect.so); several side by side.
-PluginFactory gazebo_camera_factory();
+/// The first and last also wait for triggers (libgazebo_ros_triggered_camera.so).
+PluginFactory gazebo_camera_factory(Shutter shutter);
 PluginFactory gazebo_depth_camera_factory();
 PluginFactory gazebo_kinect_factory();
-PluginFactory gazebo_multicamera_factory();
+PluginFactory gazebo_multicamera_factory(Shutter shutter);
 /// RotorS' depth camera with the noise of a real one.
 PluginFactory noisy_depth_camera_factory();
 /// Our camera: colour, depth, labels and bounding boxes, whichever are asked for.
