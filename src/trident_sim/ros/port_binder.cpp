@@ -6,6 +6,7 @@
 
 #include "camera_conversions.h"
 #include "conversions.h"
+#include "image_transport.h"
 #include "range_conversions.h"
 
 namespace trident {
@@ -131,7 +132,7 @@ void PortBinder::sync() {
   if (board_.version() == version_) return;
   version_ = board_.version();
   for (auto it = entries_.begin(); it != entries_.end();) {
-    PortBase* now = board_.find(it->first, PortDirection::kOut);
+    PortBase* now = board_.find(it->second.port, PortDirection::kOut);
     it = now == &it->second.binding->port() ? std::next(it) : entries_.erase(it);
   }
   board_.for_each([this](PortBase& port) {
@@ -143,7 +144,11 @@ void PortBinder::sync() {
     for (const BindFunction bind : kBindFunctions) {
       if (!binding) binding = bind(advertiser_, port);
     }
-    if (binding) entries_.emplace(port.name(), Entry{std::move(binding), false});
+    if (binding) entries_.emplace(port.name(), Entry{port.name(), std::move(binding), false});
+    if (auto* image = dynamic_cast<OutPort<ImageSample>*>(&port)) {
+      entries_.emplace(port.name() + "/" + compressed_name(image->value),
+                       Entry{port.name(), bind_compressed(advertiser_, *image), false});
+    }
   });
   rebuild_active();
 }

@@ -77,7 +77,8 @@ class TopicAdvertiser {
   std::atomic<bool> has_changed_{true};
 };
 
-/// Keeps one topic per output port of a board, and the frame tree on /tf.
+/// Keeps one topic per output port of a board, of images a compressed one too, and the frame tree
+/// on /tf.
 class PortBinder {
  public:
   PortBinder(ros::NodeHandle& node, PortBoard& board);
@@ -97,6 +98,7 @@ class PortBinder {
 
  private:
   struct Entry {
+    std::string port;  ///< its name; several topics may tell of one
     std::unique_ptr<OutputBinding> binding;
     bool held_back = false;
   };
@@ -107,8 +109,8 @@ class PortBinder {
   PortBoard& board_;
   TopicAdvertiser advertiser_;
   std::uint64_t version_ = 0;
-  std::map<std::string, Entry> entries_;
-  std::vector<OutputBinding*> active_;  ///< wanted, not held back, by rank
+  std::map<std::string, Entry> entries_;  ///< by topic
+  std::vector<OutputBinding*> active_;    ///< wanted, not held back, by rank
   ros::Publisher tf_;
   tf2_msgs::TFMessage tf_message_;
   std::chrono::steady_clock::time_point last_display_;

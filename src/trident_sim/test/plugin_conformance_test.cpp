@@ -176,6 +176,8 @@ std::vector<PluginCase> camera_cases() {
           {"libgazebo_ros_depth_camera.so", params, {}, depth_numbers, camera()},
           {"libgazebo_ros_openni_kinect.so", params, {}, depth_numbers, camera()},
           {"libgazebo_ros_multicamera.so", params, {}, kCameraNumbers, camera()},
+          {"libgazebo_ros_triggered_camera.so", params, {}, kCameraNumbers, camera()},
+          {"libgazebo_ros_triggered_multicamera.so", params, {}, kCameraNumbers, camera()},
           {"librotors_gazebo_noisydepth_plugin.so",
            params,
            {},

@@ -115,6 +115,7 @@ catkin_add_gtest(trident_sim_cameras_test
   test/camera_picture_test.cpp
   test/camera_plugins_test.cpp
   test/depth_camera_test.cpp
+  test/image_codec_test.cpp
   test/segmentation_camera_test.cpp
 )
 target_link_libraries(trident_sim_cameras_test

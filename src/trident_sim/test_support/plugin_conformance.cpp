@@ -8,6 +8,7 @@
 #include <map>
 
 #include "test_world.h"
+#include "trident_sim/commands.h"
 
 namespace trident {
 namespace {
@@ -69,6 +70,8 @@ class Host {
       if (auto* in = world_->ports().find_in<TwistCommand>(name)) {
         in->write({{}, {0.01 * value, 0.0, 0.0}, {0.0, 0.0, 0.002 * value}});
       }
+      if (auto* in = world_->ports().find_in<TriggerCommand>(name)) in->write({});
+      if (auto* in = world_->ports().find_in<ServiceCommand>(name)) in->write({});
     }
   }
 
