@@ -8,6 +8,7 @@
 #include "models.h"
 #include "plugins/sensors/axis_noise.h"
 #include "test_world.h"
+#include "trident_sim/commands.h"
 
 namespace trident {
 namespace {
@@ -166,6 +167,94 @@ TEST(GazeboImu, TheModelsPluginMeasuresABodyByName) {
   EXPECT_EQ(imu.count(), 150u);
   EXPECT_TRUE(is_near(imu.value.a_imu, {0, 0, kGravity}, 1e-3));
   EXPECT_EQ(imu.value.frame, "link");
+}
+
+/// Mean of the rates over many samples.
+Eigen::Vector3d mean_rate(TestWorld& world, const OutPort<ImuSample>& imu, int samples) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (int i = 0; i < samples; ++i) {
+    world->step(1);
+    sum += imu.value.w_imu;
+  }
+  return sum / samples;
+}
+
+TEST(GazeboImu, ACalibrationTakesTheGyroscopesBiasOut) {
+  for (const char* service : {"a/imu_data/calibrate", "a/imu_service"}) {
+    TestWorld world(weightless());
+    const ParamNode element{"imu",
+                            "",
+                            {},
+                            {noise_node("angular_velocity", "0.01", "0.3"),
+                             noise_node("linear_acceleration", "0", "0.5")}};
+    Model& body = world.add(
+        body_with_sensor({{"updateRateHZ", "0"}, {"serviceName", "imu_service"}}, 0.0, element));
+    auto& imu = listen(world, "a/imu_data");
+    world->set_model_twist(body, {0, 0, 0}, {0, 0, 0.2});
+    EXPECT_NEAR(std::abs(mean_rate(world, imu, 400).x()), 0.3, 0.003);
+    auto* const calibrate = world->ports().find_in<ServiceCommand>(service);
+    ASSERT_NE(calibrate, nullptr) << service;
+    calibrate->write({});
+    EXPECT_TRUE(is_near(mean_rate(world, imu, 400), {0, 0, 0.2}, 0.003)) << "the motion stays";
+    EXPECT_NEAR(std::abs(imu.value.a_imu.x()), 0.5, 1e-6) << "the force's bias, too";
+    world->reset_models();
+    world->step(1);
+    EXPECT_NEAR(std::abs(imu.value.w_imu.x()), 0.3, 0.05) << "as it was at the start";
+  }
+}
+
+ModelSpec body_with_hector_imu(ParamList params) {
+  ModelSpec model = make_body("a", BoxShape{{0.2, 0.2, 0.2}}, {});
+  params.insert(params.begin(), {{"robotNamespace", "a"}, {"frameId", "imu_frame"}});
+  model.plugins.push_back(make_plugin("imu", "libhector_gazebo_ros_imu.so", params));
+  return model;
+}
+
+TEST(HectorImu, HasUpstreamsNamesAndErrors) {
+  TestWorld world(weightless());
+  world.add(body_with_hector_imu({{"topicName", "raw_imu"},
+                                  {"updateRate", "100"},
+                                  {"rateOffset", "0.1 0.2 0.3"},
+                                  {"accelOffset", "1"},
+                                  {"accelGaussianNoise", "0.35 0.35 0.3"},
+                                  {"headingOffset", "0.4"}}));
+  auto& imu = listen(world, "a/raw_imu");
+  world->step(10);
+  EXPECT_TRUE(is_near(mean_rate(world, imu, 990), {0.1, 0.2, 0.3}, 1e-9));
+  EXPECT_EQ(imu.count(), 100u);
+  EXPECT_EQ(imu.value.frame, "imu_frame");
+  EXPECT_DOUBLE_EQ(imu.value.accel_covariance[0], 0.35 * 0.35);
+  EXPECT_NEAR(2.0 * std::atan2(imu.value.R_world_imu.z(), imu.value.R_world_imu.w()), 0.4, 1e-9);
+  EXPECT_NE(world->ports().find_in<ServiceCommand>("a/raw_imu/calibrate"), nullptr);
+}
+
+TEST(HectorImu, AMountingIsAnErrorOfForceAndHeading) {
+  TestWorld world(weightless());
+  world.add(body_with_hector_imu({{"rpyOffset", "0.01 0.02 0.03"}}));
+  auto& imu = listen(world, "a/imu");
+  world->step(1);
+  EXPECT_TRUE(is_near(imu.value.a_imu, {0.02 * 9.8065, -0.01 * 9.8065, 0}, 1e-9));
+  EXPECT_NEAR(2.0 * imu.value.R_world_imu.z(), 0.03, 1e-5);
+}
+
+TEST(HectorImu, ADriftHasItsSpread) {
+  const ParamNode node{
+      "plugin",
+      "",
+      {},
+      {{"rateDrift", "0.02", {}, {}}, {"rateDriftFrequency", "0.5 0.5 0.5", {}, {}}}};
+  const auto noises = read_hector_noises(PluginParams(node, "test"), "rate");
+  AxisNoiseSource source(noises[1], 0.1, 0);
+  const RandomStream stream(3, "imu");
+  constexpr int kSamples = 100000;
+  double squares = 0.0;
+  for (int i = 0; i < kSamples; ++i) {
+    squares += std::pow(source.sample(stream, static_cast<std::uint64_t>(i)), 2);
+  }
+  EXPECT_NEAR(std::sqrt(squares / kSamples), 0.02, 0.0015);
+  const ParamNode bad{"plugin", "", {}, {{"rateDrift", "0.1 -1 0", {}, {}}}};
+  EXPECT_TRUE(contains(error_of([&] { read_hector_noises(PluginParams(bad, "test"), "rate"); }),
+                       "<rateDrift> is '0.1 -1 0', expected numbers in [0, 1e9]"));
 }
 
 TEST(GazeboImu, BadParametersAreRefused) {

@@ -119,6 +119,14 @@ std::vector<PluginCase> model_cases() {
        {{"robotNamespace", "ns"}, {"bodyName", "base_link"}, {"gaussianNoise", "0.1"}},
        {"bodyName"},
        {"gaussianNoise", "updateRate", "xyzOffset", "rpyOffset"}},
+      {"libhector_gazebo_ros_imu.so",
+       {{"robotNamespace", "ns"},
+        {"bodyName", "base_link"},
+        {"rateDrift", "0.01 0.02 0.03"},
+        {"accelGaussianNoise", "0.1"}},
+       {},
+       {"gaussianNoise", "updateRate", "rpyOffset", "rateDrift", "accelOffset",
+        "headingGaussianNoise", "rateDriftFrequency"}},
   };
 }
 

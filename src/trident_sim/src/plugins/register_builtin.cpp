@@ -63,6 +63,7 @@ void register_builtin_plugins(PluginRegistry& registry) {
   registry.add("libtrident_wheel_encoder.so", wheel_encoder_factory());
   registry.add("libgazebo_ros_imu.so", gazebo_imu_factory());
   registry.add("libgazebo_ros_imu_sensor.so", gazebo_imu_sensor_factory());
+  registry.add("libhector_gazebo_ros_imu.so", hector_imu_factory());
   registry.add("librotors_gazebo_ros_interface_plugin.so", nothing_to_do());
   registry.add(
       "librotors_gazebo_bag_plugin.so",

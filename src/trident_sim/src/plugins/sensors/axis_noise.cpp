@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include <Eigen/Core>
+
 namespace trident {
 namespace {
 
@@ -32,7 +34,41 @@ bool is_gaussian(const ParamNode& noise, const std::string& owner) {
   PluginParams(noise, owner).refuse("noise type", type, "none, gaussian or gaussian_quantized");
 }
 
+/// Three numbers, or one for all axes.
+Eigen::Vector3d numbers_of(const PluginParams& params, const std::string& key, double fallback,
+                           const Limits& limits) {
+  const std::string text = params.text(key, "");
+  const bool is_one =
+      text.find_first_of(" \t\n", text.find_first_not_of(" \t\n")) == std::string::npos;
+  if (is_one) return Eigen::Vector3d::Constant(params.number(key, fallback, limits));
+  const Eigen::Vector3d values = params.vector3(key, Eigen::Vector3d::Constant(fallback));
+  if (values.minCoeff() < limits.lo || values.maxCoeff() > limits.hi) {
+    params.refuse(key, text, limits.lo < 0.0 ? "numbers up to 1e9" : "numbers in [0, 1e9]");
+  }
+  return values;
+}
+
 }  // namespace
+
+std::array<AxisNoise, 3> read_hector_noises(const PluginParams& params, const std::string& prefix) {
+  const Limits positive{0.0, kLargest};
+  const Eigen::Vector3d offset = numbers_of(params, prefix + "Offset", 0.0, {-kLargest, kLargest});
+  const Eigen::Vector3d white = numbers_of(params, prefix + "GaussianNoise", 0.0, positive);
+  const Eigen::Vector3d drift = numbers_of(params, prefix + "Drift", 0.0, positive);
+  const Eigen::Vector3d frequency =
+      numbers_of(params, prefix + "DriftFrequency", 1.0 / 3600.0, positive);
+  std::array<AxisNoise, 3> noises;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto axis = static_cast<Eigen::Index>(i);
+    noises[i].mean = offset[axis];
+    noises[i].stddev = white[axis];
+    // A frequency of zero: a drift that never changes, of which upstream's is zero.
+    if (frequency[axis] <= 0.0) continue;
+    noises[i].dynamic_bias_stddev = drift[axis];
+    noises[i].dynamic_bias_correlation_time_s = 1.0 / frequency[axis];
+  }
+  return noises;
+}
 
 std::array<AxisNoise, 3> read_axis_noises(const ParamNode* element, const std::string& owner) {
   std::array<AxisNoise, 3> noises;
@@ -64,6 +100,11 @@ double AxisNoiseSource::sample(const RandomStream& stream, std::uint64_t index) 
     value += (stream.bits(0, channel_ + 1) & 1U) != 0U ? bias : -bias;
   }
   return wandering_ ? value + wandering_->sample(stream, index) : value;
+}
+
+double AxisNoiseSource::bias(const RandomStream& stream, std::uint64_t index) {
+  const double white = noise_.stddev > 0.0 ? noise_.stddev * stream.normal(index, channel_) : 0.0;
+  return sample(stream, index) - white;
 }
 
 void AxisNoiseSource::reset() {

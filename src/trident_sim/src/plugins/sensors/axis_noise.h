@@ -22,6 +22,11 @@ struct AxisNoise {
   double dynamic_bias_stddev = 0.0, dynamic_bias_correlation_time_s = 0.0;
 };
 
+/// Noise of three axes as hector_gazebo_plugins have it: `<PREFIXOffset>`, `<PREFIXGaussianNoise>`,
+/// `<PREFIXDrift>`, the spread of a bias that wanders, and `<PREFIXDriftFrequency>` (1/3600 Hz),
+/// one over its correlation time. Three numbers, or one for all axes.
+std::array<AxisNoise, 3> read_hector_noises(const PluginParams& params, const std::string& prefix);
+
 /// Of x, y and z below an element ("angular_velocity"), which may be nullptr: no noise. Throws
 /// Error that names owner, element, value and legal range.
 std::array<AxisNoise, 3> read_axis_noises(const ParamNode* element, const std::string& owner);
@@ -34,6 +39,8 @@ class AxisNoiseSource {
 
   /// What is added to sample `index`. Pass the same stream each time.
   double sample(const RandomStream& stream, std::uint64_t index);
+  /// What of it is not white noise.
+  double bias(const RandomStream& stream, std::uint64_t index);
   void reset();
 
  private:

@@ -26,6 +26,8 @@ PluginFactory wheel_encoder_factory();
 /// (libgazebo_ros_imu_sensor.so).
 PluginFactory gazebo_imu_factory();
 PluginFactory gazebo_imu_sensor_factory();
+/// hector_gazebo_plugins' IMU.
+PluginFactory hector_imu_factory();
 /// RotorS' receiver, magnetometer and barometer.
 PluginFactory gps_factory();
 PluginFactory magnetometer_factory();
