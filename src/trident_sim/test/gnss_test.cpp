@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "models.h"
+#include "plugins/sensors/geoid_grid.h"
 #include "test_world.h"
 
 namespace trident {
@@ -128,6 +129,16 @@ TEST(Gnss, UnderARoofThereIsNoFixAndAllBeginsAnew) {
   EXPECT_EQ(heard.status->value.fix_type, FixType::kSingle);
   world->step(200);
   EXPECT_EQ(heard.status->value.fix_type, FixType::kFixed);
+}
+
+TEST(Gnss, TellsTheGeoidsSeparationWhereItsDataAre) {
+  if (find_egm96_grid().empty()) GTEST_SKIP() << "proj-data is not installed";
+  TestWorld world(on_earth());
+  world.add(receiver({{"geoidModel", "egm96-15"}}));
+  const Listener heard(world);
+  world->step(20);
+  // The geoid rises from 46 to 49 m above the ellipsoid around Zurich.
+  EXPECT_NEAR(heard.status->value.geoid_separation_m, 47.5, 1.5);
 }
 
 TEST(Gnss, BadElementsAreRefusedByName) {

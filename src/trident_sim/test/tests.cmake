@@ -27,6 +27,7 @@ catkin_add_gtest(trident_sim_test
   test/free_body_test.cpp
   test/friction_test.cpp
   test/gazebo_imu_test.cpp
+  test/geoid_grid_test.cpp
   test/gnss_test.cpp
   test/imu_statistics_test.cpp
   test/imu_test.cpp

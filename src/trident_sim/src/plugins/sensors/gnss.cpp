@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "../plugin_util.h"
+#include "geoid_grid.h"
 #include "sample_clock.h"
 #include "sensor_plugins.h"
 #include "trident_base/angle.h"
@@ -50,8 +51,9 @@ std::vector<Eigen::Vector3d> make_sky(int satellites, const RandomStream& stream
   return sky;
 }
 
-/// Height of the geoid above the ellipsoid where GeographicLib has the data of `model`; else NaN.
-/// It is a model a user asked for that must be there.
+/// Height of the geoid above the ellipsoid at the world's origin, where there are data: those of
+/// GeographicLib for `<geoidModel>` (egm96-5), else PROJ's grid of EGM96, which is "egm96-15"; else
+/// NaN. A model that a user asks for must be there.
 double geoid_separation_m(const PluginContext& context) {
   const SphericalCoordinates& origin = context.world.spherical();
   const bool is_told = context.params.has("geoidModel");
@@ -59,6 +61,11 @@ double geoid_separation_m(const PluginContext& context) {
   try {
     return GeographicLib::Geoid(model)(origin.latitude_deg, origin.longitude_deg);
   } catch (const std::exception& error) {
+    const std::string grid = find_egm96_grid();
+    if (!grid.empty() && (!is_told || model == "egm96-15")) {
+      return geoid_height_m(grid, origin.latitude_deg, origin.longitude_deg)
+          .value_or(std::numeric_limits<double>::quiet_NaN());
+    }
     if (is_told)
       context.params.refuse("geoidModel", model, std::string("data on disk: ") + error.what());
     return std::numeric_limits<double>::quiet_NaN();
