@@ -10,7 +10,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from harness import REPO, Gazebo, Ros, pose, recorder
+from gazebo_msgs.msg import ModelState
+from geometry_msgs.msg import Twist, Vector3
+from harness import REPO, Gazebo, Ros, box_sdf, eventually, pose, recorder
 from matplotlib.image import imread
 from visualization_msgs.msg import Marker, MarkerArray
 
@@ -41,6 +43,35 @@ def test_the_fleet_is_shown_where_it_is(ros: Ros, gazebo: Gazebo) -> None:
     assert [marker.type for marker in shapes] == [Marker.CYLINDER]
     at = shapes[0].pose.position
     assert (at.x, at.y, at.z) == pytest.approx((1.0, 2.0, 0.5), abs=0.01)
+
+
+def test_a_film_of_a_model_that_is_followed(ros: Ros, gazebo: Gazebo, tmp_path: Path) -> None:
+    weightless = box_sdf("box").replace("<inertial>", "<gravity>0</gravity><inertial>", 1)
+    gazebo.spawn("box", weightless, at=pose(5.0, 0.0, 1.0))
+    state = ModelState(model_name="box", pose=pose(5.0, 0.0, 1.0))
+    state.twist = Twist(Vector3(0.5, 0, 0), Vector3(0, 0, 3))
+    gazebo.call("set_model_state", model_state=state)
+    path = tmp_path / "film.mp4"
+    words = ["--follow", "box", "--from", "0", "-1", "0.5", "--at", "0", "0", "0"]
+    words += ["--size", "96x64", "--seconds", "0.8", "--out", str(path)]
+    film = ros.launch(["rosrun", "trident_eval", "observer.py", *words])
+
+    def is_filmed() -> bool:
+        gazebo.step(4)  # a frame of 25 per second
+        return not film.running
+
+    eventually(is_filmed, "a film")
+    assert film.wait() == 0, film.log
+    assert f"{path}: 0.8 s of simulated time" in film.log
+    decode = ["ffmpeg", "-loglevel", "error", "-i", str(path), "-f", "rawvideo"]
+    raw = subprocess.run([*decode, "-pix_fmt", "rgb24", "-"], capture_output=True, check=True)
+    frames = np.frombuffer(raw.stdout, np.uint8).reshape(-1, 64, 96, 3).astype(float)
+    assert len(frames) == 20
+    middle = frames[:, 16:48, 32:64]
+    assert (np.abs(np.diff(middle, axis=0)).max(axis=(1, 2, 3)) > 20).all(), "the box turns"
+    dark = (middle.mean(axis=-1) < middle.mean(axis=-1).max() - 40).mean(axis=(1, 2))
+    assert np.ptp(dark) < 0.2, "and stays in the middle"
+    assert not [name for name in gazebo.models() if name.startswith("observer")]
 
 
 def test_a_launch_file_is_photographed_without_a_display(tmp_path: Path) -> None:

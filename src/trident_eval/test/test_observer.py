@@ -12,7 +12,7 @@ pytest.importorskip("rospy", reason="ROS is not installed")
 
 from sensor_msgs.msg import Image
 from trident_eval.viewing import observer
-from trident_eval.viewing.observer import View, pixels_of
+from trident_eval.viewing.observer_camera import View, pixels_of
 
 
 @pytest.mark.parametrize(
@@ -62,3 +62,26 @@ def test_the_camera_is_of_the_asked_size() -> None:
     assert observer._size("320x200") == (320, 200)
     with pytest.raises(EvalError, match="--size: 'big', legal: WIDTHxHEIGHT"):
         observer._size("big")
+
+
+def test_a_followed_model_carries_the_camera() -> None:
+    view = View((-1.5, 0, 0.25), (0, 0, 0), rate_hz=25, followed="a & b")
+    text = view.sdf("eye")
+    assert "<followed>a &amp; b</followed><offset>-1.5 0 0.25</offset>" in text
+    assert "<update_rate>25</update_rate>" in text
+    assert "libtrident_follow.so" not in View().sdf("eye")
+
+
+@pytest.mark.parametrize(
+    ("words", "what"),
+    [
+        (["--out", "film.avi"], "--out film.avi: suffix '.avi', legal: .png, .mp4"),
+        (["--seconds", "0"], "--seconds 0 s, legal: more than 0"),
+        (["--every", "nan"], "--every nan s, legal: more than 0"),
+        (["--count", "0"], "--count 0, legal: 1 or more"),
+        (["--out", "no/such/folder/film.mp4"], "its folder does not exist"),
+    ],
+)
+def test_bad_options_are_refused(words: list[str], what: str) -> None:
+    with pytest.raises(EvalError, match=what):
+        observer._check(observer._parser().parse_args(words))

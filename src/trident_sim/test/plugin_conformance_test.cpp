@@ -97,6 +97,7 @@ std::vector<PluginCase> model_cases() {
         {"gaussianNoise", "0.1"}},
        {"bodyName", "topicName"},
        {"gaussianNoise", "updateRate", "xyzOffset", "rpyOffset"}},
+      {"libtrident_follow.so", {{"followed", "another"}}, {"followed"}, {"offset"}},
       {"librotors_gazebo_wind_plugin.so",
        {{"robotNamespace", "ns"},
         {"linkName", "base_link"},

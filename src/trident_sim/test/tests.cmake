@@ -134,6 +134,7 @@ catkin_add_gtest(trident_sim_rays_test
   test/ray_look_test.cpp
   test/ray_scene_test.cpp
   test/ray_shape_test.cpp
+  test/follow_test.cpp
   test/small_sensors_test.cpp
 )
 target_link_libraries(trident_sim_rays_test

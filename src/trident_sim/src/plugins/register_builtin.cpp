@@ -53,6 +53,7 @@ void register_builtin_plugins(PluginRegistry& registry) {
                gazebo_multicamera_factory(Shutter::kTrigger));
   registry.add("librotors_gazebo_noisydepth_plugin.so", noisy_depth_camera_factory());
   registry.add("libtrident_camera.so", camera_factory());
+  registry.add("libtrident_follow.so", follow_factory());
   registry.add("libtrident_lidar3d.so", point_lidar_factory());
   registry.add("libgazebo_ros_velodyne_laser.so", velodyne_laser_factory());
   registry.add("libgazebo_ros_velodyne_gpu_laser.so", velodyne_laser_factory());

@@ -1,218 +1,76 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""Node observer: a camera beside the robots, for those who have no display.
+"""Node observer: pictures and films of a running simulation, for those who have no display.
 
-It puts a camera into the running simulation, writes what that sees as PNG files, and takes it away
-again. The world has to run: a picture is drawn at a step.
+It puts a camera into the world, writes what that sees as PNG files or as one MP4 film, and takes
+it away again. The world has to run: a picture is drawn at a step.
 """
 
 from __future__ import annotations
 
 import argparse
 import math
-import os
+import signal
 import sys
-import threading
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
 
-import numpy as np
-import numpy.typing as npt
 import rospy
-from gazebo_msgs.srv import DeleteModel, GetModelState, SpawnModel
-from geometry_msgs.msg import Point, Pose, Quaternion
 from PIL import Image as Picture
-from sensor_msgs.msg import Image
 
 from trident_eval.core.errors import EvalError
+from trident_eval.viewing.film import Film
+from trident_eval.viewing.observer_camera import (
+    Observer,
+    Place,
+    View,
+    WorldStandsError,
+    pixels_of,
+    place_of,
+)
 
-_SERVICE_LIMIT_S = 20.0
-_RATE_HZ = 100.0  # at least as often as pictures are asked for
-
-Place = tuple[float, float, float]
-
-
-@dataclass(frozen=True)
-class View:
-    """A camera in the world.
-
-    Attributes:
-        place: where it is [m, world].
-        target: what it looks at [m, world].
-        width: of the picture [pixels].
-        height: of the picture [pixels].
-        fov_rad: horizontal field of view [rad].
-    """
-
-    place: Place = (6.0, -6.0, 5.0)
-    target: Place = (0.0, 0.0, 0.5)
-    width: int = 960
-    height: int = 600
-    fov_rad: float = math.radians(70.0)
-
-    def validate(self) -> None:
-        """Raises EvalError naming the field, its value and what is legal."""
-        for name in ("width", "height"):
-            value = getattr(self, name)
-            if not 16 <= value <= 4096:
-                raise EvalError(f"--size: {name} {value} pixels, legal: 16 to 4096")
-        if not 0.1 <= self.fov_rad <= math.radians(150.0):
-            raise EvalError(f"--fov: {math.degrees(self.fov_rad):g} deg, legal: 6 to 150 deg")
-        if not all(math.isfinite(value) for value in (*self.place, *self.target)):
-            raise EvalError("--from, --at: legal: finite numbers")
-        if math.dist(self.place, self.target) < 1e-3:
-            raise EvalError("--at: legal: another place than --from")
-
-    def orientation(self) -> tuple[float, float, float, float]:
-        """Quaternion x y z w of a body whose x axis looks at the target, upright."""
-        dx, dy, dz = (b - a for a, b in zip(self.place, self.target, strict=True))
-        yaw, pitch = math.atan2(dy, dx), math.atan2(-dz, math.hypot(dx, dy))
-        cy, sy, cp, sp = (f(angle / 2) for angle in (yaw, pitch) for f in (math.cos, math.sin))
-        return (-sp * sy, sp * cy, cp * sy, cp * cy)
-
-    def sdf(self, name: str) -> str:
-        """A model of this name with nothing but the camera."""
-        return (
-            f"<sdf version='1.6'><model name='{name}'><static>true</static><link name='link'>"
-            f"<sensor type='camera' name='camera'><update_rate>{_RATE_HZ:g}</update_rate><camera>"
-            f"<horizontal_fov>{self.fov_rad}</horizontal_fov><image><width>{self.width}</width>"
-            f"<height>{self.height}</height><format>R8G8B8</format></image>"
-            "<clip><near>0.05</near><far>500</far></clip></camera>"
-            "<plugin name='camera' filename='libgazebo_ros_camera.so'>"
-            f"<cameraName>{name}</cameraName><imageTopicName>image_raw</imageTopicName>"
-            "<cameraInfoTopicName>camera_info</cameraInfoTopicName>"
-            f"<frameName>{name}</frameName></plugin></sensor></link></model></sdf>"
-        )
-
-
-def pixels_of(message: Image) -> npt.NDArray[np.uint8]:
-    """Red, green, blue, shape (height, width, 3).
-
-    Raises:
-        EvalError: another encoding than rgb8.
-    """
-    if message.encoding != "rgb8":
-        raise EvalError(f"image of encoding '{message.encoding}', legal: rgb8")
-    rows = np.frombuffer(message.data, np.uint8).reshape(message.height, message.step)
-    return rows[:, : 3 * message.width].reshape(message.height, message.width, 3)
-
-
-class Observer:
-    """The camera in the world, while it is entered."""
-
-    def __init__(self, view: View) -> None:
-        """Nothing is in the world yet.
-
-        Raises:
-            EvalError: an illegal view.
-        """
-        view.validate()
-        self._view = view
-        self._name = f"observer_{os.getpid()}"
-        self._arrived = threading.Condition()
-        self._image: Image | None = None
-        self._subscriber: rospy.Subscriber | None = None
-
-    def __enter__(self) -> Observer:
-        """Put it there.
-
-        Raises:
-            EvalError: there is no simulator, or it refuses.
-        """
-        pose = Pose(Point(*self._view.place), Quaternion(*self._view.orientation()))
-        try:
-            rospy.wait_for_service("/gazebo/spawn_sdf_model", _SERVICE_LIMIT_S)
-            spawn = rospy.ServiceProxy("/gazebo/spawn_sdf_model", SpawnModel)
-            answer = spawn(self._name, self._view.sdf(self._name), f"/{self._name}", pose, "")
-        except (rospy.ROSException, rospy.ServiceException) as error:
-            raise EvalError(f"no simulator: {error}") from error
-        if not answer.success:
-            raise EvalError(f"the simulator refuses: {answer.status_message}")
-        topic = f"/{self._name}/{self._name}/image_raw"
-        self._subscriber = rospy.Subscriber(topic, Image, self._on_image, queue_size=1)
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        """Take it away; a simulator that has gone took it along."""
-        if self._subscriber is not None:
-            self._subscriber.unregister()
-        try:
-            rospy.ServiceProxy("/gazebo/delete_model", DeleteModel)(self._name)
-        except (rospy.ROSException, rospy.ServiceException):
-            rospy.loginfo("observer: the simulator has gone")
-
-    def picture(self, after_s: float, limit_s: float) -> Image:
-        """The first picture stamped at or after a simulated time.
-
-        Args:
-            after_s: simulated time [s].
-            limit_s: longest wait, in wall-clock time [s].
-
-        Raises:
-            EvalError: there is none within the limit.
-        """
-
-        def is_there() -> bool:
-            return self._image is not None and self._image.header.stamp.to_sec() >= after_s
-
-        with self._arrived:
-            if not self._arrived.wait_for(is_there, limit_s):
-                raise EvalError(
-                    f"no picture of t >= {after_s:g} s within {limit_s:g} s: the world stands "
-                    "still or is too slow (rosservice call /gazebo/unpause_physics)"
-                )
-            assert self._image is not None
-            return self._image
-
-    def _on_image(self, image: Image) -> None:
-        with self._arrived:
-            self._image = image
-            self._arrived.notify_all()
+_FILM = ".mp4"
+_INTERRUPTED = 130  # as a shell says it
 
 
 def main(arguments: list[str] | None = None) -> int:
     """Run to the end.
 
     Returns:
-        0: written; 1: not, and why has been told.
+        0: written; 1: not, and why has been told; 130: interrupted, a film holds what was seen.
     """
     options = _parser().parse_args(rospy.myargv(arguments or sys.argv)[1:])
     rospy.init_node("observer", anonymous=True, disable_signals=True)
+    signal.signal(signal.SIGTERM, signal.default_int_handler)  # the camera is taken away, too
     try:
-        width, height = _size(options.size)
         _check(options)
-        about = place_of(options.model) if options.model else (0.0, 0.0, 0.0)
-        view = View(
-            _sum(about, options.place),
-            _sum(about, options.at),
-            width,
-            height,
-            math.radians(options.fov),
-        )
-        with Observer(view) as observer:
+        film = None
+        if options.out.suffix == _FILM:
+            film = Film(options.out, *_size(options.size), options.fps)
+        with Observer(_view(options)) as observer:
+            if film is not None:
+                return _show(observer, film, options)
             _write(observer, options)
     except EvalError as error:
         print(f"observer: {error}", file=sys.stderr)
         return 1
+    except KeyboardInterrupt:
+        return _INTERRUPTED
     return 0
 
 
-def place_of(model: str) -> Place:
-    """Where a model is now [m, world].
-
-    Raises:
-        EvalError: there is none of that name, or no simulator.
-    """
-    try:
-        rospy.wait_for_service("/gazebo/get_model_state", _SERVICE_LIMIT_S)
-        answer = rospy.ServiceProxy("/gazebo/get_model_state", GetModelState)(model, "")
-    except (rospy.ROSException, rospy.ServiceException) as error:
-        raise EvalError(f"no simulator: {error}") from error
-    if not answer.success:
-        raise EvalError(f"--model {model}: {answer.status_message}")
-    place = answer.pose.position
-    return place.x, place.y, place.z
+def _view(options: argparse.Namespace) -> View:
+    about = place_of(options.model) if options.model else (0.0, 0.0, 0.0)
+    width, height = _size(options.size)
+    return View(
+        _sum(about, options.place),
+        _sum(about, options.at),
+        width,
+        height,
+        math.radians(options.fov),
+        options.fps if options.out.suffix == _FILM else View.rate_hz,
+        options.follow,
+    )
 
 
 def _sum(a: Sequence[float], b: Sequence[float]) -> Place:
@@ -229,15 +87,27 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument(
         "--at", nargs=3, type=float, default=default.target, metavar=axes, help="looked at [m]"
     )
-    parser.add_argument("--model", metavar="NAME", help="both from where this model is now")
+    about = parser.add_mutually_exclusive_group()
+    about.add_argument("--model", metavar="NAME", help="both from where this model is now")
+    about.add_argument("--follow", metavar="NAME", help="both from where this model is, always")
     parser.add_argument("--fov", type=float, default=70.0, metavar="DEG", help="horizontal")
     parser.add_argument("--size", default="960x600", metavar="WxH", help="pixels; 960x600")
-    parser.add_argument("--out", type=Path, default=Path("observer.png"), metavar="FILE.png")
     parser.add_argument(
+        "--out", type=Path, default=Path("observer.png"), metavar="FILE.png|FILE.mp4"
+    )
+    pictures = parser.add_argument_group("pictures (.png)")
+    pictures.add_argument(
         "--count", type=int, default=1, help="how many; from two on FILE_0000.png, …"
     )
-    parser.add_argument(
+    pictures.add_argument(
         "--every", type=float, default=1.0, metavar="S", help="of simulated time; default 1"
+    )
+    film = parser.add_argument_group("film (.mp4, through ffmpeg)")
+    film.add_argument(
+        "--seconds", type=float, default=10.0, metavar="S", help="of simulated time; default 10"
+    )
+    film.add_argument(
+        "--fps", type=float, default=25.0, help="frames per second of simulated time; default 25"
     )
     parser.add_argument(
         "--limit", type=float, default=30.0, metavar="S", help="of wall-clock time per picture"
@@ -254,14 +124,16 @@ def _size(text: str) -> tuple[int, int]:
 
 
 def _check(options: argparse.Namespace) -> None:
-    if options.out.suffix != ".png":
-        raise EvalError(f"--out {options.out}: suffix '{options.out.suffix}', legal: .png")
+    if options.out.suffix not in (".png", _FILM):
+        raise EvalError(f"--out {options.out}: suffix '{options.out.suffix}', legal: .png, .mp4")
     if not options.out.resolve().parent.is_dir():
         raise EvalError(f"--out {options.out}: its folder does not exist")
     if options.count < 1:
         raise EvalError(f"--count {options.count}, legal: 1 or more")
-    if not (math.isfinite(options.every) and options.every > 0.0):
-        raise EvalError(f"--every {options.every:g} s, legal: more than 0")
+    for name in ("every", "seconds", "limit"):
+        value = getattr(options, name)
+        if not (math.isfinite(value) and value > 0.0):
+            raise EvalError(f"--{name} {value:g} s, legal: more than 0")
 
 
 def _write(observer: Observer, options: argparse.Namespace) -> None:
@@ -274,3 +146,27 @@ def _write(observer: Observer, options: argparse.Namespace) -> None:
             path = path.with_stem(f"{path.stem}_{number:04d}")
         Picture.fromarray(pixels_of(image), "RGB").save(path)
         print(f"{path}: t = {image.header.stamp.to_sec():.3f} s", flush=True)
+
+
+def _show(observer: Observer, film: Film, options: argparse.Namespace) -> int:
+    """Writes the film; one that is interrupted, or whose world stops, ends there.
+
+    Raises:
+        EvalError: there is not one picture; ffmpeg is missing or failed.
+    """
+    code = 0
+    with film:
+        try:
+            while film.seconds + 0.5 / options.fps < options.seconds:
+                image = observer.picture(0.0, options.limit)
+                film.add(pixels_of(image), image.header.stamp.to_sec())
+        except WorldStandsError as error:
+            if film.seconds == 0.0:
+                raise
+            print(f"observer: the film ends early: {error}", file=sys.stderr)
+        except KeyboardInterrupt:
+            signal.signal(signal.SIGINT, signal.SIG_IGN)  # the film is finished, however often
+            code = _INTERRUPTED
+    lost = f", {film.missing} frames repeat what came before" if film.missing else ""
+    print(f"{options.out}: {film.seconds:g} s of simulated time{lost}", flush=True)
+    return code

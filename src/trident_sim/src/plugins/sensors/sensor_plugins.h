@@ -48,5 +48,7 @@ PluginFactory gazebo_multicamera_factory(Shutter shutter);
 PluginFactory noisy_depth_camera_factory();
 /// Our camera: colour, depth, labels and bounding boxes, whichever are asked for.
 PluginFactory camera_factory();
+/// Carries a model, an observer's camera say, along with another one.
+PluginFactory follow_factory();
 
 }  // namespace trident
