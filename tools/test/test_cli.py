@@ -4,7 +4,7 @@ import re
 from pathlib import Path
 
 import pytest
-from trident_tool import cli
+from trident_tool import cli, modules
 from trident_tool.cli import COMMANDS, make_parser, parse_command_line
 from trident_tool.workspace import Runner, TridentError, Workspace
 
@@ -79,8 +79,8 @@ class _Steps:
 
     def __init__(self, monkeypatch: pytest.MonkeyPatch, clone: Workspace) -> None:
         self.names: list[str] = []
-        for name in ("provision", "build"):
-            monkeypatch.setattr(cli, name, lambda *_args, name=name: self.names.append(name))
+        for owner, name in ((cli, "provision"), (cli, "build"), (modules, "build")):
+            monkeypatch.setattr(owner, name, lambda *_args, name=name: self.names.append(name))
         monkeypatch.setattr(Workspace, "of_this_file", staticmethod(lambda: clone))
 
 

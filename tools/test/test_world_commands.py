@@ -1,14 +1,14 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
 import pytest
-from trident_tool import cli, worlds
+from trident_tool import cli, modules
 from trident_tool.workspace import Workspace
 
 
 @pytest.fixture(autouse=True)
 def _nothing_is_built(clone: Workspace, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(cli, "provision", lambda *_args: None)
-    monkeypatch.setattr(worlds, "build", lambda *_args: None)
+    monkeypatch.setattr(modules, "build", lambda *_args: None)
     monkeypatch.setattr(Workspace, "of_this_file", staticmethod(lambda: clone))
 
 

@@ -12,10 +12,11 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from trident_tool.building import build
-from trident_tool.environment import ros_environment
 from trident_tool.formation import add_formation_commands
 from trident_tool.lint import CHECKS, run_checks
+from trident_tool.modules import run_module
 from trident_tool.provision import provision
+from trident_tool.recording import Recording
 from trident_tool.running import run_launch_file
 from trident_tool.sanitizing import run_sanitized
 from trident_tool.screenshot import Size
@@ -82,18 +83,9 @@ def _cmd_run(workspace: Workspace, runner: Runner, options: argparse.Namespace) 
     return run_launch_file(workspace, runner, options.words)
 
 
-def _eval_module(
-    workspace: Workspace, runner: Runner, module: Sequence[str], rest: Sequence[str]
-) -> int:
-    build(workspace, runner)
-    env = None if runner.dry_run else ros_environment(workspace)
-    return runner.run(["/usr/bin/python3", "-m", *module, *rest], env=env)
-
-
 def _cmd_bench(workspace: Workspace, runner: Runner, options: argparse.Namespace) -> int:
-    return _eval_module(
-        workspace, runner, ["trident_eval.bench"], [options.what, *_bench_options(options)]
-    )
+    words = [options.what, *_bench_options(options)]
+    return run_module(workspace, runner, "trident_eval.bench", words)
 
 
 def _bench_options(options: argparse.Namespace) -> list[str]:
@@ -106,8 +98,8 @@ def _bench_options(options: argparse.Namespace) -> list[str]:
 def _cmd_report(workspace: Workspace, runner: Runner, options: argparse.Namespace) -> int:
     if not runner.dry_run and not options.source.exists():
         raise TridentError(f"{options.source} does not exist: report needs a run folder or a bag")
-    rest = [str(options.source), *(["--animate"] if options.animate else []), *options.rest]
-    return _eval_module(workspace, runner, ["trident_eval", "report"], rest)
+    words = ["report", str(options.source), *(["--animate"] if options.animate else [])]
+    return run_module(workspace, runner, "trident_eval", [*words, *options.rest])
 
 
 def _cmd_view(workspace: Workspace, runner: Runner, options: argparse.Namespace) -> int:
@@ -119,6 +111,7 @@ def _cmd_view(workspace: Workspace, runner: Runner, options: argparse.Namespace)
         options.at,
         options.live,
         options.size,
+        Recording(options.film, options.follow, options.rerun, options.out, options.seconds),
     )
     return view(workspace, runner, look)
 
@@ -205,7 +198,14 @@ def _add_running_commands(add: Callable[[str, Handler, str], argparse.ArgumentPa
     sub.add_argument("source", type=Path, metavar="RUN_OR_BAG")
     sub.add_argument("--animate", action="store_true", help="a moving plan view, too (GIF)")
 
-    sub = add("view", _cmd_view, "look at the run in progress, a bag, a world or a launch in rviz")
+    _add_view(add)
+
+    sub = add("shell", _cmd_shell, "a shell in which the workspace is sourced")
+    sub.add_argument("-c", dest="command", metavar="COMMAND", help="run this instead")
+
+
+def _add_view(add: Callable[[str, Handler, str], argparse.ArgumentParser]) -> None:
+    sub = add("view", _cmd_view, "look at the run in progress, a bag, a world or a launch")
     sub.add_argument(
         "words",
         nargs="*",
@@ -227,11 +227,15 @@ def _add_running_commands(add: Callable[[str, Handler, str], argparse.ArgumentPa
         help="with --at: rviz sees so much of the time before; sensors need it",
     )
     sub.add_argument(
-        "--size", type=_size, default=Size(), metavar="WxH", help="of the picture; 1600x1000"
+        "--size", type=_size, metavar="WxH", help="of the picture; 1600x1000, a film 960x600"
     )
-
-    sub = add("shell", _cmd_shell, "a shell in which the workspace is sourced")
-    sub.add_argument("-c", dest="command", metavar="COMMAND", help="run this instead")
+    sub.add_argument("--film", type=Path, metavar="FILE.mp4", help="a film instead of rviz")
+    sub.add_argument("--follow", metavar="MODEL", help="with --film: the camera goes with a model")
+    sub.add_argument("--rerun", action="store_true", help="the rerun viewer instead of rviz")
+    sub.add_argument("--out", type=Path, metavar="FILE.rrd", help="with --rerun: record, too")
+    sub.add_argument(
+        "--seconds", type=float, metavar="S", help="of simulated time, for --film and --rerun"
+    )
 
 
 def _size(text: str) -> Size:

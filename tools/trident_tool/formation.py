@@ -8,8 +8,7 @@ import argparse
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from trident_tool.building import build
-from trident_tool.environment import ros_environment
+from trident_tool.modules import run_module
 from trident_tool.workspace import Runner, Workspace
 
 Handler = Callable[[Workspace, Runner, argparse.Namespace], int]
@@ -64,18 +63,13 @@ def option_words(options: argparse.Namespace, names: Sequence[str]) -> list[str]
     return words
 
 
-def _run_module(workspace: Workspace, runner: Runner, name: str, words: Sequence[str]) -> int:
-    build(workspace, runner)
-    env = None if runner.dry_run else ros_environment(workspace)
-    return runner.run(["/usr/bin/python3", "-m", f"trident_fleet.cli.{name}", *words], env=env)
-
-
 def _cmd_formation(workspace: Workspace, runner: Runner, options: argparse.Namespace) -> int:
     given = option_words(options, ("uavs", "spacing", "min_separation", "out"))
-    return _run_module(workspace, runner, "make_formation", [*options.words, *given])
+    words = [*options.words, *given]
+    return run_module(workspace, runner, "trident_fleet.cli.make_formation", words)
 
 
 def _cmd_formation_launch(workspace: Workspace, runner: Runner, options: argparse.Namespace) -> int:
     names = ("uavs", "formation", "vehicles_in_file", "layout", "mav", "spacing", "out")
     given = option_words(options, names)
-    return _run_module(workspace, runner, "make_launch", given)
+    return run_module(workspace, runner, "trident_fleet.cli.make_launch", given)

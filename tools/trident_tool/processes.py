@@ -15,6 +15,8 @@ from trident_tool.workspace import TridentError
 
 _END_LIMIT_S = 25.0  # roslaunch waits 15 s for a node that does not end
 _MASTER_LIMIT_S = 20.0
+_POLL_S = 0.2
+_AFTERWARDS_S = 5.0
 
 
 @contextlib.contextmanager
@@ -37,6 +39,36 @@ def started(command: Sequence[str], env: Mapping[str, str]) -> Iterator[subproce
         except subprocess.TimeoutExpired:
             process.kill()
             process.wait()
+
+
+def foreground(
+    command: Sequence[str], env: Mapping[str, str], source: subprocess.Popen[bytes] | None
+) -> int:
+    """Runs a process to its end; Ctrl-C interrupts it once and lets it finish what it writes.
+
+    Args:
+        command: of the process.
+        env: its environment.
+        source: what it lives on; when that has ended it is interrupted, too, after a while in
+            which it may end by itself.
+
+    Returns:
+        Its exit code; when the source failed, that of the source.
+    """
+    process = subprocess.Popen(command, env=dict(env), start_new_session=True)
+    try:
+        while source is None or source.poll() is None:
+            with contextlib.suppress(subprocess.TimeoutExpired):
+                return process.wait(_POLL_S)
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            return source.returncode or process.wait(_AFTERWARDS_S)
+    except KeyboardInterrupt:
+        pass  # the process is interrupted, too
+    finally:
+        if process.poll() is None:
+            process.send_signal(signal.SIGINT)
+            process.wait(_END_LIMIT_S)
+    return process.returncode
 
 
 def wait_for_master(uri: str, process: subprocess.Popen[bytes]) -> None:

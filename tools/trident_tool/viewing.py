@@ -14,7 +14,8 @@ from pathlib import Path
 
 from trident_tool.environment import ros_environment
 from trident_tool.launchfile import check_args, declared_args, find_launch_file, parse_request
-from trident_tool.processes import started, wait_for_master
+from trident_tool.processes import foreground, started, wait_for_master
+from trident_tool.recording import Recording
 from trident_tool.running import free_port
 from trident_tool.screenshot import Size, resized, screenshot
 from trident_tool.shell import running_master
@@ -34,7 +35,8 @@ class Look:
         at_s: simulated time at which a launch file is held; None: it runs on.
         live_s: how much of the time before that rviz sees go by: what sensors send is not sent
             again by a world that stands [s].
-        size: of the screenshot.
+        size: of the screenshot or film; None: the default of what makes it.
+        recording: a film, or rerun, in place of rviz.
     """
 
     words: tuple[str, ...] = ()
@@ -42,7 +44,24 @@ class Look:
     screenshot: Path | None = None
     at_s: float | None = None
     live_s: float = 0.0
-    size: Size = field(default_factory=Size)
+    size: Size | None = None
+    recording: Recording = field(default_factory=Recording)
+
+    def validate(self, has_display: bool) -> None:
+        """Raises TridentError for options that do not go together, or need a display."""
+        self.recording.validate(has_display)
+        if self.live_s and self.at_s is None:
+            raise TridentError("--live goes with --at only")
+        if self.recording.is_wanted:
+            if self.at_s is not None or self.screenshot is not None:
+                raise TridentError("--at and --screenshot go with rviz only")
+        elif self.screenshot is None and not has_display:
+            raise TridentError(
+                "there is no DISPLAY. For a picture: ./trident view --screenshot FILE.png "
+                "[BAG|WORLD|LAUNCH]; for a film: --film FILE.mp4; for rerun elsewhere: --rerun "
+                "--out FILE.rrd; for plots: ./trident report RUN_OR_BAG; elsewhere: rviz with this "
+                "ROS_MASTER_URI"
+            )
 
 
 def pick_config(workspace: Workspace, name: str | None) -> Path | None:
@@ -93,6 +112,13 @@ def source_command(
     return ["roslaunch", "--disable-title", str(file), *given]
 
 
+def viewer_command(workspace: Workspace, look: Look, env: Mapping[str, str]) -> list[str]:
+    """The call of what looks."""
+    if look.recording.is_wanted:
+        return look.recording.command(workspace, look.size, env)
+    return rviz_command(look, pick_config(workspace, look.config))
+
+
 def rviz_command(look: Look, configuration: Path | None) -> list[str]:
     """The call of rviz. The splash screen would be taken for the first picture."""
     command = ["rviz", "--splash-screen", ""]
@@ -114,21 +140,15 @@ def view(workspace: Workspace, runner: Runner, look: Look) -> int:
     Raises:
         TridentError: there is nothing to be seen, or no display for it.
     """
-    if look.screenshot is None and not os.environ.get("DISPLAY") and not runner.dry_run:
-        raise TridentError(
-            "there is no DISPLAY. For a picture: ./trident view --screenshot FILE.png "
-            "[BAG|WORLD|LAUNCH]; for plots: ./trident report RUN_OR_BAG; elsewhere: rviz with this "
-            "ROS_MASTER_URI"
-        )
+    look.validate(bool(os.environ.get("DISPLAY")) or runner.dry_run)
     env = base_environment() if runner.dry_run else ros_environment(workspace)
     feed = source_command(workspace, look.words, env)
     if look.at_s is not None and (feed is None or "--disable-title" not in feed):
         raise TridentError("--at goes with a launch file only")
-    if look.live_s and look.at_s is None:
-        raise TridentError("--live goes with --at only")
-    command = rviz_command(look, pick_config(workspace, look.config))
+    command = viewer_command(workspace, look, env)
     if runner.dry_run:
-        for words in [feed, _MARKERS, command]:
+        helpers = [] if look.recording.is_wanted else [_MARKERS]
+        for words in [feed, *helpers, command]:
             runner.run(words or ["true"])
         return 0
     env.setdefault("ROS_HOSTNAME", "localhost")
@@ -155,6 +175,8 @@ def _show(
         if feed:
             runner.run(["rosparam", "set", "use_sim_time", "true"], env=env)
             source = stack.enter_context(started(feed, view_environment(env)))
+        if look.recording.is_wanted:
+            return foreground(command, env, source)
         stack.enter_context(started(_MARKERS, env))
         last_steps: subprocess.Popen[bytes] | None = None
         if look.at_s is not None:
@@ -170,7 +192,7 @@ def _show(
             command,
             env,
             look.screenshot,
-            look.size,
+            look.size or Size(),
             lambda: last_steps is None or last_steps.poll() is not None,
         )
         say(f"wrote {look.screenshot}")

@@ -5,12 +5,11 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from pathlib import Path
 
-from trident_tool.building import build
-from trident_tool.environment import ros_environment
 from trident_tool.formation import Handler, option_words
+from trident_tool.modules import run_module
 from trident_tool.workspace import Runner, Workspace
 
 
@@ -46,15 +45,9 @@ def _cmd_worldmap(workspace: Workspace, runner: Runner, options: argparse.Namesp
     words = [options.world, *option_words(options, names)]
     if options.start is not None:
         words.append(f"--start={options.start}")  # may begin with a minus
-    return _run_module(workspace, runner, "worldmap", words)
+    return run_module(workspace, runner, "trident_sim.worldmap", words)
 
 
 def _cmd_worldgen(workspace: Workspace, runner: Runner, options: argparse.Namespace) -> int:
     given = option_words(options, ("seed", "length", "width", "out"))
-    return _run_module(workspace, runner, "worldgen", [options.kind, *given])
-
-
-def _run_module(workspace: Workspace, runner: Runner, name: str, words: Sequence[str]) -> int:
-    build(workspace, runner)
-    env = None if runner.dry_run else ros_environment(workspace)
-    return runner.run(["/usr/bin/python3", "-m", f"trident_sim.{name}", *words], env=env)
+    return run_module(workspace, runner, "trident_sim.worldgen", [options.kind, *given])

@@ -57,7 +57,11 @@ TEST(Follow, ItStaysWhileNobodyIsThereAndGoesBackWithAResetAndASnapshot) {
 
 TEST(Follow, WhatCannotBeCarriedIsRefused) {
   TestWorld world(weightless());
-  EXPECT_NE(error_of([&] { world.add(eye("eye", "0 0 1")); }).find("followed"), std::string::npos);
+  const auto refusal = [&](const std::string& followed, const std::string& offset) {
+    return error_of([&] { world.add(eye(followed, offset)); });
+  };
+  EXPECT_NE(refusal("eye", "0 0 1").find("<followed>"), std::string::npos);
+  EXPECT_NE(refusal("cart", "0 nan 1").find("<offset>"), std::string::npos);
   ModelSpec shaped = eye("cart", "0 0 1");
   shaped.links = make_static("wall", BoxShape{{1, 1, 1}}, {}).links;
   EXPECT_NE(error_of([&] { world.add(shaped); }).find("a static model with shapes"),

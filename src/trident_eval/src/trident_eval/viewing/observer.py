@@ -30,6 +30,7 @@ from trident_eval.viewing.observer_camera import (
 )
 
 _FILM = ".mp4"
+_NEAR = View((-1.6, -1.2, 1.0), (0.0, 0.0, 0.1))
 _INTERRUPTED = 130  # as a shell says it
 
 
@@ -60,11 +61,14 @@ def main(arguments: list[str] | None = None) -> int:
 
 
 def _view(options: argparse.Namespace) -> View:
-    about = place_of(options.model) if options.model else (0.0, 0.0, 0.0)
+    named = options.model or options.follow
+    place = place_of(named, options.wait) if named else (0.0, 0.0, 0.0)
+    about = place if options.model else (0.0, 0.0, 0.0)
+    near = _NEAR if named else View()
     width, height = _size(options.size)
     return View(
-        _sum(about, options.place),
-        _sum(about, options.at),
+        _sum(about, options.place or near.place),
+        _sum(about, options.at or near.target),
         width,
         height,
         math.radians(options.fov),
@@ -78,15 +82,10 @@ def _sum(a: Sequence[float], b: Sequence[float]) -> Place:
 
 
 def _parser() -> argparse.ArgumentParser:
-    default = View()
     parser = argparse.ArgumentParser(prog="observer", description=__doc__)
     axes = ("X", "Y", "Z")
-    parser.add_argument(
-        "--from", dest="place", nargs=3, type=float, default=default.place, metavar=axes, help="[m]"
-    )
-    parser.add_argument(
-        "--at", nargs=3, type=float, default=default.target, metavar=axes, help="looked at [m]"
-    )
+    parser.add_argument("--from", dest="place", nargs=3, type=float, metavar=axes, help="[m]")
+    parser.add_argument("--at", nargs=3, type=float, metavar=axes, help="looked at [m]")
     about = parser.add_mutually_exclusive_group()
     about.add_argument("--model", metavar="NAME", help="both from where this model is now")
     about.add_argument("--follow", metavar="NAME", help="both from where this model is, always")
@@ -108,6 +107,9 @@ def _parser() -> argparse.ArgumentParser:
     )
     film.add_argument(
         "--fps", type=float, default=25.0, help="frames per second of simulated time; default 25"
+    )
+    parser.add_argument(
+        "--wait", type=float, default=0.0, metavar="S", help="for the model to come; default 0"
     )
     parser.add_argument(
         "--limit", type=float, default=30.0, metavar="S", help="of wall-clock time per picture"

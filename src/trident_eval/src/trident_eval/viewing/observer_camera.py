@@ -23,6 +23,7 @@ from trident_eval.core.errors import EvalError
 
 _SERVICE_LIMIT_S = 20.0
 _GONE_POLL_S = 1.0
+_MODEL_POLL_S = 0.2
 _KEPT = 64  # pictures that wait to be written
 _IMAGE_BYTES = 1 << 24  # of a socket's buffer: as large as a picture
 
@@ -205,18 +206,27 @@ class Observer:
             self._arrived.notify_all()
 
 
-def place_of(model: str) -> Place:
+def place_of(model: str, wait_s: float = 0.0) -> Place:
     """Where a model is now [m, world].
+
+    Args:
+        model: its name.
+        wait_s: how long it may take to come, in wall-clock time [s].
 
     Raises:
         EvalError: there is none of that name, or no simulator.
     """
-    try:
-        rospy.wait_for_service("/gazebo/get_model_state", _SERVICE_LIMIT_S)
-        answer = rospy.ServiceProxy("/gazebo/get_model_state", GetModelState)(model, "")
-    except (rospy.ROSException, rospy.ServiceException) as error:
-        raise EvalError(f"no simulator: {error}") from error
-    if not answer.success:
-        raise EvalError(f"model {model}: {answer.status_message}")
+    give_up = time.monotonic() + wait_s
+    while True:
+        try:
+            rospy.wait_for_service("/gazebo/get_model_state", max(wait_s, _SERVICE_LIMIT_S))
+            answer = rospy.ServiceProxy("/gazebo/get_model_state", GetModelState)(model, "")
+        except (rospy.ROSException, rospy.ServiceException) as error:
+            raise EvalError(f"no simulator: {error}") from error
+        if answer.success:
+            break
+        if time.monotonic() > give_up:
+            raise EvalError(f"model {model}: {answer.status_message}")
+        rospy.rostime.wallsleep(_MODEL_POLL_S)
     place = answer.pose.position
     return place.x, place.y, place.z
