@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "../src/rays/ray_packet.h"
 #include "ray_check.h"
 #include "scratch_folder.h"
 
@@ -53,6 +54,46 @@ TEST(RayShape, ASphereIsMetAsCloselyAsDoublesGoAlsoFarFromTheOrigin) {
   }
   EXPECT_NEAR(range(scene, centre, {1, 1, 1}), 0.7, 1e-12);
   EXPECT_EQ(range(scene, centre + 0.71 * kZ, kX), kNothing);
+}
+
+/// Rays of pictures are as long as their pixel lies off the axis.
+TEST(RayShape, PacketsMeetRoundShapesWhateverTheLengthOfTheirDirections) {
+  TestWorld world;
+  world.add(make_static("ball", SphereShape{1.0}, at(5, 0, 0)));
+  world.add(make_static("post", CylinderShape{0.4, 3.0}, at(4, 3, 1)));
+  world.add(make_static("pill", CapsuleShape{0.5, 1.0}, at(4, -3, -1)));
+  const RayScene& scene = fresh_rays(world);
+  Draw draw("packets");
+  std::size_t met = 0;
+  for (int i = 0; i < 500; ++i) {
+    RayPacket rays;
+    rays.origin_x = rays.origin_y = rays.origin_z = {};
+    rays.t_min.fill(0.0F);
+    rays.valid.fill(-1);
+    std::vector<Ray> same;
+    for (std::size_t lane = 0; lane < kPacketLanes; ++lane) {
+      const double length = draw.uniform(0.3, 3.0);
+      const Eigen::Vector3d d =
+          length * Eigen::Vector3d(5.0, draw.uniform(-4, 4), draw.uniform(-2, 2)).normalized();
+      rays.direction_x[lane] = static_cast<float>(d.x());
+      rays.direction_y[lane] = static_cast<float>(d.y());
+      rays.direction_z[lane] = static_cast<float>(d.z());
+      rays.t_max[lane] = static_cast<float>(50.0 / length);
+      same.push_back(ray_along(Eigen::Vector3d::Zero(), d));
+    }
+    PacketHits hits;
+    scene.meet(rays, hits);
+    for (std::size_t lane = 0; lane < kPacketLanes; ++lane) {
+      const Eigen::Vector3d d(rays.direction_x[lane], rays.direction_y[lane],
+                              rays.direction_z[lane]);
+      const RayHit alone = cast_one(scene, same[lane]);
+      ASSERT_EQ(hits.shape[lane], alone.shape) << i << " " << lane;
+      if (alone.shape == RayHit::kNothing) continue;
+      ASSERT_NEAR(hits.t[lane] * d.norm(), alone.distance_m, 1e-3);
+      ++met;
+    }
+  }
+  EXPECT_GT(met, 1000u);
 }
 
 /// First distance at which `inside` changes, found by steps and bisection, without closed forms.

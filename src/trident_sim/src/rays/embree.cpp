@@ -43,16 +43,17 @@ void bound_round(const RTCBoundsFunctionArguments* args) {
   bounds.upper_z = static_cast<float>(upper.z() + slack);
 }
 
-/// Whether a ray, whose direction is of unit length, comes near the ball around a round shape.
+/// Whether a ray, whose direction may be of any length, comes near the ball around a round shape.
 /// Embree asks of every ray for a shape that is alone in its scene, and most rays miss it.
 bool may_meet(const TracedShape& shape, const Eigen::Vector3d& origin,
               const Eigen::Vector3d& direction, double t_min, double t_max) {
   const Eigen::Vector3d to_middle = shape.p_scene_shape - origin;
-  const double along = to_middle.dot(direction);
+  const double squared = direction.squaredNorm();
+  const double length = std::sqrt(squared), along = to_middle.dot(direction) / length;
   // Floats have 24 bits.
   const double reach = shape.reach_m * (1.0 + 1e-5) + 1e-5 * std::abs(along);
-  return along + reach >= t_min && along - reach <= t_max &&
-         to_middle.cross(direction).squaredNorm() <= reach * reach;
+  return along + reach >= t_min * length && along - reach <= t_max * length &&
+         to_middle.cross(direction).squaredNorm() <= reach * reach * squared;
 }
 
 /// Where ray `i` of a packet meets a round shape, in the scene that the shape lies in.
