@@ -15,6 +15,8 @@ def _nothing_is_built(clone: Workspace, monkeypatch: pytest.MonkeyPatch) -> None
 @pytest.mark.parametrize(
     ("words", "passed_on"),
     [
+        ("worldmap forest --above-ground", "worldmap forest --above-ground"),
+        ("worldgen forest --seed 2", "worldgen forest --seed 2"),
         ("worldmap room", "worldmap room"),
         (
             "worldmap a.world --height 0.2 --height 1 --start=-2,0 --out m.pgm --resolution 0.1",

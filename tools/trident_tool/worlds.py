@@ -27,13 +27,16 @@ def add_world_commands(add: Callable[[str, Handler, str], argparse.ArgumentParse
         help="to cut at; default 0.2; may be repeated",
     )
     sub.add_argument(
+        "--above-ground", action="store_true", help="heights count from the ground below, not z = 0"
+    )
+    sub.add_argument(
         "--start", metavar="X,Y", help="a free place, default 0,0; free is what it leads to"
     )
     sub.add_argument("--reach", type=float, metavar="M", help="around the start; default 100")
     sub.add_argument("--margin", type=float, metavar="M", help="around obstacles; default 0.5")
 
     sub = add("worldgen", _cmd_worldgen, "make a world from a seed")
-    sub.add_argument("kind", choices=["hall", "office"])
+    sub.add_argument("kind", choices=["forest", "hall", "office"])
     sub.add_argument("--seed", type=int, metavar="N", help="default 1, as those of worlds/")
     sub.add_argument("--length", type=float, metavar="M", help="along x")
     sub.add_argument("--width", type=float, metavar="M", help="along y")
@@ -43,6 +46,8 @@ def add_world_commands(add: Callable[[str, Handler, str], argparse.ArgumentParse
 def _cmd_worldmap(workspace: Workspace, runner: Runner, options: argparse.Namespace) -> int:
     names = ("out", "resolution", "height", "reach", "margin")
     words = [options.world, *option_words(options, names)]
+    if options.above_ground:
+        words.append("--above-ground")
     if options.start is not None:
         words.append(f"--start={options.start}")  # may begin with a minus
     return run_module(workspace, runner, "trident_sim.worldmap", words)

@@ -28,6 +28,7 @@ _MOST_CELLS = 100_000_000
 
 Cells = npt.NDArray[np.int8]
 _Floats = npt.NDArray[np.float64]
+_Ints = npt.NDArray[np.int64]
 
 
 @dataclass(frozen=True)
@@ -151,7 +152,7 @@ def occupancy_map(world: World, config: MapConfig | None = None) -> OccupancyMap
     for axis, spans in enumerate(along):
         _draw_lone(spans, axis, origin, config.resolution, surfaces, inner)
     cells = np.full(shape, UNKNOWN, np.int8)
-    cells[_reachable(surfaces, inner, origin, config)] = FREE
+    cells[reachable(surfaces | inner, origin, config)] = FREE
     cells[inner | surfaces] = OCCUPIED
     return OccupancyMap(cells, config.resolution, origin)
 
@@ -189,16 +190,18 @@ def _cut(
         place = place + _BEYOND_M
     if not lines:
         return (np.empty(0),) * 3
-    return _paired(across, np.concatenate(lines), np.concatenate(shapes), np.concatenate(places))
+    found = paired(*(np.concatenate(values) for values in (lines, shapes, places)))
+    return across[found[0]], found[2], found[3]
 
 
-def _paired(
-    across: _Floats, line: npt.NDArray[np.int64], shape: npt.NDArray[np.int64], place: _Floats
-) -> tuple[_Floats, _Floats, _Floats]:
+def paired(line: _Ints, shape: _Ints, place: _Floats) -> tuple[_Ints, _Ints, _Floats, _Floats]:
     """Entries and exits: surfaces of one shape on one line, two by two.
 
     An odd number of them (a shape that is not closed, or that a line touches) makes each a span of
     no length.
+
+    Returns:
+        Line, shape, begin and end of each span, shape (n,) each.
     """
     order = np.lexsort((place, shape, line))
     line, shape, place = line[order], shape[order], place[order]
@@ -213,7 +216,7 @@ def _paired(
     # Of an even group, the exit is the next one.
     after = np.minimum(np.arange(line.size) + 1, max(line.size - 1, 0))
     end = np.where(is_even, place[after], place)
-    return across[line[is_entry]], place[is_entry], end[is_entry]
+    return line[is_entry], shape[is_entry], place[is_entry], end[is_entry]
 
 
 def _extent(
@@ -302,21 +305,24 @@ def _draw_lone(
     surfaces[row[is_news], far[is_news]] = True
 
 
-def _reachable(
-    surfaces: npt.NDArray[np.bool_],
-    inner: npt.NDArray[np.bool_],
-    origin: tuple[float, float],
-    config: MapConfig,
+def reachable(
+    blocked: npt.NDArray[np.bool_], origin: tuple[float, float], config: MapConfig
 ) -> npt.NDArray[np.bool_]:
-    """Cells joined by sides to that of the start, without a surface between."""
-    labels, _ = ndimage.label(~(surfaces | inner))
+    """Cells joined by sides to that of the start, none of them blocked, shape (rows, columns).
+
+    Raises:
+        Error: the start is blocked, or outside.
+    """
+    labels, _ = ndimage.label(~blocked)
+    x, y = config.start
     column, row = (
         math.floor((place - corner) / config.resolution)
         for place, corner in zip(config.start, origin, strict=True)
     )
-    here = labels[row, column]
+    rows, columns = labels.shape
+    is_inside = 0 <= row < rows and 0 <= column < columns
+    here = labels[row, column] if is_inside else 0
     if here == 0:
-        x, y = config.start
         raise Error(f"start: ({x:g}, {y:g}) m is within an obstacle, legal: a free place")
     reached: npt.NDArray[np.bool_] = labels == here
     return reached

@@ -14,6 +14,7 @@ import numpy as np
 from trident_sim._core import Error
 from trident_sim._environment import complete_environment
 from trident_sim.occupancy import FREE, OCCUPIED, MapConfig, OccupancyMap, occupancy_map
+from trident_sim.terrain_map import map_above_ground
 from trident_sim.world import SimulationWarning, World
 
 
@@ -28,7 +29,8 @@ def main(arguments: list[str] | None = None) -> int:
     warnings.simplefilter("ignore", SimulationWarning)  # looks only; a run tells of them
     try:
         out = options.out or Path(Path(options.world).stem + ".pgm")
-        result = occupancy_map(World(_world_file(options.world)), _config(options))
+        make = map_above_ground if options.above_ground else occupancy_map
+        result = make(World(_world_file(options.world)), _config(options))
         result.save(out)
     except Error as error:
         print(f"worldmap: {error}", file=sys.stderr)
@@ -45,6 +47,9 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--resolution", type=float, default=default.resolution, metavar="M")
     parser.add_argument(
         "--height", type=float, action="append", metavar="M", help="to cut at; may be repeated"
+    )
+    parser.add_argument(
+        "--above-ground", action="store_true", help="heights count from the ground below, not z = 0"
     )
     parser.add_argument(
         "--start", default="0,0", metavar="X,Y", help="a free place; free is what it leads to"

@@ -2,8 +2,17 @@
 # SPDX-License-Identifier: Apache-2.0
 """Worlds that a seed decides: the same seed gives the same files."""
 
+from trident_sim.worldgen.forest import ForestConfig, forest
 from trident_sim.worldgen.hall import HallConfig, hall
 from trident_sim.worldgen.office import OfficeConfig, office
 from trident_sim.worldgen.sdf import Files
 
-__all__ = ["Files", "HallConfig", "OfficeConfig", "hall", "office"]
+__all__ = [
+    "Files",
+    "ForestConfig",
+    "HallConfig",
+    "OfficeConfig",
+    "forest",
+    "hall",
+    "office",
+]

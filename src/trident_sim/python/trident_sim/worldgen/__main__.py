@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from trident_sim._core import Error
+from trident_sim.worldgen.forest import ForestConfig, forest
 from trident_sim.worldgen.hall import HallConfig, hall
 from trident_sim.worldgen.office import OfficeConfig, office
 from trident_sim.worldgen.sdf import Files, write_files
@@ -18,6 +19,7 @@ from trident_sim.worldgen.sdf import Files, write_files
 _KINDS: dict[str, tuple[Callable[..., Any], Callable[[Any], Files]]] = {
     "office": (OfficeConfig, office),
     "hall": (HallConfig, hall),
+    "forest": (ForestConfig, forest),
 }
 
 

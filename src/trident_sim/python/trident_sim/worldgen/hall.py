@@ -4,7 +4,6 @@
 
 from __future__ import annotations
 
-import io
 import math
 from dataclasses import dataclass
 
@@ -12,13 +11,10 @@ import numpy as np
 import numpy.typing as npt
 from PIL import Image
 
-from trident_sim.worldgen.sdf import (
-    Files,
-    Picture,
-    StaticModel,
-    require,
-    world_text,
-)
+from trident_sim.worldgen.checks import require, require_count, require_seed
+from trident_sim.worldgen.noise import grain, png
+from trident_sim.worldgen.placing import free_place
+from trident_sim.worldgen.sdf import Files, Picture, StaticModel, world_text
 
 _FOLDER = "models/hall_pictures/materials/textures"
 _URI = "model://hall_pictures/materials/textures"
@@ -54,11 +50,11 @@ class HallConfig:
 
     def validate(self) -> None:
         """Raises Error naming the field, its value and what is legal."""
-        require("seed", self.seed, 0, 2**32 - 1, "")
+        require_seed(self.seed)
         require("length", self.length, 10.0, 100.0)
         require("width", self.width, 10.0, 100.0)
         require("height", self.height, 2.5, 20.0)
-        require("crates", self.crates, 0, 100, "")
+        require_count("crates", self.crates, 100)
 
 
 def hall(config: HallConfig | None = None) -> Files:
@@ -168,16 +164,18 @@ def _crates(model: StaticModel, config: HallConfig, random: np.random.Generator)
     """Where there is room; some stand on another."""
     look = _picture("crate", (0.55, 0.4, 0.25))
     taken = [(sx * config.length / 4, sy * config.width / 4) for sx in (-1, 1) for sy in (-1, 1)]
+    ranges = [(-size / 2 + 0.7, size / 2 - 0.7) for size in (config.length, config.width)]
+
+    def is_free(x: float, y: float) -> bool:
+        is_apart = all(math.hypot(x - u, y - v) > 1.8 for u, v in taken)
+        return is_apart and math.hypot(x, y) > _FREE_M
+
     for index in range(config.crates):
-        for _ in range(_TRIES):
-            x = float(random.uniform(-config.length / 2 + 0.7, config.length / 2 - 0.7))
-            y = float(random.uniform(-config.width / 2 + 0.7, config.width / 2 - 0.7))
-            is_free = all(math.hypot(x - u, y - v) > 1.8 for u, v in taken)
-            if math.hypot(x, y) > _FREE_M and is_free:
-                break
-        else:
+        place = free_place(random, *ranges, is_free, _TRIES)
+        if place is None:
             continue
-        taken.append((x, y))
+        x, y = place
+        taken.append(place)
         yaw = float(random.uniform(0.0, math.pi / 2))
         for level in range(int(random.integers(1, 3))):
             size = (_CRATE_M, _CRATE_M, _CRATE_M)
@@ -188,22 +186,7 @@ def _crates(model: StaticModel, config: HallConfig, random: np.random.Generator)
 def _png(pixels: Pixels, colours: int) -> bytes:
     """A small file: few colours."""
     image = Image.fromarray(pixels, "RGB").quantize(colours, dither=Image.Dither.NONE)
-    out = io.BytesIO()
-    image.convert("RGB").save(out, "PNG", optimize=True)
-    return out.getvalue()
-
-
-def _grain(random: np.random.Generator, size: int, cells: int) -> npt.NDArray[np.float64]:
-    """Smooth noise in [0, 1] that repeats at its edges, shape (size, size)."""
-    coarse = random.uniform(size=(cells, cells))
-    at = np.arange(size) * cells / size
-    low = at.astype(int)
-    part = at - low
-    part = part * part * (3.0 - 2.0 * part)
-    high = (low + 1) % cells
-    rows = coarse[low] * (1 - part)[:, None] + coarse[high] * part[:, None]
-    result: npt.NDArray[np.float64] = rows[:, low] * (1 - part) + rows[:, high] * part
-    return result
+    return png(image.convert("RGB"))
 
 
 def _tinted(shade: npt.NDArray[np.float64], colour: tuple[float, float, float]) -> Pixels:
@@ -217,7 +200,7 @@ def _tiles(random: np.random.Generator) -> Pixels:
     n = 10
     index = np.arange(_PIXELS) * n // _PIXELS
     shade = random.uniform(0.65, 1.0, (n, n))[index][:, index]
-    shade = shade * (0.85 + 0.15 * _grain(random, _PIXELS, 16))
+    shade = shade * (0.85 + 0.15 * grain(random, _PIXELS, 16))
     edge = np.diff(index, append=n) != 0
     shade[edge, :] = 0.35
     shade[:, edge] = 0.35
@@ -225,7 +208,7 @@ def _tiles(random: np.random.Generator) -> Pixels:
 
 
 def _plaster(random: np.random.Generator) -> Pixels:
-    shade = 0.8 + 0.12 * _grain(random, _PIXELS, 8) + 0.08 * _grain(random, _PIXELS, 32)
+    shade = 0.8 + 0.12 * grain(random, _PIXELS, 8) + 0.08 * grain(random, _PIXELS, 32)
     shade[-_PIXELS // 6 :] *= 0.6  # a painted base
     return _tinted(shade, (0.95, 0.92, 0.82))
 
@@ -234,10 +217,10 @@ def _planks(random: np.random.Generator) -> Pixels:
     """Six boards across, with a frame and a diagonal."""
     index = np.arange(_PIXELS) * 6 // _PIXELS
     shade = np.repeat(random.uniform(0.6, 0.9, 6)[index][:, None], _PIXELS, axis=1)
-    shade = shade * (0.8 + 0.2 * _grain(random, _PIXELS, 24))
+    shade = shade * (0.8 + 0.2 * grain(random, _PIXELS, 24))
     y, x = np.mgrid[:_PIXELS, :_PIXELS] / _PIXELS
     frame = (np.minimum.reduce([x, y, 1 - x, 1 - y]) < 0.08) | (np.abs(x - y) < 0.06)
-    shade[frame] = 0.45 + 0.1 * _grain(random, _PIXELS, 24)[frame]
+    shade[frame] = 0.45 + 0.1 * grain(random, _PIXELS, 24)[frame]
     return _tinted(shade, (0.95, 0.68, 0.4))
 
 

@@ -10,7 +10,9 @@ from itertools import pairwise
 
 import numpy as np
 
-from trident_sim.worldgen.sdf import Files, Material, StaticModel, require, world_text
+from trident_sim.worldgen.checks import require, require_seed
+from trident_sim.worldgen.placing import free_place
+from trident_sim.worldgen.sdf import Files, Material, StaticModel, world_text
 
 WALL = Material("Gazebo/White")
 FRAME = Material("Gazebo/DarkGrey")
@@ -51,7 +53,7 @@ class OfficeConfig:
 
     def validate(self) -> None:
         """Raises Error naming the field, its value and what is legal."""
-        require("seed", self.seed, 0, 2**32 - 1, "")
+        require_seed(self.seed)
         require("corridor", self.corridor, 1.0, 6.0)
         require("length", self.length, 20.0 + 3.0 * self.corridor, 200.0)
         require("width", self.width, 13.0 + 2.0 * self.corridor, 100.0)
@@ -207,13 +209,15 @@ def _free_place(
 ) -> tuple[float, float] | None:
     """A disc within the room that leaves a way around it; None: there is hardly one."""
     inset = config.wall / 2 + radius + 0.05
-    for _ in range(_TRIES):
-        x = float(random.uniform(room.x[0] + inset, room.x[1] - inset))
-        y = float(random.uniform(room.y[0] + inset, room.y[1] - inset))
-        if all(math.hypot(x - u, y - v) > radius + r + _GAP_M for u, v, r in taken):
-            taken.append((x, y, radius))
-            return x, y
-    return None
+
+    def is_free(x: float, y: float) -> bool:
+        return all(math.hypot(x - u, y - v) > radius + r + _GAP_M for u, v, r in taken)
+
+    x_range, y_range = ((side[0] + inset, side[1] - inset) for side in (room.x, room.y))
+    place = free_place(random, x_range, y_range, is_free, _TRIES)
+    if place is not None:
+        taken.append((*place, radius))
+    return place
 
 
 def _desk(model: StaticModel, name: str, place: tuple[float, float], yaw: float) -> None:

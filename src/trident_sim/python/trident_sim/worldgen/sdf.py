@@ -16,6 +16,11 @@ _LICENCE = (
 )
 _GAZEBO_MATERIALS = "file://media/materials/scripts/gazebo.material"
 
+_GROUND_PLANE = """    <include>
+      <uri>model://ground_plane</uri>
+    </include>
+"""
+
 Point = tuple[float, float, float]
 Files = dict[str, str | bytes]
 """Contents by path, relative to the folder that they are written to."""
@@ -49,6 +54,21 @@ class Picture:
         )
 
 
+@dataclass(frozen=True)
+class Colour:
+    """Red, green, blue, each 0 to 1."""
+
+    rgb: tuple[float, float, float]
+
+    def text(self) -> str:
+        """As an element of a visual."""
+        colour = f"{_numbers(self.rgb)} 1"
+        return f"<material><ambient>{colour}</ambient><diffuse>{colour}</diffuse></material>"
+
+
+Look = Material | Picture | Colour
+
+
 @dataclass
 class StaticModel:
     """Shapes that never move, seen and touched alike."""
@@ -61,7 +81,7 @@ class StaticModel:
         name: str,
         size: Point,
         centre: Point,
-        material: Material | Picture,
+        material: Look,
         *,
         yaw: float = 0.0,
         solid: bool = True,
@@ -71,7 +91,7 @@ class StaticModel:
         self._add(name, geometry, centre, yaw, material, solid)
 
     def cylinder(
-        self, name: str, radius: float, length: float, centre: Point, material: Material | Picture
+        self, name: str, radius: float, length: float, centre: Point, material: Look
     ) -> None:
         """Add an upright cylinder: radius, length and centre [m]."""
         geometry = (
@@ -80,13 +100,48 @@ class StaticModel:
         )
         self._add(name, geometry, centre, 0.0, material, True)
 
+    def sphere(self, name: str, radius: float, centre: Point, material: Look) -> None:
+        """Add a sphere: radius and centre [m]."""
+        geometry = f"<sphere><radius>{_number(radius)}</radius></sphere>"
+        self._add(name, geometry, centre, 0.0, material, True)
+
+    def mesh(
+        self,
+        name: str,
+        uri: str,
+        scale: Point,
+        origin: Point,
+        material: Look,
+        *,
+        yaw: float = 0.0,
+    ) -> None:
+        """Add a mesh by its file: scale, where its origin is [m], and yaw [rad]."""
+        geometry = f"<mesh><uri>{uri}</uri><scale>{_numbers(scale)}</scale></mesh>"
+        self._add(name, geometry, origin, yaw, material, True)
+
+    def heightmap(self, name: str, uri: str, size: Point, pos: Point, material: Look) -> None:
+        """Add a terrain from a picture: extent along x and y, height of its brightest pixel [m].
+
+        Args:
+            name: of the collision and, with "_visual", of the visual.
+            uri: of the picture.
+            size: extent [m].
+            pos: of the middle of the terrain, at the height of black [m].
+            material: how it looks.
+        """
+        geometry = (
+            f"<heightmap><uri>{uri}</uri><size>{_numbers(size)}</size>"
+            f"<pos>{_numbers(pos)}</pos></heightmap>"
+        )
+        self._add(name, geometry, (0.0, 0.0, 0.0), 0.0, material, True)
+
     def _add(
         self,
         name: str,
         geometry: str,
         centre: Point,
         yaw: float,
-        material: Material | Picture,
+        material: Look,
         solid: bool,
     ) -> None:
         pose = f"<pose>{_numbers(centre)} 0 0 {_number(yaw)}</pose>"
@@ -109,17 +164,15 @@ class StaticModel:
         )
 
 
-def world_text(comment: str, models: Sequence[StaticModel], lights: Sequence[str] = ()) -> str:
-    """A world on a ground plane under the sun, 1000 steps of 1 ms per second."""
-    body = "\n".join([*lights, *(model.text() for model in models)])
+def world_text(comment: str, models: Sequence[StaticModel], *, ground: bool = True) -> str:
+    """A world under the sun, on a ground plane if asked for, 1000 steps of 1 ms per second."""
+    body = "\n".join(model.text() for model in models)
+    plane = _GROUND_PLANE if ground else ""
     return f"""<?xml version="1.0"?>
 {_LICENCE}<!-- {comment} -->
 <sdf version="1.6">
   <world name="default">
-    <include>
-      <uri>model://ground_plane</uri>
-    </include>
-    <include>
+{plane}    <include>
       <uri>model://sun</uri>
     </include>
     <physics type="ode">
@@ -156,13 +209,6 @@ def write_files(files: Files, folder: Path) -> list[Path]:
             raise Error(f"{path}: cannot be written: {error.strerror}") from error
         written.append(path)
     return written
-
-
-def require(name: str, value: float, lowest: float, highest: float, unit: str = "m") -> None:
-    """Raise Error unless lowest <= value <= highest."""
-    if not lowest <= value <= highest:
-        after = f" {unit}" if unit else ""
-        raise Error(f"{name}: {value:g}{after}, legal: {lowest:g} to {highest:g}{after}")
 
 
 def _number(value: float) -> str:
