@@ -180,7 +180,7 @@ def _show(
         stack.enter_context(started(_MARKERS, env))
         last_steps: subprocess.Popen[bytes] | None = None
         if look.at_s is not None:
-            _hold(runner, max(look.at_s - look.live_s, 0.0), env)
+            _hold(runner, max(look.at_s - look.live_s, 0.0), count_nodes(feed or [], env), env)
             if look.live_s:
                 hold = ["rosrun", "trident_eval", "hold_at.py", "--viewer", str(look.at_s)]
                 last_steps = stack.enter_context(started(hold, env))
@@ -221,10 +221,25 @@ def _at(env: Mapping[str, str], uri: str) -> dict[str, str]:
     return {**env, "ROS_MASTER_URI": uri}
 
 
-def _hold(runner: Runner, at_s: float, env: Mapping[str, str]) -> None:
+def count_nodes(launch: Sequence[str], env: Mapping[str, str]) -> int:
+    """How many nodes a call of roslaunch starts.
+
+    Raises:
+        TridentError: roslaunch does not take it; says why.
+    """
+    command = ["roslaunch", "--nodes", *(word for word in launch[1:] if word != "--disable-title")]
+    done = subprocess.run(
+        command, env=view_environment(env), capture_output=True, text=True, check=False
+    )
+    if done.returncode != 0:
+        raise TridentError(f"{' '.join(command)}: {done.stderr.strip()}")
+    return sum(line.startswith("/") for line in done.stdout.splitlines())
+
+
+def _hold(runner: Runner, at_s: float, nodes: int, env: Mapping[str, str]) -> None:
     say(f"simulating to {at_s:g} s")
     runner.check(
-        ["rosrun", "trident_eval", "hold_at.py", str(at_s)],
+        ["rosrun", "trident_eval", "hold_at.py", "--nodes", str(nodes), str(at_s)],
         what=f"holding the simulation at {at_s:g} s",
         env=env,
     )

@@ -13,9 +13,11 @@ import rospy
 from gazebo_msgs.srv import GetPhysicsProperties, GetWorldProperties
 from std_srvs.srv import Empty
 
+from trident_eval.viewing.launch_nodes import wait_for_nodes
 from trident_msgs.srv import Step
 
 _START_LIMIT_S = 60.0
+_NODES_LIMIT_S = 90.0
 _TRIES = 20
 _POLL_S = 0.1
 _CONNECT_S = 1.0
@@ -34,25 +36,38 @@ class Held:
         rospy.wait_for_service("/gazebo/step", _START_LIMIT_S)
         self._pause = rospy.ServiceProxy("/gazebo/pause_physics", Empty)
         self._step = rospy.ServiceProxy("/gazebo/step", Step)
-        world = rospy.ServiceProxy("/gazebo/get_world_properties", GetWorldProperties)
+        self._world = rospy.ServiceProxy("/gazebo/get_world_properties", GetWorldProperties)
         physics = rospy.ServiceProxy("/gazebo/get_physics_properties", GetPhysicsProperties)
-        self._pause()
-        self.time_s = float(world().sim_time)
+        self.pause()
         self.dt_s = float(physics().time_step)
 
-    def advance(self, n: int) -> None:
-        """Do n steps; a node of the launch may unpause the world meanwhile.
+    def pause(self) -> None:
+        """Pause it, also if somebody else has unpaused it, and note where it stands."""
+        self._pause()
+        self.time_s = float(self._world().sim_time)
+
+    def advance_to(self, time_s: float) -> None:
+        """Go there step by step; a node of the launch may unpause the world on the way.
 
         Raises:
-            rospy.ROSException: it refuses, however often it is paused.
+            rospy.ROSException: it is past that; it refuses, however often it is paused.
         """
-        for _ in range(_TRIES):
-            response = self._step(n=n)
-            if response.success:
-                self.time_s = response.sim_time.to_sec()
+        refused = 0
+        while not rospy.is_shutdown():
+            left = round((time_s - self.time_s) / self.dt_s)
+            if left < 0:
+                raise rospy.ROSException(f"it is {self.time_s:.3f} s already, past {time_s:.3f} s")
+            if left == 0:
                 return
-            self._pause()
-        raise rospy.ROSException(response.message)
+            response = self._step(n=min(left, max(1, round(_CHUNK_S / self.dt_s))))
+            if response.success:
+                self.time_s, refused = response.sim_time.to_sec(), 0
+                continue
+            refused += 1
+            if refused == _TRIES:
+                raise rospy.ROSException(response.message)
+            self.pause()
+        raise rospy.ROSInterruptException("interrupted")
 
 
 def wait_for_viewer() -> None:
@@ -86,20 +101,23 @@ def main(arguments: list[str] | None = None) -> int:
         action="store_true",
         help="first wait for an rviz, which then sees the way there",
     )
+    parser.add_argument(
+        "--nodes",
+        type=int,
+        default=0,
+        metavar="N",
+        help="first wait until so many nodes of roslaunch are up, so that none acts too late",
+    )
     options = parser.parse_args(rospy.myargv(arguments or sys.argv)[1:])
     rospy.init_node("hold_at", anonymous=True)
     try:
         held = Held()
-        if held.time_s > options.time_s + 0.5 * held.dt_s:
-            rospy.logerr("it is %.3f s already, past %.3f s", held.time_s, options.time_s)
-            return 1
+        if options.nodes:
+            wait_for_nodes(options.nodes, _NODES_LIMIT_S, held.pause)
         if options.viewer:
             wait_for_viewer()
-        while not rospy.is_shutdown():
-            left = round((options.time_s - held.time_s) / held.dt_s)
-            if left <= 0:
-                return 0
-            held.advance(min(left, max(1, round(_CHUNK_S / held.dt_s))))
+        held.advance_to(options.time_s)
+        return 0
     except rospy.ROSException as error:
         rospy.logerr("the simulation cannot be held: %s", error)
     return 1

@@ -164,14 +164,14 @@ def _crates(model: StaticModel, config: HallConfig, random: np.random.Generator)
     """Where there is room; some stand on another."""
     look = _picture("crate", (0.55, 0.4, 0.25))
     taken = [(sx * config.length / 4, sy * config.width / 4) for sx in (-1, 1) for sy in (-1, 1)]
-    ranges = [(-size / 2 + 0.7, size / 2 - 0.7) for size in (config.length, config.width)]
+    x_range, y_range = ((-size / 2 + 0.7, size / 2 - 0.7) for size in (config.length, config.width))
 
     def is_free(x: float, y: float) -> bool:
         is_apart = all(math.hypot(x - u, y - v) > 1.8 for u, v in taken)
         return is_apart and math.hypot(x, y) > _FREE_M
 
     for index in range(config.crates):
-        place = free_place(random, *ranges, is_free, _TRIES)
+        place = free_place(random, x_range, y_range, is_free, _TRIES)
         if place is None:
             continue
         x, y = place
