@@ -13,6 +13,7 @@ foreach(header IN LISTS trident_base_headers)
 endforeach()
 
 catkin_add_gtest(trident_base_test
+  test/bicycle_odometry_test.cpp
   test/config_document_test.cpp
   test/config_error_test.cpp
   test/diff_drive_odometry_test.cpp
