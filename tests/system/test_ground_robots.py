@@ -10,8 +10,9 @@ from functools import partial
 
 import pytest
 import rospy
+from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
 from geometry_msgs.msg import Twist
-from harness import Launch, Recorder, eventually, recorder
+from harness import Launch, Recorder, box_sdf, eventually, pose, recorder
 from nav_msgs.msg import Odometry
 from sensor_msgs.msg import JointState
 from tf2_msgs.msg import TFMessage
@@ -41,8 +42,16 @@ def is_after(heard: Recorder, seconds: float) -> bool:
 
 def acts(state: JointState, v: float, w: float) -> bool:
     """Whether the wheels turn as a velocity wants them to."""
-    left, right = state.velocity
+    rates = dict(zip(state.name, state.velocity, strict=True))
+    rear = "rear_" if "wheel_rear_left_joint" in rates else ""
+    left, right = (rates[f"wheel_{rear}{side}_joint"] for side in ("left", "right"))
     return (left + right > 0.2) == (v > 0) and (right - left > 0.2) == (w > 0)
+
+
+def status_of(heard: Recorder, name: str) -> DiagnosticStatus | None:
+    """The newest status of that name."""
+    newest = heard.messages[-1].status if heard.messages else []
+    return next((status for status in newest if status.name == f"gazebo: {name}"), None)
 
 
 def command(run: Launch, v: float, w: float, seconds: float) -> None:
@@ -60,7 +69,12 @@ def command(run: Launch, v: float, w: float, seconds: float) -> None:
 
 
 #: How much of its way a robot may slip; the burger's wheels have a friction of 0.1 only.
-SLIP = {"my_nav_robot": 0.03, "tutorial_ugv": 0.03, "turtlebot3_burger": 0.15}
+SLIP = {
+    "ackermann_car": 0.03,
+    "my_nav_robot": 0.03,
+    "tutorial_ugv": 0.03,
+    "turtlebot3_burger": 0.15,
+}
 
 
 @pytest.mark.parametrize("robot", SLIP)
@@ -81,14 +95,15 @@ def test_a_robot_in_a_room_goes_where_it_is_told(launch: Start, robot: str) -> N
         late = run.time() - 0.5
         for heard in (told, truth):
             eventually(partial(is_after, heard, late), "the last odometry")
-        eventually(lambda: "wheel_left_link" in transforms(tf.messages), "wheels in /tf")
+        wheel = "wheel_rear_left_link" if robot == "ackermann_car" else "wheel_left_link"
+        eventually(lambda: wheel in transforms(tf.messages), "wheels in /tf")
     odom, actual = told.messages[-1], truth.messages[-1]
     assert (odom.header.frame_id, odom.child_frame_id) == ("odom", "base_footprint")
     way = math.hypot(actual.pose.pose.position.x + 2, actual.pose.pose.position.y + 1)
     assert way > 0.8
     tree = transforms(tf.messages)
     assert tree["base_footprint"] == "odom"
-    assert tree["wheel_left_link"] == "base_link"
+    assert tree[wheel] == "base_link"
     # The encoders count from where it started, in its heading then.
     x, y = odom.pose.pose.position.x, odom.pose.pose.position.y
     seen = (-2 + x * math.cos(0.5) - y * math.sin(0.5), -1 + x * math.sin(0.5) + y * math.cos(0.5))
@@ -124,6 +139,29 @@ def test_a_command_that_is_not_a_number_is_named(launch: Start) -> None:
     eventually(lambda: publisher.get_num_connections() > 0, "a reader of /cmd_vel")
     publisher.publish(twist(math.nan, 0.0))
     run.step_until(lambda: "must be finite; such commands are refused" in run.log, "a refusal")
+    in_the_inner_wall = pose(-1.0, 2.0, 0.5)
+    run.ask(
+        "spawn_sdf_model",
+        model_name="crate",
+        model_xml=box_sdf("crate"),
+        initial_pose=in_the_inner_wall,
+    )
+    with recorder("/diagnostics", DiagnosticArray) as heard:
+        found = partial(status_of, heard)
+        refused = "model 'my_nav_robot' plugin 'diff_drive': velocity command refused"
+        eventually(lambda: found(refused) is not None, "the refusal in /diagnostics")
+        eventually(lambda: found("model 'crate': spawned inside") is not None, "the crate")
+    status = found(refused)
+    assert status is not None
+    assert status.level == DiagnosticStatus.ERROR
+    values = {pair.key: pair.value for pair in status.values}
+    assert values["value"].startswith("(nan, 0.0")
+    assert values["legal"] == "finite numbers"
+    assert int(values["count"]) == 1
+    status = found("model 'crate': spawned inside")
+    assert status is not None
+    assert status.level == DiagnosticStatus.WARN
+    assert {pair.key for pair in status.values} >= {"obstacle", "depth_m", "count"}
     before = run.position("my_nav_robot")
     run.step(1000)
     assert math.dist(before, run.position("my_nav_robot")) == pytest.approx(0.2, abs=0.02)

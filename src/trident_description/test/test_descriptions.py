@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import math
 import xml.etree.ElementTree as ET
 from pathlib import Path
 
@@ -40,7 +41,7 @@ def drive(model: ET.Element, key: str) -> str:
 
 
 def test_there_are_robots() -> None:
-    assert {"my_nav_robot", "tutorial_ugv", "turtlebot3_burger"} <= set(ROBOTS)
+    assert {"ackermann_car", "my_nav_robot", "tutorial_ugv", "turtlebot3_burger"} <= set(ROBOTS)
 
 
 @pytest.mark.parametrize("robot", ROBOTS)
@@ -66,7 +67,7 @@ def test_bodies_can_exist(robot: str) -> None:
         assert max(xx, yy, zz) <= 0.5 * (xx + yy + zz)
 
 
-@pytest.mark.parametrize("robot", ROBOTS)
+@pytest.mark.parametrize("robot", sorted(set(ROBOTS) - {"ackermann_car"}))
 def test_the_drive_fits_the_wheels(robot: str) -> None:
     model = expand(robot)
     left, right = origin(model, "wheel_left_joint"), origin(model, "wheel_right_joint")
@@ -94,6 +95,26 @@ def test_figures_of_the_navigation_robot() -> None:
     assert origin(model, "laser_link_joint")[2] == pytest.approx(0.06)
     assert origin(model, "camera_link_joint")[0] == pytest.approx(0.12)
     assert model.find("link[@name='camera_optical_frame']") is not None
+
+
+def test_figures_of_the_car() -> None:
+    model = expand("ackermann_car")
+    wheelbase, track = 0.32, 0.24
+    for side, y in (("left", track / 2), ("right", -track / 2)):
+        assert origin(model, f"wheel_rear_{side}_joint") == [0, y, 0]
+        assert origin(model, f"wheel_front_{side}_steering_joint") == [wheelbase, y, 0]
+        assert origin(model, f"wheel_front_{side}_joint") == [0, 0, 0]
+    plugin = model.find(".//plugin[@filename='libgazebo_ros_ackermann_drive.so']")
+    assert plugin is not None
+    max_steer = float(plugin.findtext("max_steer", ""))
+    # The inner wheel turns more than the bicycle, and its joint lets it.
+    inner = math.atan2(math.tan(max_steer), 1 - track / 2 / wheelbase * math.tan(max_steer))
+    stop = numbers(joint(model, "wheel_front_left_steering_joint").find("limit"), "upper")[0]
+    assert max_steer < inner < stop
+    limit = numbers(joint(model, "wheel_rear_left_joint").find("limit"), "velocity")[0]
+    # The outer rear wheel runs ahead of the axle's middle.
+    outer = 1 + track / 2 / wheelbase * math.tan(max_steer)
+    assert 0.05 * limit > float(plugin.findtext("max_speed", "")) * outer
 
 
 def test_figures_of_the_rover() -> None:

@@ -60,6 +60,22 @@ void spawn(Simulation& simulation, const Resources& resources,
   simulation.sync_topics();
 }
 
+/// A refusal is told by who asked; /diagnostics keeps it.
+void spawn_or_note(Simulation& simulation, const Resources& resources,
+                   const gazebo_msgs::SpawnModel::Request& request) {
+  try {
+    spawn(simulation, resources, request);
+  } catch (const Error& error) {
+    const Simulation::Access access(simulation);
+    access.world().note({Severity::kError,
+                         "model '" + request.model_name + "'",
+                         "spawn refused",
+                         error.what(),
+                         {{"namespace", request.robot_namespace}}});
+    throw;
+  }
+}
+
 void remove(Simulation& simulation, const std::string& name) {
   Simulation::Access access(simulation);
   access.world().remove(name);
@@ -78,7 +94,7 @@ void advertise_spawn_services(ros::NodeHandle& node, Simulation& simulation, Ser
         name,
         [&simulation, resources](SpawnModel::Request& request, SpawnModel::Response& response) {
           return answer(response, "SpawnModel: Failure - ", [&] {
-            spawn(simulation, *resources, request);
+            spawn_or_note(simulation, *resources, request);
             response.status_message = "SpawnModel: Successfully spawned entity";
           });
         }));

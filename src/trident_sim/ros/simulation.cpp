@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulation.h"
 
-#include <diagnostic_msgs/DiagnosticArray.h>
 #include <std_msgs/Bool.h>
 
 #include <algorithm>
@@ -19,7 +18,6 @@ using std::chrono::microseconds;
 using std::chrono::milliseconds;
 
 constexpr auto kScanPeriod = milliseconds(2);
-constexpr std::size_t kRememberedComplaints = 50;
 /// Up to this speed /clock and the state topics go out at every step.
 constexpr double kEveryStepFactor = 2.0;
 /// A delay longer than this is not caught up with in a burst.
@@ -36,10 +34,13 @@ std::string find_tf_prefix(const std::string& robot_namespace) {
 }  // namespace
 
 Simulation::Simulation(ros::NodeHandle& node, const ServerOptions& options)
-    : node_(node), options_(options), performance_(node), paused_(options.paused) {
+    : node_(node),
+      options_(options),
+      diagnostics_(node),
+      performance_(node),
+      paused_(options.paused) {
   register_builtin_plugins(registry_);
   for (const std::string& library : options.plugin_libraries) registry_.load_shared_object(library);
-  diagnostics_ = node_.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 10);
   ready_ = node_.advertise<std_msgs::Bool>("/gazebo/ready", 1, true);
   ready_.publish(std_msgs::Bool());
   const auto report = [this](Severity severity, const std::string& text) {
@@ -50,7 +51,8 @@ Simulation::Simulation(ros::NodeHandle& node, const ServerOptions& options)
                       [&](const std::string& text) { report(Severity::kWarning, text); });
   world_ = std::make_unique<World>(
       spec, resources_, registry_,
-      WorldOptions{options.seed, options.timing, report, find_tf_prefix, options.sensor_threads});
+      WorldOptions{options.seed, options.timing, report, find_tf_prefix, options.sensor_threads,
+                   log});
   real_time_factor_ = options.real_time_factor >= 0.0
                           ? options.real_time_factor
                           : spec.physics.real_time_update_rate_hz * spec.physics.max_step_size_s;
@@ -65,15 +67,17 @@ Simulation::Simulation(ros::NodeHandle& node, const ServerOptions& options)
   for (const std::string& warning : options.warnings) this->report(Severity::kWarning, warning);
 }
 
-void Simulation::report(Severity severity, const std::string& raw_text) {
-  const std::string text = one_line(raw_text);
+void Simulation::log(Severity severity, const std::string& text) {
   if (severity == Severity::kError) {
-    ROS_ERROR("%s", text.c_str());
+    ROS_ERROR("%s", one_line(text).c_str());
   } else {
-    ROS_WARN("%s", text.c_str());
+    ROS_WARN("%s", one_line(text).c_str());
   }
-  complaints_.emplace_back(severity, text);
-  if (complaints_.size() > kRememberedComplaints) complaints_.erase(complaints_.begin());
+}
+
+void Simulation::report(Severity severity, const std::string& text) {
+  log(severity, text);
+  diagnostics_.remember(severity, text);
 }
 
 void Simulation::sync_topics() {
@@ -211,28 +215,13 @@ std::string Simulation::describe_state() {
 }
 
 void Simulation::publish_diagnostics() {
-  if (diagnostics_.getNumSubscribers() == 0) return;
-  using diagnostic_msgs::DiagnosticStatus;
-  diagnostic_msgs::DiagnosticArray array;
-  array.header.stamp = to_ros(world_->time());
-  const auto add = [&array](auto level, const std::string& name, const std::string& message) {
-    DiagnosticStatus status;
-    status.level = level;
-    status.name = "gazebo: " + name;
-    status.message = message;
-    array.status.push_back(status);
-  };
-  add(DiagnosticStatus::OK, "simulation", describe_state());
+  if (!diagnostics_.wanted()) return;
+  DiagnosticsTopic::Notes notes{{"simulation", describe_state()}};
   for (const auto& [name, in_lockstep] : gate_->vehicle_states()) {
-    add(DiagnosticStatus::OK, "controller of " + name,
-        in_lockstep ? "in lockstep" : "free-running or absent");
+    notes.emplace_back("controller of " + name,
+                       in_lockstep ? "in lockstep" : "free-running or absent");
   }
-  for (std::size_t i = 0; i < complaints_.size(); ++i) {
-    const bool error = complaints_[i].first == Severity::kError;
-    add(error ? DiagnosticStatus::ERROR : DiagnosticStatus::WARN, "message " + std::to_string(i),
-        complaints_[i].second);
-  }
-  diagnostics_.publish(array);
+  diagnostics_.publish(*world_, notes);
 }
 
 void Simulation::reset(bool with_time) {

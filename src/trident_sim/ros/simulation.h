@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "diagnostics_topic.h"
 #include "input_binder.h"
 #include "lockstep_gate.h"
 #include "performance_topic.h"
@@ -70,6 +71,7 @@ class Simulation {
  private:
   using Clock = std::chrono::steady_clock;
 
+  static void log(Severity severity, const std::string& text);
   void report(Severity severity, const std::string& text);
   bool run_once();
   bool finished();
@@ -86,6 +88,7 @@ class Simulation {
   const ServerOptions options_;
   Resources resources_;
   PluginRegistry registry_;
+  DiagnosticsTopic diagnostics_;
   std::mutex mutex_;
   std::atomic<int> waiting_{0};
   std::atomic<bool> stopped_{false};
@@ -108,8 +111,6 @@ class Simulation {
   bool stepped_once_ = false;
   SimTime first_step_time_;
   std::string end_reason_;
-  std::vector<std::pair<Severity, std::string>> complaints_;  ///< the latest, for /diagnostics
-  ros::Publisher diagnostics_;
   ros::Publisher ready_;  ///< latched: everything that was declared is there
   bool is_ready_ = false;
 };

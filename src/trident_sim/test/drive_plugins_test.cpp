@@ -70,7 +70,7 @@ TEST(DrivePlugins, ASpeedBeyondTheWheelsLimitIsScaledWithItsTurn) {
   cart.run(3.0);
   EXPECT_NEAR(cart.speed(), 1.0 / 2.5, 0.005);
   EXPECT_NEAR(cart.model->canonical_link()->w_world().z(), 1.25 / 2.5, 0.01);
-  EXPECT_EQ(cart.world.told(Severity::kWarning, "2.500000 times what the velocity limit"), 1u);
+  EXPECT_EQ(cart.world.told(Severity::kWarning, "2.500000 times its limit"), 1u);
 }
 
 TEST(DrivePlugins, WithoutLegacyModeThePlacesOfTheWheelsTell) {

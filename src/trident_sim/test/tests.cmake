@@ -3,6 +3,7 @@
 
 # Fixtures, models and the conformance suite of plugins, for the tests of this package and of others.
 add_library(trident_sim_test_support STATIC
+  test_support/car.cpp
   test_support/cart.cpp
   test_support/golden_data.cpp
   test_support/lidar_rig.cpp
@@ -83,7 +84,10 @@ target_include_directories(trident_sim_physics_test PRIVATE src)  # parts of the
 
 # Ground robots on their wheels.
 catkin_add_gtest(trident_sim_ground_test
+  test/ackermann_drive_test.cpp
+  test/diagnostics_test.cpp
   test/drive_plugins_test.cpp
+  test/ground_closed_form_test.cpp
   test/ground_drive_test.cpp
 )
 target_link_libraries(trident_sim_ground_test trident_sim_test_support ${GTEST_MAIN_LIBRARIES})

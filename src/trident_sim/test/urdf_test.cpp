@@ -96,6 +96,31 @@ TEST(Urdf, ALinkWithoutInertialIsAWarningWithItsLine) {
   EXPECT_TRUE(contains(loaded.warnings[0], "'ghost'"));
 }
 
+TEST(Urdf, AMasslessFrameOnAFixedJointIsNoCauseForAWarning) {
+  const std::string frames = link("base", inertial()) + link("camera", "") +
+                             joint("fixed", "base", "camera") + link("optical", "") +
+                             joint("fixed", "camera", "optical");
+  EXPECT_TRUE(load(robot(frames)).warnings.empty());
+  const Loaded loaded = load(robot(frames + link("wheel", inertial()) +
+                                   joint("continuous", "optical", "wheel", "<axis xyz='0 1 0'/>")));
+  ASSERT_EQ(loaded.warnings.size(), 2u) << "what moves on a frame is lost";
+  EXPECT_TRUE(contains(loaded.warnings[0], "'camera'"));
+  EXPECT_TRUE(contains(loaded.warnings[1], "'optical'"));
+}
+
+TEST(Urdf, ElementsWithoutEffectAreNamedOnceWithTheirFirstLine) {
+  const std::string drive = "<transmission name='t'><type>x</type></transmission>\n";
+  const Loaded loaded =
+      load(robot(link("base", inertial()) + link("wheel", inertial()) +
+                 joint("continuous", "base", "wheel", "<axis xyz='0 1 0'/><mimic joint='j'/>") +
+                 drive + drive + "<gazebo reference='wheel'><mu>1</mu><mu1>1</mu1></gazebo>"));
+  ASSERT_EQ(loaded.warnings.size(), 3u);
+  EXPECT_EQ(loaded.warnings[0],
+            "robot.urdf:6: <transmission> in <robot> (2 times) has no effect here");
+  EXPECT_EQ(loaded.warnings[1], "robot.urdf:5: <mimic> in <joint> has no effect here");
+  EXPECT_EQ(loaded.warnings[2], "robot.urdf:8: <mu> in <gazebo> has no effect here");
+}
+
 TEST(Urdf, ARootThatAFixedChildGivesInertiaIsFine) {
   const Loaded loaded = load(robot(link("base", "") + link("base_inertia", inertial()) +
                                    joint("fixed", "base", "base_inertia")));

@@ -85,6 +85,7 @@ ModelSpec make_cart(const CartOptions& options) {
     }
   }
   if (options.with_drive) model.plugins = {make_drive(options)};
+  for (const PluginSpec& plugin : options.more_plugins) model.plugins.push_back(plugin);
   return model;
 }
 

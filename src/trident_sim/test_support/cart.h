@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "models.h"
 #include "test_world.h"
@@ -20,6 +21,7 @@ struct CartOptions {
   double velocity_limit_rad_s = 0.0;  ///< of the wheels' joints; 0: none
   ParamList params;                   ///< of the drive, besides what fits the cart
   bool with_drive = true;
+  std::vector<PluginSpec> more_plugins;
   SE3 T_world_model;
 };
 

@@ -59,8 +59,11 @@ struct Body {
   int joint_count = 0;      ///< ODE joints that last longer than a step
   std::size_t number = 0;   ///< in the order of the engine
   bool in_contact = false;  ///< this step
-  bool frozen = false;      ///< its state grew without bound: it stands until a reset
-  bool kinematic = false;   ///< moves with its velocity, whatever pushes
+  /// Put somewhere by hand, and not free of what it was put into since: it is pushed out slowly
+  bool placed = true;
+  bool emerging = false;   ///< this step
+  bool frozen = false;     ///< its state grew without bound: it stands until a reset
+  bool kinematic = false;  ///< moves with its velocity, whatever pushes
   bool self_collide = false;
   const void* owner = nullptr;  ///< bodies of one model do not collide unless self_collide
 
@@ -70,7 +73,7 @@ struct Body {
   }
   void state(StateArchive& archive) {
     archive(T_world_body, R_world_body, v_world, w_world, T_before, v_before, w_before, force,
-            torque, rotor_momentum, in_contact, frozen);
+            torque, rotor_momentum, in_contact, placed, frozen);
   }
   /// World velocity of the point p (world coordinates) that moves with the body.
   Eigen::Vector3d velocity_at(const Eigen::Vector3d& p_world) const {

@@ -4,7 +4,9 @@
 
 #include <Eigen/Core>
 #include <limits>
+#include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -29,12 +31,14 @@ struct Limits {
 };
 
 /// Typed, checked reading of a plugin's parameters. Every error names the model, the plugin, the
-/// element, its value and the legal range.
+/// element, its value and the legal range. Copies know together what was read.
 class PluginParams {
  public:
   PluginParams(const ParamNode& root, std::string owner) : root_(&root), owner_(std::move(owner)) {}
 
-  bool has(std::string_view key) const { return root_->find(key) != nullptr; }
+  bool has(std::string_view key) const { return node(key) != nullptr; }
+  /// The element itself, with what is below it; nullptr when it is missing.
+  const ParamNode* node(std::string_view key) const;
   std::string text(std::string_view key, std::string_view fallback) const;
   std::string required_text(std::string_view key) const;
   double number(std::string_view key, double fallback, Limits limits = {}) const;
@@ -43,6 +47,8 @@ class PluginParams {
   bool flag(std::string_view key, bool fallback) const;
   Eigen::Vector3d vector3(std::string_view key, const Eigen::Vector3d& fallback) const;
   const std::string& owner() const { return owner_; }
+  /// Names of the elements that nobody has asked for, each once.
+  std::vector<std::string> unread() const;
 
   /// Throws the one error about `key`.
   [[noreturn]] void refuse(std::string_view key, std::string_view value,
@@ -53,6 +59,8 @@ class PluginParams {
 
   const ParamNode* root_;
   std::string owner_;
+  std::shared_ptr<std::set<std::string, std::less<>>> read_ =
+      std::make_shared<std::set<std::string, std::less<>>>();
 };
 
 }  // namespace trident

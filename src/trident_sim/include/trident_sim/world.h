@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "trident_base/worker_pool.h"
 #include "trident_sim/axis_params.h"
 #include "trident_sim/contact.h"
+#include "trident_sim/diagnostics.h"
 #include "trident_sim/joint_drive.h"
 #include "trident_sim/model.h"
 #include "trident_sim/model_spec.h"
@@ -39,7 +41,6 @@ enum class LoopTiming {
   kDirect
 };
 
-enum class Severity { kWarning, kError };
 /// Where the world tells of trouble that does not stop it. One call per event.
 using ReportSink = std::function<void(Severity, const std::string&)>;
 
@@ -51,6 +52,8 @@ struct WorldOptions {
   std::function<std::string(const std::string& robot_namespace)> tf_prefix{};
   /// Threads that share the work of lidars and cameras, 1 to 256. Results do not depend on it.
   std::size_t sensor_threads = 1;
+  /// Where the first of what diagnostics() keeps is told; none: to `report`.
+  ReportSink diagnosed{};
 };
 
 struct SpawnRequest {
@@ -175,6 +178,12 @@ class World {
   PortBoard& ports() { return ports_; }
   const PortBoard& ports() const { return ports_; }
   void report(Severity severity, const std::string& text) const;
+  /// Counts it among diagnostics(), and tells the first of its name.
+  void diagnose(Diagnostic diagnostic);
+  /// The same without telling: of what its cause is told anyway. Returns whether it is the first.
+  bool note(Diagnostic diagnostic);
+  /// What was met since the world began, those of deleted models left out. Not part of its state.
+  const Diagnostics& diagnostics() const { return diagnostics_; }
 
   /// SHA-256 over name, pose, velocities and rotor speeds of every model in name order, as
   /// IEEE-754 bytes, with the step count.
@@ -192,6 +201,7 @@ class World {
   void rebuild_schedule();
   void run_phase(Phase phase, const StepInfo& info);
   void apply_external(const StepInfo& info);
+  Model& add_model(ModelSpec spec, const std::string& robot_namespace);
   std::unique_ptr<Model> build_model(ModelSpec spec, const std::string& robot_namespace);
   void create_plugins(Model& model, const std::vector<PluginSpec>& specs);
   void create_sensor(Model& model, const LinkSpec& link, SensorSpec& sensor);
@@ -203,6 +213,8 @@ class World {
   };
   std::unique_ptr<Plugin> create_plugin(const PluginSpec& spec, const PluginPlace& place,
                                         const std::string& owner);
+  void tell_unread(const PluginSpec& spec, const PluginParams& params);
+  void tell_overlap(const Model& model);
   void drop_references(const Model& model);
   void restore_drives(const std::vector<JointDrive>& drives);
   std::vector<std::string> inventory() const;
@@ -217,6 +229,8 @@ class World {
   PluginRegistry& registry_;
   WorldOptions options_;
   WorkerPool workers_;
+  Diagnostics diagnostics_;
+  std::set<std::string> told_elements_;  ///< of plugins, that none of them reads
   PortBoard ports_;
   std::unique_ptr<PhysicsEngine> engine_;
   std::map<std::string, std::unique_ptr<Model>> models_;

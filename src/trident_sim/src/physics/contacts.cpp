@@ -12,6 +12,11 @@ namespace {
 
 constexpr int kRowsPerContact = 3;
 
+/// At which a body that was put into something is pushed out, where its surface does not tell. At
+/// the world's speed limit, 100 m/s where nothing else is said, a robot spawned in a wall would be
+/// shot into the sky.
+constexpr double kEmergingSpeed = 0.5;
+
 /// Several contacts under one body hold it more often than it can move, which the exact solver
 /// needs a little softness to tell apart: 1e10 N/m at a step of 10 ms, and 1e-8 m/s of creep per
 /// newton.
@@ -110,6 +115,38 @@ void PhysicsEngine::find_contacts(double dt_s) {
     if (body.bound_radius_m > 0.0 && !body.frozen) collide_with_static(body, centres_[i], dt_s);
   }
   sweep_bodies(dt_s);
+  release_placed();
+}
+
+/// Whether one of two bodies was put into the other, or is on its way out since, and would be
+/// pushed faster than is good.
+bool PhysicsEngine::is_emerging(int found, const Surface& a, const Surface& b, const Body& body_a,
+                                const Body* body_b, double dt_s) const {
+  if (!body_a.placed && (body_b == nullptr || !body_b->placed)) return false;
+  const double of_world = spec_.contact_max_correcting_vel;
+  if (combine_corrections(a, body_b == nullptr ? nullptr : &b, spec_).max_vel_m_s < of_world) {
+    return false;
+  }
+  double depth_m = 0.0;
+  for (int i = 0; i < found; ++i) {
+    depth_m = std::max(depth_m, double{contact_buffer_[static_cast<std::size_t>(i)].geom.depth});
+  }
+  const double erp = combine(a, b, dt_s).soft_erp;
+  return erp * (depth_m - spec_.contact_surface_layer) > kEmergingSpeed * dt_s;
+}
+
+/// A model emerges as a whole: bodies of one follow each other.
+void PhysicsEngine::release_placed() {
+  for (std::size_t first = 0, end = 0; first < bodies_.size(); first = end) {
+    bool any = false;
+    for (; end < bodies_.size() && bodies_[end]->owner == bodies_[first]->owner; ++end) {
+      any = any || bodies_[end]->emerging;
+    }
+    for (std::size_t i = first; i < end; ++i) {
+      bodies_[i]->placed = bodies_[i]->placed && any;
+      bodies_[i]->emerging = false;
+    }
+  }
 }
 
 void PhysicsEngine::sweep_bodies(double dt_s) {
@@ -167,11 +204,16 @@ void PhysicsEngine::collide_geoms(Geom& a, Body* body_a, Geom& b, Body* body_b, 
   if (!boxes_overlap(box_a, box_b)) return;
   const int found = dCollide(a.id, b.id, static_cast<int>(contact_buffer_.size()),
                              &contact_buffer_[0].geom, sizeof(dContact));
-  const Correction correction =
+  Correction correction =
       combine_corrections(a.surface, body_b == nullptr ? nullptr : &b.surface, spec_);
   const Eigen::Vector3d direction =
       a.surface.fdir1.isZero() ? friction_direction(b, body_b) : friction_direction(a, body_a);
   const bool is_watched = a.watchers + b.watchers > 0;
+  if (is_emerging(found, a.surface, b.surface, *body_a, body_b, dt_s)) {
+    correction.max_vel_m_s = std::min(correction.max_vel_m_s, kEmergingSpeed);
+    body_a->emerging = true;
+    if (body_b != nullptr) body_b->emerging = true;
+  }
   for (int i = 0; i < found; ++i) {
     dContact& contact = contact_buffer_[static_cast<std::size_t>(i)];
     const double depth_m = contact.geom.depth;

@@ -7,6 +7,7 @@
 #include <deque>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,10 @@
 #include "trident_sim/model_spec.h"
 
 namespace trident {
+
+/// Deeper than this nobody puts a body on purpose; wheels and feet that stand a little low are
+/// less.
+constexpr double kDeepContact_m = 0.01;
 
 /// Moves bodies. ODE solves contacts and joints; a body with neither is integrated here by the same
 /// semi-implicit Euler step, which costs a tenth of ODE's bookkeeping. The result does not depend
@@ -45,6 +50,13 @@ class PhysicsEngine {
   void push_state(Body& body);
   /// Of the last step, of the geometries that are watched.
   const std::vector<Contact>& contacts() const { return told_; }
+  /// How far a collision is inside another one. Names are those of geometries.
+  struct Overlap {
+    std::string own, other;
+    double depth_m = 0.0;
+  };
+  /// The deepest one of a model that can move, with the world or another model, as they stand now.
+  std::optional<Overlap> deepest_overlap(const Model& model);
   /// What the next step's result depends on besides the bodies and joints.
   void state(StateArchive& archive) { archive(order_); }
 
@@ -63,9 +75,13 @@ class PhysicsEngine {
   };
 
   void freeze(Body& body);
+  void measure_overlap(const Geom& own, const Geom& other, std::optional<Overlap>& deepest);
   void load_rotors(double dt_s);
   void find_contacts(double dt_s);
   void sweep_bodies(double dt_s);
+  void release_placed();
+  bool is_emerging(int found, const Surface& a, const Surface& b, const Body& body_a,
+                   const Body* body_b, double dt_s) const;
   void collide_with_static(Body& body, const Eigen::Vector3d& centre, double dt_s);
   void collide_bodies(Body& a, Body& b, double dt_s);
   void collide_geoms(Geom& a, Body* body_a, Geom& b, Body* body_b, double dt_s);

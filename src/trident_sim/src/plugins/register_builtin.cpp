@@ -28,7 +28,9 @@ void register_builtin_plugins(PluginRegistry& registry) {
   registry.add("libtrident_joint_drive.so", joint_drive_factory());
   registry.add("libgazebo_ros_diff_drive.so", diff_drive_factory());
   registry.add("libgazebo_ros_skid_steer_drive.so", skid_steer_drive_factory());
+  registry.add("libgazebo_ros_kobuki.so", kobuki_factory());
   registry.add("libgazebo_ros_tricycle_drive.so", tricycle_drive_factory());
+  registry.add("libgazebo_ros_ackermann_drive.so", ackermann_drive_factory());
   registry.add("libgazebo_ros_planar_move.so", planar_move_factory());
   registry.add("libgazebo_ros_joint_state_publisher.so", joint_state_publisher_factory());
   registry.add("libgazebo_ros_p3d.so", p3d_factory());

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trident_sim/param_tree.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -45,9 +46,25 @@ const ParamNode* ParamNode::find(std::string_view child_name) const {
 }
 
 std::optional<std::string> PluginParams::raw(std::string_view key) const {
-  const ParamNode* node = root_->find(key);
-  if (node == nullptr) return std::nullopt;
-  return trimmed(node->text);
+  const ParamNode* found = node(key);
+  if (found == nullptr) return std::nullopt;
+  return trimmed(found->text);
+}
+
+const ParamNode* PluginParams::node(std::string_view key) const {
+  read_->emplace(key);
+  return root_->find(key);
+}
+
+std::vector<std::string> PluginParams::unread() const {
+  std::vector<std::string> names;
+  for (const ParamNode& child : root_->children) {
+    const bool is_known = read_->count(child.name) > 0;
+    if (!is_known && std::find(names.begin(), names.end(), child.name) == names.end()) {
+      names.push_back(child.name);
+    }
+  }
+  return names;
 }
 
 void PluginParams::refuse(std::string_view key, std::string_view value,

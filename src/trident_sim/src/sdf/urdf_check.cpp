@@ -3,7 +3,6 @@
 #include <tinyxml2.h>
 
 #include <Eigen/Eigenvalues>
-#include <map>
 #include <set>
 #include <sstream>
 #include <string>
@@ -11,6 +10,7 @@
 
 #include "trident_base/error.h"
 #include "trident_sim/sdf_loader.h"
+#include "urdf_elements.h"
 
 namespace trident {
 namespace {
@@ -57,23 +57,54 @@ void check_inertial(const tinyxml2::XMLElement& inertial, const std::string& whe
   }
 }
 
-/// Links that are rigidly joined to a link with inertia on the child side.
-std::set<std::string> carried_inertia(const tinyxml2::XMLElement& robot,
-                                      const std::set<std::string>& with_inertia) {
-  std::multimap<std::string, std::string> fixed_children;
+struct JointEnds {
+  std::string parent, child;
+  bool fixed = false;
+};
+
+std::vector<JointEnds> read_joints(const tinyxml2::XMLElement& robot) {
+  std::vector<JointEnds> joints;
   for (auto* joint = robot.FirstChildElement("joint"); joint != nullptr;
        joint = joint->NextSiblingElement("joint")) {
     const auto* parent = joint->FirstChildElement("parent");
     const auto* child = joint->FirstChildElement("child");
-    if (parent == nullptr || child == nullptr || !joint->Attribute("type", "fixed")) continue;
+    if (parent == nullptr || child == nullptr) continue;
     if (parent->Attribute("link") == nullptr || child->Attribute("link") == nullptr) continue;
-    fixed_children.emplace(parent->Attribute("link"), child->Attribute("link"));
+    joints.push_back({parent->Attribute("link"), child->Attribute("link"),
+                      joint->Attribute("type", "fixed") != nullptr});
   }
+  return joints;
+}
+
+/// Links without inertia that are mere frames of what a fixed joint joins them to: nothing that
+/// moves hangs on them.
+std::set<std::string> mere_frames(const std::vector<JointEnds>& joints,
+                                  const std::set<std::string>& with_inertia) {
+  std::set<std::string> frames, holders;
+  for (const JointEnds& joint : joints) {
+    if (joint.fixed && with_inertia.count(joint.child) == 0) frames.insert(joint.child);
+    if (!joint.fixed) holders.insert(joint.parent);
+  }
+  for (bool grown = true; grown;) {
+    grown = false;
+    for (const JointEnds& joint : joints) {
+      if (frames.count(joint.child) == 0 || holders.count(joint.child) == 0) continue;
+      if (holders.insert(joint.parent).second) grown = true;
+    }
+  }
+  for (const std::string& holder : holders) frames.erase(holder);
+  return frames;
+}
+
+/// Links that are rigidly joined to a link with inertia on the child side.
+std::set<std::string> carried_inertia(const std::vector<JointEnds>& joints,
+                                      const std::set<std::string>& with_inertia) {
   std::set<std::string> result = with_inertia;
   for (bool grown = true; grown;) {
     grown = false;
-    for (const auto& [parent, child] : fixed_children) {
-      if (result.count(child) != 0 && result.insert(parent).second) grown = true;
+    for (const JointEnds& joint : joints) {
+      if (!joint.fixed || result.count(joint.child) == 0) continue;
+      if (result.insert(joint.parent).second) grown = true;
     }
   }
   return result;
@@ -89,6 +120,7 @@ void check_urdf(const std::string& xml, const std::string& label, const WarningS
   }
   const auto* robot = document.FirstChildElement("robot");
   if (robot == nullptr) throw Error(label + ": URDF has no <robot> element");
+  tell_ignored_elements(*robot, label, warn);
   std::set<std::string> with_inertia;
   std::vector<const tinyxml2::XMLElement*> without;
   for (auto* link = robot->FirstChildElement("link"); link != nullptr;
@@ -105,10 +137,12 @@ void check_urdf(const std::string& xml, const std::string& label, const WarningS
     check_inertial(*inertial, place(label, *inertial, name));
     with_inertia.insert(name);
   }
-  const std::set<std::string> carried = carried_inertia(*robot, with_inertia);
+  const std::vector<JointEnds> joints = read_joints(*robot);
+  const std::set<std::string> carried = carried_inertia(joints, with_inertia);
+  const std::set<std::string> frames = mere_frames(joints, with_inertia);
   for (const auto* link : without) {
     const std::string name = link->Attribute("name");
-    if (carried.count(name) != 0 || name == "world") continue;
+    if (carried.count(name) + frames.count(name) != 0 || name == "world") continue;
     warn(place(label, *link, name) +
          " has no <inertial>: it is not simulated, nor is what hangs on it (SDF conversion drops "
          "it)");

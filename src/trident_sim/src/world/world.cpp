@@ -70,7 +70,15 @@ void place(Body& body, const SE3& T_world_body, const Eigen::Vector3d& v_world,
   body.set_orientation(T_world_body.R);
   body.v_world = body.v_before = v_world;
   body.w_world = body.w_before = w_world;
+  body.placed = true;
   body.frozen = false;
+}
+
+/// Whether an element means nothing to anybody: every plugin here is always on, libsdformat marks
+/// what it has changed, and a namespace is given to all.
+bool is_of_no_account(const std::string& element) {
+  return element == "robotNamespace" || element == "alwaysOn" ||
+         element.find("::") != std::string::npos;
 }
 
 bool finite(const SE3& T) { return T.p.allFinite() && T.R.coeffs().allFinite(); }
@@ -93,7 +101,8 @@ World::World(const WorldSpec& spec, const Resources& resources, PluginRegistry& 
       physics_, options_.timing == LoopTiming::kRotors,
       [this](const std::string& text) { report(Severity::kWarning, text); });
   dt_ = SimTime::from_seconds(physics_.max_step_size_s);
-  for (const ModelSpec& model : spec.models) spawn(model, "");
+  for (const ModelSpec& model : spec.models) add_model(model, "");
+  for (const auto& [name, model] : models_) tell_overlap(*model);
   for (const PluginSpec& plugin : spec.plugins) {
     if (auto made = create_plugin(plugin, {}, "world '" + name_ + "'")) {
       world_plugins_.push_back(std::move(made));
@@ -114,6 +123,19 @@ void World::report(Severity severity, const std::string& text) const {
   if (options_.report) options_.report(severity, text);
 }
 
+void World::diagnose(Diagnostic diagnostic) {
+  const Severity severity = diagnostic.severity;
+  const std::string text = diagnostic.subject + ": " + diagnostic.message;
+  if (!note(std::move(diagnostic))) return;
+  if (options_.diagnosed) {
+    options_.diagnosed(severity, text);
+  } else {
+    report(severity, text);
+  }
+}
+
+bool World::note(Diagnostic diagnostic) { return diagnostics_.add(std::move(diagnostic), time_); }
+
 Model& World::spawn(const SpawnRequest& request) {
   const std::string label = !request.label.empty()  ? request.label
                             : !request.name.empty() ? "model '" + request.name + "'"
@@ -127,6 +149,12 @@ Model& World::spawn(const SpawnRequest& request) {
 }
 
 Model& World::spawn(ModelSpec spec, const std::string& robot_namespace) {
+  Model& model = add_model(std::move(spec), robot_namespace);
+  tell_overlap(model);
+  return model;
+}
+
+Model& World::add_model(ModelSpec spec, const std::string& robot_namespace) {
   if (spec.name.empty()) throw Error("a model needs a name");
   if (models_.count(spec.name) != 0) {
     throw Error("model name '" + spec.name + "' already exists in the world");
@@ -135,6 +163,7 @@ Model& World::spawn(ModelSpec spec, const std::string& robot_namespace) {
     throw Error("model '" + spec.name + "': initial pose is not finite or has a zero quaternion");
   }
   spec.T_world_model.R.normalize();
+  diagnostics_.forget_model(spec.name);  // of earlier attempts
   std::unique_ptr<Model> model = build_model(std::move(spec), robot_namespace);
   Model& result = *model;
   result.spawn_number = ++spawn_count_;
@@ -214,7 +243,40 @@ std::unique_ptr<Plugin> World::create_plugin(const PluginSpec& spec, const Plugi
   const PluginParams reader(params, owner + " plugin '" + spec.name + "'");
   std::string name = (model ? model->name : name_) + "::";
   if (place.sensor != nullptr) name += place.link->name + "::" + place.sensor->name + "::";
-  return factory->create({*this, model, reader, name + spec.name, place.link, place.sensor});
+  auto plugin = factory->create({*this, model, reader, name + spec.name, place.link, place.sensor});
+  if (plugin != nullptr) tell_unread(spec, reader);
+  return plugin;
+}
+
+/// Once in the world, or a fleet would tell it a hundred times.
+void World::tell_unread(const PluginSpec& spec, const PluginParams& params) {
+  std::string list;
+  for (const std::string& element : params.unread()) {
+    if (is_of_no_account(element)) continue;
+    if (!told_elements_.insert(spec.filename + " " + element).second) continue;
+    list.append(list.empty() ? "<" : ", <").append(element).append(">");
+  }
+  if (list.empty()) return;
+  diagnose({Severity::kWarning,
+            params.owner(),
+            "elements without effect",
+            list + " of " + spec.filename + " are not known here and have no effect",
+            {{"elements", list}}});
+}
+
+void World::tell_overlap(const Model& model) {
+  const auto overlap = engine_->deepest_overlap(model);
+  if (!overlap || overlap->depth_m <= kDeepContact_m) return;
+  const std::string depth = std::to_string(overlap->depth_m);
+  diagnose({Severity::kWarning,
+            "model '" + model.name + "'",
+            "spawned inside",
+            "was spawned with '" + overlap->own + "' " + depth + " m inside '" + overlap->other +
+                "' and is pushed out slowly",
+            {{"collision", overlap->own},
+             {"obstacle", overlap->other},
+             {"depth_m", depth},
+             {"legal", "<= " + std::to_string(kDeepContact_m) + " m"}}});
 }
 
 void World::drop_references(const Model& model) {
@@ -233,6 +295,7 @@ void World::remove(const std::string& name) {
   drop_references(*it->second);
   it->second->plugins.clear();
   engine_->destroy(*it->second);
+  diagnostics_.forget_model(name);
   models_.erase(it);
   ++models_version_;
   rebuild_schedule();

@@ -7,6 +7,7 @@
 #include "drive_parts.h"
 #include "gazebo_ros_plugins.h"
 #include "trident_base/diff_drive_odometry.h"
+#include "velocity_command.h"
 
 namespace trident {
 namespace {
@@ -18,8 +19,9 @@ struct DifferentialSpec {
   double torque_limit = 0.0;  ///< of one wheel [N m]
   double acceleration = 0.0;  ///< at the rim [m/s^2]; 0: at once
   double rate_hz = 0.0;
-  std::string command_topic;
-  OdometryOutput::Names odometry;
+  std::string command_topic, joint_states_topic;
+  double command_timeout_s = -1.0;  ///< after which it stands; negative: never
+  OdometryNames odometry;
   FramePrefix frame_prefix = FramePrefix::kTfPrefix;
   bool with_odometry_topic = true, with_odometry_transform = true;
   bool with_wheel_transforms = false, with_joint_states = false;
@@ -39,11 +41,11 @@ std::vector<Joint*> wheels_of(const DifferentialSpec& spec) {
 class DifferentialDrive : public Plugin {
  public:
   DifferentialDrive(const PluginContext& context, const DifferentialSpec& spec)
-      : model_(*context.model),
+      : model_(required_model(context)),
         spec_(spec),
         ticker_(spec.rate_hz),
-        command_(context, spec.command_topic),
-        clamp_(context.params.owner()),
+        command_(context, spec.command_topic, spec.command_timeout_s),
+        limit_(wheel_speed_limit(context.params.owner())),
         output_(context, spec.odometry, spec.with_odometry_topic, spec.with_odometry_transform),
         odometry_({spec.separation_m, 0.5 * spec.diameter_m, spec.encoder_variance_m}) {
     for (Joint* joint : wheels_of(spec)) {
@@ -51,7 +53,7 @@ class DifferentialDrive : public Plugin {
     }
     output_.set_covariance(spec.covariance, {});
     if (spec.with_joint_states) {
-      joint_states_.emplace(context, scoped_topic(context.params, "joint_states"), wheels_of(spec));
+      joint_states_.emplace(context, spec.joint_states_topic, wheels_of(spec));
     }
     if (spec.with_wheel_transforms) {
       wheel_frames_.emplace(context, wheels_of(spec), spec.frame_prefix);
@@ -85,7 +87,6 @@ class DifferentialDrive : public Plugin {
   void reset() override {
     ticker_.reset();
     command_.reset();
-    clamp_.reset();
     odometry_.reset();
     for (DrivenWheel& wheel : wheels_) wheel.reset();
     read_encoders();
@@ -95,19 +96,18 @@ class DifferentialDrive : public Plugin {
   void state(StateArchive& archive) override {
     ticker_.state(archive);
     command_.state(archive);
-    clamp_.state(archive);
     for (DrivenWheel& wheel : wheels_) wheel.state(archive);
     archive(odometry_, encoders_, is_due_);
   }
 
  private:
-  void set_speeds(const World& world) {
+  void set_speeds(World& world) {
     const double ahead = command_.command().v_base.x();
     const double aside = 0.5 * spec_.separation_m * command_.command().w_base.z();
     const double fastest = std::max(std::abs(ahead - aside), std::abs(ahead + aside));
     double limit = wheels_.front().speed_limit();
     for (const DrivenWheel& wheel : wheels_) limit = std::min(limit, wheel.speed_limit());
-    const double factor = clamp_.factor(world, fastest / limit);
+    const double factor = limit_.factor(world, fastest, limit, command_.is_new());
     for (std::size_t i = 0; i < wheels_.size(); ++i) {
       const bool is_left = i < spec_.left.size();
       wheels_[i].set_speed(factor * (is_left ? ahead - aside : ahead + aside));
@@ -144,7 +144,7 @@ class DifferentialDrive : public Plugin {
   DifferentialSpec spec_;
   RateTicker ticker_;
   VelocityInput command_;
-  SpeedClamp clamp_;
+  CommandLimit limit_;
   OdometryOutput output_;
   DiffDriveOdometry odometry_;
   std::vector<DrivenWheel> wheels_;
@@ -154,22 +154,17 @@ class DifferentialDrive : public Plugin {
   bool is_due_ = false;
 };
 
-constexpr Limits kLength{1e-6, 1e6};
-constexpr Limits kNotNegative{0.0, 1e12};
-
 /// What the drives read alike.
 DifferentialSpec read_common(const PluginContext& context, FramePrefix from, double separation_m) {
   const PluginParams& params = context.params;
-  if (context.model == nullptr) throw Error(params.owner() + ": belongs in a model");
   DifferentialSpec spec;
   spec.frame_prefix = from;
   spec.separation_m = params.number("wheelSeparation", separation_m, kLength);
   spec.diameter_m = params.number("wheelDiameter", 0.15, kLength);
   spec.rate_hz = params.number("updateRate", 100.0, kNotNegative);
-  spec.command_topic = scoped_topic(params, params.text("commandTopic", "cmd_vel"));
-  spec.odometry = {scoped_topic(params, params.text("odometryTopic", "odom")),
-                   resolved_frame(context, params.text("odometryFrame", "odom"), from),
-                   resolved_frame(context, params.text("robotBaseFrame", "base_footprint"), from)};
+  spec.command_topic = read_command_topic(params);
+  spec.joint_states_topic = scoped_topic(params, "joint_states");
+  spec.odometry = read_odometry_names(context, from);
   return spec;
 }
 
@@ -227,11 +222,39 @@ DifferentialSpec read_skid_steer(const PluginContext& context) {
   return spec;
 }
 
+/// libgazebo_ros_kobuki.so: TurtleBot 2's base. Its sensors are not here.
+DifferentialSpec read_kobuki(const PluginContext& context) {
+  const PluginParams& params = context.params;
+  DifferentialSpec spec;
+  spec.left = {&motor_joint(context, "left_wheel_joint_name", "wheel_left_joint")};
+  spec.right = {&motor_joint(context, "right_wheel_joint_name", "wheel_right_joint")};
+  spec.separation_m = params.number("wheel_separation", 0.23, kLength);
+  spec.diameter_m = params.number("wheel_diameter", 0.07, kLength);
+  spec.torque_limit = params.number("torque", 1.0, kNotNegative);
+  spec.command_timeout_s = params.number("velocity_command_timeout", 0.6, kNotNegative);
+  spec.rate_hz = 50.0;
+  spec.command_topic = scoped_topic(params, "mobile_base/commands/velocity");
+  spec.joint_states_topic = scoped_topic(params, "joint_states");
+  spec.with_joint_states = true;
+  spec.odometry = read_odometry_names(context, FramePrefix::kTfPrefix);
+  spec.with_odometry_transform = params.flag("publish_tf", false);
+  spec.from_encoders = true;
+  spec.covariance = planar_covariance(0.1, 0.1, 0.05);
+  return spec;
+}
+
 }  // namespace
 
 PluginFactory diff_drive_factory() {
   return {[](const PluginContext& context) {
             return std::make_unique<DifferentialDrive>(context, read_diff_drive(context));
+          },
+          {}};
+}
+
+PluginFactory kobuki_factory() {
+  return {[](const PluginContext& context) {
+            return std::make_unique<DifferentialDrive>(context, read_kobuki(context));
           },
           {}};
 }

@@ -7,41 +7,6 @@
 #include <limits>
 
 namespace trident {
-namespace {
-
-std::string without_outer_slashes(std::string text) {
-  while (!text.empty() && text.back() == '/') text.pop_back();
-  return text.substr(std::min(text.find_first_not_of('/'), text.size()));
-}
-
-}  // namespace
-
-std::string resolved_frame(const PluginContext& context, const std::string& name,
-                           FramePrefix from) {
-  if (!name.empty() && name.front() == '/') return without_outer_slashes(name);
-  const std::string space = without_outer_slashes(context.params.text("robotNamespace", ""));
-  std::string prefix = without_outer_slashes(context.world.tf_prefix(space));
-  if (prefix.empty() && from == FramePrefix::kTfPrefixOrNamespace) prefix = space;
-  return prefix.empty() ? name : prefix + "/" + name;
-}
-
-Joint& motor_joint(const PluginContext& context, const std::string& key,
-                   const std::string& fallback) {
-  Joint& joint = joint_or(context, key, fallback);
-  if (joint.ode == nullptr || joint.spec.type != JointType::kRevolute) {
-    context.params.refuse(key, joint.spec.name, "a revolute or continuous joint that can turn");
-  }
-  return joint;
-}
-
-bool is_second_choice(const PluginParams& params, const std::string& key, const char* first,
-                      const char* second) {
-  const std::string value = params.text(key, first);
-  if (value != first && value != second) {
-    params.refuse(key, value, std::string(first) + " or " + second);
-  }
-  return value == second;
-}
 
 RateTicker::RateTicker(double rate_hz)
     : period_(rate_hz > 0.0 ? SimTime::from_seconds(1.0 / rate_hz) : SimTime{}) {}
@@ -52,38 +17,6 @@ bool RateTicker::tick(const StepInfo& info) {
   if (elapsed_ < period_) return false;
   elapsed_.ns %= period_.ns;
   return true;
-}
-
-VelocityInput::VelocityInput(const PluginContext& context, const std::string& topic)
-    : owner_(context.params.owner()), port_(subscribe<TwistCommand>(context, topic)) {}
-
-void VelocityInput::poll(const World& world) {
-  is_new_ = false;
-  if (port_->count() == seen_) return;
-  seen_ = port_->count();
-  const TwistCommand& newest = port_->at(seen_ - 1);
-  const bool is_good = newest.v_base.allFinite() && newest.w_base.allFinite();
-  if (is_good) {
-    command_ = newest;
-    is_new_ = true;
-  } else if (!is_refused_) {
-    const auto list = [](const Eigen::Vector3d& v) {
-      return "(" + std::to_string(v.x()) + ", " + std::to_string(v.y()) + ", " +
-             std::to_string(v.z()) + ")";
-    };
-    world.report(Severity::kError, owner_ + ": velocity command " + list(newest.v_base) + " m/s, " +
-                                       list(newest.w_base) +
-                                       " rad/s must be finite; such commands are refused, the "
-                                       "last good one stays");
-  }
-  is_refused_ = !is_good;
-}
-
-void VelocityInput::reset() {
-  port_->clear();
-  command_ = {};
-  seen_ = 0;
-  is_refused_ = is_new_ = false;
 }
 
 BaseState base_state_in_world(const Model& model) {
@@ -99,8 +32,8 @@ BaseState base_state_in_world(const Model& model) {
   return state;
 }
 
-OdometryOutput::OdometryOutput(const PluginContext& context, const Names& names, bool with_topic,
-                               bool with_transform) {
+OdometryOutput::OdometryOutput(const PluginContext& context, const OdometryNames& names,
+                               bool with_topic, bool with_transform) {
   if (with_topic) {
     odometry_ = advertise<OdometrySample>(context, names.topic, PortRank::kOdometry);
     odometry_->value.parent_frame = names.odom_frame;
@@ -232,19 +165,13 @@ void DrivenWheel::reset() {
   joint_->motor = JointMotor{0.0, torque_limit_};
 }
 
-double SpeedClamp::factor(const World& world, double excess) {
-  if (!(excess > 1.0)) {
-    is_told_ = false;
-    return 1.0;
-  }
-  if (!is_told_) {
-    world.report(Severity::kWarning,
-                 owner_ + ": velocity command is " + std::to_string(excess) +
-                     " times what the velocity limit of a wheel's joint allows; it is scaled down "
-                     "to that limit, turn and all");
-  }
-  is_told_ = true;
-  return 1.0 / excess;
+void Steering::aim(double target_rad, double dt_s) const {
+  const double error = target_rad - joint->position();
+  // Over several steps, so that the angle is approached and not overshot.
+  double rate = error / (10.0 * dt_s);
+  if (speed > 0.0) rate = std::clamp(rate, -speed, speed);
+  const bool is_there = speed > 0.0 && std::abs(error) < tolerance_rad;
+  joint->motor = JointMotor{is_there ? 0.0 : rate, torque_limit};
 }
 
 }  // namespace trident

@@ -5,29 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "../plugin_util.h"
+#include "drive_params.h"
 #include "trident_base/se2.h"
 #include "trident_sim/samples.h"
 
 namespace trident {
 
 // What the drives of gazebo_plugins are made of.
-
-/// Whether frames are prefixed by the namespace where there is no tf_prefix: some of upstream's
-/// plugins do that, others do not.
-enum class FramePrefix { kTfPrefix, kTfPrefixOrNamespace };
-
-/// "prefix/name" as tf::resolve() makes it; a name that begins with '/' is kept, without that.
-std::string resolved_frame(const PluginContext& context, const std::string& name, FramePrefix from);
-
-/// The revolute joint that `key` names, or `fallback`. Throws Error for one that is unknown or
-/// cannot be turned by a motor.
-Joint& motor_joint(const PluginContext& context, const std::string& key,
-                   const std::string& fallback);
-
-/// Text of `key`, which must be one of two. Returns whether it is the second.
-bool is_second_choice(const PluginParams& params, const std::string& key, const char* first,
-                      const char* second);
 
 /// Divides time into periods: due once a period, beginning one period after a reset.
 class RateTicker {
@@ -42,25 +26,6 @@ class RateTicker {
   SimTime period_, elapsed_;
 };
 
-/// The newest velocity command that is a number. Others are told once and the last good one stays.
-class VelocityInput {
- public:
-  VelocityInput(const PluginContext& context, const std::string& topic);
-  void poll(const World& world);
-  const TwistCommand& command() const { return command_; }
-  /// Of the last command, whether a new one came in the last poll().
-  bool is_new() const { return is_new_; }
-  void reset();
-  void state(StateArchive& archive) { archive(command_, seen_, is_refused_, is_new_); }
-
- private:
-  std::string owner_;
-  InHandle<TwistCommand> port_;
-  TwistCommand command_;
-  std::uint64_t seen_ = 0;
-  bool is_refused_ = false, is_new_ = false;
-};
-
 /// Where and how fast the base of a vehicle is.
 struct BaseState {
   SE3 T_odom_base;
@@ -72,10 +37,7 @@ BaseState base_state_in_world(const Model& model);
 /// The topic of the odometry and the transform odom -> base.
 class OdometryOutput {
  public:
-  struct Names {
-    std::string topic, odom_frame, base_frame;  ///< frames resolved
-  };
-  OdometryOutput(const PluginContext& context, const Names& names, bool with_topic,
+  OdometryOutput(const PluginContext& context, const OdometryNames& names, bool with_topic,
                  bool with_transform);
   void set_covariance(const Covariance6& pose, const Covariance6& twist);
   /// Of x, y and yaw, in place of those of the pose's.
@@ -136,19 +98,15 @@ class DrivenWheel {
   double wanted_ = 0.0, ramped_ = 0.0;  ///< of the rim [m/s]
 };
 
-/// Scales speeds of wheels so that none is beyond its limit, which keeps the curvature, and tells
-/// of it once.
-class SpeedClamp {
- public:
-  explicit SpeedClamp(std::string owner) : owner_(std::move(owner)) {}
-  /// What to multiply all speeds with; `excess`: the largest ratio of a speed to its limit.
-  double factor(const World& world, double excess);
-  void reset() { is_told_ = false; }
-  void state(StateArchive& archive) { archive(is_told_); }
+/// Turns a steering joint to an angle: at most at `speed`, else as fast as its torque can.
+struct Steering {
+  Joint* joint;
+  double torque_limit;
+  double speed;          ///< [rad/s]; 0: no limit
+  double tolerance_rad;  ///< within which it rests, where its speed is limited
 
- private:
-  std::string owner_;
-  bool is_told_ = false;
+  /// To be called before each step.
+  void aim(double target_rad, double dt_s) const;
 };
 
 }  // namespace trident

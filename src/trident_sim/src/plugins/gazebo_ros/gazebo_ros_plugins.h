@@ -11,6 +11,8 @@ namespace trident {
 PluginFactory diff_drive_factory();
 PluginFactory skid_steer_drive_factory();
 PluginFactory tricycle_drive_factory();
+PluginFactory kobuki_factory();
+PluginFactory ackermann_drive_factory();
 PluginFactory planar_move_factory();
 PluginFactory joint_state_publisher_factory();
 PluginFactory p3d_factory();

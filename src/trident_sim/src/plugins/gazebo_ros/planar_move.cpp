@@ -4,6 +4,7 @@
 
 #include "drive_parts.h"
 #include "gazebo_ros_plugins.h"
+#include "velocity_command.h"
 
 namespace trident {
 namespace {
@@ -17,21 +18,18 @@ class PlanarMove : public Plugin {
   explicit PlanarMove(const PluginContext& context)
       : model_(of(context)),
         ticker_(context.params.number("odometryRate", 20.0, {0.0, 1e9})),
-        timeout_s_(context.params.number("cmdTimeout", -1.0)),
-        command_(context,
-                 scoped_topic(context.params, context.params.text("commandTopic", "cmd_vel"))),
-        output_(context, names(context), true, true) {
+        command_(context, read_command_topic(context.params),
+                 context.params.number("cmdTimeout", -1.0)),
+        output_(context, read_odometry_names(context, FramePrefix::kTfPrefix), true, true) {
     const Covariance6 covariance = planar_covariance(1e-5, 1e-5, 1e-3);
     output_.set_covariance(covariance, covariance);
   }
 
   std::vector<Phase> phases() const override { return {Phase::kActuate, Phase::kPost}; }
 
-  void pre_step(Phase, World& world, const StepInfo& info) override {
+  void pre_step(Phase, World& world, const StepInfo&) override {
     command_.poll(world);
-    age_s_ = command_.is_new() ? 0.0 : age_s_ + info.dt_s;
-    const bool is_old = timeout_s_ >= 0.0 && age_s_ > timeout_s_;
-    const TwistCommand command = is_old ? TwistCommand{} : command_.command();
+    const TwistCommand& command = command_.command();
     const double yaw = SE2::projected(model_.T_world_model()).angle;
     const double c = std::cos(yaw), s = std::sin(yaw);
     const double falling = link_velocity_world(*model_.canonical_link()).z();
@@ -50,12 +48,10 @@ class PlanarMove : public Plugin {
   void reset() override {
     ticker_.reset();
     command_.reset();
-    age_s_ = 0.0;
   }
   void state(StateArchive& archive) override {
     ticker_.state(archive);
     command_.state(archive);
-    archive(age_s_);
   }
 
  private:
@@ -65,19 +61,8 @@ class PlanarMove : public Plugin {
     }
     return *context.model;
   }
-  static OdometryOutput::Names names(const PluginContext& context) {
-    const PluginParams& params = context.params;
-    const auto frame = [&](const char* key, const char* fallback) {
-      return resolved_frame(context, params.text(key, fallback), FramePrefix::kTfPrefix);
-    };
-    return {scoped_topic(params, params.text("odometryTopic", "odom")),
-            frame("odometryFrame", "odom"), frame("robotBaseFrame", "base_footprint")};
-  }
-
   Model& model_;
   RateTicker ticker_;
-  double timeout_s_;
-  double age_s_ = 0.0;  ///< of the command
   VelocityInput command_;
   OdometryOutput output_;
 };

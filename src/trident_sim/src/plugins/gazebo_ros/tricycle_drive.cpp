@@ -8,28 +8,10 @@
 #include "gazebo_ros_plugins.h"
 #include "trident_base/angle.h"
 #include "trident_base/diff_drive_odometry.h"
+#include "velocity_command.h"
 
 namespace trident {
 namespace {
-
-constexpr Limits kLength{1e-6, 1e6};
-constexpr Limits kNotNegative{0.0, 1e12};
-
-/// Turns a steering joint to an angle: at most at `speed`, else as fast as its torque can.
-struct Steering {
-  Joint* joint;
-  double torque_limit;
-  double speed;  ///< [rad/s]; 0: no limit
-  double tolerance_rad;
-
-  void aim(double target_rad, double period_s) const {
-    const double error = std::clamp(target_rad, -0.5 * kPi, 0.5 * kPi) - joint->position();
-    double rate = error / period_s;
-    if (speed > 0.0) rate = std::clamp(rate, -speed, speed);
-    joint->motor =
-        JointMotor{std::abs(error) < tolerance_rad && speed > 0.0 ? 0.0 : rate, torque_limit};
-  }
-};
 
 /// libgazebo_ros_tricycle_drive.so: one wheel that is steered and driven, two that only roll and
 /// may measure. linear.x of the command is the speed of the driven wheel's rim [m/s], angular.z the
@@ -37,7 +19,7 @@ struct Steering {
 class TricycleDrive : public Plugin {
  public:
   explicit TricycleDrive(const PluginContext& context)
-      : model_(of(context)),
+      : model_(required_model(context)),
         ticker_(context.params.number("updateRate", 100.0, kNotNegative)),
         steering_(read_steering(context)),
         left_(motor_joint(context, "encoderWheelLeftJoint", "left_wheel_joint")),
@@ -46,13 +28,14 @@ class TricycleDrive : public Plugin {
                context.params.number("actuatedWheelDiameter", 0.15, kLength),
                steering_.torque_limit,
                context.params.number("wheelAcceleration", 0.0, kNotNegative)),
-        command_(context,
-                 scoped_topic(context.params, context.params.text("commandTopic", "cmd_vel"))),
-        clamp_(context.params.owner()),
+        command_(context, read_command_topic(context.params)),
+        limit_(wheel_speed_limit(context.params.owner())),
         from_encoders_(is_second_choice(context.params, "odometrySource", "world", "encoder")),
         odometry_({context.params.number("encoderWheelSeparation", 0.5, kLength),
                    0.5 * context.params.number("encoderWheelDiameter", 0.15, kLength), 0.0}),
-        output_(context, names(context), true, true) {
+        output_(context,
+                read_odometry_names(context, FramePrefix::kTfPrefixOrNamespace, "base_link"), true,
+                true) {
     output_.set_covariance(planar_covariance(1e-5, 1e-5, 1e-3), {});
     Joint& driven = motor_joint(context, "actuatedWheelJoint", "front_wheel_joint");
     const std::vector<Joint*> all{steering_.joint, &driven, &left_, &right_};
@@ -72,11 +55,12 @@ class TricycleDrive : public Plugin {
     if (is_due_) {
       command_.poll(world);
       const double speed = command_.command().v_base.x();
-      wheel_.set_speed(speed * clamp_.factor(world, std::abs(speed) / wheel_.speed_limit()));
+      wheel_.set_speed(speed *
+                       limit_.factor(world, speed, wheel_.speed_limit(), command_.is_new()));
     }
     wheel_.drive(info.dt_s);
-    // A period of several steps, so that the angle is approached and not overshot.
-    steering_.aim(command_.command().w_base.z(), 10.0 * info.dt_s);
+    const double angle = std::clamp(command_.command().w_base.z(), -0.5 * kPi, 0.5 * kPi);
+    steering_.aim(angle, info.dt_s);
   }
 
   void post_step(const World& world, const StepInfo& info) override {
@@ -92,7 +76,6 @@ class TricycleDrive : public Plugin {
   void reset() override {
     ticker_.reset();
     command_.reset();
-    clamp_.reset();
     wheel_.reset();
     odometry_.reset();
     read_encoders();
@@ -101,16 +84,11 @@ class TricycleDrive : public Plugin {
   void state(StateArchive& archive) override {
     ticker_.state(archive);
     command_.state(archive);
-    clamp_.state(archive);
     wheel_.state(archive);
     archive(odometry_, encoders_, is_due_);
   }
 
  private:
-  static Model& of(const PluginContext& context) {
-    if (context.model == nullptr) throw Error(context.params.owner() + ": belongs in a model");
-    return *context.model;
-  }
   static Steering read_steering(const PluginContext& context) {
     const PluginParams& params = context.params;
     return {&motor_joint(context, "steeringJoint", "front_steering_joint"),
@@ -118,15 +96,6 @@ class TricycleDrive : public Plugin {
             params.number("steeringSpeed", 0.0, kNotNegative),
             params.number("steeringAngleTolerance", 0.01, kNotNegative)};
   }
-  static OdometryOutput::Names names(const PluginContext& context) {
-    const PluginParams& params = context.params;
-    const auto frame = [&](const char* key, const char* fallback) {
-      return resolved_frame(context, params.text(key, fallback), FramePrefix::kTfPrefixOrNamespace);
-    };
-    return {scoped_topic(params, params.text("odometryTopic", "odom")),
-            frame("odometryFrame", "odom"), frame("robotBaseFrame", "base_link")};
-  }
-
   void read_encoders() { encoders_ = {left_.position(), right_.position()}; }
 
   BaseState measured() const {
@@ -147,7 +116,7 @@ class TricycleDrive : public Plugin {
   Joint &left_, &right_;
   DrivenWheel wheel_;
   VelocityInput command_;
-  SpeedClamp clamp_;
+  CommandLimit limit_;
   bool from_encoders_;
   DiffDriveOdometry odometry_;
   OdometryOutput output_;

@@ -17,6 +17,11 @@ class ControllerInterface : public Plugin {
   explicit ControllerInterface(const PluginContext& context)
       : delayed_(context.world.timing() == LoopTiming::kRotors), name_(context.params.owner()) {
     const PluginParams& params = context.params;
+    // Upstream's, of inputs that its plugin reads and does nothing with.
+    for (const char* unused : {"linkName", "imuSubTopic", "commandAttitudeThrustSubTopic",
+                               "commandRateThrustSubTopic"}) {
+      params.node(unused);
+    }
     const std::string out = scoped_topic(
         params, params.text("motorSpeedCommandPubTopic", "gazebo/command/motor_speed"));
     in_ = subscribe<ActuatorCommand>(

@@ -21,6 +21,7 @@ Eigen::Vector3d read_direction(const PluginParams& params, const char* key,
 /// The field that <customWindFieldPath> names, or nothing when the wind is the same everywhere.
 std::optional<WindGrid> read_field(const PluginContext& context) {
   const PluginParams& params = context.params;
+  params.node("customWindFieldPath");  // RotorS' own files name one, whether it is used or not
   if (!params.flag("useCustomStaticWindField", false)) return std::nullopt;
   const std::string path = params.required_text("customWindFieldPath");
   const Resources& resources = context.world.resources();

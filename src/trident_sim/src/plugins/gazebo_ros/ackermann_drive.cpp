@@ -1,0 +1,294 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "ackermann_params.h"
+#include "drive_parts.h"
+#include "gazebo_ros_plugins.h"
+#include "trident_base/angle.h"
+#include "velocity_command.h"
+
+namespace trident {
+namespace {
+
+/// Gains with which an explicit step does not feed on itself: they may bring the wheel to its
+/// target within a step, but not beyond.
+PidGains bounded(PidGains gains, double inertia, double dt_s, DriveMode mode) {
+  if (mode == DriveMode::kVelocity) {
+    gains.p = std::min(gains.p, inertia / dt_s);
+    gains.d = std::min(gains.d, 0.5 * inertia);
+  } else {
+    gains.p = std::min(gains.p, inertia / (dt_s * dt_s));
+    gains.d = std::min(gains.d, inertia / dt_s);
+  }
+  return gains;
+}
+
+/// A drive by efforts that lives as long as its plugin.
+class EffortDrive {
+ public:
+  EffortDrive(World& world, Joint& joint, const PidGains& gains, DriveMode mode)
+      : world_(world), joint_(joint) {
+    const double dt_s = world.physics().max_step_size_s;
+    world.add_drive(joint, {mode, bounded(gains, joint.axes[0].inertia, dt_s, mode), 0.0});
+  }
+  ~EffortDrive() { world_.remove_drive(joint_); }
+  EffortDrive(const EffortDrive&) = delete;
+  EffortDrive& operator=(const EffortDrive&) = delete;
+  void set_target(double target) {
+    // Looked up each time, because others may replace it or take it away.
+    if (JointDrive* drive = world_.find_drive(joint_)) drive->set_target(target);
+  }
+
+ private:
+  World& world_;
+  Joint& joint_;
+};
+
+/// One steered wheel.
+class SteeredWheel {
+ public:
+  SteeredWheel(World& world, Joint& joint, const AckermannSpec& spec,
+               const std::optional<PidGains>& gains)
+      : motor_{&joint, spec.steering_torque, spec.steering_speed, 0.0} {
+    if (gains) effort_ = std::make_unique<EffortDrive>(world, joint, *gains, DriveMode::kPosition);
+  }
+  void aim(double target_rad, double dt_s) {
+    if (effort_) {
+      effort_->set_target(target_rad);
+    } else {
+      motor_.aim(target_rad, dt_s);
+    }
+  }
+  double angle() const { return motor_.joint->position(0); }
+
+ private:
+  Steering motor_;
+  std::unique_ptr<EffortDrive> effort_;
+};
+
+/// One driven wheel.
+class RearWheel {
+ public:
+  RearWheel(World& world, Joint& joint, const AckermannSpec& spec)
+      : wheel_(joint, 2.0 * spec.wheel_radius_m, spec.speed_gains ? 0.0 : spec.drive_torque,
+               spec.acceleration) {
+    if (!spec.speed_gains) return;
+    joint.motor.reset();
+    effort_ = std::make_unique<EffortDrive>(world, joint, *spec.speed_gains, DriveMode::kVelocity);
+  }
+  double speed_limit() const { return wheel_.speed_limit(); }
+  double angle() const { return wheel_.joint().position(); }
+  double rate() const { return wheel_.joint().velocity(); }
+  void drive(double rim_speed, double dt_s) {
+    if (effort_) {
+      effort_->set_target(rim_speed / wheel_.radius_m());
+    } else {
+      wheel_.set_speed(rim_speed);
+      wheel_.drive(dt_s);
+    }
+  }
+  void reset() {
+    if (!effort_) wheel_.reset();
+  }
+  void state(StateArchive& archive) { wheel_.state(archive); }
+
+ private:
+  DrivenWheel wheel_;
+  std::unique_ptr<EffortDrive> effort_;
+};
+
+CommandLimit speed_limit(const std::string& owner) {
+  return {owner, {"velocity command clamped", "m/s", "speed", "the speed is cut to <max_speed>"}};
+}
+CommandLimit steering_limit(const std::string& owner) {
+  return {owner, {"steering command clamped", "rad", "steering angle", "it is cut to <max_steer>"}};
+}
+
+/// libgazebo_ros_ackermann_drive.so: two steered front wheels, each at its own angle, and two
+/// driven rear ones, each at its own speed, so that none of them scrubs. linear.x of the command is
+/// the speed of the middle of the rear axle [m/s]; angular.z, as upstream, the steering angle [rad]
+/// for a turn to the left, ahead or back, or with <angular_command> yaw_rate a yaw rate [rad/s].
+class AckermannDrive : public Plugin {
+ public:
+  AckermannDrive(const PluginContext& context, const AckermannSpec& spec)
+      : model_(*context.model),
+        spec_(spec),
+        ticker_(spec.rate_hz),
+        command_(context, spec.command_topic),
+        speed_limit_(speed_limit(context.params.owner())),
+        wheel_limit_(wheel_speed_limit(context.params.owner())),
+        steering_limit_(steering_limit(context.params.owner())),
+        left_(context.world, *spec.steering[0], spec, spec.steering_gains[0]),
+        right_(context.world, *spec.steering[1], spec, spec.steering_gains[1]),
+        rear_left_(context.world, *spec.rear[0], spec),
+        rear_right_(context.world, *spec.rear[1], spec),
+        output_(context, spec.odometry, spec.with_odometry, spec.with_odometry_transform),
+        odometry_(spec.encoders) {
+    const Covariance6 covariance =
+        planar_covariance(spec.covariance_x, spec.covariance_y, spec.covariance_yaw);
+    output_.set_covariance(covariance, covariance);
+    if (spec.with_distance) {
+      distance_ = advertise<ScalarSample>(context, spec.distance_topic, PortRank::kState);
+    }
+    if (spec.with_joint_states) {
+      states_.emplace(context, scoped_topic(context.params, "joint_states"), joints());
+    }
+    if (spec.with_wheel_transforms) frames_.emplace(context, joints(), FramePrefix::kTfPrefix);
+    remember();
+  }
+
+  std::vector<Phase> phases() const override { return {Phase::kControl, Phase::kPost}; }
+
+  void pre_step(Phase, World& world, const StepInfo& info) override {
+    is_due_ = ticker_.tick(info);
+    if (is_due_) {
+      command_.poll(world);
+      take_command(world);
+    }
+    const Eigen::Vector2d angles = spec_.geometry.wheel_angles(wanted_steering_);
+    left_.aim(angles[0], info.dt_s);
+    right_.aim(angles[1], info.dt_s);
+    const Eigen::Vector2d speeds = spec_.geometry.rear_speeds(wanted_speed_, steering());
+    rear_left_.drive(speeds[0], info.dt_s);
+    rear_right_.drive(speeds[1], info.dt_s);
+    if (spec_.steering_wheel != nullptr) {
+      const double turn = 0.5 * (left_.angle() + right_.angle()) / spec_.steering_wheel_ratio;
+      Steering{spec_.steering_wheel, spec_.steering_torque, 0.0, 0.0}.aim(turn, info.dt_s);
+    }
+  }
+
+  void post_step(const World& world, const StepInfo& info) override {
+    const double before = travelled_rad_;
+    const Eigen::Vector2d p_before = p_;
+    remember();
+    odometry_.update(travelled_rad_ - before, steering());
+    distance_m_ += (p_ - p_before).norm();
+    if (!is_due_) return;
+    if (output_.wanted()) publish_odometry(info.end);
+    if (states_) states_->publish(world, info.end);
+    if (frames_) frames_->publish(info.end);
+    if (distance_ && distance_->wanted()) {
+      distance_->value = {info.end, distance_m_};
+      distance_->publish();
+    }
+  }
+
+  void reset() override {
+    ticker_.reset();
+    command_.reset();
+    odometry_.reset();
+    rear_left_.reset();
+    rear_right_.reset();
+    wanted_speed_ = wanted_steering_ = distance_m_ = 0.0;
+    is_due_ = false;
+    remember();
+  }
+
+  void state(StateArchive& archive) override {
+    ticker_.state(archive);
+    command_.state(archive);
+    rear_left_.state(archive);
+    rear_right_.state(archive);
+    archive(odometry_, wanted_speed_, wanted_steering_, distance_m_, travelled_rad_, p_, is_due_);
+  }
+
+ private:
+  std::vector<Joint*> joints() const {
+    std::vector<Joint*> all;
+    for (const auto& pair : {spec_.steering, spec_.front, spec_.rear}) {
+      for (Joint* joint : pair) {
+        if (std::find(all.begin(), all.end(), joint) == all.end()) all.push_back(joint);
+      }
+    }
+    if (spec_.steering_wheel != nullptr) all.push_back(spec_.steering_wheel);
+    return all;
+  }
+
+  /// As the front wheels stand.
+  double steering() const { return spec_.geometry.steering_of(left_.angle(), right_.angle()); }
+
+  void remember() {
+    travelled_rad_ = 0.5 * (rear_left_.angle() + rear_right_.angle());
+    p_ = model_.T_world_model().p.head<2>();
+  }
+
+  void take_command(World& world) {
+    const bool is_new = command_.is_new();
+    const double speed = command_.command().v_base.x();
+    const double turn = std::copysign(1.0, speed) * command_.command().w_base.z();
+    double steering = turn;
+    if (spec_.turn_is_yaw_rate) {
+      steering = std::atan2(spec_.geometry.wheelbase_m * turn, std::abs(speed));
+    }
+    wanted_steering_ =
+        steering * steering_limit_.factor(world, steering, spec_.max_steer_rad, is_new);
+    wanted_speed_ = speed * speed_limit_.factor(world, speed, spec_.max_speed, is_new);
+    const double rim =
+        spec_.geometry.rear_speeds(wanted_speed_, wanted_steering_).cwiseAbs().maxCoeff();
+    const double limit = std::min(rear_left_.speed_limit(), rear_right_.speed_limit());
+    wanted_speed_ *= wheel_limit_.factor(world, rim, limit, is_new);
+  }
+
+  void publish_odometry(SimTime stamp) {
+    if (!spec_.from_encoders) {
+      output_.publish(stamp, base_state_in_world(model_));
+      return;
+    }
+    const SE2& T_base_axle = spec_.T_base_axle;
+    BaseState state;
+    state.T_odom_base = (T_base_axle * odometry_.T_odom_axle() * T_base_axle.inverse()).to_se3();
+    const double speed = 0.5 * spec_.wheel_radius_m * (rear_left_.rate() + rear_right_.rate());
+    const double yaw_rate = speed * std::tan(steering()) / spec_.geometry.wheelbase_m;
+    const Eigen::Vector3d twist = T_base_axle.adjoint() * Eigen::Vector3d(speed, 0.0, yaw_rate);
+    state.v_base = {twist.x(), twist.y(), 0.0};
+    state.w_base.z() = yaw_rate;
+    if (odometry_.covariance().trace() > 0.0) {
+      output_.set_planar_covariance(covariance_of_base());
+    }
+    output_.publish(stamp, state);
+  }
+
+  /// The base is carried by the axle: errors of its heading move the base, and both are seen from
+  /// where the base began.
+  Eigen::Matrix3d covariance_of_base() const {
+    const SE2 T_start_axle = spec_.T_base_axle * odometry_.T_odom_axle();
+    const Eigen::Vector2d arm = T_start_axle.rotation() * spec_.T_base_axle.inverse().p;
+    Eigen::Matrix3d by_axle = Eigen::Matrix3d::Identity();
+    by_axle.topLeftCorner<2, 2>() = spec_.T_base_axle.rotation();
+    by_axle(0, 2) = -arm.y();
+    by_axle(1, 2) = arm.x();
+    return by_axle * odometry_.covariance() * by_axle.transpose();
+  }
+
+  const Model& model_;
+  AckermannSpec spec_;
+  RateTicker ticker_;
+  VelocityInput command_;
+  CommandLimit speed_limit_, wheel_limit_, steering_limit_;
+  SteeredWheel left_, right_;
+  RearWheel rear_left_, rear_right_;
+  OdometryOutput output_;
+  OutHandle<ScalarSample> distance_;
+  BicycleOdometry odometry_;
+  std::optional<JointStates> states_;
+  std::optional<WheelFrames> frames_;
+  double wanted_speed_ = 0.0, wanted_steering_ = 0.0;
+  double travelled_rad_ = 0.0;  ///< turned by the rear wheels, their mean
+  double distance_m_ = 0.0;
+  Eigen::Vector2d p_ = Eigen::Vector2d::Zero();
+  bool is_due_ = false;
+};
+
+}  // namespace
+
+PluginFactory ackermann_drive_factory() {
+  return {[](const PluginContext& context) {
+            return std::make_unique<AckermannDrive>(context, read_ackermann(context));
+          },
+          {}};
+}
+
+}  // namespace trident
