@@ -1,9 +1,11 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
 import json
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
+from trident_tool import tidy
 from trident_tool.lint import is_python, python_files, run_checks, source_files
 from trident_tool.tidy import (
     CompileCommand,
@@ -141,3 +143,40 @@ def test_python_is_known_by_suffix_or_first_line(
 def test_an_unknown_check_is_refused_with_the_names(clone: Workspace) -> None:
     with pytest.raises(TridentError, match="no check 'pylint'; the checks are clang-format, ruff"):
         run_checks(clone, Runner(dry_run=True), ["pylint"])
+
+
+def test_what_another_process_has_found_meanwhile_is_not_checked_again(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    checked: list[Path] = []
+
+    def check(unit: CompileCommand, *_: object) -> Result:
+        checked.append(unit.source)
+        return Result(0, "")
+
+    monkeypatch.setattr(tidy, "_check", check)
+    unit, kept = CompileCommand(tmp_path / "a.cpp", ()), tmp_path / "cache" / "key"
+    workspace = Workspace(tmp_path)
+    for _ in range(2):
+        assert tidy._check_once(unit, kept, workspace, {}) == Result(0, "")
+    assert checked == [unit.source]
+
+
+def test_a_file_that_another_process_checks_is_waited_for(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    kept = tmp_path / "key"
+    found = Result(1, "found by another")
+    monkeypatch.setattr(tidy, "_check", lambda *_: pytest.fail("checked twice"))
+    with ThreadPoolExecutor() as pool:
+        with tidy._locked(kept):
+            waiting = pool.submit(
+                tidy._check_once,
+                CompileCommand(tmp_path / "a.cpp", ()),
+                kept,
+                Workspace(tmp_path),
+                {},
+            )
+            assert not waiting.done()
+            tidy.store_result(kept, found)
+        assert waiting.result(60.0) == found

@@ -9,6 +9,7 @@ from collections.abc import Sequence
 
 from trident_tool.building import build
 from trident_tool.environment import ros_environment
+from trident_tool.processes import started
 from trident_tool.workspace import Runner, Workspace, base_environment, hide_from_crawlers
 
 
@@ -27,6 +28,16 @@ def ctest_command(
     if pattern:
         command += ["-R", pattern]
     return [*command, *extra]
+
+
+def clang_tidy_command(workspace: Workspace) -> list[str]:
+    """clang-tidy with what the tests leave of the processors.
+
+    Tests of the system wait for each other more than they compute. What has not been checked by
+    then is left for the test lint_clang-tidy, which comes last.
+    """
+    lint = workspace.root / "tools" / "lint.py"
+    return ["nice", "-n", "19", "/usr/bin/python3", str(lint), "clang-tidy"]
 
 
 def run_tests(
@@ -49,4 +60,8 @@ def run_tests(
     )  # the tests are headless everywhere, not only where there is no display
     if not runner.dry_run:
         hide_from_crawlers(log)
-    return runner.run(ctest_command(workspace, pattern, parallel, extra), env=env)
+    command = ctest_command(workspace, pattern, parallel, extra)
+    if runner.dry_run or pattern or extra:
+        return runner.run(command, env=env)
+    with started(clang_tidy_command(workspace), env):
+        return runner.run(command, env=env)

@@ -4,11 +4,13 @@
 
 A result is kept under a key made of everything that it depends on: the source, the headers of this
 repository that it reaches, the compiler flags, the configuration and clang-tidy's version. The
-cache lives outside the clone, so that a fresh clone of a checked commit has nothing to do.
+cache lives outside the clone, so that a fresh clone of a checked commit has nothing to do. Several
+of these processes share the work: each checks what no other is at.
 """
 
 from __future__ import annotations
 
+import fcntl
 import hashlib
 import json
 import os
@@ -16,8 +18,9 @@ import re
 import shlex
 import subprocess
 import sys
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor, as_completed
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -174,13 +177,35 @@ def store_result(path: Path, result: Result) -> None:
     temporary.replace(path)
 
 
+@contextmanager
+def _locked(path: Path) -> Iterator[None]:
+    """Keeps other processes from what ``path`` stands for; a killed one leaves no lock behind."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with path.with_suffix(".lock").open("w", encoding="utf-8") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        yield
+
+
+def _check_once(
+    unit: CompileCommand, kept: Path, workspace: Workspace, env: Mapping[str, str]
+) -> Result:
+    """What another process has found meanwhile, or what clang-tidy finds now, which is kept."""
+    with _locked(kept):
+        result = load_result(kept)
+        if result is None:
+            result = _check(unit, workspace, env)
+            store_result(kept, result)
+    return result
+
+
 def _check(unit: CompileCommand, workspace: Workspace, env: Mapping[str, str]) -> Result:
     process = subprocess.run(
-        ["clang-tidy", "--quiet", "-p", str(workspace.build), str(unit.source)],
+        ["clang-tidy", "--quiet", str(unit.source), "--", *unit.flags],
         env=env,
         capture_output=True,
         text=True,
         check=False,
+        cwd=workspace.build,
     )
     findings = process.stdout.replace(f"{workspace.root}/", "")
     if process.returncode != 0 and not findings.strip():
@@ -225,13 +250,12 @@ def run_clang_tidy(workspace: Workspace, runner: Runner) -> int:
     print(f"clang-tidy: {len(units)} core files, {len(kept)} known, {len(open_units)} to check")
     with ThreadPoolExecutor(max_workers=len(os.sched_getaffinity(0))) as pool:
         futures = {
-            pool.submit(_check, unit, workspace, env): (unit, path)
+            pool.submit(_check_once, unit, path, workspace, env): unit
             for unit, path in open_units.values()
         }
         for number, future in enumerate(as_completed(futures), start=1):
-            unit, path = futures[future]
+            unit = futures[future]
             kept[unit.source] = future.result()
-            store_result(path, kept[unit.source])
             name = unit.source.relative_to(workspace.root)
             print(f"[{number}/{len(futures)}] {name}", flush=True)
     bad = [source for source in sorted(kept) if kept[source].code != 0]
