@@ -49,7 +49,7 @@ class JpegEncoder {
   JpegEncoder& operator=(const JpegEncoder&) = delete;
 
   bool write(const Rows& rows, J_COLOR_SPACE colors, int quality) {
-    if (setjmp(errors_.jump) != 0) return false;  // NOLINT(cert-err52-cpp)
+    if (setjmp(errors_.jump) != 0) return false;
     jpeg_mem_dest(&info_, &bytes_, &size_);
     info_.image_width = rows.width;
     info_.image_height = rows.height;
@@ -111,7 +111,7 @@ class PngEncoder {
 
   bool write(const Rows& rows, const PngLayout& layout, int level, std::vector<std::uint8_t>& out) {
     if (info_ == nullptr) return false;
-    if (setjmp(png_jmpbuf(png_)) != 0) return false;  // NOLINT(cert-err52-cpp)
+    if (setjmp(png_jmpbuf(png_)) != 0) return false;
     png_set_write_fn(png_, &out, &append, nullptr);
     png_set_compression_level(png_, level);
     png_set_IHDR(png_, info_, rows.width, rows.height, layout.bit_depth, layout.color_type,

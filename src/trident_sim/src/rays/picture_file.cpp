@@ -71,7 +71,7 @@ class JpegDecoder {
   JpegDecoder& operator=(const JpegDecoder&) = delete;
 
   bool start() {
-    if (setjmp(errors_.jump) != 0) return false;  // NOLINT(cert-err52-cpp)
+    if (setjmp(errors_.jump) != 0) return false;
     jpeg_read_header(&info_, TRUE);
     info_.out_color_space = JCS_EXT_RGBA;
     jpeg_start_decompress(&info_);
@@ -79,7 +79,7 @@ class JpegDecoder {
   }
   /// `rgba` has room for width() x height() pixels.
   bool read(std::uint8_t* rgba) {
-    if (setjmp(errors_.jump) != 0) return false;  // NOLINT(cert-err52-cpp)
+    if (setjmp(errors_.jump) != 0) return false;
     while (info_.output_scanline < info_.output_height) {
       JSAMPROW row = rgba + std::size_t{4} * info_.output_width * info_.output_scanline;
       jpeg_read_scanlines(&info_, &row, 1);

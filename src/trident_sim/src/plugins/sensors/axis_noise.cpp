@@ -41,7 +41,7 @@ Eigen::Vector3d numbers_of(const PluginParams& params, const std::string& key, d
   const bool is_one =
       text.find_first_of(" \t\n", text.find_first_not_of(" \t\n")) == std::string::npos;
   if (is_one) return Eigen::Vector3d::Constant(params.number(key, fallback, limits));
-  const Eigen::Vector3d values = params.vector3(key, Eigen::Vector3d::Constant(fallback));
+  Eigen::Vector3d values = params.vector3(key, Eigen::Vector3d::Constant(fallback));
   if (values.minCoeff() < limits.lo || values.maxCoeff() > limits.hi) {
     params.refuse(key, text, limits.lo < 0.0 ? "numbers up to 1e9" : "numbers in [0, 1e9]");
   }

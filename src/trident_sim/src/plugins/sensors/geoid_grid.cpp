@@ -89,7 +89,7 @@ std::string find_egm96_grid() {
   if (const char* const data = std::getenv("PROJ_DATA")) folders[0] = data;
   if (const char* const lib = std::getenv("PROJ_LIB")) folders[1] = lib;
   for (const std::string& folder : folders) {
-    const std::string file = folder + "/egm96_15.gtx";
+    std::string file = folder + "/egm96_15.gtx";
     std::error_code ignored;
     if (!folder.empty() && std::filesystem::exists(file, ignored)) return file;
   }
