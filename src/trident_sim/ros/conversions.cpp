@@ -189,4 +189,10 @@ void convert(const WrenchSample& sample, geometry_msgs::WrenchStamped& message) 
   message.wrench.torque = to_vector(sample.torque);
 }
 
+void convert(const VectorSample& sample, geometry_msgs::Vector3Stamped& message) {
+  message.header.stamp = to_ros(sample.stamp);
+  message.header.frame_id = sample.frame;
+  message.vector = to_vector(sample.value);
+}
+
 }  // namespace trident

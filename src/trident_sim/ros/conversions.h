@@ -8,6 +8,7 @@
 #include <geometry_msgs/TransformStamped.h>
 #include <geometry_msgs/Twist.h>
 #include <geometry_msgs/TwistStamped.h>
+#include <geometry_msgs/Vector3Stamped.h>
 #include <geometry_msgs/WrenchStamped.h>
 #include <mav_msgs/Actuators.h>
 #include <nav_msgs/Odometry.h>
@@ -23,6 +24,7 @@
 
 #include "trident_base/sim_time.h"
 #include "trident_sim/samples.h"
+#include "trident_sim/vector_sample.h"
 
 namespace trident {
 
@@ -68,5 +70,6 @@ void convert(const JointStateSample& sample, sensor_msgs::JointState& message);
 void convert(const ScalarSample& sample, std_msgs::Float32& message);
 void convert(const WindSample& sample, rotors_comm::WindSpeed& message);
 void convert(const WrenchSample& sample, geometry_msgs::WrenchStamped& message);
+void convert(const VectorSample& sample, geometry_msgs::Vector3Stamped& message);
 
 }  // namespace trident

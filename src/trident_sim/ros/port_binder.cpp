@@ -109,6 +109,7 @@ constexpr BindFunction kBindFunctions[] = {
     try_bind<ScalarSample, std_msgs::Float32>,
     try_bind<WindSample, rotors_comm::WindSpeed>,
     try_bind<WrenchSample, geometry_msgs::WrenchStamped>,
+    try_bind<VectorSample, geometry_msgs::Vector3Stamped>,
 };
 
 }  // namespace

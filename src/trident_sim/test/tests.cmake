@@ -30,6 +30,7 @@ catkin_add_gtest(trident_sim_test
   test/gazebo_imu_test.cpp
   test/geoid_grid_test.cpp
   test/gnss_test.cpp
+  test/hector_sensors_test.cpp
   test/imu_statistics_test.cpp
   test/imu_test.cpp
   test/inertia_test.cpp

@@ -9,6 +9,7 @@
 
 #include "test_world.h"
 #include "trident_sim/commands.h"
+#include "trident_sim/vector_sample.h"
 
 namespace trident {
 namespace {
@@ -145,6 +146,10 @@ class Host {
       numbers.push_back(scalar->value);
     } else if (const auto* wind = value_of<WindSample>(port)) {
       append(wind->v_world, numbers);
+    } else if (const auto* vector = value_of<VectorSample>(port)) {
+      append(vector->value, numbers);
+    } else if (const auto* point = value_of<PointSample>(port)) {
+      append(point->p_frame, numbers);
     } else if (const auto* wrench = value_of<WrenchSample>(port)) {
       append(wrench->force, numbers);
     }

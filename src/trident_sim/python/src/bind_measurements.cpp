@@ -4,6 +4,7 @@
 
 #include "bindings.h"
 #include "sample_class.h"
+#include "trident_sim/vector_sample.h"
 
 namespace trident {
 namespace {
@@ -254,6 +255,11 @@ void bind_others(py::module_& module) {
            }),
            py::arg("value"), py::arg("stamp") = 0.0, "value: SI unit of the quantity.\nstamp: [s].")
       .def_readonly("value", &ScalarSample::value, "SI unit of the quantity.");
+  stamped<VectorSample>(module, "VectorSample", "A vector in frame.")
+      .def_readonly("frame", &VectorSample::frame, "Frame that the vector is in.")
+      .def_property_readonly(
+          "value", [](const VectorSample& s) { return s.value; },
+          "SI unit of the quantity, shape (3,).");
   stamped<WrenchSample>(module, "WrenchSample", "Force and torque in frame.")
       .def_readonly("frame", &WrenchSample::frame, "Frame that the values are in.")
       .def_property_readonly(

@@ -9,6 +9,7 @@
 #include "trident_control_sim/lee_plugin.h"
 #include "trident_sim/commands.h"
 #include "trident_sim/samples.h"
+#include "trident_sim/vector_sample.h"
 
 namespace py = pybind11;
 
@@ -60,6 +61,7 @@ const std::map<std::type_index, PortType>& port_types() {
       entry<TriggerCommand>("TriggerCommand"),
       entry<TwistSample>("TwistSample"),
       entry<TwistCommand>("TwistCommand"),
+      entry<VectorSample>("VectorSample"),
       entry<WindSample>("WindSample"),
       entry<WrenchSample>("WrenchSample"),
   };

@@ -53,6 +53,7 @@ from trident_sim._core import (
     TriggerCommand,
     TwistCommand,
     TwistSample,
+    VectorSample,
     WindSample,
     WrenchSample,
 )
@@ -111,6 +112,7 @@ __all__ = [
     "TriggerCommand",
     "TwistCommand",
     "TwistSample",
+    "VectorSample",
     "WindSample",
     "World",
     "WrenchSample",

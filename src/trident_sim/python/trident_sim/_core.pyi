@@ -472,6 +472,15 @@ class TwistCommand(_Stamped):
     def angular_velocity(self) -> _Array:
         """In the vehicle's frame [rad/s], shape (3,)."""
 
+class VectorSample(_Stamped):
+    """A vector in frame."""
+    @property
+    def frame(self) -> str:
+        """Frame that the vector is in."""
+    @property
+    def value(self) -> _Array:
+        """SI unit of the quantity, shape (3,)."""
+
 class WindSample(_Stamped):
     """Wind at a vehicle."""
     def __init__(self, velocity: _Vector, stamp: float = 0.0, frame: str = "world") -> None:

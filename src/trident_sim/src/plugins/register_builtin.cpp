@@ -67,6 +67,10 @@ void register_builtin_plugins(PluginRegistry& registry) {
   registry.add("libgazebo_ros_imu.so", gazebo_imu_factory());
   registry.add("libgazebo_ros_imu_sensor.so", gazebo_imu_sensor_factory());
   registry.add("libhector_gazebo_ros_imu.so", hector_imu_factory());
+  registry.add("libhector_gazebo_ros_gps.so", hector_gps_factory());
+  registry.add("libhector_gazebo_ros_magnetic.so", hector_magnetic_factory());
+  registry.add("libhector_gazebo_ros_baro.so", hector_baro_factory());
+  registry.add("libhector_gazebo_ros_sonar.so", hector_sonar_factory());
   registry.add("librotors_gazebo_ros_interface_plugin.so", nothing_to_do());
   registry.add(
       "librotors_gazebo_bag_plugin.so",

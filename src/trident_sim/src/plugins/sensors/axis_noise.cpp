@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axis_noise.h"
 
+#include <cctype>
 #include <cmath>
 
 #include <Eigen/Core>
@@ -51,12 +52,15 @@ Eigen::Vector3d numbers_of(const PluginParams& params, const std::string& key, d
 }  // namespace
 
 std::array<AxisNoise, 3> read_hector_noises(const PluginParams& params, const std::string& prefix) {
+  const auto read = [&](std::string name, double fallback, const Limits& limits) {
+    if (!prefix.empty()) name[0] = static_cast<char>(std::toupper(name[0]));
+    return numbers_of(params, prefix + name, fallback, limits);
+  };
   const Limits positive{0.0, kLargest};
-  const Eigen::Vector3d offset = numbers_of(params, prefix + "Offset", 0.0, {-kLargest, kLargest});
-  const Eigen::Vector3d white = numbers_of(params, prefix + "GaussianNoise", 0.0, positive);
-  const Eigen::Vector3d drift = numbers_of(params, prefix + "Drift", 0.0, positive);
-  const Eigen::Vector3d frequency =
-      numbers_of(params, prefix + "DriftFrequency", 1.0 / 3600.0, positive);
+  const Eigen::Vector3d offset = read("offset", 0.0, {-kLargest, kLargest});
+  const Eigen::Vector3d white = read("gaussianNoise", 0.0, positive);
+  const Eigen::Vector3d drift = read("drift", 0.0, positive);
+  const Eigen::Vector3d frequency = read("driftFrequency", 1.0 / 3600.0, positive);
   std::array<AxisNoise, 3> noises;
   for (std::size_t i = 0; i < 3; ++i) {
     const auto axis = static_cast<Eigen::Index>(i);

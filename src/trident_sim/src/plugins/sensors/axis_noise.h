@@ -24,7 +24,8 @@ struct AxisNoise {
 
 /// Noise of three axes as hector_gazebo_plugins have it: `<PREFIXOffset>`, `<PREFIXGaussianNoise>`,
 /// `<PREFIXDrift>`, the spread of a bias that wanders, and `<PREFIXDriftFrequency>` (1/3600 Hz),
-/// one over its correlation time. Three numbers, or one for all axes.
+/// one over its correlation time. Three numbers, or one for all axes. Without prefix
+/// they are `<offset>`, `<gaussianNoise>` ...
 std::array<AxisNoise, 3> read_hector_noises(const PluginParams& params, const std::string& prefix);
 
 /// Of x, y and z below an element ("angular_velocity"), which may be nullptr: no noise. Throws

@@ -26,8 +26,12 @@ PluginFactory wheel_encoder_factory();
 /// (libgazebo_ros_imu_sensor.so).
 PluginFactory gazebo_imu_factory();
 PluginFactory gazebo_imu_sensor_factory();
-/// hector_gazebo_plugins' IMU.
+/// hector_gazebo_plugins' sensors.
 PluginFactory hector_imu_factory();
+PluginFactory hector_gps_factory();
+PluginFactory hector_magnetic_factory();
+PluginFactory hector_baro_factory();
+PluginFactory hector_sonar_factory();
 /// RotorS' receiver, magnetometer and barometer.
 PluginFactory gps_factory();
 PluginFactory magnetometer_factory();
