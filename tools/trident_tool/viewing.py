@@ -13,6 +13,13 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from trident_tool.environment import ros_environment
+from trident_tool.launch_feed import (
+    DESCRIPTION,
+    STATE_PUBLISHER,
+    lacks_state_publisher,
+    nodes_of,
+    wait_for_param,
+)
 from trident_tool.launchfile import check_args, declared_args, find_launch_file, parse_request
 from trident_tool.processes import foreground, started, wait_for_master
 from trident_tool.recording import Recording
@@ -119,6 +126,11 @@ def viewer_command(workspace: Workspace, look: Look, env: Mapping[str, str]) -> 
     return rviz_command(look, pick_config(workspace, look.config))
 
 
+def is_launch_file(feed: Sequence[str]) -> bool:
+    """Whether that is a launch file of the user's choice, not one that plays a world."""
+    return "--disable-title" in feed
+
+
 def rviz_command(look: Look, configuration: Path | None) -> list[str]:
     """The call of rviz. The splash screen would be taken for the first picture."""
     command = ["rviz", "--splash-screen", ""]
@@ -143,7 +155,7 @@ def view(workspace: Workspace, runner: Runner, look: Look) -> int:
     look.validate(bool(os.environ.get("DISPLAY")) or runner.dry_run)
     env = base_environment() if runner.dry_run else ros_environment(workspace)
     feed = source_command(workspace, look.words, env)
-    if look.at_s is not None and (feed is None or "--disable-title" not in feed):
+    if look.at_s is not None and not is_launch_file(feed or []):
         raise TridentError("--at goes with a launch file only")
     command = viewer_command(workspace, look, env)
     if runner.dry_run:
@@ -172,15 +184,22 @@ def _show(
             wait_for_master(uri, core)
         env = _at(env, uri)
         source: subprocess.Popen[bytes] | None = None
+        nodes: list[str] = []
         if feed:
+            feed_env = view_environment(env)
             runner.run(["rosparam", "set", "use_sim_time", "true"], env=env)
-            source = stack.enter_context(started(feed, view_environment(env)))
+            # Asked before it starts: from then on the simulated time runs.
+            nodes = nodes_of(feed, feed_env) if is_launch_file(feed) else []
+            is_unplaced = bool(nodes) and lacks_state_publisher(feed, nodes, feed_env)
+            source = stack.enter_context(started(feed, feed_env))
+            if is_unplaced and wait_for_param(uri, DESCRIPTION, source):
+                stack.enter_context(started(STATE_PUBLISHER, env))
         if look.recording.is_wanted:
             return foreground(command, env, source)
         stack.enter_context(started(_MARKERS, env))
         last_steps: subprocess.Popen[bytes] | None = None
         if look.at_s is not None:
-            _hold(runner, max(look.at_s - look.live_s, 0.0), count_nodes(feed or [], env), env)
+            _hold(runner, max(look.at_s - look.live_s, 0.0), len(nodes), env)
             if look.live_s:
                 hold = ["rosrun", "trident_eval", "hold_at.py", "--viewer", str(look.at_s)]
                 last_steps = stack.enter_context(started(hold, env))
@@ -219,21 +238,6 @@ def _take_picture(
 
 def _at(env: Mapping[str, str], uri: str) -> dict[str, str]:
     return {**env, "ROS_MASTER_URI": uri}
-
-
-def count_nodes(launch: Sequence[str], env: Mapping[str, str]) -> int:
-    """How many nodes a call of roslaunch starts.
-
-    Raises:
-        TridentError: roslaunch does not take it; says why.
-    """
-    command = ["roslaunch", "--nodes", *(word for word in launch[1:] if word != "--disable-title")]
-    done = subprocess.run(
-        command, env=view_environment(env), capture_output=True, text=True, check=False
-    )
-    if done.returncode != 0:
-        raise TridentError(f"{' '.join(command)}: {done.stderr.strip()}")
-    return sum(line.startswith("/") for line in done.stdout.splitlines())
 
 
 def _hold(runner: Runner, at_s: float, nodes: int, env: Mapping[str, str]) -> None:

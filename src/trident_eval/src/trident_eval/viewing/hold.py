@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import argparse
+import math
 import sys
 import time
 
@@ -21,7 +22,8 @@ _NODES_LIMIT_S = 90.0
 _TRIES = 20
 _POLL_S = 0.1
 _CONNECT_S = 1.0
-_CHUNK_S = 0.1  # of simulated time, so that whoever watches can follow
+_CHUNK_S = 0.05  # of simulated time, so that whoever watches can follow
+_PACE = 5.0
 
 
 class Held:
@@ -46,13 +48,18 @@ class Held:
         self._pause()
         self.time_s = float(self._world().sim_time)
 
-    def advance_to(self, time_s: float) -> None:
+    def advance_to(self, time_s: float, pace: float) -> None:
         """Go there step by step; a node of the launch may unpause the world on the way.
+
+        Args:
+            time_s: simulated time [s].
+            pace: how many times faster than real time, at most; inf: as fast as it goes.
 
         Raises:
             rospy.ROSException: it is past that; it refuses, however often it is paused.
         """
         refused = 0
+        begin, begin_s = time.monotonic(), self.time_s
         while not rospy.is_shutdown():
             left = round((time_s - self.time_s) / self.dt_s)
             if left < 0:
@@ -62,6 +69,8 @@ class Held:
             response = self._step(n=min(left, max(1, round(_CHUNK_S / self.dt_s))))
             if response.success:
                 self.time_s, refused = response.sim_time.to_sec(), 0
+                due = begin + (self.time_s - begin_s) / pace
+                time.sleep(max(0.0, due - time.monotonic()))
                 continue
             refused += 1
             if refused == _TRIES:
@@ -108,6 +117,13 @@ def main(arguments: list[str] | None = None) -> int:
         metavar="N",
         help="first wait until so many nodes of roslaunch are up, so that none acts too late",
     )
+    parser.add_argument(
+        "--pace",
+        type=float,
+        default=_PACE,
+        metavar="FACTOR",
+        help="times real time, at most, so that nodes that are not waited for keep up; 0: any",
+    )
     options = parser.parse_args(rospy.myargv(arguments or sys.argv)[1:])
     rospy.init_node("hold_at", anonymous=True)
     try:
@@ -116,7 +132,7 @@ def main(arguments: list[str] | None = None) -> int:
             wait_for_nodes(options.nodes, _NODES_LIMIT_S, held.pause)
         if options.viewer:
             wait_for_viewer()
-        held.advance_to(options.time_s)
+        held.advance_to(options.time_s, options.pace or math.inf)
         return 0
     except rospy.ROSException as error:
         rospy.logerr("the simulation cannot be held: %s", error)
