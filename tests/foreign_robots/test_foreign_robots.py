@@ -37,7 +37,7 @@ ROBOTS = (
         "outdoor_rover",
         "cmd_vel",
         "odom",
-        ("<transmission>", "<MaxForce>, <topicName>", "libhector_gazebo_ros_imu.so"),
+        ("<transmission>", "<MaxForce>, <topicName>", "libgazebo_ros_control.so"),
         turn_slip=0.3,
     ),
     Foreign(
@@ -50,7 +50,7 @@ ROBOTS = (
         "field_robot",
         "field/jackal_velocity_controller/cmd_vel",
         "field/jackal_velocity_controller/odom",
-        ("libhector_gazebo_ros_imu.so", "libhector_gazebo_ros_gps.so"),
+        ("libfender_lights.so",),
         turn_slip=0.3,
         z=0.0635,
     ),

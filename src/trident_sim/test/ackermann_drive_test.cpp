@@ -223,8 +223,12 @@ TEST(AckermannDrive, ElementsMayBeSpelledAsInRos1AndTopicsAsInRos2) {
   EXPECT_NEAR(distance->value.value, camel.truth().p.norm(), 1e-3);
 
   ModelSpec spec = make_car();
-  spec.plugins[0].params.children.push_back(
-      {"ros", "", {}, {{"namespace", "demo", {}, {}}, {"remapping", "cmd_vel:=cmd_demo", {}, {}}}});
+  spec.plugins[0].params.children.push_back({"ros",
+                                             "",
+                                             {},
+                                             {{"namespace", "demo", {}, {}},
+                                              {"remapping", " cmd_vel:=cmd_demo\n", {}, {}},
+                                              {"remapping", "odom", {}, {}}}});
   TestWorld ros2;
   ros2.add(std::move(spec));
   EXPECT_NE(ros2->ports().find_in<TwistCommand>("demo/cmd_demo"), nullptr);
@@ -251,6 +255,9 @@ TEST(AckermannDrive, BadValuesAreRefusedWithTheLegalOnes) {
   EXPECT_TRUE(contains(
       refusal(with({{"front_left_joint", "front_right"}, {"front_right_joint", "front_left"}})),
       "the joint on the left"));
+  CarOptions stiff;
+  stiff.steering_stop_rad = 1e-4;
+  EXPECT_TRUE(contains(refusal(stiff), "joints that can turn both ways"));
   CarOptions universal;
   universal.universal = true;
   EXPECT_TRUE(contains(refusal(universal), "<left_steering_pid_gain> is '', expected gains"));

@@ -250,9 +250,12 @@ std::unique_ptr<Plugin> World::create_plugin(const PluginSpec& spec, const Plugi
 
 /// Once in the world, or a fleet would tell it a hundred times.
 void World::tell_unread(const PluginSpec& spec, const PluginParams& params) {
+  // Of a link that libsdformat has joined to another; it writes the offsets itself.
+  const bool is_lumped = params.has("ignition::corrected_offsets");
   std::string list;
   for (const std::string& element : params.unread()) {
-    if (is_of_no_account(element)) continue;
+    const bool is_offset = element == "xyzOffset" || element == "rpyOffset";
+    if (is_of_no_account(element) || (is_offset && is_lumped)) continue;
     if (!told_elements_.insert(spec.filename + " " + element).second) continue;
     list.append(list.empty() ? "<" : ", <").append(element).append(">");
   }

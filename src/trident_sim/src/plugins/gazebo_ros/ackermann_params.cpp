@@ -60,13 +60,17 @@ class Elements {
     std::string chosen = params_.text(key(element), name), space;
     if (const ParamNode* ros = params_.node("ros")) {
       for (const ParamNode& child : ros->children) {
-        if (child.name == "namespace") space = child.text;
-        const auto split = child.text.find(":=");
+        std::istringstream words(child.text);
+        std::string text;
+        words >> text;
+        if (child.name == "namespace") space = text;
         const bool is_rule = child.name == "remapping" || child.name == "argument";
-        if (is_rule && child.text.substr(0, split) == name) chosen = child.text.substr(split + 2);
+        const std::string rule = name + ":=";
+        if (is_rule && text.compare(0, rule.size(), rule) == 0) chosen = text.substr(rule.size());
       }
     }
-    if (space.empty() || chosen.front() == '/') return scoped_topic(params_, chosen);
+    const bool is_absolute = !chosen.empty() && chosen.front() == '/';
+    if (space.empty() || is_absolute) return scoped_topic(params_, chosen);
     return scoped_topic(params_, space + "/" + chosen);
   }
 
@@ -172,7 +176,11 @@ void read_steering(const Elements& elements, const PluginContext& context, Acker
   for (const Joint* joint : spec.steering) {
     inner = std::min({inner, joint->axes[0].spec.upper, -joint->axes[0].spec.lower});
   }
-  const double possible = spec.geometry.steering_of_inner(std::max(inner, 0.0));
+  if (inner < 1e-3) {
+    context.params.refuse(elements.key("left_steering_joint"), spec.steering[0]->spec.name,
+                          "joints that can turn both ways");
+  }
+  const double possible = spec.geometry.steering_of_inner(inner);
   if (spec.max_steer_rad > possible + 1e-6) {
     const std::string told = std::to_string(spec.max_steer_rad), used = std::to_string(possible);
     context.world.diagnose({Severity::kWarning,
