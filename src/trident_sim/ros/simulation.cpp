@@ -49,10 +49,9 @@ Simulation::Simulation(ros::NodeHandle& node, const ServerOptions& options)
   const WorldSpec spec =
       load_world_file(options.world_file, resources_,
                       [&](const std::string& text) { report(Severity::kWarning, text); });
-  world_ = std::make_unique<World>(
-      spec, resources_, registry_,
-      WorldOptions{options.seed, options.timing, report, find_tf_prefix, options.sensor_threads,
-                   log});
+  world_ = std::make_unique<World>(spec, resources_, registry_,
+                                   WorldOptions{options.seed, options.timing, report,
+                                                find_tf_prefix, options.sensor_threads, log});
   real_time_factor_ = options.real_time_factor >= 0.0
                           ? options.real_time_factor
                           : spec.physics.real_time_update_rate_hz * spec.physics.max_step_size_s;
