@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "water.h"
+#include "wave_spectrum.h"
+
+namespace trident {
+
+/// Depth of the ground below z = 0 at a place [m]; negative on land.
+using DepthFunction = std::function<double(const Eigen::Vector2d& p_world)>;
+
+/// Waves by linear (Airy) theory or Gerstner's, as a function of place, time and seed. Linear:
+///   eta = sum a cos(theta), theta = k d . p - omega t + phase,
+///   velocity = sum a omega (d cosh(k(z+h)) cos(theta), sinh(k(z+h)) sin(theta)) / sinh(k h),
+/// in deep water exp(k z) for both quotients. Gerstner's particles move on the same ellipses about
+/// their places of rest, which are sought for a given place. The amplitude grows as 1 - exp(-t/tau)
+/// and fades (smoothstep) where the ground is nearer than `shore_depth`.
+class WaveField : public Water {
+ public:
+  /// Throws Error for values that are not legal.
+  WaveField(const WaveParams& params, std::uint64_t seed, DepthFunction ground_depth = {});
+
+  const WaveParams& params() const { return params_; }
+  const std::vector<WaveComponent>& components() const { return waves_; }
+  /// Still-water level above z = 0 [m], e.g. of the tide.
+  void set_level(double level_m) { level_m_ = level_m; }
+  double level_m() const { return level_m_; }
+
+  WaterColumn column(const Eigen::Vector2d& p_world, const std::array<double, 2>& depths_m,
+                     double time_s) const override;
+  double elevation_m(const Eigen::Vector2d& p_world, double time_s) const;
+
+  // Linear theory at a point in space (not stretched; above the still level as at the level).
+  WaterMotion motion(const Eigen::Vector3d& p_world, double time_s) const;
+  /// Velocity potential [m^2/s].
+  double potential(const Eigen::Vector3d& p_world, double time_s) const;
+  /// Pressure beyond the hydrostatic one, per density [m^2/s^2]: g a cosh(k(z+h)) / cosh(k h) ...
+  double dynamic_pressure_per_density(const Eigen::Vector3d& p_world, double time_s) const;
+
+  /// Factor of all amplitudes at a place and time, in [0, 1].
+  double strength(const Eigen::Vector2d& p_world, double time_s) const;
+
+ private:
+  struct Decay {
+    double horizontal, vertical;
+  };
+  /// cosh(k(z+h)) / sinh(k h) and sinh(k(z+h)) / sinh(k h) at z = -depth.
+  Decay decay(const WaveComponent& wave, double depth_m) const;
+  double steepness_of(const WaveComponent& wave) const;
+  Eigen::Vector2d place_of_rest(const Eigen::Vector2d& p_world, double time_s,
+                                double strength) const;
+  void sum_linear(const Eigen::Vector2d& p, const std::array<double, 2>& depths_m, double time_s,
+                  WaterColumn* column) const;
+  void bend_slope(const Eigen::Vector2d& p_rest, double time_s, double strength,
+                  Eigen::Vector2d* slope) const;
+
+  WaveParams params_;
+  std::vector<WaveComponent> waves_;
+  DepthFunction ground_depth_;
+  double level_m_ = 0.0;
+};
+
+}  // namespace trident
