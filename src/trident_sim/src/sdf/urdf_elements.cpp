@@ -73,8 +73,10 @@ class Ignored {
   void tell(const std::string& label, const WarningSink& warn) const {
     for (const auto& [what, line] : order_) {
       const int count = counts_.at(what);
-      const std::string times = count > 1 ? " (" + std::to_string(count) + " times)" : "";
-      warn(label + ":" + std::to_string(line) + ": " + what + times + " has no effect here");
+      std::string text = label + ":" + std::to_string(line) + ": ";
+      text.append(what);
+      if (count > 1) text.append(" (").append(std::to_string(count)).append(" times)");
+      warn(text.append(" has no effect here"));
     }
   }
 
