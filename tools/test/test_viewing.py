@@ -3,6 +3,7 @@
 from pathlib import Path
 
 import pytest
+from trident_tool import screenshot
 from trident_tool.screenshot import Size, resized
 from trident_tool.viewing import Look, pick_config, source_command, view, view_environment
 from trident_tool.workspace import Runner, TridentError, Workspace
@@ -95,3 +96,19 @@ def test_rviz_configuration_by_name(clone: Workspace) -> None:
     assert pick_config(clone, "fleet") == wanted
     with pytest.raises(TridentError, match=r"'slam'.*\(it has: fleet\)"):
         pick_config(clone, "slam")
+
+
+@pytest.mark.parametrize(("code", "starts"), [(-6, 3), (1, 1)])
+def test_only_a_viewer_that_crashes_is_started_again(
+    code: int, starts: int, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    calls = []
+
+    def ended(*_args: object) -> None:
+        calls.append(1)
+        raise screenshot.ViewerEndedError(code)
+
+    monkeypatch.setattr(screenshot, "_picture", ended)
+    with pytest.raises(TridentError, match=f"rviz ended with exit code {code}"):
+        screenshot.screenshot(["rviz"], {}, tmp_path / "a.png", Size(), tries=3)
+    assert len(calls) == starts

@@ -25,6 +25,15 @@ _TIMEOUT_S = 60.0
 _LARGEST = 8192
 
 
+class ViewerEndedError(TridentError):
+    """The program ended before there was a picture."""
+
+    def __init__(self, code: int) -> None:
+        """Of a program that ended with this code, below zero: by a signal."""
+        super().__init__(f"rviz ended with exit code {code}")
+        self.is_crash = code < 0
+
+
 @dataclass(frozen=True)
 class Size:
     """Of a picture [pixel]."""
@@ -87,7 +96,7 @@ def _wait_for_picture(
     equal = 0
     while (wall_s := time.monotonic() - begin) < _TIMEOUT_S:
         if viewer.poll() is not None:
-            raise TridentError(f"rviz ended with exit code {viewer.returncode}")
+            raise ViewerEndedError(viewer.returncode)
         time.sleep(_POLL_S)
         picture = read_xwd(screen.read_bytes())
         equal = equal + 1 if picture == last and is_ready() else 0
@@ -111,6 +120,7 @@ def screenshot(
     target: Path,
     size: Size,
     is_ready: Callable[[], bool] = lambda: True,
+    tries: int = 1,
 ) -> None:
     """Runs a program on a screen of its own until its picture stands still, and keeps that.
 
@@ -120,9 +130,27 @@ def screenshot(
         target: where the picture goes.
         size: of the screen.
         is_ready: whether what it shows has been sent.
+        tries: how often it is started; rviz' heap gets corrupted now and then.
 
     Raises:
         TridentError: there is no picture.
+    """
+    for left in reversed(range(tries)):
+        try:
+            write_png(_picture(command, env, size, is_ready), target)
+            return
+        except ViewerEndedError as error:
+            if not (error.is_crash and left):
+                raise
+
+
+def _picture(
+    command: Sequence[str], env: Mapping[str, str], size: Size, is_ready: Callable[[], bool]
+) -> Image:
+    """Of the program, without what is around it.
+
+    Raises:
+        TridentError: there is none.
     """
     with (
         tempfile.TemporaryDirectory(prefix="trident-view-") as folder,
@@ -132,4 +160,4 @@ def screenshot(
         changes = {"DISPLAY": display, "LIBGL_ALWAYS_SOFTWARE": "1", "QT_X11_NO_MITSHM": "1"}
         changes.setdefault("XDG_RUNTIME_DIR", env.get("XDG_RUNTIME_DIR", folder))
         with started(command, {**env, **changes}) as viewer:
-            write_png(_wait_for_picture(screen, viewer, is_ready).cropped(), target)
+            return _wait_for_picture(screen, viewer, is_ready).cropped()

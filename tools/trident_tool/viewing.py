@@ -28,6 +28,7 @@ from trident_tool.screenshot import Size, resized, screenshot
 from trident_tool.shell import running_master
 from trident_tool.workspace import Runner, TridentError, Workspace, base_environment, say
 
+_TRIES = 3
 _MARKERS = ["rosrun", "trident_eval", "fleet_markers.py"]
 
 
@@ -213,6 +214,8 @@ def _show(
             look.screenshot,
             look.size or Size(),
             lambda: last_steps is None or last_steps.poll() is not None,
+            # What went by in front of a viewer that crashed does not come again.
+            1 if last_steps else _TRIES,
         )
         say(f"wrote {look.screenshot}")
     return 0
@@ -224,6 +227,7 @@ def _take_picture(
     target: Path,
     size: Size,
     is_ready: Callable[[], bool],
+    tries: int,
 ) -> None:
     """A screenshot of rviz, with the window of its configuration as large as the picture."""
     with tempfile.TemporaryDirectory(prefix="trident-view-") as folder:
@@ -233,7 +237,7 @@ def _take_picture(
                 text = resized(Path(word).read_text(encoding="utf-8"), size)
                 copy.write_text(text, encoding="utf-8")
                 command = [*command[:index], str(copy), *command[index + 1 :]]
-        screenshot(command, env, target, size, is_ready)
+        screenshot(command, env, target, size, is_ready, tries)
 
 
 def _at(env: Mapping[str, str], uri: str) -> dict[str, str]:
