@@ -127,6 +127,15 @@ Vector6d about_center_of_gravity(const Vector6d& wrench_co, const Eigen::Vector3
   return result;
 }
 
+Vector6d wind_wrench(const Eigen::Vector3d& coefficients, const Eigen::Vector3d& apparent_wind) {
+  const double u = apparent_wind.x(), v = apparent_wind.y();
+  Vector6d result = Vector6d::Zero();
+  result[0] = coefficients.x() * u * std::abs(u);
+  result[1] = coefficients.y() * v * std::abs(v);
+  result[5] = -2.0 * coefficients.z() * u * v;
+  return result;
+}
+
 LegacyVrxForce::LegacyVrxForce(const VesselParams& vessel)
     : added_mass_(vessel.added_mass_flu().diagonal()),
       linear_(vessel.linear_damping_flu().diagonal()),

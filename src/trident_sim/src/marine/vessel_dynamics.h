@@ -73,6 +73,10 @@ class VesselDynamics {
 /// A wrench about CO in body axes as force and torque about the centre of gravity, body axes.
 Vector6d about_center_of_gravity(const Vector6d& wrench_co, const Eigen::Vector3d& r_cg);
 
+/// Of the wind on a hull, about CO, from the apparent wind in body axes (the air's velocity less
+/// the boat's): C_x u|u|, C_y v|v|, moment -2 C_z u v. VRX takes the wind over ground.
+Vector6d wind_wrench(const Eigen::Vector3d& coefficients, const Eigen::Vector3d& apparent_wind);
+
 /// VRX' equation, for comparisons: F = -M_A (nu - nu_last) / dt - D(nu) nu on the velocity over
 /// ground, without Coriolis. As there it diverges where added mass exceeds the mass.
 class LegacyVrxForce {

@@ -67,6 +67,7 @@ struct VesselParams {
   Vector6d quadratic_damping = Vector6d::Zero();
   std::optional<MatrixRows> quadratic_damping_matrix;
   CrossFlowParams cross_flow;
+  Eigen::Vector3d wind = Eigen::Vector3d::Zero();
   HullParams hull;
   std::vector<ThrusterParams> thrusters;
   std::vector<RudderParams> rudders;
@@ -94,6 +95,8 @@ struct VesselParams {
     ar.field("quadratic_damping_matrix", quadratic_damping_matrix,
              "in its place, row by row; column j is multiplied by |nu_j|");
     ar.field("cross_flow", cross_flow, "drag across the hull");
+    ar.field("wind", wind, Range::non_negative(),
+             "VRX' coefficients: force C_x u|u|, C_y v|v|, moment -2 C_z u v of the apparent wind");
     ar.field("hull", hull, "what the water carries");
     ar.field("thrusters", thrusters, "propellers");
     ar.field("rudders", rudders, "behind the hull");

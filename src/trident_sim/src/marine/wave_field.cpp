@@ -10,14 +10,52 @@
 namespace trident {
 namespace {
 
-double theta(const WaveComponent& wave, const Eigen::Vector2d& p, double time_s) {
-  return wave.k * wave.direction.dot(p) - wave.omega_rad_s * time_s + wave.phase_rad;
-}
+constexpr auto kLanes = static_cast<std::size_t>(WaveLanes::SizeAtCompileTime);
+
+/// Sums of one quantity of the water's motion, lane by lane.
+struct MotionSums {
+  WaveLanes velocity_along_x = WaveLanes::Zero(), velocity_along_y = WaveLanes::Zero(),
+            velocity_up = WaveLanes::Zero();
+  WaveLanes acceleration_along_x = WaveLanes::Zero(), acceleration_along_y = WaveLanes::Zero(),
+            acceleration_up = WaveLanes::Zero();
+
+  WaterMotion motion() const {
+    return {{velocity_along_x.sum(), velocity_along_y.sum(), velocity_up.sum()},
+            {acceleration_along_x.sum(), acceleration_along_y.sum(), acceleration_up.sum()}};
+  }
+};
 
 }  // namespace
 
 WaveField::WaveField(const WaveParams& params, std::uint64_t seed, DepthFunction ground_depth)
-    : params_(params), waves_(make_waves(params, seed)), ground_depth_(std::move(ground_depth)) {}
+    : params_(params), waves_(make_waves(params, seed)), ground_depth_(std::move(ground_depth)) {
+  make_blocks();
+}
+
+void WaveField::make_blocks() {
+  Block none;
+  none.amplitude = none.omega = none.phase = none.gerstner = WaveLanes::Zero();
+  none.k = none.direction_x = none.bed = WaveLanes::Ones();
+  none.direction_y = WaveLanes::Zero();
+  blocks_.assign((waves_.size() + kLanes - 1) / kLanes, none);
+  for (std::size_t i = 0; i < waves_.size(); ++i) {
+    const WaveComponent& wave = waves_[i];
+    Block& block = blocks_[i / kLanes];
+    const auto lane = static_cast<Eigen::Index>(i % kLanes);
+    block.amplitude[lane] = wave.amplitude_m;
+    block.omega[lane] = wave.omega_rad_s;
+    block.phase[lane] = wave.phase_rad;
+    block.k[lane] = wave.k;
+    block.direction_x[lane] = wave.direction.x();
+    block.direction_y[lane] = wave.direction.y();
+    // Crests of all waves together must not cross: sum of gerstner k <= steepness <= 1.
+    const double widest = params_.steepness / (wave.k * static_cast<double>(waves_.size()));
+    block.gerstner[lane] = std::min(wave.amplitude_m, widest);
+    if (wave.k * params_.depth > 20.0) continue;
+    deep_ = false;
+    block.bed[lane] = 1.0 / -std::expm1(-2.0 * wave.k * params_.depth);
+  }
+}
 
 double WaveField::strength(const Eigen::Vector2d& p_world, double time_s) const {
   double result = 1.0;
@@ -32,19 +70,17 @@ double WaveField::strength(const Eigen::Vector2d& p_world, double time_s) const 
   return result;
 }
 
-WaveField::Decay WaveField::decay(const WaveComponent& wave, double depth_m) const {
-  const double direct = std::exp(-wave.k * depth_m);
-  if (wave.k * params_.depth > 20.0) return {direct, direct};
-  // The image of the wave in the ground, at the distance h - depth below it.
-  const double image = std::exp(-2.0 * wave.k * std::max(0.0, params_.depth - depth_m));
-  const double bed = 1.0 - std::exp(-2.0 * wave.k * params_.depth);
-  return {direct * (1.0 + image) / bed, direct * (1.0 - image) / bed};
+WaveLanes WaveField::theta(const Block& block, const Eigen::Vector2d& p, double time_s) {
+  return block.k * (block.direction_x * p.x() + block.direction_y * p.y()) - block.omega * time_s +
+         block.phase;
 }
 
-double WaveField::steepness_of(const WaveComponent& wave) const {
-  const double ka = wave.amplitude_m * wave.k;
-  if (ka <= 0.0) return 0.0;
-  return std::min(1.0, params_.steepness / (ka * static_cast<double>(waves_.size())));
+WaveField::Decay WaveField::decay(const Block& block, double depth_m) const {
+  const WaveLanes direct = decaying(block.k * depth_m);
+  if (deep_) return {direct, direct};
+  // The image of the wave in the ground, as far below it as the point lies above.
+  const WaveLanes image = decaying(block.k * (2.0 * std::max(0.0, params_.depth - depth_m)));
+  return {direct * (1.0 + image) * block.bed, direct * (1.0 - image) * block.bed};
 }
 
 /// The horizontal place about which the particle moves that is now at `p_world`: a fixed point
@@ -54,11 +90,13 @@ Eigen::Vector2d WaveField::place_of_rest(const Eigen::Vector2d& p_world, double 
   constexpr int kMaxSteps = 30;
   Eigen::Vector2d rest = p_world;
   for (int i = 0; i < kMaxSteps; ++i) {
-    Eigen::Vector2d next = p_world;
-    for (const WaveComponent& wave : waves_) {
-      next += strength * steepness_of(wave) * wave.amplitude_m *
-              std::sin(theta(wave, rest, time_s)) * wave.direction;
+    WaveLanes x = WaveLanes::Zero(), y = WaveLanes::Zero();
+    for (const Block& block : blocks_) {
+      const WaveLanes way = block.gerstner * sine_cosine(theta(block, rest, time_s)).sine;
+      x += way * block.direction_x;
+      y += way * block.direction_y;
     }
+    const Eigen::Vector2d next = p_world + strength * Eigen::Vector2d(x.sum(), y.sum());
     const bool done = (next - rest).squaredNorm() < 1e-16;
     rest = next;
     if (done) break;
@@ -68,32 +106,46 @@ Eigen::Vector2d WaveField::place_of_rest(const Eigen::Vector2d& p_world, double 
 
 void WaveField::sum_linear(const Eigen::Vector2d& p, const std::array<double, 2>& depths_m,
                            double time_s, WaterColumn* column) const {
-  for (const WaveComponent& wave : waves_) {
-    const double angle = theta(wave, p, time_s);
-    const double s = wave.amplitude_m * std::sin(angle), c = wave.amplitude_m * std::cos(angle);
-    const double omega = wave.omega_rad_s;
-    column->elevation_m += c;
-    column->slope -= wave.k * s * wave.direction;
-    for (std::size_t i = 0; i < depths_m.size(); ++i) {
-      const Decay d = decay(wave, depths_m[i]);
-      WaterMotion& motion = column->motion[i];
-      motion.velocity.head<2>() += omega * d.horizontal * c * wave.direction;
-      motion.velocity.z() += omega * d.vertical * s;
-      motion.acceleration.head<2>() += omega * omega * d.horizontal * s * wave.direction;
-      motion.acceleration.z() -= omega * omega * d.vertical * c;
+  WaveLanes elevation = WaveLanes::Zero(), slope_x = WaveLanes::Zero(), slope_y = WaveLanes::Zero();
+  std::array<MotionSums, 2> sums;
+  for (const Block& block : blocks_) {
+    const SineCosine wave = sine_cosine(theta(block, p, time_s));
+    const WaveLanes s = block.amplitude * wave.sine, c = block.amplitude * wave.cosine;
+    elevation += c;
+    slope_x -= block.k * s * block.direction_x;
+    slope_y -= block.k * s * block.direction_y;
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+      const Decay d = decay(block, depths_m[i]);
+      const WaveLanes across = block.omega * d.horizontal, up = block.omega * d.vertical;
+      MotionSums& sum = sums[i];
+      sum.velocity_along_x += across * c * block.direction_x;
+      sum.velocity_along_y += across * c * block.direction_y;
+      sum.velocity_up += up * s;
+      sum.acceleration_along_x += block.omega * across * s * block.direction_x;
+      sum.acceleration_along_y += block.omega * across * s * block.direction_y;
+      sum.acceleration_up -= block.omega * up * c;
     }
   }
+  column->elevation_m = elevation.sum();
+  column->slope = {slope_x.sum(), slope_y.sum()};
+  for (std::size_t i = 0; i < sums.size(); ++i) column->motion[i] = sums[i].motion();
 }
 
 /// d eta / d p from d eta / d rest: the crests are drawn together by dp / d rest.
 void WaveField::bend_slope(const Eigen::Vector2d& p_rest, double time_s, double strength,
                            Eigen::Vector2d* slope) const {
-  Eigen::Matrix2d J = Eigen::Matrix2d::Identity();
-  for (const WaveComponent& wave : waves_) {
-    J -= strength * steepness_of(wave) * wave.amplitude_m * wave.k *
-         std::cos(theta(wave, p_rest, time_s)) * wave.direction * wave.direction.transpose();
+  WaveLanes xx = WaveLanes::Zero(), xy = WaveLanes::Zero(), yy = WaveLanes::Zero();
+  for (const Block& block : blocks_) {
+    const WaveLanes narrowing =
+        block.gerstner * block.k * sine_cosine(theta(block, p_rest, time_s)).cosine;
+    xx += narrowing * block.direction_x * block.direction_x;
+    xy += narrowing * block.direction_x * block.direction_y;
+    yy += narrowing * block.direction_y * block.direction_y;
   }
-  *slope = J.transpose().inverse() * *slope;
+  Eigen::Matrix2d J;  // symmetric
+  J << 1.0 - strength * xx.sum(), -strength * xy.sum(), -strength * xy.sum(),
+      1.0 - strength * yy.sum();
+  *slope = J.inverse() * *slope;
 }
 
 WaterColumn WaveField::column(const Eigen::Vector2d& p_world, const std::array<double, 2>& depths_m,
@@ -121,11 +173,11 @@ double WaveField::elevation_m(const Eigen::Vector2d& p_world, double time_s) con
   if (factor <= 0.0) return level_m_;
   const bool gerstner = params_.model == WaveModel::kGerstner;
   const Eigen::Vector2d p = gerstner ? place_of_rest(p_world, time_s, factor) : p_world;
-  double sum = 0.0;
-  for (const WaveComponent& wave : waves_) {
-    sum += wave.amplitude_m * std::cos(theta(wave, p, time_s));
+  WaveLanes sum = WaveLanes::Zero();
+  for (const Block& block : blocks_) {
+    sum += block.amplitude * sine_cosine(theta(block, p, time_s)).cosine;
   }
-  return level_m_ + factor * sum;
+  return level_m_ + factor * sum.sum();
 }
 
 WaterMotion WaveField::motion(const Eigen::Vector3d& p_world, double time_s) const {
@@ -138,24 +190,24 @@ WaterMotion WaveField::motion(const Eigen::Vector3d& p_world, double time_s) con
 
 double WaveField::potential(const Eigen::Vector3d& p_world, double time_s) const {
   const double depth = std::max(0.0, level_m_ - p_world.z());
-  double sum = 0.0;
-  for (const WaveComponent& wave : waves_) {
-    sum += wave.amplitude_m * wave.omega_rad_s / wave.k * decay(wave, depth).horizontal *
-           std::sin(theta(wave, p_world.head<2>(), time_s));
+  WaveLanes sum = WaveLanes::Zero();
+  for (const Block& block : blocks_) {
+    sum += block.amplitude * block.omega / block.k * decay(block, depth).horizontal *
+           sine_cosine(theta(block, p_world.head<2>(), time_s)).sine;
   }
-  return strength(p_world.head<2>(), time_s) * sum;
+  return strength(p_world.head<2>(), time_s) * sum.sum();
 }
 
 double WaveField::dynamic_pressure_per_density(const Eigen::Vector3d& p_world,
                                                double time_s) const {
   // -d potential / dt, which at the surface is g eta.
   const double depth = std::max(0.0, level_m_ - p_world.z());
-  double sum = 0.0;
-  for (const WaveComponent& wave : waves_) {
-    sum += wave.amplitude_m * wave.omega_rad_s * wave.omega_rad_s / wave.k *
-           decay(wave, depth).horizontal * std::cos(theta(wave, p_world.head<2>(), time_s));
+  WaveLanes sum = WaveLanes::Zero();
+  for (const Block& block : blocks_) {
+    sum += block.amplitude * block.omega * block.omega / block.k * decay(block, depth).horizontal *
+           sine_cosine(theta(block, p_world.head<2>(), time_s)).cosine;
   }
-  return strength(p_world.head<2>(), time_s) * sum;
+  return strength(p_world.head<2>(), time_s) * sum.sum();
 }
 
 }  // namespace trident

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "water.h"
+#include "wave_lanes.h"
 #include "wave_spectrum.h"
 
 namespace trident {
@@ -39,19 +40,27 @@ class WaveField : public Water {
   WaterMotion motion(const Eigen::Vector3d& p_world, double time_s) const;
   /// Velocity potential [m^2/s].
   double potential(const Eigen::Vector3d& p_world, double time_s) const;
-  /// Pressure beyond the hydrostatic one, per density [m^2/s^2]: g a cosh(k(z+h)) / cosh(k h) ...
+  /// Pressure beyond the hydrostatic one, per density: sum g a cosh(k(z+h)) / cosh(k h) cos(theta)
+  /// [m^2/s^2].
   double dynamic_pressure_per_density(const Eigen::Vector3d& p_world, double time_s) const;
 
   /// Factor of all amplitudes at a place and time, in [0, 1].
   double strength(const Eigen::Vector2d& p_world, double time_s) const;
 
  private:
-  struct Decay {
-    double horizontal, vertical;
+  /// Eight waves; the last block is filled up with waves of no height.
+  struct Block {
+    WaveLanes amplitude, omega, phase, k, direction_x, direction_y;
+    WaveLanes gerstner;  ///< amplitude of a particle's way along the wave
+    WaveLanes bed;       ///< 1 / (1 - exp(-2 k depth)), 1 in deep water
   };
+  struct Decay {
+    WaveLanes horizontal, vertical;
+  };
+  static WaveLanes theta(const Block& block, const Eigen::Vector2d& p, double time_s);
   /// cosh(k(z+h)) / sinh(k h) and sinh(k(z+h)) / sinh(k h) at z = -depth.
-  Decay decay(const WaveComponent& wave, double depth_m) const;
-  double steepness_of(const WaveComponent& wave) const;
+  Decay decay(const Block& block, double depth_m) const;
+  void make_blocks();
   Eigen::Vector2d place_of_rest(const Eigen::Vector2d& p_world, double time_s,
                                 double strength) const;
   void sum_linear(const Eigen::Vector2d& p, const std::array<double, 2>& depths_m, double time_s,
@@ -61,6 +70,8 @@ class WaveField : public Water {
 
   WaveParams params_;
   std::vector<WaveComponent> waves_;
+  std::vector<Block> blocks_;
+  bool deep_ = true;  ///< for every wave
   DepthFunction ground_depth_;
   double level_m_ = 0.0;
 };

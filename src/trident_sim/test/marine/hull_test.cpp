@@ -234,6 +234,7 @@ TEST_P(BargeInWaves, HeaveAndPitchAreThoseOfTheClosedForm) {
   const ClosedForm closed = jensen(b, k);
   const Amplitudes barge = simulated(b, k, closed);
   RecordProperty("heave", std::to_string(barge.heave) + " of " + std::to_string(closed.heave));
+  RecordProperty("pitch", std::to_string(barge.pitch) + " of " + std::to_string(closed.pitch));
   EXPECT_NEAR(barge.heave / closed.heave, 1.0, 0.05) << barge.heave;
   EXPECT_NEAR(barge.pitch / closed.pitch, 1.0, 0.05) << barge.pitch;
 }

@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <unsupported/Eigen/MatrixFunctions>
 
 #include "marine/thruster.h"
+#include "marine/wave_field.h"
 #include "marine_random.h"
 #include "standalone_vessel.h"
 #include "test_world.h"
@@ -163,6 +165,36 @@ TEST_P(EveryVessel, MillionRandomThrusterStepsStayBounded) {
   EXPECT_GT(fastest, 0.3);
 }
 
+/// Beam sea of half a metre; the boat goes up and down with the water and stays on it.
+TEST_P(EveryVessel, RidesASea) {
+  const VesselParams params = shipped_vessel(GetParam());
+  StandaloneVessel boat(params);
+  boat.set_at_rest();
+  WaveParams waves;
+  waves.spectrum = WaveSpectrum::kJonswap;
+  waves.significant_height = 0.5;
+  waves.peak_period = 4.0;
+  waves.direction = kPi / 2;
+  waves.spreading = 10.0;
+  waves.ramp_time = 5.0;
+  const WaveField sea(waves, 11);
+  const Current current{CurrentParams{}};
+  double height = 0.0, apart = 0.0, tilt = 0.0;
+  constexpr int kSteps = 12000;
+  for (int i = 0; i < kSteps; ++i) {
+    boat.step(Vector6d::Zero(), 0.01, sea, current);
+    const SE3 T = boat.T_world_co();
+    const double eta = sea.elevation_m(T.p.head<2>(), boat.time_s());
+    height += T.p.z() * T.p.z() / kSteps;
+    apart += (T.p.z() - eta) * (T.p.z() - eta) / kSteps;
+    tilt = std::max(tilt, std::acos((T.R * Eigen::Vector3d::UnitZ()).z()));
+  }
+  EXPECT_NEAR(4.0 * std::sqrt(height), 0.5, 0.15);
+  EXPECT_LT(std::sqrt(apart), 0.06);
+  EXPECT_LT(tilt, 0.7);
+  EXPECT_GT(tilt, 0.03);
+}
+
 INSTANTIATE_TEST_SUITE_P(All, EveryVessel,
                          testing::Values("otter", "wamv", "heron", "small_catamaran"));
 
@@ -204,6 +236,50 @@ TEST(VesselDynamics, CrossFlowDragIsTheStripIntegral) {
   EXPECT_NEAR((otter.damping(nu) * nu)[1], 0.5 * 1025.0 * 0.2 * 2.0 * 0.25, 1e-9);
   nu << 0, 0, 0, 0, 0, 0.8;  // integral of |x r| x r x dx = r^2 L^4 / 32
   EXPECT_NEAR((otter.damping(nu) * nu)[5] / (0.5 * 1025.0 * 0.2 * 0.64 * 16.0 / 32.0), 1.0, 0.01);
+}
+
+/// About CO at rest, from hydrostatics alone.
+Matrix6d stiffness(const VesselParams& params) {
+  const Hydrostatics h = Hull(params.hull, params.water_density, 9.81).hydrostatics();
+  const double heave = params.water_density * 9.81 * h.waterplane_m2, x = h.center_of_flotation_x_m;
+  const double z_cg = params.center_of_gravity.z();
+  Matrix6d G = Matrix6d::Zero();
+  G(2, 2) = heave;
+  G(2, 4) = G(4, 2) = -heave * x;
+  G(3, 3) = params.mass * 9.81 * h.gm_transverse_m(z_cg);
+  G(4, 4) = params.mass * 9.81 * h.gm_longitudinal_m(z_cg) + heave * x * x;
+  return G;
+}
+
+/// The Otter let go, heeled, trimmed and lifted: all six coupled, as exp(A t) of the linear system.
+TEST(Otter, FreeDecayIsThatOfTheLinearSystem) {
+  VesselParams params = shipped_vessel("otter");
+  StandaloneVessel otter(params);
+  const Matrix6d M = otter.dynamics().rigid_body_mass() + otter.dynamics().added_mass();
+  Eigen::Matrix<double, 12, 12> A = Eigen::Matrix<double, 12, 12>::Zero();
+  A.topRightCorner<6, 6>().setIdentity();
+  A.bottomLeftCorner<6, 6>() = -M.inverse() * stiffness(params);
+  A.bottomRightCorner<6, 6>() = -M.inverse() * params.linear_damping_flu();
+  Eigen::Matrix<double, 12, 1> x = Eigen::Matrix<double, 12, 1>::Zero();
+  x.segment<3>(2) << 0.002, 0.01, 0.004;
+  otter.set_pose(SE3::from_xyz_rpy({0, 0, x[2]}, x[3], x[4], 0));
+  constexpr double kStep = 1e-3;
+  const Eigen::Matrix<double, 12, 12> step = (kStep * A).exp();
+  for (int i = 0; i < 3000; ++i) {
+    otter.step(Vector6d::Zero(), kStep);
+    x = step * x;
+    const SE3 T = otter.T_world_co();
+    ASSERT_NEAR(T.p.z(), x[2], 1e-4) << i;
+    ASSERT_NEAR(T.rpy().x(), x[3], 3e-4) << i;
+    ASSERT_NEAR(T.rpy().y(), x[4], 1.5e-4) << i;
+  }
+}
+
+TEST(Wind, PushesByTheApparentWind) {
+  const Vector6d wrench = wind_wrench({0.5, 0.6, 0.33}, {-4.0, 3.0, 1.0});
+  Vector6d expected;
+  expected << -8.0, 5.4, 0, 0, 0, 2 * 0.33 * 12.0;
+  EXPECT_LT((wrench - expected).norm(), 1e-12);
 }
 
 TEST(LegacyVrx, ForceIsThatOfTheEquation) {

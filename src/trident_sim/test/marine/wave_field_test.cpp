@@ -10,6 +10,7 @@
 
 #include "test_world.h"
 #include "trident_base/angle.h"
+#include "trident_base/random_stream.h"
 
 namespace trident {
 namespace {
@@ -30,6 +31,21 @@ WaveParams spectral(WaveSpectrum spectrum, double height, double period) {
   params.significant_height = height;
   params.peak_period = period;
   return params;
+}
+
+TEST(WaveLanes, FunctionsAreThoseOfTheLibrary) {
+  const RandomStream stream(1, "angles");
+  for (std::uint64_t i = 0; i < 20000; ++i) {
+    const double angle =
+        (2.0 * stream.uniform(i, 0) - 1.0) * std::pow(10.0, 6.0 * stream.uniform(i, 1));
+    const SineCosine lanes = sine_cosine(WaveLanes::Constant(angle));
+    ASSERT_NEAR(lanes.sine[3], std::sin(angle), 1e-12) << angle;
+    ASSERT_NEAR(lanes.cosine[7], std::cos(angle), 1e-12) << angle;
+    const double x = 40.0 * stream.uniform(i, 2);
+    ASSERT_NEAR(decaying(WaveLanes::Constant(x))[5] / std::exp(-x), 1.0, 1e-12) << x;
+  }
+  EXPECT_EQ(decaying(WaveLanes::Zero())[0], 1.0);
+  EXPECT_LT(decaying(WaveLanes::Constant(1e9))[0], 1e-17);
 }
 
 TEST(Dispersion, SolvesItsEquationAtAnyDepth) {
