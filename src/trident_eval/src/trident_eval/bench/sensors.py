@@ -22,6 +22,7 @@ from trident_eval.core.errors import EvalError
 _DT_S = 0.001
 _BOXES = 60
 _WARM_UP_S = 0.2
+_VELODYNE = "libgazebo_ros_velodyne_laser.so"
 
 #: Gazebo 11.1's CPU `ray` sensor in a world of 20 boxes, the best that was seen.
 GAZEBO = {
@@ -65,14 +66,14 @@ def _lidar(samples: int, rings: int, rate_hz: float, plugin: str, topic: str) ->
         else ""
     )
     last = math.pi - 2.0 * math.pi / samples
+    of_plugin = "<gaussianNoise>0.008</gaussianNoise>" if plugin == _VELODYNE else ""
     return (
         f"<sensor type='ray' name='lidar'><update_rate>{rate_hz:g}</update_rate><ray><scan>"
         f"<horizontal><samples>{samples}</samples><min_angle>{-math.pi}</min_angle>"
         f"<max_angle>{last}</max_angle></horizontal>{vertical}</scan>"
         "<range><min>0.4</min><max>100</max></range></ray>"
         f"<plugin name='lidar' filename='{plugin}'><topicName>{topic}</topicName>"
-        "<frameName>lidar</frameName><min_range>0.4</min_range><max_range>100</max_range>"
-        "<gaussianNoise>0.008</gaussianNoise></plugin></sensor>"
+        f"<frameName>lidar</frameName>{of_plugin}</plugin></sensor>"
     )
 
 
@@ -94,7 +95,6 @@ def _rgbd(width: int, height: int, rate_hz: float) -> str:
     )
 
 
-_VELODYNE = "libgazebo_ros_velodyne_laser.so"
 _IMAGES = ("camera/rgb/image_raw", "camera/depth/image_raw")
 
 CASES = (
