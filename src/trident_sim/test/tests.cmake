@@ -150,11 +150,14 @@ target_include_directories(trident_sim_rays_test PRIVATE src)  # parts of the co
 catkin_add_gtest(trident_sim_marine_test
   test/marine/current_test.cpp
   test/marine/hull_test.cpp
+  test/marine/sea_plugin_test.cpp
   test/marine/standalone_vessel.cpp
   test/marine/thruster_test.cpp
+  test/marine/usv_plugins_test.cpp
   test/marine/vessel_dynamics_test.cpp
   test/marine/vessel_matrices_test.cpp
   test/marine/vessel_params_test.cpp
+  test/marine/vessel_plugin_test.cpp
   test/marine/wave_field_test.cpp
   test/marine/wind_gusts_test.cpp
 )

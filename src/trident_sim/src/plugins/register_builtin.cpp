@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gazebo_ros/gazebo_ros_plugins.h"
 #include "joints/joint_plugins.h"
+#include "marine/marine_plugins.h"
 #include "rotors/rotors_plugins.h"
 #include "sensors/sensor_plugins.h"
 #include "trident_sim/world.h"
@@ -71,6 +72,12 @@ void register_builtin_plugins(PluginRegistry& registry) {
   registry.add("libhector_gazebo_ros_magnetic.so", hector_magnetic_factory());
   registry.add("libhector_gazebo_ros_baro.so", hector_baro_factory());
   registry.add("libhector_gazebo_ros_sonar.so", hector_sonar_factory());
+  registry.add("libtrident_sea.so", sea_factory());
+  registry.add("libWavefieldModelPlugin.so", vrx_wave_field_factory());
+  registry.add("libwavefield_model_plugin.so", vrx_wave_field_factory());
+  registry.add("libtrident_vessel.so", vessel_factory());
+  registry.add("libusv_gazebo_dynamics_plugin.so", usv_dynamics_factory());
+  registry.add("libusv_gazebo_thrust_plugin.so", usv_thrust_factory());
   registry.add("librotors_gazebo_ros_interface_plugin.so", nothing_to_do());
   registry.add(
       "librotors_gazebo_bag_plugin.so",

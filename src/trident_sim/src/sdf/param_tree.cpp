@@ -51,9 +51,16 @@ std::optional<std::string> PluginParams::raw(std::string_view key) const {
   return trimmed(found->text);
 }
 
+/// "name[i]" is the i-th element of that name, from 1, as in XPath; "name" the first.
 const ParamNode* PluginParams::node(std::string_view key) const {
-  read_->emplace(key);
-  return root_->find(key);
+  const std::string_view name = key.substr(0, key.find('['));
+  read_->emplace(name);
+  if (name.size() == key.size()) return root_->find(name);
+  std::size_t number = std::stoul(std::string(key.substr(name.size() + 1)));
+  for (const ParamNode& child : root_->children) {
+    if (child.name == name && --number == 0) return &child;
+  }
+  return nullptr;
 }
 
 std::vector<std::string> PluginParams::unread() const {

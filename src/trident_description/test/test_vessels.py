@@ -1,0 +1,60 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""The vessels as they ship load, float at their waterline and go where they are pushed."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+trident_sim = pytest.importorskip("trident_sim", reason="trident_sim is not built or sourced")
+
+URDF = Path(__file__).resolve().parents[1] / "urdf"
+OCEAN = "package://trident_bringup/worlds/ocean.world"
+EMPTY = "package://rotors_gazebo/worlds/empty.world"
+
+#: z of base_link at rest [m], thruster command, the speed that it gives [m/s].
+FIGURES = {"otter": (0.0, 60.0, 1.029), "wamv": (-0.0796, 0.5, 1.179)}
+
+
+def world_of(vessel: str, world_file: str, **args: object) -> trident_sim.World:
+    world = trident_sim.World(world_file, seed=3)
+    world.spawn(vessel, urdf=trident_sim.expand_xacro(URDF / f"{vessel}.urdf.xacro", **args))
+    return world
+
+
+@pytest.mark.parametrize("vessel", FIGURES)
+def test_nothing_in_its_description_is_without_effect(vessel: str) -> None:
+    world = world_of(vessel, OCEAN)
+    world.step(10)
+    assert not [message.text for message in world.messages]
+
+
+@pytest.mark.parametrize("vessel", FIGURES)
+def test_it_stays_on_the_waves(vessel: str) -> None:
+    world = world_of(vessel, OCEAN)
+    z = []
+    for _ in range(300):
+        world.step(10)
+        z.append(world.model(vessel).position[2])
+    assert np.mean(z) == pytest.approx(FIGURES[vessel][0], abs=0.05)
+    # Of waves of 0.3 m: eta has a standard deviation of 0.075 m.
+    assert 0.02 < np.std(z) < 0.12
+
+
+@pytest.mark.parametrize("vessel", FIGURES)
+def test_its_sensors_tell_and_its_propellers_push(vessel: str) -> None:
+    world = world_of(vessel, OCEAN)
+    for port in ("fix", "imu/data", "velodyne_points", "ground_truth/odom"):
+        world.ports[f"{vessel}/{port}"].subscribe()
+    for side in ("left", "right"):
+        command = trident_sim.ScalarSample(FIGURES[vessel][1])
+        world.ports[f"{vessel}/thrusters/{side}_thrust_cmd"].write(command)
+    world.step(3000)
+    for port in ("fix", "imu/data", "velodyne_points", "ground_truth/odom"):
+        assert world.ports[f"{vessel}/{port}"].count > 0, port
+    odometry = world.ports[f"{vessel}/ground_truth/odom"].value
+    assert odometry.linear_velocity[0] == pytest.approx(FIGURES[vessel][2], abs=0.35)
+    assert world.model(vessel).position[0] > 0.7 * 30.0 * FIGURES[vessel][2]

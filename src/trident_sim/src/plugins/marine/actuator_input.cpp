@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "actuator_input.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "trident_base/string_util.h"
+
+namespace trident {
+
+ActuatorInput::ActuatorInput(const PluginContext& context, const std::string& topic,
+                             std::string what, std::string unit, const Limits& limits)
+    : owner_(context.params.owner()),
+      topic_(topic),
+      what_(std::move(what)),
+      unit_(std::move(unit)),
+      limits_(limits),
+      port_(subscribe<ScalarSample>(context, topic)) {}
+
+std::optional<double> ActuatorInput::take(World& world) {
+  std::optional<double> newest;
+  for (seen_ = std::max(seen_, port_->oldest()); seen_ < port_->count(); ++seen_) {
+    const double value = port_->at(seen_).value;
+    if (!std::isfinite(value)) {
+      diagnose(world, Severity::kError, value);
+      continue;
+    }
+    newest = std::clamp(value, limits_.lo, limits_.hi);
+    if (*newest != value) diagnose(world, Severity::kWarning, value);
+  }
+  return newest;
+}
+
+void ActuatorInput::diagnose(World& world, Severity severity, double value) const {
+  const bool is_refused = severity == Severity::kError;
+  const std::string given = number_text(value) + unit_;
+  const std::string legal =
+      "[" + number_text(limits_.lo) + ", " + number_text(limits_.hi) + "]" + unit_;
+  world.diagnose({severity,
+                  owner_,
+                  what_ + (is_refused ? " refused" : " clamped"),
+                  topic_ + ": " + given + " is " +
+                      (is_refused ? "refused, the last good one stays" : "cut to the nearest") +
+                      "; legal is " + legal,
+                  {{"value", given}, {"legal", legal}}});
+}
+
+void ActuatorInput::reset() {
+  port_->clear();
+  seen_ = 0;
+}
+
+}  // namespace trident

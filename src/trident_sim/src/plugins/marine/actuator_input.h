@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "../plugin_util.h"
+
+namespace trident {
+
+/// Numbers that command an actuator, on a topic. One that is not finite is refused, one beyond the
+/// limits is cut to them; both are counted among the world's diagnostics.
+class ActuatorInput {
+ public:
+  /// `what` is what diagnostics call it, `unit` is told with the numbers.
+  ActuatorInput(const PluginContext& context, const std::string& topic, std::string what,
+                std::string unit, const Limits& limits);
+
+  /// The newest legal number since the last call; none: nothing came.
+  std::optional<double> take(World& world);
+  void reset();
+  void state(StateArchive& archive) { archive(seen_); }
+
+ private:
+  void diagnose(World& world, Severity severity, double value) const;
+
+  std::string owner_, topic_, what_, unit_;
+  Limits limits_;
+  InHandle<ScalarSample> port_;
+  std::uint64_t seen_ = 0;
+};
+
+}  // namespace trident

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "trident_sim/plugin_registry.h"
+
+namespace trident {
+
+/// A world's sea from an environment file or inline; VRX' wave field under its own elements.
+PluginFactory sea_factory();
+PluginFactory vrx_wave_field_factory();
+/// A vessel from its file: hull, added mass, damping, thrusters, rudders.
+PluginFactory vessel_factory();
+/// VRX' hydrodynamics and thrusters under their own elements.
+PluginFactory usv_dynamics_factory();
+PluginFactory usv_thrust_factory();
+
+}  // namespace trident

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "vessel_actuators.h"
+
+namespace trident {
+namespace {
+
+std::string thruster_topic(const PluginContext& context, const ThrusterParams& params,
+                           const char* end) {
+  return scoped_topic(context.params, "thrusters/" + params.name + end);
+}
+
+}  // namespace
+
+ThrusterOnTopics::ThrusterOnTopics(const PluginContext& context, const ThrusterParams& params,
+                                   double timeout_s)
+    : thruster_(params),
+      timeout_s_(timeout_s),
+      command_(context, thruster_topic(context, params, "_thrust_cmd"),
+               "command of thruster '" + params.name + "'", "",
+               {params.min_command, params.max_command}),
+      thrust_(advertise<ScalarSample>(context, thruster_topic(context, params, "_thrust"),
+                                      PortRank::kState)) {
+  if (params.max_angle > 0.0) {
+    angle_.emplace(context, thruster_topic(context, params, "_thrust_angle"),
+                   "angle of thruster '" + params.name + "'", " rad",
+                   Limits{-params.max_angle, params.max_angle});
+  }
+}
+
+void ThrusterOnTopics::step(World& world, const StepInfo& info) {
+  if (const auto command = command_.take(world)) {
+    thruster_.command(*command);
+    commanded_ = info.begin;
+  } else if (timeout_s_ > 0.0 && (info.begin - commanded_).seconds() > timeout_s_) {
+    thruster_.command(0.0);
+  }
+  if (angle_) {
+    if (const auto angle = angle_->take(world)) thruster_.command_angle(*angle);
+  }
+  thruster_.step(info.dt_s);
+}
+
+void ThrusterOnTopics::publish(SimTime stamp) {
+  if (!thrust_->wanted()) return;
+  thrust_->value = {stamp, thruster_.thrust_n()};
+  thrust_->publish();
+}
+
+void ThrusterOnTopics::reset() {
+  thruster_.reset();
+  command_.reset();
+  if (angle_) angle_->reset();
+  commanded_ = {};
+}
+
+void ThrusterOnTopics::state(StateArchive& archive) {
+  thruster_.state(archive);
+  command_.state(archive);
+  if (angle_) angle_->state(archive);
+  archive(commanded_);
+}
+
+RudderOnTopic::RudderOnTopic(const PluginContext& context, const RudderParams& params)
+    : rudder_(params),
+      angle_(context, scoped_topic(context.params, "rudders/" + params.name + "_angle"),
+             "angle of rudder '" + params.name + "'", " rad",
+             {-params.max_angle, params.max_angle}) {}
+
+void RudderOnTopic::step(World& world, const StepInfo& info) {
+  if (const auto angle = angle_.take(world)) rudder_.command(*angle);
+  rudder_.step(info.dt_s);
+}
+
+void RudderOnTopic::reset() {
+  rudder_.reset();
+  angle_.reset();
+}
+
+void RudderOnTopic::state(StateArchive& archive) {
+  rudder_.state(archive);
+  angle_.state(archive);
+}
+
+}  // namespace trident

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "../../marine/rudder.h"
+#include "../../marine/thruster.h"
+#include "actuator_input.h"
+
+namespace trident {
+
+/// A thruster on its topics below <robotNamespace>/thrusters: in <name>_thrust_cmd, and
+/// <name>_thrust_angle [rad] where it turns; out <name>_thrust, what it gives [N].
+class ThrusterOnTopics {
+ public:
+  /// After `timeout_s` without a command it stops; 0: never.
+  ThrusterOnTopics(const PluginContext& context, const ThrusterParams& params, double timeout_s);
+
+  /// Takes the commands and goes on by a step.
+  void step(World& world, const StepInfo& info);
+  const Thruster& thruster() const { return thruster_; }
+  void publish(SimTime stamp);
+  void reset();
+  void state(StateArchive& archive);
+
+ private:
+  Thruster thruster_;
+  double timeout_s_;
+  ActuatorInput command_;
+  std::optional<ActuatorInput> angle_;
+  OutHandle<ScalarSample> thrust_;
+  SimTime commanded_;
+};
+
+/// A rudder on its topic <robotNamespace>/rudders/<name>_angle [rad].
+class RudderOnTopic {
+ public:
+  RudderOnTopic(const PluginContext& context, const RudderParams& params);
+
+  void step(World& world, const StepInfo& info);
+  const Rudder& rudder() const { return rudder_; }
+  void reset();
+  void state(StateArchive& archive);
+
+ private:
+  Rudder rudder_;
+  ActuatorInput angle_;
+};
+
+}  // namespace trident
