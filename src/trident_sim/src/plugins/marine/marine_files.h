@@ -13,7 +13,7 @@ namespace trident {
 inline std::string existing_file(const PluginContext& context, const std::string& key,
                                  const std::string& path, const std::string& base_folder = "") {
   const Resources& resources = context.world.resources();
-  const std::string file = resources.find(path, base_folder);
+  std::string file = resources.find(path, base_folder);
   if (file.empty() || std::filesystem::is_directory(file)) {
     context.params.refuse(key, path, "a file; searched: as given, then " + resources.searched());
   }
