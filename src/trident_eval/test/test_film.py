@@ -4,7 +4,6 @@
 
 from __future__ import annotations
 
-import shutil
 import subprocess
 from pathlib import Path
 
@@ -14,7 +13,6 @@ from trident_eval.core.errors import EvalError
 from trident_eval.viewing.film import Film, Pace, Pixels
 
 WIDTH, HEIGHT = 64, 48
-needs_ffmpeg = pytest.mark.skipif(shutil.which("ffmpeg") is None, reason="ffmpeg is not installed")
 
 
 def plain(level: int) -> Pixels:
@@ -52,7 +50,6 @@ def test_a_film_goes_on_after_a_reset() -> None:
     assert [pace.frames_until(stamp) for stamp in (5.0, 5.1, 0.1, 0.2, 0.3)] == [1] * 5
 
 
-@needs_ffmpeg
 def test_frames_are_what_was_shown(tmp_path: Path) -> None:
     path = tmp_path / "film.mp4"
     with Film(path, WIDTH, HEIGHT, 20.0) as film:
@@ -69,7 +66,6 @@ def test_frames_are_what_was_shown(tmp_path: Path) -> None:
     assert rate.stdout.strip() == "20/1"
 
 
-@needs_ffmpeg
 def test_what_cannot_be_filmed_is_refused(tmp_path: Path) -> None:
     path = tmp_path / "film.mp4"
     with pytest.raises(EvalError, match="--size: width 63 pixels, legal for a film: an even"):
