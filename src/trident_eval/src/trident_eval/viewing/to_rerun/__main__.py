@@ -54,11 +54,18 @@ class Stream:
         while not rospy.is_shutdown() and self._discover() and self.seconds < seconds:
             try:
                 message = self._waiting.get(timeout=_POLL_S)
-                while self.seconds < seconds:
+                while self._is_before(seconds, message[-1]):
                     self._write(*message)
                     message = self._waiting.get_nowait()
             except queue.Empty:
                 continue
+
+    def _is_before(self, seconds: float, now_s: float) -> bool:
+        """Whether a message that came at now_s is within the recording; it counts the time."""
+        if self._begin_s is None or now_s < self._begin_s:
+            self._begin_s = now_s
+        self.seconds = min(now_s - self._begin_s, seconds)
+        return self.seconds < seconds
 
     def _discover(self) -> bool:
         """Subscribes to what is new; whether the simulation is still there."""
@@ -89,9 +96,6 @@ class Stream:
         )
 
     def _write(self, topic: str, kind: str, message: Any, now_s: float) -> None:
-        if self._begin_s is None or now_s < self._begin_s:
-            self._begin_s = now_s
-        self.seconds = now_s - self._begin_s
         try:
             items = self._converter.items(topic, kind, message, now_s)
         except EvalError as error:
