@@ -4,6 +4,7 @@
 
 #include <embree3/rtcore.h>
 
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -35,6 +36,11 @@ struct CastContext {
 };
 /// For casts with `filter`; embree.filter is set where triangles must be asked one by one.
 CastContext make_context(const RayFilter& filter, bool shadows_only, bool some_cast_no_shadow);
+
+/// A component of a direction as Embree is given it. Embree 3.13.5 takes what is below 1e-18 for
+/// positive, and loses whole coherent packets when some of that are negative: the beams of a lidar
+/// that is all but level.
+inline float traceable(float component) { return std::abs(component) < 1e-12F ? 0.0F : component; }
 
 /// Builds on the calling thread alone, so that what it builds is always the same. Throws Error.
 EmbreeDevice make_device();

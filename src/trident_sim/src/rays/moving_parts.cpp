@@ -97,8 +97,10 @@ void MovingParts::turn_into(const Part& part, const RTCRay16& rays, RTCRay16& tu
 }
 
 void MovingParts::intersect(const Lanes& valid, RTCRayHit16& rays, CastContext& context) const {
+  if (parts_.empty()) return;
   alignas(64) Lanes near = valid;
-  if (parts_.empty() || !keep_lanes_that_meet(bounds_, rays.ray, near)) return;
+  const PacketSlopes slopes(rays.ray);
+  if (!keep_lanes_that_meet(bounds_, rays.ray, slopes, near)) return;
   context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
   if (scene_ != nullptr) {
     rtcIntersect16(near.data(), scene_.get(), &context.embree, &rays);
@@ -108,7 +110,7 @@ void MovingParts::intersect(const Lanes& valid, RTCRayHit16& rays, CastContext& 
   for (std::size_t number = 0; number < parts_.size(); ++number) {
     const Part& part = parts_[number];
     alignas(64) Lanes lanes = near;
-    if (!keep_lanes_that_meet(part.bounds_world, rays.ray, lanes)) continue;
+    if (!keep_lanes_that_meet(part.bounds_world, rays.ray, slopes, lanes)) continue;
     turn_into(part, rays.ray, local.ray);
     std::fill_n(local.hit.geomID, kLanes, RTC_INVALID_GEOMETRY_ID);
     rtcIntersect16(lanes.data(), part.scene, &context.embree, &local);
@@ -123,8 +125,10 @@ void MovingParts::intersect(const Lanes& valid, RTCRayHit16& rays, CastContext& 
 }
 
 void MovingParts::occlude(const Lanes& valid, RTCRay16& rays, CastContext& context) const {
+  if (parts_.empty()) return;
   alignas(64) Lanes near = valid;
-  if (parts_.empty() || !keep_lanes_that_meet(bounds_, rays, near)) return;
+  const PacketSlopes slopes(rays);
+  if (!keep_lanes_that_meet(bounds_, rays, slopes, near)) return;
   if (scene_ != nullptr) {
     rtcOccluded16(near.data(), scene_.get(), &context.embree, &rays);
     return;
@@ -132,7 +136,7 @@ void MovingParts::occlude(const Lanes& valid, RTCRay16& rays, CastContext& conte
   alignas(64) RTCRay16 local;
   for (const Part& part : parts_) {
     alignas(64) Lanes lanes = near;
-    if (!keep_lanes_that_meet(part.bounds_world, rays, lanes)) continue;
+    if (!keep_lanes_that_meet(part.bounds_world, rays, slopes, lanes)) continue;
     turn_into(part, rays, local);
     rtcOccluded16(lanes.data(), part.scene, &context.embree, &local);
     for (std::size_t i = 0; i < kLanes; ++i) {

@@ -35,13 +35,28 @@ inline PacketBounds bounds_of(RTCScene scene) {
       {{box.lower_x, box.lower_y, box.lower_z}, {box.upper_x, box.upper_y, box.upper_z}});
 }
 
+/// What the rays of a packet bring to every box that they are held against.
+struct PacketSlopes {
+  using Lanes = std::array<float, RayScene::kPacket>;
+  alignas(64) std::array<Lanes, 3> inverse;  ///< of the components of the directions
+
+  template <class Rays>
+  explicit PacketSlopes(const Rays& rays) {
+    const std::array<const float*, 3> direction = {rays.dir_x, rays.dir_y, rays.dir_z};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      for (std::size_t i = 0; i < RayScene::kPacket; ++i) {
+        inverse[axis][i] = 1.0F / direction[axis][i];
+      }
+    }
+  }
+};
+
 /// Takes from `valid` the lanes whose rays miss the box for certain, and tells whether any is left.
 /// Most rays miss the few things that move, and Embree takes those through its tree one by one.
 template <class Rays>
-bool keep_lanes_that_meet(const PacketBounds& bounds, const Rays& rays,
+bool keep_lanes_that_meet(const PacketBounds& bounds, const Rays& rays, const PacketSlopes& slopes,
                           std::array<int, RayScene::kPacket>& valid) {
   const std::array<const float*, 3> origin = {rays.org_x, rays.org_y, rays.org_z};
-  const std::array<const float*, 3> direction = {rays.dir_x, rays.dir_y, rays.dir_z};
   constexpr std::size_t kLanes = RayScene::kPacket;
   alignas(64) std::array<float, kLanes> enter, leave;
   for (std::size_t i = 0; i < kLanes; ++i) {
@@ -50,11 +65,10 @@ bool keep_lanes_that_meet(const PacketBounds& bounds, const Rays& rays,
   }
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const float low = bounds.low[axis], high = bounds.high[axis];
-    const float *const from = origin[axis], *const along = direction[axis];
+    const float *const from = origin[axis], *const inverse = slopes.inverse[axis].data();
     for (std::size_t i = 0; i < kLanes; ++i) {
       // A ray along a side of the box: infinite, and not a number on the very edge, which is off.
-      const float inverse = 1.0F / along[i];
-      const float a = (low - from[i]) * inverse, b = (high - from[i]) * inverse;
+      const float a = (low - from[i]) * inverse[i], b = (high - from[i]) * inverse[i];
       const float first = a < b ? a : b, last = a < b ? b : a;
       enter[i] = first > enter[i] ? first : enter[i];
       leave[i] = last < leave[i] ? last : leave[i];

@@ -32,20 +32,12 @@ Extent extent_of(const float* lanes) {
   return {values.minCoeff(), values.maxCoeff()};
 }
 
-/// Whether a component of a direction is about zero, or changes its sign among the rays. Embree
-/// 3.13.5 loses whole coherent packets with such: those of a lidar that is all but level.
-bool near_an_axis_plane(const Extent& component) {
-  constexpr float kAboutZero = 1e-4F;
-  return component.low < kAboutZero && component.high > -kAboutZero;
-}
-
 /// Rays that go about the same way through about the same place are best cast as one.
 bool coherent(const RTCRay16& rays) {
   constexpr float kMaxSpread = 0.8F;  ///< of directions, about [rad]; of origins [m]
   float turn = 0.0F, shift = 0.0F;
   for (const float* component : {rays.dir_x, rays.dir_y, rays.dir_z}) {
     const Extent extent = extent_of(component);
-    if (near_an_axis_plane(extent)) return false;
     turn += (extent.high - extent.low) * (extent.high - extent.low);
   }
   for (const float* component : {rays.org_x, rays.org_y, rays.org_z}) {
@@ -72,9 +64,9 @@ void set_ray(Rays& rays, std::size_t lane, const Ray& ray, float t_max) {
   rays.org_x[lane] = static_cast<float>(ray.p_world_origin.x());
   rays.org_y[lane] = static_cast<float>(ray.p_world_origin.y());
   rays.org_z[lane] = static_cast<float>(ray.p_world_origin.z());
-  rays.dir_x[lane] = static_cast<float>(ray.direction_world.x());
-  rays.dir_y[lane] = static_cast<float>(ray.direction_world.y());
-  rays.dir_z[lane] = static_cast<float>(ray.direction_world.z());
+  rays.dir_x[lane] = traceable(static_cast<float>(ray.direction_world.x()));
+  rays.dir_y[lane] = traceable(static_cast<float>(ray.direction_world.y()));
+  rays.dir_z[lane] = traceable(static_cast<float>(ray.direction_world.z()));
   rays.tnear[lane] = static_cast<float>(ray.t_min_m);
   rays.tfar[lane] = t_max;
 }

@@ -14,29 +14,19 @@ namespace {
 
 constexpr std::size_t kLanes = kPacketLanes;
 
-/// Embree 3.13.5 loses coherent packets whose directions are about an axis plane.
-bool away_from_axis_plane(const PacketFloats& component) {
-  constexpr float kAboutZero = 1e-4F;
-  int above = 0, below = 0;
-  for (std::size_t i = 0; i < kLanes; ++i) {
-    above += component[i] >= kAboutZero ? 1 : 0;
-    below += component[i] <= -kAboutZero ? 1 : 0;
-  }
-  return above == kLanes || below == kLanes;
-}
-
-bool coherent(const RayPacket& rays) {
-  return away_from_axis_plane(rays.direction_x) && away_from_axis_plane(rays.direction_y) &&
-         away_from_axis_plane(rays.direction_z);
+PacketFloats all_traceable(const PacketFloats& components) {
+  PacketFloats result;
+  for (std::size_t i = 0; i < kLanes; ++i) result[i] = traceable(components[i]);
+  return result;
 }
 
 void copy_rays(const RayPacket& from, const PacketFloats& t_max, std::uint32_t mask, RTCRay16& to) {
   std::memcpy(to.org_x, from.origin_x.data(), sizeof(to.org_x));
   std::memcpy(to.org_y, from.origin_y.data(), sizeof(to.org_y));
   std::memcpy(to.org_z, from.origin_z.data(), sizeof(to.org_z));
-  std::memcpy(to.dir_x, from.direction_x.data(), sizeof(to.dir_x));
-  std::memcpy(to.dir_y, from.direction_y.data(), sizeof(to.dir_y));
-  std::memcpy(to.dir_z, from.direction_z.data(), sizeof(to.dir_z));
+  std::memcpy(to.dir_x, all_traceable(from.direction_x).data(), sizeof(to.dir_x));
+  std::memcpy(to.dir_y, all_traceable(from.direction_y).data(), sizeof(to.dir_y));
+  std::memcpy(to.dir_z, all_traceable(from.direction_z).data(), sizeof(to.dir_z));
   std::memcpy(to.tnear, from.t_min.data(), sizeof(to.tnear));
   std::memcpy(to.tfar, t_max.data(), sizeof(to.tfar));
   std::fill_n(to.time, kLanes, 0.0F);
@@ -84,7 +74,7 @@ void RayScene::Content::meet_packet(const RayPacket& rays, PacketHits& hits,
   std::fill_n(embree.hit.instID[0], kLanes, RTC_INVALID_GEOMETRY_ID);
   CastContext context = make_context(filter, false, some_cast_no_shadow_);
   if (fixed_ != nullptr) {
-    if (coherent(rays)) context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
     rtcIntersect16(rays.valid.data(), fixed_.get(), &context.embree, &embree);
   }
   moving_.intersect(rays.valid, embree, context);
