@@ -92,6 +92,10 @@ class _Steps:
             "would run: /usr/bin/python3 -m trident_eval.bench sim --quick --out rows.json\n",
         ),
         (
+            ["bench", "vessels", "--out", "docs/vessels", "--dry-run"],
+            "would run: /usr/bin/python3 -m trident_eval.vessels --out docs/vessels\n",
+        ),
+        (
             ["report", "out/latest", "--dry-run"],
             "would run: /usr/bin/python3 -m trident_eval report out/latest\n",
         ),

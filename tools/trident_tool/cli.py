@@ -84,6 +84,8 @@ def _cmd_run(workspace: Workspace, runner: Runner, options: argparse.Namespace) 
 
 
 def _cmd_bench(workspace: Workspace, runner: Runner, options: argparse.Namespace) -> int:
+    if options.what == "vessels":
+        return run_module(workspace, runner, "trident_eval.vessels", _bench_options(options))
     words = [options.what, *_bench_options(options)]
     return run_module(workspace, runner, "trident_eval.bench", words)
 
@@ -189,9 +191,14 @@ def _add_running_commands(add: Callable[[str, Handler, str], argparse.ArgumentPa
     )
 
     sub = add("bench", _cmd_bench, "measure")
-    sub.add_argument("what", choices=["sim", "sensors"], help="what to measure")
+    sub.add_argument("what", choices=["sim", "sensors", "vessels"], help="what to measure")
     sub.add_argument("--quick", action="store_true", help="fewer and shorter measurements")
-    sub.add_argument("--out", type=Path, metavar="FILE.json", help="where the rows go")
+    sub.add_argument(
+        "--out",
+        type=Path,
+        metavar="PATH",
+        help="JSON file of the rows; vessels: folder of pictures",
+    )
     sub.add_argument("--profile", action="store_true", help="time per stage of a step")
 
     sub = add("report", _cmd_report, "one page about a run or a bag: plots, what went in")

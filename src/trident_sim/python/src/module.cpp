@@ -20,4 +20,5 @@ PYBIND11_MODULE(_core, module) {
   trident::bind_session(module);
   trident::bind_physics(module);
   trident::bind_rays(module);
+  trident::bind_sea(module);
 }

@@ -29,6 +29,7 @@ from trident_sim._core import (
     ray_shapes,
     restore_snapshot,
     save_snapshot,
+    sea_elevation,
 )
 
 _NS_PER_S = 1_000_000_000
@@ -344,6 +345,21 @@ class World:
         names = [ShapeName(*shape) for shape in ray_shapes(self._session, visual)]
         self._warn()
         return RayHits(*hits, names)
+
+    def sea_elevation(self, places: npt.ArrayLike, times: npt.ArrayLike) -> npt.NDArray[np.float64]:
+        """Height of the sea's surface, at any time: the sea is a function of place and time.
+
+        Args:
+            places: x and y in the world frame [m], shape (n, 2).
+            times: one per place [s], shape (n,).
+
+        Returns:
+            z of the surface in the world frame [m], shape (n,); 0 in a world without a sea.
+
+        Raises:
+            Error: a wrong shape, or a value that is not finite.
+        """
+        return sea_elevation(self._session, np.asarray(places), np.asarray(times))
 
     @property
     def time(self) -> float:

@@ -1,0 +1,60 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""Command line of the checks: measure, compare, draw."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+from trident_eval.vessels import hull_checks, motion_checks
+from trident_eval.vessels.check import Check
+from trident_eval.vessels.pictures import draw
+
+CHECKS: dict[str, Callable[[], Check]] = {
+    "static": hull_checks.static_check,
+    "decay": hull_checks.decay_check,
+    "rao": hull_checks.rao_check,
+    "spectrum": hull_checks.spectrum_check,
+    "speed": motion_checks.speed_check,
+    "circle": motion_checks.circle_check,
+    "zigzag": motion_checks.zigzag_check,
+    "current": motion_checks.current_check,
+    "energy": motion_checks.energy_check,
+    "random": motion_checks.random_check,
+}
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Run checks and draw them.
+
+    Returns:
+        0: all are within their tolerances; 1: not.
+    """
+    parser = argparse.ArgumentParser(prog="trident bench vessels", description=__doc__)
+    parser.add_argument("--out", type=Path, metavar="DIR", help="where the pictures go")
+    parser.add_argument("--quick", action="store_true", help="without the million random steps")
+    parser.add_argument(
+        "--only", action="append", choices=list(CHECKS), help="this check; may be repeated"
+    )
+    options = parser.parse_args(arguments)
+    passed = True
+    for name in options.only or CHECKS:
+        if options.quick and name == "random":
+            continue
+        check = CHECKS[name]()
+        passed = passed and check.passed
+        print(f"{name}: {check.title}")
+        for figure in check.figures:
+            print(f"  {figure.text()}")
+        sys.stdout.flush()
+        if options.out:
+            options.out.mkdir(parents=True, exist_ok=True)
+            draw(check, options.out / f"{name}.png")
+    return 0 if passed else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
