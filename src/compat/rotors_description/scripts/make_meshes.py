@@ -108,10 +108,14 @@ def meshes() -> dict[str, list[Part]]:
     firefly = [(0.215 * math.cos(a), 0.215 * math.sin(a)) for a in arms]
     iris = [(0.13, -0.22), (-0.13, 0.2), (-0.13, -0.2), (0.13, 0.22)]
     hummingbird = [(0.17, 0.0), (0.0, 0.17), (-0.17, 0.0), (0.0, -0.17)]
+    pelican = [(0.21, 0.0), (0.0, 0.21), (-0.21, 0.0), (0.0, -0.21)]
+    ardrone = [(0.12728, -0.12728), (-0.12728, 0.12728), (-0.12728, -0.12728), (0.12728, 0.12728)]
     return {
+        "ardrone.dae": multirotor(ardrone, 0.023, 0.08, GREY),
         "firefly.dae": multirotor(firefly, 0.037, 0.08, BLUE),
         "hummingbird.dae": multirotor(hummingbird, 0.01, 0.06, BLUE),
         "iris.dae": multirotor(iris, 0.023, 0.055, BLUE),
+        "pelican.dae": multirotor(pelican, 0.05, 0.1, BLUE),
         "propeller_ccw.dae": propeller(+1),
         "propeller_cw.dae": propeller(-1),
     }

@@ -49,6 +49,44 @@ FIGURES: dict[str, dict[str, Any]] = {
         "box": (0.47, 0.47, 0.11),
         "hover_speed": 663.3,
     },
+    "tutorial_iris": {
+        "mass": 1.5,
+        "inertia": (0.034, 0.034, 0.06),
+        "rotor_mass": 0.005,
+        "rotors": [
+            (0.13, -0.22, 0.023),
+            (-0.13, 0.2, 0.023),
+            (0.13, 0.22, 0.023),
+            (-0.13, -0.2, 0.023),
+        ],
+        "directions": ["ccw", "ccw", "cw", "cw"],
+        "box": (0.47, 0.47, 0.11),
+        "hover_speed": 663.3,
+    },
+    "pelican": {
+        "mass": 1.0,
+        "radius": 0.128,
+        "inertia": (0.01, 0.01, 0.02),
+        "rotor_mass": 0.01,
+        "rotors": [(0.21, 0, 0.05), (0, 0.21, 0.05), (-0.21, 0, 0.05), (0, -0.21, 0.05)],
+        "directions": ["cw", "ccw", "cw", "ccw"],
+        "box": (0.1, 0.1, 0.2),
+        "hover_speed": 508.8,
+    },
+    "ardrone": {
+        "mass": 1.5,
+        "inertia": (0.0347563, 0.0458929, 0.0977),
+        "rotor_mass": 0.005,
+        "rotors": [
+            (0.12728, -0.12728, 0.023),
+            (-0.12728, 0.12728, 0.023),
+            (0.12728, 0.12728, 0.023),
+            (-0.12728, -0.12728, 0.023),
+        ],
+        "directions": ["ccw", "ccw", "cw", "cw"],
+        "box": (0.3, 0.3, 0.16),
+        "hover_speed": 663.3,
+    },
 }
 VEHICLES = sorted(FIGURES)
 MODEL = "mav_generic_odometry_sensor.gazebo"
@@ -92,8 +130,9 @@ def test_rotors_sit_and_turn_as_published(vehicle: str) -> None:
         link = description["links"][motor["linkName"][0]]
         (mass,), _, inertia = link["inertial"]
         assert mass == figures["rotor_mass"]
-        # A bar 0.1 x 0.015 m whose mass counts ten times, as its joint turns ten times slower.
-        izz = 10 * mass * (0.1**2 + 0.015**2) / 12
+        # A bar as long as the radius and 15 mm wide whose mass counts ten times, as its joint turns
+        # ten times slower.
+        izz = 10 * mass * (figures.get("radius", 0.1) ** 2 + 0.015**2) / 12
         assert inertia["izz"][0] == pytest.approx(izz, rel=1e-6)
 
 

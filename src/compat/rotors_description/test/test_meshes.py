@@ -48,7 +48,7 @@ def test_every_part_is_closed_and_faces_outwards(name: str) -> None:
         assert volume > 0.0
 
 
-@pytest.mark.parametrize("vehicle", ["firefly", "hummingbird", "iris"])
+@pytest.mark.parametrize("vehicle", ["ardrone", "firefly", "hummingbird", "iris", "pelican"])
 def test_every_mesh_that_a_vehicle_names_exists(vehicle: str) -> None:
     root = ET.fromstring(expand(f"{vehicle}_base.xacro"))
     names = {str(mesh.get("filename")) for mesh in root.iter("mesh")}

@@ -23,6 +23,21 @@ def test_it_flies_to_its_set_point(make_flight: Fly, timing: str) -> None:
     np.testing.assert_allclose(world.model("UAV1").position, [0.3, -0.2, 1.0], atol=0.05)
 
 
+#: What RotorS' gains and masses leave of the height [m], by (controller's less true weight) / k_p.
+STEADY_Z_M = {"pelican": -0.132, "ardrone": -0.022, "tutorial_iris": 0.003}
+
+
+@pytest.mark.parametrize("vehicle", STEADY_Z_M)
+def test_vehicles_hover_where_their_gains_hold_them(vehicle: str) -> None:
+    world = trident_sim.World("package://rotors_gazebo/worlds/basic.world")
+    world.spawn("UAV1", urdf=trident_sim.multirotor("UAV1", vehicle), pose=(0.0, 0.0, 0.1))
+    world.ports[TRAJECTORY].write([[0.5, -0.5, 2.0]])
+    world.step_until(15.0)
+    np.testing.assert_allclose(
+        world.model("UAV1").position, [0.5, -0.5, 2.0 + STEADY_Z_M[vehicle]], atol=5e-3
+    )
+
+
 def test_heading_follows_yaw(make_flight: Fly) -> None:
     world = make_flight(None)
     world.ports[TRAJECTORY].write([[0.0, 0.0, 1.0]], yaw=0.5)

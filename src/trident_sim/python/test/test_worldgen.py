@@ -15,13 +15,17 @@ from PIL import Image
 from scipy import ndimage
 from trident_sim.occupancy import FREE, OCCUPIED, MapConfig, OccupancyMap, occupancy_map
 from trident_sim.worldgen import (
+    CoastConfig,
     Files,
     ForestConfig,
     HallConfig,
     OfficeConfig,
+    RegattaConfig,
+    coast,
     forest,
     hall,
     office,
+    regatta,
 )
 from trident_sim.worldgen.__main__ import main
 from trident_sim.worldgen.office import rooms_of
@@ -92,14 +96,21 @@ def test_a_hall_is_free_in_its_middle(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("make", "config"), [(office, OfficeConfig), (hall, HallConfig), (forest, ForestConfig)]
+    ("make", "config"),
+    [
+        (office, OfficeConfig),
+        (hall, HallConfig),
+        (forest, ForestConfig),
+        (coast, CoastConfig),
+        (regatta, RegattaConfig),
+    ],
 )
 def test_a_seed_decides(make: object, config: type) -> None:
     assert make(config(seed=7)) == make(config(seed=7))  # type: ignore[operator]
     assert make(config(seed=7)) != make(config(seed=8))  # type: ignore[operator]
 
 
-@pytest.mark.parametrize("make", [office, hall, forest])
+@pytest.mark.parametrize("make", [office, hall, forest, coast, regatta])
 def test_shipped_worlds_are_those_of_seed_1(make: object) -> None:
     for name, content in make().items():  # type: ignore[operator]
         shipped = (WORLDS / name).read_bytes()
@@ -136,12 +147,22 @@ def test_pictures_are_met_where_they_hang() -> None:
         (ForestConfig(clearing=0.0), "clearing: 0 m, legal: 1 to 10 m"),
         (ForestConfig(spacing=0.5), "spacing: 0.5 m, legal: 1 to 20 m"),
         (ForestConfig(trees=-1), "trees: -1, legal: 0 to 5000"),
+        (CoastConfig(relief=31.0), "relief: 31 m, legal: 0 to 30 m"),
+        (CoastConfig(rocks=-1), "rocks: -1, legal: 0 to 1000"),
+        (RegattaConfig(leg=10.0), "leg: 10 m, legal: 20 to 1000 m"),
+        (RegattaConfig(depth=0.0), "depth: 0 m, legal: 2 to 100 m"),
     ],
 )
-def test_bad_sizes_are_refused(config: OfficeConfig | HallConfig | ForestConfig, what: str) -> None:
-    make = {OfficeConfig: office, HallConfig: hall, ForestConfig: forest}[type(config)]
+def test_bad_sizes_are_refused(config: object, what: str) -> None:
+    makers = {
+        OfficeConfig: office,
+        HallConfig: hall,
+        ForestConfig: forest,
+        CoastConfig: coast,
+        RegattaConfig: regatta,
+    }
     with pytest.raises(trident_sim.Error, match=what):
-        make(config)  # type: ignore[operator]
+        makers[type(config)](config)  # type: ignore[index,operator]
 
 
 def test_command_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -152,6 +173,8 @@ def test_command_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> Non
     assert "files beside it" in capsys.readouterr().out
     assert main([*words[:4], "3", "--out", str(tmp_path)]) == 2
     assert "length: 3 m, legal" in capsys.readouterr().err
+    assert main(["coast", "--length", "200", "--out", str(tmp_path)]) == 2
+    assert "--length: a coast has no such size" in capsys.readouterr().err
     (tmp_path / "file").write_text("")
     assert main(["office", "--out", str(tmp_path / "file")]) == 2
     assert "cannot be written" in capsys.readouterr().err

@@ -140,7 +140,7 @@ def multirotor(namespace: str, vehicle: str = "firefly", *, controlled: bool = T
 
     Args:
         namespace: prefix of its ports.
-        vehicle: `firefly`, `hummingbird` or `iris`.
+        vehicle: `firefly`, `hummingbird`, `iris`, `pelican`, `ardrone` or `tutorial_iris`.
         controlled: whether the Lee position controller flies it.
 
     Returns:

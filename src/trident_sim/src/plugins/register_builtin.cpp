@@ -76,6 +76,7 @@ void register_builtin_plugins(PluginRegistry& registry) {
   registry.add("libWavefieldModelPlugin.so", vrx_wave_field_factory());
   registry.add("libwavefield_model_plugin.so", vrx_wave_field_factory());
   registry.add("libtrident_vessel.so", vessel_factory());
+  registry.add("libtrident_mooring.so", mooring_factory());
   registry.add("libusv_gazebo_dynamics_plugin.so", usv_dynamics_factory());
   registry.add("libusv_gazebo_thrust_plugin.so", usv_thrust_factory());
   registry.add("librotors_gazebo_ros_interface_plugin.so", nothing_to_do());

@@ -5,21 +5,26 @@
 from __future__ import annotations
 
 import argparse
+import dataclasses
 import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 from trident_sim._core import Error
+from trident_sim.worldgen.buoys import RegattaConfig, regatta
+from trident_sim.worldgen.coast import CoastConfig, coast
 from trident_sim.worldgen.forest import ForestConfig, forest
 from trident_sim.worldgen.hall import HallConfig, hall
 from trident_sim.worldgen.office import OfficeConfig, office
 from trident_sim.worldgen.sdf import Files, write_files
 
-_KINDS: dict[str, tuple[Callable[..., Any], Callable[[Any], Files]]] = {
+_KINDS: dict[str, tuple[type[Any], Callable[[Any], Files]]] = {
     "office": (OfficeConfig, office),
     "hall": (HallConfig, hall),
     "forest": (ForestConfig, forest),
+    "coast": (CoastConfig, coast),
+    "regatta": (RegattaConfig, regatta),
 }
 
 
@@ -39,6 +44,10 @@ def main(arguments: list[str] | None = None) -> int:
     make_config, make = _KINDS[options.kind]
     given = {name: getattr(options, name) for name in ("length", "width")}
     sizes = {name: value for name, value in given.items() if value is not None}
+    fields = {field.name for field in dataclasses.fields(make_config)}
+    for name in sizes.keys() - fields:
+        print(f"worldgen: --{name}: a {options.kind} has no such size", file=sys.stderr)
+        return 2
     try:
         files = write_files(make(make_config(seed=options.seed, **sizes)), options.out)
     except Error as error:

@@ -164,26 +164,47 @@ class StaticModel:
         )
 
 
-def world_text(comment: str, models: Sequence[StaticModel], *, ground: bool = True) -> str:
-    """A world under the sun, on a ground plane if asked for, 1000 steps of 1 ms per second."""
-    body = "\n".join(model.text() for model in models)
+def world_text(
+    comment: str,
+    models: Sequence[StaticModel],
+    *,
+    name: str = "default",
+    ground: bool = True,
+    step_s: float = 0.001,
+    gravity: float = 9.8,
+    sky: tuple[float, float, float] = (0.7, 0.7, 0.7),
+    more: str = "",
+) -> str:
+    """A world under the sun.
+
+    Args:
+        comment: what it is.
+        models: that never move.
+        name: of the world.
+        ground: whether there is a ground plane.
+        step_s: of physics, as many a second as make real time [s].
+        gravity: downwards [m/s^2].
+        sky: red, green, blue of the background.
+        more: elements of the world.
+    """
+    body = "\n".join(model.text() for model in models) + more
     plane = _GROUND_PLANE if ground else ""
     return f"""<?xml version="1.0"?>
 {_LICENCE}<!-- {comment} -->
 <sdf version="1.6">
-  <world name="default">
+  <world name="{name}">
 {plane}    <include>
       <uri>model://sun</uri>
     </include>
     <physics type="ode">
-      <max_step_size>0.001</max_step_size>
+      <max_step_size>{_number(step_s)}</max_step_size>
       <real_time_factor>1</real_time_factor>
-      <real_time_update_rate>1000</real_time_update_rate>
-      <gravity>0 0 -9.8</gravity>
+      <real_time_update_rate>{_number(1.0 / step_s)}</real_time_update_rate>
+      <gravity>0 0 {_number(-gravity)}</gravity>
     </physics>
     <scene>
       <ambient>0.4 0.4 0.4 1</ambient>
-      <background>0.7 0.7 0.7 1</background>
+      <background>{_numbers(sky)} 1</background>
       <shadows>true</shadows>
     </scene>
 {body}

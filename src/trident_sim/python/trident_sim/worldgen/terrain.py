@@ -23,7 +23,7 @@ class Terrain:
     """Heights on a grid, about (0, 0).
 
     Attributes:
-        pixels: of the picture, 0 to 65535, row 0 at the largest y, shape (SAMPLES, SAMPLES).
+        pixels: of the picture, 0 to 65535, row 0 at the largest y, shape (n, n).
         length: along x [m].
         width: along y [m].
         lowest: height of black [m].
@@ -38,7 +38,7 @@ class Terrain:
 
     def height(self, x: float, y: float) -> float:
         """Of the surface at a place within [m]: of the very triangle of the heightmap."""
-        last = SAMPLES - 1
+        last = len(self.pixels) - 1
         right = np.clip((x / self.length + 0.5) * last, 0.0, last)
         down = np.clip((0.5 - y / self.width) * last, 0.0, last)
         column, row = (min(int(place), last - 1) for place in (right, down))
@@ -76,9 +76,20 @@ def hills(
     y = np.linspace(width / 2, -width / 2, SAMPLES)
     away = np.clip(np.hypot(x, y[:, None]) / clearing - 1.0, 0.0, 1.0)
     field *= away * away * (3.0 - 2.0 * away)
-    lowest = round(float(field.min()), 4)
-    height = max(round(float(field.max()) - lowest, 4), 1e-3)
-    pixels = np.round((field - lowest) / height * _WHITE).clip(0, _WHITE)
+    return terrain_of(field, length, width)
+
+
+def terrain_of(heights: Field, length: float, width: float) -> Terrain:
+    """The terrain of a field of heights [m], row 0 at the largest y, shape (n, n).
+
+    Args:
+        heights: of the surface.
+        length: along x [m].
+        width: along y [m].
+    """
+    lowest = round(float(heights.min()), 4)
+    relief = max(round(float(heights.max()) - lowest, 4), 1e-3)
+    pixels = np.round((heights - lowest) / relief * _WHITE).clip(0, _WHITE)
     # A heightmap's size is that of its brightest pixel.
     pixels[np.unravel_index(np.argmax(pixels), pixels.shape)] = _WHITE
-    return Terrain(pixels, length, width, lowest, height)
+    return Terrain(pixels, length, width, lowest, relief)

@@ -16,7 +16,8 @@ SE3 read_offset(const PluginParams& params) {
 /// libgazebo_ros_p3d.so: the true pose of a link, with the velocities of its origin in the axes of
 /// the frame, as upstream tells them (not in those of the link). <bodyName>, <topicName>,
 /// <frameName> (world, map or a link of the model), <xyzOffset>, <rpyOffset>, <gaussianNoise> of
-/// the velocities, <updateRate> (0: every step).
+/// the velocities, <updateRate> (0: every step). Ours: <tfFrameName>, the parent of a transform
+/// that tells the pose, too.
 class P3d : public Plugin {
  public:
   explicit P3d(const PluginContext& context)
@@ -37,6 +38,11 @@ class P3d : public Plugin {
     OdometrySample& value = odometry_->value;
     value.parent_frame = resolved_frame(context, frame, FramePrefix::kTfPrefix);
     value.child_frame = resolved_frame(context, link_.name, FramePrefix::kTfPrefix);
+    const std::string parent = params.text("tfFrameName", "");
+    if (!parent.empty()) {
+      frame_ = advertise_frame(context, resolved_frame(context, parent, FramePrefix::kTfPrefix),
+                               value.child_frame);
+    }
     for (std::size_t i = 0; i < 6; ++i) {
       value.pose_covariance[7 * i] = value.twist_covariance[7 * i] = noise_ * noise_;
     }
@@ -45,7 +51,7 @@ class P3d : public Plugin {
   std::vector<Phase> phases() const override { return {Phase::kPost}; }
 
   void post_step(const World&, const StepInfo& info) override {
-    if (!ticker_.tick(info) || !odometry_->wanted()) return;
+    if (!ticker_.tick(info) || !(odometry_->wanted() || (frame_ && frame_->wanted()))) return;
     OdometrySample& value = odometry_->value;
     const SE3 T_world_frame = reference_ == nullptr ? SE3() : reference_->T_world_link();
     const Eigen::Quaterniond R_frame_world = T_world_frame.R.conjugate();
@@ -61,6 +67,10 @@ class P3d : public Plugin {
     value.v_child = R_frame_world * v + disturbance(info, 0);
     value.w_child = R_frame_world * w + disturbance(info, 3);
     odometry_->publish();
+    if (!frame_) return;
+    frame_->value.stamp = value.stamp;
+    frame_->value.T_parent_child = value.T_parent_child;
+    frame_->publish();
   }
 
   void reset() override { ticker_.reset(); }
@@ -81,6 +91,7 @@ class P3d : public Plugin {
   RandomStream stream_;
   RateTicker ticker_;
   OutHandle<OdometrySample> odometry_;
+  OutHandle<FrameSample> frame_;
 };
 
 }  // namespace

@@ -11,6 +11,8 @@ PluginFactory sea_factory();
 PluginFactory vrx_wave_field_factory();
 /// A vessel from its file: hull, added mass, damping, thrusters, rudders.
 PluginFactory vessel_factory();
+/// A line from a body to an anchor.
+PluginFactory mooring_factory();
 /// VRX' hydrodynamics and thrusters under their own elements.
 PluginFactory usv_dynamics_factory();
 PluginFactory usv_thrust_factory();
