@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import threading
+import xmlrpc.client
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from typing import Any
@@ -15,6 +16,19 @@ from std_msgs.msg import Header
 
 from trident.testing.models import pose
 from trident.testing.waiting import LIMIT_S, eventually
+
+
+def _sends_to(publisher_uri: str, subscriber: str, topic: str) -> bool:
+    """Whether the node of that address has a subscriber among those that it sends a topic to.
+
+    A node counts itself connected as soon as it is answered, and rospy's publishers add it a
+    moment later: what is published in between is lost.
+    """
+    try:
+        _, _, links = xmlrpc.client.ServerProxy(publisher_uri).getBusInfo(subscriber)
+    except (OSError, xmlrpc.client.Error):
+        return False  # it has gone
+    return any(link[4] == topic and link[2] == "o" and link[1] == subscriber for link in links)
 
 
 class Recorder:
@@ -40,11 +54,16 @@ class Recorder:
         )
 
     def connected(self, publishers: int = 1) -> Recorder:
-        """Return when so many publishers are connected."""
-        eventually(
-            lambda: self._subscriber.get_num_connections() >= publishers,
-            f"a publisher of {self.topic}",
-        )
+        """Return when so many publishers are connected, and know it."""
+        own, topic = rospy.get_name(), self._subscriber.resolved_name
+
+        def are_connected() -> bool:
+            senders = [link.endpoint_id for link in self._subscriber.impl.connections]
+            if len(senders) < publishers:
+                return False
+            return sum(_sends_to(sender, own, topic) for sender in senders) >= publishers
+
+        eventually(are_connected, f"a publisher of {self.topic}")
         return self
 
     def received(self, count: int = 1, limit_s: float = LIMIT_S) -> list[Any]:
