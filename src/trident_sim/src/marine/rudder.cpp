@@ -19,9 +19,8 @@ struct FoilCoefficients {
 FoilCoefficients foil(const RudderParams& params, double attack) {
   if (std::abs(attack) > 0.5 * kPi) attack -= std::copysign(kPi, attack);
   const double ratio = params.aspect_ratio;
-  const double slope = 2.0 * kPi * ratio / (2.0 + std::sqrt(ratio * ratio + 4.0));
   if (std::abs(attack) <= params.stall_angle) {
-    const double lift = slope * attack;
+    const double lift = params.lift_slope() * attack;
     return {lift, params.drag_coefficient + lift * lift / (0.9 * kPi * ratio)};
   }
   // A flat plate across the flow: normal force coefficient 2 sin(attack).

@@ -11,22 +11,6 @@
 namespace trident {
 namespace {
 
-struct Glf {
-  double A, K, B, nu, C, M;
-  double operator()(double x) const {
-    return A + (K - A) / std::pow(C + std::exp(-B * (x - M)), 1.0 / nu);
-  }
-};
-
-double interpolated(const std::vector<double>& x, const std::vector<double>& y, double at) {
-  if (at <= x.front()) return y.front();
-  if (at >= x.back()) return y.back();
-  const auto next = std::upper_bound(x.begin(), x.end(), at);
-  const auto i = static_cast<std::size_t>(next - x.begin());
-  const double part = (at - x[i - 1]) / (x[i] - x[i - 1]);
-  return y[i - 1] + part * (y[i] - y[i - 1]);
-}
-
 std::string range_text(double lo, double hi) {
   return "[" + number_text(lo) + ", " + number_text(hi) + "]";
 }
@@ -36,36 +20,6 @@ std::string range_text(double lo, double hi) {
 }
 
 }  // namespace
-
-void ThrusterParams::validate() const {
-  if (mapping == ThrustMapping::kQuadratic &&
-      !(coefficient_forward > 0.0 && coefficient_reverse > 0.0)) {
-    refuse(*this,
-           "mapping quadratic needs coefficient_forward = " + number_text(coefficient_forward) +
-               " and coefficient_reverse = " + number_text(coefficient_reverse) + ", legal is > 0");
-  }
-  if (mapping != ThrustMapping::kTable) return;
-  if (table_commands.size() != table_forces.size() || table_commands.size() < 2) {
-    refuse(*this, "table_commands has " + std::to_string(table_commands.size()) +
-                      " numbers, table_forces " + std::to_string(table_forces.size()) +
-                      ", legal is the same number of both, at least 2");
-  }
-  for (std::size_t i = 1; i < table_commands.size(); ++i) {
-    if (table_commands[i] <= table_commands[i - 1]) {
-      refuse(*this, "table_commands[" + std::to_string(i) +
-                        "] = " + number_text(table_commands[i]) +
-                        " must be above the one before, " + number_text(table_commands[i - 1]));
-    }
-  }
-}
-
-double vrx_glf_thrust(double command) {
-  static constexpr Glf kForward{0.01, 59.82, 5.0, 0.38, 0.56, 0.28};
-  static constexpr Glf kReverse{-199.13, -0.09, 8.84, 5.34, 0.99, -0.57};
-  if (command > 0.01) return kForward(std::min(command, 1.0));
-  if (command < -0.01) return kReverse(std::max(command, -1.0));
-  return 0.0;
-}
 
 Thruster::Thruster(const ThrusterParams& params) : params_(params) { params_.validate(); }
 
@@ -99,28 +53,7 @@ void Thruster::step(double dt_s) {
 
 void Thruster::reset() { command_ = state_ = command_angle_rad_ = angle_rad_ = 0.0; }
 
-double Thruster::thrust_at(double state) const {
-  double thrust = 0.0;
-  switch (params_.mapping) {
-    case ThrustMapping::kLinear:
-      thrust = state >= 0.0 ? state / params_.max_command * params_.max_force_forward
-                            : state / -params_.min_command * params_.max_force_reverse;
-      break;
-    case ThrustMapping::kGlf:
-      thrust = vrx_glf_thrust(state);
-      break;
-    case ThrustMapping::kQuadratic:
-      thrust = (state >= 0.0 ? params_.coefficient_forward : params_.coefficient_reverse) * state *
-               std::abs(state);
-      break;
-    case ThrustMapping::kTable:
-      thrust = interpolated(params_.table_commands, params_.table_forces, state);
-      break;
-  }
-  return std::clamp(thrust, -params_.max_force_reverse, params_.max_force_forward);
-}
-
-double Thruster::thrust_n() const { return thrust_at(state_); }
+double Thruster::thrust_n() const { return thrust_at(params_, state_); }
 
 Vector6d Thruster::wrench() const {
   const double direction = params_.yaw + angle_rad_;

@@ -4,23 +4,13 @@
 
 #include <string>
 
-#include "thruster_params.h"
 #include "trident_base/se3.h"
+#include "trident_base/thruster_curve.h"
 
 namespace trident {
 
-/// VRX' generalised logistic function, thrust [N] of a command in [-1, 1]:
-/// T = A + (K - A) / (C + exp(-B (x - M)))^(1 / nu), one set of constants ahead (x > 0.01), one
-/// astern (x < -0.01), nothing between.
-double vrx_glf_thrust(double command);
-
-/// A propeller that follows its command with a first-order lag and then makes thrust of what it
-/// does: of the state n (a command, or [rad/s] where the command is one)
-///   linear     n / max_command max_force_forward, or n / |min_command| max_force_reverse
-///   glf        vrx_glf_thrust(n)
-///   quadratic  K n|n|, K for either direction
-///   table      linear between the points, constant beyond them
-/// cut to [-max_force_reverse, max_force_forward].
+/// A propeller that follows its command with a first-order lag and then makes thrust_at() of what
+/// it does (a command, or [rad/s] where the command is one).
 class Thruster {
  public:
   explicit Thruster(const ThrusterParams& params);
@@ -39,8 +29,6 @@ class Thruster {
   double state_value() const { return state_; }
   double angle_rad() const { return angle_rad_; }
   double thrust_n() const;
-  /// Thrust at a propeller state, e.g. to invert the mapping for allocation.
-  double thrust_at(double state) const;
   /// About CO, body axes.
   Vector6d wrench() const;
 

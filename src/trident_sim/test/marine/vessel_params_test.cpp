@@ -30,8 +30,8 @@ TEST_P(ShippedVessel, LoadsFloatsLevelAndItsThrustersPush) {
   EXPECT_GT(hull.hydrostatics().gm_transverse_m(z_cg), 0.0);
   ASSERT_EQ(params.thrusters.size(), 2U);
   for (const ThrusterParams& thruster : params.thrusters) {
-    EXPECT_GT(Thruster(thruster).thrust_at(thruster.max_command), 0.0) << thruster.name;
-    EXPECT_LT(Thruster(thruster).thrust_at(thruster.min_command), 0.0) << thruster.name;
+    EXPECT_GT(thrust_at(thruster, thruster.max_command), 0.0) << thruster.name;
+    EXPECT_LT(thrust_at(thruster, thruster.min_command), 0.0) << thruster.name;
   }
   // FLU: the left one lies to the left.
   EXPECT_EQ(params.thrusters[0].name, "left");
@@ -67,8 +67,8 @@ TEST(Otter, FiguresAreThoseOfTheModel) {
   EXPECT_NEAR(params.hull.sections[0].draft / 0.195, 1.0, 0.01);
 
   const Thruster left(params.thrusters[0]);
-  EXPECT_NEAR(left.thrust_at(103.93), 119.7, 0.1);
-  EXPECT_NEAR(left.thrust_at(-101.74), -66.7, 0.1);
+  EXPECT_NEAR(thrust_at(left.params(), 103.93), 119.7, 0.1);
+  EXPECT_NEAR(thrust_at(left.params(), -101.74), -66.7, 0.1);
 }
 
 TEST(VesselParams, FossensAxesBecomeFlu) {

@@ -10,7 +10,7 @@
 
 namespace trident {
 
-/// How a command becomes a thrust; see Thruster.
+/// How a command becomes a thrust; see thrust_at() in thruster_curve.h.
 enum class ThrustMapping { kLinear, kGlf, kQuadratic, kTable };
 constexpr auto enum_names(ThrustMapping) {
   return std::array{
