@@ -164,6 +164,15 @@ catkin_add_gtest(trident_sim_marine_test
 target_link_libraries(trident_sim_marine_test trident_sim_test_support ${GTEST_MAIN_LIBRARIES})
 target_include_directories(trident_sim_marine_test PRIVATE src)  # parts of the core
 
+# Vessels under their controllers (trident_control_sim is defined later on).
+catkin_add_gtest(trident_sim_vessel_control_test
+  test/marine/standalone_vessel.cpp
+  test/marine/vessel_control_test.cpp
+)
+target_link_libraries(trident_sim_vessel_control_test
+  trident_sim_test_support trident_control_sim ${GTEST_MAIN_LIBRARIES})
+target_include_directories(trident_sim_vessel_control_test PRIVATE src)  # parts of the core
+
 # A boat alone on a manoeuvre, for comparisons with other integrators.
 add_executable(vessel_manoeuvre test/marine/standalone_vessel.cpp test/marine/vessel_manoeuvre.cpp)
 target_compile_options(vessel_manoeuvre PRIVATE -Wall -Wextra)
@@ -173,6 +182,6 @@ target_link_libraries(vessel_manoeuvre PRIVATE trident_sim_test_support)
 # One set of precompiled headers for all of them.
 foreach(test trident_sim_physics_test trident_sim_ground_test trident_sim_flight_test trident_sim_allocation_test
              trident_sim_mutated_input_test trident_sim_cameras_test trident_sim_rays_test
-             trident_sim_marine_test)
+             trident_sim_marine_test trident_sim_vessel_control_test)
   target_precompile_headers(${test} REUSE_FROM trident_sim_test)
 endforeach()

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "trident_control/vessel_control_params.h"
+
+namespace trident {
+
+/// Integral line-of-sight guidance along straight legs (Borhaug, Pavlov and Pettersen 2008): from
+/// the distance e to the left of a leg in direction gamma, with the lookahead D,
+///   psi_d = gamma - atan((e + sigma s) / D),  ds/dt = D e / (D^2 + (e + sigma s)^2).
+/// The integral cancels a steady current across the leg, and hardly grows far from it. From a leg
+/// to the next it is turned by the cosine of the angle between them: the part that is known of the
+/// same current across the new one.
+class LineOfSight {
+ public:
+  explicit LineOfSight(const GuidanceParams& params) : params_(params) {}
+
+  /// Follows the waypoints [m] from where the vessel is now; one in whose circle it is already
+  /// begins the path. There is at least one.
+  void start(const std::vector<Eigen::Vector2d>& waypoints, const Eigen::Vector2d& p_world);
+  /// The heading to steer [rad].
+  double update(const Eigen::Vector2d& p_world, double dt_s);
+
+  bool is_finished() const { return leg_ + 1 >= points_.size(); }
+  /// Distance to the left of the present leg [m].
+  double cross_track_m() const { return cross_track_m_; }
+  /// Of the last waypoint; start() came before.
+  const Eigen::Vector2d& goal() const { return points_.back(); }
+  /// The leg's direction [rad].
+  double direction() const { return direction_; }
+  std::size_t leg() const { return leg_; }
+
+ private:
+  void enter(std::size_t leg);
+  void advance(const Eigen::Vector2d& p_world);
+
+  GuidanceParams params_;
+  std::vector<Eigen::Vector2d> points_;
+  std::size_t leg_ = 0;  // from points_[leg_] to points_[leg_ + 1]
+  double direction_ = 0.0, integral_m_ = 0.0, cross_track_m_ = 0.0;
+};
+
+}  // namespace trident

@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "trident_base/sim_time.h"
+#include "trident_control/control_types.h"
+#include "trident_control/heading_autopilot.h"
+#include "trident_control/line_of_sight.h"
+#include "trident_control/station_keeping.h"
+#include "trident_control/surge_speed_controller.h"
+#include "trident_control/thrust_allocation.h"
+#include "trident_control/wave_filter.h"
+
+namespace trident {
+
+/// What a vessel is told. Angles from x towards y of the odometry's frame.
+struct VesselCommand {
+  enum class Kind {
+    kVelocity,  ///< speed [m/s] and rate [rad/s]
+    kHeading,   ///< angle [rad]
+    kCourse,    ///< over ground, angle [rad]
+    kSpeed,     ///< speed [m/s] of heading, course and path
+    kPath,      ///< waypoints [m]
+    kStation    ///< waypoints[0] [m], and the heading `angle` [rad] of vessels that can choose
+  };
+  Kind kind = Kind::kVelocity;
+  double speed = 0.0, rate = 0.0, angle = 0.0;
+  std::vector<Eigen::Vector2d> waypoints;
+};
+
+/// What became of a command: texts are empty when nothing is wrong.
+struct CommandVerdict {
+  std::string refused;  ///< why; nothing has changed
+  std::string clamped;  ///< what was cut to which limit
+};
+
+enum class VesselMode { kIdle, kVelocity, kHeading, kCourse, kPath, kStation };
+const char* name_of(VesselMode mode);
+
+/// A vessel's controllers behind one another: the newest command decides the mode; that tells
+/// heading and speed, or a force; autopilot and speed controller make a force of them, and the
+/// allocation commands of that. Time is the stamps of the states.
+class VesselController {
+ public:
+  /// Throws Error: a pose is to be held that the thrusters cannot hold.
+  VesselController(const VesselModel& model, const VesselControlParams& params);
+
+  /// A command that acts at once (stamp 0, or one of another clock, more than 60 s ahead), or with
+  /// the first state at or after its stamp. Waiting ones are replaced by later ones of their stamp.
+  CommandVerdict push(SimTime stamp, const VesselCommand& command);
+  /// The surge speed through the water, as a speed log measures it at `stamp` [m/s].
+  void set_log(SimTime stamp, double u_water);
+  /// Works out commands() for a state. Zeros until something is commanded. When time runs back
+  /// everything is forgotten. On anything but ok nothing has changed.
+  ControlStatus update(SimTime stamp, const OdometryState& odometry);
+  void reset();
+
+  /// In the order of topics(); see ThrustAllocation.
+  Span<const double> commands() const { return allocation_.commands(); }
+  const std::vector<std::string>& topics() const { return allocation_.topics(); }
+
+  VesselMode mode() const { return mode_; }
+  /// Distance to the left of the path [m]; 0 without one.
+  double cross_track_m() const { return mode_ == VesselMode::kPath ? path_.cross_track_m() : 0.0; }
+  /// What was asked of the thrusters last, and what they give.
+  const PlanarForce& asked() const { return asked_; }
+  const PlanarForce& given() const { return given_; }
+
+ private:
+  struct Pending {
+    SimTime stamp;
+    VesselCommand command;
+  };
+  /// Heading and speed, or surge and sway force and heading.
+  struct Wish {
+    double heading = 0.0, speed = 0.0;
+    std::optional<double> rate;            // in place of the heading
+    std::optional<Eigen::Vector2d> force;  // in place of the speed
+    bool over_ground = false;              // the speed is, whatever the parameters say
+  };
+
+  void apply_due(SimTime stamp, const VesselState& state);
+  void apply(SimTime stamp, const VesselCommand& command, const VesselState& state);
+  void enter(VesselMode mode, const VesselState& state);
+  void keep_station(const Eigen::Vector2d& place, double heading, const VesselState& state);
+  Wish wish(SimTime stamp, const VesselState& state, double dt_s);
+  Wish velocity_wish(SimTime stamp) const;
+  Wish path_wish(const VesselState& state, double dt_s);
+  Wish station_wish(const VesselState& state, double dt_s);
+  double course_heading(const VesselState& state, double dt_s);
+  double slowed(double heading, const VesselState& state) const;
+  std::optional<double> measured_speed(SimTime stamp, const VesselState& state) const;
+  void actuate(const Wish& wish, SimTime stamp, const VesselState& state, double dt_s);
+
+  VesselControlParams params_;
+  HeadingAutopilot autopilot_;
+  SurgeSpeedController speed_controller_;
+  LineOfSight path_;
+  PlaceHold place_hold_;
+  WeatherVane weather_vane_;
+  WaveFilter wave_filter_;
+  ThrustAllocation allocation_;
+
+  std::deque<Pending> pending_;
+  std::optional<SimTime> last_stamp_;
+  VesselMode mode_ = VesselMode::kIdle;
+  SimTime commanded_at_;
+  bool holds_pose_;
+  bool has_timeout_ = false, is_near_station_ = false, is_speed_held_ = false;
+  double cruise_ = 0.0;  // speed of heading, course and path
+  double speed_ = 0.0, rate_ = 0.0, angle_ = 0.0, crab_ = 0.0;
+  Eigen::Vector2d station_ = Eigen::Vector2d::Zero();
+  std::optional<double> log_;
+  SimTime log_stamp_;
+  PlanarForce asked_ = PlanarForce::Zero(), given_ = PlanarForce::Zero();
+};
+
+}  // namespace trident
