@@ -141,6 +141,7 @@ catkin_add_gtest(trident_sim_rays_test
   test/ray_shape_test.cpp
   test/follow_test.cpp
   test/small_sensors_test.cpp
+  test/water/water_surface_test.cpp
 )
 target_link_libraries(trident_sim_rays_test
   trident_sim_test_support PkgConfig::JPEG PkgConfig::PNG ${GTEST_MAIN_LIBRARIES})

@@ -22,6 +22,7 @@ struct PacketHits;
 struct RayPacket;
 struct SurfaceLook;
 struct SurfacePoint;
+class WaterSurface;
 
 /// What rays meet: collision shapes (`ray` sensors) or visual shapes (`gpu_ray`, cameras).
 enum class RayGeometry { kCollision, kVisual };
@@ -88,6 +89,10 @@ class RayScene {
   /// be called while another thread casts; hits from before lose their indices when models came or
   /// went.
   void refresh();
+  /// Has cast() meet the surface of the world's sea, too, as it is now about who looks, until the
+  /// next refresh(): a shape of its own, the last one, model "water", met from above and below and
+  /// hiding what lies beyond. Nothing happens in a world without a sea.
+  void refresh_water(const Eigen::Vector3d& p_world_viewer);
 
   /// Casts each ray; hits.size() >= rays.size(). A ray with a component that is not finite meets
   /// nothing. Any number of threads may cast at the same time. Rays are cast in packets of
@@ -118,6 +123,12 @@ class RayScene {
   /// Likewise, at the point of it that a ray meets near distance `t`.
   SurfacePoint look_at(std::uint32_t shape, std::uint32_t primitive, const Ray& ray,
                        double t) const;
+
+  /// What meet() leaves out, for who draws it: nullptr where refresh_water() was not called, or there
+  /// is no sea.
+  const WaterSurface* water() const;
+  /// RayHit::shape of the water; RayHit::kNothing: there is none.
+  std::uint32_t water_shape() const;
 
   RayGeometry geometry() const;
   const std::vector<RayShape>& shapes() const;

@@ -46,6 +46,8 @@ class WaveField : public Water {
 
   /// Factor of all amplitudes at a place and time, in [0, 1].
   double strength(const Eigen::Vector2d& p_world, double time_s) const;
+  /// Whether it depends on the place.
+  bool fades() const { return ground_depth_ && params_.shore_depth > 0.0; }
 
  private:
   /// Eight waves; the last block is filled up with waves of no height.

@@ -25,6 +25,7 @@ std::string numbers(const Eigen::Vector3d& v) {
 
 void RayScene::Content::refresh() {
   if (device_ == nullptr) device_ = make_device();
+  sees_water_ = false;
   follow_models();
   follow_links();
   if (models_changed_) {
@@ -196,6 +197,7 @@ void RayScene::Content::number() {
     }
     ++model_id;
   }
+  number_water(model_id, link_id);
 }
 
 void RayScene::Content::commit_fixed() {

@@ -43,9 +43,12 @@ struct PlacedPlane {
 /// What RayScene holds: shapes, Embree's scenes, and tables that lead from Embree's numbers back.
 class RayScene::Content {
  public:
-  Content(const World& world, RayGeometry kind) : geometry(kind), world_(world) {}
+  Content(const World& world, RayGeometry kind);
+  ~Content();
 
   void refresh();
+  void refresh_water(const Eigen::Vector3d& p_world_viewer);
+  const WaterSurface* water() const { return sees_water_ ? water_surface_.get() : nullptr; }
   void use_textures();
   Eigen::Vector3d albedo(const RayHit& hit) const;
   double intensity(const RayHit& hit) const;
@@ -62,6 +65,7 @@ class RayScene::Content {
   const RayGeometry geometry;
   std::vector<RayShape> shapes;
   std::vector<Material> materials;
+  std::uint32_t water_shape = RayHit::kNothing;
   Commits commits;
 
  private:
@@ -82,6 +86,10 @@ class RayScene::Content {
   void commit_fixed();
   void attach_parts();
   void commit_moving();
+
+  // The sea: water_cast.cpp
+  void number_water(std::uint32_t models, std::uint32_t links);
+  void add_water(const Ray* rays, RayHit* hits, std::size_t count) const;
 
   // Casting: ray_cast.cpp
   const TracedShape* nearest_plane(const Ray& ray, const RayFilter& filter, bool shadows_only,
@@ -110,6 +118,10 @@ class RayScene::Content {
   std::vector<std::vector<const TracedShape*>> part_shapes_;  ///< by part, then geomID
   std::vector<const TracedShape*> traced_shapes_;             ///< by TracedShape::index
   bool some_cast_no_shadow_ = false;
+
+  std::unique_ptr<WaterSurface> water_surface_;  ///< nullptr: not asked for yet
+  bool sees_water_ = false, has_water_shape_ = false;
+  std::uint32_t water_material_ = RayHit::kNothing;
 };
 
 }  // namespace trident

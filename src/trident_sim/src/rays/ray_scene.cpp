@@ -26,6 +26,14 @@ RayScene::~RayScene() = default;
 
 void RayScene::refresh() { content_->refresh(); }
 
+void RayScene::refresh_water(const Eigen::Vector3d& p_world_viewer) {
+  content_->refresh_water(p_world_viewer);
+}
+
+const WaterSurface* RayScene::water() const { return content_->water(); }
+
+std::uint32_t RayScene::water_shape() const { return content_->water_shape; }
+
 void RayScene::cast(Span<const Ray> rays, Span<RayHit> hits, const RayFilter& filter) const {
   check_room("cast", rays.size(), hits.size());
   for (std::size_t first = 0; first < rays.size(); first += kPacket) {
