@@ -328,10 +328,11 @@ TEST(BuiltinPlugins, AllHaveACase) {
   register_builtin_plugins(registry);
   // Two do nothing here: ROS is bound by the server, bags are written by rosbag. The others have no
   // port with numbers or want elements in elements; their tests are follow_test.cpp,
-  // marine/sea_plugin_test.cpp and marine/usv_plugins_test.cpp.
+  // marine/{mooring,sea_plugin,usv_plugins}_test.cpp.
   std::set<std::string> cases{"rotors_gazebo_ros_interface_plugin",
                               "rotors_gazebo_bag_plugin",
                               "trident_follow",
+                              "trident_mooring",
                               "trident_sea",
                               "WavefieldModelPlugin",
                               "wavefield_model_plugin",

@@ -151,6 +151,7 @@ target_include_directories(trident_sim_rays_test PRIVATE src)  # parts of the co
 catkin_add_gtest(trident_sim_marine_test
   test/marine/current_test.cpp
   test/marine/hull_test.cpp
+  test/marine/mooring_test.cpp
   test/marine/sea_plugin_test.cpp
   test/marine/standalone_vessel.cpp
   test/marine/thruster_test.cpp

