@@ -5,18 +5,14 @@
 #include <algorithm>
 #include <sstream>
 
+#include "port_names.h"
 #include "trident_base/error.h"
+#include "trident_control_sim/vessel_controller_plugin.h"
 #include "trident_sim/samples.h"
 #include "trident_sim/world.h"
 
 namespace trident {
 namespace {
-
-std::string join_namespace(const std::string& ns, const std::string& topic) {
-  const auto first = ns.find_first_not_of('/');
-  if (first == std::string::npos) return topic;
-  return ns.substr(first, ns.find_last_not_of('/') - first + 1) + "/" + topic;
-}
 
 std::vector<std::string> split(const std::string& text) {
   std::istringstream in(text);
@@ -115,6 +111,7 @@ void register_control_plugins(PluginRegistry& registry) {
   registry.add(
       "libtrident_lee_position_controller.so",
       {[](const PluginContext& context) { return std::make_unique<LeePlugin>(context); }, {}});
+  registry.add("libtrident_vessel_controller.so", vessel_controller_factory());
 }
 
 }  // namespace trident

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "input_binder.h"
 
+#include <geometry_msgs/PoseStamped.h>
 #include <geometry_msgs/Twist.h>
+#include <nav_msgs/Path.h>
 #include <std_msgs/Empty.h>
+#include <std_msgs/Float32.h>
 #include <std_msgs/Float64.h>
 #include <std_srvs/Empty.h>
 
@@ -11,6 +14,7 @@
 #include <optional>
 
 #include "conversions.h"
+#include "trident_base/string_util.h"
 #include "trident_sim/commands.h"
 
 namespace trident {
@@ -18,7 +22,16 @@ namespace {
 
 TwistCommand from_message(const geometry_msgs::Twist& message) { return from_twist(message); }
 ScalarSample from_message(const std_msgs::Float64& message) { return {SimTime{}, message.data}; }
+ScalarSample from_message(const std_msgs::Float32& message) { return {SimTime{}, message.data}; }
 TriggerCommand from_message(const std_msgs::Empty&) { return {}; }
+PoseSample from_message(const geometry_msgs::PoseStamped& message) {
+  return {from_ros(message.header.stamp), message.header.frame_id, from_pose(message.pose)};
+}
+PathCommand from_message(const nav_msgs::Path& message) {
+  PathCommand path{from_ros(message.header.stamp), {}};
+  for (const auto& pose : message.poses) path.p_world.push_back(from_point(pose.pose.position));
+  return path;
+}
 
 template <class Command>
 class Mailbox {
@@ -109,11 +122,23 @@ std::unique_ptr<InputBinding> try_bind(ros::NodeHandle& node, ros::CallbackQueue
   return std::make_unique<Binding>(node, queue, *typed);
 }
 
+/// Numbers are Float64, those of thrusters Float32, as VRX has them. A topic has one type.
+std::unique_ptr<InputBinding> try_bind_number(ros::NodeHandle& node,
+                                              ros::CallbackQueueInterface& queue, PortBase& port) {
+  const std::string& name = port.name();
+  if (ends_with(name, "_thrust_cmd") || ends_with(name, "_thrust_angle")) {
+    return try_bind<ScalarSample, TopicBinding<ScalarSample, std_msgs::Float32>>(node, queue, port);
+  }
+  return try_bind<ScalarSample, TopicBinding<ScalarSample, std_msgs::Float64>>(node, queue, port);
+}
+
 using BindFunction = std::unique_ptr<InputBinding> (*)(ros::NodeHandle&,
                                                        ros::CallbackQueueInterface&, PortBase&);
 constexpr BindFunction kBindFunctions[] = {
     try_bind<TwistCommand, TopicBinding<TwistCommand, geometry_msgs::Twist>>,
-    try_bind<ScalarSample, TopicBinding<ScalarSample, std_msgs::Float64>>,
+    try_bind_number,
+    try_bind<PoseSample, TopicBinding<PoseSample, geometry_msgs::PoseStamped>>,
+    try_bind<PathCommand, TopicBinding<PathCommand, nav_msgs::Path>>,
     try_bind<TriggerCommand, TopicBinding<TriggerCommand, std_msgs::Empty>>,
     try_bind<ServiceCommand, ServiceBinding>,
 };

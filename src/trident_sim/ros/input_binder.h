@@ -23,7 +23,8 @@ class InputBinding {
   virtual void forget() = 0;
 };
 
-/// Keeps a subscription per input of a board that ROS can serve (velocities, numbers, triggers),
+/// Keeps a subscription per input of a board that ROS can serve (velocities, numbers, poses, paths,
+/// triggers),
 /// and a service per request. A message waits, the newest in place of those before, until the
 /// stepping thread hands it to the port.
 class InputBinder {

@@ -180,6 +180,15 @@ SetpointQueueParams ParameterTree::setpoint_queue_params() {
   return params;
 }
 
+std::string ParameterTree::required_text(const std::string& name, const std::string& expected) {
+  XmlRpcValue* found = find(name);
+  if (!found) {
+    throw Error("parameter '" + name_space_ + "/" + name + "' is not set: it must be " + expected);
+  }
+  if (found->getType() != XmlRpcValue::TypeString) refuse(name, *found, expected);
+  return static_cast<std::string&>(*found);
+}
+
 std::vector<std::string> ParameterTree::unknown_names() const {
   std::vector<std::string> names;
   if (root_.getType() != XmlRpcValue::TypeStruct) return names;

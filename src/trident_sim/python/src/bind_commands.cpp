@@ -74,6 +74,25 @@ void bind_twist(py::module_& module) {
           "In the vehicle's frame [rad/s], shape (3,).");
 }
 
+PathCommand make_path(const py::object& positions, double stamp) {
+  const NumpyArray array = to_array(positions, "positions", 2);
+  if (array.shape(1) != 3) {
+    throw Error("positions has shape (" + std::to_string(array.shape(0)) + ", " +
+                std::to_string(array.shape(1)) + "), legal: (n, 3)");
+  }
+  PathCommand path{to_time(stamp, "stamp"), {}};
+  for (py::ssize_t i = 0; i < array.shape(0); ++i) path.p_world.emplace_back(array.data() + 3 * i);
+  return path;
+}
+
+void bind_path(py::module_& module) {
+  stamped<PathCommand>(module, "PathCommand", "Waypoints to follow, in the world frame.")
+      .def(py::init(&make_path), py::arg("positions"), py::arg("stamp") = 0.0,
+           "positions: [m], shape (n, 3).\n"
+           "stamp: simulated time of the start [s]; 0: at once.")
+      .def("__len__", [](const PathCommand& s) { return s.p_world.size(); });
+}
+
 template <class Command>
 void bind_request(py::module_& module, const char* name, const char* doc) {
   stamped<Command>(module, name, doc)
@@ -183,6 +202,7 @@ void bind_commands(py::module_& module) {
   bind_actuators(module);
   bind_wind(module);
   bind_twist(module);
+  bind_path(module);
   bind_request<ServiceCommand>(module, "ServiceCommand",
                                "A request without arguments, as a service of ROS takes it.");
   bind_request<TriggerCommand>(module, "TriggerCommand",

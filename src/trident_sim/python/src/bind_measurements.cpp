@@ -66,7 +66,15 @@ void bind_transform(py::module_& module, const char* name, const char* doc) {
 void bind_poses(py::module_& module) {
   auto pose = stamped<PoseSample>(module, "PoseSample", "Pose of a body in frame.");
   add_pose(pose, &PoseSample::T_frame_body);
-  pose.def_readonly("frame", &PoseSample::frame, "Frame that the values are in.");
+  pose.def(py::init([](const py::object& position, double yaw, double stamp) {
+             const Eigen::Vector3d p = to_vector3(position, "position");
+             return PoseSample{to_time(stamp, "stamp"), "", SE3::from_xyz_rpy(p, 0.0, 0.0, yaw)};
+           }),
+           py::arg("position"), py::arg("yaw") = 0.0, py::arg("stamp") = 0.0,
+           "position: [m], shape (3,).\n"
+           "yaw: [rad].\n"
+           "stamp: simulated time of the start [s]; 0: at once.")
+      .def_readonly("frame", &PoseSample::frame, "Frame that the values are in.");
   auto covered = stamped<PoseWithCovarianceSample>(module, "PoseWithCovarianceSample",
                                                    "Pose of a body in frame, with covariance.");
   add_pose(covered, &PoseWithCovarianceSample::T_frame_body);

@@ -49,6 +49,7 @@ const std::map<std::type_index, PortType>& port_types() {
       entry<LidarCloudSample>("LidarCloudSample"),
       entry<MagneticFieldSample>("MagneticFieldSample"),
       entry<OdometrySample>("OdometrySample"),
+      entry<PathCommand>("PathCommand"),
       entry<PointListSample>("PointListSample"),
       entry<PointSample>("PointSample"),
       entry<PoseSample>("PoseSample"),

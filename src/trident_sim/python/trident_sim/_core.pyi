@@ -69,8 +69,19 @@ class OdometrySample(_Stamped):
     def twist_covariance(self) -> _Array:
         """Linear x y z, angular x y z [m/s, rad/s], shape (6, 6)."""
 
+class PathCommand(_Stamped):
+    """Waypoints to follow, in the world frame."""
+    def __init__(self, positions: _Array | Sequence[_Vector], stamp: float = 0.0) -> None:
+        """positions: [m], shape (n, 3).
+        stamp: simulated time of the start [s]; 0: at once."""
+    def __len__(self) -> int: ...
+
 class PoseSample(_Stamped):
     """Pose of a body in frame."""
+    def __init__(self, position: _Vector, yaw: float = 0.0, stamp: float = 0.0) -> None:
+        """position: [m], shape (3,).
+        yaw: [rad].
+        stamp: simulated time of the start [s]; 0: at once."""
     @property
     def frame(self) -> str:
         """Frame that the values are in."""

@@ -30,6 +30,8 @@ class ParameterTree {
   LeeParams lee_params();
   RollPitchYawrateThrustParams roll_pitch_yawrate_thrust_params();
   SetpointQueueParams setpoint_queue_params();
+  /// A text that must be there, `expected` says what it stands for.
+  std::string required_text(const std::string& name, const std::string& expected);
 
   /// One sentence per absent parameter with a RotorS name, in the order they were asked for.
   const std::vector<std::string>& notes() const { return notes_; }

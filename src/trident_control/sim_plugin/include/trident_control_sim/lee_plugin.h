@@ -18,7 +18,8 @@ struct TrajectorySample {
   std::vector<TimedSetpoint> points;
 };
 
-/// Adds "libtrident_lee_position_controller.so": the Lee controller inside the simulator, on the
+/// Adds "libtrident_vessel_controller.so" (vessel_controller_plugin.h) and
+/// "libtrident_lee_position_controller.so": the Lee controller inside the simulator, on the
 /// same ports, with the same timing and the same arithmetic as the node. Parameters:
 /// robotNamespace; odometryTopic (odometry_sensor1/odometry); commandTopic (command/motor_speed);
 /// trajectoryTopic (command/trajectory); parameterFiles: space separated YAML files as the node's

@@ -14,7 +14,8 @@ SE3 read_offset(const PluginParams& params) {
 }
 
 /// libgazebo_ros_p3d.so: the true pose of a link, with the velocities of its origin in the axes of
-/// the frame, as upstream tells them (not in those of the link). <bodyName>, <topicName>,
+/// the frame, as upstream tells them, or with <twistFrame> child, ours, in those of the link, as
+/// nav_msgs/Odometry wants them. <bodyName>, <topicName>,
 /// <frameName> (world, map or a link of the model), <xyzOffset>, <rpyOffset>, <gaussianNoise> of
 /// the velocities, <updateRate> (0: every step). Ours: <tfFrameName>, the parent of a transform
 /// that tells the pose, too.
@@ -33,6 +34,11 @@ class P3d : public Plugin {
       reference_ = context.model->find_link(bare);
       if (reference_ == nullptr) params.refuse("frameName", frame, "world, map or a link");
     }
+    const std::string twist = params.text("twistFrame", "parent");
+    if (twist != "parent" && twist != "child") {
+      params.refuse("twistFrame", twist, "parent, child");
+    }
+    is_twist_of_child_ = twist == "child";
     odometry_ = advertise<OdometrySample>(
         context, scoped_topic(params, params.required_text("topicName")), PortRank::kOdometry);
     OdometrySample& value = odometry_->value;
@@ -64,8 +70,10 @@ class P3d : public Plugin {
     value.stamp = info.end;
     value.T_parent_child.p = T_frame_link.p + offset_.p;
     value.T_parent_child.R = (offset_.R * T_frame_link.R).normalized();
-    value.v_child = R_frame_world * v + disturbance(info, 0);
-    value.w_child = R_frame_world * w + disturbance(info, 3);
+    const Eigen::Quaterniond R_twist_world =
+        is_twist_of_child_ ? value.T_parent_child.R.conjugate() * R_frame_world : R_frame_world;
+    value.v_child = R_twist_world * v + disturbance(info, 0);
+    value.w_child = R_twist_world * w + disturbance(info, 3);
     odometry_->publish();
     if (!frame_) return;
     frame_->value.stamp = value.stamp;
@@ -88,6 +96,7 @@ class P3d : public Plugin {
   const Link* reference_ = nullptr;
   SE3 offset_;
   double noise_;
+  bool is_twist_of_child_ = false;
   RandomStream stream_;
   RateTicker ticker_;
   OutHandle<OdometrySample> odometry_;

@@ -11,26 +11,33 @@
 namespace trident {
 
 ActuatorInput::ActuatorInput(const PluginContext& context, const std::string& topic,
-                             std::string what, std::string unit, const Limits& limits)
+                             std::string what, std::string unit, const Limits& limits,
+                             Source source)
     : owner_(context.params.owner()),
       topic_(topic),
       what_(std::move(what)),
       unit_(std::move(unit)),
-      limits_(limits),
-      port_(subscribe<ScalarSample>(context, topic)) {}
+      limits_(limits) {
+  if (source == Source::kTopic) port_ = subscribe<ScalarSample>(context, topic);
+}
 
 std::optional<double> ActuatorInput::take(World& world) {
   std::optional<double> newest;
+  if (!port_) return newest;
   for (seen_ = std::max(seen_, port_->oldest()); seen_ < port_->count(); ++seen_) {
-    const double value = port_->at(seen_).value;
-    if (!std::isfinite(value)) {
-      diagnose(world, Severity::kError, value);
-      continue;
-    }
-    newest = std::clamp(value, limits_.lo, limits_.hi);
-    if (*newest != value) diagnose(world, Severity::kWarning, value);
+    if (const auto legal = check(world, port_->at(seen_).value)) newest = legal;
   }
   return newest;
+}
+
+std::optional<double> ActuatorInput::check(World& world, double value) const {
+  if (!std::isfinite(value)) {
+    diagnose(world, Severity::kError, value);
+    return {};
+  }
+  const double legal = std::clamp(value, limits_.lo, limits_.hi);
+  if (legal != value) diagnose(world, Severity::kWarning, value);
+  return legal;
 }
 
 void ActuatorInput::diagnose(World& world, Severity severity, double value) const {
@@ -48,7 +55,7 @@ void ActuatorInput::diagnose(World& world, Severity severity, double value) cons
 }
 
 void ActuatorInput::reset() {
-  port_->clear();
+  if (port_) port_->clear();
   seen_ = 0;
 }
 

@@ -13,12 +13,17 @@ namespace trident {
 /// limits is cut to them; both are counted among the world's diagnostics.
 class ActuatorInput {
  public:
+  /// kCaller: not on a topic of its own; `topic` is then where its caller has the numbers from.
+  enum class Source { kTopic, kCaller };
+
   /// `what` is what diagnostics call it, `unit` is told with the numbers.
   ActuatorInput(const PluginContext& context, const std::string& topic, std::string what,
-                std::string unit, const Limits& limits);
+                std::string unit, const Limits& limits, Source source = Source::kTopic);
 
   /// The newest legal number since the last call; none: nothing came.
   std::optional<double> take(World& world);
+  /// A number within the limits; none: it is not finite.
+  std::optional<double> check(World& world, double value) const;
   void reset();
   void state(StateArchive& archive) { archive(seen_); }
 

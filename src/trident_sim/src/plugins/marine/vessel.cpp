@@ -1,7 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <optional>
 #include <vector>
 
+#include "../stamped_commands.h"
 #include "marine_files.h"
 #include "marine_plugins.h"
 #include "vessel_actuators.h"
@@ -24,6 +27,8 @@ VesselParams read_vessel(const PluginContext& context) {
 /// whose inertial must be the file's within 1 %. CO, amidships in the design waterline, lies at
 /// <xyzOffset> (0 0 0) in the link, whose axes are the body's. It takes commands on the topics of
 /// ThrusterOnTopics and RudderOnTopic; a thruster without any for <cmdTimeout> s stops (0: never).
+/// With a <commandTopic> it takes all commands at once in their place, in lockstep: thrusters as in
+/// the file, then angles of those that turn, then rudders.
 class Vessel : public Plugin {
  public:
   explicit Vessel(const PluginContext& context)
@@ -33,6 +38,7 @@ class Vessel : public Plugin {
 
   void pre_step(Phase, World& world, const StepInfo& info) override {
     const Afloat now = body_.meet(world, info);
+    if (commands_) take_commands(world, info);
     Vector6d tau = Vector6d::Zero();
     for (ThrusterOnTopics& thruster : thrusters_) {
       thruster.step(world, info);
@@ -50,25 +56,68 @@ class Vessel : public Plugin {
 
   void reset() override {
     body_.reset();
+    if (commands_) commands_->reset();
     for (ThrusterOnTopics& thruster : thrusters_) thruster.reset();
     for (RudderOnTopic& rudder : rudders_) rudder.reset();
   }
 
   void state(StateArchive& archive) override {
     body_.state(archive);
+    if (commands_) commands_->state(archive);
     for (ThrusterOnTopics& thruster : thrusters_) thruster.state(archive);
     for (RudderOnTopic& rudder : rudders_) rudder.state(archive);
   }
 
  private:
   Vessel(const PluginContext& context, Link& link, const VesselParams& vessel)
-      : water_density_(vessel.water_density), body_(context, link, vessel, place(context.params)) {
+      : owner_(context.params.owner()),
+        water_density_(vessel.water_density),
+        body_(context, link, vessel, place(context.params)) {
     body_.check_inertial();
     const double timeout_s = context.params.number("cmdTimeout", 0.0, {0.0, 1e6});
-    for (const ThrusterParams& thruster : vessel.thrusters) {
-      thrusters_.emplace_back(context, thruster, timeout_s);
+    const std::string given = context.params.text("commandTopic", "");
+    if (!given.empty()) {
+      topic_ = scoped_topic(context.params, given);
+      commands_.emplace(context, topic_);
     }
-    for (const RudderParams& rudder : vessel.rudders) rudders_.emplace_back(context, rudder);
+    for (const ThrusterParams& thruster : vessel.thrusters) {
+      thrusters_.emplace_back(context, thruster, timeout_s, topic_);
+    }
+    for (const RudderParams& rudder : vessel.rudders) {
+      rudders_.emplace_back(context, rudder, topic_);
+    }
+  }
+
+  std::size_t channels() const {
+    const auto turning = std::count_if(thrusters_.begin(), thrusters_.end(),
+                                       [](const ThrusterOnTopics& t) { return t.turns(); });
+    return thrusters_.size() + static_cast<std::size_t>(turning) + rudders_.size();
+  }
+
+  void take_commands(World& world, const StepInfo& info) {
+    const ActuatorCommand* const command = commands_->take_due(info);
+    if (command == nullptr) return;
+    const auto values = command->angular_velocities.view();
+    if (values.size() != channels()) {
+      refuse_count(world, values.size());
+      return;
+    }
+    const double* next = values.begin();
+    for (ThrusterOnTopics& thruster : thrusters_) thruster.command(world, info, *next++);
+    for (ThrusterOnTopics& thruster : thrusters_) {
+      if (thruster.turns()) thruster.command_angle(world, *next++);
+    }
+    for (RudderOnTopic& rudder : rudders_) rudder.command(world, *next++);
+  }
+
+  void refuse_count(World& world, std::size_t count) const {
+    const std::string given = std::to_string(count), legal = std::to_string(channels());
+    world.diagnose({Severity::kError,
+                    owner_,
+                    "number of commands refused",
+                    topic_ + ": " + given + " commands, legal is " + legal +
+                        " (thrusters, angles of those that turn, rudders); the last ones stay",
+                    {{"value", given}, {"legal", legal}}});
   }
 
   static VesselBody::Place place(const PluginParams& params) {
@@ -77,8 +126,10 @@ class Vessel : public Plugin {
     return place;
   }
 
+  std::string owner_, topic_;
   double water_density_;
   VesselBody body_;
+  std::optional<StampedCommands> commands_;
   std::vector<ThrusterOnTopics> thrusters_;
   std::vector<RudderOnTopic> rudders_;
 };

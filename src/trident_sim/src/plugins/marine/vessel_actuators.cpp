@@ -10,22 +10,42 @@ std::string thruster_topic(const PluginContext& context, const ThrusterParams& p
   return scoped_topic(context.params, "thrusters/" + params.name + end);
 }
 
+/// An input on its own topic, or of what comes on `command_topic`.
+ActuatorInput make_input(const PluginContext& context, const std::string& own_topic,
+                         const std::string& command_topic, const std::string& what,
+                         const std::string& unit, const Limits& limits) {
+  using Source = ActuatorInput::Source;
+  if (command_topic.empty()) return {context, own_topic, what, unit, limits, Source::kTopic};
+  return {context, command_topic, what, unit, limits, Source::kCaller};
+}
+
 }  // namespace
 
 ThrusterOnTopics::ThrusterOnTopics(const PluginContext& context, const ThrusterParams& params,
-                                   double timeout_s)
+                                   double timeout_s, const std::string& command_topic)
     : thruster_(params),
       timeout_s_(timeout_s),
-      command_(context, thruster_topic(context, params, "_thrust_cmd"),
-               "command of thruster '" + params.name + "'", "",
-               {params.min_command, params.max_command}),
+      command_(make_input(context, thruster_topic(context, params, "_thrust_cmd"), command_topic,
+                          "command of thruster '" + params.name + "'", "",
+                          {params.min_command, params.max_command})),
       thrust_(advertise<ScalarSample>(context, thruster_topic(context, params, "_thrust"),
                                       PortRank::kState)) {
   if (params.max_angle > 0.0) {
-    angle_.emplace(context, thruster_topic(context, params, "_thrust_angle"),
-                   "angle of thruster '" + params.name + "'", " rad",
-                   Limits{-params.max_angle, params.max_angle});
+    angle_.emplace(make_input(context, thruster_topic(context, params, "_thrust_angle"),
+                              command_topic, "angle of thruster '" + params.name + "'", " rad",
+                              {-params.max_angle, params.max_angle}));
   }
+}
+
+void ThrusterOnTopics::command(World& world, const StepInfo& info, double value) {
+  if (const auto legal = command_.check(world, value)) {
+    thruster_.command(*legal);
+    commanded_ = info.begin;
+  }
+}
+
+void ThrusterOnTopics::command_angle(World& world, double angle_rad) {
+  if (const auto legal = angle_->check(world, angle_rad)) thruster_.command_angle(*legal);
 }
 
 void ThrusterOnTopics::step(World& world, const StepInfo& info) {
@@ -61,11 +81,16 @@ void ThrusterOnTopics::state(StateArchive& archive) {
   archive(commanded_);
 }
 
-RudderOnTopic::RudderOnTopic(const PluginContext& context, const RudderParams& params)
+RudderOnTopic::RudderOnTopic(const PluginContext& context, const RudderParams& params,
+                             const std::string& command_topic)
     : rudder_(params),
-      angle_(context, scoped_topic(context.params, "rudders/" + params.name + "_angle"),
-             "angle of rudder '" + params.name + "'", " rad",
-             {-params.max_angle, params.max_angle}) {}
+      angle_(make_input(context, scoped_topic(context.params, "rudders/" + params.name + "_angle"),
+                        command_topic, "angle of rudder '" + params.name + "'", " rad",
+                        {-params.max_angle, params.max_angle})) {}
+
+void RudderOnTopic::command(World& world, double angle_rad) {
+  if (const auto legal = angle_.check(world, angle_rad)) rudder_.command(*legal);
+}
 
 void RudderOnTopic::step(World& world, const StepInfo& info) {
   if (const auto angle = angle_.take(world)) rudder_.command(*angle);

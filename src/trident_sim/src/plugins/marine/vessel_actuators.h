@@ -15,10 +15,15 @@ namespace trident {
 /// <name>_thrust_angle [rad] where it turns; out <name>_thrust, what it gives [N].
 class ThrusterOnTopics {
  public:
-  /// After `timeout_s` without a command it stops; 0: never.
-  ThrusterOnTopics(const PluginContext& context, const ThrusterParams& params, double timeout_s);
+  /// After `timeout_s` without a command it stops; 0: never. With a `command_topic` commands are
+  /// handed in instead, and errors name that.
+  ThrusterOnTopics(const PluginContext& context, const ThrusterParams& params, double timeout_s,
+                   const std::string& command_topic = "");
 
-  /// Takes the commands and goes on by a step.
+  bool turns() const { return angle_.has_value(); }
+  void command(World& world, const StepInfo& info, double value);
+  void command_angle(World& world, double angle_rad);
+  /// Takes the commands that came on topics and goes on by a step.
   void step(World& world, const StepInfo& info);
   const Thruster& thruster() const { return thruster_; }
   void publish(SimTime stamp);
@@ -37,8 +42,10 @@ class ThrusterOnTopics {
 /// A rudder on its topic <robotNamespace>/rudders/<name>_angle [rad].
 class RudderOnTopic {
  public:
-  RudderOnTopic(const PluginContext& context, const RudderParams& params);
+  RudderOnTopic(const PluginContext& context, const RudderParams& params,
+                const std::string& command_topic = "");
 
+  void command(World& world, double angle_rad);
   void step(World& world, const StepInfo& info);
   const Rudder& rudder() const { return rudder_; }
   void reset();

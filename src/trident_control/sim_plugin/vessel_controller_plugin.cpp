@@ -1,0 +1,212 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "trident_control_sim/vessel_controller_plugin.h"
+
+#include <algorithm>
+
+#include "port_names.h"
+#include "trident_base/error.h"
+#include "trident_control/vessel_controller.h"
+#include "trident_sim/commands.h"
+#include "trident_sim/samples.h"
+#include "trident_sim/world.h"
+
+namespace trident {
+namespace {
+
+std::string file_of(const PluginContext& context, const char* key) {
+  const std::string path = context.params.required_text(key);
+  std::string file = context.world.resources().find(path);
+  if (file.empty()) {
+    context.params.refuse(
+        key, path, "a file; searched: as given, then " + context.world.resources().searched());
+  }
+  return file;
+}
+
+VesselController load(const PluginContext& context) {
+  try {
+    return {load_vessel_model(file_of(context, "vessel")),
+            load_vessel_control(file_of(context, "controller"))};
+  } catch (const ConfigError& error) {
+    throw Error(context.params.owner() + ": " + error.what());
+  }
+}
+
+/// An input of which each value is handed over once.
+template <class Sample>
+class Inbox {
+ public:
+  Inbox(PortBoard& board, const std::string& topic)
+      : topic_(topic), port_(board, board.subscribe<Sample>(topic)) {}
+
+  template <class Handler>
+  void take(const Handler& handler) {
+    for (seen_ = std::max(seen_, port_->oldest()); seen_ < port_->count(); ++seen_) {
+      handler(topic_, port_->at(seen_));
+    }
+  }
+  void reset() {
+    port_->clear();
+    seen_ = 0;
+  }
+  void state(StateArchive& archive) { archive(seen_); }
+
+ private:
+  std::string topic_;
+  InHandle<Sample> port_;
+  std::uint64_t seen_ = 0;
+};
+
+class VesselControllerPlugin : public Plugin {
+ public:
+  using Kind = VesselCommand::Kind;
+
+  explicit VesselControllerPlugin(const PluginContext& context)
+      : VesselControllerPlugin(context, context.params.text("robotNamespace", "")) {}
+
+  ~VesselControllerPlugin() override {
+    if (auto* still = world_.ports().find_out<OdometrySample>(odometry_name_)) {
+      still->remove_listener();
+    }
+  }
+
+  std::vector<Phase> phases() const override { return {direct_ ? Phase::kPost : Phase::kControl}; }
+  void pre_step(Phase, World&, const StepInfo&) override { update(); }
+  void post_step(const World&, const StepInfo&) override { update(); }
+
+  void reset() override {
+    controller_.reset();
+    odometry_seen_ = odometry_->count();
+    each_inbox([](auto& inbox) { inbox.reset(); });
+  }
+  void state(StateArchive& archive) override {
+    archive(controller_, odometry_seen_, answer_);
+    each_inbox([&](auto& inbox) { inbox.state(archive); });
+  }
+
+ private:
+  VesselControllerPlugin(const PluginContext& context, const std::string& ns)
+      : world_(context.world),
+        owner_(context.params.owner()),
+        direct_(context.world.timing() == LoopTiming::kDirect),
+        controller_(load(context)),
+        speed_(context.world.ports(), join_namespace(ns, "command/speed")),
+        heading_(context.world.ports(), join_namespace(ns, "command/heading")),
+        course_(context.world.ports(), join_namespace(ns, "command/course")),
+        log_(context.world.ports(), join_namespace(ns, "speed_through_water")),
+        velocity_(context.world.ports(), join_namespace(ns, "cmd_vel")),
+        path_(context.world.ports(), join_namespace(ns, "command/path")),
+        pose_(context.world.ports(), join_namespace(ns, "command/pose")) {
+    PortBoard& board = context.world.ports();
+    odometry_name_ = join_namespace(ns, context.params.text("odometryTopic", "odometry"));
+    odometry_ = board.find_out<OdometrySample>(odometry_name_);
+    if (odometry_ == nullptr) {
+      context.params.refuse("odometryTopic", odometry_name_,
+                            "the topic of an odometry plugin before it");
+    }
+    const std::string topic =
+        join_namespace(ns, context.params.text("commandTopic", "command/motor_speed"));
+    if (board.find_in<ActuatorCommand>(topic) == nullptr) {
+      context.params.refuse("commandTopic", topic,
+                            "the <commandTopic> of a vessel's plugin before it");
+    }
+    command_ = {board, board.subscribe<ActuatorCommand>(topic)};
+    odometry_->add_listener();
+  }
+
+  template <class Action>
+  void each_inbox(const Action& action) {
+    action(speed_), action(heading_), action(course_), action(log_);
+    action(velocity_), action(path_), action(pose_);
+  }
+
+  void take_commands() {
+    const auto angle = [this](Kind kind) {
+      return [this, kind](const std::string& topic, const ScalarSample& sample) {
+        VesselCommand command;
+        command.kind = kind;
+        command.speed = command.angle = sample.value;
+        push(topic, {}, command);
+      };
+    };
+    speed_.take(angle(Kind::kSpeed));
+    heading_.take(angle(Kind::kHeading));
+    course_.take(angle(Kind::kCourse));
+    log_.take([this](const std::string&, const ScalarSample& sample) {
+      controller_.set_log(world_.time(), sample.value);
+    });
+    velocity_.take([this](const std::string& topic, const TwistCommand& twist) {
+      VesselCommand command;
+      command.speed = twist.v_base.x();
+      command.rate = twist.w_base.z();
+      push(topic, {}, command);
+    });
+    path_.take([this](const std::string& topic, const PathCommand& path) {
+      VesselCommand command;
+      command.kind = Kind::kPath;
+      for (const Eigen::Vector3d& p : path.p_world) command.waypoints.emplace_back(p.head<2>());
+      push(topic, path.stamp, command);
+    });
+    pose_.take([this](const std::string& topic, const PoseSample& pose) {
+      VesselCommand command;
+      command.kind = Kind::kStation;
+      command.waypoints.emplace_back(pose.T_frame_body.p.head<2>());
+      command.angle = yaw_from_quaternion(pose.T_frame_body.R);
+      push(topic, pose.stamp, command);
+    });
+  }
+
+  void push(const std::string& topic, SimTime stamp, const VesselCommand& command) {
+    const CommandVerdict verdict = controller_.push(stamp, command);
+    if (!verdict.refused.empty()) {
+      world_.diagnose({Severity::kError,
+                       owner_,
+                       topic + " refused",
+                       topic + ": " + verdict.refused + "; the last command stays",
+                       {}});
+    }
+    if (!verdict.clamped.empty()) {
+      world_.diagnose(
+          {Severity::kWarning, owner_, topic + " clamped", topic + ": " + verdict.clamped, {}});
+    }
+  }
+
+  void update() {
+    take_commands();
+    if (odometry_->count() == odometry_seen_) return;
+    odometry_seen_ = odometry_->count();
+    const OdometrySample& state = odometry_->value;
+    if (controller_.update(state.stamp, {state.T_parent_child.p, state.T_parent_child.R,
+                                         state.v_child, state.w_child}) != ControlStatus::ok) {
+      return;  // a state that is not finite gets no answer, as from the node
+    }
+    answer_.stamp = state.stamp;
+    answer_.angular_velocities.assign(controller_.commands());
+    command_->write(answer_);
+  }
+
+  World& world_;
+  std::string owner_, odometry_name_;
+  bool direct_;
+  VesselController controller_;
+  Inbox<ScalarSample> speed_, heading_, course_, log_;
+  Inbox<TwistCommand> velocity_;
+  Inbox<PathCommand> path_;
+  Inbox<PoseSample> pose_;
+  OutPort<OdometrySample>* odometry_ = nullptr;
+  InHandle<ActuatorCommand> command_;
+  std::uint64_t odometry_seen_ = 0;
+  ActuatorCommand answer_;
+};
+
+}  // namespace
+
+PluginFactory vessel_controller_factory() {
+  return {[](const PluginContext& context) {
+            return std::make_unique<VesselControllerPlugin>(context);
+          },
+          {}};
+}
+
+}  // namespace trident
