@@ -8,14 +8,17 @@
 #include <std_msgs/Empty.h>
 #include <std_msgs/Float32.h>
 #include <std_msgs/Float64.h>
+#include <std_msgs/String.h>
 #include <std_srvs/Empty.h>
 
 #include <mutex>
-#include <optional>
+#include <type_traits>
+#include <vector>
 
 #include "conversions.h"
 #include "trident_base/string_util.h"
 #include "trident_sim/commands.h"
+#include "trident_sim/text_sample.h"
 
 namespace trident {
 namespace {
@@ -32,24 +35,30 @@ PathCommand from_message(const nav_msgs::Path& message) {
   for (const auto& pose : message.poses) path.p_world.push_back(from_point(pose.pose.position));
   return path;
 }
+TextCommand from_message(const std_msgs::String& message) { return {SimTime{}, message.data}; }
 
 template <class Command>
 class Mailbox {
  public:
+  /// Of texts all that a port holds wait, as each says a part only; else the newest.
+  static constexpr std::size_t kDepth =
+      std::is_same_v<Command, TextCommand> ? InPort<Command>::kDepth : 1;
+
   void put(const Command& command) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    newest_ = command;
+    if (waiting_.size() == kDepth) waiting_.erase(waiting_.begin());
+    waiting_.push_back(command);
   }
-  std::optional<Command> take() {
+  /// Swaps what waits into `taken`, oldest first.
+  void take(std::vector<Command>* taken) {
+    taken->clear();
     const std::lock_guard<std::mutex> lock(mutex_);
-    std::optional<Command> taken;
-    taken.swap(newest_);
-    return taken;
+    taken->swap(waiting_);
   }
 
  private:
   std::mutex mutex_;
-  std::optional<Command> newest_;
+  std::vector<Command> waiting_;
 };
 
 /// What topics and services have in common.
@@ -60,9 +69,10 @@ class MailboxBinding : public InputBinding {
 
   PortBase& port() const final { return port_; }
   void deliver() final {
-    if (const auto command = mailbox_->take()) port_.write(*command);
+    mailbox_->take(&taken_);
+    for (const Command& command : taken_) port_.write(command);
   }
-  void forget() final { mailbox_->take(); }
+  void forget() final { mailbox_->take(&taken_); }
 
  protected:
   using Box = std::shared_ptr<Mailbox<Command>>;
@@ -70,6 +80,7 @@ class MailboxBinding : public InputBinding {
 
  private:
   InPort<Command>& port_;
+  std::vector<Command> taken_;
   /// Outlives a message that is under way.
   Box mailbox_ = std::make_shared<Mailbox<Command>>();
 };
@@ -80,7 +91,7 @@ class TopicBinding : public MailboxBinding<Command> {
   TopicBinding(ros::NodeHandle& node, ros::CallbackQueueInterface& queue, InPort<Command>& port)
       : MailboxBinding<Command>(port) {
     ros::SubscribeOptions options;
-    options.init<Message>("/" + port.name(), 1,
+    options.init<Message>("/" + port.name(), Mailbox<Command>::kDepth,
                           [mailbox = this->mailbox()](const boost::shared_ptr<const Message>& m) {
                             mailbox->put(from_message(*m));
                           });
@@ -140,6 +151,7 @@ constexpr BindFunction kBindFunctions[] = {
     try_bind<PoseSample, TopicBinding<PoseSample, geometry_msgs::PoseStamped>>,
     try_bind<PathCommand, TopicBinding<PathCommand, nav_msgs::Path>>,
     try_bind<TriggerCommand, TopicBinding<TriggerCommand, std_msgs::Empty>>,
+    try_bind<TextCommand, TopicBinding<TextCommand, std_msgs::String>>,
     try_bind<ServiceCommand, ServiceBinding>,
 };
 

@@ -6,6 +6,7 @@
 
 #include "camera_conversions.h"
 #include "conversions.h"
+#include "environment_conversions.h"
 #include "image_transport.h"
 #include "range_conversions.h"
 
@@ -22,6 +23,9 @@ constexpr std::uint32_t kQueueOf =
             std::is_same_v<Sample, LidarCloudSample>
         ? kPictureQueue
         : kQueue;
+/// Of what changes seldom.
+template <class Sample>
+constexpr bool kIsLatched = std::is_same_v<Sample, EnvironmentSample>;
 constexpr auto kDisplayPeriod = std::chrono::milliseconds(40);
 
 template <class Sample, class Message>
@@ -30,7 +34,10 @@ class TypedBinding : public OutputBinding {
   TypedBinding(TopicAdvertiser& advertiser, OutPort<Sample>& port)
       : OutputBinding(port),
         port_(port),
-        publisher_(advertiser.advertise<Message>("/" + port.name(), kQueueOf<Sample>)) {}
+        publisher_(advertiser.advertise<Message>("/" + port.name(), kQueueOf<Sample>,
+                                                 kIsLatched<Sample>)) {
+    if (kIsLatched<Sample> && port.count() > 0) publisher_.publish(converted(port.value));
+  }
 
   void publish() override {
     for (const Sample& sample : port_.earlier()) publisher_.publish(converted(sample));
@@ -42,6 +49,7 @@ class TypedBinding : public OutputBinding {
   std::uint32_t subscribers() const override { return publisher_.getNumSubscribers(); }
   const ros::Publisher& publisher() const override { return publisher_; }
   bool is_for_display() const override { return std::is_same_v<Sample, JointStateSample>; }
+  bool is_latched() const override { return kIsLatched<Sample>; }
 
  private:
   boost::shared_ptr<Message> converted(const Sample& sample) {
@@ -110,6 +118,9 @@ constexpr BindFunction kBindFunctions[] = {
     try_bind<WindSample, rotors_comm::WindSpeed>,
     try_bind<WrenchSample, geometry_msgs::WrenchStamped>,
     try_bind<VectorSample, geometry_msgs::Vector3Stamped>,
+    try_bind<EnvironmentSample, trident_msgs::EnvironmentState>,
+    try_bind<WindReadingSample, trident_msgs::WindReading>,
+    try_bind<NumberSample, std_msgs::Float64>,
 };
 
 }  // namespace
@@ -172,8 +183,8 @@ void PortBinder::scan_subscribers() {
   for (auto& [name, entry] : entries_) {
     // Odometry that the lockstep sends stays wanted: when its reader dies, the world must still
     // have a state to wait for an answer to.
-    const bool wanted =
-        entry.binding->subscribers() > 0 || (entry.held_back && entry.binding->wanted());
+    const bool wanted = entry.binding->subscribers() > 0 || entry.binding->is_latched() ||
+                        (entry.held_back && entry.binding->wanted());
     changed = changed || wanted != entry.binding->wanted();
     entry.binding->set_wanted(wanted);
   }

@@ -35,6 +35,8 @@ class OutputBinding {
   virtual const ros::Publisher& publisher() const = 0;
   /// Joint states: of use to displays only.
   virtual bool is_for_display() const { return false; }
+  /// Who subscribes later gets the newest value, so that every value is sent.
+  virtual bool is_latched() const { return false; }
 
   PortBase& port() const { return *port_; }
   /// Tells the port whether anybody listens.
@@ -60,11 +62,13 @@ class TopicAdvertiser {
   explicit TopicAdvertiser(ros::NodeHandle& node) : node_(node) {}
 
   template <class Message>
-  ros::Publisher advertise(const std::string& topic, std::uint32_t queue_size) {
+  ros::Publisher advertise(const std::string& topic, std::uint32_t queue_size,
+                           bool is_latched = false) {
     const auto note = [this](const ros::SingleSubscriberPublisher&) { has_changed_ = true; };
     ros::AdvertiseOptions options;
     options.init<Message>(topic, queue_size, note, note);
     options.callback_queue = &queue_;
+    options.latch = is_latched;
     has_changed_ = true;
     return node_.advertise(options);
   }

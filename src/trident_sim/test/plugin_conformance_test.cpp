@@ -138,6 +138,10 @@ std::vector<PluginCase> model_cases() {
         {"vessel", TRIDENT_REPOSITORY "/src/trident_sim/test/marine/quad_boat.yaml"}},
        {"bodyName", "vessel"},
        {"cmdTimeout", "xyzOffset"}},
+      {"libtrident_anemometer.so",
+       {{"robotNamespace", "ns"}, {"linkName", "base_link"}, {"gaussianNoise", "0.1"}},
+       {"linkName"},
+       {"gaussianNoise", "bias", "updateRate"}},
       {"librotors_gazebo_magnetometer_plugin.so",
        {{"robotNamespace", "ns"}, {"linkName", "base_link"}, {"noiseNormal", "1e-7 1e-7 1e-7"}},
        {"linkName"},
@@ -328,16 +332,18 @@ TEST(BuiltinPlugins, AllHaveACase) {
   register_builtin_plugins(registry);
   // Two do nothing here: ROS is bound by the server, bags are written by rosbag. The others have no
   // port with numbers or want elements in elements; their tests are follow_test.cpp,
-  // marine/{mooring,sea_plugin,usv_plugins}_test.cpp.
+  // marine/{mooring,sea_plugin,usv_plugins,wind_on_vehicles}_test.cpp.
   std::set<std::string> cases{"rotors_gazebo_ros_interface_plugin",
                               "rotors_gazebo_bag_plugin",
                               "trident_follow",
                               "trident_mooring",
                               "trident_sea",
+                              "trident_environment",
                               "WavefieldModelPlugin",
                               "wavefield_model_plugin",
                               "usv_gazebo_dynamics_plugin",
-                              "usv_gazebo_thrust_plugin"};
+                              "usv_gazebo_thrust_plugin",
+                              "usv_gazebo_wind_plugin"};
   for (const PluginCase& plugin : all_cases()) {
     cases.insert(plugin.filename.substr(3, plugin.filename.size() - 6));
   }

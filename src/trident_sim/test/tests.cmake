@@ -151,8 +151,10 @@ target_include_directories(trident_sim_rays_test PRIVATE src)  # parts of the co
 catkin_add_gtest(trident_sim_marine_test
   test/marine/current_test.cpp
   test/marine/hull_test.cpp
+  test/marine/live_environment_test.cpp
   test/marine/mooring_test.cpp
   test/marine/sea_plugin_test.cpp
+  test/marine/seabed_test.cpp
   test/marine/standalone_vessel.cpp
   test/marine/thruster_test.cpp
   test/marine/usv_plugins_test.cpp
@@ -162,6 +164,7 @@ catkin_add_gtest(trident_sim_marine_test
   test/marine/vessel_plugin_test.cpp
   test/marine/wave_field_test.cpp
   test/marine/wind_gusts_test.cpp
+  test/marine/wind_on_vehicles_test.cpp
 )
 target_link_libraries(trident_sim_marine_test trident_sim_test_support ${GTEST_MAIN_LIBRARIES})
 target_include_directories(trident_sim_marine_test PRIVATE src)  # parts of the core

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <Eigen/Core>
+#include <cstdint>
 #include <memory>
+#include <string>
 
 namespace trident {
 
@@ -12,11 +15,26 @@ class World;
 
 /// The sea of a world: water that waves move, and its flow besides (src/marine). Both are pure
 /// functions of place and time, so that it does not matter who asks, how often and in which order.
+/// A command may change the sea as a step begins: ask water() and current() anew in every step.
 class Sea {
  public:
   virtual ~Sea() = default;
   virtual const Water& water() const = 0;
   virtual const Current& current() const = 0;
+  /// Of the still water above the ground there, by the tide at that time; negative on land,
+  /// infinite where no ground is known [m].
+  virtual double depth_m(const Eigen::Vector2d& p_world, double time_s) const = 0;
+  /// What the sea is like now, for World::state_hash().
+  virtual std::string state_text() const { return ""; }
+};
+
+/// The air of a world, which moves vessels and aircraft.
+class Air {
+ public:
+  virtual ~Air() = default;
+  /// With its gusts of this step [m/s], world frame.
+  virtual Eigen::Vector3d wind(const Eigen::Vector3d& p_world) const = 0;
+  virtual std::string state_text() const { return ""; }
 };
 
 /// How the plugin that makes a world's sea hands it to those that float: on the output port
@@ -25,8 +43,27 @@ struct SeaSample {
   std::shared_ptr<const Sea> sea;
 };
 constexpr const char* kSeaPort = "world/sea";
+/// The same of the air.
+struct AirSample {
+  std::shared_ptr<const Air> air;
+};
+constexpr const char* kAirPort = "world/air";
 
 /// nullptr: the world has none.
 std::shared_ptr<const Sea> find_sea(const World& world);
+std::shared_ptr<const Air> find_air(const World& world);
+
+/// A world's sea and air, looked for again whenever plugins came or went.
+class Surroundings {
+ public:
+  void look(const World& world);
+  const Sea* sea() const { return sea_.get(); }
+  const Air* air() const { return air_.get(); }
+
+ private:
+  std::shared_ptr<const Sea> sea_;
+  std::shared_ptr<const Air> air_;
+  std::uint64_t ports_version_ = ~std::uint64_t{0};
+};
 
 }  // namespace trident

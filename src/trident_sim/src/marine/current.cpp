@@ -3,7 +3,9 @@
 #include "current.h"
 
 #include <cmath>
+#include <utility>
 
+#include "seabed.h"
 #include "trident_base/angle.h"
 
 namespace trident {
@@ -28,7 +30,8 @@ void CurrentParams::validate() const {
   }
 }
 
-Current::Current(const CurrentParams& params) : params_(params) {
+Current::Current(const CurrentParams& params, WaterDepth water_depth)
+    : params_(params), water_depth_(std::move(water_depth)) {
   params_.validate();
   if (params_.kind == CurrentKind::kFile) {
     grid_ = std::make_shared<const WindGrid>(read_wind_grid(params_.file));
@@ -55,9 +58,16 @@ Eigen::Vector3d Current::steady(const Eigen::Vector3d& p_world) const {
 }
 
 Eigen::Vector3d Current::velocity(const Eigen::Vector3d& p_world, double time_s) const {
-  if (params_.tide_amplitude == 0.0) return steady(p_world);
-  const double angle = 2.0 * kPi * time_s / params_.tide_period + params_.tide_phase;
-  return (1.0 + params_.tide_amplitude * std::sin(angle)) * steady(p_world);
+  if (params_.kind == CurrentKind::kNone) return Eigen::Vector3d::Zero();
+  Eigen::Vector3d flow = steady(p_world);
+  if (params_.tide_amplitude != 0.0) {
+    const double angle = 2.0 * kPi * time_s / params_.tide_period + params_.tide_phase;
+    flow *= 1.0 + params_.tide_amplitude * std::sin(angle);
+  }
+  if (water_depth_) {
+    flow *= shore_fade(water_depth_(p_world.head<2>(), time_s), params_.shore_depth);
+  }
+  return flow;
 }
 
 Eigen::Vector3d Current::rate(const Eigen::Vector3d& p_world, const Eigen::Vector3d& v_world,
@@ -73,7 +83,8 @@ void Current::add_to(const SE3& T_world_co, const Eigen::Vector3d& v_world, doub
   if (params_.kind == CurrentKind::kNone) return;
   const Eigen::Quaterniond R_body_world = T_world_co.R.conjugate();
   water->velocity.head<3>() += R_body_world * velocity(T_world_co.p, time_s);
-  const bool is_uniform = params_.kind == CurrentKind::kUniform && params_.tide_amplitude == 0.0;
+  const bool is_uniform =
+      params_.kind == CurrentKind::kUniform && params_.tide_amplitude == 0.0 && !water_depth_;
   if (!is_uniform) {
     water->acceleration.head<3>() += R_body_world * rate(T_world_co.p, v_world, time_s);
   }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -34,6 +35,7 @@ struct CurrentParams {
   double tide_amplitude = 0.0;
   double tide_period = 44712.0;
   double tide_phase = 0.0;
+  double shore_depth = 1.0;
 
   template <class Archive>
   void visit(Archive& ar) {
@@ -48,6 +50,8 @@ struct CurrentParams {
              "the flow is multiplied by 1 + tide_amplitude sin(2 pi t / tide_period + tide_phase)");
     ar.field("tide_period", tide_period, Range::positive(), "[s]");
     ar.field("tide_phase", tide_phase, Range{-6.3, 6.3}, "[rad]");
+    ar.field("shore_depth", shore_depth, Range::positive(),
+             "where a bathymetry is nearer the flow fades, to none on land [m]");
   }
   /// Throws Error: kind file without a file.
   void validate() const;
@@ -56,8 +60,11 @@ struct CurrentParams {
 /// The water's flow but for waves, as a function of place and time.
 class Current {
  public:
-  /// Reads the file of kind file. Throws Error naming file, line and value.
-  explicit Current(const CurrentParams& params);
+  /// Depth of the still water at a place and time [m]; negative on land.
+  using WaterDepth = std::function<double(const Eigen::Vector2d& p_world, double time_s)>;
+  /// Reads the file of kind file. Throws Error naming file, line and value. Without `water_depth`
+  /// there is water everywhere.
+  explicit Current(const CurrentParams& params, WaterDepth water_depth = {});
 
   /// [m/s], world frame; nothing outside of a file's grid.
   Eigen::Vector3d velocity(const Eigen::Vector3d& p_world, double time_s) const;
@@ -73,6 +80,7 @@ class Current {
 
   CurrentParams params_;
   std::shared_ptr<const WindGrid> grid_;
+  WaterDepth water_depth_;
 };
 
 }  // namespace trident

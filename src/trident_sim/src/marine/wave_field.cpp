@@ -7,6 +7,8 @@
 #include <cmath>
 #include <utility>
 
+#include "seabed.h"
+
 namespace trident {
 namespace {
 
@@ -30,6 +32,10 @@ struct MotionSums {
 WaveField::WaveField(const WaveParams& params, std::uint64_t seed, DepthFunction ground_depth)
     : params_(params), waves_(make_waves(params, seed)), ground_depth_(std::move(ground_depth)) {
   make_blocks();
+  if (!ground_depth_ || params_.shore_depth > 0.0) return;
+  double variance = 0.0;
+  for (const WaveComponent& wave : waves_) variance += 0.5 * wave.amplitude_m * wave.amplitude_m;
+  params_.shore_depth = 2.0 * 4.0 * std::sqrt(variance);
 }
 
 void WaveField::make_blocks() {
@@ -63,9 +69,7 @@ double WaveField::strength(const Eigen::Vector2d& p_world, double time_s) const 
     result = time_s > 0.0 ? 1.0 - std::exp(-time_s / params_.ramp_time) : 0.0;
   }
   if (ground_depth_ && params_.shore_depth > 0.0) {
-    const double part =
-        std::clamp((ground_depth_(p_world) + level_m_) / params_.shore_depth, 0.0, 1.0);
-    result *= part * part * (3.0 - 2.0 * part);
+    result *= shore_fade(ground_depth_(p_world) + level_m(time_s), params_.shore_depth);
   }
   return result;
 }
@@ -164,32 +168,32 @@ WaterColumn WaveField::column(const Eigen::Vector2d& p_world, const std::array<d
     }
     if (gerstner) bend_slope(p, time_s, factor, &result.slope);
   }
-  result.elevation_m += level_m_;
+  result.elevation_m += level_m(time_s);
   return result;
 }
 
 double WaveField::elevation_m(const Eigen::Vector2d& p_world, double time_s) const {
   const double factor = waves_.empty() ? 0.0 : strength(p_world, time_s);
-  if (factor <= 0.0) return level_m_;
+  if (factor <= 0.0) return level_m(time_s);
   const bool gerstner = params_.model == WaveModel::kGerstner;
   const Eigen::Vector2d p = gerstner ? place_of_rest(p_world, time_s, factor) : p_world;
   WaveLanes sum = WaveLanes::Zero();
   for (const Block& block : blocks_) {
     sum += block.amplitude * sine_cosine(theta(block, p, time_s)).cosine;
   }
-  return level_m_ + factor * sum.sum();
+  return level_m(time_s) + factor * sum.sum();
 }
 
 WaterMotion WaveField::motion(const Eigen::Vector3d& p_world, double time_s) const {
   WaterColumn sum;
-  const double depth = std::max(0.0, level_m_ - p_world.z());
+  const double depth = std::max(0.0, level_m(time_s) - p_world.z());
   sum_linear(p_world.head<2>(), {depth, depth}, time_s, &sum);
   const double factor = strength(p_world.head<2>(), time_s);
   return {factor * sum.motion[0].velocity, factor * sum.motion[0].acceleration};
 }
 
 double WaveField::potential(const Eigen::Vector3d& p_world, double time_s) const {
-  const double depth = std::max(0.0, level_m_ - p_world.z());
+  const double depth = std::max(0.0, level_m(time_s) - p_world.z());
   WaveLanes sum = WaveLanes::Zero();
   for (const Block& block : blocks_) {
     sum += block.amplitude * block.omega / block.k * decay(block, depth).horizontal *
@@ -201,7 +205,7 @@ double WaveField::potential(const Eigen::Vector3d& p_world, double time_s) const
 double WaveField::dynamic_pressure_per_density(const Eigen::Vector3d& p_world,
                                                double time_s) const {
   // -d potential / dt, which at the surface is g eta.
-  const double depth = std::max(0.0, level_m_ - p_world.z());
+  const double depth = std::max(0.0, level_m(time_s) - p_world.z());
   WaveLanes sum = WaveLanes::Zero();
   for (const Block& block : blocks_) {
     sum += block.amplitude * block.omega * block.omega / block.k * decay(block, depth).horizontal *

@@ -6,6 +6,7 @@
 #include <functional>
 #include <vector>
 
+#include "tide.h"
 #include "water.h"
 #include "wave_lanes.h"
 #include "wave_spectrum.h"
@@ -20,7 +21,9 @@ using DepthFunction = std::function<double(const Eigen::Vector2d& p_world)>;
 ///   velocity = sum a omega (d cosh(k(z+h)) cos(theta), sinh(k(z+h)) sin(theta)) / sinh(k h),
 /// in deep water exp(k z) for both quotients. Gerstner's particles move on the same ellipses about
 /// their places of rest, which are sought for a given place. The amplitude grows as 1 - exp(-t/tau)
-/// and fades (smoothstep) where the ground is nearer than `shore_depth`.
+/// and fades (smoothstep) where the ground is nearer than `shore_depth`; with a ground and without
+/// a shore_depth where it is nearer than twice the significant height, at which waves begin to
+/// break.
 class WaveField : public Water {
  public:
   /// Throws Error for values that are not legal.
@@ -28,9 +31,12 @@ class WaveField : public Water {
 
   const WaveParams& params() const { return params_; }
   const std::vector<WaveComponent>& components() const { return waves_; }
-  /// Still-water level above z = 0 [m], e.g. of the tide.
-  void set_level(double level_m) { level_m_ = level_m; }
-  double level_m() const { return level_m_; }
+  /// Still-water level above z = 0 [m] and how it moves.
+  void set_level(double level_m, const TideParams& tide = {}) {
+    level_m_ = level_m;
+    tide_ = tide;
+  }
+  double level_m(double time_s = 0.0) const { return level_m_ + tide_.level_m(time_s); }
 
   WaterColumn column(const Eigen::Vector2d& p_world, const std::array<double, 2>& depths_m,
                      double time_s) const override;
@@ -76,6 +82,7 @@ class WaveField : public Water {
   bool deep_ = true;  ///< for every wave
   DepthFunction ground_depth_;
   double level_m_ = 0.0;
+  TideParams tide_;
 };
 
 }  // namespace trident

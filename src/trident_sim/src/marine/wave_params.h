@@ -70,9 +70,10 @@ struct WaveParams {
     ar.field("angle", angle, Range{-3.2, 3.2}, "vrx_*: between neighbouring directions [rad]");
     ar.field("gain", gain, Range::non_negative(), "vrx_pms: factor of all amplitudes");
     ar.field("steepness", steepness, Range{0.0, 1.0}, "gerstner: 1 is a cusp");
-    ar.field("depth", depth, Range::positive().or_infinite(), "of the water; inf: deep [m]");
+    ar.field("depth", depth, Range::positive().or_infinite(),
+             "of the water; inf: deep, or a bathymetry's mean [m]");
     ar.field("shore_depth", shore_depth, Range::non_negative(),
-             "where the ground is nearer waves fade [m]");
+             "where the ground is nearer waves fade; 0: twice the significant height [m]");
     ar.field("ramp_time", ramp_time, Range::non_negative(),
              "tau of the growth 1 - exp(-t/tau) [s]");
     ar.field("gravity", gravity, Range::positive(), "[m/s^2]");

@@ -14,6 +14,7 @@ namespace {
 constexpr double kFootPerMetre = 1.0 / 0.3048;
 /// Air that stands still still passes: no turbulence then, but a filter wants a rate.
 constexpr double kLowestAirspeed = 0.1;
+constexpr std::uint32_t kFirstOrderChannel = 10;
 
 /// The denominator of MIL-F-8785C's low-altitude formulas.
 double height_term(double altitude_m) { return 0.177 + 0.000823 * altitude_m * kFootPerMetre; }
@@ -103,9 +104,43 @@ void DrydenGusts::step() {
   up_ = up_filter_.transition * up_ + up_filter_.noise_root * Eigen::Vector2d(normal(3), normal(4));
 }
 
+void DrydenGusts::go_on_from(const DrydenGusts& other) {
+  index_ = other.index_;
+  along_ = other.along_;
+  left_ = other.left_;
+  up_ = other.up_;
+}
+
 Eigen::Vector3d DrydenGusts::gust() const {
   return {along_sigma_ * along_, left_filter_.sigma * (left_filter_.output * left_).value(),
           up_filter_.sigma * (up_filter_.output * up_).value()};
+}
+
+FirstOrderGusts::FirstOrderGusts(const FirstOrderGustParams& params, double dt_s,
+                                 std::uint64_t seed, const std::string& name)
+    : stream_(seed, name), deviation_(params.deviation) {
+  if (!(dt_s > 0.0)) throw Error("gusts: dt = " + number_text(dt_s) + " s, legal is > 0");
+  if (!(params.time_constant > 0.0)) {
+    throw Error("gusts: time constant = " + number_text(params.time_constant) + " s, legal is > 0");
+  }
+  decay_ = std::exp(-dt_s / params.time_constant);
+  reset();
+}
+
+void FirstOrderGusts::reset() {
+  index_ = 0;
+  value_ = stream_.normal(index_, kFirstOrderChannel);
+}
+
+void FirstOrderGusts::step() {
+  ++index_;
+  value_ = decay_ * value_ +
+           std::sqrt(1.0 - decay_ * decay_) * stream_.normal(index_, kFirstOrderChannel);
+}
+
+void FirstOrderGusts::go_on_from(const FirstOrderGusts& other) {
+  index_ = other.index_;
+  value_ = other.value_;
 }
 
 }  // namespace trident

@@ -44,6 +44,9 @@ class DrydenGusts {
   /// (along the mean wind, to its left, up) [m/s].
   Eigen::Vector3d gust() const;
 
+  /// Takes over another's samples so far; its own intensities and lengths stay.
+  void go_on_from(const DrydenGusts& other);
+
   template <class Archive>
   void state(Archive& archive) {
     archive(index_, along_, left_, up_);
@@ -65,6 +68,37 @@ class DrydenGusts {
   std::uint64_t index_ = 0;
   double along_ = 0.0;
   Eigen::Vector2d left_ = Eigen::Vector2d::Zero(), up_ = Eigen::Vector2d::Zero();
+};
+
+/// Of FirstOrderGusts.
+struct FirstOrderGustParams {
+  double deviation = 0.0;      ///< standard deviation [m/s]
+  double time_constant = 2.0;  ///< [s]
+};
+
+/// White noise behind a lag (Gauss-Markov), whose spectrum falls off as 1 / (1 + (omega tau)^2):
+/// the gusts of VRX' wind. Discretised exactly and stationary from the start, as DrydenGusts.
+class FirstOrderGusts {
+ public:
+  /// Throws Error when dt_s or the time constant is not > 0.
+  FirstOrderGusts(const FirstOrderGustParams& params, double dt_s, std::uint64_t seed,
+                  const std::string& name);
+
+  void step();
+  void reset();
+  double gust() const { return deviation_ * value_; }  ///< [m/s]
+  void go_on_from(const FirstOrderGusts& other);
+
+  template <class Archive>
+  void state(Archive& archive) {
+    archive(index_, value_);
+  }
+
+ private:
+  RandomStream stream_;
+  double deviation_, decay_;
+  std::uint64_t index_ = 0;
+  double value_ = 0.0;  ///< of unit variance
 };
 
 }  // namespace trident

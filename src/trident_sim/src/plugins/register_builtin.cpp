@@ -64,6 +64,7 @@ void register_builtin_plugins(PluginRegistry& registry) {
   registry.add("libgazebo_ros_block_laser.so", block_laser_factory());
   registry.add("libgazebo_ros_bumper.so", bumper_factory());
   registry.add("libtrident_gnss.so", gnss_factory());
+  registry.add("libtrident_anemometer.so", anemometer_factory());
   registry.add("libtrident_wheel_encoder.so", wheel_encoder_factory());
   registry.add("libgazebo_ros_imu.so", gazebo_imu_factory());
   registry.add("libgazebo_ros_imu_sensor.so", gazebo_imu_sensor_factory());
@@ -73,12 +74,14 @@ void register_builtin_plugins(PluginRegistry& registry) {
   registry.add("libhector_gazebo_ros_baro.so", hector_baro_factory());
   registry.add("libhector_gazebo_ros_sonar.so", hector_sonar_factory());
   registry.add("libtrident_sea.so", sea_factory());
+  registry.add("libtrident_environment.so", sea_factory());
   registry.add("libWavefieldModelPlugin.so", vrx_wave_field_factory());
   registry.add("libwavefield_model_plugin.so", vrx_wave_field_factory());
   registry.add("libtrident_vessel.so", vessel_factory());
   registry.add("libtrident_mooring.so", mooring_factory());
   registry.add("libusv_gazebo_dynamics_plugin.so", usv_dynamics_factory());
   registry.add("libusv_gazebo_thrust_plugin.so", usv_thrust_factory());
+  registry.add("libusv_gazebo_wind_plugin.so", usv_wind_factory());
   registry.add("librotors_gazebo_ros_interface_plugin.so", nothing_to_do());
   registry.add(
       "librotors_gazebo_bag_plugin.so",

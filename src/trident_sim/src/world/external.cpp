@@ -6,6 +6,7 @@
 #include "drop_if.h"
 #include "trident_base/error.h"
 #include "trident_base/sha256.h"
+#include "trident_sim/sea.h"
 #include "trident_sim/world.h"
 
 namespace trident {
@@ -115,6 +116,8 @@ std::string World::state_hash() const {
       if (joint->spun) hash.update_double(joint->spun_velocity);
     }
   }
+  if (const auto sea = find_sea(*this)) hash.update_string(sea->state_text());
+  if (const auto air = find_air(*this)) hash.update_string(air->state_text());
   return hash.hex_digest();
 }
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "boat_world.h"
-#include "marine/environment.h"
+#include "plugins/marine/live_surroundings.h"
 #include "scratch_folder.h"
 
 namespace trident {
@@ -14,7 +14,7 @@ std::string refusal(const PluginSpec& plugin) {
 }
 
 const Environment& environment_of(TestWorld& world) {
-  return dynamic_cast<const Environment&>(*find_sea(*world));
+  return *dynamic_cast<const LiveSurroundings&>(*find_sea(*world)).environment;
 }
 
 PluginSpec sea_of_file(const std::string& path) {

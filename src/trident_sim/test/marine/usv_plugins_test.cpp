@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "boat_world.h"
-#include "marine/environment.h"
 #include "marine/thruster.h"
+#include "plugins/marine/live_surroundings.h"
 
 namespace trident {
 namespace {
@@ -216,7 +216,7 @@ TEST(VrxWaveField, WavesAreThoseOfVrx) {
                                     {"direction", "1 0"},
                                     {"angle", "0.4"},
                                     {"tau", "2"}})}));
-  const auto& sea = dynamic_cast<const Environment&>(*find_sea(*world));
+  const Environment& sea = *dynamic_cast<const LiveSurroundings&>(*find_sea(*world)).environment;
   const auto& waves = sea.waves().components();
   ASSERT_EQ(waves.size(), 3U);
   EXPECT_NEAR(waves[0].amplitude_m, 5.3e-3, 1e-4);

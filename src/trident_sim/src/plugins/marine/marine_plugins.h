@@ -13,8 +13,9 @@ PluginFactory vrx_wave_field_factory();
 PluginFactory vessel_factory();
 /// A line from a body to an anchor.
 PluginFactory mooring_factory();
-/// VRX' hydrodynamics and thrusters under their own elements.
+/// VRX' hydrodynamics, thrusters and wind under their own elements.
 PluginFactory usv_dynamics_factory();
 PluginFactory usv_thrust_factory();
+PluginFactory usv_wind_factory();
 
 }  // namespace trident

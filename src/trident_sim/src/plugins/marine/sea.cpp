@@ -2,128 +2,230 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trident_sim/sea.h"
 
-#include <cmath>
-#include <sstream>
+#include <algorithm>
 
-#include "../../marine/environment.h"
-#include "../plugin_util.h"
-#include "marine_files.h"
+#include "environment_reader.h"
+#include "live_surroundings.h"
 #include "marine_plugins.h"
+#include "terrain_depth.h"
+#include "trident_base/config_writer.h"
+#include "trident_base/string_util.h"
+#include "trident_sim/text_sample.h"
+#include "vessel_body.h"
 
 namespace trident {
 namespace {
 
-/// Element `key` and what is below it as the YAML that an environment file would have there.
-std::string yaml_of(const PluginParams& params, const std::string& key) {
-  const ParamNode* const node = params.node(key);
-  if (node == nullptr) return "";
-  std::string yaml = key + ":\n";
-  for (const ParamNode& child : node->children) {
-    std::istringstream words(child.text);
-    std::string line, word;
-    while (words >> word) line += (line.empty() ? "" : " ") + word;
-    // What would mean something else in YAML than in XML.
-    if (line.find_first_of(":#&*!|>'\"%@`") != std::string::npos) {
-      params.refuse(key + "> <" + child.name, line, "a number, a word or a list [x, y]");
-    }
-    yaml.append("  ").append(child.name).append(": ").append(line).append("\n");
-  }
-  return yaml;
-}
+constexpr Range kLevels{-1000.0, 9000.0};
 
-EnvironmentParams read_environment(const PluginContext& context) {
-  const PluginParams& params = context.params;
-  const std::string inline_yaml = yaml_of(params, "waves") + yaml_of(params, "current");
-  EnvironmentParams environment;
-  std::string folder;
-  try {
-    if (params.has("environment")) {
-      const std::string path = params.required_text("environment");
-      if (!inline_yaml.empty()) {
-        params.refuse("environment", path, "to stand alone, without <waves> and <current>");
-      }
-      const std::string file = existing_file(context, "environment", path);
-      folder = std::filesystem::path(file).parent_path().string();
-      environment = load_yaml<EnvironmentParams>(file);
-    } else if (!inline_yaml.empty()) {
-      environment = load_yaml_string<EnvironmentParams>(inline_yaml, "<waves>, <current>");
-    }
-  } catch (const ConfigError& error) {
-    throw Error(params.owner() + ": " + error.what());
-  }
-  environment.water_level =
-      params.number("water_level", environment.water_level, {-1000.0, 9000.0});
-  if (environment.current.kind == CurrentKind::kFile) {
-    environment.current.file =
-        existing_file(context, "current> <file", environment.current.file, folder);
-  }
-  return environment;
-}
-
-double read_angle(const PluginParams& params, const std::string& key) {
-  const std::string text = params.text(key, "1 0");
-  std::istringstream words(text);
-  double x = 0.0, y = 0.0;
-  std::string rest;
-  if (!(words >> x >> y) || words >> rest || !(std::hypot(x, y) > 1e-9) || !std::isfinite(x + y)) {
-    params.refuse(key, text, "two finite numbers, not both zero");
-  }
-  return std::atan2(y, x);
-}
-
-/// VRX' <wave>, with the defaults of its code.
-EnvironmentParams read_vrx_waves(const PluginContext& context) {
-  static const ParamNode kNothing{};
-  const ParamNode* const node = context.params.node("wave");
-  // They shape the mesh that VRX shows, and what it does without a model.
-  for (const char* key : {"static", "update_rate", "size", "cell_count"}) context.params.node(key);
-  const PluginParams wave(node != nullptr ? *node : kNothing, context.params.owner() + " <wave>");
-  EnvironmentParams environment;
-  WaveParams& waves = environment.waves;
-  const std::string model = wave.text("model", "PMS");
-  if (model != "PMS" && model != "CWR") wave.refuse("model", model, "PMS or CWR");
-  waves.spectrum = model == "PMS" ? WaveSpectrum::kVrxPms : WaveSpectrum::kVrxCwr;
-  waves.number = wave.integer("number", 1, {1.0, 3.0});
-  waves.scale = wave.number("scale", 2.0, {1.0, 10.0});
-  waves.angle = wave.number("angle", 0.628, {-3.2, 3.2});
-  waves.steepness = wave.number("steepness", 1.0, {0.0, 1.0});
-  waves.amplitude = wave.number("amplitude", 0.0, {0.0, 15.0});
-  waves.period = wave.number("period", 1.0, {0.2, 40.0});
-  waves.phase = wave.number("phase", 0.0, {-6.3, 6.3});
-  waves.direction = read_angle(wave, "direction");
-  waves.ramp_time = wave.number("tau", 1.0, {0.0, 1e6});
-  waves.gain = wave.number("gain", 1.0, {0.0, 100.0});
-  waves.gravity = 9.8;
-  for (const std::string& name : wave.unread()) {
-    wave.refuse(name, wave.text(name, ""),
-                "no such element; known: model, number, scale, angle, steepness, amplitude, "
-                "period, phase, direction, tau, gain");
-  }
-  return environment;
-}
-
-/// libtrident_sea.so, a world's plugin: the sea of the file <environment>, or of <waves> and
-/// <current> with the file's keys as elements; <water_level> [m] comes before that of the file.
-/// Without any of them the sea is flat and at rest.
+/// libtrident_sea.so, libtrident_environment.so, a world's plugin: the sea, the wind and the ground
+/// of the file <environment>, or of <tide>, <waves>, <current>, <wind>, <bathymetry> with the
+/// file's keys as elements; <water_level> [m] comes before that of the file. Without any of them
+/// the sea is flat and at rest, and the air still.
 /// libWavefieldModelPlugin.so: VRX' waves, <wave>. As VRX' physics takes them: linear.
+///
+/// While the world runs it takes changes on the topics environment/tide, waves, current and wind,
+/// each the keys to change as YAML, and environment/water_level [m]. A change acts in the step
+/// that begins next; one that is not legal is refused whole. environment/state tells what is.
 class SeaPlugin : public Plugin {
  public:
-  SeaPlugin(const PluginContext& context, const EnvironmentParams& params) {
-    if (context.world.ports().find(kSeaPort, PortDirection::kOut) != nullptr) {
-      throw Error(context.params.owner() + ": the world has a sea already, legal is one");
+  enum class HasAir { kYes, kNo };
+  SeaPlugin(const PluginContext& context, const EnvironmentParams& params, HasAir has_air)
+      : world_(context.world), owner_(context.params.owner()), file_(params), now_(params) {
+    if (world_.ports().find(kSeaPort, PortDirection::kOut) != nullptr) {
+      throw Error(owner_ + ": the world has a sea already, legal is one");
     }
     try {
-      port_ = advertise<SeaSample>(context, kSeaPort, PortRank::kState);
-      port_->value.sea = std::make_shared<const Environment>(params, context.world.seed());
+      seabed_ = make_seabed(params.bathymetry, world_);
+      dt_s_ = world_.dt().seconds();
+      live_ = std::make_shared<LiveSurroundings>(make_environment(now_), make_wind(now_.wind));
     } catch (const Error& error) {
-      throw Error(context.params.owner() + ": " + error.what());
+      throw Error(owner_ + ": " + error.what());
+    }
+    check_vessels();
+    sea_ = advertise<SeaSample>(context, kSeaPort, PortRank::kState);
+    sea_->value.sea = live_;
+    for (const char* section : {"tide", "waves", "current"}) listen(context, section);
+    if (has_air == HasAir::kYes) advertise_air(context);
+    level_ = subscribe<ScalarSample>(context, "environment/water_level");
+    state_ = advertise<EnvironmentSample>(context, "environment/state", PortRank::kState);
+    tell_state();
+  }
+
+  /// First of all in a step, so that everybody meets the same sea.
+  std::vector<Phase> phases() const override { return {Phase::kSense}; }
+
+  void pre_step(Phase, World&, const StepInfo& info) override {
+    take_commands();
+    if (info.dt_s != dt_s_) {
+      dt_s_ = info.dt_s;
+      set_wind(now_.wind);
+    }
+    live_->blowing.step();
+    if (!wind_speed_ || !wind_speed_->wanted()) return;
+    wind_speed_->value.stamp = info.end;
+    wind_speed_->value.v_world = live_->wind(Eigen::Vector3d::Zero());
+    wind_speed_->publish();
+  }
+
+  void reset() override {
+    for (Input& input : inputs_) {
+      input.port->clear();
+      input.seen = 0;
+      input.refused.clear();
+    }
+    level_->clear();
+    level_seen_ = 0;
+    level_refused_.clear();
+    if (live_->text != to_yaml(file_)) {
+      now_ = file_;
+      live_->environment = make_environment(now_);
+      live_->blowing = make_wind(now_.wind);
+      tell_state();
+    }
+    live_->blowing.reset();
+  }
+
+  void state(StateArchive& archive) override {
+    archive(now_, live_->environment, live_->blowing, live_->text, dt_s_, level_seen_);
+    for (Input& input : inputs_) archive(input.seen);
+  }
+
+ private:
+  struct Input {
+    std::string section;
+    InHandle<TextCommand> port;
+    std::uint64_t seen = 0;
+    std::string refused;  ///< the newest refusal, which is told once
+  };
+
+  std::shared_ptr<const Environment> make_environment(const EnvironmentParams& params) const {
+    return std::make_shared<const Environment>(params, world_.seed(), seabed_);
+  }
+  Wind make_wind(const WindParams& params) const {
+    return {params, dt_s_, world_.seed(), "environment::wind"};
+  }
+  void set_wind(const WindParams& params) {
+    Wind wind = make_wind(params);
+    wind.go_on_from(live_->blowing);
+    live_->blowing = wind;
+  }
+
+  void listen(const PluginContext& context, const std::string& section) {
+    inputs_.push_back({section, subscribe<TextCommand>(context, "environment/" + section), 0, ""});
+  }
+
+  /// One air: where another plugin gives it, this one's must not blow.
+  void advertise_air(const PluginContext& context) {
+    if (world_.ports().find(kAirPort, PortDirection::kOut) != nullptr) {
+      if (now_.wind.speed == 0.0 && now_.wind.file.empty()) return;
+      throw Error(owner_ + ": <wind>: another plugin gives the world's wind already, legal is one");
+    }
+    air_ = advertise<AirSample>(context, kAirPort, PortRank::kState);
+    air_->value.air = live_;
+    listen(context, "wind");
+    wind_speed_ = advertise<WindSample>(context, "environment/wind_speed", PortRank::kState);
+    wind_speed_->value.frame = "world";
+  }
+
+  /// Vessels of the world's file, which were made before the sea.
+  void check_vessels() const {
+    for (const auto& [name, model] : world_.models()) {
+      for (const auto& plugin : model->plugins) {
+        if (const auto* const vessel = dynamic_cast<const Floating*>(plugin.get())) {
+          vessel->check_afloat(*live_);
+        }
+      }
     }
   }
 
-  std::vector<Phase> phases() const override { return {}; }
+  void take_commands() {
+    bool has_changed = false;
+    for (Input& input : inputs_) {
+      for (input.seen = std::max(input.seen, input.port->oldest());
+           input.seen < input.port->count(); ++input.seen) {
+        const std::string& text = input.port->at(input.seen).text;
+        has_changed = attempt(input.port->name(), &input.refused, text,
+                              [&] {
+                                EnvironmentParams wanted = now_;
+                                overlay(input.section, input.port->name(), text, &wanted);
+                                put(wanted);
+                              }) ||
+                      has_changed;
+      }
+    }
+    for (level_seen_ = std::max(level_seen_, level_->oldest()); level_seen_ < level_->count();
+         ++level_seen_) {
+      const double level = level_->at(level_seen_).value;
+      has_changed = attempt(level_->name(), &level_refused_, number_text(level),
+                            [&] {
+                              if (!kLevels.contains(level)) {
+                                throw Error(level_->name() + " is " + number_text(level) +
+                                            ", legal is " + kLevels.text() + " m");
+                              }
+                              EnvironmentParams wanted = now_;
+                              wanted.water_level = level;
+                              put(wanted);
+                            }) ||
+                    has_changed;
+    }
+    if (has_changed) tell_state();
+  }
 
- private:
-  OutHandle<SeaSample> port_;
+  static void overlay(const std::string& section, const std::string& topic, const std::string& text,
+                      EnvironmentParams* wanted) {
+    if (section == "tide") wanted->tide = overlay_yaml_string(text, topic, wanted->tide);
+    if (section == "waves") wanted->waves = overlay_yaml_string(text, topic, wanted->waves);
+    if (section == "current") wanted->current = overlay_yaml_string(text, topic, wanted->current);
+    if (section == "wind") wanted->wind = overlay_yaml_string(text, topic, wanted->wind);
+  }
+
+  /// All of it or, when something throws Error, nothing.
+  void put(EnvironmentParams wanted) {
+    find_files(world_.resources(), "", &wanted);
+    auto environment = make_environment(wanted);
+    set_wind(wanted.wind);
+    live_->environment = std::move(environment);
+    now_ = std::move(wanted);
+  }
+
+  template <class Action>
+  bool attempt(const std::string& topic, std::string* refused, const std::string& given,
+               Action&& action) {
+    try {
+      action();
+      refused->clear();
+      return true;
+    } catch (const Error& error) {
+      const std::string label = starts_with(error.what(), topic) ? "" : topic + ": ";
+      const std::string what = label + error.what() + "; the sea stays as it was";
+      world_.note({Severity::kError, owner_, topic + " refused", what, {{"value", given}}});
+      if (what != *refused) world_.report(Severity::kError, owner_ + ": " + what);
+      *refused = what;
+      return false;
+    }
+  }
+
+  void tell_state() {
+    live_->text = to_yaml(now_);
+    state_->value = {world_.time(), live_->text};
+    state_->publish();
+  }
+
+  World& world_;
+  std::string owner_;
+  EnvironmentParams file_, now_;
+  std::shared_ptr<const Seabed> seabed_;
+  double dt_s_ = 0.0;
+  std::shared_ptr<LiveSurroundings> live_;
+  OutHandle<SeaSample> sea_;
+  OutHandle<AirSample> air_;
+  std::vector<Input> inputs_;
+  InHandle<ScalarSample> level_;
+  std::uint64_t level_seen_ = 0;
+  std::string level_refused_;
+  OutHandle<EnvironmentSample> state_;
+  OutHandle<WindSample> wind_speed_;
 };
 
 }  // namespace
@@ -133,16 +235,30 @@ std::shared_ptr<const Sea> find_sea(const World& world) {
   return port != nullptr ? port->value.sea : nullptr;
 }
 
+std::shared_ptr<const Air> find_air(const World& world) {
+  const auto* const port = world.ports().find_out<AirSample>(kAirPort);
+  return port != nullptr ? port->value.air : nullptr;
+}
+
+void Surroundings::look(const World& world) {
+  if (world.ports().version() == ports_version_) return;
+  ports_version_ = world.ports().version();
+  sea_ = find_sea(world);
+  air_ = find_air(world);
+}
+
 PluginFactory sea_factory() {
   return {[](const PluginContext& context) {
-            return std::make_unique<SeaPlugin>(context, read_environment(context));
+            return std::make_unique<SeaPlugin>(context, read_environment(context),
+                                               SeaPlugin::HasAir::kYes);
           },
           {}};
 }
 
 PluginFactory vrx_wave_field_factory() {
   return {[](const PluginContext& context) {
-            return std::make_unique<SeaPlugin>(context, read_vrx_waves(context));
+            return std::make_unique<SeaPlugin>(context, read_vrx_waves(context),
+                                               SeaPlugin::HasAir::kNo);
           },
           {}};
 }

@@ -93,7 +93,7 @@ UsvParams read_usv(const PluginContext& context, const Link& link) {
 /// default under Fossen's full equation. With <legacy_vrx> true it is VRX' own: added mass by
 /// differences of the velocity and no Coriolis forces. In both the hull is that of
 /// libtrident_vessel.so, sections instead of VRX' points. <waterLevel> is added to the sea's.
-class UsvDynamics : public Plugin {
+class UsvDynamics : public Plugin, public Floating {
  public:
   explicit UsvDynamics(const PluginContext& context)
       : UsvDynamics(context, moving_link(context, "bodyName")) {}
@@ -103,6 +103,7 @@ class UsvDynamics : public Plugin {
     body_.push(world, info, body_.meet(world, info), Vector6d::Zero());
   }
   void body_frames_moved() override { body_.body_frames_moved(); }
+  void check_afloat(const Sea& sea) const override { body_.check_afloat(sea); }
   void reset() override { body_.reset(); }
   void state(StateArchive& archive) override { body_.state(archive); }
 

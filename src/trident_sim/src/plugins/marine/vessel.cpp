@@ -29,7 +29,7 @@ VesselParams read_vessel(const PluginContext& context) {
 /// ThrusterOnTopics and RudderOnTopic; a thruster without any for <cmdTimeout> s stops (0: never).
 /// With a <commandTopic> it takes all commands at once in their place, in lockstep: thrusters as in
 /// the file, then angles of those that turn, then rudders.
-class Vessel : public Plugin {
+class Vessel : public Plugin, public Floating {
  public:
   explicit Vessel(const PluginContext& context)
       : Vessel(context, moving_link(context, "bodyName"), read_vessel(context)) {}
@@ -53,6 +53,7 @@ class Vessel : public Plugin {
   }
 
   void body_frames_moved() override { body_.body_frames_moved(); }
+  void check_afloat(const Sea& sea) const override { body_.check_afloat(sea); }
 
   void reset() override {
     body_.reset();

@@ -59,9 +59,11 @@ VesselBody::VesselBody(const PluginContext& context, Link& link, const VesselPar
       vessel_(vessel),
       place_(place),
       gravity_(gravity_of(context.world)),
-      hull_(vessel.hull, vessel.water_density, gravity_) {
+      hull_(vessel.hull, vessel.water_density, gravity_),
+      world_(context.world) {
   body_frames_moved();
   if (vessel.equation == VesselEquation::kLegacyVrx) legacy_.emplace(vessel);
+  if (const auto sea = find_sea(world_)) check_afloat(*sea);
 }
 
 void VesselBody::check_inertial() const {
@@ -102,19 +104,47 @@ void VesselBody::body_frames_moved() {
   }
 }
 
-void VesselBody::look_for_sea(World& world) {
-  if (world.ports().version() == ports_version_) return;
-  ports_version_ = world.ports().version();
-  sea_ = find_sea(world);
-  if (sea_ != nullptr || is_told_) return;
+void VesselBody::look_around(World& world) {
+  around_.look(world);
+  if (around_.sea() != nullptr || is_told_) return;
   is_told_ = true;
   world.diagnose({Severity::kWarning, "world '" + world.name() + "'", "no sea",
                   "has no sea, so that vessels float in still water at z = 0; the world's plugin "
                   "libtrident_sea.so gives it one"});
 }
 
+void VesselBody::check_afloat(const Sea& sea) const {
+  const SE3 T_world_co = link_.body->T_world_body * T_body_co_;
+  const double time_s = world_.time().seconds();
+  double worst = 0.0;
+  Eigen::Vector3d where = Eigen::Vector3d::Zero();
+  double depth_there = 0.0, least = 0.0;
+  for (const double y : vessel_.hull.offsets) {
+    for (const HullSection& section : vessel_.hull.sections) {
+      const Eigen::Vector3d p = T_world_co * Eigen::Vector3d(section.x, y, 0.0);
+      const double depth = sea.depth_m(p.head<2>(), time_s) + place_.level_m;
+      if (depth - section.draft >= worst) continue;
+      worst = depth - section.draft;
+      where = p;
+      depth_there = depth;
+      least = section.draft;
+    }
+  }
+  if (worst >= 0.0) return;
+  throw Error(owner_ + ": vessel '" + vessel_.name +
+              "' would stand on the ground at x = " + number_text(where.x()) +
+              ", y = " + number_text(where.y()) + ": the water is " + number_text(depth_there) +
+              " m deep there, legal is >= " + number_text(least) + " m, its draft");
+}
+
+Vector6d VesselBody::wind_on_hull(const Afloat& now) const {
+  if (around_.air() == nullptr || vessel_.wind.isZero()) return Vector6d::Zero();
+  const Eigen::Vector3d wind = around_.air()->wind(now.T_world_co.p);
+  return wind_wrench(vessel_.wind, now.T_world_co.R.conjugate() * wind - now.nu.head<3>());
+}
+
 Afloat VesselBody::meet(World& world, const StepInfo& info) {
-  look_for_sea(world);
+  look_around(world);
   if (gravity_of(world) != gravity_) {
     gravity_ = gravity_of(world);
     hull_ = Hull(vessel_.hull, vessel_.water_density, gravity_);
@@ -128,17 +158,18 @@ Afloat VesselBody::meet(World& world, const StepInfo& info) {
   now.nu << R_co_world * v_world, R_co_world * body.w_world;
   SE3 T_sea_co = now.T_world_co;
   T_sea_co.p.z() -= place_.level_m;
-  if (sea_ == nullptr) {
+  if (around_.sea() == nullptr) {
     now.load = hull_.load(T_sea_co, StillWater(), time_s);
   } else {
-    now.load = hull_.load(T_sea_co, sea_->water(), time_s);
-    sea_->current().add_to(T_sea_co, v_world, time_s, &now.load.water);
+    now.load = hull_.load(T_sea_co, around_.sea()->water(), time_s);
+    around_.sea()->current().add_to(T_sea_co, v_world, time_s, &now.load.water);
   }
   return now;
 }
 
 void VesselBody::push(const World& world, const StepInfo& info, const Afloat& now,
-                      const Vector6d& tau) {
+                      const Vector6d& tau_actuators) {
+  const Vector6d tau = tau_actuators + wind_on_hull(now);
   if (legacy_) return push_legacy(info, now, tau);
   const Body& body = *link_.body;
   const Eigen::Matrix3d R = now.T_world_co.R.toRotationMatrix();

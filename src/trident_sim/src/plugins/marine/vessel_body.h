@@ -21,6 +21,14 @@ struct Afloat {
   Vector6d nu_r() const { return nu - load.water.velocity; }
 };
 
+/// Of plugins that float, for the sea that comes after them.
+class Floating {
+ public:
+  virtual ~Floating() = default;
+  /// Throws Error when the vessel stands where the water does not carry it.
+  virtual void check_afloat(const Sea& sea) const = 0;
+};
+
 /// A link's body as a vessel: its hull in the world's sea, damping and added mass.
 class VesselBody {
  public:
@@ -30,7 +38,7 @@ class VesselBody {
     double level_m = 0.0;
   };
   /// `vessel` in FLU; mass and inertia of the body count, its own do not. Throws Error as
-  /// VesselDynamics does.
+  /// VesselDynamics does, and as check_afloat() when the world has a sea already.
   VesselBody(const PluginContext& context, Link& link, const VesselParams& vessel,
              const Place& place);
 
@@ -38,11 +46,16 @@ class VesselBody {
   /// more than 1 % from the vessel's; of the centre of gravity 1 % of the radius of gyration.
   void check_inertial() const;
 
+  /// Throws Error naming vessel, place, depth there and least depth where the still water is
+  /// shallower, now, than the draft below any section of the hull.
+  void check_afloat(const Sea& sea) const;
+
   Afloat meet(World& world, const StepInfo& info);
-  /// Pushes the body by the water and by `tau`, what the vessel's actuators do about CO, body axes.
-  /// What others have put on the body in this step so far is felt with added mass; what comes
+  /// Pushes the body by the water, the wind and what the vessel's actuators do, about CO, body
+  /// axes. What others have put on the body in this step so far is felt with added mass; what comes
   /// later, contacts and joints meet its own mass alone.
-  void push(const World& world, const StepInfo& info, const Afloat& now, const Vector6d& tau);
+  void push(const World& world, const StepInfo& info, const Afloat& now,
+            const Vector6d& tau_actuators);
 
   /// The body's frame has moved in it.
   void body_frames_moved();
@@ -50,7 +63,8 @@ class VesselBody {
   void state(StateArchive& archive);
 
  private:
-  void look_for_sea(World& world);
+  void look_around(World& world);
+  Vector6d wind_on_hull(const Afloat& now) const;
   void push_legacy(const StepInfo& info, const Afloat& now, const Vector6d& tau);
   void add_about_cg(const Afloat& now, const Vector6d& wrench);
 
@@ -63,8 +77,8 @@ class VesselBody {
   std::optional<LegacyVrxForce> legacy_;
   double gravity_;
   Hull hull_;
-  std::shared_ptr<const Sea> sea_;
-  std::uint64_t ports_version_ = ~std::uint64_t{0};  ///< of which the sea was looked for
+  const World& world_;
+  Surroundings around_;
   bool is_told_ = false;
 };
 

@@ -5,6 +5,7 @@
 
 #include "../plugin_util.h"
 #include "rotors_plugins.h"
+#include "trident_sim/sea.h"
 
 namespace trident {
 namespace {
@@ -50,6 +51,7 @@ class MotorModel : public Plugin {
 
   void pre_step(Phase, World& world, const StepInfo& info) override {
     if (link_.body == nullptr) return;
+    around_.look(world);
     read_command(world);
     apply_forces();
     advance_speed(info.dt_s);
@@ -105,7 +107,7 @@ class MotorModel : public Plugin {
     // Thrust acts along the rotor link's z, which leans with the rotor's axis.
     const Eigen::Vector3d thrust_axis = axis + R * axis_to_thrust_body_;
     const Eigen::Vector3d arm = R * arm_body_;
-    const Eigen::Vector3d velocity = body.v_world + body.w_world.cross(arm) - wind_velocity();
+    const Eigen::Vector3d velocity = body.v_world + body.w_world.cross(arm) - wind_velocity(arm);
     const Eigen::Vector3d across = velocity - velocity.dot(axis) * axis;
     const Eigen::Vector3d force = thrust * thrust_axis - std::abs(speed) * rotor_drag_ * across;
     body.force += force;
@@ -113,9 +115,11 @@ class MotorModel : public Plugin {
                    std::abs(speed) * rolling_moment_ * across;
   }
 
-  Eigen::Vector3d wind_velocity() const {
-    return wind_->count() == 0 ? Eigen::Vector3d(Eigen::Vector3d::Zero())
-                               : wind_->at(wind_->count() - 1).v_world;
+  /// What came on the topic, else the world's wind.
+  Eigen::Vector3d wind_velocity(const Eigen::Vector3d& arm) const {
+    if (wind_->count() > 0) return wind_->at(wind_->count() - 1).v_world;
+    if (around_.air() == nullptr) return Eigen::Vector3d::Zero();
+    return around_.air()->wind(link_.body->T_world_body.p + arm);
   }
 
   void advance_speed(double dt_s) {
@@ -144,6 +148,7 @@ class MotorModel : public Plugin {
   bool refused_ = false;
   InHandle<ActuatorCommand> command_;
   InHandle<WindSample> wind_;
+  Surroundings around_;
   OutHandle<ScalarSample> speed_;
 };
 

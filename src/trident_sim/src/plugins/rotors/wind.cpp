@@ -5,6 +5,7 @@
 
 #include "../plugin_util.h"
 #include "rotors_plugins.h"
+#include "trident_sim/sea.h"
 #include "wind_field.h"
 
 namespace trident {
@@ -39,7 +40,8 @@ std::optional<WindGrid> read_field(const PluginContext& context) {
 
 /// A constant wind force, one gust of force, and a constant wind speed that the rotors of the same
 /// namespace feel; or the wind speed of a field at the link's origin. As in RotorS a field takes
-/// the place of the forces, and outside of it the constant speed blows.
+/// the place of the forces, and outside of it the constant speed blows. Without a speed or a field
+/// of its own the plugin shows the world's wind (libtrident_sea.so) at the link's origin.
 class Wind : public Plugin {
  public:
   explicit Wind(const PluginContext& context)
@@ -61,7 +63,8 @@ class Wind : public Plugin {
 
   std::vector<Phase> phases() const override { return {Phase::kControl}; }
 
-  void pre_step(Phase, World&, const StepInfo& info) override {
+  void pre_step(Phase, World& world, const StepInfo& info) override {
+    around_.look(world);
     if (!field_) push(info);
     blow(info);
   }
@@ -94,11 +97,14 @@ class Wind : public Plugin {
   void blow(const StepInfo& info) {
     speed_->value.stamp = info.end;
     speed_->value.v_world = wind_world_;
+    const bool is_worlds = !field_ && wind_world_.isZero() && around_.air() != nullptr;
     if (field_) {
       speed_->value.v_world = wind_at(*field_, link_.T_world_link().p).value_or(wind_world_);
+    } else if (is_worlds) {
+      speed_->value.v_world = around_.air()->wind(link_.T_world_link().p);
     }
     // A constant wind is told once, so that whoever writes to the port later is heard.
-    if (field_ || to_rotors_->count() == 0) to_rotors_->write(speed_->value);
+    if (field_ || is_worlds || to_rotors_->count() == 0) to_rotors_->write(speed_->value);
     if (speed_->wanted()) speed_->publish();
   }
 
@@ -108,6 +114,7 @@ class Wind : public Plugin {
   Eigen::Vector3d gust_direction_ = Eigen::Vector3d::UnitY();
   double force_mean_n_ = 0.0, gust_force_mean_n_ = 0.0;
   SimTime gust_start_, gust_end_;
+  Surroundings around_;
   OutHandle<WrenchSample> force_;
   OutHandle<WindSample> speed_;
   InHandle<WindSample> to_rotors_;

@@ -52,6 +52,8 @@ PluginFactory gazebo_multicamera_factory(Shutter shutter);
 PluginFactory noisy_depth_camera_factory();
 /// Our camera: colour, depth, labels and bounding boxes, whichever are asked for.
 PluginFactory camera_factory();
+/// A vane and anemometer in the world's wind.
+PluginFactory anemometer_factory();
 /// Carries a model, an observer's camera say, along with another one.
 PluginFactory follow_factory();
 

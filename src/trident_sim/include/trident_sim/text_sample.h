@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "trident_base/sim_time.h"
+
+namespace trident {
+
+/// What is to be different from the next step on, as YAML (std_msgs/String). All of them reach
+/// their plugin, in order.
+struct TextCommand {
+  SimTime stamp;  ///< not looked at
+  std::string text;
+};
+
+/// What a world's surroundings are like, as the YAML of config/environments
+/// (trident_msgs/EnvironmentState). Latched: who comes later gets the newest.
+struct EnvironmentSample {
+  SimTime stamp;
+  std::string yaml;
+};
+
+/// A number as std_msgs/Float64, where ScalarSample is a Float32.
+struct NumberSample {
+  SimTime stamp;
+  double value = 0.0;
+};
+
+/// What an anemometer measures, as NMEA 0183's MWV has it.
+struct WindReadingSample {
+  SimTime stamp;
+  std::string frame;
+  bool is_true = false;  ///< else as the sensor feels it on its way
+  double speed_m_s = 0.0;
+  double angle_rad = 0.0;  ///< where it comes from, from the frame's x clockwise, [0, 2 pi)
+};
+
+}  // namespace trident

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "environment_conversions.h"
+
+#include "conversions.h"
+
+namespace trident {
+
+void convert(const EnvironmentSample& sample, trident_msgs::EnvironmentState& message) {
+  message.header.stamp = to_ros(sample.stamp);
+  message.header.frame_id = "world";
+  message.yaml = sample.yaml;
+}
+
+void convert(const WindReadingSample& sample, trident_msgs::WindReading& message) {
+  using trident_msgs::WindReading;
+  message.header.stamp = to_ros(sample.stamp);
+  message.header.frame_id = sample.frame;
+  message.reference =
+      static_cast<std::uint8_t>(sample.is_true ? WindReading::TRUE : WindReading::RELATIVE);
+  message.speed = sample.speed_m_s;
+  message.angle = sample.angle_rad;
+}
+
+void convert(const NumberSample& sample, std_msgs::Float64& message) {
+  message.data = sample.value;
+}
+
+}  // namespace trident

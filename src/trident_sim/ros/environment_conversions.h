@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <std_msgs/Float64.h>
+#include <trident_msgs/EnvironmentState.h>
+#include <trident_msgs/WindReading.h>
+
+#include "trident_sim/text_sample.h"
+
+namespace trident {
+
+// Sample -> message. The message is reused from call to call.
+void convert(const EnvironmentSample& sample, trident_msgs::EnvironmentState& message);
+void convert(const WindReadingSample& sample, trident_msgs::WindReading& message);
+void convert(const NumberSample& sample, std_msgs::Float64& message);
+
+}  // namespace trident

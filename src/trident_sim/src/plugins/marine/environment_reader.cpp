@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "environment_reader.h"
+
+#include <cmath>
+#include <filesystem>
+#include <sstream>
+
+#include "marine_files.h"
+#include "trident_base/string_util.h"
+
+namespace trident {
+namespace {
+
+constexpr const char* kSections[] = {"tide", "waves", "current", "wind", "bathymetry"};
+
+/// Element `key` and what is below it as the YAML that an environment file would have there.
+std::string yaml_of(const PluginParams& params, const std::string& key) {
+  const ParamNode* const node = params.node(key);
+  if (node == nullptr || node->children.empty()) return "";
+  std::string yaml = key + ":\n";
+  for (const ParamNode& child : node->children) {
+    std::istringstream words(child.text);
+    std::string line, word;
+    while (words >> word) line += (line.empty() ? "" : " ") + word;
+    // What would mean something else in YAML than in XML.
+    if (child.name == "file" && line.find_first_of("\"\\") == std::string::npos) {
+      line = '"' + line + '"';  // a URI has a colon
+    } else if (line.find_first_of(":#&*!|>'\"%@`") != std::string::npos) {
+      params.refuse(key + "> <" + child.name, line, "a number, a word or a list [x, y]");
+    }
+    yaml.append("  ").append(child.name).append(": ").append(line).append("\n");
+  }
+  return yaml;
+}
+
+/// The path that `file` means, which <section> <file> names.
+std::string existing_path(const Resources& resources, const std::string& folder,
+                          const std::string& section, const std::string& file) {
+  std::string path = resources.find(file, folder);
+  if (path.empty() || std::filesystem::is_directory(path)) {
+    throw Error("<" + section + "> <file> is '" + file +
+                "', expected a file; searched: as given, then " + resources.searched());
+  }
+  return path;
+}
+
+double read_angle(const PluginParams& params, const std::string& key) {
+  const std::string text = params.text(key, "1 0");
+  std::istringstream words(text);
+  double x = 0.0, y = 0.0;
+  std::string rest;
+  if (!(words >> x >> y) || words >> rest || !(std::hypot(x, y) > 1e-9) || !std::isfinite(x + y)) {
+    params.refuse(key, text, "two finite numbers, not both zero");
+  }
+  return std::atan2(y, x);
+}
+
+}  // namespace
+
+EnvironmentParams read_environment(const PluginContext& context) {
+  const PluginParams& params = context.params;
+  std::string inline_yaml;
+  for (const char* section : kSections) inline_yaml += yaml_of(params, section);
+  EnvironmentParams environment;
+  std::string folder;
+  try {
+    if (params.has("environment")) {
+      const std::string path = params.required_text("environment");
+      if (!inline_yaml.empty()) {
+        params.refuse("environment", path, "to stand alone, without <waves>, <current> ...");
+      }
+      const std::string file = existing_file(context, "environment", path);
+      folder = std::filesystem::path(file).parent_path().string();
+      environment = load_yaml<EnvironmentParams>(file);
+    } else if (!inline_yaml.empty()) {
+      environment = load_yaml_string<EnvironmentParams>(inline_yaml, "<waves>, <current> ...");
+    }
+    find_files(context.world.resources(), folder, &environment);
+  } catch (const ConfigError& error) {
+    throw Error(params.owner() + ": " + error.what());
+  } catch (const Error& error) {
+    if (starts_with(error.what(), params.owner())) throw;
+    throw Error(params.owner() + ": " + error.what());
+  }
+  environment.water_level =
+      params.number("water_level", environment.water_level, {-1000.0, 9000.0});
+  return environment;
+}
+
+void find_files(const Resources& resources, const std::string& folder, EnvironmentParams* params) {
+  if (params->current.kind == CurrentKind::kFile) {
+    params->current.file = existing_path(resources, folder, "current", params->current.file);
+  }
+  if (!params->wind.file.empty()) {
+    params->wind.file = existing_path(resources, folder, "wind", params->wind.file);
+  }
+  if (params->bathymetry.kind == BathymetryKind::kFile) {
+    params->bathymetry.file =
+        existing_path(resources, folder, "bathymetry", params->bathymetry.file);
+  }
+}
+
+EnvironmentParams read_vrx_waves(const PluginContext& context) {
+  static const ParamNode kNothing{};
+  const ParamNode* const node = context.params.node("wave");
+  // They shape the mesh that VRX shows, and what it does without a model.
+  for (const char* key : {"static", "update_rate", "size", "cell_count"}) context.params.node(key);
+  const PluginParams wave(node != nullptr ? *node : kNothing, context.params.owner() + " <wave>");
+  EnvironmentParams environment;
+  WaveParams& waves = environment.waves;
+  const std::string model = wave.text("model", "PMS");
+  if (model != "PMS" && model != "CWR") wave.refuse("model", model, "PMS or CWR");
+  waves.spectrum = model == "PMS" ? WaveSpectrum::kVrxPms : WaveSpectrum::kVrxCwr;
+  waves.number = wave.integer("number", 1, {1.0, 3.0});
+  waves.scale = wave.number("scale", 2.0, {1.0, 10.0});
+  waves.angle = wave.number("angle", 0.628, {-3.2, 3.2});
+  waves.steepness = wave.number("steepness", 1.0, {0.0, 1.0});
+  waves.amplitude = wave.number("amplitude", 0.0, {0.0, 15.0});
+  waves.period = wave.number("period", 1.0, {0.2, 40.0});
+  waves.phase = wave.number("phase", 0.0, {-6.3, 6.3});
+  waves.direction = read_angle(wave, "direction");
+  waves.ramp_time = wave.number("tau", 1.0, {0.0, 1e6});
+  waves.gain = wave.number("gain", 1.0, {0.0, 100.0});
+  waves.gravity = 9.8;
+  for (const std::string& name : wave.unread()) {
+    wave.refuse(name, wave.text(name, ""),
+                "no such element; known: model, number, scale, angle, steepness, amplitude, "
+                "period, phase, direction, tau, gain");
+  }
+  return environment;
+}
+
+}  // namespace trident
