@@ -14,7 +14,20 @@ BRINGUP = Path(__file__).resolve().parents[1]
 FILES = sorted((BRINGUP / "launch").resolve().rglob("*.launch"))
 
 # Required arguments of files that are only included by others.
-REQUIRED_ARGS = {"uav.launch": ["namespace:=UAV1"]}
+_PLATFORM = [f"{name}:=0" for name in ("x", "y", "z", "yaw")] + [
+    f"{name}:=true" for name in ("lidar", "camera", "gnss")
+]
+REQUIRED_ARGS = {
+    "uav.launch": ["namespace:=UAV1"],
+    **{
+        f"coast_{kind}.launch": [
+            f"ns:={kind}1",
+            f"mission:={BRINGUP.parents[1]}/config/missions/coast_{kind}.yaml",
+            *_PLATFORM,
+        ]
+        for kind in ("uav", "ugv", "usv")
+    },
+}
 
 
 def _load(path: Path) -> Any:

@@ -37,6 +37,8 @@ PathCommand from_message(const nav_msgs::Path& message) {
 }
 TextCommand from_message(const std_msgs::String& message) { return {SimTime{}, message.data}; }
 
+using Bell = std::shared_ptr<MessageBell>;
+
 template <class Command>
 class Mailbox {
  public:
@@ -44,10 +46,19 @@ class Mailbox {
   static constexpr std::size_t kDepth =
       std::is_same_v<Command, TextCommand> ? InPort<Command>::kDepth : 1;
 
+  explicit Mailbox(Bell bell) : bell_(std::move(bell)) {}
   void put(const Command& command) {
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      if (waiting_.size() == kDepth) waiting_.erase(waiting_.begin());
+      waiting_.push_back(command);
+      ++count_;
+    }
+    bell_->ring();
+  }
+  std::uint64_t count() const {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (waiting_.size() == kDepth) waiting_.erase(waiting_.begin());
-    waiting_.push_back(command);
+    return count_;
   }
   /// Swaps what waits into `taken`, oldest first.
   void take(std::vector<Command>* taken) {
@@ -57,15 +68,18 @@ class Mailbox {
   }
 
  private:
-  std::mutex mutex_;
+  Bell bell_;
+  mutable std::mutex mutex_;
   std::vector<Command> waiting_;
+  std::uint64_t count_ = 0;
 };
 
 /// What topics and services have in common.
 template <class Command>
 class MailboxBinding : public InputBinding {
  public:
-  explicit MailboxBinding(InPort<Command>& port) : port_(port) {}
+  MailboxBinding(InPort<Command>& port, const Bell& bell)
+      : port_(port), mailbox_(std::make_shared<Mailbox<Command>>(bell)) {}
 
   PortBase& port() const final { return port_; }
   void deliver() final {
@@ -73,6 +87,7 @@ class MailboxBinding : public InputBinding {
     for (const Command& command : taken_) port_.write(command);
   }
   void forget() final { mailbox_->take(&taken_); }
+  std::uint64_t received() const final { return mailbox_->count(); }
 
  protected:
   using Box = std::shared_ptr<Mailbox<Command>>;
@@ -81,15 +96,15 @@ class MailboxBinding : public InputBinding {
  private:
   InPort<Command>& port_;
   std::vector<Command> taken_;
-  /// Outlives a message that is under way.
-  Box mailbox_ = std::make_shared<Mailbox<Command>>();
+  Box mailbox_;  ///< outlives a message that is under way
 };
 
 template <class Command, class Message>
 class TopicBinding : public MailboxBinding<Command> {
  public:
-  TopicBinding(ros::NodeHandle& node, ros::CallbackQueueInterface& queue, InPort<Command>& port)
-      : MailboxBinding<Command>(port) {
+  TopicBinding(ros::NodeHandle& node, ros::CallbackQueueInterface& queue, InPort<Command>& port,
+               const Bell& bell)
+      : MailboxBinding<Command>(port, bell) {
     ros::SubscribeOptions options;
     options.init<Message>("/" + port.name(), Mailbox<Command>::kDepth,
                           [mailbox = this->mailbox()](const boost::shared_ptr<const Message>& m) {
@@ -100,6 +115,8 @@ class TopicBinding : public MailboxBinding<Command> {
     subscriber_ = node.subscribe(options);
   }
 
+  std::uint32_t publishers() const final { return subscriber_.getNumPublishers(); }
+
  private:
   ros::Subscriber subscriber_;
 };
@@ -108,8 +125,8 @@ class TopicBinding : public MailboxBinding<Command> {
 class ServiceBinding : public MailboxBinding<ServiceCommand> {
  public:
   ServiceBinding(ros::NodeHandle& node, ros::CallbackQueueInterface& queue,
-                 InPort<ServiceCommand>& port)
-      : MailboxBinding(port) {
+                 InPort<ServiceCommand>& port, const Bell& bell)
+      : MailboxBinding(port, bell) {
     ros::AdvertiseServiceOptions options;
     options.init<std_srvs::Empty::Request, std_srvs::Empty::Response>(
         "/" + port.name(),
@@ -121,30 +138,36 @@ class ServiceBinding : public MailboxBinding<ServiceCommand> {
     server_ = node.advertiseService(options);
   }
 
+  std::uint32_t publishers() const final { return 0; }
+
  private:
   ros::ServiceServer server_;
 };
 
 template <class Command, class Binding>
 std::unique_ptr<InputBinding> try_bind(ros::NodeHandle& node, ros::CallbackQueueInterface& queue,
-                                       PortBase& port) {
+                                       PortBase& port, const Bell& bell) {
   auto* typed = dynamic_cast<InPort<Command>*>(&port);
   if (typed == nullptr) return nullptr;
-  return std::make_unique<Binding>(node, queue, *typed);
+  return std::make_unique<Binding>(node, queue, *typed, bell);
 }
 
 /// Numbers are Float64, those of thrusters Float32, as VRX has them. A topic has one type.
 std::unique_ptr<InputBinding> try_bind_number(ros::NodeHandle& node,
-                                              ros::CallbackQueueInterface& queue, PortBase& port) {
+                                              ros::CallbackQueueInterface& queue, PortBase& port,
+                                              const Bell& bell) {
   const std::string& name = port.name();
   if (ends_with(name, "_thrust_cmd") || ends_with(name, "_thrust_angle")) {
-    return try_bind<ScalarSample, TopicBinding<ScalarSample, std_msgs::Float32>>(node, queue, port);
+    return try_bind<ScalarSample, TopicBinding<ScalarSample, std_msgs::Float32>>(node, queue, port,
+                                                                                 bell);
   }
-  return try_bind<ScalarSample, TopicBinding<ScalarSample, std_msgs::Float64>>(node, queue, port);
+  return try_bind<ScalarSample, TopicBinding<ScalarSample, std_msgs::Float64>>(node, queue, port,
+                                                                               bell);
 }
 
 using BindFunction = std::unique_ptr<InputBinding> (*)(ros::NodeHandle&,
-                                                       ros::CallbackQueueInterface&, PortBase&);
+                                                       ros::CallbackQueueInterface&, PortBase&,
+                                                       const Bell&);
 constexpr BindFunction kBindFunctions[] = {
     try_bind<TwistCommand, TopicBinding<TwistCommand, geometry_msgs::Twist>>,
     try_bind_number,
@@ -157,6 +180,18 @@ constexpr BindFunction kBindFunctions[] = {
 
 }  // namespace
 
+void MessageBell::ring() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  has_rung_ = true;
+  rung_.notify_one();
+}
+
+void MessageBell::wait(std::chrono::milliseconds limit) {
+  std::unique_lock<std::mutex> lock(mutex_);
+  rung_.wait_for(lock, limit, [this] { return has_rung_; });
+  has_rung_ = false;
+}
+
 void InputBinder::sync() {
   if (board_.version() == version_) return;
   version_ = board_.version();
@@ -168,14 +203,39 @@ void InputBinder::sync() {
     if (port.direction() != PortDirection::kIn || entries_.count(port.name()) > 0) return;
     std::unique_ptr<InputBinding> binding;
     for (const BindFunction bind : kBindFunctions) {
-      if (!binding) binding = bind(node_, queue_, port);
+      if (!binding) binding = bind(node_, queue_, port, bell_);
     }
     if (binding) entries_.emplace(port.name(), std::move(binding));
   });
 }
 
 void InputBinder::deliver() {
-  for (auto& [name, binding] : entries_) binding->deliver();
+  for (auto& [name, binding] : entries_) {
+    if (!binding->is_held) binding->deliver();
+  }
+}
+
+InputBinding* InputBinder::find(const std::string& port) const {
+  const auto found = entries_.find(port);
+  return found == entries_.end() ? nullptr : found->second.get();
+}
+
+void InputBinder::hold(const std::string& port) {
+  if (InputBinding* const binding = find(port)) binding->is_held = true;
+}
+
+void InputBinder::deliver_held(const std::string& port) {
+  if (InputBinding* const binding = find(port)) binding->deliver();
+}
+
+std::uint64_t InputBinder::received(const std::string& port) const {
+  const InputBinding* const binding = find(port);
+  return binding == nullptr ? 0 : binding->received();
+}
+
+std::uint32_t InputBinder::publishers(const std::string& port) const {
+  const InputBinding* const binding = find(port);
+  return binding == nullptr ? 0 : binding->publishers();
 }
 
 void InputBinder::clear() {

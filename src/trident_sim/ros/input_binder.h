@@ -4,14 +4,30 @@
 
 #include <ros/ros.h>
 
+#include <chrono>
+#include <condition_variable>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <string>
 
 #include "trident_ros/inline_callback_queue.h"
 #include "trident_sim/port.h"
 
 namespace trident {
+
+/// Rung when a message has come.
+class MessageBell {
+ public:
+  void ring();
+  /// Until the next message, or for `limit`; at once when one came since the last call.
+  void wait(std::chrono::milliseconds limit);
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable rung_;
+  bool has_rung_ = false;
+};
 
 /// An input port and its topic or service.
 class InputBinding {
@@ -21,6 +37,11 @@ class InputBinding {
   /// Hands the newest message that came since the last call to the port.
   virtual void deliver() = 0;
   virtual void forget() = 0;
+  /// How many messages have come in all.
+  virtual std::uint64_t received() const = 0;
+  virtual std::uint32_t publishers() const = 0;
+
+  bool is_held = false;  ///< somebody else says when messages are handed over
 };
 
 /// Keeps a subscription per input of a board that ROS can serve (velocities, numbers, poses, paths,
@@ -37,11 +58,23 @@ class InputBinder {
   /// Forgets what came; for a reset.
   void clear();
 
+  /// Messages of this input wait for deliver_held(). No such input: nothing happens.
+  void hold(const std::string& port);
+  void deliver_held(const std::string& port);
+  std::uint64_t received(const std::string& port) const;
+  std::uint32_t publishers(const std::string& port) const;
+  /// Sleeps until a message comes to any input, or for `limit`.
+  void wait_for_message(std::chrono::milliseconds limit) { bell_->wait(limit); }
+
  private:
   ros::NodeHandle& node_;
   PortBoard& board_;
   std::uint64_t version_ = 0;
+  InputBinding* find(const std::string& port) const;
+
   InlineCallbackQueue queue_;
+  /// Outlives a message that is under way.
+  std::shared_ptr<MessageBell> bell_ = std::make_shared<MessageBell>();
   std::map<std::string, std::unique_ptr<InputBinding>> entries_;
 };
 

@@ -165,6 +165,14 @@ void PortBinder::sync() {
   rebuild_active();
 }
 
+std::uint32_t PortBinder::subscribers(const std::string& port) const {
+  std::uint32_t count = 0;
+  for (const auto& [topic, entry] : entries_) {
+    if (entry.port == port) count += entry.binding->subscribers();
+  }
+  return count;
+}
+
 std::vector<OutputBinding*> PortBinder::hold_back_odometry(const std::string& prefix) {
   std::vector<OutputBinding*> result;
   for (auto& [name, entry] : entries_) {

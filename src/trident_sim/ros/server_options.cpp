@@ -84,6 +84,14 @@ class Parameters {
     if (entry.getType() != XmlRpc::XmlRpcValue::TypeArray) refuse(name, entry, "a list of names");
     for (int i = 0; i < entry.size(); ++i) values.push_back(static_cast<std::string>(entry[i]));
   }
+  /// /gazebo/answers: by name, what a node reads and what it answers with.
+  void answers(const char* name, std::map<std::string, AnswerOptions>& values) {
+    if (!has(name)) return;
+    XmlRpc::XmlRpcValue& entry = tree_[name];
+    if (entry.getType() != XmlRpc::XmlRpcValue::TypeStruct) refuse(name, entry, "names of nodes");
+    for (auto& [node, fields] : entry)
+      values[node] = answer(std::string(name) + "/" + node, fields);
+  }
   bool is_list(const char* name) {
     return has(name) && tree_[name].getType() == XmlRpc::XmlRpcValue::TypeArray;
   }
@@ -108,6 +116,34 @@ class Parameters {
   }
 
  private:
+  AnswerOptions answer(const std::string& name, XmlRpc::XmlRpcValue& fields) {
+    const std::string legal =
+        "{state: TOPIC, commands: [TOPIC, ...], delay: seconds in [0, 10]}, delay may be left out";
+    using Value = XmlRpc::XmlRpcValue;
+    if (fields.getType() != Value::TypeStruct) refuse(name, fields, legal);
+    AnswerOptions result;
+    bool is_legal = fields.hasMember("state") && fields.hasMember("commands");
+    for (auto& [key, value] : fields) {
+      if (key == "state" && value.getType() == Value::TypeString) {
+        result.state = port_name(value);
+      } else if (key == "commands" && value.getType() == Value::TypeArray && value.size() > 0) {
+        for (int i = 0; i < value.size(); ++i) result.commands.push_back(port_name(value[i]));
+      } else if (key == "delay" && value.getType() == Value::TypeDouble) {
+        result.delay_s = static_cast<double>(value);
+      } else {
+        is_legal = false;
+      }
+    }
+    is_legal = is_legal && result.delay_s >= 0.0 && result.delay_s <= 10.0;
+    if (!is_legal) refuse(name, fields, legal);
+    return result;
+  }
+  static std::string port_name(XmlRpc::XmlRpcValue& topic) {
+    const std::string name = topic.getType() == XmlRpc::XmlRpcValue::TypeString
+                                 ? static_cast<std::string>(topic)
+                                 : std::string();
+    return name.substr(std::min(name.find_first_not_of('/'), name.size()));
+  }
   static constexpr const char* kNothing = "_";  ///< keeps an empty tree a struct
   bool has(const std::string& name) {
     asked_for_.insert(name);
@@ -175,6 +211,7 @@ void read_parameters(const ros::NodeHandle& private_node, ServerOptions& options
   parameters.integer("wait_for_sources", options.wait_for_sources, 10000);
   parameters.integer("seed", options.seed, 9e15);
   parameters.number("lockstep_timeout", options.lockstep_timeout_s, 0.01, 1e6);
+  parameters.answers("answers", options.answers);
   parameters.number("max_clock_rate", options.max_clock_rate_hz, 1.0, 1e5);
   parameters.number("pub_clock_frequency", options.pub_clock_frequency_hz, 0.0, 1e5);
   parameters.text("out_dir", options.out_dir);

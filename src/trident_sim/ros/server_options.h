@@ -5,6 +5,7 @@
 #include <ros/node_handle.h>
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,14 @@ namespace trident {
 
 /// What the world does when an enrolled controller or source does not answer in time.
 enum class LossPolicy { kFreeRun, kWait, kPause };
+
+/// A node that answers each sample of one topic with a message on each of some others, which carry
+/// no stamp. Names are those of ports: without the leading slash.
+struct AnswerOptions {
+  std::string state;
+  std::vector<std::string> commands;
+  double delay_s = 0.01;  ///< an answer acts so long after its sample
+};
 
 /// How the server runs: command line, then private parameters (/gazebo/...), then the environment
 /// that
@@ -34,9 +43,10 @@ struct ServerOptions {
   int wait_for_sources = 0;                  ///< set-point sources before time zero is left
   double lockstep_timeout_s = 2.0;           ///< wall time without an answer
   LossPolicy loss_policy = LossPolicy::kFreeRun;
-  double max_clock_rate_hz = 50.0;      ///< wall rate of /clock and of the state topics
-  double pub_clock_frequency_hz = 0.0;  ///< simulated rate of /clock; 0: every step
-  std::string out_dir;                  ///< where results go; "": none are written
+  std::map<std::string, AnswerOptions> answers;  ///< nodes that are waited for, by name
+  double max_clock_rate_hz = 50.0;               ///< wall rate of /clock and of the state topics
+  double pub_clock_frequency_hz = 0.0;           ///< simulated rate of /clock; 0: every step
+  std::string out_dir;                           ///< where results go; "": none are written
   std::vector<std::string> plugin_libraries;
   std::size_t sensor_threads = 1;     ///< that share the work of lidars and cameras
   bool shares_process = false;        ///< it is one of the nodelets of a manager

@@ -61,6 +61,8 @@ Simulation::Simulation(ros::NodeHandle& node, const ServerOptions& options)
                                           options.pub_clock_frequency_hz);
   files_ = std::make_unique<RunFiles>(options.out_dir, options.seed);
   gate_ = std::make_unique<LockstepGate>(node_, options_, report, [this] { paused_ = true; });
+  answers_ =
+      std::make_unique<AnsweredInputs>(options_, world_->ports(), *binder_, *inputs_, report);
   sync_topics();
   topics_->publish_clock(world_->time());
   for (const std::string& warning : options.warnings) this->report(Severity::kWarning, warning);
@@ -83,6 +85,7 @@ void Simulation::sync_topics() {
   binder_->sync();
   inputs_->sync();
   gate_->sync(*world_, *binder_);
+  answers_->sync();
   binder_->scan_subscribers();
 }
 
@@ -107,7 +110,7 @@ bool Simulation::run_once() {
   if (Clock::now() >= next_scan_) every_so_often();
   if (finished()) return false;
   const bool stepping = steps_wanted_ > 0;
-  if ((paused_ && !stepping) || !gate_->start_allowed(*world_, *binder_)) {
+  if ((paused_ && !stepping) || !start_allowed()) {
     restart_pace();
     topics_->publish_clock(world_->time());
     binder_->publish_held_display();
@@ -116,6 +119,7 @@ bool Simulation::run_once() {
     return true;
   }
   if (!stepping && !pace_allows()) return true;
+  if (!answers_allow_step()) return true;
   if (!gate_->allows_step(*world_, mutex_, [this] { topics_->publish_clock(world_->time()); })) {
     return true;
   }
@@ -126,6 +130,26 @@ bool Simulation::run_once() {
     stepped_.notify_all();
   }
   return true;
+}
+
+std::string Simulation::missing_for_start() {
+  const std::string parts[] = {gate_->missing_for_start(*world_), answers_->missing_for_start()};
+  return parts[0] + (parts[0].empty() || parts[1].empty() ? "" : ", ") + parts[1];
+}
+
+bool Simulation::start_allowed() {
+  // Time zero is held once; who goes away later is the business of the policy.
+  if (!stepped_once_ && !answers_->missing_for_start().empty()) return false;
+  return gate_->start_allowed(*world_, *binder_);
+}
+
+bool Simulation::answers_allow_step() {
+  if (answers_->allows_step(world_->time())) return true;
+  mutex_.unlock();
+  answers_->wait();
+  mutex_.lock();
+  answers_->check_losses();
+  return false;  // the world may have changed meanwhile
 }
 
 bool Simulation::finished() {
@@ -171,7 +195,9 @@ void Simulation::make_step() {
     first_step_time_ = world_->time();
   }
   inputs_->deliver();
+  answers_->deliver(world_->time());
   world_->step();
+  answers_->look_for_samples(world_->time());
   const bool every_step = real_time_factor_ > 0.0 && real_time_factor_ <= kEveryStepFactor;
   topics_->publish(*world_, every_step);
   binder_->publish_fresh(PortRank::kTransform, PortRank::kOdometry, every_step);
@@ -198,7 +224,7 @@ void Simulation::every_so_often() {
 }
 
 void Simulation::announce_readiness() {
-  if (!gate_->missing_for_start(*world_).empty()) return;
+  if (!missing_for_start().empty()) return;
   is_ready_ = true;
   std_msgs::Bool message;
   message.data = 1;
@@ -206,8 +232,10 @@ void Simulation::announce_readiness() {
 }
 
 std::string Simulation::describe_state() {
-  if (!stepped_once_ && (options_.wait_for > 0 || options_.wait_for_sources > 0)) {
-    const std::string missing = gate_->missing_for_start(*world_);
+  const bool waits =
+      options_.wait_for > 0 || options_.wait_for_sources > 0 || !options_.answers.empty();
+  if (!stepped_once_ && waits) {
+    const std::string missing = missing_for_start();
     if (!missing.empty()) return "waiting for " + missing;
   }
   return paused_ ? "paused" : "running";
@@ -233,6 +261,7 @@ void Simulation::reset(bool with_time) {
   }
   gate_->clear(with_time);
   inputs_->clear();
+  answers_->clear();
   restart_pace();
   topics_->restart();
   topics_->publish_clock(world_->time());

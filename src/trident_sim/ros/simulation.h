@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "answered_inputs.h"
 #include "diagnostics_topic.h"
 #include "input_binder.h"
 #include "lockstep_gate.h"
@@ -74,6 +75,9 @@ class Simulation {
   static void log(Severity severity, const std::string& text);
   void report(Severity severity, const std::string& text);
   bool run_once();
+  bool start_allowed();
+  std::string missing_for_start();
+  bool answers_allow_step();
   bool finished();
   void restart_pace();
   bool pace_allows();
@@ -99,6 +103,7 @@ class Simulation {
   PerformanceTopic performance_;
   std::unique_ptr<RunFiles> files_;
   std::unique_ptr<LockstepGate> gate_;
+  std::unique_ptr<AnsweredInputs> answers_;
 
   bool paused_ = false;
   bool ended_ = false;

@@ -19,6 +19,8 @@ from trident_eval.core.animation import animate
 from trident_eval.core.command import Command, read_command
 from trident_eval.core.complaints import complaints
 from trident_eval.core.errors import EvalError
+from trident_eval.core.mission_plots import draw_missions
+from trident_eval.core.missions import judge_missions, read_missions
 from trident_eval.core.page import Report, page
 from trident_eval.core.plots import draw_all
 from trident_eval.core.provenance import Provenance, read_object, read_provenance
@@ -108,6 +110,9 @@ def _show_frames(count: int, total: int) -> None:
 
 def _judge_folder(folder: Path) -> tuple[Scene, Verdict]:
     tracks = read_states(folder / "states.csv")
+    if missions := read_missions(folder):
+        scene = Scene(folder.resolve().name, tracks.select([mission.name for mission in missions]))
+        return scene, judge_missions(tracks, missions, read_object(folder / "run.json"))
     command = read_command(folder)
     verdict = judge(tracks, command, read_object(folder / "run.json"))
     title = folder.resolve().name
@@ -134,6 +139,8 @@ def write_report(
         EvalError: a file of the run is not what it should be.
     """
     pictures = draw_all(scene, folder) if scene else []
+    if scene and source.is_dir() and (missions := read_missions(source)):
+        pictures = draw_missions(scene.tracks, missions, scene.title, folder) + pictures
     if scene and (folder / ANIMATION).is_file():
         pictures.insert(0, folder / ANIMATION)
     provenance = read_provenance(source) if source.is_dir() else Provenance()

@@ -4,6 +4,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -45,9 +47,6 @@ def draw_all(scene: Scene, folder: Path) -> list[Path]:
     Returns:
         The files that were written.
     """
-    import matplotlib
-
-    matplotlib.use("Agg")
     drawings = {
         "paths.png": _draw_paths,
         "height.png": _draw_height,
@@ -55,10 +54,26 @@ def draw_all(scene: Scene, folder: Path) -> list[Path]:
         "separation.png": _draw_separation,
         "tracking_error.png": _draw_tracking_error,
     }
+    return saved_figures({name: partial(draw, scene) for name, draw in drawings.items()}, folder)
+
+
+def saved_figures(drawings: Mapping[str, Callable[[], Any]], folder: Path) -> list[Path]:
+    """Draw figures in the style of all of them.
+
+    Args:
+        drawings: by file name, what makes a figure, or None where there is nothing to show.
+        folder: where the PNG files go; must exist.
+
+    Returns:
+        The files that were written.
+    """
+    import matplotlib
+
+    matplotlib.use("Agg")
     written = []
     with matplotlib.rc_context(_STYLE):
         for name, draw in drawings.items():
-            figure = draw(scene)
+            figure = draw()
             if figure is not None:
                 # No creation date in the file: the same run gives the same bytes.
                 figure.savefig(folder / name, metadata={"Software": None})

@@ -47,7 +47,19 @@ def verdict_rows(verdict: dict[str, Any]) -> list[Row]:
         value = verdict.get(key)
         if value is not None or _limit(verdict, key) is not None:
             shown.append(_row(verdict, label, key, unit))
-    return shown
+    platforms: dict[str, dict[str, Any]] = verdict.get("platforms") or {}
+    return shown + [_platform_row(name, numbers) for name, numbers in platforms.items()]
+
+
+def _platform_row(name: str, numbers: dict[str, Any]) -> Row:
+    """What one platform of a run of missions did."""
+    rms, limit = numbers["tracking_rms_m"], numbers["tracking_limit_m"]
+    places = f"{numbers['waypoints_reached']} of {numbers['waypoints']} waypoints"
+    done = f" in {numbers['done_s']:.1f} s" if numbers["done_s"] is not None else ""
+    is_met = numbers["done_s"] is not None and rms is not None and rms <= limit
+    error = "unknown" if rms is None else _text(rms, "m")
+    value = f"{places}{done}, tracking RMS {error}"
+    return Row(name, value, f"all, at most {_text(limit, 'm')}", is_met)
 
 
 def table(verdict: dict[str, Any]) -> str:

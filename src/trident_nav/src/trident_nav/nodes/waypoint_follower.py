@@ -3,8 +3,9 @@
 """Drives a robot from waypoint to waypoint: `odom` in, `cmd_vel` out.
 
 Parameters: `~waypoints`, a list of [x, y] [m] in the frame of `odom`, or `~waypoints_file`, a YAML
-file with such a list, or one with `waypoints` in it; the others: see FollowerConfig. `path`
-(nav_msgs/Path) and `~done` (std_msgs/Bool) are latched.
+file with such a list, or one with `waypoints` in it; `~answers_always`: whether it goes on to
+command rest when it is done, for a world that waits for the answer to each odometry; the others:
+see FollowerConfig. `path` (nav_msgs/Path) and `~done` (std_msgs/Bool) are latched.
 """
 
 from __future__ import annotations
@@ -37,6 +38,7 @@ class FollowerNode:
         self._waypoints = read_waypoints()
         self._follower = WaypointFollower(self._waypoints, config)
         self._is_loop = config.loop
+        self._answers_always = bool(rospy.get_param("~answers_always", False))
         self._path_frame = ""
         self._was_done = False
         self._velocity = rospy.Publisher("cmd_vel", Twist, queue_size=1, tcp_nodelay=True)
@@ -54,7 +56,7 @@ class FollowerNode:
         time_s = odometry.header.stamp.to_sec()
         velocity = self._follower.command(time_s, (position.x, position.y, yaw))
         is_done = self._follower.is_done
-        if is_done and self._was_done:
+        if is_done and self._was_done and not self._answers_always:
             return  # whoever drives next is not to be stopped
         try:
             self._velocity.publish(twist(velocity))

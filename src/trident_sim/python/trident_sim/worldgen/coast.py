@@ -130,10 +130,10 @@ def coast_ground(config: CoastConfig) -> Terrain:
 def fairway(ground: Terrain) -> list[Buoy]:
     """The buoys of the harbour's approach, red to port when coming in, and two of a course."""
     places = [
-        ("buoy_red_1", 24.0, -45.0, RED),
-        ("buoy_green_1", 36.0, -45.0, GREEN),
-        ("buoy_red_2", 24.0, -85.0, RED),
-        ("buoy_green_2", 36.0, -85.0, GREEN),
+        ("buoy_red_1", 0.0, -45.0, RED),
+        ("buoy_green_1", 60.0, -45.0, GREEN),
+        ("buoy_red_2", 0.0, -85.0, RED),
+        ("buoy_green_2", 60.0, -85.0, GREEN),
         ("buoy_west", -60.0, -90.0, YELLOW),
         ("buoy_east", 110.0, -90.0, YELLOW),
     ]
