@@ -174,6 +174,7 @@ double GroundGrid::height_m(const Eigen::Vector2d& place) const {
 }
 
 double Seabed::height_m(const Eigen::Vector2d& p_world) const {
+  if (grids_.size() == 1) return grids_[0].height_m(grids_[0].place(p_world));
   double highest = -std::numeric_limits<double>::infinity();
   double nearest = std::numeric_limits<double>::infinity(), beside = 0.0;
   for (const GroundGrid& grid : grids_) {

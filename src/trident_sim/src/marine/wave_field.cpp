@@ -65,7 +65,8 @@ void WaveField::make_blocks() {
 
 double WaveField::strength(const Eigen::Vector2d& p_world, double time_s) const {
   double result = 1.0;
-  if (params_.ramp_time > 0.0) {
+  constexpr double kGrown = 40.0;  // 1 - exp(-40) is 1 to the last digit
+  if (params_.ramp_time > 0.0 && time_s < kGrown * params_.ramp_time) {
     result = time_s > 0.0 ? 1.0 - std::exp(-time_s / params_.ramp_time) : 0.0;
   }
   if (ground_depth_ && params_.shore_depth > 0.0) {

@@ -32,7 +32,7 @@ bool WaterSurface::follow(const Eigen::Vector3d& p_world_viewer) {
   time_s_ = world_.time().seconds();
   const Eigen::Vector2d p = p_world_viewer.head<2>();
   const auto* const waves = dynamic_cast<const WaveField*>(&sea_->water());
-  level_m_ = waves != nullptr ? waves->level_m()
+  level_m_ = waves != nullptr ? waves->level_m(time_s_)
                               : sea_->water().column(p, {0.0, 0.0}, time_s_).elevation_m;
   low_m_ = high_m_ = 0.0;
   far_m_ = 0.0;

@@ -29,7 +29,8 @@ TEST_P(ShippedEnvironment, IsASea) {
   EXPECT_NE(find_sea(*world), nullptr);
   EXPECT_TRUE(world.reports.empty());
 }
-INSTANTIATE_TEST_SUITE_P(All, ShippedEnvironment, testing::Values("calm.yaml", "sea_state_2.yaml"));
+INSTANTIATE_TEST_SUITE_P(All, ShippedEnvironment,
+                         testing::Values("calm.yaml", "sea_state_2.yaml", "breeze.yaml"));
 
 TEST(SeaPlugin, AWorldWithoutItHasNone) {
   TestWorld world(ocean());
