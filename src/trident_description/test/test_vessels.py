@@ -44,17 +44,43 @@ def test_it_stays_on_the_waves(vessel: str) -> None:
     assert 0.02 < np.std(z) < 0.12
 
 
+#: Where VRX has a WAM-V's sensors, below its namespace.
+VRX_TOPICS = (
+    "sensors/gps/gps/fix",
+    "sensors/imu/imu/data",
+    "sensors/lidars/lidar_wamv/points",
+    "sensors/cameras/front_camera/image_raw",
+    "sensors/position/p3d_wamv",
+    "sensors/wind/wind",
+)
+
+
+@pytest.mark.parametrize("vessel", FIGURES)
+def test_sensors_are_optional_and_may_have_their_topics_in_vrx(vessel: str) -> None:
+    names = ("gps", "imu", "lidar", "camera", "wind", "ground_truth")
+    for is_wanted in (True, False):
+        options = {f"{name}_enabled": is_wanted for name in names}
+        world = world_of(vessel, OCEAN, vrx_topics=True, **options)
+        present = [topic for topic in VRX_TOPICS if f"{vessel}/{topic}" in world.ports]
+        assert present == (list(VRX_TOPICS) if is_wanted else [])
+        world.step(10)
+        assert not [message.text for message in world.messages]
+
+
 @pytest.mark.parametrize("vessel", FIGURES)
 def test_its_sensors_tell_and_its_propellers_push(vessel: str) -> None:
     world = world_of(vessel, OCEAN)
-    for port in ("fix", "imu/data", "velodyne_points", "ground_truth/odom"):
+    for port in ("fix", "imu/data", "velodyne_points", "ground_truth/odom", "wind"):
         world.ports[f"{vessel}/{port}"].subscribe()
     for side in ("left", "right"):
         command = trident_sim.ScalarSample(FIGURES[vessel][1])
         world.ports[f"{vessel}/thrusters/{side}_thrust_cmd"].write(command)
     world.step(3000)
-    for port in ("fix", "imu/data", "velodyne_points", "ground_truth/odom"):
+    for port in ("fix", "imu/data", "velodyne_points", "ground_truth/odom", "wind"):
         assert world.ports[f"{vessel}/{port}"].count > 0, port
     odometry = world.ports[f"{vessel}/ground_truth/odom"].value
     assert odometry.linear_velocity[0] == pytest.approx(FIGURES[vessel][2], abs=0.35)
     assert world.model(vessel).position[0] > 0.7 * 30.0 * FIGURES[vessel][2]
+    # Still air comes from ahead, as fast as the boat goes.
+    wind = world.ports[f"{vessel}/wind"].value.value
+    assert wind[0] == pytest.approx(-odometry.linear_velocity[0], abs=0.6)
