@@ -64,6 +64,7 @@ py::tuple cast_rays(Session& session, const py::object& origins, const py::objec
   RayScene& scene =
       session.world().rays(is_visual ? RayGeometry::kVisual : RayGeometry::kCollision);
   scene.refresh();
+  if (!rays.empty()) scene.refresh_water(rays.front().p_world_origin);
   scene.cast({rays.data(), rays.size()}, {hits.data(), hits.size()});
   const auto count = static_cast<py::ssize_t>(rays.size());
   py::array_t<double> distance(count), normal({count, py::ssize_t{3}});

@@ -36,7 +36,8 @@ struct CameraRenderer::Frame {
   Eigen::Vector3d p_world_camera;
   Eigen::Vector3f x_world, y_world, z_world;  ///< axes of the optical frame
   Eigen::Vector3f background;
-  float pixel_angle;  ///< about that which a pixel spans in the middle of the picture [rad]
+  const WaterSurface* water;  ///< nullptr: none
+  float pixel_angle;          ///< about that which a pixel spans in the middle of the picture [rad]
 };
 
 /// What the rays of one tile meet, and the surfaces that those before it met.
@@ -46,6 +47,7 @@ struct CameraRenderer::Seen {
   PacketHits hits;
   std::array<double, kLanes> depths;
   LitPoints points;
+  WaterView water;
 };
 
 CameraRenderer::CameraRenderer(World& world, const CameraSpec& spec, const CameraModel& model,
@@ -67,6 +69,8 @@ void CameraRenderer::render(const SE3& T_world_camera, std::uint64_t noise_key, 
   RayScene& scene = world_.rays(RayGeometry::kVisual);
   scene.use_textures();
   scene.refresh();
+  scene.refresh_water(T_world_camera.p);
+  if (scene.water() != nullptr) water_.begin_picture(world_, scene, pixel_angle_);
   for (const auto& seen : seen_) seen->surfaces.begin_picture(scene, T_world_camera.p);
   const Eigen::Matrix3f R = T_world_camera.R.toRotationMatrix().cast<float>();
   const Frame frame{scene,
@@ -77,6 +81,7 @@ void CameraRenderer::render(const SE3& T_world_camera, std::uint64_t noise_key, 
                     -R.col(2),
                     R.col(0),
                     world_.scene().background.head<3>().cast<float>(),
+                    scene.water(),
                     pixel_angle_};
   make_room(picture);
   // A row of tiles is a part of the work: what it draws depends on no other.
@@ -116,6 +121,7 @@ void CameraRenderer::for_pixels(int column, int row, Store&& store) const {
 void CameraRenderer::render_tile(const Frame& frame, int column, int row, Seen& seen,
                                  Picture& picture) const {
   see(frame, table_.tile(column, row), picture.wants_colors, seen);
+  if (frame.water != nullptr) see_water(frame, seen);
   if (picture.wants_depths) {
     for_pixels(column, row, [&](std::size_t lane, std::size_t pixel) {
       picture.depths[pixel] = static_cast<float>(seen.depths[lane]);
@@ -132,6 +138,7 @@ void CameraRenderer::render_tile(const Frame& frame, int column, int row, Seen& 
     color[channel].fill(frame.background[static_cast<Eigen::Index>(channel)]);
   }
   frame.lighting.shade(seen.points, color);
+  if (frame.water != nullptr && seen.water.is_needed) water_.paint(seen.water, color);
   store_colors(frame, color, column, row, picture);
 }
 
@@ -175,6 +182,35 @@ void CameraRenderer::see(const Frame& frame, const ViewTable::Tile& tile, bool w
     if (rays.valid[lane] == 0) continue;
     seen.hits.shape[lane] = Picture::kNothing;
     seen.depths[lane] = kInfinity;
+  }
+}
+
+/// Puts the water before what lies behind it, of which only as much stays as can be seen through
+/// it.
+void CameraRenderer::see_water(const Frame& frame, Seen& seen) const {
+  const RayPacket& rays = seen.rays;
+  WaterView& view = seen.water;
+  view.p_world_camera = frame.p_world_camera;
+  view.d_x = rays.direction_x;
+  view.d_y = rays.direction_y;
+  view.d_z = rays.direction_z;
+  view.is_needed = false;
+  for (std::size_t lane = 0; lane < kLanes; ++lane) {
+    const double behind = seen.depths[lane];
+    Ray ray;
+    ray.p_world_origin = frame.p_world_camera;
+    ray.direction_world = {rays.direction_x[lane], rays.direction_y[lane], rays.direction_z[lane]};
+    ray.t_min_m = spec_.near_m;
+    WaterMeeting& met = view.met[lane];
+    met = frame.water->meet(ray, behind);
+    view.behind[lane] = static_cast<float>(behind);
+    const bool is_met = std::isfinite(met.t);
+    view.is_needed = view.is_needed || is_met || met.begins_below;
+    if (!is_met) continue;
+    if (behind - met.t > WaterPainter::kMurk_m || met.begins_below) seen.points.valid[lane] = 0;
+    const bool is_near = met.t <= spec_.far_m;
+    seen.depths[lane] = is_near ? met.t : kInfinity;
+    seen.hits.shape[lane] = is_near ? frame.scene.water_shape() : Picture::kNothing;
   }
 }
 

@@ -10,6 +10,7 @@
 #include "camera_spec.h"
 #include "lighting.h"
 #include "view_table.h"
+#include "water_painter.h"
 
 namespace trident {
 
@@ -26,7 +27,8 @@ struct Picture {
 
 /// Draws the visuals of a world through a pinhole: one ray per pixel, one to each lamp that casts
 /// shadows. Surfaces are seen from their front only, as in Gazebo: a camera looks out of its own
-/// housing. Pictures are equal to the bit whatever else is drawn with them.
+/// housing. The sea, where the world has one, is seen to the horizon, however near `far_m` is;
+/// depths and shapes end there. Pictures are equal to the bit whatever else is drawn with them.
 class CameraRenderer {
  public:
   /// Throws Error that begins with `owner`, see ViewTable. `world` must outlive this.
@@ -47,6 +49,7 @@ class CameraRenderer {
   void render_tile(const Frame& frame, int column, int row, Seen& seen, Picture& picture) const;
   void see(const Frame& frame, const ViewTable::Tile& tile, bool with_look, Seen& seen) const;
   bool describe(const Frame& frame, std::size_t lane, bool with_look, Seen& seen) const;
+  void see_water(const Frame& frame, Seen& seen) const;
   void store_colors(const Frame& frame, const PacketColor& color, int column, int row,
                     Picture& picture) const;
   template <class Store>
@@ -57,6 +60,7 @@ class CameraRenderer {
   int width_, height_;
   float pixel_angle_;
   ViewTable table_;
+  WaterPainter water_;
   std::vector<std::unique_ptr<Seen>> seen_;  ///< by worker
 };
 

@@ -49,7 +49,7 @@ class WaterSurface {
   // What pictures are made with.
 
   /// nullptr: the water is flat.
-  const WaterTile* tile() const { return tile_.get(); }
+  const std::shared_ptr<const WaterTile>& tile() const { return tile_; }
   const WaterPattern& pattern() const { return maker_->pattern(); }
   /// Share of the tile's second end in the heights.
   float weight() const { return weight_; }

@@ -31,19 +31,24 @@ void clear(ComplexGrid& grid) {
   std::fill(grid.im.begin(), grid.im.end(), 0.0F);
 }
 
+int floor_of(float value) {
+  const int cut = static_cast<int>(value);
+  return cut - (value < static_cast<float>(cut) ? 1 : 0);
+}
+
 /// Where between which nodes a place lies, in cells.
 struct Between {
   std::size_t i0, i1, j0, j1;  ///< rows, columns
   float p, q;
 
   Between(float row, float column, std::size_t n) {
-    const float row0 = std::floor(row), column0 = std::floor(column);
-    p = row - row0;
-    q = column - column0;
-    i0 = wrapped(static_cast<int>(row0), n) * n;
-    i1 = wrapped(static_cast<int>(row0) + 1, n) * n;
-    j0 = wrapped(static_cast<int>(column0), n);
-    j1 = wrapped(static_cast<int>(column0) + 1, n);
+    const int row0 = floor_of(row), column0 = floor_of(column);
+    p = row - static_cast<float>(row0);
+    q = column - static_cast<float>(column0);
+    i0 = wrapped(row0, n) * n;
+    i1 = wrapped(row0 + 1, n) * n;
+    j0 = wrapped(column0, n);
+    j1 = wrapped(column0 + 1, n);
   }
   float of(const std::vector<float>& values) const {
     const float low = values[i0 + j0] + q * (values[i0 + j1] - values[i0 + j0]);

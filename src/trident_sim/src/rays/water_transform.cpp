@@ -3,6 +3,7 @@
 #include "water_transform.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "trident_base/angle.h"
@@ -45,27 +46,25 @@ void WaterTransform::transform_columns(const ComplexGrid& in, ComplexGrid& trans
       continue;
     }
     butterflies();
-    for (std::size_t row = 0; row < n_; ++row) {
-      for (std::size_t i = 0; i < kStrip; ++i) {
-        re[i * n_ + row] = strip_re_[row * kStrip + i];
-        im[i * n_ + row] = strip_im_[row * kStrip + i];
-      }
+    for (std::size_t i = 0; i < kStrip; ++i) {
+      for (std::size_t row = 0; row < n_; ++row) re[i * n_ + row] = strip_re_[row * kStrip + i];
+      for (std::size_t row = 0; row < n_; ++row) im[i * n_ + row] = strip_im_[row * kStrip + i];
     }
   }
 }
 
 /// Rows in the order that the butterflies want. False: all of it is zero, as most of a spectrum is.
 bool WaterTransform::load_strip(const ComplexGrid& in, std::size_t column) {
-  float sum = 0.0F;
+  std::array<float, kStrip> sums{};
   for (std::size_t row = 0; row < n_; ++row) {
     const std::size_t from = reversed_[row] * n_ + column, to = row * kStrip;
     for (std::size_t i = 0; i < kStrip; ++i) {
       strip_re_[to + i] = in.re[from + i];
       strip_im_[to + i] = in.im[from + i];
-      sum += std::abs(in.re[from + i]) + std::abs(in.im[from + i]);
+      sums[i] += std::abs(in.re[from + i]) + std::abs(in.im[from + i]);
     }
   }
-  return sum != 0.0F;
+  return std::any_of(sums.begin(), sums.end(), [](float sum) { return sum != 0.0F; });
 }
 
 void WaterTransform::butterflies() {

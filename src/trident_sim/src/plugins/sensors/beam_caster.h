@@ -9,6 +9,7 @@
 #include "trident_base/error.h"
 #include "trident_sim/ray_scene.h"
 #include "trident_sim/world.h"
+#include "water_returns.h"
 
 namespace trident {
 
@@ -21,8 +22,12 @@ inline RayGeometry geometry_of(const SensorSpec& sensor) {
 /// begin at the smallest range: what is nearer is not seen.
 class BeamCaster {
  public:
-  BeamCaster(World& world, RayGeometry geometry, double range_min_m, double range_max_m)
-      : scene_(world.rays(geometry)) {
+  /// `context` is the sensor's plugin's.
+  BeamCaster(const PluginContext& context, double range_min_m, double range_max_m,
+             WaterReturns water = WaterReturns::kAuto)
+      : scene_(context.world.rays(geometry_of(*context.sensor))),
+        water_(scene_, read_water_returns(context.params, water), context.world.seed(),
+               context.name) {
     blank_.t_min_m = range_min_m;
     blank_.t_max_m = range_max_m;
   }
@@ -37,18 +42,29 @@ class BeamCaster {
     rays_[beam].p_world_origin = p_world_origin;
     rays_[beam].direction_world = direction_world;
   }
-  /// Has what is cast from now on see the world as it is now.
-  void refresh() { scene_.refresh(); }
+  /// Has what is cast from now on see the world as it is now, and the sea about the sensor.
+  void refresh(const Eigen::Vector3d& p_world_sensor) {
+    scene_.refresh();
+    scene_.refresh_water(p_world_sensor);
+    sees_water_ = scene_.water() != nullptr;
+  }
   void cast() { cast(0, rays_.size()); }
   /// Beams [first, first + count) alone; several threads may do so at a time.
   void cast(std::size_t first, std::size_t count) {
     scene_.cast({rays_.data() + first, count}, {hits_.data() + first, count});
   }
-  const RayHit& hit(std::size_t beam) const { return hits_[beam]; }
+  /// What the sensor notices of what a beam met; `scan` and `channel` are for random numbers.
+  const RayHit& hit(std::size_t beam, std::uint64_t scan, std::uint32_t channel) const {
+    static const RayHit nothing;
+    const bool is_told = !sees_water_ || water_.tells(rays_[beam], hits_[beam], scan, channel);
+    return is_told ? hits_[beam] : nothing;
+  }
   double intensity(const RayHit& hit) const { return scene_.intensity(hit); }
 
  private:
   RayScene& scene_;
+  WaterSight water_;
+  bool sees_water_ = false;
   Ray blank_;
   std::vector<Ray> rays_;
   std::vector<RayHit> hits_;

@@ -37,8 +37,9 @@ class BlockLaser : public MeasuringPlugin {
  protected:
   void measure(const World&, const StepInfo& info) override {
     if (!rays_.clock().is_due(info) || !points_->wanted()) return;
-    rays_.cast();
-    NormalRow noise(stream_, rays_.clock().count_at(info));
+    const std::uint64_t scan = rays_.clock().count_at(info);
+    rays_.cast(scan);
+    NormalRow noise(stream_, scan);
     for (std::size_t beam = 0; beam < rays_.size(); ++beam) {
       points_->value.points[beam] = point(beam, noise).cast<float>();
       points_->value.intensities[beam] = static_cast<float>(rays_.intensity(beam));

@@ -245,7 +245,7 @@ class HectorSonar : public MeasuringPlugin {
  public:
   explicit HectorSonar(const PluginContext& context)
       : MeasuringPlugin(context.world.timing()),
-        rays_(context),
+        rays_(context, WaterReturns::kOn),
         clock_(context.params.number("updateRate", 10.0, {0.0, 1e6})),
         error_(read_hector_noises(context.params, "")[0],
                clock_.rate_hz() > 0.0 ? 1.0 / clock_.rate_hz()
@@ -271,7 +271,7 @@ class HectorSonar : public MeasuringPlugin {
   void measure(const World&, const StepInfo& info) override {
     if (!clock_.is_due(info) || !range_->wanted()) return;
     const std::uint64_t index = clock_.count_at(info);
-    rays_.cast();
+    rays_.cast(index);
     const LidarSpec& spec = rays_.spec();
     double nearest_m = spec.range_max_m;
     for (std::size_t beam = 0; beam < rays_.size(); ++beam) {

@@ -32,7 +32,7 @@ class LaserScanner : public MeasuringPlugin {
         clock_(context.sensor->update_rate_hz),
         is_rolling_(context.params.flag("rolling", is_rolling)),
         stream_(context.world.seed(), context.name),
-        caster_(context.world, geometry_of(*context.sensor), spec_.range_min_m, spec_.range_max_m),
+        caster_(context, spec_.range_min_m, spec_.range_max_m),
         turn_(clock_.rate_hz(), static_cast<std::size_t>(spec_.horizontal.beams),
               is_rolling_ ? beam_period_s() : 0.0) {
     if (is_rolling_ && clock_.rate_hz() <= 0.0) {
@@ -129,12 +129,13 @@ class LaserScanner : public MeasuringPlugin {
 
   /// Casts what was aimed into the sweep.
   void cast(const RollingSweep::Due& due) {
-    caster_.refresh();
+    caster_.refresh((link_.T_world_link() * T_link_sensor_).p);
     caster_.cast();
     NormalRow noise(stream_, due.scan);
     for (std::size_t beam = due.first; beam < due.last; ++beam) {
-      const RayHit& hit = caster_.hit(beam - due.first);
-      sweep_[beam] = measured(hit.distance_m, static_cast<std::uint32_t>(beam), noise);
+      const auto channel = static_cast<std::uint32_t>(beam);
+      const RayHit& hit = caster_.hit(beam - due.first, due.scan, channel);
+      sweep_[beam] = measured(hit.distance_m, channel, noise);
       intensities_[beam] = static_cast<float>(caster_.intensity(hit));
     }
   }

@@ -83,8 +83,7 @@ class PointLidar : public MeasuringPlugin {
         bias_m_(spec.noise.mean),
         stream_(context.world.seed(), context.name),
         workers_(context.world.workers()),
-        caster_(context.world, geometry_of(*context.sensor), limits_.range_min_m,
-                limits_.range_max_m),
+        caster_(context, limits_.range_min_m, limits_.range_max_m),
         pattern_(checked_pattern(context, spec, is_rolling)),
         sweep_(clock_.rate_hz(), pattern_->columns(), pattern_->column_period_s()) {
     const PluginParams& params = context.params;
@@ -133,7 +132,7 @@ class PointLidar : public MeasuringPlugin {
     const std::size_t beams = pattern_->beams().size();
     const bool is_shared = workers_.threads() > 1;
     NormalRow noise(stream_, scan);
-    caster_.refresh();
+    caster_.refresh((link_.T_world_link() * T_link_sensor_).p);
     blocks_.clear();
     for (std::size_t begin = first, columns = 0; begin < last; begin += columns) {
       const std::size_t left = last - begin;
@@ -144,7 +143,7 @@ class PointLidar : public MeasuringPlugin {
       for (const Block& block : blocks_) {
         make_room(block.columns * beams);
         cast_block(scan, block, T_world_sensor);
-        collect(block, noise);
+        collect(scan, block, noise);
       }
       return;
     }
@@ -152,7 +151,7 @@ class PointLidar : public MeasuringPlugin {
     workers_.share(blocks_.size(), [&](std::size_t i, std::size_t) {
       cast_block(scan, blocks_[i], T_world_sensor);
     });
-    for (const Block& block : blocks_) collect(block, noise);
+    for (const Block& block : blocks_) collect(scan, block, noise);
   }
 
   void make_room(std::size_t beams) {
@@ -182,19 +181,19 @@ class PointLidar : public MeasuringPlugin {
                              : i * pattern_->beams().size() + beam);
   }
 
-  void collect(const Block& block, NormalRow& noise) {
-    for (std::size_t i = 0; i < block.columns; ++i) collect_column(block, i, noise);
+  void collect(std::uint64_t scan, const Block& block, NormalRow& noise) {
+    for (std::size_t i = 0; i < block.columns; ++i) collect_column(scan, block, i, noise);
   }
 
   /// The returns of the i-th column of a block.
-  void collect_column(const Block& block, std::size_t i, NormalRow& noise) {
+  void collect_column(std::uint64_t scan, const Block& block, std::size_t i, NormalRow& noise) {
     const std::size_t beams = pattern_->beams().size(), column = block.first + i;
     const double begin_s = static_cast<double>(column) * pattern_->column_period_s();
     for (const std::size_t beam : pattern_->firing_order()) {
-      const RayHit& hit = caster_.hit(place(block, beam, i));
+      const auto channel = static_cast<std::uint32_t>(column * beams + beam);
+      const RayHit& hit = caster_.hit(place(block, beam, i), scan, channel);
       if (!(hit.distance_m < limits_.range_max_m)) continue;
       const double intensity = caster_.intensity(hit);
-      const auto channel = static_cast<std::uint32_t>(column * beams + beam);
       const double range_m =
           hit.distance_m + bias_m_ +
           (stddev_m_ > 0.0 ? stddev_m_ * static_cast<double>(noise.at(channel)) : 0.0);

@@ -21,7 +21,7 @@ class RangeFinder : public MeasuringPlugin {
  public:
   explicit RangeFinder(const PluginContext& context)
       : MeasuringPlugin(context.world.timing()),
-        rays_(context),
+        rays_(context, water_of(context)),
         stddev_m_(std::hypot(rays_.spec().noise.stddev,
                              context.params.number("gaussianNoise", 0.0, {0.0, 1e6}))),
         stream_(context.world.seed(), context.name) {
@@ -39,7 +39,7 @@ class RangeFinder : public MeasuringPlugin {
  protected:
   void measure(const World&, const StepInfo& info) override {
     if (!rays_.clock().is_due(info) || !range_->wanted()) return;
-    rays_.cast();
+    rays_.cast(rays_.clock().count_at(info));
     const LidarSpec& spec = rays_.spec();
     double nearest_m = spec.range_max_m;
     for (std::size_t beam = 0; beam < rays_.size(); ++beam) {
@@ -56,6 +56,12 @@ class RangeFinder : public MeasuringPlugin {
   }
 
  private:
+  /// Sound comes back from water, infrared light as a lidar's.
+  static WaterReturns water_of(const PluginContext& context) {
+    return context.params.text("radiation", "ultrasound") == "infrared" ? WaterReturns::kAuto
+                                                                        : WaterReturns::kOn;
+  }
+
   RayBundle rays_;
   double stddev_m_;
   RandomStream stream_;

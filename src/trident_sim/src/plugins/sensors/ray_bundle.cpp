@@ -17,13 +17,13 @@ double lower_rate(double sensor_hz, double plugin_hz) {
 
 }  // namespace
 
-RayBundle::RayBundle(const PluginContext& context)
+RayBundle::RayBundle(const PluginContext& context, WaterReturns water)
     : link_((required_ray_sensor(context), *context.link)),
       T_link_sensor_(context.sensor->T_link_sensor),
       spec_(read_lidar_spec(*context.sensor, context.params.owner())),
       clock_(lower_rate(context.sensor->update_rate_hz,
                         context.params.number("updateRate", 0.0, {0.0, 1e6}))),
-      caster_(context.world, geometry_of(*context.sensor), spec_.range_min_m, spec_.range_max_m) {
+      caster_(context, spec_.range_min_m, spec_.range_max_m, water) {
   for (int ring = 0; ring < spec_.vertical.beams; ++ring) {
     const double elevation = spec_.vertical.angle_rad(ring), level = std::cos(elevation);
     for (int beam = 0; beam < spec_.horizontal.beams; ++beam) {
@@ -34,14 +34,15 @@ RayBundle::RayBundle(const PluginContext& context)
   }
 }
 
-void RayBundle::cast() {
+void RayBundle::cast(std::uint64_t scan) {
+  scan_ = scan;
   const SE3 T_world_sensor = link_.T_world_link() * T_link_sensor_;
   const Eigen::Matrix3d R = T_world_sensor.R.toRotationMatrix();
   caster_.begin(directions_.size());
   for (std::size_t beam = 0; beam < directions_.size(); ++beam) {
     caster_.aim(beam, T_world_sensor.p, R * directions_[beam]);
   }
-  caster_.refresh();
+  caster_.refresh(T_world_sensor.p);
   caster_.cast();
 }
 

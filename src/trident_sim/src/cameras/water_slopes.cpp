@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "water_slopes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace trident {
+namespace {
+
+std::size_t below(std::size_t i, std::size_t n) { return (i + n - 1) & (n - 1); }
+std::size_t above(std::size_t i, std::size_t n) { return (i + 1) & (n - 1); }
+
+}  // namespace
+
+void WaterSlopes::follow(const WaterSurface& water) {
+  if (water.tile() == nullptr) {
+    tile_.reset();
+    return;
+  }
+  if (tile_.lock() == water.tile() && weight_ == water.weight() && !levels_.empty()) return;
+  tile_ = water.tile();
+  weight_ = water.weight();
+  find_slopes(water);
+  std::size_t level = 0;
+  for (; levels_[level].n > 1; ++level) {
+    if (levels_.size() == level + 1) levels_.emplace_back();
+    halve(levels_[level], levels_[level + 1]);
+  }
+  levels_.resize(level + 1);
+}
+
+/// Central differences of the heights.
+void WaterSlopes::find_slopes(const WaterSurface& water) {
+  const std::size_t n = water.pattern().n;
+  const WaterTile& tile = *water.tile();
+  heights_.resize(n * n);
+  for (std::size_t i = 0; i < n * n; ++i) {
+    const std::array<float, 2>& ends =
+        tile.ends(static_cast<std::int64_t>(i / n), static_cast<std::int64_t>(i % n));
+    heights_[i] = ends[0] + weight_ * (ends[1] - ends[0]);
+  }
+  if (levels_.empty()) levels_.emplace_back();
+  Level& fine = levels_.front();
+  fine.n = n;
+  fine.nodes.resize(n * n);
+  const auto per_m = static_cast<float>(0.5 / water.pattern().cell_m);
+  for (std::size_t row = 0; row < n; ++row) {
+    const float* const before = &heights_[below(row, n) * n];
+    const float* const here = &heights_[row * n];
+    const float* const after = &heights_[above(row, n) * n];
+    for (std::size_t column = 0; column < n; ++column) {
+      const float along = per_m * (after[column] - before[column]);
+      const float across = per_m * (here[above(column, n)] - here[below(column, n)]);
+      fine.nodes[row * n + column] = {along, across, along * along + across * across};
+    }
+  }
+}
+
+void WaterSlopes::halve(const Level& fine, Level& coarse) {
+  const std::size_t n = fine.n / 2;
+  coarse.n = n;
+  coarse.nodes.resize(n * n);
+  for (std::size_t row = 0; row < n; ++row) {
+    const Node* const low = &fine.nodes[2 * row * fine.n];
+    const Node* const high = low + fine.n;
+    for (std::size_t i = 0; i < n; ++i) {
+      const Node &a = low[2 * i], &b = low[2 * i + 1], &c = high[2 * i], &d = high[2 * i + 1];
+      coarse.nodes[row * n + i] = {0.25F * (a.along + b.along + c.along + d.along),
+                                   0.25F * (a.across + b.across + c.across + d.across),
+                                   0.25F * (a.square + b.square + c.square + d.square)};
+    }
+  }
+}
+
+/// Bilinear; u and v in units of the level's nodes.
+WaterSlopes::Node WaterSlopes::between(const Level& level, float u, float v) {
+  const float row = std::floor(u), column = std::floor(v);
+  const float p = u - row, q = v - column;
+  const std::size_t mask = level.n - 1;
+  const auto i = static_cast<std::size_t>(static_cast<std::int64_t>(row)) & mask;
+  const auto j = static_cast<std::size_t>(static_cast<std::int64_t>(column)) & mask;
+  const Node* const low = &level.nodes[i * level.n];
+  const Node* const high = &level.nodes[((i + 1) & mask) * level.n];
+  const std::size_t next = (j + 1) & mask;
+  const float a = (1.0F - p) * (1.0F - q), b = (1.0F - p) * q, c = p * (1.0F - q), d = p * q;
+  return {a * low[j].along + b * low[next].along + c * high[j].along + d * high[next].along,
+          a * low[j].across + b * low[next].across + c * high[j].across + d * high[next].across,
+          a * low[j].square + b * low[next].square + c * high[j].square + d * high[next].square};
+}
+
+WaterSlopes::Mean WaterSlopes::at(const WaterSurface& water, const Eigen::Vector2d& p_world,
+                                  double width_m) const {
+  if (water.tile() == nullptr) return {};
+  const WaterPattern& pattern = water.pattern();
+  // Within one tile, so that floats are fine enough.
+  const auto cells = [&](const Eigen::Vector2d& axis) {
+    const double turns = axis.dot(p_world) / pattern.length_m;
+    return static_cast<float>((turns - std::floor(turns)) * static_cast<double>(pattern.n));
+  };
+  const float u = cells(pattern.axis), v = cells(pattern.across);
+  const auto most = static_cast<float>(levels_.size() - 1);
+  const float wide = std::log2(std::max(static_cast<float>(width_m / pattern.cell_m), 1.0F));
+  const float level = std::min(wide, most);
+  const auto fine = static_cast<std::size_t>(level);
+  const std::size_t coarse = std::min(fine + 1, levels_.size() - 1);
+  // Nodes of a coarser level lie amidst those that they are means of.
+  const auto sample = [&](std::size_t number) {
+    const float scale = 1.0F / static_cast<float>(std::size_t{1} << number);
+    return between(levels_[number], (u + 0.5F) * scale - 0.5F, (v + 0.5F) * scale - 0.5F);
+  };
+  const Node a = sample(fine), b = sample(coarse);
+  const float share = level - static_cast<float>(fine);
+  const auto s = static_cast<float>(water.strength(p_world));
+  return {s * Eigen::Vector2f(a.along + share * (b.along - a.along),
+                              a.across + share * (b.across - a.across)),
+          s * s * (a.square + share * (b.square - a.square))};
+}
+
+}  // namespace trident

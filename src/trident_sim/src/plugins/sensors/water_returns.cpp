@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "water_returns.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "../../rays/water_surface.h"
+
+namespace trident {
+
+WaterReturns read_water_returns(const PluginParams& params, WaterReturns fallback) {
+  const std::string text = params.text("water_returns", "");
+  if (text.empty()) return fallback;
+  if (text == "auto") return WaterReturns::kAuto;
+  if (text == "off") return WaterReturns::kOff;
+  if (text != "on") params.refuse("water_returns", text, "auto, off or on");
+  return WaterReturns::kOn;
+}
+
+double water_return_probability(double cos_incidence, double distance_m) {
+  constexpr double kMirror = 0.02, kSlopes = 0.01, kScattered = 0.0005;
+  constexpr double kBoard = 0.1, kBoardRange_m = 100.0;
+  const double c = std::clamp(cos_incidence, 1e-3, 1.0);
+  const double tan2 = 1.0 / (c * c) - 1.0;
+  const double mirrored = kMirror * std::exp(-tan2 / kSlopes) / (4.0 * kSlopes * std::pow(c, 5));
+  const double strength = (mirrored + kScattered * c) / kBoard;
+  const double per_range = kBoardRange_m / std::max(distance_m, 1e-3);
+  return -std::expm1(-strength * per_range * per_range);
+}
+
+bool WaterSight::tells(const Ray& ray, const RayHit& hit, std::uint64_t scan,
+                       std::uint32_t channel) const {
+  if (!hit.met()) return true;
+  const bool is_water = hit.shape == scene_.water_shape();
+  if (returns_ != WaterReturns::kAuto) return !is_water || returns_ == WaterReturns::kOn;
+  if (!is_water) {
+    const WaterSurface& water = *scene_.water();
+    const Eigen::Vector3d& p = ray.p_world_origin;
+    return p.z() > water.highest_m() || p.z() > water.height_m(p.head<2>());
+  }
+  if (hit.normal_world.z() < 0.0) return false;  // from below
+  const double cosine = -hit.normal_world.dot(ray.direction_world);
+  return stream_.uniform(scan, channel) < water_return_probability(cosine, hit.distance_m);
+}
+
+}  // namespace trident
