@@ -11,14 +11,22 @@ namespace trident {
 namespace {
 
 constexpr float kPiF = static_cast<float>(kPi);
-constexpr float kMirror = 0.02F;    ///< Fresnel's reflectivity straight on
-constexpr float kRipples = 0.003F;  ///< mean square of the slopes of waves that the sea has not
+constexpr float kMirror = 0.02F;  ///< Fresnel's reflectivity straight on
+/// Mean square of the slopes of ripples, which the sea's spectrum has not. They are drawn as the
+/// tile's own slopes at a fraction of its size, where it has any.
+constexpr float kRipples = 0.006F;
+constexpr double kRippleScale = 11.0;
+constexpr float kSmoothest = 0.001F;  ///< of what spreads the sun's light
 
 /// Of light from above that comes out of deep water again; what is left of light after a metre.
-const Eigen::Vector3f kDeep(0.012F, 0.075F, 0.105F);
+const Eigen::Vector3f kDeep(0.018F, 0.125F, 0.165F);
 const Eigen::Vector3f kExtinction(0.45F, 0.12F, 0.09F);  ///< [1/m]
+constexpr float kClear_m = 60.0F;                        ///< beyond it nothing is left
 /// The zenith's colour, as a part of the horizon's.
 const Eigen::Vector3f kZenith(0.36F, 0.55F, 0.85F);
+
+float to_the_fifth(float x) { return x * x * (x * x) * x; }
+float fresnel_of(float cosine) { return kMirror + (1.0F - kMirror) * to_the_fifth(1.0F - cosine); }
 
 }  // namespace
 
@@ -35,6 +43,8 @@ void WaterPainter::begin_picture(const World& world, const RayScene& scene, floa
   water_ = scene.water();
   pixel_angle_ = pixel_angle_rad;
   slopes_.follow(*water_);
+  const float square = slopes_.mean_square();
+  ripple_strength_ = square > 0.0F ? std::sqrt(kRipples / square) : 0.0F;
   background_ = world.scene().background.head<3>().cast<float>();
   suns_.clear();
   Eigen::Vector3f light = world.scene().ambient.head<3>().cast<float>();
@@ -70,19 +80,22 @@ WaterPainter::Facet WaterPainter::facet_of(const WaterView& view, std::size_t la
   const double aslant = std::max(std::abs(static_cast<double>(facet.to_eye.z())), 1e-3);
   const double width_m =
       t * static_cast<double>(length) * static_cast<double>(pixel_angle_) / std::sqrt(aslant);
-  const WaterSlopes::Mean mean = slopes_.at(*water_, p.head<2>(), width_m);
+  facet.slope.setZero();
+  facet.spread = kRipples;
   if (water_->tile() != nullptr) {
-    facet.slope = mean.slope.x() * water_->pattern().axis.cast<float>() +
-                  mean.slope.y() * water_->pattern().across.cast<float>();
-  } else {
-    facet.slope.setZero();
+    const auto strength = static_cast<float>(water_->strength(p.head<2>()));
+    const WaterSlopes::Mean waves = slopes_.at(p.head<2>(), width_m).times(strength);
+    const WaterSlopes::Mean ripples =
+        slopes_.at(kRippleScale * p.head<2>(), kRippleScale * width_m).times(ripple_strength_);
+    facet.slope = slopes_.in_world(waves.slope + ripples.slope);
+    facet.spread = std::max(waves.spread() + ripples.spread(), kSmoothest);
   }
-  facet.spread = std::max(mean.square - mean.slope.squaredNorm(), 0.0F) + kRipples;
   facet.normal = Eigen::Vector3f(-facet.slope.x(), -facet.slope.y(), 1.0F).normalized();
   return facet;
 }
 
 Eigen::Vector3f WaterPainter::through_water(const Eigen::Vector3f& color, float way_m) const {
+  if (way_m > kClear_m) return deep_;
   const Eigen::Array3f left = (-way_m * kExtinction.array()).exp();
   return (left * color.array() + (1.0F - left) * deep_.array()).matrix();
 }
@@ -91,7 +104,7 @@ Eigen::Vector3f WaterPainter::from_above(const Facet& facet, const Eigen::Vector
   const float cosine = std::max(facet.normal.dot(facet.to_eye), 0.01F);
   const float sigma = std::sqrt(0.5F * facet.spread);  // along the line of sight
   const float rough = std::exp(-2.69F * sigma) / (1.0F + 22.7F * sigma * std::sqrt(sigma));
-  const float fresnel = kMirror + (1.0F - kMirror) * std::pow(1.0F - cosine, 5.0F) * rough;
+  const float fresnel = kMirror + (1.0F - kMirror) * to_the_fifth(1.0F - cosine) * rough;
   // Slopes that are seen lean towards the eye, and so show what is higher up.
   const float up = 2.0F * cosine * facet.normal.z() - facet.to_eye.z();
   return fresnel * sky(std::abs(up) + sigma) + (1.0F - fresnel) * body;
@@ -107,7 +120,7 @@ Eigen::Vector3f WaterPainter::from_below(const Facet& facet) const {
 /// The sun as slopes mirror it that lean halfway between it and the eye.
 void WaterPainter::add_glitter(const Sun& sun, const std::array<Facet, kPacketLanes>& facets,
                                PacketColor& color) const {
-  constexpr float kFaint = 0.004F;
+  constexpr float kFaint = 0.004F, kRarest = 15.0F;
   PacketFloats strength{};
   RayPacket to_sun;
   to_sun.valid.fill(0);
@@ -118,13 +131,14 @@ void WaterPainter::add_glitter(const Sun& sun, const std::array<Facet, kPacketLa
     if (!facet.is_met) continue;
     const Eigen::Vector3f half = (sun.to_sun + facet.to_eye).normalized();
     const Eigen::Vector2f slope = -half.head<2>() / std::max(half.z(), 1e-3F);
-    const float density =
-        std::exp(-(slope - facet.slope).squaredNorm() / facet.spread) / (kPiF * facet.spread);
+    const float rare = (slope - facet.slope).squaredNorm() / facet.spread;
+    if (rare > kRarest) continue;
+    const float density = std::exp(-rare) / (kPiF * facet.spread);
+    const float up = half.z() * half.z();
     const float cosine = std::max(half.dot(facet.to_eye), 0.0F);
-    const float fresnel = kMirror + (1.0F - kMirror) * std::pow(1.0F - cosine, 5.0F);
     const float eye = std::max(facet.normal.dot(facet.to_eye), 0.05F);
     // Lambert's surfaces are as bright as the light that falls on them: pi times the radiance.
-    strength[i] = kPiF * fresnel * density / (4.0F * eye * std::pow(half.z(), 4.0F));
+    strength[i] = kPiF * fresnel_of(cosine) * density / (4.0F * eye * up * up);
     if (!(strength[i] > kFaint)) continue;
     is_seen = true;
     to_sun.valid[i] = -1;
@@ -158,10 +172,10 @@ void WaterPainter::paint(const WaterView& view, PacketColor& color) const {
     Eigen::Vector3f seen;
     if (met.begins_below) {
       const auto way_m = length * (facet.is_met ? static_cast<float>(met.t) : view.behind[i]);
-      seen = through_water(facet.is_met ? from_below(facet) : behind, std::min(way_m, 1e3F));
+      seen = through_water(facet.is_met ? from_below(facet) : behind, way_m);
     } else {
       const float way_m = length * (view.behind[i] - static_cast<float>(met.t));
-      seen = from_above(facet, through_water(behind, std::min(way_m, 1e3F)));
+      seen = from_above(facet, through_water(behind, way_m));
       glittering[i] = facet;
     }
     for (std::size_t k = 0; k < 3; ++k) color[k][i] = seen[static_cast<Eigen::Index>(k)];

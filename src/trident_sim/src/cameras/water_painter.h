@@ -54,6 +54,7 @@ class WaterPainter {
   const WaterSurface* water_ = nullptr;
   WaterSlopes slopes_;
   float pixel_angle_ = 0.0F;
+  float ripple_strength_ = 0.0F;
   Eigen::Vector3f background_ = Eigen::Vector3f::Zero();
   Eigen::Vector3f deep_ = Eigen::Vector3f::Zero();  ///< what comes out of deep water
   std::vector<Sun> suns_;

@@ -16,11 +16,16 @@ std::size_t above(std::size_t i, std::size_t n) { return (i + 1) & (n - 1); }
 void WaterSlopes::follow(const WaterSurface& water) {
   if (water.tile() == nullptr) {
     tile_.reset();
+    levels_.clear();
     return;
   }
   if (tile_.lock() == water.tile() && weight_ == water.weight() && !levels_.empty()) return;
   tile_ = water.tile();
   weight_ = water.weight();
+  length_m_ = water.pattern().length_m;
+  cell_m_ = water.pattern().cell_m;
+  axis_ = water.pattern().axis;
+  across_ = water.pattern().across;
   find_slopes(water);
   std::size_t level = 0;
   for (; levels_[level].n > 1; ++level) {
@@ -36,9 +41,8 @@ void WaterSlopes::find_slopes(const WaterSurface& water) {
   const WaterTile& tile = *water.tile();
   heights_.resize(n * n);
   for (std::size_t i = 0; i < n * n; ++i) {
-    const std::array<float, 2>& ends =
-        tile.ends(static_cast<std::int64_t>(i / n), static_cast<std::int64_t>(i % n));
-    heights_[i] = ends[0] + weight_ * (ends[1] - ends[0]);
+    heights_[i] =
+        tile.height(static_cast<std::int64_t>(i / n), static_cast<std::int64_t>(i % n), weight_);
   }
   if (levels_.empty()) levels_.emplace_back();
   Level& fine = levels_.front();
@@ -89,32 +93,29 @@ WaterSlopes::Node WaterSlopes::between(const Level& level, float u, float v) {
           a * low[j].square + b * low[next].square + c * high[j].square + d * high[next].square};
 }
 
-WaterSlopes::Mean WaterSlopes::at(const WaterSurface& water, const Eigen::Vector2d& p_world,
-                                  double width_m) const {
-  if (water.tile() == nullptr) return {};
-  const WaterPattern& pattern = water.pattern();
+WaterSlopes::Mean WaterSlopes::at(const Eigen::Vector2d& p_world, double width_m) const {
   // Within one tile, so that floats are fine enough.
+  const auto n = static_cast<double>(levels_.front().n);
   const auto cells = [&](const Eigen::Vector2d& axis) {
-    const double turns = axis.dot(p_world) / pattern.length_m;
-    return static_cast<float>((turns - std::floor(turns)) * static_cast<double>(pattern.n));
+    const double turns = axis.dot(p_world) / length_m_;
+    return static_cast<float>((turns - std::floor(turns)) * n);
   };
-  const float u = cells(pattern.axis), v = cells(pattern.across);
+  const float u = cells(axis_), v = cells(across_);
   const auto most = static_cast<float>(levels_.size() - 1);
-  const float wide = std::log2(std::max(static_cast<float>(width_m / pattern.cell_m), 1.0F));
-  const float level = std::min(wide, most);
+  const float level =
+      std::min(std::log2(std::max(static_cast<float>(width_m / cell_m_), 1.0F)), most);
   const auto fine = static_cast<std::size_t>(level);
-  const std::size_t coarse = std::min(fine + 1, levels_.size() - 1);
+  const float share = level - static_cast<float>(fine);
   // Nodes of a coarser level lie amidst those that they are means of.
   const auto sample = [&](std::size_t number) {
     const float scale = 1.0F / static_cast<float>(std::size_t{1} << number);
     return between(levels_[number], (u + 0.5F) * scale - 0.5F, (v + 0.5F) * scale - 0.5F);
   };
-  const Node a = sample(fine), b = sample(coarse);
-  const float share = level - static_cast<float>(fine);
-  const auto s = static_cast<float>(water.strength(p_world));
-  return {s * Eigen::Vector2f(a.along + share * (b.along - a.along),
-                              a.across + share * (b.across - a.across)),
-          s * s * (a.square + share * (b.square - a.square))};
+  const Node a = sample(fine);
+  if (share == 0.0F) return {{a.along, a.across}, a.square};
+  const Node b = sample(fine + 1);
+  return {{a.along + share * (b.along - a.along), a.across + share * (b.across - a.across)},
+          a.square + share * (b.square - a.square)};
 }
 
 }  // namespace trident

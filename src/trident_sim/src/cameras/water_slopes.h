@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <vector>
@@ -16,14 +17,25 @@ namespace trident {
 /// spread about it, and neither sparkles nor repeats.
 class WaterSlopes {
  public:
+  /// In the tile's axes, as if the sea were at its full strength.
   struct Mean {
-    Eigen::Vector2f slope = Eigen::Vector2f::Zero();  ///< along the tile's rows and columns
-    float square = 0.0F;                              ///< mean of its squared length
+    Eigen::Vector2f slope;  ///< along the tile's rows and columns
+    float square;           ///< mean of its squared length
+    float spread() const { return std::max(square - slope.squaredNorm(), 0.0F); }
+    Mean times(float factor) const { return {factor * slope, factor * factor * square}; }
   };
   /// Slopes at the time that `water` follows. Cheap when nothing changed.
   void follow(const WaterSurface& water);
+
+  // Where the water is not flat.
+
   /// About a place, over a width.
-  Mean at(const WaterSurface& water, const Eigen::Vector2d& p_world, double width_m) const;
+  Mean at(const Eigen::Vector2d& p_world, double width_m) const;
+  /// Of all slopes.
+  float mean_square() const { return levels_.empty() ? 0.0F : levels_.back().nodes[0].square; }
+  Eigen::Vector2f in_world(const Eigen::Vector2f& slope) const {
+    return slope.x() * axis_.cast<float>() + slope.y() * across_.cast<float>();
+  }
 
  private:
   struct Node {
@@ -41,6 +53,8 @@ class WaterSlopes {
   std::vector<float> heights_;
   std::weak_ptr<const WaterTile> tile_;  ///< that of the slopes, with
   float weight_ = 0.0F;
+  double length_m_ = 1.0, cell_m_ = 1.0;  ///< of the tile
+  Eigen::Vector2d axis_ = Eigen::Vector2d::UnitX(), across_ = Eigen::Vector2d::UnitY();
 };
 
 }  // namespace trident

@@ -85,19 +85,27 @@ double WaterSurface::strength(const Eigen::Vector2d& p_world) const {
   return fades_ ? waves_->strength(p_world, time_s_) : strength_;
 }
 
-double WaterSurface::node(std::int64_t row, std::int64_t column) const {
-  const std::array<float, 2>& ends = tile_->ends(row, column);
-  const auto height = static_cast<double>(ends[0] + weight_ * (ends[1] - ends[0]));
-  if (!fades_) return strength_ * height;
-  const WaterPattern& pattern = maker_->pattern();
-  return height * strength(pattern.cell_m * (static_cast<double>(row) * pattern.axis +
-                                             static_cast<double>(column) * pattern.across));
+WaterSurface::Patch WaterSurface::patch(std::int64_t row, std::int64_t column) const {
+  const auto h00 = static_cast<double>(tile_->height(row, column, weight_));
+  const auto h10 = static_cast<double>(tile_->height(row + 1, column, weight_));
+  const auto h01 = static_cast<double>(tile_->height(row, column + 1, weight_));
+  const auto h11 = static_cast<double>(tile_->height(row + 1, column + 1, weight_));
+  if (fades_) return faded({h00, h10, h01, h11}, row, column);
+  const double s = strength_;
+  return {s * h00, s * (h10 - h00), s * (h01 - h00), s * ((h00 - h10) - (h01 - h11))};
 }
 
-WaterSurface::Patch WaterSurface::patch(std::int64_t row, std::int64_t column) const {
-  const double h00 = node(row, column), h10 = node(row + 1, column), h01 = node(row, column + 1),
-               h11 = node(row + 1, column + 1);
-  return {h00, h10 - h00, h01 - h00, h00 - h10 - h01 + h11};
+/// Of heights at a cell's corners, each with the strength of its place.
+WaterSurface::Patch WaterSurface::faded(std::array<double, 4> corners, std::int64_t row,
+                                        std::int64_t column) const {
+  const WaterPattern& pattern = maker_->pattern();
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const auto u = static_cast<double>(row) + static_cast<double>(i % 2);
+    const auto v = static_cast<double>(column) + static_cast<double>(i / 2);
+    corners[i] *= strength(pattern.cell_m * (u * pattern.axis + v * pattern.across));
+  }
+  const auto [h00, h10, h01, h11] = corners;
+  return {h00, h10 - h00, h01 - h00, (h00 - h10) - (h01 - h11)};
 }
 
 double WaterSurface::cell_height(double u, double v) const {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -71,8 +72,8 @@ class WaterSurface {
   };
   void follow_waves(const WaveField& waves);
   void find_tile(const Eigen::Vector2d& p_world_viewer);
-  double node(std::int64_t row, std::int64_t column) const;
   Patch patch(std::int64_t row, std::int64_t column) const;
+  Patch faded(std::array<double, 4> corners, std::int64_t row, std::int64_t column) const;
   Path path_of(const Ray& ray) const;
   double cell_height(double u, double v) const;
   double walk(const Path& path, int level, double t0, double t1) const;

@@ -36,6 +36,11 @@ class WaterTile {
   const std::array<float, 2>& ends(std::int64_t row, std::int64_t column) const {
     return ends_[wrapped(row) * n_ + wrapped(column)];
   }
+  /// At a node, `weight` of the period after its beginning.
+  float height(std::int64_t row, std::int64_t column, float weight) const {
+    const std::array<float, 2>& node = ends(row, column);
+    return node[0] + weight * (node[1] - node[0]);
+  }
   /// Of all points of the square of kBoundSides[level] cells, at any time of the period.
   const Bounds& bounds(std::size_t level, std::int64_t row, std::int64_t column) const {
     const std::size_t side = n_ / static_cast<std::size_t>(kBoundSides[level]);
