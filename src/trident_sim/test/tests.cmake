@@ -123,6 +123,7 @@ catkin_add_gtest(trident_sim_cameras_test
   test/depth_camera_test.cpp
   test/image_codec_test.cpp
   test/segmentation_camera_test.cpp
+  test/water/water_camera_test.cpp
 )
 target_link_libraries(trident_sim_cameras_test
   trident_sim_test_support PkgConfig::PNG ${GTEST_MAIN_LIBRARIES})
@@ -141,6 +142,7 @@ catkin_add_gtest(trident_sim_rays_test
   test/ray_shape_test.cpp
   test/follow_test.cpp
   test/small_sensors_test.cpp
+  test/water/water_lidar_test.cpp
   test/water/water_surface_test.cpp
 )
 target_link_libraries(trident_sim_rays_test
