@@ -10,6 +10,9 @@
 namespace trident {
 namespace {
 
+/// A vessel hangs on its point when it is nearer to its distance from it than this part of that.
+constexpr double kHangs = 0.25;
+
 Eigen::Vector2d limited(const Eigen::Vector2d& value, double most) {
   const double size = value.norm();
   return size > most ? Eigen::Vector2d(value * (most / size)) : value;
@@ -58,16 +61,21 @@ void PlaceHold::settle(const Eigen::Vector2d& given) {
   north_.add(gain * error_world_.y(), dt_s_, shortfall.y(), tolerance);
 }
 
-void WeatherVane::start(const VesselState& state) {
-  point_ = state.p_world +
-           params_.suspension * Eigen::Vector2d(std::cos(state.heading), std::sin(state.heading));
+void WeatherVane::start(const VesselState& state, const Eigen::Vector2d& place_world) {
+  const Eigen::Vector2d to_place = place_world - state.p_world;
+  const Eigen::Vector2d ahead(std::cos(state.heading), std::sin(state.heading));
+  const bool is_there = to_place.norm() < 0.5 * params_.suspension;
+  point_ = place_world + params_.suspension * (is_there ? ahead : to_place.normalized());
 }
 
 WeatherVane::Wish WeatherVane::update(const VesselState& state, const Eigen::Vector2d& place_world,
                                       double dt_s) {
-  point_ += params_.suspension_rate * dt_s * (place_world - state.p_world);
   const Eigen::Vector2d to_point = point_ - state.p_world;
   const double beyond = to_point.norm() - params_.suspension;
+  // Moved while the vessel still comes, it would be moved too far.
+  if (std::abs(beyond) < kHangs * params_.suspension) {
+    point_ += params_.suspension_rate * dt_s * (place_world - state.p_world);
+  }
   Wish wish;
   wish.heading = to_point.norm() > 1e-6 ? std::atan2(to_point.y(), to_point.x()) : state.heading;
   // A bow that looks elsewhere must not lead there.

@@ -259,7 +259,7 @@ VesselController::Wish VesselController::station_wish(const VesselState& state, 
   }
   if (!was_near) {
     place_hold_.reset();
-    weather_vane_.start(state);
+    weather_vane_.start(state, station_);
   }
   if (holds_pose_) {
     wish.heading = angle_;

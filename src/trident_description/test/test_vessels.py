@@ -18,6 +18,13 @@ EMPTY = "package://rotors_gazebo/worlds/empty.world"
 #: z of base_link at rest [m], thruster command, the speed that it gives [m/s].
 FIGURES = {"otter": (0.0, 60.0, 1.029), "wamv": (-0.0796, 0.5, 1.179)}
 
+#: VRX' configurations of thrusters.
+LAYOUTS = {
+    "H": {"left", "right"},
+    "T": {"left", "right", "lateral"},
+    "X": {"left_rear", "right_rear", "left_front", "right_front"},
+}
+
 
 def world_of(vessel: str, world_file: str, **args: object) -> trident_sim.World:
     world = trident_sim.World(world_file, seed=3)
@@ -30,6 +37,24 @@ def test_nothing_in_its_description_is_without_effect(vessel: str) -> None:
     world = world_of(vessel, OCEAN)
     world.step(10)
     assert not [message.text for message in world.messages]
+
+
+@pytest.mark.parametrize(("layout", "names"), LAYOUTS.items())
+def test_a_wamv_has_the_thrusters_of_its_layout(layout: str, names: set[str]) -> None:
+    world = world_of("wamv", OCEAN, thrusters=layout)
+    world.step(10)
+    assert not [message.text for message in world.messages]
+    ends = [port.removeprefix("wamv/thrusters/") for port in world.ports if "_thrust_cmd" in port]
+    assert {end.removesuffix("_thrust_cmd") for end in ends} == names
+
+
+@pytest.mark.parametrize("vessel", FIGURES)
+def test_it_goes_where_its_controller_is_told(vessel: str) -> None:
+    world = world_of(vessel, OCEAN, control="plugin", lidar="false")
+    world.ports[f"{vessel}/command/pose"].write(trident_sim.PoseSample((20.0, 15.0, 0.0)))
+    world.step(16000)
+    assert not [message.text for message in world.messages]
+    assert world.model(vessel).position[:2] == pytest.approx((20.0, 15.0), abs=2.0)
 
 
 @pytest.mark.parametrize("vessel", FIGURES)

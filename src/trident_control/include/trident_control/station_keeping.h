@@ -42,7 +42,8 @@ class WeatherVane {
 
   explicit WeatherVane(const StationParams& params) : params_(params) {}
 
-  void start(const VesselState& state);
+  /// Hangs it where it would be at the place when it went on straight to there.
+  void start(const VesselState& state, const Eigen::Vector2d& place_world);
   Wish update(const VesselState& state, const Eigen::Vector2d& place_world, double dt_s);
   /// Where the vessel hangs.
   const Eigen::Vector2d& suspension() const { return point_; }

@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "controlled_boat.h"
+#include "scratch_folder.h"
+#include "test_world.h"
 #include "trident_base/angle.h"
 
 namespace trident {
@@ -76,6 +78,74 @@ TEST(CourseController, HoldsACourseOverGroundInACurrent) {
   boat.run(60.0);
   EXPECT_NEAR(std::atan2(boat.y() - y, boat.x() - x), 0.3, deg_to_rad(1.0));
   EXPECT_GT(std::abs(angle_difference(boat.heading(), 0.3)), deg_to_rad(10.0));
+}
+
+TEST(SpeedController, IsThroughTheWaterWithALogAndOverGroundWithout) {
+  VesselControlParams control = shipped_control("otter");
+  ControlledBoat over_ground("otter", control, uniform_current(0.4, 0.0));
+  control.speed.reference = SpeedReference::kThroughWater;
+  ControlledBoat logged("otter", control, uniform_current(0.4, 0.0));
+  for (ControlledBoat* boat : {&over_ground, &logged}) {
+    boat->tell(towards(Kind::kHeading, 0.0));
+    for (int i = 0; i < 6000; ++i) {
+      const SimTime now{10'000'000 * static_cast<std::int64_t>(i + 1)};
+      boat->controller().set_log(now, boat->boat().nu()[0] - 0.4);
+      boat->step();
+    }
+  }
+  EXPECT_NEAR(over_ground.boat().nu()[0], control.speed.cruise, 0.01);
+  EXPECT_NEAR(logged.boat().nu()[0], control.speed.cruise + 0.4, 0.01);
+}
+
+std::string refusal(const std::string& yaml) {
+  return error_of([&] { load_yaml_string<VesselControlParams>(yaml, "control.yaml"); });
+}
+
+TEST(VesselControlFile, IsReadStrictly) {
+  EXPECT_TRUE(
+      contains(refusal("heading:\n  max_rat: 1"), "control.yaml:2: heading.max_rat: unknown key"));
+  EXPECT_TRUE(contains(refusal("speed: {max: fast}"), "speed.max"));
+  EXPECT_TRUE(contains(refusal("guidance: {lookahead: -1}"), "> 0"));
+  EXPECT_TRUE(contains(refusal("station: {behaviour: drift}"), "automatic, pose, weather_vane"));
+  EXPECT_TRUE(contains(refusal("speed: {cruise: 3.0}"), "cruise = 3 m/s, legal is at most max"));
+}
+
+TEST(VesselControlFile, APoseWantsThrustersThatPushSideways) {
+  VesselControlParams control = shipped_control("otter");
+  control.station.behaviour = StationBehaviour::kPose;
+  EXPECT_TRUE(contains(error_of([&] { VesselController(shipped_model("otter"), control); }),
+                       "station.behaviour = pose"));
+}
+
+TEST(VesselModelFile, WithoutThrustersOrWithACurveThatFallsIsRefused) {
+  const ScratchFolder folder;
+  const std::string body = "name: v\nmass: 1\ninertia: [1, 1, 1]\nhull: {any: thing}\n";
+  const std::string none = folder.write("none.yaml", body);
+  EXPECT_TRUE(contains(error_of([&] { load_vessel_model(none); }), "legal, to be controlled"));
+  const std::string falling = folder.write(
+      "falling.yaml", body +
+                          "thrusters:\n  - {name: a, position: [0, 0, 0], mapping: "
+                          "table, table_commands: [-1, 0, 1], table_forces: [-1, 2, 1]}\n");
+  EXPECT_TRUE(
+      contains(error_of([&] { load_vessel_model(falling); }), "thruster 'a': table_forces[2]"));
+}
+
+TEST(VesselController, CommandsOfALaterStampWaitAndAResetForgetsThem) {
+  ControlledBoat boat("otter", shipped_control("otter"));
+  boat.controller().push(SimTime::from_seconds(5.0), follow({{50.0, 0.0}}));
+  boat.run(4.9);
+  EXPECT_EQ(boat.controller().mode(), VesselMode::kIdle);
+  boat.run(0.2);
+  EXPECT_EQ(boat.controller().mode(), VesselMode::kPath);
+  boat.controller().push(SimTime::from_seconds(50.0), keep(0.0, 0.0, 0.0));
+  EXPECT_EQ(boat.controller().update({0}, {}), ControlStatus::ok);
+  EXPECT_EQ(boat.controller().mode(), VesselMode::kIdle);
+  EXPECT_EQ(boat.controller().update(SimTime::from_seconds(55.0), {}), ControlStatus::ok);
+  EXPECT_EQ(boat.controller().mode(), VesselMode::kIdle);
+  OdometryState broken;
+  broken.v_body.x() = std::nan("");
+  EXPECT_EQ(boat.controller().update(SimTime::from_seconds(56.0), broken),
+            ControlStatus::invalid_state);
 }
 
 class EveryControlledBoat : public testing::TestWithParam<const char*> {
