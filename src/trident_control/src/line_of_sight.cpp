@@ -20,18 +20,20 @@ void LineOfSight::start(const std::vector<Eigen::Vector2d>& waypoints,
     // Legs without a length have no direction.
     if (points_.empty() || (point - points_.back()).norm() > 1e-6) points_.push_back(point);
   }
-  integral_m_ = 0.0;
-  cross_track_m_ = 0.0;
+  integral_m_ = cross_track_m_ = 0.0;
+  steady_m_.setZero();
+  leg_ = 0;
   enter(0);
 }
 
 void LineOfSight::enter(std::size_t leg) {
+  const Eigen::Vector2d old_left = left();
+  steady_m_ += (integral_m_ - old_left.dot(steady_m_)) * old_left;
   leg_ = leg;
   if (is_finished()) return;
   const Eigen::Vector2d along = points_[leg + 1] - points_[leg];
-  const double direction = std::atan2(along.y(), along.x());
-  integral_m_ *= std::cos(direction - direction_);
-  direction_ = direction;
+  direction_ = std::atan2(along.y(), along.x());
+  integral_m_ = left().dot(steady_m_);
 }
 
 void LineOfSight::advance(const Eigen::Vector2d& p_world) {
@@ -47,8 +49,7 @@ void LineOfSight::advance(const Eigen::Vector2d& p_world) {
 
 double LineOfSight::update(const Eigen::Vector2d& p_world, double dt_s) {
   advance(p_world);
-  const Eigen::Vector2d left(-std::sin(direction_), std::cos(direction_));
-  cross_track_m_ = left.dot(p_world - points_[std::min(leg_, points_.size() - 1)]);
+  cross_track_m_ = left().dot(p_world - points_[std::min(leg_, points_.size() - 1)]);
   const double ahead = params_.lookahead, sigma = params_.integral_gain;
   const double offset = cross_track_m_ + sigma * integral_m_;
   if (sigma > 0.0) {

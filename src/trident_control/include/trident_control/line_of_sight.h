@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <vector>
 
 #include "trident_control/vessel_control_params.h"
@@ -12,9 +13,9 @@ namespace trident {
 /// Integral line-of-sight guidance along straight legs (Borhaug, Pavlov and Pettersen 2008): from
 /// the distance e to the left of a leg in direction gamma, with the lookahead D,
 ///   psi_d = gamma - atan((e + sigma s) / D),  ds/dt = D e / (D^2 + (e + sigma s)^2).
-/// The integral cancels a steady current across the leg, and hardly grows far from it. From a leg
-/// to the next it is turned by the cosine of the angle between them: the part that is known of the
-/// same current across the new one.
+/// The integral cancels a steady current across the leg, and hardly grows far from it. What legs
+/// have told of the current, each the part across it, is kept as a vector, from which the next leg
+/// begins.
 class LineOfSight {
  public:
   explicit LineOfSight(const GuidanceParams& params) : params_(params) {}
@@ -37,11 +38,13 @@ class LineOfSight {
  private:
   void enter(std::size_t leg);
   void advance(const Eigen::Vector2d& p_world);
+  Eigen::Vector2d left() const { return {-std::sin(direction_), std::cos(direction_)}; }
 
   GuidanceParams params_;
   std::vector<Eigen::Vector2d> points_;
   std::size_t leg_ = 0;  // from points_[leg_] to points_[leg_ + 1]
   double direction_ = 0.0, integral_m_ = 0.0, cross_track_m_ = 0.0;
+  Eigen::Vector2d steady_m_ = Eigen::Vector2d::Zero();  // of the integral, world
 };
 
 }  // namespace trident

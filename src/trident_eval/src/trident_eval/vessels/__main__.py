@@ -9,7 +9,7 @@ import sys
 from collections.abc import Callable
 from pathlib import Path
 
-from trident_eval.vessels import hull_checks, motion_checks
+from trident_eval.vessels import control_checks, hull_checks, motion_checks
 from trident_eval.vessels.check import Check
 from trident_eval.vessels.pictures import draw
 
@@ -22,6 +22,9 @@ CHECKS: dict[str, Callable[[], Check]] = {
     "circle": motion_checks.circle_check,
     "zigzag": motion_checks.zigzag_check,
     "current": motion_checks.current_check,
+    "guidance": control_checks.guidance_check,
+    "course": control_checks.course_check,
+    "station": control_checks.station_check,
     "energy": motion_checks.energy_check,
     "random": motion_checks.random_check,
 }
