@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""Boats under their controller: a line held in a current, a course of waypoints, a station in waves."""
+"""Boats under their controller: a line in a current, waypoints, a station in waves."""
 
 from __future__ import annotations
 
@@ -85,7 +85,7 @@ def guidance_check() -> Check:
     panel = Panel("A line in a current of 0.5 m/s across it", "time [s]", "off the line [m]")
     tracks = {}
     for label, gain in (("with integral", 1.0), ("without", 0.0)):
-        changes = {
+        changes: dict[str, dict[str, Any]] = {
             "guidance": {"integral_gain": gain, "lookahead": 10.0},
             "speed": {"cruise": 1.5, "reference": "through_water"},
         }
