@@ -34,6 +34,9 @@ class Air {
   virtual ~Air() = default;
   /// With its gusts of this step [m/s], world frame.
   virtual Eigen::Vector3d wind(const Eigen::Vector3d& p_world) const = 0;
+  /// Whether there is a wind at all. Where there is none vessels do not feel the air, so that their
+  /// paths in a current are those in still water.
+  virtual bool blows() const { return true; }
   virtual std::string state_text() const { return ""; }
 };
 

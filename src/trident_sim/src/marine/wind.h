@@ -42,6 +42,10 @@ struct WindParams {
     ar.field("gust_time", gust_time, Range::positive(), "first_order: time constant [s]");
     ar.field("altitude", altitude, Range{3.0, 300.0}, "dryden: above ground [m]");
   }
+  bool blows() const {
+    const bool is_gusty = gusts == GustKind::kFirstOrder && gust_deviation > 0.0;
+    return speed > 0.0 || !file.empty() || is_gusty;
+  }
 };
 
 /// The air's flow as of a step: a mean by place, and gusts that are the same everywhere.
@@ -50,6 +54,7 @@ class Wind {
   /// Reads a field's file. Throws Error naming file, line and value, or when dt_s is not > 0.
   Wind(const WindParams& params, double dt_s, std::uint64_t seed, const std::string& name);
 
+  const WindParams& params() const { return params_; }
   /// [m/s], world frame.
   Eigen::Vector3d velocity(const Eigen::Vector3d& p_world) const;
   void step();

@@ -27,6 +27,7 @@ class LiveSurroundings : public Sea, public Air {
   Eigen::Vector3d wind(const Eigen::Vector3d& p_world) const override {
     return blowing.velocity(p_world);
   }
+  bool blows() const override { return blowing.params().blows(); }
   std::string state_text() const override {
     std::string result = text;
     const Eigen::Vector3d v = blowing.velocity(Eigen::Vector3d::Zero());

@@ -118,7 +118,7 @@ class SeaPlugin : public Plugin {
   /// One air: where another plugin gives it, this one's must not blow.
   void advertise_air(const PluginContext& context) {
     if (world_.ports().find(kAirPort, PortDirection::kOut) != nullptr) {
-      if (now_.wind.speed == 0.0 && now_.wind.file.empty()) return;
+      if (!now_.wind.blows()) return;
       throw Error(owner_ + ": <wind>: another plugin gives the world's wind already, legal is one");
     }
     air_ = advertise<AirSample>(context, kAirPort, PortRank::kState);

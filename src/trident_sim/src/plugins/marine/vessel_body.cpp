@@ -138,8 +138,9 @@ void VesselBody::check_afloat(const Sea& sea) const {
 }
 
 Vector6d VesselBody::wind_on_hull(const Afloat& now) const {
-  if (around_.air() == nullptr || vessel_.wind.isZero()) return Vector6d::Zero();
-  const Eigen::Vector3d wind = around_.air()->wind(now.T_world_co.p);
+  const Air* const air = around_.air();
+  if (air == nullptr || !air->blows() || vessel_.wind.isZero()) return Vector6d::Zero();
+  const Eigen::Vector3d wind = air->wind(now.T_world_co.p);
   return wind_wrench(vessel_.wind, now.T_world_co.R.conjugate() * wind - now.nu.head<3>());
 }
 
