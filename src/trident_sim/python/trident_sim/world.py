@@ -328,7 +328,7 @@ class World:
         max_distance: float = math.inf,
         visual: bool = False,
     ) -> RayHits:
-        """What rays meet in the world as it is now.
+        """What rays meet in the world as it is now, its sea as it is about the first origin.
 
         Args:
             origins: where each begins, in the world frame [m], shape (n, 3).

@@ -15,12 +15,12 @@ std::size_t above(std::size_t i, std::size_t n) { return (i + 1) & (n - 1); }
 
 void WaterSlopes::follow(const WaterSurface& water) {
   if (water.tile() == nullptr) {
-    tile_.reset();
     levels_.clear();
     return;
   }
-  if (tile_.lock() == water.tile() && weight_ == water.weight() && !levels_.empty()) return;
-  tile_ = water.tile();
+  const std::uint64_t serial = water.tile()->serial();
+  if (serial_ == serial && weight_ == water.weight() && !levels_.empty()) return;
+  serial_ = serial;
   weight_ = water.weight();
   length_m_ = water.pattern().length_m;
   cell_m_ = water.pattern().cell_m;

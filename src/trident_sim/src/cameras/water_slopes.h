@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cstddef>
-#include <memory>
+#include <cstdint>
 #include <vector>
 
 #include "../rays/water_surface.h"
@@ -51,7 +51,7 @@ class WaterSlopes {
 
   std::vector<Level> levels_;
   std::vector<float> heights_;
-  std::weak_ptr<const WaterTile> tile_;  ///< that of the slopes, with
+  std::uint64_t serial_ = 0;  ///< of the tile that the slopes are of, with
   float weight_ = 0.0F;
   double length_m_ = 1.0, cell_m_ = 1.0;  ///< of the tile
   Eigen::Vector2d axis_ = Eigen::Vector2d::UnitX(), across_ = Eigen::Vector2d::UnitY();

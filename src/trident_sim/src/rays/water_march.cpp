@@ -24,6 +24,9 @@ Stretch between_heights(double z, double dz, double low, double high, double t_m
 
 /// First root in [0, last] of a t^2 + b t + c, where c > 0.
 double first_root(double a, double b, double c, double last) {
+  // Most often it is positive at the end, too, and does not dip below zero before.
+  const bool ends_above = (a * last + b) * last + c > 0.0;
+  if (ends_above && (a <= 0.0 || b >= 0.0 || -b >= 2.0 * a * last)) return kNowhere;
   const double discriminant = b * b - 4.0 * a * c;
   if (discriminant < 0.0) return kNowhere;
   const double q = -0.5 * (b + std::copysign(std::sqrt(discriminant), b));
@@ -33,7 +36,10 @@ double first_root(double a, double b, double c, double last) {
 }
 
 std::int64_t square_of(double cells, std::int64_t side) {
-  return static_cast<std::int64_t>(std::floor(cells / static_cast<double>(side)));
+  // std::floor is a call where the processor is not known.
+  const double squares = cells / static_cast<double>(side);
+  const auto cut = static_cast<std::int64_t>(squares);
+  return cut - (squares < static_cast<double>(cut) ? 1 : 0);
 }
 
 }  // namespace

@@ -13,9 +13,9 @@ namespace {
 constexpr double kTurn = 2.0 * kPi;
 constexpr double kWavesOnTile = 8.0;
 constexpr std::size_t kFewestNodes = 256, kMostNodes = 512;
-constexpr double kCellsPerWave = 4.0;  ///< of the shortest
+constexpr double kCellsPerWave = 1.8;  ///< of the shortest, which are the lowest, too
 /// (omega period)^2 / 8 is the error of the interpolation in time.
-constexpr double kPhaseStep = 0.28;
+constexpr double kPhaseStep = 0.4;
 constexpr double kAnchorsOnTile = 16.0;
 
 /// Wavelengths of the highest and the shortest wave, and how fast the sea moves.

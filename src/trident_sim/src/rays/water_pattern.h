@@ -37,7 +37,7 @@ struct WaterPattern {
   Eigen::Vector2d axis = Eigen::Vector2d::UnitX();    ///< the rows' direction in the world
   Eigen::Vector2d across = Eigen::Vector2d::UnitY();  ///< the columns'
   /// Tiles are made for whole multiples of it; between them heights are interpolated, which is off
-  /// by 1 % of the sea's standard deviation at most.
+  /// by 2 % of the sea's standard deviation at most.
   double period_s = 0.0;
   /// Anchors lie on a grid of this step, so that what is near each other sees one and the same
   /// water.

@@ -48,10 +48,11 @@ void WaterSurface::follow_waves(const WaveField& waves) {
   strength_ = fades_ ? 1.0 : waves.strength(Eigen::Vector2d::Zero(), time_s_);
   const std::vector<WaveComponent>& now = waves.components();
   if (std::equal(now.begin(), now.end(), seen_waves_.begin(), seen_waves_.end(), same) &&
-      (maker_ == nullptr ||
-       maker_->pattern().is_gerstner == (waves.params().model == WaveModel::kGerstner))) {
+      seen_params_.model == waves.params().model &&
+      seen_params_.steepness == waves.params().steepness) {
     return;
   }
+  seen_params_ = waves.params();
   seen_waves_ = now;
   tiles_.clear();
   maker_.reset();
@@ -66,9 +67,14 @@ void WaterSurface::find_tile(const Eigen::Vector2d& p_world_viewer) {
   if (known != tiles_.end()) {
     std::rotate(known, known + 1, tiles_.end());
   } else {
-    if (tiles_.size() == kTilesKept) tiles_.erase(tiles_.begin());
-    tiles_.push_back(maker_->make(key));
-    ++tiles_made_;
+    // The oldest is written over, where nobody else holds it.
+    if (tiles_.size() < kTilesKept) {
+      tiles_.push_back(std::make_shared<WaterTile>());
+    } else {
+      std::rotate(tiles_.begin(), tiles_.begin() + 1, tiles_.end());
+      if (tiles_.back().use_count() > 1) tiles_.back() = std::make_shared<WaterTile>();
+    }
+    maker_->make(key, ++tiles_made_, *tiles_.back());
   }
   tile_ = tiles_.back();
   const double period_s = maker_->pattern().period_s;
@@ -83,16 +89,6 @@ void WaterSurface::find_tile(const Eigen::Vector2d& p_world_viewer) {
 
 double WaterSurface::strength(const Eigen::Vector2d& p_world) const {
   return fades_ ? waves_->strength(p_world, time_s_) : strength_;
-}
-
-WaterSurface::Patch WaterSurface::patch(std::int64_t row, std::int64_t column) const {
-  const auto h00 = static_cast<double>(tile_->height(row, column, weight_));
-  const auto h10 = static_cast<double>(tile_->height(row + 1, column, weight_));
-  const auto h01 = static_cast<double>(tile_->height(row, column + 1, weight_));
-  const auto h11 = static_cast<double>(tile_->height(row + 1, column + 1, weight_));
-  if (fades_) return faded({h00, h10, h01, h11}, row, column);
-  const double s = strength_;
-  return {s * h00, s * (h10 - h00), s * (h01 - h00), s * ((h00 - h10) - (h01 - h11))};
 }
 
 /// Of heights at a cell's corners, each with the strength of its place.

@@ -50,7 +50,7 @@ class WaterSurface {
   // What pictures are made with.
 
   /// nullptr: the water is flat.
-  const std::shared_ptr<const WaterTile>& tile() const { return tile_; }
+  const WaterTile* tile() const { return tile_.get(); }
   const WaterPattern& pattern() const { return maker_->pattern(); }
   /// Share of the tile's second end in the heights.
   float weight() const { return weight_; }
@@ -72,7 +72,15 @@ class WaterSurface {
   };
   void follow_waves(const WaveField& waves);
   void find_tile(const Eigen::Vector2d& p_world_viewer);
-  Patch patch(std::int64_t row, std::int64_t column) const;
+  Patch patch(std::int64_t row, std::int64_t column) const {
+    const auto h00 = static_cast<double>(tile_->height(row, column, weight_));
+    const auto h10 = static_cast<double>(tile_->height(row + 1, column, weight_));
+    const auto h01 = static_cast<double>(tile_->height(row, column + 1, weight_));
+    const auto h11 = static_cast<double>(tile_->height(row + 1, column + 1, weight_));
+    if (fades_) return faded({h00, h10, h01, h11}, row, column);
+    const double s = strength_;
+    return {s * h00, s * (h10 - h00), s * (h01 - h00), s * ((h00 - h10) - (h01 - h11))};
+  }
   Patch faded(std::array<double, 4> corners, std::int64_t row, std::int64_t column) const;
   Path path_of(const Ray& ray) const;
   double cell_height(double u, double v) const;
@@ -87,10 +95,11 @@ class WaterSurface {
   const OutPort<SeaSample>* port_ = nullptr;
   std::shared_ptr<const Sea> sea_;
   const WaveField* waves_ = nullptr;       ///< of sea_; nullptr: flat
-  std::vector<WaveComponent> seen_waves_;  ///< those that the tiles are of
+  std::vector<WaveComponent> seen_waves_;  ///< those that the tiles are of, and
+  WaveParams seen_params_;                 ///< what made them
   std::unique_ptr<WaterTileMaker> maker_;
-  std::vector<std::shared_ptr<const WaterTile>> tiles_;  ///< the newest last
-  std::shared_ptr<const WaterTile> tile_;                ///< now; nullptr: flat
+  std::vector<std::shared_ptr<WaterTile>> tiles_;  ///< the newest last
+  std::shared_ptr<const WaterTile> tile_;          ///< now; nullptr: flat
   std::uint64_t tiles_made_ = 0;
 
   double time_s_ = 0.0, level_m_ = 0.0;

@@ -21,6 +21,7 @@ void add_pair(const FoldedWave& wave, Complex a, Complex b, ComplexGrid& grid) {
     const std::size_t place = wrapped(row, grid.n) * grid.n + wrapped(column, grid.n);
     grid.re[place] += static_cast<float>(0.5 * value.real());
     grid.im[place] += static_cast<float>(0.5 * value.imag());
+    grid.column_is_used[wrapped(column, grid.n)] = 1;
   };
   add(wave.row, wave.column, a + i * b);
   add(-wave.row, -wave.column, std::conj(a) + i * std::conj(b));
@@ -29,6 +30,7 @@ void add_pair(const FoldedWave& wave, Complex a, Complex b, ComplexGrid& grid) {
 void clear(ComplexGrid& grid) {
   std::fill(grid.re.begin(), grid.re.end(), 0.0F);
   std::fill(grid.im.begin(), grid.im.end(), 0.0F);
+  std::fill(grid.column_is_used.begin(), grid.column_is_used.end(), 0);
 }
 
 int floor_of(float value) {
@@ -156,30 +158,29 @@ void WaterTileMaker::bend(std::size_t end, WaterTile& tile) const {
   }
 }
 
-std::shared_ptr<const WaterTile> WaterTileMaker::make(const WaterTile::Key& key) {
+void WaterTileMaker::make(const WaterTile::Key& key, std::uint64_t serial, WaterTile& tile) {
   const Eigen::Vector2d anchor =
       pattern_.anchor_step_m * (static_cast<double>(key.anchor_row) * pattern_.axis +
                                 static_cast<double>(key.anchor_column) * pattern_.across);
   const double begin_s = static_cast<double>(key.period) * pattern_.period_s;
   const std::array<Moment, 2> ends = {Moment{anchor, begin_s},
                                       Moment{anchor, begin_s + pattern_.period_s}};
-  auto tile = std::make_shared<WaterTile>();
-  tile->key_ = key;
-  tile->n_ = pattern_.n;
-  tile->ends_.resize(pattern_.n * pattern_.n);
+  tile.key_ = key;
+  tile.serial_ = serial;
+  tile.n_ = pattern_.n;
+  tile.ends_.resize(pattern_.n * pattern_.n);
   transform_elevations(ends);
   if (pattern_.is_gerstner) {
     for (std::size_t end = 0; end < ends.size(); ++end) {
       transform_ways(ends[end]);
-      bend(end, *tile);
+      bend(end, tile);
     }
   } else {
-    for (std::size_t i = 0; i < tile->ends_.size(); ++i) {
-      tile->ends_[i] = {elevations_.re[i], elevations_.im[i]};
+    for (std::size_t i = 0; i < tile.ends_.size(); ++i) {
+      tile.ends_[i] = {elevations_.re[i], elevations_.im[i]};
     }
   }
-  tile->find_bounds();
-  return tile;
+  tile.find_bounds();
 }
 
 }  // namespace trident

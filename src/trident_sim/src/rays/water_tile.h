@@ -21,7 +21,7 @@ class WaterTile {
     float low, high;
   };
   /// Squares of so many cells have bounds of their own.
-  static constexpr std::array<int, 2> kBoundSides = {8, 64};
+  static constexpr std::array<int, 2> kBoundSides = {4, 32};
 
   /// Which tile it is.
   struct Key {
@@ -49,6 +49,8 @@ class WaterTile {
   }
   const Bounds& bounds() const { return all_; }
   const Key& key() const { return key_; }
+  /// Which one of those that one surface has made.
+  std::uint64_t serial() const { return serial_; }
 
  private:
   friend class WaterTileMaker;
@@ -56,6 +58,7 @@ class WaterTile {
   void find_bounds();
 
   Key key_{};
+  std::uint64_t serial_ = 0;
   std::size_t n_ = 0;
   std::vector<std::array<float, 2>> ends_;
   std::array<std::vector<Bounds>, 2> bounds_;
@@ -70,7 +73,8 @@ class WaterTileMaker {
   const WaterPattern& pattern() const { return pattern_; }
   /// The tile whose anchor is nearest to a place, at a time.
   WaterTile::Key key_near(const Eigen::Vector2d& p_world, double time_s) const;
-  std::shared_ptr<const WaterTile> make(const WaterTile::Key& key);
+  /// `tile` is written over.
+  void make(const WaterTile::Key& key, std::uint64_t serial, WaterTile& tile);
 
  private:
   struct Moment {

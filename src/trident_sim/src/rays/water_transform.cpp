@@ -3,8 +3,8 @@
 #include "water_transform.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <cstddef>
 
 #include "trident_base/angle.h"
 
@@ -40,11 +40,13 @@ void WaterTransform::transform_columns(const ComplexGrid& in, ComplexGrid& trans
   for (std::size_t column = 0; column < n_; column += kStrip) {
     float* const re = &transposed.re[column * n_];
     float* const im = &transposed.im[column * n_];
-    if (!load_strip(in, column)) {
+    const auto used = in.column_is_used.begin() + static_cast<std::ptrdiff_t>(column);
+    if (std::all_of(used, used + kStrip, [](char is_used) { return is_used == 0; })) {
       std::fill_n(re, kStrip * n_, 0.0F);
       std::fill_n(im, kStrip * n_, 0.0F);
       continue;
     }
+    load_strip(in, column);
     butterflies();
     for (std::size_t i = 0; i < kStrip; ++i) {
       for (std::size_t row = 0; row < n_; ++row) re[i * n_ + row] = strip_re_[row * kStrip + i];
@@ -53,18 +55,15 @@ void WaterTransform::transform_columns(const ComplexGrid& in, ComplexGrid& trans
   }
 }
 
-/// Rows in the order that the butterflies want. False: all of it is zero, as most of a spectrum is.
-bool WaterTransform::load_strip(const ComplexGrid& in, std::size_t column) {
-  std::array<float, kStrip> sums{};
+/// Rows in the order that the butterflies want.
+void WaterTransform::load_strip(const ComplexGrid& in, std::size_t column) {
   for (std::size_t row = 0; row < n_; ++row) {
     const std::size_t from = reversed_[row] * n_ + column, to = row * kStrip;
     for (std::size_t i = 0; i < kStrip; ++i) {
       strip_re_[to + i] = in.re[from + i];
       strip_im_[to + i] = in.im[from + i];
-      sums[i] += std::abs(in.re[from + i]) + std::abs(in.im[from + i]);
     }
   }
-  return std::any_of(sums.begin(), sums.end(), [](float sum) { return sum != 0.0F; });
 }
 
 void WaterTransform::butterflies() {

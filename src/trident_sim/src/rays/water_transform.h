@@ -9,9 +9,11 @@ namespace trident {
 
 /// A square of complex numbers, rows one after another.
 struct ComplexGrid {
-  explicit ComplexGrid(std::size_t side) : n(side), re(side * side), im(side * side) {}
+  explicit ComplexGrid(std::size_t side)
+      : n(side), re(side * side), im(side * side), column_is_used(side, 1) {}
   std::size_t n;
   std::vector<float> re, im;
+  std::vector<char> column_is_used;  ///< 0: all of it is zero, as most of a spectrum is
 };
 
 /// Inverse discrete Fourier transform along both indices, without a factor:
@@ -26,7 +28,7 @@ class WaterTransform {
  private:
   static constexpr std::size_t kStrip = 16;  ///< columns that are transformed at a time
   void transform_columns(const ComplexGrid& in, ComplexGrid& transposed);
-  bool load_strip(const ComplexGrid& in, std::size_t column);
+  void load_strip(const ComplexGrid& in, std::size_t column);
   void butterflies();
 
   std::size_t n_;

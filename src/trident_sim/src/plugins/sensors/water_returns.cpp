@@ -23,7 +23,10 @@ double water_return_probability(double cos_incidence, double distance_m) {
   constexpr double kBoard = 0.1, kBoardRange_m = 100.0;
   const double c = std::clamp(cos_incidence, 1e-3, 1.0);
   const double tan2 = 1.0 / (c * c) - 1.0;
-  const double mirrored = kMirror * std::exp(-tan2 / kSlopes) / (4.0 * kSlopes * std::pow(c, 5));
+  constexpr double kSteepest = 30.0 * kSlopes;  // beyond it no mirror leans so
+  const double mirrored = tan2 < kSteepest ? kMirror * std::exp(-tan2 / kSlopes) /
+                                                 (4.0 * kSlopes * (c * c) * (c * c) * c)
+                                           : 0.0;
   const double strength = (mirrored + kScattered * c) / kBoard;
   const double per_range = kBoardRange_m / std::max(distance_m, 1e-3);
   return -std::expm1(-strength * per_range * per_range);
