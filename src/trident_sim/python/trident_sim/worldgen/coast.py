@@ -30,7 +30,7 @@ QUAY_Y_M = 25.0
 
 _FOLDER = "models/coast_parts"
 _URI = "model://coast_parts"
-_SAMPLES = 257
+_SAMPLES = 129
 _GROUND = Colour((0.46, 0.45, 0.3))
 _BARK = Colour((0.36, 0.25, 0.16))
 _NEEDLES = Colour((0.1, 0.3, 0.16))

@@ -18,7 +18,8 @@ SE3 read_offset(const PluginParams& params) {
 /// nav_msgs/Odometry wants them. <bodyName>, <topicName>,
 /// <frameName> (world, map or a link of the model), <xyzOffset>, <rpyOffset>, <gaussianNoise> of
 /// the velocities, <updateRate> (0: every step). Ours: <tfFrameName>, the parent of a transform
-/// that tells the pose, too.
+/// that tells the pose, too; the odometry then names the same frames, which are prefixed by the
+/// namespace where there is no tf_prefix.
 class P3d : public Plugin {
  public:
   explicit P3d(const PluginContext& context)
@@ -44,10 +45,12 @@ class P3d : public Plugin {
     OdometrySample& value = odometry_->value;
     value.parent_frame = resolved_frame(context, frame, FramePrefix::kTfPrefix);
     value.child_frame = resolved_frame(context, link_.name, FramePrefix::kTfPrefix);
-    const std::string parent = params.text("tfFrameName", "");
-    if (!parent.empty()) {
-      frame_ = advertise_frame(context, resolved_frame(context, parent, FramePrefix::kTfPrefix),
-                               value.child_frame);
+    const std::string tf_frame = params.text("tfFrameName", "");
+    if (!tf_frame.empty()) {
+      constexpr auto kFrom = FramePrefix::kTfPrefixOrNamespace;
+      value.parent_frame = resolved_frame(context, tf_frame, kFrom);
+      value.child_frame = resolved_frame(context, link_.name, kFrom);
+      frame_ = advertise_frame(context, value.parent_frame, value.child_frame);
     }
     for (std::size_t i = 0; i < 6; ++i) {
       value.pose_covariance[7 * i] = value.twist_covariance[7 * i] = noise_ * noise_;
