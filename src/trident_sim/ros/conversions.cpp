@@ -176,6 +176,11 @@ void convert(const ScalarSample& sample, std_msgs::Float32& message) {
   message.data = static_cast<float>(sample.value);
 }
 
+void convert(const StampedNumber& sample, uuv_gazebo_ros_plugins_msgs::FloatStamped& message) {
+  message.header.stamp = to_ros(sample.stamp);
+  message.data = sample.value;
+}
+
 void convert(const WindSample& sample, rotors_comm::WindSpeed& message) {
   message.header.stamp = to_ros(sample.stamp);
   message.header.frame_id = sample.frame;

@@ -21,8 +21,10 @@
 #include <sensor_msgs/MagneticField.h>
 #include <sensor_msgs/NavSatFix.h>
 #include <std_msgs/Float32.h>
+#include <uuv_gazebo_ros_plugins_msgs/FloatStamped.h>
 
 #include "trident_base/sim_time.h"
+#include "trident_sim/commands.h"
 #include "trident_sim/samples.h"
 #include "trident_sim/vector_sample.h"
 
@@ -68,6 +70,7 @@ void convert(const TwistSample& sample, geometry_msgs::TwistStamped& message);
 void convert(const ActuatorState& sample, mav_msgs::Actuators& message);
 void convert(const JointStateSample& sample, sensor_msgs::JointState& message);
 void convert(const ScalarSample& sample, std_msgs::Float32& message);
+void convert(const StampedNumber& sample, uuv_gazebo_ros_plugins_msgs::FloatStamped& message);
 void convert(const WindSample& sample, rotors_comm::WindSpeed& message);
 void convert(const WrenchSample& sample, geometry_msgs::WrenchStamped& message);
 void convert(const VectorSample& sample, geometry_msgs::Vector3Stamped& message);

@@ -4,12 +4,15 @@
 
 #include <geometry_msgs/PoseStamped.h>
 #include <geometry_msgs/Twist.h>
+#include <heron_msgs/Drive.h>
 #include <nav_msgs/Path.h>
+#include <sensor_msgs/JointState.h>
 #include <std_msgs/Empty.h>
 #include <std_msgs/Float32.h>
 #include <std_msgs/Float64.h>
 #include <std_msgs/String.h>
 #include <std_srvs/Empty.h>
+#include <uuv_gazebo_ros_plugins_msgs/FloatStamped.h>
 
 #include <mutex>
 #include <type_traits>
@@ -26,6 +29,15 @@ namespace {
 TwistCommand from_message(const geometry_msgs::Twist& message) { return from_twist(message); }
 ScalarSample from_message(const std_msgs::Float64& message) { return {SimTime{}, message.data}; }
 ScalarSample from_message(const std_msgs::Float32& message) { return {SimTime{}, message.data}; }
+StampedNumber from_message(const uuv_gazebo_ros_plugins_msgs::FloatStamped& message) {
+  return {SimTime{}, message.data};
+}
+DriveCommand from_message(const heron_msgs::Drive& message) {
+  return {SimTime{}, static_cast<double>(message.left), static_cast<double>(message.right)};
+}
+JointCommand from_message(const sensor_msgs::JointState& message) {
+  return {SimTime{}, message.name, message.position, message.velocity, message.effort};
+}
 TriggerCommand from_message(const std_msgs::Empty&) { return {}; }
 PoseSample from_message(const geometry_msgs::PoseStamped& message) {
   return {from_ros(message.header.stamp), message.header.frame_id, from_pose(message.pose)};
@@ -173,6 +185,9 @@ constexpr BindFunction kBindFunctions[] = {
     try_bind_number,
     try_bind<PoseSample, TopicBinding<PoseSample, geometry_msgs::PoseStamped>>,
     try_bind<PathCommand, TopicBinding<PathCommand, nav_msgs::Path>>,
+    try_bind<StampedNumber, TopicBinding<StampedNumber, uuv_gazebo_ros_plugins_msgs::FloatStamped>>,
+    try_bind<DriveCommand, TopicBinding<DriveCommand, heron_msgs::Drive>>,
+    try_bind<JointCommand, TopicBinding<JointCommand, sensor_msgs::JointState>>,
     try_bind<TriggerCommand, TopicBinding<TriggerCommand, std_msgs::Empty>>,
     try_bind<TextCommand, TopicBinding<TextCommand, std_msgs::String>>,
     try_bind<ServiceCommand, ServiceBinding>,

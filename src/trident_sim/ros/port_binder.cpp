@@ -115,6 +115,7 @@ constexpr BindFunction kBindFunctions[] = {
     try_bind<ActuatorState, mav_msgs::Actuators>,
     try_bind<JointStateSample, sensor_msgs::JointState>,
     try_bind<ScalarSample, std_msgs::Float32>,
+    try_bind<StampedNumber, uuv_gazebo_ros_plugins_msgs::FloatStamped>,
     try_bind<WindSample, rotors_comm::WindSpeed>,
     try_bind<WrenchSample, geometry_msgs::WrenchStamped>,
     try_bind<VectorSample, geometry_msgs::Vector3Stamped>,

@@ -160,6 +160,7 @@ catkin_add_gtest(trident_sim_marine_test
   test/marine/standalone_vessel.cpp
   test/marine/thruster_test.cpp
   test/marine/usv_plugins_test.cpp
+  test/marine/uuv_plugins_test.cpp
   test/marine/vessel_dynamics_test.cpp
   test/marine/vessel_matrices_test.cpp
   test/marine/vessel_params_test.cpp

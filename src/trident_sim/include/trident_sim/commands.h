@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <string>
 #include <vector>
 
 #include "trident_base/sim_time.h"
@@ -23,6 +24,26 @@ struct TriggerCommand {
 /// The same, asked for by a service without arguments (std_srvs/Empty).
 struct ServiceCommand {
   SimTime stamp;  ///< not looked at: it acts in the next step
+};
+
+/// A number with its time on a topic of uuv_simulator (uuv_gazebo_ros_plugins_msgs/FloatStamped);
+/// in or out.
+struct StampedNumber {
+  SimTime stamp;
+  double value = 0.0;
+};
+
+/// Of a boat with two propellers, as heron_msgs/Drive: parts of full thrust.
+struct DriveCommand {
+  SimTime stamp;
+  double left = 0.0, right = 0.0;  ///< [-1, 1]
+};
+
+/// Of joints or thrusters by name, as sensor_msgs/JointState; what is not told is empty.
+struct JointCommand {
+  SimTime stamp;
+  std::vector<std::string> names;
+  std::vector<double> positions, velocities, efforts;
 };
 
 }  // namespace trident

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
+#include <pybind11/stl.h>
+
 #include <algorithm>
 
 #include "bindings.h"
@@ -196,6 +198,43 @@ void bind_trajectory(py::module_& module) {
       .def("__len__", [](const TrajectorySample& s) { return s.points.size(); });
 }
 
+/// Classes of one number.
+template <class Number>
+void bind_number(py::module_& module, const char* name, const char* text) {
+  stamped<Number>(module, name, text)
+      .def(py::init([](double value, double stamp) {
+             return Number{to_time(stamp, "stamp"), value};
+           }),
+           py::arg("value"), py::arg("stamp") = 0.0, "value: SI unit of the quantity.\nstamp: [s].")
+      .def_readonly("value", &Number::value, "SI unit of the quantity.");
+}
+
+void bind_drive(py::module_& module) {
+  stamped<DriveCommand>(module, "DriveCommand", "Thrusts of a boat with two propellers.")
+      .def(py::init([](double left, double right, double stamp) {
+             return DriveCommand{to_time(stamp, "stamp"), left, right};
+           }),
+           py::arg("left"), py::arg("right"), py::arg("stamp") = 0.0,
+           "left, right: parts of full thrust, -1 to 1.\nstamp: [s].")
+      .def_readonly("left", &DriveCommand::left, "Part of full thrust, -1 to 1.")
+      .def_readonly("right", &DriveCommand::right, "Part of full thrust, -1 to 1.");
+}
+
+void bind_joint_command(py::module_& module) {
+  using Numbers = std::vector<double>;
+  stamped<JointCommand>(module, "JointCommand", "Commands of joints or thrusters by name.")
+      .def(py::init([](const std::vector<std::string>& names, const Numbers& positions,
+                       const Numbers& velocities, const Numbers& efforts, double stamp) {
+             return JointCommand{to_time(stamp, "stamp"), names, positions, velocities, efforts};
+           }),
+           py::arg("names"), py::arg("positions") = Numbers{}, py::arg("velocities") = Numbers{},
+           py::arg("efforts") = Numbers{}, py::arg("stamp") = 0.0,
+           "names: n of them.\n"
+           "positions, velocities, efforts: [rad, m], [rad/s, m/s], [N m, N], shape (n,), or none."
+           "\nstamp: [s].")
+      .def_readonly("names", &JointCommand::names, "Of joints or thrusters, n of them.");
+}
+
 }  // namespace
 
 void bind_commands(py::module_& module) {
@@ -207,6 +246,9 @@ void bind_commands(py::module_& module) {
                                "A request without arguments, as a service of ROS takes it.");
   bind_request<TriggerCommand>(module, "TriggerCommand",
                                "A request without arguments, as a topic of ROS takes it.");
+  bind_number<StampedNumber>(module, "StampedNumber", "One number of uuv_simulator.");
+  bind_drive(module);
+  bind_joint_command(module);
   bind_trajectory(module);
 }
 

@@ -458,6 +458,44 @@ class ScalarSample(_Stamped):
     def value(self) -> float:
         """SI unit of the quantity."""
 
+class StampedNumber(_Stamped):
+    """One number of uuv_simulator."""
+    def __init__(self, value: float, stamp: float = 0.0) -> None:
+        """value: SI unit of the quantity.
+        stamp: [s]."""
+    @property
+    def value(self) -> float:
+        """SI unit of the quantity."""
+
+class DriveCommand(_Stamped):
+    """Thrusts of a boat with two propellers."""
+    def __init__(self, left: float, right: float, stamp: float = 0.0) -> None:
+        """left, right: parts of full thrust, -1 to 1.
+        stamp: [s]."""
+    @property
+    def left(self) -> float:
+        """Part of full thrust, -1 to 1."""
+    @property
+    def right(self) -> float:
+        """Part of full thrust, -1 to 1."""
+
+class JointCommand(_Stamped):
+    """Commands of joints or thrusters by name."""
+    def __init__(
+        self,
+        names: Sequence[str],
+        positions: Sequence[float] = (),
+        velocities: Sequence[float] = (),
+        efforts: Sequence[float] = (),
+        stamp: float = 0.0,
+    ) -> None:
+        """names: n of them.
+        positions, velocities, efforts: [rad, m], [rad/s, m/s], [N m, N], shape (n,), or none.
+        stamp: [s]."""
+    @property
+    def names(self) -> list[str]:
+        """Of joints or thrusters, n of them."""
+
 class ServiceCommand(_Stamped):
     """A request without arguments, as a service of ROS takes it."""
     def __init__(self, stamp: float = 0.0) -> None:

@@ -58,8 +58,9 @@ inline ModelSpec make_boat(const std::string& vessel, const std::string& model =
           {{"robotNamespace", model}, {"vessel", vessel_file(vessel)}, {"bodyName", "base_link"}}));
 }
 
-inline void command(World& world, const std::string& topic, double value) {
-  auto* const port = world.ports().find_in<ScalarSample>(topic);
+template <class Number = ScalarSample>
+void command(World& world, const std::string& topic, double value) {
+  auto* const port = world.ports().find_in<Number>(topic);
   ASSERT_NE(port, nullptr) << topic;
   port->write({world.time(), value});
 }

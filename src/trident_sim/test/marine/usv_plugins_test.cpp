@@ -161,6 +161,10 @@ TEST(UsvThrust, AnglesTurnTheEnginesAndTheBoat) {
   EXPECT_NEAR(boat.find_joint("left_engine_joint")->position(), 0.5, 0.05);
   ASSERT_EQ(joints->value.names.size(), 4U);
   EXPECT_NEAR(joints->value.positions[0], 0.5, 0.05);
+  // Propellers turn, the faster the longer in vain against nothing, but not without a limit.
+  EXPECT_EQ(joints->value.names[1], "left_prop_joint");
+  EXPECT_GT(joints->value.velocities[1], 10.0);
+  EXPECT_LT(joints->value.velocities[1], 110.0);
   // Pushed to port at the stern: the bow goes to starboard.
   EXPECT_LT(boat.T_world_model().rpy().z(), -0.2);
 }

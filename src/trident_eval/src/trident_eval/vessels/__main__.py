@@ -9,7 +9,7 @@ import sys
 from collections.abc import Callable
 from pathlib import Path
 
-from trident_eval.vessels import control_checks, hull_checks, motion_checks
+from trident_eval.vessels import control_checks, hull_checks, legacy_check, motion_checks
 from trident_eval.vessels.check import Check
 from trident_eval.vessels.pictures import draw
 
@@ -26,6 +26,7 @@ CHECKS: dict[str, Callable[[], Check]] = {
     "course": control_checks.course_check,
     "station": control_checks.station_check,
     "energy": motion_checks.energy_check,
+    "legacy_vrx": legacy_check.legacy_check,
     "random": motion_checks.random_check,
 }
 

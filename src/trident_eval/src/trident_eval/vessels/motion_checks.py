@@ -174,13 +174,13 @@ def _energies(trial: Trial, M: Array) -> tuple[Array, Array]:
     motion = trial.run(5.0)
     energy = []
     for i in range(len(motion.t)):
-        R = _rotation(motion.rpy[i])
+        R = body_to_world(motion.rpy[i])
         nu = np.concatenate([R.T @ motion.velocity[i], R.T @ motion.angular_velocity[i]])
         energy.append(0.5 * nu @ M @ nu)
     return motion.t, np.array(energy)
 
 
-def _rotation(rpy: Array) -> Array:
+def body_to_world(rpy: Array) -> Array:
     """Body to world of roll, pitch, yaw (3)."""
     (sr, sp, sy), (cr, cp, cy) = np.sin(rpy), np.cos(rpy)
     return np.array(

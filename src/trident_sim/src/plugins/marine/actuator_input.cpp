@@ -19,15 +19,21 @@ ActuatorInput::ActuatorInput(const PluginContext& context, const std::string& to
       unit_(std::move(unit)),
       limits_(limits) {
   if (source == Source::kTopic) port_ = subscribe<ScalarSample>(context, topic);
+  if (source == Source::kStampedTopic) stamped_ = subscribe<StampedNumber>(context, topic);
+}
+
+template <class Port>
+std::optional<double> ActuatorInput::newest_of(World& world, const Port& port) {
+  std::optional<double> newest;
+  for (seen_ = std::max(seen_, port->oldest()); seen_ < port->count(); ++seen_) {
+    if (const auto legal = check(world, port->at(seen_).value)) newest = legal;
+  }
+  return newest;
 }
 
 std::optional<double> ActuatorInput::take(World& world) {
-  std::optional<double> newest;
-  if (!port_) return newest;
-  for (seen_ = std::max(seen_, port_->oldest()); seen_ < port_->count(); ++seen_) {
-    if (const auto legal = check(world, port_->at(seen_).value)) newest = legal;
-  }
-  return newest;
+  if (stamped_) return newest_of(world, stamped_);
+  return port_ ? newest_of(world, port_) : std::nullopt;
 }
 
 std::optional<double> ActuatorInput::check(World& world, double value) const {
@@ -56,6 +62,7 @@ void ActuatorInput::diagnose(World& world, Severity severity, double value) cons
 
 void ActuatorInput::reset() {
   if (port_) port_->clear();
+  if (stamped_) stamped_->clear();
   seen_ = 0;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "../plugin_util.h"
+#include "trident_sim/commands.h"
 
 namespace trident {
 
@@ -13,8 +14,9 @@ namespace trident {
 /// limits is cut to them; both are counted among the world's diagnostics.
 class ActuatorInput {
  public:
-  /// kCaller: not on a topic of its own; `topic` is then where its caller has the numbers from.
-  enum class Source { kTopic, kCaller };
+  /// kStampedTopic: on a topic of uuv_simulator's numbers. kCaller: not on a topic of its own;
+  /// `topic` is then where its caller has the numbers from.
+  enum class Source { kTopic, kStampedTopic, kCaller };
 
   /// `what` is what diagnostics call it, `unit` is told with the numbers.
   ActuatorInput(const PluginContext& context, const std::string& topic, std::string what,
@@ -28,11 +30,14 @@ class ActuatorInput {
   void state(StateArchive& archive) { archive(seen_); }
 
  private:
+  template <class Port>
+  std::optional<double> newest_of(World& world, const Port& port);
   void diagnose(World& world, Severity severity, double value) const;
 
   std::string owner_, topic_, what_, unit_;
   Limits limits_;
   InHandle<ScalarSample> port_;
+  InHandle<StampedNumber> stamped_;
   std::uint64_t seen_ = 0;
 };
 

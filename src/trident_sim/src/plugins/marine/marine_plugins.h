@@ -17,5 +17,8 @@ PluginFactory mooring_factory();
 PluginFactory usv_dynamics_factory();
 PluginFactory usv_thrust_factory();
 PluginFactory usv_wind_factory();
+/// uuv_simulator's thrusters and hydrodynamics under their own elements.
+PluginFactory uuv_thruster_factory();
+PluginFactory uuv_object_factory();
 
 }  // namespace trident

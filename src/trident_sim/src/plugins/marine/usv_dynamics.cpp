@@ -91,8 +91,8 @@ UsvParams read_usv(const PluginContext& context, const Link& link) {
 
 /// libusv_gazebo_dynamics_plugin.so: VRX' elements, defaults and hull on the link <bodyName>, by
 /// default under Fossen's full equation. With <legacy_vrx> true it is VRX' own: added mass by
-/// differences of the velocity and no Coriolis forces. In both the hull is that of
-/// libtrident_vessel.so, sections instead of VRX' points. <waterLevel> is added to the sea's.
+/// differences of the velocity, no Coriolis forces, and buoyancy of points (VrxHull); else its hull
+/// is that of libtrident_vessel.so, sections. <waterLevel> is added to the sea's.
 class UsvDynamics : public Plugin, public Floating {
  public:
   explicit UsvDynamics(const PluginContext& context)

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -78,6 +79,7 @@ class UsvThruster {
     const Eigen::Vector3d force =
         thruster_.thrust_n() * (T_world_link.R * Eigen::Vector3d::UnitX());
     link_->body->add_force_at(force, T_world_link.p);
+    spin_propeller();
   }
 
   Joint& engine() const { return *engine_; }
@@ -116,6 +118,17 @@ class UsvThruster {
     hold_engine(own);
   }
 
+  /// As VRX spins it: with up to 2 N m, from a tenth of the command on. It is only looked at, so
+  /// that one whose joint has no damping is not spun up for ever.
+  void spin_propeller() {
+    constexpr double kLeastPart = 0.1, kTorque = 2.0, kFastest = 100.0;
+    const double part = thruster_.command_value() / thruster_.params().max_command;
+    if (propeller_->axis_count() == 0 || std::abs(part) <= kLeastPart) return;
+    const double rate = propeller_->velocity();
+    if (std::abs(rate) > kFastest && rate * part > 0.0) return;
+    propeller_->add_effort(kTorque * part);
+  }
+
   /// A fixed engine needs nothing unless it is to turn.
   void hold_engine(const PluginContext& own) {
     if (!angle_ && engine_->axis_count() == 0) return;
@@ -137,7 +150,7 @@ class UsvThruster {
 };
 
 /// libusv_gazebo_thrust_plugin.so: VRX' thrusters under VRX' elements and defaults, on the topics
-/// that they name, and <robotNamespace>/joint_states of their joints. Propellers are not turned.
+/// that they name, and <robotNamespace>/joint_states of their joints, propellers among them.
 /// What the thrusters push is on the bodies before libusv_gazebo_dynamics_plugin.so looks.
 class UsvThrust : public Plugin {
  public:

@@ -62,7 +62,9 @@ VesselBody::VesselBody(const PluginContext& context, Link& link, const VesselPar
       hull_(vessel.hull, vessel.water_density, gravity_),
       world_(context.world) {
   body_frames_moved();
-  if (vessel.equation == VesselEquation::kLegacyVrx) legacy_.emplace(vessel);
+  if (vessel.equation == VesselEquation::kLegacyVrx) {
+    legacy_.emplace(Legacy{LegacyVrxForce(vessel), VrxHull(vessel.hull, vessel.water_density)});
+  }
   if (const auto sea = find_sea(world_)) check_afloat(*sea);
 }
 
@@ -186,14 +188,23 @@ void VesselBody::push(const World& world, const StepInfo& info, const Afloat& no
                                              engine, info.dt_s));
 }
 
-/// As VRX does it: the force of the velocity of the link's origin acts at the centre of gravity.
+/// As VRX does it: buoyancy of points, and the force of the velocity of the link's origin at the
+/// centre of gravity.
 void VesselBody::push_legacy(const StepInfo& info, const Afloat& now, const Vector6d& tau) {
-  add_about_cg(now, now.load.wrench + tau);
+  add_about_cg(now, tau);
   Body& body = *link_.body;
-  const Eigen::Matrix3d R = link_.T_world_link().R.toRotationMatrix();
+  const SE3 T_world_link = link_.T_world_link();
+  SE3 T_sea_link = T_world_link;
+  T_sea_link.p.z() -= place_.level_m;
+  const StillWater still;
+  const Water& water =
+      around_.sea() == nullptr ? static_cast<const Water&>(still) : around_.sea()->water();
+  const Vector6d lift =
+      legacy_->hull.wrench(T_sea_link, place_.T_link_co, water, info.begin.seconds());
+  const Eigen::Matrix3d R = T_world_link.R.toRotationMatrix();
   Vector6d nu;
-  nu << R.transpose() * link_.v_world_at(link_.T_world_link().p), R.transpose() * body.w_world;
-  const Vector6d wrench = turned(R, legacy_->wrench(nu, info.dt_s));
+  nu << R.transpose() * link_.v_world_at(T_world_link.p), R.transpose() * body.w_world;
+  const Vector6d wrench = turned(R, legacy_->force.wrench(nu, info.dt_s)) + lift;
   body.force += wrench.head<3>();
   body.torque += wrench.tail<3>();
 }
@@ -207,11 +218,11 @@ void VesselBody::add_about_cg(const Afloat& now, const Vector6d& wrench) {
 }
 
 void VesselBody::reset() {
-  if (legacy_) legacy_->reset();
+  if (legacy_) legacy_->force.reset();
 }
 
 void VesselBody::state(StateArchive& archive) {
-  if (legacy_) legacy_->state(archive);
+  if (legacy_) legacy_->force.state(archive);
 }
 
 }  // namespace trident

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "../../marine/vessel_dynamics.h"
+#include "../../marine/vrx_hull.h"
 #include "../plugin_util.h"
 #include "trident_sim/sea.h"
 
@@ -74,7 +75,11 @@ class VesselBody {
   Place place_;
   SE3 T_body_co_;
   std::unique_ptr<VesselDynamics> dynamics_;
-  std::optional<LegacyVrxForce> legacy_;
+  struct Legacy {
+    LegacyVrxForce force;
+    VrxHull hull;
+  };
+  std::optional<Legacy> legacy_;
   double gravity_;
   Hull hull_;
   const World& world_;

@@ -1,0 +1,209 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <sstream>
+
+#include "../../marine/uuv_thruster.h"
+#include "actuator_input.h"
+#include "marine_plugins.h"
+#include "trident_base/string_util.h"
+#include "trident_sim/commands.h"
+#include "vessel_body.h"
+
+namespace trident {
+namespace {
+
+const Limits kAny{-1e12, 1e12}, kPositive{1e-12, 1e12}, kNotNegative{0.0, 1e12};
+
+/// An element with what is below it; errors name both. Empty where it is missing.
+PluginParams element(const PluginParams& params, const std::string& key) {
+  static const ParamNode kNothing{};
+  const ParamNode* const node = params.node(key);
+  return {node != nullptr ? *node : kNothing, params.owner() + " <" + key + ">"};
+}
+
+template <class Enum>
+Enum read_type(const PluginParams& params) {
+  const std::string text = params.required_text("type");
+  std::string legal;
+  for (const auto& item : enum_names(Enum{})) {
+    if (text == item.name) return item.value;
+    legal += (legal.empty() ? "" : ", ") + std::string(item.name);
+  }
+  params.refuse("type", text, legal);
+}
+
+double required_number(const PluginParams& params, const char* key, const Limits& limits) {
+  params.required_text(key);
+  return params.number(key, 0.0, limits);
+}
+
+std::vector<double> required_numbers(const PluginParams& params, const char* key) {
+  const std::string text = params.required_text(key);
+  std::istringstream words(text);
+  std::vector<double> numbers;
+  double number = 0.0;
+  while (words >> number) numbers.push_back(number);
+  if (!words.eof() || numbers.size() < 2) params.refuse(key, text, "at least two numbers");
+  return numbers;
+}
+
+void read_dynamics(const PluginParams& params, UuvThrusterParams* thruster) {
+  thruster->dynamics = read_type<UuvDynamics>(params);
+  switch (thruster->dynamics) {
+    case UuvDynamics::kZeroOrder:
+      break;
+    case UuvDynamics::kFirstOrder:
+      thruster->time_constant_s = required_number(params, "timeConstant", kPositive);
+      break;
+    case UuvDynamics::kYoerger:
+      thruster->alpha = required_number(params, "alpha", kNotNegative);
+      thruster->beta = required_number(params, "beta", kAny);
+      break;
+    case UuvDynamics::kBessa:
+      thruster->Jmsp = required_number(params, "Jmsp", kPositive);
+      thruster->Kv1 = required_number(params, "Kv1", kNotNegative);
+      thruster->Kv2 = required_number(params, "Kv2", kNotNegative);
+      thruster->Kt = required_number(params, "Kt", kAny);
+      thruster->Rm = required_number(params, "Rm", kPositive);
+      break;
+  }
+}
+
+void read_conversion(const PluginParams& params, UuvThrusterParams* thruster) {
+  thruster->conversion = read_type<UuvConversion>(params);
+  switch (thruster->conversion) {
+    case UuvConversion::kBasic:
+      thruster->rotor_constant = required_number(params, "rotorConstant", kAny);
+      break;
+    case UuvConversion::kBessa:
+      thruster->rotor_constant_left = required_number(params, "rotorConstantL", kAny);
+      thruster->rotor_constant_right = required_number(params, "rotorConstantR", kAny);
+      thruster->delta_left = required_number(params, "deltaL", {-1e12, 0.0});
+      thruster->delta_right = required_number(params, "deltaR", kNotNegative);
+      break;
+    case UuvConversion::kLinearInterp:
+      thruster->inputs = required_numbers(params, "inputValues");
+      thruster->outputs = required_numbers(params, "outputValues");
+      if (thruster->inputs.size() != thruster->outputs.size()) {
+        params.refuse("outputValues", std::to_string(thruster->outputs.size()) + " numbers",
+                      std::to_string(thruster->inputs.size()) + ", as <inputValues> has");
+      }
+      for (std::size_t i = 1; i < thruster->inputs.size(); ++i) {
+        if (thruster->inputs[i] <= thruster->inputs[i - 1]) {
+          params.refuse("inputValues", number_text(thruster->inputs[i]), "numbers that rise");
+        }
+      }
+      break;
+  }
+}
+
+UuvThruster read_thruster(const PluginParams& params) {
+  UuvThrusterParams thruster;
+  read_dynamics(element(params, "dynamics"), &thruster);
+  read_conversion(element(params, "conversion"), &thruster);
+  return UuvThruster(thruster);
+}
+
+/// Below the namespace, or, as upstream, below the model's name where none is given.
+std::string thruster_topic(const PluginContext& context, const char* key, const char* end) {
+  const PluginParams& params = context.params;
+  const std::string id = std::to_string(params.required_integer("thrusterID", {0, 1000}));
+  const std::string topic = params.text(key, "thrusters/" + id + "/" + end);
+  const bool has_namespace = !params.text("robotNamespace", "").empty();
+  return scoped_topic(params, has_namespace ? topic : context.model->name + "/" + topic);
+}
+
+/// libuuv_thruster_ros_plugin.so: a thruster of uuv_simulator under its elements. It pushes
+/// <linkName> along the link's x axis by what its conversion makes of the state of its dynamics,
+/// and turns <jointName>, which is a picture, at that state [rad/s]. Topics
+/// <robotNamespace>/thrusters/<thrusterID>/input, thrust and thrust_wrench, or those that
+/// <inputTopic> and <thrustTopic> name.
+class UuvThrusterPlugin : public Plugin {
+ public:
+  explicit UuvThrusterPlugin(const PluginContext& context)
+      : link_(moving_link(context, "linkName")),
+        thruster_(read_thruster(context.params)),
+        gain_(context.params.number("gain", 1.0, kAny)),
+        efficiency_(context.params.number("thrust_efficiency", 1.0, {0.0, 1.0})),
+        propeller_efficiency_(context.params.number("propeller_efficiency", 1.0, {0.0, 1.0})),
+        input_(context, thruster_topic(context, "inputTopic", "input"), "input of the thruster", "",
+               clamp(context.params), ActuatorInput::Source::kStampedTopic),
+        thrust_(advertise<StampedNumber>(context, thruster_topic(context, "thrustTopic", "thrust"),
+                                         PortRank::kState)),
+        wrench_(advertise<WrenchSample>(
+            context, thruster_topic(context, "thrustWrenchTopic", "thrust_wrench"),
+            PortRank::kState)) {
+    const PluginParams& params = context.params;
+    limits_.lo = params.number("thrustMin", kAny.lo, kAny);
+    limits_.hi = params.number("thrustMax", kAny.hi, {limits_.lo, kAny.hi});
+    if (params.has("jointName")) joint_ = &required_joint(context, "jointName");
+    wrench_->value.frame = link_.name;
+  }
+
+  /// Before libuuv_underwater_object_ros_plugin.so looks.
+  std::vector<Phase> phases() const override { return {Phase::kControl}; }
+
+  void pre_step(Phase, World& world, const StepInfo& info) override {
+    if (const auto newest = input_.take(world)) command_ = *newest;
+    thruster_.step(gain_ * command_, info.dt_s);
+    const double state = propeller_efficiency_ * thruster_.state_value();
+    const double thrust =
+        std::clamp(efficiency_ * thruster_.thrust_at(state), limits_.lo, limits_.hi);
+    const SE3 T_world_link = link_.T_world_link();
+    const Eigen::Vector3d force = T_world_link.R * Eigen::Vector3d(thrust, 0.0, 0.0);
+    link_.body->add_force_at(force, T_world_link * link_.inertial.T_link_com.p);
+    if (joint_ != nullptr && joint_->spun) joint_->set_velocity(state);
+    publish(info.end, thrust);
+  }
+
+  void reset() override {
+    thruster_.reset();
+    input_.reset();
+    command_ = 0.0;
+  }
+  void state(StateArchive& archive) override {
+    thruster_.state(archive);
+    input_.state(archive);
+    archive(command_);
+  }
+
+ private:
+  static Limits clamp(const PluginParams& params) {
+    Limits limits;
+    limits.lo = params.number("clampMin", kAny.lo, kAny);
+    limits.hi = params.number("clampMax", kAny.hi, {limits.lo, kAny.hi});
+    return limits;
+  }
+
+  void publish(SimTime stamp, double thrust) {
+    if (thrust_->wanted()) {
+      thrust_->value = {stamp, thrust};
+      thrust_->publish();
+    }
+    if (wrench_->wanted()) {
+      wrench_->value.stamp = stamp;
+      wrench_->value.force = {thrust, 0.0, 0.0};
+      wrench_->publish();
+    }
+  }
+
+  Link& link_;
+  Joint* joint_ = nullptr;
+  UuvThruster thruster_;
+  double gain_, efficiency_, propeller_efficiency_;
+  Limits limits_;
+  ActuatorInput input_;
+  double command_ = 0.0;
+  OutHandle<StampedNumber> thrust_;
+  OutHandle<WrenchSample> wrench_;
+};
+
+}  // namespace
+
+PluginFactory uuv_thruster_factory() {
+  return {[](const PluginContext& context) { return std::make_unique<UuvThrusterPlugin>(context); },
+          [](const PluginParams& params) { return params.text("jointName", ""); }};
+}
+
+}  // namespace trident
