@@ -13,10 +13,14 @@ trident_sim = pytest.importorskip("trident_sim", reason="trident_sim is not buil
 
 URDF = Path(__file__).resolve().parents[1] / "urdf"
 OCEAN = "package://trident_bringup/worlds/ocean.world"
-EMPTY = "package://rotors_gazebo/worlds/empty.world"
 
 #: z of base_link at rest [m], thruster command, the speed that it gives [m/s].
-FIGURES = {"otter": (0.0, 60.0, 1.029), "wamv": (-0.0796, 0.5, 1.179)}
+FIGURES = {
+    "otter": (0.0, 60.0, 1.029),
+    "wamv": (-0.0796, 0.5, 1.179),
+    "heron": (0.0, 0.5, 1.480),
+    "small_catamaran": (0.0, 0.5, 1.236),
+}
 
 #: VRX' configurations of thrusters.
 LAYOUTS = {
@@ -109,3 +113,73 @@ def test_its_sensors_tell_and_its_propellers_push(vessel: str) -> None:
     # Still air comes from ahead, as fast as the boat goes.
     wind = world.ports[f"{vessel}/wind"].value.value
     assert wind[0] == pytest.approx(-odometry.linear_velocity[0], abs=0.6)
+
+
+@pytest.mark.parametrize("vessel", FIGURES)
+def test_its_propellers_turn(vessel: str) -> None:
+    """The way of its thrust; both joints are told with the angles that tf needs."""
+    world = world_of(vessel, OCEAN, lidar=False)
+    world.ports[f"{vessel}/joint_states"].subscribe()
+    for side, part in (("left", 1.0), ("right", -1.0)):
+        value = trident_sim.ScalarSample(part * FIGURES[vessel][1])
+        world.ports[f"{vessel}/thrusters/{side}_thrust_cmd"].write(value)
+    world.step(500)
+    states = world.ports[f"{vessel}/joint_states"].value
+    assert sorted(states.names) == ["left_propeller_joint", "right_propeller_joint"]
+    rates = dict(zip(states.names, states.velocities, strict=True))
+    angles = dict(zip(states.names, states.positions, strict=True))
+    assert rates["left_propeller_joint"] > 20.0
+    assert rates["right_propeller_joint"] < -10.0
+    assert angles["left_propeller_joint"] > 10.0
+
+
+def test_propeller_of_the_otter_turns_as_fast_as_its_shaft() -> None:
+    world = world_of("otter", OCEAN, lidar=False)
+    world.ports["otter/thrusters/left_thrust_cmd"].write(trident_sim.ScalarSample(60.0))
+    world.step(1000)
+    rate = world.model("otter").joint("left_propeller_joint").velocity
+    assert rate == pytest.approx(60.0, rel=1e-3)
+
+
+def test_listeners_change_nothing() -> None:
+    hashes = []
+    for topic in ("", "otter/joint_states", "otter/thrusters/left_thrust"):
+        world = world_of("otter", OCEAN, lidar=False)
+        if topic:
+            world.ports[topic].subscribe()
+        world.ports["otter/thrusters/left_thrust_cmd"].write(trident_sim.ScalarSample(60.0))
+        world.step(200)
+        hashes.append(world.state_hash())
+    assert len(set(hashes)) == 1
+
+
+def test_heron_takes_drive_commands() -> None:
+    world = world_of("heron", OCEAN, lidar=False)
+    world.ports["heron/thrusters/left_thrust"].subscribe()
+    world.ports["heron/thrusters/right_thrust"].subscribe()
+    world.ports["heron/cmd_drive"].write(0.6, -1.0)
+    world.step(500)
+    world.ports["heron/cmd_drive"].write(float("nan"), 0.0)
+    world.ports["heron/cmd_drive"].write(0.6, -3.0)
+    world.step(500)
+    assert world.ports["heron/thrusters/left_thrust"].value.value == pytest.approx(21.28)
+    assert world.ports["heron/thrusters/right_thrust"].value.value == pytest.approx(-19.88)
+    told = "\n".join(message.text for message in world.messages)
+    assert "cmd_drive: nan, 0 is refused, the last good one stays; legal is [-1, 1]" in told
+    assert "cmd_drive: 0.6, -3 is cut to the nearest; legal is [-1, 1]" in told
+
+
+def test_small_catamaran_is_driven_as_usv_sim_lsa_does() -> None:
+    world = world_of("small_catamaran", OCEAN, lidar=False, freefloating=True)
+    world.ports["small_catamaran/state"].subscribe()
+    command = world.ports["small_catamaran/thruster_command"]
+    command.write(["fwd_left", "fwd_right"], positions=[20.0, 10.0])
+    command.write(["fwd_middle"], positions=[1.0])
+    command.write(["fwd_left"], positions=[float("nan")])
+    world.step(3000)
+    state = world.ports["small_catamaran/state"].value
+    # 20 N are cut to 11.5, and 10 N with them: as fast as 17.25 N make it, in a turn to starboard.
+    assert 0.8 < state.linear_velocity[0] < 1.55
+    assert state.angular_velocity[2] < -0.2
+    told = "\n".join(message.text for message in world.messages)
+    assert "thruster_command: 'fwd_middle', which is no thruster, is refused" in told

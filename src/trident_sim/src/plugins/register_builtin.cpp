@@ -79,6 +79,9 @@ void register_builtin_plugins(PluginRegistry& registry) {
   registry.add("libwavefield_model_plugin.so", vrx_wave_field_factory());
   registry.add("libtrident_vessel.so", vessel_factory());
   registry.add("libtrident_mooring.so", mooring_factory());
+  registry.add("libtrident_propeller.so", propeller_factory());
+  registry.add("libfreefloating_gazebo_control.so", freefloating_control_factory());
+  registry.add("libfreefloating_gazebo_fluid.so", freefloating_fluid_factory());
   registry.add("libusv_gazebo_dynamics_plugin.so", usv_dynamics_factory());
   registry.add("libusv_gazebo_thrust_plugin.so", usv_thrust_factory());
   registry.add("libusv_gazebo_wind_plugin.so", usv_wind_factory());

@@ -13,6 +13,8 @@ PluginFactory vrx_wave_field_factory();
 PluginFactory vessel_factory();
 /// A line from a body to an anchor.
 PluginFactory mooring_factory();
+/// A thruster of a vessel as a joint that turns.
+PluginFactory propeller_factory();
 /// VRX' hydrodynamics, thrusters and wind under their own elements.
 PluginFactory usv_dynamics_factory();
 PluginFactory usv_thrust_factory();
@@ -20,5 +22,8 @@ PluginFactory usv_wind_factory();
 /// uuv_simulator's thrusters and hydrodynamics under their own elements.
 PluginFactory uuv_thruster_factory();
 PluginFactory uuv_object_factory();
+/// usv_sim_lsa's (freefloating_gazebo's): thrusters and state of a boat; the surface of a world.
+PluginFactory freefloating_control_factory();
+PluginFactory freefloating_fluid_factory();
 
 }  // namespace trident

@@ -18,6 +18,19 @@ namespace {
 
 constexpr Range kLevels{-1000.0, 9000.0};
 
+/// freefloating_gazebo's <surface>, a point on still water. What it reads of a robot's description,
+/// the <buoyancy> of links, is for libtrident_vessel.so to say.
+EnvironmentParams read_freefloating(const PluginContext& context) {
+  EnvironmentParams environment;
+  environment.water_level = context.params.vector3("surface", Eigen::Vector3d::Zero()).z();
+  for (const char* key : {"descriptionParam", "fluidTopic"}) context.params.node(key);
+  context.world.report(Severity::kWarning,
+                       context.params.owner() +
+                           ": <buoyancy> of links has no effect; boats float by "
+                           "libtrident_vessel.so, and the current is that of libtrident_sea.so");
+  return environment;
+}
+
 /// libtrident_sea.so, libtrident_environment.so, a world's plugin: the sea, the wind and the ground
 /// of the file <environment>, or of <tide>, <waves>, <current>, <wind>, <bathymetry> with the
 /// file's keys as elements; <water_level> [m] comes before that of the file. Without any of them
@@ -258,6 +271,14 @@ PluginFactory sea_factory() {
 PluginFactory vrx_wave_field_factory() {
   return {[](const PluginContext& context) {
             return std::make_unique<SeaPlugin>(context, read_vrx_waves(context),
+                                               SeaPlugin::HasAir::kNo);
+          },
+          {}};
+}
+
+PluginFactory freefloating_fluid_factory() {
+  return {[](const PluginContext& context) {
+            return std::make_unique<SeaPlugin>(context, read_freefloating(context),
                                                SeaPlugin::HasAir::kNo);
           },
           {}};

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "../stamped_commands.h"
+#include "drive_input.h"
 #include "marine_files.h"
 #include "marine_plugins.h"
 #include "vessel_actuators.h"
@@ -25,7 +27,8 @@ VesselParams read_vessel(const PluginContext& context) {
 
 /// libtrident_vessel.so: the vessel of the file <vessel> (config/vessels) on the link <bodyName>,
 /// whose inertial must be the file's within 1 %. CO, amidships in the design waterline, lies at
-/// <xyzOffset> (0 0 0) in the link, whose axes are the body's. It takes commands on the topics of
+/// <xyzOffset> (0 0 0) in the link, whose axes are the body's. With <driveTopic> thrusters named
+/// left and right take heron_msgs/Drive there, too. It takes commands on the topics of
 /// ThrusterOnTopics and RudderOnTopic; a thruster without any for <cmdTimeout> s stops (0: never).
 /// With a <commandTopic> it takes all commands at once in their place, in lockstep: thrusters as in
 /// the file, then angles of those that turn, then rudders.
@@ -40,6 +43,7 @@ class Vessel : public Plugin, public Floating {
     const Afloat now = body_.meet(world, info);
     if (commands_) take_commands(world, info);
     Vector6d tau = Vector6d::Zero();
+    if (drive_) take_drive(world, info);
     for (ThrusterOnTopics& thruster : thrusters_) {
       thruster.step(world, info);
       tau += thruster.thruster().wrench();
@@ -58,6 +62,7 @@ class Vessel : public Plugin, public Floating {
   void reset() override {
     body_.reset();
     if (commands_) commands_->reset();
+    if (drive_) drive_->reset();
     for (ThrusterOnTopics& thruster : thrusters_) thruster.reset();
     for (RudderOnTopic& rudder : rudders_) rudder.reset();
   }
@@ -65,6 +70,7 @@ class Vessel : public Plugin, public Floating {
   void state(StateArchive& archive) override {
     body_.state(archive);
     if (commands_) commands_->state(archive);
+    if (drive_) drive_->state(archive);
     for (ThrusterOnTopics& thruster : thrusters_) thruster.state(archive);
     for (RudderOnTopic& rudder : rudders_) rudder.state(archive);
   }
@@ -87,6 +93,7 @@ class Vessel : public Plugin, public Floating {
     for (const RudderParams& rudder : vessel.rudders) {
       rudders_.emplace_back(context, rudder, topic_);
     }
+    open_drive(context);
   }
 
   std::size_t channels() const {
@@ -121,6 +128,29 @@ class Vessel : public Plugin, public Floating {
                     {{"value", given}, {"legal", legal}}});
   }
 
+  void open_drive(const PluginContext& context) {
+    const std::string topic = context.params.text("driveTopic", "");
+    if (topic.empty()) return;
+    if (find_thruster("left") == nullptr || find_thruster("right") == nullptr) {
+      context.params.refuse("driveTopic", topic, "a vessel with thrusters named left and right");
+    }
+    drive_.emplace(context, scoped_topic(context.params, topic));
+  }
+
+  ThrusterOnTopics* find_thruster(const std::string& name) {
+    for (ThrusterOnTopics& thruster : thrusters_) {
+      if (thruster.thruster().params().name == name) return &thruster;
+    }
+    return nullptr;
+  }
+
+  void take_drive(World& world, const StepInfo& info) {
+    const auto command = drive_->take(world);
+    if (!command) return;
+    find_thruster("left")->command_part(command->left, info);
+    find_thruster("right")->command_part(command->right, info);
+  }
+
   static VesselBody::Place place(const PluginParams& params) {
     VesselBody::Place place;
     place.T_link_co.p = params.vector3("xyzOffset", Eigen::Vector3d::Zero());
@@ -133,6 +163,7 @@ class Vessel : public Plugin, public Floating {
   std::optional<StampedCommands> commands_;
   std::vector<ThrusterOnTopics> thrusters_;
   std::vector<RudderOnTopic> rudders_;
+  std::optional<DriveInput> drive_;
 };
 
 }  // namespace

@@ -61,6 +61,12 @@ void ThrusterOnTopics::step(World& world, const StepInfo& info) {
   thruster_.step(info.dt_s);
 }
 
+void ThrusterOnTopics::command_part(double part, const StepInfo& info) {
+  const ThrusterParams& params = thruster_.params();
+  thruster_.command(part * (part >= 0.0 ? params.max_command : -params.min_command));
+  commanded_ = info.begin;
+}
+
 void ThrusterOnTopics::publish(SimTime stamp) {
   if (!thrust_->wanted()) return;
   thrust_->value = {stamp, thruster_.thrust_n()};
