@@ -15,7 +15,7 @@ trident_sim = pytest.importorskip("trident_sim", reason="trident_sim is not buil
 
 URDF = Path(__file__).resolve().parents[1] / "urdf"
 #: test_vessels.py is the test of those that float.
-VESSELS = {"otter", "wamv"}
+VESSELS = {"heron", "otter", "small_catamaran", "wamv"}
 ROBOTS = sorted(
     {path.name.removesuffix(".urdf.xacro") for path in URDF.glob("*.urdf.xacro")} - VESSELS
 )

@@ -142,6 +142,10 @@ std::vector<PluginCase> model_cases() {
        {{"robotNamespace", "ns"}, {"linkName", "base_link"}, {"gaussianNoise", "0.1"}},
        {"linkName"},
        {"gaussianNoise", "bias", "updateRate"}},
+      {"libtrident_propeller.so",
+       {{"robotNamespace", "ns"}, {"jointName", "rotor_1_joint"}, {"thruster", "left"}},
+       {"jointName", "thruster"},
+       {"maxRate", "maxThrust", "updateRate"}},
       {"librotors_gazebo_magnetometer_plugin.so",
        {{"robotNamespace", "ns"}, {"linkName", "base_link"}, {"noiseNormal", "1e-7 1e-7 1e-7"}},
        {"linkName"},
@@ -332,7 +336,8 @@ TEST(BuiltinPlugins, AllHaveACase) {
   register_builtin_plugins(registry);
   // Two do nothing here: ROS is bound by the server, bags are written by rosbag. The others have no
   // port with numbers or want elements in elements; their tests are follow_test.cpp,
-  // marine/{mooring,sea_plugin,usv_plugins,wind_on_vehicles}_test.cpp.
+  // marine/{mooring,sea_plugin,usv_plugins,uuv_plugins,wind_on_vehicles}_test.cpp and
+  // trident_description's test_vessels.py.
   std::set<std::string> cases{"rotors_gazebo_ros_interface_plugin",
                               "rotors_gazebo_bag_plugin",
                               "trident_follow",
@@ -343,7 +348,11 @@ TEST(BuiltinPlugins, AllHaveACase) {
                               "wavefield_model_plugin",
                               "usv_gazebo_dynamics_plugin",
                               "usv_gazebo_thrust_plugin",
-                              "usv_gazebo_wind_plugin"};
+                              "usv_gazebo_wind_plugin",
+                              "uuv_thruster_ros_plugin",
+                              "uuv_underwater_object_ros_plugin",
+                              "freefloating_gazebo_control",
+                              "freefloating_gazebo_fluid"};
   for (const PluginCase& plugin : all_cases()) {
     cases.insert(plugin.filename.substr(3, plugin.filename.size() - 6));
   }

@@ -39,3 +39,12 @@ def test_world_without_a_sea_is_flat_water_at_zero() -> None:
 def test_bad_places_are_refused(places: list[list[float]], times: list[float], text: str) -> None:
     with pytest.raises(trident_sim.Error, match=text):
         trident_sim.World(WORLD).sea_elevation(places, times)
+
+
+def test_freefloating_fluid_is_still_water_at_its_surface() -> None:
+    plugin = '<plugin name="fluid" filename="libfreefloating_gazebo_fluid.so">{}</plugin>'
+    surface = "<descriptionParam>robot_description</descriptionParam><surface>0 0 0.5</surface>"
+    text = '<sdf version="1.6"><world name="pool">' + plugin.format(surface) + "</world></sdf>"
+    with pytest.warns(trident_sim.SimulationWarning, match="<buoyancy> of links has no effect"):
+        world = trident_sim.World(text)
+    assert world.sea_elevation([[1.0, 2.0]], [3.0]) == pytest.approx([0.5])

@@ -12,6 +12,15 @@ double dragged(double state, double drive, double linear, double quadratic, doub
   return (state + dt_s * drive) / (1.0 + dt_s * (linear + quadratic * std::abs(state)));
 }
 
+/// Linear between the points (x rises), constant beyond them.
+double interpolated(const std::vector<double>& x, const std::vector<double>& y, double at) {
+  if (at <= x.front()) return y.front();
+  std::size_t i = 1;
+  while (i < x.size() && x[i] < at) ++i;
+  if (i == x.size()) return y.back();
+  return y[i - 1] + (at - x[i - 1]) / (x[i] - x[i - 1]) * (y[i] - y[i - 1]);
+}
+
 }  // namespace
 
 void UuvThruster::step(double input, double dt_s) {
@@ -46,14 +55,6 @@ double UuvThruster::thrust_at(double state) const {
       return interpolated(p.inputs, p.outputs, state);
   }
   return 0.0;
-}
-
-double interpolated(const std::vector<double>& x, const std::vector<double>& y, double at) {
-  if (at <= x.front()) return y.front();
-  std::size_t i = 1;
-  while (i < x.size() && x[i] < at) ++i;
-  if (i == x.size()) return y.back();
-  return y[i - 1] + (at - x[i - 1]) / (x[i] - x[i - 1]) * (y[i] - y[i - 1]);
 }
 
 }  // namespace trident

@@ -68,7 +68,4 @@ class UuvThruster {
   double state_ = 0.0;
 };
 
-/// Linear between the points (x rises), constant beyond them.
-double interpolated(const std::vector<double>& x, const std::vector<double>& y, double at);
-
 }  // namespace trident
