@@ -55,9 +55,9 @@ class BeamCaster {
   }
   /// What the sensor notices of what a beam met; `scan` and `channel` are for random numbers.
   const RayHit& hit(std::size_t beam, std::uint64_t scan, std::uint32_t channel) const {
+    if (!sees_water_ || water_.tells(rays_[beam], hits_[beam], scan, channel)) return hits_[beam];
     static const RayHit nothing;
-    const bool is_told = !sees_water_ || water_.tells(rays_[beam], hits_[beam], scan, channel);
-    return is_told ? hits_[beam] : nothing;
+    return nothing;
   }
   double intensity(const RayHit& hit) const { return scene_.intensity(hit); }
 
