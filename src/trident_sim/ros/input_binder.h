@@ -45,8 +45,8 @@ class InputBinding {
 };
 
 /// Keeps a subscription per input of a board that ROS can serve (velocities, numbers, poses, paths,
-/// triggers, texts), and a service per request. A message waits, the newest in place of those before
-/// but for texts, until the stepping thread hands it to the port.
+/// triggers, texts), and a service per request. A message waits, the newest in place of those
+/// before but for texts, until the stepping thread hands it to the port.
 class InputBinder {
  public:
   InputBinder(ros::NodeHandle& node, PortBoard& board) : node_(node), board_(board) {}

@@ -124,8 +124,8 @@ class RayScene {
   SurfacePoint look_at(std::uint32_t shape, std::uint32_t primitive, const Ray& ray,
                        double t) const;
 
-  /// What meet() leaves out, for who draws it: nullptr where refresh_water() was not called, or there
-  /// is no sea.
+  /// What meet() leaves out, for who draws it: nullptr where refresh_water() was not called, or
+  /// there is no sea.
   const WaterSurface* water() const;
   /// RayHit::shape of the water; RayHit::kNothing: there is none.
   std::uint32_t water_shape() const;

@@ -58,7 +58,8 @@ TEST(Mooring, WhatALineCannotBeIsRefused) {
   };
   EXPECT_NE(refusal({{"length", "1"}}).find("anchor"), std::string::npos);
   EXPECT_NE(refusal({{"anchor", "0 0 0"}}).find("length"), std::string::npos);
-  EXPECT_NE(refusal({{"anchor", "0 0 0"}, {"length", "-1"}}).find("[0, 100000]"), std::string::npos);
+  EXPECT_NE(refusal({{"anchor", "0 0 0"}, {"length", "-1"}}).find("[0, 100000]"),
+            std::string::npos);
   EXPECT_NE(refusal({{"anchor", "0 nan 0"}, {"length", "1"}}).find("anchor"), std::string::npos);
 }
 

@@ -25,7 +25,8 @@ def _sends_to(publisher_uri: str, subscriber: str, topic: str) -> bool:
     moment later: what is published in between is lost.
     """
     try:
-        _, _, links = xmlrpc.client.ServerProxy(publisher_uri).getBusInfo(subscriber)
+        node: Any = xmlrpc.client.ServerProxy(publisher_uri)
+        _, _, links = node.getBusInfo(subscriber)
     except (OSError, xmlrpc.client.Error):
         return False  # it has gone
     return any(link[4] == topic and link[2] == "o" and link[1] == subscriber for link in links)
