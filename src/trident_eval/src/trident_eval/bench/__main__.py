@@ -17,7 +17,7 @@ from pathlib import Path
 from types import FrameType
 from typing import Any
 
-from trident_eval.bench import in_process, launches, lockstep, sensors
+from trident_eval.bench import coast, in_process, launches, lockstep, sensors
 from trident_eval.bench.machine import describe_commit, describe_machine
 from trident_eval.bench.rows import (
     Plan,
@@ -35,6 +35,7 @@ from trident_eval.bench.vehicle import Setup, prepare
 from trident_eval.core.errors import EvalError
 
 MEASURED, FAILED, UNUSABLE = 0, 1, 2
+_TOGETHER = coast.CASES[0]
 
 
 def make_parser() -> argparse.ArgumentParser:
@@ -53,6 +54,11 @@ def make_parser() -> argparse.ArgumentParser:
         type=Path,
         metavar="PROGRAM",
         help="for lockstep_external: another build of lee_position_controller_node",
+    )
+    sim.add_argument(
+        "--world",
+        choices=["coast"],
+        help="measure UAVs, UGVs and USVs together instead, --mode being one of their fleets",
     )
     sim.set_defaults(run=_sim)
     rays = commands.add_parser("sensors", help="measure lidars and cameras")
@@ -118,6 +124,8 @@ def measure_row(plan: Plan, setup: Setup, profile: bool, where: str) -> dict[str
 
 
 def _sim(options: argparse.Namespace) -> int:
+    if options.world == "coast":
+        return _coast(options)
     plans = plan_rows(options.quick, options.mode, options.runs)
     if options.out and not options.out.parent.is_dir():
         raise EvalError(f"--out {options.out}: its folder does not exist")
@@ -139,9 +147,31 @@ def _sim(options: argparse.Namespace) -> int:
     return FAILED if any("error" in row for row in document["rows"]) else MEASURED
 
 
+def _coast(options: argparse.Namespace) -> int:
+    if options.out and not options.out.parent.is_dir():
+        raise EvalError(f"--out {options.out}: its folder does not exist")
+    document = _document() | {"rows": []}
+    cases = coast.chosen(options.mode)
+    for number, case in enumerate(cases, 1):
+        try:
+            row = coast.measure(case, options.runs or (1 if options.quick else 3), options.quick)
+        except EvalError as error:
+            say(str(error))
+            row = coast.failed(case, str(error).splitlines()[0])
+        document["rows"].append(row)
+        say(f"[{number}/{len(cases)}] {coast.line(row)}")
+        _write(options.out, document | coast.headline(document["rows"]))
+    if options.out:
+        say(f"written: {options.out}")
+    if options.markdown or not options.out:
+        print(coast.markdown_table(document["rows"]))
+        print(f"\n{caption(document)}")
+    return MEASURED if all(coast.is_sound(row) for row in document["rows"]) else FAILED
+
+
 def _sensors(options: argparse.Namespace) -> int:
     cases = [case for case in sensors.CASES if not options.mode or case.name in options.mode]
-    known = [case.name for case in sensors.CASES]
+    known = [*(case.name for case in sensors.CASES), _TOGETHER.name]
     if unknown := sorted(set(options.mode) - set(known)):
         raise EvalError(f"mode {unknown[0]!r} is unknown; legal: {', '.join(known)}")
     if options.out and not options.out.parent.is_dir():
@@ -156,12 +186,34 @@ def _sensors(options: argparse.Namespace) -> int:
         document["rows"].append(row)
         say(f"[{number}/{len(cases)}] {sensors.line(row)}")
         _write(options.out, document | sensors.headline(document["rows"]))
+    together = _measure_together(options, document)
     if options.out:
         say(f"written: {options.out}")
     else:
         print(sensors.markdown_table(document["rows"]))
+        if together:
+            print(f"\n{coast.markdown_table([together])}")
         print(f"\n{caption(document)}")
-    return FAILED if any("error" in row for row in document["rows"]) else MEASURED
+    is_sound = not together or coast.is_sound(together)
+    failed = any("error" in row for row in document["rows"])
+    return FAILED if failed or not is_sound else MEASURED
+
+
+def _measure_together(options: argparse.Namespace, document: dict[str, Any]) -> dict[str, Any]:
+    """The three domains with all their sensors, as `cross_domain`; empty if not asked for."""
+    if options.mode and _TOGETHER.name not in options.mode:
+        return {}
+    try:
+        runs = options.runs or (1 if options.quick else 3)
+        row = coast.measure(_TOGETHER, runs, options.quick)
+    except EvalError as error:
+        say(str(error))
+        row = coast.failed(_TOGETHER, str(error).splitlines()[0])
+    say(coast.line(row))
+    document["cross_domain"] = row
+    document |= coast.headline([row])
+    _write(options.out, document | sensors.headline(document["rows"]))
+    return row
 
 
 def _document() -> dict[str, Any]:

@@ -4,7 +4,8 @@
 
 Parameters: `~waypoints`, a list of [x, y]: ahead and left of the start [m]; `~start`, [x, y, yaw]
 of it in the frame `~frame` [m, rad]; `~vehicle`, by whose name it enrols in a simulator's lockstep:
-time zero is left when somebody in the vehicle's namespace has been given the path.
+the path is stamped with the first period's end, which the world does not pass before the vehicle's
+controller has confirmed it.
 """
 
 from __future__ import annotations
@@ -21,7 +22,8 @@ from trident_nav.core.places import from_start
 
 _ENROLL = "/gazebo/enroll_source"
 _SERVICE_LIMIT_S = 10.0
-_POLL_S = 0.2
+_PERIOD_NS = 100_000_000
+_REPEAT_S = 0.5
 
 
 def path_message() -> Path:
@@ -42,27 +44,25 @@ def path_message() -> Path:
     return message
 
 
-class Listener(rospy.SubscribeListener):  # type: ignore[misc]
-    """Knows whether the path has been given to anybody."""
+def enrol(vehicle: str) -> rospy.Time | None:
+    """Have a simulator's lockstep wait for the path.
 
-    def __init__(self) -> None:
-        """Nobody has come yet."""
-        super().__init__()
-        self.has_reader = threading.Event()
-
-    def peer_subscribe(self, topic_name: str, topic_publish: object, peer_publish: object) -> None:
-        """A subscriber has come; latched messages have gone out to it (called by rospy)."""
-        self.has_reader.set()
-
-
-def enrol(vehicle: str) -> None:
-    """Be counted among the sources that a simulator waits for; it waits for no set-point."""
+    Returns:
+        The time from which the path counts; None without a simulator that waits.
+    """
+    period = rospy.Duration(0, _PERIOD_NS)
     try:
         rospy.wait_for_service(_ENROLL, timeout=_SERVICE_LIMIT_S)
         ask = rospy.ServiceProxy(_ENROLL, EnrollSource)
-        ask(rospy.get_name(), [vehicle], rospy.Duration(0, 100_000_000), rospy.Time(0, 1), True)
+        start: rospy.Time = ask(
+            rospy.get_name(), [vehicle], period, rospy.Time(0, 0), True
+        ).start_time
+        # One set-point is all that there will be.
+        ask(rospy.get_name(), [vehicle], period, start + period, True)
     except (rospy.ROSException, rospy.ServiceException) as error:
         rospy.loginfo("waypoint_path: no lockstep: %s", error)
+        return None
+    return start
 
 
 def main() -> int:
@@ -78,14 +78,24 @@ def main() -> int:
     except NavError as error:
         rospy.logfatal("waypoint_path: %s", error)
         return 1
-    listener = Listener()
-    publisher = rospy.Publisher(
-        "path", Path, subscriber_listener=listener, queue_size=1, latch=True
-    )
+    publisher = rospy.Publisher("path", Path, queue_size=1, latch=True)
+    start = enrol(vehicle) if vehicle else None
+    if start is not None:
+        path.header.stamp = start
     publisher.publish(path)
-    while not rospy.is_shutdown() and not listener.has_reader.wait(_POLL_S):
-        pass
-    if vehicle and not rospy.is_shutdown():
-        enrol(vehicle)
+    repeat_until_used(publisher, path, start)
     rospy.spin()
     return 0
+
+
+def repeat_until_used(publisher: rospy.Publisher, path: Path, start: rospy.Time | None) -> None:
+    """Send it again while the world stands still before its stamp.
+
+    A controller's confirmation gets lost when it comes before the simulator listens.
+    """
+    never = threading.Event()
+    while start is not None and not rospy.is_shutdown():
+        never.wait(_REPEAT_S)
+        if rospy.get_rostime() >= start:
+            return
+        publisher.publish(path)
