@@ -16,7 +16,7 @@ THRUSTER = """
 <link name="thruster_{id}"><inertial><mass value="0.01"/>
 <inertia ixx="1e-6" ixy="0" ixz="0" iyy="1e-6" iyz="0" izz="1e-6"/></inertial></link>
 <joint name="thruster_{id}_joint" type="continuous"><parent link="base_link"/>
-<child link="thruster_{id}"/><origin xyz="-0.4735 {y} -0.05"/><axis xyz="1 0 0"/></joint>
+<child link="thruster_{id}"/><origin xyz="-0.4735 {y} 0"/><axis xyz="1 0 0"/></joint>
 <gazebo><plugin name="thruster_{id}" filename="libuuv_thruster_ros_plugin.so">
 <linkName>thruster_{id}</linkName><jointName>thruster_{id}_joint</jointName>
 <thrusterID>{id}</thrusterID><gain>1</gain><clampMin>-100</clampMin><clampMax>100</clampMax>
