@@ -19,7 +19,7 @@ constexpr double kRippleScale = 11.0;
 constexpr float kSmoothest = 0.001F;  ///< of what spreads the sun's light
 
 /// Of light from above that comes out of deep water again; what is left of light after a metre.
-const Eigen::Vector3f kDeep(0.018F, 0.125F, 0.165F);
+const Eigen::Vector3f kDeep(0.024F, 0.155F, 0.205F);
 const Eigen::Vector3f kExtinction(0.45F, 0.12F, 0.09F);  ///< [1/m]
 constexpr float kClear_m = 60.0F;                        ///< beyond it nothing is left
 /// The zenith's colour, as a part of the horizon's.
