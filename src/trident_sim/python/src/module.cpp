@@ -20,5 +20,6 @@ PYBIND11_MODULE(_core, module) {
   trident::bind_session(module);
   trident::bind_physics(module);
   trident::bind_rays(module);
+  trident::bind_environment(module);
   trident::bind_sea(module);
 }

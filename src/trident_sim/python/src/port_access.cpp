@@ -9,6 +9,7 @@
 #include "trident_control_sim/lee_plugin.h"
 #include "trident_sim/commands.h"
 #include "trident_sim/samples.h"
+#include "trident_sim/text_sample.h"
 #include "trident_sim/vector_sample.h"
 
 namespace py = pybind11;
@@ -38,6 +39,7 @@ const std::map<std::type_index, PortType>& port_types() {
       entry<CameraInfoSample>("CameraInfoSample"),
       entry<ContactsSample>("ContactsSample"),
       entry<DriveCommand>("DriveCommand"),
+      entry<EnvironmentSample>("EnvironmentSample"),
       entry<FluidPressureSample>("FluidPressureSample"),
       entry<FrameSample>("FrameSample"),
       entry<GnssFixSample>("GnssFixSample"),
@@ -50,6 +52,7 @@ const std::map<std::type_index, PortType>& port_types() {
       entry<LaserScanSample>("LaserScanSample"),
       entry<LidarCloudSample>("LidarCloudSample"),
       entry<MagneticFieldSample>("MagneticFieldSample"),
+      entry<NumberSample>("NumberSample"),
       entry<OdometrySample>("OdometrySample"),
       entry<PathCommand>("PathCommand"),
       entry<PointListSample>("PointListSample"),
@@ -60,12 +63,14 @@ const std::map<std::type_index, PortType>& port_types() {
       entry<ScalarSample>("ScalarSample"),
       entry<ServiceCommand>("ServiceCommand"),
       entry<StampedNumber>("StampedNumber"),
+      entry<TextCommand>("TextCommand"),
       entry<TrajectorySample>("TrajectorySample"),
       entry<TransformSample>("TransformSample"),
       entry<TriggerCommand>("TriggerCommand"),
       entry<TwistSample>("TwistSample"),
       entry<TwistCommand>("TwistCommand"),
       entry<VectorSample>("VectorSample"),
+      entry<WindReadingSample>("WindReadingSample"),
       entry<WindSample>("WindSample"),
       entry<WrenchSample>("WrenchSample"),
   };

@@ -506,6 +506,42 @@ class TriggerCommand(_Stamped):
     def __init__(self, stamp: float = 0.0) -> None:
         """stamp: [s], not looked at: it acts in the next step."""
 
+class TextCommand(_Stamped):
+    """What is to be different from the next step on."""
+    def __init__(self, text: str, stamp: float = 0.0) -> None:
+        """text: the keys to change, as YAML.
+        stamp: [s], not looked at: it acts in the next step."""
+    @property
+    def text(self) -> str:
+        """The keys to change, as YAML."""
+
+class EnvironmentSample(_Stamped):
+    """A world's sea, wind and ground."""
+    @property
+    def yaml(self) -> str:
+        """As the file of an environment says it."""
+
+class NumberSample(_Stamped):
+    """A number, as std_msgs/Float64 has it."""
+    @property
+    def value(self) -> float:
+        """In the unit of the quantity."""
+
+class WindReadingSample(_Stamped):
+    """Speed and angle of the wind."""
+    @property
+    def frame(self) -> str:
+        """Frame of the sensor."""
+    @property
+    def is_true(self) -> bool:
+        """Over ground; else as the sensor feels it on its way."""
+    @property
+    def speed(self) -> float:
+        """[m/s]."""
+    @property
+    def angle(self) -> float:
+        """Where it comes from, from the frame's x clockwise, in [0, 2 pi) [rad]."""
+
 class TwistCommand(_Stamped):
     """Wanted velocity of a vehicle in its own frame."""
     def __init__(

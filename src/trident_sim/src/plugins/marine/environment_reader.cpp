@@ -25,7 +25,7 @@ std::string yaml_of(const PluginParams& params, const std::string& key) {
     while (words >> word) line += (line.empty() ? "" : " ") + word;
     // What would mean something else in YAML than in XML.
     if (child.name == "file" && line.find_first_of("\"\\") == std::string::npos) {
-      line = '"' + line + '"';  // a URI has a colon
+      line.insert(0, 1, '"').push_back('"');  // a URI has a colon
     } else if (line.find_first_of(":#&*!|>'\"%@`") != std::string::npos) {
       params.refuse(key + "> <" + child.name, line, "a number, a word or a list [x, y]");
     }
