@@ -96,8 +96,8 @@ WaterSurface::Patch WaterSurface::faded(std::array<double, 4> corners, std::int6
                                         std::int64_t column) const {
   const WaterPattern& pattern = maker_->pattern();
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    const auto u = static_cast<double>(row) + static_cast<double>(i % 2);
-    const auto v = static_cast<double>(column) + static_cast<double>(i / 2);
+    const auto u = static_cast<double>(row + (i == 1 || i == 3 ? 1 : 0));
+    const auto v = static_cast<double>(column + (i >= 2 ? 1 : 0));
     corners[i] *= strength(pattern.cell_m * (u * pattern.axis + v * pattern.across));
   }
   const auto [h00, h10, h01, h11] = corners;
