@@ -185,3 +185,17 @@ def test_small_catamaran_is_driven_as_usv_sim_lsa_does() -> None:
     assert state.angular_velocity[2] < -0.2
     told = "\n".join(message.text for message in world.messages)
     assert "thruster_command: 'fwd_middle', which is no thruster, is refused" in told
+
+
+def test_its_odometry_is_a_transform_of_its_namespace() -> None:
+    world = trident_sim.World(OCEAN)
+    urdf = trident_sim.expand_xacro(URDF / "wamv.urdf.xacro")
+    for index in range(2):
+        world.spawn(f"usv{index}", urdf=urdf, pose=(0.0, 8.0 * index, 0.0))
+        world.ports[f"tf/usv{index}/base_link"].subscribe()
+    world.step(100)
+    for index in range(2):
+        name = f"usv{index}"
+        frame = world.ports[f"tf/{name}/base_link"].value
+        assert (frame.parent_frame, frame.child_frame) == (f"{name}/odom", f"{name}/base_link")
+        assert frame.position == pytest.approx(world.model(name).position, abs=0.05)
