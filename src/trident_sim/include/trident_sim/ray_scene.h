@@ -93,6 +93,9 @@ class RayScene {
   /// next refresh(): a shape of its own, the last one, model "water", met from above and below and
   /// hiding what lies beyond. Nothing happens in a world without a sea.
   void refresh_water(const Eigen::Vector3d& p_world_viewer);
+  /// No water is higher now; minus infinity: there is none. Whose rays all stay above it need not
+  /// call refresh_water(), which costs.
+  double water_ceiling_m();
 
   /// Casts each ray; hits.size() >= rays.size(). A ray with a component that is not finite meets
   /// nothing. Any number of threads may cast at the same time. Rays are cast in packets of

@@ -49,7 +49,9 @@ class Environment : public Sea {
   }
   static DepthFunction ground_depth(const std::shared_ptr<const Seabed>& seabed) {
     if (seabed == nullptr) return {};
-    return [seabed](const Eigen::Vector2d& p_world) { return seabed->depth_m(p_world); };
+    return [seabed](const Eigen::Vector2d& p_world, double enough) {
+      return seabed->depth_m(p_world, enough);
+    };
   }
   static Current::WaterDepth water_depth(const EnvironmentParams& params,
                                          const std::shared_ptr<const Seabed>& seabed) {

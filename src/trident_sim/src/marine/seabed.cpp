@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "seabed.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -171,6 +172,35 @@ double GroundGrid::height_m(const Eigen::Vector2d& place) const {
   const double below = low[0] + wx * (low[1] - low[0]);
   const double above = low[width] + wx * (low[width + 1] - low[width]);
   return below + wy * (above - below);
+}
+
+Seabed::Seabed(std::vector<GroundGrid> grids) : grids_(std::move(grids)) {
+  if (grids_.size() != 1) return;
+  const GroundGrid& grid = grids_[0];
+  const auto blocks = [](int points) { return (points - 2) / kBlock + 1; };
+  block_columns_ = blocks(grid.columns);
+  for (int y = 0; y < blocks(grid.rows); ++y) {
+    for (int x = 0; x < block_columns_; ++x) {
+      float highest = -std::numeric_limits<float>::infinity();
+      for (int row = y * kBlock; row <= std::min((y + 1) * kBlock, grid.rows - 1); ++row) {
+        const int first = x * kBlock, last = std::min((x + 1) * kBlock, grid.columns - 1);
+        const auto begin = grid.z_m.begin() + std::ptrdiff_t{row} * grid.columns;
+        highest = std::max(highest, *std::max_element(begin + first, begin + last + 1));
+      }
+      block_highest_m_.push_back(highest);
+    }
+  }
+}
+
+double Seabed::depth_m(const Eigen::Vector2d& p_world, double enough) const {
+  if (grids_.size() != 1) return depth_m(p_world);
+  const GroundGrid& grid = grids_[0];
+  const Eigen::Vector2d place = grid.place(p_world);
+  const int column = static_cast<int>(std::clamp(place.x(), 0.0, grid.columns - 2.0));
+  const int row = static_cast<int>(std::clamp(place.y(), 0.0, grid.rows - 2.0));
+  const int block = row / kBlock * block_columns_ + column / kBlock;
+  const double depth = -static_cast<double>(block_highest_m_[static_cast<std::size_t>(block)]);
+  return depth >= enough ? depth : -grid.height_m(place);
 }
 
 double Seabed::height_m(const Eigen::Vector2d& p_world) const {

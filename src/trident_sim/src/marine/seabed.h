@@ -69,17 +69,23 @@ struct GroundGrid {
 /// The ground of a sea. Where grids overlap the highest counts.
 class Seabed {
  public:
-  explicit Seabed(std::vector<GroundGrid> grids) : grids_(std::move(grids)) {}
+  explicit Seabed(std::vector<GroundGrid> grids);
 
   /// z of the ground; beside all grids that at the nearest one's edge.
   double height_m(const Eigen::Vector2d& p_world) const;
   /// Below z = 0; negative on land.
   double depth_m(const Eigen::Vector2d& p_world) const { return -height_m(p_world); }
+  /// Likewise; `enough` or more where the ground about the place is known to lie that deep.
+  double depth_m(const Eigen::Vector2d& p_world, double enough) const;
   /// Mean over the points that lie below `level_m`, of their depth below it; 0: there are none.
   double mean_depth_m(double level_m) const;
 
  private:
   std::vector<GroundGrid> grids_;
+  /// Of the first grid, the greatest height in each square of so many cells.
+  static constexpr int kBlock = 8;
+  int block_columns_ = 0;
+  std::vector<float> block_highest_m_;
 };
 
 /// Reads an ESRI ASCII grid (ncols, nrows, xllcorner or xllcenter, yllcorner or yllcenter,

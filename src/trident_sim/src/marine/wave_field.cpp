@@ -63,14 +63,18 @@ void WaveField::make_blocks() {
   }
 }
 
-double WaveField::strength(const Eigen::Vector2d& p_world, double time_s) const {
-  double result = 1.0;
+double WaveField::open_strength(double time_s) const {
   constexpr double kGrown = 40.0;  // 1 - exp(-40) is 1 to the last digit
-  if (params_.ramp_time > 0.0 && time_s < kGrown * params_.ramp_time) {
-    result = time_s > 0.0 ? 1.0 - std::exp(-time_s / params_.ramp_time) : 0.0;
-  }
+  if (!(params_.ramp_time > 0.0 && time_s < kGrown * params_.ramp_time)) return 1.0;
+  return time_s > 0.0 ? 1.0 - std::exp(-time_s / params_.ramp_time) : 0.0;
+}
+
+double WaveField::strength(const Eigen::Vector2d& p_world, double time_s) const {
+  double result = open_strength(time_s);
   if (ground_depth_ && params_.shore_depth > 0.0) {
-    result *= shore_fade(ground_depth_(p_world) + level_m(time_s), params_.shore_depth);
+    constexpr double kMore_m = 1.0;  // where rounding cannot matter
+    const double level = level_m(time_s), enough = params_.shore_depth - level + kMore_m;
+    result *= shore_fade(ground_depth_(p_world, enough) + level, params_.shore_depth);
   }
   return result;
 }

@@ -14,7 +14,7 @@
 namespace trident {
 
 /// Depth of the ground below z = 0 at a place [m]; negative on land.
-using DepthFunction = std::function<double(const Eigen::Vector2d& p_world)>;
+using DepthFunction = std::function<double(const Eigen::Vector2d& p_world, double enough)>;
 
 /// Waves by linear (Airy) theory or Gerstner's, as a function of place, time and seed. Linear:
 ///   eta = sum a cos(theta), theta = k d . p - omega t + phase,
@@ -52,6 +52,8 @@ class WaveField : public Water {
 
   /// Factor of all amplitudes at a place and time, in [0, 1].
   double strength(const Eigen::Vector2d& p_world, double time_s) const;
+  /// Likewise, where no ground is near.
+  double open_strength(double time_s) const;
   /// Whether it depends on the place.
   bool fades() const { return ground_depth_ && params_.shore_depth > 0.0; }
 

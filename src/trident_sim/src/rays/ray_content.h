@@ -48,6 +48,7 @@ class RayScene::Content {
 
   void refresh();
   void refresh_water(const Eigen::Vector3d& p_world_viewer);
+  double water_ceiling_m();
   const WaterSurface* water() const { return sees_water_ ? water_surface_.get() : nullptr; }
   void use_textures();
   Eigen::Vector3d albedo(const RayHit& hit) const;

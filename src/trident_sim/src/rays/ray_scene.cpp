@@ -29,6 +29,7 @@ void RayScene::refresh() { content_->refresh(); }
 void RayScene::refresh_water(const Eigen::Vector3d& p_world_viewer) {
   content_->refresh_water(p_world_viewer);
 }
+double RayScene::water_ceiling_m() { return content_->water_ceiling_m(); }
 
 const WaterSurface* RayScene::water() const { return content_->water(); }
 

@@ -26,6 +26,11 @@ void RayScene::Content::refresh_water(const Eigen::Vector3d& p_world_viewer) {
   find_textures();
 }
 
+double RayScene::Content::water_ceiling_m() {
+  if (water_surface_ == nullptr) water_surface_ = std::make_unique<WaterSurface>(world_);
+  return water_surface_->ceiling_m();
+}
+
 /// After all models' shapes, so that those keep their numbers.
 void RayScene::Content::number_water(std::uint32_t models, std::uint32_t links) {
   water_shape = RayHit::kNothing;

@@ -82,6 +82,7 @@ WaterMeeting WaterSurface::meet(const Ray& ray, double t_max) const {
     const double t_far = far_m_ / std::max(ray.direction_world.head<2>().norm(), 1e-300);
     const Stretch stretch = between_heights(z, dz, low_m_, high_m_, t_min, std::min(t_max, t_far));
     if (stretch.first <= stretch.last) {
+      path.fades = fades_along(ray, stretch.first, stretch.last);
       meeting.t =
           walk(path, static_cast<int>(WaterTile::kBoundSides.size()), stretch.first, stretch.last);
       if (meeting.t < kNowhere) return meeting;
@@ -132,15 +133,15 @@ bool WaterSurface::may_meet(const Path& path, int level, std::int64_t row, std::
   const double low = strength_ * static_cast<double>(bounds.low);
   const double high = strength_ * static_cast<double>(bounds.high);
   const double z0 = path.z + t0 * path.dz, z1 = path.z + t1 * path.dz;
-  if (path.side > 0.0) return std::min(z0, z1) <= (fades_ ? std::max(high, 0.0) : high) + slack;
-  return std::max(z0, z1) >= (fades_ ? std::min(low, 0.0) : low) - slack;
+  if (path.side > 0.0) return std::min(z0, z1) <= (path.fades ? std::max(high, 0.0) : high) + slack;
+  return std::max(z0, z1) >= (path.fades ? std::min(low, 0.0) : low) - slack;
 }
 
 /// Within a cell a ray's height above the surface is a quadratic of the distance. What is on the
 /// other side already as it comes in met the surface on the border.
 double WaterSurface::meet_cell(const Path& path, std::int64_t row, std::int64_t column, double t0,
                                double t1) const {
-  const Patch cell = patch(row, column);
+  const Patch cell = patch(row, column, path.fades);
   const double p = path.u + t0 * path.du - static_cast<double>(row);
   const double q = path.v + t0 * path.dv - static_cast<double>(column);
   const double surface = cell.h + cell.h_u * p + (cell.h_v + cell.h_uv * p) * q;

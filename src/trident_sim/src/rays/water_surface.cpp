@@ -10,7 +10,7 @@
 namespace trident {
 namespace {
 
-constexpr std::size_t kTilesKept = 4;  ///< for sensors that are far from each other
+constexpr std::size_t kTilesKept = 32;  ///< for sensors that are far from each other
 constexpr double kFarthestWaves_m = 200.0, kFarPerHeight = 500.0;
 
 bool same(const WaveComponent& a, const WaveComponent& b) {
@@ -20,7 +20,7 @@ bool same(const WaveComponent& a, const WaveComponent& b) {
 
 }  // namespace
 
-bool WaterSurface::follow(const Eigen::Vector3d& p_world_viewer) {
+bool WaterSurface::find_sea() {
   const PortBoard& ports = world_.ports();
   if (seen_ports_ != ports.version()) {
     seen_ports_ = ports.version();
@@ -28,8 +28,20 @@ bool WaterSurface::follow(const Eigen::Vector3d& p_world_viewer) {
   }
   sea_ = port_ != nullptr ? port_->value.sea : nullptr;
   tile_.reset();
-  if (sea_ == nullptr) return false;
   time_s_ = world_.time().seconds();
+  return sea_ != nullptr;
+}
+
+double WaterSurface::ceiling_m() {
+  if (!find_sea()) return -std::numeric_limits<double>::infinity();
+  const auto* const waves = dynamic_cast<const WaveField*>(&sea_->water());
+  if (waves == nullptr) return std::numeric_limits<double>::infinity();
+  follow_waves(*waves);
+  return waves->level_m(time_s_) + amplitudes_m_;
+}
+
+bool WaterSurface::follow(const Eigen::Vector3d& p_world_viewer) {
+  if (!find_sea()) return false;
   const Eigen::Vector2d p = p_world_viewer.head<2>();
   const auto* const waves = dynamic_cast<const WaveField*>(&sea_->water());
   level_m_ = waves != nullptr ? waves->level_m(time_s_)
@@ -45,7 +57,7 @@ bool WaterSurface::follow(const Eigen::Vector3d& p_world_viewer) {
 void WaterSurface::follow_waves(const WaveField& waves) {
   waves_ = &waves;
   fades_ = waves.fades();
-  strength_ = fades_ ? 1.0 : waves.strength(Eigen::Vector2d::Zero(), time_s_);
+  strength_ = waves.open_strength(time_s_);
   const std::vector<WaveComponent>& now = waves.components();
   if (std::equal(now.begin(), now.end(), seen_waves_.begin(), seen_waves_.end(), same) &&
       seen_params_.model == waves.params().model &&
@@ -54,6 +66,8 @@ void WaterSurface::follow_waves(const WaveField& waves) {
   }
   seen_params_ = waves.params();
   seen_waves_ = now;
+  amplitudes_m_ = 0.0;
+  for (const WaveComponent& wave : now) amplitudes_m_ += std::abs(wave.amplitude_m);
   tiles_.clear();
   maker_.reset();
   const WaterPattern pattern = make_water_pattern(waves);
@@ -91,6 +105,20 @@ double WaterSurface::strength(const Eigen::Vector2d& p_world) const {
   return fades_ ? waves_->strength(p_world, time_s_) : strength_;
 }
 
+/// Looked at every few metres, over which the ground changes little where the water is deep enough
+/// for waves in full; of a long way, far off, at so many places.
+bool WaterSurface::fades_along(const Ray& ray, double t0, double t1) const {
+  if (!fades_) return false;
+  constexpr double kApart_m = 4.0, kMost = 8.0;
+  const Eigen::Vector2d from = (ray.p_world_origin + t0 * ray.direction_world).head<2>();
+  const Eigen::Vector2d way = (t1 - t0) * ray.direction_world.head<2>();
+  const double parts = std::clamp(std::ceil(way.norm() / kApart_m), 1.0, kMost);
+  for (double part = 0.0; part <= parts; part += 1.0) {
+    if (strength(from + part / parts * way) < strength_) return true;
+  }
+  return false;
+}
+
 /// Of heights at a cell's corners, each with the strength of its place.
 WaterSurface::Patch WaterSurface::faded(std::array<double, 4> corners, std::int64_t row,
                                         std::int64_t column) const {
@@ -106,7 +134,8 @@ WaterSurface::Patch WaterSurface::faded(std::array<double, 4> corners, std::int6
 
 double WaterSurface::cell_height(double u, double v) const {
   const double row = std::floor(u), column = std::floor(v);
-  const Patch cell = patch(static_cast<std::int64_t>(row), static_cast<std::int64_t>(column));
+  const Patch cell =
+      patch(static_cast<std::int64_t>(row), static_cast<std::int64_t>(column), fades_);
   const double p = u - row, q = v - column;
   return cell.h + cell.h_u * p + (cell.h_v + cell.h_uv * p) * q;
 }
@@ -124,7 +153,8 @@ Eigen::Vector2d WaterSurface::slope(const Eigen::Vector2d& p_world) const {
   const double u = pattern.axis.dot(p_world) / pattern.cell_m;
   const double v = pattern.across.dot(p_world) / pattern.cell_m;
   const double row = std::floor(u), column = std::floor(v);
-  const Patch cell = patch(static_cast<std::int64_t>(row), static_cast<std::int64_t>(column));
+  const Patch cell =
+      patch(static_cast<std::int64_t>(row), static_cast<std::int64_t>(column), fades_);
   return ((cell.h_u + cell.h_uv * (v - column)) * pattern.axis +
           (cell.h_v + cell.h_uv * (u - row)) * pattern.across) /
          pattern.cell_m;

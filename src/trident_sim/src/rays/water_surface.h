@@ -32,6 +32,9 @@ class WaterSurface {
   /// `world` must outlive it.
   explicit WaterSurface(const World& world) : world_(world) {}
 
+  /// No water is higher now, wherever it is [m]; minus infinity: the world has no sea. follow() may
+  /// be left out where no ray goes below.
+  double ceiling_m();
   /// Takes the water as it is now about a place. False: the world has no sea.
   bool follow(const Eigen::Vector3d& p_world_viewer);
 
@@ -65,24 +68,27 @@ class WaterSurface {
     double u, v, z, du, dv, dz;
     double per_du, per_dv;
     double side;  ///< 1: comes from above, -1: from below
+    bool fades;   ///< the water's strength changes along it
   };
   /// h + h_u p + h_v q + h_uv p q within a cell, p and q in [0, 1] [m].
   struct Patch {
     double h, h_u, h_v, h_uv;
   };
+  bool find_sea();
   void follow_waves(const WaveField& waves);
   void find_tile(const Eigen::Vector2d& p_world_viewer);
-  Patch patch(std::int64_t row, std::int64_t column) const {
+  Patch patch(std::int64_t row, std::int64_t column, bool fades) const {
     const auto h00 = static_cast<double>(tile_->height(row, column, weight_));
     const auto h10 = static_cast<double>(tile_->height(row + 1, column, weight_));
     const auto h01 = static_cast<double>(tile_->height(row, column + 1, weight_));
     const auto h11 = static_cast<double>(tile_->height(row + 1, column + 1, weight_));
-    if (fades_) return faded({h00, h10, h01, h11}, row, column);
+    if (fades) return faded({h00, h10, h01, h11}, row, column);
     const double s = strength_;
     return {s * h00, s * (h10 - h00), s * (h01 - h00), s * ((h00 - h10) - (h01 - h11))};
   }
   Patch faded(std::array<double, 4> corners, std::int64_t row, std::int64_t column) const;
   Path path_of(const Ray& ray) const;
+  bool fades_along(const Ray& ray, double t0, double t1) const;
   double cell_height(double u, double v) const;
   double walk(const Path& path, int level, double t0, double t1) const;
   bool may_meet(const Path& path, int level, std::int64_t row, std::int64_t column, double t0,
@@ -95,6 +101,7 @@ class WaterSurface {
   const OutPort<SeaSample>* port_ = nullptr;
   std::shared_ptr<const Sea> sea_;
   const WaveField* waves_ = nullptr;       ///< of sea_; nullptr: flat
+  double amplitudes_m_ = 0.0;              ///< sum of those of
   std::vector<WaveComponent> seen_waves_;  ///< those that the tiles are of, and
   WaveParams seen_params_;                 ///< what made them
   std::unique_ptr<WaterTileMaker> maker_;
@@ -105,7 +112,7 @@ class WaterSurface {
   double time_s_ = 0.0, level_m_ = 0.0;
   float weight_ = 0.0F;
   bool fades_ = false;                               ///< strength depends on the place
-  double strength_ = 1.0;                            ///< where it does not
+  double strength_ = 1.0;                            ///< away from the shore
   double low_m_ = 0.0, high_m_ = 0.0, far_m_ = 0.0;  ///< heights are about the still level
 };
 

@@ -303,7 +303,7 @@ TEST(WaveField, GrowsFromNothingAndFadesAtTheShore) {
   params.ramp_time = 2.0;
   params.shore_depth = 4.0;
   // The ground rises towards +x: 4 m deep at x = -10, dry at x = 0.
-  const WaveField sea(params, 1, [](const Eigen::Vector2d& p) { return -0.4 * p.x(); });
+  const WaveField sea(params, 1, [](const Eigen::Vector2d& p, double) { return -0.4 * p.x(); });
   EXPECT_EQ(sea.strength({-50, 0}, 0.0), 0.0);
   EXPECT_NEAR(sea.strength({-50, 0}, 2.0), 1 - std::exp(-1.0), 1e-12);
   EXPECT_NEAR(sea.strength({-5, 0}, 1e9), 0.5, 1e-12);

@@ -329,8 +329,8 @@ TEST(WaterSurface, FadesTowardsTheShoreAsTheWavesDo) {
   params.spectrum = WaveSpectrum::kJonswap;
   params.significant_height = 0.6;
   params.shore_depth = 1.0;
-  auto waves = std::make_unique<WaveField>(params, 3,
-                                           [](const Eigen::Vector2d& p) { return -0.05 * p.x(); });
+  auto waves = std::make_unique<WaveField>(
+      params, 3, [](const Eigen::Vector2d& p, double) { return -0.05 * p.x(); });
   const WaveField& truth = *waves;
   TestWorld world;
   put_sea(world, std::move(waves));

@@ -22,7 +22,7 @@ std::string yaml_of(const PluginParams& params, const std::string& key) {
   for (const ParamNode& child : node->children) {
     std::istringstream words(child.text);
     std::string line, word;
-    while (words >> word) line += (line.empty() ? "" : " ") + word;
+    while (words >> word) line.append(line.empty() ? "" : " ").append(word);
     // What would mean something else in YAML than in XML.
     if (child.name == "file" && line.find_first_of("\"\\") == std::string::npos) {
       line.insert(0, 1, '"').push_back('"');  // a URI has a colon

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -41,6 +43,17 @@ class BeamCaster {
            const Eigen::Vector3d& direction_world) {
     rays_[beam].p_world_origin = p_world_origin;
     rays_[beam].direction_world = direction_world;
+  }
+  /// As refresh(), for what is aimed already: without the sea where no beam gets down to it.
+  void refresh_for_aimed(const Eigen::Vector3d& p_world_sensor) {
+    double lowest_m = std::numeric_limits<double>::infinity();
+    for (const Ray& ray : rays_) {
+      const double sinking = std::min(ray.direction_world.z(), 0.0);
+      lowest_m = std::min(lowest_m, ray.p_world_origin.z() + ray.t_max_m * sinking);
+    }
+    scene_.refresh();
+    if (!(lowest_m > scene_.water_ceiling_m())) scene_.refresh_water(p_world_sensor);
+    sees_water_ = scene_.water() != nullptr;
   }
   /// Has what is cast from now on see the world as it is now, and the sea about the sensor.
   void refresh(const Eigen::Vector3d& p_world_sensor) {

@@ -129,7 +129,7 @@ class LaserScanner : public MeasuringPlugin {
 
   /// Casts what was aimed into the sweep.
   void cast(const RollingSweep::Due& due) {
-    caster_.refresh((link_.T_world_link() * T_link_sensor_).p);
+    caster_.refresh_for_aimed((link_.T_world_link() * T_link_sensor_).p);
     caster_.cast();
     NormalRow noise(stream_, due.scan);
     for (std::size_t beam = due.first; beam < due.last; ++beam) {

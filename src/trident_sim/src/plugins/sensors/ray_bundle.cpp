@@ -42,7 +42,7 @@ void RayBundle::cast(std::uint64_t scan) {
   for (std::size_t beam = 0; beam < directions_.size(); ++beam) {
     caster_.aim(beam, T_world_sensor.p, R * directions_[beam]);
   }
-  caster_.refresh(T_world_sensor.p);
+  caster_.refresh_for_aimed(T_world_sensor.p);
   caster_.cast();
 }
 
