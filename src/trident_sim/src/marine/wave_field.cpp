@@ -69,6 +69,14 @@ double WaveField::open_strength(double time_s) const {
   return time_s > 0.0 ? 1.0 - std::exp(-time_s / params_.ramp_time) : 0.0;
 }
 
+WaveField::Shore WaveField::shore(const Eigen::Vector2d& p_world, double low_m,
+                                  double high_m) const {
+  if (!fades()) return Shore::kOpen;
+  const double full = params_.shore_depth - low_m, depth = ground_depth_(p_world, full);
+  if (depth >= full) return Shore::kOpen;
+  return depth + high_m <= 0.0 ? Shore::kDry : Shore::kFading;
+}
+
 double WaveField::strength(const Eigen::Vector2d& p_world, double time_s) const {
   double result = open_strength(time_s);
   if (ground_depth_ && params_.shore_depth > 0.0) {

@@ -54,6 +54,10 @@ class WaveField : public Water {
   double strength(const Eigen::Vector2d& p_world, double time_s) const;
   /// Likewise, where no ground is near.
   double open_strength(double time_s) const;
+  /// What the ground does to waves at a place: nothing (kOpen), or it leaves none (kDry), with the
+  /// still surface anywhere between two heights.
+  enum class Shore : std::uint8_t { kFading, kOpen, kDry };
+  Shore shore(const Eigen::Vector2d& p_world, double low_m, double high_m) const;
   /// Whether it depends on the place.
   bool fades() const { return ground_depth_ && params_.shore_depth > 0.0; }
 

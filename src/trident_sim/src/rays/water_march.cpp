@@ -79,10 +79,10 @@ WaterMeeting WaterSurface::meet(const Ray& ray, double t_max) const {
           begin_z < cell_height(path.u + t_min * path.du, path.v + t_min * path.dv);
     }
     path.side = meeting.begins_below ? -1.0 : 1.0;
+    path.fades = fades_;
     const double t_far = far_m_ / std::max(ray.direction_world.head<2>().norm(), 1e-300);
     const Stretch stretch = between_heights(z, dz, low_m_, high_m_, t_min, std::min(t_max, t_far));
     if (stretch.first <= stretch.last) {
-      path.fades = fades_along(ray, stretch.first, stretch.last);
       meeting.t =
           walk(path, static_cast<int>(WaterTile::kBoundSides.size()), stretch.first, stretch.last);
       if (meeting.t < kNowhere) return meeting;
@@ -116,6 +116,15 @@ double WaterSurface::walk(const Path& path, int level, double t0, double t1) con
     double met = kNowhere;
     if (level == 0) {
       met = meet_cell(path, row, column, t, end);
+    } else if (path.fades && side == kShoreCells &&
+               shore(row * side, column * side) != WaveField::Shore::kFading) {
+      Path even = path;
+      even.fades = false;
+      if (shore(row * side, column * side) == WaveField::Shore::kDry) {
+        met = meet_level(path, t, end);
+      } else if (may_meet(even, level, row, column, t, end)) {
+        met = walk(even, level - 1, t, end);
+      }
     } else if (may_meet(path, level, row, column, t, end)) {
       met = walk(path, level - 1, t, end);
     }
@@ -123,6 +132,13 @@ double WaterSurface::walk(const Path& path, int level, double t0, double t1) con
     (t_row < t_column ? row : column) += t_row < t_column ? row_step : column_step;
     t = end;
   }
+}
+
+/// Where there are no waves.
+double WaterSurface::meet_level(const Path& path, double t0, double t1) {
+  if (path.side * (path.z + t0 * path.dz) <= 0.0) return t0;
+  const double t = -path.z / path.dz;
+  return t >= t0 && t <= t1 ? t : kNowhere;
 }
 
 bool WaterSurface::may_meet(const Path& path, int level, std::int64_t row, std::int64_t column,

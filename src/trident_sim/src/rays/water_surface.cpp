@@ -69,6 +69,7 @@ void WaterSurface::follow_waves(const WaveField& waves) {
   amplitudes_m_ = 0.0;
   for (const WaveComponent& wave : now) amplitudes_m_ += std::abs(wave.amplitude_m);
   tiles_.clear();
+  shores_.clear();
   maker_.reset();
   const WaterPattern pattern = make_water_pattern(waves);
   if (pattern.n > 0) maker_ = std::make_unique<WaterTileMaker>(pattern);
@@ -91,6 +92,7 @@ void WaterSurface::find_tile(const Eigen::Vector2d& p_world_viewer) {
     maker_->make(key, ++tiles_made_, *tiles_.back());
   }
   tile_ = tiles_.back();
+  if (fades_) find_shores();
   const double period_s = maker_->pattern().period_s;
   weight_ = static_cast<float>(
       std::clamp(time_s_ / period_s - static_cast<double>(key.period), 0.0, 1.0));
@@ -102,21 +104,79 @@ void WaterSurface::find_tile(const Eigen::Vector2d& p_world_viewer) {
 }
 
 double WaterSurface::strength(const Eigen::Vector2d& p_world) const {
-  return fades_ ? waves_->strength(p_world, time_s_) : strength_;
+  if (!fades_) return strength_;
+  if (tile_ != nullptr) {
+    const WaterPattern& pattern = maker_->pattern();
+    const auto cell = [&](const Eigen::Vector2d& axis) {
+      return static_cast<std::int64_t>(std::floor(axis.dot(p_world) / pattern.cell_m));
+    };
+    const WaveField::Shore ground = shore(cell(pattern.axis), cell(pattern.across));
+    if (ground != WaveField::Shore::kFading) {
+      return ground == WaveField::Shore::kOpen ? strength_ : 0.0;
+    }
+  }
+  return waves_->strength(p_world, time_s_);
 }
 
-/// Looked at every few metres, over which the ground changes little where the water is deep enough
-/// for waves in full; of a long way, far off, at so many places.
-bool WaterSurface::fades_along(const Ray& ray, double t0, double t1) const {
-  if (!fades_) return false;
-  constexpr double kApart_m = 4.0, kMost = 8.0;
-  const Eigen::Vector2d from = (ray.p_world_origin + t0 * ray.direction_world).head<2>();
-  const Eigen::Vector2d way = (t1 - t0) * ray.direction_world.head<2>();
-  const double parts = std::clamp(std::ceil(way.norm() / kApart_m), 1.0, kMost);
-  for (double part = 0.0; part <= parts; part += 1.0) {
-    if (strength(from + part / parts * way) < strength_) return true;
+WaveField::Shore WaterSurface::shore(std::int64_t row, std::int64_t column) const {
+  if (!fades_) return WaveField::Shore::kOpen;
+  constexpr int kShift = 5;
+  static_assert(std::int64_t{1} << kShift == kShoreCells, "as >> has it");
+  const Shores& now = shores_.back();
+  const std::int64_t i = (row >> kShift) - now.first_row, j = (column >> kShift) - now.first_column;
+  if (i < 0 || j < 0 || i >= kShoreSide || j >= kShoreSide) return WaveField::Shore::kFading;
+  return now.squares[static_cast<std::size_t>(i * kShoreSide + j)];
+}
+
+/// Asks at points a few metres apart, between which the ground changes little where it is deep
+/// enough for waves in full, or dry.
+void WaterSurface::find_shores() {
+  constexpr double kLevelStep_m = 0.1;
+  constexpr std::int64_t kPoints = 4;  // along a side of a square
+  constexpr std::size_t kKept = 32;
+  const WaterTile::Key& key = tile_->key();
+  const auto level = static_cast<std::int64_t>(std::floor(level_m_ / kLevelStep_m));
+  const auto known = std::find_if(shores_.begin(), shores_.end(), [&](const Shores& other) {
+    return other.anchor_row == key.anchor_row && other.anchor_column == key.anchor_column &&
+           other.level == level;
+  });
+  if (known != shores_.end()) {
+    std::rotate(known, known + 1, shores_.end());
+    return;
   }
-  return false;
+  if (shores_.size() == kKept) shores_.erase(shores_.begin());
+  const WaterPattern& pattern = maker_->pattern();
+  const double square_m = pattern.cell_m * static_cast<double>(kShoreCells);
+  const auto first = [&](std::int64_t anchor) {
+    const double squares = static_cast<double>(anchor) * pattern.anchor_step_m / square_m;
+    return static_cast<std::int64_t>(std::floor(squares)) - kShoreSide / 2;
+  };
+  Shores made{key.anchor_row,        key.anchor_column,        level,
+              first(key.anchor_row), first(key.anchor_column), {}};
+  std::vector<std::array<bool, 3>> found(static_cast<std::size_t>(kShoreSide * kShoreSide));
+  const double low_m = static_cast<double>(level) * kLevelStep_m, high_m = low_m + kLevelStep_m;
+  const double apart_m = square_m / static_cast<double>(kPoints);
+  for (std::int64_t i = 0; i <= kShoreSide * kPoints; ++i) {
+    for (std::int64_t j = 0; j <= kShoreSide * kPoints; ++j) {
+      const double u = apart_m * static_cast<double>(made.first_row * kPoints + i);
+      const double v = apart_m * static_cast<double>(made.first_column * kPoints + j);
+      const auto shore = static_cast<std::size_t>(
+          waves_->shore(u * pattern.axis + v * pattern.across, low_m, high_m));
+      // One on a border counts for all that meet there.
+      for (const std::int64_t row : {(i - 1) / kPoints, i / kPoints}) {
+        for (const std::int64_t column : {(j - 1) / kPoints, j / kPoints}) {
+          if (row >= kShoreSide || column >= kShoreSide) continue;
+          found[static_cast<std::size_t>(row * kShoreSide + column)][shore] = true;
+        }
+      }
+    }
+  }
+  for (const auto& [fading, open, dry] : found) {
+    using Shore = WaveField::Shore;
+    const bool is_one = !fading && open != dry;
+    made.squares.push_back(!is_one ? Shore::kFading : open ? Shore::kOpen : Shore::kDry);
+  }
+  shores_.push_back(std::move(made));
 }
 
 /// Of heights at a cell's corners, each with the strength of its place.

@@ -74,6 +74,14 @@ class WaterSurface {
   struct Patch {
     double h, h_u, h_v, h_uv;
   };
+  /// What the ground does to the waves in squares of cells about an anchor. A pure function of the
+  /// anchor and of the water's level in steps.
+  struct Shores {
+    std::int64_t anchor_row, anchor_column, level;
+    std::int64_t first_row, first_column;  ///< of squares
+    std::vector<WaveField::Shore> squares;
+  };
+  static constexpr std::int64_t kShoreCells = WaterTile::kBoundSides[1], kShoreSide = 64;
   bool find_sea();
   void follow_waves(const WaveField& waves);
   void find_tile(const Eigen::Vector2d& p_world_viewer);
@@ -88,7 +96,10 @@ class WaterSurface {
   }
   Patch faded(std::array<double, 4> corners, std::int64_t row, std::int64_t column) const;
   Path path_of(const Ray& ray) const;
-  bool fades_along(const Ray& ray, double t0, double t1) const;
+  void find_shores();
+  /// What holds all over the square of kShoreCells cells that a cell lies in.
+  WaveField::Shore shore(std::int64_t row, std::int64_t column) const;
+  static double meet_level(const Path& path, double t0, double t1);
   double cell_height(double u, double v) const;
   double walk(const Path& path, int level, double t0, double t1) const;
   bool may_meet(const Path& path, int level, std::int64_t row, std::int64_t column, double t0,
@@ -107,6 +118,7 @@ class WaterSurface {
   std::unique_ptr<WaterTileMaker> maker_;
   std::vector<std::shared_ptr<WaterTile>> tiles_;  ///< the newest last
   std::shared_ptr<const WaterTile> tile_;          ///< now; nullptr: flat
+  std::vector<Shores> shores_;                     ///< the newest last: now
   std::uint64_t tiles_made_ = 0;
 
   double time_s_ = 0.0, level_m_ = 0.0;
