@@ -345,6 +345,19 @@ TEST(WaterSurface, FadesTowardsTheShoreAsTheWavesDo) {
     const double t = water.meet(ray, kNowhere).t, expected = meeting_by_steps(water, ray, 40.0);
     EXPECT_NEAR(t, expected, 0.01);
   }
+  // Rays find it as well where they know all of a square to be open, or dry.
+  int open = 0, dry = 0, fading = 0;
+  for (int i = 0; i < 600; ++i) {
+    const Eigen::Vector2d p = within(draw, i % 2 == 0 ? 150.0 : 20.0);
+    const Ray ray{{p.x(), p.y(), 3.0}, Eigen::Vector3d(0.6, 0.5, -0.4).normalized()};
+    const Eigen::Vector3d met =
+        ray.p_world_origin + water.meet(ray, kNowhere).t * ray.direction_world;
+    EXPECT_NEAR(met.z(), water.height_m(met.head<2>()), 1e-6) << met.transpose();
+    const double strength = truth.strength(met.head<2>(), 0.0);
+    EXPECT_EQ(water.strength(met.head<2>()), strength);
+    ++(strength == 1.0 ? open : strength == 0.0 ? dry : fading);
+  }
+  EXPECT_GT(std::min({open, dry, fading}), 20);
 }
 
 TEST(WaterSurface, OfOtherWaterIsItsLevel) {
