@@ -39,6 +39,20 @@ struct Job {
   }
 };
 
+/// For about as long as it takes to wake a thread, so that work that follows on work needs no
+/// waking and a thread that has none soon sleeps.
+template <class Condition>
+void spin_until(const Condition& condition) {
+  constexpr int kRounds = 600;
+  for (int i = 0; i < kRounds && !condition(); ++i) {
+#if defined(__x86_64__) || defined(__i386__)
+    __builtin_ia32_pause();
+#else
+    std::this_thread::yield();
+#endif
+  }
+}
+
 }  // namespace
 
 class WorkerPool::Crew {
@@ -69,6 +83,9 @@ class WorkerPool::Crew {
     std::unique_lock<std::mutex> lock(mutex_);
     wanted_ = 0;  // who has not woken by now need not
     job_ = nullptr;
+    lock.unlock();
+    spin_until([this] { return busy_ == 0; });
+    lock.lock();
     done_.wait(lock, [this] { return busy_ == 0; });
   }
 
@@ -76,6 +93,9 @@ class WorkerPool::Crew {
   void live(std::size_t worker) {
     std::unique_lock<std::mutex> lock(mutex_);
     while (true) {
+      lock.unlock();
+      spin_until([this] { return is_over_ || wanted_ > 0; });
+      lock.lock();
       wake_.wait(lock, [this] { return is_over_ || wanted_ > 0; });
       if (is_over_) return;
       --wanted_;
@@ -91,9 +111,10 @@ class WorkerPool::Crew {
   std::mutex mutex_;
   std::condition_variable wake_, done_;
   Job* job_ = nullptr;
-  std::size_t wanted_ = 0;  ///< helpers that have yet to take up the job
-  std::size_t busy_ = 0;
-  bool is_over_ = false;
+  // Changed under the mutex, but looked at without it, too.
+  std::atomic<std::size_t> wanted_{0};  ///< helpers that have yet to take up the job
+  std::atomic<std::size_t> busy_{0};
+  std::atomic<bool> is_over_{false};
   std::vector<std::thread> threads_;  ///< last: they use the rest
 };
 

@@ -131,7 +131,6 @@ class PointLidar : public MeasuringPlugin {
     constexpr std::size_t kColumns = 32;
     const std::size_t beams = pattern_->beams().size();
     const bool is_shared = workers_.threads() > 1;
-    NormalRow noise(stream_, scan);
     caster_.refresh((link_.T_world_link() * T_link_sensor_).p);
     blocks_.clear();
     for (std::size_t begin = first, columns = 0; begin < last; begin += columns) {
@@ -143,15 +142,20 @@ class PointLidar : public MeasuringPlugin {
       for (const Block& block : blocks_) {
         make_room(block.columns * beams);
         cast_block(scan, block, T_world_sensor);
-        collect(scan, block, noise);
+        collect(scan, block, points_);
       }
       return;
     }
     make_room((last - first) * beams);
+    if (returns_.size() < blocks_.size()) returns_.resize(blocks_.size());
     workers_.share(blocks_.size(), [&](std::size_t i, std::size_t) {
       cast_block(scan, blocks_[i], T_world_sensor);
+      returns_[i].clear();
+      collect(scan, blocks_[i], returns_[i]);
     });
-    for (const Block& block : blocks_) collect(scan, block, noise);
+    for (std::size_t i = 0; i < blocks_.size(); ++i) {
+      points_.insert(points_.end(), returns_[i].begin(), returns_[i].end());
+    }
   }
 
   void make_room(std::size_t beams) {
@@ -181,12 +185,14 @@ class PointLidar : public MeasuringPlugin {
                              : i * pattern_->beams().size() + beam);
   }
 
-  void collect(std::uint64_t scan, const Block& block, NormalRow& noise) {
-    for (std::size_t i = 0; i < block.columns; ++i) collect_column(scan, block, i, noise);
+  void collect(std::uint64_t scan, const Block& block, std::vector<LidarPoint>& points) const {
+    NormalRow noise(stream_, scan);
+    for (std::size_t i = 0; i < block.columns; ++i) collect_column(scan, block, i, noise, points);
   }
 
   /// The returns of the i-th column of a block.
-  void collect_column(std::uint64_t scan, const Block& block, std::size_t i, NormalRow& noise) {
+  void collect_column(std::uint64_t scan, const Block& block, std::size_t i, NormalRow& noise,
+                      std::vector<LidarPoint>& points) const {
     const std::size_t beams = pattern_->beams().size(), column = block.first + i;
     const double begin_s = static_cast<double>(column) * pattern_->column_period_s();
     for (const std::size_t beam : pattern_->firing_order()) {
@@ -203,8 +209,8 @@ class PointLidar : public MeasuringPlugin {
       const LidarPattern::Beam& timing = pattern_->beams()[beam];
       const Eigen::Vector3f p =
           (range_m * directions_[block.base + i * beams + beam]).cast<float>();
-      points_.push_back({p.x(), p.y(), p.z(), static_cast<float>(intensity), timing.ring,
-                         static_cast<float>(begin_s + timing.time_s)});
+      points.push_back({p.x(), p.y(), p.z(), static_cast<float>(intensity), timing.ring,
+                        static_cast<float>(begin_s + timing.time_s)});
     }
   }
 
@@ -228,9 +234,10 @@ class PointLidar : public MeasuringPlugin {
   SensorTrack track_;
   RollingSweep sweep_;
   OutHandle<LidarCloudSample> cloud_;
-  std::vector<Eigen::Vector3d> directions_;  ///< of what is being cast, in the sensor's frame
-  std::vector<Block> blocks_;                ///< likewise
-  std::vector<LidarPoint> points_;           ///< of the scan in progress
+  std::vector<Eigen::Vector3d> directions_;       ///< of what is being cast, in the sensor's frame
+  std::vector<Block> blocks_;                     ///< likewise
+  std::vector<LidarPoint> points_;                ///< of the scan in progress
+  std::vector<std::vector<LidarPoint>> returns_;  ///< of blocks that threads cast
 };
 
 PluginFactory point_lidar(const char* default_topic, bool is_rolling) {
