@@ -194,8 +194,7 @@ WaterSurface::Patch WaterSurface::faded(std::array<double, 4> corners, std::int6
 
 double WaterSurface::cell_height(double u, double v) const {
   const double row = std::floor(u), column = std::floor(v);
-  const Patch cell =
-      patch(static_cast<std::int64_t>(row), static_cast<std::int64_t>(column), fades_);
+  const Patch cell = patch_at(static_cast<std::int64_t>(row), static_cast<std::int64_t>(column));
   const double p = u - row, q = v - column;
   return cell.h + cell.h_u * p + (cell.h_v + cell.h_uv * p) * q;
 }
@@ -213,8 +212,7 @@ Eigen::Vector2d WaterSurface::slope(const Eigen::Vector2d& p_world) const {
   const double u = pattern.axis.dot(p_world) / pattern.cell_m;
   const double v = pattern.across.dot(p_world) / pattern.cell_m;
   const double row = std::floor(u), column = std::floor(v);
-  const Patch cell =
-      patch(static_cast<std::int64_t>(row), static_cast<std::int64_t>(column), fades_);
+  const Patch cell = patch_at(static_cast<std::int64_t>(row), static_cast<std::int64_t>(column));
   return ((cell.h_u + cell.h_uv * (v - column)) * pattern.axis +
           (cell.h_v + cell.h_uv * (u - row)) * pattern.across) /
          pattern.cell_m;

@@ -95,6 +95,9 @@ class WaterSurface {
     return {s * h00, s * (h10 - h00), s * (h01 - h00), s * ((h00 - h10) - (h01 - h11))};
   }
   Patch faded(std::array<double, 4> corners, std::int64_t row, std::int64_t column) const;
+  Patch patch_at(std::int64_t row, std::int64_t column) const {
+    return patch(row, column, shore(row, column) != WaveField::Shore::kOpen);
+  }
   Path path_of(const Ray& ray) const;
   void find_shores();
   /// What holds all over the square of kShoreCells cells that a cell lies in.
