@@ -21,7 +21,7 @@ constexpr WallTime kDisconnectedAfter = 20'000'000;
 constexpr double kSourcePatience = 10.0;
 /// A source that sees another node's trajectory sends its own again; if it has not by then, it will
 /// not.
-constexpr double kReplacementPatience_s = 0.1;
+constexpr double kReplacementPatience_s = 1.0;
 const std::string kCommandTopic = "command/motor_speed";
 
 WallTime wall_now() {
