@@ -46,13 +46,8 @@ class BeamCaster {
   }
   /// As refresh(), for what is aimed already: without the sea where no beam gets down to it.
   void refresh_for_aimed(const Eigen::Vector3d& p_world_sensor) {
-    double lowest_m = std::numeric_limits<double>::infinity();
-    for (const Ray& ray : rays_) {
-      const double sinking = std::min(ray.direction_world.z(), 0.0);
-      lowest_m = std::min(lowest_m, ray.p_world_origin.z() + ray.t_max_m * sinking);
-    }
     scene_.refresh();
-    if (!(lowest_m > scene_.water_ceiling_m())) scene_.refresh_water(p_world_sensor);
+    if (reaches(scene_.water_ceiling_m())) scene_.refresh_water(p_world_sensor);
     sees_water_ = scene_.water() != nullptr;
   }
   /// Has what is cast from now on see the world as it is now, and the sea about the sensor.
@@ -75,6 +70,15 @@ class BeamCaster {
   double intensity(const RayHit& hit) const { return scene_.intensity(hit); }
 
  private:
+  /// Whether a beam gets down to a height; minus infinity: there is nothing to reach.
+  bool reaches(double height_m) const {
+    if (height_m == -std::numeric_limits<double>::infinity()) return false;
+    return std::any_of(rays_.begin(), rays_.end(), [&](const Ray& ray) {
+      const double sinking = std::min(ray.direction_world.z(), 0.0);
+      return !(ray.p_world_origin.z() + ray.t_max_m * sinking > height_m);
+    });
+  }
+
   RayScene& scene_;
   WaterSight water_;
   bool sees_water_ = false;
