@@ -61,7 +61,8 @@ void WaterSurface::follow_waves(const WaveField& waves) {
   const std::vector<WaveComponent>& now = waves.components();
   if (std::equal(now.begin(), now.end(), seen_waves_.begin(), seen_waves_.end(), same) &&
       seen_params_.model == waves.params().model &&
-      seen_params_.steepness == waves.params().steepness) {
+      seen_params_.steepness == waves.params().steepness &&
+      seen_params_.shore_depth == waves.params().shore_depth) {
     return;
   }
   seen_params_ = waves.params();
