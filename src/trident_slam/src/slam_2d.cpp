@@ -2,10 +2,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trident_slam/slam_2d.h"
 
+#include "logs/odometry_slam_2d.h"
+
 namespace trident {
+namespace {
+
+template <class Method, class Params>
+void add_method(Registry<Slam2dFactory>& registry, const char* name) {
+  registry.add(name, [](const std::string& config_file) -> std::unique_ptr<Slam2d> {
+    return std::make_unique<Method>(config_file.empty() ? Params{}
+                                                        : load_yaml<Params>(config_file));
+  });
+}
+
+}  // namespace
 
 void register_builtin_slam_2d(Registry<Slam2dFactory>& registry) {
-  (void)registry;  // one line per algorithm
+  add_method<OdometrySlam2d, OdometrySlam2dParams>(registry, "odometry");
 }
 
 }  // namespace trident

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "trident_slam/scan_source.h"
+#include "trident_slam/slam_2d.h"
+
+namespace trident {
+
+struct OfflineResult {
+  std::size_t scans = 0;
+  std::size_t unused_scans = 0;  ///< no usable return: the pose is odometry's
+  LogProblems scan_problems;     ///< what the algorithm said about scans
+};
+
+/// Called after every scan with the number of scans so far and the part of the log that is read.
+using OfflineProgress = std::function<void(std::size_t scans, double part)>;
+
+/// Feeds a whole log to an algorithm and writes what came out into an existing folder:
+/// causal.tum (base poses as returned by `add_scan`, written as they come), trajectory.tum (base
+/// poses of every scan at the end), map.pgm and map.yaml. Throws Error when a file cannot be
+/// written or the log has no scan.
+OfflineResult run_offline(ScanSource& source, Slam2d& slam, const std::string& out_dir,
+                          const OfflineProgress& progress);
+
+/// One line of a TUM trajectory: "stamp x y z qx qy qz qw", six decimals.
+std::string tum_line(const StampedPose2d& pose);
+
+}  // namespace trident

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "logs/fields.h"
+
+#include <charconv>
+#include <cmath>
+
+namespace trident {
+namespace {
+
+template <class Number>
+bool parse(std::string_view word, Number& value) {
+  const auto [end, code] = std::from_chars(word.data(), word.data() + word.size(), value);
+  return code == std::errc() && end == word.data() + word.size() && !word.empty();
+}
+
+}  // namespace
+
+std::string_view Fields::word() {
+  constexpr std::string_view kBlanks = " \t";
+  const std::size_t begin = text_.find_first_not_of(kBlanks);
+  if (begin == std::string_view::npos) {
+    text_ = {};
+    return {};
+  }
+  const std::size_t end = std::min(text_.find_first_of(kBlanks, begin), text_.size());
+  const std::string_view result = text_.substr(begin, end - begin);
+  text_.remove_prefix(end);
+  return result;
+}
+
+bool Fields::number(double& value) { return parse(word(), value); }
+
+bool Fields::number(float& value) { return parse(word(), value); }
+
+bool Fields::count(std::size_t& value) { return parse(word(), value); }
+
+bool Fields::finite(double& value) { return number(value) && std::isfinite(value); }
+
+bool Fields::stamp(std::int64_t& nanoseconds) {
+  constexpr std::int64_t kSecond = 1'000'000'000;
+  constexpr std::int64_t kMaxSeconds = INT64_MAX / kSecond - 1;
+  std::string_view text = word();
+  const bool is_negative = !text.empty() && text.front() == '-';
+  if (is_negative) text.remove_prefix(1);
+  const std::size_t point = std::min(text.find('.'), text.size());
+  std::int64_t seconds = 0;
+  if (!parse(text.substr(0, point), seconds) || seconds < 0 || seconds > kMaxSeconds) return false;
+  std::int64_t fraction = 0;
+  std::int64_t unit = kSecond / 10;
+  for (const char c : text.substr(std::min(point + 1, text.size()))) {
+    if (c < '0' || c > '9') return false;
+    fraction += unit * (c - '0');
+    unit /= 10;
+  }
+  nanoseconds = seconds * kSecond + fraction;
+  if (is_negative) nanoseconds = -nanoseconds;
+  return true;
+}
+
+}  // namespace trident

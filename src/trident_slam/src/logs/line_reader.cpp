@@ -1,0 +1,195 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "trident_slam/line_reader.h"
+
+#include <bzlib.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <zlib.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <utility>
+#include <vector>
+
+#include "trident_base/error.h"
+
+namespace trident {
+
+class ByteSource {
+ public:
+  ByteSource() = default;
+  ByteSource(const ByteSource&) = delete;
+  ByteSource& operator=(const ByteSource&) = delete;
+  virtual ~ByteSource() = default;
+  /// At most `size` bytes; 0 at the end, and then `damage` says whether that was the real end.
+  virtual std::size_t read(char* into, std::size_t size, std::string& damage) = 0;
+  /// Bytes of the file that were used so far.
+  virtual double position() const = 0;
+  double file_size = 0.0;
+};
+
+namespace {
+
+constexpr std::size_t kChunk = std::size_t{1} << 16;
+
+// zlib's gzread passes plain text through unchanged.
+class PlainOrGzip : public ByteSource {
+ public:
+  explicit PlainOrGzip(int descriptor) : file_(gzdopen(descriptor, "rb")) {
+    if (file_ == nullptr) throw Error("out of memory for reading");
+    gzbuffer(file_, kChunk);
+  }
+  ~PlainOrGzip() override { gzclose(file_); }
+
+  std::size_t read(char* into, std::size_t size, std::string& damage) override {
+    const int count = gzread(file_, into, static_cast<unsigned>(size));
+    int code = Z_OK;
+    const char* text = gzerror(file_, &code);
+    if (code == Z_BUF_ERROR) damage = "the gzip data ends too early (truncated file)";
+    if (code != Z_OK && code != Z_BUF_ERROR) {
+      damage = std::string("damaged gzip data: ") + (code == Z_ERRNO ? strerror(errno) : text);
+    }
+    return count > 0 ? static_cast<std::size_t>(count) : 0;
+  }
+  double position() const override { return static_cast<double>(gzoffset(file_)); }
+
+ private:
+  gzFile file_;
+};
+
+// Several streams one after another are one file, as parallel compressors write them.
+class Bzip2 : public ByteSource {
+ public:
+  explicit Bzip2(int descriptor) : file_(fdopen(descriptor, "rb")), input_(kChunk) {
+    if (file_ == nullptr) throw Error("out of memory for reading");
+    open_stream();
+  }
+  ~Bzip2() override {
+    BZ2_bzDecompressEnd(&stream_);
+    std::fclose(file_);
+  }
+
+  std::size_t read(char* into, std::size_t size, std::string& damage) override {
+    stream_.next_out = into;
+    stream_.avail_out = static_cast<unsigned>(size);
+    while (stream_.avail_out == size && damage.empty()) {
+      if (stream_.avail_in == 0 && !refill()) {
+        if (!is_between_streams_) damage = "the bzip2 data ends too early (truncated file)";
+        break;
+      }
+      decompress(damage);
+    }
+    return size - stream_.avail_out;
+  }
+  double position() const override { return consumed_; }
+
+ private:
+  void open_stream() {
+    char* const next_in = stream_.next_in;
+    const unsigned avail_in = stream_.avail_in;
+    stream_.bzalloc = nullptr;
+    stream_.bzfree = nullptr;
+    stream_.opaque = nullptr;
+    if (BZ2_bzDecompressInit(&stream_, 0, 0) != BZ_OK) throw Error("out of memory for reading");
+    stream_.next_in = next_in;
+    stream_.avail_in = avail_in;
+  }
+  bool refill() {
+    stream_.next_in = input_.data();
+    stream_.avail_in = static_cast<unsigned>(std::fread(input_.data(), 1, input_.size(), file_));
+    consumed_ += stream_.avail_in;
+    return stream_.avail_in > 0;
+  }
+  void decompress(std::string& damage) {
+    if (is_between_streams_) {
+      char* const next_out = stream_.next_out;
+      const unsigned avail_out = stream_.avail_out;
+      BZ2_bzDecompressEnd(&stream_);
+      open_stream();
+      stream_.next_out = next_out;
+      stream_.avail_out = avail_out;
+    }
+    const int code = BZ2_bzDecompress(&stream_);
+    is_between_streams_ = code == BZ_STREAM_END;
+    if (code != BZ_OK && code != BZ_STREAM_END) damage = "damaged bzip2 data";
+  }
+
+  std::FILE* file_;
+  std::vector<char> input_;
+  bz_stream stream_{};
+  double consumed_ = 0.0;
+  bool is_between_streams_ = false;
+};
+
+std::unique_ptr<ByteSource> open_source(const std::string& path) {
+  if (path == "-") return std::make_unique<PlainOrGzip>(dup(STDIN_FILENO));
+  std::FILE* file = std::fopen(path.c_str(), "rb");
+  if (file == nullptr) throw Error(path + ": cannot be opened: " + strerror(errno));
+  struct stat about {};
+  fstat(fileno(file), &about);
+  if (S_ISDIR(about.st_mode)) {
+    std::fclose(file);
+    throw Error(path + ": is a folder, expected a log file");
+  }
+  char magic[3] = {};
+  const bool is_bzip2 =
+      std::fread(magic, 1, sizeof(magic), file) == 3 && std::memcmp(magic, "BZh", 3) == 0;
+  const int descriptor = dup(fileno(file));
+  std::fclose(file);
+  lseek(descriptor, 0, SEEK_SET);
+  std::unique_ptr<ByteSource> source;
+  if (is_bzip2) {
+    source = std::make_unique<Bzip2>(descriptor);
+  } else {
+    source = std::make_unique<PlainOrGzip>(descriptor);
+  }
+  source->file_size = static_cast<double>(about.st_size);
+  return source;
+}
+
+}  // namespace
+
+LineReader::LineReader(std::string path) : path_(std::move(path)), source_(open_source(path_)) {}
+
+LineReader::~LineReader() = default;
+
+bool LineReader::fill() {
+  if (!damage_.empty()) return false;
+  buffer_.erase(0, begin_);
+  begin_ = 0;
+  const std::size_t old_size = buffer_.size();
+  buffer_.resize(old_size + kChunk);
+  const std::size_t count = source_->read(&buffer_[old_size], kChunk, damage_);
+  buffer_.resize(old_size + count);
+  return count > 0;
+}
+
+bool LineReader::next(std::string_view& line) {
+  std::size_t searched = 0;
+  while (true) {
+    const std::size_t end = buffer_.find('\n', begin_ + searched);
+    if (end != std::string::npos) {
+      line = std::string_view(buffer_).substr(begin_, end - begin_);
+      begin_ = end + 1;
+      break;
+    }
+    searched = buffer_.size() - begin_;
+    if (fill()) continue;
+    if (begin_ == buffer_.size()) return false;
+    line = std::string_view(buffer_).substr(begin_);
+    begin_ = buffer_.size();
+    is_last_line_open_ = true;
+    break;
+  }
+  if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+  ++line_number_;
+  return true;
+}
+
+double LineReader::progress() const {
+  return source_->file_size > 0.0 ? source_->position() / source_->file_size : 0.0;
+}
+
+}  // namespace trident

@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "trident_slam/offline_run.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "logs/odometry_slam_2d.h"
+#include "trident_base/error.h"
+#include "trident_slam/map_writer.h"
+
+namespace trident {
+namespace {
+
+// A robot that drives along x between two walls at y = +-1 m and looks to both sides.
+class CorridorDrive : public ScanSource {
+ public:
+  explicit CorridorDrive(int scans) : scans_(scans) {}
+  bool next(ScanRecord& record) override {
+    if (count_ == scans_) return false;
+    record.scan.stamp_ns = 1'000'000'000 + 100'000'000LL * count_;
+    record.scan.angle_min = -1.5707963267948966;
+    record.scan.angle_increment = 3.141592653589793;
+    record.scan.range_max = 10.0;
+    record.scan.ranges = {1.0F, 1.0F};
+    record.T_odom_base = SE2::from_xy_yaw(5.0 + 0.01 * count_, 2.0, 0.0);
+    ++count_;
+    return true;
+  }
+  const LogProblems& problems() const override { return problems_; }
+  double progress() const override { return static_cast<double>(count_) / scans_; }
+
+ private:
+  int scans_;
+  int count_ = 0;
+  LogProblems problems_;
+};
+
+std::vector<std::string> lines_of(const std::string& path) {
+  std::ifstream file(path);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(file, line);) lines.push_back(line);
+  return lines;
+}
+
+class OfflineRun : public testing::Test {
+ protected:
+  std::string out_ = testing::TempDir() + "offline_run_test_" + std::to_string(getpid());
+  OfflineRun() { std::filesystem::create_directories(out_); }
+  ~OfflineRun() override { std::filesystem::remove_all(out_); }
+};
+
+TEST_F(OfflineRun, WritesTrajectoriesAndMap) {
+  CorridorDrive source(100);
+  OdometrySlam2d slam({});
+  double part = 0.0;
+  const OfflineResult result =
+      run_offline(source, slam, out_, [&part](std::size_t, double now) { part = now; });
+  EXPECT_EQ(result.scans, 100U);
+  EXPECT_EQ(part, 1.0);
+  const auto causal = lines_of(out_ + "/causal.tum");
+  ASSERT_EQ(causal.size(), 100U);
+  EXPECT_EQ(causal[0], "1.000000 0.000000 0.000000 0.000000 0.000000 0.000000 0.000000 1.000000");
+  EXPECT_EQ(causal[99], "10.900000 0.990000 0.000000 0.000000 0.000000 0.000000 0.000000 1.000000");
+  EXPECT_EQ(lines_of(out_ + "/trajectory.tum"), causal);
+  EXPECT_EQ(lines_of(out_ + "/map.yaml")[0], "image: map.pgm");
+}
+
+TEST_F(OfflineRun, CausalPosesDoNotKnowTheFuture) {
+  CorridorDrive whole(50);
+  OdometrySlam2d slam({});
+  run_offline(whole, slam, out_, nullptr);
+  auto expected = lines_of(out_ + "/causal.tum");
+  expected.resize(20);
+  CorridorDrive part(20);
+  OdometrySlam2d again({});
+  run_offline(part, again, out_, nullptr);
+  EXPECT_EQ(lines_of(out_ + "/causal.tum"), expected);
+}
+
+TEST_F(OfflineRun, WallsAreOccupiedAndTheCorridorIsFree) {
+  CorridorDrive source(100);
+  OdometrySlam2d slam({});
+  run_offline(source, slam, out_, nullptr);
+  const OccupancyGrid map = slam.map();
+  const auto at = [&map](double x, double y) {
+    const Eigen::Vector2i cell = map.cell_at({x, y});
+    return map.cells[map.index(cell.x(), cell.y())];
+  };
+  EXPECT_EQ(at(0.52, 1.001), OccupancyGrid::kOccupied);
+  EXPECT_EQ(at(0.52, -0.999), OccupancyGrid::kOccupied);
+  EXPECT_EQ(at(0.52, 0.5), OccupancyGrid::kFree);
+  EXPECT_EQ(at(1.3, 0.0), OccupancyGrid::kUnknown);
+}
+
+TEST_F(OfflineRun, AnEmptyLogIsAnError) {
+  CorridorDrive source(0);
+  OdometrySlam2d slam({});
+  EXPECT_THROW(run_offline(source, slam, out_, nullptr), Error);
+}
+
+TEST_F(OfflineRun, AFolderThatIsMissingIsAnError) {
+  CorridorDrive source(1);
+  OdometrySlam2d slam({});
+  EXPECT_THROW(run_offline(source, slam, out_ + "/no/such", nullptr), Error);
+}
+
+TEST(TumLine, KeepsMicrosecondsOfLargeAndNegativeStamps) {
+  EXPECT_EQ(tum_line({976052857'337530000, SE2::from_xy_yaw(1.0, -2.0, 0.0)}),
+            "976052857.337530 1.000000 -2.000000 0.000000 0.000000 0.000000 0.000000 1.000000");
+  EXPECT_EQ(tum_line({-500'000'000, {}}).substr(0, 9), "-0.500000");
+}
+
+TEST(MapWriter, TopRowIsTheLargestY) {
+  OccupancyGrid map;
+  map.width = 2;
+  map.height = 2;
+  map.cells = {0, -1, 100, 50};
+  const std::string pgm = map_as_pgm(map);
+  ASSERT_EQ(pgm.substr(0, pgm.size() - 4), "P5\n# CREATOR: map_saver.cpp 0.050 m/pix\n2 2\n255\n");
+  EXPECT_EQ(pgm.substr(pgm.size() - 4), std::string("\x00\xcd\xfe\xcd", 4));
+}
+
+}  // namespace
+}  // namespace trident
