@@ -15,7 +15,7 @@ from trident_eval.core.provenance import Provenance
 from trident_eval.core.report import Row, verdict_rows
 from trident_eval.core.vehicles import Flown
 
-_STYLE = """
+PAGE_STYLE = """
 body{font:15px/1.5 system-ui,sans-serif;color:#222;max-width:1080px;margin:2em auto;padding:0 1em}
 h1{margin-bottom:0}h2{margin-top:2em;border-bottom:1px solid #ddd}
 .about{color:#666;margin-top:0}
@@ -70,7 +70,7 @@ def page(report: Report) -> str:
     parts = [
         "<!doctype html><html lang='en'><meta charset='utf-8'>",
         "<meta name='viewport' content='width=device-width'>",
-        f"<title>{html.escape(report.title)}</title><style>{_STYLE}</style>",
+        f"<title>{html.escape(report.title)}</title><style>{PAGE_STYLE}</style>",
         f"<h1>{html.escape(report.title)}</h1><p class='about'>{html.escape(report.about)}</p>",
         *_verdict(report.verdict),
         *_complaints(report.complaints),
