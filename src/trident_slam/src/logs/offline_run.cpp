@@ -9,7 +9,7 @@
 
 #include "trident_base/error.h"
 #include "trident_base/string_util.h"
-#include "trident_slam/map_writer.h"
+#include "trident_estimation/map_file.h"
 
 namespace trident {
 namespace {
@@ -73,7 +73,7 @@ OfflineResult run_offline(ScanSource& source, Slam2d& slam, const std::string& o
   TumFile final_poses(out_dir + "/trajectory.tum");
   for (const StampedPose2d& pose : slam.trajectory()) final_poses.write(pose);
   final_poses.close();
-  write_map(slam.map(), out_dir + "/map");
+  save_map(out_dir + "/map", slam.map());
   return result;
 }
 

@@ -6,13 +6,12 @@ target_sources(trident_slam PRIVATE
   src/logs/carmen_log.cpp
   src/logs/fields.cpp
   src/logs/line_reader.cpp
-  src/logs/map_writer.cpp
   src/logs/odometry_slam_2d.cpp
   src/logs/offline_run.cpp
   src/logs/scan_map.cpp
   src/logs/scan_source.cpp
 )
-target_link_libraries(trident_slam PRIVATE BZip2::BZip2 ZLIB::ZLIB)
+target_link_libraries(trident_slam PUBLIC trident_estimation PRIVATE BZip2::BZip2 ZLIB::ZLIB)
 
 add_executable(slam_offline src/logs/slam_offline.cpp)
 target_link_libraries(slam_offline trident_slam)

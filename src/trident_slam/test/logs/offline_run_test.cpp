@@ -12,7 +12,6 @@
 
 #include "logs/odometry_slam_2d.h"
 #include "trident_base/error.h"
-#include "trident_slam/map_writer.h"
 
 namespace trident {
 namespace {
@@ -114,16 +113,6 @@ TEST(TumLine, KeepsMicrosecondsOfLargeAndNegativeStamps) {
   EXPECT_EQ(tum_line({976052857'337530000, SE2::from_xy_yaw(1.0, -2.0, 0.0)}),
             "976052857.337530 1.000000 -2.000000 0.000000 0.000000 0.000000 0.000000 1.000000");
   EXPECT_EQ(tum_line({-500'000'000, {}}).substr(0, 9), "-0.500000");
-}
-
-TEST(MapWriter, TopRowIsTheLargestY) {
-  OccupancyGrid map;
-  map.width = 2;
-  map.height = 2;
-  map.cells = {0, -1, 100, 50};
-  const std::string pgm = map_as_pgm(map);
-  ASSERT_EQ(pgm.substr(0, pgm.size() - 4), "P5\n# CREATOR: map_saver.cpp 0.050 m/pix\n2 2\n255\n");
-  EXPECT_EQ(pgm.substr(pgm.size() - 4), std::string("\x00\xcd\xfe\xcd", 4));
 }
 
 }  // namespace
