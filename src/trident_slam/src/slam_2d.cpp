@@ -3,6 +3,7 @@
 #include "trident_slam/slam_2d.h"
 
 #include "logs/odometry_slam_2d.h"
+#include "trident_slam/graph_slam_2d.h"
 
 namespace trident {
 namespace {
@@ -18,6 +19,7 @@ void add_method(Registry<Slam2dFactory>& registry, const char* name) {
 }  // namespace
 
 void register_builtin_slam_2d(Registry<Slam2dFactory>& registry) {
+  add_method<GraphSlam2d, GraphSlamOptions>(registry, "graph_slam_2d");
   add_method<OdometrySlam2d, OdometrySlam2dParams>(registry, "odometry");
 }
 

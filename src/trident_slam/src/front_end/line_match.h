@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "front_end/match_result.h"
+#include "front_end/surfel_map.h"
+
+namespace trident {
+
+/// Point-to-line registration: Gauss-Newton over nearest surfels, each scan point's distance along
+/// the surfel's normal, weighted by a Cauchy kernel.
+/// A. Censi, "An ICP variant using a point-to-line metric", ICRA 2008.
+struct LineMatchOptions {
+  int max_iterations = 12;
+  int search_rings = 3;          ///< cells about a point in which its surfel is sought
+  double sigma = 0.03;           ///< of one distance; correlated errors counted in [m]
+  double kernel = 0.06;          ///< distance at which a point's weight has halved [m]
+  double inlier_distance = 0.1;  ///< [m]
+  double point_weight = 0.1;     ///< of a point without a normal, towards the surfel's mean
+  std::size_t max_points = 400;  ///< of a scan that are used, evenly spread
+};
+
+/// What is known of a pose beforehand.
+struct PosePrior {
+  SE2 T_ref_base;
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< of (x, y, yaw) in the ref's frame
+};
+
+/// The sums of one Gauss-Newton step.
+struct NormalEquations {
+  Eigen::Matrix3d H = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d g = Eigen::Vector3d::Zero();
+  double cost = 0.0;
+  double squared_inliers = 0.0;
+  std::size_t inliers = 0;
+  std::size_t used = 0;
+};
+
+MatchResult match_lines(const SurfelMap& reference, const PointScan& scan, const SE2& guess,
+                        const PosePrior& prior, const LineMatchOptions& options);
+
+/// Mean distance of a scan's points from the base [m].
+double mean_range(const PointScan& scan);
+
+}  // namespace trident

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+
+#include "trident_base/se2.h"
+
+namespace trident {
+
+/// How well a scan constrains its pose: the eigenvalues of the information that its points give,
+/// with yaw counted in metres at the mean distance of the points.
+struct Degeneracy {
+  /// Smallest by largest eigenvalue: 1 in a round room, towards 0 in a long corridor.
+  double ratio = 0.0;
+  /// The direction that is known least: (x, y, yaw at the points' mean distance), unit length.
+  Eigen::Vector3d weakest = Eigen::Vector3d::UnitX();
+
+  bool is_degenerate() const { return ratio < 0.02; }
+};
+
+/// Where a scan lies in a reference's frame.
+struct MatchResult {
+  SE2 T_ref_base;
+  /// Of (x [m], y [m], yaw [rad]) in the reference's frame, from the points alone.
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+  /// Inverse of the information with whatever prior was given.
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();
+  Degeneracy degeneracy;
+  double inlier_fraction = 0.0;  ///< of the points, those that lie on the reference's surfaces
+  double rms = 0.0;              ///< of those points' distances to the surfaces [m]
+  int iterations = 0;
+  bool is_converged = false;
+};
+
+/// `mean_range`: of the points about the base [m].
+Degeneracy degeneracy_of(const Eigen::Matrix3d& information, double mean_range);
+
+}  // namespace trident

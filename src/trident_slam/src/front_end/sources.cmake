@@ -1,0 +1,10 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+# Scan matching: what a scan is compared with, and how.
+target_sources(trident_slam PRIVATE
+  src/front_end/correlative_match.cpp
+  src/front_end/line_match.cpp
+  src/front_end/max_pyramid.cpp
+  src/front_end/point_scan.cpp
+  src/front_end/surfel_map.cpp
+)

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "front_end/point_scan.h"
+
+namespace trident {
+
+/// Every scan that came, in millimetres and two bytes a beam, and where it was.
+class ScanArchive {
+ public:
+  struct Entry {
+    std::int64_t stamp_ns = 0;
+    int keyframe = -1;  ///< the newest one when the scan came
+    SE2 T_keyframe_base;
+    bool is_used = true;  ///< false: nothing but odometry is known of it
+    std::uint32_t geometry = 0;
+    std::uint64_t first_range = 0;
+    Eigen::Vector3f twist = Eigen::Vector3f::Zero();
+  };
+
+  void add(const LaserScan& scan, const Entry& entry, double max_range);
+  std::size_t size() const { return entries_.size(); }
+  const Entry& operator[](std::size_t i) const { return entries_[i]; }
+  Entry& operator[](std::size_t i) { return entries_[i]; }
+  /// As it was when it came, ranges rounded to a millimetre.
+  LaserScan scan(std::size_t i) const;
+
+ private:
+  std::vector<Entry> entries_;
+  std::vector<LaserScan> geometries_;  ///< without ranges
+  std::vector<std::uint16_t> ranges_;
+};
+
+}  // namespace trident

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "front_end/correlative_match.h"
+#include "front_end/line_match.h"
+
+namespace trident {
+
+/// How uncertain odometry is taken to be, per motion between two scans (standard deviations).
+struct OdometryNoise {
+  double distance_floor = 0.01;       ///< [m]
+  double distance_per_metre = 0.15;   ///< wrong scale of the distance
+  double distance_per_radian = 0.05;  ///< [m/rad]
+  double yaw_floor = 0.005;           ///< [rad]
+  double yaw_per_radian = 0.15;
+  double yaw_per_metre = 0.03;  ///< [rad/m]
+
+  double distance_sigma(double metres, double radians) const {
+    return distance_floor + distance_per_metre * metres + distance_per_radian * radians;
+  }
+  double yaw_sigma(double metres, double radians) const {
+    return yaw_floor + yaw_per_radian * radians + yaw_per_metre * metres;
+  }
+};
+
+struct ScanTrackerOptions {
+  OdometryNoise noise;
+  LineMatchOptions line;
+  double surfel_cell = 0.1;               ///< [m]
+  double search_resolution = 0.05;        ///< of the correlative search [m]
+  double smallest_inlier_fraction = 0.6;  ///< below this the pose is sought in a window
+  double search_motion = 0.3;             ///< moved farther than this: sought in a window, too [m]
+  double search_turn = 0.3;               ///< [rad]
+  int recent_scans = 30;                  ///< keyframes that the window is searched over
+};
+
+/// Keeps the newest scan's pose against the surfaces of the map so far. Parts of the map that may
+/// have drifted away from here are hidden from it until a loop has been closed.
+class ScanTracker {
+ public:
+  explicit ScanTracker(const ScanTrackerOptions& options)
+      : options_(options), surfels_(options.surfel_cell) {}
+
+  /// `T_last_base`: motion since the last scan by odometry; `doubt` [m] widens the search, for an
+  /// odometry that cannot be trusted.
+  MatchResult track(const PointScan& scan, const SE2& T_last_base, double doubt = 0.0);
+  /// Moves without a scan.
+  void coast(const SE2& T_last_base) { T_map_base_ = T_map_base_ * T_last_base; }
+  /// Adds a scan to the surfaces, of which `owner` says to which part of the map it belongs.
+  void insert(const SE2& T_map_base, const std::shared_ptr<const PointScan>& scan, int owner);
+  void hide(std::vector<char> hidden) { surfels_.set_hidden(std::move(hidden)); }
+  /// How many of a scan's points lie on surfaces of each owner.
+  std::vector<std::pair<int, int>> owners_under(const PointScan& scan) const;
+
+  const SE2& T_map_base() const { return T_map_base_; }
+  void set_pose(const SE2& T_map_base) { T_map_base_ = T_map_base; }
+  void clear_surfaces();
+
+ private:
+  MatchResult search(const PointScan& scan, const PosePrior& prior, const MatchResult& refined,
+                     const SearchWindow& window) const;
+
+  ScanTrackerOptions options_;
+  SurfelMap surfels_;
+  std::vector<std::pair<SE2, std::shared_ptr<const PointScan>>> recent_;
+  SE2 T_map_base_;
+};
+
+}  // namespace trident

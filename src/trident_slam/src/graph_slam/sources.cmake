@@ -1,0 +1,14 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+# graph_slam_2d: the state machine, its graph, and what is done with both.
+target_sources(trident_slam PRIVATE
+  src/graph_slam/graph_mapper.cpp
+  src/graph_slam/graph_slam_2d.cpp
+  src/graph_slam/graph_slam_options.cpp
+  src/graph_slam/keyframe_graph.cpp
+  src/graph_slam/keyframe_map.cpp
+  src/graph_slam/pair_linker.cpp
+  src/graph_slam/scan_archive.cpp
+  src/graph_slam/scan_check.cpp
+  src/graph_slam/scan_tracker.cpp
+)
