@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "trident_slam/pose_graph.h"
+
+namespace trident {
+
+/// How steps are kept from leaving the region where the linearisation holds.
+enum class TrustStrategy { kGaussNewton, kLevenbergMarquardt, kDogleg };
+
+/// Where the optimisation starts.
+enum class PoseGraphStart {
+  kGraph,    ///< from the poses of the graph
+  kChordal,  ///< from averaged rotations and the positions that follow from them
+  kAuto,     ///< from whichever of these costs least
+};
+
+struct PoseGraphOptions {
+  TrustStrategy strategy = TrustStrategy::kDogleg;
+  PoseGraphStart start = PoseGraphStart::kGraph;
+  int max_iterations = 100;  ///< >= 1
+  /// Converged when a step promises less than this part of the cost, > 0.
+  double relative_tolerance = 1e-6;
+  /// ... or less than this, >= 0.
+  double absolute_tolerance = 1e-10;
+  /// Graduated non-convexity (Yang et al. 2020, Geman-McClure) over the edges that are not trusted:
+  /// finds those that agree with each other from a poor start; the others are rejected, their
+  /// weight in the report is 0. The edges' own kernels do not count.
+  bool is_graduated = false;
+  /// [standard deviations] beyond which an edge is an outlier, > 0.
+  double graduated_scale = 4.0;
+
+  /// Throws Error naming field, value and range.
+  void validate() const;
+};
+
+struct PoseGraphReport {
+  double chi2_before = 0.0;  ///< of the graph's poses, sum of e' Omega e without kernels
+  double chi2_start = 0.0;   ///< after the start was chosen
+  double chi2_after = 0.0;
+  double cost_before = 0.0;  ///< with kernels
+  double cost_after = 0.0;
+  int iterations = 0;  ///< linear systems solved, rejected steps included
+  bool has_converged = false;
+  bool is_start_chordal = false;
+  /// Of each edge at the end, in [0, 1]: 1 without a robust kernel, near 0 for an outlier.
+  std::vector<double> weights;
+};
+
+/// One way to optimise a pose graph in place. Equal input gives equal output to the bit. May be
+/// called again after the graph has changed.
+template <class Group>
+class PoseGraphSolver {
+ public:
+  PoseGraphSolver() = default;
+  PoseGraphSolver(const PoseGraphSolver&) = delete;
+  PoseGraphSolver& operator=(const PoseGraphSolver&) = delete;
+  virtual ~PoseGraphSolver() = default;
+  virtual PoseGraphReport optimize(PoseGraph<Group>& graph) = 0;
+};
+
+/// Our own solver: Gauss-Newton systems with analytic Jacobians, factorised block by block
+/// (multifrontal Cholesky, minimum degree ordering of the vertices). The ordering is kept while the
+/// graph's structure is unchanged. One thread, no clock.
+template <class Group>
+class PoseGraphOptimizer : public PoseGraphSolver<Group> {
+ public:
+  using Covariance = typename PoseGraph<Group>::Information;
+
+  explicit PoseGraphOptimizer(const PoseGraphOptions& options = {});
+  ~PoseGraphOptimizer() override;
+
+  PoseGraphReport optimize(PoseGraph<Group>& graph) override;
+
+  /// Covariance of the tangent d of T_map_vertex * exp(d), with the edges' kernels, relative to the
+  /// fixed vertices (zero for one of them). Throws Error when the id is unknown.
+  Covariance marginal_covariance(const PoseGraph<Group>& graph, int id);
+
+  /// Covariance of the tangent d of T_from_to * exp(d), where T_from_to = T_map_from^-1 * T_map_to.
+  Covariance relative_covariance(const PoseGraph<Group>& graph, int from, int to);
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+extern template class PoseGraphOptimizer<SE2>;
+extern template class PoseGraphOptimizer<SE3>;
+
+}  // namespace trident

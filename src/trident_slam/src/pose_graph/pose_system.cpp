@@ -1,0 +1,183 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "pose_graph/pose_system.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <unordered_map>
+
+namespace trident {
+namespace {
+
+// Which of several things are connected; the representative is the first of them.
+class DisjointSets {
+ public:
+  explicit DisjointSets(std::size_t size) : parent_(size) {
+    std::iota(parent_.begin(), parent_.end(), 0);
+  }
+  int find(int k) {
+    while (parent_[k] != k) k = parent_[k] = parent_[parent_[k]];
+    return k;
+  }
+  void join(int a, int b) {
+    a = find(a);
+    b = find(b);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  std::vector<int> parent_;
+};
+
+}  // namespace
+
+template <class Group>
+void PoseSystem<Group>::choose_unknowns(const PoseGraph<Group>& graph) {
+  const auto& vertices = graph.vertices();
+  DisjointSets parts(vertices.size());
+  for (const Edge& edge : edges_) parts.join(edge.from, edge.to);
+  std::vector<bool> is_anchored(vertices.size(), false);
+  for (std::size_t k = 0; k < vertices.size(); ++k) {
+    if (vertices[k].is_fixed) is_anchored[parts.find(static_cast<int>(k))] = true;
+  }
+  unknown_of_vertex_.assign(vertices.size(), -1);
+  vertex_of_unknown_.clear();
+  for (std::size_t k = 0; k < vertices.size(); ++k) {
+    const int part = parts.find(static_cast<int>(k));
+    const bool is_anchor = !is_anchored[part] && part == static_cast<int>(k);
+    if (vertices[k].is_fixed || is_anchor) continue;
+    unknown_of_vertex_[k] = unknowns();
+    vertex_of_unknown_.push_back(static_cast<int>(k));
+  }
+}
+
+template <class Group>
+void PoseSystem<Group>::build_structure(const PoseGraph<Group>& graph) {
+  edges_.clear();
+  for (const auto& edge : graph.edges()) {
+    Edge added;
+    added.from = static_cast<int>(graph.index(edge.from));
+    added.to = static_cast<int>(graph.index(edge.to));
+    edges_.push_back(added);
+  }
+  choose_unknowns(graph);
+  pairs_.clear();
+  std::unordered_map<std::uint64_t, int> pair_of;
+  for (Edge& edge : edges_) {
+    const int from = unknown_of_vertex_[edge.from];
+    const int to = unknown_of_vertex_[edge.to];
+    if (from == -1 || to == -1) continue;
+    const auto [first, last] = std::minmax(from, to);
+    const std::uint64_t key = (static_cast<std::uint64_t>(first) << 32) + last;
+    const auto [found, is_new] = pair_of.try_emplace(key, static_cast<int>(pairs_.size()));
+    if (is_new) pairs_.emplace_back(from, to);
+    edge.pair = found->second;
+    edge.is_pair_reversed = pairs_[edge.pair].first != from;
+  }
+  symbolic_ = std::make_shared<const BlockSymbolic>(unknowns(), pairs_);
+  structure_version_ = graph.structure_version();
+}
+
+template <class Group>
+void PoseSystem<Group>::load(const PoseGraph<Group>& graph) {
+  if (symbolic_ == nullptr || structure_version_ != graph.structure_version()) {
+    build_structure(graph);
+  }
+  for (std::size_t k = 0; k < edges_.size(); ++k) {
+    const auto& edge = graph.edges()[k];
+    edges_[k].measured = Model::from_group(edge.T_from_to);
+    edges_[k].inverse_measured = edges_[k].measured.inverse();
+    edges_[k].information = edge.information;
+    edges_[k].kernel = edge.kernel;
+    edges_[k].kernel_scale = edge.kernel_scale;
+    edges_[k].is_trusted = edge.is_trusted;
+    edges_[k].is_rejected = false;
+  }
+  poses.clear();
+  for (const auto& vertex : graph.vertices()) {
+    poses.push_back(Model::from_group(vertex.T_map_vertex));
+  }
+}
+
+template <class Group>
+void PoseSystem<Group>::store(PoseGraph<Group>& graph) const {
+  for (const int vertex : vertex_of_unknown_) {
+    graph.set_pose_at(vertex, Model::to_group(poses[vertex]));
+  }
+}
+
+template <class Group>
+double PoseSystem<Group>::squared_error(const Edge& edge, const Poses& at) const {
+  const Tangent error = Model::log(edge.inverse_measured * (at[edge.from].inverse() * at[edge.to]));
+  return error.dot(edge.information * error);
+}
+
+template <class Group>
+RobustValue PoseSystem<Group>::robust_value(const Edge& edge, double squared_error) {
+  if (edge.is_rejected) return {edge.kernel_scale * edge.kernel_scale, 0.0};
+  return evaluate_robust_kernel(edge.kernel, edge.kernel_scale, squared_error);
+}
+
+template <class Group>
+typename PoseSystem<Group>::Cost PoseSystem<Group>::cost(const Poses& at) const {
+  Cost cost;
+  for (const Edge& edge : edges_) {
+    const double s = squared_error(edge, at);
+    cost.chi2 += s;
+    cost.robust += robust_value(edge, s).cost;
+  }
+  return cost;
+}
+
+template <class Group>
+void PoseSystem<Group>::add_edge_terms(const Edge& edge, const Poses& at,
+                                       BlockMatrix<kDimension>& H, Eigen::VectorXd& g) const {
+  const Pose T = at[edge.from].inverse() * at[edge.to];
+  Matrix J;
+  const Tangent error = Model::log(edge.inverse_measured * T, J);
+  const Tangent weighted_error = edge.information * error;
+  const double weight = robust_value(edge, error.dot(weighted_error)).weight;
+  const Tangent g_to = weight * (J.transpose() * weighted_error);
+  const Matrix WJ = weight * (edge.information * J);
+  const Matrix H_to = J.transpose() * WJ;
+  const int from = unknown_of_vertex_[edge.from];
+  const int to = unknown_of_vertex_[edge.to];
+  if (to != -1) {
+    H.diagonal[to] += H_to;
+    g.template segment<kDimension>(kDimension * to) += g_to;
+  }
+  if (from == -1) return;
+  const Matrix adjoint = Model::inverse_adjoint(T);
+  const Matrix H_from_to = adjoint.transpose() * H_to;  // less its sign
+  H.diagonal[from] += H_from_to * adjoint;
+  g.template segment<kDimension>(kDimension * from) -= adjoint.transpose() * g_to;
+  if (to == -1) return;
+  if (edge.is_pair_reversed) {
+    H.pairs[edge.pair] -= H_from_to.transpose();
+  } else {
+    H.pairs[edge.pair] -= H_from_to;
+  }
+}
+
+template <class Group>
+void PoseSystem<Group>::linearise(const Poses& at, BlockMatrix<kDimension>& H,
+                                  Eigen::VectorXd& g) const {
+  H.set_zero(unknowns(), pairs_.size());
+  g.setZero(kDimension * unknowns());
+  for (const Edge& edge : edges_) add_edge_terms(edge, at, H, g);
+}
+
+template <class Group>
+void PoseSystem<Group>::move(const Poses& from, const Eigen::VectorXd& step, Poses& to) const {
+  to = from;
+  for (int k = 0; k < unknowns(); ++k) {
+    const int vertex = vertex_of_unknown_[k];
+    to[vertex] = Model::moved(from[vertex], step.template segment<kDimension>(kDimension * k));
+  }
+}
+
+template class PoseSystem<SE2>;
+template class PoseSystem<SE3>;
+
+}  // namespace trident

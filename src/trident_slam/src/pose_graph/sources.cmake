@@ -1,0 +1,21 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+target_sources(trident_slam PRIVATE
+  src/pose_graph/block_cholesky.cpp
+  src/pose_graph/block_symbolic.cpp
+  src/pose_graph/chordal_start.cpp
+  src/pose_graph/dense_kernels.cpp
+  src/pose_graph/edge_model.cpp
+  src/pose_graph/g2o_read.cpp
+  src/pose_graph/g2o_write.cpp
+  src/pose_graph/pose_graph.cpp
+  src/pose_graph/pose_graph_optimizer.cpp
+  src/pose_graph/pose_system.cpp
+  src/pose_graph/robust_kernel.cpp
+  src/pose_graph/step_search.cpp
+)
+# The inner loops: unrolled and kept in registers.
+set_source_files_properties(src/pose_graph/dense_kernels.cpp PROPERTIES COMPILE_OPTIONS -O3)
+find_package(ZLIB REQUIRED)
+find_library(AMD_LIBRARY amd REQUIRED)  # of SuiteSparse: minimum degree ordering
+target_link_libraries(trident_slam PRIVATE ZLIB::ZLIB ${AMD_LIBRARY})

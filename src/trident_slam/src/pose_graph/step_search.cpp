@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "pose_graph/step_search.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace trident {
+namespace {
+
+constexpr double kLeastLambda = 1e-6;
+constexpr double kMostLambda = 1e12;
+constexpr double kLeastRadiusRatio = 1e-9;
+
+}  // namespace
+
+template <class Group>
+StepSearch<Group>::StepSearch(const PoseGraphOptions& options, PoseSystem<Group>& system)
+    : options_(options), system_(system), cholesky_(system.symbolic()) {}
+
+template <class Group>
+bool StepSearch<Group>::run() {
+  if (system_.unknowns() == 0) return true;
+  cost_ = system_.cost(system_.poses).robust;
+  while (iterations_ < options_.max_iterations) {
+    system_.linearise(system_.poses, H_, g_);
+    const Outcome outcome = iterate();
+    if (outcome != Outcome::kMoved) return outcome == Outcome::kConverged;
+  }
+  return false;
+}
+
+template <class Group>
+typename StepSearch<Group>::Outcome StepSearch<Group>::iterate() {
+  if (options_.strategy == TrustStrategy::kLevenbergMarquardt) return iterate_damped();
+  if (!solve_somehow()) return Outcome::kStuck;
+  if (options_.strategy == TrustStrategy::kDogleg) return iterate_dogleg();
+  const double promised = promised_by(newton_);
+  if (!try_step(newton_)) {  // taken all the same, unless there is nothing left to gain
+    if (is_negligible(promised)) return Outcome::kConverged;
+    cost_ = system_.cost(trial_).robust;
+    std::swap(system_.poses, trial_);
+    return std::isfinite(cost_) ? Outcome::kMoved : Outcome::kStuck;
+  }
+  return is_negligible(promised) ? Outcome::kConverged : Outcome::kMoved;
+}
+
+template <class Group>
+typename StepSearch<Group>::Outcome StepSearch<Group>::iterate_damped() {
+  while (iterations_ < options_.max_iterations && lambda_ < kMostLambda) {
+    if (solve(lambda_)) {
+      const double promised = promised_by(newton_);
+      const double before = cost_;
+      if (try_step(newton_)) {
+        const double gain = (before - cost_) / promised;
+        lambda_ *= std::max(0.1, 1.0 - std::pow(2.0 * gain - 1.0, 3));
+        if (lambda_ < kLeastLambda) lambda_ = 0.0;
+        growth_ = 2.0;
+        return is_negligible(promised) ? Outcome::kConverged : Outcome::kMoved;
+      }
+      if (is_negligible(promised)) return Outcome::kConverged;
+    }
+    lambda_ = std::max(kLeastLambda, lambda_ * growth_);
+    growth_ *= 2.0;
+  }
+  return Outcome::kStuck;
+}
+
+template <class Group>
+typename StepSearch<Group>::Outcome StepSearch<Group>::iterate_dogleg() {
+  const double newton_length = length(newton_);
+  const double promised_in_full = promised_by(newton_);
+  if (radius_ < 0.0) radius_ = newton_length;
+  Eigen::VectorXd downhill;
+  while (true) {
+    const bool is_in_full = newton_length <= radius_;
+    if (!is_in_full && downhill.size() == 0) downhill = -(g_.squaredNorm() / curvature(g_)) * g_;
+    const Eigen::VectorXd step = is_in_full ? newton_ : dogleg_step(downhill);
+    const double promised = promised_by(step);
+    const double before = cost_;
+    if (try_step(step)) {
+      const double gain = (before - cost_) / promised;
+      if (gain > 0.75) radius_ = std::max(radius_, 3.0 * length(step));
+      if (gain < 0.25) radius_ = 0.5 * length(step);
+      return is_negligible(promised_in_full) ? Outcome::kConverged : Outcome::kMoved;
+    }
+    if (is_negligible(promised)) return Outcome::kConverged;
+    radius_ = 0.5 * std::min(radius_, length(step));
+    if (radius_ < kLeastRadiusRatio * newton_length) return Outcome::kStuck;
+    if (++iterations_ >= options_.max_iterations) return Outcome::kMoved;
+  }
+}
+
+template <class Group>
+bool StepSearch<Group>::solve(double lambda) {
+  ++iterations_;
+  const BlockMatrix<kDimension>* matrix = &H_;
+  if (lambda > 0.0) {
+    damped_ = H_;
+    for (auto& block : damped_.diagonal) block.diagonal() *= 1.0 + lambda;
+    matrix = &damped_;
+  }
+  if (!cholesky_.factorise(*matrix)) return false;
+  newton_ = -g_;
+  cholesky_.solve(newton_);
+  return newton_.allFinite();
+}
+
+template <class Group>
+bool StepSearch<Group>::solve_somehow() {
+  if (solve(0.0)) return true;
+  for (double lambda = kLeastLambda; lambda < kMostLambda; lambda *= 100.0) {
+    if (solve(lambda)) return true;
+  }
+  return false;
+}
+
+template <class Group>
+double StepSearch<Group>::length(const Eigen::VectorXd& step) const {
+  double sum = 0.0;
+  for (int k = 0; k < system_.unknowns(); ++k) {
+    const auto part = step.template segment<kDimension>(kDimension * k);
+    sum += part.cwiseAbs2().dot(H_.diagonal[k].diagonal());
+  }
+  return std::sqrt(sum);
+}
+
+template <class Group>
+double StepSearch<Group>::curvature(const Eigen::VectorXd& step) const {
+  const auto part = [&step](int k) { return step.template segment<kDimension>(kDimension * k); };
+  double sum = 0.0;
+  for (int k = 0; k < system_.unknowns(); ++k) sum += part(k).dot(H_.diagonal[k] * part(k));
+  for (std::size_t k = 0; k < system_.pairs().size(); ++k) {
+    const auto [i, j] = system_.pairs()[k];
+    sum += 2.0 * part(i).dot(H_.pairs[k] * part(j));
+  }
+  return sum;
+}
+
+template <class Group>
+Eigen::VectorXd StepSearch<Group>::dogleg_step(const Eigen::VectorXd& downhill) const {
+  const double downhill_length = length(downhill);
+  if (downhill_length >= radius_) return (radius_ / downhill_length) * downhill;
+  // |downhill + t (newton - downhill)| = radius; the length is a norm of weighted squares.
+  const Eigen::VectorXd way = newton_ - downhill;
+  const double a = std::pow(length(way), 2);
+  const double both = std::pow(length(downhill + way), 2);
+  const double b = 0.5 * (both - a - downhill_length * downhill_length);
+  const double c = downhill_length * downhill_length - radius_ * radius_;
+  const double t = (-b + std::sqrt(std::max(0.0, b * b - a * c))) / a;
+  return downhill + t * way;
+}
+
+template <class Group>
+double StepSearch<Group>::promised_by(const Eigen::VectorXd& step) const {
+  return -2.0 * g_.dot(step) - curvature(step);
+}
+
+template <class Group>
+bool StepSearch<Group>::try_step(const Eigen::VectorXd& step) {
+  system_.move(system_.poses, step, trial_);
+  const double cost = system_.cost(trial_).robust;
+  if (!(cost <= cost_)) return false;
+  cost_ = cost;
+  std::swap(system_.poses, trial_);
+  return true;
+}
+
+template <class Group>
+bool StepSearch<Group>::is_negligible(double promised) const {
+  return promised <= options_.relative_tolerance * cost_ + options_.absolute_tolerance;
+}
+
+template class StepSearch<SE2>;
+template class StepSearch<SE3>;
+
+}  // namespace trident
