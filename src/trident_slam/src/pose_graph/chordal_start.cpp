@@ -174,6 +174,21 @@ typename PoseSystem<Group>::Poses chordal_start(const PoseSystem<Group>& system)
   return ChordalStart<Group>(system).run();
 }
 
+template <class Group>
+void apply_start(PoseSystem<Group>& system, PoseGraphStart start, PoseGraphReport& report) {
+  if (start == PoseGraphStart::kGraph) return;
+  typename PoseSystem<Group>::Poses chordal = chordal_start(system);
+  if (chordal.empty()) return;
+  const auto cost = system.cost(chordal);
+  const bool is_better = cost.robust < system.cost(system.poses).robust;
+  if (start == PoseGraphStart::kAuto && !is_better) return;
+  system.poses = std::move(chordal);
+  report.is_start_chordal = true;
+  report.chi2_start = cost.chi2;
+}
+
+template void apply_start(PoseSystem<SE2>&, PoseGraphStart, PoseGraphReport&);
+template void apply_start(PoseSystem<SE3>&, PoseGraphStart, PoseGraphReport&);
 template PoseSystem<SE2>::Poses chordal_start(const PoseSystem<SE2>&);
 template PoseSystem<SE3>::Poses chordal_start(const PoseSystem<SE3>&);
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "pose_graph/pose_system.h"
+#include "trident_slam/pose_graph_optimizer.h"
 
 namespace trident {
 
@@ -12,5 +13,9 @@ namespace trident {
 /// vertices stay. Empty when a system cannot be solved, as where edges carry no information.
 template <class Group>
 typename PoseSystem<Group>::Poses chordal_start(const PoseSystem<Group>& system);
+
+/// Puts the system's poses where the optimisation is to start, and tells so in the report.
+template <class Group>
+void apply_start(PoseSystem<Group>& system, PoseGraphStart start, PoseGraphReport& report);
 
 }  // namespace trident

@@ -42,20 +42,12 @@ class PoseGraphOptimizer<Group>::Impl {
   PoseGraphReport optimize(PoseGraph<Group>& graph) {
     system_.load(graph);
     PoseGraphReport report;
-    const auto before = system_.cost(system_.poses);
-    report.chi2_before = report.chi2_start = before.chi2;
-    report.cost_before = before.robust;
+    begin_report(system_, report);
     if (options_.is_graduated) doubt(1.0);
-    choose_start(report);
+    apply_start(system_, options_.start, report);
     if (options_.is_graduated) graduate(report);
     search(options_, report);
-    const auto after = system_.cost(system_.poses);
-    report.chi2_after = after.chi2;
-    report.cost_after = after.robust;
-    for (const auto& edge : system_.edges()) {
-      const double s = system_.squared_error(edge, system_.poses);
-      report.weights.push_back(System::robust_value(edge, s).weight);
-    }
+    end_report(system_, report);
     system_.store(graph);
     return report;
   }
@@ -93,20 +85,6 @@ class PoseGraphOptimizer<Group>::Impl {
       throw Error("pose graph: the edges do not determine every vertex, so there is no covariance");
     }
     return system_.unknown(vertex);
-  }
-
-  void choose_start(PoseGraphReport& report) {
-    if (options_.start == PoseGraphStart::kGraph) return;
-    typename System::Poses chordal = chordal_start(system_);
-    if (chordal.empty()) return;
-    const auto of_chordal = system_.cost(chordal);
-    if (options_.start == PoseGraphStart::kAuto &&
-        of_chordal.robust >= system_.cost(system_.poses).robust) {
-      return;
-    }
-    system_.poses = std::move(chordal);
-    report.is_start_chordal = true;
-    report.chi2_start = of_chordal.chi2;
   }
 
   // Gives edges that are not trusted the kernel of graduated non-convexity.

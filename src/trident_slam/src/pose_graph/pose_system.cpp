@@ -177,6 +177,28 @@ void PoseSystem<Group>::move(const Poses& from, const Eigen::VectorXd& step, Pos
   }
 }
 
+template <class Group>
+void begin_report(const PoseSystem<Group>& system, PoseGraphReport& report) {
+  const auto before = system.cost(system.poses);
+  report.chi2_before = report.chi2_start = before.chi2;
+  report.cost_before = before.robust;
+}
+
+template <class Group>
+void end_report(const PoseSystem<Group>& system, PoseGraphReport& report) {
+  const auto after = system.cost(system.poses);
+  report.chi2_after = after.chi2;
+  report.cost_after = after.robust;
+  for (const auto& edge : system.edges()) {
+    const double s = system.squared_error(edge, system.poses);
+    report.weights.push_back(system.robust_value(edge, s).weight);
+  }
+}
+
+template void begin_report(const PoseSystem<SE2>&, PoseGraphReport&);
+template void begin_report(const PoseSystem<SE3>&, PoseGraphReport&);
+template void end_report(const PoseSystem<SE2>&, PoseGraphReport&);
+template void end_report(const PoseSystem<SE3>&, PoseGraphReport&);
 template class PoseSystem<SE2>;
 template class PoseSystem<SE3>;
 

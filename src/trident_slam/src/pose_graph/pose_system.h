@@ -12,7 +12,7 @@
 #include "pose_graph/block_cholesky.h"
 #include "pose_graph/block_symbolic.h"
 #include "pose_graph/edge_model.h"
-#include "trident_slam/pose_graph.h"
+#include "trident_slam/pose_graph_optimizer.h"
 
 namespace trident {
 
@@ -83,6 +83,12 @@ class PoseSystem {
   std::vector<Edge, Eigen::aligned_allocator<Edge>> edges_;
   std::shared_ptr<const BlockSymbolic> symbolic_;
 };
+
+/// What a report says of the poses before and after.
+template <class Group>
+void begin_report(const PoseSystem<Group>& system, PoseGraphReport& report);
+template <class Group>
+void end_report(const PoseSystem<Group>& system, PoseGraphReport& report);
 
 extern template class PoseSystem<SE2>;
 extern template class PoseSystem<SE3>;

@@ -19,3 +19,18 @@ set_source_files_properties(src/pose_graph/dense_kernels.cpp PROPERTIES COMPILE_
 find_package(ZLIB REQUIRED)
 find_library(AMD_LIBRARY amd REQUIRED)  # of SuiteSparse: minimum degree ordering
 target_link_libraries(trident_slam PRIVATE ZLIB::ZLIB ${AMD_LIBRARY})
+
+# Ceres as another back end, apart: who does not use it does not load it and its BLAS.
+find_package(Ceres REQUIRED)
+add_library(trident_slam_ceres src/pose_graph/ceres_solver.cpp)
+target_compile_options(trident_slam_ceres PRIVATE -Wall -Wextra)
+target_include_directories(trident_slam_ceres PRIVATE src)
+target_link_libraries(trident_slam_ceres PUBLIC trident_slam PRIVATE Ceres::ceres)
+
+add_executable(trident_slam_pose_graph src/pose_graph/pose_graph_main.cpp)
+set_target_properties(trident_slam_pose_graph PROPERTIES OUTPUT_NAME pose_graph)
+target_compile_options(trident_slam_pose_graph PRIVATE -Wall -Wextra)
+target_link_libraries(trident_slam_pose_graph PRIVATE trident_slam trident_slam_ceres)
+
+install(TARGETS trident_slam_ceres LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION})
+install(TARGETS trident_slam_pose_graph RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})

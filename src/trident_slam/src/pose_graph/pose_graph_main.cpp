@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+
+// pose_graph FILE [option value ...]: optimises a g2o file and prints a JSON object.
+#include <cstdio>
+#include <ctime>
+#include <functional>
+#include <map>
+#include <string>
+
+#include "trident_base/error.h"
+#include "trident_base/string_util.h"
+#include "trident_slam/pose_graph_ceres.h"
+#include "trident_slam/pose_graph_g2o.h"
+#include "trident_slam/pose_graph_optimizer.h"
+
+namespace trident {
+namespace {
+
+struct Settings {
+  std::string file;
+  std::string out;
+  bool is_ceres = false;
+  RobustKernel kernel = RobustKernel::kNone;
+  PoseGraphOptions options;
+  CeresOptions ceres;
+};
+
+template <class Value>
+Value choice(const std::string& option, const std::string& text,
+             const std::map<std::string, Value>& values) {
+  const auto found = values.find(text);
+  if (found != values.end()) return found->second;
+  std::vector<std::string> known;
+  for (const auto& [name, value] : values) known.push_back(name);
+  throw Error(option + ": unknown " + unknown_name_text(text, known));
+}
+
+double number(const std::string& option, const std::string& text) {
+  std::size_t used = 0;
+  double value = 0.0;
+  try {
+    value = std::stod(text, &used);
+  } catch (const std::exception&) {
+    used = 0;
+  }
+  if (used == 0 || used != text.size()) throw Error(option + ": '" + text + "' is not a number");
+  return value;
+}
+
+const std::map<std::string, PoseGraphStart> kStarts{{"auto", PoseGraphStart::kAuto},
+                                                    {"file", PoseGraphStart::kGraph},
+                                                    {"chordal", PoseGraphStart::kChordal}};
+const std::map<std::string, TrustStrategy> kStrategies{
+    {"gauss_newton", TrustStrategy::kGaussNewton},
+    {"levenberg_marquardt", TrustStrategy::kLevenbergMarquardt},
+    {"dogleg", TrustStrategy::kDogleg}};
+
+Settings parse(int argc, char** argv) {
+  Settings settings;
+  settings.options.start = PoseGraphStart::kAuto;
+  PoseGraphOptions& options = settings.options;
+  CeresOptions& ceres = settings.ceres;
+  using Take = std::function<void(const std::string&)>;
+  const std::map<std::string, Take> takers{
+      {"--out", [&](auto& text) { settings.out = text; }},
+      {"--init", [&](auto& text) { options.start = choice("--init", text, kStarts); }},
+      {"--strategy",
+       [&](auto& text) { options.strategy = choice("--strategy", text, kStrategies); }},
+      {"--robust",
+       [&](auto& text) {
+         options.is_graduated = text == "gnc";
+         if (text != "gnc") settings.kernel = robust_kernel_from_name(text);
+       }},
+      {"--scale", [&](auto& text) { options.graduated_scale = number("--scale", text); }},
+      {"--iterations",
+       [&](auto& text) {
+         options.max_iterations = static_cast<int>(number("--iterations", text));
+       }},
+      {"--tolerance",
+       [&](auto& text) { options.relative_tolerance = number("--tolerance", text); }},
+      {"--solver",
+       [&](auto& text) {
+         settings.is_ceres = choice<bool>("--solver", text, {{"trident", false}, {"ceres", true}});
+       }},
+      {"--ceres_linear_solver", [&](auto& text) { ceres.linear_solver = text; }},
+      {"--ceres_preconditioner", [&](auto& text) { ceres.preconditioner = text; }},
+      {"--ceres_trust_strategy", [&](auto& text) { ceres.trust_strategy = text; }},
+      {"--ceres_dogleg_type", [&](auto& text) { ceres.dogleg_type = text; }},
+      {"--ceres_loss_function", [&](auto& text) { ceres.loss_function = text; }},
+  };
+  std::vector<std::string> known;
+  for (const auto& [name, take] : takers) known.push_back(name);
+  if (argc < 2)
+    throw Error("usage: pose_graph FILE.g2o [OPTION VALUE ...]; options: " + join(known));
+  settings.file = argv[1];
+  for (int k = 2; k < argc; k += 2) {
+    const auto found = takers.find(argv[k]);
+    if (found == takers.end()) throw Error("unknown option " + unknown_name_text(argv[k], known));
+    if (k + 1 == argc) throw Error(std::string(argv[k]) + " needs a value");
+    found->second(argv[k + 1]);
+  }
+  ceres.start = options.start;
+  ceres.max_iterations = options.max_iterations;
+  ceres.relative_tolerance = options.relative_tolerance;
+  if (settings.is_ceres && options.is_graduated) throw Error("--robust gnc needs --solver trident");
+  return settings;
+}
+
+double cpu_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+template <class Group>
+PoseGraphReport optimize(PoseGraph<Group>& graph, const Settings& settings) {
+  if (settings.kernel != RobustKernel::kNone) {
+    for (std::size_t k = 0; k < graph.edges().size(); ++k) {
+      if (graph.edges()[k].is_trusted) continue;
+      graph.set_kernel(k, settings.kernel, settings.options.graduated_scale);
+    }
+  }
+  if (settings.is_ceres) return make_ceres_solver<Group>(settings.ceres)->optimize(graph);
+  return PoseGraphOptimizer<Group>(settings.options).optimize(graph);
+}
+
+template <class Group>
+void print(const PoseGraph<Group>& graph, const PoseGraphReport& report, double read_s,
+           double optimize_s) {
+  std::printf("{\"kind\": \"%s\", \"vertices\": %zu, \"edges\": %zu,\n",
+              PoseGraph<Group>::kDimension == 3 ? "SE2" : "SE3", graph.vertices().size(),
+              graph.edges().size());
+  std::printf(" \"chi2_before\": %.10g, \"chi2_start\": %.10g, \"chi2_after\": %.10g,\n",
+              report.chi2_before, report.chi2_start, report.chi2_after);
+  std::printf(" \"cost_before\": %.10g, \"cost_after\": %.10g,\n", report.cost_before,
+              report.cost_after);
+  std::printf(" \"start\": \"%s\", \"iterations\": %d, \"converged\": %s,\n",
+              report.is_start_chordal ? "chordal" : "file", report.iterations,
+              report.has_converged ? "true" : "false");
+  std::printf(" \"read_cpu_s\": %.6f, \"cpu_s\": %.6f,\n \"outliers\": [", read_s, optimize_s);
+  const char* separator = "";
+  for (std::size_t k = 0; k < report.weights.size(); ++k) {
+    if (report.weights[k] >= 0.1) continue;
+    std::printf("%s[%d, %d]", separator, graph.edges()[k].from, graph.edges()[k].to);
+    separator = ", ";
+  }
+  std::printf("]}\n");
+}
+
+void run(const Settings& settings) {
+  const double begin = cpu_seconds();
+  auto any_graph = read_g2o(settings.file);
+  const double read = cpu_seconds();
+  std::visit(
+      [&](auto& graph) {
+        const PoseGraphReport report = optimize(graph, settings);
+        print(graph, report, read - begin, cpu_seconds() - read);
+        if (!settings.out.empty()) write_g2o(graph, settings.out);
+      },
+      any_graph);
+}
+
+}  // namespace
+}  // namespace trident
+
+int main(int argc, char** argv) {
+  try {
+    trident::run(trident::parse(argc, argv));
+  } catch (const trident::Error& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+  return 0;
+}

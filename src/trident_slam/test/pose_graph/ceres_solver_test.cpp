@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include "pose_graph/random_graphs.h"
+#include "trident_base/error.h"
+#include "trident_slam/pose_graph_ceres.h"
+
+namespace trident {
+namespace {
+
+template <class Group>
+class CeresSolverTest : public testing::Test {};
+using Groups = testing::Types<SE2, SE3>;
+TYPED_TEST_SUITE(CeresSolverTest, Groups);
+
+template <class Group>
+double our_chi2(PoseGraph<Group> graph) {
+  return PoseGraphOptimizer<Group>().optimize(graph).chi2_after;
+}
+
+TYPED_TEST(CeresSolverTest, EveryChoiceFindsOurMinimum) {
+  const PoseGraph<TypeParam> start = grid_graph<TypeParam>(7, 7, 0.05, 1);
+  const double chi2 = our_chi2(start);
+  std::vector<CeresOptions> choices(6);
+  choices[1].linear_solver = "SPARSE_SCHUR";
+  choices[2].linear_solver = "ITERATIVE_SCHUR";
+  choices[3].linear_solver = "CGNR";
+  choices[4].trust_strategy = "DOGLEG";
+  choices[5].trust_strategy = "DOGLEG";
+  choices[5].dogleg_type = "SUBSPACE_DOGLEG";
+  for (const CeresOptions& options : choices) {
+    PoseGraph<TypeParam> graph = start;
+    const PoseGraphReport report = make_ceres_solver<TypeParam>(options)->optimize(graph);
+    EXPECT_TRUE(report.has_converged) << options.linear_solver;
+    EXPECT_NEAR(report.chi2_after, chi2, 1e-3 * chi2) << options.linear_solver;
+  }
+}
+
+TYPED_TEST(CeresSolverTest, KernelsMeanTheSame) {
+  PoseGraph<TypeParam> graph = grid_graph<TypeParam>(6, 6, 0.05, 2);
+  graph.set_pose(20, TypeParam::identity());
+  for (std::size_t k = 0; k < graph.edges().size(); ++k) {
+    graph.set_kernel(k, RobustKernel::kHuber, 0.7);
+  }
+  PoseGraph<TypeParam> ours = graph;
+  const double cost = PoseGraphOptimizer<TypeParam>().optimize(ours).cost_after;
+  const auto solver = make_ceres_solver<TypeParam>({});
+  EXPECT_NEAR(solver->optimize(graph).cost_after, cost, 1e-3 * cost);
+  CeresOptions options;
+  options.loss_function = "HuberLoss";  // of edges without a kernel
+  PoseGraph<TypeParam> plain = grid_graph<TypeParam>(6, 6, 0.05, 2);
+  const auto by_loss = make_ceres_solver<TypeParam>(options);
+  EXPECT_NEAR(by_loss->optimize(plain).cost_after, cost, 1e-3 * cost);
+}
+
+TEST(CeresOptions, NamesTheParameter) {
+  CeresOptions options;
+  options.linear_solver = "SPARSE_SHUR";
+  try {
+    options.validate();
+    FAIL();
+  } catch (const Error& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("ceres_linear_solver 'SPARSE_SHUR'; did you mean 'SPARSE_SCHUR'?"),
+              std::string::npos)
+        << text;
+  }
+}
+
+}  // namespace
+}  // namespace trident
