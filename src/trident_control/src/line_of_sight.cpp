@@ -8,6 +8,16 @@
 #include "trident_base/angle.h"
 
 namespace trident {
+namespace {
+
+/// The tangent of the angle by which a bow at `speed` cancels a drift across its way.
+double crab_slope(double across, double speed, double largest) {
+  const double most = std::sin(largest);
+  const double sine = speed > 0.0 ? std::clamp(across / speed, -most, most) : 0.0;
+  return sine / std::sqrt(1.0 - sine * sine);
+}
+
+}  // namespace
 
 void LineOfSight::start(const std::vector<Eigen::Vector2d>& waypoints,
                         const Eigen::Vector2d& p_world) {
@@ -47,15 +57,18 @@ void LineOfSight::advance(const Eigen::Vector2d& p_world) {
   }
 }
 
-double LineOfSight::update(const Eigen::Vector2d& p_world, double dt_s) {
+double LineOfSight::update(const Eigen::Vector2d& p_world, const Eigen::Vector2d& drift_world,
+                           double speed, double dt_s) {
   advance(p_world);
   cross_track_m_ = left().dot(p_world - points_[std::min(leg_, points_.size() - 1)]);
   const double ahead = params_.lookahead, sigma = params_.integral_gain;
-  const double offset = cross_track_m_ + sigma * integral_m_;
+  double offset = cross_track_m_;
   if (sigma > 0.0) {
-    const double limit = ahead * std::tan(params_.max_crab_angle) / sigma;
+    const double limit = ahead * std::tan(params_.max_crab_angle);
+    const double known = ahead * crab_slope(left().dot(drift_world), speed, params_.max_crab_angle);
+    offset += known + sigma * integral_m_;
     integral_m_ += dt_s * ahead * cross_track_m_ / (ahead * ahead + offset * offset);
-    integral_m_ = std::clamp(integral_m_, -limit, limit);
+    integral_m_ = std::clamp(sigma * integral_m_, -limit - known, limit - known) / sigma;
   }
   return wrap_to_pi(direction_ - std::atan(offset / ahead));
 }

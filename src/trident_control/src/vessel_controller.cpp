@@ -16,8 +16,6 @@ constexpr std::int64_t kForeignClockNs = 60'000'000'000;
 constexpr std::size_t kMostPending = 256;
 /// A gap in the states counts as no more than this [s].
 constexpr double kLongestStep = 0.5;
-/// Bow-first approach begins again at this multiple of the radius at which it ends.
-constexpr double kLeaveStation = 1.5;
 
 VesselState planar_state(const OdometryState& odometry) {
   const Eigen::Vector3d v_world = odometry.R_world_body * odometry.v_body;
@@ -66,6 +64,7 @@ VesselController::VesselController(const VesselModel& model, const VesselControl
       autopilot_(params.heading, model),
       speed_controller_(params.speed, model),
       path_(params.guidance),
+      drift_(model, params.guidance.drift_time_constant),
       place_hold_(params.station, model),
       weather_vane_(params.station),
       wave_filter_(params.station.wave_frequency),
@@ -81,6 +80,7 @@ void VesselController::reset() {
   log_.reset();
   mode_ = VesselMode::kIdle;
   cruise_ = params_.speed.cruise;
+  drift_.reset();
   asked_.setZero();
   given_.setZero();
   allocation_.rest();
@@ -115,6 +115,7 @@ ControlStatus VesselController::update(SimTime stamp, const OdometryState& odome
   const double dt_s = last_stamp_ ? std::min((stamp - *last_stamp_).seconds(), kLongestStep) : 0.0;
   last_stamp_ = stamp;
   VesselState state = planar_state(odometry);
+  drift_.update(state, given_[1], dt_s);
   apply_due(stamp, state);
   if (mode_ == VesselMode::kIdle) {
     allocation_.rest();
@@ -184,98 +185,14 @@ void VesselController::keep_station(const Eigen::Vector2d& place, double heading
   if (is_new) is_near_station_ = false;
 }
 
-VesselController::Wish VesselController::wish(SimTime stamp, const VesselState& state,
-                                              double dt_s) {
-  Wish wish;
-  switch (mode_) {
-    case VesselMode::kIdle:
-      break;
-    case VesselMode::kVelocity:
-      return velocity_wish(stamp);
-    case VesselMode::kHeading:
-      wish.heading = angle_;
-      wish.speed = cruise_;
-      break;
-    case VesselMode::kCourse:
-      wish.heading = course_heading(state, dt_s);
-      wish.speed = cruise_;
-      break;
-    case VesselMode::kPath:
-      return path_wish(state, dt_s);
-    case VesselMode::kStation:
-      return station_wish(state, dt_s);
-  }
-  return wish;
-}
-
-VesselController::Wish VesselController::velocity_wish(SimTime stamp) const {
-  Wish wish;
-  const bool is_old = has_timeout_ && (stamp - commanded_at_).seconds() > params_.cmd_vel.timeout;
-  wish.speed = is_old ? 0.0 : speed_;
-  wish.rate = is_old ? 0.0 : rate_;
-  return wish;
-}
-
-double VesselController::course_heading(const VesselState& state, double dt_s) {
-  const bool is_moving = std::hypot(state.u, state.v) > params_.course.min_speed;
-  const double crab = is_moving ? std::atan2(state.v, state.u) : 0.0;
-  const double part = -std::expm1(-dt_s / params_.course.crab_time_constant);
-  crab_ = wrap_to_pi(crab_ + part * angle_difference(crab, crab_));
-  return wrap_to_pi(angle_ - crab_);
-}
-
-double VesselController::slowed(double heading, const VesselState& state) const {
-  return std::max(params_.guidance.slowest_turn,
-                  std::cos(angle_difference(heading, state.heading)));
-}
-
-VesselController::Wish VesselController::path_wish(const VesselState& state, double dt_s) {
-  Wish wish;
-  wish.heading = path_.update(state.p_world, dt_s);
-  wish.speed = cruise_ * slowed(wish.heading, state);
-  if (!path_.is_finished()) return wish;
-  if (params_.guidance.at_end == PathEnd::kKeepStation) {
-    keep_station(path_.goal(), path_.direction(), state);
-    return station_wish(state, dt_s);
-  }
-  enter(VesselMode::kVelocity, state);
-  speed_ = rate_ = 0.0;
-  wish.speed = 0.0;
-  wish.rate = 0.0;
-  return wish;
-}
-
-VesselController::Wish VesselController::station_wish(const VesselState& state, double dt_s) {
-  const Eigen::Vector2d away = station_ - state.p_world;
-  const double near = params_.station.approach_radius * (is_near_station_ ? kLeaveStation : 1.0);
-  const bool was_near = is_near_station_;
-  is_near_station_ = away.norm() <= near;
-  Wish wish;
-  wish.over_ground = true;
-  if (!is_near_station_) {
-    wish.heading = std::atan2(away.y(), away.x());
-    wish.speed = cruise_ * slowed(wish.heading, state);
-    return wish;
-  }
-  if (!was_near) {
-    place_hold_.reset();
-    weather_vane_.start(state, station_);
-  }
-  if (holds_pose_) {
-    wish.heading = angle_;
-    wish.force = place_hold_.hold(state, station_, dt_s);
-    return wish;
-  }
-  const WeatherVane::Wish vane = weather_vane_.update(state, station_, dt_s);
-  wish.heading = vane.heading;
-  wish.speed = vane.speed;
-  return wish;
+bool VesselController::has_log(SimTime stamp) const {
+  return log_ && (stamp - log_stamp_).seconds() <= params_.speed.log_timeout;
 }
 
 std::optional<double> VesselController::measured_speed(SimTime stamp,
                                                        const VesselState& state) const {
   if (params_.speed.reference == SpeedReference::kOverGround) return state.u;
-  if (!log_ || (stamp - log_stamp_).seconds() > params_.speed.log_timeout) return {};
+  if (!has_log(stamp)) return {};
   return log_;
 }
 

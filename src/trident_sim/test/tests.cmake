@@ -177,6 +177,7 @@ catkin_add_gtest(trident_sim_vessel_control_test
   test/marine/standalone_vessel.cpp
   test/marine/vessel_control_test.cpp
   test/marine/vessel_controller_plugin_test.cpp
+  test/marine/vessel_drift_test.cpp
 )
 target_link_libraries(trident_sim_vessel_control_test
   trident_sim_test_support trident_control_sim ${GTEST_MAIN_LIBRARIES})

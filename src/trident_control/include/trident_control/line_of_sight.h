@@ -12,10 +12,10 @@ namespace trident {
 
 /// Integral line-of-sight guidance along straight legs (Borhaug, Pavlov and Pettersen 2008): from
 /// the distance e to the left of a leg in direction gamma, with the lookahead D,
-///   psi_d = gamma - atan((e + sigma s) / D),  ds/dt = D e / (D^2 + (e + sigma s)^2).
-/// The integral cancels a steady current across the leg, and hardly grows far from it. What legs
-/// have told of the current, each the part across it, is kept as a vector, from which the next leg
-/// begins.
+///   chi_d = gamma - atan((e + c + sigma s) / D),  ds/dt = D e / (D^2 + (e + c + sigma s)^2),
+/// where c is as far as the drift that is known already would set a vessel aside. The integral
+/// cancels what else is steady across the leg, and hardly grows far from it. What legs have told of
+/// that, each the part across it, is kept as a vector, from which the next leg begins.
 class LineOfSight {
  public:
   explicit LineOfSight(const GuidanceParams& params) : params_(params) {}
@@ -23,8 +23,10 @@ class LineOfSight {
   /// Follows the waypoints [m] from where the vessel is now; one in whose circle it is already
   /// begins the path. There is at least one.
   void start(const std::vector<Eigen::Vector2d>& waypoints, const Eigen::Vector2d& p_world);
-  /// The heading to steer [rad].
-  double update(const Eigen::Vector2d& p_world, double dt_s);
+  /// The course to steer through the water [rad] while that carries the vessel along by
+  /// `drift_world` and it makes `speed` through it [m/s].
+  double update(const Eigen::Vector2d& p_world, const Eigen::Vector2d& drift_world, double speed,
+                double dt_s);
 
   bool is_finished() const { return leg_ + 1 >= points_.size(); }
   /// Distance to the left of the present leg [m].

@@ -88,6 +88,8 @@ struct GuidanceParams {
   double lookahead = 10.0;
   double integral_gain = 1.0;
   double max_crab_angle = 1.0;
+  double drift_time_constant = 5.0;
+  double course_gain = 1.0;
   double acceptance_radius = 5.0;
   double slowest_turn = 0.3;
   PathEnd at_end = PathEnd::kKeepStation;
@@ -95,9 +97,14 @@ struct GuidanceParams {
   template <class Archive>
   void visit(Archive& ar) {
     ar.field("lookahead", lookahead, Range::positive(), "along the line [m]");
-    ar.field("integral_gain", integral_gain, Range::non_negative(), "sigma; 0: none [1/s]");
+    ar.field("integral_gain", integral_gain, Range::non_negative(),
+             "sigma [1/s]; 0: neither drift nor integral count");
     ar.field("max_crab_angle", max_crab_angle, Range{0.0, 1.5, true},
-             "that the integral may come to [rad]");
+             "that drift and integral may come to [rad]");
+    ar.field("drift_time_constant", drift_time_constant, Range::positive(),
+             "over which the drift across the bow is averaged [s]");
+    ar.field("course_gain", course_gain, Range{0.0, 3.0},
+             "by which the bow leads the way through the water into a turn; 0: no lead");
     ar.field("acceptance_radius", acceptance_radius, Range::positive(),
              "of a waypoint's circle [m]");
     ar.field("slowest_turn", slowest_turn, Range{0.0, 1.0},

@@ -9,6 +9,7 @@
 
 #include "trident_base/sim_time.h"
 #include "trident_control/control_types.h"
+#include "trident_control/drift_observer.h"
 #include "trident_control/heading_autopilot.h"
 #include "trident_control/line_of_sight.h"
 #include "trident_control/station_keeping.h"
@@ -90,10 +91,13 @@ class VesselController {
   void keep_station(const Eigen::Vector2d& place, double heading, const VesselState& state);
   Wish wish(SimTime stamp, const VesselState& state, double dt_s);
   Wish velocity_wish(SimTime stamp) const;
-  Wish path_wish(const VesselState& state, double dt_s);
+  double steered_towards(double course, double speed, const VesselState& state) const;
+  Wish path_wish(SimTime stamp, const VesselState& state, double dt_s);
   Wish station_wish(const VesselState& state, double dt_s);
   double course_heading(const VesselState& state, double dt_s);
   double slowed(double heading, const VesselState& state) const;
+  bool has_log(SimTime stamp) const;
+  double speed_through_water(SimTime stamp, const VesselState& state) const;
   std::optional<double> measured_speed(SimTime stamp, const VesselState& state) const;
   void actuate(const Wish& wish, SimTime stamp, const VesselState& state, double dt_s);
 
@@ -101,6 +105,7 @@ class VesselController {
   HeadingAutopilot autopilot_;
   SurgeSpeedController speed_controller_;
   LineOfSight path_;
+  DriftObserver drift_;
   PlaceHold place_hold_;
   WeatherVane weather_vane_;
   WaveFilter wave_filter_;
