@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "boat_world.h"
 #include "plugins/marine/live_surroundings.h"
+#include "ray_check.h"
+#include "scratch_folder.h"
 #include "trident_base/config_writer.h"
 #include "trident_sim/text_sample.h"
 
@@ -126,6 +129,41 @@ TEST(LiveEnvironment, ResetBringsBackTheFile) {
   EXPECT_EQ(told(*world), file);
   EXPECT_EQ(elevation(*world, 5.0), height);
   EXPECT_EQ(world->state_hash(), hash);
+}
+
+/// Rays keep which squares of the water are open, fading or dry: of a shore that is moved, none.
+TEST(LiveEnvironment, RaysSeeAShoreThatIsMoved) {
+  const ScratchFolder folder;
+  const std::string file =
+      folder.write("six_metres_deep.asc",
+                   "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n-6 -6\n-6 -6\n");
+  TestWorld world(ocean({make_sea(
+      {{"waves",
+        {{"spectrum", "regular"}, {"amplitude", "0.3"}, {"period", "4"}, {"shore_depth", "4"}}},
+       {"bathymetry", {{"kind", "file"}, {"file", file}}}})}));
+  const auto compare = [&](double strength) {
+    RayScene& rays = fresh_rays(world);
+    rays.refresh_water({20, 5, 8});
+    double farthest = 0.0;
+    for (int i = 0; i < 100; ++i) {
+      const Eigen::Vector3d from(0.4 * i, 0.1 * i, 8.0);
+      const double z = from.z() - range(rays, from, -Eigen::Vector3d::UnitZ());
+      const Eigen::Vector2d p = from.head<2>();
+      EXPECT_NEAR(z,
+                  find_sea(*world)->water().column(p, {0, 0}, world->time().seconds()).elevation_m,
+                  0.01);
+      farthest = std::max(farthest, std::abs(z));
+    }
+    EXPECT_NEAR(farthest, 0.3 * strength, 0.01);
+  };
+  world->step(1);
+  compare(1.0);
+  say(*world, "waves", "shore_depth: 12");  // six metres are half of it now: half the height
+  world->step(1);
+  compare(0.5);
+  say(*world, "waves", "shore_depth: 4");
+  world->step(1);
+  compare(1.0);
 }
 
 TEST(LiveEnvironment, IsPartOfTheHash) {
