@@ -99,6 +99,46 @@ TEST_P(AmongBoxes, AHundredThousandRaysAgreeWithSlabs) {
   EXPECT_LT(at_edges, 10);
 }
 
+TEST(ManyRays, NoneSlipsBetweenBoxesSideBySide) {
+  for (const double far_m : {0.0, 3000.0}) {
+    TestWorld world;
+    const SE3 T_world_seam{Eigen::Quaterniond(0.9, 0.1, -0.2, 0.3).normalized(),
+                           {far_m, -0.7 * far_m, 1.0}};
+    for (const double side : {-1.0, 1.0}) {
+      const SE3 T_world_box = T_world_seam * at(0.0, side, 0.0);
+      world.add(make_static(side < 0.0 ? "left" : "right", BoxShape{{2, 2, 2}}, T_world_box));
+    }
+    const RayScene& scene = fresh_rays(world);
+    Draw draw("seam");
+    std::vector<Ray> rays;
+    for (int i = 0; i < 50000; ++i) {
+      const Eigen::Vector3d from(-1.5 - draw.uniform(0.0, 40.0), draw.uniform(-5.0, 5.0), 0.0);
+      const Eigen::Vector3d to(-1.0, draw.uniform(-1e-5, 1e-5), draw.uniform(-0.9, 0.9));
+      rays.push_back(ray_along(T_world_seam * from, T_world_seam.R * (to - from)));
+    }
+    for (const RayHit& hit : cast_all(scene, rays)) ASSERT_LT(hit.distance_m, 45.0) << far_m;
+  }
+}
+
+TEST(ManyRays, FromWithinABoxMeetTheFaceInFrontOfThem) {
+  TestWorld world;
+  const SE3 T_world_box{Eigen::Quaterniond(0.9, 0.1, -0.2, 0.3).normalized(), {5.0, -7.0, 1.0}};
+  world.add(make_static("box", BoxShape{{2, 4, 6}}, T_world_box));
+  const RayScene& scene = fresh_rays(world);
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double side : {-1.0, 1.0}) {
+      const Eigen::Vector3d along = side * Eigen::Vector3d::Unit(axis);
+      const Ray ray = ray_along(T_world_box * (0.25 * along), T_world_box.R * along);
+      const RayHit hit = cast_one(scene, ray);
+      EXPECT_NEAR(hit.distance_m, axis + 0.75, 1e-9);
+      EXPECT_NEAR(hit.normal_world.dot(ray.direction_world), -1.0, 1e-9);
+      bool is_dark = false;
+      scene.occluded({&ray, 1}, {&is_dark, 1});
+      EXPECT_TRUE(is_dark);
+    }
+  }
+}
+
 TEST_P(AmongBoxes, OcclusionAgreesWithCasting) {
   TestWorld world;
   add_boxes(world, GetParam(), "occluders");

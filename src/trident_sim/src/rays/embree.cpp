@@ -7,6 +7,7 @@
 #include <limits>
 #include <string>
 
+#include "box_rays.h"
 #include "trident_base/error.h"
 
 namespace trident {
@@ -27,12 +28,14 @@ void filter_triangles(const RTCFilterFunctionNArguments* args) {
   std::fill_n(args->valid, args->N, 0);
 }
 
-/// A round shape's box: the extents of its own box, turned.
-void bound_round(const RTCBoundsFunctionArguments* args) {
+/// The extents of a box or a round shape in its scene.
+void bound(const RTCBoundsFunctionArguments* args) {
   const TracedShape& shape = shape_of(args->geometryUserPtr);
-  const Eigen::Vector3d half = shape.R_scene_shape.cwiseAbs() * round_bounds(shape);
-  // Floats have 24 bits: a little more than half a unit in the last place.
-  const double slack = 1e-6 * (shape.p_scene_shape.cwiseAbs() + half).maxCoeff();
+  const Eigen::Vector3d half =
+      shape.R_scene_shape.cwiseAbs() * (shape.is_round() ? round_bounds(shape) : shape.half_size);
+  // Floats have 24 bits: a little more than half a unit in the last place, also of those in which
+  // Embree counts from where a ray begins.
+  const double slack = 1e-4 + 1e-6 * (shape.p_scene_shape.cwiseAbs() + half).maxCoeff();
   const Eigen::Vector3d lower = shape.p_scene_shape - half, upper = shape.p_scene_shape + half;
   RTCBounds& bounds = *args->bounds_o;
   bounds.lower_x = static_cast<float>(lower.x() - slack);
@@ -95,13 +98,25 @@ void occlude_round(const RTCOccludedFunctionNArguments* args) {
   }
 }
 
-EmbreeGeometry make_round(RTCDevice device) {
+void intersect_one_box(const RTCIntersectFunctionNArguments* args) {
+  const TracedShape& shape = shape_of(args->geometryUserPtr);
+  if (counts(shape, args->context)) intersect_box(shape, *args);
+}
+
+void occlude_one_box(const RTCOccludedFunctionNArguments* args) {
+  const TracedShape& shape = shape_of(args->geometryUserPtr);
+  if (counts(shape, args->context)) occlude_box(shape, *args);
+}
+
+/// A box or a round shape, for which Embree asks us.
+EmbreeGeometry make_own(RTCDevice device, const TracedShape& shape) {
   EmbreeGeometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER));
   rtcSetGeometryUserPrimitiveCount(geometry.get(), 1);
   rtcSetGeometryBoundsFunction(
-      geometry.get(), [](const RTCBoundsFunctionArguments* args) { bound_round(args); }, nullptr);
-  rtcSetGeometryIntersectFunction(geometry.get(), intersect_round);
-  rtcSetGeometryOccludedFunction(geometry.get(), occlude_round);
+      geometry.get(), [](const RTCBoundsFunctionArguments* args) { bound(args); }, nullptr);
+  const bool is_round = shape.is_round();
+  rtcSetGeometryIntersectFunction(geometry.get(), is_round ? intersect_round : intersect_one_box);
+  rtcSetGeometryOccludedFunction(geometry.get(), is_round ? occlude_round : occlude_one_box);
   return geometry;
 }
 
@@ -125,9 +140,8 @@ EmbreeGeometry make_triangles(RTCDevice device, const TracedShape& shape,
 }
 
 EmbreeGeometry make_geometry(RTCDevice device, const TracedShape& shape) {
-  if (shape.is_round()) return make_round(device);
   if (shape.kind == SurfaceKind::kMesh) return make_triangles(device, shape, *shape.mesh);
-  return make_triangles(device, shape, box_triangles(shape.half_size));
+  return make_own(device, shape);
 }
 
 }  // namespace

@@ -35,8 +35,8 @@ struct FlatSurface {
 
 enum class SurfaceKind { kBox, kSphere, kCylinder, kCapsule, kPlane, kMesh };
 
-/// One collision or visual as rays know it. Boxes and meshes are met by Embree as triangles, planes
-/// by nobody but us, the others by the functions below.
+/// One collision or visual as rays know it. Meshes are met by Embree as triangles, planes by nobody
+/// but us, boxes as box_rays.h tells, the others by the functions below.
 struct TracedShape {
   SurfaceKind kind = SurfaceKind::kBox;
   Eigen::Vector3d half_size = Eigen::Vector3d::Zero();  ///< of a box [m]
@@ -85,7 +85,7 @@ std::optional<double> first_meeting(const TracedShape& shape, const LocalRay& ra
 /// Outward normal of a round shape in its own frame, at a point of its surface.
 Eigen::Vector3d round_normal(const TracedShape& shape, const Eigen::Vector3d& p);
 
-/// Where triangle `primitive` of a box or a mesh lies, or a plane.
+/// Where triangle `primitive` of a mesh lies, face `primitive` / 2 of a box, or a plane.
 FlatSurface flat_surface(const TracedShape& shape, std::uint32_t primitive);
 
 /// Weights of a triangle's corners at a point `p` of its plane (frame of the shape); they add to 1.
@@ -100,8 +100,5 @@ Eigen::Vector3d smooth_normal(const TriangleMesh& mesh, std::uint32_t primitive,
 
 /// Half the extents of the box around a round shape, in its own frame [m].
 Eigen::Vector3d round_bounds(const TracedShape& shape);
-
-/// The triangles of a box: the two of face f (-x, +x, -y, +y, -z, +z) are 2f and 2f + 1.
-TriangleMesh box_triangles(const Eigen::Vector3d& half_size);
 
 }  // namespace trident
