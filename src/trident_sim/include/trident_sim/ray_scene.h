@@ -23,6 +23,7 @@ struct RayPacket;
 struct SurfaceLook;
 struct SurfacePoint;
 class WaterSurface;
+class WorkerPool;
 
 /// What rays meet: collision shapes (`ray` sensors) or visual shapes (`gpu_ray`, cameras).
 enum class RayGeometry { kCollision, kVisual };
@@ -69,6 +70,20 @@ struct RayShape {
   std::optional<double> laser_retro;     ///< where its collision or visual tells it
 };
 
+/// What a sensor has to cast within a step, put off to the end of the phase, so that threads share
+/// what all sensors have to cast there instead of the few rays of each. Its scene is refreshed
+/// before begin(), and stays as it is until all parts are done.
+class RayWork {
+ public:
+  virtual ~RayWork() = default;
+  /// By the stepping thread, in the order in which works were put off: how many parts there are.
+  virtual std::size_t begin() = 0;
+  /// By any thread, once for each part; it writes only what belongs to the part.
+  virtual void do_part(std::size_t part) = 0;
+  /// As begin(), after all parts of all works.
+  virtual void finish() = 0;
+};
+
 /// The world as rays see it, by Embree. What never moves lies in one scene, which is committed
 /// again when a part of it comes, goes or moves; every moving link has a scene of its own, which is
 /// instanced. Embree counts in float and only tells which surface is met; where, and how it leans,
@@ -79,8 +94,9 @@ struct RayShape {
 /// alpha 0 are not there. A visual mesh that cannot be read is reported once and left out.
 class RayScene {
  public:
-  /// Sees nothing before the first refresh(). `world` must outlive the scene.
-  RayScene(const World& world, RayGeometry geometry);
+  /// Sees nothing before the first refresh(). `world` must outlive the scene. What is known of the
+  /// sea is shared with `other`, a scene of the same world, if there is one.
+  RayScene(const World& world, RayGeometry geometry, const RayScene* other = nullptr);
   ~RayScene();
   RayScene(const RayScene&) = delete;
   RayScene& operator=(const RayScene&) = delete;
@@ -91,8 +107,8 @@ class RayScene {
   void refresh();
   /// Has cast() meet the surface of the world's sea, too, as it is now about who looks, until the
   /// next refresh(): a shape of its own, the last one, model "water", met from above and below and
-  /// hiding what lies beyond. Nothing happens in a world without a sea.
-  void refresh_water(const Eigen::Vector3d& p_world_viewer);
+  /// hiding what lies beyond. Gives back that water, which stays as it is; nullptr: there is none.
+  std::shared_ptr<const WaterSurface> refresh_water(const Eigen::Vector3d& p_world_viewer);
   /// No water is higher now; minus infinity: there is none. Whose rays all stay above it need not
   /// call refresh_water(), which costs.
   double water_ceiling_m();
@@ -101,6 +117,9 @@ class RayScene {
   /// nothing. Any number of threads may cast at the same time. Rays are cast in packets of
   /// kPacket: a result does not depend on threads as long as work is divided between packets.
   void cast(Span<const Ray> rays, Span<RayHit> hits, const RayFilter& filter = {}) const;
+  /// The same with water that another refresh_water() gave, of the same moment; nullptr: without.
+  void cast(Span<const Ray> rays, Span<RayHit> hits, const WaterSurface* water,
+            const RayFilter& filter = {}) const;
   /// Whether anything that casts shadows lies between t_min and t_max; faster than cast().
   void occluded(Span<const Ray> rays, Span<bool> result, const RayFilter& filter = {}) const;
   static constexpr std::size_t kPacket = 16;
@@ -136,6 +155,13 @@ class RayScene {
   RayGeometry geometry() const;
   const std::vector<RayShape>& shapes() const;
   const std::vector<Material>& materials() const;
+
+  /// Puts work off to the end of the phase of the step that the world is in.
+  void put_off(RayWork& work);
+  /// Does what was put off, of all scenes together, shared by the workers. For World::step().
+  static void do_put_off(Span<RayScene* const> scenes, WorkerPool& workers);
+  /// Of a step that an error has ended.
+  void forget_put_off();
 
   /// How often what never moves, and the moving links' places, were committed.
   struct Commits {

@@ -168,7 +168,6 @@ void RayScene::Content::cast_packet(const Ray* rays, RayHit* hits, std::size_t c
     }
     if (planes[lane] != nullptr) hits[lane] = describe(ray, *planes[lane], 0, limits[lane]);
   }
-  if (sees_water_) add_water(rays, hits, count);
 }
 
 void RayScene::Content::occlude_packet(const Ray* rays, bool* result, std::size_t count,

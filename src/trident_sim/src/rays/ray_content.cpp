@@ -25,7 +25,7 @@ std::string numbers(const Eigen::Vector3d& v) {
 
 void RayScene::Content::refresh() {
   if (device_ == nullptr) device_ = make_device();
-  sees_water_ = false;
+  water_.reset();
   follow_models();
   follow_links();
   if (models_changed_) {

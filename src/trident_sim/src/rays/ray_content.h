@@ -18,6 +18,8 @@
 
 namespace trident {
 
+class WaterTiles;
+
 /// A link as rays know it.
 struct TracedLink {
   const Link* link = nullptr;
@@ -43,13 +45,15 @@ struct PlacedPlane {
 /// What RayScene holds: shapes, Embree's scenes, and tables that lead from Embree's numbers back.
 class RayScene::Content {
  public:
-  Content(const World& world, RayGeometry kind);
+  Content(const World& world, RayGeometry kind, std::shared_ptr<WaterTiles> tiles);
   ~Content();
 
   void refresh();
-  void refresh_water(const Eigen::Vector3d& p_world_viewer);
+  std::shared_ptr<const WaterSurface> refresh_water(const Eigen::Vector3d& p_world_viewer);
   double water_ceiling_m();
-  const WaterSurface* water() const { return sees_water_ ? water_surface_.get() : nullptr; }
+  const WaterSurface* water() const { return water_.get(); }
+  const std::shared_ptr<WaterTiles>& tiles() const { return tiles_; }
+  void add_water(const WaterSurface& water, Span<const Ray> rays, Span<RayHit> hits) const;
   void use_textures();
   Eigen::Vector3d albedo(const RayHit& hit) const;
   double intensity(const RayHit& hit) const;
@@ -68,6 +72,9 @@ class RayScene::Content {
   std::vector<Material> materials;
   std::uint32_t water_shape = RayHit::kNothing;
   Commits commits;
+  std::vector<RayWork*> put_off;
+  std::vector<RayWork*> works;                                  ///< those that are being done, and
+  std::vector<std::pair<RayWork*, std::size_t>> put_off_parts;  ///< their parts
 
  private:
   // Following the world: ray_content.cpp, materials: ray_look.cpp
@@ -90,7 +97,6 @@ class RayScene::Content {
 
   // The sea: water_cast.cpp
   void number_water(std::uint32_t models, std::uint32_t links);
-  void add_water(const Ray* rays, RayHit* hits, std::size_t count) const;
 
   // Casting: ray_cast.cpp
   const TracedShape* nearest_plane(const Ray& ray, const RayFilter& filter, bool shadows_only,
@@ -120,8 +126,10 @@ class RayScene::Content {
   std::vector<const TracedShape*> traced_shapes_;             ///< by TracedShape::index
   bool some_cast_no_shadow_ = false;
 
-  std::unique_ptr<WaterSurface> water_surface_;  ///< nullptr: not asked for yet
-  bool sees_water_ = false, has_water_shape_ = false;
+  std::shared_ptr<WaterTiles> tiles_;
+  std::shared_ptr<const WaterSurface> water_;            ///< nullptr: not asked for since refresh()
+  std::vector<std::shared_ptr<WaterSurface>> surfaces_;  ///< some of which nobody looks at any more
+  bool has_water_shape_ = false;
   std::uint32_t water_material_ = RayHit::kNothing;
 };
 

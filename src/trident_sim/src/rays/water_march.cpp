@@ -35,9 +35,9 @@ double first_root(double a, double b, double c, double last) {
   return root <= last ? root : kNowhere;
 }
 
-std::int64_t square_of(double cells, std::int64_t side) {
+std::int64_t square_of(double cells, double side) {
   // std::floor is a call where the processor is not known.
-  const double squares = cells / static_cast<double>(side);
+  const double squares = cells / side;
   const auto cut = static_cast<std::int64_t>(squares);
   return cut - (squares < static_cast<double>(cut) ? 1 : 0);
 }
@@ -45,7 +45,7 @@ std::int64_t square_of(double cells, std::int64_t side) {
 }  // namespace
 
 WaterSurface::Path WaterSurface::path_of(const Ray& ray) const {
-  const WaterPattern& pattern = maker_->pattern();
+  const WaterPattern& pattern = *pattern_;
   const Eigen::Vector3d &p = ray.p_world_origin, &d = ray.direction_world;
   Path path{};
   path.u = pattern.axis.dot(p.head<2>()) / pattern.cell_m;
@@ -83,9 +83,13 @@ WaterMeeting WaterSurface::meet(const Ray& ray, double t_max) const {
     const double t_far = far_m_ / std::max(ray.direction_world.head<2>().norm(), 1e-300);
     const Stretch stretch = between_heights(z, dz, low_m_, high_m_, t_min, std::min(t_max, t_far));
     if (stretch.first <= stretch.last) {
-      meeting.t =
-          walk(path, static_cast<int>(WaterTile::kBoundSides.size()), stretch.first, stretch.last);
-      if (meeting.t < kNowhere) return meeting;
+      const Found found = walk<WaterTile::kBoundSides.size()>(path, stretch.first, stretch.last);
+      if (found.is_met()) {
+        meeting.t = found.t;
+        meeting.slope =
+            (found.along * pattern_->axis + found.across * pattern_->across) / pattern_->cell_m;
+        return meeting;
+      }
     }
     if (t_far >= t_max) return meeting;
     plane_from = std::max(t_min, t_far);
@@ -93,57 +97,66 @@ WaterMeeting WaterSurface::meet(const Ray& ray, double t_max) const {
   const bool leads_there = meeting.begins_below ? dz > 0.0 : dz < 0.0;
   if (!leads_there) return meeting;
   const double t = std::max(-z / dz, plane_from);
-  if (t <= t_max) meeting.t = t;
+  if (t > t_max) return meeting;
+  meeting.t = t;
+  meeting.is_far = tile_ != nullptr;
   return meeting;
 }
 
-/// The first meeting within [t0, t1], which lies in squares of `level`: 0 are cells, above them
+/// The first meeting within [t0, t1], which lies in squares of a level: 0 are cells, above them
 /// those that have bounds.
-double WaterSurface::walk(const Path& path, int level, double t0, double t1) const {
-  const std::int64_t side =
-      level == 0 ? 1 : WaterTile::kBoundSides[static_cast<std::size_t>(level - 1)];
-  const auto size = static_cast<double>(side);
-  std::int64_t row = square_of(path.u + t0 * path.du, side);
-  std::int64_t column = square_of(path.v + t0 * path.dv, side);
+template <std::size_t kLevel>
+WaterSurface::Found WaterSurface::walk(const Path& path, double t0, double t1) const {
+  constexpr double kSize = kLevel == 0 ? 1.0 : WaterTile::kBoundSides[kLevel == 0 ? 0 : kLevel - 1];
+  std::int64_t row = square_of(path.u + t0 * path.du, kSize);
+  std::int64_t column = square_of(path.v + t0 * path.dv, kSize);
   const std::int64_t row_step = path.du > 0.0 ? 1 : -1, column_step = path.dv > 0.0 ? 1 : -1;
   for (double t = t0;;) {
-    const double next_row = static_cast<double>(row + (row_step > 0 ? 1 : 0)) * size;
-    const double next_column = static_cast<double>(column + (column_step > 0 ? 1 : 0)) * size;
+    const double next_row = static_cast<double>(row + (row_step > 0 ? 1 : 0)) * kSize;
+    const double next_column = static_cast<double>(column + (column_step > 0 ? 1 : 0)) * kSize;
     const double t_row = path.du != 0.0 ? (next_row - path.u) * path.per_du : kNowhere;
     const double t_column = path.dv != 0.0 ? (next_column - path.v) * path.per_dv : kNowhere;
     const double leave = std::min(t_row, t_column);
     const double end = std::max(t, std::min(leave, t1));
-    double met = kNowhere;
-    if (level == 0) {
-      met = meet_cell(path, row, column, t, end);
-    } else if (path.fades && side == kShoreCells &&
-               shore(row * side, column * side) != WaveField::Shore::kFading) {
-      Path even = path;
-      even.fades = false;
-      if (shore(row * side, column * side) == WaveField::Shore::kDry) {
-        met = meet_level(path, t, end);
-      } else if (may_meet(even, level, row, column, t, end)) {
-        met = walk(even, level - 1, t, end);
-      }
-    } else if (may_meet(path, level, row, column, t, end)) {
-      met = walk(path, level - 1, t, end);
-    }
-    if (met < kNowhere || !(leave < t1)) return met;
+    const Found found = meet_square<kLevel>(path, row, column, t, end);
+    if (found.is_met() || !(leave < t1)) return found;
     (t_row < t_column ? row : column) += t_row < t_column ? row_step : column_step;
     t = end;
   }
 }
 
-/// Where there are no waves.
-double WaterSurface::meet_level(const Path& path, double t0, double t1) {
-  if (path.side * (path.z + t0 * path.dz) <= 0.0) return t0;
-  const double t = -path.z / path.dz;
-  return t >= t0 && t <= t1 ? t : kNowhere;
+template <std::size_t kLevel>
+WaterSurface::Found WaterSurface::meet_square(const Path& path, std::int64_t row,
+                                              std::int64_t column, double t0, double t1) const {
+  if constexpr (kLevel == 0) {
+    return meet_cell(path, row, column, t0, t1);
+  } else {
+    constexpr std::int64_t kSide = WaterTile::kBoundSides[kLevel - 1];
+    if (kSide == WaterShores::kCells && path.fades) {
+      const WaveField::Shore ground = shore(row * kSide, column * kSide);
+      if (ground == WaveField::Shore::kDry) return meet_level(path, t0, t1);
+      if (ground == WaveField::Shore::kOpen) {
+        Path even = path;
+        even.fades = false;
+        return may_meet(even, kLevel, row, column, t0, t1) ? walk<kLevel - 1>(even, t0, t1)
+                                                           : Found{};
+      }
+    }
+    return may_meet(path, kLevel, row, column, t0, t1) ? walk<kLevel - 1>(path, t0, t1) : Found{};
+  }
 }
 
-bool WaterSurface::may_meet(const Path& path, int level, std::int64_t row, std::int64_t column,
-                            double t0, double t1) const {
-  const WaterTile::Bounds& bounds = tile_->bounds(static_cast<std::size_t>(level - 1), row, column);
+/// Where there are no waves.
+WaterSurface::Found WaterSurface::meet_level(const Path& path, double t0, double t1) {
+  Found found;
+  const double t = path.side * (path.z + t0 * path.dz) <= 0.0 ? t0 : -path.z / path.dz;
+  if (t >= t0 && t <= t1) found.t = t;
+  return found;
+}
+
+bool WaterSurface::may_meet(const Path& path, std::size_t level, std::int64_t row,
+                            std::int64_t column, double t0, double t1) const {
+  const WaterTile::Bounds& bounds = tile_->bounds(level - 1, row, column);
   // What fades may be anything down to zero; a trace is for rounding.
   const double slack = 1e-5 * (high_m_ - low_m_);
   const double low = strength_ * static_cast<double>(bounds.low);
@@ -155,19 +168,43 @@ bool WaterSurface::may_meet(const Path& path, int level, std::int64_t row, std::
 
 /// Within a cell a ray's height above the surface is a quadratic of the distance. What is on the
 /// other side already as it comes in met the surface on the border.
-double WaterSurface::meet_cell(const Path& path, std::int64_t row, std::int64_t column, double t0,
-                               double t1) const {
-  const Patch cell = patch(row, column, path.fades);
+WaterSurface::Found WaterSurface::meet_cell(const Path& path, std::int64_t row, std::int64_t column,
+                                            double t0, double t1) const {
+  Found found;
+  const std::array<double, 4> corners = corners_of(row, column);
+  if (stays_clear(path, corners, t0, t1)) return found;
+  const Patch cell = path.fades ? faded(corners, row, column) : even(corners);
   const double p = path.u + t0 * path.du - static_cast<double>(row);
   const double q = path.v + t0 * path.dv - static_cast<double>(column);
   const double surface = cell.h + cell.h_u * p + (cell.h_v + cell.h_uv * p) * q;
   const double c = path.side * (path.z + t0 * path.dz - surface);
-  if (c <= 0.0) return t0;
-  const double b = path.side * (path.dz - cell.h_u * path.du - cell.h_v * path.dv -
-                                cell.h_uv * (p * path.dv + q * path.du));
-  const double a = -path.side * cell.h_uv * path.du * path.dv;
-  const double root = first_root(a, b, c, t1 - t0);
-  return root < kNowhere ? t0 + root : kNowhere;
+  double root = 0.0;
+  if (c > 0.0) {
+    const double b = path.side * (path.dz - cell.h_u * path.du - cell.h_v * path.dv -
+                                  cell.h_uv * (p * path.dv + q * path.du));
+    const double a = -path.side * cell.h_uv * path.du * path.dv;
+    root = first_root(a, b, c, t1 - t0);
+    if (root == kNowhere) return found;
+  }
+  found.t = t0 + root;
+  found.along = cell.h_u + cell.h_uv * (q + root * path.dv);
+  found.across = cell.h_v + cell.h_uv * (p + root * path.du);
+  return found;
+}
+
+/// For certain: a ray above the highest, or below the lowest, of a cell's corners. What fades may
+/// be anything down to zero.
+bool WaterSurface::stays_clear(const Path& path, const std::array<double, 4>& corners, double t0,
+                               double t1) const {
+  const auto [h00, h10, h01, h11] = corners;
+  const double slack = 1e-5 * (high_m_ - low_m_);
+  const double z0 = path.z + t0 * path.dz, z1 = path.z + t1 * path.dz;
+  if (path.side > 0.0) {
+    const double top = strength_ * std::max(std::max(h00, h10), std::max(h01, h11));
+    return std::min(z0, z1) > (path.fades ? std::max(top, 0.0) : top) + slack;
+  }
+  const double bottom = strength_ * std::min(std::min(h00, h10), std::min(h01, h11));
+  return std::max(z0, z1) < (path.fades ? std::min(bottom, 0.0) : bottom) - slack;
 }
 
 }  // namespace trident

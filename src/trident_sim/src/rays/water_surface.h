@@ -6,13 +6,10 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
-#include <optional>
-#include <vector>
 
-#include "trident_sim/port.h"
 #include "trident_sim/ray_scene.h"
 #include "trident_sim/sea.h"
-#include "water_tile.h"
+#include "water_tiles.h"
 
 namespace trident {
 
@@ -20,22 +17,24 @@ namespace trident {
 struct WaterMeeting {
   double t = std::numeric_limits<double>::infinity();  ///< along the ray; infinite: nowhere
   bool begins_below = false;                           ///< the ray begins under water
+  bool is_far =
+      false;  ///< on the plane beyond WaterSurface::far_m(), whose slope was not asked for
+  Eigen::Vector2d slope = Eigen::Vector2d::Zero();  ///< else that of the surface there
 };
 
 /// The surface of a world's sea as rays meet it: heights of a periodic tile about who looks,
 /// between which they are bilinear; farther away than far_m() the still level, with the slopes of
 /// the tile. Nothing is worked out before follow() is called, and one tile per period of the waves
 /// after that (WaterPattern says how true it is). What is met is a pure function of the sea, the
-/// time and the place that was given to follow().
+/// time and the place that was given to follow(). Any number of threads may ask at the same time.
 class WaterSurface {
  public:
-  /// `world` must outlive it.
-  explicit WaterSurface(const World& world) : world_(world) {}
+  /// With tiles of its own. `world` must outlive it.
+  explicit WaterSurface(const World& world) : WaterSurface(std::make_shared<WaterTiles>(world)) {}
+  explicit WaterSurface(std::shared_ptr<WaterTiles> tiles) : tiles_(std::move(tiles)) {}
 
-  /// No water is higher now, wherever it is [m]; minus infinity: the world has no sea. follow() may
-  /// be left out where no ray goes below.
-  double ceiling_m();
-  /// Takes the water as it is now about a place. False: the world has no sea.
+  /// Takes the water as it is now about a place, which stays until it is called again. False: the
+  /// world has no sea.
   bool follow(const Eigen::Vector3d& p_world_viewer);
 
   /// The first meeting between t_min_m and t_max. Directions may have any length.
@@ -54,13 +53,11 @@ class WaterSurface {
 
   /// nullptr: the water is flat.
   const WaterTile* tile() const { return tile_.get(); }
-  const WaterPattern& pattern() const { return maker_->pattern(); }
+  const WaterPattern& pattern() const { return *pattern_; }
   /// Share of the tile's second end in the heights.
   float weight() const { return weight_; }
   /// Factor of the tile's heights at a place.
   double strength(const Eigen::Vector2d& p_world) const;
-  /// How many tiles were made.
-  std::uint64_t tiles_made() const { return tiles_made_; }
 
  private:
   /// A ray in units of cells along the tile's axes, and metres above the still level.
@@ -74,55 +71,56 @@ class WaterSurface {
   struct Patch {
     double h, h_u, h_v, h_uv;
   };
-  /// What the ground does to the waves in squares of cells about an anchor. A pure function of the
-  /// anchor and of the water's level in steps.
-  struct Shores {
-    std::int64_t anchor_row, anchor_column, level;
-    std::int64_t first_row, first_column;  ///< of squares
-    std::vector<WaveField::Shore> squares;
+  /// What a ray meets first, square by square.
+  struct Found {
+    double t = std::numeric_limits<double>::infinity();
+    double along = 0.0, across = 0.0;  ///< slope per cell there
+    bool is_met() const { return t < std::numeric_limits<double>::infinity(); }
   };
-  static constexpr std::int64_t kShoreCells = WaterTile::kBoundSides[1], kShoreSide = 64;
-  bool find_sea();
-  void follow_waves(const WaveField& waves);
   void find_tile(const Eigen::Vector2d& p_world_viewer);
-  Patch patch(std::int64_t row, std::int64_t column, bool fades) const {
-    const auto h00 = static_cast<double>(tile_->height(row, column, weight_));
-    const auto h10 = static_cast<double>(tile_->height(row + 1, column, weight_));
-    const auto h01 = static_cast<double>(tile_->height(row, column + 1, weight_));
-    const auto h11 = static_cast<double>(tile_->height(row + 1, column + 1, weight_));
-    if (fades) return faded({h00, h10, h01, h11}, row, column);
+  /// Heights of the tile there, of rows and columns 00, 10, 01, 11.
+  std::array<double, 4> corners_of(std::int64_t row, std::int64_t column) const {
+    return {static_cast<double>(tile_->height(row, column, weight_)),
+            static_cast<double>(tile_->height(row + 1, column, weight_)),
+            static_cast<double>(tile_->height(row, column + 1, weight_)),
+            static_cast<double>(tile_->height(row + 1, column + 1, weight_))};
+  }
+  Patch even(const std::array<double, 4>& corners) const {
+    const auto [h00, h10, h01, h11] = corners;
     const double s = strength_;
     return {s * h00, s * (h10 - h00), s * (h01 - h00), s * ((h00 - h10) - (h01 - h11))};
   }
   Patch faded(std::array<double, 4> corners, std::int64_t row, std::int64_t column) const;
   Patch patch_at(std::int64_t row, std::int64_t column) const {
-    return patch(row, column, shore(row, column) != WaveField::Shore::kOpen);
+    const std::array<double, 4> corners = corners_of(row, column);
+    return shore(row, column) == WaveField::Shore::kOpen ? even(corners)
+                                                         : faded(corners, row, column);
   }
   Path path_of(const Ray& ray) const;
-  void find_shores();
-  /// What holds all over the square of kShoreCells cells that a cell lies in.
-  WaveField::Shore shore(std::int64_t row, std::int64_t column) const;
-  static double meet_level(const Path& path, double t0, double t1);
+  /// What holds all over the square of WaterShores::kCells cells that a cell lies in.
+  WaveField::Shore shore(std::int64_t row, std::int64_t column) const {
+    return fades_ ? shores_->at(row, column) : WaveField::Shore::kOpen;
+  }
   double cell_height(double u, double v) const;
-  double walk(const Path& path, int level, double t0, double t1) const;
-  bool may_meet(const Path& path, int level, std::int64_t row, std::int64_t column, double t0,
-                double t1) const;
-  double meet_cell(const Path& path, std::int64_t row, std::int64_t column, double t0,
+  template <std::size_t kLevel>
+  Found walk(const Path& path, double t0, double t1) const;
+  template <std::size_t kLevel>
+  Found meet_square(const Path& path, std::int64_t row, std::int64_t column, double t0,
+                    double t1) const;
+  bool may_meet(const Path& path, std::size_t level, std::int64_t row, std::int64_t column,
+                double t0, double t1) const;
+  static Found meet_level(const Path& path, double t0, double t1);
+  Found meet_cell(const Path& path, std::int64_t row, std::int64_t column, double t0,
+                  double t1) const;
+  bool stays_clear(const Path& path, const std::array<double, 4>& corners, double t0,
                    double t1) const;
 
-  const World& world_;
-  std::optional<std::uint64_t> seen_ports_;  ///< PortBoard::version()
-  const OutPort<SeaSample>* port_ = nullptr;
+  std::shared_ptr<WaterTiles> tiles_;
   std::shared_ptr<const Sea> sea_;
-  const WaveField* waves_ = nullptr;       ///< of sea_; nullptr: flat
-  double amplitudes_m_ = 0.0;              ///< sum of those of
-  std::vector<WaveComponent> seen_waves_;  ///< those that the tiles are of, and
-  WaveParams seen_params_;                 ///< what made them
-  std::unique_ptr<WaterTileMaker> maker_;
-  std::vector<std::shared_ptr<WaterTile>> tiles_;  ///< the newest last
-  std::shared_ptr<const WaterTile> tile_;          ///< now; nullptr: flat
-  std::vector<Shores> shores_;                     ///< the newest last: now
-  std::uint64_t tiles_made_ = 0;
+  const WaveField* waves_ = nullptr;             ///< of sea_; nullptr: flat
+  std::shared_ptr<const WaterPattern> pattern_;  ///< of the tile
+  std::shared_ptr<const WaterTile> tile_;        ///< nullptr: flat
+  std::shared_ptr<const WaterShores> shores_;    ///< where waves fade
 
   double time_s_ = 0.0, level_m_ = 0.0;
   float weight_ = 0.0F;

@@ -3,6 +3,7 @@
 #include "trident_sim/world.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 
@@ -79,6 +80,18 @@ void place(Body& body, const SE3& T_world_body, const Eigen::Vector3d& v_world,
 bool is_of_no_account(const std::string& element) {
   return element == "robotNamespace" || element == "alwaysOn" ||
          element.find("::") != std::string::npos;
+}
+
+using RayScenes = std::unique_ptr<RayScene>[2];
+
+/// What sensors have put off in a phase.
+void cast_put_off(const RayScenes& scenes, WorkerPool& workers) {
+  std::array<RayScene*, 2> made{};
+  std::size_t count = 0;
+  for (const auto& scene : scenes) {
+    if (scene != nullptr) made[count++] = scene.get();
+  }
+  RayScene::do_put_off({made.data(), count}, workers);
 }
 
 bool finite(const SE3& T) { return T.p.allFinite() && T.R.coeffs().allFinite(); }
@@ -328,6 +341,9 @@ void World::run_phase(Phase phase, const StepInfo& info) {
 
 void World::step(std::uint64_t n) {
   StageTimes* times = profiling_ ? &stage_times_ : nullptr;
+  for (const auto& scene : ray_scenes_) {
+    if (scene != nullptr) scene->forget_put_off();
+  }
   for (std::uint64_t i = 0; i < n; ++i) {
     const std::uint64_t step = step_count_ + 1;
     const StepInfo info{
@@ -335,6 +351,7 @@ void World::step(std::uint64_t n) {
     {
       const StageTimer timer(times ? &times->sense_s : nullptr);
       run_phase(Phase::kSense, info);
+      cast_put_off(ray_scenes_, workers_);
     }
     {
       const StageTimer timer(times ? &times->control_s : nullptr);
@@ -356,6 +373,7 @@ void World::step(std::uint64_t n) {
     for (Plugin* plugin : schedule_[static_cast<std::size_t>(Phase::kPost)]) {
       plugin->post_step(*this, info);
     }
+    cast_put_off(ray_scenes_, workers_);
     if (times != nullptr) ++times->steps;
   }
 }
@@ -364,7 +382,11 @@ const std::vector<Contact>& World::contacts() const { return engine_->contacts()
 
 RayScene& World::rays(RayGeometry geometry) {
   std::unique_ptr<RayScene>& scene = ray_scenes_[static_cast<std::size_t>(geometry)];
-  if (scene == nullptr) scene = std::make_unique<RayScene>(*this, geometry);
+  if (scene == nullptr) {
+    const RayScene* other = nullptr;
+    for (const auto& one : ray_scenes_) other = one != nullptr ? one.get() : other;
+    scene = std::make_unique<RayScene>(*this, geometry, other);
+  }
   return *scene;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -20,71 +21,88 @@ inline RayGeometry geometry_of(const SensorSpec& sensor) {
   return sensor.type.rfind("gpu", 0) == 0 ? RayGeometry::kVisual : RayGeometry::kCollision;
 }
 
-/// The rays of a sensor's beams and what they met, in memory that is kept from cast to cast. Beams
-/// begin at the smallest range: what is nearer is not seen.
+/// Beams and what they met, in memory that is kept from cast to cast.
+struct BeamBatch {
+  std::vector<Ray> rays;
+  std::vector<RayHit> hits;
+};
+
+/// Casts the beams of a sensor. They begin at the smallest range: what is nearer is not seen.
 class BeamCaster {
  public:
   /// `context` is the sensor's plugin's.
   BeamCaster(const PluginContext& context, double range_min_m, double range_max_m,
              WaterReturns water = WaterReturns::kAuto)
       : scene_(context.world.rays(geometry_of(*context.sensor))),
-        water_(scene_, read_water_returns(context.params, water), context.world.seed(),
-               context.name) {
+        sight_(read_water_returns(context.params, water), context.world.seed(), context.name) {
     blank_.t_min_m = range_min_m;
     blank_.t_max_m = range_max_m;
   }
+  RayScene& scene() const { return scene_; }
 
   /// Room for so many beams, which are then aimed one by one.
-  void begin(std::size_t beams) {
-    rays_.resize(beams, blank_);
-    hits_.resize(beams);
-  }
+  void begin(std::size_t beams) { begin(beams, own_); }
   void aim(std::size_t beam, const Eigen::Vector3d& p_world_origin,
            const Eigen::Vector3d& direction_world) {
-    rays_[beam].p_world_origin = p_world_origin;
-    rays_[beam].direction_world = direction_world;
+    aim(beam, p_world_origin, direction_world, own_);
   }
   /// As refresh(), for what is aimed already: without the sea where no beam gets down to it.
   void refresh_for_aimed(const Eigen::Vector3d& p_world_sensor) {
     scene_.refresh();
-    if (reaches(scene_.water_ceiling_m())) scene_.refresh_water(p_world_sensor);
-    sees_water_ = scene_.water() != nullptr;
+    water_ = reaches(scene_.water_ceiling_m()) ? scene_.refresh_water(p_world_sensor) : nullptr;
   }
-  /// Has what is cast from now on see the world as it is now, and the sea about the sensor.
-  void refresh(const Eigen::Vector3d& p_world_sensor) {
-    scene_.refresh();
-    scene_.refresh_water(p_world_sensor);
-    sees_water_ = scene_.water() != nullptr;
+  /// Has what is cast from now on see the sea as it is now about the sensor, in the scene as it was
+  /// refreshed last.
+  void refresh_water(const Eigen::Vector3d& p_world_sensor) {
+    water_ = scene_.refresh_water(p_world_sensor);
   }
-  void cast() { cast(0, rays_.size()); }
-  /// Beams [first, first + count) alone; several threads may do so at a time.
-  void cast(std::size_t first, std::size_t count) {
-    scene_.cast({rays_.data() + first, count}, {hits_.data() + first, count});
-  }
+  void cast() { cast(own_); }
   /// What the sensor notices of what a beam met; `scan` and `channel` are for random numbers.
   const RayHit& hit(std::size_t beam, std::uint64_t scan, std::uint32_t channel) const {
-    if (!sees_water_ || water_.tells(rays_[beam], hits_[beam], scan, channel)) return hits_[beam];
+    return hit(own_, beam, scan, channel);
+  }
+  double intensity(const RayHit& hit) const { return scene_.intensity(hit); }
+
+  // The same with a batch of the caller's. Several threads may do so at a time, each with its own.
+
+  void begin(std::size_t beams, BeamBatch& batch) const {
+    batch.rays.resize(beams);
+    batch.hits.resize(beams);
+  }
+  void aim(std::size_t beam, const Eigen::Vector3d& p_world_origin,
+           const Eigen::Vector3d& direction_world, BeamBatch& batch) const {
+    batch.rays[beam] = {p_world_origin, direction_world, blank_.t_min_m, blank_.t_max_m};
+  }
+  void cast(BeamBatch& batch) const {
+    scene_.cast({batch.rays.data(), batch.rays.size()}, {batch.hits.data(), batch.hits.size()},
+                water_.get());
+  }
+  const RayHit& hit(const BeamBatch& batch, std::size_t beam, std::uint64_t scan,
+                    std::uint32_t channel) const {
+    const RayHit& met = batch.hits[beam];
+    if (water_ == nullptr ||
+        sight_.tells(*water_, scene_.water_shape(), batch.rays[beam], met, scan, channel)) {
+      return met;
+    }
     static const RayHit nothing;
     return nothing;
   }
-  double intensity(const RayHit& hit) const { return scene_.intensity(hit); }
 
  private:
   /// Whether a beam gets down to a height; minus infinity: there is nothing to reach.
   bool reaches(double height_m) const {
     if (height_m == -std::numeric_limits<double>::infinity()) return false;
-    return std::any_of(rays_.begin(), rays_.end(), [&](const Ray& ray) {
+    return std::any_of(own_.rays.begin(), own_.rays.end(), [&](const Ray& ray) {
       const double sinking = std::min(ray.direction_world.z(), 0.0);
       return !(ray.p_world_origin.z() + ray.t_max_m * sinking > height_m);
     });
   }
 
   RayScene& scene_;
-  WaterSight water_;
-  bool sees_water_ = false;
+  WaterSight sight_;
+  std::shared_ptr<const WaterSurface> water_;
   Ray blank_;
-  std::vector<Ray> rays_;
-  std::vector<RayHit> hits_;
+  BeamBatch own_;
 };
 
 /// Throws Error when the plugin does not sit in a sensor.

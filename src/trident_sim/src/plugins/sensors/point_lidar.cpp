@@ -39,8 +39,9 @@ ReturnLimits read_limits(const LidarSpec& spec, const PluginParams& params) {
 
 /// A lidar with many rings, whose returns are points in its frame. As a snapshot all beams of a
 /// scan are cast at once, as Gazebo does, and stamped with that time; rolling, each is cast from
-/// where the sensor is as its column is cast, and the stamp is that of the first.
-class PointLidar : public MeasuringPlugin {
+/// where the sensor is as its column is cast, and the stamp is that of the first. What is cast in a
+/// step is put off to the end of the phase, when threads do it side by side with other sensors'.
+class PointLidar : public MeasuringPlugin, public RayWork {
  public:
   PointLidar(const PluginContext& context, const std::string& default_topic, bool is_rolling)
       : PointLidar(context, read_lidar_spec(required_ray_sensor(context), context.params.owner()),
@@ -59,13 +60,39 @@ class PointLidar : public MeasuringPlugin {
 
  protected:
   void measure(const World&, const StepInfo& info) override {
+    casts_.clear();
     if (is_rolling_) {
       roll(info);
     } else if (clock_.is_due(info) && cloud_->wanted()) {
-      const SE3 T_world_sensor = link_.T_world_link() * T_link_sensor_;
-      cast(clock_.count_at(info), 0, pattern_->columns(),
-           [&](std::size_t) -> const SE3& { return T_world_sensor; });
-      publish(info.end);
+      T_world_sensor_ = link_.T_world_link() * T_link_sensor_;
+      casts_.push_back({{clock_.count_at(info), 0, pattern_->columns(), true}, info.end});
+    }
+    if (!casts_.empty()) caster_.scene().put_off(*this);
+  }
+
+  std::size_t begin() override {
+    caster_.refresh_water(T_world_sensor_.p);
+    blocks_.clear();
+    for (const Cast& cast : casts_) divide(cast);
+    if (returns_.size() < blocks_.size()) returns_.resize(blocks_.size());
+    return blocks_.size();
+  }
+
+  void do_part(std::size_t part) override {
+    thread_local Beams beams;
+    const Block& block = blocks_[part];
+    cast_block(block, beams);
+    returns_[part].clear();
+    collect(block, beams, returns_[part]);
+  }
+
+  void finish() override {
+    std::size_t part = 0;
+    for (const Cast& cast : casts_) {
+      for (; part < blocks_.size() && blocks_[part].cast == &cast; ++part) {
+        points_.insert(points_.end(), returns_[part].begin(), returns_[part].end());
+      }
+      if (cast.due.is_complete) publish(cast.stamp);
     }
   }
 
@@ -82,7 +109,6 @@ class PointLidar : public MeasuringPlugin {
             std::hypot(spec.noise.stddev, context.params.number("gaussianNoise", 0.0, {0.0, 1e6}))),
         bias_m_(spec.noise.mean),
         stream_(context.world.seed(), context.name),
-        workers_(context.world.workers()),
         caster_(context, limits_.range_min_m, limits_.range_max_m),
         pattern_(checked_pattern(context, spec, is_rolling)),
         sweep_(clock_.rate_hz(), pattern_->columns(), pattern_->column_period_s()) {
@@ -107,97 +133,84 @@ class PointLidar : public MeasuringPlugin {
 
   /// The columns whose time lies in this step, from where the sensor was at that time.
   void roll(const StepInfo& info) {
-    track_.follow(link_.T_world_link() * T_link_sensor_);
+    T_world_sensor_ = link_.T_world_link() * T_link_sensor_;
+    track_.follow(T_world_sensor_);
     sweep_.begin_step(info, cloud_->wanted());
     if (!cloud_->wanted()) points_.clear();
-    const double middle_s = 0.5 * pattern_->beams()[pattern_->firing_order().back()].time_s;
-    while (const auto due = sweep_.next()) {
-      cast(due->scan, due->first, due->last,
-           [&](std::size_t column) { return track_.at(sweep_.fraction(*due, column, middle_s)); });
-      if (due->is_complete) publish(sweep_.stamp(*due));
-    }
+    while (const auto due = sweep_.next()) casts_.push_back({*due, sweep_.stamp(*due)});
   }
 
-  /// Columns that are cast at a time, the first beam of which is the `base`-th that is aimed.
+  /// Columns of a scan that are due in this step.
+  struct Cast {
+    RollingSweep::Due due;
+    SimTime stamp;
+  };
+  /// Columns that are cast at a time.
   struct Block {
-    std::size_t first, columns, base;
+    const Cast* cast;
+    std::size_t first, columns;
+  };
+  /// What a thread casts them with.
+  struct Beams {
+    std::vector<Eigen::Vector3d> directions;  ///< in the sensor's frame
+    BeamBatch batch;
   };
 
-  /// Columns [first, last) of a scan, each from `T_world_sensor(column)`, in blocks that fit into
-  /// the cache, the last of which is not a small one. Threads cast a block each; which rays go
-  /// together, and so the result, is the same as with one.
-  template <class Pose>
-  void cast(std::uint64_t scan, std::size_t first, std::size_t last, const Pose& T_world_sensor) {
+  /// Into blocks that fit into the cache, the last of which is not a small one. Which rays go
+  /// together, and so the result, does not depend on who casts them.
+  void divide(const Cast& cast) {
     constexpr std::size_t kColumns = 32;
-    const std::size_t beams = pattern_->beams().size();
-    const bool is_shared = workers_.threads() > 1;
-    caster_.refresh((link_.T_world_link() * T_link_sensor_).p);
-    blocks_.clear();
-    for (std::size_t begin = first, columns = 0; begin < last; begin += columns) {
-      const std::size_t left = last - begin;
+    for (std::size_t begin = cast.due.first, columns = 0; begin < cast.due.last; begin += columns) {
+      const std::size_t left = cast.due.last - begin;
       columns = left <= kColumns * 3 / 2 ? left : kColumns;
-      blocks_.push_back({begin, columns, is_shared ? (begin - first) * beams : 0});
-    }
-    if (!is_shared) {
-      for (const Block& block : blocks_) {
-        make_room(block.columns * beams);
-        cast_block(scan, block, T_world_sensor);
-        collect(scan, block, points_);
-      }
-      return;
-    }
-    make_room((last - first) * beams);
-    if (returns_.size() < blocks_.size()) returns_.resize(blocks_.size());
-    workers_.share(blocks_.size(), [&](std::size_t i, std::size_t) {
-      cast_block(scan, blocks_[i], T_world_sensor);
-      returns_[i].clear();
-      collect(scan, blocks_[i], returns_[i]);
-    });
-    for (std::size_t i = 0; i < blocks_.size(); ++i) {
-      points_.insert(points_.end(), returns_[i].begin(), returns_[i].end());
+      blocks_.push_back({&cast, begin, columns});
     }
   }
 
-  void make_room(std::size_t beams) {
-    directions_.resize(beams);
-    caster_.begin(beams);
-  }
-
-  template <class Pose>
-  void cast_block(std::uint64_t scan, const Block& block, const Pose& T_world_sensor) {
+  void cast_block(const Block& block, Beams& own) const {
     const std::size_t beams = pattern_->beams().size();
+    own.directions.resize(block.columns * beams);
+    caster_.begin(block.columns * beams, own.batch);
     for (std::size_t i = 0; i < block.columns; ++i) {
-      Eigen::Vector3d* const directions = &directions_[block.base + i * beams];
-      pattern_->aim(scan, block.first + i, directions);
-      const SE3& T = T_world_sensor(block.first + i);
+      Eigen::Vector3d* const directions = &own.directions[i * beams];
+      pattern_->aim(block.cast->due.scan, block.first + i, directions);
+      const SE3 T = T_world_column(block.cast->due, block.first + i);
       const Eigen::Matrix3d R = T.R.toRotationMatrix();
       for (std::size_t beam = 0; beam < beams; ++beam) {
-        caster_.aim(place(block, beam, i), T.p, R * directions[beam]);
+        caster_.aim(place(block, beam, i), T.p, R * directions[beam], own.batch);
       }
     }
-    caster_.cast(block.base, block.columns * beams);
+    caster_.cast(own.batch);
   }
 
-  /// Of a beam of the i-th column of a block among all that are aimed: neighbours go in one packet.
+  /// Where the sensor is in the middle of a column.
+  SE3 T_world_column(const RollingSweep::Due& due, std::size_t column) const {
+    if (!is_rolling_) return T_world_sensor_;
+    const double middle_s = 0.5 * pattern_->beams()[pattern_->firing_order().back()].time_s;
+    return track_.at(sweep_.fraction(due, column, middle_s));
+  }
+
+  /// Of a beam of the i-th column of a block: neighbours go in one packet.
   std::size_t place(const Block& block, std::size_t beam, std::size_t i) const {
-    return block.base + (pattern_->neighbours() == LidarPattern::Neighbours::kAcrossColumns
-                             ? beam * block.columns + i
-                             : i * pattern_->beams().size() + beam);
+    return pattern_->neighbours() == LidarPattern::Neighbours::kAcrossColumns
+               ? beam * block.columns + i
+               : i * pattern_->beams().size() + beam;
   }
 
-  void collect(std::uint64_t scan, const Block& block, std::vector<LidarPoint>& points) const {
-    NormalRow noise(stream_, scan);
-    for (std::size_t i = 0; i < block.columns; ++i) collect_column(scan, block, i, noise, points);
+  void collect(const Block& block, const Beams& own, std::vector<LidarPoint>& points) const {
+    NormalRow noise(stream_, block.cast->due.scan);
+    for (std::size_t i = 0; i < block.columns; ++i) collect_column(block, own, i, noise, points);
   }
 
   /// The returns of the i-th column of a block.
-  void collect_column(std::uint64_t scan, const Block& block, std::size_t i, NormalRow& noise,
+  void collect_column(const Block& block, const Beams& own, std::size_t i, NormalRow& noise,
                       std::vector<LidarPoint>& points) const {
+    const std::uint64_t scan = block.cast->due.scan;
     const std::size_t beams = pattern_->beams().size(), column = block.first + i;
     const double begin_s = static_cast<double>(column) * pattern_->column_period_s();
     for (const std::size_t beam : pattern_->firing_order()) {
       const auto channel = static_cast<std::uint32_t>(column * beams + beam);
-      const RayHit& hit = caster_.hit(place(block, beam, i), scan, channel);
+      const RayHit& hit = caster_.hit(own.batch, place(block, beam, i), scan, channel);
       if (!(hit.distance_m < limits_.range_max_m)) continue;
       const double intensity = caster_.intensity(hit);
       const double range_m =
@@ -207,8 +220,7 @@ class PointLidar : public MeasuringPlugin {
                           intensity >= limits_.intensity_min;
       if (!counts) continue;
       const LidarPattern::Beam& timing = pattern_->beams()[beam];
-      const Eigen::Vector3f p =
-          (range_m * directions_[block.base + i * beams + beam]).cast<float>();
+      const Eigen::Vector3f p = (range_m * own.directions[i * beams + beam]).cast<float>();
       points.push_back({p.x(), p.y(), p.z(), static_cast<float>(intensity), timing.ring,
                         static_cast<float>(begin_s + timing.time_s)});
     }
@@ -228,16 +240,16 @@ class PointLidar : public MeasuringPlugin {
   ReturnLimits limits_;
   double stddev_m_, bias_m_;
   RandomStream stream_;
-  WorkerPool& workers_;
   BeamCaster caster_;
   std::unique_ptr<LidarPattern> pattern_;
   SensorTrack track_;
   RollingSweep sweep_;
   OutHandle<LidarCloudSample> cloud_;
-  std::vector<Eigen::Vector3d> directions_;       ///< of what is being cast, in the sensor's frame
+  SE3 T_world_sensor_;                            ///< now
+  std::vector<Cast> casts_;                       ///< of this step
   std::vector<Block> blocks_;                     ///< likewise
   std::vector<LidarPoint> points_;                ///< of the scan in progress
-  std::vector<std::vector<LidarPoint>> returns_;  ///< of blocks that threads cast
+  std::vector<std::vector<LidarPoint>> returns_;  ///< by block
 };
 
 PluginFactory point_lidar(const char* default_topic, bool is_rolling) {

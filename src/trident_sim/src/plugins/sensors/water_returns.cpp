@@ -18,7 +18,10 @@ WaterReturns read_water_returns(const PluginParams& params, WaterReturns fallbac
   return WaterReturns::kOn;
 }
 
-double water_return_probability(double cos_incidence, double distance_m) {
+namespace {
+
+/// -log(1 - p) of water_return_probability(), which is more than p.
+double return_strength(double cos_incidence, double distance_m) {
   constexpr double kMirror = 0.02, kSlopes = 0.01, kScattered = 0.0005;
   constexpr double kBoard = 0.1, kBoardRange_m = 100.0;
   const double c = std::clamp(cos_incidence, 1e-3, 1.0);
@@ -29,22 +32,29 @@ double water_return_probability(double cos_incidence, double distance_m) {
                                            : 0.0;
   const double strength = (mirrored + kScattered * c) / kBoard;
   const double per_range = kBoardRange_m / std::max(distance_m, 1e-3);
-  return -std::expm1(-strength * per_range * per_range);
+  return strength * per_range * per_range;
 }
 
-bool WaterSight::tells(const Ray& ray, const RayHit& hit, std::uint64_t scan,
-                       std::uint32_t channel) const {
+}  // namespace
+
+double water_return_probability(double cos_incidence, double distance_m) {
+  return -std::expm1(-return_strength(cos_incidence, distance_m));
+}
+
+bool WaterSight::tells(const WaterSurface& water, std::uint32_t water_shape, const Ray& ray,
+                       const RayHit& hit, std::uint64_t scan, std::uint32_t channel) const {
   if (!hit.met()) return true;
-  const bool is_water = hit.shape == scene_.water_shape();
+  const bool is_water = hit.shape == water_shape;
   if (returns_ != WaterReturns::kAuto) return !is_water || returns_ == WaterReturns::kOn;
   if (!is_water) {
-    const WaterSurface& water = *scene_.water();
     const Eigen::Vector3d& p = ray.p_world_origin;
     return p.z() > water.highest_m() || p.z() > water.height_m(p.head<2>());
   }
   if (hit.normal_world.z() < 0.0) return false;  // from below
   const double cosine = -hit.normal_world.dot(ray.direction_world);
-  return stream_.uniform(scan, channel) < water_return_probability(cosine, hit.distance_m);
+  const double chance = stream_.uniform(scan, channel);
+  const double strength = return_strength(cosine, hit.distance_m);
+  return chance < strength && chance < -std::expm1(-strength);
 }
 
 }  // namespace trident

@@ -37,18 +37,18 @@ double water_return_probability(double cos_incidence, double distance_m);
 /// Decides beam by beam whether what it met is told, in a scene that sees water.
 class WaterSight {
  public:
-  /// `sensor_name` names its random numbers; `scene` must outlive it.
-  WaterSight(const RayScene& scene, WaterReturns returns, std::uint64_t seed,
-             const std::string& sensor_name)
-      : scene_(scene), returns_(returns), stream_(seed, sensor_name + "/water") {}
+  /// `sensor_name` names its random numbers.
+  WaterSight(WaterReturns returns, std::uint64_t seed, const std::string& sensor_name)
+      : returns_(returns), stream_(seed, sensor_name + "/water") {}
 
-  /// `scan` and `channel` are those of the beam. Under water, `auto` sees nothing, as water
+  /// Of a cast that saw `water`, whose hits have the shape `water_shape`; `scan` and `channel` are
+  /// those of the beam. Under water, `auto` sees nothing, as water
   /// swallows light of 905 nm within decimetres; `on` and `off` see what is there, as through clear
   /// water.
-  bool tells(const Ray& ray, const RayHit& hit, std::uint64_t scan, std::uint32_t channel) const;
+  bool tells(const WaterSurface& water, std::uint32_t water_shape, const Ray& ray,
+             const RayHit& hit, std::uint64_t scan, std::uint32_t channel) const;
 
  private:
-  const RayScene& scene_;
   WaterReturns returns_;
   RandomStream stream_;
 };
