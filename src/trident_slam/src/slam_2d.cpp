@@ -3,7 +3,9 @@
 #include "trident_slam/slam_2d.h"
 
 #include "logs/odometry_slam_2d.h"
+#include "trident_slam/ekf_slam_2d.h"
 #include "trident_slam/graph_slam_2d.h"
+#include "trident_slam/hector_slam_2d.h"
 
 namespace trident {
 namespace {
@@ -19,7 +21,9 @@ void add_method(Registry<Slam2dFactory>& registry, const char* name) {
 }  // namespace
 
 void register_builtin_slam_2d(Registry<Slam2dFactory>& registry) {
+  add_method<EkfSlam2d, EkfSlam2dParams>(registry, "ekf_slam_2d");
   add_method<GraphSlam2d, GraphSlamOptions>(registry, "graph_slam_2d");
+  add_method<HectorSlam2d, HectorSlamParams>(registry, "hector_slam_2d");
   add_method<OdometrySlam2d, OdometrySlam2dParams>(registry, "odometry");
 }
 

@@ -2,9 +2,11 @@
 # SPDX-License-Identifier: Apache-2.0
 target_sources(trident_slam PRIVATE
   src/ekf_slam/ekf_slam.cpp
+  src/ekf_slam/ekf_slam_2d.cpp
   src/ekf_slam/joint_compatibility.cpp
   src/ekf_slam/landmark_log.cpp
   src/ekf_slam/landmark_models.cpp
+  src/ekf_slam/posts.cpp
 )
 
 add_executable(landmark_offline src/ekf_slam/landmark_offline.cpp)

@@ -5,4 +5,5 @@ trident_slam_test(ekf_slam
   test/ekf_slam/joint_compatibility_test.cpp
   test/ekf_slam/landmark_log_test.cpp
   test/ekf_slam/landmark_models_test.cpp
+  test/ekf_slam/posts_test.cpp
 )

@@ -5,6 +5,7 @@ target_sources(trident_slam PRIVATE
   src/front_end/correlative_match.cpp
   src/front_end/line_match.cpp
   src/front_end/max_pyramid.cpp
+  src/front_end/odometry_motion.cpp
   src/front_end/point_scan.cpp
   src/front_end/surfel_map.cpp
 )

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "trident_base/se2.h"
+
+namespace trident {
+
+/// The motion between two scans as odometry tells it, or none where odometry cannot be believed.
+class OdometryMotion {
+ public:
+  /// Farther [m], or turned more [rad], between two scans is a jump.
+  explicit OdometryMotion(double jump_distance = 3.0, double jump_heading = 2.5)
+      : jump_distance_(jump_distance), jump_heading_(jump_heading) {}
+
+  struct Step {
+    SE2 T_before_now;     ///< identity for the first scan and where there is a problem
+    std::string problem;  ///< empty, or what is wrong, with values and what is legal
+  };
+  Step next(const SE2& T_odom_base);
+
+ private:
+  double jump_distance_;
+  double jump_heading_;
+  std::optional<SE2> T_odom_base_;  ///< the latest that was a number
+};
+
+}  // namespace trident

@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "trident_slam/hector_slam_2d.h"
+
+#include <cmath>
+#include <optional>
+
+#include "front_end/odometry_motion.h"
+#include "front_end/point_scan.h"
+#include "graph_slam/scan_check.h"
+#include "hector_slam/map_match.h"
+#include "hector_slam/probability_grid.h"
+#include "trident_base/angle.h"
+
+namespace trident {
+namespace {
+
+constexpr int kCoarseIterations = 4;
+constexpr int kFineIterations = 6;
+
+}  // namespace
+
+class HectorSlam2d::Impl {
+ public:
+  explicit Impl(const HectorSlamParams& params) : params_(params) {
+    double resolution = params.map_resolution;
+    for (int level = 0; level < params.map_multi_res_levels; ++level, resolution *= 2.0) {
+      levels_.emplace_back(resolution, params.update_factor_free, params.update_factor_occupied);
+    }
+  }
+
+  ScanPose2d add_scan(const LaserScan& scan, const SE2& T_odom_base) {
+    ScanPose2d result;
+    result.problem = check_.problem(scan);
+    result.is_used = result.problem.empty();
+    const OdometryMotion::Step odometry = odometry_.next(T_odom_base);
+    if (params_.use_odometry && result.problem.empty()) result.problem = odometry.problem;
+    const SE2 guess = params_.use_odometry ? T_map_base_ * odometry.T_before_now : T_map_base_;
+    T_map_base_ = guess;
+    if (result.is_used) result.covariance = use(scan, guess);
+    result.T_map_base = T_map_base_;
+    trajectory_.push_back({scan.stamp_ns, T_map_base_});
+    return result;
+  }
+
+  void set_pose(const SE2& T_map_base) {
+    T_map_base_ = T_map_base;
+    T_map_mapped_.reset();
+  }
+  const std::vector<StampedPose2d>& trajectory() const { return trajectory_; }
+  OccupancyGrid map() const { return levels_.front().occupancy(); }
+
+ private:
+  Eigen::Matrix3d use(const LaserScan& scan, const SE2& guess) {
+    PointScanOptions options;
+    options.min_range = params_.laser_min_dist;
+    options.max_range = params_.laser_max_dist;
+    const PointScan points = make_point_scan(scan, options);
+    MapMatch match;
+    match.T_map_base = guess;
+    if (has_map_) {
+      for (std::size_t level = levels_.size(); level-- > 0;) {
+        match = match_map(levels_[level], points, match.T_map_base,
+                          level == 0 ? kFineIterations : kCoarseIterations);
+      }
+    } else {
+      match.covariance.setZero();
+    }
+    T_map_base_ = match.T_map_base;
+    if (has_moved()) {
+      for (ProbabilityGrid& level : levels_) level.insert(T_map_base_, points);
+      T_map_mapped_ = T_map_base_;
+      has_map_ = true;
+    }
+    return match.covariance;
+  }
+
+  bool has_moved() const {
+    return !T_map_mapped_ ||
+           (T_map_base_.p - T_map_mapped_->p).norm() >= params_.map_update_distance_thresh ||
+           std::abs(angle_difference(T_map_base_.angle, T_map_mapped_->angle)) >=
+               params_.map_update_angle_thresh;
+  }
+
+  HectorSlamParams params_;
+  ScanCheck check_;
+  OdometryMotion odometry_;
+  std::vector<ProbabilityGrid> levels_;  ///< finest first
+  bool has_map_ = false;
+  SE2 T_map_base_;
+  std::optional<SE2> T_map_mapped_;  ///< where the map was updated last
+  std::vector<StampedPose2d> trajectory_;
+};
+
+HectorSlam2d::HectorSlam2d(const HectorSlamParams& params)
+    : impl_(std::make_unique<Impl>(params)) {}
+
+HectorSlam2d::~HectorSlam2d() = default;
+
+ScanPose2d HectorSlam2d::add_scan(const LaserScan& scan, const SE2& T_odom_base) {
+  return impl_->add_scan(scan, T_odom_base);
+}
+
+std::vector<StampedPose2d> HectorSlam2d::trajectory() const { return impl_->trajectory(); }
+
+OccupancyGrid HectorSlam2d::map() const { return impl_->map(); }
+
+void HectorSlam2d::set_pose(const SE2& T_map_base) { impl_->set_pose(T_map_base); }
+
+}  // namespace trident

@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+// What Slam2d promises, asked of every algorithm of the registry.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "conformance/scan_world.h"
+#include "trident_slam/slam_2d.h"
+
+namespace trident {
+namespace {
+
+using testing_world::ScanWorld;
+
+const ScanWorld& world() {
+  static const ScanWorld instance(11);
+  return instance;
+}
+
+Registry<Slam2dFactory> registry() {
+  Registry<Slam2dFactory> result("SLAM method");
+  register_builtin_slam_2d(result);
+  return result;
+}
+
+/// How near each comes to the truth in that room, with its defaults: largest error of a final pose
+/// [m], and share of the occupied cells that lie within 15 cm of a surface. Odometry alone is the
+/// measure of what the others must beat.
+struct Expected {
+  double largest_error;
+  double map_share;
+};
+const std::map<std::string, Expected>& expected() {
+  static const std::map<std::string, Expected> table = {
+      {"ekf_slam_2d", {0.3, 0.8}},
+      {"graph_slam_2d", {0.08, 0.97}},
+      {"hector_slam_2d", {0.1, 0.97}},
+      {"odometry", {6.0, 0.0}},
+  };
+  return table;
+}
+
+bool is_same(const SE2& a, const SE2& b) { return a.p == b.p && a.angle == b.angle; }
+
+class Slam2dConformance : public testing::TestWithParam<std::string> {
+ protected:
+  std::unique_ptr<Slam2d> make() const { return registry().get(GetParam())(""); }
+  static Expected expectation() {
+    const auto it = expected().find(GetParam());
+    return it == expected().end() ? Expected{0.15, 0.9} : it->second;
+  }
+  /// Largest distance of the trajectory from the truth [m], scans in `left_out` apart.
+  static double largest_error(const Slam2d& slam) {
+    const auto trajectory = slam.trajectory();
+    double largest = 0.0;
+    for (std::size_t k = 0; k < trajectory.size(); ++k) {
+      largest = std::max(largest,
+                         (trajectory[k].T_map_base.p - world().steps()[k].T_start_base.p).norm());
+    }
+    return largest;
+  }
+};
+
+TEST_P(Slam2dConformance, EveryScanHasAPoseNearTheTruth) {
+  const auto slam = make();
+  for (const auto& step : world().steps()) {
+    const ScanPose2d pose = slam->add_scan(step.scan, step.T_odom_base);
+    ASSERT_TRUE(pose.T_map_base.p.allFinite() && std::isfinite(pose.T_map_base.angle));
+    ASSERT_TRUE(pose.covariance.allFinite());
+    EXPECT_TRUE(pose.is_used);
+    EXPECT_EQ(pose.problem, "");
+  }
+  slam->finish();
+  const auto trajectory = slam->trajectory();
+  ASSERT_EQ(trajectory.size(), world().steps().size());
+  for (std::size_t k = 0; k < trajectory.size(); ++k) {
+    ASSERT_EQ(trajectory[k].stamp_ns, world().steps()[k].scan.stamp_ns);
+  }
+  EXPECT_LT((trajectory.front().T_map_base.p).norm(), 0.05);
+  EXPECT_LT(largest_error(*slam), expectation().largest_error);
+}
+
+TEST_P(Slam2dConformance, TheMapShowsTheWalls) {
+  const auto slam = make();
+  for (const auto& step : world().steps()) slam->add_scan(step.scan, step.T_odom_base);
+  slam->finish();
+  const OccupancyGrid map = slam->map();
+  ASSERT_EQ(map.cells.size(), static_cast<std::size_t>(map.width) * map.height);
+  int occupied = 0;
+  int near = 0;
+  int free = 0;
+  for (int row = 0; row < map.height; ++row) {
+    for (int column = 0; column < map.width; ++column) {
+      const std::int8_t cell = map.cells[map.index(column, row)];
+      free += cell == OccupancyGrid::kFree ? 1 : 0;
+      if (cell != OccupancyGrid::kOccupied) continue;
+      ++occupied;
+      near += world().distance_to_surface(map.center_in_map(column, row)) < 0.15 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(occupied, 200);
+  EXPECT_GT(near, expectation().map_share * occupied);
+  EXPECT_GT(free * map.resolution * map.resolution, 50.0) << "m^2 of a room of 96";
+}
+
+TEST_P(Slam2dConformance, APoseDependsOnTheScansUpToItAlone) {
+  const auto whole = make();
+  const auto first_half = make();
+  const std::size_t half = world().steps().size() / 2;
+  ScanPose2d last_of_whole;
+  ScanPose2d last_of_half;
+  for (std::size_t k = 0; k < world().steps().size(); ++k) {
+    const auto& step = world().steps()[k];
+    const ScanPose2d pose = whole->add_scan(step.scan, step.T_odom_base);
+    if (k == half) last_of_whole = pose;
+    if (k <= half) last_of_half = first_half->add_scan(step.scan, step.T_odom_base);
+  }
+  EXPECT_TRUE(is_same(last_of_whole.T_map_base, last_of_half.T_map_base));
+}
+
+TEST_P(Slam2dConformance, TheSameScansGiveTheSameBits) {
+  const auto a = make();
+  const auto b = make();
+  for (const auto& step : world().steps()) {
+    a->add_scan(step.scan, step.T_odom_base);
+    b->add_scan(step.scan, step.T_odom_base);
+  }
+  a->finish();
+  b->finish();
+  const auto path_a = a->trajectory();
+  const auto path_b = b->trajectory();
+  ASSERT_EQ(path_a.size(), path_b.size());
+  for (std::size_t k = 0; k < path_a.size(); ++k) {
+    ASSERT_TRUE(is_same(path_a[k].T_map_base, path_b[k].T_map_base));
+  }
+  EXPECT_EQ(a->map().cells, b->map().cells);
+}
+
+TEST_P(Slam2dConformance, BadScansAreToldOfAndHarmNothing) {
+  const auto slam = make();
+  int told = 0;
+  for (std::size_t k = 0; k < world().steps().size(); ++k) {
+    const auto& step = world().steps()[k];
+    LaserScan scan = step.scan;
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    const float infinite = std::numeric_limits<float>::infinity();
+    const bool is_bad = k % 20 == 10;
+    if (k % 80 == 10) scan.ranges.assign(scan.size(), nan);
+    if (k % 80 == 30) scan.ranges.assign(scan.size(), infinite);
+    if (k % 80 == 50) scan.ranges.assign(scan.size(), 0.0F);
+    if (k % 80 == 70) scan.ranges.resize(scan.size() / 2);
+    for (std::size_t beam = k % 7; beam < scan.size(); beam += 37) scan.ranges[beam] = nan;
+    const ScanPose2d pose = slam->add_scan(scan, step.T_odom_base);
+    ASSERT_TRUE(pose.T_map_base.p.allFinite());
+    if (is_bad && !pose.problem.empty()) ++told;
+  }
+  slam->finish();
+  EXPECT_LT(largest_error(*slam), 1.5 * expectation().largest_error);
+  if (GetParam() != "odometry") EXPECT_GE(told, static_cast<int>(world().steps().size()) / 20 - 1);
+}
+
+TEST_P(Slam2dConformance, OdometryThatIsNoNumberIsToldOfAndHarmsNothing) {
+  if (GetParam() == "odometry") GTEST_SKIP() << "it has nothing but odometry";
+  const auto slam = make();
+  for (std::size_t k = 0; k < world().steps().size(); ++k) {
+    const auto& step = world().steps()[k];
+    SE2 T_odom_base = step.T_odom_base;
+    if (k == 60) T_odom_base.p.x() = std::numeric_limits<double>::quiet_NaN();
+    const ScanPose2d pose = slam->add_scan(step.scan, T_odom_base);
+    ASSERT_TRUE(pose.T_map_base.p.allFinite());
+    EXPECT_EQ(pose.problem.empty(), k != 60) << pose.problem;
+  }
+  slam->finish();
+  EXPECT_LT(largest_error(*slam), 1.5 * expectation().largest_error);
+}
+
+TEST_P(Slam2dConformance, AJumpOfOdometryIsToldOfAndHarmsNothing) {
+  if (GetParam() == "odometry") GTEST_SKIP() << "it has nothing but odometry";
+  const auto slam = make();
+  const SE2 jump = SE2::from_xy_yaw(30.0, -20.0, 1.0);
+  for (std::size_t k = 0; k < world().steps().size(); ++k) {
+    const auto& step = world().steps()[k];
+    const SE2 T_odom_base = k < 90 ? step.T_odom_base : jump * step.T_odom_base;
+    const ScanPose2d pose = slam->add_scan(step.scan, T_odom_base);
+    EXPECT_EQ(pose.problem.empty(), k != 90) << pose.problem;
+  }
+  slam->finish();
+  EXPECT_LT(largest_error(*slam), 1.5 * expectation().largest_error);
+}
+
+TEST_P(Slam2dConformance, AnUnknownKeyOfItsFileIsAnError) {
+  EXPECT_THROW(registry().get(GetParam())("no_such_file.yaml"), Error);
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, Slam2dConformance, testing::ValuesIn(registry().names()),
+                         [](const auto& info) { return info.param; });
+
+}  // namespace
+}  // namespace trident
