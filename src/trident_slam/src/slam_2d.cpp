@@ -6,6 +6,7 @@
 #include "trident_slam/ekf_slam_2d.h"
 #include "trident_slam/graph_slam_2d.h"
 #include "trident_slam/hector_slam_2d.h"
+#include "trident_slam/particle_slam_2d.h"
 
 namespace trident {
 namespace {
@@ -25,6 +26,7 @@ void register_builtin_slam_2d(Registry<Slam2dFactory>& registry) {
   add_method<GraphSlam2d, GraphSlamOptions>(registry, "graph_slam_2d");
   add_method<HectorSlam2d, HectorSlamParams>(registry, "hector_slam_2d");
   add_method<OdometrySlam2d, OdometrySlam2dParams>(registry, "odometry");
+  add_method<ParticleSlam2d, ParticleSlamParams>(registry, "particle_slam_2d");
 }
 
 }  // namespace trident

@@ -4,8 +4,10 @@
 target_sources(trident_slam PRIVATE
   src/front_end/correlative_match.cpp
   src/front_end/line_match.cpp
+  src/front_end/map_match.cpp
   src/front_end/max_pyramid.cpp
   src/front_end/odometry_motion.cpp
   src/front_end/point_scan.cpp
+  src/front_end/probability_grid.cpp
   src/front_end/surfel_map.cpp
 )

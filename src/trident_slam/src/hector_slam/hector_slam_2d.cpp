@@ -5,11 +5,11 @@
 #include <cmath>
 #include <optional>
 
+#include "front_end/map_match.h"
 #include "front_end/odometry_motion.h"
 #include "front_end/point_scan.h"
+#include "front_end/probability_grid.h"
 #include "graph_slam/scan_check.h"
-#include "hector_slam/map_match.h"
-#include "hector_slam/probability_grid.h"
 #include "trident_base/angle.h"
 
 namespace trident {

@@ -5,14 +5,15 @@
 #include <Eigen/Core>
 #include <cstdint>
 
-#include "front_end/growing_grid.h"
 #include "front_end/point_scan.h"
+#include "front_end/tiled_grid.h"
 #include "trident_base/occupancy_grid.h"
 #include "trident_base/se2.h"
 
 namespace trident {
 
-/// An occupancy grid of probabilities that can be asked between its cells, too.
+/// An occupancy grid of probabilities that can be asked between its cells, too. Copies share what
+/// they have in common.
 class ProbabilityGrid {
  public:
   /// Probabilities that a passed cell, or one where a beam ended, is occupied: below and above 0.5.
@@ -48,7 +49,7 @@ class ProbabilityGrid {
   float log_odds_passed_;
   float log_odds_ended_;
   std::int32_t scans_ = 0;
-  GrowingGrid<Cell> cells_;
+  TiledGrid<Cell> cells_;
 };
 
 }  // namespace trident

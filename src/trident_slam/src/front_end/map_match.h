@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 
 #include "front_end/point_scan.h"
-#include "hector_slam/probability_grid.h"
+#include "front_end/probability_grid.h"
 #include "trident_base/se2.h"
 
 namespace trident {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-#include "hector_slam/probability_grid.h"
+#include "front_end/probability_grid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,8 +34,6 @@ void ProbabilityGrid::insert(const SE2& T_map_base, const PointScan& scan) {
   const Eigen::Vector2i from = cell_of(T_map_base * scan.origin.cast<double>());
   for (const SurfacePoint& point : scan.points) {
     const Eigen::Vector2i to = cell_of(T_map_base * point.p.cast<double>());
-    cells_.reserve(std::min(from.x(), to.x()), std::min(from.y(), to.y()),
-                   std::max(from.x(), to.x()), std::max(from.y(), to.y()));
     pass(from, to);
     tell(to, true);
   }
@@ -62,7 +60,7 @@ void ProbabilityGrid::pass(const Eigen::Vector2i& from, const Eigen::Vector2i& t
 }
 
 void ProbabilityGrid::tell(const Eigen::Vector2i& cell, bool is_end) {
-  Cell& c = cells_.cells()[cells_.index(cell.x(), cell.y())];
+  Cell& c = cells_.at(cell.x(), cell.y());
   const std::int32_t passed = 2 * scans_;
   if (c.told >= passed + (is_end ? 1 : 0)) return;
   if (c.told == passed) c.log_odds -= log_odds_passed_;  // a beam ended where another had passed
@@ -98,12 +96,15 @@ OccupancyGrid ProbabilityGrid::occupancy() const {
   grid.resolution = resolution_;
   grid.T_map_origin =
       SE2::from_xy_yaw(cells_.min_x() * resolution_, cells_.min_y() * resolution_, 0.0);
-  grid.cells.reserve(cells_.cells().size());
-  for (const Cell& cell : cells_.cells()) {
-    std::int8_t value = OccupancyGrid::kUnknown;
-    if (cell.told != 0 && cell.log_odds < 0.0F) value = OccupancyGrid::kFree;
-    if (cell.log_odds > 0.0F) value = OccupancyGrid::kOccupied;
-    grid.cells.push_back(value);
+  grid.cells.reserve(static_cast<std::size_t>(grid.width) * static_cast<std::size_t>(grid.height));
+  for (int row = 0; row < grid.height; ++row) {
+    for (int column = 0; column < grid.width; ++column) {
+      const Cell cell = cells_.get(cells_.min_x() + column, cells_.min_y() + row);
+      std::int8_t value = OccupancyGrid::kUnknown;
+      if (cell.told != 0 && cell.log_odds < 0.0F) value = OccupancyGrid::kFree;
+      if (cell.log_odds > 0.0F) value = OccupancyGrid::kOccupied;
+      grid.cells.push_back(value);
+    }
   }
   return grid;
 }

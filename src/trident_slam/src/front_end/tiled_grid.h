@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "front_end/growing_grid.h"
+
+namespace trident {
+
+/// A grid over whole-numbered cells, in tiles that exist where it was written to. A copy shares its
+/// tiles with the original until one of them writes: many maps that differ in few places are cheap.
+template <class T>
+class TiledGrid {
+ public:
+  static constexpr int kTileBits = 5;
+  static constexpr int kTileSide = 1 << kTileBits;
+
+  /// `T{}` where nothing was written.
+  T get(int x, int y) const {
+    const std::int32_t tile = index_.get(x >> kTileBits, y >> kTileBits);
+    return tile == 0 ? T{} : (*tiles_[static_cast<std::size_t>(tile - 1)])[cell_index(x, y)];
+  }
+  T& at(int x, int y) { return own_tile(x >> kTileBits, y >> kTileBits)[cell_index(x, y)]; }
+
+  /// Extent in whole tiles [cells].
+  int min_x() const { return index_.min_x() * kTileSide; }
+  int min_y() const { return index_.min_y() * kTileSide; }
+  int width() const { return index_.width() * kTileSide; }
+  int height() const { return index_.height() * kTileSide; }
+
+ private:
+  using Tile = std::array<T, static_cast<std::size_t>(kTileSide* kTileSide)>;
+
+  static std::size_t cell_index(int x, int y) {
+    constexpr int kMask = kTileSide - 1;
+    return static_cast<std::size_t>(((y & kMask) << kTileBits) + (x & kMask));
+  }
+  Tile& own_tile(int tile_x, int tile_y) {
+    std::int32_t& number = index_.at(tile_x, tile_y);
+    if (number == 0) {
+      tiles_.push_back(std::make_shared<Tile>());
+      number = static_cast<std::int32_t>(tiles_.size());
+    }
+    std::shared_ptr<Tile>& tile = tiles_[static_cast<std::size_t>(number - 1)];
+    if (tile.use_count() > 1) tile = std::make_shared<Tile>(*tile);
+    return *tile;
+  }
+
+  GrowingGrid<std::int32_t> index_;  ///< 1 + place in tiles_, 0: none
+  std::vector<std::shared_ptr<Tile>> tiles_;
+};
+
+}  // namespace trident
