@@ -120,6 +120,8 @@ class RayScene {
   /// The same with water that another refresh_water() gave, of the same moment; nullptr: without.
   void cast(Span<const Ray> rays, Span<RayHit> hits, const WaterSurface* water,
             const RayFilter& filter = {}) const;
+  /// Puts water before what rays have met without it.
+  void add_water(const WaterSurface& water, Span<const Ray> rays, Span<RayHit> hits) const;
   /// Whether anything that casts shadows lies between t_min and t_max; faster than cast().
   void occluded(Span<const Ray> rays, Span<bool> result, const RayFilter& filter = {}) const;
   static constexpr std::size_t kPacket = 16;

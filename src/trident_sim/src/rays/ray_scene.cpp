@@ -55,6 +55,11 @@ void RayScene::cast(Span<const Ray> rays, Span<RayHit> hits, const WaterSurface*
   if (water != nullptr) content_->add_water(*water, rays, hits);
 }
 
+void RayScene::add_water(const WaterSurface& water, Span<const Ray> rays, Span<RayHit> hits) const {
+  check_room("add_water", rays.size(), hits.size());
+  content_->add_water(water, rays, hits);
+}
+
 void RayScene::occluded(Span<const Ray> rays, Span<bool> result, const RayFilter& filter) const {
   check_room("occluded", rays.size(), result.size());
   for (std::size_t first = 0; first < rays.size(); first += kPacket) {

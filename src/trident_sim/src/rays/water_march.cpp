@@ -59,6 +59,45 @@ WaterSurface::Path WaterSurface::path_of(const Ray& ray) const {
   return path;
 }
 
+WaterReach WaterSurface::reach(const Ray& ray) const {
+  const double z = ray.p_world_origin.z() - level_m_, sinking = -ray.direction_world.z();
+  WaterReach reach;
+  if (!(sinking > 0.0)) {
+    reach.first = reach.last = kNowhere;
+    return reach;
+  }
+  reach.first = (z - high_m_) / sinking;
+  reach.last = (z - low_m_) / sinking;
+  const double level = std::sqrt(std::max(1.0 - sinking * sinking, 0.0));
+  const double slope =
+      !fades_ || is_open_between(ray, reach.first, reach.last) ? steepest_ : steepest_fading_;
+  if (slope * sinking < level) {
+    reach.cos_most = (sinking + slope * level) / std::sqrt(1.0 + slope * slope);
+  }
+  return reach;
+}
+
+/// Whether a stretch of a ray lies above one or two squares that the ground leaves alone.
+bool WaterSurface::is_open_between(const Ray& ray, double t0, double t1) const {
+  if (tile_ == nullptr) return true;
+  const auto at = [&](double t) {
+    const Eigen::Vector2d p =
+        (ray.p_world_origin.head<2>() + t * ray.direction_world.head<2>()) / pattern_->cell_m;
+    return std::array<std::int64_t, 2>{square_of(pattern_->axis.dot(p), 1.0),
+                                       square_of(pattern_->across.dot(p), 1.0)};
+  };
+  const auto [row0, column0] = at(t0);
+  const auto [row1, column1] = at(t1);
+  constexpr std::int64_t kCells = WaterShores::kCells;
+  const auto squares = [](std::int64_t a, std::int64_t b) {
+    return std::abs(square_of(static_cast<double>(a), kCells) -
+                    square_of(static_cast<double>(b), kCells));
+  };
+  return squares(row0, row1) + squares(column0, column1) <= 1 &&
+         shore(row0, column0) == WaveField::Shore::kOpen &&
+         shore(row1, column1) == WaveField::Shore::kOpen;
+}
+
 WaterMeeting WaterSurface::meet(const Ray& ray, double t_max) const {
   WaterMeeting meeting;
   const double t_min = ray.t_min_m;

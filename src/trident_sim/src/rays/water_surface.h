@@ -22,6 +22,12 @@ struct WaterMeeting {
   Eigen::Vector2d slope = Eigen::Vector2d::Zero();  ///< else that of the surface there
 };
 
+/// What is certain of a ray that meets the water from above, before it is followed.
+struct WaterReach {
+  double first = 0.0, last = 0.0;  ///< between which distances it meets it
+  double cos_most = 1.0;           ///< no steeper does it meet it: cosine to the surface's normal
+};
+
 /// The surface of a world's sea as rays meet it: heights of a periodic tile about who looks,
 /// between which they are bilinear; farther away than far_m() the still level, with the slopes of
 /// the tile. Nothing is worked out before follow() is called, and one tile per period of the waves
@@ -39,6 +45,9 @@ class WaterSurface {
 
   /// The first meeting between t_min_m and t_max. Directions may have any length.
   WaterMeeting meet(const Ray& ray, double t_max) const;
+  /// Of a ray that begins above all waves, with a direction of unit length; first is infinite where
+  /// it leads away.
+  WaterReach reach(const Ray& ray) const;
   double height_m(const Eigen::Vector2d& p_world) const;
   /// d height / d place.
   Eigen::Vector2d slope(const Eigen::Vector2d& p_world) const;
@@ -101,6 +110,7 @@ class WaterSurface {
   WaveField::Shore shore(std::int64_t row, std::int64_t column) const {
     return fades_ ? shores_->at(row, column) : WaveField::Shore::kOpen;
   }
+  bool is_open_between(const Ray& ray, double t0, double t1) const;
   double cell_height(double u, double v) const;
   template <std::size_t kLevel>
   Found walk(const Path& path, double t0, double t1) const;
@@ -127,6 +137,8 @@ class WaterSurface {
   bool fades_ = false;                               ///< strength depends on the place
   double strength_ = 1.0;                            ///< away from the shore
   double low_m_ = 0.0, high_m_ = 0.0, far_m_ = 0.0;  ///< heights are about the still level
+  double steepest_ = 0.0;                            ///< no slope is steeper away from the shore,
+  double steepest_fading_ = 0.0;                     ///< or anywhere
 };
 
 }  // namespace trident

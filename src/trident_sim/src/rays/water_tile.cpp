@@ -97,6 +97,31 @@ void WaterTile::find_bounds() {
   }
 }
 
+/// Between nodes, and between both ends, slopes are means of those that nodes have.
+void WaterTile::find_steepest() {
+  float along = 0.0F, across = 0.0F;
+  for (std::size_t row = 0; row < n_; ++row) {
+    const std::array<float, 2>* const here = &ends_[row * n_];
+    const std::array<float, 2>* const next = &ends_[((row + 1) & (n_ - 1)) * n_];
+    for (std::size_t column = 0; column < n_; ++column) {
+      for (std::size_t end = 0; end < 2; ++end) {
+        const float step = std::abs(next[column][end] - here[column][end]);
+        along = step > along ? step : along;
+      }
+    }
+    for (std::size_t column = 0; column + 1 < n_; ++column) {
+      for (std::size_t end = 0; end < 2; ++end) {
+        const float step = std::abs(here[column + 1][end] - here[column][end]);
+        across = step > across ? step : across;
+      }
+    }
+    for (std::size_t end = 0; end < 2; ++end) {
+      across = std::max(across, std::abs(here[0][end] - here[n_ - 1][end]));
+    }
+  }
+  steepest_step_m_ = std::hypot(along, across);
+}
+
 WaterTileMaker::WaterTileMaker(const WaterPattern& pattern)
     : pattern_(pattern),
       transform_(pattern.n),
@@ -181,6 +206,7 @@ void WaterTileMaker::make(const WaterTile::Key& key, std::uint64_t serial, Water
     }
   }
   tile.find_bounds();
+  tile.find_steepest();
 }
 
 }  // namespace trident

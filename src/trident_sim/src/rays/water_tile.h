@@ -48,6 +48,8 @@ class WaterTile {
                           (static_cast<std::size_t>(column) & (side - 1))];
   }
   const Bounds& bounds() const { return all_; }
+  /// No two heights differ more from one node to the next, along rows and columns together [m].
+  float steepest_step_m() const { return steepest_step_m_; }
   const Key& key() const { return key_; }
   /// Which one of those that one surface has made.
   std::uint64_t serial() const { return serial_; }
@@ -56,6 +58,7 @@ class WaterTile {
   friend class WaterTileMaker;
   std::size_t wrapped(std::int64_t i) const { return static_cast<std::size_t>(i) & (n_ - 1); }
   void find_bounds();
+  void find_steepest();
 
   Key key_{};
   std::uint64_t serial_ = 0;
@@ -63,6 +66,7 @@ class WaterTile {
   std::vector<std::array<float, 2>> ends_;
   std::array<std::vector<Bounds>, 2> bounds_;
   Bounds all_{};
+  float steepest_step_m_ = 0.0F;
 };
 
 /// Makes tiles of one pattern, by Fourier transforms.

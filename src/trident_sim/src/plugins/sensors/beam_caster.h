@@ -57,8 +57,9 @@ class BeamCaster {
     water_ = scene_.refresh_water(p_world_sensor);
   }
   void cast() { cast(own_); }
-  /// What the sensor notices of what a beam met; `scan` and `channel` are for random numbers.
-  const RayHit& hit(std::size_t beam, std::uint64_t scan, std::uint32_t channel) const {
+  /// What the sensor notices of what a beam met, or of the water before that; `scan` and `channel`
+  /// are for random numbers.
+  RayHit hit(std::size_t beam, std::uint64_t scan, std::uint32_t channel) const {
     return hit(own_, beam, scan, channel);
   }
   double intensity(const RayHit& hit) const { return scene_.intensity(hit); }
@@ -75,17 +76,13 @@ class BeamCaster {
   }
   void cast(BeamBatch& batch) const {
     scene_.cast({batch.rays.data(), batch.rays.size()}, {batch.hits.data(), batch.hits.size()},
-                water_.get());
+                nullptr);
   }
-  const RayHit& hit(const BeamBatch& batch, std::size_t beam, std::uint64_t scan,
-                    std::uint32_t channel) const {
+  RayHit hit(const BeamBatch& batch, std::size_t beam, std::uint64_t scan,
+             std::uint32_t channel) const {
+    const Ray& ray = batch.rays[beam];
     const RayHit& met = batch.hits[beam];
-    if (water_ == nullptr ||
-        sight_.tells(*water_, scene_.water_shape(), batch.rays[beam], met, scan, channel)) {
-      return met;
-    }
-    static const RayHit nothing;
-    return nothing;
+    return water_ == nullptr ? met : sight_.see(scene_, *water_, ray, met, scan, channel);
   }
 
  private:

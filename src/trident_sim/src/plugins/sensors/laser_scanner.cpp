@@ -134,7 +134,7 @@ class LaserScanner : public MeasuringPlugin {
     NormalRow noise(stream_, due.scan);
     for (std::size_t beam = due.first; beam < due.last; ++beam) {
       const auto channel = static_cast<std::uint32_t>(beam);
-      const RayHit& hit = caster_.hit(beam - due.first, due.scan, channel);
+      const RayHit hit = caster_.hit(beam - due.first, due.scan, channel);
       sweep_[beam] = measured(hit.distance_m, channel, noise);
       intensities_[beam] = static_cast<float>(caster_.intensity(hit));
     }

@@ -210,7 +210,7 @@ class PointLidar : public MeasuringPlugin, public RayWork {
     const double begin_s = static_cast<double>(column) * pattern_->column_period_s();
     for (const std::size_t beam : pattern_->firing_order()) {
       const auto channel = static_cast<std::uint32_t>(column * beams + beam);
-      const RayHit& hit = caster_.hit(own.batch, place(block, beam, i), scan, channel);
+      const RayHit hit = caster_.hit(own.batch, place(block, beam, i), scan, channel);
       if (!(hit.distance_m < limits_.range_max_m)) continue;
       const double intensity = caster_.intensity(hit);
       const double range_m =

@@ -34,7 +34,7 @@ class RayBundle {
   double intensity(std::size_t beam) const { return caster_.intensity(hit(beam)); }
 
  private:
-  const RayHit& hit(std::size_t beam) const {
+  RayHit hit(std::size_t beam) const {
     return caster_.hit(beam, scan_, static_cast<std::uint32_t>(beam));
   }
 

@@ -41,6 +41,27 @@ double water_return_probability(double cos_incidence, double distance_m) {
   return -std::expm1(-return_strength(cos_incidence, distance_m));
 }
 
+RayHit WaterSight::see(const RayScene& scene, const WaterSurface& water, const Ray& ray,
+                       const RayHit& behind, std::uint64_t scan, std::uint32_t channel) const {
+  if (ray.p_world_origin.z() > water.highest_m()) {
+    const double limit = behind.met() ? behind.distance_m : ray.t_max_m;
+    const WaterReach reach = water.reach(ray);
+    if (!(reach.first <= limit)) return behind;
+    // Of most beams that come down to the water chance tells that nothing comes back, wherever that
+    // is: they need not be followed to the very place.
+    if (reach.last <= limit && returns_ != WaterReturns::kOn) {
+      constexpr double kSlack = 1e-9;
+      if (returns_ == WaterReturns::kOff) return {};
+      const double strongest =
+          return_strength(reach.cos_most * (1.0 + kSlack), reach.first * (1.0 - kSlack));
+      if (stream_.uniform(scan, channel) >= strongest) return {};
+    }
+  }
+  RayHit hit = behind;
+  scene.add_water(water, {&ray, 1}, {&hit, 1});
+  return tells(water, scene.water_shape(), ray, hit, scan, channel) ? hit : RayHit{};
+}
+
 bool WaterSight::tells(const WaterSurface& water, std::uint32_t water_shape, const Ray& ray,
                        const RayHit& hit, std::uint64_t scan, std::uint32_t channel) const {
   if (!hit.met()) return true;

@@ -41,14 +41,17 @@ class WaterSight {
   WaterSight(WaterReturns returns, std::uint64_t seed, const std::string& sensor_name)
       : returns_(returns), stream_(seed, sensor_name + "/water") {}
 
-  /// Of a cast that saw `water`, whose hits have the shape `water_shape`; `scan` and `channel` are
-  /// those of the beam. Under water, `auto` sees nothing, as water
-  /// swallows light of 905 nm within decimetres; `on` and `off` see what is there, as through clear
-  /// water.
+  /// What the sensor notices of `behind`, which a beam of unit direction has met in `scene` without
+  /// the water; `scan` and `channel` are those of the beam. Under water, `auto` sees nothing, as
+  /// water swallows light of 905 nm within decimetres; `on` and `off` see what is there, as through
+  /// clear water.
+  RayHit see(const RayScene& scene, const WaterSurface& water, const Ray& ray, const RayHit& behind,
+             std::uint64_t scan, std::uint32_t channel) const;
+
+ private:
   bool tells(const WaterSurface& water, std::uint32_t water_shape, const Ray& ray,
              const RayHit& hit, std::uint64_t scan, std::uint32_t channel) const;
 
- private:
   WaterReturns returns_;
   RandomStream stream_;
 };
