@@ -76,6 +76,8 @@ struct RayShape {
 class RayWork {
  public:
   virtual ~RayWork() = default;
+  /// Where the sea is looked at from.
+  virtual Eigen::Vector2d viewer() const = 0;
   /// By the stepping thread, in the order in which works were put off: how many parts there are.
   virtual std::size_t begin() = 0;
   /// By any thread, once for each part; it writes only what belongs to the part.

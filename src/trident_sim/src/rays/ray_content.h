@@ -73,6 +73,7 @@ class RayScene::Content {
   std::uint32_t water_shape = RayHit::kNothing;
   Commits commits;
   std::vector<RayWork*> put_off;
+  std::vector<Eigen::Vector2d> viewers;                         ///< of works
   std::vector<RayWork*> works;                                  ///< those that are being done, and
   std::vector<std::pair<RayWork*, std::size_t>> put_off_parts;  ///< their parts
 

@@ -84,6 +84,11 @@ void RayScene::do_put_off(Span<RayScene* const> scenes, WorkerPool& workers) {
     works.insert(works.end(), scene->content_->put_off.begin(), scene->content_->put_off.end());
     scene->forget_put_off();
   }
+  if (works.empty()) return;
+  std::vector<Eigen::Vector2d>& viewers = scenes.front()->content_->viewers;
+  viewers.clear();
+  for (const RayWork* const work : works) viewers.push_back(work->viewer());
+  scenes.front()->content_->tiles()->prepare(viewers, workers);
   for (RayWork* const work : works) {
     const std::size_t count = work->begin();
     for (std::size_t part = 0; part < count; ++part) parts.emplace_back(work, part);

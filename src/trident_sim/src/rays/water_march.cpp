@@ -61,41 +61,31 @@ WaterSurface::Path WaterSurface::path_of(const Ray& ray) const {
 
 WaterReach WaterSurface::reach(const Ray& ray) const {
   const double z = ray.p_world_origin.z() - level_m_, sinking = -ray.direction_world.z();
-  WaterReach reach;
-  if (!(sinking > 0.0)) {
-    reach.first = reach.last = kNowhere;
-    return reach;
-  }
-  reach.first = (z - high_m_) / sinking;
-  reach.last = (z - low_m_) / sinking;
-  const double level = std::sqrt(std::max(1.0 - sinking * sinking, 0.0));
-  const double slope =
-      !fades_ || is_open_between(ray, reach.first, reach.last) ? steepest_ : steepest_fading_;
-  if (slope * sinking < level) {
-    reach.cos_most = (sinking + slope * level) / std::sqrt(1.0 + slope * slope);
-  }
-  return reach;
+  if (!(sinking > 0.0)) return {kNowhere, kNowhere};
+  return {(z - high_m_) / sinking, (z - low_m_) / sinking};
 }
 
-/// Whether a stretch of a ray lies above one or two squares that the ground leaves alone.
-bool WaterSurface::is_open_between(const Ray& ray, double t0, double t1) const {
-  if (tile_ == nullptr) return true;
-  const auto at = [&](double t) {
-    const Eigen::Vector2d p =
-        (ray.p_world_origin.head<2>() + t * ray.direction_world.head<2>()) / pattern_->cell_m;
-    return std::array<std::int64_t, 2>{square_of(pattern_->axis.dot(p), 1.0),
-                                       square_of(pattern_->across.dot(p), 1.0)};
-  };
-  const auto [row0, column0] = at(t0);
-  const auto [row1, column1] = at(t1);
-  constexpr std::int64_t kCells = WaterShores::kCells;
-  const auto squares = [](std::int64_t a, std::int64_t b) {
-    return std::abs(square_of(static_cast<double>(a), kCells) -
-                    square_of(static_cast<double>(b), kCells));
-  };
-  return squares(row0, row1) + squares(column0, column1) <= 1 &&
-         shore(row0, column0) == WaveField::Shore::kOpen &&
-         shore(row1, column1) == WaveField::Shore::kOpen;
+double WaterSurface::cos_most(const Ray& ray, double steepest) {
+  const double sinking = -ray.direction_world.z();
+  const double level = std::sqrt(std::max(1.0 - sinking * sinking, 0.0));
+  if (steepest * sinking >= level) return 1.0;
+  return (sinking + steepest * level) / std::sqrt(1.0 + steepest * steepest);
+}
+
+/// Whether a ray reaches the water above one or two squares that the ground leaves alone.
+bool WaterSurface::is_open_between(const Ray& ray, const WaterReach& reach) const {
+  if (!fades_ || tile_ == nullptr) return true;
+  const double t0 = reach.first, t1 = reach.last;
+  const double per_m = 1.0 / (pattern_->cell_m * static_cast<double>(WaterShores::kCells));
+  const Eigen::Vector2d p = per_m * ray.p_world_origin.head<2>();
+  const Eigen::Vector2d d = per_m * ray.direction_world.head<2>();
+  const double u = pattern_->axis.dot(p), v = pattern_->across.dot(p);
+  const double du = pattern_->axis.dot(d), dv = pattern_->across.dot(d);
+  const std::int64_t row0 = square_of(u + t0 * du, 1.0), row1 = square_of(u + t1 * du, 1.0);
+  const std::int64_t column0 = square_of(v + t0 * dv, 1.0), column1 = square_of(v + t1 * dv, 1.0);
+  return std::abs(row0 - row1) + std::abs(column0 - column1) <= 1 &&
+         shores_->of_square(row0, column0) == WaveField::Shore::kOpen &&
+         shores_->of_square(row1, column1) == WaveField::Shore::kOpen;
 }
 
 WaterMeeting WaterSurface::meet(const Ray& ray, double t_max) const {

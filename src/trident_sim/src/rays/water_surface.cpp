@@ -48,7 +48,7 @@ void WaterSurface::find_tile(const Eigen::Vector2d& p_world_viewer) {
   far_m_ = std::max(kFarthestWaves_m, kFarPerHeight * (high_m_ - low_m_));
   const double per_m = strength_ * kSlack / pattern_->cell_m;
   steepest_ = per_m * static_cast<double>(tile_->steepest_step_m());
-  steepest_fading_ = std::sqrt(2.0) * (high_m_ - low_m_) / pattern_->cell_m;
+  steepest_fading_ = fades_ ? std::sqrt(2.0) * (high_m_ - low_m_) / pattern_->cell_m : steepest_;
 }
 
 double WaterSurface::strength(const Eigen::Vector2d& p_world) const {

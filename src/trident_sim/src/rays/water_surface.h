@@ -22,10 +22,9 @@ struct WaterMeeting {
   Eigen::Vector2d slope = Eigen::Vector2d::Zero();  ///< else that of the surface there
 };
 
-/// What is certain of a ray that meets the water from above, before it is followed.
+/// Distances between which a ray from above meets the water for certain, if it gets there.
 struct WaterReach {
-  double first = 0.0, last = 0.0;  ///< between which distances it meets it
-  double cos_most = 1.0;           ///< no steeper does it meet it: cosine to the surface's normal
+  double first, last;
 };
 
 /// The surface of a world's sea as rays meet it: heights of a periodic tile about who looks,
@@ -45,9 +44,16 @@ class WaterSurface {
 
   /// The first meeting between t_min_m and t_max. Directions may have any length.
   WaterMeeting meet(const Ray& ray, double t_max) const;
-  /// Of a ray that begins above all waves, with a direction of unit length; first is infinite where
-  /// it leads away.
+  // Of a ray that begins above all waves, with a direction of unit length, without following it.
+
+  /// Infinite: it leads away.
   WaterReach reach(const Ray& ray) const;
+  /// No steeper does it meet the water: the cosine to the surface's normal. The first is of any
+  /// water, the second costs more, is of this reach and no greater.
+  double cos_most(const Ray& ray) const { return cos_most(ray, steepest_fading_); }
+  double cos_most(const Ray& ray, const WaterReach& reach) const {
+    return cos_most(ray, is_open_between(ray, reach) ? steepest_ : steepest_fading_);
+  }
   double height_m(const Eigen::Vector2d& p_world) const;
   /// d height / d place.
   Eigen::Vector2d slope(const Eigen::Vector2d& p_world) const;
@@ -110,7 +116,8 @@ class WaterSurface {
   WaveField::Shore shore(std::int64_t row, std::int64_t column) const {
     return fades_ ? shores_->at(row, column) : WaveField::Shore::kOpen;
   }
-  bool is_open_between(const Ray& ray, double t0, double t1) const;
+  static double cos_most(const Ray& ray, double steepest);
+  bool is_open_between(const Ray& ray, const WaterReach& reach) const;
   double cell_height(double u, double v) const;
   template <std::size_t kLevel>
   Found walk(const Path& path, double t0, double t1) const;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <cstring>
 
 namespace trident {
 namespace {
@@ -99,27 +100,29 @@ void WaterTile::find_bounds() {
 
 /// Between nodes, and between both ends, slopes are means of those that nodes have.
 void WaterTile::find_steepest() {
-  float along = 0.0F, across = 0.0F;
+  // Lanes, as a single greatest would be sought one by one.
+  constexpr std::size_t kLanes = 16;
+  const std::size_t floats = 2 * n_;
+  const auto widen = [](std::array<float, kLanes>& greatest, const float* a, const float* b) {
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      const float step = std::abs(a[i] - b[i]);
+      greatest[i] = step > greatest[i] ? step : greatest[i];
+    }
+  };
+  std::array<float, kLanes> along{}, across{};
+  // A row with its first nodes once more at its end.
+  std::vector<float> here(floats + kLanes);
   for (std::size_t row = 0; row < n_; ++row) {
-    const std::array<float, 2>* const here = &ends_[row * n_];
-    const std::array<float, 2>* const next = &ends_[((row + 1) & (n_ - 1)) * n_];
-    for (std::size_t column = 0; column < n_; ++column) {
-      for (std::size_t end = 0; end < 2; ++end) {
-        const float step = std::abs(next[column][end] - here[column][end]);
-        along = step > along ? step : along;
-      }
-    }
-    for (std::size_t column = 0; column + 1 < n_; ++column) {
-      for (std::size_t end = 0; end < 2; ++end) {
-        const float step = std::abs(here[column + 1][end] - here[column][end]);
-        across = step > across ? step : across;
-      }
-    }
-    for (std::size_t end = 0; end < 2; ++end) {
-      across = std::max(across, std::abs(here[0][end] - here[n_ - 1][end]));
+    std::memcpy(here.data(), &ends_[row * n_], floats * sizeof(float));
+    std::copy_n(here.begin(), kLanes, here.begin() + static_cast<std::ptrdiff_t>(floats));
+    const float* const next = ends_[((row + 1) & (n_ - 1)) * n_].data();
+    for (std::size_t i = 0; i < floats; i += kLanes) {
+      widen(along, next + i, &here[i]);
+      widen(across, &here[i + 2], &here[i]);
     }
   }
-  steepest_step_m_ = std::hypot(along, across);
+  steepest_step_m_ = std::hypot(*std::max_element(along.begin(), along.end()),
+                                *std::max_element(across.begin(), across.end()));
 }
 
 WaterTileMaker::WaterTileMaker(const WaterPattern& pattern)
@@ -127,14 +130,6 @@ WaterTileMaker::WaterTileMaker(const WaterPattern& pattern)
       transform_(pattern.n),
       elevations_(pattern.n),
       ways_(pattern.is_gerstner ? pattern.n : 0) {}
-
-WaterTile::Key WaterTileMaker::key_near(const Eigen::Vector2d& p_world, double time_s) const {
-  const auto nearest = [this](double along_m) {
-    return static_cast<std::int64_t>(std::llround(along_m / pattern_.anchor_step_m));
-  };
-  return {nearest(pattern_.axis.dot(p_world)), nearest(pattern_.across.dot(p_world)),
-          static_cast<std::int64_t>(std::floor(time_s / pattern_.period_s))};
-}
 
 void WaterTileMaker::transform_elevations(const std::array<Moment, 2>& ends) {
   clear(elevations_);
@@ -183,15 +178,14 @@ void WaterTileMaker::bend(std::size_t end, WaterTile& tile) const {
   }
 }
 
-void WaterTileMaker::make(const WaterTile::Key& key, std::uint64_t serial, WaterTile& tile) {
+void WaterTileMaker::make(WaterTile& tile) {
+  const WaterTile::Key& key = tile.key();
   const Eigen::Vector2d anchor =
       pattern_.anchor_step_m * (static_cast<double>(key.anchor_row) * pattern_.axis +
                                 static_cast<double>(key.anchor_column) * pattern_.across);
   const double begin_s = static_cast<double>(key.period) * pattern_.period_s;
   const std::array<Moment, 2> ends = {Moment{anchor, begin_s},
                                       Moment{anchor, begin_s + pattern_.period_s}};
-  tile.key_ = key;
-  tile.serial_ = serial;
   tile.n_ = pattern_.n;
   tile.ends_.resize(pattern_.n * pattern_.n);
   transform_elevations(ends);

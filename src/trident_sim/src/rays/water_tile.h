@@ -32,6 +32,12 @@ class WaterTile {
     }
   };
 
+  /// To be made anew.
+  void begin(const Key& key, std::uint64_t serial) {
+    key_ = key;
+    serial_ = serial;
+  }
+
   /// A node's heights at both ends of the period [m]; any whole numbers, as it repeats.
   const std::array<float, 2>& ends(std::int64_t row, std::int64_t column) const {
     return ends_[wrapped(row) * n_ + wrapped(column)];
@@ -75,10 +81,8 @@ class WaterTileMaker {
   /// pattern.n > 0
   explicit WaterTileMaker(const WaterPattern& pattern);
   const WaterPattern& pattern() const { return pattern_; }
-  /// The tile whose anchor is nearest to a place, at a time.
-  WaterTile::Key key_near(const Eigen::Vector2d& p_world, double time_s) const;
-  /// `tile` is written over.
-  void make(const WaterTile::Key& key, std::uint64_t serial, WaterTile& tile);
+  /// What belongs to the tile's key.
+  void make(WaterTile& tile);
 
  private:
   struct Moment {

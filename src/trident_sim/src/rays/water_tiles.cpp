@@ -46,25 +46,70 @@ void WaterTiles::follow(const WaveField& waves) {
   for (const WaveComponent& wave : now) amplitudes_m_ += std::abs(wave.amplitude_m);
   tiles_.clear();
   shores_.clear();
-  maker_.reset();
+  makers_.clear();
   pattern_.reset();
   auto pattern = std::make_shared<const WaterPattern>(make_water_pattern(waves));
   if (pattern->n == 0) return;
-  maker_ = std::make_unique<WaterTileMaker>(*pattern);
   pattern_ = std::move(pattern);
 }
 
 std::shared_ptr<const WaterTile> WaterTiles::tile(const Eigen::Vector2d& p_world, double time_s) {
-  const WaterTile::Key key = maker_->key_near(p_world, time_s);
+  const WaterTile::Key key = key_near(p_world, time_s);
   const auto known = std::find_if(tiles_.begin(), tiles_.end(),
                                   [&](const auto& tile) { return tile->key() == key; });
   if (known != tiles_.end()) {
     std::rotate(known, known + 1, tiles_.end());
   } else {
     tiles_.push_back(take_room(key.period));
-    maker_->make(key, ++tiles_made_, *tiles_.back());
+    tiles_.back()->begin(key, ++tiles_made_);
+    maker(0).make(*tiles_.back());
   }
   return tiles_.back();
+}
+
+void WaterTiles::prepare(const std::vector<Eigen::Vector2d>& places, WorkerPool& workers) {
+  const std::shared_ptr<const Sea> sea = find_sea();
+  const auto* const waves =
+      sea != nullptr ? dynamic_cast<const WaveField*>(&sea->water()) : nullptr;
+  if (waves == nullptr) return;
+  follow(*waves);
+  const double time_s = world_.time().seconds();
+  if (pattern_ == nullptr || !(waves->open_strength(time_s) > 0.0)) return;
+  missing_.clear();
+  for (const Eigen::Vector2d& place : places) {
+    // What is too much at a time is made when it is asked for.
+    if (!place.allFinite() || missing_.size() == kTilesKept) continue;
+    const WaterTile::Key key = key_near(place, time_s);
+    if (knows(key)) continue;
+    tiles_.push_back(take_room(key.period));
+    tiles_.back()->begin(key, ++tiles_made_);
+    missing_.push_back(tiles_.back().get());
+  }
+  for (std::size_t worker = 0; worker < workers.threads() && !missing_.empty(); ++worker) {
+    maker(worker);
+  }
+  workers.share(missing_.size(),
+                [this](std::size_t i, std::size_t worker) { makers_[worker]->make(*missing_[i]); });
+}
+
+/// The tile whose anchor is nearest to a place, at a time.
+WaterTile::Key WaterTiles::key_near(const Eigen::Vector2d& p_world, double time_s) const {
+  const auto nearest = [this](double along_m) {
+    return static_cast<std::int64_t>(std::llround(along_m / pattern_->anchor_step_m));
+  };
+  return {nearest(pattern_->axis.dot(p_world)), nearest(pattern_->across.dot(p_world)),
+          static_cast<std::int64_t>(std::floor(time_s / pattern_->period_s))};
+}
+
+bool WaterTiles::knows(const WaterTile::Key& key) const {
+  return std::any_of(tiles_.begin(), tiles_.end(),
+                     [&](const auto& tile) { return tile->key() == key; });
+}
+
+WaterTileMaker& WaterTiles::maker(std::size_t worker) {
+  if (makers_.size() <= worker) makers_.resize(worker + 1);
+  if (makers_[worker] == nullptr) makers_[worker] = std::make_unique<WaterTileMaker>(*pattern_);
+  return *makers_[worker];
 }
 
 /// The oldest is written over, where nobody else holds it; one of the same period, which somebody

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "trident_base/worker_pool.h"
 #include "trident_sim/port.h"
 #include "trident_sim/sea.h"
 #include "water_tile.h"
@@ -26,7 +27,10 @@ struct WaterShores {
   WaveField::Shore at(std::int64_t row, std::int64_t column) const {
     constexpr int kShift = 5;
     static_assert(std::int64_t{1} << kShift == kCells, "as >> has it");
-    const std::int64_t i = (row >> kShift) - first_row, j = (column >> kShift) - first_column;
+    return of_square(row >> kShift, column >> kShift);
+  }
+  WaveField::Shore of_square(std::int64_t row, std::int64_t column) const {
+    const std::int64_t i = row - first_row, j = column - first_column;
     if (i < 0 || j < 0 || i >= kSide || j >= kSide) return WaveField::Shore::kFading;
     return squares[static_cast<std::size_t>(i * kSide + j)];
   }
@@ -46,6 +50,9 @@ class WaterTiles {
   /// Lays the waves anew if others are given than the last time.
   void follow(const WaveField& waves);
 
+  /// Makes the tiles about these places that are not there yet, side by side.
+  void prepare(const std::vector<Eigen::Vector2d>& places, WorkerPool& workers);
+
   // Of the waves that were given last.
 
   /// nullptr: there are none.
@@ -62,6 +69,9 @@ class WaterTiles {
 
  private:
   std::shared_ptr<WaterTile> take_room(std::int64_t period);
+  WaterTile::Key key_near(const Eigen::Vector2d& p_world, double time_s) const;
+  bool knows(const WaterTile::Key& key) const;
+  WaterTileMaker& maker(std::size_t worker);
   WaterShores make_shores(const WaveField& waves, const WaterTile::Key& key, std::int64_t level,
                           std::array<double, 2> levels_m) const;
 
@@ -72,7 +82,8 @@ class WaterTiles {
   WaveParams seen_params_;                 ///< what made them
   double amplitudes_m_ = 0.0;
   std::shared_ptr<const WaterPattern> pattern_;
-  std::unique_ptr<WaterTileMaker> maker_;
+  std::vector<std::unique_ptr<WaterTileMaker>> makers_;  ///< by worker; nullptr: not needed yet
+  std::vector<WaterTile*> missing_;
   std::vector<std::shared_ptr<WaterTile>> tiles_;  ///< the one that was asked for last is the last
   std::vector<std::shared_ptr<const WaterShores>> shores_;  ///< likewise
   std::uint64_t tiles_made_ = 0;

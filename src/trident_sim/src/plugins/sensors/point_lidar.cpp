@@ -70,6 +70,8 @@ class PointLidar : public MeasuringPlugin, public RayWork {
     if (!casts_.empty()) caster_.scene().put_off(*this);
   }
 
+  Eigen::Vector2d viewer() const override { return T_world_sensor_.p.head<2>(); }
+
   std::size_t begin() override {
     caster_.refresh_water(T_world_sensor_.p);
     blocks_.clear();

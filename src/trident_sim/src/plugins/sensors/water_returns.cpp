@@ -50,11 +50,14 @@ RayHit WaterSight::see(const RayScene& scene, const WaterSurface& water, const R
     // Of most beams that come down to the water chance tells that nothing comes back, wherever that
     // is: they need not be followed to the very place.
     if (reach.last <= limit && returns_ != WaterReturns::kOn) {
-      constexpr double kSlack = 1e-9;
       if (returns_ == WaterReturns::kOff) return {};
-      const double strongest =
-          return_strength(reach.cos_most * (1.0 + kSlack), reach.first * (1.0 - kSlack));
-      if (stream_.uniform(scan, channel) >= strongest) return {};
+      const double chance = stream_.uniform(scan, channel);
+      const auto beyond_chance = [&](double cos_most) {
+        constexpr double kSlack = 1e-9;
+        return chance >= return_strength(cos_most * (1.0 + kSlack), reach.first * (1.0 - kSlack));
+      };
+      if (beyond_chance(water.cos_most(ray))) return {};
+      if (beyond_chance(water.cos_most(ray, reach))) return {};
     }
   }
   RayHit hit = behind;
