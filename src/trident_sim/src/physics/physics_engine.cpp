@@ -296,8 +296,10 @@ void PhysicsEngine::advance_rotors(double dt_s) {
       Joint& joint = *spun_joints_[i];
       joint.spun_position += dt_s * joint.spun_velocity;
       joint.spun_velocity -= joint.axis_body.dot(dw_body);
-      if (rotor_axes_lag_) advance_rotor_axis(joint, w_body, spec_.erp, dt_s);
     }
+    if (!rotor_axes_lag_) continue;
+    advance_rotor_axes({&spun_joints_[carrier.first], carrier.last - carrier.first}, w_body,
+                       spec_.erp, dt_s);
   }
 }
 

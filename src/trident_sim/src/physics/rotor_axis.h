@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "trident_base/span.h"
 #include "trident_sim/model.h"
 
 namespace trident {
@@ -18,8 +19,9 @@ namespace trident {
 /// The torque [N m, body frame] with which the hinge's pull on the rotor acts on its carrier.
 Eigen::Vector3d rotor_axis_reaction(const Joint& joint, double erp, double dt_s);
 
-/// Moves rotor_axis_body by one step, after the carrier and the rotor's rate have been moved.
-/// `w_body`: the carrier's angular velocity in its own frame.
-void advance_rotor_axis(Joint& joint, const Eigen::Vector3d& w_body, double erp, double dt_s);
+/// Moves rotor_axis_body of a carrier's rotors by one step, after the carrier and the rotors' rates
+/// have been moved. `w_body`: the carrier's angular velocity in its own frame.
+void advance_rotor_axes(Span<Joint* const> joints, const Eigen::Vector3d& w_body, double erp,
+                        double dt_s);
 
 }  // namespace trident

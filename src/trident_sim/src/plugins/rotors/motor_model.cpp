@@ -45,6 +45,7 @@ class MotorModel : public Plugin {
     name_ = params.owner();
     MotorModel::body_frames_moved();
     axis_to_thrust_body_ = link_.T_body_link.R * Eigen::Vector3d::UnitZ() - joint_.axis_body;
+    is_thrust_along_axis_ = axis_to_thrust_body_.isZero(0.0);
   }
 
   std::vector<Phase> phases() const override { return {Phase::kActuate}; }
@@ -101,11 +102,12 @@ class MotorModel : public Plugin {
   void apply_forces() {
     Body& body = *link_.body;
     const Eigen::Matrix3d& R = body.R_world_body;
-    const double speed = joint_.velocity() * slowdown_;
+    const double speed = (joint_.spun ? joint_.spun_velocity : joint_.velocity()) * slowdown_;
     const double thrust = direction_ * std::abs(speed) * speed * motor_constant_;
     const Eigen::Vector3d axis = R * joint_.rotor_axis_body;
     // Thrust acts along the rotor link's z, which leans with the rotor's axis.
-    const Eigen::Vector3d thrust_axis = axis + R * axis_to_thrust_body_;
+    Eigen::Vector3d thrust_axis = axis;
+    if (!is_thrust_along_axis_) thrust_axis += R * axis_to_thrust_body_;
     const Eigen::Vector3d arm = R * arm_body_;
     const Eigen::Vector3d velocity = body.v_world + body.w_world.cross(arm) - wind_velocity(arm);
     const Eigen::Vector3d across = velocity - velocity.dot(axis) * axis;
@@ -130,26 +132,33 @@ class MotorModel : public Plugin {
     }
     const double decay = reference_ > filtered_ ? decay_up_ : decay_down_;
     filtered_ = decay * filtered_ + (1.0 - decay) * reference_;
-    joint_.set_velocity(direction_ * filtered_ / slowdown_);
+    const double rate = direction_ * filtered_ / slowdown_;
+    if (joint_.spun) {
+      joint_.spun_velocity = rate;
+    } else {
+      joint_.set_velocity(rate);
+    }
   }
 
+  // What a step needs lies together, ahead of what it does not: six a vehicle are read in each.
   Joint& joint_;
   Link& link_;
-  std::string name_;
-  Eigen::Vector3d arm_body_;             ///< rotor's centre of mass
-  Eigen::Vector3d axis_to_thrust_body_;  ///< zero when the joint turns about the link's z
-  std::size_t motor_number_ = 0;
+  InHandle<ActuatorCommand> command_;
+  InHandle<WindSample> wind_;
+  OutHandle<ScalarSample> speed_;
+  Surroundings around_;
+  Eigen::Vector3d arm_body_;  ///< rotor's centre of mass
   double direction_ = 1.0;
-  double rotor_drag_, rolling_moment_, max_speed_, motor_constant_, moment_constant_;
-  double time_constant_up_s_, time_constant_down_s_, slowdown_;
+  double rotor_drag_, rolling_moment_, max_speed_, motor_constant_, moment_constant_, slowdown_;
   double decay_dt_s_ = -1.0, decay_up_ = 0.0, decay_down_ = 0.0;
   double reference_ = 0.0, filtered_ = 0.0;
   std::uint64_t command_seen_ = 0;
+  std::size_t motor_number_ = 0;
+  bool is_thrust_along_axis_ = true;
   bool refused_ = false;
-  InHandle<ActuatorCommand> command_;
-  InHandle<WindSample> wind_;
-  Surroundings around_;
-  OutHandle<ScalarSample> speed_;
+  Eigen::Vector3d axis_to_thrust_body_;  ///< zero when the joint turns about the link's z
+  double time_constant_up_s_, time_constant_down_s_;
+  std::string name_;
 };
 
 }  // namespace
