@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include "physics/rotor_axis.h"
 #include "quad_world.h"
 
 namespace trident {
@@ -50,6 +51,32 @@ TEST(RotorAxis, ComesBackWhenTheTurningEnds) {
   EXPECT_LT((joint.rotor_axis_body - joint.axis_body).norm(), 1e-3);
   quad->reset();
   EXPECT_EQ(joint.rotor_axis_body, joint.axis_body);
+}
+
+TEST(RotorAxis, IsTheSameAloneAndBesideOthers) {
+  const Eigen::Vector3d w_body(0.3, -1.2, 0.7);
+  for (std::size_t count = 1; count <= 5; ++count) {
+    std::vector<Joint> together(count), alone(count);
+    std::vector<Joint*> joints;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double tilt = 0.05 * static_cast<double>(i + 1);
+      together[i].axis_body = Eigen::Vector3d(tilt, -2.0 * tilt, 1.0).normalized();
+      together[i].rotor_axis_body = Eigen::Vector3d(-tilt, 0.5 * tilt, 1.0).normalized();
+      together[i].spun_velocity = i % 2 == 0 ? 61.0 : -43.0 - tilt;
+      alone[i].axis_body = together[i].axis_body;
+      alone[i].rotor_axis_body = together[i].rotor_axis_body;
+      alone[i].spun_velocity = together[i].spun_velocity;
+      joints.push_back(&together[i]);
+      Joint* const one = &alone[i];
+      advance_rotor_axes({&one, 1}, w_body, 0.2, 0.01);
+    }
+    const Eigen::Vector3d before = joints.front()->rotor_axis_body;
+    advance_rotor_axes(joints, w_body, 0.2, 0.01);
+    for (std::size_t i = 0; i < count; ++i) {
+      EXPECT_EQ(together[i].rotor_axis_body, alone[i].rotor_axis_body) << i << " of " << count;
+    }
+    EXPECT_GT((joints.front()->rotor_axis_body - before).norm(), 1e-3);
+  }
 }
 
 }  // namespace
