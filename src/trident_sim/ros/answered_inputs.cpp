@@ -35,6 +35,8 @@ void AnsweredInputs::sync() {
   for (Driver& driver : drivers_) {
     const PortBase* const state = board_.find(driver.options.state, PortDirection::kOut);
     driver.seen = state == nullptr ? 0 : state->count();
+    // Its model has gone, and with it the question.
+    if (state == nullptr) driver.is_open = false;
     for (const std::string& command : driver.options.commands) inputs_.hold(command);
   }
 }
@@ -45,11 +47,18 @@ std::string AnsweredInputs::missing_for_start() const {
     missing += (missing.empty() ? "" : ", ") + what;
   };
   for (const Driver& driver : drivers_) {
-    if (outputs_.subscribers(driver.options.state) == 0) {
-      add("a reader of /" + driver.options.state + " for " + driver.name);
+    const std::string& state = driver.options.state;
+    if (board_.find(state, PortDirection::kOut) == nullptr) {
+      add("a model that publishes /" + state + " for " + driver.name);
+    } else if (outputs_.subscribers(state) == 0) {
+      add("a reader of /" + state + " for " + driver.name);
     }
     for (const std::string& command : driver.options.commands) {
-      if (inputs_.publishers(command) == 0) add("a publisher of /" + command);
+      if (board_.find(command, PortDirection::kIn) == nullptr) {
+        add("a model that reads /" + command + " for " + driver.name);
+      } else if (inputs_.publishers(command) == 0) {
+        add("a publisher of /" + command);
+      }
     }
   }
   return missing;

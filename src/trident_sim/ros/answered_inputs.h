@@ -17,7 +17,10 @@ namespace trident {
 /// Lockstep with nodes whose commands carry no stamp: one that turns each sample of a topic (an
 /// odometry) into one message on each of some inputs (a Twist, thrusters' Float64). The world goes
 /// on by `delay` beyond a sample, waits there for its answers, and hands them to the plugins in
-/// that very step, whenever they came. By the stepping thread, with the world's mutex held.
+/// that very step, whenever they came. A set-point's source (lockstep.h) says by stamps what time
+/// it covers and may be far ahead; here nothing tells what a message is for but that it is the next
+/// one after a sample, so that messages are counted and held back. By the stepping thread, with the
+/// world's mutex held.
 class AnsweredInputs {
  public:
   AnsweredInputs(const ServerOptions& options, PortBoard& board, PortBinder& outputs,

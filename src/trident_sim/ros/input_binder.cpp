@@ -19,7 +19,6 @@
 #include <vector>
 
 #include "conversions.h"
-#include "trident_base/string_util.h"
 #include "trident_sim/commands.h"
 #include "trident_sim/text_sample.h"
 
@@ -28,7 +27,7 @@ namespace {
 
 TwistCommand from_message(const geometry_msgs::Twist& message) { return from_twist(message); }
 ScalarSample from_message(const std_msgs::Float64& message) { return {SimTime{}, message.data}; }
-ScalarSample from_message(const std_msgs::Float32& message) { return {SimTime{}, message.data}; }
+SingleNumber from_message(const std_msgs::Float32& message) { return {SimTime{}, message.data}; }
 StampedNumber from_message(const uuv_gazebo_ros_plugins_msgs::FloatStamped& message) {
   return {SimTime{}, message.data};
 }
@@ -164,25 +163,13 @@ std::unique_ptr<InputBinding> try_bind(ros::NodeHandle& node, ros::CallbackQueue
   return std::make_unique<Binding>(node, queue, *typed, bell);
 }
 
-/// Numbers are Float64, those of thrusters Float32, as VRX has them. A topic has one type.
-std::unique_ptr<InputBinding> try_bind_number(ros::NodeHandle& node,
-                                              ros::CallbackQueueInterface& queue, PortBase& port,
-                                              const Bell& bell) {
-  const std::string& name = port.name();
-  if (ends_with(name, "_thrust_cmd") || ends_with(name, "_thrust_angle")) {
-    return try_bind<ScalarSample, TopicBinding<ScalarSample, std_msgs::Float32>>(node, queue, port,
-                                                                                 bell);
-  }
-  return try_bind<ScalarSample, TopicBinding<ScalarSample, std_msgs::Float64>>(node, queue, port,
-                                                                               bell);
-}
-
 using BindFunction = std::unique_ptr<InputBinding> (*)(ros::NodeHandle&,
                                                        ros::CallbackQueueInterface&, PortBase&,
                                                        const Bell&);
 constexpr BindFunction kBindFunctions[] = {
     try_bind<TwistCommand, TopicBinding<TwistCommand, geometry_msgs::Twist>>,
-    try_bind_number,
+    try_bind<ScalarSample, TopicBinding<ScalarSample, std_msgs::Float64>>,
+    try_bind<SingleNumber, TopicBinding<SingleNumber, std_msgs::Float32>>,
     try_bind<PoseSample, TopicBinding<PoseSample, geometry_msgs::PoseStamped>>,
     try_bind<PathCommand, TopicBinding<PathCommand, nav_msgs::Path>>,
     try_bind<StampedNumber, TopicBinding<StampedNumber, uuv_gazebo_ros_plugins_msgs::FloatStamped>>,

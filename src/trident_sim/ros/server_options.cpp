@@ -124,17 +124,22 @@ class Parameters {
     AnswerOptions result;
     bool is_legal = fields.hasMember("state") && fields.hasMember("commands");
     for (auto& [key, value] : fields) {
-      if (key == "state" && value.getType() == Value::TypeString) {
+      if (key == "state") {
         result.state = port_name(value);
       } else if (key == "commands" && value.getType() == Value::TypeArray && value.size() > 0) {
         for (int i = 0; i < value.size(); ++i) result.commands.push_back(port_name(value[i]));
       } else if (key == "delay" && value.getType() == Value::TypeDouble) {
         result.delay_s = static_cast<double>(value);
+      } else if (key == "delay" && value.getType() == Value::TypeInt) {
+        result.delay_s = static_cast<int>(value);
       } else {
         is_legal = false;
       }
     }
-    is_legal = is_legal && result.delay_s >= 0.0 && result.delay_s <= 10.0;
+    const bool has_names =
+        !result.state.empty() &&
+        std::find(result.commands.begin(), result.commands.end(), "") == result.commands.end();
+    is_legal = is_legal && has_names && result.delay_s >= 0.0 && result.delay_s <= 10.0;
     if (!is_legal) refuse(name, fields, legal);
     return result;
   }

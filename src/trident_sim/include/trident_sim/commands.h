@@ -26,6 +26,12 @@ struct ServiceCommand {
   SimTime stamp;  ///< not looked at: it acts in the next step
 };
 
+/// A number on a topic of single precision (std_msgs/Float32), as VRX has those of its thrusters.
+struct SingleNumber {
+  SimTime stamp;
+  double value = 0.0;
+};
+
 /// A number with its time on a topic of uuv_simulator (uuv_gazebo_ros_plugins_msgs/FloatStamped);
 /// in or out.
 struct StampedNumber {

@@ -31,6 +31,17 @@ std::pair<const std::type_index, PortType> entry(const char* name) {
            InPort<Sample>::kDepth}};
 }
 
+/// A number of single precision is a number like any other to Python.
+std::pair<const std::type_index, PortType> single_number() {
+  return {typeid(SingleNumber),
+          {"ScalarSample", nullptr,
+           [](PortBase& port, const py::handle& sample) {
+             const auto number = sample.cast<ScalarSample>();
+             static_cast<InPort<SingleNumber>&>(port).write({number.stamp, number.value});
+           },
+           InPort<SingleNumber>::kDepth}};
+}
+
 const std::map<std::type_index, PortType>& port_types() {
   static const std::map<std::type_index, PortType> types = {
       entry<ActuatorCommand>("ActuatorCommand"),
@@ -62,6 +73,7 @@ const std::map<std::type_index, PortType>& port_types() {
       entry<RangeSample>("RangeSample"),
       entry<ScalarSample>("ScalarSample"),
       entry<ServiceCommand>("ServiceCommand"),
+      single_number(),
       entry<StampedNumber>("StampedNumber"),
       entry<TextCommand>("TextCommand"),
       entry<TrajectorySample>("TrajectorySample"),

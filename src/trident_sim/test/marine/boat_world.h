@@ -9,6 +9,7 @@
 #include "models.h"
 #include "standalone_vessel.h"
 #include "test_world.h"
+#include "trident_sim/commands.h"
 
 namespace trident {
 
@@ -58,11 +59,16 @@ inline ModelSpec make_boat(const std::string& vessel, const std::string& model =
           {{"robotNamespace", model}, {"vessel", vessel_file(vessel)}, {"bodyName", "base_link"}}));
 }
 
-template <class Number = ScalarSample>
-void command(World& world, const std::string& topic, double value) {
-  auto* const port = world.ports().find_in<Number>(topic);
-  ASSERT_NE(port, nullptr) << topic;
-  port->write({world.time(), value});
+/// To an input of any kind of number.
+inline void command(World& world, const std::string& topic, double value) {
+  const auto put = [&](auto* const port) {
+    if (port != nullptr) port->write({world.time(), value});
+    return port != nullptr;
+  };
+  PortBoard& ports = world.ports();
+  EXPECT_TRUE(put(ports.find_in<ScalarSample>(topic)) || put(ports.find_in<SingleNumber>(topic)) ||
+              put(ports.find_in<StampedNumber>(topic)))
+      << topic;
 }
 
 /// The same command for both propellers of a boat.

@@ -137,7 +137,7 @@ TEST(UuvPlugins, HeronFloatsRollsAndRunsByItsFigures) {
   EXPECT_NEAR(world->time().seconds(), (kPi / 2 + std::asin(ratio)) / damped, 0.03);
   world->step(2000);
   EXPECT_NEAR(boat.T_world_model().p.z(), 0.14, 1e-4);
-  command<StampedNumber>(*world, "heron/thrusters/0/input", 0.7);
+  command(*world, "heron/thrusters/0/input", 0.7);
   world->step(4000);
   EXPECT_NEAR(thrust->value.value, 24.64, 1e-9);
   EXPECT_NEAR(wrench->value.force.x(), 24.64, 1e-9);
@@ -162,7 +162,7 @@ TEST(UuvPlugins, InputsThatAreNotLegalAreRefusedOrCut) {
   world.add(make_heron(heron_thruster(kFirstOrder, kHeronCurve)));
   const std::string topic = "heron/thrusters/0/input";
   for (const double value : {0.4, std::numeric_limits<double>::quiet_NaN(), 3.0}) {
-    command<StampedNumber>(*world, topic, value);
+    command(*world, topic, value);
     world->step(100);
   }
   std::string told;

@@ -129,7 +129,7 @@ TEST(VesselPluginCommands, OfTheWrongNumberOrNotFiniteAreRefused) {
   Model& boat = world.add(std::move(spec));
   auto* const port = world->ports().find_in<ActuatorCommand>("boat/command/motor_speed");
   ASSERT_NE(port, nullptr);
-  EXPECT_EQ(world->ports().find_in<ScalarSample>("boat/thrusters/left_thrust_cmd"), nullptr);
+  EXPECT_EQ(world->ports().find("boat/thrusters/left_thrust_cmd", PortDirection::kIn), nullptr);
   ActuatorCommand command;
   command.angular_velocities.assign(std::vector<double>{50.0});
   port->write(command);

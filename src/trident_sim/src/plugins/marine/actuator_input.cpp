@@ -19,6 +19,7 @@ ActuatorInput::ActuatorInput(const PluginContext& context, const std::string& to
       unit_(std::move(unit)),
       limits_(limits) {
   if (source == Source::kTopic) port_ = subscribe<ScalarSample>(context, topic);
+  if (source == Source::kSingleTopic) single_ = subscribe<SingleNumber>(context, topic);
   if (source == Source::kStampedTopic) stamped_ = subscribe<StampedNumber>(context, topic);
 }
 
@@ -32,6 +33,7 @@ std::optional<double> ActuatorInput::newest_of(World& world, const Port& port) {
 }
 
 std::optional<double> ActuatorInput::take(World& world) {
+  if (single_) return newest_of(world, single_);
   if (stamped_) return newest_of(world, stamped_);
   return port_ ? newest_of(world, port_) : std::nullopt;
 }
@@ -62,6 +64,7 @@ void ActuatorInput::diagnose(World& world, Severity severity, double value) cons
 
 void ActuatorInput::reset() {
   if (port_) port_->clear();
+  if (single_) single_->clear();
   if (stamped_) stamped_->clear();
   seen_ = 0;
 }

@@ -14,13 +14,14 @@ namespace trident {
 /// limits is cut to them; both are counted among the world's diagnostics.
 class ActuatorInput {
  public:
-  /// kStampedTopic: on a topic of uuv_simulator's numbers. kCaller: not on a topic of its own;
+  /// kTopic: on a topic of numbers. kSingleTopic: of numbers of single precision, as VRX'.
+  /// kStampedTopic: of uuv_simulator's. kCaller: not on a topic of its own;
   /// `topic` is then where its caller has the numbers from.
-  enum class Source { kTopic, kStampedTopic, kCaller };
+  enum class Source { kTopic, kSingleTopic, kStampedTopic, kCaller };
 
   /// `what` is what diagnostics call it, `unit` is told with the numbers.
   ActuatorInput(const PluginContext& context, const std::string& topic, std::string what,
-                std::string unit, const Limits& limits, Source source = Source::kTopic);
+                std::string unit, const Limits& limits, Source source);
 
   /// The newest legal number since the last call; none: nothing came.
   std::optional<double> take(World& world);
@@ -37,6 +38,7 @@ class ActuatorInput {
   std::string owner_, topic_, what_, unit_;
   Limits limits_;
   InHandle<ScalarSample> port_;
+  InHandle<SingleNumber> single_;
   InHandle<StampedNumber> stamped_;
   std::uint64_t seen_ = 0;
 };

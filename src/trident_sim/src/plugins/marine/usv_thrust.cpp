@@ -108,12 +108,14 @@ class UsvThruster {
         timeout_s_(timeout_s),
         command_(context, scoped_topic(context.params, own.params.required_text("cmdTopic")),
                  "command of thruster '" + thruster.name + "'", "",
-                 {thruster.min_command, thruster.max_command}) {
+                 {thruster.min_command, thruster.max_command},
+                 ActuatorInput::Source::kSingleTopic) {
     const std::string angle_topic =
         scoped_topic(context.params, own.params.required_text("angleTopic"));
     if (thruster.max_angle > 0.0) {
       angle_.emplace(context, angle_topic, "angle of thruster '" + thruster.name + "'", " rad",
-                     Limits{-thruster.max_angle, thruster.max_angle});
+                     Limits{-thruster.max_angle, thruster.max_angle},
+                     ActuatorInput::Source::kSingleTopic);
     }
     hold_engine(own);
   }

@@ -10,12 +10,13 @@ std::string thruster_topic(const PluginContext& context, const ThrusterParams& p
   return scoped_topic(context.params, "thrusters/" + params.name + end);
 }
 
+using Source = ActuatorInput::Source;
+
 /// An input on its own topic, or of what comes on `command_topic`.
-ActuatorInput make_input(const PluginContext& context, const std::string& own_topic,
+ActuatorInput make_input(const PluginContext& context, Source own, const std::string& own_topic,
                          const std::string& command_topic, const std::string& what,
                          const std::string& unit, const Limits& limits) {
-  using Source = ActuatorInput::Source;
-  if (command_topic.empty()) return {context, own_topic, what, unit, limits, Source::kTopic};
+  if (command_topic.empty()) return {context, own_topic, what, unit, limits, own};
   return {context, command_topic, what, unit, limits, Source::kCaller};
 }
 
@@ -25,14 +26,16 @@ ThrusterOnTopics::ThrusterOnTopics(const PluginContext& context, const ThrusterP
                                    double timeout_s, const std::string& command_topic)
     : thruster_(params),
       timeout_s_(timeout_s),
-      command_(make_input(context, thruster_topic(context, params, "_thrust_cmd"), command_topic,
+      command_(make_input(context, Source::kSingleTopic,
+                          thruster_topic(context, params, "_thrust_cmd"), command_topic,
                           "command of thruster '" + params.name + "'", "",
                           {params.min_command, params.max_command})),
       thrust_(advertise<ScalarSample>(context, thruster_topic(context, params, "_thrust"),
                                       PortRank::kState)) {
   if (params.max_angle > 0.0) {
-    angle_.emplace(make_input(context, thruster_topic(context, params, "_thrust_angle"),
-                              command_topic, "angle of thruster '" + params.name + "'", " rad",
+    angle_.emplace(make_input(context, Source::kSingleTopic,
+                              thruster_topic(context, params, "_thrust_angle"), command_topic,
+                              "angle of thruster '" + params.name + "'", " rad",
                               {-params.max_angle, params.max_angle}));
   }
 }
@@ -90,7 +93,8 @@ void ThrusterOnTopics::state(StateArchive& archive) {
 RudderOnTopic::RudderOnTopic(const PluginContext& context, const RudderParams& params,
                              const std::string& command_topic)
     : rudder_(params),
-      angle_(make_input(context, scoped_topic(context.params, "rudders/" + params.name + "_angle"),
+      angle_(make_input(context, Source::kTopic,
+                        scoped_topic(context.params, "rudders/" + params.name + "_angle"),
                         command_topic, "angle of rudder '" + params.name + "'", " rad",
                         {-params.max_angle, params.max_angle})) {}
 
