@@ -15,11 +15,25 @@ namespace {
 constexpr double kReuseShare = 0.25;
 /// Stretches before the newest one that are its own surroundings, not a place come back to.
 constexpr int kOwnStretches = 3;
+/// Of the edges but the chain's [standard deviations].
+constexpr double kLoopKernel = 3.0;
+constexpr int kIterations = 20;
+/// A loop that the optimised graph misses by more is not believed [m], [rad].
+constexpr double kLoopMisfit = 0.3;
+constexpr double kLoopMisfitYaw = 0.1;
 
 ScanTrackerOptions tracker_options(const GraphSlamOptions& options) {
   ScanTrackerOptions result;
   result.noise.distance_per_metre = options.odometry_distance_noise;
   result.noise.yaw_per_radian = options.odometry_heading_noise;
+  return result;
+}
+
+LoopCloserOptions closer_options(const GraphSlamOptions& options) {
+  LoopCloserOptions result;
+  result.reuse_distance = options.reuse_distance;
+  result.search_distance = options.loop_search_maximum_distance;
+  result.min_agreement = options.loop_match_minimum_response_fine;
   return result;
 }
 
@@ -34,7 +48,8 @@ Eigen::Matrix3d information(double sigma, double sigma_yaw) {
 GraphMapper::GraphMapper(const GraphSlamOptions& options)
     : options_(options),
       tracker_(tracker_options(options)),
-      graph_(options.loop_match_minimum_chain_size) {
+      graph_(options.loop_match_minimum_chain_size),
+      closer_(closer_options(options)) {
   options.validate();
   tracker_.set_pose(SE2::from_xy_yaw(options.map_start_pose[0], options.map_start_pose[1],
                                      options.map_start_pose[2]));
@@ -130,6 +145,10 @@ void GraphMapper::add_keyframe(const std::shared_ptr<const PointScan>& scan,
   }
   if (k % 5 == 0) hide_what_drifted();
   tracker_.insert(T, scan, graph_.stretch_of(k));
+  const int stretch = graph_.stretch_of(k);
+  if (options_.do_loop_closing && graph_.size() == (stretch + 1) * graph_.stretch_size()) {
+    close_loops(stretch);
+  }
 }
 
 void GraphMapper::link_to_reused_surfaces(int keyframe, const PointScan& scan) {
@@ -151,6 +170,27 @@ void GraphMapper::hide_what_drifted() {
   std::vector<char> hidden(ways.size());
   for (std::size_t s = 0; s < ways.size(); ++s) hidden[s] = ways[s] > options_.reuse_distance;
   tracker_.hide(std::move(hidden));
+}
+
+void GraphMapper::close_loops(int stretch) {
+  const std::vector<GraphEdge> loops =
+      closer_.search(graph_, stretch, graph_.distances_from(stretch));
+  if (loops.empty() || !accept_loops(loops)) return;
+  rebuild_surfaces();
+  hide_what_drifted();
+}
+
+bool GraphMapper::accept_loops(const std::vector<GraphEdge>& loops) {
+  const KeyframeGraph before = graph_;
+  for (const GraphEdge& loop : loops) graph_.add_edge(loop);
+  graph_.optimize(kLoopKernel, kIterations);
+  for (const GraphEdge& loop : loops) {
+    const Eigen::Vector3d error = edge_error(loop, graph_.pose(loop.from), graph_.pose(loop.to));
+    if (error.head<2>().norm() < kLoopMisfit && std::abs(error.z()) < kLoopMisfitYaw) continue;
+    graph_ = before;  // the rest of the graph contradicts
+    return false;
+  }
+  return true;
 }
 
 void GraphMapper::rebuild_surfaces() {

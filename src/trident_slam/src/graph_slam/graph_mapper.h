@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "graph_slam/keyframe_graph.h"
+#include "graph_slam/loop_closer.h"
 #include "graph_slam/scan_archive.h"
 #include "graph_slam/scan_check.h"
 #include "graph_slam/scan_tracker.h"
@@ -39,6 +40,8 @@ class GraphMapper {
   void add_keyframe(const std::shared_ptr<const PointScan>& scan, const MatchResult& match);
   void link_to_reused_surfaces(int keyframe, const PointScan& scan);
   void hide_what_drifted();
+  void close_loops(int stretch);
+  bool accept_loops(const std::vector<GraphEdge>& loops);
   void rebuild_surfaces();
   void match_all_scans_once_more();
 
@@ -47,6 +50,7 @@ class GraphMapper {
   ScanTracker tracker_;
   KeyframeGraph graph_;
   ScanArchive archive_;
+  LoopCloser closer_;
   std::optional<SE2> T_odom_last_;
   std::int64_t last_stamp_ns_ = 0;
   double travelled_ = 0.0;

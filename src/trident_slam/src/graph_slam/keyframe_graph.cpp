@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "graph_slam/keyframe_graph.h"
 
-#include <Eigen/SparseCholesky>
 #include <limits>
 #include <queue>
 #include <utility>
+
+#include "trident_slam/pose_graph_optimizer.h"
 
 namespace trident {
 
@@ -51,42 +52,19 @@ Eigen::Vector3d edge_error(const GraphEdge& edge, const SE2& T_map_from, const S
 }
 
 void KeyframeGraph::optimize(double kernel, int iterations) {
-  const int n = size();
-  if (n < 2) return;
-  for (int it = 0; it < iterations; ++it) {
-    std::vector<Eigen::Triplet<double>> triplets;
-    triplets.reserve(edges_.size() * 27 + 3);
-    Eigen::VectorXd b = Eigen::VectorXd::Zero(3 * n);
-    auto put = [&](int r, int c, const Eigen::Matrix3d& M) {
-      for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j)
-          if (3 * r + i >= 3 * c + j) triplets.emplace_back(3 * r + i, 3 * c + j, M(i, j));
-    };
-    for (const GraphEdge& e : edges_) {
-      const SE2 T = pose(e.from).inverse() * pose(e.to);
-      const Eigen::Vector3d r = (e.T_from_to.inverse() * T).log();
-      double w = 1.0;
-      if (e.kind != EdgeKind::kChain)
-        w = 1.0 / (1.0 + r.dot(e.information * r) / (kernel * kernel));
-      const Eigen::Matrix3d A = -T.inverse().adjoint();
-      const Eigen::Matrix3d O = w * e.information;
-      put(e.from, e.from, A.transpose() * O * A);
-      put(e.to, e.to, O);
-      if (e.from > e.to)
-        put(e.from, e.to, A.transpose() * O);
-      else
-        put(e.to, e.from, O * A);
-      b.segment<3>(3 * e.from) += A.transpose() * (O * r);
-      b.segment<3>(3 * e.to) += O * r;
-    }
-    for (int i = 0; i < 3; ++i) triplets.emplace_back(i, i, 1e12);
-    Eigen::SparseMatrix<double> H(3 * n, 3 * n);
-    H.setFromTriplets(triplets.begin(), triplets.end());
-    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(H);
-    const Eigen::VectorXd x = solver.solve(-b);
-    for (int i = 0; i < n; ++i) set_pose(i, pose(i) * SE2::exp(x.segment<3>(3 * i)));
-    if (x.cwiseAbs().maxCoeff() < 1e-5) break;
+  if (size() < 2) return;
+  PoseGraph2d graph;
+  for (int i = 0; i < size(); ++i) graph.add_vertex(i, pose(i));
+  graph.set_fixed(0, true);
+  for (const GraphEdge& edge : edges_) {
+    const bool is_chain = edge.kind == EdgeKind::kChain;
+    graph.add_edge({edge.from, edge.to, edge.T_from_to, edge.information,
+                    is_chain ? RobustKernel::kNone : RobustKernel::kCauchy, kernel, is_chain});
   }
+  PoseGraphOptions options;
+  options.max_iterations = iterations;
+  PoseGraphOptimizer<SE2>(options).optimize(graph);
+  for (int i = 0; i < size(); ++i) set_pose(i, graph.pose(i));
 }
 
 }  // namespace trident

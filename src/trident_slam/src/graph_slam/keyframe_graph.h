@@ -50,6 +50,7 @@ class KeyframeGraph {
   std::vector<GraphEdge>& edges() { return edges_; }
   void set_pose(int i, const SE2& T) { keyframes_[static_cast<std::size_t>(i)].T_map_base = T; }
 
+  int stretch_size() const { return stretch_size_; }
   int stretch_of(int keyframe) const { return keyframe / stretch_size_; }
   int stretches() const { return (size() + stretch_size_ - 1) / stretch_size_; }
   int first_of(int stretch) const { return stretch * stretch_size_; }

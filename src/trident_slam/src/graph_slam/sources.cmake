@@ -7,7 +7,9 @@ target_sources(trident_slam PRIVATE
   src/graph_slam/graph_slam_options.cpp
   src/graph_slam/keyframe_graph.cpp
   src/graph_slam/keyframe_map.cpp
+  src/graph_slam/loop_closer.cpp
   src/graph_slam/pair_linker.cpp
+  src/graph_slam/place.cpp
   src/graph_slam/scan_archive.cpp
   src/graph_slam/scan_check.cpp
   src/graph_slam/scan_tracker.cpp
