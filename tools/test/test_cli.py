@@ -96,6 +96,14 @@ class _Steps:
             "would run: /usr/bin/python3 -m trident_eval.vessels --out docs/vessels\n",
         ),
         (
+            ["bench", "posegraph", "--quick", "a.g2o", "--dry-run"],
+            "would run: /usr/bin/python3 -m trident_eval.pose_graph.bench --quick a.g2o\n",
+        ),
+        (
+            ["posegraph", "a.g2o", "--robust", "gnc", "--dry-run"],
+            "would run: /usr/bin/python3 -m trident_eval.pose_graph a.g2o --robust gnc\n",
+        ),
+        (
             ["report", "out/latest", "--dry-run"],
             "would run: /usr/bin/python3 -m trident_eval report out/latest\n",
         ),

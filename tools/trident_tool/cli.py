@@ -15,6 +15,7 @@ from trident_tool.building import build
 from trident_tool.formation import add_formation_commands
 from trident_tool.lint import CHECKS, run_checks
 from trident_tool.modules import run_module
+from trident_tool.posegraph import add_pose_graph_command
 from trident_tool.provision import provision
 from trident_tool.recording import Recording
 from trident_tool.running import run_launch_file
@@ -47,6 +48,7 @@ COMMANDS = (
     "bench",
     "report",
     "view",
+    "posegraph",
     "worldmap",
     "worldgen",
     "shell",
@@ -84,8 +86,9 @@ def _cmd_run(workspace: Workspace, runner: Runner, options: argparse.Namespace) 
 
 
 def _cmd_bench(workspace: Workspace, runner: Runner, options: argparse.Namespace) -> int:
-    if options.what == "vessels":
-        return run_module(workspace, runner, "trident_eval.vessels", _bench_options(options))
+    modules = {"vessels": "trident_eval.vessels", "posegraph": "trident_eval.pose_graph.bench"}
+    if module := modules.get(options.what):
+        return run_module(workspace, runner, module, _bench_options(options))
     words = [options.what, *_bench_options(options)]
     return run_module(workspace, runner, "trident_eval.bench", words)
 
@@ -151,6 +154,7 @@ def make_parser() -> argparse.ArgumentParser:
     _add_workspace_commands(add)
     _add_running_commands(add)
     add_formation_commands(add)
+    add_pose_graph_command(add)
     add_world_commands(add)
     commands.add_parser("help", help="show this text")
     return parser
@@ -191,7 +195,9 @@ def _add_running_commands(add: Callable[[str, Handler, str], argparse.ArgumentPa
     )
 
     sub = add("bench", _cmd_bench, "measure")
-    sub.add_argument("what", choices=["sim", "sensors", "vessels"], help="what to measure")
+    sub.add_argument(
+        "what", choices=["sim", "sensors", "vessels", "posegraph"], help="what to measure"
+    )
     sub.add_argument("--quick", action="store_true", help="fewer and shorter measurements")
     sub.add_argument(
         "--out",

@@ -1,0 +1,93 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""Optimise a pose graph of a g2o file, tell how it went, and draw it before and after."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+import tempfile
+from pathlib import Path
+from typing import Any
+
+from trident_eval.core.errors import EvalError
+from trident_eval.pose_graph.g2o import read_layout
+from trident_eval.pose_graph.picture import draw
+from trident_eval.pose_graph.program import optimize
+
+_PASSED_ON = ("robust", "scale", "init", "strategy", "solver", "iterations", "tolerance")
+
+
+def make_parser() -> argparse.ArgumentParser:
+    """The command line."""
+    parser = argparse.ArgumentParser(prog="trident posegraph", description=__doc__)
+    parser.add_argument("file", type=Path, metavar="FILE.g2o", help="also .g2o.gz")
+    parser.add_argument("--out", type=Path, metavar="FILE", help="optimised graph, .g2o or .g2o.gz")
+    parser.add_argument("--picture", type=Path, metavar="FILE.png", help="default: NAME.png, here")
+    for name in _PASSED_ON:
+        parser.add_argument(f"--{name}")
+    return parser
+
+
+def text_of(file: Path, report: dict[str, Any]) -> str:
+    """The report as lines for people."""
+    start = "averaged rotations" if report["start"] == "chordal" else "the file's vertices"
+    lines = [
+        f"{file.name}: {report['kind']}, {report['vertices']} vertices, {report['edges']} edges",
+        f"chi2 before  {report['chi2_before']:.8g}",
+        f"chi2 start   {report['chi2_start']:.8g}  ({start})",
+        f"chi2 after   {report['chi2_after']:.8g}",
+        f"iterations   {report['iterations']}"
+        + ("" if report["converged"] else "  (NOT converged)"),
+        f"CPU time     {report['cpu_s']:.4f} s, and {report['read_cpu_s']:.4f} s to read the file",
+    ]
+    if report["cost_after"] != report["chi2_after"]:
+        lines.insert(4, f"robust cost  {report['cost_before']:.8g} -> {report['cost_after']:.8g}")
+    if outliers := report["outliers"]:
+        shown = ", ".join(f"{a}-{b}" for a, b in outliers[:8])
+        lines.append(f"outliers     {len(outliers)}: {shown}{' …' if len(outliers) > 8 else ''}")
+    return "\n".join(lines)
+
+
+def run(options: argparse.Namespace, rest: list[str]) -> int:
+    """Optimises, prints, draws.
+
+    Returns:
+        0: converged; 1: not.
+
+    Raises:
+        EvalError: bad input.
+    """
+    words = [*rest]
+    for name in _PASSED_ON:
+        if (value := getattr(options, name)) is not None:
+            words += [f"--{name}", value]
+    name = options.file.name.removesuffix(".gz").removesuffix(".g2o")
+    picture = options.picture or Path(f"{name}.png")
+    with tempfile.TemporaryDirectory() as folder:
+        out = options.out or Path(folder) / "after.g2o"
+        report = optimize(options.file, [*words, "--out", str(out)])
+        print(text_of(options.file, report))
+        before, after = read_layout(options.file), read_layout(out)
+    panels = []
+    if before is not None:
+        panels.append((f"{name}, before: chi2 {report['chi2_before']:.6g}", before))
+    if after is not None:
+        panels.append((f"after: chi2 {report['chi2_after']:.6g}", after))
+    draw(panels, report["outliers"], picture)
+    print(f"picture      {picture}")
+    return 0 if report["converged"] else 1
+
+
+def main() -> int:
+    """Command line; what is not known here is left to the program."""
+    options, rest = make_parser().parse_known_args()
+    try:
+        return run(options, rest)
+    except EvalError as error:
+        print(f"trident: {error}", file=sys.stderr)
+        return 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,70 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""A pose graph before and after, side by side."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from trident_eval.pose_graph.g2o import Layout
+
+_BEFORE, _AFTER, _ODOMETRY, _OUTLIER = "#8A8A8A", "#0072B2", "#222222", "#D55E00"
+
+
+def draw(panels: list[tuple[str, Layout]], outliers: list[list[int]], file: Path) -> None:
+    """Write a PNG of up to two panels (title, graph); rejected edges are red in the last one."""
+    import matplotlib
+
+    matplotlib.use("Agg")
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(6.4 * len(panels), 6.2), layout="constrained")
+    for number, (title, layout) in enumerate(panels, 1):
+        is_last = number == len(panels)
+        kind = {"projection": "3d"} if layout.is_3d else {}
+        axes = figure.add_subplot(1, len(panels), number, **kind)
+        axes.set_title(title, fontsize=10)
+        _draw_graph(axes, layout, _AFTER if is_last else _BEFORE, outliers if is_last else [])
+    # No creation date in the file: the same graph gives the same bytes.
+    figure.savefig(file, dpi=110, metadata={"Software": None})
+
+
+def _draw_graph(axes: Any, layout: Layout, colour: str, outliers: list[list[int]]) -> None:
+    follows = layout.edges[:, 1] - layout.edges[:, 0] == 1
+    rejected = {(a, b) for a, b in outliers}
+    kept = np.array([tuple(edge) not in rejected for edge in layout.edges], dtype=bool)
+    for edges, shade, width, alpha in (
+        (layout.edges[~follows & kept], colour, 0.5, 0.45),
+        (layout.edges[follows & kept], _ODOMETRY if colour == _AFTER else colour, 0.7, 0.9),
+        (layout.edges[~kept], _OUTLIER, 0.9, 0.9),
+    ):
+        if len(edges):
+            _add_lines(axes, layout, edges, color=shade, linewidth=width, alpha=alpha)
+    low, high = layout.positions.min(axis=0), layout.positions.max(axis=0)
+    margin = 0.03 * float((high - low).max()) + 1e-9
+    axes.set(xlim=(low[0] - margin, high[0] + margin), ylim=(low[1] - margin, high[1] + margin))
+    axes.set(xlabel="x [m]", ylabel="y [m]")
+    axes.tick_params(labelsize=8)
+    if layout.is_3d:
+        axes.set(zlim=(low[2] - margin, high[2] + margin), zlabel="z [m]")
+        sides = np.maximum(high - low, 0.15 * float((high - low).max())) + 2.0 * margin
+        axes.set_box_aspect(sides, zoom=0.88)
+        axes.view_init(elev=28.0, azim=-55.0)
+    else:
+        axes.set_aspect("equal")
+        axes.grid(color="#E4E4E4", linewidth=0.6)
+        axes.set_axisbelow(True)
+
+
+def _add_lines(axes: Any, layout: Layout, edges: Any, **style: Any) -> None:
+    from matplotlib.collections import LineCollection
+    from mpl_toolkits.mplot3d.art3d import Line3DCollection
+
+    segments = layout.segments(edges)
+    if layout.is_3d:
+        axes.add_collection3d(Line3DCollection(segments, **style))
+    else:
+        axes.add_collection(LineCollection(segments, **style))

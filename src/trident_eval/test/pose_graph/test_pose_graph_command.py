@@ -1,0 +1,108 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+import gzip
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+from trident_eval.core.errors import EvalError
+from trident_eval.pose_graph import __main__ as command
+from trident_eval.pose_graph.g2o import read_layout
+from trident_eval.pose_graph.program import optimize
+
+_INFORMATION = "100 0 0 100 0 100"
+
+
+def _square(folder: Path, false_loops: int = 0) -> Path:
+    """Twice around a square of 10 m, from dead reckoning that is 2 % off."""
+    poses = [(0.0, 0.0, 0.0)]
+    edges = []
+    for k in range(40):
+        turn = math.pi / 2 if k % 5 == 4 else 0.0
+        edges.append(f"EDGE_SE2 {k} {k + 1} 2 0 {turn!r} {_INFORMATION}")
+        x, y, yaw = poses[-1]
+        x, y = x + 2.04 * math.cos(yaw), y + 2.04 * math.sin(yaw)
+        poses.append((x, y, yaw + 1.02 * turn))
+    edges += [f"EDGE_SE2 {k} {k + 20} 0 0 0 {_INFORMATION}" for k in range(0, 21, 2)]
+    edges += [f"EDGE_SE2 {k} {k + 7} 1 1 1 {_INFORMATION}" for k in range(false_loops)]
+    vertices = [f"VERTEX_SE2 {k} {x!r} {y!r} {yaw!r}" for k, (x, y, yaw) in enumerate(poses)]
+    file = folder / "square.g2o"
+    file.write_text("\n".join([*vertices, *edges]) + "\n", encoding="utf-8")
+    return file
+
+
+def _main(monkeypatch: pytest.MonkeyPatch, *words: object) -> int:
+    monkeypatch.setattr("sys.argv", ["posegraph", *map(str, words)])
+    return command.main()
+
+
+def test_graph_is_optimised_written_told_and_drawn(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file, out, picture = _square(tmp_path), tmp_path / "out.g2o.gz", tmp_path / "p.png"
+    assert _main(monkeypatch, file, "--out", out, "--picture", picture) == 0
+    told = capsys.readouterr().out
+    assert "SE2, 41 vertices, 51 edges" in told
+    assert "NOT converged" not in told
+    assert picture.read_bytes()[:4] == b"\x89PNG"
+    layout = read_layout(out)
+    assert layout is not None
+    np.testing.assert_allclose(layout.positions[20], [0.0, 0.0], atol=1e-6)
+    np.testing.assert_allclose(layout.positions[10], [10.0, 10.0], atol=1e-6)
+
+
+def test_two_runs_write_the_same_bytes(tmp_path: Path) -> None:
+    file = _square(tmp_path, 3)
+    for name in ("a.g2o", "b.g2o"):
+        optimize(file, ["--robust", "gnc", "--out", str(tmp_path / name)])
+    assert (tmp_path / "a.g2o").read_bytes() == (tmp_path / "b.g2o").read_bytes()
+
+
+def test_false_loops_are_named(tmp_path: Path) -> None:
+    report = optimize(_square(tmp_path, 4), ["--robust", "gnc"])
+    assert report["outliers"] == [[k, k + 7] for k in range(4)]
+    assert report["cost_after"] == pytest.approx(4 * 16.0, abs=1e-3)  # each as its scale squared
+
+
+def test_ceres_finds_the_same(tmp_path: Path) -> None:
+    file = _square(tmp_path, 2)
+    ours, theirs = (optimize(file, ["--solver", name]) for name in ("trident", "ceres"))
+    assert theirs["chi2_after"] == pytest.approx(ours["chi2_after"], rel=1e-4)
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (["--init", "lago"], "--init: unknown 'lago'"),
+        (["--robust", "hubert"], "unknown robust kernel 'hubert'; did you mean 'huber'?"),
+        (["--scale", "-1"], "graduated_scale is -1, but must be > 0"),
+        (["--speed", "1"], "unknown option '--speed'"),
+        (["--solver", "ceres", "--ceres_linear_solver", "QR"], "unknown ceres_linear_solver 'QR'"),
+    ],
+)
+def test_wrong_options_are_named(tmp_path: Path, words: list[str], message: str) -> None:
+    with pytest.raises(EvalError, match=message.replace("?", r"\?")):
+        optimize(_square(tmp_path), words)
+
+
+def test_bad_line_is_one_error(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = tmp_path / "bad.g2o"
+    file.write_text("VERTEX_SE2 0 0 0 0\nVERTEX_SE2 1 0 zero 0\n", encoding="utf-8")
+    assert _main(monkeypatch, file) == 1
+    error = capsys.readouterr().err
+    assert error == f"trident: {file}:2: y is 'zero', but must be a finite number\n"
+
+
+def test_layout_of_packed_3d_file(tmp_path: Path) -> None:
+    text = (
+        "VERTEX_SE3:QUAT 4 1 2 3 0 0 0 1\nVERTEX_SE3:QUAT 2 0 0 1 0 0 0 1\nEDGE_SE3:QUAT 2 4 ...\n"
+    )
+    file = tmp_path / "a.g2o.gz"
+    file.write_bytes(gzip.compress(text.encode()))
+    layout = read_layout(file)
+    assert layout is not None
+    assert layout.is_3d
+    np.testing.assert_array_equal(layout.segments(), [[[0.0, 0.0, 1.0], [1.0, 2.0, 3.0]]])
