@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "trident_base/laser_scan.h"
+#include "trident_base/occupancy_grid.h"
+#include "trident_base/random_stream.h"
+#include "trident_estimation/amcl_params.h"
+#include "trident_estimation/grid_matcher.h"
+#include "trident_estimation/laser_model.h"
+#include "trident_estimation/motion_model.h"
+#include "trident_estimation/particle_set.h"
+
+namespace trident {
+
+/// Where the robot is believed to be.
+struct PoseEstimate {
+  SE2 T_map_base;  ///< mean of the heaviest cluster of particles
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of (x [m], y [m], yaw [rad]) in map
+  double cluster_weight = 0.0;                           ///< share of the belief in that cluster
+  std::size_t clusters = 0;
+  std::size_t particles = 0;
+  double agreement = 0.0;  ///< share of the last scan's beams that the map explains from there
+};
+
+/// What a scan led to.
+struct AmclStep {
+  bool is_updated = false;  ///< false: the robot has not moved enough
+  bool is_resampled = false;
+  std::size_t hypotheses = 0;  ///< places in the whole map that got particles because of this scan
+  std::string problem;         ///< empty, or one line on what was wrong with the input
+};
+
+/// Adaptive Monte Carlo localisation in a known map (Fox 2003; "Probabilistic Robotics", 8.3) with
+/// the parameters of the package amcl. A lost robot is found again in two ways: by random particles
+/// when the mean weight drops (recovery_alpha_*), and, when the scan disagrees with the map at the
+/// estimate, by particles at the places that branch and bound finds for the scan; which of them is
+/// right the next scans decide. No clock and no threads: equal calls give equal poses, to the bit.
+class Amcl {
+ public:
+  /// Throws Error for a map without a free cell.
+  Amcl(const AmclParams& params, const OccupancyGrid& map);
+  ~Amcl();
+
+  /// Spreads `max_particles` about a pose. Throws Error unless all is finite and the covariance
+  /// (of x [m], y [m], yaw [rad]) symmetric and not negative.
+  void set_pose(const SE2& T_map_base, const Eigen::Matrix3d& covariance);
+
+  /// Spreads `max_particles` evenly over all free cells and headings; the next scan is looked for
+  /// in the whole map, too.
+  void set_anywhere();
+
+  /// The next scan is used even if the robot has not moved.
+  void force_update() { is_forced_ = true; }
+
+  /// `T_odom_base`: odometry at the scan's stamp; `T_start_end`: the robot's motion while the scan
+  /// was taken, for scanners that turn slowly (see select_beams). Input that is not usable changes
+  /// nothing and is told of in `problem`; a jump of odometry is taken out of it.
+  AmclStep update(const LaserScan& scan, const SE2& T_odom_base, const SE2& T_start_end = {});
+
+  /// Odometry begins anew: the next scan is used without motion since the last one.
+  void forget_odometry();
+
+  const PoseEstimate& estimate() const { return estimate_; }
+  std::size_t particle_count() const { return particles_.size(); }
+  /// A particle's pose in the map, and its weight.
+  SE2 particle(std::size_t i) const { return T_map_origin_ * particles_.pose(i); }
+  double weight(std::size_t i) const { return particles_.weight[i]; }
+
+ private:
+  bool has_moved(const SE2& T_odom_base) const;
+  void remove_jump(const SE2& T_odom_base, AmclStep& step);
+  void note_mean_weight(double mean_weight);
+  double random_share() const;
+  void resample();
+  void make_guide();
+  std::size_t chosen(double u) const;
+  void push_random_pose(ParticleSet& particles, std::uint64_t number);
+  std::size_t recover(const ScanBeams& beams);
+  void inject(const std::vector<PoseHypothesis>& hypotheses, const ScanBeams& beams);
+  void update_estimate();
+
+  AmclParams params_;
+  SE2 T_map_origin_;
+  std::vector<std::uint32_t> free_cells_;
+  int width_;
+  double resolution_;
+  LaserModel2d laser_;
+  MotionModel motion_;
+  GridMatcher matcher_;
+  RandomStream random_;
+
+  ParticleSet particles_, next_;
+  PoseHistogram histogram_;
+  std::vector<double> cumulative_;
+  std::vector<std::uint32_t> guide_;  ///< where a search of `cumulative_` begins
+  PoseEstimate estimate_;
+  std::optional<SE2> T_odom_used_;  ///< odometry of the last update
+  std::optional<SE2> T_odom_seen_;  ///< odometry of the last scan
+  bool is_forced_ = false;
+  bool is_anywhere_ = false;  ///< look for the next scan in the whole map
+  int disagreements_ = 0;     ///< updates in a row
+  int updates_since_resampling_ = 0;
+  double slow_ = 0.0, fast_ = 0.0;  ///< means of weights
+  std::uint64_t draws_ = 0;         ///< numbers everything that draws random numbers
+};
+
+}  // namespace trident

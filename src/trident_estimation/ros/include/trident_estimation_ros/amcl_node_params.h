@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <ros/ros.h>
+
+#include <string>
+
+#include "trident_estimation/amcl_params.h"
+
+namespace trident {
+
+/// The private parameters of the node, under amcl's names. What `Amcl` itself needs is in `filter`.
+struct AmclNodeParams {
+  AmclParams filter;
+  std::string odom_frame_id = "odom";
+  std::string base_frame_id = "base_link";
+  std::string global_frame_id = "map";
+  double transform_tolerance = 0.1;
+  bool tf_broadcast = true;
+  bool use_map_topic = false;
+  bool first_map_only = false;
+  double initial_pose_x = 0.0, initial_pose_y = 0.0, initial_pose_a = 0.0;
+  double initial_cov_xx = 0.25, initial_cov_yy = 0.25, initial_cov_aa = 0.068538919;
+  double save_pose_rate = 0.5;
+  double gui_publish_rate = -1.0;
+  double std_warn_level_x = 0.2, std_warn_level_y = 0.2, std_warn_level_yaw = 0.1;
+  double bag_loop_jump = 1.0;
+
+  template <class Archive>
+  void visit(Archive& ar) {
+    filter.visit(ar);
+    ar.field("odom_frame_id", odom_frame_id, "frame of odometry");
+    ar.field("base_frame_id", base_frame_id, "frame of the robot");
+    ar.field("global_frame_id", global_frame_id, "frame of the map");
+    ar.field("transform_tolerance", transform_tolerance, Range::non_negative(),
+             "how far ahead of the scan map -> odom is stamped [s]");
+    ar.field("tf_broadcast", tf_broadcast, "whether map -> odom is published");
+    ar.field("use_map_topic", use_map_topic, "map from the topic, not the service static_map");
+    ar.field("first_map_only", first_map_only, "use_map_topic: pass over later maps");
+    ar.field("initial_pose_x", initial_pose_x, Range::any(), "mean at the start [m]");
+    ar.field("initial_pose_y", initial_pose_y, Range::any(), "mean at the start [m]");
+    ar.field("initial_pose_a", initial_pose_a, Range::any(), "mean at the start [rad]");
+    ar.field("initial_cov_xx", initial_cov_xx, Range::non_negative(), "at the start [m^2]");
+    ar.field("initial_cov_yy", initial_cov_yy, Range::non_negative(), "at the start [m^2]");
+    ar.field("initial_cov_aa", initial_cov_aa, Range::non_negative(), "at the start [rad^2]");
+    ar.field("save_pose_rate", save_pose_rate, Range::at_least(-1.0),
+             "of writing the pose to initial_pose_* and initial_cov_*; <= 0: never [Hz]");
+    ar.field("gui_publish_rate", gui_publish_rate, Range::at_least(-1.0),
+             "most particle clouds published; <= 0: one per resampling [Hz]");
+    ar.field("std_warn_level_x", std_warn_level_x, Range::non_negative(), "for diagnostics [m]");
+    ar.field("std_warn_level_y", std_warn_level_y, Range::non_negative(), "for diagnostics [m]");
+    ar.field("std_warn_level_yaw", std_warn_level_yaw, Range::non_negative(),
+             "for diagnostics [rad]");
+    ar.field("bag_loop_jump", bag_loop_jump, Range::positive(),
+             "a jump back of stamps by more is a bag that begins anew [s]");
+  }
+  void validate() const { filter.validate(); }
+};
+
+/// Reads the private parameters of a node; those that it does not know are warned about. Throws
+/// ConfigError naming parameter, value and legal range.
+AmclNodeParams read_amcl_params(const ros::NodeHandle& private_node);
+
+}  // namespace trident

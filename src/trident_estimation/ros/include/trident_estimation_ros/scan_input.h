@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <ros/ros.h>
+#include <sensor_msgs/LaserScan.h>
+#include <tf2_ros/buffer.h>
+#include <tf2_ros/transform_listener.h>
+
+#include <deque>
+#include <functional>
+#include <map>
+#include <string>
+
+#include "trident_base/laser_scan.h"
+#include "trident_estimation_ros/troubles.h"
+
+namespace trident {
+
+/// A scan with what tf knew about it.
+struct PlacedScan {
+  LaserScan scan;
+  ros::Time stamp;  ///< of the first beam
+  SE2 T_odom_base;  ///< then
+  SE2 T_start_end;  ///< the robot's motion while the scan was taken
+};
+
+struct ScanInputParams {
+  std::string odom_frame_id, base_frame_id;
+  double bag_loop_jump = 1.0;  ///< [s]
+};
+
+/// Subscribes `scan`, holds each back until tf reaches from the odometry's frame to the robot at
+/// the scan's time, and hands them over in the order in which they came. Says in `troubles` which
+/// transform is missing or late, and by how much. A jump of stamps back by more than
+/// `bag_loop_jump` clears what was known of time and calls `on_new_time`.
+class ScanInput {
+ public:
+  using Handler = std::function<void(const PlacedScan&)>;
+  ScanInput(ros::NodeHandle& node, const ScanInputParams& params, Troubles& troubles,
+            Handler on_scan, std::function<void()> on_new_time);
+
+  /// The robot's pose in the odometry's frame; the newest for time zero. Throws tf2's exceptions.
+  SE2 T_odom_base(const ros::Time& stamp) const;
+  std::uint64_t received() const { return received_; }
+
+ private:
+  struct Waiting {
+    sensor_msgs::LaserScanConstPtr message;
+    ros::WallTime since;
+  };
+  struct Laser {
+    SE2 T_base_laser;
+    bool is_upside_down;  ///< its beams run the other way
+  };
+  void receive(const sensor_msgs::LaserScanConstPtr& message);
+  void hand_out();
+  bool try_first();
+  bool is_refused(const sensor_msgs::LaserScan& message);
+  const Laser& laser(const std::string& frame);
+  void note_missing(const Waiting& waiting, const std::string& reason);
+  SE2 looked_up(const std::string& target, const std::string& source, const ros::Time& stamp) const;
+
+  ScanInputParams params_;
+  Troubles& troubles_;
+  Handler on_scan_;
+  std::function<void()> on_new_time_;
+  tf2_ros::Buffer buffer_;
+  tf2_ros::TransformListener listener_;
+  ros::Subscriber subscriber_;
+  ros::WallTimer timer_;
+  std::deque<Waiting> waiting_;
+  std::map<std::string, Laser> lasers_;  ///< by frame
+  ros::Time last_stamp_;
+  std::uint64_t received_ = 0;
+};
+
+}  // namespace trident

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <diagnostic_msgs/DiagnosticArray.h>
+
+#include <map>
+#include <string>
+
+namespace trident {
+
+/// What went wrong, by kind: told once in the log, counted in /diagnostics.
+class Troubles {
+ public:
+  void note(const std::string& kind, const std::string& text);
+  /// Each kind as a warning named "`node`: kind" with its newest text and its count.
+  void add_to(diagnostic_msgs::DiagnosticArray& array, const std::string& node) const;
+
+ private:
+  struct Trouble {
+    std::string newest;
+    std::uint64_t count = 0;
+  };
+  std::map<std::string, Trouble> troubles_;
+};
+
+diagnostic_msgs::KeyValue key_value(const std::string& key, const std::string& value);
+
+}  // namespace trident

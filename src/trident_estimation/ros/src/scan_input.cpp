@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "trident_estimation_ros/scan_input.h"
+
+#include <tf2/exceptions.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "trident_base/error.h"
+#include "trident_estimation_ros/map_messages.h"
+
+namespace trident {
+namespace {
+
+constexpr std::size_t kMostWaiting = 100;
+constexpr double kLookEvery = 0.005;   // while something waits [s]
+constexpr double kLateAfter = 0.5;     // wall time [s]
+constexpr double kForEndOfScan = 0.2;  // wall time waited for the transform of the last beam [s]
+constexpr double kGivenUpAfter = 10.0;
+
+std::string fixed(double value) {
+  char text[64];  // NOLINT: of snprintf
+  std::snprintf(text, sizeof(text), "%.3f", value);
+  return text;
+}
+
+SE2 planar(const geometry_msgs::Transform& transform) {
+  geometry_msgs::Pose pose;
+  pose.position.x = transform.translation.x;
+  pose.position.y = transform.translation.y;
+  pose.orientation = transform.rotation;
+  return from_pose_message(pose);
+}
+
+/// Upside down a scan runs clockwise.
+bool is_upside_down(const geometry_msgs::Quaternion& q) {
+  return 1.0 - 2.0 * (q.x * q.x + q.y * q.y) < 0.0;
+}
+
+void fill_scan(const sensor_msgs::LaserScan& message, bool is_upside_down, LaserScan& scan) {
+  const double turn = is_upside_down ? -1.0 : 1.0;
+  scan.stamp_ns = static_cast<std::int64_t>(message.header.stamp.toNSec());
+  scan.angle_min = turn * static_cast<double>(message.angle_min);
+  scan.angle_increment = turn * static_cast<double>(message.angle_increment);
+  scan.time_increment = static_cast<double>(message.time_increment);
+  scan.range_min = static_cast<double>(message.range_min);
+  scan.range_max = static_cast<double>(message.range_max);
+  scan.ranges = message.ranges;
+}
+
+}  // namespace
+
+ScanInput::ScanInput(ros::NodeHandle& node, const ScanInputParams& params, Troubles& troubles,
+                     Handler on_scan, std::function<void()> on_new_time)
+    : params_(params),
+      troubles_(troubles),
+      on_scan_(std::move(on_scan)),
+      on_new_time_(std::move(on_new_time)),
+      buffer_(ros::Duration(30.0)),
+      listener_(buffer_),
+      subscriber_(node.subscribe("scan", kMostWaiting, &ScanInput::receive, this)),
+      timer_(node.createWallTimer(ros::WallDuration(kLookEvery),
+                                  [this](const ros::WallTimerEvent&) { hand_out(); })) {}
+
+SE2 ScanInput::looked_up(const std::string& target, const std::string& source,
+                         const ros::Time& stamp) const {
+  return planar(buffer_.lookupTransform(target, source, stamp).transform);
+}
+
+SE2 ScanInput::T_odom_base(const ros::Time& stamp) const {
+  return looked_up(params_.odom_frame_id, params_.base_frame_id, stamp);
+}
+
+const ScanInput::Laser& ScanInput::laser(const std::string& frame) {
+  const auto known = lasers_.find(frame);
+  if (known != lasers_.end()) return known->second;
+  const auto found = buffer_.lookupTransform(params_.base_frame_id, frame, ros::Time(0)).transform;
+  return lasers_[frame] = {planar(found), is_upside_down(found.rotation)};
+}
+
+/// Counts a message that no transform could make useful.
+bool ScanInput::is_refused(const sensor_msgs::LaserScan& message) {
+  const bool is_usable = std::isfinite(message.angle_min) && std::isfinite(message.range_max) &&
+                         std::isfinite(message.angle_increment) && !message.ranges.empty();
+  if (is_usable) return false;
+  troubles_.note("scan refused", "scan of " + message.header.frame_id + " at " +
+                                     fixed(message.header.stamp.toSec()) +
+                                     " s: no beams, or angles or range_max are not finite");
+  return true;
+}
+
+void ScanInput::receive(const sensor_msgs::LaserScanConstPtr& message) {
+  ++received_;
+  if (is_refused(*message)) return;
+  const ros::Time stamp = message->header.stamp;
+  const double back = (last_stamp_ - stamp).toSec();
+  if (back > params_.bag_loop_jump) {
+    troubles_.note("time went back", "stamps of scans went back by " + fixed(back) +
+                                         " s: taken for a bag that begins anew");
+    waiting_.clear();
+    buffer_.clear();
+    on_new_time_();
+    last_stamp_ = stamp;
+  }
+  last_stamp_ = std::max(last_stamp_, stamp);
+  if (waiting_.size() == kMostWaiting) {
+    note_missing(waiting_.front(), "");
+    waiting_.pop_front();
+  }
+  waiting_.push_back({message, ros::WallTime::now()});
+  hand_out();
+}
+
+void ScanInput::hand_out() {
+  while (!waiting_.empty() && try_first()) waiting_.pop_front();
+}
+
+/// True: the first one is done with.
+bool ScanInput::try_first() {
+  const Waiting waiting = waiting_.front();
+  const sensor_msgs::LaserScan& message = *waiting.message;
+  const double waited = (ros::WallTime::now() - waiting.since).toSec();
+  PlacedScan placed;
+  placed.stamp = message.header.stamp;
+  try {
+    const Laser& mounted = laser(message.header.frame_id);
+    fill_scan(message, mounted.is_upside_down, placed.scan);
+    placed.scan.T_base_laser = mounted.T_base_laser;
+    placed.T_odom_base = T_odom_base(placed.stamp);
+    const double lasts =
+        static_cast<double>(message.time_increment) * static_cast<double>(message.ranges.size());
+    if (lasts > 0.0) {
+      const ros::Time end = placed.stamp + ros::Duration(lasts);
+      const bool is_known = buffer_.canTransform(params_.odom_frame_id, params_.base_frame_id, end);
+      if (!is_known && waited < kForEndOfScan) return false;
+      if (is_known) placed.T_start_end = placed.T_odom_base.inverse() * T_odom_base(end);
+    }
+  } catch (const tf2::TransformException& error) {
+    if (waited < kLateAfter) return false;
+    note_missing(waiting, error.what());
+    return waited > kGivenUpAfter;
+  } catch (const Error& error) {
+    troubles_.note("transform refused", error.what());
+    return true;
+  }
+  on_scan_(placed);
+  return true;
+}
+
+void ScanInput::note_missing(const Waiting& waiting, const std::string& reason) {
+  const std::string& laser = waiting.message->header.frame_id;
+  const ros::Time stamp = waiting.message->header.stamp;
+  for (const auto& [target, source] :
+       {std::pair{params_.base_frame_id, laser}, {params_.odom_frame_id, params_.base_frame_id}}) {
+    const std::string name = target + " -> " + source;
+    try {
+      const ros::Time newest = buffer_.lookupTransform(target, source, ros::Time(0)).header.stamp;
+      if (newest.isZero() || newest >= stamp) continue;  // static, or not the late one
+      troubles_.note("transform late", "transform " + name + " is " +
+                                           fixed((stamp - newest).toSec()) +
+                                           " s late for the scan of " + laser + " at " +
+                                           fixed(stamp.toSec()) + " s; the scan waits");
+      return;
+    } catch (const tf2::TransformException& error) {
+      troubles_.note("transform missing",
+                     "no transform " + name + " for the scan of " + laser + ": " + error.what());
+      return;
+    }
+  }
+  troubles_.note("scan too old", "scan of " + laser + " at " + fixed(stamp.toSec()) +
+                                     " s is older than what tf keeps" +
+                                     (reason.empty() ? "" : ": " + reason));
+}
+
+}  // namespace trident

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "trident_estimation_ros/troubles.h"
+
+#include <ros/console.h>
+
+namespace trident {
+
+diagnostic_msgs::KeyValue key_value(const std::string& key, const std::string& value) {
+  diagnostic_msgs::KeyValue result;
+  result.key = key;
+  result.value = value;
+  return result;
+}
+
+void Troubles::note(const std::string& kind, const std::string& text) {
+  Trouble& trouble = troubles_[kind];
+  trouble.newest = text;
+  if (++trouble.count == 1) ROS_WARN("%s (further ones are counted in /diagnostics)", text.c_str());
+}
+
+void Troubles::add_to(diagnostic_msgs::DiagnosticArray& array, const std::string& node) const {
+  for (const auto& [kind, trouble] : troubles_) {
+    diagnostic_msgs::DiagnosticStatus status;
+    status.level = diagnostic_msgs::DiagnosticStatus::WARN;
+    status.name = node + ": " + kind;
+    status.message = trouble.newest;
+    status.values.push_back(key_value("count", std::to_string(trouble.count)));
+    array.status.push_back(status);
+  }
+}
+
+}  // namespace trident

@@ -1,0 +1,349 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "trident_estimation/amcl.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "amcl/fast_math.h"
+#include "trident_base/angle.h"
+#include "trident_base/error.h"
+#include "trident_base/string_util.h"
+
+namespace trident {
+namespace {
+
+/// Channels of the random stream.
+enum Channel : std::uint32_t {
+  kChoice,
+  kFresh,
+  kPlace,
+  kHeading,
+  kScatterX,
+  kScatterY,
+  kScatterYaw
+};
+
+constexpr std::size_t kMatchedPoints = 90;  // of a scan, that is looked for in the whole map
+constexpr double kClearlyBetter = 0.1;      // share of beams by which a hypothesis must be better
+constexpr double kInjectedSigma = 0.08;     // [m]
+constexpr double kInjectedSigmaYaw = 0.03;  // [rad]
+constexpr std::size_t kParticlesPerHypothesis = 100;
+
+double to_unit(std::uint64_t bits) { return static_cast<double>(bits >> 11) * 0x1.0p-53; }
+
+/// Few enough for the search, evenly from the scan.
+ScanPoints thinned(const ScanPoints& points) {
+  ScanPoints result;
+  result.p_base_laser = points.p_base_laser;
+  const std::size_t step = points.p_base.size() / kMatchedPoints + 1;
+  for (std::size_t i = 0; i < points.p_base.size(); i += step) {
+    result.p_base.push_back(points.p_base[i]);
+  }
+  return result;
+}
+
+/// A matrix S with S S' = covariance, for covariances without full rank, too.
+Eigen::Matrix3d square_root(const Eigen::Matrix3d& covariance) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
+  const bool is_legal = covariance.allFinite() && solver.info() == Eigen::Success &&
+                        solver.eigenvalues().minCoeff() >= -1e-9 &&
+                        covariance.isApprox(covariance.transpose(), 1e-6);
+  if (!is_legal) {
+    throw Error("covariance of a pose: diagonal " + number_text(covariance(0, 0)) + ", " +
+                number_text(covariance(1, 1)) + ", " + number_text(covariance(2, 2)) +
+                ", legal: finite, symmetric, without a negative eigenvalue");
+  }
+  return solver.eigenvectors() * solver.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
+}
+
+std::vector<std::uint32_t> free_cells_of(const OccupancyGrid& map) {
+  std::vector<std::uint32_t> cells;
+  for (std::size_t i = 0; i < map.cells.size(); ++i) {
+    if (map.cells[i] == OccupancyGrid::kFree) cells.push_back(static_cast<std::uint32_t>(i));
+  }
+  if (cells.empty()) throw Error("map: no free cell, legal: at least one");
+  return cells;
+}
+
+bool is_finite(const SE2& T) { return T.p.allFinite() && std::isfinite(T.angle); }
+
+/// What is wrong with a scan; empty if nothing.
+std::string problem_of(const LaserScan& scan, const SE2& T_odom_base) {
+  if (!is_finite(T_odom_base)) return "odometry is not finite; the scan is not used";
+  const bool has_angles = std::isfinite(scan.angle_min) && std::isfinite(scan.angle_increment);
+  if (!has_angles || !is_finite(scan.T_base_laser)) {
+    return "the scan's angles or its laser's place are not finite; it is not used";
+  }
+  if (!(scan.range_max > 0.0) || !std::isfinite(scan.range_max)) {
+    return "the scan's range_max is " + number_text(scan.range_max) + " m, legal: > 0";
+  }
+  return scan.ranges.empty() ? "the scan has no beams" : "";
+}
+
+}  // namespace
+
+void AmclParams::validate() const {
+  if (min_particles <= max_particles) return;
+  throw Error("min_particles: " + std::to_string(min_particles) +
+              ", legal: at most max_particles (" + std::to_string(max_particles) + ")");
+}
+
+Amcl::Amcl(const AmclParams& params, const OccupancyGrid& map)
+    : params_(params),
+      T_map_origin_(map.T_map_origin),
+      free_cells_(free_cells_of(map)),
+      width_(map.width),
+      resolution_(map.resolution),
+      laser_(map, params.laser),
+      motion_(params.motion, params.seed),
+      matcher_(map),
+      random_(params.seed, "amcl") {
+  params.validate();
+  for (ParticleSet* set : {&particles_, &next_}) {
+    set->reserve(static_cast<std::size_t>(params.max_particles));
+  }
+  set_pose(SE2(), Eigen::Vector3d(0.25, 0.25, std::pow(kPi / 12.0, 2)).asDiagonal());
+}
+
+Amcl::~Amcl() = default;
+
+void Amcl::set_pose(const SE2& T_map_base, const Eigen::Matrix3d& covariance) {
+  if (!is_finite(T_map_base)) throw Error("pose: not finite, legal: finite x, y and yaw");
+  const Eigen::Matrix3d root = square_root(covariance);
+  const SE2 T_origin_map = T_map_origin_.inverse();
+  ++draws_;
+  particles_.clear();
+  for (int i = 0; i < params_.max_particles; ++i) {
+    const std::uint64_t number = (draws_ << 32) | static_cast<std::uint64_t>(i);
+    const Eigen::Vector3d away =
+        root * Eigen::Vector3d(random_.normal(number, kScatterX), random_.normal(number, kScatterY),
+                               random_.normal(number, kScatterYaw));
+    const SE2 T_grid_base =
+        T_origin_map * SE2::from_xy_yaw(T_map_base.p.x() + away.x(), T_map_base.p.y() + away.y(),
+                                        T_map_base.angle + away.z());
+    particles_.push_back(static_cast<float>(T_grid_base.p.x()),
+                         static_cast<float>(T_grid_base.p.y()),
+                         static_cast<float>(T_grid_base.angle));
+  }
+  particles_.set_equal_weights();
+  T_odom_used_.reset();
+  is_anywhere_ = false;
+  disagreements_ = 0;
+  slow_ = fast_ = 0.0;
+  update_estimate();
+}
+
+void Amcl::set_anywhere() {
+  ++draws_;
+  particles_.clear();
+  for (int i = 0; i < params_.max_particles; ++i) {
+    push_random_pose(particles_, (draws_ << 32) | static_cast<std::uint64_t>(i));
+  }
+  particles_.set_equal_weights();
+  T_odom_used_.reset();
+  is_anywhere_ = true;
+  slow_ = fast_ = 0.0;
+  update_estimate();
+}
+
+void Amcl::push_random_pose(ParticleSet& particles, std::uint64_t number) {
+  const std::uint64_t bits = random_.bits(number, kPlace);
+  const std::uint32_t cell = free_cells_[static_cast<std::size_t>(
+      to_unit(bits) * static_cast<double>(free_cells_.size()))];
+  const auto width = static_cast<std::uint32_t>(width_);
+  const double x = cell % width + random_.uniform(number, kScatterX);
+  const double y = cell / width + random_.uniform(number, kScatterY);
+  particles.push_back(static_cast<float>(x * resolution_), static_cast<float>(y * resolution_),
+                      static_cast<float>((2.0 * random_.uniform(number, kHeading) - 1.0) * kPi));
+}
+
+bool Amcl::has_moved(const SE2& T_odom_base) const {
+  if (!T_odom_used_) return true;
+  const Eigen::Vector2d way = T_odom_base.p - T_odom_used_->p;
+  return std::abs(way.x()) > params_.update_min_d || std::abs(way.y()) > params_.update_min_d ||
+         std::abs(angle_difference(T_odom_base.angle, T_odom_used_->angle)) > params_.update_min_a;
+}
+
+/// Moves the odometry of the last update along, so that the jump is not taken for motion.
+void Amcl::remove_jump(const SE2& T_odom_base, AmclStep& step) {
+  if (T_odom_seen_ && T_odom_used_) {
+    const double jump = (T_odom_base.p - T_odom_seen_->p).norm();
+    if (jump > params_.max_odom_jump) {
+      step.problem = "odometry jumped by " + number_text(std::round(jump * 100.0) / 100.0) +
+                     " m from one scan to the next (max_odom_jump " +
+                     number_text(params_.max_odom_jump) + " m); taken for a reset";
+      T_odom_used_ = T_odom_base * (T_odom_seen_->inverse() * *T_odom_used_);
+    }
+  }
+  T_odom_seen_ = T_odom_base;
+}
+
+void Amcl::forget_odometry() {
+  T_odom_used_.reset();
+  T_odom_seen_.reset();
+}
+
+AmclStep Amcl::update(const LaserScan& scan, const SE2& T_odom_base, const SE2& T_start_end) {
+  AmclStep step;
+  step.problem = problem_of(scan, T_odom_base);
+  if (!step.problem.empty()) return step;
+  remove_jump(T_odom_base, step);
+  if (!is_forced_ && !has_moved(T_odom_base)) return step;
+  step.is_updated = true;
+  is_forced_ = false;
+  if (T_odom_used_) motion_.apply(T_odom_used_->inverse() * T_odom_base, ++draws_, particles_);
+  T_odom_used_ = T_odom_base;
+
+  const ScanBeams beams = select_beams(scan, params_.laser, T_start_end);
+  if (beams.points.p_base.empty()) {
+    step.problem = "the scan has no return within its limits; only odometry is used";
+    update_estimate();
+    return step;
+  }
+  note_mean_weight(laser_.weigh(beams, particles_));
+  particles_.normalize();
+  update_estimate();
+  step.hypotheses = recover(beams);
+  if (++updates_since_resampling_ >= params_.resample_interval) {
+    resample();
+    updates_since_resampling_ = 0;
+    step.is_resampled = true;
+  }
+  return step;
+}
+
+/// Augmented MCL ("Probabilistic Robotics", table 8.3).
+void Amcl::note_mean_weight(double mean_weight) {
+  slow_ += slow_ == 0.0 ? mean_weight : params_.recovery_alpha_slow * (mean_weight - slow_);
+  fast_ += fast_ == 0.0 ? mean_weight : params_.recovery_alpha_fast * (mean_weight - fast_);
+}
+
+double Amcl::random_share() const {
+  if (params_.recovery_alpha_slow == 0.0 || params_.recovery_alpha_fast == 0.0) return 0.0;
+  return slow_ > 0.0 ? std::max(0.0, 1.0 - fast_ / slow_) : 0.0;
+}
+
+void Amcl::make_guide() {
+  const std::size_t count = particles_.size();
+  cumulative_.resize(count);
+  guide_.resize(count);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < count; ++i) cumulative_[i] = sum += particles_.weight[i];
+  cumulative_.back() = 2.0;  // above every uniform number, whatever rounding made of the sum
+  std::uint32_t at = 0;
+  for (std::size_t slice = 0; slice < count; ++slice) {
+    const double begin = static_cast<double>(slice) / static_cast<double>(count);
+    while (cumulative_[at] <= begin) ++at;
+    guide_[slice] = at;
+  }
+}
+
+/// The particle on which a uniform number falls, in constant time on average.
+std::size_t Amcl::chosen(double u) const {
+  std::size_t i = guide_[static_cast<std::size_t>(u * static_cast<double>(guide_.size()))];
+  while (cumulative_[i] <= u) ++i;
+  return i;
+}
+
+/// KLD-sampling: draws until the cells of pose space that are hit ask for no more.
+void Amcl::resample() {
+  if (params_.selective_resampling &&
+      particles_.effective_count() > 0.5 * static_cast<double>(particles_.size())) {
+    return;
+  }
+  const double share = random_share();
+  const auto least = static_cast<std::size_t>(params_.min_particles);
+  const auto most = static_cast<std::size_t>(params_.max_particles);
+  ++draws_;
+  make_guide();
+  histogram_.reset(most);
+  next_.clear();
+  std::size_t wanted = most, cells = 0;
+  for (std::uint64_t i = 0; next_.size() < wanted; ++i) {
+    const std::uint64_t number = (draws_ << 32) | i;
+    if (share > 0.0 && random_.uniform(number, kFresh) < share) {
+      push_random_pose(next_, number);
+    } else {
+      const std::size_t parent = chosen(to_unit(random_.bits(number, kChoice)));
+      next_.push_back(particles_.x[parent], particles_.y[parent], particles_.yaw[parent]);
+    }
+    histogram_.insert(next_.x.back(), next_.y.back(), next_.yaw.back());
+    if (histogram_.cell_count() == cells) continue;
+    cells = histogram_.cell_count();
+    wanted = std::clamp(kld_sample_size(cells, params_.kld_err, params_.kld_z), least, most);
+  }
+  std::swap(particles_, next_);
+  particles_.set_equal_weights();
+  // Whoever was random has had a chance; otherwise there would be ever more of them.
+  if (share > 0.0) slow_ = fast_ = 0.0;
+}
+
+/// Looks for the scan in the whole map where the estimate does not explain it. Returns how many
+/// places got particles.
+std::size_t Amcl::recover(const ScanBeams& beams) {
+  const SE2 T_grid_base = T_map_origin_.inverse() * estimate_.T_map_base;
+  estimate_.agreement = scan_agreement(laser_.field(), beams.points, T_grid_base);
+  if (!params_.recover_by_matching) return 0;
+  disagreements_ = estimate_.agreement < params_.recovery_agreement ? disagreements_ + 1 : 0;
+  if (!is_anywhere_ && disagreements_ < params_.recovery_patience) return 0;
+  std::vector<PoseHypothesis> hypotheses = matcher_.match(thinned(beams.points));
+  const double least = is_anywhere_ ? 0.0 : estimate_.agreement + kClearlyBetter;
+  hypotheses.erase(std::remove_if(hypotheses.begin(), hypotheses.end(),
+                                  [least](const auto& h) { return h.agreement < least; }),
+                   hypotheses.end());
+  is_anywhere_ = false;
+  disagreements_ = 0;
+  if (!hypotheses.empty()) inject(hypotheses, beams);
+  return hypotheses.size();
+}
+
+/// Half of the particles stay as they were, the others go to the hypotheses; all are weighed anew.
+void Amcl::inject(const std::vector<PoseHypothesis>& hypotheses, const ScanBeams& beams) {
+  const auto most = static_cast<std::size_t>(params_.max_particles);
+  const std::size_t each =
+      std::max<std::size_t>(1, std::min(kParticlesPerHypothesis, most / (2 * hypotheses.size())));
+  const std::size_t fresh = each * hypotheses.size();
+  const std::size_t kept =
+      std::min(particles_.size(), std::min(fresh, most - std::min(fresh, most)));
+  ++draws_;
+  make_guide();
+  next_.clear();
+  for (std::uint64_t i = 0; i < kept; ++i) {
+    const std::size_t parent = chosen(to_unit(random_.bits((draws_ << 32) | i, kChoice)));
+    next_.push_back(particles_.x[parent], particles_.y[parent], particles_.yaw[parent]);
+  }
+  for (const PoseHypothesis& hypothesis : hypotheses) {
+    const SE2 T_grid_base = T_map_origin_.inverse() * hypothesis.T_map_base;
+    for (std::size_t i = 0; i < each; ++i) {
+      const auto away = random_.normals4((draws_ << 32) | next_.size(), kScatterX);
+      const auto sigma = static_cast<float>(kInjectedSigma);
+      next_.push_back(static_cast<float>(T_grid_base.p.x()) + sigma * away[0],
+                      static_cast<float>(T_grid_base.p.y()) + sigma * away[1],
+                      fast::wrapped(static_cast<float>(T_grid_base.angle) +
+                                    static_cast<float>(kInjectedSigmaYaw) * away[2]));
+    }
+  }
+  std::swap(particles_, next_);
+  particles_.set_equal_weights();
+  slow_ = fast_ = laser_.weigh(beams, particles_);
+  particles_.normalize();
+  update_estimate();
+  const SE2 T_grid_base = T_map_origin_.inverse() * estimate_.T_map_base;
+  estimate_.agreement = scan_agreement(laser_.field(), beams.points, T_grid_base);
+}
+
+void Amcl::update_estimate() {
+  const std::vector<PoseCluster> clusters = histogram_.clusters(particles_);
+  const PoseCluster& best = clusters.front();
+  estimate_.T_map_base = T_map_origin_ * best.T_grid_base;
+  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
+  R.topLeftCorner<2, 2>() = T_map_origin_.rotation();
+  estimate_.covariance = R * best.covariance * R.transpose();
+  estimate_.cluster_weight = best.weight;
+  estimate_.clusters = clusters.size();
+  estimate_.particles = particles_.size();
+}
+
+}  // namespace trident
