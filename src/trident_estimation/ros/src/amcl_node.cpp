@@ -126,6 +126,7 @@ void AmclNode::start_pose() {
   amcl_->set_pose(
       SE2::from_xy_yaw(params_.initial_pose_x, params_.initial_pose_y, params_.initial_pose_a),
       variances.asDiagonal());
+  if (params_.start_anywhere) amcl_->set_anywhere();
 }
 
 /// The robot's motion from a past time to the newest that tf knows; none where tf does not tell.

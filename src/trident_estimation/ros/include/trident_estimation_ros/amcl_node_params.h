@@ -26,6 +26,7 @@ struct AmclNodeParams {
   double gui_publish_rate = -1.0;
   double std_warn_level_x = 0.2, std_warn_level_y = 0.2, std_warn_level_yaw = 0.1;
   double bag_loop_jump = 1.0;
+  bool start_anywhere = false;
 
   template <class Archive>
   void visit(Archive& ar) {
@@ -54,6 +55,8 @@ struct AmclNodeParams {
              "for diagnostics [rad]");
     ar.field("bag_loop_jump", bag_loop_jump, Range::positive(),
              "a jump back of stamps by more is a bag that begins anew [s]");
+    ar.field("start_anywhere", start_anywhere,
+             "as if global_localization were called when there is a map");
   }
   void validate() const { filter.validate(); }
 };
