@@ -196,7 +196,9 @@ def _add_running_commands(add: Callable[[str, Handler, str], argparse.ArgumentPa
 
     sub = add("bench", _cmd_bench, "measure")
     sub.add_argument(
-        "what", choices=["sim", "sensors", "vessels", "posegraph"], help="what to measure"
+        "what",
+        choices=["sim", "sensors", "vessels", "posegraph", "amcl"],
+        help="what to measure",
     )
     sub.add_argument("--quick", action="store_true", help="fewer and shorter measurements")
     sub.add_argument(

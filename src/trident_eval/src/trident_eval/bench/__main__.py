@@ -17,7 +17,7 @@ from pathlib import Path
 from types import FrameType
 from typing import Any
 
-from trident_eval.bench import coast, in_process, launches, lockstep, sensors
+from trident_eval.bench import amcl, coast, in_process, launches, lockstep, sensors
 from trident_eval.bench.machine import describe_commit, describe_machine
 from trident_eval.bench.rows import (
     Plan,
@@ -67,6 +67,10 @@ def make_parser() -> argparse.ArgumentParser:
     rays.add_argument("--runs", type=_positive, metavar="N", help="runs per row (3; --quick: 1)")
     rays.add_argument("--mode", action="append", default=[], help="only this row; may be repeated")
     rays.set_defaults(run=_sensors)
+    place = commands.add_parser("amcl", help="measure localisation in a known map")
+    place.add_argument("--quick", action="store_true", help="4 trials instead of 100")
+    place.add_argument("--out", type=Path, metavar="FILE.json", help="where the figures go")
+    place.set_defaults(run=_amcl)
     table = commands.add_parser("table", help="the Markdown table of a saved benchmark")
     table.add_argument("source", type=Path, metavar="FILE.json")
     table.set_defaults(run=_table)
@@ -197,6 +201,17 @@ def _sensors(options: argparse.Namespace) -> int:
     is_sound = not together or coast.is_sound(together)
     failed = any("error" in row for row in document["rows"])
     return FAILED if failed or not is_sound else MEASURED
+
+
+def _amcl(options: argparse.Namespace) -> int:
+    if options.out and not options.out.parent.is_dir():
+        raise EvalError(f"--out {options.out}: its folder does not exist")
+    document = _document() | {"updates": amcl.measure_updates(options.quick)}
+    kidnaps = amcl.summarize(amcl.measure_kidnaps(options.quick, say))
+    _write(options.out, document | {"kidnaps": kidnaps})
+    print(amcl.markdown_table(document["updates"], kidnaps))
+    print(f"\n{caption(document)}")
+    return MEASURED
 
 
 def _measure_together(options: argparse.Namespace, document: dict[str, Any]) -> dict[str, Any]:
