@@ -122,6 +122,20 @@ TEST(Amcl, AKidnappedRobotIsFoundAgain) {
   EXPECT_LT(drive.error_rad(), 0.1);
 }
 
+TEST(Amcl, SearchesInVainBecomeRare) {
+  Drive drive(params_of());
+  drive.amcl().set_pose(drive.truth(), kUnsure);
+  LaserScan tent = test_scan(drive.grid(), drive.truth(), 1);
+  tent.ranges.assign(tent.size(), 0.4F);
+  int searches = 0;
+  for (int i = 0; i < 100; ++i) {
+    drive.amcl().force_update();
+    searches += drive.amcl().update(tent, drive.T_odom_base()).is_searched ? 1 : 0;
+  }
+  EXPECT_GE(searches, 2);
+  EXPECT_LE(searches, 6) << "after 2, 4, 8, 16, 32 updates";
+}
+
 TEST(Amcl, WithoutMatchingRandomParticlesFindIt) {
   AmclParams params = params_of();
   params.recover_by_matching = false;

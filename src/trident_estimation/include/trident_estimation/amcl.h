@@ -34,6 +34,7 @@ struct PoseEstimate {
 struct AmclStep {
   bool is_updated = false;  ///< false: the robot has not moved enough
   bool is_resampled = false;
+  bool is_searched = false;    ///< the scan was looked for in the whole map
   std::size_t hypotheses = 0;  ///< places in the whole map that got particles because of this scan
   std::string problem;         ///< empty, or one line on what was wrong with the input
 };
@@ -83,7 +84,7 @@ class Amcl {
   void make_guide();
   std::size_t chosen(double u) const;
   void push_random_pose(ParticleSet& particles, std::uint64_t number);
-  std::size_t recover(const ScanBeams& beams);
+  void recover(const ScanBeams& beams, AmclStep& step);
   void inject(const std::vector<PoseHypothesis>& hypotheses, const ScanBeams& beams);
   void update_estimate();
 
@@ -94,7 +95,7 @@ class Amcl {
   double resolution_;
   LaserModel2d laser_;
   MotionModel motion_;
-  GridMatcher matcher_;
+  std::unique_ptr<GridMatcher> matcher_;  ///< only if it is wanted
   RandomStream random_;
 
   ParticleSet particles_, next_;
@@ -107,6 +108,7 @@ class Amcl {
   bool is_forced_ = false;
   bool is_anywhere_ = false;  ///< look for the next scan in the whole map
   int disagreements_ = 0;     ///< updates in a row
+  int patience_;              ///< of them that lead to a search; doubled by one in vain
   int updates_since_resampling_ = 0;
   double slow_ = 0.0, fast_ = 0.0;  ///< means of weights
   std::uint64_t draws_ = 0;         ///< numbers everything that draws random numbers

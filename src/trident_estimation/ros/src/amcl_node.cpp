@@ -168,8 +168,8 @@ void AmclNode::on_scan(const PlacedScan& placed) {
   if (!amcl_) return;
   const AmclStep step = amcl_->update(placed.scan, placed.T_odom_base, placed.T_start_end);
   if (!step.problem.empty()) troubles_.note("input", step.problem);
+  searches_ += step.is_searched ? 1 : 0;
   if (step.hypotheses > 0) {
-    ++recoveries_;
     ROS_INFO("the scan did not fit; %zu places in the map got particles", step.hypotheses);
   }
   if (step.is_updated) {
@@ -265,7 +265,7 @@ void AmclNode::publish_diagnostics() {
         {"cluster_weight", estimate.cluster_weight},
         {"particles", static_cast<double>(estimate.particles)},
         {"updates", static_cast<double>(updates_)},
-        {"searches of the whole map", static_cast<double>(recoveries_)},
+        {"searches of the whole map", static_cast<double>(searches_)},
         {"scans", static_cast<double>(scans_->received())}};
     for (const auto& [key, value] : values) {
       status.values.push_back(key_value(key, number_text(value)));

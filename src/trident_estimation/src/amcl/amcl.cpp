@@ -30,6 +30,7 @@ constexpr double kClearlyBetter = 0.1;      // share of beams by which a hypothe
 constexpr double kInjectedSigma = 0.08;     // [m]
 constexpr double kInjectedSigmaYaw = 0.03;  // [rad]
 constexpr std::size_t kParticlesPerHypothesis = 100;
+constexpr int kMostPatience = 32;  // times recovery_patience
 
 double to_unit(std::uint64_t bits) { return static_cast<double>(bits >> 11) * 0x1.0p-53; }
 
@@ -98,8 +99,9 @@ Amcl::Amcl(const AmclParams& params, const OccupancyGrid& map)
       resolution_(map.resolution),
       laser_(map, params.laser),
       motion_(params.motion, params.seed),
-      matcher_(map),
-      random_(params.seed, "amcl") {
+      matcher_(params.recover_by_matching ? std::make_unique<GridMatcher>(map) : nullptr),
+      random_(params.seed, "amcl"),
+      patience_(params.recovery_patience) {
   params.validate();
   for (ParticleSet* set : {&particles_, &next_}) {
     set->reserve(static_cast<std::size_t>(params.max_particles));
@@ -131,6 +133,7 @@ void Amcl::set_pose(const SE2& T_map_base, const Eigen::Matrix3d& covariance) {
   T_odom_used_.reset();
   is_anywhere_ = false;
   disagreements_ = 0;
+  patience_ = params_.recovery_patience;
   slow_ = fast_ = 0.0;
   update_estimate();
 }
@@ -205,7 +208,7 @@ AmclStep Amcl::update(const LaserScan& scan, const SE2& T_odom_base, const SE2& 
   note_mean_weight(laser_.weigh(beams, particles_));
   particles_.normalize();
   update_estimate();
-  step.hypotheses = recover(beams);
+  recover(beams, step);
   if (++updates_since_resampling_ >= params_.resample_interval) {
     resample();
     updates_since_resampling_ = 0;
@@ -280,23 +283,30 @@ void Amcl::resample() {
   if (share > 0.0) slow_ = fast_ = 0.0;
 }
 
-/// Looks for the scan in the whole map where the estimate does not explain it. Returns how many
-/// places got particles.
-std::size_t Amcl::recover(const ScanBeams& beams) {
+/// Looks for the scan in the whole map where the estimate does not explain it; less and less often
+/// where no place explains it better, as among crowds or on an old map.
+void Amcl::recover(const ScanBeams& beams, AmclStep& step) {
   const SE2 T_grid_base = T_map_origin_.inverse() * estimate_.T_map_base;
   estimate_.agreement = scan_agreement(laser_.field(), beams.points, T_grid_base);
-  if (!params_.recover_by_matching) return 0;
-  disagreements_ = estimate_.agreement < params_.recovery_agreement ? disagreements_ + 1 : 0;
-  if (!is_anywhere_ && disagreements_ < params_.recovery_patience) return 0;
-  std::vector<PoseHypothesis> hypotheses = matcher_.match(thinned(beams.points));
+  if (!matcher_) return;
+  const bool is_explained = estimate_.agreement >= params_.recovery_agreement;
+  disagreements_ = is_explained ? 0 : disagreements_ + 1;
+  if (is_explained) patience_ = params_.recovery_patience;
+  if (!is_anywhere_ && disagreements_ < patience_) return;
+  step.is_searched = true;
+  std::vector<PoseHypothesis> hypotheses = matcher_->match(thinned(beams.points));
   const double least = is_anywhere_ ? 0.0 : estimate_.agreement + kClearlyBetter;
   hypotheses.erase(std::remove_if(hypotheses.begin(), hypotheses.end(),
                                   [least](const auto& h) { return h.agreement < least; }),
                    hypotheses.end());
   is_anywhere_ = false;
   disagreements_ = 0;
-  if (!hypotheses.empty()) inject(hypotheses, beams);
-  return hypotheses.size();
+  step.hypotheses = hypotheses.size();
+  if (hypotheses.empty()) {
+    patience_ = std::min(2 * patience_, kMostPatience * params_.recovery_patience);
+  } else {
+    inject(hypotheses, beams);
+  }
 }
 
 /// Half of the particles stay as they were, the others go to the hypotheses; all are weighed anew.

@@ -4,6 +4,7 @@
 
 #include <png.h>
 
+#include <algorithm>
 #include <array>
 #include <csetjmp>
 #include <cstdio>
@@ -16,8 +17,8 @@
 namespace trident {
 namespace {
 
-/// 2 km x 2 km at 5 cm are 1.6e9 cells; maps beyond that are mistakes in the header.
-constexpr long kMostPixels = 2'000'000'000;
+/// 1 km x 1 km at 5 cm are 4e8 cells; maps beyond that are mistakes in the header.
+constexpr long kMostPixels = 400'000'000;
 
 [[noreturn]] void refuse(const std::string& path, const std::string& problem) {
   throw MapFileError(MapFileError::Kind::kBadImage, "image '" + path + "' " + problem);
@@ -26,7 +27,7 @@ constexpr long kMostPixels = 2'000'000'000;
 void check_size(const std::string& path, long width, long height) {
   if (width >= 1 && height >= 1 && width <= kMostPixels / height) return;
   refuse(path, "has " + std::to_string(width) + " x " + std::to_string(height) +
-                   " pixels, legal: 1 x 1 to 2e9 in all");
+                   " pixels, legal: 1 x 1 to 4e8 in all");
 }
 
 /// libpng's objects, and the buffers that its error handling would leak.
@@ -151,6 +152,14 @@ void read_binary(const std::string& path, std::istream& in, PixelImage& image) {
   }
 }
 
+std::size_t bytes_left(std::istream& in) {
+  const auto here = in.tellg();
+  in.seekg(0, std::ios::end);
+  const auto end = in.tellg();
+  in.seekg(here);
+  return static_cast<std::size_t>(end - here);
+}
+
 PixelImage read_pgm(const std::string& path, std::istream& in, bool is_binary) {
   const long width = next_number(in), height = next_number(in), white = next_number(in);
   if (white < 1 || white > 65535) {
@@ -162,6 +171,11 @@ PixelImage read_pgm(const std::string& path, std::istream& in, bool is_binary) {
   image.width = static_cast<int>(width);
   image.height = static_cast<int>(height);
   image.white = static_cast<int>(white);
+  // A header that promises too much is told before there is memory for it. A white space precedes
+  // the pixels; plain ones take two characters each.
+  const std::size_t left = std::max<std::size_t>(1, bytes_left(in));
+  const std::size_t most = is_binary ? (left - 1) / (white < 256 ? 1 : 2) : left / 2;
+  if (most < static_cast<std::size_t>(width * height)) refuse_short(path, image, most);
   image.samples.resize(static_cast<std::size_t>(width * height));
   if (is_binary) {
     read_binary(path, in, image);

@@ -56,7 +56,7 @@ class AmclNode {
   std::optional<SE2> T_odom_scan_;  ///< odometry of the newest scan
   bool has_pose_ = false;           ///< a scan has been used
   ros::Time last_cloud_;
-  std::uint64_t updates_ = 0, recoveries_ = 0;
+  std::uint64_t updates_ = 0, searches_ = 0;
 
   ros::Publisher pose_, cloud_, diagnostics_;
   ros::Subscriber initial_pose_, map_;
