@@ -1,38 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
 // slam_offline FILE --method NAME [--config FILE] --out DIR: a log in, trajectories and a map out.
-#include <sys/resource.h>
-#include <unistd.h>
-
-#include <cstdio>
-#include <filesystem>
-#include <fstream>
-#include <iostream>
 #include <memory>
 #include <string>
-#include <system_error>
 
 #include "trident_base/error.h"
-#include "trident_base/string_util.h"
 #include "trident_slam/carmen_log.h"
-#include "trident_slam/offline_run.h"
-#include "trident_slam/slam_2d.h"
+#include "trident_slam/offline_program.h"
 
 namespace trident {
 namespace {
-
-constexpr char kUsage[] =
-    "usage: slam_offline FILE --method NAME [--config FILE.yaml] --out DIR [--laser front|rear]\n"
-    "FILE: CARMEN log (.log, .clf; plain, gzip, bzip2), '-' for the standard input.\n"
-    "Writes trajectory.tum, causal.tum, map.pgm, map.yaml and timing.json into DIR.\n";
-
-struct Options {
-  std::string log_file;
-  std::string method;
-  std::string config_file;
-  std::string out_dir;
-  CarmenLog::Laser laser = CarmenLog::Laser::kFront;
-};
 
 CarmenLog::Laser laser_named(const std::string& name) {
   if (name == "front") return CarmenLog::Laser::kFront;
@@ -40,120 +17,15 @@ CarmenLog::Laser laser_named(const std::string& name) {
   throw Error("--laser " + name + ": legal: front, rear");
 }
 
-Options parse(int argc, char** argv) {
-  Options options;
-  for (int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
-    if (word.size() < 2 || word[0] != '-') {
-      if (!options.log_file.empty()) throw Error("one log at a time, got also " + word);
-      options.log_file = word;
-      continue;
-    }
-    if (i + 1 >= argc) throw Error(word + ": a value must follow");
-    const std::string value = argv[++i];
-    if (word == "--method") {
-      options.method = value;
-    } else if (word == "--config") {
-      options.config_file = value;
-    } else if (word == "--out") {
-      options.out_dir = value;
-    } else if (word == "--laser") {
-      options.laser = laser_named(value);
-    } else {
-      throw Error("unknown option " + word + "\n" + kUsage);
-    }
-  }
-  if (options.log_file.empty() || options.method.empty() || options.out_dir.empty()) {
-    throw Error(std::string("FILE, --method and --out are needed\n") + kUsage);
-  }
-  return options;
-}
-
-// A line per percent; without a known length a line per 500 scans.
-class ProgressLine {
- public:
-  void operator()(std::size_t scans, double part) {
-    const int percent = static_cast<int>(100.0 * part);
-    const bool is_due = part > 0.0 ? percent != percent_ : scans % 500 == 0;
-    if (!is_due) return;
-    percent_ = percent;
-    std::fprintf(stderr, "%s%3d %% %zu scans%s", is_terminal_ ? "\r" : "", percent, scans,
-                 is_terminal_ ? "" : "\n");
-  }
-  void finish() const {
-    if (is_terminal_) std::fputc('\n', stderr);
-  }
-
- private:
-  bool is_terminal_ = isatty(STDERR_FILENO) != 0;
-  int percent_ = -1;
-};
-
-double seconds(const timeval& time) {
-  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
-}
-
-void write_timing(const Options& options, const OfflineResult& result, std::size_t bad_lines) {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  char text[512];
-  std::snprintf(text, sizeof(text),
-                "{\"method\": \"%s\", \"scans\": %zu, \"unused_scans\": %zu, "
-                "\"scan_problems\": %zu, \"log_problems\": %zu, \"cpu_s\": %.3f, "
-                "\"peak_rss_mb\": %.1f}\n",
-                options.method.c_str(), result.scans, result.unused_scans,
-                result.scan_problems.count(), bad_lines,
-                seconds(usage.ru_utime) + seconds(usage.ru_stime),
-                static_cast<double>(usage.ru_maxrss) / 1024.0);
-  const std::string path = options.out_dir + "/timing.json";
-  std::ofstream file(path);
-  file << text;
-  file.flush();
-  if (!file) throw Error(path + ": cannot be written");
-}
-
-void tell(const char* what, const LogProblems& problems) {
-  for (const std::string& text : problems.texts()) std::cerr << "warning: " << text << '\n';
-  if (problems.count() > problems.texts().size()) {
-    std::cerr << "warning: " << problems.count() << ' ' << what << " in all\n";
-  }
-}
-
-void run(const Options& options) {
-  Registry<Slam2dFactory> registry("SLAM method");
-  register_builtin_slam_2d(registry);
-  const std::unique_ptr<Slam2d> slam = registry.get(options.method)(options.config_file);
-  CarmenLog log(options.log_file, options.laser);
-  std::error_code error;
-  std::filesystem::create_directories(options.out_dir, error);
-  if (error) throw Error(options.out_dir + ": cannot be made: " + error.message());
-  ProgressLine progress;
-  OfflineResult result;
-  try {
-    result = run_offline(log, *slam, options.out_dir, std::ref(progress));
-  } catch (const Error& problem) {
-    tell("problems of the log", log.problems());
-    throw Error(options.log_file + ": " + problem.what());
-  }
-  progress.finish();
-  tell("problems of the log", log.problems());
-  tell("problems of scans", result.scan_problems);
-  write_timing(options, result, log.problems().count());
+std::unique_ptr<ScanSource> open_log(const OfflineCommand& command) {
+  const auto laser = command.source.find("laser");
+  return std::make_unique<CarmenLog>(
+      command.log_file, laser_named(laser == command.source.end() ? "front" : laser->second));
 }
 
 }  // namespace
 }  // namespace trident
 
 int main(int argc, char** argv) {
-  if (argc == 2 && (std::string(argv[1]) == "-h" || std::string(argv[1]) == "--help")) {
-    std::cout << trident::kUsage;
-    return 0;
-  }
-  try {
-    trident::run(trident::parse(argc, argv));
-  } catch (const std::exception& error) {
-    std::cerr << "slam_offline: " << error.what() << '\n';
-    return 1;
-  }
-  return 0;
+  return trident::run_offline_program(argc, argv, {"--laser"}, trident::open_log);
 }

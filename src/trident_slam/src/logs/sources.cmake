@@ -7,6 +7,7 @@ target_sources(trident_slam PRIVATE
   src/logs/fields.cpp
   src/logs/line_reader.cpp
   src/logs/odometry_slam_2d.cpp
+  src/logs/offline_program.cpp
   src/logs/offline_run.cpp
   src/logs/scan_map.cpp
   src/logs/scan_source.cpp

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "trident_slam/scan_source.h"
+
+namespace trident {
+
+struct OfflineCommand {
+  std::string log_file;
+  std::string method;
+  std::string config_file;                    ///< empty: the method's defaults
+  std::string out_dir;                        ///< is made
+  std::map<std::string, std::string> source;  ///< what the source takes: name without dashes, value
+};
+
+using OpenSource = std::function<std::unique_ptr<ScanSource>(const OfflineCommand&)>;
+
+/// main() of a program that runs a log through an algorithm: reads the command line, shows
+/// progress and problems on the standard error, writes what `run_offline` writes and timing.json
+/// (method, scans, problems, CPU seconds and peak memory of the process). `source_options`: the
+/// options of the source with their dashes. Returns the exit code.
+int run_offline_program(int argc, char** argv, const std::vector<std::string>& source_options,
+                        const OpenSource& open);
+
+}  // namespace trident

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <sensor_msgs/LaserScan.h>
+#include <tf2/buffer_core.h>
+
+#include <cstddef>
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "trident_slam/scan_source.h"
+
+namespace trident {
+
+/// The planar scan in a message. A laser that hangs upside down turns its beams the other way
+/// round. Throws Error naming the field, its value and what is legal.
+LaserScan to_laser_scan(const sensor_msgs::LaserScan& message,
+                        const geometry_msgs::Transform& T_base_laser);
+
+struct ScanIntakeOptions {
+  std::string odom_frame = "odom";
+  std::string base_frame = "base_footprint";
+  double transform_timeout = 0.2;  ///< [s] that a transform may come after its scan
+  bool waits_for_all = false;      ///< true: a scan waits as long as its transform may still come
+  std::size_t max_waiting = 1000;  ///< scans that wait at most
+};
+
+/// Scans wait here until the transforms of their stamps are known, in the order in which they
+/// came. A transform that is missing is never replaced: its scan is left out, and `problems` says
+/// which transform is late and by how much. No clock: how late is told by the newest scan.
+class ScanIntake {
+ public:
+  ScanIntake(const ScanIntakeOptions& options, const tf2::BufferCore& transforms)
+      : options_(options), transforms_(transforms) {}
+
+  void add(const sensor_msgs::LaserScanConstPtr& message);
+  /// All scans from the front whose transforms are known.
+  std::vector<ScanRecord> take();
+  /// At the end of a log nothing more will come: what still waits is left out.
+  void end();
+  /// After time went back: forgets what waits.
+  void clear();
+
+  std::size_t received() const { return received_; }
+  std::size_t waiting() const { return waiting_.size(); }
+  const LogProblems& problems() const { return problems_; }
+  /// The last problem's text.
+  const std::string& last_problem() const { return last_problem_; }
+
+ private:
+  bool resolve(const sensor_msgs::LaserScan& message, ScanRecord& record);
+  bool may_still_come(const sensor_msgs::LaserScan& message) const;
+  std::string why_missing(const sensor_msgs::LaserScan& message) const;
+  std::string lateness(const std::string& target, const std::string& source,
+                       const ros::Time& stamp) const;
+  void leave_out(const sensor_msgs::LaserScan& message, const std::string& why);
+
+  ScanIntakeOptions options_;
+  const tf2::BufferCore& transforms_;
+  std::deque<sensor_msgs::LaserScanConstPtr> waiting_;
+  std::size_t received_ = 0;
+  LogProblems problems_;
+  std::string last_problem_;
+};
+
+}  // namespace trident

@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "trident_slam_ros/scan_intake.h"
+
+#include <tf2/exceptions.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "trident_base/error.h"
+#include "trident_base/string_util.h"
+
+namespace trident {
+namespace {
+
+constexpr double kMountResolution = 1e-5;  // [m], [rad]: logs tell mounts to this
+constexpr double kMinUprightness = 0.9;    // cosine of the tilt that a planar laser may have
+
+double rounded(double value) { return std::round(value / kMountResolution) * kMountResolution; }
+
+Eigen::Matrix3d rotation(const geometry_msgs::Quaternion& q) {
+  return Eigen::Quaterniond(q.w, q.x, q.y, q.z).toRotationMatrix();
+}
+
+SE2 planar(const geometry_msgs::Transform& T) {
+  const Eigen::Vector3d x_axis = rotation(T.rotation).col(0);
+  return SE2::from_xy_yaw(T.translation.x, T.translation.y, std::atan2(x_axis.y(), x_axis.x()));
+}
+
+std::string stamp_text(const ros::Time& stamp) {
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.3f", stamp.toSec());
+  return text;
+}
+
+void check(const sensor_msgs::LaserScan& message) {
+  if (message.ranges.empty()) throw Error("ranges: no beam, legal: at least 1");
+  if (!std::isfinite(message.angle_min)) throw Error("angle_min is not finite");
+  if (!std::isfinite(message.angle_increment) || message.angle_increment == 0.0F) {
+    throw Error("angle_increment " + number_text(message.angle_increment) + " rad, legal: not 0");
+  }
+  if (!(message.range_max > 0.0F) || !(message.range_min < message.range_max)) {
+    throw Error("range_min " + number_text(message.range_min) + " m, range_max " +
+                number_text(message.range_max) + " m, legal: 0 <= range_min < range_max");
+  }
+}
+
+}  // namespace
+
+LaserScan to_laser_scan(const sensor_msgs::LaserScan& message,
+                        const geometry_msgs::Transform& T_base_laser) {
+  check(message);
+  const double up = rotation(T_base_laser.rotation)(2, 2);
+  if (std::abs(up) < kMinUprightness) {
+    throw Error("frame " + message.header.frame_id + " is tilted by " +
+                number_text(std::round(std::acos(up) * 180.0 / M_PI)) +
+                " deg, legal: a laser that looks around in the plane");
+  }
+  const double turn = up > 0.0 ? 1.0 : -1.0;
+  LaserScan scan;
+  scan.stamp_ns = static_cast<std::int64_t>(message.header.stamp.toNSec());
+  scan.angle_min = turn * message.angle_min;
+  scan.angle_increment = turn * message.angle_increment;
+  scan.time_increment = std::isfinite(message.time_increment) ? message.time_increment : 0.0;
+  scan.range_min = message.range_min;
+  scan.range_max = message.range_max;
+  const SE2 mount = planar(T_base_laser);
+  scan.T_base_laser =
+      SE2::from_xy_yaw(rounded(mount.p.x()), rounded(mount.p.y()), rounded(mount.angle));
+  scan.ranges = message.ranges;
+  forget_readings_at_limit(scan);
+  return scan;
+}
+
+void ScanIntake::add(const sensor_msgs::LaserScanConstPtr& message) {
+  ++received_;
+  waiting_.push_back(message);
+  if (waiting_.size() <= options_.max_waiting) return;
+  leave_out(*waiting_.front(), why_missing(*waiting_.front()));
+  waiting_.pop_front();
+}
+
+std::vector<ScanRecord> ScanIntake::take() {
+  std::vector<ScanRecord> records;
+  while (!waiting_.empty()) {
+    const sensor_msgs::LaserScan& message = *waiting_.front();
+    ScanRecord record;
+    try {
+      if (resolve(message, record)) {
+        records.push_back(std::move(record));
+      } else if (may_still_come(message)) {
+        break;
+      } else {
+        leave_out(message, why_missing(message));
+      }
+    } catch (const Error& error) {
+      leave_out(message, error.what());
+    }
+    waiting_.pop_front();
+  }
+  return records;
+}
+
+void ScanIntake::end() {
+  for (const auto& message : waiting_) leave_out(*message, why_missing(*message));
+  waiting_.clear();
+}
+
+void ScanIntake::clear() { waiting_.clear(); }
+
+bool ScanIntake::resolve(const sensor_msgs::LaserScan& message, ScanRecord& record) {
+  const ros::Time& stamp = message.header.stamp;
+  const std::string& laser = message.header.frame_id;
+  if (!transforms_.canTransform(options_.odom_frame, options_.base_frame, stamp) ||
+      !transforms_.canTransform(options_.base_frame, laser, stamp)) {
+    return false;
+  }
+  record.T_odom_base = planar(
+      transforms_.lookupTransform(options_.odom_frame, options_.base_frame, stamp).transform);
+  record.scan = to_laser_scan(
+      message, transforms_.lookupTransform(options_.base_frame, laser, stamp).transform);
+  return true;
+}
+
+bool ScanIntake::may_still_come(const sensor_msgs::LaserScan& message) const {
+  const ros::Time& stamp = message.header.stamp;
+  if (!options_.waits_for_all) {
+    const ros::Duration passed = waiting_.back()->header.stamp - stamp;
+    return passed.toSec() <= options_.transform_timeout;
+  }
+  // As soon as both transforms have gone past the stamp, waiting is in vain.
+  for (const auto& [target, source] : {std::pair(options_.odom_frame, options_.base_frame),
+                                       std::pair(options_.base_frame, message.header.frame_id)}) {
+    if (transforms_.canTransform(target, source, stamp)) continue;
+    if (!transforms_.canTransform(target, source, ros::Time(0))) return true;
+    const ros::Time newest = transforms_.lookupTransform(target, source, ros::Time(0)).header.stamp;
+    return newest < stamp;
+  }
+  return true;
+}
+
+std::string ScanIntake::why_missing(const sensor_msgs::LaserScan& message) const {
+  const ros::Time& stamp = message.header.stamp;
+  std::string why = lateness(options_.odom_frame, options_.base_frame, stamp);
+  if (why.empty()) why = lateness(options_.base_frame, message.header.frame_id, stamp);
+  return why;
+}
+
+std::string ScanIntake::lateness(const std::string& target, const std::string& source,
+                                 const ros::Time& stamp) const {
+  const std::string name = "transform " + target + " -> " + source;
+  try {
+    if (transforms_.canTransform(target, source, stamp)) return {};
+    const ros::Time newest = transforms_.lookupTransform(target, source, ros::Time(0)).header.stamp;
+    if (newest < stamp) {
+      return name + " is late: the newest is " + number_text((stamp - newest).toSec()) +
+             " s older than the scan";
+    }
+    return name + " is not known that far back: the newest is " +
+           number_text((newest - stamp).toSec()) + " s younger than the scan";
+  } catch (const tf2::TransformException&) {
+    return name + " is not known at all";
+  }
+}
+
+void ScanIntake::leave_out(const sensor_msgs::LaserScan& message, const std::string& why) {
+  last_problem_ = "scan of " + stamp_text(message.header.stamp) + " s is left out: " + why;
+  problems_.add(last_problem_);
+}
+
+}  // namespace trident
