@@ -28,7 +28,7 @@ def test_help_is_a_success(argv: list[str], capsys: pytest.CaptureFixture[str]) 
         (["zzz"], "trident: there is no command 'zzz'; there are setup, build,"),
         (["run"], "the following arguments are required"),
         (["run", "--fast", "a.launch"], "run: unknown option '--fast'"),
-        (["bench", "slam"], "invalid choice: 'slam'"),
+        (["bench", "ships"], "invalid choice: 'ships'"),
         (["build", "-j", "many"], "invalid int value: 'many'"),
     ],
 )

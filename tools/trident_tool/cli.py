@@ -47,6 +47,8 @@ COMMANDS = (
     "formation-launch",
     "bench",
     "report",
+    "evaluate",
+    "slam",
     "view",
     "posegraph",
     "worldmap",
@@ -86,6 +88,9 @@ def _cmd_run(workspace: Workspace, runner: Runner, options: argparse.Namespace) 
 
 
 def _cmd_bench(workspace: Workspace, runner: Runner, options: argparse.Namespace) -> int:
+    if options.what == "slam":
+        words = ["bench", *_bench_options(options)]
+        return run_module(workspace, runner, "trident_eval.slam", words)
     modules = {"vessels": "trident_eval.vessels", "posegraph": "trident_eval.pose_graph.bench"}
     if module := modules.get(options.what):
         return run_module(workspace, runner, module, _bench_options(options))
@@ -105,6 +110,11 @@ def _cmd_report(workspace: Workspace, runner: Runner, options: argparse.Namespac
         raise TridentError(f"{options.source} does not exist: report needs a run folder or a bag")
     words = ["report", str(options.source), *(["--animate"] if options.animate else [])]
     return run_module(workspace, runner, "trident_eval", [*words, *options.rest])
+
+
+def _cmd_slam(workspace: Workspace, runner: Runner, options: argparse.Namespace) -> int:
+    words = [options.name, str(options.source), *options.rest]
+    return run_module(workspace, runner, "trident_eval.slam", words)
 
 
 def _cmd_view(workspace: Workspace, runner: Runner, options: argparse.Namespace) -> int:
@@ -197,7 +207,7 @@ def _add_running_commands(add: Callable[[str, Handler, str], argparse.ArgumentPa
     sub = add("bench", _cmd_bench, "measure")
     sub.add_argument(
         "what",
-        choices=["sim", "sensors", "vessels", "posegraph", "amcl"],
+        choices=["sim", "sensors", "vessels", "slam", "posegraph", "amcl"],
         help="what to measure",
     )
     sub.add_argument("--quick", action="store_true", help="fewer and shorter measurements")
@@ -212,6 +222,18 @@ def _add_running_commands(add: Callable[[str, Handler, str], argparse.ArgumentPa
     sub = add("report", _cmd_report, "one page about a run or a bag: plots, what went in")
     sub.add_argument("source", type=Path, metavar="RUN_OR_BAG")
     sub.add_argument("--animate", action="store_true", help="a moving plan view, too (GIF)")
+
+    sub = add(
+        "slam", _cmd_slam, "run a CARMEN log or a rosbag through SLAM: map, trajectory, report"
+    )
+    sub.add_argument("source", metavar="FILE", help="--method NAME, --config FILE, --out DIR, …")
+
+    sub = add("evaluate", _cmd_slam, "judge a trajectory and a map by relations or by the truth")
+    sub.add_argument(
+        "source",
+        metavar="DIR_OR_TUM",
+        help="--relations FILE, --truth FILE.tum, --true-map FILE, …",
+    )
 
     _add_view(add)
 
@@ -277,7 +299,7 @@ def parse_command_line(argv: Sequence[str]) -> argparse.Namespace:
     if options.name in (None, "help"):
         parser.print_help()
         parser.exit(0)
-    if rest and options.name not in ("test", "bench", "report"):
+    if rest and options.name not in ("test", "bench", "report", "slam", "evaluate"):
         parser.error(f"{options.name}: unknown option {rest[0]!r}")
     options.rest = rest
     return options

@@ -75,7 +75,8 @@ class BagScans::Impl {
     } catch (const rosbag::BagUnindexedException&) {
       throw Error(path_ + ": has no index (truncated recording?); mend it with: rosbag reindex");
     } catch (const rosbag::BagException& error) {
-      throw Error(path_ + ": " + error.what());
+      throw Error(path_ + ": " + error.what() +
+                  " (no bag, or a truncated one, which is mended with: rosbag reindex)");
     } catch (const Error& error) {
       throw Error(path_ + ": " + error.what());
     }

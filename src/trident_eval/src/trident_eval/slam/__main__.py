@@ -5,11 +5,14 @@
 from __future__ import annotations
 
 import argparse
+import json
 import sys
 from pathlib import Path
 
+from trident_eval.bench.machine import describe_commit, describe_machine
 from trident_eval.core.errors import EvalError
-from trident_eval.slam import evaluation
+from trident_eval.slam import benchmark, evaluation, offline
+from trident_eval.slam.offline import DEFAULT_METHOD
 
 DONE, UNUSABLE = 0, 2
 
@@ -20,7 +23,10 @@ def main(arguments: list[str] | None = None) -> int:
     Returns:
         0: done; 2: something that cannot be read, or run.
     """
-    options = _parser().parse_args(arguments)
+    parser = _parser()
+    options, options.rest = parser.parse_known_args(arguments)
+    if options.rest and options.run is not _slam:
+        parser.error(f"unknown option {options.rest[0]}")
     try:
         return int(options.run(options))
     except EvalError as error:
@@ -41,7 +47,64 @@ def _parser() -> argparse.ArgumentParser:
     judge.add_argument("--out", type=Path, metavar="DIR", help="default: beside the trajectory")
     judge.add_argument("--no-pictures", action="store_true", help="only evaluation.json")
     judge.set_defaults(run=_evaluate)
+    slam = commands.add_parser("slam", help="run a CARMEN log or a rosbag through SLAM")
+    slam.add_argument("log", type=Path, metavar="FILE", help=".log, .clf (.gz, .bz2) or .bag")
+    slam.add_argument("--method", default=DEFAULT_METHOD, metavar="NAME")
+    slam.add_argument("--config", type=Path, metavar="FILE.yaml", help="default: the method's")
+    slam.add_argument("--out", type=Path, metavar="DIR", help="default: NAME_slam, here")
+    slam.add_argument("--relations", type=Path, metavar="FILE.relations", help="to judge it by")
+    slam.add_argument("--truth", type=Path, metavar="FILE.tum", help="to judge it by")
+    slam.add_argument("--no-pictures", action="store_true", help="no report.html")
+    slam.set_defaults(run=_slam)
+    bench = commands.add_parser("bench", help="measure on the public logs")
+    bench.add_argument("--quick", action="store_true", help="logs with relations, one run each")
+    bench.add_argument("--runs", type=int, metavar="N", help="runs per row (5; --quick: 1)")
+    bench.add_argument("--method", action="append", default=[], help="may be repeated")
+    bench.add_argument("--config", type=Path, metavar="FILE.yaml")
+    bench.add_argument("--data", type=Path, metavar="DIR", help="other logs, and their .relations")
+    bench.add_argument("--out", type=Path, metavar="FILE.json", help="where the rows go")
+    bench.set_defaults(run=_bench)
     return parser
+
+
+def _slam(options: argparse.Namespace) -> int:
+    out = options.out or Path(options.log.name.split(".")[0] + "_slam")
+    run = offline.Run(options.log, options.method, out, options.config, tuple(options.rest))
+    timing = offline.run_log(run)
+    print(f"{timing['scans']} scans, {timing['cpu_s']:.2f} CPU s, {timing['peak_rss_mb']:.0f} MB")
+    offline.write_png(out / "map.yaml")
+    paths = {"final": out / "trajectory.tum", "causal": out / "causal.tum"}
+    task = evaluation.Task(paths, options.relations, options.truth, map=out / "map.yaml")
+    found = evaluation.evaluate(task)
+    print(evaluation.table(found.summary()), flush=True)
+    evaluation.write(found, out, str(options.log), draw=not options.no_pictures)
+    print(out)
+    return DONE
+
+
+def _bench(options: argparse.Namespace) -> int:
+    folder = options.data or benchmark.data_folder()
+    if folder is None:
+        print(f"SKIPPED: {benchmark.DATA} does not point to the public logs", file=sys.stderr)
+        return DONE
+    runs = options.runs or (1 if options.quick else 5)
+    methods = options.method or [DEFAULT_METHOD]
+    rows = []
+    for one in benchmark.plan(folder, methods, runs, options.quick):
+        rows.append(benchmark.measure(one, options.config, _say))
+    print(benchmark.table(rows))
+    if options.out:
+        result = {
+            "machine": describe_machine(),
+            "commit": describe_commit(Path(__file__).parent),
+            "rows": rows,
+        }
+        options.out.write_text(json.dumps(result, indent=2) + "\n", encoding="utf-8")
+    return DONE
+
+
+def _say(text: str) -> None:
+    print(text, file=sys.stderr, flush=True)
 
 
 def _evaluate(options: argparse.Namespace) -> int:

@@ -97,7 +97,7 @@ def _draw_relations(found: Evaluation) -> Any:
         axes = figure.add_subplot(1, 2, place)
         for colour, (name, errors) in zip(_COLOURS, found.relations.items(), strict=False):
             values = errors.translation_m if unit == "m" else np.degrees(errors.rotation_rad)
-            ordered = np.sort(values)
+            ordered = np.maximum(np.sort(values), 1e-6)  # for the logarithm
             share = np.arange(1, len(ordered) + 1) / len(ordered)
             axes.plot(
                 ordered, share, color=colour, label=f"{name}: mean {values.mean():.4g} {unit}"

@@ -1,0 +1,163 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""The SLAM benchmark: public logs, our methods, and the figures of other systems beside them."""
+
+from __future__ import annotations
+
+import os
+import statistics
+import tempfile
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from trident_eval.core.errors import EvalError
+from trident_eval.slam.offline import Run, run_log
+from trident_eval.slam.relations import read_relations, relation_errors
+from trident_eval.slam.trajectory import read_tum
+
+DATA = "TRIDENT_DATA"
+_FOLDER = "radish"
+_ENDINGS = (".clf", ".log", ".clf.gz", ".log.gz", ".clf.bz2", ".log.bz2")
+
+
+@dataclass(frozen=True)
+class Known:
+    """What another system reached, as it was measured or published.
+
+    Attributes:
+        log: name of the log.
+        system: and which of its poses.
+        translation: mean relation error [m].
+        rotation: mean relation error [deg].
+        cpu_s: None where it is not known.
+        rss_mb: None where it is not known.
+    """
+
+    log: str
+    system: str
+    translation: float
+    rotation: float
+    cpu_s: float | None = None
+    rss_mb: float | None = None
+
+
+#: Measured: their libraries driven directly over the whole raw log, on two cores of a Xeon server;
+#: published: Kuemmerle et al. 2009 and Hess et al. 2016, as quoted there.
+KNOWN = (
+    Known("intel", "slam_toolbox, final", 0.302, 0.90, 23.5, 69),
+    Known("intel", "gmapping, 30 particles, final", 0.0252, 1.00, 66.8, 142),
+    Known("intel", "hector with odometry, causal", 0.0391, 0.396, 0.57, 98),
+    Known("intel", "published: graph mapping", 0.031, 1.3),
+    Known("intel", "published: Cartographer", 0.0229, 0.453),
+    Known("fr079", "slam_toolbox, final", 0.561, 3.62, 19.6, 67),
+    Known("fr079", "gmapping, best of three, final", 1.1, 5.9, 84, 94),
+    Known("fr079", "hector with odometry, causal", 0.0352, 0.422, 0.46, 95),
+    Known("fr079", "published: graph mapping", 0.056, 0.6),
+    Known("fr079", "published: Cartographer", 0.0452, 0.538),
+)
+
+
+@dataclass(frozen=True)
+class Plan:
+    """One row of the benchmark."""
+
+    log: Path
+    name: str
+    relations: Path | None
+    method: str
+    runs: int
+
+
+def data_folder() -> Path | None:
+    """The folder of the public logs, if there is one."""
+    root = os.environ.get(DATA)
+    folder = Path(root) / _FOLDER if root else None
+    return folder if folder is not None and folder.is_dir() else None
+
+
+def logs_of(folder: Path) -> dict[str, Path]:
+    """All CARMEN logs of a folder by their names without endings.
+
+    Raises:
+        EvalError: there is none.
+    """
+    logs = {}
+    for path in sorted(folder.iterdir()):
+        for ending in _ENDINGS:
+            if path.name.endswith(ending):
+                logs[path.name.removesuffix(ending)] = path
+    if not logs:
+        raise EvalError(f"{folder}: has no log; legal: files ending with {', '.join(_ENDINGS)}")
+    return logs
+
+
+def plan(folder: Path, methods: Sequence[str], runs: int, quick: bool) -> list[Plan]:
+    """The rows: every log that has relations, and unless `quick` every other one, too."""
+    plans = []
+    for name, log in logs_of(folder).items():
+        relations = folder / f"{name}.relations"
+        if relations.is_file() or not quick:
+            known = relations if relations.is_file() else None
+            plans += [Plan(log, name, known, method, runs) for method in methods]
+    return plans
+
+
+def measure(one: Plan, config: Path | None, say: Callable[[str], None]) -> dict[str, Any]:
+    """All runs of a row: errors of its poses, medians of CPU time and memory."""
+    results = []
+    with tempfile.TemporaryDirectory(prefix="trident_bench_slam_") as folder:
+        out = Path(folder)
+        for number in range(1, one.runs + 1):
+            timing = run_log(Run(one.log, one.method, out, config), show=False)
+            results.append(timing)
+            say(f"{one.name} {one.method} run {number}/{one.runs}: {timing['cpu_s']:.2f} CPU s")
+        row: dict[str, Any] = {
+            "log": one.name,
+            "method": one.method,
+            "runs": one.runs,
+            "scans": results[0]["scans"],
+            "cpu_s": statistics.median(result["cpu_s"] for result in results),
+            "cpu_s_range": [f(result["cpu_s"] for result in results) for f in (min, max)],
+            "peak_rss_mb": statistics.median(result["peak_rss_mb"] for result in results),
+        }
+        if one.relations is not None:
+            for kind, name in (("final", "trajectory.tum"), ("causal", "causal.tum")):
+                trajectory = read_tum(out / name)
+                row[kind] = relation_errors(trajectory, read_relations(one.relations)).summary()
+    return row
+
+
+def table(rows: Sequence[dict[str, Any]]) -> str:
+    """Our rows and the known ones of the same logs as one Markdown table."""
+    head = ("log", "system", "translation [m]", "rotation [deg]", "CPU s", "RSS MB")
+    lines = [_line(head), _line(["---"] * len(head))]
+    for log in dict.fromkeys(row["log"] for row in rows):
+        for row in rows:
+            if row["log"] == log:
+                lines += [_line(cells) for cells in _our_cells(row)]
+        lines += [_line(_known_cells(known)) for known in KNOWN if known.log == log]
+    return "\n".join(lines)
+
+
+def _our_cells(row: dict[str, Any]) -> list[list[str]]:
+    cost = [f"{row['cpu_s']:.2f}", f"{row['peak_rss_mb']:.0f}"]
+    if "final" not in row:
+        return [[row["log"], f"**{row['method']}**", "no relations", "", *cost]]
+    cells = []
+    for kind in ("final", "causal"):
+        errors = row[kind]
+        translation = f"{errors['translation_mean_m']:.4f} ± {errors['translation_std_m']:.4f}"
+        rotation = f"{errors['rotation_mean_deg']:.3f} ± {errors['rotation_std_deg']:.3f}"
+        cells.append([row["log"], f"**{row['method']}, {kind}**", translation, rotation, *cost])
+    return cells
+
+
+def _known_cells(known: Known) -> list[str]:
+    cost = ["" if value is None else f"{value:g}" for value in (known.cpu_s, known.rss_mb)]
+    return [known.log, known.system, f"{known.translation:g}", f"{known.rotation:g}", *cost]
+
+
+def _line(cells: Sequence[str]) -> str:
+    return f"| {' | '.join(cells)} |"

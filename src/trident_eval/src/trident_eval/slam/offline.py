@@ -1,0 +1,124 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""Runs a log or a bag through a SLAM method, with a progress bar."""
+
+from __future__ import annotations
+
+import json
+import re
+import subprocess
+import sys
+from collections import deque
+from dataclasses import dataclass
+from pathlib import Path
+from typing import IO, Any
+
+from trident_eval.bench.vehicle import program
+from trident_eval.core.errors import EvalError
+
+DEFAULT_METHOD = "graph_slam_2d"
+BAG_MAGIC = b"#ROSBAG"
+_PROGRESS = re.compile(r"\s*(\d+) % (\d+) scans")
+_BAR = 30
+_SHOWN_LINES = 5
+
+
+@dataclass(frozen=True)
+class Run:
+    """What to run.
+
+    Attributes:
+        log: a CARMEN log or a rosbag.
+        method: name of the SLAM method.
+        out: folder of the results.
+        config: YAML of the method, or None for its defaults.
+        words: options of the log's reader, as they are handed to the program.
+    """
+
+    log: Path
+    method: str
+    out: Path
+    config: Path | None = None
+    words: tuple[str, ...] = ()
+
+
+def is_bag(path: Path) -> bool:
+    """Whether a file is a rosbag, by its first bytes.
+
+    Raises:
+        EvalError: it cannot be read.
+    """
+    try:
+        with path.open("rb") as file:
+            return file.read(len(BAG_MAGIC)) == BAG_MAGIC
+    except OSError as error:
+        raise EvalError(f"{path}: {error.strerror}; legal: a CARMEN log or a rosbag") from error
+
+
+def command(run: Run) -> list[str]:
+    """The program and its words."""
+    name = "slam_offline_bag" if is_bag(run.log) else "slam_offline"
+    words = [program("trident_slam", name), str(run.log), "--method", run.method]
+    words += ["--config", str(run.config)] if run.config else []
+    return [*words, "--out", str(run.out), *run.words]
+
+
+def run_log(run: Run, show: bool = True) -> dict[str, Any]:
+    """Run a log to its end.
+
+    Args:
+        run: what to run.
+        show: a progress bar and warnings on stderr.
+
+    Returns:
+        What timing.json holds: method, scans, problems, cpu_s, peak_rss_mb.
+
+    Raises:
+        EvalError: the program failed; the message holds its last lines.
+    """
+    with subprocess.Popen(
+        command(run), stderr=subprocess.PIPE, stdout=subprocess.DEVNULL, text=True
+    ) as process:
+        assert process.stderr is not None
+        said = _follow(process.stderr, show)
+    if process.returncode != 0:
+        raise EvalError("\n".join(said) or f"{run.log}: slam_offline ended with no word")
+    try:
+        timing = json.loads((run.out / "timing.json").read_text(encoding="utf-8"))
+    except (OSError, ValueError) as error:
+        raise EvalError(f"{run.out}/timing.json: {error}") from error
+    return dict(timing)
+
+
+def _follow(stream: IO[str], show: bool) -> list[str]:
+    said: deque[str] = deque(maxlen=_SHOWN_LINES)
+    is_bar_shown = False
+    for line in stream:
+        found = _PROGRESS.match(line)
+        if found is None:
+            said.append(line.rstrip())
+            if show:
+                print(("\n" if is_bar_shown else "") + line.rstrip(), file=sys.stderr)
+                is_bar_shown = False
+        elif show and sys.stderr.isatty():
+            print(bar(int(found[1]), int(found[2])), end="", file=sys.stderr, flush=True)
+            is_bar_shown = True
+    if is_bar_shown:
+        print(file=sys.stderr)
+    return [line.removeprefix("slam_offline: ") for line in said]
+
+
+def bar(percent: int, scans: int) -> str:
+    """One line that overwrites the last one."""
+    full = _BAR * min(percent, 100) // 100
+    return f"\r\x1b[K[{'#' * full}{'.' * (_BAR - full)}] {percent:3d} %  {scans} scans"
+
+
+def write_png(map_yaml: Path) -> Path:
+    """Write map.png beside map.pgm and return its path."""
+    from PIL import Image
+
+    target = map_yaml.with_suffix(".png")
+    with Image.open(map_yaml.with_suffix(".pgm")) as image:
+        image.save(target)
+    return target

@@ -1,0 +1,99 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+from __future__ import annotations
+
+import json
+import stat
+from pathlib import Path
+
+import pytest
+from trident_eval.core.errors import EvalError
+from trident_eval.slam import benchmark, offline
+from trident_eval.slam.__main__ import main
+
+PROGRAM = """#!/bin/sh
+# Stands for slam_offline: a robot that drives a metre.
+while [ "$1" != --out ]; do shift; done
+mkdir -p "$2"; cd "$2"
+echo ' 50 % 1 scans' >&2; echo 'warning: log:3: odd' >&2
+printf '0 0 0 0 0 0 0 1\\n1 1 0 0 0 0 0 1\\n' > trajectory.tum; cp trajectory.tum causal.tum
+printf 'P5 2 2 255 \\000\\376\\376\\315' > map.pgm
+printf 'image: map.pgm\\nresolution: 0.5\\norigin: [0, 0, 0]\\n' > map.yaml
+echo '{"scans": 2, "cpu_s": 0.5, "peak_rss_mb": 10.0}' > timing.json
+"""
+
+
+@pytest.fixture
+def stand_in(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A program in the place of slam_offline, and a log with its relations."""
+    path = tmp_path / "slam_offline"
+    path.write_text(PROGRAM)
+    path.chmod(path.stat().st_mode | stat.S_IXUSR)
+    monkeypatch.setattr(offline, "program", lambda package, name: str(path))
+    folder = tmp_path / "logs"
+    folder.mkdir()
+    (folder / "intel.clf.gz").write_text("")
+    (folder / "intel.relations").write_text("0 1 1.01 0 0 0 0 0\n")
+    (folder / "other.log").write_text("")
+    return folder
+
+
+def test_a_log_becomes_a_folder(
+    stand_in: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    words = ["--relations", str(stand_in / "intel.relations"), "--out", str(tmp_path / "out")]
+    assert main(["slam", str(stand_in / "intel.clf.gz"), *words]) == 0
+    said = capsys.readouterr()
+    assert "translation_mean_m         0.01" in said.out
+    assert said.err == "warning: log:3: odd\n"
+    names = {path.name for path in (tmp_path / "out").iterdir()}
+    assert {"map.png", "report.html", "evaluation.json", "trajectory.tum"} <= names
+
+
+def test_a_program_that_fails_is_quoted(
+    stand_in: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "slam_offline").write_text("#!/bin/sh\necho 'slam_offline: no scan' >&2; exit 1\n")
+    assert main(["slam", str(stand_in / "other.log"), "--out", str(tmp_path / "out")]) == 2
+    assert "trident: no scan" in capsys.readouterr().err
+
+
+def test_bags_go_to_their_reader(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(offline, "program", lambda package, name: name)
+    bag = tmp_path / "a.log"
+    bag.write_bytes(b"#ROSBAG V2.0\n")
+    run = offline.Run(bag, "m", tmp_path, tmp_path / "c.yaml", ("--scan", "/s"))
+    words = ["slam_offline_bag", str(bag), "--method", "m", "--config", str(tmp_path / "c.yaml")]
+    assert offline.command(run) == [*words, "--out", str(tmp_path), "--scan", "/s"]
+    with pytest.raises(EvalError, match="a CARMEN log or a rosbag"):
+        offline.command(offline.Run(tmp_path / "none.bag", "m", tmp_path))
+
+
+def test_the_benchmark_sets_others_beside_ours(
+    stand_in: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    rows = tmp_path / "rows.json"
+    words = ["--data", str(stand_in), "--runs", "3", "--out", str(rows)]
+    assert main(["bench", *words]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert (
+        "| intel | **graph_slam_2d, final** | 0.0100 ± 0.0000 | 0.000 ± 0.000 | 0.50 | 10 |"
+        in lines
+    )
+    assert "| intel | slam_toolbox, final | 0.302 | 0.9 | 23.5 | 69 |" in lines
+    assert any("no relations" in line and line.startswith("| other |") for line in lines)
+    assert not any("fr079" in line for line in lines)
+    assert json.loads(rows.read_text())["rows"][0]["cpu_s"] == 0.5
+
+
+def test_without_data_the_benchmark_says_so(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    monkeypatch.delenv(benchmark.DATA, raising=False)
+    assert main(["bench", "--quick"]) == 0
+    assert capsys.readouterr().err.startswith("SKIPPED: TRIDENT_DATA")
+    assert main(["bench", "--data", str(tmp_path)]) == 2
+
+
+def test_the_bar_fills() -> None:
+    assert offline.bar(50, 100).endswith("[###############...............]  50 %  100 scans")
