@@ -195,8 +195,16 @@ void CameraRenderer::see_water(const Frame& frame, Seen& seen) const {
   view.d_y = rays.direction_y;
   view.d_z = rays.direction_z;
   view.is_needed = false;
+  const double above_m = frame.p_world_camera.z() - frame.water->highest_m();
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
     const double behind = seen.depths[lane];
+    // Most lanes end above all waves.
+    const auto rising = static_cast<double>(rays.direction_z[lane]);
+    if (above_m > 0.0 && (rising >= 0.0 || above_m > -rising * behind)) {
+      view.met[lane] = {};
+      view.behind[lane] = static_cast<float>(behind);
+      continue;
+    }
     Ray ray;
     ray.p_world_origin = frame.p_world_camera;
     ray.direction_world = {rays.direction_x[lane], rays.direction_y[lane], rays.direction_z[lane]};

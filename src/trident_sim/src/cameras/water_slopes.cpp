@@ -11,6 +11,11 @@ namespace {
 std::size_t below(std::size_t i, std::size_t n) { return (i + n - 1) & (n - 1); }
 std::size_t above(std::size_t i, std::size_t n) { return (i + 1) & (n - 1); }
 
+int whole(float value) {
+  const int cut = static_cast<int>(value);
+  return cut - (value < static_cast<float>(cut) ? 1 : 0);
+}
+
 }  // namespace
 
 void WaterSlopes::follow(const WaterSurface& water) {
@@ -56,7 +61,7 @@ void WaterSlopes::find_slopes(const WaterSurface& water) {
     for (std::size_t column = 0; column < n; ++column) {
       const float along = per_m * (after[column] - before[column]);
       const float across = per_m * (here[above(column, n)] - here[below(column, n)]);
-      fine.nodes[row * n + column] = {along, across, along * along + across * across};
+      fine.nodes[row * n + column] = {{along, across, along * along + across * across, 0.0F}};
     }
   }
 }
@@ -69,28 +74,32 @@ void WaterSlopes::halve(const Level& fine, Level& coarse) {
     const Node* const low = &fine.nodes[2 * row * fine.n];
     const Node* const high = low + fine.n;
     for (std::size_t i = 0; i < n; ++i) {
-      const Node &a = low[2 * i], &b = low[2 * i + 1], &c = high[2 * i], &d = high[2 * i + 1];
-      coarse.nodes[row * n + i] = {0.25F * (a.along + b.along + c.along + d.along),
-                                   0.25F * (a.across + b.across + c.across + d.across),
-                                   0.25F * (a.square + b.square + c.square + d.square)};
+      const auto &a = low[2 * i].values, &b = low[2 * i + 1].values;
+      const auto &c = high[2 * i].values, &d = high[2 * i + 1].values;
+      Node& mean = coarse.nodes[row * n + i];
+      for (std::size_t k = 0; k < 4; ++k) mean.values[k] = 0.25F * (a[k] + b[k] + c[k] + d[k]);
     }
   }
 }
 
 /// Bilinear; u and v in units of the level's nodes.
 WaterSlopes::Node WaterSlopes::between(const Level& level, float u, float v) {
-  const float row = std::floor(u), column = std::floor(v);
-  const float p = u - row, q = v - column;
+  const int row = whole(u), column = whole(v);
+  const float p = u - static_cast<float>(row), q = v - static_cast<float>(column);
   const std::size_t mask = level.n - 1;
-  const auto i = static_cast<std::size_t>(static_cast<std::int64_t>(row)) & mask;
-  const auto j = static_cast<std::size_t>(static_cast<std::int64_t>(column)) & mask;
+  const auto i = static_cast<std::size_t>(row) & mask;
+  const auto j = static_cast<std::size_t>(column) & mask;
   const Node* const low = &level.nodes[i * level.n];
   const Node* const high = &level.nodes[((i + 1) & mask) * level.n];
   const std::size_t next = (j + 1) & mask;
   const float a = (1.0F - p) * (1.0F - q), b = (1.0F - p) * q, c = p * (1.0F - q), d = p * q;
-  return {a * low[j].along + b * low[next].along + c * high[j].along + d * high[next].along,
-          a * low[j].across + b * low[next].across + c * high[j].across + d * high[next].across,
-          a * low[j].square + b * low[next].square + c * high[j].square + d * high[next].square};
+  const auto &low0 = low[j].values, &low1 = low[next].values;
+  const auto &high0 = high[j].values, &high1 = high[next].values;
+  Node mean;
+  for (std::size_t k = 0; k < 4; ++k) {
+    mean.values[k] = a * low0[k] + b * low1[k] + c * high0[k] + d * high1[k];
+  }
+  return mean;
 }
 
 WaterSlopes::Mean WaterSlopes::at(const Eigen::Vector2d& p_world, double width_m) const {
@@ -98,7 +107,7 @@ WaterSlopes::Mean WaterSlopes::at(const Eigen::Vector2d& p_world, double width_m
   const auto n = static_cast<double>(levels_.front().n);
   const auto cells = [&](const Eigen::Vector2d& axis) {
     const double turns = axis.dot(p_world) / length_m_;
-    return static_cast<float>((turns - std::floor(turns)) * n);
+    return static_cast<float>((turns - static_cast<double>(floor_of(turns))) * n);
   };
   const float u = cells(axis_), v = cells(across_);
   const auto most = static_cast<float>(levels_.size() - 1);
@@ -112,10 +121,13 @@ WaterSlopes::Mean WaterSlopes::at(const Eigen::Vector2d& p_world, double width_m
     return between(levels_[number], (u + 0.5F) * scale - 0.5F, (v + 0.5F) * scale - 0.5F);
   };
   const Node a = sample(fine);
-  if (share == 0.0F) return {{a.along, a.across}, a.square};
+  if (share == 0.0F) return {{a.along(), a.across()}, a.square()};
   const Node b = sample(fine + 1);
-  return {{a.along + share * (b.along - a.along), a.across + share * (b.across - a.across)},
-          a.square + share * (b.square - a.square)};
+  Node mean;
+  for (std::size_t k = 0; k < 4; ++k) {
+    mean.values[k] = a.values[k] + share * (b.values[k] - a.values[k]);
+  }
+  return {{mean.along(), mean.across()}, mean.square()};
 }
 
 }  // namespace trident

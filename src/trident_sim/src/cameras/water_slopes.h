@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -32,14 +33,19 @@ class WaterSlopes {
   /// About a place, over a width.
   Mean at(const Eigen::Vector2d& p_world, double width_m) const;
   /// Of all slopes.
-  float mean_square() const { return levels_.empty() ? 0.0F : levels_.back().nodes[0].square; }
+  float mean_square() const { return levels_.empty() ? 0.0F : levels_.back().nodes[0].square(); }
   Eigen::Vector2f in_world(const Eigen::Vector2f& slope) const {
     return slope.x() * axis_.cast<float>() + slope.y() * across_.cast<float>();
   }
 
  private:
-  struct Node {
-    float along, across, square;
+  /// Slope along the tile's rows and columns, its squared length, and nothing, for the sake of
+  /// vector instructions.
+  struct alignas(16) Node {
+    std::array<float, 4> values{};
+    float along() const { return values[0]; }
+    float across() const { return values[1]; }
+    float square() const { return values[2]; }
   };
   struct Level {
     std::size_t n = 0;

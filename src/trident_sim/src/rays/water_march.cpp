@@ -35,13 +35,6 @@ double first_root(double a, double b, double c, double last) {
   return root <= last ? root : kNowhere;
 }
 
-std::int64_t square_of(double cells, double side) {
-  // std::floor is a call where the processor is not known.
-  const double squares = cells / side;
-  const auto cut = static_cast<std::int64_t>(squares);
-  return cut - (squares < static_cast<double>(cut) ? 1 : 0);
-}
-
 }  // namespace
 
 WaterSurface::Path WaterSurface::path_of(const Ray& ray) const {
@@ -81,8 +74,8 @@ bool WaterSurface::is_open_between(const Ray& ray, const WaterReach& reach) cons
   const Eigen::Vector2d d = per_m * ray.direction_world.head<2>();
   const double u = pattern_->axis.dot(p), v = pattern_->across.dot(p);
   const double du = pattern_->axis.dot(d), dv = pattern_->across.dot(d);
-  const std::int64_t row0 = square_of(u + t0 * du, 1.0), row1 = square_of(u + t1 * du, 1.0);
-  const std::int64_t column0 = square_of(v + t0 * dv, 1.0), column1 = square_of(v + t1 * dv, 1.0);
+  const std::int64_t row0 = floor_of(u + t0 * du), row1 = floor_of(u + t1 * du);
+  const std::int64_t column0 = floor_of(v + t0 * dv), column1 = floor_of(v + t1 * dv);
   return std::abs(row0 - row1) + std::abs(column0 - column1) <= 1 &&
          shores_->of_square(row0, column0) == WaveField::Shore::kOpen &&
          shores_->of_square(row1, column1) == WaveField::Shore::kOpen;
@@ -137,8 +130,8 @@ WaterMeeting WaterSurface::meet(const Ray& ray, double t_max) const {
 template <std::size_t kLevel>
 WaterSurface::Found WaterSurface::walk(const Path& path, double t0, double t1) const {
   constexpr double kSize = kLevel == 0 ? 1.0 : WaterTile::kBoundSides[kLevel == 0 ? 0 : kLevel - 1];
-  std::int64_t row = square_of(path.u + t0 * path.du, kSize);
-  std::int64_t column = square_of(path.v + t0 * path.dv, kSize);
+  std::int64_t row = floor_of((path.u + t0 * path.du) / kSize);
+  std::int64_t column = floor_of((path.v + t0 * path.dv) / kSize);
   const std::int64_t row_step = path.du > 0.0 ? 1 : -1, column_step = path.dv > 0.0 ? 1 : -1;
   for (double t = t0;;) {
     const double next_row = static_cast<double>(row + (row_step > 0 ? 1 : 0)) * kSize;

@@ -56,7 +56,7 @@ double WaterSurface::strength(const Eigen::Vector2d& p_world) const {
   if (tile_ != nullptr) {
     const WaterPattern& pattern = *pattern_;
     const auto cell = [&](const Eigen::Vector2d& axis) {
-      return static_cast<std::int64_t>(std::floor(axis.dot(p_world) / pattern.cell_m));
+      return floor_of(axis.dot(p_world) / pattern.cell_m);
     };
     const WaveField::Shore ground = shore(cell(pattern.axis), cell(pattern.across));
     if (ground != WaveField::Shore::kFading) {

@@ -15,6 +15,12 @@
 
 namespace trident {
 
+/// std::floor is a call where the processor is not known.
+inline std::int64_t floor_of(double value) {
+  const auto cut = static_cast<std::int64_t>(value);
+  return cut - (value < static_cast<double>(cut) ? 1 : 0);
+}
+
 /// What the ground does to the waves in squares of cells about an anchor. A pure function of the
 /// anchor and of the water's level in steps.
 struct WaterShores {

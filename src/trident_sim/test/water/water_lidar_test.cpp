@@ -155,6 +155,41 @@ TEST(WaterReturns, WaterNearerThanTheSmallestRangeHidesWhatLiesBeyond) {
   EXPECT_FALSE(std::isfinite(scan_of(options, 0.3)[60]));
 }
 
+TEST(WaterReturns, AreThoseOfBeamsThatAreFollowedToTheWater) {
+  TestWorld world(sea_spec(jonswap("0.6", "4")));
+  RayScene& scene = fresh_rays(world);
+  const auto water = scene.refresh_water({0, 0, 2});
+  const WaterSight sight(WaterReturns::kAuto, 5, "lidar");
+  const RandomStream chance(5, "lidar/water");
+  constexpr std::uint32_t kChannel = 7, kOther = 1234;
+  Draw draw("beams");
+  int told = 0, lost = 0;
+  for (std::uint64_t scan = 0; scan < 20000; ++scan) {
+    Ray ray{{draw.uniform(-9, 9), draw.uniform(-9, 9), draw.uniform(0.2, 6.0)}, draw.direction()};
+    ray.t_max_m = 100.0;
+    if (ray.p_world_origin.z() < water->height_m(ray.p_world_origin.head<2>())) continue;
+    RayHit behind;
+    if (scan % 3 == 0) {
+      behind.distance_m = draw.uniform(0.5, 30.0);
+      behind.shape = kOther;
+    }
+    RayHit expected = behind;
+    scene.add_water(*water, {&ray, 1}, {&expected, 1});
+    if (expected.shape == scene.water_shape()) {
+      const double p = water_return_probability(-expected.normal_world.dot(ray.direction_world),
+                                                expected.distance_m);
+      const bool is_told = chance.uniform(scan, kChannel) < p;
+      ++(is_told ? told : lost);
+      if (!is_told) expected = {};
+    }
+    const RayHit seen = sight.see(scene, *water, ray, behind, scan, kChannel);
+    ASSERT_EQ(seen.shape, expected.shape) << scan;
+    ASSERT_EQ(seen.distance_m, expected.distance_m) << scan;
+  }
+  EXPECT_GT(told, 500);
+  EXPECT_GT(lost, 500);
+}
+
 /// A spinning lidar with 16 rings on a body that drifts over waves.
 struct Voyage {
   std::vector<LidarPoint> points;
@@ -172,14 +207,30 @@ Voyage voyage(std::size_t threads, bool is_heard) {
   options.highest_rad = deg_to_rad(15.0);
   options.range_max_m = 100.0;
   Model& robot = world.add(robot_with(options, at(0, 0, 1.5)));
+  // Others, cast along with it, see other tiles; one of them takes snapshots.
+  ModelSpec mast = make_static("mast", SphereShape{0.05}, at(90, 0, 3));
+  for (const char* file : {"libtrident_lidar3d.so", "libgazebo_ros_velodyne_laser.so"}) {
+    options.file = file;
+    mast.links[0].sensors.push_back(make_lidar(options));
+    mast.links[0].sensors.back().name = file;
+    mast.links[0].sensors.back().plugins[0].params.children[1].text = file;  // its topic
+  }
+  world.add(std::move(mast));
   world->set_model_twist(robot, {1, 0.5, 0.0}, {0.0, 0.0, 0.3});
   Voyage result;
-  auto* const cloud = world->ports().find_out<LidarCloudSample>("r/scan");
-  if (is_heard) cloud->add_listener();
+  std::vector<const OutPort<LidarCloudSample>*> clouds;
+  for (const char* name : {"scan", "libtrident_lidar3d.so", "libgazebo_ros_velodyne_laser.so"}) {
+    auto* const cloud = world->ports().find_out<LidarCloudSample>(std::string("r/") + name);
+    if (is_heard) cloud->add_listener();
+    clouds.push_back(cloud);
+  }
   for (int i = 0; i < 5; ++i) {
     world->step(10);
-    const auto& points = cloud->value.points;
-    result.points.insert(result.points.end(), points.begin(), points.end());
+    for (const auto* const cloud : clouds) {
+      const auto& points = cloud->value.points;
+      EXPECT_EQ(points.empty(), !is_heard) << cloud->name();
+      result.points.insert(result.points.end(), points.begin(), points.end());
+    }
   }
   EXPECT_EQ(world->rays(RayGeometry::kCollision).water() != nullptr, is_heard)
       << "nothing is worked out for nobody";

@@ -349,9 +349,16 @@ TEST(WaterSurface, FadesTowardsTheShoreAsTheWavesDo) {
   int open = 0, dry = 0, fading = 0;
   for (int i = 0; i < 600; ++i) {
     const Eigen::Vector2d p = within(draw, i % 2 == 0 ? 150.0 : 20.0);
-    const Ray ray{{p.x(), p.y(), 3.0}, Eigen::Vector3d(0.6, 0.5, -0.4).normalized()};
-    const Eigen::Vector3d met =
-        ray.p_world_origin + water.meet(ray, kNowhere).t * ray.direction_world;
+    const Ray ray{{p.x(), p.y(), 3.0},
+                  Eigen::Vector3d(0.6, 0.5, draw.uniform(-1.0, -0.2)).normalized()};
+    const WaterMeeting meeting = water.meet(ray, kNowhere);
+    const Eigen::Vector3d met = ray.p_world_origin + meeting.t * ray.direction_world;
+    const WaterReach reach = water.reach(ray);
+    EXPECT_LE(reach.first, meeting.t);
+    EXPECT_GE(reach.last, meeting.t);
+    const double cosine = -water.normal(met.head<2>()).dot(ray.direction_world);
+    EXPECT_LE(cosine, water.cos_most(ray, reach) + 1e-9);
+    EXPECT_LE(water.cos_most(ray, reach), water.cos_most(ray));
     EXPECT_NEAR(met.z(), water.height_m(met.head<2>()), 1e-6) << met.transpose();
     const double strength = truth.strength(met.head<2>(), 0.0);
     EXPECT_EQ(water.strength(met.head<2>()), strength);
