@@ -97,7 +97,7 @@ void MovingParts::turn_into(const Part& part, const RTCRay16& rays, RTCRay16& tu
 }
 
 void MovingParts::intersect(const Lanes& valid, RTCRayHit16& rays, CastContext& context) const {
-  if (parts_.empty()) return;
+  if (parts_.empty() || all_leave(bounds_, rays.ray)) return;
   alignas(64) Lanes near = valid;
   const PacketSlopes slopes(rays.ray);
   if (!keep_lanes_that_meet(bounds_, rays.ray, slopes, near)) return;
@@ -125,7 +125,7 @@ void MovingParts::intersect(const Lanes& valid, RTCRayHit16& rays, CastContext& 
 }
 
 void MovingParts::occlude(const Lanes& valid, RTCRay16& rays, CastContext& context) const {
-  if (parts_.empty()) return;
+  if (parts_.empty() || all_leave(bounds_, rays)) return;
   alignas(64) Lanes near = valid;
   const PacketSlopes slopes(rays);
   if (!keep_lanes_that_meet(bounds_, rays, slopes, near)) return;

@@ -51,6 +51,28 @@ struct PacketSlopes {
   }
 };
 
+/// Whether all rays of a packet, also those that do not count, begin beyond the box on one side and
+/// do not turn back: most of a planar lidar's do, whose robot lies below it.
+template <class Rays>
+bool all_leave(const PacketBounds& bounds, const Rays& rays) {
+  const std::array<const float*, 3> origin = {rays.org_x, rays.org_y, rays.org_z};
+  const std::array<const float*, 3> direction = {rays.dir_x, rays.dir_y, rays.dir_z};
+  constexpr std::size_t kLanes = RayScene::kPacket;
+  int forward = 0;
+  for (std::size_t i = 0; i < kLanes; ++i) forward |= rays.tnear[i] >= 0.0F ? 0 : -1;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const float low = bounds.low[axis], high = bounds.high[axis];
+    const float *const o = origin[axis], *const d = direction[axis];
+    int above = forward, below = forward;  // -1: of some ray it cannot be told
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      above |= (o[i] > high ? 0 : -1) | (d[i] >= 0.0F ? 0 : -1);
+      below |= (o[i] < low ? 0 : -1) | (d[i] <= 0.0F ? 0 : -1);
+    }
+    if (above == 0 || below == 0) return true;
+  }
+  return false;
+}
+
 /// Takes from `valid` the lanes whose rays miss the box for certain, and tells whether any is left.
 /// Most rays miss the few things that move, and Embree takes those through its tree one by one.
 template <class Rays>

@@ -154,7 +154,9 @@ void RayScene::Content::cast_packet(const Ray* rays, RayHit* hits, std::size_t c
   }
   CastContext context = make_context(filter, false, some_cast_no_shadow_);
   if (fixed_ != nullptr) {
-    if (coherent(packet.embree.ray)) context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    // It is the triangles that Embree meets faster so.
+    if (fixed_has_mesh_ && coherent(packet.embree.ray))
+      context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
     rtcIntersect16(packet.valid.data(), fixed_.get(), &context.embree, &packet.embree);
   }
   moving_.intersect(packet.valid, packet.embree, context);

@@ -203,6 +203,7 @@ void RayScene::Content::number() {
 void RayScene::Content::commit_fixed() {
   fixed_.reset();
   fixed_shapes_.clear();
+  fixed_has_mesh_ = false;
   for (const auto& [name, model] : models_) {
     for (const TracedLink& link : model.links) {
       if (link.moves) continue;
@@ -211,6 +212,7 @@ void RayScene::Content::commit_fixed() {
         if (fixed_ == nullptr) fixed_ = make_scene(device_.get(), SceneUse::kFixed);
         attach_shape(device_.get(), fixed_.get(), *shape);
         fixed_shapes_.push_back(shape.get());
+        fixed_has_mesh_ = fixed_has_mesh_ || shape->kind == SurfaceKind::kMesh;
       }
     }
   }
