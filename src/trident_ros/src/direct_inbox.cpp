@@ -17,6 +17,7 @@
 
 #include "roscpp_internals.h"
 #include "trident_base/error.h"
+#include "trident_ros/peer_process.h"
 
 namespace trident {
 namespace {
@@ -80,6 +81,17 @@ struct DirectInbox::Link {
 DirectSubscription::~DirectSubscription() {
   subscriber_.shutdown();
   inbox_.remove(id_);
+}
+
+std::vector<pid_t> DirectSubscription::processes() const {
+  const std::lock_guard<std::mutex> lock(inbox_.mutex_);
+  std::vector<pid_t> result;
+  for (const auto& [key, link] : inbox_.links_) {
+    if (link->topic != id_) continue;
+    if (const pid_t process = peer_process(link->descriptor); process > 0)
+      result.push_back(process);
+  }
+  return result;
 }
 
 DirectInbox::DirectInbox(Sockets sockets) : sockets_(sockets), buffer_(kFirstBuffer) {
@@ -165,6 +177,7 @@ void DirectInbox::take_over(Topic& topic, std::uint64_t id) {
     const std::uint64_t key = next_key_++;
     links_[key] = std::make_unique<Link>(epoll_, id, connection, descriptor);
     watch(epoll_, descriptor, key);
+    newest_link_ = key;
   }
 }
 

@@ -100,6 +100,13 @@ TEST_F(DirectInboxTest, EveryMessageComesOnceAndInOrder) {
   EXPECT_EQ(inbox_.link_count(), 1U);
 }
 
+TEST_F(DirectInboxTest, TellsTheProcessThatSends) {
+  ASSERT_TRUE(is_answered());
+  ask("process");
+  ASSERT_TRUE(spin([&] { return answers().size() == 1 && inbox_.link_count() == 1; }));
+  EXPECT_EQ(answers_->processes(), std::vector<pid_t>{std::stoi(answers().front())});
+}
+
 TEST_F(DirectInboxTest, MessagesLongerThanAReadArriveWhole) {
   ASSERT_TRUE(is_answered());
   std::vector<std::string> sent;

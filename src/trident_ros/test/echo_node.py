@@ -1,9 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""Sends back what it gets on ``question``, on ``answer``; "reconnect" makes it publish anew."""
+"""Sends back what it gets on ``question``, on ``answer``.
+
+"reconnect" makes it publish anew, "process" tells its process id.
+"""
 
 from __future__ import annotations
+
+import os
 
 import rospy
 from std_msgs.msg import String
@@ -26,6 +31,8 @@ class Echo:
         if message.data == "reconnect":
             self.answer.unregister()
             self.answer = self.advertise()
+        elif message.data == "process":
+            self.answer.publish(String(str(os.getpid())))
         else:
             self.answer.publish(message)
 

@@ -262,6 +262,27 @@ void LockstepGate::send_states(SimTime stamp) {
   for (VehicleLink* vehicle : hub_.vehicles) vehicle->send_state(stamp, now);
 }
 
+void LockstepGate::keep_on_cores() {
+  const std::uint64_t newest = hub_.commands.newest_link();
+  // Fewer vehicles than cores leave a controller room for threads that work side by side.
+  const bool is_crowded = vehicles_.size() >= cores_.count();
+  if (!options_.pin_controllers || newest == newest_link_ || !is_crowded) return;
+  newest_link_ = newest;
+  const std::lock_guard<std::mutex> lock(hub_.mutex);
+  for (std::size_t i = 0; i < hub_.vehicles.size(); ++i) {
+    const VehicleLink& vehicle = *hub_.vehicles[i];
+    // Those that confirm set-points are of this workspace: one thread does all, so there is nothing
+    // to gain, and beside the server they are cheaper than spread out.
+    if (!vehicle.lockstep.enrolled() || vehicle.confirms_setpoints()) continue;
+    for (const pid_t process : vehicle.controller_processes()) {
+      const int core = cores_.keep(process, i);
+      if (core < 0) continue;
+      hub_.news.push_back(vehicle.name() + ": controller, process " + std::to_string(process) +
+                          ", is kept on core " + std::to_string(core));
+    }
+  }
+}
+
 void LockstepGate::clear(bool with_time) {
   const std::lock_guard<std::mutex> lock(hub_.mutex);
   for (VehicleLink* vehicle : hub_.vehicles) {

@@ -14,6 +14,7 @@
 
 #include "port_binder.h"
 #include "server_options.h"
+#include "trident_ros/process_cores.h"
 #include "trident_sim/world.h"
 #include "vehicle_link.h"
 
@@ -48,6 +49,10 @@ class LockstepGate {
   /// Sends, or lines up, the odometry of the step that was just made.
   void send_states(SimTime stamp);
 
+  /// Keeps controllers that have come on one core each, where there is not a core for each of them
+  /// and the option does not forbid it.
+  void keep_on_cores();
+
   /// The states under way are void; after a reset of time the set-points too.
   void clear(bool with_time);
 
@@ -80,6 +85,8 @@ class LockstepGate {
   InlineCallbackQueue inline_queue_;
   LockstepHub hub_;
   std::map<std::string, std::unique_ptr<VehicleLink>> vehicles_;
+  ProcessCores cores_;
+  std::uint64_t newest_link_ = 0;  ///< when controllers were last kept on cores
   bool has_just_read_ = false;
   bool released_ = false;  ///< time zero is no longer held
   Clock::time_point complete_since_;

@@ -216,6 +216,7 @@ void read_parameters(const ros::NodeHandle& private_node, ServerOptions& options
   parameters.integer("wait_for_sources", options.wait_for_sources, 10000);
   parameters.integer("seed", options.seed, 9e15);
   parameters.number("lockstep_timeout", options.lockstep_timeout_s, 0.01, 1e6);
+  parameters.flag("pin_controllers", options.pin_controllers);
   parameters.answers("answers", options.answers);
   parameters.number("max_clock_rate", options.max_clock_rate_hz, 1.0, 1e5);
   parameters.number("pub_clock_frequency", options.pub_clock_frequency_hz, 0.0, 1e5);

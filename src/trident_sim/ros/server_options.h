@@ -43,6 +43,8 @@ struct ServerOptions {
   int wait_for_sources = 0;                  ///< set-point sources before time zero is left
   double lockstep_timeout_s = 2.0;           ///< wall time without an answer
   LossPolicy loss_policy = LossPolicy::kFreeRun;
+  /// As fast as possible: keeps a controller's process on one core.
+  bool pin_controllers = true;
   std::map<std::string, AnswerOptions> answers;  ///< nodes that are waited for, by name
   double max_clock_rate_hz = 50.0;               ///< wall rate of /clock and of the state topics
   double pub_clock_frequency_hz = 0.0;           ///< simulated rate of /clock; 0: every step

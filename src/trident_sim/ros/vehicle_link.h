@@ -66,6 +66,8 @@ class VehicleLink {
   /// request: many publishers send once, as soon as somebody listens, and mean the controller.
   void watch_setpoints();
   std::uint32_t odometry_readers() const;
+  /// Those that send its commands.
+  std::vector<pid_t> controller_processes() const { return commands_->processes(); }
   void clear();
   /// Tells (under the hub's mutex) the readers of the odometry that time is back at zero: a state
   /// at rest, stamped zero.

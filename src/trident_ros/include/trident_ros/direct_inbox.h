@@ -3,6 +3,7 @@
 #pragma once
 
 #include <ros/ros.h>
+#include <sys/types.h>
 
 #include <boost/signals2/connection.hpp>
 
@@ -32,6 +33,9 @@ class DirectSubscription {
   DirectSubscription& operator=(const DirectSubscription&) = delete;
 
   std::uint32_t publishers() const { return subscriber_.getNumPublishers(); }
+  /// Processes at the other ends of the connections that the inbox reads itself, as far as
+  /// peer_process() finds them.
+  std::vector<pid_t> processes() const;
 
  private:
   friend class DirectInbox;
@@ -94,6 +98,8 @@ class DirectInbox {
   void wake();
   /// Connections that are read here, not by roscpp.
   std::size_t link_count();
+  /// Changes whenever another connection is read here.
+  std::uint64_t newest_link() const { return newest_link_; }
 
  private:
   friend class DirectSubscription;
@@ -130,6 +136,7 @@ class DirectInbox {
   int epoll_ = -1;
   int wake_ = -1;
   std::uint64_t next_key_ = 1;
+  std::atomic<std::uint64_t> newest_link_{0};
   std::unordered_map<std::uint64_t, Topic> topics_;
   std::unordered_map<std::uint64_t, std::unique_ptr<Link>> links_;
   std::atomic<bool> has_new_links_{false};

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <sched.h>
+#include <sys/types.h>
+
+#include <cstddef>
+#include <map>
+#include <vector>
+
+namespace trident {
+
+/// Keeps processes on one core each. A node of roscpp hands every message from its socket thread to
+/// its callbacks and every answer back; in lockstep that is most of its time, and twice as much of
+/// it where the two threads sit on two cores and wake each other across them.
+class ProcessCores {
+ public:
+  /// The cores are those that this process may use.
+  ProcessCores();
+  /// Gives all back to the cores that they had.
+  ~ProcessCores();
+  ProcessCores(const ProcessCores&) = delete;
+  ProcessCores& operator=(const ProcessCores&) = delete;
+
+  std::size_t count() const { return cores_.size(); }
+
+  /// A node of roscpp has five threads and, with timers, six. One that has more works on several
+  /// cores by design.
+  static constexpr std::size_t kMostThreads = 6;
+
+  /// Restricts all threads of the process, and those that they will start, to core
+  /// `index` modulo count(). Returns the core; -1 when it is left alone: it is this process, has
+  /// more than kMostThreads, was restricted before, here or by somebody else, or may not be; or
+  /// there is one core only.
+  int keep(pid_t process, std::size_t index);
+
+ private:
+  std::vector<int> cores_;
+  cpu_set_t all_{};
+  std::map<pid_t, int> kept_;  ///< process and its core
+};
+
+}  // namespace trident
