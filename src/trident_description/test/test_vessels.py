@@ -5,13 +5,16 @@
 from __future__ import annotations
 
 from pathlib import Path
+from xml.etree import ElementTree
 
 import numpy as np
+import numpy.typing as npt
 import pytest
 
 trident_sim = pytest.importorskip("trident_sim", reason="trident_sim is not built or sourced")
 
 URDF = Path(__file__).resolve().parents[1] / "urdf"
+NOTHING = '<sdf version="1.6"><world name="nothing"><gravity>0 0 0</gravity></world></sdf>'
 OCEAN = "package://trident_bringup/worlds/ocean.world"
 
 #: z of base_link at rest [m], thruster command, the speed that it gives [m/s].
@@ -50,6 +53,49 @@ def test_a_wamv_has_the_thrusters_of_its_layout(layout: str, names: set[str]) ->
     assert not [message.text for message in world.messages]
     ends = [port.removeprefix("wamv/thrusters/") for port in world.ports if "_thrust_cmd" in port]
     assert {end.removesuffix("_thrust_cmd") for end in ends} == names
+
+
+def place_of(urdf: str, link: str) -> list[float]:
+    """Where a link of a fixed joint is, in its parent's axes [m]."""
+    (origin,) = (
+        joint.find("origin")
+        for joint in ElementTree.fromstring(urdf).iter("joint")
+        if joint.find(f"child[@link='{link}']") is not None
+    )
+    assert origin is not None
+    return [float(word) for word in origin.attrib["xyz"].split()]
+
+
+def seen_from_port(
+    world: trident_sim.World, x: npt.ArrayLike, z: npt.ArrayLike, as_far_as_y: float
+) -> npt.NDArray[np.bool_]:
+    """Whether a look from port meets something of the vessel, at each of x and z [m]."""
+    x, z = np.broadcast_arrays(np.asarray(x, dtype=float), np.asarray(z, dtype=float))
+    origins = np.column_stack([x, np.full(x.shape, 3.0), z])
+    along = np.tile([0.0, -1.0, 0.0], (len(origins), 1))
+    hits = world.cast_rays(origins, along, max_distance=3.0 - as_far_as_y, visual=True)
+    return np.isfinite(hits.distance)
+
+
+@pytest.mark.parametrize("vessel", FIGURES)
+def test_its_sensors_stand_on_its_deck(vessel: str) -> None:
+    world = trident_sim.World(NOTHING)
+    urdf = trident_sim.expand_xacro(URDF / f"{vessel}.urdf.xacro", camera_enabled="true")
+    world.spawn(vessel, urdf=urdf)
+    for link in ("gnss_link", "wind_link", "velodyne", "front_camera_link"):
+        x, y, z = place_of(urdf, link)
+        down = world.cast_rays([[x, y, z]], [[0.0, 0.0, -1.0]], max_distance=2.0)
+        deck = z - float(down.distance[0])
+        heights = np.linspace(z - 0.01, deck, 40)
+        assert seen_from_port(world, np.full(40, x), heights, -0.1).all(), link
+
+
+def test_a_wamvs_deck_stands_on_its_pontoons() -> None:
+    world = trident_sim.World(NOTHING)
+    world.spawn("wamv", urdf=trident_sim.expand_xacro(URDF / "wamv.urdf.xacro"))
+    for ends in (np.linspace(0.6, 1.4, 80), np.linspace(-1.4, -0.6, 80)):
+        for z in np.linspace(0.3, 1.25, 30):
+            assert seen_from_port(world, ends, z, 0.3).any(), z
 
 
 @pytest.mark.parametrize("vessel", FIGURES)
