@@ -8,6 +8,7 @@ import math
 import threading
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
+from typing import Any
 
 import pytest
 import rospy
@@ -16,7 +17,15 @@ from gazebo_msgs.srv import SetPhysicsPropertiesRequest
 from geometry_msgs.msg import Point, Twist, Vector3, Wrench
 from harness import Gazebo, Ros, box_sdf, eventually, package, pose, recorder, vehicle_urdf
 from rosgraph_msgs.msg import Clock
+from std_msgs.msg import Bool
 from std_srvs.srv import Empty
+from uuv_gazebo_ros_plugins_msgs.srv import (
+    GetThrusterConversionFcn,
+    GetThrusterEfficiency,
+    GetThrusterState,
+    SetThrusterEfficiency,
+    SetThrusterState,
+)
 
 DT = 0.01  # of basic.world
 
@@ -383,6 +392,40 @@ def test_services_that_change_nothing_leave_the_state_hash_alone(
                 gazebo.ask("pause_physics")
         hashes.append(gazebo.finish()["state_hash"])
     assert hashes[0] == hashes[1]
+
+
+THRUSTER = """<sdf version="1.6"><model name="rov"><link name="base_link"/>
+<plugin name="thruster" filename="libuuv_thruster_ros_plugin.so">
+  <linkName>base_link</linkName><thrusterID>0</thrusterID><propeller_efficiency>0.8</propeller_efficiency>
+  <dynamics><type>ZeroOrder</type></dynamics>
+  <conversion><type>Basic</type><rotorConstant>0.02</rotorConstant></conversion>
+</plugin></model></sdf>"""
+
+
+def test_a_thruster_has_the_services_of_uuv_simulator(ros: Ros, gazebo: Gazebo) -> None:
+    gazebo.spawn("rov", THRUSTER)
+
+    def ask(name: str, kind: type, *values: object) -> Any:
+        return rospy.ServiceProxy(f"/rov/thrusters/0/{name}", kind)(*values)
+
+    assert ask("get_thruster_state", GetThrusterState).is_on
+    assert ask("get_dynamic_state_efficiency", GetThrusterEfficiency).efficiency == 0.8
+    curve = ask("get_thruster_conversion_fcn", GetThrusterConversionFcn).fcn
+    assert (curve.function_name, curve.tags, curve.data) == ("Basic", ["rotor_constant"], (0.02,))
+    for wrong in (-0.1, 1.1, math.nan):
+        assert not ask("set_thrust_force_efficiency", SetThrusterEfficiency, wrong).success
+    assert ask("set_thrust_force_efficiency", SetThrusterEfficiency, 0.5).success
+    assert ask("set_thruster_state", SetThrusterState, False).success
+    assert ask("get_thrust_force_efficiency", GetThrusterEfficiency).efficiency == 0.5
+    with recorder("/rov/thrusters/0/is_on", Bool) as is_on:
+        is_on.connected()
+        gazebo.step(2)
+        assert not is_on.received()[0].data
+    assert not ask("get_thruster_state", GetThrusterState).is_on
+    assert ask("get_thrust_force_efficiency", GetThrusterEfficiency).efficiency == 0.5
+    gazebo.ask("reset_simulation")
+    gazebo.step(2)
+    assert ask("get_thruster_state", GetThrusterState).is_on, "as the file has it"
 
 
 def test_every_service_has_upstreams_name_and_type(ros: Ros, gazebo: Gazebo) -> None:

@@ -26,4 +26,8 @@ void convert(const NumberSample& sample, std_msgs::Float64& message) {
   message.data = sample.value;
 }
 
+void convert(const FlagSample& sample, std_msgs::Bool& message) {
+  message.data = sample.value ? 1 : 0;
+}
+
 }  // namespace trident

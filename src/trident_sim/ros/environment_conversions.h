@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <std_msgs/Bool.h>
 #include <std_msgs/Float64.h>
 #include <trident_msgs/EnvironmentState.h>
 #include <trident_msgs/WindReading.h>
 
 #include "trident_sim/text_sample.h"
+#include "trident_sim/thruster_setup.h"
 
 namespace trident {
 
@@ -14,5 +16,6 @@ namespace trident {
 void convert(const EnvironmentSample& sample, trident_msgs::EnvironmentState& message);
 void convert(const WindReadingSample& sample, trident_msgs::WindReading& message);
 void convert(const NumberSample& sample, std_msgs::Float64& message);
+void convert(const FlagSample& sample, std_msgs::Bool& message);
 
 }  // namespace trident

@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "conversions.h"
+#include "thruster_services.h"
 #include "trident_sim/commands.h"
 #include "trident_sim/text_sample.h"
 
@@ -207,6 +208,7 @@ void InputBinder::sync() {
     for (const BindFunction bind : kBindFunctions) {
       if (!binding) binding = bind(node_, queue_, port, bell_);
     }
+    if (!binding) binding = bind_thruster_services(node_, queue_, port, board_);
     if (binding) entries_.emplace(port.name(), std::move(binding));
   });
 }

@@ -122,6 +122,7 @@ constexpr BindFunction kBindFunctions[] = {
     try_bind<EnvironmentSample, trident_msgs::EnvironmentState>,
     try_bind<WindReadingSample, trident_msgs::WindReading>,
     try_bind<NumberSample, std_msgs::Float64>,
+    try_bind<FlagSample, std_msgs::Bool>,
 };
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "marine/uuv_thruster.h"
 #include "trident_base/angle.h"
 #include "trident_sim/commands.h"
+#include "trident_sim/thruster_setup.h"
 
 namespace trident {
 namespace {
@@ -172,6 +173,41 @@ TEST(UuvPlugins, InputsThatAreNotLegalAreRefusedOrCut) {
   EXPECT_TRUE(contains(told, topic + ": nan is refused, the last good one stays; legal is [-1, 1]"))
       << told;
   EXPECT_TRUE(contains(told, topic + ": 3 is cut to the nearest; legal is [-1, 1]")) << told;
+}
+
+TEST(UuvPlugins, AThrusterIsSwitchedOffAndWeakened) {
+  TestWorld world(ocean({make_sea({})}));
+  world.add(make_heron(heron_thruster(kFirstOrder, kHeronCurve, {{"thrust_efficiency", "0.9"}})));
+  PortBoard& ports = world->ports();
+  auto* const thrust = ports.find_out<StampedNumber>("heron/thrusters/0/thrust");
+  auto* const is_on = ports.find_out<FlagSample>("heron/thrusters/0/is_on");
+  auto* const change = ports.find_in<ThrusterChange>("heron/thrusters/0/setup");
+  auto* const setup = ports.find_out<ThrusterSetup>("heron/thrusters/0/setup");
+  ASSERT_TRUE(thrust != nullptr && is_on != nullptr && change != nullptr && setup != nullptr);
+  thrust->add_listener();
+  is_on->add_listener();
+  EXPECT_EQ(setup->value.conversion, "LinearInterp");
+  EXPECT_EQ(setup->value.outputs.size(), 11U);
+  const auto after = [&](const ThrusterChange& what) {
+    change->write(what);
+    command(*world, "heron/thrusters/0/input", 0.7);
+    world->step(100);
+    return thrust->value.value;
+  };
+  EXPECT_NEAR(after({}), 0.9 * 24.64, 1e-6);
+  const Snapshot snapshot = world->save_snapshot();
+  EXPECT_NEAR(after({{}, {}, 0.5, {}}), 0.5 * 24.64, 1e-6);
+  // Half of the state, 0.35: halfway between 2.24 N and 9.52 N, and then as far again.
+  EXPECT_NEAR(after({{}, {}, 1.0, 0.5}), 2.24 + 0.75 * (9.52 - 2.24), 1e-6);
+  EXPECT_NEAR(after({{}, {}, 1.5, std::nan("")}), 2.24 + 0.75 * (9.52 - 2.24), 1e-6);
+  EXPECT_NEAR(after({{}, false, {}, {}}), 0.0, 1e-6);
+  EXPECT_FALSE(is_on->value.value);
+  world->restore_snapshot(snapshot);
+  EXPECT_NEAR(after({}), 0.9 * 24.64, 1e-6);
+  after({{}, false, {}, {}});
+  world->reset();
+  EXPECT_NEAR(after({}), 0.9 * 24.64, 1e-6);
+  EXPECT_TRUE(setup->value.is_on);
 }
 
 TEST(UuvPlugins, BadInputIsOneClearError) {
