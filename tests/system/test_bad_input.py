@@ -10,8 +10,10 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+import rospy
 from diagnostic_msgs.msg import DiagnosticArray
-from harness import Gazebo, Ros, box_sdf, complaints, eventually, package, pose, recorder
+from harness import REPO, Gazebo, Ros, box_sdf, complaints, eventually, package, pose, recorder
+from std_msgs.msg import Float32
 
 WORLD = """<?xml version="1.0"?>
 <sdf version="1.6">
@@ -224,6 +226,69 @@ def test_a_vehicle_lost_in_space_does_not_take_the_world_with_it(
     gazebo.step(3000)
     assert gazebo.position("crate") == pytest.approx((0.0, 0.0, 0.1), abs=0.01)
     assert gazebo.process.running
+
+
+BOAT = """<robot name="boat">
+  <link name="base_link">
+    <inertial>
+      <origin xyz="0 0 0.04"/>
+      <mass value="12"/>
+      <inertia ixx="0.8" iyy="1.1" izz="1.6" ixy="0" ixz="0" iyz="0"/>
+    </inertial>
+  </link>
+  <gazebo>
+    <plugin name="vessel" filename="libtrident_vessel.so">
+      <vessel>{}</vessel>
+      <bodyName>base_link</bodyName>
+    </plugin>
+  </gazebo>
+</robot>
+"""
+
+
+@pytest.mark.parametrize(
+    ("elements", "words"),
+    [
+        ("<waves><significant_height>-0.4</significant_height></waves>", "significant_height"),
+        ("<waves><spectrum>tsunami</spectrum></waves>", "pierson_moskowitz"),
+        ("<bathymetry><kind>file</kind><file>nowhere.asc</file></bathymetry>", "nowhere.asc"),
+        ("<bathymetry><kind>terrain</kind></bathymetry>", "heightmap"),
+    ],
+    ids=["negative height", "unknown spectrum", "no bathymetry file", "no terrain"],
+)
+def test_a_sea_that_cannot_be_is_one_error(
+    ros: Ros, tmp_path: Path, elements: str, words: str
+) -> None:
+    path = tmp_path / "sea.world"
+    sea = f'<plugin name="sea" filename="libtrident_sea.so">{elements}</plugin>'
+    path.write_text(WORLD.format(sea))
+    assert words in refused_start(ros, path)
+
+
+def test_a_boat_that_cannot_be_and_thrusts_that_cannot_be(
+    start_gazebo: Callable[..., Gazebo], tmp_path: Path
+) -> None:
+    world = tmp_path / "sea.world"
+    world.write_text(WORLD.format('<plugin name="sea" filename="libtrident_sea.so"/>'))
+    gazebo = start_gazebo(world)
+    shipped = (REPO / "config" / "vessels" / "small_catamaran.yaml").read_text("utf-8")
+    heavy = re.sub(r"added_mass: \[[^\]]*\]", "added_mass: [-40, 0, 0, 0, 0, 0]", shipped)
+    assert heavy != shipped
+    (tmp_path / "heavy.yaml").write_text(heavy, encoding="utf-8")
+    status = refused_spawn(gazebo, "a", BOAT.format(tmp_path / "heavy.yaml"))
+    assert "positive definite" in status
+    assert "nowhere.yaml" in refused_spawn(gazebo, "b", BOAT.format(tmp_path / "nowhere.yaml"))
+    (tmp_path / "boat.yaml").write_text(shipped, encoding="utf-8")
+    gazebo.spawn("boat", BOAT.format(tmp_path / "boat.yaml"))
+    thrust = rospy.Publisher("/boat/thrusters/left_thrust_cmd", Float32, queue_size=1)
+    eventually(lambda: thrust.get_num_connections() == 1, "the thruster")
+    for value, words in ((math.nan, "nan is refused"), (1e4, "10000 is cut to the nearest")):
+        thrust.publish(value)
+        eventually(lambda: gazebo.step(1) > 0.0 and words in gazebo.log, words)  # noqa: B023
+        (told,) = [line for line in complaints(gazebo.log) if words in line]
+        assert "left_thrust_cmd" in told
+        assert "legal is [" in told
+    thrust.unregister()
 
 
 def test_the_shipped_worlds_load_without_a_word(ros: Ros) -> None:
