@@ -32,7 +32,7 @@ struct PoseGraphOptions {
   /// weight in the report is 0. The edges' own kernels do not count.
   bool is_graduated = false;
   /// [standard deviations] beyond which an edge is an outlier, > 0.
-  double graduated_scale = 4.0;
+  double graduated_scale = 5.0;
 
   /// Throws Error naming field, value and range.
   void validate() const;

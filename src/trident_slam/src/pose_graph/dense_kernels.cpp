@@ -3,6 +3,7 @@
 #include "pose_graph/dense_kernels.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 namespace trident {
@@ -92,19 +93,25 @@ __attribute__((target("avx2"))) void update_avx2(double* C, std::ptrdiff_t ldc, 
 }
 #endif
 
-template <int kColumns>
-Update choose_update() {
+bool has_four_lanes() {
 #if defined(__x86_64__)
-  if (__builtin_cpu_supports("avx2")) return update_avx2<kColumns>;
+  return __builtin_cpu_supports("avx2") != 0;
+#else
+  return false;
+#endif
+}
+
+std::atomic<bool> is_plain{!has_four_lanes()};
+
+template <int kColumns>
+Update update_of_strips() {
+#if defined(__x86_64__)
+  if (!is_plain) return update_avx2<kColumns>;
 #endif
   return update_plain<kColumns>;
 }
 
-Update update_for(int strip) {
-  static const Update of_two = choose_update<2>();
-  static const Update of_three = choose_update<3>();
-  return strip == 2 ? of_two : of_three;
-}
+Update update_for(int strip) { return strip == 2 ? update_of_strips<2>() : update_of_strips<3>(); }
 
 // Cholesky of one strip of columns whose earlier columns are already subtracted.
 bool factorise_strip(double* strip, std::ptrdiff_t ld, std::ptrdiff_t rows, int columns) {
@@ -124,6 +131,8 @@ bool factorise_strip(double* strip, std::ptrdiff_t ld, std::ptrdiff_t rows, int 
 }
 
 }  // namespace
+
+void force_plain_kernels(bool is_forced) { is_plain = is_forced || !has_four_lanes(); }
 
 void subtract_outer_product(double* C, std::ptrdiff_t ldc, const double* A, std::ptrdiff_t lda,
                             std::ptrdiff_t n, std::ptrdiff_t depth, int strip) {

@@ -30,4 +30,7 @@ void subtract_outer_product(double* C, std::ptrdiff_t ldc, const double* A, std:
 bool factorise_panel(double* panel, std::ptrdiff_t ld, std::ptrdiff_t rows, std::ptrdiff_t columns,
                      int strip);
 
+/// Only two numbers at a time, as processors without AVX2 do it; for tests.
+void force_plain_kernels(bool is_forced);
+
 }  // namespace trident

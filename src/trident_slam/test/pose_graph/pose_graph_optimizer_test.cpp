@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "pose_graph/dense_kernels.h"
 #include "pose_graph/random_graphs.h"
 #include "trident_base/error.h"
 
@@ -118,6 +119,22 @@ TYPED_TEST(PoseGraphOptimizerTest, IsRepeatableToTheBit) {
   optimize(one);
   reused.optimize(two);
   for (int id = 0; id < 81; ++id) {
+    const auto a = one.pose(id).log();
+    const auto b = two.pose(id).log();
+    EXPECT_EQ(0, std::memcmp(a.data(), b.data(), sizeof(a)));
+  }
+}
+
+TYPED_TEST(PoseGraphOptimizerTest, IsTheSameOnLesserProcessors) {
+  PoseGraph<TypeParam> one = grid_graph<TypeParam>(12, 12, 0.1, 8);
+  PoseGraph<TypeParam> two = one;
+  PoseGraphOptions options;
+  options.start = PoseGraphStart::kChordal;
+  optimize(one, options);
+  force_plain_kernels(true);
+  optimize(two, options);
+  force_plain_kernels(false);
+  for (int id = 0; id < 144; ++id) {
     const auto a = one.pose(id).log();
     const auto b = two.pose(id).log();
     EXPECT_EQ(0, std::memcmp(a.data(), b.data(), sizeof(a)));
