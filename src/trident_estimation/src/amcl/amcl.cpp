@@ -156,8 +156,9 @@ void Amcl::push_random_pose(ParticleSet& particles, std::uint64_t number) {
   const std::uint32_t cell = free_cells_[static_cast<std::size_t>(
       to_unit(bits) * static_cast<double>(free_cells_.size()))];
   const auto width = static_cast<std::uint32_t>(width_);
-  const double x = cell % width + random_.uniform(number, kScatterX);
-  const double y = cell / width + random_.uniform(number, kScatterY);
+  const std::uint32_t column = cell % width, row = cell / width;
+  const double x = column + random_.uniform(number, kScatterX);
+  const double y = row + random_.uniform(number, kScatterY);
   particles.push_back(static_cast<float>(x * resolution_), static_cast<float>(y * resolution_),
                       static_cast<float>((2.0 * random_.uniform(number, kHeading) - 1.0) * kPi));
 }

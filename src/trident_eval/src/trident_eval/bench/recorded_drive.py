@@ -8,6 +8,7 @@ The simulator drives my_nav_robot by its lidar alone, with the rates of an RPLid
 from __future__ import annotations
 
 import math
+import subprocess
 import tempfile
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -69,10 +70,8 @@ def description() -> str:
     """URDF of my_nav_robot with an RPLidar A1.
 
     Raises:
-        EvalError: the robot's own lidar is not where it was.
+        EvalError: the robot's own lidar is not where it was, or xacro fails.
     """
-    import xacro
-
     urdf = package_folder("trident_description") / "urdf"
     text = (urdf / "my_nav_robot.urdf.xacro").read_text(encoding="utf-8")
     if _MY_LIDAR not in text:
@@ -83,7 +82,11 @@ def description() -> str:
     with tempfile.NamedTemporaryFile("w", suffix=".urdf.xacro", encoding="utf-8") as file:
         file.write(text)
         file.flush()
-        return str(xacro.process_file(file.name, mappings={}).toxml())
+        command = [str(package_folder("xacro") / "xacro"), file.name]
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        raise EvalError(f"xacro: {done.stderr.strip()}")
+    return done.stdout
 
 
 def compose(a: Floats, b: Floats) -> Floats:
