@@ -96,15 +96,24 @@ float DistanceField::at(float x, float y) const {
 }
 
 double DistanceField::ray(const Eigen::Vector2d& p_grid, double angle, double max_range) const {
-  const double c = std::cos(angle), s = std::sin(angle);
+  // All in cells of the padded map.
+  const auto cosine = static_cast<float>(std::cos(angle)),
+             sine = static_cast<float>(std::sin(angle));
+  const float x = static_cast<float>(p_grid.x()) * cells_per_m_ + 1.0F;
+  const float y = static_cast<float>(p_grid.y()) * cells_per_m_ + 1.0F;
+  const auto right = static_cast<float>(width_ + 1), top = static_cast<float>(height_ + 1);
+  const auto limit = static_cast<float>(max_range / resolution_);
+  const float* cells = padded_.data();
+  const int stride = this->stride();
   // What is known is the distance between the cells' centres; beam and obstacle may each be half a
   // diagonal from theirs.
-  const double slack = std::sqrt(2.0) * resolution_;
-  for (double range = 0.0; range < max_range;) {
-    const double x = p_grid.x() + range * c, y = p_grid.y() + range * s;
-    const double distance = static_cast<double>(at(static_cast<float>(x), static_cast<float>(y)));
-    if (distance <= 0.0) return range;
-    range += std::max(distance - slack, 0.5 * resolution_);
+  constexpr float kSlack = 1.41421356F, kLeast = 0.5F;
+  for (float range = 0.0F; range < limit;) {
+    const float column = std::min(std::max(x + range * cosine, 0.0F), right);
+    const float row = std::min(std::max(y + range * sine, 0.0F), top);
+    const float distance = cells[static_cast<int>(row) * stride + static_cast<int>(column)];
+    if (distance <= 0.0F) return static_cast<double>(range) * resolution_;
+    range += std::max(distance * cells_per_m_ - kSlack, kLeast);
   }
   return max_range;
 }
