@@ -11,6 +11,15 @@
 
 namespace trident {
 
+namespace {
+
+/// Whole cells from the robot's own, in whose middle it is, however far it is.
+int cell_offset(double cells) {
+  return static_cast<int>(std::clamp(std::floor(cells + 0.5), -1e8, 1e8));
+}
+
+}  // namespace
+
 /// Translations [column, column + 2^level) x [row, row + 2^level) of one rotation.
 struct GridMatcher::Node {
   int bound;
@@ -100,9 +109,8 @@ std::vector<GridMatcher::Rotation> GridMatcher::rotations(const ScanPoints& poin
     const double c = std::cos(rotation.angle) / cell_, s = std::sin(rotation.angle) / cell_;
     for (const Eigen::Vector2f& point : points.p_base) {
       const Eigen::Vector2d p = point.cast<double>();
-      // The robot is in the middle of its cell.
-      rotation.columns.push_back(static_cast<int>(std::floor(c * p.x() - s * p.y() + 0.5)));
-      rotation.rows.push_back(static_cast<int>(std::floor(s * p.x() + c * p.y() + 0.5)));
+      rotation.columns.push_back(cell_offset(c * p.x() - s * p.y()));
+      rotation.rows.push_back(cell_offset(s * p.x() + c * p.y()));
     }
   }
   return result;

@@ -88,7 +88,7 @@ std::string pgm_of(const OccupancyGrid& grid, const SaveThresholds& thresholds) 
   bytes.reserve(bytes.size() + grid.cells.size());
   for (int row = grid.height - 1; row >= 0; --row) {
     for (int column = 0; column < grid.width; ++column) {
-      const int cell = grid.cells[grid.index(column, row)];
+      const std::int8_t cell = grid.cells[grid.index(column, row)];
       unsigned char pixel = kGrey;
       if (cell >= 0 && cell <= thresholds.free) {
         pixel = kWhite;
