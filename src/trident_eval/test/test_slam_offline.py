@@ -69,6 +69,13 @@ def test_bags_go_to_their_reader(tmp_path: Path, monkeypatch: pytest.MonkeyPatch
         offline.command(offline.Run(tmp_path / "none.bag", "m", tmp_path))
 
 
+def test_landmarks_go_to_their_filter(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(offline, "program", lambda package, name: f"{package}/{name}")
+    run = offline.Run(tmp_path / "park.txt", offline.LANDMARK_METHOD, tmp_path)
+    words = ["trident_slam/landmark_offline", str(tmp_path / "park.txt")]
+    assert offline.command(run) == [*words, "--out", str(tmp_path)]
+
+
 def test_the_benchmark_sets_others_beside_ours(
     stand_in: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -25,7 +25,11 @@ namespace {
 constexpr char kUsage[] =
     "usage: landmark_offline FILE [--config FILE.yaml] --out DIR\n"
     "FILE: ODOMETRY and LANDMARK lines as GTSAM keeps Victoria Park (plain, gzip, bzip2).\n"
-    "Writes causal.tum (stamps: ids of poses), landmarks.csv and timing.json into DIR.\n";
+    "Writes causal.tum and trajectory.tum (stamps: ids of poses; a filter has no other final\n"
+    "poses), landmarks.csv and timing.json into DIR.\n";
+
+/// Of a tree by a laser scanner [m]; such logs tell larger ones. A configuration may say otherwise.
+constexpr double kObservationSigma = 0.25;
 
 struct Options {
   std::string log_file;
@@ -80,7 +84,7 @@ void write_timing(const AssociationScore& score, std::size_t steps, std::size_t 
                      1e-6 * static_cast<double>(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
   char text[500];
   std::snprintf(text, sizeof(text),
-                "{\"method\": \"ekf_slam\", \"poses\": %zu, \"observations\": %d, \"unused\": %d, "
+                "{\"method\": \"ekf_slam\", \"scans\": %zu, \"observations\": %d, \"unused\": %d, "
                 "\"association_share\": %.4f, \"true_landmarks\": %d, \"landmarks\": %zu, "
                 "\"cpu_s\": %.3f, \"peak_rss_mb\": %.1f}\n",
                 steps, score.observations, score.unused, score.correct_share(),
@@ -92,6 +96,7 @@ void write_timing(const AssociationScore& score, std::size_t steps, std::size_t 
 
 void run(const Options& options) {
   EkfSlamParams params;
+  params.observation_sigma = kObservationSigma;
   if (!options.config_file.empty()) params = load_yaml<EkfSlamParams>(options.config_file);
   const std::vector<LandmarkLogStep> steps = read_landmark_log(options.log_file);
   std::error_code error;
@@ -101,10 +106,14 @@ void run(const Options& options) {
   EkfSlam slam(params);
   std::vector<std::vector<int>> found;
   std::ofstream causal = open(options.out_dir + "/causal.tum");
+  std::ofstream final_poses = open(options.out_dir + "/trajectory.tum");
   for (const LandmarkLogStep& step : steps) {
     slam.predict(step.T_before_now, step.covariance);
     found.push_back(slam.observe(step.observations));
-    causal << tum_line({std::int64_t{step.pose_id} * 1'000'000'000, slam.T_map_base()}) << '\n';
+    const std::string line =
+        tum_line({std::int64_t{step.pose_id} * 1'000'000'000, slam.T_map_base()});
+    causal << line << '\n';
+    final_poses << line << '\n';
   }
   write_landmarks(slam, options.out_dir + "/landmarks.csv");
   write_timing(score_association(steps, found), steps.size(), slam.landmark_count(),

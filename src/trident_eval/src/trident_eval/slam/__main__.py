@@ -24,9 +24,10 @@ def main(arguments: list[str] | None = None) -> int:
         0: done; 2: something that cannot be read, or run.
     """
     parser = _parser()
-    options, options.rest = parser.parse_known_args(arguments)
-    if options.rest and options.run is not _slam:
-        parser.error(f"unknown option {options.rest[0]}")
+    options, rest = parser.parse_known_args(arguments)
+    options.rest = rest
+    if rest and options.run is not _slam:
+        parser.error(f"unknown option {rest[0]}")
     try:
         return int(options.run(options))
     except EvalError as error:
@@ -72,9 +73,13 @@ def _slam(options: argparse.Namespace) -> int:
     run = offline.Run(options.log, options.method, out, options.config, tuple(options.rest))
     timing = offline.run_log(run)
     print(f"{timing['scans']} scans, {timing['cpu_s']:.2f} CPU s, {timing['peak_rss_mb']:.0f} MB")
-    offline.write_png(out / "map.yaml")
+    map_file = None if options.method == offline.LANDMARK_METHOD else out / "map.yaml"
+    if map_file:
+        offline.write_png(map_file)
+    else:
+        print(f"associations as in the log: {timing['association_share']:.1%}")
     paths = {"final": out / "trajectory.tum", "causal": out / "causal.tum"}
-    task = evaluation.Task(paths, options.relations, options.truth, map=out / "map.yaml")
+    task = evaluation.Task(paths, options.relations, options.truth, map=map_file)
     found = evaluation.evaluate(task)
     print(evaluation.table(found.summary()), flush=True)
     evaluation.write(found, out, str(options.log), draw=not options.no_pictures)

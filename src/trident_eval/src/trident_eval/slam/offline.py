@@ -17,6 +17,8 @@ from trident_eval.bench.vehicle import program
 from trident_eval.core.errors import EvalError
 
 DEFAULT_METHOD = "graph_slam_2d"
+#: The only one whose logs hold landmarks, not scans.
+LANDMARK_METHOD = "ekf_slam"
 BAG_MAGIC = b"#ROSBAG"
 _PROGRESS = re.compile(r"\s*(\d+) % (\d+) scans")
 _BAR = 30
@@ -57,8 +59,11 @@ def is_bag(path: Path) -> bool:
 
 def command(run: Run) -> list[str]:
     """The program and its words."""
-    name = "slam_offline_bag" if is_bag(run.log) else "slam_offline"
-    words = [program("trident_slam", name), str(run.log), "--method", run.method]
+    if run.method == LANDMARK_METHOD:
+        words = [program("trident_slam", "landmark_offline"), str(run.log)]
+    else:
+        name = "slam_offline_bag" if is_bag(run.log) else "slam_offline"
+        words = [program("trident_slam", name), str(run.log), "--method", run.method]
     words += ["--config", str(run.config)] if run.config else []
     return [*words, "--out", str(run.out), *run.words]
 
