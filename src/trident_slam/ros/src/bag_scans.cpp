@@ -201,7 +201,8 @@ class BagScans::Impl {
         transforms_.setTransform(as_transform(*message.instantiate<nav_msgs::Odometry>()),
                                  kAuthority);
       } else {
-        for (const auto& transform : message.instantiate<tf2_msgs::TFMessage>()->transforms) {
+        const auto transforms = message.instantiate<tf2_msgs::TFMessage>();
+        for (const auto& transform : transforms->transforms) {
           transforms_.setTransform(without_slashes(transform), kAuthority,
                                    message.getTopic() == "/tf_static");
         }

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "trident_base/se2.h"
+
+// What some algorithms can do beyond Slam2d. An algorithm inherits from what it has; who holds a
+// Slam2d asks with dynamic_cast.
+
+namespace trident {
+
+/// Where a session that is read begins.
+enum class SessionStart { kFirstNode, kGivenPose, kLocalize };
+
+/// A map that can be kept in a file and gone on with.
+class Slam2dSession {
+ public:
+  virtual ~Slam2dSession() = default;
+  /// The file is never seen half written. Throws Error when it cannot be written.
+  virtual void save_session(const std::string& file) const = 0;
+  /// Throws Error when the file is damaged or of an unknown version; the map is then as before.
+  virtual void load_session(const std::string& file, SessionStart start, const SE2& T_map_base) = 0;
+};
+
+/// A robot that can be told where it is.
+class Slam2dPlaced {
+ public:
+  virtual ~Slam2dPlaced() = default;
+  /// The base at the next scan, roughly.
+  virtual void set_pose(const SE2& T_map_base) = 0;
+};
+
+/// Poses and measurements between them, to be looked at.
+struct GraphView2d {
+  struct Edge {
+    int from = 0;
+    int to = 0;
+    bool is_loop = false;
+  };
+  std::vector<SE2> nodes;
+  std::vector<Edge> edges;
+};
+
+class Slam2dGraph {
+ public:
+  virtual ~Slam2dGraph() = default;
+  virtual GraphView2d graph_view() const = 0;
+  /// Throws Error when the file cannot be written.
+  virtual void write_g2o(const std::string& file) const = 0;
+};
+
+}  // namespace trident

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "trident_slam/graph_slam_options.h"
+#include "trident_slam/slam_2d.h"
+
+namespace trident {
+
+/// Reads graph_slam_2d's options from private parameters of the same names. Wrong types and
+/// values are Errors as in a YAML file.
+GraphSlamOptions read_graph_options(const ros::NodeHandle& private_handle);
+
+/// What makes the algorithm of a node: the parameter `method` (default: the first of `usual` that
+/// there is), with the YAML file `config_file` if given; graph_slam_2d without a file takes
+/// `graph`. Throws Error for an unknown method.
+std::function<std::unique_ptr<Slam2d>()> slam_maker(const ros::NodeHandle& private_handle,
+                                                    const std::vector<std::string>& usual,
+                                                    const GraphSlamOptions& graph);
+
+}  // namespace trident

@@ -1,0 +1,337 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "trident_slam_ros/slam_node.h"
+
+#include <nav_msgs/MapMetaData.h>
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "trident_base/error.h"
+#include "trident_base/string_util.h"
+#include "trident_estimation/map_file.h"
+#include "trident_estimation_ros/map_messages.h"
+#include "trident_slam/slam_2d_abilities.h"
+
+namespace trident {
+namespace {
+
+constexpr double kIntakePeriodS = 0.005;
+constexpr double kDiagnosticsPeriodS = 1.0;
+constexpr double kComplainEveryS = 5.0;
+
+ScanIntakeOptions intake_options(const SlamNodeOptions& options) {
+  ScanIntakeOptions result;
+  result.odom_frame = options.odom_frame;
+  result.base_frame = options.base_frame;
+  result.transform_timeout = options.transform_timeout;
+  result.waits_for_all = options.is_sync;
+  return result;
+}
+
+void read_number(const ros::NodeHandle& handle, const char* name, double low, double& value) {
+  handle.getParam(name, value);
+  if (!std::isfinite(value) || value < low) {
+    throw Error("parameter " + handle.resolveName(name) + " is " + number_text(value) +
+                ", legal: " + number_text(low) + " and above");
+  }
+}
+
+diagnostic_msgs::KeyValue key_value(const std::string& key, const std::string& value) {
+  diagnostic_msgs::KeyValue pair;
+  pair.key = key;
+  pair.value = value;
+  return pair;
+}
+
+}  // namespace
+
+void read_options(const ros::NodeHandle& handle, SlamNodeOptions& options) {
+  handle.getParam("map_frame", options.map_frame);
+  handle.getParam("odom_frame", options.odom_frame);
+  handle.getParam("base_frame", options.base_frame);
+  handle.getParam("scan_topic", options.scan_topic);
+  handle.getParam("throttle_scans", options.throttle_scans);
+  handle.getParam("autosave_file", options.autosave_file);
+  if (options.throttle_scans < 1) {
+    throw Error("parameter " + handle.resolveName("throttle_scans") + " is " +
+                std::to_string(options.throttle_scans) + ", legal: 1 and above");
+  }
+  read_number(handle, "transform_publish_period", 0.0, options.transform_publish_period);
+  read_number(handle, "transform_timeout", 0.0, options.transform_timeout);
+  read_number(handle, "tf_buffer_duration", 0.1, options.tf_buffer_duration);
+  read_number(handle, "map_update_interval", 0.0, options.map_update_interval);
+  read_number(handle, "bag_loop_threshold", 0.0, options.bag_loop_threshold);
+  read_number(handle, "autosave_interval", 0.0, options.autosave_interval);
+  const std::map<std::string, BagLoop> policies = {{"ignore", BagLoop::kIgnore},
+                                                   {"restart", BagLoop::kRestart},
+                                                   {"continue", BagLoop::kContinue}};
+  std::string policy = "ignore";
+  handle.getParam("bag_loop", policy);
+  const auto found = policies.find(policy);
+  if (found == policies.end()) {
+    throw Error("parameter " + handle.resolveName("bag_loop") + " is '" + policy +
+                "', legal: ignore, restart, continue");
+  }
+  options.bag_loop = found->second;
+}
+
+SlamNode::SlamNode(const ros::NodeHandle& private_handle, const SlamNodeOptions& options,
+                   MakeSlam make)
+    : options_(options),
+      make_(std::move(make)),
+      slam_(make_()),
+      transforms_(ros::Duration(options.tf_buffer_duration)),
+      listener_(transforms_),
+      intake_(intake_options(options), transforms_) {
+  ros::NodeHandle handle;
+  ros::NodeHandle own(private_handle);
+  map_publisher_ = handle.advertise<nav_msgs::OccupancyGrid>(options.map_topic, 1, true);
+  metadata_publisher_ =
+      handle.advertise<nav_msgs::MapMetaData>(options.map_topic + "_metadata", 1, true);
+  pose_publisher_ = own.advertise<geometry_msgs::PoseWithCovarianceStamped>(options.pose_topic, 10);
+  diagnostics_publisher_ = handle.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 10);
+  map_service_ = own.advertiseService("dynamic_map", &SlamNode::get_map, this);
+  intake_timer_ = handle.createWallTimer(ros::WallDuration(kIntakePeriodS),
+                                         [this](const ros::WallTimerEvent&) { hand_over(); });
+  diagnostics_timer_ =
+      handle.createWallTimer(ros::WallDuration(kDiagnosticsPeriodS),
+                             [this](const ros::WallTimerEvent&) { publish_diagnostics(); });
+  if (options.transform_publish_period > 0.0) {
+    correction_timer_ =
+        handle.createTimer(ros::Duration(options.transform_publish_period),
+                           [this](const ros::TimerEvent&) { publish_correction(); });
+  }
+  worker_ = std::thread([this] { work(); });
+  // Without a limit: in synchronous mode no scan may be lost.
+  scan_subscriber_ =
+      handle.subscribe(options.scan_topic, options.is_sync ? 0 : 10, &SlamNode::receive_scan, this);
+}
+
+SlamNode::~SlamNode() {
+  scan_subscriber_.shutdown();
+  {
+    const std::lock_guard<std::mutex> lock(queue_mutex_);
+    is_ending_ = true;
+  }
+  queue_changed_.notify_all();
+  worker_.join();
+}
+
+void SlamNode::complain(const std::string& text) {
+  ROS_WARN_THROTTLE(kComplainEveryS, "%s", text.c_str());
+  last_problem_ = text;
+}
+
+void SlamNode::receive_scan(const sensor_msgs::LaserScanConstPtr& message) {
+  if (is_bag_loop(*message) || is_paused_) return;
+  if (count_++ % static_cast<std::size_t>(options_.throttle_scans) != 0) return;
+  intake_.add(message);
+  hand_over();
+}
+
+// Stamps are labels: a scan that is a little older than the last one is a scan like others.
+bool SlamNode::is_bag_loop(const sensor_msgs::LaserScan& message) {
+  const double back = (last_stamp_ - message.header.stamp).toSec();
+  last_stamp_ = message.header.stamp;
+  if (back > options_.bag_loop_threshold) {
+    const std::lock_guard<std::mutex> lock(queue_mutex_);
+    intake_.clear();
+    problems_.add("time went back by " + number_text(back) +
+                  " s (a bag that is played in a loop?); parameter bag_loop");
+    complain(problems_.texts().back());
+    is_looping_ = options_.bag_loop == BagLoop::kIgnore;
+  }
+  if (back > options_.bag_loop_threshold && options_.bag_loop == BagLoop::kRestart) reset();
+  return is_looping_;
+}
+
+void SlamNode::hand_over() {
+  std::vector<ScanRecord> records = intake_.take();
+  const std::lock_guard<std::mutex> lock(queue_mutex_);
+  if (intake_.problems().count() > told_late_) {
+    told_late_ = intake_.problems().count();
+    complain(intake_.last_problem());
+  }
+  for (ScanRecord& record : records) {
+    if (!options_.is_sync && !queue_.empty()) {
+      dropped_ += queue_.size();
+      queue_.clear();
+    }
+    queue_.push_back(std::move(record));
+  }
+  if (!records.empty()) queue_changed_.notify_all();
+}
+
+void SlamNode::work() {
+  while (true) {
+    std::unique_lock<std::mutex> lock(queue_mutex_);
+    queue_changed_.wait(lock, [this] { return is_ending_ || !queue_.empty(); });
+    if (is_ending_) return;
+    const ScanRecord record = std::move(queue_.front());
+    queue_.pop_front();
+    lock.unlock();
+    consume(record);
+  }
+}
+
+void SlamNode::consume(const ScanRecord& record) {
+  ScanPose2d pose;
+  {
+    const std::lock_guard<std::mutex> lock(slam_mutex_);
+    pose = slam_->add_scan(record.scan, record.T_odom_base);
+  }
+  {
+    const std::lock_guard<std::mutex> lock(queue_mutex_);
+    T_map_odom_ = pose.T_map_base * record.T_odom_base.inverse();
+    has_correction_ = true;
+    ++used_;
+    if (!pose.problem.empty()) {
+      problems_.add(pose.problem);
+      complain(pose.problem);
+    }
+  }
+  publish_correction();
+  publish_pose(record, pose);
+  if (on_scan_) on_scan_(record, pose);
+  const ros::Time stamp = ros::Time().fromNSec(static_cast<std::uint64_t>(record.scan.stamp_ns));
+  publish_map_if_due(stamp);
+  autosave_if_due(stamp);
+}
+
+void SlamNode::publish_pose(const ScanRecord& record, const ScanPose2d& pose) {
+  if (pose_publisher_.getNumSubscribers() == 0) return;
+  geometry_msgs::PoseWithCovarianceStamped message;
+  message.header.stamp.fromNSec(static_cast<std::uint64_t>(record.scan.stamp_ns));
+  message.header.frame_id = options_.map_frame;
+  message.pose.pose = to_pose_message(pose.T_map_base);
+  constexpr std::array<std::size_t, 3> kPlanar = {0, 1, 5};  // x, y, yaw among six
+  for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t column = 0; column < 3; ++column) {
+      message.pose.covariance[6 * kPlanar[row] + kPlanar[column]] =
+          pose.covariance(static_cast<int>(row), static_cast<int>(column));
+    }
+  }
+  pose_publisher_.publish(message);
+}
+
+void SlamNode::publish_correction() {
+  if (options_.transform_publish_period <= 0.0) return;
+  geometry_msgs::TransformStamped message;
+  {
+    const std::lock_guard<std::mutex> lock(queue_mutex_);
+    message.header.stamp = ros::Time::now() + ros::Duration(options_.transform_timeout);
+    // The same stamp twice would be ignored by every listener, with a warning.
+    if (!has_correction_ || message.header.stamp == last_correction_) return;
+    last_correction_ = message.header.stamp;
+    const geometry_msgs::Pose pose = to_pose_message(T_map_odom_);
+    message.transform.translation.x = pose.position.x;
+    message.transform.translation.y = pose.position.y;
+    message.transform.rotation = pose.orientation;
+  }
+  message.header.frame_id = options_.map_frame;
+  message.child_frame_id = options_.odom_frame;
+  broadcaster_.sendTransform(message);
+}
+
+nav_msgs::OccupancyGrid SlamNode::map_message() {
+  std_msgs::Header header;
+  header.frame_id = options_.map_frame;
+  header.stamp = ros::Time::now();
+  return to_map_message(with_slam([](const Slam2d& slam) { return slam.map(); }), header);
+}
+
+void SlamNode::publish_map_if_due(const ros::Time& now) {
+  const double passed = std::abs((now - last_map_).toSec());
+  if (!last_map_.isZero() && passed < options_.map_update_interval) return;
+  if (map_publisher_.getNumSubscribers() == 0 && metadata_publisher_.getNumSubscribers() == 0) {
+    return;
+  }
+  last_map_ = now;
+  const nav_msgs::OccupancyGrid message = map_message();
+  map_publisher_.publish(message);
+  metadata_publisher_.publish(message.info);
+}
+
+void SlamNode::autosave_if_due(const ros::Time& now) {
+  if (options_.autosave_file.empty() || options_.autosave_interval <= 0.0) return;
+  if (last_autosave_.isZero()) last_autosave_ = now;
+  if (std::abs((now - last_autosave_).toSec()) < options_.autosave_interval) return;
+  last_autosave_ = now;
+  try {
+    with_slam([this](const Slam2d& slam) {
+      const auto* session = dynamic_cast<const Slam2dSession*>(&slam);
+      if (session == nullptr) throw Error("autosave: this method keeps no sessions");
+      session->save_session(options_.autosave_file);
+    });
+  } catch (const Error& error) {
+    const std::lock_guard<std::mutex> lock(queue_mutex_);
+    problems_.add(error.what());
+    complain(error.what());
+  }
+}
+
+void SlamNode::save_map(const std::string& stem) {
+  const OccupancyGrid map = with_slam([this](Slam2d& slam) {
+    if (options_.is_sync) slam.finish();
+    return slam.map();
+  });
+  trident::save_map(stem, map);
+}
+
+void SlamNode::reset() {
+  clear_queue();
+  {
+    const std::lock_guard<std::mutex> lock(slam_mutex_);
+    slam_ = make_();
+  }
+  forget_correction();
+  is_looping_ = false;
+}
+
+void SlamNode::forget_correction() {
+  const std::lock_guard<std::mutex> lock(queue_mutex_);
+  has_correction_ = false;
+}
+
+void SlamNode::clear_queue() {
+  const std::lock_guard<std::mutex> lock(queue_mutex_);
+  queue_.clear();
+}
+
+bool SlamNode::get_map(nav_msgs::GetMap::Request& /*request*/,
+                       nav_msgs::GetMap::Response& response) {
+  response.map = map_message();
+  return true;
+}
+
+void SlamNode::publish_diagnostics() {
+  diagnostic_msgs::DiagnosticArray array;
+  array.header.stamp = ros::Time::now();
+  array.status.resize(1);
+  diagnostic_msgs::DiagnosticStatus& status = array.status[0];
+  status.name = ros::this_node::getName().substr(1) + ": SLAM";
+  status.hardware_id = "none";
+  const std::lock_guard<std::mutex> lock(queue_mutex_);
+  const std::size_t problems = problems_.count() + intake_.problems().count();
+  const bool is_worse = problems > told_problems_;
+  told_problems_ = problems;
+  status.level =
+      is_worse ? diagnostic_msgs::DiagnosticStatus::WARN : diagnostic_msgs::DiagnosticStatus::OK;
+  status.message = is_worse ? last_problem_ : (used_ == 0 ? "no scan yet" : "mapping");
+  if (is_paused_) status.message = "paused";
+  status.values = {key_value("scans received", std::to_string(intake_.received())),
+                   key_value("scans used", std::to_string(used_)),
+                   key_value("scans waiting for transforms", std::to_string(intake_.waiting())),
+                   key_value("scans waiting for SLAM", std::to_string(queue_.size())),
+                   key_value("scans replaced by newer ones", std::to_string(dropped_)),
+                   key_value("scans left out", std::to_string(intake_.problems().count())),
+                   key_value("problems", std::to_string(problems_.count())),
+                   key_value("last problem", last_problem_)};
+  diagnostics_publisher_.publish(array);
+}
+
+}  // namespace trident

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "trident_slam_ros/slam_parameters.h"
+
+#include <XmlRpcValue.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "trident_base/string_util.h"
+#include "trident_slam/graph_slam_2d.h"
+
+namespace trident {
+namespace {
+
+using XmlRpc::XmlRpcValue;
+
+constexpr char kGraphSlam[] = "graph_slam_2d";
+
+// An archive that only learns the names.
+struct FieldNames {
+  std::vector<std::string> names;
+  template <class... Rest>
+  void field(const char* name, const Rest&... /*rest*/) {
+    names.emplace_back(name);
+  }
+  template <class... Rest>
+  void required(const char* name, const Rest&... /*rest*/) {
+    names.emplace_back(name);
+  }
+};
+
+ConfigNode to_config(XmlRpcValue& value) {
+  ConfigNode node;
+  if (value.getType() == XmlRpcValue::TypeArray) {
+    node.kind = ConfigNode::Kind::kSequence;
+    for (int i = 0; i < value.size(); ++i) node.items.push_back(to_config(value[i]));
+    return node;
+  }
+  node.kind = ConfigNode::Kind::kScalar;
+  if (value.getType() == XmlRpcValue::TypeString) {
+    node.scalar = static_cast<std::string>(value);
+    node.quoted = true;
+  } else if (value.getType() == XmlRpcValue::TypeBoolean) {
+    node.scalar = static_cast<bool>(value) ? "true" : "false";
+  } else if (value.getType() == XmlRpcValue::TypeInt) {
+    node.scalar = std::to_string(static_cast<int>(value));
+  } else if (value.getType() == XmlRpcValue::TypeDouble) {
+    node.scalar = number_text(static_cast<double>(value));
+  } else {
+    node.kind = ConfigNode::Kind::kMap;  // no field is one: refused by name
+  }
+  return node;
+}
+
+}  // namespace
+
+GraphSlamOptions read_graph_options(const ros::NodeHandle& private_handle) {
+  GraphSlamOptions defaults;
+  FieldNames fields;
+  defaults.visit(fields);
+  ConfigNode known;
+  known.kind = ConfigNode::Kind::kMap;
+  for (const std::string& name : fields.names) {
+    XmlRpcValue value;
+    if (!private_handle.getParam(name, value)) continue;
+    known.keys.push_back(name);
+    known.key_lines.push_back(0);
+    known.items.push_back(to_config(value));
+  }
+  return load_config_node<GraphSlamOptions>(known,
+                                            "parameters of " + private_handle.getNamespace());
+}
+
+std::function<std::unique_ptr<Slam2d>()> slam_maker(const ros::NodeHandle& private_handle,
+                                                    const std::vector<std::string>& usual,
+                                                    const GraphSlamOptions& graph) {
+  auto registry = std::make_shared<Registry<Slam2dFactory>>("SLAM method");
+  register_builtin_slam_2d(*registry);
+  const auto first = std::find_if(usual.begin(), usual.end(), [&registry](const std::string& name) {
+    return registry->find(name) != nullptr;
+  });
+  std::string method = first == usual.end() ? kGraphSlam : *first;
+  std::string config_file;
+  private_handle.getParam("method", method);
+  private_handle.getParam("config_file", config_file);
+  registry->get(method);
+  if (method == kGraphSlam && config_file.empty()) {
+    return [graph] { return std::make_unique<GraphSlam2d>(graph); };
+  }
+  return [registry, method, config_file] { return registry->get(method)(config_file); };
+}
+
+}  // namespace trident

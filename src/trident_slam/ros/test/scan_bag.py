@@ -1,0 +1,92 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""A recorded drive through a room of boxes, with drifting odometry."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import numpy as np
+import rosbag
+import rospy
+from geometry_msgs.msg import TransformStamped
+from sensor_msgs.msg import LaserScan
+from tf2_msgs.msg import TFMessage
+
+#: x0, y0, x1, y1 [m]: the room, seen from inside, and what stands in it.
+ROOM = (-4.0, -3.0, 4.0, 3.0)
+BOXES = ((-2.5, 1.0, -1.5, 2.0), (1.0, -2.0, 2.5, -1.2), (2.8, 1.5, 3.6, 2.2))
+BEAMS = 180
+START_S = 1000
+SCAN_PERIOD_S = 0.1
+MOUNT_M = 0.1  # of the laser before the base
+
+
+def ranges(x: float, y: float, yaw: float) -> np.ndarray:
+    """True ranges [m] of a full turn of beams from a place in the room."""
+    angle = yaw + np.linspace(-math.pi, math.pi, BEAMS, endpoint=False)
+    directions = np.column_stack([np.cos(angle), np.sin(angle)])
+    place = np.array([x, y])
+    with np.errstate(divide="ignore"):
+        far = np.max((np.array(ROOM).reshape(2, 2)[:, None] - place) / directions, axis=0)
+        nearest = far.min(axis=1)
+        for box in BOXES:
+            to = (np.array(box).reshape(2, 2)[:, None] - place) / directions
+            enter, leave = to.min(axis=0).max(axis=1), to.max(axis=0).min(axis=1)
+            nearest = np.where((enter < leave) & (enter > 0), np.minimum(nearest, enter), nearest)
+    return nearest
+
+
+def path(count: int) -> np.ndarray:
+    """True poses x, y, yaw along an oval, shape (count, 3)."""
+    phase = 2.0 * math.pi * np.arange(count) / 150
+    x, y = 1.2 * np.sin(phase), 0.5 * (1.0 - np.cos(phase))
+    yaw = np.arctan2(0.5 * np.sin(phase), 1.2 * np.cos(phase))
+    return np.column_stack([x, y, np.unwrap(yaw)])
+
+
+def transform(parent: str, child: str, stamp: rospy.Time, pose: np.ndarray) -> TFMessage:
+    """A message with one planar transform."""
+    message = TransformStamped()
+    message.header.frame_id, message.header.stamp, message.child_frame_id = parent, stamp, child
+    message.transform.translation.x, message.transform.translation.y = pose[0], pose[1]
+    message.transform.rotation.z = math.sin(0.5 * pose[2])
+    message.transform.rotation.w = math.cos(0.5 * pose[2])
+    return TFMessage([message])
+
+
+def write_bag(file: Path, scans: int = 60, tf_delay_s: float = 0.03) -> None:
+    """Record a drive; odometry comes at 20 Hz, `tf_delay_s` later than its stamp."""
+    rng = np.random.default_rng(5)
+    truth = path(2 * scans + 4)
+    drift = np.cumsum(rng.normal(0.0, 0.002, truth.shape), axis=0)
+    with rosbag.Bag(str(file), "w") as bag:
+        first = rospy.Time(START_S)
+        bag.write(
+            "/tf_static",
+            transform("base_footprint", "laser", first, np.array([MOUNT_M, 0, 0])),
+            first,
+        )
+        for index, pose in enumerate(truth):
+            stamp = rospy.Time.from_sec(START_S + 0.05 * index)
+            odometry = transform("odom", "base_footprint", stamp, pose + drift[index])
+            bag.write("/tf", odometry, stamp + rospy.Duration.from_sec(tf_delay_s))
+        for index in range(scans):
+            # Between two samples of odometry.
+            stamp = rospy.Time.from_sec(START_S + 0.02 + SCAN_PERIOD_S * index)
+            bag.write(
+                "/scan",
+                scan(stamp, (0.6 * truth[2 * index] + 0.4 * truth[2 * index + 1]), rng),
+                stamp,
+            )
+
+
+def scan(stamp: rospy.Time, pose: np.ndarray, rng: np.random.Generator) -> LaserScan:
+    """What the laser of a robot there sees, with a centimetre of noise."""
+    message = LaserScan(angle_min=-math.pi, angle_max=math.pi, range_min=0.1, range_max=12.0)
+    message.header.stamp, message.header.frame_id = stamp, "laser"
+    message.angle_increment = 2.0 * math.pi / BEAMS
+    x, y = pose[0] + MOUNT_M * math.cos(pose[2]), pose[1] + MOUNT_M * math.sin(pose[2])
+    message.ranges = list(ranges(x, y, pose[2]) + rng.normal(0.0, 0.01, BEAMS))
+    return message

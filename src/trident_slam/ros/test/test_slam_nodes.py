@@ -1,0 +1,153 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""The nodes under their upstream names, fed from a bag."""
+
+from __future__ import annotations
+
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+import rospy
+import tf2_ros
+from diagnostic_msgs.msg import DiagnosticArray
+from nav_msgs.msg import OccupancyGrid
+from scan_bag import write_bag
+from slam_toolbox_msgs.srv import Pause, Reset, SaveMap, SerializePoseGraph
+from std_msgs.msg import String
+from std_srvs.srv import SetBool
+from trident.testing import LIMIT_S, Recorder, Ros, eventually, program, recorder
+
+SCANS = 60
+
+
+@pytest.fixture(scope="module")
+def bag(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("bag") / "drive.bag"
+    write_bag(path, SCANS)
+    return path
+
+
+def offline(
+    bag: Path, out: Path, method: str = "graph_slam_2d"
+) -> subprocess.CompletedProcess[str]:
+    words = [program("trident_slam", "slam_offline_bag"), str(bag), "--method", method]
+    return subprocess.run([*words, "--out", str(out)], capture_output=True, text=True, check=False)
+
+
+def diagnosed(seen: Recorder, key: str) -> str:
+    """The newest value of a key of the node's diagnostics, or ''."""
+    for array in reversed(seen.messages):
+        for status in array.status:
+            if status.name.endswith("SLAM"):
+                return next(pair.value for pair in status.values if pair.key == key)
+    return ""
+
+
+def play(ros: Ros, bag: Path, *words: str) -> None:
+    command = ["rosbag", "play", "--quiet", "--clock", "--wait-for-subscribers", *words, str(bag)]
+    ros.call(*command)
+
+
+def service(name: str, kind: type) -> rospy.ServiceProxy:
+    rospy.wait_for_service(name, LIMIT_S)
+    return rospy.ServiceProxy(name, kind)
+
+
+def test_a_replayed_bag_gives_the_map_of_the_offline_runner(
+    ros: Ros, bag: Path, tmp_path: Path
+) -> None:
+    done = offline(bag, tmp_path / "offline")
+    assert done.returncode == 0, done.stderr
+    ros.set_param("/use_sim_time", True)
+    node = ros.launch([program("slam_toolbox", "sync_slam_toolbox_node"), "__name:=slam_toolbox"])
+    save = service("/slam_toolbox/save_map", SaveMap)
+    with (
+        recorder("/diagnostics", DiagnosticArray) as seen,
+        recorder("/map", OccupancyGrid) as maps,
+    ):
+        play(ros, bag, "--rate", "5")
+        eventually(lambda: diagnosed(seen, "scans used") == str(SCANS), "all scans")
+        save(String(str(tmp_path / "live")))
+        live = (tmp_path / "live.pgm").read_bytes()
+        assert live == (tmp_path / "offline" / "map.pgm").read_bytes()
+        assert len(np.unique(np.frombuffer(live, np.uint8))) >= 3
+        eventually(lambda: bool(maps.messages), "a map")
+        assert maps.messages[0].header.frame_id == "map"
+        assert diagnosed(seen, "scans left out") == "0"
+    assert node.running, node.log
+
+
+def test_the_services_of_slam_toolbox(ros: Ros, bag: Path, tmp_path: Path) -> None:
+    ros.set_param("/use_sim_time", True)
+    ros.launch([program("slam_toolbox", "async_slam_toolbox_node"), "__name:=slam_toolbox"])
+    pause = service("/slam_toolbox/pause_new_measurements", Pause)
+    buffer = tf2_ros.Buffer()
+    listener = tf2_ros.TransformListener(buffer)
+    with recorder("/diagnostics", DiagnosticArray) as seen:
+        play(ros, bag, "--duration", "2")
+        eventually(lambda: int(diagnosed(seen, "scans used") or 0) > 5, "scans")
+        eventually(lambda: buffer.can_transform("map", "odom", rospy.Time()), "map -> odom")
+        shift = buffer.lookup_transform("map", "odom", rospy.Time()).transform.translation
+        assert abs(shift.x) < 0.1
+        assert abs(shift.y) < 0.1
+        assert pause().status
+        eventually(lambda: "paused" in str(seen.messages[-1].status), "the pause")
+        assert service("/slam_toolbox/reset", Reset)(False).result == 0
+        # The bag begins again, two seconds before its last scan.
+        play(ros, bag, "--duration", "1")
+        eventually(lambda: "time went back by" in diagnosed(seen, "last problem"), "the bag loop")
+    listener.unregister()
+
+
+def test_a_late_transform_is_named(ros: Ros, tmp_path: Path) -> None:
+    late = tmp_path / "late.bag"
+    write_bag(late, 30, tf_delay_s=0.5)
+    ros.set_param("/use_sim_time", True)
+    node = ros.launch(
+        [
+            program("gmapping", "slam_gmapping"),
+            "__name:=slam_gmapping",
+            "_base_frame:=base_footprint",
+        ]
+    )
+    rospy.wait_for_service("/dynamic_map", LIMIT_S)
+    with recorder("/diagnostics", DiagnosticArray) as seen:
+        play(ros, late)
+        eventually(lambda: int(diagnosed(seen, "scans left out") or 0) > 10, "what was late")
+        assert "transform odom -> base_footprint is" in diagnosed(seen, "last problem")
+    node.eventually_logs("is left out: transform odom -> base_footprint is")
+
+
+def test_hector_mapping_has_its_services(ros: Ros) -> None:
+    words = ["__name:=hector_mapping", "_base_frame:=base_footprint"]
+    ros.launch([program("hector_mapping", "hector_mapping"), *words])
+    assert service("/pause_mapping", SetBool)(True).success
+    rospy.wait_for_service("/restart_mapping_with_new_pose", LIMIT_S)
+    topics = {name for name, _ in rospy.get_published_topics()}
+    assert {"/map", "/map_metadata", "/slam_out_pose", "/poseupdate"} <= topics
+
+
+@pytest.mark.parametrize(
+    ("parameter", "complaint"),
+    [
+        ("_resolution:=-1.0", "resolution"),
+        ("_throttle_scans:=0", "throttle_scans is 0, legal: 1 and above"),
+        ("_bag_loop:=never", "'never', legal: ignore, restart, continue"),
+        ("_method:=karto", "unknown SLAM method 'karto'"),
+    ],
+)
+def test_a_bad_parameter_is_one_line(ros: Ros, parameter: str, complaint: str) -> None:
+    node = ros.launch([program("slam_toolbox", "async_slam_toolbox_node"), parameter])
+    assert node.wait() == 1
+    assert complaint in node.log
+
+
+def test_a_request_that_cannot_be_met_says_why(ros: Ros) -> None:
+    words = ["__name:=slam_toolbox", "_method:=odometry"]
+    node = ros.launch([program("slam_toolbox", "sync_slam_toolbox_node"), *words])
+    serialize = service("/slam_toolbox/serialize_map", SerializePoseGraph)
+    with pytest.raises(rospy.ServiceException):
+        serialize("session")
+    node.eventually_logs("this method cannot keep sessions")
