@@ -29,6 +29,7 @@ from trident_eval.core.scene import Scene, formation_scene
 from trident_eval.core.tracks import read_states
 from trident_eval.core.vehicles import flights
 from trident_eval.core.verdict import Verdict, judge
+from trident_eval.slam import evaluation, tour
 
 PASSED, FAILED, UNUSABLE = 0, 1, 2
 ANIMATION = "animation.gif"
@@ -67,6 +68,8 @@ def _verdict(options: argparse.Namespace) -> int:
     folder: Path = options.folder
     if not folder.is_dir():
         raise EvalError(f"{folder}: no such folder; legal: the folder of a run")
+    if record := tour.read_record(folder):
+        return _tour_verdict(folder, record, draw=not options.no_pictures)
     scene, verdict = None, None
     try:
         scene, verdict = _judge_folder(folder)
@@ -82,6 +85,17 @@ def _verdict(options: argparse.Namespace) -> int:
             write_report(scene, numbers, folder, folder)
         except EvalError as error:
             print(f"trident_eval: no report: {error}", file=sys.stderr)
+    return PASSED if verdict.passed else FAILED
+
+
+def _tour_verdict(folder: Path, record: dict[str, Any], draw: bool) -> int:
+    found, verdict = tour.judge_tour(folder, record)
+    numbers = verdict.to_json()
+    text = json.dumps(numbers, indent=2, allow_nan=False)
+    (folder / "verdict.json").write_text(text + "\n", encoding="utf-8")
+    print(evaluation.table(found.summary()))
+    print(table(numbers), flush=True)
+    evaluation.write(found, folder, folder.resolve().name, draw)
     return PASSED if verdict.passed else FAILED
 
 

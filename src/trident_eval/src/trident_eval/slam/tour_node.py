@@ -1,0 +1,238 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""Drives a robot along a tour twice: once mapping, once finding itself in the map.
+
+It starts and stops what a user would: the robot, slam.launch, map_saver's service, the follower of
+waypoints, localization.launch. Parameters: `~world`, `~robot`, `~speed` [m/s], `~mode` of
+slam.launch, `~out_dir`, and those of a tour: `~start` [x, y, yaw], `~waypoints` [[x, y], ...] [m]
+in the world, `~lidar_height` [m].
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+import signal
+import subprocess
+import threading
+from collections import deque
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import rospy
+import tf2_ros
+from nav_msgs.msg import Odometry
+from scipy.spatial.transform import Rotation
+from sensor_msgs.msg import LaserScan
+from slam_toolbox_msgs.srv import SaveMap
+from std_msgs.msg import Bool, String
+
+from trident_eval.slam.tour import LOCALIZATION, MAPPING, RECORD, TRUTH, write_tum
+from trident_eval.slam.trajectory import Trajectory
+
+_MAP, _BASE, _ODOM = "map", "base_footprint", "odom"
+_PATIENCE_S = 10.0  # of simulated time that a transform may be late
+_START_LIMIT_S, _STOP_LIMIT_S = 60.0, 20.0  # wall time
+_DRIVE_LIMIT_S = 1800.0  # simulated time
+_POLL_S = 0.05
+
+
+class TourError(RuntimeError):
+    """The tour cannot go on; the text says why."""
+
+
+class Poses:
+    """Stamped poses that grow."""
+
+    def __init__(self) -> None:
+        """Begin empty."""
+        self._rows: list[tuple[float, ...]] = []
+
+    def add(self, stamp: rospy.Time, p: Any, q: Any) -> None:
+        """One pose; `p` and `q` are messages."""
+        self._rows.append((stamp.to_sec(), p.x, p.y, p.z, q.x, q.y, q.z, q.w))
+
+    def __len__(self) -> int:
+        return len(self._rows)
+
+    def trajectory(self) -> Trajectory:
+        """All of them."""
+        rows = np.array(self._rows)
+        return Trajectory(rows[:, 0], rows[:, 1:4], Rotation.from_quat(rows[:, 4:]))
+
+
+class Tour:
+    """The node."""
+
+    def __init__(self) -> None:
+        """Read the parameters and listen."""
+        self._out = Path(str(rospy.get_param("~out_dir", "")) or "slam_room").resolve()
+        self._out.mkdir(parents=True, exist_ok=True)
+        self._start = [float(value) for value in rospy.get_param("~start")]
+        self._children: list[subprocess.Popen[bytes]] = []
+        self._lock = threading.Lock()
+        self._waiting: deque[rospy.Time] = deque()
+        self._estimate: Poses | None = None
+        self._truth = Poses()
+        self._is_done = False
+        self._buffer = tf2_ros.Buffer(rospy.Duration.from_sec(2 * _PATIENCE_S))
+        self._listener = tf2_ros.TransformListener(self._buffer)
+        rospy.Subscriber("ground_truth/odom", Odometry, self._on_truth)
+        rospy.Subscriber("scan", LaserScan, self._on_scan)
+        rospy.Subscriber("waypoint_follower/done", Bool, self._on_done)
+
+    def run(self) -> list[str]:
+        """Both rounds; returns what went wrong."""
+        errors: list[str] = []
+        try:
+            self._spawn()
+            self._map()
+            self._localize()
+        except TourError as error:
+            rospy.logerr("slam_tour: %s", error)
+            errors.append(str(error))
+        finally:
+            for child in reversed(self._children):
+                stop(child)
+        self._write(errors)
+        return errors
+
+    def _spawn(self) -> None:
+        x, y, yaw = self._start
+        robot = rospy.get_param("~robot", "my_nav_robot")
+        self._roslaunch("ground_robot.launch", robot=robot, x=x, y=y, yaw=yaw)
+        self._wait(lambda: len(self._truth) > 0, "the robot", _START_LIMIT_S)
+
+    def _map(self) -> None:
+        mapper = self._roslaunch("slam.launch", mode=rospy.get_param("~mode", "sync"))
+        service = "/slam_toolbox/save_map"
+        try:
+            rospy.wait_for_service(service, _START_LIMIT_S)
+        except rospy.ROSException as error:
+            raise TourError(f"slam.launch: {error}") from error
+        self._drive(MAPPING)
+        rospy.ServiceProxy(service, SaveMap)(String(str(self._out / "map")))
+        pose = self._buffer.lookup_transform(_MAP, _BASE, rospy.Time()).transform
+        q = pose.rotation
+        self._place = (pose.translation.x, pose.translation.y, 2.0 * math.atan2(q.z, q.w))
+        stop(mapper)
+
+    def _localize(self) -> None:
+        # What the mapper said is not to be believed any more.
+        self._buffer.clear()
+        x, y, yaw = self._place
+        initial = {"initial_pose_x": x, "initial_pose_y": y, "initial_pose_a": yaw}
+        self._roslaunch("localization.launch", map_file=self._out / "map.yaml", **initial)
+        self._wait(lambda: self._knows_place(), "amcl", _START_LIMIT_S)
+        self._drive(LOCALIZATION)
+
+    def _knows_place(self) -> bool:
+        return bool(self._buffer.can_transform(_MAP, _ODOM, rospy.Time()))
+
+    def _drive(self, part: str) -> None:
+        """One round; the estimates at its scans are written when it is over."""
+        estimate = Poses()
+        with self._lock:
+            self._waiting.clear()
+            self._estimate = estimate
+        self._is_done = False
+        words = ["_loop:=false", f"_speed:={rospy.get_param('~speed', 0.5)}"]
+        words += [f"_waypoints:={json.dumps(rospy.get_param('~waypoints'))}"]
+        # It steers by the truth, so that the tour is the same whatever odometry says.
+        words += ["odom:=ground_truth/odom"]
+        follower = self._child(["rosrun", "trident_nav", "waypoint_follower.py", *words])
+        end = rospy.Time.now() + rospy.Duration.from_sec(_DRIVE_LIMIT_S)
+        while not self._is_done and not rospy.is_shutdown():
+            if rospy.Time.now() > end or follower.poll() is not None:
+                raise TourError(f"{part}: the tour did not come to its end")
+            rospy.rostime.wallsleep(_POLL_S)
+        last = rospy.Time.now()
+        self._wait(
+            lambda: not self._waiting or self._waiting[0] > last, "the last transforms", 10.0
+        )
+        stop(follower)
+        with self._lock:
+            self._estimate = None
+        if not len(estimate):
+            raise TourError(f"{part}: {_MAP} -> {_BASE} was never known")
+        write_tum(self._out / f"{part}.tum", estimate.trajectory())
+        rospy.loginfo("slam_tour: %s: %d scans", part, len(estimate))
+
+    def _on_truth(self, message: Odometry) -> None:
+        pose = message.pose.pose
+        self._truth.add(message.header.stamp, pose.position, pose.orientation)
+
+    def _on_done(self, message: Bool) -> None:
+        self._is_done = bool(message.data)
+
+    def _on_scan(self, message: LaserScan) -> None:
+        with self._lock:
+            if self._estimate is None:
+                return
+            self._waiting.append(message.header.stamp)
+            while self._waiting:
+                stamp = self._waiting[0]
+                try:
+                    found = self._buffer.lookup_transform(_MAP, _BASE, stamp).transform
+                    self._estimate.add(stamp, found.translation, found.rotation)
+                except tf2_ros.TransformException:
+                    if (message.header.stamp - stamp).to_sec() < _PATIENCE_S:
+                        return
+                self._waiting.popleft()
+
+    def _write(self, errors: list[str]) -> None:
+        record = {
+            "world": rospy.get_param("~world"),
+            "robot": rospy.get_param("~robot", "my_nav_robot"),
+            "start": self._start,
+            "lidar_height": float(rospy.get_param("~lidar_height")),
+            "errors": errors,
+        }
+        if len(self._truth):
+            write_tum(self._out / f"{TRUTH}.tum", self._truth.trajectory())
+        path = self._out / RECORD
+        path.write_text(json.dumps(record, indent=2) + "\n", encoding="utf-8")
+        rospy.loginfo("slam_tour: %s", self._out)
+
+    def _roslaunch(self, file: str, **arguments: object) -> subprocess.Popen[bytes]:
+        words = [f"{name}:={value}" for name, value in arguments.items()]
+        return self._child(["roslaunch", "--disable-title", "trident_bringup", file, *words])
+
+    def _child(self, command: list[str]) -> subprocess.Popen[bytes]:
+        child = subprocess.Popen(command, start_new_session=True)
+        self._children.append(child)
+        return child
+
+    def _wait(self, condition: Callable[[], bool], what: str, limit_s: float) -> None:
+        for _ in range(int(limit_s / _POLL_S)):
+            if condition():
+                return
+            if rospy.is_shutdown():
+                break
+            rospy.rostime.wallsleep(_POLL_S)
+        raise TourError(f"{what}: not there after {limit_s:g} s")
+
+
+def stop(child: subprocess.Popen[bytes]) -> None:
+    """End a child as Ctrl-C does, and by force if that takes too long."""
+    if child.poll() is not None:
+        return
+    os.killpg(child.pid, signal.SIGINT)
+    try:
+        child.wait(_STOP_LIMIT_S)
+    except subprocess.TimeoutExpired:
+        os.killpg(child.pid, signal.SIGKILL)
+        child.wait()
+
+
+def main() -> int:
+    """Run the tour.
+
+    Returns:
+        Exit code: 1 if it could not be driven to its end.
+    """
+    rospy.init_node("slam_tour")
+    return 1 if Tour().run() else 0
