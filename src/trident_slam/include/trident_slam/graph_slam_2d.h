@@ -3,8 +3,8 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "trident_slam/graph_slam_options.h"
@@ -12,9 +12,20 @@
 
 namespace trident {
 
+/// An edge of the graph, for pictures of it.
+struct GraphSlamEdge {
+  int from = 0;
+  int to = 0;
+  bool is_loop = false;
+};
+
 /// Graph SLAM: each scan is matched against the surfaces of the map so far; keyframes and the
 /// measurements between them form a graph; loops are found by branch and bound and believed when
 /// several of them agree; at the end every scan is matched against the map once more.
+///
+/// All calls come from one thread. With `is_asynchronous` loops are sought in a thread of its own
+/// and take effect at a later `add_scan`, so that poses may differ from run to run; without it
+/// they are closed within `add_scan`.
 class GraphSlam2d : public Slam2d {
  public:
   explicit GraphSlam2d(const GraphSlamOptions& options = {});
@@ -24,6 +35,36 @@ class GraphSlam2d : public Slam2d {
   void finish() override;
   std::vector<StampedPose2d> trajectory() const override;
   OccupancyGrid map() const override;
+
+  /// Paused, scans are placed in the map but do not become part of it.
+  void set_paused(bool is_paused);
+  bool is_paused() const;
+  /// Forgets everything; the next scan is at `map_start_pose`.
+  void clear();
+  void set_mode(SlamMode mode);
+
+  /// Writes all that is known, to go on with. Throws Error naming the file.
+  void save_session(const std::string& path) const;
+  /// Replaces all that is known. The next scan is at `T_map_base`, or where the session ended.
+  /// Throws Error naming the file and the reason, and then nothing has changed.
+  void load_session(const std::string& path, const std::optional<SE2>& T_map_base = std::nullopt);
+
+  /// Where the robot is now, as a user says (rviz' 2D Pose Estimate).
+  void set_pose(const SE2& T_map_base);
+  /// Seeks a scan in the whole map. The pose is taken over if at least `min_inliers` of the points
+  /// lie on surfaces of the map.
+  std::optional<SE2> relocalize(const LaserScan& scan, double min_inliers = 0.7);
+
+  /// Ties keyframe `newer` to keyframe `older` where a user put it; scans about both refine the
+  /// transform. False if they do not fit to each other. Throws Error for an unknown keyframe.
+  bool close_loop(int older, int newer, const SE2& T_older_newer);
+
+  std::vector<SE2> keyframe_poses() const;
+  std::vector<GraphSlamEdge> edges() const;
+  /// Loops that were believed so far.
+  int loops_closed() const;
+  /// The graph in g2o's format.
+  void save_g2o(const std::string& path) const;
 
  private:
   class Impl;

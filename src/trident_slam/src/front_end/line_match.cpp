@@ -20,7 +20,7 @@ class Accumulator {
     NormalEquations sums;
     const Eigen::Matrix2f R = T.rotation().cast<float>();
     const Eigen::Vector2f t = T.p.cast<float>();
-    const std::size_t stride = scan.points.size() / options_.max_points + 1;
+    const std::size_t stride = (scan.points.size() + options_.max_points - 1) / options_.max_points;
     for (std::size_t i = 0; i < scan.points.size(); i += stride) {
       const Eigen::Vector2f turned = R * scan.points[i].p;
       const Eigen::Vector2f normal = R * scan.points[i].normal;
@@ -98,9 +98,13 @@ MatchResult match_lines(const SurfelMap& reference, const PointScan& scan, const
   for (; result.iterations < options.max_iterations; ++result.iterations) {
     SE2& T = result.T_ref_base;
     sums = accumulator.at(T, scan);
-    Eigen::Matrix3d H = sums.H + prior.information;
+    // A prior that errs is doubted as a point is: wheels slip.
+    const Eigen::Vector3d off = offset_from(prior.T_ref_base, T);
+    constexpr double kPriorKernel = 9.0;  // squared standard deviations
+    const double trust = 1.0 / (1.0 + off.dot(prior.information * off) / kPriorKernel);
+    Eigen::Matrix3d H = sums.H + trust * prior.information;
     H.diagonal() += Eigen::Vector3d(1e-3, 1e-3, 1e-3);  // no returns at all: stay where we are
-    const Eigen::Vector3d g = sums.g + prior.information * offset_from(prior.T_ref_base, T);
+    const Eigen::Vector3d g = sums.g + trust * prior.information * off;
     const Eigen::Vector3d step = -H.ldlt().solve(g);
     T = SE2::from_xy_yaw(T.p.x() + step.x(), T.p.y() + step.y(), T.angle + step.z());
     result.covariance = H.inverse();

@@ -17,7 +17,7 @@ struct LineMatchOptions {
   double kernel = 0.06;          ///< distance at which a point's weight has halved [m]
   double inlier_distance = 0.1;  ///< [m]
   double point_weight = 0.1;     ///< of a point without a normal, towards the surfel's mean
-  std::size_t max_points = 400;  ///< of a scan that are used, evenly spread
+  std::size_t max_points = 200;  ///< of a scan that are used, evenly spread
 };
 
 /// What is known of a pose beforehand.

@@ -8,8 +8,11 @@
 namespace trident {
 namespace {
 
-/// Beams to each side that take part in the line of a normal.
-constexpr int kNeighbours = 3;
+/// Beams to each side that take part in the line of a normal: at least so many, and as many more
+/// as lie within the reach. Close to a wall few beams would span less than the scanner's noise.
+constexpr int kFewestNeighbours = 3;
+constexpr int kMostNeighbours = 24;
+constexpr float kReach = 0.15F;  // [m]
 
 /// Neighbouring beams meet one surface if the gap between their ends is at most this [m]. A wall
 /// seen at 10 degrees of grazing angle stays in one piece.
@@ -61,12 +64,13 @@ void set_normals(const std::vector<Return>& returns, double angle_increment, Poi
     LineSums sums;
     sums.add(point.p, point.p);
     for (const int side : {-1, 1}) {
-      for (int k = 1; k <= kNeighbours; ++k) {
+      for (int k = 1; k <= kMostNeighbours; ++k) {
         const int j = i + side * k;
         if (j < 0 || j >= size) break;
         const int before = j - side;
         const double gap = static_cast<double>((scan->points[j].p - scan->points[before].p).norm());
         if (gap > largest_gap(returns[before].range, angle_increment)) break;
+        if (k > kFewestNeighbours && (scan->points[j].p - point.p).norm() > kReach) break;
         sums.add(scan->points[j].p, point.p);
       }
     }

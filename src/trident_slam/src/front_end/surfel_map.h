@@ -39,15 +39,15 @@ class SurfelMap {
   /// nullptr if there is none.
   const Surfel* nearest(const Eigen::Vector2f& p, const Eigen::Vector2f& normal, int rings) const;
 
+  bool is_hidden(int owner) const {
+    return static_cast<std::size_t>(owner) < hidden_.size() && hidden_[owner] != 0;
+  }
   double cell() const { return cell_; }
   const std::vector<Surfel>& surfels() const { return surfels_; }
 
  private:
   int cell_of(float value) const;
   void insert_point(const SurfacePoint& point, int owner);
-  bool is_hidden(int owner) const {
-    return static_cast<std::size_t>(owner) < hidden_.size() && hidden_[owner] != 0;
-  }
 
   double cell_;
   float per_metre_;

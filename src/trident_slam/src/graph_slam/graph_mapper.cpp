@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "graph_slam/pair_linker.h"
+#include "graph_slam/final_match.h"
+#include "graph_slam/relocalizer.h"
 #include "trident_base/string_util.h"
 
 namespace trident {
@@ -15,12 +16,12 @@ namespace {
 constexpr double kReuseShare = 0.25;
 /// Stretches before the newest one that are its own surroundings, not a place come back to.
 constexpr int kOwnStretches = 3;
-/// Of the edges but the chain's [standard deviations].
-constexpr double kLoopKernel = 3.0;
-constexpr int kIterations = 20;
-/// A loop that the optimised graph misses by more is not believed [m], [rad].
-constexpr double kLoopMisfit = 0.3;
-constexpr double kLoopMisfitYaw = 0.1;
+/// What surfaces may be reused is found out anew every so many keyframes.
+constexpr int kHidePeriod = 5;
+/// Localising, the robot is lost after so many scans of which less than this part fits.
+constexpr int kScansUntilLost = 5;
+constexpr double kLostShare = 0.5;
+constexpr double kFoundShare = 0.7;
 
 ScanTrackerOptions tracker_options(const GraphSlamOptions& options) {
   ScanTrackerOptions result;
@@ -49,7 +50,7 @@ GraphMapper::GraphMapper(const GraphSlamOptions& options)
     : options_(options),
       tracker_(tracker_options(options)),
       graph_(options.loop_match_minimum_chain_size),
-      closer_(closer_options(options)) {
+      worker_(closer_options(options)) {
   options.validate();
   tracker_.set_pose(SE2::from_xy_yaw(options.map_start_pose[0], options.map_start_pose[1],
                                      options.map_start_pose[2]));
@@ -87,7 +88,12 @@ Eigen::Vector3d GraphMapper::twist_of(const LaserScan& scan, const SE2& T_last_b
   return T_last_base.log() / dt;
 }
 
+PointScan GraphMapper::points_of(const LaserScan& scan, const Eigen::Vector3d& twist) const {
+  return make_point_scan(scan, {options_.min_laser_range, options_.max_laser_range}, twist);
+}
+
 ScanPose2d GraphMapper::add_scan(const LaserScan& scan, const SE2& T_odom_base) {
+  if (std::optional<LoopOutcome> outcome = worker_.take()) apply(std::move(*outcome));
   const Motion motion = motion_since_last_scan(T_odom_base);
   final_poses_.clear();
   ScanPose2d result;
@@ -96,17 +102,12 @@ ScanPose2d GraphMapper::add_scan(const LaserScan& scan, const SE2& T_odom_base) 
   ScanArchive::Entry entry;
   entry.stamp_ns = scan.stamp_ns;
   entry.is_used = result.is_used;
-  MatchResult match;
   if (result.is_used) {
     const Eigen::Vector3d twist = twist_of(scan, motion.T_last_base);
     entry.twist = twist.cast<float>();
-    const auto points = std::make_shared<const PointScan>(
-        make_point_scan(scan, {options_.min_laser_range, options_.max_laser_range}, twist));
-    if (options_.use_scan_matching) {
-      match = tracker_.track(*points, motion.T_last_base, motion.doubt);
-    } else {
-      tracker_.coast(motion.T_last_base);
-    }
+    const auto points = std::make_shared<const PointScan>(points_of(scan, twist));
+    const MatchResult match = place(*points, motion);
+    result.covariance = match.covariance;
     if (is_keyframe_due()) add_keyframe(points, match);
   } else {
     tracker_.coast(motion.T_last_base);
@@ -114,7 +115,7 @@ ScanPose2d GraphMapper::add_scan(const LaserScan& scan, const SE2& T_odom_base) 
   last_stamp_ns_ = scan.stamp_ns;
   if (result.problem.empty()) result.problem = motion.problem;
   result.T_map_base = tracker_.T_map_base();
-  result.covariance = match.covariance;
+  if (options_.mode == SlamMode::kLocalization || is_paused_) return result;
   entry.keyframe = graph_.size() - 1;
   entry.T_keyframe_base = entry.keyframe < 0
                               ? result.T_map_base
@@ -123,7 +124,29 @@ ScanPose2d GraphMapper::add_scan(const LaserScan& scan, const SE2& T_odom_base) 
   return result;
 }
 
+MatchResult GraphMapper::place(const PointScan& points, const Motion& motion) {
+  if (!options_.use_scan_matching) {
+    tracker_.coast(motion.T_last_base);
+    return {};
+  }
+  MatchResult match = tracker_.track(points, motion.T_last_base, motion.doubt);
+  if (options_.mode == SlamMode::kLocalization) find_again_if_lost(points, &match);
+  return match;
+}
+
+void GraphMapper::find_again_if_lost(const PointScan& points, MatchResult* match) {
+  const bool is_poor = match->inlier_fraction < kLostShare;
+  poor_matches_in_a_row_ = is_poor ? poor_matches_in_a_row_ + 1 : 0;
+  if (poor_matches_in_a_row_ < kScansUntilLost) return;
+  poor_matches_in_a_row_ = 0;
+  const auto found = find_in_map(tracker_.surfels(), points, tracker_.options().line);
+  if (!found || found->inlier_fraction < kFoundShare) return;
+  *match = *found;
+  tracker_.set_pose(found->T_ref_base);
+}
+
 bool GraphMapper::is_keyframe_due() const {
+  if (options_.mode == SlamMode::kLocalization || is_paused_) return false;
   if (graph_.size() == 0) return true;
   const SE2 moved = graph_.pose(graph_.size() - 1).inverse() * tracker_.T_map_base();
   return moved.p.norm() > options_.minimum_travel_distance ||
@@ -132,32 +155,43 @@ bool GraphMapper::is_keyframe_due() const {
 
 void GraphMapper::add_keyframe(const std::shared_ptr<const PointScan>& scan,
                                const MatchResult& match) {
-  const SE2& T = tracker_.T_map_base();
-  const int k = graph_.add({T, scan, travelled_});
-  if (k > 0) {
-    Eigen::Matrix3d spread = match.covariance;
-    spread.diagonal() += Eigen::Vector3d(1e-4, 1e-4, 1e-5);
-    Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
-    R.topLeftCorner<2, 2>() = T.rotation();
-    graph_.add_edge({k - 1, k, graph_.pose(k - 1).inverse() * T,
-                     R.transpose() * spread.inverse() * R, EdgeKind::kChain});
-    link_to_reused_surfaces(k, *scan);
-  }
-  if (k % 5 == 0) hide_what_drifted();
-  tracker_.insert(T, scan, graph_.stretch_of(k));
+  const int k = graph_.add({tracker_.T_map_base(), scan, travelled_});
+  if (k > 0) tie_to_previous_keyframe(k, match);
+  if (k > 0) tie_to_reused_surfaces(k, *scan);
+  if (k % kHidePeriod == 0) hide_what_drifted();
+  tracker_.insert(tracker_.T_map_base(), *scan, graph_.stretch_of(k));
+  if (options_.mode == SlamMode::kLifelong) forget_replaced_scans(k);
   const int stretch = graph_.stretch_of(k);
   if (options_.do_loop_closing && graph_.size() == (stretch + 1) * graph_.stretch_size()) {
     close_loops(stretch);
   }
 }
 
-void GraphMapper::link_to_reused_surfaces(int keyframe, const PointScan& scan) {
+void GraphMapper::tie_to_previous_keyframe(int keyframe, const MatchResult& match) {
+  const SE2& T = graph_.pose(keyframe);
+  GraphEdge edge;
+  edge.from = keyframe - 1;
+  edge.to = keyframe;
+  edge.T_from_to = graph_.pose(keyframe - 1).inverse() * T;
+  Eigen::Matrix3d spread = match.covariance;
+  spread.diagonal() += Eigen::Vector3d(1e-4, 1e-4, 2.5e-5);
+  if (is_chain_broken_) spread.diagonal() += Eigen::Vector3d(1.0, 1.0, 0.1);
+  is_chain_broken_ = false;
+  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
+  R.topLeftCorner<2, 2>() = T.rotation();
+  const Eigen::Matrix3d turned = R.transpose() * spread.inverse() * R;
+  edge.information = 0.5 * (turned + turned.transpose());
+  graph_.add_edge(edge);
+}
+
+void GraphMapper::tie_to_reused_surfaces(int keyframe, const PointScan& scan) {
   const int stretch = graph_.stretch_of(keyframe);
   const double enough = kReuseShare * static_cast<double>(scan.points.size());
   for (const auto& [owner, points] : tracker_.owners_under(scan)) {
     if (owner >= stretch - kOwnStretches || points < enough) continue;
     const std::pair<int, int> link(owner, stretch);
-    if (std::find(reuse_links_.begin(), reuse_links_.end(), link) != reuse_links_.end()) continue;
+    if (std::find(reuse_links_.rbegin(), reuse_links_.rend(), link) != reuse_links_.rend())
+      continue;
     reuse_links_.push_back(link);
     const int j = graph_.anchor_of(owner);
     graph_.add_edge({j, keyframe, graph_.pose(j).inverse() * graph_.pose(keyframe),
@@ -168,101 +202,64 @@ void GraphMapper::link_to_reused_surfaces(int keyframe, const PointScan& scan) {
 void GraphMapper::hide_what_drifted() {
   const std::vector<double> ways = graph_.distances_from(graph_.stretch_of(graph_.size() - 1));
   std::vector<char> hidden(ways.size());
-  for (std::size_t s = 0; s < ways.size(); ++s) hidden[s] = ways[s] > options_.reuse_distance;
+  for (std::size_t s = 0; s < ways.size(); ++s) {
+    hidden[s] = ways[s] > options_.reuse_distance ? 1 : 0;
+  }
   tracker_.hide(std::move(hidden));
 }
 
 void GraphMapper::close_loops(int stretch) {
-  const std::vector<GraphEdge> loops =
-      closer_.search(graph_, stretch, graph_.distances_from(stretch));
-  if (loops.empty() || !accept_loops(loops)) return;
-  rebuild_surfaces();
+  if (options_.is_asynchronous) {
+    worker_.start(graph_, stretch, tracker_.options().surfel_cell);
+  } else {
+    apply(worker_.search(graph_, stretch, tracker_.options().surfel_cell));
+  }
+}
+
+void GraphMapper::apply(LoopOutcome outcome) {
+  if (outcome.loops.empty()) return;
+  const int known = static_cast<int>(outcome.poses.size());
+  const SE2 T_new_old = outcome.poses.back() * graph_.pose(known - 1).inverse();
+  for (const GraphEdge& loop : outcome.loops) graph_.add_edge(loop);
+  for (int i = 0; i < graph_.size(); ++i) {
+    graph_.set_pose(i, i < known ? outcome.poses[i] : T_new_old * graph_.pose(i));
+  }
+  tracker_.set_surfels(std::move(outcome.surfels));
+  for (int i = known; i < graph_.size(); ++i) {
+    tracker_.insert(graph_.pose(i), *graph_[i].scan, graph_.stretch_of(i));
+  }
+  tracker_.set_pose(T_new_old * tracker_.T_map_base());
   hide_what_drifted();
 }
 
-bool GraphMapper::accept_loops(const std::vector<GraphEdge>& loops) {
-  const KeyframeGraph before = graph_;
-  for (const GraphEdge& loop : loops) graph_.add_edge(loop);
-  graph_.optimize(kLoopKernel, kIterations);
-  for (const GraphEdge& loop : loops) {
-    const Eigen::Vector3d error = edge_error(loop, graph_.pose(loop.from), graph_.pose(loop.to));
-    if (error.head<2>().norm() < kLoopMisfit && std::abs(error.z()) < kLoopMisfitYaw) continue;
-    graph_ = before;  // the rest of the graph contradicts
-    return false;
-  }
-  return true;
-}
-
 void GraphMapper::rebuild_surfaces() {
-  const int newest = graph_.size() - 1;
-  const SE2 T_keyframe_base = graph_.pose(newest).inverse() * tracker_.T_map_base();
-  tracker_.clear_surfaces();
-  for (int i = 0; i <= newest; ++i) {
-    tracker_.insert(graph_.pose(i), graph_[i].scan, graph_.stretch_of(i));
+  SurfelMap surfels(tracker_.options().surfel_cell);
+  for (int i = 0; i < graph_.size(); ++i) {
+    surfels.insert(graph_.pose(i), *graph_[i].scan, graph_.stretch_of(i));
   }
-  tracker_.set_pose(graph_.pose(newest) * T_keyframe_base);
+  tracker_.set_surfels(std::move(surfels));
+  forgotten_scans_ = 0;
 }
 
 void GraphMapper::finish() {
+  worker_.wait();
+  if (std::optional<LoopOutcome> outcome = worker_.take()) apply(std::move(*outcome));
+  if (!options_.use_scan_matching || options_.mode == SlamMode::kLocalization) return;
   if (graph_.size() < 2) return;
-  PairLinkOptions options;
-  options.line.max_points = 120;
-  const std::vector<GraphEdge> links = link_pairs(graph_, options);
-  const std::vector<GraphEdge> edges = graph_.edges();
-  std::vector<GraphEdge> all;
-  for (const GraphEdge& edge : edges) {
-    if (edge.kind != EdgeKind::kChain) continue;
-    all.push_back(edge);
-    all.back().information *= 0.1;
-  }
-  for (const GraphEdge& link : links) {
-    all.push_back(link);
-    all.back().information *= 0.1;
-  }
-  const SE2 T_before = graph_.pose(graph_.size() - 1);
-  graph_.edges() = all;
-  graph_.optimize(3.0, 10);
-  graph_.edges() = edges;
-  tracker_.set_pose(graph_.pose(graph_.size() - 1) * T_before.inverse() * tracker_.T_map_base());
+  const SE2 T_before_base = graph_.pose(graph_.size() - 1).inverse() * tracker_.T_map_base();
+  align_all_keyframes(&graph_);
+  tracker_.set_pose(graph_.pose(graph_.size() - 1) * T_before_base);
   rebuild_surfaces();
-  match_all_scans_once_more();
-}
-
-void GraphMapper::match_all_scans_once_more() {
-  SurfelMap surfaces;
-  for (int i = 0; i < graph_.size(); ++i) surfaces.insert(graph_.pose(i), *graph_[i].scan);
-  LineMatchOptions line;
-  line.max_points = 120;
-  line.search_rings = 2;
-  PosePrior prior;
-  prior.information = information(0.02, 0.01);
-  final_poses_.resize(archive_.size());
-  for (std::size_t i = 0; i < archive_.size(); ++i) {
-    const ScanArchive::Entry& entry = archive_[i];
-    SE2& T = final_poses_[i];
-    T = entry.keyframe < 0 ? entry.T_keyframe_base
-                           : graph_.pose(entry.keyframe) * entry.T_keyframe_base;
-    if (!entry.is_used || !options_.use_scan_matching) continue;
-    prior.T_ref_base = T;
-    const PointScan points =
-        make_point_scan(archive_.scan(i), {options_.min_laser_range, options_.max_laser_range},
-                        entry.twist.cast<double>());
-    T = match_lines(surfaces, points, T, prior, line).T_ref_base;
-  }
+  hide_what_drifted();
+  final_poses_ =
+      match_archive(archive_, graph_, {options_.min_laser_range, options_.max_laser_range});
 }
 
 std::vector<StampedPose2d> GraphMapper::trajectory() const {
   std::vector<StampedPose2d> poses(archive_.size());
   for (std::size_t i = 0; i < archive_.size(); ++i) {
-    const ScanArchive::Entry& entry = archive_[i];
-    poses[i].stamp_ns = entry.stamp_ns;
-    if (!final_poses_.empty()) {
-      poses[i].T_map_base = final_poses_[i];
-    } else {
-      poses[i].T_map_base = entry.keyframe < 0
-                                ? entry.T_keyframe_base
-                                : graph_.pose(entry.keyframe) * entry.T_keyframe_base;
-    }
+    poses[i].stamp_ns = archive_[i].stamp_ns;
+    poses[i].T_map_base = final_poses_.empty() ? archive_.pose(i, graph_) : final_poses_[i];
   }
   return poses;
 }

@@ -4,10 +4,11 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "graph_slam/keyframe_graph.h"
-#include "graph_slam/loop_closer.h"
+#include "graph_slam/loop_worker.h"
 #include "graph_slam/scan_archive.h"
 #include "graph_slam/scan_check.h"
 #include "graph_slam/scan_tracker.h"
@@ -16,7 +17,7 @@
 
 namespace trident {
 
-/// State and steps of GraphSlam2d.
+/// State and steps of GraphSlam2d, whose header tells what the public ones mean.
 class GraphMapper {
  public:
   explicit GraphMapper(const GraphSlamOptions& options);
@@ -25,6 +26,16 @@ class GraphMapper {
   void finish();
   std::vector<StampedPose2d> trajectory() const;
   const KeyframeGraph& graph() const { return graph_; }
+
+  void save(BinaryWriter* writer) const;
+  void load(BinaryReader* reader, const std::optional<SE2>& T_map_base);
+  void set_mode(SlamMode mode) { options_.mode = mode; }
+  void set_paused(bool is_paused) { is_paused_ = is_paused; }
+  bool is_paused() const { return is_paused_; }
+  void set_pose(const SE2& T_map_base);
+  std::optional<SE2> relocalize(const PointScan& scan, double min_inliers);
+  PointScan points_of(const LaserScan& scan, const Eigen::Vector3d& twist) const;
+  bool close_loop(int older, int newer, const SE2& T_older_newer);
 
  private:
   /// Motion by odometry since the last scan, and what is wrong with it.
@@ -36,26 +47,33 @@ class GraphMapper {
 
   Motion motion_since_last_scan(const SE2& T_odom_base);
   Eigen::Vector3d twist_of(const LaserScan& scan, const SE2& T_last_base) const;
+  MatchResult place(const PointScan& points, const Motion& motion);
+  void find_again_if_lost(const PointScan& points, MatchResult* match);
   bool is_keyframe_due() const;
   void add_keyframe(const std::shared_ptr<const PointScan>& scan, const MatchResult& match);
-  void link_to_reused_surfaces(int keyframe, const PointScan& scan);
+  void tie_to_previous_keyframe(int keyframe, const MatchResult& match);
+  void tie_to_reused_surfaces(int keyframe, const PointScan& scan);
   void hide_what_drifted();
+  void forget_replaced_scans(int keyframe);
   void close_loops(int stretch);
-  bool accept_loops(const std::vector<GraphEdge>& loops);
+  void apply(LoopOutcome outcome);
   void rebuild_surfaces();
-  void match_all_scans_once_more();
 
   GraphSlamOptions options_;
   ScanCheck check_;
   ScanTracker tracker_;
   KeyframeGraph graph_;
   ScanArchive archive_;
-  LoopCloser closer_;
+  LoopWorker worker_;
   std::optional<SE2> T_odom_last_;
   std::int64_t last_stamp_ns_ = 0;
   double travelled_ = 0.0;
+  bool is_paused_ = false;
+  bool is_chain_broken_ = false;  ///< the next keyframe does not follow from the one before it
+  int poor_matches_in_a_row_ = 0;
+  int forgotten_scans_ = 0;                       ///< since the surfaces were made last
   std::vector<SE2> final_poses_;                  ///< of the archived scans, after finish()
-  std::vector<std::pair<int, int>> reuse_links_;  ///< of the newest stretch: (older, newer)
+  std::vector<std::pair<int, int>> reuse_links_;  ///< stretches: (older, newer)
 };
 
 }  // namespace trident

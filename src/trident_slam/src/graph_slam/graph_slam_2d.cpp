@@ -2,16 +2,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trident_slam/graph_slam_2d.h"
 
+#include <algorithm>
+
 #include "graph_slam/graph_mapper.h"
 #include "graph_slam/keyframe_map.h"
+#include "graph_slam/session_file.h"
+#include "trident_slam/pose_graph_g2o.h"
 
 namespace trident {
 
 class GraphSlam2d::Impl {
  public:
-  explicit Impl(const GraphSlamOptions& options) : options(options), mapper(options) {}
+  explicit Impl(const GraphSlamOptions& options)
+      : options(options), mapper(std::make_unique<GraphMapper>(options)) {}
+
   GraphSlamOptions options;
-  GraphMapper mapper;
+  std::unique_ptr<GraphMapper> mapper;
 };
 
 GraphSlam2d::GraphSlam2d(const GraphSlamOptions& options)
@@ -20,15 +26,89 @@ GraphSlam2d::GraphSlam2d(const GraphSlamOptions& options)
 GraphSlam2d::~GraphSlam2d() = default;
 
 ScanPose2d GraphSlam2d::add_scan(const LaserScan& scan, const SE2& T_odom_base) {
-  return impl_->mapper.add_scan(scan, T_odom_base);
+  return impl_->mapper->add_scan(scan, T_odom_base);
 }
 
-void GraphSlam2d::finish() { impl_->mapper.finish(); }
+void GraphSlam2d::finish() { impl_->mapper->finish(); }
 
-std::vector<StampedPose2d> GraphSlam2d::trajectory() const { return impl_->mapper.trajectory(); }
+std::vector<StampedPose2d> GraphSlam2d::trajectory() const { return impl_->mapper->trajectory(); }
 
 OccupancyGrid GraphSlam2d::map() const {
-  return keyframe_map(impl_->mapper.graph(), impl_->options.resolution);
+  return keyframe_map(impl_->mapper->graph(), impl_->options.resolution);
+}
+
+void GraphSlam2d::set_paused(bool is_paused) { impl_->mapper->set_paused(is_paused); }
+bool GraphSlam2d::is_paused() const { return impl_->mapper->is_paused(); }
+
+void GraphSlam2d::clear() {
+  const bool is_paused = impl_->mapper->is_paused();
+  impl_->mapper = std::make_unique<GraphMapper>(impl_->options);
+  impl_->mapper->set_paused(is_paused);
+}
+
+void GraphSlam2d::set_mode(SlamMode mode) {
+  impl_->options.mode = mode;
+  impl_->mapper->set_mode(mode);
+}
+
+void GraphSlam2d::save_session(const std::string& path) const {
+  BinaryWriter writer;
+  impl_->mapper->save(&writer);
+  write_session_file(path, writer);
+}
+
+void GraphSlam2d::load_session(const std::string& path, const std::optional<SE2>& T_map_base) {
+  BinaryReader reader = read_session_file(path);
+  impl_->mapper->load(&reader, T_map_base);
+}
+
+void GraphSlam2d::set_pose(const SE2& T_map_base) { impl_->mapper->set_pose(T_map_base); }
+
+std::optional<SE2> GraphSlam2d::relocalize(const LaserScan& scan, double min_inliers) {
+  return impl_->mapper->relocalize(impl_->mapper->points_of(scan, Eigen::Vector3d::Zero()),
+                                   min_inliers);
+}
+
+bool GraphSlam2d::close_loop(int older, int newer, const SE2& T_older_newer) {
+  const int size = impl_->mapper->graph().size();
+  for (const int keyframe : {older, newer}) {
+    if (keyframe >= 0 && keyframe < size && older != newer) continue;
+    throw Error("keyframe " + std::to_string(keyframe) + ", legal: two different ones of 0 to " +
+                std::to_string(size - 1));
+  }
+  return impl_->mapper->close_loop(older, newer, T_older_newer);
+}
+
+std::vector<SE2> GraphSlam2d::keyframe_poses() const {
+  const KeyframeGraph& graph = impl_->mapper->graph();
+  std::vector<SE2> poses;
+  for (int i = 0; i < graph.size(); ++i) poses.push_back(graph.pose(i));
+  return poses;
+}
+
+std::vector<GraphSlamEdge> GraphSlam2d::edges() const {
+  std::vector<GraphSlamEdge> edges;
+  for (const GraphEdge& edge : impl_->mapper->graph().edges()) {
+    edges.push_back({edge.from, edge.to, edge.kind != EdgeKind::kChain});
+  }
+  return edges;
+}
+
+int GraphSlam2d::loops_closed() const {
+  const std::vector<GraphEdge>& edges = impl_->mapper->graph().edges();
+  return static_cast<int>(std::count_if(edges.begin(), edges.end(), [](const GraphEdge& edge) {
+    return edge.kind == EdgeKind::kLoop;
+  }));
+}
+
+void GraphSlam2d::save_g2o(const std::string& path) const {
+  const KeyframeGraph& graph = impl_->mapper->graph();
+  PoseGraph2d poses;
+  for (int i = 0; i < graph.size(); ++i) poses.add_vertex(i, graph.pose(i));
+  for (const GraphEdge& edge : graph.edges()) {
+    poses.add_edge({edge.from, edge.to, edge.T_from_to, edge.information});
+  }
+  write_g2o(poses, path);
 }
 
 }  // namespace trident

@@ -51,15 +51,75 @@ Eigen::Vector3d edge_error(const GraphEdge& edge, const SE2& T_map_from, const S
   return (edge.T_from_to.inverse() * T_map_from.inverse() * T_map_to).log();
 }
 
+void KeyframeGraph::forget_scan(int i) {
+  keyframes_[static_cast<std::size_t>(i)].scan = std::make_shared<const PointScan>();
+}
+
+void KeyframeGraph::save(BinaryWriter* writer) const {
+  writer->put<std::int32_t>(stretch_size_);
+  writer->put<std::uint64_t>(keyframes_.size());
+  for (const Keyframe& keyframe : keyframes_) {
+    writer->put_pose(keyframe.T_map_base);
+    writer->put(keyframe.travelled);
+    for (const float value : {keyframe.scan->origin.x(), keyframe.scan->origin.y()}) {
+      writer->put(value);
+    }
+    writer->put<std::uint64_t>(keyframe.scan->points.size());
+    for (const SurfacePoint& point : keyframe.scan->points) {
+      for (const float value : {point.p.x(), point.p.y(), point.normal.x(), point.normal.y()}) {
+        writer->put(value);
+      }
+    }
+  }
+  writer->put<std::uint64_t>(edges_.size());
+  for (const GraphEdge& edge : edges_) {
+    writer->put<std::int32_t>(edge.from);
+    writer->put<std::int32_t>(edge.to);
+    writer->put_pose(edge.T_from_to);
+    for (int k = 0; k < 9; ++k) writer->put(edge.information(k / 3, k % 3));
+    writer->put<std::uint8_t>(static_cast<std::uint8_t>(edge.kind));
+  }
+}
+
+void KeyframeGraph::load(BinaryReader* reader) {
+  stretch_size_ = reader->get<std::int32_t>();
+  if (stretch_size_ < 1) reader->fail();
+  keyframes_.resize(reader->get_count(sizeof(double)));
+  for (Keyframe& keyframe : keyframes_) {
+    keyframe.T_map_base = reader->get_pose();
+    keyframe.travelled = reader->get<double>();
+    auto scan = std::make_shared<PointScan>();
+    for (float* value : {&scan->origin.x(), &scan->origin.y()}) *value = reader->get<float>();
+    scan->points.resize(reader->get_count(sizeof(SurfacePoint)));
+    for (SurfacePoint& point : scan->points) {
+      for (float* value : {&point.p.x(), &point.p.y(), &point.normal.x(), &point.normal.y()}) {
+        *value = reader->get<float>();
+      }
+    }
+    keyframe.scan = std::move(scan);
+  }
+  edges_.resize(reader->get_count(sizeof(double)));
+  for (GraphEdge& edge : edges_) {
+    edge.from = reader->get<std::int32_t>();
+    edge.to = reader->get<std::int32_t>();
+    edge.T_from_to = reader->get_pose();
+    for (int k = 0; k < 9; ++k) edge.information(k / 3, k % 3) = reader->get<double>();
+    edge.kind = static_cast<EdgeKind>(reader->get<std::uint8_t>());
+    for (const int end : {edge.from, edge.to}) {
+      if (end < 0 || end >= size()) reader->fail();
+    }
+  }
+}
+
 void KeyframeGraph::optimize(double kernel, int iterations) {
   if (size() < 2) return;
   PoseGraph2d graph;
   for (int i = 0; i < size(); ++i) graph.add_vertex(i, pose(i));
   graph.set_fixed(0, true);
   for (const GraphEdge& edge : edges_) {
-    const bool is_chain = edge.kind == EdgeKind::kChain;
+    const bool is_doubted = edge.kind == EdgeKind::kReuse;
     graph.add_edge({edge.from, edge.to, edge.T_from_to, edge.information,
-                    is_chain ? RobustKernel::kNone : RobustKernel::kCauchy, kernel, is_chain});
+                    is_doubted ? RobustKernel::kCauchy : RobustKernel::kNone, kernel, !is_doubted});
   }
   PoseGraphOptions options;
   options.max_iterations = iterations;

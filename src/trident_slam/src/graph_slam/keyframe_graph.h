@@ -3,11 +3,13 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <vector>
 
 #include "front_end/point_scan.h"
+#include "graph_slam/binary_stream.h"
 #include "trident_base/se2.h"
 
 namespace trident {
@@ -62,8 +64,15 @@ class KeyframeGraph {
   /// far both may have drifted apart. An edge that closes a loop counts as one metre.
   std::vector<double> distances_from(int stretch) const;
 
+  /// A keyframe whose scan is no longer part of the map keeps its place in the graph.
+  void forget_scan(int i);
+
+  void save(BinaryWriter* writer) const;
+  void load(BinaryReader* reader);
+
   /// Moves the keyframes to where the edges agree best; the first one stays. `kernel` [standard
-  /// deviations]: Cauchy's for every edge but those of the chain.
+  /// deviations]: Cauchy's, for what the tracker reused; loops have been verified before they are
+  /// edges.
   void optimize(double kernel, int iterations);
 
  private:

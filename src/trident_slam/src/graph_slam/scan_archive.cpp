@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "graph_slam/scan_archive.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -46,6 +47,64 @@ LaserScan ScanArchive::scan(std::size_t i) const {
                                      : std::numeric_limits<float>::infinity();
   }
   return scan;
+}
+
+SE2 ScanArchive::pose(std::size_t i, const KeyframeGraph& graph) const {
+  const Entry& entry = entries_[i];
+  if (entry.keyframe < 0) return entry.T_keyframe_base;
+  return graph.pose(entry.keyframe) * entry.T_keyframe_base;
+}
+
+void ScanArchive::save(BinaryWriter* writer) const {
+  writer->put<std::uint64_t>(geometries_.size());
+  for (const LaserScan& scan : geometries_) {
+    writer->put<std::uint64_t>(scan.size());
+    for (const double value : {scan.angle_min, scan.angle_increment, scan.time_increment,
+                               scan.range_min, scan.range_max}) {
+      writer->put(value);
+    }
+    writer->put_pose(scan.T_base_laser);
+  }
+  writer->put<std::uint64_t>(entries_.size());
+  for (const Entry& entry : entries_) {
+    writer->put(entry.stamp_ns);
+    writer->put<std::int32_t>(entry.keyframe);
+    writer->put_pose(entry.T_keyframe_base);
+    writer->put<std::uint8_t>(entry.is_used ? 1 : 0);
+    writer->put(entry.geometry);
+    writer->put(entry.first_range);
+    for (int k = 0; k < 3; ++k) writer->put(entry.twist(k));
+  }
+  writer->put_all(ranges_);
+}
+
+void ScanArchive::load(BinaryReader* reader) {
+  geometries_.resize(reader->get_count(9 * sizeof(double)));
+  for (LaserScan& scan : geometries_) {
+    const auto beams = reader->get<std::uint64_t>();
+    if (beams > 1'000'000) reader->fail();
+    scan.ranges.assign(static_cast<std::size_t>(beams), 0.0F);
+    for (double* value : {&scan.angle_min, &scan.angle_increment, &scan.time_increment,
+                          &scan.range_min, &scan.range_max}) {
+      *value = reader->get<double>();
+    }
+    scan.T_base_laser = reader->get_pose();
+  }
+  entries_.resize(reader->get_count(sizeof(double)));
+  for (Entry& entry : entries_) {
+    entry.stamp_ns = reader->get<std::int64_t>();
+    entry.keyframe = reader->get<std::int32_t>();
+    entry.T_keyframe_base = reader->get_pose();
+    entry.is_used = reader->get<std::uint8_t>() != 0;
+    entry.geometry = reader->get<std::uint32_t>();
+    entry.first_range = reader->get<std::uint64_t>();
+    for (int k = 0; k < 3; ++k) entry.twist(k) = reader->get<float>();
+  }
+  ranges_ = reader->get_all<std::uint16_t>();
+  for (const Entry& entry : entries_) {
+    if (entry.geometry >= geometries_.size()) reader->fail();
+    if (entry.first_range + geometries_[entry.geometry].size() > ranges_.size()) reader->fail();
+  }
 }
 
 }  // namespace trident

@@ -5,7 +5,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "front_end/point_scan.h"
+#include "graph_slam/binary_stream.h"
+#include "graph_slam/keyframe_graph.h"
+#include "trident_base/laser_scan.h"
 
 namespace trident {
 
@@ -28,6 +30,11 @@ class ScanArchive {
   Entry& operator[](std::size_t i) { return entries_[i]; }
   /// As it was when it came, ranges rounded to a millimetre.
   LaserScan scan(std::size_t i) const;
+  /// Where scan i was, by where its keyframe is now.
+  SE2 pose(std::size_t i, const KeyframeGraph& graph) const;
+
+  void save(BinaryWriter* writer) const;
+  void load(BinaryReader* reader);
 
  private:
   std::vector<Entry> entries_;

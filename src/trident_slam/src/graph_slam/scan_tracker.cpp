@@ -5,17 +5,26 @@
 #include <cmath>
 #include <map>
 
+#include "graph_slam/relocalizer.h"
+
 namespace trident {
 
-void ScanTracker::clear_surfaces() {
-  surfels_ = SurfelMap(options_.surfel_cell);
-  recent_.clear();
+const MaxPyramid& ScanTracker::hits_about(const Eigen::Vector2d& p_map) {
+  constexpr double kMostAway = 3.0;  // [m]
+  constexpr int kMostChanges = 5;
+  const bool is_fresh =
+      hits_ && (p_map - hits_centre_).norm() < kMostAway && changes_ - hits_changes_ < kMostChanges;
+  if (is_fresh) return *hits_;
+  hits_.emplace(options_.search_resolution, 4);
+  insert_surfels(surfels_, p_map, options_.search_reach, &*hits_);
+  hits_centre_ = p_map;
+  hits_changes_ = changes_;
+  return *hits_;
 }
 
 MatchResult ScanTracker::search(const PointScan& scan, const PosePrior& prior,
-                                const MatchResult& refined, const SearchWindow& window) const {
-  MaxPyramid hits(options_.search_resolution, 4);
-  for (const auto& [T, old_scan] : recent_) hits.insert(T, *old_scan);
+                                const MatchResult& refined, const SearchWindow& window) {
+  const MaxPyramid& hits = hits_about(prior.T_ref_base.p);
   const auto found =
       match_by_branch_and_bound(hits, thinned_points(scan, 200), prior.T_ref_base, window, 0.2);
   if (!found) return refined;
@@ -36,19 +45,15 @@ MatchResult ScanTracker::track(const PointScan& scan, const SE2& T_last_base, do
   if (!surfels_.empty()) {
     match = match_lines(surfels_, scan, prior.T_ref_base, prior, options_.line);
     const bool is_far = metres > options_.search_motion || radians > options_.search_turn;
-    if (is_far || doubt > 0.0 || match.inlier_fraction < options_.smallest_inlier_fraction) {
-      match = search(scan, prior, match, {0.1 + 2.0 * s_p, 0.05 + 2.0 * s_yaw});
+    const SE2 off = prior.T_ref_base.inverse() * match.T_ref_base;
+    const bool is_odd = off.p.norm() > 3.0 * s_p || std::abs(off.angle) > 3.0 * s_yaw;
+    if (is_far || is_odd || doubt > 0.0 ||
+        match.inlier_fraction < options_.smallest_inlier_fraction) {
+      match = search(scan, prior, match, {0.2 + 3.0 * s_p, 0.05 + 2.0 * s_yaw});
     }
   }
   T_map_base_ = match.T_ref_base;
   return match;
-}
-
-void ScanTracker::insert(const SE2& T_map_base, const std::shared_ptr<const PointScan>& scan,
-                         int owner) {
-  surfels_.insert(T_map_base, *scan, owner);
-  if (static_cast<int>(recent_.size()) >= options_.recent_scans) recent_.erase(recent_.begin());
-  recent_.emplace_back(T_map_base, scan);
 }
 
 std::vector<std::pair<int, int>> ScanTracker::owners_under(const PointScan& scan) const {

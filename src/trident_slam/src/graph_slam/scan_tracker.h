@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -36,7 +36,7 @@ struct ScanTrackerOptions {
   double smallest_inlier_fraction = 0.6;  ///< below this the pose is sought in a window
   double search_motion = 0.3;             ///< moved farther than this: sought in a window, too [m]
   double search_turn = 0.3;               ///< [rad]
-  int recent_scans = 30;                  ///< keyframes that the window is searched over
+  double search_reach = 12.0;             ///< surfaces that the search knows [m]
 };
 
 /// Keeps the newest scan's pose against the surfaces of the map so far. Parts of the map that may
@@ -52,22 +52,34 @@ class ScanTracker {
   /// Moves without a scan.
   void coast(const SE2& T_last_base) { T_map_base_ = T_map_base_ * T_last_base; }
   /// Adds a scan to the surfaces, of which `owner` says to which part of the map it belongs.
-  void insert(const SE2& T_map_base, const std::shared_ptr<const PointScan>& scan, int owner);
+  void insert(const SE2& T_map_base, const PointScan& scan, int owner) {
+    surfels_.insert(T_map_base, scan, owner);
+    ++changes_;
+  }
   void hide(std::vector<char> hidden) { surfels_.set_hidden(std::move(hidden)); }
   /// How many of a scan's points lie on surfaces of each owner.
   std::vector<std::pair<int, int>> owners_under(const PointScan& scan) const;
 
   const SE2& T_map_base() const { return T_map_base_; }
   void set_pose(const SE2& T_map_base) { T_map_base_ = T_map_base; }
-  void clear_surfaces();
+  const SurfelMap& surfels() const { return surfels_; }
+  void set_surfels(SurfelMap surfels) {
+    surfels_ = std::move(surfels);
+    hits_.reset();
+  }
+  const ScanTrackerOptions& options() const { return options_; }
 
  private:
   MatchResult search(const PointScan& scan, const PosePrior& prior, const MatchResult& refined,
-                     const SearchWindow& window) const;
+                     const SearchWindow& window);
+  const MaxPyramid& hits_about(const Eigen::Vector2d& p_map);
 
   ScanTrackerOptions options_;
   SurfelMap surfels_;
-  std::vector<std::pair<SE2, std::shared_ptr<const PointScan>>> recent_;
+  std::optional<MaxPyramid> hits_;  ///< of the surfels about `hits_centre_`, not quite the newest
+  Eigen::Vector2d hits_centre_ = Eigen::Vector2d::Zero();
+  int changes_ = 0;  ///< scans inserted
+  int hits_changes_ = 0;
   SE2 T_map_base_;
 };
 

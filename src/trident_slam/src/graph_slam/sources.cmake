@@ -1,16 +1,23 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
 # graph_slam_2d: the state machine, its graph, and what is done with both.
+find_package(Threads REQUIRED)
 target_sources(trident_slam PRIVATE
+  src/graph_slam/final_match.cpp
   src/graph_slam/graph_mapper.cpp
+  src/graph_slam/graph_mapper_session.cpp
   src/graph_slam/graph_slam_2d.cpp
   src/graph_slam/graph_slam_options.cpp
   src/graph_slam/keyframe_graph.cpp
   src/graph_slam/keyframe_map.cpp
   src/graph_slam/loop_closer.cpp
+  src/graph_slam/loop_worker.cpp
   src/graph_slam/pair_linker.cpp
   src/graph_slam/place.cpp
+  src/graph_slam/relocalizer.cpp
   src/graph_slam/scan_archive.cpp
   src/graph_slam/scan_check.cpp
   src/graph_slam/scan_tracker.cpp
+  src/graph_slam/session_file.cpp
 )
+target_link_libraries(trident_slam PRIVATE Threads::Threads)

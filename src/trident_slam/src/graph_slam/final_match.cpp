@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "graph_slam/final_match.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "front_end/surfel_map.h"
+#include "graph_slam/pair_linker.h"
+
+namespace trident {
+namespace {
+
+constexpr std::size_t kPoints = 120;  // of each scan; more do not change the result
+constexpr double kKernel = 3.0;       // of edges between scans [standard deviations]
+constexpr int kIterations = 20;
+/// Neighbouring beams, and the same surface seen again, do not err independently.
+constexpr double kInformationShare = 0.1;
+/// Pairs are matched again if a keyframe has moved farther [m].
+constexpr double kSettled = 0.3;
+constexpr int kMostPasses = 3;
+
+double farthest_move(const KeyframeGraph& a, const KeyframeGraph& b) {
+  double farthest = 0.0;
+  for (int i = 0; i < a.size(); ++i) {
+    farthest = std::max(farthest, (a.pose(i).p - b.pose(i).p).norm());
+  }
+  return farthest;
+}
+
+}  // namespace
+
+void align_all_keyframes(KeyframeGraph* graph) {
+  const std::vector<GraphEdge> edges = graph->edges();
+  PairLinkOptions options;
+  options.line.max_points = kPoints;
+  for (int pass = 0; pass < kMostPasses; ++pass) {
+    const KeyframeGraph before = *graph;
+    std::vector<GraphEdge> all = link_pairs(*graph, options);
+    for (const GraphEdge& edge : edges) {
+      if (edge.kind == EdgeKind::kChain) all.push_back(edge);
+    }
+    for (GraphEdge& edge : all) edge.information *= kInformationShare;
+    graph->edges() = std::move(all);
+    graph->optimize(kKernel, kIterations);
+    graph->edges() = edges;
+    if (farthest_move(before, *graph) < kSettled) break;
+  }
+}
+
+std::vector<SE2> match_archive(const ScanArchive& archive, const KeyframeGraph& graph,
+                               const PointScanOptions& options) {
+  SurfelMap surfaces;
+  for (int i = 0; i < graph.size(); ++i) surfaces.insert(graph.pose(i), *graph[i].scan);
+  LineMatchOptions line;
+  line.max_points = kPoints;
+  line.search_rings = 2;
+  PosePrior prior;
+  prior.information = Eigen::Vector3d(2500.0, 2500.0, 10000.0).asDiagonal();  // 2 cm, 0.01 rad
+  std::vector<SE2> poses(archive.size());
+  for (std::size_t i = 0; i < archive.size(); ++i) {
+    const ScanArchive::Entry& entry = archive[i];
+    poses[i] = archive.pose(i, graph);
+    if (!entry.is_used) continue;
+    prior.T_ref_base = poses[i];
+    const PointScan points = make_point_scan(archive.scan(i), options, entry.twist.cast<double>());
+    poses[i] = match_lines(surfaces, points, poses[i], prior, line).T_ref_base;
+  }
+  return poses;
+}
+
+}  // namespace trident

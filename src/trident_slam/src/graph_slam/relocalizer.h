@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "front_end/line_match.h"
+#include "front_end/max_pyramid.h"
+
+namespace trident {
+
+/// The places in a whole map where a scan fits, by branch and bound; any heading.
+std::optional<MatchResult> find_in_map(const SurfelMap& surfels, const PointScan& scan,
+                                       const LineMatchOptions& line);
+
+/// The surfaces within `reach` [m] of a point as hits for a search.
+void insert_surfels(const SurfelMap& surfels, const Eigen::Vector2d& about, double reach,
+                    MaxPyramid* hits);
+
+}  // namespace trident
