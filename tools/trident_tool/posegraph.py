@@ -27,7 +27,9 @@ def add_pose_graph_command(add: Callable[[str, Handler, str], argparse.ArgumentP
         choices=_KERNELS,
         help="kernel of edges that are not odometry; gnc: graduated non-convexity",
     )
-    sub.add_argument("--scale", type=float, metavar="SIGMAS", help="of the kernel; default 5")
+    sub.add_argument(
+        "--scale", type=float, metavar="SIGMAS", help="of the kernel; default: 1 in 1000 exceeds"
+    )
     sub.add_argument(
         "--init",
         choices=["auto", "file", "chordal"],

@@ -31,12 +31,19 @@ struct PoseGraphOptions {
   /// finds those that agree with each other from a poor start; the others are rejected, their
   /// weight in the report is 0. The edges' own kernels do not count.
   bool is_graduated = false;
-  /// [standard deviations] beyond which an edge is an outlier, > 0.
-  double graduated_scale = 5.0;
+  /// [standard deviations] beyond which an edge is an outlier, > 0; 0: default_outlier_scale().
+  double graduated_scale = 0.0;
 
   /// Throws Error naming field, value and range.
   void validate() const;
 };
+
+/// What one of a thousand edges exceeds whose errors are Gaussian and as their information says, in
+/// the plane or in space [standard deviations].
+template <class Group>
+constexpr double default_outlier_scale() {
+  return PoseGraph<Group>::kDimension == 3 ? 4.033 : 4.739;
+}
 
 struct PoseGraphReport {
   double chi2_before = 0.0;  ///< of the graph's poses, sum of e' Omega e without kernels

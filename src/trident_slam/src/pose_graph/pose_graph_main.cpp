@@ -116,9 +116,10 @@ double cpu_seconds() {
 template <class Group>
 PoseGraphReport optimize(PoseGraph<Group>& graph, const Settings& settings) {
   if (settings.kernel != RobustKernel::kNone) {
+    const double scale = settings.options.graduated_scale;
     for (std::size_t k = 0; k < graph.edges().size(); ++k) {
       if (graph.edges()[k].is_trusted) continue;
-      graph.set_kernel(k, settings.kernel, settings.options.graduated_scale);
+      graph.set_kernel(k, settings.kernel, scale > 0.0 ? scale : default_outlier_scale<Group>());
     }
   }
   if (settings.is_ceres) return make_ceres_solver<Group>(settings.ceres)->optimize(graph);

@@ -28,7 +28,7 @@ void PoseGraphOptions::validate() const {
   require(relative_tolerance > 0.0 && relative_tolerance < 1.0, "relative_tolerance",
           relative_tolerance, "in (0, 1)");
   require(absolute_tolerance >= 0.0, "absolute_tolerance", absolute_tolerance, ">= 0");
-  require(graduated_scale > 0.0, "graduated_scale", graduated_scale, "> 0");
+  require(graduated_scale >= 0.0, "graduated_scale", graduated_scale, ">= 0");
 }
 
 template <class Group>
@@ -37,7 +37,10 @@ class PoseGraphOptimizer<Group>::Impl {
   using System = PoseSystem<Group>;
   static constexpr int kDimension = System::kDimension;
 
-  explicit Impl(const PoseGraphOptions& options) : options_(options) { options_.validate(); }
+  explicit Impl(const PoseGraphOptions& options) : options_(options) {
+    options_.validate();
+    if (options_.graduated_scale == 0.0) options_.graduated_scale = default_outlier_scale<Group>();
+  }
 
   PoseGraphReport optimize(PoseGraph<Group>& graph) {
     system_.load(graph);
