@@ -32,6 +32,7 @@ Value choice(const std::string& option, const std::string& text,
   const auto found = values.find(text);
   if (found != values.end()) return found->second;
   std::vector<std::string> known;
+  known.reserve(values.size());
   for (const auto& [name, value] : values) known.push_back(name);
   throw Error(option + ": unknown " + unknown_name_text(text, known));
 }
@@ -90,6 +91,7 @@ Settings parse(int argc, char** argv) {
       {"--ceres_loss_function", [&](auto& text) { ceres.loss_function = text; }},
   };
   std::vector<std::string> known;
+  known.reserve(takers.size());
   for (const auto& [name, take] : takers) known.push_back(name);
   if (argc < 2)
     throw Error("usage: pose_graph FILE.g2o [OPTION VALUE ...]; options: " + join(known));
