@@ -93,7 +93,10 @@ std::vector<ScanRecord> ScanIntake::take() {
       } else if (may_still_come(message)) {
         break;
       } else {
-        leave_out(message, why_missing(message));
+        // Transforms come in a thread of their own: the missing one may have come just now.
+        const std::string why = why_missing(message);
+        if (why.empty()) continue;
+        leave_out(message, why);
       }
     } catch (const Error& error) {
       leave_out(message, error.what());
