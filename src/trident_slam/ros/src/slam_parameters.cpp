@@ -9,6 +9,7 @@
 
 #include "trident_base/string_util.h"
 #include "trident_slam/graph_slam_2d.h"
+#include "trident_slam/slam_2d_abilities.h"
 
 namespace trident {
 namespace {
@@ -16,6 +17,37 @@ namespace {
 using XmlRpc::XmlRpcValue;
 
 constexpr char kGraphSlam[] = "graph_slam_2d";
+
+/// graph_slam_2d with what the node asks for.
+class GraphSlamOfNode : public GraphSlam2d,
+                        public Slam2dSession,
+                        public Slam2dPlaced,
+                        public Slam2dGraph {
+ public:
+  using GraphSlam2d::GraphSlam2d;
+
+  void save_session(const std::string& file) const override { GraphSlam2d::save_session(file); }
+  void load_session(const std::string& file, SessionStart start, const SE2& T_map_base) override {
+    if (start != SessionStart::kFirstNode) {
+      GraphSlam2d::load_session(file, T_map_base);
+      if (start == SessionStart::kLocalize) set_mode(SlamMode::kLocalization);
+      return;
+    }
+    GraphSlam2d::load_session(file);
+    const std::vector<SE2> poses = keyframe_poses();
+    if (!poses.empty()) GraphSlam2d::set_pose(poses.front());
+  }
+  void set_pose(const SE2& T_map_base) override { GraphSlam2d::set_pose(T_map_base); }
+  GraphView2d graph_view() const override {
+    GraphView2d view;
+    view.nodes = keyframe_poses();
+    for (const GraphSlamEdge& edge : edges()) {
+      view.edges.push_back({edge.from, edge.to, edge.is_loop});
+    }
+    return view;
+  }
+  void write_g2o(const std::string& file) const override { save_g2o(file); }
+};
 
 // An archive that only learns the names.
 struct FieldNames {
@@ -86,7 +118,7 @@ std::function<std::unique_ptr<Slam2d>()> slam_maker(const ros::NodeHandle& priva
   private_handle.getParam("config_file", config_file);
   registry->get(method);
   if (method == kGraphSlam && config_file.empty()) {
-    return [graph] { return std::make_unique<GraphSlam2d>(graph); };
+    return [graph] { return std::make_unique<GraphSlamOfNode>(graph); };
   }
   return [registry, method, config_file] { return registry->get(method)(config_file); };
 }
