@@ -12,9 +12,10 @@ import pytest
 import rospy
 import tf2_ros
 from diagnostic_msgs.msg import DiagnosticArray
+from geometry_msgs.msg import Pose2D
 from nav_msgs.msg import OccupancyGrid
 from scan_bag import write_bag
-from slam_toolbox_msgs.srv import Pause, Reset, SaveMap, SerializePoseGraph
+from slam_toolbox_msgs.srv import DeserializePoseGraph, Pause, Reset, SaveMap, SerializePoseGraph
 from std_msgs.msg import String
 from std_srvs.srv import SetBool
 from trident.testing import LIMIT_S, Recorder, Ros, eventually, program, recorder
@@ -76,6 +77,20 @@ def test_a_replayed_bag_gives_the_map_of_the_offline_runner(
         eventually(lambda: bool(maps.messages), "a map")
         assert maps.messages[0].header.frame_id == "map"
         assert diagnosed(seen, "scans left out") == "0"
+    session = str(tmp_path / "session")
+    assert service("/slam_toolbox/serialize_map", SerializePoseGraph)(session).success
+    load = service("/slam_toolbox/deserialize_map", DeserializePoseGraph)
+    assert load(session, 1, Pose2D()).success
+    save(String(str(tmp_path / "again")))
+    # Saving closes loops once more, so that a few cells may be others.
+    pixels = [
+        np.frombuffer(data, np.uint8) for data in (live, (tmp_path / "again.pgm").read_bytes())
+    ]
+    assert pixels[0].shape == pixels[1].shape
+    assert np.mean(pixels[0] == pixels[1]) > 0.98
+    Path(session + ".posegraph").write_bytes(b"damaged")
+    with pytest.raises(rospy.ServiceException):
+        load(session, 2, Pose2D())
     assert node.running, node.log
 
 
