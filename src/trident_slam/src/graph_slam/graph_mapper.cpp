@@ -20,8 +20,9 @@ constexpr int kOwnStretches = 3;
 constexpr int kHidePeriod = 5;
 /// Localising, the robot is lost after so many scans of which less than this part fits.
 constexpr int kScansUntilLost = 5;
-constexpr double kLostShare = 0.5;
-constexpr double kFoundShare = 0.7;
+constexpr double kLostShare = 0.75;
+/// A place elsewhere must fit better by this to be believed instead.
+constexpr double kFoundMargin = 0.15;
 
 ScanTrackerOptions tracker_options(const GraphSlamOptions& options) {
   ScanTrackerOptions result;
@@ -140,7 +141,7 @@ void GraphMapper::find_again_if_lost(const PointScan& points, MatchResult* match
   if (poor_matches_in_a_row_ < kScansUntilLost) return;
   poor_matches_in_a_row_ = 0;
   const auto found = find_in_map(tracker_.surfels(), points, tracker_.options().line);
-  if (!found || found->inlier_fraction < kFoundShare) return;
+  if (!found || found->inlier_fraction < match->inlier_fraction + kFoundMargin) return;
   *match = *found;
   tracker_.set_pose(found->T_ref_base);
 }

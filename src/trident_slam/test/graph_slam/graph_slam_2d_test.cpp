@@ -1,0 +1,227 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "trident_slam/graph_slam_2d.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+#include "graph_slam/polygon_world.h"
+#include "trident_base/error.h"
+
+namespace trident {
+namespace {
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+/// The ring, odometry that is wrong by 5 % of distance and 3 % of turns, and what is made of both.
+class GraphSlamRing : public ::testing::Test {
+ protected:
+  void drive(GraphSlam2d& slam, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      last_ = slam.add_scan(world_.scan(path_[i], i), odometry_[i]);
+    }
+  }
+  /// Where scan i is in the map, whose origin is the first pose of the path.
+  SE2 truth(std::size_t i) const { return path_.front().inverse() * path_[i]; }
+  double error(const SE2& T, std::size_t i) const { return (T.p - truth(i).p).norm(); }
+
+  static GraphSlamOptions options() {
+    GraphSlamOptions options;
+    options.reuse_distance = 30.0;
+    return options;
+  }
+
+  PolygonWorld world_ = ring_world();
+  std::vector<SE2> path_ = ring_path(1.5);
+  std::vector<SE2> odometry_ = drifting_odometry(path_, 1.05, 0.97);
+  ScanPose2d last_;
+};
+
+TEST_F(GraphSlamRing, EveryScanEndsNearItsTruePose) {
+  GraphSlam2d slam(options());
+  drive(slam, 0, path_.size());
+  slam.finish();
+  const std::vector<StampedPose2d> poses = slam.trajectory();
+  ASSERT_EQ(poses.size(), path_.size());
+  for (std::size_t i = 0; i < poses.size(); i += 7) {
+    EXPECT_LT(error(poses[i].T_map_base, i), 0.05) << "scan " << i;
+    EXPECT_EQ(poses[i].stamp_ns, static_cast<std::int64_t>(i) * 100'000'000);
+  }
+  EXPECT_GT(error(SE2(odometry_.back()), path_.size() - 1), 1.0);  // odometry alone does not
+}
+
+TEST_F(GraphSlamRing, SameScansGiveSameBitsAndPosesDoNotKnowTheFuture) {
+  GraphSlam2d whole(options());
+  GraphSlam2d part(options());
+  for (std::size_t i = 0; i < 200; ++i) {
+    const SE2 a = whole.add_scan(world_.scan(path_[i], i), odometry_[i]).T_map_base;
+    if (i >= 100) continue;
+    const SE2 b = part.add_scan(world_.scan(path_[i], i), odometry_[i]).T_map_base;
+    EXPECT_EQ(a.p, b.p);
+    EXPECT_EQ(a.angle, b.angle);
+  }
+  part.finish();
+  GraphSlam2d again(options());
+  drive(again, 0, 100);
+  again.finish();
+  EXPECT_EQ(part.map().cells, again.map().cells);
+  for (std::size_t i = 0; i < 100; ++i) {
+    EXPECT_EQ(part.trajectory()[i].T_map_base.p, again.trajectory()[i].T_map_base.p);
+  }
+}
+
+TEST_F(GraphSlamRing, BadScansAreToldAndDoNotHarmTheMap) {
+  GraphSlam2d slam(options());
+  drive(slam, 0, 60);
+  const std::size_t keyframes = slam.keyframe_poses().size();
+  const OccupancyGrid before = slam.map();
+  LaserScan scan = world_.scan(path_[60], 60);
+  for (const float value : {std::nanf(""), kInfinity, -kInfinity, 0.0F, -1.0F, 1e30F}) {
+    LaserScan bad = scan;
+    bad.ranges.assign(bad.ranges.size(), value);
+    const ScanPose2d pose = slam.add_scan(bad, odometry_[60]);
+    EXPECT_FALSE(pose.is_used);
+    EXPECT_NE(pose.problem.find("0 of 180 beams"), std::string::npos) << pose.problem;
+    EXPECT_LT(error(pose.T_map_base, 60), 0.05);
+  }
+  LaserScan fewer = scan;
+  fewer.ranges.resize(90);
+  EXPECT_FALSE(slam.add_scan(fewer, odometry_[60]).is_used);
+  EXPECT_EQ(slam.keyframe_poses().size(), keyframes);
+  EXPECT_EQ(slam.map().cells, before.cells);
+  scan.ranges[3] = std::nanf("");
+  scan.ranges[4] = 0.0F;
+  EXPECT_TRUE(slam.add_scan(scan, odometry_[60]).is_used);
+}
+
+TEST_F(GraphSlamRing, AJumpOfOdometryIsNotBelieved) {
+  GraphSlam2d slam(options());
+  drive(slam, 0, 60);
+  const SE2 elsewhere = SE2::from_xy_yaw(500.0, -300.0, 1.0);
+  const ScanPose2d jumped = slam.add_scan(world_.scan(path_[60], 60), elsewhere * odometry_[60]);
+  EXPECT_NE(jumped.problem.find("odometry jumped"), std::string::npos) << jumped.problem;
+  EXPECT_LT(error(jumped.T_map_base, 60), 0.05);
+  SE2 lost;
+  lost.p.x() = std::nan("");
+  EXPECT_LT(error(slam.add_scan(world_.scan(path_[61], 61), lost).T_map_base, 61), 0.05);
+  EXPECT_LT(
+      error(slam.add_scan(world_.scan(path_[62], 62), elsewhere * odometry_[62]).T_map_base, 62),
+      0.05);
+}
+
+TEST_F(GraphSlamRing, ASessionGoesOnAsIfItHadNotBeenInterrupted) {
+  const std::string path = ::testing::TempDir() + "/graph_slam_session.tsl";
+  GraphSlam2d first(options());
+  drive(first, 0, 100);
+  first.save_session(path);
+  GraphSlam2d second(options());
+  second.load_session(path);
+  EXPECT_EQ(second.map().cells, first.map().cells);
+  drive(second, 100, 140);
+  EXPECT_LT(error(last_.T_map_base, 139), 0.05);
+  EXPECT_EQ(second.trajectory().size(), 140U);
+  second.clear();
+  EXPECT_TRUE(second.keyframe_poses().empty());
+  std::remove(path.c_str());
+}
+
+TEST_F(GraphSlamRing, ADamagedSessionIsRefusedAndNothingChanges) {
+  const std::string path = ::testing::TempDir() + "/graph_slam_damaged.tsl";
+  GraphSlam2d slam(options());
+  drive(slam, 0, 40);
+  slam.save_session(path);
+  std::ostringstream text;
+  text << std::ifstream(path, std::ios::binary).rdbuf();
+  const std::string whole = text.str();
+  std::string changed = whole;
+  changed[whole.size() / 2] ^= 1;
+  std::string other_version = whole;
+  other_version.replace(whole.find("session 1"), 9, "session 9");
+  const std::size_t keyframes = slam.keyframe_poses().size();
+  for (const std::string& bytes : {changed, whole.substr(0, whole.size() / 3),
+                                   std::string("P5 3 3"), other_version, std::string()}) {
+    std::ofstream(path, std::ios::binary) << bytes;
+    try {
+      slam.load_session(path);
+      FAIL() << "accepted";
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find(path), std::string::npos);
+    }
+    EXPECT_EQ(slam.keyframe_poses().size(), keyframes);
+  }
+  std::remove(path.c_str());
+}
+
+TEST_F(GraphSlamRing, LocalizationKeepsTheMapAndFindsAKidnappedRobot) {
+  GraphSlam2d slam(options());
+  drive(slam, 0, path_.size() * 2 / 3);
+  slam.finish();
+  const OccupancyGrid map = slam.map();
+  slam.set_mode(SlamMode::kLocalization);
+  const std::size_t elsewhere = 250;
+  const auto found = slam.relocalize(world_.scan(path_[elsewhere], 5000));
+  ASSERT_TRUE(found);
+  EXPECT_LT(error(*found, elsewhere), 0.1);
+  slam.set_pose(SE2::from_xy_yaw(8.0, 8.0, 0.7));  // amid the block: the robot finds out by itself
+  for (std::size_t i = elsewhere; i < elsewhere + 60; ++i) {
+    last_ = slam.add_scan(world_.scan(path_[i], i), odometry_[i]);
+  }
+  EXPECT_LT(error(last_.T_map_base, elsewhere + 59), 0.1);
+  EXPECT_EQ(slam.map().cells, map.cells);
+}
+
+TEST_F(GraphSlamRing, PausedScansArePlacedButNotKept) {
+  GraphSlam2d slam(options());
+  drive(slam, 0, 30);
+  const std::size_t keyframes = slam.keyframe_poses().size();
+  slam.set_paused(true);
+  drive(slam, 30, 50);
+  EXPECT_EQ(slam.keyframe_poses().size(), keyframes);
+  EXPECT_LT(error(last_.T_map_base, 49), 0.1);
+  slam.set_paused(false);
+  drive(slam, 50, 60);
+  EXPECT_GT(slam.keyframe_poses().size(), keyframes);
+}
+
+TEST_F(GraphSlamRing, LoopsThatAreClosedInTheBackgroundGiveAnEquallyGoodMap) {
+  GraphSlamOptions asynchronous = options();
+  asynchronous.is_asynchronous = true;
+  GraphSlam2d slam(asynchronous);
+  drive(slam, 0, path_.size());
+  slam.finish();
+  EXPECT_LT(error(slam.trajectory().back().T_map_base, path_.size() - 1), 0.05);
+}
+
+TEST_F(GraphSlamRing, ALoopOfAUserMustFit) {
+  GraphSlam2d slam(options());
+  drive(slam, 0, 100);
+  const std::vector<SE2> poses = slam.keyframe_poses();
+  EXPECT_TRUE(slam.close_loop(1, 4, poses[1].inverse() * poses[4]));
+  EXPECT_EQ(slam.loops_closed(), 1);
+  EXPECT_FALSE(slam.close_loop(1, 20, SE2::from_xy_yaw(0.0, 40.0, 1.0)));
+  EXPECT_THROW(slam.close_loop(1, 100000, {}), Error);
+}
+
+TEST(GraphSlamOptionsTest, ImpossibleRangesAreAnError) {
+  EXPECT_THROW(load_yaml_string<GraphSlamOptions>("min_laser_range: 5\nmax_laser_range: 2\n", "x"),
+               Error);
+  EXPECT_THROW(load_yaml_string<GraphSlamOptions>("resolution: 0\n", "x"), Error);
+  EXPECT_THROW(load_yaml_string<GraphSlamOptions>("resolutoin: 0.1\n", "x"), Error);
+}
+
+TEST(GraphSlamOptionsTest, TheShippedFileHoldsTheDefaults) {
+  auto shipped = load_yaml<GraphSlamOptions>(GRAPH_SLAM_CONFIG);
+  const GraphSlamOptions defaults;
+  EXPECT_EQ(shipped.max_laser_range, defaults.max_laser_range);
+  EXPECT_EQ(shipped.reuse_distance, defaults.reuse_distance);
+  EXPECT_EQ(shipped.minimum_travel_distance, defaults.minimum_travel_distance);
+  EXPECT_EQ(shipped.loop_match_minimum_response_fine, defaults.loop_match_minimum_response_fine);
+}
+
+}  // namespace
+}  // namespace trident
