@@ -1,15 +1,32 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
 #include <ros/ros.h>
+#include <std_msgs/Float64.h>
 
 #include <exception>
 #include <iostream>
 
+#include "trident_slam/particle_slam_2d.h"
 #include "trident_slam_ros/slam_node.h"
 #include "trident_slam_ros/slam_parameters.h"
 #include "trident_slam_ros/slam_programs.h"
 
 namespace trident {
+namespace {
+
+constexpr double kEntropyPeriodS = 1.0;
+
+void publish_entropy(SlamNode& node, const ros::Publisher& publisher) {
+  node.with_slam([&publisher](Slam2d& slam) {
+    const auto* particles = dynamic_cast<const ParticleSlam2d*>(&slam);
+    if (particles == nullptr) return;
+    std_msgs::Float64 message;
+    message.data = particles->entropy();
+    publisher.publish(message);
+  });
+}
+
+}  // namespace
 
 int run_gmapping(int argc, char** argv) {
   ros::init(argc, argv, "slam_gmapping");
@@ -25,12 +42,19 @@ int run_gmapping(int argc, char** argv) {
     own.getParam("delta", graph.resolution);
     own.getParam("linearUpdate", graph.minimum_travel_distance);
     own.getParam("angularUpdate", graph.minimum_travel_heading);
-    if (!own.getParam("maxUrange", graph.max_laser_range)) {
-      own.getParam("maxRange", graph.max_laser_range);
+    double reach = 0.0;  // gmapping's maxUrange is its maxRange where it is not given
+    if (!own.hasParam("maxUrange") && own.getParam("maxRange", reach)) {
+      own.setParam("maxUrange", reach);
     }
+    own.getParam("maxUrange", graph.max_laser_range);
     graph.is_asynchronous = true;
     graph.validate();
-    const SlamNode node(ros::NodeHandle(), options, slam_maker(own, {"particle_slam_2d"}, graph));
+    SlamNode node(ros::NodeHandle(), options, slam_maker(own, {"particle_slam_2d"}, graph));
+    ros::NodeHandle handle("~");
+    const ros::Publisher publisher = handle.advertise<std_msgs::Float64>("entropy", 1, true);
+    const ros::Timer timer =
+        handle.createTimer(ros::Duration(kEntropyPeriodS),
+                           [&](const ros::TimerEvent&) { publish_entropy(node, publisher); });
     ros::spin();
   } catch (const std::exception& error) {
     std::cerr << ros::this_node::getName() << ": " << error.what() << std::endl;

@@ -9,6 +9,8 @@
 
 #include "trident_base/string_util.h"
 #include "trident_slam/graph_slam_2d.h"
+#include "trident_slam/hector_slam_2d.h"
+#include "trident_slam/particle_slam_2d.h"
 #include "trident_slam/slam_2d_abilities.h"
 
 namespace trident {
@@ -85,10 +87,10 @@ ConfigNode to_config(XmlRpcValue& value) {
   return node;
 }
 
-}  // namespace
-
-GraphSlamOptions read_graph_options(const ros::NodeHandle& private_handle) {
-  GraphSlamOptions defaults;
+/// Those fields of a parameter struct that the node has parameters of the same name for.
+template <class Params>
+Params read_params(const ros::NodeHandle& private_handle) {
+  Params defaults;
   FieldNames fields;
   defaults.visit(fields);
   ConfigNode known;
@@ -100,8 +102,20 @@ GraphSlamOptions read_graph_options(const ros::NodeHandle& private_handle) {
     known.key_lines.push_back(0);
     known.items.push_back(to_config(value));
   }
-  return load_config_node<GraphSlamOptions>(known,
-                                            "parameters of " + private_handle.getNamespace());
+  return load_config_node<Params>(known, "parameters of " + private_handle.getNamespace());
+}
+
+/// hector_slam_2d that a user can set in its place.
+class HectorSlamOfNode : public HectorSlam2d, public Slam2dPlaced {
+ public:
+  using HectorSlam2d::HectorSlam2d;
+  void set_pose(const SE2& T_map_base) override { HectorSlam2d::set_pose(T_map_base); }
+};
+
+}  // namespace
+
+GraphSlamOptions read_graph_options(const ros::NodeHandle& private_handle) {
+  return read_params<GraphSlamOptions>(private_handle);
 }
 
 std::function<std::unique_ptr<Slam2d>()> slam_maker(const ros::NodeHandle& private_handle,
@@ -119,6 +133,14 @@ std::function<std::unique_ptr<Slam2d>()> slam_maker(const ros::NodeHandle& priva
   registry->get(method);
   if (method == kGraphSlam && config_file.empty()) {
     return [graph] { return std::make_unique<GraphSlamOfNode>(graph); };
+  }
+  if (method == "particle_slam_2d" && config_file.empty()) {
+    const auto params = read_params<ParticleSlamParams>(private_handle);
+    return [params] { return std::make_unique<ParticleSlam2d>(params); };
+  }
+  if (method == "hector_slam_2d" && config_file.empty()) {
+    const auto params = read_params<HectorSlamParams>(private_handle);
+    return [params] { return std::make_unique<HectorSlamOfNode>(params); };
   }
   return [registry, method, config_file] { return registry->get(method)(config_file); };
 }

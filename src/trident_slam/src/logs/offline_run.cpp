@@ -10,6 +10,7 @@
 #include "trident_base/error.h"
 #include "trident_base/string_util.h"
 #include "trident_estimation/map_file.h"
+#include "trident_slam/graph_slam_2d.h"
 
 namespace trident {
 namespace {
@@ -74,6 +75,9 @@ OfflineResult run_offline(ScanSource& source, Slam2d& slam, const std::string& o
   for (const StampedPose2d& pose : slam.trajectory()) final_poses.write(pose);
   final_poses.close();
   save_map(out_dir + "/map", slam.map());
+  if (const auto* graph = dynamic_cast<const GraphSlam2d*>(&slam)) {
+    graph->save_g2o(out_dir + "/graph.g2o");
+  }
   return result;
 }
 

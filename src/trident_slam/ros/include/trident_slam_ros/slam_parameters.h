@@ -19,8 +19,9 @@ namespace trident {
 GraphSlamOptions read_graph_options(const ros::NodeHandle& private_handle);
 
 /// What makes the algorithm of a node: the parameter `method` (default: the first of `usual` that
-/// there is), with the YAML file `config_file` if given; graph_slam_2d without a file takes
-/// `graph`. Throws Error for an unknown method.
+/// there is), with the YAML file `config_file` if given; without a file graph_slam_2d takes
+/// `graph`, particle_slam_2d and hector_slam_2d private parameters of the names that theirs have.
+/// Throws Error for an unknown method.
 std::function<std::unique_ptr<Slam2d>()> slam_maker(const ros::NodeHandle& private_handle,
                                                     const std::vector<std::string>& usual,
                                                     const GraphSlamOptions& graph);
