@@ -137,16 +137,14 @@ class Toolbox {
   }
 
   void serve_sessions() {
-    serve<srv::SerializePoseGraph>("serialize_map", [this](auto& request, auto& response) {
+    serve<srv::SerializePoseGraph>("serialize_map", [this](auto& request, auto& /*response*/) {
       const std::string file = session_file(request.filename);
       node_.with_slam(
           [&file](Slam2d& slam) { able<Slam2dSession>(slam, "keep sessions").save_session(file); });
-      response.success = true;
     });
-    serve<srv::DeserializePoseGraph>("deserialize_map", [this](auto& request, auto& response) {
+    serve<srv::DeserializePoseGraph>("deserialize_map", [this](auto& request, auto& /*response*/) {
       const auto& pose = request.initial_pose;
       load(request.filename, request.match_type, SE2::from_xy_yaw(pose.x, pose.y, pose.theta));
-      response.success = true;
     });
   }
 
