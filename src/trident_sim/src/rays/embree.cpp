@@ -139,8 +139,11 @@ EmbreeGeometry make_triangles(RTCDevice device, const TracedShape& shape,
   return geometry;
 }
 
-EmbreeGeometry make_geometry(RTCDevice device, const TracedShape& shape) {
+EmbreeGeometry make_geometry(RTCDevice device, const TracedShape& shape, BoxForm boxes) {
   if (shape.kind == SurfaceKind::kMesh) return make_triangles(device, shape, *shape.mesh);
+  if (shape.kind == SurfaceKind::kBox && boxes == BoxForm::kTriangles) {
+    return make_triangles(device, shape, box_triangles(shape.half_size));
+  }
   return make_own(device, shape);
 }
 
@@ -172,8 +175,8 @@ EmbreeScene make_scene(RTCDevice device, SceneUse use) {
   return scene;
 }
 
-void attach_shape(RTCDevice device, RTCScene scene, const TracedShape& shape) {
-  const EmbreeGeometry geometry = make_geometry(device, shape);
+void attach_shape(RTCDevice device, RTCScene scene, const TracedShape& shape, BoxForm boxes) {
+  const EmbreeGeometry geometry = make_geometry(device, shape, boxes);
   rtcSetGeometryUserData(geometry.get(), const_cast<TracedShape*>(&shape));
   rtcSetGeometryMask(geometry.get(), shape.mask);
   rtcCommitGeometry(geometry.get());

@@ -155,7 +155,7 @@ void RayScene::Content::cast_packet(const Ray* rays, RayHit* hits, std::size_t c
   CastContext context = make_context(filter, false, some_cast_no_shadow_);
   if (fixed_ != nullptr) {
     // It is the triangles that Embree meets faster so.
-    if (fixed_has_mesh_ && coherent(packet.embree.ray))
+    if (fixed_has_triangles_ && coherent(packet.embree.ray))
       context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
     rtcIntersect16(packet.valid.data(), fixed_.get(), &context.embree, &packet.embree);
   }

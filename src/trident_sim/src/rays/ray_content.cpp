@@ -10,6 +10,12 @@
 namespace trident {
 namespace {
 
+/// As pictures meet them boxes are triangles: in some worlds the others take them four times as
+/// long.
+BoxForm box_form(RayGeometry geometry) {
+  return geometry == RayGeometry::kVisual ? BoxForm::kTriangles : BoxForm::kOwn;
+}
+
 bool same(const SE3& a, const SE3& b) { return a.p == b.p && a.R.coeffs() == b.R.coeffs(); }
 
 bool visible(const VisualSpec& visual) {
@@ -153,7 +159,7 @@ void RayScene::Content::make_part(TracedLink& link) {
   for (const auto& shape : link.shapes) {
     if (shape->kind == SurfaceKind::kPlane) continue;
     if (link.scene == nullptr) link.scene = make_scene(device_.get(), SceneUse::kFixed);
-    attach_shape(device_.get(), link.scene.get(), *shape);
+    attach_shape(device_.get(), link.scene.get(), *shape, box_form(geometry));
   }
   if (link.scene != nullptr) rtcCommitScene(link.scene.get());
 }
@@ -203,16 +209,16 @@ void RayScene::Content::number() {
 void RayScene::Content::commit_fixed() {
   fixed_.reset();
   fixed_shapes_.clear();
-  fixed_has_mesh_ = false;
+  fixed_has_triangles_ = geometry == RayGeometry::kVisual;
   for (const auto& [name, model] : models_) {
     for (const TracedLink& link : model.links) {
       if (link.moves) continue;
       for (const auto& shape : link.shapes) {
         if (shape->kind == SurfaceKind::kPlane) continue;
         if (fixed_ == nullptr) fixed_ = make_scene(device_.get(), SceneUse::kFixed);
-        attach_shape(device_.get(), fixed_.get(), *shape);
+        attach_shape(device_.get(), fixed_.get(), *shape, box_form(geometry));
         fixed_shapes_.push_back(shape.get());
-        fixed_has_mesh_ = fixed_has_mesh_ || shape->kind == SurfaceKind::kMesh;
+        fixed_has_triangles_ |= shape->kind == SurfaceKind::kMesh;
       }
     }
   }

@@ -120,7 +120,7 @@ class RayScene::Content {
   bool parts_changed_ = false, parts_moved_ = false;
 
   EmbreeScene fixed_;  ///< nullptr: empty
-  bool fixed_has_mesh_ = false;
+  bool fixed_has_triangles_ = false;
   MovingParts moving_;
   std::vector<PlacedPlane> planes_;
   std::vector<const TracedShape*> fixed_shapes_;              ///< by geomID

@@ -149,4 +149,24 @@ Eigen::Vector3d round_bounds(const TracedShape& shape) {
   return {shape.radius_m, shape.radius_m, shape.half_length_m + caps};
 }
 
+TriangleMesh box_triangles(const Eigen::Vector3d& half_size) {
+  TriangleMesh mesh;
+  for (std::uint32_t corner = 0; corner < 8; ++corner) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const double side = (corner >> axis) % 2 == 0 ? -1.0 : 1.0;
+      mesh.vertices.push_back(static_cast<float>(side * half_size[axis]));
+    }
+  }
+  for (std::uint32_t axis = 0; axis < 3; ++axis) {
+    const std::uint32_t along = 1U << ((axis + 1) % 3), across = 1U << ((axis + 2) % 3);
+    for (std::uint32_t side = 0; side < 2; ++side) {
+      const std::uint32_t first = side << axis;
+      const std::uint32_t last = first + along + across;
+      mesh.indices.insert(mesh.indices.end(), {first, first + along, last});
+      mesh.indices.insert(mesh.indices.end(), {first, last, first + across});
+    }
+  }
+  return mesh;
+}
+
 }  // namespace trident

@@ -36,7 +36,7 @@ struct FlatSurface {
 enum class SurfaceKind { kBox, kSphere, kCylinder, kCapsule, kPlane, kMesh };
 
 /// One collision or visual as rays know it. Meshes are met by Embree as triangles, planes by nobody
-/// but us, boxes as box_rays.h tells, the others by the functions below.
+/// but us, boxes as BoxForm tells, the others by the functions below.
 struct TracedShape {
   SurfaceKind kind = SurfaceKind::kBox;
   Eigen::Vector3d half_size = Eigen::Vector3d::Zero();  ///< of a box [m]
@@ -100,5 +100,8 @@ Eigen::Vector3d smooth_normal(const TriangleMesh& mesh, std::uint32_t primitive,
 
 /// Half the extents of the box around a round shape, in its own frame [m].
 Eigen::Vector3d round_bounds(const TracedShape& shape);
+
+/// The triangles of a box: the two of face f (-x, +x, -y, +y, -z, +z) are 2f and 2f + 1.
+TriangleMesh box_triangles(const Eigen::Vector3d& half_size);
 
 }  // namespace trident
