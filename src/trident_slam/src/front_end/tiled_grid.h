@@ -38,7 +38,9 @@ class TiledGrid {
 
   static std::size_t cell_index(int x, int y) {
     constexpr int kMask = kTileSide - 1;
-    return static_cast<std::size_t>(((y & kMask) << kTileBits) + (x & kMask));
+    const auto row = static_cast<std::size_t>(y & kMask);
+    const auto column = static_cast<std::size_t>(x & kMask);
+    return row * kTileSide + column;
   }
   Tile& own_tile(int tile_x, int tile_y) {
     std::int32_t& number = index_.at(tile_x, tile_y);

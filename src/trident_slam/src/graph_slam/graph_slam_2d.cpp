@@ -82,6 +82,7 @@ bool GraphSlam2d::close_loop(int older, int newer, const SE2& T_older_newer) {
 std::vector<SE2> GraphSlam2d::keyframe_poses() const {
   const KeyframeGraph& graph = impl_->mapper->graph();
   std::vector<SE2> poses;
+  poses.reserve(static_cast<std::size_t>(graph.size()));
   for (int i = 0; i < graph.size(); ++i) poses.push_back(graph.pose(i));
   return poses;
 }

@@ -124,12 +124,14 @@ std::vector<GraphEdge> LoopCloser::search(const KeyframeGraph& graph, int stretc
     pending_.push_back(candidate);
     const std::vector<std::size_t> group = agreeing_with(graph, pending_.size() - 1);
     std::vector<int> newer_stretches;
+    newer_stretches.reserve(group.size());
     for (const std::size_t i : group) newer_stretches.push_back(pending_[i].newer);
     std::sort(newer_stretches.begin(), newer_stretches.end());
     const auto last = std::unique(newer_stretches.begin(), newer_stretches.end());
     const auto distinct = static_cast<std::size_t>(last - newer_stretches.begin());
     if (distinct < 2 || group.size() < needed_agreement(candidate.way)) continue;
     std::vector<GraphEdge> edges;
+    edges.reserve(edges.size() + group.size());
     for (const std::size_t i : group) edges.push_back(loop_edge(graph, pending_[i]));
     std::vector<LoopCandidate> rest;
     for (std::size_t i = 0; i < pending_.size(); ++i) {
