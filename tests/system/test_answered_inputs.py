@@ -65,6 +65,9 @@ def driver(speeds: list[float]) -> Iterator[list[float]]:
 
     subscriber = rospy.Subscriber("/cart/odom", Odometry, answer, queue_size=10)
     try:
+        # Of the same topic in the same node: it has the subscriber's connection.
+        with recorder("/cart/odom", Odometry):
+            eventually(lambda: publisher.get_num_connections() > 0, "the world as a listener")
         yield stamps
     finally:
         subscriber.unregister()

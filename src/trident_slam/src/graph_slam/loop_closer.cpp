@@ -131,7 +131,7 @@ std::vector<GraphEdge> LoopCloser::search(const KeyframeGraph& graph, int stretc
     const auto distinct = static_cast<std::size_t>(last - newer_stretches.begin());
     if (distinct < 2 || group.size() < needed_agreement(candidate.way)) continue;
     std::vector<GraphEdge> edges;
-    edges.reserve(edges.size() + group.size());
+    edges.reserve(group.size());
     for (const std::size_t i : group) edges.push_back(loop_edge(graph, pending_[i]));
     std::vector<LoopCandidate> rest;
     for (std::size_t i = 0; i < pending_.size(); ++i) {
