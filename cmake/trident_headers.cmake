@@ -3,7 +3,7 @@
 
 # Headers of the standard library, Eigen, googletest and roscpp, parsed once per target instead of once per source:
 # a build from nothing spends a quarter of its time on them. Headers of our own stay out, so that a change of one builds
-# only what includes it; every source still includes what it uses, which clang-tidy, run without these, relies on.
+# only what includes it; every source still includes what it uses.
 
 # trident_precompile_headers(<target> [<header>...])
 function(trident_precompile_headers target)

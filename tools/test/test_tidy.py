@@ -1,8 +1,11 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
 import json
+import os
+import shutil
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from typing import Any
 
 import pytest
 from trident_tool import tidy
@@ -18,6 +21,7 @@ from trident_tool.tidy import (
     parse_compile_commands,
     store_result,
 )
+from trident_tool.tidy_batches import batches, hidden_names
 from trident_tool.workspace import Runner, TridentError, Workspace
 
 
@@ -150,15 +154,16 @@ def test_what_another_process_has_found_meanwhile_is_not_checked_again(
 ) -> None:
     checked: list[Path] = []
 
-    def check(unit: CompileCommand, *_: object) -> Result:
-        checked.append(unit.source)
+    def check(source: Path, *_: object) -> Result:
+        checked.append(source)
         return Result(0, "")
 
     monkeypatch.setattr(tidy, "_check", check)
     unit, kept = CompileCommand(tmp_path / "a.cpp", ()), tmp_path / "cache" / "key"
     workspace = Workspace(tmp_path)
     for _ in range(2):
-        assert tidy._check_once(unit, kept, workspace, {}) == Result(0, "")
+        found = tidy._check_once(tmp_path / "lock", [(unit, kept)], workspace, {})
+        assert found == {unit.source: Result(0, "")}
     assert checked == [unit.source]
 
 
@@ -172,11 +177,79 @@ def test_a_file_that_another_process_checks_is_waited_for(
         with tidy._locked(kept):
             waiting = pool.submit(
                 tidy._check_once,
-                CompileCommand(tmp_path / "a.cpp", ()),
                 kept,
+                [(CompileCommand(tmp_path / "a.cpp", ()), kept)],
                 Workspace(tmp_path),
                 {},
             )
             assert not waiting.done()
             tidy.store_result(kept, found)
-        assert waiting.result(60.0) == found
+        assert waiting.result(60.0) == {tmp_path / "a.cpp": found}
+
+
+def _hiding(name: str) -> str:
+    return f"namespace trident {{\nnamespace {{\nint {name}(int a) {{ return a; }}\n}}\n}}\n"
+
+
+def test_hidden_names_are_those_of_unnamed_namespaces_and_macros() -> None:
+    text = """
+    #define LIMIT 3
+    int open(int x);
+    namespace trident { namespace {
+    constexpr double kStep = std::max(0.1, other);  // double kOld = 1;
+    const char* kText = "int quoted() {}";
+    struct Part : Base { int inner(); };
+    class Tool final {};
+    std::vector<int> made(int a = 3) { int local = 0; return {local}; }
+    }  // namespace
+    void later() {}
+    }
+int main() {}
+    """
+    assert hidden_names(text) == {"LIMIT", "int main(", "kStep", "kText", "Part", "Tool", "made"}
+
+
+def test_batches_are_of_equal_flags_and_hide_nothing_twice(tmp_path: Path) -> None:
+    texts = {"a": _hiding("f"), "b": _hiding("f"), "c": _hiding("g"), "d": _hiding("h")}
+    units = [CompileCommand(Path(name), ("-O2",)) for name in texts]
+    units.append(CompileCommand(Path("other"), ("-O3",)))
+    found = batches(units, 12, lambda path: texts.get(path.name, ""))
+    names = [sorted(unit.source.name for unit in batch) for batch in found]
+    assert sorted(name for batch in names for name in batch) == ["a", "b", "c", "d", "other"]
+    assert ["other"] in names
+    assert len(names) == 3
+    assert not any({"a", "b"} <= set(batch) for batch in names)
+    assert max(map(len, batches([*units[:1], *units[2:4]], 2, lambda _: ""))) == 2
+
+
+@pytest.mark.parametrize("bad", [(), ("b",)])
+def test_a_batch_with_findings_is_checked_by_halves(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, bad: tuple[str, ...]
+) -> None:
+    if shutil.which("clang-tidy") is None:
+        pytest.fail("clang-tidy is in the list of packages and must be here")
+    (tmp_path / ".clang-tidy").write_text(
+        "Checks: '-*,bugprone-*'\nWarningsAsErrors: '*'\nHeaderFilterRegex: '.*'\n", "utf-8"
+    )
+    (tmp_path / "build").mkdir()
+    units = []
+    for name in ("a", "b", "c"):
+        source = tmp_path / f"{name}.cpp"
+        value = "x / 2" if name in bad else "x"
+        source.write_text(f"double {name}(int x) {{ return {value}; }}\n", encoding="utf-8")
+        units.append((CompileCommand(source, ()), tmp_path / "cache" / name))
+    checked: list[str] = []
+    check = tidy._check
+
+    def counted(source: Path, *rest: Any) -> Result:
+        checked.append(source.stem)
+        return check(source, *rest)
+
+    monkeypatch.setattr(tidy, "_check", counted)
+    found = tidy._check_once(
+        tmp_path / "cache" / "lock", units, Workspace(tmp_path), {**os.environ}
+    )
+    assert [source.stem for source in found if found[source].code] == list(bad)
+    assert checked == (["batch", "a", "batch", "b", "c"] if bad else ["batch"])
+    if bad:
+        assert "b.cpp" in found[tmp_path / "b.cpp"].findings

@@ -18,17 +18,20 @@ import re
 import shlex
 import subprocess
 import sys
-from collections.abc import Iterable, Iterator, Mapping
+import tempfile
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from trident_tool.tidy_batches import batch_source, batches
 from trident_tool.workspace import Runner, TridentError, Workspace, base_environment
 
 _INCLUDE = re.compile(rb'^[ \t]*#[ \t]*include[ \t]*[<"]([^>"]+)[>"]', re.MULTILINE)
 _CORE = re.compile(r"src/[^/]+/src/.+\.(cpp|cc)")
 _TOKEN_ROOT = "<root>"
+_UNITS_IN_A_BATCH = 12
 
 
 @dataclass(frozen=True)
@@ -187,20 +190,50 @@ def _locked(path: Path) -> Iterator[None]:
 
 
 def _check_once(
-    unit: CompileCommand, kept: Path, workspace: Workspace, env: Mapping[str, str]
+    lock: Path,
+    units: Sequence[tuple[CompileCommand, Path]],
+    workspace: Workspace,
+    env: Mapping[str, str],
+) -> dict[Path, Result]:
+    """Results of one batch, which ``lock`` stands for; each unit with where its result is kept.
+
+    What another process has found meanwhile is taken from there, the others are found now: all in
+    one go, and where that has anything to tell, by halves.
+    """
+    with _locked(lock):
+        found = {unit.source: load_result(path) for unit, path in units}
+        missing = [(unit, path) for unit, path in units if found[unit.source] is None]
+        results = _check_together([unit for unit, _ in missing], workspace, env)
+        for (unit, path), result in zip(missing, results, strict=True):
+            found[unit.source] = result
+            store_result(path, result)
+    return {source: result for source, result in found.items() if result is not None}
+
+
+def _check_together(
+    units: Sequence[CompileCommand], workspace: Workspace, env: Mapping[str, str]
+) -> list[Result]:
+    """Results of several sources that are read as one, by halves where that has findings."""
+    if not units:
+        return []
+    if len(units) == 1:
+        return [_check(units[0].source, units[0].flags, workspace, env)]
+    with tempfile.TemporaryDirectory(prefix="trident_tidy_") as folder:
+        source = Path(folder, "batch.cpp")
+        source.write_text(batch_source(units), encoding="utf-8")
+        (Path(folder) / ".clang-tidy").write_bytes((workspace.root / ".clang-tidy").read_bytes())
+        if _check(source, units[0].flags, workspace, env).code == 0:
+            return [Result(0, "")] * len(units)
+    half = len(units) // 2
+    halves = units[:half], units[half:]
+    return [result for part in halves for result in _check_together(part, workspace, env)]
+
+
+def _check(
+    source: Path, flags: Sequence[str], workspace: Workspace, env: Mapping[str, str]
 ) -> Result:
-    """What another process has found meanwhile, or what clang-tidy finds now, which is kept."""
-    with _locked(kept):
-        result = load_result(kept)
-        if result is None:
-            result = _check(unit, workspace, env)
-            store_result(kept, result)
-    return result
-
-
-def _check(unit: CompileCommand, workspace: Workspace, env: Mapping[str, str]) -> Result:
     process = subprocess.run(
-        ["clang-tidy", "--quiet", str(unit.source), "--", *unit.flags],
+        ["clang-tidy", "--quiet", str(source), "--", *flags],
         env=env,
         capture_output=True,
         text=True,
@@ -221,6 +254,34 @@ def _settings(workspace: Workspace) -> str:
     return version.stdout + config
 
 
+def _batch_name(batch: Iterable[CompileCommand], root: Path) -> str:
+    names = "\0".join(unit.source.relative_to(root).as_posix() for unit in batch)
+    return f"batch-{hashlib.sha256(names.encode()).hexdigest()}"
+
+
+def _check_all(
+    units: Sequence[CompileCommand],
+    open_units: Mapping[Path, tuple[CompileCommand, Path]],
+    folder: Path,
+    workspace: Workspace,
+) -> dict[Path, Result]:
+    """Checks ``open_units``. Batches are made of all units, so that every process has the same."""
+    env = base_environment()
+    found: dict[Path, Result] = {}
+    with ThreadPoolExecutor(max_workers=len(os.sched_getaffinity(0))) as pool:
+        futures = []
+        for batch in batches(units, _UNITS_IN_A_BATCH):
+            missing = [open_units[unit.source] for unit in batch if unit.source in open_units]
+            if missing:
+                lock = folder / _batch_name(batch, workspace.root)
+                futures.append(pool.submit(_check_once, lock, missing, workspace, env))
+        for future in as_completed(futures):
+            found |= future.result()
+            names = ", ".join(sorted(source.name for source in future.result()))
+            print(f"[{len(found)}/{len(open_units)}] {names}", flush=True)
+    return found
+
+
 def run_clang_tidy(workspace: Workspace, runner: Runner) -> int:
     """Checks every core file whose result is not known yet; returns 1 if any has findings.
 
@@ -234,8 +295,7 @@ def run_clang_tidy(workspace: Workspace, runner: Runner) -> int:
         raise TridentError(f"{database} does not exist: run ./trident build")
     units = core_units(parse_compile_commands(database.read_text(encoding="utf-8")), workspace.root)
     units = [unit for unit in units if unit.source.is_file()]
-    env = base_environment()
-    folder = cache_folder(env)
+    folder = cache_folder(base_environment())
     settings = _settings(workspace)
     scanner = IncludeScanner(workspace.root)
     kept: dict[Path, Result] = {}
@@ -248,16 +308,7 @@ def run_clang_tidy(workspace: Workspace, runner: Runner) -> int:
         else:
             kept[unit.source] = result
     print(f"clang-tidy: {len(units)} core files, {len(kept)} known, {len(open_units)} to check")
-    with ThreadPoolExecutor(max_workers=len(os.sched_getaffinity(0))) as pool:
-        futures = {
-            pool.submit(_check_once, unit, path, workspace, env): unit
-            for unit, path in open_units.values()
-        }
-        for number, future in enumerate(as_completed(futures), start=1):
-            unit = futures[future]
-            kept[unit.source] = future.result()
-            name = unit.source.relative_to(workspace.root)
-            print(f"[{number}/{len(futures)}] {name}", flush=True)
+    kept |= _check_all(units, open_units, folder, workspace)
     bad = [source for source in sorted(kept) if kept[source].code != 0]
     for source in bad:
         sys.stdout.write(kept[source].findings)

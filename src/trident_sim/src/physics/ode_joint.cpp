@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "joint_anchor.h"
+#include "trident_base/angle.h"
 #include "trident_base/error.h"
 
 namespace trident {
@@ -15,8 +16,6 @@ using SetParam = void (*)(dJointID, int, dReal);
 
 dBodyID ode_of(const Body* body) { return body == nullptr ? nullptr : body->ode; }
 Body* body_of(const Link* link) { return link == nullptr ? nullptr : link->body; }
-
-constexpr double kPi = 3.14159265358979323846;
 
 /// ODE numbers the parameters of second and third axes in groups of 0x100.
 constexpr int kSecondGroup = 0x100;

@@ -8,12 +8,12 @@
 
 #include "composite_inertia.h"
 #include "joint_anchor.h"
+#include "trident_base/angle.h"
 #include "trident_base/error.h"
 
 namespace trident {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr int kSecondGroup = 0x100;  ///< of ODE's parameters: those of the second axis
 
 const Joint* spun_joint_of(const Model& model, const Link& link) {

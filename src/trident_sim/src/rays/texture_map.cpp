@@ -6,11 +6,10 @@
 #include <cmath>
 
 #include "ray_shape.h"
+#include "trident_base/angle.h"
 
 namespace trident {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 /// Side walls have v upwards and u to the right as seen from outside; top and bottom y upwards.
 Eigen::Vector2d on_box(const TracedShape& shape, std::uint32_t primitive,

@@ -215,7 +215,7 @@ void EkfSlam::correct(const std::vector<LandmarkPair>& pairs,
 
 void EkfSlam::add(const PointObservation& observation, int id) {
   const Eigen::Index n = state_.size();
-  const Place placed = place(state_.head<3>(), observation.p_base);
+  const PlacedLandmark placed = place(state_.head<3>(), observation.p_base);
   state_.conservativeResize(n + 2);
   state_.tail<2>() = placed.landmark_map;
   covariance_.conservativeResize(n + 2, n + 2);

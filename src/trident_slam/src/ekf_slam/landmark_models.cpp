@@ -43,8 +43,8 @@ Sight see(const Eigen::Vector3d& pose, const Eigen::Vector2d& landmark_map) {
   return sight;
 }
 
-Place place(const Eigen::Vector3d& pose, const Eigen::Vector2d& p_base) {
-  Place result;
+PlacedLandmark place(const Eigen::Vector3d& pose, const Eigen::Vector2d& p_base) {
+  PlacedLandmark result;
   result.G_seen = rotation(pose[2]);
   const Eigen::Vector2d offset = result.G_seen * p_base;
   result.landmark_map = pose.head<2>() + offset;

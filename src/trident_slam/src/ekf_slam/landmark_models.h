@@ -27,11 +27,11 @@ struct Sight {
 Sight see(const Eigen::Vector3d& pose, const Eigen::Vector2d& landmark_map);
 
 /// Where a landmark is that was seen at p_base, with d(landmark) / d(x, y, yaw) and / d(p_base).
-struct Place {
+struct PlacedLandmark {
   Eigen::Vector2d landmark_map;
   Eigen::Matrix<double, 2, 3> G_pose;
   Eigen::Matrix2d G_seen;
 };
-Place place(const Eigen::Vector3d& pose, const Eigen::Vector2d& p_base);
+PlacedLandmark place(const Eigen::Vector3d& pose, const Eigen::Vector2d& p_base);
 
 }  // namespace trident

@@ -57,7 +57,7 @@ TEST_P(Jacobians, OfSight) {
 TEST_P(Jacobians, OfPlace) {
   const Eigen::Vector3d pose = random<3>(3, 3.0);
   const Eigen::Vector2d z = random<2>(4, 10.0);
-  const Place placed = place(pose, z);
+  const PlacedLandmark placed = place(pose, z);
   const auto by_pose = [&](const Eigen::Vector3d& x) { return place(x, z).landmark_map; };
   const auto by_seen = [&](const Eigen::Vector2d& x) { return place(pose, x).landmark_map; };
   EXPECT_LT((placed.G_pose - numeric<2, 3>(by_pose, pose)).cwiseAbs().maxCoeff(), 1e-6);

@@ -58,20 +58,20 @@ MatrixRows rows_of(const Matrix6d& matrix) {
 }
 
 /// Added mass and quadratic damping that upstream works out of a shape, in its axes x forward.
-struct Shape {
+struct ObjectShape {
   Vector6d added_mass = Vector6d::Zero();
   Vector6d quadratic = Vector6d::Zero();  ///< positive
 };
 
-Shape sphere(const PluginParams& params, double density) {
+ObjectShape sphere(const PluginParams& params, double density) {
   const double r = params.number("radius", 0.1, kLength);
-  Shape shape;
+  ObjectShape shape;
   shape.added_mass.head<3>().setConstant(2.0 / 3.0 * density * kPi * r * r * r);
   shape.quadratic.head<3>().setConstant(0.5 * density * 0.5 * kPi * r * r);
   return shape;
 }
 
-Shape cylinder(const PluginParams& params, double density) {
+ObjectShape cylinder(const PluginParams& params, double density) {
   const double r = params.number("radius", 0.1, kLength);
   const double length = params.number("length", 1.0, kLength);
   const std::string axis = params.text("axis", "i");
@@ -85,7 +85,7 @@ Shape cylinder(const PluginParams& params, double density) {
                          : slender <= 5  ? 0.74
                          : slender <= 10 ? 0.82
                                          : 0.98;
-  Shape shape;
+  ObjectShape shape;
   for (std::size_t i = 0; i < 3; ++i) {
     const auto row = static_cast<Eigen::Index>(i);
     shape.added_mass[row] = density * face * (i == along ? 1.0 : length);
@@ -96,16 +96,16 @@ Shape cylinder(const PluginParams& params, double density) {
   return shape;
 }
 
-Shape box(const PluginParams& params, double density) {
+ObjectShape box(const PluginParams& params, double density) {
   const double cd = params.number("cd", 1.0, kSize), l = params.number("length", 1.0, kLength),
                w = params.number("width", 1.0, kLength), h = params.number("height", 1.0, kLength);
-  Shape shape;
+  ObjectShape shape;
   shape.quadratic.head<3>() = 0.5 * cd * density * Eigen::Vector3d(w * h, l * h, w * l);
   return shape;
 }
 
 /// What upstream's types give besides the numbers of <hydrodynamic_model>.
-Shape read_shape(const PluginParams& model, double density) {
+ObjectShape read_shape(const PluginParams& model, double density) {
   const std::string type = model.required_text("type");
   if (type == "fossen") return {};
   if (type == "sphere") return sphere(model, density);
@@ -123,7 +123,7 @@ VesselParams read_hydrodynamics(const PluginParams& model, const std::string& na
   vessel.water_density = density;
   vessel.mass = 1.0;  // the link's counts
   vessel.inertia.setOnes();
-  const Shape shape = read_shape(model, density);
+  const ObjectShape shape = read_shape(model, density);
   Matrix6d M_a = shape.added_mass.asDiagonal();
   const std::vector<double> added = numbers(model, "added_mass", {36});
   for (std::size_t i = 0; i < added.size(); ++i) {

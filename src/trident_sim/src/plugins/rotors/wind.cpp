@@ -42,9 +42,9 @@ std::optional<WindGrid> read_field(const PluginContext& context) {
 /// namespace feel; or the wind speed of a field at the link's origin. As in RotorS a field takes
 /// the place of the forces, and outside of it the constant speed blows. Without a speed or a field
 /// of its own the plugin shows the world's wind (libtrident_sea.so) at the link's origin.
-class Wind : public Plugin {
+class WindPlugin : public Plugin {
  public:
-  explicit Wind(const PluginContext& context)
+  explicit WindPlugin(const PluginContext& context)
       : link_(required_link(context, "linkName")), field_(read_field(context)) {
     const PluginParams& params = context.params;
     offset_ = params.vector3("xyzOffset", Eigen::Vector3d::Zero());
@@ -123,7 +123,7 @@ class Wind : public Plugin {
 }  // namespace
 
 PluginFactory wind_factory() {
-  return {[](const PluginContext& context) { return std::make_unique<Wind>(context); }, {}};
+  return {[](const PluginContext& context) { return std::make_unique<WindPlugin>(context); }, {}};
 }
 
 }  // namespace trident
