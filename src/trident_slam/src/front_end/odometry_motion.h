@@ -21,6 +21,8 @@ class OdometryMotion {
     std::string problem;  ///< empty, or what is wrong, with values and what is legal
   };
   Step next(const SE2& T_odom_base);
+  /// The next pose is the first one again.
+  void forget() { T_odom_base_.reset(); }
 
  private:
   double jump_distance_;

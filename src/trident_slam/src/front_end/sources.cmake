@@ -6,6 +6,7 @@ target_sources(trident_slam PRIVATE
   src/front_end/line_match.cpp
   src/front_end/map_match.cpp
   src/front_end/max_pyramid.cpp
+  src/front_end/motion_filter.cpp
   src/front_end/odometry_motion.cpp
   src/front_end/point_scan.cpp
   src/front_end/probability_grid.cpp

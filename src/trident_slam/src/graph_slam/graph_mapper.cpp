@@ -7,7 +7,6 @@
 
 #include "graph_slam/final_match.h"
 #include "graph_slam/relocalizer.h"
-#include "trident_base/string_util.h"
 
 namespace trident {
 namespace {
@@ -23,12 +22,18 @@ constexpr int kScansUntilLost = 5;
 constexpr double kLostShare = 0.75;
 /// A place elsewhere must fit better by this to be believed instead.
 constexpr double kFoundMargin = 0.15;
+/// Where odometry cannot be believed, the pose is sought in a window wider by this [m].
+constexpr double kDoubt = 0.5;
 
 ScanTrackerOptions tracker_options(const GraphSlamOptions& options) {
   ScanTrackerOptions result;
   result.noise.distance_per_metre = options.odometry_distance_noise;
   result.noise.yaw_per_radian = options.odometry_heading_noise;
   return result;
+}
+
+MotionFilter keyframe_filter(const GraphSlamOptions& options) {
+  return MotionFilter({options.minimum_travel_distance, options.minimum_travel_heading});
 }
 
 LoopCloserOptions closer_options(const GraphSlamOptions& options) {
@@ -49,35 +54,14 @@ Eigen::Matrix3d information(double sigma, double sigma_yaw) {
 
 GraphMapper::GraphMapper(const GraphSlamOptions& options)
     : options_(options),
+      keyframe_filter_(keyframe_filter(options)),
+      odometry_(options.odometry_jump_distance, options.odometry_jump_heading),
       tracker_(tracker_options(options)),
       graph_(options.loop_match_minimum_chain_size),
       worker_(closer_options(options)) {
   options.validate();
   tracker_.set_pose(SE2::from_xy_yaw(options.map_start_pose[0], options.map_start_pose[1],
                                      options.map_start_pose[2]));
-}
-
-GraphMapper::Motion GraphMapper::motion_since_last_scan(const SE2& T_odom_base) {
-  Motion motion;
-  constexpr double kDoubt = 0.5;  // [m]
-  if (!T_odom_base.p.allFinite() || !std::isfinite(T_odom_base.angle)) {
-    motion.problem = "odometry is not a number";
-    motion.doubt = kDoubt;
-    return motion;
-  }
-  if (T_odom_last_) motion.T_last_base = T_odom_last_->inverse() * T_odom_base;
-  T_odom_last_ = T_odom_base;
-  const double metres = motion.T_last_base.p.norm();
-  const double radians = std::abs(motion.T_last_base.angle);
-  if (metres > options_.odometry_jump_distance || radians > options_.odometry_jump_heading) {
-    motion.problem = "odometry jumped by " + number_text(metres) + " m, " + number_text(radians) +
-                     " rad, believed up to " + number_text(options_.odometry_jump_distance) +
-                     " m, " + number_text(options_.odometry_jump_heading) + " rad";
-    motion.doubt = kDoubt;
-    motion.T_last_base = SE2::identity();
-  }
-  travelled_ += motion.T_last_base.p.norm();
-  return motion;
 }
 
 Eigen::Vector3d GraphMapper::twist_of(const LaserScan& scan, const SE2& T_last_base) const {
@@ -95,7 +79,8 @@ PointScan GraphMapper::points_of(const LaserScan& scan, const Eigen::Vector3d& t
 
 ScanPose2d GraphMapper::add_scan(const LaserScan& scan, const SE2& T_odom_base) {
   if (std::optional<LoopOutcome> outcome = worker_.take()) apply(std::move(*outcome));
-  const Motion motion = motion_since_last_scan(T_odom_base);
+  const OdometryMotion::Step motion = odometry_.next(T_odom_base);
+  travelled_ += motion.T_before_now.p.norm();
   final_poses_.clear();
   ScanPose2d result;
   result.problem = check_.problem(scan);
@@ -104,14 +89,14 @@ ScanPose2d GraphMapper::add_scan(const LaserScan& scan, const SE2& T_odom_base) 
   entry.stamp_ns = scan.stamp_ns;
   entry.is_used = result.is_used;
   if (result.is_used) {
-    const Eigen::Vector3d twist = twist_of(scan, motion.T_last_base);
+    const Eigen::Vector3d twist = twist_of(scan, motion.T_before_now);
     entry.twist = twist.cast<float>();
     const auto points = std::make_shared<const PointScan>(points_of(scan, twist));
     const MatchResult match = place(*points, motion);
     result.covariance = match.covariance;
     if (is_keyframe_due()) add_keyframe(points, match);
   } else {
-    tracker_.coast(motion.T_last_base);
+    tracker_.coast(motion.T_before_now);
   }
   last_stamp_ns_ = scan.stamp_ns;
   if (result.problem.empty()) result.problem = motion.problem;
@@ -125,12 +110,13 @@ ScanPose2d GraphMapper::add_scan(const LaserScan& scan, const SE2& T_odom_base) 
   return result;
 }
 
-MatchResult GraphMapper::place(const PointScan& points, const Motion& motion) {
+MatchResult GraphMapper::place(const PointScan& points, const OdometryMotion::Step& motion) {
   if (!options_.use_scan_matching) {
-    tracker_.coast(motion.T_last_base);
+    tracker_.coast(motion.T_before_now);
     return {};
   }
-  MatchResult match = tracker_.track(points, motion.T_last_base, motion.doubt);
+  MatchResult match =
+      tracker_.track(points, motion.T_before_now, motion.problem.empty() ? 0.0 : kDoubt);
   if (options_.mode == SlamMode::kLocalization) find_again_if_lost(points, &match);
   return match;
 }
@@ -149,9 +135,7 @@ void GraphMapper::find_again_if_lost(const PointScan& points, MatchResult* match
 bool GraphMapper::is_keyframe_due() const {
   if (options_.mode == SlamMode::kLocalization || is_paused_) return false;
   if (graph_.size() == 0) return true;
-  const SE2 moved = graph_.pose(graph_.size() - 1).inverse() * tracker_.T_map_base();
-  return moved.p.norm() > options_.minimum_travel_distance ||
-         std::abs(moved.angle) > options_.minimum_travel_heading;
+  return keyframe_filter_.is_due(graph_.pose(graph_.size() - 1).inverse() * tracker_.T_map_base());
 }
 
 void GraphMapper::add_keyframe(const std::shared_ptr<const PointScan>& scan,

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "front_end/motion_filter.h"
+#include "front_end/odometry_motion.h"
 #include "graph_slam/keyframe_graph.h"
 #include "graph_slam/loop_worker.h"
 #include "graph_slam/scan_archive.h"
@@ -38,16 +40,8 @@ class GraphMapper {
   bool close_loop(int older, int newer, const SE2& T_older_newer);
 
  private:
-  /// Motion by odometry since the last scan, and what is wrong with it.
-  struct Motion {
-    SE2 T_last_base;
-    double doubt = 0.0;  ///< [m]
-    std::string problem;
-  };
-
-  Motion motion_since_last_scan(const SE2& T_odom_base);
   Eigen::Vector3d twist_of(const LaserScan& scan, const SE2& T_last_base) const;
-  MatchResult place(const PointScan& points, const Motion& motion);
+  MatchResult place(const PointScan& points, const OdometryMotion::Step& motion);
   void find_again_if_lost(const PointScan& points, MatchResult* match);
   bool is_keyframe_due() const;
   void add_keyframe(const std::shared_ptr<const PointScan>& scan, const MatchResult& match);
@@ -61,11 +55,12 @@ class GraphMapper {
 
   GraphSlamOptions options_;
   ScanCheck check_;
+  MotionFilter keyframe_filter_;
+  OdometryMotion odometry_;
   ScanTracker tracker_;
   KeyframeGraph graph_;
   ScanArchive archive_;
   LoopWorker worker_;
-  std::optional<SE2> T_odom_last_;
   std::int64_t last_stamp_ns_ = 0;
   double travelled_ = 0.0;
   bool is_paused_ = false;

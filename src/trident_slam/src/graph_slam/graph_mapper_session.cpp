@@ -47,7 +47,7 @@ void GraphMapper::load(BinaryReader* reader, const std::optional<SE2>& T_map_bas
   reuse_links_.clear();
   final_poses_.clear();
   check_ = ScanCheck();
-  T_odom_last_.reset();
+  odometry_.forget();
   rebuild_surfaces();
   tracker_.hide({});
   set_pose(T_map_base.value_or(T_end));

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "front_end/map_match.h"
+#include "front_end/motion_filter.h"
 #include "front_end/odometry_motion.h"
 #include "front_end/point_scan.h"
 #include "front_end/probability_grid.h"
@@ -22,7 +23,9 @@ constexpr int kFineIterations = 6;
 
 class HectorSlam2d::Impl {
  public:
-  explicit Impl(const HectorSlamParams& params) : params_(params) {
+  explicit Impl(const HectorSlamParams& params)
+      : params_(params),
+        update_filter_({params.map_update_distance_thresh, params.map_update_angle_thresh}) {
     double resolution = params.map_resolution;
     for (int level = 0; level < params.map_multi_res_levels; ++level, resolution *= 2.0) {
       levels_.emplace_back(resolution, params.update_factor_free, params.update_factor_occupied);
@@ -77,12 +80,12 @@ class HectorSlam2d::Impl {
 
   bool has_moved() const {
     return !T_map_mapped_ ||
-           (T_map_base_.p - T_map_mapped_->p).norm() >= params_.map_update_distance_thresh ||
-           std::abs(angle_difference(T_map_base_.angle, T_map_mapped_->angle)) >=
-               params_.map_update_angle_thresh;
+           update_filter_.is_due((T_map_base_.p - T_map_mapped_->p).norm(),
+                                 angle_difference(T_map_base_.angle, T_map_mapped_->angle));
   }
 
   HectorSlamParams params_;
+  MotionFilter update_filter_;
   ScanCheck check_;
   OdometryMotion odometry_;
   std::vector<ProbabilityGrid> levels_;  ///< finest first

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "front_end/motion_filter.h"
 #include "front_end/point_scan.h"
 #include "front_end/probability_grid.h"
 #include "particle_slam/proposal.h"
@@ -49,6 +50,7 @@ class ParticleSlam2d::Impl {
  public:
   explicit Impl(const ParticleSlamParams& params)
       : params_(params),
+        update_filter_({params.linearUpdate, params.angularUpdate, params.temporalUpdate}),
         stream_(params.seed, "particle_slam_2d"),
         particles_(static_cast<std::size_t>(params.particles),
                    Particle(ProbabilityGrid(params.delta, kPassed, kEnded))) {}
@@ -120,9 +122,8 @@ class ParticleSlam2d::Impl {
 
   bool is_update_due(std::int64_t stamp_ns) const {
     const double seconds = 1e-9 * static_cast<double>(stamp_ns - update_stamp_ns_);
-    return since_update_.is_lost || since_update_.metres >= params_.linearUpdate ||
-           since_update_.radians >= params_.angularUpdate ||
-           (params_.temporalUpdate >= 0.0 && seconds >= params_.temporalUpdate);
+    return since_update_.is_lost ||
+           update_filter_.is_due(since_update_.metres, since_update_.radians, seconds);
   }
 
   void update(const PointScan& points) {
@@ -225,6 +226,7 @@ class ParticleSlam2d::Impl {
   }
 
   ParticleSlamParams params_;
+  MotionFilter update_filter_;
   RandomStream stream_;
   HectorSlam2d tracker_;  ///< the way from scan to scan
   SE2 tracked_;           ///< the base in the tracker's map

@@ -1,0 +1,5 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+trident_slam_test(front_end
+  test/front_end/motion_filter_test.cpp
+)
