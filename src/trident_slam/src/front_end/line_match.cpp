@@ -6,6 +6,7 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
+#include "front_end/surface_information.h"
 #include "trident_base/angle.h"
 
 namespace trident {
@@ -82,10 +83,9 @@ Degeneracy degeneracy_of(const Eigen::Matrix3d& information, double mean_range) 
   return result;
 }
 
-double mean_range(const PointScan& scan) {
-  double sum = 0.0;
-  for (const SurfacePoint& point : scan.points) sum += static_cast<double>(point.p.norm());
-  return scan.points.empty() ? 0.0 : sum / static_cast<double>(scan.points.size());
+NormalEquations line_match_sums(const SurfelMap& reference, const PointScan& scan,
+                                const SE2& T_ref_base, const LineMatchOptions& options) {
+  return Accumulator(reference, options).at(T_ref_base, scan);
 }
 
 MatchResult match_lines(const SurfelMap& reference, const PointScan& scan, const SE2& guess,

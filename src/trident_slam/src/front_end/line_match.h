@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "front_end/match_result.h"
 #include "front_end/surfel_map.h"
+#include "trident_slam/match_result.h"
 
 namespace trident {
 
@@ -20,13 +20,8 @@ struct LineMatchOptions {
   std::size_t max_points = 200;  ///< of a scan that are used, evenly spread
 };
 
-/// What is known of a pose beforehand.
-struct PosePrior {
-  SE2 T_ref_base;
-  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< of (x, y, yaw) in the ref's frame
-};
-
-/// The sums of one Gauss-Newton step.
+/// The sums of one Gauss-Newton step. With r the distances, c the kernel: the gradient of `cost` is
+/// (sigma / c)^2 g, and H is its curvature at r = 0 in the same measure.
 struct NormalEquations {
   Eigen::Matrix3d H = Eigen::Matrix3d::Zero();
   Eigen::Vector3d g = Eigen::Vector3d::Zero();
@@ -36,10 +31,10 @@ struct NormalEquations {
   std::size_t used = 0;
 };
 
+NormalEquations line_match_sums(const SurfelMap& reference, const PointScan& scan,
+                                const SE2& T_ref_base, const LineMatchOptions& options);
+
 MatchResult match_lines(const SurfelMap& reference, const PointScan& scan, const SE2& guess,
                         const PosePrior& prior, const LineMatchOptions& options);
-
-/// Mean distance of a scan's points from the base [m].
-double mean_range(const PointScan& scan);
 
 }  // namespace trident

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-#include "front_end/point_scan.h"
+#include "trident_slam/point_scan.h"
 
 #include <algorithm>
 #include <cmath>

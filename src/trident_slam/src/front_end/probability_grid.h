@@ -5,10 +5,10 @@
 #include <Eigen/Core>
 #include <cstdint>
 
-#include "front_end/point_scan.h"
 #include "front_end/tiled_grid.h"
 #include "trident_base/occupancy_grid.h"
 #include "trident_base/se2.h"
+#include "trident_slam/point_scan.h"
 
 namespace trident {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "front_end/growing_grid.h"
-#include "front_end/point_scan.h"
 #include "trident_base/se2.h"
+#include "trident_slam/point_scan.h"
 
 namespace trident {
 

@@ -8,9 +8,9 @@
 #include <memory>
 #include <vector>
 
-#include "front_end/point_scan.h"
 #include "graph_slam/binary_stream.h"
 #include "trident_base/se2.h"
+#include "trident_slam/point_scan.h"
 
 namespace trident {
 

@@ -8,10 +8,10 @@
 #include "front_end/map_match.h"
 #include "front_end/motion_filter.h"
 #include "front_end/odometry_motion.h"
-#include "front_end/point_scan.h"
 #include "front_end/probability_grid.h"
 #include "graph_slam/scan_check.h"
 #include "trident_base/angle.h"
+#include "trident_slam/point_scan.h"
 
 namespace trident {
 namespace {

@@ -7,11 +7,11 @@
 #include <cmath>
 
 #include "front_end/motion_filter.h"
-#include "front_end/point_scan.h"
 #include "front_end/probability_grid.h"
 #include "particle_slam/proposal.h"
 #include "trident_base/random_stream.h"
 #include "trident_slam/hector_slam_2d.h"
+#include "trident_slam/point_scan.h"
 
 namespace trident {
 namespace {

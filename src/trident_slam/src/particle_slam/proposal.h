@@ -4,9 +4,9 @@
 
 #include <Eigen/Core>
 
-#include "front_end/point_scan.h"
 #include "front_end/probability_grid.h"
 #include "trident_base/se2.h"
+#include "trident_slam/point_scan.h"
 
 namespace trident {
 

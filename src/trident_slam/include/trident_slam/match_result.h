@@ -9,7 +9,8 @@
 namespace trident {
 
 /// How well a scan constrains its pose: the eigenvalues of the information that its points give,
-/// with yaw counted in metres at the mean distance of the points.
+/// with yaw counted in metres at the mean distance of the points. J. Zhang, M. Kaess, S. Singh, "On
+/// degeneracy of optimization-based state estimation problems", ICRA 2016.
 struct Degeneracy {
   /// Smallest by largest eigenvalue: 1 in a round room, towards 0 in a long corridor.
   double ratio = 0.0;
@@ -17,6 +18,12 @@ struct Degeneracy {
   Eigen::Vector3d weakest = Eigen::Vector3d::UnitX();
 
   bool is_degenerate() const { return ratio < 0.02; }
+};
+
+/// What is known of a pose beforehand.
+struct PosePrior {
+  SE2 T_ref_base;
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< of (x, y, yaw) in the ref's frame
 };
 
 /// Where a scan lies in a reference's frame.

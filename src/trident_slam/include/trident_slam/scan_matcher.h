@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "trident_base/registry.h"
+#include "trident_slam/match_result.h"
+#include "trident_slam/point_scan.h"
+
+namespace trident {
+
+/// A scan of a reference, and where its base was.
+struct PlacedPoints {
+  SE2 T_ref_base;
+  PointScan scan;
+};
+
+/// What a matcher answers. Beside what MatchResult holds:
+struct ScanMatch : MatchResult {
+  /// 0 to 1, the higher the better the scan fits; each matcher's own measure.
+  double score = 0.0;
+  /// Empty, or one line on why there is no match. The pose is then the guess, and the covariance
+  /// the prior's.
+  std::string problem;
+};
+
+/// Finds the pose from which a scan was taken, in the frame of a reference that is made of one scan
+/// or of several with known poses. No clock, no random numbers: the same calls give the same bits.
+/// Calls of `match` change nothing.
+///
+/// `information` is what the scan's points tell, `covariance` that of the pose with the prior, both
+/// of (x [m], y [m], yaw [rad]) in the reference's frame. Along a direction of which the points
+/// tell too little (`degeneracy`) a pose without a prior stays where it was guessed.
+class ScanMatcher {
+ public:
+  ScanMatcher() = default;
+  ScanMatcher(const ScanMatcher&) = delete;
+  ScanMatcher& operator=(const ScanMatcher&) = delete;
+  virtual ~ScanMatcher() = default;
+
+  /// Makes the reference anew. Points that are no numbers are left out.
+  void set_reference(const std::vector<PlacedPoints>& scans);
+  /// Adds a scan to the reference.
+  void add_to_reference(const SE2& T_ref_base, const PointScan& scan);
+  void clear_reference();
+
+  /// `guess`: where to begin; `prior`: what is known of the pose, nothing by default. A guess or a
+  /// point that is no number, fewer than `kFewestPoints` points or an empty reference are told of
+  /// in `problem`.
+  ScanMatch match(const PointScan& scan, const SE2& guess, const PosePrior& prior = {}) const;
+
+  static constexpr std::size_t kFewestPoints = 5;
+
+ private:
+  /// The base class has seen to it that all is finite, and that there is enough of it.
+  virtual void clear() = 0;
+  virtual void add(const SE2& T_ref_base, const PointScan& scan) = 0;
+  virtual ScanMatch find(const PointScan& scan, const SE2& guess, const PosePrior& prior) const = 0;
+
+  std::string problem_of(const PointScan& scan, const SE2& guess, const PosePrior& prior) const;
+
+  bool has_reference_ = false;
+};
+
+struct ScanMatcherOptions {
+  /// Of `correlative` and `hybrid`: how far from the guess the pose is sought where no prior tells
+  /// [m], [rad].
+  double search_distance = 0.5;
+  double search_heading = 0.35;
+  double search_resolution = 0.05;  ///< [m]
+};
+
+/// Throws Error naming field, value and range.
+using ScanMatcherFactory =
+    std::function<std::unique_ptr<ScanMatcher>(const ScanMatcherOptions& options)>;
+
+/// Adds
+/// - `correlative`: branch and bound over a window of poses (Olson 2009, Hess 2016), then the mean
+///   of the response about the best one;
+/// - `point_to_line`: Gauss-Newton over distances to the nearest surfaces (Censi 2008);
+/// - `ndt`: Newton over normal distributions of the points of overlapping cells, from coarse to
+///   fine (Biber and Strasser 2003);
+/// - `grid_gauss_newton`: Gauss-Newton over interpolated occupancy, from coarse to fine
+///   (Kohlbrecher 2011);
+/// - `hybrid`: correlative, then point_to_line.
+void register_builtin_scan_matchers(Registry<ScanMatcherFactory>& registry);
+
+/// The matcher of that name. Throws Error with the legal names for an unknown one.
+std::unique_ptr<ScanMatcher> make_scan_matcher(const std::string& name,
+                                               const ScanMatcherOptions& options = {});
+
+}  // namespace trident
