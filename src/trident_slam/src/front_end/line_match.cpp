@@ -4,7 +4,9 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "front_end/surface_information.h"
 #include "trident_base/angle.h"
@@ -12,58 +14,104 @@
 namespace trident {
 namespace {
 
-class Accumulator {
- public:
-  Accumulator(const SurfelMap& reference, const LineMatchOptions& options)
-      : reference_(reference), options_(options) {}
+/// The sums of one Gauss-Newton step.
+struct NormalEquations {
+  Eigen::Matrix3d H = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d g = Eigen::Vector3d::Zero();
+  double squared_inliers = 0.0;
+  std::size_t inliers = 0;
+};
 
-  NormalEquations at(const SE2& T, const PointScan& scan) const {
-    NormalEquations sums;
-    const Eigen::Matrix2f R = T.rotation().cast<float>();
-    const Eigen::Vector2f t = T.p.cast<float>();
-    const std::size_t stride = (scan.points.size() + options_.max_points - 1) / options_.max_points;
+/// The points of a scan that are used, and the surfels that they were paired with last.
+class Pairing {
+ public:
+  Pairing(const SurfelMap& reference, const PointScan& scan, const LineMatchOptions& options)
+      : reference_(reference), options_(options) {
+    const std::size_t stride = (scan.points.size() + options.max_points - 1) / options.max_points;
+    pairs_.reserve(std::min(scan.points.size(), options.max_points));
     for (std::size_t i = 0; i < scan.points.size(); i += stride) {
-      const Eigen::Vector2f turned = R * scan.points[i].p;
-      const Eigen::Vector2f normal = R * scan.points[i].normal;
-      ++sums.used;
-      const Surfel* surfel = reference_.nearest(turned + t, normal, options_.search_rings);
-      if (surfel != nullptr) add(turned, t, *surfel, &sums);
+      pairs_.push_back({&scan.points[i], nullptr});
     }
-    return sums;
   }
 
+  /// Pairs anew if the scan has moved since it was done last.
+  NormalEquations sums_at(const SE2& T, double range) {
+    const Eigen::Matrix2f R = T.rotation().cast<float>();
+    const Eigen::Vector2f t = T.p.cast<float>();
+    if (!is_paired_ || moved_to(T, range) > options_.settled) pair(R, t, T);
+    NormalEquations sums;
+    for (const Pair& pair : pairs_) {
+      if (pair.surfel != nullptr) add(R * pair.point->p, t, *pair.surfel, &sums);
+    }
+    sums.H.triangularView<Eigen::StrictlyLower>() = sums.H.transpose();
+    return sums;
+  }
+  /// How far points at `range` [m] are from where they were paired last [m].
+  double moved_to(const SE2& T, double range) const {
+    return (T.p - T_paired_.p).norm() +
+           std::abs(angle_difference(T.angle, T_paired_.angle)) * range;
+  }
+  std::size_t size() const { return pairs_.size(); }
+  std::size_t paired() const { return paired_; }
+  void forget() { is_paired_ = false; }
+
  private:
+  struct Pair {
+    const SurfacePoint* point;
+    const Surfel* surfel;
+  };
+
+  void pair(const Eigen::Matrix2f& R, const Eigen::Vector2f& t, const SE2& T) {
+    paired_ = 0;
+    for (Pair& pair : pairs_) {
+      const Eigen::Vector2f normal = R * pair.point->normal;
+      pair.surfel = reference_.nearest(R * pair.point->p + t, normal, options_.search_rings);
+      if (pair.surfel != nullptr) ++paired_;
+    }
+    T_paired_ = T;
+    is_paired_ = true;
+  }
+
   void add(const Eigen::Vector2f& turned, const Eigen::Vector2f& t, const Surfel& surfel,
            NormalEquations* sums) const {
     const Eigen::Vector2d offset = (turned + t - surfel.mean).cast<double>();
     const Eigen::Vector2d side(-static_cast<double>(turned.y()), static_cast<double>(turned.x()));
-    const Eigen::Vector2d normal = surfel.normal.cast<double>();
-    if (!surfel.normal.isZero(0.0F)) {
-      add_row(normal, side, normal.dot(offset), 1.0, sums);
+    double distance = 0.0;
+    if (surfel.has_normal()) {
+      const Eigen::Vector2d normal = surfel.normal.cast<double>();
+      const double residual = normal.dot(offset);
+      add_row(normal, side, residual, 1.0, sums);
+      distance = std::abs(residual);
     } else {
       add_row(Eigen::Vector2d::UnitX(), side, offset.x(), options_.point_weight, sums);
       add_row(Eigen::Vector2d::UnitY(), side, offset.y(), options_.point_weight, sums);
+      distance = offset.norm();
     }
-    const double distance =
-        surfel.normal.isZero(0.0F) ? offset.norm() : std::abs(normal.dot(offset));
     if (distance > options_.inlier_distance) return;
     ++sums->inliers;
     sums->squared_inliers += distance * distance;
   }
 
-  /// One residual n . (R p + t - m) and its derivatives by x, y and yaw.
+  /// One residual n . (R p + t - m) and its derivatives by x, y and yaw; H's upper half.
   void add_row(const Eigen::Vector2d& n, const Eigen::Vector2d& side, double residual, double scale,
                NormalEquations* sums) const {
-    const Eigen::Vector3d J(n.x(), n.y(), n.dot(side));
-    const double k = residual / options_.kernel;
-    const double weight = scale / ((1.0 + k * k) * options_.sigma * options_.sigma);
-    sums->H += weight * J * J.transpose();
-    sums->g += weight * residual * J;
-    sums->cost += 0.5 * scale * std::log1p(k * k);
+    const double kernel = options_.kernel * options_.kernel;
+    const double information = scale * kernel / (options_.sigma * options_.sigma);
+    const double weight = information / (kernel + residual * residual);
+    const double J[3] = {n.x(), n.y(), n.dot(side)};
+    for (int row = 0; row < 3; ++row) {
+      const double weighted = weight * J[row];
+      for (int column = row; column < 3; ++column) sums->H(row, column) += weighted * J[column];
+      sums->g(row) += weighted * residual;
+    }
   }
 
   const SurfelMap& reference_;
   const LineMatchOptions& options_;
+  std::vector<Pair> pairs_;
+  SE2 T_paired_;
+  bool is_paired_ = false;
+  std::size_t paired_ = 0;
 };
 
 Eigen::Vector3d offset_from(const SE2& prior, const SE2& T) {
@@ -90,14 +138,16 @@ NormalEquations line_match_sums(const SurfelMap& reference, const PointScan& sca
 
 MatchResult match_lines(const SurfelMap& reference, const PointScan& scan, const SE2& guess,
                         const PosePrior& prior, const LineMatchOptions& options) {
-  const Accumulator accumulator(reference, options);
+  Pairing pairing(reference, scan, options);
   MatchResult result;
   result.T_ref_base = guess;
   NormalEquations sums;
   const double range = mean_range(scan);
+  const double fewest_pairs = options.least_paired * static_cast<double>(pairing.size());
   for (; result.iterations < options.max_iterations; ++result.iterations) {
     SE2& T = result.T_ref_base;
-    sums = accumulator.at(T, scan);
+    sums = pairing.sums_at(T, range);
+    if (static_cast<double>(pairing.paired()) < fewest_pairs) break;
     // A prior that errs is doubted as a point is: wheels slip.
     const Eigen::Vector3d off = offset_from(prior.T_ref_base, T);
     constexpr double kPriorKernel = 9.0;  // squared standard deviations
@@ -108,15 +158,18 @@ MatchResult match_lines(const SurfelMap& reference, const PointScan& scan, const
     const Eigen::Vector3d step = -H.ldlt().solve(g);
     T = SE2::from_xy_yaw(T.p.x() + step.x(), T.p.y() + step.y(), T.angle + step.z());
     result.covariance = H.inverse();
-    if (step.head<2>().norm() + std::abs(step.z()) * range < 5e-4) {
+    if (step.head<2>().norm() + std::abs(step.z()) * range > options.converged) continue;
+    if (pairing.moved_to(T, range) < options.converged_pairs) {
       result.is_converged = true;
       break;
     }
+    pairing.forget();
   }
   result.information = sums.H;
   result.degeneracy = degeneracy_of(sums.H, range);
-  if (sums.used > 0) {
-    result.inlier_fraction = static_cast<double>(sums.inliers) / static_cast<double>(sums.used);
+  if (pairing.size() > 0) {
+    result.inlier_fraction =
+        static_cast<double>(sums.inliers) / static_cast<double>(pairing.size());
   }
   if (sums.inliers > 0) {
     result.rms = std::sqrt(sums.squared_inliers / static_cast<double>(sums.inliers));

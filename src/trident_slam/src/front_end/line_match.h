@@ -12,6 +12,10 @@ namespace trident {
 /// A. Censi, "An ICP variant using a point-to-line metric", ICRA 2008.
 struct LineMatchOptions {
   int max_iterations = 12;
+  double converged = 5e-4;        ///< a step that moves the points by less is the last one [m]
+  double settled = 0.01;          ///< points that moved less keep their surfels [m] ...
+  double converged_pairs = 2e-3;  ///< ... and at the end, less than this [m]
+  double least_paired = 0.0;     ///< part of the points that must have a surfel, else it ends early
   int search_rings = 3;          ///< cells about a point in which its surfel is sought
   double sigma = 0.03;           ///< of one distance; correlated errors counted in [m]
   double kernel = 0.06;          ///< distance at which a point's weight has halved [m]
@@ -33,6 +37,12 @@ struct NormalEquations {
 
 NormalEquations line_match_sums(const SurfelMap& reference, const PointScan& scan,
                                 const SE2& T_ref_base, const LineMatchOptions& options);
+
+/// What is known of a pose beforehand.
+struct PosePrior {
+  SE2 T_ref_base;
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< of (x, y, yaw) in the ref's frame
+};
 
 MatchResult match_lines(const SurfelMap& reference, const PointScan& scan, const SE2& guess,
                         const PosePrior& prior, const LineMatchOptions& options);

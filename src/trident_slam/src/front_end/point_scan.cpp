@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace trident {
 namespace {
@@ -20,64 +21,129 @@ double largest_gap(double range, double angle_increment) {
   return 0.05 + 6.0 * range * std::abs(angle_increment);
 }
 
-/// Sums over the points of one line.
+/// Sums over points.
 struct LineSums {
-  double n = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0, yy = 0.0;
+  double x = 0.0, y = 0.0, xx = 0.0, xy = 0.0, yy = 0.0;
 
-  void add(const Eigen::Vector2f& p, const Eigen::Vector2f& about) {
-    const double dx = static_cast<double>(p.x()) - static_cast<double>(about.x());
-    const double dy = static_cast<double>(p.y()) - static_cast<double>(about.y());
-    n += 1.0;
-    x += dx;
-    y += dy;
-    xx += dx * dx;
-    xy += dx * dy;
-    yy += dy * dy;
+  void add(const Eigen::Vector2f& p) {
+    const auto px = static_cast<double>(p.x());
+    const auto py = static_cast<double>(p.y());
+    x += px;
+    y += py;
+    xx += px * px;
+    xy += px * py;
+    yy += py * py;
+  }
+  LineSums operator-(const LineSums& other) const {
+    return {x - other.x, y - other.y, xx - other.xx, xy - other.xy, yy - other.yy};
   }
 };
 
-/// The normal of the least-squares line, or zero if the points do not lie on one.
-Eigen::Vector2f line_normal(const LineSums& s) {
-  if (s.n < 3.0) return Eigen::Vector2f::Zero();
-  const double cxx = s.xx / s.n - s.x * s.x / (s.n * s.n);
-  const double cxy = s.xy / s.n - s.x * s.y / (s.n * s.n);
-  const double cyy = s.yy / s.n - s.y * s.y / (s.n * s.n);
-  const double half_trace = 0.5 * (cxx + cyy);
-  const double root = std::sqrt(0.25 * (cxx - cyy) * (cxx - cyy) + cxy * cxy);
-  const double across = std::max(half_trace - root, 0.0);
-  const double along = half_trace + root;
+/// The normal of the least-squares line through n points, or zero if they do not lie on one.
+Eigen::Vector2f line_normal(const LineSums& s, int n) {
+  if (n < 3) return Eigen::Vector2f::Zero();
+  const double share = 1.0 / n;
+  const double cxx = share * (s.xx - share * s.x * s.x);
+  const double cxy = share * (s.xy - share * s.x * s.y);
+  const double cyy = share * (s.yy - share * s.y * s.y);
+  const double mean = 0.5 * (cxx + cyy);
+  const double half = 0.5 * (cxx - cyy);
+  const double root = std::sqrt(half * half + cxy * cxy);
+  const double across = std::max(mean - root, 0.0);
   constexpr double kThickest = 0.04;  // [m], standard deviation across the line
-  if (across > kThickest * kThickest || across > 0.1 * along) return Eigen::Vector2f::Zero();
-  const double angle = 0.5 * std::atan2(2.0 * cxy, cxx - cyy);  // of the line
-  return {static_cast<float>(-std::sin(angle)), static_cast<float>(std::cos(angle))};
+  if (across > kThickest * kThickest || across > 0.1 * (mean + root)) {
+    return Eigen::Vector2f::Zero();
+  }
+  // Eigenvector of the smaller eigenvalue, from the row of the matrix that does not cancel.
+  const Eigen::Vector2d normal =
+      half > 0.0 ? Eigen::Vector2d(-cxy, root + half) : Eigen::Vector2d(root - half, -cxy);
+  return normal.normalized().cast<float>();
 }
 
-struct Return {
-  std::size_t beam;
-  double range;
+/// Sets normals from the points about each point that meet the same surface.
+class Normals {
+ public:
+  explicit Normals(PointScan* scan) : scan_(*scan), sums_(scan->points.size() + 1) {
+    for (std::size_t i = 0; i < scan_.points.size(); ++i) {
+      sums_[i + 1] = sums_[i];
+      sums_[i + 1].add(scan_.points[i].p - scan_.origin);
+    }
+  }
+
+  void set(const std::vector<double>& ranges, double angle_increment) {
+    find_surfaces(ranges, angle_increment);
+    const int size = static_cast<int>(scan_.points.size());
+    for (int i = 0; i < size; ++i) {
+      SurfacePoint& point = scan_.points[i];
+      int begin = i;
+      while (begin > first_[i] && is_neighbour(i, begin - 1)) --begin;
+      int end = i + 1;
+      while (end < end_[i] && is_neighbour(i, end)) ++end;
+      point.normal = line_normal(sums_[end] - sums_[begin], end - begin);
+      if (point.normal.dot(scan_.origin - point.p) < 0.0F) point.normal = -point.normal;
+    }
+  }
+
+ private:
+  /// What a surface that point i is on may reach to: points first_[i] to end_[i] - 1.
+  void find_surfaces(const std::vector<double>& ranges, double angle_increment) {
+    const int size = static_cast<int>(scan_.points.size());
+    first_.resize(size);
+    end_.resize(size);
+    std::vector<double> gaps(size, 0.0);  // before each point
+    for (int i = 0; i < size; ++i) {
+      if (i > 0) gaps[i] = static_cast<double>((scan_.points[i].p - scan_.points[i - 1].p).norm());
+      const bool is_on = i > 0 && gaps[i] <= largest_gap(ranges[i], angle_increment);
+      first_[i] = is_on ? first_[i - 1] : i;
+    }
+    for (int i = size - 1; i >= 0; --i) {
+      const bool goes_on = i + 1 < size && gaps[i + 1] <= largest_gap(ranges[i], angle_increment);
+      end_[i] = goes_on ? end_[i + 1] : i + 1;
+    }
+  }
+
+  bool is_neighbour(int i, int j) const {
+    const int apart = std::abs(i - j);
+    if (apart > kMostNeighbours) return false;
+    return apart <= kFewestNeighbours ||
+           (scan_.points[j].p - scan_.points[i].p).squaredNorm() <= kReach * kReach;
+  }
+
+  PointScan& scan_;
+  std::vector<LineSums> sums_;  ///< over the points before each one, about the laser
+  std::vector<int> first_;
+  std::vector<int> end_;
 };
 
-void set_normals(const std::vector<Return>& returns, double angle_increment, PointScan* scan) {
-  const int size = static_cast<int>(scan->points.size());
-  for (int i = 0; i < size; ++i) {
-    SurfacePoint& point = scan->points[i];
-    LineSums sums;
-    sums.add(point.p, point.p);
-    for (const int side : {-1, 1}) {
-      for (int k = 1; k <= kMostNeighbours; ++k) {
-        const int j = i + side * k;
-        if (j < 0 || j >= size) break;
-        const int before = j - side;
-        const double gap = static_cast<double>((scan->points[j].p - scan->points[before].p).norm());
-        if (gap > largest_gap(returns[before].range, angle_increment)) break;
-        if (k > kFewestNeighbours && (scan->points[j].p - point.p).norm() > kReach) break;
-        sums.add(scan->points[j].p, point.p);
-      }
+/// The directions of a scan's beams one after the other: cosine and sine.
+class Directions {
+ public:
+  Directions(double angle, double increment)
+      : angle_(angle),
+        increment_(increment),
+        direction_(unit_at(angle)),
+        turn_(unit_at(increment)) {}
+
+  const Eigen::Vector2d& value() const { return direction_; }
+  void next() {
+    constexpr int kPeriod = 16;  // angles are added up anew: errors stay at a few 1e-16
+    if (++beam_ % kPeriod == 0) {
+      direction_ = unit_at(angle_ + beam_ * increment_);
+    } else {
+      direction_ = {turn_.x() * direction_.x() - turn_.y() * direction_.y(),
+                    turn_.y() * direction_.x() + turn_.x() * direction_.y()};
     }
-    point.normal = line_normal(sums);
-    if (point.normal.dot(scan->origin - point.p) < 0.0F) point.normal = -point.normal;
   }
-}
+
+ private:
+  static Eigen::Vector2d unit_at(double angle) { return {std::cos(angle), std::sin(angle)}; }
+
+  double angle_;
+  double increment_;
+  int beam_ = 0;
+  Eigen::Vector2d direction_;
+  Eigen::Vector2d turn_;
+};
 
 }  // namespace
 
@@ -88,20 +154,19 @@ PointScan make_point_scan(const LaserScan& scan, const PointScanOptions& options
   const double nearest = std::max(options.min_range, scan.range_min);
   const double farthest = std::min(options.max_range, scan.range_max);
   const bool is_rolling = scan.time_increment != 0.0 && !twist.isZero(0.0);
-  std::vector<Return> returns;
-  returns.reserve(scan.size());
+  std::vector<double> ranges;
+  ranges.reserve(scan.size());
   result.points.reserve(scan.size());
-  for (std::size_t beam = 0; beam < scan.size(); ++beam) {
-    const double range = static_cast<double>(scan.ranges[beam]);
+  Directions directions(scan.T_base_laser.angle + scan.angle_min, scan.angle_increment);
+  for (std::size_t beam = 0; beam < scan.size(); ++beam, directions.next()) {
+    const auto range = static_cast<double>(scan.ranges[beam]);
     if (!(range > 0.0 && range >= nearest && range <= farthest)) continue;  // NaN, too
-    const double angle = scan.angle(beam);
-    Eigen::Vector2d p =
-        scan.T_base_laser * Eigen::Vector2d(range * std::cos(angle), range * std::sin(angle));
+    Eigen::Vector2d p = scan.T_base_laser.p + range * directions.value();
     if (is_rolling) p = SE2::exp(twist * (scan.time_increment * static_cast<double>(beam))) * p;
-    returns.push_back({beam, range});
+    ranges.push_back(range);
     result.points.push_back({p.cast<float>(), Eigen::Vector2f::Zero()});
   }
-  set_normals(returns, scan.angle_increment, &result);
+  Normals(&result).set(ranges, scan.angle_increment);
   return result;
 }
 

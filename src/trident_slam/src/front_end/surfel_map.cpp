@@ -2,23 +2,27 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "front_end/surfel_map.h"
 
-#include <cmath>
+#include <algorithm>
+#include <array>
+#include <cstdlib>
 #include <limits>
 
 namespace trident {
 namespace {
 
+constexpr int kMaxRings = SurfelMap::kMaxRings;
+
 /// Cosine of the angle between normals up to which points belong to one face (60 degrees).
 constexpr float kSameFace = 0.5F;
 
+bool is_zero(const Eigen::Vector2f& v) { return v.x() == 0.0F && v.y() == 0.0F; }
+
 bool is_same_face(const Eigen::Vector2f& a, const Eigen::Vector2f& b) {
-  if (a.isZero(0.0F) || b.isZero(0.0F)) return a.isZero(0.0F) == b.isZero(0.0F);
-  return a.dot(b) > kSameFace;
+  const float cosine = a.x() * b.x() + a.y() * b.y();
+  return cosine > kSameFace || (cosine == 0.0F && is_zero(a) && is_zero(b));
 }
 
 /// Offsets of ring r, the cells at Chebyshev distance r, for r = 0 .. kMaxRings.
-constexpr int kMaxRings = 4;
-
 struct Rings {
   std::vector<Eigen::Vector2i> offsets[kMaxRings + 1];
   Rings() {
@@ -30,22 +34,59 @@ struct Rings {
   }
 };
 
-const Rings& rings_of_offsets() {
-  static const Rings rings;
-  return rings;
-}
+const Rings kRings;
+
+/// Squared distances from a point to the cells that are -kMaxRings .. kMaxRings away.
+class Gaps {
+ public:
+  /// The point is this far above the lower edge of its cell.
+  Gaps(float below, float cell) {
+    for (int k = 1; k <= kMaxRings; ++k) {
+      const float lower = below + static_cast<float>(k - 1) * cell;
+      const float upper = static_cast<float>(k) * cell - below;
+      squared_[kMaxRings - k] = lower * lower;
+      squared_[kMaxRings + k] = upper * upper;
+    }
+  }
+  float to(int offset) const { return squared_[kMaxRings + offset]; }
+
+ private:
+  std::array<float, 2 * kMaxRings + 1> squared_ = {};
+};
 
 }  // namespace
 
-int SurfelMap::cell_of(float value) const {
-  return static_cast<int>(std::floor(value * per_metre_));
+SurfelMap::Place SurfelMap::place_of(const Eigen::Vector2f& p) const {
+  Place place;
+  for (const int axis : {0, 1}) {
+    const float cells = p(axis) * per_metre_;
+    const int truncated = static_cast<int>(cells);
+    const int cell = truncated - (cells < static_cast<float>(truncated) ? 1 : 0);
+    place.cell(axis) = cell;
+    place.below(axis) = (cells - static_cast<float>(cell)) * static_cast<float>(cell_);
+  }
+  return place;
+}
+
+void SurfelMap::tell_neighbours(const Eigen::Vector2i& cell) {
+  // Room for the neighbours of whatever is told of here: nearest() reads without asking.
+  constexpr int kRoom = 2 * kMaxRings;
+  first_.reserve(cell.x() - kRoom, cell.y() - kRoom, cell.x() + kRoom, cell.y() + kRoom);
+  for (int ring = 1; ring <= kMaxRings; ++ring) {
+    for (const Eigen::Vector2i& offset : kRings.offsets[ring]) {
+      std::int32_t& first = first_.at(cell.x() + offset.x(), cell.y() + offset.y());
+      if (first == 0 || first < -ring) first = -ring;
+    }
+  }
 }
 
 void SurfelMap::insert_point(const SurfacePoint& point, int owner) {
-  const int x = cell_of(point.p.x());
-  const int y = cell_of(point.p.y());
-  std::int32_t& first = first_.at(x, y);
-  if (first == 0) touched_.emplace_back(x, y);
+  const Eigen::Vector2i cell = place_of(point.p).cell;
+  std::int32_t first = std::max(first_.get(cell.x(), cell.y()), 0);
+  if (first == 0) {
+    touched_.push_back(cell);
+    tell_neighbours(cell);
+  }
   for (std::int32_t i = first; i != 0; i = surfels_[i - 1].next) {
     Surfel& surfel = surfels_[i - 1];
     if (is_hidden(surfel.owner) || !is_same_face(surfel.normal, point.normal)) continue;
@@ -62,7 +103,7 @@ void SurfelMap::insert_point(const SurfacePoint& point, int owner) {
   surfel.next = first;
   surfel.owner = owner;
   surfels_.push_back(surfel);
-  first = static_cast<std::int32_t>(surfels_.size());
+  first_.at(cell.x(), cell.y()) = static_cast<std::int32_t>(surfels_.size());
 }
 
 void SurfelMap::insert(const SE2& T_map_base, const PointScan& scan, int owner) {
@@ -74,21 +115,34 @@ void SurfelMap::insert(const SE2& T_map_base, const PointScan& scan, int owner) 
 }
 
 void SurfelMap::clear() {
-  for (const Eigen::Vector2i& cell : touched_) first_.at(cell.x(), cell.y()) = 0;
+  for (const Eigen::Vector2i& cell : touched_) {
+    for (int y = cell.y() - kMaxRings; y <= cell.y() + kMaxRings; ++y) {
+      std::int32_t* row = &first_.at(cell.x() - kMaxRings, y);
+      std::fill(row, row + 2 * kMaxRings + 1, 0);
+    }
+  }
   touched_.clear();
   surfels_.clear();
 }
 
 const Surfel* SurfelMap::nearest(const Eigen::Vector2f& p, const Eigen::Vector2f& normal,
                                  int rings) const {
-  const int x = cell_of(p.x());
-  const int y = cell_of(p.y());
+  const Place place = place_of(p);
+  const std::int32_t here = first_.get(place.cell.x(), place.cell.y());
+  const int last_ring = std::min(rings, kMaxRings);
+  int ring = here > 0 ? 0 : -here;
+  if (here == 0 || ring > last_ring) return nullptr;
+  const Gaps gaps_x(place.below.x(), static_cast<float>(cell_));
+  const Gaps gaps_y(place.below.y(), static_cast<float>(cell_));
+  const std::int32_t* first = &first_.cells()[first_.index(place.cell.x(), place.cell.y())];
+  const std::ptrdiff_t width = first_.width();
   const Surfel* best = nullptr;
   float best_distance = std::numeric_limits<float>::max();
-  for (int ring = 0; ring <= std::min(rings, kMaxRings); ++ring) {
-    for (const Eigen::Vector2i& offset : rings_of_offsets().offsets[ring]) {
-      for (std::int32_t i = first_.get(x + offset.x(), y + offset.y()); i != 0;
-           i = surfels_[i - 1].next) {
+  for (; ring <= last_ring; ++ring) {
+    for (const Eigen::Vector2i& offset : kRings.offsets[ring]) {
+      std::int32_t i = first[offset.y() * width + offset.x()];
+      if (i <= 0 || gaps_x.to(offset.x()) + gaps_y.to(offset.y()) >= best_distance) continue;
+      for (; i != 0; i = surfels_[i - 1].next) {
         const Surfel& surfel = surfels_[i - 1];
         const float distance = (surfel.mean - p).squaredNorm();
         if (distance < best_distance && is_same_face(surfel.normal, normal) &&

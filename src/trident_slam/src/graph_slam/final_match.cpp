@@ -34,6 +34,7 @@ void align_all_keyframes(KeyframeGraph* graph) {
   const std::vector<GraphEdge> edges = graph->edges();
   PairLinkOptions options;
   options.line.max_points = kPoints;
+  options.line.least_paired = options.min_inliers;
   for (int pass = 0; pass < kMostPasses; ++pass) {
     const KeyframeGraph before = *graph;
     std::vector<GraphEdge> all = link_pairs(*graph, options);

@@ -8,6 +8,12 @@
 #include "graph_slam/relocalizer.h"
 
 namespace trident {
+namespace {
+
+/// Part of the points by which a place that was sought must fit better than the one at hand.
+constexpr double kSearchGain = 0.05;
+
+}  // namespace
 
 const MaxPyramid& ScanTracker::hits_about(const Eigen::Vector2d& p_map) {
   constexpr double kMostAway = 3.0;  // [m]
@@ -29,7 +35,7 @@ MatchResult ScanTracker::search(const PointScan& scan, const PosePrior& prior,
       match_by_branch_and_bound(hits, thinned_points(scan, 200), prior.T_ref_base, window, 0.2);
   if (!found) return refined;
   const MatchResult other = match_lines(surfels_, scan, found->T_ref_base, prior, options_.line);
-  return other.inlier_fraction > refined.inlier_fraction + 0.05 ? other : refined;
+  return other.inlier_fraction > refined.inlier_fraction + kSearchGain ? other : refined;
 }
 
 MatchResult ScanTracker::track(const PointScan& scan, const SE2& T_last_base, double doubt) {
@@ -47,8 +53,9 @@ MatchResult ScanTracker::track(const PointScan& scan, const SE2& T_last_base, do
     const bool is_far = metres > options_.search_motion || radians > options_.search_turn;
     const SE2 off = prior.T_ref_base.inverse() * match.T_ref_base;
     const bool is_odd = off.p.norm() > 3.0 * s_p || std::abs(off.angle) > 3.0 * s_yaw;
-    if (is_far || is_odd || doubt > 0.0 ||
-        match.inlier_fraction < options_.smallest_inlier_fraction) {
+    const bool is_doubted = is_far || is_odd || doubt > 0.0 ||
+                            match.inlier_fraction < options_.smallest_inlier_fraction;
+    if (is_doubted && match.inlier_fraction + kSearchGain < 1.0) {
       match = search(scan, prior, match, {0.2 + 3.0 * s_p, 0.05 + 2.0 * s_yaw});
     }
   }

@@ -27,6 +27,8 @@ class ByteSource {
   virtual std::size_t read(char* into, std::size_t size, std::string& damage) = 0;
   /// Bytes of the file that were used so far.
   virtual double position() const = 0;
+  /// Bytes that are best read at once.
+  virtual std::size_t chunk() const = 0;
   double file_size = 0.0;
 };
 
@@ -54,6 +56,7 @@ class PlainOrGzip : public ByteSource {
     return count > 0 ? static_cast<std::size_t>(count) : 0;
   }
   double position() const override { return static_cast<double>(gzoffset(file_)); }
+  std::size_t chunk() const override { return kChunk; }
 
  private:
   gzFile file_;
@@ -84,6 +87,9 @@ class Bzip2 : public ByteSource {
     return size - stream_.avail_out;
   }
   double position() const override { return consumed_; }
+  /// A whole block of 900 kB: what is in the cache of it is not there any more when a scan has been
+  /// worked on, and that would double the time of reading.
+  std::size_t chunk() const override { return std::size_t{1} << 20; }
 
  private:
   void open_stream() {
@@ -160,8 +166,8 @@ bool LineReader::fill() {
   buffer_.erase(0, begin_);
   begin_ = 0;
   const std::size_t old_size = buffer_.size();
-  buffer_.resize(old_size + kChunk);
-  const std::size_t count = source_->read(&buffer_[old_size], kChunk, damage_);
+  buffer_.resize(old_size + source_->chunk());
+  const std::size_t count = source_->read(&buffer_[old_size], source_->chunk(), damage_);
   buffer_.resize(old_size + count);
   return count > 0;
 }
