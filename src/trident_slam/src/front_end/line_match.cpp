@@ -14,19 +14,21 @@
 namespace trident {
 namespace {
 
-/// The sums of one Gauss-Newton step.
-struct NormalEquations {
-  Eigen::Matrix3d H = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d g = Eigen::Vector3d::Zero();
-  double squared_inliers = 0.0;
-  std::size_t inliers = 0;
-};
+/// R v, written out: Eigen does not inline products of this size.
+Eigen::Vector2f turned_by(const Eigen::Matrix2f& R, const Eigen::Vector2f& v) {
+  return {R(0, 0) * v.x() + R(0, 1) * v.y(), R(1, 0) * v.x() + R(1, 1) * v.y()};
+}
 
 /// The points of a scan that are used, and the surfels that they were paired with last.
 class Pairing {
  public:
-  Pairing(const SurfelMap& reference, const PointScan& scan, const LineMatchOptions& options)
-      : reference_(reference), options_(options) {
+  Pairing(const SurfelMap& reference, const PointScan& scan, const LineMatchOptions& options,
+          bool tells_cost)
+      : reference_(reference),
+        options_(options),
+        tells_cost_(tells_cost),
+        kernel_(options.kernel * options.kernel),
+        information_(kernel_ / (options.sigma * options.sigma)) {
     const std::size_t stride = (scan.points.size() + options.max_points - 1) / options.max_points;
     pairs_.reserve(std::min(scan.points.size(), options.max_points));
     for (std::size_t i = 0; i < scan.points.size(); i += stride) {
@@ -40,8 +42,9 @@ class Pairing {
     const Eigen::Vector2f t = T.p.cast<float>();
     if (!is_paired_ || moved_to(T, range) > options_.settled) pair(R, t, T);
     NormalEquations sums;
+    sums.used = pairs_.size();
     for (const Pair& pair : pairs_) {
-      if (pair.surfel != nullptr) add(R * pair.point->p, t, *pair.surfel, &sums);
+      if (pair.surfel != nullptr) add(turned_by(R, pair.point->p), t, *pair.surfel, &sums);
     }
     sums.H.triangularView<Eigen::StrictlyLower>() = sums.H.transpose();
     return sums;
@@ -64,8 +67,9 @@ class Pairing {
   void pair(const Eigen::Matrix2f& R, const Eigen::Vector2f& t, const SE2& T) {
     paired_ = 0;
     for (Pair& pair : pairs_) {
-      const Eigen::Vector2f normal = R * pair.point->normal;
-      pair.surfel = reference_.nearest(R * pair.point->p + t, normal, options_.search_rings);
+      const Eigen::Vector2f normal = turned_by(R, pair.point->normal);
+      pair.surfel =
+          reference_.nearest(turned_by(R, pair.point->p) + t, normal, options_.search_rings);
       if (pair.surfel != nullptr) ++paired_;
     }
     T_paired_ = T;
@@ -95,19 +99,21 @@ class Pairing {
   /// One residual n . (R p + t - m) and its derivatives by x, y and yaw; H's upper half.
   void add_row(const Eigen::Vector2d& n, const Eigen::Vector2d& side, double residual, double scale,
                NormalEquations* sums) const {
-    const double kernel = options_.kernel * options_.kernel;
-    const double information = scale * kernel / (options_.sigma * options_.sigma);
-    const double weight = information / (kernel + residual * residual);
+    const double weight = scale * information_ / (kernel_ + residual * residual);
     const double J[3] = {n.x(), n.y(), n.dot(side)};
     for (int row = 0; row < 3; ++row) {
       const double weighted = weight * J[row];
       for (int column = row; column < 3; ++column) sums->H(row, column) += weighted * J[column];
       sums->g(row) += weighted * residual;
     }
+    if (tells_cost_) sums->cost += 0.5 * scale * std::log1p(residual * residual / kernel_);
   }
 
   const SurfelMap& reference_;
   const LineMatchOptions& options_;
+  bool tells_cost_;
+  double kernel_;       ///< squared [m^2]
+  double information_;  ///< of a residual of 0 [1/m^2], times kernel_
   std::vector<Pair> pairs_;
   SE2 T_paired_;
   bool is_paired_ = false;
@@ -133,12 +139,12 @@ Degeneracy degeneracy_of(const Eigen::Matrix3d& information, double mean_range) 
 
 NormalEquations line_match_sums(const SurfelMap& reference, const PointScan& scan,
                                 const SE2& T_ref_base, const LineMatchOptions& options) {
-  return Accumulator(reference, options).at(T_ref_base, scan);
+  return Pairing(reference, scan, options, true).sums_at(T_ref_base, mean_range(scan));
 }
 
 MatchResult match_lines(const SurfelMap& reference, const PointScan& scan, const SE2& guess,
                         const PosePrior& prior, const LineMatchOptions& options) {
-  Pairing pairing(reference, scan, options);
+  Pairing pairing(reference, scan, options, false);
   MatchResult result;
   result.T_ref_base = guess;
   NormalEquations sums;

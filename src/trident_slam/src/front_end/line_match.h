@@ -38,12 +38,6 @@ struct NormalEquations {
 NormalEquations line_match_sums(const SurfelMap& reference, const PointScan& scan,
                                 const SE2& T_ref_base, const LineMatchOptions& options);
 
-/// What is known of a pose beforehand.
-struct PosePrior {
-  SE2 T_ref_base;
-  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< of (x, y, yaw) in the ref's frame
-};
-
 MatchResult match_lines(const SurfelMap& reference, const PointScan& scan, const SE2& guess,
                         const PosePrior& prior, const LineMatchOptions& options);
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "front_end/max_pyramid.h"
 
+#include <array>
 #include <cmath>
 
 namespace trident {
@@ -33,18 +34,29 @@ void MaxPyramid::stamp(const Eigen::Vector2d& p) {
   const int x = cell_of(p.x());
   const int y = cell_of(p.y());
   const double spread = 0.8 * resolution_;
-  for (int j = y - 1; j <= y + 1; ++j) {
-    for (int i = x - 1; i <= x + 1; ++i) {
-      const double dx = (i + 0.5) * resolution_ - p.x();
-      const double dy = (j + 0.5) * resolution_ - p.y();
-      const double value = std::exp(-0.5 * (dx * dx + dy * dy) / (spread * spread));
-      raise(i, j, static_cast<std::uint8_t>(255.0 * value));
+  const auto values = [&](int cell, double at) {
+    std::array<double, 3> result{};
+    for (int k = -1; k <= 1; ++k) {
+      const double d = (cell + k + 0.5) * resolution_ - at;
+      result[static_cast<std::size_t>(k + 1)] = std::exp(-0.5 * d * d / (spread * spread));
+    }
+    return result;
+  };
+  const std::array<double, 3> in_x = values(x, p.x());
+  const std::array<double, 3> in_y = values(y, p.y());
+  for (std::size_t j = 0; j < 3; ++j) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      raise(x + static_cast<int>(i) - 1, y + static_cast<int>(j) - 1,
+            static_cast<std::uint8_t>(255.0 * in_x[i] * in_y[j]));
     }
   }
 }
 
 void MaxPyramid::insert(const SE2& T_map_base, const PointScan& scan) {
-  for (const SurfacePoint& point : scan.points) stamp(T_map_base * point.p.cast<double>());
+  const Eigen::Matrix2d R = T_map_base.rotation();
+  for (const SurfacePoint& point : scan.points) {
+    stamp(R * point.p.cast<double>() + T_map_base.p);
+  }
 }
 
 }  // namespace trident

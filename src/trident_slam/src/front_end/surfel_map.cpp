@@ -56,7 +56,7 @@ class Gaps {
 
 }  // namespace
 
-SurfelMap::Place SurfelMap::place_of(const Eigen::Vector2f& p) const {
+inline SurfelMap::Place SurfelMap::place_of(const Eigen::Vector2f& p) const {
   Place place;
   for (const int axis : {0, 1}) {
     const float cells = p(axis) * per_metre_;

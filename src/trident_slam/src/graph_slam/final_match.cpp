@@ -14,6 +14,7 @@ namespace {
 constexpr std::size_t kPoints = 120;  // of each scan; more do not change the result
 constexpr double kKernel = 3.0;       // of edges between scans [standard deviations]
 constexpr int kIterations = 20;
+constexpr double kConverged = 1e-3;  // of a match [m]; the mean of many is better than that
 /// Neighbouring beams, and the same surface seen again, do not err independently.
 constexpr double kInformationShare = 0.1;
 /// Pairs are matched again if a keyframe has moved farther [m].
@@ -34,6 +35,7 @@ void align_all_keyframes(KeyframeGraph* graph) {
   const std::vector<GraphEdge> edges = graph->edges();
   PairLinkOptions options;
   options.line.max_points = kPoints;
+  options.line.converged = kConverged;
   options.line.least_paired = options.min_inliers;
   for (int pass = 0; pass < kMostPasses; ++pass) {
     const KeyframeGraph before = *graph;
@@ -56,6 +58,7 @@ std::vector<SE2> match_archive(const ScanArchive& archive, const KeyframeGraph& 
   LineMatchOptions line;
   line.max_points = kPoints;
   line.search_rings = 2;
+  line.converged = kConverged;
   PosePrior prior;
   prior.information = Eigen::Vector3d(2500.0, 2500.0, 10000.0).asDiagonal();  // 2 cm, 0.01 rad
   std::vector<SE2> poses(archive.size());

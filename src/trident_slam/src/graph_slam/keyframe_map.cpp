@@ -36,8 +36,11 @@ template <class Use>
 void for_each_beam(const KeyframeGraph& graph, const Use& use) {
   for (int i = 0; i < graph.size(); ++i) {
     const SE2& T = graph.pose(i);
+    const Eigen::Matrix2d R = T.rotation();
     const Eigen::Vector2d origin = T * graph[i].scan->origin.cast<double>();
-    for (const SurfacePoint& point : graph[i].scan->points) use(origin, T * point.p.cast<double>());
+    for (const SurfacePoint& point : graph[i].scan->points) {
+      use(origin, R * point.p.cast<double>() + T.p);
+    }
   }
 }
 

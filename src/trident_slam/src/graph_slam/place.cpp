@@ -67,12 +67,12 @@ bool Place::is_seen_free(const Eigen::Vector2d& p_place) const {
 
 Agreement Place::agreement(const SurfelMap& surfels, const PointScan& cloud,
                            const SE2& T_place_cloud) const {
-  const Eigen::Matrix2f R = T_place_cloud.rotation().cast<float>();
+  const Eigen::Matrix2d R = T_place_cloud.rotation();
   int on_surface = 0;
   int in_free_space = 0;
   for (const SurfacePoint& point : cloud.points) {
-    const Eigen::Vector2d p = T_place_cloud * point.p.cast<double>();
-    const Surfel* surfel = surfels.nearest(p.cast<float>(), R * point.normal, 3);
+    const Eigen::Vector2d p = R * point.p.cast<double>() + T_place_cloud.p;
+    const Surfel* surfel = surfels.nearest(p.cast<float>(), R.cast<float>() * point.normal, 3);
     const bool has_normal = surfel != nullptr && !surfel->normal.isZero(0.0F);
     const Eigen::Vector2f offset = surfel == nullptr ? Eigen::Vector2f::Zero().eval()
                                                      : (p.cast<float>() - surfel->mean).eval();
