@@ -4,11 +4,11 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 #include <string>
 #include <tuple>
 
+#include "ekf_slam/chi_squared.h"
 #include "ekf_slam/joint_compatibility.h"
 #include "ekf_slam/landmark_models.h"
 #include "trident_base/angle.h"
@@ -44,14 +44,11 @@ EkfSlam::EkfSlam(EkfSlamParams params)
   params_.validate();
   covariance_(3, 3) = params_.yaw_scale_sigma * params_.yaw_scale_sigma;
   covariance_(4, 4) = params_.curvature_sigma * params_.curvature_sigma;
-  const auto gate = [](double probability, int degrees) {
-    return boost::math::quantile(boost::math::chi_squared(degrees), probability);
-  };
   joint_gates_.push_back(0.0);
   for (int pairs = 1; pairs <= kMaxJointPairs; ++pairs) {
-    joint_gates_.push_back(gate(params_.match_probability, 2 * pairs));
+    joint_gates_.push_back(chi_squared_quantile(params_.match_probability, 2 * pairs));
   }
-  new_gate_ = gate(params_.new_probability, 2);
+  new_gate_ = chi_squared_quantile(params_.new_probability, 2);
 }
 
 SE2 EkfSlam::T_map_base() const { return SE2::from_xy_yaw(state_[0], state_[1], state_[2]); }

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
 target_sources(trident_slam PRIVATE
+  src/ekf_slam/chi_squared.cpp
   src/ekf_slam/ekf_slam.cpp
   src/ekf_slam/ekf_slam_2d.cpp
   src/ekf_slam/joint_compatibility.cpp
