@@ -11,7 +11,7 @@ import numpy.typing as npt
 import pytest
 from trident_eval.bench import amcl, kidnap
 from trident_eval.bench.kidnap import Trial, judge
-from trident_eval.bench.recorded_drive import Noise, Odometry, Recording, compose, relative
+from trident_eval.bench.recorded_drive import Lidar, Noise, Odometry, Recording, compose, relative
 
 STAMPS = np.arange(0.0, 40.0, 0.2)
 
@@ -22,7 +22,8 @@ def trial_of(right: npt.NDArray[np.bool_]) -> Trial:
     truth[:, 0] = STAMPS
     poses = np.zeros((len(STAMPS), 3))
     poses[~right, 0] = 1.0
-    return judge(Recording(b"", truth, (10.0,)), poses, 4)[0]
+    lidar = Lidar(0.0, 0.1, 0.1, 12.0, 0.0)
+    return judge(Recording(lidar, (), truth, np.zeros(3), (10.0,)), poses, 4)[0]
 
 
 def test_recovered_is_right_for_five_seconds_on_end() -> None:

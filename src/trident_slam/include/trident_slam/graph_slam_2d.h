@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -17,6 +18,14 @@ struct GraphSlamEdge {
   int from = 0;
   int to = 0;
   bool is_loop = false;
+};
+
+/// A place that was seen again, as it was measured when that was believed.
+struct GraphSlamLoop {
+  std::size_t older = 0;  ///< scan, as `trajectory` counts them
+  std::size_t newer = 0;
+  SE2 T_older_newer;      ///< between the base at these scans
+  bool is_found = false;  ///< by the search for loops; false: the surfaces were never lost
 };
 
 /// Graph SLAM: each scan is matched against the surfaces of the map so far; keyframes and the
@@ -61,6 +70,7 @@ class GraphSlam2d : public Slam2d {
 
   std::vector<SE2> keyframe_poses() const;
   std::vector<GraphSlamEdge> edges() const;
+  std::vector<GraphSlamLoop> loops() const;
   /// Loops that were believed so far.
   int loops_closed() const;
   /// The graph in g2o's format.

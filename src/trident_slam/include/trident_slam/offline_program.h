@@ -5,9 +5,11 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "trident_base/se2.h"
 #include "trident_slam/scan_source.h"
 
 namespace trident {
@@ -17,6 +19,9 @@ struct OfflineCommand {
   std::string method;
   std::string config_file;                    ///< empty: the method's defaults
   std::string out_dir;                        ///< is made
+  std::string session;                        ///< file to go on with; empty: a new map
+  std::optional<SE2> T_map_base;              ///< in the session; none: where it ended
+  std::string kept_session;                   ///< file to write; empty: none
   std::map<std::string, std::string> source;  ///< what the source takes: name without dashes, value
 };
 

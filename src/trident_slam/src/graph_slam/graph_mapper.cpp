@@ -122,11 +122,13 @@ MatchResult GraphMapper::place(const PointScan& points, const OdometryMotion::St
 }
 
 void GraphMapper::find_again_if_lost(const PointScan& points, MatchResult* match) {
+  if (getenv("DBG")) fprintf(stderr, "INL %f\n", match->inlier_fraction);
   const bool is_poor = match->inlier_fraction < kLostShare;
   poor_matches_in_a_row_ = is_poor ? poor_matches_in_a_row_ + 1 : 0;
   if (poor_matches_in_a_row_ < kScansUntilLost) return;
   poor_matches_in_a_row_ = 0;
   const auto found = find_in_map(tracker_.surfels(), points, tracker_.options().line);
+  if (getenv("DBG") && found) fprintf(stderr, "FOUND %f %f %f\n", found->inlier_fraction, (found->T_ref_base.p-match->T_ref_base.p).norm(), std::abs((found->T_ref_base.inverse()*match->T_ref_base).angle));
   if (!found || found->inlier_fraction < match->inlier_fraction + kFoundMargin) return;
   *match = *found;
   tracker_.set_pose(found->T_ref_base);
@@ -238,6 +240,14 @@ void GraphMapper::finish() {
   hide_what_drifted();
   final_poses_ =
       match_archive(archive_, graph_, {options_.min_laser_range, options_.max_laser_range});
+}
+
+std::vector<std::size_t> GraphMapper::scans_of_keyframes() const {
+  std::vector<std::size_t> scans(static_cast<std::size_t>(graph_.size()));
+  for (std::size_t i = archive_.size(); i-- > 0;) {
+    if (archive_[i].keyframe >= 0) scans[archive_[i].keyframe] = i;
+  }
+  return scans;
 }
 
 std::vector<StampedPose2d> GraphMapper::trajectory() const {

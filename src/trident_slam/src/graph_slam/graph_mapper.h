@@ -28,6 +28,8 @@ class GraphMapper {
   void finish();
   std::vector<StampedPose2d> trajectory() const;
   const KeyframeGraph& graph() const { return graph_; }
+  /// The scan of each keyframe, as `trajectory` counts them.
+  std::vector<std::size_t> scans_of_keyframes() const;
 
   void save(BinaryWriter* writer) const;
   void load(BinaryReader* reader, const std::optional<SE2>& T_map_base);

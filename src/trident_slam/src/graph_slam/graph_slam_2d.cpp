@@ -95,6 +95,17 @@ std::vector<GraphSlamEdge> GraphSlam2d::edges() const {
   return edges;
 }
 
+std::vector<GraphSlamLoop> GraphSlam2d::loops() const {
+  const std::vector<std::size_t> scans = impl_->mapper->scans_of_keyframes();
+  std::vector<GraphSlamLoop> loops;
+  for (const GraphEdge& edge : impl_->mapper->graph().edges()) {
+    if (edge.kind == EdgeKind::kChain) continue;
+    loops.push_back(
+        {scans[edge.from], scans[edge.to], edge.T_from_to, edge.kind == EdgeKind::kLoop});
+  }
+  return loops;
+}
+
 int GraphSlam2d::loops_closed() const {
   const std::vector<GraphEdge>& edges = impl_->mapper->graph().edges();
   return static_cast<int>(std::count_if(edges.begin(), edges.end(), [](const GraphEdge& edge) {

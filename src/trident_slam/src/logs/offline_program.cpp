@@ -16,6 +16,7 @@
 
 #include "trident_base/error.h"
 #include "trident_base/string_util.h"
+#include "trident_slam/graph_slam_2d.h"
 #include "trident_slam/offline_run.h"
 #include "trident_slam/slam_2d.h"
 
@@ -24,10 +25,25 @@ namespace {
 
 constexpr char kUsage[] =
     "usage: PROGRAM FILE --method NAME [--config FILE.yaml] --out DIR [--NAME VALUE ...]\n"
+    "graph_slam_2d: --session FILE: go on with it, or with `mode: localization` in the config "
+    "find\n"
+    "  one's place in it; --start X,Y,YAW [m, rad]: there; --keep-session FILE: write it\n"
     "slam_offline: FILE is a CARMEN log (.log, .clf; plain, gzip, bzip2), '-' the standard input;\n"
     "  --laser front|rear\n"
     "slam_offline_bag: FILE is a rosbag; --scan TOPIC --odom TOPIC --odom-frame F --base-frame F\n"
     "Writes trajectory.tum, causal.tum, map.pgm, map.yaml and timing.json into DIR.\n";
+
+SE2 read_start(const std::string& text) {
+  double x = 0.0;
+  double y = 0.0;
+  double yaw = 0.0;
+  int read = 0;
+  const int fields = std::sscanf(text.c_str(), "%lf,%lf,%lf%n", &x, &y, &yaw, &read);
+  if (fields != 3 || static_cast<std::size_t>(read) != text.size()) {
+    throw Error("--start " + text + ": legal: X,Y,YAW [m, m, rad]");
+  }
+  return SE2::from_xy_yaw(x, y, yaw);
+}
 
 OfflineCommand parse(int argc, char** argv, const std::vector<std::string>& source_options) {
   OfflineCommand options;
@@ -46,6 +62,12 @@ OfflineCommand parse(int argc, char** argv, const std::vector<std::string>& sour
       options.config_file = value;
     } else if (word == "--out") {
       options.out_dir = value;
+    } else if (word == "--session") {
+      options.session = value;
+    } else if (word == "--start") {
+      options.T_map_base = read_start(value);
+    } else if (word == "--keep-session") {
+      options.kept_session = value;
     } else if (std::find(source_options.begin(), source_options.end(), word) !=
                source_options.end()) {
       options.source[word.substr(2)] = value;
@@ -110,10 +132,21 @@ void tell(const char* what, const LogProblems& problems) {
   }
 }
 
+GraphSlam2d* with_sessions(Slam2d* slam, const OfflineCommand& options) {
+  auto* graph = dynamic_cast<GraphSlam2d*>(slam);
+  const bool is_wanted = !options.session.empty() || !options.kept_session.empty();
+  if (is_wanted && graph == nullptr) {
+    throw Error("--method " + options.method + " has no sessions; legal: graph_slam_2d");
+  }
+  return graph;
+}
+
 void run(const OfflineCommand& options, const OpenSource& open) {
   Registry<Slam2dFactory> registry("SLAM method");
   register_builtin_slam_2d(registry);
   const std::unique_ptr<Slam2d> slam = registry.get(options.method)(options.config_file);
+  GraphSlam2d* const graph = with_sessions(slam.get(), options);
+  if (!options.session.empty()) graph->load_session(options.session, options.T_map_base);
   const std::unique_ptr<ScanSource> log = open(options);
   std::error_code error;
   std::filesystem::create_directories(options.out_dir, error);
@@ -129,6 +162,7 @@ void run(const OfflineCommand& options, const OpenSource& open) {
   progress.finish();
   tell("problems of the log", log->problems());
   tell("problems of scans", result.scan_problems);
+  if (!options.kept_session.empty()) graph->save_session(options.kept_session);
   write_timing(options, result, log->problems().count());
 }
 

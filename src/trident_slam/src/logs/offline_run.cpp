@@ -53,14 +53,41 @@ std::string tum_line(const StampedPose2d& pose) {
   return line;
 }
 
+namespace {
+
+void write_loops(const GraphSlam2d& slam, const std::string& path) {
+  std::ofstream file(path);
+  file << "older_scan,newer_scan,x,y,yaw,kind\n";
+  for (const GraphSlamLoop& loop : slam.loops()) {
+    char line[160];
+    std::snprintf(line, sizeof(line), "%zu,%zu,%.6f,%.6f,%.6f,%s\n", loop.older, loop.newer,
+                  loop.T_older_newer.p.x(), loop.T_older_newer.p.y(), loop.T_older_newer.angle,
+                  loop.is_found ? "loop" : "reuse");
+    file << line;
+  }
+  file.flush();
+  if (!file) throw Error(path + ": cannot be written");
+}
+
+void write_trajectory(const std::vector<StampedPose2d>& poses, const std::string& path) {
+  TumFile file(path);
+  for (const StampedPose2d& pose : poses) file.write(pose);
+  file.close();
+}
+
+}  // namespace
+
 OfflineResult run_offline(ScanSource& source, Slam2d& slam, const std::string& out_dir,
                           const OfflineProgress& progress) {
   OfflineResult result;
-  TumFile causal(out_dir + "/causal.tum");
+  const std::size_t known_before = slam.trajectory().size();
+  TumFile causal_file(out_dir + "/causal.tum");
+  std::vector<StampedPose2d> causal;
   ScanRecord record;
   while (source.next(record)) {
     const ScanPose2d pose = slam.add_scan(record.scan, record.T_odom_base);
-    causal.write({record.scan.stamp_ns, pose.T_map_base});
+    causal.push_back({record.scan.stamp_ns, pose.T_map_base});
+    causal_file.write(causal.back());
     ++result.scans;
     if (!pose.is_used) ++result.unused_scans;
     if (!pose.problem.empty()) {
@@ -68,15 +95,16 @@ OfflineResult run_offline(ScanSource& source, Slam2d& slam, const std::string& o
     }
     if (progress) progress(result.scans, source.progress());
   }
-  causal.close();
+  causal_file.close();
   if (result.scans == 0) throw Error("the log has no scan that can be read");
   slam.finish();
-  TumFile final_poses(out_dir + "/trajectory.tum");
-  for (const StampedPose2d& pose : slam.trajectory()) final_poses.write(pose);
-  final_poses.close();
+  std::vector<StampedPose2d> poses = slam.trajectory();
+  poses.erase(poses.begin(), poses.begin() + static_cast<std::ptrdiff_t>(known_before));
+  write_trajectory(poses.empty() ? causal : poses, out_dir + "/trajectory.tum");
   save_map(out_dir + "/map", slam.map());
   if (const auto* graph = dynamic_cast<const GraphSlam2d*>(&slam)) {
     graph->save_g2o(out_dir + "/graph.g2o");
+    write_loops(*graph, out_dir + "/loops.csv");
   }
   return result;
 }

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""What a robot measures on a simulated drive through a building, for amcl_replay.
+"""What a robot measures on a simulated drive through a building.
 
-The simulator drives my_nav_robot by its lidar alone, with the rates of an RPLidar A1.
+The simulator drives my_nav_robot with the rates of an RPLidar A1, without ROS.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ import tempfile
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 import numpy.typing as npt
@@ -52,18 +52,90 @@ class Noise:
 
 
 @dataclass(frozen=True)
+class Lidar:
+    """What its scans have in common: angles [rad], limits [m], time between beams [s]."""
+
+    angle_min: float
+    angle_increment: float
+    range_min: float
+    range_max: float
+    time_increment: float
+
+
+@dataclass(frozen=True)
+class Sweep:
+    """One scan with its odometry.
+
+    Attributes:
+        stamp: of the first beam [s].
+        ranges: with noise; infinite where nothing was met [m], shape (n,).
+        begin, end: odometry's poses (x, y, yaw) at the first beam and after the last one.
+    """
+
+    stamp: float
+    ranges: Floats
+    begin: Floats
+    end: Floats
+
+
+@dataclass(frozen=True)
 class Recording:
     """One drive.
 
     Attributes:
-        records: for amcl_replay.
+        lidar: sits on the base's origin and looks ahead.
+        sweeps: the scans.
         truth: time [s], x, y [m], yaw [rad] of each scan, shape (n, 4).
+        start: true x, y, yaw at the begin of the drive.
         carried_s: when the robot was carried off.
     """
 
-    records: bytes
+    lidar: Lidar
+    sweeps: tuple[Sweep, ...]
     truth: Floats
-    carried_s: tuple[float, ...]
+    start: Floats
+    carried_s: tuple[float, ...] = ()
+
+
+class Pilot(Protocol):
+    """Who drives."""
+
+    @property
+    def is_done(self) -> bool:
+        """The drive is over."""
+
+    def command(
+        self, time_s: float, pose: Floats, scan: LaserScanSample | None
+    ) -> tuple[float, float] | None:
+        """Speed [m/s] and turn rate [rad/s], or None to go on as before.
+
+        Args:
+            time_s: now [s].
+            pose: true x, y, yaw.
+            scan: one that came just now.
+        """
+
+
+class Wanderer:
+    """Drives about by the lidar alone, without an end."""
+
+    is_done = False
+
+    def __init__(self, seed: int) -> None:
+        from trident_nav.core.wander import Wander, WanderConfig
+
+        self._wander = Wander(WanderConfig(seed=seed))
+
+    def command(
+        self, time_s: float, pose: Floats, scan: LaserScanSample | None
+    ) -> tuple[float, float] | None:
+        """As Pilot says."""
+        del time_s, pose
+        if scan is None:
+            return None
+        angles = scan.angle_min + scan.angle_increment * np.arange(len(scan.ranges))
+        v, w = self._wander.command(scan.stamp, angles, scan.ranges.astype(float))
+        return v, w
 
 
 def description() -> str:
@@ -141,9 +213,10 @@ def drive(
     world_file: Path,
     places: Floats,
     seed: int,
-    carried: Sequence[float],
     end_s: float,
     noise: Noise,
+    carried: Sequence[float] = (),
+    pilot: Pilot | None = None,
 ) -> Recording:
     """Drive from the first place, and be carried off to each of the others.
 
@@ -151,12 +224,11 @@ def drive(
         world_file: SDF of the building.
         places: x, y, yaw [m, rad, world], shape (n, 3).
         seed: of all that is left to chance.
-        carried: when the robot is carried off to places[1], places[2] ... [s].
-        end_s: of the drive [s].
+        end_s: of the drive at the latest [s].
         noise: of sensors.
+        carried: when the robot is carried off to places[1], places[2] ... [s].
+        pilot: who drives; None: a Wanderer.
     """
-    from trident_nav.core.wander import Wander, WanderConfig
-
     import trident_sim
 
     world = trident_sim.World(world_file, seed=seed)
@@ -166,11 +238,11 @@ def drive(
     scans, encoders = world.ports["scan"], world.ports["odom"]
     scans.subscribe()
     encoders.subscribe()
-    wander, odometry = Wander(WanderConfig(seed=seed)), Odometry(noise, seed)
+    pilot, odometry = pilot or Wanderer(seed), Odometry(noise, seed)
     due = list(zip(carried, places[1:], strict=True))
     truth: list[tuple[float, float, float, float]] = []
     taken: list[LaserScanSample] = []
-    while world.time < end_s:
+    while world.time < end_s and not pilot.is_done:
         if due and world.time >= due[0][0]:
             x, y, yaw = due.pop(0)[1]
             robot.set_pose((x, y, float(robot.position[2]), 0.0, 0.0, yaw))
@@ -183,8 +255,9 @@ def drive(
         scan = scans.read()
         if scan is not None:
             taken.append(scan)
-            angles = scan.angle_min + scan.angle_increment * np.arange(len(scan.ranges))
-            v, w = wander.command(scan.stamp, angles, scan.ranges.astype(float))
+        velocity = pilot.command(world.time, np.array(truth[-1][1:]), scan)
+        if velocity is not None:
+            v, w = velocity
             world.ports["cmd_vel"].write(trident_sim.TwistCommand((v, 0, 0), (0, 0, w)))
     return _recording(taken, odometry, np.array(truth), tuple(carried), noise, seed)
 
@@ -198,23 +271,21 @@ def _recording(
     seed: int,
 ) -> Recording:
     random = np.random.default_rng((seed, 3))
-    first = truth[0]
-    records = [np.array([1.0, *first[1:], 0.02, 0.02, 0.01]).tobytes()]
-    stamps = []
-    for scan in taken:
+    sweeps = []
+    begin = np.array([scan.stamp for scan in taken])
+    took = np.array([scan.time_increment * len(scan.ranges) for scan in taken])
+    at_begin, at_end = odometry.at(begin), odometry.at(begin + took)
+    for i, scan in enumerate(taken):
         ranges = scan.ranges.astype(float)
         is_met = np.isfinite(ranges)
         spread = np.maximum(noise.range_m, noise.range_share * ranges[is_met])
         ranges[is_met] += spread * random.standard_normal(len(spread))
-        begin = scan.stamp
-        end = begin + scan.time_increment * len(ranges)
-        at_begin, at_end = odometry.at(np.array([begin, end]))
-        limits = [scan.range_min, scan.range_max]
-        angles = [scan.angle_min, scan.angle_increment]
-        row = [0.0, begin, *at_begin, *relative(at_begin, at_end), 0.0, 0.0, 0.0]
-        records.append(np.array([*row, *angles, *limits, len(ranges), *ranges]).tobytes())
-        stamps.append(begin)
-    times = np.array(stamps)
+        sweeps.append(Sweep(scan.stamp, ranges, at_begin[i], at_end[i]))
+    scan = taken[0]
+    lidar = Lidar(
+        scan.angle_min, scan.angle_increment, scan.range_min, scan.range_max, scan.time_increment
+    )
     yaw = np.unwrap(truth[:, 3])
-    columns = [np.interp(times, truth[:, 0], c) for c in (truth[:, 1], truth[:, 2], yaw)]
-    return Recording(b"".join(records), np.column_stack((times, *columns)), carried)
+    columns = [np.interp(begin, truth[:, 0], c) for c in (truth[:, 1], truth[:, 2], yaw)]
+    poses = np.column_stack((begin, *columns))
+    return Recording(lidar, tuple(sweeps), poses, truth[0, 1:], carried)

@@ -11,17 +11,17 @@ from pathlib import Path
 
 from trident_eval.bench.machine import describe_commit, describe_machine
 from trident_eval.core.errors import EvalError
-from trident_eval.slam import benchmark, evaluation, offline
+from trident_eval.slam import benchmark, evaluation, offline, simulated
 from trident_eval.slam.offline import DEFAULT_METHOD
 
-DONE, UNUSABLE = 0, 2
+DONE, MISSED, UNUSABLE = 0, 1, 2
 
 
 def main(arguments: list[str] | None = None) -> int:
     """Run a subcommand.
 
     Returns:
-        0: done; 2: something that cannot be read, or run.
+        0: done; 1: a limit was missed; 2: something that cannot be read, or run.
     """
     parser = _parser()
     options, rest = parser.parse_known_args(arguments)
@@ -57,13 +57,16 @@ def _parser() -> argparse.ArgumentParser:
     slam.add_argument("--truth", type=Path, metavar="FILE.tum", help="to judge it by")
     slam.add_argument("--no-pictures", action="store_true", help="no report.html")
     slam.set_defaults(run=_slam)
-    bench = commands.add_parser("bench", help="measure on the public logs")
+    bench = commands.add_parser("bench", help="measure on the public logs, or in a simulated world")
     bench.add_argument("--quick", action="store_true", help="logs with relations, one run each")
     bench.add_argument("--runs", type=int, metavar="N", help="runs per row (5; --quick: 1)")
     bench.add_argument("--method", action="append", default=[], help="may be repeated")
     bench.add_argument("--config", type=Path, metavar="FILE.yaml")
     bench.add_argument("--data", type=Path, metavar="DIR", help="other logs, and their .relations")
     bench.add_argument("--out", type=Path, metavar="FILE.json", help="where the rows go")
+    bench.add_argument("--world", metavar="NAME", help="drives through it instead of logs: office")
+    bench.add_argument("--seeds", type=int, metavar="N", help="of drives (20; --quick: 2)")
+    bench.add_argument("--keep", type=Path, metavar="DIR", help="keeps logs and maps of the drives")
     bench.set_defaults(run=_bench)
     return parser
 
@@ -87,7 +90,24 @@ def _slam(options: argparse.Namespace) -> int:
     return DONE
 
 
+def _bench_world(options: argparse.Namespace) -> int:
+    seeds = range(options.seeds or (2 if options.quick else 20))
+    rows = simulated.measure_all(options.world, seeds, options.keep, _say)
+    print(simulated.table(rows))
+    missed = simulated.reasons(rows)
+    print("\n".join(missed) if missed else "all limits are kept")
+    if options.out:
+        options.out.write_text(simulated.as_json(rows, _about()), encoding="utf-8")
+    return MISSED if missed else DONE
+
+
+def _about() -> dict[str, object]:
+    return {"machine": describe_machine(), "commit": describe_commit(Path(__file__).parent)}
+
+
 def _bench(options: argparse.Namespace) -> int:
+    if options.world:
+        return _bench_world(options)
     folder = options.data or benchmark.data_folder()
     if folder is None:
         print(f"SKIPPED: {benchmark.DATA} does not point to the public logs", file=sys.stderr)
@@ -99,11 +119,7 @@ def _bench(options: argparse.Namespace) -> int:
         rows.append(benchmark.measure(one, options.config, _say))
     print(benchmark.table(rows))
     if options.out:
-        result = {
-            "machine": describe_machine(),
-            "commit": describe_commit(Path(__file__).parent),
-            "rows": rows,
-        }
+        result = _about() | {"rows": rows}
         options.out.write_text(json.dumps(result, indent=2) + "\n", encoding="utf-8")
     return DONE
 
