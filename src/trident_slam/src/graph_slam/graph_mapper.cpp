@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "graph_slam/final_match.h"
-#include "graph_slam/relocalizer.h"
 
 namespace trident {
 namespace {
@@ -17,11 +16,6 @@ constexpr double kReuseShare = 0.25;
 constexpr int kOwnStretches = 3;
 /// What surfaces may be reused is found out anew every so many keyframes.
 constexpr int kHidePeriod = 5;
-/// Localising, the robot is lost after so many scans of which less than this part fits.
-constexpr int kScansUntilLost = 5;
-constexpr double kLostShare = 0.75;
-/// A place elsewhere must fit better by this to be believed instead.
-constexpr double kFoundMargin = 0.15;
 /// Where odometry cannot be believed, the pose is sought in a window wider by this [m].
 constexpr double kDoubt = 0.5;
 
@@ -117,21 +111,12 @@ MatchResult GraphMapper::place(const PointScan& points, const OdometryMotion::St
   }
   MatchResult match =
       tracker_.track(points, motion.T_before_now, motion.problem.empty() ? 0.0 : kDoubt);
-  if (options_.mode == SlamMode::kLocalization) find_again_if_lost(points, &match);
-  return match;
-}
-
-void GraphMapper::find_again_if_lost(const PointScan& points, MatchResult* match) {
-  if (getenv("DBG")) fprintf(stderr, "INL %f\n", match->inlier_fraction);
-  const bool is_poor = match->inlier_fraction < kLostShare;
-  poor_matches_in_a_row_ = is_poor ? poor_matches_in_a_row_ + 1 : 0;
-  if (poor_matches_in_a_row_ < kScansUntilLost) return;
-  poor_matches_in_a_row_ = 0;
-  const auto found = find_in_map(tracker_.surfels(), points, tracker_.options().line);
-  if (getenv("DBG") && found) fprintf(stderr, "FOUND %f %f %f\n", found->inlier_fraction, (found->T_ref_base.p-match->T_ref_base.p).norm(), std::abs((found->T_ref_base.inverse()*match->T_ref_base).angle));
-  if (!found || found->inlier_fraction < match->inlier_fraction + kFoundMargin) return;
-  *match = *found;
+  if (options_.mode != SlamMode::kLocalization) return match;
+  const auto found = lost_robot_.check(graph_, tracker_.surfels(), points, motion.T_before_now,
+                                       match, tracker_.options().line);
+  if (!found) return match;
   tracker_.set_pose(found->T_ref_base);
+  return *found;
 }
 
 bool GraphMapper::is_keyframe_due() const {

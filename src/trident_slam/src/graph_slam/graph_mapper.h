@@ -11,6 +11,7 @@
 #include "front_end/odometry_motion.h"
 #include "graph_slam/keyframe_graph.h"
 #include "graph_slam/loop_worker.h"
+#include "graph_slam/lost_robot.h"
 #include "graph_slam/scan_archive.h"
 #include "graph_slam/scan_check.h"
 #include "graph_slam/scan_tracker.h"
@@ -44,7 +45,6 @@ class GraphMapper {
  private:
   Eigen::Vector3d twist_of(const LaserScan& scan, const SE2& T_last_base) const;
   MatchResult place(const PointScan& points, const OdometryMotion::Step& motion);
-  void find_again_if_lost(const PointScan& points, MatchResult* match);
   bool is_keyframe_due() const;
   void add_keyframe(const std::shared_ptr<const PointScan>& scan, const MatchResult& match);
   void tie_to_previous_keyframe(int keyframe, const MatchResult& match);
@@ -63,13 +63,13 @@ class GraphMapper {
   KeyframeGraph graph_;
   ScanArchive archive_;
   LoopWorker worker_;
+  LostRobot lost_robot_;
   std::int64_t last_stamp_ns_ = 0;
   double travelled_ = 0.0;
   bool is_paused_ = false;
   bool is_chain_broken_ = false;  ///< the next keyframe does not follow from the one before it
-  int poor_matches_in_a_row_ = 0;
-  int forgotten_scans_ = 0;                       ///< since the surfaces were made last
-  std::vector<SE2> final_poses_;                  ///< of the archived scans, after finish()
+  int forgotten_scans_ = 0;       ///< since the surfaces were made last
+  std::vector<SE2> final_poses_;  ///< of the archived scans, after finish()
   std::vector<std::pair<int, int>> reuse_links_;  ///< stretches: (older, newer)
 };
 

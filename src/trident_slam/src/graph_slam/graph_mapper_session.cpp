@@ -56,7 +56,7 @@ void GraphMapper::load(BinaryReader* reader, const std::optional<SE2>& T_map_bas
 void GraphMapper::set_pose(const SE2& T_map_base) {
   tracker_.set_pose(T_map_base);
   is_chain_broken_ = graph_.size() > 0;
-  poor_matches_in_a_row_ = 0;
+  lost_robot_.reset();
 }
 
 std::optional<SE2> GraphMapper::relocalize(const PointScan& scan, double min_inliers) {

@@ -29,20 +29,26 @@ int direction_of(const Eigen::Vector2d& p) {
 Place::Place(const KeyframeGraph& graph, int first, int last, int anchor) {
   const SE2 T_place_map = graph.pose(anchor).inverse();
   for (int i = graph.first_of(first); i < graph.end_of(last); ++i) {
-    const PointScan& scan = *graph[i].scan;
-    const SE2 T_place_base = T_place_map * graph.pose(i);
-    scans_.push_back({T_place_base, &scan});
-    const SE2 T_base_view = SE2::from_xy_yaw(static_cast<double>(scan.origin.x()),
-                                             static_cast<double>(scan.origin.y()), 0.0);
-    View view{(T_place_base * T_base_view).inverse(), std::vector<float>(kDirections, 0.0F)};
-    for (const SurfacePoint& point : scan.points) {
-      const Eigen::Vector2f p = point.p - scan.origin;
-      float& nearest = view.nearest[direction_of(p.cast<double>())];
-      const float range = p.norm();
-      if (nearest == 0.0F || range < nearest) nearest = range;
-    }
-    views_.push_back(std::move(view));
+    add(*graph[i].scan, T_place_map * graph.pose(i));
   }
+}
+
+Place::Place(const KeyframeGraph& graph, const std::vector<int>& keyframes) {
+  for (const int i : keyframes) add(*graph[i].scan, graph.pose(i));
+}
+
+void Place::add(const PointScan& scan, const SE2& T_place_base) {
+  scans_.push_back({T_place_base, &scan});
+  const SE2 T_base_view = SE2::from_xy_yaw(static_cast<double>(scan.origin.x()),
+                                           static_cast<double>(scan.origin.y()), 0.0);
+  View view{(T_place_base * T_base_view).inverse(), std::vector<float>(kDirections, 0.0F)};
+  for (const SurfacePoint& point : scan.points) {
+    const Eigen::Vector2f p = point.p - scan.origin;
+    float& nearest = view.nearest[direction_of(p.cast<double>())];
+    const float range = p.norm();
+    if (nearest == 0.0F || range < nearest) nearest = range;
+  }
+  views_.push_back(std::move(view));
 }
 
 void Place::insert_into(MaxPyramid* hits) const {

@@ -22,6 +22,8 @@ class Place {
  public:
   /// Stretches `first` to `last`, both included.
   Place(const KeyframeGraph& graph, int first, int last, int anchor);
+  /// Some keyframes, in the map's frame.
+  Place(const KeyframeGraph& graph, const std::vector<int>& keyframes);
 
   void insert_into(MaxPyramid* hits) const;
   SurfelMap surfels(double cell) const;
@@ -29,6 +31,8 @@ class Place {
                       const SE2& T_place_cloud) const;
 
  private:
+  void add(const PointScan& scan, const SE2& T_place_base);
+
   /// Ranges about one scanner, by direction.
   struct View {
     SE2 T_view_place;

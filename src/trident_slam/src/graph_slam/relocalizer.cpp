@@ -14,7 +14,6 @@ namespace {
 constexpr double kResolution = 0.1;  // of the search [m]
 constexpr int kLevels = 8;
 constexpr std::size_t kPoints = 150;
-constexpr double kLeastResponse = 0.4;
 
 }  // namespace
 
@@ -33,7 +32,7 @@ void insert_surfels(const SurfelMap& surfels, const Eigen::Vector2d& about, doub
 }
 
 std::optional<MatchResult> find_in_map(const SurfelMap& surfels, const PointScan& scan,
-                                       const LineMatchOptions& line) {
+                                       const LineMatchOptions& line, double least_response) {
   if (surfels.empty() || scan.points.empty()) return std::nullopt;
   Eigen::AlignedBox2f box;
   for (const Surfel& surfel : surfels.surfels()) box.extend(surfel.mean);
@@ -43,7 +42,7 @@ std::optional<MatchResult> find_in_map(const SurfelMap& surfels, const PointScan
   const SearchWindow everywhere{0.5 * static_cast<double>(box.sizes().maxCoeff()), kPi};
   const auto found = match_by_branch_and_bound(hits, thinned_points(scan, kPoints),
                                                SE2::from_xy_yaw(centre.x(), centre.y(), 0.0),
-                                               everywhere, kLeastResponse);
+                                               everywhere, least_response);
   if (!found) return std::nullopt;
   return match_lines(surfels, scan, found->T_ref_base, {}, line);
 }

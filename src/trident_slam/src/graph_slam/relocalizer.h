@@ -9,9 +9,10 @@
 
 namespace trident {
 
-/// The places in a whole map where a scan fits, by branch and bound; any heading.
+/// The place in a whole map where a scan fits best, by branch and bound; any heading. The higher
+/// `least_response`, the part of its points that must lie on surfaces, the shorter the search.
 std::optional<MatchResult> find_in_map(const SurfelMap& surfels, const PointScan& scan,
-                                       const LineMatchOptions& line);
+                                       const LineMatchOptions& line, double least_response = 0.4);
 
 /// The surfaces within `reach` [m] of a point as hits for a search.
 void insert_surfels(const SurfelMap& surfels, const Eigen::Vector2d& about, double reach,

@@ -12,6 +12,7 @@ target_sources(trident_slam PRIVATE
   src/graph_slam/keyframe_map.cpp
   src/graph_slam/loop_closer.cpp
   src/graph_slam/loop_worker.cpp
+  src/graph_slam/lost_robot.cpp
   src/graph_slam/pair_linker.cpp
   src/graph_slam/place.cpp
   src/graph_slam/relocalizer.cpp
