@@ -3,12 +3,14 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "trident_slam/graph_slam_options.h"
+#include "trident_slam/pose_graph_optimizer.h"
 #include "trident_slam/slam_2d.h"
 
 namespace trident {
@@ -37,7 +39,8 @@ struct GraphSlamLoop {
 /// they are closed within `add_scan`.
 class GraphSlam2d : public Slam2d {
  public:
-  explicit GraphSlam2d(const GraphSlamOptions& options = {});
+  /// `solver` optimises the graph; empty: ours.
+  explicit GraphSlam2d(const GraphSlamOptions& options = {}, PoseGraphSolverMaker solver = {});
   ~GraphSlam2d() override;
 
   ScanPose2d add_scan(const LaserScan& scan, const SE2& T_odom_base) override;
@@ -68,7 +71,17 @@ class GraphSlam2d : public Slam2d {
   /// transform. False if they do not fit to each other. Throws Error for an unknown keyframe.
   bool close_loop(int older, int newer, const SE2& T_older_newer);
 
+  /// Ties keyframes to whatever lies where a user moved them, if their surroundings fit there
+  /// within a metre; everything follows. Returns those that did not fit: they stay. Throws Error
+  /// for an unknown keyframe.
+  std::vector<int> move_keyframes(const std::map<int, SE2>& T_map_base);
+  /// Adds the keyframes of a session file, whose origin is at `T_map_session`, roughly, and seeks
+  /// loops between both. Returns how many it found. Throws Error as `load_session` does.
+  int append_session(const std::string& path, const SE2& T_map_session);
+
   std::vector<SE2> keyframe_poses() const;
+  /// What a keyframe saw, in its base frame [m]. Throws Error for an unknown keyframe.
+  std::vector<Eigen::Vector2f> keyframe_points(int keyframe) const;
   std::vector<GraphSlamEdge> edges() const;
   std::vector<GraphSlamLoop> loops() const;
   /// Loops that were believed so far.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -69,6 +70,9 @@ class PoseGraphSolver {
   virtual ~PoseGraphSolver() = default;
   virtual PoseGraphReport optimize(PoseGraph<Group>& graph) = 0;
 };
+
+/// Makes a solver of planar graphs that takes at most so many iterations.
+using PoseGraphSolverMaker = std::function<std::unique_ptr<PoseGraphSolver<SE2>>(int)>;
 
 /// Our own solver: Gauss-Newton systems with analytic Jacobians, factorised block by block
 /// (multifrontal Cholesky, minimum degree ordering of the vertices). The ordering is kept while the

@@ -46,12 +46,12 @@ Eigen::Matrix3d information(double sigma, double sigma_yaw) {
 
 }  // namespace
 
-GraphMapper::GraphMapper(const GraphSlamOptions& options)
+GraphMapper::GraphMapper(const GraphSlamOptions& options, const PoseGraphSolverMaker& solver)
     : options_(options),
       keyframe_filter_(keyframe_filter(options)),
       odometry_(options.odometry_jump_distance, options.odometry_jump_heading),
       tracker_(tracker_options(options)),
-      graph_(options.loop_match_minimum_chain_size),
+      graph_(options.loop_match_minimum_chain_size, solver),
       worker_(closer_options(options)) {
   options.validate();
   tracker_.set_pose(SE2::from_xy_yaw(options.map_start_pose[0], options.map_start_pose[1],

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -23,7 +24,7 @@ namespace trident {
 /// State and steps of GraphSlam2d, whose header tells what the public ones mean.
 class GraphMapper {
  public:
-  explicit GraphMapper(const GraphSlamOptions& options);
+  GraphMapper(const GraphSlamOptions& options, const PoseGraphSolverMaker& solver);
 
   ScanPose2d add_scan(const LaserScan& scan, const SE2& T_odom_base);
   void finish();
@@ -41,8 +42,19 @@ class GraphMapper {
   std::optional<SE2> relocalize(const PointScan& scan, double min_inliers);
   PointScan points_of(const LaserScan& scan, const Eigen::Vector3d& twist) const;
   bool close_loop(int older, int newer, const SE2& T_older_newer);
+  std::vector<int> move_keyframes(const std::map<int, SE2>& T_map_base);
+  int append(BinaryReader* reader, const SE2& T_map_session);
 
  private:
+  /// What a session file holds.
+  struct Session {
+    KeyframeGraph graph;
+    ScanArchive archive;
+    SE2 T_map_base;
+    double travelled = 0.0;
+  };
+  static Session read(BinaryReader* reader, const PoseGraphSolverMaker& solver);
+
   Eigen::Vector3d twist_of(const LaserScan& scan, const SE2& T_last_base) const;
   MatchResult place(const PointScan& points, const OdometryMotion::Step& motion);
   bool is_keyframe_due() const;
@@ -54,6 +66,11 @@ class GraphMapper {
   void close_loops(int stretch);
   void apply(LoopOutcome outcome);
   void rebuild_surfaces();
+  /// After edges of the user's: the loops that are under way know nothing of them.
+  void optimize_anew();
+  std::optional<GraphEdge> edge_to_what_lies_at(int keyframe, const SE2& T_map_base) const;
+  void begin_stretch();
+  int close_loops_across(int first_newer);
 
   GraphSlamOptions options_;
   ScanCheck check_;

@@ -30,27 +30,31 @@ void GraphMapper::save(BinaryWriter* writer) const {
   writer->put(travelled_);
 }
 
-void GraphMapper::load(BinaryReader* reader, const std::optional<SE2>& T_map_base) {
-  KeyframeGraph graph(1);
-  graph.load(reader);
-  ScanArchive archive;
-  archive.load(reader);
-  for (std::size_t i = 0; i < archive.size(); ++i) {
-    if (archive[i].keyframe >= graph.size()) reader->fail();
+GraphMapper::Session GraphMapper::read(BinaryReader* reader, const PoseGraphSolverMaker& solver) {
+  Session session{KeyframeGraph(1, solver), {}, {}, 0.0};
+  session.graph.load(reader);
+  session.archive.load(reader);
+  for (std::size_t i = 0; i < session.archive.size(); ++i) {
+    if (session.archive[i].keyframe >= session.graph.size()) reader->fail();
   }
-  const SE2 T_end = reader->get_pose();
-  const double travelled = reader->get<double>();
+  session.T_map_base = reader->get_pose();
+  session.travelled = reader->get<double>();
+  return session;
+}
+
+void GraphMapper::load(BinaryReader* reader, const std::optional<SE2>& T_map_base) {
+  Session session = read(reader, graph_.solver());
   worker_.clear();
-  graph_ = std::move(graph);
-  archive_ = std::move(archive);
-  travelled_ = travelled;
+  graph_ = std::move(session.graph);
+  archive_ = std::move(session.archive);
+  travelled_ = session.travelled;
   reuse_links_.clear();
   final_poses_.clear();
   check_ = ScanCheck();
   odometry_.forget();
   rebuild_surfaces();
   tracker_.hide({});
-  set_pose(T_map_base.value_or(T_end));
+  set_pose(T_map_base.value_or(session.T_map_base));
 }
 
 void GraphMapper::set_pose(const SE2& T_map_base) {
@@ -78,13 +82,8 @@ bool GraphMapper::close_loop(int older, int newer, const SE2& T_older_newer) {
   edge.T_from_to = match.T_ref_base;
   edge.information = Eigen::Vector3d(1e3, 1e3, 1e4).asDiagonal();
   edge.kind = EdgeKind::kLoop;
-  worker_.clear();
   graph_.add_edge(edge);
-  const SE2 T_newest_base = graph_.pose(graph_.size() - 1).inverse() * tracker_.T_map_base();
-  graph_.optimize(3.0, 20);
-  rebuild_surfaces();
-  tracker_.set_pose(graph_.pose(graph_.size() - 1) * T_newest_base);
-  hide_what_drifted();
+  optimize_anew();
   return true;
 }
 

@@ -3,6 +3,7 @@
 #include "trident_slam/graph_slam_2d.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "graph_slam/graph_mapper.h"
 #include "graph_slam/keyframe_map.h"
@@ -13,15 +14,27 @@ namespace trident {
 
 class GraphSlam2d::Impl {
  public:
-  explicit Impl(const GraphSlamOptions& options)
-      : options(options), mapper(std::make_unique<GraphMapper>(options)) {}
+  Impl(const GraphSlamOptions& options, PoseGraphSolverMaker solver)
+      : options(options), solver(std::move(solver)), mapper(new_mapper()) {}
+
+  std::unique_ptr<GraphMapper> new_mapper() const {
+    return std::make_unique<GraphMapper>(options, solver);
+  }
+
+  void check(int keyframe) const {
+    const int size = mapper->graph().size();
+    if (keyframe >= 0 && keyframe < size) return;
+    throw Error("keyframe " + std::to_string(keyframe) + ", legal: 0 to " +
+                std::to_string(size - 1));
+  }
 
   GraphSlamOptions options;
+  PoseGraphSolverMaker solver;
   std::unique_ptr<GraphMapper> mapper;
 };
 
-GraphSlam2d::GraphSlam2d(const GraphSlamOptions& options)
-    : impl_(std::make_unique<Impl>(options)) {}
+GraphSlam2d::GraphSlam2d(const GraphSlamOptions& options, PoseGraphSolverMaker solver)
+    : impl_(std::make_unique<Impl>(options, std::move(solver))) {}
 
 GraphSlam2d::~GraphSlam2d() = default;
 
@@ -42,7 +55,7 @@ bool GraphSlam2d::is_paused() const { return impl_->mapper->is_paused(); }
 
 void GraphSlam2d::clear() {
   const bool is_paused = impl_->mapper->is_paused();
-  impl_->mapper = std::make_unique<GraphMapper>(impl_->options);
+  impl_->mapper = impl_->new_mapper();
   impl_->mapper->set_paused(is_paused);
 }
 
@@ -70,13 +83,30 @@ std::optional<SE2> GraphSlam2d::relocalize(const LaserScan& scan, double min_inl
 }
 
 bool GraphSlam2d::close_loop(int older, int newer, const SE2& T_older_newer) {
-  const int size = impl_->mapper->graph().size();
-  for (const int keyframe : {older, newer}) {
-    if (keyframe >= 0 && keyframe < size && older != newer) continue;
-    throw Error("keyframe " + std::to_string(keyframe) + ", legal: two different ones of 0 to " +
-                std::to_string(size - 1));
+  for (const int keyframe : {older, newer}) impl_->check(keyframe);
+  if (older == newer) {
+    throw Error("keyframe " + std::to_string(older) + " twice, legal: two different ones");
   }
   return impl_->mapper->close_loop(older, newer, T_older_newer);
+}
+
+std::vector<int> GraphSlam2d::move_keyframes(const std::map<int, SE2>& T_map_base) {
+  for (const auto& [keyframe, T] : T_map_base) impl_->check(keyframe);
+  return impl_->mapper->move_keyframes(T_map_base);
+}
+
+int GraphSlam2d::append_session(const std::string& path, const SE2& T_map_session) {
+  BinaryReader reader = read_session_file(path);
+  return impl_->mapper->append(&reader, T_map_session);
+}
+
+std::vector<Eigen::Vector2f> GraphSlam2d::keyframe_points(int keyframe) const {
+  impl_->check(keyframe);
+  std::vector<Eigen::Vector2f> points;
+  for (const SurfacePoint& point : impl_->mapper->graph()[keyframe].scan->points) {
+    points.push_back(point.p);
+  }
+  return points;
 }
 
 std::vector<SE2> GraphSlam2d::keyframe_poses() const {

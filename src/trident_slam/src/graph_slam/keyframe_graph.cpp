@@ -121,9 +121,13 @@ void KeyframeGraph::optimize(double kernel, int iterations) {
     graph.add_edge({edge.from, edge.to, edge.T_from_to, edge.information,
                     is_doubted ? RobustKernel::kCauchy : RobustKernel::kNone, kernel, !is_doubted});
   }
-  PoseGraphOptions options;
-  options.max_iterations = iterations;
-  PoseGraphOptimizer<SE2>(options).optimize(graph);
+  if (solver_) {
+    solver_(iterations)->optimize(graph);
+  } else {
+    PoseGraphOptions options;
+    options.max_iterations = iterations;
+    PoseGraphOptimizer<SE2>(options).optimize(graph);
+  }
   for (int i = 0; i < size(); ++i) set_pose(i, graph.pose(i));
 }
 

@@ -6,11 +6,13 @@
 #include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "graph_slam/binary_stream.h"
 #include "trident_base/se2.h"
 #include "trident_slam/point_scan.h"
+#include "trident_slam/pose_graph_optimizer.h"
 
 namespace trident {
 
@@ -40,7 +42,9 @@ struct GraphEdge {
 /// for.
 class KeyframeGraph {
  public:
-  explicit KeyframeGraph(int stretch_size) : stretch_size_(stretch_size) {}
+  /// `solver` optimises; empty: ours.
+  explicit KeyframeGraph(int stretch_size, PoseGraphSolverMaker solver = {})
+      : stretch_size_(stretch_size), solver_(std::move(solver)) {}
 
   int add(const Keyframe& keyframe);
   void add_edge(const GraphEdge& edge) { edges_.push_back(edge); }
@@ -52,6 +56,7 @@ class KeyframeGraph {
   std::vector<GraphEdge>& edges() { return edges_; }
   void set_pose(int i, const SE2& T) { keyframes_[static_cast<std::size_t>(i)].T_map_base = T; }
 
+  const PoseGraphSolverMaker& solver() const { return solver_; }
   int stretch_size() const { return stretch_size_; }
   int stretch_of(int keyframe) const { return keyframe / stretch_size_; }
   int stretches() const { return (size() + stretch_size_ - 1) / stretch_size_; }
@@ -77,6 +82,7 @@ class KeyframeGraph {
 
  private:
   int stretch_size_;
+  PoseGraphSolverMaker solver_;
   std::vector<Keyframe> keyframes_;
   std::vector<GraphEdge> edges_;
 };

@@ -37,6 +37,23 @@ void ScanArchive::add(const LaserScan& scan, const Entry& entry, double max_rang
   }
 }
 
+void ScanArchive::append(const ScanArchive& other, int keyframe, const SE2& T_map_other) {
+  const auto geometry = static_cast<std::uint32_t>(geometries_.size());
+  const auto first_range = static_cast<std::uint64_t>(ranges_.size());
+  for (Entry entry : other.entries_) {
+    entry.geometry += geometry;
+    entry.first_range += first_range;
+    if (entry.keyframe < 0) {
+      entry.T_keyframe_base = T_map_other * entry.T_keyframe_base;
+    } else {
+      entry.keyframe += keyframe;
+    }
+    entries_.push_back(entry);
+  }
+  geometries_.insert(geometries_.end(), other.geometries_.begin(), other.geometries_.end());
+  ranges_.insert(ranges_.end(), other.ranges_.begin(), other.ranges_.end());
+}
+
 LaserScan ScanArchive::scan(std::size_t i) const {
   const Entry& entry = entries_[i];
   LaserScan scan = geometries_[entry.geometry];

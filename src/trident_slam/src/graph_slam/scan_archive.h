@@ -25,6 +25,8 @@ class ScanArchive {
   };
 
   void add(const LaserScan& scan, const Entry& entry, double max_range);
+  /// Scans of another map whose origin is at `T_map_other`; its keyframe 0 is now `keyframe`.
+  void append(const ScanArchive& other, int keyframe, const SE2& T_map_other);
   std::size_t size() const { return entries_.size(); }
   const Entry& operator[](std::size_t i) const { return entries_[i]; }
   Entry& operator[](std::size_t i) { return entries_[i]; }

@@ -5,6 +5,7 @@ find_package(Threads REQUIRED)
 target_sources(trident_slam PRIVATE
   src/graph_slam/final_match.cpp
   src/graph_slam/graph_mapper.cpp
+  src/graph_slam/graph_mapper_edit.cpp
   src/graph_slam/graph_mapper_session.cpp
   src/graph_slam/graph_slam_2d.cpp
   src/graph_slam/graph_slam_options.cpp

@@ -207,6 +207,86 @@ TEST_F(GraphSlamRing, ALoopOfAUserMustFit) {
   EXPECT_THROW(slam.close_loop(1, 100000, {}), Error);
 }
 
+// A tracker that may not reuse what is old and may not close loops drifts: a user corrects it.
+TEST_F(GraphSlamRing, AKeyframeThatAUserMovesClosesTheLoop) {
+  GraphSlamOptions blind = options();
+  blind.reuse_distance = 5.0;
+  blind.do_loop_closing = false;
+  blind.use_scan_matching = false;  // odometry alone
+  GraphSlam2d slam(blind);
+  odometry_ = drifting_odometry(path_, 1.0, 0.97);
+  std::size_t at = path_.size() * 5 / 6;  // once around and a quarter
+  drive(slam, 0, at);
+  const int newest = static_cast<int>(slam.keyframe_poses().size());
+  for (; static_cast<int>(slam.keyframe_poses().size()) == newest; ++at) drive(slam, at, at + 1);
+  --at;  // that keyframe's scan
+  ASSERT_GT(error(slam.keyframe_poses().back(), at), 1.0);
+  EXPECT_EQ(slam.move_keyframes({{newest, SE2::from_xy_yaw(8.0, 8.0, 0.0)}}),
+            std::vector<int>{newest});  // amid the block
+  EXPECT_EQ(slam.loops_closed(), 0);
+  const SE2 dropped = truth(at) * SE2::from_xy_yaw(0.3, -0.2, 0.1);  // by a hand, roughly
+  EXPECT_TRUE(slam.move_keyframes({{newest, dropped}}).empty());
+  EXPECT_EQ(slam.loops_closed(), 1);
+  EXPECT_LT(error(slam.keyframe_poses().back(), at), 0.1);
+  EXPECT_THROW(slam.move_keyframes({{newest + 1, dropped}}), Error);
+}
+
+TEST_F(GraphSlamRing, AKeyframeTellsWhatItSaw) {
+  GraphSlam2d slam(options());
+  drive(slam, 0, 40);
+  const std::vector<Eigen::Vector2f> points = slam.keyframe_points(0);
+  ASSERT_EQ(points.size(), 180U);
+  EXPECT_NEAR(points[90].norm(), world_.scan(path_[0], 0).ranges[90], 1e-3);
+  EXPECT_THROW(slam.keyframe_points(4711), Error);
+}
+
+TEST_F(GraphSlamRing, TwoSessionsBecomeOneMap) {
+  const std::string path = ::testing::TempDir() + "/graph_slam_second.tsl";
+  const std::size_t from = path_.size() / 3, to = path_.size();
+  {
+    GraphSlam2d second(options());
+    drive(second, from, to);
+    second.save_session(path);
+  }
+  GraphSlam2d slam(options());
+  drive(slam, 0, path_.size() / 2);
+  const std::size_t scans = slam.trajectory().size();
+  const SE2 dropped = SE2::from_xy_yaw(0.5, -0.4, 0.05) * truth(from);  // by a hand, roughly
+  EXPECT_GT(slam.append_session(path, dropped), 0);
+  slam.finish();
+  const std::vector<StampedPose2d> poses = slam.trajectory();
+  ASSERT_EQ(poses.size(), scans + (to - from));
+  for (std::size_t i = 0; i < poses.size(); i += 11) {
+    EXPECT_LT(error(poses[i].T_map_base, i < scans ? i : from + i - scans), 0.1) << "scan " << i;
+  }
+  std::remove(path.c_str());
+  EXPECT_THROW(slam.append_session(path, {}), Error);
+  EXPECT_EQ(slam.trajectory().size(), poses.size());
+}
+
+class CountingSolver : public PoseGraphSolver<SE2> {
+ public:
+  explicit CountingSolver(int* calls) : calls_(calls) {}
+  PoseGraphReport optimize(PoseGraph<SE2>& graph) override {
+    ++*calls_;
+    return PoseGraphOptimizer<SE2>().optimize(graph);
+  }
+
+ private:
+  int* calls_;
+};
+
+TEST_F(GraphSlamRing, TheSolverIsTheOneThatWasGiven) {
+  int calls = 0;
+  GraphSlam2d slam(options(), [&calls](int) { return std::make_unique<CountingSolver>(&calls); });
+  drive(slam, 0, 60);
+  slam.clear();
+  drive(slam, 0, 60);
+  slam.finish();
+  EXPECT_GT(calls, 0);
+  EXPECT_LT(error(slam.trajectory()[59].T_map_base, 59), 0.05);
+}
+
 TEST(GraphSlamOptionsTest, ImpossibleRangesAreAnError) {
   EXPECT_THROW(load_yaml_string<GraphSlamOptions>("min_laser_range: 5\nmax_laser_range: 2\n", "x"),
                Error);
