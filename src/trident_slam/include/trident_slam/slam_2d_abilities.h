@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <Eigen/Core>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -51,6 +53,17 @@ class Slam2dGraph {
   virtual GraphView2d graph_view() const = 0;
   /// Throws Error when the file cannot be written.
   virtual void write_g2o(const std::string& file) const = 0;
+};
+
+/// A graph that a user may correct.
+class Slam2dEditable {
+ public:
+  virtual ~Slam2dEditable() = default;
+  /// What a node saw, in its own frame [m]. Throws Error for an unknown node.
+  virtual std::vector<Eigen::Vector2f> node_points(int node) const = 0;
+  /// Ties nodes to what lies where they were moved. Returns those that did not fit there: they
+  /// stay. Throws Error for an unknown node.
+  virtual std::vector<int> move_nodes(const std::map<int, SE2>& T_map_base) = 0;
 };
 
 }  // namespace trident

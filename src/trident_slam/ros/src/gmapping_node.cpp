@@ -36,7 +36,7 @@ int run_gmapping(int argc, char** argv) {
     options.base_frame = "base_link";
     options.transform_publish_period = 0.05;
     read_options(own, options);
-    own.getParam("tf_delay", options.transform_timeout);
+    own.getParam("tf_delay", options.tf_delay);
     // What gmapping calls otherwise.
     GraphSlamOptions graph;
     own.getParam("delta", graph.resolution);

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trident_slam_ros/slam_node.h"
 
-#include <nav_msgs/MapMetaData.h>
-
 #include <array>
 #include <cmath>
 #include <map>
@@ -64,6 +62,10 @@ void read_options(const ros::NodeHandle& handle, SlamNodeOptions& options) {
   read_number(handle, "transform_timeout", 0.0, options.transform_timeout);
   read_number(handle, "tf_buffer_duration", 0.1, options.tf_buffer_duration);
   read_number(handle, "map_update_interval", 0.0, options.map_update_interval);
+  read_number(handle, "map_changes_interval", 0.0, options.map_changes_interval);
+  read_number(handle, "minimum_time_interval", 0.0, options.minimum_time_interval);
+  read_number(handle, "position_covariance_scale", 0.0, options.position_covariance_scale);
+  read_number(handle, "yaw_covariance_scale", 0.0, options.yaw_covariance_scale);
   read_number(handle, "bag_loop_threshold", 0.0, options.bag_loop_threshold);
   read_number(handle, "autosave_interval", 0.0, options.autosave_interval);
   const std::map<std::string, BagLoop> policies = {{"ignore", BagLoop::kIgnore},
@@ -79,6 +81,27 @@ void read_options(const ros::NodeHandle& handle, SlamNodeOptions& options) {
   options.bag_loop = found->second;
 }
 
+const std::vector<std::string>& slam_node_parameters() {
+  static const std::vector<std::string> names = {"map_frame",
+                                                 "odom_frame",
+                                                 "base_frame",
+                                                 "scan_topic",
+                                                 "throttle_scans",
+                                                 "autosave_file",
+                                                 "transform_publish_period",
+                                                 "transform_timeout",
+                                                 "tf_buffer_duration",
+                                                 "map_update_interval",
+                                                 "map_changes_interval",
+                                                 "minimum_time_interval",
+                                                 "position_covariance_scale",
+                                                 "yaw_covariance_scale",
+                                                 "bag_loop_threshold",
+                                                 "bag_loop",
+                                                 "autosave_interval"};
+  return names;
+}
+
 SlamNode::SlamNode(const ros::NodeHandle& private_handle, const SlamNodeOptions& options,
                    MakeSlam make)
     : options_(options),
@@ -89,10 +112,14 @@ SlamNode::SlamNode(const ros::NodeHandle& private_handle, const SlamNodeOptions&
       intake_(intake_options(options), transforms_) {
   ros::NodeHandle handle;
   ros::NodeHandle own(private_handle);
-  map_publisher_ = handle.advertise<nav_msgs::OccupancyGrid>(options.map_topic, 1, true);
-  metadata_publisher_ =
-      handle.advertise<nav_msgs::MapMetaData>(options.map_topic + "_metadata", 1, true);
-  pose_publisher_ = own.advertise<geometry_msgs::PoseWithCovarianceStamped>(options.pose_topic, 10);
+  const MapPublisher::Periods periods{options.map_update_interval, options.map_changes_interval};
+  map_publisher_ = std::make_unique<MapPublisher>(handle, options.map_topic, periods);
+  // In the node's namespace, as services are, and beside the map.
+  for (ros::NodeHandle* place : {&handle, &own}) {
+    if (place == &own && own.getNamespace() == handle.getNamespace()) continue;
+    pose_publishers_.push_back(
+        place->advertise<geometry_msgs::PoseWithCovarianceStamped>(options.pose_topic, 10));
+  }
   diagnostics_publisher_ = handle.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 10);
   map_service_ = own.advertiseService("dynamic_map", &SlamNode::get_map, this);
   intake_timer_ = handle.createWallTimer(ros::WallDuration(kIntakePeriodS),
@@ -128,7 +155,10 @@ void SlamNode::complain(const std::string& text) {
 
 void SlamNode::receive_scan(const sensor_msgs::LaserScanConstPtr& message) {
   if (is_bag_loop(*message) || is_paused_) return;
+  const double passed = std::abs((message->header.stamp - last_taken_).toSec());
+  if (!last_taken_.isZero() && passed < options_.minimum_time_interval) return;
   if (count_++ % static_cast<std::size_t>(options_.throttle_scans) != 0) return;
+  last_taken_ = message->header.stamp;
   intake_.add(message);
   hand_over();
 }
@@ -169,7 +199,7 @@ void SlamNode::hand_over() {
 void SlamNode::work() {
   while (true) {
     std::unique_lock<std::mutex> lock(queue_mutex_);
-    queue_changed_.wait(lock, [this] { return is_ending_ || !queue_.empty(); });
+    queue_changed_.wait(lock, [this] { return is_ending_ || (!is_held_ && !queue_.empty()); });
     if (is_ending_) return;
     const ScanRecord record = std::move(queue_.front());
     queue_.pop_front();
@@ -203,19 +233,21 @@ void SlamNode::consume(const ScanRecord& record) {
 }
 
 void SlamNode::publish_pose(const ScanRecord& record, const ScanPose2d& pose) {
-  if (pose_publisher_.getNumSubscribers() == 0) return;
   geometry_msgs::PoseWithCovarianceStamped message;
   message.header.stamp.fromNSec(static_cast<std::uint64_t>(record.scan.stamp_ns));
   message.header.frame_id = options_.map_frame;
   message.pose.pose = to_pose_message(pose.T_map_base);
   constexpr std::array<std::size_t, 3> kPlanar = {0, 1, 5};  // x, y, yaw among six
+  const double linear = std::sqrt(options_.position_covariance_scale);
+  const std::array<double, 3> scale = {linear, linear, std::sqrt(options_.yaw_covariance_scale)};
   for (std::size_t row = 0; row < 3; ++row) {
     for (std::size_t column = 0; column < 3; ++column) {
       message.pose.covariance[6 * kPlanar[row] + kPlanar[column]] =
+          scale[row] * scale[column] *
           pose.covariance(static_cast<int>(row), static_cast<int>(column));
     }
   }
-  pose_publisher_.publish(message);
+  for (const ros::Publisher& publisher : pose_publishers_) publisher.publish(message);
 }
 
 void SlamNode::publish_correction() {
@@ -223,7 +255,9 @@ void SlamNode::publish_correction() {
   geometry_msgs::TransformStamped message;
   {
     const std::lock_guard<std::mutex> lock(queue_mutex_);
-    message.header.stamp = ros::Time::now() + ros::Duration(options_.transform_timeout);
+    message.header.stamp =
+        ros::Time::now() +
+        ros::Duration(options_.tf_delay < 0.0 ? options_.transform_timeout : options_.tf_delay);
     // The same stamp twice would be ignored by every listener, with a warning.
     if (!has_correction_ || message.header.stamp == last_correction_) return;
     last_correction_ = message.header.stamp;
@@ -245,15 +279,7 @@ nav_msgs::OccupancyGrid SlamNode::map_message() {
 }
 
 void SlamNode::publish_map_if_due(const ros::Time& now) {
-  const double passed = std::abs((now - last_map_).toSec());
-  if (!last_map_.isZero() && passed < options_.map_update_interval) return;
-  if (map_publisher_.getNumSubscribers() == 0 && metadata_publisher_.getNumSubscribers() == 0) {
-    return;
-  }
-  last_map_ = now;
-  const nav_msgs::OccupancyGrid message = map_message();
-  map_publisher_.publish(message);
-  metadata_publisher_.publish(message.info);
+  if (map_publisher_->is_due(now)) map_publisher_->publish(map_message(), now);
 }
 
 void SlamNode::autosave_if_due(const ros::Time& now) {
@@ -300,6 +326,12 @@ void SlamNode::forget_correction() {
 void SlamNode::clear_queue() {
   const std::lock_guard<std::mutex> lock(queue_mutex_);
   queue_.clear();
+}
+
+void SlamNode::set_held(bool is_held) {
+  const std::lock_guard<std::mutex> lock(queue_mutex_);
+  is_held_ = is_held;
+  queue_changed_.notify_all();
 }
 
 bool SlamNode::get_map(nav_msgs::GetMap::Request& /*request*/,

@@ -12,6 +12,7 @@
 #include "trident_slam/hector_slam_2d.h"
 #include "trident_slam/particle_slam_2d.h"
 #include "trident_slam/slam_2d_abilities.h"
+#include "trident_slam_ros/parameter_names.h"
 
 namespace trident {
 namespace {
@@ -24,7 +25,8 @@ constexpr char kGraphSlam[] = "graph_slam_2d";
 class GraphSlamOfNode : public GraphSlam2d,
                         public Slam2dSession,
                         public Slam2dPlaced,
-                        public Slam2dGraph {
+                        public Slam2dGraph,
+                        public Slam2dEditable {
  public:
   using GraphSlam2d::GraphSlam2d;
 
@@ -49,18 +51,11 @@ class GraphSlamOfNode : public GraphSlam2d,
     return view;
   }
   void write_g2o(const std::string& file) const override { save_g2o(file); }
-};
-
-// An archive that only learns the names.
-struct FieldNames {
-  std::vector<std::string> names;
-  template <class... Rest>
-  void field(const char* name, const Rest&... /*rest*/) {
-    names.emplace_back(name);
+  std::vector<Eigen::Vector2f> node_points(int node) const override {
+    return keyframe_points(node);
   }
-  template <class... Rest>
-  void required(const char* name, const Rest&... /*rest*/) {
-    names.emplace_back(name);
+  std::vector<int> move_nodes(const std::map<int, SE2>& T_map_base) override {
+    return move_keyframes(T_map_base);
   }
 };
 
@@ -90,12 +85,9 @@ ConfigNode to_config(XmlRpcValue& value) {
 /// Those fields of a parameter struct that the node has parameters of the same name for.
 template <class Params>
 Params read_params(const ros::NodeHandle& private_handle) {
-  Params defaults;
-  FieldNames fields;
-  defaults.visit(fields);
   ConfigNode known;
   known.kind = ConfigNode::Kind::kMap;
-  for (const std::string& name : fields.names) {
+  for (const std::string& name : field_names<Params>()) {
     XmlRpcValue value;
     if (!private_handle.getParam(name, value)) continue;
     known.keys.push_back(name);
@@ -120,7 +112,8 @@ GraphSlamOptions read_graph_options(const ros::NodeHandle& private_handle) {
 
 std::function<std::unique_ptr<Slam2d>()> slam_maker(const ros::NodeHandle& private_handle,
                                                     const std::vector<std::string>& usual,
-                                                    const GraphSlamOptions& graph) {
+                                                    const GraphSlamOptions& graph,
+                                                    const PoseGraphSolverMaker& solver) {
   auto registry = std::make_shared<Registry<Slam2dFactory>>("SLAM method");
   register_builtin_slam_2d(*registry);
   const auto first = std::find_if(usual.begin(), usual.end(), [&registry](const std::string& name) {
@@ -132,7 +125,7 @@ std::function<std::unique_ptr<Slam2d>()> slam_maker(const ros::NodeHandle& priva
   private_handle.getParam("config_file", config_file);
   registry->get(method);
   if (method == kGraphSlam && config_file.empty()) {
-    return [graph] { return std::make_unique<GraphSlamOfNode>(graph); };
+    return [graph, solver] { return std::make_unique<GraphSlamOfNode>(graph, solver); };
   }
   if (method == "particle_slam_2d" && config_file.empty()) {
     const auto params = read_params<ParticleSlamParams>(private_handle);

@@ -10,6 +10,8 @@
 #include <slam_toolbox_msgs/Reset.h>
 #include <slam_toolbox_msgs/SaveMap.h>
 #include <slam_toolbox_msgs/SerializePoseGraph.h>
+#include <slam_toolbox_msgs/ToggleInteractive.h>
+#include <std_srvs/Empty.h>
 #include <visualization_msgs/MarkerArray.h>
 
 #include <exception>
@@ -20,55 +22,17 @@
 #include "trident_base/error.h"
 #include "trident_estimation_ros/map_messages.h"
 #include "trident_slam/slam_2d_abilities.h"
+#include "trident_slam_ros/graph_editor.h"
+#include "trident_slam_ros/service_list.h"
 #include "trident_slam_ros/slam_node.h"
 #include "trident_slam_ros/slam_parameters.h"
 #include "trident_slam_ros/slam_programs.h"
+#include "trident_slam_ros/toolbox_parameters.h"
 
 namespace trident {
 namespace {
 
 namespace srv = slam_toolbox_msgs;
-constexpr char kEnding[] = ".posegraph";
-
-visualization_msgs::Marker marker(const std::string& frame, const std::string& name, int type) {
-  visualization_msgs::Marker result;
-  result.header.frame_id = frame;
-  result.header.stamp = ros::Time::now();
-  result.ns = name;
-  result.type = type;
-  result.pose.orientation.w = 1.0;
-  result.color.a = 1.0F;
-  return result;
-}
-
-geometry_msgs::Point point_of(const SE2& T_map_node) {
-  geometry_msgs::Point point;
-  point.x = T_map_node.p.x();
-  point.y = T_map_node.p.y();
-  return point;
-}
-
-visualization_msgs::MarkerArray graph_markers(const GraphView2d& graph, const std::string& frame) {
-  visualization_msgs::Marker nodes = marker(frame, "nodes", visualization_msgs::Marker::POINTS);
-  nodes.scale.x = nodes.scale.y = 0.1;
-  nodes.color.r = 1.0F;
-  for (const SE2& node : graph.nodes) nodes.points.push_back(point_of(node));
-  visualization_msgs::Marker ways = marker(frame, "edges", visualization_msgs::Marker::LINE_LIST);
-  ways.scale.x = 0.03;
-  ways.color.b = 1.0F;
-  visualization_msgs::Marker loops = ways;
-  loops.ns = "loops";
-  loops.color.b = 0.0F;
-  loops.color.g = 0.8F;
-  for (const GraphView2d::Edge& edge : graph.edges) {
-    visualization_msgs::Marker& lines = edge.is_loop ? loops : ways;
-    lines.points.push_back(point_of(graph.nodes[static_cast<std::size_t>(edge.from)]));
-    lines.points.push_back(point_of(graph.nodes[static_cast<std::size_t>(edge.to)]));
-  }
-  visualization_msgs::MarkerArray array;
-  array.markers = {nodes, ways, loops};
-  return array;
-}
 
 template <class Ability, class Slam>
 Ability& able(Slam& slam, const char* what) {
@@ -77,38 +41,38 @@ Ability& able(Slam& slam, const char* what) {
   return *ability;
 }
 
-std::string session_file(const std::string& name) {
-  if (name.empty()) throw Error("filename is empty, legal: a path without an ending");
-  return name + kEnding;
-}
-
 /// The services of slam_toolbox around a SlamNode.
 class Toolbox {
  public:
-  Toolbox(const ros::NodeHandle& own, const SlamNodeOptions& options, SlamNode::MakeSlam make)
-      : own_(own), map_frame_(options.map_frame), node_(own, options, std::move(make)) {
-    serve<srv::Pause>("pause_new_measurements", [this](auto& /*request*/, auto& response) {
-      node_.set_paused(!node_.is_paused());
-      own_.setParam("paused_new_measurements", node_.is_paused());
-      response.status = true;
-    });
-    serve<srv::ClearQueue>("clear_queue", [this](auto& /*request*/, auto& response) {
+  /// `can_edit`: interactive mode is allowed.
+  Toolbox(const ros::NodeHandle& own, const SlamNodeOptions& options, SlamNode::MakeSlam make,
+          bool can_edit)
+      : own_(own),
+        map_frame_(options.map_frame),
+        can_edit_(can_edit),
+        node_(own, options, std::move(make)),
+        editor_(own, node_, options.map_frame),
+        services_(own) {
+    services_.serve<srv::Pause>("pause_new_measurements",
+                                [this](auto& /*request*/, auto& response) {
+                                  node_.set_paused(!node_.is_paused());
+                                  own_.setParam("paused_new_measurements", node_.is_paused());
+                                  response.status = true;
+                                });
+    services_.serve<srv::ClearQueue>("clear_queue", [this](auto& /*request*/, auto& response) {
       node_.clear_queue();
       response.status = true;
     });
-    serve<srv::Reset>("reset", [this](auto& request, auto& response) {
+    services_.serve<srv::Reset>("reset", [this](auto& request, auto& response) {
       node_.reset();
       node_.set_paused(request.pause_new_measurements);
       response.result = srv::Reset::Response::RESULT_SUCCESS;
     });
-    serve<srv::SaveMap>("save_map", [this](auto& request, auto& /*response*/) {
+    services_.serve<srv::SaveMap>("save_map", [this](auto& request, auto& /*response*/) {
       node_.save_map(request.name.data.empty() ? "map" : request.name.data);
     });
-    serve<srv::LoopClosure>("manual_loop_closure", [this](auto& /*request*/, auto& /*response*/) {
-      node_.with_slam([](Slam2d& slam) { slam.finish(); });
-    });
-    serve<srv::Clear>("clear_changes", [](auto& /*request*/, auto& /*response*/) {});
     serve_sessions();
+    serve_corrections();
     graph_publisher_ =
         own_.advertise<visualization_msgs::MarkerArray>("graph_visualization", 1, true);
     graph_timer_ = own_.createTimer(ros::Duration(std::max(options.map_update_interval, 0.1)),
@@ -118,34 +82,43 @@ class Toolbox {
   }
 
  private:
-  // A request that cannot be met fails, and the log says why.
-  template <class Service, class Answer>
-  void serve(const std::string& name, const Answer& answer) {
-    using Request = typename Service::Request;
-    using Response = typename Service::Response;
-    const boost::function<bool(Request&, Response&)> call = [name, answer](Request& request,
-                                                                           Response& response) {
-      try {
-        answer(request, response);
-        return true;
-      } catch (const Error& error) {
-        ROS_ERROR("%s: %s", name.c_str(), error.what());
-        return false;
-      }
-    };
-    services_.push_back(own_.advertiseService<Request, Response>(name, call));
+  void serve_sessions() {
+    services_.serve<srv::SerializePoseGraph>(
+        "serialize_map", [this](auto& request, auto& /*response*/) {
+          const std::string file = session_file(request.filename);
+          node_.with_slam([&file](Slam2d& slam) {
+            able<Slam2dSession>(slam, "keep sessions").save_session(file);
+          });
+        });
+    services_.serve<srv::DeserializePoseGraph>(
+        "deserialize_map", [this](auto& request, auto& /*response*/) {
+          const auto& pose = request.initial_pose;
+          load(request.filename, request.match_type, SE2::from_xy_yaw(pose.x, pose.y, pose.theta));
+        });
   }
 
-  void serve_sessions() {
-    serve<srv::SerializePoseGraph>("serialize_map", [this](auto& request, auto& /*response*/) {
-      const std::string file = session_file(request.filename);
-      node_.with_slam(
-          [&file](Slam2d& slam) { able<Slam2dSession>(slam, "keep sessions").save_session(file); });
-    });
-    serve<srv::DeserializePoseGraph>("deserialize_map", [this](auto& request, auto& /*response*/) {
-      const auto& pose = request.initial_pose;
-      load(request.filename, request.match_type, SE2::from_xy_yaw(pose.x, pose.y, pose.theta));
-    });
+  void serve_corrections() {
+    services_.serve<srv::ToggleInteractive>("toggle_interactive_mode",
+                                            [this](auto& /*request*/, auto& /*response*/) {
+                                              if (!can_edit_) {
+                                                throw Error(
+                                                    "not while localizing, nor without parameter "
+                                                    "enable_interactive_mode");
+                                              }
+                                              editor_.toggle();
+                                              publish_graph();
+                                            });
+    services_.serve<srv::LoopClosure>("manual_loop_closure",
+                                      [this](auto& /*request*/, auto& /*response*/) {
+                                        editor_.apply();
+                                        publish_graph();
+                                      });
+    services_.serve<srv::Clear>("clear_changes",
+                                [this](auto& /*request*/, auto& /*response*/) { editor_.clear(); });
+    services_.serve<std_srvs::Empty>(
+        "clear_localization_buffer", [](auto& /*request*/, auto& /*response*/) {
+          ROS_INFO("clear_localization_buffer has no effect: localizing adds nothing to the map");
+        });
   }
 
   void load(const std::string& name, int match_type, const SE2& T_map_base) {
@@ -170,13 +143,15 @@ class Toolbox {
     if (!own_.getParam("map_file_name", name) || name.empty()) return;
     std::vector<double> pose;
     const bool has_pose = own_.getParam("map_start_pose", pose);
+    bool is_at_dock = !has_pose;
+    if (!has_pose) own_.getParam("map_start_at_dock", is_at_dock);
     if (has_pose && pose.size() != 3) {
       throw Error("map_start_pose has " + std::to_string(pose.size()) +
                   " numbers, legal: [x, y, yaw]");
     }
     if (!has_pose) pose = {0.0, 0.0, 0.0};
     using Request = srv::DeserializePoseGraph::Request;
-    load(name, has_pose ? Request::START_AT_GIVEN_POSE : Request::START_AT_FIRST_NODE,
+    load(name, is_at_dock ? Request::START_AT_FIRST_NODE : Request::START_AT_GIVEN_POSE,
          SE2::from_xy_yaw(pose[0], pose[1], pose[2]));
   }
 
@@ -202,12 +177,20 @@ class Toolbox {
 
   ros::NodeHandle own_;
   std::string map_frame_;
+  bool can_edit_;
   SlamNode node_;
-  std::vector<ros::ServiceServer> services_;
+  GraphEditor editor_;
+  ServiceList services_;
   ros::Publisher graph_publisher_;
   ros::Subscriber initial_pose_;
   ros::Timer graph_timer_;
 };
+
+void log_debug() {
+  if (ros::console::set_logger_level(ROSCONSOLE_DEFAULT_NAME, ros::console::levels::Debug)) {
+    ros::console::notifyLoggerLevelsChanged();
+  }
+}
 
 }  // namespace
 
@@ -218,11 +201,18 @@ int run_slam_toolbox(int argc, char** argv, ToolboxMode mode) {
     SlamNodeOptions options;
     options.is_sync = mode != ToolboxMode::kAsync;
     read_options(own, options);
+    own.getParam("map_name", options.map_topic);
     GraphSlamOptions graph = read_graph_options(own);
     graph.is_asynchronous = mode == ToolboxMode::kAsync;
     if (mode == ToolboxMode::kLocalization) graph.mode = SlamMode::kLocalization;
     if (mode == ToolboxMode::kLifelong) graph.mode = SlamMode::kLifelong;
-    const Toolbox toolbox(own, options, slam_maker(own, {"graph_slam_2d"}, graph));
+    const PoseGraphSolverMaker solver = read_solver(own);
+    tell_unused_toolbox_parameters(own, solver != nullptr);
+    if (own.param("debug_logging", false)) log_debug();
+    const bool can_edit =
+        graph.mode != SlamMode::kLocalization && own.param("enable_interactive_mode", true);
+    const Toolbox toolbox(own, options, slam_maker(own, {"graph_slam_2d"}, graph, solver),
+                          can_edit);
     ros::spin();
   } catch (const std::exception& error) {
     std::cerr << ros::this_node::getName() << ": " << error.what() << std::endl;

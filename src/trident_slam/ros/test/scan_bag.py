@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""A recorded drive through a room of boxes, with drifting odometry."""
+"""A recorded drive through a room of boxes, with drifting odometry, and how nodes are fed it."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ import rospy
 from geometry_msgs.msg import TransformStamped
 from sensor_msgs.msg import LaserScan
 from tf2_msgs.msg import TFMessage
+from trident.testing import LIMIT_S, Recorder, Ros
 
 #: x0, y0, x1, y1 [m]: the room, seen from inside, and what stands in it.
 ROOM = (-4.0, -3.0, 4.0, 3.0)
@@ -90,3 +91,22 @@ def scan(stamp: rospy.Time, pose: np.ndarray, rng: np.random.Generator) -> Laser
     x, y = pose[0] + MOUNT_M * math.cos(pose[2]), pose[1] + MOUNT_M * math.sin(pose[2])
     message.ranges = list(ranges(x, y, pose[2]) + rng.normal(0.0, 0.01, BEAMS))
     return message
+
+
+def diagnosed(seen: Recorder, key: str) -> str:
+    """The newest value of a key of the node's diagnostics, or ''."""
+    for array in reversed(seen.messages):
+        for status in array.status:
+            if status.name.endswith("SLAM"):
+                return next(pair.value for pair in status.values if pair.key == key)
+    return ""
+
+
+def play(ros: Ros, bag: Path, *words: str) -> None:
+    command = ["rosbag", "play", "--quiet", "--clock", "--wait-for-subscribers", *words, str(bag)]
+    ros.call(*command)
+
+
+def service(name: str, kind: type) -> rospy.ServiceProxy:
+    rospy.wait_for_service(name, LIMIT_S)
+    return rospy.ServiceProxy(name, kind)

@@ -14,11 +14,11 @@ import tf2_ros
 from diagnostic_msgs.msg import DiagnosticArray
 from geometry_msgs.msg import Pose2D
 from nav_msgs.msg import OccupancyGrid
-from scan_bag import write_bag
+from scan_bag import diagnosed, play, service, write_bag
 from slam_toolbox_msgs.srv import DeserializePoseGraph, Pause, Reset, SaveMap, SerializePoseGraph
 from std_msgs.msg import String
 from std_srvs.srv import SetBool
-from trident.testing import LIMIT_S, Recorder, Ros, eventually, program, recorder
+from trident.testing import LIMIT_S, Ros, eventually, program, recorder
 
 SCANS = 60
 
@@ -35,25 +35,6 @@ def offline(
 ) -> subprocess.CompletedProcess[str]:
     words = [program("trident_slam", "slam_offline_bag"), str(bag), "--method", method]
     return subprocess.run([*words, "--out", str(out)], capture_output=True, text=True, check=False)
-
-
-def diagnosed(seen: Recorder, key: str) -> str:
-    """The newest value of a key of the node's diagnostics, or ''."""
-    for array in reversed(seen.messages):
-        for status in array.status:
-            if status.name.endswith("SLAM"):
-                return next(pair.value for pair in status.values if pair.key == key)
-    return ""
-
-
-def play(ros: Ros, bag: Path, *words: str) -> None:
-    command = ["rosbag", "play", "--quiet", "--clock", "--wait-for-subscribers", *words, str(bag)]
-    ros.call(*command)
-
-
-def service(name: str, kind: type) -> rospy.ServiceProxy:
-    rospy.wait_for_service(name, LIMIT_S)
-    return rospy.ServiceProxy(name, kind)
 
 
 def test_a_replayed_bag_gives_the_map_of_the_offline_runner(

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include "graph_slam/polygon_world.h"
 #include "pose_graph/random_graphs.h"
 #include "trident_base/error.h"
+#include "trident_slam/graph_slam_2d.h"
 #include "trident_slam/pose_graph_ceres.h"
 
 namespace trident {
@@ -65,6 +67,28 @@ TEST(CeresOptions, NamesTheParameter) {
     EXPECT_NE(text.find("ceres_linear_solver 'SPARSE_SHUR'; did you mean 'SPARSE_SCHUR'?"),
               std::string::npos)
         << text;
+  }
+}
+
+// graph_slam_2d makes the same map with either solver.
+TEST(CeresOptions, AMapMayBeOptimizedByCeres) {
+  const PolygonWorld world = ring_world();
+  const std::vector<SE2> path = ring_path(0.5);
+  const std::vector<SE2> odometry = drifting_odometry(path, 1.05, 0.97);
+  const PoseGraphSolverMaker ceres = [](int max_iterations) {
+    CeresOptions options;
+    options.max_iterations = max_iterations;
+    return make_ceres_solver<SE2>(options);
+  };
+  GraphSlam2d with_ceres({}, ceres);
+  GraphSlam2d with_ours;
+  for (GraphSlam2d* slam : {&with_ceres, &with_ours}) {
+    for (std::size_t i = 0; i < 120; ++i) slam->add_scan(world.scan(path[i], i), odometry[i]);
+    slam->finish();
+  }
+  const auto poses = with_ceres.trajectory();
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    EXPECT_LT((poses[i].T_map_base.p - with_ours.trajectory()[i].T_map_base.p).norm(), 0.01);
   }
 }
 

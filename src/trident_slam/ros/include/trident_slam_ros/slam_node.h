@@ -19,8 +19,10 @@
 #include <mutex>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "trident_slam/slam_2d.h"
+#include "trident_slam_ros/map_publisher.h"
 #include "trident_slam_ros/scan_intake.h"
 
 namespace trident {
@@ -40,8 +42,13 @@ struct SlamNodeOptions {
   double transform_publish_period = 0.02;  ///< [s]; 0: map -> odom is not published
   double transform_timeout = 0.2;          ///< [s]
   double tf_buffer_duration = 30.0;        ///< [s]
-  double map_update_interval = 5.0;        ///< [s]
-  double bag_loop_threshold = 1.0;         ///< [s]
+  double map_update_interval = 5.0;        ///< [s] between two whole maps
+  double map_changes_interval = 1.0;       ///< [s] between what is told of changes; 0: none
+  double minimum_time_interval = 0.0;      ///< [s] between two scans that are used
+  double tf_delay = -1.0;  ///< [s] by which map -> odom is ahead; negative: transform_timeout
+  double position_covariance_scale = 1.0;
+  double yaw_covariance_scale = 1.0;
+  double bag_loop_threshold = 1.0;  ///< [s]
   BagLoop bag_loop = BagLoop::kIgnore;
   std::string autosave_file;       ///< session file; empty: none
   double autosave_interval = 0.0;  ///< [s]
@@ -51,8 +58,12 @@ struct SlamNodeOptions {
 /// legal is an Error with name, value and range.
 void read_options(const ros::NodeHandle& private_handle, SlamNodeOptions& options);
 
-/// Any Slam2d as a ROS node: scans and transforms in; map, map_metadata, map -> odom, pose and
-/// /diagnostics out. Scans wait for their transforms; a thread of its own feeds the algorithm.
+/// Their names.
+const std::vector<std::string>& slam_node_parameters();
+
+/// Any Slam2d as a ROS node: scans and transforms in; map, map_metadata, map_updates, map -> odom,
+/// pose and /diagnostics out. Scans wait for their transforms; a thread of its own feeds the
+/// algorithm.
 class SlamNode {
  public:
   using MakeSlam = std::function<std::unique_ptr<Slam2d>()>;
@@ -76,6 +87,8 @@ class SlamNode {
   void reset();
   void set_paused(bool is_paused) { is_paused_ = is_paused; }
   bool is_paused() const { return is_paused_; }
+  /// Held, scans wait: all of them in synchronous mode, else the newest.
+  void set_held(bool is_held);
   /// Forgets the scans that wait.
   void clear_queue();
   nav_msgs::OccupancyGrid map_message();
@@ -110,6 +123,7 @@ class SlamNode {
   tf2_ros::TransformBroadcaster broadcaster_;
   ScanIntake intake_;
   ros::Time last_stamp_;
+  ros::Time last_taken_;
   std::size_t count_ = 0;
   bool is_looping_ = false;
 
@@ -117,6 +131,7 @@ class SlamNode {
   std::condition_variable queue_changed_;
   std::deque<ScanRecord> queue_;
   bool is_ending_ = false;
+  bool is_held_ = false;
   bool has_correction_ = false;
   SE2 T_map_odom_;
   ros::Time last_correction_;
@@ -128,11 +143,9 @@ class SlamNode {
   std::size_t told_late_ = 0;
   std::atomic<bool> is_paused_{false};
 
-  ros::Time last_map_;
   ros::Time last_autosave_;
-  ros::Publisher map_publisher_;
-  ros::Publisher metadata_publisher_;
-  ros::Publisher pose_publisher_;
+  std::unique_ptr<MapPublisher> map_publisher_;
+  std::vector<ros::Publisher> pose_publishers_;
   ros::Publisher diagnostics_publisher_;
   ros::Subscriber scan_subscriber_;
   ros::ServiceServer map_service_;

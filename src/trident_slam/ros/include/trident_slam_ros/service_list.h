@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <ros/ros.h>
+
+#include <boost/function.hpp>
+#include <string>
+#include <vector>
+
+#include "trident_base/error.h"
+
+namespace trident {
+
+/// Services of a node that throw: a request that cannot be met fails, and the log says why.
+class ServiceList {
+ public:
+  explicit ServiceList(const ros::NodeHandle& handle) : handle_(handle) {}
+
+  /// `answer(request, response)`.
+  template <class Service, class Answer>
+  void serve(const std::string& name, const Answer& answer) {
+    using Request = typename Service::Request;
+    using Response = typename Service::Response;
+    const boost::function<bool(Request&, Response&)> call = [name, answer](Request& request,
+                                                                           Response& response) {
+      try {
+        answer(request, response);
+        return true;
+      } catch (const Error& error) {
+        ROS_ERROR("%s: %s", name.c_str(), error.what());
+        return false;
+      }
+    };
+    servers_.push_back(handle_.advertiseService<Request, Response>(name, call));
+  }
+
+ private:
+  ros::NodeHandle handle_;
+  std::vector<ros::ServiceServer> servers_;
+};
+
+/// A session file's path; slam_toolbox' services name files without an ending. Throws Error for an
+/// empty name.
+inline std::string session_file(const std::string& name) {
+  if (name.empty()) throw Error("filename is empty, legal: a path without an ending");
+  return name + ".posegraph";
+}
+
+}  // namespace trident
