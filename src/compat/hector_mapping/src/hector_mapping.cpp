@@ -3,11 +3,16 @@
 // Node hector_mapping: hector's topics, services and parameters around trident_slam.
 #include <geometry_msgs/PoseStamped.h>
 #include <hector_mapping/ResetMapping.h>
+#include <nav_msgs/Odometry.h>
 #include <ros/ros.h>
+#include <sensor_msgs/PointCloud.h>
 #include <std_msgs/String.h>
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
+#include <tf2_ros/transform_broadcaster.h>
 
+#include <cmath>
+#include <cstdint>
 #include <exception>
 #include <iostream>
 #include <string>
@@ -15,27 +20,54 @@
 
 #include "trident_base/error.h"
 #include "trident_estimation_ros/map_messages.h"
+#include "trident_slam/hector_slam_2d.h"
 #include "trident_slam/slam_2d_abilities.h"
+#include "trident_slam_ros/parameter_names.h"
 #include "trident_slam_ros/slam_node.h"
 #include "trident_slam_ros/slam_parameters.h"
 
 namespace trident {
 namespace {
 
+struct HectorOptions {
+  bool publishes_odometry = false;     ///< scanmatch_odom
+  bool publishes_scan_matcher = true;  ///< map -> `scan_matcher_frame`: the base as matched
+  std::string scan_matcher_frame = "scanmatcher_frame";
+  std::string command_topic = "syscommand";
+};
+
+sensor_msgs::PointCloud cloud_of(const LaserScan& scan, const std_msgs::Header& header) {
+  sensor_msgs::PointCloud cloud;
+  cloud.header = header;
+  for (std::size_t beam = 0; beam < scan.size(); ++beam) {
+    if (!scan.is_return(beam)) continue;
+    const auto range = static_cast<double>(scan.ranges[beam]);
+    const double angle = scan.angle(beam);
+    const Eigen::Vector2d p =
+        scan.T_base_laser * Eigen::Vector2d(range * std::cos(angle), range * std::sin(angle));
+    geometry_msgs::Point32 point;
+    point.x = static_cast<float>(p.x());
+    point.y = static_cast<float>(p.y());
+    cloud.points.push_back(point);
+  }
+  return cloud;
+}
+
 class HectorMapping {
  public:
-  HectorMapping(const ros::NodeHandle& own, const SlamNodeOptions& options, SlamNode::MakeSlam make)
-      : map_frame_(options.map_frame), node_(own, options, std::move(make)) {
+  HectorMapping(const ros::NodeHandle& own, const SlamNodeOptions& options,
+                const HectorOptions& hector, SlamNode::MakeSlam make)
+      : map_frame_(options.map_frame),
+        base_frame_(options.base_frame),
+        hector_(hector),
+        node_(own, options, std::move(make)) {
     ros::NodeHandle handle;
-    pose_publisher_ = handle.advertise<geometry_msgs::PoseStamped>("slam_out_pose", 1);
-    node_.on_scan([this](const ScanRecord& record, const ScanPose2d& pose) {
-      geometry_msgs::PoseStamped message;
-      message.header.stamp.fromNSec(static_cast<std::uint64_t>(record.scan.stamp_ns));
-      message.header.frame_id = map_frame_;
-      message.pose = to_pose_message(pose.T_map_base);
-      pose_publisher_.publish(message);
-    });
-    command_ = handle.subscribe("syscommand", 10, &HectorMapping::obey, this);
+    pose_publisher_ = handle.advertise<geometry_msgs::PoseStamped>("slam_out_pose", 1, true);
+    cloud_publisher_ = handle.advertise<sensor_msgs::PointCloud>("slam_cloud", 1);
+    odometry_publisher_ = handle.advertise<nav_msgs::Odometry>("scanmatch_odom", 50);
+    node_.on_scan(
+        [this](const ScanRecord& record, const ScanPose2d& pose) { publish(record, pose); });
+    command_ = handle.subscribe(hector.command_topic, 10, &HectorMapping::obey, this);
     place_ = handle.subscribe("initialpose", 1, &HectorMapping::place, this);
     reset_ = handle.advertiseService("reset_map", &HectorMapping::reset, this);
     pause_ = handle.advertiseService("pause_mapping", &HectorMapping::pause, this);
@@ -44,6 +76,36 @@ class HectorMapping {
   }
 
  private:
+  // In the thread of the algorithm.
+  void publish(const ScanRecord& record, const ScanPose2d& pose) {
+    std_msgs::Header header;
+    header.stamp.fromNSec(static_cast<std::uint64_t>(record.scan.stamp_ns));
+    header.frame_id = map_frame_;
+    geometry_msgs::PoseStamped message;
+    message.header = header;
+    message.pose = to_pose_message(pose.T_map_base);
+    pose_publisher_.publish(message);
+    if (hector_.publishes_odometry) {
+      nav_msgs::Odometry odometry;
+      odometry.header = header;
+      odometry.child_frame_id = base_frame_;
+      odometry.pose.pose = message.pose;
+      odometry_publisher_.publish(odometry);
+    }
+    if (hector_.publishes_scan_matcher) publish_frame(header, message.pose);
+    if (cloud_publisher_.getNumSubscribers() == 0) return;
+    header.frame_id = base_frame_;
+    cloud_publisher_.publish(cloud_of(record.scan, header));
+  }
+  void publish_frame(const std_msgs::Header& header, const geometry_msgs::Pose& pose) {
+    geometry_msgs::TransformStamped transform;
+    transform.header = header;
+    transform.child_frame_id = hector_.scan_matcher_frame;
+    transform.transform.translation.x = pose.position.x;
+    transform.transform.translation.y = pose.position.y;
+    transform.transform.rotation = pose.orientation;
+    broadcaster_.sendTransform(transform);
+  }
   void obey(const std_msgs::String& command) {
     if (command.data == "reset") node_.reset();
   }
@@ -77,12 +139,18 @@ class HectorMapping {
       return true;
     } catch (const Error& error) {
       ROS_ERROR("pose: %s", error.what());
+      node_.count_problem(std::string("pose: ") + error.what());
       return false;
     }
   }
 
   std::string map_frame_;
+  std::string base_frame_;
+  HectorOptions hector_;
+  tf2_ros::TransformBroadcaster broadcaster_;
   ros::Publisher pose_publisher_;
+  ros::Publisher cloud_publisher_;
+  ros::Publisher odometry_publisher_;
   SlamNode node_;
   ros::Subscriber command_;
   ros::Subscriber place_;
@@ -91,25 +159,74 @@ class HectorMapping {
   ros::ServiceServer restart_;
 };
 
-void run() {
-  const ros::NodeHandle own("~");
+/// Of a map that does not grow, of endpoints that are not in the plane, of debugging.
+const ParameterNames& upstream_parameters() {
+  static const ParameterNames names = {
+      "map_size",          "map_start_x",  "map_start_y",     "laser_z_min_value",
+      "laser_z_max_value", "laser_z_min",  "laser_z_max",     "advertise_map_service",
+      "output_timing",     "pub_drawings", "pub_debug_output"};
+  return names;
+}
+
+void tell_unused_parameters(const ros::NodeHandle& own) {
+  ParameterNames used = field_names<HectorSlamParams>();
+  const ParameterNames& of_node = slam_node_parameters();
+  used.insert(used.end(), of_node.begin(), of_node.end());
+  used.insert(used.end(), {"method", "config_file", "map_pub_period", "pub_map_odom_transform",
+                           "pub_map_scanmatch_transform", "tf_map_scanmatch_transform_frame_name",
+                           "pub_odometry", "scan_subscriber_queue_size", "sys_msg_topic",
+                           "use_tf_scan_transformation", "use_tf_pose_start_estimate"});
+  tell_unused(own, used, upstream_parameters());
+}
+
+SlamNodeOptions read_node_options(const ros::NodeHandle& own) {
   SlamNodeOptions options;
   options.base_frame = "base_link";
   options.map_update_interval = 2.0;
   options.pose_topic = "poseupdate";
+  options.scan_queue_size = 5;
   read_options(own, options);
   own.getParam("map_pub_period", options.map_update_interval);
+  own.getParam("scan_subscriber_queue_size", options.scan_queue_size);
+  own.getParam("use_tf_scan_transformation", options.uses_mount);
   bool publishes_correction = true;
   own.getParam("pub_map_odom_transform", publishes_correction);
   if (!publishes_correction) options.transform_publish_period = 0.0;
-  // What hector calls otherwise.
-  GraphSlamOptions graph;
+  if (options.scan_queue_size < 1) {
+    throw Error("parameter " + own.resolveName("scan_subscriber_queue_size") + " is " +
+                std::to_string(options.scan_queue_size) + ", legal: 1 and above");
+  }
+  return options;
+}
+
+HectorOptions read_hector_options(const ros::NodeHandle& own) {
+  HectorOptions options;
+  own.getParam("pub_odometry", options.publishes_odometry);
+  own.getParam("pub_map_scanmatch_transform", options.publishes_scan_matcher);
+  own.getParam("tf_map_scanmatch_transform_frame_name", options.scan_matcher_frame);
+  own.getParam("sys_msg_topic", options.command_topic);
+  return options;
+}
+
+void run() {
+  const ros::NodeHandle own("~");
+  const SlamNodeOptions options = read_node_options(own);
+  tell_unused_parameters(own);
+  // hector's defaults, and its name for what odometry is good for.
+  if (!own.hasParam("map_resolution")) own.setParam("map_resolution", 0.025);
+  if (!own.hasParam("laser_min_dist")) own.setParam("laser_min_dist", 0.4);
+  if (!own.hasParam("use_odometry")) {
+    own.setParam("use_odometry", own.param("use_tf_pose_start_estimate", false) ||
+                                     own.param("map_with_known_poses", false));
+  }
+  GraphSlamOptions graph;  // for another ~method
   own.getParam("map_resolution", graph.resolution);
   own.getParam("laser_min_dist", graph.min_laser_range);
   own.getParam("laser_max_dist", graph.max_laser_range);
   graph.is_asynchronous = true;
   graph.validate();
-  const HectorMapping node(ros::NodeHandle(), options, slam_maker(own, {"hector_slam_2d"}, graph));
+  const HectorMapping node(ros::NodeHandle(), options, read_hector_options(own),
+                           slam_maker(own, {"hector_slam_2d"}, graph));
   ros::spin();
 }
 

@@ -27,7 +27,9 @@ MapServerNode::MapServerNode(ros::NodeHandle& node, const ros::NodeHandle& priva
                              const std::string& yaml_path)
     : frame_(private_node.param<std::string>("frame_id", "map")),
       map_publisher_(node.advertise<nav_msgs::OccupancyGrid>("map", 1, true)),
-      metadata_publisher_(node.advertise<nav_msgs::MapMetaData>("map_metadata", 1, true)) {
+      metadata_publisher_(node.advertise<nav_msgs::MapMetaData>("map_metadata", 1, true)),
+      diagnostics_publisher_(
+          node.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 1, true)) {
   load(yaml_path);
   // Boost's function objects of roscpp take the callback's type from these two.
   const boost::function<bool(nav_msgs::GetMap::Request&, nav_msgs::GetMap::Response&)> give =
@@ -59,6 +61,11 @@ bool MapServerNode::on_change_map(nav_msgs::LoadMap::Request& request,
   } catch (const MapFileError& error) {
     ROS_ERROR("change_map: %s; the last map stays", error.what());
     response.result = code_of(error.kind());
+    troubles_.note("change_map", error.what());
+    diagnostic_msgs::DiagnosticArray array;
+    array.header.stamp = ros::Time::now();
+    troubles_.add_to(array, "map_server");
+    diagnostics_publisher_.publish(array);
   }
   return true;
 }

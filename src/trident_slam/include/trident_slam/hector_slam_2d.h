@@ -21,6 +21,7 @@ struct HectorSlamParams {
   double laser_min_dist = 0.1;              ///< [m]
   double laser_max_dist = 30.0;             ///< [m]
   bool use_odometry = true;                 ///< as the start of each match; false: the last pose
+  bool map_with_known_poses = false;        ///< odometry is believed, nothing is matched
 
   template <class Archive>
   void visit(Archive& archive) {
@@ -38,6 +39,8 @@ struct HectorSlamParams {
     archive.field("laser_min_dist", laser_min_dist, Range::non_negative(), "[m]");
     archive.field("laser_max_dist", laser_max_dist, Range::positive(), "[m]");
     archive.field("use_odometry", use_odometry, "as the start of each match");
+    archive.field("map_with_known_poses", map_with_known_poses,
+                  "odometry is believed, nothing is matched");
   }
 };
 

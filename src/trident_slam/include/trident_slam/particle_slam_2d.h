@@ -25,7 +25,8 @@ struct ParticleSlamParams {
   double str = 0.1;                ///< of rotation by translation [rad/m]
   double stt = 0.2;                ///< of rotation by rotation [rad/rad]
   double ogain = 3.0;              ///< evens out the weights: beams are not independent
-  double minimumScore = 0.0;       ///< mean probability under a scan's points to believe a match
+  double minimumScore = 0.0;       ///< beams that must fit to believe a match
+  int lskip = 0;                   ///< beams left out between two that are matched
   std::uint64_t seed = 1;
 
   template <class Archive>
@@ -44,8 +45,9 @@ struct ParticleSlamParams {
     archive.field("str", str, Range::non_negative(), "rotation's error by translation [rad/m]");
     archive.field("stt", stt, Range::non_negative(), "rotation's error by rotation [rad/rad]");
     archive.field("ogain", ogain, Range::positive(), "evens out the weights");
-    archive.field("minimumScore", minimumScore, Range{0.0, 1.0},
-                  "mean probability under a scan's points to believe a match");
+    archive.field("minimumScore", minimumScore, Range::non_negative(),
+                  "beams that must fit to believe a match: probabilities under them, summed");
+    archive.field("lskip", lskip, Range{0, 1000}, "beams left out between two that are matched");
     archive.field("seed", seed, "of the particles' draws");
   }
 };

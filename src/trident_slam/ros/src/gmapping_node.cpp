@@ -7,6 +7,7 @@
 #include <iostream>
 
 #include "trident_slam/particle_slam_2d.h"
+#include "trident_slam_ros/parameter_names.h"
 #include "trident_slam_ros/slam_node.h"
 #include "trident_slam_ros/slam_parameters.h"
 #include "trident_slam_ros/slam_programs.h"
@@ -15,6 +16,24 @@ namespace trident {
 namespace {
 
 constexpr double kEntropyPeriodS = 1.0;
+
+/// Of gmapping's scan matcher, which searches in steps; of maps that do not grow; of a map that
+/// counts hits.
+const ParameterNames& upstream_parameters() {
+  static const ParameterNames names = {
+      "sigma",  "kernelSize",   "lstep",         "astep",         "iterations",
+      "lsigma", "llsamplestep", "llsamplerange", "lasamplerange", "lasamplestep",
+      "xmin",   "ymin",         "xmax",          "ymax",          "occ_thresh"};
+  return names;
+}
+
+void tell_unused_parameters(const ros::NodeHandle& own) {
+  ParameterNames used = field_names<ParticleSlamParams>();
+  const ParameterNames& of_node = slam_node_parameters();
+  used.insert(used.end(), of_node.begin(), of_node.end());
+  used.insert(used.end(), {"method", "config_file", "maxRange", "tf_delay"});
+  tell_unused(own, used, upstream_parameters());
+}
 
 void publish_entropy(SlamNode& node, const ros::Publisher& publisher) {
   node.with_slam([&publisher](Slam2d& slam) {
@@ -48,6 +67,7 @@ int run_gmapping(int argc, char** argv) {
     }
     own.getParam("maxUrange", graph.max_laser_range);
     graph.is_asynchronous = true;
+    tell_unused_parameters(own);
     graph.validate();
     SlamNode node(ros::NodeHandle(), options, slam_maker(own, {"particle_slam_2d"}, graph));
     ros::NodeHandle handle("~");

@@ -113,9 +113,13 @@ void ScanIntake::end() {
 
 void ScanIntake::clear() { waiting_.clear(); }
 
+const std::string& ScanIntake::laser_frame(const sensor_msgs::LaserScan& message) const {
+  return options_.uses_mount ? message.header.frame_id : options_.base_frame;
+}
+
 bool ScanIntake::resolve(const sensor_msgs::LaserScan& message, ScanRecord& record) {
   const ros::Time& stamp = message.header.stamp;
-  const std::string& laser = message.header.frame_id;
+  const std::string& laser = laser_frame(message);
   if (!transforms_.canTransform(options_.odom_frame, options_.base_frame, stamp) ||
       !transforms_.canTransform(options_.base_frame, laser, stamp)) {
     return false;
@@ -135,7 +139,7 @@ bool ScanIntake::may_still_come(const sensor_msgs::LaserScan& message) const {
   }
   // As soon as both transforms have gone past the stamp, waiting is in vain.
   for (const auto& [target, source] : {std::pair(options_.odom_frame, options_.base_frame),
-                                       std::pair(options_.base_frame, message.header.frame_id)}) {
+                                       std::pair(options_.base_frame, laser_frame(message))}) {
     if (transforms_.canTransform(target, source, stamp)) continue;
     if (!transforms_.canTransform(target, source, ros::Time(0))) return true;
     const ros::Time newest = transforms_.lookupTransform(target, source, ros::Time(0)).header.stamp;
@@ -147,7 +151,7 @@ bool ScanIntake::may_still_come(const sensor_msgs::LaserScan& message) const {
 std::string ScanIntake::why_missing(const sensor_msgs::LaserScan& message) const {
   const ros::Time& stamp = message.header.stamp;
   std::string why = lateness(options_.odom_frame, options_.base_frame, stamp);
-  if (why.empty()) why = lateness(options_.base_frame, message.header.frame_id, stamp);
+  if (why.empty()) why = lateness(options_.base_frame, laser_frame(message), stamp);
   return why;
 }
 

@@ -3,6 +3,7 @@
 #include "trident_slam_ros/slam_node.h"
 
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -27,6 +28,7 @@ ScanIntakeOptions intake_options(const SlamNodeOptions& options) {
   result.base_frame = options.base_frame;
   result.transform_timeout = options.transform_timeout;
   result.waits_for_all = options.is_sync;
+  result.uses_mount = options.uses_mount;
   return result;
 }
 
@@ -135,7 +137,8 @@ SlamNode::SlamNode(const ros::NodeHandle& private_handle, const SlamNodeOptions&
   worker_ = std::thread([this] { work(); });
   // Without a limit: in synchronous mode no scan may be lost.
   scan_subscriber_ =
-      handle.subscribe(options.scan_topic, options.is_sync ? 0 : 10, &SlamNode::receive_scan, this);
+      handle.subscribe(options.scan_topic, options.is_sync ? 0 : options.scan_queue_size,
+                       &SlamNode::receive_scan, this);
 }
 
 SlamNode::~SlamNode() {
@@ -148,8 +151,23 @@ SlamNode::~SlamNode() {
   worker_.join();
 }
 
+// Each kind of problem, whatever its numbers, is told now and then; all are counted.
 void SlamNode::complain(const std::string& text) {
-  ROS_WARN_THROTTLE(kComplainEveryS, "%s", text.c_str());
+  last_problem_ = text;
+  std::string kind;
+  for (const char letter : text) {
+    if (std::isdigit(static_cast<unsigned char>(letter)) == 0) kind += letter;
+  }
+  const ros::WallTime now = ros::WallTime::now();
+  ros::WallTime& told = complaints_[kind];
+  if (!told.isZero() && (now - told).toSec() < kComplainEveryS) return;
+  told = now;
+  ROS_WARN("%s", text.c_str());
+}
+
+void SlamNode::count_problem(const std::string& text) {
+  const std::lock_guard<std::mutex> lock(queue_mutex_);
+  problems_.add(text);
   last_problem_ = text;
 }
 

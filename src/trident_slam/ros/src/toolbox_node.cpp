@@ -52,7 +52,7 @@ class Toolbox {
         can_edit_(can_edit),
         node_(own, options, std::move(make)),
         editor_(own, node_, options.map_frame),
-        services_(own) {
+        services_(own, [this](const std::string& text) { node_.count_problem(text); }) {
     services_.serve<srv::Pause>("pause_new_measurements",
                                 [this](auto& /*request*/, auto& response) {
                                   node_.set_paused(!node_.is_paused());
@@ -163,6 +163,7 @@ class Toolbox {
       });
     } catch (const Error& error) {
       ROS_ERROR("initialpose: %s", error.what());
+      node_.count_problem(std::string("initialpose: ") + error.what());
     }
   }
 

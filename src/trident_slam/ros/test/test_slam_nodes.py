@@ -17,7 +17,6 @@ from nav_msgs.msg import OccupancyGrid
 from scan_bag import diagnosed, play, service, write_bag
 from slam_toolbox_msgs.srv import DeserializePoseGraph, Pause, Reset, SaveMap, SerializePoseGraph
 from std_msgs.msg import String
-from std_srvs.srv import SetBool
 from trident.testing import LIMIT_S, Ros, eventually, program, recorder
 
 SCANS = 60
@@ -116,15 +115,6 @@ def test_a_late_transform_is_named(ros: Ros, tmp_path: Path) -> None:
     node.eventually_logs("is left out: transform odom -> base_footprint is")
 
 
-def test_hector_mapping_has_its_services(ros: Ros) -> None:
-    words = ["__name:=hector_mapping", "_base_frame:=base_footprint"]
-    ros.launch([program("hector_mapping", "hector_mapping"), *words])
-    assert service("/pause_mapping", SetBool)(True).success
-    rospy.wait_for_service("/restart_mapping_with_new_pose", LIMIT_S)
-    topics = {name for name, _ in rospy.get_published_topics()}
-    assert {"/map", "/map_metadata", "/slam_out_pose", "/poseupdate"} <= topics
-
-
 @pytest.mark.parametrize(
     ("parameter", "complaint"),
     [
@@ -132,6 +122,7 @@ def test_hector_mapping_has_its_services(ros: Ros) -> None:
         ("_throttle_scans:=0", "throttle_scans is 0, legal: 1 and above"),
         ("_bag_loop:=never", "'never', legal: ignore, restart, continue"),
         ("_method:=karto", "unknown SLAM method 'karto'"),
+        ("_solver_plugin:=solver_plugins::SpaSolver", "unknown solver 'solver_plugins::SpaSolver'"),
     ],
 )
 def test_a_bad_parameter_is_one_line(ros: Ros, parameter: str, complaint: str) -> None:

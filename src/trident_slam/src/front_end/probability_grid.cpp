@@ -91,15 +91,15 @@ ProbabilityGrid::Sample ProbabilityGrid::sample(const Eigen::Vector2f& p_map) co
 
 OccupancyGrid ProbabilityGrid::occupancy() const {
   OccupancyGrid grid;
-  grid.width = cells_.width();
-  grid.height = cells_.height();
+  const auto extent = cells_.extent();
+  grid.width = extent.width;
+  grid.height = extent.height;
   grid.resolution = resolution_;
-  grid.T_map_origin =
-      SE2::from_xy_yaw(cells_.min_x() * resolution_, cells_.min_y() * resolution_, 0.0);
+  grid.T_map_origin = SE2::from_xy_yaw(extent.min_x * resolution_, extent.min_y * resolution_, 0.0);
   grid.cells.reserve(static_cast<std::size_t>(grid.width) * static_cast<std::size_t>(grid.height));
   for (int row = 0; row < grid.height; ++row) {
     for (int column = 0; column < grid.width; ++column) {
-      const Cell cell = cells_.get(cells_.min_x() + column, cells_.min_y() + row);
+      const Cell cell = cells_.get(extent.min_x + column, extent.min_y + row);
       std::int8_t value = OccupancyGrid::kUnknown;
       if (cell.told != 0 && cell.log_odds < 0.0F) value = OccupancyGrid::kFree;
       if (cell.log_odds > 0.0F) value = OccupancyGrid::kOccupied;

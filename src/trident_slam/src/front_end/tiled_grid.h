@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <climits>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -27,11 +29,28 @@ class TiledGrid {
   }
   T& at(int x, int y) { return own_tile(x >> kTileBits, y >> kTileBits)[cell_index(x, y)]; }
 
-  /// Extent in whole tiles [cells].
-  int min_x() const { return index_.min_x() * kTileSide; }
-  int min_y() const { return index_.min_y() * kTileSide; }
-  int width() const { return index_.width() * kTileSide; }
-  int height() const { return index_.height() * kTileSide; }
+  struct Extent {
+    int min_x = 0;
+    int min_y = 0;
+    int width = 0;
+    int height = 0;
+  };
+  /// Of the tiles that exist [cells].
+  Extent extent() const {
+    int left = INT_MAX, bottom = INT_MAX, right = INT_MIN, top = INT_MIN;
+    for (int y = index_.min_y(); y < index_.min_y() + index_.height(); ++y) {
+      for (int x = index_.min_x(); x < index_.min_x() + index_.width(); ++x) {
+        if (index_.get(x, y) == 0) continue;
+        left = std::min(left, x);
+        right = std::max(right, x);
+        bottom = std::min(bottom, y);
+        top = std::max(top, y);
+      }
+    }
+    if (right < left) return {};
+    return {left * kTileSide, bottom * kTileSide, (right - left + 1) * kTileSide,
+            (top - bottom + 1) * kTileSide};
+  }
 
  private:
   using Tile = std::array<T, static_cast<std::size_t>(kTileSide* kTileSide)>;

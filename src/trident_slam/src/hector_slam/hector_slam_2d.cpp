@@ -61,7 +61,7 @@ class HectorSlam2d::Impl {
     const PointScan points = make_point_scan(scan, options);
     MapMatch match;
     match.T_map_base = guess;
-    if (has_map_) {
+    if (has_map_ && !params_.map_with_known_poses) {
       for (std::size_t level = levels_.size(); level-- > 0;) {
         match = match_map(levels_[level], points, match.T_map_base,
                           level == 0 ? kFineIterations : kCoarseIterations);

@@ -126,14 +126,25 @@ class ParticleSlam2d::Impl {
            update_filter_.is_due(since_update_.metres, since_update_.radians, seconds);
   }
 
-  void update(const PointScan& points) {
-    const double beam_weight =
-        std::min(1.0, kBeamsThatCount / std::max<double>(1.0, double(points.points.size())));
+  PointScan thinned(PointScan points) const {
+    const auto step = static_cast<std::size_t>(params_.lskip) + 1;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < points.points.size(); i += step) {
+      points.points[kept++] = points.points[i];
+    }
+    points.points.resize(kept);
+    return points;
+  }
+
+  void update(const PointScan& whole) {
+    const PointScan points = thinned(whole);
+    const auto beams = static_cast<double>(points.points.size());
+    const double beam_weight = std::min(1.0, kBeamsThatCount / std::max<double>(1.0, beams));
     for (std::size_t i = 0; i < particles_.size(); ++i) {
       Particle& particle = particles_[i];
       const PoseGaussian motion = moved(particle.T_map_base);
       const Proposal proposal = propose(particle.map, points, motion, beam_weight);
-      const bool is_believed = proposal.score >= params_.minimumScore;
+      const bool is_believed = proposal.score * beams >= params_.minimumScore;
       particle.T_map_base = draw(is_believed ? proposal.pose : motion, i);
       particle.log_weight += proposal.log_evidence * kWeightGain / params_.ogain;
     }

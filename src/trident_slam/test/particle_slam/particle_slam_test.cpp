@@ -37,10 +37,12 @@ TEST(TiledGrid, CoversWhatWasWritten) {
   TiledGrid<char> grid;
   grid.at(-33, 5) = 1;
   grid.at(70, -90) = 1;
-  EXPECT_LE(grid.min_x(), -33);
-  EXPECT_LE(grid.min_y(), -90);
-  EXPECT_GT(grid.min_x() + grid.width(), 70);
-  EXPECT_GT(grid.min_y() + grid.height(), 5);
+  const auto extent = grid.extent();  // in whole tiles of 32 cells, and no more
+  EXPECT_EQ(extent.min_x, -64);
+  EXPECT_EQ(extent.min_y, -96);
+  EXPECT_EQ(extent.width, 160);
+  EXPECT_EQ(extent.height, 128);
+  EXPECT_EQ(TiledGrid<char>().extent().width, 0);
   EXPECT_EQ(grid.get(1000, -1000), 0);
 }
 

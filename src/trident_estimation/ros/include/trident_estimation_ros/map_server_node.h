@@ -8,11 +8,13 @@
 
 #include <string>
 
+#include "trident_estimation_ros/troubles.h"
+
 namespace trident {
 
 /// map_server: the map of a file on the latched topics `map` and `map_metadata` and by the service
 /// `static_map`; `change_map` replaces it by that of another file, and keeps the old one when that
-/// cannot be read. Private parameter `frame_id` (map).
+/// cannot be read, which counts in /diagnostics. Private parameter `frame_id` (map).
 class MapServerNode {
  public:
   /// Throws MapFileError.
@@ -25,7 +27,8 @@ class MapServerNode {
 
   std::string frame_;
   nav_msgs::OccupancyGrid map_;
-  ros::Publisher map_publisher_, metadata_publisher_;
+  ros::Publisher map_publisher_, metadata_publisher_, diagnostics_publisher_;
+  Troubles troubles_;
   ros::ServiceServer static_map_, change_map_;
 };
 

@@ -24,6 +24,7 @@ struct ScanIntakeOptions {
   std::string base_frame = "base_footprint";
   double transform_timeout = 0.2;  ///< [s] that a transform may come after its scan
   bool waits_for_all = false;      ///< true: a scan waits as long as its transform may still come
+  bool uses_mount = true;          ///< false: the laser is taken to sit at the base frame
   std::size_t max_waiting = 1000;  ///< scans that wait at most
 };
 
@@ -50,6 +51,7 @@ class ScanIntake {
   const std::string& last_problem() const { return last_problem_; }
 
  private:
+  const std::string& laser_frame(const sensor_msgs::LaserScan& message) const;
   bool resolve(const sensor_msgs::LaserScan& message, ScanRecord& record);
   bool may_still_come(const sensor_msgs::LaserScan& message) const;
   std::string why_missing(const sensor_msgs::LaserScan& message) const;

@@ -5,7 +5,9 @@
 #include <ros/ros.h>
 
 #include <boost/function.hpp>
+#include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "trident_base/error.h"
@@ -15,28 +17,34 @@ namespace trident {
 /// Services of a node that throw: a request that cannot be met fails, and the log says why.
 class ServiceList {
  public:
-  explicit ServiceList(const ros::NodeHandle& handle) : handle_(handle) {}
+  /// `count`: is told of each request that fails.
+  explicit ServiceList(
+      const ros::NodeHandle& handle,
+      std::function<void(const std::string&)> count = [](const std::string&) {})
+      : handle_(handle), count_(std::move(count)) {}
 
   /// `answer(request, response)`.
   template <class Service, class Answer>
   void serve(const std::string& name, const Answer& answer) {
     using Request = typename Service::Request;
     using Response = typename Service::Response;
-    const boost::function<bool(Request&, Response&)> call = [name, answer](Request& request,
-                                                                           Response& response) {
-      try {
-        answer(request, response);
-        return true;
-      } catch (const Error& error) {
-        ROS_ERROR("%s: %s", name.c_str(), error.what());
-        return false;
-      }
-    };
+    const boost::function<bool(Request&, Response&)> call =
+        [this, name, answer](Request& request, Response& response) {
+          try {
+            answer(request, response);
+            return true;
+          } catch (const Error& error) {
+            ROS_ERROR("%s: %s", name.c_str(), error.what());
+            count_(name + ": " + error.what());
+            return false;
+          }
+        };
     servers_.push_back(handle_.advertiseService<Request, Response>(name, call));
   }
 
  private:
   ros::NodeHandle handle_;
+  std::function<void(const std::string&)> count_;
   std::vector<ros::ServiceServer> servers_;
 };
 

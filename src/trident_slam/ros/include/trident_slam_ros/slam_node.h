@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <deque>
 #include <functional>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -37,7 +38,9 @@ struct SlamNodeOptions {
   std::string scan_topic = "scan";
   std::string map_topic = "map";
   std::string pose_topic = "pose";
-  bool is_sync = false;  ///< true: every scan is used; false: the newest one, never a queue
+  bool uses_mount = true;    ///< false: the laser is taken to sit at the base frame
+  int scan_queue_size = 10;  ///< of the subscriber, in asynchronous mode
+  bool is_sync = false;      ///< true: every scan is used; false: the newest one, never a queue
   int throttle_scans = 1;
   double transform_publish_period = 0.02;  ///< [s]; 0: map -> odom is not published
   double transform_timeout = 0.2;          ///< [s]
@@ -95,6 +98,8 @@ class SlamNode {
   /// As map_saver writes it. In synchronous mode it is the map that the offline runner ends with.
   /// Throws Error when it cannot be written.
   void save_map(const std::string& stem);
+  /// Counts a problem in /diagnostics.
+  void count_problem(const std::string& text);
   /// After a new map or pose: map -> odom is known again with the next scan.
   void forget_correction();
 
@@ -139,6 +144,7 @@ class SlamNode {
   std::size_t dropped_ = 0;
   LogProblems problems_;
   std::string last_problem_;
+  std::map<std::string, ros::WallTime> complaints_;
   std::size_t told_problems_ = 0;
   std::size_t told_late_ = 0;
   std::atomic<bool> is_paused_{false};

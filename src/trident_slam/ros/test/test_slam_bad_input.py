@@ -1,0 +1,173 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""What is wrong with scans, bags and sessions: each counted, and no harm to the map."""
+
+from __future__ import annotations
+
+import math
+import subprocess
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+import rosbag
+import rospy
+from diagnostic_msgs.msg import DiagnosticArray
+from geometry_msgs.msg import Pose2D, PoseWithCovarianceStamped
+from nav_msgs.msg import OccupancyGrid
+from nav_msgs.srv import GetMap
+from scan_bag import diagnosed, play, service, write_bag
+from sensor_msgs.msg import LaserScan
+from slam_toolbox_msgs.srv import DeserializePoseGraph, SerializePoseGraph
+from trident.testing import Ros, eventually, program, recorder
+
+SCANS = 40
+
+#: What is done to every tenth scan.
+HARM: list[Callable[[LaserScan], None]] = [
+    lambda scan: setattr(scan, "ranges", [math.nan] * len(scan.ranges)),
+    lambda scan: setattr(scan, "ranges", [math.inf] * len(scan.ranges)),
+    lambda scan: setattr(scan, "ranges", [0.0] * len(scan.ranges)),
+    lambda scan: setattr(scan, "ranges", scan.ranges[:90]),
+]
+
+
+def harmed(good: Path, bad: Path) -> None:
+    """A copy of a bag in which some scans are bad ones."""
+    scans = 0
+    with rosbag.Bag(str(good)) as source, rosbag.Bag(str(bad), "w") as sink:
+        for topic, message, stamp in source.read_messages():
+            if topic == "/scan":
+                scans += 1
+                if scans % 10 == 5:
+                    message.ranges = list(message.ranges)
+                    HARM[scans // 10](message)
+            sink.write(topic, message, stamp)
+
+
+def shared_walls(a: OccupancyGrid, b: OccupancyGrid) -> float:
+    """The part of a's walls that is also a wall of b, within a cell."""
+
+    def walls(grid: OccupancyGrid) -> np.ndarray:
+        cells = np.array(grid.data, np.int8).reshape(grid.info.height, grid.info.width)
+        rows, columns = np.nonzero(cells == 100)
+        origin = grid.info.origin.position
+        places = np.column_stack([columns, rows]) + 0.5
+        return places * grid.info.resolution + np.array([origin.x, origin.y])
+
+    ours, theirs = walls(a), walls(b)
+    nearest = np.array([np.abs(theirs - place).max(axis=1).min() for place in ours])
+    return float(np.mean(nearest < 1.5 * a.info.resolution))
+
+
+def test_bad_scans_are_counted_and_do_no_harm(ros: Ros, tmp_path: Path) -> None:
+    good, bad = tmp_path / "good.bag", tmp_path / "bad.bag"
+    write_bag(good, SCANS)
+    harmed(good, bad)
+    ros.set_param("/use_sim_time", True)
+    node = ros.launch(
+        [
+            program("slam_toolbox", "sync_slam_toolbox_node"),
+            "__name:=slam_toolbox",
+            "_bag_loop:=restart",
+        ]
+    )
+    whole = service("/slam_toolbox/dynamic_map", GetMap)
+    with recorder("/diagnostics", DiagnosticArray) as seen:
+        play(ros, good, "--rate", "5")
+        eventually(lambda: diagnosed(seen, "scans used") == str(SCANS), "all scans")
+        assert diagnosed(seen, "problems") == "0"
+        expected = whole().map
+        # Time goes back: the map begins again, as the parameter says.
+        play(ros, bad, "--rate", "5")
+        eventually(lambda: diagnosed(seen, "scans used") == str(2 * SCANS), "all scans")
+        eventually(lambda: diagnosed(seen, "problems") == str(1 + len(HARM)), "the problems")
+        found = whole().map
+        assert shared_walls(found, expected) > 0.9
+        assert shared_walls(expected, found) > 0.9
+        node.eventually_logs("time went back by")
+        assert "90 beams from" in diagnosed(seen, "last problem")
+
+        session = str(tmp_path / "session")
+        service("/slam_toolbox/serialize_map", SerializePoseGraph)(session)
+        Path(session + ".posegraph").write_bytes(Path(session + ".posegraph").read_bytes()[:-100])
+        with pytest.raises(rospy.ServiceException):
+            service("/slam_toolbox/deserialize_map", DeserializePoseGraph)(session, 1, Pose2D())
+        eventually(lambda: diagnosed(seen, "problems") == str(2 + len(HARM)), "the damaged file")
+        assert "session.posegraph" in diagnosed(seen, "last problem")
+        assert whole().map.data == found.data
+
+        place = rospy.Publisher("/initialpose", PoseWithCovarianceStamped, queue_size=1)
+        eventually(lambda: place.get_num_connections() == 1, "the node")
+        place.publish(PoseWithCovarianceStamped())  # a quaternion of length 0
+        eventually(lambda: "quaternion of length 0" in diagnosed(seen, "last problem"), "the pose")
+    # Each kind of problem once, not each scan.
+    assert node.log.count("0 of 180 beams have a return") == 1
+    assert node.log.count("90 beams from") == 1
+
+
+@pytest.fixture(scope="module")
+def bag(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("damaged") / "drive.bag"
+    write_bag(path, 20)
+    return path
+
+
+def offline(log: Path, out: Path) -> subprocess.CompletedProcess[str]:
+    name = "slam_offline_bag" if log.suffix == ".bag" else "slam_offline"
+    words = [
+        program("trident_slam", name),
+        str(log),
+        "--method",
+        "graph_slam_2d",
+        "--out",
+        str(out),
+    ]
+    return subprocess.run(words, capture_output=True, text=True, check=False)
+
+
+def test_a_truncated_bag_is_one_error(bag: Path, tmp_path: Path) -> None:
+    cut = tmp_path / "cut.bag"
+    for size in (bag.stat().st_size * 2 // 3, 5000, 20, 0):
+        cut.write_bytes(bag.read_bytes()[:size])
+        done = offline(cut, tmp_path / "out")
+        assert done.returncode == 1
+        assert str(cut) in done.stderr
+        assert len(done.stderr.strip().splitlines()) == 1, done.stderr
+        assert "rosbag reindex" in done.stderr
+    assert not (tmp_path / "out" / "map.pgm").exists()
+
+
+def test_a_recording_that_was_not_ended_says_how_to_mend_it(bag: Path, tmp_path: Path) -> None:
+    unfinished = tmp_path / "drive.bag"
+    recording = rosbag.Bag(str(unfinished), "w")
+    with rosbag.Bag(str(bag)) as source:
+        for topic, message, stamp in source.read_messages():
+            recording.write(topic, message, stamp)
+    recording.flush()
+    data = unfinished.read_bytes()
+    recording.close()
+    unfinished.write_bytes(data)
+    done = offline(unfinished, tmp_path / "out")
+    assert done.returncode == 1
+    assert "has no index (truncated recording?); mend it with: rosbag reindex" in done.stderr
+
+
+def test_a_bag_without_scans_is_one_error(tmp_path: Path) -> None:
+    empty = tmp_path / "empty.bag"
+    rosbag.Bag(str(empty), "w").close()
+    done = offline(empty, tmp_path / "out")
+    assert done.returncode == 1
+    assert "has no topic of sensor_msgs/LaserScan" in done.stderr
+
+
+def test_a_truncated_log_gives_the_map_of_what_is_there(tmp_path: Path) -> None:
+    line = "FLASER 5 1.0 2.0 3.0 2.0 1.0 {x} 0 0 {x} 0 0 {t} host {t}\n"
+    whole = "".join(line.format(x=0.1 * i, t=i) for i in range(6))
+    log = tmp_path / "cut.log"
+    log.write_text(whole[:-40])
+    done = offline(log, tmp_path / "out")
+    assert done.returncode == 0, done.stderr
+    assert f"{log}:6" in done.stderr
+    assert len((tmp_path / "out" / "trajectory.tum").read_text().splitlines()) == 5
