@@ -19,7 +19,9 @@ echo ' 50 % 1 scans' >&2; echo 'warning: log:3: odd' >&2
 printf '0 0 0 0 0 0 0 1\\n1 1 0 0 0 0 0 1\\n' > trajectory.tum; cp trajectory.tum causal.tum
 printf 'P5 2 2 255 \\000\\376\\376\\315' > map.pgm
 printf 'image: map.pgm\\nresolution: 0.5\\norigin: [0, 0, 0]\\n' > map.yaml
-echo '{"scans": 2, "cpu_s": 0.5, "peak_rss_mb": 10.0}' > timing.json
+echo '{"scans": 2, "cpu_s": 0.5, "peak_rss_mb": 10.0, "odometry_calibration":
+  {"turn_scale": {"value": 0.97, "sigma": 0.002, "is_observed": true},
+   "laser_x": {"value": 0.0, "sigma": 0.1, "is_observed": false}}}' > timing.json
 """
 
 
@@ -45,6 +47,7 @@ def test_a_log_becomes_a_folder(
     assert main(["slam", str(stand_in / "intel.clf.gz"), *words]) == 0
     said = capsys.readouterr()
     assert "translation_mean_m         0.01" in said.out
+    assert "odometry: turn_scale 0.9700 ± 0.0020; not observable: laser_x\n" in said.out
     assert said.err == "warning: log:3: odd\n"
     names = {path.name for path in (tmp_path / "out").iterdir()}
     assert {"map.png", "report.html", "evaluation.json", "trajectory.tum"} <= names

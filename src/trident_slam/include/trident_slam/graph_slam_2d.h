@@ -12,6 +12,7 @@
 #include "trident_slam/graph_slam_options.h"
 #include "trident_slam/pose_graph_optimizer.h"
 #include "trident_slam/slam_2d.h"
+#include "trident_slam/slam_2d_abilities.h"
 
 namespace trident {
 
@@ -37,7 +38,7 @@ struct GraphSlamLoop {
 /// All calls come from one thread. With `is_asynchronous` loops are sought in a thread of its own
 /// and take effect at a later `add_scan`, so that poses may differ from run to run; without it
 /// they are closed within `add_scan`.
-class GraphSlam2d : public Slam2d {
+class GraphSlam2d : public Slam2d, public Slam2dCalibrated {
  public:
   /// `solver` optimises the graph; empty: ours.
   explicit GraphSlam2d(const GraphSlamOptions& options = {}, PoseGraphSolverMaker solver = {});
@@ -47,6 +48,8 @@ class GraphSlam2d : public Slam2d {
   void finish() override;
   std::vector<StampedPose2d> trajectory() const override;
   OccupancyGrid map() const override;
+
+  std::vector<CalibrationEstimate> odometry_calibration() const override;
 
   /// Paused, scans are placed in the map but do not become part of it.
   void set_paused(bool is_paused);

@@ -41,6 +41,7 @@ struct GraphSlamOptions {
   double odometry_heading_noise = 0.15;
   double odometry_jump_distance = 3.0;
   double odometry_jump_heading = 2.5;
+  bool calibrate_odometry = false;
   bool deskew = true;
 
   template <class Archive>
@@ -88,6 +89,8 @@ struct GraphSlamOptions {
              "odometry that moves farther between two scans is not believed [m]");
     ar.field("odometry_jump_heading", odometry_jump_heading, Range{0.1, 3.2},
              "odometry that turns farther between two scans is not believed [rad]");
+    ar.field("calibrate_odometry", calibrate_odometry,
+             "predict poses by odometry with the errors corrected that were learnt while driving");
     ar.field("deskew", deskew, "put each beam where the robot was when it was measured");
   }
 };

@@ -9,6 +9,7 @@
 
 #include "trident_slam/scan_source.h"
 #include "trident_slam/slam_2d.h"
+#include "trident_slam/slam_2d_abilities.h"
 
 namespace trident {
 
@@ -16,6 +17,7 @@ struct OfflineResult {
   std::size_t scans = 0;
   std::size_t unused_scans = 0;  ///< no usable return: the pose is odometry's
   LogProblems scan_problems;     ///< what the algorithm said about scans
+  std::vector<CalibrationEstimate> odometry_calibration;  ///< empty where nothing is estimated
 };
 
 /// Called after every scan with the number of scans so far and the part of the log that is read.

@@ -36,6 +36,22 @@ class Slam2dPlaced {
   virtual void set_pose(const SE2& T_map_base) = 0;
 };
 
+/// What was found out about the robot while it drove.
+struct CalibrationEstimate {
+  const char* name = "";  ///< distance_scale, turn_scale, yaw_drift [rad/m], laser_x [m] ...
+  double value = 0.0;
+  double sigma = 0.0;        ///< standard deviation
+  bool is_observed = false;  ///< false: the motions so far do not show it
+};
+
+/// Odometry that is calibrated online.
+class Slam2dCalibrated {
+ public:
+  virtual ~Slam2dCalibrated() = default;
+  /// Empty where nothing is estimated.
+  virtual std::vector<CalibrationEstimate> odometry_calibration() const = 0;
+};
+
 /// Poses and measurements between them, to be looked at.
 struct GraphView2d {
   struct Edge {

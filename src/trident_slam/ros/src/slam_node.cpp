@@ -47,6 +47,12 @@ diagnostic_msgs::KeyValue key_value(const std::string& key, const std::string& v
   return pair;
 }
 
+std::string text(const CalibrationEstimate& estimate) {
+  if (!estimate.is_observed) return "not observable yet";
+  const auto rounded = [](double value) { return number_text(std::round(1e5 * value) / 1e5); };
+  return rounded(estimate.value) + " +- " + rounded(estimate.sigma);
+}
+
 }  // namespace
 
 void read_options(const ros::NodeHandle& handle, SlamNodeOptions& options) {
@@ -228,14 +234,18 @@ void SlamNode::work() {
 
 void SlamNode::consume(const ScanRecord& record) {
   ScanPose2d pose;
+  std::vector<CalibrationEstimate> calibration;
   {
     const std::lock_guard<std::mutex> lock(slam_mutex_);
     pose = slam_->add_scan(record.scan, record.T_odom_base);
+    const auto* calibrated = dynamic_cast<const Slam2dCalibrated*>(slam_.get());
+    if (calibrated != nullptr) calibration = calibrated->odometry_calibration();
   }
   {
     const std::lock_guard<std::mutex> lock(queue_mutex_);
     T_map_odom_ = pose.T_map_base * record.T_odom_base.inverse();
     has_correction_ = true;
+    calibration_ = std::move(calibration);
     ++used_;
     if (!pose.problem.empty()) {
       problems_.add(pose.problem);
@@ -381,6 +391,9 @@ void SlamNode::publish_diagnostics() {
                    key_value("scans left out", std::to_string(intake_.problems().count())),
                    key_value("problems", std::to_string(problems_.count())),
                    key_value("last problem", last_problem_)};
+  for (const CalibrationEstimate& estimate : calibration_) {
+    status.values.push_back(key_value(std::string("odometry: ") + estimate.name, text(estimate)));
+  }
   diagnostics_publisher_.publish(array);
 }
 

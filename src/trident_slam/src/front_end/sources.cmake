@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Scan matching: what a scan is compared with, and how.
 target_sources(trident_slam PRIVATE
+  src/front_end/calibrated_motion.cpp
   src/front_end/correlative_match.cpp
   src/front_end/line_match.cpp
   src/front_end/line_scan_matchers.cpp
@@ -10,6 +11,7 @@ target_sources(trident_slam PRIVATE
   src/front_end/motion_filter.cpp
   src/front_end/ndt_match.cpp
   src/front_end/newton_scan_matchers.cpp
+  src/front_end/odometry_calibration.cpp
   src/front_end/odometry_motion.cpp
   src/front_end/point_scan.cpp
   src/front_end/pose_newton.cpp

@@ -50,6 +50,7 @@ GraphMapper::GraphMapper(const GraphSlamOptions& options, const PoseGraphSolverM
     : options_(options),
       keyframe_filter_(keyframe_filter(options)),
       odometry_(options.odometry_jump_distance, options.odometry_jump_heading),
+      calibration_(options.calibrate_odometry),
       tracker_(tracker_options(options)),
       graph_(options.loop_match_minimum_chain_size, solver),
       worker_(closer_options(options)) {
@@ -73,8 +74,9 @@ PointScan GraphMapper::points_of(const LaserScan& scan, const Eigen::Vector3d& t
 
 ScanPose2d GraphMapper::add_scan(const LaserScan& scan, const SE2& T_odom_base) {
   if (std::optional<LoopOutcome> outcome = worker_.take()) apply(std::move(*outcome));
-  const OdometryMotion::Step motion = odometry_.next(T_odom_base);
+  OdometryMotion::Step motion = odometry_.next(T_odom_base);
   travelled_ += motion.T_before_now.p.norm();
+  motion.T_before_now = calibration_.calibrated(motion.T_before_now);
   final_poses_.clear();
   ScanPose2d result;
   result.problem = check_.problem(scan);
@@ -86,11 +88,12 @@ ScanPose2d GraphMapper::add_scan(const LaserScan& scan, const SE2& T_odom_base) 
     const Eigen::Vector3d twist = twist_of(scan, motion.T_before_now);
     entry.twist = twist.cast<float>();
     const auto points = std::make_shared<const PointScan>(points_of(scan, twist));
-    const MatchResult match = place(*points, motion);
+    const MatchResult match = place(*points, motion, scan.T_base_laser);
     result.covariance = match.covariance;
     if (is_keyframe_due()) add_keyframe(points, match);
   } else {
     tracker_.coast(motion.T_before_now);
+    calibration_.interrupt();
   }
   last_stamp_ns_ = scan.stamp_ns;
   if (result.problem.empty()) result.problem = motion.problem;
@@ -104,13 +107,20 @@ ScanPose2d GraphMapper::add_scan(const LaserScan& scan, const SE2& T_odom_base) 
   return result;
 }
 
-MatchResult GraphMapper::place(const PointScan& points, const OdometryMotion::Step& motion) {
+MatchResult GraphMapper::place(const PointScan& points, const OdometryMotion::Step& motion,
+                               const SE2& T_base_laser) {
   if (!options_.use_scan_matching) {
     tracker_.coast(motion.T_before_now);
     return {};
   }
+  const SE2 T_map_last = tracker_.T_map_base();
   MatchResult match =
       tracker_.track(points, motion.T_before_now, motion.problem.empty() ? 0.0 : kDoubt);
+  if (motion.problem.empty()) {
+    calibration_.learn(T_base_laser, T_map_last.inverse() * match.T_ref_base, match);
+  } else {
+    calibration_.interrupt();
+  }
   if (options_.mode != SlamMode::kLocalization) return match;
   const auto found = lost_robot_.check(graph_, tracker_.surfels(), points, motion.T_before_now,
                                        match, tracker_.options().line);

@@ -10,6 +10,7 @@
 
 #include "front_end/motion_filter.h"
 #include "front_end/odometry_motion.h"
+#include "graph_slam/calibrated_odometry.h"
 #include "graph_slam/keyframe_graph.h"
 #include "graph_slam/loop_worker.h"
 #include "graph_slam/lost_robot.h"
@@ -32,6 +33,7 @@ class GraphMapper {
   const KeyframeGraph& graph() const { return graph_; }
   /// The scan of each keyframe, as `trajectory` counts them.
   std::vector<std::size_t> scans_of_keyframes() const;
+  const CalibratedOdometry& calibration() const { return calibration_; }
 
   void save(BinaryWriter* writer) const;
   void load(BinaryReader* reader, const std::optional<SE2>& T_map_base);
@@ -56,7 +58,8 @@ class GraphMapper {
   static Session read(BinaryReader* reader, const PoseGraphSolverMaker& solver);
 
   Eigen::Vector3d twist_of(const LaserScan& scan, const SE2& T_last_base) const;
-  MatchResult place(const PointScan& points, const OdometryMotion::Step& motion);
+  MatchResult place(const PointScan& points, const OdometryMotion::Step& motion,
+                    const SE2& T_base_laser);
   bool is_keyframe_due() const;
   void add_keyframe(const std::shared_ptr<const PointScan>& scan, const MatchResult& match);
   void tie_to_previous_keyframe(int keyframe, const MatchResult& match);
@@ -76,6 +79,7 @@ class GraphMapper {
   ScanCheck check_;
   MotionFilter keyframe_filter_;
   OdometryMotion odometry_;
+  CalibratedOdometry calibration_;
   ScanTracker tracker_;
   KeyframeGraph graph_;
   ScanArchive archive_;

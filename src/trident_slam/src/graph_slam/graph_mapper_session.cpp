@@ -59,6 +59,7 @@ void GraphMapper::load(BinaryReader* reader, const std::optional<SE2>& T_map_bas
 
 void GraphMapper::set_pose(const SE2& T_map_base) {
   tracker_.set_pose(T_map_base);
+  calibration_.interrupt();
   is_chain_broken_ = graph_.size() > 0;
   lost_robot_.reset();
 }

@@ -50,6 +50,10 @@ OccupancyGrid GraphSlam2d::map() const {
   return keyframe_map(impl_->mapper->graph(), impl_->options.resolution);
 }
 
+std::vector<CalibrationEstimate> GraphSlam2d::odometry_calibration() const {
+  return impl_->mapper->calibration().estimates();
+}
+
 void GraphSlam2d::set_paused(bool is_paused) { impl_->mapper->set_paused(is_paused); }
 bool GraphSlam2d::is_paused() const { return impl_->mapper->is_paused(); }
 

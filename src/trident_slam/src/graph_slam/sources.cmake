@@ -3,6 +3,7 @@
 # graph_slam_2d: the state machine, its graph, and what is done with both.
 find_package(Threads REQUIRED)
 target_sources(trident_slam PRIVATE
+  src/graph_slam/calibrated_odometry.cpp
   src/graph_slam/final_match.cpp
   src/graph_slam/graph_mapper.cpp
   src/graph_slam/graph_mapper_edit.cpp

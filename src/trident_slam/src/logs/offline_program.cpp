@@ -105,6 +105,20 @@ double seconds(const timeval& time) {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
+// One JSON object by the names of what was estimated.
+std::string calibration_text(const std::vector<CalibrationEstimate>& estimates) {
+  std::string text = "{";
+  for (const CalibrationEstimate& estimate : estimates) {
+    char entry[160];
+    std::snprintf(entry, sizeof(entry),
+                  "%s\"%s\": {\"value\": %.6f, \"sigma\": %.6f, \"is_observed\": %s}",
+                  text.size() > 1 ? ", " : "", estimate.name, estimate.value, estimate.sigma,
+                  estimate.is_observed ? "true" : "false");
+    text += entry;
+  }
+  return text + "}";
+}
+
 void write_timing(const OfflineCommand& options, const OfflineResult& result,
                   std::size_t bad_lines) {
   rusage usage{};
@@ -113,14 +127,14 @@ void write_timing(const OfflineCommand& options, const OfflineResult& result,
   std::snprintf(text, sizeof(text),
                 "{\"method\": \"%s\", \"scans\": %zu, \"unused_scans\": %zu, "
                 "\"scan_problems\": %zu, \"log_problems\": %zu, \"cpu_s\": %.3f, "
-                "\"peak_rss_mb\": %.1f}\n",
+                "\"peak_rss_mb\": %.1f, \"odometry_calibration\": ",
                 options.method.c_str(), result.scans, result.unused_scans,
                 result.scan_problems.count(), bad_lines,
                 seconds(usage.ru_utime) + seconds(usage.ru_stime),
                 static_cast<double>(usage.ru_maxrss) / 1024.0);
   const std::string path = options.out_dir + "/timing.json";
   std::ofstream file(path);
-  file << text;
+  file << text << calibration_text(result.odometry_calibration) << "}\n";
   file.flush();
   if (!file) throw Error(path + ": cannot be written");
 }

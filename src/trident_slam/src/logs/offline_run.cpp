@@ -106,6 +106,9 @@ OfflineResult run_offline(ScanSource& source, Slam2d& slam, const std::string& o
     graph->save_g2o(out_dir + "/graph.g2o");
     write_loops(*graph, out_dir + "/loops.csv");
   }
+  if (const auto* calibrated = dynamic_cast<const Slam2dCalibrated*>(&slam)) {
+    result.odometry_calibration = calibrated->odometry_calibration();
+  }
   return result;
 }
 

@@ -8,7 +8,9 @@
 #include <cstdio>
 #include <fstream>
 #include <limits>
+#include <map>
 #include <sstream>
+#include <string>
 
 #include "graph_slam/polygon_world.h"
 #include "trident_base/error.h"
@@ -197,6 +199,38 @@ TEST_F(GraphSlamRing, LoopsThatAreClosedInTheBackgroundGiveAnEquallyGoodMap) {
   EXPECT_LT(error(slam.trajectory().back().T_map_base, path_.size() - 1), 0.05);
 }
 
+/// The laser is told to be on the base's axle, but sits ahead of it and to the left.
+TEST_F(GraphSlamRing, WhatIsWrongWithOdometryIsFoundWhileDriving) {
+  const SE2 T_base_laser = SE2::from_xy_yaw(0.12, 0.05, 0.03);
+  std::vector<SE2> base_path;
+  for (const SE2& T_map_laser : path_) base_path.push_back(T_map_laser * T_base_laser.inverse());
+  odometry_ = drifting_odometry(base_path, 1.05, 0.97);
+  const std::map<std::string, double> expected = {{"distance_scale", 1.0 / 1.05},
+                                                  {"turn_scale", 1.0 / 0.97},
+                                                  {"yaw_drift", 0.0},
+                                                  {"laser_x", 0.12},
+                                                  {"laser_y", 0.05},
+                                                  {"laser_yaw", 0.03}};
+  for (const bool is_applied : {false, true}) {
+    GraphSlamOptions calibrating = options();
+    calibrating.calibrate_odometry = is_applied;
+    GraphSlam2d slam(calibrating);
+    drive(slam, 0, 80);
+    for (const CalibrationEstimate& estimate : slam.odometry_calibration()) {
+      const bool is_of_turns =
+          std::string(estimate.name) == "turn_scale" || std::string(estimate.name) == "laser_x";
+      if (is_of_turns) EXPECT_FALSE(estimate.is_observed) << "so far it drove straight ahead";
+    }
+    drive(slam, 80, path_.size());
+    ASSERT_EQ(slam.odometry_calibration().size(), expected.size());
+    for (const CalibrationEstimate& estimate : slam.odometry_calibration()) {
+      EXPECT_TRUE(estimate.is_observed) << estimate.name;
+      EXPECT_NEAR(estimate.value, expected.at(estimate.name), 0.015) << estimate.name;
+    }
+    EXPECT_LT(error(last_.T_map_base, path_.size() - 1), 0.05);
+  }
+}
+
 TEST_F(GraphSlamRing, ALoopOfAUserMustFit) {
   GraphSlam2d slam(options());
   drive(slam, 0, 100);
@@ -298,6 +332,7 @@ TEST(GraphSlamOptionsTest, TheShippedFileHoldsTheDefaults) {
   auto shipped = load_yaml<GraphSlamOptions>(GRAPH_SLAM_CONFIG);
   const GraphSlamOptions defaults;
   EXPECT_EQ(shipped.max_laser_range, defaults.max_laser_range);
+  EXPECT_EQ(shipped.calibrate_odometry, defaults.calibrate_odometry);
   EXPECT_EQ(shipped.reuse_distance, defaults.reuse_distance);
   EXPECT_EQ(shipped.minimum_travel_distance, defaults.minimum_travel_distance);
   EXPECT_EQ(shipped.loop_match_minimum_response_fine, defaults.loop_match_minimum_response_fine);

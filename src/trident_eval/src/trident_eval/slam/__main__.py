@@ -76,6 +76,9 @@ def _slam(options: argparse.Namespace) -> int:
     run = offline.Run(options.log, options.method, out, options.config, tuple(options.rest))
     timing = offline.run_log(run)
     print(f"{timing['scans']} scans, {timing['cpu_s']:.2f} CPU s, {timing['peak_rss_mb']:.0f} MB")
+    calibration = offline.calibration_text(timing)
+    if calibration:
+        print(calibration)
     map_file = None if options.method == offline.LANDMARK_METHOD else out / "map.yaml"
     if map_file:
         offline.write_png(map_file)

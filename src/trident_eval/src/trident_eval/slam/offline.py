@@ -95,6 +95,22 @@ def run_log(run: Run, show: bool = True) -> dict[str, Any]:
     return dict(timing)
 
 
+def calibration_text(timing: dict[str, Any]) -> str | None:
+    """What the method found out about odometry and the laser's place; None without a word of it."""
+    found = timing.get("odometry_calibration")
+    if not found:
+        return None
+    known = [
+        f"{name} {entry['value']:.4f} ± {entry['sigma']:.4f}"
+        for name, entry in found.items()
+        if entry["is_observed"]
+    ]
+    unknown = [name for name, entry in found.items() if not entry["is_observed"]]
+    parts = [", ".join(known)] if known else []
+    parts += ["not observable: " + ", ".join(unknown)] if unknown else []
+    return "odometry: " + "; ".join(parts)
+
+
 def _follow(stream: IO[str], show: bool) -> list[str]:
     said: deque[str] = deque(maxlen=_SHOWN_LINES)
     is_bar_shown = False

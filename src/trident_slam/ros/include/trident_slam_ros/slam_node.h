@@ -24,6 +24,7 @@
 
 #include "trident_slam/slam_2d.h"
 #include "trident_slam_ros/map_publisher.h"
+#include "trident_slam/slam_2d_abilities.h"
 #include "trident_slam_ros/scan_intake.h"
 
 namespace trident {
@@ -147,6 +148,7 @@ class SlamNode {
   std::map<std::string, ros::WallTime> complaints_;
   std::size_t told_problems_ = 0;
   std::size_t told_late_ = 0;
+  std::vector<CalibrationEstimate> calibration_;  ///< of odometry, with the newest scan
   std::atomic<bool> is_paused_{false};
 
   ros::Time last_autosave_;
