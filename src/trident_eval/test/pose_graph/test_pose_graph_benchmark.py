@@ -1,11 +1,15 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
+import gzip
 import os
+import random
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 from trident_eval.pose_graph import bench
+from trident_eval.pose_graph.g2o import read_layout
 from trident_eval.pose_graph.program import optimize
 
 
@@ -41,3 +45,37 @@ def test_public_graphs_reach_the_best_known_chi2(name: str) -> None:
     report = optimize(Path(data) / "pose_graph" / f"{name}.g2o.gz", [])
     assert report["converged"]
     assert report["chi2_after"] == pytest.approx(bench.BEST_KNOWN[name], rel=bench.TOLERANCE)
+
+
+def _spoil(clean: Path, spoilt: Path) -> list[list[int]]:
+    """Adds a tenth of the loops once more, each between two other vertices; returns these."""
+    lines = gzip.decompress(clean.read_bytes()).decode().splitlines()
+    edges = [line.split() for line in lines if line.startswith("EDGE")]
+    loops = [words for words in edges if abs(int(words[2]) - int(words[1])) != 1]
+    vertices = sum(line.startswith("VERTEX") for line in lines)
+    dice = random.Random(1)
+    pairs = [sorted(dice.sample(range(vertices), 2)) for _ in range(len(loops) // 10)]
+    for a, b in pairs:
+        words = dice.choice(loops)
+        lines.append(" ".join([words[0], str(a), str(b), *words[3:]]))
+    spoilt.write_text("\n".join(lines) + "\n", encoding="utf-8")
+    return pairs
+
+
+@pytest.mark.parametrize(
+    ("name", "kernel", "bound_m"), [("M3500", "gnc", 1e-3), ("sphere2500", "geman_mcclure", 0.05)]
+)
+def test_false_loops_among_public_graphs_do_no_harm(
+    tmp_path: Path, name: str, kernel: str, bound_m: float
+) -> None:
+    data = os.environ.get("TRIDENT_DATA")
+    if not data:
+        pytest.skip("TRIDENT_DATA is not set")
+    clean, spoilt = Path(data) / "pose_graph" / f"{name}.g2o.gz", tmp_path / "spoilt.g2o"
+    false_loops = _spoil(clean, spoilt)
+    best, found = tmp_path / "best.g2o", tmp_path / "found.g2o"
+    optimize(clean, ["--out", str(best)])
+    report = optimize(spoilt, ["--robust", kernel, "--out", str(found)])
+    off = np.linalg.norm(read_layout(found).positions - read_layout(best).positions, axis=1)
+    assert off.max() < bound_m
+    assert sorted(report["outliers"]) == sorted(false_loops)

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from trident_eval.core.errors import EvalError
 from trident_eval.pose_graph import __main__ as command
-from trident_eval.pose_graph.g2o import read_layout
+from trident_eval.pose_graph.g2o import Layout, read_layout
 from trident_eval.pose_graph.program import optimize
 
 _INFORMATION = "100 0 0 100 0 100"
@@ -47,9 +47,35 @@ def test_graph_is_optimised_written_told_and_drawn(
     assert "NOT converged" not in told
     assert picture.read_bytes()[:4] == b"\x89PNG"
     layout = read_layout(out)
-    assert layout is not None
     np.testing.assert_allclose(layout.positions[20], [0.0, 0.0], atol=1e-6)
     np.testing.assert_allclose(layout.positions[10], [10.0, 10.0], atol=1e-6)
+
+
+def test_graph_without_vertices_is_drawn_where_it_starts(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    file = _square(tmp_path)
+    lines = file.read_text(encoding="utf-8").splitlines()
+    file.write_text("\n".join(line for line in lines if line.startswith("EDGE")), encoding="utf-8")
+    drawn: list[list[tuple[str, Layout]]] = []
+    monkeypatch.setattr(command, "draw", lambda panels, outliers, picture: drawn.append(panels))
+    assert _main(monkeypatch, file) == 0
+    (before_title, before), (after_title, after) = drawn[0]
+    assert before_title.startswith("square, before: chi2 ")
+    assert after_title.startswith("after: chi2 ")
+    assert len(before.ids) == len(after.ids) == 41
+    np.testing.assert_allclose(after.positions[10], [10.0, 10.0], atol=1e-6)
+
+
+def test_parts_that_are_not_joined_are_told(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = _square(tmp_path)
+    island = f"VERTEX_SE2 90 0 0 0\nVERTEX_SE2 91 0 0 0\nEDGE_SE2 91 90 1 0 0 {_INFORMATION}\n"
+    file.write_text(file.read_text(encoding="utf-8") + island, encoding="utf-8")
+    assert _main(monkeypatch, file, "--picture", tmp_path / "p.png") == 0
+    assert "parts        2, not joined: each is held by its first" in capsys.readouterr().out
+    assert optimize(_square(tmp_path), [])["parts"] == 1
 
 
 def test_two_runs_write_the_same_bytes(tmp_path: Path) -> None:
@@ -105,6 +131,5 @@ def test_layout_of_packed_3d_file(tmp_path: Path) -> None:
     file = tmp_path / "a.g2o.gz"
     file.write_bytes(gzip.compress(text.encode()))
     layout = read_layout(file)
-    assert layout is not None
     assert layout.is_3d
     np.testing.assert_array_equal(layout.segments(), [[[0.0, 0.0, 1.0], [1.0, 2.0, 3.0]]])

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // pose_graph FILE [option value ...]: optimises a g2o file and prints a JSON object.
+#include <algorithm>
+#include <cstddef>
 #include <cstdio>
 #include <ctime>
 #include <functional>
@@ -20,6 +22,7 @@ namespace {
 struct Settings {
   std::string file;
   std::string out;
+  std::string before;
   bool is_ceres = false;
   RobustKernel kernel = RobustKernel::kNone;
   PoseGraphOptions options;
@@ -65,6 +68,7 @@ Settings parse(int argc, char** argv) {
   using Take = std::function<void(const std::string&)>;
   const std::map<std::string, Take> takers{
       {"--out", [&](auto& text) { settings.out = text; }},
+      {"--before", [&](auto& text) { settings.before = text; }},
       {"--init", [&](auto& text) { options.start = choice("--init", text, kStarts); }},
       {"--strategy",
        [&](auto& text) { options.strategy = choice("--strategy", text, kStrategies); }},
@@ -128,12 +132,27 @@ PoseGraphReport optimize(PoseGraph<Group>& graph, const Settings& settings) {
   return PoseGraphOptimizer<Group>(settings.options).optimize(graph);
 }
 
+/// Sets of vertices between which there is no edge.
+template <class Group>
+std::size_t count_parts(const PoseGraph<Group>& graph) {
+  std::map<int, int> above;  // a vertex of the same part, itself at the top
+  for (const auto& vertex : graph.vertices()) above[vertex.id] = vertex.id;
+  const auto top = [&above](int id) {
+    while (above[id] != id) id = above[id] = above[above[id]];
+    return id;
+  };
+  for (const auto& edge : graph.edges()) above[top(edge.from)] = top(edge.to);
+  return static_cast<std::size_t>(std::count_if(
+      above.begin(), above.end(), [](const auto& entry) { return entry.first == entry.second; }));
+}
+
 template <class Group>
 void print(const PoseGraph<Group>& graph, const PoseGraphReport& report, double read_s,
            double optimize_s) {
   std::printf("{\"kind\": \"%s\", \"vertices\": %zu, \"edges\": %zu,\n",
               PoseGraph<Group>::kDimension == 3 ? "SE2" : "SE3", graph.vertices().size(),
               graph.edges().size());
+  std::printf(" \"parts\": %zu,\n", count_parts(graph));
   std::printf(" \"chi2_before\": %.10g, \"chi2_start\": %.10g, \"chi2_after\": %.10g,\n",
               report.chi2_before, report.chi2_start, report.chi2_after);
   std::printf(" \"cost_before\": %.10g, \"cost_after\": %.10g,\n", report.cost_before,
@@ -157,8 +176,10 @@ void run(const Settings& settings) {
   const double read = cpu_seconds();
   std::visit(
       [&](auto& graph) {
+        if (!settings.before.empty()) write_g2o(graph, settings.before);
+        const double start = cpu_seconds();
         const PoseGraphReport report = optimize(graph, settings);
-        print(graph, report, read - begin, cpu_seconds() - read);
+        print(graph, report, read - begin, cpu_seconds() - start);
         if (!settings.out.empty()) write_g2o(graph, settings.out);
       },
       any_graph);

@@ -99,8 +99,22 @@ class PoseGraphOptimizer<Group>::Impl {
     }
   }
 
-  // From a kernel so wide that the cost is nearly convex down to the true one.
+  // Straight from the start, and from a kernel so wide that the cost is nearly convex: whichever
+  // ends lower. The first is right where the start is good and many loops are false, so that the
+  // convex cost is theirs; the second where the start is bad.
   void graduate(PoseGraphReport& report) {
+    const auto start = system_.poses;
+    doubt(1.0);
+    search(options_, report);
+    const auto direct = system_.poses;
+    system_.poses = start;
+    narrow(report);
+    if (system_.cost(direct).robust < system_.cost(system_.poses).robust) system_.poses = direct;
+    reject();
+  }
+
+  // From the wide kernel down to the true one.
+  void narrow(PoseGraphReport& report) {
     constexpr double kFactor = 1.4;
     double worst = 0.0;
     for (const auto& edge : system_.edges()) {
@@ -115,7 +129,6 @@ class PoseGraphOptimizer<Group>::Impl {
     }
     doubt(1.0);
     search(options_, report);
-    reject();
   }
 
   // Of the edges that were in doubt, those within the scale count in full and the others not.

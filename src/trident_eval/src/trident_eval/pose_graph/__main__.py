@@ -41,12 +41,24 @@ def text_of(file: Path, report: dict[str, Any]) -> str:
         + ("" if report["converged"] else "  (NOT converged)"),
         f"CPU time     {report['cpu_s']:.4f} s, and {report['read_cpu_s']:.4f} s to read the file",
     ]
+    if report["parts"] > 1:
+        lines.append(
+            f"parts        {report['parts']}, not joined: each is held by its first vertex"
+            " unless one is fixed"
+        )
     if report["cost_after"] != report["chi2_after"]:
         lines.insert(4, f"robust cost  {report['cost_before']:.8g} -> {report['cost_after']:.8g}")
     if outliers := report["outliers"]:
         shown = ", ".join(f"{a}-{b}" for a, b in outliers[:8])
         lines.append(f"outliers     {len(outliers)}: {shown}{' …' if len(outliers) > 8 else ''}")
     return "\n".join(lines)
+
+
+def _title_after(report: dict[str, Any]) -> str:
+    if not report["outliers"]:
+        return f"after: chi2 {report['chi2_after']:.6g}"
+    # chi2 counts what was rejected, too: it says nothing of the rest.
+    return f"after: robust cost {report['cost_after']:.6g}"
 
 
 def run(options: argparse.Namespace, rest: list[str]) -> int:
@@ -66,14 +78,13 @@ def run(options: argparse.Namespace, rest: list[str]) -> int:
     picture = options.picture or Path(f"{name}.png")
     with tempfile.TemporaryDirectory() as folder:
         out = options.out or Path(folder) / "after.g2o"
-        report = optimize(options.file, [*words, "--out", str(out)])
+        start = Path(folder) / "before.g2o"  # a file without vertices has no places of its own
+        report = optimize(options.file, [*words, "--out", str(out), "--before", str(start)])
         print(text_of(options.file, report))
-        before, after = read_layout(options.file), read_layout(out)
-    panels = []
-    if before is not None:
-        panels.append((f"{name}, before: chi2 {report['chi2_before']:.6g}", before))
-    if after is not None:
-        panels.append((f"after: chi2 {report['chi2_after']:.6g}", after))
+        panels = [
+            (f"{name}, before: chi2 {report['chi2_before']:.6g}", read_layout(start)),
+            (_title_after(report), read_layout(out)),
+        ]
     draw(panels, report["outliers"], picture)
     print(f"picture      {picture}")
     return 0 if report["converged"] else 1

@@ -214,6 +214,10 @@ def run(options: argparse.Namespace) -> int:
         rows.append(measure(file, 1 if options.quick else max(1, options.runs), python))
         print(f"{rows[-1]['name']}: done", file=sys.stderr, flush=True)
     print(table(rows))
+    print(
+        "chi2: sum of e' Omega e, e = log(Z^-1 T_i^-1 T_j) in the tangent of SE(2) or SE(3);"
+        " from the file's start, initialisation included, on one core"
+    )
     if options.out:
         options.out.write_text(json.dumps({"rows": rows}, indent=1) + "\n", encoding="utf-8")
     is_good = all(row["is_chi2_best"] and (row["speed_up"] or 1.0) >= 1.0 for row in rows)

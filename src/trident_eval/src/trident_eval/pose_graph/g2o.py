@@ -37,11 +37,11 @@ class Layout:
         return np.asarray(self.positions[rows])
 
 
-def read_layout(file: Path) -> Layout | None:
-    """Reads a file that ``trident_slam/pose_graph`` accepts; None when it has no vertices.
+def read_layout(file: Path) -> Layout:
+    """Reads a file that ``trident_slam/pose_graph`` wrote.
 
     Raises:
-        EvalError: the file cannot be read.
+        EvalError: the file cannot be read, or has no vertices.
     """
     try:
         data = file.read_bytes()
@@ -59,7 +59,7 @@ def read_layout(file: Path) -> Layout | None:
         elif words and words[0].startswith("EDGE_"):
             edges.append((int(words[1]), int(words[2])))
     if not positions:
-        return None
+        raise EvalError(f"{file}: has no vertices")
     ids = sorted(positions)
     return Layout(
         np.array(ids, dtype=np.int64),
