@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "conformance/scan_world.h"
 #include "trident_slam/slam_2d.h"
@@ -45,11 +46,37 @@ const std::map<std::string, Expected>& expected() {
   return table;
 }
 
+/// A drive with something wrong in it need not be as long as the others.
+constexpr std::size_t kScansOfALap = 160;
+constexpr std::size_t kScansAfterTrouble = 130;
+
 bool is_same(const SE2& a, const SE2& b) { return a.p == b.p && a.angle == b.angle; }
+
+/// One algorithm after the whole drive, and what it said to each scan.
+struct Driven {
+  std::unique_ptr<Slam2d> slam;
+  std::vector<ScanPose2d> poses;
+};
+
+Driven drive(const std::string& method) {
+  Driven driven{registry().get(method)(""), {}};
+  for (const auto& step : world().steps()) {
+    driven.poses.push_back(driven.slam->add_scan(step.scan, step.T_odom_base));
+  }
+  driven.slam->finish();
+  return driven;
+}
 
 class Slam2dConformance : public testing::TestWithParam<std::string> {
  protected:
   std::unique_ptr<Slam2d> make() const { return registry().get(GetParam())(""); }
+  /// Each algorithm's first whole drive: several tests look at it, none changes it.
+  static const Driven& driven() {
+    static std::map<std::string, Driven> known;
+    auto it = known.find(GetParam());
+    if (it == known.end()) it = known.emplace(GetParam(), drive(GetParam())).first;
+    return it->second;
+  }
   static Expected expectation() {
     const auto it = expected().find(GetParam());
     return it == expected().end() ? Expected{0.15, 0.9} : it->second;
@@ -67,29 +94,23 @@ class Slam2dConformance : public testing::TestWithParam<std::string> {
 };
 
 TEST_P(Slam2dConformance, EveryScanHasAPoseNearTheTruth) {
-  const auto slam = make();
-  for (const auto& step : world().steps()) {
-    const ScanPose2d pose = slam->add_scan(step.scan, step.T_odom_base);
+  for (const ScanPose2d& pose : driven().poses) {
     ASSERT_TRUE(pose.T_map_base.p.allFinite() && std::isfinite(pose.T_map_base.angle));
     ASSERT_TRUE(pose.covariance.allFinite());
     EXPECT_TRUE(pose.is_used);
     EXPECT_EQ(pose.problem, "");
   }
-  slam->finish();
-  const auto trajectory = slam->trajectory();
+  const auto trajectory = driven().slam->trajectory();
   ASSERT_EQ(trajectory.size(), world().steps().size());
   for (std::size_t k = 0; k < trajectory.size(); ++k) {
     ASSERT_EQ(trajectory[k].stamp_ns, world().steps()[k].scan.stamp_ns);
   }
   EXPECT_LT((trajectory.front().T_map_base.p).norm(), 0.05);
-  EXPECT_LT(largest_error(*slam), expectation().largest_error);
+  EXPECT_LT(largest_error(*driven().slam), expectation().largest_error);
 }
 
 TEST_P(Slam2dConformance, TheMapShowsTheWalls) {
-  const auto slam = make();
-  for (const auto& step : world().steps()) slam->add_scan(step.scan, step.T_odom_base);
-  slam->finish();
-  const OccupancyGrid map = slam->map();
+  const OccupancyGrid map = driven().slam->map();
   ASSERT_EQ(map.cells.size(), static_cast<std::size_t>(map.width) * map.height);
   int occupied = 0;
   int near = 0;
@@ -109,42 +130,39 @@ TEST_P(Slam2dConformance, TheMapShowsTheWalls) {
 }
 
 TEST_P(Slam2dConformance, APoseDependsOnTheScansUpToItAlone) {
-  const auto whole = make();
-  const auto first_half = make();
-  const std::size_t half = world().steps().size() / 2;
-  ScanPose2d last_of_whole;
-  ScanPose2d last_of_half;
-  for (std::size_t k = 0; k < world().steps().size(); ++k) {
+  // From here on other scans come; and a question in between is no scan.
+  const auto slam = make();
+  const std::size_t part = world().steps().size() / 4;
+  for (std::size_t k = 0; k <= part; ++k) {
     const auto& step = world().steps()[k];
-    const ScanPose2d pose = whole->add_scan(step.scan, step.T_odom_base);
-    if (k == half) last_of_whole = pose;
-    if (k <= half) last_of_half = first_half->add_scan(step.scan, step.T_odom_base);
+    const ScanPose2d pose = slam->add_scan(step.scan, step.T_odom_base);
+    ASSERT_TRUE(is_same(pose.T_map_base, driven().poses[k].T_map_base)) << "scan " << k;
+    if (k == part / 2) {
+      ASSERT_EQ(slam->trajectory().size(), k + 1);
+      ASSERT_FALSE(slam->map().cells.empty());
+    }
   }
-  EXPECT_TRUE(is_same(last_of_whole.T_map_base, last_of_half.T_map_base));
 }
 
 TEST_P(Slam2dConformance, TheSameScansGiveTheSameBits) {
-  const auto a = make();
-  const auto b = make();
-  for (const auto& step : world().steps()) {
-    a->add_scan(step.scan, step.T_odom_base);
-    b->add_scan(step.scan, step.T_odom_base);
+  const Driven& a = driven();
+  const Driven b = drive(GetParam());
+  for (std::size_t k = 0; k < a.poses.size(); ++k) {
+    ASSERT_TRUE(is_same(a.poses[k].T_map_base, b.poses[k].T_map_base)) << "scan " << k;
   }
-  a->finish();
-  b->finish();
-  const auto path_a = a->trajectory();
-  const auto path_b = b->trajectory();
+  const auto path_a = a.slam->trajectory();
+  const auto path_b = b.slam->trajectory();
   ASSERT_EQ(path_a.size(), path_b.size());
   for (std::size_t k = 0; k < path_a.size(); ++k) {
     ASSERT_TRUE(is_same(path_a[k].T_map_base, path_b[k].T_map_base));
   }
-  EXPECT_EQ(a->map().cells, b->map().cells);
+  EXPECT_EQ(a.slam->map().cells, b.slam->map().cells);
 }
 
 TEST_P(Slam2dConformance, BadScansAreToldOfAndHarmNothing) {
   const auto slam = make();
   int told = 0;
-  for (std::size_t k = 0; k < world().steps().size(); ++k) {
+  for (std::size_t k = 0; k < kScansOfALap; ++k) {
     const auto& step = world().steps()[k];
     LaserScan scan = step.scan;
     const float nan = std::numeric_limits<float>::quiet_NaN();
@@ -161,13 +179,13 @@ TEST_P(Slam2dConformance, BadScansAreToldOfAndHarmNothing) {
   }
   slam->finish();
   EXPECT_LT(largest_error(*slam), 1.5 * expectation().largest_error);
-  if (GetParam() != "odometry") EXPECT_GE(told, static_cast<int>(world().steps().size()) / 20 - 1);
+  if (GetParam() != "odometry") EXPECT_GE(told, static_cast<int>(kScansOfALap) / 20 - 1);
 }
 
 TEST_P(Slam2dConformance, OdometryThatIsNoNumberIsToldOfAndHarmsNothing) {
   if (GetParam() == "odometry") GTEST_SKIP() << "it has nothing but odometry";
   const auto slam = make();
-  for (std::size_t k = 0; k < world().steps().size(); ++k) {
+  for (std::size_t k = 0; k < kScansAfterTrouble; ++k) {
     const auto& step = world().steps()[k];
     SE2 T_odom_base = step.T_odom_base;
     if (k == 60) T_odom_base.p.x() = std::numeric_limits<double>::quiet_NaN();
@@ -183,7 +201,7 @@ TEST_P(Slam2dConformance, AJumpOfOdometryIsToldOfAndHarmsNothing) {
   if (GetParam() == "odometry") GTEST_SKIP() << "it has nothing but odometry";
   const auto slam = make();
   const SE2 jump = SE2::from_xy_yaw(30.0, -20.0, 1.0);
-  for (std::size_t k = 0; k < world().steps().size(); ++k) {
+  for (std::size_t k = 0; k < kScansAfterTrouble; ++k) {
     const auto& step = world().steps()[k];
     const SE2 T_odom_base = k < 90 ? step.T_odom_base : jump * step.T_odom_base;
     const ScanPose2d pose = slam->add_scan(step.scan, T_odom_base);
