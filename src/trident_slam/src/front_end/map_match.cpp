@@ -32,7 +32,10 @@ Eigen::Matrix3d bounded_inverse(const Eigen::Matrix3d& H, double least) {
 
 MapMatchSums map_match_sums(const ProbabilityGrid& map, const PointScan& scan,
                             const SE2& T_map_base) {
-  MapMatchSums sums;
+  // The sums by name, not as matrices, stay in registers.
+  double xx = 0.0, xy = 0.0, xw = 0.0, yy = 0.0, yw = 0.0, ww = 0.0;
+  double gx = 0.0, gy = 0.0, gw = 0.0;
+  double cost = 0.0;
   const Eigen::Matrix2f R = T_map_base.rotation().cast<float>();
   const Eigen::Vector2f origin = T_map_base.p.cast<float>();
   for (const SurfacePoint& point : scan.points) {
@@ -41,10 +44,21 @@ MapMatchSums map_match_sums(const ProbabilityGrid& map, const PointScan& scan,
     const Eigen::Vector3d J(sample.gradient.x(), sample.gradient.y(),
                             sample.gradient.y() * arm.x() - sample.gradient.x() * arm.y());
     const double residual = 1.0 - sample.value;
-    sums.H += J * J.transpose();
-    sums.g += J * residual;
-    sums.cost += residual * residual;
+    xx += J.x() * J.x();
+    xy += J.x() * J.y();
+    xw += J.x() * J.z();
+    yy += J.y() * J.y();
+    yw += J.y() * J.z();
+    ww += J.z() * J.z();
+    gx += J.x() * residual;
+    gy += J.y() * residual;
+    gw += J.z() * residual;
+    cost += residual * residual;
   }
+  MapMatchSums sums;
+  sums.H << xx, xy, xw, xy, yy, yw, xw, yw, ww;
+  sums.g << gx, gy, gw;
+  sums.cost = cost;
   return sums;
 }
 

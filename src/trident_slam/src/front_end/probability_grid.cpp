@@ -3,8 +3,9 @@
 #include "front_end/probability_grid.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstdlib>
+#include <cstring>
 
 namespace trident {
 namespace {
@@ -17,6 +18,25 @@ float log_odds(double probability) {
 }
 
 }  // namespace
+
+/// 1 / (1 + exp(-x)) of the few values that most cells of a map have, each worked out once.
+class ProbabilityGrid::Logistic {
+ public:
+  float of(float log_odds) {
+    std::uint32_t bits = 0;
+    std::memcpy(&bits, &log_odds, sizeof(bits));
+    Known& known = known_[(bits * 2654435761U) >> 24U];  // Knuth's multiplicative hash
+    if (known.log_odds != log_odds) known = {log_odds, 1.0F / (1.0F + std::exp(-log_odds))};
+    return known.probability;
+  }
+
+ private:
+  struct Known {
+    float log_odds = 0.0F;
+    float probability = 0.5F;
+  };
+  std::array<Known, 256> known_;
+};
 
 ProbabilityGrid::ProbabilityGrid(double resolution, double passed, double ended)
     : resolution_(resolution),
@@ -32,21 +52,26 @@ Eigen::Vector2i ProbabilityGrid::cell_of(const Eigen::Vector2d& p_map) const {
 void ProbabilityGrid::insert(const SE2& T_map_base, const PointScan& scan) {
   ++scans_;
   const Eigen::Vector2i from = cell_of(T_map_base * scan.origin.cast<double>());
+  const Eigen::Matrix2d R = T_map_base.rotation();
+  TiledGrid<Cell>::Pen pen(cells_);
+  Logistic logistic;
   for (const SurfacePoint& point : scan.points) {
-    const Eigen::Vector2i to = cell_of(T_map_base * point.p.cast<double>());
-    pass(from, to);
-    tell(to, true);
+    const Eigen::Vector2i to = cell_of(R * point.p.cast<double>() + T_map_base.p);
+    pass(logistic, pen, from, to);
+    tell(logistic, pen.at(to.x(), to.y()), true);
   }
 }
 
 /// The cells of a line from one cell's centre to another's, without the last (Bresenham 1965).
-void ProbabilityGrid::pass(const Eigen::Vector2i& from, const Eigen::Vector2i& to) {
+void ProbabilityGrid::pass(Logistic& logistic, TiledGrid<Cell>::Pen& pen,
+                           const Eigen::Vector2i& from, const Eigen::Vector2i& to) {
   const Eigen::Vector2i span = (to - from).cwiseAbs();
   const Eigen::Vector2i sign(to.x() > from.x() ? 1 : -1, to.y() > from.y() ? 1 : -1);
   Eigen::Vector2i cell = from;
   int error = span.x() - span.y();
   while (cell != to) {
-    tell(cell, false);
+    Cell& passed = pen.at(cell.x(), cell.y());
+    if (passed.told < 2 * scans_) tell(logistic, passed, false);
     const int twice = 2 * error;
     if (twice > -span.y()) {
       error -= span.y();
@@ -59,34 +84,15 @@ void ProbabilityGrid::pass(const Eigen::Vector2i& from, const Eigen::Vector2i& t
   }
 }
 
-void ProbabilityGrid::tell(const Eigen::Vector2i& cell, bool is_end) {
-  Cell& c = cells_.at(cell.x(), cell.y());
+void ProbabilityGrid::tell(Logistic& logistic, Cell& c, bool is_end) {
   const std::int32_t passed = 2 * scans_;
   if (c.told >= passed + (is_end ? 1 : 0)) return;
+  const float before = c.log_odds;
   if (c.told == passed) c.log_odds -= log_odds_passed_;  // a beam ended where another had passed
   c.log_odds += is_end ? log_odds_ended_ : log_odds_passed_;
   c.log_odds = std::clamp(c.log_odds, -kMaxLogOdds, kMaxLogOdds);
-  c.probability = 1.0F / (1.0F + std::exp(-c.log_odds));
+  if (c.log_odds != before) c.probability = logistic.of(c.log_odds);
   c.told = passed + (is_end ? 1 : 0);
-}
-
-ProbabilityGrid::Sample ProbabilityGrid::sample(const Eigen::Vector2f& p_map) const {
-  const Eigen::Vector2f at = p_map * per_metre_ - Eigen::Vector2f::Constant(0.5F);
-  const Eigen::Vector2f corner(std::floor(at.x()), std::floor(at.y()));
-  const Eigen::Vector2f t = at - corner;
-  const int x = static_cast<int>(corner.x());
-  const int y = static_cast<int>(corner.y());
-  const float p00 = cells_.get(x, y).probability;
-  const float p10 = cells_.get(x + 1, y).probability;
-  const float p01 = cells_.get(x, y + 1).probability;
-  const float p11 = cells_.get(x + 1, y + 1).probability;
-  const float below = p00 + t.x() * (p10 - p00);
-  const float above = p01 + t.x() * (p11 - p01);
-  Sample sample;
-  sample.value = below + t.y() * (above - below);
-  sample.gradient.x() = per_metre_ * ((1.0F - t.y()) * (p10 - p00) + t.y() * (p11 - p01));
-  sample.gradient.y() = per_metre_ * (above - below);
-  return sample;
 }
 
 OccupancyGrid ProbabilityGrid::occupancy() const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <cstdint>
 
 #include "front_end/tiled_grid.h"
@@ -41,8 +42,10 @@ class ProbabilityGrid {
   };
 
   Eigen::Vector2i cell_of(const Eigen::Vector2d& p_map) const;
-  void pass(const Eigen::Vector2i& from, const Eigen::Vector2i& to);
-  void tell(const Eigen::Vector2i& cell, bool is_end);
+  class Logistic;
+  void pass(Logistic& logistic, TiledGrid<Cell>::Pen& pen, const Eigen::Vector2i& from,
+            const Eigen::Vector2i& to);
+  void tell(Logistic& logistic, Cell& cell, bool is_end);
 
   double resolution_;
   float per_metre_;
@@ -51,5 +54,26 @@ class ProbabilityGrid {
   std::int32_t scans_ = 0;
   TiledGrid<Cell> cells_;
 };
+
+inline ProbabilityGrid::Sample ProbabilityGrid::sample(const Eigen::Vector2f& p_map) const {
+  const Eigen::Vector2f at = p_map * per_metre_ - Eigen::Vector2f::Constant(0.5F);
+  const Eigen::Vector2f corner(std::floor(at.x()), std::floor(at.y()));
+  const Eigen::Vector2f t = at - corner;
+  const int x = static_cast<int>(corner.x());
+  const int y = static_cast<int>(corner.y());
+  const Cell* square = cells_.square(x, y);
+  constexpr int kAbove = TiledGrid<Cell>::kTileSide;
+  const float p00 = square ? square[0].probability : cells_.get(x, y).probability;
+  const float p10 = square ? square[1].probability : cells_.get(x + 1, y).probability;
+  const float p01 = square ? square[kAbove].probability : cells_.get(x, y + 1).probability;
+  const float p11 = square ? square[kAbove + 1].probability : cells_.get(x + 1, y + 1).probability;
+  const float below = p00 + t.x() * (p10 - p00);
+  const float above = p01 + t.x() * (p11 - p01);
+  Sample sample;
+  sample.value = below + t.y() * (above - below);
+  sample.gradient.x() = per_metre_ * ((1.0F - t.y()) * (p10 - p00) + t.y() * (p11 - p01));
+  sample.gradient.y() = per_metre_ * (above - below);
+  return sample;
+}
 
 }  // namespace trident

@@ -52,6 +52,38 @@ class TiledGrid {
             (top - bottom + 1) * kTileSide};
   }
 
+  /// (x, y); (x + 1, y) is one, (x, y + 1) `kTileSide` further. Null where they are not all in one
+  /// tile that exists.
+  const T* square(int x, int y) const {
+    constexpr int kMask = kTileSide - 1;
+    if ((x & kMask) == kMask || (y & kMask) == kMask) return nullptr;
+    const std::int32_t tile = index_.get(x >> kTileBits, y >> kTileBits);
+    if (tile == 0) return nullptr;
+    return tiles_[static_cast<std::size_t>(tile - 1)]->data() + cell_index(x, y);
+  }
+
+  /// Writes to cells of which each is near the one before. The grid must not be copied meanwhile.
+  class Pen {
+   public:
+    explicit Pen(TiledGrid& grid) : grid_(grid) {}
+    T& at(int x, int y) {
+      const int tile_x = x >> kTileBits;
+      const int tile_y = y >> kTileBits;
+      if (tile_ == nullptr || tile_x != tile_x_ || tile_y != tile_y_) {
+        tile_ = &grid_.own_tile(tile_x, tile_y);
+        tile_x_ = tile_x;
+        tile_y_ = tile_y;
+      }
+      return (*tile_)[cell_index(x, y)];
+    }
+
+   private:
+    TiledGrid& grid_;
+    typename TiledGrid::Tile* tile_ = nullptr;
+    int tile_x_ = 0;
+    int tile_y_ = 0;
+  };
+
  private:
   using Tile = std::array<T, static_cast<std::size_t>(kTileSide* kTileSide)>;
 
