@@ -152,6 +152,16 @@ def test_it_finds_the_robot_and_says_what_is_wrong(ros: Ros, tmp_path: Path) -> 
             reports(diagnostics.messages, "odom -> base_link is 2.000 s late for the scan of"),
             "the late transform named",
         )
+
+        def told(kind: str) -> str:
+            """How often, by the newest diagnostics."""
+            for array in reversed(diagnostics.messages):
+                for status in array.status:
+                    if status.name.endswith(kind):
+                        return str(status.values[0].value)
+            return "0"
+
+        assert told("transform late") == "1", "a scan that waits is counted once"
         robot.publish(5.0)
         eventually(reports(diagnostics.messages, "went back by"), "the jump back of time told")
         robot.message.ranges = [math.nan] * 180

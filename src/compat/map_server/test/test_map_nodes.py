@@ -39,6 +39,28 @@ def test_a_served_map_is_saved_as_it_was(ros: RosProcesses, tmp_path: Path) -> N
     assert (tmp_path / "saved.yaml").read_text() == YAML.replace("room", "saved")
 
 
+def test_a_bad_map_does_not_replace_the_good_one(ros: RosProcesses, tmp_path: Path) -> None:
+    (tmp_path / "room.yaml").write_text(YAML, encoding="utf-8")
+    (tmp_path / "room.pgm").write_bytes(PGM)
+    words = [program("map_server", "map_server"), str(tmp_path / "room.yaml")]
+    ros.start_node("/map_server", [*words, "__name:=map_server"])
+    (tmp_path / "short.pgm").write_bytes(PGM[:-3])
+    (tmp_path / "short.yaml").write_text(YAML.replace("room", "short"), encoding="utf-8")
+    for name, result in (("short", "2"), ("missing", "1")):
+        request = f"map_url: {tmp_path / name}.yaml"
+        code, answer = ros.run(["rosservice", "call", "/change_map", request])
+        assert code == 0, answer
+        assert f"result: {result}" in answer
+    code, told = ros.run(["rostopic", "echo", "-n", "1", "/diagnostics"])
+    assert code == 0
+    assert "map_server: change_map" in told
+    assert 'value: "2"' in told
+    assert "missing.yaml" in told
+    code, output = saved(tmp_path, ros)
+    assert code == 0, output
+    assert (tmp_path / "saved.pgm").read_bytes() == PGM
+
+
 @pytest.mark.parametrize(
     ("name", "words", "expected"),
     [

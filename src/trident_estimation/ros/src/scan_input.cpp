@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "trident_base/error.h"
 #include "trident_estimation_ros/map_messages.h"
@@ -108,7 +109,7 @@ void ScanInput::receive(const sensor_msgs::LaserScanConstPtr& message) {
     note_missing(waiting_.front(), "");
     waiting_.pop_front();
   }
-  waiting_.push_back({message, ros::WallTime::now()});
+  waiting_.push_back({message, ros::WallTime::now(), false});
   hand_out();
 }
 
@@ -118,7 +119,7 @@ void ScanInput::hand_out() {
 
 /// True: the first one is done with.
 bool ScanInput::try_first() {
-  const Waiting waiting = waiting_.front();
+  Waiting& waiting = waiting_.front();
   const sensor_msgs::LaserScan& message = *waiting.message;
   const double waited = (ros::WallTime::now() - waiting.since).toSec();
   PlacedScan placed;
@@ -138,8 +139,7 @@ bool ScanInput::try_first() {
     }
   } catch (const tf2::TransformException& error) {
     if (waited < kLateAfter) return false;
-    note_missing(waiting, error.what());
-    return waited > kGivenUpAfter;
+    return !note_missing(waiting, error.what()) || waited > kGivenUpAfter;
   } catch (const Error& error) {
     troubles_.note("transform refused", error.what());
     return true;
@@ -148,7 +148,12 @@ bool ScanInput::try_first() {
   return true;
 }
 
-void ScanInput::note_missing(const Waiting& waiting, const std::string& reason) {
+// Once for each scan. False: what is missing can no longer come.
+bool ScanInput::note_missing(Waiting& waiting, const std::string& reason) {
+  const bool is_told = std::exchange(waiting.is_told, true);
+  const auto note = [&](const char* kind, const std::string& text) {
+    if (!is_told) troubles_.note(kind, text);
+  };
   const std::string& laser = waiting.message->header.frame_id;
   const ros::Time stamp = waiting.message->header.stamp;
   for (const auto& [target, source] :
@@ -157,20 +162,22 @@ void ScanInput::note_missing(const Waiting& waiting, const std::string& reason) 
     try {
       const ros::Time newest = buffer_.lookupTransform(target, source, ros::Time(0)).header.stamp;
       if (newest.isZero() || newest >= stamp) continue;  // static, or not the late one
-      troubles_.note("transform late", "transform " + name + " is " +
-                                           fixed((stamp - newest).toSec()) +
-                                           " s late for the scan of " + laser + " at " +
-                                           fixed(stamp.toSec()) + " s; the scan waits");
-      return;
+      note("transform late", "transform " + name + " is " + fixed((stamp - newest).toSec()) +
+                                 " s late for the scan of " + laser + " at " +
+                                 fixed(stamp.toSec()) + " s; the scan waits");
+      return true;
     } catch (const tf2::TransformException& error) {
-      troubles_.note("transform missing",
-                     "no transform " + name + " for the scan of " + laser + ": " + error.what());
-      return;
+      note("transform missing",
+           "no transform " + name + " for the scan of " + laser + ": " + error.what());
+      return true;
     }
   }
-  troubles_.note("scan too old", "scan of " + laser + " at " + fixed(stamp.toSec()) +
-                                     " s is older than what tf keeps" +
-                                     (reason.empty() ? "" : ": " + reason));
+  // Transforms come in a thread of their own: it may have come just now.
+  if (buffer_.canTransform(params_.odom_frame_id, params_.base_frame_id, stamp)) return true;
+  note("scan too old", "scan of " + laser + " at " + fixed(stamp.toSec()) +
+                           " s is older than what tf keeps" +
+                           (reason.empty() ? "" : ": " + reason));
+  return false;
 }
 
 }  // namespace trident

@@ -15,6 +15,7 @@
 #include <visualization_msgs/MarkerArray.h>
 
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -69,7 +70,9 @@ class Toolbox {
       response.result = srv::Reset::Response::RESULT_SUCCESS;
     });
     services_.serve<srv::SaveMap>("save_map", [this](auto& request, auto& /*response*/) {
-      node_.save_map(request.name.data.empty() ? "map" : request.name.data);
+      const std::string stem = request.name.data.empty() ? "map" : request.name.data;
+      node_.save_map(stem);
+      ROS_INFO("%s.pgm and .yaml are written", std::filesystem::absolute(stem).c_str());
     });
     serve_sessions();
     serve_corrections();

@@ -48,6 +48,7 @@ class ScanInput {
   struct Waiting {
     sensor_msgs::LaserScanConstPtr message;
     ros::WallTime since;
+    bool is_told;  ///< that its transform is missing
   };
   struct Laser {
     SE2 T_base_laser;
@@ -58,7 +59,7 @@ class ScanInput {
   bool try_first();
   bool is_refused(const sensor_msgs::LaserScan& message);
   const Laser& laser(const std::string& frame);
-  void note_missing(const Waiting& waiting, const std::string& reason);
+  bool note_missing(Waiting& waiting, const std::string& reason);
   SE2 looked_up(const std::string& target, const std::string& source, const ros::Time& stamp) const;
 
   ScanInputParams params_;
