@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "trident_base/se2.h"
@@ -21,8 +22,10 @@ struct LaserScan {
   double time_increment = 0.0;   ///< [s] between beams; 0: all at once
   double range_min = 0.0;        ///< [m]
   double range_max = 0.0;        ///< [m]
-  SE2 T_base_laser;              ///< where the laser sits on the robot
-  std::vector<float> ranges;     ///< [m]
+  /// Mean turning rate of the robot during the sweep, where a gyro measured it [rad/s].
+  std::optional<double> yaw_rate;
+  SE2 T_base_laser;           ///< where the laser sits on the robot
+  std::vector<float> ranges;  ///< [m]
 
   std::size_t size() const { return ranges.size(); }
   double angle(std::size_t beam) const {

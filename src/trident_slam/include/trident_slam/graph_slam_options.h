@@ -27,6 +27,9 @@ struct GraphSlamOptions {
   double min_laser_range = 0.05;
   double max_laser_range = 30.0;
   bool use_scan_matching = true;
+  /// The default matcher works on the surfaces of the whole map.
+  static constexpr char kLinesOfTheMap[] = "point_to_line";
+  std::string scan_matcher = kLinesOfTheMap;
   double minimum_travel_distance = 0.3;
   double minimum_travel_heading = 0.3;
 
@@ -55,6 +58,8 @@ struct GraphSlamOptions {
     ar.field("max_laser_range", max_laser_range, Range{0.5, 1000.0},
              "farther returns are not used [m]");
     ar.field("use_scan_matching", use_scan_matching, "false: odometry alone");
+    ar.field("scan_matcher", scan_matcher,
+             "correlative | grid_gauss_newton | hybrid | ndt | point_to_line");
     ar.field("minimum_travel_distance", minimum_travel_distance, Range{0.01, 10.0},
              "way after which a scan becomes part of the map [m]");
     ar.field("minimum_travel_heading", minimum_travel_heading, Range{0.01, 3.1},

@@ -17,7 +17,8 @@ struct Degeneracy {
   /// The direction that is known least: (x, y, yaw at the points' mean distance), unit length.
   Eigen::Vector3d weakest = Eigen::Vector3d::UnitX();
 
-  bool is_degenerate() const { return ratio < 0.02; }
+  static constexpr double kDegenerateRatio = 0.02;
+  bool is_degenerate() const { return ratio < kDegenerateRatio; }
 };
 
 /// What is known of a pose beforehand.

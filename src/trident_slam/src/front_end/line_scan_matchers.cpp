@@ -147,7 +147,7 @@ class CorrelativeMatcher : public ScanMatcher {
                             static_cast<double>(hit.size());
     match.information = surface_information(scan, T, hit, kSigma);
     match.degeneracy = degeneracy_of(match.information, mean_range(scan));
-    fuse(T, prior, &match);
+    fuse(T, mean_range(scan), prior, &match);
     return match;
   }
 
@@ -207,12 +207,12 @@ class CorrelativeMatcher : public ScanMatcher {
   }
 
   /// The search knows no prior but its window: what was found is weighed with it here.
-  void fuse(const SE2& T, const PosePrior& prior, ScanMatch* match) const {
+  void fuse(const SE2& T, double range, const PosePrior& prior, ScanMatch* match) const {
     const double cell = resolution_ * resolution_ / 12.0;
     const Eigen::Matrix3d rounding = Eigen::Vector3d(cell, cell, 1e-6).asDiagonal();
     const Eigen::Matrix3d least = 1e-6 * Eigen::Matrix3d::Identity();
-    const Eigen::Matrix3d measured =
-        ((match->information + least).inverse() + 0.1 * rounding).inverse();
+    const Eigen::Matrix3d told = without_noise(match->information, range);
+    const Eigen::Matrix3d measured = ((told + least).inverse() + 0.1 * rounding).inverse();
     match->covariance = (measured + prior.information).inverse();
     const SE2& P = prior.T_ref_base;
     const Eigen::Vector3d off(P.p.x() - T.p.x(), P.p.y() - T.p.y(),

@@ -12,6 +12,9 @@ namespace {
 /// Beyond this squared Mahalanobis distance a point adds less than 1e-5.
 constexpr double kFar = 24.0;
 constexpr double kOnSurface = 4.0;
+/// A distribution that is wider than 0.1 m in both directions is no surface: this is the least
+/// trace of the information of one that is [1/m^2].
+constexpr double kLeastTrace = 100.0;
 
 /// Adds exp(-q / 2) of one point and one distribution, as a part of the cost and its derivatives.
 /// `arm` is R p; its derivatives by yaw are `side` and -arm.
@@ -104,7 +107,9 @@ PoseCost ndt_cost(const NdtMap& map, const PointScan& scan, const SE2& T_ref_bas
       const NdtMap::Normal* normal = map.over(g, p_ref);
       if (normal == nullptr) continue;
       const double q = add_term(*normal, p_ref - normal->mean, arm, &sum);
-      if (is_on_surface != nullptr && q < kOnSurface) (*is_on_surface)[i] = 1;
+      if (is_on_surface != nullptr && q < kOnSurface && normal->information.trace() > kLeastTrace) {
+        (*is_on_surface)[i] = 1;
+      }
     }
   }
   return sum;

@@ -56,7 +56,7 @@ class NdtMap {
 
 /// The mean over the grids of 1 - exp(-d' S^-1 d / 2), summed over the points of a scan, with
 /// analytic gradient and Hessian. `is_on_surface`, if not null, learns which points lie within two
-/// standard deviations of a distribution.
+/// standard deviations of a narrow distribution.
 PoseCost ndt_cost(const NdtMap& map, const PointScan& scan, const SE2& T_ref_base,
                   std::vector<char>* is_on_surface = nullptr);
 

@@ -72,14 +72,11 @@ class NdtMatcher : public ScanMatcher {
     NewtonResult found;
     found.T_ref_base = guess;
     int iterations = 0;
-    for (std::size_t level = 0; level < maps_.size(); ++level) {
-      // A squared distance counts by the sensor's noise, whatever the width of the cells.
-      const double gain = weight * kLevels[level].least_sigma * kLevels[level].least_sigma /
-                          (kNdtSigma * kNdtSigma);
+    for (std::size_t level = first_level(prior); level < maps_.size(); ++level) {
       NewtonOptions options;
       options.longest_step = kLevels[level].least_sigma;
       found = minimise_pose(found.T_ref_base, range, options, [&](const SE2& T) {
-        PoseCost cost = scaled(ndt_cost(maps_[level], scan, T), gain);
+        PoseCost cost = scaled(ndt_cost(maps_[level], scan, T), weight);
         return cost += prior_cost(prior, T);
       });
       iterations += found.iterations;
@@ -90,6 +87,17 @@ class NdtMatcher : public ScanMatcher {
     ScanMatch match = finished(found, scan, prior, is_on_surface, kNdtSigma);
     match.score = 1.0 - end.cost / static_cast<double>(scan.points.size());
     return match;
+  }
+
+  /// Wide distributions would only draw a pose that is nearly known away.
+  static std::size_t first_level(const PosePrior& prior) {
+    if (prior.information.isZero(0.0)) return 0;
+    const Eigen::Matrix3d covariance =
+        (prior.information + 1e-6 * Eigen::Matrix3d::Identity()).inverse();
+    const double sigma = std::sqrt(covariance.topLeftCorner<2, 2>().diagonal().maxCoeff());
+    std::size_t level = 0;
+    while (level + 1 < kLevels.size() && kLevels[level].least_sigma > 2.0 * sigma) ++level;
+    return level;
   }
 
   std::vector<NdtMap> maps_ = {{kLevels[0].cell, kLevels[0].least_sigma},

@@ -32,19 +32,6 @@ Eigen::Matrix3d covariance_of(const PosePrior& prior) {
   return (prior.information + unknown).inverse();
 }
 
-/// Takes back what the match moved along a direction that its points do not tell of.
-void keep_guess_where_degenerate(const SE2& guess, double range, ScanMatch* match) {
-  const Eigen::Vector3d to_metres(1.0, 1.0, std::max(range, 0.1));
-  const Eigen::Vector3d& weakest = match->degeneracy.weakest;
-  const SE2& T = match->T_ref_base;
-  const Eigen::Vector3d moved(T.p.x() - guess.p.x(), T.p.y() - guess.p.y(),
-                              angle_difference(T.angle, guess.angle));
-  const double along = weakest.dot(to_metres.cwiseProduct(moved));
-  const Eigen::Vector3d kept = moved - along * weakest.cwiseQuotient(to_metres);
-  match->T_ref_base =
-      SE2::from_xy_yaw(guess.p.x() + kept.x(), guess.p.y() + kept.y(), guess.angle + kept.z());
-}
-
 }  // namespace
 
 void ScanMatcher::set_reference(const std::vector<PlacedPoints>& scans) {
@@ -112,7 +99,8 @@ ScanMatch ScanMatcher::match(const PointScan& scan, const SE2& guess,
     return none;
   }
   if (match.degeneracy.is_degenerate() && prior.information.isZero(0.0)) {
-    keep_guess_where_degenerate(guess, mean_range(scan), &match);
+    match.T_ref_base =
+        held_where_degenerate(match.T_ref_base, guess, match.information, mean_range(scan));
   }
   return match;
 }

@@ -19,4 +19,5 @@ target_sources(trident_slam PRIVATE
   src/front_end/scan_matcher.cpp
   src/front_end/surface_information.cpp
   src/front_end/surfel_map.cpp
+  src/front_end/sweep_motion.cpp
 )

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "front_end/surface_information.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
+
+#include "trident_base/angle.h"
 
 namespace trident {
 namespace {
@@ -11,6 +14,23 @@ namespace {
 constexpr double kIndependentPoints = 200.0;
 /// Of a point without a normal, in both directions.
 constexpr double kPointWeight = 0.1;
+/// Of the largest eigenvalue, what errors of the normals bring along a wall.
+constexpr double kNoise = 0.01;
+
+/// Directions of an information and what is known along them, yaw counted at a range.
+struct Axes {
+  Axes(const Eigen::Matrix3d& information, double range)
+      : to_metres(1.0, 1.0, std::max(range, 0.1)) {
+    const Eigen::Vector3d to_pose = to_metres.cwiseInverse();
+    const Eigen::Matrix3d scaled = to_pose.asDiagonal() * information * to_pose.asDiagonal();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scaled);
+    values = solver.eigenvalues();
+    directions = solver.eigenvectors();
+  }
+  Eigen::Vector3d to_metres;
+  Eigen::Vector3d values;
+  Eigen::Matrix3d directions;
+};
 
 }  // namespace
 
@@ -35,6 +55,29 @@ Eigen::Matrix3d surface_information(const PointScan& scan, const SE2& T_ref_base
   }
   const auto points = static_cast<double>(std::max<std::size_t>(scan.points.size(), 1));
   return std::min(1.0, kIndependentPoints / points) / (sigma * sigma) * sum;
+}
+
+Eigen::Matrix3d without_noise(const Eigen::Matrix3d& information, double range) {
+  const Axes axes(information, range);
+  const Eigen::Vector3d rest =
+      (axes.values.array() - kNoise * std::max(axes.values[2], 0.0)).max(0.0);
+  const Eigen::Matrix3d scaled = axes.directions * rest.asDiagonal() * axes.directions.transpose();
+  return axes.to_metres.asDiagonal() * scaled * axes.to_metres.asDiagonal();
+}
+
+SE2 held_where_degenerate(const SE2& T, const SE2& anchor, const Eigen::Matrix3d& information,
+                          double range) {
+  constexpr double kAll = Degeneracy::kDegenerateRatio;
+  const Axes axes(information, range);
+  const Eigen::Vector3d ratios = axes.values / std::max(axes.values[2], 1e-12);
+  const Eigen::Vector3d told = ((ratios.array() - kNoise) / (kAll - kNoise)).max(0.0).min(1.0);
+  const Eigen::Vector3d moved(T.p.x() - anchor.p.x(), T.p.y() - anchor.p.y(),
+                              angle_difference(T.angle, anchor.angle));
+  const Eigen::Vector3d along = axes.directions.transpose() * axes.to_metres.cwiseProduct(moved);
+  const Eigen::Vector3d kept =
+      (axes.directions * told.cwiseProduct(along)).cwiseQuotient(axes.to_metres);
+  return SE2::from_xy_yaw(anchor.p.x() + kept.x(), anchor.p.y() + kept.y(),
+                          anchor.angle + kept.z());
 }
 
 double mean_range(const PointScan& scan) {

@@ -18,6 +18,16 @@ namespace trident {
 Eigen::Matrix3d surface_information(const PointScan& scan, const SE2& T_ref_base,
                                     const std::vector<char>& is_on_surface, double sigma);
 
+/// Normals that err by some degrees tell of a wall's direction what is not so: what is left of the
+/// information when a hundredth of the largest eigenvalue, yaw counted at `range` [m], is taken off
+/// each.
+Eigen::Matrix3d without_noise(const Eigen::Matrix3d& information, double range);
+
+/// `T`, but with its way from `anchor` along directions of too small eigenvalues taken back: Zhang,
+/// Kaess, Singh 2016, with a ramp below their threshold.
+SE2 held_where_degenerate(const SE2& T, const SE2& anchor, const Eigen::Matrix3d& information,
+                          double range);
+
 /// Mean distance of a scan's points from the base [m].
 double mean_range(const PointScan& scan);
 

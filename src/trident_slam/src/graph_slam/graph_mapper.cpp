@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "graph_slam/final_match.h"
+#include "trident_slam/sweep_motion.h"
 
 namespace trident {
 namespace {
@@ -55,17 +56,20 @@ GraphMapper::GraphMapper(const GraphSlamOptions& options, const PoseGraphSolverM
       graph_(options.loop_match_minimum_chain_size, solver),
       worker_(closer_options(options)) {
   options.validate();
+  if (options.scan_matcher != GraphSlamOptions::kLinesOfTheMap) {
+    submap_matcher_.emplace(options.scan_matcher);
+    tracker_.set_refine(
+        [this](const PointScan& scan, const SE2& guess, const PosePrior& prior) -> MatchResult {
+          return submap_matcher_->match(graph_, tracker_.surfels(), scan, guess, prior);
+        });
+  }
   tracker_.set_pose(SE2::from_xy_yaw(options.map_start_pose[0], options.map_start_pose[1],
                                      options.map_start_pose[2]));
 }
 
 Eigen::Vector3d GraphMapper::twist_of(const LaserScan& scan, const SE2& T_last_base) const {
-  const double dt = 1e-9 * static_cast<double>(scan.stamp_ns - last_stamp_ns_);
-  constexpr double kLongestGap = 1.0;  // [s]; a motion over a longer one says little about now
-  if (!options_.deskew || scan.time_increment == 0.0 || dt <= 0.0 || dt > kLongestGap) {
-    return Eigen::Vector3d::Zero();
-  }
-  return T_last_base.log() / dt;
+  if (!options_.deskew) return Eigen::Vector3d::Zero();
+  return sweep_twist(scan, T_last_base, 1e-9 * static_cast<double>(scan.stamp_ns - last_stamp_ns_));
 }
 
 PointScan GraphMapper::points_of(const LaserScan& scan, const Eigen::Vector3d& twist) const {

@@ -17,6 +17,7 @@
 #include "graph_slam/scan_archive.h"
 #include "graph_slam/scan_check.h"
 #include "graph_slam/scan_tracker.h"
+#include "graph_slam/submap_matcher.h"
 #include "trident_slam/graph_slam_options.h"
 #include "trident_slam/slam_2d.h"
 
@@ -81,6 +82,7 @@ class GraphMapper {
   OdometryMotion odometry_;
   CalibratedOdometry calibration_;
   ScanTracker tracker_;
+  std::optional<SubmapMatcher> submap_matcher_;  ///< of the parameter, if not the default one
   KeyframeGraph graph_;
   ScanArchive archive_;
   LoopWorker worker_;

@@ -34,7 +34,7 @@ MatchResult ScanTracker::search(const PointScan& scan, const PosePrior& prior,
   const auto found =
       match_by_branch_and_bound(hits, thinned_points(scan, 200), prior.T_ref_base, window, 0.2);
   if (!found) return refined;
-  const MatchResult other = match_lines(surfels_, scan, found->T_ref_base, prior, options_.line);
+  const MatchResult other = refine(scan, found->T_ref_base, prior);
   return other.inlier_fraction > refined.inlier_fraction + kSearchGain ? other : refined;
 }
 
@@ -49,7 +49,7 @@ MatchResult ScanTracker::track(const PointScan& scan, const SE2& T_last_base, do
   MatchResult match;
   match.T_ref_base = prior.T_ref_base;
   if (!surfels_.empty()) {
-    match = match_lines(surfels_, scan, prior.T_ref_base, prior, options_.line);
+    match = refine(scan, prior.T_ref_base, prior);
     const bool is_far = metres > options_.search_motion || radians > options_.search_turn;
     const SE2 off = prior.T_ref_base.inverse() * match.T_ref_base;
     const bool is_odd = off.p.norm() > 3.0 * s_p || std::abs(off.angle) > 3.0 * s_yaw;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -39,6 +40,10 @@ struct ScanTrackerOptions {
   double search_reach = 12.0;             ///< surfaces that the search knows [m]
 };
 
+/// Finds a scan's pose from a guess in the frame of the map.
+using RefinePose =
+    std::function<MatchResult(const PointScan& scan, const SE2& guess, const PosePrior& prior)>;
+
 /// Keeps the newest scan's pose against the surfaces of the map so far. Parts of the map that may
 /// have drifted away from here are hidden from it until a loop has been closed.
 class ScanTracker {
@@ -49,6 +54,8 @@ class ScanTracker {
   /// `T_last_base`: motion since the last scan by odometry; `doubt` [m] widens the search, for an
   /// odometry that cannot be trusted.
   MatchResult track(const PointScan& scan, const SE2& T_last_base, double doubt = 0.0);
+  /// Takes the place of matching against the surfaces' lines.
+  void set_refine(RefinePose refine) { refine_ = std::move(refine); }
   /// Moves without a scan.
   void coast(const SE2& T_last_base) { T_map_base_ = T_map_base_ * T_last_base; }
   /// Adds a scan to the surfaces, of which `owner` says to which part of the map it belongs.
@@ -70,11 +77,16 @@ class ScanTracker {
   const ScanTrackerOptions& options() const { return options_; }
 
  private:
+  MatchResult refine(const PointScan& scan, const SE2& guess, const PosePrior& prior) const {
+    return refine_ ? refine_(scan, guess, prior)
+                   : match_lines(surfels_, scan, guess, prior, options_.line);
+  }
   MatchResult search(const PointScan& scan, const PosePrior& prior, const MatchResult& refined,
                      const SearchWindow& window);
   const MaxPyramid& hits_about(const Eigen::Vector2d& p_map);
 
   ScanTrackerOptions options_;
+  RefinePose refine_;
   SurfelMap surfels_;
   std::optional<MaxPyramid> hits_;  ///< of the surfels about `hits_centre_`, not quite the newest
   Eigen::Vector2d hits_centre_ = Eigen::Vector2d::Zero();

@@ -22,5 +22,6 @@ target_sources(trident_slam PRIVATE
   src/graph_slam/scan_check.cpp
   src/graph_slam/scan_tracker.cpp
   src/graph_slam/session_file.cpp
+  src/graph_slam/submap_matcher.cpp
 )
 target_link_libraries(trident_slam PRIVATE Threads::Threads)

@@ -12,6 +12,7 @@
 #include "graph_slam/scan_check.h"
 #include "trident_base/angle.h"
 #include "trident_slam/point_scan.h"
+#include "trident_slam/sweep_motion.h"
 
 namespace trident {
 namespace {
@@ -40,7 +41,8 @@ class HectorSlam2d::Impl {
     if (params_.use_odometry && result.problem.empty()) result.problem = odometry.problem;
     const SE2 guess = params_.use_odometry ? T_map_base_ * odometry.T_before_now : T_map_base_;
     T_map_base_ = guess;
-    if (result.is_used) result.covariance = use(scan, guess);
+    if (result.is_used) result.covariance = use(scan, guess, odometry.T_before_now);
+    last_stamp_ns_ = scan.stamp_ns;
     result.T_map_base = T_map_base_;
     trajectory_.push_back({scan.stamp_ns, T_map_base_});
     return result;
@@ -54,11 +56,14 @@ class HectorSlam2d::Impl {
   OccupancyGrid map() const { return levels_.front().occupancy(); }
 
  private:
-  Eigen::Matrix3d use(const LaserScan& scan, const SE2& guess) {
+  Eigen::Matrix3d use(const LaserScan& scan, const SE2& guess, const SE2& T_before_now) {
     PointScanOptions options;
     options.min_range = params_.laser_min_dist;
     options.max_range = params_.laser_max_dist;
-    const PointScan points = make_point_scan(scan, options);
+    const double seconds =
+        params_.use_odometry ? 1e-9 * static_cast<double>(scan.stamp_ns - last_stamp_ns_) : 0.0;
+    const PointScan points =
+        make_point_scan(scan, options, sweep_twist(scan, T_before_now, seconds));
     MapMatch match;
     match.T_map_base = guess;
     if (has_map_ && !params_.map_with_known_poses) {
@@ -90,6 +95,7 @@ class HectorSlam2d::Impl {
   OdometryMotion odometry_;
   std::vector<ProbabilityGrid> levels_;  ///< finest first
   bool has_map_ = false;
+  std::int64_t last_stamp_ns_ = 0;
   SE2 T_map_base_;
   std::optional<SE2> T_map_mapped_;  ///< where the map was updated last
   std::vector<StampedPose2d> trajectory_;

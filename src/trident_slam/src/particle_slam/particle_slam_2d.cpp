@@ -12,6 +12,7 @@
 #include "trident_base/random_stream.h"
 #include "trident_slam/hector_slam_2d.h"
 #include "trident_slam/point_scan.h"
+#include "trident_slam/sweep_motion.h"
 
 namespace trident {
 namespace {
@@ -57,10 +58,11 @@ class ParticleSlam2d::Impl {
 
   ScanPose2d add_scan(const LaserScan& scan, const SE2& T_odom_base) {
     ScanPose2d result = tracker_.add_scan(scan, T_odom_base);
-    since_update_.add(tracked_.inverse() * result.T_map_base,
-                      result.is_used && result.problem != "");
+    const SE2 T_before_now = tracked_.inverse() * result.T_map_base;
+    since_update_.add(T_before_now, result.is_used && result.problem != "");
     tracked_ = result.T_map_base;
-    if (result.is_used) use(scan, result);
+    if (result.is_used) use(scan, T_before_now, result);
+    last_stamp_ns_ = scan.stamp_ns;
     const SE2 T_update_base = since_update_.T_update_base;
     result.T_map_base = best().T_map_base * T_update_base;
     betweens_.push_back({scan.stamp_ns, updates_ - 1, T_update_base});
@@ -107,11 +109,13 @@ class ParticleSlam2d::Impl {
     }
   };
 
-  void use(const LaserScan& scan, ScanPose2d& result) {
+  void use(const LaserScan& scan, const SE2& T_before_now, ScanPose2d& result) {
     if (updates_ > 0 && !is_update_due(scan.stamp_ns)) return;
     PointScanOptions options;
     options.max_range = params_.maxUrange;
-    const PointScan points = make_point_scan(scan, options);
+    const double seconds = 1e-9 * static_cast<double>(scan.stamp_ns - last_stamp_ns_);
+    const PointScan points =
+        make_point_scan(scan, options, sweep_twist(scan, T_before_now, seconds));
     if (updates_ > 0) update(points);
     for (Particle& particle : particles_) insert(particle, points);
     result.covariance = spread();
@@ -246,6 +250,7 @@ class ParticleSlam2d::Impl {
   std::vector<Between> betweens_;
   int updates_ = 0;
   std::int64_t update_stamp_ns_ = 0;
+  std::int64_t last_stamp_ns_ = 0;
   SinceUpdate since_update_;
 };
 

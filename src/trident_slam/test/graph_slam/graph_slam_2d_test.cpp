@@ -321,11 +321,63 @@ TEST_F(GraphSlamRing, TheSolverIsTheOneThatWasGiven) {
   EXPECT_LT(error(slam.trajectory()[59].T_map_base, 59), 0.05);
 }
 
+/// Every scan matcher as the front end, over a part of the ring.
+class GraphSlamMatchers : public GraphSlamRing, public testing::WithParamInterface<const char*> {};
+
+TEST_P(GraphSlamMatchers, TracksAndGivesTheSameBits) {
+  GraphSlamOptions chosen = options();
+  chosen.scan_matcher = GetParam();
+  GraphSlam2d slam(chosen);
+  GraphSlam2d again(chosen);
+  for (std::size_t i = 0; i < 230; i += 2) {  // past the first corner
+    const ScanPose2d pose = slam.add_scan(world_.scan(path_[i], i), odometry_[i]);
+    EXPECT_EQ(pose.problem, "");
+    EXPECT_LT(error(pose.T_map_base, i), 0.1) << "scan " << i;
+    if (i > 60) continue;
+    const ScanPose2d same = again.add_scan(world_.scan(path_[i], i), odometry_[i]);
+    EXPECT_EQ(pose.T_map_base.p, same.T_map_base.p);
+    EXPECT_EQ(pose.covariance, same.covariance);
+  }
+}
+
+TEST_P(GraphSlamMatchers, GoesOnInASession) {
+  GraphSlamOptions chosen = options();
+  chosen.scan_matcher = GetParam();
+  GraphSlam2d slam(chosen);
+  for (std::size_t i = 0; i < 60; i += 2) slam.add_scan(world_.scan(path_[i], i), odometry_[i]);
+  const std::string file = testing::TempDir() + "matcher_" + GetParam() + ".posegraph";
+  slam.save_session(file);
+  GraphSlam2d next(chosen);
+  next.load_session(file);
+  for (std::size_t i = 58; i < 100; i += 2) {  // where the session ended
+    EXPECT_LT(error(next.add_scan(world_.scan(path_[i], i), odometry_[i]).T_map_base, i), 0.1);
+  }
+  std::remove(file.c_str());
+}
+
+INSTANTIATE_TEST_SUITE_P(Matchers, GraphSlamMatchers,
+                         testing::Values("correlative", "grid_gauss_newton", "hybrid", "ndt",
+                                         "point_to_line"),
+                         [](const auto& info) { return std::string(info.param); });
+
 TEST(GraphSlamOptionsTest, ImpossibleRangesAreAnError) {
   EXPECT_THROW(load_yaml_string<GraphSlamOptions>("min_laser_range: 5\nmax_laser_range: 2\n", "x"),
                Error);
   EXPECT_THROW(load_yaml_string<GraphSlamOptions>("resolution: 0\n", "x"), Error);
   EXPECT_THROW(load_yaml_string<GraphSlamOptions>("resolutoin: 0.1\n", "x"), Error);
+}
+
+TEST(GraphSlamOptionsTest, AnUnknownScanMatcherIsAnErrorWithTheLegalNames) {
+  try {
+    load_yaml_string<GraphSlamOptions>("scan_matcher: icp\n", "graph.yaml");
+    FAIL() << "no error";
+  } catch (const Error& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("scan_matcher"), std::string::npos) << text;
+    EXPECT_NE(text.find("correlative, grid_gauss_newton, hybrid, ndt, point_to_line"),
+              std::string::npos)
+        << text;
+  }
 }
 
 TEST(GraphSlamOptionsTest, TheShippedFileHoldsTheDefaults) {
@@ -334,6 +386,7 @@ TEST(GraphSlamOptionsTest, TheShippedFileHoldsTheDefaults) {
   EXPECT_EQ(shipped.max_laser_range, defaults.max_laser_range);
   EXPECT_EQ(shipped.calibrate_odometry, defaults.calibrate_odometry);
   EXPECT_EQ(shipped.reuse_distance, defaults.reuse_distance);
+  EXPECT_EQ(shipped.scan_matcher, defaults.scan_matcher);
   EXPECT_EQ(shipped.minimum_travel_distance, defaults.minimum_travel_distance);
   EXPECT_EQ(shipped.loop_match_minimum_response_fine, defaults.loop_match_minimum_response_fine);
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -41,6 +42,15 @@ class PolygonWorld {
       result.ranges.push_back(static_cast<float>(range + sigma * noise.normal(index, beam)));
     }
     return result;
+  }
+
+  double distance_to_wall(const Eigen::Vector2d& p) const {
+    double best = std::numeric_limits<double>::infinity();
+    for (const auto& [a, b] : walls_) {
+      const double part = (p - a).dot(b - a) / (b - a).squaredNorm();
+      best = std::min(best, (p - a - std::min(std::max(part, 0.0), 1.0) * (b - a)).norm());
+    }
+    return best;
   }
 
  private:
