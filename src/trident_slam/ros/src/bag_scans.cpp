@@ -5,6 +5,7 @@
 #include <nav_msgs/Odometry.h>
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
+#include <sensor_msgs/Imu.h>
 #include <sensor_msgs/LaserScan.h>
 #include <tf2/buffer_core.h>
 #include <tf2/exceptions.h>
@@ -85,9 +86,9 @@ class BagScans::Impl {
   bool next(ScanRecord& record) {
     while (ready_.empty() && at_ != view_.end()) read_message();
     if (ready_.empty()) {
-      intake_->end();
-      return false;
+      for (ScanRecord& last : intake_->end()) ready_.push_back(std::move(last));
     }
+    if (ready_.empty()) return false;
     record = std::move(ready_.front());
     ready_.pop_front();
     return true;
@@ -110,18 +111,25 @@ class BagScans::Impl {
   void choose(const BagScansOptions& options) {
     Topics scans;
     Topics odometry;
+    Topics imus;
     rosbag::View everything(bag_);
     for (const rosbag::ConnectionInfo* connection : everything.getConnections()) {
       if (connection->datatype == "sensor_msgs/LaserScan") scans.push_back(connection->topic);
       if (connection->datatype == "nav_msgs/Odometry") odometry.push_back(connection->topic);
+      if (connection->datatype == "sensor_msgs/Imu") imus.push_back(connection->topic);
     }
     scan_topic_ = chosen_topic(options.scan_topic, "/scan", scans, "sensor_msgs/LaserScan");
     if (scan_topic_.empty()) throw Error("has no topic of sensor_msgs/LaserScan");
     odom_topic_ = chosen_topic(options.odom_topic, "/odom", odometry, "nav_msgs/Odometry");
     const bool uses_tf = look_at_frames(options);
     if (uses_tf && options.odom_topic.empty()) odom_topic_.clear();
+    if (!options.imu_topic.empty()) {
+      imu_topic_ = chosen_topic(options.imu_topic, "", imus, "sensor_msgs/Imu");
+    }
+    intake_options_.uses_gyro = !imu_topic_.empty();
     intake_ = std::make_unique<ScanIntake>(intake_options_, transforms_);
     Topics topics = {scan_topic_, "/tf", "/tf_static"};
+    if (!imu_topic_.empty()) topics.push_back(imu_topic_);
     if (!odom_topic_.empty()) topics.push_back(odom_topic_);
     view_.addQuery(bag_, rosbag::TopicQuery(topics));
     total_ = view_.size();
@@ -197,6 +205,10 @@ class BagScans::Impl {
         const auto copy = boost::make_shared<sensor_msgs::LaserScan>(*scan);
         copy->header.frame_id = without_slash(copy->header.frame_id);
         intake_->add(copy);
+      } else if (message.getTopic() == imu_topic_) {
+        sensor_msgs::Imu imu = *message.instantiate<sensor_msgs::Imu>();
+        imu.header.frame_id = without_slash(imu.header.frame_id);
+        intake_->add(imu);
       } else if (message.getTopic() == odom_topic_) {
         transforms_.setTransform(as_transform(*message.instantiate<nav_msgs::Odometry>()),
                                  kAuthority);
@@ -221,6 +233,7 @@ class BagScans::Impl {
   rosbag::View::iterator at_;
   std::string scan_topic_;
   std::string odom_topic_;
+  std::string imu_topic_;
   tf2::BufferCore transforms_;
   ScanIntakeOptions intake_options_;
   std::unique_ptr<ScanIntake> intake_;

@@ -16,7 +16,10 @@ namespace trident {
 namespace {
 
 constexpr double kMountResolution = 1e-5;  // [m], [rad]: logs tell mounts to this
-constexpr double kMinUprightness = 0.9;    // cosine of the tilt that a planar laser may have
+/// A scan that need not be the newest waits for turning rates until later scans are so much
+/// younger.
+constexpr double kGyroPatience = 1.0;    // [s]
+constexpr double kMinUprightness = 0.9;  // cosine of the tilt that a planar laser may have
 
 double rounded(double value) { return std::round(value / kMountResolution) * kMountResolution; }
 
@@ -82,6 +85,23 @@ void ScanIntake::add(const sensor_msgs::LaserScanConstPtr& message) {
   waiting_.pop_front();
 }
 
+void ScanIntake::add(const sensor_msgs::Imu& message) {
+  const std::string& imu = message.header.frame_id;
+  Eigen::Matrix3d R_base_imu = Eigen::Matrix3d::Identity();
+  if (!imu.empty() && imu != options_.base_frame) {
+    if (!transforms_.canTransform(options_.base_frame, imu, ros::Time(0))) {
+      imu_problem_ = "transform " + options_.base_frame + " -> " + imu + " is not known at all";
+      return;
+    }
+    const auto mount = transforms_.lookupTransform(options_.base_frame, imu, ros::Time(0));
+    R_base_imu = rotation(mount.transform.rotation);
+  }
+  const auto& w = message.angular_velocity;
+  const double rate = R_base_imu.row(2).dot(Eigen::Vector3d(w.x, w.y, w.z));
+  imu_problem_ = std::isfinite(rate) ? "" : "angular_velocity is not finite";
+  rates_.add(static_cast<std::int64_t>(message.header.stamp.toNSec()), rate);
+}
+
 std::vector<ScanRecord> ScanIntake::take() {
   std::vector<ScanRecord> records;
   while (!waiting_.empty()) {
@@ -89,6 +109,7 @@ std::vector<ScanRecord> ScanIntake::take() {
     ScanRecord record;
     try {
       if (resolve(message, record)) {
+        if (!has_settled_gyro(record)) break;
         records.push_back(std::move(record));
       } else if (may_still_come(message)) {
         break;
@@ -106,12 +127,18 @@ std::vector<ScanRecord> ScanIntake::take() {
   return records;
 }
 
-void ScanIntake::end() {
+std::vector<ScanRecord> ScanIntake::end() {
+  has_ended_ = true;
+  std::vector<ScanRecord> records = take();
   for (const auto& message : waiting_) leave_out(*message, why_missing(*message));
   waiting_.clear();
+  return records;
 }
 
-void ScanIntake::clear() { waiting_.clear(); }
+void ScanIntake::clear() {
+  waiting_.clear();
+  rates_.clear();
+}
 
 const std::string& ScanIntake::laser_frame(const sensor_msgs::LaserScan& message) const {
   return options_.uses_mount ? message.header.frame_id : options_.base_frame;
@@ -129,6 +156,35 @@ bool ScanIntake::resolve(const sensor_msgs::LaserScan& message, ScanRecord& reco
   record.scan = to_laser_scan(
       message, transforms_.lookupTransform(options_.base_frame, laser, stamp).transform);
   return true;
+}
+
+bool ScanIntake::has_settled_gyro(ScanRecord& record) {
+  LaserScan& scan = record.scan;
+  const double duration = sweep_duration(scan);
+  if (!options_.uses_gyro || duration <= 0.0) return true;
+  const std::int64_t end_ns = scan.stamp_ns + static_cast<std::int64_t>(1e9 * duration);
+  scan.yaw_rate = rates_.mean(scan.stamp_ns, end_ns);
+  if (scan.yaw_rate) return true;
+  const ros::Duration passed = waiting_.back()->header.stamp - waiting_.front()->header.stamp;
+  const double patience = options_.waits_for_all ? kGyroPatience : options_.transform_timeout;
+  if (!has_ended_ && rates_.newest_ns().value_or(0) < end_ns && passed.toSec() <= patience) {
+    return false;
+  }
+  ++without_gyro_;
+  tell("scan of " + stamp_text(waiting_.front()->header.stamp) +
+       " s has no gyro: " + why_no_gyro(scan));
+  return true;
+}
+
+std::string ScanIntake::why_no_gyro(const LaserScan& scan) const {
+  if (!imu_problem_.empty()) return imu_problem_;
+  const auto newest_ns = rates_.newest_ns();
+  if (!newest_ns) return "no message of the IMU has come";
+  const double end = 1e-9 * static_cast<double>(scan.stamp_ns - *newest_ns) + sweep_duration(scan);
+  if (end > 0.0) {
+    return "the newest rate is " + number_text(end) + " s older than the end of the sweep";
+  }
+  return "rates leave a gap in the sweep, or begin after it did";
 }
 
 bool ScanIntake::may_still_come(const sensor_msgs::LaserScan& message) const {
@@ -172,9 +228,14 @@ std::string ScanIntake::lateness(const std::string& target, const std::string& s
   }
 }
 
+void ScanIntake::tell(const std::string& problem) {
+  last_problem_ = problem;
+  problems_.add(problem);
+}
+
 void ScanIntake::leave_out(const sensor_msgs::LaserScan& message, const std::string& why) {
-  last_problem_ = "scan of " + stamp_text(message.header.stamp) + " s is left out: " + why;
-  problems_.add(last_problem_);
+  ++left_out_;
+  tell("scan of " + stamp_text(message.header.stamp) + " s is left out: " + why);
 }
 
 }  // namespace trident

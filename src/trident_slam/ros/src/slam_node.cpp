@@ -29,6 +29,7 @@ ScanIntakeOptions intake_options(const SlamNodeOptions& options) {
   result.transform_timeout = options.transform_timeout;
   result.waits_for_all = options.is_sync;
   result.uses_mount = options.uses_mount;
+  result.uses_gyro = !options.imu_topic.empty();
   return result;
 }
 
@@ -60,6 +61,7 @@ void read_options(const ros::NodeHandle& handle, SlamNodeOptions& options) {
   handle.getParam("odom_frame", options.odom_frame);
   handle.getParam("base_frame", options.base_frame);
   handle.getParam("scan_topic", options.scan_topic);
+  handle.getParam("imu_topic", options.imu_topic);
   handle.getParam("throttle_scans", options.throttle_scans);
   handle.getParam("autosave_file", options.autosave_file);
   if (options.throttle_scans < 1) {
@@ -141,6 +143,9 @@ SlamNode::SlamNode(const ros::NodeHandle& private_handle, const SlamNodeOptions&
                            [this](const ros::TimerEvent&) { publish_correction(); });
   }
   worker_ = std::thread([this] { work(); });
+  if (!options.imu_topic.empty()) {
+    imu_subscriber_ = handle.subscribe(options.imu_topic, 0, &SlamNode::receive_imu, this);
+  }
   // Without a limit: in synchronous mode no scan may be lost.
   scan_subscriber_ =
       handle.subscribe(options.scan_topic, options.is_sync ? 0 : options.scan_queue_size,
@@ -149,6 +154,7 @@ SlamNode::SlamNode(const ros::NodeHandle& private_handle, const SlamNodeOptions&
 
 SlamNode::~SlamNode() {
   scan_subscriber_.shutdown();
+  imu_subscriber_.shutdown();
   {
     const std::lock_guard<std::mutex> lock(queue_mutex_);
     is_ending_ = true;
@@ -388,7 +394,8 @@ void SlamNode::publish_diagnostics() {
                    key_value("scans waiting for transforms", std::to_string(intake_.waiting())),
                    key_value("scans waiting for SLAM", std::to_string(queue_.size())),
                    key_value("scans replaced by newer ones", std::to_string(dropped_)),
-                   key_value("scans left out", std::to_string(intake_.problems().count())),
+                   key_value("scans left out", std::to_string(intake_.left_out())),
+                   key_value("scans without gyro", std::to_string(intake_.without_gyro())),
                    key_value("problems", std::to_string(problems_.count())),
                    key_value("last problem", last_problem_)};
   for (const CalibrationEstimate& estimate : calibration_) {

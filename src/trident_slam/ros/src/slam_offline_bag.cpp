@@ -18,6 +18,7 @@ std::unique_ptr<ScanSource> open_bag(const OfflineCommand& command) {
   BagScansOptions options;
   options.scan_topic = value("scan");
   options.odom_topic = value("odom");
+  options.imu_topic = value("imu");
   options.odom_frame = value("odom-frame");
   options.base_frame = value("base-frame");
   return std::make_unique<BagScans>(command.log_file, options);
@@ -28,5 +29,5 @@ std::unique_ptr<ScanSource> open_bag(const OfflineCommand& command) {
 
 int main(int argc, char** argv) {
   return trident::run_offline_program(
-      argc, argv, {"--scan", "--odom", "--odom-frame", "--base-frame"}, trident::open_bag);
+      argc, argv, {"--scan", "--odom", "--imu", "--odom-frame", "--base-frame"}, trident::open_bag);
 }

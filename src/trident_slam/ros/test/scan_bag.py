@@ -11,7 +11,7 @@ import numpy as np
 import rosbag
 import rospy
 from geometry_msgs.msg import TransformStamped
-from sensor_msgs.msg import LaserScan
+from sensor_msgs.msg import Imu, LaserScan
 from tf2_msgs.msg import TFMessage
 from trident.testing import LIMIT_S, Recorder, Ros
 
@@ -21,14 +21,17 @@ BOXES = ((-2.5, 1.0, -1.5, 2.0), (1.0, -2.0, 2.5, -1.2), (2.8, 1.5, 3.6, 2.2))
 BEAMS = 180
 START_S = 1000
 SCAN_PERIOD_S = 0.1
+SWEEP_S = 0.08  # from a scan's first beam to its last
+TRUTH_PERIOD_S = 0.05
+IMU_PERIOD_S = 0.01
 MOUNT_M = 0.1  # of the laser before the base
 
 
-def ranges(x: float, y: float, yaw: float) -> np.ndarray:
-    """True ranges [m] of a full turn of beams from a place in the room."""
+def ranges(x: np.ndarray, y: np.ndarray, yaw: np.ndarray) -> np.ndarray:
+    """True ranges [m] of a full turn of beams, each from its own place in the room."""
     angle = yaw + np.linspace(-math.pi, math.pi, BEAMS, endpoint=False)
     directions = np.column_stack([np.cos(angle), np.sin(angle)])
-    place = np.array([x, y])
+    place = np.column_stack([x, y])
     with np.errstate(divide="ignore"):
         far = np.max((np.array(ROOM).reshape(2, 2)[:, None] - place) / directions, axis=0)
         nearest = far.min(axis=1)
@@ -39,9 +42,9 @@ def ranges(x: float, y: float, yaw: float) -> np.ndarray:
     return nearest
 
 
-def path(count: int) -> np.ndarray:
-    """True poses x, y, yaw along an oval, shape (count, 3)."""
-    phase = 2.0 * math.pi * np.arange(count) / 150
+def path(time_s: np.ndarray) -> np.ndarray:
+    """True poses x, y, yaw along an oval at times since the start, shape (N, 3)."""
+    phase = 2.0 * math.pi * time_s / (150 * TRUTH_PERIOD_S)
     x, y = 1.2 * np.sin(phase), 0.5 * (1.0 - np.cos(phase))
     yaw = np.arctan2(0.5 * np.sin(phase), 1.2 * np.cos(phase))
     return np.column_stack([x, y, np.unwrap(yaw)])
@@ -57,10 +60,14 @@ def transform(parent: str, child: str, stamp: rospy.Time, pose: np.ndarray) -> T
     return TFMessage([message])
 
 
-def write_bag(file: Path, scans: int = 60, tf_delay_s: float = 0.03) -> None:
-    """Record a drive; odometry comes at 20 Hz, `tf_delay_s` later than its stamp."""
+def write_bag(file: Path, scans: int = 60, tf_delay_s: float = 0.03, imu_s: float = 0.0) -> None:
+    """Record a drive; odometry comes at 20 Hz, `tf_delay_s` later than its stamp.
+
+    Beams are measured one after the other, so that scans are skewed. An IMU that hangs upside down
+    tells the turning rate for the first `imu_s` seconds.
+    """
     rng = np.random.default_rng(5)
-    truth = path(2 * scans + 4)
+    truth = path(TRUTH_PERIOD_S * np.arange(2 * scans + 4))
     drift = np.cumsum(rng.normal(0.0, 0.002, truth.shape), axis=0)
     with rosbag.Bag(str(file), "w") as bag:
         first = rospy.Time(START_S)
@@ -69,27 +76,53 @@ def write_bag(file: Path, scans: int = 60, tf_delay_s: float = 0.03) -> None:
             transform("base_footprint", "laser", first, np.array([MOUNT_M, 0, 0])),
             first,
         )
+        bag.write("/tf_static", upside_down("base_footprint", "imu", first), first)
+        for message in turning_rates(min(imu_s, TRUTH_PERIOD_S * len(truth))):
+            bag.write("/imu", message, message.header.stamp)
         for index, pose in enumerate(truth):
-            stamp = rospy.Time.from_sec(START_S + 0.05 * index)
+            stamp = rospy.Time.from_sec(START_S + TRUTH_PERIOD_S * index)
             odometry = transform("odom", "base_footprint", stamp, pose + drift[index])
             bag.write("/tf", odometry, stamp + rospy.Duration.from_sec(tf_delay_s))
         for index in range(scans):
             # Between two samples of odometry.
-            stamp = rospy.Time.from_sec(START_S + 0.02 + SCAN_PERIOD_S * index)
-            bag.write(
-                "/scan",
-                scan(stamp, (0.6 * truth[2 * index] + 0.4 * truth[2 * index + 1]), rng),
-                stamp,
-            )
+            start_s = 0.02 + SCAN_PERIOD_S * index
+            stamp = rospy.Time.from_sec(START_S + start_s)
+            beams = path(start_s + np.linspace(0.0, SWEEP_S, BEAMS))
+            bag.write("/scan", scan(stamp, beams, rng), stamp)
 
 
-def scan(stamp: rospy.Time, pose: np.ndarray, rng: np.random.Generator) -> LaserScan:
-    """What the laser of a robot there sees, with a centimetre of noise."""
+def upside_down(parent: str, child: str, stamp: rospy.Time) -> TFMessage:
+    """A transform that turns by half a turn about x."""
+    message: TFMessage = transform(parent, child, stamp, np.zeros(3))
+    rotation = message.transforms[0].transform.rotation
+    rotation.x, rotation.w = 1.0, 0.0
+    return message
+
+
+def turning_rates(end_s: float) -> list[Imu]:
+    """What the IMU measures until `end_s` after the start."""
+    if end_s <= 0.0:
+        return []
+    time_s = np.arange(0.0, end_s, IMU_PERIOD_S)
+    rates = np.gradient(path(time_s)[:, 2], time_s)
+    messages = []
+    for at, rate in zip(time_s, rates, strict=True):
+        message = Imu()
+        message.header.stamp, message.header.frame_id = rospy.Time.from_sec(START_S + at), "imu"
+        message.angular_velocity.z = -rate
+        messages.append(message)
+    return messages
+
+
+def scan(stamp: rospy.Time, poses: np.ndarray, rng: np.random.Generator) -> LaserScan:
+    """What the laser of a robot sees, with a centimetre of noise; `poses`: of it at each beam."""
     message = LaserScan(angle_min=-math.pi, angle_max=math.pi, range_min=0.1, range_max=12.0)
     message.header.stamp, message.header.frame_id = stamp, "laser"
     message.angle_increment = 2.0 * math.pi / BEAMS
-    x, y = pose[0] + MOUNT_M * math.cos(pose[2]), pose[1] + MOUNT_M * math.sin(pose[2])
-    message.ranges = list(ranges(x, y, pose[2]) + rng.normal(0.0, 0.01, BEAMS))
+    message.time_increment = SWEEP_S / (BEAMS - 1)
+    x, y, yaw = poses.T
+    x, y = x + MOUNT_M * np.cos(yaw), y + MOUNT_M * np.sin(yaw)
+    message.ranges = list(ranges(x, y, yaw) + rng.normal(0.0, 0.01, BEAMS))
     return message
 
 

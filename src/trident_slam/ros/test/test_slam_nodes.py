@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import math
 import subprocess
 from pathlib import Path
 
@@ -14,7 +15,7 @@ import tf2_ros
 from diagnostic_msgs.msg import DiagnosticArray
 from geometry_msgs.msg import Pose2D
 from nav_msgs.msg import OccupancyGrid
-from scan_bag import diagnosed, play, service, write_bag
+from scan_bag import SCAN_PERIOD_S, diagnosed, path, play, service, write_bag
 from slam_toolbox_msgs.srv import DeserializePoseGraph, Pause, Reset, SaveMap, SerializePoseGraph
 from std_msgs.msg import String
 from trident.testing import LIMIT_S, Ros, eventually, program, recorder
@@ -29,26 +30,34 @@ def bag(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return path
 
 
+@pytest.fixture(scope="module")
+def imu_bag(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("imu_bag") / "drive.bag"
+    write_bag(path, SCANS, imu_s=math.inf)
+    return path
+
+
 def offline(
-    bag: Path, out: Path, method: str = "graph_slam_2d"
+    bag: Path, out: Path, *more: str, method: str = "graph_slam_2d"
 ) -> subprocess.CompletedProcess[str]:
-    words = [program("trident_slam", "slam_offline_bag"), str(bag), "--method", method]
+    words = [program("trident_slam", "slam_offline_bag"), str(bag), "--method", method, *more]
     return subprocess.run([*words, "--out", str(out)], capture_output=True, text=True, check=False)
 
 
 def test_a_replayed_bag_gives_the_map_of_the_offline_runner(
-    ros: Ros, bag: Path, tmp_path: Path
+    ros: Ros, imu_bag: Path, tmp_path: Path
 ) -> None:
-    done = offline(bag, tmp_path / "offline")
+    done = offline(imu_bag, tmp_path / "offline", "--imu", "/imu")
     assert done.returncode == 0, done.stderr
     ros.set_param("/use_sim_time", True)
-    node = ros.launch([program("slam_toolbox", "sync_slam_toolbox_node"), "__name:=slam_toolbox"])
+    words = ["__name:=slam_toolbox", "_imu_topic:=/imu"]
+    node = ros.launch([program("slam_toolbox", "sync_slam_toolbox_node"), *words])
     save = service("/slam_toolbox/save_map", SaveMap)
     with (
         recorder("/diagnostics", DiagnosticArray) as seen,
         recorder("/map", OccupancyGrid) as maps,
     ):
-        play(ros, bag, "--rate", "5")
+        play(ros, imu_bag, "--rate", "5")
         eventually(lambda: diagnosed(seen, "scans used") == str(SCANS), "all scans")
         save(String(str(tmp_path / "live")))
         live = (tmp_path / "live.pgm").read_bytes()
@@ -57,6 +66,7 @@ def test_a_replayed_bag_gives_the_map_of_the_offline_runner(
         eventually(lambda: bool(maps.messages), "a map")
         assert maps.messages[0].header.frame_id == "map"
         assert diagnosed(seen, "scans left out") == "0"
+        assert diagnosed(seen, "scans without gyro") == "0"
     session = str(tmp_path / "session")
     service("/slam_toolbox/serialize_map", SerializePoseGraph)(session)
     load = service("/slam_toolbox/deserialize_map", DeserializePoseGraph)
@@ -72,6 +82,33 @@ def test_a_replayed_bag_gives_the_map_of_the_offline_runner(
     with pytest.raises(rospy.ServiceException):
         load(session, 2, Pose2D())
     assert node.running, node.log
+
+
+def test_an_imu_puts_sweeps_right(imu_bag: Path, tmp_path: Path) -> None:
+    poses = {}
+    for name, more in {"with": ("--imu", "/imu"), "without": ()}.items():
+        done = offline(imu_bag, tmp_path / name, *more)
+        assert done.returncode == 0, done.stderr
+        assert "gyro" not in done.stderr
+        poses[name] = np.loadtxt(tmp_path / name / "trajectory.tum")
+    truth = path(0.02 + SCAN_PERIOD_S * np.arange(SCANS))
+    cos, sin = math.cos(truth[0, 2]), math.sin(truth[0, 2])
+    start = (truth[:, :2] - truth[0, :2]) @ np.array([[cos, -sin], [sin, cos]])
+    assert np.abs(poses["with"][:, 1:3] - start).max() < 0.05
+    assert not np.array_equal(poses["with"], poses["without"])
+
+
+def test_an_imu_that_ends_is_told_of_and_mapping_goes_on(tmp_path: Path) -> None:
+    short = tmp_path / "short.bag"
+    write_bag(short, 40, imu_s=2.0)
+    done = offline(short, tmp_path / "out", "--imu", "/imu")
+    assert done.returncode == 0, done.stderr
+    assert len((tmp_path / "out" / "trajectory.tum").read_text().splitlines()) == 40
+    assert "has no gyro: the newest rate is" in done.stderr
+    assert "left out" not in done.stderr
+    unknown = offline(short, tmp_path / "unknown", "--imu", "/imu2")
+    assert unknown.returncode == 1
+    assert "no topic /imu2 of sensor_msgs/Imu; there are: /imu" in unknown.stderr
 
 
 def test_the_services_of_slam_toolbox(ros: Ros, bag: Path, tmp_path: Path) -> None:

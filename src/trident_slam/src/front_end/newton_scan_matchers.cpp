@@ -57,7 +57,8 @@ class NdtMatcher : public ScanMatcher {
     double cell;
     double least_sigma;
   };
-  static constexpr std::array<Level, 3> kLevels = {{{2.0, 0.3}, {1.0, 0.12}, {0.5, 0.04}}};
+  static constexpr std::array<Level, 4> kLevels = {
+      {{2.0, 0.3}, {1.0, 0.12}, {0.5, 0.05}, {0.25, 0.03}}};
 
   void clear() override {
     for (NdtMap& map : maps_) map.clear();
@@ -96,13 +97,14 @@ class NdtMatcher : public ScanMatcher {
         (prior.information + 1e-6 * Eigen::Matrix3d::Identity()).inverse();
     const double sigma = std::sqrt(covariance.topLeftCorner<2, 2>().diagonal().maxCoeff());
     std::size_t level = 0;
-    while (level + 1 < kLevels.size() && kLevels[level].least_sigma > 2.0 * sigma) ++level;
+    while (level + 2 < kLevels.size() && kLevels[level].least_sigma > 2.0 * sigma) ++level;
     return level;
   }
 
   std::vector<NdtMap> maps_ = {{kLevels[0].cell, kLevels[0].least_sigma},
                                {kLevels[1].cell, kLevels[1].least_sigma},
-                               {kLevels[2].cell, kLevels[2].least_sigma}};
+                               {kLevels[2].cell, kLevels[2].least_sigma},
+                               {kLevels[3].cell, kLevels[3].least_sigma}};
 };
 
 class GridMatcher : public ScanMatcher {

@@ -30,7 +30,8 @@ constexpr char kUsage[] =
     "  one's place in it; --start X,Y,YAW [m, rad]: there; --keep-session FILE: write it\n"
     "slam_offline: FILE is a CARMEN log (.log, .clf; plain, gzip, bzip2), '-' the standard input;\n"
     "  --laser front|rear\n"
-    "slam_offline_bag: FILE is a rosbag; --scan TOPIC --odom TOPIC --odom-frame F --base-frame F\n"
+    "slam_offline_bag: FILE is a rosbag; --scan TOPIC --odom TOPIC --imu TOPIC\n"
+    "  --odom-frame F --base-frame F\n"
     "Writes trajectory.tum, causal.tum, map.pgm, map.yaml and timing.json into DIR.\n";
 
 SE2 read_start(const std::string& text) {

@@ -15,6 +15,7 @@ namespace trident {
 struct BagScansOptions {
   std::string scan_topic;  ///< of sensor_msgs/LaserScan; default: /scan, else the only one
   std::string odom_topic;  ///< of nav_msgs/Odometry; default: /odom, else the only one, if any
+  std::string imu_topic;   ///< of sensor_msgs/Imu, to put sweeps right with; default: none
   std::string odom_frame;  ///< default: odom, or the odometry message's
   std::string base_frame;  ///< default: base_footprint, base_link, or the odometry message's
 };

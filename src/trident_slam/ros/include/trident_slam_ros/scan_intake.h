@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <sensor_msgs/Imu.h>
 #include <sensor_msgs/LaserScan.h>
 #include <tf2/buffer_core.h>
 
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "trident_slam/scan_source.h"
+#include "trident_slam/sweep_motion.h"
 
 namespace trident {
 
@@ -25,27 +27,34 @@ struct ScanIntakeOptions {
   double transform_timeout = 0.2;  ///< [s] that a transform may come after its scan
   bool waits_for_all = false;      ///< true: a scan waits as long as its transform may still come
   bool uses_mount = true;          ///< false: the laser is taken to sit at the base frame
+  bool uses_gyro = false;          ///< a sweep waits for the turning rates until its end, too
   std::size_t max_waiting = 1000;  ///< scans that wait at most
 };
 
 /// Scans wait here until the transforms of their stamps are known, in the order in which they
 /// came. A transform that is missing is never replaced: its scan is left out, and `problems` says
-/// which transform is late and by how much. No clock: how late is told by the newest scan.
+/// which transform is late and by how much. No clock: how late is told by the newest scan. A sweep
+/// whose turning rates are missing is used without them, and that is told of.
 class ScanIntake {
  public:
   ScanIntake(const ScanIntakeOptions& options, const tf2::BufferCore& transforms)
       : options_(options), transforms_(transforms) {}
 
   void add(const sensor_msgs::LaserScanConstPtr& message);
+  /// The turning rate of a gyro that may sit on the robot in any way, if its transform is known.
+  void add(const sensor_msgs::Imu& message);
   /// All scans from the front whose transforms are known.
   std::vector<ScanRecord> take();
-  /// At the end of a log nothing more will come: what still waits is left out.
-  void end();
+  /// At the end of a log nothing more will come: scans that wait for turning rates alone are taken,
+  /// what else still waits is left out.
+  std::vector<ScanRecord> end();
   /// After time went back: forgets what waits.
   void clear();
 
   std::size_t received() const { return received_; }
   std::size_t waiting() const { return waiting_.size(); }
+  std::size_t left_out() const { return left_out_; }
+  std::size_t without_gyro() const { return without_gyro_; }
   const LogProblems& problems() const { return problems_; }
   /// The last problem's text.
   const std::string& last_problem() const { return last_problem_; }
@@ -54,15 +63,24 @@ class ScanIntake {
   const std::string& laser_frame(const sensor_msgs::LaserScan& message) const;
   bool resolve(const sensor_msgs::LaserScan& message, ScanRecord& record);
   bool may_still_come(const sensor_msgs::LaserScan& message) const;
+  /// False while rates may still come; else the record has its rate, or it is told why not.
+  bool has_settled_gyro(ScanRecord& record);
   std::string why_missing(const sensor_msgs::LaserScan& message) const;
   std::string lateness(const std::string& target, const std::string& source,
                        const ros::Time& stamp) const;
+  std::string why_no_gyro(const LaserScan& scan) const;
+  void tell(const std::string& problem);
   void leave_out(const sensor_msgs::LaserScan& message, const std::string& why);
 
   ScanIntakeOptions options_;
   const tf2::BufferCore& transforms_;
   std::deque<sensor_msgs::LaserScanConstPtr> waiting_;
+  YawRates rates_;
+  std::string imu_problem_;  ///< why no rate could be taken of the last message, if so
+  bool has_ended_ = false;
   std::size_t received_ = 0;
+  std::size_t left_out_ = 0;
+  std::size_t without_gyro_ = 0;
   LogProblems problems_;
   std::string last_problem_;
 };

@@ -37,6 +37,7 @@ struct SlamNodeOptions {
   std::string odom_frame = "odom";
   std::string base_frame = "base_footprint";
   std::string scan_topic = "scan";
+  std::string imu_topic;  ///< of sensor_msgs/Imu: its turning rate puts sweeps right; empty: none
   std::string map_topic = "map";
   std::string pose_topic = "pose";
   bool uses_mount = true;    ///< false: the laser is taken to sit at the base frame
@@ -106,6 +107,7 @@ class SlamNode {
 
  private:
   void receive_scan(const sensor_msgs::LaserScanConstPtr& message);
+  void receive_imu(const sensor_msgs::ImuConstPtr& message) { intake_.add(*message); }
   bool is_bag_loop(const sensor_msgs::LaserScan& message);
   void hand_over();
   void work();
@@ -156,6 +158,7 @@ class SlamNode {
   std::vector<ros::Publisher> pose_publishers_;
   ros::Publisher diagnostics_publisher_;
   ros::Subscriber scan_subscriber_;
+  ros::Subscriber imu_subscriber_;
   ros::ServiceServer map_service_;
   ros::WallTimer intake_timer_;
   ros::Timer correction_timer_;
