@@ -118,7 +118,7 @@ TEST_F(MapFileTest, AnErrorNamesFileFieldValueAndRange) {
   };
   const Case cases[] = {
       {"image: short.pgm\n" + kRest, Kind::kBadImage, "ends after 3 of the 4 x 4 pixels"},
-      {"image: text.pgm\n" + kRest, Kind::kBadImage, "neither PGM (P2, P5) nor PNG"},
+      {"image: text.pgm\n" + kRest, Kind::kBadImage, "neither a PNG nor a PGM (P2, P5)"},
       {"image: bad.png\n" + kRest, Kind::kBadImage, "is a bad PNG"},
       {"image: none.pgm\n" + kRest, Kind::kNoSuchFile, "none.pgm' cannot be read"},
       {"image: a.pgm\nresolution: [\n", Kind::kBadMetadata, "map.yaml:"},

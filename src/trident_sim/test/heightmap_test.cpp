@@ -171,11 +171,12 @@ TEST(HeightImage, BadFilesAreRefusedByName) {
   const std::pair<std::string, std::string> cases[] = {
       {folder.write("cut.png", cut), "bad PNG"},
       {folder.write("a.jpg", "\xff\xd8\xff\xe0 not one of ours"), "neither a PNG nor a PGM"},
-      {folder.write("empty.png", ""), "cannot be read"},
+      {folder.write("empty.png", ""), "neither a PNG nor a PGM"},
       {folder.write("thin.pgm", pgm(1, 2, {0, 0})), "1 x 2 pixels, legal: 2 x 2 to"},
       {folder.write("huge.pgm", "P2 100000 100000 255\n0"), "100000 x 100000 pixels, legal"},
-      {folder.write("short.pgm", pgm(2, 2, {0, 0, 0})), "pixel 3 of 4 is missing"},
-      {folder.write("bright.pgm", pgm(2, 2, {0, 300, 0, 0})), "pixel 1 of 4 is missing or above"},
+      {folder.write("short.pgm", pgm(2, 2, {0, 0, 0})), "ends after 3 of the 2 x 2 pixels"},
+      {folder.write("bright.pgm", pgm(2, 2, {0, 300, 0, 0})),
+       "has the value 300 in row 0, legal: 0 to 255"},
       {folder.write("header.pgm", "P5 2 x 255\n"), "its header has no"},
       {(folder.path() + "/gone.png"), "cannot be read"}};
   for (const auto& [file, fragment] : cases) {

@@ -9,7 +9,7 @@
 #include <fstream>
 #include <system_error>
 
-#include "map/pixel_image.h"
+#include "trident_base/pixel_image.h"
 #include "trident_base/string_util.h"
 #include "trident_base/yaml_config.h"
 
@@ -35,6 +35,16 @@ ConfigNode known_keys_only(const ConfigNode& node) {
     result.key_lines.push_back(node.key_lines[i]);
   }
   return result;
+}
+
+PixelImage read_picture(const std::string& path) {
+  try {
+    return read_pixel_image(path);
+  } catch (const PixelImageError& error) {
+    const bool is_there = error.kind() == PixelImageError::Kind::kBad;
+    throw MapFileError(is_there ? MapFileError::Kind::kBadImage : MapFileError::Kind::kNoSuchFile,
+                       error.what());
+  }
 }
 
 /// The mean of a pixel's samples, 0 ... 255. Alpha counts in trinary maps, as in map_server: a
@@ -145,7 +155,7 @@ OccupancyGrid load_map(const std::string& yaml_path) {
 }
 
 OccupancyGrid load_map_image(const MapFile& file, const std::string& folder) {
-  const PixelImage image = read_pixel_image((fs::path(folder) / file.image).string());
+  const PixelImage image = read_picture((fs::path(folder) / file.image).string());
   OccupancyGrid grid;
   grid.width = image.width;
   grid.height = image.height;

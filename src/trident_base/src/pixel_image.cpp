@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-#include "map/pixel_image.h"
+#include "trident_base/pixel_image.h"
 
 #include <png.h>
 
@@ -12,22 +12,24 @@
 #include <istream>
 #include <memory>
 
-#include "trident_estimation/map_file.h"
-
 namespace trident {
 namespace {
 
-/// 1 km x 1 km at 5 cm are 4e8 cells; maps beyond that are mistakes in the header.
-constexpr long kMostPixels = 400'000'000;
-
 [[noreturn]] void refuse(const std::string& path, const std::string& problem) {
-  throw MapFileError(MapFileError::Kind::kBadImage, "image '" + path + "' " + problem);
+  throw PixelImageError(PixelImageError::Kind::kBad, "image '" + path + "' " + problem);
 }
 
-void check_size(const std::string& path, long width, long height) {
-  if (width >= 1 && height >= 1 && width <= kMostPixels / height) return;
+void check_size(const std::string& path, long width, long height, const PixelImageLimits& limits) {
+  const auto is_side = [&limits](long side) {
+    return side >= limits.least_side && side <= limits.most_side;
+  };
+  if (is_side(width) && is_side(height) && width <= limits.most_pixels / height) return;
+  const auto square = [](long side) { return std::to_string(side) + " x " + std::to_string(side); };
+  const bool is_by_side = limits.most_side < limits.most_pixels;
   refuse(path, "has " + std::to_string(width) + " x " + std::to_string(height) +
-                   " pixels, legal: 1 x 1 to 4e8 in all");
+                   " pixels, legal: " + square(limits.least_side) + " to " +
+                   (is_by_side ? square(limits.most_side)
+                               : std::to_string(limits.most_pixels) + " in all"));
 }
 
 /// libpng's objects, and the buffers that its error handling would leak.
@@ -73,7 +75,7 @@ bool read_rows(PngReader& reader) {
   return true;
 }
 
-PixelImage read_png(const std::string& path) {
+PixelImage read_png(const std::string& path, const PixelImageLimits& limits) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> in(std::fopen(path.c_str(), "rb"),
                                                            std::fclose);
   if (in == nullptr) refuse(path, "cannot be read");
@@ -81,7 +83,7 @@ PixelImage read_png(const std::string& path) {
   if (reader.info == nullptr || !read_header(reader)) refuse(path, "is a bad PNG: " + reader.error);
   const auto width = static_cast<long>(png_get_image_width(reader.png, reader.info));
   const auto height = static_cast<long>(png_get_image_height(reader.png, reader.info));
-  check_size(path, width, height);
+  check_size(path, width, height, limits);
   const bool is_wide = png_get_bit_depth(reader.png, reader.info) == 16;
   const std::size_t stride = png_get_rowbytes(reader.png, reader.info);
   reader.bytes.resize(stride * static_cast<std::size_t>(height));
@@ -160,13 +162,14 @@ std::size_t bytes_left(std::istream& in) {
   return static_cast<std::size_t>(end - here);
 }
 
-PixelImage read_pgm(const std::string& path, std::istream& in, bool is_binary) {
+PixelImage read_pgm(const std::string& path, std::istream& in, bool is_binary,
+                    const PixelImageLimits& limits) {
   const long width = next_number(in), height = next_number(in), white = next_number(in);
   if (white < 1 || white > 65535) {
     refuse(path,
            "is a bad PGM: its header has no width, height and white value, legal: 1 to 65535");
   }
-  check_size(path, width, height);
+  check_size(path, width, height, limits);
   PixelImage image;
   image.width = static_cast<int>(width);
   image.height = static_cast<int>(height);
@@ -187,17 +190,18 @@ PixelImage read_pgm(const std::string& path, std::istream& in, bool is_binary) {
 
 }  // namespace
 
-PixelImage read_pixel_image(const std::string& path) {
+PixelImage read_pixel_image(const std::string& path, const PixelImageLimits& limits) {
   std::ifstream in(path, std::ios::binary);
   std::array<char, 2> magic{};
   if (!in.is_open()) {
-    throw MapFileError(MapFileError::Kind::kNoSuchFile, "image '" + path + "' cannot be read");
+    throw PixelImageError(PixelImageError::Kind::kCannotBeRead,
+                          "image '" + path + "' cannot be read");
   }
   in.read(magic.data(), magic.size());
   const std::string begin(magic.data(), static_cast<std::size_t>(in.gcount()));
-  if (begin == "P2" || begin == "P5") return read_pgm(path, in, begin == "P5");
-  if (begin == "\x89P") return read_png(path);
-  refuse(path, "is neither PGM (P2, P5) nor PNG");
+  if (begin == "P2" || begin == "P5") return read_pgm(path, in, begin == "P5", limits);
+  if (begin == "\x89P") return read_png(path, limits);
+  refuse(path, "is neither a PNG nor a PGM (P2, P5)");
 }
 
 }  // namespace trident
