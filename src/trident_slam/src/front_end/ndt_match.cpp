@@ -12,9 +12,9 @@ namespace {
 /// Beyond this squared Mahalanobis distance a point adds less than 1e-5.
 constexpr double kFar = 24.0;
 constexpr double kOnSurface = 4.0;
-/// A distribution that is wider than 0.1 m in both directions is no surface: this is the least
+/// A distribution that is wider than 5 cm in both directions is no surface: this is the least
 /// trace of the information of one that is [1/m^2].
-constexpr double kLeastTrace = 100.0;
+constexpr double kLeastTrace = 400.0;
 
 /// Adds exp(-q / 2) of one point and one distribution, as a part of the cost and its derivatives.
 /// `arm` is R p; its derivatives by yaw are `side` and -arm.

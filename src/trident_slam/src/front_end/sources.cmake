@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Scan matching: what a scan is compared with, and how.
 target_sources(trident_slam PRIVATE
+  src/front_end/beam_counts.cpp
   src/front_end/calibrated_motion.cpp
   src/front_end/correlative_match.cpp
   src/front_end/line_match.cpp
