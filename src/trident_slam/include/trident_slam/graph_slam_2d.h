@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -37,7 +38,8 @@ struct GraphSlamLoop {
 ///
 /// All calls come from one thread. With `is_asynchronous` loops are sought in a thread of its own
 /// and take effect at a later `add_scan`, so that poses may differ from run to run; without it
-/// they are closed within `add_scan`.
+/// they are closed within `add_scan`. No call but `finish`, `relocalize` and those that load or
+/// save then takes longer as the map grows.
 class GraphSlam2d : public Slam2d, public Slam2dCalibrated {
  public:
   /// `solver` optimises the graph; empty: ours.
@@ -64,6 +66,17 @@ class GraphSlam2d : public Slam2d, public Slam2dCalibrated {
   /// Throws Error naming the file and the reason, and then nothing has changed.
   void load_session(const std::string& path, const std::optional<SE2>& T_map_base = std::nullopt);
 
+  /// The map, and the session, as they are at this call: a quick one, whatever the map's size. What
+  /// is returned makes the map, or writes the file, and may do so in another thread while scans go
+  /// on. Made in the order of the calls, a map costs only what has changed since the last one.
+  std::function<OccupancyGrid()> map_snapshot() const;
+  std::function<void(const std::string&)> session_snapshot() const;
+  /// Matches all scans that see the same surfaces with each other and optimises the whole graph;
+  /// with `is_asynchronous` in the background.
+  void realign();
+  /// Loops are being sought, or the graph optimised, in the background.
+  bool is_busy() const;
+
   /// Where the robot is now, as a user says (rviz' 2D Pose Estimate).
   void set_pose(const SE2& T_map_base);
   /// Seeks a scan in the whole map. The pose is taken over if at least `min_inliers` of the points
@@ -82,6 +95,7 @@ class GraphSlam2d : public Slam2d, public Slam2dCalibrated {
   /// loops between both. Returns how many it found. Throws Error as `load_session` does.
   int append_session(const std::string& path, const SE2& T_map_session);
 
+  int nodes() const;  ///< keyframes
   std::vector<SE2> keyframe_poses() const;
   /// What a keyframe saw, in its base frame [m]. Throws Error for an unknown keyframe.
   std::vector<Eigen::Vector2f> keyframe_points(int keyframe) const;

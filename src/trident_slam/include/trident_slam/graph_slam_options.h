@@ -19,6 +19,36 @@ constexpr auto enum_names(SlamMode /*tag*/) {
                     EnumName<SlamMode>{SlamMode::kLifelong, "lifelong"}};
 }
 
+/// When a scan gives way to newer ones in lifelong mode; slam_toolbox' names and meaning, with
+/// `lifelong_` before them.
+struct LifelongOptions {
+  bool search_use_tree = true;
+  double minimum_score = 0.1;
+  double iou_match = 0.85;
+  double node_removal_score = 0.1;
+  double overlap_score_scale = 0.5;
+  double constraint_multiplier = 0.05;
+  double nearby_penalty = 0.001;
+
+  template <class Archive>
+  void visit(Archive& ar) {
+    ar.field("lifelong_search_use_tree", search_use_tree,
+             "weigh all older scans near to a new one; false: those that edges lead to");
+    ar.field("lifelong_minimum_score", minimum_score, Range{0.0, 1.0},
+             "bounding boxes must share this part (intersection over union) to be weighed");
+    ar.field("lifelong_iou_match", iou_match, Range{0.0, 1.0},
+             "an older scan that shares more, and closes no loop, goes at once");
+    ar.field("lifelong_node_removal_score", node_removal_score, Range{0.0, 1.0},
+             "a scan whose score has fallen below goes");
+    ar.field("lifelong_overlap_score_scale", overlap_score_scale, Range{0.0, 10.0},
+             "a newer scan that shows all of an older one takes this from its score");
+    ar.field("lifelong_constraint_multiplier", constraint_multiplier, Range{0.0, 10.0},
+             "part of the score that each edge beyond two gives back");
+    ar.field("lifelong_nearby_penalty", nearby_penalty, Range{0.0, 1.0},
+             "a newer scan that is near takes this from the score in any case");
+  }
+};
+
 /// Parameters of graph_slam_2d. A name that slam_toolbox has, too, means the same.
 struct GraphSlamOptions {
   SlamMode mode = SlamMode::kMapping;
@@ -32,6 +62,8 @@ struct GraphSlamOptions {
   std::string scan_matcher = kLinesOfTheMap;
   double minimum_travel_distance = 0.3;
   double minimum_travel_heading = 0.3;
+  int scan_buffer_size = 10;
+  double scan_buffer_maximum_scan_distance = 10.0;
 
   bool do_loop_closing = true;
   double loop_search_maximum_distance = 15.0;
@@ -39,6 +71,7 @@ struct GraphSlamOptions {
   int loop_match_minimum_chain_size = 10;
   double reuse_distance = 60.0;
   bool is_asynchronous = false;
+  bool keep_scans = true;
 
   double odometry_distance_noise = 0.15;
   double odometry_heading_noise = 0.15;
@@ -46,6 +79,8 @@ struct GraphSlamOptions {
   double odometry_jump_heading = 2.5;
   bool calibrate_odometry = false;
   bool deskew = true;
+
+  LifelongOptions lifelong;
 
   template <class Archive>
   void visit(Archive& ar) {
@@ -64,8 +99,13 @@ struct GraphSlamOptions {
              "way after which a scan becomes part of the map [m]");
     ar.field("minimum_travel_heading", minimum_travel_heading, Range{0.01, 3.1},
              "turn after which a scan becomes part of the map [rad]");
+    ar.field("scan_buffer_size", scan_buffer_size, Range{0, 1000},
+             "localization: recent scans that are gone on from where the map knows nothing");
+    ar.field("scan_buffer_maximum_scan_distance", scan_buffer_maximum_scan_distance,
+             Range{0.1, 1000.0}, "of those scans, from the newest one [m]");
     visit_loops(ar);
     visit_odometry(ar);
+    lifelong.visit(ar);
   }
   /// Throws Error naming field, value and range.
   void validate() const;
@@ -83,6 +123,9 @@ struct GraphSlamOptions {
     ar.field("reuse_distance", reuse_distance, Range{1.0, 10000.0},
              "old surfaces are matched against as they are if the way to them is shorter [m]");
     ar.field("is_asynchronous", is_asynchronous, "close loops in a thread of their own");
+    ar.field("keep_scans", keep_scans,
+             "keep all ranges, so that the end can match every scan with the final map; false: "
+             "a scan keeps its place beside its keyframe");
   }
   template <class Archive>
   void visit_odometry(Archive& ar) {

@@ -3,11 +3,13 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "trident_base/occupancy_grid.h"
 #include "trident_base/se2.h"
 
 // What some algorithms can do beyond Slam2d. An algorithm inherits from what it has; who holds a
@@ -24,8 +26,19 @@ class Slam2dSession {
   virtual ~Slam2dSession() = default;
   /// The file is never seen half written. Throws Error when it cannot be written.
   virtual void save_session(const std::string& file) const = 0;
+  /// The same in two steps: this call is quick, what it returns writes the session as it is now, in
+  /// any thread, while scans go on.
+  virtual std::function<void(const std::string&)> session_snapshot() const = 0;
   /// Throws Error when the file is damaged or of an unknown version; the map is then as before.
   virtual void load_session(const std::string& file, SessionStart start, const SE2& T_map_base) = 0;
+};
+
+/// A map that is made while scans go on.
+class Slam2dMapSnapshot {
+ public:
+  virtual ~Slam2dMapSnapshot() = default;
+  /// This call is quick; what it returns makes the map as it is now, in any thread.
+  virtual std::function<OccupancyGrid()> map_snapshot() const = 0;
 };
 
 /// A robot that can be told where it is.

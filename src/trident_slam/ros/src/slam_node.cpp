@@ -131,6 +131,7 @@ SlamNode::SlamNode(const ros::NodeHandle& private_handle, const SlamNodeOptions&
         place->advertise<geometry_msgs::PoseWithCovarianceStamped>(options.pose_topic, 10));
   }
   diagnostics_publisher_ = handle.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 10);
+  own.setCallbackQueue(&slow_queue_);
   map_service_ = own.advertiseService("dynamic_map", &SlamNode::get_map, this);
   intake_timer_ = handle.createWallTimer(ros::WallDuration(kIntakePeriodS),
                                          [this](const ros::WallTimerEvent&) { hand_over(); });
@@ -150,9 +151,11 @@ SlamNode::SlamNode(const ros::NodeHandle& private_handle, const SlamNodeOptions&
   scan_subscriber_ =
       handle.subscribe(options.scan_topic, options.is_sync ? 0 : options.scan_queue_size,
                        &SlamNode::receive_scan, this);
+  slow_spinner_.start();
 }
 
 SlamNode::~SlamNode() {
+  slow_spinner_.stop();
   scan_subscriber_.shutdown();
   imu_subscriber_.shutdown();
   {
@@ -161,6 +164,7 @@ SlamNode::~SlamNode() {
   }
   queue_changed_.notify_all();
   worker_.join();
+  if (is_autosaving() && last_scan_ != last_autosave_) autosave(last_scan_);
 }
 
 // Each kind of problem, whatever its numbers, is told now and then; all are counted.
@@ -239,6 +243,8 @@ void SlamNode::work() {
 }
 
 void SlamNode::consume(const ScanRecord& record) {
+  const ros::Time stamp = ros::Time().fromNSec(static_cast<std::uint64_t>(record.scan.stamp_ns));
+  wait_for_autosave(stamp);
   ScanPose2d pose;
   std::vector<CalibrationEstimate> calibration;
   {
@@ -261,7 +267,7 @@ void SlamNode::consume(const ScanRecord& record) {
   publish_correction();
   publish_pose(record, pose);
   if (on_scan_) on_scan_(record, pose);
-  const ros::Time stamp = ros::Time().fromNSec(static_cast<std::uint64_t>(record.scan.stamp_ns));
+  last_scan_ = stamp;
   publish_map_if_due(stamp);
   autosave_if_due(stamp);
 }
@@ -305,48 +311,105 @@ void SlamNode::publish_correction() {
   broadcaster_.sendTransform(message);
 }
 
-nav_msgs::OccupancyGrid SlamNode::map_message() {
+std::function<OccupancyGrid()> SlamNode::map_snapshot() {
+  return with_slam([](const Slam2d& slam) -> std::function<OccupancyGrid()> {
+    const auto* able = dynamic_cast<const Slam2dMapSnapshot*>(&slam);
+    if (able != nullptr) return able->map_snapshot();
+    return [map = slam.map()] { return map; };
+  });
+}
+
+nav_msgs::OccupancyGrid SlamNode::to_message(const OccupancyGrid& map) const {
   std_msgs::Header header;
   header.frame_id = options_.map_frame;
   header.stamp = ros::Time::now();
-  return to_map_message(with_slam([](const Slam2d& slam) { return slam.map(); }), header);
+  return to_map_message(map, header);
 }
+
+nav_msgs::OccupancyGrid SlamNode::map_message() { return to_message(map_snapshot()()); }
 
 void SlamNode::publish_map_if_due(const ros::Time& now) {
-  if (map_publisher_->is_due(now)) map_publisher_->publish(map_message(), now);
+  if (map_task_.is_busy() || !map_publisher_->is_due(now)) return;
+  map_task_.start([this, now, draw = map_snapshot()] {
+    try {
+      map_publisher_->publish(to_message(draw()), now);
+    } catch (const Error& error) {
+      tell(error.what());
+    }
+  });
 }
 
+void SlamNode::tell(const std::string& problem) {
+  const std::lock_guard<std::mutex> lock(queue_mutex_);
+  problems_.add(problem);
+  complain(problem);
+}
+
+bool SlamNode::is_autosaving() const {
+  return !options_.autosave_file.empty() && options_.autosave_interval > 0.0;
+}
+
+// A scan that would be farther than the interval from what is on the disk waits.
+void SlamNode::wait_for_autosave(const ros::Time& now) {
+  if (!is_autosaving() || !autosave_task_.is_busy()) return;
+  if (std::abs((now - safe_until_).toSec()) <= options_.autosave_interval) return;
+  autosave_task_.wait();
+  tell("a scan had to wait for the autosave; parameter autosave_interval (" +
+       number_text(options_.autosave_interval) + " s) is too short");
+}
+
+// Begun every half interval: until a session is on the disk, the one before it counts.
 void SlamNode::autosave_if_due(const ros::Time& now) {
-  if (options_.autosave_file.empty() || options_.autosave_interval <= 0.0) return;
-  if (last_autosave_.isZero()) last_autosave_ = now;
-  if (std::abs((now - last_autosave_).toSec()) < options_.autosave_interval) return;
-  last_autosave_ = now;
+  if (!is_autosaving()) return;
+  if (last_autosave_.isZero()) {
+    safe_until_ = now - ros::Duration(0, now.isZero() ? 0 : 1);  // not even the first scan is
+    autosave(now);
+  }
+  if (autosave_task_.is_busy()) return;
+  safe_until_ = last_autosave_;
+  if (std::abs((now - last_autosave_).toSec()) >= 0.5 * options_.autosave_interval) autosave(now);
+}
+
+void SlamNode::autosave(const ros::Time& now) {
   try {
-    with_slam([this](const Slam2d& slam) {
+    auto write = with_slam([](const Slam2d& slam) {
       const auto* session = dynamic_cast<const Slam2dSession*>(&slam);
       if (session == nullptr) throw Error("autosave: this method keeps no sessions");
-      session->save_session(options_.autosave_file);
+      return session->session_snapshot();
+    });
+    last_autosave_ = now;
+    autosave_task_.start([this, write = std::move(write)] {
+      try {
+        write(options_.autosave_file);
+      } catch (const Error& error) {
+        tell(error.what());
+      }
     });
   } catch (const Error& error) {
-    const std::lock_guard<std::mutex> lock(queue_mutex_);
-    problems_.add(error.what());
-    complain(error.what());
+    last_autosave_ = now;
+    tell(error.what());
   }
 }
 
+void SlamNode::save_session(const std::string& file) {
+  with_slam([](const Slam2d& slam) {
+    const auto* session = dynamic_cast<const Slam2dSession*>(&slam);
+    if (session == nullptr) throw Error("this method cannot keep sessions");
+    return session->session_snapshot();
+  })(file);
+}
+
 void SlamNode::save_map(const std::string& stem) {
-  const OccupancyGrid map = with_slam([this](Slam2d& slam) {
-    if (options_.is_sync) slam.finish();
-    return slam.map();
-  });
-  trident::save_map(stem, map);
+  if (options_.is_sync) with_slam([](Slam2d& slam) { slam.finish(); });
+  trident::save_map(stem, map_snapshot()());
 }
 
 void SlamNode::reset() {
   clear_queue();
+  std::unique_ptr<Slam2d> next = make_();
   {
     const std::lock_guard<std::mutex> lock(slam_mutex_);
-    slam_ = make_();
+    slam_.swap(next);
   }
   forget_correction();
   is_looping_ = false;

@@ -24,12 +24,22 @@ constexpr char kGraphSlam[] = "graph_slam_2d";
 /// graph_slam_2d with what the node asks for.
 class GraphSlamOfNode : public GraphSlam2d,
                         public Slam2dSession,
+                        public Slam2dMapSnapshot,
                         public Slam2dPlaced,
                         public Slam2dGraph,
                         public Slam2dEditable {
  public:
-  using GraphSlam2d::GraphSlam2d;
+  GraphSlamOfNode(const GraphSlamOptions& options, PoseGraphSolverMaker solver)
+      : GraphSlam2d(options, std::move(solver)), is_asynchronous_(options.is_asynchronous) {}
 
+  /// Scans do not wait for it in asynchronous mode.
+  void finish() override { is_asynchronous_ ? realign() : GraphSlam2d::finish(); }
+  std::function<OccupancyGrid()> map_snapshot() const override {
+    return GraphSlam2d::map_snapshot();
+  }
+  std::function<void(const std::string&)> session_snapshot() const override {
+    return GraphSlam2d::session_snapshot();
+  }
   void save_session(const std::string& file) const override { GraphSlam2d::save_session(file); }
   void load_session(const std::string& file, SessionStart start, const SE2& T_map_base) override {
     if (start != SessionStart::kFirstNode) {
@@ -57,6 +67,9 @@ class GraphSlamOfNode : public GraphSlam2d,
   std::vector<int> move_nodes(const std::map<int, SE2>& T_map_base) override {
     return move_keyframes(T_map_base);
   }
+
+ private:
+  bool is_asynchronous_;
 };
 
 ConfigNode to_config(XmlRpcValue& value) {
@@ -107,7 +120,10 @@ class HectorSlamOfNode : public HectorSlam2d, public Slam2dPlaced {
 }  // namespace
 
 GraphSlamOptions read_graph_options(const ros::NodeHandle& private_handle) {
-  return read_params<GraphSlamOptions>(private_handle);
+  auto options = read_params<GraphSlamOptions>(private_handle);
+  // A node runs for as long as it likes, and nobody asks it for the places of all scans.
+  if (!private_handle.hasParam("keep_scans")) options.keep_scans = false;
+  return options;
 }
 
 std::function<std::unique_ptr<Slam2d>()> slam_maker(const ros::NodeHandle& private_handle,

@@ -17,6 +17,7 @@
 #include <exception>
 #include <filesystem>
 #include <iostream>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,11 @@ Ability& able(Slam& slam, const char* what) {
   return *ability;
 }
 
+ros::NodeHandle handle_of(ros::NodeHandle handle, ros::CallbackQueue* queue) {
+  handle.setCallbackQueue(queue);
+  return handle;
+}
+
 /// The services of slam_toolbox around a SlamNode.
 class Toolbox {
  public:
@@ -53,7 +59,9 @@ class Toolbox {
         can_edit_(can_edit),
         node_(own, options, std::move(make)),
         editor_(own, node_, options.map_frame),
-        services_(own, [this](const std::string& text) { node_.count_problem(text); }) {
+        services_(handle_of(own, node_.slow_queue()),
+                  [this](const std::string& text) { node_.count_problem(text); }) {
+    own_.setCallbackQueue(node_.slow_queue());
     services_.serve<srv::Pause>("pause_new_measurements",
                                 [this](auto& /*request*/, auto& response) {
                                   node_.set_paused(!node_.is_paused());
@@ -89,9 +97,7 @@ class Toolbox {
     services_.serve<srv::SerializePoseGraph>(
         "serialize_map", [this](auto& request, auto& /*response*/) {
           const std::string file = session_file(request.filename);
-          node_.with_slam([&file](Slam2d& slam) {
-            able<Slam2dSession>(slam, "keep sessions").save_session(file);
-          });
+          node_.save_session(file);
         });
     services_.serve<srv::DeserializePoseGraph>(
         "deserialize_map", [this](auto& request, auto& /*response*/) {
@@ -172,11 +178,11 @@ class Toolbox {
 
   void publish_graph() {
     if (graph_publisher_.getNumSubscribers() == 0) return;
-    node_.with_slam([this](const Slam2d& slam) {
+    const auto view = node_.with_slam([](const Slam2d& slam) {
       const auto* graph = dynamic_cast<const Slam2dGraph*>(&slam);
-      if (graph != nullptr)
-        graph_publisher_.publish(graph_markers(graph->graph_view(), map_frame_));
+      return graph == nullptr ? std::nullopt : std::optional<GraphView2d>(graph->graph_view());
     });
+    if (view) graph_publisher_.publish(graph_markers(*view, map_frame_));
   }
 
   ros::NodeHandle own_;

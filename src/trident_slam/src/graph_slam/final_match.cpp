@@ -65,7 +65,7 @@ std::vector<SE2> match_archive(const ScanArchive& archive, const KeyframeGraph& 
   for (std::size_t i = 0; i < archive.size(); ++i) {
     const ScanArchive::Entry& entry = archive[i];
     poses[i] = archive.pose(i, graph);
-    if (!entry.is_used) continue;
+    if (!entry.is_used || !entry.has_ranges()) continue;
     prior.T_ref_base = poses[i];
     const PointScan points = make_point_scan(archive.scan(i), options, entry.twist.cast<double>());
     poses[i] = match_lines(surfaces, points, poses[i], prior, line).T_ref_base;

@@ -19,6 +19,9 @@ constexpr int kOwnStretches = 3;
 constexpr int kHidePeriod = 5;
 /// Where odometry cannot be believed, the pose is sought in a window wider by this [m].
 constexpr double kDoubt = 0.5;
+/// Localising, recent scans are asked where less of a scan lies on the map's surfaces, and believed
+/// where more lies on theirs.
+constexpr double kExplained = 0.75;
 
 ScanTrackerOptions tracker_options(const GraphSlamOptions& options) {
   ScanTrackerOptions result;
@@ -54,7 +57,10 @@ GraphMapper::GraphMapper(const GraphSlamOptions& options, const PoseGraphSolverM
       calibration_(options.calibrate_odometry),
       tracker_(tracker_options(options)),
       graph_(options.loop_match_minimum_chain_size, solver),
-      worker_(closer_options(options)) {
+      worker_(closer_options(options)),
+      stale_scans_(options.lifelong),
+      recent_scans_(static_cast<std::size_t>(options.scan_buffer_size),
+                    options.scan_buffer_maximum_scan_distance, tracker_.options().line) {
   options.validate();
   if (options.scan_matcher != GraphSlamOptions::kLinesOfTheMap) {
     submap_matcher_.emplace(options.scan_matcher);
@@ -77,7 +83,7 @@ PointScan GraphMapper::points_of(const LaserScan& scan, const Eigen::Vector3d& t
 }
 
 ScanPose2d GraphMapper::add_scan(const LaserScan& scan, const SE2& T_odom_base) {
-  if (std::optional<LoopOutcome> outcome = worker_.take()) apply(std::move(*outcome));
+  take_from_worker();
   OdometryMotion::Step motion = odometry_.next(T_odom_base);
   travelled_ += motion.T_before_now.p.norm();
   motion.T_before_now = calibration_.calibrated(motion.T_before_now);
@@ -92,7 +98,7 @@ ScanPose2d GraphMapper::add_scan(const LaserScan& scan, const SE2& T_odom_base) 
     const Eigen::Vector3d twist = twist_of(scan, motion.T_before_now);
     entry.twist = twist.cast<float>();
     const auto points = std::make_shared<const PointScan>(points_of(scan, twist));
-    const MatchResult match = place(*points, motion, scan.T_base_laser);
+    const MatchResult match = place(points, motion, scan.T_base_laser);
     result.covariance = match.covariance;
     if (is_keyframe_due()) add_keyframe(points, match);
   } else {
@@ -107,30 +113,49 @@ ScanPose2d GraphMapper::add_scan(const LaserScan& scan, const SE2& T_odom_base) 
   entry.T_keyframe_base = entry.keyframe < 0
                               ? result.T_map_base
                               : graph_.pose(entry.keyframe).inverse() * result.T_map_base;
-  archive_.add(scan, entry, options_.max_laser_range);
+  archive_.add(scan, entry, options_.keep_scans ? options_.max_laser_range : 0.0);
   return result;
 }
 
-MatchResult GraphMapper::place(const PointScan& points, const OdometryMotion::Step& motion,
-                               const SE2& T_base_laser) {
+MatchResult GraphMapper::place(const std::shared_ptr<const PointScan>& points,
+                               const OdometryMotion::Step& motion, const SE2& T_base_laser) {
   if (!options_.use_scan_matching) {
     tracker_.coast(motion.T_before_now);
     return {};
   }
   const SE2 T_map_last = tracker_.T_map_base();
   MatchResult match =
-      tracker_.track(points, motion.T_before_now, motion.problem.empty() ? 0.0 : kDoubt);
+      tracker_.track(*points, motion.T_before_now, motion.problem.empty() ? 0.0 : kDoubt);
   if (motion.problem.empty()) {
     calibration_.learn(T_base_laser, T_map_last.inverse() * match.T_ref_base, match);
   } else {
     calibration_.interrupt();
   }
   if (options_.mode != SlamMode::kLocalization) return match;
-  const auto found = lost_robot_.check(graph_, tracker_.surfels(), points, motion.T_before_now,
+  go_on_from_recent_scans(points, &match);
+  const auto found = lost_robot_.check(graph_, tracker_.surfels(), *points, motion.T_before_now,
                                        match, tracker_.options().line);
   if (!found) return match;
   tracker_.set_pose(found->T_ref_base);
+  recent_scans_.clear();
   return *found;
+}
+
+// Where the map explains too little of a scan, the scans before it may: the map ends here, or what
+// it shows has been moved.
+void GraphMapper::go_on_from_recent_scans(const std::shared_ptr<const PointScan>& points,
+                                          MatchResult* match) {
+  if (match->inlier_fraction < kExplained) {
+    MatchResult refined = *match;
+    refined.inlier_fraction = recent_scans_.refine(*points, &refined);
+    if (refined.inlier_fraction < kExplained) return;
+    *match = refined;  // whose fit says that the robot is not lost
+    tracker_.set_pose(match->T_ref_base);
+  }
+  const SE2& T = tracker_.T_map_base();
+  if (!recent_scans_.empty() && !keyframe_filter_.is_due(recent_scans_.newest().inverse() * T))
+    return;
+  recent_scans_.add(T, points);
 }
 
 bool GraphMapper::is_keyframe_due() const {
@@ -146,7 +171,7 @@ void GraphMapper::add_keyframe(const std::shared_ptr<const PointScan>& scan,
   if (k > 0) tie_to_reused_surfaces(k, *scan);
   if (k % kHidePeriod == 0) hide_what_drifted();
   tracker_.insert(tracker_.T_map_base(), *scan, graph_.stretch_of(k));
-  if (options_.mode == SlamMode::kLifelong) forget_replaced_scans(k);
+  if (options_.mode == SlamMode::kLifelong) forget_replaced_scans();
   const int stretch = graph_.stretch_of(k);
   if (options_.do_loop_closing && graph_.size() == (stretch + 1) * graph_.stretch_size()) {
     close_loops(stretch);
@@ -195,15 +220,23 @@ void GraphMapper::hide_what_drifted() {
 }
 
 void GraphMapper::close_loops(int stretch) {
-  if (options_.is_asynchronous) {
-    worker_.start(graph_, stretch, tracker_.options().surfel_cell);
-  } else {
+  if (!options_.is_asynchronous) {
     apply(worker_.search(graph_, stretch, tracker_.options().surfel_cell));
+    return;
   }
+  worker_.ask(stretch);
+  worker_.start(graph_, tracker_.options().surfel_cell);
+}
+
+void GraphMapper::take_from_worker() {
+  std::optional<LoopOutcome> outcome = worker_.take();
+  if (!outcome) return;
+  apply(std::move(*outcome));
+  worker_.start(graph_, tracker_.options().surfel_cell);
 }
 
 void GraphMapper::apply(LoopOutcome outcome) {
-  if (outcome.loops.empty()) return;
+  if (outcome.poses.empty()) return;
   const int known = static_cast<int>(outcome.poses.size());
   const SE2 T_new_old = outcome.poses.back() * graph_.pose(known - 1).inverse();
   for (const GraphEdge& loop : outcome.loops) graph_.add_edge(loop);
@@ -228,8 +261,10 @@ void GraphMapper::rebuild_surfaces() {
 }
 
 void GraphMapper::finish() {
-  worker_.wait();
-  if (std::optional<LoopOutcome> outcome = worker_.take()) apply(std::move(*outcome));
+  while (worker_.is_busy()) {
+    worker_.wait();
+    take_from_worker();
+  }
   if (!options_.use_scan_matching || options_.mode == SlamMode::kLocalization) return;
   if (graph_.size() < 2) return;
   const SE2 T_before_base = graph_.pose(graph_.size() - 1).inverse() * tracker_.T_map_base();

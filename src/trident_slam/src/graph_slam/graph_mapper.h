@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -14,14 +15,28 @@
 #include "graph_slam/keyframe_graph.h"
 #include "graph_slam/loop_worker.h"
 #include "graph_slam/lost_robot.h"
+#include "graph_slam/recent_scans.h"
 #include "graph_slam/scan_archive.h"
 #include "graph_slam/scan_check.h"
 #include "graph_slam/scan_tracker.h"
 #include "graph_slam/submap_matcher.h"
+#include "graph_slam/stale_scans.h"
 #include "trident_slam/graph_slam_options.h"
 #include "trident_slam/slam_2d.h"
 
 namespace trident {
+
+/// All that a session file holds. A copy shares the scans of the keyframes with the mapper.
+struct MapperState {
+  KeyframeGraph graph;
+  ScanArchive archive;
+  SE2 T_map_base;
+  double travelled = 0.0;
+
+  void save(BinaryWriter* writer) const;
+  /// Throws Error, and then nothing has changed.
+  void load(BinaryReader* reader);
+};
 
 /// State and steps of GraphSlam2d, whose header tells what the public ones mean.
 class GraphMapper {
@@ -36,38 +51,38 @@ class GraphMapper {
   std::vector<std::size_t> scans_of_keyframes() const;
   const CalibratedOdometry& calibration() const { return calibration_; }
 
-  void save(BinaryWriter* writer) const;
-  void load(BinaryReader* reader, const std::optional<SE2>& T_map_base);
-  void set_mode(SlamMode mode) { options_.mode = mode; }
+  MapperState state() const { return {graph_, archive_, tracker_.T_map_base(), travelled_}; }
+  void set_state(MapperState state, const std::optional<SE2>& T_map_base);
+  void set_mode(SlamMode mode) {
+    options_.mode = mode;
+    recent_scans_.clear();
+  }
   void set_paused(bool is_paused) { is_paused_ = is_paused; }
   bool is_paused() const { return is_paused_; }
   void set_pose(const SE2& T_map_base);
   std::optional<SE2> relocalize(const PointScan& scan, double min_inliers);
   PointScan points_of(const LaserScan& scan, const Eigen::Vector3d& twist) const;
   bool close_loop(int older, int newer, const SE2& T_older_newer);
+  /// Optimises anew, at once or in the background.
+  void realign(Realign realign);
+  bool is_busy() const { return worker_.is_busy(); }
   std::vector<int> move_keyframes(const std::map<int, SE2>& T_map_base);
   int append(BinaryReader* reader, const SE2& T_map_session);
 
  private:
-  /// What a session file holds.
-  struct Session {
-    KeyframeGraph graph;
-    ScanArchive archive;
-    SE2 T_map_base;
-    double travelled = 0.0;
-  };
-  static Session read(BinaryReader* reader, const PoseGraphSolverMaker& solver);
-
   Eigen::Vector3d twist_of(const LaserScan& scan, const SE2& T_last_base) const;
-  MatchResult place(const PointScan& points, const OdometryMotion::Step& motion,
-                    const SE2& T_base_laser);
+  MatchResult place(const std::shared_ptr<const PointScan>& points,
+                    const OdometryMotion::Step& motion, const SE2& T_base_laser);
+  void go_on_from_recent_scans(const std::shared_ptr<const PointScan>& points, MatchResult* match);
   bool is_keyframe_due() const;
   void add_keyframe(const std::shared_ptr<const PointScan>& scan, const MatchResult& match);
   void tie_to_previous_keyframe(int keyframe, const MatchResult& match);
   void tie_to_reused_surfaces(int keyframe, const PointScan& scan);
   void hide_what_drifted();
-  void forget_replaced_scans(int keyframe);
+  void forget_replaced_scans();
+  void take_out_forgotten_keyframes();
   void close_loops(int stretch);
+  void take_from_worker();
   void apply(LoopOutcome outcome);
   void rebuild_surfaces();
   /// After edges of the user's: the loops that are under way know nothing of them.
@@ -86,12 +101,14 @@ class GraphMapper {
   KeyframeGraph graph_;
   ScanArchive archive_;
   LoopWorker worker_;
+  StaleScans stale_scans_;
+  RecentScans recent_scans_;
   LostRobot lost_robot_;
   std::int64_t last_stamp_ns_ = 0;
   double travelled_ = 0.0;
   bool is_paused_ = false;
   bool is_chain_broken_ = false;  ///< the next keyframe does not follow from the one before it
-  int forgotten_scans_ = 0;       ///< since the surfaces were made last
+  int forgotten_scans_ = 0;       ///< or thinned, since the surfaces were made last
   std::vector<SE2> final_poses_;  ///< of the archived scans, after finish()
   std::vector<std::pair<int, int>> reuse_links_;  ///< stretches: (older, newer)
 };

@@ -102,7 +102,8 @@ void GraphMapper::begin_stretch() {
 }
 
 int GraphMapper::append(BinaryReader* reader, const SE2& T_map_session) {
-  const Session session = read(reader, graph_.solver());
+  MapperState session{KeyframeGraph(1, graph_.solver()), {}, {}, 0.0};
+  session.load(reader);
   worker_.wait();
   if (std::optional<LoopOutcome> outcome = worker_.take()) apply(std::move(*outcome));
   begin_stretch();

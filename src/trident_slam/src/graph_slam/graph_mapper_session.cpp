@@ -11,56 +11,50 @@
 namespace trident {
 namespace {
 
-/// A newer scan replaces older ones that were taken this near to it [m], [rad], by way this long
-/// ago [m].
-constexpr double kSamePlace = 0.5;
-constexpr double kSameHeading = 0.5;
-constexpr double kLongAgo = 20.0;
-/// Scans of one place that are kept beside the newest one.
-constexpr int kKeptScans = 2;
-/// Surfaces are made anew after so many scans were forgotten.
+/// The graph and its surfaces are made anew after so many scans were forgotten or thinned.
 constexpr int kForgottenBatch = 20;
 
 }  // namespace
 
-void GraphMapper::save(BinaryWriter* writer) const {
-  graph_.save(writer);
-  archive_.save(writer);
-  writer->put_pose(tracker_.T_map_base());
-  writer->put(travelled_);
+void MapperState::save(BinaryWriter* writer) const {
+  graph.save(writer);
+  archive.save(writer);
+  writer->put_pose(T_map_base);
+  writer->put(travelled);
 }
 
-GraphMapper::Session GraphMapper::read(BinaryReader* reader, const PoseGraphSolverMaker& solver) {
-  Session session{KeyframeGraph(1, solver), {}, {}, 0.0};
-  session.graph.load(reader);
-  session.archive.load(reader);
-  for (std::size_t i = 0; i < session.archive.size(); ++i) {
-    if (session.archive[i].keyframe >= session.graph.size()) reader->fail();
+void MapperState::load(BinaryReader* reader) {
+  MapperState read{KeyframeGraph(1, graph.solver()), {}, {}, 0.0};
+  read.graph.load(reader);
+  read.archive.load(reader);
+  for (std::size_t i = 0; i < read.archive.size(); ++i) {
+    if (read.archive[i].keyframe >= read.graph.size()) reader->fail();
   }
-  session.T_map_base = reader->get_pose();
-  session.travelled = reader->get<double>();
-  return session;
+  read.T_map_base = reader->get_pose();
+  read.travelled = reader->get<double>();
+  *this = std::move(read);
 }
 
-void GraphMapper::load(BinaryReader* reader, const std::optional<SE2>& T_map_base) {
-  Session session = read(reader, graph_.solver());
+void GraphMapper::set_state(MapperState state, const std::optional<SE2>& T_map_base) {
   worker_.clear();
-  graph_ = std::move(session.graph);
-  archive_ = std::move(session.archive);
-  travelled_ = session.travelled;
+  graph_ = std::move(state.graph);
+  archive_ = std::move(state.archive);
+  travelled_ = state.travelled;
   reuse_links_.clear();
+  stale_scans_.clear();
   final_poses_.clear();
   check_ = ScanCheck();
   odometry_.forget();
   rebuild_surfaces();
   tracker_.hide({});
-  set_pose(T_map_base.value_or(session.T_map_base));
+  set_pose(T_map_base.value_or(state.T_map_base));
 }
 
 void GraphMapper::set_pose(const SE2& T_map_base) {
   tracker_.set_pose(T_map_base);
   calibration_.interrupt();
   is_chain_broken_ = graph_.size() > 0;
+  recent_scans_.clear();
   lost_robot_.reset();
 }
 
@@ -84,22 +78,38 @@ bool GraphMapper::close_loop(int older, int newer, const SE2& T_older_newer) {
   edge.information = Eigen::Vector3d(1e3, 1e3, 1e4).asDiagonal();
   edge.kind = EdgeKind::kLoop;
   graph_.add_edge(edge);
-  optimize_anew();
+  realign(Realign::kEdges);
   return true;
 }
 
-void GraphMapper::forget_replaced_scans(int keyframe) {
-  const SE2 T_keyframe_map = graph_.pose(keyframe).inverse();
-  int kept = 0;
-  for (int i = keyframe - 1; i >= 0; --i) {
-    if (graph_[i].scan->points.empty()) continue;
-    const SE2 T = T_keyframe_map * graph_.pose(i);
-    if (T.p.norm() > kSamePlace || std::abs(T.angle) > kSameHeading) continue;
-    if (travelled_ - graph_[i].travelled < kLongAgo || ++kept <= kKeptScans) continue;
-    graph_.forget_scan(i);
-    ++forgotten_scans_;
-  }
-  if (forgotten_scans_ >= kForgottenBatch) rebuild_surfaces();
+void GraphMapper::realign(Realign realign) {
+  worker_.ask(realign);
+  worker_.start(graph_, tracker_.options().surfel_cell);
+  if (options_.is_asynchronous) return;
+  worker_.wait();
+  take_from_worker();
+}
+
+void GraphMapper::forget_replaced_scans() {
+  StaleVerdict verdict = stale_scans_.weigh(graph_);
+  for (const int i : verdict.stale) graph_.forget_scan(i);
+  for (auto& [i, scan] : verdict.thinned) graph_.set_scan(i, std::move(scan));
+  forgotten_scans_ += static_cast<int>(verdict.stale.size() + verdict.thinned.size());
+  if (forgotten_scans_ >= kForgottenBatch && !worker_.is_busy()) take_out_forgotten_keyframes();
+}
+
+void GraphMapper::take_out_forgotten_keyframes() {
+  std::vector<char> is_removed(static_cast<std::size_t>(graph_.size()));
+  for (int i = 0; i < graph_.size(); ++i) is_removed[i] = graph_[i].scan->points.empty() ? 1 : 0;
+  is_removed.back() = 0;
+  const KeyframeGraph::Removal removal = graph_.remove(is_removed);
+  stale_scans_.keep(removal.kept);
+  archive_.follow(removal);
+  // Stretches have other numbers now.
+  worker_.clear();
+  reuse_links_.clear();
+  rebuild_surfaces();
+  hide_what_drifted();
 }
 
 }  // namespace trident

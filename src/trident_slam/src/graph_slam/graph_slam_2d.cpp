@@ -3,6 +3,7 @@
 #include "trident_slam/graph_slam_2d.h"
 
 #include <algorithm>
+#include <mutex>
 #include <utility>
 
 #include "graph_slam/graph_mapper.h"
@@ -11,11 +12,30 @@
 #include "trident_slam/pose_graph_g2o.h"
 
 namespace trident {
+namespace {
+
+/// What the map of the last snapshot was made of, for the next one.
+struct LiveMap {
+  explicit LiveMap(double resolution) : map(resolution) {}
+  std::mutex mutex;
+  KeyframeMap map;
+};
+
+void write_state(const MapperState& state, const std::string& path) {
+  BinaryWriter writer;
+  state.save(&writer);
+  write_session_file(path, writer);
+}
+
+}  // namespace
 
 class GraphSlam2d::Impl {
  public:
   Impl(const GraphSlamOptions& options, PoseGraphSolverMaker solver)
-      : options(options), solver(std::move(solver)), mapper(new_mapper()) {}
+      : options(options),
+        solver(std::move(solver)),
+        mapper(new_mapper()),
+        live_map(std::make_shared<LiveMap>(options.resolution)) {}
 
   std::unique_ptr<GraphMapper> new_mapper() const {
     return std::make_unique<GraphMapper>(options, solver);
@@ -31,6 +51,7 @@ class GraphSlam2d::Impl {
   GraphSlamOptions options;
   PoseGraphSolverMaker solver;
   std::unique_ptr<GraphMapper> mapper;
+  std::shared_ptr<LiveMap> live_map;
 };
 
 GraphSlam2d::GraphSlam2d(const GraphSlamOptions& options, PoseGraphSolverMaker solver)
@@ -69,15 +90,30 @@ void GraphSlam2d::set_mode(SlamMode mode) {
 }
 
 void GraphSlam2d::save_session(const std::string& path) const {
-  BinaryWriter writer;
-  impl_->mapper->save(&writer);
-  write_session_file(path, writer);
+  write_state(impl_->mapper->state(), path);
 }
 
 void GraphSlam2d::load_session(const std::string& path, const std::optional<SE2>& T_map_base) {
   BinaryReader reader = read_session_file(path);
-  impl_->mapper->load(&reader, T_map_base);
+  MapperState state{KeyframeGraph(1, impl_->solver), {}, {}, 0.0};
+  state.load(&reader);
+  impl_->mapper->set_state(std::move(state), T_map_base);
 }
+
+std::function<OccupancyGrid()> GraphSlam2d::map_snapshot() const {
+  return [graph = impl_->mapper->graph(), live_map = impl_->live_map] {
+    const std::lock_guard<std::mutex> lock(live_map->mutex);
+    return live_map->map.update(graph);
+  };
+}
+
+std::function<void(const std::string&)> GraphSlam2d::session_snapshot() const {
+  return [state = impl_->mapper->state()](const std::string& path) { write_state(state, path); };
+}
+
+void GraphSlam2d::realign() { impl_->mapper->realign(Realign::kScans); }
+
+bool GraphSlam2d::is_busy() const { return impl_->mapper->is_busy(); }
 
 void GraphSlam2d::set_pose(const SE2& T_map_base) { impl_->mapper->set_pose(T_map_base); }
 
@@ -93,6 +129,8 @@ bool GraphSlam2d::close_loop(int older, int newer, const SE2& T_older_newer) {
   }
   return impl_->mapper->close_loop(older, newer, T_older_newer);
 }
+
+int GraphSlam2d::nodes() const { return impl_->mapper->graph().size(); }
 
 std::vector<int> GraphSlam2d::move_keyframes(const std::map<int, SE2>& T_map_base) {
   for (const auto& [keyframe, T] : T_map_base) impl_->check(keyframe);

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "graph_slam/keyframe_graph.h"
 
+#include <cstdlib>
 #include <limits>
 #include <queue>
+#include <set>
 #include <utility>
 
 #include "trident_slam/pose_graph_optimizer.h"
@@ -53,6 +55,52 @@ Eigen::Vector3d edge_error(const GraphEdge& edge, const SE2& T_map_from, const S
 
 void KeyframeGraph::forget_scan(int i) {
   keyframes_[static_cast<std::size_t>(i)].scan = std::make_shared<const PointScan>();
+}
+
+void KeyframeGraph::set_scan(int i, std::shared_ptr<const PointScan> scan) {
+  keyframes_[static_cast<std::size_t>(i)].scan = std::move(scan);
+}
+
+KeyframeGraph::Removal KeyframeGraph::remove(const std::vector<char>& is_removed) {
+  Removal result;
+  const std::vector<Keyframe> before = std::exchange(keyframes_, {});
+  const std::vector<GraphEdge> edges = std::exchange(edges_, {});
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    if (is_removed[i] != 0) continue;
+    result.kept.push_back(static_cast<int>(i));
+    keyframes_.push_back(before[i]);
+  }
+  std::size_t next = 0;  // of those that are left, the first one that is not before i
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    while (next + 1 < result.kept.size() && result.kept[next] < static_cast<int>(i)) ++next;
+    const int old = static_cast<int>(i);
+    const bool is_last_nearer =
+        next > 0 && old - result.kept[next - 1] < std::abs(result.kept[next] - old);
+    const std::size_t stand_in = is_last_nearer ? next - 1 : next;
+    result.stand_in.push_back(static_cast<int>(stand_in));
+    result.T_stand_in_base.push_back(keyframes_[stand_in].T_map_base.inverse() *
+                                     before[i].T_map_base);
+  }
+  std::set<std::pair<int, int>> known;
+  // Edges that stay as they are come first: of several between two keyframes one is enough.
+  for (const bool is_moved : {false, true}) {
+    for (const GraphEdge& edge : edges) {
+      const bool has_moved = is_removed[edge.from] != 0 || is_removed[edge.to] != 0;
+      if (has_moved != is_moved) continue;
+      GraphEdge moved = edge;
+      moved.from = result.stand_in[edge.from];
+      moved.to = result.stand_in[edge.to];
+      if (moved.from == moved.to) continue;
+      if (!known.insert(std::minmax(moved.from, moved.to)).second && is_moved) continue;
+      const SE2 T_to_moved = result.T_stand_in_base[edge.to].inverse();
+      moved.T_from_to = result.T_stand_in_base[edge.from] * edge.T_from_to * T_to_moved;
+      const Eigen::Matrix3d J = T_to_moved.adjoint();  // from the new frame to the old one
+      const Eigen::Matrix3d information = J.transpose() * edge.information * J;
+      moved.information = 0.5 * (information + information.transpose());
+      edges_.push_back(moved);
+    }
+  }
+  return result;
 }
 
 void KeyframeGraph::save(BinaryWriter* writer) const {

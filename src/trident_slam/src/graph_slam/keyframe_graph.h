@@ -71,6 +71,17 @@ class KeyframeGraph {
 
   /// A keyframe whose scan is no longer part of the map keeps its place in the graph.
   void forget_scan(int i);
+  void set_scan(int i, std::shared_ptr<const PointScan> scan);
+
+  /// What became of the keyframes when some were taken out.
+  struct Removal {
+    std::vector<int> kept;             ///< the old numbers of those that are left, in order
+    std::vector<int> stand_in;         ///< new number of each old one, or of the one beside it
+    std::vector<SE2> T_stand_in_base;  ///< where each old one was beside its stand-in
+  };
+  /// Takes out keyframes; the edges to them go to the next keyframe along the path. One at least
+  /// must be left.
+  Removal remove(const std::vector<char>& is_removed);
 
   void save(BinaryWriter* writer) const;
   void load(BinaryReader* reader);

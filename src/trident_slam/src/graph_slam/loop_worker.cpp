@@ -6,6 +6,9 @@
 #include <cmath>
 #include <utility>
 
+#include "graph_slam/final_match.h"
+#include "trident_slam/low_priority.h"
+
 namespace trident {
 namespace {
 
@@ -31,16 +34,17 @@ bool accept(const std::vector<GraphEdge>& loops, KeyframeGraph* graph) {
 
 }  // namespace
 
-LoopOutcome LoopWorker::run(KeyframeGraph graph, const std::vector<int>& stretches,
-                            double surfel_cell) {
+LoopOutcome LoopWorker::run(KeyframeGraph graph, const Job& job, double surfel_cell) {
   LoopOutcome outcome{{}, {}, SurfelMap(surfel_cell)};
-  for (const int stretch : stretches) {
+  for (const int stretch : job.stretches) {
     const std::vector<GraphEdge> loops =
         closer_.search(graph, stretch, graph.distances_from(stretch));
     if (loops.empty() || !accept(loops, &graph)) continue;
     outcome.loops.insert(outcome.loops.end(), loops.begin(), loops.end());
   }
-  if (outcome.loops.empty()) return outcome;
+  if (outcome.loops.empty() && job.realign == Realign::kNo) return outcome;
+  if (job.realign == Realign::kEdges) graph.optimize(kKernel, kIterations);
+  if (job.realign == Realign::kScans) align_all_keyframes(&graph);
   for (int i = 0; i < graph.size(); ++i) {
     outcome.poses.push_back(graph.pose(i));
     outcome.surfels.insert(graph.pose(i), *graph[i].scan, graph.stretch_of(i));
@@ -49,15 +53,17 @@ LoopOutcome LoopWorker::run(KeyframeGraph graph, const std::vector<int>& stretch
 }
 
 LoopOutcome LoopWorker::search(const KeyframeGraph& graph, int stretch, double surfel_cell) {
-  return run(graph, {stretch}, surfel_cell);
+  return run(graph, {{stretch}, Realign::kNo}, surfel_cell);
 }
 
-void LoopWorker::start(const KeyframeGraph& graph, int stretch, double surfel_cell) {
-  waiting_.push_back(stretch);
+void LoopWorker::start(const KeyframeGraph& graph, double surfel_cell) {
   if (running_.valid()) return;
-  running_ =
-      std::async(std::launch::async, [this, graph, stretches = std::exchange(waiting_, {}),
-                                      surfel_cell] { return run(graph, stretches, surfel_cell); });
+  if (waiting_.stretches.empty() && waiting_.realign == Realign::kNo) return;
+  running_ = std::async(std::launch::async, [this, known = graph, job = std::exchange(waiting_, {}),
+                                             surfel_cell]() mutable {
+    lower_priority_of_this_thread();
+    return run(std::move(known), job, surfel_cell);
+  });
 }
 
 std::optional<LoopOutcome> LoopWorker::take() {
@@ -74,7 +80,7 @@ void LoopWorker::wait() {
 
 void LoopWorker::clear() {
   if (running_.valid()) running_.get();
-  waiting_.clear();
+  waiting_ = {};
   closer_.clear();
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <future>
 #include <optional>
 #include <vector>
@@ -12,11 +13,18 @@
 
 namespace trident {
 
+/// How much of a graph is optimised anew, loops or not.
+enum class Realign {
+  kNo,
+  kEdges,  ///< the edges that it has
+  kScans,  ///< all scans that see the same surfaces are matched with each other, too
+};
+
 /// What became of a search for loops.
 struct LoopOutcome {
-  std::vector<GraphEdge> loops;  ///< that were believed; empty: nothing has changed
-  std::vector<SE2> poses;        ///< of the keyframes that the search knew, optimised
-  SurfelMap surfels;             ///< of those keyframes at those poses
+  std::vector<GraphEdge> loops;  ///< that were believed
+  std::vector<SE2> poses;  ///< of the keyframes that the search knew; empty: nothing has changed
+  SurfelMap surfels;       ///< of those keyframes at those poses
 };
 
 /// Seeks loops for stretches that are complete, at once or in a thread of its own.
@@ -29,20 +37,31 @@ class LoopWorker {
 
   /// Searches now.
   LoopOutcome search(const KeyframeGraph& graph, int stretch, double surfel_cell);
-  /// Searches in the background; a stretch that comes while a search is on waits for the next one.
-  void start(const KeyframeGraph& graph, int stretch, double surfel_cell);
+  /// What is asked for here is begun by the next `start`.
+  void ask(int stretch) { waiting_.stretches.push_back(stretch); }
+  void ask(Realign realign) { waiting_.realign = std::max(waiting_.realign, realign); }
+  /// Begins in the background what was asked for, unless something is under way there.
+  void start(const KeyframeGraph& graph, double surfel_cell);
+  /// Something is under way or its outcome has not been taken.
+  bool is_busy() const { return running_.valid(); }
   /// The outcome of a search in the background that has ended.
   std::optional<LoopOutcome> take();
   void wait();
+  /// Forgets what was asked for and what was found.
   void clear();
 
   const LoopCloser& closer() const { return closer_; }
 
  private:
-  LoopOutcome run(KeyframeGraph graph, const std::vector<int>& stretches, double surfel_cell);
+  struct Job {
+    std::vector<int> stretches;
+    Realign realign = Realign::kNo;
+  };
+
+  LoopOutcome run(KeyframeGraph graph, const Job& job, double surfel_cell);
 
   LoopCloser closer_;
-  std::vector<int> waiting_;
+  Job waiting_;
   std::future<LoopOutcome> running_;
 };
 

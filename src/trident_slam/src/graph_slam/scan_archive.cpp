@@ -19,13 +19,15 @@ bool is_same_geometry(const LaserScan& a, const LaserScan& b, std::size_t beams_
 }  // namespace
 
 void ScanArchive::add(const LaserScan& scan, const Entry& entry, double max_range) {
+  entries_.push_back(entry);
+  entries_.back().first_range = Entry::kNoRanges;
+  if (max_range <= 0.0) return;
   if (geometries_.empty() ||
       !is_same_geometry(geometries_.back(), scan, geometries_.back().size())) {
     LaserScan geometry = scan;
     std::fill(geometry.ranges.begin(), geometry.ranges.end(), 0.0F);
     geometries_.push_back(std::move(geometry));
   }
-  entries_.push_back(entry);
   entries_.back().geometry = static_cast<std::uint32_t>(geometries_.size() - 1);
   entries_.back().first_range = ranges_.size();
   const double limit = std::min(max_range, 65.0);
@@ -41,8 +43,10 @@ void ScanArchive::append(const ScanArchive& other, int keyframe, const SE2& T_ma
   const auto geometry = static_cast<std::uint32_t>(geometries_.size());
   const auto first_range = static_cast<std::uint64_t>(ranges_.size());
   for (Entry entry : other.entries_) {
-    entry.geometry += geometry;
-    entry.first_range += first_range;
+    if (entry.has_ranges()) {
+      entry.geometry += geometry;
+      entry.first_range += first_range;
+    }
     if (entry.keyframe < 0) {
       entry.T_keyframe_base = T_map_other * entry.T_keyframe_base;
     } else {
@@ -70,6 +74,22 @@ SE2 ScanArchive::pose(std::size_t i, const KeyframeGraph& graph) const {
   const Entry& entry = entries_[i];
   if (entry.keyframe < 0) return entry.T_keyframe_base;
   return graph.pose(entry.keyframe) * entry.T_keyframe_base;
+}
+
+void ScanArchive::follow(const KeyframeGraph::Removal& removal) {
+  std::vector<Entry> entries;
+  for (Entry& entry : entries_) {
+    if (entry.keyframe >= 0) {
+      const auto old = static_cast<std::size_t>(entry.keyframe);
+      const int stand_in = removal.stand_in[old];
+      const bool is_kept = removal.kept[static_cast<std::size_t>(stand_in)] == entry.keyframe;
+      if (!is_kept && !entry.has_ranges()) continue;
+      entry.keyframe = stand_in;
+      entry.T_keyframe_base = removal.T_stand_in_base[old] * entry.T_keyframe_base;
+    }
+    entries.push_back(entry);
+  }
+  entries_ = std::move(entries);
 }
 
 void ScanArchive::save(BinaryWriter* writer) const {
@@ -119,8 +139,9 @@ void ScanArchive::load(BinaryReader* reader) {
   }
   ranges_ = reader->get_all<std::uint16_t>();
   for (const Entry& entry : entries_) {
-    if (entry.geometry >= geometries_.size()) reader->fail();
-    if (entry.first_range + geometries_[entry.geometry].size() > ranges_.size()) reader->fail();
+    if (!entry.has_ranges()) continue;
+    if (entry.geometry >= geometries_.size() || entry.first_range > ranges_.size()) reader->fail();
+    if (ranges_.size() - entry.first_range < geometries_[entry.geometry].size()) reader->fail();
   }
 }
 

@@ -143,7 +143,7 @@ TEST_F(GraphSlamRing, ADamagedSessionIsRefusedAndNothingChanges) {
   std::string changed = whole;
   changed[whole.size() / 2] ^= 1;
   std::string other_version = whole;
-  other_version.replace(whole.find("session 1"), 9, "session 9");
+  other_version.replace(whole.find("session 2"), 9, "session 9");
   const std::size_t keyframes = slam.keyframe_poses().size();
   for (const std::string& bytes : {changed, whole.substr(0, whole.size() / 3),
                                    std::string("P5 3 3"), other_version, std::string()}) {

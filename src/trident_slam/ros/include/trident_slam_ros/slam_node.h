@@ -5,6 +5,7 @@
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <geometry_msgs/PoseWithCovarianceStamped.h>
 #include <nav_msgs/GetMap.h>
+#include <ros/callback_queue.h>
 #include <ros/ros.h>
 #include <tf2_ros/buffer.h>
 #include <tf2_ros/transform_broadcaster.h>
@@ -23,6 +24,7 @@
 #include <vector>
 
 #include "trident_slam/slam_2d.h"
+#include "trident_slam_ros/background_task.h"
 #include "trident_slam_ros/map_publisher.h"
 #include "trident_slam/slam_2d_abilities.h"
 #include "trident_slam_ros/scan_intake.h"
@@ -56,7 +58,7 @@ struct SlamNodeOptions {
   double bag_loop_threshold = 1.0;  ///< [s]
   BagLoop bag_loop = BagLoop::kIgnore;
   std::string autosave_file;       ///< session file; empty: none
-  double autosave_interval = 0.0;  ///< [s]
+  double autosave_interval = 0.0;  ///< [s] of scans that a crash loses at most; 0: no autosave
 };
 
 /// Reads the options above from a node's private parameters of the same names; a value that is not
@@ -68,7 +70,9 @@ const std::vector<std::string>& slam_node_parameters();
 
 /// Any Slam2d as a ROS node: scans and transforms in; map, map_metadata, map_updates, map -> odom,
 /// pose and /diagnostics out. Scans wait for their transforms; a thread of its own feeds the
-/// algorithm.
+/// algorithm. Nothing that takes longer as the map grows holds up the scans or map -> odom: maps
+/// are drawn and sessions are written from snapshots in threads of their own, and services have
+/// one, too.
 class SlamNode {
  public:
   using MakeSlam = std::function<std::unique_ptr<Slam2d>()>;
@@ -81,6 +85,9 @@ class SlamNode {
   SlamNode& operator=(const SlamNode&) = delete;
 
   void on_scan(OnScan call) { on_scan_ = std::move(call); }
+  /// For services and timers that may take long: their calls come one after the other in a thread
+  /// of its own.
+  ros::CallbackQueue* slow_queue() { return &slow_queue_; }
 
   /// Runs `use` on the algorithm between two scans and returns what it returns.
   template <class Use>
@@ -90,6 +97,8 @@ class SlamNode {
   }
   /// Forgets the map.
   void reset();
+  /// Throws Error when the algorithm keeps no sessions or the file cannot be written.
+  void save_session(const std::string& file);
   void set_paused(bool is_paused) { is_paused_ = is_paused; }
   bool is_paused() const { return is_paused_; }
   /// Held, scans wait: all of them in synchronous mode, else the newest.
@@ -115,10 +124,16 @@ class SlamNode {
   void publish_pose(const ScanRecord& record, const ScanPose2d& pose);
   void publish_correction();
   void publish_map_if_due(const ros::Time& now);
+  bool is_autosaving() const;
+  void wait_for_autosave(const ros::Time& now);
   void autosave_if_due(const ros::Time& now);
+  void autosave(const ros::Time& now);
+  std::function<OccupancyGrid()> map_snapshot();
+  nav_msgs::OccupancyGrid to_message(const OccupancyGrid& map) const;
+  void tell(const std::string& problem);
   void publish_diagnostics();
   bool get_map(nav_msgs::GetMap::Request& request, nav_msgs::GetMap::Response& response);
-  void complain(const std::string& text);
+  void complain(const std::string& text);  ///< with `queue_mutex_` held
 
   SlamNodeOptions options_;
   MakeSlam make_;
@@ -133,7 +148,7 @@ class SlamNode {
   ros::Time last_stamp_;
   ros::Time last_taken_;
   std::size_t count_ = 0;
-  bool is_looping_ = false;
+  std::atomic<bool> is_looping_{false};
 
   std::mutex queue_mutex_;  // guards what follows, up to the publishers
   std::condition_variable queue_changed_;
@@ -153,7 +168,9 @@ class SlamNode {
   std::vector<CalibrationEstimate> calibration_;  ///< of odometry, with the newest scan
   std::atomic<bool> is_paused_{false};
 
-  ros::Time last_autosave_;
+  ros::Time last_scan_;
+  ros::Time last_autosave_;  ///< the newest scan in the session that was begun last
+  ros::Time safe_until_;     ///< the newest scan in the session that is on the disk
   std::unique_ptr<MapPublisher> map_publisher_;
   std::vector<ros::Publisher> pose_publishers_;
   ros::Publisher diagnostics_publisher_;
@@ -163,7 +180,11 @@ class SlamNode {
   ros::WallTimer intake_timer_;
   ros::Timer correction_timer_;
   ros::WallTimer diagnostics_timer_;
+  BackgroundTask map_task_;
+  BackgroundTask autosave_task_;
   std::thread worker_;
+  ros::CallbackQueue slow_queue_;
+  ros::AsyncSpinner slow_spinner_{1, &slow_queue_};
 };
 
 }  // namespace trident
