@@ -13,7 +13,15 @@ from scipy.spatial.transform import Rotation
 from trident_eval.core.errors import EvalError
 from trident_eval.slam.__main__ import main
 from trident_eval.slam.alignment import absolute_errors, relative_summary
-from trident_eval.slam.grid import FREE, OCCUPIED, UNKNOWN, Grid, read_grid, wall_thickness
+from trident_eval.slam.grid import (
+    FREE,
+    OCCUPIED,
+    UNKNOWN,
+    Grid,
+    mean_map_entropy,
+    read_grid,
+    wall_thickness,
+)
 from trident_eval.slam.map_agreement import agreement
 from trident_eval.slam.relations import Relations, nearest, read_relations, relation_errors
 from trident_eval.slam.trajectory import Trajectory, read_tum
@@ -121,6 +129,22 @@ def room(resolution: float = 0.05, thickness: int = 1, size: int = 100) -> Grid:
 @pytest.mark.parametrize("thickness", [1, 2, 4])
 def test_wall_thickness(thickness: int) -> None:
     assert wall_thickness(room(thickness=thickness)) == pytest.approx(0.05 * thickness)
+
+
+def test_entropy_of_a_line_is_that_of_its_gaussian() -> None:
+    cells = np.full((3, 101), FREE, np.int8)
+    cells[1] = OCCUPIED
+    square = 0.05**2 / 12.0
+    inside = np.var(0.05 * np.arange(-6, 7)) + square  # 13 cells within 0.3 m
+    expected = 0.5 * np.log((2 * np.pi * np.e) ** 2 * inside * square)
+    found = mean_map_entropy(Grid(cells, 0.05, np.zeros(3)), 0.301)
+    assert found == pytest.approx(expected, abs=0.05)  # less at the ends
+    assert np.isnan(mean_map_entropy(Grid(np.zeros((4, 4), np.int8), 0.05, np.zeros(3))))
+
+
+def test_entropy_grows_with_the_blur_of_walls() -> None:
+    one, two, four = (mean_map_entropy(room(thickness=cells)) for cells in (1, 2, 4))
+    assert one < two - 0.3 < four - 0.6
 
 
 def test_a_map_that_is_turned_agrees_where_it_is_laid() -> None:

@@ -3,8 +3,6 @@
 // landmark_offline FILE [--config FILE.yaml] --out DIR: a log of landmarks in; the path of the
 // filter, its landmarks and, where the log tells which landmark was seen, the score of its
 // association out.
-#include <sys/resource.h>
-
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -13,6 +11,7 @@
 #include <system_error>
 #include <vector>
 
+#include "logs/process_cost.h"
 #include "trident_base/error.h"
 #include "trident_base/yaml_config.h"
 #include "trident_slam/ekf_slam.h"
@@ -78,18 +77,14 @@ void write_landmarks(const EkfSlam& slam, const std::string& path) {
 
 void write_timing(const AssociationScore& score, std::size_t steps, std::size_t landmarks,
                   const std::string& path) {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  const double cpu = static_cast<double>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) +
-                     1e-6 * static_cast<double>(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
+  const ProcessCost cost = process_cost();
   char text[500];
   std::snprintf(text, sizeof(text),
                 "{\"method\": \"ekf_slam\", \"scans\": %zu, \"observations\": %d, \"unused\": %d, "
                 "\"association_share\": %.4f, \"true_landmarks\": %d, \"landmarks\": %zu, "
                 "\"cpu_s\": %.3f, \"peak_rss_mb\": %.1f}\n",
                 steps, score.observations, score.unused, score.correct_share(),
-                score.true_landmarks, landmarks, cpu,
-                static_cast<double>(usage.ru_maxrss) / 1024.0);
+                score.true_landmarks, landmarks, cost.cpu_s, cost.peak_rss_mb);
   open(path) << text;
   std::cout << text;
 }

@@ -11,6 +11,7 @@ target_sources(trident_slam PRIVATE
 )
 
 add_executable(landmark_offline src/ekf_slam/landmark_offline.cpp)
+target_include_directories(landmark_offline PRIVATE src)
 target_link_libraries(landmark_offline trident_slam)
 set_target_properties(landmark_offline PROPERTIES
   RUNTIME_OUTPUT_DIRECTORY ${CATKIN_DEVEL_PREFIX}/${CATKIN_PACKAGE_BIN_DESTINATION})

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trident_slam/offline_program.h"
 
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -14,6 +13,7 @@
 #include <string>
 #include <system_error>
 
+#include "logs/process_cost.h"
 #include "trident_base/error.h"
 #include "trident_base/string_util.h"
 #include "trident_slam/graph_slam_2d.h"
@@ -102,10 +102,6 @@ class ProgressLine {
   int percent_ = -1;
 };
 
-double seconds(const timeval& time) {
-  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
-}
-
 // One JSON object by the names of what was estimated.
 std::string calibration_text(const std::vector<CalibrationEstimate>& estimates) {
   std::string text = "{";
@@ -122,17 +118,14 @@ std::string calibration_text(const std::vector<CalibrationEstimate>& estimates) 
 
 void write_timing(const OfflineCommand& options, const OfflineResult& result,
                   std::size_t bad_lines) {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
+  const ProcessCost cost = process_cost();
   char text[512];
   std::snprintf(text, sizeof(text),
                 "{\"method\": \"%s\", \"scans\": %zu, \"unused_scans\": %zu, "
                 "\"scan_problems\": %zu, \"log_problems\": %zu, \"cpu_s\": %.3f, "
                 "\"peak_rss_mb\": %.1f, \"odometry_calibration\": ",
                 options.method.c_str(), result.scans, result.unused_scans,
-                result.scan_problems.count(), bad_lines,
-                seconds(usage.ru_utime) + seconds(usage.ru_stime),
-                static_cast<double>(usage.ru_maxrss) / 1024.0);
+                result.scan_problems.count(), bad_lines, cost.cpu_s, cost.peak_rss_mb);
   const std::string path = options.out_dir + "/timing.json";
   std::ofstream file(path);
   file << text << calibration_text(result.odometry_calibration) << "}\n";

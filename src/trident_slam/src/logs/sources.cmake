@@ -9,6 +9,7 @@ target_sources(trident_slam PRIVATE
   src/logs/odometry_slam_2d.cpp
   src/logs/offline_program.cpp
   src/logs/offline_run.cpp
+  src/logs/process_cost.cpp
   src/logs/scan_map.cpp
   src/logs/scan_source.cpp
 )

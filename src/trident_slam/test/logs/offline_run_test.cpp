@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "logs/odometry_slam_2d.h"
+#include "logs/process_cost.h"
 #include "trident_base/error.h"
 
 namespace trident {
@@ -107,6 +108,16 @@ TEST_F(OfflineRun, AFolderThatIsMissingIsAnError) {
   CorridorDrive source(1);
   OdometrySlam2d slam({});
   EXPECT_THROW(run_offline(source, slam, out_ + "/no/such", nullptr), Error);
+}
+
+TEST(ProcessCost, CountsWhatIsUsed) {
+  const ProcessCost before = process_cost();
+  std::vector<char> memory(64U << 20U, 1);
+  double sum = 0.0;
+  while (process_cost().cpu_s < before.cpu_s + 0.01) sum += memory[static_cast<std::size_t>(sum)];
+  const ProcessCost after = process_cost();
+  EXPECT_GE(after.peak_rss_mb, 64.0);
+  EXPECT_LT(after.peak_rss_mb, before.peak_rss_mb + 96.0);
 }
 
 TEST(TumLine, KeepsMicrosecondsOfLargeAndNegativeStamps) {

@@ -59,9 +59,13 @@ def _parser() -> argparse.ArgumentParser:
     slam.add_argument("--no-pictures", action="store_true", help="no report.html")
     slam.set_defaults(run=_slam)
     bench = commands.add_parser("bench", help="measure on the public logs, or in a simulated world")
-    bench.add_argument("--quick", action="store_true", help="logs with relations, one run each")
+    bench.add_argument(
+        "--quick", action="store_true", help="default method, logs with relations, one run each"
+    )
     bench.add_argument("--runs", type=int, metavar="N", help="runs per row (5; --quick: 1)")
-    bench.add_argument("--method", action="append", default=[], help="may be repeated")
+    bench.add_argument(
+        "--method", action="append", default=[], help="may be repeated; default: all"
+    )
     bench.add_argument("--config", type=Path, metavar="FILE.yaml")
     bench.add_argument("--data", type=Path, metavar="DIR", help="other logs, and their .relations")
     bench.add_argument("--out", type=Path, metavar="FILE.json", help="where the rows go")
@@ -73,6 +77,7 @@ def _parser() -> argparse.ArgumentParser:
     bench.add_argument("--world", metavar="NAME", help="drives through it instead of logs: office")
     bench.add_argument("--seeds", type=int, metavar="N", help="of drives (20; --quick: 2)")
     bench.add_argument("--keep", type=Path, metavar="DIR", help="keeps logs and maps of the drives")
+    bench.add_argument("--pictures", type=Path, metavar="DIR", help="maps and reports of all logs")
     bench.set_defaults(run=_bench)
     return parser
 
@@ -124,10 +129,11 @@ def _bench(options: argparse.Namespace) -> int:
         print(f"SKIPPED: {benchmark.DATA} does not point to the public logs", file=sys.stderr)
         return DONE
     runs = options.runs or (1 if options.quick else 5)
-    methods = options.method or [DEFAULT_METHOD]
     rows = []
-    for one in benchmark.plan(folder, methods, runs, options.quick):
-        rows.append(benchmark.measure(one, options.config, _say))
+    for one in benchmark.plan(folder, options.method, runs, options.quick):
+        is_meant = bool(options.method) or one.method == DEFAULT_METHOD
+        config = options.config if is_meant else None  # not of the others that come along
+        rows.append(benchmark.measure(one, config, _say, options.pictures))
     print(benchmark.table(rows))
     _write_rows(options.out, rows)
     return DONE

@@ -13,12 +13,14 @@ from pathlib import Path
 from typing import Any
 
 from trident_eval.core.errors import EvalError
-from trident_eval.slam.offline import Run, run_log
-from trident_eval.slam.relations import read_relations, relation_errors
-from trident_eval.slam.trajectory import read_tum
+from trident_eval.slam import evaluation
+from trident_eval.slam.offline import DEFAULT_METHOD, LANDMARK_METHOD, Run, run_log
 
 DATA = "TRIDENT_DATA"
+#: What is measured beside the default method; ekf_slam by the landmarks of Victoria Park.
+OTHER_METHODS = ("particle_slam_2d", "hector_slam_2d", "odometry", LANDMARK_METHOD)
 _FOLDER = "radish"
+_LANDMARK_LOG = Path("landmark") / "victoria_park.txt"
 _ENDINGS = (".clf", ".log", ".clf.gz", ".log.gz", ".clf.bz2", ".log.bz2")
 
 
@@ -59,6 +61,10 @@ KNOWN = (
 )
 
 
+#: Of the final map, without a truth: how thick and how blurred its walls are.
+MAP_HEAD = ("walls [m]", "entropy [nat]")
+
+
 @dataclass(frozen=True)
 class Plan:
     """One row of the benchmark."""
@@ -94,18 +100,41 @@ def logs_of(folder: Path) -> dict[str, Path]:
 
 
 def plan(folder: Path, methods: Sequence[str], runs: int, quick: bool) -> list[Plan]:
-    """The rows: every log that has relations, and unless `quick` every other one, too."""
+    """The rows.
+
+    Args:
+        folder: of the logs; `landmark/victoria_park.txt` is sought beside it.
+        methods: which; none: the default one, and unless `quick` the others, each once.
+        runs: of the methods that were named, or of the default one.
+        quick: only logs that have relations.
+    """
+    counts = dict.fromkeys(methods or [DEFAULT_METHOD], runs)
+    if not methods and not quick:
+        counts |= dict.fromkeys(OTHER_METHODS, 1)
     plans = []
     for name, log in logs_of(folder).items():
         relations = folder / f"{name}.relations"
         if relations.is_file() or not quick:
             known = relations if relations.is_file() else None
-            plans += [Plan(log, name, known, method, runs) for method in methods]
+            plans += [
+                Plan(log, name, known, method, count)
+                for method, count in counts.items()
+                if method != LANDMARK_METHOD
+            ]
+    landmarks = folder.parent / _LANDMARK_LOG
+    if LANDMARK_METHOD in counts and landmarks.is_file():
+        name = landmarks.name.removesuffix(".txt")
+        plans.append(Plan(landmarks, name, None, LANDMARK_METHOD, counts[LANDMARK_METHOD]))
     return plans
 
 
-def measure(one: Plan, config: Path | None, say: Callable[[str], None]) -> dict[str, Any]:
-    """All runs of a row: errors of its poses, medians of CPU time and memory."""
+def measure(
+    one: Plan, config: Path | None, say: Callable[[str], None], pictures: Path | None = None
+) -> dict[str, Any]:
+    """All runs of a row: errors of its poses, what its map shows, medians of CPU time and memory.
+
+    With `pictures`, its report goes into a folder of that one, named by log and method.
+    """
     results = []
     with tempfile.TemporaryDirectory(prefix="trident_bench_slam_") as folder:
         out = Path(folder)
@@ -122,16 +151,19 @@ def measure(one: Plan, config: Path | None, say: Callable[[str], None]) -> dict[
             "cpu_s_range": [f(result["cpu_s"] for result in results) for f in (min, max)],
             "peak_rss_mb": statistics.median(result["peak_rss_mb"] for result in results),
         }
-        if one.relations is not None:
-            for kind, name in (("final", "trajectory.tum"), ("causal", "causal.tum")):
-                trajectory = read_tum(out / name)
-                row[kind] = relation_errors(trajectory, read_relations(one.relations)).summary()
-    return row
+        if one.method == LANDMARK_METHOD:
+            names = ("observations", "association_share", "true_landmarks", "landmarks")
+            return row | {name: results[0][name] for name in names}
+        paths = {"final": out / "trajectory.tum", "causal": out / "causal.tum"}
+        found = evaluation.evaluate(evaluation.Task(paths, one.relations, map=out / "map.yaml"))
+        if pictures is not None:
+            evaluation.write(found, pictures / f"{one.name}_{one.method}", f"{one.name}")
+    return row | found.summary()
 
 
 def table(rows: Sequence[dict[str, Any]]) -> str:
     """Our rows and the known ones of the same logs as one Markdown table."""
-    head = ("log", "system", "translation [m]", "rotation [deg]", "CPU s", "RSS MB")
+    head = ("log", "system", "translation [m]", "rotation [deg]", *MAP_HEAD, "CPU s", "RSS MB")
     lines = [_line(head), _line(["---"] * len(head))]
     for log in dict.fromkeys(row["log"] for row in rows):
         for row in rows:
@@ -143,20 +175,28 @@ def table(rows: Sequence[dict[str, Any]]) -> str:
 
 def _our_cells(row: dict[str, Any]) -> list[list[str]]:
     cost = [f"{row['cpu_s']:.2f}", f"{row['peak_rss_mb']:.0f}"]
-    if "final" not in row:
-        return [[row["log"], f"**{row['method']}**", "no relations", "", *cost]]
+    system = f"**{row['method']}**"
+    if row["method"] == LANDMARK_METHOD:
+        share = f"{row['association_share']:.1%} of {row['observations']} associated as in the log"
+        count = f"{row['landmarks']} landmarks, true {row['true_landmarks']}"
+        return [[row["log"], system, share, count, "", "", *cost]]
+    keys = ("wall_thickness_m", "mean_map_entropy_nat")
+    walls = ["?" if row["map"][key] is None else f"{row['map'][key]:.3g}" for key in keys]
+    if "translation_mean_m" not in row["final"]:
+        return [[row["log"], system, "no truth", "", *walls, *cost]]
     cells = []
     for kind in ("final", "causal"):
         errors = row[kind]
         translation = f"{errors['translation_mean_m']:.4f} ± {errors['translation_std_m']:.4f}"
         rotation = f"{errors['rotation_mean_deg']:.3f} ± {errors['rotation_std_deg']:.3f}"
-        cells.append([row["log"], f"**{row['method']}, {kind}**", translation, rotation, *cost])
+        shown = [*walls, *cost] if kind == "final" else [""] * 4
+        cells.append([row["log"], f"**{row['method']}, {kind}**", translation, rotation, *shown])
     return cells
 
 
 def _known_cells(known: Known) -> list[str]:
     cost = ["" if value is None else f"{value:g}" for value in (known.cpu_s, known.rss_mb)]
-    return [known.log, known.system, f"{known.translation:g}", f"{known.rotation:g}", *cost]
+    return [known.log, known.system, f"{known.translation:g}", f"{known.rotation:g}", "", "", *cost]
 
 
 def _line(cells: Sequence[str]) -> str:

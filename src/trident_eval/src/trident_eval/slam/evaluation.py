@@ -18,7 +18,7 @@ from trident_eval.core.page import PAGE_STYLE
 from trident_eval.core.tracks import Array
 from trident_eval.slam import pictures
 from trident_eval.slam.alignment import AbsoluteErrors, absolute_errors, relative_summary
-from trident_eval.slam.grid import Grid, read_grid, wall_thickness
+from trident_eval.slam.grid import Grid, mean_map_entropy, read_grid, wall_thickness
 from trident_eval.slam.map_agreement import Agreement, agreement
 from trident_eval.slam.relations import RelationErrors, read_relations, relation_errors
 from trident_eval.slam.trajectory import Trajectory, read_tum
@@ -68,8 +68,11 @@ class Evaluation:
         if self.agreement is not None:
             numbers["map"] = self.agreement.summary()
         elif self.grid is not None:
-            thickness = wall_thickness(self.grid)
-            numbers["map"] = {"wall_thickness_m": None if np.isnan(thickness) else thickness}
+            found = {
+                "wall_thickness_m": wall_thickness(self.grid),
+                "mean_map_entropy_nat": mean_map_entropy(self.grid),
+            }
+            numbers["map"] = {key: None if np.isnan(v) else v for key, v in found.items()}
         return numbers
 
 
