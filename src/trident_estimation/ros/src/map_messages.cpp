@@ -58,7 +58,7 @@ OccupancyGrid from_map_message(const nav_msgs::OccupancyGrid& message) {
   grid.width = static_cast<int>(width);
   grid.height = static_cast<int>(height);
   // A float on the wire: 0.05 is meant, not 0.0500000007.
-  grid.resolution = std::round(static_cast<double>(message.info.resolution) * 1e6) * 1e-6;
+  grid.resolution = std::round(static_cast<double>(message.info.resolution) * 1e6) / 1e6;
   if (grid.resolution <= 0.0) grid.resolution = static_cast<double>(message.info.resolution);
   grid.T_map_origin = from_pose_message(message.info.origin);
   grid.cells = message.data;

@@ -27,8 +27,10 @@ UnusedParameters unused_parameters(const ParameterNames& given, const ParameterN
       result.without_effect.push_back(name);
       continue;
     }
+    std::string text = name;
     const std::string meant = closest_match(name, used);
-    result.unknown.push_back(meant.empty() ? name : name + " (did you mean " + meant + "?)");
+    if (!meant.empty()) text.append(" (did you mean ").append(meant).append("?)");
+    result.unknown.push_back(text);
   }
   return result;
 }
