@@ -117,6 +117,7 @@ class GridMatcher : public ScanMatcher {
 
   static std::vector<ProbabilityGrid> empty_grids() {
     std::vector<ProbabilityGrid> grids;
+    grids.reserve(kResolutions.size());
     for (const double resolution : kResolutions) grids.emplace_back(resolution, kPassed, kEnded);
     return grids;
   }

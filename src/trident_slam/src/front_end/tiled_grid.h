@@ -21,6 +21,7 @@ class TiledGrid {
  public:
   static constexpr int kTileBits = 5;
   static constexpr int kTileSide = 1 << kTileBits;
+  using Tile = std::array<T, static_cast<std::size_t>(kTileSide* kTileSide)>;
 
   /// `T{}` where nothing was written.
   T get(int x, int y) const {
@@ -85,8 +86,6 @@ class TiledGrid {
   };
 
  private:
-  using Tile = std::array<T, static_cast<std::size_t>(kTileSide* kTileSide)>;
-
   static std::size_t cell_index(int x, int y) {
     constexpr int kMask = kTileSide - 1;
     const auto row = static_cast<std::size_t>(y & kMask);

@@ -24,9 +24,9 @@
 #include <vector>
 
 #include "trident_slam/slam_2d.h"
+#include "trident_slam/slam_2d_abilities.h"
 #include "trident_slam_ros/background_task.h"
 #include "trident_slam_ros/map_publisher.h"
-#include "trident_slam/slam_2d_abilities.h"
 #include "trident_slam_ros/scan_intake.h"
 
 namespace trident {
