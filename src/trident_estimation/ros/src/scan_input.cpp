@@ -151,9 +151,6 @@ bool ScanInput::try_first() {
 // Once for each scan. False: what is missing can no longer come.
 bool ScanInput::note_missing(Waiting& waiting, const std::string& reason) {
   const bool is_told = std::exchange(waiting.is_told, true);
-  const auto note = [&](const char* kind, const std::string& text) {
-    if (!is_told) troubles_.note(kind, text);
-  };
   const std::string& laser = waiting.message->header.frame_id;
   const ros::Time stamp = waiting.message->header.stamp;
   for (const auto& [target, source] :
@@ -162,21 +159,25 @@ bool ScanInput::note_missing(Waiting& waiting, const std::string& reason) {
     try {
       const ros::Time newest = buffer_.lookupTransform(target, source, ros::Time(0)).header.stamp;
       if (newest.isZero() || newest >= stamp) continue;  // static, or not the late one
-      note("transform late", "transform " + name + " is " + fixed((stamp - newest).toSec()) +
-                                 " s late for the scan of " + laser + " at " +
-                                 fixed(stamp.toSec()) + " s; the scan waits");
+      if (!is_told)
+        troubles_.note("transform late", "transform " + name + " is " +
+                                             fixed((stamp - newest).toSec()) +
+                                             " s late for the scan of " + laser + " at " +
+                                             fixed(stamp.toSec()) + " s; the scan waits");
       return true;
     } catch (const tf2::TransformException& error) {
-      note("transform missing",
-           "no transform " + name + " for the scan of " + laser + ": " + error.what());
+      if (!is_told)
+        troubles_.note("transform missing",
+                       "no transform " + name + " for the scan of " + laser + ": " + error.what());
       return true;
     }
   }
   // Transforms come in a thread of their own: it may have come just now.
   if (buffer_.canTransform(params_.odom_frame_id, params_.base_frame_id, stamp)) return true;
-  note("scan too old", "scan of " + laser + " at " + fixed(stamp.toSec()) +
-                           " s is older than what tf keeps" +
-                           (reason.empty() ? "" : ": " + reason));
+  if (!is_told)
+    troubles_.note("scan too old", "scan of " + laser + " at " + fixed(stamp.toSec()) +
+                                       " s is older than what tf keeps" +
+                                       (reason.empty() ? "" : ": " + reason));
   return false;
 }
 

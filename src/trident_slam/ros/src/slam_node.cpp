@@ -96,6 +96,7 @@ const std::vector<std::string>& slam_node_parameters() {
                                                  "odom_frame",
                                                  "base_frame",
                                                  "scan_topic",
+                                                 "imu_topic",
                                                  "throttle_scans",
                                                  "autosave_file",
                                                  "transform_publish_period",
