@@ -26,12 +26,11 @@ const std::array<std::pair<const char*, std::string CeresOptions::*>, 5> kCeresP
      {"ceres_dogleg_type", &CeresOptions::dogleg_type},
      {"ceres_loss_function", &CeresOptions::loss_function}}};
 
-/// What slam_toolbox' scan matcher, memory and lifelong mode are set with.
+/// What slam_toolbox' scan matcher and memory are set with (lifelong_candidates_scale has no effect
+/// there, either).
 const ParameterNames& upstream_parameters() {
   static const ParameterNames names = {"stack_size_to_use",
                                        "use_scan_barycenter",
-                                       "scan_buffer_size",
-                                       "scan_buffer_maximum_scan_distance",
                                        "link_match_minimum_response_fine",
                                        "link_scan_maximum_distance",
                                        "loop_match_maximum_variance_coarse",
@@ -50,13 +49,6 @@ const ParameterNames& upstream_parameters() {
                                        "minimum_angle_penalty",
                                        "minimum_distance_penalty",
                                        "use_response_expansion",
-                                       "lifelong_search_use_tree",
-                                       "lifelong_minimum_score",
-                                       "lifelong_iou_match",
-                                       "lifelong_node_removal_score",
-                                       "lifelong_overlap_score_scale",
-                                       "lifelong_constraint_multiplier",
-                                       "lifelong_nearby_penalty",
                                        "lifelong_candidates_scale",
                                        "ceres_linear_solver",
                                        "ceres_preconditioner",

@@ -71,13 +71,20 @@ USED = {
     "position_covariance_scale": 4.0,
     "yaw_covariance_scale": 1.0,
     "map_changes_interval": 0.1,
+    "scan_buffer_size": 10,
+    "scan_buffer_maximum_scan_distance": 10.0,
+    "lifelong_search_use_tree": False,
+    "lifelong_minimum_score": 0.1,
+    "lifelong_iou_match": 0.85,
+    "lifelong_node_removal_score": 0.1,
+    "lifelong_overlap_score_scale": 0.5,
+    "lifelong_constraint_multiplier": 0.05,
+    "lifelong_nearby_penalty": 0.001,
 }
 #: ... and every other one.
 WITHOUT_EFFECT = {
     "stack_size_to_use": 40000000,
     "use_scan_barycenter": True,
-    "scan_buffer_size": 10,
-    "scan_buffer_maximum_scan_distance": 10.0,
     "link_match_minimum_response_fine": 0.1,
     "link_scan_maximum_distance": 1.5,
     "loop_match_maximum_variance_coarse": 3.0,
@@ -96,13 +103,6 @@ WITHOUT_EFFECT = {
     "minimum_angle_penalty": 0.9,
     "minimum_distance_penalty": 0.5,
     "use_response_expansion": True,
-    "lifelong_search_use_tree": False,
-    "lifelong_minimum_score": 0.1,
-    "lifelong_iou_match": 0.85,
-    "lifelong_node_removal_score": 0.1,
-    "lifelong_overlap_score_scale": 0.5,
-    "lifelong_constraint_multiplier": 0.05,
-    "lifelong_nearby_penalty": 0.001,
     "lifelong_candidates_scale": 0.03,
 }
 
