@@ -25,6 +25,7 @@ struct Degeneracy {
 struct PosePrior {
   SE2 T_ref_base;
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< of (x, y, yaw) in the ref's frame
+  bool is_firm = false;  ///< not doubted, however far the points lead away from it
 };
 
 /// Where a scan lies in a reference's frame.

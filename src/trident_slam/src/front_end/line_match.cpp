@@ -157,7 +157,8 @@ MatchResult match_lines(const SurfelMap& reference, const PointScan& scan, const
     // A prior that errs is doubted as a point is: wheels slip.
     const Eigen::Vector3d off = offset_from(prior.T_ref_base, T);
     constexpr double kPriorKernel = 9.0;  // squared standard deviations
-    const double trust = 1.0 / (1.0 + off.dot(prior.information * off) / kPriorKernel);
+    const double trust =
+        prior.is_firm ? 1.0 : 1.0 / (1.0 + off.dot(prior.information * off) / kPriorKernel);
     Eigen::Matrix3d H = sums.H + trust * prior.information;
     H.diagonal() += Eigen::Vector3d(1e-3, 1e-3, 1e-3);  // no returns at all: stay where we are
     const Eigen::Vector3d g = sums.g + trust * prior.information * off;

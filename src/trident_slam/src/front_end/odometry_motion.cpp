@@ -17,6 +17,7 @@ OdometryMotion::Step OdometryMotion::next(const SE2& T_odom_base) {
     return step;
   }
   if (T_odom_base_) {
+    step.is_stale = T_odom_base_->p == T_odom_base.p && T_odom_base_->angle == T_odom_base.angle;
     const SE2 moved = T_odom_base_->inverse() * T_odom_base;
     if (moved.p.norm() > jump_distance_ || std::abs(moved.angle) > jump_heading_) {
       step.problem = "odometry jumped by " + number_text(moved.p.norm()) + " m, " +

@@ -19,6 +19,9 @@ class OdometryMotion {
   struct Step {
     SE2 T_before_now;     ///< identity for the first scan and where there is a problem
     std::string problem;  ///< empty, or what is wrong, with values and what is legal
+    /// The very same pose as before. It may lag behind: some drivers repeat the latest one that
+    /// they have, and tell of all that was missed in one step.
+    bool is_stale = false;
   };
   Step next(const SE2& T_odom_base);
   /// The next pose is the first one again.

@@ -17,8 +17,6 @@ constexpr double kReuseShare = 0.25;
 constexpr int kOwnStretches = 3;
 /// What surfaces may be reused is found out anew every so many keyframes.
 constexpr int kHidePeriod = 5;
-/// Where odometry cannot be believed, the pose is sought in a window wider by this [m].
-constexpr double kDoubt = 0.5;
 /// Localising, recent scans are asked where less of a scan lies on the map's surfaces, and believed
 /// where more lies on theirs.
 constexpr double kExplained = 0.75;
@@ -102,7 +100,7 @@ ScanPose2d GraphMapper::add_scan(const LaserScan& scan, const SE2& T_odom_base) 
     result.covariance = match.covariance;
     if (is_keyframe_due()) add_keyframe(points, match);
   } else {
-    tracker_.coast(motion.T_before_now);
+    tracker_.coast(motion);
     calibration_.interrupt();
   }
   last_stamp_ns_ = scan.stamp_ns;
@@ -120,12 +118,11 @@ ScanPose2d GraphMapper::add_scan(const LaserScan& scan, const SE2& T_odom_base) 
 MatchResult GraphMapper::place(const std::shared_ptr<const PointScan>& points,
                                const OdometryMotion::Step& motion, const SE2& T_base_laser) {
   if (!options_.use_scan_matching) {
-    tracker_.coast(motion.T_before_now);
+    tracker_.coast(motion);
     return {};
   }
   const SE2 T_map_last = tracker_.T_map_base();
-  MatchResult match =
-      tracker_.track(*points, motion.T_before_now, motion.problem.empty() ? 0.0 : kDoubt);
+  MatchResult match = tracker_.track(*points, motion);
   if (motion.problem.empty()) {
     calibration_.learn(T_base_laser, T_map_last.inverse() * match.T_ref_base, match);
   } else {

@@ -20,12 +20,25 @@ constexpr double kPlaceReach = 8.0;
 /// Beyond these ways the drift between two candidates says nothing about them [m].
 constexpr double kLongestComparison = 80.0;
 
+/// Part of the distance of reuse from which on loops are sought, for a sensor that tells little may
+/// drift out of the tracker's reach before that.
+constexpr double kNearestLoop = 0.4;
+/// What the tracker reaches by itself [m].
+constexpr double kTrackerReach = 0.5;
+
 double smallest_way(const KeyframeGraph& graph, int a, int b) {
   return std::abs(graph[graph.anchor_of(a)].travelled - graph[graph.anchor_of(b)].travelled);
 }
 
 SearchWindow window_after(double way, double largest) {
   return {std::min(0.5 + 0.03 * way, largest), std::min(0.1 + 0.004 * way, 1.0)};
+}
+
+/// How far a candidate puts its newer stretch from where it is now [m].
+double misfit(const KeyframeGraph& graph, const LoopCandidate& candidate) {
+  const SE2 now = graph.pose(graph.anchor_of(candidate.older)).inverse() *
+                  graph.pose(graph.anchor_of(candidate.newer));
+  return (candidate.T_older_newer.p - now.p).norm();
 }
 
 /// Candidates that must agree before any is believed: the longer the way, the more places look
@@ -49,7 +62,7 @@ std::vector<int> LoopCloser::places_near(const KeyframeGraph& graph, int stretch
   std::vector<std::pair<double, int>> places;
   const Eigen::Vector2d& here = graph.pose(graph.anchor_of(stretch)).p;
   for (int s = 0; s < stretch; ++s) {
-    if (ways[s] <= options_.reuse_distance) continue;
+    if (ways[s] <= kNearestLoop * options_.reuse_distance) continue;
     const double distance = (graph.pose(graph.anchor_of(s)).p - here).norm();
     const double window = window_after(ways[s], options_.search_distance).linear;
     if (distance < kPlaceReach + window) places.emplace_back(distance, s);
@@ -121,6 +134,8 @@ std::vector<GraphEdge> LoopCloser::search(const KeyframeGraph& graph, int stretc
   for (const int place : places_near(graph, stretch, ways)) {
     LoopCandidate candidate;
     if (!match(graph, place, stretch, ways[place], &candidate)) continue;
+    if (candidate.way <= options_.reuse_distance && misfit(graph, candidate) < kTrackerReach)
+      continue;
     pending_.push_back(candidate);
     const std::vector<std::size_t> group = agreeing_with(graph, pending_.size() - 1);
     std::vector<int> newer_stretches;

@@ -11,7 +11,7 @@ namespace trident {
 
 struct LoopCloserOptions {
   LineMatchOptions line;
-  double reuse_distance = 60.0;   ///< nearer by the graph: no loop, the tracker knows it [m]
+  double reuse_distance = 60.0;   ///< nearer by the graph, the tracker corrects what it reaches [m]
   double search_distance = 15.0;  ///< largest window [m]
   double min_agreement = 0.75;    ///< of the points that both places can see
   double min_overlap = 0.35;      ///< of the points, those that both places can see

@@ -10,8 +10,16 @@
 namespace trident {
 namespace {
 
+/// What odometry that cannot be believed adds to its standard deviation [m], half of it [rad].
+constexpr double kDoubt = 0.5;
 /// Part of the points by which a place that was sought must fit better than the one at hand.
 constexpr double kSearchGain = 0.05;
+/// A place that odometry excludes must fit better by this part of the points; half of it at
+/// kDoubtedDeviation [squared standard deviations].
+constexpr double kWorthOfGuess = 0.35;
+constexpr double kDoubtedDeviation = 9.0;
+/// Part of the points that must fit in a place that a wide search finds.
+constexpr double kSureFraction = 0.7;
 
 }  // namespace
 
@@ -28,39 +36,93 @@ const MaxPyramid& ScanTracker::hits_about(const Eigen::Vector2d& p_map) {
   return *hits_;
 }
 
-MatchResult ScanTracker::search(const PointScan& scan, const PosePrior& prior,
-                                const MatchResult& refined, const SearchWindow& window) {
-  const MaxPyramid& hits = hits_about(prior.T_ref_base.p);
-  const auto found =
-      match_by_branch_and_bound(hits, thinned_points(scan, 200), prior.T_ref_base, window, 0.2);
-  if (!found) return refined;
-  const MatchResult other = refine(scan, found->T_ref_base, prior);
-  return other.inlier_fraction > refined.inlier_fraction + kSearchGain ? other : refined;
+PosePrior ScanTracker::Guess::prior() const {
+  PosePrior prior;
+  prior.T_ref_base = T_map_base;
+  prior.information.diagonal() << 1.0 / (s_p * s_p), 1.0 / (s_p * s_p), 1.0 / (s_yaw * s_yaw);
+  return prior;
 }
 
-MatchResult ScanTracker::track(const PointScan& scan, const SE2& T_last_base, double doubt) {
-  const double metres = T_last_base.p.norm();
-  const double radians = std::abs(T_last_base.angle);
-  PosePrior prior;
-  prior.T_ref_base = T_map_base_ * T_last_base;
-  const double s_p = options_.noise.distance_sigma(metres, radians) + doubt;
-  const double s_yaw = options_.noise.yaw_sigma(metres, radians) + 0.5 * doubt;
-  prior.information.diagonal() << 1.0 / (s_p * s_p), 1.0 / (s_p * s_p), 1.0 / (s_yaw * s_yaw);
-  MatchResult match;
-  match.T_ref_base = prior.T_ref_base;
+double ScanTracker::Guess::squared_deviation(const SE2& T) const {
+  const SE2 off = T_map_base.inverse() * T;
+  return off.p.squaredNorm() / (s_p * s_p) + off.angle * off.angle / (s_yaw * s_yaw);
+}
+
+/// Odometry that stood still while the robot moved catches up in one step, which counts from where
+/// it stood still.
+SE2 ScanTracker::expected(const OdometryMotion::Step& step) {
+  if (step.is_stale) return T_map_base_;
+  const SE2 T_told_map = T_told_base_ * T_map_base_.inverse();
+  T_told_base_ = SE2::identity();
+  return T_told_map.inverse() * step.T_before_now;
+}
+
+ScanTracker::Guess ScanTracker::guess(const OdometryMotion::Step& step) {
+  const double metres = step.T_before_now.p.norm();
+  const double radians = std::abs(step.T_before_now.angle);
+  const double doubt = step.problem.empty() ? 0.0 : kDoubt;
+  Guess guess;
+  guess.s_p = options_.noise.distance_sigma(metres, radians) + doubt;
+  guess.s_yaw = options_.noise.yaw_sigma(metres, radians) + 0.5 * doubt;
+  if (step.is_stale) {  // it may go on as before
+    guess.s_p += T_before_now_.p.norm();
+    guess.s_yaw += std::abs(T_before_now_.angle);
+  }
+  guess.T_map_base = expected(step);
+  return guess;
+}
+
+MatchResult ScanTracker::match(const PointScan& scan, const Guess& guess, bool is_firm) const {
+  PosePrior prior = guess.prior();
+  prior.is_firm = is_firm;
+  return refine(scan, guess.T_map_base, prior);
+}
+
+MatchResult ScanTracker::search(const PointScan& scan, const Guess& guess,
+                                const SearchWindow& window) {
+  const MaxPyramid& hits = hits_about(guess.T_map_base.p);
+  const auto found =
+      match_by_branch_and_bound(hits, thinned_points(scan, 200), guess.T_map_base, window, 0.2);
+  if (!found) return {};
+  return refine(scan, found->T_ref_base, guess.prior());
+}
+
+MatchResult ScanTracker::better(const MatchResult& a, const MatchResult& b, const Guess& guess) {
+  const auto score = [&guess](const MatchResult& match) {
+    const double deviation = guess.squared_deviation(match.T_ref_base);
+    return match.inlier_fraction - kWorthOfGuess * deviation / (deviation + kDoubtedDeviation);
+  };
+  return score(a) > score(b) + kSearchGain ? a : b;
+}
+
+MatchResult ScanTracker::track(const PointScan& scan, const OdometryMotion::Step& step) {
+  const Guess guess = this->guess(step);
+  const SE2 T_base_before = T_map_base_.inverse();
+  MatchResult best;
+  best.T_ref_base = guess.T_map_base;
   if (!surfels_.empty()) {
-    match = refine(scan, prior.T_ref_base, prior);
-    const bool is_far = metres > options_.search_motion || radians > options_.search_turn;
-    const SE2 off = prior.T_ref_base.inverse() * match.T_ref_base;
-    const bool is_odd = off.p.norm() > 3.0 * s_p || std::abs(off.angle) > 3.0 * s_yaw;
-    const bool is_doubted = is_far || is_odd || doubt > 0.0 ||
-                            match.inlier_fraction < options_.smallest_inlier_fraction;
-    if (is_doubted && match.inlier_fraction + kSearchGain < 1.0) {
-      match = search(scan, prior, match, {0.2 + 3.0 * s_p, 0.05 + 2.0 * s_yaw});
+    best = match(scan, guess, false);
+    const bool is_far = step.T_before_now.p.norm() > options_.search_motion ||
+                        std::abs(step.T_before_now.angle) > options_.search_turn;
+    const SE2 off = guess.T_map_base.inverse() * best.T_ref_base;
+    const bool is_odd = off.p.norm() > 3.0 * guess.s_p || std::abs(off.angle) > 3.0 * guess.s_yaw;
+    const bool is_doubted = is_far || is_odd || !step.problem.empty() ||
+                            best.inlier_fraction < options_.smallest_inlier_fraction;
+    const SearchWindow near{0.2 + 3.0 * guess.s_p, 0.05 + 2.0 * guess.s_yaw};
+    const SearchWindow wide{near.linear + 1.0, near.angular + 0.8};
+    if (is_doubted && best.inlier_fraction + kSearchGain < 1.0) {
+      if (is_odd) best = better(best, match(scan, guess, true), guess);
+      best = better(search(scan, guess, near), best, guess);
+    }
+    if (best.inlier_fraction < options_.lost_inlier_fraction) {
+      const MatchResult other = search(scan, guess, wide);
+      if (other.inlier_fraction > kSureFraction) best = better(other, best, guess);
     }
   }
-  T_map_base_ = match.T_ref_base;
-  return match;
+  T_map_base_ = best.T_ref_base;
+  T_before_now_ = T_base_before * T_map_base_;
+  if (step.is_stale) T_told_base_ = T_told_base_ * T_before_now_;
+  return best;
 }
 
 std::vector<std::pair<int, int>> ScanTracker::owners_under(const PointScan& scan) const {

@@ -9,6 +9,7 @@
 
 #include "front_end/correlative_match.h"
 #include "front_end/line_match.h"
+#include "front_end/odometry_motion.h"
 
 namespace trident {
 
@@ -35,6 +36,7 @@ struct ScanTrackerOptions {
   double surfel_cell = 0.1;               ///< [m]
   double search_resolution = 0.05;        ///< of the correlative search [m]
   double smallest_inlier_fraction = 0.6;  ///< below this the pose is sought in a window
+  double lost_inlier_fraction = 0.5;      ///< below this it is sought in a wide one
   double search_motion = 0.3;             ///< moved farther than this: sought in a window, too [m]
   double search_turn = 0.3;               ///< [rad]
   double search_reach = 12.0;             ///< surfaces that the search knows [m]
@@ -51,13 +53,11 @@ class ScanTracker {
   explicit ScanTracker(const ScanTrackerOptions& options)
       : options_(options), surfels_(options.surfel_cell) {}
 
-  /// `T_last_base`: motion since the last scan by odometry; `doubt` [m] widens the search, for an
-  /// odometry that cannot be trusted.
-  MatchResult track(const PointScan& scan, const SE2& T_last_base, double doubt = 0.0);
+  MatchResult track(const PointScan& scan, const OdometryMotion::Step& step);
   /// Takes the place of matching against the surfaces' lines.
   void set_refine(RefinePose refine) { refine_ = std::move(refine); }
   /// Moves without a scan.
-  void coast(const SE2& T_last_base) { T_map_base_ = T_map_base_ * T_last_base; }
+  void coast(const OdometryMotion::Step& step) { T_map_base_ = expected(step); }
   /// Adds a scan to the surfaces, of which `owner` says to which part of the map it belongs.
   void insert(const SE2& T_map_base, const PointScan& scan, int owner) {
     surfels_.insert(T_map_base, scan, owner);
@@ -77,12 +77,27 @@ class ScanTracker {
   const ScanTrackerOptions& options() const { return options_; }
 
  private:
+  /// A pose before the scan, and its standard deviations.
+  struct Guess {
+    SE2 T_map_base;
+    double s_p = 0.0;    ///< [m]
+    double s_yaw = 0.0;  ///< [rad]
+
+    PosePrior prior() const;
+    /// Squared standard deviations from the guess.
+    double squared_deviation(const SE2& T_map_base) const;
+  };
+
   MatchResult refine(const PointScan& scan, const SE2& guess, const PosePrior& prior) const {
     return refine_ ? refine_(scan, guess, prior)
                    : match_lines(surfels_, scan, guess, prior, options_.line);
   }
-  MatchResult search(const PointScan& scan, const PosePrior& prior, const MatchResult& refined,
-                     const SearchWindow& window);
+  SE2 expected(const OdometryMotion::Step& step);
+  Guess guess(const OdometryMotion::Step& step);
+  MatchResult match(const PointScan& scan, const Guess& guess, bool is_firm) const;
+  MatchResult search(const PointScan& scan, const Guess& guess, const SearchWindow& window);
+  /// `a` if it fits better, odometry counted, else `b`.
+  static MatchResult better(const MatchResult& a, const MatchResult& b, const Guess& guess);
   const MaxPyramid& hits_about(const Eigen::Vector2d& p_map);
 
   ScanTrackerOptions options_;
@@ -93,6 +108,8 @@ class ScanTracker {
   int changes_ = 0;  ///< scans inserted
   int hits_changes_ = 0;
   SE2 T_map_base_;
+  SE2 T_told_base_;   ///< motion by scans since odometry told a new pose
+  SE2 T_before_now_;  ///< the last motion that a scan told of
 };
 
 }  // namespace trident

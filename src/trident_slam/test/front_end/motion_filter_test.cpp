@@ -45,6 +45,14 @@ TEST(OdometryMotion, TellsTheMotionFromScanToScan) {
   EXPECT_LT((moved.inverse() * step.T_before_now).log().norm(), 1e-12);
 }
 
+TEST(OdometryMotion, ThePoseOfBeforeIsStale) {
+  OdometryMotion odometry;
+  const SE2 here = SE2::from_xy_yaw(1.0, 2.0, 0.3);
+  EXPECT_FALSE(odometry.next(here).is_stale);
+  EXPECT_TRUE(odometry.next(here).is_stale);
+  EXPECT_FALSE(odometry.next(here * SE2::from_xy_yaw(0.0, 0.0, 1e-6)).is_stale);
+}
+
 TEST(OdometryMotion, AJumpIsToldOfAndTheNextMotionBeginsThere) {
   OdometryMotion odometry(1.0, 0.5);
   odometry.next(SE2::identity());

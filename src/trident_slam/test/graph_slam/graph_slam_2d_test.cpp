@@ -116,6 +116,16 @@ TEST_F(GraphSlamRing, AJumpOfOdometryIsNotBelieved) {
       0.05);
 }
 
+TEST_F(GraphSlamRing, OdometryThatStoodStillCatchesUpFromWhereItStood) {
+  GraphSlam2d slam(options());
+  drive(slam, 0, 200);
+  for (std::size_t i = 200; i < 230; ++i) {  // 2 m that are told of in one step
+    const std::size_t told = i < 220 ? 199 : i;
+    const ScanPose2d pose = slam.add_scan(world_.scan(path_[i], i), odometry_[told]);
+    EXPECT_LT(error(pose.T_map_base, i), 0.05) << i;
+  }
+}
+
 TEST_F(GraphSlamRing, ASessionGoesOnAsIfItHadNotBeenInterrupted) {
   const std::string path = ::testing::TempDir() + "/graph_slam_session.tsl";
   GraphSlam2d first(options());
