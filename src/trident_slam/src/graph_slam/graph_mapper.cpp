@@ -86,6 +86,7 @@ ScanPose2d GraphMapper::add_scan(const LaserScan& scan, const SE2& T_odom_base) 
   travelled_ += motion.T_before_now.p.norm();
   motion.T_before_now = calibration_.calibrated(motion.T_before_now);
   final_poses_.clear();
+  settle_rolling_scan(scan.stamp_ns, motion);
   ScanPose2d result;
   result.problem = check_.problem(scan);
   result.is_used = result.problem.empty();
@@ -98,7 +99,11 @@ ScanPose2d GraphMapper::add_scan(const LaserScan& scan, const SE2& T_odom_base) 
     const auto points = std::make_shared<const PointScan>(points_of(scan, twist));
     const MatchResult match = place(points, motion, scan.T_base_laser);
     result.covariance = match.covariance;
-    if (is_keyframe_due()) add_keyframe(points, match);
+    if (options_.deskew && scan.time_increment != 0.0) {
+      rolling_ = {scan, twist, match};
+    } else if (is_keyframe_due()) {
+      add_keyframe(points, match);
+    }
   } else {
     tracker_.coast(motion);
     calibration_.interrupt();
@@ -107,6 +112,7 @@ ScanPose2d GraphMapper::add_scan(const LaserScan& scan, const SE2& T_odom_base) 
   if (result.problem.empty()) result.problem = motion.problem;
   result.T_map_base = tracker_.T_map_base();
   if (options_.mode == SlamMode::kLocalization || is_paused_) return result;
+  if (rolling_) rolling_->is_archived = true;
   entry.keyframe = graph_.size() - 1;
   entry.T_keyframe_base = entry.keyframe < 0
                               ? result.T_map_base
@@ -258,6 +264,7 @@ void GraphMapper::rebuild_surfaces() {
 }
 
 void GraphMapper::finish() {
+  settle_rolling_scan(last_stamp_ns_, {});
   while (worker_.is_busy()) {
     worker_.wait();
     take_from_worker();

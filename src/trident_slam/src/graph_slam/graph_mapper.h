@@ -70,7 +70,17 @@ class GraphMapper {
   int append(BinaryReader* reader, const SE2& T_map_session);
 
  private:
+  /// The newest scan if its beams were measured one after the other. It becomes part of the map
+  /// when the next one's odometry tells how the base moved meanwhile.
+  struct RollingScan {
+    LaserScan scan;
+    Eigen::Vector3d twist;  ///< that was guessed
+    MatchResult match;
+    bool is_archived = false;
+  };
+
   Eigen::Vector3d twist_of(const LaserScan& scan, const SE2& T_last_base) const;
+  void settle_rolling_scan(std::int64_t next_stamp_ns, const OdometryMotion::Step& motion);
   MatchResult place(const std::shared_ptr<const PointScan>& points,
                     const OdometryMotion::Step& motion, const SE2& T_base_laser);
   void go_on_from_recent_scans(const std::shared_ptr<const PointScan>& points, MatchResult* match);
@@ -104,6 +114,7 @@ class GraphMapper {
   StaleScans stale_scans_;
   RecentScans recent_scans_;
   LostRobot lost_robot_;
+  std::optional<RollingScan> rolling_;
   std::int64_t last_stamp_ns_ = 0;
   double travelled_ = 0.0;
   bool is_paused_ = false;

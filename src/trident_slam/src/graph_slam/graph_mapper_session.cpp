@@ -56,6 +56,7 @@ void GraphMapper::set_pose(const SE2& T_map_base) {
   is_chain_broken_ = graph_.size() > 0;
   recent_scans_.clear();
   lost_robot_.reset();
+  rolling_.reset();
 }
 
 std::optional<SE2> GraphMapper::relocalize(const PointScan& scan, double min_inliers) {

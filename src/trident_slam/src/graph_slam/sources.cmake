@@ -6,6 +6,7 @@ target_sources(trident_slam PRIVATE
   src/graph_slam/calibrated_odometry.cpp
   src/graph_slam/final_match.cpp
   src/graph_slam/graph_mapper.cpp
+  src/graph_slam/graph_mapper_deskew.cpp
   src/graph_slam/graph_mapper_edit.cpp
   src/graph_slam/graph_mapper_session.cpp
   src/graph_slam/graph_slam_2d.cpp
