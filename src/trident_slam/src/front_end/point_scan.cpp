@@ -39,8 +39,12 @@ struct LineSums {
   }
 };
 
-/// The normal of the least-squares line through n points, or zero if they do not lie on one.
-Eigen::Vector2f line_normal(const LineSums& s, int n) {
+/// The normal of the line through n points, or zero if they do not lie on one. Points err along
+/// their beam alone, so that is what is regressed on the direction across: a total least-squares
+/// line leans towards the beams, walls of a corridor open like a funnel, and the robot slides along
+/// it. Where the beam grazes the surface the regression knows too little, and where both differ by
+/// more than that effect can be it is no line.
+Eigen::Vector2f line_normal(const LineSums& s, int n, const Eigen::Vector2f& beam) {
   if (n < 3) return Eigen::Vector2f::Zero();
   const double share = 1.0 / n;
   const double cxx = share * (s.xx - share * s.x * s.x);
@@ -55,9 +59,16 @@ Eigen::Vector2f line_normal(const LineSums& s, int n) {
     return Eigen::Vector2f::Zero();
   }
   // Eigenvector of the smaller eigenvalue, from the row of the matrix that does not cancel.
+  const Eigen::Vector2d plain =
+      (half > 0.0 ? Eigen::Vector2d(-cxy, root + half) : Eigen::Vector2d(root - half, -cxy))
+          .normalized();
+  constexpr double kGrazing = 0.3;    // sine
+  constexpr double kMostLean = 0.05;  // [rad]
+  const Eigen::Vector2d u = beam.cast<double>().normalized();
+  if (std::abs(plain.dot(u)) < kGrazing) return plain.cast<float>();
   const Eigen::Vector2d normal =
-      half > 0.0 ? Eigen::Vector2d(-cxy, root + half) : Eigen::Vector2d(root - half, -cxy);
-  return normal.normalized().cast<float>();
+      Eigen::Vector2d(cyy * u.x() - cxy * u.y(), cxx * u.y() - cxy * u.x()).normalized();
+  return (std::abs(normal.dot(plain)) < std::cos(kMostLean) ? plain : normal).cast<float>();
 }
 
 /// Sets normals from the points about each point that meet the same surface.
@@ -79,7 +90,7 @@ class Normals {
       while (begin > first_[i] && is_neighbour(i, begin - 1)) --begin;
       int end = i + 1;
       while (end < end_[i] && is_neighbour(i, end)) ++end;
-      point.normal = line_normal(sums_[end] - sums_[begin], end - begin);
+      point.normal = line_normal(sums_[end] - sums_[begin], end - begin, point.p - scan_.origin);
       if (point.normal.dot(scan_.origin - point.p) < 0.0F) point.normal = -point.normal;
     }
   }
