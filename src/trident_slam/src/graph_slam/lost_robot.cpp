@@ -20,11 +20,10 @@ constexpr double kPoorFit = 0.75;
 constexpr double kGoodInliers = 0.9;
 /// A rival must fit better by this, over this way, to be believed instead.
 constexpr double kLead = 0.15;
-constexpr double kTrialWay = 1.5;  // [m]
+constexpr double kTrialWay = 2.0;  // [m]; turns alone do not tell rooms apart
 constexpr int kTrialScans = 10;
 /// It is given up when it has not been better for so many scans.
 constexpr int kScansToLead = 4;
-constexpr double kMetresPerRadian = 0.5;
 /// Nearer than this it is the same place.
 constexpr double kSamePlace = 0.5;    // [m]
 constexpr double kSameHeading = 0.3;  // [rad]
@@ -95,7 +94,7 @@ void LostRobot::follow(const KeyframeGraph& graph, const SurfelMap& surfels, con
   prior.information = Eigen::Vector3d(400.0, 400.0, 400.0).asDiagonal();  // 5 cm, 0.05 rad
   rival_->match = match_lines(surfels, scan, prior.T_ref_base, prior, line);
   const double rival_fit = fit(graph, surfels, scan, rival_->match);
-  rival_->way += T_last_base.p.norm() + kMetresPerRadian * std::abs(T_last_base.angle);
+  rival_->way += T_last_base.p.norm();
   rival_->fit += rival_fit;
   rival_->lead += rival_fit - own_fit;
   ++rival_->scans;

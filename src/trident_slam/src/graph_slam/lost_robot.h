@@ -27,7 +27,7 @@ class LostRobot {
   /// Another place that the robot may be at.
   struct Rival {
     MatchResult match;
-    double way = 0.0;   ///< since it was found [m], turns included
+    double way = 0.0;   ///< since it was found [m]
     double lead = 0.0;  ///< sum of what it fitted better by
     double fit = 0.0;   ///< sum of its own
     int scans = 0;
