@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 from __future__ import annotations
 
+import itertools
+
 import numpy as np
 import pytest
 from trident_eval.bench.route import Roads, RoutePilot, straightened
@@ -26,7 +28,7 @@ def test_a_tour_sees_every_place_and_leads_back_without_touching_a_wall() -> Non
     roads = Roads(grid)
     way = roads.tour(0, 2.0)
     assert way[0] == pytest.approx(way[-1])
-    steps = [np.linspace(a, b, 50) for a, b in zip(way[:-1], way[1:], strict=True)]
+    steps = [np.linspace(a, b, 50) for a, b in itertools.pairwise(way)]
     points = np.concatenate(steps)
     offset = roads.places[:, None] - way[None]
     assert np.linalg.norm(offset, axis=2).min(axis=1).max() < 2.0

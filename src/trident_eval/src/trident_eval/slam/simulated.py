@@ -286,9 +286,7 @@ def reasons(rows: Sequence[dict[str, Any]]) -> list[str]:
         for part in ("final", "localization"):
             error = row[part]["ate_rmse_m"]
             if not error < ATE_LIMIT_M:
-                found.append(
-                    f"seed {row['seed']}: {part}: RMSE {error:.3f} m, must be below 0.05 m"
-                )
+                found.append(f"{_seed(row)}: {part}: RMSE {error:.3f} m, limit {ATE_LIMIT_M} m")
         if row["false_loops"]:
             found.append(f"{_seed(row)}: {row['false_loops']} false loops, must be none")
     return found
