@@ -26,6 +26,7 @@ CAPTIONS = {
 }
 _COLOURS = ("#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#56B4E9")
 _TRUTH, _GOOD, _BAD = "#999999", "#0072B2", "#B00020"
+_ABOVE: dict[str, Any] = {"loc": "lower center", "bbox_to_anchor": (0.5, 1.0)}  # of a legend
 _MAX_ROOM_M = 30.0  # beyond it, thin rays through a window would make the rest small
 
 
@@ -127,9 +128,10 @@ def _draw_truth(found: Evaluation) -> Any:
             linewidth=0.9,
             label=f"{name}: RMSE {100 * rmse:.2f} cm",
         )
-    plan.set(xlabel="x [m]", ylabel="y [m]", aspect="equal", title="plan view")
+    plan.set(xlabel="x [m]", ylabel="y [m]", aspect="equal")
+    plan.set_title("plan view", pad=28)
     error.set(xlabel="time [s]", ylabel="position error [cm]", title="error", ylim=(0, None))
-    plan.legend(loc="best")
+    plan.legend(**_ABOVE, ncols=3)
     error.legend(loc="best")
     return figure
 
@@ -137,7 +139,7 @@ def _draw_truth(found: Evaluation) -> Any:
 def _draw_agreement(found: Evaluation) -> Any:
     if found.grid is None or found.true_grid is None or found.agreement is None:
         return None
-    figure = _figure(9.0, 8.0)
+    figure = _fitting_figure(surfaces(found.true_grid))
     axes = figure.add_subplot()
     T = found.agreement.T_truth_map
     walls = found.grid.centres(OCCUPIED) @ T[:2, :2].T + T[:2, 2]
@@ -145,6 +147,13 @@ def _draw_agreement(found: Evaluation) -> Any:
     axes.plot(*surfaces(found.true_grid).T, "s", color="#CCCCCC", markersize=2.5, label="truth")
     axes.plot(*walls[is_good].T, ".", color=_GOOD, markersize=1.5, label="map")
     axes.plot(*walls[~is_good].T, ".", color=_BAD, markersize=2.5, label="map, wrong")
-    axes.set(xlabel="x [m]", ylabel="y [m]", aspect="equal", title="map over true surfaces")
-    axes.legend(loc="best", markerscale=4)
+    axes.set(xlabel="x [m]", ylabel="y [m]", aspect="equal")
+    axes.set_title("map over true surfaces", pad=28)
+    axes.legend(**_ABOVE, ncols=3, markerscale=4)
     return figure
+
+
+def _fitting_figure(corners: Array) -> Any:
+    """A figure whose axes, in metres, are as wide and high as points (N, 2) need."""
+    width, height = np.ptp(corners, axis=0)
+    return _figure(9.0, float(np.clip(8.0 * height / max(width, 1e-6) + 2.0, 4.0, 11.0)))
