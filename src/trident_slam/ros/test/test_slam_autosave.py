@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 import rospy
 from geometry_msgs.msg import PoseWithCovarianceStamped
-from scan_bag import MOUNT_M, START_S, path, scan, transform
+from scan_bag import BEAMS, MOUNT_M, START_S, SWEEP_S, path, scan, transform
 from sensor_msgs.msg import LaserScan
 from tf2_msgs.msg import TFMessage
 from trident.testing import Recorder, Ros, eventually, program, recorder
@@ -29,7 +29,7 @@ class Drive:
     """Scans of a drive through the room, sent as fast as a node takes them."""
 
     def __init__(self) -> None:
-        self.truth = path(2 * sum(count + _AHEAD for count, _ in LIVES))[::2]
+        self.truth = path(PERIOD_S * np.arange(sum(count + _AHEAD for count, _ in LIVES)))
         self.next = 0
         self._rng = np.random.default_rng(3)
         self._scans = rospy.Publisher("/scan", LaserScan, queue_size=100)
@@ -56,7 +56,8 @@ class Drive:
             mount = np.array([MOUNT_M, 0.0, 0.0])
             message.transforms += transform("base_footprint", "laser", stamp, mount).transforms
             self._transforms.publish(message)
-            self._scans.publish(scan(stamp, pose, self._rng))
+            beams = path(PERIOD_S * self.next + np.linspace(0.0, SWEEP_S, BEAMS))
+            self._scans.publish(scan(stamp, beams, self._rng))
             self.next += 1
 
 
