@@ -14,7 +14,7 @@ struct LineMatchOptions {
   int max_iterations = 12;
   double converged = 5e-4;        ///< a step that moves the points by less is the last one [m]
   double settled = 0.01;          ///< points that moved less keep their surfels [m] ...
-  double converged_pairs = 2e-3;  ///< ... and at the end, less than this [m]
+  double converged_pairs = 5e-4;  ///< ... and at the end, less than this [m]
   double least_paired = 0.0;     ///< part of the points that must have a surfel, else it ends early
   int search_rings = 3;          ///< cells about a point in which its surfel is sought
   double sigma = 0.03;           ///< of one distance; correlated errors counted in [m]

@@ -34,6 +34,9 @@ SearchWindow window_after(double way, double largest) {
   return {std::min(0.5 + 0.03 * way, largest), std::min(0.1 + 0.004 * way, 1.0)};
 }
 
+/// Part of the points by which a place that was sought must fit better than where the graph has it.
+constexpr double kWorthOfGuess = 0.05;
+
 /// How far a candidate puts its newer stretch from where it is now [m].
 double misfit(const KeyframeGraph& graph, const LoopCandidate& candidate) {
   const SE2 now = graph.pose(graph.anchor_of(candidate.older)).inverse() *
@@ -93,8 +96,16 @@ bool LoopCloser::match(const KeyframeGraph& graph, int older, int newer, double 
                                 window_after(way, options_.search_distance), options_.min_response);
   if (!found) return false;
   const SurfelMap surfels = place.surfels(0.1);
-  const MatchResult match = match_lines(surfels, cloud, found->T_ref_base, {}, options_.line);
-  const Agreement agreement = place.agreement(surfels, cloud, match.T_ref_base);
+  MatchResult match = match_lines(surfels, cloud, found->T_ref_base, {}, options_.line);
+  Agreement agreement = place.agreement(surfels, cloud, match.T_ref_base);
+  // Along a corridor many places fit: one that drift has not reached is as good as any.
+  const MatchResult here = match_lines(surfels, cloud, guess, {}, options_.line);
+  const Agreement agreement_here = place.agreement(surfels, cloud, here.T_ref_base);
+  if (agreement_here.overlap >= options_.min_overlap &&
+      agreement_here.ratio + kWorthOfGuess > agreement.ratio) {
+    match = here;
+    agreement = agreement_here;
+  }
   candidate->older = older;
   candidate->newer = newer;
   candidate->T_older_newer = match.T_ref_base;
