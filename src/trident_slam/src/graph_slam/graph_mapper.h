@@ -19,8 +19,8 @@
 #include "graph_slam/scan_archive.h"
 #include "graph_slam/scan_check.h"
 #include "graph_slam/scan_tracker.h"
-#include "graph_slam/submap_matcher.h"
 #include "graph_slam/stale_scans.h"
+#include "graph_slam/submap_matcher.h"
 #include "trident_slam/graph_slam_options.h"
 #include "trident_slam/slam_2d.h"
 
