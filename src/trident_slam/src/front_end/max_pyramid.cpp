@@ -36,9 +36,9 @@ void MaxPyramid::stamp(const Eigen::Vector2d& p) {
   const double spread = 0.8 * resolution_;
   const auto values = [&](int cell, double at) {
     std::array<double, 3> result{};
-    for (int k = -1; k <= 1; ++k) {
-      const double d = (cell + k + 0.5) * resolution_ - at;
-      result[static_cast<std::size_t>(k + 1)] = std::exp(-0.5 * d * d / (spread * spread));
+    for (std::size_t i = 0; i < result.size(); ++i) {
+      const double d = (cell + static_cast<double>(i) - 0.5) * resolution_ - at;
+      result[i] = std::exp(-0.5 * d * d / (spread * spread));
     }
     return result;
   };
