@@ -79,6 +79,8 @@ class GraphSlam2d : public Slam2d, public Slam2dCalibrated {
 
   /// Where the robot is now, as a user says (rviz' 2D Pose Estimate).
   void set_pose(const SE2& T_map_base);
+  /// Localising: forgets the scans with which it goes on where the map ends.
+  void clear_localization_buffer();
   /// Seeks a scan in the whole map. The pose is taken over if at least `min_inliers` of the points
   /// lie on surfaces of the map.
   std::optional<SE2> relocalize(const LaserScan& scan, double min_inliers = 0.7);

@@ -49,6 +49,14 @@ class Slam2dPlaced {
   virtual void set_pose(const SE2& T_map_base) = 0;
 };
 
+/// A robot that is sought in a map with the help of its last scans.
+class Slam2dLocalizing {
+ public:
+  virtual ~Slam2dLocalizing() = default;
+  /// Forgets these scans.
+  virtual void clear_localization_buffer() = 0;
+};
+
 /// What was found out about the robot while it drove.
 struct CalibrationEstimate {
   const char* name = "";  ///< distance_scale, turn_scale, yaw_drift [rad/m], laser_x [m] ...

@@ -27,7 +27,8 @@ class GraphSlamOfNode : public GraphSlam2d,
                         public Slam2dMapSnapshot,
                         public Slam2dPlaced,
                         public Slam2dGraph,
-                        public Slam2dEditable {
+                        public Slam2dEditable,
+                        public Slam2dLocalizing {
  public:
   GraphSlamOfNode(const GraphSlamOptions& options, PoseGraphSolverMaker solver)
       : GraphSlam2d(options, std::move(solver)), is_asynchronous_(options.is_asynchronous) {}
@@ -52,6 +53,7 @@ class GraphSlamOfNode : public GraphSlam2d,
     if (!poses.empty()) GraphSlam2d::set_pose(poses.front());
   }
   void set_pose(const SE2& T_map_base) override { GraphSlam2d::set_pose(T_map_base); }
+  void clear_localization_buffer() override { GraphSlam2d::clear_localization_buffer(); }
   GraphView2d graph_view() const override {
     GraphView2d view;
     view.nodes = keyframe_poses();

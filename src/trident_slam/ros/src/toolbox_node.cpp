@@ -125,8 +125,10 @@ class Toolbox {
     services_.serve<srv::Clear>("clear_changes",
                                 [this](auto& /*request*/, auto& /*response*/) { editor_.clear(); });
     services_.serve<std_srvs::Empty>(
-        "clear_localization_buffer", [](auto& /*request*/, auto& /*response*/) {
-          ROS_INFO("clear_localization_buffer has no effect: localizing adds nothing to the map");
+        "clear_localization_buffer", [this](auto& /*request*/, auto& /*response*/) {
+          node_.with_slam([](Slam2d& slam) {
+            able<Slam2dLocalizing>(slam, "keep scans to localize with").clear_localization_buffer();
+          });
         });
   }
 

@@ -60,6 +60,7 @@ class GraphMapper {
   void set_paused(bool is_paused) { is_paused_ = is_paused; }
   bool is_paused() const { return is_paused_; }
   void set_pose(const SE2& T_map_base);
+  void clear_localization_buffer() { recent_scans_.clear(); }
   std::optional<SE2> relocalize(const PointScan& scan, double min_inliers);
   PointScan points_of(const LaserScan& scan, const Eigen::Vector3d& twist) const;
   bool close_loop(int older, int newer, const SE2& T_older_newer);

@@ -117,6 +117,8 @@ bool GraphSlam2d::is_busy() const { return impl_->mapper->is_busy(); }
 
 void GraphSlam2d::set_pose(const SE2& T_map_base) { impl_->mapper->set_pose(T_map_base); }
 
+void GraphSlam2d::clear_localization_buffer() { impl_->mapper->clear_localization_buffer(); }
+
 std::optional<SE2> GraphSlam2d::relocalize(const LaserScan& scan, double min_inliers) {
   return impl_->mapper->relocalize(impl_->mapper->points_of(scan, Eigen::Vector3d::Zero()),
                                    min_inliers);
