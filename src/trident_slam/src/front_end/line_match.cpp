@@ -19,6 +19,12 @@ Eigen::Vector2f turned_by(const Eigen::Matrix2f& R, const Eigen::Vector2f& v) {
   return {R(0, 0) * v.x() + R(0, 1) * v.y(), R(1, 0) * v.x() + R(1, 1) * v.y()};
 }
 
+/// How far a point is from a surfel's mean along its line [m]; 0 without a line.
+float along(const Surfel& surfel, const Eigen::Vector2f& p) {
+  const Eigen::Vector2f offset = p - surfel.mean;
+  return std::abs(surfel.normal.x() * offset.y() - surfel.normal.y() * offset.x());
+}
+
 /// The points of a scan that are used, and the surfels that they were paired with last.
 class Pairing {
  public:
@@ -66,10 +72,12 @@ class Pairing {
 
   void pair(const Eigen::Matrix2f& R, const Eigen::Vector2f& t, const SE2& T) {
     paired_ = 0;
+    const auto reach = static_cast<float>(options_.reach_along);
     for (Pair& pair : pairs_) {
       const Eigen::Vector2f normal = turned_by(R, pair.point->normal);
-      pair.surfel =
-          reference_.nearest(turned_by(R, pair.point->p) + t, normal, options_.search_rings);
+      const Eigen::Vector2f p = turned_by(R, pair.point->p) + t;
+      pair.surfel = reference_.nearest(p, normal, options_.search_rings);
+      if (pair.surfel != nullptr && along(*pair.surfel, p) > reach) pair.surfel = nullptr;
       if (pair.surfel != nullptr) ++paired_;
     }
     T_paired_ = T;

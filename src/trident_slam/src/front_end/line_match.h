@@ -20,6 +20,9 @@ struct LineMatchOptions {
   double sigma = 0.03;           ///< of one distance; correlated errors counted in [m]
   double kernel = 0.06;          ///< distance at which a point's weight has halved [m]
   double inlier_distance = 0.1;  ///< [m]
+  /// Points farther than this along the line from the surfel's mean are beyond what the reference
+  /// saw, where noise decides which of them meet its end: no pair [m].
+  double reach_along = 0.1;
   double point_weight = 0.1;     ///< of a point without a normal, towards the surfel's mean
   std::size_t max_points = 200;  ///< of a scan that are used, evenly spread
 };

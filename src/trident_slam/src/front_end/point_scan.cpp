@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 
 namespace trident {
 namespace {
@@ -14,6 +15,11 @@ namespace {
 constexpr int kFewestNeighbours = 3;
 constexpr int kMostNeighbours = 24;
 constexpr float kReach = 0.15F;  // [m]
+
+/// Points that deviate less from their line have no corner among them [m].
+constexpr double kStraight = 0.003;
+/// Variance about the line over that of one side's, beyond which there is a corner.
+constexpr double kWorseByCorner = 8.0;
 
 /// Neighbouring beams meet one surface if the gap between their ends is at most this [m]. A wall
 /// seen at 10 degrees of grazing angle stays in one piece.
@@ -39,13 +45,19 @@ struct LineSums {
   }
 };
 
-/// The normal of the line through n points, or zero if they do not lie on one. Points err along
-/// their beam alone, so that is what is regressed on the direction across: a total least-squares
-/// line leans towards the beams, walls of a corridor open like a funnel, and the robot slides along
-/// it. Where the beam grazes the surface the regression knows too little, and where both differ by
-/// more than that effect can be it is no line.
-Eigen::Vector2f line_normal(const LineSums& s, int n, const Eigen::Vector2f& beam) {
-  if (n < 3) return Eigen::Vector2f::Zero();
+/// A line through neighbouring points.
+struct Line {
+  Eigen::Vector2f normal = Eigen::Vector2f::Zero();  ///< zero if the points do not lie on one
+  double across = std::numeric_limits<double>::infinity();  ///< their variance about it [m^2]
+};
+
+/// Points err along their beam alone, so that is what is regressed on the direction across: a total
+/// least-squares line leans towards the beams, walls of a corridor open like a funnel, and the
+/// robot slides along it. Where the beam grazes the surface the regression knows too little, and
+/// where both differ by more than that effect can be it is no line.
+Line line_through(const LineSums& s, int n, const Eigen::Vector2f& beam) {
+  Line line;
+  if (n < 3) return line;
   const double share = 1.0 / n;
   const double cxx = share * (s.xx - share * s.x * s.x);
   const double cxy = share * (s.xy - share * s.x * s.y);
@@ -53,11 +65,9 @@ Eigen::Vector2f line_normal(const LineSums& s, int n, const Eigen::Vector2f& bea
   const double mean = 0.5 * (cxx + cyy);
   const double half = 0.5 * (cxx - cyy);
   const double root = std::sqrt(half * half + cxy * cxy);
-  const double across = std::max(mean - root, 0.0);
+  line.across = std::max(mean - root, 0.0);
   constexpr double kThickest = 0.04;  // [m], standard deviation across the line
-  if (across > kThickest * kThickest || across > 0.1 * (mean + root)) {
-    return Eigen::Vector2f::Zero();
-  }
+  if (line.across > kThickest * kThickest || line.across > 0.1 * (mean + root)) return line;
   // Eigenvector of the smaller eigenvalue, from the row of the matrix that does not cancel.
   const Eigen::Vector2d plain =
       (half > 0.0 ? Eigen::Vector2d(-cxy, root + half) : Eigen::Vector2d(root - half, -cxy))
@@ -65,10 +75,12 @@ Eigen::Vector2f line_normal(const LineSums& s, int n, const Eigen::Vector2f& bea
   constexpr double kGrazing = 0.3;    // sine
   constexpr double kMostLean = 0.05;  // [rad]
   const Eigen::Vector2d u = beam.cast<double>().normalized();
-  if (std::abs(plain.dot(u)) < kGrazing) return plain.cast<float>();
+  line.normal = plain.cast<float>();
+  if (std::abs(plain.dot(u)) < kGrazing) return line;
   const Eigen::Vector2d normal =
       Eigen::Vector2d(cyy * u.x() - cxy * u.y(), cxx * u.y() - cxy * u.x()).normalized();
-  return (std::abs(normal.dot(plain)) < std::cos(kMostLean) ? plain : normal).cast<float>();
+  if (std::abs(normal.dot(plain)) >= std::cos(kMostLean)) line.normal = normal.cast<float>();
+  return line;
 }
 
 /// Sets normals from the points about each point that meet the same surface.
@@ -90,7 +102,7 @@ class Normals {
       while (begin > first_[i] && is_neighbour(i, begin - 1)) --begin;
       int end = i + 1;
       while (end < end_[i] && is_neighbour(i, end)) ++end;
-      point.normal = line_normal(sums_[end] - sums_[begin], end - begin, point.p - scan_.origin);
+      point.normal = normal_at(i, begin, end);
       if (point.normal.dot(scan_.origin - point.p) < 0.0F) point.normal = -point.normal;
     }
   }
@@ -111,6 +123,24 @@ class Normals {
       const bool goes_on = i + 1 < size && gaps[i + 1] <= largest_gap(ranges[i], angle_increment);
       end_[i] = goes_on ? end_[i + 1] : i + 1;
     }
+  }
+
+  /// From the points begin to end - 1 about point i; by a corner from those on one side of it
+  /// alone: a line about the corner leans, and what leans slides along the wall when scans are
+  /// matched. M. Kuwahara et al., "Processing of RI-angiocardiographic images", 1976, for the
+  /// choice.
+  Eigen::Vector2f normal_at(int i, int begin, int end) const {
+    const Line both = line_of(i, begin, end);
+    if (both.across < kStraight * kStraight) return both.normal;
+    const Line before = line_of(i, begin, i + 1);
+    const Line after = line_of(i, i, end);
+    const Line& side = before.across < after.across ? before : after;
+    return kWorseByCorner * side.across < both.across ? side.normal : both.normal;
+  }
+
+  Line line_of(int i, int begin, int end) const {
+    const Eigen::Vector2f beam = scan_.points[i].p - scan_.origin;
+    return line_through(sums_[end] - sums_[begin], end - begin, beam);
   }
 
   bool is_neighbour(int i, int j) const {

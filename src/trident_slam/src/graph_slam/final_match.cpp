@@ -11,8 +11,9 @@
 namespace trident {
 namespace {
 
-constexpr std::size_t kPoints = 120;  // of each scan; more do not change the result
-constexpr double kKernel = 3.0;       // of edges between scans [standard deviations]
+constexpr std::size_t kPairPoints = 360;  // of each scan that is matched with another one
+constexpr std::size_t kMapPoints = 120;   // of each that is matched with the map
+constexpr double kKernel = 3.0;           // of edges between scans [standard deviations]
 constexpr int kIterations = 20;
 constexpr double kConverged = 1e-3;  // of a match [m]; the mean of many is better than that
 /// Neighbouring beams, and the same surface seen again, do not err independently.
@@ -34,7 +35,7 @@ double farthest_move(const KeyframeGraph& a, const KeyframeGraph& b) {
 void align_all_keyframes(KeyframeGraph* graph) {
   const std::vector<GraphEdge> edges = graph->edges();
   PairLinkOptions options;
-  options.line.max_points = kPoints;
+  options.line.max_points = kPairPoints;
   options.line.converged = kConverged;
   options.line.least_paired = options.min_inliers;
   for (int pass = 0; pass < kMostPasses; ++pass) {
@@ -56,7 +57,7 @@ std::vector<SE2> match_archive(const ScanArchive& archive, const KeyframeGraph& 
   SurfelMap surfaces;
   for (int i = 0; i < graph.size(); ++i) surfaces.insert(graph.pose(i), *graph[i].scan);
   LineMatchOptions line;
-  line.max_points = kPoints;
+  line.max_points = kMapPoints;
   line.search_rings = 2;
   line.converged = kConverged;
   PosePrior prior;

@@ -10,8 +10,8 @@ namespace trident {
 struct PairLinkOptions {
   LineMatchOptions line;
   double reach = 4.0;           ///< keyframes at most this far apart see the same surfaces [m]
-  int partners = 8;             ///< of each keyframe, besides the ones right before it
-  int chain = 2;                ///< keyframes before it that a keyframe is always matched with
+  int partners = 4;             ///< of each keyframe, besides the ones right before it
+  int chain = 4;                ///< keyframes before it that a keyframe is always matched with
   double min_inliers = 0.4;     ///< fraction below which a pair is not used
   double largest_change = 0.5;  ///< a match that moves farther than this is not believed [m]
 };
