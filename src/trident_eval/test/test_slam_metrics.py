@@ -107,6 +107,14 @@ def test_absolute_error_is_what_is_left() -> None:
         absolute_errors(bent, truth, "SE4")
 
 
+def test_last_stamps_that_are_rounded_up_are_within_the_truth() -> None:
+    truth = drive(20)
+    rounded = truth.stamp + np.where(np.arange(20) == 19, 4e-7, 0.0)
+    rounded[0] -= 1e-3
+    errors = absolute_errors(Trajectory(rounded, truth.p, truth.R), truth, "none")
+    assert errors.stamp.tolist() == rounded[1:].tolist()
+
+
 def test_relative_error_over_a_metre() -> None:
     count = 101
     x = 0.1 * np.arange(count)

@@ -17,6 +17,7 @@ from trident_eval.core.errors import EvalError
 from trident_eval.core.tracks import Array
 
 _MIN_QUATERNION_NORM = 0.5
+_STAMP_DIGIT = 1e-6  # of TUM files [s]
 
 
 @dataclass(frozen=True)
@@ -103,22 +104,24 @@ def interpolated(truth: Trajectory, stamp: Array) -> tuple[Trajectory, Array]:
         stamp: [s], shape (M,).
 
     Returns:
-        The poses for those stamps that lie within the trajectory, and which they are: (M,) of bool.
+        The poses for those stamps that lie within the trajectory (to the last digit that TUM files
+        give), and which they are: (M,) of bool.
 
     Raises:
         EvalError: no stamp lies within it.
     """
     _, first = np.unique(truth.stamp, return_index=True)
     truth = truth.select(first)
-    known = (stamp >= truth.stamp[0]) & (stamp <= truth.stamp[-1])
+    first_stamp, last_stamp = truth.stamp[0], truth.stamp[-1]
+    known = (stamp > first_stamp - _STAMP_DIGIT) & (stamp < last_stamp + _STAMP_DIGIT)
     if not known.any() or len(truth) < 2:
         raise EvalError(
             f"the trajectory's stamps {stamp.min():.3f} .. {stamp.max():.3f} s and the truth's"
             f" {truth.stamp[0]:.3f} .. {truth.stamp[-1]:.3f} s have nothing in common"
         )
-    at = stamp[known]
+    at = stamp[known].clip(first_stamp, last_stamp)
     p = np.column_stack([np.interp(at, truth.stamp, truth.p[:, i]) for i in range(3)])
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # on half turns between neighbours
         R = Slerp(truth.stamp, truth.R)(at)
-    return Trajectory(at, p, R), known
+    return Trajectory(stamp[known], p, R), known
