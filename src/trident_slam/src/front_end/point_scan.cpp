@@ -45,42 +45,45 @@ struct LineSums {
   }
 };
 
-/// A line through neighbouring points.
-struct Line {
-  Eigen::Vector2f normal = Eigen::Vector2f::Zero();  ///< zero if the points do not lie on one
-  double across = std::numeric_limits<double>::infinity();  ///< their variance about it [m^2]
+/// How neighbouring points lie about their mean: moments [m^2], and the standard deviations across
+/// the line that they lie on best and along it, squared.
+struct Scatter {
+  double xx = 0.0, xy = 0.0, yy = 0.0;
+  double across = std::numeric_limits<double>::infinity();  ///< infinite: too few points
+  double along = 0.0;
+
+  Scatter(const LineSums& s, int n) {
+    if (n < 3) return;
+    const double share = 1.0 / n;
+    xx = share * (s.xx - share * s.x * s.x);
+    xy = share * (s.xy - share * s.x * s.y);
+    yy = share * (s.yy - share * s.y * s.y);
+    const double half = 0.5 * (xx - yy);
+    const double root = std::sqrt(half * half + xy * xy);
+    across = std::max(0.5 * (xx + yy) - root, 0.0);
+    along = 0.5 * (xx + yy) + root;
+  }
 };
 
-/// Points err along their beam alone, so that is what is regressed on the direction across: a total
-/// least-squares line leans towards the beams, walls of a corridor open like a funnel, and the
-/// robot slides along it. Where the beam grazes the surface the regression knows too little, and
-/// where both differ by more than that effect can be it is no line.
-Line line_through(const LineSums& s, int n, const Eigen::Vector2f& beam) {
-  Line line;
-  if (n < 3) return line;
-  const double share = 1.0 / n;
-  const double cxx = share * (s.xx - share * s.x * s.x);
-  const double cxy = share * (s.xy - share * s.x * s.y);
-  const double cyy = share * (s.yy - share * s.y * s.y);
-  const double mean = 0.5 * (cxx + cyy);
-  const double half = 0.5 * (cxx - cyy);
-  const double root = std::sqrt(half * half + cxy * cxy);
-  line.across = std::max(mean - root, 0.0);
+/// The normal of the points' line, or zero if they do not lie on one. Points err along their beam
+/// alone, so that is what is regressed on the direction across: a total least-squares line leans
+/// towards the beams, walls of a corridor open like a funnel, and the robot slides along it. Where
+/// the beam grazes the surface the regression knows too little, and where both differ by more than
+/// that effect can be it is no line.
+Eigen::Vector2f line_normal(const Scatter& s, const Eigen::Vector2f& beam) {
   constexpr double kThickest = 0.04;  // [m], standard deviation across the line
-  if (line.across > kThickest * kThickest || line.across > 0.1 * (mean + root)) return line;
+  if (s.across > kThickest * kThickest || s.across > 0.1 * s.along) return Eigen::Vector2f::Zero();
   // Eigenvector of the smaller eigenvalue, from the row of the matrix that does not cancel.
-  const Eigen::Vector2d plain =
-      (half > 0.0 ? Eigen::Vector2d(-cxy, root + half) : Eigen::Vector2d(root - half, -cxy))
-          .normalized();
+  const Eigen::Vector2d plain = (s.xx > s.yy ? Eigen::Vector2d(-s.xy, s.along - s.yy)
+                                             : Eigen::Vector2d(s.along - s.xx, -s.xy))
+                                    .normalized();
   constexpr double kGrazing = 0.3;    // sine
   constexpr double kMostLean = 0.05;  // [rad]
   const Eigen::Vector2d u = beam.cast<double>().normalized();
-  line.normal = plain.cast<float>();
-  if (std::abs(plain.dot(u)) < kGrazing) return line;
+  if (std::abs(plain.dot(u)) < kGrazing) return plain.cast<float>();
   const Eigen::Vector2d normal =
-      Eigen::Vector2d(cyy * u.x() - cxy * u.y(), cxx * u.y() - cxy * u.x()).normalized();
-  if (std::abs(normal.dot(plain)) >= std::cos(kMostLean)) line.normal = normal.cast<float>();
-  return line;
+      Eigen::Vector2d(s.yy * u.x() - s.xy * u.y(), s.xx * u.y() - s.xy * u.x()).normalized();
+  return (std::abs(normal.dot(plain)) < std::cos(kMostLean) ? plain : normal).cast<float>();
 }
 
 /// Sets normals from the points about each point that meet the same surface.
@@ -130,18 +133,16 @@ class Normals {
   /// matched. M. Kuwahara et al., "Processing of RI-angiocardiographic images", 1976, for the
   /// choice.
   Eigen::Vector2f normal_at(int i, int begin, int end) const {
-    const Line both = line_of(i, begin, end);
-    if (both.across < kStraight * kStraight) return both.normal;
-    const Line before = line_of(i, begin, i + 1);
-    const Line after = line_of(i, i, end);
-    const Line& side = before.across < after.across ? before : after;
-    return kWorseByCorner * side.across < both.across ? side.normal : both.normal;
+    const Eigen::Vector2f beam = scan_.points[i].p - scan_.origin;
+    const Scatter both = scatter(begin, end);
+    if (both.across < kStraight * kStraight) return line_normal(both, beam);
+    const Scatter before = scatter(begin, i + 1);
+    const Scatter after = scatter(i, end);
+    const Scatter& side = before.across < after.across ? before : after;
+    return line_normal(kWorseByCorner * side.across < both.across ? side : both, beam);
   }
 
-  Line line_of(int i, int begin, int end) const {
-    const Eigen::Vector2f beam = scan_.points[i].p - scan_.origin;
-    return line_through(sums_[end] - sums_[begin], end - begin, beam);
-  }
+  Scatter scatter(int begin, int end) const { return {sums_[end] - sums_[begin], end - begin}; }
 
   bool is_neighbour(int i, int j) const {
     const int apart = std::abs(i - j);
