@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "front_end/growing_grid.h"
 #include "trident_base/occupancy_grid.h"
 
 namespace trident {
@@ -15,14 +16,16 @@ namespace trident {
 /// run over, so that a cell keeps its share.
 class BeamCounts {
  public:
-  /// `seen`: all that beams will touch [m]. Throws Error when the map would have more than 2^28
-  /// cells. Nothing seen gives a map without cells.
-  BeamCounts(const Eigen::AlignedBox2d& seen, double resolution);
+  /// `resolution`: side of a cell [m].
+  explicit BeamCounts(double resolution) : resolution_(resolution) {}
 
-  void add_beam(const Eigen::Vector2d& p_map_laser, const Eigen::Vector2d& p_map_end);
-  /// A cell is occupied where at least `occupied_share` of at least two beams ended, free where
-  /// other beams were, else unknown.
-  OccupancyGrid map(double occupied_share) const;
+  /// Beams from one place to `p_map_ends` [m]. Throws Error when the map would have more than 2^28
+  /// cells.
+  void add_beams(const Eigen::Vector2d& p_map_laser,
+                 const std::vector<Eigen::Vector2d>& p_map_ends);
+  /// A cell is occupied where at least two beams ended, and a quarter of those that touched it;
+  /// free where other beams were, else unknown. Nothing seen gives a map without cells.
+  OccupancyGrid map() const;
 
  private:
   struct Counts {
@@ -30,10 +33,13 @@ class BeamCounts {
     std::uint8_t ended = 0;
     void add(std::uint8_t Counts::*which);
   };
-  Counts& at(const Eigen::Vector2i& cell) { return counts_[grid_.index(cell.x(), cell.y())]; }
+  Eigen::Vector2i cell_at(const Eigen::Vector2d& p_map) const;
+  void count_passed(const Eigen::Vector2i& a, const Eigen::Vector2i& b);
+  void check_size() const;
 
-  OccupancyGrid grid_;
-  std::vector<Counts> counts_;
+  double resolution_;
+  GrowingGrid<Counts> counts_;
+  Eigen::AlignedBox2d seen_;  ///< of the scanners and of what they saw [m]
 };
 
 }  // namespace trident
