@@ -35,7 +35,7 @@ SearchWindow window_after(double way, double largest) {
 }
 
 /// Part of the points by which a place that was sought must fit better than where the graph has it.
-constexpr double kWorthOfGuess = 0.05;
+constexpr double kSearchGain = 0.05;
 
 /// How far a candidate puts its newer stretch from where it is now [m].
 double misfit(const KeyframeGraph& graph, const LoopCandidate& candidate) {
@@ -102,7 +102,7 @@ bool LoopCloser::match(const KeyframeGraph& graph, int older, int newer, double 
   const MatchResult here = match_lines(surfels, cloud, guess, {}, options_.line);
   const Agreement agreement_here = place.agreement(surfels, cloud, here.T_ref_base);
   if (agreement_here.overlap >= options_.min_overlap &&
-      agreement_here.ratio + kWorthOfGuess > agreement.ratio) {
+      agreement_here.ratio + kSearchGain > agreement.ratio) {
     match = here;
     agreement = agreement_here;
   }
