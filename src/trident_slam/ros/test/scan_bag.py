@@ -5,7 +5,9 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import rosbag
@@ -13,7 +15,7 @@ import rospy
 from geometry_msgs.msg import TransformStamped
 from sensor_msgs.msg import Imu, LaserScan
 from tf2_msgs.msg import TFMessage
-from trident.testing import LIMIT_S, Recorder, Ros
+from trident.testing import LIMIT_S, Process, Recorder, Ros, program
 
 #: x0, y0, x1, y1 [m]: the room, seen from inside, and what stands in it.
 ROOM = (-4.0, -3.0, 4.0, 3.0)
@@ -133,6 +135,22 @@ def diagnosed(seen: Recorder, key: str) -> str:
             if status.name.endswith("SLAM"):
                 return next(pair.value for pair in status.values if pair.key == key)
     return ""
+
+
+def start_slam(
+    ros: Ros,
+    package: str,
+    node: str,
+    *words: str,
+    name: str = "",
+    parameters: Mapping[str, Any] | None = None,
+) -> Process:
+    """Start a node that takes its time from a bag; its name is that of the program by default."""
+    name = name or node
+    ros.set_param("/use_sim_time", True)
+    if parameters:
+        ros.set_param(f"/{name}", dict(parameters))
+    return ros.launch([program(package, node), f"__name:={name}", *words])
 
 
 def play(ros: Ros, bag: Path, *words: str) -> None:

@@ -5,7 +5,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
@@ -17,29 +16,14 @@ from geometry_msgs.msg import Pose, PoseStamped, PoseWithCovarianceStamped
 from hector_mapping.srv import ResetMapping
 from nav_msgs.msg import MapMetaData, OccupancyGrid, Odometry
 from nav_msgs.srv import GetMap
-from scan_bag import ROOM, diagnosed, play, service, write_bag
+from scan_bag import ROOM, diagnosed, play, service, start_slam
 from sensor_msgs.msg import PointCloud
 from std_msgs.msg import Float64, String
 from std_srvs.srv import SetBool, Trigger
-from trident.testing import Ros, eventually, program, recorder
+from trident.testing import Ros, eventually, recorder
 
 SCANS = 30
 ROOM_M = ROOM[2] - ROOM[0]
-
-
-@pytest.fixture(scope="module")
-def bag(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    path = tmp_path_factory.mktemp("methods_bag") / "drive.bag"
-    write_bag(path, SCANS)
-    return path
-
-
-@pytest.fixture
-def transforms(ros: Ros) -> Iterator[tf2_ros.Buffer]:
-    buffer = tf2_ros.Buffer()
-    listener = tf2_ros.TransformListener(buffer)
-    yield buffer
-    listener.unregister()
 
 
 def width_m(seen: OccupancyGrid) -> float:
@@ -53,10 +37,11 @@ def test_gmapping_does_what_its_parameters_say(
     ros: Ros, bag: Path, transforms: tf2_ros.Buffer
 ) -> None:
     particles = 5
-    ros.set_param("/use_sim_time", True)
-    ros.set_param(
-        "/slam_gmapping",
-        {
+    node = start_slam(
+        ros,
+        "gmapping",
+        "slam_gmapping",
+        parameters={
             "base_frame": "base_footprint",
             "map_frame": "plan",
             "odom_frame": "odom",
@@ -97,7 +82,6 @@ def test_gmapping_does_what_its_parameters_say(
             "partikles": 30,
         },
     )
-    node = ros.launch([program("gmapping", "slam_gmapping"), "__name:=slam_gmapping"])
     with (
         recorder("/slam_gmapping/entropy", Float64) as entropies,
         recorder("/map", OccupancyGrid) as maps,
@@ -123,10 +107,11 @@ def test_gmapping_does_what_its_parameters_say(
 
 
 def test_hector_needs_no_odometry(ros: Ros, bag: Path, transforms: tf2_ros.Buffer) -> None:
-    ros.set_param("/use_sim_time", True)
-    ros.set_param(
-        "/hector_mapping",
-        {
+    node = start_slam(
+        ros,
+        "hector_mapping",
+        "hector_mapping",
+        parameters={
             "base_frame": "base_footprint",
             "odom_frame": "base_footprint",
             "map_frame": "map",
@@ -154,7 +139,6 @@ def test_hector_needs_no_odometry(ros: Ros, bag: Path, transforms: tf2_ros.Buffe
             "bag_loop": "continue",
         },
     )
-    node = ros.launch([program("hector_mapping", "hector_mapping"), "__name:=hector_mapping"])
     with (
         recorder("/slam_out_pose", PoseStamped) as poses,
         recorder("/poseupdate", PoseWithCovarianceStamped) as updates,

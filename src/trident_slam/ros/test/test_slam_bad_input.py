@@ -17,7 +17,7 @@ from diagnostic_msgs.msg import DiagnosticArray
 from geometry_msgs.msg import Pose2D, PoseWithCovarianceStamped
 from nav_msgs.msg import OccupancyGrid
 from nav_msgs.srv import GetMap
-from scan_bag import diagnosed, play, service, write_bag
+from scan_bag import diagnosed, play, service, start_slam
 from sensor_msgs.msg import LaserScan
 from slam_toolbox_msgs.srv import DeserializePoseGraph, SerializePoseGraph
 from trident.testing import Ros, eventually, program, recorder
@@ -61,21 +61,15 @@ def shared_walls(a: OccupancyGrid, b: OccupancyGrid) -> float:
     return float(np.mean(nearest < 1.5 * a.info.resolution))
 
 
-def test_bad_scans_are_counted_and_do_no_harm(ros: Ros, tmp_path: Path) -> None:
-    good, bad = tmp_path / "good.bag", tmp_path / "bad.bag"
-    write_bag(good, SCANS)
-    harmed(good, bad)
-    ros.set_param("/use_sim_time", True)
-    node = ros.launch(
-        [
-            program("slam_toolbox", "sync_slam_toolbox_node"),
-            "__name:=slam_toolbox",
-            "_bag_loop:=restart",
-        ]
+def test_bad_scans_are_counted_and_do_no_harm(ros: Ros, bag: Path, tmp_path: Path) -> None:
+    bad = tmp_path / "bad.bag"
+    harmed(bag, bad)
+    node = start_slam(
+        ros, "slam_toolbox", "sync_slam_toolbox_node", "_bag_loop:=restart", name="slam_toolbox"
     )
     whole = service("/slam_toolbox/dynamic_map", GetMap)
     with recorder("/diagnostics", DiagnosticArray) as seen:
-        play(ros, good, "--rate", "5")
+        play(ros, bag, "--rate", "5")
         eventually(lambda: diagnosed(seen, "scans used") == str(SCANS), "all scans")
         assert diagnosed(seen, "problems") == "0"
         expected = whole().map
@@ -105,13 +99,6 @@ def test_bad_scans_are_counted_and_do_no_harm(ros: Ros, tmp_path: Path) -> None:
     # Each kind of problem once, not each scan.
     assert node.log.count("0 of 180 beams have a return") == 1
     assert node.log.count("90 beams from") == 1
-
-
-@pytest.fixture(scope="module")
-def bag(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    path = tmp_path_factory.mktemp("damaged") / "drive.bag"
-    write_bag(path, 20)
-    return path
 
 
 def offline(log: Path, out: Path) -> subprocess.CompletedProcess[str]:

@@ -15,19 +15,12 @@ import tf2_ros
 from diagnostic_msgs.msg import DiagnosticArray
 from geometry_msgs.msg import Pose2D
 from nav_msgs.msg import OccupancyGrid
-from scan_bag import SCAN_PERIOD_S, diagnosed, path, play, service, write_bag
+from scan_bag import SCAN_PERIOD_S, diagnosed, path, play, service, start_slam, write_bag
 from slam_toolbox_msgs.srv import DeserializePoseGraph, Pause, Reset, SaveMap, SerializePoseGraph
 from std_msgs.msg import String
 from trident.testing import LIMIT_S, Ros, eventually, program, recorder
 
 SCANS = 60
-
-
-@pytest.fixture(scope="module")
-def bag(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    path = tmp_path_factory.mktemp("bag") / "drive.bag"
-    write_bag(path, SCANS)
-    return path
 
 
 @pytest.fixture(scope="module")
@@ -49,9 +42,9 @@ def test_a_replayed_bag_gives_the_map_of_the_offline_runner(
 ) -> None:
     done = offline(imu_bag, tmp_path / "offline", "--imu", "/imu")
     assert done.returncode == 0, done.stderr
-    ros.set_param("/use_sim_time", True)
-    words = ["__name:=slam_toolbox", "_imu_topic:=/imu"]
-    node = ros.launch([program("slam_toolbox", "sync_slam_toolbox_node"), *words])
+    node = start_slam(
+        ros, "slam_toolbox", "sync_slam_toolbox_node", "_imu_topic:=/imu", name="slam_toolbox"
+    )
     save = service("/slam_toolbox/save_map", SaveMap)
     with (
         recorder("/diagnostics", DiagnosticArray) as seen,
@@ -111,17 +104,14 @@ def test_an_imu_that_ends_is_told_of_and_mapping_goes_on(tmp_path: Path) -> None
     assert "no topic /imu2 of sensor_msgs/Imu; there are: /imu" in unknown.stderr
 
 
-def test_the_services_of_slam_toolbox(ros: Ros, bag: Path, tmp_path: Path) -> None:
-    ros.set_param("/use_sim_time", True)
-    ros.launch([program("slam_toolbox", "async_slam_toolbox_node"), "__name:=slam_toolbox"])
+def test_the_services_of_slam_toolbox(ros: Ros, bag: Path, transforms: tf2_ros.Buffer) -> None:
+    start_slam(ros, "slam_toolbox", "async_slam_toolbox_node", name="slam_toolbox")
     pause = service("/slam_toolbox/pause_new_measurements", Pause)
-    buffer = tf2_ros.Buffer()
-    listener = tf2_ros.TransformListener(buffer)
     with recorder("/diagnostics", DiagnosticArray) as seen:
         play(ros, bag, "--duration", "2")
         eventually(lambda: int(diagnosed(seen, "scans used") or 0) > 5, "scans")
-        eventually(lambda: buffer.can_transform("map", "odom", rospy.Time()), "map -> odom")
-        shift = buffer.lookup_transform("map", "odom", rospy.Time()).transform.translation
+        eventually(lambda: transforms.can_transform("map", "odom", rospy.Time()), "map -> odom")
+        shift = transforms.lookup_transform("map", "odom", rospy.Time()).transform.translation
         assert abs(shift.x) < 0.1
         assert abs(shift.y) < 0.1
         assert pause().status
@@ -130,20 +120,12 @@ def test_the_services_of_slam_toolbox(ros: Ros, bag: Path, tmp_path: Path) -> No
         # The bag begins again, two seconds before its last scan.
         play(ros, bag, "--duration", "1")
         eventually(lambda: "time went back by" in diagnosed(seen, "last problem"), "the bag loop")
-    listener.unregister()
 
 
 def test_a_late_transform_is_named(ros: Ros, tmp_path: Path) -> None:
     late = tmp_path / "late.bag"
     write_bag(late, 30, tf_delay_s=0.5)
-    ros.set_param("/use_sim_time", True)
-    node = ros.launch(
-        [
-            program("gmapping", "slam_gmapping"),
-            "__name:=slam_gmapping",
-            "_base_frame:=base_footprint",
-        ]
-    )
+    node = start_slam(ros, "gmapping", "slam_gmapping", "_base_frame:=base_footprint")
     rospy.wait_for_service("/dynamic_map", LIMIT_S)
     with recorder("/diagnostics", DiagnosticArray) as seen:
         play(ros, late)

@@ -15,7 +15,7 @@ from geometry_msgs.msg import Pose, PoseWithCovarianceStamped
 from map_msgs.msg import OccupancyGridUpdate
 from nav_msgs.msg import OccupancyGrid
 from nav_msgs.srv import GetMap
-from scan_bag import diagnosed, play, service, write_bag
+from scan_bag import diagnosed, play, service, start_slam
 from sensor_msgs.msg import LaserScan
 from slam_toolbox_msgs.srv import (
     AddSubmap,
@@ -27,7 +27,7 @@ from slam_toolbox_msgs.srv import (
     ToggleInteractive,
 )
 from std_srvs.srv import Empty
-from trident.testing import Ros, eventually, program, recorder
+from trident.testing import Ros, eventually, recorder
 from visualization_msgs.msg import (
     InteractiveMarkerFeedback,
     InteractiveMarkerInit,
@@ -107,13 +107,6 @@ WITHOUT_EFFECT = {
 }
 
 
-@pytest.fixture(scope="module")
-def bag(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    path = tmp_path_factory.mktemp("toolbox_bag") / "drive.bag"
-    write_bag(path, SCANS)
-    return path
-
-
 def cells(whole: OccupancyGrid, update: OccupancyGridUpdate) -> np.ndarray:
     """The map that a subscriber has after an update."""
     grid = np.array(whole.data, np.int8).reshape(whole.info.height, whole.info.width)
@@ -174,9 +167,13 @@ def correct_by_hand() -> None:
 
 
 def test_the_whole_interface_of_slam_toolbox(ros: Ros, bag: Path, tmp_path: Path) -> None:
-    ros.set_param("/use_sim_time", True)
-    ros.set_param("/slam_toolbox", {**USED, **WITHOUT_EFFECT})
-    node = ros.launch([program("slam_toolbox", "sync_slam_toolbox_node"), "__name:=slam_toolbox"])
+    node = start_slam(
+        ros,
+        "slam_toolbox",
+        "sync_slam_toolbox_node",
+        name="slam_toolbox",
+        parameters={**USED, **WITHOUT_EFFECT},
+    )
     dynamic_map = service("/slam_toolbox/dynamic_map", GetMap)
     told = [line for line in node.log.splitlines() if "parameters" in line]
     assert len(told) == 1
@@ -216,13 +213,13 @@ def test_the_whole_interface_of_slam_toolbox(ros: Ros, bag: Path, tmp_path: Path
 
 def merge(ros: Ros, session: str, tmp_path: Path) -> None:
     """The same session twice, the second one put a little beside the first."""
-    node = ros.launch(
-        [
-            program("slam_toolbox", "merge_maps_kinematic"),
-            "__name:=merge",
-            "_loop_match_minimum_chain_size:=3",
-            "map:=merged_map",
-        ]
+    node = start_slam(
+        ros,
+        "slam_toolbox",
+        "merge_maps_kinematic",
+        "_loop_match_minimum_chain_size:=3",
+        "map:=merged_map",
+        name="merge",
     )
     add = service("/map_merging/add_submap", AddSubmap)
     merge_submaps = service("/map_merging/merge_submaps", MergeMaps)
