@@ -18,8 +18,14 @@ constexpr double kSearchGain = 0.05;
 /// kDoubtedDeviation [squared standard deviations].
 constexpr double kWorthOfGuess = 0.35;
 constexpr double kDoubtedDeviation = 9.0;
-/// Part of the points that must fit in a place that a wide search finds.
+/// Part of the points that must fit in a place that a wide search finds where hardly any place
+/// fitted, ...
 constexpr double kSureFraction = 0.7;
+/// ... and where the one at hand fits somewhat, but not odometry.
+constexpr double kCertainFraction = 0.95;
+/// Part of the points that fit somewhat, and squared standard deviations from odometry that do not.
+constexpr double kFitsSomewhat = 0.8;
+constexpr double kOddDeviation = 9.0;
 
 }  // namespace
 
@@ -114,9 +120,13 @@ MatchResult ScanTracker::track(const PointScan& scan, const OdometryMotion::Step
       if (is_odd) best = better(best, match(scan, guess, true), guess);
       best = better(search(scan, guess, near), best, guess);
     }
-    if (best.inlier_fraction < options_.lost_inlier_fraction) {
+    const bool is_lost = best.inlier_fraction < options_.lost_inlier_fraction;
+    const bool is_astray = best.inlier_fraction < kFitsSomewhat &&
+                           guess.squared_deviation(best.T_ref_base) > kOddDeviation;
+    if (is_lost || is_astray) {
       const MatchResult other = search(scan, guess, wide);
-      if (other.inlier_fraction > kSureFraction) best = better(other, best, guess);
+      const double enough = is_lost ? kSureFraction : kCertainFraction;
+      if (other.inlier_fraction > enough) best = better(other, best, guess);
     }
   }
   T_map_base_ = best.T_ref_base;
