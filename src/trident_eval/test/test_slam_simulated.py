@@ -10,15 +10,15 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 import pytest
-import yaml
 from trident_eval.bench.recorded_drive import Lidar, Recording, Sweep
 from trident_eval.bench.vehicle import package_folder
 from trident_eval.core.errors import EvalError
 from trident_eval.slam import simulated
 from trident_eval.slam.__main__ import main
 
-TOUR = Path(__file__).resolve().parents[3] / "config" / "tours" / "office.yaml"
+RING = np.array([[0.0, -4.5], [18.8, -4.5], [18.8, 4.6], [0.0, 4.6], [0.0, -4.5]])
 TRUTH = np.array([[0.0, 0.0, 0.0, 0.0], [1.0, 1.0, 0.0, 0.0], [2.0, 1.0, 1.0, math.pi / 2]])
 
 
@@ -105,15 +105,18 @@ def office() -> Path:
 
 @pytest.mark.parametrize("seed", [0, 1])
 def test_the_office_is_mapped_and_found_again(office: Path, seed: int, tmp_path: Path) -> None:
-    tour = yaml.safe_load(TOUR.read_text(encoding="utf-8"))
-    way = np.array([tour["start"][:2], *tour["waypoints"]], dtype=np.float64)
-    numbers, final = simulated.map_drive(simulated.drive_along(office, way, seed), tmp_path)
+    numbers, final = simulated.map_drive(drive(office, RING, seed), tmp_path)
     assert final.summary()["ate_rmse_m"] < simulated.ATE_LIMIT_M
-    assert numbers["way_m"] > 100.0
+    assert numbers["way_m"] > 50.0
     assert numbers["loops"] + numbers["reused"] > 0
     assert numbers["false_loops"] == 0
     T, session = final.T_truth_map, tmp_path / "map.session"
-    back = simulated.drive_along(office, way[:-6:-1], seed + 2)
+    back = drive(office, RING[:1:-1], seed + 2)
     again = simulated.localize_drive(back, session, T, seed, tmp_path / "again")
     assert again["ate_rmse_m"] < simulated.ATE_LIMIT_M
     assert again["poses"] == len(back.sweeps)
+
+
+def drive(office: Path, way: npt.NDArray[np.float64], seed: int) -> Recording:
+    """Along a way at 0.8 m/s."""
+    return simulated.drive_along(office, way, seed, speed=0.8)
