@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "front_end/surfel_map.h"
 #include "graph_slam/pair_linker.h"
@@ -32,24 +33,26 @@ double farthest_move(const KeyframeGraph& a, const KeyframeGraph& b) {
 
 }  // namespace
 
-void align_all_keyframes(KeyframeGraph* graph) {
+std::vector<GraphEdge> align_all_keyframes(KeyframeGraph* graph) {
   const std::vector<GraphEdge> edges = graph->edges();
   PairLinkOptions options;
   options.line.max_points = kPairPoints;
   options.line.converged = kConverged;
   options.line.least_paired = options.min_inliers;
+  std::vector<GraphEdge> all;
   for (int pass = 0; pass < kMostPasses; ++pass) {
     const KeyframeGraph before = *graph;
-    std::vector<GraphEdge> all = link_pairs(*graph, options);
+    all = link_pairs(*graph, options);
     for (const GraphEdge& edge : edges) {
       if (edge.kind == EdgeKind::kChain) all.push_back(edge);
     }
     for (GraphEdge& edge : all) edge.information *= kInformationShare;
     graph->edges() = std::move(all);
     graph->optimize(kKernel, kIterations);
-    graph->edges() = edges;
+    all = std::exchange(graph->edges(), edges);
     if (farthest_move(before, *graph) < kSettled) break;
   }
+  return all;
 }
 
 std::vector<SE2> match_archive(const ScanArchive& archive, const KeyframeGraph& graph,

@@ -10,8 +10,8 @@
 namespace trident {
 
 /// Moves the keyframes to where all scans that see the same surfaces agree. The graph keeps its
-/// edges.
-void align_all_keyframes(KeyframeGraph* graph);
+/// edges; returns those that it was aligned by.
+std::vector<GraphEdge> align_all_keyframes(KeyframeGraph* graph);
 
 /// Matches every scan against the surfaces of all keyframes; about where its keyframe is now.
 std::vector<SE2> match_archive(const ScanArchive& archive, const KeyframeGraph& graph,

@@ -272,7 +272,7 @@ void GraphMapper::finish() {
   if (!options_.use_scan_matching || options_.mode == SlamMode::kLocalization) return;
   if (graph_.size() < 2) return;
   const SE2 T_before_base = graph_.pose(graph_.size() - 1).inverse() * tracker_.T_map_base();
-  align_all_keyframes(&graph_);
+  final_edges_ = align_all_keyframes(&graph_);
   tracker_.set_pose(graph_.pose(graph_.size() - 1) * T_before_base);
   rebuild_surfaces();
   hide_what_drifted();

@@ -47,6 +47,10 @@ class GraphMapper {
   void finish();
   std::vector<StampedPose2d> trajectory() const;
   const KeyframeGraph& graph() const { return graph_; }
+  /// What the keyframes' poses come from: after finish() all pairs of scans, before it the graph's.
+  const std::vector<GraphEdge>& measured_edges() const {
+    return final_poses_.empty() ? graph_.edges() : final_edges_;
+  }
   /// The scan of each keyframe, as `trajectory` counts them.
   std::vector<std::size_t> scans_of_keyframes() const;
   const CalibratedOdometry& calibration() const { return calibration_; }
@@ -122,6 +126,7 @@ class GraphMapper {
   bool is_chain_broken_ = false;  ///< the next keyframe does not follow from the one before it
   int forgotten_scans_ = 0;       ///< or thinned, since the surfaces were made last
   std::vector<SE2> final_poses_;  ///< of the archived scans, after finish()
+  std::vector<GraphEdge> final_edges_;            ///< that finish() aligned the keyframes by
   std::vector<std::pair<int, int>> reuse_links_;  ///< stretches: (older, newer)
 };
 

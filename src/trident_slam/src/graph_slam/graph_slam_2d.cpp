@@ -191,7 +191,7 @@ void GraphSlam2d::save_g2o(const std::string& path) const {
   const KeyframeGraph& graph = impl_->mapper->graph();
   PoseGraph2d poses;
   for (int i = 0; i < graph.size(); ++i) poses.add_vertex(i, graph.pose(i));
-  for (const GraphEdge& edge : graph.edges()) {
+  for (const GraphEdge& edge : impl_->mapper->measured_edges()) {
     poses.add_edge({edge.from, edge.to, edge.T_from_to, edge.information});
   }
   write_g2o(poses, path);

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
@@ -11,9 +12,12 @@
 #include <map>
 #include <sstream>
 #include <string>
+#include <variant>
 
 #include "graph_slam/polygon_world.h"
 #include "trident_base/error.h"
+#include "trident_slam/pose_graph_g2o.h"
+#include "trident_slam/pose_graph_optimizer.h"
 
 namespace trident {
 namespace {
@@ -55,6 +59,23 @@ TEST_F(GraphSlamRing, EveryScanEndsNearItsTruePose) {
     EXPECT_EQ(poses[i].stamp_ns, static_cast<std::int64_t>(i) * 100'000'000);
   }
   EXPECT_GT(error(SE2(odometry_.back()), path_.size() - 1), 1.0);  // odometry alone does not
+}
+
+TEST_F(GraphSlamRing, TheGraphThatIsWrittenHoldsWhatTheFinalPosesComeFrom) {
+  GraphSlam2d slam(options());
+  drive(slam, 0, path_.size());
+  slam.finish();
+  const std::string file = ::testing::TempDir() + "trident_final_graph.g2o";
+  slam.save_g2o(file);
+  PoseGraph2d graph = std::get<PoseGraph2d>(read_g2o(file));
+  const PoseGraph2d before = graph;
+  PoseGraphOptimizer<SE2>(PoseGraphOptions{}).optimize(graph);
+  double farthest = 0.0;
+  for (int i = 0; i < slam.nodes(); ++i) {
+    farthest = std::max(farthest, (graph.pose(i).p - before.pose(i).p).norm());
+  }
+  EXPECT_LT(farthest, 0.01);
+  std::remove(file.c_str());
 }
 
 TEST_F(GraphSlamRing, SameScansGiveSameBitsAndPosesDoNotKnowTheFuture) {
