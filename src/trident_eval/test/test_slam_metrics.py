@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import json
+import os
+import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -250,3 +253,17 @@ def test_bad_maps_are_named(tmp_path: Path, capsys: pytest.CaptureFixture[str]) 
         assert complaint in capsys.readouterr().err
     with pytest.raises(EvalError, match=r"none\.relations"):
         read_relations(tmp_path / "none.relations")
+
+
+def test_a_reader_may_stop_at_any_line(tmp_path: Path) -> None:
+    truth = drive(20)
+    stamped = np.column_stack([truth.stamp, truth.p, truth.R.as_quat()])
+    np.savetxt(tmp_path / "trajectory.tum", stamped, fmt="%.6f")
+    np.savetxt(tmp_path / "truth.tum", stamped, fmt="%.6f")
+    read, write = os.pipe()
+    os.close(read)
+    words = ["evaluate", str(tmp_path), "--truth", str(tmp_path / "truth.tum"), "--no-pictures"]
+    command = [sys.executable, "-m", "trident_eval.slam", *words]
+    done = subprocess.run(command, stdout=write, stderr=subprocess.PIPE, text=True, check=False)
+    os.close(write)
+    assert (done.returncode, done.stderr) == (141, "")

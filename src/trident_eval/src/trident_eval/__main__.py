@@ -24,6 +24,7 @@ from trident_eval.core.missions import judge_missions, read_missions
 from trident_eval.core.page import Report, page
 from trident_eval.core.plots import draw_all
 from trident_eval.core.provenance import Provenance, read_object, read_provenance
+from trident_eval.core.reader import until_unread
 from trident_eval.core.report import table
 from trident_eval.core.scene import Scene, formation_scene
 from trident_eval.core.tracks import read_states
@@ -195,4 +196,4 @@ def _drawn_with() -> dict[str, str]:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(until_unread(main))

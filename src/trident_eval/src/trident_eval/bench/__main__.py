@@ -33,6 +33,7 @@ from trident_eval.bench.rows import (
 )
 from trident_eval.bench.vehicle import Setup, prepare
 from trident_eval.core.errors import EvalError
+from trident_eval.core.reader import until_unread
 
 MEASURED, FAILED, UNUSABLE = 0, 1, 2
 _TOGETHER = coast.CASES[0]
@@ -297,4 +298,4 @@ def main(arguments: list[str] | None = None) -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(until_unread(main))

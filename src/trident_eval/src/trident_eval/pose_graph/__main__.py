@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from trident_eval.core.errors import EvalError
+from trident_eval.core.reader import until_unread
 from trident_eval.pose_graph.g2o import read_layout
 from trident_eval.pose_graph.picture import draw
 from trident_eval.pose_graph.program import optimize
@@ -101,4 +102,4 @@ def main() -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(until_unread(main))

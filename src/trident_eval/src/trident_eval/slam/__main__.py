@@ -12,6 +12,7 @@ from typing import Any
 
 from trident_eval.bench.machine import describe_commit, describe_machine
 from trident_eval.core.errors import EvalError
+from trident_eval.core.reader import until_unread
 from trident_eval.slam import benchmark, evaluation, live, offline, simulated
 from trident_eval.slam.offline import DEFAULT_METHOD
 
@@ -180,4 +181,4 @@ def _evaluate(options: argparse.Namespace) -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(until_unread(main))

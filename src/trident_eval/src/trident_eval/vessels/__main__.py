@@ -9,6 +9,7 @@ import sys
 from collections.abc import Callable
 from pathlib import Path
 
+from trident_eval.core.reader import until_unread
 from trident_eval.vessels import control_checks, hull_checks, legacy_check, motion_checks
 from trident_eval.vessels.check import Check
 from trident_eval.vessels.pictures import draw
@@ -61,4 +62,4 @@ def main(arguments: list[str] | None = None) -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(until_unread(main))
