@@ -45,8 +45,8 @@ struct LineSums {
   }
 };
 
-/// How neighbouring points lie about their mean: moments [m^2], and the standard deviations across
-/// the line that they lie on best and along it, squared.
+/// How neighbouring points lie about their mean: covariance [m^2], and the variances across the
+/// line that they lie on best and along it.
 struct Scatter {
   double xx = 0.0, xy = 0.0, yy = 0.0;
   double across = std::numeric_limits<double>::infinity();  ///< infinite: too few points
