@@ -23,9 +23,8 @@ constexpr double kDoubtedDeviation = 9.0;
 constexpr double kSureFraction = 0.7;
 /// ... and where the one at hand fits somewhat, but not odometry.
 constexpr double kCertainFraction = 0.95;
-/// Part of the points that fit somewhat, and squared standard deviations from odometry that do not.
+/// Part of the points below which a place fits somewhat only.
 constexpr double kFitsSomewhat = 0.8;
-constexpr double kOddDeviation = 9.0;
 
 }  // namespace
 
@@ -122,7 +121,7 @@ MatchResult ScanTracker::track(const PointScan& scan, const OdometryMotion::Step
     }
     const bool is_lost = best.inlier_fraction < options_.lost_inlier_fraction;
     const bool is_astray = best.inlier_fraction < kFitsSomewhat &&
-                           guess.squared_deviation(best.T_ref_base) > kOddDeviation;
+                           guess.squared_deviation(best.T_ref_base) > kDoubtedDeviation;
     if (is_lost || is_astray) {
       const MatchResult other = search(scan, guess, wide);
       const double enough = is_lost ? kSureFraction : kCertainFraction;
