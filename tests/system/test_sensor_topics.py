@@ -19,6 +19,7 @@ from PIL import Image as Picture
 from sensor_msgs.msg import CameraInfo, CompressedImage, Image, Imu, PointCloud2, PointField
 from std_msgs.msg import Float64
 from std_srvs.srv import Empty
+from tf2_msgs.msg import TFMessage
 
 Start = Callable[..., Launch]
 HALF_ROOM_M = 5.0
@@ -89,7 +90,10 @@ def check_cloud(cloud: PointCloud2) -> npt.NDArray[np.void]:
 def test_clouds_with_rings_and_times_and_their_transforms(explorer: Launch) -> None:
     buffer = tf2_ros.Buffer(debug=False)
     listener = tf2_ros.TransformListener(buffer)
-    with recorder("/velodyne_points", PointCloud2) as clouds:
+    with (
+        recorder("/tf", TFMessage, publishers=2),  # then the listener hears them, too
+        recorder("/velodyne_points", PointCloud2) as clouds,
+    ):
         explorer.step(1500)
         eventually(lambda: len(clouds.messages) >= 13, "thirteen clouds")
     stamps = [message.header.stamp for message in clouds.messages]

@@ -80,11 +80,16 @@ class Recorder:
 
 
 @contextmanager
-def recorder(topic: str, message_type: Any, **options: Any) -> Iterator[Recorder]:
-    """A connected recorder that ends with the block; options as those of `Recorder`."""
+def recorder(
+    topic: str, message_type: Any, publishers: int = 1, **options: Any
+) -> Iterator[Recorder]:
+    """A recorder, connected to so many publishers, that ends with the block.
+
+    The other options are those of `Recorder`.
+    """
     result = Recorder(topic, message_type, **options)
     try:
-        yield result.connected()
+        yield result.connected(publishers)
     finally:
         result.close()
 
