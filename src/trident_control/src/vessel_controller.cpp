@@ -72,10 +72,16 @@ VesselController::VesselController(const VesselModel& model, const VesselControl
       holds_pose_(can_hold_pose(params.station.behaviour, allocation_, model.name)),
       cruise_(params.speed.cruise) {}
 
+bool VesselCommand::operator==(const VesselCommand& other) const {
+  return kind == other.kind && speed == other.speed && rate == other.rate && angle == other.angle &&
+         waypoints == other.waypoints;
+}
+
 void VesselController::reset() {
   // What has no stamp and still waits came after the last state: it is of the new time.
   const auto is_stamped = [](const Pending& p) { return p.stamp.ns != 0; };
   pending_.erase(std::remove_if(pending_.begin(), pending_.end(), is_stamped), pending_.end());
+  last_stamped_.reset();
   last_stamp_.reset();
   log_.reset();
   mode_ = VesselMode::kIdle;
@@ -128,9 +134,11 @@ ControlStatus VesselController::update(SimTime stamp, const OdometryState& odome
 
 void VesselController::apply_due(SimTime stamp, const VesselState& state) {
   while (!pending_.empty() && pending_.front().stamp <= stamp) {
-    const VesselCommand command = std::move(pending_.front().command);
+    const Pending due = std::move(pending_.front());
     pending_.pop_front();
-    apply(stamp, command, state);
+    if (last_stamped_ && due == *last_stamped_) continue;
+    if (due.stamp.ns != 0) last_stamped_ = due;
+    apply(stamp, due.command, state);
   }
 }
 

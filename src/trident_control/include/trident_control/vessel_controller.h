@@ -32,6 +32,8 @@ struct VesselCommand {
   Kind kind = Kind::kVelocity;
   double speed = 0.0, rate = 0.0, angle = 0.0;
   std::vector<Eigen::Vector2d> waypoints;
+
+  bool operator==(const VesselCommand& other) const;
 };
 
 /// What became of a command: texts are empty when nothing is wrong.
@@ -52,7 +54,8 @@ class VesselController {
   VesselController(const VesselModel& model, const VesselControlParams& params);
 
   /// A command that acts at once (stamp 0, or one of another clock, more than 60 s ahead), or with
-  /// the first state at or after its stamp. Waiting ones are replaced by later ones of their stamp.
+  /// the first state at or after its stamp. Waiting ones are replaced by later ones of their stamp;
+  /// a stamped one that comes again, as latched topics and patient senders do, changes nothing.
   CommandVerdict push(SimTime stamp, const VesselCommand& command);
   /// The surge speed through the water, as a speed log measures it at `stamp` [m/s].
   void set_log(SimTime stamp, double u_water);
@@ -76,6 +79,10 @@ class VesselController {
   struct Pending {
     SimTime stamp;
     VesselCommand command;
+
+    bool operator==(const Pending& other) const {
+      return stamp == other.stamp && command == other.command;
+    }
   };
   /// Heading and speed, or surge and sway force and heading.
   struct Wish {
@@ -112,6 +119,7 @@ class VesselController {
   ThrustAllocation allocation_;
 
   std::deque<Pending> pending_;
+  std::optional<Pending> last_stamped_;  // of the commands that have acted
   std::optional<SimTime> last_stamp_;
   VesselMode mode_ = VesselMode::kIdle;
   SimTime commanded_at_;

@@ -148,6 +148,21 @@ TEST(VesselController, CommandsOfALaterStampWaitAndAResetForgetsThem) {
             ControlStatus::invalid_state);
 }
 
+TEST(VesselController, AStampedPathThatComesAgainIsNotBegunAnew) {
+  const auto place = [](double repeated_at, double stamp) {
+    ControlledBoat boat("otter", shipped_control("otter"), uniform_current(0.3, 1.0));
+    const VesselCommand path = follow({{5.0, 20.0}, {80.0, 20.0}});
+    boat.controller().push(SimTime::from_seconds(1.0), path);
+    boat.run(repeated_at);
+    EXPECT_EQ(boat.controller().push(SimTime::from_seconds(stamp), path).refused, "");
+    boat.run(30.0 - repeated_at);
+    return Eigen::Vector2d(boat.x(), boat.y());
+  };
+  const Eigen::Vector2d while_waiting = place(0.5, 1.0);
+  EXPECT_EQ(place(15.0, 1.0), while_waiting);
+  EXPECT_NE(place(15.0, 2.0), while_waiting) << "a new path begins where the boat is";
+}
+
 class EveryControlledBoat : public testing::TestWithParam<const char*> {
  protected:
   static VesselControlParams control() {
