@@ -170,7 +170,7 @@ const ParameterNames& upstream_parameters() {
 
 void tell_unused_parameters(const ros::NodeHandle& own) {
   ParameterNames used = field_names<HectorSlamParams>();
-  const ParameterNames& of_node = slam_node_parameters();
+  const ParameterNames of_node = slam_node_parameters();
   used.insert(used.end(), of_node.begin(), of_node.end());
   used.insert(used.end(), {"method", "config_file", "map_pub_period", "pub_map_odom_transform",
                            "pub_map_scanmatch_transform", "tf_map_scanmatch_transform_frame_name",

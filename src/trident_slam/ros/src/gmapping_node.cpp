@@ -29,7 +29,7 @@ const ParameterNames& upstream_parameters() {
 
 void tell_unused_parameters(const ros::NodeHandle& own) {
   ParameterNames used = field_names<ParticleSlamParams>();
-  const ParameterNames& of_node = slam_node_parameters();
+  const ParameterNames of_node = slam_node_parameters();
   used.insert(used.end(), of_node.begin(), of_node.end());
   used.insert(used.end(), {"method", "config_file", "maxRange", "tf_delay"});
   tell_unused(own, used, upstream_parameters());

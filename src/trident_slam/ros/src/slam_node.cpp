@@ -5,7 +5,6 @@
 #include <array>
 #include <cctype>
 #include <cmath>
-#include <map>
 #include <utility>
 #include <vector>
 
@@ -33,14 +32,6 @@ ScanIntakeOptions intake_options(const SlamNodeOptions& options) {
   return result;
 }
 
-void read_number(const ros::NodeHandle& handle, const char* name, double low, double& value) {
-  handle.getParam(name, value);
-  if (!std::isfinite(value) || value < low) {
-    throw Error("parameter " + handle.resolveName(name) + " is " + number_text(value) +
-                ", legal: " + number_text(low) + " and above");
-  }
-}
-
 diagnostic_msgs::KeyValue key_value(const std::string& key, const std::string& value) {
   diagnostic_msgs::KeyValue pair;
   pair.key = key;
@@ -56,63 +47,6 @@ std::string text(const CalibrationEstimate& estimate) {
 
 }  // namespace
 
-void read_options(const ros::NodeHandle& handle, SlamNodeOptions& options) {
-  handle.getParam("map_frame", options.map_frame);
-  handle.getParam("odom_frame", options.odom_frame);
-  handle.getParam("base_frame", options.base_frame);
-  handle.getParam("scan_topic", options.scan_topic);
-  handle.getParam("imu_topic", options.imu_topic);
-  handle.getParam("throttle_scans", options.throttle_scans);
-  handle.getParam("autosave_file", options.autosave_file);
-  if (options.throttle_scans < 1) {
-    throw Error("parameter " + handle.resolveName("throttle_scans") + " is " +
-                std::to_string(options.throttle_scans) + ", legal: 1 and above");
-  }
-  read_number(handle, "transform_publish_period", 0.0, options.transform_publish_period);
-  read_number(handle, "transform_timeout", 0.0, options.transform_timeout);
-  read_number(handle, "tf_buffer_duration", 0.1, options.tf_buffer_duration);
-  read_number(handle, "map_update_interval", 0.0, options.map_update_interval);
-  read_number(handle, "map_changes_interval", 0.0, options.map_changes_interval);
-  read_number(handle, "minimum_time_interval", 0.0, options.minimum_time_interval);
-  read_number(handle, "position_covariance_scale", 0.0, options.position_covariance_scale);
-  read_number(handle, "yaw_covariance_scale", 0.0, options.yaw_covariance_scale);
-  read_number(handle, "bag_loop_threshold", 0.0, options.bag_loop_threshold);
-  read_number(handle, "autosave_interval", 0.0, options.autosave_interval);
-  const std::map<std::string, BagLoop> policies = {{"ignore", BagLoop::kIgnore},
-                                                   {"restart", BagLoop::kRestart},
-                                                   {"continue", BagLoop::kContinue}};
-  std::string policy = "ignore";
-  handle.getParam("bag_loop", policy);
-  const auto found = policies.find(policy);
-  if (found == policies.end()) {
-    throw Error("parameter " + handle.resolveName("bag_loop") + " is '" + policy +
-                "', legal: ignore, restart, continue");
-  }
-  options.bag_loop = found->second;
-}
-
-const std::vector<std::string>& slam_node_parameters() {
-  static const std::vector<std::string> names = {"map_frame",
-                                                 "odom_frame",
-                                                 "base_frame",
-                                                 "scan_topic",
-                                                 "imu_topic",
-                                                 "throttle_scans",
-                                                 "autosave_file",
-                                                 "transform_publish_period",
-                                                 "transform_timeout",
-                                                 "tf_buffer_duration",
-                                                 "map_update_interval",
-                                                 "map_changes_interval",
-                                                 "minimum_time_interval",
-                                                 "position_covariance_scale",
-                                                 "yaw_covariance_scale",
-                                                 "bag_loop_threshold",
-                                                 "bag_loop",
-                                                 "autosave_interval"};
-  return names;
-}
-
 SlamNode::SlamNode(const ros::NodeHandle& private_handle, const SlamNodeOptions& options,
                    MakeSlam make)
     : options_(options),
@@ -120,7 +54,10 @@ SlamNode::SlamNode(const ros::NodeHandle& private_handle, const SlamNodeOptions&
       slam_(make_()),
       transforms_(ros::Duration(options.tf_buffer_duration)),
       listener_(transforms_),
-      intake_(intake_options(options), transforms_) {
+      intake_(intake_options(options), transforms_),
+      autosave_(
+          options.autosave_file, options.autosave_interval, [this] { return session_snapshot(); },
+          [this](const std::string& problem) { tell(problem); }) {
   ros::NodeHandle handle;
   ros::NodeHandle own(private_handle);
   const MapPublisher::Periods periods{options.map_update_interval, options.map_changes_interval};
@@ -165,7 +102,7 @@ SlamNode::~SlamNode() {
   }
   queue_changed_.notify_all();
   worker_.join();
-  if (is_autosaving() && last_scan_ != last_autosave_) autosave(last_scan_);
+  autosave_.finish();
 }
 
 // Each kind of problem, whatever its numbers, is told now and then; all are counted.
@@ -245,7 +182,7 @@ void SlamNode::work() {
 
 void SlamNode::consume(const ScanRecord& record) {
   const ros::Time stamp = ros::Time().fromNSec(static_cast<std::uint64_t>(record.scan.stamp_ns));
-  wait_for_autosave(stamp);
+  autosave_.before_scan(stamp);
   ScanPose2d pose;
   std::vector<CalibrationEstimate> calibration;
   {
@@ -268,9 +205,8 @@ void SlamNode::consume(const ScanRecord& record) {
   publish_correction();
   publish_pose(record, pose);
   if (on_scan_) on_scan_(record, pose);
-  last_scan_ = stamp;
   publish_map_if_due(stamp);
-  autosave_if_due(stamp);
+  autosave_.after_scan(stamp);
 }
 
 void SlamNode::publish_pose(const ScanRecord& record, const ScanPose2d& pose) {
@@ -346,59 +282,15 @@ void SlamNode::tell(const std::string& problem) {
   complain(problem);
 }
 
-bool SlamNode::is_autosaving() const {
-  return !options_.autosave_file.empty() && options_.autosave_interval > 0.0;
-}
-
-// A scan that would be farther than the interval from what is on the disk waits.
-void SlamNode::wait_for_autosave(const ros::Time& now) {
-  if (!is_autosaving() || !autosave_task_.is_busy()) return;
-  if (std::abs((now - safe_until_).toSec()) <= options_.autosave_interval) return;
-  autosave_task_.wait();
-  tell("a scan had to wait for the autosave; parameter autosave_interval (" +
-       number_text(options_.autosave_interval) + " s) is too short");
-}
-
-// Begun every half interval: until a session is on the disk, the one before it counts.
-void SlamNode::autosave_if_due(const ros::Time& now) {
-  if (!is_autosaving()) return;
-  if (last_autosave_.isZero()) {
-    safe_until_ = now - ros::Duration(0, now.isZero() ? 0 : 1);  // not even the first scan is
-    autosave(now);
-  }
-  if (autosave_task_.is_busy()) return;
-  safe_until_ = last_autosave_;
-  if (std::abs((now - last_autosave_).toSec()) >= 0.5 * options_.autosave_interval) autosave(now);
-}
-
-void SlamNode::autosave(const ros::Time& now) {
-  try {
-    auto write = with_slam([](const Slam2d& slam) {
-      const auto* session = dynamic_cast<const Slam2dSession*>(&slam);
-      if (session == nullptr) throw Error("autosave: this method keeps no sessions");
-      return session->session_snapshot();
-    });
-    last_autosave_ = now;
-    autosave_task_.start([this, write = std::move(write)] {
-      try {
-        write(options_.autosave_file);
-      } catch (const Error& error) {
-        tell(error.what());
-      }
-    });
-  } catch (const Error& error) {
-    last_autosave_ = now;
-    tell(error.what());
-  }
-}
-
-void SlamNode::save_session(const std::string& file) {
-  with_slam([](const Slam2d& slam) {
+std::function<void(const std::string&)> SlamNode::session_snapshot() {
+  return with_slam([](const Slam2d& slam) {
     const auto* session = dynamic_cast<const Slam2dSession*>(&slam);
     if (session == nullptr) throw Error("this method cannot keep sessions");
     return session->session_snapshot();
-  })(file);
+  });
 }
+
+void SlamNode::save_session(const std::string& file) { session_snapshot()(file); }
 
 void SlamNode::save_map(const std::string& stem) {
   if (options_.is_sync) with_slam([](Slam2d& slam) { slam.finish(); });

@@ -25,48 +25,13 @@
 
 #include "trident_slam/slam_2d.h"
 #include "trident_slam/slam_2d_abilities.h"
+#include "trident_slam_ros/autosave.h"
 #include "trident_slam_ros/background_task.h"
 #include "trident_slam_ros/map_publisher.h"
 #include "trident_slam_ros/scan_intake.h"
+#include "trident_slam_ros/slam_node_options.h"
 
 namespace trident {
-
-/// What happens when scans come from more than `bag_loop_threshold` before the last one.
-enum class BagLoop { kIgnore, kRestart, kContinue };
-
-struct SlamNodeOptions {
-  std::string map_frame = "map";
-  std::string odom_frame = "odom";
-  std::string base_frame = "base_footprint";
-  std::string scan_topic = "scan";
-  std::string imu_topic;  ///< of sensor_msgs/Imu: its turning rate puts sweeps right; empty: none
-  std::string map_topic = "map";
-  std::string pose_topic = "pose";
-  bool uses_mount = true;    ///< false: the laser is taken to sit at the base frame
-  int scan_queue_size = 10;  ///< of the subscriber, in asynchronous mode
-  bool is_sync = false;      ///< true: every scan is used; false: the newest one, never a queue
-  int throttle_scans = 1;
-  double transform_publish_period = 0.02;  ///< [s]; 0: map -> odom is not published
-  double transform_timeout = 0.2;          ///< [s]
-  double tf_buffer_duration = 30.0;        ///< [s]
-  double map_update_interval = 5.0;        ///< [s] between two whole maps
-  double map_changes_interval = 1.0;       ///< [s] between what is told of changes; 0: none
-  double minimum_time_interval = 0.0;      ///< [s] between two scans that are used
-  double tf_delay = -1.0;  ///< [s] by which map -> odom is ahead; negative: transform_timeout
-  double position_covariance_scale = 1.0;
-  double yaw_covariance_scale = 1.0;
-  double bag_loop_threshold = 1.0;  ///< [s]
-  BagLoop bag_loop = BagLoop::kIgnore;
-  std::string autosave_file;       ///< session file; empty: none
-  double autosave_interval = 0.0;  ///< [s] of scans that a crash loses at most; 0: no autosave
-};
-
-/// Reads the options above from a node's private parameters of the same names; a value that is not
-/// legal is an Error with name, value and range.
-void read_options(const ros::NodeHandle& private_handle, SlamNodeOptions& options);
-
-/// Their names.
-const std::vector<std::string>& slam_node_parameters();
 
 /// Any Slam2d as a ROS node: scans and transforms in; map, map_metadata, map_updates, map -> odom,
 /// pose and /diagnostics out. Scans wait for their transforms; a thread of its own feeds the
@@ -124,10 +89,7 @@ class SlamNode {
   void publish_pose(const ScanRecord& record, const ScanPose2d& pose);
   void publish_correction();
   void publish_map_if_due(const ros::Time& now);
-  bool is_autosaving() const;
-  void wait_for_autosave(const ros::Time& now);
-  void autosave_if_due(const ros::Time& now);
-  void autosave(const ros::Time& now);
+  std::function<void(const std::string&)> session_snapshot();
   std::function<OccupancyGrid()> map_snapshot();
   nav_msgs::OccupancyGrid to_message(const OccupancyGrid& map) const;
   void tell(const std::string& problem);
@@ -168,9 +130,6 @@ class SlamNode {
   std::vector<CalibrationEstimate> calibration_;  ///< of odometry, with the newest scan
   std::atomic<bool> is_paused_{false};
 
-  ros::Time last_scan_;
-  ros::Time last_autosave_;  ///< the newest scan in the session that was begun last
-  ros::Time safe_until_;     ///< the newest scan in the session that is on the disk
   std::unique_ptr<MapPublisher> map_publisher_;
   std::vector<ros::Publisher> pose_publishers_;
   ros::Publisher diagnostics_publisher_;
@@ -181,7 +140,7 @@ class SlamNode {
   ros::Timer correction_timer_;
   ros::WallTimer diagnostics_timer_;
   BackgroundTask map_task_;
-  BackgroundTask autosave_task_;
+  Autosave autosave_;
   std::thread worker_;
   ros::CallbackQueue slow_queue_;
   ros::AsyncSpinner slow_spinner_{1, &slow_queue_};
