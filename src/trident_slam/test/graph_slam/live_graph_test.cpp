@@ -40,9 +40,15 @@ TEST(LiveGraph, MapsSessionsAndOptimisationsRunBesideTheScans) {
     saves.push_back(std::async(std::launch::async, slam.session_snapshot(),
                                session + std::to_string(saves.size())));
   }
-  slam.finish();
+  // What was found beside the scans acts on the next one.
+  bool was_busy = true;
+  for (std::size_t i = path.size(); was_busy; ++i) {
+    was_busy = slam.is_busy();
+    last = slam.add_scan(world.scan(path.back(), i), odometry.back());
+  }
   EXPECT_GT(realigned, 0);
   EXPECT_LT(distance(last.T_map_base, path.front().inverse() * path.back()), 0.1);
+  slam.finish();
   EXPECT_EQ(slam.map_snapshot()().cells, slam.map().cells);
   for (std::size_t i = 0; i < maps.size(); ++i) {
     EXPECT_FALSE(maps[i].get().cells.empty());
