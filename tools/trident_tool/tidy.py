@@ -29,6 +29,7 @@ from trident_tool.tidy_batches import batch_source, batches
 from trident_tool.workspace import Runner, TridentError, Workspace, base_environment
 
 _INCLUDE = re.compile(rb'^[ \t]*#[ \t]*include[ \t]*[<"]([^>"]+)[>"]', re.MULTILINE)
+_UNITY = re.compile(r"/Unity/unity_[^/]+_cxx\.cxx$")
 _CORE = re.compile(r"src/[^/]+/src/.+\.(cpp|cc)")
 _TOKEN_ROOT = "<root>"
 _UNITS_IN_A_BATCH = 12
@@ -60,7 +61,7 @@ class CompileCommand:
 def parse_compile_commands(text: str) -> list[CompileCommand]:
     """Translation units of a compile_commands.json.
 
-    Compiler, -o and -c are left out, and so are precompiled headers: they are gcc's, which clang
+    Sources of a unity build are units of their own. Compiler, -o and -c are left out, and so are precompiled headers: they are gcc's, which clang
     cannot read, and a source must include by itself what it uses.
     """
     units = []
@@ -75,8 +76,17 @@ def parse_compile_commands(text: str) -> list[CompileCommand]:
                 skip = not skip
             else:
                 flags.append(word)
-        units.append(CompileCommand(source, _without_precompiled_headers(flags)))
+        kept = _without_precompiled_headers(flags)
+        units += [CompileCommand(each, kept) for each in _joined_sources(source)]
     return units
+
+
+def _joined_sources(source: Path) -> list[Path]:
+    """What cmake's unity build compiles in ``source``; any other file stands for itself."""
+    if not _UNITY.search(source.as_posix()):
+        return [source]
+    names = _INCLUDE.findall(source.read_bytes())
+    return [Path(name.decode("utf-8", "replace")) for name in names]
 
 
 def _without_precompiled_headers(flags: list[str]) -> tuple[str, ...]:

@@ -10,10 +10,10 @@
 namespace trident {
 namespace {
 
-using Shape = std::vector<py::ssize_t>;
+using ArrayShape = std::vector<py::ssize_t>;
 
 template <class Value>
-py::array copied(const Shape& shape, const std::vector<std::uint8_t>& bytes) {
+py::array copied(const ArrayShape& shape, const std::vector<std::uint8_t>& bytes) {
   py::array_t<Value> array(shape);
   std::memcpy(array.mutable_data(), bytes.data(), bytes.size());
   return array;
@@ -31,13 +31,13 @@ py::array pixels_of(const ImageSample& image) {
 }
 
 template <std::size_t kSize>
-py::array_t<double> to_matrix(const std::array<double, kSize>& values, const Shape& shape) {
+py::array_t<double> to_matrix(const std::array<double, kSize>& values, const ArrayShape& shape) {
   py::array_t<double> matrix(shape);
   std::copy(values.begin(), values.end(), matrix.mutable_data());
   return matrix;
 }
 
-Shape shape_of(const ImageCloudSample& cloud) {
+ArrayShape shape_of(const ImageCloudSample& cloud) {
   return {static_cast<py::ssize_t>(cloud.height), static_cast<py::ssize_t>(cloud.width), 3};
 }
 

@@ -13,7 +13,7 @@
 
 namespace trident {
 
-constexpr double kGravity = 9.81;
+constexpr double kSeaGravity = 9.81;
 
 inline std::string vessel_file(const std::string& name) {
   return std::string(TRIDENT_REPOSITORY) + "/config/vessels/" + name + ".yaml";
@@ -32,7 +32,7 @@ inline PluginSpec make_sea(const std::vector<std::pair<std::string, ParamList>>&
 
 inline WorldSpec ocean(const std::vector<PluginSpec>& plugins = {}) {
   WorldSpec spec = world_spec();
-  spec.physics.gravity = {0.0, 0.0, -kGravity};
+  spec.physics.gravity = {0.0, 0.0, -kSeaGravity};
   spec.plugins = plugins;
   return spec;
 }

@@ -28,7 +28,7 @@ TEST(Mooring, ALineStretchesByTheWeightOverItsStiffness) {
   TestWorld world(ocean());
   world.add(moored(-1.9));
   world->step(10000);
-  EXPECT_NEAR(height(world), -(kLength + kMass * kGravity / kStiffness), 1e-5);
+  EXPECT_NEAR(height(world), -(kLength + kMass * kSeaGravity / kStiffness), 1e-5);
 }
 
 TEST(Mooring, ASlackLineDoesNothing) {

@@ -131,7 +131,7 @@ TEST(UuvPlugins, HeronFloatsRollsAndRunsByItsFigures) {
   wrench->add_listener();
   // Half the box's height above the draft; period of roll 2 pi sqrt(I / (m g GM)).
   world->set_model_pose(boat, SE3::from_xyz_rpy({0, 0, 0.14}, 0.02, 0, 0));
-  const double omega = std::sqrt(28.0 * kGravity * 0.1 / 10.0);
+  const double omega = std::sqrt(28.0 * kSeaGravity * 0.1 / 10.0);
   while (boat.T_world_model().rpy().x() > 0.0) world->step();
   // Damping 13 N m s delays the first crossing: cot of the phase is the damping ratio.
   const double ratio = 13.0 / (2.0 * 10.0 * omega), damped = omega * std::sqrt(1.0 - ratio * ratio);

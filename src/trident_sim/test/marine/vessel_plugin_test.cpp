@@ -17,7 +17,7 @@ class EveryBoat : public testing::TestWithParam<const char*> {};
 
 TEST_P(EveryBoat, FloatsAtItsDraftAndStays) {
   const VesselParams params = shipped_vessel(GetParam());
-  const Hull hull(params.hull, params.water_density, kGravity);
+  const Hull hull(params.hull, params.water_density, kSeaGravity);
   const StaticPose rest = hull.rest(params.mass, params.rigid_body().center_of_gravity);
   const double draft = params.hull.sections.front().draft;
   EXPECT_LT(std::abs(rest.z_m), 0.01 * draft);
@@ -36,7 +36,7 @@ TEST_P(EveryBoat, FloatsAtItsDraftAndStays) {
 /// The world's boat moves as the core's does.
 TEST_P(EveryBoat, MovesAsTheCore) {
   const VesselParams params = shipped_vessel(GetParam());
-  StandaloneVessel core(params, Restoring::kHull, kGravity);
+  StandaloneVessel core(params, Restoring::kHull, kSeaGravity);
   TestWorld world(ocean());
   Model& boat = world.add(make_boat(GetParam()));
   Thruster left(params.thrusters[0]), right(params.thrusters[1]);
@@ -79,8 +79,8 @@ TEST(VesselPlugin, TerminalSurgeSpeedIsWhereDragEqualsThrust) {
 
 TEST(VesselPlugin, HeaveDecaysWithThePeriodOfTheWaterplane) {
   const VesselParams params = shipped_vessel("wamv");
-  const Hull hull(params.hull, params.water_density, kGravity);
-  const double stiffness = params.water_density * kGravity * hull.hydrostatics().waterplane_m2;
+  const Hull hull(params.hull, params.water_density, kSeaGravity);
+  const double stiffness = params.water_density * kSeaGravity * hull.hydrostatics().waterplane_m2;
   const double mass = params.mass + params.added_mass[2];
   const double rate = params.linear_damping[2] / (2.0 * mass);
   const double expected = 2.0 * kPi / std::sqrt(stiffness / mass - rate * rate);
