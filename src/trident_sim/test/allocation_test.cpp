@@ -22,7 +22,7 @@ TEST(Allocation, TheCounterCounts) {
 
 class Allocation : public testing::TestWithParam<LoopTiming> {
  protected:
-  Allocation() : lee_(1.0), world_(world_spec(), options()) {
+  Allocation() : lee_(1.0), world_(world_spec(), with_timing(GetParam())) {
     register_control_plugins(world_.registry);
     world_.add(make_ground());
     world_.add(lee_.model());
@@ -30,11 +30,6 @@ class Allocation : public testing::TestWithParam<LoopTiming> {
     setpoint.point.p_world = {0, 0, 2};
     world_->ports().find_in<TrajectorySample>("quad/command/trajectory")->write({{0}, {setpoint}});
     world_->step(300);
-  }
-  static WorldOptions options() {
-    WorldOptions options;
-    options.timing = GetParam();
-    return options;
   }
 
   LeeQuad lee_;
