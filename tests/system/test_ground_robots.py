@@ -89,9 +89,7 @@ def test_a_robot_in_a_room_goes_where_it_is_told(launch: Start, robot: str) -> N
     ):
         wheel = "wheel_rear_left_link" if robot == "ackermann_car" else "wheel_left_link"
         # Who tells of the wheels may start after everybody else, and a paused world waits for none.
-        eventually(
-            lambda: run.step(20) > 0.0 and wheel in transforms(tf.messages), "wheels in /tf"
-        )
+        eventually(lambda: run.step(20) > 0.0 and wheel in transforms(tf.messages), "wheels in /tf")
         run.step(200)
         command(run, 0.2, 0.0, 3.0)
         command(run, 0.2, 0.3, 3.0)

@@ -307,6 +307,15 @@ def test_a_stopped_controller_is_timed_out_by_name_and_comes_back(
         assert hovers(gazebo, "UAV1")
 
 
+def waits_for_one(gazebo: Gazebo, name: str) -> float:
+    """Time at which the world stands still [s], with a few words about one lost controller."""
+    stands_at = gazebo.time()
+    assert [gazebo.time() for _ in range(200)] == [stands_at] * 200
+    warnings = [line for line in complaints(gazebo.log) if name in line]
+    assert len(warnings) <= 3, f"{len(warnings)} warnings about one loss"
+    return stands_at
+
+
 def test_policy_wait_stands_still_until_a_new_controller_comes(start_gazebo: StartGazebo) -> None:
     gazebo, controllers = start_pair(
         start_gazebo, real_time_factor=2.0, lockstep_policy="wait", lockstep_timeout=0.3
@@ -315,10 +324,7 @@ def test_policy_wait_stands_still_until_a_new_controller_comes(start_gazebo: Sta
         hover(gazebo, pilot)
         controllers["UAV1"].stop(signal.SIGKILL)
         gazebo.process.eventually_logs("the controller of UAV1 has disconnected; the world waits")
-        stands_at = gazebo.time()
-        assert [gazebo.time() for _ in range(200)] == [stands_at] * 200
-        warnings = [line for line in complaints(gazebo.log) if "UAV1" in line]
-        assert len(warnings) <= 3, f"{len(warnings)} warnings about one loss"
+        stands_at = waits_for_one(gazebo, "UAV1")
         gazebo.controller("UAV1")
         gazebo.until(stands_at + 0.5)
 
@@ -333,10 +339,7 @@ def test_policy_wait_goes_on_with_a_controller_that_was_only_stopped(
         hover(gazebo, pilot)
         controllers["UAV1"].send(signal.SIGSTOP)
         gazebo.process.eventually_logs("the controller of UAV1 has not answered for 0.3")
-        stands_at = gazebo.time()
-        assert [gazebo.time() for _ in range(200)] == [stands_at] * 200
-        warnings = [line for line in complaints(gazebo.log) if "UAV1" in line]
-        assert len(warnings) <= 3, f"{len(warnings)} warnings about one loss"
+        stands_at = waits_for_one(gazebo, "UAV1")
         controllers["UAV1"].send(signal.SIGCONT)
         gazebo.until(stands_at + 4.0)
         assert hovers(gazebo, "UAV1"), "nothing was lost"

@@ -2,39 +2,26 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include <cstddef>
 #include <cstdlib>
 #include <new>
 
+#include "allocation_count.h"
 #include "trident_base/noise.h"
 #include "trident_base/se2.h"
 #include "trident_base/se3.h"
 #include "trident_base/sha256.h"
 
-namespace {
-std::size_t allocation_count = 0;
-}  // namespace
-
-void* operator new(std::size_t size) {
-  ++allocation_count;
-  if (void* memory = std::malloc(size)) return memory;
-  throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-
 namespace trident {
 namespace {
 
-template <class Work>
-std::size_t allocations_of(Work work) {
-  const std::size_t before = allocation_count;
-  work();
-  return allocation_count - before;
-}
-
 TEST(Allocation, TheCounterCounts) {
   EXPECT_EQ(allocations_of([] { ::operator delete(::operator new(8)); }), 1u);
+  void* volatile memory = nullptr;  // volatile: the compiler leaves out what nobody sees
+  EXPECT_EQ(allocations_of([&] { memory = std::malloc(8); }), 1u);
+  EXPECT_EQ(allocations_of([&] { memory = std::realloc(memory, 10'000); }), 1u);
+  std::free(memory);
+  EXPECT_EQ(allocations_of([&] { memory = std::calloc(2, 8); }), 1u);
+  EXPECT_EQ(allocations_of([&] { std::free(memory); }), 0u);
 }
 
 TEST(Allocation, ImuNoiseDoesNotAllocatePerSample) {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 namespace trident {
@@ -36,6 +37,16 @@ TEST(StringUtil, NumberTextIsShortAndExact) {
   EXPECT_EQ(std::stod(number_text(1.0 / 3.0)), 1.0 / 3.0);
   EXPECT_EQ(number_text(std::numeric_limits<double>::infinity()), "inf");
   EXPECT_EQ(number_text(std::numeric_limits<double>::quiet_NaN()), "nan");
+}
+
+TEST(StringUtil, ANumberIsTheWholeText) {
+  EXPECT_EQ(number_from_text("0.1"), 0.1);
+  EXPECT_EQ(number_from_text(" -2e3"), -2000.0);
+  EXPECT_EQ(number_from_text("inf"), std::numeric_limits<double>::infinity());
+  EXPECT_TRUE(std::isnan(number_from_text("nan").value()));
+  for (const char* text : {"", " ", "x", "5x", "5 ", "5 6", "1,5", "1e999", "1e-999"}) {
+    EXPECT_EQ(number_from_text(text), std::nullopt) << text;
+  }
 }
 
 TEST(StringUtil, EditDistanceCountsSlips) {

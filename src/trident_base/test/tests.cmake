@@ -19,6 +19,7 @@ catkin_add_gtest(trident_base_test
   test/diff_drive_odometry_test.cpp
   test/gauss_markov_test.cpp
   test/noise_test.cpp
+  test/option_number_test.cpp
   test/random_stream_test.cpp
   test/registry_test.cpp
   test/se2_test.cpp
@@ -39,6 +40,11 @@ target_link_libraries(trident_base_test trident_base ${GTEST_MAIN_LIBRARIES})
 trident_precompile_headers(trident_base_test <gtest/gtest.h>)
 set_source_files_properties(${header_sources} PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
 
-# Alone, because it replaces the global operator new.
+# A malloc that counts, for the tests of this package and of others.
+add_library(trident_base_test_support STATIC test_support/allocation_count.cpp)
+target_include_directories(trident_base_test_support PUBLIC test_support)
+target_compile_options(trident_base_test_support PRIVATE -Wall -Wextra)
+
+# Alone, because it replaces malloc.
 catkin_add_gtest(trident_base_allocation_test test/allocation_test.cpp)
-target_link_libraries(trident_base_allocation_test trident_base ${GTEST_MAIN_LIBRARIES})
+target_link_libraries(trident_base_allocation_test trident_base trident_base_test_support ${GTEST_MAIN_LIBRARIES})

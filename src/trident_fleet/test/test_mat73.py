@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from damage import check_damaged
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from layouts import laid_out, positions
@@ -196,19 +197,8 @@ def good(tmp_path_factory: pytest.TempPathFactory) -> bytes:
 def test_a_damaged_file_is_read_or_refused_and_never_crashes(
     good: bytes, tmp_path_factory: pytest.TempPathFactory, data: Any
 ) -> None:
-    place = data.draw(st.integers(USERBLOCK_BYTES, len(good) - 1))
-    cut = data.draw(st.sampled_from([0, 1, 4, len(good)]))
-    patch = data.draw(st.binary(max_size=4))
     path = tmp_path_factory.mktemp("damaged") / "f.mat"
-    path.write_bytes(good[:place] + patch + good[place + cut :])
-    try:
-        read = read_mat_positions(path, LayoutRequest("TxNx3"))
-    except FormationError as refusal:
-        message = str(refusal)
-    else:
-        message = str(path)
-        assert read.shape[2] == 3
-    assert str(path) in message
+    check_damaged(path, good, USERBLOCK_BYTES, LayoutRequest("TxNx3"), data)
 
 
 def test_the_child_gets_a_path_whatever_the_working_directory(

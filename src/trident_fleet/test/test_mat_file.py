@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from damage import check_damaged
 from hypothesis import given
 from hypothesis import strategies as st
 from layouts import laid_out, positions
@@ -21,6 +22,8 @@ from trident_fleet.core.mat_file import (
     arrange,
     read_mat_positions,
 )
+
+_TEXT_BYTES = 124  # at the beginning of a file; any are legal
 
 
 @pytest.mark.parametrize("layout", LAYOUTS)
@@ -127,20 +130,8 @@ def test_a_damaged_file_is_read_or_refused_and_never_crashes(
     form: str, request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory, data: Any
 ) -> None:
     good: bytes = request.getfixturevalue(form)
-    # The 124 bytes of text before are free.
-    place = data.draw(st.integers(124, len(good) - 1))
-    cut = data.draw(st.sampled_from([0, 1, 4, len(good)]))
-    patch = data.draw(st.binary(max_size=4))
     path = tmp_path_factory.mktemp("damaged") / "f.mat"
-    path.write_bytes(good[:place] + patch + good[place + cut :])
-    try:
-        read = read_mat_positions(path, LayoutRequest())
-    except FormationError as refusal:
-        message = str(refusal)
-    else:
-        message = str(path)
-        assert read.shape[2] == 3
-    assert str(path) in message
+    check_damaged(path, good, _TEXT_BYTES, LayoutRequest(), data)
 
 
 def test_a_big_endian_file_is_read(tmp_path: Path) -> None:

@@ -6,22 +6,12 @@
 #include <map>
 
 #include "trident_base/error.h"
+#include "trident_base/option_number.h"
 
 namespace trident {
 namespace {
 
 constexpr int kMaxVehicles = 1000;
-
-double number(const std::string& option, const std::string& text, double lo, double hi) {
-  try {
-    std::size_t used = 0;
-    const double value = std::stod(text, &used);
-    if (used == text.size() && value >= lo && value <= hi) return value;
-  } catch (const std::exception&) {
-  }
-  throw Error("option " + option + " is '" + text + "', must be a number in [" +
-              std::to_string(lo) + ", " + std::to_string(hi) + "]");
-}
 
 void require(const std::string& option, const std::string& value) {
   if (value.empty()) throw Error("option " + option + " is missing; see sim_benchmark --help");
@@ -29,15 +19,15 @@ void require(const std::string& option, const std::string& value) {
 
 void set_number(const std::string& name, const std::string& text, BenchmarkOptions& options) {
   if (name == "--n") {
-    const double n = number(name, text, 1, kMaxVehicles);
+    const double n = option_number(name, text, 1, kMaxVehicles);
     if (n != std::floor(n)) throw Error("option --n is '" + text + "', must be a whole number");
     options.vehicles = static_cast<int>(n);
   } else if (name == "--window") {
-    options.window_s = number(name, text, 1.0, 1e6);
+    options.window_s = option_number(name, text, 1.0, 1e6);
   } else if (name == "--min-wall") {
-    options.min_wall_s = number(name, text, 0.0, 3600.0);
+    options.min_wall_s = option_number(name, text, 0.0, 3600.0);
   } else if (name == "--airborne") {
-    options.airborne_z_m = number(name, text, 0.0, 0.9);
+    options.airborne_z_m = option_number(name, text, 0.0, 0.9);
   } else {
     throw Error("option " + name + " is unknown; see sim_benchmark --help");
   }

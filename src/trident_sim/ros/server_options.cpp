@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "trident_base/error.h"
+#include "trident_base/option_number.h"
 
 namespace trident {
 namespace {
@@ -18,17 +19,6 @@ namespace {
 std::string environment(const char* name) {
   const char* value = std::getenv(name);
   return value == nullptr ? "" : value;
-}
-
-double to_number(const std::string& option, const std::string& text, double lo, double hi) {
-  try {
-    std::size_t used = 0;
-    const double value = std::stod(text, &used);
-    if (used == text.size() && value >= lo && value <= hi) return value;
-  } catch (const std::exception&) {
-  }
-  throw Error("option " + option + " is '" + text + "', must be a number in [" +
-              std::to_string(lo) + ", " + std::to_string(hi) + "]");
 }
 
 bool to_flag(const std::string& text) { return text == "1" || text == "true" || text == "yes"; }
@@ -162,16 +152,16 @@ class Parameters {
 
 void read_environment(ServerOptions& options) {
   if (const auto text = environment("TRIDENT_REAL_TIME_FACTOR"); !text.empty()) {
-    options.real_time_factor = to_number("TRIDENT_REAL_TIME_FACTOR", text, 0.0, 1e6);
+    options.real_time_factor = option_number("TRIDENT_REAL_TIME_FACTOR", text, 0.0, 1e6);
   }
   if (const auto text = environment("TRIDENT_END_TIME"); !text.empty()) {
-    options.end_time_s = to_number("TRIDENT_END_TIME", text, 0.0, 1e9);
+    options.end_time_s = option_number("TRIDENT_END_TIME", text, 0.0, 1e9);
   }
   if (const auto text = environment("TRIDENT_WAIT_FOR"); !text.empty()) {
-    options.wait_for = static_cast<int>(to_number("TRIDENT_WAIT_FOR", text, 0, 10000));
+    options.wait_for = static_cast<int>(option_number("TRIDENT_WAIT_FOR", text, 0, 10000));
   }
   if (const auto text = environment("TRIDENT_SEED"); !text.empty()) {
-    options.seed = static_cast<std::uint64_t>(to_number("TRIDENT_SEED", text, 0, 9e15));
+    options.seed = static_cast<std::uint64_t>(option_number("TRIDENT_SEED", text, 0, 9e15));
   }
   options.end_on_finish = to_flag(environment("TRIDENT_END"));
   options.out_dir = environment("TRIDENT_OUT");
@@ -251,9 +241,10 @@ void read_arguments(const std::vector<std::string>& arguments, ServerOptions& op
                argument == "--gui-plugin" || argument == "--record_path") {
       value_of(i);  // gazebo_ros' own system plugins are built in
     } else if (argument == "--seed") {
-      options.seed = static_cast<std::uint64_t>(to_number(argument, value_of(i), 0, 9e15));
+      options.seed = static_cast<std::uint64_t>(option_number(argument, value_of(i), 0, 9e15));
     } else if (argument == "--iters") {
-      options.iterations = static_cast<std::uint64_t>(to_number(argument, value_of(i), 1, 9e15));
+      options.iterations =
+          static_cast<std::uint64_t>(option_number(argument, value_of(i), 1, 9e15));
     } else if (argument == "-r" || argument == "--record" || argument == "--lockstep" ||
                argument.empty()) {
       continue;

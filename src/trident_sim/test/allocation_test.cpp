@@ -4,47 +4,17 @@
 
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <new>
 
+#include "allocation_count.h"
 #include "lee_quad.h"
 #include "lidar_rig.h"
 #include "scratch_folder.h"
 #include "test_world.h"
 #include "trident_control_sim/lee_plugin.h"
 
-namespace {
-std::size_t allocation_count = 0;
-}  // namespace
-
-// Alone in its program, because it replaces malloc, which ODE uses, and with it operator new.
-extern "C" {
-void* __libc_malloc(std::size_t size);
-void* __libc_calloc(std::size_t count, std::size_t size);
-void* __libc_realloc(void* memory, std::size_t size);
-void* malloc(std::size_t size) {
-  ++allocation_count;
-  return __libc_malloc(size);
-}
-void* calloc(std::size_t count, std::size_t size) {
-  ++allocation_count;
-  return __libc_calloc(count, size);
-}
-void* realloc(void* memory, std::size_t size) {
-  ++allocation_count;
-  return __libc_realloc(memory, size);
-}
-}
-
 namespace trident {
 namespace {
-
-template <class Work>
-std::size_t allocations_of(Work work) {
-  const std::size_t before = allocation_count;
-  work();
-  return allocation_count - before;
-}
 
 TEST(Allocation, TheCounterCounts) {
   EXPECT_EQ(allocations_of([] { ::operator delete(::operator new(8)); }), 1u);
@@ -52,7 +22,7 @@ TEST(Allocation, TheCounterCounts) {
 
 class Allocation : public testing::TestWithParam<LoopTiming> {
  protected:
-  Allocation() : lee_(1.0), world_(world_spec(), options()) {
+  Allocation() : lee_(1.0), world_(world_spec(), with_timing(GetParam())) {
     register_control_plugins(world_.registry);
     world_.add(make_ground());
     world_.add(lee_.model());
@@ -60,11 +30,6 @@ class Allocation : public testing::TestWithParam<LoopTiming> {
     setpoint.point.p_world = {0, 0, 2};
     world_->ports().find_in<TrajectorySample>("quad/command/trajectory")->write({{0}, {setpoint}});
     world_->step(300);
-  }
-  static WorldOptions options() {
-    WorldOptions options;
-    options.timing = GetParam();
-    return options;
   }
 
   LeeQuad lee_;

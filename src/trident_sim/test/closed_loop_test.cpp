@@ -15,7 +15,7 @@ namespace {
 class Flight {
  public:
   Flight(const LeeQuad& lee, LoopTiming timing, const Eigen::Vector3d& p_world, double yaw = 0.0)
-      : world_(world_spec(), options(timing)) {
+      : world_(world_spec(), with_timing(timing)) {
     register_control_plugins(world_.registry);
     quad_ = &world_.add(lee.model());
     TimedSetpoint setpoint;
@@ -27,11 +27,6 @@ class Flight {
   Model& quad() { return *quad_; }
 
  private:
-  static WorldOptions options(LoopTiming timing) {
-    WorldOptions options;
-    options.timing = timing;
-    return options;
-  }
   TestWorld world_;
   Model* quad_;
 };

@@ -93,6 +93,20 @@ TEST(ImageCodec, QualityCounts) {
   EXPECT_LT(coarse.data.size(), fine.data.size());
 }
 
+TEST(ImageCodec, WhatCannotBeWrittenIsTold) {
+  ImageSample empty;
+  empty.encoding = "rgb8";
+  CompressedPicture out;
+  EXPECT_TRUE(contains(error_of([&] {
+                         compress_picture(empty, {false, 95, 3}, out);
+                       }),
+                       "picture cannot be written as a JPEG: Empty JPEG image"));
+  EXPECT_TRUE(contains(error_of([&] {
+                         compress_picture(empty, {true, 95, 3}, out);
+                       }),
+                       "picture cannot be written as a PNG: Invalid IHDR data"));
+}
+
 /// As cv::imdecode() with IMREAD_UNCHANGED gives them.
 std::vector<std::uint16_t> read_16_bits(const std::vector<std::uint8_t>& bytes, std::size_t first) {
   struct Source {

@@ -165,9 +165,7 @@ TEST(RollingLidar, AtRestSeesWhatASnapshotSees) {
 
 TEST(RollingLidar, OfASpinningRobotIsUndoneByTheTimesOfItsBeams) {
   constexpr double kSpin = 3.0;  // [rad/s]
-  WorldOptions direct;
-  direct.timing = LoopTiming::kDirect;
-  TestWorld world(weightless(), direct);
+  TestWorld world(weightless(), with_timing(LoopTiming::kDirect));
   add_walls(world, 4.0);
   LidarOptions options;
   options.file = "libtrident_lidar.so";

@@ -40,11 +40,7 @@ LidarOptions snapshot_of(LidarOptions options, const std::string& type = "ray") 
   return options;
 }
 
-WorldOptions direct() {
-  WorldOptions options;
-  options.timing = LoopTiming::kDirect;
-  return options;
-}
+WorldOptions direct() { return with_timing(LoopTiming::kDirect); }
 
 OutPort<LidarCloudSample>& listen(TestWorld& world) {
   auto* port = world->ports().find_out<LidarCloudSample>("r/scan");

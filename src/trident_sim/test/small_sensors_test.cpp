@@ -150,9 +150,7 @@ TEST(FastLidar, TellsAllItsScansInOrder) {
 }
 
 TEST(WheelEncoders, TellWholeTicksAndTheirRate) {
-  WorldOptions direct;
-  direct.timing = LoopTiming::kDirect;
-  TestWorld world(weightless(), direct);
+  TestWorld world(weightless(), with_timing(LoopTiming::kDirect));
   ModelSpec spec = make_on_world(JointType::kRevolute, {0, 0, 0}, {0, 0, 1});
   spec.plugins = {make_plugin("encoders", "libtrident_wheel_encoder.so",
                               {{"robotNamespace", "r"},

@@ -107,7 +107,7 @@ target_link_libraries(trident_sim_flight_test
 # Alone, because it replaces malloc.
 catkin_add_gtest(trident_sim_allocation_test test/allocation_test.cpp)
 target_link_libraries(trident_sim_allocation_test
-  trident_sim_test_support trident_control_sim ${GTEST_MAIN_LIBRARIES})
+  trident_base_test_support trident_sim_test_support trident_control_sim ${GTEST_MAIN_LIBRARIES})
 
 # Alone: libsdformat's messages about damaged input fill pages, and a crash must not hide other tests.
 catkin_add_gtest(trident_sim_mutated_input_test test/mutated_input_test.cpp)

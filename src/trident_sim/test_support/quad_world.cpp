@@ -3,16 +3,6 @@
 #include "quad_world.h"
 
 namespace trident {
-namespace {
-
-WorldOptions with_timing(LoopTiming timing) {
-  WorldOptions options;
-  options.timing = timing;
-  return options;
-}
-
-}  // namespace
-
 QuadWorld::QuadWorld(const QuadOptions& quad_options, LoopTiming timing)
     : options(quad_options),
       world(world_spec(), with_timing(timing)),

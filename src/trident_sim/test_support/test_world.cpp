@@ -19,6 +19,12 @@ WorldSpec weightless(double dt_s) {
   return spec;
 }
 
+WorldOptions with_timing(LoopTiming timing) {
+  WorldOptions options;
+  options.timing = timing;
+  return options;
+}
+
 TestWorld::TestWorld(const WorldSpec& spec, WorldOptions options, const Resources& resources)
     : world_((register_builtin_plugins(registry), spec), resources, registry,
              listening(std::move(options))) {}

@@ -25,6 +25,8 @@ WorldSpec world_spec(double dt_s = 0.01);
 /// The same without gravity.
 WorldSpec weightless(double dt_s = 0.001);
 
+WorldOptions with_timing(LoopTiming timing);
+
 /// A world of plain specs with all built-in plugins, which keeps what it is told.
 class TestWorld {
  public:

@@ -13,8 +13,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <exception>
-#include <iostream>
 #include <string>
 #include <utility>
 
@@ -23,6 +21,7 @@
 #include "trident_slam/hector_slam_2d.h"
 #include "trident_slam/slam_2d_abilities.h"
 #include "trident_slam_ros/parameter_names.h"
+#include "trident_slam_ros/run_program.h"
 #include "trident_slam_ros/slam_node.h"
 #include "trident_slam_ros/slam_parameters.h"
 
@@ -234,12 +233,5 @@ void run() {
 }  // namespace trident
 
 int main(int argc, char** argv) {
-  ros::init(argc, argv, "hector_mapping");
-  try {
-    trident::run();
-  } catch (const std::exception& error) {
-    std::cerr << ros::this_node::getName() << ": " << error.what() << std::endl;
-    return 1;
-  }
-  return 0;
+  return trident::run_program(argc, argv, "hector_mapping", trident::run);
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,6 +22,10 @@ inline bool ends_with(std::string_view text, std::string_view suffix) {
 
 /// Shortest decimal text that reads back as the same double; "inf", "-inf", "nan" otherwise.
 std::string number_text(double value);
+
+/// The number that the whole text is, as std::stod reads it: white space may come before it, "inf"
+/// and "nan" are numbers; one that is too large or too small for a double is none.
+std::optional<double> number_from_text(const std::string& text);
 
 /// Number of single-character insertions, deletions, replacements and swaps of neighbours that lead
 /// from a to b, without regard to case (optimal string alignment distance).

@@ -8,6 +8,7 @@ import json
 
 import pytest
 from trident_eval.bench import __main__ as bench
+from trident_eval.bench import coast, sensors
 from trident_eval.core.errors import EvalError
 
 _RESULT = {"rtf": 50.0, "cpu_s_per_sim_s": 0.02, "state_hash": "ab", "largest_offset_m": 0.04}
@@ -66,6 +67,26 @@ def test_a_row_that_fails_leaves_the_others(measured, tmp_path):
     rows = json.loads(out.read_text())["rows"]
     assert rows[0]["error"] == "sim_benchmark has ended with exit code 1"
     assert rows[3]["rtf"] == 50.0
+
+
+@pytest.mark.parametrize(
+    ("words", "module", "case"),
+    [(["sim", "--world", "coast"], coast, "fleet"), (["sensors"], sensors, "scan360_6robots")],
+)
+def test_a_case_that_fails_has_a_row_that_says_why(
+    words, module, case, monkeypatch, tmp_path, capsys
+):
+    def measure(case, runs, quick):
+        raise EvalError(f"{runs} runs of {case.name}: no such world\n  why")
+
+    monkeypatch.setattr(module, "measure", measure)
+    out = tmp_path / "b.json"
+    words = [*words, "--mode", case, "--out", str(out)]
+    assert bench.main(words) == bench.FAILED
+    (row,) = json.loads(out.read_text())["rows"]
+    assert row["error"] == f"3 runs of {case}: no such world"
+    assert row["n"] >= 6
+    assert f"[1/1] {case}: failed: 3 runs" in capsys.readouterr().err
 
 
 def test_lost_vehicles_fail_their_row(measured, tmp_path):

@@ -11,8 +11,7 @@
 #include <cstdlib>
 #include <cstring>
 
-#include <jpeglib.h>  // needs <cstdio>
-
+#include "../rays/jpeg_errors.h"
 #include "trident_base/error.h"
 
 namespace trident {
@@ -32,13 +31,7 @@ Rows rows_of(const ImageSample& image) {
 class JpegEncoder {
  public:
   JpegEncoder() {
-    info_.err = jpeg_std_error(&errors_.base);
-    errors_.base.error_exit = [](j_common_ptr info) {
-      auto* const errors = reinterpret_cast<Errors*>(info->err);
-      (*info->err->format_message)(info, errors->message.data());
-      std::longjmp(errors->jump, 1);
-    };
-    errors_.base.output_message = [](j_common_ptr) {};  // nothing on stderr
+    info_.err = &errors_.base;
     jpeg_create_compress(&info_);
   }
   ~JpegEncoder() {
@@ -72,13 +65,7 @@ class JpegEncoder {
   const char* message() const { return errors_.message.data(); }
 
  private:
-  struct Errors {
-    jpeg_error_mgr base{};
-    std::jmp_buf jump{};
-    std::array<char, JMSG_LENGTH_MAX> message{};
-  };
-
-  Errors errors_;
+  JpegErrors errors_;
   jpeg_compress_struct info_{};
   unsigned char* bytes_ = nullptr;
   unsigned long size_ = 0;

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugin_util.h"
 
+#include <algorithm>
+#include <sstream>
+
 namespace trident {
 namespace {
 
@@ -65,6 +68,24 @@ Joint& joint_or(const PluginContext& context, const std::string& key, const std:
     context.params.refuse(key, name, "a joint of the model: " + known);
   }
   return *joint;
+}
+
+std::vector<Joint*> listed_joints(const PluginContext& context, std::size_t least_axes) {
+  const std::string legal = "names of joints of the model";
+  std::string list = context.params.required_text("jointName");
+  if (context.model == nullptr) throw Error(context.params.owner() + ": belongs in a model");
+  std::replace(list.begin(), list.end(), ',', ' ');
+  std::vector<Joint*> joints;
+  std::istringstream names(list);
+  for (std::string name; names >> name;) {
+    Joint* const joint = context.model->find_joint(name);
+    if (joint == nullptr || joint->axis_count() < least_axes) {
+      context.params.refuse("jointName", name, legal + (least_axes > 0 ? " that can turn" : ""));
+    }
+    joints.push_back(joint);
+  }
+  if (joints.empty()) context.params.refuse("jointName", list, legal);
+  return joints;
 }
 
 Eigen::Vector3d link_velocity_world(const Link& link) {

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <vector>
 
 #include "trident_base/error.h"
 #include "trident_sim/samples.h"
@@ -17,6 +19,8 @@ Link& required_link(const PluginContext& context, const std::string& key);
 Joint& required_joint(const PluginContext& context, const std::string& key);
 /// The joint that `key` names, or the one of the name `fallback`.
 Joint& joint_or(const PluginContext& context, const std::string& key, const std::string& fallback);
+/// The joints that <jointName> lists, separated by commas or blanks; each has the axes, at least.
+std::vector<Joint*> listed_joints(const PluginContext& context, std::size_t least_axes = 0);
 
 template <class T>
 OutHandle<T> advertise(const PluginContext& context, const std::string& name, PortRank rank) {

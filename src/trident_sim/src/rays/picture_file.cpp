@@ -4,15 +4,12 @@
 
 #include <png.h>
 
-#include <array>
 #include <csetjmp>
-#include <cstdio>
 #include <fstream>
 #include <iterator>
 #include <utility>
 
-#include <jpeglib.h>  // needs <cstdio>
-
+#include "jpeg_errors.h"
 #include "trident_base/error.h"
 
 namespace trident {
@@ -56,13 +53,7 @@ PictureFile read_png(const std::vector<std::uint8_t>& bytes, const std::string& 
 class JpegDecoder {
  public:
   explicit JpegDecoder(const std::vector<std::uint8_t>& bytes) {
-    info_.err = jpeg_std_error(&errors_.base);
-    errors_.base.error_exit = [](j_common_ptr info) {
-      auto* const errors = reinterpret_cast<Errors*>(info->err);
-      (*info->err->format_message)(info, errors->message.data());
-      std::longjmp(errors->jump, 1);
-    };
-    errors_.base.output_message = [](j_common_ptr) {};  // nothing on stderr
+    info_.err = &errors_.base;
     jpeg_create_decompress(&info_);
     jpeg_mem_src(&info_, bytes.data(), bytes.size());
   }
@@ -92,13 +83,7 @@ class JpegDecoder {
   const char* message() const { return errors_.message.data(); }
 
  private:
-  struct Errors {
-    jpeg_error_mgr base{};
-    std::jmp_buf jump{};
-    std::array<char, JMSG_LENGTH_MAX> message{};
-  };
-
-  Errors errors_;
+  JpegErrors errors_;
   jpeg_decompress_struct info_{};
 };
 

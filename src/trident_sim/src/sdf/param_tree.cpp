@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "trident_base/error.h"
+#include "trident_base/string_util.h"
 
 namespace trident {
 namespace {
@@ -26,14 +27,9 @@ std::string describe(Limits limits) {
   return out.str();
 }
 
-bool parse_number(const std::string& text, double& value) {
-  try {
-    std::size_t used = 0;
-    value = std::stod(text, &used);
-    return used == text.size() && std::isfinite(value);
-  } catch (const std::exception&) {
-    return false;
-  }
+std::optional<double> finite_number(const std::string& text) {
+  const std::optional<double> value = number_from_text(text);
+  return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 }  // namespace
@@ -95,11 +91,9 @@ std::string PluginParams::required_text(std::string_view key) const {
 double PluginParams::number(std::string_view key, double fallback, Limits limits) const {
   const auto text = raw(key);
   if (!text) return fallback;
-  double value = 0.0;
-  if (!parse_number(*text, value) || value < limits.lo || value > limits.hi) {
-    refuse(key, *text, describe(limits));
-  }
-  return value;
+  const std::optional<double> value = finite_number(*text);
+  if (!value || *value < limits.lo || *value > limits.hi) refuse(key, *text, describe(limits));
+  return *value;
 }
 
 int PluginParams::integer(std::string_view key, int fallback, Limits limits) const {
@@ -130,7 +124,9 @@ Eigen::Vector3d PluginParams::vector3(std::string_view key, const Eigen::Vector3
   std::string word;
   Eigen::Vector3d value;
   for (int i = 0; i < 3; ++i) {
-    if (!(in >> word) || !parse_number(word, value[i])) refuse(key, *text, "three finite numbers");
+    const std::optional<double> number = in >> word ? finite_number(word) : std::nullopt;
+    if (!number) refuse(key, *text, "three finite numbers");
+    value[i] = *number;
   }
   if (in >> word) refuse(key, *text, "three finite numbers");
   return value;

@@ -42,7 +42,7 @@ class ControlledWorld {
  public:
   explicit ControlledWorld(LoopTiming timing = LoopTiming::kDirect,
                            const std::string& vessel = "otter")
-      : world_(ocean({make_sea({{"waves", {{"spectrum", "none"}}}})}), options(timing)) {
+      : world_(ocean({make_sea({{"waves", {{"spectrum", "none"}}}})}), with_timing(timing)) {
     register_control_plugins(world_.registry);
     boat_ = &world_.add(make_controlled(vessel));
   }
@@ -62,11 +62,6 @@ class ControlledWorld {
   SE3 pose() const { return boat_->T_world_model(); }
 
  private:
-  static WorldOptions options(LoopTiming timing) {
-    WorldOptions options;
-    options.timing = timing;
-    return options;
-  }
   TestWorld world_;
   Model* boat_ = nullptr;
 };

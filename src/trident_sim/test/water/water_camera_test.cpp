@@ -66,9 +66,7 @@ TEST(WaterCamera, DepthsOfStillWaterAreExactAndEndAtTheFarClip) {
 }
 
 TEST(WaterCamera, DepthsOfWavesAreThoseOfTheTile) {
-  WorldOptions options;
-  options.timing = LoopTiming::kDirect;
-  TestWorld world(sunny_sea(jonswap("0.8", "4")), options);
+  TestWorld world(sunny_sea(jonswap("0.8", "4")), with_timing(LoopTiming::kDirect));
   world.add(robot_with_camera({}, lookout()));
   auto& depth = listen_to<ImageSample>(world, "r/eye/depth/image_raw");
   auto& info = listen_to<CameraInfoSample>(world, "r/eye/camera_info");

@@ -3,11 +3,9 @@
 #include <ros/ros.h>
 #include <std_msgs/Float64.h>
 
-#include <exception>
-#include <iostream>
-
 #include "trident_slam/particle_slam_2d.h"
 #include "trident_slam_ros/parameter_names.h"
+#include "trident_slam_ros/run_program.h"
 #include "trident_slam_ros/slam_node.h"
 #include "trident_slam_ros/slam_parameters.h"
 #include "trident_slam_ros/slam_programs.h"
@@ -45,42 +43,37 @@ void publish_entropy(SlamNode& node, const ros::Publisher& publisher) {
   });
 }
 
+void run() {
+  const ros::NodeHandle own("~");
+  SlamNodeOptions options;
+  options.base_frame = "base_link";
+  options.transform_publish_period = 0.05;
+  read_options(own, options);
+  own.getParam("tf_delay", options.tf_delay);
+  // What gmapping calls otherwise.
+  GraphSlamOptions graph;
+  own.getParam("delta", graph.resolution);
+  own.getParam("linearUpdate", graph.minimum_travel_distance);
+  own.getParam("angularUpdate", graph.minimum_travel_heading);
+  double reach = 0.0;  // gmapping's maxUrange is its maxRange where it is not given
+  if (!own.hasParam("maxUrange") && own.getParam("maxRange", reach)) {
+    own.setParam("maxUrange", reach);
+  }
+  own.getParam("maxUrange", graph.max_laser_range);
+  graph.is_asynchronous = true;
+  tell_unused_parameters(own);
+  graph.validate();
+  SlamNode node(ros::NodeHandle(), options, slam_maker(own, {"particle_slam_2d"}, graph));
+  ros::NodeHandle handle("~");
+  const ros::Publisher publisher = handle.advertise<std_msgs::Float64>("entropy", 1, true);
+  const ros::Timer timer =
+      handle.createTimer(ros::Duration(kEntropyPeriodS),
+                         [&](const ros::TimerEvent&) { publish_entropy(node, publisher); });
+  ros::spin();
+}
+
 }  // namespace
 
-int run_gmapping(int argc, char** argv) {
-  ros::init(argc, argv, "slam_gmapping");
-  try {
-    const ros::NodeHandle own("~");
-    SlamNodeOptions options;
-    options.base_frame = "base_link";
-    options.transform_publish_period = 0.05;
-    read_options(own, options);
-    own.getParam("tf_delay", options.tf_delay);
-    // What gmapping calls otherwise.
-    GraphSlamOptions graph;
-    own.getParam("delta", graph.resolution);
-    own.getParam("linearUpdate", graph.minimum_travel_distance);
-    own.getParam("angularUpdate", graph.minimum_travel_heading);
-    double reach = 0.0;  // gmapping's maxUrange is its maxRange where it is not given
-    if (!own.hasParam("maxUrange") && own.getParam("maxRange", reach)) {
-      own.setParam("maxUrange", reach);
-    }
-    own.getParam("maxUrange", graph.max_laser_range);
-    graph.is_asynchronous = true;
-    tell_unused_parameters(own);
-    graph.validate();
-    SlamNode node(ros::NodeHandle(), options, slam_maker(own, {"particle_slam_2d"}, graph));
-    ros::NodeHandle handle("~");
-    const ros::Publisher publisher = handle.advertise<std_msgs::Float64>("entropy", 1, true);
-    const ros::Timer timer =
-        handle.createTimer(ros::Duration(kEntropyPeriodS),
-                           [&](const ros::TimerEvent&) { publish_entropy(node, publisher); });
-    ros::spin();
-  } catch (const std::exception& error) {
-    std::cerr << ros::this_node::getName() << ": " << error.what() << std::endl;
-    return 1;
-  }
-  return 0;
-}
+int run_gmapping(int argc, char** argv) { return run_program(argc, argv, "slam_gmapping", run); }
 
 }  // namespace trident

@@ -8,8 +8,6 @@
 #include <slam_toolbox_msgs/SerializePoseGraph.h>
 #include <tf2_ros/static_transform_broadcaster.h>
 
-#include <exception>
-#include <iostream>
 #include <memory>
 #include <string>
 #include <vector>
@@ -17,6 +15,7 @@
 #include "trident_estimation_ros/map_messages.h"
 #include "trident_slam/graph_slam_2d.h"
 #include "trident_slam_ros/graph_editor.h"
+#include "trident_slam_ros/run_program.h"
 #include "trident_slam_ros/service_list.h"
 #include "trident_slam_ros/slam_parameters.h"
 #include "trident_slam_ros/slam_programs.h"
@@ -148,18 +147,15 @@ class MapMerger {
   ServiceList services_;
 };
 
+void run() {
+  const MapMerger merger(read_graph_options(ros::NodeHandle("~")));
+  ros::spin();
+}
+
 }  // namespace
 
 int run_merge_maps(int argc, char** argv) {
-  ros::init(argc, argv, "merge_maps_kinematic");
-  try {
-    const MapMerger merger(read_graph_options(ros::NodeHandle("~")));
-    ros::spin();
-  } catch (const std::exception& error) {
-    std::cerr << ros::this_node::getName() << ": " << error.what() << std::endl;
-    return 1;
-  }
-  return 0;
+  return run_program(argc, argv, "merge_maps_kinematic", run);
 }
 
 }  // namespace trident

@@ -14,9 +14,7 @@
 #include <std_srvs/Empty.h>
 #include <visualization_msgs/MarkerArray.h>
 
-#include <exception>
 #include <filesystem>
-#include <iostream>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,6 +23,7 @@
 #include "trident_estimation_ros/map_messages.h"
 #include "trident_slam/slam_2d_abilities.h"
 #include "trident_slam_ros/graph_editor.h"
+#include "trident_slam_ros/run_program.h"
 #include "trident_slam_ros/service_list.h"
 #include "trident_slam_ros/slam_node.h"
 #include "trident_slam_ros/slam_parameters.h"
@@ -204,33 +203,29 @@ void log_debug() {
   }
 }
 
+void run(ToolboxMode mode) {
+  const ros::NodeHandle own("~");
+  SlamNodeOptions options;
+  options.is_sync = mode != ToolboxMode::kAsync;
+  read_options(own, options);
+  own.getParam("map_name", options.map_topic);
+  GraphSlamOptions graph = read_graph_options(own);
+  graph.is_asynchronous = mode == ToolboxMode::kAsync;
+  if (mode == ToolboxMode::kLocalization) graph.mode = SlamMode::kLocalization;
+  if (mode == ToolboxMode::kLifelong) graph.mode = SlamMode::kLifelong;
+  const PoseGraphSolverMaker solver = read_solver(own);
+  tell_unused_toolbox_parameters(own, solver != nullptr);
+  if (own.param("debug_logging", false)) log_debug();
+  const bool can_edit =
+      graph.mode != SlamMode::kLocalization && own.param("enable_interactive_mode", true);
+  const Toolbox toolbox(own, options, slam_maker(own, {"graph_slam_2d"}, graph, solver), can_edit);
+  ros::spin();
+}
+
 }  // namespace
 
 int run_slam_toolbox(int argc, char** argv, ToolboxMode mode) {
-  ros::init(argc, argv, "slam_toolbox");
-  try {
-    const ros::NodeHandle own("~");
-    SlamNodeOptions options;
-    options.is_sync = mode != ToolboxMode::kAsync;
-    read_options(own, options);
-    own.getParam("map_name", options.map_topic);
-    GraphSlamOptions graph = read_graph_options(own);
-    graph.is_asynchronous = mode == ToolboxMode::kAsync;
-    if (mode == ToolboxMode::kLocalization) graph.mode = SlamMode::kLocalization;
-    if (mode == ToolboxMode::kLifelong) graph.mode = SlamMode::kLifelong;
-    const PoseGraphSolverMaker solver = read_solver(own);
-    tell_unused_toolbox_parameters(own, solver != nullptr);
-    if (own.param("debug_logging", false)) log_debug();
-    const bool can_edit =
-        graph.mode != SlamMode::kLocalization && own.param("enable_interactive_mode", true);
-    const Toolbox toolbox(own, options, slam_maker(own, {"graph_slam_2d"}, graph, solver),
-                          can_edit);
-    ros::spin();
-  } catch (const std::exception& error) {
-    std::cerr << ros::this_node::getName() << ": " << error.what() << std::endl;
-    return 1;
-  }
-  return 0;
+  return run_program(argc, argv, "slam_toolbox", [mode] { run(mode); });
 }
 
 }  // namespace trident

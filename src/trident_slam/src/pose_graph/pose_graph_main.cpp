@@ -8,6 +8,7 @@
 #include <ctime>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "trident_base/error.h"
@@ -41,15 +42,9 @@ Value choice(const std::string& option, const std::string& text,
 }
 
 double number(const std::string& option, const std::string& text) {
-  std::size_t used = 0;
-  double value = 0.0;
-  try {
-    value = std::stod(text, &used);
-  } catch (const std::exception&) {
-    used = 0;
-  }
-  if (used == 0 || used != text.size()) throw Error(option + ": '" + text + "' is not a number");
-  return value;
+  const std::optional<double> value = number_from_text(text);
+  if (!value) throw Error(option + ": '" + text + "' is not a number");
+  return *value;
 }
 
 const std::map<std::string, PoseGraphStart> kStarts{{"auto", PoseGraphStart::kAuto},

@@ -22,21 +22,9 @@ PolygonWorld furnished_room(double x, double y) {
   return world;
 }
 
-/// Once around the room's middle, 20 m in steps of 0.1 m and 0.1 rad.
+/// Around the room's middle, 20 m a round.
 std::vector<SE2> room_tour(int rounds) {
-  std::vector<SE2> path;
-  SE2 T = SE2::from_xy_yaw(1.5, 1.5, 0.0);
-  for (int leg = 0; leg < 4 * rounds; ++leg) {
-    for (int i = 0; i < (leg % 2 == 0 ? 60 : 40); ++i) {
-      path.push_back(T);
-      T = T * SE2::from_xy_yaw(0.1, 0.0, 0.0);
-    }
-    for (int i = 0; i < 16; ++i) {
-      path.push_back(T);
-      T = T * SE2::from_xy_yaw(0.0, 0.0, 0.5 * kPi / 16.0);
-    }
-  }
-  return path;
+  return rectangle_path(SE2::from_xy_yaw(1.5, 1.5, 0.0), 60, 40, 4 * rounds);
 }
 
 class LifelongMap : public ::testing::Test {

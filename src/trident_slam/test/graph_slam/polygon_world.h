@@ -87,13 +87,12 @@ inline PolygonWorld ring_world() {
   return world;
 }
 
-/// Poses every 0.1 m and 0.1 rad along the ring's middle, `rounds` times.
-inline std::vector<SE2> ring_path(double rounds) {
+/// Poses every 0.1 m and 0.1 rad along so many sides of a rectangle, from `T` on with left turns.
+/// Its sides are by turns `first` and `second` steps of 0.1 m long.
+inline std::vector<SE2> rectangle_path(SE2 T, int first, int second, int sides) {
   std::vector<SE2> path;
-  SE2 T = SE2::from_xy_yaw(1.0, 1.0, 0.0);
-  const int legs = static_cast<int>(4.0 * rounds);
-  for (int leg = 0; leg < legs; ++leg) {
-    for (int i = 0; i < 160; ++i) {
+  for (int side = 0; side < sides; ++side) {
+    for (int i = 0; i < (side % 2 == 0 ? first : second); ++i) {
       path.push_back(T);
       T = T * SE2::from_xy_yaw(0.1, 0.0, 0.0);
     }
@@ -103,6 +102,11 @@ inline std::vector<SE2> ring_path(double rounds) {
     }
   }
   return path;
+}
+
+/// Poses along the ring's middle, `rounds` times.
+inline std::vector<SE2> ring_path(double rounds) {
+  return rectangle_path(SE2::from_xy_yaw(1.0, 1.0, 0.0), 160, 160, static_cast<int>(4.0 * rounds));
 }
 
 /// Odometry along a path whose distances and turns are wrong by these factors.

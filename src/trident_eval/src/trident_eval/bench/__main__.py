@@ -11,10 +11,10 @@ import shlex
 import signal
 import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from datetime import datetime
 from pathlib import Path
-from types import FrameType
+from types import FrameType, ModuleType
 from typing import Any
 
 from trident_eval.bench import amcl, coast, in_process, launches, lockstep, sensors
@@ -132,8 +132,7 @@ def _sim(options: argparse.Namespace) -> int:
     if options.world == "coast":
         return _coast(options)
     plans = plan_rows(options.quick, options.mode, options.runs)
-    if options.out and not options.out.parent.is_dir():
-        raise EvalError(f"--out {options.out}: its folder does not exist")
+    _check_folder(options.out)
     setup = prepare(options.controller)
     document = _document() | {
         "controller": str(options.controller or "rotors_control/lee_position_controller_node"),
@@ -153,19 +152,9 @@ def _sim(options: argparse.Namespace) -> int:
 
 
 def _coast(options: argparse.Namespace) -> int:
-    if options.out and not options.out.parent.is_dir():
-        raise EvalError(f"--out {options.out}: its folder does not exist")
+    _check_folder(options.out)
     document = _document() | {"rows": []}
-    cases = coast.chosen(options.mode)
-    for number, case in enumerate(cases, 1):
-        try:
-            row = coast.measure(case, options.runs or (1 if options.quick else 3), options.quick)
-        except EvalError as error:
-            say(str(error))
-            row = coast.failed(case, str(error).splitlines()[0])
-        document["rows"].append(row)
-        say(f"[{number}/{len(cases)}] {coast.line(row)}")
-        _write(options.out, document | coast.headline(document["rows"]))
+    _measure_cases(coast, coast.chosen(options.mode), options, document)
     if options.out:
         say(f"written: {options.out}")
     if options.markdown or not options.out:
@@ -179,18 +168,9 @@ def _sensors(options: argparse.Namespace) -> int:
     known = [*(case.name for case in sensors.CASES), _TOGETHER.name]
     if unknown := sorted(set(options.mode) - set(known)):
         raise EvalError(f"mode {unknown[0]!r} is unknown; legal: {', '.join(known)}")
-    if options.out and not options.out.parent.is_dir():
-        raise EvalError(f"--out {options.out}: its folder does not exist")
+    _check_folder(options.out)
     document = _document() | {"gazebo": sensors.GAZEBO, "rows": []}
-    for number, case in enumerate(cases, 1):
-        try:
-            row = sensors.measure(case, options.runs or (1 if options.quick else 3), options.quick)
-        except EvalError as error:
-            say(str(error))
-            row = {"mode": case.name, "n": case.robots, "error": str(error).splitlines()[0]}
-        document["rows"].append(row)
-        say(f"[{number}/{len(cases)}] {sensors.line(row)}")
-        _write(options.out, document | sensors.headline(document["rows"]))
+    _measure_cases(sensors, cases, options, document)
     together = _measure_together(options, document)
     if options.out:
         say(f"written: {options.out}")
@@ -205,8 +185,7 @@ def _sensors(options: argparse.Namespace) -> int:
 
 
 def _amcl(options: argparse.Namespace) -> int:
-    if options.out and not options.out.parent.is_dir():
-        raise EvalError(f"--out {options.out}: its folder does not exist")
+    _check_folder(options.out)
     document = _document() | {"updates": amcl.measure_updates(options.quick)}
     kidnaps = amcl.summarize(amcl.measure_kidnaps(options.quick, say))
     _write(options.out, document | {"kidnaps": kidnaps})
@@ -215,21 +194,44 @@ def _amcl(options: argparse.Namespace) -> int:
     return MEASURED
 
 
+def _measure_cases(
+    bench: ModuleType, cases: Sequence[Any], options: argparse.Namespace, document: dict[str, Any]
+) -> None:
+    """A row per case of ``coast`` or ``sensors``; what has been measured is kept in any case."""
+    for number, case in enumerate(cases, 1):
+        row = _measure_case(bench, case, options)
+        document["rows"].append(row)
+        say(f"[{number}/{len(cases)}] {bench.line(row)}")
+        _write(options.out, document | bench.headline(document["rows"]))
+
+
+def _measure_case(bench: ModuleType, case: Any, options: argparse.Namespace) -> dict[str, Any]:
+    """The row of a case; one that says why there is none if it cannot be measured."""
+    runs = options.runs or (1 if options.quick else 3)
+    row: dict[str, Any]
+    try:
+        row = bench.measure(case, runs, options.quick)
+    except EvalError as error:
+        say(str(error))
+        row = bench.failed(case, str(error).splitlines()[0])
+    return row
+
+
 def _measure_together(options: argparse.Namespace, document: dict[str, Any]) -> dict[str, Any]:
     """The three domains with all their sensors, as `cross_domain`; empty if not asked for."""
     if options.mode and _TOGETHER.name not in options.mode:
         return {}
-    try:
-        runs = options.runs or (1 if options.quick else 3)
-        row = coast.measure(_TOGETHER, runs, options.quick)
-    except EvalError as error:
-        say(str(error))
-        row = coast.failed(_TOGETHER, str(error).splitlines()[0])
+    row = _measure_case(coast, _TOGETHER, options)
     say(coast.line(row))
     document["cross_domain"] = row
     document |= coast.headline([row])
     _write(options.out, document | sensors.headline(document["rows"]))
     return row
+
+
+def _check_folder(out: Path | None) -> None:
+    if out and not out.parent.is_dir():
+        raise EvalError(f"--out {out}: its folder does not exist")
 
 
 def _document() -> dict[str, Any]:

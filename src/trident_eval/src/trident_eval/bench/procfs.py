@@ -94,10 +94,7 @@ def process_cpu_s(pid: int) -> float:
     Raises:
         EvalError: there is no such process.
     """
-    try:
-        return parse_process_cpu((_PROC / str(pid) / "stat").read_text(encoding="utf-8"))
-    except OSError as error:
-        raise EvalError(f"process {pid} has ended before it could be measured") from error
+    return parse_process_cpu(_told_of(pid, "stat"))
 
 
 def total_cpu_s(pids: Iterable[int]) -> float:
@@ -111,8 +108,12 @@ def memory_of(pid: int) -> Memory:
     Raises:
         EvalError: there is no such process.
     """
+    return parse_memory(_told_of(pid, "status"))
+
+
+def _told_of(pid: int, name: str) -> str:
     try:
-        return parse_memory((_PROC / str(pid) / "status").read_text(encoding="utf-8"))
+        return (_PROC / str(pid) / name).read_text(encoding="utf-8")
     except OSError as error:
         raise EvalError(f"process {pid} has ended before it could be measured") from error
 

@@ -221,6 +221,11 @@ def measure(case: Case, runs: int, quick: bool) -> dict[str, Any]:
     return row
 
 
+def failed(case: Case, error: str) -> dict[str, Any]:
+    """The row of a case that could not be measured."""
+    return {"mode": case.name, "n": case.robots, "error": error}
+
+
 def _run(case: Case, sim_s: float) -> dict[str, float]:
     """The same simulated time without and with readers, one after the other."""
     world, ports = _make(case)

@@ -182,10 +182,7 @@ def map_drive(recording: Recording, folder: Path) -> tuple[dict[str, Any], Absol
     Raises:
         EvalError: the program fails.
     """
-    folder.mkdir(parents=True, exist_ok=True)
-    write_carmen(recording, folder / "drive.log")
-    truth = true_trajectory(recording)
-    write_tum(folder / "truth.tum", truth)
+    truth = _write_drive(recording, folder)
     words = ("--keep-session", str(folder / "map.session"))
     timing = run_log(Run(folder / "drive.log", METHOD, folder, words=words), show=False)
     final = absolute_errors(read_tum(folder / "trajectory.tum"), truth, "SE2")
@@ -219,10 +216,7 @@ def localize_drive(
     Raises:
         EvalError: the program fails.
     """
-    folder.mkdir(parents=True, exist_ok=True)
-    write_carmen(recording, folder / "drive.log")
-    truth = true_trajectory(recording)
-    write_tum(folder / "truth.tum", truth)
+    truth = _write_drive(recording, folder)
     (folder / "localization.yaml").write_text("mode: localization\n", encoding="utf-8")
     map_pose = np.array([*T_world_map[:2, 3], math.atan2(T_world_map[1, 0], T_world_map[0, 0])])
     start = relative(map_pose, recording.truth[0, 1:])
@@ -338,6 +332,15 @@ def table(rows: Sequence[dict[str, Any]]) -> str:
 
 def _cells(cells: Sequence[str]) -> str:
     return f"| {' | '.join(cells)} |"
+
+
+def _write_drive(recording: Recording, folder: Path) -> Trajectory:
+    """Write the log and the truth, which is returned, into a folder that is made."""
+    folder.mkdir(parents=True, exist_ok=True)
+    write_carmen(recording, folder / "drive.log")
+    truth = true_trajectory(recording)
+    write_tum(folder / "truth.tum", truth)
+    return truth
 
 
 def _length(trajectory: Trajectory) -> float:

@@ -1,38 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-#include <sstream>
-
 #include "drive_parts.h"
 #include "gazebo_ros_plugins.h"
 
 namespace trident {
 namespace {
 
-/// The joints of a list that commas or blanks separate.
-std::vector<Joint*> read_joints(const PluginContext& context) {
-  const PluginParams& params = context.params;
-  std::string list = params.required_text("jointName");
-  if (context.model == nullptr) throw Error(params.owner() + ": belongs in a model");
-  for (char& c : list) {
-    if (c == ',') c = ' ';
-  }
-  std::vector<Joint*> joints;
-  std::istringstream names(list);
-  for (std::string name; names >> name;) {
-    Joint* joint = context.model->find_joint(name);
-    if (joint == nullptr) params.refuse("jointName", name, "names of joints of the model");
-    joints.push_back(joint);
-  }
-  if (joints.empty()) params.refuse("jointName", list, "names of joints of the model");
-  return joints;
-}
-
 /// libgazebo_ros_joint_state_publisher.so: <jointName> a, b, ...; <updateRate>.
 class JointStatePublisher : public Plugin {
  public:
   explicit JointStatePublisher(const PluginContext& context)
       : ticker_(context.params.number("updateRate", 100.0, {0.0, 1e9})),
-        states_(context, scoped_topic(context.params, "joint_states"), read_joints(context)) {}
+        states_(context, scoped_topic(context.params, "joint_states"), listed_joints(context)) {}
 
   std::vector<Phase> phases() const override { return {Phase::kPost}; }
   void post_step(const World& world, const StepInfo& info) override {

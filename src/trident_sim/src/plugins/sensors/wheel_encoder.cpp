@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-#include <sstream>
+#include <vector>
 
 #include "../plugin_util.h"
 #include "sample_clock.h"
@@ -10,26 +10,6 @@
 namespace trident {
 namespace {
 
-std::vector<Joint*> read_joints(const PluginContext& context) {
-  const PluginParams& params = context.params;
-  if (context.model == nullptr) throw Error(params.owner() + ": belongs in a model");
-  std::string list = params.required_text("jointName");
-  for (char& c : list) {
-    if (c == ',') c = ' ';
-  }
-  std::vector<Joint*> joints;
-  std::istringstream names(list);
-  for (std::string name; names >> name;) {
-    Joint* const joint = context.model->find_joint(name);
-    if (joint == nullptr || joint->axis_count() == 0) {
-      params.refuse("jointName", name, "names of joints of the model that can turn");
-    }
-    joints.push_back(joint);
-  }
-  if (joints.empty()) params.refuse("jointName", list, "names of joints of the model");
-  return joints;
-}
-
 /// libtrident_wheel_encoder.so: what incremental encoders on joints count, as joint states whose
 /// positions are whole ticks [rad] and whose rates are the ticks since the last sample over the
 /// time. A wheel that slips counts as it turns. <jointName> a, b, ...; <ticksPerTurn> (1024);
@@ -38,7 +18,7 @@ class WheelEncoders : public MeasuringPlugin {
  public:
   explicit WheelEncoders(const PluginContext& context)
       : MeasuringPlugin(context.world.timing()),
-        joints_(read_joints(context)),
+        joints_(listed_joints(context, 1)),
         encoder_(context.params.integer("ticksPerTurn", 1024, {1.0, 1e9})),
         clock_(context.params.number("updateRate", 50.0, {0.0, 1e6})),
         last_ticks_(joints_.size(), 0) {

@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+namespace trident {
+
+/// The value that is written as `text` behind the option, or in the environment variable, of this
+/// name. Throws Error naming the option and `text` unless the whole text is a number in [lo, hi].
+double option_number(const std::string& option, const std::string& text, double lo, double hi);
+
+}  // namespace trident
