@@ -48,8 +48,9 @@ def viewer(tmp_path: Path) -> Path:
     stand_in(tmp_path, "rospack", f"echo {tmp_path}")
     until_told = f"while [ ! -e {tmp_path}/node ]; do sleep 0.01; done"
     stand_in(tmp_path, "rviz", f'echo "rviz $*"; {until_told}; exit ${{RVIZ_CODE:-0}}')
-    wait = 'trap "echo ended >>$0.log; exit" TERM; while :; do sleep 0.01; done'
-    stand_in(tmp_path, "rosrun", f'echo "$*" >$0.log; touch {tmp_path}/node; {wait}')
+    trap = 'trap "echo ended >>$0.log; exit" TERM'
+    wait = "while :; do sleep 0.01; done"
+    stand_in(tmp_path, "rosrun", f'echo "$*" >$0.log; {trap}; touch {tmp_path}/node; {wait}')
     return tmp_path
 
 

@@ -99,6 +99,12 @@ class RawSubscriber:
     """Connects to a topic of a node and reads only when told to."""
 
     def __init__(self, ros: RosProcesses, node: str, topic: str, md5: str) -> None:
+        def is_advertised() -> bool:
+            _, _, (publishers, _subscribers, _services) = ros.master.getSystemState("/test")
+            return [topic, [node]] in publishers
+
+        # A node is known, and offers any topic, before it has advertised it.
+        eventually(is_advertised, f"{topic} of {node}")
         slave = xmlrpc.client.ServerProxy(ros.master.lookupNode("/test", node)[2])
         reply: Any = slave.requestTopic("/raw", topic, [["TCPROS"]])
         _, host, port = reply[2]
@@ -109,7 +115,8 @@ class RawSubscriber:
         header = b"".join(struct.pack("<I", len(field)) + field.encode() for field in fields)
         self._socket.sendall(struct.pack("<I", len(header)) + header)
         self._socket.settimeout(1.0)
-        self.frame()  # the publisher's half of the handshake
+        answer = self.frame()  # the publisher's half of the handshake
+        assert b"error=" not in answer, answer
 
     def frame(self) -> bytes:
         """The next length-prefixed block; empty when none comes."""
@@ -120,7 +127,9 @@ class RawSubscriber:
         data = b""
         while len(data) < count:
             try:
-                data += self._socket.recv(count - len(data))
+                part = self._socket.recv(count - len(data))
+                assert part, f"the node has closed the stream, {len(data)} of {count} bytes read"
+                data += part
             except TimeoutError:
                 assert not data, "the stream ends inside a message"
                 return b""

@@ -127,8 +127,8 @@ TEST_F(AutosaveTest, ProblemsAreToldAndTheNextSessionIsTried) {
   is_disk_full_ = false;
   take(autosave, 14.0);
   autosave.finish();
-  EXPECT_EQ(told(),
-            (std::vector<std::string>{"this method keeps no sessions", "session: no space left"}));
+  EXPECT_EQ(told(), (std::vector<std::string>{"autosave: this method keeps no sessions",
+                                              "autosave: session: no space left"}));
   EXPECT_EQ(written(), std::vector<double>{14.0});
 }
 

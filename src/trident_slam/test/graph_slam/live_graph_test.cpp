@@ -28,9 +28,8 @@ TEST(LiveGraph, MapsSessionsAndOptimisationsRunBesideTheScans) {
   std::vector<std::future<OccupancyGrid>> maps;
   std::vector<std::future<void>> saves;
   int realigned = 0;
-  ScanPose2d last;
   for (std::size_t i = 0; i < path.size(); ++i) {
-    last = slam.add_scan(world.scan(path[i], i), odometry[i]);
+    slam.add_scan(world.scan(path[i], i), odometry[i]);
     if (i > 40 && !slam.is_busy()) {
       slam.realign();
       ++realigned;
@@ -40,15 +39,11 @@ TEST(LiveGraph, MapsSessionsAndOptimisationsRunBesideTheScans) {
     saves.push_back(std::async(std::launch::async, slam.session_snapshot(),
                                session + std::to_string(saves.size())));
   }
-  // What was found beside the scans acts on the next one.
-  bool was_busy = true;
-  for (std::size_t i = path.size(); was_busy; ++i) {
-    was_busy = slam.is_busy();
-    last = slam.add_scan(world.scan(path.back(), i), odometry.back());
-  }
-  EXPECT_GT(realigned, 0);
-  EXPECT_LT(distance(last.T_map_base, path.front().inverse() * path.back()), 0.1);
   slam.finish();
+  EXPECT_GT(realigned, 0);
+  // Which loops were closed while the robot drove is a matter of the threads' speed.
+  const SE2 end = slam.trajectory().back().T_map_base;
+  EXPECT_LT(distance(end, path.front().inverse() * path.back()), 0.05);
   EXPECT_EQ(slam.map_snapshot()().cells, slam.map().cells);
   for (std::size_t i = 0; i < maps.size(); ++i) {
     EXPECT_FALSE(maps[i].get().cells.empty());
