@@ -29,7 +29,16 @@ def test_hidden_names_are_those_of_unnamed_namespaces_and_macros() -> None:
     }
 int main() {}
     """
-    assert hidden_names(text) == {"LIMIT", "int main(", "kStep", "kEnd", "kText", "Part", "Tool", "made"}
+    assert hidden_names(text) == {
+        "LIMIT",
+        "int main(",
+        "kStep",
+        "kEnd",
+        "kText",
+        "Part",
+        "Tool",
+        "made",
+    }
 
 
 def test_a_test_hides_the_class_that_googletest_makes_of_it() -> None:

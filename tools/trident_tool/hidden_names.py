@@ -47,7 +47,9 @@ def _declared_names(code: str, start: int) -> set[str]:
         if token["type"] and depth == 0:
             names.add(token["type"])
             in_initializer = True  # base classes follow, or nothing
-        elif token["name"] and depth == 0 and (mark == "=" or (token["next"] and not in_initializer)):
+        elif (
+            token["name"] and depth == 0 and (mark == "=" or (token["next"] and not in_initializer))
+        ):
             names.add(token["name"])  # one of several with initializers, or the first
             in_initializer = mark in "=:"
         if mark in ("{", "("):

@@ -61,8 +61,9 @@ class CompileCommand:
 def parse_compile_commands(text: str) -> list[CompileCommand]:
     """Translation units of a compile_commands.json.
 
-    Sources of a unity build are units of their own. Compiler, -o and -c are left out, and so are precompiled headers: they are gcc's, which clang
-    cannot read, and a source must include by itself what it uses.
+    Sources of a unity build are units of their own. Compiler, -o and -c are left out, and so are
+    precompiled headers: they are gcc's, which clang cannot read, and a source must include by
+    itself what it uses.
     """
     units = []
     for entry in json.loads(text):

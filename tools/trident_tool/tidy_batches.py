@@ -19,6 +19,7 @@ from trident_tool.hidden_names import hidden_names
 if TYPE_CHECKING:
     from trident_tool.tidy import CompileCommand
 
+
 @dataclass
 class _Batch:
     units: list[CompileCommand] = field(default_factory=list)
