@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <cstring>
 
 namespace trident {
 namespace {
@@ -21,6 +22,23 @@ SetpointResult check(Span<const TimedSetpoint> points) {
   }
   return SetpointResult::accepted;
 }
+
+/// FNV-1a, by words.
+class Digest {
+ public:
+  void add(const void* data, std::size_t words) {
+    for (std::size_t i = 0; i < words; ++i) {
+      std::uint64_t word = 0;
+      std::memcpy(&word, static_cast<const char*>(data) + sizeof(word) * i, sizeof(word));
+      value_ = (value_ ^ word) * 0x100000001b3ull;
+      value_ ^= value_ >> 32;
+    }
+  }
+  std::uint64_t value() const { return value_; }
+
+ private:
+  std::uint64_t value_ = 0xcbf29ce484222325ull;
+};
 
 }  // namespace
 
@@ -58,6 +76,7 @@ void SetpointQueue::reset_to(SimTime state_stamp) {
   if (!params_.keep_setpoint_over_reset) active_.reset();
   scheduled_.clear();
   next_ = 0;
+  accepted_count_ = 0;
   // What came in since the last state of the old time may already be meant for the new one:
   // unstamped messages are, and those whose stamp lies nearer to the new time than to the old.
   const SimTime old_now = *last_state_;
@@ -84,18 +103,60 @@ void SetpointQueue::drop_from(SimTime start) {
   scheduled_.erase(first, scheduled_.end());
 }
 
+std::uint64_t SetpointQueue::digest_of(Span<const Pending> message) {
+  Digest digest;
+  for (const Pending& pending : message) {
+    constexpr std::size_t kWords = sizeof(pending.point) / sizeof(double);
+    static_assert(sizeof(pending.point) == kWords * sizeof(double));
+    digest.add(&pending.offset.ns, 1);
+    digest.add(&pending.point, kWords);
+  }
+  return digest.value();
+}
+
+// What came since an equal message has replaced nothing of it, as far as it began later.
+bool SetpointQueue::is_repeated(Span<const Pending> message) const {
+  const SimTime stamp = message[0].stamp;
+  if (stamp == SimTime{}) return false;
+  const std::uint64_t digest = digest_of(message);
+  const std::size_t known = std::min(accepted_count_, kKnownAgain);
+  for (std::size_t back = 1; back <= known; ++back) {
+    const Accepted& before = accepted_[(accepted_count_ - back) % kKnownAgain];
+    if (before.stamp == stamp && before.digest == digest) return true;
+    if (before.stamp <= stamp) return false;
+  }
+  return false;
+}
+
+void SetpointQueue::remember(Span<const Pending> message) {
+  if (message[0].stamp == SimTime{}) {
+    accepted_count_ = 0;  // it takes the place of all
+    return;
+  }
+  accepted_[accepted_count_++ % kKnownAgain] = {message[0].stamp, digest_of(message)};
+}
+
 void SetpointQueue::schedule_pending(SimTime state_stamp) {
   scheduled_.erase(scheduled_.begin(), scheduled_.begin() + static_cast<std::ptrdiff_t>(next_));
   next_ = 0;
-  SimTime start;
-  for (const Pending& pending : pending_) {
-    if (pending.starts_message) {
-      start = start_of(pending.stamp, state_stamp);
-      drop_from(start);
-    }
-    scheduled_.push_back({start + pending.offset, pending.point});
+  const Span<const Pending> pending(pending_.data(), pending_.size());
+  for (std::size_t begin = 0; begin < pending.size();) {
+    std::size_t end = begin + 1;
+    while (end < pending.size() && !pending[end].starts_message) ++end;
+    schedule(pending.subspan(begin, end - begin), state_stamp);
+    begin = end;
   }
   pending_.clear();
+}
+
+void SetpointQueue::schedule(Span<const Pending> message, SimTime state_stamp) {
+  if (is_repeated(message)) return;
+  remember(message);
+  const SimTime start = start_of(message[0].stamp, state_stamp);
+  drop_from(start);
+  for (const Pending& pending : message) {
+    scheduled_.push_back({start + pending.offset, pending.point});
+  }
 }
 
 }  // namespace trident

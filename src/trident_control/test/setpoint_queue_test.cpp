@@ -120,6 +120,38 @@ TEST_F(SetpointQueueTest, a_newer_message_at_the_same_stamp_replaces) {
   EXPECT_EQ(x_at(1.0), 2.0);
 }
 
+TEST_F(SetpointQueueTest, a_message_that_comes_again_takes_nothing_back) {
+  const std::vector<TimedSetpoint> first = {point(1), point(2, 0.5)}, second = {point(3)};
+  push(at(1.0), first);
+  push(at(2.0), second);
+  x_at(1.2);
+  push(at(1.0), first);  // the second one's repetition is still under way
+  EXPECT_EQ(x_at(1.6), 2.0);
+  EXPECT_EQ(x_at(2.0), 3.0);
+  push(at(1.0), first);
+  EXPECT_EQ(x_at(2.1), 3.0);
+}
+
+TEST_F(SetpointQueueTest, an_old_message_acts_again_after_another_of_its_stamp) {
+  push(at(1.0), {point(1)});
+  push(at(1.0), {point(2)});
+  EXPECT_EQ(x_at(1.0), 2.0);
+  push(at(1.0), {point(1)});
+  EXPECT_EQ(x_at(1.1), 1.0);
+  push(kNoStamp, {point(5)});
+  EXPECT_EQ(x_at(1.2), 5.0);
+  push(at(1.0), {point(1)});
+  EXPECT_EQ(x_at(1.3), 1.0);
+}
+
+TEST_F(SetpointQueueTest, the_message_of_a_life_before_acts_in_the_new_one) {
+  push(at(1.0), {point(1)});
+  EXPECT_EQ(x_at(5.0), 1.0);
+  push(at(1.0), {point(1)});
+  EXPECT_EQ(x_at(0.0), -1.0);
+  EXPECT_EQ(x_at(1.0), 1.0);
+}
+
 TEST_F(SetpointQueueTest, an_unstamped_message_clears_the_trajectory) {
   push(at(1.0), {point(1, 0.0), point(2, 1.0)});
   EXPECT_EQ(x_at(1.0), 1.0);

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -46,6 +48,8 @@ enum class SetpointResult {
 ///  time_from_start[0].
 ///  - A newer message removes all points that lie at or after its start; an active one stays until
 ///  then.
+///  - A stamped message that comes again changes nothing: senders repeat what they have sent while
+///    the world stands still, and must not take back what came after it.
 ///  - A state stamped earlier than its predecessor means the world was reset: the active set-point
 ///    (unless kept) and all queued ones go, except messages that came after the last state and
 ///    belong to the new time.
@@ -79,6 +83,16 @@ class SetpointQueue {
     TrajectoryPoint point;
   };
 
+  struct Accepted {  // a stamped message, to be known again
+    SimTime stamp;
+    std::uint64_t digest = 0;
+  };
+  static constexpr std::size_t kKnownAgain = 128;  // messages: more than a sender repeats at a time
+
+  static std::uint64_t digest_of(Span<const Pending> message);
+  bool is_repeated(Span<const Pending> message) const;
+  void remember(Span<const Pending> message);
+  void schedule(Span<const Pending> message, SimTime state_stamp);
   void reset_to(SimTime state_stamp);
   void schedule_pending(SimTime state_stamp);
   SimTime start_of(SimTime stamp, SimTime state_stamp) const;
@@ -88,6 +102,8 @@ class SetpointQueue {
   std::vector<Pending> pending_;
   std::vector<Scheduled> scheduled_;  // ascending; [0, next_) have taken effect
   std::size_t next_ = 0;
+  std::array<Accepted, kKnownAgain> accepted_;  // the newest, a ring
+  std::size_t accepted_count_ = 0;              // since the last reset or unstamped message
   std::optional<SimTime> last_state_;
   std::optional<TrajectoryPoint> active_;
   bool was_reset_ = false;
