@@ -12,7 +12,7 @@ pytest.importorskip("rospy", reason="ROS is not installed")
 
 from sensor_msgs.msg import Image
 from trident_eval.viewing import observer
-from trident_eval.viewing.observer_camera import View, pixels_of
+from trident_eval.viewing.observer_camera import View, WaitingPictures, pixels_of
 
 
 @pytest.mark.parametrize(
@@ -54,6 +54,23 @@ def test_rows_of_an_image_may_be_padded() -> None:
     message.encoding = "mono8"
     with pytest.raises(EvalError, match="encoding 'mono8', legal: rgb8"):
         pixels_of(message)
+
+
+def test_pictures_wait_until_their_bytes_are_too_many() -> None:
+    waiting = WaitingPictures(100)
+    with pytest.raises(IndexError):
+        waiting.take()
+    for number in range(1000):
+        waiting.put(Image(height=number, data=b""))
+    assert [waiting.take().height for _ in range(1000)] == list(range(1000)), "however many"
+    for number in range(4):
+        waiting.put(Image(height=number, data=bytes(40)))
+    assert [waiting.take().height for _ in range(len(waiting))] == [2, 3], "the oldest give way"
+    waiting.put(Image(height=7, data=bytes(1000)))
+    assert waiting.take().height == 7, "one always fits"
+    waiting.put(Image(data=bytes(60)))
+    waiting.put(Image(data=bytes(40)))
+    assert len(waiting) == 2, "what was taken does not count any more"
 
 
 def test_the_camera_is_of_the_asked_size() -> None:

@@ -24,7 +24,7 @@ from trident_eval.core.errors import EvalError
 _SERVICE_LIMIT_S = 20.0
 _GONE_POLL_S = 1.0
 _MODEL_POLL_S = 0.2
-_KEPT = 64  # pictures that wait to be written
+_KEPT_BYTES = 1 << 28  # of pictures that wait to be written, while the encoder starts or is slow
 _IMAGE_BYTES = 1 << 24  # of a socket's buffer: as large as a picture
 
 Place = tuple[float, float, float]
@@ -113,6 +113,37 @@ def pixels_of(message: Image) -> npt.NDArray[np.uint8]:
     return rows[:, : 3 * message.width].reshape(message.height, message.width, 3)
 
 
+class WaitingPictures:
+    """Pictures that have arrived and are not taken yet, oldest first; the oldest give way."""
+
+    def __init__(self, limit_bytes: int) -> None:
+        """Holds none; `limit_bytes`: of all their pixels together, one picture always fits."""
+        self._limit = limit_bytes
+        self._bytes = 0
+        self._images: deque[Image] = deque()
+
+    def __len__(self) -> int:
+        """How many wait."""
+        return len(self._images)
+
+    def put(self, image: Image) -> None:
+        """One more, behind the others."""
+        self._images.append(image)
+        self._bytes += len(image.data)
+        while self._bytes > self._limit and len(self._images) > 1:
+            self.take()
+
+    def take(self) -> Image:
+        """The oldest.
+
+        Raises:
+            IndexError: there is none.
+        """
+        image = self._images.popleft()
+        self._bytes -= len(image.data)
+        return image
+
+
 class Observer:
     """The camera in the world, while it is entered."""
 
@@ -126,7 +157,7 @@ class Observer:
         self._view = view
         self._name = f"observer_{os.getpid()}"
         self._arrived = threading.Condition()
-        self._images: deque[Image] = deque(maxlen=_KEPT)
+        self._images = WaitingPictures(_KEPT_BYTES)
         self._subscriber: rospy.Subscriber | None = None
         self._was_connected = False
 
@@ -192,7 +223,7 @@ class Observer:
                 if left <= 0.0 or self._has_lost_the_simulator():
                     return None
                 self._arrived.wait(min(left, _GONE_POLL_S))
-            return self._images.popleft()
+            return self._images.take()
 
     def _has_lost_the_simulator(self) -> bool:
         if self._subscriber is None or self._subscriber.get_num_connections() == 0:
@@ -202,7 +233,7 @@ class Observer:
 
     def _on_image(self, image: Image) -> None:
         with self._arrived:
-            self._images.append(image)
+            self._images.put(image)
             self._arrived.notify_all()
 
 
