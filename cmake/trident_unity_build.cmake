@@ -41,6 +41,10 @@ function(trident_unity_group target number source)
   set_source_files_properties("${source}" TARGET_DIRECTORY ${target} PROPERTIES UNITY_GROUP ${target}_${number})
 endfunction()
 
+# A source that shares its group with no other: compiled as it is. The call keeps its number.
+function(trident_unity_alone target number source)
+endfunction()
+
 # To be called when all targets are there.
 function(trident_unity_build)
   set(list "${CMAKE_BINARY_DIR}/unity_sources.txt")

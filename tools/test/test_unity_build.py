@@ -101,6 +101,8 @@ def test_what_hides_a_name_of_its_group_anew_leaves_it(tmp_path: Path) -> None:
     assert update(tmp_path)
     groups = parse_groups((tmp_path / GROUPS).read_text())
     assert [groups[source] for source in sources] == [0, 1, 0]
+    calls = [line.partition("(")[0] for line in (tmp_path / GROUPS).read_text().splitlines()]
+    assert calls == ["trident_unity_group", "trident_unity_alone", "trident_unity_group"]
 
 
 def test_a_build_that_joins_nothing_is_left_alone(tmp_path: Path) -> None:

@@ -3,14 +3,16 @@
 """Which sources are compiled as one: a compiler spends most of its time on what they include.
 
 cmake writes the sources of each target to LIST, and includes GROUPS, where each line puts a source
-into a group. Sources that hide something under the same name are never in one group. A source
-stays where it was as long as that holds, so that a change compiles no more than its group.
+into a group, or says that it is the only one of its group and is compiled as it is. Sources that
+hide something under the same name are never in one group. A source stays where it was as long as
+that holds, so that a change compiles no more than its group.
 """
 
 from __future__ import annotations
 
 import argparse
 import sys
+from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -21,6 +23,7 @@ LIST = "unity_sources.txt"
 GROUPS = "unity_groups.cmake"
 _LARGEST = 5  # sources: more save little time, and leave less for other processors
 _CALL = "trident_unity_group"
+_CALL_ALONE = "trident_unity_alone"
 
 
 @dataclass(frozen=True)
@@ -84,17 +87,21 @@ def parse_groups(text: str) -> dict[Source, int]:
     """What ``groups_text`` has written."""
     found = {}
     for line in text.splitlines():
-        if line.startswith(_CALL):
-            target, number, path = line[len(_CALL) + 1 : -1].split(" ", 2)
+        call, _, words = line.partition("(")
+        if call in (_CALL, _CALL_ALONE):
+            target, number, path = words[:-1].split(" ", 2)
             found[Source(target, path.strip('"'))] = int(number)
     return found
 
 
 def groups_text(groups: Mapping[Source, int]) -> str:
     """A cmake script that puts each source into its group."""
-    return "".join(
-        f'{_CALL}({source.target} {number} "{source.path}")\n' for source, number in groups.items()
-    )
+    sizes = Counter((source.target, number) for source, number in groups.items())
+    lines = []
+    for source, number in groups.items():
+        call = _CALL if sizes[source.target, number] > 1 else _CALL_ALONE
+        lines.append(f'{call}({source.target} {number} "{source.path}")\n')
+    return "".join(lines)
 
 
 def group_sources(

@@ -38,9 +38,25 @@ TEST(OptionNumber, WhatIsNoNumberIsRefused) {
 }
 
 TEST(OptionNumber, TheErrorNamesOptionTextAndRange) {
-  const std::string legal = "must be a number in [1.000000, 1000.000000]";
+  const std::string legal = "must be a number in [1, 1000]";
   EXPECT_EQ(refusal("5x", 1.0, 1000.0), "option --n is '5x', " + legal);
   EXPECT_EQ(refusal("0", 1.0, 1000.0), "option --n is '0', " + legal);
+}
+
+TEST(OptionCount, OnlyWholeNumbersWithinTheRangeAreTaken) {
+  EXPECT_EQ(option_count("--n", "1", 1, 1000), 1);
+  EXPECT_EQ(option_count("--n", "1e3", 1, 1000), 1000);
+  EXPECT_EQ(option_count("--n", "-3.0", -3, 0), -3);
+  EXPECT_EQ(option_count("--n", "9007199254740991", 0, 9007199254740991), 9007199254740991);
+  for (const char* text : {"0", "1001", "2.5", "5x", "", "nan", "inf", "1e999"}) {
+    try {
+      option_count("--n", text, 1, 1000);
+      ADD_FAILURE() << text;
+    } catch (const Error& error) {
+      EXPECT_EQ(std::string(error.what()), std::string("option --n is '") + text +
+                                               "', must be a whole number in [1, 1000]");
+    }
+  }
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "benchmark_options.h"
 
-#include <cmath>
 #include <map>
 
 #include "trident_base/error.h"
@@ -19,9 +18,7 @@ void require(const std::string& option, const std::string& value) {
 
 void set_number(const std::string& name, const std::string& text, BenchmarkOptions& options) {
   if (name == "--n") {
-    const double n = option_number(name, text, 1, kMaxVehicles);
-    if (n != std::floor(n)) throw Error("option --n is '" + text + "', must be a whole number");
-    options.vehicles = static_cast<int>(n);
+    options.vehicles = static_cast<int>(option_count(name, text, 1, kMaxVehicles));
   } else if (name == "--window") {
     options.window_s = option_number(name, text, 1.0, 1e6);
   } else if (name == "--min-wall") {

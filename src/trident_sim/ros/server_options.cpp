@@ -6,6 +6,7 @@
 #include <xmlrpcpp/XmlRpcValue.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdlib>
 #include <set>
 #include <thread>
@@ -15,6 +16,8 @@
 
 namespace trident {
 namespace {
+
+constexpr std::int64_t kMaxCount = 9'000'000'000'000'000;  // below 2^53
 
 std::string environment(const char* name) {
   const char* value = std::getenv(name);
@@ -158,10 +161,10 @@ void read_environment(ServerOptions& options) {
     options.end_time_s = option_number("TRIDENT_END_TIME", text, 0.0, 1e9);
   }
   if (const auto text = environment("TRIDENT_WAIT_FOR"); !text.empty()) {
-    options.wait_for = static_cast<int>(option_number("TRIDENT_WAIT_FOR", text, 0, 10000));
+    options.wait_for = static_cast<int>(option_count("TRIDENT_WAIT_FOR", text, 0, 10000));
   }
   if (const auto text = environment("TRIDENT_SEED"); !text.empty()) {
-    options.seed = static_cast<std::uint64_t>(option_number("TRIDENT_SEED", text, 0, 9e15));
+    options.seed = static_cast<std::uint64_t>(option_count("TRIDENT_SEED", text, 0, kMaxCount));
   }
   options.end_on_finish = to_flag(environment("TRIDENT_END"));
   options.out_dir = environment("TRIDENT_OUT");
@@ -241,10 +244,10 @@ void read_arguments(const std::vector<std::string>& arguments, ServerOptions& op
                argument == "--gui-plugin" || argument == "--record_path") {
       value_of(i);  // gazebo_ros' own system plugins are built in
     } else if (argument == "--seed") {
-      options.seed = static_cast<std::uint64_t>(option_number(argument, value_of(i), 0, 9e15));
+      options.seed = static_cast<std::uint64_t>(option_count(argument, value_of(i), 0, kMaxCount));
     } else if (argument == "--iters") {
       options.iterations =
-          static_cast<std::uint64_t>(option_number(argument, value_of(i), 1, 9e15));
+          static_cast<std::uint64_t>(option_count(argument, value_of(i), 1, kMaxCount));
     } else if (argument == "-r" || argument == "--record" || argument == "--lockstep" ||
                argument.empty()) {
       continue;

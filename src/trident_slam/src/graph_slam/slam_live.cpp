@@ -7,7 +7,6 @@
 // tells the memory.
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <functional>
@@ -20,6 +19,7 @@
 #include <vector>
 
 #include "trident_base/error.h"
+#include "trident_base/option_number.h"
 #include "trident_slam/carmen_log.h"
 #include "trident_slam/graph_slam_2d.h"
 #include "trident_slam/low_priority.h"
@@ -43,34 +43,35 @@ struct Command {
   int repeat = 0;
 };
 
-double number(const std::string& name, const std::string& text, double low) {
-  try {
-    const double value = std::stod(text);
-    if (std::isfinite(value) && value >= low) return value;
-  } catch (const std::exception&) {  // told of below
-  }
-  throw Error(name + " " + text + ": legal: a number from " + std::to_string(low));
+constexpr int kMaxCount = 1000000000;
+constexpr double kMaxSeconds = 1e6;
+constexpr double kMaxRateHz = 1e4;
+
+int count(const std::string& option, const std::string& text, int low) {
+  return static_cast<int>(option_count(option, text, low, kMaxCount));
 }
 
 Command parse(const std::vector<std::string>& words) {
   Command command;
   const std::map<std::string, std::function<void(const std::string&)>> options = {
       {"--out", [&](const std::string& text) { command.out = text; }},
-      {"--nodes",
+      {"--nodes", [&](const std::string& text) { command.nodes = count("--nodes", text, 2); }},
+      {"--rate",
        [&](const std::string& text) {
-         command.nodes = static_cast<int>(number("--nodes", text, 2.0));
+         command.rate = option_number("--rate", text, 0.1, kMaxRateHz);
        }},
-      {"--rate", [&](const std::string& text) { command.rate = number("--rate", text, 0.1); }},
       {"--seconds",
-       [&](const std::string& text) { command.seconds = number("--seconds", text, 0.0); }},
-      {"--repeat", [&](const std::string& text) {
-         command.repeat = static_cast<int>(number("--repeat", text, 0.0));
-       }}};
+       [&](const std::string& text) {
+         command.seconds = option_number("--seconds", text, 0.0, kMaxSeconds);
+       }},
+      {"--repeat", [&](const std::string& text) { command.repeat = count("--repeat", text, 0); }}};
   for (std::size_t i = 0; i < words.size(); ++i) {
     const auto option = options.find(words[i]);
     if (option == options.end()) {
       command.log = words[i];
-    } else if (i + 1 < words.size()) {
+    } else if (i + 1 == words.size()) {
+      throw Error("option " + words[i] + " needs a value; " + kUsage);
+    } else {
       option->second(words[++i]);
     }
   }
