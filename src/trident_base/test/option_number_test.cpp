@@ -53,8 +53,8 @@ TEST(OptionCount, OnlyWholeNumbersWithinTheRangeAreTaken) {
       option_count("--n", text, 1, 1000);
       ADD_FAILURE() << text;
     } catch (const Error& error) {
-      EXPECT_EQ(std::string(error.what()), std::string("option --n is '") + text +
-                                               "', must be a whole number in [1, 1000]");
+      EXPECT_EQ(std::string(error.what()),
+                std::string("option --n is '") + text + "', must be a whole number in [1, 1000]");
     }
   }
 }
