@@ -16,29 +16,6 @@
 namespace trident {
 namespace {
 
-/// One piece of work, from which threads take part after part.
-struct Job {
-  const std::function<void(std::size_t, std::size_t)>& work;
-  std::size_t parts;
-  std::atomic<std::size_t> next{0};
-  std::mutex failure_mutex{};
-  std::size_t failed_part = std::numeric_limits<std::size_t>::max();
-  std::exception_ptr failure{};
-
-  void help(std::size_t worker) {
-    for (std::size_t part = next++; part < parts; part = next++) {
-      try {
-        work(part, worker);
-      } catch (...) {
-        const std::lock_guard<std::mutex> lock(failure_mutex);
-        if (part >= failed_part) continue;
-        failed_part = part;
-        failure = std::current_exception();
-      }
-    }
-  }
-};
-
 /// For about as long as it takes to wake a thread, so that work that follows on work needs no
 /// waking and a thread that has none soon sleeps.
 template <class Condition>
@@ -57,6 +34,29 @@ void spin_until(const Condition& condition) {
 
 class WorkerPool::Crew {
  public:
+  /// One piece of work, from which threads take part after part.
+  struct Job {
+    const std::function<void(std::size_t, std::size_t)>& work;
+    std::size_t parts;
+    std::atomic<std::size_t> next{0};
+    std::mutex failure_mutex{};
+    std::size_t failed_part = std::numeric_limits<std::size_t>::max();
+    std::exception_ptr failure{};
+
+    void help(std::size_t worker) {
+      for (std::size_t part = next++; part < parts; part = next++) {
+        try {
+          work(part, worker);
+        } catch (...) {
+          const std::lock_guard<std::mutex> lock(failure_mutex);
+          if (part >= failed_part) continue;
+          failed_part = part;
+          failure = std::current_exception();
+        }
+      }
+    }
+  };
+
   explicit Crew(std::size_t helpers) {
     for (std::size_t i = 0; i < helpers; ++i) threads_.emplace_back([this, i] { live(i + 1); });
   }
@@ -130,7 +130,7 @@ WorkerPool::~WorkerPool() = default;
 void WorkerPool::share(std::size_t parts,
                        const std::function<void(std::size_t, std::size_t)>& work) {
   if (parts == 0) return;
-  Job job{work, parts};
+  Crew::Job job{work, parts};
   if (threads_ == 1 || parts == 1) {
     job.help(0);
   } else {

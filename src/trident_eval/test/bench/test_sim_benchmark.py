@@ -74,7 +74,7 @@ def test_the_profile_has_every_stage(benchmark, words):
 @pytest.mark.parametrize(
     ("bad", "complaint"),
     [
-        ({"--n": "0"}, "option --n is '0', must be a number in [1"),
+        ({"--n": "0"}, "option --n is '0', must be a whole number in [1, 1000]"),
         ({"--n": "2.5"}, "must be a whole number"),
         ({"--window": "soon"}, "option --window is 'soon'"),
         ({"--gpu": "1"}, "option --gpu is unknown"),
