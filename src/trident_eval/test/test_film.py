@@ -66,6 +66,29 @@ def test_frames_are_what_was_shown(tmp_path: Path) -> None:
     assert rate.stdout.strip() == "20/1"
 
 
+def test_a_film_is_no_longer_than_asked_whatever_is_missing(tmp_path: Path) -> None:
+    path = tmp_path / "film.mp4"
+    with Film(path, WIDTH, HEIGHT, 20.0, 0.25) as film:
+        film.add(plain(40), 1.0)
+        film.add(plain(90), 1.05)
+        assert not film.is_full
+        film.add(plain(200), 9.0)
+        assert film.is_full
+        film.add(plain(200), 9.05)
+        assert film.seconds == pytest.approx(0.25)
+    assert film.missing == 3
+    np.testing.assert_allclose(decoded(path).mean(axis=(1, 2, 3)), [40, 90, 90, 90, 90], atol=4)
+
+
+@pytest.mark.parametrize(("length_s", "frames"), [(0.001, 1), (0.8, 20), (0.81, 20), (0.83, 21)])
+def test_the_length_is_that_of_whole_frames(tmp_path: Path, length_s: float, frames: int) -> None:
+    with Film(tmp_path / "film.mp4", WIDTH, HEIGHT, 25.0, length_s) as film:
+        for frame in range(frames):
+            assert not film.is_full
+            film.add(plain(0), 0.04 * frame)
+        assert film.is_full
+
+
 def test_what_cannot_be_filmed_is_refused(tmp_path: Path) -> None:
     path = tmp_path / "film.mp4"
     with pytest.raises(EvalError, match="--size: width 63 pixels, legal for a film: an even"):

@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import contextlib
+import math
 import shutil
 import subprocess
 import tempfile
@@ -57,8 +58,17 @@ class Pace:
 class Film:
     """An MP4 file (H.264) that grows by a picture at a time; complete when it is left."""
 
-    def __init__(self, path: Path, width: int, height: int, fps: float) -> None:
+    def __init__(
+        self, path: Path, width: int, height: int, fps: float, length_s: float = math.inf
+    ) -> None:
         """Nothing is written yet.
+
+        Args:
+            path: the file.
+            width: of a picture [pixels].
+            height: of a picture [pixels].
+            fps: frames per second of simulated time.
+            length_s: it takes no more than this, in simulated time [s]; at least a frame.
 
         Raises:
             EvalError: a size or rate that a film cannot have; there is no ffmpeg.
@@ -78,6 +88,8 @@ class Film:
         self._path = path
         self._shape = (height, width, 3)
         self._pace = Pace(fps)
+        self._frames = 0
+        self._most = max(1.0, round(length_s * fps)) if math.isfinite(length_s) else math.inf
         self._last: bytes = b""
         self._told: IO[bytes] | None = None
         self._process: subprocess.Popen[bytes] | None = None
@@ -86,7 +98,12 @@ class Film:
     @property
     def seconds(self) -> float:
         """How long it is by now."""
-        return self._pace.written / self._pace.fps
+        return self._frames / self._pace.fps
+
+    @property
+    def is_full(self) -> bool:
+        """Whether it is as long as it may become."""
+        return self._frames >= self._most
 
     def __enter__(self) -> Film:
         """Start the encoder."""
@@ -130,6 +147,8 @@ class Film:
     def add(self, pixels: Pixels, stamp_s: float) -> None:
         """Show a picture, shape (height, width, 3), from its simulated time [s] on.
 
+        What is due after the film's end is left out.
+
         Raises:
             EvalError: it is of another size; the encoder ended.
         """
@@ -139,10 +158,13 @@ class Film:
         if frames == 0:
             return
         picture = pixels.tobytes()
-        for _ in range(frames - 1):
-            self._write(self._last or picture)
-        self._write(picture)
-        self.missing += frames - 1
+        for frame in range(frames):
+            if self.is_full:
+                return
+            is_missing = frame < frames - 1
+            self._write(self._last if is_missing else picture)
+            self.missing += is_missing
+            self._frames += 1
         self._last = picture
 
     def _write(self, picture: bytes) -> None:

@@ -47,7 +47,7 @@ def main(arguments: list[str] | None = None) -> int:
         _check(options)
         film = None
         if options.out.suffix == _FILM:
-            film = Film(options.out, *_size(options.size), options.fps)
+            film = Film(options.out, *_size(options.size), options.fps, options.seconds)
         with Observer(_view(options)) as observer:
             if film is not None:
                 return _show(observer, film, options)
@@ -159,7 +159,7 @@ def _show(observer: Observer, film: Film, options: argparse.Namespace) -> int:
     code = 0
     with film:
         try:
-            while film.seconds + 0.5 / options.fps < options.seconds:
+            while not film.is_full:
                 image = observer.picture(0.0, options.limit)
                 film.add(pixels_of(image), image.header.stamp.to_sec())
         except WorldStandsError as error:
