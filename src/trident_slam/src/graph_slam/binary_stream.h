@@ -66,7 +66,7 @@ class BinaryReader {
     const auto count = static_cast<std::size_t>(get<std::uint64_t>());
     if (count > (bytes_.size() - at_) / sizeof(T)) fail();
     std::vector<T> values(count);
-    std::memcpy(values.data(), bytes_.data() + at_, count * sizeof(T));
+    if (count > 0) std::memcpy(values.data(), bytes_.data() + at_, count * sizeof(T));
     at_ += count * sizeof(T);
     return values;
   }
