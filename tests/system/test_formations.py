@@ -50,6 +50,20 @@ def test_a_choreography_is_made_and_flown_from_text_and_from_matlab_v73(
     assert flown[0]["state_hash"] == flown[1]["state_hash"], "the same numbers, the same flight"
 
 
+def test_a_file_of_four_is_flown_by_four_and_refused_for_six_before_anything_starts(
+    trident: Trident, tmp_path: Path
+) -> None:
+    four = tmp_path / "four.txt"
+    made = trident("formation", "line", "translate:2,0,0", "--uavs", 4, "--out", four)
+    assert made.code == 0, made.output
+    flown = trident("run", MAIN_JOB, f"formation_file:={four}", "uavs:=4").passed
+    assert flown["rows_flown"] == flown["rows"]
+    refused = trident("run", MAIN_JOB, f"formation_file:={four}")
+    assert refused.code == 1
+    assert refused.folder is None, "nothing was launched"
+    assert f"uavs: 6, but {four} holds 4 vehicles; legal: 1 to 4" in refused.output
+
+
 def test_a_damaged_v73_file_ends_the_run_with_its_name(trident: Trident, tmp_path: Path) -> None:
     mat = tmp_path / "damaged.mat"
     as_v73(TOUR.with_suffix(".txt"), mat)

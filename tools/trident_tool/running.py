@@ -18,6 +18,7 @@ from pathlib import Path
 from types import FrameType
 
 from trident_tool.environment import ros_environment
+from trident_tool.formation_check import check_formations
 from trident_tool.launch_facts import save_launch, save_parameters
 from trident_tool.launchfile import check_args, declared_args, find_launch_file, parse_request
 from trident_tool.progress import ProgressView, last_complaints, required_node_failed
@@ -42,8 +43,13 @@ class Run:
     @property
     def command(self) -> list[str]:
         """The roslaunch call."""
-        words = [f"{name}:={value}" for name, value in self.args.items()]
-        return ["roslaunch", "--disable-title", "-p", str(self.port), str(self.launch_file), *words]
+        options = ["--disable-title", "-p", str(self.port)]
+        return ["roslaunch", *options, str(self.launch_file), *self.arg_words]
+
+    @property
+    def arg_words(self) -> list[str]:
+        """The arguments of the launch file, ``name:=value``."""
+        return [f"{name}:={value}" for name, value in self.args.items()]
 
 
 def free_port() -> int:
@@ -200,6 +206,7 @@ def run_launch_file(workspace: Workspace, runner: Runner, words: Sequence[str]) 
         runner.run(run.command)
         return judge(run, runner)
     run = plan_run(workspace, words, ros_environment(workspace))
+    check_formations(run.launch_file, run.arg_words, run.env)
     open_run_folder(workspace, run)
     say(f"{run.launch_file.name} -> {run.folder.relative_to(workspace.root)}")
     say("to look inside while it runs: ./trident shell, then rostopic, rosnode, rosservice …")

@@ -13,6 +13,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from trident_tool.environment import ros_environment
+from trident_tool.formation_check import check_formations
 from trident_tool.launch_feed import (
     DESCRIPTION,
     STATE_PUBLISHER,
@@ -165,6 +166,8 @@ def view(workspace: Workspace, runner: Runner, look: Look) -> int:
             runner.run(words or ["true"])
         return 0
     env.setdefault("ROS_HOSTNAME", "localhost")
+    if feed and is_launch_file(feed):
+        check_formations(Path(feed[2]), feed[3:], env)
     return _show(workspace, runner, look, feed, command, env)
 
 

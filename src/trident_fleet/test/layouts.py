@@ -9,7 +9,9 @@ from trident_fleet.core.mat_file import LAYOUTS_2D
 
 
 def positions(steps: int, vehicles: int) -> np.ndarray:
-    return np.arange(steps * vehicles * 3, dtype=np.float64).reshape(steps, vehicles, 3)
+    """A line of vehicles 20 apart that moves by small steps; every value is a byte's."""
+    t, v = np.meshgrid(np.arange(steps), np.arange(vehicles), indexing="ij")
+    return np.stack([t + 20.0 * v, 2.0 * t + 7.0 * (v % 3) + 1.0, 3.0 * t + v + 2.0], axis=-1)
 
 
 def laid_out(p: np.ndarray, layout: str) -> np.ndarray:

@@ -211,6 +211,7 @@ def test_written_files_are_read_back(tmp_path: Path, count: int, suffix: str) ->
         FormationSource(
             str(path),
             vehicles_in_file=int(args.get("vehicles_in_file", 0)),
+            uavs=count,
             layout=args.get("layout", ""),
         )
     )

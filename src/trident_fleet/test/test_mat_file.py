@@ -69,7 +69,7 @@ def test_fewer_steps_than_vehicles_need_their_number() -> None:
         (np.zeros((3, 5, 20)), LayoutRequest("3xNxT", 6), "holds 5 vehicles, but vehicles_in"),
         (np.zeros((5, 5, 3)), LayoutRequest(), "ambiguous"),
         (np.zeros((3, 3)), LayoutRequest(), "ambiguous"),
-        (np.zeros((13, 3)), LayoutRequest(), "13 rows do not divide by vehicles_in_file 6"),
+        (np.zeros((13, 3)), LayoutRequest("", 6), "13 rows do not divide by vehicles_in_file 6"),
         (np.zeros((3, 5, 20)), LayoutRequest("TxNx3"), "does not fit layout TxNx3"),
         (np.zeros((12, 3)), LayoutRequest("NTx3"), "layout: 'NTx3'; legal: TNx3"),
         (np.zeros((0, 3)), LayoutRequest("TNx3"), "empty"),
@@ -99,8 +99,8 @@ def test_only_real_matrices_will_do(tmp_path: Path, value: object, what: str) ->
 
 
 def test_integers_are_numbers(tmp_path: Path) -> None:
-    savemat(tmp_path / "f.mat", {"vehicle_pos": np.arange(18, dtype=np.int16).reshape(6, 3)})
-    read = read_mat_positions(tmp_path / "f.mat", LayoutRequest())
+    savemat(tmp_path / "f.mat", {"vehicle_pos": positions(1, 6)[0].astype(np.int16)})
+    read = read_mat_positions(tmp_path / "f.mat", LayoutRequest(uavs=6))
     np.testing.assert_array_equal(read, positions(1, 6))
 
 

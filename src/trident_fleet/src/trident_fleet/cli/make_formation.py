@@ -15,11 +15,11 @@ from pathlib import Path
 from trident_fleet.core.choreography import Choreography, Performance, StepResult, perform
 from trident_fleet.core.choreography_file import parse_words, read_choreography
 from trident_fleet.core.errors import FormationError
-from trident_fleet.core.mat_file import DEFAULT_VEHICLES
 from trident_fleet.core.position_file import reading_args, write_positions
 from trident_fleet.core.separation import min_separation
 
 _YAML = (".yaml", ".yml")
+_LAUNCHED_VEHICLES = 6  # by multi_uav_simulation.launch, at most and by default
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -63,7 +63,7 @@ def _choreography(options: argparse.Namespace) -> Choreography:
         choreography = read_choreography(Path(words[0]))
     else:
         spacing_m = 1.5 if options.spacing is None else options.spacing
-        choreography = parse_words(words, DEFAULT_VEHICLES, spacing_m)
+        choreography = parse_words(words, _LAUNCHED_VEHICLES, spacing_m)
     if options.uavs is not None:
         choreography = replace(choreography, vehicles=options.uavs)
     if options.min_separation is not None:
@@ -118,11 +118,11 @@ def _metres(value: float) -> str:
 def _usage(path: Path, performance: Performance) -> str:
     vehicles = performance.rows.shape[1]
     args = reading_args(path, performance.rows)
-    if vehicles > DEFAULT_VEHICLES:
+    if vehicles > _LAUNCHED_VEHICLES:
         layout = f" --layout {args['layout']}" if "layout" in args else ""
         return f"fly it: ./trident formation-launch --uavs {vehicles} --formation {path}{layout}"
     args = {"formation_file": str(path), **args}
-    if vehicles < DEFAULT_VEHICLES:
+    if vehicles < _LAUNCHED_VEHICLES:
         args["uavs"] = str(vehicles)
     words = " ".join(f"{name}:={value}" for name, value in args.items())
     return f"fly it: ./trident run multi_uav_simulation.launch {words}"

@@ -53,7 +53,7 @@ class Fleet:
     Attributes:
         spawn: where each vehicle stands at first [m, world], shape (N, 3).
         formation_file: default of that argument.
-        vehicles_in_file: default of that argument; 0: the .mat's shape says.
+        vehicles_in_file: default of that argument; 0: the file's shape or continuity says.
         layout: default of that argument.
         mav_name: default of that argument.
         command: the command line that makes the file, for its reader.

@@ -13,7 +13,6 @@ import numpy.typing as npt
 
 from trident_fleet.core.errors import FormationError
 from trident_fleet.core.mat_file import (
-    DEFAULT_VEHICLES,
     LayoutRequest,
     deinterleave,
     is_mat_file,
@@ -30,7 +29,8 @@ class FormationSource:
 
     Attributes:
         file: text file or .mat file.
-        vehicles_in_file: how many vehicles the rows interleave; 0 means 6, or the .mat's shape.
+        vehicles_in_file: how many vehicles the rows interleave; 0: what the .mat's shape or the
+            rows' continuity says, see `vehicle_count`.
         uavs: how many of them fly, the first ones; 0 means all.
         scale: factor per axis, file units to metres.
         offset: added after scaling, per axis [m, world].
@@ -77,8 +77,8 @@ def read_formation(source: FormationSource) -> npt.NDArray[np.float64]:
     vehicles = positions.shape[1]
     if source.uavs > vehicles:
         raise FormationError(
-            f"uavs: {source.uavs}, but {source.file} holds {vehicles} vehicles; legal: 1 to"
-            f" {vehicles}"
+            f"uavs: {source.uavs}, but {source.file} holds {vehicles}"
+            f" vehicle{'s' * (vehicles != 1)}; legal: 1 to {vehicles}{_how_counted(source)}"
         )
     with np.errstate(over="ignore"):
         scaled = positions * np.array(source.scale) + np.array(source.offset)
@@ -106,20 +106,24 @@ def flying_rows(
     return positions[first_row:, : uavs or vehicles]
 
 
+def _how_counted(source: FormationSource) -> str:
+    return "" if source.vehicles_in_file else ", or another vehicles_in_file than the file suggests"
+
+
 def _read_positions(path: Path, source: FormationSource) -> npt.NDArray[np.float64]:
     try:
         with path.open("rb") as stream:
             head = stream.read(4096)
         if is_mat_file(path, head):
-            request = LayoutRequest(source.layout, source.vehicles_in_file)
+            request = LayoutRequest(source.layout, source.vehicles_in_file, source.uavs)
             return read_mat_positions(path, request)
         if source.layout:
             raise FormationError(
                 f"layout: '{source.layout}' for the text file {path}; legal: empty, text rows are"
                 " interleaved vehicle by vehicle"
             )
-        vehicles = source.vehicles_in_file or DEFAULT_VEHICLES
-        return deinterleave(read_text_rows(path), vehicles, str(path))
+        rows = read_text_rows(path)
+        return deinterleave(rows, source.vehicles_in_file, source.uavs, str(path))
     except OSError as error:
         reason = error.strerror or str(error)
         raise FormationError(

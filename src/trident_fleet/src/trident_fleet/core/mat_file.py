@@ -13,12 +13,12 @@ import numpy.typing as npt
 from trident_fleet.core import mat5, mat73
 from trident_fleet.core.errors import FormationError
 from trident_fleet.core.mat5 import MatError, Variable
+from trident_fleet.core.vehicle_count import infer_vehicles
 
 VARIABLE = "vehicle_pos"
 LAYOUTS_2D = ("TNx3", "3xTN")
 LAYOUTS_3D = ("3xNxT", "3xTxN", "Nx3xT", "Tx3xN", "NxTx3", "TxNx3")
 LAYOUTS = LAYOUTS_2D + LAYOUTS_3D
-DEFAULT_VEHICLES = 6
 
 _HDF5_HEADS = (mat73.MAGIC, mat73.HDF5_MAGIC)
 
@@ -30,11 +30,13 @@ class LayoutRequest:
     Attributes:
         layout: one of `LAYOUTS`, or "" to infer it from the shape. T steps, N vehicles, 3 axes; TN
             means interleaved vehicle by vehicle.
-        vehicles_in_file: N, or 0 to take it from the shape (6 where the shape does not say).
+        vehicles_in_file: N, or 0 to take it from the shape or from the rows' continuity.
+        uavs: how many fly; decides about N where rows leave it open. 0: not known.
     """
 
     layout: str = ""
     vehicles_in_file: int = 0
+    uavs: int = 0
 
 
 def is_mat_file(path: Path, head: bytes) -> bool:
@@ -69,14 +71,14 @@ def arrange(
     if request.layout and request.layout not in LAYOUTS:
         raise FormationError(f"layout: '{request.layout}'; legal: {', '.join(LAYOUTS)}")
     layout = request.layout or _infer_layout(matrix.shape, request.vehicles_in_file, where)
-    positions = _apply_layout(matrix, layout, request.vehicles_in_file, where)
+    positions = _apply_layout(matrix, layout, request, where)
     if positions.size == 0:
         raise FormationError(f"{where}: empty ({_shape_text(matrix.shape)}); legal: T, N >= 1")
     return positions
 
 
 def _apply_layout(
-    matrix: npt.NDArray[np.float64], layout: str, vehicles: int, where: str
+    matrix: npt.NDArray[np.float64], layout: str, request: LayoutRequest, where: str
 ) -> npt.NDArray[np.float64]:
     axes = layout.split("x")
     if len(axes) != matrix.ndim or matrix.shape[axes.index("3")] != 3:
@@ -86,7 +88,8 @@ def _apply_layout(
         )
     if matrix.ndim == 2:
         rows = matrix if layout == "TNx3" else matrix.T
-        return deinterleave(rows, vehicles or DEFAULT_VEHICLES, where)
+        return deinterleave(rows, request.vehicles_in_file, request.uavs, where)
+    vehicles = request.vehicles_in_file
     positions = np.transpose(matrix, [axes.index(axis) for axis in ("T", "N", "3")])
     if vehicles and positions.shape[1] != vehicles:
         raise FormationError(
@@ -97,9 +100,22 @@ def _apply_layout(
 
 
 def deinterleave(
-    rows: npt.NDArray[np.float64], vehicles: int, where: str
+    rows: npt.NDArray[np.float64], vehicles: int, uavs: int, where: str
 ) -> npt.NDArray[np.float64]:
-    """Split rows (T*N, 3), interleaved vehicle by vehicle, into shape (T, N, 3)."""
+    """Split rows (T*N, 3), interleaved vehicle by vehicle, into shape (T, N, 3).
+
+    Args:
+        rows: the rows.
+        vehicles: N; 0: what their continuity says, see `vehicle_count`.
+        uavs: how many fly; 0: not known.
+        where: what an error begins with.
+
+    Raises:
+        FormationError: the rows do not divide by N, or fit several N.
+    """
+    if len(rows) == 0:
+        return np.empty((0, max(vehicles, 1), 3))
+    vehicles = vehicles or infer_vehicles(rows, uavs, where)
     if len(rows) % vehicles:
         raise FormationError(
             f"{where}: {len(rows)} rows do not divide by vehicles_in_file {vehicles};"

@@ -7,6 +7,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+import numpy.typing as npt
 
 from trident_fleet.core.config import PlanConfig
 from trident_fleet.core.errors import FormationError
@@ -83,14 +84,26 @@ def plan_take_off(rows: Array, spawn: Array, config: PlanConfig) -> QuinticPath:
 def _check_rows(rows: Array, spawn: Array) -> None:
     if not np.isfinite(spawn).all():
         raise FormationError(f"spawn positions: {spawn.tolist()}; legal: finite numbers")
-    for bad, legal in (
-        (~(np.abs(rows) <= FARTHEST_M).all(axis=-1), f"|x|, |y|, |z| <= {FARTHEST_M:g} m"),
-        (rows[..., 2] < spawn[:, 2].min(), f"z >= spawn height {spawn[:, 2].min():g} m"),
-    ):
-        if bad.any():
-            row, vehicle = np.argwhere(bad)[0]
-            x, y, z = rows[row, vehicle]
-            raise FormationError(
-                f"row {row + 1}, vehicle {vehicle + 1}: ({x:g}, {y:g}, {z:g}) m after scale and"
-                f" offset; legal: {legal}"
-            )
+    check_reach(rows)
+    lowest = spawn[:, 2].min()
+    _refuse(rows, rows[..., 2] < lowest, f"z >= spawn height {lowest:g} m")
+
+
+def check_reach(rows: Array) -> None:
+    """Refuse rows, shape (T, N, 3) [m, world], that lie too far away.
+
+    Raises:
+        FormationError: such a row; names it, the vehicle and the place.
+    """
+    is_near = (np.abs(rows) <= FARTHEST_M).all(axis=-1)
+    _refuse(rows, ~is_near, f"|x|, |y|, |z| <= {FARTHEST_M:g} m")
+
+
+def _refuse(rows: Array, bad: npt.NDArray[np.bool_], legal: str) -> None:
+    if bad.any():
+        row, vehicle = np.argwhere(bad)[0]
+        x, y, z = rows[row, vehicle]
+        raise FormationError(
+            f"row {row + 1}, vehicle {vehicle + 1}: ({x:g}, {y:g}, {z:g}) m after scale and"
+            f" offset; legal: {legal}"
+        )

@@ -11,7 +11,7 @@ import numpy as np
 
 from trident_fleet.core.errors import FormationError
 from trident_fleet.core.formation_file import FormationSource, read_formation
-from trident_fleet.core.mat_file import DEFAULT_VEHICLES, VARIABLE
+from trident_fleet.core.mat_file import VARIABLE
 from trident_fleet.core.quintic import Array
 
 _MAT_LAYOUT = "3xNxT"
@@ -42,14 +42,14 @@ def write_positions(path: Path, rows: Array, comments: list[str]) -> None:
 def reading_args(path: Path, rows: Array) -> dict[str, str]:
     """Arguments beside `formation_file` that a reader needs for a file of `write_positions`."""
     vehicles = rows.shape[1]
+    try:
+        if read_formation(FormationSource(str(path), uavs=vehicles)).shape == rows.shape:
+            return {}
+    except FormationError:
+        pass
     if path.suffix.lower() == ".mat":
-        try:
-            if read_formation(FormationSource(str(path))).shape == rows.shape:
-                return {}
-        except FormationError:
-            pass
         return {"layout": _MAT_LAYOUT}
-    return {} if vehicles == DEFAULT_VEHICLES else {"vehicles_in_file": str(vehicles)}
+    return {"vehicles_in_file": str(vehicles)}
 
 
 def _text(rows: Array, comments: list[str]) -> str:

@@ -10,6 +10,7 @@ from typing import Any
 import rospy
 
 from trident_fleet.core.errors import FormationError
+from trident_fleet.core.file_check import too_close
 from trident_fleet.core.formation_file import FormationSource, flying_rows, read_formation
 from trident_fleet.core.quintic import Array
 from trident_fleet.core.settings import (
@@ -94,6 +95,8 @@ def _run(
     try:
         settings = read_settings(_with_default("guard", guard), settings.source.file)
         vehicles, fed, rows = crew(settings)
+        for line in too_close(rows, settings) if is_spokesman else []:
+            rospy.logwarn("formation: %s", line)
         FormationRunner(settings, vehicles, fed, formation_flight(rows), folder).run()
     except FormationError as error:
         (rospy.logfatal if is_spokesman else rospy.loginfo)("formation: %s", error)

@@ -25,10 +25,10 @@ def get_fleet_param(name: str) -> Any:
     """The same, with the formation file's path made absolute."""
     value = get_param(name)
     is_path = name == "formation_file" and isinstance(value, str) and value
-    return _where_the_user_is(value) if is_path else value
+    return where_the_user_is(value) if is_path else value
 
 
-def _where_the_user_is(file: str) -> str:
+def where_the_user_is(file: str) -> str:
     """Roslaunch starts nodes in ROS_HOME, but leaves PWD as it was where it was called."""
     path = Path(file).expanduser()
     return str(path if path.is_absolute() else Path(os.environ.get("PWD", ".")) / path)
