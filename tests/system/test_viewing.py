@@ -74,6 +74,24 @@ def test_a_film_of_a_model_that_is_followed(ros: Ros, gazebo: Gazebo, tmp_path: 
     assert not [name for name in gazebo.models() if name.startswith("observer")]
 
 
+def test_without_a_configuration_a_vehicle_is_framed_and_named(tmp_path: Path) -> None:
+    target = tmp_path / "picture.png"
+    words = ["rotors_gazebo", "mav_hovering_example.launch", "--at", "3", "--size", "600x400"]
+    command = [str(REPO / "trident"), "view", *words, "--screenshot", str(target)]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    assert f"{target}: t = 3.000 s" in done.stdout
+    picture = imread(target)[..., :3]
+    rotors = (np.ptp(picture, axis=-1) > 0.4) & (picture.max(axis=-1) > 0.5)
+    rows, columns = np.nonzero(rotors)
+    assert 0.1 * SIZE[0] < np.ptp(columns) < 0.5 * SIZE[0], "it is no dot, and whole"
+    assert abs(columns.mean() - SIZE[0] / 2) < 0.1 * SIZE[0]
+    assert abs(rows.mean() - SIZE[1] / 2) < 0.15 * SIZE[1]
+    paper = np.nonzero((picture > 0.85).all(axis=-1))[0]
+    assert len(paper) > 200
+    assert paper.max() < rows.max(), "its name is above it"
+
+
 def test_a_launch_file_is_photographed_without_a_display(tmp_path: Path) -> None:
     target = tmp_path / "picture.png"
     size = "x".join(map(str, SIZE))

@@ -58,6 +58,28 @@ def test_without_a_display_only_a_picture_can_be_made(
         view(clone, Runner(), Look())
 
 
+def test_a_picture_without_a_wish_is_taken_in_the_world(
+    clone: Workspace, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (clone.root / "config" / "rviz" / "fleet.rviz").touch()
+    (clone.launch / "fly.launch").write_text("<launch/>", encoding="utf-8")
+    picture = tmp_path / "a.png"
+    look = Look(("fly.launch",), screenshot=picture, at_s=3.0, size=Size(800, 500))
+    view(clone, Runner(dry_run=True), look)
+    took = f"overview.py --out {picture} --size 800x500 --hold --at 3"
+    assert took in capsys.readouterr().out
+    view(clone, Runner(dry_run=True), Look(screenshot=picture))
+    told = capsys.readouterr().out
+    assert f"overview.py --out {picture} --size 1600x1000" in told
+    assert "--hold" not in told, "a run in progress goes on"
+    view(clone, Runner(dry_run=True), Look(("fly.launch",), "fleet", screenshot=picture))
+    assert "rviz" in capsys.readouterr().out
+    bag = tmp_path / "a.bag"
+    bag.touch()
+    view(clone, Runner(dry_run=True), Look((str(bag),), screenshot=picture))
+    assert "rviz" in capsys.readouterr().out, "a bag holds no world"
+
+
 def test_only_a_launch_can_be_held(clone: Workspace, tmp_path: Path) -> None:
     bag = tmp_path / "run.bag"
     bag.touch()
@@ -93,6 +115,12 @@ def test_rviz_configuration_by_name(clone: Workspace) -> None:
     wanted = clone.root / "config" / "rviz" / "fleet.rviz"
     wanted.touch()
     assert pick_config(clone, None) == wanted
+    default = clone.root / "config" / "rviz" / "default.rviz"
+    (clone.root / "config" / "rviz" / "cross.rviz").touch()
+    default.touch()
+    assert pick_config(clone, None) == default
+    default.unlink()
+    (clone.root / "config" / "rviz" / "cross.rviz").unlink()
     assert pick_config(clone, "fleet") == wanted
     with pytest.raises(TridentError, match=r"'slam'.*\(it has: fleet\)"):
         pick_config(clone, "slam")

@@ -30,6 +30,8 @@ from trident_tool.shell import running_master
 from trident_tool.workspace import Runner, TridentError, Workspace, base_environment, say
 
 _TRIES = 3
+_DEFAULT = "default"
+_STREAM = ["rosrun", "trident_eval", "overview.py", "--stream", "--size", "720x450"]
 _MARKERS = ["rosrun", "trident_eval", "fleet_markers.py"]
 
 
@@ -39,7 +41,8 @@ class Look:
 
     Attributes:
         words: a bag, a world, or a launch file with its arguments; nothing: the run in progress.
-        config: name of a configuration of config/rviz, or a path; None: the first one.
+        config: name of a configuration of config/rviz, or a path; None: a camera in the world takes
+            the screenshot, rviz on a display shows `default`.
         screenshot: PNG file to be made off-screen; None: rviz on the display.
         at_s: simulated time at which a launch file is held; None: it runs on.
         live_s: how much of the time before that rviz sees go by: what sensors send is not sent
@@ -72,9 +75,20 @@ class Look:
                 "ROS_MASTER_URI"
             )
 
+    @property
+    def is_overview(self) -> bool:
+        """Whether a camera in the world takes the picture: of a simulation, with no other wish."""
+        is_plain = self.config is None and not self.recording.is_wanted
+        return self.screenshot is not None and is_plain and self.is_of_a_world
+
+    @property
+    def is_of_a_world(self) -> bool:
+        """Whether there is a simulation to put a camera into."""
+        return not (self.words and self.words[0].endswith(".bag"))
+
 
 def pick_config(workspace: Workspace, name: str | None) -> Path | None:
-    """The rviz configuration ``name`` of config/rviz, or the first one there.
+    """The rviz configuration ``name`` of config/rviz; None: ``default``, or the first one there.
 
     Raises:
         TridentError: there is no configuration of that name.
@@ -82,7 +96,8 @@ def pick_config(workspace: Workspace, name: str | None) -> Path | None:
     folder = workspace.root / "config" / "rviz"
     known = sorted(folder.glob("*.rviz"))
     if name is None:
-        return known[0] if known else None
+        default = [path for path in known if path.stem == _DEFAULT]
+        return next(iter(default + known), None)
     if Path(name).is_file():
         return Path(name)
     for path in known:
@@ -125,7 +140,19 @@ def viewer_command(workspace: Workspace, look: Look, env: Mapping[str, str]) -> 
     """The call of what looks."""
     if look.recording.is_wanted:
         return look.recording.command(workspace, look.size, env)
+    if look.is_overview:
+        return overview_command(look)
     return rviz_command(look, pick_config(workspace, look.config))
+
+
+def overview_command(look: Look) -> list[str]:
+    """The call of the camera that takes a picture of all that is there."""
+    size = look.size or Size()
+    words = ["--out", str(look.screenshot), "--size", f"{size.width}x{size.height}"]
+    # What others have started is not held for a picture.
+    words += ["--hold"] if look.words else []
+    words += ["--at", f"{look.at_s:g}"] if look.at_s is not None else []
+    return ["rosrun", "trident_eval", "overview.py", *words]
 
 
 def is_launch_file(feed: Sequence[str]) -> bool:
@@ -161,7 +188,7 @@ def view(workspace: Workspace, runner: Runner, look: Look) -> int:
         raise TridentError("--at goes with a launch file only")
     command = viewer_command(workspace, look, env)
     if runner.dry_run:
-        helpers = [] if look.recording.is_wanted else [_MARKERS]
+        helpers = [] if look.recording.is_wanted or look.is_overview else [_MARKERS]
         for words in [feed, *helpers, command]:
             runner.run(words or ["true"])
         return 0
@@ -198,9 +225,13 @@ def _show(
             source = stack.enter_context(started(feed, feed_env))
             if is_unplaced and wait_for_param(uri, DESCRIPTION, source):
                 stack.enter_context(started(STATE_PUBLISHER, env))
+        if look.is_overview:
+            return foreground([*command, "--nodes", str(len(nodes))], env, source)
         if look.recording.is_wanted:
             return foreground(command, env, source)
         stack.enter_context(started(_MARKERS, env))
+        if source is not None and look.config is None and look.is_of_a_world:
+            stack.enter_context(started(_STREAM, env))
         last_steps: subprocess.Popen[bytes] | None = None
         if look.at_s is not None:
             _hold(runner, max(look.at_s - look.live_s, 0.0), len(nodes), env)

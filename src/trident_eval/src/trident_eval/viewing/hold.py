@@ -48,6 +48,10 @@ class Held:
         self._pause()
         self.time_s = float(self._world().sim_time)
 
+    def step_once(self) -> None:
+        """Go on by a step; errors as `advance_to`."""
+        self.advance_to(self.time_s + self.dt_s, math.inf)
+
     def advance_to(self, time_s: float, pace: float) -> None:
         """Go there step by step; a node of the launch may unpause the world on the way.
 

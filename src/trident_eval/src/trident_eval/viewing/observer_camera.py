@@ -24,6 +24,7 @@ from trident_eval.core.errors import EvalError
 _SERVICE_LIMIT_S = 20.0
 _GONE_POLL_S = 1.0
 _MODEL_POLL_S = 0.2
+_CAMERA_POLL_S = 0.02
 _KEPT_BYTES = 1 << 28  # of pictures that wait to be written, while the encoder starts or is slow
 _IMAGE_BYTES = 1 << 24  # of a socket's buffer: as large as a picture
 
@@ -193,6 +194,21 @@ class Observer:
             rospy.ServiceProxy("/gazebo/delete_model", DeleteModel)(self._name)
         except (rospy.ROSException, rospy.ServiceException):
             rospy.loginfo("observer: the simulator has gone")
+
+    def wait_for_camera(self, limit_s: float) -> None:
+        """Return when pictures would arrive, so that not even the first one is missed.
+
+        Args:
+            limit_s: longest wait, in wall-clock time [s].
+
+        Raises:
+            EvalError: the simulator offers none within the limit.
+        """
+        give_up = time.monotonic() + limit_s
+        while self._subscriber is None or self._subscriber.get_num_connections() == 0:
+            if time.monotonic() > give_up or rospy.is_shutdown():
+                raise EvalError(f"no camera {self._name} within {limit_s:g} s")
+            rospy.rostime.wallsleep(_CAMERA_POLL_S)
 
     def picture(self, after_s: float, limit_s: float) -> Image:
         """The next picture stamped at or after a simulated time.

@@ -51,7 +51,8 @@ def infer_vehicles(rows: Rows, uavs: int, where: str) -> int:
     if len(rows) == 1:
         return 1
     # Differences of huge numbers stay finite then, and ratios are what counts.
-    rows = rows / max(float(np.abs(rows).max()), np.finfo(np.float64).tiny)
+    largest = float(np.abs(rows).max())
+    rows = rows / largest if largest > 0.0 else rows
     divisors = [n for n in range(1, min(len(rows), MOST_INFERRED) + 1) if len(rows) % n == 0]
     continuous = {n: _largest_step(rows, n) for n in divisors if _is_dip(rows, n)}
     if not continuous:
