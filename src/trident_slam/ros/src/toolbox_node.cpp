@@ -91,6 +91,8 @@ class Toolbox {
     load_by_parameters();
   }
 
+  void run() { node_.run(); }
+
  private:
   void serve_sessions() {
     services_.serve<srv::SerializePoseGraph>(
@@ -218,8 +220,8 @@ void run(ToolboxMode mode) {
   if (own.param("debug_logging", false)) log_debug();
   const bool can_edit =
       graph.mode != SlamMode::kLocalization && own.param("enable_interactive_mode", true);
-  const Toolbox toolbox(own, options, slam_maker(own, {"graph_slam_2d"}, graph, solver), can_edit);
-  ros::spin();
+  Toolbox toolbox(own, options, slam_maker(own, {"graph_slam_2d"}, graph, solver), can_edit);
+  toolbox.run();
 }
 
 }  // namespace
