@@ -30,7 +30,7 @@ def started(ros: Ros, node: str, command: list[str], **env: str) -> Process:
     """A node that the master knows, by its full name."""
     folder = ros.folder / "cwd"
     folder.mkdir(exist_ok=True)
-    words = ["env", "-C", str(folder), *command]
+    words = ["env", "-C", str(folder), *os.environ.get("TRIDENT_FUZZ_UNDER", "").split(), *command]
     process = ros.launch(words, node, **env)
 
     def is_known() -> bool:

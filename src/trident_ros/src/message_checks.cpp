@@ -15,6 +15,11 @@ constexpr std::uint32_t kNanosecondsPerSecond = 1'000'000'000;
 constexpr double kOfTf2 = 0.0049;        // tf2 checks the square of the length to 1 %
 constexpr double kLargestAngle = 100.0;  // [rad]: several turns, which some drivers tell
 
+/// As tf2 takes it.
+std::string without_slash(const std::string& frame) {
+  return frame.empty() || frame.front() != '/' ? frame : frame.substr(1);
+}
+
 std::string fixed(double value) {
   char text[64];  // NOLINT: of snprintf
   std::snprintf(text, sizeof(text), "%.3f", value);
@@ -63,8 +68,8 @@ std::string pose_problem(const geometry_msgs::Pose& pose) {
 }
 
 std::string transform_problem(const geometry_msgs::TransformStamped& transform) {
-  const std::string& parent = transform.header.frame_id;
-  const std::string& child = transform.child_frame_id;
+  const std::string parent = without_slash(transform.header.frame_id);
+  const std::string child = without_slash(transform.child_frame_id);
   if (parent.empty() || child.empty()) return "a frame without a name";
   if (parent == child) return "both frames are the same";
   const auto& p = transform.transform.translation;

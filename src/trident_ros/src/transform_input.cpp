@@ -22,7 +22,9 @@ std::string name_of(const geometry_msgs::TransformStamped& transform) {
 std::string TransformGate::add(const geometry_msgs::TransformStamped& transform,
                                const std::string& authority, bool is_static, const ros::Time& now) {
   std::string problem = transform_problem(transform);
-  if (problem.empty() && !is_static) problem = stamp_problem(transform.header.stamp, now);
+  // tf2 adds to stamps of static transforms, too, but what they tell does not matter.
+  const ros::Time clock = is_static ? ros::Time() : now;
+  if (problem.empty()) problem = stamp_problem(transform.header.stamp, clock);
   if (!problem.empty()) return name_of(transform) + " is refused: " + problem;
   if (!is_static && is_too_old(transform)) {
     return name_of(transform) + " is refused: it is older than what is kept";

@@ -39,6 +39,12 @@ TEST_F(TransformGateTest, AStampFromAnotherCenturyStaysOut) {
   EXPECT_EQ(add(1000.0, 1.0, ros::Time(1000, 0)), "");
   EXPECT_NE(add(4e9, 2.0, ros::Time(1000, 0)), "");
   EXPECT_NE(add(1e6, 2.0, ros::Time(1000, 0)), "");
+  geometry_msgs::TransformStamped fixed;
+  fixed.header.frame_id = "odom";
+  fixed.header.stamp.sec = 4'294'967'295U;
+  fixed.child_frame_id = "base";
+  fixed.transform.rotation.w = 1.0;
+  EXPECT_NE(gate_.add(fixed, "test", true, ros::Time(1000, 0)), "");
   EXPECT_EQ(add(1000.1, 1.0, ros::Time(1000, 0)), "");
   EXPECT_TRUE(is_known(1000.05));
 }

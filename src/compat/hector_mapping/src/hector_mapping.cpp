@@ -139,8 +139,7 @@ class HectorMapping {
       });
       return true;
     } catch (const Error& error) {
-      ROS_ERROR("pose: %s", error.what());
-      node_.count_problem(std::string("pose: ") + error.what());
+      node_.tell(std::string("pose: ") + error.what());
       return false;
     }
   }

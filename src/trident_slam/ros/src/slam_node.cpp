@@ -44,6 +44,21 @@ diagnostic_msgs::KeyValue key_value(const std::string& key, const std::string& v
   return pair;
 }
 
+/// A problem's text without its numbers, what it quotes and what it has in brackets.
+std::string kind_of(const std::string& text) {
+  std::string kind;
+  bool is_quoted = false;
+  int depth = 0;
+  for (const char letter : text) {
+    if (letter == '\'') is_quoted = !is_quoted;
+    if (letter == '(') ++depth;
+    if (letter == ')') --depth;
+    const bool is_digit = std::isdigit(static_cast<unsigned char>(letter)) != 0;
+    if (!is_quoted && depth <= 0 && !is_digit) kind += letter;
+  }
+  return kind;
+}
+
 /// The file, without an ending, that a map is saved to when the node has to end.
 std::string rescue_stem(const SlamNodeOptions& options) {
   namespace fs = std::filesystem;
@@ -135,13 +150,10 @@ SlamNode::~SlamNode() {
   autosave_.finish();
 }
 
-// Each kind of problem, whatever its numbers, is told now and then; all are counted.
+// Each kind of problem is told now and then; all are counted.
 void SlamNode::complain(const std::string& text) {
   last_problem_ = text;
-  std::string kind;
-  for (const char letter : text) {
-    if (std::isdigit(static_cast<unsigned char>(letter)) == 0) kind += letter;
-  }
+  std::string kind = kind_of(text);
   const ros::WallTime now = ros::WallTime::now();
   if (complaints_.size() >= kMostKinds && complaints_.count(kind) == 0) kind.clear();
   ros::WallTime& told = complaints_[kind];

@@ -174,8 +174,7 @@ class Toolbox {
         able<Slam2dPlaced>(slam, "be told where the robot is").set_pose(T_map_base);
       });
     } catch (const Error& error) {
-      ROS_ERROR("initialpose: %s", error.what());
-      node_.count_problem(std::string("initialpose: ") + error.what());
+      node_.tell(std::string("initialpose: ") + error.what());
     }
   }
 

@@ -80,6 +80,8 @@ class SlamNode {
   /// As map_saver writes it. In synchronous mode it is the map that the offline runner ends with.
   /// Throws Error when it cannot be written.
   void save_map(const std::string& stem);
+  /// Tells a problem in the log, each kind now and then, and counts it in /diagnostics.
+  void tell(const std::string& problem);
   /// Counts a problem in /diagnostics.
   void count_problem(const std::string& text);
   /// After a new map or pose: map -> odom is known again with the next scan.
@@ -102,7 +104,6 @@ class SlamNode {
   std::function<void(const std::string&)> session_snapshot();
   std::function<OccupancyGrid()> map_snapshot();
   nav_msgs::OccupancyGrid to_message(const OccupancyGrid& map) const;
-  void tell(const std::string& problem);
   void publish_diagnostics();
   bool get_map(nav_msgs::GetMap::Request& request, nav_msgs::GetMap::Response& response);
   void complain(const std::string& text);  ///< with `queue_mutex_` held
