@@ -7,7 +7,7 @@ from setuptools import setup
 
 setup(
     **generate_distutils_setup(
-        packages=["trident", "trident.testing"],
+        packages=["trident", "trident.testing", "trident.testing.fuzz"],
         package_dir={"": "src"},
         package_data={"trident": ["py.typed"]},
     )

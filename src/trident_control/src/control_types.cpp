@@ -8,26 +8,31 @@ namespace trident {
 namespace {
 
 // 0 for finite numbers, NaN for anything else: one comparison checks a whole state.
-double taint(const Eigen::Vector3d& v) { return 0.0 * v.x() + 0.0 * v.y() + 0.0 * v.z(); }
+/// Beyond it no product of a few of them is a number any more; nothing that flies comes near.
+constexpr double kLargest = 1e8;
+
+bool is_usable(double value) { return std::abs(value) <= kLargest; }
+bool is_usable(const Eigen::Vector3d& v) {
+  return is_usable(v.x()) && is_usable(v.y()) && is_usable(v.z());
+}
 
 }  // namespace
 
 bool is_valid(const OdometryState& state) {
-  const double sum = taint(state.p_world_body) + taint(state.v_body) + taint(state.w_body);
+  const bool is_finite =
+      is_usable(state.p_world_body) && is_usable(state.v_body) && is_usable(state.w_body);
   const double squared_norm = state.R_world_body.coeffs().squaredNorm();
-  return sum == 0.0 && squared_norm > 0.95 * 0.95 && squared_norm < 1.05 * 1.05;
+  return is_finite && squared_norm > 0.95 * 0.95 && squared_norm < 1.05 * 1.05;
 }
 
 bool is_valid(const TrajectoryPoint& point) {
-  const double sum = taint(point.p_world) + taint(point.v_world) + taint(point.a_world) +
-                     0.0 * point.yaw + 0.0 * point.yaw_rate;
-  return sum == 0.0;
+  return is_usable(point.p_world) && is_usable(point.v_world) && is_usable(point.a_world) &&
+         is_usable(point.yaw) && is_usable(point.yaw_rate);
 }
 
 bool is_valid(const AttitudeCommand& command) {
-  const double sum =
-      0.0 * command.roll + 0.0 * command.pitch + 0.0 * command.yaw_rate + 0.0 * command.thrust;
-  return sum == 0.0;
+  return is_usable(command.roll) && is_usable(command.pitch) && is_usable(command.yaw_rate) &&
+         is_usable(command.thrust);
 }
 
 double yaw_from_quaternion(const Eigen::Quaterniond& q) {

@@ -11,6 +11,7 @@ namespace trident {
 namespace {
 
 constexpr std::size_t kMostWaypoints = 10000;
+constexpr double kLargest = 1e8;  // [m], [rad]
 
 std::string range_text(double lo, double hi, const char* unit) {
   return "[" + number_text(lo) + ", " + number_text(hi) + "] " + unit;
@@ -19,9 +20,9 @@ std::string range_text(double lo, double hi, const char* unit) {
 class Check {
  public:
   void finite(const char* what, double value, const char* unit) {
-    if (std::isfinite(value) || !verdict.refused.empty()) return;
+    if (std::abs(value) <= kLargest || !verdict.refused.empty()) return;
     verdict.refused =
-        std::string(what) + " = " + number_text(value) + " " + unit + ", legal is a finite number";
+        std::string(what) + " = " + number_text(value) + " " + unit + ", legal is a number up to " + number_text(kLargest);
   }
   void limit(const char* what, double& value, double lo, double hi, const char* unit) {
     finite(what, value, unit);

@@ -110,7 +110,7 @@ CommandVerdict VesselController::push(SimTime stamp, const VesselCommand& comman
 }
 
 void VesselController::set_log(SimTime stamp, double u_water) {
-  if (!std::isfinite(u_water)) return;
+  if (!(std::abs(u_water) <= 1e3)) return;  // [m/s]; the node tells of it
   log_ = u_water;
   log_stamp_ = stamp;
 }

@@ -10,6 +10,8 @@
 #include "conversions.h"
 #include "services.h"
 #include "trident_base/error.h"
+#include "trident_ros/refusals.h"
+#include "trident_sim/motion_limits.h"
 
 namespace trident {
 namespace {
@@ -48,9 +50,15 @@ void set_model_state(Simulation& simulation, const gazebo_msgs::ModelState& stat
   World& world = access.world();
   Model& model = required_model(world, state.model_name);
   const SE3 T_world_frame = find_reference_frame(world, state.reference_frame).T_world_frame;
+  const Eigen::Vector3d v_world = T_world_frame.R * from_vector(state.twist.linear);
+  const Eigen::Vector3d w_world = T_world_frame.R * from_vector(state.twist.angular);
+  // Before anything is done: a state is set as a whole, or refused.
+  if (!is_motion(v_world, w_world)) {
+    throw Error("twist of model [" + state.model_name +
+                "] is not finite, or beyond 1e5 m/s or 1e4 rad/s");
+  }
   world.set_model_pose(model, T_world_frame * from_pose(state.pose));
-  world.set_model_twist(model, T_world_frame.R * from_vector(state.twist.linear),
-                        T_world_frame.R * from_vector(state.twist.angular));
+  world.set_model_twist(model, v_world, w_world);
 }
 
 void get_link_state(Simulation& simulation, const GetLinkState::Request& request,
@@ -102,14 +110,15 @@ void get_world_properties(Simulation& simulation, GetWorldProperties::Response& 
   response.status_message = "GetWorldProperties: got properties";
 }
 
-/// A topic form of a set_ service: errors are logged, there is nobody to answer.
+/// A topic form of a set_ service: refusals are told now and then, there is nobody to answer.
 template <class State, class Set>
-auto logged(Simulation& simulation, const char* what, Set set) {
-  return [&simulation, what, set](const State& state) {
+auto logged(Simulation& simulation, const std::shared_ptr<Refusals>& refusals, const char* what,
+            Set set) {
+  return [&simulation, refusals, what, set](const State& state) {
     try {
       set(simulation, state);
     } catch (const Error& error) {
-      ROS_ERROR("%s: %s", what, one_line(error.what()).c_str());
+      refusals->note(std::string(what) + " refused", one_line(std::string(what) + ": " + error.what()));
     }
   };
 }
@@ -144,14 +153,17 @@ void advertise_state_services(ros::NodeHandle& node, Simulation& simulation, Ser
 
 void subscribe_state_topics(ros::NodeHandle& node, Simulation& simulation,
                             std::vector<ros::Subscriber>& subscribers) {
+  const auto refusals = std::make_shared<Refusals>(node);
   subscribers.push_back(node.subscribe<gazebo_msgs::ModelState>(
       "set_model_state", 10,
       boost::function<void(const gazebo_msgs::ModelState&)>(
-          logged<gazebo_msgs::ModelState>(simulation, "set_model_state", set_model_state))));
+          logged<gazebo_msgs::ModelState>(
+              simulation, refusals, "set_model_state", set_model_state))));
   subscribers.push_back(node.subscribe<gazebo_msgs::LinkState>(
       "set_link_state", 10,
       boost::function<void(const gazebo_msgs::LinkState&)>(
-          logged<gazebo_msgs::LinkState>(simulation, "set_link_state", set_link_state))));
+          logged<gazebo_msgs::LinkState>(
+              simulation, refusals, "set_link_state", set_link_state))));
 }
 
 }  // namespace trident

@@ -112,6 +112,8 @@ std::vector<BadCase> bad_cases() {
   add("<width> is '0'", [](CameraOptions& o) { o.width = 0; });
   add("<height> is '-3'", [](CameraOptions& o) { o.height = -3; });
   add("<width> is '20000', expected", [](CameraOptions& o) { o.width = 20000; });
+  add("1e+05 x 1e+05 pixels are 1e+10 rays, must be at most 2e+07 (<trident:max_rays>",
+      [](CameraOptions& o) { o.width = o.height = 100000; });
   add("<horizontal_fov> is '0.000000', expected",
       [](CameraOptions& o) { o.angle_of_view_rad = 0; });
   add("<horizontal_fov> is '3.200000', expected",

@@ -66,10 +66,20 @@ INSTANTIATE_TEST_SUITE_P(
     All, RefusedLidar,
     testing::Values(
         Refusal{ray("<samples>0</samples><min_angle>0</min_angle><max_angle>1</max_angle>", kRange),
-                "<samples> is '0', expected a finite number in [1, 1e+07]"},
+                "<samples> is '0', expected a finite number in [1, 1e+09]"},
         Refusal{
             ray("<samples>9</samples><min_angle>1</min_angle><max_angle>-1</max_angle>", kRange),
             "<max_angle> is '-1', expected at least <min_angle>, 1"},
+        Refusal{ray("<samples>1000000000</samples>", kRange),
+                "1e+09 x 1 beams are 1e+09 rays, must be at most 2e+07 "
+                "(<trident:max_rays> of the sensor)"},
+        Refusal{ray("<samples>10000000</samples><resolution>1000</resolution>", kRange),
+                "1e+10 x 1 beams are"},
+        Refusal{ray("<samples>1000000000</samples>", kRange) +
+                    "<trident:max_rays>1000000000</trident:max_rays>",
+                "beams would take 186.3 GiB of memory, must be at most "},
+        Refusal{ray(kFan, kRange) + "<trident:max_rays>100</trident:max_rays>",
+                "360 x 1 beams are 360 rays, must be at most 100"},
         Refusal{ray(kFan, "<min>4</min><max>3</max>"), "<min> is '4', expected less than <max>, 3"},
         Refusal{ray(kFan, "<min>-1</min><max>3</max>"), "<min> is '-1'"},
         Refusal{ray(kFan, kRange, "<noise><type>gaussian</type><stddev>-1</stddev></noise>"),

@@ -74,6 +74,8 @@ class HectorMapping {
         handle.advertiseService("restart_mapping_with_new_pose", &HectorMapping::restart, this);
   }
 
+  void run() { node_.run(); }
+
  private:
   // In the thread of the algorithm.
   void publish(const ScanRecord& record, const ScanPose2d& pose) {
@@ -137,8 +139,7 @@ class HectorMapping {
       });
       return true;
     } catch (const Error& error) {
-      ROS_ERROR("pose: %s", error.what());
-      node_.count_problem(std::string("pose: ") + error.what());
+      node_.tell(std::string("pose: ") + error.what());
       return false;
     }
   }
@@ -224,9 +225,9 @@ void run() {
   own.getParam("laser_max_dist", graph.max_laser_range);
   graph.is_asynchronous = true;
   graph.validate();
-  const HectorMapping node(ros::NodeHandle(), options, read_hector_options(own),
+  HectorMapping node(ros::NodeHandle(), options, read_hector_options(own),
                            slam_maker(own, {"hector_slam_2d"}, graph));
-  ros::spin();
+  node.run();
 }
 
 }  // namespace

@@ -34,12 +34,13 @@ struct AttitudeCommand {
 /// Outcome of one control step. On anything but `ok` the output span has not been written.
 enum class ControlStatus {
   ok,
-  invalid_state,      ///< a non-finite number, or a quaternion that is not a rotation
-  invalid_reference,  ///< a non-finite number
+  invalid_state,      ///< a number that is not usable, or a quaternion that is not a rotation
+  invalid_reference,  ///< a number that is not usable
   wrong_rotor_count,  ///< the output span is not as long as the vehicle has rotors
 };
 
 /// True when every number is finite and the quaternion's norm is 1 within 5 %.
+/// Whether all numbers are usable: finite, and none beyond 1e8.
 bool is_valid(const OdometryState& state);
 bool is_valid(const TrajectoryPoint& point);
 bool is_valid(const AttitudeCommand& command);

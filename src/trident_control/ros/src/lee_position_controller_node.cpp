@@ -20,7 +20,7 @@ const char* reason(SetpointResult result) {
       return "it has no points: at least 1 is needed";
     case SetpointResult::non_finite:
       return "a position, velocity, acceleration or quaternion in it is NaN or infinite: all must "
-             "be finite";
+             "be finite, and up to 1e8";
     case SetpointResult::unordered:
       return "its time_from_start decreases or is negative: it must grow from 0 or more";
     case SetpointResult::too_many_points:
@@ -37,6 +37,7 @@ LeePositionControllerNode::LeePositionControllerNode(ros::NodeHandle& node, cons
     : controller_(params),
       setpoints_(queue_params),
       motors_(node, controller_.rotor_count()),
+      refusals_(node),
       accepted_(node.advertise<std_msgs::Header>("command/accepted_setpoint", 10)) {
   auto pose = inline_subscription<geometry_msgs::PoseStamped>(
       "command/pose", [this](const auto& message) { on_pose(*message); }, &queue_);
@@ -65,8 +66,7 @@ void LeePositionControllerNode::on_odometry(const StampedOdometry& odometry) {
   if (!setpoint) {
     std::fill(speeds.begin(), speeds.end(), 0.0);
   } else if (controller_.compute(odometry.state, *setpoint, speeds) != ControlStatus::ok) {
-    ROS_ERROR_THROTTLE(5.0, "odometry stamped %.9f s refused: %s", odometry.stamp.toSec(),
-                       kInvalidStateText);
+    refusals_.note("odometry refused", refusal_text("odometry", odometry.stamp, kInvalidStateText));
     return;
   }
   motors_.publish(odometry.stamp);
@@ -80,8 +80,9 @@ void LeePositionControllerNode::on_pose(const geometry_msgs::PoseStamped& messag
 void LeePositionControllerNode::on_trajectory(
     const trajectory_msgs::MultiDOFJointTrajectory& message) {
   if (const auto index = to_setpoints(message, incoming_)) {
-    ROS_ERROR("%s: set-point refused: its point %zu has no transform, 1 is needed",
-              trajectory_.getTopic().c_str(), *index);
+    refusals_.note("set-point refused", trajectory_.getTopic() + ": set-point refused: its point " +
+                                            std::to_string(*index) +
+                                            " has no transform, 1 is needed");
     return;
   }
   accept(message.header, trajectory_.getTopic());
@@ -93,8 +94,8 @@ void LeePositionControllerNode::accept(const std_msgs::Header& header, const std
     return setpoints_.push(to_sim_time(header.stamp), incoming_);
   }();
   if (result != SetpointResult::accepted) {
-    ROS_ERROR("%s: set-point stamped %.9f s refused: %s", topic.c_str(), header.stamp.toSec(),
-              reason(result));
+    refusals_.note("set-point refused",
+                   topic + ": " + refusal_text("set-point", header.stamp, reason(result)));
     return;
   }
   if (header.stamp.isZero()) return;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trident_control_ros/message_conversions.h"
 
+#include <cstdio>
 #include <cstring>
 
 namespace trident {
@@ -49,6 +50,12 @@ double yaw_of(const geometry_msgs::Quaternion& q) {
 }
 
 }  // namespace
+
+std::string refusal_text(const std::string& what, const ros::Time& stamp, const std::string& why) {
+  char seconds[32];  // NOLINT: of snprintf
+  std::snprintf(seconds, sizeof(seconds), "%.9f", stamp.toSec());
+  return what + " stamped " + seconds + " s refused: " + why;
+}
 
 SimTime to_sim_time(const ros::Time& time) {
   return {static_cast<std::int64_t>(time.sec) * 1'000'000'000 + time.nsec};

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "trident_base/string_util.h"
 #include "trident_control_ros/message_conversions.h"
 #include "trident_ros/subscriptions.h"
 
@@ -11,7 +12,7 @@ namespace trident {
 
 RollPitchYawrateThrustControllerNode::RollPitchYawrateThrustControllerNode(
     ros::NodeHandle& node, const RollPitchYawrateThrustParams& params, OdometryThread thread)
-    : controller_(params), motors_(node, controller_.rotor_count()) {
+    : controller_(params), motors_(node, controller_.rotor_count()), refusals_(node) {
   auto command = inline_subscription<mav_msgs::RollPitchYawrateThrust>(
       "command/roll_pitch_yawrate_thrust", [this](const auto& message) { on_command(*message); },
       &queue_);
@@ -37,8 +38,7 @@ void RollPitchYawrateThrustControllerNode::on_odometry(const StampedOdometry& od
   if (!command_) {
     std::fill(speeds.begin(), speeds.end(), 0.0);
   } else if (controller_.compute(odometry.state, *command_, speeds) != ControlStatus::ok) {
-    ROS_ERROR_THROTTLE(5.0, "odometry stamped %.9f s refused: %s", odometry.stamp.toSec(),
-                       kInvalidStateText);
+    refusals_.note("odometry refused", refusal_text("odometry", odometry.stamp, kInvalidStateText));
     return;
   }
   motors_.publish(odometry.stamp);
@@ -48,10 +48,11 @@ void RollPitchYawrateThrustControllerNode::on_command(
     const mav_msgs::RollPitchYawrateThrust& message) {
   const AttitudeCommand command = to_attitude_command(message);
   if (!is_valid(command)) {
-    ROS_ERROR(
-        "%s: command refused: roll %g, pitch %g, yaw rate %g, thrust.z %g: all must be finite",
-        command_subscriber_.getTopic().c_str(), command.roll, command.pitch, command.yaw_rate,
-        command.thrust);
+    refusals_.note("command refused",
+                   command_subscriber_.getTopic() + ": command refused: roll " +
+                       number_text(command.roll) + ", pitch " + number_text(command.pitch) +
+                       ", yaw rate " + number_text(command.yaw_rate) + ", thrust.z " +
+                       number_text(command.thrust) + ": all must be finite, and up to 1e8");
     return;
   }
   const std::lock_guard<std::mutex> lock(mutex_);

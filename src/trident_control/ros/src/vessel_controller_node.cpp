@@ -14,6 +14,7 @@
 
 #include "trident_base/string_util.h"
 #include "trident_control_ros/message_conversions.h"
+#include "trident_ros/message_checks.h"
 #include "trident_ros/subscriptions.h"
 
 namespace trident {
@@ -118,6 +119,8 @@ void VesselControllerNode::listen_to_commands(ros::NodeHandle& node) {
   });
   listen<std_msgs::Float64>(node, "speed_through_water", [this](const auto& message) {
     const std::lock_guard<std::mutex> lock(mutex_);
+    const std::string problem = number_problem(message.data, 1e3, "speed_through_water");
+    if (!problem.empty()) note("speed_through_water refused", true, problem + " m/s");
     controller_.set_log(now_, message.data);
   });
 }

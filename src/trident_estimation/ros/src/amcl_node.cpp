@@ -12,6 +12,7 @@
 #include "trident_base/error.h"
 #include "trident_base/string_util.h"
 #include "trident_estimation_ros/map_messages.h"
+#include "trident_ros/message_checks.h"
 
 namespace trident {
 namespace {
@@ -109,7 +110,7 @@ bool AmclNode::take_map(const nav_msgs::OccupancyGrid& message) {
     return false;
   }
   if (message.header.frame_id != params_.global_frame_id) {
-    troubles_.note("map's frame", "the map's frame is '" + message.header.frame_id +
+    troubles_.note("map's frame", "the map's frame is '" + quoted(message.header.frame_id) +
                                       "', global_frame_id is '" + params_.global_frame_id + "'");
   }
   has_pose_ = false;
@@ -142,7 +143,7 @@ SE2 AmclNode::motion_since(const ros::Time& stamp) const {
 void AmclNode::on_initial_pose(const geometry_msgs::PoseWithCovarianceStamped& message) {
   const std::string& frame = message.header.frame_id;
   if (!frame.empty() && frame != params_.global_frame_id) {
-    troubles_.note("initialpose refused", "initialpose is in frame '" + frame + "', legal: '" +
+    troubles_.note("initialpose refused", "initialpose is in frame '" + quoted(frame) + "', legal: '" +
                                               params_.global_frame_id + "'");
     return;
   }
@@ -151,6 +152,8 @@ void AmclNode::on_initial_pose(const geometry_msgs::PoseWithCovarianceStamped& m
     return;
   }
   try {
+    const std::string problem = stamp_problem(message.header.stamp, ros::Time::now());
+    if (!problem.empty()) throw Error(problem);
     const SE2 T_global_base = from_pose_message(message.pose.pose);
     amcl_->set_pose(T_global_base * motion_since(message.header.stamp),
                     planar_covariance(message.pose));

@@ -7,8 +7,15 @@
 
 #include "trident_base/error.h"
 #include "trident_base/string_util.h"
+#include "trident_ros/message_checks.h"
 
 namespace trident {
+namespace {
+
+constexpr double kFinest = 1e-4;   // of a map's cells [m]
+constexpr double kCoarsest = 1e3;  // [m]
+
+}  // namespace
 
 geometry_msgs::Pose to_pose_message(const SE2& T_parent_child) {
   geometry_msgs::Pose pose;
@@ -23,9 +30,11 @@ SE2 from_pose_message(const geometry_msgs::Pose& pose) {
   const Eigen::Quaterniond q(pose.orientation.w, pose.orientation.x, pose.orientation.y,
                              pose.orientation.z);
   const Eigen::Vector2d p(pose.position.x, pose.position.y);
-  if (!p.allFinite() || !(std::abs(q.norm() - 1.0) < 0.01)) {
+  if (!(std::abs(p.x()) <= kFarthestM && std::abs(p.y()) <= kFarthestM) ||
+      !(std::abs(q.norm() - 1.0) < 0.01)) {
     throw Error("pose: position (" + number_text(p.x()) + ", " + number_text(p.y()) +
-                ") m, quaternion of length " + number_text(q.norm()) + ", legal: finite, length 1");
+                ") m, quaternion of length " + number_text(q.norm()) +
+                ", legal: finite, up to " + number_text(kFarthestM) + " m, length 1");
   }
   const double yaw = std::atan2(2.0 * (q.w() * q.z() + q.x() * q.y()),
                                 1.0 - 2.0 * (q.y() * q.y() + q.z() * q.z()));
@@ -51,15 +60,16 @@ OccupancyGrid from_map_message(const nav_msgs::OccupancyGrid& message) {
     throw Error("map: " + std::to_string(message.data.size()) + " cells, legal: width x height, " +
                 std::to_string(width) + " x " + std::to_string(height) + ", at least 1 x 1");
   }
-  if (!(message.info.resolution > 0.0F) || !std::isfinite(message.info.resolution)) {
-    throw Error("map: resolution " + number_text(message.info.resolution) + " m, legal: > 0");
+  const auto resolution = static_cast<double>(message.info.resolution);
+  if (!(resolution >= kFinest && resolution <= kCoarsest)) {
+    throw Error("map: resolution " + number_text(resolution) + " m, legal: " +
+                number_text(kFinest) + " to " + number_text(kCoarsest) + " m");
   }
   OccupancyGrid grid;
   grid.width = static_cast<int>(width);
   grid.height = static_cast<int>(height);
   // A float on the wire: 0.05 is meant, not 0.0500000007.
-  grid.resolution = std::round(static_cast<double>(message.info.resolution) * 1e6) / 1e6;
-  if (grid.resolution <= 0.0) grid.resolution = static_cast<double>(message.info.resolution);
+  grid.resolution = std::round(resolution * 1e6) / 1e6;
   grid.T_map_origin = from_pose_message(message.info.origin);
   grid.cells = message.data;
   return grid;

@@ -10,6 +10,7 @@
 
 #include "trident_base/error.h"
 #include "trident_estimation_ros/map_messages.h"
+#include "trident_ros/message_checks.h"
 
 namespace trident {
 namespace {
@@ -44,7 +45,8 @@ void fill_scan(const sensor_msgs::LaserScan& message, bool is_upside_down, Laser
   scan.stamp_ns = static_cast<std::int64_t>(message.header.stamp.toNSec());
   scan.angle_min = turn * static_cast<double>(message.angle_min);
   scan.angle_increment = turn * static_cast<double>(message.angle_increment);
-  scan.time_increment = static_cast<double>(message.time_increment);
+  scan.time_increment =
+      std::isnan(message.time_increment) ? 0.0 : static_cast<double>(message.time_increment);
   scan.range_min = static_cast<double>(message.range_min);
   scan.range_max = static_cast<double>(message.range_max);
   scan.ranges = message.ranges;
@@ -59,7 +61,10 @@ ScanInput::ScanInput(ros::NodeHandle& node, const ScanInputParams& params, Troub
       on_scan_(std::move(on_scan)),
       on_new_time_(std::move(on_new_time)),
       buffer_(ros::Duration(30.0)),
-      listener_(buffer_),
+      transforms_(buffer_,
+                  [this](const std::string& problem) {
+                    troubles_.note("transform refused", problem);
+                  }),
       subscriber_(node.subscribe("scan", kMostWaiting, &ScanInput::receive, this)),
       timer_(node.createWallTimer(ros::WallDuration(kLookEvery),
                                   [this](const ros::WallTimerEvent&) { hand_out(); })) {}
@@ -82,12 +87,12 @@ const ScanInput::Laser& ScanInput::laser(const std::string& frame) {
 
 /// Counts a message that no transform could make useful.
 bool ScanInput::is_refused(const sensor_msgs::LaserScan& message) {
-  const bool is_usable = std::isfinite(message.angle_min) && std::isfinite(message.range_max) &&
-                         std::isfinite(message.angle_increment) && !message.ranges.empty();
-  if (is_usable) return false;
-  troubles_.note("scan refused", "scan of " + message.header.frame_id + " at " +
-                                     fixed(message.header.stamp.toSec()) +
-                                     " s: no beams, or angles or range_max are not finite");
+  std::string problem = stamp_problem(message.header.stamp, ros::Time::now());
+  if (problem.empty()) problem = scan_problem(message);
+  if (problem.empty() && !std::isfinite(message.range_max)) problem = "range_max is not finite";
+  if (problem.empty()) return false;
+  troubles_.note("scan refused", "scan of '" + quoted(message.header.frame_id) + "' at " +
+                                     fixed(message.header.stamp.toSec()) + " s: " + problem);
   return true;
 }
 
@@ -100,7 +105,7 @@ void ScanInput::receive(const sensor_msgs::LaserScanConstPtr& message) {
     troubles_.note("time went back", "stamps of scans went back by " + fixed(back) +
                                          " s: taken for a bag that begins anew");
     waiting_.clear();
-    buffer_.clear();
+    transforms_.clear();
     on_new_time_();
     last_stamp_ = stamp;
   }

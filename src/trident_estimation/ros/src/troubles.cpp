@@ -14,12 +14,14 @@ diagnostic_msgs::KeyValue key_value(const std::string& key, const std::string& v
 }
 
 void Troubles::note(const std::string& kind, const std::string& text) {
+  const std::lock_guard<std::mutex> lock(mutex_);
   Trouble& trouble = troubles_[kind];
   trouble.newest = text;
   if (++trouble.count == 1) ROS_WARN("%s (further ones are counted in /diagnostics)", text.c_str());
 }
 
 void Troubles::add_to(diagnostic_msgs::DiagnosticArray& array, const std::string& node) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
   for (const auto& [kind, trouble] : troubles_) {
     diagnostic_msgs::DiagnosticStatus status;
     status.level = diagnostic_msgs::DiagnosticStatus::WARN;

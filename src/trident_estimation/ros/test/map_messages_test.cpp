@@ -49,7 +49,9 @@ TEST(MapMessages, AMapOfAnotherSizeThanItSaysIsRefused) {
   EXPECT_NE(complaint(bad), "");
   bad = map_of_two();
   bad.info.resolution = 0.0F;
-  EXPECT_EQ(complaint(bad), "map: resolution 0 m, legal: > 0");
+  EXPECT_EQ(complaint(bad), "map: resolution 0 m, legal: 1e-04 to 1000 m");
+  bad.info.resolution = 1e-40F;
+  EXPECT_NE(complaint(bad).find("resolution"), std::string::npos);
   bad = map_of_two();
   bad.info.origin.position.y = std::nan("");
   EXPECT_NE(complaint(bad).find("pose: position (1, nan) m"), std::string::npos);
@@ -60,6 +62,8 @@ TEST(MapMessages, APoseWithoutAnOrientationIsRefused) {
   EXPECT_THROW(from_pose_message(pose), Error);
   pose.orientation.w = 1.0;
   EXPECT_EQ(from_pose_message(pose).angle, 0.0);
+  pose.position.x = 1e308;
+  EXPECT_THROW(from_pose_message(pose), Error);
 }
 
 }  // namespace

@@ -30,6 +30,8 @@ constexpr double kClearlyBetter = 0.1;      // share of beams by which a hypothe
 constexpr double kInjectedSigma = 0.08;     // [m]
 constexpr double kInjectedSigmaYaw = 0.03;  // [rad]
 constexpr std::size_t kParticlesPerHypothesis = 100;
+constexpr double kLargestVariance = 1e8;  // [m^2], [rad^2]
+constexpr double kFarthest = 1e8;         // of a pose and of odometry, from where they begin [m]
 constexpr int kMostPatience = 32;  // times recovery_patience
 
 double to_unit(std::uint64_t bits) { return static_cast<double>(bits >> 11) * 0x1.0p-53; }
@@ -48,13 +50,15 @@ ScanPoints thinned(const ScanPoints& points) {
 /// A matrix S with S S' = covariance, for covariances without full rank, too.
 Eigen::Matrix3d square_root(const Eigen::Matrix3d& covariance) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
-  const bool is_legal = covariance.allFinite() && solver.info() == Eigen::Success &&
+  const bool is_legal = covariance.allFinite() &&
+                        covariance.cwiseAbs().maxCoeff() <= kLargestVariance && solver.info() == Eigen::Success &&
                         solver.eigenvalues().minCoeff() >= -1e-9 &&
                         covariance.isApprox(covariance.transpose(), 1e-6);
   if (!is_legal) {
     throw Error("covariance of a pose: diagonal " + number_text(covariance(0, 0)) + ", " +
                 number_text(covariance(1, 1)) + ", " + number_text(covariance(2, 2)) +
-                ", legal: finite, symmetric, without a negative eigenvalue");
+                ", legal: symmetric, without a negative eigenvalue, up to " +
+                number_text(kLargestVariance));
   }
   return solver.eigenvectors() * solver.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
 }
@@ -68,7 +72,9 @@ std::vector<std::uint32_t> free_cells_of(const OccupancyGrid& map) {
   return cells;
 }
 
-bool is_finite(const SE2& T) { return T.p.allFinite() && std::isfinite(T.angle); }
+bool is_finite(const SE2& T) {
+  return std::abs(T.p.x()) <= kFarthest && std::abs(T.p.y()) <= kFarthest && std::isfinite(T.angle);
+}
 
 /// What is wrong with a scan; empty if nothing.
 std::string problem_of(const LaserScan& scan, const SE2& T_odom_base) {
@@ -112,7 +118,9 @@ Amcl::Amcl(const AmclParams& params, const OccupancyGrid& map)
 Amcl::~Amcl() = default;
 
 void Amcl::set_pose(const SE2& T_map_base, const Eigen::Matrix3d& covariance) {
-  if (!is_finite(T_map_base)) throw Error("pose: not finite, legal: finite x, y and yaw");
+  if (!is_finite(T_map_base)) throw Error("pose: (" + number_text(T_map_base.p.x()) + ", " + number_text(T_map_base.p.y()) +
+                ") m, " + number_text(T_map_base.angle) + " rad, legal: finite, up to " +
+                number_text(kFarthest) + " m");
   const Eigen::Matrix3d root = square_root(covariance);
   const SE2 T_origin_map = T_map_origin_.inverse();
   ++draws_;

@@ -5,6 +5,7 @@
 #include <map>
 #include <sstream>
 
+#include "../rays/ray_budget.h"
 #include "trident_base/error.h"
 #include "trident_sim/param_tree.h"
 
@@ -95,7 +96,17 @@ SE3 read_pose(const PluginParams& params) {
   return SE3::from_xyz_rpy({values[0], values[1], values[2]}, values[3], values[4], values[5]);
 }
 
-CameraSpec read_camera(const ParamNode& element, const std::string& owner) {
+/// Before the limits of a side, so that a picture that is too large is refused as such.
+void check_pixels(const PluginParams& image, const ParamNode& sensor, const std::string& owner) {
+  constexpr Limits kAny{1.0, 1e9};
+  const CameraSpec usual;
+  const RayCount count{image.number("width", usual.width, kAny),
+                       image.number("height", usual.height, kAny), "pixels"};
+  check_ray_count(count, sensor, owner);
+}
+
+CameraSpec read_camera(const ParamNode& element, const ParamNode& sensor,
+                       const std::string& owner) {
   CameraSpec camera;
   for (const auto& [key, value] : element.attributes) {
     if (key == "name") camera.name = value;
@@ -106,6 +117,7 @@ CameraSpec read_camera(const ParamNode& element, const std::string& owner) {
   camera.angle_of_view_rad = params.number("horizontal_fov", camera.angle_of_view_rad,
                                            {kLeastAngleOfView, kLargestAngleOfView});
   const PluginParams image(child_or_empty(element, "image"), whose + " <image>");
+  check_pixels(image, sensor, whose);
   camera.width = image.integer("width", camera.width, {1.0, kMostPixels});
   camera.height = image.integer("height", camera.height, {1.0, kMostPixels});
   camera.format = read_format(image);
@@ -141,7 +153,7 @@ int channel_count(PixelFormat format) { return format == PixelFormat::kMono8 ? 1
 std::vector<CameraSpec> read_camera_specs(const SensorSpec& sensor, const std::string& owner) {
   std::vector<CameraSpec> cameras;
   for (const ParamNode& child : sensor.params.children) {
-    if (child.name == "camera") cameras.push_back(read_camera(child, owner));
+    if (child.name == "camera") cameras.push_back(read_camera(child, sensor.params, owner));
   }
   if (cameras.empty()) throw Error(owner + ": <camera> is missing");
   return cameras;

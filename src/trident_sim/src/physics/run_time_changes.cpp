@@ -10,6 +10,7 @@
 #include "joint_anchor.h"
 #include "trident_base/angle.h"
 #include "trident_base/error.h"
+#include "trident_sim/motion_limits.h"
 
 namespace trident {
 namespace {
@@ -61,7 +62,7 @@ void check(bool ok, const Joint& joint, const char* field, double value, const c
 
 void check(const Joint& joint, const AxisSpec& now, const AxisParams& params) {
   const auto not_negative = [&](const char* field, const std::optional<double>& value) {
-    if (value) check(*value >= 0.0 && std::isfinite(*value), joint, field, *value, ">= 0");
+    if (value) check(*value >= 0.0 && *value <= kStrongest, joint, field, *value, "in [0, 1e15]");
   };
   const auto fraction = [&](const char* field, const std::optional<double>& value) {
     if (value) check(*value >= 0.0 && *value <= 1.0, joint, field, *value, "in [0, 1]");
@@ -73,7 +74,8 @@ void check(const Joint& joint, const AxisSpec& now, const AxisParams& params) {
   fraction("stop_erp", params.stop_erp);
   fraction("fudge_factor", params.fudge_factor);
   if (params.motor_velocity) {
-    check(std::isfinite(*params.motor_velocity), joint, "vel", *params.motor_velocity, "finite");
+    check(std::abs(*params.motor_velocity) <= kFastestMS, joint, "vel", *params.motor_velocity,
+          "finite, up to 1e5");
   }
   const double lower = params.lower.value_or(now.lower);
   check(!std::isnan(lower), joint, "loStop", lower, "a number");

@@ -6,6 +6,7 @@
 #include "drop_if.h"
 #include "trident_base/error.h"
 #include "trident_base/sha256.h"
+#include "trident_sim/motion_limits.h"
 #include "trident_sim/sea.h"
 #include "trident_sim/world.h"
 
@@ -27,9 +28,10 @@ void check_drivable(const Joint& joint, std::size_t axis) {
 }  // namespace
 
 void World::apply_wrench(const AppliedWrench& wrench) {
-  if (!wrench.force_world.allFinite() || !wrench.torque_world.allFinite() ||
-      !wrench.p_link.allFinite()) {
-    throw Error("wrench on link '" + wrench.link->name + "' is not finite");
+  if (!is_within(wrench.force_world, kStrongest) || !is_within(wrench.torque_world, kStrongest) ||
+      !is_within(wrench.p_link, kFarthestBodyM)) {
+    throw Error("wrench on link '" + wrench.link->name +
+                "' is not finite, or beyond 1e15 N or N m, or its point 1e7 m");
   }
   if (wrench.link->body == nullptr) {
     throw Error("wrench on link '" + wrench.link->name + "': the link is static");
@@ -42,8 +44,8 @@ void World::clear_wrenches(const Link& link) {
 }
 
 void World::apply_effort(const AppliedEffort& effort) {
-  if (!std::isfinite(effort.effort)) {
-    throw Error("effort on joint '" + effort.joint->spec.name + "' is not finite");
+  if (!(std::abs(effort.effort) <= kStrongest)) {
+    throw Error("effort on joint '" + effort.joint->spec.name + "' is not finite, or beyond 1e15");
   }
   check_drivable(*effort.joint, effort.axis);
   efforts_.push_back(effort);

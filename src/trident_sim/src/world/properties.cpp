@@ -8,6 +8,7 @@
 #include "../physics/physics_engine.h"
 #include "../physics/run_time_changes.h"
 #include "trident_base/error.h"
+#include "trident_sim/motion_limits.h"
 #include "trident_sim/world.h"
 
 namespace trident {
@@ -24,8 +25,8 @@ void validate(const Link& link, const Inertial& inertial) {
   if (!(inertial.mass_kg > 0.0 && inertial.mass_kg <= kHeaviest_kg)) {
     refuse("mass is " + std::to_string(inertial.mass_kg) + " kg, must be in (0, 1e12]");
   }
-  if (!inertial.T_link_com.p.allFinite() || !inertial.T_link_com.R.coeffs().allFinite()) {
-    refuse("com is not finite");
+  if (!is_within(inertial.T_link_com.p, kFarthestBodyM) || !inertial.T_link_com.R.coeffs().allFinite()) {
+    refuse("com is not finite, or beyond 1e7 m");
   }
   if (!inertial.inertia_com.allFinite()) refuse("inertia is not finite");
   const Eigen::Vector3d principal =
@@ -162,7 +163,9 @@ std::vector<std::string> World::set_joint_positions(
   std::vector<std::string> clamped;
   for (const auto& [name, position] : positions) {
     Joint& joint = movable(model, name);
-    if (!std::isfinite(position)) throw Error("position of joint [" + name + "] is not finite");
+    if (!(std::abs(position) <= kFarthestBodyM)) {
+      throw Error("position of joint [" + name + "] is not finite, or beyond 1e7");
+    }
     const double target =
         joint.spun ? position
                    : std::clamp(position, joint.axes[0].spec.lower, joint.axes[0].spec.upper);

@@ -10,6 +10,7 @@
 #include "../physics/physics_engine.h"
 #include "drop_if.h"
 #include "trident_base/error.h"
+#include "trident_sim/motion_limits.h"
 #include "trident_sim/ray_scene.h"
 
 namespace trident {
@@ -49,17 +50,19 @@ void validate(const PhysicsSpec& physics) {
   }
   check(physics.exact_solver_rows >= 0, "exact_solver_rows", physics.exact_solver_rows, ">= 0");
   check(physics.precon_iterations >= 0, "precon_iters", physics.precon_iterations, ">= 0");
-  check(physics.gravity.allFinite(), "gravity", physics.gravity.norm(), "finite");
+  check(is_within(physics.gravity, 1e6), "gravity", physics.gravity.norm(),
+        "finite, up to 1e6 m/s^2");
   check(physics.iterations >= 1 && physics.iterations <= 100000, "iterations", physics.iterations,
         "in [1, 100000]");
   check(physics.sor > 0.0 && physics.sor < 2.0, "sor", physics.sor, "in (0, 2)");
-  check(physics.cfm >= 0.0 && std::isfinite(physics.cfm), "cfm", physics.cfm, ">= 0");
+  check(physics.cfm >= 0.0 && physics.cfm <= 1e12, "cfm", physics.cfm, "in [0, 1e12]");
   check(physics.erp >= 0.0 && physics.erp <= 1.0, "erp", physics.erp, "in [0, 1]");
   check(physics.contact_surface_layer >= 0.0, "contact_surface_layer",
         physics.contact_surface_layer, ">= 0 m");
   check(physics.contact_max_correcting_vel >= 0.0, "contact_max_correcting_vel",
         physics.contact_max_correcting_vel, ">= 0 m/s");
-  check(physics.max_contacts >= 1, "max_contacts", physics.max_contacts, ">= 1");
+  check(physics.max_contacts >= 1 && physics.max_contacts <= 100000, "max_contacts",
+        physics.max_contacts, "in [1, 100000]");
   check(physics.real_time_update_rate_hz >= 0.0, "real_time_update_rate",
         physics.real_time_update_rate_hz, ">= 0 Hz");
 }
@@ -94,7 +97,6 @@ void cast_put_off(const RayScenes& scenes, WorkerPool& workers) {
   RayScene::do_put_off({made.data(), count}, workers);
 }
 
-bool finite(const SE3& T) { return T.p.allFinite() && T.R.coeffs().allFinite(); }
 
 }  // namespace
 
@@ -172,8 +174,8 @@ Model& World::add_model(ModelSpec spec, const std::string& robot_namespace) {
   if (models_.count(spec.name) != 0) {
     throw Error("model name '" + spec.name + "' already exists in the world");
   }
-  if (!finite(spec.T_world_model) || spec.T_world_model.R.norm() < 1e-6) {
-    throw Error("model '" + spec.name + "': initial pose is not finite or has a zero quaternion");
+  if (!is_place(spec.T_world_model)) {
+    throw Error("model '" + spec.name + "': initial pose is not finite, is beyond 1e7 m or has a zero quaternion");
   }
   spec.T_world_model.R.normalize();
   diagnostics_.forget_model(spec.name);  // of earlier attempts
@@ -448,8 +450,9 @@ Link* World::find_link(const std::string& scoped_name) const {
 }
 
 void World::set_model_pose(Model& model, const SE3& T_world_model) {
-  if (!finite(T_world_model) || T_world_model.R.norm() < 1e-6) {
-    throw Error("model '" + model.name + "': pose is not finite or has a zero quaternion");
+  if (!is_place(T_world_model)) {
+    throw Error("model '" + model.name +
+                "': pose is not finite, is beyond 1e7 m or has a zero quaternion");
   }
   if (model.is_static) throw Error("model '" + model.name + "' is static and cannot be moved");
   const SE3 target{T_world_model.R.normalized(), T_world_model.p};
@@ -464,8 +467,8 @@ void World::set_model_pose(Model& model, const SE3& T_world_model) {
 
 void World::set_model_twist(Model& model, const Eigen::Vector3d& v_world,
                             const Eigen::Vector3d& w_world) {
-  if (!v_world.allFinite() || !w_world.allFinite()) {
-    throw Error("model '" + model.name + "': twist is not finite");
+  if (!is_motion(v_world, w_world)) {
+    throw Error("model '" + model.name + "': twist is not finite, or beyond 1e5 m/s or 1e4 rad/s");
   }
   const Eigen::Vector3d p_world = model.T_world_model().p;
   for (const auto& body : model.bodies) {
@@ -477,9 +480,10 @@ void World::set_model_twist(Model& model, const Eigen::Vector3d& v_world,
 
 void World::set_link_state(Link& link, const SE3& T_world_link, const Eigen::Vector3d& v_world,
                            const Eigen::Vector3d& w_world) {
-  if (!finite(T_world_link) || T_world_link.R.norm() < 1e-6 || !v_world.allFinite() ||
-      !w_world.allFinite()) {
-    throw Error("link '" + link.name + "': state is not finite or has a zero quaternion");
+  if (!is_place(T_world_link) || !is_motion(v_world, w_world)) {
+    throw Error("link '" + link.name +
+                "': state is not finite, is beyond 1e7 m, 1e5 m/s or 1e4 rad/s, or has a zero "
+                "quaternion");
   }
   if (link.body == nullptr) throw Error("link '" + link.name + "' is static and cannot be moved");
   const SE3 T = SE3{T_world_link.R.normalized(), T_world_link.p} * link.T_body_link.inverse();

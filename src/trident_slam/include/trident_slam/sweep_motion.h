@@ -17,13 +17,13 @@ double sweep_duration(const LaserScan& scan);
 /// The base's motion (vx, vy [m/s], w [rad/s]) while a sweep was taken, for `make_point_scan`:
 /// that of odometry since the sweep before, `seconds` ago, with the turning rate of a gyro where
 /// the scan has one. Zero for a scan whose beams come all at once; a motion over more than a second
-/// says little about now and counts as none.
+/// says little about now and counts as none, as does one faster than 100 m/s or rad/s: stamps lie.
 Eigen::Vector3d sweep_twist(const LaserScan& scan, const SE2& T_before_now, double seconds);
 
 /// The turning rates of a gyro, about the base's upward axis, by their stamps.
 class YawRates {
  public:
-  /// A rate that is not finite, or not younger than the one before, is left out: false. A stamp
+  /// A rate that is not finite or above 100 rad/s, or not younger than the one before, is left out: false. A stamp
   /// that goes back by more than a second (a bag that is played again) begins anew.
   bool add(std::int64_t stamp_ns, double yaw_rate);
   void clear() { samples_.clear(); }

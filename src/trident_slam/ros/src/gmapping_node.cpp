@@ -69,7 +69,7 @@ void run() {
   const ros::Timer timer =
       handle.createTimer(ros::Duration(kEntropyPeriodS),
                          [&](const ros::TimerEvent&) { publish_entropy(node, publisher); });
-  ros::spin();
+  node.run();
 }
 
 }  // namespace

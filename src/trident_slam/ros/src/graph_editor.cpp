@@ -14,6 +14,7 @@
 #include "trident_base/error.h"
 #include "trident_base/string_util.h"
 #include "trident_estimation_ros/map_messages.h"
+#include "trident_ros/message_checks.h"
 
 namespace trident {
 namespace {
@@ -183,7 +184,7 @@ void GraphEditor::follow(const InteractiveMarkerFeedback& feedback) {
     }
     show_scan(node, T_map_node);
   } catch (const std::exception& error) {
-    ROS_ERROR("marker '%s': %s", feedback.marker_name.c_str(), error.what());
+    node_.tell("marker '" + quoted(feedback.marker_name) + "': " + error.what());
   }
 }
 

@@ -11,6 +11,7 @@
 
 #include "trident_base/error.h"
 #include "trident_base/string_util.h"
+#include "trident_ros/message_checks.h"
 
 namespace trident {
 namespace {
@@ -39,15 +40,9 @@ std::string stamp_text(const ros::Time& stamp) {
 }
 
 void check(const sensor_msgs::LaserScan& message) {
-  if (message.ranges.empty()) throw Error("ranges: no beam, legal: at least 1");
-  if (!std::isfinite(message.angle_min)) throw Error("angle_min is not finite");
-  if (!std::isfinite(message.angle_increment) || message.angle_increment == 0.0F) {
-    throw Error("angle_increment " + number_text(message.angle_increment) + " rad, legal: not 0");
-  }
-  if (!(message.range_max > 0.0F) || !(message.range_min < message.range_max)) {
-    throw Error("range_min " + number_text(message.range_min) + " m, range_max " +
-                number_text(message.range_max) + " m, legal: 0 <= range_min < range_max");
-  }
+  const std::string problem = scan_problem(message);
+  if (!problem.empty()) throw Error(problem);
+  if (message.angle_increment == 0.0F) throw Error("angle_increment 0 rad, legal: not 0");
 }
 
 }  // namespace
@@ -57,7 +52,7 @@ LaserScan to_laser_scan(const sensor_msgs::LaserScan& message,
   check(message);
   const double up = rotation(T_base_laser.rotation)(2, 2);
   if (std::abs(up) < kMinUprightness) {
-    throw Error("frame " + message.header.frame_id + " is tilted by " +
+    throw Error("frame " + quoted(message.header.frame_id) + " is tilted by " +
                 number_text(std::round(std::acos(up) * 180.0 / M_PI)) +
                 " deg, legal: a laser that looks around in the plane");
   }
@@ -77,7 +72,28 @@ LaserScan to_laser_scan(const sensor_msgs::LaserScan& message,
   return scan;
 }
 
+bool ScanIntake::is_refused(const sensor_msgs::LaserScan& message, const ros::Time& now) {
+  const std::string& frame = laser_frame(message);
+  std::string problem = stamp_problem(message.header.stamp, now);
+  if (problem.empty() && (frame.empty() || frame.front() == '/')) {
+    problem = "frame_id is '" + quoted(frame) + "', legal: a name without / before it";
+  }
+  if (problem.empty()) return false;
+  ++received_;
+  leave_out(message, problem);
+  return true;
+}
+
+void ScanIntake::leave_out_after(const ros::Time& stamp, const std::string& why) {
+  for (auto it = waiting_.begin(); it != waiting_.end();) {
+    const bool is_after = (*it)->header.stamp > stamp;
+    if (is_after) leave_out(**it, why);
+    it = is_after ? waiting_.erase(it) : std::next(it);
+  }
+}
+
 void ScanIntake::add(const sensor_msgs::LaserScanConstPtr& message) {
+  if (is_refused(*message)) return;
   ++received_;
   waiting_.push_back(message);
   if (waiting_.size() <= options_.max_waiting) return;
@@ -87,10 +103,13 @@ void ScanIntake::add(const sensor_msgs::LaserScanConstPtr& message) {
 
 void ScanIntake::add(const sensor_msgs::Imu& message) {
   const std::string& imu = message.header.frame_id;
+  imu_problem_ = stamp_problem(message.header.stamp, ros::Time());
+  if (!imu.empty() && imu.front() == '/') imu_problem_ = "frame_id begins with /";
+  if (!imu_problem_.empty()) return;
   Eigen::Matrix3d R_base_imu = Eigen::Matrix3d::Identity();
   if (!imu.empty() && imu != options_.base_frame) {
     if (!transforms_.canTransform(options_.base_frame, imu, ros::Time(0))) {
-      imu_problem_ = "transform " + options_.base_frame + " -> " + imu + " is not known at all";
+      imu_problem_ = "transform " + options_.base_frame + " -> " + quoted(imu) + " is not known at all";
       return;
     }
     const auto mount = transforms_.lookupTransform(options_.base_frame, imu, ros::Time(0));
@@ -213,7 +232,7 @@ std::string ScanIntake::why_missing(const sensor_msgs::LaserScan& message) const
 
 std::string ScanIntake::lateness(const std::string& target, const std::string& source,
                                  const ros::Time& stamp) const {
-  const std::string name = "transform " + target + " -> " + source;
+  const std::string name = "transform " + target + " -> " + quoted(source);
   try {
     if (transforms_.canTransform(target, source, stamp)) return {};
     const ros::Time newest = transforms_.lookupTransform(target, source, ros::Time(0)).header.stamp;

@@ -5,6 +5,9 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -12,6 +15,7 @@
 #include "trident_base/string_util.h"
 #include "trident_estimation/map_file.h"
 #include "trident_estimation_ros/map_messages.h"
+#include "trident_ros/message_checks.h"
 #include "trident_slam/slam_2d_abilities.h"
 
 namespace trident {
@@ -20,6 +24,7 @@ namespace {
 constexpr double kIntakePeriodS = 0.005;
 constexpr double kDiagnosticsPeriodS = 1.0;
 constexpr double kComplainEveryS = 5.0;
+constexpr std::size_t kMostKinds = 100;  // of complaints: a stranger's names make ever more
 
 ScanIntakeOptions intake_options(const SlamNodeOptions& options) {
   ScanIntakeOptions result;
@@ -39,6 +44,38 @@ diagnostic_msgs::KeyValue key_value(const std::string& key, const std::string& v
   return pair;
 }
 
+/// A problem's text without its numbers, what it quotes and what it has in brackets.
+std::string kind_of(const std::string& text) {
+  std::string kind;
+  bool is_quoted = false;
+  int depth = 0;
+  for (const char letter : text) {
+    if (letter == '\'') is_quoted = !is_quoted;
+    if (letter == '(') ++depth;
+    if (letter == ')') --depth;
+    const bool is_digit = std::isdigit(static_cast<unsigned char>(letter)) != 0;
+    if (!is_quoted && depth <= 0 && !is_digit) kind += letter;
+  }
+  return kind;
+}
+
+/// The file, without an ending, that a map is saved to when the node has to end.
+std::string rescue_stem(const SlamNodeOptions& options) {
+  namespace fs = std::filesystem;
+  if (!options.autosave_file.empty()) {
+    return fs::path(options.autosave_file).replace_extension().string() + "_rescued";
+  }
+  const char* const ros_home = std::getenv("ROS_HOME");
+  const char* const home = std::getenv("HOME");
+  const fs::path folder = ros_home != nullptr ? fs::path(ros_home)
+                                              : fs::path(home != nullptr ? home : ".") / ".ros";
+  std::string name = ros::this_node::getName().substr(1);
+  for (char& letter : name) {
+    if (letter == '/') letter = '_';
+  }
+  return (folder / (name + "_rescued")).string();
+}
+
 std::string text(const CalibrationEstimate& estimate) {
   if (!estimate.is_observed) return "not observable yet";
   const auto rounded = [](double value) { return number_text(std::round(1e5 * value) / 1e5); };
@@ -53,11 +90,13 @@ SlamNode::SlamNode(const ros::NodeHandle& private_handle, const SlamNodeOptions&
       make_(std::move(make)),
       slam_(make_()),
       transforms_(ros::Duration(options.tf_buffer_duration)),
-      listener_(transforms_),
       intake_(intake_options(options), transforms_),
+      stamps_(options.bag_loop_threshold),
       autosave_(
           options.autosave_file, options.autosave_interval, [this] { return session_snapshot(); },
           [this](const std::string& problem) { tell(problem); }) {
+  transform_input_ = std::make_unique<TransformInput>(
+      transforms_, [this](const std::string& problem) { tell(problem); });
   ros::NodeHandle handle;
   ros::NodeHandle own(private_handle);
   const MapPublisher::Periods periods{options.map_update_interval, options.map_changes_interval};
@@ -81,6 +120,11 @@ SlamNode::SlamNode(const ros::NodeHandle& private_handle, const SlamNodeOptions&
         handle.createTimer(ros::Duration(options.transform_publish_period),
                            [this](const ros::TimerEvent&) { publish_correction(); });
   }
+  crash_rescue_ = std::make_unique<CrashRescue>([this] {
+    // A lock that the thread that failed holds is never released.
+    const std::unique_lock<std::mutex> lock(slam_mutex_, std::try_to_lock);
+    save_what_there_is();
+  });
   worker_ = std::thread([this] { work(); });
   if (!options.imu_topic.empty()) {
     imu_subscriber_ = handle.subscribe(options.imu_topic, 0, &SlamNode::receive_imu, this);
@@ -94,6 +138,7 @@ SlamNode::SlamNode(const ros::NodeHandle& private_handle, const SlamNodeOptions&
 
 SlamNode::~SlamNode() {
   slow_spinner_.stop();
+  transform_input_.reset();
   scan_subscriber_.shutdown();
   imu_subscriber_.shutdown();
   {
@@ -105,14 +150,12 @@ SlamNode::~SlamNode() {
   autosave_.finish();
 }
 
-// Each kind of problem, whatever its numbers, is told now and then; all are counted.
+// Each kind of problem is told now and then; all are counted.
 void SlamNode::complain(const std::string& text) {
   last_problem_ = text;
-  std::string kind;
-  for (const char letter : text) {
-    if (std::isdigit(static_cast<unsigned char>(letter)) == 0) kind += letter;
-  }
+  std::string kind = kind_of(text);
   const ros::WallTime now = ros::WallTime::now();
+  if (complaints_.size() >= kMostKinds && complaints_.count(kind) == 0) kind.clear();
   ros::WallTime& told = complaints_[kind];
   if (!told.isZero() && (now - told).toSec() < kComplainEveryS) return;
   told = now;
@@ -126,29 +169,40 @@ void SlamNode::count_problem(const std::string& text) {
 }
 
 void SlamNode::receive_scan(const sensor_msgs::LaserScanConstPtr& message) {
-  if (is_bag_loop(*message) || is_paused_) return;
+  if (!intake_.is_refused(*message, ros::Time::now())) {
+    const ScanStamps::Step step = stamps_.add(message);
+    follow_time(step);
+    for (const auto& scan : step.scans) take_scan(scan);
+  }
+  hand_over();
+}
+
+void SlamNode::follow_time(const ScanStamps::Step& step) {
+  if (!step.problem.empty()) tell(step.problem);
+  if (step.was_ahead) intake_.leave_out_after(step.scans.front()->header.stamp, step.problem);
+  if (!step.went_back) return;
+  intake_.clear();
+  tell("time went back by " + number_text(step.went_back->toSec()) +
+       " s (a bag that is played in a loop?); parameter bag_loop");
+  is_looping_ = options_.bag_loop == BagLoop::kIgnore;
+  looping_until_ = *step.back_from;
+  if (options_.bag_loop == BagLoop::kRestart) reset();
+}
+
+// What was mapped before is passed over.
+bool SlamNode::is_in_bag_loop(const sensor_msgs::LaserScan& message) {
+  if (message.header.stamp > looping_until_) is_looping_ = false;
+  return is_looping_;
+}
+
+// Stamps are labels: a scan that is a little older than the last one is a scan like others.
+void SlamNode::take_scan(const sensor_msgs::LaserScanConstPtr& message) {
+  if (is_in_bag_loop(*message) || is_paused_) return;
   const double passed = std::abs((message->header.stamp - last_taken_).toSec());
   if (!last_taken_.isZero() && passed < options_.minimum_time_interval) return;
   if (count_++ % static_cast<std::size_t>(options_.throttle_scans) != 0) return;
   last_taken_ = message->header.stamp;
   intake_.add(message);
-  hand_over();
-}
-
-// Stamps are labels: a scan that is a little older than the last one is a scan like others.
-bool SlamNode::is_bag_loop(const sensor_msgs::LaserScan& message) {
-  const double back = (last_stamp_ - message.header.stamp).toSec();
-  last_stamp_ = message.header.stamp;
-  if (back > options_.bag_loop_threshold) {
-    const std::lock_guard<std::mutex> lock(queue_mutex_);
-    intake_.clear();
-    problems_.add("time went back by " + number_text(back) +
-                  " s (a bag that is played in a loop?); parameter bag_loop");
-    complain(problems_.texts().back());
-    is_looping_ = options_.bag_loop == BagLoop::kIgnore;
-  }
-  if (back > options_.bag_loop_threshold && options_.bag_loop == BagLoop::kRestart) reset();
-  return is_looping_;
 }
 
 void SlamNode::hand_over() {
@@ -176,7 +230,48 @@ void SlamNode::work() {
     const ScanRecord record = std::move(queue_.front());
     queue_.pop_front();
     lock.unlock();
-    consume(record);
+    try {
+      consume(record);
+    } catch (const Error& error) {
+      tell(std::string("scan is not used: ") + error.what());
+    } catch (const std::exception& error) {
+      rescue(error.what());
+      return;
+    }
+  }
+}
+
+void SlamNode::run() {
+  try {
+    ros::spin();
+  } catch (const std::exception& error) {
+    rescue(error.what());
+  }
+  const std::lock_guard<std::mutex> lock(queue_mutex_);
+  if (!end_reason_.empty()) throw std::runtime_error(end_reason_);
+}
+
+// Something that nobody has foreseen: what is mapped is saved, and the node ends.
+void SlamNode::rescue(const std::string& why) {
+  {
+    const std::lock_guard<std::mutex> lock(slam_mutex_);
+    save_what_there_is();
+  }
+  const std::lock_guard<std::mutex> lock(queue_mutex_);
+  end_reason_ = why + " (unforeseen); the map is in " + rescue_stem(options_) + ".*";
+  ros::requestShutdown();
+}
+
+void SlamNode::save_what_there_is() const {
+  const std::string stem = rescue_stem(options_);
+  std::error_code ignored;
+  std::filesystem::create_directories(std::filesystem::path(stem).parent_path(), ignored);
+  const auto* session = dynamic_cast<const Slam2dSession*>(slam_.get());
+  try {
+    if (session != nullptr) session->session_snapshot()(stem + ".posegraph");
+    trident::save_map(stem, slam_->map());
+  } catch (const Error& error) {
+    std::fprintf(stderr, "the map cannot be saved: %s\n", error.what());  // NOLINT: log may be gone
   }
 }
 

@@ -91,6 +91,8 @@ class Toolbox {
     load_by_parameters();
   }
 
+  void run() { node_.run(); }
+
  private:
   void serve_sessions() {
     services_.serve<srv::SerializePoseGraph>(
@@ -172,8 +174,7 @@ class Toolbox {
         able<Slam2dPlaced>(slam, "be told where the robot is").set_pose(T_map_base);
       });
     } catch (const Error& error) {
-      ROS_ERROR("initialpose: %s", error.what());
-      node_.count_problem(std::string("initialpose: ") + error.what());
+      node_.tell(std::string("initialpose: ") + error.what());
     }
   }
 
@@ -218,8 +219,8 @@ void run(ToolboxMode mode) {
   if (own.param("debug_logging", false)) log_debug();
   const bool can_edit =
       graph.mode != SlamMode::kLocalization && own.param("enable_interactive_mode", true);
-  const Toolbox toolbox(own, options, slam_maker(own, {"graph_slam_2d"}, graph, solver), can_edit);
-  ros::spin();
+  Toolbox toolbox(own, options, slam_maker(own, {"graph_slam_2d"}, graph, solver), can_edit);
+  toolbox.run();
 }
 
 }  // namespace

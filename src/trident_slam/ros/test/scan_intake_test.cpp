@@ -166,5 +166,40 @@ TEST_F(ScanIntakeTest, BadMessagesAreOneErrorEach) {
   EXPECT_TRUE(good.is_return(3));
 }
 
+TEST_F(ScanIntakeTest, AScanThatNoTransformCouldMakeUsefulIsRefusedAtOnce) {
+  odometry(10.0, 1.0);
+  odometry(20.0, 2.0);
+  add(scan(4e9));
+  EXPECT_NE(intake_.last_problem().find("legal: below 2147000000 s"), std::string::npos);
+  sensor_msgs::LaserScan message = scan(10.0);
+  message.header.frame_id = "";
+  add(message);
+  EXPECT_NE(intake_.last_problem().find("frame_id is ''"), std::string::npos);
+  EXPECT_EQ(intake_.waiting(), 0U);
+  EXPECT_EQ(intake_.left_out(), 2U);
+  EXPECT_FALSE(intake_.is_refused(scan(11.0), ros::Time(10, 0)));
+  EXPECT_TRUE(intake_.is_refused(scan(11.0 + 86400.0), ros::Time(10, 0)));
+}
+
+TEST_F(ScanIntakeTest, ASweepOfAges) {
+  odometry(10.0, 1.0);
+  odometry(20.0, 2.0);
+  sensor_msgs::LaserScan message = scan(11.0);
+  message.time_increment = 1e30F;
+  add(message);
+  EXPECT_TRUE(intake_.take().empty());
+  EXPECT_NE(intake_.last_problem().find("time_increment"), std::string::npos);
+}
+
+TEST_F(ScanIntakeTest, WhatIsAheadOfTheOthersDoesNotHoldThemUp) {
+  odometry(10.0, 1.0);
+  odometry(20.0, 2.0);
+  add(scan(5000.0));
+  add(scan(11.0));
+  EXPECT_TRUE(intake_.take().empty());
+  intake_.leave_out_after(ros::Time(11, 0), "ahead");
+  EXPECT_EQ(intake_.take().size(), 1U);
+}
+
 }  // namespace
 }  // namespace trident

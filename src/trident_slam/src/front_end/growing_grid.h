@@ -5,7 +5,11 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <string>
 #include <vector>
+
+#include "trident_base/error.h"
 
 namespace trident {
 
@@ -41,8 +45,28 @@ class GrowingGrid {
   std::vector<T>& cells() { return cells_; }
 
  private:
+  /// A gibibyte: one place far away would take all memory.
+  static constexpr double kMostBytes = 1073741824.0;
+
+  /// Throws Error, and stays as it is, for a size that is none of a map.
+  void check_size(std::int64_t x0, std::int64_t y0, std::int64_t x1, std::int64_t y1) const {
+    const bool is_empty = cells_.empty();
+    const std::int64_t left = is_empty ? x0 : std::min<std::int64_t>(x0, min_x_);
+    const std::int64_t bottom = is_empty ? y0 : std::min<std::int64_t>(y0, min_y_);
+    const std::int64_t right = is_empty ? x1 : std::max<std::int64_t>(x1, min_x_ + width_);
+    const std::int64_t top = is_empty ? y1 : std::max<std::int64_t>(y1, min_y_ + height_);
+    const auto columns = static_cast<double>(right - left), rows = static_cast<double>(top - bottom);
+    constexpr std::int64_t kFarthest = 1 << 30;
+    const bool is_near = left > -kFarthest && bottom > -kFarthest && right < kFarthest && top < kFarthest;
+    if (is_near && columns * rows * sizeof(T) <= kMostBytes) return;
+    throw Error("a grid of the map would have " + std::to_string(right - left) + " x " +
+                std::to_string(top - bottom) + " cells from (" + std::to_string(left) + ", " +
+                std::to_string(bottom) + "), legal: up to 2^30 bytes, numbers below 2^30");
+  }
+
   /// Grows in steps of 64 cells, so that a map that spreads is copied seldom.
   void grow(int x0, int y0, int x1, int y1) {
+    check_size(x0, y0, x1, y1);
     constexpr int kMargin = 32;
     const bool is_empty = cells_.empty();
     const int new_min_x = is_empty || x0 < min_x_ ? x0 - kMargin : min_x_;

@@ -9,6 +9,8 @@ namespace trident {
 namespace {
 
 constexpr double kLongestMotion = 1.0;              // [s]
+/// What moves faster, by odometry and stamps, has stamps that lie.
+constexpr double kFastest = 100.0;  // [m/s], [rad/s]
 constexpr std::int64_t kKept = 10'000'000'000;      // [ns]
 constexpr std::int64_t kLongestGap = 100'000'000;   // [ns]
 constexpr std::int64_t kBegunAnew = 1'000'000'000;  // [ns]
@@ -23,12 +25,13 @@ Eigen::Vector3d sweep_twist(const LaserScan& scan, const SE2& T_before_now, doub
   if (scan.time_increment == 0.0) return Eigen::Vector3d::Zero();
   Eigen::Vector3d twist = Eigen::Vector3d::Zero();
   if (seconds > 0.0 && seconds <= kLongestMotion) twist = T_before_now.log() / seconds;
+  if (!(twist.cwiseAbs().maxCoeff() <= kFastest)) twist.setZero();
   if (scan.yaw_rate) twist.z() = *scan.yaw_rate;
   return twist;
 }
 
 bool YawRates::add(std::int64_t stamp_ns, double yaw_rate) {
-  if (!std::isfinite(yaw_rate)) return false;
+  if (!(std::abs(yaw_rate) <= kFastest)) return false;
   if (!samples_.empty() && stamp_ns < samples_.back().stamp_ns - kBegunAnew) samples_.clear();
   if (!samples_.empty() && stamp_ns <= samples_.back().stamp_ns) return false;
   samples_.push_back({stamp_ns, yaw_rate});

@@ -9,6 +9,7 @@
 #include "graph_slam/graph_mapper.h"
 #include "graph_slam/keyframe_map.h"
 #include "graph_slam/session_file.h"
+#include "graph_slam/start_pose.h"
 #include "trident_slam/pose_graph_g2o.h"
 
 namespace trident {
@@ -20,6 +21,12 @@ struct LiveMap {
   std::mutex mutex;
   KeyframeMap map;
 };
+
+Eigen::AlignedBox2d extent_of(const KeyframeGraph& graph) {
+  Eigen::AlignedBox2d box;
+  for (int i = 0; i < graph.size(); ++i) box.extend(graph.pose(i).p);
+  return box;
+}
 
 void write_state(const MapperState& state, const std::string& path) {
   BinaryWriter writer;
@@ -97,6 +104,7 @@ void GraphSlam2d::load_session(const std::string& path, const std::optional<SE2>
   BinaryReader reader = read_session_file(path);
   MapperState state{KeyframeGraph(1, impl_->solver), {}, {}, 0.0};
   state.load(&reader);
+  if (T_map_base) check_start_pose(*T_map_base, extent_of(state.graph));
   impl_->mapper->set_state(std::move(state), T_map_base);
 }
 
@@ -115,7 +123,10 @@ void GraphSlam2d::realign() { impl_->mapper->realign(Realign::kScans); }
 
 bool GraphSlam2d::is_busy() const { return impl_->mapper->is_busy(); }
 
-void GraphSlam2d::set_pose(const SE2& T_map_base) { impl_->mapper->set_pose(T_map_base); }
+void GraphSlam2d::set_pose(const SE2& T_map_base) {
+  check_start_pose(T_map_base, extent_of(impl_->mapper->graph()));
+  impl_->mapper->set_pose(T_map_base);
+}
 
 void GraphSlam2d::clear_localization_buffer() { impl_->mapper->clear_localization_buffer(); }
 
@@ -135,11 +146,15 @@ bool GraphSlam2d::close_loop(int older, int newer, const SE2& T_older_newer) {
 int GraphSlam2d::nodes() const { return impl_->mapper->graph().size(); }
 
 std::vector<int> GraphSlam2d::move_keyframes(const std::map<int, SE2>& T_map_base) {
-  for (const auto& [keyframe, T] : T_map_base) impl_->check(keyframe);
+  for (const auto& [keyframe, T] : T_map_base) {
+    impl_->check(keyframe);
+    check_start_pose(T, extent_of(impl_->mapper->graph()));
+  }
   return impl_->mapper->move_keyframes(T_map_base);
 }
 
 int GraphSlam2d::append_session(const std::string& path, const SE2& T_map_session) {
+  check_start_pose(T_map_session, extent_of(impl_->mapper->graph()));
   BinaryReader reader = read_session_file(path);
   return impl_->mapper->append(&reader, T_map_session);
 }

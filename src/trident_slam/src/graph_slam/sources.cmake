@@ -24,6 +24,7 @@ target_sources(trident_slam PRIVATE
   src/graph_slam/scan_check.cpp
   src/graph_slam/scan_tracker.cpp
   src/graph_slam/session_file.cpp
+  src/graph_slam/start_pose.cpp
   src/graph_slam/submap_matcher.cpp
   src/graph_slam/stale_scans.cpp
 )

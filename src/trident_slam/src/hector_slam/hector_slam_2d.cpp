@@ -10,6 +10,7 @@
 #include "front_end/odometry_motion.h"
 #include "front_end/probability_grid.h"
 #include "graph_slam/scan_check.h"
+#include "graph_slam/start_pose.h"
 #include "trident_base/angle.h"
 #include "trident_slam/point_scan.h"
 #include "trident_slam/sweep_motion.h"
@@ -49,6 +50,7 @@ class HectorSlam2d::Impl {
   }
 
   void set_pose(const SE2& T_map_base) {
+    check_start_pose(T_map_base, mapped_);
     T_map_base_ = T_map_base;
     T_map_mapped_.reset();
   }
@@ -78,6 +80,7 @@ class HectorSlam2d::Impl {
     if (has_moved()) {
       for (ProbabilityGrid& level : levels_) level.insert(T_map_base_, points);
       T_map_mapped_ = T_map_base_;
+      mapped_.extend(T_map_base_.p);
       has_map_ = true;
     }
     return match.covariance;
@@ -98,6 +101,7 @@ class HectorSlam2d::Impl {
   std::int64_t last_stamp_ns_ = 0;
   SE2 T_map_base_;
   std::optional<SE2> T_map_mapped_;  ///< where the map was updated last
+  Eigen::AlignedBox2d mapped_;       ///< where the robot was when the map was updated [m]
   std::vector<StampedPose2d> trajectory_;
 };
 

@@ -17,6 +17,7 @@
 #include "trident_control_ros/node_main.h"
 #include "trident_control_ros/odometry_input.h"
 #include "trident_ros/inline_callback_queue.h"
+#include "trident_ros/refusals.h"
 
 namespace trident {
 
@@ -48,6 +49,7 @@ class LeePositionControllerNode : public RunningNode {
 
   InlineCallbackQueue queue_;
   MotorCommandPublisher motors_;
+  Refusals refusals_;
   ros::Publisher accepted_;
   ros::Subscriber pose_;
   ros::Subscriber trajectory_;

@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "trident_base/sim_time.h"
@@ -27,8 +28,11 @@ struct StampedOdometry {
 
 /// Why a controller refuses a state; ends a sentence.
 inline constexpr const char* kInvalidStateText =
-    "a number in it is NaN or infinite, or its orientation is no unit quaternion; it gets no "
+    "a number in it is NaN, infinite or beyond 1e8, or its orientation is no unit quaternion; it gets no "
     "answer";
+
+/// "what stamped s refused: why".
+std::string refusal_text(const std::string& what, const ros::Time& stamp, const std::string& why);
 
 SimTime to_sim_time(const ros::Time& time);
 SimTime to_sim_time(const ros::Duration& duration);

@@ -14,6 +14,7 @@
 #include "trident_control_ros/node_main.h"
 #include "trident_control_ros/odometry_input.h"
 #include "trident_ros/inline_callback_queue.h"
+#include "trident_ros/refusals.h"
 
 namespace trident {
 
@@ -41,6 +42,7 @@ class RollPitchYawrateThrustControllerNode : public RunningNode {
 
   InlineCallbackQueue queue_;
   MotorCommandPublisher motors_;
+  Refusals refusals_;
   ros::Subscriber command_subscriber_;
   std::unique_ptr<OdometryInput> odometry_;
 };

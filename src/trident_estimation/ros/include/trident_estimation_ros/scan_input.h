@@ -5,7 +5,6 @@
 #include <ros/ros.h>
 #include <sensor_msgs/LaserScan.h>
 #include <tf2_ros/buffer.h>
-#include <tf2_ros/transform_listener.h>
 
 #include <deque>
 #include <functional>
@@ -14,6 +13,7 @@
 
 #include "trident_base/laser_scan.h"
 #include "trident_estimation_ros/troubles.h"
+#include "trident_ros/transform_input.h"
 
 namespace trident {
 
@@ -67,7 +67,7 @@ class ScanInput {
   Handler on_scan_;
   std::function<void()> on_new_time_;
   tf2_ros::Buffer buffer_;
-  tf2_ros::TransformListener listener_;
+  TransformInput transforms_;
   ros::Subscriber subscriber_;
   ros::WallTimer timer_;
   std::deque<Waiting> waiting_;

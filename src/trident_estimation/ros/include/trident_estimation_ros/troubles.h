@@ -5,11 +5,12 @@
 #include <diagnostic_msgs/DiagnosticArray.h>
 
 #include <map>
+#include <mutex>
 #include <string>
 
 namespace trident {
 
-/// What went wrong, by kind: told once in the log, counted in /diagnostics.
+/// What went wrong, by kind: told once in the log, counted in /diagnostics. From any thread.
 class Troubles {
  public:
   void note(const std::string& kind, const std::string& text);
@@ -21,6 +22,7 @@ class Troubles {
     std::string newest;
     std::uint64_t count = 0;
   };
+  mutable std::mutex mutex_;
   std::map<std::string, Trouble> troubles_;
 };
 

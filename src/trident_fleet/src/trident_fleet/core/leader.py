@@ -17,6 +17,9 @@ from trident_fleet.core.quintic import Array
 Quaternion = tuple[float, float, float, float]
 
 
+_LARGEST = 1e8  # [m], [m/s], [rad], [rad/s]
+
+
 @dataclass(frozen=True)
 class Measurement:
     """What a message tells of a leader.
@@ -37,11 +40,10 @@ class Measurement:
 
     @property
     def is_finite(self) -> bool:
-        """Whether all that is told are numbers."""
+        """Whether all that is told are numbers of something that moves: none beyond 1e8."""
         velocity = np.zeros(3) if self.velocity is None else self.velocity
-        return bool(
-            np.isfinite([*self.position, *velocity, self.yaw_rad, self.yaw_rate or 0.0]).all()
-        )
+        told = np.array([*self.position, *velocity, self.yaw_rad, self.yaw_rate or 0.0])
+        return bool((np.abs(told) <= _LARGEST).all())
 
 
 Decoder = Callable[[], Measurement | None]

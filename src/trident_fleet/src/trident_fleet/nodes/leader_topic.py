@@ -19,6 +19,7 @@ from trident_fleet.core.errors import FormationError
 from trident_fleet.core.leader import Decoder, Measurement, rotate, yaw_of
 from trident_fleet.core.quintic import Array
 from trident_fleet.nodes.world_link import SIMULATOR
+from trident_ros import Refusals, stamp_problem
 
 FLEET_STATE = SIMULATOR + "/fleet_state"
 
@@ -52,6 +53,7 @@ class LeaderTopic:
         self.is_simulated = self.name.startswith((FLEET_STATE, f"/{leader}/"))
         self._leader = leader
         self._subscriber: rospy.Subscriber | None = None
+        self._refusals: Refusals | None = None  # made when there is one
 
     def try_subscribe(self, callback: MessageCallback) -> bool:
         """Subscribe if the topic is there; its type decides how it is read.
@@ -74,10 +76,16 @@ class LeaderTopic:
         message_class, reader = roslib.message.get_message_class(type_name), _READERS[type_name]
 
         def on_message(message: Any) -> None:
-            callback(message.header.stamp.to_nsec(), lambda: reader(message, self._leader))
+            if not self._is_refused(message.header.stamp):
+                stamp_ns = message.header.stamp.to_nsec()
+                callback(stamp_ns, lambda: reader(message, self._leader))
 
         def on_raw(message: rospy.AnyMsg) -> None:
             _, seconds, nanoseconds = _STAMP.unpack_from(message._buff)
+            stamp = rospy.Time()
+            stamp.secs, stamp.nsecs = seconds, nanoseconds  # as on the wire
+            if self._is_refused(stamp):
+                return
             raw = message._buff
             callback(
                 seconds * NS_PER_S + nanoseconds,
@@ -89,6 +97,14 @@ class LeaderTopic:
             return rospy.Subscriber(self.name, message_class, on_message, tcp_nodelay=True)
         # Of a hundred messages a second, ten count.
         return rospy.Subscriber(self.name, rospy.AnyMsg, on_raw, tcp_nodelay=True)
+
+    def _is_refused(self, stamp: rospy.Time) -> bool:
+        problem = stamp_problem(stamp)
+        if problem:
+            if self._refusals is None:
+                self._refusals = Refusals()
+            self._refusals.note("leader refused", f"{self.name} refused: {problem}")
+        return bool(problem)
 
     @property
     def has_publisher(self) -> bool:
@@ -109,7 +125,7 @@ def _type_of(topic: str) -> str | None:
 
 
 def _read_fleet(state: Any, leader: str) -> Measurement | None:
-    if leader not in state.name:
+    if leader not in state.name or not len(state.name) == len(state.pose) == len(state.twist):
         return None
     index = state.name.index(leader)
     pose, twist = state.pose[index], state.twist[index]

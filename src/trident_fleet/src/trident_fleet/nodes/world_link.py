@@ -20,6 +20,7 @@ from trident_fleet.core.quintic import Array
 from trident_fleet.core.settings import FleetSettings, Vehicle
 from trident_msgs.msg import FleetState
 from trident_msgs.srv import EnrollSource
+from trident_ros import Refusals, point_problem, stamp_problem
 
 SIMULATOR = "/gazebo"
 _ENROLL = SIMULATOR + "/enroll_source"
@@ -29,6 +30,9 @@ _POLL_S = 0.05
 _ASK_S = 1.0
 _REPORT_S = 10.0
 _SERVICE_LIMIT_S = 5.0
+_LONGEST_JUMP_NS = 3600 * NS_PER_S
+_JUMP_PATIENCE = 20
+_UNEQUAL = "names, poses and twists are not equally many"
 
 StateCallback = Callable[[int, Array], None]
 ClockCallback = Callable[[int], None]
@@ -68,6 +72,9 @@ class WorldLink:
         self._fed = fed
         self._settings = settings
         self._spawn_states: rospy.Subscriber | None = None
+        self._refusals: Refusals | None = None  # made when there is one
+        self._time_ns = -1  # that is believed; -1: none yet
+        self._jumps = 0  # messages in a row that are far ahead of it
         self.is_lockstep = False
 
     def enroll(self, end_ns: int = 0) -> int:
@@ -145,7 +152,7 @@ class WorldLink:
         names = [vehicle.name for vehicle in self._vehicles]
 
         def on_state(state: FleetState) -> None:
-            if is_done:
+            if is_done or self._is_refused(state):
                 return
             stamp_ns[0] = state.header.stamp.to_nsec()
             found.update(_positions_by_name(state.name, state.pose))
@@ -195,27 +202,27 @@ class WorldLink:
 
     def on_clock(self, callback: ClockCallback) -> rospy.Subscriber:
         """Call back with simulated time [ns], the newest there is."""
-        return rospy.Subscriber(
-            "/clock",
-            Clock,
-            lambda message: callback(message.clock.to_nsec()),
-            queue_size=1,
-            tcp_nodelay=True,
-        )
+
+        def on_message(message: Clock) -> None:
+            problem = self._time_problem(message.clock)
+            if problem:
+                self._refuse("/clock", problem)
+                return
+            callback(message.clock.to_nsec())
+
+        return rospy.Subscriber("/clock", Clock, on_message, queue_size=1, tcp_nodelay=True)
 
     def on_state(self, callback: StateCallback) -> list[rospy.Subscriber]:
         """Call back with stamp [ns] and positions [m, world], shape (N, 3), once per period."""
+
+        def on_message(state: FleetState) -> None:
+            if not self._is_refused(state):
+                stamp_ns = state.header.stamp.to_nsec()
+                callback(stamp_ns, self._in_order(state.name, state.pose))
+
         if self.is_lockstep:
-            return [
-                rospy.Subscriber(
-                    SIMULATOR + "/fleet_state",
-                    FleetState,
-                    lambda state: callback(
-                        state.header.stamp.to_nsec(), self._in_order(state.name, state.pose)
-                    ),
-                    tcp_nodelay=True,
-                )
-            ]
+            topic = SIMULATOR + "/fleet_state"
+            return [rospy.Subscriber(topic, FleetState, on_message, tcp_nodelay=True)]
         return self._on_model_states(callback)
 
     def _on_model_states(self, callback: StateCallback) -> list[rospy.Subscriber]:
@@ -228,7 +235,10 @@ class WorldLink:
         last_index = [-1]
 
         def keep(states: ModelStates) -> None:
-            newest[:] = [states]
+            if len(states.name) == len(states.pose):
+                newest[:] = [states]
+            else:
+                self._refuse("model_states", _UNEQUAL)
 
         def tick(now_ns: int) -> None:
             index = now_ns // period_ns
@@ -238,6 +248,35 @@ class WorldLink:
 
         states = rospy.Subscriber(SIMULATOR + "/model_states", ModelStates, keep, queue_size=1)
         return [states, self.on_clock(tick)]
+
+    def _is_refused(self, state: FleetState) -> bool:
+        problem = self._time_problem(state.header.stamp)
+        if not problem and not len(state.name) == len(state.pose) == len(state.twist):
+            problem = _UNEQUAL
+        if problem:
+            self._refuse("fleet_state", problem)
+        return bool(problem)
+
+    def _time_problem(self, stamp: rospy.Time) -> str:
+        """Of simulated time; a jump ahead, through which a flight would be commanded, is none.
+
+        Unless time goes on from there.
+        """
+        problem = stamp_problem(stamp)
+        if problem:
+            return problem
+        now_ns = stamp.to_nsec()
+        is_jump = self._time_ns >= 0 and now_ns - self._time_ns > _LONGEST_JUMP_NS
+        self._jumps = self._jumps + 1 if is_jump else 0
+        if is_jump and self._jumps < _JUMP_PATIENCE:
+            return f"time jumps ahead by {(now_ns - self._time_ns) / NS_PER_S:g} s"
+        self._time_ns = now_ns
+        return ""
+
+    def _refuse(self, what: str, problem: str) -> None:
+        if self._refusals is None:
+            self._refusals = Refusals()
+        self._refusals.note(f"{what} refused", f"{what} refused: {problem}")
 
     def _in_order(self, names: list[str], poses: list[Pose]) -> Array:
         by_name = _positions_by_name(names, poses)
@@ -254,9 +293,11 @@ def _service_exists(name: str) -> bool:
 
 
 def _positions_by_name(names: list[str], poses: list[Pose]) -> dict[str, Array]:
+    """A place that is none counts as not told."""
     return {
         name: np.array([pose.position.x, pose.position.y, pose.position.z])
         for name, pose in zip(names, poses, strict=True)
+        if not point_problem(name, pose.position)
     }
 
 

@@ -16,6 +16,7 @@ from trident_nav.core.errors import NavError
 from trident_nav.core.velocity import STOP
 from trident_nav.core.wander import Wander, WanderConfig
 from trident_nav.nodes.params import read_config, twist
+from trident_ros import Refusals, numbers_problem, stamp_problem
 
 
 def main() -> int:
@@ -32,7 +33,14 @@ def main() -> int:
         return 1
     publisher = rospy.Publisher("cmd_vel", Twist, queue_size=1, tcp_nodelay=True)
 
+    refusals = Refusals()
+
     def on_scan(scan: LaserScan) -> None:
+        problem = numbers_problem("angle_min, angle_increment", *_angles(scan), most=100.0)
+        problem = problem or stamp_problem(scan.header.stamp)
+        if problem:
+            refusals.note("scan refused", f"scan refused: {problem}")
+            return
         ranges = np.asarray(scan.ranges, dtype=float)
         angles = scan.angle_min + scan.angle_increment * np.arange(len(ranges))
         _send(publisher, twist(wander.command(scan.header.stamp.to_sec(), angles, ranges)))
@@ -41,6 +49,10 @@ def main() -> int:
     rospy.on_shutdown(lambda: _send(publisher, twist(STOP)))
     rospy.spin()
     return 0
+
+
+def _angles(scan: LaserScan) -> tuple[float, float]:
+    return scan.angle_min, scan.angle_increment
 
 
 def _send(publisher: rospy.Publisher, message: Twist) -> None:

@@ -23,6 +23,7 @@ from std_msgs.msg import Bool
 from trident_nav.core.errors import NavError
 from trident_nav.core.waypoints import FollowerConfig, WaypointFollower
 from trident_nav.nodes.params import read_config, twist
+from trident_ros import Refusals, pose_problem, stamp_problem
 
 
 class FollowerNode:
@@ -41,6 +42,7 @@ class FollowerNode:
         self._answers_always = bool(rospy.get_param("~answers_always", False))
         self._path_frame = ""
         self._was_done = False
+        self._refusals = Refusals()
         self._velocity = rospy.Publisher("cmd_vel", Twist, queue_size=1, tcp_nodelay=True)
         self._path = rospy.Publisher("path", Path, queue_size=1, latch=True)
         self._done = rospy.Publisher("~done", Bool, queue_size=1, latch=True)
@@ -48,6 +50,10 @@ class FollowerNode:
         rospy.Subscriber("odom", Odometry, self._on_odometry, queue_size=1, tcp_nodelay=True)
 
     def _on_odometry(self, odometry: Odometry) -> None:
+        problem = pose_problem(odometry.pose.pose) or stamp_problem(odometry.header.stamp)
+        if problem:
+            self._refusals.note("odometry refused", f"odometry refused: {problem}")
+            return
         if odometry.header.frame_id != self._path_frame:
             self._path_frame = odometry.header.frame_id
             self._path.publish(self._path_message())

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "trident_sim/motion_limits.h"
+
 namespace trident {
 namespace {
 
@@ -25,7 +27,7 @@ void VelocityInput::poll(World& world) {
   is_new_ = false;
   for (seen_ = std::max(seen_, port_->oldest()); seen_ < port_->count(); ++seen_) {
     const TwistCommand& next = port_->at(seen_);
-    if (next.v_base.allFinite() && next.w_base.allFinite()) {
+    if (is_motion(next.v_base, next.w_base)) {
       command_ = next;
       newest_ = world.time();
       is_new_ = true;
@@ -44,7 +46,7 @@ void VelocityInput::refuse(World& world, const TwistCommand& command) const {
                   "velocity command refused",
                   "velocity command " + value +
                       " must be finite; such commands are refused, the last good one stays",
-                  {{"value", value}, {"legal", "finite numbers"}}});
+                  {{"value", value}, {"legal", "finite, up to 1e5 m/s and 1e4 rad/s"}}});
 }
 
 void VelocityInput::reset() {

@@ -4,6 +4,7 @@
 
 #include "../plugin_util.h"
 #include "joint_plugins.h"
+#include "trident_sim/motion_limits.h"
 
 namespace trident {
 namespace {
@@ -64,13 +65,14 @@ class JointDrivePlugin : public Plugin {
     if (command_->count() == seen_) return;
     seen_ = command_->count();
     const double target = command_->at(seen_ - 1).value;
-    if (std::isfinite(target)) {
+    const bool is_usable = std::abs(target) <= kStrongest;
+    if (is_usable) {
       if (JointDrive* own = drive()) own->set_target(target);
     } else if (!refused_) {
       world_.report(Severity::kError, name_ + ": target is " + std::to_string(target) +
-                                          ", must be finite; it keeps its last one");
+                                          ", must be finite, up to 1e15; it keeps its last one");
     }
-    refused_ = !std::isfinite(target);
+    refused_ = !is_usable;
   }
 
   void post_step(const World&, const StepInfo& info) override {

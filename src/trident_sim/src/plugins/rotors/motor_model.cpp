@@ -10,6 +10,8 @@
 namespace trident {
 namespace {
 
+constexpr double kFastestCommand = 1e6;  ///< [rad/s], either way
+
 /// One rotor with its motor: thrust, drag torque, H-force and rolling moment from the present speed
 /// (Martin and Salaun 2010), then a first-order lag of the speed towards the command.
 /// Speeds in rad/s of the real rotor; its joint turns `slowdown` times slower.
@@ -82,9 +84,9 @@ class MotorModel : public Plugin {
     const SmallVector& speeds = command_->at(command_seen_ - 1).angular_velocities;
     if (motor_number_ >= speeds.size) {
       tell_once(world, "is not in a command of " + std::to_string(speeds.size) + " speeds");
-    } else if (!std::isfinite(speeds.data[motor_number_])) {
+    } else if (!(std::abs(speeds.data[motor_number_]) <= kFastestCommand)) {
       tell_once(world, "is commanded " + std::to_string(speeds.data[motor_number_]) +
-                           " rad/s, must be finite");
+                           " rad/s, must be finite, up to 1e6");
     } else {
       reference_ = std::min(speeds.data[motor_number_], max_speed_);
       refused_ = false;

@@ -5,13 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../../rays/ray_budget.h"
 #include "trident_base/error.h"
 #include "trident_sim/param_tree.h"
 
 namespace trident {
 namespace {
 
-constexpr double kMostBeams = 1e7;
+constexpr double kMostSamples = 1e9;
 constexpr double kFarthest = 1e6;     ///< [m]
 constexpr double kMostTurned = 13.0;  ///< [rad], files round two pi up
 
@@ -21,13 +22,18 @@ const ParamNode& child_or_empty(const ParamNode& node, const char* name) {
   return child != nullptr ? *child : empty;
 }
 
+/// `<samples>` x `<resolution>`: Gazebo casts `samples` rays and interpolates between them; all are
+/// cast here.
+double read_beams(const ParamNode& scan, const char* name, const std::string& owner) {
+  const PluginParams params(child_or_empty(scan, name), owner + " <" + name + ">");
+  const int samples = params.integer("samples", 1, {1.0, kMostSamples});
+  return std::max(1.0, std::round(samples * params.number("resolution", 1.0, {1e-6, 1e3})));
+}
+
 BeamFan read_fan(const ParamNode& scan, const char* name, const std::string& owner) {
   const PluginParams params(child_or_empty(scan, name), owner + " <" + name + ">");
   BeamFan fan;
-  const int samples = params.integer("samples", 1, {1.0, kMostBeams});
-  // Gazebo casts `samples` rays and interpolates between them; these are cast.
-  const double resolution = params.number("resolution", 1.0, {1e-6, 1e3});
-  fan.beams = static_cast<int>(std::max(1.0, std::round(samples * resolution)));
+  fan.beams = static_cast<int>(read_beams(scan, name, owner));
   fan.min_rad = params.number("min_angle", 0.0, {-kMostTurned, kMostTurned});
   fan.max_rad = params.number("max_angle", 0.0, {-kMostTurned, kMostTurned});
   if (fan.beams > 1 && !(fan.max_rad >= fan.min_rad)) {
@@ -57,14 +63,12 @@ LidarSpec read_lidar_spec(const SensorSpec& sensor, const std::string& owner) {
   if (element == nullptr) element = sensor.params.find("lidar");
   if (element == nullptr) throw Error(owner + ": <ray> is missing");
   const ParamNode& scan = child_or_empty(*element, "scan");
+  const RayCount count{read_beams(scan, "horizontal", owner), read_beams(scan, "vertical", owner),
+                       "beams"};
+  check_ray_count(count, sensor.params, owner);
   LidarSpec spec;
   spec.horizontal = read_fan(scan, "horizontal", owner);
   spec.vertical = read_fan(scan, "vertical", owner);
-  const double beams = static_cast<double>(spec.horizontal.beams) * spec.vertical.beams;
-  if (beams > kMostBeams) {
-    throw Error(owner + ": <scan> has " + std::to_string(static_cast<long long>(beams)) +
-                " beams, must be at most 1e7");
-  }
   const PluginParams range(child_or_empty(*element, "range"), owner + " <range>");
   spec.range_min_m = range.number("min", 0.0, {0.0, kFarthest});
   // "inf" is what some files say for no limit.

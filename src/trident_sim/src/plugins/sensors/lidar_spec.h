@@ -26,8 +26,8 @@ struct LidarSpec {
   GaussianNoise noise;  ///< of a range [m]
 };
 
-/// Throws Error that names sensor, element, value and legal range: no beams, more than 1e7 of them,
-/// angles that are not finite or run backwards, a smallest range that is not below the largest.
+/// Throws Error that names sensor, element, value and legal range: no beams, too many of them
+/// (check_ray_count()), angles that are not finite or run backwards, a smallest range that is not below the largest.
 LidarSpec read_lidar_spec(const SensorSpec& sensor, const std::string& owner);
 
 }  // namespace trident

@@ -40,7 +40,12 @@ class ScanIntake {
   ScanIntake(const ScanIntakeOptions& options, const tf2::BufferCore& transforms)
       : options_(options), transforms_(transforms) {}
 
+  /// Whether a scan can never be used, whatever transforms come: it is left out, and told of.
+  /// `now`: of the clock; zero: not known.
+  bool is_refused(const sensor_msgs::LaserScan& message, const ros::Time& now = {});
   void add(const sensor_msgs::LaserScanConstPtr& message);
+  /// Leaves out what waits and is newer than this.
+  void leave_out_after(const ros::Time& stamp, const std::string& why);
   /// The turning rate of a gyro that may sit on the robot in any way, if its transform is known.
   void add(const sensor_msgs::Imu& message);
   /// All scans from the front whose transforms are known.

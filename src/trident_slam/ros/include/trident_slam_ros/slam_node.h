@@ -7,9 +7,8 @@
 #include <nav_msgs/GetMap.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
-#include <tf2_ros/buffer.h>
+#include <tf2/buffer_core.h>
 #include <tf2_ros/transform_broadcaster.h>
-#include <tf2_ros/transform_listener.h>
 
 #include <atomic>
 #include <condition_variable>
@@ -23,12 +22,15 @@
 #include <thread>
 #include <vector>
 
+#include "trident_ros/transform_input.h"
 #include "trident_slam/slam_2d.h"
 #include "trident_slam/slam_2d_abilities.h"
 #include "trident_slam_ros/autosave.h"
 #include "trident_slam_ros/background_task.h"
+#include "trident_slam_ros/crash_rescue.h"
 #include "trident_slam_ros/map_publisher.h"
 #include "trident_slam_ros/scan_intake.h"
+#include "trident_slam_ros/scan_stamps.h"
 #include "trident_slam_ros/slam_node_options.h"
 
 namespace trident {
@@ -48,6 +50,10 @@ class SlamNode {
   ~SlamNode();
   SlamNode(const SlamNode&) = delete;
   SlamNode& operator=(const SlamNode&) = delete;
+
+  /// Until the node is shut down. What ends it before that, in any thread, is an exception here,
+  /// and the map has been saved (see rescue()).
+  void run();
 
   void on_scan(OnScan call) { on_scan_ = std::move(call); }
   /// For services and timers that may take long: their calls come one after the other in a thread
@@ -74,6 +80,8 @@ class SlamNode {
   /// As map_saver writes it. In synchronous mode it is the map that the offline runner ends with.
   /// Throws Error when it cannot be written.
   void save_map(const std::string& stem);
+  /// Tells a problem in the log, each kind now and then, and counts it in /diagnostics.
+  void tell(const std::string& problem);
   /// Counts a problem in /diagnostics.
   void count_problem(const std::string& text);
   /// After a new map or pose: map -> odom is known again with the next scan.
@@ -82,35 +90,39 @@ class SlamNode {
  private:
   void receive_scan(const sensor_msgs::LaserScanConstPtr& message);
   void receive_imu(const sensor_msgs::ImuConstPtr& message) { intake_.add(*message); }
-  bool is_bag_loop(const sensor_msgs::LaserScan& message);
+  void follow_time(const ScanStamps::Step& step);
+  void take_scan(const sensor_msgs::LaserScanConstPtr& message);
+  bool is_in_bag_loop(const sensor_msgs::LaserScan& message);
   void hand_over();
   void work();
   void consume(const ScanRecord& record);
+  void rescue(const std::string& why);
+  void save_what_there_is() const;  ///< of `slam_`, whose lock is held
   void publish_pose(const ScanRecord& record, const ScanPose2d& pose);
   void publish_correction();
   void publish_map_if_due(const ros::Time& now);
   std::function<void(const std::string&)> session_snapshot();
   std::function<OccupancyGrid()> map_snapshot();
   nav_msgs::OccupancyGrid to_message(const OccupancyGrid& map) const;
-  void tell(const std::string& problem);
   void publish_diagnostics();
   bool get_map(nav_msgs::GetMap::Request& request, nav_msgs::GetMap::Response& response);
   void complain(const std::string& text);  ///< with `queue_mutex_` held
 
+  ros::CallbackQueue slow_queue_;  // outlives what is served from it
   SlamNodeOptions options_;
   MakeSlam make_;
   std::mutex slam_mutex_;
   std::unique_ptr<Slam2d> slam_;
   OnScan on_scan_;
 
-  tf2_ros::Buffer transforms_;
-  tf2_ros::TransformListener listener_;
+  tf2::BufferCore transforms_;
   tf2_ros::TransformBroadcaster broadcaster_;
   ScanIntake intake_;
-  ros::Time last_stamp_;
+  ScanStamps stamps_;
   ros::Time last_taken_;
   std::size_t count_ = 0;
   std::atomic<bool> is_looping_{false};
+  ros::Time looping_until_;
 
   std::mutex queue_mutex_;  // guards what follows, up to the publishers
   std::condition_variable queue_changed_;
@@ -125,11 +137,13 @@ class SlamNode {
   LogProblems problems_;
   std::string last_problem_;
   std::map<std::string, ros::WallTime> complaints_;
+  std::string end_reason_;  ///< why the node ends; empty: it does not
   std::size_t told_problems_ = 0;
   std::size_t told_late_ = 0;
   std::vector<CalibrationEstimate> calibration_;  ///< of odometry, with the newest scan
   std::atomic<bool> is_paused_{false};
 
+  std::unique_ptr<TransformInput> transform_input_;
   std::unique_ptr<MapPublisher> map_publisher_;
   std::vector<ros::Publisher> pose_publishers_;
   ros::Publisher diagnostics_publisher_;
@@ -142,7 +156,7 @@ class SlamNode {
   BackgroundTask map_task_;
   Autosave autosave_;
   std::thread worker_;
-  ros::CallbackQueue slow_queue_;
+  std::unique_ptr<CrashRescue> crash_rescue_;
   ros::AsyncSpinner slow_spinner_{1, &slow_queue_};
 };
 

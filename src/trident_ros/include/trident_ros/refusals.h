@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <ros/node_handle.h>
+#include <ros/publisher.h>
+
+#include <cstdint>
+#include <map>
+#include <mutex>
+#include <string>
+
+namespace trident {
+
+/// Messages that a node refuses, by kind: each kind is told in the log at once and then every few
+/// seconds at most, and counted in /diagnostics, where the node has a status "`node`: kind" of each.
+/// From any thread.
+class Refusals {
+ public:
+  explicit Refusals(ros::NodeHandle& node);
+
+  void note(const std::string& kind, const std::string& text);
+
+ private:
+  struct Kind {
+    std::string newest;
+    std::uint64_t count = 0, told = 0;
+    ros::WallTime told_at;
+  };
+  void publish();
+
+  std::mutex mutex_;
+  std::map<std::string, Kind> kinds_;
+  ros::WallTime published_at_;
+  ros::Publisher diagnostics_;
+};
+
+}  // namespace trident

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "trident_ros/refusals.h"
+
+#include <diagnostic_msgs/DiagnosticArray.h>
+#include <ros/console.h>
+#include <ros/this_node.h>
+
+namespace trident {
+namespace {
+
+constexpr double kTellEveryS = 5.0;     // wall time
+constexpr double kPublishEveryS = 0.5;  // wall time
+
+}  // namespace
+
+Refusals::Refusals(ros::NodeHandle& node)
+    : diagnostics_(node.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 10)) {}
+
+void Refusals::note(const std::string& kind, const std::string& text) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  Kind& known = kinds_[kind];
+  known.newest = text;
+  ++known.count;
+  const ros::WallTime now = ros::WallTime::now();
+  if (known.told == 0 || (now - known.told_at).toSec() >= kTellEveryS) {
+    const std::uint64_t more = known.count - known.told - 1;
+    ROS_ERROR("%s%s", text.c_str(),
+              more == 0 ? "" : (" (and " + std::to_string(more) + " before it)").c_str());
+    known.told = known.count;
+    known.told_at = now;
+  }
+  if ((now - published_at_).toSec() < kPublishEveryS) return;
+  published_at_ = now;
+  publish();
+}
+
+void Refusals::publish() {
+  diagnostic_msgs::DiagnosticArray array;
+  array.header.stamp = ros::Time::now();
+  for (const auto& [kind, known] : kinds_) {
+    diagnostic_msgs::DiagnosticStatus status;
+    status.level = diagnostic_msgs::DiagnosticStatus::WARN;
+    status.name = ros::this_node::getName().substr(1) + ": " + kind;
+    status.message = known.newest;
+    diagnostic_msgs::KeyValue count;
+    count.key = "count";
+    count.value = std::to_string(known.count);
+    status.values.push_back(count);
+    array.status.push_back(status);
+  }
+  diagnostics_.publish(array);
+}
+
+}  // namespace trident

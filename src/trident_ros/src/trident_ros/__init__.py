@@ -1,0 +1,25 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""What nodes of ours share: checks of what comes in, and refusals that are told and counted."""
+
+from trident_ros.message_checks import (
+    FARTHEST_M,
+    LATEST_STAMP_S,
+    numbers_problem,
+    point_problem,
+    pose_problem,
+    quoted,
+    stamp_problem,
+)
+from trident_ros.refusals import Refusals
+
+__all__ = [
+    "FARTHEST_M",
+    "LATEST_STAMP_S",
+    "Refusals",
+    "numbers_problem",
+    "point_problem",
+    "pose_problem",
+    "quoted",
+    "stamp_problem",
+]

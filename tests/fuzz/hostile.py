@@ -1,0 +1,139 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""What all nodes are put through, and what keeps them at work meanwhile."""
+
+from __future__ import annotations
+
+import math
+import os
+import signal
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import genpy
+import rospy
+from geometry_msgs.msg import TransformStamped
+from sensor_msgs.msg import LaserScan
+from tf2_msgs.msg import TFMessage
+from trident.testing import Process, Ros, complaints, eventually
+from trident.testing.fuzz import Campaign, CampaignOptions, Target
+
+MESSAGES = int(os.environ.get("TRIDENT_FUZZ_MESSAGES", "10000"))
+SEED = int(os.environ.get("TRIDENT_FUZZ_SEED", "1"))
+#: Lines that a node may complain in of 10^4 messages: it tells each kind now and then.
+MOST_COMPLAINTS = 300
+_ROOM_M = (4.0, 3.0)  # half of its sides
+_BEAMS = 180
+
+
+def started(ros: Ros, node: str, command: list[str], **env: str) -> Process:
+    """A node that the master knows, by its full name."""
+    folder = ros.folder / "cwd"
+    folder.mkdir(exist_ok=True)
+    words = ["env", "-C", str(folder), *os.environ.get("TRIDENT_FUZZ_UNDER", "").split(), *command]
+    process = ros.launch(words, node, **env)
+
+    def is_known() -> bool:
+        assert process.running, process.log
+        return bool(ros.master.lookupNode("/fuzz", node)[0] == 1)
+
+    eventually(is_known, node)
+    return process
+
+
+def withstands(
+    process: Process,
+    node: str,
+    sane: Callable[[], None],
+    examples: Mapping[str, genpy.Message] | None = None,
+    meanwhile: Callable[[], None] | None = None,
+    skip: tuple[str, ...] = (),
+    **options: Any,
+) -> None:
+    """The node lives, tells nothing that is no number, complains seldom, and still does its work.
+
+    Args:
+        process: that the node is in.
+        node: its full name.
+        sane: asks it for something that it must still do; asserts that it does.
+        examples: see `Campaign`.
+        meanwhile: see `Campaign`.
+        skip: topics and services that are left alone.
+        options: of the campaign, but for messages and seed.
+    """
+    sane()
+    settings = CampaignOptions(messages=MESSAGES, seed=SEED, **options)
+    found = Campaign(Target(node, skip), settings, examples, meanwhile).run()
+    print(node, found.text())
+    assert not found.problems, found.text()
+    refusals = sum(found.refused.values())  # each has its answer, and a line in the log
+    told = len(complaints(process.log)) - refusals
+    assert told < MOST_COMPLAINTS, f"{told} complaints:\n{process.log[:5000]}"
+    assert "Traceback" not in process.log
+    sane()
+    assert process.stop(signal.SIGINT) == 0, process.log[-3000:]
+
+
+def transform(parent: str, child: str, x: float = 0.0) -> TransformStamped:
+    """A transform of now."""
+    message = TransformStamped(child_frame_id=child)
+    message.header.frame_id, message.header.stamp = parent, rospy.Time.now()
+    message.transform.translation.x, message.transform.rotation.w = x, 1.0
+    return message
+
+
+def room_scan(x: float = 0.0) -> LaserScan:
+    """What a laser in the middle of an empty room sees now, moved by `x` [m] along it."""
+    message = LaserScan(angle_min=-math.pi, angle_max=math.pi, range_min=0.1, range_max=12.0)
+    message.header.frame_id, message.header.stamp = "laser", rospy.Time.now()
+    message.angle_increment = 2.0 * math.pi / _BEAMS
+    message.time_increment = 1e-4
+    ranges = []
+    for beam in range(_BEAMS):
+        angle = message.angle_min + beam * message.angle_increment
+        c, s = math.cos(angle), math.sin(angle)
+        to_x = (math.copysign(_ROOM_M[0], c) - x) / c if abs(c) > 1e-9 else math.inf
+        to_y = math.copysign(_ROOM_M[1], s) / s if abs(s) > 1e-9 else math.inf
+        ranges.append(min(to_x, to_y))
+    message.ranges = ranges
+    return message
+
+
+class Robot:
+    """A robot with a laser that drives to and fro in a room: its transforms and scans."""
+
+    def __init__(self, base: str) -> None:
+        """`base`: frame of the robot."""
+        self._base = base
+        self._steps = 0
+        self._scans = rospy.Publisher("/scan", LaserScan, queue_size=100, tcp_nodelay=True)
+        self._transforms = rospy.Publisher("/tf", TFMessage, queue_size=100, tcp_nodelay=True)
+        self._mounts = rospy.Publisher("/tf_static", TFMessage, queue_size=1, latch=True)
+        self._mounts.publish(TFMessage([transform(base, "laser")]))
+
+    def connected(self) -> Robot:
+        """Return when the node under test listens to it."""
+        for topic in (self._scans, self._transforms, self._mounts):
+            eventually(lambda t=topic: t.get_num_connections() > 0, topic.name)  # type: ignore[misc]
+        return self
+
+    def step(self) -> None:
+        """One scan later."""
+        self._steps += 1
+        x = math.sin(0.05 * self._steps)
+        self._transforms.publish(TFMessage([transform("odom", self._base, x)]))
+        self._scans.publish(room_scan(x))
+
+    def drives_until(self, condition: Callable[[], bool], what: str) -> None:
+        """Return once a condition holds."""
+
+        def step() -> bool:
+            self.step()
+            return condition()
+
+        eventually(step, what)
+
+    def close(self) -> None:
+        """End its topics."""
+        for topic in (self._scans, self._transforms, self._mounts):
+            topic.unregister()

@@ -1,0 +1,107 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""Controllers under hostile messages."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import rospy
+import yaml
+from geometry_msgs.msg import PoseStamped, Transform
+from hostile import started, withstands
+from mav_msgs.msg import Actuators, RollPitchYawrateThrust
+from nav_msgs.msg import Odometry, Path
+from std_msgs.msg import Float32
+from trajectory_msgs.msg import MultiDOFJointTrajectory, MultiDOFJointTrajectoryPoint
+from trident.testing import Ros, eventually, package, program, recorder
+
+
+def odometry() -> Odometry:
+    """Of a vehicle that stands, now."""
+    message = Odometry()
+    message.header.stamp, message.pose.pose.orientation.w = rospy.Time.now(), 1.0
+    return message
+
+
+class Answers:
+    """Odometry to a controller, and its answers."""
+
+    def __init__(self, topic: str, kind: Any) -> None:
+        self._answer, self._kind = topic, kind
+        self._topic = rospy.Publisher("/UAV1/odometry", Odometry, queue_size=10, tcp_nodelay=True)
+
+    def send(self) -> None:
+        self._topic.publish(odometry())
+
+    def come(self) -> None:
+        with recorder(self._answer, self._kind) as answers:
+
+            def is_answered() -> bool:
+                self.send()
+                return len(answers.messages) > 3
+
+            eventually(is_answered, "answers")
+
+    def close(self) -> None:
+        self._topic.unregister()
+
+
+def firefly(gains: str) -> dict[str, Any]:
+    merged: dict[str, Any] = {}
+    for name in (gains, "firefly.yaml"):
+        file = package("rotors_gazebo") / "resource" / name
+        merged.update(yaml.safe_load(file.read_text(encoding="utf-8")))
+    return merged
+
+
+def treat(
+    ros: Ros, kind: str, parameters: dict[str, Any], examples: dict[str, Any], **where: str
+) -> None:
+    node = f"/UAV1/{kind}"
+    ros.set_param(node, parameters)
+    command = [program(where.get("package", "rotors_control"), kind), "__ns:=/UAV1", f"__name:={kind}"]
+    process = started(ros, node, command)
+    topic = where.get("answer", "command/motor_speed")
+    answers = Answers(f"/UAV1/{topic}", Float32 if "answer" in where else Actuators)
+    examples = {f"/UAV1/{name}": message for name, message in examples.items()}
+    withstands(
+        process, node, answers.come, {**examples, "/UAV1/odometry": odometry()}, answers.send
+    )
+    answers.close()
+
+
+def test_lee_position_controller(ros: Ros) -> None:
+    point = MultiDOFJointTrajectoryPoint(transforms=[Transform()])
+    point.transforms[0].rotation.w = 1.0
+    examples = {
+        "command/pose": PoseStamped(),
+        "command/trajectory": MultiDOFJointTrajectory(points=[point]),
+    }
+    parameters = firefly("lee_controller_firefly.yaml")
+    treat(ros, "lee_position_controller_node", parameters, examples)
+
+
+def test_roll_pitch_yawrate_thrust_controller(ros: Ros) -> None:
+    parameters = firefly("roll_pitch_yawrate_thrust_controller_firefly.yaml")
+    examples = {"command/roll_pitch_yawrate_thrust": RollPitchYawrateThrust()}
+    treat(ros, "roll_pitch_yawrate_thrust_controller_node", parameters, examples)
+
+
+def test_vessel_controller(ros: Ros) -> None:
+    config = package("trident_bringup") / "config"
+    parameters = {
+        "vessel": str(config / "vessels" / "wamv.yaml"),
+        "controller": str(config / "controllers" / "wamv.yaml"),
+    }
+    place = PoseStamped()
+    place.pose.orientation.w = 1.0
+    examples = {"command/path": Path(poses=[place, place]), "command/pose": place}
+    treat(
+        ros,
+        "vessel_controller_node",
+        parameters,
+        examples,
+        package="trident_control",
+        answer="thrusters/left_thrust_cmd",
+    )

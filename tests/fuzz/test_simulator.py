@@ -1,0 +1,69 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""The simulator's server under hostile messages: a drone, a robot with a lidar, and a vessel in it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+import rospy
+from gazebo_msgs.msg import LinkState, ModelState
+from gazebo_msgs.srv import (
+    ApplyBodyWrenchRequest,
+    GetWorldProperties,
+    SetLinkStateRequest,
+    SetModelConfigurationRequest,
+    SetModelStateRequest,
+    SetPhysicsPropertiesRequest,
+    SpawnModelRequest,
+)
+from hostile import withstands
+from trident.testing import Gazebo, Ros, box_sdf
+
+NAMES = ("UAV1", "box", "box::link", "UAV1::UAV1/base_link", "UAV1::UAV1/rotor_0_joint", "world")
+#: A world that is asked for 4e9 steps makes them, and one that a source has enrolled in waits for it.
+OBEYED = ("*/unpause_physics", "*/step", "*/enroll_source")
+
+
+def examples() -> dict[str, Any]:
+    box = box_sdf("other")
+    state = ModelState(model_name="box", reference_frame="world")
+    link = LinkState(link_name="box::link", reference_frame="world")
+    return {
+        "/gazebo/set_model_state": SetModelStateRequest(state),
+        "/gazebo/set_link_state": SetLinkStateRequest(link),
+        "/gazebo/apply_body_wrench": ApplyBodyWrenchRequest(body_name="box::link"),
+        "/gazebo/set_model_configuration": SetModelConfigurationRequest(
+            model_name="UAV1", joint_names=["UAV1/rotor_0_joint"], joint_positions=[0.1]
+        ),
+        "/gazebo/spawn_sdf_model": SpawnModelRequest(model_name="other", model_xml=box),
+        "/gazebo/set_physics_properties": SetPhysicsPropertiesRequest(time_step=0.01),
+    }
+
+
+@pytest.fixture
+def world(ros: Ros) -> Gazebo:
+    simulation = Gazebo(ros, "basic").ready()
+    simulation.spawn("box", box_sdf("box"))
+    simulation.spawn("UAV1")
+    return simulation
+
+
+def test_gzserver(world: Gazebo) -> None:
+    def still_steps() -> None:
+        begin = world.time()
+        world.ask("step", n=2)
+        assert world.time() > begin
+        assert rospy.ServiceProxy("/gazebo/get_world_properties", GetWorldProperties)().success
+
+    withstands(
+        world.process,
+        "/gazebo",
+        still_steps,
+        examples(),
+        meanwhile=lambda: world.ask("step", n=1),
+        skip=OBEYED,
+        words=NAMES,
+        service_share=0.5,
+    )
