@@ -9,8 +9,11 @@
 namespace trident {
 namespace {
 
-bool is_same_geometry(const LaserScan& a, const LaserScan& b, std::size_t beams_of_a) {
-  return beams_of_a == b.size() && a.angle_min == b.angle_min &&
+/// Beam patterns that a scanner sends by turns, which are kept once.
+constexpr std::size_t kPatternsByTurns = 64;
+
+bool is_same_geometry(const LaserScan& a, const LaserScan& b) {
+  return a.size() == b.size() && a.angle_min == b.angle_min &&
          a.angle_increment == b.angle_increment && a.time_increment == b.time_increment &&
          a.range_min == b.range_min && a.range_max == b.range_max &&
          a.T_base_laser.p == b.T_base_laser.p && a.T_base_laser.angle == b.T_base_laser.angle;
@@ -22,13 +25,7 @@ void ScanArchive::add(const LaserScan& scan, const Entry& entry, double max_rang
   entries_.push_back(entry);
   entries_.back().first_range = Entry::kNoRanges;
   if (max_range <= 0.0) return;
-  if (geometries_.empty() ||
-      !is_same_geometry(geometries_.back(), scan, geometries_.back().size())) {
-    LaserScan geometry = scan;
-    std::fill(geometry.ranges.begin(), geometry.ranges.end(), 0.0F);
-    geometries_.push_back(std::move(geometry));
-  }
-  entries_.back().geometry = static_cast<std::uint32_t>(geometries_.size() - 1);
+  entries_.back().geometry = geometry_of(scan);
   entries_.back().first_range = ranges_.size();
   const double limit = std::min(max_range, 65.0);
   for (std::size_t i = 0; i < scan.size(); ++i) {
@@ -37,6 +34,17 @@ void ScanArchive::add(const LaserScan& scan, const Entry& entry, double max_rang
     ranges_.push_back(is_kept ? static_cast<std::uint16_t>(std::lround(1000.0F * scan.ranges[i]))
                               : 0);
   }
+}
+
+std::uint32_t ScanArchive::geometry_of(const LaserScan& scan) {
+  const std::size_t oldest = geometries_.size() - std::min(geometries_.size(), kPatternsByTurns);
+  for (std::size_t i = geometries_.size(); i-- > oldest;) {
+    if (is_same_geometry(geometries_[i], scan)) return static_cast<std::uint32_t>(i);
+  }
+  LaserScan geometry = scan;
+  std::fill(geometry.ranges.begin(), geometry.ranges.end(), 0.0F);
+  geometries_.push_back(std::move(geometry));
+  return static_cast<std::uint32_t>(geometries_.size() - 1);
 }
 
 void ScanArchive::append(const ScanArchive& other, int keyframe, const SE2& T_map_other) {

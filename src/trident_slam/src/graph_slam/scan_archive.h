@@ -49,6 +49,8 @@ class ScanArchive {
   void load(BinaryReader* reader);
 
  private:
+  std::uint32_t geometry_of(const LaserScan& scan);
+
   std::vector<Entry> entries_;
   std::vector<LaserScan> geometries_;  ///< without ranges
   std::vector<std::uint16_t> ranges_;

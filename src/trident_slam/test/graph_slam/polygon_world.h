@@ -29,14 +29,19 @@ class PolygonWorld {
 
   /// Noise of `sigma` [m] is that of sample `index`.
   LaserScan scan(const SE2& T_map_laser, std::uint64_t index, double sigma = 0.01) const {
+    return scan(T_map_laser, index, sigma, -0.75 * kPi, 1.5 * kPi / 179.0, 180);
+  }
+  /// The same by a scanner of other beams.
+  LaserScan scan(const SE2& T_map_laser, std::uint64_t index, double sigma, double angle_min,
+                 double angle_increment, std::uint32_t beams) const {
     const RandomStream noise(7, "polygon_world");
     LaserScan result;
     result.stamp_ns = static_cast<std::int64_t>(index) * 100'000'000;
-    result.angle_min = -0.75 * kPi;
-    result.angle_increment = 1.5 * kPi / 179.0;
+    result.angle_min = angle_min;
+    result.angle_increment = angle_increment;
     result.range_min = 0.05;
     result.range_max = 20.0;
-    for (std::uint32_t beam = 0; beam < 180; ++beam) {
+    for (std::uint32_t beam = 0; beam < beams; ++beam) {
       const double angle = T_map_laser.angle + result.angle(beam);
       const double range = nearest(T_map_laser.p, {std::cos(angle), std::sin(angle)});
       result.ranges.push_back(static_cast<float>(range + sigma * noise.normal(index, beam)));
