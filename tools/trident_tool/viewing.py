@@ -21,11 +21,11 @@ from trident_tool.launch_feed import (
     wait_for_param,
 )
 from trident_tool.launchfile import check_args, declared_args, find_launch_file, parse_request
-from trident_tool.processes import foreground, started, wait_for_master
+from trident_tool.processes import ends_by_exception, foreground, started
 from trident_tool.recording import Recording
 from trident_tool.running import free_port
 from trident_tool.screenshot import Size, resized, screenshot
-from trident_tool.shell import running_master
+from trident_tool.shell import running_master, wait_for_master
 from trident_tool.workspace import Runner, TridentError, Workspace, base_environment, say
 
 _TRIES = 3
@@ -176,7 +176,7 @@ def _show(
     command: list[str],
     env: dict[str, str],
 ) -> int:
-    with contextlib.ExitStack() as stack:
+    with ends_by_exception(), contextlib.ExitStack() as stack:
         uri = None if feed else running_master(workspace)
         if uri is None:
             port = free_port()
