@@ -20,6 +20,7 @@ from trident_tool.faults import Fault, FaultWatch, save_faults
 from trident_tool.launch_facts import save_launch, save_parameters
 from trident_tool.launch_plan import LaunchPlan, check_plan, check_real_time_factor, load_plan
 from trident_tool.launchfile import check_args, declared_args, find_launch_file, parse_request
+from trident_tool.modules import module_command
 from trident_tool.processes import Supervised, ends_by_exception, supervised
 from trident_tool.progress import ProgressView, last_complaints, required_node_failed
 from trident_tool.workspace import Runner, Workspace, base_environment, hide_from_crawlers, say
@@ -195,14 +196,14 @@ def _report_failure(run: Run, reason: str) -> None:
 
 def judge(run: Run, runner: Runner) -> int:
     """Lets the evaluation package judge the run's folder and returns its exit code."""
-    command = ["/usr/bin/python3", "-m", "trident_eval", "verdict", str(run.folder)]
+    command = module_command("trident_eval", "verdict", str(run.folder))
     return runner.run(command, env=run.env)
 
 
 def _close_recordings(run: Run, runner: Runner) -> None:
     """Makes readable what a recorder that was killed has left open."""
     if any(run.folder.rglob("*.bag.active")):
-        command = ["/usr/bin/python3", "-m", "trident_eval", "recover", str(run.folder)]
+        command = module_command("trident_eval", "recover", str(run.folder))
         runner.run(command, env=run.env)
 
 

@@ -83,12 +83,20 @@ def pick_config(workspace: Workspace, name: str | None) -> Path | None:
     if name is None:
         return known[0] if known else None
     if Path(name).is_file():
-        return Path(name)
+        return _checked(Path(name))
     for path in known:
         if name in (path.name, path.stem):
             return path
     names = ", ".join(path.stem for path in known) or "none"
     raise TridentError(f"there is no rviz configuration {name!r} in {folder} (it has: {names})")
+
+
+def _checked(configuration: Path) -> Path:
+    try:
+        configuration.read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        raise TridentError(f"{configuration}: {error}; legal: an rviz configuration") from None
+    return configuration
 
 
 def source_command(
