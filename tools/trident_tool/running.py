@@ -244,5 +244,5 @@ def run_launch_file(workspace: Workspace, runner: Runner, words: Sequence[str]) 
         _report_failure(run, reason)
         if (run.folder / "progress.jsonl").is_file():
             judge(run, runner)
-        return ending.code or 1
+        return max(ending.code, 1)
     return judge(run, runner)
