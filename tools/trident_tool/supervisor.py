@@ -37,6 +37,7 @@ LEFT_OVER_S = 0.8  # for those that their own parent has left behind
 TERMINATE_S = 0.6
 DONE = b"."  # told to the caller: nothing is left
 _POLL_S = 0.02
+_KILL_LIMIT_S = 10.0
 _PR_SET_PDEATHSIG = 1
 _PR_SET_CHILD_SUBREAPER = 36
 _SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGCHLD)
@@ -101,7 +102,9 @@ def end_descendants(is_interrupted: bool = False, take_note: Callable[[], object
         if _gone(time.monotonic() + patience_s, take_note):
             return
     # A fork may slip through between looking and killing, but its child is found the next time.
-    while left := descendants(os.getpid()):
+    # What runs by another user's rights cannot be killed.
+    deadline = time.monotonic() + _KILL_LIMIT_S
+    while (left := descendants(os.getpid())) and time.monotonic() < deadline:
         send(left, signal.SIGKILL)
         time.sleep(_POLL_S)
         take_note()

@@ -40,11 +40,11 @@ struct ServerOptions {
   double end_time_s = 0.0;         ///< end at this simulated time; 0: do not
   bool end_on_finish = false;      ///< end when the last set-point source has ended
   int wait_for = 0;                ///< vehicles with controllers before time zero is left
-  std::vector<std::string> wait_for_models;  ///< the same by name
-  int wait_for_sources = 0;                  ///< set-point sources before time zero is left
+  std::vector<std::string> wait_for_models;       ///< the same by name
+  int wait_for_sources = 0;                       ///< set-point sources before time zero is left
   std::vector<std::string> wait_for_spawned;      ///< models of any kind before time zero is left
   std::vector<std::string> wait_for_controllers;  ///< of those the topics of their motor speeds
-  double lockstep_timeout_s = 2.0;           ///< wall time without an answer
+  double lockstep_timeout_s = 2.0;                ///< wall time without an answer
   LossPolicy loss_policy = LossPolicy::kFreeRun;
   /// As fast as possible: keeps a controller's process on one core.
   bool pin_controllers = true;
