@@ -7,7 +7,11 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
-from trident_tool.cli import main
+from trident_tool.quiet_interrupt import let_interrupts_in
+
+let_interrupts_in()
+
+from trident_tool.cli import main  # noqa: E402
 
 if __name__ == "__main__":
     sys.exit(main(sys.argv[1:]))

@@ -22,6 +22,7 @@ from trident_tool.progress import (
     strip_ansi,
 )
 from trident_tool.running import (
+    Ending,
     Run,
     free_port,
     launch,
@@ -29,6 +30,7 @@ from trident_tool.running import (
     open_run_folder,
     plan_run,
     run_environment,
+    why_failed,
 )
 from trident_tool.shell import running_master
 from trident_tool.workspace import TridentError, Workspace
@@ -46,7 +48,7 @@ def _launch_file(clone: Workspace, args: str = "") -> None:
 
 def test_a_run_is_headless_fast_and_under_its_own_master(clone: Workspace) -> None:
     _launch_file(clone)
-    run = plan_run(clone, ["fly.launch"], {"HOME": "/h"})
+    run = plan_run(clone, ["fly.launch"], {"HOME": "/h"}, is_built=False)
     assert run.env["TRIDENT_REAL_TIME_FACTOR"] == "0"
     assert run.env["TRIDENT_HEADLESS"] == "1"
     assert run.env["TRIDENT_END"] == "1"
@@ -60,11 +62,11 @@ def test_real_time_factor_reaches_the_simulator_with_and_without_such_an_arg(
     clone: Workspace,
 ) -> None:
     _launch_file(clone)
-    run = plan_run(clone, ["fly.launch", "real_time_factor:=1"], {})
+    run = plan_run(clone, ["fly.launch", "real_time_factor:=1"], {}, is_built=False)
     assert run.env["TRIDENT_REAL_TIME_FACTOR"] == "1"
     assert run.args == {}
     _launch_file(clone, '<arg name="real_time_factor" default="1"/>')
-    run = plan_run(clone, ["fly.launch", "real_time_factor:=2"], {})
+    run = plan_run(clone, ["fly.launch", "real_time_factor:=2"], {}, is_built=False)
     assert run.env["TRIDENT_REAL_TIME_FACTOR"] == "2"
     assert run.command[-1] == "real_time_factor:=2"
 
@@ -86,7 +88,7 @@ def test_two_runs_in_one_second_have_two_folders(tmp_path: Path) -> None:
 def _opened_run(clone: Workspace, command: list[str], monkeypatch: pytest.MonkeyPatch) -> Run:
     """A run whose folder exists and whose roslaunch is ``command``."""
     _launch_file(clone)
-    run = plan_run(clone, ["fly.launch"], {"PATH": "/usr/bin:/bin"})
+    run = plan_run(clone, ["fly.launch"], {"PATH": "/usr/bin:/bin"}, is_built=False)
     open_run_folder(clone, run)
     monkeypatch.setattr(Run, "command", property(lambda _self: command))
     return run
@@ -105,7 +107,7 @@ def test_exit_code_and_output_of_the_launch_are_kept(
     clone: Workspace, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     run = _opened_run(clone, ["sh", "-c", "echo said; exit 4"], monkeypatch)
-    assert launch(run) == 4
+    assert launch(run) == Ending(4, [])
     assert (run.folder / "roslaunch.log").read_text(encoding="utf-8") == "said\n"
 
 
@@ -131,10 +133,27 @@ def test_ctrl_c_interrupts_the_launch_and_waits_for_its_end(
     monkeypatch.setattr(ProgressView, "update", interrupt)
     monkeypatch.setattr(ProgressView, "close", lambda _view: None)
     handler = signal.getsignal(signal.SIGINT)
-    assert launch(run) == 130
+    assert launch(run) == Ending(130, [])
     assert (run.folder / "roslaunch.log").read_text(encoding="utf-8") == "cleaned up\n"
-    assert signal.getsignal(signal.SIGINT) == signal.SIG_IGN  # a second Ctrl-C finds nobody
-    signal.signal(signal.SIGINT, handler)
+    assert signal.getsignal(signal.SIGINT) == handler
+
+
+def test_a_launch_ends_when_a_node_dies_that_it_cannot_do_without(
+    clone: Workspace, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    line = "[slam-1] process has died [pid 17, exit code -9, cmd x]."
+    run = _opened_run(clone, ["sh", "-c", f"echo '{line}'; sleep 1000"], monkeypatch)
+    ending = launch(run)
+    assert [fault.text for fault in ending.faults] == ["/slam was killed by SIGKILL"]
+    assert why_failed(run, ending) == "/slam was killed by SIGKILL"
+
+
+@pytest.mark.parametrize("factor", ["-1", "fast"])
+def test_a_wrong_real_time_factor_starts_nothing(clone: Workspace, factor: str) -> None:
+    _launch_file(clone)
+    with pytest.raises(TridentError, match=f"real_time_factor is '{factor}'"):
+        plan_run(clone, ["fly.launch", f"real_time_factor:={factor}"], {})
+    assert not clone.out.exists()
 
 
 def test_a_free_port_can_be_listened_on() -> None:

@@ -140,3 +140,10 @@ def test_only_a_viewer_that_crashes_is_started_again(
     with pytest.raises(TridentError, match=f"rviz ended with exit code {code}"):
         screenshot.screenshot(["rviz"], {}, tmp_path / "a.png", Size(), tries=3)
     assert len(calls) == starts
+
+
+def test_a_configuration_that_is_no_text_is_refused(clone: Workspace, tmp_path: Path) -> None:
+    binary = tmp_path / "binary.rviz"
+    binary.write_bytes(bytes(range(256)))
+    with pytest.raises(TridentError, match=r"binary\.rviz: .*legal: an rviz configuration"):
+        pick_config(clone, str(binary))

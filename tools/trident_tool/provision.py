@@ -99,8 +99,9 @@ def install_apt(workspace: Workspace, runner: Runner) -> None:
         return
     say(f"installing {len(missing)} Debian packages: {' '.join(missing)}")
     install = apt_get(["install", "-y", "--no-install-recommends", *missing])
-    runner.check(apt_get(["update"]), what="reading the package lists")
-    runner.check(install, what="installing the Debian packages")
+    # sudo asks for a password at the terminal.
+    runner.check(apt_get(["update"]), what="reading the package lists", at_terminal=True)
+    runner.check(install, what="installing the Debian packages", at_terminal=True)
 
 
 def venv_key(workspace: Workspace, requirements: str, interpreter: str) -> str:

@@ -6,21 +6,23 @@ from __future__ import annotations
 
 import contextlib
 import os
-import signal
 import socket
 import subprocess
 import sys
 import time
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from datetime import datetime
 from pathlib import Path
-from types import FrameType
 
 from trident_tool.environment import ros_environment
+from trident_tool.faults import Fault, FaultWatch, save_faults
 from trident_tool.formation_check import check_formations
 from trident_tool.launch_facts import save_launch, save_parameters
+from trident_tool.launch_plan import LaunchPlan, check_plan, check_real_time_factor, load_plan
 from trident_tool.launchfile import check_args, declared_args, find_launch_file, parse_request
+from trident_tool.modules import module_command
+from trident_tool.processes import Supervised, ends_by_exception, supervised
 from trident_tool.progress import ProgressView, last_complaints, required_node_failed
 from trident_tool.workspace import Runner, Workspace, base_environment, hide_from_crawlers, say
 
@@ -39,6 +41,7 @@ class Run:
     args: dict[str, str]
     port: int
     env: dict[str, str]
+    plan: LaunchPlan = field(default_factory=lambda: LaunchPlan((), {}))
 
     @property
     def command(self) -> list[str]:
@@ -50,6 +53,14 @@ class Run:
     def arg_words(self) -> list[str]:
         """The arguments of the launch file, ``name:=value``."""
         return [f"{name}:={value}" for name, value in self.args.items()]
+
+
+@dataclass(frozen=True)
+class Ending:
+    """How a launch has ended: roslaunch's exit code, 130 if asked to, and what had died before."""
+
+    code: int
+    faults: list[Fault]
 
 
 def free_port() -> int:
@@ -91,8 +102,16 @@ def run_environment(
     return result
 
 
-def plan_run(workspace: Workspace, words: Sequence[str], env: Mapping[str, str]) -> Run:
+def plan_run(
+    workspace: Workspace, words: Sequence[str], env: Mapping[str, str], is_built: bool = True
+) -> Run:
     """Finds and checks all that a run needs, and starts nothing.
+
+    Args:
+        workspace: the clone.
+        words: of the command line, behind ``run``.
+        env: of the workspace.
+        is_built: whether ROS and the workspace are there, so that the launch file can be loaded.
 
     Raises:
         TridentError: the launch file or an argument is wrong.
@@ -102,13 +121,20 @@ def plan_run(workspace: Workspace, words: Sequence[str], env: Mapping[str, str])
     declared = declared_args(launch_file)
     args = dict(request.args)
     real_time_factor = args.get(_RTF_ARG, "0")
+    check_real_time_factor(real_time_factor)
     if _RTF_ARG not in declared.settable:
         args.pop(_RTF_ARG, None)  # the simulator reads it from the environment
     check_args(launch_file, declared, args)
     folder = new_run_folder(workspace.out, launch_file.stem, datetime.now())
     port = free_port()
     run_env = run_environment(env, folder, port, real_time_factor)
-    return Run(folder, tuple(words), launch_file, args, port, run_env)
+    if not is_built:
+        return Run(folder, tuple(words), launch_file, args, port, run_env)
+    plan = load_plan(launch_file, args, run_env)
+    run_env |= plan.waits(run_env)
+    # The folder is not there yet, and is not to be for a run that is refused.
+    check_plan(plan, {**run_env, "TRIDENT_OUT": ""})
+    return Run(folder, tuple(words), launch_file, args, port, run_env, plan)
 
 
 def open_run_folder(workspace: Workspace, run: Run) -> None:
@@ -129,57 +155,42 @@ def open_run_folder(workspace: Workspace, run: Run) -> None:
     temporary.replace(workspace.out / "latest")
 
 
-def _stop(process: subprocess.Popen[bytes]) -> None:
-    """Ends roslaunch the way Ctrl-C does, and by force if that takes too long.
+def launch(run: Run) -> Ending:
+    """Runs roslaunch to its end, showing progress; nothing that it has started is left then.
 
-    roslaunch itself waits up to 15 s for a node that ignores SIGINT. A second Ctrl-C is ignored
-    meanwhile: killing roslaunch would leave its nodes behind.
-    """
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    for sign, patience_s in ((signal.SIGINT, 40.0), (signal.SIGTERM, 5.0)):
-        process.send_signal(sign)
-        with contextlib.suppress(subprocess.TimeoutExpired):
-            process.wait(patience_s)
-            return
-    process.kill()
-    process.wait()
-
-
-def _interrupt(_number: int, _frame: FrameType | None) -> None:
-    raise KeyboardInterrupt
-
-
-def launch(run: Run) -> int:
-    """Runs roslaunch to its end, showing progress.
-
-    Returns its exit code, or 130 after Ctrl-C or SIGTERM.
+    It is ended before by Ctrl-C, SIGTERM or SIGHUP, and when a node dies that it cannot do without.
     """
     view = ProgressView(run.folder)
-    progress = run.folder / "progress.jsonl"
-    signal.signal(signal.SIGTERM, _interrupt)
-    with (run.folder / "roslaunch.log").open("wb") as log:
-        process = subprocess.Popen(
-            run.command,
-            env=run.env,
-            stdin=subprocess.DEVNULL,
-            stdout=log,
-            stderr=subprocess.STDOUT,
-            start_new_session=True,  # Ctrl-C reaches this process only, which passes it on once
-        )
+    watch = FaultWatch(run.folder / "roslaunch.log", run.plan)
+    log = (run.folder / "roslaunch.log").open("wb")
+    silent = {"stdin": subprocess.DEVNULL, "stdout": log, "stderr": subprocess.STDOUT}
+    with log, ends_by_exception(), supervised(run.command, run.env, **silent) as process:
         try:
-            has_parameters = False
-            while process.poll() is None:
-                view.update()
-                if not has_parameters and progress.is_file():  # roslaunch has set all of them
-                    has_parameters = save_parameters(run.env["ROS_MASTER_URI"], run.folder)
-                time.sleep(_POLL_S)
-            return process.returncode
+            _follow(run, process, view, watch)
         except KeyboardInterrupt:
-            say("stopping")
-            _stop(process)
-            return _INTERRUPTED
-        finally:
+            with contextlib.suppress(OSError):  # of a terminal that has closed
+                say("stopping")
+            process.end()
+            return Ending(_INTERRUPTED, watch.faults)
+        with contextlib.suppress(OSError):
             view.close()
+        if watch.is_fatal:
+            say(f"{watch.faults[0].text}; stopping")
+        code = process.end()
+    watch.look()
+    return Ending(code, watch.faults)
+
+
+def _follow(run: Run, process: Supervised, view: ProgressView, watch: FaultWatch) -> None:
+    """Shows what happens until roslaunch ends, or something has died that is missed."""
+    progress = run.folder / "progress.jsonl"
+    has_parameters = False
+    while process.poll() is None and not watch.is_fatal:
+        view.update()
+        if not has_parameters and progress.is_file():  # roslaunch has set all of them
+            has_parameters = save_parameters(run.env["ROS_MASTER_URI"], run.folder)
+        time.sleep(_POLL_S)
+        watch.look()
 
 
 def _report_failure(run: Run, reason: str) -> None:
@@ -191,8 +202,27 @@ def _report_failure(run: Run, reason: str) -> None:
 
 def judge(run: Run, runner: Runner) -> int:
     """Lets the evaluation package judge the run's folder and returns its exit code."""
-    command = ["/usr/bin/python3", "-m", "trident_eval", "verdict", str(run.folder)]
+    command = module_command("trident_eval", "verdict", str(run.folder))
     return runner.run(command, env=run.env)
+
+
+def _close_recordings(run: Run, runner: Runner) -> None:
+    """Makes readable what a recorder that was killed has left open."""
+    if any(run.folder.rglob("*.bag.active")):
+        command = module_command("trident_eval", "recover", str(run.folder))
+        runner.run(command, env=run.env)
+
+
+def why_failed(run: Run, ending: Ending) -> str | None:
+    """The first cause that has ended the launch before its time, or None."""
+    fatal = next((fault for fault in ending.faults if fault.is_fatal), None)
+    if fatal is not None:
+        return fatal.text
+    log = (run.folder / "roslaunch.log").read_text(encoding="utf-8", errors="replace")
+    failed_node = required_node_failed(log)
+    if failed_node is not None:
+        return f"{failed_node} died"
+    return f"roslaunch exit code {ending.code}" if ending.code != 0 else None
 
 
 def run_launch_file(workspace: Workspace, runner: Runner, words: Sequence[str]) -> int:
@@ -201,7 +231,7 @@ def run_launch_file(workspace: Workspace, runner: Runner, words: Sequence[str]) 
         env = base_environment()
         with contextlib.suppress(Exception):
             env = ros_environment(workspace)
-        run = plan_run(workspace, words, env)
+        run = plan_run(workspace, words, env, is_built=False)
         print(f"would write to {run.folder}")
         runner.run(run.command)
         return judge(run, runner)
@@ -210,17 +240,16 @@ def run_launch_file(workspace: Workspace, runner: Runner, words: Sequence[str]) 
     open_run_folder(workspace, run)
     say(f"{run.launch_file.name} -> {run.folder.relative_to(workspace.root)}")
     say("to look inside while it runs: ./trident shell, then rostopic, rosnode, rosservice …")
-    code = launch(run)
-    if code == _INTERRUPTED:
+    ending = launch(run)
+    save_faults(run.folder, ending.faults)
+    if ending.code == _INTERRUPTED:
+        _close_recordings(run, runner)
         say(f"interrupted; plots: ./trident report {run.folder.relative_to(workspace.root)}")
-        return code
-    log = (run.folder / "roslaunch.log").read_text(encoding="utf-8", errors="replace")
-    failed_node = required_node_failed(log)
-    if code != 0 or failed_node is not None:
-        _report_failure(
-            run, f"{failed_node} died" if failed_node else f"roslaunch exit code {code}"
-        )
+        return ending.code
+    reason = why_failed(run, ending)
+    if reason is not None:
+        _report_failure(run, reason)
         if (run.folder / "progress.jsonl").is_file():
             judge(run, runner)
-        return code or 1
+        return max(ending.code, 1)
     return judge(run, runner)

@@ -16,6 +16,7 @@ from pathlib import Path
 
 from trident_tool.framebuffer import Image, read_xwd, write_png
 from trident_tool.processes import started
+from trident_tool.supervisor import end_with_parent
 from trident_tool.workspace import TridentError
 
 _POLL_S = 0.5
@@ -70,6 +71,7 @@ def _virtual_screen(folder: Path, size: Size) -> Iterator[tuple[str, Path]]:
         stdin=subprocess.DEVNULL,
         stdout=subprocess.DEVNULL,
         stderr=subprocess.DEVNULL,
+        preexec_fn=end_with_parent,
     )
     os.close(write_end)
     try:

@@ -6,12 +6,16 @@ from __future__ import annotations
 
 import json
 import socket
+import subprocess
+import time
 from pathlib import Path
 from urllib.parse import urlsplit
 
 from trident_tool.environment import ros_environment
 from trident_tool.launch_facts import LAUNCH_FILE
-from trident_tool.workspace import Runner, Workspace, say
+from trident_tool.workspace import Runner, TridentError, Workspace, say
+
+_MASTER_LIMIT_S = 20.0
 
 # An interactive bash reads the user's own settings first: they must not undo the order of PATH.
 _RC = """\
@@ -30,6 +34,19 @@ def master_answers(uri: str) -> bool:
             return True
     except OSError:
         return False
+
+
+def wait_for_master(uri: str, process: subprocess.Popen[bytes]) -> None:
+    """Return when a master answers.
+
+    Raises:
+        TridentError: its process has ended, or it takes too long.
+    """
+    deadline = time.monotonic() + _MASTER_LIMIT_S
+    while not master_answers(uri):
+        if process.poll() is not None or time.monotonic() > deadline:
+            raise TridentError("roscore did not start")
+        time.sleep(0.1)
 
 
 def running_master(workspace: Workspace) -> str | None:
@@ -53,8 +70,8 @@ def shell(workspace: Workspace, runner: Runner, command: str | None = None) -> i
         env.setdefault("ROS_HOSTNAME", "localhost")
         say(f"ROS_MASTER_URI is that of the run in progress, {uri}")
     if command is not None:
-        return runner.run(["bash", "-c", command], env=env)
+        return runner.run(["bash", "-c", command], env=env, at_terminal=True)
     rc: Path = workspace.build / "shell.rc"
     keep = f"export ROS_MASTER_URI='{uri}'\n" if uri else ""
     rc.write_text(_RC.format(devel=workspace.devel) + keep, encoding="utf-8")
-    return runner.run(["bash", "--rcfile", rc, "-i"], env=env)
+    return runner.run(["bash", "--rcfile", rc, "-i"], env=env, at_terminal=True)

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 
 from trident_tool.building import build
 from trident_tool.environment import ros_environment
-from trident_tool.processes import started
+from trident_tool.processes import ends_by_exception, started
 from trident_tool.workspace import Runner, Workspace, base_environment, hide_from_crawlers
 
 
@@ -63,5 +63,5 @@ def run_tests(
     command = ctest_command(workspace, pattern, parallel, extra)
     if runner.dry_run or pattern or extra:
         return runner.run(command, env=env)
-    with started(clang_tidy_command(workspace), env):
+    with ends_by_exception(), started(clang_tidy_command(workspace), env):
         return runner.run(command, env=env)

@@ -22,11 +22,11 @@ from trident_tool.launch_feed import (
     wait_for_param,
 )
 from trident_tool.launchfile import check_args, declared_args, find_launch_file, parse_request
-from trident_tool.processes import foreground, started, wait_for_master
+from trident_tool.processes import ends_by_exception, foreground, started
 from trident_tool.recording import Recording
 from trident_tool.running import free_port
 from trident_tool.screenshot import Size, resized, screenshot
-from trident_tool.shell import running_master
+from trident_tool.shell import running_master, wait_for_master
 from trident_tool.workspace import Runner, TridentError, Workspace, base_environment, say
 
 _TRIES = 3
@@ -99,12 +99,20 @@ def pick_config(workspace: Workspace, name: str | None) -> Path | None:
         default = [path for path in known if path.stem == _DEFAULT]
         return next(iter(default + known), None)
     if Path(name).is_file():
-        return Path(name)
+        return _checked(Path(name))
     for path in known:
         if name in (path.name, path.stem):
             return path
     names = ", ".join(path.stem for path in known) or "none"
     raise TridentError(f"there is no rviz configuration {name!r} in {folder} (it has: {names})")
+
+
+def _checked(configuration: Path) -> Path:
+    try:
+        configuration.read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        raise TridentError(f"{configuration}: {error}; legal: an rviz configuration") from None
+    return configuration
 
 
 def source_command(
@@ -206,7 +214,7 @@ def _show(
     command: list[str],
     env: dict[str, str],
 ) -> int:
-    with contextlib.ExitStack() as stack:
+    with ends_by_exception(), contextlib.ExitStack() as stack:
         uri = None if feed else running_master(workspace)
         if uri is None:
             port = free_port()

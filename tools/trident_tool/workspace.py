@@ -6,12 +6,13 @@ from __future__ import annotations
 
 import os
 import shlex
-import subprocess
 import sys
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import IO
+
+from trident_tool.processes import run_supervised
 
 
 class TridentError(Exception):
@@ -85,13 +86,18 @@ class Runner:
         cwd: Path | None = None,
         env: Mapping[str, str] | None = None,
         stdout: IO[str] | None = None,
+        at_terminal: bool = False,
     ) -> int:
-        """Runs ``command`` in the foreground and returns its exit code (0 in a dry run)."""
+        """Runs ``command`` in the foreground and returns its exit code (0 in a dry run).
+
+        Whatever ends this process ends the command, and all that it has started. What reads from
+        the terminal itself, as sudo and shells do, is ``at_terminal``.
+        """
         words = [str(word) for word in command]
         if self.dry_run:
             print(f"would run: {shlex.join(words)}", flush=True)
             return 0
-        return subprocess.run(words, cwd=cwd, env=env, stdout=stdout, check=False).returncode
+        return run_supervised(words, env, at_terminal=at_terminal, cwd=cwd, stdout=stdout)
 
     def check(
         self,
@@ -101,13 +107,14 @@ class Runner:
         cwd: Path | None = None,
         env: Mapping[str, str] | None = None,
         stdout: IO[str] | None = None,
+        at_terminal: bool = False,
     ) -> None:
         """Runs ``command``.
 
         Raises:
             TridentError: it failed; names ``what`` was being done and the command.
         """
-        code = self.run(command, cwd=cwd, env=env, stdout=stdout)
+        code = self.run(command, cwd=cwd, env=env, stdout=stdout, at_terminal=at_terminal)
         if code != 0:
             line = shlex.join([str(word) for word in command])
             raise TridentError(f"{what} failed (exit code {code}): {line}")

@@ -100,7 +100,7 @@ def test_sensor_odometry_goes_before_ground_truth(tmp_path: Path) -> None:
     assert (read_bag(path).tracks.position[:, 0, 0] == 2.0).all()
 
 
-@pytest.mark.parametrize("content", [None, b"", b"not a bag at all"])
+@pytest.mark.parametrize("content", [None, b"", b"not a bag at all", bytes(range(128, 256))])
 def test_what_is_no_bag_is_refused(
     tmp_path: Path, content: bytes | None, capsys: pytest.CaptureFixture[str]
 ) -> None:

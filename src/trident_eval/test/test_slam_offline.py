@@ -61,6 +61,28 @@ def test_a_program_that_fails_is_quoted(
     assert "trident: no scan" in capsys.readouterr().err
 
 
+def test_a_program_that_quotes_bytes_is_quoted(
+    stand_in: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    script = "#!/bin/sh\nprintf 'slam_offline: c.yaml:2: \\377\\376\\n' >&2; exit 1\n"
+    (tmp_path / "slam_offline").write_text(script)
+    assert main(["slam", str(stand_in / "other.log"), "--out", str(tmp_path / "out")]) == 2
+    assert "trident: c.yaml:2: \ufffd\ufffd" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("file", ["map.png", "evaluation.json", "report.html"])
+def test_a_full_disk_is_one_sentence(
+    stand_in: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], file: str
+) -> None:
+    out = tmp_path / "out"
+    out.mkdir()
+    (out / file).symlink_to("/dev/full")
+    assert main(["slam", str(stand_in / "other.log"), "--out", str(out)]) == 2
+    told = capsys.readouterr().err.splitlines()[-1]
+    assert told.startswith(f"trident: {out}")
+    assert told.endswith(": No space left on device")
+
+
 def test_bags_go_to_their_reader(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(offline, "program", lambda package, name: name)
     bag = tmp_path / "a.log"

@@ -3,8 +3,11 @@
 #include <ros/ros.h>
 
 #include <cstdio>
+#include <iostream>
+#include <iterator>
 
 #include "server.h"
+#include "trident_sim/sdf_loader.h"
 
 namespace {
 
@@ -19,14 +22,29 @@ int serve(const std::vector<std::string>& arguments) {
   return 0;
 }
 
+/// Looks at what it would be started with, and at the world file: the private parameters come as
+/// XML-RPC on standard input, since there is no master yet.
+int check(const std::vector<std::string>& arguments) {
+  const std::string text(std::istreambuf_iterator<char>(std::cin), {});
+  const auto begin = text.find("<value>");
+  XmlRpc::XmlRpcValue parameters;
+  if (begin != std::string::npos) {
+    int offset = static_cast<int>(begin);
+    parameters.fromXml(text, &offset);
+  }
+  const trident::ServerOptions options =
+      trident::server_options_of("/gazebo", parameters, arguments);
+  trident::load_world_file(options.world_file, trident::Resources(), [](const std::string&) {});
+  return 0;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  ros::init(argc, argv, "gazebo");
-  std::vector<std::string> arguments;
-  for (int i = 1; i < argc; ++i) arguments.emplace_back(argv[i]);
+  const bool only_checks = argc > 1 && std::string(argv[1]) == "--check";
+  if (!only_checks) ros::init(argc, argv, "gazebo");
   try {
-    return serve(arguments);
+    return only_checks ? check({argv + 2, argv + argc}) : serve({argv + 1, argv + argc});
   } catch (const std::exception& error) {
     // Not ROS_FATAL: by now the last node handle has gone, and ROS' log with it.
     std::fprintf(stderr, "[FATAL] gzserver: %s\n", error.what());

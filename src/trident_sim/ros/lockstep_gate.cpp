@@ -116,14 +116,27 @@ std::string LockstepGate::missing_for_start(const World& world) {
       if (!vehicle->has_controller()) missing.push_back("the controller of " + vehicle->name());
     }
   }
+  for (const std::string& name : options_.wait_for_spawned) {
+    if (world.find_model(name) == nullptr) missing.push_back("model " + name);
+  }
+  for (const auto& [name, vehicle] : vehicles_) {
+    if (is_to_be_controlled(name) && !vehicle->has_controller()) {
+      missing.push_back("the controller of " + vehicle->name());
+    }
+  }
   const std::lock_guard<std::mutex> lock(hub_.mutex);
   const int silent = options_.wait_for_sources - static_cast<int>(hub_.sources.all().size());
   if (silent > 0) missing.push_back(std::to_string(silent) + " more set-point source(s)");
   return join(missing);
 }
 
+bool LockstepGate::is_to_be_controlled(const std::string& port) const {
+  const auto& topics = options_.wait_for_controllers;
+  return std::find(topics.begin(), topics.end(), "/" + port) != topics.end();
+}
+
 bool LockstepGate::start_allowed(const World& world, PortBinder& binder) {
-  if (released_ || (options_.wait_for == 0 && options_.wait_for_sources == 0)) return true;
+  if (released_ || !options_.holds_time_zero()) return true;
   if (!missing_for_start(world).empty()) {
     complete_since_ = {};
     return false;
@@ -136,7 +149,10 @@ bool LockstepGate::start_allowed(const World& world, PortBinder& binder) {
   released_ = true;
   binder.scan_subscribers();
   const std::lock_guard<std::mutex> lock(hub_.mutex);
-  for (VehicleLink* vehicle : hub_.vehicles) vehicle->lockstep.enrol();
+  for (const auto& [name, vehicle] : vehicles_) {
+    // A controller of an unknown kind may not answer each state; it enrols by its first answer.
+    if (options_.wait_for_spawned.empty() || is_to_be_controlled(name)) vehicle->lockstep.enrol();
+  }
   hub_.news.push_back(std::to_string(vehicles_.size()) + " vehicle(s) with controllers and " +
                       std::to_string(hub_.sources.all().size()) +
                       " set-point source(s) are there: time runs");

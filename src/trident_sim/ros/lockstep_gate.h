@@ -70,6 +70,7 @@ class LockstepGate {
 
  private:
   using Clock = std::chrono::steady_clock;
+  bool is_to_be_controlled(const std::string& port) const;
   bool wait_until_ready(std::unique_lock<std::mutex>& lock);
   void read_commands(std::chrono::milliseconds limit);
   void check_losses(const World& world);

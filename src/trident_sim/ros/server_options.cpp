@@ -9,7 +9,9 @@
 #include <cstdint>
 #include <cstdlib>
 #include <set>
+#include <sstream>
 #include <thread>
+#include <utility>
 
 #include "trident_base/error.h"
 #include "trident_base/option_number.h"
@@ -26,11 +28,22 @@ std::string environment(const char* name) {
 
 bool to_flag(const std::string& text) { return text == "1" || text == "true" || text == "yes"; }
 
+/// The parts of a text between commas.
+std::vector<std::string> names_of(const std::string& text) {
+  std::vector<std::string> names;
+  std::istringstream stream(text);
+  for (std::string name; std::getline(stream, name, ',');) {
+    if (!name.empty()) names.push_back(name);
+  }
+  return names;
+}
+
 /// The private parameters, fetched in one call.
 class Parameters {
  public:
-  explicit Parameters(const ros::NodeHandle& private_node) : root_(private_node.getNamespace()) {
-    if (!private_node.getParam("", tree_) || tree_.getType() != XmlRpc::XmlRpcValue::TypeStruct) {
+  Parameters(std::string root, const XmlRpc::XmlRpcValue& tree)
+      : root_(std::move(root)), tree_(tree) {
+    if (tree_.getType() != XmlRpc::XmlRpcValue::TypeStruct) {
       tree_ = XmlRpc::XmlRpcValue();
       tree_[kNothing] = 0;
     }
@@ -163,6 +176,8 @@ void read_environment(ServerOptions& options) {
   if (const auto text = environment("TRIDENT_WAIT_FOR"); !text.empty()) {
     options.wait_for = static_cast<int>(option_count("TRIDENT_WAIT_FOR", text, 0, 10000));
   }
+  options.wait_for_spawned = names_of(environment("TRIDENT_WAIT_FOR_MODELS"));
+  options.wait_for_controllers = names_of(environment("TRIDENT_WAIT_FOR_CONTROLLERS"));
   if (const auto text = environment("TRIDENT_SEED"); !text.empty()) {
     options.seed = static_cast<std::uint64_t>(option_count("TRIDENT_SEED", text, 0, kMaxCount));
   }
@@ -195,8 +210,7 @@ std::size_t default_sensor_threads() {
   return std::clamp(std::thread::hardware_concurrency(), 1U, kMost);
 }
 
-void read_parameters(const ros::NodeHandle& private_node, ServerOptions& options) {
-  Parameters parameters(private_node);
+void read_parameters(Parameters parameters, ServerOptions& options) {
   parameters.number("real_time_factor", options.real_time_factor, 0.0, 1e6);
   parameters.number("end_time", options.end_time_s, 0.0, 1e9);
   parameters.flag("end_on_finish", options.end_on_finish);
@@ -263,13 +277,20 @@ void read_arguments(const std::vector<std::string>& arguments, ServerOptions& op
 
 }  // namespace
 
-ServerOptions read_server_options(const ros::NodeHandle& private_node,
-                                  const std::vector<std::string>& arguments) {
+ServerOptions server_options_of(const std::string& root, const XmlRpc::XmlRpcValue& parameters,
+                                const std::vector<std::string>& arguments) {
   ServerOptions options;
   read_environment(options);
-  read_parameters(private_node, options);
+  read_parameters(Parameters(root, parameters), options);
   read_arguments(arguments, options);
   return options;
+}
+
+ServerOptions read_server_options(const ros::NodeHandle& private_node,
+                                  const std::vector<std::string>& arguments) {
+  XmlRpc::XmlRpcValue parameters;
+  if (!private_node.getParam("", parameters)) parameters = XmlRpc::XmlRpcValue();
+  return server_options_of(private_node.getNamespace(), parameters, arguments);
 }
 
 }  // namespace trident

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <ros/node_handle.h>
+#include <xmlrpcpp/XmlRpcValue.h>
 
 #include <cstdint>
 #include <map>
@@ -39,9 +40,11 @@ struct ServerOptions {
   double end_time_s = 0.0;         ///< end at this simulated time; 0: do not
   bool end_on_finish = false;      ///< end when the last set-point source has ended
   int wait_for = 0;                ///< vehicles with controllers before time zero is left
-  std::vector<std::string> wait_for_models;  ///< the same by name
-  int wait_for_sources = 0;                  ///< set-point sources before time zero is left
-  double lockstep_timeout_s = 2.0;           ///< wall time without an answer
+  std::vector<std::string> wait_for_models;       ///< the same by name
+  int wait_for_sources = 0;                       ///< set-point sources before time zero is left
+  std::vector<std::string> wait_for_spawned;      ///< models of any kind before time zero is left
+  std::vector<std::string> wait_for_controllers;  ///< of those the topics of their motor speeds
+  double lockstep_timeout_s = 2.0;                ///< wall time without an answer
   LossPolicy loss_policy = LossPolicy::kFreeRun;
   /// As fast as possible: keeps a controller's process on one core.
   bool pin_controllers = true;
@@ -53,7 +56,16 @@ struct ServerOptions {
   std::size_t sensor_threads = 1;     ///< that share the work of lidars and cameras
   bool shares_process = false;        ///< it is one of the nodelets of a manager
   std::vector<std::string> warnings;  ///< about the options themselves
+
+  /// Whether anything was declared that time zero is held for, but for `answers`.
+  bool holds_time_zero() const {
+    return wait_for > 0 || wait_for_sources > 0 || !wait_for_spawned.empty();
+  }
 };
+
+/// The same from parameters (a struct) that no master has yet; `root` names them in messages.
+ServerOptions server_options_of(const std::string& root, const XmlRpc::XmlRpcValue& parameters,
+                                const std::vector<std::string>& arguments);
 
 /// Reads all of it; `arguments` without ROS' own. Throws Error naming the option.
 ServerOptions read_server_options(const ros::NodeHandle& private_node,

@@ -233,8 +233,7 @@ void Simulation::announce_readiness() {
 }
 
 std::string Simulation::describe_state() {
-  const bool waits =
-      options_.wait_for > 0 || options_.wait_for_sources > 0 || !options_.answers.empty();
+  const bool waits = options_.holds_time_zero() || !options_.answers.empty();
   if (!stepped_once_ && waits) {
     const std::string missing = missing_for_start();
     if (!missing.empty()) return "waiting for " + missing;

@@ -19,6 +19,7 @@ from trident_eval.core.animation import animate
 from trident_eval.core.command import Command, read_command
 from trident_eval.core.complaints import complaints
 from trident_eval.core.errors import EvalError
+from trident_eval.core.faults import add_faults, read_faults
 from trident_eval.core.mission_plots import draw_missions
 from trident_eval.core.missions import judge_missions, read_missions
 from trident_eval.core.page import Report, page
@@ -30,6 +31,7 @@ from trident_eval.core.scene import Scene, formation_scene
 from trident_eval.core.tracks import read_states
 from trident_eval.core.vehicles import flights
 from trident_eval.core.verdict import Verdict, judge
+from trident_eval.recovery import recover_bags
 from trident_eval.slam import evaluation, tour
 
 PASSED, FAILED, UNUSABLE = 0, 1, 2
@@ -57,6 +59,9 @@ def _parser() -> argparse.ArgumentParser:
     verdict.add_argument("folder", type=Path, metavar="DIR", help="folder of the run")
     verdict.add_argument("--no-pictures", action="store_true", help="only verdict.json")
     verdict.set_defaults(run=_verdict)
+    recover = commands.add_parser("recover", help="index the bags that a run has left open")
+    recover.add_argument("folder", type=Path, metavar="DIR", help="folder of a run that has ended")
+    recover.set_defaults(run=_recover)
     report = commands.add_parser("report", help="draw a run or a rosbag")
     report.add_argument("source", type=Path, metavar="RUN_OR_BAG", help="folder of a run, or a bag")
     report.add_argument("--out", type=Path, metavar="DIR", help="folder of the pictures")
@@ -69,14 +74,16 @@ def _verdict(options: argparse.Namespace) -> int:
     folder: Path = options.folder
     if not folder.is_dir():
         raise EvalError(f"{folder}: no such folder; legal: the folder of a run")
+    notes = recover_bags(folder)
     if record := tour.read_record(folder):
-        return _tour_verdict(folder, record, draw=not options.no_pictures)
+        return _tour_verdict(folder, record, notes, draw=not options.no_pictures)
     scene, verdict = None, None
     try:
         scene, verdict = _judge_folder(folder)
     except EvalError as error:
         # A run without usable results is a failed run.
         verdict = Verdict({"vehicles": []}, [str(error)])
+    add_faults(verdict, read_faults(folder), notes)
     numbers = verdict.to_json()
     text = json.dumps(numbers, indent=2, allow_nan=False)
     (folder / "verdict.json").write_text(text + "\n", encoding="utf-8")
@@ -89,8 +96,15 @@ def _verdict(options: argparse.Namespace) -> int:
     return PASSED if verdict.passed else FAILED
 
 
-def _tour_verdict(folder: Path, record: dict[str, Any], draw: bool) -> int:
+def _recover(options: argparse.Namespace) -> int:
+    for sentence in recover_bags(options.folder):
+        print(sentence)
+    return PASSED
+
+
+def _tour_verdict(folder: Path, record: dict[str, Any], notes: list[str], draw: bool) -> int:
     found, verdict = tour.judge_tour(folder, record)
+    add_faults(verdict, read_faults(folder), notes)
     numbers = verdict.to_json()
     text = json.dumps(numbers, indent=2, allow_nan=False)
     (folder / "verdict.json").write_text(text + "\n", encoding="utf-8")
@@ -104,6 +118,7 @@ def _report(options: argparse.Namespace) -> int:
     source: Path = options.source
     if source.is_dir():
         scene, verdict = _judge_folder(source)
+        add_faults(verdict, read_faults(source), [])
         numbers: dict[str, Any] | None = verdict.to_json()
         folder = options.out or source
     else:

@@ -44,7 +44,7 @@ def read_bag(path: Path) -> Scene:
     try:
         with rosbag.Bag(str(path)) as bag:
             return _read_open_bag(bag, path)
-    except (OSError, rosbag.ROSBagException) as error:
+    except (OSError, UnicodeDecodeError, rosbag.ROSBagException) as error:
         raise EvalError(f"{path}: {error}; legal: a readable, closed rosbag") from error
 
 

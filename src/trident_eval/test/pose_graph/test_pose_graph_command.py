@@ -133,3 +133,12 @@ def test_layout_of_packed_3d_file(tmp_path: Path) -> None:
     layout = read_layout(file)
     assert layout.is_3d
     np.testing.assert_array_equal(layout.segments(), [[[0.0, 0.0, 1.0], [1.0, 2.0, 3.0]]])
+
+
+def test_a_graph_that_is_no_text_is_refused(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = tmp_path / "binary.g2o"
+    file.write_bytes(bytes(range(128, 256)) * 40)
+    assert _main(monkeypatch, file) != 0
+    assert "binary.g2o" in capsys.readouterr().err

@@ -91,6 +91,9 @@ def _verdict(verdict: dict[str, Any] | None) -> Iterable[str]:
     if verdict["reasons"]:
         reasons = "".join(f"<li>{html.escape(reason)}" for reason in verdict["reasons"])
         yield f"<ul class='bad'>{reasons}</ul>"
+    if verdict.get("notes"):
+        notes = "".join(f"<li>{html.escape(note)}" for note in verdict["notes"])
+        yield f"<ul>{notes}</ul>"
     rows = "".join(_verdict_row(row) for row in verdict_rows(verdict))
     yield f"<table><tr><th><th>value<th>limit<th>{rows}</table>"
 

@@ -72,6 +72,7 @@ def table(verdict: dict[str, Any]) -> str:
         lines.append(f"  {row.label:<{width}}  {row.value}{limit}")
     lines.append(f"  {'verdict':<{width}}  {'PASS' if verdict['pass'] else 'FAIL'}")
     lines += [f"    - {reason}" for reason in verdict["reasons"]]
+    lines += [f"    ({note})" for note in verdict.get("notes") or []]
     return "\n".join(lines)
 
 

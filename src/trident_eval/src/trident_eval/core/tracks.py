@@ -50,6 +50,8 @@ class Tracks:
 def read_states(path: Path) -> Tracks:
     """Read a `states.csv`: columns t, name, x, y, z and any others, one line per vehicle and time.
 
+    A last line without its end is left out: a simulator that was killed has torn it.
+
     Raises:
         EvalError: unreadable or empty file, a missing column, a cell that is no number.
     """
@@ -58,7 +60,7 @@ def read_states(path: Path) -> Tracks:
     positions: list[list[float]] = []
     try:
         with path.open(newline="", encoding="utf-8") as stream:
-            reader = csv.DictReader(stream)
+            reader = csv.DictReader(line for line in stream if line.endswith(("\n", "\r")))
             missing = [name for name in _NEEDED if name not in (reader.fieldnames or [])]
             if missing:
                 raise EvalError(

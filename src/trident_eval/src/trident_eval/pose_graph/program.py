@@ -32,7 +32,8 @@ def optimize(file: Path, options: Sequence[str], prefix: Sequence[str] = ()) -> 
         EvalError: it refuses the file or an option; the message is its own.
     """
     command = [*prefix, executable(), str(file), *options]
-    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    # It may quote a file that is no text.
+    done = subprocess.run(command, capture_output=True, text=True, errors="replace", check=False)
     if done.returncode != 0:
         lines = done.stderr.strip().splitlines()
         raise EvalError(lines[-1] if lines else f"{command[0]} ended with {done.returncode}")

@@ -35,6 +35,12 @@ def main(arguments: list[str] | None = None) -> int:
     except EvalError as error:
         print(f"trident: {error}", file=sys.stderr)
         return UNUSABLE
+    except BrokenPipeError:
+        raise
+    except OSError as error:  # a full disk does not say which file it was
+        where = error.filename or getattr(options, "out", None) or "what was to be written"
+        print(f"trident: {where}: {error.strerror}", file=sys.stderr)
+        return UNUSABLE
 
 
 def _parser() -> argparse.ArgumentParser:

@@ -82,7 +82,11 @@ def run_log(run: Run, show: bool = True) -> dict[str, Any]:
         EvalError: the program failed; the message holds its last lines.
     """
     with subprocess.Popen(
-        command(run), stderr=subprocess.PIPE, stdout=subprocess.DEVNULL, text=True
+        command(run),
+        stderr=subprocess.PIPE,
+        stdout=subprocess.DEVNULL,
+        text=True,
+        errors="replace",  # it may quote a file that is no text
     ) as process:
         assert process.stderr is not None
         said = _follow(process.stderr, show)

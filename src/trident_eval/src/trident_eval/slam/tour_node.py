@@ -33,11 +33,14 @@ from std_msgs.msg import Bool, String
 from trident_eval.slam.tour import LOCALIZATION, MAPPING, RECORD, TRUTH, write_tum
 from trident_eval.slam.trajectory import Trajectory
 
+_ROBOT = "ground_robot.launch"
 _MAP, _BASE, _ODOM = "map", "base_footprint", "odom"
 _PATIENCE_S = 10.0  # of simulated time that a transform may be late
 _START_LIMIT_S, _STOP_LIMIT_S = 60.0, 20.0  # wall time
 _DRIVE_LIMIT_S = 1800.0  # simulated time
 _POLL_S = 0.05
+# What calls raise when who was called is not there any more.
+_FAILURES = (rospy.ROSException, rospy.ServiceException, tf2_ros.TransformException, OSError)
 
 
 class TourError(RuntimeError):
@@ -73,6 +76,7 @@ class Tour:
         self._out.mkdir(parents=True, exist_ok=True)
         self._start = [float(value) for value in rospy.get_param("~start")]
         self._children: list[subprocess.Popen[bytes]] = []
+        self._needed: dict[str, subprocess.Popen[bytes]] = {}  # launch files that must not end
         self._lock = threading.Lock()
         self._waiting: deque[rospy.Time] = deque()
         self._estimate: Poses | None = None
@@ -94,6 +98,11 @@ class Tour:
         except TourError as error:
             rospy.logerr("slam_tour: %s", error)
             errors.append(str(error))
+        except _FAILURES as error:
+            # What was asked is not there any more, and who has ended is the reason for it.
+            text = self._ended() or f"{type(error).__name__}: {error}"
+            rospy.logerr("slam_tour: %s", text)
+            errors.append(text)
         finally:
             for child in reversed(self._children):
                 stop(child)
@@ -103,7 +112,7 @@ class Tour:
     def _spawn(self) -> None:
         x, y, yaw = self._start
         robot = rospy.get_param("~robot", "my_nav_robot")
-        self._roslaunch("ground_robot.launch", robot=robot, x=x, y=y, yaw=yaw)
+        self._roslaunch(_ROBOT, robot=robot, x=x, y=y, yaw=yaw)
         self._wait(lambda: len(self._truth) > 0, "the robot", _START_LIMIT_S)
 
     def _map(self) -> None:
@@ -118,6 +127,7 @@ class Tour:
         pose = self._buffer.lookup_transform(_MAP, _BASE, rospy.Time()).transform
         q = pose.rotation
         self._place = (pose.translation.x, pose.translation.y, 2.0 * math.atan2(q.z, q.w))
+        self._needed.clear()
         stop(mapper)
 
     def _localize(self) -> None:
@@ -146,6 +156,7 @@ class Tour:
         follower = self._child(["rosrun", "trident_nav", "waypoint_follower.py", *words])
         end = rospy.Time.now() + rospy.Duration.from_sec(_DRIVE_LIMIT_S)
         while not self._is_done and not rospy.is_shutdown():
+            self._check_needed(part)
             if rospy.Time.now() > end or follower.poll() is not None:
                 raise TourError(f"{part}: the tour did not come to its end")
             rospy.rostime.wallsleep(_POLL_S)
@@ -199,7 +210,19 @@ class Tour:
 
     def _roslaunch(self, file: str, **arguments: object) -> subprocess.Popen[bytes]:
         words = [f"{name}:={value}" for name, value in arguments.items()]
-        return self._child(["roslaunch", "--disable-title", "trident_bringup", file, *words])
+        child = self._child(["roslaunch", "--disable-title", "trident_bringup", file, *words])
+        if file != _ROBOT:
+            self._needed[file] = child
+        return child
+
+    def _ended(self) -> str | None:
+        """Which of the launch files has ended that must not, in words, or None."""
+        gone = [file for file, child in self._needed.items() if child.poll() is not None]
+        return f"{gone[0]} has ended: its nodes have died" if gone else None
+
+    def _check_needed(self, part: str) -> None:
+        if (ended := self._ended()) is not None:
+            raise TourError(f"{part}: {ended}")
 
     def _child(self, command: list[str]) -> subprocess.Popen[bytes]:
         child = subprocess.Popen(command, start_new_session=True)
@@ -212,6 +235,7 @@ class Tour:
                 return
             if rospy.is_shutdown():
                 break
+            self._check_needed(what)
             rospy.rostime.wallsleep(_POLL_S)
         raise TourError(f"{what}: not there after {limit_s:g} s")
 
