@@ -27,7 +27,7 @@ LAUNCH = """\
   </include>
   <include file="$(find trident_bringup)/launch/robot/ground_robot.launch"/>
   <node name="record" pkg="rosbag" type="record"
-        args="-O $(optenv TRIDENT_OUT)/run.bag --chunksize=4 /clock"/>
+        args="-O $(optenv TRIDENT_OUT)/run.bag --chunksize=4 /clock /gazebo/model_states"/>
 </launch>
 """
 
@@ -179,7 +179,7 @@ def test_a_killed_recorder_is_told_and_what_it_wrote_is_kept(
     end = {"TRIDENT_END_TIME": "12"}
     os.environ.update(end)
     try:
-        run = Started(tmp_path, trident, str(launch_file), "factor:=4").spawned()
+        run = Started(tmp_path, trident, str(launch_file), "factor:=2").spawned()
     finally:
         for name in end:
             del os.environ[name]
