@@ -14,7 +14,7 @@ from trident_tool.shell import master_answers
 from trident_tool.workspace import TridentError
 
 _END_LIMIT_S = 25.0  # roslaunch waits 15 s for a node that does not end
-_MASTER_LIMIT_S = 20.0
+_MASTER_LIMIT_S = 300.0  # it is told at once when roscore ends
 _POLL_S = 0.2
 _AFTERWARDS_S = 5.0
 
