@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from harness import LIMIT_S, REPO
+from trident.testing import output_of
 
 
 @dataclass
@@ -47,24 +48,22 @@ class Trident:
 
     def __call__(self, *words: object, limit_s: float = 4 * LIMIT_S) -> Outcome:
         command = [str(REPO / "trident"), *(str(word) for word in words)]
-        done = subprocess.run(
+        process = subprocess.Popen(
             command,
             stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
             text=True,
-            timeout=limit_s,
-            check=False,
         )
-        found = re.search(r"^trident: \S+ -> (out/\S+)$", done.stdout, re.MULTILINE)
+        output = output_of(process, limit_s)
+        found = re.search(r"^trident: \S+ -> (out/\S+)$", output, re.MULTILINE)
         folder = REPO / found[1] if found else None
         if folder is not None:
             self.folders.append(folder)
         log = folder / "roslaunch.log" if folder else None
-        output = done.stdout
         if log is not None and log.is_file():
             output += log.read_text(encoding="utf-8", errors="replace")
-        return Outcome(done.returncode, output, folder)
+        return Outcome(process.returncode, output, folder)
 
     def clean(self) -> None:
         ours = self.latest.is_symlink() and os.readlink(self.latest) in {

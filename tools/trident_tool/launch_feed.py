@@ -13,7 +13,7 @@ from trident_tool.workspace import TridentError
 
 DESCRIPTION = "/robot_description"
 STATE_PUBLISHER = ["rosrun", "robot_state_publisher", "robot_state_publisher"]
-_PARAM_LIMIT_S = 20.0
+_PARAM_LIMIT_S = 300.0  # it is not waited for when roslaunch has ended
 _POLL_S = 0.1
 
 

@@ -8,7 +8,6 @@ import json
 import os
 import socket
 import subprocess
-import time
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -16,6 +15,10 @@ from typing import Any
 
 import numpy as np
 import pytest
+
+pytest.importorskip("trident.testing", reason="the workspace is not built or sourced")
+
+from trident.testing.waiting import eventually, output_of
 
 REPO = Path(__file__).resolve().parents[3]
 FLEET = REPO / "src" / "trident_fleet"
@@ -62,7 +65,7 @@ class RosSession:
         return [f"_out_dir:={self.folder}", "_connect_wait:=1"]
 
     def result(self, world: subprocess.Popen[str]) -> dict[str, Any]:
-        output, _ = world.communicate(timeout=LIMIT_S)
+        output = output_of(world, LIMIT_S)
         assert world.returncode == 0, output
         return dict(json.loads((self.folder / "world.json").read_text()))
 
@@ -88,13 +91,11 @@ def free_port() -> int:
 
 
 def wait_for_port(port: int) -> None:
-    give_up = time.monotonic() + 20.0
-    while time.monotonic() < give_up:
+    def listens() -> bool:
         with socket.socket() as probe:
-            if probe.connect_ex(("127.0.0.1", port)) == 0:
-                return
-        time.sleep(0.02)
-    raise AssertionError(f"no rosmaster on port {port}")
+            return probe.connect_ex(("127.0.0.1", port)) == 0
+
+    eventually(listens, f"a rosmaster on port {port}")
 
 
 def new_session(folder: Path) -> RosSession:
@@ -183,7 +184,7 @@ def test_a_bad_file_is_told_once_and_the_world_goes_on(session: RosSession, tmp_
     assert session.result(world)["sim_s"] == 0.0
     output = ""
     for node in nodes:
-        text, _ = node.communicate(timeout=LIMIT_S)
+        text = output_of(node, LIMIT_S)
         output += text
         assert node.returncode == 1
     assert output.count("FATAL") == 1
@@ -277,7 +278,7 @@ def test_a_topic_of_another_type_is_refused(session: RosSession, long_way: Path)
     own = ["_followers:=UAV2 UAV3", "_leader_topic:=/clock"]
     node = session.start(PYTHON, script, *own, *session.common())
     session.result(world)
-    output, _ = node.communicate(timeout=LIMIT_S)
+    output = output_of(node, LIMIT_S)
     assert node.returncode == 1
     assert "leader_topic: /clock is a rosgraph_msgs/Clock; legal: trident_msgs/FleetState" in output
     assert "Traceback" not in output

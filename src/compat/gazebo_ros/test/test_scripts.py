@@ -6,10 +6,10 @@ from __future__ import annotations
 
 import os
 import subprocess
-import time
 from pathlib import Path
 
 import pytest
+from trident.testing.waiting import eventually
 
 SCRIPTS = Path(__file__).parent.parent / "scripts"
 
@@ -23,7 +23,6 @@ def run(script: str, *arguments: str, path: Path, **env: str) -> subprocess.Comp
         capture_output=True,
         text=True,
         check=False,
-        timeout=20.0,
         stdin=subprocess.DEVNULL,
     )
 
@@ -72,9 +71,7 @@ def test_the_markers_of_the_fleet_end_with_the_viewer(viewer: Path, code: int) -
     result = run("gzclient", path=viewer, DISPLAY=":7", RVIZ_CODE=str(code))
     assert result.returncode == code
     log = viewer / "rosrun.log"
-    begin = time.monotonic()
-    while "ended" not in log.read_text() and time.monotonic() < begin + 10.0:
-        os.sched_yield()
+    eventually(lambda: "ended" in log.read_text(), "the end of the markers")
     assert log.read_text() == "trident_eval fleet_markers.py\nended\n"
 
 

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from trident.testing import LIMIT_S, PYTHON, RosProcesses, eventually, program
+from trident.testing import LIMIT_S, PYTHON, RosProcesses, eventually, output_of, program
 
 HERE = Path(__file__).parent
 
@@ -162,7 +162,7 @@ print(g.spawn_sdf_model_client("bad", "<sdf/>", "", Pose(), "", "/gazebo"))
 print(g.set_model_configuration_client("a", "", ["j"], [0.5], "/gazebo"))
 """
     process = ros.start([PYTHON, "-c", script], stderr=sys.stderr)
-    output, _ = process.communicate(timeout=LIMIT_S)
+    output = output_of(process)
     results = [line for line in output.splitlines() if line in ("True", "False")]
     assert results == ["True", "False", "True"]
     assert [call["call"] for call in ros.calls()] == ["spawn_urdf", "spawn_sdf", "configure"]

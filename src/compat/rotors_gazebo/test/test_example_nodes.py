@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from trident.testing import PYTHON, RosProcesses, eventually, program
+from trident.testing import PYTHON, RosProcesses, eventually, output_of, program
 
 HERE = Path(__file__).parent
 NAMESPACE = {"ROS_NAMESPACE": "/UAV1"}
@@ -59,7 +59,7 @@ def test_hovering_example_unpauses_then_sends_one_point_that_a_late_listener_get
         env=NAMESPACE,
     )
     ros.start_simulator()  # later than the node: it must try again
-    output, _ = example.communicate(timeout=30.0)
+    output = output_of(example)
     assert example.returncode == 0, output
     eventually(lambda: len(ros.events()) == 2, "arrival of the trajectory")
     unpause, trajectory = ros.events()

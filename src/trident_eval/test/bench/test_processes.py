@@ -7,10 +7,10 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
-import time
 from pathlib import Path
 
 import pytest
+from trident.testing.waiting import eventually
 from trident_eval.bench.processes import Processes, last_lines
 from trident_eval.core.errors import EvalError
 
@@ -26,10 +26,7 @@ def _gone(pid):
 
 
 def _wait_gone(pid):
-    deadline = time.monotonic() + _LIMIT_S
-    while not _gone(pid):
-        assert time.monotonic() < deadline, f"process {pid} still runs"
-        time.sleep(0.01)
+    eventually(lambda: _gone(pid), f"the end of process {pid}")
 
 
 def _read_pid(processes, name):
@@ -82,10 +79,8 @@ def test_processes_end_when_the_benchmark_is_killed(tmp_path):
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True, env=env) as bench:
         pid = int(bench.stdout.readline())
         command_line = Path(f"/proc/{pid}/cmdline")
-        deadline = time.monotonic() + _LIMIT_S
         # setpriv asks for the signal just before it becomes the program
-        while not command_line.read_bytes().startswith(b"sleep"):
-            assert time.monotonic() < deadline
+        eventually(lambda: command_line.read_bytes().startswith(b"sleep"), "the program")
         bench.kill()
     _wait_gone(pid)
 

@@ -38,7 +38,6 @@ from trident_msgs.srv import EnrollSource, EnrollSourceRequest, EnrollSourceResp
 PERIOD_NS = 100_000_000
 STEPS = 10
 FOLLOW = 0.35
-WALL_LIMIT_S = 60.0
 PLAIN_PERIOD_WALL_S = 0.02
 
 
@@ -114,9 +113,10 @@ class LockstepWorld(World):
         self.fleet.publish(state)
 
     def wait_until(self, condition: Callable[[], bool], what: str) -> None:
+        """However long it takes: the test that has started this knows for how long."""
+        print(f"fake_world: waits for {what}", flush=True)
         with self.changed:
-            if not self.changed.wait_for(condition, timeout=WALL_LIMIT_S):
-                raise SystemExit(f"fake_world: waited {WALL_LIMIT_S:g} s for {what}")
+            self.changed.wait_for(condition)
 
     def run(self) -> dict[str, Any]:
         self.wait_until(lambda: len(self.ends) == self.sources, f"{self.sources} sources")
@@ -180,8 +180,7 @@ class PlainWorld(World):
     def run(self) -> dict[str, Any]:
         time_ns, early, resting = 0, 0, 0
         begin = self.position.copy()
-        give_up = time.monotonic() + WALL_LIMIT_S
-        while resting < 20 and time.monotonic() < give_up:
+        while resting < 20:
             self.publish_clock(time_ns)
             self.states.publish(ModelStates(self.names, self.poses(), [Twist()] * len(self.names)))
             time.sleep(PLAIN_PERIOD_WALL_S)

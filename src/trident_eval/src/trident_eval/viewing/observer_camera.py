@@ -210,6 +210,14 @@ class Observer:
                 raise EvalError(f"no camera {self._name} within {limit_s:g} s")
             rospy.rostime.wallsleep(_CAMERA_POLL_S)
 
+    def newest(self, limit_s: float) -> Image:
+        """The newest picture that has arrived, else the next one; errors as `picture`."""
+        image = self.picture(0.0, limit_s)
+        with self._arrived:
+            while self._images:
+                image = self._images.take()
+        return image
+
     def picture(self, after_s: float, limit_s: float) -> Image:
         """The next picture stamped at or after a simulated time.
 

@@ -29,8 +29,8 @@ from trident_eval.viewing.observer_camera import Observer, View, pixels_of
 from trident_eval.viewing.scout import best_of, features
 
 _FOV_RAD = math.radians(60.0)
-_NODES_LIMIT_S = 90.0
-_PICTURE_LIMIT_S = 120.0
+_NODES_LIMIT_S = 300.0
+_PICTURE_LIMIT_S = 300.0
 _LOST_M = 1000.0
 _PACE = 5.0  # times real time, so that nodes that are not waited for keep up
 _STREAM_HZ = 5.0  # of simulated time
@@ -96,8 +96,8 @@ def _publish(lens: Lens, publisher: rospy.Publisher) -> None:
     view = View(stand.place, stand.target, lens.width, lens.height, lens.fov_rad, _STREAM_HZ)
     with Observer(view) as observer:
         while not rospy.is_shutdown():
+            image = observer.newest(_PICTURE_LIMIT_S)
             models = models_in_the_world()
-            image = observer.picture(0.0, _PICTURE_LIMIT_S)
             picture = Picture.fromarray(pixels_of(image), "RGB")
             write_names(picture, stand, lens, models)
             image.data, image.step = picture.tobytes(), 3 * image.width

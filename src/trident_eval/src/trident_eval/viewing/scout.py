@@ -26,7 +26,7 @@ _MAP_PX = 300
 _MAP_FOV_RAD = math.radians(70.0)
 _HEIGHTS_M = (15.0, 60.0, 200.0)  # of maps: near ones show walls, far ones all there is
 _FAR_M = 2000.0
-_LIMIT_S = 60.0
+_LIMIT_S = 300.0
 _MOST_STEPS = 20
 _CONNECT_S = 0.2
 

@@ -25,7 +25,7 @@ MAGIC = b"MATLAB 7.3 MAT-file"
 HDF5_MAGIC = b"\x89HDF\r\n\x1a\n"
 
 _CHILD = Path(__file__).with_name("mat73_child.py")
-_LIMIT_S = 20.0
+_LIMIT_S = 300.0  # of wall time, on a loaded machine; the child has its own limit of CPU time
 
 
 def read_variables(path: Path, wanted: str) -> list[Variable]:
@@ -59,6 +59,8 @@ def _ask_child(path: Path, wanted: str) -> bytes:
         done = subprocess.run(command, capture_output=True, timeout=_LIMIT_S, check=False)
     except subprocess.TimeoutExpired as error:
         raise MatError(f"HDF5: the library had not read it after {_LIMIT_S:g} s") from error
+    if done.returncode == -signal.SIGXCPU:
+        raise MatError("HDF5: the library had not read it after 20 s of CPU time")
     if done.returncode < 0:
         raise MatError(f"HDF5: the library crashed on it ({signal.strsignal(-done.returncode)})")
     if done.returncode:

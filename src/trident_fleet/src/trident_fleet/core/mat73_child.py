@@ -20,6 +20,7 @@ _NUMERIC = {"double", "single"} | {f"{u}int{bits}" for u in ("", "u") for bits i
 _HIDDEN = "#"  # MATLAB keeps what cells and objects refer to in groups like #refs#
 _MAX_NUMBERS = 1 << 25
 _MAX_MEMORY_BYTES = 1 << 31
+_MAX_CPU_S = 20
 
 
 def read(file: Any, wanted: str) -> tuple[list[dict[str, Any]], bytes]:
@@ -66,6 +67,7 @@ def _values(item: Any) -> npt.NDArray[np.float64]:
 
 def main() -> None:
     """Read the file named on the command line."""
+    resource.setrlimit(resource.RLIMIT_CPU, (_MAX_CPU_S, _MAX_CPU_S + 1))
     resource.setrlimit(resource.RLIMIT_AS, (_MAX_MEMORY_BYTES, _MAX_MEMORY_BYTES))
     path, wanted = sys.argv[1:]
     answer: dict[str, Any]

@@ -19,7 +19,7 @@ from trident.testing.models import box_sdf, pose, vehicle_urdf
 from trident.testing.programs import Process, complaints, package, program
 from trident.testing.simulation import SERVICES, Simulation, State
 from trident.testing.topics import Pilot, Recorder, pilot_of, recorder
-from trident.testing.waiting import LIMIT_S, eventually
+from trident.testing.waiting import LIMIT_S, eventually, output_of
 
 __all__ = [
     "LIMIT_S",
@@ -37,6 +37,7 @@ __all__ = [
     "box_sdf",
     "complaints",
     "eventually",
+    "output_of",
     "package",
     "pilot_of",
     "pose",

@@ -20,9 +20,9 @@ from trident.testing.simulation import Simulation
 from trident.testing.topics import recorder
 from trident.testing.waiting import LIMIT_S, eventually
 
-_STOP_LIMIT_S = (
-    40.0  # roslaunch waits 15 s for a node that does not end, and 2 s more after SIGTERM
-)
+_NODE_LIMIT_S = 60  # on a loaded machine roslaunch's 15 s are over before a node has ended
+_PATIENT = f"--sigint-timeout={_NODE_LIMIT_S}"
+_STOP_LIMIT_S = _NODE_LIMIT_S + 25.0  # roslaunch waits 2 s more after SIGTERM
 _LAST_S = 5.0  # what nodes have started themselves may need a moment longer than they
 _DIED = re.compile(r"\[([^\[\]\s]+)-\d+\] process has died \[pid -?\d+, exit code (-?\d+)")
 _ESCALATED = re.compile(r"\[([^\[\]\s]+)-\d+\] escalating to SIGTERM")
@@ -63,7 +63,7 @@ class Launch(Simulation):
         variables = {"ROS_LOG_DIR": str(self.log_folder), "TRIDENT_OUT": str(out_dir)}
         if real_time_factor is not None:
             variables["TRIDENT_REAL_TIME_FACTOR"] = f"{real_time_factor:g}"
-        command = ["roslaunch", "--disable-title", *words, *given]
+        command = ["roslaunch", "--disable-title", _PATIENT, *words, *given]
         process = ros.launch(command, "roslaunch", **variables, **(env or {}))
         super().__init__(ros, process, out_dir)
         self.shutdown_s = 0.0

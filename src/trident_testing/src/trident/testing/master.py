@@ -17,11 +17,10 @@ from urllib.parse import urlparse
 import rospy
 
 from trident.testing.programs import Process
-from trident.testing.waiting import LIMIT_S, eventually
+from trident.testing.waiting import LIMIT_S, eventually, output_of
 
 PYTHON = "/usr/bin/python3"  # the interpreter that Debian's rospy is built for
 CALLER = "/trident_testing"
-_TIMEOUT_S = 20.0
 
 
 def answers(uri: str) -> bool:
@@ -89,7 +88,7 @@ class RosProcesses:
     def run(self, command: Sequence[str], **options: Any) -> tuple[int, str]:
         """Run a process to its end; its exit code and output."""
         process = self.start(command, **options)
-        output, _ = process.communicate(timeout=_TIMEOUT_S)
+        output = output_of(process)
         return process.returncode, output
 
     def close(self) -> None:

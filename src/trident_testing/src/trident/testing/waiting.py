@@ -4,11 +4,15 @@
 
 from __future__ import annotations
 
+import subprocess
 import time
 from collections.abc import Callable
 
-LIMIT_S = 60.0  # wall time for what takes a second on a quiet machine
+from trident.patience import Patience
+
+LIMIT_S = 60.0  # for what takes a second on a quiet machine
 _POLL_S = 0.02
+_LOOK_S = 0.5
 
 
 def eventually(condition: Callable[[], bool], what: str, limit_s: float = LIMIT_S) -> None:
@@ -17,12 +21,32 @@ def eventually(condition: Callable[[], bool], what: str, limit_s: float = LIMIT_
     Args:
         condition: polled; what it raises ends the wait.
         what: is waited for; part of the error.
-        limit_s: wall time [s], one that a loaded machine meets.
+        limit_s: time [s], as far as the machine gives it to this process and what it has started
+            (`trident.patience`).
 
     Raises:
         AssertionError: it did not hold in time.
     """
-    deadline = time.monotonic() + limit_s
+    patience = Patience()
     while not condition():
-        assert time.monotonic() < deadline, f"{what} did not happen within {limit_s:g} s"
+        assert patience.spent_s() < limit_s, f"{what} did not happen within {limit_s:g} s"
         time.sleep(_POLL_S)
+
+
+def output_of(process: subprocess.Popen[str], limit_s: float = LIMIT_S) -> str:
+    """What a process has written to its pipe when it has ended; limit as of `eventually`.
+
+    Raises:
+        AssertionError: it has not ended in time; it is killed, and its output told.
+    """
+    patience = Patience()
+    while True:
+        try:
+            return process.communicate(timeout=_LOOK_S)[0] or ""
+        except subprocess.TimeoutExpired:
+            if patience.spent_s() >= limit_s:
+                process.kill()
+                output = process.communicate()[0]
+                raise AssertionError(
+                    f"{process.args} did not end within {limit_s:g} s:\n{output}"
+                ) from None
