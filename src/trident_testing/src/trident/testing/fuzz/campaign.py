@@ -82,6 +82,11 @@ class Findings:
         return "\n".join([*lines, *(f"PROBLEM {problem}" for problem in self.problems)])
 
 
+def _is_refusal(response: Any) -> bool:
+    """Of services that say so in their answer: nav_msgs/LoadMap has a `result` other than 0."""
+    return not getattr(response, "success", True) or getattr(response, "result", 0) != 0
+
+
 def _publisher(topic: str, kind: type[genpy.Message]) -> rospy.Publisher:
     """One without a queue: messages go out in the calling thread and in order."""
     with warnings.catch_warnings():
@@ -227,7 +232,7 @@ class Campaign:
         except OutOfTime:
             self._findings.add(f"{name} gave no answer within {_CALL_LIMIT_S:g} s; {self._after()}")
             return False
-        if response is None or not getattr(response, "success", True):
+        if response is None or _is_refusal(response):
             self._findings.refused[name] += 1
         problem = non_finite(response) if response is not None else ""
         if problem:
