@@ -38,8 +38,9 @@ void OdometryInput::spin_once(std::chrono::milliseconds limit) {
 void OdometryInput::on_bytes(Span<const std::uint8_t> bytes) {
   const auto odometry = parse_odometry(bytes);
   if (!odometry) {
-    refusals_.note("odometry refused", "odometry of " + std::to_string(bytes.size()) +
-                                           " bytes is too short to be a nav_msgs/Odometry; ignored");
+    refusals_.note("odometry refused",
+                   "odometry of " + std::to_string(bytes.size()) +
+                       " bytes is too short to be a nav_msgs/Odometry; ignored");
     return;
   }
   // A process of its own does not listen to /clock; a nodelet manager does.

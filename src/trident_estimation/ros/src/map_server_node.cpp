@@ -60,7 +60,8 @@ bool MapServerNode::on_change_map(nav_msgs::LoadMap::Request& request,
     load(request.map_url);
     response.map = map_;
   } catch (const MapFileError& error) {
-    ROS_ERROR("%s", quoted(std::string("change_map: ") + error.what() + "; the last map stays").c_str());
+    ROS_ERROR("%s",
+              quoted(std::string("change_map: ") + error.what() + "; the last map stays").c_str());
     response.result = code_of(error.kind());
     troubles_.note("change_map", quoted(error.what()));
     diagnostic_msgs::DiagnosticArray array;

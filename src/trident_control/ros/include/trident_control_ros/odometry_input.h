@@ -10,8 +10,8 @@
 
 #include "trident_control_ros/message_conversions.h"
 #include "trident_ros/direct_inbox.h"
-#include "trident_ros/refusals.h"
 #include "trident_ros/inline_callback_queue.h"
+#include "trident_ros/refusals.h"
 
 namespace trident {
 

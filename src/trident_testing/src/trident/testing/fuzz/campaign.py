@@ -137,9 +137,7 @@ class Campaign:
         """Send everything; what was found."""
         begin, memory = time.monotonic(), self._target.memory_mib
         listeners = self._listen()
-        publishers = {
-            topic: _publisher(topic, kind) for topic, kind in self._kinds.items()
-        }
+        publishers = {topic: _publisher(topic, kind) for topic, kind in self._kinds.items()}
         proxies = {
             name: rospy.ServiceProxy(name, kind, persistent=True)
             for name, kind in self._services.items()
@@ -252,7 +250,9 @@ class Campaign:
         if self._target.is_alive:
             return True
         problem = f"{self._target.name} has died; {self._after()}"
-        if not any(known.startswith(f"{self._target.name} has died") for known in self._findings.problems):
+        if not any(
+            known.startswith(f"{self._target.name} has died") for known in self._findings.problems
+        ):
             self._findings.add(problem)
         return False
 
