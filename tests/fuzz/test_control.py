@@ -60,7 +60,11 @@ def treat(
 ) -> None:
     node = f"/UAV1/{kind}"
     ros.set_param(node, parameters)
-    command = [program(where.get("package", "rotors_control"), kind), "__ns:=/UAV1", f"__name:={kind}"]
+    command = [
+        program(where.get("package", "rotors_control"), kind),
+        "__ns:=/UAV1",
+        f"__name:={kind}",
+    ]
     process = started(ros, node, command)
     topic = where.get("answer", "command/motor_speed")
     answers = Answers(f"/UAV1/{topic}", Float32 if "answer" in where else Actuators)

@@ -51,7 +51,9 @@ def test_amcl(ros: Ros, map_file: Path) -> None:
     started(ros, "/maps", [program("map_server", "map_server"), str(map_file), "__name:=maps"])
     still_serves()
     whole = rospy.ServiceProxy("/static_map", GetMap)().map
-    process = started(ros, "/amcl", [program("amcl", "amcl"), "__name:=amcl", "_max_particles:=500"])
+    process = started(
+        ros, "/amcl", [program("amcl", "amcl"), "__name:=amcl", "_max_particles:=500"]
+    )
     place = PoseWithCovarianceStamped()
     place.header.frame_id, place.pose.pose.orientation.w = "map", 1.0
     place.pose.covariance[0] = place.pose.covariance[7] = place.pose.covariance[35] = 0.1

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""The simulator's server under hostile messages: a drone, a robot with a lidar, and a vessel in it."""
+"""The simulator's server under hostile messages."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from hostile import withstands
 from trident.testing import Gazebo, Ros, box_sdf
 
 NAMES = ("UAV1", "box", "box::link", "UAV1::UAV1/base_link", "UAV1::UAV1/rotor_0_joint", "world")
-#: A world that is asked for 4e9 steps makes them, and one that a source has enrolled in waits for it.
+#: A world that is asked for 4e9 steps makes them; one that a source has enrolled in waits for it.
 OBEYED = ("*/unpause_physics", "*/step", "*/enroll_source")
 
 

@@ -137,6 +137,7 @@ def test_merge_maps(ros: Ros, session: str) -> None:
     process = started(
         ros, "/merge", [program("slam_toolbox", "merge_maps_kinematic"), "__name:=merge"]
     )
+
     def still_works() -> None:
         rospy.wait_for_service("/map_merging/add_submap", LIMIT_S)
         rospy.ServiceProxy("/map_merging/add_submap", AddSubmap)(session)

@@ -21,8 +21,8 @@ class Check {
  public:
   void finite(const char* what, double value, const char* unit) {
     if (std::abs(value) <= kLargest || !verdict.refused.empty()) return;
-    verdict.refused =
-        std::string(what) + " = " + number_text(value) + " " + unit + ", legal is a number up to " + number_text(kLargest);
+    verdict.refused = std::string(what) + " = " + number_text(value) + " " + unit +
+                      ", legal is a number up to " + number_text(kLargest);
   }
   void limit(const char* what, double& value, double lo, double hi, const char* unit) {
     finite(what, value, unit);

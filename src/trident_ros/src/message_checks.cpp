@@ -49,7 +49,8 @@ std::string number_problem(double value, double most, const std::string& name) {
 }
 
 std::string point_problem(double x, double y, double z, const std::string& name) {
-  if (std::abs(x) <= kFarthestM && std::abs(y) <= kFarthestM && std::abs(z) <= kFarthestM) return "";
+  if (std::abs(x) <= kFarthestM && std::abs(y) <= kFarthestM && std::abs(z) <= kFarthestM)
+    return "";
   return name + " is (" + number_text(x) + ", " + number_text(y) + ", " + number_text(z) +
          ") m, legal: finite, up to +-" + number_text(kFarthestM) + " m";
 }
@@ -74,9 +75,8 @@ std::string transform_problem(const geometry_msgs::TransformStamped& transform) 
   if (parent == child) return "both frames are the same";
   const auto& p = transform.transform.translation;
   const std::string problem = point_problem(p.x, p.y, p.z, "translation");
-  return problem.empty()
-             ? rotation_problem(transform.transform.rotation, "rotation", kOfTf2)
-             : problem;
+  return problem.empty() ? rotation_problem(transform.transform.rotation, "rotation", kOfTf2)
+                         : problem;
 }
 
 std::string scan_problem(const sensor_msgs::LaserScan& scan) {
@@ -90,8 +90,8 @@ std::string scan_problem(const sensor_msgs::LaserScan& scan) {
     return "range_min " + number_text(scan.range_min) + " m, range_max " +
            number_text(scan.range_max) + " m, legal: 0 <= range_min < range_max";
   }
-  const double lasts = static_cast<double>(scan.time_increment) *
-                       static_cast<double>(scan.ranges.size());
+  const double lasts =
+      static_cast<double>(scan.time_increment) * static_cast<double>(scan.ranges.size());
   if (std::isnan(lasts) || std::abs(lasts) <= kLongestSweepS) return "";
   return "time_increment is " + number_text(scan.time_increment) + " s for " +
          std::to_string(scan.ranges.size()) + " beams, legal: a sweep of up to " +

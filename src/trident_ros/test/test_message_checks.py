@@ -11,6 +11,7 @@ pytest.importorskip("rospy", reason="the workspace is not sourced")
 from genpy import Time
 from geometry_msgs.msg import Pose, PoseWithCovarianceStamped
 from trident.testing.fuzz import Generator, non_finite
+
 from trident_ros import numbers_problem, pose_problem, quoted, stamp_problem
 
 

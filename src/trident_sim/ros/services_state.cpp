@@ -118,7 +118,8 @@ auto logged(Simulation& simulation, const std::shared_ptr<Refusals>& refusals, c
     try {
       set(simulation, state);
     } catch (const Error& error) {
-      refusals->note(std::string(what) + " refused", one_line(std::string(what) + ": " + error.what()));
+      refusals->note(std::string(what) + " refused",
+                     one_line(std::string(what) + ": " + error.what()));
     }
   };
 }
@@ -156,14 +157,12 @@ void subscribe_state_topics(ros::NodeHandle& node, Simulation& simulation,
   const auto refusals = std::make_shared<Refusals>(node);
   subscribers.push_back(node.subscribe<gazebo_msgs::ModelState>(
       "set_model_state", 10,
-      boost::function<void(const gazebo_msgs::ModelState&)>(
-          logged<gazebo_msgs::ModelState>(
-              simulation, refusals, "set_model_state", set_model_state))));
+      boost::function<void(const gazebo_msgs::ModelState&)>(logged<gazebo_msgs::ModelState>(
+          simulation, refusals, "set_model_state", set_model_state))));
   subscribers.push_back(node.subscribe<gazebo_msgs::LinkState>(
       "set_link_state", 10,
       boost::function<void(const gazebo_msgs::LinkState&)>(
-          logged<gazebo_msgs::LinkState>(
-              simulation, refusals, "set_link_state", set_link_state))));
+          logged<gazebo_msgs::LinkState>(simulation, refusals, "set_link_state", set_link_state))));
 }
 
 }  // namespace trident

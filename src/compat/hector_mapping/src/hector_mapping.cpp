@@ -226,7 +226,7 @@ void run() {
   graph.is_asynchronous = true;
   graph.validate();
   HectorMapping node(ros::NodeHandle(), options, read_hector_options(own),
-                           slam_maker(own, {"hector_slam_2d"}, graph));
+                     slam_maker(own, {"hector_slam_2d"}, graph));
   node.run();
 }
 

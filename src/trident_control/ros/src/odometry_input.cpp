@@ -7,12 +7,13 @@
 #include <utility>
 
 #include "trident_control_ros/node_main.h"
+#include "trident_ros/message_checks.h"
 #include "trident_ros/subscriptions.h"
 
 namespace trident {
 
 OdometryInput::OdometryInput(ros::NodeHandle& node, OdometryThread thread, Handler handler)
-    : handler_(std::move(handler)) {
+    : handler_(std::move(handler)), refusals_(node) {
   if (thread == OdometryThread::kCaller) {
     inbox_ = std::make_unique<DirectInbox>();
     subscription_ = inbox_->subscribe<nav_msgs::Odometry>(
@@ -21,7 +22,7 @@ OdometryInput::OdometryInput(ros::NodeHandle& node, OdometryThread thread, Handl
   }
   auto options = object_subscription<nav_msgs::Odometry>(
       "odometry", 1, [this](Span<const std::uint8_t> bytes) { on_bytes(bytes); },
-      [this](const auto& message) { handler_(to_stamped_odometry(*message)); }, &queue_);
+      [this](const auto& message) { hand_over(to_stamped_odometry(*message)); }, &queue_);
   subscriber_ = node.subscribe(options);
 }
 
@@ -37,13 +38,23 @@ void OdometryInput::spin_once(std::chrono::milliseconds limit) {
 void OdometryInput::on_bytes(Span<const std::uint8_t> bytes) {
   const auto odometry = parse_odometry(bytes);
   if (!odometry) {
-    ROS_ERROR_THROTTLE(5.0, "odometry of %zu bytes is too short to be a nav_msgs/Odometry; ignored",
-                       bytes.size());
+    refusals_.note("odometry refused",
+                   "odometry of " + std::to_string(bytes.size()) +
+                       " bytes is too short to be a nav_msgs/Odometry; ignored");
     return;
   }
   // A process of its own does not listen to /clock; a nodelet manager does.
-  if (inbox_) set_log_time(odometry->stamp);
-  handler_(*odometry);
+  if (inbox_ && stamp_problem(odometry->stamp, {}).empty()) set_log_time(odometry->stamp);
+  hand_over(*odometry);
+}
+
+void OdometryInput::hand_over(const StampedOdometry& odometry) {
+  const std::string problem = stamp_problem(odometry.stamp, {});
+  if (problem.empty()) {
+    handler_(odometry);
+  } else {
+    refusals_.note("odometry refused", "odometry refused: " + problem);
+  }
 }
 
 }  // namespace trident

@@ -143,8 +143,8 @@ SE2 AmclNode::motion_since(const ros::Time& stamp) const {
 void AmclNode::on_initial_pose(const geometry_msgs::PoseWithCovarianceStamped& message) {
   const std::string& frame = message.header.frame_id;
   if (!frame.empty() && frame != params_.global_frame_id) {
-    troubles_.note("initialpose refused", "initialpose is in frame '" + quoted(frame) + "', legal: '" +
-                                              params_.global_frame_id + "'");
+    troubles_.note("initialpose refused", "initialpose is in frame '" + quoted(frame) +
+                                              "', legal: '" + params_.global_frame_id + "'");
     return;
   }
   if (!amcl_) {

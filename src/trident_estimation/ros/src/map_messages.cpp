@@ -33,8 +33,8 @@ SE2 from_pose_message(const geometry_msgs::Pose& pose) {
   if (!(std::abs(p.x()) <= kFarthestM && std::abs(p.y()) <= kFarthestM) ||
       !(std::abs(q.norm() - 1.0) < 0.01)) {
     throw Error("pose: position (" + number_text(p.x()) + ", " + number_text(p.y()) +
-                ") m, quaternion of length " + number_text(q.norm()) +
-                ", legal: finite, up to " + number_text(kFarthestM) + " m, length 1");
+                ") m, quaternion of length " + number_text(q.norm()) + ", legal: finite, up to " +
+                number_text(kFarthestM) + " m, length 1");
   }
   const double yaw = std::atan2(2.0 * (q.w() * q.z() + q.x() * q.y()),
                                 1.0 - 2.0 * (q.y() * q.y() + q.z() * q.z()));
@@ -62,8 +62,8 @@ OccupancyGrid from_map_message(const nav_msgs::OccupancyGrid& message) {
   }
   const auto resolution = static_cast<double>(message.info.resolution);
   if (!(resolution >= kFinest && resolution <= kCoarsest)) {
-    throw Error("map: resolution " + number_text(resolution) + " m, legal: " +
-                number_text(kFinest) + " to " + number_text(kCoarsest) + " m");
+    throw Error("map: resolution " + number_text(resolution) +
+                " m, legal: " + number_text(kFinest) + " to " + number_text(kCoarsest) + " m");
   }
   OccupancyGrid grid;
   grid.width = static_cast<int>(width);

@@ -6,6 +6,7 @@
 
 #include "trident_estimation/map_file.h"
 #include "trident_estimation_ros/map_messages.h"
+#include "trident_ros/message_checks.h"
 
 namespace trident {
 namespace {
@@ -59,9 +60,10 @@ bool MapServerNode::on_change_map(nav_msgs::LoadMap::Request& request,
     load(request.map_url);
     response.map = map_;
   } catch (const MapFileError& error) {
-    ROS_ERROR("change_map: %s; the last map stays", error.what());
+    ROS_ERROR("%s",
+              quoted(std::string("change_map: ") + error.what() + "; the last map stays").c_str());
     response.result = code_of(error.kind());
-    troubles_.note("change_map", error.what());
+    troubles_.note("change_map", quoted(error.what()));
     diagnostic_msgs::DiagnosticArray array;
     array.header.stamp = ros::Time::now();
     troubles_.add_to(array, "map_server");

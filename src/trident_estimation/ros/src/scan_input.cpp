@@ -61,10 +61,9 @@ ScanInput::ScanInput(ros::NodeHandle& node, const ScanInputParams& params, Troub
       on_scan_(std::move(on_scan)),
       on_new_time_(std::move(on_new_time)),
       buffer_(ros::Duration(30.0)),
-      transforms_(buffer_,
-                  [this](const std::string& problem) {
-                    troubles_.note("transform refused", problem);
-                  }),
+      transforms_(
+          buffer_,
+          [this](const std::string& problem) { troubles_.note("transform refused", problem); }),
       subscriber_(node.subscribe("scan", kMostWaiting, &ScanInput::receive, this)),
       timer_(node.createWallTimer(ros::WallDuration(kLookEvery),
                                   [this](const ros::WallTimerEvent&) { hand_out(); })) {}

@@ -32,7 +32,7 @@ constexpr double kInjectedSigmaYaw = 0.03;  // [rad]
 constexpr std::size_t kParticlesPerHypothesis = 100;
 constexpr double kLargestVariance = 1e8;  // [m^2], [rad^2]
 constexpr double kFarthest = 1e8;         // of a pose and of odometry, from where they begin [m]
-constexpr int kMostPatience = 32;  // times recovery_patience
+constexpr int kMostPatience = 32;         // times recovery_patience
 
 double to_unit(std::uint64_t bits) { return static_cast<double>(bits >> 11) * 0x1.0p-53; }
 
@@ -50,10 +50,10 @@ ScanPoints thinned(const ScanPoints& points) {
 /// A matrix S with S S' = covariance, for covariances without full rank, too.
 Eigen::Matrix3d square_root(const Eigen::Matrix3d& covariance) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
-  const bool is_legal = covariance.allFinite() &&
-                        covariance.cwiseAbs().maxCoeff() <= kLargestVariance && solver.info() == Eigen::Success &&
-                        solver.eigenvalues().minCoeff() >= -1e-9 &&
-                        covariance.isApprox(covariance.transpose(), 1e-6);
+  const bool is_legal =
+      covariance.allFinite() && covariance.cwiseAbs().maxCoeff() <= kLargestVariance &&
+      solver.info() == Eigen::Success && solver.eigenvalues().minCoeff() >= -1e-9 &&
+      covariance.isApprox(covariance.transpose(), 1e-6);
   if (!is_legal) {
     throw Error("covariance of a pose: diagonal " + number_text(covariance(0, 0)) + ", " +
                 number_text(covariance(1, 1)) + ", " + number_text(covariance(2, 2)) +
@@ -118,7 +118,8 @@ Amcl::Amcl(const AmclParams& params, const OccupancyGrid& map)
 Amcl::~Amcl() = default;
 
 void Amcl::set_pose(const SE2& T_map_base, const Eigen::Matrix3d& covariance) {
-  if (!is_finite(T_map_base)) throw Error("pose: (" + number_text(T_map_base.p.x()) + ", " + number_text(T_map_base.p.y()) +
+  if (!is_finite(T_map_base))
+    throw Error("pose: (" + number_text(T_map_base.p.x()) + ", " + number_text(T_map_base.p.y()) +
                 ") m, " + number_text(T_map_base.angle) + " rad, legal: finite, up to " +
                 number_text(kFarthest) + " m");
   const Eigen::Matrix3d root = square_root(covariance);

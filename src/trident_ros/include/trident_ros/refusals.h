@@ -13,8 +13,8 @@
 namespace trident {
 
 /// Messages that a node refuses, by kind: each kind is told in the log at once and then every few
-/// seconds at most, and counted in /diagnostics, where the node has a status "`node`: kind" of each.
-/// From any thread.
+/// seconds at most, and counted in /diagnostics, where the node has a status "`node`: kind" of
+/// each. From any thread.
 class Refusals {
  public:
   explicit Refusals(ros::NodeHandle& node);

@@ -25,7 +25,8 @@ void validate(const Link& link, const Inertial& inertial) {
   if (!(inertial.mass_kg > 0.0 && inertial.mass_kg <= kHeaviest_kg)) {
     refuse("mass is " + std::to_string(inertial.mass_kg) + " kg, must be in (0, 1e12]");
   }
-  if (!is_within(inertial.T_link_com.p, kFarthestBodyM) || !inertial.T_link_com.R.coeffs().allFinite()) {
+  if (!is_within(inertial.T_link_com.p, kFarthestBodyM) ||
+      !inertial.T_link_com.R.coeffs().allFinite()) {
     refuse("com is not finite, or beyond 1e7 m");
   }
   if (!inertial.inertia_com.allFinite()) refuse("inertia is not finite");

@@ -97,7 +97,6 @@ void cast_put_off(const RayScenes& scenes, WorkerPool& workers) {
   RayScene::do_put_off({made.data(), count}, workers);
 }
 
-
 }  // namespace
 
 World::World(const WorldSpec& spec, const Resources& resources, PluginRegistry& registry,
@@ -175,7 +174,8 @@ Model& World::add_model(ModelSpec spec, const std::string& robot_namespace) {
     throw Error("model name '" + spec.name + "' already exists in the world");
   }
   if (!is_place(spec.T_world_model)) {
-    throw Error("model '" + spec.name + "': initial pose is not finite, is beyond 1e7 m or has a zero quaternion");
+    throw Error("model '" + spec.name +
+                "': initial pose is not finite, is beyond 1e7 m or has a zero quaternion");
   }
   spec.T_world_model.R.normalize();
   diagnostics_.forget_model(spec.name);  // of earlier attempts

@@ -12,7 +12,10 @@
 #include <string>
 #include <vector>
 
+#include "trident_base/string_util.h"
 #include "trident_estimation_ros/map_messages.h"
+#include "trident_ros/message_checks.h"
+#include "trident_ros/refusals.h"
 #include "trident_slam/graph_slam_2d.h"
 #include "trident_slam_ros/graph_editor.h"
 #include "trident_slam_ros/run_program.h"
@@ -26,6 +29,7 @@ namespace {
 namespace srv = slam_toolbox_msgs;
 constexpr char kMapFrame[] = "map";
 constexpr double kMarkerDiameter = 2.4;  // [m]
+constexpr double kFarthestMarker = 1e5;  // [m]
 
 /// A session, and where a user has put it.
 struct Submap {
@@ -98,10 +102,16 @@ class MapMerger {
   void follow(std::size_t index, const visualization_msgs::InteractiveMarkerFeedback& feedback) {
     if (feedback.event_type != visualization_msgs::InteractiveMarkerFeedback::POSE_UPDATE) return;
     try {
-      place(index, from_pose_message(feedback.pose));
+      const SE2 T_map_marker = from_pose_message(feedback.pose);
+      if (!(T_map_marker.p.norm() <= kFarthestMarker)) {
+        throw Error("it is " + number_text(T_map_marker.p.norm()) + " m away, legal: up to " +
+                    number_text(kFarthestMarker) + " m");
+      }
+      place(index, T_map_marker);
       markers_.applyChanges();  // for other viewers
     } catch (const Error& error) {
-      ROS_ERROR("marker '%s': %s", feedback.marker_name.c_str(), error.what());
+      refusals_.note("marker refused",
+                     "marker '" + quoted(feedback.marker_name) + "': " + error.what());
     }
   }
 
@@ -139,6 +149,7 @@ class MapMerger {
 
   GraphSlamOptions options_;
   ros::NodeHandle handle_;
+  Refusals refusals_{handle_};
   interactive_markers::InteractiveMarkerServer markers_;
   tf2_ros::StaticTransformBroadcaster broadcaster_;
   ros::Publisher map_publisher_;

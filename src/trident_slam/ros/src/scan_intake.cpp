@@ -109,7 +109,8 @@ void ScanIntake::add(const sensor_msgs::Imu& message) {
   Eigen::Matrix3d R_base_imu = Eigen::Matrix3d::Identity();
   if (!imu.empty() && imu != options_.base_frame) {
     if (!transforms_.canTransform(options_.base_frame, imu, ros::Time(0))) {
-      imu_problem_ = "transform " + options_.base_frame + " -> " + quoted(imu) + " is not known at all";
+      imu_problem_ =
+          "transform " + options_.base_frame + " -> " + quoted(imu) + " is not known at all";
       return;
     }
     const auto mount = transforms_.lookupTransform(options_.base_frame, imu, ros::Time(0));

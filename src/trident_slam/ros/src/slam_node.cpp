@@ -67,8 +67,8 @@ std::string rescue_stem(const SlamNodeOptions& options) {
   }
   const char* const ros_home = std::getenv("ROS_HOME");
   const char* const home = std::getenv("HOME");
-  const fs::path folder = ros_home != nullptr ? fs::path(ros_home)
-                                              : fs::path(home != nullptr ? home : ".") / ".ros";
+  const fs::path folder =
+      ros_home != nullptr ? fs::path(ros_home) : fs::path(home != nullptr ? home : ".") / ".ros";
   std::string name = ros::this_node::getName().substr(1);
   for (char& letter : name) {
     if (letter == '/') letter = '_';

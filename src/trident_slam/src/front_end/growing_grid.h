@@ -55,9 +55,11 @@ class GrowingGrid {
     const std::int64_t bottom = is_empty ? y0 : std::min<std::int64_t>(y0, min_y_);
     const std::int64_t right = is_empty ? x1 : std::max<std::int64_t>(x1, min_x_ + width_);
     const std::int64_t top = is_empty ? y1 : std::max<std::int64_t>(y1, min_y_ + height_);
-    const auto columns = static_cast<double>(right - left), rows = static_cast<double>(top - bottom);
+    const auto columns = static_cast<double>(right - left),
+               rows = static_cast<double>(top - bottom);
     constexpr std::int64_t kFarthest = 1 << 30;
-    const bool is_near = left > -kFarthest && bottom > -kFarthest && right < kFarthest && top < kFarthest;
+    const bool is_near =
+        left > -kFarthest && bottom > -kFarthest && right < kFarthest && top < kFarthest;
     if (is_near && columns * rows * sizeof(T) <= kMostBytes) return;
     throw Error("a grid of the map would have " + std::to_string(right - left) + " x " +
                 std::to_string(top - bottom) + " cells from (" + std::to_string(left) + ", " +

@@ -8,9 +8,9 @@
 namespace trident {
 namespace {
 
-constexpr double kLongestMotion = 1.0;              // [s]
+constexpr double kLongestMotion = 1.0;  // [s]
 /// What moves faster, by odometry and stamps, has stamps that lie.
-constexpr double kFastest = 100.0;  // [m/s], [rad/s]
+constexpr double kFastest = 100.0;                  // [m/s], [rad/s]
 constexpr std::int64_t kKept = 10'000'000'000;      // [ns]
 constexpr std::int64_t kLongestGap = 100'000'000;   // [ns]
 constexpr std::int64_t kBegunAnew = 1'000'000'000;  // [ns]

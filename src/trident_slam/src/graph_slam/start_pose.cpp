@@ -10,8 +10,8 @@
 namespace trident {
 namespace {
 
-constexpr double kFarFromMap = 1000.0;    // [m]
-constexpr double kFarFromOrigin = 1e5;    // [m]; single floats tell 8 mm there
+constexpr double kFarFromMap = 1000.0;  // [m]
+constexpr double kFarFromOrigin = 1e5;  // [m]; single floats tell 8 mm there
 
 }  // namespace
 
@@ -19,8 +19,8 @@ void check_start_pose(const SE2& T_map_base, const Eigen::AlignedBox2d& mapped) 
   const std::string pose = "pose (" + number_text(T_map_base.p.x()) + ", " +
                            number_text(T_map_base.p.y()) + ") m, " + number_text(T_map_base.angle) +
                            " rad";
-  const bool is_near = std::abs(T_map_base.p.x()) <= kFarFromOrigin &&
-                       std::abs(T_map_base.p.y()) <= kFarFromOrigin;
+  const bool is_near =
+      std::abs(T_map_base.p.x()) <= kFarFromOrigin && std::abs(T_map_base.p.y()) <= kFarFromOrigin;
   if (!is_near || !std::isfinite(T_map_base.angle)) {
     throw Error(pose + ", legal: finite, up to " + number_text(kFarFromOrigin) +
                 " m from the map's origin");

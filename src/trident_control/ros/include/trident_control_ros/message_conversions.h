@@ -28,7 +28,8 @@ struct StampedOdometry {
 
 /// Why a controller refuses a state; ends a sentence.
 inline constexpr const char* kInvalidStateText =
-    "a number in it is NaN, infinite or beyond 1e8, or its orientation is no unit quaternion; it gets no "
+    "a number in it is NaN, infinite or beyond 1e8, or its orientation is no unit quaternion; it "
+    "gets no "
     "answer";
 
 /// "what stamped s refused: why".

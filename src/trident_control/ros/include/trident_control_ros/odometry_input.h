@@ -11,6 +11,7 @@
 #include "trident_control_ros/message_conversions.h"
 #include "trident_ros/direct_inbox.h"
 #include "trident_ros/inline_callback_queue.h"
+#include "trident_ros/refusals.h"
 
 namespace trident {
 
@@ -37,8 +38,10 @@ class OdometryInput {
 
  private:
   void on_bytes(Span<const std::uint8_t> bytes);
+  void hand_over(const StampedOdometry& odometry);
 
   Handler handler_;
+  Refusals refusals_;
   std::unique_ptr<DirectInbox> inbox_;  ///< OdometryThread::kCaller
   std::unique_ptr<DirectSubscription> subscription_;
   InlineCallbackQueue queue_;

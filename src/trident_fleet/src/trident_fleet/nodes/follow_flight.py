@@ -20,6 +20,7 @@ from trident_fleet.core.leader import Decoder, LeaderState, LeaderTrack
 from trident_fleet.core.quintic import Array
 from trident_fleet.nodes.flights import Crew, Flight, FlightMaker, Standstill
 from trident_fleet.nodes.leader_topic import LeaderTopic
+from trident_fleet.nodes.world_link import LONGEST_JUMP_NS
 
 # A stamp farther than this from simulated time is from another clock [ns].
 _FOREIGN_STAMP_NS = NS_PER_S
@@ -146,6 +147,9 @@ class FollowFlight:
         with self._lock:
             if not self._topic.is_simulated and abs(stamp_ns - self._now_ns) > _FOREIGN_STAMP_NS:
                 stamp_ns = self._now_ns
+            if stamp_ns - self._now_ns > LONGEST_JUMP_NS:
+                self._topic.refuse(f"{(stamp_ns - self._now_ns) / NS_PER_S:g} s ahead of the clock")
+                return
             self._track.add(stamp_ns - self._start_ns, decode)
             self._heard_at = time.monotonic()
             if self._is_silent:

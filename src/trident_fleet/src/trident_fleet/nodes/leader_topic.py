@@ -101,10 +101,14 @@ class LeaderTopic:
     def _is_refused(self, stamp: rospy.Time) -> bool:
         problem = stamp_problem(stamp)
         if problem:
-            if self._refusals is None:
-                self._refusals = Refusals()
-            self._refusals.note("leader refused", f"{self.name} refused: {problem}")
+            self.refuse(problem)
         return bool(problem)
+
+    def refuse(self, problem: str) -> None:
+        """Tell of a message that is not used, and count it."""
+        if self._refusals is None:
+            self._refusals = Refusals()
+        self._refusals.note("leader refused", f"{self.name} refused: {problem}")
 
     @property
     def has_publisher(self) -> bool:

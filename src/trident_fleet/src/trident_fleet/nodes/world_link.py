@@ -30,7 +30,7 @@ _POLL_S = 0.05
 _ASK_S = 1.0
 _REPORT_S = 10.0
 _SERVICE_LIMIT_S = 5.0
-_LONGEST_JUMP_NS = 3600 * NS_PER_S
+LONGEST_JUMP_NS = 600 * NS_PER_S  # commanding a flight through it takes seconds
 _JUMP_PATIENCE = 20
 _UNEQUAL = "names, poses and twists are not equally many"
 
@@ -266,7 +266,7 @@ class WorldLink:
         if problem:
             return problem
         now_ns = stamp.to_nsec()
-        is_jump = self._time_ns >= 0 and now_ns - self._time_ns > _LONGEST_JUMP_NS
+        is_jump = self._time_ns >= 0 and now_ns - self._time_ns > LONGEST_JUMP_NS
         self._jumps = self._jumps + 1 if is_jump else 0
         if is_jump and self._jumps < _JUMP_PATIENCE:
             return f"time jumps ahead by {(now_ns - self._time_ns) / NS_PER_S:g} s"

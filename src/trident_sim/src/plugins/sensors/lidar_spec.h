@@ -27,7 +27,8 @@ struct LidarSpec {
 };
 
 /// Throws Error that names sensor, element, value and legal range: no beams, too many of them
-/// (check_ray_count()), angles that are not finite or run backwards, a smallest range that is not below the largest.
+/// (check_ray_count()), angles that are not finite or run backwards, a smallest range that is not
+/// below the largest.
 LidarSpec read_lidar_spec(const SensorSpec& sensor, const std::string& owner);
 
 }  // namespace trident

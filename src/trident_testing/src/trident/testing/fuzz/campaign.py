@@ -82,6 +82,11 @@ class Findings:
         return "\n".join([*lines, *(f"PROBLEM {problem}" for problem in self.problems)])
 
 
+def _is_refusal(response: Any) -> bool:
+    """Of services that say so in their answer: nav_msgs/LoadMap has a `result` other than 0."""
+    return not getattr(response, "success", True) or getattr(response, "result", 0) != 0
+
+
 def _publisher(topic: str, kind: type[genpy.Message]) -> rospy.Publisher:
     """One without a queue: messages go out in the calling thread and in order."""
     with warnings.catch_warnings():
@@ -132,9 +137,7 @@ class Campaign:
         """Send everything; what was found."""
         begin, memory = time.monotonic(), self._target.memory_mib
         listeners = self._listen()
-        publishers = {
-            topic: _publisher(topic, kind) for topic, kind in self._kinds.items()
-        }
+        publishers = {topic: _publisher(topic, kind) for topic, kind in self._kinds.items()}
         proxies = {
             name: rospy.ServiceProxy(name, kind, persistent=True)
             for name, kind in self._services.items()
@@ -227,7 +230,7 @@ class Campaign:
         except OutOfTime:
             self._findings.add(f"{name} gave no answer within {_CALL_LIMIT_S:g} s; {self._after()}")
             return False
-        if response is None or not getattr(response, "success", True):
+        if response is None or _is_refusal(response):
             self._findings.refused[name] += 1
         problem = non_finite(response) if response is not None else ""
         if problem:
@@ -247,7 +250,9 @@ class Campaign:
         if self._target.is_alive:
             return True
         problem = f"{self._target.name} has died; {self._after()}"
-        if not any(known.startswith(f"{self._target.name} has died") for known in self._findings.problems):
+        if not any(
+            known.startswith(f"{self._target.name} has died") for known in self._findings.problems
+        ):
             self._findings.add(problem)
         return False
 

@@ -11,9 +11,9 @@ import time
 from collections.abc import Callable, Sequence
 from typing import Any
 
+import genmsg.msgs
 import genpy
 import roslib.message
-from genmsg.msgs import parse_type
 
 from trident.testing.fuzz import values
 
@@ -103,7 +103,7 @@ class Generator:
             self._hit(self._random.choice(value))
         elif isinstance(value, (list, tuple)) and value and self._random.random() < 0.7:
             items = list(value)
-            base, _, _ = parse_type(type_name)
+            base, _, _ = genmsg.msgs.parse_type(type_name)
             items[self._random.randrange(len(items))] = self._hostile(base)
             setattr(message, name, items)
         else:
@@ -117,7 +117,7 @@ class Generator:
 
     def _maker(self, type_name: str) -> Make:
         if type_name not in self._makers:
-            base, is_array, length = parse_type(type_name)
+            base, is_array, length = genmsg.msgs.parse_type(type_name)
             if is_array:
                 self._makers[type_name] = self._array_maker(base, length)
             else:
@@ -157,11 +157,11 @@ class Generator:
 
     def _array_maker(self, base: str, length: int | None) -> Make:
         if base in ("uint8", "char"):
-            return lambda: self._random.randbytes(self._length(length))
-        single = self._maker(base)
+            return lambda: self._random.randbytes(self._length(length, is_plain=True))
+        single, is_plain = self._maker(base), genmsg.msgs.is_builtin(base)
 
         def make() -> list[Any]:
-            count = self._length(length)
+            count = self._length(length, is_plain)
             if count <= 1000:
                 return [single() for _ in range(count)]
             few = [single() for _ in range(100)]
@@ -169,14 +169,14 @@ class Generator:
 
         return make
 
-    def _length(self, fixed: int | None) -> int:
+    def _length(self, fixed: int | None, is_plain: bool) -> int:
         if fixed is not None:
             return fixed
         if self._random.random() < self._rate:
             if self._random.random() < 0.02:
-                return values.HUGE_LENGTH
-            return self._random.choice(values.LENGTHS)
-        return self._random.choice(_PLAUSIBLE_LENGTHS)
+                return values.HUGE_LENGTH if is_plain else values.HUGE_FEW_LENGTH
+            return self._random.choice(values.LENGTHS if is_plain else values.FEW_LENGTHS)
+        return self._random.choice(_PLAUSIBLE_LENGTHS if is_plain else _PLAUSIBLE_LENGTHS[:-1])
 
     def _text(self) -> str:
         if self._random.random() < self._rate:

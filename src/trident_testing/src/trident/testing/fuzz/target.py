@@ -15,8 +15,8 @@ from typing import Any
 
 import genpy
 import roslib.message
-import rosservice
 import rospy
+import rosservice
 from rosgraph import Master
 
 #: Of roscpp and rospy themselves, not of a node.

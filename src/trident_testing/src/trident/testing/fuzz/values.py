@@ -65,9 +65,12 @@ TEXTS = (
 )
 LONG_TEXT = "x" * 50_000
 
-#: Of arrays: the lengths that are more or less than a program counts on, and now and then a huge one.
+#: Of arrays: lengths that are more or less than a program counts on, and now and then a huge one.
 LENGTHS = (0, 0, 1, 2, 1000)
 HUGE_LENGTH = 100_000
+#: Of arrays of messages, which may have arrays in them.
+FEW_LENGTHS = (0, 0, 1, 2, 20)
+HUGE_FEW_LENGTH = 300
 
 
 def whole_numbers(kind: str) -> tuple[int, ...]:
