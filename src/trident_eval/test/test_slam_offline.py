@@ -156,3 +156,38 @@ def test_without_data_the_benchmark_says_so(
 
 def test_the_bar_fills() -> None:
     assert offline.bar(50, 100).endswith("[###############...............]  50 %  100 scans")
+
+
+def test_a_map_without_a_cell_is_told_in_one_sentence(
+    stand_in: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    program = PROGRAM.replace("P5 2 2 255 \\000\\376\\376\\315", "P5\\n0 0\\n255\\n")
+    (tmp_path / "slam_offline").write_text(program)
+    assert main(["slam", str(stand_in / "other.log"), "--out", str(tmp_path / "out")]) == 2
+    assert "map.pgm: the map is empty: no scan has a return" in capsys.readouterr().err
+
+
+def test_a_map_that_is_too_large_is_kept_and_not_drawn(
+    stand_in: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    program = PROGRAM.replace("P5 2 2 255 \\000\\376\\376\\315", "P5\\n600000 600000\\n255\\n")
+    (tmp_path / "slam_offline").write_text(program)
+    assert main(["slam", str(stand_in / "other.log"), "--out", str(tmp_path / "out")]) == 0
+    said = capsys.readouterr()
+    assert "600000 x 600000 cells: too many to be drawn and judged" in said.err
+    assert (tmp_path / "out" / "evaluation.json").exists()
+
+
+def test_what_a_binary_file_makes_the_program_say_is_shown(
+    stand_in: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    script = "#!/bin/sh\nprintf 'bad.yaml: \\311\\377 is no YAML\\n' >&2; exit 1\n"
+    (tmp_path / "slam_offline").write_text(script)
+    assert main(["slam", str(stand_in / "other.log"), "--out", str(tmp_path / "out")]) == 2
+    assert "is no YAML" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("name", ["zero", "urandom"])
+def test_a_device_is_no_log(name: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["slam", f"/dev/{name}"]) == 2
+    assert f"/dev/{name}: a device; legal: a CARMEN log or a rosbag" in capsys.readouterr().err

@@ -114,3 +114,23 @@ def test_a_damaged_file_is_read_or_refused_and_never_crashes(
         assert rows.shape[1] == 3
         assert np.isfinite(rows).all()
     assert str(path) in message
+
+
+@pytest.mark.parametrize("name", ["zero", "urandom"])
+def test_a_device_is_refused_and_not_read(name: str) -> None:
+    with pytest.raises(FormationError, match=f"/dev/{name}: a device; legal: a file"):
+        read_text_rows(Path("/dev") / name)
+
+
+def test_a_file_that_is_too_large_is_refused_by_its_size(tmp_path: Path) -> None:
+    path = tmp_path / "huge.txt"
+    with path.open("wb") as stream:
+        stream.truncate(1 << 40)
+    with pytest.raises(FormationError, match=r"huge\.txt: more than 268435456 bytes"):
+        read_text_rows(path)
+
+
+def test_long_words_of_bad_input_are_cut_and_paths_are_not() -> None:
+    path = f"/a/{'d' * 250}/f.txt:"
+    error = FormationError(f"{path} '{'x' * 100000}' is none")
+    assert str(error) == f"{path} '{'x' * 199}... is none"

@@ -5,7 +5,9 @@
 from __future__ import annotations
 
 import re
+import shutil
 import sys
+import tempfile
 from collections import defaultdict
 from pathlib import Path
 from typing import Any
@@ -41,11 +43,40 @@ def read_bag(path: Path) -> Scene:
     """
     import rosbag
 
+    if path.exists() and not path.is_file():
+        raise EvalError(f"{path}: no regular file; legal: a readable, closed rosbag")
     try:
         with rosbag.Bag(str(path)) as bag:
             return _read_open_bag(bag, path)
-    except (OSError, UnicodeDecodeError, rosbag.ROSBagException) as error:
-        raise EvalError(f"{path}: {error}; legal: a readable, closed rosbag") from error
+    except rosbag.ROSBagUnindexedException:
+        return _read_unindexed(path)
+    except EvalError:
+        raise
+    # A damaged bag makes its reader raise anything.
+    except Exception as error:
+        text = str(error) or type(error).__name__
+        raise EvalError(f"{path}: {text}; legal: a readable, closed rosbag") from error
+
+
+def _read_unindexed(path: Path) -> Scene:
+    """What is whole of a recording that was never closed, or whose end is missing."""
+    import rosbag
+
+    print(f"{path}: has no index: what is whole of it is read", file=sys.stderr)
+    with tempfile.TemporaryDirectory(prefix="trident-bag-") as folder:
+        copy = Path(folder) / "copy.bag"
+        try:
+            shutil.copyfile(path, copy)
+            with rosbag.Bag(str(copy), "a", allow_unindexed=True) as bag:
+                for _ in bag.reindex():
+                    pass
+            with rosbag.Bag(str(copy)) as bag:
+                return _read_open_bag(bag, path)
+        except EvalError:
+            raise
+        except Exception as error:
+            text = str(error) or type(error).__name__
+            raise EvalError(f"{path}: {text}; legal: a readable, closed rosbag") from error
 
 
 def _read_open_bag(bag: Any, path: Path) -> Scene:

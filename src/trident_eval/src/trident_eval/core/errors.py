@@ -2,6 +2,26 @@
 # SPDX-License-Identifier: Apache-2.0
 """The one exception of this package."""
 
+import re
+
+_SHOWN = 200
+_LONG_WORD = re.compile(r"\S{201,}")
+_LONGEST_PATH = 4096
+
+
+def with_short_words(text: str) -> str:
+    """A message with words of more than 200 characters cut, but for paths."""
+    return _LONG_WORD.sub(_cut, text)
+
+
+def _cut(word: re.Match[str]) -> str:
+    is_path = "/" in word[0] and len(word[0]) <= _LONGEST_PATH
+    return word[0] if is_path else word[0][:_SHOWN] + "..."
+
 
 class EvalError(ValueError):
     """A run that cannot be judged: the message names file, line or field, value, legal range."""
+
+    def __init__(self, text: str) -> None:
+        """Long words of bad input are cut."""
+        super().__init__(with_short_words(text))

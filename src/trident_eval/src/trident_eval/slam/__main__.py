@@ -98,7 +98,15 @@ def _slam(options: argparse.Namespace) -> int:
     if calibration:
         print(calibration)
     map_file = None if options.method == offline.LANDMARK_METHOD else out / "map.yaml"
-    if map_file:
+    if map_file and not offline.is_drawable(map_file):
+        width, height = offline.map_size(map_file)
+        print(
+            f"{map_file}: {width} x {height} cells: too many to be drawn and judged, at most"
+            f" {offline.MOST_CELLS}; the map is there",
+            file=sys.stderr,
+        )
+        map_file = None
+    elif map_file:
         offline.write_png(map_file)
     else:
         print(f"associations as in the log: {timing['association_share']:.1%}")

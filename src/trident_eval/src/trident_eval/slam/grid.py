@@ -80,7 +80,7 @@ def _read_image(path: Path) -> Array:
     try:
         with Image.open(path) as image:
             return np.asarray(image.convert("L"), float)
-    except (OSError, ValueError, SyntaxError) as error:
+    except (OSError, ValueError, SyntaxError, Image.DecompressionBombError) as error:
         raise EvalError(f"{path}: {error}; legal: a PGM or PNG image") from error
 
 

@@ -22,6 +22,10 @@ LANDMARK_METHOD = "ekf_slam"
 BAG_MAGIC = b"#ROSBAG"
 _PROGRESS = re.compile(r"\s*(\d+) % (\d+) scans")
 _BAR = 30
+_PGM = re.compile(rb"P5\s+(?:#[^\n]*\n\s*)*(\d+)\s+(\d+)\s+\d+\s")
+_PGM_HEAD = 4096
+#: Of a map that is drawn and judged: 350 m by 350 m at 5 cm. Each takes some ten bytes then.
+MOST_CELLS = 50_000_000
 _SHOWN_LINES = 5
 
 
@@ -50,6 +54,8 @@ def is_bag(path: Path) -> bool:
     Raises:
         EvalError: it cannot be read.
     """
+    if path.is_char_device() or path.is_block_device():
+        raise EvalError(f"{path}: a device; legal: a CARMEN log or a rosbag")
     try:
         with path.open("rb") as file:
             return file.read(len(BAG_MAGIC)) == BAG_MAGIC
@@ -86,7 +92,7 @@ def run_log(run: Run, show: bool = True) -> dict[str, Any]:
         stderr=subprocess.PIPE,
         stdout=subprocess.DEVNULL,
         text=True,
-        errors="replace",  # it may quote a file that is no text
+        errors="replace",  # it shows what is wrong with a binary file
     ) as process:
         assert process.stderr is not None
         said = _follow(process.stderr, show)
@@ -137,6 +143,36 @@ def bar(percent: int, scans: int) -> str:
     """One line that overwrites the last one."""
     full = _BAR * min(percent, 100) // 100
     return f"\r\x1b[K[{'#' * full}{'.' * (_BAR - full)}] {percent:3d} %  {scans} scans"
+
+
+def map_size(map_yaml: Path) -> tuple[int, int]:
+    """Width and height of the map beside a YAML file [cells].
+
+    Raises:
+        EvalError: there is none, or it has no cell.
+    """
+    file = map_yaml.with_suffix(".pgm")
+    try:
+        with file.open("rb") as stream:
+            head = stream.read(_PGM_HEAD)
+    except OSError as error:
+        raise EvalError(f"{file}: {error.strerror}; legal: a map") from error
+    found = _PGM.match(head)
+    if found is None:
+        raise EvalError(f"{file}: no PGM image; legal: as slam_offline writes")
+    width, height = int(found[1]), int(found[2])
+    if width * height == 0:
+        raise EvalError(
+            f"{file}: the map is empty: no scan has a return within the sensor's range; see the"
+            " warnings"
+        )
+    return width, height
+
+
+def is_drawable(map_yaml: Path) -> bool:
+    """Whether the map is small enough to be drawn and judged; errors as `map_size`."""
+    width, height = map_size(map_yaml)
+    return width * height <= MOST_CELLS
 
 
 def write_png(map_yaml: Path) -> Path:

@@ -63,6 +63,8 @@ def read_numbers(path: Path, columns: int, meaning: str) -> Array:
         EvalError: unreadable, empty, or a row that is not `columns` finite numbers.
     """
     rows = []
+    if path.exists() and not path.is_file():
+        raise EvalError(f"{path}: no file; legal: {meaning}")
     try:
         lines = path.read_text(encoding="utf-8").splitlines()
     except (OSError, UnicodeDecodeError) as error:

@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 import numpy.typing as npt
 
+from trident_fleet.core.bounded_file import check_kind
 from trident_fleet.core.errors import FormationError
 from trident_fleet.core.mat_file import (
     LayoutRequest,
@@ -112,6 +113,7 @@ def _how_counted(source: FormationSource) -> str:
 
 def _read_positions(path: Path, source: FormationSource) -> npt.NDArray[np.float64]:
     try:
+        check_kind(path)
         with path.open("rb") as stream:
             head = stream.read(4096)
         if is_mat_file(path, head):

@@ -11,6 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from trident_fleet.core import mat5, mat73
+from trident_fleet.core.bounded_file import read_bounded
 from trident_fleet.core.errors import FormationError
 from trident_fleet.core.mat5 import MatError, Variable
 from trident_fleet.core.vehicle_count import infer_vehicles
@@ -180,7 +181,7 @@ def _read_variables(path: Path) -> list[Variable]:
     with path.open("rb") as stream:
         is_hdf5 = stream.read(len(mat73.MAGIC)).startswith(_HDF5_HEADS)
     return (
-        mat73.read_variables(path, VARIABLE) if is_hdf5 else mat5.read_variables(path.read_bytes())
+        mat73.read_variables(path, VARIABLE) if is_hdf5 else mat5.read_variables(read_bounded(path))
     )
 
 

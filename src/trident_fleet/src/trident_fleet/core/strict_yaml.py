@@ -10,6 +10,7 @@ from typing import Any
 
 import yaml
 
+from trident_fleet.core.bounded_file import LARGEST_YAML_BYTES, read_bounded
 from trident_fleet.core.errors import FormationError
 
 
@@ -123,7 +124,8 @@ def load(path: Path) -> Section:
         FormationError: unreadable, not YAML, or no mapping.
     """
     try:
-        node = yaml.compose(path.read_text(encoding="utf-8"), Loader=yaml.SafeLoader)
+        text = read_bounded(path, LARGEST_YAML_BYTES).decode("utf-8")
+        node = yaml.compose(text, Loader=yaml.SafeLoader)
     except (OSError, UnicodeDecodeError) as error:
         reason = getattr(error, "strerror", None) or error
         raise FormationError(f"{path}: {reason}; legal: a readable YAML file") from error

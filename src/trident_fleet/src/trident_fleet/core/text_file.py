@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 import numpy.typing as npt
 
+from trident_fleet.core.bounded_file import read_bounded
 from trident_fleet.core.errors import FormationError
 
 COLUMNS = ("index", "x", "y", "z")
@@ -46,7 +47,7 @@ def read_text_rows(path: Path) -> npt.NDArray[np.float64]:
 
 
 def _decode(path: Path) -> str:
-    raw = path.read_bytes()
+    raw = read_bounded(path)
     if b"\0" in raw:
         raise FormationError(
             f"{path}: binary data (a zero byte at offset {raw.index(0)}); legal: a text file of"

@@ -106,6 +106,8 @@ def read_waypoints() -> list[list[float]]:
 
 
 def _read_file(path: FilePath) -> Any:
+    if path.exists() and not path.is_file():
+        raise NavError(f"{path}: no file; legal: a YAML file")
     try:
         found = yaml.safe_load(path.read_text(encoding="utf-8"))
     except OSError as error:
