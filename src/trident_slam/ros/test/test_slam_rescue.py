@@ -18,10 +18,12 @@ from trident.testing import Process, Ros, eventually, recorder
 SCANS = 30
 
 
-def mapped(ros: Ros, bag: Path, package: str, node: str, *words: str) -> Process:
-    """A node that has used all scans of the drive."""
+def mapped(
+    ros: Ros, bag: Path, package: str, node: str, *words: str, space: str = "/slam"
+) -> Process:
+    """A node that has used the scans of the drive; `space`: where its services are."""
     process = start_slam(ros, package, node, *words, name="slam")
-    service("/slam/dynamic_map", GetMap)
+    service(f"{space}/dynamic_map", GetMap)
     with recorder("/diagnostics", DiagnosticArray) as seen:
         play(ros, bag, "--rate", "5")
         eventually(lambda: int(diagnosed(seen, "scans used") or 0) > SCANS // 2, "scans")
@@ -51,7 +53,8 @@ def test_a_fault_leaves_the_session_and_the_map(
 
 
 def test_a_method_without_sessions_leaves_its_map(ros: Ros, bag: Path) -> None:
-    process = mapped(ros, bag, "hector_mapping", "hector_mapping", "_base_frame:=base_footprint")
+    words = ["_base_frame:=base_footprint"]
+    process = mapped(ros, bag, "hector_mapping", "hector_mapping", *words, space="")
     process.send(signal.SIGSEGV)
     assert process.wait() == -signal.SIGSEGV
     assert (Path(ros.env["ROS_HOME"]) / "slam_rescued.pgm").stat().st_size > 1000
