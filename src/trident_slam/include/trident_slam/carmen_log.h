@@ -53,6 +53,8 @@ class CarmenLog : public ScanSource {
   std::string read_flaser(std::string_view rest, ScanRecord& record);
   std::string read_robotlaser(std::string_view rest, ScanRecord& record);
   std::string place_laser(const Poses& poses, ScanRecord& record);
+  /// Where the laser sits ahead of the base, 0 without a word of it [m].
+  double offset_of_params() const;
   void complete(ScanRecord& record, double range_max) const;
 
   LineReader reader_;
@@ -61,6 +63,7 @@ class CarmenLog : public ScanSource {
   std::map<std::string, std::size_t, std::less<>> counts_;
   std::string scan_message_;  // the first kind of scan that came: the others repeat it
   std::optional<SE2> T_base_laser_;
+  bool is_one_pose_ = false;  // the first scan's poses of laser and base
   bool has_told_of_loose_laser_ = false;
   std::map<std::string, double, std::less<>> params_;
 };

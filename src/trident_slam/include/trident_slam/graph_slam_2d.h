@@ -40,7 +40,7 @@ struct GraphSlamLoop {
 /// and take effect at a later `add_scan`, so that poses may differ from run to run; without it
 /// they are closed within `add_scan`. No call but `finish`, `relocalize` and those that load or
 /// save then takes longer as the map grows.
-class GraphSlam2d : public Slam2d, public Slam2dCalibrated {
+class GraphSlam2d : public Slam2d, public Slam2dCalibrated, public Slam2dOdometryUse {
  public:
   /// `solver` optimises the graph; empty: ours.
   explicit GraphSlam2d(const GraphSlamOptions& options = {}, PoseGraphSolverMaker solver = {});
@@ -52,6 +52,8 @@ class GraphSlam2d : public Slam2d, public Slam2dCalibrated {
   OccupancyGrid map() const override;
 
   std::vector<CalibrationEstimate> odometry_calibration() const override;
+
+  void set_uses_odometry(bool uses_odometry) override;
 
   /// Paused, scans are placed in the map but do not become part of it.
   void set_paused(bool is_paused);

@@ -73,6 +73,7 @@ struct GraphSlamOptions {
   bool is_asynchronous = false;
   bool keep_scans = true;
 
+  bool use_odometry = true;
   double odometry_distance_noise = 0.15;
   double odometry_heading_noise = 0.15;
   double odometry_jump_distance = 3.0;
@@ -129,6 +130,9 @@ struct GraphSlamOptions {
   }
   template <class Archive>
   void visit_odometry(Archive& ar) {
+    ar.field("use_odometry", use_odometry,
+             "false: the motion between scans is told by the scans alone, as it is where odometry "
+             "stands still while scans move");
     ar.field("odometry_distance_noise", odometry_distance_noise, Range{0.001, 10.0},
              "standard deviation of a distance, as a part of it");
     ar.field("odometry_heading_noise", odometry_heading_noise, Range{0.001, 10.0},

@@ -7,6 +7,7 @@
 
 #include "trident_base/config_types.h"
 #include "trident_slam/slam_2d.h"
+#include "trident_slam/slam_2d_abilities.h"
 
 namespace trident {
 
@@ -49,7 +50,7 @@ struct HectorSlamParams {
 /// Stryk, Meyer, Klingauf: A flexible and scalable SLAM system with full 3D motion estimation, SSRR
 /// 2011). It needs no odometry where scans come fast, and it never closes a loop: final poses are
 /// those given when the scans came.
-class HectorSlam2d : public Slam2d {
+class HectorSlam2d : public Slam2d, public Slam2dOdometryUse {
  public:
   explicit HectorSlam2d(const HectorSlamParams& params = {});
   ~HectorSlam2d() override;
@@ -58,6 +59,7 @@ class HectorSlam2d : public Slam2d {
   std::vector<StampedPose2d> trajectory() const override;
   OccupancyGrid map() const override;
 
+  void set_uses_odometry(bool uses_odometry) override;
   /// From now on the base is there; the map stays.
   void set_pose(const SE2& T_map_base);
 

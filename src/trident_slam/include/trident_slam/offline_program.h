@@ -22,6 +22,7 @@ struct OfflineCommand {
   std::string session;                        ///< file to go on with; empty: a new map
   std::optional<SE2> T_map_base;              ///< in the session; none: where it ended
   std::string kept_session;                   ///< file to write; empty: none
+  bool uses_odometry = true;                  ///< false: poses by scans alone
   std::map<std::string, std::string> source;  ///< what the source takes: name without dashes, value
 };
 

@@ -8,6 +8,7 @@
 
 #include "trident_base/config_types.h"
 #include "trident_slam/slam_2d.h"
+#include "trident_slam/slam_2d_abilities.h"
 
 namespace trident {
 
@@ -58,12 +59,13 @@ struct ParticleSlamParams {
 /// effective number falls (Grisetti, Stachniss, Burgard: Improved techniques for grid mapping with
 /// Rao-Blackwellized particle filters, T-RO 2007). Maps of particles share what they have in
 /// common.
-class ParticleSlam2d : public Slam2d {
+class ParticleSlam2d : public Slam2d, public Slam2dOdometryUse {
  public:
   explicit ParticleSlam2d(const ParticleSlamParams& params = {});
   ~ParticleSlam2d() override;
 
   ScanPose2d add_scan(const LaserScan& scan, const SE2& T_odom_base) override;
+  void set_uses_odometry(bool uses_odometry) override;
   /// Of the particle of largest weight.
   std::vector<StampedPose2d> trajectory() const override;
   OccupancyGrid map() const override;

@@ -16,12 +16,19 @@
 
 namespace trident {
 
+/// What tells the motion between scans: odometry; scans, for odometry says nothing; scans, as the
+/// user wants it.
+enum class MotionBy { kOdometry, kScansAsOdometryStands, kScansAsAsked };
+
 /// What one scan led to, at the moment when it was consumed.
 struct ScanPose2d {
   SE2 T_map_base;                                            ///< at the scan's stamp
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();  ///< of (x [m], y [m], yaw [rad])
   bool is_used = true;  ///< false: the scan had no usable return, the pose is odometry's
   std::string problem;  ///< empty, or one line on what was wrong with the scan
+  MotionBy motion_by = MotionBy::kOdometry;
+  /// By scans alone: they leave a direction open (a corridor), along which the covariance grows.
+  bool is_open = false;
 };
 
 /// The pose of one scan, in the order in which scans came.

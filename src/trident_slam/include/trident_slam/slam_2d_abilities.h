@@ -57,6 +57,14 @@ class Slam2dLocalizing {
   virtual void clear_localization_buffer() = 0;
 };
 
+/// A method that can do without odometry.
+class Slam2dOdometryUse {
+ public:
+  virtual ~Slam2dOdometryUse() = default;
+  /// False: poses by scans alone, whatever odometry says.
+  virtual void set_uses_odometry(bool uses_odometry) = 0;
+};
+
 /// What was found out about the robot while it drove.
 struct CalibrationEstimate {
   const char* name = "";  ///< distance_scale, turn_scale, yaw_drift [rad/m], laser_x [m] ...

@@ -9,6 +9,12 @@
 
 namespace trident {
 
+/// Standard deviations of a motion between two scans.
+struct MotionSpread {
+  double s_p = 0.0;    ///< [m]
+  double s_yaw = 0.0;  ///< [rad]
+};
+
 /// The motion between two scans as odometry tells it, or none where odometry cannot be believed.
 class OdometryMotion {
  public:
@@ -22,6 +28,8 @@ class OdometryMotion {
     /// The very same pose as before. It may lag behind: some drivers repeat the latest one that
     /// they have, and tell of all that was missed in one step.
     bool is_stale = false;
+    /// Of a motion that scans told, for odometry tells nothing (`MotionSource`).
+    std::optional<MotionSpread> by_scans;
   };
   Step next(const SE2& T_odom_base);
   /// The next pose is the first one again.

@@ -51,7 +51,8 @@ Eigen::Matrix3d information(double sigma, double sigma_yaw) {
 GraphMapper::GraphMapper(const GraphSlamOptions& options, const PoseGraphSolverMaker& solver)
     : options_(options),
       keyframe_filter_(keyframe_filter(options)),
-      odometry_(options.odometry_jump_distance, options.odometry_jump_heading),
+      motion_source_(options.use_odometry,
+                     OdometryMotion(options.odometry_jump_distance, options.odometry_jump_heading)),
       calibration_(options.calibrate_odometry),
       tracker_(tracker_options(options)),
       graph_(options.loop_match_minimum_chain_size, solver),
@@ -82,9 +83,11 @@ PointScan GraphMapper::points_of(const LaserScan& scan, const Eigen::Vector3d& t
 
 ScanPose2d GraphMapper::add_scan(const LaserScan& scan, const SE2& T_odom_base) {
   take_from_worker();
-  OdometryMotion::Step motion = odometry_.next(T_odom_base);
-  travelled_ += motion.T_before_now.p.norm();
-  motion.T_before_now = calibration_.calibrated(motion.T_before_now);
+  OdometryMotion::Step motion = motion_source_.next(scan.stamp_ns, T_odom_base);
+  if (!motion.by_scans) {
+    travelled_ += motion.T_before_now.p.norm();
+    motion.T_before_now = calibration_.calibrated(motion.T_before_now);
+  }
   final_poses_.clear();
   settle_rolling_scan(scan.stamp_ns, motion);
   ScanPose2d result;
@@ -97,8 +100,9 @@ ScanPose2d GraphMapper::add_scan(const LaserScan& scan, const SE2& T_odom_base) 
     const Eigen::Vector3d twist = twist_of(scan, motion.T_before_now);
     entry.twist = twist.cast<float>();
     const auto points = std::make_shared<const PointScan>(points_of(scan, twist));
+    motion_source_.measure(points, &motion);
     const MatchResult match = place(points, motion, scan.T_base_laser);
-    result.covariance = match.covariance;
+    tell_uncertainty(motion, match, *points, &result);
     if (options_.deskew && scan.time_increment != 0.0) {
       rolling_ = {scan, twist, match};
     } else if (is_keyframe_due()) {
@@ -108,8 +112,10 @@ ScanPose2d GraphMapper::add_scan(const LaserScan& scan, const SE2& T_odom_base) 
     tracker_.coast(motion);
     calibration_.interrupt();
   }
+  const std::string news = settle_motion(motion, result.is_used);
   last_stamp_ns_ = scan.stamp_ns;
   if (result.problem.empty()) result.problem = motion.problem;
+  if (result.problem.empty()) result.problem = news;
   result.T_map_base = tracker_.T_map_base();
   if (options_.mode == SlamMode::kLocalization || is_paused_) return result;
   if (rolling_) rolling_->is_archived = true;
@@ -129,7 +135,7 @@ MatchResult GraphMapper::place(const std::shared_ptr<const PointScan>& points,
   }
   const SE2 T_map_last = tracker_.T_map_base();
   MatchResult match = tracker_.track(*points, motion);
-  if (motion.problem.empty()) {
+  if (motion.problem.empty() && !motion.by_scans) {
     calibration_.learn(T_base_laser, T_map_last.inverse() * match.T_ref_base, match);
   } else {
     calibration_.interrupt();

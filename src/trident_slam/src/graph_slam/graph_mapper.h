@@ -10,11 +10,12 @@
 #include <vector>
 
 #include "front_end/motion_filter.h"
-#include "front_end/odometry_motion.h"
+#include "front_end/motion_source.h"
 #include "graph_slam/calibrated_odometry.h"
 #include "graph_slam/keyframe_graph.h"
 #include "graph_slam/loop_worker.h"
 #include "graph_slam/lost_robot.h"
+#include "graph_slam/pose_uncertainty.h"
 #include "graph_slam/recent_scans.h"
 #include "graph_slam/scan_archive.h"
 #include "graph_slam/scan_check.h"
@@ -61,6 +62,7 @@ class GraphMapper {
     options_.mode = mode;
     recent_scans_.clear();
   }
+  void set_uses_odometry(bool uses_odometry) { motion_source_.set_uses_odometry(uses_odometry); }
   void set_paused(bool is_paused) { is_paused_ = is_paused; }
   bool is_paused() const { return is_paused_; }
   void set_pose(const SE2& T_map_base);
@@ -86,6 +88,9 @@ class GraphMapper {
 
   Eigen::Vector3d twist_of(const LaserScan& scan, const SE2& T_last_base) const;
   void settle_rolling_scan(std::int64_t next_stamp_ns, const OdometryMotion::Step& motion);
+  std::string settle_motion(const OdometryMotion::Step& motion, bool is_shown);
+  void tell_uncertainty(const OdometryMotion::Step& motion, const MatchResult& match,
+                        const PointScan& points, ScanPose2d* result);
   MatchResult place(const std::shared_ptr<const PointScan>& points,
                     const OdometryMotion::Step& motion, const SE2& T_base_laser);
   void go_on_from_recent_scans(const std::shared_ptr<const PointScan>& points, MatchResult* match);
@@ -109,7 +114,8 @@ class GraphMapper {
   GraphSlamOptions options_;
   ScanCheck check_;
   MotionFilter keyframe_filter_;
-  OdometryMotion odometry_;
+  MotionSource motion_source_;
+  PoseUncertainty uncertainty_;
   CalibratedOdometry calibration_;
   ScanTracker tracker_;
   std::optional<SubmapMatcher> submap_matcher_;  ///< of the parameter, if not the default one

@@ -44,7 +44,7 @@ void GraphMapper::set_state(MapperState state, const std::optional<SE2>& T_map_b
   stale_scans_.clear();
   final_poses_.clear();
   check_ = ScanCheck();
-  odometry_.forget();
+  motion_source_.forget_odometry();
   rebuild_surfaces();
   tracker_.hide({});
   set_pose(T_map_base.value_or(state.T_map_base));

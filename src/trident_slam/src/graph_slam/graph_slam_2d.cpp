@@ -82,6 +82,11 @@ std::vector<CalibrationEstimate> GraphSlam2d::odometry_calibration() const {
   return impl_->mapper->calibration().estimates();
 }
 
+void GraphSlam2d::set_uses_odometry(bool uses_odometry) {
+  impl_->options.use_odometry = uses_odometry;
+  impl_->mapper->set_uses_odometry(uses_odometry);
+}
+
 void GraphSlam2d::set_paused(bool is_paused) { impl_->mapper->set_paused(is_paused); }
 bool GraphSlam2d::is_paused() const { return impl_->mapper->is_paused(); }
 

@@ -56,10 +56,20 @@ double ScanTracker::Guess::squared_deviation(const SE2& T) const {
 /// Odometry that stood still while the robot moved catches up in one step, which counts from where
 /// it stood still.
 SE2 ScanTracker::expected(const OdometryMotion::Step& step) {
+  if (step.by_scans) {
+    T_told_base_ = SE2::identity();
+    return T_map_base_ * step.T_before_now;
+  }
   if (step.is_stale) return T_map_base_;
   const SE2 T_told_map = T_told_base_ * T_map_base_.inverse();
   T_told_base_ = SE2::identity();
   return T_told_map.inverse() * step.T_before_now;
+}
+
+void ScanTracker::coast(const OdometryMotion::Step& step) {
+  const SE2 T_base_before = T_map_base_.inverse();
+  T_map_base_ = expected(step);
+  T_before_now_ = T_base_before * T_map_base_;
 }
 
 ScanTracker::Guess ScanTracker::guess(const OdometryMotion::Step& step) {
@@ -72,6 +82,10 @@ ScanTracker::Guess ScanTracker::guess(const OdometryMotion::Step& step) {
   if (step.is_stale) {  // it may go on as before
     guess.s_p += T_before_now_.p.norm();
     guess.s_yaw += std::abs(T_before_now_.angle);
+  }
+  if (step.by_scans) {
+    guess.s_p = step.by_scans->s_p;
+    guess.s_yaw = step.by_scans->s_yaw;
   }
   guess.T_map_base = expected(step);
   return guess;
@@ -111,8 +125,10 @@ MatchResult ScanTracker::track(const PointScan& scan, const OdometryMotion::Step
                         std::abs(step.T_before_now.angle) > options_.search_turn;
     const SE2 off = guess.T_map_base.inverse() * best.T_ref_base;
     const bool is_odd = off.p.norm() > 3.0 * guess.s_p || std::abs(off.angle) > 3.0 * guess.s_yaw;
-    const bool is_doubted = is_far || is_odd || !step.problem.empty() ||
-                            best.inlier_fraction < options_.smallest_inlier_fraction;
+    const double enough =
+        step.by_scans ? options_.inlier_fraction_by_scans : options_.smallest_inlier_fraction;
+    const bool is_doubted =
+        is_far || is_odd || !step.problem.empty() || best.inlier_fraction < enough;
     const SearchWindow near{0.2 + 3.0 * guess.s_p, 0.05 + 2.0 * guess.s_yaw};
     const SearchWindow wide{near.linear + 1.0, near.angular + 0.8};
     if (is_doubted && best.inlier_fraction + kSearchGain < 1.0) {

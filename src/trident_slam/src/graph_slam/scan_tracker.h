@@ -36,6 +36,7 @@ struct ScanTrackerOptions {
   double surfel_cell = 0.1;               ///< [m]
   double search_resolution = 0.05;        ///< of the correlative search [m]
   double smallest_inlier_fraction = 0.6;  ///< below this the pose is sought in a window
+  double inlier_fraction_by_scans = 0.8;  ///< the same where scans alone tell the motion
   double lost_inlier_fraction = 0.5;      ///< below this it is sought in a wide one
   double search_motion = 0.3;             ///< moved farther than this: sought in a window, too [m]
   double search_turn = 0.3;               ///< [rad]
@@ -57,7 +58,7 @@ class ScanTracker {
   /// Takes the place of matching against the surfaces' lines.
   void set_refine(RefinePose refine) { refine_ = std::move(refine); }
   /// Moves without a scan.
-  void coast(const OdometryMotion::Step& step) { T_map_base_ = expected(step); }
+  void coast(const OdometryMotion::Step& step);
   /// Adds a scan to the surfaces, of which `owner` says to which part of the map it belongs.
   void insert(const SE2& T_map_base, const PointScan& scan, int owner) {
     surfels_.insert(T_map_base, scan, owner);
@@ -68,6 +69,8 @@ class ScanTracker {
   std::vector<std::pair<int, int>> owners_under(const PointScan& scan) const;
 
   const SE2& T_map_base() const { return T_map_base_; }
+  /// The motion up to the newest scan.
+  const SE2& T_before_now() const { return T_before_now_; }
   void set_pose(const SE2& T_map_base) { T_map_base_ = T_map_base; }
   const SurfelMap& surfels() const { return surfels_; }
   void set_surfels(SurfelMap surfels) {

@@ -8,6 +8,7 @@ target_sources(trident_slam PRIVATE
   src/graph_slam/graph_mapper.cpp
   src/graph_slam/graph_mapper_deskew.cpp
   src/graph_slam/graph_mapper_edit.cpp
+  src/graph_slam/graph_mapper_motion.cpp
   src/graph_slam/graph_mapper_session.cpp
   src/graph_slam/graph_slam_2d.cpp
   src/graph_slam/graph_slam_options.cpp
@@ -18,6 +19,7 @@ target_sources(trident_slam PRIVATE
   src/graph_slam/lost_robot.cpp
   src/graph_slam/pair_linker.cpp
   src/graph_slam/place.cpp
+  src/graph_slam/pose_uncertainty.cpp
   src/graph_slam/recent_scans.cpp
   src/graph_slam/relocalizer.cpp
   src/graph_slam/scan_archive.cpp

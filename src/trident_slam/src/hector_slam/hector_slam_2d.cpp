@@ -54,6 +54,7 @@ class HectorSlam2d::Impl {
     T_map_base_ = T_map_base;
     T_map_mapped_.reset();
   }
+  void set_uses_odometry(bool uses_odometry) { params_.use_odometry = uses_odometry; }
   const std::vector<StampedPose2d>& trajectory() const { return trajectory_; }
   OccupancyGrid map() const { return levels_.front().occupancy(); }
 
@@ -117,6 +118,10 @@ ScanPose2d HectorSlam2d::add_scan(const LaserScan& scan, const SE2& T_odom_base)
 std::vector<StampedPose2d> HectorSlam2d::trajectory() const { return impl_->trajectory(); }
 
 OccupancyGrid HectorSlam2d::map() const { return impl_->map(); }
+
+void HectorSlam2d::set_uses_odometry(bool uses_odometry) {
+  impl_->set_uses_odometry(uses_odometry);
+}
 
 void HectorSlam2d::set_pose(const SE2& T_map_base) { impl_->set_pose(T_map_base); }
 

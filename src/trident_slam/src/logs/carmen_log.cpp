@@ -170,22 +170,25 @@ std::string CarmenLog::read_robotlaser(std::string_view rest, ScanRecord& record
 }
 
 // A mounted laser does not move: the first scan tells where it sits. A log whose laser poses were
-// corrected by somebody's SLAM has other ones in every line; there the offset parameter counts.
+// corrected by somebody's SLAM has other ones in every line; there the offset parameter counts, as
+// it does where the laser's pose is the base's.
 std::string CarmenLog::place_laser(const Poses& poses, ScanRecord& record) {
   const SE2 T_base_laser = poses.T_odom_base.inverse() * poses.T_odom_laser;
+  const bool is_one_pose = T_base_laser.p.isZero(0.0) && T_base_laser.angle == 0.0;
   if (!T_base_laser_) {
+    is_one_pose_ = is_one_pose;
     T_base_laser_ =
         SE2::from_xy_yaw(rounded_to_log(T_base_laser.p.x()), rounded_to_log(T_base_laser.p.y()),
                          rounded_to_log(T_base_laser.angle));
-    if (T_base_laser.p.norm() > kMaxMountDistance) {
-      const auto param = params_.find(laser_ == Laser::kFront ? "robot_frontlaser_offset"
-                                                              : "robot_rearlaser_offset");
-      T_base_laser_ = SE2::from_xy_yaw(param != params_.end() ? param->second : 0.0, 0.0,
-                                       laser_ == Laser::kFront ? 0.0 : 180.0 * kDegree);
+    // Two equal poses may be one that was written twice: a parameter knows better.
+    const double offset = offset_of_params();
+    if (T_base_laser.p.norm() > kMaxMountDistance || (is_one_pose && offset != 0.0)) {
+      T_base_laser_ =
+          SE2::from_xy_yaw(offset, 0.0, laser_ == Laser::kFront ? 0.0 : 180.0 * kDegree);
     }
   }
   const SE2 moved = T_base_laser_->inverse() * T_base_laser;
-  if (!has_told_of_loose_laser_ &&
+  if (!has_told_of_loose_laser_ && !(is_one_pose_ && is_one_pose) &&
       (moved.p.norm() > kMaxMountShift || std::abs(moved.angle) > kMaxMountTurn)) {
     has_told_of_loose_laser_ = true;
     problems_.add(reader_.path() + ":" + std::to_string(reader_.line_number()) +
@@ -195,6 +198,12 @@ std::string CarmenLog::place_laser(const Poses& poses, ScanRecord& record) {
   record.T_odom_base = poses.T_odom_base;
   record.scan.T_base_laser = *T_base_laser_;
   return {};
+}
+
+double CarmenLog::offset_of_params() const {
+  const auto param =
+      params_.find(laser_ == Laser::kFront ? "robot_frontlaser_offset" : "robot_rearlaser_offset");
+  return param != params_.end() ? param->second : 0.0;
 }
 
 void CarmenLog::complete(ScanRecord& record, double range_max) const {

@@ -32,6 +32,7 @@ constexpr char kUsage[] =
     "  --laser front|rear\n"
     "slam_offline_bag: FILE is a rosbag; --scan TOPIC --odom TOPIC --imu TOPIC\n"
     "  --odom-frame F --base-frame F\n"
+    "--no-odometry: poses by scans alone (graph_slam_2d, hector_slam_2d, particle_slam_2d)\n"
     "Writes trajectory.tum, causal.tum, map.pgm, map.yaml and timing.json into DIR.\n";
 
 SE2 read_start(const std::string& text) {
@@ -53,6 +54,10 @@ OfflineCommand parse(int argc, char** argv, const std::vector<std::string>& sour
     if (word.size() < 2 || word[0] != '-') {
       if (!options.log_file.empty()) throw Error("one log at a time, got also " + word);
       options.log_file = word;
+      continue;
+    }
+    if (word == "--no-odometry") {
+      options.uses_odometry = false;
       continue;
     }
     if (i + 1 >= argc) throw Error(word + ": a value must follow");
@@ -149,10 +154,20 @@ GraphSlam2d* with_sessions(Slam2d* slam, const OfflineCommand& options) {
   return graph;
 }
 
+void leave_odometry(Slam2d* slam, const std::string& method) {
+  auto* able = dynamic_cast<Slam2dOdometryUse*>(slam);
+  if (able == nullptr) {
+    throw Error("--no-odometry: " + method +
+                " needs odometry; legal: graph_slam_2d, hector_slam_2d, particle_slam_2d");
+  }
+  able->set_uses_odometry(false);
+}
+
 void run(const OfflineCommand& options, const OpenSource& open) {
   Registry<Slam2dFactory> registry("SLAM method");
   register_builtin_slam_2d(registry);
   const std::unique_ptr<Slam2d> slam = registry.get(options.method)(options.config_file);
+  if (!options.uses_odometry) leave_odometry(slam.get(), options.method);
   GraphSlam2d* const graph = with_sessions(slam.get(), options);
   if (!options.session.empty()) graph->load_session(options.session, options.T_map_base);
   const std::unique_ptr<ScanSource> log = open(options);

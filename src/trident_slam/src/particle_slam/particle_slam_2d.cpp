@@ -86,6 +86,7 @@ class ParticleSlam2d::Impl {
     return poses;
   }
 
+  void set_uses_odometry(bool uses_odometry) { tracker_.set_uses_odometry(uses_odometry); }
   OccupancyGrid map() const { return best().map.occupancy(); }
 
   double entropy() const {
@@ -261,6 +262,10 @@ ParticleSlam2d::~ParticleSlam2d() = default;
 
 ScanPose2d ParticleSlam2d::add_scan(const LaserScan& scan, const SE2& T_odom_base) {
   return impl_->add_scan(scan, T_odom_base);
+}
+
+void ParticleSlam2d::set_uses_odometry(bool uses_odometry) {
+  impl_->set_uses_odometry(uses_odometry);
 }
 
 std::vector<StampedPose2d> ParticleSlam2d::trajectory() const { return impl_->trajectory(); }

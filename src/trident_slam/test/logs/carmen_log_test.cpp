@@ -136,6 +136,19 @@ TEST_F(CarmenLogTest, BadLinesAreNamedAndPassedOver) {
       << texts[4];
 }
 
+// A log whose odometry was lost, or that tells one pose twice.
+TEST_F(CarmenLogTest, OfTwoEqualPosesTheParameterTellsWhereTheLaserSits) {
+  write("PARAM robot_frontlaser_offset -0.04 1 host 1\n" + flaser("1 1", "0 0 0 0 0 0 1") +
+        flaser("1 1", "0 0 0 0 0 0 2"));
+  CarmenLog log(path_);
+  const auto records = read(log);
+  ASSERT_EQ(records.size(), 2U);
+  for (const ScanRecord& record : records) {
+    EXPECT_EQ(record.scan.T_base_laser.p, Eigen::Vector2d(-0.04, 0.0));
+  }
+  EXPECT_EQ(log.problems().count(), 0U);
+}
+
 TEST_F(CarmenLogTest, ALaserThatMovesKeepsItsFirstPlace) {
   write(flaser("1 1", "0.1 0 0 0 0 0 1") + flaser("1 1", "5 5 0 4 5 0 2") +
         flaser("1 1", "5 5 0 4 5 0 3"));

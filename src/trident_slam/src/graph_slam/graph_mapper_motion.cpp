@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+// What a scan that was placed says of the motion up to it.
+#include "front_end/surface_information.h"
+#include "graph_slam/graph_mapper.h"
+
+namespace trident {
+
+void GraphMapper::tell_uncertainty(const OdometryMotion::Step& motion, const MatchResult& match,
+                                   const PointScan& points, ScanPose2d* result) {
+  result->motion_by = motion_source_.motion_by();
+  result->covariance = match.covariance;
+  if (tracker_.surfels().empty()) return;  // here the map begins
+  if (motion.by_scans && options_.use_scan_matching) {
+    uncertainty_.add(motion_source_.scan_step(), match, mean_range(points));
+    result->is_open = uncertainty_.is_open();
+  } else {
+    uncertainty_.set(match.covariance);
+  }
+  result->covariance = uncertainty_.covariance();
+}
+
+std::string GraphMapper::settle_motion(const OdometryMotion::Step& motion, bool is_shown) {
+  const SE2& T_before_now = tracker_.T_before_now();
+  if (motion.by_scans) travelled_ += T_before_now.p.norm();
+  return motion_source_.settle(T_before_now, is_shown);
+}
+
+}  // namespace trident
