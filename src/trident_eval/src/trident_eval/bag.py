@@ -5,7 +5,6 @@
 from __future__ import annotations
 
 import re
-import shutil
 import sys
 import tempfile
 from collections import defaultdict
@@ -17,6 +16,7 @@ import numpy as np
 from trident_eval.core.errors import EvalError
 from trident_eval.core.scene import Scene
 from trident_eval.core.tracks import Array, Tracks
+from trident_eval.recovery import copy_whole_messages
 
 _ODOMETRY = re.compile(r"/(?P<name>.+)/(?P<source>odometry_sensor1|ground_truth)/odometry$")
 _COMMAND = re.compile(r"/(?P<name>.+)/command/(trajectory|pose)$")
@@ -65,18 +65,9 @@ def _read_unindexed(path: Path) -> Scene:
     print(f"{path}: has no index: what is whole of it is read", file=sys.stderr)
     with tempfile.TemporaryDirectory(prefix="trident-bag-") as folder:
         copy = Path(folder) / "copy.bag"
-        try:
-            shutil.copyfile(path, copy)
-            with rosbag.Bag(str(copy), "a", allow_unindexed=True) as bag:
-                for _ in bag.reindex():
-                    pass
-            with rosbag.Bag(str(copy)) as bag:
-                return _read_open_bag(bag, path)
-        except EvalError:
-            raise
-        except Exception as error:
-            text = str(error) or type(error).__name__
-            raise EvalError(f"{path}: {text}; legal: a readable, closed rosbag") from error
+        copy_whole_messages(path, copy)
+        with rosbag.Bag(str(copy)) as bag:
+            return _read_open_bag(bag, path)
 
 
 def _read_open_bag(bag: Any, path: Path) -> Scene:

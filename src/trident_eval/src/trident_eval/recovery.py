@@ -87,7 +87,7 @@ def copy_whole_messages(source: Path, target: Path) -> tuple[int, float]:
         ) from error
     if not count:
         target.unlink(missing_ok=True)
-        raise EvalError(f"{source} was left open before a whole message was in it")
+        raise EvalError(f"{source}: there is no whole message in it")
     return count, last_s
 
 
