@@ -31,20 +31,15 @@ TEST_P(GoldenDrop, FallsAndComesToRestAsInGazeboWithoutGainingEnergy) {
   const auto rows = rigid(GetParam());
   GoldenWorld world = rigid_world();
   Model& body = *world->find_model(GetParam());
-  const double start = energy(body);
-  double highest = 0.0;
+  double before = energy(body);
   for (const auto& row : rows) {
     while (world->time() < SimTime::from_seconds(row[0])) world->step();
-    highest = std::max(highest, energy(body));
-    const bool falling = row[3] > 0.2;
-    if (falling) {
-      EXPECT_NEAR(body.T_world_model().p.z(), row[3], 1e-6) << "at " << row[0] << " s";
-    }
+    EXPECT_LE(energy(body), before + 1e-6) << "at " << row[0] << " s";
+    before = energy(body);
+    EXPECT_TRUE(is_near(body.T_world_model().p, {row[1], row[2], row[3]}, 1e-6))
+        << "at " << row[0] << " s";
+    EXPECT_NEAR(body.bodies[0]->v_world.z(), row[10], 1e-5) << "at " << row[0] << " s";
   }
-  const auto& last = rows.back();
-  EXPECT_LE(highest, start + 1e-6);
-  EXPECT_TRUE(is_near(body.T_world_model().p, {last[1], last[2], last[3]}, 1.5e-3));
-  EXPECT_LT(body.bodies[0]->v_world.norm(), 1e-3);
 }
 INSTANTIATE_TEST_SUITE_P(Bodies, GoldenDrop, testing::Values("box_drop", "sphere_drop"));
 
@@ -92,14 +87,26 @@ TEST(GoldenTumble, StaysNearTheClosedFormAndConservesMomentum) {
   EXPECT_NEAR(box.T_world_model().p.z(), 30.0 - 0.5 * kGravity * (1.0 + kDt), 1e-9);
 }
 
-TEST(GoldenTumble, FollowsGazebo) {
+/// Gazebo's own stays on an edge, 1.4 mm low, and rocks there.
+TEST(GoldenTumble, ComesToRestOnAFace) {
+  TRIDENT_NEEDS_GOLDEN();
+  GoldenWorld world = rigid_world();
+  Model& box = *world->find_model("free_tumble");
+  world->set_model_twist(box, {1, 0, 0}, {0.1, 5.0, 0.1});
+  world->step(800);
+  EXPECT_NEAR(box.T_world_model().p.z(), 0.05, 1e-5);
+  EXPECT_LT(box.bodies[0]->v_world.norm(), 1e-6);
+  EXPECT_LT(box.bodies[0]->w_world.norm(), 1e-6);
+}
+
+TEST(GoldenTumble, FollowsGazeboUntilTheGround) {
   TRIDENT_NEEDS_GOLDEN();
   GoldenWorld world = rigid_world();
   Model& box = *world->find_model("free_tumble");
   world->set_model_twist(box, {1, 0, 0}, {0.1, 5.0, 0.1});
   Deviation deviation;
   for (const auto& row : rigid("free_tumble")) {
-    if (row[0] > 2.0) break;
+    if (row[3] < 0.26) break;  // no corner is further out
     while (world->time() < SimTime::from_seconds(row[0])) world->step();
     deviation.add(box.T_world_model(),
                   {Eigen::Quaterniond(row[7], row[4], row[5], row[6]).normalized(),

@@ -74,6 +74,7 @@ catkin_add_gtest(trident_sim_physics_test
   test/heightmap_test.cpp
   test/joint_drive_test.cpp
   test/joint_types_test.cpp
+  test/rigid_cases_test.cpp
   test/sdf_joint_test.cpp
   test/snapshot_test.cpp
   test/solver_options_test.cpp

@@ -21,6 +21,8 @@ struct Geom {
   dHeightfieldDataID heightfield = nullptr;
   Surface surface;   ///< fdir1 in the frame of the body, of the world for a static geometry
   std::string name;  ///< "model::link::collision"
+  /// By which ODE's shape is larger all round [m], so that a contact is found before it is there
+  double margin_m = 0.0;
   int watchers = 0;  ///< who wants its contacts in World::contacts()
 };
 

@@ -52,10 +52,9 @@ struct Surface {
   double restitution = 0.0;
   double bounce_threshold_m_s = 1e5;
   double kp_n_m = 1e12, kd_ns_m = 1.0;
-  /// Depth to which nothing is pushed out; else the world's contact_surface_layer
-  std::optional<double> min_depth_m;
-  /// Speed at which it is pushed out at most, >= 0; else the world's contact_max_correcting_vel
-  std::optional<double> max_vel_m_s;
+  double min_depth_m = 0.0;  ///< to which nothing is pushed out
+  /// Of the speed at which what is deeper is pushed out, what may remain after the step, >= 0
+  double max_vel_m_s = 0.01;
   std::uint32_t collide_bitmask = 0xffff;
 };
 

@@ -18,13 +18,19 @@ inline void push(const Body& body) {
   dBodySetAngularVel(body.ode, body.w_world.x(), body.w_world.y(), body.w_world.z());
 }
 
-inline void pull(Body& body) {
+/// Where ODE has a body.
+inline SE3 ode_pose(const Body& body) {
   const dReal* p = dBodyGetPosition(body.ode);
   const dReal* q = dBodyGetQuaternion(body.ode);
+  return {Eigen::Quaterniond(q[0], q[1], q[2], q[3]), {p[0], p[1], p[2]}};
+}
+
+inline void pull(Body& body) {
+  const SE3 pose = ode_pose(body);
   const dReal* v = dBodyGetLinearVel(body.ode);
   const dReal* w = dBodyGetAngularVel(body.ode);
-  body.T_world_body.p = {p[0], p[1], p[2]};
-  body.set_orientation(Eigen::Quaterniond(q[0], q[1], q[2], q[3]));
+  body.T_world_body.p = pose.p;
+  body.set_orientation(pose.R);
   body.v_world = {v[0], v[1], v[2]};
   body.w_world = {w[0], w[1], w[2]};
 }

@@ -2,73 +2,25 @@
 // SPDX-License-Identifier: Apache-2.0
 // Broad phase, narrow phase and contact joints of PhysicsEngine.
 #include <algorithm>
-#include <optional>
+#include <limits>
 
 #include "body_sync.h"
+#include "contact_margin.h"
+#include "contact_surface.h"
 #include "physics_engine.h"
 
 namespace trident {
 namespace {
-
-constexpr int kRowsPerContact = 3;
 
 /// At which a body that was put into something is pushed out, where its surface does not tell. At
 /// the world's speed limit, 100 m/s where nothing else is said, a robot spawned in a wall would be
 /// shot into the sky.
 constexpr double kEmergingSpeed = 0.5;
 
-/// Several contacts under one body hold it more often than it can move, which the exact solver
-/// needs a little softness to tell apart: 1e10 N/m at a step of 10 ms, and 1e-8 m/s of creep per
-/// newton.
-constexpr double kLeastNormalCfm = 1e-8;
-constexpr double kLeastSlip = 1e-8;
+/// To which a mesh on the ground or on a mesh stays inside [m].
+constexpr double kSunkMesh_m = 5e-4;
 
-/// Contact parameters of a pair, combined as Gazebo combines them: springs in series, dampers in
-/// parallel, the smaller friction and restitution.
-dSurfaceParameters combine(const Surface& a, const Surface& b, double dt_s) {
-  dSurfaceParameters surface{};
-  const double kp = 1.0 / (1.0 / a.kp_n_m + 1.0 / b.kp_n_m);
-  const double kd = a.kd_ns_m + b.kd_ns_m;
-  surface.mode = dContactBounce | dContactMu2 | dContactSoftERP | dContactSoftCFM |
-                 dContactApprox1 | dContactSlip1 | dContactSlip2;
-  surface.mu = std::min(a.mu, b.mu);
-  surface.mu2 = std::min(a.mu2, b.mu2);
-  surface.slip1 = std::max(kLeastSlip, std::min(a.slip1, b.slip1));
-  surface.slip2 = std::max(kLeastSlip, std::min(a.slip2, b.slip2));
-  surface.bounce = std::min(a.restitution, b.restitution);
-  surface.bounce_vel = std::min(a.bounce_threshold_m_s, b.bounce_threshold_m_s);
-  surface.soft_erp = dt_s * kp / (dt_s * kp + kd);
-  surface.soft_cfm = std::max(kLeastNormalCfm, 1.0 / (dt_s * kp + kd));
-  return surface;
-}
-
-/// How far a pair may sink into each other, and how fast what is deeper is pushed out.
-struct Correction {
-  double min_depth_m, max_vel_m_s;
-};
-
-/// `b`: nullptr when it is static. As in Gazebo a static surface has no say, of two bodies the
-/// smaller value counts, and the world's maximum speed bounds them all.
-Correction combine_corrections(const Surface& a, const Surface* b, const PhysicsSpec& world) {
-  const auto smaller = [&](std::optional<double> Surface::*field, double of_world) {
-    const double of_a = (a.*field).value_or(of_world);
-    return b == nullptr ? of_a : std::min(of_a, (b->*field).value_or(of_world));
-  };
-  return {smaller(&Surface::min_depth_m, world.contact_surface_layer),
-          std::min(smaller(&Surface::max_vel_m_s, world.contact_max_correcting_vel),
-                   world.contact_max_correcting_vel)};
-}
-
-/// ODE knows one depth and one speed for the whole world and pushes out at erp / dt (depth - the
-/// world's layer). This is the depth to tell it so that it follows the pair's; where they are the
-/// world's, the depth itself to the last bit.
-double depth_to_tell(double depth_m, const Correction& pair, const PhysicsSpec& world, double erp,
-                     double dt_s) {
-  const double layer = world.contact_surface_layer;
-  const double depth = pair.min_depth_m == layer ? depth_m : depth_m - pair.min_depth_m + layer;
-  if (pair.max_vel_m_s >= world.contact_max_correcting_vel || !(erp > 0.0)) return depth;
-  return std::min(depth, layer + pair.max_vel_m_s * dt_s / erp);
-}
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 bool boxes_overlap(const dReal* a, const dReal* b) {
   return a[0] <= b[1] && b[0] <= a[1] && a[2] <= b[3] && b[2] <= a[3] && a[4] <= b[5] &&
@@ -79,6 +31,41 @@ bool boxes_overlap(const dReal* a, const dReal* b) {
 Eigen::Vector3d friction_direction(const Geom& geom, const Body* body) {
   const Eigen::Vector3d& fdir1 = geom.surface.fdir1;
   return body == nullptr ? fdir1 : Eigen::Vector3d(body->R_world_body * fdir1);
+}
+
+/// Whether a contact gives back a part of the speed that it is met with.
+bool bounces(const Touch& touch) {
+  const dSurfaceParameters& surface = touch.ode.surface;
+  if (!(surface.bounce > 0.0)) return false;
+  const Eigen::Vector3d p = Eigen::Map<const Eigen::Vector3d>(touch.ode.geom.pos);
+  const Eigen::Vector3d normal = Eigen::Map<const Eigen::Vector3d>(touch.ode.geom.normal);
+  Eigen::Vector3d velocity = touch.a->velocity_at(p);
+  if (touch.b != nullptr) velocity -= touch.b->velocity_at(p);
+  return -velocity.dot(normal) > surface.bounce_vel;
+}
+
+/// What each pass of the solver puts right of a contact's depth. A gap may close within the step,
+/// but for what would bounce of less speed then.
+void share_depth(Touch& touch, const Correction& pair, double dt_s) {
+  dSurfaceParameters& surface = touch.ode.surface;
+  const double depth_m = std::max(0.0, touch.ode.geom.depth - pair.min_depth_m);
+  // A fraction soft_erp of the depth is put right in a step.
+  const double depth_per_speed_s = surface.soft_erp > 0.0 ? dt_s / surface.soft_erp : 0.0;
+  touch.depth_m[0] = std::min(depth_m, pair.most_m_s * depth_per_speed_s);
+  touch.depth_m[1] = std::min(touch.depth_m[0], pair.max_vel_m_s * depth_per_speed_s);
+  if (touch.ode.geom.depth >= 0.0 || bounces(touch)) return;
+  surface.mode |= dContactMotionN;
+  surface.motionN = touch.ode.geom.depth / dt_s;
+}
+
+/// Lays the first direction of friction along what of `direction` is in the contact's plane.
+void lay_friction(dContact& contact, const Eigen::Vector3d& direction) {
+  const Eigen::Vector3d normal(contact.geom.normal[0], contact.geom.normal[1],
+                               contact.geom.normal[2]);
+  const Eigen::Vector3d tangent = direction - normal * normal.dot(direction);
+  if (tangent.norm() <= 1e-9) return;
+  contact.surface.mode |= dContactFDir1;
+  for (int k = 0; k < 3; ++k) contact.fdir1[k] = tangent.normalized()[k];
 }
 
 /// Of a geometry that is part of the world the middle of its box; a plane's has no end.
@@ -92,11 +79,13 @@ Eigen::Vector3d centre_of(const Geom& geom, const Body* body) {
 }
 
 Contact contact_of(const Geom& a, const Body* body_a, const Geom& b, const Body* body_b,
-                   double depth_m) {
+                   const dContactGeom& found) {
   Contact contact;
   contact.geom1 = &a;
   contact.geom2 = &b;
-  contact.depth_m = depth_m;
+  contact.depth_m = found.depth;
+  contact.p_world = {found.pos[0], found.pos[1], found.pos[2]};
+  contact.normal_world = {found.normal[0], found.normal[1], found.normal[2]};
   contact.p_world_centre1 = centre_of(a, body_a);
   contact.p_world_centre2 = centre_of(b, body_b);
   return contact;
@@ -105,10 +94,8 @@ Contact contact_of(const Geom& a, const Body* body_a, const Geom& b, const Body*
 }  // namespace
 
 void PhysicsEngine::find_contacts(double dt_s) {
-  if (contact_count_ > 0) dJointGroupEmpty(contacts_);
-  contact_count_ = 0;
-  watched_count_ = 0;
-  islands_.reset(bodies_.size());
+  solver_->begin_step(bodies_.size());
+  watched_.clear();
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     Body& body = *bodies_[i];
     centres_[i] = body.T_world_body.p + body.R_world_body * body.bound_centre;
@@ -116,23 +103,6 @@ void PhysicsEngine::find_contacts(double dt_s) {
   }
   sweep_bodies(dt_s);
   release_placed();
-}
-
-/// Whether one of two bodies was put into the other, or is on its way out since, and would be
-/// pushed faster than is good.
-bool PhysicsEngine::is_emerging(int found, const Surface& a, const Surface& b, const Body& body_a,
-                                const Body* body_b, double dt_s) const {
-  if (!body_a.placed && (body_b == nullptr || !body_b->placed)) return false;
-  const double of_world = spec_.contact_max_correcting_vel;
-  if (combine_corrections(a, body_b == nullptr ? nullptr : &b, spec_).max_vel_m_s < of_world) {
-    return false;
-  }
-  double depth_m = 0.0;
-  for (int i = 0; i < found; ++i) {
-    depth_m = std::max(depth_m, double{contact_buffer_[static_cast<std::size_t>(i)].geom.depth});
-  }
-  const double erp = combine(a, b, dt_s).soft_erp;
-  return erp * (depth_m - spec_.contact_surface_layer) > kEmergingSpeed * dt_s;
 }
 
 /// A model emerges as a whole: bodies of one follow each other.
@@ -204,60 +174,59 @@ void PhysicsEngine::collide_geoms(Geom& a, Body* body_a, Geom& b, Body* body_b, 
   if (!boxes_overlap(box_a, box_b)) return;
   const int found = dCollide(a.id, b.id, static_cast<int>(contact_buffer_.size()),
                              &contact_buffer_[0].geom, sizeof(dContact));
-  Correction correction =
-      combine_corrections(a.surface, body_b == nullptr ? nullptr : &b.surface, spec_);
+  if (found == 0) return;
+  double deepest_m = -kInfinity;
+  for (int i = 0; i < found; ++i) {
+    dContactGeom& contact = contact_buffer_[static_cast<std::size_t>(i)].geom;
+    take_margins_off(contact, a, b);
+    deepest_m = std::max(deepest_m, double{contact.depth});
+  }
+  const Correction correction = correct(a, body_a, b, body_b, deepest_m, dt_s);
   const Eigen::Vector3d direction =
       a.surface.fdir1.isZero() ? friction_direction(b, body_b) : friction_direction(a, body_a);
-  const bool is_watched = a.watchers + b.watchers > 0;
-  if (is_emerging(found, a.surface, b.surface, *body_a, body_b, dt_s)) {
-    correction.max_vel_m_s = std::min(correction.max_vel_m_s, kEmergingSpeed);
-    body_a->emerging = true;
-    if (body_b != nullptr) body_b->emerging = true;
-  }
+  Touch touch;
+  touch.a = body_a;
+  touch.b = body_b;
+  const dSurfaceParameters surface = combine_surfaces(a.surface, b.surface, dt_s);
   for (int i = 0; i < found; ++i) {
-    dContact& contact = contact_buffer_[static_cast<std::size_t>(i)];
-    const double depth_m = contact.geom.depth;
-    contact.surface = combine(a.surface, b.surface, dt_s);
-    contact.geom.depth =
-        depth_to_tell(contact.geom.depth, correction, spec_, contact.surface.soft_erp, dt_s);
-    if (!direction.isZero()) {
-      const Eigen::Vector3d normal(contact.geom.normal[0], contact.geom.normal[1],
-                                   contact.geom.normal[2]);
-      const Eigen::Vector3d tangent = direction - normal * normal.dot(direction);
-      if (tangent.norm() > 1e-9) {
-        contact.surface.mode |= dContactFDir1;
-        for (int k = 0; k < 3; ++k) contact.fdir1[k] = tangent.normalized()[k];
-      }
+    touch.ode = contact_buffer_[static_cast<std::size_t>(i)];
+    touch.ode.surface = surface;
+    if (!direction.isZero()) lay_friction(touch.ode, direction);
+    share_depth(touch, correction, dt_s);
+    if (a.watchers + b.watchers > 0) {
+      watched_.push_back(
+          {contact_of(a, body_a, b, body_b, touch.ode.geom), solver_->touches().size()});
     }
-    const dJointID joint = dJointCreateContact(world_, contacts_, &contact);
-    dJointAttach(joint, body_a ? body_a->ode : nullptr, body_b ? body_b->ode : nullptr);
-    ++contact_count_;
-    if (is_watched) watch(joint, contact.geom, contact_of(a, body_a, b, body_b, depth_m));
+    solver_->add(touch);
   }
-  if (found == 0) return;
   body_a->in_contact = true;
-  islands_.add_rows(body_a->number, kRowsPerContact * found);
-  if (body_b == nullptr) return;
-  body_b->in_contact = true;
-  islands_.join(body_a->number, body_b->number);
+  if (body_b != nullptr) body_b->in_contact = true;
 }
 
-void PhysicsEngine::watch(dJointID joint, const dContactGeom& found, const Contact& of) {
-  if (watched_count_ == watched_.size()) watched_.emplace_back();
-  Watched& watched = watched_[watched_count_++];
-  watched.contact = of;
-  watched.contact.p_world = {found.pos[0], found.pos[1], found.pos[2]};
-  watched.contact.normal_world = {found.normal[0], found.normal[1], found.normal[2]};
-  watched.feedback = {};
-  dJointSetFeedback(joint, &watched.feedback);
+/// What is to be put right of a pair's depth, more slowly while one of the two was put into the
+/// other, or is on its way out since.
+Correction PhysicsEngine::correct(const Geom& a, Body* body_a, const Geom& b, Body* body_b,
+                                  double deepest_m, double dt_s) {
+  Correction pair = combine_corrections(a.surface, body_b == nullptr ? nullptr : &b.surface, spec_);
+  // Nothing tells shapes without a margin from such that do not touch but their being inside.
+  if (!(a.margin_m + b.margin_m > 0.0)) pair.min_depth_m = std::max(pair.min_depth_m, kSunkMesh_m);
+  if (!body_a->placed && (body_b == nullptr || !body_b->placed)) return pair;
+  if (deepest_m - pair.min_depth_m <= kEmergingSpeed * dt_s) return pair;
+  body_a->emerging = true;
+  if (body_b != nullptr) body_b->emerging = true;
+  pair.most_m_s = kEmergingSpeed;
+  return pair;
 }
 
 void PhysicsEngine::tell_contacts() {
   told_.clear();
-  for (std::size_t i = 0; i < watched_count_; ++i) {
-    const dReal* const force = watched_[i].feedback.f1;
-    told_.push_back(watched_[i].contact);
-    told_.back().force_world = {force[0], force[1], force[2]};
+  for (const Watched& watched : watched_) {
+    const dReal* const force = solver_->touches()[watched.touch].feedback.f1;
+    Contact contact = watched.contact;
+    contact.force_world = {force[0], force[1], force[2]};
+    if (contact.depth_m < 0.0 && contact.force_world.isZero(0.0)) continue;  // a gap is none
+    contact.depth_m = std::max(0.0, contact.depth_m);
+    told_.push_back(contact);
   }
 }
 

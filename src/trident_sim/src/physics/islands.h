@@ -28,8 +28,8 @@ class Islands {
     rows_[a] += rows_[b];
   }
   void add_rows(std::size_t body, int rows) { rows_[find(body)] += rows; }
-  bool same(std::size_t a, std::size_t b) { return find(a) == find(b); }
-  bool is_first_of_island(std::size_t body) { return find(body) == body; }
+  /// The lowest number of its bodies names an island.
+  std::size_t first_of_island(std::size_t body) { return find(body); }
   int rows_of_island(std::size_t body) { return rows_[find(body)]; }
 
  private:

@@ -166,7 +166,8 @@ class Builder {
     for (std::size_t i = 0; i < spec_.links.size(); ++i) {
       Link& link = *model_.links[i];
       for (const CollisionSpec& spec : spec_.links[i].collisions) {
-        Geom geom = make_geom(spec, model_.name + "::" + link.name + "::" + spec.name);
+        Geom geom = make_geom(spec, model_.name + "::" + link.name + "::" + spec.name,
+                              link.body != nullptr);
         const SE3 T_base_shape = link.T_body_link * spec.T_link_shape;
         geom.surface.fdir1 = T_base_shape.R * geom.surface.fdir1;
         if (link.body == nullptr) {

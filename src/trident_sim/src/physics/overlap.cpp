@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // How far models stand inside each other, apart from any step.
 #include "body_sync.h"
+#include "contact_margin.h"
 #include "physics_engine.h"
 
 namespace trident {
@@ -25,7 +26,9 @@ void PhysicsEngine::measure_overlap(const Geom& own, const Geom& other,
   const int found = dCollide(own.id, other.id, static_cast<int>(contact_buffer_.size()),
                              &contact_buffer_[0].geom, sizeof(dContact));
   for (int i = 0; i < found; ++i) {
-    const double depth_m = contact_buffer_[static_cast<std::size_t>(i)].geom.depth;
+    dContactGeom& contact = contact_buffer_[static_cast<std::size_t>(i)].geom;
+    take_margins_off(contact, own, other);
+    const double depth_m = contact.depth;
     if (deepest && depth_m <= deepest->depth_m) continue;
     deepest = Overlap{own.name, other.name, depth_m};
   }

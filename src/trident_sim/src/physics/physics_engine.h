@@ -4,14 +4,14 @@
 
 #include <ode/ode.h>
 
-#include <deque>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "islands.h"
+#include "constraint_solver.h"
+#include "contact_surface.h"
 #include "trident_sim/contact.h"
 #include "trident_sim/model.h"
 #include "trident_sim/model_spec.h"
@@ -80,21 +80,12 @@ class PhysicsEngine {
   void find_contacts(double dt_s);
   void sweep_bodies(double dt_s);
   void release_placed();
-  bool is_emerging(int found, const Surface& a, const Surface& b, const Body& body_a,
-                   const Body* body_b, double dt_s) const;
+  Correction correct(const Geom& a, Body* body_a, const Geom& b, Body* body_b, double deepest_m,
+                     double dt_s);
   void collide_with_static(Body& body, const Eigen::Vector3d& centre, double dt_s);
   void collide_bodies(Body& a, Body& b, double dt_s);
   void collide_geoms(Geom& a, Body* body_a, Geom& b, Body* body_b, double dt_s);
-  void watch(dJointID joint, const dContactGeom& found, const Contact& of);
   void tell_contacts();
-  void solve_constrained(double dt_s);
-  bool is_large_island(const Body& body);
-  void solve_islands(bool large, double dt_s);
-  void solve_iteratively(int iterations, double dt_s);
-  /// False when the solver has failed.
-  bool solve_exactly(double dt_s);
-  void solve_one_by_one(double dt_s);
-  static void put_back(const Body& body);
   void advance_rotors(double dt_s);
 
   Report report_;
@@ -102,9 +93,7 @@ class PhysicsEngine {
   bool rotor_axes_lag_;
   Eigen::Vector3d gravity_;
   dWorldID world_;
-  dJointGroupID contacts_;
-  int contact_count_ = 0;
-  Islands islands_;
+  std::unique_ptr<ConstraintSolver> solver_;
   std::vector<Body*> bodies_;
   std::vector<Eigen::Vector3d> centres_;  ///< of the bounding spheres, world frame
   std::vector<std::size_t> order_;        ///< bodies by the low end of their x interval
@@ -112,13 +101,12 @@ class PhysicsEngine {
   std::vector<SpunCarrier> spun_carriers_;
   std::vector<StaticGeom> statics_;
   std::vector<dContact> contact_buffer_;
-  /// A watched contact of this step; ODE keeps the address of its forces.
+  /// A watched contact of this step, and its place among the solver's.
   struct Watched {
     Contact contact;
-    dJointFeedback feedback;
+    std::size_t touch;
   };
-  std::deque<Watched> watched_;
-  std::size_t watched_count_ = 0;
+  std::vector<Watched> watched_;
   std::vector<Contact> told_;
 };
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "../geometry/mesh.h"
+#include "contact_margin.h"
 #include "height_image.h"
 #include "trident_base/error.h"
 
@@ -68,21 +69,25 @@ bool must_be_static(const Geom& geom) {
   return kind == dPlaneClass || kind == dHeightfieldClass;
 }
 
-Geom make_geom(const CollisionSpec& spec, const std::string& scoped_name) {
+Geom make_geom(const CollisionSpec& spec, const std::string& scoped_name, bool can_move) {
   Geom geom;
   geom.name = scoped_name;
   geom.surface = spec.surface;
+  if (can_move) geom.margin_m = contact_margin(spec.shape);
   struct Maker {
     Geom& geom;
     dGeomID operator()(const BoxShape& s) const {
-      return dCreateBox(nullptr, s.size.x(), s.size.y(), s.size.z());
+      const Eigen::Vector3d size = s.size.array() + 2.0 * geom.margin_m;
+      return dCreateBox(nullptr, size.x(), size.y(), size.z());
     }
-    dGeomID operator()(const SphereShape& s) const { return dCreateSphere(nullptr, s.radius); }
+    dGeomID operator()(const SphereShape& s) const {
+      return dCreateSphere(nullptr, s.radius + geom.margin_m);
+    }
     dGeomID operator()(const CylinderShape& s) const {
-      return dCreateCylinder(nullptr, s.radius, s.length);
+      return dCreateCylinder(nullptr, s.radius + geom.margin_m, s.length + 2.0 * geom.margin_m);
     }
     dGeomID operator()(const CapsuleShape& s) const {
-      return dCreateCapsule(nullptr, s.radius, s.length);
+      return dCreateCapsule(nullptr, s.radius + geom.margin_m, s.length);
     }
     dGeomID operator()(const PlaneShape& s) const {
       return dCreatePlane(nullptr, s.normal.x(), s.normal.y(), s.normal.z(), 0.0);

@@ -11,8 +11,8 @@
 namespace trident {
 
 /// Makes the ODE geometry of a shape, unplaced. Throws Error for a mesh or image that cannot be
-/// read.
-Geom make_geom(const CollisionSpec& spec, const std::string& scoped_name);
+/// read. `can_move`: it gets a contact margin.
+Geom make_geom(const CollisionSpec& spec, const std::string& scoped_name, bool can_move);
 void destroy_geom(Geom& geom);
 /// Whether ODE knows the shape only as part of what never moves, a plane or a heightmap.
 bool must_be_static(const Geom& geom);

@@ -3,6 +3,7 @@
 #include "sdf_convert.h"
 
 #include <Eigen/Eigenvalues>
+#include <limits>
 
 #include "sdf_joint.h"
 #include "sdf_look.h"
@@ -113,10 +114,10 @@ Surface convert_surface(const sdf::Collision& collision, const std::string& what
   if (const auto ode = descend(element, {"contact", "ode"})) {
     surface.kp_n_m = value_or(ode, {"kp"}, surface.kp_n_m);
     surface.kd_ns_m = value_or(ode, {"kd"}, surface.kd_ns_m);
-    surface.min_depth_m = number_if_given(ode, "min_depth", what);
-    surface.max_vel_m_s = number_if_given(ode, "max_vel", what);
-    // Gazebo's way to ask for the world's.
-    if (surface.max_vel_m_s.value_or(0.0) < 0.0) surface.max_vel_m_s.reset();
+    surface.min_depth_m = number_if_given(ode, "min_depth", what).value_or(surface.min_depth_m);
+    surface.max_vel_m_s = number_if_given(ode, "max_vel", what).value_or(surface.max_vel_m_s);
+    // Gazebo's way to ask for the world's, which bounds them all.
+    if (surface.max_vel_m_s < 0.0) surface.max_vel_m_s = std::numeric_limits<double>::infinity();
   }
   return surface;
 }

@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <ode/ode.h>
+
+#include <array>
+#include <vector>
+
+#include "islands.h"
+#include "trident_sim/model.h"
+#include "trident_sim/model_spec.h"
+
+namespace trident {
+
+/// What a pass of the solver yields of the bodies' next state.
+enum class Pass { kPose = 0, kVelocity = 1 };
+
+/// A contact of this step, of which each pass makes an ODE joint.
+struct Touch {
+  dContact ode;  ///< as dCollide found it, with the pair's surface; then as each pass is told
+  Body* a = nullptr;
+  Body* b = nullptr;              ///< nullptr: part of the world
+  std::array<double, 2> depth_m;  ///< by Pass: what it puts right of the depth that was found
+  dJointFeedback feedback;        ///< forces of the last pass, world frame
+
+  // Of the rounds of friction.
+  std::array<double, 2> mu;        ///< coefficients along the two directions
+  double normal_n = 0.0;           ///< normal force of the last round
+  double limiting_normal_n = 0.0;  ///< from which the next one works out the limits of friction
+  double change_n = 0.0;           ///< by which normal_n was off the one that limited it
+};
+
+/// Solves bodies that touch or are jointed with ODE, island by island, as Gazebo's ODE does: twice
+/// from the same state. The first pass puts right what is too deep within the step and yields the
+/// poses; the second, in which `max_vel` bounds the speed at which it is put right, the velocities.
+/// Where nothing is that deep the first yields both.
+///
+/// Small islands are solved exactly (ODE's Dantzig solver). That one limits friction by the normal
+/// forces that there would be without friction; it is asked again until they are those that there
+/// are.
+class ConstraintSolver {
+ public:
+  explicit ConstraintSolver(dWorldID world);
+  ~ConstraintSolver();
+  ConstraintSolver(const ConstraintSolver&) = delete;
+  ConstraintSolver& operator=(const ConstraintSolver&) = delete;
+
+  void configure(const PhysicsSpec& spec);
+  /// Forgets the contacts of the last step.
+  void begin_step(std::size_t bodies);
+  void add(const Touch& touch);
+  /// Steps those of `bodies` that are in contact or on a joint. Their numbers are their places.
+  void solve(const std::vector<Body*>& bodies, const std::vector<Joint*>& joints, double dt_s);
+  /// Of the last step, with the forces that go with the velocities.
+  const std::vector<Touch>& touches() const { return touches_; }
+
+ private:
+  /// How the rounds of friction of an island stand.
+  struct Friction {
+    double error_n, largest_n;      ///< of the last round
+    double toward, squared_change;  ///< sums for the relaxation
+    double relaxation;
+  };
+
+  void gather(const std::vector<Body*>& bodies, const std::vector<Joint*>& joints);
+  bool choose_bounded();
+  void solve_pass(Pass pass, double dt_s);
+  void solve_large(double dt_s);
+  void solve_small(double dt_s);
+  void solve_iteratively(int iterations, double dt_s);
+  /// False when the solver has failed.
+  bool solve_exactly(double dt_s);
+  void solve_one_by_one(double dt_s);
+  void refine_friction(Pass pass, double dt_s);
+  bool measure_friction();
+  void relax_friction(bool first);
+  void make_joints(Pass pass, bool limits_known);
+  void finish(double dt_s);
+
+  std::size_t island_of(const Touch& touch) { return islands_.first_of_island(touch.a->number); }
+  bool is_large(std::size_t island);
+  void put_back_active();
+  void enable_active();
+  void disable_all() const;
+
+  dWorldID world_;
+  dJointGroupID joints_;
+  PhysicsSpec spec_;
+  Islands islands_;
+  std::vector<Touch> touches_;
+  std::vector<Body*> held_;          ///< bodies that are constrained
+  std::vector<std::size_t> island_;  ///< of each of them
+  std::vector<SE3> poses_;           ///< of each of them, from the first pass
+  // By the number of an island's first body.
+  std::vector<char> active_;  ///< whether the next solution is for it
+  std::vector<char> is_solved_twice_;
+  std::vector<Friction> friction_;
+  bool has_joints_ = false;  ///< of contacts
+};
+
+}  // namespace trident
