@@ -21,9 +21,17 @@ from trident_tool.environment import ros_environment
 from trident_tool.launch_facts import save_launch, save_parameters
 from trident_tool.launchfile import check_args, declared_args, find_launch_file, parse_request
 from trident_tool.progress import ProgressView, last_complaints, required_node_failed
-from trident_tool.workspace import Runner, Workspace, base_environment, hide_from_crawlers, say
+from trident_tool.workspace import (
+    Runner,
+    TridentError,
+    Workspace,
+    base_environment,
+    hide_from_crawlers,
+    say,
+)
 
 _RTF_ARG = "real_time_factor"
+_STRICT_ARG = "strict"
 _POLL_S = 0.2
 _INTERRUPTED = 130  # what a shell reports for a command that ended by Ctrl-C
 
@@ -98,6 +106,13 @@ def plan_run(workspace: Workspace, words: Sequence[str], env: Mapping[str, str])
     real_time_factor = args.get(_RTF_ARG, "0")
     if _RTF_ARG not in declared.settable:
         args.pop(_RTF_ARG, None)  # the simulator reads it from the environment
+    strict = args.get(_STRICT_ARG)
+    if strict is not None:
+        if strict.lower() not in ("true", "false", "1", "0"):
+            raise TridentError(f"strict is {strict!r}, legal: true or false")
+        env = {**env, "TRIDENT_STRICT": "1" if strict.lower() in ("true", "1") else "0"}
+        if _STRICT_ARG not in declared.settable:
+            args.pop(_STRICT_ARG)
     check_args(launch_file, declared, args)
     folder = new_run_folder(workspace.out, launch_file.stem, datetime.now())
     port = free_port()

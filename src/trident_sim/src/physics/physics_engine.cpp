@@ -19,6 +19,14 @@ constexpr int kMaxContacts = 250;
 
 constexpr int kRowsPerJoint = 6;
 
+/// What ODE takes by itself for every constraint. Without any the exact solver has no solution for
+/// joints in a closed loop, and ODE ends the process.
+constexpr double kLeastJointCfm = 1e-10;
+
+double cfm_of(const PhysicsSpec& spec, bool has_joints) {
+  return has_joints ? std::max(spec.cfm, kLeastJointCfm) : spec.cfm;
+}
+
 /// Of an island that the exact solver fails on; few enough rows for these to be quick.
 constexpr int kFallbackIterations = 500;
 
@@ -84,7 +92,7 @@ void PhysicsEngine::configure(const PhysicsSpec& spec) {
   gravity_ = spec.gravity;
   dWorldSetGravity(world_, 0, 0, 0);  // added per body, because a link may switch it off
   dWorldSetERP(world_, spec.erp);
-  dWorldSetCFM(world_, spec.cfm);
+  dWorldSetCFM(world_, cfm_of(spec, !ode_joints_.empty()));
   dWorldSetContactSurfaceLayer(world_, spec.contact_surface_layer);
   dWorldSetContactMaxCorrectingVel(world_, spec.contact_max_correcting_vel);
   dWorldSetQuickStepW(world_, spec.sor);
@@ -132,6 +140,7 @@ void PhysicsEngine::set_models(const std::vector<Model*>& models) {
   centres_.resize(bodies_.size());
   order_.resize(bodies_.size());
   std::iota(order_.begin(), order_.end(), std::size_t{0});
+  dWorldSetCFM(world_, cfm_of(spec_, !ode_joints_.empty()));
 }
 
 void PhysicsEngine::push_state(Model& model) {
