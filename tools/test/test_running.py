@@ -58,6 +58,19 @@ def test_a_run_is_headless_fast_and_under_its_own_master(clone: Workspace) -> No
     assert run.command[-3:] == ["-p", str(run.port), str(clone.launch / "fly.launch")]
 
 
+def test_strict_reaches_the_simulator_with_and_without_such_an_arg(clone: Workspace) -> None:
+    _launch_file(clone, "")
+    assert "TRIDENT_STRICT" not in plan_run(clone, ["fly.launch"], {}).env
+    run = plan_run(clone, ["fly.launch", "strict:=true"], {})
+    assert run.env["TRIDENT_STRICT"] == "1"
+    assert run.args == {}
+    assert plan_run(clone, ["fly.launch", "strict:=false"], {}).env["TRIDENT_STRICT"] == "0"
+    _launch_file(clone, '<arg name="strict" default="false"/>')
+    assert plan_run(clone, ["fly.launch", "strict:=true"], {}).args == {"strict": "true"}
+    with pytest.raises(TridentError, match="strict is 'perhaps', legal: true or false"):
+        plan_run(clone, ["fly.launch", "strict:=perhaps"], {})
+
+
 def test_real_time_factor_reaches_the_simulator_with_and_without_such_an_arg(
     clone: Workspace,
 ) -> None:

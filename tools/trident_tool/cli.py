@@ -202,7 +202,8 @@ def _add_running_commands(add: Callable[[str, Handler, str], argparse.ArgumentPa
         "words",
         nargs="+",
         metavar="[PACKAGE] FILE.launch [name:=value …]",
-        help="a file of launch/, a path, or package and file; real_time_factor:=1: in real time",
+        help="a file of launch/, a path, or package and file; real_time_factor:=1: in real time; "
+        "strict:=true: refuse what is odd in worlds and models",
     )
 
     sub = add("bench", _cmd_bench, "measure")

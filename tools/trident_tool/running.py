@@ -24,9 +24,17 @@ from trident_tool.launchfile import check_args, declared_args, find_launch_file,
 from trident_tool.modules import module_command
 from trident_tool.processes import Supervised, ends_by_exception, supervised
 from trident_tool.progress import ProgressView, last_complaints, required_node_failed
-from trident_tool.workspace import Runner, Workspace, base_environment, hide_from_crawlers, say
+from trident_tool.workspace import (
+    Runner,
+    TridentError,
+    Workspace,
+    base_environment,
+    hide_from_crawlers,
+    say,
+)
 
 _RTF_ARG = "real_time_factor"
+_STRICT_ARG = "strict"
 _POLL_S = 0.2
 _INTERRUPTED = 130  # what a shell reports for a command that ended by Ctrl-C
 
@@ -124,6 +132,13 @@ def plan_run(
     check_real_time_factor(real_time_factor)
     if _RTF_ARG not in declared.settable:
         args.pop(_RTF_ARG, None)  # the simulator reads it from the environment
+    strict = args.get(_STRICT_ARG)
+    if strict is not None:
+        if strict.lower() not in ("true", "false", "1", "0"):
+            raise TridentError(f"strict is {strict!r}, legal: true or false")
+        env = {**env, "TRIDENT_STRICT": "1" if strict.lower() in ("true", "1") else "0"}
+        if _STRICT_ARG not in declared.settable:
+            args.pop(_STRICT_ARG)
     check_args(launch_file, declared, args)
     folder = new_run_folder(workspace.out, launch_file.stem, datetime.now())
     port = free_port()

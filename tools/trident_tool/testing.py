@@ -54,6 +54,7 @@ def run_tests(
     env = base_environment() if runner.dry_run else ros_environment(workspace)
     log = workspace.build / "test_log"
     env |= {"ROS_LOG_DIR": str(log), "ROS_HOSTNAME": "localhost", "CTEST_OUTPUT_ON_FAILURE": "1"}
+    env["TRIDENT_STRICT"] = "1"  # an odd element in a file of ours is a fault, not a warning
     env.pop("ROS_IP", None)
     env.pop(
         "DISPLAY", None

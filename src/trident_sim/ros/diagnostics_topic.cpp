@@ -4,6 +4,8 @@
 
 #include <diagnostic_msgs/DiagnosticArray.h>
 
+#include <algorithm>
+
 #include "conversions.h"
 
 namespace trident {
@@ -33,6 +35,20 @@ void add_value(DiagnosticStatus& status, const std::string& key, const std::stri
   status.values.push_back(pair);
 }
 
+/// So many are listed; all are counted, and told in the log.
+constexpr std::size_t kListedElements = 20;
+
+DiagnosticStatus odd_status(const std::vector<std::string>& odd) {
+  DiagnosticStatus status =
+      make_status(DiagnosticStatus::WARN, "odd elements",
+                  std::to_string(odd.size()) + " elements of files were left out or changed");
+  for (std::size_t i = 0; i < std::min(odd.size(), kListedElements); ++i) {
+    add_value(status, std::to_string(i + 1), odd[i]);
+  }
+  add_value(status, "count", std::to_string(odd.size()));
+  return status;
+}
+
 }  // namespace
 
 DiagnosticStatus to_status(const DiagnosticEntry& entry) {
@@ -59,6 +75,7 @@ void DiagnosticsTopic::publish(const World& world, const Notes& notes) const {
   for (const auto& [name, message] : notes) {
     array.status.push_back(make_status(DiagnosticStatus::OK, name, message));
   }
+  if (!world.odd_elements().empty()) array.status.push_back(odd_status(world.odd_elements()));
   for (const auto& [name, entry] : world.diagnostics().entries()) {
     array.status.push_back(to_status(entry));
   }

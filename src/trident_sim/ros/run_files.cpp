@@ -103,12 +103,12 @@ void RunFiles::finish(const World& world, const std::string& reason, double wall
   std::fprintf(file,
                "{\"state_hash\": \"%s\", \"sim_s\": %.6f, \"wall_s\": %.6f, \"rtf\": %.4f, "
                "\"end_reason\": \"%s\", \"seed\": %llu, \"steps\": %llu, \"step_size_s\": %.9g, "
-               "\"world\": \"%s\"}\n",
+               "\"odd_elements\": %zu, \"world\": \"%s\"}\n",
                world.state_hash().c_str(), world.time().seconds(), sim_s > 0.0 ? wall_s : 0.0,
                sim_s > 0.0 ? sim_s / wall_s : 0.0, json_escaped(reason).c_str(),
                static_cast<unsigned long long>(seed_),
                static_cast<unsigned long long>(world.step_count()), world.physics().max_step_size_s,
-               json_escaped(world.name()).c_str());
+               world.odd_elements().size(), json_escaped(world.name()).c_str());
   std::fclose(file);
   if (states_ != nullptr) std::fflush(states_);
 }

@@ -29,12 +29,13 @@ class Server {
   void stop() { simulation_.stop(); }
 
  private:
-  ros::CallbackQueue queue_;  ///< of services: one may wait for steps while others are asked
-  ros::NodeHandle node_, private_node_;
+  ros::CallbackQueue queue_;        ///< of services: one may wait for steps while others are asked
+  ros::CallbackQueue spawn_queue_;  ///< a model that takes long to read keeps nobody else waiting
+  ros::NodeHandle node_, private_node_, spawn_node_;
   Simulation simulation_;
   Servers servers_;
   std::vector<ros::Subscriber> subscribers_;
-  ros::AsyncSpinner spinner_;
+  ros::AsyncSpinner spinner_, spawn_spinner_;
 };
 
 }  // namespace trident

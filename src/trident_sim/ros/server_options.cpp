@@ -79,6 +79,15 @@ class Parameters {
       refuse(name, entry, "true or false");
     }
   }
+  /// A switch that the launch file has read already: a value that is none counts as true there.
+  void tell_odd_flag(const char* name, std::vector<std::string>& warnings) {
+    if (!has(name)) return;
+    XmlRpc::XmlRpcValue& entry = tree_[name];
+    if (entry.getType() == XmlRpc::XmlRpcValue::TypeBoolean) return;
+    if (entry.getType() == XmlRpc::XmlRpcValue::TypeInt) return;
+    warnings.push_back("argument " + std::string(name) + " of the launch file is " + plain(entry) +
+                       ", legal: true or false; taken as true");
+  }
   void text(const char* name, std::string& value) {
     if (!has(name)) return;
     if (tree_[name].getType() != XmlRpc::XmlRpcValue::TypeString) refuse(name, tree_[name], "text");
@@ -122,6 +131,12 @@ class Parameters {
   }
 
  private:
+  /// A value without XML around it.
+  static std::string plain(XmlRpc::XmlRpcValue& value) {
+    std::ostringstream text;
+    text << value;
+    return text.str();
+  }
   AnswerOptions answer(const std::string& name, XmlRpc::XmlRpcValue& fields) {
     const std::string legal =
         "{state: TOPIC, commands: [TOPIC, ...], delay: seconds in [0, 10]}, delay may be left out";
@@ -182,6 +197,7 @@ void read_environment(ServerOptions& options) {
     options.seed = static_cast<std::uint64_t>(option_count("TRIDENT_SEED", text, 0, kMaxCount));
   }
   options.end_on_finish = to_flag(environment("TRIDENT_END"));
+  options.strict = to_flag(environment("TRIDENT_STRICT"));
   options.out_dir = environment("TRIDENT_OUT");
 }
 
@@ -214,6 +230,7 @@ void read_parameters(Parameters parameters, ServerOptions& options) {
   parameters.number("real_time_factor", options.real_time_factor, 0.0, 1e6);
   parameters.number("end_time", options.end_time_s, 0.0, 1e9);
   parameters.flag("end_on_finish", options.end_on_finish);
+  parameters.flag("strict", options.strict);
   if (parameters.is_list("wait_for")) {
     parameters.names("wait_for", options.wait_for_models);
     options.wait_for = static_cast<int>(options.wait_for_models.size());
@@ -235,7 +252,8 @@ void read_parameters(Parameters parameters, ServerOptions& options) {
     throw Error("parameter /gazebo/sensor_threads is 0, must be in [1, 256]");
   }
   read_timing(parameters, options);
-  options.warnings = parameters.unknown();
+  parameters.tell_odd_flag("use_sim_time", options.warnings);
+  for (std::string& text : parameters.unknown()) options.warnings.push_back(std::move(text));
 }
 
 /// gzserver's command line, as far as it has a meaning here.

@@ -54,6 +54,7 @@ struct ServerOptions {
   std::string out_dir;                           ///< where results go; "": none are written
   std::vector<std::string> plugin_libraries;
   std::size_t sensor_threads = 1;     ///< that share the work of lidars and cameras
+  bool strict = false;                ///< odd elements of files are refused, not left out
   bool shares_process = false;        ///< it is one of the nodelets of a manager
   std::vector<std::string> warnings;  ///< about the options themselves
 

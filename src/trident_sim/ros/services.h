@@ -14,7 +14,9 @@ namespace trident {
 
 // The services of gazebo_ros' API plugin under /gazebo, with its status texts, one group per file.
 using Servers = std::vector<ros::ServiceServer>;
+/// To be served by a queue of its own: a model may take long to read.
 void advertise_spawn_services(ros::NodeHandle& node, Simulation& simulation, Servers& servers);
+void advertise_delete_service(ros::NodeHandle& node, Simulation& simulation, Servers& servers);
 void advertise_state_services(ros::NodeHandle& node, Simulation& simulation, Servers& servers);
 /// /gazebo/set_model_state and /gazebo/set_link_state as topics.
 void subscribe_state_topics(ros::NodeHandle& node, Simulation& simulation,

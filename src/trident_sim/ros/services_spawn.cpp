@@ -6,6 +6,7 @@
 #include "conversions.h"
 #include "services.h"
 #include "trident_base/error.h"
+#include "trident_sim/prepared_meshes.h"
 #include "trident_sim/sdf_loader.h"
 
 namespace trident {
@@ -30,8 +31,8 @@ ModelSpec read_model(Simulation& simulation, const Resources& resources,
   std::vector<std::string> warnings;
   const auto warn = [&warnings](const std::string& text) { warnings.push_back(text); };
   try {
-    ModelSpec spec =
-        load_model_string(request.model_xml, "model '" + request.model_name + "'", resources, warn);
+    ModelSpec spec = load_model_string(request.model_xml, "model '" + request.model_name + "'",
+                                       resources, warn, simulation.odd_elements());
     if (!warnings.empty()) report_all(Simulation::Access(simulation).world(), warnings);
     return spec;
   } catch (const Error&) {
@@ -40,31 +41,43 @@ ModelSpec read_model(Simulation& simulation, const Resources& resources,
   }
 }
 
-void spawn(Simulation& simulation, const Resources& resources,
-           const gazebo_msgs::SpawnModel::Request& request) {
+/// What the caller is told.
+std::string describe(const std::vector<std::string>& all_odd, std::size_t before) {
+  const std::string text = "SpawnModel: Successfully spawned entity";
+  const std::size_t count = all_odd.size() - before;
+  if (count == 0) return text;
+  return one_line(text + "; odd elements left out or changed: " + std::to_string(count) +
+                  ", the first: " + all_odd[before]);
+}
+
+std::string spawn(Simulation& simulation, const Resources& resources,
+                  const gazebo_msgs::SpawnModel::Request& request) {
   {
     const Simulation::Access access(simulation);
     check_request(access.world(), request);
     find_reference_frame(access.world(), request.reference_frame);
   }
   ModelSpec spec = read_model(simulation, resources, request);
+  const PreparedMeshes meshes(spec);
   const Simulation::Access access(simulation);
   World& world = access.world();
   check_request(world, request);  // another request may have been faster
   spec.name = request.model_name;
   spec.T_world_model = find_reference_frame(world, request.reference_frame).T_world_frame *
                        from_pose(request.initial_pose);
+  const std::size_t odd_before = world.odd_elements().size();
   const auto first = request.robot_namespace.find_first_not_of('/');
   world.spawn(std::move(spec),
               first == std::string::npos ? "" : request.robot_namespace.substr(first));
   simulation.sync_topics();
+  return describe(world.odd_elements(), odd_before);
 }
 
 /// A refusal is told by who asked; /diagnostics keeps it.
-void spawn_or_note(Simulation& simulation, const Resources& resources,
-                   const gazebo_msgs::SpawnModel::Request& request) {
+std::string spawn_or_note(Simulation& simulation, const Resources& resources,
+                          const gazebo_msgs::SpawnModel::Request& request) {
   try {
-    spawn(simulation, resources, request);
+    return spawn(simulation, resources, request);
   } catch (const Error& error) {
     const Simulation::Access access(simulation);
     access.world().note({Severity::kError,
@@ -85,7 +98,6 @@ void remove(Simulation& simulation, const std::string& name) {
 }  // namespace
 
 void advertise_spawn_services(ros::NodeHandle& node, Simulation& simulation, Servers& servers) {
-  using gazebo_msgs::DeleteModel;
   using gazebo_msgs::SpawnModel;
   // Not the world's own: models are read beside it. Loads go one at a time, so sharing is safe.
   const auto resources = std::make_shared<Resources>();
@@ -94,11 +106,14 @@ void advertise_spawn_services(ros::NodeHandle& node, Simulation& simulation, Ser
         name,
         [&simulation, resources](SpawnModel::Request& request, SpawnModel::Response& response) {
           return answer(response, "SpawnModel: Failure - ", [&] {
-            spawn_or_note(simulation, *resources, request);
-            response.status_message = "SpawnModel: Successfully spawned entity";
+            response.status_message = spawn_or_note(simulation, *resources, request);
           });
         }));
   }
+}
+
+void advertise_delete_service(ros::NodeHandle& node, Simulation& simulation, Servers& servers) {
+  using gazebo_msgs::DeleteModel;
   servers.push_back(node.advertiseService<DeleteModel::Request, DeleteModel::Response>(
       "delete_model",
       [&simulation](DeleteModel::Request& request, DeleteModel::Response& response) {

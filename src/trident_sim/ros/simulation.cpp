@@ -46,12 +46,14 @@ Simulation::Simulation(ros::NodeHandle& node, const ServerOptions& options)
   const auto report = [this](Severity severity, const std::string& text) {
     this->report(severity, text);
   };
-  const WorldSpec spec =
-      load_world_file(options.world_file, resources_,
-                      [&](const std::string& text) { report(Severity::kWarning, text); });
-  world_ = std::make_unique<World>(spec, resources_, registry_,
-                                   WorldOptions{options.seed, options.timing, report,
-                                                find_tf_prefix, options.sensor_threads, log});
+  for (const std::string& warning : resources_.warnings()) report(Severity::kWarning, warning);
+  const WorldSpec spec = load_world_file(
+      options.world_file, resources_,
+      [&](const std::string& text) { report(Severity::kWarning, text); }, odd_elements());
+  world_ =
+      std::make_unique<World>(spec, resources_, registry_,
+                              WorldOptions{options.seed, options.timing, report, find_tf_prefix,
+                                           options.sensor_threads, log, odd_elements()});
   real_time_factor_ = options.real_time_factor >= 0.0
                           ? options.real_time_factor
                           : spec.physics.real_time_update_rate_hz * spec.physics.max_step_size_s;

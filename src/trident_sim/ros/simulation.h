@@ -53,6 +53,11 @@ class Simulation {
     Simulation& simulation_;
   };
 
+  /// What is done with elements of files that cannot be used.
+  OddElements odd_elements() const {
+    return options_.strict ? OddElements::kRefuse : OddElements::kLeaveOut;
+  }
+
   // With Access held:
   void set_paused(bool paused) { paused_ = paused; }
   bool paused() const { return paused_; }

@@ -17,11 +17,12 @@ class ResourcesTest : public testing::Test {
         models_(folder_.path() + "/models"),
         model_path_("GAZEBO_MODEL_PATH", ""),
         resource_path_("GAZEBO_RESOURCE_PATH", ""),
+        plugin_path_("GAZEBO_PLUGIN_PATH", ""),
         package_path_("ROS_PACKAGE_PATH", "") {}
 
   ScratchFolder folder_;
   std::string file_, models_;
-  ScopedEnvironment model_path_, resource_path_, package_path_;
+  ScopedEnvironment model_path_, resource_path_, plugin_path_, package_path_;
 };
 
 TEST_F(ResourcesTest, ExtraFoldersHoldModels) {
@@ -32,8 +33,41 @@ TEST_F(ResourcesTest, ExtraFoldersHoldModels) {
 
 TEST_F(ResourcesTest, TheModelPathMayHoldALiteralVariable) {
   const ScopedEnvironment path("GAZEBO_MODEL_PATH", "${GAZEBO_MODEL_PATH}::" + models_);
-  EXPECT_EQ(Resources().find("model://crate/meshes/a.stl"), file_);
-  EXPECT_EQ(Resources().searched(), models_);
+  const Resources resources;
+  EXPECT_EQ(resources.find("model://crate/meshes/a.stl"), file_);
+  EXPECT_EQ(resources.searched().substr(0, models_.size() + 1), models_ + ":");
+  ASSERT_EQ(resources.warnings().size(), 1u);
+  EXPECT_TRUE(contains(resources.warnings()[0], "GAZEBO_MODEL_PATH holds '${GAZEBO_MODEL_PATH}'"));
+}
+
+TEST_F(ResourcesTest, PartsThatNobodyHasExpandedAreToldOncePerVariable) {
+  const ScopedEnvironment path("GAZEBO_RESOURCE_PATH",
+                               "${A}:" + folder_.path() + ":${HOME}/worlds:$B");
+  const ScopedEnvironment plugins("GAZEBO_PLUGIN_PATH", "${GAZEBO_PLUGIN_PATH}:/opt/plugins");
+  const Resources resources;
+  EXPECT_EQ(resources.warnings().size(), 2u);
+  EXPECT_EQ(resources.find("models/crate/meshes/a.stl"), file_);
+  EXPECT_EQ(resources.plugin_folders(), std::vector<std::string>{"/opt/plugins"});
+}
+
+TEST_F(ResourcesTest, WhatComesWithTheSimulatorIsFoundWhateverTheVariablesSay) {
+  const std::string shipped = std::string(TRIDENT_REPOSITORY) + "/worlds/models/ground_plane";
+  for (const char* value : {"", "/no/such/folder", "${GAZEBO_MODEL_PATH}", ":::"}) {
+    const ScopedEnvironment path("GAZEBO_MODEL_PATH", value);
+    EXPECT_EQ(Resources().find("model://ground_plane"), shipped);
+    EXPECT_EQ(Resources().find("worlds/empty.world"),
+              std::string(TRIDENT_REPOSITORY) + "/worlds/empty.world");
+  }
+}
+
+TEST_F(ResourcesTest, WhatComesWithTheSimulatorIsFoundLast) {
+  folder_.write("models/ground_plane/model.config", "");
+  const std::string shipped = std::string(TRIDENT_REPOSITORY) + "/worlds/models";
+  const ScopedEnvironment path("GAZEBO_MODEL_PATH", shipped + "/:" + models_);
+  EXPECT_EQ(Resources().find("model://ground_plane"), models_ + "/ground_plane");
+  const ScopedEnvironment other("GAZEBO_MODEL_PATH", shipped);
+  const ScopedEnvironment resources("GAZEBO_RESOURCE_PATH", models_);
+  EXPECT_EQ(Resources().find("model://ground_plane"), models_ + "/ground_plane");
 }
 
 TEST_F(ResourcesTest, TheResourcePathCountsToo) {
@@ -75,8 +109,59 @@ TEST_F(ResourcesTest, ThePackagePathMayNameThePackageItself) {
   EXPECT_EQ(Resources().find("package://my_robot"), folder_.path() + "/my_robot");
 }
 
-TEST_F(ResourcesTest, AnEmptySearchSaysSo) {
-  EXPECT_TRUE(contains(Resources().searched(), "GAZEBO_MODEL_PATH"));
+TEST_F(ResourcesTest, PackagesGoByTheNameInTheirManifest) {
+  folder_.write("ws/my-house-world/package.xml", "<package><name> my_house </name></package>");
+  const std::string world = folder_.write("ws/my-house-world/worlds/house.world", "");
+  folder_.write("ws/hidden/CATKIN_IGNORE", "");
+  folder_.write("ws/hidden/deep/package.xml", "<package><name>hidden_one</name></package>");
+  const ScopedEnvironment path("ROS_PACKAGE_PATH", folder_.path() + "/ws");
+  EXPECT_EQ(Resources().find("package://my_house/worlds/house.world"), world);
+  EXPECT_EQ(Resources().find("package://hidden_one"), "");
+}
+
+/// A package that exports paths to gazebo_ros; `depend`: what its manifest says besides.
+std::string exporting(const std::string& name, const std::string& depend,
+                      const std::string& attributes) {
+  return "<package format='2'><name>" + name + "</name>" + depend + "<export><gazebo_ros " +
+         attributes + "/></export></package>";
+}
+
+TEST_F(ResourcesTest, PackagesExportPathsToGazeboRos) {
+  const char* const depend = "<depend>gazebo_ros</depend>";
+  folder_.write("ws/a/package.xml",
+                exporting("a", depend,
+                          "gazebo_model_path='${prefix}/models:${prefix}/more' "
+                          "gazebo_media_path='${prefix}' plugin_path='${prefix}/lib'"));
+  const std::string wall = folder_.write("ws/a/more/wall/model.config", "");
+  const std::string world = folder_.write("ws/a/worlds/maze.world", "");
+  const ScopedEnvironment path("ROS_PACKAGE_PATH", folder_.path() + "/ws");
+  const Resources resources;
+  EXPECT_EQ(resources.find("model://wall/model.config"), wall);
+  EXPECT_EQ(resources.find("worlds/maze.world"), world);
+  EXPECT_EQ(resources.plugin_folders(), std::vector<std::string>{folder_.path() + "/ws/a/lib"});
+  EXPECT_TRUE(contains(resources.searched(), folder_.path() + "/ws/a/more"));
+}
+
+TEST_F(ResourcesTest, ExportsComeBehindTheVariablesAndBeforeWhatIsShipped) {
+  folder_.write("ws/a/package.xml", exporting("a", "<exec_depend>gazebo_ros</exec_depend>",
+                                              "gazebo_model_path='${prefix}'"));
+  folder_.write("ws/a/ground_plane/model.config", "");
+  folder_.write("ws/a/crate/model.config", "");
+  const ScopedEnvironment packages("ROS_PACKAGE_PATH", folder_.path() + "/ws");
+  const ScopedEnvironment models("GAZEBO_MODEL_PATH", models_);
+  EXPECT_EQ(Resources().find("model://crate"), models_ + "/crate");
+  EXPECT_EQ(Resources().find("model://ground_plane"), folder_.path() + "/ws/a/ground_plane");
+}
+
+TEST_F(ResourcesTest, ExportsOfPackagesThatDoNotDependOnGazeboRosDoNotCount) {
+  folder_.write("ws/a/package.xml", exporting("a", "", "gazebo_model_path='${prefix}'"));
+  folder_.write("ws/a/wall/model.config", "");
+  folder_.write("ws/b/package.xml", exporting("b", "<depend>gazebo_ros</depend>",
+                                              "gazebo_model_path='`echo ${prefix}`'"));
+  folder_.write("ws/b/door/model.config", "");
+  const ScopedEnvironment path("ROS_PACKAGE_PATH", folder_.path() + "/ws");
+  EXPECT_EQ(Resources().find("model://wall"), "");
+  EXPECT_EQ(Resources().find("model://door"), "");  // no shell is asked
 }
 
 }  // namespace

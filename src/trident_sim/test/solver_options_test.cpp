@@ -98,7 +98,7 @@ TEST(Solver, WorldsMayChangeTheirSolverAndBadValuesChangeNothing) {
     return error_of([&] { world->set_physics(bad); });
   };
   EXPECT_TRUE(contains(refusal([](PhysicsSpec& p) { p.solver = "best"; }),
-                       "physics: solver type is 'best', legal: quick, world"));
+                       "physics: solver type is 'best', must be quick or world"));
   EXPECT_TRUE(contains(refusal([](PhysicsSpec& p) { p.iterations = 0; }), "iterations is 0"));
   EXPECT_TRUE(contains(refusal([](PhysicsSpec& p) { p.sor = 2.0; }), "sor is 2.000000"));
   EXPECT_TRUE(contains(refusal([](PhysicsSpec& p) { p.erp = 1.5; }), "erp is 1.500000"));

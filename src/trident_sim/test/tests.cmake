@@ -39,6 +39,7 @@ catkin_add_gtest(trident_sim_test
   test/lockstep_test.cpp
   test/motor_model_test.cpp
   test/navigation_sensors_test.cpp
+  test/odd_elements_test.cpp
   test/odometry_test.cpp
   test/ogre_script_test.cpp
   test/plugin_conformance_test.cpp
@@ -52,6 +53,7 @@ catkin_add_gtest(trident_sim_test
   test/sdf_frames_test.cpp
   test/sdf_look_test.cpp
   test/sdf_schema_test.cpp
+  test/sdf_sources_test.cpp
   test/sdf_world_test.cpp
   test/setpoint_sources_test.cpp
   test/urdf_test.cpp

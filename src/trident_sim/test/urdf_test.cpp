@@ -109,16 +109,25 @@ TEST(Urdf, AMasslessFrameOnAFixedJointIsNoCauseForAWarning) {
 }
 
 TEST(Urdf, ElementsWithoutEffectAreNamedOnceWithTheirFirstLine) {
-  const std::string drive = "<transmission name='t'><type>x</type></transmission>\n";
+  const std::string drive = "<wheels name='t'><type>x</type></wheels>\n";
   const Loaded loaded =
       load(robot(link("base", inertial()) + link("wheel", inertial()) +
-                 joint("continuous", "base", "wheel", "<axis xyz='0 1 0'/><mimic joint='j'/>") +
-                 drive + drive + "<gazebo reference='wheel'><mu>1</mu><mu1>1</mu1></gazebo>"));
+                 joint("continuous", "base", "wheel", "<axis xyz='0 1 0'/><limits/>") + drive +
+                 drive + "<gazebo reference='wheel'><mu>1</mu><mu1>1</mu1></gazebo>"));
   ASSERT_EQ(loaded.warnings.size(), 3u);
-  EXPECT_EQ(loaded.warnings[0],
-            "robot.urdf:6: <transmission> in <robot> (2 times) has no effect here");
-  EXPECT_EQ(loaded.warnings[1], "robot.urdf:5: <mimic> in <joint> has no effect here");
+  EXPECT_EQ(loaded.warnings[0], "robot.urdf:6: <wheels> in <robot> (2 times) has no effect here");
+  EXPECT_EQ(loaded.warnings[1], "robot.urdf:5: <limits> in <joint> has no effect here");
   EXPECT_EQ(loaded.warnings[2], "robot.urdf:8: <mu> in <gazebo> has no effect here");
+}
+
+TEST(Urdf, WhatIsForOthersThanASimulatorIsNotTold) {
+  const Loaded loaded =
+      load(robot(link("base", inertial()) + link("wheel", inertial()) +
+                 joint("continuous", "base", "wheel",
+                       "<axis xyz='0 1 0'/><mimic joint='j'/><safety_controller k_velocity='1'/>"
+                       "<calibration rising='0'/>") +
+                 "<transmission name='t'><type>x</type></transmission>"));
+  EXPECT_TRUE(loaded.warnings.empty()) << testing::PrintToString(loaded.warnings);
 }
 
 TEST(Urdf, ARootThatAFixedChildGivesInertiaIsFine) {

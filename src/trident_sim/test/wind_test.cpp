@@ -26,6 +26,16 @@ Eigen::Vector3d drift(const ParamList& params, std::uint64_t steps) {
   return body.bodies[0]->v_world;
 }
 
+TEST(Wind, AGustWithoutForceNeedsNoDirection) {
+  const std::vector<std::pair<std::string, std::string>> calm{
+      {"windForceMean", "3"}, {"windDirection", "0 2 0"}, {"windGustDirection", "0 0 0"}};
+  EXPECT_TRUE(is_near(drift(calm, 10),
+                      drift({{"windForceMean", "3"}, {"windDirection", "0 2 0"}}, 10), 1e-12));
+  auto gusty = calm;
+  gusty.emplace_back("windGustForceMean", "1");
+  EXPECT_TRUE(contains(error_of([&] { drift(gusty, 1); }), "<windGustDirection> is '0 0 0'"));
+}
+
 TEST(Wind, ForcePushesAlongTheNormalisedDirection) {
   EXPECT_TRUE(is_near(drift({{"windForceMean", "3"}, {"windDirection", "0 2 0"}}, 10),
                       {0, 3.0 / 2.0 * 10 * kDt, 0}, 1e-12));

@@ -157,6 +157,12 @@ struct JointSpec : AxisSpec {
   }
 };
 
+/// What a load does with an element that it cannot use.
+enum class OddElements {
+  kRefuse,   ///< the load fails
+  kLeaveOut  ///< the rest is loaded; what was left out or changed is told
+};
+
 struct ModelSpec {
   std::string name;
   SE3 T_world_model;
@@ -165,6 +171,7 @@ struct ModelSpec {
   std::vector<LinkSpec> links;
   std::vector<JointSpec> joints;
   std::vector<PluginSpec> plugins;
+  std::vector<std::string> odd_elements{};  ///< that were left out or changed, a sentence each
 };
 
 /// `<physics>` and `<gravity>` with Gazebo's defaults.
@@ -218,6 +225,7 @@ struct WorldSpec {
   std::vector<LightSpec> lights;
   SceneSpec scene;
   std::vector<PluginSpec> plugins;
+  std::vector<std::string> odd_elements{};  ///< that were left out or changed, a sentence each
 };
 
 }  // namespace trident

@@ -10,6 +10,7 @@
 
 #include "trident_sim/model_spec.h"
 #include "trident_sim/plugin.h"
+#include "trident_sim/resources.h"
 
 namespace trident {
 
@@ -29,9 +30,10 @@ class PluginRegistry {
   const PluginFactory* find(const std::string& filename) const;
   std::vector<std::string> names() const;
 
-  /// find(), and for a name that is not there yet the shared object of that name, from
-  /// GAZEBO_PLUGIN_PATH or the loader's own path, if it is one of ours (see load_shared_object).
-  const PluginFactory* find_or_load(const std::string& filename);
+  /// find(), and for a name that is not there yet the shared object of that name, from the plugin
+  /// folders of `resources` or the loader's own path, if it is one of ours (see
+  /// load_shared_object).
+  const PluginFactory* find_or_load(const std::string& filename, const Resources& resources);
 
   /// Loads a shared object that exports `extern "C" void
   /// trident_register_plugins(PluginRegistry&)`. Throws Error when it cannot be loaded or does not.

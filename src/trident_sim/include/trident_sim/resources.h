@@ -2,16 +2,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace trident {
 
+class PackageIndex;
+
 /// Finds files that SDF, URDF and launch files name: `model://`, `package://`, `file://`, absolute
-/// and relative paths. Search order: explicit folders, GAZEBO_MODEL_PATH, GAZEBO_RESOURCE_PATH, and
-/// for `package://` the folders of ROS_PACKAGE_PATH (a package is a folder with a package.xml).
+/// and relative paths. Search order: explicit folders, GAZEBO_MODEL_PATH, GAZEBO_RESOURCE_PATH,
+/// what packages of ROS_PACKAGE_PATH export as gazebo_ros' gazebo_model_path and gazebo_media_path,
+/// for `package://` and `model://` those packages themselves, and at last what comes with the
+/// simulator, whatever the variables say. Copies share what they have found.
 class Resources {
  public:
   /// Takes the environment's search paths; `extra_folders` come first.
@@ -23,12 +27,20 @@ class Resources {
   /// Folders searched, for error messages.
   std::string searched() const;
 
- private:
-  const std::string& find_package(std::string_view package) const;
+  /// Where plugins' shared objects may lie: GAZEBO_PLUGIN_PATH, then what packages export as
+  /// gazebo_ros' plugin_path.
+  std::vector<std::string> plugin_folders() const;
 
-  std::vector<std::string> model_folders_;
-  std::vector<std::string> package_folders_;
-  mutable std::map<std::string, std::string> packages_;  ///< name -> folder, "" when not found
+  /// What is odd about the search paths, one sentence each.
+  const std::vector<std::string>& warnings() const { return warnings_; }
+
+ private:
+  std::vector<std::string> take_variable(const char* variable);
+  std::string find_in_packages(std::string_view rest) const;
+  std::vector<std::string> exported_folders() const;
+
+  std::vector<std::string> model_folders_, plugin_folders_, shipped_folders_, warnings_;
+  std::shared_ptr<const PackageIndex> packages_;
 };
 
 }  // namespace trident

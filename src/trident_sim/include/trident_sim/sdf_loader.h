@@ -13,17 +13,20 @@ namespace trident {
 /// Receives one line per thing a user should know but that does not stop the load.
 using WarningSink = std::function<void(const std::string&)>;
 
-/// Reads SDF 1.4 to 1.9 worlds. Throws Error naming file and line or element. All loads of a
-/// process may be called from any thread, but go one at a time.
+/// Reads SDF 1.4 to 1.9 worlds. Throws Error naming file and line or element; with
+/// OddElements::kLeaveOut only where nothing is left to load. All loads of a process may be called
+/// from any thread, but go one at a time.
 WorldSpec load_world_file(const std::string& path, const Resources& resources,
-                          const WarningSink& warn);
+                          const WarningSink& warn, OddElements odd = OddElements::kRefuse);
 WorldSpec load_world_string(const std::string& xml, const std::string& label,
-                            const Resources& resources, const WarningSink& warn);
+                            const Resources& resources, const WarningSink& warn,
+                            OddElements odd = OddElements::kRefuse);
 
 /// Reads the one model of an SDF or URDF text (`<sdf>`, `<model>` or `<robot>`). A URDF is checked
 /// before libsdformat converts it: see check_urdf(). `label` names the source in errors.
 ModelSpec load_model_string(const std::string& xml, const std::string& label,
-                            const Resources& resources, const WarningSink& warn);
+                            const Resources& resources, const WarningSink& warn,
+                            OddElements odd = OddElements::kRefuse);
 
 /// Refuses (throws) a URDF whose links have a mass <= 0 or an inertia that is not positive
 /// definite; warns of links without `<inertial>`, which the SDF conversion drops silently, unless a

@@ -54,6 +54,8 @@ struct WorldOptions {
   std::size_t sensor_threads = 1;
   /// Where the first of what diagnostics() keeps is told; none: to `report`.
   ReportSink diagnosed{};
+  /// What is done with models, collisions and plugins that cannot be made.
+  OddElements odd_elements = OddElements::kRefuse;
 };
 
 struct SpawnRequest {
@@ -185,6 +187,9 @@ class World {
   /// What was met since the world began, those of deleted models left out. Not part of its state.
   const Diagnostics& diagnostics() const { return diagnostics_; }
 
+  /// What was left out or changed in the files of this world and its models, a sentence each.
+  const std::vector<std::string>& odd_elements() const { return odd_elements_; }
+
   /// SHA-256 over name, pose, velocities and rotor speeds of every model in name order, as
   /// IEEE-754 bytes, with the step count.
   std::string state_hash() const;
@@ -215,6 +220,9 @@ class World {
                                         const std::string& owner);
   void tell_unread(const PluginSpec& spec, const PluginParams& params);
   void tell_overlap(const Model& model);
+  void tell_odd(const std::string& text);
+  void leave_out_if_odd(const std::function<void()>& load);
+  void tell_missing_floor();
   void drop_references(const Model& model);
   void restore_drives(const std::vector<JointDrive>& drives);
   std::vector<std::string> inventory() const;
@@ -231,6 +239,8 @@ class World {
   WorkerPool workers_;
   Diagnostics diagnostics_;
   std::set<std::string> told_elements_;  ///< of plugins, that none of them reads
+  std::vector<std::string> odd_elements_;
+  SimTime next_floor_look_;  ///< see tell_missing_floor()
   PortBoard ports_;
   std::unique_ptr<PhysicsEngine> engine_;
   std::map<std::string, std::unique_ptr<Model>> models_;

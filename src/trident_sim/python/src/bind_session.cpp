@@ -19,9 +19,9 @@ std::shared_ptr<Session> make_session(const std::string& world, std::uint64_t se
                                       const std::string& timing,
                                       const std::vector<std::string>& folders,
                                       const std::vector<std::string>& plugins,
-                                      std::size_t sensor_threads) {
+                                      std::size_t sensor_threads, bool strict) {
   return std::make_shared<Session>(
-      SessionOptions{world, seed, timing, folders, plugins, sensor_threads});
+      SessionOptions{world, seed, timing, folders, plugins, sensor_threads, strict});
 }
 
 std::string spawn(Session& session, const std::string& name, const std::string& xml,
@@ -99,7 +99,7 @@ void bind_session(py::module_& module) {
   module.attr("Message").attr("__module__") = "trident_sim";
   py::class_<Session, std::shared_ptr<Session>>(module, "Session")
       .def(py::init(&make_session), py::arg("world"), py::arg("seed"), py::arg("timing"),
-           py::arg("folders"), py::arg("plugins"), py::arg("sensor_threads"))
+           py::arg("folders"), py::arg("plugins"), py::arg("sensor_threads"), py::arg("strict"))
       .def("spawn", &spawn)
       .def("remove", &Session::remove)
       .def("step", &Session::step)

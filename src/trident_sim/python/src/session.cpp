@@ -58,14 +58,16 @@ Session::Session(const SessionOptions& options) : resources_(options.folders) {
   };
   const auto warn = [&report](const std::string& text) { report(Severity::kWarning, text); };
   const py::gil_scoped_release unlocked;
+  for (const std::string& warning : resources_.warnings()) warn(warning);
   for (const std::string& path : options.plugins) registry_.load_shared_object(path);
   const bool is_text = options.world.find_first_not_of(" \t\r\n") != std::string::npos &&
                        options.world[options.world.find_first_not_of(" \t\r\n")] == '<';
-  const WorldSpec spec = is_text ? load_world_string(options.world, "world", resources_, warn)
-                                 : load_world_file(options.world, resources_, warn);
+  const OddElements odd = options.strict ? OddElements::kRefuse : OddElements::kLeaveOut;
+  const WorldSpec spec = is_text ? load_world_string(options.world, "world", resources_, warn, odd)
+                                 : load_world_file(options.world, resources_, warn, odd);
   world_ = std::make_unique<World>(
       spec, resources_, registry_,
-      WorldOptions{options.seed, timing, report, {}, options.sensor_threads});
+      WorldOptions{options.seed, timing, report, {}, options.sensor_threads, {}, odd});
 }
 
 Session::~Session() = default;

@@ -24,6 +24,7 @@ struct SessionOptions {
   std::vector<std::string> folders;  ///< searched before the environment's paths
   std::vector<std::string> plugins;  ///< shared objects with plugins, besides the built-in ones
   std::size_t sensor_threads = 1;
+  bool strict = false;  ///< odd elements of files are refused, not left out
 };
 
 /// One event that did not stop the world.

@@ -33,6 +33,7 @@ def make_world(request: pytest.FixtureRequest) -> Callable[..., World]:
     worlds = request.node.stash.setdefault(_WORLDS, [])
 
     def make(world: Any = DEFAULT_WORLD, **options: Any) -> World:
+        options.setdefault("strict", True)  # what is odd in a file fails a test
         worlds.append(World(world, **options))
         return worlds[-1]
 

@@ -139,6 +139,7 @@ class World:
         folders: Sequence[FilePath] = (),
         plugins: Sequence[FilePath] = (),
         sensor_threads: int = 1,
+        strict: bool | None = None,
     ) -> None:
         """Load a world.
 
@@ -154,6 +155,8 @@ class World:
             plugins: shared objects that hold plugins, besides those that are built in.
             sensor_threads: threads that share the work of lidars and cameras, 1 to 256; what these
                 measure does not depend on it.
+            strict: whether an element that cannot be used is an error; otherwise it is left out,
+                with a message. None: as TRIDENT_STRICT says, by default not.
 
         Raises:
             Error: the world cannot be found or read, or an argument is illegal.
@@ -170,6 +173,7 @@ class World:
             [*map(_path, folders)],
             [*map(_path, plugins)],
             sensor_threads,
+            _is_set("TRIDENT_STRICT") if strict is None else strict,
         )
         self._folders = [*map(_path, folders)]
         self.models = Models(self._session)
@@ -418,6 +422,10 @@ class World:
         self._told += len(news)
         for message in news:
             warnings.warn(message.text, SimulationWarning, stacklevel=3)
+
+
+def _is_set(variable: str) -> bool:
+    return os.environ.get(variable, "") in ("1", "true", "yes")
 
 
 def _path(path: FilePath) -> str:

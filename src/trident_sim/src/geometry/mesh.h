@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "trident_sim/model_spec.h"
@@ -29,6 +30,9 @@ enum class MeshDetail { kShape, kLook };
 /// Reads what assimp can read. As in Gazebo and rviz the `<up_axis>` of a COLLADA file does not
 /// turn it. Throws Error, which names the file, when it cannot be read or has no triangles.
 TriangleMesh read_mesh(const MeshShape& shape, MeshDetail detail);
+
+/// The mesh of a shape that PreparedMeshes has read, once for each that it has read; or nothing.
+std::optional<TriangleMesh> take_prepared_mesh(const MeshShape& shape);
 
 /// The surface of a heightmap, centred on its origin in x and y, the top of the picture at +y: two
 /// triangles between four samples, parted from +x +y to -x -y as ODE does it. Texture coordinates

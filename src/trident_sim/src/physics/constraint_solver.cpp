@@ -17,6 +17,10 @@ constexpr int kRowsPerContact = 3, kRowsPerJoint = 6;
 /// Of an island that the exact solver fails on; few enough rows for these to be quick.
 constexpr int kFallbackIterations = 500;
 
+/// What ODE takes by itself for every constraint. Without any the exact solver has no solution for
+/// joints in a closed loop, and ODE ends the process.
+constexpr double kLeastJointCfm = 1e-10;
+
 /// Accelerations that nothing survives [m/s^2], [rad/s^2]. ODE ends the program when a rotation
 /// overflows; below these it does not, and the body is frozen after the step.
 constexpr double kDeadlyAcceleration = 1e14;
@@ -62,7 +66,6 @@ ConstraintSolver::~ConstraintSolver() { dJointGroupDestroy(joints_); }
 void ConstraintSolver::configure(const PhysicsSpec& spec) {
   spec_ = spec;
   dWorldSetERP(world_, spec.erp);
-  dWorldSetCFM(world_, spec.cfm);
   dWorldSetQuickStepW(world_, spec.sor);
   // Each contact is told its depth so that these two, which ODE has once for the world, do nothing.
   dWorldSetContactSurfaceLayer(world_, 0.0);
@@ -87,6 +90,7 @@ void ConstraintSolver::solve(const std::vector<Body*>& bodies, const std::vector
                              double dt_s) {
   gather(bodies, joints);
   if (held_.empty()) return;
+  dWorldSetCFM(world_, joints.empty() ? spec_.cfm : std::max(spec_.cfm, kLeastJointCfm));
   for (Joint* joint : joints) prepare_ode_joint(*joint, spec_.erp, dt_s);
   for (Joint* joint : joints) apply_efforts(*joint, dt_s);
   for (const Body* body : held_) load(*body);

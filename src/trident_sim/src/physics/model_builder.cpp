@@ -42,9 +42,11 @@ class LinkGroups {
 
 class Builder {
  public:
-  Builder(Model& model, const std::vector<std::string>& spun, dWorldID world)
+  Builder(Model& model, const std::vector<std::string>& spun, dWorldID world,
+          const PhysicsEngine::Guard& guard)
       : model_(model),
         spec_(model.spec),
+        guard_(guard),
         spun_(spun.begin(), spun.end()),
         world_(world),
         groups_(spec_.links.size()) {}
@@ -166,19 +168,23 @@ class Builder {
     for (std::size_t i = 0; i < spec_.links.size(); ++i) {
       Link& link = *model_.links[i];
       for (const CollisionSpec& spec : spec_.links[i].collisions) {
-        Geom geom = make_geom(spec, model_.name + "::" + link.name + "::" + spec.name,
-                              link.body != nullptr);
-        const SE3 T_base_shape = link.T_body_link * spec.T_link_shape;
-        geom.surface.fdir1 = T_base_shape.R * geom.surface.fdir1;
-        if (link.body == nullptr) {
-          place_static_geom(geom, T_base_shape);
-          model_.static_geoms.push_back(std::move(geom));
-        } else {
-          place_on_body(*link.body, std::move(geom), T_base_shape);
-        }
+        guard_([&] { add_collision(link, spec); });
       }
     }
     for (const auto& body : model_.bodies) bound(*body);
+  }
+
+  void add_collision(Link& link, const CollisionSpec& spec) {
+    Geom geom = make_geom(spec, model_.name + "::" + link.name + "::" + spec.name,
+                          link.body != nullptr);
+    const SE3 T_base_shape = link.T_body_link * spec.T_link_shape;
+    geom.surface.fdir1 = T_base_shape.R * geom.surface.fdir1;
+    if (link.body == nullptr) {
+      place_static_geom(geom, T_base_shape);
+      model_.static_geoms.push_back(std::move(geom));
+    } else {
+      place_on_body(*link.body, std::move(geom), T_base_shape);
+    }
   }
 
   void place_on_body(Body& body, Geom geom, const SE3& T_body_shape) {
@@ -270,6 +276,7 @@ class Builder {
 
   Model& model_;
   const ModelSpec& spec_;
+  const PhysicsEngine::Guard& guard_;
   std::set<std::string> spun_;
   dWorldID world_;
   LinkGroups groups_;
@@ -279,9 +286,10 @@ class Builder {
 
 }  // namespace
 
-void PhysicsEngine::build(Model& model, const std::vector<std::string>& spun_joints) {
+void PhysicsEngine::build(Model& model, const std::vector<std::string>& spun_joints,
+                          const Guard& guard) {
   try {
-    Builder(model, spun_joints, world_).run();
+    Builder(model, spun_joints, world_, guard).run();
   } catch (...) {
     destroy(model);
     throw;

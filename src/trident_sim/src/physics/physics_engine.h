@@ -37,9 +37,11 @@ class PhysicsEngine {
 
   void configure(const PhysicsSpec& spec);
 
+  /// Runs what makes a collision, and decides whether an Error of it goes on.
+  using Guard = std::function<void(const std::function<void()>& make)>;
   /// Makes the bodies, geometries and joints of `model` from its spec, at the initial pose.
   /// `spun_joints`: names of the joints whose rotors are kept as scalars.
-  void build(Model& model, const std::vector<std::string>& spun_joints);
+  void build(Model& model, const std::vector<std::string>& spun_joints, const Guard& guard);
   void destroy(Model& model);
   /// Takes over the list of models, in the order in which they are to be stepped.
   void set_models(const std::vector<Model*>& models);

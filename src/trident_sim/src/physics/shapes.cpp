@@ -20,7 +20,9 @@ dGeomID make_mesh(const MeshShape& shape, const std::string& scoped_name, dTriMe
   static_assert(sizeof(dTriIndex) == sizeof(std::uint32_t));
   std::unique_ptr<TriangleMesh> mesh;
   try {
-    mesh = std::make_unique<TriangleMesh>(read_mesh(shape, MeshDetail::kShape));
+    std::optional<TriangleMesh> prepared = take_prepared_mesh(shape);
+    mesh = std::make_unique<TriangleMesh>(prepared ? std::move(*prepared)
+                                                   : read_mesh(shape, MeshDetail::kShape));
   } catch (const Error& error) {
     throw Error("collision '" + scoped_name + "': " + error.what());
   }

@@ -6,23 +6,20 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "package_index.h"
+
 namespace trident {
 namespace fs = std::filesystem;
 namespace {
 
-void append_path_list(const char* variable, std::vector<std::string>& folders) {
-  const char* value = std::getenv(variable);
-  if (value == nullptr) return;
-  const std::string list(value);
-  std::size_t begin = 0;
-  while (begin <= list.size()) {
+std::vector<std::string> split_path_list(const std::string& list) {
+  std::vector<std::string> folders;
+  for (std::size_t begin = 0; begin <= list.size();) {
     const std::size_t end = std::min(list.find(':', begin), list.size());
-    const std::string folder = list.substr(begin, end - begin);
-    // Launch files of RotorS leave a literal ${GAZEBO_MODEL_PATH} behind: roslaunch does not expand
-    // it.
-    if (!folder.empty() && folder[0] != '$') folders.push_back(folder);
+    if (end > begin) folders.push_back(list.substr(begin, end - begin));
     begin = end + 1;
   }
+  return folders;
 }
 
 bool present(const fs::path& path) {
@@ -30,45 +27,83 @@ bool present(const fs::path& path) {
   return fs::exists(path, ignored);
 }
 
-/// Package folder below `root`, as deep as workspaces nest them.
-std::string find_package_below(const fs::path& root, std::string_view package, int depth) {
-  if (root.filename() == package && present(root / "package.xml")) return root.string();
-  if (present(root / package / "package.xml")) return (root / package).string();
-  if (depth == 0 || present(root / "CATKIN_IGNORE")) return "";
-  std::error_code ignored;
-  std::vector<fs::path> folders;
-  for (const auto& entry : fs::directory_iterator(root, ignored)) {
-    const std::string name = entry.path().filename().string();
-    if (entry.is_directory(ignored) && !name.empty() && name[0] != '.') {
-      folders.push_back(entry.path());
-    }
-  }
-  std::sort(folders.begin(), folders.end());
-  for (const fs::path& folder : folders) {
-    if (present(folder / "package.xml")) continue;
-    if (std::string found = find_package_below(folder, package, depth - 1); !found.empty()) {
-      return found;
-    }
+/// roslaunch sets variables as they are written: it expands no ${NAME}.
+bool is_unexpanded(const std::string& folder) {
+  return folder[0] == '$' || folder.find("${") != std::string::npos;
+}
+
+std::string normal(const std::string& folder) {
+  std::string text = fs::path(folder).lexically_normal().string();
+  if (text.size() > 1 && text.back() == '/') text.pop_back();
+  return text;
+}
+
+std::string find_in(const std::vector<std::string>& folders, std::string_view rest) {
+  for (const std::string& folder : folders) {
+    if (present(fs::path(folder) / rest)) return (fs::path(folder) / rest).string();
   }
   return "";
+}
+
+void append(const std::vector<std::string>& folders, std::string& text) {
+  for (const std::string& folder : folders) text += (text.empty() ? "" : ":") + folder;
 }
 
 }  // namespace
 
 Resources::Resources(std::vector<std::string> extra_folders)
     : model_folders_(std::move(extra_folders)) {
-  append_path_list("GAZEBO_MODEL_PATH", model_folders_);
-  append_path_list("GAZEBO_RESOURCE_PATH", model_folders_);
-  append_path_list("ROS_PACKAGE_PATH", package_folders_);
+  const std::string shipped = TRIDENT_SHIPPED_FOLDER;
+  shipped_folders_ = {shipped + "/worlds/models", shipped, shipped + "/worlds"};
+  for (const char* variable : {"GAZEBO_MODEL_PATH", "GAZEBO_RESOURCE_PATH"}) {
+    for (std::string& folder : take_variable(variable)) {
+      const bool is_shipped = std::count(shipped_folders_.begin(), shipped_folders_.end(),
+                                         normal(folder)) > 0;  // has its place at the end
+      if (!is_shipped) model_folders_.push_back(std::move(folder));
+    }
+  }
+  plugin_folders_ = take_variable("GAZEBO_PLUGIN_PATH");
+  packages_ = std::make_shared<PackageIndex>(take_variable("ROS_PACKAGE_PATH"));
 }
 
-const std::string& Resources::find_package(std::string_view package) const {
-  const auto [entry, is_new] = packages_.try_emplace(std::string(package));
-  for (const std::string& folder : package_folders_) {
-    if (!is_new || !entry->second.empty()) break;
-    entry->second = find_package_below(folder, package, 3);
+std::vector<std::string> Resources::take_variable(const char* variable) {
+  const char* const value = std::getenv(variable);
+  std::vector<std::string> folders = split_path_list(value == nullptr ? "" : value);
+  const auto odd = std::find_if(folders.begin(), folders.end(), is_unexpanded);
+  if (odd == folders.end()) return folders;
+  warnings_.push_back(std::string(variable) + " holds '" + *odd +
+                      "', which nobody has expanded (roslaunch knows $(env NAME) and "
+                      "$(optenv NAME)); it is ignored");
+  folders.erase(std::remove_if(odd, folders.end(), is_unexpanded), folders.end());
+  return folders;
+}
+
+std::vector<std::string> Resources::exported_folders() const {
+  std::vector<std::string> folders;
+  for (const char* attribute : {"gazebo_model_path", "gazebo_media_path"}) {
+    for (const std::string& list : packages_->exports("gazebo_ros", attribute)) {
+      for (std::string& folder : split_path_list(list)) folders.push_back(std::move(folder));
+    }
   }
-  return entry->second;
+  return folders;
+}
+
+std::vector<std::string> Resources::plugin_folders() const {
+  std::vector<std::string> folders = plugin_folders_;
+  for (const std::string& list : packages_->exports("gazebo_ros", "plugin_path")) {
+    for (std::string& folder : split_path_list(list)) folders.push_back(std::move(folder));
+  }
+  return folders;
+}
+
+std::string Resources::find_in_packages(std::string_view rest) const {
+  const auto slash = rest.find('/');
+  const std::string package = packages_->find(rest.substr(0, slash));
+  if (package.empty()) return "";
+  const fs::path path = slash == std::string_view::npos
+                            ? fs::path(package)
+                            : fs::path(package) / rest.substr(slash + 1);
+  return present(path) ? path.string() : "";
 }
 
 std::string Resources::find(std::string_view uri, std::string_view base_folder) const {
@@ -84,30 +119,23 @@ std::string Resources::find(std::string_view uri, std::string_view base_folder) 
   if (scheme.empty() && !base_folder.empty() && present(fs::path(base_folder) / rest)) {
     return (fs::path(base_folder) / rest).string();
   }
-  for (const std::string& folder : model_folders_) {
-    if (present(fs::path(folder) / rest)) return (fs::path(folder) / rest).string();
-  }
+  if (std::string found = find_in(model_folders_, rest); !found.empty()) return found;
+  if (std::string found = find_in(exported_folders(), rest); !found.empty()) return found;
   // libsdformat turns a URDF's package:// into model://, so either may mean a package.
   if (scheme == "package" || scheme == "model") {
-    const auto slash = rest.find('/');
-    const std::string& package = find_package(rest.substr(0, slash));
-    if (!package.empty()) {
-      const fs::path path = slash == std::string_view::npos
-                                ? fs::path(package)
-                                : fs::path(package) / rest.substr(slash + 1);
-      if (present(path)) return path.string();
-    }
+    if (std::string found = find_in_packages(rest); !found.empty()) return found;
   }
   if (scheme.empty() && present(rest)) return std::string(rest);
-  return "";
+  return find_in(shipped_folders_, rest);
 }
 
 std::string Resources::searched() const {
   std::string text;
-  for (const auto* list : {&model_folders_, &package_folders_}) {
-    for (const std::string& folder : *list) text += (text.empty() ? "" : ":") + folder;
-  }
-  return text.empty() ? "nothing (GAZEBO_MODEL_PATH and ROS_PACKAGE_PATH are empty)" : text;
+  append(model_folders_, text);
+  append(exported_folders(), text);
+  append(packages_->roots(), text);
+  append(shipped_folders_, text);
+  return text;
 }
 
 }  // namespace trident

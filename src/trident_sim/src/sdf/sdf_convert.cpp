@@ -3,6 +3,7 @@
 #include "sdf_convert.h"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <limits>
 
 #include "sdf_joint.h"
@@ -144,13 +145,81 @@ Inertial convert_inertial(const sdf::Link& link, const std::string& what,
   return inertial;
 }
 
+/// A link may have been left out.
+void check_ends(const JointSpec& joint, const ModelSpec& spec, const ConvertContext& context) {
+  if (context.odd.policy == OddElements::kRefuse) return;
+  for (const std::string& end : {joint.parent, joint.child}) {
+    const bool is_there =
+        end == "world" || std::any_of(spec.links.begin(), spec.links.end(),
+                                      [&end](const LinkSpec& link) { return link.name == end; });
+    if (!is_there) {
+      throw Error(context.label + ": joint '" + joint.name + "': link '" + end +
+                  "' is not simulated");
+    }
+  }
+}
+
+/// The text of a fault with file and line in place of the document's name.
+std::string placed(const std::string& fault, const sdf::ElementPtr& element,
+                   const ConvertContext& context) {
+  if (!element || !context.has_places) return fault;
+  const std::string prefix = context.label + ": ";
+  const std::string text = fault.rfind(prefix, 0) == 0 ? fault.substr(prefix.size()) : fault;
+  std::string place = element->FilePath();
+  if (place.empty() || place.front() != '/') place = context.label;
+  if (context.original) place = context.original(place);
+  if (const auto line = element->LineNumber()) place += ":" + std::to_string(*line);
+  return place + ": " + text;
+}
+
+/// Runs `convert`; where odd elements are left out a fault of it is noted with the element's place.
+template <class Convert>
+void guard(const sdf::ElementPtr& element, const ConvertContext& context, const Convert& convert) {
+  context.odd.guard(convert,
+                    [&](const std::string& fault) { return placed(fault, element, context); });
+}
+
+void convert_collision(const sdf::Collision& collision, const std::string& link_name,
+                       const std::string& what, const ConvertContext& context, LinkSpec& link) {
+  const std::string name = what + " collision '" + collision.Name() + "'";
+  auto shape = convert_shape(*collision.Geom(), name, true, context);
+  if (!shape) return;
+  check_positive(*shape, name, context);
+  const SE3 T_link_shape =
+      resolve(collision.SemanticPose(), link_name, name) * shape_offset(*collision.Geom());
+  link.collisions.push_back(
+      {collision.Name(), T_link_shape, *shape,
+       convert_surface(collision, context.label + ": " + name),
+       number_if_given(collision.Element(), "laser_retro", context.label + ": " + name)});
+}
+
+void convert_visual(const sdf::Visual& visual, const std::string& link_name,
+                    const std::string& what, const ConvertContext& context, LinkSpec& link) {
+  const std::string name = what + " visual '" + visual.Name() + "'";
+  auto shape = convert_shape(*visual.Geom(), name, false, context);
+  if (!shape) return;
+  VisualSpec result;
+  result.name = visual.Name();
+  result.T_link_shape =
+      resolve(visual.SemanticPose(), link_name, name) * shape_offset(*visual.Geom());
+  result.shape = *shape;
+  convert_look(visual, name, context, result);
+  result.laser_retro =
+      number_if_given(visual.Element(), "laser_retro", context.label + ": " + name);
+  link.visuals.push_back(std::move(result));
+}
+
 LinkSpec convert_link(const sdf::Link& from, const std::string& prefix, const SE3& T_root_model,
                       bool is_static, const ConvertContext& context) {
   LinkSpec link;
   link.name = prefix + from.Name();
   const std::string what = "link '" + link.name + "'";
   link.T_model_link = T_root_model * resolve(from.SemanticPose(), "__model__", what);
-  if (!is_static) link.inertial = convert_inertial(from, what, context);
+  if (!is_static) {
+    const auto inertial = descend(from.Element(), {"inertial"});
+    guard(inertial ? inertial : from.Element(), context,
+          [&] { link.inertial = convert_inertial(from, what + " <inertial>", context); });
+  }
   const auto element = from.Element();
   link.gravity = value_or(element, {"gravity"}, true);
   link.kinematic = value_or(element, {"kinematic"}, false);
@@ -158,34 +227,18 @@ LinkSpec convert_link(const sdf::Link& from, const std::string& prefix, const SE
   link.angular_damping = value_or(element, {"velocity_decay", "angular"}, 0.0);
   for (std::size_t i = 0; i < from.CollisionCount(); ++i) {
     const sdf::Collision& collision = *from.CollisionByIndex(i);
-    const std::string name = what + " collision '" + collision.Name() + "'";
-    auto shape = convert_shape(*collision.Geom(), name, true, context);
-    if (!shape) continue;
-    check_positive(*shape, name, context);
-    const SE3 T_link_shape =
-        resolve(collision.SemanticPose(), from.Name(), name) * shape_offset(*collision.Geom());
-    link.collisions.push_back(
-        {collision.Name(), T_link_shape, *shape,
-         convert_surface(collision, context.label + ": " + name),
-         number_if_given(collision.Element(), "laser_retro", context.label + ": " + name)});
+    guard(collision.Element(), context,
+          [&] { convert_collision(collision, from.Name(), what, context, link); });
   }
   for (std::size_t i = 0; i < from.VisualCount(); ++i) {
     const sdf::Visual& visual = *from.VisualByIndex(i);
-    const std::string name = what + " visual '" + visual.Name() + "'";
-    auto shape = convert_shape(*visual.Geom(), name, false, context);
-    if (!shape) continue;
-    VisualSpec result;
-    result.name = visual.Name();
-    result.T_link_shape =
-        resolve(visual.SemanticPose(), from.Name(), name) * shape_offset(*visual.Geom());
-    result.shape = *shape;
-    convert_look(visual, name, context, result);
-    result.laser_retro =
-        number_if_given(visual.Element(), "laser_retro", context.label + ": " + name);
-    link.visuals.push_back(std::move(result));
+    guard(visual.Element(), context,
+          [&] { convert_visual(visual, from.Name(), what, context, link); });
   }
   for (std::size_t i = 0; i < from.SensorCount(); ++i) {
-    link.sensors.push_back(convert_sensor(*from.SensorByIndex(i), from.Name(), what, context));
+    const sdf::Sensor& sensor = *from.SensorByIndex(i);
+    guard(sensor.Element(), context,
+          [&] { link.sensors.push_back(convert_sensor(sensor, from.Name(), what, context)); });
   }
   return link;
 }
@@ -194,25 +247,34 @@ LinkSpec convert_link(const sdf::Link& from, const std::string& prefix, const SE
 void append_model(const sdf::Model& from, const std::string& prefix, const SE3& T_root_model,
                   ModelSpec& spec, const ConvertContext& context) {
   for (std::size_t i = 0; i < from.LinkCount(); ++i) {
-    spec.links.push_back(
-        convert_link(*from.LinkByIndex(i), prefix, T_root_model, spec.is_static, context));
+    const sdf::Link& link = *from.LinkByIndex(i);
+    guard(link.Element(), context, [&] {
+      spec.links.push_back(convert_link(link, prefix, T_root_model, spec.is_static, context));
+    });
   }
   for (std::size_t i = 0; i < from.JointCount(); ++i) {
-    spec.joints.push_back(convert_joint(*from.JointByIndex(i), prefix, T_root_model, context));
+    const sdf::Joint& joint = *from.JointByIndex(i);
+    guard(joint.Element(), context, [&] {
+      JointSpec converted = convert_joint(joint, prefix, T_root_model, context);
+      check_ends(converted, spec, context);
+      spec.joints.push_back(std::move(converted));
+    });
   }
   for (PluginSpec& plugin : convert_plugins(from.Element())) {
     spec.plugins.push_back(std::move(plugin));
   }
   for (std::size_t i = 0; i < from.ModelCount(); ++i) {
     const sdf::Model& nested = *from.ModelByIndex(i);
-    const SE3 T_model_nested =
-        resolve(nested.SemanticPose(), "__model__", "model '" + nested.Name() + "'");
-    append_model(nested, prefix + nested.Name() + "::", T_root_model * T_model_nested, spec,
-                 context);
+    guard(nested.Element(), context, [&] {
+      const SE3 T_model_nested =
+          resolve(nested.SemanticPose(), "__model__", "model '" + nested.Name() + "'");
+      append_model(nested, prefix + nested.Name() + "::", T_root_model * T_model_nested, spec,
+                   context);
+    });
   }
 }
 
-PhysicsSpec convert_physics(const sdf::World& world, const std::string& label) {
+PhysicsSpec convert_physics(const sdf::World& world, const std::string& label, OddElements policy) {
   PhysicsSpec spec;
   spec.gravity = to_eigen(world.Gravity());
   const auto world_element = world.Element();
@@ -226,7 +288,8 @@ PhysicsSpec convert_physics(const sdf::World& world, const std::string& label) {
   if (element->HasElement("gravity")) {
     spec.gravity = to_eigen(element->Get<ignition::math::Vector3d>("gravity"));
   }
-  if (!(spec.max_step_size_s > 0.0) || spec.max_step_size_s > 1.0) {
+  const bool has_step = spec.max_step_size_s > 0.0 && spec.max_step_size_s <= 1.0;
+  if (!has_step && policy == OddElements::kRefuse) {  // else the world takes its default
     throw Error(label + ": <max_step_size> is " + std::to_string(spec.max_step_size_s) +
                 " s, must be in (0, 1]");
   }
@@ -274,16 +337,19 @@ ModelSpec convert_model(const sdf::Model& from, const ConvertContext& context) {
 WorldSpec convert_world(const sdf::World& from, const ConvertContext& context) {
   WorldSpec spec;
   spec.name = from.Name();
-  spec.physics = convert_physics(from, context.label);
+  spec.physics = convert_physics(from, context.label, context.odd.policy);
   spec.spherical = convert_spherical(from);
   for (std::size_t i = 0; i < from.ModelCount(); ++i) {
-    ModelSpec model = convert_model(*from.ModelByIndex(i), context);
-    model.T_world_model =
-        resolve(from.ModelByIndex(i)->SemanticPose(), "world", "model '" + model.name + "'");
-    spec.models.push_back(std::move(model));
+    const sdf::Model& one = *from.ModelByIndex(i);
+    guard(one.Element(), context, [&] {
+      ModelSpec model = convert_model(one, context);
+      model.T_world_model = resolve(one.SemanticPose(), "world", "model '" + model.name + "'");
+      spec.models.push_back(std::move(model));
+    });
   }
   for (std::size_t i = 0; i < from.LightCount(); ++i) {
-    spec.lights.push_back(convert_light(*from.LightByIndex(i), context));
+    const sdf::Light& light = *from.LightByIndex(i);
+    guard(light.Element(), context, [&] { spec.lights.push_back(convert_light(light, context)); });
   }
   spec.scene = convert_scene(from);
   spec.plugins = convert_plugins(from.Element());

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <sdf/sdf.hh>
 #include <string>
 
+#include "odd_list.h"
 #include "ogre_script.h"
 #include "trident_sim/sdf_loader.h"
 
@@ -17,6 +19,11 @@ struct ConvertContext {
   const std::string& label;
   std::string base_folder;
   const WarningSink& warn;
+  OddList& odd;
+  /// Whether lines and paths of elements are those of the user's files.
+  bool has_places = true;
+  /// The file that a path of libsdformat means.
+  std::function<std::string(const std::string&)> original{};
   std::shared_ptr<OgreScripts> scripts = std::make_shared<OgreScripts>();
 };
 

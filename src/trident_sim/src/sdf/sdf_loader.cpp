@@ -17,7 +17,9 @@
 
 #include "sdf_convert.h"
 #include "sdf_includes.h"
+#include "sdf_repair.h"
 #include "sdf_schema.h"
+#include "sdf_sources.h"
 #include "trident_base/error.h"
 
 namespace trident {
@@ -60,7 +62,12 @@ bool is_checked_elsewhere(const sdf::Error& error) {
 void complete_material_scripts(const sdf::ElementPtr& element) {
   for (auto child = element->GetFirstElement(); child; child = child->GetNextElement()) {
     if (child->GetName() == "material" && child->HasElement("script")) {
-      const auto uri = child->GetElement("script")->GetElement("uri");
+      const auto script = child->GetElement("script");
+      if (script->Get<std::string>("name", "").first.empty()) {
+        child->RemoveChild(script);  // it names no material
+        continue;
+      }
+      const auto uri = script->GetElement("uri");
       const auto text = uri->Get<std::string>();
       if (text.empty() || text == "__default__") uri->Set(std::string("gazebo.material"));
     }
@@ -91,6 +98,22 @@ void raise_or_warn(const sdf::Errors& errors, const std::string& label, const Wa
   }
 }
 
+/// What libsdformat says of a document that has been repaired; the elements are looked at once more
+/// when they are converted.
+void note_or_warn(const sdf::Errors& errors, const std::string& label, const WarningSink& warn,
+                  OddList& odd) {
+  for (const sdf::Error& error : errors) {
+    const std::string text = describe(error, label);
+    const bool is_news = std::count(odd.texts.begin(), odd.texts.end(), text) == 0 &&
+                         error.Message() != "Failed to load a world.";
+    if (is_tolerable(error)) {
+      warn(text);
+    } else if (is_news && !is_checked_elsewhere(error)) {
+      odd.vague.push_back(text);
+    }
+  }
+}
+
 /// libsdformat has found none of `includes`, as it was told; that is no error.
 void drop_lookup_errors(const std::vector<PlainInclude>& includes, sdf::Errors& errors) {
   const auto is_expected = [&includes](const sdf::Error& error) {
@@ -102,10 +125,28 @@ void drop_lookup_errors(const std::vector<PlainInclude>& includes, sdf::Errors& 
   errors.erase(std::remove_if(errors.begin(), errors.end(), is_expected), errors.end());
 }
 
-/// What sdf::Root::LoadSdfString() does, in a third of its time.
-sdf::Root load_trusted_root(const std::string& text, const UriFinder& find,
-                            const std::string& label, const WarningSink& warn) {
+/// libsdformat looks for what included files include by its global configuration.
+class GlobalFinder {
+ public:
+  explicit GlobalFinder(UriFinder find) {
+    sdf::ParserConfig::GlobalConfig().SetFindCallback(std::move(find));
+  }
+  ~GlobalFinder() {
+    sdf::ParserConfig::GlobalConfig().SetFindCallback(
+        [](const std::string&) { return std::string(); });
+  }
+  GlobalFinder(const GlobalFinder&) = delete;
+  GlobalFinder& operator=(const GlobalFinder&) = delete;
+};
+
+/// What sdf::Root::LoadSdfString() does, in a third of its time. `is_repaired`: what is still wrong
+/// is noted.
+sdf::Root load_trusted_root(const SdfSources& sources, const std::string& label, OddList& odd,
+                            const WarningSink& warn, bool is_repaired) {
   sdf::Console::Instance()->SetQuiet(true);
+  const UriFinder find = [&sources](const std::string& uri) { return sources.find(uri); };
+  const GlobalFinder global(find);
+  const std::string& text = sources.text();
   const std::vector<PlainInclude> includes = read_plain_includes(text, find);
   sdf::ParserConfig config;
   config.SetFindCallback([&](const std::string& uri) {
@@ -124,24 +165,48 @@ sdf::Root load_trusted_root(const std::string& text, const UriFinder& find,
       world->InsertElement(include.element);
     }
     complete_material_scripts(document->Root());
+    if (is_repaired) repair_elements(document->Root(), label, odd.texts);
     const sdf::Errors load_errors = root.Load(document, config);
     errors.insert(errors.end(), load_errors.begin(), load_errors.end());
   } else {
     errors.emplace_back(sdf::ErrorCode::STRING_READ, "libsdformat cannot read it");
+    is_repaired = false;
   }
-  raise_or_warn(errors, label, warn);
+  if (is_repaired) {
+    note_or_warn(errors, label, warn, odd);
+  } else {
+    raise_or_warn(errors, label, warn);
+  }
   return root;
+}
+
+/// As it is, or else without what libsdformat cannot read.
+sdf::Root load_or_repair(SdfSources& sources, const std::string& label, OddList& odd,
+                         const WarningSink& warn) {
+  if (odd.policy == OddElements::kRefuse) {
+    return load_trusted_root(sources, label, odd, warn, false);
+  }
+  sources.repair_files();
+  try {
+    return load_trusted_root(sources, label, odd, warn, false);
+  } catch (const sdf::Exception&) {  // told by what follows, or again
+  } catch (const Error&) {
+  }
+  sources.repair_text();
+  return load_trusted_root(sources, label, odd, warn, true);
 }
 
 /// libsdformat and what it calls throw of their own at some damaged texts, and the URDF parser
 /// writes about others to stderr.
-sdf::Root load_root(const std::string& text, const UriFinder& find, const std::string& label,
+sdf::Root load_root(SdfSources& sources, const std::string& label, OddList& odd,
                     const WarningSink& warn) {
   console_bridge::noOutputHandler();
   try {
-    return load_trusted_root(text, find, label, warn);
+    return load_or_repair(sources, label, odd, warn);
   } catch (const Error&) {
     throw;
+  } catch (const sdf::Exception& error) {  // which is no std::exception
+    throw Error(label + ": libsdformat cannot read it: " + error.GetErrorStr());
   } catch (const std::exception& error) {
     throw Error(label + ": libsdformat cannot read it: " + error.what());
   }
@@ -180,25 +245,33 @@ std::string root_element(const std::string& xml) {
 
 WorldSpec load_world(const std::string& xml, const std::string& label,
                      const std::string& base_folder, const Resources& resources,
-                     const WarningSink& warn) {
+                     const WarningSink& warn, OddElements policy) {
   const LoadTurn turn;
+  OddList odd{policy};
   check_well_formed(xml, label);
   if (root_element(xml) != "sdf") {
     throw Error(label + ": root element is <" + root_element(xml) + ">, expected <sdf>");
   }
   const auto find = [&](const std::string& uri) { return resources.find(uri, base_folder); };
-  const sdf::Root root = load_root(xml, find, label, warn);
+  SdfSources sources(xml, label, find, resources.searched(), odd, warn);
+  const sdf::Root root = load_root(sources, label, odd, warn);
   if (root.WorldCount() != 1) {
     throw Error(label + ": holds " + std::to_string(root.WorldCount()) +
                 " <world> elements, expected 1");
   }
-  return convert_world(*root.WorldByIndex(0), {resources, label, base_folder, warn});
+  const auto original = [&](const std::string& path) { return sources.original(path); };
+  const std::size_t before = odd.texts.size();
+  WorldSpec spec = convert_world(*root.WorldByIndex(0),
+                                 {resources, label, base_folder, warn, odd, true, original});
+  odd.close(before);
+  spec.odd_elements = std::move(odd.texts);
+  return spec;
 }
 
 }  // namespace
 
 WorldSpec load_world_file(const std::string& path, const Resources& resources,
-                          const WarningSink& warn) {
+                          const WarningSink& warn, OddElements odd) {
   const std::string found = resources.find(path);
   if (found.empty() || std::filesystem::is_directory(found)) {
     throw Error("world file '" + path + "' not found; searched: as given, then " +
@@ -209,17 +282,19 @@ WorldSpec load_world_file(const std::string& path, const Resources& resources,
   text << file.rdbuf();
   if (!file) throw Error("world file '" + found + "' cannot be read");
   return load_world(text.str(), found, std::filesystem::path(found).parent_path().string(),
-                    resources, warn);
+                    resources, warn, odd);
 }
 
 WorldSpec load_world_string(const std::string& xml, const std::string& label,
-                            const Resources& resources, const WarningSink& warn) {
-  return load_world(xml, label, "", resources, warn);
+                            const Resources& resources, const WarningSink& warn, OddElements odd) {
+  return load_world(xml, label, "", resources, warn, odd);
 }
 
 ModelSpec load_model_string(const std::string& xml, const std::string& label,
-                            const Resources& resources, const WarningSink& warn) {
+                            const Resources& resources, const WarningSink& warn,
+                            OddElements policy) {
   const LoadTurn turn;
+  OddList odd{policy};
   check_well_formed(xml, label);
   const std::string kind = root_element(xml);
   std::string text = xml;
@@ -232,13 +307,20 @@ ModelSpec load_model_string(const std::string& xml, const std::string& label,
     throw Error(label + ": root element is <" + kind + ">, expected <robot>, <sdf> or <model>");
   }
   const auto find = [&](const std::string& uri) { return resources.find(uri); };
-  const sdf::Root root = load_root(text, find, label, warn);
+  SdfSources sources(text, label, find, resources.searched(), odd, warn);
+  const sdf::Root root = load_root(sources, label, odd, warn);
   const sdf::Model* model = root.Model();
   if (model == nullptr && root.WorldCount() == 1 && root.WorldByIndex(0)->ModelCount() == 1) {
     model = root.WorldByIndex(0)->ModelByIndex(0);
   }
   if (model == nullptr) throw Error(label + ": holds no <model>");
-  return convert_model(*model, {resources, label, "", warn});
+  const auto original = [&](const std::string& path) { return sources.original(path); };
+  const std::size_t before = odd.texts.size();
+  ModelSpec spec =
+      convert_model(*model, {resources, label, "", warn, odd, kind != "robot", original});
+  odd.close(before);
+  spec.odd_elements = std::move(odd.texts);
+  return spec;
 }
 
 }  // namespace trident

@@ -13,9 +13,13 @@ namespace {
 using tinyxml2::XMLElement;
 using Names = std::set<std::string>;
 
-const Names kInRobot{"link", "joint", "material", "gazebo"};
+// Among them what others than a simulator read, as Gazebo leaves it to them: transmissions of
+// ros_control (whose plugin is told of), mimic, safety and calibration of joints.
+const Names kInRobot{"link", "joint", "material", "gazebo", "transmission"};
 const Names kInLink{"inertial", "visual", "collision"};
-const Names kInJoint{"origin", "parent", "child", "axis", "limit", "dynamics"};
+const Names kInJoint{"origin",     "parent",   "child", "axis",
+                     "limit",      "dynamics", "mimic", "safety_controller",
+                     "calibration"};
 /// <gazebo> extensions that libsdformat knows, and elements of SDF that it copies.
 const Names kInGazebo{"material",
                       "static",

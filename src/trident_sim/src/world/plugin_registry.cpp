@@ -4,9 +4,6 @@
 
 #include <dlfcn.h>
 
-#include <cstdlib>
-#include <sstream>
-
 #include "trident_base/error.h"
 
 namespace trident {
@@ -60,16 +57,12 @@ std::vector<std::string> PluginRegistry::names() const {
   return result;
 }
 
-const PluginFactory* PluginRegistry::find_or_load(const std::string& filename) {
+const PluginFactory* PluginRegistry::find_or_load(const std::string& filename,
+                                                  const Resources& resources) {
   if (const PluginFactory* known = find(filename)) return known;
   const std::string file = "lib" + key(filename) + ".so";
-  std::vector<std::string> paths;
-  if (const char* list = std::getenv("GAZEBO_PLUGIN_PATH")) {
-    std::istringstream folders(list);
-    for (std::string folder; std::getline(folders, folder, ':');) {
-      if (!folder.empty()) paths.push_back(folder.append("/").append(file));
-    }
-  }
+  std::vector<std::string> paths = resources.plugin_folders();
+  for (std::string& path : paths) path.append("/").append(file);
   paths.push_back(file);
   for (const std::string& path : paths) {
     if (!is_ours(path)) continue;

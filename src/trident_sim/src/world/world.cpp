@@ -6,9 +6,11 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <sstream>
 
 #include "../physics/physics_engine.h"
 #include "drop_if.h"
+#include "silent_elements.h"
 #include "trident_base/error.h"
 #include "trident_sim/motion_limits.h"
 #include "trident_sim/ray_scene.h"
@@ -36,35 +38,57 @@ class StageTimer {
   Clock::time_point begin_;
 };
 
-void check(bool ok, const std::string& field, double value, const std::string& legal) {
-  if (!ok) {
-    throw Error("physics: " + field + " is " + std::to_string(value) + ", must be " + legal);
-  }
-}
+/// Checks the values of `<physics>`: throws Error at the first that is illegal, or, where `odd` is
+/// given, puts Gazebo's default in its place and notes it.
+class PhysicsCheck {
+ public:
+  PhysicsCheck(PhysicsSpec& physics, std::vector<std::string>* odd)
+      : physics_(physics), odd_(odd) {}
 
-void validate(const PhysicsSpec& physics) {
-  const double dt = physics.max_step_size_s;
-  check(dt >= 1e-6 && dt <= 1.0, "max_step_size", dt, "in [1e-6, 1] s");
-  if (physics.solver != "quick" && physics.solver != "world") {
-    throw Error("physics: solver type is '" + physics.solver + "', legal: quick, world");
+  template <class T>
+  void check(bool ok, const char* field, T PhysicsSpec::*member, const char* legal) {
+    if (ok) return;
+    std::ostringstream text;
+    text << "physics: " << field << " is '" << print(physics_.*member) << "', must be " << legal;
+    if (odd_ == nullptr) throw Error(text.str());
+    physics_.*member = PhysicsSpec{}.*member;
+    odd_->push_back(text.str() + "; the default is taken");
   }
-  check(physics.exact_solver_rows >= 0, "exact_solver_rows", physics.exact_solver_rows, ">= 0");
-  check(physics.precon_iterations >= 0, "precon_iters", physics.precon_iterations, ">= 0");
-  check(is_within(physics.gravity, 1e6), "gravity", physics.gravity.norm(),
-        "finite, up to 1e6 m/s^2");
-  check(physics.iterations >= 1 && physics.iterations <= 100000, "iterations", physics.iterations,
-        "in [1, 100000]");
-  check(physics.sor > 0.0 && physics.sor < 2.0, "sor", physics.sor, "in (0, 2)");
-  check(physics.cfm >= 0.0 && physics.cfm <= 1e12, "cfm", physics.cfm, "in [0, 1e12]");
-  check(physics.erp >= 0.0 && physics.erp <= 1.0, "erp", physics.erp, "in [0, 1]");
-  check(physics.contact_surface_layer >= 0.0, "contact_surface_layer",
-        physics.contact_surface_layer, ">= 0 m");
-  check(physics.contact_max_correcting_vel >= 0.0, "contact_max_correcting_vel",
-        physics.contact_max_correcting_vel, ">= 0 m/s");
-  check(physics.max_contacts >= 1 && physics.max_contacts <= 100000, "max_contacts",
-        physics.max_contacts, "in [1, 100000]");
-  check(physics.real_time_update_rate_hz >= 0.0, "real_time_update_rate",
-        physics.real_time_update_rate_hz, ">= 0 Hz");
+
+ private:
+  template <class T>
+  static T print(const T& value) {
+    return value;
+  }
+  static double print(const Eigen::Vector3d& value) { return value.norm(); }
+
+  PhysicsSpec& physics_;
+  std::vector<std::string>* odd_;
+};
+
+void validate(PhysicsSpec& p, std::vector<std::string>* odd = nullptr) {
+  PhysicsCheck is(p, odd);
+  const double dt = p.max_step_size_s;
+  is.check(dt >= 1e-6 && dt <= 1.0, "max_step_size", &PhysicsSpec::max_step_size_s,
+           "in [1e-6, 1] s");
+  is.check(p.solver == "quick" || p.solver == "world", "solver type", &PhysicsSpec::solver,
+           "quick or world");
+  is.check(p.exact_solver_rows >= 0, "exact_solver_rows", &PhysicsSpec::exact_solver_rows, ">= 0");
+  is.check(p.precon_iterations >= 0, "precon_iters", &PhysicsSpec::precon_iterations, ">= 0");
+  is.check(is_within(p.gravity, 1e6), "gravity", &PhysicsSpec::gravity, "finite, up to 1e6 m/s^2");
+  is.check(p.iterations >= 1 && p.iterations <= 100000, "iterations", &PhysicsSpec::iterations,
+           "in [1, 100000]");
+  is.check(p.sor > 0.0 && p.sor < 2.0, "sor", &PhysicsSpec::sor, "in (0, 2)");
+  is.check(p.cfm >= 0.0 && p.cfm <= 1e12, "cfm", &PhysicsSpec::cfm, "in [0, 1e12]");
+  is.check(p.erp >= 0.0 && p.erp <= 1.0, "erp", &PhysicsSpec::erp, "in [0, 1]");
+  is.check(p.contact_surface_layer >= 0.0, "contact_surface_layer",
+           &PhysicsSpec::contact_surface_layer, ">= 0 m");
+  is.check(p.contact_max_correcting_vel >= 0.0, "contact_max_correcting_vel",
+           &PhysicsSpec::contact_max_correcting_vel, ">= 0 m/s");
+  is.check(p.max_contacts >= 1 && p.max_contacts <= 100000, "max_contacts",
+           &PhysicsSpec::max_contacts, "in [1, 100000]");
+  is.check(p.real_time_update_rate_hz >= 0.0, "real_time_update_rate",
+           &PhysicsSpec::real_time_update_rate_hz, ">= 0 Hz");
 }
 
 /// Puts a body somewhere by hand. The jump is no acceleration: its past moves with it.
@@ -78,12 +102,6 @@ void place(Body& body, const SE3& T_world_body, const Eigen::Vector3d& v_world,
   body.frozen = false;
 }
 
-/// Whether an element means nothing to anybody: every plugin here is always on, libsdformat marks
-/// what it has changed, and a namespace is given to all.
-bool is_of_no_account(const std::string& element) {
-  return element == "robotNamespace" || element == "alwaysOn" ||
-         element.find("::") != std::string::npos;
-}
 
 using RayScenes = std::unique_ptr<RayScene>[2];
 
@@ -110,17 +128,23 @@ World::World(const WorldSpec& spec, const Resources& resources, PluginRegistry& 
       registry_(registry),
       options_(std::move(options)),
       workers_(options_.sensor_threads) {
-  validate(physics_);
+  std::vector<std::string> odd;
+  validate(physics_, options_.odd_elements == OddElements::kRefuse ? nullptr : &odd);
+  for (const std::string& text : odd) tell_odd(text);
   engine_ = std::make_unique<PhysicsEngine>(
       physics_, options_.timing == LoopTiming::kRotors,
       [this](const std::string& text) { report(Severity::kWarning, text); });
   dt_ = SimTime::from_seconds(physics_.max_step_size_s);
-  for (const ModelSpec& model : spec.models) add_model(model, "");
+  for (const std::string& text : spec.odd_elements) tell_odd(text);
+  for (const ModelSpec& model : spec.models) {
+    leave_out_if_odd([&] { add_model(model, ""); });
+  }
   for (const auto& [name, model] : models_) tell_overlap(*model);
   for (const PluginSpec& plugin : spec.plugins) {
-    if (auto made = create_plugin(plugin, {}, "world '" + name_ + "'")) {
-      world_plugins_.push_back(std::move(made));
-    }
+    leave_out_if_odd([&] {
+      auto made = create_plugin(plugin, {}, "world '" + name_ + "'");
+      if (made != nullptr) world_plugins_.push_back(std::move(made));
+    });
   }
   rebuild_schedule();
 }
@@ -154,15 +178,17 @@ Model& World::spawn(const SpawnRequest& request) {
   const std::string label = !request.label.empty()  ? request.label
                             : !request.name.empty() ? "model '" + request.name + "'"
                                                     : "model";
-  ModelSpec spec =
-      load_model_string(request.xml, label, resources_,
-                        [this](const std::string& text) { report(Severity::kWarning, text); });
+  ModelSpec spec = load_model_string(
+      request.xml, label, resources_,
+      [this](const std::string& text) { report(Severity::kWarning, text); }, options_.odd_elements);
   if (!request.name.empty()) spec.name = request.name;
   spec.T_world_model = request.T_world_model;
   return spawn(std::move(spec), request.robot_namespace);
 }
 
 Model& World::spawn(ModelSpec spec, const std::string& robot_namespace) {
+  const std::vector<std::string> odd = std::move(spec.odd_elements);
+  for (const std::string& text : odd) tell_odd(text);
   Model& model = add_model(std::move(spec), robot_namespace);
   tell_overlap(model);
   return model;
@@ -199,13 +225,14 @@ std::unique_ptr<Model> World::build_model(ModelSpec spec, const std::string& rob
   model->spec = std::move(spec);
   std::vector<std::string> spun;
   for (const PluginSpec& plugin : plugins) {
-    const PluginFactory* factory = registry_.find_or_load(plugin.filename);
+    const PluginFactory* factory = registry_.find_or_load(plugin.filename, resources_);
     if (factory == nullptr || !factory->spun_joint) continue;
     const PluginParams params(plugin.params,
                               "model '" + model->name + "' plugin '" + plugin.name + "'");
     if (std::string joint = factory->spun_joint(params); !joint.empty()) spun.push_back(joint);
   }
-  engine_->build(*model, spun);
+  engine_->build(*model, spun,
+                 [this](const std::function<void()>& make) { leave_out_if_odd(make); });
   try {
     create_plugins(*model, plugins);
   } catch (...) {
@@ -219,9 +246,10 @@ std::unique_ptr<Model> World::build_model(ModelSpec spec, const std::string& rob
 void World::create_plugins(Model& model, const std::vector<PluginSpec>& specs) {
   const std::string owner = "model '" + model.name + "'";
   for (const PluginSpec& spec : specs) {
-    if (auto plugin = create_plugin(spec, {&model, nullptr, nullptr}, owner)) {
-      model.plugins.push_back(std::move(plugin));
-    }
+    leave_out_if_odd([&] {
+      auto plugin = create_plugin(spec, {&model, nullptr, nullptr}, owner);
+      if (plugin != nullptr) model.plugins.push_back(std::move(plugin));
+    });
   }
   for (LinkSpec& link : model.spec.links) {
     for (SensorSpec& sensor : link.sensors) create_sensor(model, link, sensor);
@@ -232,9 +260,10 @@ void World::create_sensor(Model& model, const LinkSpec& link, SensorSpec& sensor
   const std::string owner =
       "model '" + model.name + "' link '" + link.name + "' sensor '" + sensor.name + "'";
   for (const PluginSpec& spec : sensor.plugins) {
-    if (auto plugin = create_plugin(spec, {&model, model.find_link(link.name), &sensor}, owner)) {
-      model.plugins.push_back(std::move(plugin));
-    }
+    leave_out_if_odd([&] {
+      auto plugin = create_plugin(spec, {&model, model.find_link(link.name), &sensor}, owner);
+      if (plugin != nullptr) model.plugins.push_back(std::move(plugin));
+    });
   }
   sensor.plugins.clear();
   sensor.params = {};
@@ -243,7 +272,7 @@ void World::create_sensor(Model& model, const LinkSpec& link, SensorSpec& sensor
 std::unique_ptr<Plugin> World::create_plugin(const PluginSpec& spec, const PluginPlace& place,
                                              const std::string& owner) {
   Model* const model = place.model;
-  const PluginFactory* factory = registry_.find_or_load(spec.filename);
+  const PluginFactory* factory = registry_.find_or_load(spec.filename, resources_);
   if (factory == nullptr) {
     std::string known;
     for (const std::string& name : registry_.names()) known += (known.empty() ? "" : ", ") + name;
@@ -268,17 +297,21 @@ void World::tell_unread(const PluginSpec& spec, const PluginParams& params) {
   // Of a link that libsdformat has joined to another; it writes the offsets itself.
   const bool is_lumped = params.has("ignition::corrected_offsets");
   std::string list;
+  std::size_t count = 0;
   for (const std::string& element : params.unread()) {
     const bool is_offset = element == "xyzOffset" || element == "rpyOffset";
-    if (is_of_no_account(element) || (is_offset && is_lumped)) continue;
+    if (is_of_no_account(spec.filename, element) || (is_offset && is_lumped)) continue;
     if (!told_elements_.insert(spec.filename + " " + element).second) continue;
     list.append(list.empty() ? "<" : ", <").append(element).append(">");
+    ++count;
   }
   if (list.empty()) return;
   diagnose({Severity::kWarning,
             params.owner(),
             "elements without effect",
-            list + " of " + spec.filename + " are not known here and have no effect",
+            list + " of " + spec.filename +
+                (count == 1 ? " is not known here and has no effect"
+                            : " are not known here and have no effect"),
             {{"elements", list}}});
 }
 
@@ -376,6 +409,7 @@ void World::step(std::uint64_t n) {
       plugin->post_step(*this, info);
     }
     cast_put_off(ray_scenes_, workers_);
+    if (time_ >= next_floor_look_) tell_missing_floor();
     if (times != nullptr) ++times->steps;
   }
 }
@@ -422,8 +456,9 @@ void World::reset() {
 }
 
 void World::set_physics(const PhysicsSpec& physics) {
-  validate(physics);
-  physics_ = physics;
+  PhysicsSpec checked = physics;
+  validate(checked);
+  physics_ = checked;
   dt_ = SimTime::from_seconds(physics.max_step_size_s);
   engine_->configure(physics_);
 }

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
+#include <cmath>
 #include <filesystem>
 #include <optional>
 
@@ -11,12 +12,14 @@
 namespace trident {
 namespace {
 
+/// `size`: of what blows that way. Published vehicles give the gust that they do not have no
+/// direction.
 Eigen::Vector3d read_direction(const PluginParams& params, const char* key,
-                               const Eigen::Vector3d& fallback) {
+                               const Eigen::Vector3d& fallback, double size) {
   const Eigen::Vector3d direction = params.vector3(key, fallback);
-  if (direction.norm() < 1e-9)
-    params.refuse(key, params.text(key, ""), "a vector that is not zero");
-  return direction.normalized();
+  if (direction.norm() >= 1e-9) return direction.normalized();
+  if (size != 0.0) params.refuse(key, params.text(key, ""), "a vector that is not zero");
+  return Eigen::Vector3d::Zero();
 }
 
 /// The field that <customWindFieldPath> names, or nothing when the wind is the same everywhere.
@@ -48,9 +51,12 @@ class WindPlugin : public Plugin {
       : link_(required_link(context, "linkName")), field_(read_field(context)) {
     const PluginParams& params = context.params;
     offset_ = params.vector3("xyzOffset", Eigen::Vector3d::Zero());
-    direction_ = read_direction(params, "windDirection", Eigen::Vector3d::UnitX());
-    if (!field_) read_forces(params);
-    wind_world_ = params.number("windSpeedMean", 0.0) * direction_;
+    const double speed = params.number("windSpeedMean", 0.0);
+    force_mean_n_ = field_ ? 0.0 : params.number("windForceMean", 0.0);
+    direction_ = read_direction(params, "windDirection", Eigen::Vector3d::UnitX(),
+                                std::abs(speed) + std::abs(force_mean_n_));
+    if (!field_) read_gust(params);
+    wind_world_ = speed * direction_;
     const std::string speed_topic =
         scoped_topic(params, params.text("windSpeedPubTopic", "wind_speed"));
     force_ = advertise<WrenchSample>(
@@ -72,13 +78,13 @@ class WindPlugin : public Plugin {
   void reset() override { to_rotors_->clear(); }
 
  private:
-  void read_forces(const PluginParams& params) {
-    gust_direction_ = read_direction(params, "windGustDirection", Eigen::Vector3d::UnitY());
-    force_mean_n_ = params.number("windForceMean", 0.0);
+  void read_gust(const PluginParams& params) {
     gust_start_ = SimTime::from_seconds(params.number("windGustStart", 10.0, {0.0, 1e9}));
     gust_end_ =
         gust_start_ + SimTime::from_seconds(params.number("windGustDuration", 0.0, {0.0, 1e9}));
     gust_force_mean_n_ = params.number("windGustForceMean", 0.0);
+    gust_direction_ =
+        read_direction(params, "windGustDirection", Eigen::Vector3d::UnitY(), gust_force_mean_n_);
   }
 
   void push(const StepInfo& info) {

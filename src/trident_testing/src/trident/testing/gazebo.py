@@ -41,9 +41,11 @@ class Gazebo(Simulation):
             paused: whether it starts paused.
             args: more arguments of gzserver.
             params: private parameters, e.g. `seed`, `wait_for`, `out_dir`; `real_time_factor` is 0
-                (as fast as possible) unless given.
+                (as fast as possible) and `strict` true (what is odd in files is refused) unless
+                given.
         """
         params.setdefault("real_time_factor", 0.0)
+        params.setdefault("strict", True)
         for name, value in params.items():
             ros.set_param(f"/gazebo/{name}", value)
         file = world

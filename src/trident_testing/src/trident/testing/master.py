@@ -53,6 +53,7 @@ class RosProcesses:
         uri = f"http://127.0.0.1:{port}"
         self.env = {**os.environ, "ROS_MASTER_URI": uri, "ROS_IP": "127.0.0.1"}
         self.env["ROS_HOME"] = str(folder / "ros_home")
+        self.env.setdefault("TRIDENT_STRICT", "1")  # what is odd in a file fails a test
         self.env.pop("ROS_HOSTNAME", None)
         self.master: Any = xmlrpc.client.ServerProxy(uri)
         self._processes: list[subprocess.Popen[str]] = []

@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "sdf_repair.h"
+
+#include <tinyxml2.h>
+
+#include <set>
+#include <utility>
+
+#include "sdf_schema.h"
+#include "trident_base/error.h"
+#include "xml_cut.h"
+
+namespace trident {
+namespace {
+
+constexpr int kMostCuts = 100;
+
+std::string text_of(const std::string& element) {
+  tinyxml2::XMLDocument document;
+  document.Parse(element.c_str(), element.size());
+  const auto* const root = document.RootElement();
+  const bool is_value = root != nullptr && root->FirstChildElement() == nullptr;
+  const std::string text = is_value && root->GetText() != nullptr ? root->GetText() : "";
+  const auto first = text.find_first_not_of(" \t\r\n");
+  if (first == std::string::npos) return "";
+  return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
+}
+
+/// The names on the way to an element, from `/sdf/world[@name="w"]/scene/sky`.
+std::vector<std::string> names_on(const std::string& xml_path) {
+  std::vector<std::string> names;
+  int depth = 0;
+  for (const char c : xml_path) {
+    if (c == '[') ++depth;
+    if (depth == 0 && c == '/') {
+      names.emplace_back();
+    } else if (depth == 0 && !names.empty()) {
+      names.back() += c;
+    }
+    if (c == ']') --depth;
+  }
+  return names;
+}
+
+/// What the specification wants there, e.g. "double, at least 0"; "" where it does not say.
+std::string legal_value(const std::string& text, const std::string& xml_path) {
+  sdf::ElementPtr element = make_document(text)->Root();
+  const std::vector<std::string> names = names_on(xml_path);
+  for (std::size_t i = 1; i < names.size() && element; ++i) {
+    element = element->GetElementDescription(names[i]);
+  }
+  if (!element || !element->GetValue()) return "";
+  const sdf::ParamPtr value = element->GetValue();
+  std::string legal = value->GetTypeName();
+  if (const auto least = value->GetMinValueAsString()) legal += ", at least " + *least;
+  if (const auto most = value->GetMaxValueAsString()) legal += ", at most " + *most;
+  return legal;
+}
+
+/// What a failed read says: the innermost element that it names, and why.
+struct Failure {
+  std::string name, xml_path, reason;
+  int line = 0;
+};
+
+Failure find_failure(const sdf::Errors& errors) {
+  constexpr char kBegin[] = "Error reading element <";
+  Failure failure;
+  for (const sdf::Error& error : errors) {
+    const std::string& message = error.Message();
+    if (message.rfind(kBegin, 0) != 0) {
+      const bool is_include = error.Code() == sdf::ErrorCode::URI_LOOKUP;
+      if (!is_include) failure.reason = message;
+      continue;
+    }
+    failure.name = message.substr(sizeof(kBegin) - 1);
+    failure.name.resize(failure.name.find('>'));
+    failure.line = error.LineNumber().value_or(0);
+    failure.xml_path = error.XmlPath().value_or("");
+    break;
+  }
+  return failure;
+}
+
+std::string describe(const Failure& failure, const std::string& text, const std::string& cut,
+                     const std::string& label) {
+  std::string what = label + ":" + std::to_string(failure.line) + ": <" + failure.name + ">";
+  const std::string value = text_of(cut);
+  if (!failure.reason.empty()) return what + ": " + failure.reason;
+  if (!value.empty()) what.append(" is '").append(value).append("'");
+  const std::string legal = legal_value(text, failure.xml_path);
+  return what + (legal.empty() ? " cannot be read" : ", legal: " + legal);
+}
+
+/// Whether libsdformat reads the text, its includes aside.
+bool is_readable(const std::string& text, sdf::Errors& errors) {
+  sdf::ParserConfig config;
+  config.SetFindCallback([](const std::string&) { return std::string(); });
+  errors.clear();
+  const bool is_read = sdf::readString(text, config, make_document(text), errors);
+  return is_read && find_failure(errors).name.empty();  // it reads on behind a bad <include>
+}
+
+using Names = std::set<std::string>;
+
+std::string free_name(const std::string& name, const Names& taken) {
+  int number = 1;
+  while (taken.count(name + "_" + std::to_string(number)) > 0) ++number;
+  return name + "_" + std::to_string(number);
+}
+
+bool is_named_part(const std::string& tag) {
+  static const Names kNamed{"model", "link",   "joint", "collision", "visual",
+                            "actor", "sensor", "light", "frame",     "physics"};
+  return kNamed.count(tag) > 0;
+}
+
+bool is_empty_model(const sdf::ElementPtr& element) {
+  return element->GetName() == "model" && !element->HasElement("link") &&
+         !element->HasElement("model");
+}
+
+void rename_doubles(const sdf::ElementPtr& parent, const std::string& label,
+                    std::vector<std::string>& odd) {
+  std::set<std::pair<std::string, std::string>> met;
+  Names taken;
+  for (auto child = parent->GetFirstElement(); child; child = child->GetNextElement()) {
+    if (is_named_part(child->GetName())) taken.insert(child->Get<std::string>("name"));
+  }
+  for (auto child = parent->GetFirstElement(); child; child = child->GetNextElement()) {
+    if (!is_named_part(child->GetName())) continue;
+    const auto name = child->Get<std::string>("name");
+    if (met.emplace(child->GetName(), name).second) continue;
+    const std::string own = free_name(name, taken);
+    taken.insert(own);
+    child->GetAttribute("name")->SetFromString(own);
+    if (child->GetName() == "physics") continue;
+    odd.push_back(place_of(child, label) + ": another <" + child->GetName() + "> is named '" +
+                  name + "'; this one is called '" + own + "'");
+  }
+}
+
+}  // namespace
+
+std::string place_of(const sdf::ElementPtr& element, const std::string& label) {
+  if (!element) return label;
+  std::string place = element->FilePath();
+  if (place.empty() || place.front() != '/') place = label;
+  if (const auto line = element->LineNumber()) place += ":" + std::to_string(*line);
+  return place;
+}
+
+void leave_out_unreadable(std::string& text, const std::string& label,
+                          std::vector<std::string>& odd) {
+  sdf::Errors errors;
+  for (int cuts = 0; !is_readable(text, errors); ++cuts) {
+    const Failure failure = find_failure(errors);
+    const bool is_root = failure.name.empty() || failure.name == "sdf" || failure.name == "world" ||
+                         (failure.name == "model" && names_on(failure.xml_path).size() == 2);
+    const std::string cut = is_root ? "" : cut_element(text, failure.line, failure.name);
+    if (cut.empty() || cuts == kMostCuts) {
+      const std::string first = errors.empty() ? "it is no SDF" : errors.front().Message();
+      throw Error(label + ": libsdformat cannot read it: " + first);
+    }
+    odd.push_back(describe(failure, text, cut, label) + "; left out");
+  }
+}
+
+void repair_elements(const sdf::ElementPtr& root, const std::string& label,
+                     std::vector<std::string>& odd) {
+  rename_doubles(root, label, odd);
+  for (auto child = root->GetFirstElement(); child;) {
+    const auto next = child->GetNextElement();
+    if (root->GetName() == "world" && is_empty_model(child)) {
+      odd.push_back(place_of(child, label) + ": model '" + child->Get<std::string>("name") +
+                    "' has no link; left out");
+      root->RemoveChild(child);
+    } else if (child->GetName() != "plugin") {
+      repair_elements(child, label, odd);
+    }
+    child = next;
+  }
+}
+
+}  // namespace trident

@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "sdf_sources.h"
+
+#include <tinyxml2.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <sdf/sdf.hh>
+
+#include "sdf_repair.h"
+#include "trident_base/error.h"
+#include "xml_cut.h"
+
+namespace trident {
+namespace fs = std::filesystem;
+namespace {
+
+using tinyxml2::XMLElement;
+
+constexpr char kNotFound[] = " not found; searched: ";
+
+std::string uri_of(const XMLElement& include) {
+  const XMLElement* const uri = include.FirstChildElement("uri");
+  const char* const text = uri == nullptr ? nullptr : uri->GetText();
+  return text == nullptr ? "" : text;
+}
+
+std::string number(std::uint64_t value) { return std::to_string(value); }
+
+}  // namespace
+
+SdfSources::SdfSources(std::string text, const std::string& label, Find find, std::string searched,
+                       OddList& odd, const WarningSink& warn)
+    : text_(std::move(text)),
+      label_(label),
+      find_(std::move(find)),
+      searched_(std::move(searched)),
+      odd_(odd),
+      warn_(warn) {
+  const Size size = visit(text_, label_, 0);
+  if (size.elements > limits_.elements || size.bytes > limits_.bytes) {
+    throw Error(label_ + ": it has " + number(size.elements) + " elements in " +
+                number(size.bytes) + " bytes, legal: at most " + number(limits_.elements) +
+                " and " + number(limits_.bytes));
+  }
+}
+
+SdfSources::~SdfSources() {
+  std::error_code ignored;
+  if (!folder_.empty()) fs::remove_all(folder_, ignored);
+}
+
+std::string SdfSources::file_of(const std::string& uri) const {
+  const std::string path = find_(uri);
+  std::error_code ignored;
+  if (!fs::is_directory(path, ignored)) return path;
+  return fs::exists(fs::path(path) / "model.config", ignored) ||
+                 fs::exists(fs::path(path) / "manifest.xml", ignored)
+             ? sdf::getModelFilePath(path)
+             : "";
+}
+
+std::string SdfSources::find(const std::string& uri) const {
+  const auto known = files_.find(file_of(uri));
+  return known == files_.end() || known->second.copy.empty() ? find_(uri) : known->second.copy;
+}
+
+std::string SdfSources::original(const std::string& path) const {
+  for (const auto& [name, file] : files_) {
+    if (!file.copy.empty() && file.copy == path) return name;
+  }
+  return path;
+}
+
+SdfSources::Size SdfSources::visit(std::string& text, const std::string& label, int depth) {
+  Size size{0, text.size()};
+  if (size.bytes > limits_.bytes) return size;
+  tinyxml2::XMLDocument document(true, tinyxml2::COLLAPSE_WHITESPACE);  // as libsdformat reads it
+  if (document.Parse(text.c_str(), text.size()) != tinyxml2::XML_SUCCESS) return size;
+  std::vector<Include> cut;
+  if (document.RootElement() != nullptr && document.RootElement()->Name() != std::string("robot")) {
+    visit_includes(*document.RootElement(), label, depth, size, cut);
+  }
+  for (const Include& include : cut) cut_element(text, include.line, "include", include.before);
+  return size;
+}
+
+void SdfSources::visit_includes(const XMLElement& parent, const std::string& label, int depth,
+                                Size& size, std::vector<Include>& cut) {
+  ++size.elements;
+  int line = 0, stay = 0;
+  for (auto* child = parent.FirstChildElement(); child != nullptr;
+       child = child->NextSiblingElement()) {
+    if (child->Name() != std::string("include") || parent.Name() == std::string("plugin")) {
+      visit_includes(*child, label, depth, size, cut);
+      continue;
+    }
+    if (child->GetLineNum() != line) stay = 0;
+    line = child->GetLineNum();
+    const std::string uri = uri_of(*child);
+    const std::string fault = uri.empty() ? " has no <uri>" : follow(uri, depth, size);
+    if (fault.empty()) {
+      ++stay;
+      continue;
+    }
+    cut.push_back({line, stay});
+    const std::string where = label + ":" + std::to_string(line) + ": <include>" + fault;
+    if (fault.find(kNotFound) != std::string::npos && odd_.policy == OddElements::kRefuse) {
+      warn_(where);
+    } else {
+      odd_.add(where);
+    }
+  }
+}
+
+std::string SdfSources::open(const std::string& path, int depth, File& file) {
+  std::error_code failed;
+  const std::uint64_t bytes = fs::is_regular_file(path, failed) ? fs::file_size(path, failed) : 0;
+  if (failed || bytes > limits_.bytes) {
+    return "is no file of at most " + number(limits_.bytes) + " bytes";
+  }
+  std::ifstream stream(path, std::ios::binary);
+  const std::string before{std::istreambuf_iterator<char>(stream), {}};
+  file.text = before;
+  file.is_open = true;
+  file.size = visit(file.text, path, depth);
+  file.is_open = false;
+  if (file.text != before) save_copy(file);
+  return "";
+}
+
+std::string SdfSources::follow(const std::string& uri, int depth, Size& size) {
+  const std::string what = " of '" + uri + "'";
+  const std::string path = file_of(uri);
+  if (path.empty()) return what + kNotFound + searched_;
+  const auto too_deep = [&](int deepest) {
+    return what + " makes " + std::to_string(deepest) + " includes in each other, legal: at most " +
+           std::to_string(limits_.depth);
+  };
+  if (depth == limits_.depth) return too_deep(depth + 1);
+  const auto [entry, is_new] = files_.try_emplace(path);
+  File& file = entry->second;
+  if (file.is_open) return what + " leads back to itself (" + path + ")";
+  if (is_new) {
+    if (std::string fault = open(path, depth + 1, file); !fault.empty()) {
+      files_.erase(entry);
+      return what + ": " + path + " " + fault;
+    }
+  }
+  const int height = file.size.height + 1;
+  if (depth + height > limits_.depth) return too_deep(depth + height);
+  const Size all{size.elements + file.size.elements, size.bytes + file.size.bytes,
+                 std::max(size.height, height)};
+  if (all.elements > limits_.elements || all.bytes > limits_.bytes) {
+    return what + " would make " + number(all.elements) + " elements in " + number(all.bytes) +
+           " bytes, legal: at most " + number(limits_.elements) + " and " + number(limits_.bytes);
+  }
+  size = all;
+  return "";
+}
+
+void SdfSources::save_copy(File& file) {
+  if (folder_.empty()) {
+    std::string pattern = (fs::temp_directory_path() / "trident_sdf_XXXXXX").string();
+    if (mkdtemp(pattern.data()) == nullptr) {
+      throw Error(label_ + ": no folder for temporary files: " + pattern);
+    }
+    folder_ = pattern;
+  }
+  if (file.copy.empty()) file.copy = folder_ + "/" + std::to_string(++copies_) + ".sdf";
+  std::ofstream(file.copy, std::ios::binary) << file.text;
+}
+
+void SdfSources::repair(std::string& text, const std::string& label) {
+  try {
+    leave_out_unreadable(text, label, odd_.texts);
+  } catch (const sdf::Exception& error) {
+    for (auto at = text.find("::"); at != std::string::npos; at = text.find("::", at)) {
+      text.replace(at, 2, "__");
+    }
+    odd_.texts.push_back(label + ": its scoped names do not fit together (" + error.GetErrorStr() +
+                         "); 'a::b' is read as 'a__b'");
+    leave_out_unreadable(text, label, odd_.texts);
+  }
+}
+
+void SdfSources::repair_files() {
+  sdf::Console::Instance()->SetQuiet(true);
+  for (auto& [path, file] : files_) {
+    if (file.text.find("<robot") != std::string::npos) continue;  // a URDF, which it converts
+    const std::string before = file.text;
+    try {
+      repair(file.text, path);
+    } catch (const Error& error) {
+      odd_.texts.push_back(std::string(error.what()) + "; left out");
+      file.text = "<sdf version='1.6'/>";
+    }
+    if (file.text != before) save_copy(file);
+  }
+}
+
+void SdfSources::repair_text() { repair(text_, label_); }
+
+}  // namespace trident

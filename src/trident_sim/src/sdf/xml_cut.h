@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+namespace trident {
+
+/// Blanks an element `<name …>` that begins in a line (from 1) of well-formed XML, with all that is
+/// in it, after `skipped` of that name in that line; the lines keep their numbers. Returns what was
+/// there, "" when there is none.
+std::string cut_element(std::string& xml, int line, const std::string& name, int skipped = 0);
+
+}  // namespace trident

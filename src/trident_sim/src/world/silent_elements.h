@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+namespace trident {
+
+/// Whether nobody needs to be told that a plugin does not read an element: it means nothing here,
+/// or Gazebo's plugin of that name does not read it either though published vehicles have it.
+inline bool is_of_no_account(const std::string& filename, const std::string& element) {
+  // Every plugin here is always on, logs go one way, libsdformat marks what it has changed, and a
+  // namespace is given to all.
+  if (element == "robotNamespace" || element == "alwaysOn" || element == "rosDebugLevel" ||
+      element.find("::") != std::string::npos) {
+    return true;
+  }
+  struct Ignored {
+    const char *plugin, *element;
+  };
+  // Neither is read by gazebo_plugins (Noetic); as found on TurtleBot3, Husky, RotorS' sensors and
+  // the robots that copied them.
+  static constexpr Ignored kIgnored[] = {
+      {"gazebo_ros_camera", "baseline"},
+      {"gazebo_ros_depth_camera", "baseline"},
+      {"gazebo_ros_openni_kinect", "baseline"},
+      {"gazebo_ros_diff_drive", "publishOdom"},
+      {"gazebo_ros_diff_drive", "torque"},
+      {"gazebo_ros_imu", "imu"},
+      {"gazebo_ros_imu_sensor", "bodyName"},
+      {"gazebo_ros_imu_sensor", "imu"},
+      {"gazebo_ros_skid_steer_drive", "MaxForce"},
+      {"gazebo_ros_skid_steer_drive", "topicName"},
+      {"hector_gazebo_ros_imu", "imu"},
+  };
+  constexpr char kDistortion[] = "distortion_";  // they read distortionK1
+  if (filename.find("gazebo_ros_openni_kinect") != std::string::npos &&
+      element.rfind(kDistortion, 0) == 0) {
+    return true;
+  }
+  for (const Ignored& ignored : kIgnored) {
+    const std::string file = std::string("lib") + ignored.plugin + ".so";
+    if (element == ignored.element && (filename == file || filename == ignored.plugin)) return true;
+  }
+  return false;
+}
+
+}  // namespace trident

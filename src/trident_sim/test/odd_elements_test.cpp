@@ -1,0 +1,308 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Worlds and models with an element that cannot be used: refused, or loaded without it.
+#include <gtest/gtest.h>
+
+#include "models.h"
+#include "scratch_folder.h"
+#include "test_world.h"
+
+namespace trident {
+namespace {
+
+const char kBall[] =
+    "<link name='l'><collision name='c'><geometry><sphere><radius>0.1</radius></sphere>"
+    "</geometry></collision></link>\n";
+const char kGround[] =
+    "<model name='ground'><static>1</static><link name='l'><collision name='c'><geometry><plane>"
+    "<normal>0 0 1</normal><size>9 9</size></plane></geometry></collision></link></model>\n";
+
+std::string ball(const std::string& name, const std::string& more = "") {
+  return "<model name='" + name + "'>" + more + kBall + "</model>\n";
+}
+
+/// Line 1 is <sdf>, line 2 what `content` begins with.
+std::string in_world(const std::string& content) {
+  return "<sdf version='1.6'><world name='w'>\n" + content + "</world></sdf>";
+}
+
+WorldSpec load(const std::string& xml, OddElements odd, const Resources& resources = Resources()) {
+  return load_world_string(
+      xml, "odd.world", resources, [](const auto&) {}, odd);
+}
+
+/// Loads it both ways: strictly it must throw, else one odd element is told, and given back.
+std::string odd_element_of(const std::string& xml, WorldSpec* spec = nullptr,
+                           const Resources& resources = Resources()) {
+  error_of([&] { load(xml, OddElements::kRefuse, resources); });
+  const WorldSpec loaded = load(xml, OddElements::kLeaveOut, resources);
+  if (spec != nullptr) *spec = loaded;
+  EXPECT_EQ(loaded.odd_elements.size(), 1u) << testing::PrintToString(loaded.odd_elements);
+  return loaded.odd_elements.empty() ? "" : loaded.odd_elements[0];
+}
+
+TEST(OddElements, AWorldWithoutAnyHasNone) {
+  const WorldSpec world = load(in_world(ball("a") + kGround), OddElements::kLeaveOut);
+  EXPECT_EQ(world.models.size(), 2u);
+  EXPECT_TRUE(world.odd_elements.empty());
+}
+
+TEST(OddElements, ACollisionWhoseMeshIsMissingIsLeftOut) {
+  WorldSpec world;
+  const std::string odd = odd_element_of(
+      in_world(
+          "<model name='plant'><static>1</static><link name='l'>\n"
+          "<collision name='c'><geometry><mesh><uri>model://plant/p.dae</uri></mesh></geometry>"
+          "</collision></link></model>" +
+          ball("a")),
+      &world);
+  EXPECT_TRUE(
+      contains(odd, "odd.world:3: link 'l' collision 'c': mesh 'model://plant/p.dae' not "));
+  EXPECT_TRUE(contains(odd, "; searched: "));
+  EXPECT_TRUE(contains(odd, "; left out"));
+  ASSERT_EQ(world.models.size(), 2u);
+  EXPECT_TRUE(world.models[0].links[0].collisions.empty());
+}
+
+TEST(OddElements, AValueBeyondTheSpecificationIsLeftOut) {
+  WorldSpec world;
+  const std::string odd =
+      odd_element_of(in_world("<scene><ambient>0.2 0.3 0.4 1</ambient><sky><clouds>\n"
+                              "<speed>-4</speed></clouds></sky></scene>" +
+                              ball("a")),
+                     &world);
+  EXPECT_TRUE(contains(odd, "odd.world:3: <speed> is '-4', legal: double, at least 0"));
+  EXPECT_NEAR(world.scene.ambient.x(), 0.2, 1e-6);
+  EXPECT_EQ(world.models.size(), 1u);
+}
+
+TEST(OddElements, TextInPlaceOfNumbersIsLeftOut) {
+  WorldSpec world;
+  const std::string odd =
+      odd_element_of(in_world(ball("a", "<pose>\n1 2 north</pose>") + ball("b")), &world);
+  EXPECT_TRUE(contains(odd, "odd.world:2: <pose> is '1 2 north', legal: pose"));
+  EXPECT_TRUE(is_near(world.models[0].T_world_model, SE3::identity(), 1e-12));
+}
+
+TEST(OddElements, ASecondModelOfANameGetsOneOfItsOwn) {
+  WorldSpec world;
+  const std::string odd =
+      odd_element_of(in_world(ball("a") + ball("a", "<pose>3 0 0 0 0 0</pose>")), &world);
+  EXPECT_TRUE(contains(odd, "odd.world:4: another <model> is named 'a'; this one is called 'a_1'"));
+  ASSERT_EQ(world.models.size(), 2u);
+  EXPECT_EQ(world.models[1].name, "a_1");
+  EXPECT_DOUBLE_EQ(world.models[1].T_world_model.p.x(), 3.0);
+}
+
+TEST(OddElements, AModelWithoutLinksIsLeftOut) {
+  WorldSpec world;
+  const std::string odd = odd_element_of(in_world("<model name='e'></model>" + ball("a")), &world);
+  EXPECT_TRUE(contains(odd, "odd.world:2: model 'e' has no link; left out"));
+  EXPECT_EQ(world.models.size(), 1u);
+}
+
+TEST(OddElements, AJointThatNamesNoLinkIsLeftOut) {
+  WorldSpec world;
+  const std::string odd = odd_element_of(
+      in_world(ball("a",
+                    "<joint name='j' type='fixed'><parent>l</parent><child>gone</child>"
+                    "</joint>") +
+               ball("b")),
+      &world);
+  EXPECT_TRUE(contains(odd, "gone"));
+  ASSERT_EQ(world.models.size(), 2u);
+  EXPECT_TRUE(world.models[0].joints.empty());
+}
+
+TEST(OddElements, AJointWithoutAParentIsLeftOut) {
+  WorldSpec world;
+  const std::string odd = odd_element_of(
+      in_world(ball("a", "<joint name='j' type='fixed'><child>l</child></joint>")), &world);
+  EXPECT_TRUE(contains(odd, "odd.world:2: <joint>: XML Missing required element[parent]"));
+  EXPECT_EQ(world.models.size(), 1u);
+}
+
+TEST(OddElements, AnIncludeThatIsNotFoundIsLeftOutAndToldWithWhereItWasSearched) {
+  const std::string xml = in_world("<include><uri>model://nowhere</uri></include>" + ball("a"));
+  const WorldSpec world = load(xml, OddElements::kLeaveOut);
+  ASSERT_EQ(world.odd_elements.size(), 1u);
+  EXPECT_TRUE(contains(world.odd_elements[0],
+                       "odd.world:2: <include> of 'model://nowhere' not found; searched: "));
+  std::vector<std::string> warnings;
+  load_world_string(xml, "odd.world", Resources(),
+                    [&](const std::string& text) { warnings.push_back(text); });
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_TRUE(contains(warnings[0], "odd.world:2: <include> of 'model://nowhere' not found"));
+}
+
+TEST(OddElements, OfAnIncludedFileAreToldWithThatFile) {
+  const ScratchFolder folder;
+  folder.write("crate/model.config",
+               "<model><name>crate</name><sdf version='1.6'>model.sdf</sdf></model>");
+  const std::string file = folder.write("crate/model.sdf",
+                                        "<sdf version='1.6'>\n<model name='crate'>\n<static>maybe"
+                                        "</static>" +
+                                            std::string(kBall) + "</model></sdf>");
+  WorldSpec world;
+  const std::string odd =
+      odd_element_of(in_world("<include><uri>model://crate</uri><name>box</name></include>"),
+                     &world, Resources({folder.path()}));
+  EXPECT_TRUE(contains(odd, file + ":3: <static> is 'maybe', legal: bool"));
+  ASSERT_EQ(world.models.size(), 1u);
+  EXPECT_EQ(world.models[0].name, "box");
+}
+
+TEST(OddElements, IncludesOfIncludedFilesAreFound) {
+  const ScratchFolder folder;
+  const auto write = [&](const std::string& name, const std::string& content) {
+    folder.write(name + "/model.config",
+                 "<model><name>m</name><sdf version='1.6'>model.sdf</sdf></model>");
+    folder.write(name + "/model.sdf",
+                 "<sdf version='1.6'><model name='" + name + "'>" + content + "</model></sdf>");
+  };
+  write("wheel", kBall);
+  write("cart", kBall + std::string("<include><uri>model://wheel</uri></include>"));
+  const WorldSpec world = load(in_world("<include><uri>model://cart</uri></include>"),
+                               OddElements::kRefuse, Resources({folder.path()}));
+  ASSERT_EQ(world.models.size(), 1u);
+  ASSERT_EQ(world.models[0].links.size(), 2u);
+  EXPECT_EQ(world.models[0].links[1].name, "wheel::l");
+}
+
+TEST(OddElements, ASpawnedModelLoadsWithoutThem) {
+  TestWorld strict;
+  WorldOptions lenient_options;
+  lenient_options.odd_elements = OddElements::kLeaveOut;
+  TestWorld lenient(world_spec(), lenient_options);
+  SpawnRequest request;
+  request.name = "m";
+  request.xml =
+      "<sdf version='1.6'><model name='m'>" + std::string(kBall) +
+      "<link name='sign'><collision name='c'><geometry><mesh><uri>model://gone.dae</uri></mesh>"
+      "</geometry></collision></link></model></sdf>";
+  error_of([&] { strict->spawn(request); });
+  EXPECT_EQ(lenient->spawn(request).links.size(), 2u);
+  ASSERT_EQ(lenient->odd_elements().size(), 1u);
+  EXPECT_EQ(lenient.told(Severity::kWarning, "link 'sign' collision 'c'"), 1u);
+}
+
+TEST(OddElements, APluginWithABadValueIsLeftOut) {
+  ModelSpec spec = make_quad();
+  for (ParamNode& node : spec.plugins[1].params.children) {
+    if (node.name == "timeConstantUp") node.text = "-3";
+  }
+  WorldOptions options;
+  options.odd_elements = OddElements::kLeaveOut;
+  TestWorld world(world_spec(), options);
+  const std::size_t all = spec.plugins.size();
+  EXPECT_EQ(world.add(spec).plugins.size(), all - 1);
+  ASSERT_EQ(world->odd_elements().size(), 1u);
+  EXPECT_TRUE(contains(world->odd_elements()[0], "<timeConstantUp> is '-3'"));
+}
+
+TEST(OddElements, AMeshThatCannotBeReadIsLeftOutOfItsModel) {
+  const ScratchFolder folder;
+  const std::string file = folder.write("bad.stl", "no mesh");
+  ModelSpec spec = make_body("m", SphereShape{0.1}, {});
+  spec.links[0].collisions.push_back({"bad", {}, MeshShape{file, {1, 1, 1}}, {}, {}});
+  TestWorld strict;
+  error_of([&] { strict.add(spec); });
+  WorldOptions options;
+  options.odd_elements = OddElements::kLeaveOut;
+  TestWorld world(world_spec(), options);
+  EXPECT_EQ(world.add(spec).bodies[0]->geoms.size(), 1u);
+  ASSERT_EQ(world->odd_elements().size(), 1u);
+  EXPECT_TRUE(contains(world->odd_elements()[0], "collision 'm::link::bad'"));
+}
+
+TEST(OddElements, AnInertiaThatCannotBeIsLeftOut) {
+  WorldSpec world;
+  const std::string odd = odd_element_of(
+      in_world("<model name='a'><link name='l'>\n<inertial><mass>2</mass><inertia><ixx>0</ixx>"
+               "<iyy>1</iyy><izz>1</izz></inertia></inertial></link></model>"),
+      &world);
+  EXPECT_TRUE(contains(odd, "odd.world:3: link 'l' <inertial>: mass 2"));
+  ASSERT_EQ(world.models.size(), 1u);
+  EXPECT_DOUBLE_EQ(world.models[0].links[0].inertial.mass_kg, 1.0);
+}
+
+TEST(OddElements, PhysicsThatCannotBeIsReplacedByTheDefault) {
+  const WorldSpec spec = load(in_world("<physics type='ode'><max_contacts>0</max_contacts>"
+                                       "<max_step_size>0.002</max_step_size></physics>" +
+                                       ball("a")),
+                              OddElements::kLeaveOut);
+  error_of([&] { TestWorld strict(spec); });
+  WorldOptions options;
+  options.odd_elements = OddElements::kLeaveOut;
+  TestWorld world(spec, options);
+  EXPECT_EQ(world->physics().max_contacts, 20);
+  EXPECT_DOUBLE_EQ(world->physics().max_step_size_s, 0.002);
+  ASSERT_EQ(world->odd_elements().size(), 1u);
+  EXPECT_TRUE(contains(world->odd_elements()[0], "physics: max_contacts is '0', must be >= 1"));
+}
+
+TEST(OddElements, ScopedNamesThatDoNotFitTogetherAreJoined) {
+  // As a world that Gazebo has saved: the frame of a nested model is attached to no part of it.
+  WorldSpec world;
+  const std::string odd = odd_element_of(
+      "<sdf version='1.7'><world name='w'><model name='room'><link name='a::l'/>"
+      "<frame name='a::__model__' attached_to='b::l'/><link name='b::l'/></model></world></sdf>",
+      &world);
+  EXPECT_TRUE(contains(odd, "'a::b' is read as 'a__b'"));
+  ASSERT_EQ(world.models.size(), 1u);
+  EXPECT_EQ(world.models[0].links.size(), 2u);
+}
+
+TEST(OddElements, AScriptThatNamesNoMaterialMeansNothing) {
+  const WorldSpec world =
+      load(in_world("<model name='a'><static>1</static><link name='l'><visual name='v'><geometry>"
+                    "<sphere><radius>1</radius></sphere></geometry><material><script><uri>x</uri>"
+                    "</script><diffuse>1 0 0 1</diffuse></material></visual></link></model>"),
+           OddElements::kRefuse);
+  EXPECT_DOUBLE_EQ(world.models[0].links[0].visuals[0].material.diffuse.x(), 1.0);
+}
+
+TEST(OddElements, JointsInAClosedLoopHaveASolutionWithoutConstraintForceMixing) {
+  // Four bars whose joints hold each other: ODE ended the process here.
+  WorldSpec spec = world_spec();
+  spec.physics.solver = "quick";
+  spec.physics.cfm = 0.0;
+  TestWorld world(spec);
+  ModelSpec loop = make_body("loop", SphereShape{0.1}, at(0, 0, 1));
+  loop.links[0].name = "l0";
+  for (int i = 1; i < 4; ++i) {
+    loop.links.push_back(loop.links[0]);
+    loop.links.back().name = "l" + std::to_string(i);
+    loop.links.back().T_model_link = at(i == 1 ? 1 : (i == 2 ? 1 : 0), i > 1 ? 1 : 0, 0);
+  }
+  for (int i = 0; i < 4; ++i) {
+    loop.joints.push_back(make_joint("j" + std::to_string(i), JointType::kRevolute,
+                                     "l" + std::to_string(i), "l" + std::to_string((i + 1) % 4), {},
+                                     {0, 0, 1}));
+  }
+  world.add(loop);
+  world->step(50);
+  EXPECT_NEAR(world->find_model("loop")->T_world_model().p.z(), 1.0 - 0.5 * 9.8 * 0.25, 0.1);
+}
+
+TEST(MissingFloor, IsToldOnceWhenSomethingHasFallenFar) {
+  TestWorld world;
+  world.add(make_body("stone", SphereShape{0.1}, at(0, 0, 5)));
+  world->step(400);  // 4 s: 78 m
+  EXPECT_EQ(world.told(Severity::kWarning, "fallen"), 0u);
+  world->step(800);
+  EXPECT_EQ(world.told(Severity::kWarning, "model 'stone' has fallen 100 m"), 1u);
+  EXPECT_EQ(world->diagnostics().entries().count("world 'default': no floor"), 1u);
+}
+
+TEST(MissingFloor, IsNotToldWhereThereIsGround) {
+  TestWorld world(load(in_world(kGround), OddElements::kRefuse));
+  ModelSpec stone = make_body("stone", SphereShape{0.1}, at(0, 0, -1));  // beneath it
+  world.add(std::move(stone));
+  world->step(2000);
+  EXPECT_EQ(world.told(Severity::kWarning, "fallen"), 0u);
+}
+
+}  // namespace
+}  // namespace trident
