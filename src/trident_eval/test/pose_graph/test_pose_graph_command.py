@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 import gzip
 import math
+import random
 from pathlib import Path
 
 import numpy as np
@@ -122,6 +123,79 @@ def test_bad_line_is_one_error(
     assert _main(monkeypatch, file) == 1
     error = capsys.readouterr().err
     assert error == f"trident: {file}:2: y is 'zero', but must be a finite number\n"
+
+
+def _spoil_information(file: Path) -> None:
+    """Gives two edges information that would pay for errors along x."""
+    text = file.read_text(encoding="utf-8")
+    file.write_text(text.replace(_INFORMATION, "-5 0 0 100 0 100", 2), encoding="utf-8")
+
+
+def test_indefinite_information_is_taken_with_one_warning(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = _square(tmp_path)
+    _spoil_information(file)
+    assert _main(monkeypatch, file, "--picture", tmp_path / "p.png") == 0
+    captured = capsys.readouterr()
+    assert captured.err.count("\n") == 1
+    assert captured.err.startswith(f"warning: {file}: the information of 2 of 51 edges is not")
+    assert "NOT converged" not in captured.out
+
+
+def test_strict_refuses_indefinite_information(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = _square(tmp_path)
+    _spoil_information(file)
+    assert _main(monkeypatch, file, "--strict") == 1
+    error = capsys.readouterr().err
+    assert error.count("\n") == 1
+    assert f"{file}:42: the least eigenvalue of the information is '-5', but must be >= 0" in error
+
+
+def _noisy_grid(folder: Path) -> Path:
+    """Rows of a grid driven to and fro with turns that err by 0.4 rad, vertices by them alone."""
+    dice = random.Random(4)
+    columns, rows, loops = 30, 30, 0.3
+    cells = [(c if r % 2 == 0 else columns - 1 - c, r) for r in range(rows) for c in range(columns)]
+    number = {cell: k for k, cell in enumerate(cells)}
+    poses, edges = [(0.0, 0.0, 0.0)], []
+    for (x, y), k in number.items():
+        for cell in ((x + 1, y), (x - 1, y), (x, y + 1)):
+            other = number.get(cell, -1)
+            if other <= k or (other != k + 1 and dice.random() > loops):
+                continue
+            turn = dice.gauss(0.0, 0.4)
+            dx, dy = cell[0] - x, cell[1] - y
+            edges.append(f"EDGE_SE2 {k} {other} {dx} {dy} {turn!r} {_INFORMATION}")
+            if other == k + 1:
+                px, py, yaw = poses[-1]
+                cosine, sine = math.cos(yaw), math.sin(yaw)
+                poses.append(
+                    (px + cosine * dx - sine * dy, py + sine * dx + cosine * dy, yaw + turn)
+                )
+    vertices = [f"VERTEX_SE2 {k} {x!r} {y!r} {yaw!r}" for k, (x, y, yaw) in enumerate(poses)]
+    file = folder / "grid.g2o"
+    file.write_text("\n".join([*vertices, *edges]) + "\n", encoding="utf-8")
+    return file
+
+
+def test_start_at_the_file_is_not_worse_than_ceres(tmp_path: Path) -> None:
+    file = _noisy_grid(tmp_path)
+    best = optimize(file, [])["chi2_after"]
+    theirs = optimize(file, ["--init", "file", "--solver", "ceres"])["chi2_after"]
+    ours = optimize(file, ["--init", "file"])
+    assert theirs > 1.5 * best  # the file's own start leads astray
+    assert ours["chi2_given_up"] > 1.5 * best
+    assert ours["chi2_after"] == pytest.approx(best, rel=1e-3)
+
+
+def test_levenberg_marquardt_converges_where_turns_err(tmp_path: Path) -> None:
+    file = _noisy_grid(tmp_path)
+    report = optimize(file, ["--strategy", "levenberg_marquardt", "--iterations", "60"])
+    assert report["converged"]
+    assert report["chi2_after"] == pytest.approx(optimize(file, [])["chi2_after"], rel=1e-4)
 
 
 def test_layout_of_packed_3d_file(tmp_path: Path) -> None:

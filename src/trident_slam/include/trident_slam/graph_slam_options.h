@@ -78,7 +78,7 @@ struct GraphSlamOptions {
   double odometry_heading_noise = 0.15;
   double odometry_jump_distance = 3.0;
   double odometry_jump_heading = 2.5;
-  bool calibrate_odometry = false;
+  bool calibrate_odometry = true;
   bool deskew = true;
 
   LifelongOptions lifelong;

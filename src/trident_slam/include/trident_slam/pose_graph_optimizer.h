@@ -28,6 +28,10 @@ struct PoseGraphOptions {
   double relative_tolerance = 1e-6;
   /// ... or less than this, >= 0.
   double absolute_tolerance = 1e-10;
+  /// Where the search from the graph's own poses took long or met steps that raised the cost, it
+  /// may have ended in a minimum of its own: then averaged rotations are tried, too, and what ends
+  /// lower stays.
+  bool tries_both_starts = false;
   /// Graduated non-convexity (Yang et al. 2020, Geman-McClure) over the edges that are not trusted:
   /// finds those that agree with each other from a poor start; the others are rejected, their
   /// weight in the report is 0. The edges' own kernels do not count.
@@ -55,6 +59,9 @@ struct PoseGraphReport {
   int iterations = 0;  ///< linear systems solved, rejected steps included
   bool has_converged = false;
   bool is_start_chordal = false;
+  /// Where the search from the graph's own poses ended that was given up for one from averaged
+  /// rotations; 0: none was.
+  double chi2_given_up = 0.0;
   /// Of each edge at the end, in [0, 1]: 1 without a robust kernel, near 0 for an outlier.
   std::vector<double> weights;
 };

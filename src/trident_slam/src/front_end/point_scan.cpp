@@ -14,7 +14,11 @@ namespace {
 /// as lie within the reach. Close to a wall few beams would span less than the scanner's noise.
 constexpr int kFewestNeighbours = 3;
 constexpr int kMostNeighbours = 24;
-constexpr float kReach = 0.15F;  // [m]
+constexpr double kReach = 0.15;  // [m]
+/// ... or farther where the scanner's noise is larger, for a line over so many standard deviations
+/// of it to each side leans by no more than a few degrees.
+constexpr double kReachByNoise = 12.0;
+constexpr double kFarthestReach = 0.6;  // [m]
 
 /// Points that deviate less from their line have no corner among them [m].
 constexpr double kStraight = 0.003;
@@ -25,6 +29,24 @@ constexpr double kWorseByCorner = 8.0;
 /// seen at 10 degrees of grazing angle stays in one piece.
 double largest_gap(double range, double angle_increment) {
   return 0.05 + 6.0 * range * std::abs(angle_increment);
+}
+
+/// Standard deviation of the ranges [m], by the median of how far each is from the middle of those
+/// beside it: of beams on one surface that is noise, as long as the surface is nearly straight.
+double range_noise(const std::vector<double>& ranges, double angle_increment) {
+  std::vector<double> bends;
+  bends.reserve(ranges.size());
+  for (std::size_t i = 1; i + 1 < ranges.size(); ++i) {
+    const double gap = largest_gap(ranges[i], angle_increment);
+    if (std::abs(ranges[i] - ranges[i - 1]) > gap || std::abs(ranges[i + 1] - ranges[i]) > gap)
+      continue;
+    bends.push_back(std::abs(ranges[i - 1] - 2.0 * ranges[i] + ranges[i + 1]));
+  }
+  constexpr std::size_t kFewest = 20;  // of which a median says something
+  if (bends.size() < kFewest) return 0.0;
+  const auto middle = bends.begin() + static_cast<std::ptrdiff_t>(bends.size() / 2);
+  std::nth_element(bends.begin(), middle, bends.end());
+  return *middle / (0.6745 * std::sqrt(6.0));  // of a normal distribution, and of three ranges
 }
 
 /// Sums over points.
@@ -97,6 +119,9 @@ class Normals {
   }
 
   void set(const std::vector<double>& ranges, double angle_increment) {
+    const double reach =
+        std::clamp(kReachByNoise * range_noise(ranges, angle_increment), kReach, kFarthestReach);
+    squared_reach_ = static_cast<float>(reach * reach);
     find_surfaces(ranges, angle_increment);
     const int size = static_cast<int>(scan_.points.size());
     for (int i = 0; i < size; ++i) {
@@ -148,13 +173,14 @@ class Normals {
     const int apart = std::abs(i - j);
     if (apart > kMostNeighbours) return false;
     return apart <= kFewestNeighbours ||
-           (scan_.points[j].p - scan_.points[i].p).squaredNorm() <= kReach * kReach;
+           (scan_.points[j].p - scan_.points[i].p).squaredNorm() <= squared_reach_;
   }
 
   PointScan& scan_;
   std::vector<LineSums> sums_;  ///< over the points before each one, about the laser
   std::vector<int> first_;
   std::vector<int> end_;
+  float squared_reach_ = 0.0F;  ///< of the neighbours that take part in a line [m^2]
 };
 
 /// The directions of a scan's beams one after the other: cosine and sine.

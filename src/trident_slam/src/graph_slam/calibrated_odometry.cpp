@@ -11,6 +11,8 @@ constexpr double kLeastInliers = 0.6;
 /// What a matched pose errs by, whatever its points say: surfaces are thick [m], [rad].
 constexpr double kLeastSigma = 0.005;
 constexpr double kLeastYawSigma = 0.002;
+/// Of the error of a way, what does not repeat itself.
+constexpr double kCorrectedShare = 1.0 / 3.0;
 
 /// Of the laser as a tangent at its pose, from the points alone.
 Eigen::Matrix3d covariance_of_laser(const MatchResult& match, const SE2& T_base_laser) {
@@ -36,6 +38,13 @@ void CalibratedOdometry::learn(const SE2& T_base_laser, const SE2& T_last_base_s
   }
   calibration_->add(T_last_base_, T_base_laser.inverse() * T_last_base_seen * T_base_laser,
                     covariance_of_laser(match, T_base_laser));
+}
+
+double CalibratedOdometry::noise_share() const {
+  const bool is_corrected = is_applied_ && calibration_ &&
+                            calibration_->is_observed(kDistanceScale) &&
+                            calibration_->is_observed(kYawDrift);
+  return is_corrected ? kCorrectedShare : 1.0;
 }
 
 std::vector<CalibrationEstimate> CalibratedOdometry::estimates() const {

@@ -30,6 +30,9 @@ class CalibratedOdometry {
     if (calibration_) calibration_->interrupt();
   }
   std::vector<CalibrationEstimate> estimates() const;
+  /// Of what odometry is told to err by per way, the part that is left: less once scale and drift
+  /// have been seen and are corrected.
+  double noise_share() const;
 
  private:
   bool is_applied_;

@@ -64,7 +64,7 @@ std::vector<SE2> match_archive(const ScanArchive& archive, const KeyframeGraph& 
   line.search_rings = 2;
   line.converged = kConverged;
   PosePrior prior;
-  prior.information = Eigen::Vector3d(2500.0, 2500.0, 10000.0).asDiagonal();  // 2 cm, 0.01 rad
+  prior.information = Eigen::Vector3d(1e4, 1e4, 4e4).asDiagonal();  // 1 cm, 5 mrad
   std::vector<SE2> poses(archive.size());
   for (std::size_t i = 0; i < archive.size(); ++i) {
     const ScanArchive::Entry& entry = archive[i];

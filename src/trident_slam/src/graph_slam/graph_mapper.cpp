@@ -134,6 +134,7 @@ MatchResult GraphMapper::place(const std::shared_ptr<const PointScan>& points,
     return {};
   }
   const SE2 T_map_last = tracker_.T_map_base();
+  tracker_.set_distance_noise(options_.odometry_distance_noise * calibration_.noise_share());
   MatchResult match = tracker_.track(*points, motion);
   if (motion.problem.empty() && !motion.by_scans) {
     calibration_.learn(T_base_laser, T_map_last.inverse() * match.T_ref_base, match);
@@ -182,9 +183,8 @@ void GraphMapper::add_keyframe(const std::shared_ptr<const PointScan>& scan,
   tracker_.insert(tracker_.T_map_base(), *scan, graph_.stretch_of(k));
   if (options_.mode == SlamMode::kLifelong) forget_replaced_scans();
   const int stretch = graph_.stretch_of(k);
-  if (options_.do_loop_closing && graph_.size() == (stretch + 1) * graph_.stretch_size()) {
+  if (options_.do_loop_closing && graph_.size() == (stretch + 1) * graph_.stretch_size())
     close_loops(stretch);
-  }
 }
 
 void GraphMapper::tie_to_previous_keyframe(int keyframe, const MatchResult& match) {

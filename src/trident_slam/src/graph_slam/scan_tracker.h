@@ -57,6 +57,8 @@ class ScanTracker {
   MatchResult track(const PointScan& scan, const OdometryMotion::Step& step);
   /// Takes the place of matching against the surfaces' lines.
   void set_refine(RefinePose refine) { refine_ = std::move(refine); }
+  /// Of the motions that are told from now on, as a part of their way.
+  void set_distance_noise(double per_metre) { options_.noise.distance_per_metre = per_metre; }
   /// Moves without a scan.
   void coast(const OdometryMotion::Step& step);
   /// Adds a scan to the surfaces, of which `owner` says to which part of the map it belongs.

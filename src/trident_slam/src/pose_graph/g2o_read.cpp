@@ -6,7 +6,6 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -14,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "pose_graph/g2o_line.h"
 #include "trident_base/angle.h"
 #include "trident_base/error.h"
 #include "trident_base/string_util.h"
@@ -41,69 +41,13 @@ std::string read_whole(const std::string& file) {
   return text;
 }
 
-/// The words of one line, taken one after the other.
-class Line {
- public:
-  Line(std::string_view text, const std::string& file, int number)
-      : rest_(text), file_(file), number_(number) {
-    skip_blanks();
-  }
-
-  bool is_at_end() const { return rest_.empty(); }
-  std::string_view word() {
-    const std::size_t end = std::min(rest_.find_first_of(" \t\r"), rest_.size());
-    const std::string_view result = rest_.substr(0, end);
-    rest_.remove_prefix(end);
-    skip_blanks();
-    return result;
-  }
-  double number(const char* field) {
-    const std::string_view text = word();
-    const std::string_view digits = text.substr(starts_with(text, "+") ? 1 : 0);
-    double value = 0.0;
-    const auto [end, problem] =
-        std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (problem == std::errc::result_out_of_range) value = 0.0;  // fewer digits than a double has
-    const bool is_whole = !text.empty() && end == digits.data() + digits.size();
-    if (!is_whole || !std::isfinite(value)) fail(field, text, "a finite number");
-    return value;
-  }
-  int id(const char* field) {
-    const std::string_view text = word();
-    int value = 0;
-    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (text.empty() || problem != std::errc() || end != text.data() + text.size()) {
-      fail(field, text, "a whole number that fits into 32 bits");
-    }
-    return value;
-  }
-  void end() {
-    if (!is_at_end()) fail("what follows the last field", rest_, "nothing");
-  }
-  [[noreturn]] void fail(std::string_view field, std::string_view value,
-                         const std::string& wanted) const {
-    const std::string shown = value.empty() ? "missing" : "'" + std::string(value) + "'";
-    throw Error(where() + ": " + std::string(field) + " is " + shown + ", but must be " + wanted);
-  }
-  std::string where() const { return file_ + ":" + std::to_string(number_); }
-
- private:
-  void skip_blanks() {
-    rest_.remove_prefix(std::min(rest_.find_first_not_of(" \t\r"), rest_.size()));
-  }
-
-  std::string_view rest_;
-  const std::string& file_;
-  int number_;
-};
-
-void read_pose(Line& line, SE2& T) {
+void read_pose(G2oLine& line, SE2& T) {
   const double x = line.number("x");
   const double y = line.number("y");
   T = SE2::from_xy_yaw(x, y, line.number("theta"));
 }
 
-void read_pose(Line& line, SE3& T) {
+void read_pose(G2oLine& line, SE3& T) {
   for (int k = 0; k < 3; ++k) T.p[k] = line.number(std::array{"x", "y", "z"}[k]);
   for (int k = 0; k < 4; ++k) {
     T.R.coeffs()[k] = line.number(std::array{"qx", "qy", "qz", "qw"}[k]);
@@ -116,8 +60,10 @@ void read_pose(Line& line, SE3& T) {
   T.R.coeffs() /= norm;
 }
 
+/// Reads the upper triangle. Returns the least eigenvalue if it is negative beyond rounding, else
+/// 0; then `information` is the nearest positive semidefinite matrix.
 template <int kSize>
-void read_information(Line& line, Eigen::Matrix<double, kSize, kSize>& information) {
+double read_information(G2oLine& line, Eigen::Matrix<double, kSize, kSize>& information) {
   for (int row = 0; row < kSize; ++row) {
     for (int column = row; column < kSize; ++column) {
       const std::string field =
@@ -126,12 +72,18 @@ void read_information(Line& line, Eigen::Matrix<double, kSize, kSize>& informati
       information(row, column) = information(column, row) = value;
     }
   }
-  if (Eigen::LLT<Eigen::Matrix<double, kSize, kSize>>(information).info() == Eigen::Success) return;
+  if (Eigen::LLT<Eigen::Matrix<double, kSize, kSize>>(information).info() == Eigen::Success) {
+    return 0.0;
+  }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, kSize, kSize>> solver(information);
   const double least = solver.eigenvalues().minCoeff();
-  if (least < -1e-6 * solver.eigenvalues().cwiseAbs().maxCoeff()) {
-    line.fail("the least eigenvalue of the information", number_text(least), ">= 0");
-  }
+  if (least >= -1e-6 * solver.eigenvalues().cwiseAbs().maxCoeff()) return 0.0;
+  // Higham, Computing a nearest symmetric positive semidefinite matrix, 1988: as a product with its
+  // own transpose its diagonal stays >= 0.
+  const Eigen::Matrix<double, kSize, kSize> root =
+      solver.eigenvectors() * solver.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
+  information = root * root.transpose();
+  return least;
 }
 
 /// Edges wait until every vertex is known, as they may come first.
@@ -148,14 +100,15 @@ struct Parts {
 
 class Reader {
  public:
-  explicit Reader(const std::string& file) : file_(file) {}
+  Reader(const std::string& file, IndefiniteInformation indefinite)
+      : file_(file), indefinite_(indefinite) {}
 
   std::variant<PoseGraph2d, PoseGraph3d> read() {
     const std::string text = read_whole(file_);
     int number = 0;
     for (std::size_t begin = 0; begin < text.size();) {
       const std::size_t end = std::min(text.find('\n', begin), text.size());
-      Line line(std::string_view(text).substr(begin, end - begin), file_, ++number);
+      G2oLine line(std::string_view(text).substr(begin, end - begin), file_, ++number);
       begin = end + 1;
       if (!line.is_at_end()) read_line(line, number);
     }
@@ -168,8 +121,17 @@ class Reader {
     return graph_of(space_);
   }
 
+  G2oWarnings warnings() const {
+    if (indefinite_edges_ == 0) return {};
+    return {indefinite_edges_,
+            file_ + ": the information of " + std::to_string(indefinite_edges_) + " of " +
+                std::to_string(plane_.edges.size() + space_.edges.size()) +
+                " edges is not positive semidefinite; the nearest matrix that is stands for it (" +
+                first_indefinite_ + ")"};
+  }
+
  private:
-  void read_line(Line& line, int number) {
+  void read_line(G2oLine& line, int number) {
     const std::string_view tag = line.word();
     if (starts_with(tag, "#")) return;
     if (tag == "VERTEX_SE2") {
@@ -191,7 +153,7 @@ class Reader {
   }
 
   template <class Group>
-  void read_vertex(Line& line, int number, Parts<Group>& parts) {
+  void read_vertex(G2oLine& line, int number, Parts<Group>& parts) {
     const int id = line.id("id");
     Group T;
     read_pose(line, T);
@@ -204,7 +166,7 @@ class Reader {
   }
 
   template <class Group>
-  void read_edge(Line& line, int number, Parts<Group>& parts) {
+  void read_edge(G2oLine& line, int number, Parts<Group>& parts) {
     typename Parts<Group>::WaitingEdge waiting;
     waiting.line = number;
     waiting.edge.from = line.id("from");
@@ -213,10 +175,21 @@ class Reader {
       line.fail("to", std::to_string(waiting.edge.to), "another vertex than from");
     }
     read_pose(line, waiting.edge.T_from_to);
-    read_information(line, waiting.edge.information);
+    const double least = read_information(line, waiting.edge.information);
+    if (least < 0.0) take_indefinite(line, least);
     line.end();
     waiting.edge.is_trusted = waiting.edge.to - waiting.edge.from == 1;
     parts.edges.push_back(waiting);
+  }
+
+  void take_indefinite(const G2oLine& line, double least) {
+    if (indefinite_ == IndefiniteInformation::kRefuse) {
+      line.fail("the least eigenvalue of the information", number_text(least), ">= 0");
+    }
+    if (indefinite_edges_++ == 0) {
+      first_indefinite_ =
+          line.where() + " is the first, with a least eigenvalue of " + number_text(least);
+    }
   }
 
   template <class Group>
@@ -239,7 +212,7 @@ class Reader {
   template <class Group>
   void check_vertex(const PoseGraph<Group>& graph, int id, const char* field, int number) const {
     if (graph.has_vertex(id)) return;
-    Line({}, file_, number).fail(field, std::to_string(id), "the id of a vertex of this file");
+    G2oLine({}, file_, number).fail(field, std::to_string(id), "the id of a vertex of this file");
   }
 
   // Breadth first from the lowest id of each connected part.
@@ -265,6 +238,9 @@ class Reader {
   }
 
   const std::string& file_;
+  IndefiniteInformation indefinite_;
+  std::size_t indefinite_edges_ = 0;
+  std::string first_indefinite_;
   Parts<SE2> plane_;
   Parts<SE3> space_;
   std::map<int, int> line_of_vertex_;
@@ -273,8 +249,13 @@ class Reader {
 
 }  // namespace
 
-std::variant<PoseGraph2d, PoseGraph3d> read_g2o(const std::string& file) {
-  return Reader(file).read();
+std::variant<PoseGraph2d, PoseGraph3d> read_g2o(const std::string& file,
+                                                IndefiniteInformation indefinite,
+                                                G2oWarnings* warnings) {
+  Reader reader(file, indefinite);
+  auto graph = reader.read();
+  if (warnings != nullptr) *warnings = reader.warnings();
+  return graph;
 }
 
 }  // namespace trident

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
 
-// pose_graph FILE [option value ...]: optimises a g2o file and prints a JSON object.
+// pose_graph FILE [option value ...] [--strict]: optimises a g2o file and prints a JSON object.
 #include <algorithm>
 #include <cstddef>
 #include <cstdio>
@@ -10,9 +10,11 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "trident_base/error.h"
 #include "trident_base/string_util.h"
+#include "trident_slam/incremental_pose_graph.h"
 #include "trident_slam/pose_graph_ceres.h"
 #include "trident_slam/pose_graph_g2o.h"
 #include "trident_slam/pose_graph_optimizer.h"
@@ -25,6 +27,8 @@ struct Settings {
   std::string out;
   std::string before;
   bool is_ceres = false;
+  bool is_incremental = false;
+  bool is_strict = false;  // information that is not positive semidefinite is an error
   RobustKernel kernel = RobustKernel::kNone;
   PoseGraphOptions options;
   CeresOptions ceres;
@@ -55,9 +59,13 @@ const std::map<std::string, TrustStrategy> kStrategies{
     {"levenberg_marquardt", TrustStrategy::kLevenbergMarquardt},
     {"dogleg", TrustStrategy::kDogleg}};
 
+constexpr char kIncremental[] = "--incremental";
+constexpr char kStrict[] = "--strict";
+
 Settings parse(int argc, char** argv) {
   Settings settings;
   settings.options.start = PoseGraphStart::kAuto;
+  settings.options.tries_both_starts = true;
   PoseGraphOptions& options = settings.options;
   CeresOptions& ceres = settings.ceres;
   using Take = std::function<void(const std::string&)>;
@@ -90,12 +98,20 @@ Settings parse(int argc, char** argv) {
       {"--ceres_loss_function", [&](auto& text) { ceres.loss_function = text; }},
   };
   std::vector<std::string> known;
-  known.reserve(takers.size());
+  known.reserve(takers.size() + 2);
   for (const auto& [name, take] : takers) known.push_back(name);
+  known.emplace_back(kIncremental);
+  known.emplace_back(kStrict);
   if (argc < 2)
     throw Error("usage: pose_graph FILE.g2o [OPTION VALUE ...]; options: " + join(known));
   settings.file = argv[1];
   for (int k = 2; k < argc; k += 2) {
+    const bool is_strict = argv[k] == std::string(kStrict);
+    if (is_strict || argv[k] == std::string(kIncremental)) {
+      (is_strict ? settings.is_strict : settings.is_incremental) = true;
+      --k;  // it has no value
+      continue;
+    }
     const auto found = takers.find(argv[k]);
     if (found == takers.end()) throw Error("unknown option " + unknown_name_text(argv[k], known));
     if (k + 1 == argc) throw Error(std::string(argv[k]) + " needs a value");
@@ -104,6 +120,11 @@ Settings parse(int argc, char** argv) {
   ceres.start = options.start;
   ceres.max_iterations = options.max_iterations;
   ceres.relative_tolerance = options.relative_tolerance;
+  const bool is_plain =
+      !settings.is_ceres && !options.is_graduated && settings.kernel == RobustKernel::kNone;
+  if (settings.is_incremental && !is_plain) {
+    throw Error("--incremental needs --solver trident and no --robust");
+  }
   if (settings.is_ceres && options.is_graduated) throw Error("--robust gnc needs --solver trident");
   return settings;
 }
@@ -114,8 +135,33 @@ double cpu_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
+/// The graph as a robot adds it: its vertices in their order, each with the edges to those before.
+template <class Group>
+PoseGraphReport optimize_as_it_grows(PoseGraph<Group>& graph) {
+  std::vector<std::vector<typename PoseGraph<Group>::Edge>> edges(graph.vertices().size());
+  for (const auto& edge : graph.edges()) {
+    edges[std::max(graph.index(edge.from), graph.index(edge.to))].push_back(edge);
+  }
+  IncrementalPoseGraph<Group> growing;
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    const auto& vertex = graph.vertices()[k];
+    growing.add(vertex.id, vertex.T_map_vertex, edges[k]);
+  }
+  PoseGraphReport report;
+  report.chi2_before = report.cost_before = report.chi2_start = pose_graph_chi2(graph);
+  growing.finish();
+  for (const auto& vertex : growing.graph().vertices()) {
+    graph.set_pose(vertex.id, vertex.T_map_vertex);
+  }
+  report.chi2_after = report.cost_after = pose_graph_chi2(graph);
+  report.iterations = growing.optimizations();
+  report.has_converged = true;
+  return report;
+}
+
 template <class Group>
 PoseGraphReport optimize(PoseGraph<Group>& graph, const Settings& settings) {
+  if (settings.is_incremental) return optimize_as_it_grows(graph);
   if (settings.kernel != RobustKernel::kNone) {
     const double scale = settings.options.graduated_scale;
     for (std::size_t k = 0; k < graph.edges().size(); ++k) {
@@ -142,18 +188,19 @@ std::size_t count_parts(const PoseGraph<Group>& graph) {
 }
 
 template <class Group>
-void print(const PoseGraph<Group>& graph, const PoseGraphReport& report, double read_s,
-           double optimize_s) {
+void print(const PoseGraph<Group>& graph, const PoseGraphReport& report, std::size_t indefinite,
+           double read_s, double optimize_s) {
   std::printf("{\"kind\": \"%s\", \"vertices\": %zu, \"edges\": %zu,\n",
               PoseGraph<Group>::kDimension == 3 ? "SE2" : "SE3", graph.vertices().size(),
               graph.edges().size());
-  std::printf(" \"parts\": %zu,\n", count_parts(graph));
+  std::printf(" \"parts\": %zu, \"indefinite\": %zu,\n", count_parts(graph), indefinite);
   std::printf(" \"chi2_before\": %.10g, \"chi2_start\": %.10g, \"chi2_after\": %.10g,\n",
               report.chi2_before, report.chi2_start, report.chi2_after);
   std::printf(" \"cost_before\": %.10g, \"cost_after\": %.10g,\n", report.cost_before,
               report.cost_after);
-  std::printf(" \"start\": \"%s\", \"iterations\": %d, \"converged\": %s,\n",
-              report.is_start_chordal ? "chordal" : "file", report.iterations,
+  std::printf(" \"start\": \"%s\", \"chi2_given_up\": %.10g,\n",
+              report.is_start_chordal ? "chordal" : "file", report.chi2_given_up);
+  std::printf(" \"iterations\": %d, \"converged\": %s,\n", report.iterations,
               report.has_converged ? "true" : "false");
   std::printf(" \"read_cpu_s\": %.6f, \"cpu_s\": %.6f,\n \"outliers\": [", read_s, optimize_s);
   const char* separator = "";
@@ -167,14 +214,19 @@ void print(const PoseGraph<Group>& graph, const PoseGraphReport& report, double 
 
 void run(const Settings& settings) {
   const double begin = cpu_seconds();
-  auto any_graph = read_g2o(settings.file);
+  G2oWarnings warnings;
+  auto any_graph = read_g2o(
+      settings.file,
+      settings.is_strict ? IndefiniteInformation::kRefuse : IndefiniteInformation::kNearest,
+      &warnings);
   const double read = cpu_seconds();
+  if (!warnings.text.empty()) std::fprintf(stderr, "warning: %s\n", warnings.text.c_str());
   std::visit(
       [&](auto& graph) {
         if (!settings.before.empty()) write_g2o(graph, settings.before);
         const double start = cpu_seconds();
         const PoseGraphReport report = optimize(graph, settings);
-        print(graph, report, read - begin, cpu_seconds() - start);
+        print(graph, report, warnings.indefinite, read - begin, cpu_seconds() - start);
         if (!settings.out.empty()) write_g2o(graph, settings.out);
       },
       any_graph);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "pose_graph/chordal_start.h"
 #include "pose_graph/pose_system.h"
@@ -49,7 +50,10 @@ class PoseGraphOptimizer<Group>::Impl {
     if (options_.is_graduated) doubt(1.0);
     apply_start(system_, options_.start, report);
     if (options_.is_graduated) graduate(report);
-    search(options_, report);
+    const auto start = system_.poses;
+    const bool was_easy = search(options_, report);
+    const bool has_another = options_.tries_both_starts && !options_.is_graduated;
+    if (has_another && !was_easy && !report.is_start_chordal) try_averaged_rotations(start, report);
     end_report(system_, report);
     system_.store(graph);
     return report;
@@ -141,10 +145,28 @@ class PoseGraphOptimizer<Group>::Impl {
     }
   }
 
-  void search(const PoseGraphOptions& options, PoseGraphReport& report) {
+  // True when it converged soon and no step raised the cost: so it is from a start in the basin of
+  // the lowest minimum.
+  bool search(const PoseGraphOptions& options, PoseGraphReport& report) {
     StepSearch<Group> step_search(options, system_);
     report.has_converged = step_search.run();
     report.iterations += step_search.iterations();
+    constexpr int kSoon = 15;
+    return report.has_converged && !step_search.has_rejected() && step_search.iterations() < kSoon;
+  }
+
+  void try_averaged_rotations(const typename System::Poses& start, PoseGraphReport& report) {
+    const auto found = std::exchange(system_.poses, start);
+    PoseGraphReport other = report;
+    apply_start(system_, PoseGraphStart::kChordal, other);
+    if (other.is_start_chordal) search(options_, other);
+    const auto cost = system_.cost(found);
+    if (!other.is_start_chordal || !(system_.cost(system_.poses).robust < cost.robust)) {
+      system_.poses = found;
+      return;
+    }
+    report = std::move(other);
+    report.chi2_given_up = cost.chi2;
   }
 
   PoseGraphOptions options_;

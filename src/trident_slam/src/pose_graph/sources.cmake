@@ -8,6 +8,7 @@ target_sources(trident_slam PRIVATE
   src/pose_graph/edge_model.cpp
   src/pose_graph/g2o_read.cpp
   src/pose_graph/g2o_write.cpp
+  src/pose_graph/incremental_pose_graph.cpp
   src/pose_graph/pose_graph.cpp
   src/pose_graph/pose_graph_optimizer.cpp
   src/pose_graph/pose_system.cpp

@@ -9,6 +9,9 @@ namespace trident {
 namespace {
 
 constexpr double kLeastLambda = 1e-6;
+/// Damping that was needed is let go of slowly: from nothing it takes a step that is rejected to
+/// find each power of two again.
+constexpr double kForgottenLambda = 1e-12;
 constexpr double kMostLambda = 1e12;
 constexpr double kLeastRadiusRatio = 1e-9;
 
@@ -38,6 +41,7 @@ typename StepSearch<Group>::Outcome StepSearch<Group>::iterate() {
   const double promised = promised_by(newton_);
   if (!try_step(newton_)) {  // taken all the same, unless there is nothing left to gain
     if (is_negligible(promised)) return Outcome::kConverged;
+    has_rejected_ = true;
     cost_ = system_.cost(trial_).robust;
     std::swap(system_.poses, trial_);
     return std::isfinite(cost_) ? Outcome::kMoved : Outcome::kStuck;
@@ -53,13 +57,14 @@ typename StepSearch<Group>::Outcome StepSearch<Group>::iterate_damped() {
       const double before = cost_;
       if (try_step(newton_)) {
         const double gain = (before - cost_) / promised;
-        lambda_ *= std::max(0.1, 1.0 - std::pow(2.0 * gain - 1.0, 3));
-        if (lambda_ < kLeastLambda) lambda_ = 0.0;
+        lambda_ *= std::max(1.0 / 3.0, 1.0 - std::pow(2.0 * gain - 1.0, 3));
+        if (lambda_ < kForgottenLambda) lambda_ = 0.0;
         growth_ = 2.0;
         return is_negligible(promised) ? Outcome::kConverged : Outcome::kMoved;
       }
       if (is_negligible(promised)) return Outcome::kConverged;
     }
+    has_rejected_ = true;
     lambda_ = std::max(kLeastLambda, lambda_ * growth_);
     growth_ *= 2.0;
   }
@@ -85,6 +90,7 @@ typename StepSearch<Group>::Outcome StepSearch<Group>::iterate_dogleg() {
       return is_negligible(promised_in_full) ? Outcome::kConverged : Outcome::kMoved;
     }
     if (is_negligible(promised)) return Outcome::kConverged;
+    has_rejected_ = true;
     radius_ = 0.5 * std::min(radius_, length(step));
     if (radius_ < kLeastRadiusRatio * newton_length) return Outcome::kStuck;
     if (++iterations_ >= options_.max_iterations) return Outcome::kMoved;

@@ -23,6 +23,9 @@ class StepSearch {
   bool run();
   /// Linear systems solved, and shorter steps tried.
   int iterations() const { return iterations_; }
+  /// Whether some step raised the cost: the way led past where the linearisation holds, and may
+  /// have ended in a minimum that is not the lowest.
+  bool has_rejected() const { return has_rejected_; }
 
  private:
   static constexpr int kDimension = PoseSystem<Group>::kDimension;
@@ -54,6 +57,7 @@ class StepSearch {
   double growth_ = 2.0;
   double radius_ = -1.0;  // of the dogleg, < 0: not needed yet
   int iterations_ = 0;
+  bool has_rejected_ = false;
 };
 
 extern template class StepSearch<SE2>;

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -60,6 +61,29 @@ TEST(PointScan, NormalsByCornersAreThoseOfOneWall) {
   }
   ASSERT_GT(normals, 5000);
   EXPECT_LT(leaning, normals / 16);
+}
+
+/// Near to a wall the beams about one of them span less than three standard deviations of the
+/// noise.
+TEST(PointScan, NoisyWallHasNormals) {
+  PolygonWorld world;
+  world.add_box(-1.0, -1.0, 1.0, 1.0);
+  int normals = 0;
+  int right = 0;
+  int points = 0;
+  for (std::uint64_t k = 0; k < 20; ++k) {
+    const LaserScan scan =
+        world.scan(SE2::from_xy_yaw(0.02 * static_cast<double>(k), 0.1, 0.3), k, 0.03);
+    for (const SurfacePoint& point : make_point_scan(scan, {}).points) {
+      ++points;
+      if (!point.has_normal()) continue;
+      ++normals;
+      const Eigen::Vector2d n = Eigen::Rotation2Dd(0.3) * point.normal.cast<double>();
+      if (std::min(std::abs(n.x()), std::abs(n.y())) < 0.1) ++right;
+    }
+  }
+  EXPECT_GT(normals, points * 3 / 4);
+  EXPECT_GT(right, normals * 3 / 4);
 }
 
 TEST(LineMatch, PointsBeyondTheReferenceHaveNoPair) {

@@ -114,8 +114,6 @@ TEST_F(G2oFile, NamesLineFieldAndValue) {
             ":6: to is '6', but must be the id of a vertex of this file");
   EXPECT_EQ(problem(edge + "EDGE_SE2 5 5 1 2 3 1 0 0 2 0 3\n"),
             ":6: to is '5', but must be another vertex than from");
-  EXPECT_EQ(problem(edge + "EDGE_SE2 0 5 1 2 3 1 0 0 -2 0 3\n"),
-            ":6: the least eigenvalue of the information is '-2', but must be >= 0");
   EXPECT_EQ(problem(edge + "VERTEX_SE2 5 1 2 3\n"),
             ":6: id is '5', but must be new: line 3 has it");
   EXPECT_EQ(problem(edge + "FIX\n"),
@@ -123,6 +121,34 @@ TEST_F(G2oFile, NamesLineFieldAndValue) {
   EXPECT_EQ(problem("VERTEX_SE3:QUAT 0 0 0 0 0 0 0 2\n"),
             ":1: the length of the quaternion is '2', but must be 1");
   EXPECT_EQ(problem("VERTEX_XY 0 0 0\n").substr(0, 39), ":1: the tag is 'VERTEX_XY', but must be");
+}
+
+TEST_F(G2oFile, IndefiniteInformationBecomesTheNearestThatIsNot) {
+  std::ofstream(file_) << kPlane << "EDGE_SE2 5 0 1 2 3 1 0 0 -2 0 3\n"
+                       << "EDGE_SE2 5 0 1 2 3 1 2 0 1 0 3\n";
+  G2oWarnings warnings;
+  const auto graph =
+      std::get<PoseGraph2d>(read_g2o(file_, IndefiniteInformation::kNearest, &warnings));
+  ASSERT_EQ(graph.edges().size(), 3u);
+  EXPECT_TRUE(graph.edges()[1].information.isApprox(
+      Eigen::Vector3d(1.0, 0.0, 3.0).asDiagonal().toDenseMatrix(), 1e-12));
+  // Eigenvalues 3 along (1, 1) and -1 along (1, -1): the second one goes.
+  Eigen::Matrix3d nearest = Eigen::Matrix3d::Zero();
+  nearest.topLeftCorner<2, 2>().setConstant(1.5);
+  nearest(2, 2) = 3.0;
+  EXPECT_TRUE(graph.edges()[2].information.isApprox(nearest, 1e-12));
+  EXPECT_EQ(warnings.indefinite, 2u);
+  EXPECT_EQ(warnings.text, file_ +
+                               ": the information of 2 of 3 edges is not positive semidefinite; "
+                               "the nearest matrix that is stands for it (" +
+                               file_ + ":7 is the first, with a least eigenvalue of -2)");
+  try {
+    read_g2o(file_, IndefiniteInformation::kRefuse);
+    ADD_FAILURE() << "no error";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.what(),
+              file_ + ":7: the least eigenvalue of the information is '-2', but must be >= 0");
+  }
 }
 
 TEST_F(G2oFile, NamesTheFile) {

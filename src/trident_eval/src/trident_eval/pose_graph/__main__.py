@@ -27,6 +27,12 @@ def make_parser() -> argparse.ArgumentParser:
     parser.add_argument("--picture", type=Path, metavar="FILE.png", help="default: NAME.png, here")
     for name in _PASSED_ON:
         parser.add_argument(f"--{name}")
+    parser.add_argument(
+        "--strict",
+        action="store_true",
+        help="refuse information matrices that are not positive semidefinite; default: the nearest"
+        " one that is stands for each, with a warning",
+    )
     return parser
 
 
@@ -42,6 +48,10 @@ def text_of(file: Path, report: dict[str, Any]) -> str:
         + ("" if report["converged"] else "  (NOT converged)"),
         f"CPU time     {report['cpu_s']:.4f} s, and {report['read_cpu_s']:.4f} s to read the file",
     ]
+    if report["chi2_given_up"]:
+        lines.insert(
+            3, f"given up     {report['chi2_given_up']:.8g}  (where the file's vertices led)"
+        )
     if report["parts"] > 1:
         lines.append(
             f"parts        {report['parts']}, not joined: each is held by its first vertex"
@@ -71,7 +81,7 @@ def run(options: argparse.Namespace, rest: list[str]) -> int:
     Raises:
         EvalError: bad input.
     """
-    words = [*rest]
+    words = [*rest, *(["--strict"] if options.strict else [])]
     for name in _PASSED_ON:
         if (value := getattr(options, name)) is not None:
             words += [f"--{name}", value]

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import json
 import subprocess
+import sys
 from collections.abc import Sequence
 from functools import cache
 from pathlib import Path
@@ -28,6 +29,8 @@ def executable() -> str:
 def optimize(file: Path, options: Sequence[str], prefix: Sequence[str] = ()) -> dict[str, Any]:
     """Optimises a g2o file; ``prefix`` stands before the command. Returns what the program tells.
 
+    Its warnings go to stderr.
+
     Raises:
         EvalError: it refuses the file or an option; the message is its own.
     """
@@ -37,5 +40,6 @@ def optimize(file: Path, options: Sequence[str], prefix: Sequence[str] = ()) -> 
     if done.returncode != 0:
         lines = done.stderr.strip().splitlines()
         raise EvalError(lines[-1] if lines else f"{command[0]} ended with {done.returncode}")
+    print(done.stderr, end="", file=sys.stderr)
     result: dict[str, Any] = json.loads(done.stdout)
     return result
