@@ -74,5 +74,5 @@ def test_amcl(ros: Ros, map_file: Path) -> None:
         "/initialpose": place,
         "/set_map": SetMapRequest(whole, place),
     }
-    withstands(process, "/amcl", still_localizes, examples, driver.step)
+    withstands(process, "/amcl", still_localizes, examples, driver.step, batch=40)
     driver.close()

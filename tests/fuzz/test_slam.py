@@ -28,6 +28,8 @@ from tf2_msgs.msg import TFMessage
 from trident.testing import LIMIT_S, Process, Ros, program, recorder
 from visualization_msgs.msg import InteractiveMarkerFeedback
 
+#: A sane scan after so many messages, of which no more go to one topic than its queue holds.
+BATCH = 40
 #: They write files, wherever a message says.
 FILES = ("*/save_map", "*/serialize_map")
 
@@ -97,6 +99,7 @@ def test_slam_toolbox(ros: Ros, session: str, mode: str) -> None:
             examples,
             driver.step,
             FILES,
+            batch=BATCH,
         )
 
 
@@ -111,6 +114,7 @@ def test_gmapping(ros: Ros) -> None:
             lambda: drives(driver, "/pose", PoseWithCovarianceStamped),
             {"/scan": room_scan(), "/tf": TFMessage([transform("odom", "base_link")])},
             driver.step,
+            batch=BATCH,
         )
 
 
@@ -130,7 +134,7 @@ def test_hector_mapping(ros: Ros) -> None:
             "/tf": TFMessage([transform("odom", "base_link")]),
             "/initialpose": place,
         }
-        withstands(process, "/slam", lambda: still_works(driver), examples, driver.step)
+        withstands(process, "/slam", lambda: still_works(driver), examples, driver.step, batch=BATCH)
 
 
 def test_merge_maps(ros: Ros, session: str) -> None:
