@@ -4,33 +4,34 @@
 
 from __future__ import annotations
 
-import re
+import json
 import subprocess
-from collections.abc import Mapping, Sequence
-from pathlib import Path
+from collections.abc import Mapping
 
+from trident_tool.launch_plan import LaunchPlan
 from trident_tool.workspace import TridentError, say
 
 _MODULE = "trident_fleet.cli.check_launch"
-# What a launch file with a formation node has in it, or in a file of ours that it includes.
-_MAY_FLY = re.compile(rb"formation|trident|uav\.launch")
+_PACKAGE = "trident_fleet"
 
 
-def check_formations(launch_file: Path, words: Sequence[str], env: Mapping[str, str]) -> None:
+def check_formations(plan: LaunchPlan, env: Mapping[str, str]) -> None:
     """Reads the formations that a launch file flies, and says what is worth knowing about them.
 
     Args:
-        launch_file: the file.
-        words: its arguments, ``name:=value``.
+        plan: what the launch file would start.
         env: environment with the workspace sourced.
 
     Raises:
         TridentError: a formation cannot be flown; says why.
     """
-    if not _MAY_FLY.search(launch_file.read_bytes()):
+    nodes = [node for node in plan.nodes if node.package == _PACKAGE]
+    if not nodes:
         return
+    told = [{"name": node.name, "package": node.package, "type": node.type} for node in nodes]
     done = subprocess.run(
-        ["/usr/bin/python3", "-m", _MODULE, str(launch_file), *words],
+        ["/usr/bin/python3", "-m", _MODULE],
+        input=json.dumps({"nodes": told, "params": dict(plan.params)}),
         env=dict(env),
         capture_output=True,
         text=True,

@@ -54,13 +54,8 @@ class Run:
     @property
     def command(self) -> list[str]:
         """The roslaunch call."""
-        options = ["--disable-title", "-p", str(self.port)]
-        return ["roslaunch", *options, str(self.launch_file), *self.arg_words]
-
-    @property
-    def arg_words(self) -> list[str]:
-        """The arguments of the launch file, ``name:=value``."""
-        return [f"{name}:={value}" for name, value in self.args.items()]
+        words = [f"{name}:={value}" for name, value in self.args.items()]
+        return ["roslaunch", "--disable-title", "-p", str(self.port), str(self.launch_file), *words]
 
 
 @dataclass(frozen=True)
@@ -251,7 +246,7 @@ def run_launch_file(workspace: Workspace, runner: Runner, words: Sequence[str]) 
         runner.run(run.command)
         return judge(run, runner)
     run = plan_run(workspace, words, ros_environment(workspace))
-    check_formations(run.launch_file, run.arg_words, run.env)
+    check_formations(run.plan, run.env)
     open_run_folder(workspace, run)
     say(f"{run.launch_file.name} -> {run.folder.relative_to(workspace.root)}")
     say("to look inside while it runs: ./trident shell, then rostopic, rosnode, rosservice …")

@@ -21,6 +21,7 @@ from trident_tool.launch_feed import (
     nodes_of,
     wait_for_param,
 )
+from trident_tool.launch_plan import load_plan
 from trident_tool.launchfile import check_args, declared_args, find_launch_file, parse_request
 from trident_tool.processes import ends_by_exception, foreground, started
 from trident_tool.recording import Recording
@@ -202,7 +203,8 @@ def view(workspace: Workspace, runner: Runner, look: Look) -> int:
         return 0
     env.setdefault("ROS_HOSTNAME", "localhost")
     if feed and is_launch_file(feed):
-        check_formations(Path(feed[2]), feed[3:], env)
+        args = dict(word.split(":=", 1) for word in feed[3:])
+        check_formations(load_plan(Path(feed[2]), args, env), env)
     return _show(workspace, runner, look, feed, command, env)
 
 
