@@ -128,7 +128,8 @@ class LaunchPlan:
         Nothing where the launch file or the caller says what it is held for.
         """
         told = ("/gazebo/wait_for", "/gazebo/wait_for_sources")
-        is_told = any(name in self.params for name in told) or "TRIDENT_WAIT_FOR" in env
+        asked = ("TRIDENT_WAIT_FOR", "TRIDENT_WAIT_FOR_MODELS")
+        is_told = any(name in self.params for name in told) or any(name in env for name in asked)
         if is_told or not self.models:
             return {}
         return {

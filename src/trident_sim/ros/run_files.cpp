@@ -44,6 +44,7 @@ RunFiles::RunFiles(const std::string& folder, std::uint64_t seed) : folder_(fold
   if (folder_.empty()) return;
   states_ = open_for_writing(folder_ + "/states.csv");
   std::fputs(kStateColumns, states_);
+  std::fflush(states_);  // there, whatever becomes of this process
   progress_ = open_for_writing(folder_ + "/progress.jsonl");
 }
 
@@ -57,6 +58,7 @@ void RunFiles::restart() {
   std::fclose(states_);
   states_ = open_for_writing(folder_ + "/states.csv");
   std::fputs(kStateColumns, states_);
+  std::fflush(states_);  // there, whatever becomes of this process
 }
 
 void RunFiles::record(const World& world) {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
 #include <set>
 #include <sstream>
@@ -38,6 +39,28 @@ std::vector<std::string> names_of(const std::string& text) {
   return names;
 }
 
+std::string short_text(double value) {
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.10g", value);
+  return text;
+}
+
+/// A value as its user has written it; lists and structs as XML-RPC has them.
+std::string plain_text(XmlRpc::XmlRpcValue& value) {
+  switch (value.getType()) {
+    case XmlRpc::XmlRpcValue::TypeBoolean:
+      return static_cast<bool>(value) ? "true" : "false";
+    case XmlRpc::XmlRpcValue::TypeInt:
+      return std::to_string(static_cast<int>(value));
+    case XmlRpc::XmlRpcValue::TypeDouble:
+      return short_text(static_cast<double>(value));
+    case XmlRpc::XmlRpcValue::TypeString:
+      return "'" + static_cast<std::string>(value) + "'";
+    default:
+      return value.toXml();
+  }
+}
+
 /// The private parameters, fetched in one call.
 class Parameters {
  public:
@@ -59,7 +82,7 @@ class Parameters {
       refuse(name, entry, "a number");
     }
     if (!(value >= lo && value <= hi)) {
-      refuse(name, entry, "in [" + std::to_string(lo) + ", " + std::to_string(hi) + "]");
+      refuse(name, entry, "in [" + short_text(lo) + ", " + short_text(hi) + "]");
     }
   }
   template <class Integer>
@@ -112,7 +135,8 @@ class Parameters {
   }
   [[noreturn]] void refuse(const std::string& name, XmlRpc::XmlRpcValue& value,
                            const std::string& legal) const {
-    throw Error("parameter " + root_ + "/" + name + " is " + value.toXml() + ", must be " + legal);
+    throw Error("parameter " + root_ + "/" + name + " is " + plain_text(value) + ", must be " +
+                legal);
   }
 
   /// One sentence per parameter that nothing has asked for.
@@ -124,8 +148,9 @@ class Parameters {
       const std::string& name = entry.first;
       const bool is_foreign = name == kNothing || name == "enable_ros_network";
       if (is_foreign || asked_for_.count(name) > 0) continue;
-      result.push_back("parameter " + root_ + "/" + name +
-                       " is unknown and has no effect; known: " + known);
+      std::string& sentence = result.emplace_back("parameter ");
+      sentence.append(root_).append("/").append(name);
+      sentence.append(" is unknown and has no effect; known: ").append(known);
     }
     return result;
   }
