@@ -108,7 +108,8 @@ def test_the_benchmark_sets_others_beside_ours(
     words = ["--data", str(stand_in), "--runs", "3", "--out", str(rows)]
     assert main(["bench", *words]) == 0
     lines = capsys.readouterr().out.splitlines()
-    for method in ("graph_slam_2d", "particle_slam_2d", "hector_slam_2d", "odometry"):
+    alone = [f"{method}, no odometry" for method in benchmark.BY_SCANS_ALONE]
+    for method in ("graph_slam_2d", "particle_slam_2d", "hector_slam_2d", "odometry", *alone):
         figures = "0.0100 ± 0.0000 | 0.000 ± 0.000"
         final = f"| intel | **{method}, final** | {figures} | 0.5 | ? | 0.50 | 10 |"
         assert final in lines
@@ -118,8 +119,9 @@ def test_the_benchmark_sets_others_beside_ours(
     assert not any("fr079" in line or "ekf_slam" in line for line in lines)
     written = json.loads(rows.read_text())["rows"]
     assert written[0]["cpu_s"] == 0.5
-    assert {row["method"]: row["runs"] for row in written}["graph_slam_2d"] == 3
-    assert {row["method"]: row["runs"] for row in written}["odometry"] == 1
+    runs = {row["system"]: row["runs"] for row in written}
+    assert runs["graph_slam_2d"] == 3
+    assert runs["odometry"] == runs["hector_slam_2d, no odometry"] == 1
 
 
 def test_landmarks_are_a_row_of_the_benchmark(

@@ -22,6 +22,7 @@ struct OfflineCommand {
   std::string session;                        ///< file to go on with; empty: a new map
   std::optional<SE2> T_map_base;              ///< in the session; none: where it ended
   std::string kept_session;                   ///< file to write; empty: none
+  bool shows_scans = false;                   ///< progress names each scan before it is worked on
   bool uses_odometry = true;                  ///< false: poses by scans alone
   std::map<std::string, std::string> source;  ///< what the source takes: name without dashes, value
 };
@@ -30,8 +31,9 @@ using OpenSource = std::function<std::unique_ptr<ScanSource>(const OfflineComman
 
 /// main() of a program that runs a log through an algorithm: reads the command line, shows
 /// progress and problems on the standard error, writes what `run_offline` writes and timing.json
-/// (method, scans, problems, CPU seconds and peak memory of the process). `source_options`: the
-/// options of the source with their dashes. Returns the exit code.
+/// (method, scans, problems, stamps that go back or jump, CPU seconds and peak memory, the scan
+/// that cost the most, and what one search may cost). `source_options`: the options of the source
+/// with their dashes. Returns the exit code.
 int run_offline_program(int argc, char** argv, const std::vector<std::string>& source_options,
                         const OpenSource& open);
 

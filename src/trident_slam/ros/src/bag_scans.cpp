@@ -177,7 +177,9 @@ class BagScans::Impl {
       if (options.base_frame.empty()) base = without_slash(odometry->child_frame_id);
     }
     if (base.empty()) base = "base_link";
-    if (!uses_tf && odometry == nullptr) {
+    if (!options.uses_odometry) {
+      odom.clear();
+    } else if (!uses_tf && odometry == nullptr) {
       problems_.add(path_ + ": has no odometry, neither " + odom + " -> " + base +
                     " in /tf nor a topic of nav_msgs/Odometry: scans alone");
       set_fixed(odom, base);

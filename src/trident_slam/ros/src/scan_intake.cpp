@@ -164,15 +164,26 @@ const std::string& ScanIntake::laser_frame(const sensor_msgs::LaserScan& message
   return options_.uses_mount ? message.header.frame_id : options_.base_frame;
 }
 
+std::vector<std::pair<std::string, std::string>> ScanIntake::needed(
+    const sensor_msgs::LaserScan& message) const {
+  std::vector<std::pair<std::string, std::string>> transforms;
+  if (!options_.odom_frame.empty()) {
+    transforms.emplace_back(options_.odom_frame, options_.base_frame);
+  }
+  transforms.emplace_back(options_.base_frame, laser_frame(message));
+  return transforms;
+}
+
 bool ScanIntake::resolve(const sensor_msgs::LaserScan& message, ScanRecord& record) {
   const ros::Time& stamp = message.header.stamp;
   const std::string& laser = laser_frame(message);
-  if (!transforms_.canTransform(options_.odom_frame, options_.base_frame, stamp) ||
-      !transforms_.canTransform(options_.base_frame, laser, stamp)) {
-    return false;
+  for (const auto& [target, source] : needed(message)) {
+    if (!transforms_.canTransform(target, source, stamp)) return false;
   }
-  record.T_odom_base = planar(
-      transforms_.lookupTransform(options_.odom_frame, options_.base_frame, stamp).transform);
+  if (!options_.odom_frame.empty()) {
+    record.T_odom_base = planar(
+        transforms_.lookupTransform(options_.odom_frame, options_.base_frame, stamp).transform);
+  }
   record.scan = to_laser_scan(
       message, transforms_.lookupTransform(options_.base_frame, laser, stamp).transform);
   return true;
@@ -214,8 +225,7 @@ bool ScanIntake::may_still_come(const sensor_msgs::LaserScan& message) const {
     return passed.toSec() <= options_.transform_timeout;
   }
   // As soon as both transforms have gone past the stamp, waiting is in vain.
-  for (const auto& [target, source] : {std::pair(options_.odom_frame, options_.base_frame),
-                                       std::pair(options_.base_frame, laser_frame(message))}) {
+  for (const auto& [target, source] : needed(message)) {
     if (transforms_.canTransform(target, source, stamp)) continue;
     if (!transforms_.canTransform(target, source, ros::Time(0))) return true;
     const ros::Time newest = transforms_.lookupTransform(target, source, ros::Time(0)).header.stamp;
@@ -226,8 +236,10 @@ bool ScanIntake::may_still_come(const sensor_msgs::LaserScan& message) const {
 
 std::string ScanIntake::why_missing(const sensor_msgs::LaserScan& message) const {
   const ros::Time& stamp = message.header.stamp;
-  std::string why = lateness(options_.odom_frame, options_.base_frame, stamp);
-  if (why.empty()) why = lateness(options_.base_frame, laser_frame(message), stamp);
+  std::string why;
+  for (const auto& [target, source] : needed(message)) {
+    if (why.empty()) why = lateness(target, source, stamp);
+  }
   return why;
 }
 

@@ -17,6 +17,7 @@
 #include "trident_estimation_ros/map_messages.h"
 #include "trident_ros/message_checks.h"
 #include "trident_slam/slam_2d_abilities.h"
+#include "trident_slam_ros/motion_diagnosis.h"
 
 namespace trident {
 namespace {
@@ -88,7 +89,7 @@ SlamNode::SlamNode(const ros::NodeHandle& private_handle, const SlamNodeOptions&
                    MakeSlam make)
     : options_(options),
       make_(std::move(make)),
-      slam_(make_()),
+      slam_(new_slam()),
       transforms_(ros::Duration(options.tf_buffer_duration)),
       intake_(intake_options(options), transforms_),
       stamps_(options.bag_loop_threshold),
@@ -134,6 +135,15 @@ SlamNode::SlamNode(const ros::NodeHandle& private_handle, const SlamNodeOptions&
       handle.subscribe(options.scan_topic, options.is_sync ? 0 : options.scan_queue_size,
                        &SlamNode::receive_scan, this);
   slow_spinner_.start();
+}
+
+std::unique_ptr<Slam2d> SlamNode::new_slam() const {
+  std::unique_ptr<Slam2d> slam = make_();
+  if (!options_.odom_frame.empty()) return slam;
+  auto* able = dynamic_cast<Slam2dOdometryUse*>(slam.get());
+  if (able == nullptr) throw Error("parameter odom_frame is empty, but this method needs odometry");
+  able->set_uses_odometry(false);
+  return slam;
 }
 
 SlamNode::~SlamNode() {
@@ -291,6 +301,7 @@ void SlamNode::consume(const ScanRecord& record) {
     T_map_odom_ = pose.T_map_base * record.T_odom_base.inverse();
     has_correction_ = true;
     calibration_ = std::move(calibration);
+    newest_ = pose;
     ++used_;
     if (!pose.problem.empty()) {
       problems_.add(pose.problem);
@@ -339,7 +350,7 @@ void SlamNode::publish_correction() {
     message.transform.rotation = pose.orientation;
   }
   message.header.frame_id = options_.map_frame;
-  message.child_frame_id = options_.odom_frame;
+  message.child_frame_id = options_.odom_frame.empty() ? options_.base_frame : options_.odom_frame;
   broadcaster_.sendTransform(message);
 }
 
@@ -394,7 +405,7 @@ void SlamNode::save_map(const std::string& stem) {
 
 void SlamNode::reset() {
   clear_queue();
-  std::unique_ptr<Slam2d> next = make_();
+  std::unique_ptr<Slam2d> next = new_slam();
   {
     const std::lock_guard<std::mutex> lock(slam_mutex_);
     slam_.swap(next);
@@ -439,6 +450,11 @@ void SlamNode::publish_diagnostics() {
   status.level =
       is_worse ? diagnostic_msgs::DiagnosticStatus::WARN : diagnostic_msgs::DiagnosticStatus::OK;
   status.message = is_worse ? last_problem_ : (used_ == 0 ? "no scan yet" : "mapping");
+  const MotionDiagnosis motion = diagnose_motion(newest_);
+  if (!is_worse && !motion.warning.empty()) {
+    status.level = diagnostic_msgs::DiagnosticStatus::WARN;
+    status.message = motion.warning;
+  }
   if (is_paused_) status.message = "paused";
   status.values = {key_value("scans received", std::to_string(intake_.received())),
                    key_value("scans used", std::to_string(used_)),
@@ -447,6 +463,8 @@ void SlamNode::publish_diagnostics() {
                    key_value("scans replaced by newer ones", std::to_string(dropped_)),
                    key_value("scans left out", std::to_string(intake_.left_out())),
                    key_value("scans without gyro", std::to_string(intake_.without_gyro())),
+                   key_value("motion between scans by", motion.motion_by),
+                   key_value("direction left open", motion.open),
                    key_value("problems", std::to_string(problems_.count())),
                    key_value("last problem", last_problem_)};
   for (const CalibrationEstimate& estimate : calibration_) {

@@ -20,6 +20,7 @@ std::unique_ptr<ScanSource> open_bag(const OfflineCommand& command) {
   options.odom_topic = value("odom");
   options.imu_topic = value("imu");
   options.odom_frame = value("odom-frame");
+  options.uses_odometry = command.uses_odometry;
   options.base_frame = value("base-frame");
   return std::make_unique<BagScans>(command.log_file, options);
 }

@@ -67,6 +67,18 @@ TEST_F(ScanIntakeTest, AScanWaitsForItsTransformAndGetsThePoseOfItsStamp) {
   EXPECT_EQ(intake_.problems().count(), 0U);
 }
 
+TEST_F(ScanIntakeTest, WithoutAnOdometryFrameNoneIsWaitedFor) {
+  ScanIntakeOptions options;
+  options.odom_frame = "";
+  ScanIntake intake(options, transforms_);
+  intake.add(boost::make_shared<sensor_msgs::LaserScan>(scan(10.1)));
+  const auto records = intake.take();
+  ASSERT_EQ(records.size(), 1U);
+  EXPECT_EQ(records[0].T_odom_base.p, Eigen::Vector2d(0.0, 0.0));
+  EXPECT_NEAR(records[0].scan.T_base_laser.p.x(), 0.2, 1e-6);
+  EXPECT_EQ(intake.problems().count(), 0U);
+}
+
 TEST_F(ScanIntakeTest, SaysWhichTransformIsLateAndByHowMuch) {
   odometry(10.0, 1.0);
   add(scan(10.1));

@@ -91,6 +91,19 @@ def test_an_imu_puts_sweeps_right(imu_bag: Path, tmp_path: Path) -> None:
     assert not np.array_equal(poses["with"], poses["without"])
 
 
+def test_odometry_is_not_needed(imu_bag: Path, tmp_path: Path) -> None:
+    truth = path(0.02 + SCAN_PERIOD_S * np.arange(SCANS))
+    cos, sin = math.cos(truth[0, 2]), math.sin(truth[0, 2])
+    start = (truth[:, :2] - truth[0, :2]) @ np.array([[cos, -sin], [sin, cos]])
+    done = offline(imu_bag, tmp_path / "none", "--odom-frame", "")
+    assert done.returncode == 0, done.stderr
+    poses = np.loadtxt(tmp_path / "none" / "trajectory.tum")
+    assert np.abs(poses[:, 1:3] - start).max() < 0.08
+    refused = offline(imu_bag, tmp_path / "refused", "--no-odometry", method="odometry")
+    assert refused.returncode == 1
+    assert "--no-odometry: odometry needs odometry; legal: graph_slam_2d" in refused.stderr
+
+
 def test_an_imu_that_ends_is_told_of_and_mapping_goes_on(tmp_path: Path) -> None:
     short = tmp_path / "short.bag"
     write_bag(short, 40, imu_s=2.0)

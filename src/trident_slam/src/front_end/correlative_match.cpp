@@ -32,7 +32,7 @@ class Search {
     while (level + 1 < reference_.levels() && (1 << level) < reach_) ++level;
     std::vector<Candidate> roots;
     for (std::size_t turn = 0; turn < cells_.size(); ++turn) {
-      for (int y = -reach_; y <= reach_; y += 1 << level) {
+      for (int y = -reach_; y <= reach_ && !is_spent(); y += 1 << level) {
         for (int x = -reach_; x <= reach_; x += 1 << level) {
           roots.push_back(scored({static_cast<int>(turn), x, y, 0}, level));
         }
@@ -66,7 +66,10 @@ class Search {
     }
   }
 
-  Candidate scored(Candidate candidate, int level) const {
+  bool is_spent() const { return lookups_ >= kMostLookups; }
+
+  Candidate scored(Candidate candidate, int level) {
+    lookups_ += static_cast<std::int64_t>(cells_[static_cast<std::size_t>(candidate.turn)].size());
     int sum = 0;
     const GrowingGrid<std::uint8_t>& grid = reference_.level(level);
     for (const Eigen::Vector2i& cell : cells_[static_cast<std::size_t>(candidate.turn)]) {
@@ -81,7 +84,7 @@ class Search {
     std::stable_sort(candidates->begin(), candidates->end(),
                      [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
     for (const Candidate& candidate : *candidates) {
-      if (candidate.score <= best_.score) return;
+      if (candidate.score <= best_.score || is_spent()) return;
       if (level == 0) {
         best_ = candidate;
         is_found_ = true;
@@ -106,6 +109,7 @@ class Search {
   std::vector<std::vector<Eigen::Vector2i>> cells_;  ///< of the points, by turn
   Candidate best_;
   bool is_found_ = false;
+  std::int64_t lookups_ = 0;  ///< so far
 };
 
 }  // namespace

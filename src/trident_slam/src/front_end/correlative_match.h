@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -21,6 +22,10 @@ struct CorrelativeMatch {
   SE2 T_ref_base;
   double score = 0.0;  ///< mean value of the cells under the points, 0 to 1
 };
+
+/// What one search may cost: points looked up. It is cut short there, and what it has found until
+/// then counts; searches that find anything need a small part of it.
+constexpr std::int64_t kMostLookups = 500'000'000;
 
 /// The pose of highest score within the window, by branch and bound: exact for the grid of poses
 /// (one cell, and turns that move the farthest point by one cell). Nothing if no pose reaches

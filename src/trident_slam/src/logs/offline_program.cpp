@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cinttypes>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -13,6 +14,7 @@
 #include <string>
 #include <system_error>
 
+#include "front_end/correlative_match.h"
 #include "logs/process_cost.h"
 #include "trident_base/error.h"
 #include "trident_base/string_util.h"
@@ -32,6 +34,7 @@ constexpr char kUsage[] =
     "  --laser front|rear\n"
     "slam_offline_bag: FILE is a rosbag; --scan TOPIC --odom TOPIC --imu TOPIC\n"
     "  --odom-frame F --base-frame F\n"
+    "--progress: names each scan before it is worked on\n"
     "--no-odometry: poses by scans alone (graph_slam_2d, hector_slam_2d, particle_slam_2d)\n"
     "Writes trajectory.tum, causal.tum, map.pgm, map.yaml and timing.json into DIR.\n";
 
@@ -56,12 +59,17 @@ OfflineCommand parse(int argc, char** argv, const std::vector<std::string>& sour
       options.log_file = word;
       continue;
     }
+    if (word == "--progress") {
+      options.shows_scans = true;
+      continue;
+    }
     if (word == "--no-odometry") {
       options.uses_odometry = false;
       continue;
     }
     if (i + 1 >= argc) throw Error(word + ": a value must follow");
     const std::string value = argv[++i];
+    if (word == "--odom-frame" && value.empty()) options.uses_odometry = false;
     if (word == "--method") {
       options.method = value;
     } else if (word == "--config") {
@@ -124,13 +132,17 @@ std::string calibration_text(const std::vector<CalibrationEstimate>& estimates) 
 void write_timing(const OfflineCommand& options, const OfflineResult& result,
                   std::size_t bad_lines) {
   const ProcessCost cost = process_cost();
-  char text[512];
+  char text[768];
   std::snprintf(text, sizeof(text),
                 "{\"method\": \"%s\", \"scans\": %zu, \"unused_scans\": %zu, "
                 "\"scan_problems\": %zu, \"log_problems\": %zu, \"cpu_s\": %.3f, "
-                "\"peak_rss_mb\": %.1f, \"odometry_calibration\": ",
+                "\"peak_rss_mb\": %.1f, \"stamps_back\": %zu, \"stamp_jumps\": %zu, "
+                "\"slowest_scan\": %zu, \"slowest_scan_cpu_s\": %.4f, "
+                "\"most_lookups_of_a_search\": %" PRId64 ", \"odometry_calibration\": ",
                 options.method.c_str(), result.scans, result.unused_scans,
-                result.scan_problems.count(), bad_lines, cost.cpu_s, cost.peak_rss_mb);
+                result.scan_problems.count(), bad_lines, cost.cpu_s, cost.peak_rss_mb,
+                result.stamps_back, result.stamp_jumps, result.slowest_scan,
+                result.slowest_scan_cpu_s, kMostLookups);
   const std::string path = options.out_dir + "/timing.json";
   std::ofstream file(path);
   file << text << calibration_text(result.odometry_calibration) << "}\n";
@@ -152,6 +164,10 @@ GraphSlam2d* with_sessions(Slam2d* slam, const OfflineCommand& options) {
     throw Error("--method " + options.method + " has no sessions; legal: graph_slam_2d");
   }
   return graph;
+}
+
+void show_scan(std::size_t scan, std::int64_t stamp_ns) {
+  std::fprintf(stderr, "scan %zu, stamp %.6f s\n", scan, 1e-9 * static_cast<double>(stamp_ns));
 }
 
 void leave_odometry(Slam2d* slam, const std::string& method) {
@@ -177,7 +193,8 @@ void run(const OfflineCommand& options, const OpenSource& open) {
   ProgressLine progress;
   OfflineResult result;
   try {
-    result = run_offline(*log, *slam, options.out_dir, std::ref(progress));
+    result = run_offline(*log, *slam, options.out_dir, std::ref(progress),
+                         options.shows_scans ? OfflineScanBegins(show_scan) : nullptr);
   } catch (const Error& problem) {
     tell("problems of the log", log->problems());
     throw Error(options.log_file + ": " + problem.what());
@@ -185,6 +202,7 @@ void run(const OfflineCommand& options, const OpenSource& open) {
   progress.finish();
   tell("problems of the log", log->problems());
   tell("problems of scans", result.scan_problems);
+  if (!result.stamp_problem.empty()) std::cerr << "warning: " << result.stamp_problem << '\n';
   if (!options.kept_session.empty()) graph->save_session(options.kept_session);
   write_timing(options, result, log->problems().count());
 }

@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <fstream>
 
+#include "logs/process_cost.h"
+#include "logs/stamp_check.h"
 #include "trident_base/error.h"
 #include "trident_base/string_util.h"
 #include "trident_estimation/map_file.h"
@@ -78,14 +80,23 @@ void write_trajectory(const std::vector<StampedPose2d>& poses, const std::string
 }  // namespace
 
 OfflineResult run_offline(ScanSource& source, Slam2d& slam, const std::string& out_dir,
-                          const OfflineProgress& progress) {
+                          const OfflineProgress& progress, const OfflineScanBegins& begins) {
   OfflineResult result;
   const std::size_t known_before = slam.trajectory().size();
   TumFile causal_file(out_dir + "/causal.tum");
   std::vector<StampedPose2d> causal;
   ScanRecord record;
+  StampCheck stamps;
   while (source.next(record)) {
+    stamps.add(record.scan.stamp_ns);
+    if (begins) begins(result.scans + 1, record.scan.stamp_ns);
+    const double cpu_before_s = process_cpu_s();
     const ScanPose2d pose = slam.add_scan(record.scan, record.T_odom_base);
+    const double cpu_s = process_cpu_s() - cpu_before_s;
+    if (cpu_s > result.slowest_scan_cpu_s) {
+      result.slowest_scan_cpu_s = cpu_s;
+      result.slowest_scan = result.scans + 1;
+    }
     causal.push_back({record.scan.stamp_ns, pose.T_map_base});
     causal_file.write(causal.back());
     ++result.scans;
@@ -96,6 +107,9 @@ OfflineResult run_offline(ScanSource& source, Slam2d& slam, const std::string& o
     if (progress) progress(result.scans, source.progress());
   }
   causal_file.close();
+  result.stamps_back = stamps.back();
+  result.stamp_jumps = stamps.jumps();
+  result.stamp_problem = stamps.text();
   if (result.scans == 0) throw Error("the log has no scan that can be read");
   slam.finish();
   std::vector<StampedPose2d> poses = slam.trajectory();

@@ -27,6 +27,12 @@ double high_water_kb() {
 
 }  // namespace
 
+double process_cpu_s() {
+  timespec time{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
 ProcessCost process_cost() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);

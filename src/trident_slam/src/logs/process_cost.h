@@ -11,5 +11,7 @@ struct ProcessCost {
   double peak_rss_mb = 0.0;  ///< in 2^20 bytes
 };
 ProcessCost process_cost();
+/// Its CPU time alone, to a microsecond.
+double process_cpu_s();
 
 }  // namespace trident

@@ -12,6 +12,7 @@ target_sources(trident_slam PRIVATE
   src/logs/process_cost.cpp
   src/logs/scan_map.cpp
   src/logs/scan_source.cpp
+  src/logs/stamp_check.cpp
 )
 target_link_libraries(trident_slam PUBLIC trident_estimation PRIVATE BZip2::BZip2 ZLIB::ZLIB)
 

@@ -71,6 +71,23 @@ TEST_F(OfflineRun, WritesTrajectoriesAndMap) {
   EXPECT_EQ(lines_of(out_ + "/map.yaml")[0], "image: map.pgm");
 }
 
+TEST_F(OfflineRun, NamesEachScanBeforeItIsWorkedOnAndTheOneThatCostTheMost) {
+  CorridorDrive source(20);
+  OdometrySlam2d slam({});
+  std::vector<std::size_t> begun;
+  const OfflineResult result =
+      run_offline(source, slam, out_, nullptr, [&](std::size_t scan, std::int64_t stamp_ns) {
+        begun.push_back(scan);
+        EXPECT_EQ(slam.trajectory().size(), scan - 1);
+        EXPECT_EQ(stamp_ns, 900'000'000 + 100'000'000LL * static_cast<std::int64_t>(scan));
+      });
+  ASSERT_EQ(begun.size(), 20U);
+  EXPECT_EQ(begun.back(), 20U);
+  EXPECT_GE(result.slowest_scan, 1U);
+  EXPECT_GT(result.slowest_scan_cpu_s, 0.0);
+  EXPECT_EQ(result.stamps_back, 0U);
+}
+
 TEST_F(OfflineRun, CausalPosesDoNotKnowTheFuture) {
   CorridorDrive whole(50);
   OdometrySlam2d slam({});

@@ -19,6 +19,8 @@ from trident_eval.slam.offline import DEFAULT_METHOD, LANDMARK_METHOD, Run, run_
 DATA = "TRIDENT_DATA"
 #: What is measured beside the default method; ekf_slam by the landmarks of Victoria Park.
 OTHER_METHODS = ("particle_slam_2d", "hector_slam_2d", "odometry", LANDMARK_METHOD)
+#: Those that are measured once more without odometry (`--no-odometry`).
+BY_SCANS_ALONE = (DEFAULT_METHOD, "hector_slam_2d")
 _FOLDER = "radish"
 _LANDMARK_LOG = Path("landmark") / "victoria_park.txt"
 _ENDINGS = (".clf", ".log", ".clf.gz", ".log.gz", ".clf.bz2", ".log.bz2")
@@ -74,6 +76,12 @@ class Plan:
     relations: Path | None
     method: str
     runs: int
+    has_odometry: bool = True
+
+    @property
+    def system(self) -> str:
+        """The method, and what it had to do without."""
+        return self.method if self.has_odometry else f"{self.method}, no odometry"
 
 
 def data_folder() -> Path | None:
@@ -113,19 +121,30 @@ def plan(folder: Path, methods: Sequence[str], runs: int, quick: bool) -> list[P
         counts |= dict.fromkeys(OTHER_METHODS, 1)
     plans = []
     for name, log in logs_of(folder).items():
-        relations = folder / f"{name}.relations"
-        if relations.is_file() or not quick:
-            known = relations if relations.is_file() else None
+        known = _relations_of(folder, name)
+        if known or not quick:
             plans += [
                 Plan(log, name, known, method, count)
                 for method, count in counts.items()
                 if method != LANDMARK_METHOD
             ]
+    if not methods and not quick:
+        plans += [
+            Plan(log, name, relations, method, 1, has_odometry=False)
+            for name, log in logs_of(folder).items()
+            for relations in [_relations_of(folder, name)]
+            for method in BY_SCANS_ALONE
+        ]
     landmarks = folder.parent / _LANDMARK_LOG
     if LANDMARK_METHOD in counts and landmarks.is_file():
         name = landmarks.name.removesuffix(".txt")
         plans.append(Plan(landmarks, name, None, LANDMARK_METHOD, counts[LANDMARK_METHOD]))
     return plans
+
+
+def _relations_of(folder: Path, name: str) -> Path | None:
+    relations = folder / f"{name}.relations"
+    return relations if relations.is_file() else None
 
 
 def measure(
@@ -139,12 +158,15 @@ def measure(
     with tempfile.TemporaryDirectory(prefix="trident_bench_slam_") as folder:
         out = Path(folder)
         for number in range(1, one.runs + 1):
-            timing = run_log(Run(one.log, one.method, out, config), show=False)
+            words = () if one.has_odometry else ("--no-odometry",)
+            timing = run_log(Run(one.log, one.method, out, config, words), show=False)
             results.append(timing)
-            say(f"{one.name} {one.method} run {number}/{one.runs}: {timing['cpu_s']:.2f} CPU s")
+            say(f"{one.name} {one.system} run {number}/{one.runs}: {timing['cpu_s']:.2f} CPU s")
         row: dict[str, Any] = {
             "log": one.name,
             "method": one.method,
+            "has_odometry": one.has_odometry,
+            "system": one.system,
             "runs": one.runs,
             "scans": results[0]["scans"],
             "cpu_s": statistics.median(result["cpu_s"] for result in results),
@@ -157,7 +179,8 @@ def measure(
         paths = {"final": out / "trajectory.tum", "causal": out / "causal.tum"}
         found = evaluation.evaluate(evaluation.Task(paths, one.relations, map=out / "map.yaml"))
         if pictures is not None:
-            evaluation.write(found, pictures / f"{one.name}_{one.method}", f"{one.name}")
+            folder_name = f"{one.name}_{one.system.replace(', no ', '_without_')}"
+            evaluation.write(found, pictures / folder_name, f"{one.name}")
     return row | found.summary()
 
 
@@ -175,7 +198,7 @@ def table(rows: Sequence[dict[str, Any]]) -> str:
 
 def _our_cells(row: dict[str, Any]) -> list[list[str]]:
     cost = [f"{row['cpu_s']:.2f}", f"{row['peak_rss_mb']:.0f}"]
-    system = f"**{row['method']}**"
+    system = f"**{row['system']}**"
     if row["method"] == LANDMARK_METHOD:
         share = f"{row['association_share']:.1%} of {row['observations']} associated as in the log"
         count = f"{row['landmarks']} landmarks, true {row['true_landmarks']}"
@@ -190,7 +213,7 @@ def _our_cells(row: dict[str, Any]) -> list[list[str]]:
         translation = f"{errors['translation_mean_m']:.4f} ± {errors['translation_std_m']:.4f}"
         rotation = f"{errors['rotation_mean_deg']:.3f} ± {errors['rotation_std_deg']:.3f}"
         shown = [*walls, *cost] if kind == "final" else [""] * 4
-        cells.append([row["log"], f"**{row['method']}, {kind}**", translation, rotation, *shown])
+        cells.append([row["log"], f"**{row['system']}, {kind}**", translation, rotation, *shown])
     return cells
 
 

@@ -13,11 +13,12 @@ namespace trident {
 
 /// What to read of a bag; an empty name is found by itself.
 struct BagScansOptions {
-  std::string scan_topic;  ///< of sensor_msgs/LaserScan; default: /scan, else the only one
-  std::string odom_topic;  ///< of nav_msgs/Odometry; default: /odom, else the only one, if any
-  std::string imu_topic;   ///< of sensor_msgs/Imu, to put sweeps right with; default: none
-  std::string odom_frame;  ///< default: odom, or the odometry message's
-  std::string base_frame;  ///< default: base_footprint, base_link, or the odometry message's
+  std::string scan_topic;     ///< of sensor_msgs/LaserScan; default: /scan, else the only one
+  std::string odom_topic;     ///< of nav_msgs/Odometry; default: /odom, else the only one, if any
+  std::string imu_topic;      ///< of sensor_msgs/Imu, to put sweeps right with; default: none
+  std::string odom_frame;     ///< default: odom, or the odometry message's
+  bool uses_odometry = true;  ///< false: none is looked for
+  std::string base_frame;     ///< default: base_footprint, base_link, or the odometry message's
 };
 
 /// Laser scans of a rosbag with the odometry of their stamps: from /tf where it has

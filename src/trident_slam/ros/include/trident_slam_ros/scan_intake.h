@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <deque>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "trident_slam/scan_source.h"
@@ -22,7 +23,7 @@ LaserScan to_laser_scan(const sensor_msgs::LaserScan& message,
                         const geometry_msgs::Transform& T_base_laser);
 
 struct ScanIntakeOptions {
-  std::string odom_frame = "odom";
+  std::string odom_frame = "odom";  ///< empty: there is none, poses of odometry are the identity
   std::string base_frame = "base_footprint";
   double transform_timeout = 0.2;  ///< [s] that a transform may come after its scan
   bool waits_for_all = false;      ///< true: a scan waits as long as its transform may still come
@@ -67,6 +68,9 @@ class ScanIntake {
  private:
   const std::string& laser_frame(const sensor_msgs::LaserScan& message) const;
   bool resolve(const sensor_msgs::LaserScan& message, ScanRecord& record);
+  /// The transforms that a scan needs, as target and source.
+  std::vector<std::pair<std::string, std::string>> needed(
+      const sensor_msgs::LaserScan& message) const;
   bool may_still_come(const sensor_msgs::LaserScan& message) const;
   /// False while rates may still come; else the record has its rate, or it is told why not.
   bool has_settled_gyro(ScanRecord& record);

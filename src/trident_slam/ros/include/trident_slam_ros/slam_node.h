@@ -106,6 +106,7 @@ class SlamNode {
   nav_msgs::OccupancyGrid to_message(const OccupancyGrid& map) const;
   void publish_diagnostics();
   bool get_map(nav_msgs::GetMap::Request& request, nav_msgs::GetMap::Response& response);
+  std::unique_ptr<Slam2d> new_slam() const;
   void complain(const std::string& text);  ///< with `queue_mutex_` held
 
   ros::CallbackQueue slow_queue_;  // outlives what is served from it
@@ -141,6 +142,7 @@ class SlamNode {
   std::size_t told_problems_ = 0;
   std::size_t told_late_ = 0;
   std::vector<CalibrationEstimate> calibration_;  ///< of odometry, with the newest scan
+  ScanPose2d newest_;                             ///< what the newest scan led to
   std::atomic<bool> is_paused_{false};
 
   std::unique_ptr<TransformInput> transform_input_;

@@ -14,7 +14,7 @@ enum class BagLoop { kIgnore, kRestart, kContinue };
 
 struct SlamNodeOptions {
   std::string map_frame = "map";
-  std::string odom_frame = "odom";
+  std::string odom_frame = "odom";  ///< empty: poses by scans alone, and map -> base is published
   std::string base_frame = "base_footprint";
   std::string scan_topic = "scan";
   std::string imu_topic;  ///< of sensor_msgs/Imu: its turning rate puts sweeps right; empty: none
