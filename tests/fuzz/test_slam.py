@@ -136,7 +136,9 @@ def test_hector_mapping(ros: Ros) -> None:
             "/tf": TFMessage([transform("odom", "base_link")]),
             "/initialpose": place,
         }
-        withstands(process, "/slam", lambda: still_works(driver), examples, driver.step, batch=BATCH)
+        withstands(
+            process, "/slam", lambda: still_works(driver), examples, driver.step, batch=BATCH
+        )
 
 
 def test_merge_maps(ros: Ros, session: str) -> None:
