@@ -16,6 +16,7 @@ from hostile import Robot, room_scan, started, transform, withstands
 from nav_msgs.srv import GetMap
 from slam_toolbox_msgs.srv import (
     AddSubmap,
+    DeserializePoseGraph,
     DeserializePoseGraphRequest,
     MergeMaps,
     Pause,
@@ -64,13 +65,14 @@ def session(ros: Ros, tmp_path: Path) -> str:
     return path
 
 
-def still_works(driver: Robot, is_localizing: bool) -> None:
-    """After a reset: whatever state it was put into."""
+def still_works(driver: Robot, session: str, is_localizing: bool) -> None:
+    """After a reset, or with its map loaded again: whatever state it was put into."""
     if rospy.get_param("/slam/interactive_mode", False):
         rospy.ServiceProxy("/slam/toggle_interactive_mode", ToggleInteractive)()
     if is_localizing:
         if rospy.get_param("/slam/paused_new_measurements", False):
             rospy.ServiceProxy("/slam/pause_new_measurements", Pause)()
+        rospy.ServiceProxy("/slam/deserialize_map", DeserializePoseGraph)(session, 1, Pose2D())
     else:
         rospy.ServiceProxy("/slam/reset", Reset)(False)
     drives(driver, "/slam/pose", PoseWithCovarianceStamped)
@@ -95,7 +97,7 @@ def test_slam_toolbox(ros: Ros, session: str, mode: str) -> None:
         withstands(
             process,
             "/slam",
-            lambda: still_works(driver, is_localizing),
+            lambda: still_works(driver, session, is_localizing),
             examples,
             driver.step,
             FILES,
@@ -134,7 +136,9 @@ def test_hector_mapping(ros: Ros) -> None:
             "/tf": TFMessage([transform("odom", "base_link")]),
             "/initialpose": place,
         }
-        withstands(process, "/slam", lambda: still_works(driver), examples, driver.step, batch=BATCH)
+        withstands(
+            process, "/slam", lambda: still_works(driver), examples, driver.step, batch=BATCH
+        )
 
 
 def test_merge_maps(ros: Ros, session: str) -> None:
