@@ -2,16 +2,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trident_base/config_node.h"
 
+#include <sys/stat.h>
+
 #include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <sstream>
 #include <utility>
 
+#include "trident_base/shown_text.h"
+
 namespace trident {
 namespace {
 
 constexpr std::size_t kMaxShownBytes = 60;
+constexpr off_t kLargestFile = off_t{1} << 26;
 
 std::string located(const std::string& file, int line, const std::string& key,
                     const std::string& problem) {
@@ -19,7 +24,7 @@ std::string located(const std::string& file, int line, const std::string& key,
   if (line > 0) text += ':' + std::to_string(line);
   text += ": ";
   if (!key.empty()) text += key + ": ";
-  return text + problem;
+  return with_short_words(text + problem);
 }
 
 std::string counted(std::size_t count, const std::string& noun) {
@@ -58,6 +63,18 @@ std::string ConfigNode::describe() const {
 }
 
 std::string read_config_file(const std::string& path) {
+  struct stat about {};
+  // Devices are endless, and nobody writes so much by hand.
+  if (stat(path.c_str(), &about) == 0) {
+    if (S_ISCHR(about.st_mode) || S_ISBLK(about.st_mode)) {
+      throw ConfigError(path, 0, "", "is a device, legal: a file of YAML");
+    }
+    if (S_ISREG(about.st_mode) && about.st_size > kLargestFile) {
+      throw ConfigError(path, 0, "",
+                        "has " + std::to_string(about.st_size) + " bytes, legal: at most " +
+                            std::to_string(kLargestFile));
+    }
+  }
   errno = 0;
   std::ifstream stream(path, std::ios::binary);
   std::ostringstream text;

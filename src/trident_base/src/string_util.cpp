@@ -9,6 +9,8 @@
 #include <cmath>
 #include <exception>
 
+#include "trident_base/shown_text.h"
+
 namespace trident {
 namespace {
 
@@ -73,6 +75,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }
 
 std::string closest_match(std::string_view name, const std::vector<std::string>& candidates) {
+  if (name.size() > kLongestShownWord) return "";  // no slip, and the distance takes its square
   const std::string key = lower_case(name);
   std::string best;
   std::size_t best_distance = std::max<std::size_t>(1, name.size() / 3) + 1;
@@ -92,7 +95,7 @@ std::string closest_match(std::string_view name, const std::vector<std::string>&
 }
 
 std::string unknown_name_text(std::string_view name, const std::vector<std::string>& known) {
-  std::string text = '\'' + std::string(name) + '\'';
+  std::string text = '\'' + with_short_words(std::string(name)) + '\'';
   const std::string nearest = closest_match(name, known);
   if (!nearest.empty()) text += "; did you mean '" + nearest + "'?";
   return text + (nearest.empty() ? "; known: " : " Known: ") +

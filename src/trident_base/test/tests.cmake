@@ -28,6 +28,7 @@ catkin_add_gtest(trident_base_test
   test/sim_time_test.cpp
   test/so3_test.cpp
   test/span_test.cpp
+  test/shown_text_test.cpp
   test/string_util_test.cpp
   test/thruster_curve_test.cpp
   test/wheel_encoder_test.cpp

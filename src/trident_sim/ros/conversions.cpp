@@ -4,9 +4,12 @@
 
 #include <algorithm>
 
+#include "trident_base/shown_text.h"
+
 namespace trident {
 
 std::string one_line(std::string text) {
+  text = with_short_words(text);
   constexpr std::size_t kLongest = 400;
   for (char& c : text) {
     if (static_cast<unsigned char>(c) < 0x20) c = ' ';

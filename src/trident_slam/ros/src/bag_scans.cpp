@@ -3,8 +3,6 @@
 #include "trident_slam_ros/bag_scans.h"
 
 #include <nav_msgs/Odometry.h>
-#include <rosbag/bag.h>
-#include <rosbag/view.h>
 #include <sensor_msgs/Imu.h>
 #include <sensor_msgs/LaserScan.h>
 #include <tf2/buffer_core.h>
@@ -17,6 +15,7 @@
 
 #include "trident_base/error.h"
 #include "trident_base/string_util.h"
+#include "trident_slam_ros/bag_file.h"
 #include "trident_slam_ros/scan_intake.h"
 
 namespace trident {
@@ -64,6 +63,11 @@ std::string chosen_topic(const std::string& wanted, const std::string& usual, co
   return topics.empty() ? "" : topics.front();
 }
 
+// A topic that several nodes have published has a connection for each.
+void add_once(Topics& topics, const std::string& topic) {
+  if (std::find(topics.begin(), topics.end(), topic) == topics.end()) topics.push_back(topic);
+}
+
 }  // namespace
 
 class BagScans::Impl {
@@ -71,20 +75,16 @@ class BagScans::Impl {
   Impl(std::string path, const BagScansOptions& options)
       : path_(std::move(path)), transforms_(ros::Duration(kCacheS)) {
     try {
-      bag_.open(path_, rosbag::bagmode::Read);
+      bag_ = std::make_unique<BagFile>(path_);
+      for (const std::string& damage : bag_->damage()) problems_.add(path_ + ": " + damage);
       choose(options);
-    } catch (const rosbag::BagUnindexedException&) {
-      throw Error(path_ + ": has no index (truncated recording?); mend it with: rosbag reindex");
-    } catch (const rosbag::BagException& error) {
-      throw Error(path_ + ": " + error.what() +
-                  " (no bag, or a truncated one, which is mended with: rosbag reindex)");
     } catch (const Error& error) {
       throw Error(path_ + ": " + error.what());
     }
   }
 
   bool next(ScanRecord& record) {
-    while (ready_.empty() && at_ != view_.end()) read_message();
+    while (ready_.empty() && at_ < view_.size()) read_message();
     if (ready_.empty()) {
       for (ScanRecord& last : intake_->end()) ready_.push_back(std::move(last));
     }
@@ -104,7 +104,7 @@ class BagScans::Impl {
   }
 
   double progress() const {
-    return total_ > 0 ? static_cast<double>(count_) / static_cast<double>(total_) : 1.0;
+    return view_.empty() ? 1.0 : static_cast<double>(at_) / static_cast<double>(view_.size());
   }
 
  private:
@@ -112,14 +112,16 @@ class BagScans::Impl {
     Topics scans;
     Topics odometry;
     Topics imus;
-    rosbag::View everything(bag_);
-    for (const rosbag::ConnectionInfo* connection : everything.getConnections()) {
-      if (connection->datatype == "sensor_msgs/LaserScan") scans.push_back(connection->topic);
-      if (connection->datatype == "nav_msgs/Odometry") odometry.push_back(connection->topic);
-      if (connection->datatype == "sensor_msgs/Imu") imus.push_back(connection->topic);
+    for (const BagFile::Connection& connection : bag_->connections()) {
+      if (connection.type == "sensor_msgs/LaserScan") add_once(scans, connection.topic);
+      if (connection.type == "nav_msgs/Odometry") add_once(odometry, connection.topic);
+      if (connection.type == "sensor_msgs/Imu") add_once(imus, connection.topic);
     }
     scan_topic_ = chosen_topic(options.scan_topic, "/scan", scans, "sensor_msgs/LaserScan");
-    if (scan_topic_.empty()) throw Error("has no topic of sensor_msgs/LaserScan");
+    if (scan_topic_.empty()) {
+      throw Error("has no topic of sensor_msgs/LaserScan" +
+                  (bag_->damage().empty() ? "" : "; " + bag_->damage().front()));
+    }
     odom_topic_ = chosen_topic(options.odom_topic, "/odom", odometry, "nav_msgs/Odometry");
     const bool uses_tf = look_at_frames(options);
     if (uses_tf && options.odom_topic.empty()) odom_topic_.clear();
@@ -131,9 +133,7 @@ class BagScans::Impl {
     Topics topics = {scan_topic_, "/tf", "/tf_static"};
     if (!imu_topic_.empty()) topics.push_back(imu_topic_);
     if (!odom_topic_.empty()) topics.push_back(odom_topic_);
-    view_.addQuery(bag_, rosbag::TopicQuery(topics));
-    total_ = view_.size();
-    at_ = view_.begin();
+    view_ = bag_->messages(topics);
   }
 
   // True when /tf itself has the odometry.
@@ -143,22 +143,31 @@ class BagScans::Impl {
     nav_msgs::OdometryConstPtr odometry;
     Topics topics = {scan_topic_, "/tf", "/tf_static"};
     if (!odom_topic_.empty()) topics.push_back(odom_topic_);
-    rosbag::View view(bag_, rosbag::TopicQuery(topics));
     std::size_t looked_at = 0;
-    for (const rosbag::MessageInstance& message : view) {
+    for (const BagFile::Message& message : bag_->messages(topics)) {
       if (++looked_at > kMessagesLookedAt) break;
-      if (const auto tf = message.instantiate<tf2_msgs::TFMessage>()) {
+      look_at(message, frames, laser, odometry);
+    }
+    return name_frames(options, frames, laser, odometry.get());
+  }
+
+  // What a message tells about frames; a damaged one tells nothing.
+  void look_at(const BagFile::Message& message, std::set<std::string>& frames, std::string& laser,
+               nav_msgs::OdometryConstPtr& odometry) {
+    try {
+      if (const auto tf = bag_->instantiate<tf2_msgs::TFMessage>(message)) {
         for (const auto& transform : tf->transforms) {
           frames.insert(without_slash(transform.header.frame_id));
           frames.insert(without_slash(transform.child_frame_id));
         }
-      } else if (const auto scan = message.instantiate<sensor_msgs::LaserScan>()) {
+      } else if (const auto scan = bag_->instantiate<sensor_msgs::LaserScan>(message)) {
         laser = without_slash(scan->header.frame_id);
       } else if (!odometry) {
-        odometry = message.instantiate<nav_msgs::Odometry>();
+        odometry = bag_->instantiate<nav_msgs::Odometry>(message);
       }
+    } catch (const Error&) {
+      return;  // it is told when its turn comes
     }
-    return name_frames(options, frames, laser, odometry.get());
   }
 
   bool name_frames(const BagScansOptions& options, const std::set<std::string>& frames,
@@ -200,39 +209,50 @@ class BagScans::Impl {
   }
 
   void read_message() {
-    const rosbag::MessageInstance& message = *at_;
+    const BagFile::Message& message = view_[at_];
+    const std::string& topic = bag_->topic(message);
     try {
-      if (message.getTopic() == scan_topic_) {
-        const auto scan = message.instantiate<sensor_msgs::LaserScan>();
-        const auto copy = boost::make_shared<sensor_msgs::LaserScan>(*scan);
-        copy->header.frame_id = without_slash(copy->header.frame_id);
-        intake_->add(copy);
-      } else if (message.getTopic() == imu_topic_) {
-        sensor_msgs::Imu imu = *message.instantiate<sensor_msgs::Imu>();
-        imu.header.frame_id = without_slash(imu.header.frame_id);
-        intake_->add(imu);
-      } else if (message.getTopic() == odom_topic_) {
-        transforms_.setTransform(as_transform(*message.instantiate<nav_msgs::Odometry>()),
-                                 kAuthority);
-      } else {
-        const auto transforms = message.instantiate<tf2_msgs::TFMessage>();
+      if (topic == scan_topic_) {
+        if (const auto scan = whole<sensor_msgs::LaserScan>(message)) {
+          scan->header.frame_id = without_slash(scan->header.frame_id);
+          intake_->add(scan);
+        }
+      } else if (topic == imu_topic_) {
+        if (const auto imu = whole<sensor_msgs::Imu>(message)) {
+          imu->header.frame_id = without_slash(imu->header.frame_id);
+          intake_->add(*imu);
+        }
+      } else if (topic == odom_topic_) {
+        if (const auto odometry = whole<nav_msgs::Odometry>(message)) {
+          transforms_.setTransform(as_transform(*odometry), kAuthority);
+        }
+      } else if (const auto transforms = whole<tf2_msgs::TFMessage>(message)) {
         for (const auto& transform : transforms->transforms) {
-          transforms_.setTransform(without_slashes(transform), kAuthority,
-                                   message.getTopic() == "/tf_static");
+          transforms_.setTransform(without_slashes(transform), kAuthority, topic == "/tf_static");
         }
       }
-    } catch (const rosbag::BagException& error) {
-      problems_.add(path_ + ": message " + std::to_string(count_ + 1) + ": " + error.what());
+    } catch (const Error& error) {
+      problems_.add(path_ + ": " + error.what());
     }
     ++at_;
-    ++count_;
     for (ScanRecord& record : intake_->take()) ready_.push_back(std::move(record));
   }
 
+  // Throws Error when the topic holds another type there, too.
+  template <class M>
+  boost::shared_ptr<M> whole(const BagFile::Message& message) {
+    auto found = bag_->instantiate<M>(message);
+    if (!found) {
+      throw Error(bag_->topic(message) + ": a message of another type than " +
+                  ros::message_traits::DataType<M>::value());
+    }
+    return found;
+  }
+
   std::string path_;
-  rosbag::Bag bag_;
-  rosbag::View view_;
-  rosbag::View::iterator at_;
+  std::unique_ptr<BagFile> bag_;
+  std::vector<BagFile::Message> view_;
+  std::size_t at_ = 0;
   std::string scan_topic_;
   std::string odom_topic_;
   std::string imu_topic_;
@@ -242,8 +262,6 @@ class BagScans::Impl {
   std::deque<ScanRecord> ready_;
   LogProblems problems_;
   std::size_t told_ = 0;
-  std::size_t count_ = 0;
-  std::size_t total_ = 0;
 };
 
 BagScans::BagScans(std::string path, const BagScansOptions& options)

@@ -167,6 +167,6 @@ def test_a_request_that_cannot_be_met_says_why(ros: Ros) -> None:
     words = ["__name:=slam_toolbox", "_method:=odometry"]
     node = ros.launch([program("slam_toolbox", "sync_slam_toolbox_node"), *words])
     serialize = service("/slam_toolbox/serialize_map", SerializePoseGraph)
-    with pytest.raises(rospy.ServiceException):
+    with pytest.raises(rospy.ServiceException, match="this method cannot keep sessions"):
         serialize("session")
     node.eventually_logs("this method cannot keep sessions")

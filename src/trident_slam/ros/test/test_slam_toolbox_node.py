@@ -225,7 +225,7 @@ def merge(ros: Ros, session: str, tmp_path: Path) -> None:
     merge_submaps = service("/map_merging/merge_submaps", MergeMaps)
     with pytest.raises(rospy.ServiceException):
         merge_submaps()
-    with pytest.raises(rospy.ServiceException):
+    with pytest.raises(rospy.ServiceException, match="no_such_session"):
         add(str(tmp_path / "no_such_session"))
     node.eventually_logs("no_such_session")
     add(session)

@@ -13,6 +13,7 @@
 #include <sstream>
 #include <utility>
 
+#include "trident_base/regular_file.h"
 #include "trident_base/sha256.h"
 
 namespace trident {

@@ -20,6 +20,7 @@
 
 #include "trident_base/error.h"
 #include "trident_base/option_number.h"
+#include "trident_base/shown_text.h"
 #include "trident_slam/carmen_log.h"
 #include "trident_slam/graph_slam_2d.h"
 #include "trident_slam/low_priority.h"
@@ -264,7 +265,7 @@ int main(int argc, char** argv) {
     const trident::Command command = trident::parse({argv + 1, argv + argc});
     command.repeat > 0 ? trident::measure_memory(command) : trident::measure_waits(command);
   } catch (const std::exception& error) {
-    std::cerr << "slam_live: " << error.what() << '\n';
+    std::cerr << "slam_live: " << trident::with_short_words(error.what()) << '\n';
     return 1;
   }
   return 0;

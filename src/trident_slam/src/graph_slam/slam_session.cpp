@@ -6,6 +6,7 @@
 #include <iostream>
 #include <vector>
 
+#include "trident_base/shown_text.h"
 #include "trident_slam/graph_slam_2d.h"
 
 int main(int argc, char** argv) {
@@ -25,7 +26,7 @@ int main(int argc, char** argv) {
         is_empty ? 0LL : static_cast<long long>(scans.front().stamp_ns),
         is_empty ? 0LL : static_cast<long long>(scans.back().stamp_ns));
   } catch (const std::exception& error) {
-    std::cerr << "slam_session: " << error.what() << '\n';
+    std::cerr << "slam_session: " << trident::with_short_words(error.what()) << '\n';
     return 1;
   }
   return 0;

@@ -35,6 +35,8 @@ class ByteSource {
 namespace {
 
 constexpr std::size_t kChunk = std::size_t{1} << 16;
+/// A scan of 64 beams at 40,000 columns, say, fits in.
+constexpr std::size_t kLongestLine = std::size_t{1} << 26;
 
 // zlib's gzread passes plain text through unchanged.
 class PlainOrGzip : public ByteSource {
@@ -139,6 +141,11 @@ std::unique_ptr<ByteSource> open_source(const std::string& path) {
     std::fclose(file);
     throw Error(path + ": is a folder, expected a log file");
   }
+  // A device may be endless; a pipe ends with its writer.
+  if (!S_ISREG(about.st_mode) && !S_ISFIFO(about.st_mode)) {
+    std::fclose(file);
+    throw Error(path + ": is a device, expected a log file");
+  }
   char magic[3] = {};
   const bool is_bzip2 =
       std::fread(magic, 1, sizeof(magic), file) == 3 && std::memcmp(magic, "BZh", 3) == 0;
@@ -182,6 +189,10 @@ bool LineReader::next(std::string_view& line) {
       break;
     }
     searched = buffer_.size() - begin_;
+    if (searched > kLongestLine) {
+      throw Error(path_ + ":" + std::to_string(line_number_ + 1) + ": a line of more than " +
+                  std::to_string(kLongestLine >> 20) + " MiB, expected a log file");
+    }
     if (fill()) continue;
     if (begin_ == buffer_.size()) return false;
     line = std::string_view(buffer_).substr(begin_);

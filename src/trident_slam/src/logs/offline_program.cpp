@@ -17,6 +17,7 @@
 #include "front_end/correlative_match.h"
 #include "logs/process_cost.h"
 #include "trident_base/error.h"
+#include "trident_base/shown_text.h"
 #include "trident_base/string_util.h"
 #include "trident_slam/graph_slam_2d.h"
 #include "trident_slam/offline_run.h"
@@ -219,7 +220,7 @@ int run_offline_program(int argc, char** argv, const std::vector<std::string>& s
   try {
     run(parse(argc, argv, source_options), open);
   } catch (const std::exception& error) {
-    std::cerr << name << ": " << error.what() << '\n';
+    std::cerr << name << ": " << with_short_words(error.what()) << '\n';
     return 1;
   }
   return 0;

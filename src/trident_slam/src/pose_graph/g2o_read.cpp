@@ -16,6 +16,7 @@
 #include "pose_graph/g2o_line.h"
 #include "trident_base/angle.h"
 #include "trident_base/error.h"
+#include "trident_base/regular_file.h"
 #include "trident_base/string_util.h"
 #include "trident_slam/pose_graph_g2o.h"
 
@@ -25,6 +26,7 @@ namespace {
 using Graph = std::variant<std::monostate, PoseGraph2d, PoseGraph3d>;
 
 std::string read_whole(const std::string& file) {
+  check_no_device(file, "a g2o file");
   const std::unique_ptr<gzFile_s, int (*)(gzFile)> in(gzopen(file.c_str(), "rb"), gzclose);
   if (in == nullptr) throw Error(file + ": cannot be read");
   std::string text;

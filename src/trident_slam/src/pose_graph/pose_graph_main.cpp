@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "trident_base/error.h"
+#include "trident_base/shown_text.h"
 #include "trident_base/string_util.h"
 #include "trident_slam/incremental_pose_graph.h"
 #include "trident_slam/pose_graph_ceres.h"
@@ -239,7 +240,7 @@ int main(int argc, char** argv) {
   try {
     trident::run(trident::parse(argc, argv));
   } catch (const trident::Error& error) {
-    std::fprintf(stderr, "%s\n", error.what());
+    std::fprintf(stderr, "%s\n", trident::with_short_words(error.what()).c_str());
     return 1;
   }
   return 0;

@@ -4,17 +4,18 @@
 
 #include <ros/ros.h>
 
-#include <boost/function.hpp>
 #include <functional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "trident_base/error.h"
+#include "trident_slam_ros/telling_service.h"
 
 namespace trident {
 
-/// Services of a node that throw: a request that cannot be met fails, and the log says why.
+/// Services of a node that throw: a request that cannot be met fails; the caller and the log learn
+/// why.
 class ServiceList {
  public:
   /// `count`: is told of each request that fails.
@@ -26,20 +27,12 @@ class ServiceList {
   /// `answer(request, response)`.
   template <class Service, class Answer>
   void serve(const std::string& name, const Answer& answer) {
-    using Request = typename Service::Request;
-    using Response = typename Service::Response;
-    const boost::function<bool(Request&, Response&)> call =
-        [this, name, answer](Request& request, Response& response) {
-          try {
-            answer(request, response);
-            return true;
-          } catch (const Error& error) {
-            ROS_ERROR("%s: %s", name.c_str(), error.what());
-            count_(name + ": " + error.what());
-            return false;
-          }
-        };
-    servers_.push_back(handle_.advertiseService<Request, Response>(name, call));
+    const auto failed = [this, name](const std::string& text) {
+      ROS_ERROR("%s: %s", name.c_str(), text.c_str());
+      count_(name + ": " + text);
+    };
+    ros::AdvertiseServiceOptions options = telling_service<Service>(name, answer, failed);
+    servers_.push_back(handle_.advertiseService(options));
   }
 
  private:

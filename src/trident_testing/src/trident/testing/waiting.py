@@ -48,5 +48,5 @@ def output_of(process: subprocess.Popen[str], limit_s: float = LIMIT_S) -> str:
                 process.kill()
                 output = process.communicate()[0]
                 raise AssertionError(
-                    f"{process.args} did not end within {limit_s:g} s:\n{output}"
+                    f"{process.args!r} did not end within {limit_s:g} s:\n{output}"
                 ) from None
