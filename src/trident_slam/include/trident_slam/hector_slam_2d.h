@@ -21,7 +21,7 @@ struct HectorSlamParams {
   double map_update_angle_thresh = 0.9;     ///< [rad] turned since
   double laser_min_dist = 0.1;              ///< [m]
   double laser_max_dist = 30.0;             ///< [m]
-  bool use_odometry = true;                 ///< as the start of each match; false: the last pose
+  bool use_odometry = true;                 ///< as the start of each match; false: the scans alone
   bool map_with_known_poses = false;        ///< odometry is believed, nothing is matched
 
   template <class Archive>
@@ -48,8 +48,9 @@ struct HectorSlamParams {
 /// Scan-to-map SLAM: each scan is aligned with the occupancy map so far by Gauss-Newton over its
 /// bilinearly interpolated probabilities, from the coarsest level to the finest (Kohlbrecher, von
 /// Stryk, Meyer, Klingauf: A flexible and scalable SLAM system with full 3D motion estimation, SSRR
-/// 2011). It needs no odometry where scans come fast, and it never closes a loop: final poses are
-/// those given when the scans came.
+/// 2011). It needs no odometry: without, or where odometry stands
+/// while scans move, a match begins where the scan lies beside those before it, and it never closes
+/// a loop: final poses are those given when the scans came.
 class HectorSlam2d : public Slam2d, public Slam2dOdometryUse {
  public:
   explicit HectorSlam2d(const HectorSlamParams& params = {});

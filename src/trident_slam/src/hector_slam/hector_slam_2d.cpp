@@ -3,11 +3,13 @@
 #include "trident_slam/hector_slam_2d.h"
 
 #include <cmath>
+#include <memory>
 #include <optional>
+#include <string>
 
 #include "front_end/map_match.h"
 #include "front_end/motion_filter.h"
-#include "front_end/odometry_motion.h"
+#include "front_end/motion_source.h"
 #include "front_end/probability_grid.h"
 #include "graph_slam/scan_check.h"
 #include "graph_slam/start_pose.h"
@@ -27,7 +29,8 @@ class HectorSlam2d::Impl {
  public:
   explicit Impl(const HectorSlamParams& params)
       : params_(params),
-        update_filter_({params.map_update_distance_thresh, params.map_update_angle_thresh}) {
+        update_filter_({params.map_update_distance_thresh, params.map_update_angle_thresh}),
+        motion_source_(params.use_odometry, OdometryMotion()) {
     double resolution = params.map_resolution;
     for (int level = 0; level < params.map_multi_res_levels; ++level, resolution *= 2.0) {
       levels_.emplace_back(resolution, params.update_factor_free, params.update_factor_occupied);
@@ -38,11 +41,18 @@ class HectorSlam2d::Impl {
     ScanPose2d result;
     result.problem = check_.problem(scan);
     result.is_used = result.problem.empty();
-    const OdometryMotion::Step odometry = odometry_.next(T_odom_base);
-    if (params_.use_odometry && result.problem.empty()) result.problem = odometry.problem;
-    const SE2 guess = params_.use_odometry ? T_map_base_ * odometry.T_before_now : T_map_base_;
-    T_map_base_ = guess;
-    if (result.is_used) result.covariance = use(scan, guess, odometry.T_before_now);
+    MotionSource::Step motion = motion_source_.next(scan.stamp_ns, T_odom_base);
+    if (result.problem.empty()) result.problem = motion.problem;
+    const SE2 T_map_before = T_map_base_;
+    if (result.is_used) {
+      result.covariance = use(scan, &motion);
+    } else {
+      T_map_base_ = T_map_base_ * motion.T_before_now;
+    }
+    result.motion_by = motion_source_.motion_by();
+    const std::string news =
+        motion_source_.settle(T_map_before.inverse() * T_map_base_, result.is_used);
+    if (result.problem.empty()) result.problem = news;
     last_stamp_ns_ = scan.stamp_ns;
     result.T_map_base = T_map_base_;
     trajectory_.push_back({scan.stamp_ns, T_map_base_});
@@ -54,21 +64,26 @@ class HectorSlam2d::Impl {
     T_map_base_ = T_map_base;
     T_map_mapped_.reset();
   }
-  void set_uses_odometry(bool uses_odometry) { params_.use_odometry = uses_odometry; }
+  void set_uses_odometry(bool uses_odometry) {
+    params_.use_odometry = uses_odometry;
+    motion_source_.set_uses_odometry(uses_odometry);
+  }
   const std::vector<StampedPose2d>& trajectory() const { return trajectory_; }
   OccupancyGrid map() const { return levels_.front().occupancy(); }
 
  private:
-  Eigen::Matrix3d use(const LaserScan& scan, const SE2& guess, const SE2& T_before_now) {
+  Eigen::Matrix3d use(const LaserScan& scan, MotionSource::Step* motion) {
     PointScanOptions options;
     options.min_range = params_.laser_min_dist;
     options.max_range = params_.laser_max_dist;
     const double seconds =
         params_.use_odometry ? 1e-9 * static_cast<double>(scan.stamp_ns - last_stamp_ns_) : 0.0;
-    const PointScan points =
-        make_point_scan(scan, options, sweep_twist(scan, T_before_now, seconds));
+    const auto shared = std::make_shared<const PointScan>(
+        make_point_scan(scan, options, sweep_twist(scan, motion->T_before_now, seconds)));
+    const PointScan& points = *shared;
+    motion_source_.measure(shared, motion);
     MapMatch match;
-    match.T_map_base = guess;
+    match.T_map_base = T_map_base_ * motion->T_before_now;
     if (has_map_ && !params_.map_with_known_poses) {
       for (std::size_t level = levels_.size(); level-- > 0;) {
         match = match_map(levels_[level], points, match.T_map_base,
@@ -96,7 +111,7 @@ class HectorSlam2d::Impl {
   HectorSlamParams params_;
   MotionFilter update_filter_;
   ScanCheck check_;
-  OdometryMotion odometry_;
+  MotionSource motion_source_;
   std::vector<ProbabilityGrid> levels_;  ///< finest first
   bool has_map_ = false;
   std::int64_t last_stamp_ns_ = 0;

@@ -12,6 +12,7 @@
 
 #include "conformance/scan_world.h"
 #include "trident_slam/slam_2d.h"
+#include "trident_slam/slam_2d_abilities.h"
 
 namespace trident {
 namespace {
@@ -209,6 +210,23 @@ TEST_P(Slam2dConformance, AJumpOfOdometryIsToldOfAndHarmsNothing) {
   }
   slam->finish();
   EXPECT_LT(largest_error(*slam), 1.5 * expectation().largest_error);
+}
+
+TEST_P(Slam2dConformance, OdometryThatStandsIsToldOfOnceAndTheScansTakeItsPlace) {
+  for (const bool uses_odometry : {true, false}) {
+    const auto slam = make();
+    auto* able = dynamic_cast<Slam2dOdometryUse*>(slam.get());
+    if (able == nullptr) GTEST_SKIP() << "it needs odometry";
+    able->set_uses_odometry(uses_odometry);
+    int told = 0;
+    for (std::size_t k = 0; k < kScansOfALap; ++k) {
+      const ScanPose2d pose = slam->add_scan(world().steps()[k].scan, SE2::from_xy_yaw(4, 5, 1));
+      if (!pose.problem.empty()) ++told;
+    }
+    slam->finish();
+    EXPECT_EQ(told, uses_odometry ? 1 : 0);
+    EXPECT_LT(largest_error(*slam), 1.5 * expectation().largest_error);
+  }
 }
 
 TEST_P(Slam2dConformance, AnUnknownKeyOfItsFileIsAnError) {
