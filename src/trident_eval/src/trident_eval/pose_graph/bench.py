@@ -127,7 +127,8 @@ def measure_growing(file: Path, runs: int, python: str | None) -> dict[str, Any]
     Raises:
         EvalError: our own program refuses the file.
     """
-    ours, theirs = [], []
+    ours: list[dict[str, Any]] = []
+    theirs: list[dict[str, Any]] = []
     for _ in range(runs):
         ours.append(optimize(file, ["--incremental"], one_core()))
         if python and not any("error" in result for result in theirs):

@@ -13,7 +13,7 @@ from typing import Any
 from trident_eval.bench.machine import describe_commit, describe_machine
 from trident_eval.core.errors import EvalError
 from trident_eval.core.reader import until_unread
-from trident_eval.slam import benchmark, evaluation, live, offline, simulated
+from trident_eval.slam import benchmark, evaluation, live, offline, robustness, simulated
 from trident_eval.slam.offline import DEFAULT_METHOD
 
 DONE, MISSED, UNUSABLE = 0, 1, 2
@@ -81,6 +81,11 @@ def _parser() -> argparse.ArgumentParser:
         action="store_true",
         help="instead: how long scans wait while a graph of 5,000 nodes is optimised",
     )
+    bench.add_argument(
+        "--robustness",
+        action="store_true",
+        help="instead: logs with odometry that errs, a laser that sits elsewhere, worse scans",
+    )
     bench.add_argument("--world", metavar="NAME", help="drives through it instead of logs: office")
     bench.add_argument("--seeds", type=int, metavar="N", help="of drives (20; --quick: 2)")
     bench.add_argument("--keep", type=Path, metavar="DIR", help="keeps logs and maps of the drives")
@@ -143,6 +148,8 @@ def _bench(options: argparse.Namespace) -> int:
     if folder is None:
         print(f"SKIPPED: {benchmark.DATA} does not point to the public logs", file=sys.stderr)
         return DONE
+    if options.robustness:
+        return _bench_robustness(folder, options)
     runs = options.runs or (1 if options.quick else 5)
     rows = []
     for one in benchmark.plan(folder, options.method, runs, options.quick):
@@ -152,6 +159,15 @@ def _bench(options: argparse.Namespace) -> int:
     print(benchmark.table(rows))
     _write_rows(options.out, rows)
     return DONE
+
+
+def _bench_robustness(folder: Path, options: argparse.Namespace) -> int:
+    rows = robustness.measure(folder, options.quick, options.config, _say)
+    print(robustness.table(rows))
+    missed = robustness.reasons(rows)
+    print("\n".join(missed) if missed else "all limits are kept")
+    _write_rows(options.out, rows)
+    return MISSED if missed else DONE
 
 
 def _bench_live(options: argparse.Namespace) -> int:
