@@ -76,7 +76,7 @@ def test_the_answer_of_a_spawn_tells_what_was_left_out(start_gazebo: Callable[..
 
 def test_models_that_take_long_to_read_keep_no_other_service_waiting(gazebo: Gazebo) -> None:
     # More of them at once than the server has threads for services.
-    plugin = '<plugin name="p" filename="libmagic_carpet.so">' + "<x/>" * 100_000 + "</plugin>"
+    plugin = '<plugin name="p" filename="libmagic_carpet.so">' + "<x/>" * 60_000 + "</plugin>"
     with ThreadPoolExecutor(6) as pool:
         spawns = [
             pool.submit(gazebo.spawn, f"m{i}", box_sdf(f"m{i}", extra=plugin), pose(x=3.0 * i))

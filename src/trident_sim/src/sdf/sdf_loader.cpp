@@ -21,6 +21,7 @@
 #include "sdf_schema.h"
 #include "sdf_sources.h"
 #include "trident_base/error.h"
+#include "xml_cut.h"
 
 namespace trident {
 namespace {
@@ -63,7 +64,8 @@ void complete_material_scripts(const sdf::ElementPtr& element) {
   for (auto child = element->GetFirstElement(); child; child = child->GetNextElement()) {
     if (child->GetName() == "material" && child->HasElement("script")) {
       const auto script = child->GetElement("script");
-      if (script->Get<std::string>("name", "").first.empty()) {
+      const auto name = script->Get<std::string>("name", "").first;
+      if (name.empty() || name == "__default__") {
         child->RemoveChild(script);  // it names no material
         continue;
       }
@@ -243,11 +245,11 @@ std::string root_element(const std::string& xml) {
   return root == nullptr ? "" : root->Name();
 }
 
-WorldSpec load_world(const std::string& xml, const std::string& label,
-                     const std::string& base_folder, const Resources& resources,
-                     const WarningSink& warn, OddElements policy) {
+WorldSpec load_world(std::string xml, const std::string& label, const std::string& base_folder,
+                     const Resources& resources, const WarningSink& warn, OddElements policy) {
   const LoadTurn turn;
   OddList odd{policy};
+  blank_late_declarations(xml);
   check_well_formed(xml, label);
   if (root_element(xml) != "sdf") {
     throw Error(label + ": root element is <" + root_element(xml) + ">, expected <sdf>");
@@ -295,14 +297,14 @@ ModelSpec load_model_string(const std::string& xml, const std::string& label,
                             OddElements policy) {
   const LoadTurn turn;
   OddList odd{policy};
-  check_well_formed(xml, label);
-  const std::string kind = root_element(xml);
   std::string text = xml;
+  blank_late_declarations(text);
+  check_well_formed(text, label);
+  const std::string kind = root_element(text);
   if (kind == "robot") {
-    check_urdf(xml, label, warn);
+    check_urdf(text, label, warn);
   } else if (kind == "model") {
-    const auto begin = xml.find("<model");
-    text = "<sdf version='1.4'>" + xml.substr(begin) + "</sdf>";
+    text = "<sdf version='1.4'>" + text.substr(text.find("<model")) + "</sdf>";
   } else if (kind != "sdf") {
     throw Error(label + ": root element is <" + kind + ">, expected <robot>, <sdf> or <model>");
   }

@@ -126,6 +126,7 @@ std::string SdfSources::open(const std::string& path, int depth, File& file) {
   std::ifstream stream(path, std::ios::binary);
   const std::string before{std::istreambuf_iterator<char>(stream), {}};
   file.text = before;
+  blank_late_declarations(file.text);
   file.is_open = true;
   file.size = visit(file.text, path, depth);
   file.is_open = false;

@@ -17,10 +17,10 @@ class XMLElement;
 
 namespace trident {
 
-/// What a document may hold with all that it includes. libsdformat takes some kilobytes for each
+/// What a document may hold with all that it includes. libsdformat takes up to 32 kB for each
 /// element, and follows an include that leads back to itself until there is no memory left.
 struct SdfLimits {
-  std::uint64_t elements = 500'000;
+  std::uint64_t elements = 100'000;
   std::uint64_t bytes = 64ULL << 20;
   int depth = 32;  ///< of includes in includes
 };

@@ -68,6 +68,18 @@ bool is_start_of(const std::string& xml, std::size_t at, const std::string& name
 
 }  // namespace
 
+void blank_late_declarations(std::string& xml) {
+  const std::size_t first = xml.find_first_not_of(" \t\r\n\xef\xbb\xbf");
+  for (std::size_t at = xml.find("<?xml "); at != std::string::npos;
+       at = xml.find("<?xml ", at + 1)) {
+    if (at <= first) continue;
+    const std::size_t end = std::min(xml.size(), behind(xml, at, "?>"));
+    std::replace_if(
+        xml.begin() + static_cast<std::ptrdiff_t>(at),
+        xml.begin() + static_cast<std::ptrdiff_t>(end), [](char c) { return c != '\n'; }, ' ');
+  }
+}
+
 std::string cut_element(std::string& xml, int line, const std::string& name, int skipped) {
   std::size_t counted = 0;
   int here = 1;

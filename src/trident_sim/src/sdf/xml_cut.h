@@ -11,4 +11,8 @@ namespace trident {
 /// there, "" when there is none.
 std::string cut_element(std::string& xml, int line, const std::string& name, int skipped = 0);
 
+/// Blanks XML declarations that something stands before, such as a licence: tinyxml2 refuses what
+/// the parser of older Gazebos took.
+void blank_late_declarations(std::string& xml);
+
 }  // namespace trident

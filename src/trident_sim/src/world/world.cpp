@@ -102,7 +102,6 @@ void place(Body& body, const SE3& T_world_body, const Eigen::Vector3d& v_world,
   body.frozen = false;
 }
 
-
 using RayScenes = std::unique_ptr<RayScene>[2];
 
 /// What sensors have put off in a phase.
