@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "graph_slam/final_match.h"
-#include "trident_slam/sweep_motion.h"
 
 namespace trident {
 namespace {
@@ -70,15 +69,6 @@ GraphMapper::GraphMapper(const GraphSlamOptions& options, const PoseGraphSolverM
   }
   tracker_.set_pose(SE2::from_xy_yaw(options.map_start_pose[0], options.map_start_pose[1],
                                      options.map_start_pose[2]));
-}
-
-Eigen::Vector3d GraphMapper::twist_of(const LaserScan& scan, const SE2& T_last_base) const {
-  if (!options_.deskew) return Eigen::Vector3d::Zero();
-  return sweep_twist(scan, T_last_base, 1e-9 * static_cast<double>(scan.stamp_ns - last_stamp_ns_));
-}
-
-PointScan GraphMapper::points_of(const LaserScan& scan, const Eigen::Vector3d& twist) const {
-  return make_point_scan(scan, {options_.min_laser_range, options_.max_laser_range}, twist);
 }
 
 ScanPose2d GraphMapper::add_scan(const LaserScan& scan, const SE2& T_odom_base) {

@@ -1,10 +1,20 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-// What a scan that was placed says of the motion up to it.
+// What a scan is told of the motion up to it, and what it says of that once it is placed.
 #include "front_end/surface_information.h"
 #include "graph_slam/graph_mapper.h"
+#include "trident_slam/sweep_motion.h"
 
 namespace trident {
+
+Eigen::Vector3d GraphMapper::twist_of(const LaserScan& scan, const SE2& T_last_base) const {
+  if (!options_.deskew) return Eigen::Vector3d::Zero();
+  return sweep_twist(scan, T_last_base, 1e-9 * static_cast<double>(scan.stamp_ns - last_stamp_ns_));
+}
+
+PointScan GraphMapper::points_of(const LaserScan& scan, const Eigen::Vector3d& twist) const {
+  return make_point_scan(scan, {options_.min_laser_range, options_.max_laser_range}, twist);
+}
 
 void GraphMapper::tell_uncertainty(const OdometryMotion::Step& motion, const MatchResult& match,
                                    const PointScan& points, ScanPose2d* result) {
