@@ -157,7 +157,6 @@ TEST_P(RigidCase, ABoxThatFallsOnACornerComesToRestOnAFace) {
   double before = energy(body);
   while (goes_on(8.0)) {
     world_->step();
-    // Below 0.2 m/s a depth of up to g dt^2 may cost more than the impact.
     EXPECT_LE(energy(body), before + 1e-6) << world_->time().seconds();
     before = energy(body);
   }
