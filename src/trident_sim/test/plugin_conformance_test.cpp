@@ -379,7 +379,9 @@ TEST(BuiltinPlugins, EnumeratedValuesAreRefusedWithTheLegalOnes) {
                        "in [0, 31]"));
   EXPECT_TRUE(contains(refusal("librotors_gazebo_motor_model.so", motor, "jointName", "elbow"),
                        "a joint of the model: rotor_0_joint"));
-  EXPECT_TRUE(contains(refusal("librotors_gazebo_wind_plugin.so", kBase, "windDirection", "0 0 0"),
+  ParamList windy = kBase;
+  windy.emplace_back("windSpeedMean", "3");
+  EXPECT_TRUE(contains(refusal("librotors_gazebo_wind_plugin.so", windy, "windDirection", "0 0 0"),
                        "a vector that is not zero"));
   EXPECT_TRUE(contains(
       refusal("librotors_gazebo_odometry_plugin.so", kBase, "noiseNormalPosition", "-1 0 0"),
