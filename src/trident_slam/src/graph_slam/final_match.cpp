@@ -13,7 +13,8 @@ namespace trident {
 namespace {
 
 constexpr std::size_t kPairPoints = 360;  // of each scan that is matched with another one
-constexpr std::size_t kMapPoints = 120;   // of each that is matched with the map
+constexpr std::size_t kMapPoints = 120;   // of each that is matched with the map ...
+constexpr std::size_t kFewPoints = 200;   // ... unless it has so few: then noise wants all of them
 constexpr double kKernel = 3.0;           // of edges between scans [standard deviations]
 constexpr int kIterations = 20;
 constexpr double kConverged = 1e-3;  // of a match [m]; the mean of many is better than that
@@ -60,7 +61,6 @@ std::vector<SE2> match_archive(const ScanArchive& archive, const KeyframeGraph& 
   SurfelMap surfaces;
   for (int i = 0; i < graph.size(); ++i) surfaces.insert(graph.pose(i), *graph[i].scan);
   LineMatchOptions line;
-  line.max_points = kMapPoints;
   line.search_rings = 2;
   line.converged = kConverged;
   PosePrior prior;
@@ -72,6 +72,7 @@ std::vector<SE2> match_archive(const ScanArchive& archive, const KeyframeGraph& 
     if (!entry.is_used || !entry.has_ranges()) continue;
     prior.T_ref_base = poses[i];
     const PointScan points = make_point_scan(archive.scan(i), options, entry.twist.cast<double>());
+    line.max_points = points.points.size() <= kFewPoints ? kFewPoints : kMapPoints;
     poses[i] = match_lines(surfaces, points, poses[i], prior, line).T_ref_base;
   }
   return poses;
