@@ -16,7 +16,7 @@ int serve(const std::vector<std::string>& arguments) {
   const std::string reason = server.run();
   ROS_INFO("end of the run: %s", reason.c_str());
   ros::shutdown();
-  return 0;
+  return server.failed() ? 1 : 0;
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "trident_control_ros/message_conversions.h"
+#include "trident_ros/schedule_fuzz.h"
 #include "trident_ros/subscriptions.h"
 
 namespace trident {
@@ -59,6 +60,7 @@ void LeePositionControllerNode::spin_once(std::chrono::milliseconds limit) {
 }
 
 void LeePositionControllerNode::on_odometry(const StampedOdometry& odometry) {
+  hand_over("odometry received");
   const std::lock_guard<std::mutex> lock(mutex_);
   const TrajectoryPoint* setpoint = setpoints_.advance(to_sim_time(odometry.stamp));
   const Span<double> speeds = motors_.rotor_speeds();
@@ -88,19 +90,24 @@ void LeePositionControllerNode::on_trajectory(
 }
 
 void LeePositionControllerNode::accept(const std_msgs::Header& header, const std::string& topic) {
+  hand_over("set-point received");
+  bool repeats = false;
   const SetpointResult result = [&] {
     const std::lock_guard<std::mutex> lock(mutex_);
-    return setpoints_.push(to_sim_time(header.stamp), incoming_);
+    const SetpointResult pushed = setpoints_.push(to_sim_time(header.stamp), incoming_);
+    repeats = setpoints_.repeats();
+    return pushed;
   }();
   if (result != SetpointResult::accepted) {
     ROS_ERROR("%s: set-point stamped %.9f s refused: %s", topic.c_str(), header.stamp.toSec(),
               reason(result));
     return;
   }
-  if (header.stamp.isZero()) return;
+  hand_over("set-point confirmed");
+  // One without a stamp counts at once, and is told as such.
   std_msgs::Header confirmation;
   confirmation.stamp = header.stamp;
-  confirmation.frame_id = topic;
+  if (!repeats) confirmation.frame_id = topic;  // one that came again replaces nothing
   accepted_.publish(confirmation);
 }
 

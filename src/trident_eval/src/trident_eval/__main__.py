@@ -29,7 +29,7 @@ from trident_eval.core.report import table
 from trident_eval.core.scene import Scene, formation_scene
 from trident_eval.core.tracks import read_states
 from trident_eval.core.vehicles import flights
-from trident_eval.core.verdict import Verdict, judge
+from trident_eval.core.verdict import Verdict, judge, take_over
 from trident_eval.slam import evaluation, tour
 
 PASSED, FAILED, UNUSABLE = 0, 1, 2
@@ -77,6 +77,7 @@ def _verdict(options: argparse.Namespace) -> int:
     except EvalError as error:
         # A run without usable results is a failed run.
         verdict = Verdict({"vehicles": []}, [str(error)])
+        take_over(read_object(folder / "run.json"), verdict)
     numbers = verdict.to_json()
     text = json.dumps(numbers, indent=2, allow_nan=False)
     (folder / "verdict.json").write_text(text + "\n", encoding="utf-8")
