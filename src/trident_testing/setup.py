@@ -7,8 +7,8 @@ from setuptools import setup
 
 setup(
     **generate_distutils_setup(
-        packages=["trident", "trident.testing", "trident.testing.fuzz"],
+        packages=["trident", "trident.testing", "trident.testing.fuzz", "trident.testing.schedule"],
         package_dir={"": "src"},
-        package_data={"trident": ["py.typed"]},
+        package_data={"trident": ["py.typed"], "trident.testing.schedule": ["injected/*.py"]},
     )
 )

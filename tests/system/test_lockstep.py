@@ -6,15 +6,17 @@ from __future__ import annotations
 
 import csv
 import signal
+import time
 from collections.abc import Callable
 from contextlib import ExitStack
+from pathlib import Path
 from typing import Any
 
 import pytest
 import rospy
 from diagnostic_msgs.msg import DiagnosticArray
 from gazebo_msgs.msg import ModelState, ModelStates
-from geometry_msgs.msg import Twist
+from geometry_msgs.msg import PoseStamped, Twist
 from harness import (
     Gazebo,
     Pilot,
@@ -25,6 +27,7 @@ from harness import (
     fresh_folder,
     pilot_of,
     pose,
+    program,
     recorder,
 )
 from nav_msgs.msg import Odometry
@@ -195,7 +198,7 @@ def feed(
 def test_a_source_that_falls_silent_is_named_and_released(
     ros: Ros, start_gazebo: StartGazebo
 ) -> None:
-    gazebo = start_gazebo(wait_for=1, lockstep_timeout=0.1)
+    gazebo = start_gazebo(wait_for=1, lockstep_timeout=0.1, lockstep_policy="free_run")
     gazebo.spawn("UAV1")
     gazebo.controller("UAV1")
     with pilot_of("UAV1") as pilot:
@@ -343,6 +346,173 @@ def test_policy_wait_goes_on_with_a_controller_that_was_only_stopped(
         controllers["UAV1"].send(signal.SIGCONT)
         gazebo.until(stands_at + 4.0)
         assert hovers(gazebo, "UAV1"), "nothing was lost"
+
+
+def stopped_for(gazebo: Gazebo, process: Process, seconds: float, at_s: float) -> None:
+    """Stops a process when the world gets there, for so long."""
+    gazebo.until(at_s)
+    process.send(signal.SIGSTOP)
+    began = time.monotonic()
+    # As long as the world says: what the wall clock decides is what is looked at here.
+    eventually(lambda: time.monotonic() - began > seconds, "the time to be over")
+    process.send(signal.SIGCONT)
+
+
+def test_as_fast_as_possible_one_that_lives_is_waited_for_and_named(
+    ros: Ros, start_gazebo: StartGazebo
+) -> None:
+    hashes = {}
+    for stops in (0, 2):
+        out_dir = fresh_folder(ros.folder / f"stopped-{stops}")
+        gazebo, controllers = start_pair(
+            start_gazebo, out_dir=out_dir, end_time=30.0, lockstep_timeout=0.3
+        )
+        with pilot_of(*VEHICLES) as pilot, recorder("/diagnostics", DiagnosticArray) as heard:
+            for stamp, x, y, z in ROUTE:
+                for name in VEHICLES:
+                    pilot.send(name, x, Y_OF[name] + y, z, stamp)
+            gazebo.ask("unpause_physics")
+            for index in range(stops):
+                stopped_for(gazebo, controllers["UAV2"], 2.5, 0.5 + 2.0 * index)
+            results = gazebo.ended()
+        assert results["repeatable"] is True, results
+        hashes[stops] = results["state_hash"]
+        told = [status.message for array in heard.messages for status in array.status]
+        named = [text for text in told if "waiting for the controller of UAV2" in text]
+        states = (Path(out_dir) / "progress.jsonl").read_text("utf-8")
+        if stops:
+            assert named, "the diagnostics name whom"
+            assert "waiting for the controller of UAV2" in states, "and so does the progress"
+            assert "the controller of UAV2 has not answered for 0.3" in gazebo.log
+        ros.clean()
+    assert hashes[0] == hashes[2]
+
+
+def test_where_the_policy_goes_on_the_run_says_who_when_and_why(
+    ros: Ros, start_gazebo: StartGazebo
+) -> None:
+    out_dir = fresh_folder(ros.folder / "goes-on")
+    gazebo, controllers = start_pair(
+        start_gazebo,
+        out_dir=out_dir,
+        end_time=60.0,
+        lockstep_timeout=0.3,
+        lockstep_policy="free_run",
+    )
+    with pilot_of(*VEHICLES) as pilot:
+        for name in VEHICLES:
+            pilot.send(name, 0.0, Y_OF[name], 1.0, 0.01)
+        gazebo.ask("unpause_physics")
+        gazebo.until(0.5)
+        controllers["UAV1"].send(signal.SIGSTOP)
+        gazebo.process.eventually_logs("not repeatable: the controller of UAV1")
+        controllers["UAV1"].send(signal.SIGCONT)
+        results = gazebo.ended()
+    assert results["repeatable"] is False
+    note = results["not_repeatable"][0]
+    assert note["who"] == "the controller of UAV1"
+    assert note["t"] >= 0.5
+    assert note["why"] == "has not answered in time"
+
+
+def test_one_that_died_ends_a_run_that_waits_with_an_error(
+    ros: Ros, start_gazebo: StartGazebo
+) -> None:
+    out_dir = fresh_folder(ros.folder / "died")
+    gazebo, controllers = start_pair(
+        start_gazebo, out_dir=out_dir, end_time=1000.0, restart_patience=0.5
+    )
+    with pilot_of(*VEHICLES) as pilot:
+        for name in VEHICLES:
+            pilot.send(name, 0.0, Y_OF[name], 1.0, 0.01)
+        gazebo.ask("unpause_physics")
+        gazebo.until(0.5)
+        controllers["UAV2"].stop(signal.SIGKILL)
+        assert gazebo.process.wait() == 1, "an error"
+    results = gazebo.results()
+    assert results["end_reason"] == "error"
+    assert "the controller of UAV2 has died at t = " in results["error"]
+    assert results["error"] in gazebo.log
+
+
+def test_a_source_that_died_ends_a_run_that_waits_and_a_stopped_one_does_not(
+    ros: Ros, start_gazebo: StartGazebo
+) -> None:
+    out_dir = fresh_folder(ros.folder / "source-died")
+    gazebo = start_gazebo(
+        wait_for=1,
+        wait_for_sources=1,
+        out_dir=out_dir,
+        end_time=1000.0,
+        lockstep_timeout=0.03,
+        restart_patience=0.5,
+    )
+    gazebo.spawn("UAV1")
+    gazebo.controller("UAV1")
+    words = ["_vehicle:=UAV1", "_waypoints:=[[0, 0, 1], [1, 0, 1], [0, 0, 1]]"]
+    source = ros.launch([program("trident_fleet", "waypoint_flight.py"), *words], "source")
+    gazebo.ask("unpause_physics")
+    gazebo.until(0.3)
+    source.send(signal.SIGSTOP)
+    gazebo.process.eventually_logs("set-point source /waypoint_flight has sent nothing for UAV1")
+    stands_at = gazebo.time()
+    source.send(signal.SIGCONT)
+    gazebo.until(stands_at + 0.2)
+    source.stop(signal.SIGKILL)
+    assert gazebo.process.wait() == 1
+    assert "set-point source /waypoint_flight has died" in gazebo.results()["error"]
+
+
+def test_a_set_point_counts_when_the_controller_has_it_not_when_it_is_sent(
+    start_gazebo: StartGazebo,
+) -> None:
+    """The source is there first, so that the simulator has seen set-points that nobody has."""
+    gazebo = start_gazebo(paused=False, wait_for=1, wait_for_sources=1)
+    gazebo.spawn("UAV1")
+    period = rospy.Duration(0.1)
+    gazebo.ask("enroll_source", node="/early", vehicles=["UAV1"], period=period, enroll=True)
+    publisher = rospy.Publisher("/UAV1/command/pose", PoseStamped, queue_size=10, latch=False)
+    try:
+        eventually(lambda: publisher.get_num_connections() == 1, "the simulator listens")
+        message = PoseStamped(pose=pose(0.0, 0.0, 1.0))
+        message.header.stamp = rospy.Time.from_sec(0.3)
+        publisher.publish(message)
+        gazebo.controller("UAV1")
+        eventually(lambda: gazebo.time() > 0.0, "all parts are there")
+        gazebo.process.eventually_logs("time runs")
+        eventually(lambda: gazebo.time() == pytest.approx(0.09), "the world waits")
+        assert [gazebo.time() for _ in range(50)] == [pytest.approx(0.09)] * 50
+        eventually(lambda: publisher.get_num_connections() == 2, "the controller listens")
+        publisher.publish(message)
+        gazebo.until(0.2)
+    finally:
+        publisher.unregister()
+
+
+def test_what_acts_on_a_running_world_from_outside_is_named(
+    ros: Ros, start_gazebo: StartGazebo
+) -> None:
+    out_dir = fresh_folder(ros.folder / "outsiders")
+    gazebo = start_gazebo(out_dir=out_dir, paused=False, real_time_factor=2.0)
+    gazebo.ask("unpause_physics")
+    gazebo.until(0.1)
+    gazebo.spawn("UAV1")
+    state = ModelState("UAV1", pose(z=0.5), Twist(), "world")
+    gazebo.ask("set_model_state", model_state=state)
+    with recorder("/diagnostics", DiagnosticArray) as diagnostics:
+        eventually(
+            lambda: any(
+                "not repeatable: the spawning of UAV1" in status.message
+                for message in diagnostics.messages
+                for status in message.status
+            ),
+            "the diagnostics name it",
+        )
+    results = gazebo.finish()
+    found = {note["who"]: note["why"] for note in results["not_repeatable"]}
+    assert found["the spawning of UAV1"] == "called outside of the lockstep"
+    assert "/gazebo/set_model_state" in found
+    assert found["the end of the run"] == "interrupted as time ran"
 
 
 def test_policy_pause_pauses_and_can_be_unpaused(start_gazebo: StartGazebo) -> None:

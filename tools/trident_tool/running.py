@@ -93,6 +93,8 @@ def run_environment(
         "TRIDENT_OUT": str(folder),
         "TRIDENT_REAL_TIME_FACTOR": real_time_factor,
         "TRIDENT_HEADLESS": "1",
+        # Who lives is waited for, also in a run that keeps to a pace, as one that is recorded does.
+        "TRIDENT_LOCKSTEP_POLICY": env.get("TRIDENT_LOCKSTEP_POLICY", "wait"),
         "TRIDENT_END": "1",  # the launch ends with the job, where a plain roslaunch goes on
         "ROS_MASTER_URI": f"http://localhost:{port}",
         "ROS_LOG_DIR": str(folder / "log"),

@@ -53,12 +53,36 @@ SetpointResult SetpointQueue::push(SimTime stamp, Span<const TimedSetpoint> poin
   // While no states come, an unbounded stream of messages must not fill the memory.
   if (pending_.size() + points.size() > 2 * kMaxPoints) pending_.clear();
   const SimTime first = params_.first_point_at_start ? points.front().time_from_start : SimTime{};
+  const std::size_t begin = pending_.size();
   bool starts_message = true;
   for (const TimedSetpoint& timed : points) {
     pending_.push_back({stamp, timed.time_from_start - first, timed.point, starts_message});
     starts_message = false;
   }
+  const Span<const Pending> message(pending_.data() + begin, pending_.size() - begin);
+  repeats_ = is_repeated_in_pending(begin) || is_repeated(message);
+  pending_[begin].is_repeated = repeats_;
   return result;
+}
+
+// While the world stands still no state takes what came, so that it is there twice.
+bool SetpointQueue::is_repeated_in_pending(std::size_t begin) const {
+  const SimTime stamp = pending_[begin].stamp;
+  if (stamp == SimTime{}) return false;
+  const Span<const Pending> pending(pending_.data(), pending_.size());
+  const std::uint64_t digest = digest_of(pending.subspan(begin, pending.size() - begin));
+  for (std::size_t end = begin, i = begin; i-- > 0;) {
+    if (pending[i].stamp == SimTime{}) return false;  // it takes the place of all before
+    if (!pending[i].starts_message) continue;
+    if (pending[i].is_repeated) {  // it tells nothing of what came before it
+      end = i;
+      continue;
+    }
+    if (pending[i].stamp == stamp && digest_of(pending.subspan(i, end - i)) == digest) return true;
+    if (pending[i].stamp <= stamp) return false;
+    end = i;
+  }
+  return false;
 }
 
 const TrajectoryPoint* SetpointQueue::advance(SimTime state_stamp) {

@@ -250,5 +250,23 @@ TEST_F(SetpointQueueTest, an_equal_stamp_is_no_reset) {
   EXPECT_FALSE(queue.was_reset());
 }
 
+TEST_F(SetpointQueueTest, a_message_that_comes_again_is_known_before_and_after_a_state) {
+  const auto told = [this](SimTime stamp, double x) {
+    push(stamp, {point(x)});
+    return queue.repeats();
+  };
+  EXPECT_FALSE(told(at(1.0), 1));
+  EXPECT_FALSE(told(at(2.0), 2));
+  EXPECT_TRUE(told(at(1.0), 1)) << "no state has taken it yet";
+  EXPECT_TRUE(told(at(2.0), 2)) << "behind one that was repeated itself";
+  EXPECT_TRUE(told(at(1.0), 1));
+  x_at(0.5);
+  EXPECT_TRUE(told(at(2.0), 2)) << "a state has";
+  EXPECT_FALSE(told(at(2.0), 3)) << "another plan";
+  EXPECT_FALSE(told(kNoStamp, 3));
+  EXPECT_FALSE(told(kNoStamp, 3)) << "without a stamp each counts anew";
+  EXPECT_FALSE(told(at(2.0), 3)) << "what has no stamp took its place";
+}
+
 }  // namespace
 }  // namespace trident

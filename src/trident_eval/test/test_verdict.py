@@ -10,8 +10,9 @@ import pytest
 from runs import NAMES, OFFSET, START_S, Run
 from trident_eval.core.command import Command, Refusal, read_command
 from trident_eval.core.errors import EvalError
+from trident_eval.core.report import table
 from trident_eval.core.tracks import Tracks, read_states
-from trident_eval.core.verdict import Verdict, judge
+from trident_eval.core.verdict import Verdict, judge, take_over
 from trident_fleet.core.separation import min_separation
 
 
@@ -212,3 +213,25 @@ def test_states_of_different_vehicles_meet_in_time(tmp_path: Path) -> None:
     np.testing.assert_array_equal(swapped.position[1, 0], [4, 5, 6])
     assert np.isnan(swapped.position[:, 1]).all()
     assert len(Tracks.between(tracks, 0.01, 0.05).time) == 1
+
+
+def test_what_is_not_repeatable_is_said_by_the_verdict_and_does_not_fail_it() -> None:
+    verdict = Verdict({"vehicles": ["UAV1"], "state_hash": "38d26b"})
+    note = {"who": "the controller of UAV4", "t": 12.3, "why": "has not answered in time"}
+    take_over({"repeatable": False, "not_repeatable": [note]}, verdict)
+    assert verdict.passed
+    lines = table(verdict.to_json()).splitlines()
+    assert any("state hash" in line and "38d26b (not repeatable)" in line for line in lines)
+    told = [line for line in lines if "the controller of UAV4, t = 12.30 s" in line]
+    assert told, lines
+    assert "has not answered in time" in told[0]
+
+
+def test_a_repeatable_run_says_nothing_of_it_and_an_error_is_the_first_reason() -> None:
+    verdict = Verdict({"vehicles": [], "state_hash": "b9fead"}, ["below the ground"])
+    take_over({"repeatable": True, "error": "the controller of UAV1 has died"}, verdict)
+    assert verdict.reasons == ["the controller of UAV1 has died", "below the ground"]
+    assert "not repeatable" not in table(verdict.to_json())
+    old = Verdict({"vehicles": []})
+    take_over({}, old)
+    assert "repeatable" not in old.numbers

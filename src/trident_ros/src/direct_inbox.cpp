@@ -18,6 +18,7 @@
 #include "roscpp_internals.h"
 #include "trident_base/error.h"
 #include "trident_ros/peer_process.h"
+#include "trident_ros/schedule_fuzz.h"
 
 namespace trident {
 namespace {
@@ -143,6 +144,7 @@ DirectInbox::Handler DirectInbox::putter(std::uint64_t id) {
 
 // Without mutex_, which the reading thread may hold: its handlers publish, too.
 void DirectInbox::put(Item item) {
+  hand_over("inbox put");
   {
     const std::lock_guard<std::mutex> lock(put_mutex_);
     put_.push_back(std::move(item));
@@ -153,6 +155,7 @@ void DirectInbox::put(Item item) {
 // On roscpp's socket thread, between two polls: nobody is reading.
 void DirectInbox::take_over_links() {
   if (!has_new_links_.exchange(false)) return;
+  hand_over("inbox takes links over");
   const std::lock_guard<std::mutex> lock(mutex_);
   for (auto& [id, topic] : topics_) {
     if (topic.has_new_link && topic.subscription) take_over(topic, id);
@@ -236,6 +239,7 @@ void DirectInbox::read_put() {
 void DirectInbox::read_link(std::uint64_t key) {
   const auto entry = links_.find(key);
   if (entry == links_.end()) return;
+  hand_over("inbox reads");
   Link& link = *entry->second;
   const std::size_t kept = link.partial.size();
   std::copy(link.partial.begin(), link.partial.end(), buffer_.begin());

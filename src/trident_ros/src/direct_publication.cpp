@@ -4,9 +4,11 @@
 
 #include <sys/socket.h>
 
+#include <algorithm>
 #include <cstring>
 
 #include "roscpp_internals.h"
+#include "trident_ros/schedule_fuzz.h"
 
 namespace trident {
 namespace {
@@ -61,10 +63,15 @@ void DirectPublication::take_links() {
 }
 
 // In all of these without the lock: a failing write drops its link, and that takes the lock.
-void DirectPublication::send(DirectMessage& message) {
+int DirectPublication::send(DirectMessage& message, int after) {
+  trident::hand_over("publication sends");
   take_links();
   const std::uint32_t sequence = next_sequence();
+  int newest = 0;
   for (const ros::SubscriberLinkPtr& link : links_) {
+    newest = std::max(newest, link->getConnectionID());
+    // Connections are counted from zero, so that zero leaves nobody out.
+    if (after > 0 && link->getConnectionID() <= after) continue;
     if (link->isIntraprocess()) {
       hand_over(*link, message, sequence);
     } else {
@@ -72,6 +79,7 @@ void DirectPublication::send(DirectMessage& message) {
     }
   }
   links_.clear();
+  return newest;
 }
 
 void DirectPublication::send(Span<const std::uint8_t> frame) {

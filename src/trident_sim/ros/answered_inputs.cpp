@@ -3,25 +3,19 @@
 #include "answered_inputs.h"
 
 #include <algorithm>
-#include <cstdio>
+
+#include "trident_ros/topic_peers.h"
 
 namespace trident {
-namespace {
-
-std::string seconds_text(double seconds) {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.2f s", seconds);
-  return text;
-}
-
-}  // namespace
-
 AnsweredInputs::AnsweredInputs(const ServerOptions& options, PortBoard& board, PortBinder& outputs,
-                               InputBinder& inputs, ReportSink report)
+                               InputBinder& inputs, LossWatch& losses, NodeProbe& probe,
+                               ReportSink report)
     : options_(options),
       board_(board),
       outputs_(outputs),
       inputs_(inputs),
+      losses_(losses),
+      probe_(probe),
       report_(std::move(report)) {
   for (const auto& [name, answers] : options.answers) {
     Driver driver;
@@ -41,13 +35,46 @@ void AnsweredInputs::sync() {
   }
 }
 
-std::string AnsweredInputs::missing_for_start() const {
+/// Who answers has to hear the first sample: that somebody reads it is not enough, for a display
+/// may. "" when nobody is missing.
+std::string AnsweredInputs::missing_node(Driver& driver) {
+  const std::string state = "/" + driver.options.state;
+  std::set<std::string> readers;
+  for (const TopicPeer& reader : topic_readers(state)) readers.insert(reader.node);
+  driver.nodes.clear();
+  for (const std::string& command : driver.options.commands) {
+    const std::vector<std::string> writers = topic_writers("/" + command);
+    for (const std::string& writer : writers) {
+      if (!probe_.sends(writer, "/" + command)) return "a publisher of /" + command;
+      if (readers.count(writer) > 0) driver.nodes.insert(writer);
+    }
+    if (!driver.nodes.empty() || !driver.options.reader.empty()) continue;
+    return "a reader of " + state + " for " + driver.name + " (" + join(writers) +
+           " gives the commands and does not read it; if another node does, name it: reader)";
+  }
+  if (const std::string& named = driver.options.reader; !named.empty()) {
+    if (readers.count(named) == 0) return named + " to read " + state;
+    driver.nodes.insert(named);
+  }
+  return {};
+}
+
+bool AnsweredInputs::has_lost_node(const Driver& driver) const {
+  if (driver.nodes.empty()) return false;
+  for (const TopicPeer& reader : topic_readers("/" + driver.options.state)) {
+    if (driver.nodes.count(reader.node) > 0) return false;
+  }
+  return true;
+}
+
+std::string AnsweredInputs::missing_for_start() {
   std::string missing;
   const auto add = [&](const std::string& what) {
     missing += (missing.empty() ? "" : ", ") + what;
   };
-  for (const Driver& driver : drivers_) {
+  for (Driver& driver : drivers_) {
     const std::string& state = driver.options.state;
+    const std::size_t before = missing.size();
     if (board_.find(state, PortDirection::kOut) == nullptr) {
       add("a model that publishes /" + state + " for " + driver.name);
     } else if (outputs_.subscribers(state) == 0) {
@@ -60,6 +87,8 @@ std::string AnsweredInputs::missing_for_start() const {
         add("a publisher of /" + command);
       }
     }
+    if (missing.size() > before) continue;
+    if (const std::string node = missing_node(driver); !node.empty()) add(node);
   }
   return missing;
 }
@@ -79,32 +108,25 @@ bool AnsweredInputs::allows_step(SimTime begin) {
   for (Driver& driver : drivers_) {
     const bool waits = is_due(driver, begin) && !driver.is_lost && !is_answered(driver);
     if (!waits) {
-      driver.since = {};
-    } else if (driver.since == Clock::time_point{}) {
-      driver.since = Clock::now();
+      driver.waiting.end();
+    } else if (driver.waiting.since == 0) {
+      driver.waiting.since = wall_now();
     }
     allowed = allowed && !waits;
   }
   return allowed;
 }
 
-void AnsweredInputs::check_losses() {
-  const auto now = Clock::now();
+void AnsweredInputs::check_losses(SimTime time) {
+  const WallTime now = wall_now();
+  losses_.clear();
   for (Driver& driver : drivers_) {
-    if (driver.since == Clock::time_point{}) continue;
-    const double waited_s = std::chrono::duration<double>(now - driver.since).count();
-    if (waited_s >= options_.lockstep_timeout_s) lose(driver, waited_s);
+    if (driver.waiting.since == 0) continue;
+    driver.is_lost = losses_.gives_up(
+        {"the driver of " + driver.name, "has not answered /" + driver.options.state,
+         has_lost_node(driver), 1.0, time},
+        driver.waiting, now);
   }
-}
-
-void AnsweredInputs::lose(Driver& driver, double waited_s) {
-  const bool is_waited_for = options_.loss_policy == LossPolicy::kWait;
-  driver.since = Clock::now();
-  driver.is_lost = !is_waited_for;
-  report_(Severity::kWarning,
-          "the driver of " + driver.name + " has not answered /" + driver.options.state + " for " +
-              seconds_text(waited_s) +
-              (is_waited_for ? "; the world waits" : "; the world goes on without it"));
 }
 
 void AnsweredInputs::deliver(SimTime begin) {
@@ -113,7 +135,7 @@ void AnsweredInputs::deliver(SimTime begin) {
     // One that was lost is back with its first answer in time.
     if (is_answered(driver)) driver.is_lost = false;
     driver.is_open = false;
-    for (const std::string& command : driver.options.commands) inputs_.deliver_held(command);
+    for (const std::string& command : driver.options.commands) inputs_.deliver_held(command, begin);
   }
 }
 
@@ -145,7 +167,7 @@ void AnsweredInputs::open(Driver& driver, SimTime now) {
 void AnsweredInputs::clear() {
   for (Driver& driver : drivers_) {
     driver.is_open = driver.is_lost = false;
-    driver.since = {};
+    driver.waiting.end();
   }
   sync();
 }

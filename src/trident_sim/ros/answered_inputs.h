@@ -4,10 +4,13 @@
 
 #include <chrono>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "input_binder.h"
+#include "loss_watch.h"
+#include "node_probe.h"
 #include "port_binder.h"
 #include "server_options.h"
 #include "trident_sim/world.h"
@@ -24,12 +27,12 @@ namespace trident {
 class AnsweredInputs {
  public:
   AnsweredInputs(const ServerOptions& options, PortBoard& board, PortBinder& outputs,
-                 InputBinder& inputs, ReportSink report);
+                 InputBinder& inputs, LossWatch& losses, NodeProbe& probe, ReportSink report);
 
   /// After models came or went: the inputs of the declared nodes are held for their moment.
   void sync();
   /// What time zero is held for, in words; "" when nothing is missing.
-  std::string missing_for_start() const;
+  std::string missing_for_start();
   bool empty() const { return drivers_.empty(); }
 
   /// The step that begins at `begin` has the answers that it needs.
@@ -37,7 +40,7 @@ class AnsweredInputs {
   /// Waits for a message for up to milliseconds; without the world's mutex.
   void wait() { inputs_.wait_for_message(std::chrono::milliseconds(2)); }
   /// Nodes that have been silent for too long run free from then on, or are waited for.
-  void check_losses();
+  void check_losses(SimTime now);
   /// Hands over what is due in the step that begins at `begin`.
   void deliver(SimTime begin);
   /// The step has been made: are there samples to answer?
@@ -45,7 +48,6 @@ class AnsweredInputs {
   void clear();
 
  private:
-  using Clock = std::chrono::steady_clock;
   struct Driver {
     std::string name;
     AnswerOptions options;
@@ -54,17 +56,21 @@ class AnsweredInputs {
     bool is_lost = false;
     SimTime sample;
     std::map<std::string, std::uint64_t> wanted;  ///< messages per input that answer it
-    Clock::time_point since{};                    ///< the world waits; 0: it does not
+    std::set<std::string> nodes;                  ///< that read the samples and answer
+    Waiting waiting;
   };
   bool is_due(const Driver& driver, SimTime begin) const;
   bool is_answered(const Driver& driver) const;
   void open(Driver& driver, SimTime now);
-  void lose(Driver& driver, double waited_s);
+  std::string missing_node(Driver& driver);
+  bool has_lost_node(const Driver& driver) const;
 
   const ServerOptions& options_;
   PortBoard& board_;
   PortBinder& outputs_;
   InputBinder& inputs_;
+  LossWatch& losses_;
+  NodeProbe& probe_;
   ReportSink report_;
   std::vector<Driver> drivers_;
 };

@@ -19,7 +19,7 @@ int serve(const std::vector<std::string>& arguments) {
   const std::string reason = server.run();
   ROS_INFO("end of the run: %s", reason.c_str());
   ros::shutdown();
-  return 0;
+  return server.failed() ? 1 : 0;
 }
 
 /// Looks at what it would be started with, and at the world file: the private parameters come as

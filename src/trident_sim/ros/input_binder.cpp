@@ -20,6 +20,7 @@
 
 #include "conversions.h"
 #include "thruster_services.h"
+#include "trident_ros/schedule_fuzz.h"
 #include "trident_sim/commands.h"
 #include "trident_sim/text_sample.h"
 
@@ -49,7 +50,23 @@ PathCommand from_message(const nav_msgs::Path& message) {
 }
 TextCommand from_message(const std_msgs::String& message) { return {SimTime{}, message.data}; }
 
-using Bell = std::shared_ptr<MessageBell>;
+/// When a command counts; zero: in the next step.
+template <class Command>
+SimTime stamp_of(const Command& command) {
+  if constexpr (std::is_same_v<Command, PoseSample> || std::is_same_v<Command, PathCommand>) {
+    return command.stamp;
+  } else {
+    return {};
+  }
+}
+
+/// What a binding is made with, besides its port.
+struct Surroundings {
+  ros::NodeHandle& node;
+  ros::CallbackQueueInterface& queue;
+  std::shared_ptr<MessageBell> bell;
+  Repeatability& repeatability;
+};
 
 template <class Command>
 class Mailbox {
@@ -58,10 +75,14 @@ class Mailbox {
   static constexpr std::size_t kDepth =
       std::is_same_v<Command, TextCommand> ? InPort<Command>::kDepth : 1;
 
-  explicit Mailbox(Bell bell) : bell_(std::move(bell)) {}
-  void put(const Command& command) {
+  explicit Mailbox(const Surroundings& around)
+      : bell_(around.bell), repeatability_(around.repeatability) {}
+  /// `sender` is kept if the step in which the command acts is left to chance.
+  void put(const Command& command, const std::string& sender) {
+    hand_over("input received");
     {
       const std::lock_guard<std::mutex> lock(mutex_);
+      if (!is_awaited && repeatability_.running()) late_.emplace_back(sender, stamp_of(command));
       if (waiting_.size() == kDepth) waiting_.erase(waiting_.begin());
       waiting_.push_back(command);
       ++count_;
@@ -78,9 +99,22 @@ class Mailbox {
     const std::lock_guard<std::mutex> lock(mutex_);
     taken->swap(waiting_);
   }
+  /// Notes who has sent what acts in a step at `begin` by chance.
+  void note_late(SimTime begin, const std::string& port) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    for (const auto& [sender, stamp] : late_) {
+      if (stamp > begin) continue;
+      repeatability_.spoil(sender, begin, "writes /" + port + " outside of the lockstep");
+    }
+    late_.clear();
+  }
+
+  std::atomic<bool> is_awaited{false};  ///< the world waits for these messages
 
  private:
-  Bell bell_;
+  std::shared_ptr<MessageBell> bell_;
+  Repeatability& repeatability_;
+  std::vector<std::pair<std::string, SimTime>> late_;  ///< sender and stamp
   mutable std::mutex mutex_;
   std::vector<Command> waiting_;
   std::uint64_t count_ = 0;
@@ -90,11 +124,13 @@ class Mailbox {
 template <class Command>
 class MailboxBinding : public InputBinding {
  public:
-  MailboxBinding(InPort<Command>& port, const Bell& bell)
-      : port_(port), mailbox_(std::make_shared<Mailbox<Command>>(bell)) {}
+  MailboxBinding(InPort<Command>& port, const Surroundings& around)
+      : port_(port), mailbox_(std::make_shared<Mailbox<Command>>(around)) {}
 
   PortBase& port() const final { return port_; }
-  void deliver() final {
+  void hold() final { is_held = mailbox_->is_awaited = true; }
+  void deliver(SimTime begin) final {
+    mailbox_->note_late(begin, port_.name());
     mailbox_->take(&taken_);
     for (const Command& command : taken_) port_.write(command);
   }
@@ -114,17 +150,18 @@ class MailboxBinding : public InputBinding {
 template <class Command, class Message>
 class TopicBinding : public MailboxBinding<Command> {
  public:
-  TopicBinding(ros::NodeHandle& node, ros::CallbackQueueInterface& queue, InPort<Command>& port,
-               const Bell& bell)
-      : MailboxBinding<Command>(port, bell) {
+  using Event = const ros::MessageEvent<Message const>&;
+
+  TopicBinding(const Surroundings& around, InPort<Command>& port)
+      : MailboxBinding<Command>(port, around) {
     ros::SubscribeOptions options;
-    options.init<Message>("/" + port.name(), Mailbox<Command>::kDepth,
-                          [mailbox = this->mailbox()](const boost::shared_ptr<const Message>& m) {
-                            mailbox->put(from_message(*m));
-                          });
-    options.callback_queue = &queue;
+    options.initByFullCallbackType<Event>(
+        "/" + port.name(), Mailbox<Command>::kDepth, [mailbox = this->mailbox()](Event event) {
+          mailbox->put(from_message(*event.getMessage()), event.getPublisherName());
+        });
+    options.callback_queue = &around.queue;
     options.transport_hints = ros::TransportHints().tcpNoDelay();
-    subscriber_ = node.subscribe(options);
+    subscriber_ = around.node.subscribe(options);
   }
 
   std::uint32_t publishers() const final { return subscriber_.getNumPublishers(); }
@@ -136,18 +173,17 @@ class TopicBinding : public MailboxBinding<Command> {
 /// Answers at once; what was asked for is done in the next step.
 class ServiceBinding : public MailboxBinding<ServiceCommand> {
  public:
-  ServiceBinding(ros::NodeHandle& node, ros::CallbackQueueInterface& queue,
-                 InPort<ServiceCommand>& port, const Bell& bell)
-      : MailboxBinding(port, bell) {
+  using Event = ros::ServiceEvent<std_srvs::Empty::Request, std_srvs::Empty::Response>;
+
+  ServiceBinding(const Surroundings& around, InPort<ServiceCommand>& port)
+      : MailboxBinding(port, around) {
     ros::AdvertiseServiceOptions options;
-    options.init<std_srvs::Empty::Request, std_srvs::Empty::Response>(
-        "/" + port.name(),
-        [mailbox = mailbox()](std_srvs::Empty::Request&, std_srvs::Empty::Response&) {
-          mailbox->put({});
-          return true;
-        });
-    options.callback_queue = &queue;
-    server_ = node.advertiseService(options);
+    options.initBySpecType<Event>("/" + port.name(), [mailbox = mailbox()](const Event& event) {
+      mailbox->put({}, event.getCallerName());
+      return true;
+    });
+    options.callback_queue = &around.queue;
+    server_ = around.node.advertiseService(options);
   }
 
   std::uint32_t publishers() const final { return 0; }
@@ -157,16 +193,13 @@ class ServiceBinding : public MailboxBinding<ServiceCommand> {
 };
 
 template <class Command, class Binding>
-std::unique_ptr<InputBinding> try_bind(ros::NodeHandle& node, ros::CallbackQueueInterface& queue,
-                                       PortBase& port, const Bell& bell) {
+std::unique_ptr<InputBinding> try_bind(const Surroundings& around, PortBase& port) {
   auto* typed = dynamic_cast<InPort<Command>*>(&port);
   if (typed == nullptr) return nullptr;
-  return std::make_unique<Binding>(node, queue, *typed, bell);
+  return std::make_unique<Binding>(around, *typed);
 }
 
-using BindFunction = std::unique_ptr<InputBinding> (*)(ros::NodeHandle&,
-                                                       ros::CallbackQueueInterface&, PortBase&,
-                                                       const Bell&);
+using BindFunction = std::unique_ptr<InputBinding> (*)(const Surroundings&, PortBase&);
 constexpr BindFunction kBindFunctions[] = {
     try_bind<TwistCommand, TopicBinding<TwistCommand, geometry_msgs::Twist>>,
     try_bind<ScalarSample, TopicBinding<ScalarSample, std_msgs::Float64>>,
@@ -202,20 +235,21 @@ void InputBinder::sync() {
     const PortBase* const now = board_.find(it->first, PortDirection::kIn);
     it = now == &it->second->port() ? std::next(it) : entries_.erase(it);
   }
-  board_.for_each([this](PortBase& port) {
+  const Surroundings around{node_, queue_, bell_, repeatability_};
+  board_.for_each([&](PortBase& port) {
     if (port.direction() != PortDirection::kIn || entries_.count(port.name()) > 0) return;
     std::unique_ptr<InputBinding> binding;
     for (const BindFunction bind : kBindFunctions) {
-      if (!binding) binding = bind(node_, queue_, port, bell_);
+      if (!binding) binding = bind(around, port);
     }
-    if (!binding) binding = bind_thruster_services(node_, queue_, port, board_);
+    if (!binding) binding = bind_thruster_services(node_, queue_, port, board_, repeatability_);
     if (binding) entries_.emplace(port.name(), std::move(binding));
   });
 }
 
-void InputBinder::deliver() {
+void InputBinder::deliver(SimTime begin) {
   for (auto& [name, binding] : entries_) {
-    if (!binding->is_held) binding->deliver();
+    if (!binding->is_held) binding->deliver(begin);
   }
 }
 
@@ -225,11 +259,11 @@ InputBinding* InputBinder::find(const std::string& port) const {
 }
 
 void InputBinder::hold(const std::string& port) {
-  if (InputBinding* const binding = find(port)) binding->is_held = true;
+  if (InputBinding* const binding = find(port)) binding->hold();
 }
 
-void InputBinder::deliver_held(const std::string& port) {
-  if (InputBinding* const binding = find(port)) binding->deliver();
+void InputBinder::deliver_held(const std::string& port, SimTime begin) {
+  if (InputBinding* const binding = find(port)) binding->deliver(begin);
 }
 
 std::uint64_t InputBinder::received(const std::string& port) const {

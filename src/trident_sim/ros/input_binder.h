@@ -11,6 +11,7 @@
 #include <mutex>
 #include <string>
 
+#include "repeatability.h"
 #include "trident_ros/inline_callback_queue.h"
 #include "trident_sim/port.h"
 
@@ -34,13 +35,15 @@ class InputBinding {
  public:
   virtual ~InputBinding() = default;
   virtual PortBase& port() const = 0;
-  /// Hands the newest message that came since the last call to the port.
-  virtual void deliver() = 0;
+  /// Hands the newest message that came since the last call to the port, at the beginning of a step
+  /// at `begin`.
+  virtual void deliver(SimTime begin) = 0;
   virtual void forget() = 0;
   /// How many messages have come in all.
   virtual std::uint64_t received() const = 0;
   virtual std::uint32_t publishers() const = 0;
 
+  virtual void hold() { is_held = true; }
   bool is_held = false;  ///< somebody else says when messages are handed over
 };
 
@@ -49,18 +52,20 @@ class InputBinding {
 /// before but for texts, until the stepping thread hands it to the port.
 class InputBinder {
  public:
-  InputBinder(ros::NodeHandle& node, PortBoard& board) : node_(node), board_(board) {}
+  /// What comes while the world runs, and is not held, is noted in `repeatability`.
+  InputBinder(ros::NodeHandle& node, PortBoard& board, Repeatability& repeatability)
+      : node_(node), board_(board), repeatability_(repeatability) {}
 
   /// Follows ports that came or went; to be called whenever models did.
   void sync();
   /// Hands over what came since the last call. By the stepping thread, before a step.
-  void deliver();
+  void deliver(SimTime begin);
   /// Forgets what came; for a reset.
   void clear();
 
   /// Messages of this input wait for deliver_held(). No such input: nothing happens.
   void hold(const std::string& port);
-  void deliver_held(const std::string& port);
+  void deliver_held(const std::string& port, SimTime begin);
   std::uint64_t received(const std::string& port) const;
   std::uint32_t publishers(const std::string& port) const;
   /// Sleeps until a message comes to any input, or for `limit`.
@@ -69,6 +74,7 @@ class InputBinder {
  private:
   ros::NodeHandle& node_;
   PortBoard& board_;
+  Repeatability& repeatability_;
   std::uint64_t version_ = 0;
   InputBinding* find(const std::string& port) const;
 

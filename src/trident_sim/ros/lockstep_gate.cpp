@@ -10,37 +10,15 @@ namespace {
 
 using std::chrono::milliseconds;
 
-/// After every declared part is there, controllers get this long to announce that they confirm
-/// set-points; those that do not are taken not to.
-constexpr auto kConfirmationGrace = milliseconds(300);
 constexpr auto kLookAtLossesEvery = milliseconds(2);
-/// A broken connection counts after this time without an answer, which may have been under way.
-constexpr WallTime kDisconnectedAfter = 20'000'000;
+constexpr auto kLookAtMasterEvery = milliseconds(50);
 /// A set-point source may be a script that starts slowly: it gets this many times a controller's
 /// patience.
 constexpr double kSourcePatience = 10.0;
 /// A source that sees another node's trajectory sends its own again; if it has not by then, it will
 /// not.
-constexpr double kReplacementPatience_s = 1.0;
+constexpr WallTime kReplacementPatience = 1'000'000'000;
 const std::string kCommandTopic = "command/motor_speed";
-
-WallTime wall_now() {
-  return std::chrono::duration_cast<std::chrono::nanoseconds>(
-             std::chrono::steady_clock::now().time_since_epoch())
-      .count();
-}
-
-std::string join(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
-}
-
-std::string seconds_text(double seconds) {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.2f s", seconds);
-  return text;
-}
 
 bool ends_with(const std::string& text, const std::string& tail) {
   return text.size() >= tail.size() &&
@@ -61,14 +39,15 @@ std::map<std::string, InPort<ActuatorCommand>*> commanded_ports(const PortBoard&
 
 }  // namespace
 
-LockstepGate::LockstepGate(ros::NodeHandle& node, const ServerOptions& options, ReportSink report,
-                           std::function<void()> pause)
+LockstepGate::LockstepGate(ros::NodeHandle& node, const ServerOptions& options, LossWatch& losses,
+                           NodeProbe& probe)
     : node_(node),
       options_(options),
-      report_(std::move(report)),
-      pause_(std::move(pause)),
+      losses_(losses),
+      probe_(probe),
       hub_(options.shares_process ? DirectInbox::Sockets::kReadByRoscpp
-                                  : DirectInbox::Sockets::kReadHere) {}
+                                  : DirectInbox::Sockets::kReadHere,
+           losses.repeatability(), probe) {}
 
 LockstepGate::~LockstepGate() {
   {
@@ -99,6 +78,8 @@ void LockstepGate::sync(World& world, PortBinder& binder) {
     auto link = std::make_unique<VehicleLink>(node_, hub_, *port, binder.hold_back_odometry(prefix),
                                               inline_queue_);
     const std::lock_guard<std::mutex> lock(hub_.mutex);
+    const bool is_held = options_.holds_time_zero();
+    if (is_held && !released_) link->leave_confirming_open();
     hub_.vehicles.push_back(link.get());
     vehicles_.emplace(name, std::move(link));
   }
@@ -135,23 +116,65 @@ bool LockstepGate::is_to_be_controlled(const std::string& port) const {
   return std::find(topics.begin(), topics.end(), "/" + port) != topics.end();
 }
 
+void LockstepGate::check_losses_at_start() {
+  if (released_) return;
+  const WallTime now = wall_now();
+  const std::lock_guard<std::mutex> lock(hub_.mutex);
+  for (VehicleLink* vehicle : hub_.vehicles) {
+    if (vehicle->has_controller()) {
+      vehicle->had_controller = true;
+      vehicle->waiting.end();
+    } else if (vehicle->had_controller) {
+      if (vehicle->waiting.since == 0) vehicle->waiting.since = now;
+      losses_.gives_up({"the controller of " + vehicle->name(), "", true, 1.0, {}},
+                       vehicle->waiting, now);
+    }
+  }
+  for (auto& [node, source] : hub_.sources.all()) {
+    Waiting& waiting = sources_[node];
+    const bool is_gone = probe_.look(node) == NodeProbe::State::kGone;
+    if (!is_gone) waiting.end();
+    if (!is_gone) continue;
+    if (waiting.since == 0) waiting.since = now;
+    losses_.gives_up({"set-point source " + node, "", true, 1.0, {}}, waiting, now);
+  }
+}
+
+/// A controller that announces that it confirms set-points is registered with the master before it
+/// reads the first state. Until its confirmations reach this process time zero is held.
+bool LockstepGate::all_confirm_who_will() {
+  const auto confirms = [](const auto& entry) { return entry.second->hears_confirmations(); };
+  if (std::all_of(vehicles_.begin(), vehicles_.end(), confirms)) return true;
+  if (Clock::now() < next_look_) return false;
+  next_look_ = Clock::now() + kLookAtMasterEvery;
+  ros::master::V_TopicInfo topics;
+  if (!ros::master::getTopics(topics)) return false;
+  for (const auto& [name, vehicle] : vehicles_) {
+    const std::string topic = "/" + vehicle->confirmation_topic();
+    const bool will = std::any_of(topics.begin(), topics.end(),
+                                  [&](const auto& info) { return info.name == topic; });
+    if (will && !vehicle->hears_confirmations()) return false;
+  }
+  return true;
+}
+
 bool LockstepGate::start_allowed(const World& world, PortBinder& binder) {
   if (released_ || !options_.holds_time_zero()) return true;
-  if (!missing_for_start(world).empty()) {
-    complete_since_ = {};
-    return false;
-  }
-  if (complete_since_ == Clock::time_point{}) complete_since_ = Clock::now();
-  const bool all_confirm = std::all_of(vehicles_.begin(), vehicles_.end(), [](const auto& entry) {
-    return entry.second->confirms_setpoints();
-  });
-  if (!all_confirm && Clock::now() - complete_since_ < kConfirmationGrace) return false;
+  if (!missing_for_start(world).empty() || !all_confirm_who_will()) return false;
+  // A confirmation's connection, too, has to be known at both ends.
+  if (!missing_for_start(world).empty()) return false;
   released_ = true;
   binder.scan_subscribers();
   const std::lock_guard<std::mutex> lock(hub_.mutex);
   for (const auto& [name, vehicle] : vehicles_) {
     // A controller of an unknown kind may not answer each state; it enrols by its first answer.
     if (options_.wait_for_spawned.empty() || is_to_be_controlled(name)) vehicle->lockstep.enrol();
+    vehicle->close_confirming();
+    if (hub_.sources.feeds(vehicle->name()) && !vehicle->confirms_setpoints()) {
+      losses_.repeatability().spoil(
+          "the controller of " + vehicle->name(), world.time(),
+          "does not confirm its set-points: when they reach it is left to chance");
+    }
   }
   hub_.news.push_back(std::to_string(vehicles_.size()) + " vehicle(s) with controllers and " +
                       std::to_string(hub_.sources.all().size()) +
@@ -168,6 +191,7 @@ bool LockstepGate::allows_step(const World& world, std::mutex& world_mutex,
   if (!has_just_read_) read_commands(milliseconds(0));
   has_just_read_ = false;
   if (hub_.ready()) {
+    losses_.clear();
     for (VehicleLink* vehicle : hub_.vehicles) vehicle->deliver();
     return true;
   }
@@ -211,65 +235,47 @@ void LockstepGate::read_while_standing() {
 void LockstepGate::check_losses(const World& world) {
   const WallTime now = wall_now();
   const std::lock_guard<std::mutex> lock(hub_.mutex);
+  losses_.clear();
   for (VehicleLink* vehicle : hub_.vehicles) check_vehicle(*vehicle, now);
   check_source(world.time() + world.dt(), now);
 }
 
 void LockstepGate::check_vehicle(VehicleLink& vehicle, WallTime now) {
   const WallTime waited = vehicle.lockstep.waiting_for(now);
-  const double waited_s = static_cast<double>(waited) * 1e-9;
-  const bool disconnected =
-      waited > kDisconnectedAfter && vehicle.odometry_readers() < vehicle.readers_when_sent;
-  const bool is_silent = waited_s >= options_.lockstep_timeout_s;
-  if (disconnected || is_silent) vehicle.connection_lost = true;
-  send_again_if_back(vehicle, now);
-  if (!disconnected && !is_silent) return;
-  if (options_.loss_policy == LossPolicy::kWait && vehicle.loss_told) return;
-  vehicle.loss_told = true;
-  lose("the controller of " + vehicle.name(),
-       disconnected ? "has disconnected" : "has not answered for " + seconds_text(waited_s));
-  if (options_.loss_policy != LossPolicy::kWait) vehicle.release();
-}
-
-void LockstepGate::send_again_if_back(VehicleLink& vehicle, WallTime now) {
-  // A new reader is the controller that came back. One that was back before its loss was noticed,
-  // or is just slow, gets the state again once per timeout.
-  const std::uint32_t readers = vehicle.odometry_readers();
-  const bool is_new = readers > vehicle.readers_seen;
-  const double since_s = static_cast<double>(now - vehicle.sent_again_at) * 1e-9;
-  vehicle.readers_seen = readers;
-  if (!vehicle.connection_lost || readers == 0) return;
-  if (is_new || since_s > options_.lockstep_timeout_s) {
-    vehicle.sent_again_at = now;
-    vehicle.send_again();
+  if (waited == 0) return;
+  const SimTime time = hub_.next_time;
+  const std::string who = "the controller of " + vehicle.name();
+  // Whoever reads its odometry since the state was sent has not got it.
+  if (vehicle.send_again_to_new_readers()) {
+    losses_.repeatability().spoil(who, time, "was started again");
   }
+  vehicle.waiting.since = now - waited;
+  const bool gives_up = losses_.gives_up(
+      {who, "has not answered", vehicle.has_lost_controller(), 1.0, time}, vehicle.waiting, now);
+  if (gives_up) vehicle.release();
 }
 
 void LockstepGate::check_source(SimTime time, WallTime now) {
   const std::string* blocking = hub_.sources.blocking(time);
-  for (auto& [node, source] : hub_.sources.all()) {
-    if (blocking == nullptr || node != *blocking) source.since = 0;
+  for (auto& [node, waiting] : sources_) {
+    if (blocking == nullptr || node != *blocking) waiting.end();
   }
   if (blocking == nullptr) return;
   const std::string node = *blocking;
-  auto& source = hub_.sources.all().at(node);
-  if (source.since == 0) source.since = now;
-  const double waited_s = static_cast<double>(now - source.since) * 1e-9;
-  if (waited_s > kReplacementPatience_s) hub_.sources.forget_replacements();
-  if (waited_s < kSourcePatience * options_.lockstep_timeout_s) return;
-  source.since = now;
-  lose("set-point source " + node, "has sent nothing for " + seconds_text(waited_s) + " for " +
-                                       join(hub_.sources.missing(node, time)) +
-                                       " at t = " + seconds_text(time.seconds()));
-  if (options_.loss_policy != LossPolicy::kWait) hub_.sources.release(node);
-}
-
-void LockstepGate::lose(const std::string& who, const std::string& why) {
-  const char* what = options_.loss_policy == LossPolicy::kWait    ? "the world waits"
-                     : options_.loss_policy == LossPolicy::kPause ? "the world is paused"
-                                                                  : "the world goes on without it";
-  if (options_.loss_policy == LossPolicy::kPause) pause_();
-  report_(Severity::kWarning, who + " " + why + "; " + what);
+  Waiting& waiting = sources_[node];
+  if (waiting.since == 0) waiting.since = now;
+  if (now - waiting.since > kReplacementPatience && hub_.sources.forget_replacements()) {
+    losses_.repeatability().spoil(
+        "another node than " + node, time,
+        "has replaced set-points, and " + node + " has not sent its own again");
+  }
+  const bool is_gone = probe_.look(node) == NodeProbe::State::kGone;
+  const std::string who = "set-point source " + node;
+  const std::string what = "has sent nothing for " + join(hub_.sources.missing(node, time)) +
+                           " at t = " + seconds_text(time.seconds());
+  if (losses_.gives_up({who, what, is_gone, kSourcePatience, time}, waiting, now)) {
+    hub_.sources.release(node);
+  }
 }
 
 void LockstepGate::send_states(SimTime stamp) {
@@ -306,6 +312,7 @@ void LockstepGate::clear(bool with_time) {
     if (with_time) vehicle->announce_reset();
   }
   if (with_time) hub_.sources.clear();
+  sources_.clear();
 }
 
 SimTime LockstepGate::enrol_source(const std::string& node,
@@ -318,6 +325,10 @@ SimTime LockstepGate::enrol_source(const std::string& node,
   }
   const std::lock_guard<std::mutex> lock(hub_.mutex);
   const bool is_new = hub_.sources.all().count(node) == 0;
+  probe_.look(node);  // so that its end will be one
+  if (is_new && losses_.repeatability().running()) {
+    losses_.repeatability().spoil("set-point source " + node, now, "enrolled while time ran");
+  }
   const SimTime start = hub_.sources.enrol(node, vehicles, period, end, now);
   if (is_new) {
     hub_.news.push_back("set-point source " + node + " enrolled for " + join(vehicles) +

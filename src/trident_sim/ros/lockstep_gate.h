@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "loss_watch.h"
+#include "node_probe.h"
 #include "port_binder.h"
 #include "server_options.h"
 #include "trident_ros/process_cores.h"
@@ -26,9 +28,8 @@ namespace trident {
 /// mutex held.
 class LockstepGate {
  public:
-  /// `pause`: what LossPolicy::kPause does.
-  LockstepGate(ros::NodeHandle& node, const ServerOptions& options, ReportSink report,
-               std::function<void()> pause);
+  LockstepGate(ros::NodeHandle& node, const ServerOptions& options, LossWatch& losses,
+               NodeProbe& probe);
   ~LockstepGate();
 
   /// Follows the vehicles that came or went.
@@ -38,6 +39,8 @@ class LockstepGate {
   bool start_allowed(const World& world, PortBinder& binder);
   /// What it is held for, in words; "" when nothing is missing.
   std::string missing_for_start(const World& world);
+  /// One that was there while time zero is held, and has died, will not come by waiting.
+  void check_losses_at_start();
 
   /// True: the step may be made, and the commands for it are in the ports. False: something was
   /// waited for, up to milliseconds, with `world_mutex` released; look again. `about_to_wait` is
@@ -71,26 +74,26 @@ class LockstepGate {
  private:
   using Clock = std::chrono::steady_clock;
   bool is_to_be_controlled(const std::string& port) const;
+  bool all_confirm_who_will();
   bool wait_until_ready(std::unique_lock<std::mutex>& lock);
   void read_commands(std::chrono::milliseconds limit);
   void check_losses(const World& world);
   void check_vehicle(VehicleLink& vehicle, WallTime now);
-  void send_again_if_back(VehicleLink& vehicle, WallTime now);
   void check_source(SimTime time, WallTime now);
-  void lose(const std::string& who, const std::string& why);
 
   ros::NodeHandle& node_;
   const ServerOptions& options_;
-  ReportSink report_;
-  std::function<void()> pause_;
+  LossWatch& losses_;
+  NodeProbe& probe_;
   InlineCallbackQueue inline_queue_;
   LockstepHub hub_;
   std::map<std::string, std::unique_ptr<VehicleLink>> vehicles_;
   ProcessCores cores_;
   std::uint64_t newest_link_ = 0;  ///< when controllers were last kept on cores
   bool has_just_read_ = false;
-  bool released_ = false;  ///< time zero is no longer held
-  Clock::time_point complete_since_;
+  bool released_ = false;                   ///< time zero is no longer held
+  std::map<std::string, Waiting> sources_;  ///< how long the world waits for them
+  Clock::time_point next_look_;             ///< at who will confirm set-points
 };
 
 }  // namespace trident

@@ -9,6 +9,7 @@
 #include "environment_conversions.h"
 #include "image_transport.h"
 #include "range_conversions.h"
+#include "trident_ros/schedule_fuzz.h"
 
 namespace trident {
 namespace {
@@ -189,6 +190,7 @@ std::vector<OutputBinding*> PortBinder::hold_back_odometry(const std::string& pr
 
 void PortBinder::scan_subscribers() {
   if (!advertiser_.take_change()) return;
+  hand_over("subscription found");
   bool changed = false;
   for (auto& [name, entry] : entries_) {
     // Odometry that the lockstep sends stays wanted: when its reader dies, the world must still

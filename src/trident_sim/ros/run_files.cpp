@@ -37,6 +37,23 @@ std::string json_escaped(const std::string& text) {
   return result;
 }
 
+/// Whether another run gives the same hash, and if not, who is to blame.
+void write_notes(std::FILE* file, const Repeatability& repeatability) {
+  const std::vector<Repeatability::Note> notes = repeatability.notes();
+  std::fprintf(file, ", \"repeatable\": %s", notes.empty() ? "true" : "false");
+  if (notes.empty()) return;
+  std::fprintf(file, ", \"not_repeatable_kinds\": %zu, \"not_repeatable\": [",
+               repeatability.kinds());
+  const char* separator = "";
+  for (const Repeatability::Note& note : notes) {
+    std::fprintf(file, "%s{\"who\": \"%s\", \"t\": %.9g, \"why\": \"%s\", \"count\": %llu}",
+                 separator, json_escaped(note.who).c_str(), note.time.seconds(),
+                 json_escaped(note.why).c_str(), static_cast<unsigned long long>(note.count));
+    separator = ", ";
+  }
+  std::fputs("]", file);
+}
+
 }  // namespace
 
 RunFiles::RunFiles(const std::string& folder, std::uint64_t seed) : folder_(folder), seed_(seed) {
@@ -97,20 +114,23 @@ void RunFiles::progress(const World& world, SimTime end, std::size_t vehicles,
   std::fflush(progress_);
 }
 
-void RunFiles::finish(const World& world, const std::string& reason, double wall_s,
-                      SimTime simulated) {
+void RunFiles::finish(const World& world, const End& end, const Repeatability& repeatability) {
   if (folder_.empty()) return;
   std::FILE* file = open_for_writing(folder_ + "/run.json");
-  const double sim_s = simulated.seconds();
+  const double sim_s = end.simulated.seconds();
   std::fprintf(file,
                "{\"state_hash\": \"%s\", \"sim_s\": %.6f, \"wall_s\": %.6f, \"rtf\": %.4f, "
                "\"end_reason\": \"%s\", \"seed\": %llu, \"steps\": %llu, \"step_size_s\": %.9g, "
-               "\"odd_elements\": %zu, \"world\": \"%s\"}\n",
-               world.state_hash().c_str(), world.time().seconds(), sim_s > 0.0 ? wall_s : 0.0,
-               sim_s > 0.0 ? sim_s / wall_s : 0.0, json_escaped(reason).c_str(),
+               "\"odd_elements\": %zu, \"world\": \"%s\"",
+               world.state_hash().c_str(), world.time().seconds(), sim_s > 0.0 ? end.wall_s : 0.0,
+               sim_s > 0.0 ? sim_s / end.wall_s : 0.0, json_escaped(end.reason).c_str(),
                static_cast<unsigned long long>(seed_),
                static_cast<unsigned long long>(world.step_count()), world.physics().max_step_size_s,
                world.odd_elements().size(), json_escaped(world.name()).c_str());
+  if (!end.error.empty())
+    std::fprintf(file, ", \"error\": \"%s\"", json_escaped(end.error).c_str());
+  write_notes(file, repeatability);
+  std::fputs("}\n", file);
   std::fclose(file);
   if (states_ != nullptr) std::fflush(states_);
 }

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <string>
 
+#include "repeatability.h"
 #include "trident_sim/world.h"
 
 namespace trident {
@@ -22,8 +23,13 @@ class RunFiles {
 
   void record(const World& world);
   void progress(const World& world, SimTime end, std::size_t vehicles, const std::string& state);
-  /// `wall_s`, `simulated`: since the first step.
-  void finish(const World& world, const std::string& reason, double wall_s, SimTime simulated);
+  struct End {
+    std::string reason;
+    std::string error;  ///< "" where the run has ended as it should
+    double wall_s;      ///< since the first step
+    SimTime simulated;  ///< since the first step
+  };
+  void finish(const World& world, const End& end, const Repeatability& repeatability);
   /// Time went back to zero: the record begins anew.
   void restart();
 

@@ -23,6 +23,7 @@ Server::Server(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
       spinner_(kServiceThreads, &queue_),
       spawn_spinner_(1, &spawn_queue_) {
   subscribe_state_topics(private_node_, simulation_, subscribers_);
+  subscribe_run_topics(private_node_, simulation_, subscribers_);
   advertise_state_services(private_node_, simulation_, servers_);
   advertise_property_services(private_node_, simulation_, servers_);
   advertise_force_services(private_node_, simulation_, servers_);

@@ -27,6 +27,8 @@ class Server {
   std::string run() { return simulation_.run(); }
   /// From any thread.
   void stop() { simulation_.stop(); }
+  /// The run has ended with an error, which was told.
+  bool failed() const { return !simulation_.error().empty(); }
 
  private:
   ros::CallbackQueue queue_;        ///< of services: one may wait for steps while others are asked

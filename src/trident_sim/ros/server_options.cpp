@@ -164,7 +164,8 @@ class Parameters {
   }
   AnswerOptions answer(const std::string& name, XmlRpc::XmlRpcValue& fields) {
     const std::string legal =
-        "{state: TOPIC, commands: [TOPIC, ...], delay: seconds in [0, 10]}, delay may be left out";
+        "{state: TOPIC, commands: [TOPIC, ...], delay: seconds in [0, 10]}, delay may be left out, "
+        "reader: NODE be added";
     using Value = XmlRpc::XmlRpcValue;
     if (fields.getType() != Value::TypeStruct) refuse(name, fields, legal);
     AnswerOptions result;
@@ -174,6 +175,8 @@ class Parameters {
         result.state = port_name(value);
       } else if (key == "commands" && value.getType() == Value::TypeArray && value.size() > 0) {
         for (int i = 0; i < value.size(); ++i) result.commands.push_back(port_name(value[i]));
+      } else if (key == "reader" && value.getType() == Value::TypeString) {
+        result.reader = "/" + port_name(value);
       } else if (key == "delay" && value.getType() == Value::TypeDouble) {
         result.delay_s = static_cast<double>(value);
       } else if (key == "delay" && value.getType() == Value::TypeInt) {
@@ -226,6 +229,23 @@ void read_environment(ServerOptions& options) {
   options.out_dir = environment("TRIDENT_OUT");
 }
 
+void read_policy(Parameters& parameters, ServerOptions& options) {
+  std::string name = "TRIDENT_LOCKSTEP_POLICY", policy = environment("TRIDENT_LOCKSTEP_POLICY");
+  std::string given;
+  parameters.text("lockstep_policy", given);
+  if (!given.empty()) name = "parameter /gazebo/lockstep_policy", policy = given;
+  options.has_default_policy = policy.empty();
+  if (policy == "wait" || policy.empty()) {
+    options.loss.policy = LossPolicy::kWait;
+  } else if (policy == "pause") {
+    options.loss.policy = LossPolicy::kPause;
+  } else if (policy == "free_run") {
+    options.loss.policy = LossPolicy::kFreeRun;
+  } else {
+    throw Error(name + " is '" + policy + "', must be free_run, wait or pause");
+  }
+}
+
 void read_timing(Parameters& parameters, ServerOptions& options) {
   std::string timing = "rotors";
   parameters.text("timing", timing);
@@ -233,16 +253,7 @@ void read_timing(Parameters& parameters, ServerOptions& options) {
     throw Error("parameter /gazebo/timing is '" + timing + "', must be rotors or direct");
   }
   options.timing = timing == "rotors" ? LoopTiming::kRotors : LoopTiming::kDirect;
-  std::string policy = "free_run";
-  parameters.text("lockstep_policy", policy);
-  if (policy == "wait") {
-    options.loss_policy = LossPolicy::kWait;
-  } else if (policy == "pause") {
-    options.loss_policy = LossPolicy::kPause;
-  } else if (policy != "free_run") {
-    throw Error("parameter /gazebo/lockstep_policy is '" + policy +
-                "', must be free_run, wait or pause");
-  }
+  read_policy(parameters, options);
 }
 
 /// As many as there are cores, up to what a camera's picture is worth; they sleep when not needed.
@@ -264,7 +275,8 @@ void read_parameters(Parameters parameters, ServerOptions& options) {
   }
   parameters.integer("wait_for_sources", options.wait_for_sources, 10000);
   parameters.integer("seed", options.seed, 9e15);
-  parameters.number("lockstep_timeout", options.lockstep_timeout_s, 0.01, 1e6);
+  parameters.number("lockstep_timeout", options.loss.timeout_s, 0.01, 1e6);
+  parameters.number("restart_patience", options.loss.restart_patience_s, 0.0, 1e6);
   parameters.flag("pin_controllers", options.pin_controllers);
   parameters.answers("answers", options.answers);
   parameters.number("max_clock_rate", options.max_clock_rate_hz, 1.0, 1e5);

@@ -18,11 +18,19 @@ namespace trident {
 /// What the world does when an enrolled controller or source does not answer in time.
 enum class LossPolicy { kFreeRun, kWait, kPause };
 
+/// The rules of a loss; see LossWatch.
+struct LossRules {
+  LossPolicy policy = LossPolicy::kWait;
+  double timeout_s = 2.0;            ///< wall time without an answer that is told of
+  double restart_patience_s = 10.0;  ///< wall time in which one that died may be started again
+};
+
 /// A node that answers each sample of one topic with a message on each of some others, which carry
 /// no stamp. Names are those of ports: without the leading slash.
 struct AnswerOptions {
   std::string state;
   std::vector<std::string> commands;
+  std::string reader;     ///< node that reads the state; "": one that gives the commands
   double delay_s = 0.01;  ///< an answer acts so long after its sample
 };
 
@@ -44,8 +52,9 @@ struct ServerOptions {
   int wait_for_sources = 0;                       ///< set-point sources before time zero is left
   std::vector<std::string> wait_for_spawned;      ///< models of any kind before time zero is left
   std::vector<std::string> wait_for_controllers;  ///< of those the topics of their motor speeds
-  double lockstep_timeout_s = 2.0;                ///< wall time without an answer
-  LossPolicy loss_policy = LossPolicy::kFreeRun;
+  LossRules loss;
+  /// Nobody has asked for a policy: it waits when it is as fast as possible, else it goes on.
+  bool has_default_policy = true;
   /// As fast as possible: keeps a controller's process on one core.
   bool pin_controllers = true;
   std::map<std::string, AnswerOptions> answers;  ///< nodes that are waited for, by name

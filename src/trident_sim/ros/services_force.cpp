@@ -21,7 +21,7 @@ using gazebo_msgs::JointRequest;
 /// another frame at reference_point of that frame; axes are the frame's.
 void apply_body_wrench(Simulation& simulation, const ApplyBodyWrench::Request& request) {
   Simulation::Access access(simulation);
-  World& world = access.world();
+  World& world = access.changed_by("/gazebo/apply_body_wrench");
   Link& link = required_body(world, request.body_name);
   const ReferenceFrame frame = find_reference_frame(world, request.reference_frame);
   const std::string& name = request.reference_frame;
@@ -38,8 +38,9 @@ void apply_body_wrench(Simulation& simulation, const ApplyBodyWrench::Request& r
 void apply_joint_effort(Simulation& simulation, const ApplyJointEffort::Request& request) {
   Simulation::Access access(simulation);
   Joint& joint = required_joint(access.world(), request.joint_name);
-  access.world().apply_effort(
-      {&joint, request.effort, from_ros(request.start_time), from_ros(request.duration)});
+  access.changed_by("/gazebo/apply_joint_effort")
+      .apply_effort(
+          {&joint, request.effort, from_ros(request.start_time), from_ros(request.duration)});
 }
 
 }  // namespace
@@ -60,7 +61,7 @@ void advertise_force_services(ros::NodeHandle& node, Simulation& simulation, Ser
           ROS_ERROR("ClearBodyWrenches: body [%s] does not exist",
                     one_line(request.body_name).c_str());
         } else {
-          access.world().clear_wrenches(*link);
+          access.changed_by("/gazebo/clear_body_wrenches").clear_wrenches(*link);
         }
         return link != nullptr;
       }));
@@ -69,7 +70,8 @@ void advertise_force_services(ros::NodeHandle& node, Simulation& simulation, Ser
         name, [&](JointRequest::Request& request, JointRequest::Response&) {
           try {
             Simulation::Access access(simulation);
-            access.world().clear_efforts(required_joint(access.world(), request.joint_name));
+            const Joint& joint = required_joint(access.world(), request.joint_name);
+            access.changed_by("/gazebo/clear_joint_forces").clear_efforts(joint);
             return true;
           } catch (const Error& error) {
             ROS_ERROR("ClearJointForces: %s", one_line(error.what()).c_str());

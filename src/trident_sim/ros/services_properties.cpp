@@ -45,7 +45,8 @@ void set_link(Simulation& simulation, const SetLinkProperties::Request& request)
   inertial.inertia_com << request.ixx, request.ixy, request.ixz,  //
       request.ixy, request.iyy, request.iyz,                      //
       request.ixz, request.iyz, request.izz;
-  access.world().set_link_inertial(link, inertial, request.gravity_mode);
+  access.changed_by("/gazebo/set_link_properties")
+      .set_link_inertial(link, inertial, request.gravity_mode);
 }
 
 std::uint8_t joint_type(const Joint& joint) {
@@ -111,7 +112,7 @@ void check_erp(const gazebo_msgs::ODEJointProperties& from, double of_world) {
 
 void set_joint(Simulation& simulation, const SetJointProperties::Request& request) {
   const Simulation::Access access(simulation);
-  World& world = access.world();
+  World& world = access.changed_by("/gazebo/set_joint_properties");
   Joint& joint = required_joint(world, request.joint_name);
   const auto& from = request.ode_joint_config;
   check_erp(from, world.physics().erp);
@@ -140,7 +141,8 @@ void configure(Simulation& simulation, const SetModelConfiguration::Request& req
   for (std::size_t i = 0; i < request.joint_names.size(); ++i) {
     positions.emplace_back(request.joint_names[i], request.joint_positions[i]);
   }
-  const auto clamped = access.world().set_joint_positions(model, positions);
+  const auto clamped =
+      access.changed_by("/gazebo/set_model_configuration").set_joint_positions(model, positions);
   response.status_message = "SetModelConfiguration: success";
   for (const std::string& name : clamped) {
     response.status_message += "; [" + name + "] was stopped by its limit";

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gazebo_msgs/GetPhysicsProperties.h>
 #include <gazebo_msgs/SetPhysicsProperties.h>
+#include <std_msgs/String.h>
 #include <std_srvs/Empty.h>
 #include <trident_msgs/EnrollSource.h>
 #include <trident_msgs/Step.h>
@@ -57,7 +58,7 @@ void set_physics(Simulation& simulation, const SetPhysicsProperties::Request& re
     throw Error("max_update_rate is " + std::to_string(request.max_update_rate) +
                 ", must be >= 0 Hz (0: as fast as possible)");
   }
-  access.world().set_physics(physics);
+  access.changed_by("/gazebo/set_physics_properties").set_physics(physics);
   simulation.set_max_update_rate_hz(request.max_update_rate);
 }
 
@@ -100,6 +101,17 @@ void serve_empty(ros::NodeHandle& node, const char* name, Servers& servers, Work
 }
 
 }  // namespace
+
+void subscribe_run_topics(ros::NodeHandle& node, Simulation& simulation,
+                          std::vector<ros::Subscriber>& subscribers) {
+  using Event = const ros::MessageEvent<std_msgs::String const>&;
+  ros::SubscribeOptions options;
+  options.initByFullCallbackType<Event>("not_repeatable", 10, [&simulation](Event event) {
+    const Simulation::Access access(simulation);
+    simulation.spoil(event.getPublisherName(), event.getMessage()->data);
+  });
+  subscribers.push_back(node.subscribe(options));
+}
 
 void advertise_run_services(ros::NodeHandle& node, Simulation& simulation, Servers& servers) {
   const auto set_paused = [&simulation](bool paused) {

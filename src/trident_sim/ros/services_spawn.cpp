@@ -60,7 +60,7 @@ std::string spawn(Simulation& simulation, const Resources& resources,
   ModelSpec spec = read_model(simulation, resources, request);
   const PreparedMeshes meshes(spec);
   const Simulation::Access access(simulation);
-  World& world = access.world();
+  World& world = access.changed_by("the spawning of " + request.model_name);
   check_request(world, request);  // another request may have been faster
   spec.name = request.model_name;
   spec.T_world_model = find_reference_frame(world, request.reference_frame).T_world_frame *
@@ -91,7 +91,7 @@ std::string spawn_or_note(Simulation& simulation, const Resources& resources,
 
 void remove(Simulation& simulation, const std::string& name) {
   Simulation::Access access(simulation);
-  access.world().remove(name);
+  access.changed_by("the removal of " + name).remove(name);
   simulation.sync_topics();
 }
 

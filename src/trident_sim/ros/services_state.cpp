@@ -47,7 +47,7 @@ void get_model_state(Simulation& simulation, const GetModelState::Request& reque
 
 void set_model_state(Simulation& simulation, const gazebo_msgs::ModelState& state) {
   Simulation::Access access(simulation);
-  World& world = access.world();
+  World& world = access.changed_by("/gazebo/set_model_state");
   Model& model = required_model(world, state.model_name);
   const SE3 T_world_frame = find_reference_frame(world, state.reference_frame).T_world_frame;
   const Eigen::Vector3d v_world = T_world_frame.R * from_vector(state.twist.linear);
@@ -75,7 +75,7 @@ void get_link_state(Simulation& simulation, const GetLinkState::Request& request
 
 void set_link_state(Simulation& simulation, const gazebo_msgs::LinkState& state) {
   Simulation::Access access(simulation);
-  World& world = access.world();
+  World& world = access.changed_by("/gazebo/set_link_state");
   Link* link = world.find_link(state.link_name);
   if (link == nullptr) throw Error("link does not exist: [" + state.link_name + "]");
   const SE3 T_world_frame = find_reference_frame(world, state.reference_frame).T_world_frame;

@@ -36,6 +36,7 @@ std::string find_tf_prefix(const std::string& robot_namespace) {
 Simulation::Simulation(ros::NodeHandle& node, const ServerOptions& options)
     : node_(node),
       options_(options),
+      rules_(options.loss),
       diagnostics_(node),
       performance_(node),
       paused_(options.paused) {
@@ -58,13 +59,17 @@ Simulation::Simulation(ros::NodeHandle& node, const ServerOptions& options)
                           ? options.real_time_factor
                           : spec.physics.real_time_update_rate_hz * spec.physics.max_step_size_s;
   binder_ = std::make_unique<PortBinder>(node_, world_->ports());
-  inputs_ = std::make_unique<InputBinder>(node_, world_->ports());
+  inputs_ = std::make_unique<InputBinder>(node_, world_->ports(), repeatability_);
   topics_ = std::make_unique<StateTopics>(node_, options.max_clock_rate_hz,
                                           options.pub_clock_frequency_hz);
   files_ = std::make_unique<RunFiles>(options.out_dir, options.seed);
-  gate_ = std::make_unique<LockstepGate>(node_, options_, report, [this] { paused_ = true; });
-  answers_ =
-      std::make_unique<AnsweredInputs>(options_, world_->ports(), *binder_, *inputs_, report);
+  choose_policy();
+  losses_ = std::make_unique<LossWatch>(
+      rules_, repeatability_, report, [this] { paused_ = true; },
+      [this](const std::string& error) { fail(error); });
+  gate_ = std::make_unique<LockstepGate>(node_, options_, *losses_, probe_);
+  answers_ = std::make_unique<AnsweredInputs>(options_, world_->ports(), *binder_, *inputs_,
+                                              *losses_, probe_, report);
   sync_topics();
   topics_->publish_clock(world_->time());
   for (const std::string& warning : options.warnings) this->report(Severity::kWarning, warning);
@@ -83,6 +88,26 @@ void Simulation::report(Severity severity, const std::string& text) {
   diagnostics_.remember(severity, text);
 }
 
+/// As fast as possible nothing that decides may hang on the wall clock; in real time people may be
+/// about, who rather see the others fly on.
+void Simulation::choose_policy() {
+  if (!options_.has_default_policy) return;
+  rules_.policy = real_time_factor_ <= 0.0 ? LossPolicy::kWait : LossPolicy::kFreeRun;
+}
+
+void Simulation::fail(const std::string& error) {
+  if (!error_.empty()) return;
+  error_ = error;
+  end_reason_ = "error";
+  report(Severity::kError, error);
+}
+
+void Simulation::note_change(const std::string& who) {
+  if (repeatability_.running()) {
+    repeatability_.spoil(who, world_->time(), "called outside of the lockstep");
+  }
+}
+
 void Simulation::sync_topics() {
   binder_->sync();
   inputs_->sync();
@@ -99,20 +124,30 @@ std::string Simulation::run() {
   const std::lock_guard<std::mutex> lock(mutex_);
   ended_ = true;
   stepped_.notify_all();
-  if (end_reason_.empty()) end_reason_ = "interrupted";
+  if (end_reason_.empty()) {
+    end_reason_ = "interrupted";
+    if (repeatability_.running() && is_flowing_) {
+      repeatability_.spoil("the end of the run", world_->time(), "interrupted as time ran");
+    }
+  }
   topics_->publish(*world_, true);
-  files_->finish(*world_, end_reason_, duration<double>(Clock::now() - first_step_).count(),
-                 stepped_once_ ? world_->time() - first_step_time_ : SimTime{0});
+  files_->finish(*world_,
+                 {end_reason_, error_, duration<double>(Clock::now() - first_step_).count(),
+                  stepped_once_ ? world_->time() - first_step_time_ : SimTime{0}},
+                 repeatability_);
   return end_reason_;
 }
 
 bool Simulation::run_once() {
   while (waiting_ > 0) std::this_thread::sleep_for(microseconds(20));
+  hand_over("stepping thread takes the world");
   const std::lock_guard<std::mutex> lock(mutex_);
   if (Clock::now() >= next_scan_) every_so_often();
   if (finished()) return false;
   const bool stepping = steps_wanted_ > 0;
   if ((paused_ && !stepping) || !start_allowed()) {
+    repeatability_.set_running(false);
+    gate_->check_losses_at_start();
     restart_pace();
     topics_->publish_clock(world_->time());
     binder_->publish_held_display();
@@ -120,13 +155,18 @@ bool Simulation::run_once() {
     wait(milliseconds(1));
     return true;
   }
+  repeatability_.set_running(true);
+  is_flowing_ = true;
   if (!stepping && !pace_allows()) return true;
+  is_flowing_ = false;  // until the step: who waits at the end of the run stands
   if (!answers_allow_step()) return true;
   if (!gate_->allows_step(*world_, mutex_, [this] { topics_->publish_clock(world_->time()); })) {
     return true;
   }
   make_step();
+  is_flowing_ = true;
   if (stepping && --steps_wanted_ == 0) {
+    repeatability_.set_running(false);
     topics_->publish_clock(world_->time());
     binder_->publish_held_display();
     stepped_.notify_all();
@@ -150,7 +190,7 @@ bool Simulation::answers_allow_step() {
   mutex_.unlock();
   answers_->wait();
   mutex_.lock();
-  answers_->check_losses();
+  answers_->check_losses(world_->time());
   return false;  // the world may have changed meanwhile
 }
 
@@ -196,7 +236,9 @@ void Simulation::make_step() {
     first_step_ = Clock::now();
     first_step_time_ = world_->time();
   }
-  inputs_->deliver();
+  // Who has begun to read since the last step, and waited for that, hears of this one.
+  binder_->scan_subscribers();
+  inputs_->deliver(world_->time());
   answers_->deliver(world_->time());
   world_->step();
   answers_->look_for_samples(world_->time());
@@ -218,12 +260,23 @@ void Simulation::every_so_often() {
   if (!is_ready_) announce_readiness();
   if (real_time_factor_ <= 0.0) gate_->keep_on_cores();
   for (const std::string& line : gate_->take_news()) ROS_INFO("%s", line.c_str());
+  tell_notes();
   if (now < next_second_) return;
   next_second_ = now + std::chrono::seconds(1);
   publish_diagnostics();
   const SimTime end =
       options_.end_time_s > 0.0 ? SimTime::from_seconds(options_.end_time_s) : gate_->sources_end();
   files_->progress(*world_, end, gate_->vehicle_count(), describe_state());
+}
+
+void Simulation::tell_notes() {
+  Repeatability::Note note;
+  while (repeatability_.take_news(&note)) {
+    const std::string text = "not repeatable: " + note.who +
+                             ", t = " + seconds_text(note.time.seconds()) + ": " + note.why;
+    ROS_INFO("%s", text.c_str());
+    diagnostics_.remember(Severity::kWarning, text);
+  }
 }
 
 void Simulation::announce_readiness() {
@@ -240,6 +293,7 @@ std::string Simulation::describe_state() {
     const std::string missing = missing_for_start();
     if (!missing.empty()) return "waiting for " + missing;
   }
+  if (const std::string who = losses_->waited_for(); !who.empty()) return "waiting for " + who;
   return paused_ ? "paused" : "running";
 }
 
@@ -257,6 +311,7 @@ void Simulation::reset(bool with_time) {
   if (with_time) {
     world_->reset();
     stepped_once_ = false;
+    repeatability_.clear();
     files_->restart();
   } else {
     world_->reset_models();
@@ -275,6 +330,7 @@ double Simulation::max_update_rate_hz() const {
 
 void Simulation::set_max_update_rate_hz(double rate) {
   real_time_factor_ = rate * world_->physics().max_step_size_s;
+  choose_policy();
   restart_pace();
 }
 

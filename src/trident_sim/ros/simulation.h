@@ -16,11 +16,15 @@
 #include "diagnostics_topic.h"
 #include "input_binder.h"
 #include "lockstep_gate.h"
+#include "loss_watch.h"
+#include "node_probe.h"
 #include "performance_topic.h"
 #include "port_binder.h"
+#include "repeatability.h"
 #include "run_files.h"
 #include "server_options.h"
 #include "state_topics.h"
+#include "trident_ros/schedule_fuzz.h"
 #include "trident_sim/world.h"
 
 namespace trident {
@@ -33,6 +37,8 @@ class Simulation {
 
   /// Steps until the end of the run or of ROS, or stop(). Returns the reason of the end.
   std::string run();
+  /// What has ended the run before its end; "" where nothing has.
+  const std::string& error() const { return error_; }
   /// From any thread: run() comes to its end.
   void stop() { stopped_ = true; }
 
@@ -41,6 +47,7 @@ class Simulation {
    public:
     explicit Access(Simulation& simulation) : simulation_(simulation) {
       ++simulation_.waiting_;
+      hand_over("service asks for the world");
       simulation_.mutex_.lock();
       --simulation_.waiting_;
     }
@@ -48,6 +55,12 @@ class Simulation {
     Access(const Access&) = delete;
     Access& operator=(const Access&) = delete;
     World& world() const { return *simulation_.world_; }
+    /// The same for `who`, from outside, who is about to change something; a running world meets
+    /// that at a time that is left to chance.
+    World& changed_by(const std::string& who) const {
+      simulation_.note_change(who);
+      return *simulation_.world_;
+    }
 
    private:
     Simulation& simulation_;
@@ -61,6 +74,10 @@ class Simulation {
   // With Access held:
   void set_paused(bool paused) { paused_ = paused; }
   bool paused() const { return paused_; }
+  /// Another run of the same may end otherwise: `who` has done something that chance had a part in.
+  void spoil(const std::string& who, const std::string& why) {
+    repeatability_.spoil(who, world_->time(), why);
+  }
   /// After models came or went: topics and vehicle links follow.
   void sync_topics();
   void reset(bool with_time);
@@ -78,6 +95,9 @@ class Simulation {
   using Clock = std::chrono::steady_clock;
 
   static void log(Severity severity, const std::string& text);
+  void note_change(const std::string& who);
+  void fail(const std::string& error);
+  void choose_policy();
   void report(Severity severity, const std::string& text);
   bool run_once();
   bool start_allowed();
@@ -89,12 +109,15 @@ class Simulation {
   void wait(std::chrono::microseconds time);
   void make_step();
   void every_so_often();
+  void tell_notes();
   void announce_readiness();
   void publish_diagnostics();
   std::string describe_state();
 
   ros::NodeHandle& node_;
   const ServerOptions options_;
+  LossRules rules_;
+  Repeatability repeatability_;
   Resources resources_;
   PluginRegistry registry_;
   DiagnosticsTopic diagnostics_;
@@ -107,10 +130,13 @@ class Simulation {
   std::unique_ptr<StateTopics> topics_;
   PerformanceTopic performance_;
   std::unique_ptr<RunFiles> files_;
+  NodeProbe probe_;
+  std::unique_ptr<LossWatch> losses_;
   std::unique_ptr<LockstepGate> gate_;
   std::unique_ptr<AnsweredInputs> answers_;
 
   bool paused_ = false;
+  bool is_flowing_ = false;  ///< no step is being waited for
   bool ended_ = false;
   std::uint64_t steps_wanted_ = 0;
   std::condition_variable_any stepped_;
@@ -120,7 +146,7 @@ class Simulation {
   Clock::time_point next_scan_, next_second_, first_step_;
   bool stepped_once_ = false;
   SimTime first_step_time_;
-  std::string end_reason_;
+  std::string end_reason_, error_;
   ros::Publisher ready_;  ///< latched: everything that was declared is there
   bool is_ready_ = false;
 };

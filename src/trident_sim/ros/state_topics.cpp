@@ -51,7 +51,8 @@ void StateTopics::publish(const World& world, bool every_step) {
     if (models_.getNumSubscribers() > 0) publish_models(world);
     if (links_.getNumSubscribers() > 0) publish_links(world);
   }
-  if (world.time().ns % state_period_.ns == 0 && fleet_listeners_ > 0) publish_fleet(world);
+  if (world.time().ns % state_period_.ns == 0 && fleet_.getNumSubscribers() > 0)
+    publish_fleet(world);
 }
 
 void StateTopics::catch_up_clock(SimTime time) {

@@ -21,8 +21,10 @@ namespace msgs = uuv_gazebo_ros_plugins_msgs;
 /// What services and the stepping thread share; outlives a call that is under way.
 class Desk {
  public:
+  explicit Desk(const Repeatability& repeatability) : repeatability_(repeatability) {}
   void change(const ThrusterChange& change) {
     const std::lock_guard<std::mutex> lock(mutex_);
+    is_late_ = is_late_ || repeatability_.running();
     apply(change, &setup_);
     changes_.push_back(change);
     ++count_;
@@ -43,9 +45,16 @@ class Desk {
     const std::lock_guard<std::mutex> lock(mutex_);
     return count_;
   }
+  /// True once after a change in a moment of a running world.
+  bool take_late() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return std::exchange(is_late_, false);
+  }
 
  private:
+  const Repeatability& repeatability_;
   mutable std::mutex mutex_;
+  bool is_late_ = false;
   ThrusterSetup setup_;
   std::vector<ThrusterChange> changes_;
   std::uint64_t count_ = 0;
@@ -54,8 +63,12 @@ class Desk {
 class ThrusterServices final : public InputBinding {
  public:
   ThrusterServices(ros::NodeHandle& node, ros::CallbackQueueInterface& queue,
-                   InPort<ThrusterChange>& port, const OutPort<ThrusterSetup>& told)
-      : port_(port), told_(told), desk_(std::make_shared<Desk>()) {
+                   InPort<ThrusterChange>& port, const OutPort<ThrusterSetup>& told,
+                   Repeatability& repeatability)
+      : port_(port),
+        told_(told),
+        repeatability_(repeatability),
+        desk_(std::make_shared<Desk>(repeatability)) {
     desk_->follow(told.value);
     advertise_state(node, queue);
     advertise_efficiency(node, queue, "thrust_force_efficiency", &ThrusterChange::thrust_efficiency,
@@ -75,7 +88,11 @@ class ThrusterServices final : public InputBinding {
   }
 
   PortBase& port() const override { return port_; }
-  void deliver() override {
+  void deliver(SimTime begin) override {
+    if (desk_->take_late()) {
+      repeatability_.spoil("a service of /" + port_.name(), begin,
+                           "called outside of the lockstep");
+    }
     for (const ThrusterChange& change : desk_->take()) port_.write(change);
     if (seen_ == told_.count()) return;
     seen_ = told_.count();
@@ -137,6 +154,7 @@ class ThrusterServices final : public InputBinding {
 
   InPort<ThrusterChange>& port_;
   const OutPort<ThrusterSetup>& told_;
+  Repeatability& repeatability_;
   std::shared_ptr<Desk> desk_;
   std::uint64_t seen_ = 0;
   std::vector<ros::ServiceServer> servers_;
@@ -146,11 +164,12 @@ class ThrusterServices final : public InputBinding {
 
 std::unique_ptr<InputBinding> bind_thruster_services(ros::NodeHandle& node,
                                                      ros::CallbackQueueInterface& queue,
-                                                     PortBase& port, const PortBoard& board) {
+                                                     PortBase& port, const PortBoard& board,
+                                                     Repeatability& repeatability) {
   auto* const changes = dynamic_cast<InPort<ThrusterChange>*>(&port);
   const auto* const told = board.find_out<ThrusterSetup>(port.name());
   if (changes == nullptr || told == nullptr) return nullptr;
-  return std::make_unique<ThrusterServices>(node, queue, *changes, *told);
+  return std::make_unique<ThrusterServices>(node, queue, *changes, *told, repeatability);
 }
 
 }  // namespace trident

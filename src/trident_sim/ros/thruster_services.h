@@ -14,6 +14,7 @@ namespace trident {
 /// nullptr: the port is none of a thruster's setup.
 std::unique_ptr<InputBinding> bind_thruster_services(ros::NodeHandle& node,
                                                      ros::CallbackQueueInterface& queue,
-                                                     PortBase& port, const PortBoard& board);
+                                                     PortBase& port, const PortBoard& board,
+                                                     Repeatability& repeatability);
 
 }  // namespace trident

@@ -6,20 +6,16 @@
 #include <std_msgs/Header.h>
 #include <trajectory_msgs/MultiDOFJointTrajectory.h>
 
-#include <chrono>
+#include <algorithm>
 #include <cstring>
 
 #include "conversions.h"
+#include "trident_ros/schedule_fuzz.h"
 #include "trident_ros/subscriptions.h"
+#include "trident_ros/topic_peers.h"
 
 namespace trident {
 namespace {
-
-WallTime wall_now() {
-  return std::chrono::duration_cast<std::chrono::nanoseconds>(
-             std::chrono::steady_clock::now().time_since_epoch())
-      .count();
-}
 
 /// Stamp of a serialised message that begins with a header; zero when it is too short.
 SimTime header_stamp(const std::uint8_t* bytes, std::size_t size) {
@@ -51,7 +47,7 @@ VehicleLink::VehicleLink(ros::NodeHandle& node, LockstepHub& hub, InPort<Actuato
       node, "/" + port.name(), 10, [this](Span<const std::uint8_t> bytes) { on_command(bytes); },
       [this](const mav_msgs::Actuators& message) { on_command(message); });
   auto accepted = raw_subscription<std_msgs::Header>(
-      "/" + prefix_ + "command/accepted_setpoint", 100,
+      "/" + confirmation_topic(), 100,
       [this](const auto& bytes) { on_confirmation(bytes.data(), bytes.size()); }, &queue);
   accepted_ = node.subscribe(accepted);
 }
@@ -85,11 +81,36 @@ void VehicleLink::on_confirmation(const std::uint8_t* bytes, std::size_t size) {
 }
 
 void VehicleLink::on_setpoint(SimTime stamp, bool is_confirmation, bool replaces) {
+  hand_over("confirmation received");
   const std::lock_guard<std::mutex> lock(hub_.mutex);
   // A confirmation says that the controller has it; without one, that it was sent must do.
   if (!is_confirmation && confirms_setpoints()) return;
-  hub_.sources.on_setpoint(name_, stamp, replaces);
+  if (!is_confirmation && is_confirming_open_) {
+    newest_sent_ = std::max(newest_sent_, stamp);
+    return;
+  }
+  note_outsider(stamp);
+  if (stamp.ns == 0) return;
+  if (hub_.sources.on_setpoint(name_, stamp, replaces) && hub_.repeatability.running()) {
+    hub_.repeatability.spoil("whoever commands " + name_, hub_.next_time,
+                             "has replaced set-points of its source");
+  }
   hub_.notify_if_ready();
+}
+
+void VehicleLink::close_confirming() {
+  is_confirming_open_ = false;
+  if (!confirms_setpoints() && newest_sent_.ns > 0) hub_.sources.on_setpoint(name_, newest_sent_);
+  newest_sent_ = {-1};
+}
+
+/// A set-point from outside of the lockstep that comes before it counts is as repeatable as one
+/// from inside; one that counts at once is not.
+void VehicleLink::note_outsider(SimTime stamp) {
+  if (!hub_.repeatability.running() || stamp >= hub_.next_time) return;
+  if (stamp.ns > 0 && hub_.sources.feeds(name_)) return;
+  hub_.repeatability.spoil("whoever commands " + name_, hub_.next_time,
+                           "gives set-points outside of the lockstep");
 }
 
 VehicleLink::~VehicleLink() {
@@ -121,14 +142,24 @@ void VehicleLink::on_command(const mav_msgs::Actuators& message) {
               command.angular_velocities.data.begin());
   const auto answer = lockstep.on_answer(command.stamp, wall_now());
   if (answer == LockstepVehicle::Answer::kForeign && lockstep.enrolled()) return;
+  if (answer == LockstepVehicle::Answer::kForeign && hub_.repeatability.running()) {
+    hub_.repeatability.spoil(join(topic_writers("/" + port_->name())), hub_.next_time,
+                             "writes /" + port_->name() + " outside of the lockstep");
+  }
   if (answer == LockstepVehicle::Answer::kEnrolled) {
+    note_enrolment(command.stamp);
     hub_.news.push_back(name_ + ": controller enrolled at state " +
                         std::to_string(command.stamp.seconds()) + " s; the world waits for it");
   }
-  loss_told = false;
-  connection_lost = false;
+  waiting.end();
   inbox_.push_back(command);
   send_next();
+}
+
+void VehicleLink::note_enrolment(SimTime stamp) {
+  const bool has_run_without = lockstep.first_sent() < hub_.required_stamp;
+  if (!has_run_without || !hub_.repeatability.running()) return;
+  hub_.repeatability.spoil("the controller of " + name_, stamp, "enrolled while time ran");
 }
 
 void VehicleLink::send_next() {
@@ -139,7 +170,9 @@ void VehicleLink::send_next() {
 }
 
 void VehicleLink::send(State& state) {
-  for (const auto& [index, message] : state.messages) direct_[index]->send(*message);
+  for (const auto& [index, message] : state.messages) {
+    newest_reader_ = std::max(newest_reader_, direct_[index]->send(*message));
+  }
 }
 
 void VehicleLink::deliver() {
@@ -154,8 +187,9 @@ void VehicleLink::send_state(SimTime stamp, WallTime now) {
     state.messages.emplace_back(i, odometry_[i]->message());
   }
   if (state.messages.empty()) return;
+  learn_controllers();
   // At least one, so that a reader that has just died is missed.
-  readers_when_sent = std::max(1U, odometry_readers());
+  readers_when_sent_ = std::max(1U, odometry_readers());
   if (!lockstep.on_state(stamp, now)) {
     outbox_.push_back(std::move(state));
     return;
@@ -164,9 +198,41 @@ void VehicleLink::send_state(SimTime stamp, WallTime now) {
   under_way_ = std::move(state);
 }
 
-void VehicleLink::send_again() {
-  readers_when_sent = odometry_readers();
-  send(under_way_);
+bool VehicleLink::send_again_to_new_readers() {
+  int newest = newest_reader_;
+  bool is_controller = false;
+  for (const OutputBinding* binding : odometry_) {
+    for (const TopicPeer& reader : topic_readers(binding->publisher().getTopic())) {
+      if (reader.connection <= newest_reader_) continue;
+      newest = std::max(newest, reader.connection);
+      is_controller = is_controller || controllers_.count(reader.node) > 0;
+    }
+  }
+  if (newest == newest_reader_) return false;
+  for (const auto& [index, message] : under_way_.messages) {
+    direct_[index]->send(*message, newest_reader_);
+  }
+  newest_reader_ = newest;
+  readers_when_sent_ = odometry_readers();
+  return is_controller;
+}
+
+void VehicleLink::learn_controllers() {
+  const std::uint64_t newest = hub_.commands.newest_link();
+  if (newest == newest_link_) return;
+  newest_link_ = newest;
+  for (const std::string& node : topic_writers("/" + port_->name())) controllers_.insert(node);
+}
+
+bool VehicleLink::has_lost_controller() const {
+  // In a nodelet manager all are one process.
+  if (controllers_.empty()) return odometry_readers() < readers_when_sent_;
+  for (const OutputBinding* binding : odometry_) {
+    for (const TopicPeer& reader : topic_readers(binding->publisher().getTopic())) {
+      if (controllers_.count(reader.node) > 0) return false;
+    }
+  }
+  return true;
 }
 
 void VehicleLink::announce_reset() {
@@ -183,7 +249,18 @@ void VehicleLink::announce_reset() {
 }
 
 bool VehicleLink::has_controller() const {
-  return commands_->publishers() > 0 && odometry_readers() > 0;
+  if (odometry_readers() == 0) return false;
+  const std::string commands = "/" + port_->name(), confirmations = "/" + confirmation_topic();
+  const auto all_send = [&](const std::string& topic) {
+    const std::vector<std::string> nodes = topic_writers(topic);
+    return std::all_of(nodes.begin(), nodes.end(),
+                       [&](const std::string& node) { return hub_.probe.sends(node, topic); });
+  };
+  return !topic_writers(commands).empty() && all_send(commands) && all_send(confirmations);
+}
+
+bool VehicleLink::hears_confirmations() const {
+  return !topic_writers("/" + confirmation_topic()).empty();
 }
 
 std::uint32_t VehicleLink::odometry_readers() const {

@@ -52,6 +52,18 @@ TEST(SetpointSources, AnOldSetpointThatReplacesTheLaterOnesUncovers) {
   EXPECT_EQ(sources.missing("leader", ms(600)), std::vector<std::string>{"UAV2"});
 }
 
+TEST(SetpointSources, WhatWasReplacedIsToldOnceAndForgottenOnce) {
+  SetpointSources sources = with_source();
+  EXPECT_FALSE(sources.on_setpoint("UAV1", ms(800), true));
+  EXPECT_FALSE(sources.forget_replacements());
+  EXPECT_TRUE(sources.on_setpoint("UAV1", ms(500), true)) << "taken from a source";
+  EXPECT_FALSE(sources.on_setpoint("UAV9", ms(500), true)) << "nobody feeds it";
+  EXPECT_TRUE(sources.forget_replacements());
+  EXPECT_FALSE(sources.forget_replacements());
+  EXPECT_TRUE(sources.feeds("UAV2"));
+  EXPECT_FALSE(sources.feeds("UAV9"));
+}
+
 TEST(SetpointSources, AnOldSetpointDoesNotUncover) {
   SetpointSources sources = with_source();
   for (const char* name : {"UAV1", "UAV2"}) sources.on_setpoint(name, ms(300));

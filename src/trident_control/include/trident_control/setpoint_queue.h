@@ -64,6 +64,9 @@ class SetpointQueue {
   /// `stamp` zero = no stamp. Refused messages change nothing.
   SetpointResult push(SimTime stamp, Span<const TimedSetpoint> points);
 
+  /// The message that was accepted last is one that has come before, and changes nothing.
+  bool repeats() const { return repeats_; }
+
   /// The set-point in effect for the state stamped `state_stamp`; nullptr before the first one.
   /// The pointer is valid until the next call.
   const TrajectoryPoint* advance(SimTime state_stamp);
@@ -77,6 +80,7 @@ class SetpointQueue {
     SimTime offset;
     TrajectoryPoint point;
     bool starts_message = false;
+    bool is_repeated = false;  // of the first point: the message had come before
   };
   struct Scheduled {
     SimTime effect;
@@ -91,6 +95,7 @@ class SetpointQueue {
 
   static std::uint64_t digest_of(Span<const Pending> message);
   bool is_repeated(Span<const Pending> message) const;
+  bool is_repeated_in_pending(std::size_t begin) const;
   void remember(Span<const Pending> message);
   void schedule(Span<const Pending> message, SimTime state_stamp);
   void reset_to(SimTime state_stamp);
@@ -107,6 +112,7 @@ class SetpointQueue {
   std::optional<SimTime> last_state_;
   std::optional<TrajectoryPoint> active_;
   bool was_reset_ = false;
+  bool repeats_ = false;
 };
 
 }  // namespace trident

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "trident_control_ros/message_conversions.h"
+#include "trident_ros/schedule_fuzz.h"
 #include "trident_ros/subscriptions.h"
 
 namespace trident {
@@ -60,6 +61,7 @@ void LeePositionControllerNode::spin_once(std::chrono::milliseconds limit) {
 }
 
 void LeePositionControllerNode::on_odometry(const StampedOdometry& odometry) {
+  hand_over("odometry received");
   const std::lock_guard<std::mutex> lock(mutex_);
   const TrajectoryPoint* setpoint = setpoints_.advance(to_sim_time(odometry.stamp));
   const Span<double> speeds = motors_.rotor_speeds();
@@ -89,19 +91,24 @@ void LeePositionControllerNode::on_trajectory(
 }
 
 void LeePositionControllerNode::accept(const std_msgs::Header& header, const std::string& topic) {
+  hand_over("set-point received");
+  bool repeats = false;
   const SetpointResult result = [&] {
     const std::lock_guard<std::mutex> lock(mutex_);
-    return setpoints_.push(to_sim_time(header.stamp), incoming_);
+    const SetpointResult pushed = setpoints_.push(to_sim_time(header.stamp), incoming_);
+    repeats = setpoints_.repeats();
+    return pushed;
   }();
   if (result != SetpointResult::accepted) {
     refusals_.note("set-point refused",
                    topic + ": " + refusal_text("set-point", header.stamp, reason(result)));
     return;
   }
-  if (header.stamp.isZero()) return;
+  hand_over("set-point confirmed");
+  // One without a stamp counts at once, and is told as such.
   std_msgs::Header confirmation;
   confirmation.stamp = header.stamp;
-  confirmation.frame_id = topic;
+  if (!repeats) confirmation.frame_id = topic;  // one that came again replaces nothing
   accepted_.publish(confirmation);
 }
 

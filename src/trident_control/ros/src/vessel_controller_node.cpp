@@ -15,6 +15,7 @@
 #include "trident_base/string_util.h"
 #include "trident_control_ros/message_conversions.h"
 #include "trident_ros/message_checks.h"
+#include "trident_ros/schedule_fuzz.h"
 #include "trident_ros/subscriptions.h"
 
 namespace trident {
@@ -127,6 +128,7 @@ void VesselControllerNode::listen_to_commands(ros::NodeHandle& node) {
 
 void VesselControllerNode::accept(const std::string& topic, const ros::Time& stamp,
                                   const VesselCommand& command) {
+  hand_over("command received");
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     const CommandVerdict verdict = controller_.push(to_sim_time(stamp), command);
@@ -136,7 +138,7 @@ void VesselControllerNode::accept(const std::string& topic, const ros::Time& sta
       return;
     }
   }
-  if (stamp.isZero()) return;
+  // One without a stamp counts at once, and is told as such.
   std_msgs::Header confirmation;
   confirmation.stamp = stamp;
   confirmation.frame_id = topic;
@@ -157,6 +159,7 @@ void VesselControllerNode::note(const std::string& kind, bool is_error, const st
 }
 
 void VesselControllerNode::on_odometry(const StampedOdometry& odometry) {
+  hand_over("odometry received");
   const std::lock_guard<std::mutex> lock(mutex_);
   now_ = to_sim_time(odometry.stamp);
   if (controller_.update(now_, odometry.state) != ControlStatus::ok) {

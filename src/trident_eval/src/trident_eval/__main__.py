@@ -30,7 +30,7 @@ from trident_eval.core.report import table
 from trident_eval.core.scene import Scene, formation_scene
 from trident_eval.core.tracks import read_states
 from trident_eval.core.vehicles import flights
-from trident_eval.core.verdict import Verdict, judge
+from trident_eval.core.verdict import Verdict, judge, take_over
 from trident_eval.recovery import recover_bags
 from trident_eval.slam import evaluation, tour
 
@@ -83,6 +83,7 @@ def _verdict(options: argparse.Namespace) -> int:
     except EvalError as error:
         # A run without usable results is a failed run.
         verdict = Verdict({"vehicles": []}, [str(error)])
+        take_over(read_object(folder / "run.json"), verdict)
     add_faults(verdict, read_faults(folder), notes)
     numbers = verdict.to_json()
     text = json.dumps(numbers, indent=2, allow_nan=False)

@@ -28,7 +28,9 @@ class DirectPublication {
   /// Number to put into the next message's header.seq.
   std::uint32_t next_sequence();
 
-  void send(DirectMessage& message);
+  /// Only to connections that are newer than `after`, 0: to all; see TopicPeer. Returns the newest
+  /// that there is.
+  int send(DirectMessage& message, int after = 0);
   /// The same for a message that there is as bytes only, with the 4-byte length before it.
   void send(Span<const std::uint8_t> frame);
 

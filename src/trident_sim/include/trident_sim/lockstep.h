@@ -45,6 +45,8 @@ class LockstepVehicle {
   void clear();
 
   bool enrolled() const { return enrolled_; }
+  /// The first state that was ever sent, or since clear(); ns < 0: none was.
+  SimTime first_sent() const { return sent_count_ == 0 ? SimTime{-1} : first_sent_; }
   /// True when every state stamped up to `stamp` has its answer (or nobody is waited for).
   bool answered_up_to(SimTime stamp) const;
   /// Wall time for which the oldest state has been without an answer, 0 when there is none.
@@ -73,7 +75,6 @@ class SetpointSources {
   struct Source {
     std::vector<std::string> vehicles;
     SimTime period, start, end;  ///< end 0: not known yet
-    WallTime since = 0;          ///< wall time since which the world waits for it, 0: it does not
   };
 
   /// Throws Error for a period that is not positive or a source without vehicles. `now`: sim time.
@@ -83,10 +84,14 @@ class SetpointSources {
   void clear() { sources_.clear(), covered_.clear(), replaced_.clear(); }
 
   /// A set-point for `vehicle` stamped `stamp` has reached the one that uses it. `replaces`: it
-  /// took the place of all later ones there, so nothing beyond it is covered any more.
-  void on_setpoint(const std::string& vehicle, SimTime stamp, bool replaces = false);
-  /// What was replaced counts as covered again: its source has not sent it once more.
-  void forget_replacements() { replaced_.clear(); }
+  /// took the place of all later ones there, so nothing beyond it is covered any more. True: that
+  /// has taken something from a source.
+  bool on_setpoint(const std::string& vehicle, SimTime stamp, bool replaces = false);
+  /// What was replaced counts as covered again: its source has not sent it once more. False: there
+  /// is no such thing.
+  bool forget_replacements();
+  /// One of the sources gives set-points for this vehicle.
+  bool feeds(const std::string& vehicle) const;
 
   /// The first source that the world must wait for before it may reach `time`, or nullptr.
   const std::string* blocking(SimTime time) const;

@@ -93,21 +93,35 @@ SimTime SetpointSources::enrol(const std::string& node, const std::vector<std::s
   }
   // Never time zero: a stamp of zero would mean none.
   const SimTime start{(now.ns / period.ns + 1) * period.ns};
-  sources_[node] = {vehicles, period, start, end, 0};
+  sources_[node] = {vehicles, period, start, end};
   return start;
 }
 
 void SetpointSources::release(const std::string& node) { sources_.erase(node); }
 
-void SetpointSources::on_setpoint(const std::string& vehicle, SimTime stamp, bool replaces) {
+bool SetpointSources::on_setpoint(const std::string& vehicle, SimTime stamp, bool replaces) {
   SimTime& covered = covered_.try_emplace(vehicle, SimTime{-1}).first->second;
   if (replaces && stamp < covered) {
     replaced_[vehicle] = stamp;
-    return;
+    return feeds(vehicle);
   }
   covered = std::max(covered, stamp);
   const auto replaced = replaced_.find(vehicle);
   if (replaced != replaced_.end() && stamp >= covered) replaced_.erase(replaced);
+  return false;
+}
+
+bool SetpointSources::forget_replacements() {
+  const bool had_some = !replaced_.empty();
+  replaced_.clear();
+  return had_some;
+}
+
+bool SetpointSources::feeds(const std::string& vehicle) const {
+  return std::any_of(sources_.begin(), sources_.end(), [&](const auto& entry) {
+    const auto& vehicles = entry.second.vehicles;
+    return std::find(vehicles.begin(), vehicles.end(), vehicle) != vehicles.end();
+  });
 }
 
 bool SetpointSources::is_covered(const std::string& vehicle, SimTime due) const {

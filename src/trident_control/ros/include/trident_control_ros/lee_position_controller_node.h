@@ -25,9 +25,10 @@ namespace trident {
 /// Subscribes `odometry`, `command/pose`, `command/trajectory`; answers each odometry message with
 /// one `command/motor_speed` of the same stamp, zeros until a set-point acts. A stamped set-point
 /// is confirmed on `command/accepted_setpoint` (std_msgs/Header: its stamp, and the topic it came
-/// on as frame_id) once every later odometry message will see it. Time is the stamps of the
-/// odometry, nothing else. Odometry is handled in spin_once(), or by the thread of its publisher;
-/// set-points on roscpp's socket thread.
+/// on as frame_id, nothing if it repeats one) once every later odometry message will see it; one
+/// without a stamp is, too, with stamp zero. Time is the stamps of the odometry, nothing else.
+/// Odometry is handled in spin_once(), or by the thread of its publisher; set-points on roscpp's
+/// socket thread.
 class LeePositionControllerNode : public RunningNode {
  public:
   LeePositionControllerNode(ros::NodeHandle& node, const LeeParams& params,

@@ -15,7 +15,7 @@ from trident_eval.core.errors import EvalError
 from trident_eval.core.metrics import lengths
 from trident_eval.core.provenance import read_object
 from trident_eval.core.tracks import Array, Tracks
-from trident_eval.core.verdict import Verdict
+from trident_eval.core.verdict import Verdict, take_over
 
 _AXES = {"uav": 3, "ugv": 2, "usv": 2}
 _FROM_RUN = ("rtf", "state_hash", "sim_s", "wall_s", "end_reason", "seed", "steps")
@@ -158,6 +158,7 @@ def judge_missions(tracks: Tracks, missions: list[Mission], run: dict[str, Any])
         outcome = follow(tracks, mission)
         verdict.numbers["platforms"][mission.name] = _numbers(outcome, tracks)
         verdict.reasons += _reasons(outcome, tracks)
+    take_over(run, verdict)
     return verdict
 
 

@@ -163,9 +163,11 @@ def _repeat(report: Report) -> Iterable[str]:
         for name, key in (("seed", "seed"), ("steps", "steps"), ("state hash", "state_hash"))
         if key in report.provenance.run
     ]
-    if facts:
+    if facts and report.provenance.run.get("repeatable") is not False:
         yield "<p>It is the same run, to the bit, if these come out again:</p>"
         yield _table(facts)
+    elif facts:
+        yield "<p class='bad'>It is not repeatable to the bit; the verdict says who, when, why.</p>"
 
 
 def _went_in(provenance: Provenance) -> Iterable[str]:

@@ -47,8 +47,17 @@ def verdict_rows(verdict: dict[str, Any]) -> list[Row]:
         value = verdict.get(key)
         if value is not None or _limit(verdict, key) is not None:
             shown.append(_row(verdict, label, key, unit))
+    shown += _not_repeatable(verdict)
     platforms: dict[str, dict[str, Any]] = verdict.get("platforms") or {}
     return shown + [_platform_row(name, numbers) for name, numbers in platforms.items()]
+
+
+def _not_repeatable(verdict: dict[str, Any]) -> list[Row]:
+    """What would not come again, so that another run has another state hash: who, when, why."""
+    return [
+        Row("not repeatable", f"{note['who']}, t = {note['t']:.2f} s: {note['why']}", "", False)
+        for note in verdict.get("not_repeatable") or []
+    ]
 
 
 def _platform_row(name: str, numbers: dict[str, Any]) -> Row:
@@ -81,6 +90,8 @@ def _row(verdict: dict[str, Any], label: str, key: str, unit: str) -> Row:
     if key == "rows_flown":
         return Row(label, f"{value} of {verdict.get('rows')}", "", value == verdict.get("rows"))
     text = "unknown" if value is None else _text(value, unit)
+    if key == "state_hash" and verdict.get("repeatable") is False:
+        text += " (not repeatable)"
     if limit is None:
         return Row(label, text)
     if key in _BELOW:

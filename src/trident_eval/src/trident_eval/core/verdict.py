@@ -65,6 +65,21 @@ class Verdict:
         return self.numbers | {"pass": self.passed, "reasons": self.reasons}
 
 
+def take_over(run: dict[str, Any], verdict: Verdict) -> None:
+    """What the simulator itself says of the run: an error, and what would not come again.
+
+    Args:
+        run: its run.json; may be empty.
+        verdict: gets `repeatable` and `not_repeatable` (who, t, why), and the error as its first
+            reason.
+    """
+    if "repeatable" in run:
+        verdict.numbers["repeatable"] = run["repeatable"]
+        verdict.numbers["not_repeatable"] = run.get("not_repeatable", [])
+    if run.get("error"):
+        verdict.reasons.insert(0, str(run["error"]))
+
+
 def judge(tracks: Tracks, command: Command | Refusal | None, run: dict[str, Any]) -> Verdict:
     """Judge a run.
 
@@ -98,6 +113,7 @@ def judge(tracks: Tracks, command: Command | Refusal | None, run: dict[str, Any]
         verdict.reasons += command.errors
     if isinstance(command, Command):
         _judge_formation(tracks.select(command.names), command, verdict)
+    take_over(run, verdict)
     return verdict
 
 

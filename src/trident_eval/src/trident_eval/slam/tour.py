@@ -14,8 +14,9 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from trident_eval.core.errors import EvalError
+from trident_eval.core.provenance import read_object
 from trident_eval.core.tracks import Array
-from trident_eval.core.verdict import Verdict
+from trident_eval.core.verdict import Verdict, take_over
 from trident_eval.slam import evaluation
 from trident_eval.slam.alignment import absolute_errors
 from trident_eval.slam.grid import read_grid
@@ -82,7 +83,11 @@ def judge_tour(folder: Path, record: dict[str, Any]) -> tuple[evaluation.Evaluat
     numbers = {"mode": "slam", "world": record["world"], "vehicles": [record["robot"]]}
     numbers |= {"ate_limit_m": ATE_LIMIT_M, "precision_limit": PRECISION_LIMIT}
     numbers |= found.summary()
-    return found, Verdict(numbers, reasons + _reasons(numbers))
+    run = read_object(folder / "run.json")
+    numbers |= {key: run[key] for key in ("state_hash", "sim_s", "wall_s", "rtf") if key in run}
+    verdict = Verdict(numbers, reasons + _reasons(numbers))
+    take_over(run, verdict)
+    return found, verdict
 
 
 def _reasons(numbers: dict[str, Any]) -> list[str]:

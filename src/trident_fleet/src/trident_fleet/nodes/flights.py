@@ -30,7 +30,7 @@ from trident_fleet.nodes.setpoint_topic import SetpointTopic
 from trident_fleet.nodes.world_link import WorldLink
 
 _STANDS_S = 1.0
-_TOLD_MOST = 3
+_STANDS_MOST_S = 16.0
 
 
 @dataclass(frozen=True)
@@ -93,10 +93,11 @@ class Crew:
 
 
 class Standstill:
-    """Tells, a few times at most, that simulated time has stood still for a second of wall time.
+    """Tells, ever more seldom, that simulated time has stood still for a second of wall time.
 
     A confirmation of a set-point that gets lost, as those of the first ones may while everybody
-    still connects, would leave world and sources waiting for each other.
+    still connects, would leave world and sources waiting for each other. Set-points that come again
+    change nothing, so that the wall clock decides nothing here.
     """
 
     def __init__(self, link: WorldLink) -> None:
@@ -104,17 +105,17 @@ class Standstill:
         self._is_lockstep = link.is_lockstep
         self._time_ns = -1
         self._since = time.monotonic()
-        self._told = 0
+        self._wait_s = _STANDS_S
 
     def is_due(self, time_ns: int) -> bool:
         """Whether the latest set-points should be sent again, at simulated time `time_ns`."""
         now = time.monotonic()
         if time_ns != self._time_ns:
-            self._time_ns, self._since, self._told = time_ns, now, 0
-        if not self._is_lockstep or self._told == _TOLD_MOST or now - self._since < _STANDS_S:
+            self._time_ns, self._since, self._wait_s = time_ns, now, _STANDS_S
+        if not self._is_lockstep or now - self._since < self._wait_s:
             return False
         self._since = now
-        self._told += 1
+        self._wait_s = min(2.0 * self._wait_s, _STANDS_MOST_S)
         return True
 
 

@@ -66,10 +66,12 @@ class FormationRunner:
     def _fly_once(self) -> None:
         """One flight, until the world's time is reset or the node is shut down."""
         crew = self._crew
-        start_ns = crew.link.enroll() if crew.link.is_lockstep else self._next_period_ns()
+        # Before it enrols: a world that waits for all sources stands at time zero until then, so
+        # that the vehicles are found where they were spawned, however long that took.
         spawned = crew.link.wait_for_spawn()
         if spawned is None:
             return
+        start_ns = crew.link.enroll() if crew.link.is_lockstep else self._next_period_ns()
         # A node that is started again finds its enrolment as old as its first life.
         start_ns = max(start_ns, self._period_from(spawned.stamp_ns))
         self._prepare_topics()
@@ -84,8 +86,13 @@ class FormationRunner:
         crew = self._crew
         for topic in crew.topics:
             topic.forget()
-            if not topic.wait_for_controller(crew.settings.connect_wait_s):
+            limit_s = crew.settings.connect_wait_s
+            while not topic.wait_for_controller(limit_s) and not rospy.is_shutdown():
                 rospy.logwarn("%s: no controller listens yet", topic.topic)
+                # In lockstep the world stands meanwhile, so that there is no hurry; a controller
+                # of another name, or within the simulator, is heard of as a listener.
+                if topic.has_listener or not crew.link.is_lockstep:
+                    break
             if crew.settings.guard:
                 topic.guard()
 

@@ -115,6 +115,14 @@ class LeaderTopic:
         """Whether somebody is connected."""
         return self._subscriber is not None and self._subscriber.get_num_connections() > 0
 
+    @property
+    def is_of_simulator(self) -> bool:
+        """Whether the simulator itself is connected as its publisher."""
+        if self._subscriber is None:
+            return False
+        links = self._subscriber.impl.connections
+        return any(link.callerid_pub == SIMULATOR for link in links)
+
     def close(self) -> None:
         """Hear no more."""
         if self._subscriber is not None:

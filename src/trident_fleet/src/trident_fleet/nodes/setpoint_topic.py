@@ -91,6 +91,11 @@ class SetpointTopic(rospy.SubscribeListener):  # type: ignore[misc]
             time.sleep(_POLL_S)
         return False
 
+    @property
+    def has_listener(self) -> bool:
+        """Whether anybody has connected, be it the controller or not."""
+        return bool(self._publisher.impl.connections)
+
     def peer_subscribe(
         self, topic_name: str, topic_publish: Publish, peer_publish: Publish
     ) -> None:

@@ -13,6 +13,7 @@ import rosgraph
 import rospy
 from geometry_msgs.msg import Pose
 from rosgraph_msgs.msg import Clock
+from std_msgs.msg import String
 
 from trident_fleet.core.encoding import NS_PER_S
 from trident_fleet.core.errors import FormationError
@@ -26,10 +27,10 @@ SIMULATOR = "/gazebo"
 _ENROLL = SIMULATOR + "/enroll_source"
 _SPAWN = SIMULATOR + "/spawn_urdf_model"
 _MODEL_STATE = SIMULATOR + "/get_model_state"
+_CONFESSION = SIMULATOR + "/not_repeatable"
 _POLL_S = 0.05
 _ASK_S = 1.0
 _REPORT_S = 10.0
-_SERVICE_LIMIT_S = 5.0
 LONGEST_JUMP_NS = 600 * NS_PER_S  # commanding a flight through it takes seconds
 _JUMP_PATIENCE = 20
 _UNEQUAL = "names, poses and twists are not equally many"
@@ -75,6 +76,7 @@ class WorldLink:
         self._refusals: Refusals | None = None  # made when there is one
         self._time_ns = -1  # that is believed; -1: none yet
         self._jumps = 0  # messages in a row that are far ahead of it
+        self._confession: rospy.Publisher | None = None
         self.is_lockstep = False
 
     def enroll(self, end_ns: int = 0) -> int:
@@ -89,7 +91,7 @@ class WorldLink:
         Raises:
             FormationError: the simulator refuses.
         """
-        rospy.wait_for_service(_ENROLL, timeout=_SERVICE_LIMIT_S)
+        wait_for_service(_ENROLL)
         answer = rospy.ServiceProxy(_ENROLL, EnrollSource)(
             node=rospy.get_name(),
             vehicles=[vehicle.name for vehicle in self._fed],
@@ -126,6 +128,7 @@ class WorldLink:
                 return True
             now = time.monotonic()
             if plain_since is None and _service_exists(_SPAWN):
+                # Ours offers lockstep before it offers this, so that it is never taken for another.
                 plain_since = now
             if plain_since is not None and now - plain_since > self._settings.enroll_wait_s:
                 rospy.logwarn("no service %s: this simulator does not wait for set-points", _ENROLL)
@@ -181,6 +184,12 @@ class WorldLink:
             time.sleep(_POLL_S)
         return None
 
+    def not_repeatable(self, why: str) -> None:
+        """Have the run say that the wall clock has decided something here."""
+        if self._confession is None:
+            self._confession = rospy.Publisher(_CONFESSION, String, queue_size=10, latch=True)
+        self._confession.publish(String(why))
+
     def close_states(self) -> None:
         """A flight that needs no states costs none."""
         if self._spawn_states is not None:
@@ -190,14 +199,18 @@ class WorldLink:
     def wait_for_publisher(self, subscribers: list[rospy.Subscriber]) -> None:
         """Wait until these are connected: the first set-point may let the world run away.
 
-        After the limit that is told about, and the flight goes on.
+        In lockstep without a limit, for the world stands meanwhile; else the flight goes on after
+        it. Both are told.
         """
-        give_up = time.monotonic() + self._settings.connect_wait_s
+        limit_s = self._settings.connect_wait_s
+        told = time.monotonic()
         for subscriber in subscribers:
             while not subscriber.get_num_connections() and not rospy.is_shutdown():
-                if time.monotonic() > give_up:
+                if time.monotonic() - told > limit_s:
                     rospy.logwarn("%s: nobody publishes it yet", subscriber.resolved_name)
-                    return
+                    if not self.is_lockstep:
+                        return
+                    told = time.monotonic()
                 time.sleep(_POLL_S)
 
     def on_clock(self, callback: ClockCallback) -> rospy.Subscriber:
@@ -282,6 +295,24 @@ class WorldLink:
         by_name = _positions_by_name(names, poses)
         gone = np.full(3, np.nan)
         return np.array([by_name.get(vehicle.name, gone) for vehicle in self._vehicles])
+
+
+def wait_for_service(name: str) -> None:
+    """Return when a service is there, however long that takes; who is waited for is told.
+
+    Raises:
+        rospy.ROSInterruptException: the node is shut down.
+    """
+    while not rospy.is_shutdown():
+        try:
+            rospy.wait_for_service(name, timeout=_REPORT_S)
+        except rospy.ROSInterruptException:
+            raise
+        except rospy.ROSException:
+            rospy.logwarn("no answer from service %s yet, still waiting", name)
+        else:
+            return
+    raise rospy.ROSInterruptException("rospy shutdown")
 
 
 def _service_exists(name: str) -> bool:

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "loss_watch.h"
+
+#include <chrono>
+#include <cstdio>
+
+namespace trident {
+namespace {
+
+/// A broken connection counts after this time without an answer, which may have been under way.
+constexpr WallTime kDisconnectedAfter = 20'000'000;
+constexpr double kToldAfter_s = 1.0;
+
+double seconds(WallTime time) { return static_cast<double>(time) * 1e-9; }
+
+}  // namespace
+
+WallTime wall_now() {
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(
+             std::chrono::steady_clock::now().time_since_epoch())
+      .count();
+}
+
+std::string seconds_text(double seconds) {
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.2f s", seconds);
+  return text;
+}
+
+std::string join(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+bool LossWatch::gives_up(const Silence& silence, Waiting& waiting, WallTime now) {
+  const WallTime waited = now - waiting.since;
+  if (waited_for_.empty() || waiting.since < waited_since_) {
+    waited_for_ = silence.who;
+    waited_since_ = waiting.since;
+  }
+  if (!silence.is_gone) {
+    waiting.gone_since = 0;
+  } else if (waiting.gone_since == 0) {
+    waiting.gone_since = now;
+  }
+  const bool is_gone = silence.is_gone && waited > kDisconnectedAfter;
+  const bool is_silent = seconds(waited) >= silence.patience * rules_.timeout_s;
+  if (!is_gone && !is_silent) return false;
+  const std::string why =
+      is_gone ? "has disconnected" : silence.what + " for " + seconds_text(seconds(waited));
+  if (rules_.policy == LossPolicy::kWait) {
+    wait_on(silence, waiting, now, why);
+    return false;
+  }
+  tell(silence, why);
+  if (rules_.policy == LossPolicy::kPause) pause_();
+  repeatability_.spoil(silence.who, silence.time, is_gone ? why : silence.what + " in time");
+  waiting.end();
+  return true;
+}
+
+void LossWatch::wait_on(const Silence& silence, Waiting& waiting, WallTime now,
+                        const std::string& why) {
+  const bool is_gone = waiting.gone_since != 0;
+  bool& is_told = is_gone ? waiting.is_told_gone : waiting.is_told;
+  if (!is_told) tell(silence, why);
+  is_told = true;
+  if (!is_gone || seconds(now - waiting.gone_since) < rules_.restart_patience_s) return;
+  fail_(silence.who + " has died at t = " + seconds_text(silence.time.seconds()) +
+        ", and has not come back for " + seconds_text(rules_.restart_patience_s));
+}
+
+void LossWatch::tell(const Silence& silence, const std::string& why) {
+  const char* what = rules_.policy == LossPolicy::kWait    ? "the world waits"
+                     : rules_.policy == LossPolicy::kPause ? "the world is paused"
+                                                           : "the world goes on without it";
+  report_(Severity::kWarning, silence.who + " " + why + "; " + what);
+}
+
+std::string LossWatch::waited_for() const {
+  if (waited_for_.empty()) return {};
+  const double waited_s = seconds(wall_now() - waited_since_);
+  if (waited_s < kToldAfter_s) return {};
+  char text[32];
+  std::snprintf(text, sizeof(text), " (%.0f s)", waited_s);
+  return waited_for_ + text;
+}
+
+}  // namespace trident

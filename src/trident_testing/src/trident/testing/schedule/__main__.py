@@ -1,0 +1,117 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""A campaign of disturbed runs that can be stopped at any time, and goes on where it was."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import shutil
+import sys
+import tempfile
+from collections import Counter
+from pathlib import Path
+from typing import Any
+
+from trident.testing.schedule.runs import Result, run
+from trident.testing.schedule.scenarios import SCENARIOS, SMALL, Scenario
+from trident.testing.schedule.stopping import StopPlan
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Run what is left to do.
+
+    Returns:
+        0: all hashes of a scenario are equal, and every run has passed.
+    """
+    options = _parser().parse_args(arguments)
+    scenarios = SMALL if options.small else SCENARIOS
+    names = options.scenarios or list(scenarios)
+    unknown = [name for name in names if name not in scenarios]
+    if unknown:
+        print(f"schedule: {unknown[0]}; legal: {', '.join(scenarios)}", file=sys.stderr)
+        return 2
+    done = _read(options.out)
+    try:
+        for name, seed in _plan(names, options.runs, options.first_seed):
+            if (name, seed) not in {(one["scenario"], one["seed"]) for one in done}:
+                done.append(_run(name, scenarios[name], seed, options))
+    except KeyboardInterrupt:
+        print("schedule: stopped; the same call goes on", file=sys.stderr)
+    return _summary(done)
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(prog="schedule", description=__doc__)
+    parser.add_argument("--runs", type=int, default=300, help="disturbed ones in all")
+    parser.add_argument("--first-seed", type=int, default=1)
+    parser.add_argument("--small", action="store_true", help="few rows, short stops")
+    parser.add_argument("--out", type=Path, default=Path("schedule.jsonl"), help="of the results")
+    parser.add_argument("--keep", type=Path, help="folder in which runs that are not good stay")
+    parser.add_argument("scenarios", nargs="*", metavar="SCENARIO", help=", ".join(SCENARIOS))
+    return parser
+
+
+def _plan(names: list[str], runs: int, first: int) -> list[tuple[str, int]]:
+    """Each scenario once undisturbed, then one after the other."""
+    disturbed = [(names[index % len(names)], first + index) for index in range(runs)]
+    return [(name, 0) for name in names] + disturbed
+
+
+def _run(name: str, scenario: Scenario, seed: int, options: argparse.Namespace) -> dict[str, Any]:
+    parent = Path(tempfile.mkdtemp(prefix="trident_schedule_"))
+    folder = parent / "run"
+    try:
+        plan = StopPlan(long_s=(2.5,), long_most=1) if options.small else StopPlan()
+        result = run(name, scenario, seed, folder, plan)
+        _append(options.out, result.line())
+        _tell(result)
+        if options.keep and not (result.passed and result.repeatable):
+            shutil.copytree(folder, options.keep / f"{name}-{seed}", dirs_exist_ok=True)
+    finally:
+        shutil.rmtree(parent, ignore_errors=True)
+    found: dict[str, Any] = json.loads(result.line())
+    return found
+
+
+def _tell(result: Result) -> None:
+    says = "PASS" if result.passed else "FAIL"
+    long = [f"{name} {seconds:g} s" for name, seconds in result.stops if seconds >= 1.0]
+    print(
+        f"{result.scenario} {result.seed}: {result.state_hash[:8] or 'no hash'} {says} "
+        f"{result.sim_s:.1f} s in {result.wall_s:.0f} s, {len(result.stops)} stops"
+        + (f", of them {', '.join(long)}" if long else ""),
+        flush=True,
+    )
+    for reason in result.reasons:
+        print(f"  - {reason}", flush=True)
+
+
+def _read(path: Path) -> list[dict[str, Any]]:
+    if not path.is_file():
+        return []
+    lines = path.read_text(encoding="utf-8").splitlines()
+    return [json.loads(line) for line in lines if line.endswith("}")]  # the last may be torn
+
+
+def _append(path: Path, line: str) -> None:
+    is_torn = path.is_file() and not path.read_bytes().endswith((b"\n",)) and path.stat().st_size
+    with path.open("a", encoding="utf-8") as file:
+        file.write(("\n" if is_torn else "") + line + "\n")
+
+
+def _summary(done: list[dict[str, Any]]) -> int:
+    is_good = True
+    for name in dict.fromkeys(one["scenario"] for one in done):
+        runs = [one for one in done if one["scenario"] == name]
+        hashes = Counter(one["state_hash"] for one in runs)
+        bad = [one["seed"] for one in runs if not (one["passed"] and one["repeatable"])]
+        good = len(hashes) == 1 and not bad and "" not in hashes
+        is_good = is_good and good
+        told = ", ".join(f"{key[:8] or 'none'} x {count}" for key, count in hashes.most_common())
+        print(f"{name}: {len(runs)} runs, hashes {told}; not good: {bad or 'none'}")
+    return 0 if is_good else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
