@@ -175,8 +175,8 @@ class Builder {
   }
 
   void add_collision(Link& link, const CollisionSpec& spec) {
-    Geom geom = make_geom(spec, model_.name + "::" + link.name + "::" + spec.name,
-                          link.body != nullptr);
+    Geom geom =
+        make_geom(spec, model_.name + "::" + link.name + "::" + spec.name, link.body != nullptr);
     const SE3 T_base_shape = link.T_body_link * spec.T_link_shape;
     geom.surface.fdir1 = T_base_shape.R * geom.surface.fdir1;
     if (link.body == nullptr) {

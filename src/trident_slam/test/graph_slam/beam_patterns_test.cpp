@@ -98,8 +98,8 @@ class InterlacedLog : public testing::Test {
     file.precision(10);
     for (std::size_t i = 0; i < path_.size(); ++i) {
       const Pattern& pattern = kInterlaced[i % patterns];
-      const LaserScan scan = world.scan(path_[i], i, 0.01, pattern.angle_min,
-                                        pattern.angle_increment, pattern.beams);
+      const LaserScan scan =
+          world.scan(path_[i], i, 0.01, pattern.angle_min, pattern.angle_increment, pattern.beams);
       file << "ROBOTLASER1 0 " << scan.angle_min << ' ' << kPi << ' ' << scan.angle_increment
            << " 20 0.01 0 " << scan.size();
       for (const float range : scan.ranges) file << ' ' << range;

@@ -17,7 +17,6 @@ import signal
 import subprocess
 import threading
 from collections import deque
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
