@@ -34,6 +34,7 @@ EMPTY_WORLD_ARGUMENTS = {
     "enable_ros_network": "true",
     "server_required": "false",
     "gui_required": "false",
+    "strict": "false",
 }
 SIX = [f"UAV{i}" for i in range(1, 7)]
 
@@ -66,6 +67,10 @@ def test_single_vehicle_files_take_every_vehicle(name: str, vehicle: str) -> Non
 
 
 class TestEmptyWorld:
+    @pytest.fixture(autouse=True)
+    def _of_a_user(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        monkeypatch.delenv("TRIDENT_STRICT", raising=False)  # the tests themselves are strict
+
     def test_arguments_and_defaults_are_the_known_ones(self) -> None:
         declared = roslaunch.arg_dump.get_args([str(EMPTY_WORLD)])
         defaults = {name: default for name, (_, default) in declared.items()}
@@ -80,7 +85,12 @@ class TestEmptyWorld:
         assert arguments_of(server) == ["-e", "ode", "worlds/empty.world"]
         assert not server.required
         assert not server.respawn
-        assert parameters(config) == {"/use_sim_time": True, "/gazebo/enable_ros_network": True}
+        assert parameters(config) == {
+            "/use_sim_time": True,
+            "/gazebo/use_sim_time": True,
+            "/gazebo/enable_ros_network": True,
+            "/gazebo/strict": False,
+        }
 
     def test_every_argument_reaches_the_server(self) -> None:
         config = load(
@@ -97,6 +107,7 @@ class TestEmptyWorld:
             "use_sim_time:=false",
             "use_clock_frequency:=true",
             "pub_clock_frequency:=20",
+            "strict:=true",
         )
         assert set(nodes(config)) == {"/gazebo"}
         server = nodes(config)["/gazebo"]
@@ -104,8 +115,10 @@ class TestEmptyWorld:
         assert arguments_of(server) == expected
         assert server.required
         assert parameters(config) == {
+            "/gazebo/use_sim_time": False,
             "/gazebo/enable_ros_network": True,
             "/gazebo/pub_clock_frequency": 20,
+            "/gazebo/strict": True,
         }
 
     def test_debug_starts_the_debug_server(self) -> None:
