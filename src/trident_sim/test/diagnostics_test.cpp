@@ -72,7 +72,7 @@ TEST(Diagnostics, EveryRefusedCommandCounts) {
   ASSERT_NE(entry, nullptr);
   EXPECT_EQ(entry->count, 3u);
   EXPECT_EQ(entry->newest.severity, Severity::kError);
-  EXPECT_EQ(entry->newest.values[1].second, "finite numbers");
+  EXPECT_EQ(entry->newest.values[1].second, "finite, up to 1e5 m/s and 1e4 rad/s");
 }
 
 TEST(Diagnostics, WhereThereIsASinkOfTheirOwnTheyGoThere) {

@@ -168,13 +168,15 @@ TEST(Spring, OneThatPullsBeyondAllBoundsStopsItsBodiesAndNotTheProgram) {
 }
 
 TEST(Revolute, AnEffortBeyondAllBoundsStopsItsBodiesAndNotTheProgram) {
-  for (const double effort : {1e308, -1e308, 1e30}) {
+  for (const double effort : {1e15, -1e15}) {
     TestWorld world(weightless(0.01));
     Model& model = world.add(
         make_on_world(JointType::kRevolute, {0, 0, 0}, {0, 0.6, 0.8}, {1e-9, 2e-9, 1e-9}));
     world->apply_effort({model.find_joint("j"), effort, SimTime{0}, SimTime{-1}});
     world->step(10);
     EXPECT_EQ(world.told(Severity::kWarning, "grows without bound"), 1u) << effort;
+    const AppliedEffort stronger{model.find_joint("j"), 1e3 * effort, SimTime{0}, SimTime{-1}};
+    EXPECT_THROW(world->apply_effort(stronger), Error);
   }
 }
 

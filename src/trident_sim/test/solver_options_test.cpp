@@ -99,11 +99,11 @@ TEST(Solver, WorldsMayChangeTheirSolverAndBadValuesChangeNothing) {
   };
   EXPECT_TRUE(contains(refusal([](PhysicsSpec& p) { p.solver = "best"; }),
                        "physics: solver type is 'best', must be quick or world"));
-  EXPECT_TRUE(contains(refusal([](PhysicsSpec& p) { p.iterations = 0; }), "iterations is 0"));
-  EXPECT_TRUE(contains(refusal([](PhysicsSpec& p) { p.sor = 2.0; }), "sor is 2.000000"));
-  EXPECT_TRUE(contains(refusal([](PhysicsSpec& p) { p.erp = 1.5; }), "erp is 1.500000"));
+  EXPECT_TRUE(contains(refusal([](PhysicsSpec& p) { p.iterations = 0; }), "iterations is '0'"));
+  EXPECT_TRUE(contains(refusal([](PhysicsSpec& p) { p.sor = 2.0; }), "sor is '2'"));
+  EXPECT_TRUE(contains(refusal([](PhysicsSpec& p) { p.erp = 1.5; }), "erp is '1.5'"));
   EXPECT_TRUE(contains(refusal([](PhysicsSpec& p) { p.exact_solver_rows = -1; }),
-                       "exact_solver_rows is -1"));
+                       "exact_solver_rows is '-1'"));
   EXPECT_EQ(world->physics().iterations, 77);
   EXPECT_EQ(world->physics().solver, "quick");
 }
