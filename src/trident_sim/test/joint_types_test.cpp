@@ -7,6 +7,7 @@
 
 #include "models.h"
 #include "test_world.h"
+#include "trident_base/error.h"
 
 namespace trident {
 namespace {
@@ -175,8 +176,8 @@ TEST(Revolute, AnEffortBeyondAllBoundsStopsItsBodiesAndNotTheProgram) {
     world->apply_effort({model.find_joint("j"), effort, SimTime{0}, SimTime{-1}});
     world->step(10);
     EXPECT_EQ(world.told(Severity::kWarning, "grows without bound"), 1u) << effort;
-    const AppliedEffort stronger{model.find_joint("j"), 1e3 * effort, SimTime{0}, SimTime{-1}};
-    EXPECT_THROW(world->apply_effort(stronger), Error);
+    EXPECT_THROW(
+        world->apply_effort({model.find_joint("j"), 1e3 * effort, SimTime{0}, SimTime{-1}}), Error);
   }
 }
 
