@@ -24,7 +24,9 @@ def withstands(run: Launch, node: str) -> None:
     assert not found.problems, found.text()
     assert sum(found.sent.values()) == count
     for name, log in run.logs():
-        assert "Traceback" not in log, f"{name}: {log[:5000]}"
+        # rospy itself logs one where a topic is given up while it is being connected.
+        own = [line for line in log.splitlines() if "[rospy.internal]" not in line]
+        assert not any("Traceback" in line for line in own), f"{name}: {log[:5000]}"
     assert not run.died()
 
 
