@@ -104,7 +104,7 @@ void Simulation::fail(const std::string& error) {
 
 void Simulation::note_change(const std::string& who) {
   if (repeatability_.running()) {
-    repeatability_.spoil(who, world_->time(), "called outside of the lockstep");
+    repeatability_.spoil(one_line(who), world_->time(), "called outside of the lockstep");
   }
 }
 

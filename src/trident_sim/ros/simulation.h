@@ -7,6 +7,7 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <exception>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -51,19 +52,26 @@ class Simulation {
       simulation_.mutex_.lock();
       --simulation_.waiting_;
     }
-    ~Access() { simulation_.mutex_.unlock(); }
+    ~Access() {
+      // A request that was refused has changed nothing.
+      const bool is_refused = std::uncaught_exceptions() > exceptions_;
+      if (!changed_by_.empty() && !is_refused) simulation_.note_change(changed_by_);
+      simulation_.mutex_.unlock();
+    }
     Access(const Access&) = delete;
     Access& operator=(const Access&) = delete;
     World& world() const { return *simulation_.world_; }
     /// The same for `who`, from outside, who is about to change something; a running world meets
     /// that at a time that is left to chance.
     World& changed_by(const std::string& who) const {
-      simulation_.note_change(who);
+      changed_by_ = who;
       return *simulation_.world_;
     }
 
    private:
     Simulation& simulation_;
+    const int exceptions_ = std::uncaught_exceptions();
+    mutable std::string changed_by_;
   };
 
   /// What is done with elements of files that cannot be used.
