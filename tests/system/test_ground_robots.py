@@ -157,7 +157,7 @@ def test_a_command_that_is_not_a_number_is_named(launch: Start) -> None:
     assert status.level == DiagnosticStatus.ERROR
     values = {pair.key: pair.value for pair in status.values}
     assert values["value"].startswith("(nan, 0.0")
-    assert values["legal"] == "finite numbers"
+    assert values["legal"] == "finite, up to 1e5 m/s and 1e4 rad/s"
     assert int(values["count"]) == 1
     status = found("model 'crate': spawned inside")
     assert status is not None
