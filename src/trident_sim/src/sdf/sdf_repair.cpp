@@ -136,8 +136,9 @@ void rename_doubles(const sdf::ElementPtr& parent, const std::string& label,
     taken.insert(own);
     child->GetAttribute("name")->SetFromString(own);
     if (child->GetName() == "physics") continue;
-    odd.push_back(place_of(child, label) + ": another <" + child->GetName() + "> is named '" +
-                  name + "'; this one is called '" + own + "'");
+    std::string text = place_of(child, label);
+    text.append(": another <").append(child->GetName()).append("> is named '").append(name);
+    odd.push_back(text.append("'; this one is called '").append(own).append("'"));
   }
 }
 
@@ -160,8 +161,9 @@ void leave_out_unreadable(std::string& text, const std::string& label,
                          (failure.name == "model" && names_on(failure.xml_path).size() == 2);
     const std::string cut = is_root ? "" : cut_element(text, failure.line, failure.name);
     if (cut.empty() || cuts == kMostCuts) {
-      const std::string first = errors.empty() ? "it is no SDF" : errors.front().Message();
-      throw Error(label + ": libsdformat cannot read it: " + first);
+      std::string why = label + ": libsdformat cannot read it: ";
+      why += errors.empty() ? "it is no SDF" : errors.front().Message();
+      throw Error(why);
     }
     odd.push_back(describe(failure, text, cut, label) + "; left out");
   }

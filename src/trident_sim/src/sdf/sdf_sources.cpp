@@ -55,7 +55,7 @@ SdfSources::~SdfSources() {
 }
 
 std::string SdfSources::file_of(const std::string& uri) const {
-  const std::string path = find_(uri);
+  std::string path = find_(uri);
   std::error_code ignored;
   if (!fs::is_directory(path, ignored)) return path;
   return fs::exists(fs::path(path) / "model.config", ignored) ||
@@ -108,7 +108,8 @@ void SdfSources::visit_includes(const XMLElement& parent, const std::string& lab
       continue;
     }
     cut.push_back({line, stay});
-    const std::string where = label + ":" + std::to_string(line) + ": <include>" + fault;
+    std::string where = label;
+    where.append(":").append(std::to_string(line)).append(": <include>").append(fault);
     if (fault.find(kNotFound) != std::string::npos && odd_.policy == OddElements::kRefuse) {
       warn_(where);
     } else {

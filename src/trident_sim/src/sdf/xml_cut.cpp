@@ -97,7 +97,7 @@ std::string cut_element(std::string& xml, int line, const std::string& name, int
       continue;
     }
     const std::size_t end = element_end(xml, at);
-    const std::string cut = xml.substr(at, end - at);
+    std::string cut = xml.substr(at, end - at);
     std::replace_if(
         xml.begin() + static_cast<std::ptrdiff_t>(at),
         xml.begin() + static_cast<std::ptrdiff_t>(end), [](char c) { return c != '\n'; }, ' ');
