@@ -160,8 +160,9 @@ class FollowFlight:
         with self._lock:
             if not self._topic.is_simulated and abs(stamp_ns - self._now_ns) > _FOREIGN_STAMP_NS:
                 stamp_ns = self._now_ns
-            if stamp_ns - self._now_ns > LONGEST_JUMP_NS:
-                self._topic.refuse(f"{(stamp_ns - self._now_ns) / NS_PER_S:g} s ahead of the clock")
+            ahead_ns = max(stamp_ns - self._now_ns, self._ahead_ns(stamp_ns))
+            if ahead_ns > LONGEST_JUMP_NS:
+                self._topic.refuse(f"{ahead_ns / NS_PER_S:g} s ahead of the clock")
                 return
             self._track.add(stamp_ns - self._start_ns, decode)
             self._heard_at = time.monotonic()
@@ -172,11 +173,18 @@ class FollowFlight:
 
     def _on_clock(self, now_ns: int) -> None:
         with self._lock:
+            if self._ahead_ns(now_ns) > LONGEST_JUMP_NS:
+                self._crew.link.refuse("/clock", "a world in lockstep cannot be that far ahead")
+                return
             if self._crew.restart_if_reset(self._now_ns, now_ns):
                 self.close()
                 return
             self._now_ns = max(now_ns, self._now_ns)
             self._go_on()
+
+    def _ahead_ns(self, time_ns: int) -> int:
+        """How far a time is ahead of what is commanded [ns]; a world in lockstep waits for that."""
+        return time_ns - self._boundary_ns() if self._crew.link.is_lockstep else 0
 
     def _boundary_ns(self) -> int:
         """Simulated time of the leader's state that the next period is commanded by [ns]."""

@@ -219,7 +219,7 @@ class WorldLink:
         def on_message(message: Clock) -> None:
             problem = self._time_problem(message.clock)
             if problem:
-                self._refuse("/clock", problem)
+                self.refuse("/clock", problem)
                 return
             callback(message.clock.to_nsec())
 
@@ -251,7 +251,7 @@ class WorldLink:
             if len(states.name) == len(states.pose):
                 newest[:] = [states]
             else:
-                self._refuse("model_states", _UNEQUAL)
+                self.refuse("model_states", _UNEQUAL)
 
         def tick(now_ns: int) -> None:
             index = now_ns // period_ns
@@ -267,7 +267,7 @@ class WorldLink:
         if not problem and not len(state.name) == len(state.pose) == len(state.twist):
             problem = _UNEQUAL
         if problem:
-            self._refuse("fleet_state", problem)
+            self.refuse("fleet_state", problem)
         return bool(problem)
 
     def _time_problem(self, stamp: rospy.Time) -> str:
@@ -286,7 +286,8 @@ class WorldLink:
         self._time_ns = now_ns
         return ""
 
-    def _refuse(self, what: str, problem: str) -> None:
+    def refuse(self, what: str, problem: str) -> None:
+        """Say, and count, that a message is not believed."""
         if self._refusals is None:
             self._refusals = Refusals()
         self._refusals.note(f"{what} refused", f"{what} refused: {problem}")
