@@ -20,6 +20,7 @@ from trident_tool.supervisor import AT_TERMINAL_S, DONE, adopt_orphans, end_desc
 _SUPERVISOR = Path(__file__).with_name("supervisor.py")
 _END_LIMIT_S = 20.0  # it takes below 5 s; more where the machine is very slow
 _POLL_S = 0.2
+_ENDINGS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 _AFTERWARDS_S = 5.0
 
 
@@ -79,16 +80,21 @@ _running: weakref.WeakSet[Supervised] = weakref.WeakSet()
 
 
 @contextlib.contextmanager
-def undisturbed() -> Iterator[None]:
-    """A second Ctrl-C does not keep the block from ending what the first one has asked to end."""
-    before = {}
-    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
-        before[number] = signal.signal(number, signal.SIG_IGN)
+def _handled(handlers: Mapping[int, Any]) -> Iterator[None]:
+    """In the block these signals have these handlers."""
+    before = {number: signal.signal(number, handler) for number, handler in handlers.items()}
     try:
         yield
     finally:
         for number, handler in before.items():
             signal.signal(number, handler)
+
+
+@contextlib.contextmanager
+def undisturbed() -> Iterator[None]:
+    """A second Ctrl-C does not keep the block from ending what the first one has asked to end."""
+    with _handled(dict.fromkeys(_ENDINGS, signal.SIG_IGN)):
+        yield
 
 
 @contextlib.contextmanager
@@ -101,15 +107,9 @@ def ends_by_exception() -> Iterator[None]:
     def interrupt(number: int, _frame: FrameType | None) -> None:
         raise KeyboardInterrupt(number)
 
-    before = {}
-    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
-        if number != signal.SIGHUP or signal.getsignal(number) != signal.SIG_IGN:
-            before[number] = signal.signal(number, interrupt)
-    try:
+    ignored = {signal.SIGHUP} if signal.getsignal(signal.SIGHUP) == signal.SIG_IGN else set()
+    with _handled({number: interrupt for number in _ENDINGS if number not in ignored}):
         yield
-    finally:
-        for number, handler in before.items():
-            signal.signal(number, handler)
 
 
 @contextlib.contextmanager
