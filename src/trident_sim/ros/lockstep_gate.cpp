@@ -317,7 +317,7 @@ void LockstepGate::clear(bool with_time) {
 
 SimTime LockstepGate::enrol_source(const std::string& node,
                                    const std::vector<std::string>& vehicles, SimTime period,
-                                   SimTime end, SimTime now) {
+                                   SimTime end, bool waits_beyond_end, SimTime now) {
   for (const auto& [topic, vehicle] : vehicles_) {
     const bool is_fed =
         std::find(vehicles.begin(), vehicles.end(), vehicle->name()) != vehicles.end();
@@ -329,7 +329,7 @@ SimTime LockstepGate::enrol_source(const std::string& node,
   if (is_new && losses_.repeatability().running()) {
     losses_.repeatability().spoil("set-point source " + node, now, "enrolled while time ran");
   }
-  const SimTime start = hub_.sources.enrol(node, vehicles, period, end, now);
+  const SimTime start = hub_.sources.enrol(node, vehicles, period, end, now, waits_beyond_end);
   if (is_new) {
     hub_.news.push_back("set-point source " + node + " enrolled for " + join(vehicles) +
                         " from t = " + seconds_text(start.seconds()));

@@ -60,7 +60,7 @@ class LockstepGate {
   void clear(bool with_time);
 
   SimTime enrol_source(const std::string& node, const std::vector<std::string>& vehicles,
-                       SimTime period, SimTime end, SimTime now);
+                       SimTime period, SimTime end, bool waits_beyond_end, SimTime now);
   void release_source(const std::string& node);
   /// End of the last source; 0 while one has none.
   SimTime sources_end();

@@ -347,8 +347,9 @@ SimTime Simulation::step(std::uint64_t n) {
 }
 
 SimTime Simulation::enrol_source(const std::string& node, const std::vector<std::string>& vehicles,
-                                 SimTime period, SimTime end) {
-  const SimTime start = gate_->enrol_source(node, vehicles, period, end, world_->time());
+                                 SimTime period, SimTime end, bool waits_beyond_end) {
+  const SimTime start =
+      gate_->enrol_source(node, vehicles, period, end, waits_beyond_end, world_->time());
   topics_->set_state_period(period);
   return start;
 }

@@ -92,7 +92,7 @@ class Simulation {
   double max_update_rate_hz() const;
   void set_max_update_rate_hz(double rate);
   SimTime enrol_source(const std::string& node, const std::vector<std::string>& vehicles,
-                       SimTime period, SimTime end);
+                       SimTime period, SimTime end, bool waits_beyond_end);
   void release_source(const std::string& node) { gate_->release_source(node); }
 
   /// Makes n steps and returns when they are done and published; throws Error when the run ends

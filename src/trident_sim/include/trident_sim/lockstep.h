@@ -75,11 +75,13 @@ class SetpointSources {
   struct Source {
     std::vector<std::string> vehicles;
     SimTime period, start, end;  ///< end 0: not known yet
+    /// While the run goes on beyond `end`, because of others, the world waits for this source.
+    bool waits_beyond_end = false;
   };
 
   /// Throws Error for a period that is not positive or a source without vehicles. `now`: sim time.
   SimTime enrol(const std::string& node, const std::vector<std::string>& vehicles, SimTime period,
-                SimTime end, SimTime now);
+                SimTime end, SimTime now, bool waits_beyond_end = false);
   void release(const std::string& node);
   void clear() { sources_.clear(), covered_.clear(), replaced_.clear(); }
 

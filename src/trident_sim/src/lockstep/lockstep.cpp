@@ -79,7 +79,8 @@ WallTime LockstepVehicle::waiting_for(WallTime now) const {
 }
 
 SimTime SetpointSources::enrol(const std::string& node, const std::vector<std::string>& vehicles,
-                               SimTime period, SimTime end, SimTime now) {
+                               SimTime period, SimTime end, SimTime now,
+                               bool waits_beyond_end) {
   if (period.ns <= 0) {
     throw Error("set-point source '" + node + "': period is " + std::to_string(period.seconds()) +
                 " s, must be > 0");
@@ -89,11 +90,12 @@ SimTime SetpointSources::enrol(const std::string& node, const std::vector<std::s
   if (known != sources_.end() && known->second.vehicles == vehicles &&
       known->second.period == period) {
     known->second.end = end;
+    known->second.waits_beyond_end = waits_beyond_end;
     return known->second.start;
   }
   // Never time zero: a stamp of zero would mean none.
   const SimTime start{(now.ns / period.ns + 1) * period.ns};
-  sources_[node] = {vehicles, period, start, end};
+  sources_[node] = {vehicles, period, start, end, waits_beyond_end};
   return start;
 }
 
@@ -132,7 +134,8 @@ bool SetpointSources::is_covered(const std::string& vehicle, SimTime due) const 
 }
 
 bool SetpointSources::covers(const Source& source, SimTime time) const {
-  if (time < source.start || (source.end.ns > 0 && time >= source.end)) return true;
+  const bool has_ended = source.end.ns > 0 && time >= source.end && !source.waits_beyond_end;
+  if (time < source.start || has_ended) return true;
   const SimTime due{time.ns / source.period.ns * source.period.ns};
   return std::all_of(source.vehicles.begin(), source.vehicles.end(),
                      [&](const std::string& vehicle) { return is_covered(vehicle, due); });

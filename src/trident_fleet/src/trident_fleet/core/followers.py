@@ -36,7 +36,7 @@ class Phase(enum.Enum):
     TAKE_OFF = "take-off"
     JOIN = "on the way to the places"
     FOLLOW = "following"
-    DONE = "done"
+    DONE = "done"  # unless the leader moves on
 
 
 @dataclass(frozen=True)
@@ -219,9 +219,12 @@ class Followers:
         """Go to the next phase when it is time."""
         if self.phase is Phase.JOIN and self._blend is not None and now_s >= self._blend.end_s:
             self.phase, self.joined_s = Phase.FOLLOW, now_s
+        if self.joined_s is None:
+            return
         fastest = max(float(np.linalg.norm(leader.velocity)), abs(leader.yaw_rate))
-        if self.phase is not Phase.FOLLOW or fastest > _STILL_SPEED:
-            self._still_since_ns = None
+        if fastest > _STILL_SPEED:
+            # It was a pause, and no end.
+            self._still_since_ns, self.phase = None, Phase.FOLLOW
             return
         if self._still_since_ns is None:
             self._still_since_ns = elapsed_ns

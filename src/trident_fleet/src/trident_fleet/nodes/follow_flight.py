@@ -68,6 +68,7 @@ class FollowFlight:
         self._lock = threading.Lock()
         self._standstill = Standstill(crew.link)
         self._over = threading.Event()
+        self._has_end = False  # the run may end, as far as the followers are concerned
         self._has_begun = False
         self._next = 0  # period to command next
         self._heard_at = self._reported = time.monotonic()
@@ -85,8 +86,6 @@ class FollowFlight:
         self._crew.link.wait_for_publisher([clock])
         if self._waits_for_leader:
             self._wait_for_topic()
-            # Two runs differ by 1e-11 m from the joining on; until the cause is found, say so.
-            self._crew.link.not_repeatable("followers join by a way that differs in its last bits")
         else:
             self._crew.link.not_repeatable(f"{self._topic.name} counts as it comes")
         with self._lock:
@@ -134,7 +133,8 @@ class FollowFlight:
     def _leave(self) -> None:
         if not self._over.is_set():
             self.close()
-            self.write_records()
+            if not self._has_end:
+                self.write_records()
 
     def _wait_for_topic(self) -> None:
         """As long as the first set-points are not there, simulated time does not run."""
@@ -211,8 +211,8 @@ class FollowFlight:
         slots = self._followers.step(leader, elapsed_ns, window_ns)
         self._next += 1
         self._tell_problem()
-        if self._followers.phase is Phase.DONE and not self._over.is_set():
-            self._finish(self._start_ns + elapsed_ns + 3 * self._period_ns)
+        if (self._followers.phase is Phase.DONE) != self._has_end:
+            self._tell_end(self._start_ns + elapsed_ns + 3 * self._period_ns)
         # Without lockstep, what the clock has overtaken is not worth sending.
         if self._crew.link.is_lockstep or self._boundary_ns() > self._now_ns:
             self._crew.send([self._encoded(slots, self._start_ns + window_ns)])
@@ -234,12 +234,18 @@ class FollowFlight:
                 rospy.logwarn("%s; they hover until there is a way", problem)
             self._told = self._log.error = problem
 
-    def _finish(self, end_ns: int) -> None:
-        self._over.set()
-        # The records must be there before the world may end.
-        self.write_records()
+    def _tell_end(self, end_ns: int) -> None:
+        """Let the run end when the leader stands; take that back when it was only a pause.
+
+        The leader may move on before the run ends, so that the world goes on to wait for what the
+        followers are commanded: a set-point that nobody waits for comes by chance.
+        """
+        self._has_end = not self._has_end
+        if self._has_end:
+            # The records must be there before the world may end.
+            self.write_records()
         if self._crew.link.is_lockstep:
-            self._crew.link.enroll(end_ns)
+            self._crew.link.enroll(end_ns if self._has_end else 0, waits_beyond_end=True)
 
     def write_records(self) -> None:
         """Say what the followers should have done so far."""

@@ -79,11 +79,13 @@ class WorldLink:
         self._confession: rospy.Publisher | None = None
         self.is_lockstep = False
 
-    def enroll(self, end_ns: int = 0) -> int:
+    def enroll(self, end_ns: int = 0, waits_beyond_end: bool = False) -> int:
         """Enrol this node's vehicles in the lockstep, or tell when it ends.
 
         Args:
             end_ns: last instant at which the world has to wait [ns]; 0: not known yet.
+            waits_beyond_end: the run may end at `end_ns`; while it goes on because of others, the
+                world waits for this node.
 
         Returns:
             Stamp of the first set-point [ns].
@@ -98,6 +100,7 @@ class WorldLink:
             period=rospy.Duration(0, self._settings.feed.period_ns),
             end_time=rospy.Time(*divmod(end_ns, NS_PER_S)),
             enroll=True,
+            waits_beyond_end=waits_beyond_end,
         )
         if not answer.success:
             raise FormationError(f"{_ENROLL}: refused: {answer.message}")
