@@ -271,6 +271,29 @@ def test_the_flight_ends_when_the_leader_has_stood_still() -> None:
     assert done == pytest.approx(23.0, abs=0.11)
 
 
+def test_a_leader_that_only_paused_is_followed_on() -> None:
+    pause_s = (20.0, 24.0)
+
+    def path(t: float) -> LeaderState:
+        if pause_s[0] <= t < pause_s[1]:
+            at = on_a_round(pause_s[0])
+            return replace(state(t, tuple(at.position)), yaw_rad=at.yaw_rad)
+        return replace(
+            on_a_round(t if t < pause_s[0] else t - pause_s[1] + pause_s[0]),
+            stamp_ns=round(t * 1e9),
+        )
+
+    followers = Followers(SPAWN, FollowConfig(WEDGE, end_when_still_s=2.0))
+    phases = []
+    for n in range(2, 350):
+        followers.step(path((n - 1) * 0.1), (n - 1) * PERIOD_NS, n * PERIOD_NS)
+        phases.append(followers.phase)
+    done = [index for index, phase in enumerate(phases) if phase is Phase.DONE]
+    assert 0.1 * (done[0] + 1) == pytest.approx(22.0, abs=0.11)
+    assert 0.1 * (done[-1] + 1) == pytest.approx(24.0, abs=0.11)
+    assert phases[-1] is Phase.FOLLOW
+
+
 @pytest.mark.parametrize(
     ("change", "what"),
     [

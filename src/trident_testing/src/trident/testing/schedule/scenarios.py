@@ -91,5 +91,7 @@ SMALL = {
     "time": Scenario(_MAIN, _main("time", 2, 3)),
     "gate": Scenario(_MAIN, _main("gate", 2, 2)),
     "cross_domain": Scenario(_CROSS, _coast(2.0), is_judged=False),
+    "leader_follower": Scenario(_FOLLOW, _follow(2, 12)),
+    "slam_room": SCENARIOS["slam_room"],
 }
 """The same in a few seconds of simulated time."""

@@ -1,0 +1,103 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""The drive in lockstep, by a world that moves one odometry further with each answer."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+import rospy
+from geometry_msgs.msg import Twist
+from nav_msgs.msg import Odometry
+from trident_eval.slam import tour_drive
+from trident_eval.slam.tour_drive import LockstepDriver
+from trident_nav.core.velocity import Velocity
+
+PERIOD_S = 0.1
+
+
+class World:
+    """Sends the next odometry when it comes to it, which is after the answer to the last one."""
+
+    def __init__(self) -> None:
+        self.answers: list[float] = []  # forward velocities
+        self.heard: Any = None
+        self.time_s = 0.0
+        self.moves = False  # has been answered, and is not at the next odometry yet
+
+    def publish(self, answer: Twist) -> None:
+        assert not self.moves, "answered while it moves"
+        self.answers.append(answer.linear.x)
+        self.moves = True
+
+    def come_to_the_next(self) -> None:
+        """The wall clock decides when."""
+        if self.moves:
+            self.moves = False
+            self.time_s += PERIOD_S
+            self.send()
+
+    def send(self) -> None:
+        message = Odometry()
+        message.header.stamp = rospy.Time.from_sec(self.time_s)
+        message.pose.pose.orientation.w = 1.0
+        self.heard(message)
+
+
+class Follower:
+    """Has arrived after some commands."""
+
+    def __init__(self, commands: int) -> None:
+        self.left = commands
+        self.times: list[float] = []
+
+    @property
+    def is_done(self) -> bool:
+        return self.left == 0
+
+    def command(self, time_s: float, pose: tuple[float, float, float]) -> Velocity:
+        self.left -= 1
+        self.times.append(round(time_s, 6))
+        return Velocity(0.5, 0.0)
+
+
+@pytest.fixture
+def world(monkeypatch: pytest.MonkeyPatch) -> World:
+    """Behind rospy's names."""
+    world = World()
+
+    def subscribe(topic: str, kind: type, callback: Any, **_: Any) -> None:
+        world.heard = callback
+
+    monkeypatch.setattr(tour_drive.rospy, "Publisher", lambda *_, **__: world)
+    monkeypatch.setattr(tour_drive.rospy, "Subscriber", subscribe)
+    return world
+
+
+@pytest.fixture
+def driver(world: World) -> LockstepDriver:
+    driver = LockstepDriver(world.come_to_the_next, lambda: True)
+    world.send()
+    return driver
+
+
+def test_what_is_done_between_two_drives_meets_a_world_that_stands(
+    world: World, driver: LockstepDriver
+) -> None:
+    driver.stand(1.0)
+    assert not world.moves
+    assert world.time_s == pytest.approx(1.0 + PERIOD_S)
+    follower = Follower(5)
+    assert driver.drive(follower, 60.0)  # type: ignore[arg-type]
+    assert not world.moves
+    # No odometry is lost, and none is answered twice.
+    assert follower.times == pytest.approx([1.1, 1.2, 1.3, 1.4, 1.5])
+    driver.stand(0.2)
+    assert world.answers == [0.0] * 11 + [0.5] * 5 + [0.0] * 3
+
+
+def test_a_drive_that_takes_too_long_ends(world: World, driver: LockstepDriver) -> None:
+    assert not driver.drive(Follower(1000), 2.0)  # type: ignore[arg-type]
+    assert not world.moves
+    assert world.time_s == pytest.approx(2.0 + 2 * PERIOD_S)
