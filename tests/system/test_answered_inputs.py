@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -104,3 +105,24 @@ def test_bad_answers_and_a_reset_do_not_stop_the_world(ros: Ros) -> None:
         # One whose model has gone is waited for no longer.
         gazebo.ask("delete_model", model_name="cart")
         assert gazebo.step_to(1.0) == pytest.approx(1.0)
+
+
+def test_who_commands_beside_the_awaited_node_is_named(ros: Ros) -> None:
+    gazebo = Gazebo(ros, answers={"cart": ANSWERS}, lockstep_timeout=60.0).ready()
+    gazebo.spawn("cart", CART, pose(z=0.5))
+    words = "more than one message on /cart/cmd_vel a sample"
+    second = rospy.Publisher("/cart/cmd_vel", Twist, queue_size=10)
+    with recorder("/diagnostics", DiagnosticArray) as told, driver([1.0]):
+        eventually(lambda: second.get_num_connections() > 0, "the world as a listener")
+        gazebo.step_to(0.55)
+        assert words not in gazebo.log
+        assert not told_of(told.messages, words)
+        second.publish(Twist())
+        later = itertools.count(6)
+
+        def is_named() -> bool:
+            gazebo.step_to(0.1 * next(later))
+            return told_of(told.messages, words)
+
+        eventually(is_named, "what is not repeatable, by name")
+    second.unregister()

@@ -135,8 +135,20 @@ void AnsweredInputs::deliver(SimTime begin) {
     // One that was lost is back with its first answer in time.
     if (is_answered(driver)) driver.is_lost = false;
     driver.is_open = false;
-    for (const std::string& command : driver.options.commands) inputs_.deliver_held(command, begin);
+    for (const std::string& command : driver.options.commands) {
+      inputs_.deliver_held(command, begin);
+      note_surplus(command, driver.wanted[command], begin);
+      driver.handed_over[command] = inputs_.received(command);
+    }
   }
+}
+
+/// One message a sample is an answer; more come from a node that the world does not wait for.
+void AnsweredInputs::note_surplus(const std::string& command, std::uint64_t expected,
+                                  SimTime time) {
+  if (inputs_.received(command) <= expected || !losses_.repeatability().running()) return;
+  losses_.repeatability().spoil(join(topic_writers("/" + command)), time,
+                                "more than one message on /" + command + " a sample");
 }
 
 void AnsweredInputs::look_for_samples(SimTime now) {
@@ -160,6 +172,8 @@ void AnsweredInputs::open(Driver& driver, SimTime now) {
   driver.is_open = true;
   driver.sample = now;
   for (const std::string& command : driver.options.commands) {
+    const auto last = driver.handed_over.find(command);
+    if (last != driver.handed_over.end()) note_surplus(command, last->second, now);
     driver.wanted[command] = inputs_.received(command) + 1;
   }
 }
@@ -167,6 +181,7 @@ void AnsweredInputs::open(Driver& driver, SimTime now) {
 void AnsweredInputs::clear() {
   for (Driver& driver : drivers_) {
     driver.is_open = driver.is_lost = false;
+    driver.handed_over.clear();
     driver.waiting.end();
   }
   sync();

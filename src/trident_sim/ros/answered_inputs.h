@@ -56,6 +56,7 @@ class AnsweredInputs {
     bool is_lost = false;
     SimTime sample;
     std::map<std::string, std::uint64_t> wanted;  ///< messages per input that answer it
+    std::map<std::string, std::uint64_t> handed_over;  ///< messages per input when it was answered
     std::set<std::string> nodes;                  ///< that read the samples and answer
     Waiting waiting;
   };
@@ -64,6 +65,7 @@ class AnsweredInputs {
   void open(Driver& driver, SimTime now);
   std::string missing_node(Driver& driver);
   bool has_lost_node(const Driver& driver) const;
+  void note_surplus(const std::string& command, std::uint64_t expected, SimTime time);
 
   const ServerOptions& options_;
   PortBoard& board_;

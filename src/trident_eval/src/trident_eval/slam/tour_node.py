@@ -21,6 +21,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import rosgraph
 import rospy
 import tf2_ros
 from diagnostic_msgs.msg import DiagnosticArray
@@ -40,7 +41,7 @@ from trident_eval.slam.trajectory import Trajectory
 _ROBOT = "ground_robot.launch"
 _MAP, _BASE, _ODOM = "map", "base_footprint", "odom"
 _PATIENCE_S = 10.0  # of simulated time that a transform may be late
-_START_LIMIT_S, _STOP_LIMIT_S = 60.0, 20.0  # wall time
+_STOP_LIMIT_S = 20.0  # wall time
 _DRIVE_LIMIT_S = 1800.0  # simulated time
 _STAND_S = 2.0  # of simulated time, in which a node that has started hears its first scans
 _LATE_S = 0.5  # of simulated time that the world runs ahead of a transform
@@ -127,10 +128,7 @@ class Tour:
     def _map(self) -> None:
         mapper = self._roslaunch("slam.launch", mode=rospy.get_param("~mode", "sync"))
         service = "/slam_toolbox/save_map"
-        try:
-            rospy.wait_for_service(service, _START_LIMIT_S)
-        except rospy.ROSException as error:
-            raise TourError(f"slam.launch: {error}") from error
+        self._driver.wait(lambda: is_offered(service), f"slam.launch to offer {service}")
         self._begin_with("/slam_toolbox")
         self._drive(MAPPING)
         rospy.ServiceProxy(service, SaveMap)(String(str(self._out / "map")))
@@ -259,6 +257,15 @@ class Tour:
         child = subprocess.Popen(command, start_new_session=True)
         self._children.append(child)
         return child
+
+
+def is_offered(service: str) -> bool:
+    """Whether somebody offers a service."""
+    try:
+        rosgraph.Master(rospy.get_name()).lookupService(service)
+    except rosgraph.MasterError:
+        return False
+    return True
 
 
 def stop(child: subprocess.Popen[bytes]) -> None:
