@@ -107,6 +107,18 @@ INSTANTIATE_TEST_SUITE_P(
                     BadChange{"wind", "gusts: howling", "howling"},
                     BadChange{"tide", "period: 0", "period"}));
 
+TEST(LiveEnvironment, ManyDifferentBadChangesAreSeldomTold) {
+  TestWorld world(ocean({sea_with_wind()}));
+  for (int i = 0; i < 1000; ++i) {
+    if (i % 2 == 0) say(*world, "tide", "{}");
+    say(*world, "tide", "period: " + std::to_string(-i));
+    world->step();
+    if (i % 100 == 0) world->reset();
+  }
+  // The first ten, then as their number doubles: 16, 32 ... 512.
+  EXPECT_EQ(world.told(Severity::kError, "environment/tide"), 16U);
+}
+
 TEST(LiveEnvironment, BadLevelsAreRefused) {
   TestWorld world(ocean({sea_with_wind()}));
   for (const double level : {std::numeric_limits<double>::quiet_NaN(), 1e5}) {

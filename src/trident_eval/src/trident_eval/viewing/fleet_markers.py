@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 import rospy
 from geometry_msgs.msg import Point, Pose, Quaternion, Vector3
+from rosgraph.names import is_legal_name
 from std_msgs.msg import ColorRGBA, Header
 from visualization_msgs.msg import Marker, MarkerArray
 
@@ -22,12 +23,14 @@ from trident_eval.core.plots import colour
 from trident_eval.core.tracks import Array
 from trident_eval.core.visuals import BOX, CYLINDER, MESH, SPHERE, Visual, visuals_of
 from trident_msgs.msg import FleetState
+from trident_ros import Refusals, pose_problem, quoted, stamp_problem
 
 _PERIOD_S = 0.1
 _PATH_STEP_M = 0.05
 _LONGEST_PATH = 5000  # points
 _PATH_WIDTH_M = 0.03
 _LABEL_HEIGHT_M = 0.2
+_LONGEST_NAME = 200
 _LABEL_ABOVE_M = 0.3
 _KINDS = {
     MESH: Marker.MESH_RESOURCE,
@@ -51,11 +54,14 @@ class FleetMarkers:
         self._visuals: dict[str, list[Visual]] = {}
 
     def add(self, state: Any) -> None:
-        """Take a state of the fleet (trident_msgs/FleetState)."""
+        """Take a state of the fleet (trident_msgs/FleetState) without a problem."""
         with self._lock:
             if self._newest is not None and state.header.stamp < self._newest.header.stamp:
                 self._paths.clear()  # the world was reset
             self._newest, self._is_new = state, True
+            for gone in set(self._paths) - set(state.name):
+                self._paths.pop(gone)
+                self._visuals.pop(gone, None)
             for name, pose in zip(state.name, state.pose, strict=True):
                 path = self._paths.setdefault(name, [])
                 if not path or _distance(path[-1], pose.position) >= _PATH_STEP_M:
@@ -89,10 +95,27 @@ class FleetMarkers:
         ]
 
 
+def state_problem(state: Any) -> str:
+    """What is wrong with a trident_msgs/FleetState, or ""."""
+    problem = stamp_problem(state.header.stamp)
+    if problem:
+        return problem
+    if len(state.name) != len(state.pose):
+        return f"{len(state.name)} names and {len(state.pose)} poses, legal: equally many"
+    for name, pose in zip(state.name, state.pose, strict=True):
+        if not name.isprintable() or len(name) > _LONGEST_NAME:
+            return f"a vehicle's name is '{quoted(name)}', legal: up to {_LONGEST_NAME} letters"
+        problem = pose_problem(pose)
+        if problem:
+            return f"{quoted(name)}: {problem}"
+    return ""
+
+
 def _describe(name: str) -> list[Visual]:
     """The visuals of a vehicle's robot_description, or a disc."""
-    urdf = rospy.get_param(f"/{name}/robot_description", "")
-    if not urdf:
+    parameter = f"/{name}/robot_description"
+    urdf = rospy.get_param(parameter, "") if is_legal_name(parameter) else ""
+    if not isinstance(urdf, str) or not urdf:
         return [_UNKNOWN]
     try:
         return visuals_of(urdf) or [_UNKNOWN]
@@ -177,8 +200,17 @@ def main() -> int:
     """Run until ROS ends."""
     rospy.init_node("fleet_markers", anonymous=True)
     fleet = FleetMarkers()
+    refusals = Refusals()
     publisher = rospy.Publisher("/fleet_markers", MarkerArray, queue_size=1, latch=True)
-    rospy.Subscriber("/gazebo/fleet_state", FleetState, fleet.add, queue_size=None)
+
+    def on_state(state: FleetState) -> None:
+        problem = state_problem(state)
+        if problem:
+            refusals.note("fleet_state refused", f"fleet_state refused: {problem}")
+        else:
+            fleet.add(state)
+
+    rospy.Subscriber("/gazebo/fleet_state", FleetState, on_state, queue_size=None)
     while not rospy.is_shutdown():
         markers = fleet.markers()
         if markers is not None:

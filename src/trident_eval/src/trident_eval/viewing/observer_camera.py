@@ -20,6 +20,7 @@ from geometry_msgs.msg import Point, Pose, Quaternion
 from sensor_msgs.msg import Image
 
 from trident_eval.core.errors import EvalError
+from trident_ros import Refusals, quoted, stamp_problem
 
 _SERVICE_LIMIT_S = 20.0
 _GONE_POLL_S = 1.0
@@ -102,14 +103,28 @@ class WorldStandsError(EvalError):
     """No picture came: the world is paused, or the simulator has gone."""
 
 
+def image_problem(message: Image) -> str:
+    """Why these are no colour pixels in rows, or ""."""
+    if message.encoding != "rgb8":
+        return f"image of encoding '{quoted(message.encoding)}', legal: rgb8"
+    size, row = len(message.data), 3 * message.width
+    if size > 0 and message.step >= row and message.height * message.step == size:
+        return stamp_problem(message.header.stamp)
+    return (
+        f"image of {message.width} x {message.height} pixels with {message.step} bytes a row has"
+        f" {size} bytes, legal: rows of at least {row} bytes, and as many bytes as they have"
+    )
+
+
 def pixels_of(message: Image) -> npt.NDArray[np.uint8]:
     """Red, green, blue, shape (height, width, 3).
 
     Raises:
-        EvalError: another encoding than rgb8.
+        EvalError: another encoding than rgb8, or rows that are not what the message says.
     """
-    if message.encoding != "rgb8":
-        raise EvalError(f"image of encoding '{message.encoding}', legal: rgb8")
+    problem = image_problem(message)
+    if problem:
+        raise EvalError(problem)
     rows = np.frombuffer(message.data, np.uint8).reshape(message.height, message.step)
     return rows[:, : 3 * message.width].reshape(message.height, message.width, 3)
 
@@ -161,6 +176,7 @@ class Observer:
         self._images = WaitingPictures(_KEPT_BYTES)
         self._subscriber: rospy.Subscriber | None = None
         self._was_connected = False
+        self._refusals = Refusals()
 
     def __enter__(self) -> Observer:
         """Put it there.
@@ -256,6 +272,13 @@ class Observer:
         return False
 
     def _on_image(self, image: Image) -> None:
+        problem = image_problem(image)
+        wanted = self._view.width, self._view.height
+        if not problem and (image.width, image.height) != wanted:
+            problem = f"image of {image.width} x {image.height} pixels, legal: {wanted}"
+        if problem:
+            self._refusals.note("image refused", f"image refused: {problem}")
+            return
         with self._arrived:
             self._images.put(image)
             self._arrived.notify_all()

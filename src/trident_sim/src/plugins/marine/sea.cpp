@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "../seldom_told.h"
 #include "environment_reader.h"
 #include "live_surroundings.h"
 #include "marine_plugins.h"
@@ -85,11 +86,11 @@ class SeaPlugin : public Plugin {
     for (Input& input : inputs_) {
       input.port->clear();
       input.seen = 0;
-      input.refused.clear();
+      input.refused.newest.clear();
     }
     level_->clear();
     level_seen_ = 0;
-    level_refused_.clear();
+    level_refused_.newest.clear();
     if (live_->text != to_yaml(file_)) {
       now_ = file_;
       live_->environment = make_environment(now_);
@@ -105,11 +106,15 @@ class SeaPlugin : public Plugin {
   }
 
  private:
+  struct Refused {
+    std::string newest;  ///< is told once, however often it comes
+    SeldomTold telling;
+  };
   struct Input {
     std::string section;
     InHandle<TextCommand> port;
     std::uint64_t seen = 0;
-    std::string refused;  ///< the newest refusal, which is told once
+    Refused refused;
   };
 
   std::shared_ptr<const Environment> make_environment(const EnvironmentParams& params) const {
@@ -203,18 +208,20 @@ class SeaPlugin : public Plugin {
   }
 
   template <class Action>
-  bool attempt(const std::string& topic, std::string* refused, const std::string& given,
+  bool attempt(const std::string& topic, Refused* refused, const std::string& given,
                Action&& action) {
     try {
       action();
-      refused->clear();
+      refused->newest.clear();
       return true;
     } catch (const Error& error) {
       const std::string label = starts_with(error.what(), topic) ? "" : topic + ": ";
       const std::string what = label + error.what() + "; the sea stays as it was";
       world_.note({Severity::kError, owner_, topic + " refused", what, {{"value", given}}});
-      if (what != *refused) world_.report(Severity::kError, owner_ + ": " + what);
-      *refused = what;
+      if (what != refused->newest && refused->telling.is_due()) {
+        world_.report(Severity::kError, owner_ + ": " + what);
+      }
+      refused->newest = what;
       return false;
     }
   }
@@ -236,7 +243,7 @@ class SeaPlugin : public Plugin {
   std::vector<Input> inputs_;
   InHandle<ScalarSample> level_;
   std::uint64_t level_seen_ = 0;
-  std::string level_refused_;
+  Refused level_refused_;
   OutHandle<EnvironmentSample> state_;
   OutHandle<WindSample> wind_speed_;
 };

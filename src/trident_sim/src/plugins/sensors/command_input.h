@@ -6,6 +6,7 @@
 #include <string>
 
 #include "../plugin_util.h"
+#include "../seldom_told.h"
 #include "trident_sim/commands.h"
 
 namespace trident {
@@ -33,6 +34,7 @@ class NumberInput {
   std::optional<double> value_;
   std::uint64_t seen_ = 0;
   bool is_refused_ = false;
+  SeldomTold telling_;
 };
 
 /// Something that may be asked for while the world runs: TriggerCommand or ServiceCommand.

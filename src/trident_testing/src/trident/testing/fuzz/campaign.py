@@ -242,8 +242,8 @@ class Campaign:
             return proxy(request)
         except rospy.ServiceException:
             return None
-        except (rospy.ROSException, OSError):  # the connection is lost
-            proxy.close()
+        except (rospy.ROSException, rospy.exceptions.ROSInternalException, OSError):
+            proxy.close()  # the connection is lost
             return None
 
     def _check_life(self) -> bool:
