@@ -14,6 +14,11 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 
+#: roslaunch ends itself when its own server or the master does not answer it within ten seconds.
+_IMPATIENT = ("roslaunch", "rosmaster")
+_IMPATIENT_FOR_S = 15.0
+
+
 @dataclass(frozen=True)
 class StopPlan:
     """How often, and for how long.
@@ -76,6 +81,7 @@ class Stopper:
             process = chance.choice(processes)
             kept = 0 if self.has_begun() else self.plan.long_most - self.plan.long_early
             is_long = long_left > kept and chance.random() < self.plan.long_share
+            is_long = is_long and not _starts_impatiently(process)
             long_left -= is_long
             low, high = self.plan.short_s
             seconds = chance.choice(self.plan.long_s) if is_long else chance.uniform(low, high)
@@ -90,6 +96,17 @@ class Stopper:
                 self._over.wait(seconds)
             finally:
                 os.kill(process, signal.SIGCONT)
+
+
+def _starts_impatiently(process: int) -> bool:
+    """Whether it is one of ROS' own programs that give up by the clock while they start."""
+    if _name_of(process).partition(" ")[0] not in _IMPATIENT:
+        return False
+    with suppress(OSError, ValueError, IndexError):
+        stat = Path(f"/proc/{process}/stat").read_text(encoding="utf-8").rpartition(")")[2].split()
+        since_boot_s = float(Path("/proc/uptime").read_text(encoding="utf-8").split()[0])
+        return since_boot_s - int(stat[19]) / os.sysconf("SC_CLK_TCK") < _IMPATIENT_FOR_S
+    return False
 
 
 def _name_of(process: int) -> str:
