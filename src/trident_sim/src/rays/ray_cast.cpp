@@ -18,10 +18,14 @@ struct Packet {
   RTCRayHit16 embree;
 };
 
+/// Embree ends the process at a component beyond the root of the largest float.
 bool usable(const Ray& ray) {
-  // Not finite if one of them is not.
-  const double sum = ray.p_world_origin.sum() + ray.direction_world.sum();
-  return std::isfinite(sum) && ray.t_min_m <= ray.t_max_m;
+  constexpr double kMaxComponent = 1e18;
+  const auto is_small = [](const Eigen::Vector3d& v) {
+    return (v.array().abs() <= kMaxComponent).all();  // false for NaN
+  };
+  return is_small(ray.p_world_origin) && is_small(ray.direction_world) &&
+         ray.t_min_m <= ray.t_max_m;
 }
 
 struct Extent {
@@ -69,6 +73,19 @@ void set_ray(Rays& rays, std::size_t lane, const Ray& ray, float t_max) {
   rays.dir_z[lane] = traceable(static_cast<float>(ray.direction_world.z()));
   rays.tnear[lane] = static_cast<float>(ray.t_min_m);
   rays.tfar[lane] = t_max;
+}
+
+/// Makes the lanes that do not count look like one that does: where packets are narrower than
+/// ours, Embree looks at all of them. Returns whether any lane counts.
+template <class Rays>
+bool fill_other_lanes(Rays& packet, const std::array<int, kLanes>& valid, const Ray* rays) {
+  const auto some = std::find(valid.begin(), valid.end(), -1);
+  if (some == valid.end()) return false;
+  const Ray& model = rays[some - valid.begin()];
+  for (std::size_t lane = 0; lane < kLanes; ++lane) {
+    if (valid[lane] == 0) set_ray(packet, lane, model, 0.0F);
+  }
+  return true;
 }
 
 }  // namespace
@@ -144,14 +161,7 @@ void RayScene::Content::cast_packet(const Ray* rays, RayHit* hits, std::size_t c
     planes[lane] = nearest_plane(rays[lane], filter, false, limits[lane]);
     set_ray(packet.embree.ray, lane, rays[lane], beyond(limits[lane]));
   }
-  // Lanes that do not count look like one that does.
-  const auto some = std::find(packet.valid.begin(), packet.valid.end(), -1);
-  if (some == packet.valid.end()) return;
-  for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    if (packet.valid[lane] == 0) {
-      set_ray(packet.embree.ray, lane, rays[some - packet.valid.begin()], 0.0F);
-    }
-  }
+  if (!fill_other_lanes(packet.embree.ray, packet.valid, rays)) return;
   CastContext context = make_context(filter, false, some_cast_no_shadow_);
   if (fixed_ != nullptr) {
     // It is the triangles that Embree meets faster so.
@@ -186,6 +196,7 @@ void RayScene::Content::occlude_packet(const Ray* rays, bool* result, std::size_
     valid[lane] = -1;
     set_ray(packet, lane, rays[lane], static_cast<float>(rays[lane].t_max_m));
   }
+  if (!fill_other_lanes(packet, valid, rays)) return;
   // Never with the flag for coherent rays: with instances Embree 3.13.5 does not come back then.
   CastContext context = make_context(filter, true, some_cast_no_shadow_);
   if (fixed_ != nullptr) rtcOccluded16(valid.data(), fixed_.get(), &context.embree, &packet);

@@ -35,6 +35,21 @@ void copy_rays(const RayPacket& from, const PacketFloats& t_max, std::uint32_t m
   std::fill_n(to.flags, kLanes, 0U);
 }
 
+/// Makes the lanes that do not count look like one that does: where packets are narrower than
+/// ours, Embree looks at all of them, and ends the process at one that is not finite.
+void fill_other_lanes(const RayPacket& from, RTCRay16& to) {
+  const auto some = std::find(from.valid.begin(), from.valid.end(), -1);
+  if (some == from.valid.end()) return;
+  const auto model = some - from.valid.begin();
+  for (std::size_t i = 0; i < kLanes; ++i) {
+    if (from.valid[i] != 0) continue;
+    for (float* component : {to.org_x, to.org_y, to.org_z, to.dir_x, to.dir_y, to.dir_z, to.tnear}) {
+      component[i] = component[model];
+    }
+    to.tfar[i] = 0.0F;
+  }
+}
+
 /// Distances to a plane, lane by lane; not finite along the plane.
 PacketFloats plane_distances(const FlatSurface& plane, const RayPacket& rays) {
   const Eigen::Vector3f n = plane.normal_world.cast<float>();
@@ -70,6 +85,7 @@ void RayScene::Content::meet_packet(const RayPacket& rays, PacketHits& hits,
   if (fixed_ == nullptr && moving_.empty()) return;
   alignas(64) RTCRayHit16 embree;
   copy_rays(rays, hits.t, mask, embree.ray);
+  fill_other_lanes(rays, embree.ray);
   std::fill_n(embree.hit.geomID, kLanes, RTC_INVALID_GEOMETRY_ID);
   std::fill_n(embree.hit.instID[0], kLanes, RTC_INVALID_GEOMETRY_ID);
   CastContext context = make_context(filter, false, some_cast_no_shadow_);
@@ -99,6 +115,7 @@ std::uint32_t RayScene::Content::shaded_lanes(const RayPacket& rays, std::uint32
   }
   alignas(64) RTCRay16 embree;
   copy_rays(rays, rays.t_max, mask, embree);
+  fill_other_lanes(rays, embree);
   // Never with the flag for coherent rays: with instances Embree 3.13.5 does not come back then.
   CastContext context = make_context(filter, true, some_cast_no_shadow_);
   const auto left = [&] {
