@@ -21,7 +21,7 @@ struct Packet {
 /// Embree ends the process at a component beyond the root of the largest float.
 bool usable(const Ray& ray) {
   constexpr double kMaxComponent = 1e18;
-  const auto is_small = [](const Eigen::Vector3d& v) {
+  const auto is_small = [&](const Eigen::Vector3d& v) {
     return (v.array().abs() <= kMaxComponent).all();  // false for NaN
   };
   return is_small(ray.p_world_origin) && is_small(ray.direction_world) &&
