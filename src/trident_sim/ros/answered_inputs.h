@@ -55,9 +55,9 @@ class AnsweredInputs {
     bool is_open = false;    ///< a sample waits for its answers
     bool is_lost = false;
     SimTime sample;
-    std::map<std::string, std::uint64_t> wanted;  ///< messages per input that answer it
+    std::map<std::string, std::uint64_t> wanted;       ///< messages per input that answer it
     std::map<std::string, std::uint64_t> handed_over;  ///< messages per input when it was answered
-    std::set<std::string> nodes;                  ///< that read the samples and answer
+    std::set<std::string> nodes;                       ///< that read the samples and answer
     Waiting waiting;
   };
   bool is_due(const Driver& driver, SimTime begin) const;

@@ -79,9 +79,9 @@ void enrol(Simulation& simulation, const EnrollSource::Request& request,
     Simulation::Access access(simulation);
     if (request.enroll) {
       const ros::Duration period = request.period.isZero() ? kDefaultPeriod : request.period;
-      response.start_time = to_ros(simulation.enrol_source(
-          request.node, request.vehicles, from_ros(period), from_ros(request.end_time),
-          request.waits_beyond_end));
+      response.start_time =
+          to_ros(simulation.enrol_source(request.node, request.vehicles, from_ros(period),
+                                         from_ros(request.end_time), request.waits_beyond_end));
     } else {
       simulation.release_source(request.node);
     }

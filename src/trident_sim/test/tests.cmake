@@ -151,6 +151,9 @@ catkin_add_gtest(trident_sim_rays_test
 target_link_libraries(trident_sim_rays_test
   trident_sim_test_support PkgConfig::JPEG PkgConfig::PNG ${GTEST_MAIN_LIBRARIES})
 target_include_directories(trident_sim_rays_test PRIVATE src)  # parts of the core
+# Once more with the kernels of processors without AVX-512, whose packets are half as wide as ours.
+add_test(NAME trident_sim_rays_avx2 COMMAND trident_sim_rays_test)
+set_tests_properties(trident_sim_rays_avx2 PROPERTIES ENVIRONMENT TRIDENT_EMBREE=isa=avx2 TIMEOUT 300)
 
 # Vessels and the sea.
 catkin_add_gtest(trident_sim_marine_test

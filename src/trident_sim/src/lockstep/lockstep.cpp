@@ -79,8 +79,7 @@ WallTime LockstepVehicle::waiting_for(WallTime now) const {
 }
 
 SimTime SetpointSources::enrol(const std::string& node, const std::vector<std::string>& vehicles,
-                               SimTime period, SimTime end, SimTime now,
-                               bool waits_beyond_end) {
+                               SimTime period, SimTime end, SimTime now, bool waits_beyond_end) {
   if (period.ns <= 0) {
     throw Error("set-point source '" + node + "': period is " + std::to_string(period.seconds()) +
                 " s, must be > 0");

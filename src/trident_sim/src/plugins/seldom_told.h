@@ -7,8 +7,8 @@
 namespace trident {
 
 /// How often a refusal is told that comes again and again: the first ten times, then each time that
-/// their number has doubled. A user who tries things out reads of each mistake, a publisher gone mad
-/// fills no log.
+/// their number has doubled. A user who tries things out reads of each mistake, a publisher gone
+/// mad fills no log.
 class SeldomTold {
  public:
   /// Counts one more; whether it is to be told.

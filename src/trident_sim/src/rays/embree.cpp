@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <string>
 
@@ -159,7 +160,10 @@ CastContext make_context(const RayFilter& filter, bool shadows_only, bool some_c
 }
 
 EmbreeDevice make_device() {
-  EmbreeDevice device(rtcNewDevice("threads=1,set_affinity=0"));
+  std::string config = "threads=1,set_affinity=0";
+  // For tests: the kernels of processors with narrower instructions ("isa=avx2").
+  if (const char* more = std::getenv("TRIDENT_EMBREE")) config += std::string(",") + more;
+  EmbreeDevice device(rtcNewDevice(config.c_str()));
   if (device == nullptr) {
     throw Error("rays: Embree has no device, error " + std::to_string(rtcGetDeviceError(nullptr)));
   }

@@ -43,7 +43,8 @@ void fill_other_lanes(const RayPacket& from, RTCRay16& to) {
   const auto model = some - from.valid.begin();
   for (std::size_t i = 0; i < kLanes; ++i) {
     if (from.valid[i] != 0) continue;
-    for (float* component : {to.org_x, to.org_y, to.org_z, to.dir_x, to.dir_y, to.dir_z, to.tnear}) {
+    for (float* component :
+         {to.org_x, to.org_y, to.org_z, to.dir_x, to.dir_y, to.dir_z, to.tnear}) {
       component[i] = component[model];
     }
     to.tfar[i] = 0.0F;
