@@ -35,7 +35,8 @@ def main(arguments: list[str] | None = None) -> int:
     try:
         for name, seed in _plan(names, options.runs, options.first_seed):
             if (name, seed) not in {(one["scenario"], one["seed"]) for one in done}:
-                done.append(_run(name, scenarios[name], seed, options))
+                wanted = {one["state_hash"] for one in done if one["scenario"] == name}
+                done.append(_run(name, scenarios[name], seed, wanted, options))
     except KeyboardInterrupt:
         print("schedule: stopped; the same call goes on", file=sys.stderr)
     return _summary(done)
@@ -58,7 +59,9 @@ def _plan(names: list[str], runs: int, first: int) -> list[tuple[str, int]]:
     return [(name, 0) for name in names] + disturbed
 
 
-def _run(name: str, scenario: Scenario, seed: int, options: argparse.Namespace) -> dict[str, Any]:
+def _run(
+    name: str, scenario: Scenario, seed: int, wanted: set[str], options: argparse.Namespace
+) -> dict[str, Any]:
     parent = Path(tempfile.mkdtemp(prefix="trident_schedule_"))
     folder = parent / "run"
     try:
@@ -66,7 +69,8 @@ def _run(name: str, scenario: Scenario, seed: int, options: argparse.Namespace) 
         result = run(name, scenario, seed, folder, plan)
         _append(options.out, result.line())
         _tell(result)
-        if options.keep and not (result.passed and result.repeatable):
+        is_other = bool(wanted) and result.state_hash not in wanted
+        if options.keep and (is_other or not (result.passed and result.repeatable)):
             shutil.copytree(folder, options.keep / f"{name}-{seed}", dirs_exist_ok=True)
     finally:
         shutil.rmtree(parent, ignore_errors=True)
