@@ -5,11 +5,14 @@
 from __future__ import annotations
 
 from typing import Any
+from xml.etree import ElementTree
 
 import pytest
 import rospy
+import yaml
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
+from trident.testing import package
 from trident_eval.slam import tour_drive
 from trident_eval.slam.tour_drive import LockstepDriver
 from trident_nav.core.velocity import Velocity
@@ -101,3 +104,11 @@ def test_a_drive_that_takes_too_long_ends(world: World, driver: LockstepDriver) 
     assert not driver.drive(Follower(1000), 2.0)  # type: ignore[arg-type]
     assert not world.moves
     assert world.time_s == pytest.approx(2.0 + 2 * PERIOD_S)
+
+
+def test_the_world_stands_at_the_odometry_that_the_tour_has_to_answer() -> None:
+    """With a delay it goes on for that long, and what ends the run meets it where chance says."""
+    file = package("trident_bringup") / "launch" / "slam_room.launch"
+    params = [one for one in ElementTree.parse(file).iter("rosparam") if one.get("param")]
+    answers = {one.get("param"): yaml.safe_load(one.text or "") for one in params}
+    assert answers["/gazebo/answers/slam_tour"]["delay"] == 0.0
