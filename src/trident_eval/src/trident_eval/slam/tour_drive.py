@@ -23,7 +23,7 @@ from nav_msgs.msg import Odometry
 from trident_nav.core.velocity import STOP, Velocity
 from trident_nav.core.waypoints import WaypointFollower
 
-_SIMULATOR = "/gazebo"
+SIMULATOR = "/gazebo"
 _POLL_S = 0.02
 _REPORT_S = 10.0
 
@@ -122,12 +122,12 @@ class LockstepDriver:
         self._velocity.publish(message)
 
 
-def simulator_sends_to(node: str, topics: tuple[str, ...]) -> bool:
-    """Whether the simulator is connected to a node that reads these topics, by its own account."""
+def is_sent(sender: str, topics: tuple[str, ...], reader: str) -> bool:
+    """Whether a node is connected to another one that reads these topics, by its own account."""
     master = rosgraph.Master(rospy.get_name())
     try:
-        server: Any = xmlrpc.client.ServerProxy(master.lookupNode(_SIMULATOR))
+        server: Any = xmlrpc.client.ServerProxy(master.lookupNode(sender))
         links: list[Any] = server.getBusInfo(rospy.get_name())[2]
     except (OSError, rosgraph.MasterError, xmlrpc.client.Error):
         return False
-    return set(topics) <= {link[4] for link in links if link[1] == node and link[2] == "o"}
+    return set(topics) <= {link[4] for link in links if link[1] == reader and link[2] == "o"}

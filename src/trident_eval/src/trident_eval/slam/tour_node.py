@@ -16,17 +16,14 @@ import os
 import signal
 import subprocess
 import threading
-from collections import deque
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 import rosgraph
 import rospy
 import tf2_ros
 from diagnostic_msgs.msg import DiagnosticArray
 from nav_msgs.msg import Odometry
-from scipy.spatial.transform import Rotation
 from sensor_msgs.msg import LaserScan
 from slam_toolbox_msgs.srv import SaveMap
 from std_msgs.msg import String
@@ -34,13 +31,13 @@ from std_srvs.srv import Empty
 from trident_nav.core.errors import NavError
 from trident_nav.core.waypoints import FollowerConfig, WaypointFollower
 
+from trident_eval.slam.scan_poses import Poses, ScanPoses
 from trident_eval.slam.tour import LOCALIZATION, MAPPING, RECORD, TRUTH, write_tum
-from trident_eval.slam.tour_drive import LockstepDriver, simulator_sends_to
-from trident_eval.slam.trajectory import Trajectory
+from trident_eval.slam.tour_drive import SIMULATOR, LockstepDriver, is_sent
 
 _ROBOT = "ground_robot.launch"
 _MAP, _BASE, _ODOM = "map", "base_footprint", "odom"
-_PATIENCE_S = 10.0  # of simulated time that a transform may be late
+_BUFFER_S = 20.0  # of simulated time that transforms are kept for
 _STOP_LIMIT_S = 20.0  # wall time
 _DRIVE_LIMIT_S = 1800.0  # simulated time
 _STAND_S = 2.0  # of simulated time, in which a node that has started hears its first scans
@@ -55,26 +52,6 @@ class TourError(RuntimeError):
     """The tour cannot go on; the text says why."""
 
 
-class Poses:
-    """Stamped poses that grow."""
-
-    def __init__(self) -> None:
-        """Begin empty."""
-        self._rows: list[tuple[float, ...]] = []
-
-    def add(self, stamp: rospy.Time, p: Any, q: Any) -> None:
-        """One pose; `p` and `q` are messages."""
-        self._rows.append((stamp.to_sec(), p.x, p.y, p.z, q.x, q.y, q.z, q.w))
-
-    def __len__(self) -> int:
-        return len(self._rows)
-
-    def trajectory(self) -> Trajectory:
-        """All of them."""
-        rows = np.array(self._rows)
-        return Trajectory(rows[:, 0], rows[:, 1:4], Rotation.from_quat(rows[:, 4:]))
-
-
 class Tour:
     """The node."""
 
@@ -86,12 +63,10 @@ class Tour:
         self._children: list[subprocess.Popen[bytes]] = []
         self._needed: dict[str, subprocess.Popen[bytes]] = {}  # launch files that must not end
         self._lock = threading.Lock()
-        self._waiting: deque[rospy.Time] = deque()
-        self._estimate: Poses | None = None
+        self._estimate: ScanPoses | None = None
         self._truth = Poses()
-        self._newest = rospy.Time()
         self._has_map = False
-        self._buffer = tf2_ros.Buffer(rospy.Duration.from_sec(2 * _PATIENCE_S))
+        self._buffer = tf2_ros.Buffer(rospy.Duration.from_sec(_BUFFER_S))
         self._listener = tf2_ros.TransformListener(self._buffer)
         rospy.Subscriber("ground_truth/odom", Odometry, self._on_truth)
         rospy.Subscriber("scan", LaserScan, self._on_scan)
@@ -152,7 +127,10 @@ class Tour:
 
     def _begin_with(self, node: str) -> None:
         """Have a node that has started hear the same scans in each run, and find its place."""
-        self._driver.wait(lambda: simulator_sends_to(node, _READS), f"{node} to listen")
+        self._driver.wait(lambda: is_sent(SIMULATOR, _READS, node), f"{node} to listen")
+        # Its first transforms are needed, too: without them the first scans have no pose.
+        me = rospy.get_name()
+        self._driver.wait(lambda: is_sent(node, ("/tf",), me), f"the transforms of {node}")
         self._driver.stand(_STAND_S)
         self._driver.wait(self._knows_place, f"{_MAP} -> {_ODOM} of {node}")
 
@@ -167,9 +145,8 @@ class Tour:
 
     def _drive(self, part: str) -> None:
         """One round; the estimates at its scans are written when it is over."""
-        estimate = Poses()
+        estimate = ScanPoses(self._place_at)
         with self._lock:
-            self._waiting.clear()
             self._estimate = estimate
         places = rospy.get_param("~waypoints")
         speed = float(rospy.get_param("~speed", 0.5))
@@ -183,10 +160,10 @@ class Tour:
         self._driver.wait(self._has_all_transforms, "the last transforms")
         with self._lock:
             self._estimate = None
-        if not len(estimate):
+        if not len(estimate.poses):
             raise TourError(f"{part}: {_MAP} -> {_BASE} was never known")
-        write_tum(self._out / f"{part}.tum", estimate.trajectory())
-        rospy.loginfo("slam_tour: %s: %d scans", part, len(estimate))
+        write_tum(self._out / f"{part}.tum", estimate.poses.trajectory())
+        rospy.loginfo("slam_tour: %s: %d scans", part, len(estimate.poses))
 
     def _on_truth(self, message: Odometry) -> None:
         pose = message.pose.pose
@@ -200,32 +177,23 @@ class Tour:
     def _on_scan(self, message: LaserScan) -> None:
         with self._lock:
             if self._estimate is not None:
-                self._newest = message.header.stamp
-                self._waiting.append(message.header.stamp)
+                self._estimate.add(message.header.stamp)
 
     def _keeps_up(self) -> bool:
-        """Whether the transforms of all scans but the newest are known."""
+        """Whether the poses at all scans but the newest are known."""
         with self._lock:
-            self._take_transforms()
-            oldest = self._waiting[0] if self._waiting else self._newest
-            return (self._newest - oldest).to_sec() <= _LATE_S
+            return self._estimate is None or self._estimate.lag_s() <= _LATE_S
 
     def _has_all_transforms(self) -> bool:
         with self._lock:
-            self._take_transforms()
-            return not self._waiting
+            return self._estimate is None or self._estimate.is_complete()
 
-    def _take_transforms(self) -> None:
-        """Under the lock: the poses at the scans that are known by now."""
-        while self._waiting and self._estimate is not None:
-            stamp = self._waiting[0]
-            try:
-                found = self._buffer.lookup_transform(_MAP, _BASE, stamp).transform
-                self._estimate.add(stamp, found.translation, found.rotation)
-            except tf2_ros.TransformException:
-                if (self._newest - stamp).to_sec() < _PATIENCE_S:
-                    return
-            self._waiting.popleft()
+    def _place_at(self, stamp: rospy.Time) -> Any:
+        """The transform map -> base at a stamp, or None."""
+        try:
+            return self._buffer.lookup_transform(_MAP, _BASE, stamp).transform
+        except tf2_ros.TransformException:
+            return None
 
     def _write(self, errors: list[str]) -> None:
         record = {
