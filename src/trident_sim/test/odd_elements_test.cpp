@@ -216,15 +216,32 @@ TEST(OddElements, AMeshThatCannotBeReadIsLeftOutOfItsModel) {
   EXPECT_TRUE(contains(world->odd_elements()[0], "collision 'm::link::bad'"));
 }
 
-TEST(OddElements, AnInertiaThatCannotBeIsLeftOut) {
+std::string model_of_mass(const std::string& mass, const std::string& ixx) {
+  return in_world("<model name='a'><link name='l'>\n<inertial><pose>0 0 3 0 0 0</pose><mass>" +
+                  mass + "</mass><inertia><ixx>" + ixx +
+                  "</ixx><iyy>1.5</iyy><izz>1.5</izz></inertia></inertial></link></model>");
+}
+
+TEST(OddElements, AnInertiaThatCannotBeIsReplacedAloneAsInGazebo) {
   WorldSpec world;
-  const std::string odd = odd_element_of(
-      in_world("<model name='a'><link name='l'>\n<inertial><mass>2</mass><inertia><ixx>0</ixx>"
-               "<iyy>1</iyy><izz>1</izz></inertia></inertial></link></model>"),
-      &world);
-  EXPECT_TRUE(contains(odd, "odd.world:3: link 'l' <inertial>: mass 2"));
+  const std::string odd = odd_element_of(model_of_mass("2", "0"), &world);
+  EXPECT_TRUE(contains(odd, "odd.world:3: link 'l' <inertial>: principal inertia is 0.0"));
+  EXPECT_TRUE(contains(odd, "; 1 kg m^2 about each axis is used"));
   ASSERT_EQ(world.models.size(), 1u);
-  EXPECT_DOUBLE_EQ(world.models[0].links[0].inertial.mass_kg, 1.0);
+  const Inertial& inertial = world.models[0].links[0].inertial;
+  EXPECT_DOUBLE_EQ(inertial.mass_kg, 2.0);
+  EXPECT_TRUE(inertial.inertia_com.isIdentity());
+  EXPECT_DOUBLE_EQ(inertial.T_link_com.p.z(), 3.0);
+}
+
+TEST(OddElements, AMassThatCannotBeIsReplacedAlone) {
+  WorldSpec world;
+  const std::string odd = odd_element_of(model_of_mass("-2", "1.5"), &world);
+  EXPECT_TRUE(contains(odd, "odd.world:3: link 'l' <inertial>: mass is -2"));
+  EXPECT_TRUE(contains(odd, "; 1 kg is used"));
+  const Inertial& inertial = world.models.at(0).links[0].inertial;
+  EXPECT_DOUBLE_EQ(inertial.mass_kg, 1.0);
+  EXPECT_DOUBLE_EQ(inertial.inertia_com(0, 0), 1.5);
 }
 
 TEST(OddElements, PhysicsThatCannotBeIsReplacedByTheDefault) {
