@@ -153,6 +153,22 @@ TEST(OddElements, OfAnIncludedFileAreToldWithThatFile) {
   EXPECT_EQ(world.models[0].name, "box");
 }
 
+TEST(OddElements, OfAnIncludedFileAreLeftOutThoughAPluginInItSpeaksOfARobot) {
+  const ScratchFolder folder;
+  folder.write("crate/model.config",
+               "<model><name>crate</name><sdf version='1.6'>model.sdf</sdf></model>");
+  const std::string file = folder.write(
+      "crate/model.sdf",
+      "<sdf version='1.6'><model name='crate'>\n<static>maybe</static>" + std::string(kBall) +
+          "<plugin name='p' filename='libp.so'><robotNamespace>a</robotNamespace></plugin>"
+          "</model></sdf>");
+  WorldSpec world;
+  const std::string odd = odd_element_of(in_world("<include><uri>model://crate</uri></include>"),
+                                         &world, Resources({folder.path()}));
+  EXPECT_TRUE(contains(odd, file + ":2: <static> is 'maybe', legal: bool"));
+  EXPECT_EQ(world.models.size(), 1u);
+}
+
 TEST(OddElements, IncludesOfIncludedFilesAreFound) {
   const ScratchFolder folder;
   const auto write = [&](const std::string& name, const std::string& content) {
