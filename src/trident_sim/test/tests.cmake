@@ -40,6 +40,7 @@ catkin_add_gtest(trident_sim_test
   test/motor_model_test.cpp
   test/navigation_sensors_test.cpp
   test/odd_elements_test.cpp
+  test/ode_stepper_test.cpp
   test/odometry_test.cpp
   test/ogre_script_test.cpp
   test/plugin_conformance_test.cpp

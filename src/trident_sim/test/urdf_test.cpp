@@ -160,6 +160,67 @@ INSTANTIATE_TEST_SUITE_P(Bad, UrdfInertial,
                                          BadInertial{"1", "0", "not positive definite"},
                                          BadInertial{"1", "-0.1", "not positive definite"}));
 
+Loaded load_leniently(const std::string& xml) {
+  Loaded loaded;
+  loaded.model = load_model_string(
+      xml, "robot.urdf", Resources(), [&](const std::string& t) { loaded.warnings.push_back(t); },
+      OddElements::kLeaveOut);
+  return loaded;
+}
+
+TEST_P(UrdfInertial, IsOneOddElementAndTheRobotLoads) {
+  const Loaded loaded = load_leniently(
+      robot(link("base", inertial()) + link("bad", inertial(GetParam().mass, GetParam().ixx)) +
+            joint("fixed", "base", "bad")));
+  ASSERT_EQ(loaded.model.odd_elements.size(), 1u);
+  const std::string& odd = loaded.model.odd_elements[0];
+  EXPECT_TRUE(contains(odd, "robot.urdf:4: link 'bad': "));
+  EXPECT_TRUE(contains(odd, GetParam().told));
+  EXPECT_TRUE(contains(odd, "is used, as in Gazebo") ||
+              contains(odd, "; read as a link without <inertial>"));
+  EXPECT_EQ(loaded.model.links.size(), 1u);
+  EXPECT_GE(loaded.model.links[0].inertial.mass_kg, 1.0);
+  EXPECT_TRUE(loaded.warnings.empty()) << testing::PrintToString(loaded.warnings);
+}
+
+TEST(Urdf, AMovingLinkWhoseMassCannotBeIsAsOneWithoutInertial) {
+  // Two in one line: only the second is blanked.
+  const Loaded loaded = load_leniently(
+      robot("<link name='base'>" + inertial("3") + "</link><link name='wheel'>" + inertial("0") +
+            "</link>\n" + joint("continuous", "base", "wheel", "<axis xyz='0 1 0'/>")));
+  ASSERT_EQ(loaded.model.odd_elements.size(), 1u);
+  EXPECT_TRUE(contains(loaded.model.odd_elements[0], "robot.urdf:3: link 'wheel': mass is 0 kg"));
+  ASSERT_EQ(loaded.warnings.size(), 1u);
+  EXPECT_TRUE(contains(loaded.warnings[0], "link 'wheel' has no <inertial>: it is not simulated"));
+  ASSERT_EQ(loaded.model.links.size(), 1u);
+  EXPECT_DOUBLE_EQ(loaded.model.links[0].inertial.mass_kg, 3.0);
+}
+
+TEST(Urdf, AMovingLinkWithoutInertiaTurnsAsInGazebo) {
+  const std::string point =
+      "<inertial><mass value='0.2'/><inertia ixx='0' ixy='0' ixz='0' iyy='0' iyz='0' izz='0'/>"
+      "</inertial>";
+  const Loaded loaded =
+      load_leniently(robot(link("base", inertial()) + link("arm", point) +
+                           joint("continuous", "base", "arm", "<axis xyz='0 1 0'/>")));
+  ASSERT_EQ(loaded.model.odd_elements.size(), 1u);
+  ASSERT_EQ(loaded.model.links.size(), 2u);
+  EXPECT_DOUBLE_EQ(loaded.model.links[1].inertial.mass_kg, 0.2);
+  EXPECT_TRUE(loaded.model.links[1].inertial.inertia_com.isIdentity());
+}
+
+TEST(Urdf, APointMassOnAFixedJointIsLumpedAsOne) {
+  const std::string point =
+      "<inertial><mass value='0.5'/><inertia ixx='0' ixy='0' ixz='0' iyy='0' iyz='0' izz='0'/>"
+      "</inertial>";
+  const Loaded loaded = load_leniently(
+      robot(link("base", inertial()) + link("mast", point) + joint("fixed", "base", "mast")));
+  const Inertial& inertial = loaded.model.links.at(0).inertial;
+  EXPECT_DOUBLE_EQ(inertial.mass_kg, 1.5);
+  EXPECT_NEAR(inertial.inertia_com(2, 2), 0.1, 1e-9);
+  EXPECT_NEAR(inertial.inertia_com(0, 0), 0.1 + 1.0 * 0.5 / 1.5, 1e-9);
+}
+
 TEST(Urdf, AMissingVisualMeshIsOneWarning) {
   const std::string visual =
       "<visual><geometry><mesh filename='package://no_such_package/a.dae'/></geometry></visual>";

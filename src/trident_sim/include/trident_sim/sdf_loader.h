@@ -22,15 +22,10 @@ WorldSpec load_world_string(const std::string& xml, const std::string& label,
                             const Resources& resources, const WarningSink& warn,
                             OddElements odd = OddElements::kRefuse);
 
-/// Reads the one model of an SDF or URDF text (`<sdf>`, `<model>` or `<robot>`). A URDF is checked
-/// before libsdformat converts it: see check_urdf(). `label` names the source in errors.
+/// Reads the one model of an SDF or URDF text (`<sdf>`, `<model>` or `<robot>`). `label` names
+/// the source in errors.
 ModelSpec load_model_string(const std::string& xml, const std::string& label,
                             const Resources& resources, const WarningSink& warn,
                             OddElements odd = OddElements::kRefuse);
-
-/// Refuses (throws) a URDF whose links have a mass <= 0 or an inertia that is not positive
-/// definite; warns of links without `<inertial>`, which the SDF conversion drops silently, unless a
-/// fixed child brings the inertia.
-void check_urdf(const std::string& xml, const std::string& label, const WarningSink& warn);
 
 }  // namespace trident

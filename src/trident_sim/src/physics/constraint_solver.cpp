@@ -3,6 +3,7 @@
 #include "constraint_solver.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "body_sync.h"
 #include "free_body.h"
@@ -59,7 +60,8 @@ void apply_efforts(Joint& joint, double dt_s) {
 
 }  // namespace
 
-ConstraintSolver::ConstraintSolver(dWorldID world) : world_(world), joints_(dJointGroupCreate(0)) {}
+ConstraintSolver::ConstraintSolver(dWorldID world)
+    : world_(world), stepper_(world), joints_(dJointGroupCreate(0)) {}
 
 ConstraintSolver::~ConstraintSolver() { dJointGroupDestroy(joints_); }
 
@@ -173,7 +175,7 @@ void ConstraintSolver::solve_large(double dt_s) {
     const std::size_t island = island_[i];
     if (held_[i]->number != island || !active_[island] || !is_large(island)) continue;
     dBodyEnable(held_[i]->ode);
-    solve_iteratively(spec_.iterations, dt_s);
+    if (!solve_iteratively(spec_.iterations, dt_s)) give_up(island);
     active_[island] = 0;
   }
 }
@@ -185,31 +187,41 @@ void ConstraintSolver::solve_small(double dt_s) {
   if (!solved) solve_one_by_one(dt_s);
 }
 
-void ConstraintSolver::solve_iteratively(int iterations, double dt_s) {
+bool ConstraintSolver::solve_iteratively(int iterations, double dt_s) {
   dWorldSetQuickStepNumIterations(world_, iterations);
   dRandSetSeed(0);  // the iterative solver shuffles its rows: the same way in every step
-  dWorldQuickStep(world_, dt_s);
+  const bool solved = stepper_.run(dWorldQuickStep, dt_s);
   disable_all();  // the next island is solved alone
+  return solved;
 }
 
 bool ConstraintSolver::solve_exactly(double dt_s) {
   const std::uint64_t messages = ode_message_count();
-  dWorldStep(world_, dt_s);
-  return ode_message_count() == messages;
+  return stepper_.run(dWorldStep, dt_s) && ode_message_count() == messages;
+}
+
+void ConstraintSolver::put_back(std::size_t island) {
+  for (std::size_t i = 0; i < held_.size(); ++i) {
+    if (island_[i] != island) continue;
+    push(*held_[i]);
+    load(*held_[i]);
+    dBodyDisable(held_[i]->ode);
+  }
+}
+
+/// Bodies that neither solver finds a velocity for get none: they are frozen after the step.
+void ConstraintSolver::give_up(std::size_t island) {
+  put_back(island);
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t i = 0; i < held_.size(); ++i) {
+    if (island_[i] == island) dBodySetLinearVel(held_[i]->ode, none, none, none);
+  }
 }
 
 /// The exact solver may fail on a pile in the moment in which a contact opens, and then leaves out
 /// rows: a body falls freely for a step. The step is done again, the islands that fail with the
 /// other solver, the others to the same result.
 void ConstraintSolver::solve_one_by_one(double dt_s) {
-  const auto put_back = [this](std::size_t island) {
-    for (std::size_t i = 0; i < held_.size(); ++i) {
-      if (island_[i] != island) continue;
-      push(*held_[i]);
-      load(*held_[i]);
-      dBodyDisable(held_[i]->ode);
-    }
-  };
   put_back_active();
   for (std::size_t i = 0; i < held_.size(); ++i) {
     const std::size_t island = island_[i];
@@ -220,7 +232,7 @@ void ConstraintSolver::solve_one_by_one(double dt_s) {
     if (solved) continue;
     put_back(island);
     dBodyEnable(held_[i]->ode);
-    solve_iteratively(std::max(spec_.iterations, kFallbackIterations), dt_s);
+    if (!solve_iteratively(std::max(spec_.iterations, kFallbackIterations), dt_s)) give_up(island);
     active_[island] = 0;
   }
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "islands.h"
+#include "ode_stepper.h"
 #include "trident_sim/model.h"
 #include "trident_sim/model_spec.h"
 
@@ -68,9 +69,11 @@ class ConstraintSolver {
   void solve_pass(Pass pass, double dt_s);
   void solve_large(double dt_s);
   void solve_small(double dt_s);
-  void solve_iteratively(int iterations, double dt_s);
-  /// False when the solver has failed.
+  // False when the solver has failed.
+  bool solve_iteratively(int iterations, double dt_s);
   bool solve_exactly(double dt_s);
+  void put_back(std::size_t island);
+  void give_up(std::size_t island);
   void solve_one_by_one(double dt_s);
   void refine_friction(Pass pass, double dt_s);
   bool measure_friction();
@@ -85,6 +88,7 @@ class ConstraintSolver {
   void disable_all() const;
 
   dWorldID world_;
+  OdeStepper stepper_;
   dJointGroupID joints_;
   PhysicsSpec spec_;
   Islands islands_;

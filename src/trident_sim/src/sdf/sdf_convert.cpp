@@ -126,21 +126,37 @@ Surface convert_surface(const sdf::Collision& collision, const std::string& what
 /// Of a mass [kg] and of an inertia [kg m^2]; numbers beyond overflow where they are multiplied.
 constexpr double kHeaviest = 1e12;
 
-Inertial convert_inertial(const sdf::Link& link, const std::string& what,
-                          const ConvertContext& context) {
+struct PrincipalRange {
+  double least, most;
+};
+
+PrincipalRange principal_inertia(const Eigen::Matrix3d& inertia) {
+  const Eigen::Vector3d principal =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia, Eigen::EigenvaluesOnly).eigenvalues();
+  return {principal.minCoeff(), principal.maxCoeff()};
+}
+
+/// A mass or an inertia that cannot be is 1 kg, or 1 kg m^2 about each axis: Gazebo's defaults, and
+/// what its ODE turns by where it cannot invert an inertia. `note` takes the texts.
+template <class Note>
+Inertial convert_inertial(const sdf::Link& link, const Note& note) {
   const auto& from = link.Inertial();
   Inertial inertial;
-  inertial.mass_kg = from.MassMatrix().Mass();
   inertial.T_link_com = to_se3(from.Pose());
-  inertial.inertia_com = ignition::math::eigen3::convert(from.MassMatrix().Moi());
-  const Eigen::Vector3d principal =
-      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertial.inertia_com, Eigen::EigenvaluesOnly)
-          .eigenvalues();
-  if (!(inertial.mass_kg > 0.0) || !(principal.minCoeff() > 0.0) ||
-      !(inertial.mass_kg <= kHeaviest) || !(principal.maxCoeff() <= kHeaviest)) {
-    throw Error(context.label + ": " + what + ": mass " + std::to_string(inertial.mass_kg) +
-                " kg, principal inertia " + std::to_string(principal.minCoeff()) + " to " +
-                std::to_string(principal.maxCoeff()) + " kg m^2; all must be > 0 and <= 1e12");
+  const double mass = from.MassMatrix().Mass();
+  if (mass > 0.0 && mass <= kHeaviest) {
+    inertial.mass_kg = mass;
+  } else {
+    note("mass is " + std::to_string(mass) + " kg, must be > 0 and <= 1e12", "1 kg is used");
+  }
+  const Eigen::Matrix3d inertia = ignition::math::eigen3::convert(from.MassMatrix().Moi());
+  const auto [least, most] = principal_inertia(inertia);
+  if (least > 0.0 && most <= kHeaviest) {
+    inertial.inertia_com = inertia;
+  } else {
+    note("principal inertia is " + std::to_string(least) + " to " + std::to_string(most) +
+             " kg m^2, all must be > 0 and <= 1e12",
+         "1 kg m^2 about each axis is used");
   }
   return inertial;
 }
@@ -177,6 +193,17 @@ template <class Convert>
 void guard(const sdf::ElementPtr& element, const ConvertContext& context, const Convert& convert) {
   context.odd.guard(convert,
                     [&](const std::string& fault) { return placed(fault, element, context); });
+}
+
+/// Of a URDF check_urdf() has noted it, with its place.
+void note_inertial(const sdf::Link& link, const std::string& fault, const std::string& instead,
+                   const ConvertContext& context) {
+  if (!context.has_places) return;
+  const auto inertial = descend(link.Element(), {"inertial"});
+  const std::string text = context.label + ": " + fault;
+  if (context.odd.policy == OddElements::kRefuse) throw Error(text);
+  context.odd.texts.push_back(placed(text, inertial ? inertial : link.Element(), context) + "; " +
+                              instead);
 }
 
 void convert_collision(const sdf::Collision& collision, const std::string& link_name,
@@ -216,9 +243,9 @@ LinkSpec convert_link(const sdf::Link& from, const std::string& prefix, const SE
   const std::string what = "link '" + link.name + "'";
   link.T_model_link = T_root_model * resolve(from.SemanticPose(), "__model__", what);
   if (!is_static) {
-    const auto inertial = descend(from.Element(), {"inertial"});
-    guard(inertial ? inertial : from.Element(), context,
-          [&] { link.inertial = convert_inertial(from, what + " <inertial>", context); });
+    link.inertial = convert_inertial(from, [&](const std::string& fault, const char* instead) {
+      note_inertial(from, what + " <inertial>: " + fault, instead, context);
+    });
   }
   const auto element = from.Element();
   link.gravity = value_or(element, {"gravity"}, true);

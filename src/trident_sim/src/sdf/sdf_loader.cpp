@@ -21,6 +21,7 @@
 #include "sdf_schema.h"
 #include "sdf_sources.h"
 #include "trident_base/error.h"
+#include "urdf_check.h"
 #include "xml_cut.h"
 
 namespace trident {
@@ -302,7 +303,7 @@ ModelSpec load_model_string(const std::string& xml, const std::string& label,
   check_well_formed(text, label);
   const std::string kind = root_element(text);
   if (kind == "robot") {
-    check_urdf(text, label, warn);
+    check_urdf(text, label, warn, odd);
   } else if (kind == "model") {
     text = "<sdf version='1.4'>" + text.substr(text.find("<model")) + "</sdf>";
   } else if (kind != "sdf") {

@@ -29,6 +29,14 @@ std::string uri_of(const XMLElement& include) {
   return text == nullptr ? "" : text;
 }
 
+/// Not by a tag alone: plugins have a <robotNamespace>.
+bool is_urdf(const std::string& text) {
+  tinyxml2::XMLDocument document;
+  document.Parse(text.c_str(), text.size());
+  const XMLElement* const root = document.RootElement();
+  return root != nullptr && root->Name() == std::string("robot");
+}
+
 std::string number(std::uint64_t value) { return std::to_string(value); }
 
 }  // namespace
@@ -193,7 +201,7 @@ void SdfSources::repair(std::string& text, const std::string& label) {
 void SdfSources::repair_files() {
   sdf::Console::Instance()->SetQuiet(true);
   for (auto& [path, file] : files_) {
-    if (file.text.find("<robot") != std::string::npos) continue;  // a URDF, which it converts
+    if (is_urdf(file.text)) continue;  // which libsdformat converts
     const std::string before = file.text;
     try {
       repair(file.text, path);
