@@ -8,6 +8,7 @@ import os
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
+from trident_tool.thread_safety import run_thread_safety
 from trident_tool.tidy import run_clang_tidy
 from trident_tool.workspace import Runner, TridentError, Workspace, base_environment
 
@@ -100,11 +101,17 @@ def _clang_tidy(workspace: Workspace, runner: Runner, fix: bool) -> int:
     return run_clang_tidy(workspace, runner)
 
 
+def _thread_safety(workspace: Workspace, runner: Runner, fix: bool) -> int:
+    del fix  # which lock is to be taken is a question of design
+    return run_thread_safety(workspace, runner)
+
+
 CHECKS: dict[str, Callable[[Workspace, Runner, bool], int]] = {
     "clang-format": _clang_format,
     "ruff": _ruff,
     "mypy": _mypy,
     "clang-tidy": _clang_tidy,
+    "thread-safety": _thread_safety,
 }
 
 

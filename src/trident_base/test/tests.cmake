@@ -19,6 +19,7 @@ catkin_add_gtest(trident_base_test
   test/diff_drive_odometry_test.cpp
   test/gauss_markov_test.cpp
   test/noise_test.cpp
+  test/mutex_test.cpp
   test/option_number_test.cpp
   test/random_stream_test.cpp
   test/registry_test.cpp

@@ -51,7 +51,7 @@ LockstepGate::LockstepGate(ros::NodeHandle& node, const ServerOptions& options, 
 
 LockstepGate::~LockstepGate() {
   {
-    const std::lock_guard<std::mutex> lock(hub_.mutex);
+    const Lock lock(hub_.mutex);
     hub_.vehicles.clear();
   }
   vehicles_.clear();
@@ -66,7 +66,7 @@ void LockstepGate::sync(World& world, PortBinder& binder) {
       continue;
     }
     {
-      const std::lock_guard<std::mutex> lock(hub_.mutex);
+      const Lock lock(hub_.mutex);
       auto& list = hub_.vehicles;
       list.erase(std::remove(list.begin(), list.end(), it->second.get()), list.end());
     }
@@ -77,8 +77,9 @@ void LockstepGate::sync(World& world, PortBinder& binder) {
     const std::string prefix = name.substr(0, name.size() - kCommandTopic.size());
     auto link = std::make_unique<VehicleLink>(node_, hub_, *port, binder.hold_back_odometry(prefix),
                                               inline_queue_);
-    const std::lock_guard<std::mutex> lock(hub_.mutex);
+    const Lock lock(hub_.mutex);
     const bool is_held = options_.holds_time_zero();
+    link->assert_hub_is_locked();
     if (is_held && !released_) link->leave_confirming_open();
     hub_.vehicles.push_back(link.get());
     vehicles_.emplace(name, std::move(link));
@@ -105,7 +106,7 @@ std::string LockstepGate::missing_for_start(const World& world) {
       missing.push_back("the controller of " + vehicle->name());
     }
   }
-  const std::lock_guard<std::mutex> lock(hub_.mutex);
+  const Lock lock(hub_.mutex);
   const int silent = options_.wait_for_sources - static_cast<int>(hub_.sources.all().size());
   if (silent > 0) missing.push_back(std::to_string(silent) + " more set-point source(s)");
   return join(missing);
@@ -119,8 +120,9 @@ bool LockstepGate::is_to_be_controlled(const std::string& port) const {
 void LockstepGate::check_losses_at_start() {
   if (released_) return;
   const WallTime now = wall_now();
-  const std::lock_guard<std::mutex> lock(hub_.mutex);
+  const Lock lock(hub_.mutex);
   for (VehicleLink* vehicle : hub_.vehicles) {
+    vehicle->assert_hub_is_locked();
     if (vehicle->has_controller()) {
       vehicle->had_controller = true;
       vehicle->waiting.end();
@@ -165,8 +167,9 @@ bool LockstepGate::start_allowed(const World& world, PortBinder& binder) {
   if (!missing_for_start(world).empty()) return false;
   released_ = true;
   binder.scan_subscribers();
-  const std::lock_guard<std::mutex> lock(hub_.mutex);
+  const Lock lock(hub_.mutex);
   for (const auto& [name, vehicle] : vehicles_) {
+    vehicle->assert_hub_is_locked();
     // A controller of an unknown kind may not answer each state; it enrols by its first answer.
     if (options_.wait_for_spawned.empty() || is_to_be_controlled(name)) vehicle->lockstep.enrol();
     vehicle->close_confirming();
@@ -182,41 +185,47 @@ bool LockstepGate::start_allowed(const World& world, PortBinder& binder) {
   return true;
 }
 
-bool LockstepGate::allows_step(const World& world, std::mutex& world_mutex,
+bool LockstepGate::allows_step(const World& world, FairMutex& world_mutex,
                                const std::function<void()>& about_to_wait) {
-  std::unique_lock<std::mutex> lock(hub_.mutex);
-  const bool delayed = options_.timing == LoopTiming::kRotors;
-  hub_.required_stamp = delayed ? world.time() - world.dt() : world.time();
-  hub_.next_time = world.time() + world.dt();
-  if (!has_just_read_) read_commands(milliseconds(0));
-  has_just_read_ = false;
-  if (hub_.ready()) {
-    losses_.clear();
-    for (VehicleLink* vehicle : hub_.vehicles) vehicle->deliver();
-    return true;
+  bool waits_for_source = false;
+  {
+    const Lock lock(hub_.mutex);
+    const bool delayed = options_.timing == LoopTiming::kRotors;
+    hub_.required_stamp = delayed ? world.time() - world.dt() : world.time();
+    hub_.next_time = world.time() + world.dt();
+    if (!has_just_read_) read_commands(milliseconds(0));
+    has_just_read_ = false;
+    if (hub_.ready()) {
+      losses_.clear();
+      for (VehicleLink* vehicle : hub_.vehicles) {
+        vehicle->assert_hub_is_locked();
+        vehicle->deliver();
+      }
+      return true;
+    }
+    waits_for_source = hub_.sources.blocking(hub_.next_time) != nullptr;
   }
-  if (hub_.sources.blocking(hub_.next_time) != nullptr) {
-    lock.unlock();
-    about_to_wait();
-    lock.lock();
+  if (waits_for_source) about_to_wait();
+  bool ready = false;
+  {
+    const Unlock world_is_free(world_mutex);
+    ready = wait_until_ready();
   }
-  world_mutex.unlock();
-  const bool ready = wait_until_ready(lock);
   has_just_read_ = true;
-  lock.unlock();
-  world_mutex.lock();
   if (!ready) check_losses(world);
   return false;  // the world may have changed meanwhile
 }
 
-bool LockstepGate::wait_until_ready(std::unique_lock<std::mutex>& lock) {
+bool LockstepGate::wait_until_ready() {
   const auto limit = Clock::now() + kLookAtLossesEvery;
+  const Lock lock(hub_.mutex);
   bool is_over = false;
   while (!hub_.ready() && !is_over) {
     hub_.stepper_waits = true;
-    lock.unlock();
-    is_over = !hub_.commands.wait(kLookAtLossesEvery) || Clock::now() > limit;
-    lock.lock();
+    {
+      const Unlock hub_is_free(hub_.mutex);
+      is_over = !hub_.commands.wait(kLookAtLossesEvery) || Clock::now() > limit;
+    }
     hub_.stepper_waits = false;
     hub_.commands.read();
   }
@@ -228,19 +237,20 @@ void LockstepGate::read_commands(milliseconds limit) {
 }
 
 void LockstepGate::read_while_standing() {
-  const std::lock_guard<std::mutex> lock(hub_.mutex);
+  const Lock lock(hub_.mutex);
   read_commands(milliseconds(0));
 }
 
 void LockstepGate::check_losses(const World& world) {
   const WallTime now = wall_now();
-  const std::lock_guard<std::mutex> lock(hub_.mutex);
+  const Lock lock(hub_.mutex);
   losses_.clear();
   for (VehicleLink* vehicle : hub_.vehicles) check_vehicle(*vehicle, now);
   check_source(world.time() + world.dt(), now);
 }
 
 void LockstepGate::check_vehicle(VehicleLink& vehicle, WallTime now) {
+  vehicle.assert_hub_is_locked();
   const WallTime waited = vehicle.lockstep.waiting_for(now);
   if (waited == 0) return;
   const SimTime time = hub_.next_time;
@@ -279,9 +289,12 @@ void LockstepGate::check_source(SimTime time, WallTime now) {
 }
 
 void LockstepGate::send_states(SimTime stamp) {
-  const std::lock_guard<std::mutex> lock(hub_.mutex);
+  const Lock lock(hub_.mutex);
   const WallTime now = wall_now();
-  for (VehicleLink* vehicle : hub_.vehicles) vehicle->send_state(stamp, now);
+  for (VehicleLink* vehicle : hub_.vehicles) {
+    vehicle->assert_hub_is_locked();
+    vehicle->send_state(stamp, now);
+  }
 }
 
 void LockstepGate::keep_on_cores() {
@@ -290,9 +303,10 @@ void LockstepGate::keep_on_cores() {
   const bool is_crowded = vehicles_.size() >= cores_.count();
   if (!options_.pin_controllers || newest == newest_link_ || !is_crowded) return;
   newest_link_ = newest;
-  const std::lock_guard<std::mutex> lock(hub_.mutex);
+  const Lock lock(hub_.mutex);
   for (std::size_t i = 0; i < hub_.vehicles.size(); ++i) {
     const VehicleLink& vehicle = *hub_.vehicles[i];
+    vehicle.assert_hub_is_locked();
     // Those that confirm set-points are of this workspace: one thread does all, so there is nothing
     // to gain, and beside the server they are cheaper than spread out.
     if (!vehicle.lockstep.enrolled() || vehicle.confirms_setpoints()) continue;
@@ -306,8 +320,9 @@ void LockstepGate::keep_on_cores() {
 }
 
 void LockstepGate::clear(bool with_time) {
-  const std::lock_guard<std::mutex> lock(hub_.mutex);
+  const Lock lock(hub_.mutex);
   for (VehicleLink* vehicle : hub_.vehicles) {
+    vehicle->assert_hub_is_locked();
     vehicle->clear();
     if (with_time) vehicle->announce_reset();
   }
@@ -323,7 +338,7 @@ SimTime LockstepGate::enrol_source(const std::string& node,
         std::find(vehicles.begin(), vehicles.end(), vehicle->name()) != vehicles.end();
     if (is_fed) vehicle->watch_setpoints();
   }
-  const std::lock_guard<std::mutex> lock(hub_.mutex);
+  const Lock lock(hub_.mutex);
   const bool is_new = hub_.sources.all().count(node) == 0;
   probe_.look(node);  // so that its end will be one
   if (is_new && losses_.repeatability().running()) {
@@ -338,26 +353,27 @@ SimTime LockstepGate::enrol_source(const std::string& node,
 }
 
 void LockstepGate::release_source(const std::string& node) {
-  const std::lock_guard<std::mutex> lock(hub_.mutex);
+  const Lock lock(hub_.mutex);
   hub_.sources.release(node);
 }
 
 SimTime LockstepGate::sources_end() {
-  const std::lock_guard<std::mutex> lock(hub_.mutex);
+  const Lock lock(hub_.mutex);
   return hub_.sources.end();
 }
 
 std::vector<std::pair<std::string, bool>> LockstepGate::vehicle_states() {
-  const std::lock_guard<std::mutex> lock(hub_.mutex);
+  const Lock lock(hub_.mutex);
   std::vector<std::pair<std::string, bool>> result;
   for (const VehicleLink* vehicle : hub_.vehicles) {
+    vehicle->assert_hub_is_locked();
     result.emplace_back(vehicle->name(), vehicle->lockstep.enrolled());
   }
   return result;
 }
 
 std::vector<std::string> LockstepGate::take_news() {
-  const std::lock_guard<std::mutex> lock(hub_.mutex);
+  const Lock lock(hub_.mutex);
   std::vector<std::string> news;
   news.swap(hub_.news);
   return news;

@@ -8,7 +8,6 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <vector>
 
@@ -16,6 +15,7 @@
 #include "node_probe.h"
 #include "port_binder.h"
 #include "server_options.h"
+#include "trident_base/mutex.h"
 #include "trident_ros/process_cores.h"
 #include "trident_sim/world.h"
 #include "vehicle_link.h"
@@ -45,8 +45,8 @@ class LockstepGate {
   /// True: the step may be made, and the commands for it are in the ports. False: something was
   /// waited for, up to milliseconds, with `world_mutex` released; look again. `about_to_wait` is
   /// called before the wait for a set-point source, which lives by /clock.
-  bool allows_step(const World& world, std::mutex& world_mutex,
-                   const std::function<void()>& about_to_wait);
+  bool allows_step(const World& world, FairMutex& world_mutex,
+                   const std::function<void()>& about_to_wait) TRIDENT_REQUIRES(world_mutex);
   /// Takes the commands that come while no step is to be made.
   void read_while_standing();
   /// Sends, or lines up, the odometry of the step that was just made.
@@ -75,11 +75,11 @@ class LockstepGate {
   using Clock = std::chrono::steady_clock;
   bool is_to_be_controlled(const std::string& port) const;
   bool all_confirm_who_will();
-  bool wait_until_ready(std::unique_lock<std::mutex>& lock);
-  void read_commands(std::chrono::milliseconds limit);
+  bool wait_until_ready() TRIDENT_EXCLUDES(hub_.mutex);
+  void read_commands(std::chrono::milliseconds limit) TRIDENT_REQUIRES(hub_.mutex);
   void check_losses(const World& world);
-  void check_vehicle(VehicleLink& vehicle, WallTime now);
-  void check_source(SimTime time, WallTime now);
+  void check_vehicle(VehicleLink& vehicle, WallTime now) TRIDENT_REQUIRES(hub_.mutex);
+  void check_source(SimTime time, WallTime now) TRIDENT_REQUIRES(hub_.mutex);
 
   ros::NodeHandle& node_;
   const ServerOptions& options_;

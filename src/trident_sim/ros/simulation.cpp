@@ -44,13 +44,13 @@ Simulation::Simulation(ros::NodeHandle& node, const ServerOptions& options)
   for (const std::string& library : options.plugin_libraries) registry_.load_shared_object(library);
   ready_ = node_.advertise<std_msgs::Bool>("/gazebo/ready", 1, true);
   ready_.publish(std_msgs::Bool());
-  const auto report = [this](Severity severity, const std::string& text) {
-    this->report(severity, text);
-  };
+  const auto report = [this](Severity severity, const std::string& text)
+                          TRIDENT_REQUIRES(mutex_) { this->report(severity, text); };
   for (const std::string& warning : resources_.warnings()) report(Severity::kWarning, warning);
   const WorldSpec spec = load_world_file(
       options.world_file, resources_,
-      [&](const std::string& text) { report(Severity::kWarning, text); }, odd_elements());
+      [&](const std::string& text) TRIDENT_REQUIRES(mutex_) { report(Severity::kWarning, text); },
+      odd_elements());
   world_ =
       std::make_unique<World>(spec, resources_, registry_,
                               WorldOptions{options.seed, options.timing, report, find_tf_prefix,
@@ -65,8 +65,8 @@ Simulation::Simulation(ros::NodeHandle& node, const ServerOptions& options)
   files_ = std::make_unique<RunFiles>(options.out_dir, options.seed);
   choose_policy();
   losses_ = std::make_unique<LossWatch>(
-      rules_, repeatability_, report, [this] { paused_ = true; },
-      [this](const std::string& error) { fail(error); });
+      rules_, repeatability_, report, [this]() TRIDENT_REQUIRES(mutex_) { paused_ = true; },
+      [this](const std::string& error) TRIDENT_REQUIRES(mutex_) { fail(error); });
   gate_ = std::make_unique<LockstepGate>(node_, options_, *losses_, probe_);
   answers_ = std::make_unique<AnsweredInputs>(options_, world_->ports(), *binder_, *inputs_,
                                               *losses_, probe_, report);
@@ -117,11 +117,14 @@ void Simulation::sync_topics() {
 }
 
 std::string Simulation::run() {
-  restart_pace();
+  {
+    const Lock lock(mutex_);
+    restart_pace();
+  }
   next_second_ = Clock::now();
   while (ros::ok() && !stopped_ && run_once()) {
   }
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const Lock lock(mutex_);
   ended_ = true;
   stepped_.notify_all();
   if (end_reason_.empty()) {
@@ -139,9 +142,8 @@ std::string Simulation::run() {
 }
 
 bool Simulation::run_once() {
-  while (waiting_ > 0) std::this_thread::sleep_for(microseconds(20));
   hand_over("stepping thread takes the world");
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const Lock lock(mutex_);
   if (Clock::now() >= next_scan_) every_so_often();
   if (finished()) return false;
   const bool stepping = steps_wanted_ > 0;
@@ -160,9 +162,10 @@ bool Simulation::run_once() {
   if (!stepping && !pace_allows()) return true;
   is_flowing_ = false;  // until the step: who waits at the end of the run stands
   if (!answers_allow_step()) return true;
-  if (!gate_->allows_step(*world_, mutex_, [this] { topics_->publish_clock(world_->time()); })) {
-    return true;
-  }
+  const auto publish_clock = [this]() TRIDENT_REQUIRES(mutex_) {
+    topics_->publish_clock(world_->time());
+  };
+  if (!gate_->allows_step(*world_, mutex_, publish_clock)) return true;
   make_step();
   is_flowing_ = true;
   if (stepping && --steps_wanted_ == 0) {
@@ -187,9 +190,11 @@ bool Simulation::start_allowed() {
 
 bool Simulation::answers_allow_step() {
   if (answers_->allows_step(world_->time())) return true;
-  mutex_.unlock();
-  answers_->wait();
-  mutex_.lock();
+  AnsweredInputs& answers = *answers_;
+  {
+    const Unlock unlocked(mutex_);
+    answers.wait();
+  }
   answers_->check_losses(world_->time());
   return false;  // the world may have changed meanwhile
 }
@@ -225,9 +230,8 @@ bool Simulation::pace_allows() {
 }
 
 void Simulation::wait(microseconds time) {
-  mutex_.unlock();
+  const Unlock unlocked(mutex_);
   std::this_thread::sleep_for(std::max(time, microseconds(1)));
-  mutex_.lock();
 }
 
 void Simulation::make_step() {
@@ -335,13 +339,12 @@ void Simulation::set_max_update_rate_hz(double rate) {
 }
 
 SimTime Simulation::step(std::uint64_t n) {
-  ++waiting_;
-  std::unique_lock<std::mutex> lock(mutex_);
-  --waiting_;
+  const Lock lock(mutex_);
   if (ended_) throw Error("the run has ended");
   if (steps_wanted_ > 0) throw Error("another /gazebo/step call is in progress");
   steps_wanted_ = n;
-  stepped_.wait(lock, [this] { return steps_wanted_ == 0 || ended_; });
+  wait_until(stepped_, mutex_,
+             [this]() TRIDENT_REQUIRES(mutex_) { return steps_wanted_ == 0 || ended_; });
   if (steps_wanted_ > 0) throw Error("the run ended before the steps were made");
   return world_->time();
 }

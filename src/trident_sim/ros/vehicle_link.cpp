@@ -29,6 +29,7 @@ SimTime header_stamp(const std::uint8_t* bytes, std::size_t size) {
 
 bool LockstepHub::ready() const {
   for (const VehicleLink* vehicle : vehicles) {
+    vehicle->assert_hub_is_locked();
     if (!vehicle->lockstep.answered_up_to(required_stamp)) return false;
   }
   return sources.blocking(next_time) == nullptr;
@@ -44,8 +45,10 @@ VehicleLink::VehicleLink(ros::NodeHandle& node, LockstepHub& hub, InPort<Actuato
     direct_.push_back(std::make_unique<DirectPublication>(binding->publisher()));
   }
   commands_ = hub.commands.subscribe<mav_msgs::Actuators>(
-      node, "/" + port.name(), 10, [this](Span<const std::uint8_t> bytes) { on_command(bytes); },
-      [this](const mav_msgs::Actuators& message) { on_command(message); });
+      node, "/" + port.name(), 10,
+      [this](Span<const std::uint8_t> bytes) TRIDENT_REQUIRES(hub_.mutex) { on_command(bytes); },
+      [this](const mav_msgs::Actuators& message)
+          TRIDENT_REQUIRES(hub_.mutex) { on_command(message); });
   auto accepted = raw_subscription<std_msgs::Header>(
       "/" + confirmation_topic(), 100,
       [this](const auto& bytes) { on_confirmation(bytes.data(), bytes.size()); }, &queue);
@@ -82,7 +85,7 @@ void VehicleLink::on_confirmation(const std::uint8_t* bytes, std::size_t size) {
 
 void VehicleLink::on_setpoint(SimTime stamp, bool is_confirmation, bool replaces) {
   hand_over("confirmation received");
-  const std::lock_guard<std::mutex> lock(hub_.mutex);
+  const Lock lock(hub_.mutex);
   // A confirmation says that the controller has it; without one, that it was sent must do.
   if (!is_confirmation && confirms_setpoints()) return;
   if (!is_confirmation && is_confirming_open_) {
@@ -121,7 +124,7 @@ VehicleLink::~VehicleLink() {
   trajectories_.shutdown();
 }
 
-// Under the hub's mutex, which the stepping thread holds as it reads.
+// The stepping thread holds the hub's mutex as it reads.
 void VehicleLink::on_command(Span<const std::uint8_t> bytes) {
   try {
     ros::serialization::IStream stream(const_cast<std::uint8_t*>(bytes.data()),
