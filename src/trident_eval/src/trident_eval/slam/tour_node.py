@@ -34,9 +34,11 @@ from std_srvs.srv import Empty
 from trident_nav.core.errors import NavError
 from trident_nav.core.waypoints import FollowerConfig, WaypointFollower
 
+from trident_eval.slam.checked_buffer import CheckedBuffer
 from trident_eval.slam.tour import LOCALIZATION, MAPPING, RECORD, TRUTH, write_tum
 from trident_eval.slam.tour_drive import LockstepDriver, simulator_sends_to
 from trident_eval.slam.trajectory import Trajectory
+from trident_ros import Refusals, pose_problem, stamp_problem
 
 _ROBOT = "ground_robot.launch"
 _MAP, _BASE, _ODOM = "map", "base_footprint", "odom"
@@ -75,6 +77,17 @@ class Poses:
         return Trajectory(rows[:, 0], rows[:, 1:4], Rotation.from_quat(rows[:, 4:]))
 
 
+def scan_stamp_problem(stamp: rospy.Time, now: rospy.Time) -> str:
+    """Why nobody will ever know the robot's place at this stamp, or ""."""
+    problem = stamp_problem(stamp)
+    if problem or abs((stamp - now).to_sec()) <= _PATIENCE_S:
+        return problem
+    return (
+        f"stamp is {stamp.to_sec():.3f} s, legal: within {_PATIENCE_S:g} s of the newest odometry,"
+        f" {now.to_sec():.3f} s"
+    )
+
+
 class Tour:
     """The node."""
 
@@ -90,8 +103,10 @@ class Tour:
         self._estimate: Poses | None = None
         self._truth = Poses()
         self._newest = rospy.Time()
+        self._now = rospy.Time()  # of the newest truth
+        self._refusals = Refusals()
         self._has_map = False
-        self._buffer = tf2_ros.Buffer(rospy.Duration.from_sec(2 * _PATIENCE_S))
+        self._buffer = CheckedBuffer(rospy.Duration.from_sec(2 * _PATIENCE_S))
         self._listener = tf2_ros.TransformListener(self._buffer)
         rospy.Subscriber("ground_truth/odom", Odometry, self._on_truth)
         rospy.Subscriber("scan", LaserScan, self._on_scan)
@@ -190,6 +205,9 @@ class Tour:
 
     def _on_truth(self, message: Odometry) -> None:
         pose = message.pose.pose
+        if pose_problem(pose) or stamp_problem(message.header.stamp):
+            return  # the driver, who hears it too, tells it
+        self._now = message.header.stamp
         self._truth.add(message.header.stamp, pose.position, pose.orientation)
 
     def _on_diagnostics(self, message: DiagnosticArray) -> None:
@@ -198,6 +216,10 @@ class Tour:
                 self._has_map = status.message != "no map yet"
 
     def _on_scan(self, message: LaserScan) -> None:
+        problem = scan_stamp_problem(message.header.stamp, self._now)
+        if problem:
+            self._refusals.note("scan refused", f"scan refused: {problem}")
+            return
         with self._lock:
             if self._estimate is not None:
                 self._newest = message.header.stamp
