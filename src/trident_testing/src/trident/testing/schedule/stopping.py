@@ -13,7 +13,6 @@ from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 
-
 #: roslaunch ends itself when its own server or the master does not answer it within ten seconds.
 _IMPATIENT = ("roslaunch", "rosmaster")
 _IMPATIENT_FOR_S = 15.0
