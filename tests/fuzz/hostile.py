@@ -1,13 +1,20 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""What all nodes are put through, and what keeps them at work meanwhile."""
+"""What all nodes are put through, and what keeps them at work meanwhile.
+
+A test says by the mark `fuzzes("package/program", ...)` which programs it treats. conftest.py sees
+to it that it does; test_coverage.py, that there is one for every program that is a node.
+"""
 
 from __future__ import annotations
 
 import math
 import os
+import re
+import shlex
 import signal
 from collections.abc import Callable, Mapping
+from pathlib import Path
 from typing import Any
 
 import genpy
@@ -15,7 +22,7 @@ import rospy
 from geometry_msgs.msg import TransformStamped
 from sensor_msgs.msg import LaserScan
 from tf2_msgs.msg import TFMessage
-from trident.testing import Process, Ros, complaints, eventually
+from trident.testing import Process, Ros, complaints, eventually, recorder
 from trident.testing.fuzz import Campaign, CampaignOptions, Target
 
 MESSAGES = int(os.environ.get("TRIDENT_FUZZ_MESSAGES", "10000"))
@@ -24,6 +31,21 @@ SEED = int(os.environ.get("TRIDENT_FUZZ_SEED", "1"))
 MOST_COMPLAINTS = 300
 _ROOM_M = (4.0, 3.0)  # half of its sides
 _BEAMS = 180
+_PROGRAM = re.compile(r"/lib/([^/]+/[^/]+)$")
+
+#: "package/program" of what has been treated in the test that runs.
+TREATED: set[str] = set()
+
+
+def note_treated(target: Target | Process) -> None:
+    """Remember which program has been treated."""
+    if isinstance(target, Target):
+        words = Path(f"/proc/{target.pid}/cmdline").read_bytes().decode().split("\0")
+    else:
+        words = shlex.split(target.command)
+    named = [found[1] for word in words if (found := _PROGRAM.search(word))]
+    assert named, f"no program of a package: {words}"
+    TREATED.add(named[0])
 
 
 def started(ros: Ros, node: str, command: list[str], **env: str) -> Process:
@@ -63,7 +85,9 @@ def withstands(
     """
     sane()
     settings = CampaignOptions(messages=MESSAGES, seed=SEED, **options)
-    found = Campaign(Target(node, skip), settings, examples, meanwhile).run()
+    target = Target(node, skip)
+    note_treated(target)
+    found = Campaign(target, settings, examples, meanwhile).run()
     print(node, found.text())
     assert not found.problems, found.text()
     refusals = sum(found.refused.values())  # each has its answer, and a line in the log
@@ -72,6 +96,40 @@ def withstands(
     assert "Traceback" not in process.log
     sane()
     assert process.stop(signal.SIGINT) == 0, process.log[-3000:]
+
+
+class Asked:
+    """One sane topic to a node, and what it must answer."""
+
+    def __init__(self, topic: str, make: Callable[[], Any], answer: str, kind: Any) -> None:
+        """Advertise it.
+
+        Args:
+            topic: that the node listens to.
+            make: a sane message of now.
+            answer: topic that the node answers on.
+            kind: of the answers.
+        """
+        self._make, self._answer, self._kind = make, answer, kind
+        self._topic = rospy.Publisher(topic, type(make()), queue_size=10, tcp_nodelay=True)
+
+    def send(self) -> None:
+        """Ask once."""
+        self._topic.publish(self._make())
+
+    def is_answered(self) -> None:
+        """Ask until some answers have come."""
+        with recorder(self._answer, self._kind) as answers:
+
+            def has_come() -> bool:
+                self.send()
+                return len(answers.messages) > 3
+
+            eventually(has_come, f"answers on {self._answer}")
+
+    def close(self) -> None:
+        """End the topic."""
+        self._topic.unregister()
 
 
 def transform(parent: str, child: str, x: float = 0.0) -> TransformStamped:

@@ -6,15 +6,16 @@ from __future__ import annotations
 
 from typing import Any
 
+import pytest
 import rospy
 import yaml
 from geometry_msgs.msg import PoseStamped, Transform
-from hostile import started, withstands
+from hostile import Asked, started, withstands
 from mav_msgs.msg import Actuators, RollPitchYawrateThrust
 from nav_msgs.msg import Odometry, Path
 from std_msgs.msg import Float32
 from trajectory_msgs.msg import MultiDOFJointTrajectory, MultiDOFJointTrajectoryPoint
-from trident.testing import Ros, eventually, package, program, recorder
+from trident.testing import Ros, package, program
 
 
 def odometry() -> Odometry:
@@ -22,29 +23,6 @@ def odometry() -> Odometry:
     message = Odometry()
     message.header.stamp, message.pose.pose.orientation.w = rospy.Time.now(), 1.0
     return message
-
-
-class Answers:
-    """Odometry to a controller, and its answers."""
-
-    def __init__(self, topic: str, kind: Any) -> None:
-        self._answer, self._kind = topic, kind
-        self._topic = rospy.Publisher("/UAV1/odometry", Odometry, queue_size=10, tcp_nodelay=True)
-
-    def send(self) -> None:
-        self._topic.publish(odometry())
-
-    def come(self) -> None:
-        with recorder(self._answer, self._kind) as answers:
-
-            def is_answered() -> bool:
-                self.send()
-                return len(answers.messages) > 3
-
-            eventually(is_answered, "answers")
-
-    def close(self) -> None:
-        self._topic.unregister()
 
 
 def firefly(gains: str) -> dict[str, Any]:
@@ -67,14 +45,16 @@ def treat(
     ]
     process = started(ros, node, command)
     topic = where.get("answer", "command/motor_speed")
-    answers = Answers(f"/UAV1/{topic}", Float32 if "answer" in where else Actuators)
+    kind_of_answer = Float32 if "answer" in where else Actuators
+    asked = Asked("/UAV1/odometry", odometry, f"/UAV1/{topic}", kind_of_answer)
     examples = {f"/UAV1/{name}": message for name, message in examples.items()}
     withstands(
-        process, node, answers.come, {**examples, "/UAV1/odometry": odometry()}, answers.send
+        process, node, asked.is_answered, {**examples, "/UAV1/odometry": odometry()}, asked.send
     )
-    answers.close()
+    asked.close()
 
 
+@pytest.mark.fuzzes("rotors_control/lee_position_controller_node")
 def test_lee_position_controller(ros: Ros) -> None:
     point = MultiDOFJointTrajectoryPoint(transforms=[Transform()])
     point.transforms[0].rotation.w = 1.0
@@ -86,12 +66,14 @@ def test_lee_position_controller(ros: Ros) -> None:
     treat(ros, "lee_position_controller_node", parameters, examples)
 
 
+@pytest.mark.fuzzes("rotors_control/roll_pitch_yawrate_thrust_controller_node")
 def test_roll_pitch_yawrate_thrust_controller(ros: Ros) -> None:
     parameters = firefly("roll_pitch_yawrate_thrust_controller_firefly.yaml")
     examples = {"command/roll_pitch_yawrate_thrust": RollPitchYawrateThrust()}
     treat(ros, "roll_pitch_yawrate_thrust_controller_node", parameters, examples)
 
 
+@pytest.mark.fuzzes("trident_control/vessel_controller_node")
 def test_vessel_controller(ros: Ros) -> None:
     config = package("trident_bringup") / "config"
     parameters = {

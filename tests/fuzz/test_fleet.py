@@ -4,43 +4,107 @@
 
 from __future__ import annotations
 
-from hostile import MESSAGES, SEED
-from trident.testing import Launch, Ros
+import signal
+from pathlib import Path
+
+import pytest
+from hostile import MESSAGES, SEED, note_treated, started
+from trident.testing import Gazebo, Launch, Ros, pose, program
 from trident.testing.fuzz import Campaign, CampaignOptions, Target
 
 LEADER = "/UAV1/odometry_sensor1/odometry"
+#: Nodes that share the code of formation_node, each with a vehicle of its own.
+NODES = {
+    "UAV1": ("trident_fleet", "formation_all.py"),
+    "UAV2": ("trident_fleet", "waypoint_flight.py"),
+    "UAV3": ("rotors_teleop", "rotors_formation_son.py"),
+}
 
 
-def withstands(run: Launch, node: str) -> None:
-    """It lives, commands nothing that is no number, and says what it refuses.
+def withstands(node: str, share: int = 30) -> None:
+    """It lives, and commands nothing that is no number.
 
     Who takes the simulator's place, or the leader's, is obeyed: where it flies is not asked.
+
+    Args:
+        node: its full name.
+        share: it gets one part in so many of what other nodes get: each message may have it
+            command minutes of a flight.
     """
-    # Each may have it command minutes of a flight: a thirtieth of what other nodes get.
-    count = max(MESSAGES // 30, 100)
+    count = max(MESSAGES // share, 100)
     settings = CampaignOptions(messages=count, seed=SEED, batch=20, words=("UAV1", "UAV2"))
-    found = Campaign(Target(node), settings).run()
+    target = Target(node)
+    note_treated(target)
+    found = Campaign(target, settings).run()
     print(node, found.text())
     assert not found.problems, found.text()
     assert sum(found.sent.values()) == count
+
+
+def has_no_traceback(name: str, log: str) -> None:
+    # rospy itself logs one where a topic is given up while it is being connected.
+    own = [line for line in log.splitlines() if "[rospy.internal]" not in line]
+    assert not any("Traceback" in line for line in own), f"{name}: {log[:5000]}"
+
+
+def has_stood_it(run: Launch) -> None:
     for name, log in run.logs():
-        # rospy itself logs one where a topic is given up while it is being connected.
-        own = [line for line in log.splitlines() if "[rospy.internal]" not in line]
-        assert not any("Traceback" in line for line in own), f"{name}: {log[:5000]}"
+        has_no_traceback(name, log)
     assert not run.died()
 
 
+@pytest.mark.fuzzes("trident_fleet/formation_node.py")
 def test_a_formation_node(ros: Ros) -> None:
     file = "multi_uav_simulation.launch"
     with Launch(ros, "trident_bringup", file, uavs=2, mode="gate", paused=True) as run:
         run.ready()
         run.step_to(1.0)
-        withstands(run, "/UAV1/formation_node")
+        withstands("/UAV1/formation_node")
+        has_stood_it(run)
 
 
+@pytest.mark.fuzzes("trident_fleet/leader_follower.py")
 def test_a_follower(ros: Ros) -> None:
     file = "leader_follower.launch"
     with Launch(ros, "trident_bringup", file, uavs=2, leader_topic=LEADER, paused=True) as run:
         run.ready()
         run.step_to(1.0)
-        withstands(run, "/leader_follower")
+        withstands("/leader_follower")
+        has_stood_it(run)
+
+
+@pytest.fixture
+def world(ros: Ros) -> Gazebo:
+    """Vehicles with controllers, which wait for their set-points."""
+    simulation = Gazebo(ros, wait_for=len(NODES), wait_for_sources=len(NODES)).ready()
+    for number, name in enumerate(NODES):
+        simulation.spawn(name, at=pose(x=3.0 * number, z=0.1))
+        simulation.controller(name)
+    return simulation
+
+
+@pytest.mark.fuzzes(*(f"{package}/{name}" for package, name in NODES.values()))
+def test_its_kin(ros: Ros, world: Gazebo, tmp_path: Path) -> None:
+    """Their common code is under more of them in `test_a_formation_node`."""
+    file = tmp_path / "one.txt"
+    file.write_text("1 0 0 1\n2 50 0 1\n")
+    formation = [f"_formation_file:={file}", "_vehicles_in_file:=1"]
+    words = {
+        "UAV1": [*formation, "_vehicles:=[UAV1]", "_mode:=gate"],
+        "UAV2": ["_vehicle:=UAV2", "_waypoints:=[[0, 0, 1], [50, 0, 1]]"],
+        "UAV3": [*formation, "_UAV:=/UAV3/", "_seq:=0", "_mode:=time"],
+    }
+    processes = {
+        name: started(
+            ros,
+            f"/source_{name}",
+            [program(*NODES[name]), f"__name:=source_{name}", *words[name]],
+        )
+        for name in NODES
+    }
+    world.step_to(1.0)
+    for name, process in processes.items():
+        withstands(f"/source_{name}", 100)
+        has_no_traceback(name, process.log)
+        assert process.running, process.log
+    assert {process.stop(signal.SIGINT) for process in processes.values()} == {0}

@@ -41,12 +41,14 @@ def still_serves() -> None:
     assert rospy.ServiceProxy("/static_map", GetMap)().map.info.width == _CELLS[0]
 
 
+@pytest.mark.fuzzes("map_server/map_server")
 def test_map_server(ros: Ros, map_file: Path) -> None:
     command = [program("map_server", "map_server"), str(map_file), "__name:=maps"]
     process = started(ros, "/maps", command)
     withstands(process, "/maps", still_serves, {"/change_map": LoadMapRequest(str(map_file))})
 
 
+@pytest.mark.fuzzes("amcl/amcl")
 def test_amcl(ros: Ros, map_file: Path) -> None:
     started(ros, "/maps", [program("map_server", "map_server"), str(map_file), "__name:=maps"])
     still_serves()

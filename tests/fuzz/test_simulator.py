@@ -83,6 +83,7 @@ def still_steps(world: Gazebo) -> None:
     assert rospy.ServiceProxy("/gazebo/get_world_properties", GetWorldProperties)().success
 
 
+@pytest.mark.fuzzes("gazebo_ros/gzserver")
 def test_gzserver_with_vessels_and_ground_robots(coast: Gazebo) -> None:
     withstands(
         coast.process,
@@ -96,6 +97,7 @@ def test_gzserver_with_vessels_and_ground_robots(coast: Gazebo) -> None:
     )
 
 
+@pytest.mark.fuzzes("gazebo_ros/gzserver")
 def test_gzserver(world: Gazebo) -> None:
     withstands(
         world.process,

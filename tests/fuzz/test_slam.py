@@ -79,6 +79,12 @@ def still_works(driver: Robot, session: str, is_localizing: bool) -> None:
     assert rospy.ServiceProxy("/slam/dynamic_map", GetMap)().map.info.width > 0
 
 
+@pytest.mark.fuzzes(
+    "slam_toolbox/sync_slam_toolbox_node",
+    "slam_toolbox/async_slam_toolbox_node",
+    "slam_toolbox/localization_slam_toolbox_node",
+    "slam_toolbox/lifelong_slam_toolbox_node",
+)
 @pytest.mark.parametrize("mode", ["sync", "async", "localization", "lifelong"])
 def test_slam_toolbox(ros: Ros, session: str, mode: str) -> None:
     is_localizing = mode == "localization"
@@ -105,6 +111,7 @@ def test_slam_toolbox(ros: Ros, session: str, mode: str) -> None:
         )
 
 
+@pytest.mark.fuzzes("gmapping/slam_gmapping")
 def test_gmapping(ros: Ros) -> None:
     process = started(
         ros, "/slam", [program("gmapping", "slam_gmapping"), "__name:=slam", "_particles:=5"]
@@ -120,6 +127,7 @@ def test_gmapping(ros: Ros) -> None:
         )
 
 
+@pytest.mark.fuzzes("hector_mapping/hector_mapping")
 def test_hector_mapping(ros: Ros) -> None:
     process = started(ros, "/slam", [program("hector_mapping", "hector_mapping"), "__name:=slam"])
     place = PoseWithCovarianceStamped()
@@ -141,6 +149,7 @@ def test_hector_mapping(ros: Ros) -> None:
         )
 
 
+@pytest.mark.fuzzes("slam_toolbox/merge_maps_kinematic")
 def test_merge_maps(ros: Ros, session: str) -> None:
     process = started(
         ros, "/merge", [program("slam_toolbox", "merge_maps_kinematic"), "__name:=merge"]

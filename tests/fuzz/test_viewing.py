@@ -8,15 +8,20 @@ from collections.abc import Callable
 from itertools import count
 from pathlib import Path
 
+import pytest
 import rospy
 from geometry_msgs.msg import Point, Pose, Quaternion, Twist
-from hostile import started, withstands
+from hostile import MESSAGES, SEED, Asked, note_treated, started, withstands
+from nav_msgs.msg import Odometry
 from sensor_msgs.msg import Image
 from trident.testing import Gazebo, Ros, box_sdf, eventually, program, recorder
 from trident.testing.fuzz import Campaign, CampaignOptions, Target
 from visualization_msgs.msg import MarkerArray
 
 from trident_msgs.msg import FleetState
+
+#: To nodes that a world works beside.
+SOME = max(MESSAGES // 10, 100)
 
 
 def fleet() -> FleetState:
@@ -29,6 +34,7 @@ def fleet() -> FleetState:
     return message
 
 
+@pytest.mark.fuzzes("trident_eval/fleet_markers.py")
 def test_fleet_markers(ros: Ros) -> None:
     command = [program("trident_eval", "fleet_markers.py"), "__name:=markers"]
     process = started(ros, "/markers", command)
@@ -48,6 +54,20 @@ def test_fleet_markers(ros: Ros) -> None:
     states.unregister()
 
 
+def is_heard(target: Target, kind: type, count: int) -> bool:
+    """Whether a node listens to so many topics of a kind."""
+    return list(target.subscriptions().values()).count(kind) >= count
+
+
+def endures(target: Target, messages: int, step: Callable[[], None] | None = None) -> None:
+    """It lives through so many messages."""
+    note_treated(target)
+    found = Campaign(target, CampaignOptions(messages=messages, seed=SEED), None, step).run()
+    print(target.name, found.text())
+    assert not found.problems, found.text()
+    assert sum(found.sent.values()) == messages
+
+
 def film(ros: Ros, step: Callable[[], None], out: Path) -> None:
     """Films box, while hostile pictures come beside the simulator's."""
     words = ["--out", str(out), "--follow", "box", "--seconds", "1000", "--size", "64x48"]
@@ -55,14 +75,13 @@ def film(ros: Ros, step: Callable[[], None], out: Path) -> None:
         ros, "/observer", [program("trident_eval", "observer.py"), "__name:=observer", *words]
     )
     listened = Target("/observer")
-    eventually(lambda: Image in listened.subscriptions().values(), "its subscription")
-    found = Campaign(listened, CampaignOptions(messages=1000), None, step).run()
-    assert not found.problems, found.text()
-    assert sum(found.sent.values()) == 1000
+    eventually(lambda: is_heard(listened, Image, 1), "its subscription")
+    endures(listened, SOME, step)
     process.stop()
     assert "Traceback" not in process.log, process.log[-3000:]
 
 
+@pytest.mark.fuzzes("trident_eval/observer.py")
 def test_the_observer_films_on(ros: Ros, tmp_path: Path) -> None:
     world = Gazebo(ros).ready()
     world.spawn("box", box_sdf("box"))
@@ -70,3 +89,60 @@ def test_the_observer_films_on(ros: Ros, tmp_path: Path) -> None:
     out = tmp_path / "film.mp4"
     film(ros, lambda: world.step_to(0.05 * next(times)) and None, out)
     assert out.stat().st_size > 1000
+
+
+@pytest.mark.fuzzes("trident_eval/overview.py")
+def test_the_overview_shows_on(ros: Ros) -> None:
+    """Strange depths while it looks for its place, and strange pictures when it has found it."""
+    world = Gazebo(ros).ready()
+    world.spawn("box", box_sdf("box"))
+    command = [program("trident_eval", "overview.py"), "--stream", "--size", "64x48"]
+    process = started(ros, "/overview", [*command, "__name:=overview"])
+    target = Target("/overview")
+    eventually(lambda: is_heard(target, Image, 12), "cameras that look for a place")
+    endures(target, SOME // 2)
+
+    def step() -> None:
+        world.step()
+
+    def looks() -> bool:
+        step()
+        return is_heard(target, Image, 1) and not is_heard(target, Image, 2)
+
+    eventually(looks, "its camera")
+    endures(target, SOME // 2, step)
+    with recorder("/overview/image_raw", Image) as pictures:
+
+        def shows() -> bool:
+            step()
+            return len(pictures.messages) > 2
+
+        eventually(shows, "pictures")
+        assert {(picture.width, picture.height) for picture in pictures.messages} == {(64, 48)}
+    process.stop()
+    assert "Traceback" not in process.log, process.log[-3000:]
+
+
+@pytest.mark.fuzzes("trident_eval/slam_tour.py")
+def test_a_slam_tour_waits_on(ros: Ros, tmp_path: Path) -> None:
+    """There is no simulator: it answers odometry, and waits for its robot and for its map."""
+    parameters = {"start": [0.0, 0.0, 0.0], "waypoints": [[1.0, 0.0]], "lidar_height": 0.2}
+    ros.set_param("/tour", {**parameters, "world": "none", "out_dir": str(tmp_path / "tour")})
+    process = started(ros, "/tour", [program("trident_eval", "slam_tour.py"), "__name:=tour"])
+    target = Target("/tour")
+    eventually(lambda: is_heard(target, Odometry, 1), "its subscriptions")
+    asked = Asked("/ground_truth/odom", truth, "/cmd_vel", Twist)
+    asked.is_answered()
+    endures(target, SOME, asked.send)
+    asked.close()
+    process.eventually_logs("process[robot_state_publisher")  # its child takes an interrupt
+    assert process.stop(limit_s=60.0) == 1, process.log[-3000:]  # its tour is not done
+    own = process.log.split("Traceback")
+    assert len(own) == 1, own[1][:3000]
+
+
+def truth() -> Odometry:
+    """Of a robot that stands, now."""
+    message = Odometry()
+    message.header.stamp, message.pose.pose.orientation.w = rospy.Time.now(), 1.0
+    return message

@@ -12,9 +12,11 @@ from trident_eval.core.framing import Lens, Sphere, frame
 pytest.importorskip("rospy", reason="ROS is not installed")
 
 from PIL import Image as Picture
+from sensor_msgs.msg import Image
 from trident_eval.viewing.census import Body, radius_of
 from trident_eval.viewing.names import write_names
 from trident_eval.viewing.overview import what_to_show
+from trident_eval.viewing.scout import depth_problem
 
 LENS = Lens(400, 250, math.radians(60.0))
 
@@ -67,3 +69,32 @@ def test_names_are_written_above_what_is_in_the_picture() -> None:
     assert (pixels > 150).all(axis=-1).mean() > 0.01, "paper"
     assert (pixels < 40).all(axis=-1).any(), "ink"
     assert write_names(picture, stand, LENS, []) == []
+
+
+def depths(**fields: object) -> Image:
+    image = Image(encoding="32FC1", width=4, height=3, step=16, data=b"\0" * 48)
+    for name, value in fields.items():
+        setattr(image, name, value)
+    return image
+
+
+def test_depths_of_a_camera_are_taken() -> None:
+    assert depth_problem(depths(), Lens(4, 3, 1.0)) == ""
+    assert depth_problem(depths(step=20, data=b"\0" * 60), Lens(4, 3, 1.0)) == ""
+
+
+@pytest.mark.parametrize(
+    "fields",
+    [
+        {"encoding": "rgb8"},
+        {"is_bigendian": 1},
+        {"width": 2**32 - 1},
+        {"height": 0},
+        {"step": 17, "data": b"\0" * 51},
+        {"step": 0},
+        {"data": b""},
+        {"data": b"\0" * 47},
+    ],
+)
+def test_what_is_no_depths_of_that_camera_is_refused(fields: dict[str, object]) -> None:
+    assert "legal: " in depth_problem(depths(**fields), Lens(4, 3, 1.0))

@@ -4,20 +4,34 @@
 
 from __future__ import annotations
 
+import signal
+import time
 from typing import Any
 from xml.etree import ElementTree
 
 import pytest
 import rospy
 import yaml
-from geometry_msgs.msg import Twist
+from geometry_msgs.msg import TransformStamped, Twist
 from nav_msgs.msg import Odometry
 from trident.testing import package
 from trident_eval.slam import tour_drive
+from trident_eval.slam.checked_buffer import transform_problem
 from trident_eval.slam.tour_drive import LockstepDriver
+from trident_eval.slam.tour_node import scan_stamp_problem
 from trident_nav.core.velocity import Velocity
 
 PERIOD_S = 0.1
+
+
+class Refused:
+    """What was told."""
+
+    def __init__(self) -> None:
+        self.texts: list[str] = []
+
+    def note(self, _kind: str, text: str) -> None:
+        self.texts.append(text)
 
 
 class World:
@@ -25,6 +39,7 @@ class World:
 
     def __init__(self) -> None:
         self.answers: list[float] = []  # forward velocities
+        self.refusals = Refused()
         self.heard: Any = None
         self.time_s = 0.0
         self.moves = False  # has been answered, and is not at the next odometry yet
@@ -74,6 +89,7 @@ def world(monkeypatch: pytest.MonkeyPatch) -> World:
         world.heard = callback
 
     monkeypatch.setattr(tour_drive.rospy, "Publisher", lambda *_, **__: world)
+    monkeypatch.setattr(tour_drive, "Refusals", lambda: world.refusals)
     monkeypatch.setattr(tour_drive.rospy, "Subscriber", subscribe)
     return world
 
@@ -100,6 +116,33 @@ def test_what_is_done_between_two_drives_meets_a_world_that_stands(
     assert world.answers == [0.0] * 11 + [0.5] * 5 + [0.0] * 3
 
 
+class InterruptedWaitError(Exception):
+    """What ends a wait."""
+
+
+def test_a_signal_with_a_slow_handler_ends_the_wait_for_odometry(world: World) -> None:
+    caught: list[int] = []
+
+    def handle(number: int, _frame: object) -> None:
+        end = time.monotonic() + 5 * tour_drive._POLL_S
+        while time.monotonic() < end:
+            pass
+        caught.append(number)
+
+    def check() -> None:
+        if caught:
+            raise InterruptedWaitError
+
+    before = signal.signal(signal.SIGALRM, handle)
+    signal.setitimer(signal.ITIMER_REAL, 0.5 * tour_drive._POLL_S)
+    try:
+        with pytest.raises(InterruptedWaitError):
+            LockstepDriver(check, lambda: True).stand(1.0)
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0.0)
+        signal.signal(signal.SIGALRM, before)
+
+
 def test_a_drive_that_takes_too_long_ends(world: World, driver: LockstepDriver) -> None:
     assert not driver.drive(Follower(1000), 2.0)  # type: ignore[arg-type]
     assert not world.moves
@@ -112,3 +155,34 @@ def test_the_world_stands_at_the_odometry_that_the_tour_has_to_answer() -> None:
     params = [one for one in ElementTree.parse(file).iter("rosparam") if one.get("param")]
     answers = {one.get("param"): yaml.safe_load(one.text or "") for one in params}
     assert answers["/gazebo/answers/slam_tour"]["delay"] == 0.0
+
+
+def test_odometry_that_is_none_is_refused_and_not_answered(
+    world: World, driver: LockstepDriver
+) -> None:
+    message = Odometry()
+    message.pose.pose.orientation.w = 1.0
+    message.pose.pose.position.x = float("nan")
+    world.heard(message)
+    driver.stand(0.1)
+    assert world.answers == [0.0, 0.0]
+    assert world.refusals.texts == [
+        "odometry refused: position is (nan, 0, 0), legal: finite, up to +-1e+08"
+    ]
+
+
+@pytest.mark.parametrize(("stamp_s", "is_refused"), [(95, False), (105, False), (80, True)])
+def test_scans_of_another_time_than_the_robots_are_refused(stamp_s: int, is_refused: bool) -> None:
+    problem = scan_stamp_problem(rospy.Time(stamp_s), rospy.Time(100))
+    assert bool(problem) == is_refused
+    assert scan_stamp_problem(rospy.Time(4_000_000_000), rospy.Time(100)) != ""
+
+
+def test_transforms_that_would_end_the_process_are_refused() -> None:
+    transform = TransformStamped()
+    transform.transform.rotation.w = 1.0
+    assert transform_problem(transform) == ""
+    transform.header.stamp.secs = 2**32 - 1
+    assert transform_problem(transform) == "stamp is 4294967295 s, legal: below 2147000000"
+    transform.header.stamp.secs, transform.transform.rotation.w = 1, float("inf")
+    assert "legal: 1" in transform_problem(transform)

@@ -45,6 +45,6 @@ int main(int argc, char** argv) {
   private_node.param("y", goal.y, 0.0);
   private_node.param("z", goal.z, 1.0);
   private_node.param("yaw", goal.yaw, 0.0);
-  ros::Duration(kTimeForTheWorldToSettle_s).sleep();
+  if (!trident::wait_for(kTimeForTheWorldToSettle_s)) return 1;
   return sender.send(trident::trajectory_through({goal})) ? 0 : 1;
 }

@@ -12,6 +12,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto kPollPeriod = 10ms;
+constexpr auto kClockPollPeriod = 1ms;  // a world may run at a thousand times real time
 constexpr auto kNoticePeriod = 10s;
 // roscpp's socket thread sends within a millisecond, but does not say when it has; a socket that is
 // closed afterwards still delivers.
@@ -40,6 +41,19 @@ trajectory_msgs::MultiDOFJointTrajectory trajectory_through(
     trajectory.points.push_back(point);
   }
   return trajectory;
+}
+
+bool wait_for(double seconds) {
+  // In doubles: the sum of a ros::Time and a ros::Duration throws beyond 32 bits of seconds, which
+  // a strange clock may tell. Zero is no time yet.
+  double begin_s = 0.0;
+  while (ros::ok()) {
+    const double now_s = ros::Time::now().toSec();
+    if (begin_s == 0.0 || now_s < begin_s) begin_s = now_s;
+    if (begin_s > 0.0 && now_s - begin_s >= seconds) return true;
+    std::this_thread::sleep_for(kClockPollPeriod);
+  }
+  return false;
 }
 
 TrajectorySender::TrajectorySender(ros::NodeHandle& node)

@@ -14,6 +14,10 @@ namespace trident {
 /// One trajectory point per waypoint; time_from_start is the sum of the waits so far.
 trajectory_msgs::MultiDOFJointTrajectory trajectory_through(const std::vector<Waypoint>& waypoints);
 
+/// Waits for seconds of ROS time, from the first clock on; when time is set back, from there on
+/// again. False when the node was shut down meanwhile.
+bool wait_for(double seconds);
+
 /// Sends one trajectory on `command/trajectory` and sees that it arrives: RotorS' examples publish
 /// and exit, and lose the message when the controller has not connected yet, as it has not at fifty
 /// times real time.

@@ -22,10 +22,9 @@ int main(int argc, char** argv) {
   }
   try {
     const trident::Waypoint goal = trident::waypoint_from_words(words);
-    const double delay_s = words.size() == 5 ? trident::parse_number(words[4], "delay") : 1.0;
-    if (delay_s < 0.0) throw std::runtime_error("delay is " + words[4] + ": it must be >= 0 s");
+    const double delay_s = words.size() == 5 ? trident::parse_wait(words[4], "delay") : 1.0;
     trident::TrajectorySender sender(node);
-    ros::Duration(delay_s).sleep();
+    if (!trident::wait_for(delay_s)) return 1;
     return sender.send(trident::trajectory_through({goal})) ? 0 : 1;
   } catch (const std::runtime_error& error) {
     ROS_ERROR("waypoint_publisher: %s", error.what());

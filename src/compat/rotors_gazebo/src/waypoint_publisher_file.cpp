@@ -47,7 +47,7 @@ int main(int argc, char** argv) {
     ROS_INFO("Read %zu waypoints.", waypoints.size());
     trident::TrajectorySender sender(node);
     wait_for_first_imu_message(node);
-    ros::Duration(kTimeToReachTheFirstHover_s).sleep();
+    if (!trident::wait_for(kTimeToReachTheFirstHover_s)) return 1;
     return sender.send(trident::trajectory_through(waypoints)) ? 0 : 1;
   } catch (const std::runtime_error& error) {
     ROS_ERROR("waypoint_publisher_file: %s", error.what());

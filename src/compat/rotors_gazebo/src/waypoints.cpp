@@ -12,6 +12,7 @@ namespace trident {
 namespace {
 
 constexpr double kRadiansPerDegree = M_PI / 180.0;
+constexpr double kLongestWait_s = 1e9;  // a ros::Duration has 32 bits of seconds
 
 std::vector<std::string> words_of(std::string line) {
   std::replace(line.begin(), line.end(), ',', ' ');
@@ -24,10 +25,7 @@ Waypoint waypoint_from_line(const std::vector<std::string>& words, const std::st
     throw std::runtime_error(where + " has " + std::to_string(words.size()) +
                              " values: it must have 5, wait_time x y z yaw_deg");
   }
-  const double wait_s = parse_number(words[0], where + ", wait_time");
-  if (wait_s < 0.0) {
-    throw std::runtime_error(where + ", wait_time is " + words[0] + ": it must be >= 0 s");
-  }
+  const double wait_s = parse_wait(words[0], where + ", wait_time");
   return {wait_s, parse_number(words[1], where + ", x"), parse_number(words[2], where + ", y"),
           parse_number(words[3], where + ", z"),
           parse_number(words[4], where + ", yaw_deg") * kRadiansPerDegree};
@@ -45,13 +43,25 @@ double parse_number(const std::string& text, const std::string& what) {
   throw std::runtime_error(what + " is '" + text + "': it must be a finite number");
 }
 
+double parse_wait(const std::string& text, const std::string& what) {
+  const double wait_s = parse_number(text, what);
+  if (wait_s >= 0.0 && wait_s <= kLongestWait_s) return wait_s;
+  throw std::runtime_error(what + " is " + text + ": it must be >= 0 s, <= 1e9 s");
+}
+
 std::vector<Waypoint> read_waypoints(std::istream& in, const std::string& name) {
   std::vector<Waypoint> waypoints;
   std::string line;
+  double sum_s = 0.0;
   for (int number = 1; std::getline(in, line); ++number) {
     const std::vector<std::string> words = words_of(line);
     if (words.empty() || words.front().front() == '#') continue;
-    waypoints.push_back(waypoint_from_line(words, name + ", line " + std::to_string(number)));
+    const std::string where = name + ", line " + std::to_string(number);
+    waypoints.push_back(waypoint_from_line(words, where));
+    sum_s += waypoints.back().wait_s;
+    if (sum_s > kLongestWait_s) {
+      throw std::runtime_error(where + ": the waits up to here are more than 1e9 s");
+    }
   }
   if (waypoints.empty()) throw std::runtime_error(name + " has no waypoints");
   return waypoints;

@@ -22,6 +22,9 @@ std::vector<Waypoint> read_waypoints(std::istream& in, const std::string& name);
 /// Reads `x y z yaw_deg` from the command line. Throws std::runtime_error naming the word.
 Waypoint waypoint_from_words(const std::vector<std::string>& words);
 
+/// A number of seconds from 0 to 10^9, errors as of `parse_number`.
+double parse_wait(const std::string& text, const std::string& what);
+
 /// A finite number that is the whole of `text`; throws std::runtime_error naming `what` and `text`.
 double parse_number(const std::string& text, const std::string& what);
 

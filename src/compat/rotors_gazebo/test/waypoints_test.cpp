@@ -42,7 +42,12 @@ TEST(Waypoints, names_line_column_and_value_of_what_is_wrong) {
             "f.txt, line 2 has 4 values: it must have 5, wait_time x y z yaw_deg");
   EXPECT_EQ(error_of("1 2 three 4 5\n"), "f.txt, line 1, y is 'three': it must be a finite number");
   EXPECT_EQ(error_of("1 2 3 inf 5\n"), "f.txt, line 1, z is 'inf': it must be a finite number");
-  EXPECT_EQ(error_of("-1 2 3 4 5\n"), "f.txt, line 1, wait_time is -1: it must be >= 0 s");
+  EXPECT_EQ(error_of("-1 2 3 4 5\n"),
+            "f.txt, line 1, wait_time is -1: it must be >= 0 s, <= 1e9 s");
+  EXPECT_EQ(error_of("1e308 2 3 4 5\n"),
+            "f.txt, line 1, wait_time is 1e308: it must be >= 0 s, <= 1e9 s");
+  EXPECT_EQ(error_of("1e9 2 3 4 5\n1 2 3 4 5\n"),
+            "f.txt, line 2: the waits up to here are more than 1e9 s");
   EXPECT_EQ(error_of("\n# only this\n"), "f.txt has no waypoints");
 }
 

@@ -62,6 +62,11 @@ def test_a_bad_speed_is_named(speed: float) -> None:
         Driver(speed=speed)
 
 
+def test_speeds_cannot_grow_into_what_is_no_number() -> None:
+    with pytest.raises(ValueError, match=r"~turn_limit is inf, legal: a finite number > 0"):
+        Driver(turn_limit=math.inf)
+
+
 def test_opposite_keys_are_opposite() -> None:
     for one, other in [("i", ","), ("j", "l"), ("J", "L"), ("U", ">"), ("O", "M"), ("t", "b")]:
         assert MOVES[one] == tuple(-value for value in MOVES[other])

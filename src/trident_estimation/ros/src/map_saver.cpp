@@ -11,6 +11,7 @@
 #include "trident_estimation/map_file.h"
 #include "trident_estimation_ros/map_messages.h"
 #include "trident_estimation_ros/map_server_node.h"
+#include "trident_ros/refusals.h"
 
 namespace trident {
 namespace {
@@ -52,6 +53,18 @@ SaverOptions parse_options(int argc, char** argv) {
   return options;
 }
 
+bool save_or_tell(const SaverOptions& options, const OccupancyGrid& grid) {
+  try {
+    save_map(options.name, grid, options.thresholds);
+  } catch (const Error& error) {
+    ROS_FATAL("%s", error.what());
+    return false;
+  }
+  ROS_INFO("%s.pgm and .yaml: %d x %d cells of %.3f m", options.name.c_str(), grid.width,
+           grid.height, grid.resolution);
+  return true;
+}
+
 }  // namespace
 
 int map_saver_main(int argc, char** argv) {
@@ -60,19 +73,19 @@ int map_saver_main(int argc, char** argv) {
   try {
     const SaverOptions options = parse_options(argc, argv);
     ros::NodeHandle node;
+    Refusals refusals(node);
     const boost::function<void(const nav_msgs::OccupancyGrid&)> save =
         [&](const nav_msgs::OccupancyGrid& message) {
           if (result >= 0) return;
+          OccupancyGrid grid;
           try {
-            save_map(options.name, from_map_message(message), options.thresholds);
-            ROS_INFO("%s.pgm and .yaml: %u x %u cells of %.3f m", options.name.c_str(),
-                     message.info.width, message.info.height,
-                     static_cast<double>(message.info.resolution));
-            result = 0;
+            grid = from_map_message(message);
           } catch (const Error& error) {
-            ROS_FATAL("%s", error.what());
-            result = 1;
+            refusals.note("map refused",
+                          std::string("map refused, still waiting: ") + error.what());
+            return;
           }
+          result = save_or_tell(options, grid) ? 0 : 1;
         };
     const ros::Subscriber subscriber = node.subscribe<nav_msgs::OccupancyGrid>(
         "map", 1, [&save](const nav_msgs::OccupancyGridConstPtr& message) { save(*message); });

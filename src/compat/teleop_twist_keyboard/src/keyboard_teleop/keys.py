@@ -68,8 +68,8 @@ class Velocity:
 def _check(name: str, value: float, limit: float) -> None:
     if not (math.isfinite(value) and value > 0):
         raise ValueError(f"~{name} is {value:g}, legal: a finite number > 0")
-    if not limit > 0:
-        raise ValueError(f"~{name}_limit is {limit:g}, legal: > 0")
+    if not (math.isfinite(limit) and limit > 0):
+        raise ValueError(f"~{name}_limit is {limit:g}, legal: a finite number > 0")
 
 
 class Driver:
@@ -91,7 +91,7 @@ class Driver:
             turn_limit: of the angular speed [rad/s].
 
         Raises:
-            ValueError: a speed is not finite and > 0, or a limit is not > 0.
+            ValueError: a speed is not finite and > 0, or a limit is not, either.
         """
         _check("speed", speed, speed_limit)
         _check("turn", turn, turn_limit)

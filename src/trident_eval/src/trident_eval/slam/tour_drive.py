@@ -23,6 +23,8 @@ from nav_msgs.msg import Odometry
 from trident_nav.core.velocity import STOP, Velocity
 from trident_nav.core.waypoints import WaypointFollower
 
+from trident_ros import Refusals, pose_problem, stamp_problem
+
 SIMULATOR = "/gazebo"
 _POLL_S = 0.02
 _REPORT_S = 10.0
@@ -42,10 +44,20 @@ class LockstepDriver:
             may_go_on: whether the world may pass the odometry that was heard last.
         """
         self._check, self._may_go_on = check, may_go_on
-        self._heard: queue.SimpleQueue[Odometry] = queue.SimpleQueue()
+        # No SimpleQueue: its get() with a timeout waits for ever after a signal whose handler
+        # takes longer than that, as rospy's does (CPython 3.11).
+        self._heard: queue.Queue[Odometry] = queue.Queue()
         self._open: Odometry | None = None  # was heard, and is not answered yet
         self._velocity = rospy.Publisher("cmd_vel", Twist, queue_size=10, tcp_nodelay=True)
-        rospy.Subscriber("ground_truth/odom", Odometry, self._heard.put, tcp_nodelay=True)
+        self._refusals = Refusals()
+        rospy.Subscriber("ground_truth/odom", Odometry, self._on_odometry, tcp_nodelay=True)
+
+    def _on_odometry(self, odometry: Odometry) -> None:
+        problem = pose_problem(odometry.pose.pose) or stamp_problem(odometry.header.stamp)
+        if problem:
+            self._refusals.note("odometry refused", f"odometry refused: {problem}")
+            return
+        self._heard.put(odometry)
 
     def stand(self, seconds: float) -> None:
         """Stand still for an amount of simulated time; afterwards the world stands, too."""

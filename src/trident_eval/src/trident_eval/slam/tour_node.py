@@ -31,13 +31,15 @@ from std_srvs.srv import Empty
 from trident_nav.core.errors import NavError
 from trident_nav.core.waypoints import FollowerConfig, WaypointFollower
 
+from trident_eval.slam.checked_buffer import CheckedBuffer
 from trident_eval.slam.scan_poses import Poses, ScanPoses
 from trident_eval.slam.tour import LOCALIZATION, MAPPING, RECORD, TRUTH, write_tum
 from trident_eval.slam.tour_drive import SIMULATOR, LockstepDriver, is_sent
+from trident_ros import Refusals, pose_problem, stamp_problem
 
 _ROBOT = "ground_robot.launch"
 _MAP, _BASE, _ODOM = "map", "base_footprint", "odom"
-_BUFFER_S = 20.0  # of simulated time that transforms are kept for
+_PATIENCE_S = 10.0  # of simulated time that scans and transforms may be apart
 _STOP_LIMIT_S = 20.0  # wall time
 _DRIVE_LIMIT_S = 1800.0  # simulated time
 _STAND_S = 2.0  # of simulated time, in which a node that has started hears its first scans
@@ -50,6 +52,17 @@ _FAILURES = (rospy.ROSException, rospy.ServiceException, tf2_ros.TransformExcept
 
 class TourError(RuntimeError):
     """The tour cannot go on; the text says why."""
+
+
+def scan_stamp_problem(stamp: rospy.Time, now: rospy.Time) -> str:
+    """Why nobody will ever know the robot's place at this stamp, or ""."""
+    problem = stamp_problem(stamp)
+    if problem or abs((stamp - now).to_sec()) <= _PATIENCE_S:
+        return problem
+    return (
+        f"stamp is {stamp.to_sec():.3f} s, legal: within {_PATIENCE_S:g} s of the newest odometry,"
+        f" {now.to_sec():.3f} s"
+    )
 
 
 class Tour:
@@ -65,8 +78,10 @@ class Tour:
         self._lock = threading.Lock()
         self._estimate: ScanPoses | None = None
         self._truth = Poses()
+        self._now = rospy.Time()  # of the newest truth
+        self._refusals = Refusals()
         self._has_map = False
-        self._buffer = tf2_ros.Buffer(rospy.Duration.from_sec(_BUFFER_S))
+        self._buffer = CheckedBuffer(rospy.Duration.from_sec(2 * _PATIENCE_S))
         self._listener = tf2_ros.TransformListener(self._buffer)
         rospy.Subscriber("ground_truth/odom", Odometry, self._on_truth)
         rospy.Subscriber("scan", LaserScan, self._on_scan)
@@ -167,6 +182,9 @@ class Tour:
 
     def _on_truth(self, message: Odometry) -> None:
         pose = message.pose.pose
+        if pose_problem(pose) or stamp_problem(message.header.stamp):
+            return  # the driver, who hears it too, tells it
+        self._now = message.header.stamp
         self._truth.add(message.header.stamp, pose.position, pose.orientation)
 
     def _on_diagnostics(self, message: DiagnosticArray) -> None:
@@ -175,6 +193,10 @@ class Tour:
                 self._has_map = status.message != "no map yet"
 
     def _on_scan(self, message: LaserScan) -> None:
+        problem = scan_stamp_problem(message.header.stamp, self._now)
+        if problem:
+            self._refusals.note("scan refused", f"scan refused: {problem}")
+            return
         with self._lock:
             if self._estimate is not None:
                 self._estimate.add(message.header.stamp)

@@ -21,8 +21,10 @@ from gazebo_msgs.srv import (
 
 from trident_eval.core.errors import EvalError
 from trident_eval.core.framing import Sphere
+from trident_ros import point_problem
 
 _SERVICE_LIMIT_S = 300.0
+_MOST_MODELS = 5000  # each costs two calls and some more
 _MOST_LINKS = 12  # that are asked for their size
 _LEAST_RADIUS_M = 0.12
 _SCENERY_RADIUS_M = 1.0  # of what stands still nobody knows the size
@@ -36,11 +38,13 @@ def models_in_the_world() -> list[Sphere]:
     """Every model but the ground, those that move first.
 
     Raises:
-        EvalError: there is no simulator.
+        EvalError: there is no simulator, or more models than can be asked about.
     """
     try:
         rospy.wait_for_service("/gazebo/get_world_properties", _SERVICE_LIMIT_S)
         names = rospy.ServiceProxy("/gazebo/get_world_properties", GetWorldProperties)().model_names
+        if len(names) > _MOST_MODELS:
+            raise EvalError(f"{len(names)} models in the world, legal: up to {_MOST_MODELS}")
         found = [_sphere(name) for name in names if not _NO_FEATURE.fullmatch(name.lower())]
     except (rospy.ROSException, rospy.ServiceException) as error:
         raise EvalError(f"no simulator: {error}") from error
@@ -50,15 +54,15 @@ def models_in_the_world() -> list[Sphere]:
 
 
 def _sphere(name: str) -> Sphere | None:
-    """A model's sphere; None for one that has gone, or whose place is no number."""
+    """A model's sphere; None for one that has gone, or whose place is none."""
     model = rospy.ServiceProxy("/gazebo/get_model_properties", GetModelProperties)(name)
     state = rospy.ServiceProxy("/gazebo/get_model_state", GetModelState)(name, "")
     if not (model.success and state.success):
         return None
     at = state.pose.position
-    centre = (at.x, at.y, at.z)
-    if not all(math.isfinite(value) for value in centre):
+    if point_problem("position", at):
         return None
+    centre = (at.x, at.y, at.z)
     radius_m = _SCENERY_RADIUS_M if model.is_static else _radius(name, model.body_names, centre)
     return Sphere(name, centre, radius_m, not model.is_static, bool(model.joint_names))
 

@@ -16,6 +16,7 @@ from std_srvs.srv import Empty
 
 from trident_eval.viewing.launch_nodes import wait_for_nodes
 from trident_msgs.srv import Step
+from trident_ros import LATEST_STAMP_S
 
 _START_LIMIT_S = 300.0  # on a loaded machine; whoever has started it sees it end
 _NODES_LIMIT_S = 300.0
@@ -24,6 +25,19 @@ _POLL_S = 0.1
 _CONNECT_S = 1.0
 _CHUNK_S = 0.05  # of simulated time, so that whoever watches can follow
 _PACE = 5.0
+_SHORTEST_STEP_S = 1e-6
+
+
+def _checked(name: str, value_s: float, least_s: float) -> float:
+    """A time of a service's answer [s].
+
+    Raises:
+        rospy.ROSException: it is none.
+    """
+    if not least_s <= value_s <= LATEST_STAMP_S:
+        legal = f"{least_s:g} to {LATEST_STAMP_S:g} s"
+        raise rospy.ROSException(f"the simulator's {name} is {value_s:g} s, legal: {legal}")
+    return value_s
 
 
 class Held:
@@ -33,7 +47,7 @@ class Held:
         """Wait for the simulator.
 
         Raises:
-            rospy.ROSException: there is none.
+            rospy.ROSException: there is none, or it tells a time that is none.
         """
         rospy.wait_for_service("/gazebo/step", _START_LIMIT_S)
         self._pause = rospy.ServiceProxy("/gazebo/pause_physics", Empty)
@@ -41,12 +55,12 @@ class Held:
         self._world = rospy.ServiceProxy("/gazebo/get_world_properties", GetWorldProperties)
         physics = rospy.ServiceProxy("/gazebo/get_physics_properties", GetPhysicsProperties)
         self.pause()
-        self.dt_s = float(physics().time_step)
+        self.dt_s = _checked("time_step", float(physics().time_step), _SHORTEST_STEP_S)
 
     def pause(self) -> None:
         """Pause it, also if somebody else has unpaused it, and note where it stands."""
         self._pause()
-        self.time_s = float(self._world().sim_time)
+        self.time_s = _checked("sim_time", float(self._world().sim_time), 0.0)
 
     def step_once(self) -> None:
         """Go on by a step; errors as `advance_to`."""
@@ -60,7 +74,8 @@ class Held:
             pace: how many times faster than real time, at most; inf: as fast as it goes.
 
         Raises:
-            rospy.ROSException: it is past that; it refuses, however often it is paused.
+            rospy.ROSException: it is past that; it refuses, or stands still, however often it is
+                paused.
         """
         refused = 0
         begin, begin_s = time.monotonic(), self.time_s
@@ -68,17 +83,20 @@ class Held:
             left = round((time_s - self.time_s) / self.dt_s)
             if left < 0:
                 raise rospy.ROSException(f"it is {self.time_s:.3f} s already, past {time_s:.3f} s")
+            due = begin + (self.time_s - begin_s) / pace
+            time.sleep(max(0.0, due - time.monotonic()))
             if left == 0:
                 return
             response = self._step(n=min(left, max(1, round(_CHUNK_S / self.dt_s))))
-            if response.success:
-                self.time_s, refused = response.sim_time.to_sec(), 0
-                due = begin + (self.time_s - begin_s) / pace
-                time.sleep(max(0.0, due - time.monotonic()))
+            time_after_s = response.sim_time.to_sec()
+            if response.success and time_after_s > self.time_s:
+                self.time_s, refused = time_after_s, 0
                 continue
             refused += 1
             if refused == _TRIES:
-                raise rospy.ROSException(response.message)
+                raise rospy.ROSException(
+                    f"it stands at {self.time_s:.3f} s: {response.message or 'it does not step'}"
+                )
             self.pause()
         raise rospy.ROSInterruptException("interrupted")
 
@@ -138,6 +156,6 @@ def main(arguments: list[str] | None = None) -> int:
             wait_for_viewer()
         held.advance_to(options.time_s, options.pace or math.inf)
         return 0
-    except rospy.ROSException as error:
+    except (rospy.ROSException, rospy.ServiceException) as error:
         rospy.logerr("the simulation cannot be held: %s", error)
     return 1

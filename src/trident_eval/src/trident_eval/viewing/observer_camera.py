@@ -20,7 +20,7 @@ from geometry_msgs.msg import Point, Pose, Quaternion
 from sensor_msgs.msg import Image
 
 from trident_eval.core.errors import EvalError
-from trident_ros import Refusals, quoted, stamp_problem
+from trident_ros import Refusals, point_problem, quoted, stamp_problem
 
 _SERVICE_LIMIT_S = 20.0
 _GONE_POLL_S = 1.0
@@ -292,7 +292,7 @@ def place_of(model: str, wait_s: float = 0.0) -> Place:
         wait_s: how long it may take to come, in wall-clock time [s].
 
     Raises:
-        EvalError: there is none of that name, or no simulator.
+        EvalError: there is none of that name, it is nowhere, or no simulator.
     """
     give_up = time.monotonic() + wait_s
     while True:
@@ -307,4 +307,7 @@ def place_of(model: str, wait_s: float = 0.0) -> Place:
             raise EvalError(f"model {model}: {answer.status_message}")
         rospy.rostime.wallsleep(_MODEL_POLL_S)
     place = answer.pose.position
+    problem = point_problem("position", place)
+    if problem:
+        raise EvalError(f"model {model}: {problem}")
     return place.x, place.y, place.z

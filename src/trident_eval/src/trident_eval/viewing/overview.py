@@ -62,17 +62,25 @@ def main(arguments: list[str] | None = None) -> int:
     options = parser.parse_args(rospy.myargv(arguments or sys.argv)[1:])
     rospy.init_node("overview", anonymous=True)
     try:
-        width, height = (int(word) for word in options.size.split("x"))
-        lens = Lens(width, height, _FOV_RAD)
+        lens = _lens(options.size)
         if options.stream:
             return _stream(lens)
         held = _held(options.nodes) if options.hold else None
         stamp_s = _take(lens, held, options.at, options.out)
-    except (EvalError, rospy.ROSException) as error:
+    except (EvalError, rospy.ROSException, rospy.ServiceException) as error:
         print(f"overview: {error}", file=sys.stderr)
         return 1
     print(f"{options.out}: t = {stamp_s:.3f} s", flush=True)
     return 0
+
+
+def _lens(size: str) -> Lens:
+    try:
+        width, height = (int(word) for word in size.split("x"))
+    except ValueError as error:
+        raise EvalError(f"--size: '{size}', legal: WIDTHxHEIGHT") from error
+    View(width=width, height=height).validate()
+    return Lens(width, height, _FOV_RAD)
 
 
 def _stream(lens: Lens) -> int:
@@ -81,7 +89,7 @@ def _stream(lens: Lens) -> int:
     while not rospy.is_shutdown():
         try:
             _publish(lens, publisher)
-        except (EvalError, rospy.ROSException) as error:
+        except (EvalError, rospy.ROSException, rospy.ServiceException) as error:
             # A world that stands, is reset or is still empty is looked at again.
             rospy.loginfo("overview: %s", error)
             rospy.rostime.wallsleep(_AGAIN_S)

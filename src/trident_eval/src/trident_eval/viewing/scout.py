@@ -18,6 +18,7 @@ from sensor_msgs.msg import Image
 
 from trident_eval.core.errors import EvalError
 from trident_eval.core.framing import Lens, Sphere, Stand, hidden, standing_out
+from trident_ros import Refusals, quoted
 
 Depth = npt.NDArray[np.float64]
 
@@ -29,6 +30,7 @@ _FAR_M = 2000.0
 _LIMIT_S = 300.0
 _MOST_STEPS = 20
 _CONNECT_S = 0.2
+_DEPTH_BYTES = 4  # of a pixel, a float32
 
 
 def best_of(
@@ -83,6 +85,18 @@ def _look(stands: Sequence[Stand], lens: Lens, step: Callable[[], None] | None) 
         return scouts.depths(step)
 
 
+def depth_problem(image: Image, lens: Lens) -> str:
+    """Why these are not the depths that a camera with this lens sees, or ""."""
+    if image.encoding != "32FC1" or image.is_bigendian:
+        return f"encoding '{quoted(image.encoding)}', legal: 32FC1, little-endian"
+    if (image.width, image.height) != (lens.width, lens.height):
+        return f"{image.width} x {image.height} pixels, legal: {lens.width} x {lens.height}"
+    size, row = len(image.data), _DEPTH_BYTES * image.width
+    if image.step >= row and image.step % _DEPTH_BYTES == 0 and image.height * image.step == size:
+        return ""
+    return f"{size} bytes in rows of {image.step}, legal: {image.height} rows of {row} bytes"
+
+
 class _Scouts:
     """The cameras, while they are in the world."""
 
@@ -92,6 +106,7 @@ class _Scouts:
         self._arrived = threading.Condition()
         self._depths: dict[int, Depth] = {}
         self._subscribers: list[rospy.Subscriber] = []
+        self._refusals = Refusals()
 
     def __enter__(self) -> _Scouts:
         spawn = rospy.ServiceProxy("/gazebo/spawn_sdf_model", SpawnModel)
@@ -133,8 +148,13 @@ class _Scouts:
         return len(self._depths) == len(self._stands)
 
     def _on_depth(self, image: Image, index: int) -> None:
+        problem = depth_problem(image, self._lens)
+        if problem:
+            self._refusals.note("depth image refused", f"depth image refused: {problem}")
+            return
         with self._arrived:
-            rows = np.frombuffer(image.data, np.float32).reshape(image.height, image.step // 4)
+            rows = np.frombuffer(image.data, np.float32)
+            rows = rows.reshape(image.height, image.step // _DEPTH_BYTES)
             self._depths.setdefault(index, rows[:, : image.width].astype(np.float64))
             self._arrived.notify_all()
 

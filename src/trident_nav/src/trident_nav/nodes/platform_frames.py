@@ -80,8 +80,9 @@ def main() -> int:
     frames = []
     try:
         for name, values in sorted(rospy.get_param("/").items()):
-            if isinstance(values, dict) and "start" in (values.get("mission") or {}):
-                frames += frames_of(name, values["mission"])
+            mission = values.get("mission") if isinstance(values, dict) else None
+            if isinstance(mission, dict) and "start" in mission:
+                frames += frames_of(name, mission)
         if rospy.get_param("~earth", False):
             frames.append(earth_frame())
     except NavError as error:

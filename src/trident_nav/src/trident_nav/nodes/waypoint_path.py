@@ -18,9 +18,10 @@ import rospy
 from geometry_msgs.msg import PoseStamped
 from nav_msgs.msg import Path
 
-from trident_msgs.srv import EnrollSource
+from trident_msgs.srv import EnrollSource, EnrollSourceResponse
 from trident_nav.core.errors import NavError
 from trident_nav.core.places import from_start
+from trident_ros import quoted, stamp_problem
 
 _ENROLL = "/gazebo/enroll_source"
 _SPAWN = "/gazebo/spawn_urdf_model"
@@ -60,17 +61,25 @@ def enrol(vehicle: str) -> rospy.Time | None:
     source = {"node": rospy.get_name(), "vehicles": [vehicle], "period": period, "enroll": True}
     try:
         answer = ask(**source)
-        if answer.success:
+        if not enrolment_problem(answer):
             # One set-point is all that there will be.
             answer = ask(end_time=answer.start_time + period, **source)
     except (rospy.ROSException, rospy.ServiceException) as error:
         rospy.logwarn("waypoint_path: %s: %s", _ENROLL, error)
         return None
-    if not answer.success:
-        rospy.logwarn("waypoint_path: %s: refused: %s", _ENROLL, answer.message)
+    problem = enrolment_problem(answer)
+    if problem:
+        rospy.logwarn("waypoint_path: %s: %s", _ENROLL, problem)
         return None
     start: rospy.Time = answer.start_time
     return start
+
+
+def enrolment_problem(answer: EnrollSourceResponse) -> str:
+    """Why a path does not count from this answer's time on, or ""."""
+    if not answer.success:
+        return f"refused: {quoted(answer.message)}"
+    return stamp_problem(answer.start_time)
 
 
 def offers_lockstep() -> bool:

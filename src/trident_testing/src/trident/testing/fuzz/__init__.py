@@ -8,12 +8,23 @@ In a test:
     found = campaign.run()
     assert not found.problems, found.text()
 
+Nodes that call services get hostile answers from a `HostileServer`.
+
 By hand, on a node that runs anywhere: `rosrun trident_testing fuzz_node /amcl --messages 100000`.
 """
 
 from trident.testing.fuzz.campaign import Campaign, CampaignOptions, Findings
 from trident.testing.fuzz.finite import non_finite
 from trident.testing.fuzz.generator import Generator
+from trident.testing.fuzz.server import HostileServer
 from trident.testing.fuzz.target import Target
 
-__all__ = ["Campaign", "CampaignOptions", "Findings", "Generator", "Target", "non_finite"]
+__all__ = [
+    "Campaign",
+    "CampaignOptions",
+    "Findings",
+    "Generator",
+    "HostileServer",
+    "Target",
+    "non_finite",
+]
