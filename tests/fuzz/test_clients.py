@@ -126,7 +126,7 @@ def test_overview_asks(ros: Ros, tmp_path: Path) -> None:
             with suppress(EvalError):
                 assert all(map(math.isfinite, place_of("box")))
     with server({**SHOWING, **HOLDING}, get_world_properties=WORLD) as answers:
-        # Once: it may wait 15 s for pictures of a camera that the answer claims to be there.
+        # Once: it is the slowest of them.
         words = ("--hold", f"--out={tmp_path / 'all.png'}")
         treat_starts(ros, "trident_eval", "overview.py", *words, starts=1)
     assert not answers.problems, answers.problems

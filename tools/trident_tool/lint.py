@@ -8,6 +8,7 @@ import os
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
+from trident_tool.markdown import check_pages
 from trident_tool.thread_safety import run_thread_safety
 from trident_tool.tidy import run_clang_tidy
 from trident_tool.workspace import Runner, TridentError, Workspace, base_environment
@@ -106,12 +107,21 @@ def _thread_safety(workspace: Workspace, runner: Runner, fix: bool) -> int:
     return run_thread_safety(workspace, runner)
 
 
+def _markdown(workspace: Workspace, runner: Runner, fix: bool) -> int:
+    pages = [path for path in source_files(workspace.root) if path.suffix == ".md"]
+    if runner.dry_run:
+        print("check the links and lines of", *pages)
+        return 0
+    return check_pages(pages, workspace.root, fix)
+
+
 CHECKS: dict[str, Callable[[Workspace, Runner, bool], int]] = {
     "clang-format": _clang_format,
     "ruff": _ruff,
     "mypy": _mypy,
     "clang-tidy": _clang_tidy,
     "thread-safety": _thread_safety,
+    "markdown": _markdown,
 }
 
 

@@ -1,0 +1,110 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""Checks of the documentation: links lead somewhere, lines are of a length that can be read."""
+
+from __future__ import annotations
+
+import re
+import textwrap
+from collections.abc import Iterator
+from pathlib import Path
+
+MAX_COLUMNS = 120
+_LINK = re.compile(r"\]\(([^)\s]+)\)")
+_HEADING = re.compile(r"^#{1,6}\s+(.*)$")
+_LIST_ITEM = re.compile(r"^(\s*(?:[-*]|\d+\.)\s+|\s*)")
+_OUTSIDE = ("http://", "https://", "mailto:")
+
+
+def prose_lines(text: str) -> Iterator[tuple[int, str]]:
+    """Number and text of each line that is neither in a code block nor of a table."""
+    is_code = False
+    for number, line in enumerate(text.splitlines(), start=1):
+        if line.lstrip().startswith("```"):
+            is_code = not is_code
+        elif not is_code and not line.lstrip().startswith("|"):
+            yield number, line
+
+
+def anchors(text: str) -> set[str]:
+    """The anchors of a page's headings, as its viewers make them."""
+    found = set()
+    for _, line in prose_lines(text):
+        heading = _HEADING.match(line)
+        if heading:
+            words = re.sub(r"[^\w\- ]", "", heading[1].lower())
+            found.add(words.replace(" ", "-"))
+    return found
+
+
+def problems(path: Path, root: Path) -> list[str]:
+    """What is wrong with a page, a line each: file, line, what.
+
+    Args:
+        path: the page.
+        root: of the clone, for the names of files.
+    """
+    text = path.read_text(encoding="utf-8")
+    name = path.relative_to(root)
+    found = []
+    for number, line in enumerate(text.splitlines(), start=1):
+        for target in _LINK.findall(line):
+            problem = _link_problem(path, target, text)
+            if problem:
+                found.append(f"{name}:{number}: {problem}")
+    for number, line in prose_lines(text):
+        if len(line) > MAX_COLUMNS and " " in line.strip() and not line.lstrip().startswith("!["):
+            found.append(f"{name}:{number}: {len(line)} columns, legal: up to {MAX_COLUMNS}")
+    return found
+
+
+def _link_problem(page: Path, target: str, text: str) -> str:
+    """Why a link leads nowhere, or ""."""
+    if target.startswith(_OUTSIDE):
+        return ""
+    file, _, anchor = target.partition("#")
+    linked = page.parent / file if file else page
+    if not linked.exists():
+        return f"link to '{target}': there is no {file}"
+    if anchor and linked.suffix == ".md":
+        known = anchors(text if not file else linked.read_text(encoding="utf-8"))
+        if anchor not in known:
+            return f"link to '{target}': no heading has this anchor"
+    return ""
+
+
+def wrapped(text: str) -> str:
+    """The same page with its long lines of prose broken."""
+    long = {
+        number: line
+        for number, line in prose_lines(text)
+        if len(line) > MAX_COLUMNS and not line.startswith(("#", "!["))
+    }
+    lines: list[str] = []
+    for number, line in enumerate(text.splitlines(), start=1):
+        if number not in long:
+            lines.append(line)
+            continue
+        marker = _LIST_ITEM.match(line)
+        indent = " " * len(marker[1]) if marker else ""
+        lines += textwrap.wrap(
+            line,
+            MAX_COLUMNS,
+            subsequent_indent=indent,
+            break_long_words=False,
+            break_on_hyphens=False,
+        )
+    return "\n".join(lines) + "\n"
+
+
+def check_pages(pages: list[Path], root: Path, fix: bool) -> int:
+    """Check all pages, after breaking their long lines if `fix`; returns 1 if one has a problem."""
+    found: list[str] = []
+    for page in pages:
+        if fix:
+            page.write_text(wrapped(page.read_text(encoding="utf-8")), encoding="utf-8")
+        found += problems(page, root)
+    for problem in found:
+        print(problem)
+    print(f"markdown: {len(found)} problems in {len(pages)} pages")
+    return int(bool(found))
