@@ -167,9 +167,12 @@ MatchResult match_lines(const SurfelMap& reference, const PointScan& scan, const
     constexpr double kPriorKernel = 9.0;  // squared standard deviations
     const double trust =
         prior.is_firm ? 1.0 : 1.0 / (1.0 + off.dot(prior.information * off) / kPriorKernel);
-    Eigen::Matrix3d H = sums.H + trust * prior.information;
+    Eigen::Matrix3d H = sums.H;
+    Eigen::Vector3d g = sums.g;
+    if (prior.is_independent) keep_what_is_told(range, &H, &g);
+    H += trust * prior.information;
     H.diagonal() += Eigen::Vector3d(1e-3, 1e-3, 1e-3);  // no returns at all: stay where we are
-    const Eigen::Vector3d g = sums.g + trust * prior.information * off;
+    g += trust * prior.information * off;
     const Eigen::Vector3d step = -H.ldlt().solve(g);
     T = SE2::from_xy_yaw(T.p.x() + step.x(), T.p.y() + step.y(), T.angle + step.z());
     result.covariance = H.inverse();

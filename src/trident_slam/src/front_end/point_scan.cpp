@@ -93,7 +93,7 @@ struct Scatter {
 /// the beam grazes the surface the regression knows too little, and where both differ by more than
 /// that effect can be it is no line.
 Eigen::Vector2f line_normal(const Scatter& s, const Eigen::Vector2f& beam) {
-  constexpr double kThickest = 0.04;  // [m], standard deviation across the line
+  constexpr double kThickest = 0.06;  // [m], standard deviation across the line
   if (s.across > kThickest * kThickest || s.across > 0.1 * s.along) return Eigen::Vector2f::Zero();
   // Eigenvector of the smaller eigenvalue, from the row of the matrix that does not cancel.
   const Eigen::Vector2d plain = (s.xx > s.yy ? Eigen::Vector2d(-s.xy, s.along - s.yy)

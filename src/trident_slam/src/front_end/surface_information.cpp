@@ -27,6 +27,13 @@ struct Axes {
     values = solver.eigenvalues();
     directions = solver.eigenvectors();
   }
+  /// Of each direction, the part that is told by surfaces and not by errors of their normals.
+  Eigen::Vector3d told() const {
+    constexpr double kAll = Degeneracy::kDegenerateRatio;
+    const Eigen::Vector3d ratios = values / std::max(values[2], 1e-12);
+    return ((ratios.array() - kNoise) / (kAll - kNoise)).max(0.0).min(1.0);
+  }
+
   Eigen::Vector3d to_metres;
   Eigen::Vector3d values;
   Eigen::Matrix3d directions;
@@ -67,17 +74,27 @@ Eigen::Matrix3d without_noise(const Eigen::Matrix3d& information, double range) 
 
 SE2 held_where_degenerate(const SE2& T, const SE2& anchor, const Eigen::Matrix3d& information,
                           double range) {
-  constexpr double kAll = Degeneracy::kDegenerateRatio;
   const Axes axes(information, range);
-  const Eigen::Vector3d ratios = axes.values / std::max(axes.values[2], 1e-12);
-  const Eigen::Vector3d told = ((ratios.array() - kNoise) / (kAll - kNoise)).max(0.0).min(1.0);
   const Eigen::Vector3d moved(T.p.x() - anchor.p.x(), T.p.y() - anchor.p.y(),
                               angle_difference(T.angle, anchor.angle));
   const Eigen::Vector3d along = axes.directions.transpose() * axes.to_metres.cwiseProduct(moved);
   const Eigen::Vector3d kept =
-      (axes.directions * told.cwiseProduct(along)).cwiseQuotient(axes.to_metres);
+      (axes.directions * axes.told().cwiseProduct(along)).cwiseQuotient(axes.to_metres);
   return SE2::from_xy_yaw(anchor.p.x() + kept.x(), anchor.p.y() + kept.y(),
                           anchor.angle + kept.z());
+}
+
+void keep_what_is_told(double range, Eigen::Matrix3d* information, Eigen::Vector3d* gradient) {
+  const Axes axes(*information, range);
+  const Eigen::Vector3d told = axes.told();
+  if ((told.array() == 1.0).all()) return;
+  const Eigen::Matrix3d scaled = axes.directions *
+                                 told.cwiseProduct(axes.values).asDiagonal() *
+                                 axes.directions.transpose();
+  *information = axes.to_metres.asDiagonal() * scaled * axes.to_metres.asDiagonal();
+  const Eigen::Vector3d along =
+      axes.directions.transpose() * gradient->cwiseQuotient(axes.to_metres);
+  *gradient = axes.to_metres.cwiseProduct(axes.directions * told.cwiseProduct(along));
 }
 
 double mean_range(const PointScan& scan) {

@@ -28,6 +28,11 @@ Eigen::Matrix3d without_noise(const Eigen::Matrix3d& information, double range);
 SE2 held_where_degenerate(const SE2& T, const SE2& anchor, const Eigen::Matrix3d& information,
                           double range);
 
+/// Takes away, by the same ramp, what `information` and `gradient` of a cost tell along directions
+/// of too small eigenvalues. A prior that is independent of the scans counts alone there: errors of
+/// the normals pull to the same side at every scan.
+void keep_what_is_told(double range, Eigen::Matrix3d* information, Eigen::Vector3d* gradient);
+
 /// Mean distance of a scan's points from the base [m].
 double mean_range(const PointScan& scan);
 

@@ -43,6 +43,7 @@ const MaxPyramid& ScanTracker::hits_about(const Eigen::Vector2d& p_map) {
 
 PosePrior ScanTracker::Guess::prior() const {
   PosePrior prior;
+  prior.is_independent = is_by_wheels;
   prior.T_ref_base = T_map_base;
   prior.information.diagonal() << 1.0 / (s_p * s_p), 1.0 / (s_p * s_p), 1.0 / (s_yaw * s_yaw);
   return prior;
@@ -87,6 +88,7 @@ ScanTracker::Guess ScanTracker::guess(const OdometryMotion::Step& step) {
     guess.s_p = step.by_scans->s_p;
     guess.s_yaw = step.by_scans->s_yaw;
   }
+  guess.is_by_wheels = !step.by_scans && step.problem.empty();
   guess.T_map_base = expected(step);
   return guess;
 }

@@ -87,6 +87,7 @@ class ScanTracker {
     SE2 T_map_base;
     double s_p = 0.0;    ///< [m]
     double s_yaw = 0.0;  ///< [rad]
+    bool is_by_wheels = false;
 
     PosePrior prior() const;
     /// Squared standard deviations from the guess.

@@ -46,6 +46,21 @@ LaserScan seen(const PolygonWorld& world, const SE2& T, std::uint64_t index) {
   return scan;
 }
 
+TEST(PointScan, WallsOfANoisyScannerHaveNormals) {
+  PolygonWorld world;
+  world.add_box(-3.0, -2.0, 3.0, 2.0);
+  std::size_t normals = 0;
+  std::size_t points = 0;
+  for (std::uint64_t i = 0; i < 100; ++i) {
+    const SE2 T = SE2::from_xy_yaw(0.02 * static_cast<double>(i) - 1.0, 0.0, 0.0);
+    for (const SurfacePoint& point : make_point_scan(world.scan(T, i, 0.035), {}).points) {
+      ++points;
+      if (point.has_normal()) ++normals;
+    }
+  }
+  EXPECT_GT(static_cast<double>(normals), 0.98 * static_cast<double>(points));
+}
+
 TEST(PointScan, NormalsByCornersAreThoseOfOneWall) {
   const PolygonWorld world = corridor();
   int normals = 0;
