@@ -29,6 +29,9 @@ def test_help_is_a_success(argv: list[str], capsys: pytest.CaptureFixture[str]) 
         (["run"], "the following arguments are required"),
         (["run", "--fast", "a.launch"], "run: unknown option '--fast'"),
         (["bench", "ships"], "invalid choice: 'ships'"),
+        (["bench"], "the following arguments are required: BENCHMARK"),
+        (["bench", "sim", "--fast"], "bench: unknown option '--fast'"),
+        (["bench", "sim", "--runs", "0"], "argument --runs: 0 is not legal; legal: >= 1"),
         (["build", "-j", "many"], "invalid int value: 'many'"),
     ],
 )
@@ -39,6 +42,38 @@ def test_a_wrong_command_line_is_one_line_and_exit_code_2(
     error = capsys.readouterr().err
     assert message in error
     assert error.count("\n") == 1
+
+
+@pytest.mark.parametrize(
+    ("words", "options"),
+    [
+        ("bench sim", "--quick --out --profile --markdown --runs --mode --controller --world"),
+        ("bench sensors", "--quick --out --runs --mode"),
+        ("bench amcl", "--quick --out"),
+        ("bench vessels", "--quick --out --only"),
+        ("bench slam", "--quick --runs --method --config --data --live --robustness --world"),
+        ("bench posegraph", "--runs --quick --out --gtsam-python"),
+        ("report", "--out --animate"),
+        ("slam", "--method --config --out --relations --truth --no-pictures"),
+        ("evaluate", "--relations --truth --align --map --true-map --out --no-pictures"),
+        ("posegraph", "--robust --init --strategy --solver --iterations --tolerance --strict"),
+    ],
+)
+def test_a_command_of_a_module_documents_all_its_options(
+    words: str, options: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert _exit_code([*words.split(), "-h"]) == 0
+    shown = capsys.readouterr().out
+    assert f"usage: trident {words} " in shown
+    missing = [option for option in options.split() if f"\n  {option}" not in shown]
+    assert not missing
+
+
+def test_bench_lists_what_can_be_measured(capsys: pytest.CaptureFixture[str]) -> None:
+    assert _exit_code(["bench", "-h"]) == 0
+    shown = capsys.readouterr().out
+    for name in ("sim", "sensors", "slam", "amcl", "posegraph", "vessels"):
+        assert re.search(rf"\n    {name}\s", shown)
 
 
 def test_every_command_has_help_and_every_parser_is_a_command() -> None:
@@ -90,6 +125,14 @@ class _Steps:
         (
             ["bench", "sim", "--quick", "--out", "rows.json", "--dry-run"],
             "would run: /usr/bin/python3 -m trident_eval.bench sim --quick --out rows.json\n",
+        ),
+        (
+            ["bench", "--dry-run", "slam", "--world", "office"],
+            "would run: /usr/bin/python3 -m trident_eval.slam bench --world office\n",
+        ),
+        (
+            ["slam", "drive.log", "--lifelong", "--dry-run"],
+            "would run: /usr/bin/python3 -m trident_eval.slam slam drive.log --lifelong\n",
         ),
         (
             ["bench", "vessels", "--out", "docs/vessels", "--dry-run"],

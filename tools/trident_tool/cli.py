@@ -13,10 +13,9 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from trident_tool.building import build
+from trident_tool.evaluation import add_evaluation_commands
 from trident_tool.formation import add_formation_commands
 from trident_tool.lint import CHECKS, run_checks
-from trident_tool.modules import run_module
-from trident_tool.posegraph import add_pose_graph_command
 from trident_tool.provision import provision
 from trident_tool.recording import Recording
 from trident_tool.running import run_launch_file
@@ -88,36 +87,6 @@ def _cmd_run(workspace: Workspace, runner: Runner, options: argparse.Namespace) 
     return run_launch_file(workspace, runner, options.words)
 
 
-def _cmd_bench(workspace: Workspace, runner: Runner, options: argparse.Namespace) -> int:
-    if options.what == "slam":
-        words = ["bench", *_bench_options(options)]
-        return run_module(workspace, runner, "trident_eval.slam", words)
-    modules = {"vessels": "trident_eval.vessels", "posegraph": "trident_eval.pose_graph.bench"}
-    if module := modules.get(options.what):
-        return run_module(workspace, runner, module, _bench_options(options))
-    words = [options.what, *_bench_options(options)]
-    return run_module(workspace, runner, "trident_eval.bench", words)
-
-
-def _bench_options(options: argparse.Namespace) -> list[str]:
-    words = ["--quick"] if options.quick else []
-    words += ["--out", str(options.out)] if options.out else []
-    words += ["--profile"] if options.profile else []
-    return [*words, *options.rest]
-
-
-def _cmd_report(workspace: Workspace, runner: Runner, options: argparse.Namespace) -> int:
-    if not runner.dry_run and not options.source.exists():
-        raise TridentError(f"{options.source} does not exist: report needs a run folder or a bag")
-    words = ["report", str(options.source), *(["--animate"] if options.animate else [])]
-    return run_module(workspace, runner, "trident_eval", [*words, *options.rest])
-
-
-def _cmd_slam(workspace: Workspace, runner: Runner, options: argparse.Namespace) -> int:
-    words = [options.name, str(options.source), *options.rest]
-    return run_module(workspace, runner, "trident_eval.slam", words)
-
-
 def _cmd_view(workspace: Workspace, runner: Runner, options: argparse.Namespace) -> int:
     build(workspace, runner)
     look = Look(
@@ -165,7 +134,7 @@ def make_parser() -> argparse.ArgumentParser:
     _add_workspace_commands(add)
     _add_running_commands(add)
     add_formation_commands(add)
-    add_pose_graph_command(add)
+    add_evaluation_commands(add)
     add_world_commands(add)
     commands.add_parser("help", help="show this text")
     return parser
@@ -204,37 +173,6 @@ def _add_running_commands(add: Callable[[str, Handler, str], argparse.ArgumentPa
         metavar="[PACKAGE] FILE.launch [name:=value …]",
         help="a file of launch/, a path, or package and file; real_time_factor:=1: in real time; "
         "strict:=true: refuse what is odd in worlds and models",
-    )
-
-    sub = add("bench", _cmd_bench, "measure")
-    sub.add_argument(
-        "what",
-        choices=["sim", "sensors", "vessels", "slam", "posegraph", "amcl"],
-        help="what to measure",
-    )
-    sub.add_argument("--quick", action="store_true", help="fewer and shorter measurements")
-    sub.add_argument(
-        "--out",
-        type=Path,
-        metavar="PATH",
-        help="JSON file of the rows; vessels: folder of pictures",
-    )
-    sub.add_argument("--profile", action="store_true", help="time per stage of a step")
-
-    sub = add("report", _cmd_report, "one page about a run or a bag: plots, what went in")
-    sub.add_argument("source", type=Path, metavar="RUN_OR_BAG")
-    sub.add_argument("--animate", action="store_true", help="a moving plan view, too (GIF)")
-
-    sub = add(
-        "slam", _cmd_slam, "run a CARMEN log or a rosbag through SLAM: map, trajectory, report"
-    )
-    sub.add_argument("source", metavar="FILE", help="--method NAME, --config FILE, --out DIR, …")
-
-    sub = add("evaluate", _cmd_slam, "judge a trajectory and a map by relations or by the truth")
-    sub.add_argument(
-        "source",
-        metavar="DIR_OR_TUM",
-        help="--relations FILE, --truth FILE.tum, --true-map FILE, …",
     )
 
     _add_view(add)
@@ -285,7 +223,7 @@ def _size(text: str) -> Size:
 
 
 def parse_command_line(argv: Sequence[str]) -> argparse.Namespace:
-    """Options of a command line; words that test, bench and report pass on are in ``rest``.
+    """Options of a command line; what test hands to ctest is in ``rest``.
 
     Exits with 0 for help and with 2 for a wrong command line.
     """
@@ -301,9 +239,9 @@ def parse_command_line(argv: Sequence[str]) -> argparse.Namespace:
     if options.name in (None, "help"):
         parser.print_help()
         parser.exit(0)
-    if rest and options.name not in ("test", "bench", "report", "slam", "evaluate"):
+    if rest and options.name != "test" and not getattr(options, "passes_on", False):
         parser.error(f"{options.name}: unknown option {rest[0]!r}")
-    options.rest = rest
+    options.rest, options.argv = rest, list(argv)
     return options
 
 

@@ -11,12 +11,17 @@ import pytest
 
 pytest.importorskip("trident_sim", reason="trident_sim is not built or sourced")
 
+from trident_eval.options import VESSEL_CHECKS
 from trident_eval.vessels.__main__ import CHECKS, main
 from trident_eval.vessels.check import Check, Curve, Figure, Panel
 from trident_eval.vessels.hull_checks import period_and_damping
 from trident_eval.vessels.motion_checks import random_check
 
 PNG = b"\x89PNG"
+
+
+def test_every_check_can_be_asked_for_by_its_name() -> None:
+    assert tuple(CHECKS) == VESSEL_CHECKS
 
 
 @pytest.mark.parametrize("name", [name for name in CHECKS if name != "random"])

@@ -31,6 +31,7 @@ from trident_eval.core.scene import Scene, formation_scene
 from trident_eval.core.tracks import read_states
 from trident_eval.core.vehicles import flights
 from trident_eval.core.verdict import Verdict, judge, take_over
+from trident_eval.options import add_report
 from trident_eval.recovery import recover_bags
 from trident_eval.slam import evaluation, tour
 
@@ -63,9 +64,7 @@ def _parser() -> argparse.ArgumentParser:
     recover.add_argument("folder", type=Path, metavar="DIR", help="folder of a run that has ended")
     recover.set_defaults(run=_recover)
     report = commands.add_parser("report", help="draw a run or a rosbag")
-    report.add_argument("source", type=Path, metavar="RUN_OR_BAG", help="folder of a run, or a bag")
-    report.add_argument("--out", type=Path, metavar="DIR", help="folder of the pictures")
-    report.add_argument("--animate", action="store_true", help="a moving plan view, too (GIF)")
+    add_report(report)
     report.set_defaults(run=_report)
     return parser
 

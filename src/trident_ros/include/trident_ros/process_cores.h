@@ -6,7 +6,7 @@
 #include <sys/types.h>
 
 #include <cstddef>
-#include <map>
+#include <memory>
 #include <vector>
 
 namespace trident {
@@ -18,7 +18,8 @@ class ProcessCores {
  public:
   /// The cores are those that this process may use.
   ProcessCores();
-  /// Gives all back to the cores that they had.
+  /// Gives all back to the cores that they had. When this process ends without its destructors, by
+  /// SIGKILL for one, the program core_watcher does so, which the first `keep` starts.
   ~ProcessCores();
   ProcessCores(const ProcessCores&) = delete;
   ProcessCores& operator=(const ProcessCores&) = delete;
@@ -38,7 +39,8 @@ class ProcessCores {
  private:
   std::vector<int> cores_;
   cpu_set_t all_{};
-  std::map<pid_t, int> kept_;  ///< process and its core
+  struct Impl;
+  std::unique_ptr<Impl> impl_;  ///< What is kept, and who gives it back if this process cannot.
 };
 
 }  // namespace trident

@@ -34,6 +34,7 @@ from trident_eval.bench.rows import (
 from trident_eval.bench.vehicle import Setup, prepare
 from trident_eval.core.errors import EvalError
 from trident_eval.core.reader import until_unread
+from trident_eval.options import BENCHMARKS
 
 MEASURED, FAILED, UNUSABLE = 0, 1, 2
 _TOGETHER = coast.CASES[0]
@@ -43,46 +44,13 @@ def make_parser() -> argparse.ArgumentParser:
     """The command line."""
     parser = argparse.ArgumentParser(prog="trident bench", description=__doc__)
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
-    sim = commands.add_parser("sim", help="measure the simulator")
-    sim.add_argument("--quick", action="store_true", help="N <= 6, one run each, no launch files")
-    sim.add_argument("--out", type=Path, metavar="FILE.json", help="where the rows go")
-    sim.add_argument("--profile", action="store_true", help="time per stage of a step")
-    sim.add_argument("--markdown", action="store_true", help="a Markdown table on stdout")
-    sim.add_argument("--runs", type=_positive, metavar="N", help="runs per row (3; --quick: 1)")
-    sim.add_argument("--mode", action="append", default=[], help="only this mode; may be repeated")
-    sim.add_argument(
-        "--controller",
-        type=Path,
-        metavar="PROGRAM",
-        help="for lockstep_external: another build of lee_position_controller_node",
-    )
-    sim.add_argument(
-        "--world",
-        choices=["coast"],
-        help="measure UAVs, UGVs and USVs together instead, --mode being one of their fleets",
-    )
-    sim.set_defaults(run=_sim)
-    rays = commands.add_parser("sensors", help="measure lidars and cameras")
-    rays.add_argument("--quick", action="store_true", help="a fifth of the time, one run each")
-    rays.add_argument("--out", type=Path, metavar="FILE.json", help="where the rows go")
-    rays.add_argument("--runs", type=_positive, metavar="N", help="runs per row (3; --quick: 1)")
-    rays.add_argument("--mode", action="append", default=[], help="only this row; may be repeated")
-    rays.set_defaults(run=_sensors)
-    place = commands.add_parser("amcl", help="measure localisation in a known map")
-    place.add_argument("--quick", action="store_true", help="4 trials instead of 100")
-    place.add_argument("--out", type=Path, metavar="FILE.json", help="where the figures go")
-    place.set_defaults(run=_amcl)
-    table = commands.add_parser("table", help="the Markdown table of a saved benchmark")
-    table.add_argument("source", type=Path, metavar="FILE.json")
-    table.set_defaults(run=_table)
+    run = {"sim": _sim, "sensors": _sensors, "amcl": _amcl, "table": _table}
+    for command in BENCHMARKS:
+        if command.name in run:
+            sub = commands.add_parser(command.name, help=command.help)
+            command.add_options(sub)
+            sub.set_defaults(run=run[command.name])
     return parser
-
-
-def _positive(text: str) -> int:
-    value = int(text)
-    if value < 1:
-        raise argparse.ArgumentTypeError(f"{text} is not legal; legal: >= 1")
-    return value
 
 
 def say(text: str) -> None:

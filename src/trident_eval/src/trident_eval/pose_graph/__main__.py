@@ -12,27 +12,16 @@ from typing import Any
 
 from trident_eval.core.errors import EvalError
 from trident_eval.core.reader import until_unread
+from trident_eval.options import SOLVER_OPTIONS, add_pose_graph
 from trident_eval.pose_graph.g2o import read_layout
 from trident_eval.pose_graph.picture import draw
 from trident_eval.pose_graph.program import optimize
-
-_PASSED_ON = ("robust", "scale", "init", "strategy", "solver", "iterations", "tolerance")
 
 
 def make_parser() -> argparse.ArgumentParser:
     """The command line."""
     parser = argparse.ArgumentParser(prog="trident posegraph", description=__doc__)
-    parser.add_argument("file", type=Path, metavar="FILE.g2o", help="also .g2o.gz")
-    parser.add_argument("--out", type=Path, metavar="FILE", help="optimised graph, .g2o or .g2o.gz")
-    parser.add_argument("--picture", type=Path, metavar="FILE.png", help="default: NAME.png, here")
-    for name in _PASSED_ON:
-        parser.add_argument(f"--{name}")
-    parser.add_argument(
-        "--strict",
-        action="store_true",
-        help="refuse information matrices that are not positive semidefinite; default: the nearest"
-        " one that is stands for each, with a warning",
-    )
+    add_pose_graph(parser)
     return parser
 
 
@@ -82,9 +71,9 @@ def run(options: argparse.Namespace, rest: list[str]) -> int:
         EvalError: bad input.
     """
     words = [*rest, *(["--strict"] if options.strict else [])]
-    for name in _PASSED_ON:
+    for name in SOLVER_OPTIONS:
         if (value := getattr(options, name)) is not None:
-            words += [f"--{name}", value]
+            words += [f"--{name}", str(value)]
     name = options.file.name.removesuffix(".gz").removesuffix(".g2o")
     picture = options.picture or Path(f"{name}.png")
     with tempfile.TemporaryDirectory() as folder:

@@ -21,6 +21,7 @@ from pathlib import Path
 from typing import Any
 
 from trident_eval.core.errors import EvalError
+from trident_eval.options import add_pose_graph_bench
 from trident_eval.pose_graph import gtsam_timing
 from trident_eval.pose_graph.program import optimize
 
@@ -44,15 +45,7 @@ _LIMIT_S = 600.0
 def make_parser() -> argparse.ArgumentParser:
     """The command line."""
     parser = argparse.ArgumentParser(prog="trident bench posegraph", description=__doc__)
-    parser.add_argument(
-        "files", nargs="*", type=Path, metavar="FILE", help="default: $TRIDENT_DATA/pose_graph"
-    )
-    parser.add_argument("--runs", type=int, default=5, metavar="N", help="of each; default 5")
-    parser.add_argument("--quick", action="store_true", help="one run of each")
-    parser.add_argument("--out", type=Path, metavar="FILE.json", help="where the rows go")
-    parser.add_argument(
-        "--gtsam-python", type=Path, metavar="PYTHON", help="the Python that has GTSAM"
-    )
+    add_pose_graph_bench(parser)
     return parser
 
 

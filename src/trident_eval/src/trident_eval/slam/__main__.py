@@ -13,8 +13,8 @@ from typing import Any
 from trident_eval.bench.machine import describe_commit, describe_machine
 from trident_eval.core.errors import EvalError
 from trident_eval.core.reader import until_unread
+from trident_eval.options import DEFAULT_METHOD, add_evaluate, add_slam, add_slam_bench
 from trident_eval.slam import benchmark, evaluation, live, offline, robustness, simulated
-from trident_eval.slam.offline import DEFAULT_METHOD
 
 DONE, MISSED, UNUSABLE = 0, 1, 2
 
@@ -47,49 +47,13 @@ def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(prog="trident", description=__doc__)
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
     judge = commands.add_parser("evaluate", help="judge a trajectory and a map")
-    judge.add_argument("source", type=Path, help="folder of `./trident slam`, or a TUM trajectory")
-    judge.add_argument("--relations", type=Path, metavar="FILE.relations")
-    judge.add_argument("--truth", type=Path, metavar="FILE.tum", help="the true trajectory")
-    judge.add_argument("--align", choices=["SE2", "SE3", "none"], default="SE2")
-    judge.add_argument("--map", type=Path, metavar="FILE.yaml")
-    judge.add_argument("--true-map", type=Path, metavar="FILE.yaml")
-    judge.add_argument("--out", type=Path, metavar="DIR", help="default: beside the trajectory")
-    judge.add_argument("--no-pictures", action="store_true", help="only evaluation.json")
+    add_evaluate(judge)
     judge.set_defaults(run=_evaluate)
     slam = commands.add_parser("slam", help="run a CARMEN log or a rosbag through SLAM")
-    slam.add_argument("log", type=Path, metavar="FILE", help=".log, .clf (.gz, .bz2) or .bag")
-    slam.add_argument("--method", default=DEFAULT_METHOD, metavar="NAME")
-    slam.add_argument("--config", type=Path, metavar="FILE.yaml", help="default: the method's")
-    slam.add_argument("--out", type=Path, metavar="DIR", help="default: NAME_slam, here")
-    slam.add_argument("--relations", type=Path, metavar="FILE.relations", help="to judge it by")
-    slam.add_argument("--truth", type=Path, metavar="FILE.tum", help="to judge it by")
-    slam.add_argument("--no-pictures", action="store_true", help="no report.html")
+    add_slam(slam)
     slam.set_defaults(run=_slam)
     bench = commands.add_parser("bench", help="measure on the public logs, or in a simulated world")
-    bench.add_argument(
-        "--quick", action="store_true", help="default method, logs with relations, one run each"
-    )
-    bench.add_argument("--runs", type=int, metavar="N", help="runs per row (5; --quick: 1)")
-    bench.add_argument(
-        "--method", action="append", default=[], help="may be repeated; default: all"
-    )
-    bench.add_argument("--config", type=Path, metavar="FILE.yaml")
-    bench.add_argument("--data", type=Path, metavar="DIR", help="other logs, and their .relations")
-    bench.add_argument("--out", type=Path, metavar="FILE.json", help="where the rows go")
-    bench.add_argument(
-        "--live",
-        action="store_true",
-        help="instead: how long scans wait while a graph of 5,000 nodes is optimised",
-    )
-    bench.add_argument(
-        "--robustness",
-        action="store_true",
-        help="instead: logs with odometry that errs, a laser that sits elsewhere, worse scans",
-    )
-    bench.add_argument("--world", metavar="NAME", help="drives through it instead of logs: office")
-    bench.add_argument("--seeds", type=int, metavar="N", help="of drives (20; --quick: 2)")
-    bench.add_argument("--keep", type=Path, metavar="DIR", help="keeps logs and maps of the drives")
-    bench.add_argument("--pictures", type=Path, metavar="DIR", help="maps and reports of all logs")
+    add_slam_bench(bench)
     bench.set_defaults(run=_bench)
     return parser
 

@@ -13,8 +13,9 @@ from pathlib import Path
 from typing import Any
 
 from trident_eval.core.errors import EvalError
+from trident_eval.options import DEFAULT_METHOD
 from trident_eval.slam import evaluation
-from trident_eval.slam.offline import DEFAULT_METHOD, LANDMARK_METHOD, Run, run_log
+from trident_eval.slam.offline import LANDMARK_METHOD, Run, run_log
 
 DATA = "TRIDENT_DATA"
 #: What is measured beside the default method; ekf_slam by the landmarks of Victoria Park.

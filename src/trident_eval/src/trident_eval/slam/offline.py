@@ -16,7 +16,6 @@ from typing import IO, Any
 from trident_eval.bench.vehicle import program
 from trident_eval.core.errors import EvalError
 
-DEFAULT_METHOD = "graph_slam_2d"
 #: The only one whose logs hold landmarks, not scans.
 LANDMARK_METHOD = "ekf_slam"
 BAG_MAGIC = b"#ROSBAG"

@@ -13,9 +13,10 @@ from typing import Any
 import numpy as np
 
 from trident_eval.core.errors import EvalError
+from trident_eval.options import DEFAULT_METHOD
 from trident_eval.slam.benchmark import logs_of
 from trident_eval.slam.changed_log import Change, as_true_base, write_changed
-from trident_eval.slam.offline import DEFAULT_METHOD, Run, run_log
+from trident_eval.slam.offline import Run, run_log
 from trident_eval.slam.relations import Relations, nearest, read_relations, relation_errors
 from trident_eval.slam.trajectory import Trajectory, read_tum
 

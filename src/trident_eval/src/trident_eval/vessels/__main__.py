@@ -7,9 +7,9 @@ from __future__ import annotations
 import argparse
 import sys
 from collections.abc import Callable
-from pathlib import Path
 
 from trident_eval.core.reader import until_unread
+from trident_eval.options import add_vessels
 from trident_eval.vessels import control_checks, hull_checks, legacy_check, motion_checks
 from trident_eval.vessels.check import Check
 from trident_eval.vessels.pictures import draw
@@ -39,11 +39,7 @@ def main(arguments: list[str] | None = None) -> int:
         0: all are within their tolerances; 1: not.
     """
     parser = argparse.ArgumentParser(prog="trident bench vessels", description=__doc__)
-    parser.add_argument("--out", type=Path, metavar="DIR", help="where the pictures go")
-    parser.add_argument("--quick", action="store_true", help="without the million random steps")
-    parser.add_argument(
-        "--only", action="append", choices=list(CHECKS), help="this check; may be repeated"
-    )
+    add_vessels(parser)
     options = parser.parse_args(arguments)
     passed = True
     for name in options.only or CHECKS:

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <sys/types.h>
+
+#include "thread_affinity.h"
+
+namespace trident {
+
+/// The program core_watcher, which gives processes back their cores when this process ends without
+/// having done so: after SIGKILL nothing else can.
+class CoreWatcherLink {
+ public:
+  CoreWatcherLink() = default;
+  /// Lets the program end, and waits for that.
+  ~CoreWatcherLink();
+  CoreWatcherLink(const CoreWatcherLink&) = delete;
+  CoreWatcherLink& operator=(const CoreWatcherLink&) = delete;
+
+  /// Tells the program of a process; the first call starts it. Returns whether it watches.
+  bool watch(const affinity::KeptProcess& kept);
+
+ private:
+  bool start();
+
+  pid_t program_ = 0;
+  int socket_ = -1;
+};
+
+}  // namespace trident
