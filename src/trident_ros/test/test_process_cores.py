@@ -45,7 +45,7 @@ def kept() -> Iterator[int]:
 @pytest.fixture
 def holder(kept: int) -> Iterator[subprocess.Popen[str]]:
     """Keeps the other on one core."""
-    with _running(program("trident_ros", "process_cores_holder"), str(kept)) as process:
+    with _running(program("trident_ros", "holding_cores_check"), str(kept)) as process:
         assert process.stdout is not None
         core = int(process.stdout.readline())
         assert os.sched_getaffinity(kept) == {core}
@@ -107,7 +107,7 @@ def test_the_watcher_holds_no_file_of_its_keeper(holder: subprocess.Popen[str]) 
 
 
 def test_a_keeper_that_keeps_nothing_starts_no_watcher() -> None:
-    with _running(program("trident_ros", "process_cores_holder"), "0") as process:
+    with _running(program("trident_ros", "holding_cores_check"), "0") as process:
         assert process.stdout is not None
         assert process.stdout.readline().strip() == "-1"
         children = Path(f"/proc/{process.pid}/task/{process.pid}/children")

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-// process_cores_holder PROCESS...: keeps processes on one core each until its standard input ends,
+// holding_cores_check PROCESS...: keeps processes on one core each until its standard input ends,
 // as the simulator's server keeps controllers. Prints the cores in one line.
 #include <cstdio>
 #include <cstdlib>
