@@ -186,6 +186,19 @@ def _remember_built(workspace: Workspace, key: str) -> None:
     stamp.write_text("\n".join([*known[-7:], key]) + "\n", encoding="utf-8")
 
 
+def is_built(workspace: Workspace, targets: Sequence[str] = ()) -> bool:
+    """Whether nothing has changed since ``targets`` (default: all) were built."""
+    return _is_built(workspace, source_key(workspace, targets))
+
+
+def make_configured(workspace: Workspace, runner: Runner) -> None:
+    """Configures the workspace if needed, and builds nothing."""
+    if not os.access(workspace.build, os.W_OK):
+        raise TridentError(f"{workspace.build} is not writable: was it built by another user?")
+    with _exclusive(workspace):
+        configure(workspace, runner)
+
+
 def build(
     workspace: Workspace, runner: Runner, targets: Sequence[str] = (), jobs: int | None = None
 ) -> bool:

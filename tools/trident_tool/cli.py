@@ -12,10 +12,11 @@ import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from trident_tool.building import build
+from trident_tool.building import build, is_built, make_configured
 from trident_tool.evaluation import add_evaluation_commands
 from trident_tool.formation import add_formation_commands
 from trident_tool.lint import CHECKS, run_checks
+from trident_tool.needed_packages import targets_of_launch
 from trident_tool.provision import provision
 from trident_tool.recording import Recording
 from trident_tool.running import run_launch_file
@@ -83,7 +84,11 @@ def _cmd_test(workspace: Workspace, runner: Runner, options: argparse.Namespace)
 
 
 def _cmd_run(workspace: Workspace, runner: Runner, options: argparse.Namespace) -> int:
-    build(workspace, runner)
+    if runner.dry_run or is_built(workspace):
+        build(workspace, runner)
+    else:
+        make_configured(workspace, runner)
+        build(workspace, runner, targets_of_launch(workspace, options.words))
     return run_launch_file(workspace, runner, options.words)
 
 

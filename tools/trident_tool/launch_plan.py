@@ -149,6 +149,18 @@ def load_plan(launch_file: Path, args: Mapping[str, str], env: Mapping[str, str]
     Raises:
         TridentError: roslaunch would not take it; says why.
     """
+    found = load_facts(launch_file, args, env)
+    return LaunchPlan(tuple(_node(entry) for entry in found["nodes"]), found["params"])
+
+
+def load_facts(
+    launch_file: Path, args: Mapping[str, str], env: Mapping[str, str]
+) -> dict[str, Any]:
+    """What load_launch.py prints about a launch file.
+
+    Raises:
+        TridentError: roslaunch would not take it; says why.
+    """
     words = [f"{name}:={value}" for name, value in args.items()]
     done = subprocess.run(
         ["/usr/bin/python3", str(_LOADER), str(launch_file), *words],
@@ -160,8 +172,7 @@ def load_plan(launch_file: Path, args: Mapping[str, str], env: Mapping[str, str]
     if done.returncode != 0:
         lines = done.stderr.strip().splitlines()
         raise TridentError(f"{launch_file.name}: {lines[-1] if lines else 'cannot be loaded'}")
-    found = json.loads(done.stdout.splitlines()[-1])
-    return LaunchPlan(tuple(_node(entry) for entry in found["nodes"]), found["params"])
+    return dict(json.loads(done.stdout.splitlines()[-1]))
 
 
 def _node(entry: dict[str, Any]) -> LaunchNode:

@@ -21,6 +21,7 @@ import roslaunch.loader
 import roslaunch.xmlloader
 import rospkg
 from rosgraph.names import ns_join
+from roslaunch import substitution_args
 
 _LONGEST = 600
 _TOO_DEEP = "it includes itself without end, or too often: Python's recursion limit is exceeded"
@@ -46,6 +47,7 @@ def load(file: str, arguments: Sequence[str]) -> dict[str, Any]:
     Raises:
         ValueError: roslaunch does not take it; says why.
     """
+    found = _watch_packages()
     try:
         config = roslaunch.config.load_config_default(
             [(file, list(arguments))], None, loader=_Loader(), assign_machines=False
@@ -60,8 +62,27 @@ def load(file: str, arguments: Sequence[str]) -> dict[str, Any]:
         raise ValueError(_one_line("; ".join(config.config_errors)))
     return {
         "nodes": [_node(node) for node in config.nodes],
+        "found": sorted(found),
         "params": {name: _plain(param.value) for name, param in config.params.items()},
     }
+
+
+def _watch_packages() -> set[str]:
+    """The packages whose folders are looked up from now on, as $(find PACKAGE) does."""
+    found: set[str] = set()
+    find, of_eval = substitution_args._find, substitution_args._eval_dict
+    eval_find = of_eval["find"]
+
+    def watched_find(resolved: str, a: str, args: list[str], context: Any) -> Any:
+        found.update(args)
+        return find(resolved, a, args, context)
+
+    def watched_eval_find(package: str) -> Any:
+        found.add(package)
+        return eval_find(package)
+
+    substitution_args._find, of_eval["find"] = watched_find, watched_eval_find
+    return found
 
 
 def _one_line(error: object) -> str:

@@ -149,7 +149,11 @@ def test_what_cannot_be_flown_is_refused(choreography: Choreography, what: str) 
     ("old", "new", "what"),
     [
         ("vehicles: 4", "vehicles: four", r"f\.yaml:1: vehicles: 'four'; legal: a whole number"),
-        ("vehicles: 4", "vehicle: 4", r"f\.yaml:1: vehicle: unknown key; legal: begin, min_sep"),
+        (
+            "vehicles: 4",
+            "vehicle: 4",
+            r"f\.yaml:1: vehicle: unknown key; did you mean 'vehicles'",
+        ),
         ("vehicles: 4", "vehicles: 0", r"f\.yaml: vehicles: 0; legal: 1 to 500"),
         ("vehicles: 4", "vehicles: 4\nvehicles: 5", r"f\.yaml:2: vehicles: given twice"),
         ("spacing_m: 2.0", "radius_m: 2.0", r"f\.yaml:2: radius_m: unknown key; legal: .*spacing"),

@@ -193,6 +193,19 @@ def test_a_bad_file_is_told_once_and_the_world_goes_on(session: RosSession, tmp_
     assert all("3 columns" in record["error"] for record in session.records())
 
 
+def test_a_parameter_that_is_not_known_is_told_once_with_the_nearest_one(
+    session: RosSession, tmp_path: Path
+) -> None:
+    bad = tmp_path / "bad.txt"
+    bad.write_text("1 0 0 1\n2 0 1\n")
+    world = session.world(1, 1)
+    node = session.vehicle(0, *params(bad, "time"), "_look_ahead:=3")
+    session.result(world)
+    output = output_of(node, LIMIT_S)
+    assert output.count("are not used") == 1
+    assert "look_ahead: unknown; did you mean 'lookahead'?" in output
+
+
 def test_the_tutorial_node_flies_in_a_world_without_lockstep(
     session: RosSession, formation: Path
 ) -> None:

@@ -12,14 +12,17 @@ from trident_ros.message_checks import (
     stamp_problem,
 )
 from trident_ros.refusals import Refusals
+from trident_ros.unknown_parameters import MISSION_PARAMETERS, warn_of_unknown_parameters
 
 __all__ = [
     "FARTHEST_M",
     "LATEST_STAMP_S",
+    "MISSION_PARAMETERS",
     "Refusals",
     "numbers_problem",
     "point_problem",
     "pose_problem",
     "quoted",
     "stamp_problem",
+    "warn_of_unknown_parameters",
 ]

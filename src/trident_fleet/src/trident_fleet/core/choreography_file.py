@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 from trident_fleet.core.choreography import Choreography, Step
@@ -68,13 +69,14 @@ def _pattern(section: Section, besides: tuple[str, ...] = ()) -> Pattern:
     kind = section.text("pattern", "")
     if kind not in KINDS:
         raise FormationError(f"{section.where}: pattern: '{kind}'; legal: {', '.join(KINDS)}")
-    pattern = Pattern(
-        kind=kind,
-        spacing_m=section.number("spacing_m", 1.5),
-        radius_m=section.number("radius_m", 0.0) if kind == "circle" else 0.0,
-        opening_deg=section.number("opening_deg", 90.0) if kind == "wedge" else 90.0,
-        columns=section.integer("columns", 0) if kind == "grid" else 0,
-    )
+    pattern = Pattern(kind)
+    pattern = replace(pattern, spacing_m=section.number("spacing_m", pattern.spacing_m))
+    if kind == "circle":
+        pattern = replace(pattern, radius_m=section.number("radius_m", pattern.radius_m))
+    elif kind == "wedge":
+        pattern = replace(pattern, opening_deg=section.number("opening_deg", pattern.opening_deg))
+    elif kind == "grid":
+        pattern = replace(pattern, columns=section.integer("columns", pattern.columns))
     for name in besides:
         section.skip(name)
     section.finish()
@@ -90,9 +92,9 @@ def _step(section: Section) -> Step:
         raise FormationError(f"{section.where}: an empty step; legal: {', '.join(_STEP_KEYS)}")
     step = Step(
         pattern=_pattern(section.section("reconfigure")) if "reconfigure" in section else None,
-        translate_m=section.vector("translate_m", (0.0, 0.0, 0.0)),
-        rotate_deg=section.number("rotate_deg", 0.0),
-        rescale=section.number("rescale", 1.0),
+        translate_m=section.vector("translate_m", Step.translate_m),
+        rotate_deg=section.number("rotate_deg", Step.rotate_deg),
+        rescale=section.number("rescale", Step.rescale),
         where=section.where,
     )
     section.skip("reconfigure")

@@ -5,21 +5,16 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field
+
+from trident_base.params import named, require_positive
 
 from trident_fleet.core.errors import FormationError
 
 
 def check_positive(config: object, allow_zero: tuple[str, ...] = ()) -> None:
     """Raise FormationError if a number of a dataclass is not finite and over (or at) zero."""
-    for item in fields(config):  # type: ignore[arg-type]
-        value = getattr(config, item.name)
-        if not isinstance(value, int | float) or isinstance(value, bool):
-            continue
-        legal = value >= 0 if item.name in allow_zero else value > 0
-        if not math.isfinite(value) or not legal:
-            bound = "0 or more" if item.name in allow_zero else "greater than 0"
-            raise FormationError(f"{item.name}: {value}; legal: finite, {bound}")
+    require_positive(config, allow_zero, FormationError)
 
 
 @dataclass(frozen=True)
@@ -57,12 +52,12 @@ class PlanConfig:
     """
 
     limits: FlightLimits = field(default_factory=FlightLimits)
-    ground_s: float = 0.5
-    hold_first_s: float = 3.0
-    hold_last_s: float = 3.0
-    climb_m: float = 0.5
-    min_separation_m: float = 1.0
-    yaw_rad: float = 0.0
+    ground_s: float = named(0.5, "ground_time")
+    hold_first_s: float = named(3.0, "hold_first")
+    hold_last_s: float = named(3.0, "hold_last")
+    climb_m: float = named(0.5, "climb")
+    min_separation_m: float = named(1.0, "min_separation")
+    yaw_rad: float = named(0.0, "yaw_deg", math.radians)
 
     def validate(self) -> None:
         """Raise FormationError on the first field with an illegal value."""
@@ -88,12 +83,12 @@ class GateConfig:
         hold_last_s: hover at the last row [s].
     """
 
-    radius_m: float = 0.1
-    timeout_s: float = 10.0
-    settle_s: float = 4.0
-    average_s: float = 1.0
-    max_offset_m: float = 0.3
-    hold_last_s: float = 3.0
+    radius_m: float = named(0.1, "gate_radius")
+    timeout_s: float = named(10.0, "gate_timeout")
+    settle_s: float = named(4.0, "gate_settle")
+    average_s: float = named(1.0, "gate_average")
+    max_offset_m: float = named(0.3, "gate_max_offset")
+    hold_last_s: float = named(3.0, "hold_last")
 
     def validate(self) -> None:
         """Raise FormationError on the first field with an illegal value."""

@@ -8,6 +8,7 @@ import math
 from dataclasses import dataclass, field, replace
 
 import numpy as np
+from trident_base.params import named
 
 from trident_fleet.core.config import PlanConfig
 from trident_fleet.core.errors import FormationError
@@ -40,10 +41,10 @@ class FollowConfig:
     offsets: Array
     frame: str = "heading"
     assign: bool = True
-    lowest_m: float = 0.8
-    min_separation_m: float = 1.0
-    end_when_still_s: float = 0.0
-    give_up_s: float = 60.0
+    lowest_m: float = named(0.8, "lowest")
+    min_separation_m: float = named(1.0, "min_separation")
+    end_when_still_s: float = named(0.0, "end_when_still")
+    give_up_s: float = named(60.0, "give_up")
     plan: PlanConfig = field(default_factory=PlanConfig)
     reference: ReferenceConfig = field(default_factory=ReferenceConfig)
     feed: FeedConfig = field(default_factory=FeedConfig)

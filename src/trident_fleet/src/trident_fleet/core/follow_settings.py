@@ -4,28 +4,30 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
+from trident_base.params import Getter, Params, read
 
-from trident_fleet.core.config import PlanConfig
 from trident_fleet.core.errors import FormationError
 from trident_fleet.core.follow_config import FollowConfig
 from trident_fleet.core.formation_file import FormationSource
 from trident_fleet.core.patterns import Pattern, places
 from trident_fleet.core.quintic import Array
-from trident_fleet.core.reference import ReferenceConfig
 from trident_fleet.core.settings import (
     FleetSettings,
-    Getter,
-    Params,
     Vehicle,
+    check_waits,
     fleet_of_names,
     names_of,
-    read_feed,
 )
+
+#: Before the names of the limits (`v_max` ...) of the way to the places.
+TRANSIT = "transit_"
+LEADER_TIMEOUT_S = 2.0
+#: What a leader-follower flight has no use for, or makes itself of other parameters.
+_LEFT = ("offsets", "plan.hold_first_s", "plan.hold_last_s", "plan.min_separation_m")
 
 
 @dataclass(frozen=True)
@@ -58,24 +60,20 @@ def read_follow_settings(get: Getter) -> FollowSettings:
     Raises:
         FormationError: a parameter of the wrong type or out of range.
     """
-    params = Params(get)
-    followers = fleet_of_names(names_of(get("followers")))
+    params = Params(get, FormationError)
+    followers = fleet_of_names(names_of(params.given("followers")))
     leader = params.text("leader", "UAV1").strip("/")
     if leader in [vehicle.name for vehicle in followers]:
         raise FormationError(f"followers: {leader} is the leader; legal: other vehicles")
-    config = _config(params, read_offsets(get("offsets"), params, len(followers)))
+    offsets = read_offsets(params.given("offsets"), params, len(followers))
+    config = read(FollowConfig(offsets), params, {"plan.limits": TRANSIT}, leave=_LEFT)
     config.validate()
-    timeout_s = params.number("leader_timeout", 2.0)
+    timeout_s = params.number("leader_timeout", LEADER_TIMEOUT_S)
     if timeout_s <= 0.0:
         raise FormationError(f"leader_timeout: {timeout_s}; legal: greater than 0")
-    fleet = FleetSettings(
-        source=FormationSource(""),
-        plan=config.plan,
-        feed=config.feed,
-        guard=params.flag("guard", False),
-        enroll_wait_s=params.number("enroll_wait", 5.0),
-        connect_wait_s=params.number("connect_wait", 20.0),
-    )
+    fleet = FleetSettings(FormationSource(), plan=config.plan, feed=config.feed)
+    fleet = read(fleet, params, leave=("source", "plan", "gate", "feed", "mode"))
+    check_waits(fleet)
     topic = params.text("leader_topic", "")
     return FollowSettings(leader, topic, followers, config, fleet, timeout_s)
 
@@ -94,7 +92,7 @@ def read_offsets(given: Any, params: Params, count: int) -> Array:
     pattern = Pattern(
         kind=params.text("pattern", "wedge"),
         spacing_m=params.number("spacing", 2.0),
-        opening_deg=params.number("opening_deg", 90.0),
+        opening_deg=params.number("opening_deg", Pattern("wedge").opening_deg),
     )
     if pattern.kind == "circle":
         # Up to six on a circle are nearer to its middle than to each other.
@@ -114,30 +112,3 @@ def _given_offsets(given: Any, count: int) -> Array:
             f"offsets: {given!r}; legal: [x, y, z] in metres for each of {count} followers"
         )
     return offsets
-
-
-def _config(params: Params, offsets: Array) -> FollowConfig:
-    reference, plan = ReferenceConfig(), PlanConfig()
-    default = FollowConfig(offsets)
-    return FollowConfig(
-        offsets=offsets,
-        frame=params.text("frame", default.frame),
-        assign=params.flag("assign", default.assign),
-        lowest_m=params.number("lowest", default.lowest_m),
-        min_separation_m=params.number("min_separation", default.min_separation_m),
-        end_when_still_s=params.number("end_when_still", default.end_when_still_s),
-        give_up_s=params.number("give_up", default.give_up_s),
-        plan=PlanConfig(
-            ground_s=params.number("ground_time", plan.ground_s),
-            climb_m=params.number("climb", plan.climb_m),
-            yaw_rad=math.radians(params.number("yaw_deg", 0.0)),
-        ),
-        reference=ReferenceConfig(
-            bandwidth=params.number("bandwidth", reference.bandwidth),
-            v_max=params.number("v_max", reference.v_max),
-            a_max=params.number("a_max", reference.a_max),
-            closing_speed=params.number("closing_speed", reference.closing_speed),
-            yaw_rate_max=params.number("yaw_rate_max", reference.yaw_rate_max),
-        ),
-        feed=read_feed(params),
-    )

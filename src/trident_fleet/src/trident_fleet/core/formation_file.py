@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import numpy.typing as npt
+from trident_base.params import named
 
 from trident_fleet.core.bounded_file import check_kind
 from trident_fleet.core.errors import FormationError
@@ -38,7 +39,7 @@ class FormationSource:
         layout: of a .mat matrix, one of `mat_file.LAYOUTS`; "" infers it.
     """
 
-    file: str
+    file: str = named("", "formation_file")
     vehicles_in_file: int = 0
     uavs: int = 0
     scale: Vector = (1.0, 1.0, 1.0)

@@ -7,11 +7,17 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from trident_base.params import named
 
 from trident_fleet.core.encoding import NS_PER_S, encode_message, encode_points, sample_times
 from trident_fleet.core.errors import FormationError
 from trident_fleet.core.plan import FormationPlan
 from trident_fleet.core.quintic import Array, Motion
+
+
+def nanoseconds(seconds: float) -> int:
+    """A time in whole nanoseconds."""
+    return round(seconds * 1e9)
 
 
 @dataclass(frozen=True)
@@ -23,8 +29,8 @@ class FeedConfig:
         point_ns: spacing of the points within a message [ns].
     """
 
-    period_ns: int = 100_000_000
-    point_ns: int = 10_000_000
+    period_ns: int = named(100_000_000, "period", nanoseconds)
+    point_ns: int = named(10_000_000, "point_spacing", nanoseconds)
 
     def validate(self) -> None:
         """Raise FormationError on the first field with an illegal value."""

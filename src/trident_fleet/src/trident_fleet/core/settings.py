@@ -4,19 +4,18 @@
 
 from __future__ import annotations
 
-import math
 import re
-from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
-from trident_fleet.core.config import FlightLimits, GateConfig, PlanConfig
+from trident_base.params import Getter, Params, named, read
+
+from trident_fleet.core.config import GateConfig, PlanConfig
 from trident_fleet.core.errors import FormationError
-from trident_fleet.core.formation_file import FormationSource, Vector
+from trident_fleet.core.formation_file import FormationSource
 from trident_fleet.core.schedule import FeedConfig
 
 MODES = ("time", "gate")
-Getter = Callable[[str], Any]
 
 
 @dataclass(frozen=True)
@@ -55,10 +54,10 @@ class FleetSettings:
     gate: GateConfig = field(default_factory=GateConfig)
     feed: FeedConfig = field(default_factory=FeedConfig)
     mode: str = "time"
-    lookahead: int = 10
+    lookahead: int = 5
     guard: bool = False
-    enroll_wait_s: float = 5.0
-    connect_wait_s: float = 20.0
+    enroll_wait_s: float = named(5.0, "enroll_wait")
+    connect_wait_s: float = named(20.0, "connect_wait")
 
 
 def read_settings(get: Getter, default_file: str) -> FleetSettings:
@@ -71,26 +70,25 @@ def read_settings(get: Getter, default_file: str) -> FleetSettings:
     Raises:
         FormationError: a parameter of the wrong type or out of range.
     """
-    params = Params(get)
-    mode = params.text("mode", "time")
-    if mode not in MODES:
-        raise FormationError(f"mode: '{mode}'; legal: {', '.join(MODES)}")
-    settings = FleetSettings(
-        source=_source(params, default_file),
-        plan=_plan(params),
-        gate=_gate(params),
-        feed=read_feed(params),
-        mode=mode,
-        lookahead=params.integer("lookahead", 5),
-        guard=params.flag("guard", False),
-        enroll_wait_s=params.number("enroll_wait", 5.0),
-        connect_wait_s=params.number("connect_wait", 20.0),
-    )
+    settings = read(FleetSettings(FormationSource(default_file)), Params(get, FormationError))
+    if not settings.source.file:
+        settings = replace(settings, source=replace(settings.source, file=default_file))
+    if settings.mode not in MODES:
+        raise FormationError(f"mode: '{settings.mode}'; legal: {', '.join(MODES)}")
     for part in (settings.source, settings.plan, settings.gate, settings.feed):
         part.validate()
+    check_waits(settings)
+    return settings
+
+
+def check_waits(settings: FleetSettings) -> None:
+    """Raise FormationError if the horizon or a limit of waiting is not legal."""
     if not 0 <= settings.lookahead <= 100:
         raise FormationError(f"lookahead: {settings.lookahead}; legal: 0 to 100 periods")
-    return settings
+    for name in ("enroll_wait_s", "connect_wait_s"):
+        value = getattr(settings, name)
+        if value <= 0.0:
+            raise FormationError(f"{name.removesuffix('_s')}: {value}; legal: greater than 0")
 
 
 def fleet_around(prefix: str, index: int, count: int) -> list[Vehicle]:
@@ -148,7 +146,7 @@ def names_of(given: Any) -> list[str]:
     """Names from a list, or from a text with commas or blanks between them."""
     if isinstance(given, str):
         return given.replace(",", " ").split()
-    return [str(name) for name in given or []]
+    return [str(name) for name in (given if isinstance(given, list) else [given] if given else [])]
 
 
 def fleet_of_names(names: list[str]) -> list[Vehicle]:
@@ -164,101 +162,3 @@ def fleet_of_names(names: list[str]) -> list[Vehicle]:
 
 def _vehicle(prefix: str, index: int) -> Vehicle:
     return Vehicle(name=prefix.strip("/").rsplit("/", 1)[-1], prefix=prefix, index=index)
-
-
-def read_feed(params: Params) -> FeedConfig:
-    """Period and spacing of set-points."""
-    return FeedConfig(
-        period_ns=round(params.number("period", 0.1) * 1e9),
-        point_ns=round(params.number("point_spacing", 0.01) * 1e9),
-    )
-
-
-def _source(params: Params, default_file: str) -> FormationSource:
-    return FormationSource(
-        file=params.text("formation_file", "") or default_file,
-        vehicles_in_file=params.integer("vehicles_in_file", 0),
-        uavs=params.integer("uavs", 0),
-        scale=params.vector("scale", 1.0),
-        offset=params.vector("offset", 0.0),
-        layout=params.text("layout", ""),
-    )
-
-
-def _plan(params: Params) -> PlanConfig:
-    limits, plan = FlightLimits(), PlanConfig()
-    return PlanConfig(
-        limits=FlightLimits(
-            v_max=params.number("v_max", limits.v_max),
-            a_max=params.number("a_max", limits.a_max),
-            j_max=params.number("j_max", limits.j_max),
-        ),
-        ground_s=params.number("ground_time", plan.ground_s),
-        hold_first_s=params.number("hold_first", plan.hold_first_s),
-        hold_last_s=params.number("hold_last", plan.hold_last_s),
-        climb_m=params.number("climb", plan.climb_m),
-        min_separation_m=params.number("min_separation", plan.min_separation_m),
-        yaw_rad=math.radians(params.number("yaw_deg", 0.0)),
-    )
-
-
-def _gate(params: Params) -> GateConfig:
-    gate = GateConfig()
-    return GateConfig(
-        radius_m=params.number("gate_radius", gate.radius_m),
-        timeout_s=params.number("gate_timeout", gate.timeout_s),
-        settle_s=params.number("gate_settle", gate.settle_s),
-        hold_last_s=params.number("hold_last", gate.hold_last_s),
-    )
-
-
-class Params:
-    """Typed access, with one clear error for a value of another type."""
-
-    def __init__(self, get: Getter) -> None:
-        """Read from `get`, which gives None for a parameter that is not set."""
-        self._get = get
-
-    def text(self, name: str, default: str) -> str:
-        """A text."""
-        value = self._get(name)
-        if value is None:
-            return default
-        if not isinstance(value, str):
-            raise FormationError(f"{name}: {value!r}; legal: a text")
-        return value
-
-    def number(self, name: str, default: float) -> float:
-        """A finite number."""
-        value = self._get(name)
-        if value is None:
-            return default
-        if isinstance(value, bool) or not isinstance(value, int | float):
-            raise FormationError(f"{name}: {value!r}; legal: a number")
-        if not math.isfinite(value):
-            raise FormationError(f"{name}: {value}; legal: a finite number")
-        return float(value)
-
-    def integer(self, name: str, default: int) -> int:
-        """A whole number."""
-        value = self._get(name)
-        if value is None:
-            return default
-        if isinstance(value, bool) or not isinstance(value, int):
-            raise FormationError(f"{name}: {value!r}; legal: a whole number")
-        return value
-
-    def flag(self, name: str, default: bool) -> bool:
-        """True or false."""
-        value = self._get(name)
-        if value is None:
-            return default
-        if not isinstance(value, bool):
-            raise FormationError(f"{name}: {value!r}; legal: true or false")
-        return value
-
-    def vector(self, name: str, default: float) -> Vector:
-        """Components `name_x`, `name_y`, `name_z`, each by default `name`, by default `default`."""
-        common = self.number(name, default)
-        x, y, z = (self.number(f"{name}_{axis}", common) for axis in "xyz")
-        return x, y, z

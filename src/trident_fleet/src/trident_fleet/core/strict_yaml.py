@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import yaml
+from trident_base.params import nearest
 
 from trident_fleet.core.bounded_file import LARGEST_YAML_BYTES, read_bounded
 from trident_fleet.core.errors import FormationError
@@ -98,8 +99,9 @@ class Section:
     def finish(self) -> None:
         """Raise FormationError if there is a key that nobody has read."""
         for name, where in self._unread.items():
+            near = nearest(name, self._known)
             raise FormationError(
-                f"{where}: {name}: unknown key; legal: {', '.join(sorted(set(self._known)))}"
+                f"{where}: {name}: unknown key{near}; legal: {', '.join(sorted(set(self._known)))}"
             )
 
     def _node(self, name: str) -> yaml.Node:

@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import rospy
+from trident_base.params import Recorded
 
 from trident_fleet.core.errors import FormationError
 from trident_fleet.core.follow_settings import read_follow_settings
@@ -12,7 +13,7 @@ from trident_fleet.core.formation_file import FormationSource
 from trident_fleet.core.settings import FleetSettings, Vehicle, names_of
 from trident_fleet.nodes.follow_flight import follow_flight
 from trident_fleet.nodes.formation_runner import FormationRunner, refuse
-from trident_fleet.nodes.params import out_dir
+from trident_fleet.nodes.params import out_dir, warn_of_unknown
 
 
 def main() -> int:
@@ -24,7 +25,9 @@ def main() -> int:
     rospy.init_node("leader_follower")
     folder = out_dir()
     try:
-        settings = read_follow_settings(lambda name: rospy.get_param("~" + name, None))
+        get = Recorded(lambda name: rospy.get_param("~" + name, None))
+        settings = read_follow_settings(get)
+        warn_of_unknown({*get.asked, "pattern", "spacing", "opening_deg"})
         FormationRunner(
             settings.fleet, settings.followers, settings.followers, follow_flight(settings), folder
         ).run()

@@ -8,6 +8,7 @@ from collections.abc import Callable
 from typing import Any
 
 import rospy
+from trident_base.params import Recorded
 
 from trident_fleet.core.errors import FormationError
 from trident_fleet.core.file_check import too_close
@@ -24,7 +25,13 @@ from trident_fleet.core.settings import (
 )
 from trident_fleet.nodes.flights import formation_flight
 from trident_fleet.nodes.formation_runner import FormationRunner, refuse
-from trident_fleet.nodes.params import default_formation_file, get_fleet_param, get_param, out_dir
+from trident_fleet.nodes.params import (
+    default_formation_file,
+    get_fleet_param,
+    get_param,
+    out_dir,
+    warn_of_unknown,
+)
 
 Crewing = tuple[list[Vehicle], list[Vehicle], Array]
 """The whole formation, the vehicles this process feeds, and the rows to fly."""
@@ -93,7 +100,9 @@ def _run(
     settings = FleetSettings(FormationSource(default_formation_file()), guard=guard)
     folder = out_dir()
     try:
-        settings = read_settings(_with_default("guard", guard), settings.source.file)
+        get = Recorded(_with_default("guard", guard))
+        settings = read_settings(get, settings.source.file)
+        warn_of_unknown(get.asked, with_common=is_spokesman)
         vehicles, fed, rows = crew(settings)
         for line in too_close(rows, settings) if is_spokesman else []:
             rospy.logwarn("formation: %s", line)

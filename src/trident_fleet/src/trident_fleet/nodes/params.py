@@ -5,13 +5,18 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
 import rospkg
 import rospy
 
+from trident_ros import warn_of_unknown_parameters
+
 COMMON_NAMESPACE = "/formation"
+#: What the nodes of a fleet read beside the settings of a flight.
+NODE_PARAMETERS = frozenset({"UAV", "seq", "vehicles", "vehicle", "waypoints", "out_dir"})
 DEFAULT_FORMATION = "config/formations/hexagon_translate_rotate.txt"
 
 
@@ -26,6 +31,20 @@ def get_fleet_param(name: str) -> Any:
     value = get_param(name)
     is_path = name == "formation_file" and isinstance(value, str) and value
     return where_the_user_is(value) if is_path else value
+
+
+def warn_of_unknown(known: Iterable[str], with_common: bool = False) -> None:
+    """One warning about private parameters that are not known, and one about the fleet's.
+
+    Args:
+        known: names that the node reads.
+        with_common: whether this node tells of the common ones, which all nodes of a fleet see.
+    """
+    names = {*known, *NODE_PARAMETERS}
+    if rospy.get_name() != COMMON_NAMESPACE:
+        warn_of_unknown_parameters(names)
+    if with_common:
+        warn_of_unknown_parameters(names, COMMON_NAMESPACE)
 
 
 def where_the_user_is(file: str) -> str:

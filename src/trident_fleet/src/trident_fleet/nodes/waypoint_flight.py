@@ -16,6 +16,7 @@ from typing import Any
 
 import numpy as np
 import rospy
+from trident_base.params import Recorded
 
 from trident_fleet.core.errors import FormationError
 from trident_fleet.core.formation_file import FormationSource
@@ -23,7 +24,8 @@ from trident_fleet.core.quintic import Array
 from trident_fleet.core.settings import FleetSettings, Vehicle, read_settings
 from trident_fleet.nodes.flights import Crew, Flight, FlightMaker, formation_flight
 from trident_fleet.nodes.formation_runner import FormationRunner, refuse
-from trident_fleet.nodes.params import get_param
+from trident_fleet.nodes.params import get_param, warn_of_unknown
+from trident_ros import MISSION_PARAMETERS
 
 _SPACING_M = 3.0
 
@@ -102,7 +104,9 @@ def main() -> int:
     try:
         if not name:
             raise FormationError("vehicle: ''; legal: the name of a model")
-        settings = replace(read_settings(get_param, "waypoints"), mode="time")
+        get = Recorded(get_param)
+        settings = replace(read_settings(get, "waypoints"), mode="time")
+        warn_of_unknown({*get.asked, *MISSION_PARAMETERS})
         maker = waypoint_flight(read_places(get_param("waypoints")))
         FormationRunner(settings, own, own, maker, None).run()
     except FormationError as error:

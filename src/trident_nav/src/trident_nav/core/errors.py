@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-import math
+from trident_base import params
 
 
 class NavError(ValueError):
@@ -13,5 +13,4 @@ class NavError(ValueError):
 
 def require(name: str, value: float, lowest: float, highest: float, unit: str) -> None:
     """Raise NavError unless lowest <= value <= highest."""
-    if not (math.isfinite(value) and lowest <= value <= highest):
-        raise NavError(f"{name}: {value:g} {unit}, legal: {lowest:g} to {highest:g} {unit}")
+    params.require(name, value, lowest, highest, unit, NavError)

@@ -4,39 +4,36 @@
 
 from __future__ import annotations
 
-from dataclasses import fields
-from typing import Any, TypeVar
+from collections.abc import Iterable
+from typing import TypeVar
 
 import rospy
 from geometry_msgs.msg import Twist
+from trident_base.params import Params, read
 
 from trident_nav.core.errors import NavError
 from trident_nav.core.velocity import Velocity
+from trident_ros import warn_of_unknown_parameters
 
 Config = TypeVar("Config")
 
 
-def read_config(kind: type[Config]) -> Config:
+def read_config(kind: type[Config], also: Iterable[str] = ()) -> Config:
     """A configuration from `~field` parameters; fields without one have their defaults.
+
+    One warning tells of private parameters that are not known.
+
+    Args:
+        kind: a dataclass with a default for each field.
+        also: other private parameters that the node reads itself.
 
     Raises:
         NavError: a parameter of the wrong type.
     """
-    values: dict[str, Any] = {}
-    for item in fields(kind):  # type: ignore[arg-type]
-        value = rospy.get_param("~" + item.name, None)
-        if value is not None:
-            values[item.name] = _typed(item.name, value, type(item.default))
-    return kind(**values)
-
-
-def _typed(name: str, value: Any, kind: type) -> Any:
-    if kind is float and isinstance(value, int) and not isinstance(value, bool):
-        return float(value)
-    if isinstance(value, kind) and (kind is bool or not isinstance(value, bool)):
-        return value
-    legal = {float: "a number", int: "a whole number", bool: "true or false"}.get(kind, "text")
-    raise NavError(f"~{name}: {value!r}, legal: {legal}")
+    params = Params(lambda name: rospy.get_param("~" + name, None), NavError, "~", ", ")
+    config = read(kind(), params)
+    warn_of_unknown_parameters({*params.asked, *also})
+    return config
 
 
 def twist(velocity: Velocity) -> Twist:

@@ -20,6 +20,7 @@ from tf2_msgs.msg import TFMessage
 
 from trident_nav.core.errors import NavError
 from trident_nav.core.places import earth_from_world, numbers, quaternion
+from trident_ros import warn_of_unknown_parameters
 
 
 def transform(
@@ -77,6 +78,7 @@ def main() -> int:
         Exit code of the process.
     """
     rospy.init_node("platform_frames")
+    warn_of_unknown_parameters((*_ORIGIN, "earth"))
     frames = []
     try:
         for name, values in sorted(rospy.get_param("/").items()):

@@ -19,11 +19,14 @@ import yaml
 from geometry_msgs.msg import PoseStamped, Twist
 from nav_msgs.msg import Odometry, Path
 from std_msgs.msg import Bool
+from trident_base.params import unknown
 
 from trident_nav.core.errors import NavError
 from trident_nav.core.waypoints import FollowerConfig, WaypointFollower
 from trident_nav.nodes.params import read_config, twist
-from trident_ros import Refusals, pose_problem, stamp_problem
+from trident_ros import MISSION_PARAMETERS, Refusals, pose_problem, stamp_problem
+
+_OWN = ("waypoints", "waypoints_file", "answers_always")
 
 
 class FollowerNode:
@@ -35,7 +38,7 @@ class FollowerNode:
         Raises:
             NavError: an illegal one.
         """
-        config = read_config(FollowerConfig)
+        config = read_config(FollowerConfig, (*MISSION_PARAMETERS, *_OWN))
         self._waypoints = read_waypoints()
         self._follower = WaypointFollower(self._waypoints, config)
         self._is_loop = config.loop
@@ -117,6 +120,8 @@ def _read_file(path: FilePath) -> Any:
         where = f"{path}:{line + 1}" if line is not None else str(path)
         raise NavError(f"{where}: not a YAML file") from error
     if isinstance(found, dict):
+        for text in unknown(map(str, found), ["waypoints"]):
+            raise NavError(f"{path}: {text}; legal: waypoints")
         found = found.get("waypoints")
     if not isinstance(found, list):
         raise NavError(f"{path}: holds no list of waypoints")

@@ -21,7 +21,7 @@ from nav_msgs.msg import Path
 from trident_msgs.srv import EnrollSource, EnrollSourceResponse
 from trident_nav.core.errors import NavError
 from trident_nav.core.places import from_start
-from trident_ros import quoted, stamp_problem
+from trident_ros import MISSION_PARAMETERS, quoted, stamp_problem, warn_of_unknown_parameters
 
 _ENROLL = "/gazebo/enroll_source"
 _SPAWN = "/gazebo/spawn_urdf_model"
@@ -122,6 +122,7 @@ def main() -> int:
         Exit code of the process.
     """
     rospy.init_node("waypoint_path")
+    warn_of_unknown_parameters((*MISSION_PARAMETERS, "waypoints", "frame", "vehicle"))
     vehicle = str(rospy.get_param("~vehicle", ""))
     try:
         path = path_message()

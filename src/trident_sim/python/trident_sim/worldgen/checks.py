@@ -4,14 +4,13 @@
 
 from __future__ import annotations
 
+from trident_base import params
 from trident_sim._core import Error
 
 
 def require(name: str, value: float, lowest: float, highest: float, unit: str = "m") -> None:
     """Raise Error unless lowest <= value <= highest."""
-    if not lowest <= value <= highest:
-        after = f" {unit}" if unit else ""
-        raise Error(f"{name}: {value:g}{after}, legal: {lowest:g} to {highest:g}{after}")
+    params.require(name, value, lowest, highest, unit, Error)
 
 
 def require_count(name: str, value: int, highest: int) -> None:

@@ -1,0 +1,136 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""Which packages a launch file needs, so that no others are built for it. In doubt: all."""
+
+from __future__ import annotations
+
+import xml.etree.ElementTree as ElementTree
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from trident_tool.building import package_manifests
+from trident_tool.environment import ros_environment
+from trident_tool.launch_plan import load_facts
+from trident_tool.launchfile import find_launch_file, parse_request
+from trident_tool.workspace import TridentError, Workspace
+
+#: What `./trident run` itself uses to check and to judge a run; their Python needs no build.
+_OF_THE_TOOL = ("trident_fleet", "trident_msgs")
+#: The simulator loads plugins by name: what is compiled against it may be one.
+_SIMULATOR = "trident_sim"
+#: Their nodes start launch files of their own.
+_START_OTHERS = frozenset({"trident_eval", "trident_testing"})
+_DISTRIBUTION = (Path("/usr/share"), Path("/opt/ros"))
+_RUN = ("depend", "exec_depend", "run_depend")
+_BUILD = ("depend", "build_depend", "build_export_depend")
+
+
+@dataclass(frozen=True)
+class Package:
+    """A package of the workspace.
+
+    Attributes:
+        folder: of its package.xml, relative to the workspace.
+        runs_with: packages that it needs when it runs.
+        builds_with: packages that it is compiled against.
+    """
+
+    folder: Path
+    runs_with: frozenset[str]
+    builds_with: frozenset[str]
+
+
+def read_packages(workspace: Workspace) -> dict[str, Package]:
+    """All packages of the workspace by name.
+
+    Raises:
+        ElementTree.ParseError: a package.xml is not well-formed.
+    """
+    found = {}
+    for manifest in package_manifests(workspace):
+        root = ElementTree.parse(manifest).getroot()
+        found[(root.findtext("name") or "").strip()] = Package(
+            manifest.parent.relative_to(workspace.root), _named(root, _RUN), _named(root, _BUILD)
+        )
+    return found
+
+
+def _named(root: ElementTree.Element, tags: Iterable[str]) -> frozenset[str]:
+    return frozenset((item.text or "").strip() for tag in tags for item in root.iter(tag))
+
+
+def needed_packages(
+    facts: Mapping[str, Any], packages: Mapping[str, Package], has_installed: Callable[[str], bool]
+) -> set[str] | None:
+    """Packages of the workspace that a launch file needs to be built; None: it may be any.
+
+    A package whose nodes are started is needed with all that it runs with; one that is only looked
+    into, by $(find …), with nothing but what it builds itself.
+
+    Args:
+        facts: of the launch file, as load_launch.py prints them.
+        packages: of the workspace.
+        has_installed: whether a package is one of the distribution, which needs none of ours.
+    """
+    started = {node["package"] for node in facts["nodes"]}
+    known = (name in packages or has_installed(name) for name in started)
+    if started & _START_OTHERS or not all(known):
+        return None
+    words = [word for node in facts["nodes"] for word in node["args"].split()]
+    # A nodelet is named PACKAGE/TYPE, a command of rosrun or roslaunch by its package.
+    started |= {word.partition("/")[0] for word in words}
+    needed = _with_all_they_run_with(started | set(_OF_THE_TOOL), packages)
+    if needed & _START_OTHERS:
+        return None
+    if _SIMULATOR in needed:
+        plugins = {name for name, one in packages.items() if _SIMULATOR in one.builds_with}
+        needed |= _with_all_they_run_with(plugins, packages)
+    return needed | (set(facts["found"]) & set(packages))
+
+
+def _with_all_they_run_with(names: set[str], packages: Mapping[str, Package]) -> set[str]:
+    found: set[str] = set()
+    ahead = names & set(packages)
+    while ahead:
+        name = ahead.pop()
+        found.add(name)
+        ahead |= (packages[name].runs_with & set(packages)) - found
+    return found
+
+
+def targets_of(names: Iterable[str], packages: Mapping[str, Package]) -> list[str]:
+    """Targets of ninja that build packages, with what these are compiled against."""
+    return [f"{packages[name].folder}/all" for name in sorted(names)]
+
+
+def is_installed(name: str) -> bool:
+    """Whether a package is one of Debian's or of a ROS distribution."""
+    places = [_DISTRIBUTION[0], *_DISTRIBUTION[1].glob("*/share")]
+    return any((place / name / "package.xml").is_file() for place in places)
+
+
+def targets_of_launch(workspace: Workspace, words: Sequence[str]) -> list[str]:
+    """Targets of ninja for the launch file of a command line; none: all are to be built.
+
+    The workspace is configured. A launch file that roslaunch does not take is refused later, when
+    all is there that it may refer to.
+
+    Args:
+        workspace: the clone.
+        words: of the command line, behind ``run``.
+
+    Raises:
+        TridentError: there is no such launch file.
+    """
+    env = ros_environment(workspace)
+    request = parse_request(words)
+    launch_file = find_launch_file(workspace, request, env)
+    try:
+        facts = load_facts(launch_file, request.args, env)
+        packages = read_packages(workspace)
+    except (TridentError, ElementTree.ParseError):
+        return []
+    needed = needed_packages(facts, packages, is_installed)
+    return [] if needed is None else targets_of(needed, packages)
