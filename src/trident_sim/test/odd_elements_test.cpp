@@ -136,6 +136,53 @@ TEST(OddElements, AnIncludeThatIsNotFoundIsLeftOutAndToldWithWhereItWasSearched)
   EXPECT_TRUE(contains(warnings[0], "odd.world:2: <include> of 'model://nowhere' not found"));
 }
 
+TEST(OddElements, AModelOfOneIncludeThatIsNotFoundIsToldOnce) {
+  WorldSpec world;
+  const std::string lost = "<include><uri>model://nowhere</uri></include>";
+  std::string odd =
+      odd_element_of(in_world(ball("a") + "<model name='m'>\n" + lost + "</model>"), &world);
+  EXPECT_TRUE(contains(odd, "odd.world:5: <include> of 'model://nowhere' not found")) << odd;
+  EXPECT_EQ(world.models.size(), 1u);
+  odd = odd_element_of(
+      in_world(ball("a") + "<model name='m'><model name='n'>\n" + lost + "</model></model>"));
+  EXPECT_TRUE(contains(odd, "<include> of 'model://nowhere' not found")) << odd;
+}
+
+std::string mesh(const std::string& tag, const std::string& name, const std::string& uri) {
+  return "<" + tag + " name='" + name + "'><geometry><mesh><uri>" + uri +
+         "</uri></mesh></geometry></" + tag + ">\n";
+}
+
+TEST(OddElements, AMissingMeshIsToldOnceWithItsFirstPlaceAndCountedEverywhere) {
+  const std::string uri = "model://gone/a.dae";
+  std::vector<std::string> warnings;
+  const WorldSpec spec = load_world_string(
+      in_world("<model name='m'><static>1</static><link name='l'>\n" + mesh("visual", "v", uri) +
+               mesh("collision", "c", uri) + mesh("collision", "d", uri) +
+               mesh("visual", "w", "model://gone/look.dae") +
+               mesh("visual", "x", "model://gone/look.dae") + "</link></model>" + ball("a")),
+      "odd.world", Resources(), [&](const std::string& text) { warnings.push_back(text); },
+      OddElements::kLeaveOut);
+  ASSERT_EQ(spec.odd_elements.size(), 1u);
+  EXPECT_TRUE(contains(spec.odd_elements[0],
+                       "odd.world:4: link 'l' collision 'c': mesh 'model://gone/a.dae' not found; "
+                       "searched: "));
+  EXPECT_TRUE(contains(spec.odd_elements[0], "left out; used in 3 places"));
+  ASSERT_EQ(spec.odd_repeats.size(), 1u);
+  EXPECT_TRUE(contains(spec.odd_repeats[0], "odd.world:5: link 'l' collision 'd'"));
+  EXPECT_EQ(warnings, std::vector<std::string>{
+                          "odd.world:6: link 'l' visual 'w': mesh 'model://gone/look.dae' not "
+                          "found; shown without it; used in 2 places"});
+  PluginRegistry registry;
+  std::vector<std::string> told;
+  WorldOptions options;
+  options.odd_elements = OddElements::kLeaveOut;
+  options.report = [&](Severity, const std::string& text) { told.push_back(text); };
+  const World world(spec, Resources(), registry, options);
+  EXPECT_EQ(told, spec.odd_elements);
+  EXPECT_EQ(world.odd_elements().size(), 2u);
+}
+
 TEST(OddElements, OfAnIncludedFileAreToldWithThatFile) {
   const ScratchFolder folder;
   folder.write("crate/model.config",

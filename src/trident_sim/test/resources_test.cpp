@@ -36,14 +36,32 @@ TEST_F(ResourcesTest, TheModelPathMayHoldALiteralVariable) {
   const Resources resources;
   EXPECT_EQ(resources.find("model://crate/meshes/a.stl"), file_);
   EXPECT_EQ(resources.searched().substr(0, models_.size() + 1), models_ + ":");
+  EXPECT_TRUE(resources.warnings().empty());  // an idiom of upstream's launch files
+}
+
+TEST_F(ResourcesTest, TheNameOfAnySearchPathIsNoWarningInAnyOfThem) {
+  for (const char* value : {"$GAZEBO_MODEL_PATH:/a", "${GAZEBO_RESOURCE_PATH}:/a",
+                            "/a:${GAZEBO_PLUGIN_PATH}:$GAZEBO_PLUGIN_PATH"}) {
+    for (const char* variable :
+         {"GAZEBO_MODEL_PATH", "GAZEBO_RESOURCE_PATH", "GAZEBO_PLUGIN_PATH"}) {
+      const ScopedEnvironment path(variable, value);
+      EXPECT_TRUE(Resources().warnings().empty()) << variable << "=" << value;
+    }
+  }
+}
+
+TEST_F(ResourcesTest, OtherUnexpandedPartsAreToldBesideTheNameOfTheSearchPath) {
+  const ScopedEnvironment path("GAZEBO_MODEL_PATH", "${GAZEBO_MODEL_PATH}:${GAZEBO_MODEL_PATH}/a");
+  const Resources resources;
   ASSERT_EQ(resources.warnings().size(), 1u);
-  EXPECT_TRUE(contains(resources.warnings()[0], "GAZEBO_MODEL_PATH holds '${GAZEBO_MODEL_PATH}'"));
+  EXPECT_TRUE(
+      contains(resources.warnings()[0], "GAZEBO_MODEL_PATH holds '${GAZEBO_MODEL_PATH}/a'"));
 }
 
 TEST_F(ResourcesTest, PartsThatNobodyHasExpandedAreToldOncePerVariable) {
   const ScopedEnvironment path("GAZEBO_RESOURCE_PATH",
                                "${A}:" + folder_.path() + ":${HOME}/worlds:$B");
-  const ScopedEnvironment plugins("GAZEBO_PLUGIN_PATH", "${GAZEBO_PLUGIN_PATH}:/opt/plugins");
+  const ScopedEnvironment plugins("GAZEBO_PLUGIN_PATH", "${HOME}/plugins:/opt/plugins");
   const Resources resources;
   EXPECT_EQ(resources.warnings().size(), 2u);
   EXPECT_EQ(resources.find("models/crate/meshes/a.stl"), file_);

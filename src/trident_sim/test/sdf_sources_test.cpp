@@ -110,6 +110,58 @@ TEST_F(SdfSourcesTest, IncludesInThePartsOfAPluginAreItsOwn) {
   EXPECT_NE(model.plugins[0].params.find("include"), nullptr);
 }
 
+/// Includes that are read here come with what they say, in the order of the document; with
+/// `extra`, which libsdformat alone knows, they are read by it.
+WorldSpec included_world(const std::string& folder, const std::string& extra) {
+  const std::string xml =
+      "<sdf version='1.6'><world name='w'>"
+      "<include><uri>model://ball</uri><name>b1</name><pose frame=''>1 2 3 0 0 0</pose></include>"
+      "<model name='own'><link name='l'/></model>"
+      "<include><uri>model://ball</uri><name>b2</name><static>1</static></include>"
+      "<model name='outer'><pose>0 0 5 0 0 0</pose>"
+      "<include><uri>model://ball</uri><pose>1 0 0 0 0 0</pose></include>"
+      "<model name='inner'><include><uri>model://ball</uri></include></model></model>"
+      "<include><uri>model://lamp</uri></include><include><uri>model://ball</uri>" +
+      extra + "</include></world></sdf>";
+  return load_world_string(xml, "w.world", Resources({folder}),
+                           [](const std::string& text) { ADD_FAILURE() << text; });
+}
+
+std::string summary(const WorldSpec& world) {
+  std::ostringstream text;
+  for (const ModelSpec& model : world.models) {
+    text << model.name << (model.is_static ? " static" : "") << " at "
+         << model.T_world_model.p.transpose() << ":";
+    for (const LinkSpec& link : model.links) {
+      text << " " << link.name << " at " << link.T_model_link.p.transpose() << " with "
+           << link.collisions.size() << link.visuals.size();
+    }
+    text << "\n";
+  }
+  for (const LightSpec& light : world.lights) text << light.name << "\n";
+  return text.str();
+}
+
+TEST_F(SdfSourcesTest, IncludesThatAreReadHereAreThoseOfLibsdformat) {
+  write("part", {});
+  write("ball", {"part"});
+  folder_.write("lamp/model.config",
+                "<model><name>m</name><sdf version='1.6'>model.sdf</sdf></model>");
+  folder_.write("lamp/model.sdf",
+                "<sdf version='1.6'><light type='directional' name='lamp'><direction>0 0 -1"
+                "</direction></light></sdf>");
+  const std::string here = summary(included_world(folder_.path(), ""));
+  EXPECT_EQ(here,
+            summary(included_world(folder_.path(), "<plugin name='p' filename='libnothing.so'/>")));
+  EXPECT_EQ(here,
+            "b1 at 1 2 3: l at 0 0 0 with 01 n0::l at 0 0 0 with 01\n"
+            "own at 0 0 0: l at 0 0 0 with 00\n"
+            "b2 static at 0 0 0: l at 0 0 0 with 01 n0::l at 0 0 0 with 01\n"
+            "outer at 0 0 5: ball::l at 1 0 0 with 01 ball::n0::l at 1 0 0 with 01 "
+            "inner::ball::l at 0 0 0 with 01 inner::ball::n0::l at 0 0 0 with 01\n"
+            "ball at 0 0 0: l at 0 0 0 with 01 n0::l at 0 0 0 with 01\nlamp\n");
+}
+
 TEST(XmlCut, BlanksAnElementAndKeepsTheLines) {
   std::string xml = "<a>\n<b c='>'/><b>\n<!-- </b> --><b/><![CDATA[</b>]]>\n</b><d/>\n</a>";
   const std::string before = xml;

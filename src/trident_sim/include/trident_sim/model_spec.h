@@ -172,6 +172,7 @@ struct ModelSpec {
   std::vector<JointSpec> joints;
   std::vector<PluginSpec> plugins;
   std::vector<std::string> odd_elements{};  ///< that were left out or changed, a sentence each
+  std::vector<std::string> odd_repeats{};   ///< more of what those tell: counted, not told
 };
 
 /// `<physics>` and `<gravity>` with Gazebo's defaults.
@@ -226,6 +227,7 @@ struct WorldSpec {
   SceneSpec scene;
   std::vector<PluginSpec> plugins;
   std::vector<std::string> odd_elements{};  ///< that were left out or changed, a sentence each
+  std::vector<std::string> odd_repeats{};   ///< more of what those tell: counted, not told
 };
 
 }  // namespace trident

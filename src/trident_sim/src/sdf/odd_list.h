@@ -14,6 +14,8 @@ namespace trident {
 struct OddList {
   OddElements policy = OddElements::kRefuse;
   std::vector<std::string> texts{};
+  /// Further elements that lack what one of `texts` tells of.
+  std::vector<std::string> repeats{};
   /// What libsdformat says of a repaired document: many sentences for one element, without a place.
   std::vector<std::string> vague{};
 

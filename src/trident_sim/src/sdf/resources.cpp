@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <set>
 
 #include "package_index.h"
 
@@ -30,6 +31,14 @@ bool present(const fs::path& path) {
 /// roslaunch sets variables as they are written: it expands no ${NAME}.
 bool is_unexpanded(const std::string& folder) {
   return folder[0] == '$' || folder.find("${") != std::string::npos;
+}
+
+/// Upstream's launch files set `NAME` to "${NAME}:…", and mean what is found last in any case.
+bool names_search_path(const std::string& folder) {
+  static const std::set<std::string> kKnown{"${GAZEBO_MODEL_PATH}",  "${GAZEBO_RESOURCE_PATH}",
+                                            "${GAZEBO_PLUGIN_PATH}", "$GAZEBO_MODEL_PATH",
+                                            "$GAZEBO_RESOURCE_PATH", "$GAZEBO_PLUGIN_PATH"};
+  return kKnown.count(folder) > 0;
 }
 
 std::string normal(const std::string& folder) {
@@ -69,6 +78,7 @@ Resources::Resources(std::vector<std::string> extra_folders)
 std::vector<std::string> Resources::take_variable(const char* variable) {
   const char* const value = std::getenv(variable);
   std::vector<std::string> folders = split_path_list(value == nullptr ? "" : value);
+  folders.erase(std::remove_if(folders.begin(), folders.end(), names_search_path), folders.end());
   const auto odd = std::find_if(folders.begin(), folders.end(), is_unexpanded);
   if (odd == folders.end()) return folders;
   warnings_.push_back(std::string(variable) + " holds '" + *odd +

@@ -16,22 +16,47 @@
 namespace trident {
 namespace {
 
-/// The path of a shape's file. A missing one throws when `required`.
+/// The text of a fault with file and line in place of the document's name.
+std::string placed(const std::string& fault, const sdf::ElementPtr& element,
+                   const ConvertContext& context) {
+  if (!element || !context.has_places) return fault;
+  const std::string prefix = context.label + ": ";
+  const std::string text = fault.rfind(prefix, 0) == 0 ? fault.substr(prefix.size()) : fault;
+  std::string place = element->FilePath();
+  if (place.empty() || place.front() != '/') place = context.label;
+  if (context.original) place = context.original(place);
+  if (const auto line = element->LineNumber()) place += ":" + std::to_string(*line);
+  return place + ": " + text;
+}
+
+/// Who has a shape.
+struct ShapeOwner {
+  sdf::ElementPtr element;
+  std::string name;
+  bool is_collision;
+};
+
+/// The path of a shape's file. A collision's missing one throws where odd elements are refused.
 std::optional<std::string> find_file(const char* kind, const std::string& uri,
-                                     const std::string& what, bool required,
-                                     const ConvertContext& context) {
-  std::string file = context.resources.find(uri, context.base_folder);
-  if (!file.empty()) return file;
-  const std::string text = context.label + ": " + what + ": " + kind + " '" + uri + "' not found";
-  if (required) throw Error(text + "; searched: " + context.resources.searched());
-  context.warn(text + "; shown without it");
+                                     const ShapeOwner& owner, const ConvertContext& context) {
+  std::string found = context.resources.find(uri, context.base_folder);
+  if (!found.empty()) return found;
+  const std::string file = std::string(kind) + " '" + uri + "'";
+  const std::string text = context.label + ": " + owner.name + ": " + file + " not found";
+  if (!owner.is_collision) {
+    context.missing.add_visual(file, placed(text, owner.element, context));
+  } else if (context.odd.policy == OddElements::kRefuse) {
+    throw Error(text + "; searched: " + context.resources.searched());
+  } else {
+    context.missing.add_collision(file, placed(text, owner.element, context),
+                                  context.resources.searched());
+  }
   return std::nullopt;
 }
 
-/// The shape, or nothing for one that is not simulated (said once). A missing file throws when
-/// `file_required`.
-std::optional<Shape> convert_shape(const sdf::Geometry& geometry, const std::string& what,
-                                   bool file_required, const ConvertContext& context) {
+/// The shape, or nothing for one that is not simulated (said once) or whose file is missing.
+std::optional<Shape> convert_shape(const sdf::Geometry& geometry, const ShapeOwner& owner,
+                                   const ConvertContext& context) {
   switch (geometry.Type()) {
     case sdf::GeometryType::BOX:
       return BoxShape{to_eigen(geometry.BoxShape()->Size())};
@@ -44,21 +69,20 @@ std::optional<Shape> convert_shape(const sdf::Geometry& geometry, const std::str
     case sdf::GeometryType::PLANE:
       return PlaneShape{to_eigen(geometry.PlaneShape()->Normal())};
     case sdf::GeometryType::MESH: {
-      const auto file =
-          find_file("mesh", geometry.MeshShape()->Uri(), what, file_required, context);
+      const auto file = find_file("mesh", geometry.MeshShape()->Uri(), owner, context);
       if (!file) return std::nullopt;
       return MeshShape{*file, to_eigen(geometry.MeshShape()->Scale())};
     }
     case sdf::GeometryType::HEIGHTMAP: {
       const sdf::Heightmap& heightmap = *geometry.HeightmapShape();
-      const auto file = find_file("heightmap", heightmap.Uri(), what, file_required, context);
+      const auto file = find_file("heightmap", heightmap.Uri(), owner, context);
       if (!file) return std::nullopt;
       return HeightmapShape{*file, to_eigen(heightmap.Size())};
     }
     case sdf::GeometryType::EMPTY:
       return std::nullopt;
     default:
-      context.warn(context.label + ": " + what +
+      context.warn(context.label + ": " + owner.name +
                    ": geometry type is not simulated (known: box, sphere, cylinder, capsule, "
                    "plane, mesh, heightmap)");
       return std::nullopt;
@@ -175,19 +199,6 @@ void check_ends(const JointSpec& joint, const ModelSpec& spec, const ConvertCont
   }
 }
 
-/// The text of a fault with file and line in place of the document's name.
-std::string placed(const std::string& fault, const sdf::ElementPtr& element,
-                   const ConvertContext& context) {
-  if (!element || !context.has_places) return fault;
-  const std::string prefix = context.label + ": ";
-  const std::string text = fault.rfind(prefix, 0) == 0 ? fault.substr(prefix.size()) : fault;
-  std::string place = element->FilePath();
-  if (place.empty() || place.front() != '/') place = context.label;
-  if (context.original) place = context.original(place);
-  if (const auto line = element->LineNumber()) place += ":" + std::to_string(*line);
-  return place + ": " + text;
-}
-
 /// Runs `convert`; where odd elements are left out a fault of it is noted with the element's place.
 template <class Convert>
 void guard(const sdf::ElementPtr& element, const ConvertContext& context, const Convert& convert) {
@@ -209,7 +220,7 @@ void note_inertial(const sdf::Link& link, const std::string& fault, const std::s
 void convert_collision(const sdf::Collision& collision, const std::string& link_name,
                        const std::string& what, const ConvertContext& context, LinkSpec& link) {
   const std::string name = what + " collision '" + collision.Name() + "'";
-  auto shape = convert_shape(*collision.Geom(), name, true, context);
+  auto shape = convert_shape(*collision.Geom(), {collision.Element(), name, true}, context);
   if (!shape) return;
   check_positive(*shape, name, context);
   const SE3 T_link_shape =
@@ -223,7 +234,7 @@ void convert_collision(const sdf::Collision& collision, const std::string& link_
 void convert_visual(const sdf::Visual& visual, const std::string& link_name,
                     const std::string& what, const ConvertContext& context, LinkSpec& link) {
   const std::string name = what + " visual '" + visual.Name() + "'";
-  auto shape = convert_shape(*visual.Geom(), name, false, context);
+  auto shape = convert_shape(*visual.Geom(), {visual.Element(), name, false}, context);
   if (!shape) return;
   VisualSpec result;
   result.name = visual.Name();

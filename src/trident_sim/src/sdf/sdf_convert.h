@@ -7,6 +7,7 @@
 #include <sdf/sdf.hh>
 #include <string>
 
+#include "missing_files.h"
 #include "odd_list.h"
 #include "ogre_script.h"
 #include "trident_sim/sdf_loader.h"
@@ -20,6 +21,7 @@ struct ConvertContext {
   std::string base_folder;
   const WarningSink& warn;
   OddList& odd;
+  MissingFiles& missing;
   /// Whether lines and paths of elements are those of the user's files.
   bool has_places = true;
   /// The file that a path of libsdformat means.

@@ -2,13 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sdf_includes.h"
 
-#include <tinyxml2.h>
-
 #include <algorithm>
+#include <deque>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <optional>
 
 #include "sdf_schema.h"
 
@@ -17,66 +15,203 @@ namespace {
 
 using tinyxml2::XMLElement;
 
-/// The URI of an `<include>` that says nothing else; "" of another.
-std::string only_uri(const XMLElement& include) {
-  const auto* uri = include.FirstChildElement();
-  const bool is_plain = include.FirstAttribute() == nullptr && uri != nullptr &&
-                        uri->NextSiblingElement() == nullptr &&
-                        uri->Value() == std::string("uri") && uri->FirstAttribute() == nullptr &&
-                        uri->GetText() != nullptr;
-  return is_plain ? uri->GetText() : "";
+/// What includes bring in, and what may hold it.
+bool is_entity(const std::string& tag) {
+  return tag == "world" || tag == "model" || tag == "actor" || tag == "light";
 }
+bool may_include(const std::string& tag) { return tag == "world" || tag == "model"; }
 
-/// The one model, actor or light of a file without errors.
-std::optional<PlainInclude> read_include(const std::string& uri, const UriFinder& find) {
-  std::error_code ignored;
-  const std::string folder = find(uri);
-  if (!std::filesystem::is_directory(folder, ignored)) return std::nullopt;
-  const std::string path = sdf::getModelFilePath(folder);
-  std::ifstream file(path, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  const sdf::SDFPtr document = make_document(text);
-  sdf::ParserConfig config;
-  config.SetFindCallback(find);
-  sdf::Errors errors;
-  if (!sdf::readFile(path, config, document, errors) || !errors.empty()) return std::nullopt;
-  const sdf::ElementPtr element = document->Root()->GetFirstElement();
-  if (!element || element->GetNextElement()) return std::nullopt;
-  const std::string kind = element->GetName();
-  if (kind != "model" && kind != "actor" && kind != "light") return std::nullopt;
-  return PlainInclude{uri, element};
-}
-
-/// URIs of the includes; none when they are not all plain, or not all that there is.
-std::vector<std::string> plain_uris(const XMLElement& world) {
-  std::vector<std::string> uris;
-  for (auto* child = world.FirstChildElement(); child != nullptr;
-       child = child->NextSiblingElement()) {
+bool holds_include(const XMLElement& parent) {
+  for (auto* child = parent.FirstChildElement(); child; child = child->NextSiblingElement()) {
     const std::string tag = child->Value();
-    if (tag == "model" || tag == "actor") return {};
-    if (tag != "include") continue;
-    const std::string uri = only_uri(*child);
-    if (uri.empty() || std::count(uris.begin(), uris.end(), uri) > 0) return {};
-    uris.push_back(uri);
+    if (tag == "include" || (tag != "plugin" && holds_include(*child))) return true;
   }
-  return uris;
+  return false;
+}
+
+/// A <pose> may have the empty `frame` of older versions.
+bool is_plain_part(const XMLElement& part) {
+  const std::string tag = part.Value();
+  if (tag != "uri" && tag != "name" && tag != "pose" && tag != "static") return false;
+  for (auto* attribute = part.FirstAttribute(); attribute; attribute = attribute->Next()) {
+    const bool is_empty = *attribute->Value() == '\0';
+    if (tag != "pose" || !is_empty || attribute->Name() != std::string("frame")) return false;
+  }
+  return part.GetText() != nullptr && part.FirstChildElement() == nullptr;
+}
+
+bool is_plain(const XMLElement& include) {
+  std::set<std::string> met;
+  for (auto* part = include.FirstChildElement(); part; part = part->NextSiblingElement()) {
+    if (!is_plain_part(*part) || !met.insert(part->Value()).second) return false;
+  }
+  return met.count("uri") > 0 && include.FirstAttribute() == nullptr;
+}
+
+/// As libsdformat does it.
+void take_parts(const XMLElement& include, const sdf::ElementPtr& element) {
+  const std::string kind = element->GetName();
+  if (const auto* name = include.FirstChildElement("name")) {
+    element->GetAttribute("name")->SetFromString(name->GetText());
+    element->SetXmlPath("/sdf/" + kind + "[@name=\"" + name->GetText() + "\"]");
+  }
+  if (const auto* given = include.FirstChildElement("pose")) {
+    const sdf::ElementPtr pose = element->GetElement("pose");
+    for (const char* attribute : {"relative_to", "degrees", "rotation_format"}) {
+      if (const sdf::ParamPtr param = pose->GetAttribute(attribute)) param->Reset();
+    }
+    pose->GetValue()->SetFromString(given->GetText());
+  }
+  const auto* is_static = include.FirstChildElement("static");
+  if (is_static != nullptr && kind == "model") {
+    element->GetElement("static")->GetValue()->SetFromString(is_static->GetText());
+  }
+}
+
+std::string model_file(const std::string& path) {
+  std::error_code ignored;
+  return std::filesystem::is_directory(path, ignored) ? sdf::getModelFilePath(path) : path;
+}
+
+/// `read`: of libsdformat, into a document and with a configuration.
+template <class Read>
+sdf::SDFPtr read_with_includes(const std::string& text, const UriFinder& find, sdf::Errors& errors,
+                               const Read& read) {
+  const PlainIncludes includes(text, find);
+  sdf::ParserConfig config;
+  config.SetFindCallback(
+      [&](const std::string& uri) { return includes.have(uri) ? std::string() : find(uri); });
+  sdf::SDFPtr document = make_document(text);
+  if (!read(config, document)) return nullptr;
+  includes.drop_lookup_errors(errors);
+  if (includes.insert(document->Root())) return document;
+  errors.clear();
+  config.SetFindCallback(find);
+  document = make_document(text);
+  return read(config, document) ? document : nullptr;
 }
 
 }  // namespace
 
-std::vector<PlainInclude> read_plain_includes(const std::string& text, const UriFinder& find) {
-  tinyxml2::XMLDocument document(true, tinyxml2::COLLAPSE_WHITESPACE);  // as libsdformat reads it
-  if (document.Parse(text.c_str(), text.size()) != tinyxml2::XML_SUCCESS) return {};
-  const auto* root = document.FirstChildElement("sdf");
-  const auto* world = root == nullptr ? nullptr : root->FirstChildElement("world");
-  if (world == nullptr || world->NextSiblingElement() != nullptr) return {};
-  std::vector<PlainInclude> includes;
-  for (const std::string& uri : plain_uris(*world)) {
-    std::optional<PlainInclude> include = read_include(uri, find);
-    if (!include) return {};
-    includes.push_back(std::move(*include));
+PlainIncludes::PlainIncludes(const std::string& text, const UriFinder& find) {
+  if (text.find("<include") == std::string::npos) return;
+  if (document_.Parse(text.c_str(), text.size()) != tinyxml2::XML_SUCCESS) return;
+  const XMLElement* const root = document_.FirstChildElement("sdf");
+  if (root != nullptr && read_all(*root, find)) return;
+  elements_.clear();
+  uris_.clear();
+}
+
+bool PlainIncludes::read_all(const XMLElement& parent, const UriFinder& find) {
+  const bool may = may_include(parent.Value());
+  for (auto* child = parent.FirstChildElement(); child; child = child->NextSiblingElement()) {
+    const std::string tag = child->Value();
+    if (tag == "plugin") continue;
+    const bool is_read = tag == "include"   ? may && read(*child, find)
+                         : may_include(tag) ? read_all(*child, find)
+                                            : !holds_include(*child);
+    if (!is_read) return false;
   }
-  return includes;
+  return true;
+}
+
+bool PlainIncludes::read(const XMLElement& include, const UriFinder& find) {
+  if (!is_plain(include)) return false;
+  const std::string uri = include.FirstChildElement("uri")->GetText();
+  const std::string path = model_file(find(uri));
+  if (path.empty()) return false;
+  sdf::Errors errors;
+  const sdf::SDFPtr document = read_sdf_file(path, find, errors);
+  if (document == nullptr || !errors.empty()) return false;
+  const sdf::ElementPtr element = document->Root()->GetFirstElement();
+  if (!element || element->GetNextElement()) return false;
+  if (!is_entity(element->GetName()) || element->GetName() == "world") return false;
+  take_parts(include, element);
+  elements_[&include] = element;
+  uris_.insert(uri);
+  return true;
+}
+
+void PlainIncludes::drop_lookup_errors(sdf::Errors& errors) const {
+  const auto is_expected = [this](const sdf::Error& error) {
+    return error.Code() == sdf::ErrorCode::URI_LOOKUP &&
+           std::any_of(uris_.begin(), uris_.end(), [&error](const std::string& uri) {
+             return error.Message() == "Unable to find uri[" + uri + "]";
+           });
+  };
+  errors.erase(std::remove_if(errors.begin(), errors.end(), is_expected), errors.end());
+}
+
+namespace {
+
+using Entities = std::map<std::string, std::deque<sdf::ElementPtr>>;
+
+Entities entities_of(const sdf::ElementPtr& parent) {
+  Entities entities;
+  for (auto child = parent->GetFirstElement(); child; child = child->GetNextElement()) {
+    if (is_entity(child->GetName())) entities[child->GetName()].push_back(child);
+  }
+  return entities;
+}
+
+/// Whether an element has the entities of its text, one for one.
+bool fits(const XMLElement& xml, const sdf::ElementPtr& parent) {
+  Entities entities = entities_of(parent);
+  for (auto* child = xml.FirstChildElement(); child; child = child->NextSiblingElement()) {
+    const std::string tag = child->Value();
+    if (!is_entity(tag)) continue;
+    if (entities[tag].empty()) return false;
+    const sdf::ElementPtr element = entities[tag].front();
+    entities[tag].pop_front();
+    if (may_include(tag) && !fits(*child, element)) return false;
+  }
+  return std::all_of(entities.begin(), entities.end(),
+                     [](const auto& kind) { return kind.second.empty(); });
+}
+
+}  // namespace
+
+bool PlainIncludes::insert(const sdf::ElementPtr& root) const {
+  if (elements_.empty()) return true;
+  const XMLElement& xml = *document_.FirstChildElement("sdf");
+  if (!fits(xml, root)) return false;
+  insert_children(xml, root);
+  return true;
+}
+
+void PlainIncludes::insert_children(const XMLElement& xml, const sdf::ElementPtr& parent) const {
+  if (!holds_include(xml)) return;
+  Entities entities = entities_of(parent);
+  for (auto* child = xml.FirstChildElement(); child; child = child->NextSiblingElement()) {
+    const std::string tag = child->Value();
+    sdf::ElementPtr element;
+    if (tag == "include") {
+      element = elements_.at(child);
+    } else if (is_entity(tag)) {
+      element = entities[tag].front();
+      entities[tag].pop_front();
+      if (may_include(tag)) insert_children(*child, element);
+      parent->RemoveChild(element);
+    } else {
+      continue;
+    }
+    element->SetParent(parent);
+    parent->InsertElement(element);
+  }
+}
+
+sdf::SDFPtr read_sdf_text(const std::string& text, const UriFinder& find, sdf::Errors& errors) {
+  return read_with_includes(text, find, errors, [&](const auto& config, const auto& document) {
+    return sdf::readString(text, config, document, errors);
+  });
+}
+
+sdf::SDFPtr read_sdf_file(const std::string& path, const UriFinder& find, sdf::Errors& errors) {
+  std::ifstream file(path, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  return read_with_includes(text, find, errors, [&](const auto& config, const auto& document) {
+    return sdf::readFile(path, config, document, errors);
+  });
 }
 
 }  // namespace trident

@@ -117,17 +117,6 @@ void note_or_warn(const sdf::Errors& errors, const std::string& label, const War
   }
 }
 
-/// libsdformat has found none of `includes`, as it was told; that is no error.
-void drop_lookup_errors(const std::vector<PlainInclude>& includes, sdf::Errors& errors) {
-  const auto is_expected = [&includes](const sdf::Error& error) {
-    return error.Code() == sdf::ErrorCode::URI_LOOKUP &&
-           std::any_of(includes.begin(), includes.end(), [&error](const PlainInclude& include) {
-             return error.Message() == "Unable to find uri[" + include.uri + "]";
-           });
-  };
-  errors.erase(std::remove_if(errors.begin(), errors.end(), is_expected), errors.end());
-}
-
 /// libsdformat looks for what included files include by its global configuration.
 class GlobalFinder {
  public:
@@ -142,40 +131,52 @@ class GlobalFinder {
   GlobalFinder& operator=(const GlobalFinder&) = delete;
 };
 
-/// What sdf::Root::LoadSdfString() does, in a third of its time. `is_repaired`: what is still wrong
-/// is noted.
-sdf::Root load_trusted_root(const SdfSources& sources, const std::string& label, OddList& odd,
-                            const WarningSink& warn, bool is_repaired) {
-  sdf::Console::Instance()->SetQuiet(true);
-  const UriFinder find = [&sources](const std::string& uri) { return sources.find(uri); };
-  const GlobalFinder global(find);
-  const std::string& text = sources.text();
-  const std::vector<PlainInclude> includes = read_plain_includes(text, find);
-  sdf::ParserConfig config;
-  config.SetFindCallback([&](const std::string& uri) {
-    const bool is_read = std::any_of(includes.begin(), includes.end(),
-                                     [&uri](const auto& include) { return include.uri == uri; });
-    return is_read ? "" : find(uri);
-  });
-  const sdf::SDFPtr document = make_document(text);
-  sdf::Root root;
+/// A document with what it includes; null: libsdformat cannot read it.
+struct ReadDocument {
+  sdf::SDFPtr document;
   sdf::Errors errors;
-  if (sdf::readString(text, config, document, errors)) {
-    drop_lookup_errors(includes, errors);
-    for (const PlainInclude& include : includes) {
-      const sdf::ElementPtr world = document->Root()->GetElement("world");
-      include.element->SetParent(world);
-      world->InsertElement(include.element);
-    }
-    complete_material_scripts(document->Root());
-    if (is_repaired) repair_elements(document->Root(), label, odd.texts);
-    const sdf::Errors load_errors = root.Load(document, config);
-    errors.insert(errors.end(), load_errors.begin(), load_errors.end());
+};
+
+/// What the first half of sdf::Root::LoadSdfString() does, in a fraction of its time.
+ReadDocument read_document(const SdfSources& sources, const UriFinder& find) {
+  sdf::Console::Instance()->SetQuiet(true);
+  ReadDocument read;
+  read.document = read_sdf_text(sources.text(), find, read.errors);
+  if (read.document != nullptr) {
+    complete_material_scripts(read.document->Root());
   } else {
-    errors.emplace_back(sdf::ErrorCode::STRING_READ, "libsdformat cannot read it");
-    is_repaired = false;
+    read.errors.emplace_back(sdf::ErrorCode::STRING_READ, "libsdformat cannot read it");
   }
-  if (is_repaired) {
+  return read;
+}
+
+/// And the second half; appends to `errors`.
+sdf::Root to_root(const ReadDocument& read, const UriFinder& find, sdf::Errors& errors) {
+  errors = read.errors;
+  sdf::Root root;
+  if (read.document == nullptr) return root;
+  sdf::ParserConfig config;
+  config.SetFindCallback(find);
+  const sdf::Errors load_errors = root.Load(read.document, config);
+  errors.insert(errors.end(), load_errors.begin(), load_errors.end());
+  return root;
+}
+
+sdf::Root load_strictly(const ReadDocument& read, const UriFinder& find, const std::string& label,
+                        const WarningSink& warn) {
+  sdf::Errors errors;
+  sdf::Root root = to_root(read, find, errors);
+  raise_or_warn(errors, label, warn);
+  return root;
+}
+
+/// What is still wrong with a document that has been repaired as a text is repaired or noted.
+sdf::Root load_leniently(const ReadDocument& read, const SdfSources& sources, const UriFinder& find,
+                         const std::string& label, OddList& odd, const WarningSink& warn) {
+  if (read.document != nullptr) repair_elements(read.document->Root(), sources, odd.texts);
+  sdf::Errors errors;
+  sdf::Root root = to_root(read, find, errors);
+  if (read.document != nullptr) {
     note_or_warn(errors, label, warn, odd);
   } else {
     raise_or_warn(errors, label, warn);
@@ -186,17 +187,21 @@ sdf::Root load_trusted_root(const SdfSources& sources, const std::string& label,
 /// As it is, or else without what libsdformat cannot read.
 sdf::Root load_or_repair(SdfSources& sources, const std::string& label, OddList& odd,
                          const WarningSink& warn) {
+  const UriFinder find = [&sources](const std::string& uri) { return sources.find(uri); };
+  const GlobalFinder global(find);
   if (odd.policy == OddElements::kRefuse) {
-    return load_trusted_root(sources, label, odd, warn, false);
+    return load_strictly(read_document(sources, find), find, label, warn);
   }
   sources.repair_files();
+  ReadDocument read;
   try {
-    return load_trusted_root(sources, label, odd, warn, false);
+    read = read_document(sources, find);
+    return load_strictly(read, find, label, warn);
   } catch (const sdf::Exception&) {  // told by what follows, or again
   } catch (const Error&) {
   }
-  sources.repair_text();
-  return load_trusted_root(sources, label, odd, warn, true);
+  if (sources.repair_text() || read.document == nullptr) read = read_document(sources, find);
+  return load_leniently(read, sources, find, label, odd, warn);
 }
 
 /// libsdformat and what it calls throw of their own at some damaged texts, and the URDF parser
@@ -264,9 +269,12 @@ WorldSpec load_world(std::string xml, const std::string& label, const std::strin
   }
   const auto original = [&](const std::string& path) { return sources.original(path); };
   const std::size_t before = odd.texts.size();
-  WorldSpec spec = convert_world(*root.WorldByIndex(0),
-                                 {resources, label, base_folder, warn, odd, true, original});
+  MissingFiles missing(odd, warn);
+  WorldSpec spec = convert_world(
+      *root.WorldByIndex(0), {resources, label, base_folder, warn, odd, missing, true, original});
+  missing.close();
   odd.close(before);
+  spec.odd_repeats = std::move(odd.repeats);
   spec.odd_elements = std::move(odd.texts);
   return spec;
 }
@@ -319,9 +327,12 @@ ModelSpec load_model_string(const std::string& xml, const std::string& label,
   if (model == nullptr) throw Error(label + ": holds no <model>");
   const auto original = [&](const std::string& path) { return sources.original(path); };
   const std::size_t before = odd.texts.size();
+  MissingFiles missing(odd, warn);
   ModelSpec spec =
-      convert_model(*model, {resources, label, "", warn, odd, kind != "robot", original});
+      convert_model(*model, {resources, label, "", warn, odd, missing, kind != "robot", original});
+  missing.close();
   odd.close(before);
+  spec.odd_repeats = std::move(odd.repeats);
   spec.odd_elements = std::move(odd.texts);
   return spec;
 }

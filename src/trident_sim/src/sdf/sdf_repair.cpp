@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "sdf_schema.h"
+#include "sdf_sources.h"
 #include "trident_base/error.h"
 #include "xml_cut.h"
 
@@ -116,12 +117,34 @@ bool is_named_part(const std::string& tag) {
   return kNamed.count(tag) > 0;
 }
 
+/// Neither it nor a model in it has a link.
 bool is_empty_model(const sdf::ElementPtr& element) {
-  return element->GetName() == "model" && !element->HasElement("link") &&
-         !element->HasElement("model");
+  if (element->GetName() != "model" || element->HasElement("link")) return false;
+  for (auto child = element->GetFirstElement(); child; child = child->GetNextElement()) {
+    if (child->GetName() == "model" && !is_empty_model(child)) return false;
+  }
+  return true;
 }
 
-void rename_doubles(const sdf::ElementPtr& parent, const std::string& label,
+/// "FILE:LINE", as far as libsdformat knows them.
+std::string place_of(const sdf::ElementPtr& element, const SdfSources& sources) {
+  const std::string& path = element->FilePath();
+  std::string place =
+      path.empty() || path.front() != '/' ? sources.label() : sources.original(path);
+  if (const auto line = element->LineNumber()) place += ":" + std::to_string(*line);
+  return place;
+}
+
+/// Whether an include of the model, or of a model in it, has been told to be left out.
+bool has_lost_include(const sdf::ElementPtr& model, const SdfSources& sources) {
+  if (sources.has_lost_include(place_of(model, sources))) return true;
+  for (auto child = model->GetFirstElement(); child; child = child->GetNextElement()) {
+    if (child->GetName() == "model" && has_lost_include(child, sources)) return true;
+  }
+  return false;
+}
+
+void rename_doubles(const sdf::ElementPtr& parent, const SdfSources& sources,
                     std::vector<std::string>& odd) {
   std::set<std::pair<std::string, std::string>> met;
   Names taken;
@@ -136,21 +159,13 @@ void rename_doubles(const sdf::ElementPtr& parent, const std::string& label,
     taken.insert(own);
     child->GetAttribute("name")->SetFromString(own);
     if (child->GetName() == "physics") continue;
-    std::string text = place_of(child, label);
+    std::string text = place_of(child, sources);
     text.append(": another <").append(child->GetName()).append("> is named '").append(name);
     odd.push_back(text.append("'; this one is called '").append(own).append("'"));
   }
 }
 
 }  // namespace
-
-std::string place_of(const sdf::ElementPtr& element, const std::string& label) {
-  if (!element) return label;
-  std::string place = element->FilePath();
-  if (place.empty() || place.front() != '/') place = label;
-  if (const auto line = element->LineNumber()) place += ":" + std::to_string(*line);
-  return place;
-}
 
 void leave_out_unreadable(std::string& text, const std::string& label,
                           std::vector<std::string>& odd) {
@@ -169,17 +184,19 @@ void leave_out_unreadable(std::string& text, const std::string& label,
   }
 }
 
-void repair_elements(const sdf::ElementPtr& root, const std::string& label,
+void repair_elements(const sdf::ElementPtr& root, const SdfSources& sources,
                      std::vector<std::string>& odd) {
-  rename_doubles(root, label, odd);
+  rename_doubles(root, sources, odd);
   for (auto child = root->GetFirstElement(); child;) {
     const auto next = child->GetNextElement();
     if (root->GetName() == "world" && is_empty_model(child)) {
-      odd.push_back(place_of(child, label) + ": model '" + child->Get<std::string>("name") +
-                    "' has no link; left out");
+      if (!has_lost_include(child, sources)) {
+        odd.push_back(place_of(child, sources) + ": model '" + child->Get<std::string>("name") +
+                      "' has no link; left out");
+      }
       root->RemoveChild(child);
     } else if (child->GetName() != "plugin") {
-      repair_elements(child, label, odd);
+      repair_elements(child, sources, odd);
     }
     child = next;
   }

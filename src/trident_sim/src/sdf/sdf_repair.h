@@ -8,6 +8,8 @@
 
 namespace trident {
 
+class SdfSources;
+
 /// Blanks the elements of an SDF text that libsdformat cannot read, included files aside, and tells
 /// each of them in `odd`. Throws Error when that leaves nothing to read, or takes more than a
 /// hundred.
@@ -16,11 +18,8 @@ void leave_out_unreadable(std::string& text, const std::string& label,
 
 /// Gives models, links, joints and their parts that share a name with one before them in the same
 /// parent a name of their own, and takes models without any link out of a world: one of them would
-/// make libsdformat drop more.
-void repair_elements(const sdf::ElementPtr& root, const std::string& label,
+/// make libsdformat drop more. A model that has none because its include is left out is not told.
+void repair_elements(const sdf::ElementPtr& root, const SdfSources& sources,
                      std::vector<std::string>& odd);
-
-/// "FILE:LINE" of an element, as far as libsdformat knows them.
-std::string place_of(const sdf::ElementPtr& element, const std::string& label);
 
 }  // namespace trident

@@ -62,19 +62,23 @@ SdfSources::~SdfSources() {
   if (!folder_.empty()) fs::remove_all(folder_, ignored);
 }
 
-std::string SdfSources::file_of(const std::string& uri) const {
-  std::string path = find_(uri);
+const SdfSources::Found& SdfSources::look_up(const std::string& uri) const {
+  const auto [entry, is_new] = found_.try_emplace(uri);
+  Found& found = entry->second;
+  if (!is_new) return found;
+  found.path = found.file = find_(uri);
   std::error_code ignored;
-  if (!fs::is_directory(path, ignored)) return path;
-  return fs::exists(fs::path(path) / "model.config", ignored) ||
-                 fs::exists(fs::path(path) / "manifest.xml", ignored)
-             ? sdf::getModelFilePath(path)
-             : "";
+  if (!fs::is_directory(found.path, ignored)) return found;
+  const bool is_model = fs::exists(fs::path(found.path) / "model.config", ignored) ||
+                        fs::exists(fs::path(found.path) / "manifest.xml", ignored);
+  found.file = is_model ? sdf::getModelFilePath(found.path) : "";
+  return found;
 }
 
 std::string SdfSources::find(const std::string& uri) const {
-  const auto known = files_.find(file_of(uri));
-  return known == files_.end() || known->second.copy.empty() ? find_(uri) : known->second.copy;
+  const Found& found = look_up(uri);
+  const auto known = files_.find(found.file);
+  return known == files_.end() || known->second.copy.empty() ? found.path : known->second.copy;
 }
 
 std::string SdfSources::original(const std::string& path) const {
@@ -116,6 +120,9 @@ void SdfSources::visit_includes(const XMLElement& parent, const std::string& lab
       continue;
     }
     cut.push_back({line, stay});
+    if (parent.Name() == std::string("model")) {
+      lossy_models_.insert(label + ":" + number(static_cast<std::uint64_t>(parent.GetLineNum())));
+    }
     std::string where = label;
     where.append(":").append(std::to_string(line)).append(": <include>").append(fault);
     if (fault.find(kNotFound) != std::string::npos && odd_.policy == OddElements::kRefuse) {
@@ -145,7 +152,7 @@ std::string SdfSources::open(const std::string& path, int depth, File& file) {
 
 std::string SdfSources::follow(const std::string& uri, int depth, Size& size) {
   const std::string what = " of '" + uri + "'";
-  const std::string path = file_of(uri);
+  const std::string path = look_up(uri).file;
   if (path.empty()) return what + kNotFound + searched_;
   const auto too_deep = [&](int deepest) {
     return what + " makes " + std::to_string(deepest) + " includes in each other, legal: at most " +
@@ -213,6 +220,10 @@ void SdfSources::repair_files() {
   }
 }
 
-void SdfSources::repair_text() { repair(text_, label_); }
+bool SdfSources::repair_text() {
+  const std::string before = text_;
+  repair(text_, label_);
+  return text_ != before;
+}
 
 }  // namespace trident

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,7 @@ class SdfSources {
   SdfSources& operator=(const SdfSources&) = delete;
 
   const std::string& text() const { return text_; }
+  const std::string& label() const { return label_; }
   /// The path that a URI leads to, that of the copy where there is one.
   std::string find(const std::string& uri) const;
   /// The file that a path names, if it is that of a copy; else the path.
@@ -50,7 +52,9 @@ class SdfSources {
   /// leave_out_unreadable(). Of a file that cannot be read at all nothing is left. Names like
   /// "a::b" that do not fit together, which libsdformat unfolds in old files, are read as "a__b".
   void repair_files();
-  void repair_text();
+  bool repair_text();  ///< whether it has changed
+  /// Whether an include of the model that begins at "FILE:LINE" is left out.
+  bool has_lost_include(const std::string& place) const { return lossy_models_.count(place) > 0; }
 
  private:
   struct Size {
@@ -71,7 +75,11 @@ class SdfSources {
                       Size& size, std::vector<Include>& cut);
   /// Why an include cannot be followed, or ""; adds its size.
   std::string follow(const std::string& uri, int depth, Size& size);
-  std::string file_of(const std::string& uri) const;
+  /// What a URI leads to, and the file that is read for it, if that is a folder.
+  struct Found {
+    std::string path, file;
+  };
+  const Found& look_up(const std::string& uri) const;
   /// Reads the file and what it includes; why that cannot be, or "".
   std::string open(const std::string& path, int depth, File& file);
   void save_copy(File& file);
@@ -83,8 +91,10 @@ class SdfSources {
   OddList& odd_;
   const WarningSink& warn_;
   SdfLimits limits_;
-  std::map<std::string, File> files_;  ///< by path
-  std::string folder_;                 ///< of the copies
+  std::map<std::string, File> files_;           ///< by path
+  mutable std::map<std::string, Found> found_;  ///< by URI
+  std::set<std::string> lossy_models_;          ///< where they begin
+  std::string folder_;                          ///< of the copies
   int copies_ = 0;
 };
 

@@ -135,6 +135,7 @@ World::World(const WorldSpec& spec, const Resources& resources, PluginRegistry& 
       [this](const std::string& text) { report(Severity::kWarning, text); });
   dt_ = SimTime::from_seconds(physics_.max_step_size_s);
   for (const std::string& text : spec.odd_elements) tell_odd(text);
+  odd_elements_.insert(odd_elements_.end(), spec.odd_repeats.begin(), spec.odd_repeats.end());
   for (const ModelSpec& model : spec.models) {
     leave_out_if_odd([&] { add_model(model, ""); });
   }
@@ -188,6 +189,7 @@ Model& World::spawn(const SpawnRequest& request) {
 Model& World::spawn(ModelSpec spec, const std::string& robot_namespace) {
   const std::vector<std::string> odd = std::move(spec.odd_elements);
   for (const std::string& text : odd) tell_odd(text);
+  odd_elements_.insert(odd_elements_.end(), spec.odd_repeats.begin(), spec.odd_repeats.end());
   Model& model = add_model(std::move(spec), robot_namespace);
   tell_overlap(model);
   return model;
