@@ -48,3 +48,16 @@ def test_long_lines_are_broken_and_stay_items_of_their_list() -> None:
     assert lines[1].startswith("  word")
     assert all(len(line) <= 120 for line in lines[:2])
     assert lines[-1] == f"| {LONG} |"
+
+
+def test_a_paragraph_with_a_long_line_is_broken_as_a_whole() -> None:
+    assert wrapped(f"{LONG.strip()}\nand so on\n") == (
+        " ".join(["word"] * 24) + "\n" + " ".join(["word"] * 16) + " and so on\n"
+    )
+    short = "one\ntwo\n- three\n  four\n"
+    assert wrapped(short) == short
+
+
+def test_no_line_begins_like_an_item_of_a_list() -> None:
+    text = "word " * 23 + "word - " + "word " * 10 + "\n"
+    assert not any(line.startswith("-") for line in wrapped(text).splitlines())

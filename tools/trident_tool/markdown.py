@@ -13,6 +13,9 @@ MAX_COLUMNS = 120
 _LINK = re.compile(r"\]\(([^)\s]+)\)")
 _HEADING = re.compile(r"^#{1,6}\s+(.*)$")
 _LIST_ITEM = re.compile(r"^(\s*(?:[-*]|\d+\.)\s+|\s*)")
+_STARTS_ITEM = re.compile(r"^\s*(?:[-*]|\d+\.)\s")
+_LIKE_MARKER = re.compile(r" ([-+*#>]+|\d+\.) ")
+_GLUE = "\u2060"  # joins words, and is no white space
 _OUTSIDE = ("http://", "https://", "mailto:")
 
 
@@ -74,27 +77,40 @@ def _link_problem(page: Path, target: str, text: str) -> str:
 
 
 def wrapped(text: str) -> str:
-    """The same page with its long lines of prose broken."""
-    long = {
-        number: line
-        for number, line in prose_lines(text)
-        if len(line) > MAX_COLUMNS and not line.startswith(("#", "!["))
-    }
+    """The same page, with the paragraphs broken anew that hold a line that is too long."""
+    prose = dict(prose_lines(text))
     lines: list[str] = []
+    paragraph: list[str] = []
     for number, line in enumerate(text.splitlines(), start=1):
-        if number not in long:
+        is_plain = number in prose and line.strip() and not line.startswith(("#", "!["))
+        if paragraph and (not is_plain or _STARTS_ITEM.match(line)):
+            lines += _broken(paragraph)
+            paragraph = []
+        if is_plain:
+            paragraph.append(line)
+        else:
             lines.append(line)
-            continue
-        marker = _LIST_ITEM.match(line)
-        indent = " " * len(marker[1]) if marker else ""
-        lines += textwrap.wrap(
-            line,
-            MAX_COLUMNS,
-            subsequent_indent=indent,
-            break_long_words=False,
-            break_on_hyphens=False,
-        )
-    return "\n".join(lines) + "\n"
+    return "\n".join(lines + _broken(paragraph)) + "\n"
+
+
+def _broken(paragraph: list[str]) -> list[str]:
+    """The lines of a paragraph, or of an item of a list, of legal length."""
+    if all(len(line) <= MAX_COLUMNS for line in paragraph):
+        return paragraph
+    marker = _LIST_ITEM.match(paragraph[0])
+    indent = " " * len(marker[1]) if marker else ""
+    joined = " ".join([paragraph[0].rstrip(), *(line.strip() for line in paragraph[1:])])
+    head, body = joined[: len(indent)], joined[len(indent) :]
+    # A line must not begin with what starts an item of a list or a heading.
+    kept = _LIKE_MARKER.sub(lambda found: _GLUE + found[1] + " ", body)
+    broken = textwrap.wrap(
+        head + kept,
+        MAX_COLUMNS,
+        subsequent_indent=indent,
+        break_long_words=False,
+        break_on_hyphens=False,
+    )
+    return [line.replace(_GLUE, " ") for line in broken]
 
 
 def check_pages(pages: list[Path], root: Path, fix: bool) -> int:
