@@ -203,6 +203,8 @@ def test_a_late_transform_is_named(ros: Ros, tmp_path: Path) -> None:
         ("_bag_loop:=never", "'never', legal: ignore, restart, continue"),
         ("_method:=karto", "unknown SLAM method 'karto'"),
         ("_solver_plugin:=solver_plugins::SpaSolver", "unknown solver 'solver_plugins::SpaSolver'"),
+        # The node ends while its services are still advertised.
+        ("_map_file_name:=/no/such/session", "/no/such/session.posegraph"),
     ],
 )
 def test_a_bad_parameter_is_one_line(ros: Ros, parameter: str, complaint: str) -> None:
