@@ -13,12 +13,16 @@
 #include <sstream>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "graph_slam/polygon_world.h"
 #include "trident_base/angle.h"
 #include "trident_base/error.h"
+#include "trident_base/string_util.h"
 #include "trident_slam/pose_graph_g2o.h"
 #include "trident_slam/pose_graph_optimizer.h"
+#include "trident_slam/scan_matcher.h"
+#include "trident_slam/slam_2d.h"
 
 namespace trident {
 namespace {
@@ -373,8 +377,28 @@ TEST_F(GraphSlamRing, TheSolverIsTheOneThatWasGiven) {
   EXPECT_LT(error(slam.trajectory()[59].T_map_base, 59), 0.05);
 }
 
+std::vector<std::string> scan_matcher_names() {
+  Registry<ScanMatcherFactory> registry("scan matcher");
+  register_builtin_scan_matchers(registry);
+  return registry.names();
+}
+
+/// The names in back quotes that begin the rows of the table in a section of docs/slam.md, sorted.
+std::vector<std::string> first_cells(const std::string& heading) {
+  std::ifstream file(SLAM_MANUAL);
+  std::vector<std::string> names;
+  bool is_there = false;
+  for (std::string line; std::getline(file, line);) {
+    if (line.rfind("## ", 0) == 0) is_there = line == heading;
+    if (!is_there || line.rfind("| `", 0) != 0) continue;
+    names.push_back(line.substr(3, line.find('`', 3) - 3));
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
 /// Every scan matcher as the front end, over a part of the ring.
-class GraphSlamMatchers : public GraphSlamRing, public testing::WithParamInterface<const char*> {};
+class GraphSlamMatchers : public GraphSlamRing, public testing::WithParamInterface<std::string> {};
 
 TEST_P(GraphSlamMatchers, TracksAndGivesTheSameBits) {
   GraphSlamOptions chosen = options();
@@ -407,10 +431,8 @@ TEST_P(GraphSlamMatchers, GoesOnInASession) {
   std::remove(file.c_str());
 }
 
-INSTANTIATE_TEST_SUITE_P(Matchers, GraphSlamMatchers,
-                         testing::Values("correlative", "grid_gauss_newton", "hybrid", "ndt",
-                                         "point_to_line"),
-                         [](const auto& info) { return std::string(info.param); });
+INSTANTIATE_TEST_SUITE_P(Matchers, GraphSlamMatchers, testing::ValuesIn(scan_matcher_names()),
+                         [](const auto& info) { return info.param; });
 
 TEST(GraphSlamOptionsTest, ImpossibleRangesAreAnError) {
   EXPECT_THROW(load_yaml_string<GraphSlamOptions>("min_laser_range: 5\nmax_laser_range: 2\n", "x"),
@@ -426,10 +448,24 @@ TEST(GraphSlamOptionsTest, AnUnknownScanMatcherIsAnErrorWithTheLegalNames) {
   } catch (const Error& error) {
     const std::string text = error.what();
     EXPECT_NE(text.find("scan_matcher"), std::string::npos) << text;
-    EXPECT_NE(text.find("correlative, grid_gauss_newton, hybrid, ndt, point_to_line"),
-              std::string::npos)
-        << text;
+    EXPECT_NE(text.find(join(scan_matcher_names())), std::string::npos) << text;
   }
+}
+
+TEST(GraphSlamOptionsTest, TheNamesOfMatchersInTheShippedFileAreThoseOfTheRegistry) {
+  const std::string comment = "# " + join(scan_matcher_names(), " | ");
+  std::ifstream file(GRAPH_SLAM_CONFIG);
+  std::string line;
+  while (std::getline(file, line) && line.rfind("scan_matcher:", 0) != 0) {
+  }
+  EXPECT_EQ(line.substr(std::min(line.find('#'), line.size())), comment);
+}
+
+TEST(GraphSlamOptionsTest, TheNamesInTheManualAreThoseOfTheRegistries) {
+  Registry<Slam2dFactory> methods("SLAM method");
+  register_builtin_slam_2d(methods);
+  EXPECT_EQ(first_cells("## The algorithms"), methods.names());
+  EXPECT_EQ(first_cells("## Matching scans"), scan_matcher_names());
 }
 
 TEST(GraphSlamOptionsTest, TheShippedFileHoldsTheDefaults) {
