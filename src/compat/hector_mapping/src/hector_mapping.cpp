@@ -28,6 +28,8 @@
 namespace trident {
 namespace {
 
+constexpr char kUsualMethod[] = "hector_slam_2d";
+
 struct HectorOptions {
   bool publishes_odometry = false;     ///< scanmatch_odom
   bool publishes_scan_matcher = true;  ///< map -> `scan_matcher_frame`: the base as matched
@@ -223,10 +225,11 @@ void run() {
   own.getParam("map_resolution", graph.resolution);
   own.getParam("laser_min_dist", graph.min_laser_range);
   own.getParam("laser_max_dist", graph.max_laser_range);
+  read_graph_file(own, kUsualMethod, graph);
   graph.is_asynchronous = true;
   graph.validate();
   HectorMapping node(ros::NodeHandle(), options, read_hector_options(own),
-                     slam_maker(own, {"hector_slam_2d"}, graph));
+                     slam_maker(own, kUsualMethod, graph));
   node.run();
 }
 

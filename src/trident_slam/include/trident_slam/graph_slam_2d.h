@@ -17,30 +17,24 @@
 
 namespace trident {
 
-/// An edge of the graph, for pictures of it.
-struct GraphSlamEdge {
-  int from = 0;
-  int to = 0;
-  bool is_loop = false;
-};
-
-/// A place that was seen again, as it was measured when that was believed.
-struct GraphSlamLoop {
-  std::size_t older = 0;  ///< scan, as `trajectory` counts them
-  std::size_t newer = 0;
-  SE2 T_older_newer;      ///< between the base at these scans
-  bool is_found = false;  ///< by the search for loops; false: the surfaces were never lost
-};
-
 /// Graph SLAM: each scan is matched against the surfaces of the map so far; keyframes and the
 /// measurements between them form a graph; loops are found by branch and bound and believed when
-/// several of them agree; at the end every scan is matched against the map once more.
+/// several of them agree; at the end every scan is matched against the map once more. The graph's
+/// nodes are the keyframes.
 ///
 /// All calls come from one thread. With `is_asynchronous` loops are sought in a thread of its own
 /// and take effect at a later `add_scan`, so that poses may differ from run to run; without it
 /// they are closed within `add_scan`. No call but `finish`, `relocalize` and those that load or
 /// save then takes longer as the map grows.
-class GraphSlam2d : public Slam2d, public Slam2dCalibrated, public Slam2dOdometryUse {
+class GraphSlam2d : public Slam2d,
+                    public Slam2dSession,
+                    public Slam2dMapSnapshot,
+                    public Slam2dPlaced,
+                    public Slam2dLocalizing,
+                    public Slam2dOdometryUse,
+                    public Slam2dCalibrated,
+                    public Slam2dGraph,
+                    public Slam2dEditable {
  public:
   /// `solver` optimises the graph; empty: ours.
   explicit GraphSlam2d(const GraphSlamOptions& options = {}, PoseGraphSolverMaker solver = {});
@@ -62,27 +56,21 @@ class GraphSlam2d : public Slam2d, public Slam2dCalibrated, public Slam2dOdometr
   void clear();
   void set_mode(SlamMode mode);
 
-  /// Writes all that is known, to go on with. Throws Error naming the file.
-  void save_session(const std::string& path) const;
-  /// Replaces all that is known. The next scan is at `T_map_base`, or where the session ended.
-  /// Throws Error naming the file and the reason, and then nothing has changed.
+  void save_session(const std::string& path) const override;
+  std::function<void(const std::string&)> session_snapshot() const override;
+  void load_session(const std::string& path, SessionStart start, const SE2& T_map_base) override;
+  /// Starts at `T_map_base`, or where the session ended. Throws Error as the one above.
   void load_session(const std::string& path, const std::optional<SE2>& T_map_base = std::nullopt);
+  /// Made in the order of the calls, a map costs only what has changed since the last one.
+  std::function<OccupancyGrid()> map_snapshot() const override;
 
-  /// The map, and the session, as they are at this call: a quick one, whatever the map's size. What
-  /// is returned makes the map, or writes the file, and may do so in another thread while scans go
-  /// on. Made in the order of the calls, a map costs only what has changed since the last one.
-  std::function<OccupancyGrid()> map_snapshot() const;
-  std::function<void(const std::string&)> session_snapshot() const;
-  /// Matches all scans that see the same surfaces with each other and optimises the whole graph;
-  /// with `is_asynchronous` in the background.
-  void realign();
+  /// With `is_asynchronous` in the background, else as `finish`.
+  void realign() override;
   /// Loops are being sought, or the graph optimised, in the background.
   bool is_busy() const;
 
-  /// Where the robot is now, as a user says (rviz' 2D Pose Estimate).
-  void set_pose(const SE2& T_map_base);
-  /// Localising: forgets the scans with which it goes on where the map ends.
-  void clear_localization_buffer();
+  void set_pose(const SE2& T_map_base) override;
+  void clear_localization_buffer() override;
   /// Seeks a scan in the whole map. The pose is taken over if at least `min_inliers` of the points
   /// lie on surfaces of the map.
   std::optional<SE2> relocalize(const LaserScan& scan, double min_inliers = 0.7);
@@ -90,25 +78,20 @@ class GraphSlam2d : public Slam2d, public Slam2dCalibrated, public Slam2dOdometr
   /// Ties keyframe `newer` to keyframe `older` where a user put it; scans about both refine the
   /// transform. False if they do not fit to each other. Throws Error for an unknown keyframe.
   bool close_loop(int older, int newer, const SE2& T_older_newer);
-
   /// Ties keyframes to whatever lies where a user moved them, if their surroundings fit there
-  /// within a metre; everything follows. Returns those that did not fit: they stay. Throws Error
-  /// for an unknown keyframe.
-  std::vector<int> move_keyframes(const std::map<int, SE2>& T_map_base);
+  /// within a metre; everything follows.
+  std::vector<int> move_nodes(const std::map<int, SE2>& T_map_base) override;
   /// Adds the keyframes of a session file, whose origin is at `T_map_session`, roughly, and seeks
   /// loops between both. Returns how many it found. Throws Error as `load_session` does.
   int append_session(const std::string& path, const SE2& T_map_session);
 
-  int nodes() const;  ///< keyframes
-  std::vector<SE2> keyframe_poses() const;
-  /// What a keyframe saw, in its base frame [m]. Throws Error for an unknown keyframe.
-  std::vector<Eigen::Vector2f> keyframe_points(int keyframe) const;
-  std::vector<GraphSlamEdge> edges() const;
-  std::vector<GraphSlamLoop> loops() const;
+  int nodes() const;  ///< how many keyframes there are
+  std::vector<Eigen::Vector2f> node_points(int node) const override;
+  GraphView2d graph_view() const override;
+  std::vector<GraphLoop2d> loops() const override;
   /// Loops that were believed so far.
   int loops_closed() const;
-  /// The graph in g2o's format.
-  void save_g2o(const std::string& path) const;
+  void save_g2o(const std::string& path) const override;
 
  private:
   class Impl;

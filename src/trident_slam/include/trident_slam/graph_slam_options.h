@@ -95,7 +95,7 @@ struct GraphSlamOptions {
              "farther returns are not used [m]");
     ar.field("use_scan_matching", use_scan_matching, "false: odometry alone");
     ar.field("scan_matcher", scan_matcher,
-             "correlative | grid_gauss_newton | hybrid | ndt | point_to_line");
+             "what places a scan as it comes: a name of register_builtin_scan_matchers");
     ar.field("minimum_travel_distance", minimum_travel_distance, Range{0.01, 10.0},
              "way after which a scan becomes part of the map [m]");
     ar.field("minimum_travel_heading", minimum_travel_heading, Range{0.01, 3.1},

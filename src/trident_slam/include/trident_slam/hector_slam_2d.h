@@ -51,7 +51,7 @@ struct HectorSlamParams {
 /// 2011). It needs no odometry: without, or where odometry stands
 /// while scans move, a match begins where the scan lies beside those before it, and it never closes
 /// a loop: final poses are those given when the scans came.
-class HectorSlam2d : public Slam2d, public Slam2dOdometryUse {
+class HectorSlam2d : public Slam2d, public Slam2dPlaced, public Slam2dOdometryUse {
  public:
   explicit HectorSlam2d(const HectorSlamParams& params = {});
   ~HectorSlam2d() override;
@@ -62,7 +62,7 @@ class HectorSlam2d : public Slam2d, public Slam2dOdometryUse {
 
   void set_uses_odometry(bool uses_odometry) override;
   /// From now on the base is there; the map stays.
-  void set_pose(const SE2& T_map_base);
+  void set_pose(const SE2& T_map_base) override;
 
  private:
   class Impl;

@@ -34,7 +34,7 @@ using OfflineScanBegins = std::function<void(std::size_t scan, std::int64_t stam
 /// Feeds a whole log to an algorithm and writes what came out into an existing folder:
 /// causal.tum (base poses as returned by `add_scan`, written as they come), trajectory.tum (base
 /// poses of these scans at the end; those of causal.tum where the map is only localised in),
-/// map.pgm, map.yaml and, of graph_slam_2d, graph.g2o and loops.csv (scans by their lines in
+/// map.pgm, map.yaml and, of a Slam2dGraph, graph.g2o and loops.csv (scans by their lines in
 /// trajectory.tum, the newer one's pose in the older one's frame). Throws Error when a file cannot
 /// be written or the log has no scan.
 OfflineResult run_offline(ScanSource& source, Slam2d& slam, const std::string& out_dir,

@@ -78,15 +78,8 @@ struct ScanMatcherOptions {
 using ScanMatcherFactory =
     std::function<std::unique_ptr<ScanMatcher>(const ScanMatcherOptions& options)>;
 
-/// Adds
-/// - `correlative`: branch and bound over a window of poses (Olson 2009, Hess 2016), then the mean
-///   of the response about the best one;
-/// - `point_to_line`: Gauss-Newton over distances to the nearest surfaces (Censi 2008);
-/// - `ndt`: Newton over normal distributions of the points of overlapping cells, from coarse to
-///   fine (Biber and Strasser 2003);
-/// - `grid_gauss_newton`: Gauss-Newton over interpolated occupancy, from coarse to fine
-///   (Kohlbrecher 2011);
-/// - `hybrid`: correlative, then point_to_line.
+/// Adds the matchers of this package; `Registry::names` tells their names, docs/slam.md what each
+/// does.
 void register_builtin_scan_matchers(Registry<ScanMatcherFactory>& registry);
 
 /// The matcher of that name. Throws Error with the legal names for an unknown one.

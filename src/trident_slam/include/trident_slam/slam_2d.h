@@ -50,7 +50,7 @@ class Slam2d {
   virtual ~Slam2d() = default;
 
   /// `T_odom_base`: odometry at the scan's stamp, in any fixed frame. The first call's pose in the
-  /// map is `start` (identity unless the algorithm was told otherwise).
+  /// map is the identity unless the algorithm was told otherwise (`Slam2dPlaced`, its file).
   virtual ScanPose2d add_scan(const LaserScan& scan, const SE2& T_odom_base) = 0;
 
   /// Ends the log: pending loop closures and a last optimisation. May be called again.
@@ -67,7 +67,8 @@ class Slam2d {
 /// line, key, value and range.
 using Slam2dFactory = std::function<std::unique_ptr<Slam2d>(const std::string& config_file)>;
 
-/// Adds graph_slam_2d, particle_slam_2d, hector_slam_2d.
+/// Adds the algorithms of this package; `Registry::names` tells their names, docs/slam.md what each
+/// does.
 void register_builtin_slam_2d(Registry<Slam2dFactory>& registry);
 
 }  // namespace trident

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <functional>
 #include <map>
 #include <string>
@@ -17,8 +18,9 @@
 
 namespace trident {
 
-/// Where a session that is read begins.
-enum class SessionStart { kFirstNode, kGivenPose, kLocalize };
+/// Where the robot is when a session has been read: where the session ended; at its first node; at
+/// a given pose; at a given pose, and from then on the map does not change.
+enum class SessionStart { kSessionEnd, kFirstNode, kGivenPose, kLocalize };
 
 /// A map that can be kept in a file and gone on with.
 class Slam2dSession {
@@ -29,7 +31,8 @@ class Slam2dSession {
   /// The same in two steps: this call is quick, what it returns writes the session as it is now, in
   /// any thread, while scans go on.
   virtual std::function<void(const std::string&)> session_snapshot() const = 0;
-  /// Throws Error when the file is damaged or of an unknown version; the map is then as before.
+  /// `T_map_base`: the given pose, not read for other starts. Throws Error when the file is damaged
+  /// or of an unknown version, or no map can go on from that pose; the map is then as before.
   virtual void load_session(const std::string& file, SessionStart start, const SE2& T_map_base) = 0;
 };
 
@@ -81,23 +84,33 @@ class Slam2dCalibrated {
   virtual std::vector<CalibrationEstimate> odometry_calibration() const = 0;
 };
 
-/// Poses and measurements between them, to be looked at.
+/// The nodes of a pose graph (the base when a keyframe was seen) and its edges, to be looked at.
 struct GraphView2d {
   struct Edge {
     int from = 0;
     int to = 0;
-    bool is_loop = false;
+    bool is_loop = false;  ///< not between successive nodes
   };
   std::vector<SE2> nodes;
   std::vector<Edge> edges;
 };
 
+/// A place that was seen again, as it was measured when that was believed.
+struct GraphLoop2d {
+  std::size_t older = 0;  ///< scan, as `Slam2d::trajectory` counts them
+  std::size_t newer = 0;
+  SE2 T_older_newer;      ///< between the base at these scans
+  bool is_found = false;  ///< by the search for loops; false: the surfaces were never lost
+};
+
+/// A map that is made from a pose graph.
 class Slam2dGraph {
  public:
   virtual ~Slam2dGraph() = default;
   virtual GraphView2d graph_view() const = 0;
-  /// Throws Error when the file cannot be written.
-  virtual void write_g2o(const std::string& file) const = 0;
+  virtual std::vector<GraphLoop2d> loops() const = 0;
+  /// Writes the graph in g2o's format. Throws Error when the file cannot be written.
+  virtual void save_g2o(const std::string& file) const = 0;
 };
 
 /// A graph that a user may correct.
@@ -109,6 +122,9 @@ class Slam2dEditable {
   /// Ties nodes to what lies where they were moved. Returns those that did not fit there: they
   /// stay. Throws Error for an unknown node.
   virtual std::vector<int> move_nodes(const std::map<int, SE2>& T_map_base) = 0;
+  /// Matches all scans that see the same surfaces with each other and optimises the whole graph, as
+  /// `Slam2d::finish` does; in the background where the algorithm works there while scans go on.
+  virtual void realign() = 0;
 };
 
 }  // namespace trident

@@ -14,6 +14,7 @@ namespace trident {
 namespace {
 
 constexpr double kEntropyPeriodS = 1.0;
+constexpr char kUsualMethod[] = "particle_slam_2d";
 
 /// Of gmapping's scan matcher, which searches in steps; of maps that do not grow; of a map that
 /// counts hits.
@@ -60,10 +61,11 @@ void run() {
     own.setParam("maxUrange", reach);
   }
   own.getParam("maxUrange", graph.max_laser_range);
+  read_graph_file(own, kUsualMethod, graph);
   graph.is_asynchronous = true;
   tell_unused_parameters(own);
   graph.validate();
-  SlamNode node(ros::NodeHandle(), options, slam_maker(own, {"particle_slam_2d"}, graph));
+  SlamNode node(ros::NodeHandle(), options, slam_maker(own, kUsualMethod, graph));
   ros::NodeHandle handle("~");
   const ros::Publisher publisher = handle.advertise<std_msgs::Float64>("entropy", 1, true);
   const ros::Timer timer =

@@ -160,7 +160,7 @@ void GraphEditor::apply() {
   std::vector<int> misfits;
   node_.with_slam([&](Slam2d& slam) {
     if (!moved.empty()) misfits = editable(slam).move_nodes(moved);
-    if (moved.empty() || misfits.size() < moved.size()) slam.finish();
+    if (moved.empty() || misfits.size() < moved.size()) editable(slam).realign();
   });
   if (is_on_) show_markers();
   if (misfits.empty()) return;

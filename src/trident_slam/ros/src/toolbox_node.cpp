@@ -219,7 +219,7 @@ void run(ToolboxMode mode) {
   if (own.param("debug_logging", false)) log_debug();
   const bool can_edit =
       graph.mode != SlamMode::kLocalization && own.param("enable_interactive_mode", true);
-  Toolbox toolbox(own, options, slam_maker(own, {"graph_slam_2d"}, graph, solver), can_edit);
+  Toolbox toolbox(own, options, slam_maker(own, "graph_slam_2d", graph, solver), can_edit);
   toolbox.run();
 }
 

@@ -13,10 +13,18 @@ import pytest
 import rospy
 import tf2_ros
 from diagnostic_msgs.msg import DiagnosticArray
-from geometry_msgs.msg import Pose2D
+from geometry_msgs.msg import Pose2D, PoseWithCovarianceStamped
 from nav_msgs.msg import OccupancyGrid
 from scan_bag import SCAN_PERIOD_S, diagnosed, path, play, service, start_slam, write_bag
-from slam_toolbox_msgs.srv import DeserializePoseGraph, Pause, Reset, SaveMap, SerializePoseGraph
+from slam_toolbox_msgs.srv import (
+    DeserializePoseGraph,
+    LoopClosure,
+    Pause,
+    Reset,
+    SaveMap,
+    SerializePoseGraph,
+    ToggleInteractive,
+)
 from std_msgs.msg import String
 from trident.testing import LIMIT_S, Ros, eventually, program, recorder
 
@@ -75,6 +83,46 @@ def test_a_replayed_bag_gives_the_map_of_the_offline_runner(
     with pytest.raises(rospy.ServiceException):
         load(session, 2, Pose2D())
     assert node.running, node.log
+
+
+def test_a_config_file_takes_nothing_from_a_node(ros: Ros, bag: Path, tmp_path: Path) -> None:
+    config, autosave = tmp_path / "graph.yaml", tmp_path / "autosave.posegraph"
+    config.write_text("mode: mapping\nresolution: 0.1\n")
+    words = [f"_config_file:={config}", f"_autosave_file:={autosave}", "_autosave_interval:=0.5"]
+    node = start_slam(ros, "slam_toolbox", "sync_slam_toolbox_node", *words, name="slam_toolbox")
+    place = rospy.Publisher("/initialpose", PoseWithCovarianceStamped, queue_size=1)
+    with (
+        recorder("/diagnostics", DiagnosticArray) as seen,
+        recorder("/map", OccupancyGrid) as maps,
+    ):
+        play(ros, bag, "--rate", "5")
+        eventually(lambda: diagnosed(seen, "scans used") == str(SCANS), "all scans")
+        eventually(lambda: bool(maps.messages), "a map")
+    assert maps.messages[0].info.resolution == pytest.approx(0.1)
+    assert autosave.exists()
+    session = str(tmp_path / "session")
+    service("/slam_toolbox/serialize_map", SerializePoseGraph)(session)
+    service("/slam_toolbox/deserialize_map", DeserializePoseGraph)(session, 2, Pose2D(x=0.1))
+    service("/slam_toolbox/toggle_interactive_mode", ToggleInteractive)()
+    service("/slam_toolbox/manual_loop_closure", LoopClosure)()
+    far = PoseWithCovarianceStamped()
+    far.pose.pose.position.x, far.pose.pose.orientation.w = 5000.0, 1.0
+    eventually(lambda: place.get_num_connections() == 1, "the node")
+    place.publish(far)
+    # A pose that no map can go on from is refused by the map, not by the method.
+    node.eventually_logs("initialpose: pose (5000, 0) m, 0 rad is ")
+    node.stop()
+    # What kind of node it is decides, not the file.
+    start_slam(
+        ros,
+        "slam_toolbox",
+        "localization_slam_toolbox_node",
+        f"_config_file:={config}",
+        f"_map_file_name:={session}",
+        name="localization",
+    )
+    with pytest.raises(rospy.ServiceException, match="not while localizing"):
+        service("/localization/toggle_interactive_mode", ToggleInteractive)()
 
 
 def test_an_imu_puts_sweeps_right(imu_bag: Path, tmp_path: Path) -> None:
@@ -155,6 +203,8 @@ def test_a_late_transform_is_named(ros: Ros, tmp_path: Path) -> None:
         ("_bag_loop:=never", "'never', legal: ignore, restart, continue"),
         ("_method:=karto", "unknown SLAM method 'karto'"),
         ("_solver_plugin:=solver_plugins::SpaSolver", "unknown solver 'solver_plugins::SpaSolver'"),
+        # The node ends while its services are still advertised.
+        ("_map_file_name:=/no/such/session", "/no/such/session.posegraph"),
     ],
 )
 def test_a_bad_parameter_is_one_line(ros: Ros, parameter: str, complaint: str) -> None:

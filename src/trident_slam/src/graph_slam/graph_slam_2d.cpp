@@ -113,6 +113,13 @@ void GraphSlam2d::load_session(const std::string& path, const std::optional<SE2>
   impl_->mapper->set_state(std::move(state), T_map_base);
 }
 
+void GraphSlam2d::load_session(const std::string& path, SessionStart start, const SE2& T_map_base) {
+  const bool is_pose_given = start == SessionStart::kGivenPose || start == SessionStart::kLocalize;
+  load_session(path, is_pose_given ? std::optional<SE2>(T_map_base) : std::nullopt);
+  if (start == SessionStart::kLocalize) set_mode(SlamMode::kLocalization);
+  if (start == SessionStart::kFirstNode && nodes() > 0) set_pose(impl_->mapper->graph().pose(0));
+}
+
 std::function<OccupancyGrid()> GraphSlam2d::map_snapshot() const {
   return [graph = impl_->mapper->graph(), live_map = impl_->live_map] {
     const std::lock_guard<std::mutex> lock(live_map->mutex);
@@ -124,7 +131,13 @@ std::function<void(const std::string&)> GraphSlam2d::session_snapshot() const {
   return [state = impl_->mapper->state()](const std::string& path) { write_state(state, path); };
 }
 
-void GraphSlam2d::realign() { impl_->mapper->realign(Realign::kScans); }
+void GraphSlam2d::realign() {
+  if (impl_->options.is_asynchronous) {
+    impl_->mapper->realign(Realign::kScans);
+  } else {
+    finish();
+  }
+}
 
 bool GraphSlam2d::is_busy() const { return impl_->mapper->is_busy(); }
 
@@ -150,7 +163,7 @@ bool GraphSlam2d::close_loop(int older, int newer, const SE2& T_older_newer) {
 
 int GraphSlam2d::nodes() const { return impl_->mapper->graph().size(); }
 
-std::vector<int> GraphSlam2d::move_keyframes(const std::map<int, SE2>& T_map_base) {
+std::vector<int> GraphSlam2d::move_nodes(const std::map<int, SE2>& T_map_base) {
   for (const auto& [keyframe, T] : T_map_base) {
     impl_->check(keyframe);
     check_start_pose(T, extent_of(impl_->mapper->graph()));
@@ -164,34 +177,29 @@ int GraphSlam2d::append_session(const std::string& path, const SE2& T_map_sessio
   return impl_->mapper->append(&reader, T_map_session);
 }
 
-std::vector<Eigen::Vector2f> GraphSlam2d::keyframe_points(int keyframe) const {
-  impl_->check(keyframe);
+std::vector<Eigen::Vector2f> GraphSlam2d::node_points(int node) const {
+  impl_->check(node);
   std::vector<Eigen::Vector2f> points;
-  for (const SurfacePoint& point : impl_->mapper->graph()[keyframe].scan->points) {
+  for (const SurfacePoint& point : impl_->mapper->graph()[node].scan->points) {
     points.push_back(point.p);
   }
   return points;
 }
 
-std::vector<SE2> GraphSlam2d::keyframe_poses() const {
+GraphView2d GraphSlam2d::graph_view() const {
   const KeyframeGraph& graph = impl_->mapper->graph();
-  std::vector<SE2> poses;
-  poses.reserve(static_cast<std::size_t>(graph.size()));
-  for (int i = 0; i < graph.size(); ++i) poses.push_back(graph.pose(i));
-  return poses;
-}
-
-std::vector<GraphSlamEdge> GraphSlam2d::edges() const {
-  std::vector<GraphSlamEdge> edges;
-  for (const GraphEdge& edge : impl_->mapper->graph().edges()) {
-    edges.push_back({edge.from, edge.to, edge.kind != EdgeKind::kChain});
+  GraphView2d view;
+  view.nodes.reserve(static_cast<std::size_t>(graph.size()));
+  for (int i = 0; i < graph.size(); ++i) view.nodes.push_back(graph.pose(i));
+  for (const GraphEdge& edge : graph.edges()) {
+    view.edges.push_back({edge.from, edge.to, edge.kind != EdgeKind::kChain});
   }
-  return edges;
+  return view;
 }
 
-std::vector<GraphSlamLoop> GraphSlam2d::loops() const {
+std::vector<GraphLoop2d> GraphSlam2d::loops() const {
   const std::vector<std::size_t> scans = impl_->mapper->scans_of_keyframes();
-  std::vector<GraphSlamLoop> loops;
+  std::vector<GraphLoop2d> loops;
   for (const GraphEdge& edge : impl_->mapper->graph().edges()) {
     if (edge.kind == EdgeKind::kChain) continue;
     loops.push_back(

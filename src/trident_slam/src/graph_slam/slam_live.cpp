@@ -235,9 +235,9 @@ void measure_waits(const Command& command) {
       "\"map_snapshot\": %s, \"map\": %s, \"session_snapshot\": %s, \"session\": %s, "
       "\"last_x_y_yaw\": [%.4f, %.4f, %.5f], "
       "\"rss_idle_mb\": %.1f, \"rss_live_mb\": %.1f}\n",
-      slam.nodes(), slam.edges().size(), scans, building.json().c_str(), load_s, command.rate,
-      live.waits.json().c_str(), live.replaced, live.realigned, loops, slam.loops_closed(),
-      live.maps.snapshots.json().c_str(), live.maps.works.json().c_str(),
+      slam.nodes(), slam.graph_view().edges.size(), scans, building.json().c_str(), load_s,
+      command.rate, live.waits.json().c_str(), live.replaced, live.realigned, loops,
+      slam.loops_closed(), live.maps.snapshots.json().c_str(), live.maps.works.json().c_str(),
       live.autosaves.snapshots.json().c_str(), live.autosaves.works.json().c_str(),
       live.T_map_base.p.x(), live.T_map_base.p.y(), live.T_map_base.angle, idle_mb, resident_mb());
 }

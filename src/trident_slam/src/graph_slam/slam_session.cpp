@@ -22,7 +22,7 @@ int main(int argc, char** argv) {
     std::printf(
         "{\"nodes\": %d, \"edges\": %zu, \"loops\": %d, \"scans\": %zu, \"first_stamp_ns\": %lld, "
         "\"last_stamp_ns\": %lld}\n",
-        slam.nodes(), slam.edges().size(), slam.loops_closed(), scans.size(),
+        slam.nodes(), slam.graph_view().edges.size(), slam.loops_closed(), scans.size(),
         is_empty ? 0LL : static_cast<long long>(scans.front().stamp_ns),
         is_empty ? 0LL : static_cast<long long>(scans.back().stamp_ns));
   } catch (const std::exception& error) {

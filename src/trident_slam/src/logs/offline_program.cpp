@@ -11,6 +11,7 @@
 #include <fstream>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <system_error>
 
@@ -19,9 +20,9 @@
 #include "trident_base/error.h"
 #include "trident_base/shown_text.h"
 #include "trident_base/string_util.h"
-#include "trident_slam/graph_slam_2d.h"
 #include "trident_slam/offline_run.h"
 #include "trident_slam/slam_2d.h"
+#include "trident_slam/slam_2d_abilities.h"
 
 namespace trident {
 namespace {
@@ -158,13 +159,20 @@ void tell(const char* what, const LogProblems& problems) {
   }
 }
 
-GraphSlam2d* with_sessions(Slam2d* slam, const OfflineCommand& options) {
-  auto* graph = dynamic_cast<GraphSlam2d*>(slam);
+Slam2dSession* with_sessions(Slam2d* slam, const OfflineCommand& options) {
+  auto* able = dynamic_cast<Slam2dSession*>(slam);
   const bool is_wanted = !options.session.empty() || !options.kept_session.empty();
-  if (is_wanted && graph == nullptr) {
+  if (is_wanted && able == nullptr) {
     throw Error("--method " + options.method + " has no sessions; legal: graph_slam_2d");
   }
-  return graph;
+  return able;
+}
+
+void load_session(Slam2dSession* slam, const OfflineCommand& options) {
+  const std::optional<SE2>& T_map_base = options.T_map_base;
+  slam->load_session(options.session,
+                     T_map_base ? SessionStart::kGivenPose : SessionStart::kSessionEnd,
+                     T_map_base.value_or(SE2::identity()));
 }
 
 void show_scan(std::size_t scan, std::int64_t stamp_ns) {
@@ -185,8 +193,8 @@ void run(const OfflineCommand& options, const OpenSource& open) {
   register_builtin_slam_2d(registry);
   const std::unique_ptr<Slam2d> slam = registry.get(options.method)(options.config_file);
   if (!options.uses_odometry) leave_odometry(slam.get(), options.method);
-  GraphSlam2d* const graph = with_sessions(slam.get(), options);
-  if (!options.session.empty()) graph->load_session(options.session, options.T_map_base);
+  Slam2dSession* const session = with_sessions(slam.get(), options);
+  if (!options.session.empty()) load_session(session, options);
   const std::unique_ptr<ScanSource> log = open(options);
   std::error_code error;
   std::filesystem::create_directories(options.out_dir, error);
@@ -204,7 +212,7 @@ void run(const OfflineCommand& options, const OpenSource& open) {
   tell("problems of the log", log->problems());
   tell("problems of scans", result.scan_problems);
   if (!result.stamp_problem.empty()) std::cerr << "warning: " << result.stamp_problem << '\n';
-  if (!options.kept_session.empty()) graph->save_session(options.kept_session);
+  if (!options.kept_session.empty()) session->save_session(options.kept_session);
   write_timing(options, result, log->problems().count());
 }
 

@@ -12,7 +12,6 @@
 #include "trident_base/error.h"
 #include "trident_base/string_util.h"
 #include "trident_estimation/map_file.h"
-#include "trident_slam/graph_slam_2d.h"
 
 namespace trident {
 namespace {
@@ -57,10 +56,10 @@ std::string tum_line(const StampedPose2d& pose) {
 
 namespace {
 
-void write_loops(const GraphSlam2d& slam, const std::string& path) {
+void write_loops(const Slam2dGraph& slam, const std::string& path) {
   std::ofstream file(path);
   file << "older_scan,newer_scan,x,y,yaw,kind\n";
-  for (const GraphSlamLoop& loop : slam.loops()) {
+  for (const GraphLoop2d& loop : slam.loops()) {
     char line[160];
     std::snprintf(line, sizeof(line), "%zu,%zu,%.6f,%.6f,%.6f,%s\n", loop.older, loop.newer,
                   loop.T_older_newer.p.x(), loop.T_older_newer.p.y(), loop.T_older_newer.angle,
@@ -116,7 +115,7 @@ OfflineResult run_offline(ScanSource& source, Slam2d& slam, const std::string& o
   poses.erase(poses.begin(), poses.begin() + static_cast<std::ptrdiff_t>(known_before));
   write_trajectory(poses.empty() ? causal : poses, out_dir + "/trajectory.tum");
   save_map(out_dir + "/map", slam.map());
-  if (const auto* graph = dynamic_cast<const GraphSlam2d*>(&slam)) {
+  if (const auto* graph = dynamic_cast<const Slam2dGraph*>(&slam)) {
     graph->save_g2o(out_dir + "/graph.g2o");
     write_loops(*graph, out_dir + "/loops.csv");
   }

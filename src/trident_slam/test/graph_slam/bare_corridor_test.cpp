@@ -39,8 +39,8 @@ TEST(BareCorridor, RightOdometryIsKeptAlongIt) {
   GraphSlam2d slam;
   for (std::uint64_t i = 0; i < 240; ++i) {
     const SE2 moved = SE2::from_xy_yaw(0.05 * static_cast<double>(i), 0.0, 0.0);
-    const SE2 T = slam.add_scan(seen(world, SE2::from_xy_yaw(-6.0, 0.0, 0.0) * moved, i), moved)
-                      .T_map_base;
+    const SE2 T =
+        slam.add_scan(seen(world, SE2::from_xy_yaw(-6.0, 0.0, 0.0) * moved, i), moved).T_map_base;
     ASSERT_NEAR(T.p.x(), moved.p.x(), 0.002) << "scan " << i;
   }
 }

@@ -13,12 +13,16 @@
 #include <sstream>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "graph_slam/polygon_world.h"
 #include "trident_base/angle.h"
 #include "trident_base/error.h"
+#include "trident_base/string_util.h"
 #include "trident_slam/pose_graph_g2o.h"
 #include "trident_slam/pose_graph_optimizer.h"
+#include "trident_slam/scan_matcher.h"
+#include "trident_slam/slam_2d.h"
 
 namespace trident {
 namespace {
@@ -102,7 +106,7 @@ TEST_F(GraphSlamRing, SameScansGiveSameBitsAndPosesDoNotKnowTheFuture) {
 TEST_F(GraphSlamRing, BadScansAreToldAndDoNotHarmTheMap) {
   GraphSlam2d slam(options());
   drive(slam, 0, 60);
-  const std::size_t keyframes = slam.keyframe_poses().size();
+  const std::size_t keyframes = slam.graph_view().nodes.size();
   const OccupancyGrid before = slam.map();
   LaserScan scan = world_.scan(path_[60], 60);
   for (const float value : {std::nanf(""), kInfinity, -kInfinity, 0.0F, -1.0F, 1e30F}) {
@@ -116,7 +120,7 @@ TEST_F(GraphSlamRing, BadScansAreToldAndDoNotHarmTheMap) {
   LaserScan fewer = scan;
   fewer.ranges.resize(90);
   EXPECT_FALSE(slam.add_scan(fewer, odometry_[60]).is_used);
-  EXPECT_EQ(slam.keyframe_poses().size(), keyframes);
+  EXPECT_EQ(slam.graph_view().nodes.size(), keyframes);
   EXPECT_EQ(slam.map().cells, before.cells);
   scan.ranges[3] = std::nanf("");
   scan.ranges[4] = 0.0F;
@@ -160,7 +164,7 @@ TEST_F(GraphSlamRing, ASessionGoesOnAsIfItHadNotBeenInterrupted) {
   EXPECT_LT(error(last_.T_map_base, 139), 0.05);
   EXPECT_EQ(second.trajectory().size(), 140U);
   second.clear();
-  EXPECT_TRUE(second.keyframe_poses().empty());
+  EXPECT_TRUE(second.graph_view().nodes.empty());
   std::remove(path.c_str());
 }
 
@@ -176,7 +180,7 @@ TEST_F(GraphSlamRing, ADamagedSessionIsRefusedAndNothingChanges) {
   changed[whole.size() / 2] ^= 1;
   std::string other_version = whole;
   other_version.replace(whole.find("session 2"), 9, "session 9");
-  const std::size_t keyframes = slam.keyframe_poses().size();
+  const std::size_t keyframes = slam.graph_view().nodes.size();
   for (const std::string& bytes : {changed, whole.substr(0, whole.size() / 3),
                                    std::string("P5 3 3"), other_version, std::string()}) {
     std::ofstream(path, std::ios::binary) << bytes;
@@ -186,7 +190,7 @@ TEST_F(GraphSlamRing, ADamagedSessionIsRefusedAndNothingChanges) {
     } catch (const Error& error) {
       EXPECT_NE(std::string(error.what()).find(path), std::string::npos);
     }
-    EXPECT_EQ(slam.keyframe_poses().size(), keyframes);
+    EXPECT_EQ(slam.graph_view().nodes.size(), keyframes);
   }
   std::remove(path.c_str());
 }
@@ -212,14 +216,14 @@ TEST_F(GraphSlamRing, LocalizationKeepsTheMapAndFindsAKidnappedRobot) {
 TEST_F(GraphSlamRing, PausedScansArePlacedButNotKept) {
   GraphSlam2d slam(options());
   drive(slam, 0, 30);
-  const std::size_t keyframes = slam.keyframe_poses().size();
+  const std::size_t keyframes = slam.graph_view().nodes.size();
   slam.set_paused(true);
   drive(slam, 30, 50);
-  EXPECT_EQ(slam.keyframe_poses().size(), keyframes);
+  EXPECT_EQ(slam.graph_view().nodes.size(), keyframes);
   EXPECT_LT(error(last_.T_map_base, 49), 0.1);
   slam.set_paused(false);
   drive(slam, 50, 60);
-  EXPECT_GT(slam.keyframe_poses().size(), keyframes);
+  EXPECT_GT(slam.graph_view().nodes.size(), keyframes);
 }
 
 TEST_F(GraphSlamRing, LoopsThatAreClosedInTheBackgroundGiveAnEquallyGoodMap) {
@@ -286,7 +290,7 @@ TEST_F(GraphSlamRing, OdometryThatAlwaysErrsAlikeDoesNotBendTheMap) {
 TEST_F(GraphSlamRing, ALoopOfAUserMustFit) {
   GraphSlam2d slam(options());
   drive(slam, 0, 100);
-  const std::vector<SE2> poses = slam.keyframe_poses();
+  const std::vector<SE2> poses = slam.graph_view().nodes;
   EXPECT_TRUE(slam.close_loop(1, 4, poses[1].inverse() * poses[4]));
   EXPECT_EQ(slam.loops_closed(), 1);
   EXPECT_FALSE(slam.close_loop(1, 20, SE2::from_xy_yaw(0.0, 40.0, 1.0)));
@@ -303,27 +307,27 @@ TEST_F(GraphSlamRing, AKeyframeThatAUserMovesClosesTheLoop) {
   odometry_ = drifting_odometry(path_, 1.0, 0.97);
   std::size_t at = path_.size() * 5 / 6;  // once around and a quarter
   drive(slam, 0, at);
-  const int newest = static_cast<int>(slam.keyframe_poses().size());
-  for (; static_cast<int>(slam.keyframe_poses().size()) == newest; ++at) drive(slam, at, at + 1);
+  const int newest = static_cast<int>(slam.graph_view().nodes.size());
+  for (; static_cast<int>(slam.graph_view().nodes.size()) == newest; ++at) drive(slam, at, at + 1);
   --at;  // that keyframe's scan
-  ASSERT_GT(error(slam.keyframe_poses().back(), at), 1.0);
-  EXPECT_EQ(slam.move_keyframes({{newest, SE2::from_xy_yaw(8.0, 8.0, 0.0)}}),
+  ASSERT_GT(error(slam.graph_view().nodes.back(), at), 1.0);
+  EXPECT_EQ(slam.move_nodes({{newest, SE2::from_xy_yaw(8.0, 8.0, 0.0)}}),
             std::vector<int>{newest});  // amid the block
   EXPECT_EQ(slam.loops_closed(), 0);
   const SE2 dropped = truth(at) * SE2::from_xy_yaw(0.3, -0.2, 0.1);  // by a hand, roughly
-  EXPECT_TRUE(slam.move_keyframes({{newest, dropped}}).empty());
+  EXPECT_TRUE(slam.move_nodes({{newest, dropped}}).empty());
   EXPECT_EQ(slam.loops_closed(), 1);
-  EXPECT_LT(error(slam.keyframe_poses().back(), at), 0.1);
-  EXPECT_THROW(slam.move_keyframes({{newest + 1, dropped}}), Error);
+  EXPECT_LT(error(slam.graph_view().nodes.back(), at), 0.1);
+  EXPECT_THROW(slam.move_nodes({{newest + 1, dropped}}), Error);
 }
 
 TEST_F(GraphSlamRing, AKeyframeTellsWhatItSaw) {
   GraphSlam2d slam(options());
   drive(slam, 0, 40);
-  const std::vector<Eigen::Vector2f> points = slam.keyframe_points(0);
+  const std::vector<Eigen::Vector2f> points = slam.node_points(0);
   ASSERT_EQ(points.size(), 180U);
   EXPECT_NEAR(points[90].norm(), world_.scan(path_[0], 0).ranges[90], 1e-3);
-  EXPECT_THROW(slam.keyframe_points(4711), Error);
+  EXPECT_THROW(slam.node_points(4711), Error);
 }
 
 TEST_F(GraphSlamRing, TwoSessionsBecomeOneMap) {
@@ -373,8 +377,28 @@ TEST_F(GraphSlamRing, TheSolverIsTheOneThatWasGiven) {
   EXPECT_LT(error(slam.trajectory()[59].T_map_base, 59), 0.05);
 }
 
+std::vector<std::string> scan_matcher_names() {
+  Registry<ScanMatcherFactory> registry("scan matcher");
+  register_builtin_scan_matchers(registry);
+  return registry.names();
+}
+
+/// The names in back quotes that begin the rows of the table in a section of docs/slam.md, sorted.
+std::vector<std::string> first_cells(const std::string& heading) {
+  std::ifstream file(SLAM_MANUAL);
+  std::vector<std::string> names;
+  bool is_there = false;
+  for (std::string line; std::getline(file, line);) {
+    if (line.rfind("## ", 0) == 0) is_there = line == heading;
+    if (!is_there || line.rfind("| `", 0) != 0) continue;
+    names.push_back(line.substr(3, line.find('`', 3) - 3));
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
 /// Every scan matcher as the front end, over a part of the ring.
-class GraphSlamMatchers : public GraphSlamRing, public testing::WithParamInterface<const char*> {};
+class GraphSlamMatchers : public GraphSlamRing, public testing::WithParamInterface<std::string> {};
 
 TEST_P(GraphSlamMatchers, TracksAndGivesTheSameBits) {
   GraphSlamOptions chosen = options();
@@ -407,10 +431,8 @@ TEST_P(GraphSlamMatchers, GoesOnInASession) {
   std::remove(file.c_str());
 }
 
-INSTANTIATE_TEST_SUITE_P(Matchers, GraphSlamMatchers,
-                         testing::Values("correlative", "grid_gauss_newton", "hybrid", "ndt",
-                                         "point_to_line"),
-                         [](const auto& info) { return std::string(info.param); });
+INSTANTIATE_TEST_SUITE_P(Matchers, GraphSlamMatchers, testing::ValuesIn(scan_matcher_names()),
+                         [](const auto& info) { return info.param; });
 
 TEST(GraphSlamOptionsTest, ImpossibleRangesAreAnError) {
   EXPECT_THROW(load_yaml_string<GraphSlamOptions>("min_laser_range: 5\nmax_laser_range: 2\n", "x"),
@@ -426,10 +448,24 @@ TEST(GraphSlamOptionsTest, AnUnknownScanMatcherIsAnErrorWithTheLegalNames) {
   } catch (const Error& error) {
     const std::string text = error.what();
     EXPECT_NE(text.find("scan_matcher"), std::string::npos) << text;
-    EXPECT_NE(text.find("correlative, grid_gauss_newton, hybrid, ndt, point_to_line"),
-              std::string::npos)
-        << text;
+    EXPECT_NE(text.find(join(scan_matcher_names())), std::string::npos) << text;
   }
+}
+
+TEST(GraphSlamOptionsTest, TheNamesOfMatchersInTheShippedFileAreThoseOfTheRegistry) {
+  const std::string comment = "# " + join(scan_matcher_names(), " | ");
+  std::ifstream file(GRAPH_SLAM_CONFIG);
+  std::string line;
+  while (std::getline(file, line) && line.rfind("scan_matcher:", 0) != 0) {
+  }
+  EXPECT_EQ(line.substr(std::min(line.find('#'), line.size())), comment);
+}
+
+TEST(GraphSlamOptionsTest, TheNamesInTheManualAreThoseOfTheRegistries) {
+  Registry<Slam2dFactory> methods("SLAM method");
+  register_builtin_slam_2d(methods);
+  EXPECT_EQ(first_cells("## The algorithms"), methods.names());
+  EXPECT_EQ(first_cells("## Matching scans"), scan_matcher_names());
 }
 
 TEST(GraphSlamOptionsTest, TheShippedFileHoldsTheDefaults) {

@@ -13,6 +13,7 @@
 #include "logs/odometry_slam_2d.h"
 #include "logs/process_cost.h"
 #include "trident_base/error.h"
+#include "trident_slam/pose_graph_g2o.h"
 
 namespace trident {
 namespace {
@@ -113,6 +114,39 @@ TEST_F(OfflineRun, WallsAreOccupiedAndTheCorridorIsFree) {
   EXPECT_EQ(at(0.52, -0.999), OccupancyGrid::kOccupied);
   EXPECT_EQ(at(0.52, 0.5), OccupancyGrid::kFree);
   EXPECT_EQ(at(1.3, 0.0), OccupancyGrid::kUnknown);
+}
+
+/// Somebody else's algorithm that has a graph: a node per scan, and the last one sees the first.
+class ChainSlam2d : public OdometrySlam2d, public Slam2dGraph {
+ public:
+  using OdometrySlam2d::OdometrySlam2d;
+  GraphView2d graph_view() const override {
+    GraphView2d view;
+    for (const StampedPose2d& pose : trajectory()) view.nodes.push_back(pose.T_map_base);
+    return view;
+  }
+  std::vector<GraphLoop2d> loops() const override {
+    const std::vector<SE2> nodes = graph_view().nodes;
+    return {{0, nodes.size() - 1, nodes.front().inverse() * nodes.back(), true}};
+  }
+  void save_g2o(const std::string& file) const override {
+    PoseGraph2d graph;
+    const std::vector<SE2> nodes = graph_view().nodes;
+    for (std::size_t i = 0; i < nodes.size(); ++i) graph.add_vertex(static_cast<int>(i), nodes[i]);
+    write_g2o(graph, file);
+  }
+};
+
+TEST_F(OfflineRun, WritesGraphAndLoopsOfWhateverHasThem) {
+  CorridorDrive source(3);
+  ChainSlam2d slam{OdometrySlam2dParams()};
+  run_offline(source, slam, out_, nullptr);
+  const auto graph = lines_of(out_ + "/graph.g2o");
+  ASSERT_EQ(graph.size(), 3U);
+  EXPECT_EQ(graph[0].substr(0, 13), "VERTEX_SE2 0 ");
+  const std::vector<std::string> loops = {"older_scan,newer_scan,x,y,yaw,kind",
+                                          "0,2,0.020000,0.000000,0.000000,loop"};
+  EXPECT_EQ(lines_of(out_ + "/loops.csv"), loops);
 }
 
 TEST_F(OfflineRun, AnEmptyLogIsAnError) {
