@@ -26,7 +26,8 @@ struct PosePrior {
   SE2 T_ref_base;
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< of (x, y, yaw) in the ref's frame
   bool is_firm = false;  ///< not doubted, however far the points lead away from it
-  /// Told by other than scans (wheels): along directions that the points leave open it alone counts.
+  /// Told by other than scans (wheels): along directions that the points leave open it alone
+  /// counts.
   bool is_independent = false;
 };
 

@@ -88,9 +88,8 @@ void keep_what_is_told(double range, Eigen::Matrix3d* information, Eigen::Vector
   const Axes axes(*information, range);
   const Eigen::Vector3d told = axes.told();
   if ((told.array() == 1.0).all()) return;
-  const Eigen::Matrix3d scaled = axes.directions *
-                                 told.cwiseProduct(axes.values).asDiagonal() *
-                                 axes.directions.transpose();
+  const Eigen::Matrix3d scaled =
+      axes.directions * told.cwiseProduct(axes.values).asDiagonal() * axes.directions.transpose();
   *information = axes.to_metres.asDiagonal() * scaled * axes.to_metres.asDiagonal();
   const Eigen::Vector3d along =
       axes.directions.transpose() * gradient->cwiseQuotient(axes.to_metres);
