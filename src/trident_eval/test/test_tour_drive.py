@@ -25,7 +25,7 @@ PERIOD_S = 0.1
 
 
 class Refused:
-    """What was told."""
+    """The reported messages."""
 
     def __init__(self) -> None:
         self.texts: list[str] = []

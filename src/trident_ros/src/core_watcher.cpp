@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Gives processes back their cores when the process that has restricted them ends, however it ends.
 //
-// ProcessCores starts this program with one end of a socket as its standard input, and tells it of
+// ProcessCores starts this program with one end of a socket as its standard input, and sends it
 // each process. The socket closes with the process that holds its other end, also by SIGKILL.
 #include <sys/socket.h>
 #include <unistd.h>

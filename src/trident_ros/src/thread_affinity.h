@@ -10,7 +10,7 @@
 
 namespace trident::affinity {
 
-/// A process that is restricted to one core. It is told to core_watcher in this form.
+/// A process that is restricted to one core. It is sent to core_watcher in this form.
 struct KeptProcess {
   pid_t process = 0;
   std::int32_t core = 0;

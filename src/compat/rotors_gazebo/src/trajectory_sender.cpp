@@ -45,7 +45,7 @@ trajectory_msgs::MultiDOFJointTrajectory trajectory_through(
 
 bool wait_for(double seconds) {
   // In doubles: the sum of a ros::Time and a ros::Duration throws beyond 32 bits of seconds, which
-  // a strange clock may tell. Zero is no time yet.
+  // a faulty clock may report. Zero means that no clock has been received yet.
   double begin_s = 0.0;
   while (ros::ok()) {
     const double now_s = ros::Time::now().toSec();

@@ -12,6 +12,7 @@ from trident_ros.message_checks import (
     stamp_problem,
 )
 from trident_ros.refusals import Refusals
+from trident_ros.services import is_offered
 from trident_ros.unknown_parameters import MISSION_PARAMETERS, warn_of_unknown_parameters
 
 __all__ = [
@@ -19,6 +20,7 @@ __all__ = [
     "LATEST_STAMP_S",
     "MISSION_PARAMETERS",
     "Refusals",
+    "is_offered",
     "numbers_problem",
     "point_problem",
     "pose_problem",

@@ -172,7 +172,7 @@ struct ModelSpec {
   std::vector<JointSpec> joints;
   std::vector<PluginSpec> plugins;
   std::vector<std::string> odd_elements{};  ///< that were left out or changed, a sentence each
-  std::vector<std::string> odd_repeats{};   ///< more of what those tell: counted, not told
+  std::vector<std::string> odd_repeats{};   ///< more of the same: counted, not reported
 };
 
 /// `<physics>` and `<gravity>` with Gazebo's defaults.
@@ -227,7 +227,7 @@ struct WorldSpec {
   SceneSpec scene;
   std::vector<PluginSpec> plugins;
   std::vector<std::string> odd_elements{};  ///< that were left out or changed, a sentence each
-  std::vector<std::string> odd_repeats{};   ///< more of what those tell: counted, not told
+  std::vector<std::string> odd_repeats{};   ///< more of the same: counted, not reported
 };
 
 }  // namespace trident

@@ -19,7 +19,6 @@ import threading
 from pathlib import Path
 from typing import Any
 
-import rosgraph
 import rospy
 import tf2_ros
 from diagnostic_msgs.msg import DiagnosticArray
@@ -35,7 +34,7 @@ from trident_eval.slam.checked_buffer import CheckedBuffer
 from trident_eval.slam.scan_poses import Poses, ScanPoses
 from trident_eval.slam.tour import LOCALIZATION, MAPPING, RECORD, TRUTH, write_tum
 from trident_eval.slam.tour_drive import SIMULATOR, LockstepDriver, is_sent
-from trident_ros import Refusals, pose_problem, stamp_problem
+from trident_ros import Refusals, is_offered, pose_problem, stamp_problem
 
 _ROBOT = "ground_robot.launch"
 _MAP, _BASE, _ODOM = "map", "base_footprint", "odom"
@@ -183,7 +182,7 @@ class Tour:
     def _on_truth(self, message: Odometry) -> None:
         pose = message.pose.pose
         if pose_problem(pose) or stamp_problem(message.header.stamp):
-            return  # the driver, who hears it too, tells it
+            return  # the driver hears it, too, and reports it
         self._now = message.header.stamp
         self._truth.add(message.header.stamp, pose.position, pose.orientation)
 
@@ -247,15 +246,6 @@ class Tour:
         child = subprocess.Popen(command, start_new_session=True)
         self._children.append(child)
         return child
-
-
-def is_offered(service: str) -> bool:
-    """Whether somebody offers a service."""
-    try:
-        rosgraph.Master(rospy.get_name()).lookupService(service)
-    except rosgraph.MasterError:
-        return False
-    return True
 
 
 def stop(child: subprocess.Popen[bytes]) -> None:

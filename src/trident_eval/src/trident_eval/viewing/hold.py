@@ -47,7 +47,7 @@ class Held:
         """Wait for the simulator.
 
         Raises:
-            rospy.ROSException: there is none, or it tells a time that is none.
+            rospy.ROSException: there is none, or it reports an invalid time.
         """
         rospy.wait_for_service("/gazebo/step", _START_LIMIT_S)
         self._pause = rospy.ServiceProxy("/gazebo/pause_physics", Empty)

@@ -38,7 +38,7 @@ def warn_of_unknown(known: Iterable[str], with_common: bool = False) -> None:
 
     Args:
         known: names that the node reads.
-        with_common: whether this node tells of the common ones, which all nodes of a fleet see.
+        with_common: whether this node reports the common ones, which all nodes of a fleet see.
     """
     names = {*known, *NODE_PARAMETERS}
     if rospy.get_name() != COMMON_NAMESPACE:

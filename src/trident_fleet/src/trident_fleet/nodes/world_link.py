@@ -9,7 +9,6 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-import rosgraph
 import rospy
 from geometry_msgs.msg import Pose
 from rosgraph_msgs.msg import Clock
@@ -21,7 +20,7 @@ from trident_fleet.core.quintic import Array
 from trident_fleet.core.settings import FleetSettings, Vehicle
 from trident_msgs.msg import FleetState
 from trident_msgs.srv import EnrollSource
-from trident_ros import Refusals, point_problem, stamp_problem
+from trident_ros import Refusals, is_offered, point_problem, stamp_problem
 
 SIMULATOR = "/gazebo"
 _ENROLL = SIMULATOR + "/enroll_source"
@@ -126,11 +125,11 @@ class WorldLink:
         began = reported = time.monotonic()
         plain_since = None
         while not rospy.is_shutdown():
-            if _service_exists(_ENROLL):
+            if is_offered(_ENROLL):
                 self.is_lockstep = True
                 return True
             now = time.monotonic()
-            if plain_since is None and _service_exists(_SPAWN):
+            if plain_since is None and is_offered(_SPAWN):
                 # Ours offers lockstep before it offers this, so that it is never taken for another.
                 plain_since = now
             if plain_since is not None and now - plain_since > self._settings.enroll_wait_s:
@@ -317,14 +316,6 @@ def wait_for_service(name: str) -> None:
         else:
             return
     raise rospy.ROSInterruptException("rospy shutdown")
-
-
-def _service_exists(name: str) -> bool:
-    try:
-        rosgraph.Master(rospy.get_name()).lookupService(name)
-    except rosgraph.MasterError:
-        return False
-    return True
 
 
 def _positions_by_name(names: list[str], poses: list[Pose]) -> dict[str, Array]:

@@ -21,7 +21,7 @@ Config = TypeVar("Config")
 def read_config(kind: type[Config], also: Iterable[str] = ()) -> Config:
     """A configuration from `~field` parameters; fields without one have their defaults.
 
-    One warning tells of private parameters that are not known.
+    One warning lists the private parameters that are not known.
 
     Args:
         kind: a dataclass with a default for each field.

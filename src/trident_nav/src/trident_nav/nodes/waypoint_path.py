@@ -13,7 +13,6 @@ from __future__ import annotations
 import threading
 import time
 
-import rosgraph
 import rospy
 from geometry_msgs.msg import PoseStamped
 from nav_msgs.msg import Path
@@ -21,7 +20,13 @@ from nav_msgs.msg import Path
 from trident_msgs.srv import EnrollSource, EnrollSourceResponse
 from trident_nav.core.errors import NavError
 from trident_nav.core.places import from_start
-from trident_ros import MISSION_PARAMETERS, quoted, stamp_problem, warn_of_unknown_parameters
+from trident_ros import (
+    MISSION_PARAMETERS,
+    is_offered,
+    quoted,
+    stamp_problem,
+    warn_of_unknown_parameters,
+)
 
 _ENROLL = "/gazebo/enroll_source"
 _SPAWN = "/gazebo/spawn_urdf_model"
@@ -90,11 +95,10 @@ def offers_lockstep() -> bool:
     """
     if not rospy.get_param("/use_sim_time", False):
         return False
-    master = rosgraph.Master(rospy.get_name())
     reported = time.monotonic()
     while not rospy.is_shutdown():
-        is_there = service_exists(master, _SPAWN)
-        if service_exists(master, _ENROLL):
+        is_there = is_offered(_SPAWN)
+        if is_offered(_ENROLL):
             return True
         if is_there:
             rospy.loginfo("waypoint_path: no service %s: no lockstep", _ENROLL)
@@ -104,15 +108,6 @@ def offers_lockstep() -> bool:
             rospy.logwarn("waypoint_path: no simulator yet, still waiting")
         rospy.rostime.wallsleep(_POLL_S)
     return False
-
-
-def service_exists(master: rosgraph.Master, name: str) -> bool:
-    """Whether somebody offers a service."""
-    try:
-        master.lookupService(name)
-    except rosgraph.MasterError:
-        return False
-    return True
 
 
 def main() -> int:
