@@ -19,7 +19,7 @@ pytest.importorskip("trident_sim", reason="trident_sim is not built or sourced")
 
 REPO = Path(__file__).resolve().parents[2]
 LAUNCH = REPO / "launch" / "multi_uav_simulation.launch"
-EXAMPLE = REPO / "src" / "trident_sim" / "python" / "examples" / "formation_without_ros.py"
+EXAMPLE = REPO / "src" / "trident_sim_py" / "examples" / "formation_without_ros.py"
 LIMIT_S = 300.0
 STOP_S = 60.0
 RECORD_S = 0.05

@@ -24,7 +24,7 @@
 #include "trident_base/error.h"
 #include "trident_base/yaml_config.h"
 #include "trident_estimation/amcl.h"
-#include "trident_estimation/map_file.h"
+#include "trident_maps/map_file.h"
 
 namespace trident {
 namespace {

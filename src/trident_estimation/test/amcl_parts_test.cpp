@@ -7,7 +7,7 @@
 
 #include "amcl/fast_math.h"
 #include "room.h"
-#include "trident_estimation/grid_matcher.h"
+#include "trident_maps/grid_matcher.h"
 #include "trident_estimation/laser_model.h"
 #include "trident_estimation/motion_model.h"
 #include "trident_estimation/particle_set.h"

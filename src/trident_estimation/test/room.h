@@ -9,7 +9,7 @@
 #include "trident_base/laser_scan.h"
 #include "trident_base/occupancy_grid.h"
 #include "trident_base/random_stream.h"
-#include "trident_estimation/distance_field.h"
+#include "trident_maps/distance_field.h"
 
 namespace trident {
 

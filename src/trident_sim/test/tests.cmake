@@ -19,51 +19,51 @@ target_compile_options(trident_sim_test_support PRIVATE -Wall -Wextra)
 target_link_libraries(trident_sim_test_support PUBLIC trident_sim)
 
 catkin_add_gtest(trident_sim_test
-  test/broadphase_test.cpp
-  test/bumper_test.cpp
-  test/command_timing_test.cpp
-  test/contact_correction_test.cpp
-  test/contact_test.cpp
-  test/determinism_test.cpp
-  test/free_body_test.cpp
-  test/friction_test.cpp
-  test/gazebo_imu_test.cpp
-  test/geoid_grid_test.cpp
-  test/gnss_test.cpp
-  test/hector_sensors_test.cpp
-  test/imu_statistics_test.cpp
-  test/imu_test.cpp
-  test/inertia_test.cpp
-  test/joint_test.cpp
-  test/lidar_spec_test.cpp
-  test/lockstep_test.cpp
-  test/motor_model_test.cpp
-  test/navigation_sensors_test.cpp
-  test/odd_elements_test.cpp
-  test/ode_stepper_test.cpp
-  test/odometry_test.cpp
-  test/ogre_script_test.cpp
-  test/plugin_conformance_test.cpp
-  test/port_test.cpp
-  test/reset_test.cpp
-  test/resources_test.cpp
-  test/rotor_axis_test.cpp
-  test/run_time_changes_test.cpp
-  test/sample_clock_test.cpp
-  test/sdf_error_test.cpp
-  test/sdf_frames_test.cpp
-  test/sdf_look_test.cpp
-  test/sdf_schema_test.cpp
-  test/sdf_sources_test.cpp
-  test/sdf_world_test.cpp
-  test/setpoint_sources_test.cpp
-  test/urdf_test.cpp
-  test/wind_field_file_test.cpp
-  test/wind_field_plugin_test.cpp
-  test/wind_field_test.cpp
-  test/wind_test.cpp
-  test/world_lifecycle_test.cpp
-  test/world_state_test.cpp
+  test/physics/broadphase_test.cpp
+  test/sensors/bumper_test.cpp
+  test/flight/command_timing_test.cpp
+  test/physics/contact_correction_test.cpp
+  test/physics/contact_test.cpp
+  test/flight/determinism_test.cpp
+  test/physics/free_body_test.cpp
+  test/physics/friction_test.cpp
+  test/sensors/gazebo_imu_test.cpp
+  test/sensors/geoid_grid_test.cpp
+  test/sensors/gnss_test.cpp
+  test/sensors/hector_sensors_test.cpp
+  test/sensors/imu_statistics_test.cpp
+  test/sensors/imu_test.cpp
+  test/physics/inertia_test.cpp
+  test/physics/joint_test.cpp
+  test/sensors/lidar_spec_test.cpp
+  test/world/lockstep_test.cpp
+  test/vehicles/motor_model_test.cpp
+  test/sensors/navigation_sensors_test.cpp
+  test/sdf/odd_elements_test.cpp
+  test/physics/ode_stepper_test.cpp
+  test/vehicles/odometry_test.cpp
+  test/sdf/ogre_script_test.cpp
+  test/world/plugin_conformance_test.cpp
+  test/world/port_test.cpp
+  test/world/reset_test.cpp
+  test/sdf/resources_test.cpp
+  test/vehicles/rotor_axis_test.cpp
+  test/physics/run_time_changes_test.cpp
+  test/sensors/sample_clock_test.cpp
+  test/sdf/sdf_error_test.cpp
+  test/sdf/sdf_frames_test.cpp
+  test/sdf/sdf_look_test.cpp
+  test/sdf/sdf_schema_test.cpp
+  test/sdf/sdf_sources_test.cpp
+  test/sdf/sdf_world_test.cpp
+  test/flight/setpoint_sources_test.cpp
+  test/sdf/urdf_test.cpp
+  test/vehicles/wind_field_file_test.cpp
+  test/vehicles/wind_field_plugin_test.cpp
+  test/vehicles/wind_field_test.cpp
+  test/vehicles/wind_test.cpp
+  test/world/world_lifecycle_test.cpp
+  test/world/world_state_test.cpp
 )
 target_link_libraries(trident_sim_test
   trident_sim_test_support sdformat12::sdformat12 PkgConfig::GEOGRAPHICLIB ${GTEST_MAIN_LIBRARIES})
@@ -72,15 +72,15 @@ trident_precompile_headers(trident_sim_test <gtest/gtest.h>)
 
 # Joints, terrain, contacts against closed forms, snapshots of flights.
 catkin_add_gtest(trident_sim_physics_test
-  test/contact_closed_form_test.cpp
-  test/coupled_joint_test.cpp
-  test/heightmap_test.cpp
-  test/joint_drive_test.cpp
-  test/joint_types_test.cpp
-  test/rigid_cases_test.cpp
-  test/sdf_joint_test.cpp
-  test/snapshot_test.cpp
-  test/solver_options_test.cpp
+  test/physics/contact_closed_form_test.cpp
+  test/physics/coupled_joint_test.cpp
+  test/physics/heightmap_test.cpp
+  test/physics/joint_drive_test.cpp
+  test/physics/joint_types_test.cpp
+  test/physics/rigid_cases_test.cpp
+  test/sdf/sdf_joint_test.cpp
+  test/world/snapshot_test.cpp
+  test/physics/solver_options_test.cpp
   test_support/golden_world.cpp
 )
 target_link_libraries(trident_sim_physics_test
@@ -89,44 +89,44 @@ target_include_directories(trident_sim_physics_test PRIVATE src)  # parts of the
 
 # Ground robots on their wheels.
 catkin_add_gtest(trident_sim_ground_test
-  test/ackermann_drive_test.cpp
-  test/diagnostics_test.cpp
-  test/drive_plugins_test.cpp
-  test/ground_closed_form_test.cpp
-  test/ground_drive_test.cpp
+  test/vehicles/ackermann_drive_test.cpp
+  test/world/diagnostics_test.cpp
+  test/vehicles/drive_plugins_test.cpp
+  test/vehicles/ground_closed_form_test.cpp
+  test/vehicles/ground_drive_test.cpp
 )
 target_link_libraries(trident_sim_ground_test trident_sim_test_support ${GTEST_MAIN_LIBRARIES})
 
 # Closed loops, with the Lee controller as a plugin (trident_control_sim is defined later on).
 catkin_add_gtest(trident_sim_flight_test
-  test/closed_loop_test.cpp
-  test/golden_flight_test.cpp
-  test/golden_replay_test.cpp
-  test/golden_rigid_test.cpp
+  test/flight/closed_loop_test.cpp
+  test/flight/golden_flight_test.cpp
+  test/flight/golden_replay_test.cpp
+  test/flight/golden_rigid_test.cpp
   test_support/golden_world.cpp
 )
 target_link_libraries(trident_sim_flight_test
   trident_sim_test_support trident_control_sim ${GTEST_MAIN_LIBRARIES})
 
 # Alone, because it replaces malloc.
-catkin_add_gtest(trident_sim_allocation_test test/allocation_test.cpp)
+catkin_add_gtest(trident_sim_allocation_test test/flight/allocation_test.cpp)
 target_link_libraries(trident_sim_allocation_test
   trident_base_test_support trident_sim_test_support trident_control_sim ${GTEST_MAIN_LIBRARIES})
 
 # Alone: libsdformat's messages about damaged input fill pages, and a crash must not hide other tests.
-catkin_add_gtest(trident_sim_mutated_input_test test/mutated_input_test.cpp)
+catkin_add_gtest(trident_sim_mutated_input_test test/sdf/mutated_input_test.cpp)
 target_link_libraries(trident_sim_mutated_input_test trident_sim_test_support ${GTEST_MAIN_LIBRARIES})
 
 # Cameras.
 catkin_add_gtest(trident_sim_cameras_test
-  test/camera_control_test.cpp
-  test/camera_light_test.cpp
-  test/camera_model_test.cpp
-  test/camera_picture_test.cpp
-  test/camera_plugins_test.cpp
-  test/depth_camera_test.cpp
-  test/image_codec_test.cpp
-  test/segmentation_camera_test.cpp
+  test/cameras/camera_control_test.cpp
+  test/cameras/camera_light_test.cpp
+  test/cameras/camera_model_test.cpp
+  test/cameras/camera_picture_test.cpp
+  test/cameras/camera_plugins_test.cpp
+  test/cameras/depth_camera_test.cpp
+  test/cameras/image_codec_test.cpp
+  test/cameras/segmentation_camera_test.cpp
   test/water/water_camera_test.cpp
 )
 target_link_libraries(trident_sim_cameras_test
@@ -135,17 +135,17 @@ target_include_directories(trident_sim_cameras_test PRIVATE src)  # parts of the
 
 # Ray casting.
 catkin_add_gtest(trident_sim_rays_test
-  test/laser_scanner_test.cpp
-  test/lidar_pattern_test.cpp
-  test/mesh_test.cpp
-  test/picture_file_test.cpp
-  test/point_lidar_test.cpp
-  test/ray_brute_force_test.cpp
-  test/ray_look_test.cpp
-  test/ray_scene_test.cpp
-  test/ray_shape_test.cpp
-  test/follow_test.cpp
-  test/small_sensors_test.cpp
+  test/sensors/laser_scanner_test.cpp
+  test/sensors/lidar_pattern_test.cpp
+  test/rays/mesh_test.cpp
+  test/rays/picture_file_test.cpp
+  test/sensors/point_lidar_test.cpp
+  test/rays/ray_brute_force_test.cpp
+  test/rays/ray_look_test.cpp
+  test/rays/ray_scene_test.cpp
+  test/rays/ray_shape_test.cpp
+  test/vehicles/follow_test.cpp
+  test/sensors/small_sensors_test.cpp
   test/water/water_lidar_test.cpp
   test/water/water_surface_test.cpp
 )

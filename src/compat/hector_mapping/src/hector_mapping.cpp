@@ -17,7 +17,7 @@
 #include <utility>
 
 #include "trident_base/error.h"
-#include "trident_estimation_ros/map_messages.h"
+#include "trident_maps_ros/map_messages.h"
 #include "trident_slam/hector_slam_2d.h"
 #include "trident_slam/slam_2d_abilities.h"
 #include "trident_slam_ros/parameter_names.h"

@@ -1,5 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-#include "trident_estimation_ros/map_server_node.h"
+#include "trident_maps_ros/map_server_node.h"
 
 int main(int argc, char** argv) { return trident::map_server_main(argc, argv); }

@@ -13,7 +13,7 @@
 #include "trident_base/occupancy_grid.h"
 #include "trident_base/random_stream.h"
 #include "trident_estimation/amcl_params.h"
-#include "trident_estimation/grid_matcher.h"
+#include "trident_maps/grid_matcher.h"
 #include "trident_estimation/laser_model.h"
 #include "trident_estimation/motion_model.h"
 #include "trident_estimation/particle_set.h"

@@ -8,7 +8,7 @@
 #include "trident_base/laser_scan.h"
 #include "trident_base/occupancy_grid.h"
 #include "trident_estimation/amcl_params.h"
-#include "trident_estimation/distance_field.h"
+#include "trident_maps/distance_field.h"
 #include "trident_estimation/particle_set.h"
 
 namespace trident {

@@ -11,7 +11,7 @@
 
 #include "trident_base/error.h"
 #include "trident_base/string_util.h"
-#include "trident_estimation_ros/map_messages.h"
+#include "trident_maps_ros/map_messages.h"
 #include "trident_ros/message_checks.h"
 
 namespace trident {

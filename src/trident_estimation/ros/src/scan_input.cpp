@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "trident_base/error.h"
-#include "trident_estimation_ros/map_messages.h"
+#include "trident_maps_ros/map_messages.h"
 #include "trident_ros/message_checks.h"
 
 namespace trident {

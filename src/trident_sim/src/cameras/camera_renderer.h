@@ -10,7 +10,7 @@
 #include "camera_spec.h"
 #include "lighting.h"
 #include "view_table.h"
-#include "water_painter.h"
+#include "sea_rays/water_painter.h"
 
 namespace trident {
 

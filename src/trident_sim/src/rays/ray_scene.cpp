@@ -10,7 +10,7 @@
 #include "ray_content.h"
 #include "trident_base/error.h"
 #include "trident_base/worker_pool.h"
-#include "water_tiles.h"
+#include "sea_rays/water_tiles.h"
 
 namespace trident {
 namespace {

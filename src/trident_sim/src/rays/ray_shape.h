@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "../geometry/mesh.h"
+#include "core/geometry/mesh.h"
 #include "trident_base/se3.h"
 #include "trident_sim/ray_scene.h"
 

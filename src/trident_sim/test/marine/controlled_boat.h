@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "marine/environment.h"
-#include "marine/rudder.h"
-#include "marine/thruster.h"
+#include "marine/environment/environment.h"
+#include "marine/vessel/rudder.h"
+#include "marine/vessel/thruster.h"
 #include "standalone_vessel.h"
 #include "trident_control/vessel_controller.h"
 

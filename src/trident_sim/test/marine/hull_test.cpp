@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-#include "marine/hull.h"
+#include "marine/vessel/hull.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <complex>
 
-#include "marine/wave_field.h"
+#include "marine/environment/wave_field.h"
 #include "standalone_vessel.h"
 #include "test_world.h"
 #include "trident_base/angle.h"

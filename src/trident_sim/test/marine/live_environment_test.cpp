@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "boat_world.h"
-#include "plugins/marine/live_surroundings.h"
+#include "marine/plugins/live_surroundings.h"
 #include "ray_check.h"
 #include "scratch_folder.h"
 #include "trident_base/config_writer.h"

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "boat_world.h"
-#include "plugins/marine/live_surroundings.h"
+#include "marine/plugins/live_surroundings.h"
 #include "scratch_folder.h"
 
 namespace trident {

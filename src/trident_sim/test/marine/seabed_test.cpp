@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-#include "marine/seabed.h"
+#include "marine/environment/seabed.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "boat_world.h"
-#include "plugins/marine/live_surroundings.h"
+#include "marine/plugins/live_surroundings.h"
 #include "scratch_folder.h"
 #include "trident_base/random_stream.h"
 

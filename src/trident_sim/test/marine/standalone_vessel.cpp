@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "standalone_vessel.h"
 
-#include "physics/free_body.h"
+#include "core/physics/free_body.h"
 
 namespace trident {
 

@@ -5,8 +5,8 @@
 #include <memory>
 #include <string>
 
-#include "marine/current.h"
-#include "marine/vessel_dynamics.h"
+#include "marine/environment/current.h"
+#include "marine/vessel/vessel_dynamics.h"
 #include "trident_sim/body.h"
 
 namespace trident {

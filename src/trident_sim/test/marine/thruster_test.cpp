@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-#include "marine/thruster.h"
+#include "marine/vessel/thruster.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-#include "marine/rudder.h"
+#include "marine/vessel/rudder.h"
 #include "test_world.h"
 #include "trident_base/angle.h"
 

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "boat_world.h"
-#include "marine/thruster.h"
-#include "plugins/marine/live_surroundings.h"
+#include "marine/vessel/thruster.h"
+#include "marine/plugins/live_surroundings.h"
 
 namespace trident {
 namespace {

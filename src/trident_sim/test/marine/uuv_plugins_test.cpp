@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "boat_world.h"
-#include "marine/uuv_thruster.h"
+#include "marine/vessel/uuv_thruster.h"
 #include "trident_base/angle.h"
 #include "trident_sim/commands.h"
 #include "trident_sim/thruster_setup.h"

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-#include "marine/vessel_dynamics.h"
+#include "marine/vessel/vessel_dynamics.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <unsupported/Eigen/MatrixFunctions>
 
-#include "marine/thruster.h"
-#include "marine/wave_field.h"
+#include "marine/vessel/thruster.h"
+#include "marine/environment/wave_field.h"
 #include "marine_random.h"
 #include "standalone_vessel.h"
 #include "test_world.h"

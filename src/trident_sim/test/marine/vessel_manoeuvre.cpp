@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "marine/thruster.h"
+#include "marine/vessel/thruster.h"
 #include "standalone_vessel.h"
 #include "trident_base/angle.h"
 #include "trident_base/error.h"

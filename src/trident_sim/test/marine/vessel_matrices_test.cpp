@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-#include "marine/vessel_matrices.h"
+#include "marine/vessel/vessel_matrices.h"
 
 #include <gtest/gtest.h>
 

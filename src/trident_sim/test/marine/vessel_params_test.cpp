@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-#include "marine/vessel_params.h"
+#include "marine/vessel/vessel_params.h"
 
 #include <gtest/gtest.h>
 
-#include "marine/thruster.h"
+#include "marine/vessel/thruster.h"
 #include "standalone_vessel.h"
 #include "test_world.h"
 

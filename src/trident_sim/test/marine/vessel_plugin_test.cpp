@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "boat_world.h"
-#include "marine/thruster.h"
+#include "marine/vessel/thruster.h"
 #include "scratch_folder.h"
 #include "trident_base/angle.h"
 

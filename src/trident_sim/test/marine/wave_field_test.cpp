@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-#include "marine/wave_field.h"
+#include "marine/environment/wave_field.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-#include "marine/wind_gusts.h"
+#include "marine/environment/wind_gusts.h"
 
 #include <gtest/gtest.h>
 

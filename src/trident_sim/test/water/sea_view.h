@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "marine/environment.h"
+#include "marine/environment/environment.h"
 #include "models.h"
 #include "ray_check.h"
-#include "rays/water_surface.h"
+#include "sea_rays/water_surface.h"
 #include "test_world.h"
 
 namespace trident {

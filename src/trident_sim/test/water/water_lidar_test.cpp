@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "lidar_rig.h"
-#include "plugins/sensors/water_returns.h"
+#include "sensors/lidar/water_returns.h"
 #include "sea_view.h"
 #include "trident_base/angle.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
 // The tile of the sea: how true it is, that it repeats, and where rays meet it.
-#include "rays/water_surface.h"
+#include "sea_rays/water_surface.h"
 
 #include <gtest/gtest.h>
 

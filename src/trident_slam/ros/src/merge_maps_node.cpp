@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "trident_base/string_util.h"
-#include "trident_estimation_ros/map_messages.h"
+#include "trident_maps_ros/map_messages.h"
 #include "trident_ros/message_checks.h"
 #include "trident_ros/refusals.h"
 #include "trident_slam/graph_slam_2d.h"

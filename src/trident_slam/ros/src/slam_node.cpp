@@ -13,8 +13,8 @@
 
 #include "trident_base/error.h"
 #include "trident_base/string_util.h"
-#include "trident_estimation/map_file.h"
-#include "trident_estimation_ros/map_messages.h"
+#include "trident_maps/map_file.h"
+#include "trident_maps_ros/map_messages.h"
 #include "trident_ros/message_checks.h"
 #include "trident_slam/slam_2d_abilities.h"
 #include "trident_slam_ros/motion_diagnosis.h"

@@ -20,7 +20,7 @@
 #include <vector>
 
 #include "trident_base/error.h"
-#include "trident_estimation_ros/map_messages.h"
+#include "trident_maps_ros/map_messages.h"
 #include "trident_slam/slam_2d_abilities.h"
 #include "trident_slam_ros/graph_editor.h"
 #include "trident_slam_ros/run_program.h"

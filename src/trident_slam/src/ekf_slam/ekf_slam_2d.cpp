@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "ekf_slam/posts.h"
-#include "front_end/odometry_motion.h"
-#include "graph_slam/scan_archive.h"
-#include "graph_slam/scan_check.h"
+#include "motion/odometry_motion.h"
+#include "scans/scan_archive.h"
+#include "scans/scan_check.h"
 #include "logs/scan_map.h"
 
 namespace trident {

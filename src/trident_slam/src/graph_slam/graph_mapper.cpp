@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "graph_slam/final_match.h"
+#include "graph_slam/backend/final_match.h"
 
 namespace trident {
 namespace {

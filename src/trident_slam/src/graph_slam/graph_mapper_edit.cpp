@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "graph_slam/graph_mapper.h"
-#include "graph_slam/loop_closer.h"
+#include "graph_slam/loop/loop_closer.h"
 
 namespace trident {
 namespace {

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "graph_slam/final_match.h"
+#include "graph_slam/backend/final_match.h"
 #include "graph_slam/graph_mapper.h"
-#include "graph_slam/relocalizer.h"
+#include "graph_slam/loop/relocalizer.h"
 
 namespace trident {
 namespace {

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "graph_slam/graph_mapper.h"
-#include "graph_slam/keyframe_map.h"
-#include "graph_slam/session_file.h"
-#include "graph_slam/start_pose.h"
+#include "graph_slam/map/keyframe_map.h"
+#include "graph_slam/session/session_file.h"
+#include "scans/start_pose.h"
 #include "trident_slam/pose_graph_g2o.h"
 
 namespace trident {

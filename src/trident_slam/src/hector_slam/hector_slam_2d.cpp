@@ -7,12 +7,12 @@
 #include <optional>
 #include <string>
 
-#include "front_end/map_match.h"
-#include "front_end/motion_filter.h"
-#include "front_end/motion_source.h"
-#include "front_end/probability_grid.h"
-#include "graph_slam/scan_check.h"
-#include "graph_slam/start_pose.h"
+#include "matchers/map_match.h"
+#include "motion/motion_filter.h"
+#include "motion/motion_source.h"
+#include "grids/probability_grid.h"
+#include "scans/scan_check.h"
+#include "scans/start_pose.h"
 #include "trident_base/angle.h"
 #include "trident_slam/point_scan.h"
 #include "trident_slam/sweep_motion.h"

@@ -15,7 +15,7 @@
 #include <string>
 #include <system_error>
 
-#include "front_end/correlative_match.h"
+#include "matchers/correlative_match.h"
 #include "logs/process_cost.h"
 #include "trident_base/error.h"
 #include "trident_base/shown_text.h"

@@ -11,7 +11,7 @@
 #include "logs/stamp_check.h"
 #include "trident_base/error.h"
 #include "trident_base/string_util.h"
-#include "trident_estimation/map_file.h"
+#include "trident_maps/map_file.h"
 
 namespace trident {
 namespace {

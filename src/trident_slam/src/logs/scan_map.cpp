@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "front_end/beam_counts.h"
+#include "scans/beam_counts.h"
 
 namespace trident {
 namespace {

@@ -14,7 +14,7 @@ target_sources(trident_slam PRIVATE
   src/logs/scan_source.cpp
   src/logs/stamp_check.cpp
 )
-target_link_libraries(trident_slam PUBLIC trident_estimation PRIVATE BZip2::BZip2 ZLIB::ZLIB)
+target_link_libraries(trident_slam PUBLIC trident_maps PRIVATE BZip2::BZip2 ZLIB::ZLIB)
 
 add_executable(slam_offline src/logs/slam_offline.cpp)
 target_link_libraries(slam_offline trident_slam)

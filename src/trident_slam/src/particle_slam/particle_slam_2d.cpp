@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "front_end/motion_filter.h"
-#include "front_end/probability_grid.h"
+#include "motion/motion_filter.h"
+#include "grids/probability_grid.h"
 #include "particle_slam/proposal.h"
 #include "trident_base/random_stream.h"
 #include "trident_slam/hector_slam_2d.h"

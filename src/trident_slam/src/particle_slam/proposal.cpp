@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "front_end/map_match.h"
+#include "matchers/map_match.h"
 #include "trident_base/angle.h"
 
 namespace trident {

@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "front_end/probability_grid.h"
+#include "grids/probability_grid.h"
 #include "trident_base/se2.h"
 #include "trident_slam/point_scan.h"
 

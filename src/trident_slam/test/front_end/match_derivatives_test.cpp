@@ -7,8 +7,8 @@
 #include <cmath>
 #include <functional>
 
-#include "front_end/line_match.h"
-#include "front_end/ndt_match.h"
+#include "matchers/line_match.h"
+#include "matchers/ndt_match.h"
 #include "trident_base/angle.h"
 #include "trident_base/random_stream.h"
 

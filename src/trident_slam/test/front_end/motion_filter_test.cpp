@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
 // Which scans are used, and which motion of odometry is believed.
-#include "front_end/motion_filter.h"
+#include "motion/motion_filter.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "front_end/odometry_motion.h"
+#include "motion/odometry_motion.h"
 
 namespace trident {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-#include "front_end/odometry_calibration.h"
+#include "motion/odometry_calibration.h"
 
 #include <gtest/gtest.h>
 

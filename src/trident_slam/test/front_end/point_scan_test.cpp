@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "front_end/line_match.h"
+#include "matchers/line_match.h"
 #include "graph_slam/polygon_world.h"
 
 namespace trident {

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-#include "front_end/scan_motion.h"
+#include "motion/scan_motion.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdint>
 
-#include "front_end/correlative_match.h"
-#include "front_end/odometry_watch.h"
+#include "matchers/correlative_match.h"
+#include "motion/odometry_watch.h"
 
 namespace trident {
 namespace {

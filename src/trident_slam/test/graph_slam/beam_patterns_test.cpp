@@ -11,7 +11,7 @@
 #include <string>
 
 #include "graph_slam/polygon_world.h"
-#include "graph_slam/scan_check.h"
+#include "scans/scan_check.h"
 #include "trident_slam/carmen_log.h"
 #include "trident_slam/graph_slam_2d.h"
 #include "trident_slam/offline_run.h"

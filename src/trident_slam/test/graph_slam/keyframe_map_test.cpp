@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-#include "graph_slam/keyframe_map.h"
+#include "graph_slam/map/keyframe_map.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <cstdio>
 
 #include "graph_slam/polygon_world.h"
-#include "graph_slam/stale_scans.h"
+#include "graph_slam/backend/stale_scans.h"
 #include "trident_slam/graph_slam_2d.h"
 
 namespace trident {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-#include "graph_slam/session_file.h"
+#include "graph_slam/session/session_file.h"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>

@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "conformance/scan_world.h"
-#include "front_end/growing_grid.h"
+#include "grids/growing_grid.h"
 #include "trident_base/error.h"
 #include "trident_slam/graph_slam_2d.h"
 #include "trident_slam/hector_slam_2d.h"

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "conformance/scan_world.h"
-#include "front_end/tiled_grid.h"
+#include "grids/tiled_grid.h"
 #include "particle_slam/proposal.h"
 
 namespace trident {

@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "trident_maps/distance_field.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace trident {
+namespace {
+
+constexpr double kAgreeWithin = 0.3;  // [m]: some cells, and what furniture is moved by
+
+/// Squared distances [cells^2] along one line, `count` values `step` apart: the lower envelope of
+/// the parabolas that stand on each value.
+class LineTransform {
+ public:
+  explicit LineTransform(int longest)
+      : at_(static_cast<std::size_t>(longest)),
+        values_(static_cast<std::size_t>(longest)),
+        from_(static_cast<std::size_t>(longest) + 1) {}
+
+  void run(float* line, int count, std::ptrdiff_t step) {
+    int top = -1;
+    for (int i = 0; i < count; ++i) {
+      const double value = line[i * step];
+      double from = -1.0;
+      while (top >= 0) {
+        const auto k = static_cast<std::size_t>(top);
+        from = crossing(at_[k], values_[k], i, value);
+        if (from > from_[k]) break;
+        --top;
+      }
+      const auto k = static_cast<std::size_t>(++top);
+      at_[k] = i;
+      values_[k] = value;
+      from_[k] = top == 0 ? -1.0 : from;
+    }
+    int k = 0;
+    for (int i = 0; i < count; ++i) {
+      while (k < top && from_[static_cast<std::size_t>(k) + 1] < i) ++k;
+      const double away = i - at_[static_cast<std::size_t>(k)];
+      line[i * step] = static_cast<float>(away * away + values_[static_cast<std::size_t>(k)]);
+    }
+  }
+
+ private:
+  /// Where the parabola on (b, value_b), b > a, becomes the lower one.
+  static double crossing(int a, double value_a, int b, double value_b) {
+    const double square_a = static_cast<double>(a) * a, square_b = static_cast<double>(b) * b;
+    return ((value_b + square_b) - (value_a + square_a)) / (2.0 * (b - a));
+  }
+
+  std::vector<int> at_;
+  std::vector<double> values_;
+  std::vector<double> from_;
+};
+
+}  // namespace
+
+DistanceField::DistanceField(const OccupancyGrid& grid, double max_distance, Obstacles obstacles)
+    : width_(grid.width),
+      height_(grid.height),
+      resolution_(grid.resolution),
+      max_distance_(max_distance),
+      cells_per_m_(static_cast<float>(1.0 / grid.resolution)) {
+  const double most = max_distance / resolution_;
+  const auto far = static_cast<float>(most * most);
+  const auto stride = static_cast<std::size_t>(this->stride());
+  padded_.assign(stride * static_cast<std::size_t>(height_ + 2), far);
+  for (int row = 0; row < height_; ++row) {
+    for (int column = 0; column < width_; ++column) {
+      const std::int8_t cell = grid.cells[grid.index(column, row)];
+      const bool is_obstacle =
+          cell == OccupancyGrid::kOccupied ||
+          (obstacles == Obstacles::kOccupiedOrUnknown && cell != OccupancyGrid::kFree);
+      if (is_obstacle) padded_[static_cast<std::size_t>(row + 1) * stride + column + 1] = 0.0F;
+    }
+  }
+  LineTransform transform(std::max(width_, height_));
+  for (int column = 1; column <= width_; ++column) {
+    transform.run(&padded_[stride + static_cast<std::size_t>(column)], height_,
+                  static_cast<std::ptrdiff_t>(stride));
+  }
+  for (int row = 1; row <= height_; ++row) {
+    transform.run(&padded_[static_cast<std::size_t>(row) * stride + 1], width_, 1);
+  }
+  const auto metres = static_cast<float>(resolution_), limit = static_cast<float>(max_distance);
+  for (float& cell : padded_) cell = std::min(std::sqrt(cell) * metres, limit);
+}
+
+float DistanceField::at(float x, float y) const {
+  const float column = std::clamp(x * cells_per_m_ + 1.0F, 0.0F, static_cast<float>(width_ + 1));
+  const float row = std::clamp(y * cells_per_m_ + 1.0F, 0.0F, static_cast<float>(height_ + 1));
+  return padded_[static_cast<std::size_t>(row) * static_cast<std::size_t>(stride()) +
+                 static_cast<std::size_t>(column)];
+}
+
+double DistanceField::ray(const Eigen::Vector2d& p_grid, double angle, double max_range) const {
+  // All in cells of the padded map.
+  const auto cosine = static_cast<float>(std::cos(angle)),
+             sine = static_cast<float>(std::sin(angle));
+  const float x = static_cast<float>(p_grid.x()) * cells_per_m_ + 1.0F;
+  const float y = static_cast<float>(p_grid.y()) * cells_per_m_ + 1.0F;
+  const auto right = static_cast<float>(width_ + 1), top = static_cast<float>(height_ + 1);
+  const auto limit = static_cast<float>(max_range / resolution_);
+  const float* cells = padded_.data();
+  const int stride = this->stride();
+  // What is known is the distance between the cells' centres; beam and obstacle may each be half a
+  // diagonal from theirs.
+  constexpr float kSlack = 1.41421356F, kLeast = 0.5F;
+  for (float range = 0.0F; range < limit;) {
+    const float column = std::min(std::max(x + range * cosine, 0.0F), right);
+    const float row = std::min(std::max(y + range * sine, 0.0F), top);
+    const float distance = cells[static_cast<int>(row) * stride + static_cast<int>(column)];
+    if (distance <= 0.0F) return static_cast<double>(range) * resolution_;
+    range += std::max(distance * cells_per_m_ - kSlack, kLeast);
+  }
+  return max_range;
+}
+
+double scan_agreement(const DistanceField& field, const ScanPoints& points,
+                      const SE2& T_grid_base) {
+  if (points.p_base.empty()) return 0.0;
+  const Eigen::Vector2d p_grid_laser = T_grid_base * points.p_base_laser;
+  int explained = 0;
+  for (const Eigen::Vector2f& p_base : points.p_base) {
+    const Eigen::Vector2d p_grid = T_grid_base * p_base.cast<double>();
+    const float near = field.at(static_cast<float>(p_grid.x()), static_cast<float>(p_grid.y()));
+    if (static_cast<double>(near) > kAgreeWithin) continue;
+    const Eigen::Vector2d beam = p_grid - p_grid_laser;
+    const double free_way = beam.norm() - kAgreeWithin;
+    const double met = field.ray(p_grid_laser, std::atan2(beam.y(), beam.x()), free_way);
+    explained += met >= free_way ? 1 : 0;
+  }
+  return static_cast<double>(explained) / static_cast<double>(points.p_base.size());
+}
+
+}  // namespace trident

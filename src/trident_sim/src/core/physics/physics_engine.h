@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <ode/ode.h>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/contacts/constraint_solver.h"
+#include "core/contacts/contact_surface.h"
+#include "trident_sim/contact.h"
+#include "trident_sim/model.h"
+#include "trident_sim/model_spec.h"
+
+namespace trident {
+
+/// Deeper than this nobody puts a body on purpose; wheels and feet that stand a little low are
+/// less.
+constexpr double kDeepContact_m = 0.01;
+
+/// Moves bodies. ODE solves contacts and joints; a body with neither is integrated here by the same
+/// semi-implicit Euler step, which costs a tenth of ODE's bookkeeping. The result does not depend
+/// on the order in which models were added.
+class PhysicsEngine {
+ public:
+  /// Receives what the user should know, a line each.
+  using Report = std::function<void(const std::string&)>;
+  /// `rotor_axes_lag`: the axes of spun rotors lag behind their carriers as in Gazebo.
+  PhysicsEngine(const PhysicsSpec& spec, bool rotor_axes_lag, Report report);
+  ~PhysicsEngine();
+  PhysicsEngine(const PhysicsEngine&) = delete;
+  PhysicsEngine& operator=(const PhysicsEngine&) = delete;
+
+  void configure(const PhysicsSpec& spec);
+
+  /// Runs what makes a collision, and decides whether an Error of it goes on.
+  using Guard = std::function<void(const std::function<void()>& make)>;
+  /// Makes the bodies, geometries and joints of `model` from its spec, at the initial pose.
+  /// `spun_joints`: names of the joints whose rotors are kept as scalars.
+  void build(Model& model, const std::vector<std::string>& spun_joints, const Guard& guard);
+  void destroy(Model& model);
+  /// Takes over the list of models, in the order in which they are to be stepped.
+  void set_models(const std::vector<Model*>& models);
+
+  void step(double dt_s);
+  /// Copies poses and velocities of the bodies of `model` into ODE, after they were set by hand.
+  void push_state(Model& model);
+  void push_state(Body& body);
+  /// Of the last step, of the geometries that are watched.
+  const std::vector<Contact>& contacts() const { return told_; }
+  /// How far a collision is inside another one. Names are those of geometries.
+  struct Overlap {
+    std::string own, other;
+    double depth_m = 0.0;
+  };
+  /// The deepest one of a model that can move, with the world or another model, as they stand now.
+  std::optional<Overlap> deepest_overlap(const Model& model);
+  /// What the next step's result depends on besides the bodies and joints.
+  void state(StateArchive& archive) { archive(order_); }
+
+ private:
+  /// A body with rotors: spun_joints_[first] to spun_joints_[last - 1].
+  struct SpunCarrier {
+    Body* body;
+    std::size_t first, last;
+  };
+  struct StaticGeom {
+    Geom* geom;
+    bool is_plane;
+    Eigen::Vector3d lo, hi;  ///< bounds of anything but a plane
+    Eigen::Vector3d normal;  ///< of a plane
+    double offset;           ///< of a plane: normal . p = offset
+  };
+
+  void freeze(Body& body);
+  void measure_overlap(const Geom& own, const Geom& other, std::optional<Overlap>& deepest);
+  void load_rotors(double dt_s);
+  void find_contacts(double dt_s);
+  void sweep_bodies(double dt_s);
+  void release_placed();
+  Correction correct(const Geom& a, Body* body_a, const Geom& b, Body* body_b, double deepest_m,
+                     double dt_s);
+  void collide_with_static(Body& body, const Eigen::Vector3d& centre, double dt_s);
+  void collide_bodies(Body& a, Body& b, double dt_s);
+  void collide_geoms(Geom& a, Body* body_a, Geom& b, Body* body_b, double dt_s);
+  void tell_contacts();
+  void advance_rotors(double dt_s);
+
+  Report report_;
+  PhysicsSpec spec_;
+  bool rotor_axes_lag_;
+  Eigen::Vector3d gravity_;
+  dWorldID world_;
+  std::unique_ptr<ConstraintSolver> solver_;
+  std::vector<Body*> bodies_;
+  std::vector<Eigen::Vector3d> centres_;  ///< of the bounding spheres, world frame
+  std::vector<std::size_t> order_;        ///< bodies by the low end of their x interval
+  std::vector<Joint*> ode_joints_, spun_joints_;
+  std::vector<SpunCarrier> spun_carriers_;
+  std::vector<StaticGeom> statics_;
+  std::vector<dContact> contact_buffer_;
+  /// A watched contact of this step, and its place among the solver's.
+  struct Watched {
+    Contact contact;
+    std::size_t touch;
+  };
+  std::vector<Watched> watched_;
+  std::vector<Contact> told_;
+};
+
+}  // namespace trident

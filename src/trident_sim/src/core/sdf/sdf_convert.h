@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <sdf/sdf.hh>
+#include <string>
+
+#include "core/resources/missing_files.h"
+#include "odd_list.h"
+#include "core/materials/ogre_script.h"
+#include "trident_sim/sdf_loader.h"
+
+namespace trident {
+
+/// Where a document comes from: for finding its files and for naming it in errors.
+struct ConvertContext {
+  const Resources& resources;
+  const std::string& label;
+  std::string base_folder;
+  const WarningSink& warn;
+  OddList& odd;
+  MissingFiles& missing;
+  /// Whether lines and paths of elements are those of the user's files.
+  bool has_places = true;
+  /// The file that a path of libsdformat means.
+  std::function<std::string(const std::string&)> original{};
+  std::shared_ptr<OgreScripts> scripts = std::make_shared<OgreScripts>();
+};
+
+WorldSpec convert_world(const sdf::World& world, const ConvertContext& context);
+ModelSpec convert_model(const sdf::Model& model, const ConvertContext& context);
+
+}  // namespace trident

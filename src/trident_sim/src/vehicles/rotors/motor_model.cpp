@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+
+#include "core/plugins/plugin_util.h"
+#include "rotors_plugins.h"
+#include "trident_sim/sea.h"
+
+namespace trident {
+namespace {
+
+constexpr double kFastestCommand = 1e6;  ///< [rad/s], either way
+
+/// One rotor with its motor: thrust, drag torque, H-force and rolling moment from the present speed
+/// (Martin and Salaun 2010), then a first-order lag of the speed towards the command.
+/// Speeds in rad/s of the real rotor; its joint turns `slowdown` times slower.
+class MotorModel : public Plugin {
+ public:
+  explicit MotorModel(const PluginContext& context)
+      : joint_(required_joint(context, "jointName")), link_(required_link(context, "linkName")) {
+    const PluginParams& params = context.params;
+    const Limits positive{1e-12, 1e12}, not_negative{0.0, 1e12};
+    motor_number_ = static_cast<std::size_t>(
+        params.required_integer("motorNumber", {0, SmallVector::kCapacity - 1}));
+    const std::string turning = params.required_text("turningDirection");
+    if (turning != "cw" && turning != "ccw")
+      params.refuse("turningDirection", turning, "cw or ccw");
+    direction_ = turning == "ccw" ? 1.0 : -1.0;
+    const std::string type = params.text("motorType", "velocity");
+    if (type != "velocity") params.refuse("motorType", type, "velocity");
+    rotor_drag_ = params.number("rotorDragCoefficient", 1.0e-4, not_negative);
+    rolling_moment_ = params.number("rollingMomentCoefficient", 1.0e-6, not_negative);
+    max_speed_ = params.number("maxRotVelocity", 838.0, not_negative);
+    motor_constant_ = params.number("motorConstant", 8.54858e-06, not_negative);
+    moment_constant_ = params.number("momentConstant", 0.016, not_negative);
+    time_constant_up_s_ = params.number("timeConstantUp", 1.0 / 80.0, positive);
+    time_constant_down_s_ = params.number("timeConstantDown", 1.0 / 40.0, positive);
+    slowdown_ = params.number("rotorVelocitySlowdownSim", 10.0, positive);
+    command_ = subscribe<ActuatorCommand>(
+        context, scoped_topic(params, params.text("commandSubTopic", "command/motor_speed")));
+    wind_ = subscribe<WindSample>(
+        context, scoped_topic(params, params.text("windSpeedSubTopic", "wind_speed")));
+    speed_ = advertise<ScalarSample>(
+        context, scoped_topic(params, params.text("motorSpeedPubTopic", "motor_speed")),
+        PortRank::kState);
+    name_ = params.owner();
+    MotorModel::body_frames_moved();
+    axis_to_thrust_body_ = link_.T_body_link.R * Eigen::Vector3d::UnitZ() - joint_.axis_body;
+    is_thrust_along_axis_ = axis_to_thrust_body_.isZero(0.0);
+  }
+
+  std::vector<Phase> phases() const override { return {Phase::kActuate}; }
+
+  void pre_step(Phase, World& world, const StepInfo& info) override {
+    if (link_.body == nullptr) return;
+    around_.look(world);
+    read_command(world);
+    apply_forces();
+    advance_speed(info.dt_s);
+    if (speed_->wanted()) {
+      speed_->value = {info.end, joint_.velocity()};
+      speed_->publish();
+    }
+  }
+
+  void body_frames_moved() override { arm_body_ = link_.T_body_link * link_.inertial.T_link_com.p; }
+
+  void reset() override {
+    reference_ = 0.0;
+    filtered_ = 0.0;
+    command_seen_ = 0;
+    refused_ = false;
+    command_->clear();
+  }
+  void state(StateArchive& archive) override {
+    archive(reference_, filtered_, command_seen_, refused_);
+  }
+
+ private:
+  void read_command(World& world) {
+    if (command_->count() == command_seen_) return;
+    command_seen_ = command_->count();
+    const SmallVector& speeds = command_->at(command_seen_ - 1).angular_velocities;
+    if (motor_number_ >= speeds.size) {
+      tell_once(world, "is not in a command of " + std::to_string(speeds.size) + " speeds");
+    } else if (!(std::abs(speeds.data[motor_number_]) <= kFastestCommand)) {
+      tell_once(world, "is commanded " + std::to_string(speeds.data[motor_number_]) +
+                           " rad/s, must be finite, up to 1e6");
+    } else {
+      reference_ = std::min(speeds.data[motor_number_], max_speed_);
+      refused_ = false;
+    }
+  }
+
+  void tell_once(World& world, const std::string& what) {
+    if (!refused_) {
+      world.report(Severity::kError, name_ + ": motor " + std::to_string(motor_number_) + " " +
+                                         what + "; it keeps its last one");
+    }
+    refused_ = true;
+  }
+
+  void apply_forces() {
+    Body& body = *link_.body;
+    const Eigen::Matrix3d& R = body.R_world_body;
+    const double speed = (joint_.spun ? joint_.spun_velocity : joint_.velocity()) * slowdown_;
+    const double thrust = direction_ * std::abs(speed) * speed * motor_constant_;
+    const Eigen::Vector3d axis = R * joint_.rotor_axis_body;
+    // Thrust acts along the rotor link's z, which leans with the rotor's axis.
+    Eigen::Vector3d thrust_axis = axis;
+    if (!is_thrust_along_axis_) thrust_axis += R * axis_to_thrust_body_;
+    const Eigen::Vector3d arm = R * arm_body_;
+    const Eigen::Vector3d velocity = body.v_world + body.w_world.cross(arm) - wind_velocity(arm);
+    const Eigen::Vector3d across = velocity - velocity.dot(axis) * axis;
+    const Eigen::Vector3d force = thrust * thrust_axis - std::abs(speed) * rotor_drag_ * across;
+    body.force += force;
+    body.torque += arm.cross(force) - direction_ * thrust * moment_constant_ * thrust_axis -
+                   std::abs(speed) * rolling_moment_ * across;
+  }
+
+  /// What came on the topic, else the world's wind.
+  Eigen::Vector3d wind_velocity(const Eigen::Vector3d& arm) const {
+    if (wind_->count() > 0) return wind_->at(wind_->count() - 1).v_world;
+    if (around_.air() == nullptr) return Eigen::Vector3d::Zero();
+    return around_.air()->wind(link_.body->T_world_body.p + arm);
+  }
+
+  void advance_speed(double dt_s) {
+    if (dt_s != decay_dt_s_) {
+      decay_dt_s_ = dt_s;
+      decay_up_ = std::exp(-dt_s / time_constant_up_s_);
+      decay_down_ = std::exp(-dt_s / time_constant_down_s_);
+    }
+    const double decay = reference_ > filtered_ ? decay_up_ : decay_down_;
+    filtered_ = decay * filtered_ + (1.0 - decay) * reference_;
+    const double rate = direction_ * filtered_ / slowdown_;
+    if (joint_.spun) {
+      joint_.spun_velocity = rate;
+    } else {
+      joint_.set_velocity(rate);
+    }
+  }
+
+  // What a step needs lies together, ahead of what it does not: six a vehicle are read in each.
+  Joint& joint_;
+  Link& link_;
+  InHandle<ActuatorCommand> command_;
+  InHandle<WindSample> wind_;
+  OutHandle<ScalarSample> speed_;
+  Surroundings around_;
+  Eigen::Vector3d arm_body_;  ///< rotor's centre of mass
+  double direction_ = 1.0;
+  double rotor_drag_, rolling_moment_, max_speed_, motor_constant_, moment_constant_, slowdown_;
+  double decay_dt_s_ = -1.0, decay_up_ = 0.0, decay_down_ = 0.0;
+  double reference_ = 0.0, filtered_ = 0.0;
+  std::uint64_t command_seen_ = 0;
+  std::size_t motor_number_ = 0;
+  bool is_thrust_along_axis_ = true;
+  bool refused_ = false;
+  Eigen::Vector3d axis_to_thrust_body_;  ///< zero when the joint turns about the link's z
+  double time_constant_up_s_, time_constant_down_s_;
+  std::string name_;
+};
+
+}  // namespace
+
+PluginFactory motor_model_factory() {
+  return {[](const PluginContext& context) { return std::make_unique<MotorModel>(context); },
+          [](const PluginParams& params) {
+            return params.text("motorType", "velocity") == "velocity" ? params.text("jointName", "")
+                                                                      : std::string();
+          }};
+}
+
+}  // namespace trident

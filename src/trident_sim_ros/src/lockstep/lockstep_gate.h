@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <ros/ros.h>
+
+#include <chrono>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "loss_watch.h"
+#include "node_probe.h"
+#include "topics/port_binder.h"
+#include "server/server_options.h"
+#include "trident_base/mutex.h"
+#include "trident_ros/process_cores.h"
+#include "trident_sim/world.h"
+#include "vehicle_link.h"
+
+namespace trident {
+
+/// Decides when the world may make its next step: when everything that was declared is there, when
+/// each enrolled controller has answered the states that the step needs, and when each set-point
+/// source has given what it owes. Called by the stepping thread and by services, with the world's
+/// mutex held.
+class LockstepGate {
+ public:
+  LockstepGate(ros::NodeHandle& node, const ServerOptions& options, LossWatch& losses,
+               NodeProbe& probe);
+  ~LockstepGate();
+
+  /// Follows the vehicles that came or went.
+  void sync(World& world, PortBinder& binder);
+
+  /// Everything that time zero is held for is there.
+  bool start_allowed(const World& world, PortBinder& binder);
+  /// What it is held for, in words; "" when nothing is missing.
+  std::string missing_for_start(const World& world);
+  /// One that was there while time zero is held, and has died, will not come by waiting.
+  void check_losses_at_start();
+
+  /// True: the step may be made, and the commands for it are in the ports. False: something was
+  /// waited for, up to milliseconds, with `world_mutex` released; look again. `about_to_wait` is
+  /// called before the wait for a set-point source, which lives by /clock.
+  bool allows_step(const World& world, FairMutex& world_mutex,
+                   const std::function<void()>& about_to_wait) TRIDENT_REQUIRES(world_mutex);
+  /// Takes the commands that come while no step is to be made.
+  void read_while_standing();
+  /// Sends, or lines up, the odometry of the step that was just made.
+  void send_states(SimTime stamp);
+
+  /// Keeps controllers that have come on one core each, where there is not a core for each of them
+  /// and the option does not forbid it.
+  void keep_on_cores();
+
+  /// The states under way are void; after a reset of time the set-points too.
+  void clear(bool with_time);
+
+  SimTime enrol_source(const std::string& node, const std::vector<std::string>& vehicles,
+                       SimTime period, SimTime end, bool waits_beyond_end, SimTime now);
+  void release_source(const std::string& node);
+  /// End of the last source; 0 while one has none.
+  SimTime sources_end();
+
+  std::size_t vehicle_count() const { return vehicles_.size(); }
+  /// Name of each vehicle and whether its controller is in lockstep.
+  std::vector<std::pair<std::string, bool>> vehicle_states();
+  /// What happened since the last call, a line each.
+  std::vector<std::string> take_news();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  bool is_to_be_controlled(const std::string& port) const;
+  bool all_confirm_who_will();
+  bool wait_until_ready() TRIDENT_EXCLUDES(hub_.mutex);
+  void read_commands(std::chrono::milliseconds limit) TRIDENT_REQUIRES(hub_.mutex);
+  void check_losses(const World& world);
+  void check_vehicle(VehicleLink& vehicle, WallTime now) TRIDENT_REQUIRES(hub_.mutex);
+  void check_source(SimTime time, WallTime now) TRIDENT_REQUIRES(hub_.mutex);
+
+  ros::NodeHandle& node_;
+  const ServerOptions& options_;
+  LossWatch& losses_;
+  NodeProbe& probe_;
+  InlineCallbackQueue inline_queue_;
+  LockstepHub hub_;
+  std::map<std::string, std::unique_ptr<VehicleLink>> vehicles_;
+  ProcessCores cores_;
+  std::uint64_t newest_link_ = 0;  ///< when controllers were last kept on cores
+  bool has_just_read_ = false;
+  bool released_ = false;                   ///< time zero is no longer held
+  std::map<std::string, Waiting> sources_;  ///< how long the world waits for them
+  Clock::time_point next_look_;             ///< at who will confirm set-points
+};
+
+}  // namespace trident

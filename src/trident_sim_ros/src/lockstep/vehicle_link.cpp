@@ -1,0 +1,286 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "vehicle_link.h"
+
+#include <geometry_msgs/PoseStamped.h>
+#include <std_msgs/Header.h>
+#include <trajectory_msgs/MultiDOFJointTrajectory.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "conversions/conversions.h"
+#include "trident_ros/schedule_fuzz.h"
+#include "trident_ros/subscriptions.h"
+#include "trident_ros/topic_peers.h"
+
+namespace trident {
+namespace {
+
+/// Stamp of a serialised message that begins with a header; zero when it is too short.
+SimTime header_stamp(const std::uint8_t* bytes, std::size_t size) {
+  std::uint32_t fields[3] = {0, 0, 0};  // seq, sec, nsec
+  if (size < sizeof(fields)) return {};
+  std::memcpy(fields, bytes, sizeof(fields));
+  return {static_cast<std::int64_t>(fields[1]) * 1'000'000'000 + fields[2]};
+}
+
+}  // namespace
+
+bool LockstepHub::ready() const {
+  for (const VehicleLink* vehicle : vehicles) {
+    vehicle->assert_hub_is_locked();
+    if (!vehicle->lockstep.answered_up_to(required_stamp)) return false;
+  }
+  return sources.blocking(next_time) == nullptr;
+}
+
+VehicleLink::VehicleLink(ros::NodeHandle& node, LockstepHub& hub, InPort<ActuatorCommand>& port,
+                         std::vector<OutputBinding*> odometry, InlineCallbackQueue& queue)
+    : node_(node), hub_(hub), queue_(queue), port_(&port), odometry_(std::move(odometry)) {
+  const std::string tail = "command/motor_speed";
+  prefix_ = port.name().substr(0, port.name().size() - tail.size());
+  name_ = prefix_.empty() ? "vehicle" : prefix_.substr(0, prefix_.size() - 1);
+  for (OutputBinding* binding : odometry_) {
+    direct_.push_back(std::make_unique<DirectPublication>(binding->publisher()));
+  }
+  commands_ = hub.commands.subscribe<mav_msgs::Actuators>(
+      node, "/" + port.name(), 10,
+      [this](Span<const std::uint8_t> bytes) TRIDENT_REQUIRES(hub_.mutex) { on_command(bytes); },
+      [this](const mav_msgs::Actuators& message)
+          TRIDENT_REQUIRES(hub_.mutex) { on_command(message); });
+  auto accepted = raw_subscription<std_msgs::Header>(
+      "/" + confirmation_topic(), 100,
+      [this](const auto& bytes) { on_confirmation(bytes.data(), bytes.size()); }, &queue);
+  accepted_ = node.subscribe(accepted);
+}
+
+void VehicleLink::watch_setpoints() {
+  if (poses_ || confirms_setpoints()) return;
+  const auto handler = [this](const auto& bytes) {
+    on_setpoint(header_stamp(bytes.data(), bytes.size()), false, false);
+  };
+  auto poses = raw_subscription<geometry_msgs::PoseStamped>("/" + prefix_ + "command/pose", 100,
+                                                            handler, &queue_);
+  poses_ = node_.subscribe(poses);
+  auto trajectories = raw_subscription<trajectory_msgs::MultiDOFJointTrajectory>(
+      "/" + prefix_ + "command/trajectory", 100, handler, &queue_);
+  trajectories_ = node_.subscribe(trajectories);
+}
+
+void VehicleLink::on_confirmation(const std::uint8_t* bytes, std::size_t size) {
+  std_msgs::Header header;
+  try {
+    ros::serialization::IStream stream(const_cast<std::uint8_t*>(bytes),
+                                       static_cast<std::uint32_t>(size));
+    ros::serialization::deserialize(stream, header);
+  } catch (const ros::serialization::StreamOverrunException&) {
+    return;
+  }
+  // Sources guard their trajectories and send them again; a pose from elsewhere they do not see.
+  const std::string& topic = header.frame_id;
+  const bool replaces = topic.find("command/trajectory") != std::string::npos;
+  on_setpoint(from_ros(header.stamp), true, replaces);
+}
+
+void VehicleLink::on_setpoint(SimTime stamp, bool is_confirmation, bool replaces) {
+  hand_over("confirmation received");
+  const Lock lock(hub_.mutex);
+  // A confirmation says that the controller has it; without one, that it was sent must do.
+  if (!is_confirmation && confirms_setpoints()) return;
+  if (!is_confirmation && is_confirming_open_) {
+    newest_sent_ = std::max(newest_sent_, stamp);
+    return;
+  }
+  note_outsider(stamp);
+  if (stamp.ns == 0) return;
+  if (hub_.sources.on_setpoint(name_, stamp, replaces) && hub_.repeatability.running()) {
+    hub_.repeatability.spoil("whoever commands " + name_, hub_.next_time,
+                             "has replaced set-points of its source");
+  }
+  hub_.notify_if_ready();
+}
+
+void VehicleLink::close_confirming() {
+  is_confirming_open_ = false;
+  if (!confirms_setpoints() && newest_sent_.ns > 0) hub_.sources.on_setpoint(name_, newest_sent_);
+  newest_sent_ = {-1};
+}
+
+/// A set-point from outside of the lockstep that comes before it counts is as repeatable as one
+/// from inside; one that counts at once is not.
+void VehicleLink::note_outsider(SimTime stamp) {
+  if (!hub_.repeatability.running() || stamp >= hub_.next_time) return;
+  if (stamp.ns > 0 && hub_.sources.feeds(name_)) return;
+  hub_.repeatability.spoil("whoever commands " + name_, hub_.next_time,
+                           "gives set-points outside of the lockstep");
+}
+
+VehicleLink::~VehicleLink() {
+  // Ends the callbacks, which hold this, before the members go.
+  commands_.reset();
+  accepted_.shutdown();
+  poses_.shutdown();
+  trajectories_.shutdown();
+}
+
+// The stepping thread holds the hub's mutex as it reads.
+void VehicleLink::on_command(Span<const std::uint8_t> bytes) {
+  try {
+    ros::serialization::IStream stream(const_cast<std::uint8_t*>(bytes.data()),
+                                       static_cast<std::uint32_t>(bytes.size()));
+    ros::serialization::deserialize(stream, message_);
+  } catch (const ros::serialization::StreamOverrunException&) {
+    return;  // roscpp checked the type; a torn message has nothing to say
+  }
+  on_command(message_);
+}
+
+void VehicleLink::on_command(const mav_msgs::Actuators& message) {
+  ActuatorCommand command;
+  command.stamp = from_ros(message.header.stamp);
+  const auto& speeds = message.angular_velocities;
+  command.angular_velocities.size = std::min(speeds.size(), SmallVector::kCapacity);
+  std::copy_n(speeds.begin(), command.angular_velocities.size,
+              command.angular_velocities.data.begin());
+  const auto answer = lockstep.on_answer(command.stamp, wall_now());
+  if (answer == LockstepVehicle::Answer::kForeign && lockstep.enrolled()) return;
+  if (answer == LockstepVehicle::Answer::kForeign && hub_.repeatability.running()) {
+    hub_.repeatability.spoil(join(topic_writers("/" + port_->name())), hub_.next_time,
+                             "writes /" + port_->name() + " outside of the lockstep");
+  }
+  if (answer == LockstepVehicle::Answer::kEnrolled) {
+    note_enrolment(command.stamp);
+    hub_.news.push_back(name_ + ": controller enrolled at state " +
+                        std::to_string(command.stamp.seconds()) + " s; the world waits for it");
+  }
+  waiting.end();
+  inbox_.push_back(command);
+  send_next();
+}
+
+void VehicleLink::note_enrolment(SimTime stamp) {
+  const bool has_run_without = lockstep.first_sent() < hub_.required_stamp;
+  if (!has_run_without || !hub_.repeatability.running()) return;
+  hub_.repeatability.spoil("the controller of " + name_, stamp, "enrolled while time ran");
+}
+
+void VehicleLink::send_next() {
+  if (lockstep.next_to_send(wall_now()).ns < 0 || outbox_.empty()) return;
+  send(outbox_.front());
+  under_way_ = std::move(outbox_.front());
+  outbox_.pop_front();
+}
+
+void VehicleLink::send(State& state) {
+  for (const auto& [index, message] : state.messages) {
+    newest_reader_ = std::max(newest_reader_, direct_[index]->send(*message));
+  }
+}
+
+void VehicleLink::deliver() {
+  for (const ActuatorCommand& command : inbox_) port_->write(command);
+  inbox_.clear();
+}
+
+void VehicleLink::send_state(SimTime stamp, WallTime now) {
+  State state{stamp, {}};
+  for (std::size_t i = 0; i < odometry_.size(); ++i) {
+    if (!odometry_[i]->wanted() || !odometry_[i]->take_fresh()) continue;
+    state.messages.emplace_back(i, odometry_[i]->message());
+  }
+  if (state.messages.empty()) return;
+  learn_controllers();
+  // At least one, so that a reader that has just died is missed.
+  readers_when_sent_ = std::max(1U, odometry_readers());
+  if (!lockstep.on_state(stamp, now)) {
+    outbox_.push_back(std::move(state));
+    return;
+  }
+  send(state);
+  under_way_ = std::move(state);
+}
+
+bool VehicleLink::send_again_to_new_readers() {
+  int newest = newest_reader_;
+  bool is_controller = false;
+  for (const OutputBinding* binding : odometry_) {
+    for (const TopicPeer& reader : topic_readers(binding->publisher().getTopic())) {
+      if (reader.connection <= newest_reader_) continue;
+      newest = std::max(newest, reader.connection);
+      is_controller = is_controller || controllers_.count(reader.node) > 0;
+    }
+  }
+  if (newest == newest_reader_) return false;
+  for (const auto& [index, message] : under_way_.messages) {
+    direct_[index]->send(*message, newest_reader_);
+  }
+  newest_reader_ = newest;
+  readers_when_sent_ = odometry_readers();
+  return is_controller;
+}
+
+void VehicleLink::learn_controllers() {
+  const std::uint64_t newest = hub_.commands.newest_link();
+  if (newest == newest_link_) return;
+  newest_link_ = newest;
+  for (const std::string& node : topic_writers("/" + port_->name())) controllers_.insert(node);
+}
+
+bool VehicleLink::has_lost_controller() const {
+  // In a nodelet manager all are one process.
+  if (controllers_.empty()) return odometry_readers() < readers_when_sent_;
+  for (const OutputBinding* binding : odometry_) {
+    for (const TopicPeer& reader : topic_readers(binding->publisher().getTopic())) {
+      if (controllers_.count(reader.node) > 0) return false;
+    }
+  }
+  return true;
+}
+
+void VehicleLink::announce_reset() {
+  State state{{}, {}};
+  for (std::size_t i = 0; i < odometry_.size(); ++i) {
+    auto* port = dynamic_cast<OutPort<OdometrySample>*>(&odometry_[i]->port());
+    if (port == nullptr || direct_[i]->subscribers() == 0) continue;
+    port->value.stamp = {};
+    port->value.v_child.setZero();
+    port->value.w_child.setZero();
+    state.messages.emplace_back(i, odometry_[i]->message());
+  }
+  send(state);
+}
+
+bool VehicleLink::has_controller() const {
+  if (odometry_readers() == 0) return false;
+  const std::string commands = "/" + port_->name(), confirmations = "/" + confirmation_topic();
+  const auto all_send = [&](const std::string& topic) {
+    const std::vector<std::string> nodes = topic_writers(topic);
+    return std::all_of(nodes.begin(), nodes.end(),
+                       [&](const std::string& node) { return hub_.probe.sends(node, topic); });
+  };
+  return !topic_writers(commands).empty() && all_send(commands) && all_send(confirmations);
+}
+
+bool VehicleLink::hears_confirmations() const {
+  return !topic_writers("/" + confirmation_topic()).empty();
+}
+
+std::uint32_t VehicleLink::odometry_readers() const {
+  std::uint32_t count = 0;
+  for (const auto& publication : direct_) count += publication->subscribers();
+  return count;
+}
+
+void VehicleLink::clear() {
+  lockstep.clear();
+  outbox_.clear();
+  inbox_.clear();
+}
+
+void VehicleLink::release() {
+  lockstep.release();
+  outbox_.clear();
+}
+
+}  // namespace trident

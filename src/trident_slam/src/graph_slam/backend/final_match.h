@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "keyframe_graph.h"
+#include "scans/scan_archive.h"
+
+namespace trident {
+
+/// Moves the keyframes to where all scans that see the same surfaces agree. The graph keeps its
+/// edges; returns those that it was aligned by.
+std::vector<GraphEdge> align_all_keyframes(KeyframeGraph* graph);
+
+/// Matches every scan against the surfaces of all keyframes; about where its keyframe is now.
+std::vector<SE2> match_archive(const ScanArchive& archive, const KeyframeGraph& graph,
+                               const PointScanOptions& options);
+
+}  // namespace trident

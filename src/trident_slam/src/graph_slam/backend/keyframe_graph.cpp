@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "keyframe_graph.h"
+
+#include <cstdlib>
+#include <limits>
+#include <queue>
+#include <set>
+#include <utility>
+
+#include "trident_slam/pose_graph_optimizer.h"
+
+namespace trident {
+
+int KeyframeGraph::add(const Keyframe& keyframe) {
+  keyframes_.push_back(keyframe);
+  return size() - 1;
+}
+
+std::vector<double> KeyframeGraph::distances_from(int stretch) const {
+  const std::size_t count = static_cast<std::size_t>(stretches());
+  std::vector<std::vector<std::pair<int, double>>> neighbours(count);
+  for (std::size_t s = 1; s < count; ++s) {
+    const int at = static_cast<int>(s);
+    const double way = (*this)[anchor_of(at)].travelled - (*this)[anchor_of(at - 1)].travelled;
+    neighbours[s].emplace_back(at - 1, way);
+    neighbours[s - 1].emplace_back(at, way);
+  }
+  for (const GraphEdge& edge : edges_) {
+    if (edge.kind == EdgeKind::kChain) continue;
+    neighbours[stretch_of(edge.from)].emplace_back(stretch_of(edge.to), 1.0);
+    neighbours[stretch_of(edge.to)].emplace_back(stretch_of(edge.from), 1.0);
+  }
+  std::vector<double> distances(count, std::numeric_limits<double>::infinity());
+  using Item = std::pair<double, int>;
+  std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
+  distances[stretch] = 0.0;
+  queue.emplace(0.0, stretch);
+  while (!queue.empty()) {
+    const auto [distance, at] = queue.top();
+    queue.pop();
+    if (distance > distances[at]) continue;
+    for (const auto& [next, way] : neighbours[at]) {
+      if (distance + way >= distances[next]) continue;
+      distances[next] = distance + way;
+      queue.emplace(distances[next], next);
+    }
+  }
+  return distances;
+}
+
+Eigen::Vector3d edge_error(const GraphEdge& edge, const SE2& T_map_from, const SE2& T_map_to) {
+  return (edge.T_from_to.inverse() * T_map_from.inverse() * T_map_to).log();
+}
+
+void KeyframeGraph::forget_scan(int i) {
+  keyframes_[static_cast<std::size_t>(i)].scan = std::make_shared<const PointScan>();
+}
+
+void KeyframeGraph::set_scan(int i, std::shared_ptr<const PointScan> scan) {
+  keyframes_[static_cast<std::size_t>(i)].scan = std::move(scan);
+}
+
+KeyframeGraph::Removal KeyframeGraph::remove(const std::vector<char>& is_removed) {
+  Removal result;
+  const std::vector<Keyframe> before = std::exchange(keyframes_, {});
+  const std::vector<GraphEdge> edges = std::exchange(edges_, {});
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    if (is_removed[i] != 0) continue;
+    result.kept.push_back(static_cast<int>(i));
+    keyframes_.push_back(before[i]);
+  }
+  std::size_t next = 0;  // of those that are left, the first one that is not before i
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    while (next + 1 < result.kept.size() && result.kept[next] < static_cast<int>(i)) ++next;
+    const int old = static_cast<int>(i);
+    const bool is_last_nearer =
+        next > 0 && old - result.kept[next - 1] < std::abs(result.kept[next] - old);
+    const std::size_t stand_in = is_last_nearer ? next - 1 : next;
+    result.stand_in.push_back(static_cast<int>(stand_in));
+    result.T_stand_in_base.push_back(keyframes_[stand_in].T_map_base.inverse() *
+                                     before[i].T_map_base);
+  }
+  std::set<std::pair<int, int>> known;
+  // Edges that stay as they are come first: of several between two keyframes one is enough.
+  for (const bool is_moved : {false, true}) {
+    for (const GraphEdge& edge : edges) {
+      const bool has_moved = is_removed[edge.from] != 0 || is_removed[edge.to] != 0;
+      if (has_moved != is_moved) continue;
+      GraphEdge moved = edge;
+      moved.from = result.stand_in[edge.from];
+      moved.to = result.stand_in[edge.to];
+      if (moved.from == moved.to) continue;
+      if (!known.insert(std::minmax(moved.from, moved.to)).second && is_moved) continue;
+      const SE2 T_to_moved = result.T_stand_in_base[edge.to].inverse();
+      moved.T_from_to = result.T_stand_in_base[edge.from] * edge.T_from_to * T_to_moved;
+      const Eigen::Matrix3d J = T_to_moved.adjoint();  // from the new frame to the old one
+      const Eigen::Matrix3d information = J.transpose() * edge.information * J;
+      moved.information = 0.5 * (information + information.transpose());
+      edges_.push_back(moved);
+    }
+  }
+  return result;
+}
+
+void KeyframeGraph::save(BinaryWriter* writer) const {
+  writer->put<std::int32_t>(stretch_size_);
+  writer->put<std::uint64_t>(keyframes_.size());
+  for (const Keyframe& keyframe : keyframes_) {
+    writer->put_pose(keyframe.T_map_base);
+    writer->put(keyframe.travelled);
+    for (const float value : {keyframe.scan->origin.x(), keyframe.scan->origin.y()}) {
+      writer->put(value);
+    }
+    writer->put<std::uint64_t>(keyframe.scan->points.size());
+    for (const SurfacePoint& point : keyframe.scan->points) {
+      for (const float value : {point.p.x(), point.p.y(), point.normal.x(), point.normal.y()}) {
+        writer->put(value);
+      }
+    }
+  }
+  writer->put<std::uint64_t>(edges_.size());
+  for (const GraphEdge& edge : edges_) {
+    writer->put<std::int32_t>(edge.from);
+    writer->put<std::int32_t>(edge.to);
+    writer->put_pose(edge.T_from_to);
+    for (int k = 0; k < 9; ++k) writer->put(edge.information(k / 3, k % 3));
+    writer->put<std::uint8_t>(static_cast<std::uint8_t>(edge.kind));
+  }
+}
+
+void KeyframeGraph::load(BinaryReader* reader) {
+  stretch_size_ = reader->get<std::int32_t>();
+  if (stretch_size_ < 1) reader->fail();
+  keyframes_.resize(reader->get_count(sizeof(double)));
+  for (Keyframe& keyframe : keyframes_) {
+    keyframe.T_map_base = reader->get_pose();
+    keyframe.travelled = reader->get<double>();
+    auto scan = std::make_shared<PointScan>();
+    for (float* value : {&scan->origin.x(), &scan->origin.y()}) *value = reader->get<float>();
+    scan->points.resize(reader->get_count(sizeof(SurfacePoint)));
+    for (SurfacePoint& point : scan->points) {
+      for (float* value : {&point.p.x(), &point.p.y(), &point.normal.x(), &point.normal.y()}) {
+        *value = reader->get<float>();
+      }
+    }
+    keyframe.scan = std::move(scan);
+  }
+  edges_.resize(reader->get_count(sizeof(double)));
+  for (GraphEdge& edge : edges_) {
+    edge.from = reader->get<std::int32_t>();
+    edge.to = reader->get<std::int32_t>();
+    edge.T_from_to = reader->get_pose();
+    for (int k = 0; k < 9; ++k) edge.information(k / 3, k % 3) = reader->get<double>();
+    edge.kind = static_cast<EdgeKind>(reader->get<std::uint8_t>());
+    for (const int end : {edge.from, edge.to}) {
+      if (end < 0 || end >= size()) reader->fail();
+    }
+  }
+}
+
+void KeyframeGraph::optimize(double kernel, int iterations) {
+  if (size() < 2) return;
+  PoseGraph2d graph;
+  for (int i = 0; i < size(); ++i) graph.add_vertex(i, pose(i));
+  graph.set_fixed(0, true);
+  for (const GraphEdge& edge : edges_) {
+    const bool is_doubted = edge.kind == EdgeKind::kReuse;
+    graph.add_edge({edge.from, edge.to, edge.T_from_to, edge.information,
+                    is_doubted ? RobustKernel::kCauchy : RobustKernel::kNone, kernel, !is_doubted});
+  }
+  if (solver_) {
+    solver_(iterations)->optimize(graph);
+  } else {
+    PoseGraphOptions options;
+    options.max_iterations = iterations;
+    PoseGraphOptimizer<SE2>(options).optimize(graph);
+  }
+  for (int i = 0; i < size(); ++i) set_pose(i, graph.pose(i));
+}
+
+}  // namespace trident

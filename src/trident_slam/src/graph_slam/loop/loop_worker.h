@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <future>
+#include <optional>
+#include <vector>
+
+#include "grids/surfel_map.h"
+#include "graph_slam/backend/keyframe_graph.h"
+#include "loop_closer.h"
+
+namespace trident {
+
+/// How much of a graph is optimised anew, loops or not.
+enum class Realign {
+  kNo,
+  kEdges,  ///< the edges that it has
+  kScans,  ///< all scans that see the same surfaces are matched with each other, too
+};
+
+/// What became of a search for loops.
+struct LoopOutcome {
+  std::vector<GraphEdge> loops;  ///< that were believed
+  std::vector<SE2> poses;  ///< of the keyframes that the search knew; empty: nothing has changed
+  SurfelMap surfels;       ///< of those keyframes at those poses
+};
+
+/// Seeks loops for stretches that are complete, at once or in a thread of its own.
+class LoopWorker {
+ public:
+  explicit LoopWorker(const LoopCloserOptions& options) : closer_(options) {}
+  ~LoopWorker() { wait(); }
+  LoopWorker(const LoopWorker&) = delete;
+  LoopWorker& operator=(const LoopWorker&) = delete;
+
+  /// Searches now.
+  LoopOutcome search(const KeyframeGraph& graph, int stretch, double surfel_cell);
+  /// What is asked for here is begun by the next `start`.
+  void ask(int stretch) { waiting_.stretches.push_back(stretch); }
+  void ask(Realign realign) { waiting_.realign = std::max(waiting_.realign, realign); }
+  /// Begins in the background what was asked for, unless something is under way there.
+  void start(const KeyframeGraph& graph, double surfel_cell);
+  /// Something is under way or its outcome has not been taken.
+  bool is_busy() const { return running_.valid(); }
+  /// The outcome of a search in the background that has ended.
+  std::optional<LoopOutcome> take();
+  void wait();
+  /// Forgets what was asked for and what was found.
+  void clear();
+
+  const LoopCloser& closer() const { return closer_; }
+
+ private:
+  struct Job {
+    std::vector<int> stretches;
+    Realign realign = Realign::kNo;
+  };
+
+  LoopOutcome run(KeyframeGraph graph, const Job& job, double surfel_cell);
+
+  LoopCloser closer_;
+  Job waiting_;
+  std::future<LoopOutcome> running_;
+};
+
+}  // namespace trident

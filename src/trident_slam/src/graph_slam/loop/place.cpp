@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "place.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "trident_base/angle.h"
+
+namespace trident {
+namespace {
+
+constexpr int kDirections = 360;
+
+/// A point this much before what a beam met is in free space [m], plus a part of the range.
+constexpr double kFreeMargin = 0.3;
+constexpr double kFreeMarginPerMetre = 0.03;
+/// A point this near to a surface is on it [m].
+constexpr double kOnSurface = 0.15;
+
+int direction_of(const Eigen::Vector2d& p) {
+  const int direction =
+      static_cast<int>((std::atan2(p.y(), p.x()) + kPi) * (kDirections / (2.0 * kPi)));
+  return std::clamp(direction, 0, kDirections - 1);
+}
+
+}  // namespace
+
+Place::Place(const KeyframeGraph& graph, int first, int last, int anchor) {
+  const SE2 T_place_map = graph.pose(anchor).inverse();
+  for (int i = graph.first_of(first); i < graph.end_of(last); ++i) {
+    add(*graph[i].scan, T_place_map * graph.pose(i));
+  }
+}
+
+Place::Place(const KeyframeGraph& graph, const std::vector<int>& keyframes) {
+  for (const int i : keyframes) add(*graph[i].scan, graph.pose(i));
+}
+
+void Place::add(const PointScan& scan, const SE2& T_place_base) {
+  scans_.push_back({T_place_base, &scan});
+  const SE2 T_base_view = SE2::from_xy_yaw(static_cast<double>(scan.origin.x()),
+                                           static_cast<double>(scan.origin.y()), 0.0);
+  View view{(T_place_base * T_base_view).inverse(), std::vector<float>(kDirections, 0.0F)};
+  for (const SurfacePoint& point : scan.points) {
+    const Eigen::Vector2f p = point.p - scan.origin;
+    float& nearest = view.nearest[direction_of(p.cast<double>())];
+    const float range = p.norm();
+    if (nearest == 0.0F || range < nearest) nearest = range;
+  }
+  views_.push_back(std::move(view));
+}
+
+void Place::insert_into(MaxPyramid* hits) const {
+  for (const PlacedScan& placed : scans_) hits->insert(placed.T_place_base, *placed.scan);
+}
+
+SurfelMap Place::surfels(double cell) const {
+  SurfelMap map(cell);
+  for (const PlacedScan& placed : scans_) map.insert(placed.T_place_base, *placed.scan);
+  return map;
+}
+
+bool Place::is_seen_free(const Eigen::Vector2d& p_place) const {
+  for (const View& view : views_) {
+    const Eigen::Vector2d p = view.T_view_place * p_place;
+    const double range = p.norm();
+    const double met = static_cast<double>(view.nearest[direction_of(p)]);
+    if (met > 0.0 && range < met - kFreeMargin - kFreeMarginPerMetre * met) return true;
+  }
+  return false;
+}
+
+Agreement Place::agreement(const SurfelMap& surfels, const PointScan& cloud,
+                           const SE2& T_place_cloud) const {
+  const Eigen::Matrix2d R = T_place_cloud.rotation();
+  int on_surface = 0;
+  int in_free_space = 0;
+  for (const SurfacePoint& point : cloud.points) {
+    const Eigen::Vector2d p = R * point.p.cast<double>() + T_place_cloud.p;
+    const Surfel* surfel = surfels.nearest(p.cast<float>(), R.cast<float>() * point.normal, 3);
+    const bool has_normal = surfel != nullptr && !surfel->normal.isZero(0.0F);
+    const Eigen::Vector2f offset = surfel == nullptr ? Eigen::Vector2f::Zero().eval()
+                                                     : (p.cast<float>() - surfel->mean).eval();
+    const double distance =
+        static_cast<double>(has_normal ? std::abs(offset.dot(surfel->normal)) : offset.norm());
+    if (surfel != nullptr && distance < kOnSurface) {
+      ++on_surface;
+    } else if (is_seen_free(p)) {
+      ++in_free_space;
+    }
+  }
+  Agreement result;
+  const int known = on_surface + in_free_space;
+  if (known > 0) result.ratio = static_cast<double>(on_surface) / known;
+  if (!cloud.points.empty()) result.overlap = known / static_cast<double>(cloud.points.size());
+  return result;
+}
+
+PointScan stretch_cloud(const KeyframeGraph& graph, int stretch, double cell) {
+  SurfelMap surfels(cell);
+  const SE2 T_anchor_map = graph.pose(graph.anchor_of(stretch)).inverse();
+  for (int i = graph.first_of(stretch); i < graph.end_of(stretch); ++i) {
+    surfels.insert(T_anchor_map * graph.pose(i), *graph[i].scan);
+  }
+  PointScan cloud;
+  cloud.points.reserve(surfels.surfels().size());
+  for (const Surfel& surfel : surfels.surfels()) {
+    cloud.points.push_back({surfel.mean, surfel.normal});
+  }
+  return cloud;
+}
+
+}  // namespace trident

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "relocalizer.h"
+
+#include <Eigen/Geometry>
+#include <limits>
+
+#include "matchers/correlative_match.h"
+#include "trident_base/angle.h"
+
+namespace trident {
+namespace {
+
+constexpr double kResolution = 0.1;  // of the search [m]
+constexpr int kLevels = 8;
+constexpr std::size_t kPoints = 150;
+
+}  // namespace
+
+void insert_surfels(const SurfelMap& surfels, const Eigen::Vector2d& about, double reach,
+                    MaxPyramid* hits) {
+  const Eigen::Vector2f centre = about.cast<float>();
+  const auto limit = static_cast<float>(reach);
+  PointScan points;
+  for (const Surfel& surfel : surfels.surfels()) {
+    if (surfels.is_hidden(surfel.owner) || (surfel.mean - centre).cwiseAbs().maxCoeff() > limit) {
+      continue;
+    }
+    points.points.push_back({surfel.mean, surfel.normal});
+  }
+  hits->insert(SE2::identity(), points);
+}
+
+std::optional<MatchResult> find_in_map(const SurfelMap& surfels, const PointScan& scan,
+                                       const LineMatchOptions& line, double least_response) {
+  if (surfels.empty() || scan.points.empty()) return std::nullopt;
+  Eigen::AlignedBox2f box;
+  for (const Surfel& surfel : surfels.surfels()) box.extend(surfel.mean);
+  MaxPyramid hits(kResolution, kLevels);
+  insert_surfels(surfels, box.center().cast<double>(), std::numeric_limits<float>::max(), &hits);
+  const Eigen::Vector2d centre = box.center().cast<double>();
+  const SearchWindow everywhere{0.5 * static_cast<double>(box.sizes().maxCoeff()), kPi};
+  const auto found = match_by_branch_and_bound(hits, thinned_points(scan, kPoints),
+                                               SE2::from_xy_yaw(centre.x(), centre.y(), 0.0),
+                                               everywhere, least_response);
+  if (!found) return std::nullopt;
+  return match_lines(surfels, scan, found->T_ref_base, {}, line);
+}
+
+}  // namespace trident

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "matchers/line_match.h"
+#include "grids/max_pyramid.h"
+
+namespace trident {
+
+/// The place in a whole map where a scan fits best, by branch and bound; any heading. The higher
+/// `least_response`, the part of its points that must lie on surfaces, the shorter the search.
+std::optional<MatchResult> find_in_map(const SurfelMap& surfels, const PointScan& scan,
+                                       const LineMatchOptions& line, double least_response = 0.4);
+
+/// The surfaces within `reach` [m] of a point as hits for a search.
+void insert_surfels(const SurfelMap& surfels, const Eigen::Vector2d& about, double reach,
+                    MaxPyramid* hits);
+
+}  // namespace trident
