@@ -45,7 +45,7 @@ class Lockstep {
       ros::NodeHandle node(name_space);
       publishers_.push_back(node.advertise<nav_msgs::Odometry>("odometry", 1));
       publications_.emplace_back(publishers_.back());
-      auto options = trident::raw_subscription<mav_msgs::Actuators>(
+      auto options = trident::ros_utils::raw_subscription<mav_msgs::Actuators>(
           "command/motor_speed", 1,
           [this](trident::Span<const std::uint8_t> bytes) { on_answer(bytes); }, &queue_);
       subscribers_.push_back(node.subscribe(options));
@@ -82,11 +82,11 @@ class Lockstep {
     send();
   }
 
-  trident::InlineCallbackQueue queue_;
+  trident::ros_utils::InlineCallbackQueue queue_;
   nav_msgs::Odometry message_;
   std::size_t open_ = 0;
   std::vector<ros::Publisher> publishers_;
-  std::vector<trident::DirectPublication> publications_;
+  std::vector<trident::ros_utils::DirectPublication> publications_;
   std::vector<ros::Subscriber> subscribers_;
 };
 

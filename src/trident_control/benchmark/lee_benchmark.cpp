@@ -13,9 +13,9 @@
 int main() {
   using Clock = std::chrono::steady_clock;
   constexpr int kCalls = 200000;
-  const trident::LeePositionController controller{trident::LeeParams{}};
-  trident::OdometryState state;
-  trident::TrajectoryPoint reference;
+  const trident::control::LeePositionController controller{trident::control::LeeParams{}};
+  trident::control::OdometryState state;
+  trident::control::TrajectoryPoint reference;
   reference.p_world = Eigen::Vector3d(1.0, 0.5, 2.0);
   std::array<double, 6> speeds;
   double sum = 0.0;
@@ -26,7 +26,7 @@ int main() {
       state.p_world_body.x() = 1e-6 * i;
       state.w_body.y() = 1e-7 * i;
       reference.yaw = 1e-6 * i;
-      if (controller.compute(state, reference, speeds) == trident::ControlStatus::ok)
+      if (controller.compute(state, reference, speeds) == trident::control::ControlStatus::ok)
         sum += speeds[3];
     }
     ns.push_back(std::chrono::duration<double, std::nano>(Clock::now() - begin).count() / kCalls);

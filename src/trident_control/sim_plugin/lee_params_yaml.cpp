@@ -7,7 +7,7 @@
 #include "trident_base/error.h"
 #include "trident_control_sim/lee_plugin.h"
 
-namespace trident {
+namespace trident::control {
 namespace {
 
 /// Reads one file of flat maps of numbers; what is absent keeps its value.
@@ -135,4 +135,4 @@ LeeParams load_lee_params(const std::vector<std::string>& files) {
   return params;
 }
 
-}  // namespace trident
+}  // namespace trident::control

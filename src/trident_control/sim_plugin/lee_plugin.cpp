@@ -11,7 +11,7 @@
 #include "trident_sim/samples.h"
 #include "trident_sim/world.h"
 
-namespace trident {
+namespace trident::control {
 namespace {
 
 std::vector<std::string> split(const std::string& text) {
@@ -21,39 +21,41 @@ std::vector<std::string> split(const std::string& text) {
   return words;
 }
 
-class LeePlugin : public Plugin {
+class LeePlugin : public sim::Plugin {
  public:
-  explicit LeePlugin(const PluginContext& context)
+  explicit LeePlugin(const sim::PluginContext& context)
       : world_(context.world),
         controller_(load_lee_params(split(context.params.required_text("parameterFiles")))) {
     const std::string ns = context.params.text("robotNamespace", "");
     const auto topic = [&](const char* key, const char* fallback) {
       return join_namespace(ns, context.params.text(key, fallback));
     };
-    PortBoard& board = context.world.ports();
+    sim::PortBoard& board = context.world.ports();
     odometry_name_ = topic("odometryTopic", "odometry_sensor1/odometry");
-    odometry_ = board.find_out<OdometrySample>(odometry_name_);
+    odometry_ = board.find_out<sim::OdometrySample>(odometry_name_);
     if (odometry_ == nullptr) {
       context.params.refuse("odometryTopic", odometry_name_,
                             "the topic of an odometry plugin before it");
     }
     odometry_->add_listener();
-    command_ = {board,
-                board.subscribe<ActuatorCommand>(topic("commandTopic", "command/motor_speed"))};
+    command_ = {
+        board, board.subscribe<sim::ActuatorCommand>(topic("commandTopic", "command/motor_speed"))};
     trajectory_ = {
         board, board.subscribe<TrajectorySample>(topic("trajectoryTopic", "command/trajectory"))};
     answer_.angular_velocities.size = controller_.rotor_count();
-    direct_ = context.world.timing() == LoopTiming::kDirect;
+    direct_ = context.world.timing() == sim::LoopTiming::kDirect;
   }
 
   ~LeePlugin() override {
-    if (auto* still = world_.ports().find_out<OdometrySample>(odometry_name_))
+    if (auto* still = world_.ports().find_out<sim::OdometrySample>(odometry_name_))
       still->remove_listener();
   }
 
-  std::vector<Phase> phases() const override { return {direct_ ? Phase::kPost : Phase::kControl}; }
-  void pre_step(Phase, World&, const StepInfo&) override { update(); }
-  void post_step(const World&, const StepInfo&) override { update(); }
+  std::vector<sim::Phase> phases() const override {
+    return {direct_ ? sim::Phase::kPost : sim::Phase::kControl};
+  }
+  void pre_step(sim::Phase, sim::World&, const sim::StepInfo&) override { update(); }
+  void post_step(const sim::World&, const sim::StepInfo&) override { update(); }
 
   void reset() override {
     setpoints_ = SetpointQueue{};
@@ -62,7 +64,7 @@ class LeePlugin : public Plugin {
     odometry_seen_ = odometry_->count();
   }
 
-  void state(StateArchive& archive) override {
+  void state(sim::StateArchive& archive) override {
     archive(setpoints_, odometry_seen_, trajectory_seen_, answer_);
   }
 
@@ -72,14 +74,14 @@ class LeePlugin : public Plugin {
     for (; trajectory_seen_ < trajectory_->count(); ++trajectory_seen_) {
       const TrajectorySample& sample = trajectory_->at(trajectory_seen_);
       if (setpoints_.push(sample.stamp, sample.points) != SetpointResult::accepted) {
-        world_.report(Severity::kError, odometry_name_ +
-                                            ": a trajectory was refused (empty, not "
-                                            "finite or not in time order)");
+        world_.report(sim::Severity::kError, odometry_name_ +
+                                                 ": a trajectory was refused (empty, not "
+                                                 "finite or not in time order)");
       }
     }
     if (odometry_->count() == odometry_seen_) return;
     odometry_seen_ = odometry_->count();
-    const OdometrySample& state = odometry_->value;
+    const sim::OdometrySample& state = odometry_->value;
     const TrajectoryPoint* reference = setpoints_.advance(state.stamp);
     auto speeds = Span(answer_.angular_velocities.data.data(), controller_.rotor_count());
     if (reference == nullptr) {
@@ -93,29 +95,29 @@ class LeePlugin : public Plugin {
     command_->write(answer_);
   }
 
-  World& world_;
+  sim::World& world_;
   LeePositionController controller_;
   SetpointQueue setpoints_;
   std::string odometry_name_;
-  OutPort<OdometrySample>* odometry_ = nullptr;
-  InHandle<ActuatorCommand> command_;
-  InHandle<TrajectorySample> trajectory_;
+  sim::OutPort<sim::OdometrySample>* odometry_ = nullptr;
+  sim::InHandle<sim::ActuatorCommand> command_;
+  sim::InHandle<TrajectorySample> trajectory_;
   std::uint64_t odometry_seen_ = 0, trajectory_seen_ = 0;
-  ActuatorCommand answer_;
+  sim::ActuatorCommand answer_;
   bool direct_ = false;
 };
 
 }  // namespace
 
-void register_control_plugins(PluginRegistry& registry) {
+void register_control_plugins(sim::PluginRegistry& registry) {
   registry.add(
       "libtrident_lee_position_controller.so",
-      {[](const PluginContext& context) { return std::make_unique<LeePlugin>(context); }, {}});
+      {[](const sim::PluginContext& context) { return std::make_unique<LeePlugin>(context); }, {}});
   registry.add("libtrident_vessel_controller.so", vessel_controller_factory());
 }
 
-}  // namespace trident
+}  // namespace trident::control
 
-extern "C" void trident_register_plugins(trident::PluginRegistry& registry) {
-  trident::register_control_plugins(registry);
+extern "C" void trident_register_plugins(trident::sim::PluginRegistry& registry) {
+  trident::control::register_control_plugins(registry);
 }

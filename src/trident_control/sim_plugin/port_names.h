@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace trident {
+namespace trident::control {
 
 /// "<ns>/<topic>" without outer slashes.
 inline std::string join_namespace(const std::string& ns, const std::string& topic) {
@@ -13,4 +13,4 @@ inline std::string join_namespace(const std::string& ns, const std::string& topi
   return ns.substr(first, ns.find_last_not_of('/') - first + 1) + "/" + topic;
 }
 
-}  // namespace trident
+}  // namespace trident::control

@@ -11,10 +11,10 @@
 #include "trident_sim/samples.h"
 #include "trident_sim/world.h"
 
-namespace trident {
+namespace trident::control {
 namespace {
 
-std::string file_of(const PluginContext& context, const char* key) {
+std::string file_of(const sim::PluginContext& context, const char* key) {
   const std::string path = context.params.required_text(key);
   std::string file = context.world.resources().find(path);
   if (file.empty()) {
@@ -24,7 +24,7 @@ std::string file_of(const PluginContext& context, const char* key) {
   return file;
 }
 
-VesselController load(const PluginContext& context) {
+VesselController load(const sim::PluginContext& context) {
   try {
     return {load_vessel_model(file_of(context, "vessel")),
             load_vessel_control(file_of(context, "controller"))};
@@ -37,7 +37,7 @@ VesselController load(const PluginContext& context) {
 template <class Sample>
 class Inbox {
  public:
-  Inbox(PortBoard& board, const std::string& topic)
+  Inbox(sim::PortBoard& board, const std::string& topic)
       : topic_(topic), port_(board, board.subscribe<Sample>(topic)) {}
 
   template <class Handler>
@@ -50,46 +50,48 @@ class Inbox {
     port_->clear();
     seen_ = 0;
   }
-  void state(StateArchive& archive) { archive(seen_); }
+  void state(sim::StateArchive& archive) { archive(seen_); }
 
  private:
   std::string topic_;
-  InHandle<Sample> port_;
+  sim::InHandle<Sample> port_;
   std::uint64_t seen_ = 0;
 };
 
-class VesselControllerPlugin : public Plugin {
+class VesselControllerPlugin : public sim::Plugin {
  public:
   using Kind = VesselCommand::Kind;
 
-  explicit VesselControllerPlugin(const PluginContext& context)
+  explicit VesselControllerPlugin(const sim::PluginContext& context)
       : VesselControllerPlugin(context, context.params.text("robotNamespace", "")) {}
 
   ~VesselControllerPlugin() override {
-    if (auto* still = world_.ports().find_out<OdometrySample>(odometry_name_)) {
+    if (auto* still = world_.ports().find_out<sim::OdometrySample>(odometry_name_)) {
       still->remove_listener();
     }
   }
 
-  std::vector<Phase> phases() const override { return {direct_ ? Phase::kPost : Phase::kControl}; }
-  void pre_step(Phase, World&, const StepInfo&) override { update(); }
-  void post_step(const World&, const StepInfo&) override { update(); }
+  std::vector<sim::Phase> phases() const override {
+    return {direct_ ? sim::Phase::kPost : sim::Phase::kControl};
+  }
+  void pre_step(sim::Phase, sim::World&, const sim::StepInfo&) override { update(); }
+  void post_step(const sim::World&, const sim::StepInfo&) override { update(); }
 
   void reset() override {
     controller_.reset();
     odometry_seen_ = odometry_->count();
     each_inbox([](auto& inbox) { inbox.reset(); });
   }
-  void state(StateArchive& archive) override {
+  void state(sim::StateArchive& archive) override {
     archive(controller_, odometry_seen_, answer_);
     each_inbox([&](auto& inbox) { inbox.state(archive); });
   }
 
  private:
-  VesselControllerPlugin(const PluginContext& context, const std::string& ns)
+  VesselControllerPlugin(const sim::PluginContext& context, const std::string& ns)
       : world_(context.world),
         owner_(context.params.owner()),
-        direct_(context.world.timing() == LoopTiming::kDirect),
+        direct_(context.world.timing() == sim::LoopTiming::kDirect),
         controller_(load(context)),
         speed_(context.world.ports(), join_namespace(ns, "command/speed")),
         heading_(context.world.ports(), join_namespace(ns, "command/heading")),
@@ -98,20 +100,20 @@ class VesselControllerPlugin : public Plugin {
         velocity_(context.world.ports(), join_namespace(ns, "cmd_vel")),
         path_(context.world.ports(), join_namespace(ns, "command/path")),
         pose_(context.world.ports(), join_namespace(ns, "command/pose")) {
-    PortBoard& board = context.world.ports();
+    sim::PortBoard& board = context.world.ports();
     odometry_name_ = join_namespace(ns, context.params.text("odometryTopic", "odometry"));
-    odometry_ = board.find_out<OdometrySample>(odometry_name_);
+    odometry_ = board.find_out<sim::OdometrySample>(odometry_name_);
     if (odometry_ == nullptr) {
       context.params.refuse("odometryTopic", odometry_name_,
                             "the topic of an odometry plugin before it");
     }
     const std::string topic =
         join_namespace(ns, context.params.text("commandTopic", "command/motor_speed"));
-    if (board.find_in<ActuatorCommand>(topic) == nullptr) {
+    if (board.find_in<sim::ActuatorCommand>(topic) == nullptr) {
       context.params.refuse("commandTopic", topic,
                             "the <commandTopic> of a vessel's plugin before it");
     }
-    command_ = {board, board.subscribe<ActuatorCommand>(topic)};
+    command_ = {board, board.subscribe<sim::ActuatorCommand>(topic)};
     odometry_->add_listener();
   }
 
@@ -123,7 +125,7 @@ class VesselControllerPlugin : public Plugin {
 
   void take_commands() {
     const auto angle = [this](Kind kind) {
-      return [this, kind](const std::string& topic, const ScalarSample& sample) {
+      return [this, kind](const std::string& topic, const sim::ScalarSample& sample) {
         VesselCommand command;
         command.kind = kind;
         command.speed = command.angle = sample.value;
@@ -133,22 +135,22 @@ class VesselControllerPlugin : public Plugin {
     speed_.take(angle(Kind::kSpeed));
     heading_.take(angle(Kind::kHeading));
     course_.take(angle(Kind::kCourse));
-    log_.take([this](const std::string&, const ScalarSample& sample) {
+    log_.take([this](const std::string&, const sim::ScalarSample& sample) {
       controller_.set_log(world_.time(), sample.value);
     });
-    velocity_.take([this](const std::string& topic, const TwistCommand& twist) {
+    velocity_.take([this](const std::string& topic, const sim::TwistCommand& twist) {
       VesselCommand command;
       command.speed = twist.v_base.x();
       command.rate = twist.w_base.z();
       push(topic, {}, command);
     });
-    path_.take([this](const std::string& topic, const PathCommand& path) {
+    path_.take([this](const std::string& topic, const sim::PathCommand& path) {
       VesselCommand command;
       command.kind = Kind::kPath;
       for (const Eigen::Vector3d& p : path.p_world) command.waypoints.emplace_back(p.head<2>());
       push(topic, path.stamp, command);
     });
-    pose_.take([this](const std::string& topic, const PoseSample& pose) {
+    pose_.take([this](const std::string& topic, const sim::PoseSample& pose) {
       VesselCommand command;
       command.kind = Kind::kStation;
       command.waypoints.emplace_back(pose.T_frame_body.p.head<2>());
@@ -160,15 +162,18 @@ class VesselControllerPlugin : public Plugin {
   void push(const std::string& topic, SimTime stamp, const VesselCommand& command) {
     const CommandVerdict verdict = controller_.push(stamp, command);
     if (!verdict.refused.empty()) {
-      world_.diagnose({Severity::kError,
+      world_.diagnose({sim::Severity::kError,
                        owner_,
                        topic + " refused",
                        topic + ": " + verdict.refused + "; the last command stays",
                        {}});
     }
     if (!verdict.clamped.empty()) {
-      world_.diagnose(
-          {Severity::kWarning, owner_, topic + " clamped", topic + ": " + verdict.clamped, {}});
+      world_.diagnose({sim::Severity::kWarning,
+                       owner_,
+                       topic + " clamped",
+                       topic + ": " + verdict.clamped,
+                       {}});
     }
   }
 
@@ -176,7 +181,7 @@ class VesselControllerPlugin : public Plugin {
     take_commands();
     if (odometry_->count() == odometry_seen_) return;
     odometry_seen_ = odometry_->count();
-    const OdometrySample& state = odometry_->value;
+    const sim::OdometrySample& state = odometry_->value;
     if (controller_.update(state.stamp, {state.T_parent_child.p, state.T_parent_child.R,
                                          state.v_child, state.w_child}) != ControlStatus::ok) {
       return;  // a state that is not finite gets no answer, as from the node
@@ -186,27 +191,27 @@ class VesselControllerPlugin : public Plugin {
     command_->write(answer_);
   }
 
-  World& world_;
+  sim::World& world_;
   std::string owner_, odometry_name_;
   bool direct_;
   VesselController controller_;
-  Inbox<ScalarSample> speed_, heading_, course_, log_;
-  Inbox<TwistCommand> velocity_;
-  Inbox<PathCommand> path_;
-  Inbox<PoseSample> pose_;
-  OutPort<OdometrySample>* odometry_ = nullptr;
-  InHandle<ActuatorCommand> command_;
+  Inbox<sim::ScalarSample> speed_, heading_, course_, log_;
+  Inbox<sim::TwistCommand> velocity_;
+  Inbox<sim::PathCommand> path_;
+  Inbox<sim::PoseSample> pose_;
+  sim::OutPort<sim::OdometrySample>* odometry_ = nullptr;
+  sim::InHandle<sim::ActuatorCommand> command_;
   std::uint64_t odometry_seen_ = 0;
-  ActuatorCommand answer_;
+  sim::ActuatorCommand answer_;
 };
 
 }  // namespace
 
-PluginFactory vessel_controller_factory() {
-  return {[](const PluginContext& context) {
+sim::PluginFactory vessel_controller_factory() {
+  return {[](const sim::PluginContext& context) {
             return std::make_unique<VesselControllerPlugin>(context);
           },
           {}};
 }
 
-}  // namespace trident
+}  // namespace trident::control

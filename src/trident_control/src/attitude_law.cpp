@@ -11,7 +11,7 @@
 #include "gain_validation.h"
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::control {
 namespace {
 
 AllocationInverse accelerations_to_squared_speeds(const VehicleParams& vehicle) {
@@ -83,4 +83,4 @@ void AttitudeLaw::compute(const Eigen::Matrix3d& R_WB, const Eigen::Vector3d& w_
   }
 }
 
-}  // namespace trident
+}  // namespace trident::control

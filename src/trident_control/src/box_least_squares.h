@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 #include <array>
 
-namespace trident {
+namespace trident::control {
 
 /// Minimises 1/2 z'Hz - g'z within lo <= z <= hi by a primal active set: H is symmetric and
 /// positive definite, 0 lies within the bounds. N bounds the number of variables, so that nothing
@@ -87,4 +87,4 @@ class BoxProgram {
   std::array<bool, N> is_bound_{}, at_upper_{};
 };
 
-}  // namespace trident
+}  // namespace trident::control

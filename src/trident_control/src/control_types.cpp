@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace trident {
+namespace trident::control {
 namespace {
 
 // 0 for finite numbers, NaN for anything else: one comparison checks a whole state.
@@ -40,4 +40,4 @@ double yaw_from_quaternion(const Eigen::Quaterniond& q) {
                     1.0 - 2.0 * (q.y() * q.y() + q.z() * q.z()));
 }
 
-}  // namespace trident
+}  // namespace trident::control

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace trident {
+namespace trident::control {
 
 void DriftObserver::reset() {
   sway_ = 0.0;
@@ -24,4 +24,4 @@ void DriftObserver::update(const VesselState& state, double sway_force, double d
   drift_world_ += part * (state.v - sway_ - left.dot(drift_world_)) * left;
 }
 
-}  // namespace trident
+}  // namespace trident::control

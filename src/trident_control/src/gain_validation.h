@@ -5,9 +5,9 @@
 #include <Eigen/Core>
 #include <string>
 
-namespace trident {
+namespace trident::control {
 
 /// Throws trident::Error unless all three are finite and >= 0; names `name`/x, /y or /z.
 void validate_gain(const std::string& name, const Eigen::Vector3d& gain);
 
-}  // namespace trident
+}  // namespace trident::control

@@ -7,7 +7,7 @@
 
 #include "trident_base/angle.h"
 
-namespace trident {
+namespace trident::control {
 namespace {
 
 /// A vessel that is turned by more than it can is not asked for more than this lead [rad].
@@ -64,4 +64,4 @@ void HeadingAutopilot::settle(double given) {
   integral_.add(gain * error_, dt_s_, asked_ - given, 0.02 * std::abs(asked_) + 1e-9);
 }
 
-}  // namespace trident
+}  // namespace trident::control

@@ -6,7 +6,7 @@
 
 #include "gain_validation.h"
 
-namespace trident {
+namespace trident::control {
 namespace {
 
 // Below this the direction of a vector is rounding noise: of an acceleration [m/s^2], of a unit
@@ -73,4 +73,4 @@ ControlStatus LeePositionController::compute(const OdometryState& state,
   return ControlStatus::ok;
 }
 
-}  // namespace trident
+}  // namespace trident::control

@@ -7,7 +7,7 @@
 
 #include "trident_base/angle.h"
 
-namespace trident {
+namespace trident::control {
 namespace {
 
 /// The tangent of the angle by which a bow at `speed` cancels a drift across its way.
@@ -73,4 +73,4 @@ double LineOfSight::update(const Eigen::Vector2d& p_world, const Eigen::Vector2d
   return wrap_to_pi(direction_ - std::atan(offset / ahead));
 }
 
-}  // namespace trident
+}  // namespace trident::control

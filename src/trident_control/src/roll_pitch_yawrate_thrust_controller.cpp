@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-namespace trident {
+namespace trident::control {
 
 RollPitchYawrateThrustController::RollPitchYawrateThrustController(
     const RollPitchYawrateThrustParams& params)
@@ -30,4 +30,4 @@ ControlStatus RollPitchYawrateThrustController::compute(const OdometryState& sta
   return ControlStatus::ok;
 }
 
-}  // namespace trident
+}  // namespace trident::control

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <cstring>
 
-namespace trident {
+namespace trident::control {
 namespace {
 
 constexpr std::size_t kReserved = 256;
@@ -183,4 +183,4 @@ void SetpointQueue::schedule(Span<const Pending> message, SimTime state_stamp) {
   }
 }
 
-}  // namespace trident
+}  // namespace trident::control

@@ -7,7 +7,7 @@
 
 #include "trident_base/angle.h"
 
-namespace trident {
+namespace trident::control {
 namespace {
 
 /// A vessel hangs on its point when it is nearer to its distance from it than this part of that.
@@ -85,4 +85,4 @@ WeatherVane::Wish WeatherVane::update(const VesselState& state, const Eigen::Vec
   return wish;
 }
 
-}  // namespace trident
+}  // namespace trident::control

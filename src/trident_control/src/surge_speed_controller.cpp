@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace trident {
+namespace trident::control {
 
 SurgeSpeedController::SurgeSpeedController(const SpeedParams& params, const VesselModel& model)
     : params_(params), model_(model) {}
@@ -38,4 +38,4 @@ void SurgeSpeedController::settle(double given) {
   integral_.add(gain * error_, dt_s_, asked_ - given, 0.02 * std::abs(asked_) + 1e-9);
 }
 
-}  // namespace trident
+}  // namespace trident::control

@@ -11,7 +11,7 @@
 #include "trident_base/error.h"
 #include "trident_base/thruster_curve.h"
 
-namespace trident {
+namespace trident::control {
 namespace {
 
 /// Weight of the forces themselves beside that of what they miss; both in parts of the largest.
@@ -198,4 +198,4 @@ PlanarForce ThrustAllocation::allocate(const PlanarForce& wanted, double u, doub
   return problem_.B * forces;
 }
 
-}  // namespace trident
+}  // namespace trident::control

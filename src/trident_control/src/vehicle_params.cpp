@@ -12,7 +12,7 @@
 
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::control {
 namespace {
 
 // Rows are scaled to length 1 before the rank is taken, so this is free of units.
@@ -128,4 +128,4 @@ AllocationInverse allocation_inverse(const AllocationMatrix& allocation) {
   return allocation.transpose() * gram.inverse();
 }
 
-}  // namespace trident
+}  // namespace trident::control

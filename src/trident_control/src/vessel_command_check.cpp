@@ -7,7 +7,7 @@
 
 #include "trident_base/string_util.h"
 
-namespace trident {
+namespace trident::control {
 namespace {
 
 constexpr std::size_t kMostWaypoints = 10000;
@@ -82,4 +82,4 @@ CommandVerdict check_command(VesselCommand& command, const VesselControlParams& 
   return check.verdict;
 }
 
-}  // namespace trident
+}  // namespace trident::control

@@ -4,9 +4,9 @@
 
 #include "trident_control/vessel_controller.h"
 
-namespace trident {
+namespace trident::control {
 
 /// Refuses what is not finite or without waypoints, cuts what is beyond the parameters' limits.
 CommandVerdict check_command(VesselCommand& command, const VesselControlParams& params);
 
-}  // namespace trident
+}  // namespace trident::control

@@ -4,7 +4,7 @@
 
 #include "trident_base/string_util.h"
 
-namespace trident {
+namespace trident::control {
 
 void SpeedParams::validate() const {
   if (cruise > max) {
@@ -17,4 +17,4 @@ VesselControlParams load_vessel_control(const std::string& path) {
   return load_yaml<VesselControlParams>(path);
 }
 
-}  // namespace trident
+}  // namespace trident::control

@@ -9,7 +9,7 @@
 #include "trident_base/error.h"
 #include "vessel_command_check.h"
 
-namespace trident {
+namespace trident::control {
 namespace {
 
 constexpr std::int64_t kForeignClockNs = 60'000'000'000;
@@ -227,4 +227,4 @@ void VesselController::actuate(const Wish& wish, SimTime stamp, const VesselStat
   }
 }
 
-}  // namespace trident
+}  // namespace trident::control

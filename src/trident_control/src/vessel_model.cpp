@@ -8,7 +8,7 @@
 #include "trident_base/se3.h"
 #include "trident_base/thruster_curve.h"
 
-namespace trident {
+namespace trident::control {
 namespace {
 
 using MatrixRows36 = std::array<double, 36>;
@@ -120,4 +120,4 @@ VesselModel load_vessel_model(const std::string& path) {
   return model;
 }
 
-}  // namespace trident
+}  // namespace trident::control

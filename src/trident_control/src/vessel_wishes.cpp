@@ -6,7 +6,7 @@
 #include "trident_base/angle.h"
 #include "trident_control/vessel_controller.h"
 
-namespace trident {
+namespace trident::control {
 namespace {
 
 /// Bow-first approach begins again at this multiple of the radius at which it ends.
@@ -125,4 +125,4 @@ double VesselController::speed_through_water(SimTime stamp, const VesselState& s
   return std::max(told, kSlowestWay * cruise_);
 }
 
-}  // namespace trident
+}  // namespace trident::control

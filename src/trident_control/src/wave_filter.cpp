@@ -6,7 +6,7 @@
 
 #include "trident_base/angle.h"
 
-namespace trident {
+namespace trident::control {
 namespace {
 
 constexpr double kNotchDamping = 0.1;
@@ -39,4 +39,4 @@ VesselState WaveFilter::filter(const VesselState& state, double dt_s) {
   return filtered;
 }
 
-}  // namespace trident
+}  // namespace trident::control

@@ -11,7 +11,7 @@
 #include "trident_control/setpoint_queue.h"
 #include "trident_control/vessel_controller.h"
 
-namespace trident {
+namespace trident::control {
 namespace {
 
 TEST(AllocationFree, the_counter_counts) {
@@ -85,4 +85,4 @@ TEST(AllocationFree, vessels_on_a_path_and_at_a_station) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::control

@@ -8,7 +8,7 @@
 #include "reference_model.h"
 #include "trident_control/lee_position_controller.h"
 
-namespace trident {
+namespace trident::control {
 namespace {
 
 /// Ideal rotors on a rigid body, semi-implicit Euler.
@@ -98,4 +98,4 @@ TEST_P(ClosedLoop, follows_a_circle_with_feed_forward_to_the_millimetre) {
 INSTANTIATE_TEST_SUITE_P(RotorCounts, ClosedLoop, testing::Values(4, 6, 8));
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::control

@@ -12,7 +12,7 @@
 #include "reference_model.h"
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::control {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -269,4 +269,4 @@ TEST(LeePositionController, refuses_bad_gains_by_name) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::control

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-namespace trident::test {
+namespace trident::control::test {
 namespace {
 
 using Vec = std::array<double, 3>;
@@ -241,4 +241,4 @@ std::array<double, 4> wrench_of(const VehicleParams& vehicle, const std::vector<
   return wrench;
 }
 
-}  // namespace trident::test
+}  // namespace trident::control::test

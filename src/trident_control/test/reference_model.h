@@ -8,7 +8,7 @@
 
 #include "trident_control/lee_position_controller.h"
 
-namespace trident::test {
+namespace trident::control::test {
 
 /// Equation by equation in scalar loops and a Gauss-Jordan solve: shares nothing with the library
 /// but its parameter structs. R is row-major.
@@ -33,4 +33,4 @@ TrajectoryPoint random_point(std::mt19937_64& random);
 /// Torque (body) and thrust that the rotors give at these speeds, summed rotor by rotor.
 std::array<double, 4> wrench_of(const VehicleParams& vehicle, const std::vector<double>& speeds);
 
-}  // namespace trident::test
+}  // namespace trident::control::test

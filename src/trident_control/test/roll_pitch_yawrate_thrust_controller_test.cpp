@@ -10,7 +10,7 @@
 
 #include "reference_model.h"
 
-namespace trident {
+namespace trident::control {
 namespace {
 
 TEST(RollPitchYawrateThrust, agrees_with_a_scalar_derivation) {
@@ -67,4 +67,4 @@ TEST(RollPitchYawrateThrust, refuses_nan_and_wrong_length) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::control

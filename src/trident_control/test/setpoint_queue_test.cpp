@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-namespace trident {
+namespace trident::control {
 namespace {
 
 constexpr SimTime kNoStamp{};
@@ -269,4 +269,4 @@ TEST_F(SetpointQueueTest, a_message_that_comes_again_is_known_before_and_after_a
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::control

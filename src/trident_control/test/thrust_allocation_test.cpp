@@ -11,7 +11,7 @@
 #include "trident_base/random_stream.h"
 #include "trident_base/thruster_curve.h"
 
-namespace trident {
+namespace trident::control {
 namespace {
 
 ThrusterParams thruster(double x, double y, double yaw, double max_angle = 0.0) {
@@ -171,4 +171,4 @@ TEST(ThrustAllocation, RefusesMoreActuatorsThanItHasRoomFor) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::control

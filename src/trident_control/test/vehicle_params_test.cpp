@@ -12,7 +12,7 @@
 #include "reference_model.h"
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::control {
 namespace {
 
 std::string error_of(const std::function<void(VehicleParams&)>& spoil) {
@@ -138,4 +138,4 @@ TEST(VehicleParams, names_field_value_and_range_of_bad_input) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::control

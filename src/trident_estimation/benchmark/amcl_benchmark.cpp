@@ -17,7 +17,7 @@
 #include "trident_base/angle.h"
 #include "trident_estimation/amcl.h"
 
-namespace trident {
+namespace trident::estimation {
 namespace {
 
 constexpr int kSide = 800;  // 40 m x 40 m
@@ -49,7 +49,7 @@ OccupancyGrid building() {
   return grid;
 }
 
-LaserScan scan_at(const DistanceField& field, const SE2& T_grid_base) {
+LaserScan scan_at(const maps::DistanceField& field, const SE2& T_grid_base) {
   LaserScan scan;
   scan.angle_min = -kPi;
   scan.angle_increment = 2.0 * kPi / kBeams;
@@ -74,7 +74,7 @@ SE2 place(int step) {  // along a corridor of doors, and to and fro in heading
 }
 
 /// Median CPU time of an update over ten blocks [ms].
-double update_ms(const OccupancyGrid& map, const DistanceField& field, AmclParams params,
+double update_ms(const OccupancyGrid& map, const maps::DistanceField& field, AmclParams params,
                  int updates) {
   params.laser.laser_max_beams = kBeams;
   params.resample_interval = 1;
@@ -97,8 +97,8 @@ double update_ms(const OccupancyGrid& map, const DistanceField& field, AmclParam
   return blocks[5];
 }
 
-double match_ms(const OccupancyGrid& map, const DistanceField& field) {
-  const GridMatcher matcher(map);
+double match_ms(const OccupancyGrid& map, const maps::DistanceField& field) {
+  const maps::GridMatcher matcher(map);
   const double begin = cpu_s();
   constexpr int kTimes = 10;
   for (int i = 0; i < kTimes; ++i) {
@@ -110,7 +110,7 @@ double match_ms(const OccupancyGrid& map, const DistanceField& field) {
 
 int run(int updates) {
   const OccupancyGrid map = building();
-  const DistanceField field(map, 2.0);
+  const maps::DistanceField field(map, 2.0);
   AmclParams params;
   params.min_particles = params.max_particles = 2000;
   const double likelihood_field = update_ms(map, field, params, updates);
@@ -130,8 +130,8 @@ int run(int updates) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::estimation
 
 int main(int argc, char** argv) {
-  return trident::run(argc > 1 ? std::max(1, std::atoi(argv[1])) : 200);
+  return trident::estimation::run(argc > 1 ? std::max(1, std::atoi(argv[1])) : 200);
 }

@@ -26,7 +26,7 @@
 #include "trident_estimation/amcl.h"
 #include "trident_maps/map_file.h"
 
-namespace trident {
+namespace trident::estimation {
 namespace {
 
 constexpr double kLidarRange = 12.0;  // of places that are judged [m]
@@ -90,7 +90,7 @@ class Replay {
     if (!row) return false;
     const SE2 T_map_base = SE2::from_xy_yaw((*row)[0], (*row)[1], (*row)[2]);
     const SE2 T_grid_base = map_.T_map_origin.inverse() * T_map_base;
-    ScanPoints points;
+    maps::ScanPoints points;
     for (int beam = 0; beam < 90; ++beam) {
       const double angle = 2.0 * kPi * beam / 90.0;
       const double range = field_.ray(T_grid_base.p, T_grid_base.angle + angle, kLidarRange);
@@ -99,7 +99,7 @@ class Replay {
           Eigen::Vector2d(range * std::cos(angle), range * std::sin(angle)).cast<float>());
     }
     double best = 0.0;
-    for (const PoseHypothesis& hypothesis : matcher_.match(points)) {
+    for (const maps::PoseHypothesis& hypothesis : matcher_.match(points)) {
       const double turned = angle_difference(hypothesis.T_map_base.angle, T_map_base.angle);
       const bool is_elsewhere = (hypothesis.T_map_base.p - T_map_base.p).norm() > kElsewhere ||
                                 std::abs(turned) > deg_to_rad(20.0);
@@ -110,22 +110,22 @@ class Replay {
   }
 
  private:
-  static GridMatcherParams all() {
-    GridMatcherParams params;
+  static maps::GridMatcherParams all() {
+    maps::GridMatcherParams params;
     params.keep_ratio = 0.7;
     return params;
   }
 
   const OccupancyGrid& map_;
-  DistanceField field_;
+  maps::DistanceField field_;
   AmclParams params_;
   Amcl amcl_;
-  GridMatcher matcher_;
+  maps::GridMatcher matcher_;
   SE2 T_map_odom_;
 };
 
 int run(const std::string& map_file, const std::string& params_file) {
-  const OccupancyGrid map = load_map(map_file);
+  const OccupancyGrid map = maps::load_map(map_file);
   Replay replay(map, load_yaml<AmclParams>(params_file));
   using Handler = bool (Replay::*)();
   const std::array<Handler, 4> handlers{&Replay::scan, &Replay::pose, &Replay::anywhere,
@@ -142,7 +142,7 @@ int run(const std::string& map_file, const std::string& params_file) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::estimation
 
 int main(int argc, char** argv) {
   if (argc != 3) {
@@ -150,7 +150,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
-    return trident::run(argv[1], argv[2]);
+    return trident::estimation::run(argv[1], argv[2]);
   } catch (const trident::Error& error) {
     std::fprintf(stderr, "amcl_replay: %s\n", error.what());
     return 1;

@@ -7,12 +7,12 @@
 
 #include "amcl/fast_math.h"
 #include "room.h"
-#include "trident_maps/grid_matcher.h"
 #include "trident_estimation/laser_model.h"
 #include "trident_estimation/motion_model.h"
 #include "trident_estimation/particle_set.h"
+#include "trident_maps/grid_matcher.h"
 
-namespace trident {
+namespace trident::estimation {
 namespace {
 
 TEST(FastMath, IsTheMathematicalOne) {
@@ -33,7 +33,7 @@ TEST(DistanceField, IsExactAndCut) {
   grid.cells.assign(23 * 17, OccupancyGrid::kFree);
   const std::pair<int, int> obstacles[] = {{3, 4}, {20, 1}, {11, 16}, {12, 16}, {0, 0}};
   for (const auto& [column, row] : obstacles) grid.cells[grid.index(column, row)] = 100;
-  const DistanceField field(grid, 4.0);
+  const maps::DistanceField field(grid, 4.0);
   for (int row = 0; row < grid.height; ++row) {
     for (int column = 0; column < grid.width; ++column) {
       double nearest = 4.0;
@@ -50,7 +50,7 @@ TEST(DistanceField, IsExactAndCut) {
 
 TEST(DistanceField, RaysStopAtWallsWithinACell) {
   const OccupancyGrid grid = test_flat();
-  const DistanceField field(grid, 2.0);
+  const maps::DistanceField field(grid, 2.0);
   EXPECT_NEAR(field.ray({6.0, 4.0}, 0.0, 20.0), 1.0, 0.05);
   EXPECT_NEAR(field.ray({6.0, 4.0}, kPi, 20.0), 5.9, 0.05);
   EXPECT_NEAR(field.ray({6.0, 5.8}, 0.0, 20.0), 5.9, 0.05) << "through the door";
@@ -59,14 +59,14 @@ TEST(DistanceField, RaysStopAtWallsWithinACell) {
 
 TEST(DistanceField, AgreementFallsWhereWallsStandBetween) {
   const OccupancyGrid grid = test_flat();
-  const DistanceField field(grid, 2.0);
+  const maps::DistanceField field(grid, 2.0);
   const SE2 T_grid_base = SE2::from_xy_yaw(3.0, 3.0, 0.5);
   LaserModelParams params;
   params.laser_max_beams = 180;
-  const ScanPoints points =
+  const maps::ScanPoints points =
       select_beams(test_scan(grid, grid.T_map_origin * T_grid_base, 0), params).points;
-  EXPECT_GT(scan_agreement(field, points, T_grid_base), 0.98);
-  EXPECT_LT(scan_agreement(field, points, SE2::from_xy_yaw(9.0, 4.0, 0.5)), 0.5);
+  EXPECT_GT(maps::scan_agreement(field, points, T_grid_base), 0.98);
+  EXPECT_LT(maps::scan_agreement(field, points, SE2::from_xy_yaw(9.0, 4.0, 0.5)), 0.5);
 }
 
 TEST(Kld, IsTheChiSquareBoundOfFox) {
@@ -181,7 +181,7 @@ TEST(SelectBeams, TakesWhatParametersAllow) {
 
 TEST(GridMatcher, FindsAScanInTheWholeMap) {
   const OccupancyGrid grid = test_flat();
-  const GridMatcher matcher(grid);
+  const maps::GridMatcher matcher(grid);
   LaserModelParams params;
   params.laser_max_beams = 90;
   std::uint64_t number = 0;
@@ -200,14 +200,14 @@ TEST(GridMatcher, FindsAScanInTheWholeMap) {
 
 TEST(GridMatcher, BranchAndBoundFindsWhatTryingEverythingFinds) {
   const OccupancyGrid grid = test_flat();
-  GridMatcherParams fast, exhaustive;
+  maps::GridMatcherParams fast, exhaustive;
   exhaustive.depth = 0;  // one level: every pose of the lattice
   LaserModelParams params;
   params.laser_max_beams = 45;
   const SE2 T_map_base = grid.T_map_origin * SE2::from_xy_yaw(3.3, 6.6, 2.0);
-  const ScanPoints points = select_beams(test_scan(grid, T_map_base, 5), params).points;
-  const auto a = GridMatcher(grid, fast).match(points);
-  const auto b = GridMatcher(grid, exhaustive).match(points);
+  const maps::ScanPoints points = select_beams(test_scan(grid, T_map_base, 5), params).points;
+  const auto a = maps::GridMatcher(grid, fast).match(points);
+  const auto b = maps::GridMatcher(grid, exhaustive).match(points);
   ASSERT_FALSE(a.empty());
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -217,4 +217,4 @@ TEST(GridMatcher, BranchAndBoundFindsWhatTryingEverythingFinds) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::estimation

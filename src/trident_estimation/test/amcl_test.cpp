@@ -9,7 +9,7 @@
 #include "room.h"
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::estimation {
 namespace {
 
 const Eigen::Matrix3d kUnsure = Eigen::Vector3d(0.25, 0.25, 0.07).asDiagonal();
@@ -227,4 +227,4 @@ TEST(Amcl, ParametersAndMapsAreChecked) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::estimation

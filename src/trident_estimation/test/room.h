@@ -11,7 +11,7 @@
 #include "trident_base/random_stream.h"
 #include "trident_maps/distance_field.h"
 
-namespace trident {
+namespace trident::estimation {
 
 inline void fill(OccupancyGrid& grid, double x0, double y0, double x1, double y1,
                  std::int8_t value = OccupancyGrid::kOccupied) {
@@ -49,7 +49,7 @@ inline OccupancyGrid test_flat() {
 inline LaserScan test_scan(const OccupancyGrid& grid, const SE2& T_map_base, std::uint64_t number,
                            double sigma = 0.01) {
   static const RandomStream random(7, "test/scan");
-  const DistanceField field(grid, 2.0);
+  const maps::DistanceField field(grid, 2.0);
   LaserScan scan;
   scan.angle_min = -kPi;
   scan.angle_increment = 2.0 * kPi / 180.0;
@@ -66,4 +66,4 @@ inline LaserScan test_scan(const OccupancyGrid& grid, const SE2& T_map_base, std
   return scan;
 }
 
-}  // namespace trident
+}  // namespace trident::estimation

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace trident {
+namespace trident::maps {
 namespace {
 
 constexpr double kAgreeWithin = 0.3;  // [m]: some cells, and what furniture is moved by
@@ -135,4 +135,4 @@ double scan_agreement(const DistanceField& field, const ScanPoints& points,
   return static_cast<double>(explained) / static_cast<double>(points.p_base.size());
 }
 
-}  // namespace trident
+}  // namespace trident::maps

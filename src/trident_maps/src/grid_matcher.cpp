@@ -9,7 +9,7 @@
 
 #include "trident_base/angle.h"
 
-namespace trident {
+namespace trident::maps {
 
 namespace {
 
@@ -256,4 +256,4 @@ std::vector<PoseHypothesis> GridMatcher::match(const ScanPoints& points) const {
   return result;
 }
 
-}  // namespace trident
+}  // namespace trident::maps

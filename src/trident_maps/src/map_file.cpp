@@ -13,7 +13,7 @@
 #include "trident_base/string_util.h"
 #include "trident_base/yaml_config.h"
 
-namespace trident {
+namespace trident::maps {
 namespace {
 
 namespace fs = std::filesystem;
@@ -183,4 +183,4 @@ void save_map(const std::string& base, const OccupancyGrid& grid,
                            grid.resolution, T.p.x(), T.p.y(), T.angle));
 }
 
-}  // namespace trident
+}  // namespace trident::maps

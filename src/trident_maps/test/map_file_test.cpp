@@ -10,7 +10,7 @@
 #include <fstream>
 #include <sstream>
 
-namespace trident {
+namespace trident::maps {
 namespace {
 
 namespace fs = std::filesystem;
@@ -159,4 +159,4 @@ TEST_F(MapFileTest, SavedAsMapSaverDoesAndReadBack) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::maps

@@ -13,14 +13,15 @@
 #include "thread_affinity.h"
 
 int main() {
-  std::vector<trident::affinity::KeptProcess> kept;
+  std::vector<trident::ros_utils::affinity::KeptProcess> kept;
   while (true) {
-    trident::affinity::KeptProcess next;
+    trident::ros_utils::affinity::KeptProcess next;
     const ssize_t size = recv(STDIN_FILENO, &next, sizeof(next), 0);
     if (size < 0 && errno == EINTR) continue;
     if (size != sizeof(next)) break;
     kept.push_back(next);
   }
-  for (const trident::affinity::KeptProcess& process : kept) trident::affinity::release(process);
+  for (const trident::ros_utils::affinity::KeptProcess& process : kept)
+    trident::ros_utils::affinity::release(process);
   return 0;
 }

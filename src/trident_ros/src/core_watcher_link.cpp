@@ -14,7 +14,7 @@
 #include <filesystem>
 #include <string>
 
-namespace trident {
+namespace trident::ros_utils {
 namespace {
 
 /// lib/trident_ros/core_watcher next to this library, lib/libtrident_ros.so, in the devel space as
@@ -81,4 +81,4 @@ bool CoreWatcherLink::start() {
   return false;
 }
 
-}  // namespace trident
+}  // namespace trident::ros_utils

@@ -6,7 +6,7 @@
 
 #include "thread_affinity.h"
 
-namespace trident {
+namespace trident::ros_utils {
 
 /// The program core_watcher, which gives processes back their cores when this process ends without
 /// having done so: after SIGKILL nothing else can.
@@ -28,4 +28,4 @@ class CoreWatcherLink {
   int socket_ = -1;
 };
 
-}  // namespace trident
+}  // namespace trident::ros_utils

@@ -20,7 +20,7 @@
 #include "trident_ros/peer_process.h"
 #include "trident_ros/schedule_fuzz.h"
 
-namespace trident {
+namespace trident::ros_utils {
 namespace {
 
 constexpr std::uint64_t kWakeKey = 0;
@@ -291,4 +291,4 @@ void DirectInbox::give_back(std::uint64_t key) {
   connection->getTransport()->enableRead();
 }
 
-}  // namespace trident
+}  // namespace trident::ros_utils

@@ -10,7 +10,7 @@
 #include "roscpp_internals.h"
 #include "trident_ros/schedule_fuzz.h"
 
-namespace trident {
+namespace trident::ros_utils {
 namespace {
 
 ros::SerializedMessage copy_of(Span<const std::uint8_t> bytes) {
@@ -64,7 +64,7 @@ void DirectPublication::take_links() {
 
 // In all of these without the lock: a failing write drops its link, and that takes the lock.
 int DirectPublication::send(DirectMessage& message, int after) {
-  trident::hand_over("publication sends");
+  trident::ros_utils::hand_over("publication sends");
   take_links();
   const std::uint32_t sequence = next_sequence();
   int newest = 0;
@@ -113,4 +113,4 @@ void DirectPublication::hand_over(ros::SubscriberLink& link, DirectMessage& mess
   if (takes_bytes || takes_object) link.enqueueMessage(form, takes_bytes, takes_object);
 }
 
-}  // namespace trident
+}  // namespace trident::ros_utils

@@ -7,7 +7,7 @@
 
 #include "trident_base/string_util.h"
 
-namespace trident {
+namespace trident::ros_utils {
 namespace {
 
 constexpr std::size_t kLongestQuote = 200;
@@ -106,4 +106,4 @@ std::string quoted(const std::string& text) {
   return text.size() > kLongestQuote ? result + "..." : result;
 }
 
-}  // namespace trident
+}  // namespace trident::ros_utils

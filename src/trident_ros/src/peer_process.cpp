@@ -18,7 +18,7 @@
 #include <string>
 #include <system_error>
 
-namespace trident {
+namespace trident::ros_utils {
 namespace {
 
 namespace fs = std::filesystem;
@@ -96,4 +96,4 @@ pid_t peer_process(int descriptor) {
   return 0;
 }
 
-}  // namespace trident
+}  // namespace trident::ros_utils

@@ -9,7 +9,7 @@
 #include "core_watcher_link.h"
 #include "thread_affinity.h"
 
-namespace trident {
+namespace trident::ros_utils {
 
 struct ProcessCores::Impl {
   CoreWatcherLink watcher;
@@ -40,4 +40,4 @@ int ProcessCores::keep(pid_t process, std::size_t index) {
   return core;
 }
 
-}  // namespace trident
+}  // namespace trident::ros_utils

@@ -6,7 +6,7 @@
 #include <ros/console.h>
 #include <ros/this_node.h>
 
-namespace trident {
+namespace trident::ros_utils {
 namespace {
 
 constexpr double kTellEveryS = 5.0;     // wall time
@@ -52,4 +52,4 @@ void Refusals::publish() {
   diagnostics_.publish(array);
 }
 
-}  // namespace trident
+}  // namespace trident::ros_utils

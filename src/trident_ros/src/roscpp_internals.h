@@ -10,7 +10,7 @@
 #include <ros/transport/transport_tcp.h>
 #include <ros/transport_subscriber_link.h>
 
-namespace trident {
+namespace trident::ros_utils {
 
 // roscpp has no accessor for these members. An explicit instantiation may name private members, and
 // hands out pointers to them; the layout is the one of the installed headers, as for any inline
@@ -47,4 +47,4 @@ TRIDENT_REVEAL(CloseMutex, ros::TransportTCP, boost::recursive_mutex, close_mute
 
 #undef TRIDENT_REVEAL
 
-}  // namespace trident
+}  // namespace trident::ros_utils

@@ -12,7 +12,7 @@
 #include <thread>
 #include <unordered_map>
 
-namespace trident {
+namespace trident::ros_utils {
 namespace {
 
 // Of all hand-overs one in so many is delayed, by a time that is uniform in its logarithm.
@@ -73,4 +73,4 @@ void delay_hand_over(const char* place) {
   if (delay_s > 0.0) std::this_thread::sleep_for(std::chrono::duration<double>(delay_s));
 }
 
-}  // namespace trident
+}  // namespace trident::ros_utils

@@ -10,7 +10,7 @@
 #include <system_error>
 #include <vector>
 
-namespace trident::affinity {
+namespace trident::ros_utils::affinity {
 namespace {
 
 namespace fs = std::filesystem;
@@ -80,4 +80,4 @@ void release(const KeptProcess& kept) {
   move_threads(kept.process, only(kept.core), kept.all);
 }
 
-}  // namespace trident::affinity
+}  // namespace trident::ros_utils::affinity

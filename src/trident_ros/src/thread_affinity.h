@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace trident::affinity {
+namespace trident::ros_utils::affinity {
 
 /// A process that is restricted to one core. It is sent to core_watcher in this form.
 struct KeptProcess {
@@ -38,4 +38,4 @@ bool move_threads(pid_t process, const cpu_set_t& from, const cpu_set_t& to);
 /// restricted meanwhile are left alone.
 void release(const KeptProcess& kept);
 
-}  // namespace trident::affinity
+}  // namespace trident::ros_utils::affinity

@@ -6,7 +6,7 @@
 
 #include "roscpp_internals.h"
 
-namespace trident {
+namespace trident::ros_utils {
 
 std::vector<TopicPeer> topic_readers(const std::string& topic) {
   const ros::PublicationPtr publication = ros::TopicManager::instance()->lookupPublication(topic);
@@ -34,4 +34,4 @@ std::vector<std::string> topic_writers(const std::string& topic) {
   return result;
 }
 
-}  // namespace trident
+}  // namespace trident::ros_utils

@@ -7,7 +7,7 @@
 
 #include "trident_ros/message_checks.h"
 
-namespace trident {
+namespace trident::ros_utils {
 namespace {
 
 constexpr std::uint32_t kQueueSize = 100;
@@ -94,4 +94,4 @@ void TransformInput::receive(const Event& event, bool is_static) {
   }
 }
 
-}  // namespace trident
+}  // namespace trident::ros_utils

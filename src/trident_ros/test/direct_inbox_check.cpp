@@ -17,7 +17,7 @@
 #include "trident_ros/direct_inbox.h"
 #include "trident_ros/direct_publication.h"
 
-namespace trident {
+namespace trident::ros_utils {
 namespace {
 
 using namespace std::chrono_literals;
@@ -265,7 +265,7 @@ TEST(DirectInboxWaits, UntilItIsWokenOrTheTimeIsOver) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::ros_utils
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);

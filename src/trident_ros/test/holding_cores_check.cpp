@@ -8,7 +8,7 @@
 #include "trident_ros/process_cores.h"
 
 int main(int argc, char** argv) {
-  trident::ProcessCores cores;
+  trident::ros_utils::ProcessCores cores;
   for (int i = 1; i < argc; ++i) {
     std::printf("%d ", cores.keep(std::atoi(argv[i]), static_cast<std::size_t>(i)));
   }

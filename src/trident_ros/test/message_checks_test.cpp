@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace trident {
+namespace trident::ros_utils {
 namespace {
 
 constexpr double kInf = std::numeric_limits<double>::infinity();
@@ -79,4 +79,4 @@ TEST(MessageChecks, WhatAStrangerSentIsQuotedShort) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::ros_utils

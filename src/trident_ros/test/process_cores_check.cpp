@@ -18,7 +18,7 @@
 #include "trident_ros/peer_process.h"
 #include "trident_ros/process_cores.h"
 
-namespace trident {
+namespace trident::ros_utils {
 namespace {
 
 /// A Python program in a process of its own, which ends with this object.
@@ -142,4 +142,4 @@ TEST(PeerProcess, IsNoneWithoutAPeer) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::ros_utils

@@ -6,7 +6,7 @@
 
 #include "trident_ros/transform_input.h"
 
-namespace trident {
+namespace trident::ros_utils {
 namespace {
 
 class TransformGateTest : public testing::Test {
@@ -61,4 +61,4 @@ TEST_F(TransformGateTest, AStampAnHourAheadIsBelievedOnlyUntilTheOthersGoOn) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::ros_utils

@@ -7,7 +7,7 @@
 #include "trident_base/error.h"
 #include "trident_base/option_number.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr int kMaxVehicles = 1000;
@@ -71,4 +71,4 @@ BenchmarkOptions parse_benchmark_options(const std::vector<std::string>& argumen
   return options;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

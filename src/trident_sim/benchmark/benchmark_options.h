@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace trident {
+namespace trident::sim {
 
 struct BenchmarkOptions {
   std::string world_file;
@@ -24,4 +24,4 @@ extern const char* const kBenchmarkUsage;
 /// Throws Error naming the option, its value and what is legal.
 BenchmarkOptions parse_benchmark_options(const std::vector<std::string>& arguments);
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -8,7 +8,7 @@
 #include "trident_base/angle.h"
 #include "trident_base/random_stream.h"
 
-namespace trident {
+namespace trident::sim {
 
 ModelSpec make_model(const std::string& name, const Shape& shape, const SE3& T_world_model,
                      bool is_static) {
@@ -48,4 +48,4 @@ double thread_cpu_s() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -6,7 +6,7 @@
 
 #include "trident_sim/world.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// What the benchmarks of rays and their sensors look at.
 
@@ -19,4 +19,4 @@ void add_boxes(World& world, bool is_static);
 /// CPU time of the calling thread [s].
 double thread_cpu_s();
 
-}  // namespace trident
+}  // namespace trident::sim

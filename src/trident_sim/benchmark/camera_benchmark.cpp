@@ -14,7 +14,7 @@
 #include "trident_base/error.h"
 #include "trident_sim/world.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr int kPictures = 60;
@@ -105,11 +105,11 @@ int run(int argc, char** argv) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim
 
 int main(int argc, char** argv) {
   try {
-    return trident::run(argc, argv);
+    return trident::sim::run(argc, argv);
   } catch (const trident::Error& error) {
     std::fprintf(stderr, "camera_benchmark: %s\n", error.what());
     return 1;

@@ -12,7 +12,7 @@
 #include "trident_base/error.h"
 #include "trident_control_sim/lee_plugin.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr int kPerRow = 10;
@@ -53,7 +53,7 @@ std::string with_controller(const std::string& urdf, const std::string& ns,
 
 HoverWorld::HoverWorld(const BenchmarkOptions& options) {
   register_builtin_plugins(registry_);
-  register_control_plugins(registry_);
+  control::register_control_plugins(registry_);
   const auto warn = [](const std::string& text) { std::fprintf(stderr, "%s\n", text.c_str()); };
   WorldOptions world_options;
   world_options.report = [](Severity, const std::string& text) {
@@ -76,9 +76,9 @@ void HoverWorld::spawn_vehicle(int index, const std::string& urdf,
   T_world_model.p = {kSpacing_m * (index % kPerRow), kSpacing_m * (index / kPerRow),
                      kSpawnHeight_m};
   world_->spawn({ns, with_controller(urdf, ns, options), "", ns, T_world_model});
-  auto* setpoint = world_->ports().find_in<TrajectorySample>(ns + "/command/trajectory");
+  auto* setpoint = world_->ports().find_in<control::TrajectorySample>(ns + "/command/trajectory");
   if (setpoint == nullptr) throw Error("vehicle " + ns + " has no port command/trajectory");
-  TimedSetpoint hover;
+  control::TimedSetpoint hover;
   hover.point.p_world = {T_world_model.p.x(), T_world_model.p.y(), kHoverHeight_m};
   setpoint->write({SimTime{}, {hover}});
   p_world_told_[ns] = hover.point.p_world;
@@ -113,4 +113,4 @@ double HoverWorld::largest_offset_m() const {
   return largest;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -8,7 +8,7 @@
 #include "benchmark_options.h"
 #include "trident_sim/world.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// A world with vehicles on a grid of 2 m, each told to hover 1 m above the ground at its place.
 /// The controllers are plugins with the node's timing and arithmetic, so the flight is, bit for
@@ -36,4 +36,4 @@ class HoverWorld {
   std::map<std::string, Eigen::Vector3d> p_world_told_;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -14,7 +14,7 @@
 #include "box_world.h"
 #include "trident_base/angle.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 using Texts = std::vector<std::pair<std::string, std::string>>;
@@ -167,9 +167,9 @@ int run(double simulated_s, const std::string& only) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim
 
 /// Arguments: simulated seconds per figure (10), part of the names of the figures to take (all).
 int main(int argc, char** argv) {
-  return trident::run(argc > 1 ? std::atof(argv[1]) : 10.0, argc > 2 ? argv[2] : "");
+  return trident::sim::run(argc > 1 ? std::atof(argv[1]) : 10.0, argc > 2 ? argv[2] : "");
 }

@@ -14,7 +14,7 @@
 #include "trident_sim/ray_scene.h"
 #include "trident_sim/world.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr double kMinCpuSeconds = 0.5;  ///< per figure
@@ -143,6 +143,6 @@ int run() {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim
 
-int main() { return trident::run(); }
+int main() { return trident::sim::run(); }

@@ -13,7 +13,7 @@
 #include "hover_world.h"
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -94,18 +94,18 @@ int run(const BenchmarkOptions& options) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim
 
 int main(int argc, char** argv) {
   const std::vector<std::string> arguments(argv + 1, argv + argc);
   for (const std::string& argument : arguments) {
     if (argument == "--help" || argument == "-h") {
-      std::fputs(trident::kBenchmarkUsage, stdout);
+      std::fputs(trident::sim::kBenchmarkUsage, stdout);
       return 0;
     }
   }
   try {
-    return trident::run(trident::parse_benchmark_options(arguments));
+    return trident::sim::run(trident::sim::parse_benchmark_options(arguments));
   } catch (const std::exception& error) {
     std::fprintf(stderr, "sim_benchmark: %s\n", error.what());
     return 1;

@@ -12,7 +12,7 @@
 #include "test_world.h"
 #include "trident_sim/samples.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// A `<camera>` element and the plugin that it is given.
 struct CameraOptions {
@@ -160,4 +160,4 @@ inline WorldSpec sunny() {
   return spec;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 LinkSpec make_wheel(const std::string& name, const CarOptions& options, const SE3& T_model_wheel) {
@@ -129,4 +129,4 @@ double CarWorld::radius(double seconds) {
   return ab.norm() * ac.norm() * (c - b).norm() / (2.0 * twice_area);
 }
 
-}  // namespace trident
+}  // namespace trident::sim

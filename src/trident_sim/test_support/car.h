@@ -8,7 +8,7 @@
 #include "test_world.h"
 #include "trident_base/se2.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// A car with steered front wheels. Its model frame lies on the ground, `front_of_axle_m` ahead of
 /// the middle of its rear axle.
@@ -53,4 +53,4 @@ class CarWorld {
   double dt_s_;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 Surface surface_of(double mu) {
@@ -113,4 +113,4 @@ double CartWorld::speed() const {
   return link.v_world_at(link.T_world_link().p).dot(ahead);
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -9,7 +9,7 @@
 #include "test_world.h"
 #include "trident_base/se2.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// A small cart. Its model frame lies on the ground between the wheels.
 struct CartOptions {
@@ -50,4 +50,4 @@ class CartWorld {
   double dt_s_;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

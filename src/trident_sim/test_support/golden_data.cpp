@@ -12,7 +12,7 @@
 #include "trident_base/angle.h"
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::sim {
 namespace fs = std::filesystem;
 namespace {
 
@@ -89,4 +89,4 @@ void Deviation::add(const SE3& a, const SE3& b) {
   angle_deg = std::max(angle_deg, rad_to_deg(a.R.angularDistance(b.R)));
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -9,7 +9,7 @@
 #include "trident_base/se3.h"
 #include "trident_base/sim_time.h"
 
-namespace trident {
+namespace trident::sim {
 
 // Flights of Gazebo 11 with RotorS, recorded for comparison. They are not part of the repository.
 
@@ -48,4 +48,4 @@ struct Deviation {
   void add(const SE3& a, const SE3& b);
 };
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -4,7 +4,7 @@
 
 #include "golden_data.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
@@ -19,7 +19,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 
 GoldenWorld::GoldenWorld(const std::string& world_file) {
   register_builtin_plugins(registry_);
-  register_control_plugins(registry_);
+  control::register_control_plugins(registry_);
   const Resources resources({std::string(TRIDENT_REPOSITORY) + "/worlds/models"});
   world_ = std::make_unique<World>(load_world_file(world_file, resources, [](const auto&) {}),
                                    resources, registry_, WorldOptions{});
@@ -41,10 +41,12 @@ Model& GoldenWorld::add_firefly(const std::string& name, const SE3& T_world_mode
 }
 
 void GoldenWorld::command(const std::string& name, const Eigen::Vector3d& p_world, double yaw_rad) {
-  TimedSetpoint setpoint;
+  control::TimedSetpoint setpoint;
   setpoint.point.p_world = p_world;
   setpoint.point.yaw = yaw_rad;
-  world_->ports().find_in<TrajectorySample>(name + "/command/trajectory")->write({{0}, {setpoint}});
+  world_->ports()
+      .find_in<control::TrajectorySample>(name + "/command/trajectory")
+      ->write({{0}, {setpoint}});
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -8,7 +8,7 @@
 #include "test_world.h"
 #include "trident_control_sim/lee_plugin.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// The world that the reference flights were recorded in, and fireflies for it.
 class GoldenWorld {
@@ -26,4 +26,4 @@ class GoldenWorld {
   std::unique_ptr<World> world_;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -4,7 +4,7 @@
 
 #include <sstream>
 
-namespace trident {
+namespace trident::sim {
 
 LeeQuad::LeeQuad(double controller_mass_kg, const QuadOptions& quad_options)
     : options(quad_options) {
@@ -35,4 +35,4 @@ ModelSpec LeeQuad::model() const {
   return spec;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -5,7 +5,7 @@
 #include "models.h"
 #include "scratch_folder.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// Parameter files of a Lee controller for make_quad(), and the plugin that reads them.
 class LeeQuad {
@@ -23,4 +23,4 @@ class LeeQuad {
   std::string files_;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

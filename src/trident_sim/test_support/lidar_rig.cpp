@@ -6,7 +6,7 @@
 #include <cmath>
 #include <sstream>
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 ParamNode text_node(const std::string& name, const std::string& text) {
@@ -73,4 +73,4 @@ double wall_range(double half_m, double angle) {
   return half_m / std::max(std::abs(std::cos(angle)), std::abs(std::sin(angle)));
 }
 
-}  // namespace trident
+}  // namespace trident::sim

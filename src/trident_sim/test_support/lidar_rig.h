@@ -8,7 +8,7 @@
 #include "test_world.h"
 #include "trident_base/angle.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// A lidar as plain data; one ring unless `rings` says otherwise.
 struct LidarOptions {
@@ -32,4 +32,4 @@ void add_walls(TestWorld& world, double half_m, double height_m = 2.0);
 /// How far away its wall is from the middle.
 double wall_range(double half_m, double angle);
 
-}  // namespace trident
+}  // namespace trident::sim

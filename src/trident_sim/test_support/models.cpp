@@ -5,7 +5,7 @@
 #include <cmath>
 #include <sstream>
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 std::string text(double value) {
@@ -139,4 +139,4 @@ ModelSpec make_quad(const QuadOptions& options) {
   return model;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

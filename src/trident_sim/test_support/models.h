@@ -8,7 +8,7 @@
 
 #include "trident_sim/model_spec.h"
 
-namespace trident {
+namespace trident::sim {
 
 // Models as plain data, without a detour over XML.
 
@@ -58,4 +58,4 @@ ModelSpec make_quad(const QuadOptions& options = {});
 /// The parameters of one motor of that quad.
 ParamList motor_params(const QuadOptions& options, int motor);
 
-}  // namespace trident
+}  // namespace trident::sim

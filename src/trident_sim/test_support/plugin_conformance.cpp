@@ -11,7 +11,7 @@
 #include "trident_sim/commands.h"
 #include "trident_sim/vector_sample.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 class Host {
@@ -205,4 +205,4 @@ void expect_plugin_conforms(const PluginCase& plugin, void (*register_plugins)(P
   EXPECT_TRUE(host.ports().empty());
 }
 
-}  // namespace trident
+}  // namespace trident::sim

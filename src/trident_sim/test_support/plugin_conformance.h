@@ -9,7 +9,7 @@
 #include "models.h"
 #include "trident_sim/plugin_registry.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// What every plugin owes its user. A new plugin's test is one of these and one call.
 struct PluginCase {
@@ -28,4 +28,4 @@ struct PluginCase {
 void expect_plugin_conforms(const PluginCase& plugin,
                             void (*register_plugins)(PluginRegistry&) = nullptr);
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "quad_world.h"
 
-namespace trident {
+namespace trident::sim {
 QuadWorld::QuadWorld(const QuadOptions& quad_options, LoopTiming timing)
     : options(quad_options),
       world(world_spec(), with_timing(timing)),
@@ -32,4 +32,4 @@ double QuadWorld::rotor(int number) const {
          quad->find_joint("rotor_" + std::to_string(number) + "_joint")->velocity();
 }
 
-}  // namespace trident
+}  // namespace trident::sim

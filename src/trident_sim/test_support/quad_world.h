@@ -7,7 +7,7 @@
 #include "models.h"
 #include "test_world.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// A quadrotor high above nothing.
 class QuadWorld {
@@ -29,4 +29,4 @@ class QuadWorld {
   Model* quad;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

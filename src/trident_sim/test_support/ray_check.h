@@ -10,7 +10,7 @@
 #include "trident_base/random_stream.h"
 #include "trident_sim/ray_scene.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// Random numbers of a test, one after another.
 class Draw {
@@ -81,4 +81,4 @@ inline ModelSpec make_visual(const std::string& name, const Shape& shape, const 
   return model;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

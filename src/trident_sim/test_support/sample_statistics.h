@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace trident {
+namespace trident::sim {
 
 struct SampleStatistics {
   double mean = 0.0, stddev = 0.0;
@@ -52,4 +52,4 @@ inline double log_slope(const std::vector<double>& x, const std::vector<double>&
   return (n * sxy - sx * sy) / (n * sxx - sx * sx);
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace trident {
+namespace trident::sim {
 
 /// A fresh folder that goes away with the object.
 class ScratchFolder {
@@ -61,4 +61,4 @@ class ScopedEnvironment {
   bool had_ = false;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace trident {
+namespace trident::sim {
 
 WorldSpec world_spec(double dt_s) {
   WorldSpec spec;
@@ -64,4 +64,4 @@ testing::AssertionResult is_near(const SE3& a, const SE3& b, double tolerance) {
          << "rotations are " << angle << " rad apart, more than " << tolerance;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

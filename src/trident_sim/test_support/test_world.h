@@ -12,7 +12,7 @@
 #include "trident_base/se3.h"
 #include "trident_sim/world.h"
 
-namespace trident {
+namespace trident::sim {
 
 struct Report {
   Severity severity;
@@ -69,4 +69,4 @@ testing::AssertionResult is_near(const SE3& a, const SE3& b, double tolerance);
 
 inline SE3 at(double x, double y, double z) { return SE3::from_xyz_rpy({x, y, z}, 0.0, 0.0, 0.0); }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -7,7 +7,7 @@
 #include "bindings.h"
 #include "sample_class.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 using ArrayShape = std::vector<py::ssize_t>;
@@ -130,4 +130,4 @@ void bind_cameras(py::module_& module) {
   bind_boxes(module);
 }
 
-}  // namespace trident
+}  // namespace trident::sim

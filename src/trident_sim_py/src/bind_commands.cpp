@@ -10,7 +10,7 @@
 #include "trident_control_sim/lee_plugin.h"
 #include "trident_sim/commands.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 SmallVector to_small_vector(const py::handle& value, const std::string& what) {
@@ -157,9 +157,10 @@ class TrajectoryFields {
   std::vector<NumpyArray> kept_;
 };
 
-TrajectorySample make_trajectory(const py::object& positions, const py::object& times,
-                                 const py::object& velocities, const py::object& accelerations,
-                                 const py::object& yaw, const py::object& yaw_rate, double stamp) {
+control::TrajectorySample make_trajectory(const py::object& positions, const py::object& times,
+                                          const py::object& velocities,
+                                          const py::object& accelerations, const py::object& yaw,
+                                          const py::object& yaw_rate, double stamp) {
   TrajectoryFields fields(positions);
   const double* t = fields.scalars(times, "times");
   const double* v = fields.vectors(velocities, "velocities");
@@ -170,10 +171,10 @@ TrajectorySample make_trajectory(const py::object& positions, const py::object& 
     throw Error("times is missing, legal: one for each of the " + std::to_string(fields.count()) +
                 " positions");
   }
-  TrajectorySample sample{to_time(stamp, "stamp"), {}};
+  control::TrajectorySample sample{to_time(stamp, "stamp"), {}};
   sample.points.resize(static_cast<std::size_t>(fields.count()));
   for (py::ssize_t i = 0; i < fields.count(); ++i) {
-    TimedSetpoint& timed = sample.points[static_cast<std::size_t>(i)];
+    control::TimedSetpoint& timed = sample.points[static_cast<std::size_t>(i)];
     if (t != nullptr) timed.time_from_start = fields.time(t, i);
     timed.point.p_world = Eigen::Vector3d(fields.positions() + 3 * i);
     if (v != nullptr) timed.point.v_world = Eigen::Vector3d(v + 3 * i);
@@ -185,8 +186,8 @@ TrajectorySample make_trajectory(const py::object& positions, const py::object& 
 }
 
 void bind_trajectory(py::module_& module) {
-  stamped<TrajectorySample>(module, "TrajectorySample",
-                            "Set-points of a position controller, in the world frame.")
+  stamped<control::TrajectorySample>(module, "TrajectorySample",
+                                     "Set-points of a position controller, in the world frame.")
       .def(py::init(&make_trajectory), py::arg("positions"), py::arg("times") = py::none(),
            py::arg("velocities") = py::none(), py::arg("accelerations") = py::none(),
            py::arg("yaw") = py::none(), py::arg("yaw_rate") = py::none(), py::arg("stamp") = 0.0,
@@ -195,7 +196,7 @@ void bind_trajectory(py::module_& module) {
            "velocities, accelerations: [m/s], [m/s^2], shape (n, 3), else 0.\n"
            "yaw, yaw_rate: [rad], [rad/s], a number or shape (n,), else 0.\n"
            "stamp: simulated time of the start [s]; 0: with the next state.")
-      .def("__len__", [](const TrajectorySample& s) { return s.points.size(); });
+      .def("__len__", [](const control::TrajectorySample& s) { return s.points.size(); });
 }
 
 /// Classes of one number.
@@ -252,4 +253,4 @@ void bind_commands(py::module_& module) {
   bind_trajectory(module);
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -5,7 +5,7 @@
 #include "sample_class.h"
 #include "trident_sim/text_sample.h"
 
-namespace trident {
+namespace trident::sim {
 
 void bind_environment(py::module_& module) {
   const auto make_text = [](const std::string& text, double stamp) {
@@ -29,4 +29,4 @@ void bind_environment(py::module_& module) {
                     "Where it comes from, from the frame's x clockwise, in [0, 2 pi) [rad].");
 }
 
-}  // namespace trident
+}  // namespace trident::sim

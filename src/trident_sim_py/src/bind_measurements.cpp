@@ -6,7 +6,7 @@
 #include "sample_class.h"
 #include "trident_sim/vector_sample.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 Matrix6RowMajor to_matrix(const Covariance6& values) {
@@ -290,4 +290,4 @@ void bind_measurements(py::module_& module) {
   bind_others(module);
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -9,7 +9,7 @@
 
 namespace py = pybind11;
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 // Views look their object up by name each time, so that none outlives it.
@@ -187,4 +187,4 @@ void bind_model(py::module_& module) {
   }
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -9,7 +9,7 @@
 
 namespace py = pybind11;
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 DriveMode parse_mode(const std::string& mode) {
@@ -79,4 +79,4 @@ void bind_physics(py::module_& module) {
              [](Session& session, const Snapshot& snapshot) { session.restore(snapshot); });
 }
 
-}  // namespace trident
+}  // namespace trident::sim

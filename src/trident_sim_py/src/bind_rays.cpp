@@ -14,7 +14,7 @@
 
 namespace py = pybind11;
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// Directions shorter than this have none.
@@ -104,4 +104,4 @@ void bind_rays(py::module_& module) {
              "(model, link, name) of each shape that rays can meet.");
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -10,7 +10,7 @@
 
 namespace py = pybind11;
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// z of the surface, one per row; without a sea the surface lies at 0, as for vessels.
@@ -41,4 +41,4 @@ void bind_sea(py::module_& module) {
              py::arg("times"), "z of the sea's surface [m]; see World.sea_elevation.");
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -12,7 +12,7 @@
 
 namespace py = pybind11;
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 std::shared_ptr<Session> make_session(const std::string& world, std::uint64_t seed,
@@ -123,4 +123,4 @@ void bind_session(py::module_& module) {
   module.def("find_resource", &find_resource, py::arg("uri"), py::arg("folders"));
 }
 
-}  // namespace trident
+}  // namespace trident::sim

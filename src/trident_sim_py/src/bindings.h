@@ -4,7 +4,7 @@
 
 #include <pybind11/pybind11.h>
 
-namespace trident {
+namespace trident::sim {
 
 // Parts of the module _core; module.cpp calls each once.
 void bind_measurements(pybind11::module_& module);
@@ -17,4 +17,4 @@ void bind_environment(pybind11::module_& module);
 void bind_sea(pybind11::module_& module);
 void bind_session(pybind11::module_& module);
 
-}  // namespace trident
+}  // namespace trident::sim

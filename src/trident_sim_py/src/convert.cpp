@@ -8,7 +8,7 @@
 
 namespace py = pybind11;
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 std::string shape_text(const NumpyArray& array) {
@@ -68,4 +68,4 @@ SimTime to_time(double seconds, const std::string& what) {
   return SimTime::from_seconds(seconds);
 }
 
-}  // namespace trident
+}  // namespace trident::sim

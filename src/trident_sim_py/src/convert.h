@@ -12,7 +12,7 @@
 #include "trident_base/se3.h"
 #include "trident_base/sim_time.h"
 
-namespace trident {
+namespace trident::sim {
 
 using Matrix6RowMajor = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
 using Matrix3RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
@@ -34,4 +34,4 @@ SimTime to_time(double seconds, const std::string& what);
 /// (x, y, z, w), as ROS orders them.
 inline Eigen::Vector4d xyzw(const Eigen::Quaterniond& R) { return R.coeffs(); }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -13,13 +13,13 @@ PYBIND11_MODULE(_core, module) {
   error.attr("__module__") = "trident_sim";
   error.attr("__doc__") =
       "Bad input: a file, a field, a name or a value. The text names it and what is legal.";
-  trident::bind_measurements(module);
-  trident::bind_cameras(module);
-  trident::bind_commands(module);
-  trident::bind_model(module);
-  trident::bind_session(module);
-  trident::bind_physics(module);
-  trident::bind_rays(module);
-  trident::bind_environment(module);
-  trident::bind_sea(module);
+  trident::sim::bind_measurements(module);
+  trident::sim::bind_cameras(module);
+  trident::sim::bind_commands(module);
+  trident::sim::bind_model(module);
+  trident::sim::bind_session(module);
+  trident::sim::bind_physics(module);
+  trident::sim::bind_rays(module);
+  trident::sim::bind_environment(module);
+  trident::sim::bind_sea(module);
 }

@@ -14,7 +14,7 @@
 
 namespace py = pybind11;
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 template <class Sample>
@@ -76,7 +76,7 @@ const std::map<std::type_index, PortType>& port_types() {
       single_number(),
       entry<StampedNumber>("StampedNumber"),
       entry<TextCommand>("TextCommand"),
-      entry<TrajectorySample>("TrajectorySample"),
+      entry<control::TrajectorySample>("TrajectorySample"),
       entry<TransformSample>("TransformSample"),
       entry<TriggerCommand>("TriggerCommand"),
       entry<TwistSample>("TwistSample"),
@@ -158,4 +158,4 @@ void PortView::write(const py::args& args, const py::kwargs& kwargs) {
   type.write(port, sample);
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -10,7 +10,7 @@
 
 #include "session.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// How values of one type pass between a port and Python.
 struct PortType {
@@ -54,4 +54,4 @@ class PortView {
   std::uint64_t seen_ = 0, restores_seen_ = 0;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -7,7 +7,7 @@
 #include "convert.h"
 #include "trident_sim/samples.h"
 
-namespace trident {
+namespace trident::sim {
 
 namespace py = pybind11;
 
@@ -39,4 +39,4 @@ inline py::array_t<double> to_numpy(Span<const double> values) {
   return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -12,7 +12,7 @@
 
 namespace py = pybind11;
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// Between two looks for Ctrl-C; so short that nobody waits, so long that the look costs nothing.
@@ -51,7 +51,7 @@ class Session::Busy {
 Session::Session(const SessionOptions& options) : resources_(options.folders) {
   const LoopTiming timing = parse_timing(options.timing);
   register_builtin_plugins(registry_);
-  register_control_plugins(registry_);
+  control::register_control_plugins(registry_);
   const auto report = [this](Severity severity, const std::string& text) {
     messages_.push_back({severity == Severity::kError ? "error" : "warning", text,
                          world_ ? world_->time().seconds() : 0.0});
@@ -187,4 +187,4 @@ void Session::prune() {
   }
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -15,7 +15,7 @@
 #include "trident_sim/resources.h"
 #include "trident_sim/world.h"
 
-namespace trident {
+namespace trident::sim {
 
 struct SessionOptions {
   std::string world;  ///< path, or the text of an SDF file when it begins with '<'
@@ -89,4 +89,4 @@ class Session {
   std::atomic<bool> busy_{false};
 };
 
-}  // namespace trident
+}  // namespace trident::sim

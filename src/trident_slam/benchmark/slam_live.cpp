@@ -25,7 +25,7 @@
 #include "trident_slam/graph_slam_2d.h"
 #include "trident_slam/low_priority.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -258,12 +258,13 @@ void measure_memory(const Command& command) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::slam
 
 int main(int argc, char** argv) {
   try {
-    const trident::Command command = trident::parse({argv + 1, argv + argc});
-    command.repeat > 0 ? trident::measure_memory(command) : trident::measure_waits(command);
+    const trident::slam::Command command = trident::slam::parse({argv + 1, argv + argc});
+    command.repeat > 0 ? trident::slam::measure_memory(command)
+                       : trident::slam::measure_waits(command);
   } catch (const std::exception& error) {
     std::cerr << "slam_live: " << trident::with_short_words(error.what()) << '\n';
     return 1;

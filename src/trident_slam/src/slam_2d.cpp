@@ -8,7 +8,7 @@
 #include "trident_slam/hector_slam_2d.h"
 #include "trident_slam/particle_slam_2d.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 template <class Method, class Params>
@@ -29,4 +29,4 @@ void register_builtin_slam_2d(Registry<Slam2dFactory>& registry) {
   add_method<ParticleSlam2d, ParticleSlamParams>(registry, "particle_slam_2d");
 }
 
-}  // namespace trident
+}  // namespace trident::slam

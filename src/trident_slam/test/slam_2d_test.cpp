@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 TEST(Slam2dRegistry, UnknownNameIsAnError) {
@@ -14,4 +14,4 @@ TEST(Slam2dRegistry, UnknownNameIsAnError) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::slam

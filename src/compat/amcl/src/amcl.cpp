@@ -2,4 +2,4 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trident_estimation_ros/amcl_node.h"
 
-int main(int argc, char** argv) { return trident::amcl_main(argc, argv); }
+int main(int argc, char** argv) { return trident::estimation::amcl_main(argc, argv); }

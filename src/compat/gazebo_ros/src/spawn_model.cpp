@@ -23,8 +23,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 using namespace std::chrono_literals;
-using trident::ModelSource;
-using trident::SpawnOptions;
+using trident::sim::ModelSource;
+using trident::sim::SpawnOptions;
 
 // All waiting is on the wall clock: simulated time may stand still, or run a thousand times faster.
 constexpr auto kPollPeriod = 20ms;
@@ -73,7 +73,7 @@ std::string read_all(std::istream& in) {
 std::string model_xml(const SpawnOptions& options) {
   const std::string& name = options.source_name;
   std::string xml;
-  if (options.source == ModelSource::database) return trident::database_model_sdf(name);
+  if (options.source == ModelSource::database) return trident::sim::database_model_sdf(name);
   if (options.source == ModelSource::standard_input) {
     xml = read_all(std::cin);
     if (xml.empty()) throw std::runtime_error("there is no text on standard input");
@@ -89,7 +89,7 @@ std::string model_xml(const SpawnOptions& options) {
     }
     if (xml.empty()) throw std::runtime_error("parameter '" + resolved + "' is empty");
   }
-  return options.package_to_model ? trident::meshes_from_package_to_model(xml) : xml;
+  return options.package_to_model ? trident::sim::meshes_from_package_to_model(xml) : xml;
 }
 
 geometry_msgs::Pose initial_pose(const SpawnOptions& o) {
@@ -127,7 +127,7 @@ void spawn(const SpawnOptions& options) {
   model.request.initial_pose = initial_pose(options);
   model.request.reference_frame = options.reference_frame;
   const char* const service =
-      options.format == trident::ModelFormat::urdf ? "/spawn_urdf_model" : "/spawn_sdf_model";
+      options.format == trident::sim::ModelFormat::urdf ? "/spawn_urdf_model" : "/spawn_sdf_model";
   call_and_expect_success(options.gazebo_namespace + service, model);
   ROS_INFO("%s", model.response.status_message.c_str());
 }
@@ -186,13 +186,13 @@ int main(int argc, char** argv) {
   ros::removeROSArgs(argc, argv, words);
   SpawnOptions options;
   try {
-    options = trident::parse_spawn_options({words.begin() + 1, words.end()});
+    options = trident::sim::parse_spawn_options({words.begin() + 1, words.end()});
   } catch (const std::invalid_argument& error) {
     std::cerr << "spawn_model: " << error.what() << "\n";
     return 1;
   }
   if (options.help) {
-    std::cout << trident::kSpawnUsage;
+    std::cout << trident::sim::kSpawnUsage;
     return 0;
   }
   init_ros(argc, argv);

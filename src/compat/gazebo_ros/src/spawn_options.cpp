@@ -8,7 +8,7 @@
 #include <regex>
 #include <stdexcept>
 
-namespace trident {
+namespace trident::sim {
 
 const char* const kSpawnUsage =
     R"(usage: spawn_model (-urdf | -sdf) (-file FILE | -param NAME | -database MODEL | -stdin) -model NAME
@@ -201,4 +201,4 @@ std::string database_model_sdf(const std::string& model) {
          "</uri></include></world></sdf>";
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace trident {
+namespace trident::sim {
 
 enum class ModelFormat { urdf, sdf };
 enum class ModelSource { file, parameter, database, standard_input };
@@ -45,4 +45,4 @@ std::string meshes_from_package_to_model(const std::string& xml);
 /// A world that includes one model of the database.
 std::string database_model_sdf(const std::string& model);
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -6,7 +6,7 @@
 
 #include <stdexcept>
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 std::string error_of(const std::vector<std::string>& arguments) {
@@ -91,4 +91,4 @@ TEST(SpawnOptions, turns_package_meshes_into_model_meshes_only) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -25,7 +25,7 @@
 #include "trident_slam_ros/slam_node.h"
 #include "trident_slam_ros/slam_parameters.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 constexpr char kUsualMethod[] = "hector_slam_2d";
@@ -86,7 +86,7 @@ class HectorMapping {
     header.frame_id = map_frame_;
     geometry_msgs::PoseStamped message;
     message.header = header;
-    message.pose = to_pose_message(pose.T_map_base);
+    message.pose = maps::to_pose_message(pose.T_map_base);
     pose_publisher_.publish(message);
     if (hector_.publishes_odometry) {
       nav_msgs::Odometry odometry;
@@ -133,7 +133,7 @@ class HectorMapping {
   }
   bool set_pose(const geometry_msgs::Pose& pose) {
     try {
-      const SE2 T_map_base = from_pose_message(pose);
+      const SE2 T_map_base = maps::from_pose_message(pose);
       node_.with_slam([&T_map_base](Slam2d& slam) {
         auto* placed = dynamic_cast<Slam2dPlaced*>(&slam);
         if (placed == nullptr) throw Error("this method cannot be told where the robot is");
@@ -234,8 +234,8 @@ void run() {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::slam
 
 int main(int argc, char** argv) {
-  return trident::run_program(argc, argv, "hector_mapping", trident::run);
+  return trident::slam::run_program(argc, argv, "hector_mapping", trident::slam::run);
 }

@@ -2,4 +2,4 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trident_maps_ros/map_server_node.h"
 
-int main(int argc, char** argv) { return trident::map_saver_main(argc, argv); }
+int main(int argc, char** argv) { return trident::maps::map_saver_main(argc, argv); }

@@ -5,9 +5,10 @@
 #include "trident_control_ros/node_main.h"
 
 int main(int argc, char** argv) {
-  return trident::run_node(argc, argv, "roll_pitch_yawrate_thrust_controller_node",
-                           [](ros::NodeHandle& node, trident::ParameterTree& parameters) {
-                             return std::make_unique<trident::RollPitchYawrateThrustControllerNode>(
-                                 node, parameters.roll_pitch_yawrate_thrust_params());
-                           });
+  return trident::control::run_node(
+      argc, argv, "roll_pitch_yawrate_thrust_controller_node",
+      [](ros::NodeHandle& node, trident::control::ParameterTree& parameters) {
+        return std::make_unique<trident::control::RollPitchYawrateThrustControllerNode>(
+            node, parameters.roll_pitch_yawrate_thrust_params());
+      });
 }

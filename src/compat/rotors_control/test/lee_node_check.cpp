@@ -22,7 +22,7 @@
 
 #include "trident_control/lee_position_controller.h"
 
-namespace trident {
+namespace trident::control {
 namespace {
 
 using namespace std::chrono_literals;
@@ -249,7 +249,7 @@ TEST_F(LeeNode, a_reset_of_the_simulation_ends_the_flight) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::control
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);

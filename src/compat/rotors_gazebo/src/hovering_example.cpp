@@ -32,7 +32,7 @@ int main(int argc, char** argv) {
   ros::init(argc, argv, "hovering_example");
   ros::NodeHandle node;
   const ros::NodeHandle private_node("~");
-  trident::TrajectorySender sender(node);
+  trident::control::TrajectorySender sender(node);
   ROS_INFO("Started hovering example.");
   if (!unpause_physics()) {
     ROS_FATAL("Could not wake up Gazebo.");
@@ -40,11 +40,11 @@ int main(int argc, char** argv) {
   }
   ROS_INFO("Unpaused the Gazebo simulation.");
 
-  trident::Waypoint goal;
+  trident::control::Waypoint goal;
   private_node.param("x", goal.x, 0.0);
   private_node.param("y", goal.y, 0.0);
   private_node.param("z", goal.z, 1.0);
   private_node.param("yaw", goal.yaw, 0.0);
-  if (!trident::wait_for(kTimeForTheWorldToSettle_s)) return 1;
-  return sender.send(trident::trajectory_through({goal})) ? 0 : 1;
+  if (!trident::control::wait_for(kTimeForTheWorldToSettle_s)) return 1;
+  return sender.send(trident::control::trajectory_through({goal})) ? 0 : 1;
 }

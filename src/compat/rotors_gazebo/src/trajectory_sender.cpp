@@ -6,7 +6,7 @@
 #include <cmath>
 #include <thread>
 
-namespace trident {
+namespace trident::control {
 namespace {
 
 using namespace std::chrono_literals;
@@ -79,4 +79,4 @@ bool TrajectorySender::send(trajectory_msgs::MultiDOFJointTrajectory trajectory)
   return true;
 }
 
-}  // namespace trident
+}  // namespace trident::control

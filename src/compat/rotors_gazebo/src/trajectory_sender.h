@@ -9,7 +9,7 @@
 
 #include "waypoints.h"
 
-namespace trident {
+namespace trident::control {
 
 /// One trajectory point per waypoint; time_from_start is the sum of the waits so far.
 trajectory_msgs::MultiDOFJointTrajectory trajectory_through(const std::vector<Waypoint>& waypoints);
@@ -33,4 +33,4 @@ class TrajectorySender {
   ros::Publisher publisher_;
 };
 
-}  // namespace trident
+}  // namespace trident::control

@@ -21,11 +21,12 @@ int main(int argc, char** argv) {
     return 1;
   }
   try {
-    const trident::Waypoint goal = trident::waypoint_from_words(words);
-    const double delay_s = words.size() == 5 ? trident::parse_wait(words[4], "delay") : 1.0;
-    trident::TrajectorySender sender(node);
-    if (!trident::wait_for(delay_s)) return 1;
-    return sender.send(trident::trajectory_through({goal})) ? 0 : 1;
+    const trident::control::Waypoint goal = trident::control::waypoint_from_words(words);
+    const double delay_s =
+        words.size() == 5 ? trident::control::parse_wait(words[4], "delay") : 1.0;
+    trident::control::TrajectorySender sender(node);
+    if (!trident::control::wait_for(delay_s)) return 1;
+    return sender.send(trident::control::trajectory_through({goal})) ? 0 : 1;
   } catch (const std::runtime_error& error) {
     ROS_ERROR("waypoint_publisher: %s", error.what());
     return 1;

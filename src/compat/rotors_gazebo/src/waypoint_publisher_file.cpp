@@ -16,10 +16,10 @@ namespace {
 
 constexpr double kTimeToReachTheFirstHover_s = 30.0;
 
-std::vector<trident::Waypoint> waypoints_of(const std::string& name) {
+std::vector<trident::control::Waypoint> waypoints_of(const std::string& name) {
   std::ifstream file(name);
   if (!file) throw std::runtime_error("file '" + name + "' does not exist or cannot be read");
-  return trident::read_waypoints(file, "file '" + name + "'");
+  return trident::control::read_waypoints(file, "file '" + name + "'");
 }
 
 void wait_for_first_imu_message(ros::NodeHandle& node) {
@@ -43,12 +43,12 @@ int main(int argc, char** argv) {
     return 1;
   }
   try {
-    const std::vector<trident::Waypoint> waypoints = waypoints_of(words[1]);
+    const std::vector<trident::control::Waypoint> waypoints = waypoints_of(words[1]);
     ROS_INFO("Read %zu waypoints.", waypoints.size());
-    trident::TrajectorySender sender(node);
+    trident::control::TrajectorySender sender(node);
     wait_for_first_imu_message(node);
-    if (!trident::wait_for(kTimeToReachTheFirstHover_s)) return 1;
-    return sender.send(trident::trajectory_through(waypoints)) ? 0 : 1;
+    if (!trident::control::wait_for(kTimeToReachTheFirstHover_s)) return 1;
+    return sender.send(trident::control::trajectory_through(waypoints)) ? 0 : 1;
   } catch (const std::runtime_error& error) {
     ROS_ERROR("waypoint_publisher_file: %s", error.what());
     return 1;

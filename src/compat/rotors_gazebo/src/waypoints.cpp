@@ -8,7 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace trident {
+namespace trident::control {
 namespace {
 
 constexpr double kRadiansPerDegree = M_PI / 180.0;
@@ -72,4 +72,4 @@ Waypoint waypoint_from_words(const std::vector<std::string>& words) {
           parse_number(words.at(2), "z"), parse_number(words.at(3), "yaw_deg") * kRadiansPerDegree};
 }
 
-}  // namespace trident
+}  // namespace trident::control

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace trident {
+namespace trident::control {
 
 struct Waypoint {
   double wait_s = 0.0;               ///< time since the one before [s]
@@ -28,4 +28,4 @@ double parse_wait(const std::string& text, const std::string& what);
 /// A finite number that is the whole of `text`; throws std::runtime_error naming `what` and `text`.
 double parse_number(const std::string& text, const std::string& what);
 
-}  // namespace trident
+}  // namespace trident::control

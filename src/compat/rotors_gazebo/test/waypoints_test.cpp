@@ -10,7 +10,7 @@
 
 #include "trajectory_sender.h"
 
-namespace trident {
+namespace trident::control {
 namespace {
 
 std::vector<Waypoint> read(const std::string& text) {
@@ -64,4 +64,4 @@ TEST(Waypoints, trajectory_sums_the_waits_and_turns_about_z) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::control

@@ -3,5 +3,5 @@
 #include "trident_slam_ros/slam_programs.h"
 
 int main(int argc, char** argv) {
-  return trident::run_slam_toolbox(argc, argv, trident::ToolboxMode::kLocalization);
+  return trident::slam::run_slam_toolbox(argc, argv, trident::slam::ToolboxMode::kLocalization);
 }

@@ -2,4 +2,4 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trident_slam_ros/slam_programs.h"
 
-int main(int argc, char** argv) { return trident::run_merge_maps(argc, argv); }
+int main(int argc, char** argv) { return trident::slam::run_merge_maps(argc, argv); }

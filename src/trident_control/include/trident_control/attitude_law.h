@@ -8,7 +8,7 @@
 #include "trident_base/span.h"
 #include "trident_control/vehicle_params.h"
 
-namespace trident {
+namespace trident::control {
 
 /// Where the RotorS controllers depart from the paper. Each default is RotorS' behaviour.
 struct AttitudeQuirks {
@@ -56,4 +56,4 @@ class AttitudeLaw {
   AttitudeQuirks quirks_;
 };
 
-}  // namespace trident
+}  // namespace trident::control

@@ -4,7 +4,7 @@
 
 #include <Eigen/Geometry>
 
-namespace trident {
+namespace trident::control {
 
 /// Measured state. The twist is in the body frame, as nav_msgs/Odometry carries it.
 struct OdometryState {
@@ -49,4 +49,4 @@ bool is_valid(const AttitudeCommand& command);
 /// Scale of the quaternion is not corrected for, as in RotorS.
 double yaw_from_quaternion(const Eigen::Quaterniond& R_world_body);
 
-}  // namespace trident
+}  // namespace trident::control

@@ -6,7 +6,7 @@
 
 #include "trident_control/vessel_model.h"
 
-namespace trident {
+namespace trident::control {
 
 /// What carries a vessel along that moves through the water by its own model: the current, and
 /// what wind and waves add to it. The model's sway (pushed aside by the turn's own centripetal
@@ -34,4 +34,4 @@ class DriftObserver {
   Eigen::Vector2d drift_world_ = Eigen::Vector2d::Zero();
 };
 
-}  // namespace trident
+}  // namespace trident::control

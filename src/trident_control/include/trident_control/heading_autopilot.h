@@ -6,7 +6,7 @@
 #include "trident_control/vessel_control_params.h"
 #include "trident_control/vessel_model.h"
 
-namespace trident {
+namespace trident::control {
 
 /// Turns a vessel to a heading. A third-order reference model with limits of rate and acceleration
 /// leads there (Fossen 2011, 12.1.1); a PID with the model's acceleration and the vessel's drag as
@@ -38,4 +38,4 @@ class HeadingAutopilot {
   LimitedIntegral integral_;
 };
 
-}  // namespace trident
+}  // namespace trident::control

@@ -9,7 +9,7 @@
 #include "trident_control/control_types.h"
 #include "trident_control/vehicle_params.h"
 
-namespace trident {
+namespace trident::control {
 
 /// Defaults: RotorS' controller for the Firefly.
 struct LeeGains : AttitudeGains {
@@ -52,4 +52,4 @@ class LeePositionController {
   double gravity_;
 };
 
-}  // namespace trident
+}  // namespace trident::control

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-namespace trident {
+namespace trident::control {
 
 /// An integral that does not wind up: it stands still while the actuators give less than they are
 /// asked for, unless it moves to ask for less (conditional integration).
@@ -21,4 +21,4 @@ class LimitedIntegral {
   double value_ = 0.0;
 };
 
-}  // namespace trident
+}  // namespace trident::control

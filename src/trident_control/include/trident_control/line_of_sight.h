@@ -8,7 +8,7 @@
 
 #include "trident_control/vessel_control_params.h"
 
-namespace trident {
+namespace trident::control {
 
 /// Integral line-of-sight guidance along straight legs (Borhaug, Pavlov and Pettersen 2008): from
 /// the distance e to the left of a leg in direction gamma, with the lookahead D,
@@ -49,4 +49,4 @@ class LineOfSight {
   Eigen::Vector2d steady_m_ = Eigen::Vector2d::Zero();  // of the integral, world
 };
 
-}  // namespace trident
+}  // namespace trident::control

@@ -7,7 +7,7 @@
 #include "trident_control/control_types.h"
 #include "trident_control/vehicle_params.h"
 
-namespace trident {
+namespace trident::control {
 
 struct RollPitchYawrateThrustParams {
   AttitudeGains gains;
@@ -33,4 +33,4 @@ class RollPitchYawrateThrustController {
   AttitudeLaw attitude_law_;
 };
 
-}  // namespace trident
+}  // namespace trident::control

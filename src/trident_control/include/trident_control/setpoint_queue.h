@@ -12,7 +12,7 @@
 #include "trident_base/span.h"
 #include "trident_control/control_types.h"
 
-namespace trident {
+namespace trident::control {
 
 /// One point of a set-point message, `time_from_start` after the message's start.
 struct TimedSetpoint {
@@ -115,4 +115,4 @@ class SetpointQueue {
   bool repeats_ = false;
 };
 
-}  // namespace trident
+}  // namespace trident::control

@@ -8,7 +8,7 @@
 #include "trident_control/vessel_control_params.h"
 #include "trident_control/vessel_model.h"
 
-namespace trident {
+namespace trident::control {
 
 /// Holds a place with a vessel that can push in every direction: a PID on the distance, whose
 /// integral is kept in the world's axes, where wind and current are steady.
@@ -53,4 +53,4 @@ class WeatherVane {
   Eigen::Vector2d point_ = Eigen::Vector2d::Zero();
 };
 
-}  // namespace trident
+}  // namespace trident::control

@@ -8,7 +8,7 @@
 #include "trident_control/vessel_control_params.h"
 #include "trident_control/vessel_model.h"
 
-namespace trident {
+namespace trident::control {
 
 /// Holds a surge speed: the vessel's drag and inertia at a ramped reference as feed-forward, and a
 /// PI on what is missing:
@@ -32,4 +32,4 @@ class SurgeSpeedController {
   LimitedIntegral integral_;
 };
 
-}  // namespace trident
+}  // namespace trident::control

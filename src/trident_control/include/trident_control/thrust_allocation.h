@@ -10,7 +10,7 @@
 #include "trident_control/vessel_control_params.h"
 #include "trident_control/vessel_model.h"
 
-namespace trident {
+namespace trident::control {
 
 /// Shares a force out to fixed and turning thrusters and to rudders, within their limits.
 ///
@@ -72,4 +72,4 @@ class ThrustAllocation {
   Eigen::Index rank_ = 0, rank_of_fixed_ = 0;  // of what thrusters push
 };
 
-}  // namespace trident
+}  // namespace trident::control

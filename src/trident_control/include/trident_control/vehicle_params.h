@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace trident {
+namespace trident::control {
 
 /// Upper bound on the rotors of one vehicle; keeps the control path free of heap memory.
 inline constexpr std::size_t kMaxRotors = 16;
@@ -49,4 +49,4 @@ AllocationMatrix allocation_matrix(const VehicleParams& vehicle);
 /// A' (A A')^-1.
 AllocationInverse allocation_inverse(const AllocationMatrix& allocation);
 
-}  // namespace trident
+}  // namespace trident::control

@@ -7,7 +7,7 @@
 
 #include "trident_base/yaml_config.h"
 
-namespace trident {
+namespace trident::control {
 
 /// Gains follow from the vessel's mass and damping and from these rates.
 struct HeadingParams {
@@ -202,4 +202,4 @@ struct VesselControlParams {
 /// Throws ConfigError naming file, line, key, value and what is legal.
 VesselControlParams load_vessel_control(const std::string& path);
 
-}  // namespace trident
+}  // namespace trident::control

@@ -17,7 +17,7 @@
 #include "trident_control/thrust_allocation.h"
 #include "trident_control/wave_filter.h"
 
-namespace trident {
+namespace trident::control {
 
 /// What a vessel is told. Angles from x towards y of the odometry's frame.
 struct VesselCommand {
@@ -133,4 +133,4 @@ class VesselController {
   PlanarForce asked_ = PlanarForce::Zero(), given_ = PlanarForce::Zero();
 };
 
-}  // namespace trident
+}  // namespace trident::control

@@ -9,7 +9,7 @@
 #include "trident_base/rudder_params.h"
 #include "trident_base/thruster_params.h"
 
-namespace trident {
+namespace trident::control {
 
 /// Surge force, sway force [N] and yaw moment [N m] about CO, body axes (x forward, y left, z up).
 using PlanarForce = Eigen::Vector3d;
@@ -43,4 +43,4 @@ struct VesselModel {
 /// ConfigError; Error for a vessel without a thruster or with a thrust curve that falls.
 VesselModel load_vessel_model(const std::string& path);
 
-}  // namespace trident
+}  // namespace trident::control

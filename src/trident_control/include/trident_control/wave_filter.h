@@ -6,7 +6,7 @@
 
 #include "trident_control/vessel_model.h"
 
-namespace trident {
+namespace trident::control {
 
 /// Takes the motion that waves make out of a vessel's state, so that thrusters do not fight it: a
 /// notch (s^2 + 2 a w s + w^2) / (s + w)^2, a = 0.1, about the frequency w of the waves, on each
@@ -33,4 +33,4 @@ class WaveFilter {
   bool is_started_ = false;
 };
 
-}  // namespace trident
+}  // namespace trident::control

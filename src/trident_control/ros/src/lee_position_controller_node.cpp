@@ -10,7 +10,7 @@
 #include "trident_ros/schedule_fuzz.h"
 #include "trident_ros/subscriptions.h"
 
-namespace trident {
+namespace trident::control {
 namespace {
 
 const char* reason(SetpointResult result) {
@@ -40,9 +40,9 @@ LeePositionControllerNode::LeePositionControllerNode(ros::NodeHandle& node, cons
       motors_(node, controller_.rotor_count()),
       refusals_(node),
       accepted_(node.advertise<std_msgs::Header>("command/accepted_setpoint", 10)) {
-  auto pose = inline_subscription<geometry_msgs::PoseStamped>(
+  auto pose = ros_utils::inline_subscription<geometry_msgs::PoseStamped>(
       "command/pose", [this](const auto& message) { on_pose(*message); }, &queue_);
-  auto trajectory = inline_subscription<trajectory_msgs::MultiDOFJointTrajectory>(
+  auto trajectory = ros_utils::inline_subscription<trajectory_msgs::MultiDOFJointTrajectory>(
       "command/trajectory", [this](const auto& message) { on_trajectory(*message); }, &queue_);
   pose_ = node.subscribe(pose);
   trajectory_ = node.subscribe(trajectory);
@@ -61,7 +61,7 @@ void LeePositionControllerNode::spin_once(std::chrono::milliseconds limit) {
 }
 
 void LeePositionControllerNode::on_odometry(const StampedOdometry& odometry) {
-  hand_over("odometry received");
+  ros_utils::hand_over("odometry received");
   const std::lock_guard<std::mutex> lock(mutex_);
   const TrajectoryPoint* setpoint = setpoints_.advance(to_sim_time(odometry.stamp));
   const Span<double> speeds = motors_.rotor_speeds();
@@ -91,7 +91,7 @@ void LeePositionControllerNode::on_trajectory(
 }
 
 void LeePositionControllerNode::accept(const std_msgs::Header& header, const std::string& topic) {
-  hand_over("set-point received");
+  ros_utils::hand_over("set-point received");
   bool repeats = false;
   const SetpointResult result = [&] {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -104,7 +104,7 @@ void LeePositionControllerNode::accept(const std_msgs::Header& header, const std
                    topic + ": " + refusal_text("set-point", header.stamp, reason(result)));
     return;
   }
-  hand_over("set-point confirmed");
+  ros_utils::hand_over("set-point confirmed");
   // One without a stamp counts at once, and is told as such.
   std_msgs::Header confirmation;
   confirmation.stamp = header.stamp;
@@ -112,4 +112,4 @@ void LeePositionControllerNode::accept(const std_msgs::Header& header, const std
   accepted_.publish(confirmation);
 }
 
-}  // namespace trident
+}  // namespace trident::control

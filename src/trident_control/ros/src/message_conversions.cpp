@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <cstring>
 
-namespace trident {
+namespace trident::control {
 namespace {
 
 constexpr std::size_t kCovarianceBytes = 36 * sizeof(double);
@@ -134,4 +134,4 @@ AttitudeCommand to_attitude_command(const mav_msgs::RollPitchYawrateThrust& mess
   return {message.roll, message.pitch, message.yaw_rate, message.thrust.z};
 }
 
-}  // namespace trident
+}  // namespace trident::control

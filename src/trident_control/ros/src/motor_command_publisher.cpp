@@ -7,7 +7,7 @@
 
 #include <cstring>
 
-namespace trident {
+namespace trident::control {
 namespace {
 
 // Byte offsets in a framed mav_msgs/Actuators whose frame_id and angles are empty: length, then
@@ -54,4 +54,4 @@ void MotorCommandPublisher::publish(const ros::Time& stamp) {
   publication_.send(command_);
 }
 
-}  // namespace trident
+}  // namespace trident::control

@@ -14,7 +14,7 @@
 
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::control {
 namespace {
 
 using namespace std::chrono_literals;
@@ -93,4 +93,4 @@ int run_node(int argc, char** argv, const std::string& name, const NodeFactory& 
   return result;
 }
 
-}  // namespace trident
+}  // namespace trident::control

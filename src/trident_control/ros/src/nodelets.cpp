@@ -12,7 +12,7 @@
 #include "trident_control_ros/node_main.h"
 #include "trident_control_ros/roll_pitch_yawrate_thrust_controller_node.h"
 
-namespace trident {
+namespace trident::control {
 namespace {
 
 /// With a bad parameter the manager does not get the nodelet.
@@ -55,7 +55,7 @@ class RollPitchYawrateThrustControllerNodelet : public ControllerNodelet {
   }
 };
 
-}  // namespace trident
+}  // namespace trident::control
 
-PLUGINLIB_EXPORT_CLASS(trident::LeePositionControllerNodelet, nodelet::Nodelet)
-PLUGINLIB_EXPORT_CLASS(trident::RollPitchYawrateThrustControllerNodelet, nodelet::Nodelet)
+PLUGINLIB_EXPORT_CLASS(trident::control::LeePositionControllerNodelet, nodelet::Nodelet)
+PLUGINLIB_EXPORT_CLASS(trident::control::RollPitchYawrateThrustControllerNodelet, nodelet::Nodelet)

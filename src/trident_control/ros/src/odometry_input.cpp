@@ -10,17 +10,17 @@
 #include "trident_ros/message_checks.h"
 #include "trident_ros/subscriptions.h"
 
-namespace trident {
+namespace trident::control {
 
 OdometryInput::OdometryInput(ros::NodeHandle& node, OdometryThread thread, Handler handler)
     : handler_(std::move(handler)), refusals_(node) {
   if (thread == OdometryThread::kCaller) {
-    inbox_ = std::make_unique<DirectInbox>();
+    inbox_ = std::make_unique<ros_utils::DirectInbox>();
     subscription_ = inbox_->subscribe<nav_msgs::Odometry>(
         node, "odometry", 1, [this](Span<const std::uint8_t> bytes) { on_bytes(bytes); });
     return;
   }
-  auto options = object_subscription<nav_msgs::Odometry>(
+  auto options = ros_utils::object_subscription<nav_msgs::Odometry>(
       "odometry", 1, [this](Span<const std::uint8_t> bytes) { on_bytes(bytes); },
       [this](const auto& message) { hand_over(to_stamped_odometry(*message)); }, &queue_);
   subscriber_ = node.subscribe(options);
@@ -44,12 +44,13 @@ void OdometryInput::on_bytes(Span<const std::uint8_t> bytes) {
     return;
   }
   // A process of its own does not listen to /clock; a nodelet manager does.
-  if (inbox_ && stamp_problem(odometry->stamp, {}).empty()) set_log_time(odometry->stamp);
+  if (inbox_ && ros_utils::stamp_problem(odometry->stamp, {}).empty())
+    set_log_time(odometry->stamp);
   hand_over(*odometry);
 }
 
 void OdometryInput::hand_over(const StampedOdometry& odometry) {
-  const std::string problem = stamp_problem(odometry.stamp, {});
+  const std::string problem = ros_utils::stamp_problem(odometry.stamp, {});
   if (problem.empty()) {
     handler_(odometry);
   } else {
@@ -57,4 +58,4 @@ void OdometryInput::hand_over(const StampedOdometry& odometry) {
   }
 }
 
-}  // namespace trident
+}  // namespace trident::control

@@ -9,7 +9,7 @@
 
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::control {
 namespace {
 
 using XmlRpc::XmlRpcValue;
@@ -200,4 +200,4 @@ std::vector<std::string> ParameterTree::unknown_names() const {
   return names;
 }
 
-}  // namespace trident
+}  // namespace trident::control

@@ -8,12 +8,12 @@
 #include "trident_control_ros/message_conversions.h"
 #include "trident_ros/subscriptions.h"
 
-namespace trident {
+namespace trident::control {
 
 RollPitchYawrateThrustControllerNode::RollPitchYawrateThrustControllerNode(
     ros::NodeHandle& node, const RollPitchYawrateThrustParams& params, OdometryThread thread)
     : controller_(params), motors_(node, controller_.rotor_count()), refusals_(node) {
-  auto command = inline_subscription<mav_msgs::RollPitchYawrateThrust>(
+  auto command = ros_utils::inline_subscription<mav_msgs::RollPitchYawrateThrust>(
       "command/roll_pitch_yawrate_thrust", [this](const auto& message) { on_command(*message); },
       &queue_);
   command_subscriber_ = node.subscribe(command);
@@ -59,4 +59,4 @@ void RollPitchYawrateThrustControllerNode::on_command(
   command_ = command;
 }
 
-}  // namespace trident
+}  // namespace trident::control

@@ -4,14 +4,15 @@
 #include "trident_control_ros/vessel_controller_node.h"
 
 int main(int argc, char** argv) {
-  return trident::run_node(
+  return trident::control::run_node(
       argc, argv, "vessel_controller_node",
-      [](ros::NodeHandle& node, trident::ParameterTree& parameters) {
+      [](ros::NodeHandle& node, trident::control::ParameterTree& parameters) {
         const std::string vessel =
             parameters.required_text("vessel", "the path of a vessel's file (config/vessels)");
         const std::string controller = parameters.required_text(
             "controller", "the path of a controller's file (config/controllers)");
-        return std::make_unique<trident::VesselControllerNode>(
-            node, trident::load_vessel_model(vessel), trident::load_vessel_control(controller));
+        return std::make_unique<trident::control::VesselControllerNode>(
+            node, trident::control::load_vessel_model(vessel),
+            trident::control::load_vessel_control(controller));
       });
 }

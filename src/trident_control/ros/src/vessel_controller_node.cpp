@@ -18,7 +18,7 @@
 #include "trident_ros/schedule_fuzz.h"
 #include "trident_ros/subscriptions.h"
 
-namespace trident {
+namespace trident::control {
 namespace {
 
 using Kind = VesselCommand::Kind;
@@ -97,7 +97,7 @@ void VesselControllerNode::spin_once(std::chrono::milliseconds limit) {
 template <class Message, class Convert>
 void VesselControllerNode::listen(ros::NodeHandle& node, const std::string& topic,
                                   const Convert& handler) {
-  auto options = inline_subscription<Message>(
+  auto options = ros_utils::inline_subscription<Message>(
       topic, [handler](const boost::shared_ptr<Message const>& m) { handler(*m); }, &queue_);
   subscribers_.push_back(node.subscribe(options));
 }
@@ -120,7 +120,7 @@ void VesselControllerNode::listen_to_commands(ros::NodeHandle& node) {
   });
   listen<std_msgs::Float64>(node, "speed_through_water", [this](const auto& message) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    const std::string problem = number_problem(message.data, 1e3, "speed_through_water");
+    const std::string problem = ros_utils::number_problem(message.data, 1e3, "speed_through_water");
     if (!problem.empty()) note("speed_through_water refused", true, problem + " m/s");
     controller_.set_log(now_, message.data);
   });
@@ -128,7 +128,7 @@ void VesselControllerNode::listen_to_commands(ros::NodeHandle& node) {
 
 void VesselControllerNode::accept(const std::string& topic, const ros::Time& stamp,
                                   const VesselCommand& command) {
-  hand_over("command received");
+  ros_utils::hand_over("command received");
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     const CommandVerdict verdict = controller_.push(to_sim_time(stamp), command);
@@ -159,7 +159,7 @@ void VesselControllerNode::note(const std::string& kind, bool is_error, const st
 }
 
 void VesselControllerNode::on_odometry(const StampedOdometry& odometry) {
-  hand_over("odometry received");
+  ros_utils::hand_over("odometry received");
   const std::lock_guard<std::mutex> lock(mutex_);
   now_ = to_sim_time(odometry.stamp);
   if (controller_.update(now_, odometry.state) != ControlStatus::ok) {
@@ -217,4 +217,4 @@ void VesselControllerNode::publish_diagnostics() {
   diagnostics_.publish(array);
 }
 
-}  // namespace trident
+}  // namespace trident::control

@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace trident {
+namespace trident::control {
 namespace {
 
 nav_msgs::Odometry some_odometry() {
@@ -147,4 +147,4 @@ TEST(ToAttitudeCommand, thrust_is_the_z_component) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::control

@@ -13,12 +13,12 @@
 #include "trident_base/occupancy_grid.h"
 #include "trident_base/random_stream.h"
 #include "trident_estimation/amcl_params.h"
-#include "trident_maps/grid_matcher.h"
 #include "trident_estimation/laser_model.h"
 #include "trident_estimation/motion_model.h"
 #include "trident_estimation/particle_set.h"
+#include "trident_maps/grid_matcher.h"
 
-namespace trident {
+namespace trident::estimation {
 
 /// Where the robot is believed to be.
 struct PoseEstimate {
@@ -85,7 +85,7 @@ class Amcl {
   std::size_t chosen(double u) const;
   void push_random_pose(ParticleSet& particles, std::uint64_t number);
   void recover(const ScanBeams& beams, AmclStep& step);
-  void inject(const std::vector<PoseHypothesis>& hypotheses, const ScanBeams& beams);
+  void inject(const std::vector<maps::PoseHypothesis>& hypotheses, const ScanBeams& beams);
   void update_estimate();
 
   AmclParams params_;
@@ -95,7 +95,7 @@ class Amcl {
   double resolution_;
   LaserModel2d laser_;
   MotionModel motion_;
-  std::unique_ptr<GridMatcher> matcher_;  ///< only if it is wanted
+  std::unique_ptr<maps::GridMatcher> matcher_;  ///< only if it is wanted
   RandomStream random_;
 
   ParticleSet particles_, next_;
@@ -114,4 +114,4 @@ class Amcl {
   std::uint64_t draws_ = 0;         ///< numbers everything that draws random numbers
 };
 
-}  // namespace trident
+}  // namespace trident::estimation

@@ -7,7 +7,7 @@
 
 #include "trident_base/config_types.h"
 
-namespace trident {
+namespace trident::estimation {
 
 enum class LaserModel { kBeam, kLikelihoodField, kLikelihoodFieldProb };
 constexpr auto enum_names(LaserModel) {
@@ -145,4 +145,4 @@ struct AmclParams {
   void validate() const;
 };
 
-}  // namespace trident
+}  // namespace trident::estimation

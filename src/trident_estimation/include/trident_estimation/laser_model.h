@@ -8,10 +8,10 @@
 #include "trident_base/laser_scan.h"
 #include "trident_base/occupancy_grid.h"
 #include "trident_estimation/amcl_params.h"
-#include "trident_maps/distance_field.h"
 #include "trident_estimation/particle_set.h"
+#include "trident_maps/distance_field.h"
 
-namespace trident {
+namespace trident::estimation {
 
 /// The beams of one scan that the filter uses.
 struct ScanBeams {
@@ -19,7 +19,7 @@ struct ScanBeams {
   double range_max = 0.0;     ///< of the scan and `laser_max_range` [m]
   std::vector<double> angle;  ///< in the laser's frame [rad]
   std::vector<double> range;  ///< [m]; range_max: no return
-  ScanPoints points;          ///< of those that are returns
+  maps::ScanPoints points;    ///< of those that are returns
 
   bool is_return(std::size_t i) const { return range[i] < range_max; }
 };
@@ -42,7 +42,7 @@ class LaserModel2d {
   /// scan.
   double weigh(const ScanBeams& beams, ParticleSet& particles);
 
-  const DistanceField& field() const { return field_; }
+  const maps::DistanceField& field() const { return field_; }
 
  private:
   void prepare(const ScanBeams& beams, const ParticleSet& particles);
@@ -56,12 +56,13 @@ class LaserModel2d {
   bool is_converged(const ParticleSet& particles) const;
 
   LaserModelParams params_;
-  DistanceField field_;
-  std::unique_ptr<DistanceField> blocked_;  ///< for the beam model: unknown cells stop beams, too
+  maps::DistanceField field_;
+  std::unique_ptr<maps::DistanceField>
+      blocked_;                             ///< for the beam model: unknown cells stop beams, too
   double table_range_ = -1.0;               ///< that the table was made for [m]
   std::vector<float> table_;                ///< what a beam that ends in a cell adds; padded
   std::vector<float> beam_x_, beam_y_;      ///< ends in the robot's frame [cells]
   std::vector<float> sine_, cosine_, sum_;  ///< of each particle
 };
 
-}  // namespace trident
+}  // namespace trident::estimation

@@ -10,7 +10,7 @@
 #include "trident_estimation/amcl_params.h"
 #include "trident_estimation/particle_set.h"
 
-namespace trident {
+namespace trident::estimation {
 
 /// Moves particles as odometry says, each with errors of its own.
 class MotionModel {
@@ -35,4 +35,4 @@ class MotionModel {
   std::vector<float> heading_, sine_, cosine_;
 };
 
-}  // namespace trident
+}  // namespace trident::estimation

@@ -9,7 +9,7 @@
 
 #include "trident_base/se2.h"
 
-namespace trident {
+namespace trident::estimation {
 
 /// Weighted poses, one array per coordinate so that loops over them vectorise. Poses are in the
 /// grid frame (see DistanceField); yaw in [-pi, pi]. Weights sum to one.
@@ -72,4 +72,4 @@ class PoseHistogram {
 /// particle filters through KLD-sampling", IJRR 2003, equation 7).
 std::size_t kld_sample_size(std::size_t cells, double kld_err, double kld_z);
 
-}  // namespace trident
+}  // namespace trident::estimation

@@ -14,7 +14,7 @@
 #include "trident_maps_ros/map_messages.h"
 #include "trident_ros/message_checks.h"
 
-namespace trident {
+namespace trident::estimation {
 namespace {
 
 constexpr double kAskForMapEvery = 0.5;  // wall time [s]
@@ -103,14 +103,15 @@ void AmclNode::ask_for_map() {
 /// False: the map is not usable; the last one stays.
 bool AmclNode::take_map(const nav_msgs::OccupancyGrid& message) {
   try {
-    auto amcl = std::make_unique<Amcl>(params_.filter, from_map_message(message));
+    auto amcl = std::make_unique<Amcl>(params_.filter, maps::from_map_message(message));
     amcl_ = std::move(amcl);
   } catch (const Error& error) {
     troubles_.note("map refused", error.what());
     return false;
   }
   if (message.header.frame_id != params_.global_frame_id) {
-    troubles_.note("map's frame", "the map's frame is '" + quoted(message.header.frame_id) +
+    troubles_.note("map's frame", "the map's frame is '" +
+                                      ros_utils::quoted(message.header.frame_id) +
                                       "', global_frame_id is '" + params_.global_frame_id + "'");
   }
   has_pose_ = false;
@@ -143,7 +144,7 @@ SE2 AmclNode::motion_since(const ros::Time& stamp) const {
 void AmclNode::on_initial_pose(const geometry_msgs::PoseWithCovarianceStamped& message) {
   const std::string& frame = message.header.frame_id;
   if (!frame.empty() && frame != params_.global_frame_id) {
-    troubles_.note("initialpose refused", "initialpose is in frame '" + quoted(frame) +
+    troubles_.note("initialpose refused", "initialpose is in frame '" + ros_utils::quoted(frame) +
                                               "', legal: '" + params_.global_frame_id + "'");
     return;
   }
@@ -152,9 +153,9 @@ void AmclNode::on_initial_pose(const geometry_msgs::PoseWithCovarianceStamped& m
     return;
   }
   try {
-    const std::string problem = stamp_problem(message.header.stamp, ros::Time::now());
+    const std::string problem = ros_utils::stamp_problem(message.header.stamp, ros::Time::now());
     if (!problem.empty()) throw Error(problem);
-    const SE2 T_global_base = from_pose_message(message.pose.pose);
+    const SE2 T_global_base = maps::from_pose_message(message.pose.pose);
     amcl_->set_pose(T_global_base * motion_since(message.header.stamp),
                     planar_covariance(message.pose));
   } catch (const Error& error) {
@@ -193,7 +194,7 @@ void AmclNode::publish_transform(const ros::Time& stamp) {
   transform.header.frame_id = params_.global_frame_id;
   transform.header.stamp = stamp + ros::Duration(params_.transform_tolerance);
   transform.child_frame_id = params_.odom_frame_id;
-  const geometry_msgs::Pose pose = to_pose_message(*T_global_odom_);
+  const geometry_msgs::Pose pose = maps::to_pose_message(*T_global_odom_);
   transform.transform.translation.x = pose.position.x;
   transform.transform.translation.y = pose.position.y;
   transform.transform.rotation = pose.orientation;
@@ -205,7 +206,7 @@ void AmclNode::publish_pose(const ros::Time& stamp) {
   geometry_msgs::PoseWithCovarianceStamped message;
   message.header.frame_id = params_.global_frame_id;
   message.header.stamp = stamp;
-  message.pose.pose = to_pose_message(estimate.T_map_base);
+  message.pose.pose = maps::to_pose_message(estimate.T_map_base);
   for (int row = 0; row < 3; ++row) {
     for (int column = 0; column < 3; ++column) {
       message.pose.covariance[static_cast<std::size_t>(6 * kRow[row] + kRow[column])] =
@@ -225,7 +226,7 @@ void AmclNode::publish_particles(const ros::Time& stamp) {
   message.header.stamp = stamp;
   message.poses.reserve(amcl_->particle_count());
   for (std::size_t i = 0; i < amcl_->particle_count(); ++i) {
-    message.poses.push_back(to_pose_message(amcl_->particle(i)));
+    message.poses.push_back(maps::to_pose_message(amcl_->particle(i)));
   }
   cloud_.publish(message);
 }
@@ -293,4 +294,4 @@ int amcl_main(int argc, char** argv) {
   return 0;
 }
 
-}  // namespace trident
+}  // namespace trident::estimation

@@ -8,7 +8,7 @@
 #include "trident_base/string_util.h"
 #include "trident_base/yaml_config.h"
 
-namespace trident {
+namespace trident::estimation {
 namespace {
 
 using XmlRpc::XmlRpcValue;
@@ -69,4 +69,4 @@ AmclNodeParams read_amcl_params(const ros::NodeHandle& private_node) {
   return load_config_node<AmclNodeParams>(tree, "parameters of " + private_node.getNamespace());
 }
 
-}  // namespace trident
+}  // namespace trident::estimation

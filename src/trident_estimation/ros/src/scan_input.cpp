@@ -12,7 +12,7 @@
 #include "trident_maps_ros/map_messages.h"
 #include "trident_ros/message_checks.h"
 
-namespace trident {
+namespace trident::estimation {
 namespace {
 
 constexpr std::size_t kMostWaiting = 100;
@@ -32,7 +32,7 @@ SE2 planar(const geometry_msgs::Transform& transform) {
   pose.position.x = transform.translation.x;
   pose.position.y = transform.translation.y;
   pose.orientation = transform.rotation;
-  return from_pose_message(pose);
+  return maps::from_pose_message(pose);
 }
 
 /// Upside down a scan runs clockwise.
@@ -86,12 +86,13 @@ const ScanInput::Laser& ScanInput::laser(const std::string& frame) {
 
 /// Counts a message that no transform could make useful.
 bool ScanInput::is_refused(const sensor_msgs::LaserScan& message) {
-  std::string problem = stamp_problem(message.header.stamp, ros::Time::now());
-  if (problem.empty()) problem = scan_problem(message);
+  std::string problem = ros_utils::stamp_problem(message.header.stamp, ros::Time::now());
+  if (problem.empty()) problem = ros_utils::scan_problem(message);
   if (problem.empty() && !std::isfinite(message.range_max)) problem = "range_max is not finite";
   if (problem.empty()) return false;
-  troubles_.note("scan refused", "scan of '" + quoted(message.header.frame_id) + "' at " +
-                                     fixed(message.header.stamp.toSec()) + " s: " + problem);
+  troubles_.note("scan refused", "scan of '" + ros_utils::quoted(message.header.frame_id) +
+                                     "' at " + fixed(message.header.stamp.toSec()) +
+                                     " s: " + problem);
   return true;
 }
 
@@ -185,4 +186,4 @@ bool ScanInput::note_missing(Waiting& waiting, const std::string& reason) {
   return false;
 }
 
-}  // namespace trident
+}  // namespace trident::estimation

@@ -4,7 +4,7 @@
 
 #include <ros/console.h>
 
-namespace trident {
+namespace trident::estimation {
 
 diagnostic_msgs::KeyValue key_value(const std::string& key, const std::string& value) {
   diagnostic_msgs::KeyValue result;
@@ -32,4 +32,4 @@ void Troubles::add_to(diagnostic_msgs::DiagnosticArray& array, const std::string
   }
 }
 
-}  // namespace trident
+}  // namespace trident::estimation

@@ -11,7 +11,7 @@
 #include "trident_base/error.h"
 #include "trident_base/string_util.h"
 
-namespace trident {
+namespace trident::estimation {
 namespace {
 
 /// Channels of the random stream.
@@ -37,8 +37,8 @@ constexpr int kMostPatience = 32;         // times recovery_patience
 double to_unit(std::uint64_t bits) { return static_cast<double>(bits >> 11) * 0x1.0p-53; }
 
 /// Few enough for the search, evenly from the scan.
-ScanPoints thinned(const ScanPoints& points) {
-  ScanPoints result;
+maps::ScanPoints thinned(const maps::ScanPoints& points) {
+  maps::ScanPoints result;
   result.p_base_laser = points.p_base_laser;
   const std::size_t step = points.p_base.size() / kMatchedPoints + 1;
   for (std::size_t i = 0; i < points.p_base.size(); i += step) {
@@ -105,7 +105,7 @@ Amcl::Amcl(const AmclParams& params, const OccupancyGrid& map)
       resolution_(map.resolution),
       laser_(map, params.laser),
       motion_(params.motion, params.seed),
-      matcher_(params.recover_by_matching ? std::make_unique<GridMatcher>(map) : nullptr),
+      matcher_(params.recover_by_matching ? std::make_unique<maps::GridMatcher>(map) : nullptr),
       random_(params.seed, "amcl"),
       patience_(params.recovery_patience) {
   params.validate();
@@ -297,14 +297,14 @@ void Amcl::resample() {
 /// where no place explains it better, as among crowds or on an old map.
 void Amcl::recover(const ScanBeams& beams, AmclStep& step) {
   const SE2 T_grid_base = T_map_origin_.inverse() * estimate_.T_map_base;
-  estimate_.agreement = scan_agreement(laser_.field(), beams.points, T_grid_base);
+  estimate_.agreement = maps::scan_agreement(laser_.field(), beams.points, T_grid_base);
   if (!matcher_) return;
   const bool is_explained = estimate_.agreement >= params_.recovery_agreement;
   disagreements_ = is_explained ? 0 : disagreements_ + 1;
   if (is_explained) patience_ = params_.recovery_patience;
   if (!is_anywhere_ && disagreements_ < patience_) return;
   step.is_searched = true;
-  std::vector<PoseHypothesis> hypotheses = matcher_->match(thinned(beams.points));
+  std::vector<maps::PoseHypothesis> hypotheses = matcher_->match(thinned(beams.points));
   const double least = is_anywhere_ ? 0.0 : estimate_.agreement + kClearlyBetter;
   hypotheses.erase(std::remove_if(hypotheses.begin(), hypotheses.end(),
                                   [least](const auto& h) { return h.agreement < least; }),
@@ -320,7 +320,7 @@ void Amcl::recover(const ScanBeams& beams, AmclStep& step) {
 }
 
 /// Half of the particles stay as they were, the others go to the hypotheses; all are weighed anew.
-void Amcl::inject(const std::vector<PoseHypothesis>& hypotheses, const ScanBeams& beams) {
+void Amcl::inject(const std::vector<maps::PoseHypothesis>& hypotheses, const ScanBeams& beams) {
   const auto most = static_cast<std::size_t>(params_.max_particles);
   const std::size_t each =
       std::max<std::size_t>(1, std::min(kParticlesPerHypothesis, most / (2 * hypotheses.size())));
@@ -334,7 +334,7 @@ void Amcl::inject(const std::vector<PoseHypothesis>& hypotheses, const ScanBeams
     const std::size_t parent = chosen(to_unit(random_.bits((draws_ << 32) | i, kChoice)));
     next_.push_back(particles_.x[parent], particles_.y[parent], particles_.yaw[parent]);
   }
-  for (const PoseHypothesis& hypothesis : hypotheses) {
+  for (const maps::PoseHypothesis& hypothesis : hypotheses) {
     const SE2 T_grid_base = T_map_origin_.inverse() * hypothesis.T_map_base;
     for (std::size_t i = 0; i < each; ++i) {
       const auto away = random_.normals4((draws_ << 32) | next_.size(), kScatterX);
@@ -351,7 +351,7 @@ void Amcl::inject(const std::vector<PoseHypothesis>& hypotheses, const ScanBeams
   particles_.normalize();
   update_estimate();
   const SE2 T_grid_base = T_map_origin_.inverse() * estimate_.T_map_base;
-  estimate_.agreement = scan_agreement(laser_.field(), beams.points, T_grid_base);
+  estimate_.agreement = maps::scan_agreement(laser_.field(), beams.points, T_grid_base);
 }
 
 void Amcl::update_estimate() {
@@ -366,4 +366,4 @@ void Amcl::update_estimate() {
   estimate_.particles = particles_.size();
 }
 
-}  // namespace trident
+}  // namespace trident::estimation

@@ -8,7 +8,7 @@
 // Functions of single precision without branches or calls, so that loops over particles become
 // vector instructions, which are the same on every machine.
 
-namespace trident::fast {
+namespace trident::estimation::fast {
 
 inline constexpr float kRoundingBias =
     12582912.0F;  // 1.5 * 2^23: adding it rounds to whole numbers
@@ -48,4 +48,4 @@ inline void sines_cosines(const float* angles, std::size_t count, float* sines, 
   for (std::size_t i = 0; i < count; ++i) sine_cosine(angles[i], &sines[i], &cosines[i]);
 }
 
-}  // namespace trident::fast
+}  // namespace trident::estimation::fast

@@ -8,7 +8,7 @@
 
 #include "amcl/fast_math.h"
 
-namespace trident {
+namespace trident::estimation {
 namespace {
 
 constexpr double kConvergedWithin = 0.5;  // of all particles about their mean [m]
@@ -87,8 +87,8 @@ ScanBeams select_beams(const LaserScan& scan, const LaserModelParams& params,
 LaserModel2d::LaserModel2d(const OccupancyGrid& grid, const LaserModelParams& params)
     : params_(params), field_(grid, params.laser_likelihood_max_dist) {
   if (params.laser_model_type != LaserModel::kBeam) return;
-  blocked_ = std::make_unique<DistanceField>(grid, params.laser_likelihood_max_dist,
-                                             DistanceField::Obstacles::kOccupiedOrUnknown);
+  blocked_ = std::make_unique<maps::DistanceField>(
+      grid, params.laser_likelihood_max_dist, maps::DistanceField::Obstacles::kOccupiedOrUnknown);
 }
 
 /// Of each cell: the cube of a beam's likelihood there, whose sum over the beams is the likelihood
@@ -240,4 +240,4 @@ double LaserModel2d::weigh_beams(const ScanBeams& beams, ParticleSet& particles)
   return total;
 }
 
-}  // namespace trident
+}  // namespace trident::estimation

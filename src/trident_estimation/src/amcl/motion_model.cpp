@@ -8,7 +8,7 @@
 #include "amcl/fast_math.h"
 #include "trident_base/angle.h"
 
-namespace trident {
+namespace trident::estimation {
 namespace {
 
 constexpr std::uint32_t kSteps = 1U << 11;  // of the table of quantiles
@@ -122,4 +122,4 @@ void MotionModel::apply_omni(const SE2& T_old_new, ParticleSet& particles) {
   }
 }
 
-}  // namespace trident
+}  // namespace trident::estimation

@@ -9,7 +9,7 @@
 
 #include "trident_base/angle.h"
 
-namespace trident {
+namespace trident::estimation {
 namespace {
 
 constexpr float kCellsPerM = 2.0F;
@@ -205,4 +205,4 @@ std::size_t kld_sample_size(std::size_t cells, double kld_err, double kld_z) {
   return static_cast<std::size_t>(std::ceil(k / (2.0 * kld_err) * x * x * x));
 }
 
-}  // namespace trident
+}  // namespace trident::estimation

@@ -9,7 +9,7 @@
 #include "trident_base/occupancy_grid.h"
 #include "trident_base/se2.h"
 
-namespace trident {
+namespace trident::maps {
 
 /// The distance from each cell of a map to the nearest obstacle, for points in the **grid frame**:
 /// that of `T_map_origin`, metres from the corner of cell (0, 0). Single precision is enough there,
@@ -57,4 +57,4 @@ struct ScanPoints {
 /// 0.3 m of the beam's end, and something is within 0.3 m of that end.
 double scan_agreement(const DistanceField& field, const ScanPoints& points, const SE2& T_grid_base);
 
-}  // namespace trident
+}  // namespace trident::maps

@@ -10,7 +10,7 @@
 #include "trident_base/se2.h"
 #include "trident_maps/distance_field.h"
 
-namespace trident {
+namespace trident::maps {
 
 /// A place where a scan could have been taken.
 struct PoseHypothesis {
@@ -76,4 +76,4 @@ class GridMatcher {
   std::vector<Level> levels_;
 };
 
-}  // namespace trident
+}  // namespace trident::maps

@@ -11,7 +11,7 @@
 #include "trident_base/error.h"
 #include "trident_base/occupancy_grid.h"
 
-namespace trident {
+namespace trident::maps {
 
 /// How the brightness of a pixel becomes the occupancy of a cell. With `dark`, 0 for a white and 1
 /// for a black pixel (the other way round where `negate` is 1):
@@ -83,4 +83,4 @@ struct SaveThresholds {
 void save_map(const std::string& base, const OccupancyGrid& grid,
               const SaveThresholds& thresholds = {});
 
-}  // namespace trident
+}  // namespace trident::maps

@@ -9,7 +9,7 @@
 #include "trident_base/string_util.h"
 #include "trident_ros/message_checks.h"
 
-namespace trident {
+namespace trident::maps {
 namespace {
 
 constexpr double kFinest = 1e-4;   // of a map's cells [m]
@@ -30,11 +30,11 @@ SE2 from_pose_message(const geometry_msgs::Pose& pose) {
   const Eigen::Quaterniond q(pose.orientation.w, pose.orientation.x, pose.orientation.y,
                              pose.orientation.z);
   const Eigen::Vector2d p(pose.position.x, pose.position.y);
-  if (!(std::abs(p.x()) <= kFarthestM && std::abs(p.y()) <= kFarthestM) ||
+  if (!(std::abs(p.x()) <= ros_utils::kFarthestM && std::abs(p.y()) <= ros_utils::kFarthestM) ||
       !(std::abs(q.norm() - 1.0) < 0.01)) {
     throw Error("pose: position (" + number_text(p.x()) + ", " + number_text(p.y()) +
                 ") m, quaternion of length " + number_text(q.norm()) + ", legal: finite, up to " +
-                number_text(kFarthestM) + " m, length 1");
+                number_text(ros_utils::kFarthestM) + " m, length 1");
   }
   const double yaw = std::atan2(2.0 * (q.w() * q.z() + q.x() * q.y()),
                                 1.0 - 2.0 * (q.y() * q.y() + q.z() * q.z()));
@@ -75,4 +75,4 @@ OccupancyGrid from_map_message(const nav_msgs::OccupancyGrid& message) {
   return grid;
 }
 
-}  // namespace trident
+}  // namespace trident::maps

@@ -13,7 +13,7 @@
 #include "trident_maps_ros/map_server_node.h"
 #include "trident_ros/refusals.h"
 
-namespace trident {
+namespace trident::maps {
 namespace {
 
 constexpr const char* kUsage =
@@ -73,7 +73,7 @@ int map_saver_main(int argc, char** argv) {
   try {
     const SaverOptions options = parse_options(argc, argv);
     ros::NodeHandle node;
-    Refusals refusals(node);
+    ros_utils::Refusals refusals(node);
     const boost::function<void(const nav_msgs::OccupancyGrid&)> save =
         [&](const nav_msgs::OccupancyGrid& message) {
           if (result >= 0) return;
@@ -99,4 +99,4 @@ int map_saver_main(int argc, char** argv) {
   return result < 0 ? 1 : result;
 }
 
-}  // namespace trident
+}  // namespace trident::maps

@@ -8,7 +8,7 @@
 #include "trident_maps_ros/map_messages.h"
 #include "trident_ros/message_checks.h"
 
-namespace trident {
+namespace trident::maps {
 namespace {
 
 std::uint8_t code_of(MapFileError::Kind kind) {
@@ -61,9 +61,10 @@ bool MapServerNode::on_change_map(nav_msgs::LoadMap::Request& request,
     response.map = map_;
   } catch (const MapFileError& error) {
     ROS_ERROR("%s",
-              quoted(std::string("change_map: ") + error.what() + "; the last map stays").c_str());
+              ros_utils::quoted(std::string("change_map: ") + error.what() + "; the last map stays")
+                  .c_str());
     response.result = code_of(error.kind());
-    troubles_.note("change_map", quoted(error.what()));
+    troubles_.note("change_map", ros_utils::quoted(error.what()));
     diagnostic_msgs::DiagnosticArray array;
     array.header.stamp = ros::Time::now();
     troubles_.add_to(array, "map_server");
@@ -89,4 +90,4 @@ int map_server_main(int argc, char** argv) {
   return 0;
 }
 
-}  // namespace trident
+}  // namespace trident::maps

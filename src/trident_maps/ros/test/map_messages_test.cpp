@@ -10,7 +10,7 @@
 
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::maps {
 namespace {
 
 nav_msgs::OccupancyGrid map_of_two() {
@@ -67,4 +67,4 @@ TEST(MapMessages, APoseWithoutAnOrientationIsRefused) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::maps

@@ -21,7 +21,7 @@
 #include "trident_ros/inline_callback_queue.h"
 #include "trident_ros/subscriptions.h"
 
-namespace trident {
+namespace trident::ros_utils {
 
 class DirectInbox;
 
@@ -148,4 +148,4 @@ class DirectInbox {
   boost::signals2::connection listener_;
 };
 
-}  // namespace trident
+}  // namespace trident::ros_utils

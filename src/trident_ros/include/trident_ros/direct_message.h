@@ -15,7 +15,7 @@
 
 #include "trident_base/span.h"
 
-namespace trident {
+namespace trident::ros_utils {
 
 /// A message that is sent in the form that each subscriber takes: bytes to other processes, the
 /// object itself to this one. Each form is made when the first subscriber takes it.
@@ -78,4 +78,4 @@ class MessagePool {
   std::vector<boost::shared_ptr<Message>> messages_;
 };
 
-}  // namespace trident
+}  // namespace trident::ros_utils

@@ -12,7 +12,7 @@
 #include "trident_base/span.h"
 #include "trident_ros/direct_message.h"
 
-namespace trident {
+namespace trident::ros_utils {
 
 /// Sends messages of an advertised topic straight into its sockets, from the caller's thread.
 /// ros::Publisher queues a message, wakes the socket thread through a pipe and arms and disarms the
@@ -46,4 +46,4 @@ class DirectPublication {
   std::vector<ros::SubscriberLinkPtr> links_;  // reused by send(), empty between calls
 };
 
-}  // namespace trident
+}  // namespace trident::ros_utils

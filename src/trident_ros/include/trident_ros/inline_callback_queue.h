@@ -4,7 +4,7 @@
 
 #include <ros/callback_queue_interface.h>
 
-namespace trident {
+namespace trident::ros_utils {
 
 /// Runs a callback where roscpp hands it in, on its socket thread, instead of waking a second
 /// thread. All subscriptions of one node that use it are served by that one thread, so their
@@ -18,4 +18,4 @@ class InlineCallbackQueue : public ros::CallbackQueueInterface {
   void removeByID(std::uint64_t) override {}
 };
 
-}  // namespace trident
+}  // namespace trident::ros_utils

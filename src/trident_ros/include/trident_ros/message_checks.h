@@ -16,7 +16,7 @@
 // What of a message is checked where it comes in, so that no algorithm meets a number that is none.
 // Each function returns an empty text, or what is wrong: the field, its value, what is legal.
 
-namespace trident {
+namespace trident::ros_utils {
 
 /// Coordinates of anything that a robot meets; the earth's centre is 6.4e6 m away.
 inline constexpr double kFarthestM = 1e8;
@@ -45,4 +45,4 @@ std::string scan_problem(const sensor_msgs::LaserScan& scan);
 /// Text that may quote what a stranger sent: without control characters, and 200 bytes at most.
 std::string quoted(const std::string& text);
 
-}  // namespace trident
+}  // namespace trident::ros_utils

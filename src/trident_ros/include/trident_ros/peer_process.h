@@ -4,11 +4,11 @@
 
 #include <sys/types.h>
 
-namespace trident {
+namespace trident::ros_utils {
 
 /// Process at the other end of a connected TCP socket. 0 when it is not on this machine, or not to
 /// be seen from here: another user's, or one in another container. Looks through /proc, which takes
 /// milliseconds.
 pid_t peer_process(int descriptor);
 
-}  // namespace trident
+}  // namespace trident::ros_utils

@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-namespace trident {
+namespace trident::ros_utils {
 
 /// Keeps processes on one core each. A node of roscpp hands every message from its socket thread to
 /// its callbacks and every answer back; in lockstep that is most of its time, and twice as much of
@@ -43,4 +43,4 @@ class ProcessCores {
   std::unique_ptr<Impl> impl_;  ///< What is kept, and who gives it back if this process cannot.
 };
 
-}  // namespace trident
+}  // namespace trident::ros_utils

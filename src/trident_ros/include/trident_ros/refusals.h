@@ -10,7 +10,7 @@
 #include <mutex>
 #include <string>
 
-namespace trident {
+namespace trident::ros_utils {
 
 /// Messages that a node refuses, by kind: each kind is told in the log at once and then every few
 /// seconds at most, and counted in /diagnostics, where the node has a status "`node`: kind" of
@@ -35,4 +35,4 @@ class Refusals {
   ros::Publisher diagnostics_;
 };
 
-}  // namespace trident
+}  // namespace trident::ros_utils

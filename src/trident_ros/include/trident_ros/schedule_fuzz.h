@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-namespace trident {
+namespace trident::ros_utils {
 
 /// A place where one thread or process hands over to another: a message received, a lock taken, a
 /// service asked. In tests that set TRIDENT_SCHEDULE_FUZZ to a seed, it is delayed by a random
@@ -19,4 +19,4 @@ inline void hand_over(const char* place) {
   if (schedule_fuzz::is_active) delay_hand_over(place);
 }
 
-}  // namespace trident
+}  // namespace trident::ros_utils

@@ -10,7 +10,7 @@
 
 #include "trident_base/span.h"
 
-namespace trident {
+namespace trident::ros_utils {
 
 /// Hands the serialised bytes of each message to a function, without building a message object: an
 /// Odometry would cost an allocation, two strings and 600 bytes of covariance that no controller
@@ -91,4 +91,4 @@ ros::SubscribeOptions inline_subscription(
   return options;
 }
 
-}  // namespace trident
+}  // namespace trident::ros_utils

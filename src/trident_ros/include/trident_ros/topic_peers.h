@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace trident {
+namespace trident::ros_utils {
 
 /// A node at the other end of a connection that is established.
 struct TopicPeer {
@@ -20,4 +20,4 @@ std::vector<TopicPeer> topic_readers(const std::string& topic);
 /// until the master hears of its end: roscpp goes on to look for it.
 std::vector<std::string> topic_writers(const std::string& topic);
 
-}  // namespace trident
+}  // namespace trident::ros_utils

@@ -13,7 +13,7 @@
 #include <mutex>
 #include <string>
 
-namespace trident {
+namespace trident::ros_utils {
 
 /// Hands transforms to a buffer, but for those that would harm it: numbers that are none, and
 /// stamps that lie. A buffer keeps what is newer than its newest transform less its length: a
@@ -72,4 +72,4 @@ class TransformInput {
   ros::AsyncSpinner spinner_{1, &queue_};
 };
 
-}  // namespace trident
+}  // namespace trident::ros_utils

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-namespace trident {
+namespace trident::sim {
 
 /// What of a joint's axis may change at run time; what is not given stays. Units as of AxisSpec.
 struct AxisParams {
@@ -17,4 +17,4 @@ struct AxisParams {
   std::optional<double> motor_velocity;      ///< what it drives at
 };
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -12,7 +12,7 @@
 #include "trident_sim/model_spec.h"
 #include "trident_sim/state_archive.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// One collision shape with its ODE geometry.
 struct Geom {
@@ -87,4 +87,4 @@ struct Body {
   }
 };
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -8,7 +8,7 @@
 
 #include "trident_base/sim_time.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// Waypoints to follow (nav_msgs/Path). `stamp`: from when on; 0: at once.
 struct PathCommand {
@@ -52,4 +52,4 @@ struct JointCommand {
   std::vector<double> positions, velocities, efforts;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-namespace trident {
+namespace trident::sim {
 
 struct Geom;
 
@@ -21,4 +21,4 @@ struct Contact {
   Eigen::Vector3d p_world_centre2 = Eigen::Vector3d::Zero();
 };
 
-}  // namespace trident
+}  // namespace trident::sim

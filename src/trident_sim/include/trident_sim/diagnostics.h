@@ -10,7 +10,7 @@
 
 #include "trident_base/sim_time.h"
 
-namespace trident {
+namespace trident::sim {
 
 enum class Severity { kWarning, kError };
 
@@ -48,4 +48,4 @@ class Diagnostics {
   std::map<std::string, DiagnosticEntry> entries_;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -8,7 +8,7 @@
 
 #include "trident_sim/samples.h"
 
-namespace trident {
+namespace trident::sim {
 
 // Pictures as image_transport's plugins send them (sensor_msgs/CompressedImage).
 
@@ -41,4 +41,4 @@ void compress_picture(const ImageSample& image, const PictureCompression& how,
                       CompressedPicture& out);
 void compress_depth(const ImageSample& image, const DepthCompression& how, CompressedPicture& out);
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -8,7 +8,7 @@
 
 #include "trident_sim/model.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// Efforts are in N m for an angle, in N for a length.
 struct PidGains {
@@ -84,4 +84,4 @@ class JointDrive {
   bool has_error_ = false;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -11,7 +11,7 @@
 
 #include "trident_base/sim_time.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// Wall time in nanoseconds, handed in by the caller: nothing here reads a clock.
 using WallTime = std::int64_t;
@@ -114,4 +114,4 @@ class SetpointSources {
   std::map<std::string, SimTime> replaced_;  ///< where it is less, because of another node's
 };
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -13,7 +13,7 @@
 #include "trident_sim/model_spec.h"
 #include "trident_sim/plugin.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// A link as users know it. Several links may share a body.
 struct Link {
@@ -131,4 +131,4 @@ class Model {
   Link* canonical_link() const { return links.empty() ? nullptr : links.front().get(); }
 };
 
-}  // namespace trident
+}  // namespace trident::sim

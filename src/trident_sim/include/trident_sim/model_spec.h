@@ -13,7 +13,7 @@
 #include "trident_base/se3.h"
 #include "trident_sim/param_tree.h"
 
-namespace trident {
+namespace trident::sim {
 
 // What a world and a model are made of, as plain data. The SDF reader fills it; nothing else in the
 // simulator sees libsdformat, whose documents cost tens of megabytes each.
@@ -230,4 +230,4 @@ struct WorldSpec {
   std::vector<std::string> odd_repeats{};   ///< more of the same: counted, not reported
 };
 
-}  // namespace trident
+}  // namespace trident::sim

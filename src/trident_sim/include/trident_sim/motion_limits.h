@@ -6,7 +6,7 @@
 
 #include "trident_base/se3.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// What no body of a world does. One that does is taken for one whose state grows without bound,
 /// and ODE ends the program where a rotation overflows: nobody may ask for it.
@@ -29,4 +29,4 @@ inline bool is_motion(const Eigen::Vector3d& v_world, const Eigen::Vector3d& w_w
   return is_within(v_world, kFastestMS) && is_within(w_world, kFastestTurnRadS);
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace trident {
+namespace trident::sim {
 
 /// One XML element below a `<plugin>`: what is kept of it once the SDF document is gone.
 struct ParamNode {
@@ -63,4 +63,4 @@ class PluginParams {
       std::make_shared<std::set<std::string, std::less<>>>();
 };
 
-}  // namespace trident
+}  // namespace trident::sim

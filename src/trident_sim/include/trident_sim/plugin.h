@@ -12,7 +12,7 @@
 #include "trident_sim/port.h"
 #include "trident_sim/state_archive.h"
 
-namespace trident {
+namespace trident::sim {
 
 class World;
 class Model;
@@ -96,4 +96,4 @@ using OutHandle = PortHandle<OutPort<T>>;
 template <class T>
 using InHandle = PortHandle<InPort<T>>;
 
-}  // namespace trident
+}  // namespace trident::sim

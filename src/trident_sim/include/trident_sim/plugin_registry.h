@@ -12,7 +12,7 @@
 #include "trident_sim/plugin.h"
 #include "trident_sim/resources.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// How a plugin is made from its SDF element.
 struct PluginFactory {
@@ -47,4 +47,4 @@ class PluginRegistry {
 /// Everything that ships with the simulator, under the names RotorS and gazebo_ros use.
 void register_builtin_plugins(PluginRegistry& registry);
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -14,7 +14,7 @@
 #include "trident_base/span.h"
 #include "trident_sim/state_archive.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// Order in which the samples of one step leave: frames and odometry before the sensors that need
 /// them (consumers look the transform up at the stamp of the scan).
@@ -178,4 +178,4 @@ class PortBoard {
   std::uint64_t version_ = 0;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -4,7 +4,7 @@
 
 #include "trident_sim/model_spec.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// The files of a model's collisions, read before it is put into a world: reading takes as long as
 /// hundreds of steps. What is not taken while this object lives is given back. May be made in any
@@ -18,4 +18,4 @@ class PreparedMeshes {
   PreparedMeshes& operator=(const PreparedMeshes&) = delete;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -13,7 +13,7 @@
 #include "trident_base/span.h"
 #include "trident_sim/model_spec.h"
 
-namespace trident {
+namespace trident::sim {
 
 class Model;
 class World;
@@ -178,4 +178,4 @@ class RayScene {
   std::unique_ptr<Content> content_;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

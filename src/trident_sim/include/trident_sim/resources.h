@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace trident {
+namespace trident::sim {
 
 class PackageIndex;
 
@@ -43,4 +43,4 @@ class Resources {
   std::shared_ptr<const PackageIndex> packages_;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

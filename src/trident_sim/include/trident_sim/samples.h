@@ -14,7 +14,7 @@
 #include "trident_base/sim_time.h"
 #include "trident_base/span.h"
 
-namespace trident {
+namespace trident::sim {
 
 // The plain structs that flow through ports. SI units; frames in the names.
 
@@ -247,4 +247,4 @@ struct WrenchSample {
   Eigen::Vector3d force = Eigen::Vector3d::Zero(), torque = Eigen::Vector3d::Zero();
 };
 
-}  // namespace trident
+}  // namespace trident::sim

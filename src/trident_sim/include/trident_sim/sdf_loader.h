@@ -8,7 +8,7 @@
 #include "trident_sim/model_spec.h"
 #include "trident_sim/resources.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// Receives one line per thing a user should know but that does not stop the load.
 using WarningSink = std::function<void(const std::string&)>;
@@ -28,4 +28,4 @@ ModelSpec load_model_string(const std::string& xml, const std::string& label,
                             const Resources& resources, const WarningSink& warn,
                             OddElements odd = OddElements::kRefuse);
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -7,7 +7,7 @@
 #include <memory>
 #include <string>
 
-namespace trident {
+namespace trident::sim {
 
 class Current;
 class Water;
@@ -69,4 +69,4 @@ class Surroundings {
   std::uint64_t ports_version_ = ~std::uint64_t{0};
 };
 
-}  // namespace trident
+}  // namespace trident::sim

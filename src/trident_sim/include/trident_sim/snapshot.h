@@ -10,7 +10,7 @@
 #include "trident_base/sim_time.h"
 #include "trident_sim/state_archive.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// The whole state of one world between two steps, kept in memory: bodies, rotors, joints, drives,
 /// applied forces, plugins with their noise, ports, time and physics settings. What models are made
@@ -35,4 +35,4 @@ class Snapshot {
   std::shared_ptr<const Content> content_;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -8,7 +8,7 @@
 
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// Takes copies of what changes from step to step, or puts them back: one function of an object
 /// serves both ways, so that they cannot differ.
@@ -47,4 +47,4 @@ class StateArchive {
   std::size_t next_ = 0;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -6,7 +6,7 @@
 
 #include "trident_base/sim_time.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// What is to be different from the next step on, as YAML (std_msgs/String). All of them reach
 /// their plugin, in order.
@@ -37,4 +37,4 @@ struct WindReadingSample {
   double angle_rad = 0.0;  ///< where it comes from, from the frame's x clockwise, [0, 2 pi)
 };
 
-}  // namespace trident
+}  // namespace trident::sim

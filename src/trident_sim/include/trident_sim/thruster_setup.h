@@ -8,7 +8,7 @@
 
 #include "trident_base/sim_time.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// How a thruster of uuv_simulator stands, and how it makes a thrust of its state: what the
 /// services of that name tell.
@@ -48,4 +48,4 @@ struct FlagSample {
   bool value = false;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

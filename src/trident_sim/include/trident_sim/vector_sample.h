@@ -7,7 +7,7 @@
 
 #include "trident_base/sim_time.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// A vector in frame, of a quantity that the port's plugin tells (geometry_msgs/Vector3Stamped).
 struct VectorSample {
@@ -16,4 +16,4 @@ struct VectorSample {
   Eigen::Vector3d value = Eigen::Vector3d::Zero();
 };
 
-}  // namespace trident
+}  // namespace trident::sim

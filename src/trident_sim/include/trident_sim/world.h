@@ -25,7 +25,7 @@
 #include "trident_sim/sdf_loader.h"
 #include "trident_sim/snapshot.h"
 
-namespace trident {
+namespace trident::sim {
 
 class PhysicsEngine;
 class RayScene;
@@ -260,4 +260,4 @@ class World {
   std::unique_ptr<RayScene> ray_scenes_[2];  ///< by RayGeometry
 };
 
-}  // namespace trident
+}  // namespace trident::sim

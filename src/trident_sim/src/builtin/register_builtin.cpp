@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-#include "vehicles/drives/gazebo_ros_plugins.h"
-#include "vehicles/joints/joint_plugins.h"
 #include "marine/plugins/marine_plugins.h"
-#include "vehicles/rotors/rotors_plugins.h"
 #include "sensors/sensor_plugins.h"
 #include "trident_sim/world.h"
+#include "vehicles/drives/gazebo_ros_plugins.h"
+#include "vehicles/joints/joint_plugins.h"
+#include "vehicles/rotors/rotors_plugins.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// A name that is known but has nothing to do here.
@@ -94,4 +94,4 @@ void register_builtin_plugins(PluginRegistry& registry) {
                 "simulator; enable_logging has no effect"));
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -5,7 +5,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
-namespace trident {
+namespace trident::sim {
 
 Eigen::Vector2d Distortion::apply(const Eigen::Vector2d& p) const {
   const double x = p.x(), y = p.y(), r2 = p.squaredNorm();
@@ -64,4 +64,4 @@ std::optional<Eigen::Vector2d> CameraModel::back_project(const Eigen::Vector2d& 
   return distortion.is_none() ? p : distortion.undo(p);
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-namespace trident {
+namespace trident::sim {
 
 /// Radial (k) and tangential (t) distortion as ROS' "plumb_bob" has it: where a point at x, y of
 /// the plane z = 1 appears,
@@ -45,4 +45,4 @@ struct CameraModel {
   std::optional<Eigen::Vector2d> back_project(const Eigen::Vector2d& pixel) const;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -10,7 +10,7 @@
 #include "image_noise.h"
 #include "surface_cache.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr std::size_t kLanes = kPacketLanes;
@@ -319,4 +319,4 @@ void CameraRenderer::store_colors(const Frame& frame, const PacketColor& color, 
   });
 }
 
-}  // namespace trident
+}  // namespace trident::sim

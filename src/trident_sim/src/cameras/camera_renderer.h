@@ -9,10 +9,10 @@
 
 #include "camera_spec.h"
 #include "lighting.h"
-#include "view_table.h"
 #include "sea_rays/water_painter.h"
+#include "view_table.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// What a camera sees, pixel by pixel in rows from the top. Lists that are not wanted are left
 /// alone.
@@ -64,4 +64,4 @@ class CameraRenderer {
   std::vector<std::unique_ptr<Seen>> seen_;  ///< by worker
 };
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -9,7 +9,7 @@
 #include "trident_base/error.h"
 #include "trident_sim/param_tree.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr double kMostPixels = 16384;  ///< a side
@@ -159,4 +159,4 @@ std::vector<CameraSpec> read_camera_specs(const SensorSpec& sensor, const std::s
   return cameras;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -11,7 +11,7 @@
 #include "trident_base/se3.h"
 #include "trident_sim/model_spec.h"
 
-namespace trident {
+namespace trident::sim {
 
 enum class PixelFormat { kRgb8, kBgr8, kMono8 };
 /// As sensor_msgs/Image names it.
@@ -50,4 +50,4 @@ struct CameraSpec {
 /// noise.
 std::vector<CameraSpec> read_camera_specs(const SensorSpec& sensor, const std::string& owner);
 
-}  // namespace trident
+}  // namespace trident::sim

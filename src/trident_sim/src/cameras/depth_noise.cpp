@@ -7,7 +7,7 @@
 
 #include "image_noise.h"
 
-namespace trident {
+namespace trident::sim {
 
 double DepthNoise::stddev_m(double depth_m) const {
   switch (model) {
@@ -37,4 +37,4 @@ void DepthNoise::apply(std::uint64_t key, std::vector<float>& depths) const {
   }
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace trident {
+namespace trident::sim {
 
 enum class DepthNoiseModel { kNone, kKinect, kD435 };
 
@@ -28,4 +28,4 @@ struct DepthNoise {
   void apply(std::uint64_t key, std::vector<float>& depths) const;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

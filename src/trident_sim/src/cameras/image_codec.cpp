@@ -14,7 +14,7 @@
 #include "../rays/jpeg_errors.h"
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// Rows of pixels to be written.
@@ -214,4 +214,4 @@ void compress_depth(const ImageSample& image, const DepthCompression& how, Compr
   append_png(rows, {PNG_COLOR_TYPE_GRAY, 16, false}, how.png_level, out.data);
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr std::size_t kBits = 12, kQuantiles = std::size_t{1} << kBits;
@@ -59,4 +59,4 @@ PacketFloats PixelNoise::normals(std::uint64_t packet) const {
   return result;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -6,7 +6,7 @@
 
 #include "../rays/ray_packet.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// Standard normal numbers for the pixels of pictures, sixteen at a time: a few instructions each,
 /// from a table of 4096 quantiles (so none is beyond 3.7) that is looked up by a hash of key,
@@ -21,4 +21,4 @@ class PixelNoise {
   std::uint64_t key_;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr std::size_t kLanes = kPacketLanes;
@@ -138,4 +138,4 @@ void Lighting::shade(const LitPoints& points, PacketColor& color) const {
   }
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -8,7 +8,7 @@
 #include "../rays/ray_packet.h"
 #include "trident_sim/world.h"
 
-namespace trident {
+namespace trident::sim {
 
 using PacketColor = std::array<PacketFloats, 3>;  ///< red, green, blue; [0, 1] is what is shown
 
@@ -48,4 +48,4 @@ class Lighting {
   std::vector<Lamp> lamps_;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -7,7 +7,7 @@
 #include <cstring>
 #include <limits>
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 std::uint32_t packed(std::uint8_t r, std::uint8_t g, std::uint8_t b) {
@@ -115,4 +115,4 @@ void write_boxes(const std::vector<std::uint32_t>& shapes, int width, const Labe
               boxes.end());
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -8,7 +8,7 @@
 #include "camera_renderer.h"
 #include "trident_sim/samples.h"
 
-namespace trident {
+namespace trident::sim {
 
 // What is made of a picture besides its colours.
 
@@ -54,4 +54,4 @@ void write_labels(const std::vector<std::uint32_t>& shapes, const Labels& labels
 void write_boxes(const std::vector<std::uint32_t>& shapes, int width, const Labels& labels,
                  std::vector<BoundingBoxesSample::Box>& boxes);
 
-}  // namespace trident
+}  // namespace trident::sim

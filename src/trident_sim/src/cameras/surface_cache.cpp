@@ -4,7 +4,7 @@
 
 #include "../rays/texture.h"
 
-namespace trident {
+namespace trident::sim {
 
 void SurfaceCache::begin_picture(const RayScene& scene, const Eigen::Vector3d& p_world_camera) {
   ++picture_;
@@ -33,4 +33,4 @@ void SurfaceCache::fill(Slot& slot, std::uint32_t shape, std::uint32_t primitive
   surface.emissive = material.emissive.head<3>().cast<float>();
 }
 
-}  // namespace trident
+}  // namespace trident::sim

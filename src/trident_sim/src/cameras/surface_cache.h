@@ -8,7 +8,7 @@
 
 #include "../rays/ray_packet.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// A surface as one picture sees it.
 struct SeenSurface {
@@ -53,4 +53,4 @@ class SurfaceCache {
   Eigen::Vector3d p_world_camera_ = Eigen::Vector3d::Zero();
 };
 
-}  // namespace trident
+}  // namespace trident::sim

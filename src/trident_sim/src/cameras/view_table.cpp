@@ -6,7 +6,7 @@
 
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 Eigen::Vector2d direction_of(const CameraModel& model, int column, int row,
@@ -38,4 +38,4 @@ ViewTable::ViewTable(const CameraModel& model, const std::string& owner)
   }
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -8,7 +8,7 @@
 #include "../rays/ray_packet.h"
 #include "camera_model.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// Directions of a picture's pixels, in tiles of 4 x 4 that are cast as one packet: tile by tile in
 /// rows from the upper left, lanes likewise.
@@ -42,4 +42,4 @@ class ViewTable {
   std::vector<Tile> tiles_;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

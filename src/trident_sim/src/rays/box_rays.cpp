@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 template <unsigned kLanes, class Value = float>
@@ -195,4 +195,4 @@ void occlude_box(const TracedShape& box, const RTCOccludedFunctionNArguments& as
   }
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -6,7 +6,7 @@
 
 #include "ray_shape.h"
 
-namespace trident {
+namespace trident::sim {
 
 // A box as one primitive of Embree's, met by its three pairs of faces at once: less than half the
 // time that its twelve triangles take. Two boxes side by side leave no slit for a ray.
@@ -16,4 +16,4 @@ namespace trident {
 void intersect_box(const TracedShape& box, const RTCIntersectFunctionNArguments& asked);
 void occlude_box(const TracedShape& box, const RTCOccludedFunctionNArguments& asked);
 
-}  // namespace trident
+}  // namespace trident::sim

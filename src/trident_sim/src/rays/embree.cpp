@@ -11,7 +11,7 @@
 #include "box_rays.h"
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 const TracedShape& shape_of(const void* user_data) {
@@ -203,4 +203,4 @@ void place_instance(RTCGeometry instance, const SE3& T_world_link) {
   rtcCommitGeometry(instance);
 }
 
-}  // namespace trident
+}  // namespace trident::sim

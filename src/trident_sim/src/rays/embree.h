@@ -10,7 +10,7 @@
 
 #include "ray_shape.h"
 
-namespace trident {
+namespace trident::sim {
 
 struct ReleaseDevice {
   using pointer = RTCDevice;
@@ -58,4 +58,4 @@ void attach_shape(RTCDevice device, RTCScene scene, const TracedShape& shape, Bo
 EmbreeGeometry attach_instance(RTCDevice device, RTCScene scene, RTCScene part, const SE3& T);
 void place_instance(RTCGeometry instance, const SE3& T_world_link);
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -4,7 +4,7 @@
 
 #include "ray_shape.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 struct Triangle {
@@ -65,4 +65,4 @@ Eigen::Vector3d smooth_normal(const TriangleMesh& mesh, std::uint32_t primitive,
   return length > 1e-6 ? Eigen::Vector3d(normal / length) : Eigen::Vector3d(normal.setZero());
 }
 
-}  // namespace trident
+}  // namespace trident::sim

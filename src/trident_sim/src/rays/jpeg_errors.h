@@ -8,7 +8,7 @@
 
 #include <jpeglib.h>  // needs <cstdio>
 
-namespace trident {
+namespace trident::sim {
 
 /// What libjpeg calls on errors, as `&base`: it keeps the message and jumps back to `jump`, which
 /// is set before libjpeg is called. No object with a destructor may live across that jump.
@@ -28,4 +28,4 @@ struct JpegErrors {
   std::array<char, JMSG_LENGTH_MAX> message{};
 };
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr std::size_t kLanes = RayScene::kPacket;
@@ -147,4 +147,4 @@ void MovingParts::occlude(const Lanes& valid, RTCRay16& rays, CastContext& conte
   }
 }
 
-}  // namespace trident
+}  // namespace trident::sim

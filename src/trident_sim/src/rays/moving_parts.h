@@ -9,7 +9,7 @@
 #include "embree.h"
 #include "packet_bounds.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// Scenes that move as a whole, one per moving link. While they are few, rays are taken into each
 /// that they may meet; what is more than a few lies as instances in a scene of Embree's, the commit
@@ -49,4 +49,4 @@ class MovingParts {
   PacketBounds bounds_;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

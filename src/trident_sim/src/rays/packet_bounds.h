@@ -11,7 +11,7 @@
 
 #include "trident_sim/ray_scene.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// A box around all of a scene, a trace larger than Embree's, as floats are.
 struct PacketBounds {
@@ -105,4 +105,4 @@ bool keep_lanes_that_meet(const PacketBounds& bounds, const Rays& rays, const Pa
   return any != 0;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -12,7 +12,7 @@
 #include "jpeg_errors.h"
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// 16384 x 16384 pixels need 0.8 GB; more is a mistake.
@@ -110,4 +110,4 @@ PictureFile read_picture(const std::string& file) {
   return is_jpeg ? read_jpeg(bytes, file) : read_png(bytes, file);
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace trident {
+namespace trident::sim {
 
 /// Eight bits a channel, row by row from the top.
 struct PictureFile {
@@ -18,4 +18,4 @@ struct PictureFile {
 /// and why it cannot be read: no such file, damaged, or more than 16384 pixels a side.
 PictureFile read_picture(const std::string& file);
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -7,7 +7,7 @@
 #include "trident_base/error.h"
 #include "trident_base/string_util.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr char kElement[] = "trident:max_rays";
@@ -43,4 +43,4 @@ void check_ray_count(const RayCount& count, const ParamNode& sensor, const std::
               gibibytes(half_of_memory()) + ", half of this machine's");
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -6,7 +6,7 @@
 
 #include "trident_sim/param_tree.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// Beams of a lidar or pixels of a camera, as files tell them.
 struct RayCount {
@@ -21,4 +21,4 @@ struct RayCount {
 /// than half of the machine's memory. `sensor`: the element `<sensor>`.
 void check_ray_count(const RayCount& count, const ParamNode& sensor, const std::string& owner);
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -7,7 +7,7 @@
 
 #include "ray_content.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr std::size_t kLanes = RayScene::kPacket;
@@ -212,4 +212,4 @@ void RayScene::Content::occlude_packet(const Ray* rays, bool* result, std::size_
   note();
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -7,7 +7,7 @@
 #include "trident_base/error.h"
 #include "trident_sim/world.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// As pictures meet them boxes are triangles: in some worlds the others take them four times as
@@ -248,4 +248,4 @@ void RayScene::Content::commit_moving() {
   moving_.commit(device_.get());
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -16,7 +16,7 @@
 #include "trident_sim/model.h"
 #include "trident_sim/ray_scene.h"
 
-namespace trident {
+namespace trident::sim {
 
 class WaterTiles;
 
@@ -135,4 +135,4 @@ class RayScene::Content {
   std::uint32_t water_material_ = RayHit::kNothing;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

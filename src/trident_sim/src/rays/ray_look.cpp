@@ -7,7 +7,7 @@
 #include "trident_base/error.h"
 #include "trident_sim/world.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// A visual's own material counts for the whole of it; else the mesh's.
 void RayScene::Content::add_material(TracedShape& shape) {
@@ -67,4 +67,4 @@ double RayScene::Content::intensity(const RayHit& hit) const {
   return 100.0 * (kRed * color[0] + kGreen * color[1] + kBlue * color[2]);
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -9,7 +9,7 @@
 
 #include "ray_content.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr std::size_t kLanes = kPacketLanes;
@@ -190,4 +190,4 @@ SurfacePoint RayScene::Content::look_at(std::uint32_t shape_index, std::uint32_t
   return point;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

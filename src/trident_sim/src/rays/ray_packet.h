@@ -9,7 +9,7 @@
 
 #include "trident_sim/ray_scene.h"
 
-namespace trident {
+namespace trident::sim {
 
 struct Texture;
 
@@ -52,4 +52,4 @@ struct SurfacePoint {
   Eigen::Vector2d uv = Eigen::Vector2d::Zero();
 };
 
-}  // namespace trident
+}  // namespace trident::sim

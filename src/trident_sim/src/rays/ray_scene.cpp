@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "ray_content.h"
+#include "sea_rays/water_tiles.h"
 #include "trident_base/error.h"
 #include "trident_base/worker_pool.h"
-#include "sea_rays/water_tiles.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 void check_room(const char* what, std::size_t rays, std::size_t results) {
@@ -126,4 +126,4 @@ const std::vector<RayShape>& RayScene::shapes() const { return content_->shapes;
 const std::vector<Material>& RayScene::materials() const { return content_->materials; }
 RayScene::Commits RayScene::commits() const { return content_->commits; }
 
-}  // namespace trident
+}  // namespace trident::sim

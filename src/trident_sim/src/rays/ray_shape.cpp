@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// By which parts of a shape overlap, lest a ray slips through the seam by rounding [m].
@@ -169,4 +169,4 @@ TriangleMesh box_triangles(const Eigen::Vector3d& half_size) {
   return mesh;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

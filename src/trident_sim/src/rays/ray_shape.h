@@ -11,7 +11,7 @@
 #include "trident_base/se3.h"
 #include "trident_sim/ray_scene.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// A ray in the frame of a shape.
 struct LocalRay {
@@ -104,4 +104,4 @@ Eigen::Vector3d round_bounds(const TracedShape& shape);
 /// The triangles of a box: the two of face f (-x, +x, -y, +y, -z, +z) are 2f and 2f + 1.
 TriangleMesh box_triangles(const Eigen::Vector3d& half_size);
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -8,7 +8,7 @@
 
 #include "picture_file.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// Whole pixels to the left of `x`, and how far it is from there to the next.
@@ -96,4 +96,4 @@ Eigen::Vector3f Texture::at(const Eigen::Vector2f& uv, float width_px) const {
   return color * (1.0F / 255.0F);
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace trident {
+namespace trident::sim {
 
 /// A picture that surfaces are covered with, over and over; with itself at a half, a quarter, ...
 /// of its size, for where it is seen from afar.
@@ -27,4 +27,4 @@ struct Texture {
 /// name.
 Texture read_texture(const std::string& file);
 
-}  // namespace trident
+}  // namespace trident::sim

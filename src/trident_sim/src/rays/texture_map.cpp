@@ -8,7 +8,7 @@
 #include "ray_shape.h"
 #include "trident_base/angle.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// Side walls have v upwards and u to the right as seen from outside; top and bottom y upwards.
@@ -56,4 +56,4 @@ Eigen::Vector2f texture_at(const TracedShape& shape, std::uint32_t primitive,
   return (level * p).head<2>().cast<float>();
 }
 
-}  // namespace trident
+}  // namespace trident::sim

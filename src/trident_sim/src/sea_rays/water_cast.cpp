@@ -8,7 +8,7 @@
 #include "trident_sim/world.h"
 #include "water_surface.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// How strongly a lidar sees it, where it sees it at all: what water reflects straight back.
@@ -89,4 +89,4 @@ void RayScene::Content::add_water(const WaterSurface& water, Span<const Ray> ray
   }
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -7,7 +7,7 @@
 
 #include "water_surface.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr double kNowhere = std::numeric_limits<double>::infinity();
@@ -229,4 +229,4 @@ bool WaterSurface::stays_clear(const Path& path, const std::array<double, 4>& co
   return std::max(z0, z1) < (path.fades ? std::min(bottom, 0.0) : bottom) - slack;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -7,7 +7,7 @@
 
 #include "trident_base/angle.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr float kPiF = static_cast<float>(kPi);
@@ -183,4 +183,4 @@ void WaterPainter::paint(const WaterView& view, PacketColor& color) const {
   for (const Sun& sun : suns_) add_glitter(sun, glittering, color);
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -8,7 +8,7 @@
 #include "cameras/lighting.h"
 #include "water_slopes.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// What the rays of a packet meet of the water.
 struct WaterView {
@@ -60,4 +60,4 @@ class WaterPainter {
   std::vector<Sun> suns_;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -7,7 +7,7 @@
 
 #include "trident_base/angle.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr double kTurn = 2.0 * kPi;
@@ -91,4 +91,4 @@ WaterPattern make_water_pattern(const WaveField& field) {
   return pattern;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -8,7 +8,7 @@
 
 #include "marine/environment/wave_field.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// One wave of a sea, folded onto the wave numbers that a periodic tile can hold.
 struct FoldedWave {
@@ -49,4 +49,4 @@ struct WaterPattern {
 /// n = 0: no waves.
 WaterPattern make_water_pattern(const WaveField& field);
 
-}  // namespace trident
+}  // namespace trident::sim

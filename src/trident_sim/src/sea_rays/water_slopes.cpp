@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 std::size_t below(std::size_t i, std::size_t n) { return (i + n - 1) & (n - 1); }
@@ -130,4 +130,4 @@ WaterSlopes::Mean WaterSlopes::at(const Eigen::Vector2d& p_world, double width_m
   return {{mean.along(), mean.across()}, mean.square()};
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -11,7 +11,7 @@
 
 #include "water_surface.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// Slopes of the water's tile, and their means over squares of 2, 4, 8 ... cells with the mean
 /// squares that go with them: what a pixel sees of water that is far away is a mean slope and a
@@ -63,4 +63,4 @@ class WaterSlopes {
   Eigen::Vector2d axis_ = Eigen::Vector2d::UnitX(), across_ = Eigen::Vector2d::UnitY();
 };
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -7,7 +7,7 @@
 
 #include "trident_sim/world.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr double kFarthestWaves_m = 200.0, kFarPerHeight = 500.0;
@@ -110,4 +110,4 @@ Eigen::Vector3d WaterSurface::normal(const Eigen::Vector2d& p_world) const {
   return Eigen::Vector3d(-s.x(), -s.y(), 1.0).normalized();
 }
 
-}  // namespace trident
+}  // namespace trident::sim

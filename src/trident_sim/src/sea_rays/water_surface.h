@@ -11,7 +11,7 @@
 #include "trident_sim/sea.h"
 #include "water_tiles.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// Where a ray meets the water.
 struct WaterMeeting {
@@ -148,4 +148,4 @@ class WaterSurface {
   double steepest_fading_ = 0.0;                     ///< or anywhere
 };
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -7,7 +7,7 @@
 #include <complex>
 #include <cstring>
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 using Complex = std::complex<double>;
@@ -203,4 +203,4 @@ void WaterTileMaker::make(WaterTile& tile) {
   tile.find_steepest();
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -10,7 +10,7 @@
 #include "water_pattern.h"
 #include "water_transform.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// Heights of the sea above its still level at the nodes of a square that repeats, at the beginning
 /// and the end of one period of its pattern, with their bounds. A pure function of the pattern, the
@@ -99,4 +99,4 @@ class WaterTileMaker {
   ComplexGrid ways_;        ///< Gerstner: of particles, along the rows, and across them
 };
 
-}  // namespace trident
+}  // namespace trident::sim

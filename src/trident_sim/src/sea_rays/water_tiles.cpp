@@ -8,7 +8,7 @@
 
 #include "trident_sim/world.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// For sensors that are far from each other; the most: for more of them than are kept from period
@@ -180,4 +180,4 @@ WaterShores WaterTiles::make_shores(const WaveField& waves, const WaterTile::Key
   return made;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -13,7 +13,7 @@
 #include "trident_sim/sea.h"
 #include "water_tile.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// std::floor is a call where the processor is not known.
 inline std::int64_t floor_of(double value) {
@@ -95,4 +95,4 @@ class WaterTiles {
   std::uint64_t tiles_made_ = 0;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -8,7 +8,7 @@
 
 #include "trident_base/angle.h"
 
-namespace trident {
+namespace trident::sim {
 
 WaterTransform::WaterTransform(std::size_t n)
     : n_(n),
@@ -87,4 +87,4 @@ void WaterTransform::butterflies() {
   }
 }
 
-}  // namespace trident
+}  // namespace trident::sim

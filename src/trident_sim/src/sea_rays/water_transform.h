@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace trident {
+namespace trident::sim {
 
 /// A square of complex numbers, rows one after another.
 struct ComplexGrid {
@@ -38,4 +38,4 @@ class WaterTransform {
   ComplexGrid turned_;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -4,7 +4,7 @@
 
 #include <sstream>
 
-namespace trident {
+namespace trident::sim {
 
 NumberInput::NumberInput(const PluginContext& context, const std::string& topic, const char* unit,
                          const Limits& limits)
@@ -36,4 +36,4 @@ void NumberInput::reset() {
   is_refused_ = false;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

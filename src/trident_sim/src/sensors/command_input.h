@@ -9,7 +9,7 @@
 #include "core/plugins/seldom_told.h"
 #include "trident_sim/commands.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// A number that may be set while the world runs; the newest legal one counts. Others are told
 /// once, and the last good one stays.
@@ -61,4 +61,4 @@ class RequestInput {
   std::uint64_t seen_ = 0;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -4,7 +4,7 @@
 
 #include "trident_sim/plugin_registry.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// gazebo_ros' laser: every scan a snapshot.
 PluginFactory gazebo_laser_factory();
@@ -57,4 +57,4 @@ PluginFactory anemometer_factory();
 /// Carries a model, an observer's camera say, along with another one.
 PluginFactory follow_factory();
 
-}  // namespace trident
+}  // namespace trident::sim

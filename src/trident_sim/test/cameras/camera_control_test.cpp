@@ -10,7 +10,7 @@
 #include "trident_sim/commands.h"
 #include "trident_sim/snapshot.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 CameraOptions gazebo_camera(const std::string& file = "libgazebo_ros_camera.so") {
@@ -209,4 +209,4 @@ TEST(CameraLens, IsReadFromAFile) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

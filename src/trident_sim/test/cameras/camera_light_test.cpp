@@ -8,7 +8,7 @@
 #include "camera_robot.h"
 #include "ray_check.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// Fills the view with a wall at x = 4 of one material, its face towards the camera.
@@ -103,4 +103,4 @@ TEST(CameraLight, ShadowsFallWhereTheSunDoesNotAndOnlyOfWhatCastsThem) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

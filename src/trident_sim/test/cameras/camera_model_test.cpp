@@ -11,7 +11,7 @@
 #include "cameras/view_table.h"
 #include "test_world.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 Distortion barrel() { return {-0.28, 0.07, -0.005, 0.001, -0.0015}; }
@@ -94,4 +94,4 @@ TEST(PixelNoise, IsNormalAndOfItsKeyAlone) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

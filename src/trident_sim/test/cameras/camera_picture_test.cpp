@@ -12,7 +12,7 @@
 #include "ray_check.h"
 #include "scratch_folder.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// Middle of what is not black in a square around a pixel.
@@ -271,4 +271,4 @@ TEST(CameraPicture, FormatsAreTheSamePicture) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

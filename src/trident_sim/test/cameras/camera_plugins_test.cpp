@@ -12,7 +12,7 @@
 #include "camera_robot.h"
 #include "ray_check.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 const std::vector<std::string> kImages = {"r/eye/image_raw", "r/eye/depth/image_raw",
@@ -157,4 +157,4 @@ TEST(CameraPlugins, AFocalLengthThatContradictsTheAngleOfViewIsTold) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -8,7 +8,7 @@
 
 #include "camera_robot.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 TEST(KinectPlugin, HasTheNamesAndTheLimitsOfGazeboPlugins) {
@@ -168,4 +168,4 @@ TEST(MulticameraPlugin, ThePairSeesWithTheBaselineThatItTells) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -15,7 +15,7 @@
 #include "scratch_folder.h"
 #include "test_world.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr int kWidth = 48, kHeight = 32;
@@ -195,4 +195,4 @@ TEST(ImageCodec, OtherEncodingsAreRefused) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -10,7 +10,7 @@
 
 #include "camera_robot.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// Distance at which a ray from the origin meets a level box; infinite: it does not.
@@ -93,4 +93,4 @@ TEST(SegmentationCamera, LabelsLinksOnRequest) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -13,7 +13,7 @@
 #include "test_world.h"
 #include "trident_control_sim/lee_plugin.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 TEST(Allocation, TheCounterCounts) {
@@ -23,12 +23,14 @@ TEST(Allocation, TheCounterCounts) {
 class Allocation : public testing::TestWithParam<LoopTiming> {
  protected:
   Allocation() : lee_(1.0), world_(world_spec(), with_timing(GetParam())) {
-    register_control_plugins(world_.registry);
+    control::register_control_plugins(world_.registry);
     world_.add(make_ground());
     world_.add(lee_.model());
-    TimedSetpoint setpoint;
+    control::TimedSetpoint setpoint;
     setpoint.point.p_world = {0, 0, 2};
-    world_->ports().find_in<TrajectorySample>("quad/command/trajectory")->write({{0}, {setpoint}});
+    world_->ports()
+        .find_in<control::TrajectorySample>("quad/command/trajectory")
+        ->write({{0}, {setpoint}});
     world_->step(300);
   }
 
@@ -146,4 +148,4 @@ INSTANTIATE_TEST_SUITE_P(Timing, Allocation,
                          });
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -8,7 +8,7 @@
 #include "test_world.h"
 #include "trident_control_sim/lee_plugin.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// A quad with its controller, commanded to `p_world`.
@@ -16,12 +16,14 @@ class Flight {
  public:
   Flight(const LeeQuad& lee, LoopTiming timing, const Eigen::Vector3d& p_world, double yaw = 0.0)
       : world_(world_spec(), with_timing(timing)) {
-    register_control_plugins(world_.registry);
+    control::register_control_plugins(world_.registry);
     quad_ = &world_.add(lee.model());
-    TimedSetpoint setpoint;
+    control::TimedSetpoint setpoint;
     setpoint.point.p_world = p_world;
     setpoint.point.yaw = yaw;
-    world_->ports().find_in<TrajectorySample>("quad/command/trajectory")->write({{0}, {setpoint}});
+    world_->ports()
+        .find_in<control::TrajectorySample>("quad/command/trajectory")
+        ->write({{0}, {setpoint}});
   }
   World* operator->() { return &*world_; }
   Model& quad() { return *quad_; }
@@ -60,9 +62,11 @@ TEST_P(ClosedLoop, ResetFliesTheSameAgain) {
   flight->step(300);
   const std::string first = flight->state_hash();
   flight->reset();
-  TimedSetpoint setpoint;
+  control::TimedSetpoint setpoint;
   setpoint.point.p_world = {1, -0.5, 1};
-  flight->ports().find_in<TrajectorySample>("quad/command/trajectory")->write({{0}, {setpoint}});
+  flight->ports()
+      .find_in<control::TrajectorySample>("quad/command/trajectory")
+      ->write({{0}, {setpoint}});
   flight->step(300);
   EXPECT_EQ(flight->state_hash(), first);
 }
@@ -73,4 +77,4 @@ INSTANTIATE_TEST_SUITE_P(Timing, ClosedLoop,
                          });
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

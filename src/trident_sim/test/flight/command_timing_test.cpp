@@ -7,7 +7,7 @@
 
 #include "quad_world.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 SimTime state_stamp(std::int64_t step) { return SimTime::from_seconds(0.01) * step; }
@@ -171,4 +171,4 @@ TEST(CommandTiming, WhatTheMotorsGetIsShown) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

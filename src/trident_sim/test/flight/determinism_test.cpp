@@ -8,7 +8,7 @@
 #include "quad_world.h"
 #include "trident_base/random_stream.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// Boxes that fall on each other and on a slope, and two quads that fly into them.
@@ -187,4 +187,4 @@ TEST(StateHash, CountsStepsAndNames) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -9,7 +9,7 @@
 #include "golden_data.h"
 #include "golden_world.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr double kDt = 0.01;
@@ -147,4 +147,4 @@ TEST_F(GoldenSix, EveryFireflyStaysWithinTwoMillimetresOfGazebo) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

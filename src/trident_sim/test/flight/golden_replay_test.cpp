@@ -7,7 +7,7 @@
 #include "golden_data.h"
 #include "golden_world.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// Six recorded flights in which no answer came late.
@@ -49,4 +49,4 @@ TEST_P(GoldenReplay, RecordedCommandsLeadToTheRecordedMotion) {
 INSTANTIATE_TEST_SUITE_P(Vehicles, GoldenReplay, testing::Range(1, 7));
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

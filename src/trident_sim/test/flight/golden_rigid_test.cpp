@@ -8,7 +8,7 @@
 #include "golden_world.h"
 #include "trident_base/angle.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr double kDt = 0.01, kGravity = 9.8;
@@ -118,4 +118,4 @@ TEST(GoldenTumble, FollowsGazeboUntilTheGround) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

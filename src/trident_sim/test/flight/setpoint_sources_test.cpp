@@ -5,7 +5,7 @@
 #include "test_world.h"
 #include "trident_sim/lockstep.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 SimTime ms(std::int64_t milliseconds) { return {milliseconds * 1'000'000}; }
@@ -153,4 +153,4 @@ TEST(SetpointSources, RefusesNonsense) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -11,7 +11,7 @@
 #include "test_world.h"
 #include "trident_sim/commands.h"
 
-namespace trident {
+namespace trident::sim {
 
 constexpr double kSeaGravity = 9.81;
 
@@ -78,4 +78,4 @@ inline void thrust(World& world, double value, const std::string& model = "boat"
   }
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -11,22 +11,23 @@
 #include "standalone_vessel.h"
 #include "trident_control/vessel_controller.h"
 
-namespace trident {
+namespace trident::sim {
 
-inline VesselControlParams shipped_control(const std::string& name) {
-  return load_vessel_control(std::string(TRIDENT_REPOSITORY) + "/config/controllers/" + name +
-                             ".yaml");
+inline control::VesselControlParams shipped_control(const std::string& name) {
+  return control::load_vessel_control(std::string(TRIDENT_REPOSITORY) + "/config/controllers/" +
+                                      name + ".yaml");
 }
-inline VesselModel shipped_model(const std::string& name) {
-  return load_vessel_model(std::string(TRIDENT_REPOSITORY) + "/config/vessels/" + name + ".yaml");
+inline control::VesselModel shipped_model(const std::string& name) {
+  return control::load_vessel_model(std::string(TRIDENT_REPOSITORY) + "/config/vessels/" + name +
+                                    ".yaml");
 }
 
 /// A vessel alone in the sea and the wind, under the controller's core at 100 Hz.
 class ControlledBoat {
  public:
-  ControlledBoat(const VesselParams& vessel, const VesselModel& model,
-                 const VesselControlParams& control, const EnvironmentParams& environment = {},
-                 std::uint64_t seed = 1)
+  ControlledBoat(const VesselParams& vessel, const control::VesselModel& model,
+                 const control::VesselControlParams& control,
+                 const EnvironmentParams& environment = {}, std::uint64_t seed = 1)
       : boat_(vessel),
         sea_(environment, seed),
         coefficients_(vessel.wind),
@@ -35,12 +36,14 @@ class ControlledBoat {
     for (const RudderParams& params : vessel.rudders) rudders_.emplace_back(params);
     boat_.set_at_rest();
   }
-  ControlledBoat(const std::string& vessel, const VesselControlParams& control,
+  ControlledBoat(const std::string& vessel, const control::VesselControlParams& control,
                  const EnvironmentParams& environment = {}, std::uint64_t seed = 1)
       : ControlledBoat(shipped_vessel(vessel), shipped_model(vessel), control, environment, seed) {}
 
   void set_wind(const Eigen::Vector3d& v_world) { wind_world_ = v_world; }
-  CommandVerdict tell(const VesselCommand& command) { return controller_.push({}, command); }
+  control::CommandVerdict tell(const control::VesselCommand& command) {
+    return controller_.push({}, command);
+  }
   void place(double x, double y, double heading) {
     SE3 T = boat_.T_world_co();
     const Eigen::Vector3d rpy = T.rpy();
@@ -63,7 +66,7 @@ class ControlledBoat {
   double time_s() const { return boat_.time_s(); }
   const StandaloneVessel& boat() const { return boat_; }
   StandaloneVessel& boat() { return boat_; }
-  VesselController& controller() { return controller_; }
+  control::VesselController& controller() { return controller_; }
 
  private:
   static constexpr double kStep = 0.01;
@@ -95,33 +98,33 @@ class ControlledBoat {
   StandaloneVessel boat_;
   Environment sea_;
   Eigen::Vector3d coefficients_, wind_world_ = Eigen::Vector3d::Zero();
-  VesselController controller_;
+  control::VesselController controller_;
   std::vector<Thruster> thrusters_;
   std::vector<Rudder> rudders_;
   std::int64_t step_ = 0;
 };
 
-inline VesselCommand follow(std::vector<Eigen::Vector2d> waypoints) {
-  VesselCommand command;
-  command.kind = VesselCommand::Kind::kPath;
+inline control::VesselCommand follow(std::vector<Eigen::Vector2d> waypoints) {
+  control::VesselCommand command;
+  command.kind = control::VesselCommand::Kind::kPath;
   command.waypoints = std::move(waypoints);
   return command;
 }
-inline VesselCommand keep(double x, double y, double heading) {
-  VesselCommand command;
-  command.kind = VesselCommand::Kind::kStation;
+inline control::VesselCommand keep(double x, double y, double heading) {
+  control::VesselCommand command;
+  command.kind = control::VesselCommand::Kind::kStation;
   command.waypoints = {{x, y}};
   command.angle = heading;
   return command;
 }
-inline VesselCommand velocity(double speed, double rate) {
-  VesselCommand command;
+inline control::VesselCommand velocity(double speed, double rate) {
+  control::VesselCommand command;
   command.speed = speed;
   command.rate = rate;
   return command;
 }
-inline VesselCommand towards(VesselCommand::Kind kind, double angle) {
-  VesselCommand command;
+inline control::VesselCommand towards(control::VesselCommand::Kind kind, double angle) {
+  control::VesselCommand command;
   command.kind = kind;
   command.angle = angle;
   return command;
@@ -137,4 +140,4 @@ inline EnvironmentParams uniform_current(double speed, double direction) {
   return environment;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

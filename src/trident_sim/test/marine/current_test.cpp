@@ -11,7 +11,7 @@
 #include "test_world.h"
 #include "trident_base/angle.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 CurrentParams flow(CurrentKind kind, double speed) {
@@ -94,4 +94,4 @@ TEST(Current, IsHandedToAHullInItsOwnAxes) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

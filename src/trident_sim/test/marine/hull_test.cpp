@@ -12,7 +12,7 @@
 #include "test_world.h"
 #include "trident_base/angle.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr double kDensity = 1000.0, kGravity = 9.81;
@@ -242,4 +242,4 @@ TEST_P(BargeInWaves, HeaveAndPitchAreThoseOfTheClosedForm) {
 INSTANTIATE_TEST_SUITE_P(WavelengthOverLength, BargeInWaves, testing::Values(2.0, 3.0, 5.0, 10.0));
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -13,7 +13,7 @@
 #include "trident_base/config_writer.h"
 #include "trident_sim/text_sample.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 PluginSpec sea_with_wind() {
@@ -222,4 +222,4 @@ TEST(LiveEnvironment, GustsGoOnWhenTheWindChanges) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

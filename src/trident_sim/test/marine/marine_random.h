@@ -7,7 +7,7 @@
 #include "trident_base/random_stream.h"
 #include "trident_base/se3.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// Standard normals, the same ones in every run.
 inline Vector6d random_vector6(std::uint64_t index) {
@@ -23,4 +23,4 @@ inline Matrix6d random_matrix6(std::uint64_t index) {
   return result;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -4,7 +4,7 @@
 
 #include "boat_world.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr double kMass = 4.0, kLength = 2.0, kStiffness = 500.0;
@@ -64,4 +64,4 @@ TEST(Mooring, WhatALineCannotBeIsRefused) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -6,7 +6,7 @@
 #include "marine/plugins/live_surroundings.h"
 #include "scratch_folder.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 std::string refusal(const PluginSpec& plugin) {
@@ -101,4 +101,4 @@ TEST(SeaPlugin, BadInputIsOneClearError) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

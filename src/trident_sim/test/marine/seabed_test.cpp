@@ -11,7 +11,7 @@
 #include "scratch_folder.h"
 #include "trident_base/random_stream.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// 3 x 3 cells of 10 m, corner at (-15, -15): from -6 m in the west to +2 m in the east.
@@ -222,4 +222,4 @@ TEST(Tide, RaisesTheSeaAndWhatFloatsOnIt) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

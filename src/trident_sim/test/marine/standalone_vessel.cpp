@@ -4,7 +4,7 @@
 
 #include "core/physics/free_body.h"
 
-namespace trident {
+namespace trident::sim {
 
 StandaloneVessel::StandaloneVessel(const VesselParams& params, Restoring restoring,
                                    double gravity_m_s2)
@@ -90,4 +90,4 @@ VesselParams shipped_vessel(const std::string& name) {
   return load_vessel(std::string(TRIDENT_REPOSITORY) + "/config/vessels/" + name + ".yaml");
 }
 
-}  // namespace trident
+}  // namespace trident::sim

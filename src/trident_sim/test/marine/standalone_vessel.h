@@ -9,7 +9,7 @@
 #include "marine/vessel/vessel_dynamics.h"
 #include "trident_sim/body.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// What carries a vessel: its hull in the water, or Fossen's linear springs about CO.
 enum class Restoring { kHull, kLinear, kNone };
@@ -57,4 +57,4 @@ class StandaloneVessel {
 /// The shipped parameters of a vessel, e.g. "otter".
 VesselParams shipped_vessel(const std::string& name);
 
-}  // namespace trident
+}  // namespace trident::sim

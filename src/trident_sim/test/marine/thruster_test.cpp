@@ -11,7 +11,7 @@
 #include "test_world.h"
 #include "trident_base/angle.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 ThrusterParams params_of(ThrustMapping mapping) {
@@ -164,4 +164,4 @@ TEST(Rudder, TakesEnergyWhateverTheFlow) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

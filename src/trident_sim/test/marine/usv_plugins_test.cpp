@@ -6,10 +6,10 @@
 #include <cmath>
 
 #include "boat_world.h"
-#include "marine/vessel/thruster.h"
 #include "marine/plugins/live_surroundings.h"
+#include "marine/vessel/thruster.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// VRX' WAM-V, keels at z = 0 of its link, with further elements first.
@@ -241,4 +241,4 @@ TEST(VrxWaveField, BadInputIsRefused) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -11,7 +11,7 @@
 #include "trident_sim/commands.h"
 #include "trident_sim/thruster_setup.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 double settled(UuvThruster thruster, double input, double dt_s, int steps) {
@@ -237,4 +237,4 @@ TEST(UuvPlugins, BadInputIsOneClearError) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -10,10 +10,10 @@
 #include "test_world.h"
 #include "trident_base/angle.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
-using Kind = VesselCommand::Kind;
+using Kind = control::VesselCommand::Kind;
 
 /// Distance from the x axis after three minutes at 1.5 m/s through the water along it, in a current
 /// of 0.5 m/s across: mean and largest of the last minute.
@@ -21,9 +21,9 @@ struct Held {
   double mean = 0.0, largest = 0.0, speed = 0.0;
 };
 Held hold_line(double integral_gain) {
-  VesselControlParams control = shipped_control("otter");
+  control::VesselControlParams control = shipped_control("otter");
   control.guidance.integral_gain = integral_gain;
-  control.speed.reference = SpeedReference::kThroughWater;
+  control.speed.reference = control::SpeedReference::kThroughWater;
   ControlledBoat boat("otter", control, uniform_current(0.5, 0.5 * kPi));
   boat.tell(follow({{0.0, 0.0}, {1000.0, 0.0}}));
   boat.run(180.0);
@@ -58,7 +58,7 @@ TEST(LineOfSightGuidance, FinishesACourseOfWaypointsAndStaysThere) {
   const std::vector<Eigen::Vector2d> course = {{0, 0}, {60, 0}, {60, 40}, {0, 40}, {0, 10}};
   boat.tell(follow(course));
   std::vector<double> nearest(course.size(), 1e9);
-  while (boat.controller().mode() != VesselMode::kStation && boat.time_s() < 300.0) {
+  while (boat.controller().mode() != control::VesselMode::kStation && boat.time_s() < 300.0) {
     boat.step();
     for (std::size_t i = 0; i < course.size(); ++i) {
       nearest[i] = std::min(nearest[i], (course[i] - Eigen::Vector2d(boat.x(), boat.y())).norm());
@@ -81,9 +81,9 @@ TEST(CourseController, HoldsACourseOverGroundInACurrent) {
 }
 
 TEST(SpeedController, IsThroughTheWaterWithALogAndOverGroundWithout) {
-  VesselControlParams control = shipped_control("otter");
+  control::VesselControlParams control = shipped_control("otter");
   ControlledBoat over_ground("otter", control, uniform_current(0.4, 0.0));
-  control.speed.reference = SpeedReference::kThroughWater;
+  control.speed.reference = control::SpeedReference::kThroughWater;
   ControlledBoat logged("otter", control, uniform_current(0.4, 0.0));
   for (ControlledBoat* boat : {&over_ground, &logged}) {
     boat->tell(towards(Kind::kHeading, 0.0));
@@ -98,7 +98,7 @@ TEST(SpeedController, IsThroughTheWaterWithALogAndOverGroundWithout) {
 }
 
 std::string refusal(const std::string& yaml) {
-  return error_of([&] { load_yaml_string<VesselControlParams>(yaml, "control.yaml"); });
+  return error_of([&] { load_yaml_string<control::VesselControlParams>(yaml, "control.yaml"); });
 }
 
 TEST(VesselControlFile, IsReadStrictly) {
@@ -111,47 +111,49 @@ TEST(VesselControlFile, IsReadStrictly) {
 }
 
 TEST(VesselControlFile, APoseWantsThrustersThatPushSideways) {
-  VesselControlParams control = shipped_control("otter");
-  control.station.behaviour = StationBehaviour::kPose;
-  EXPECT_TRUE(contains(error_of([&] { VesselController(shipped_model("otter"), control); }),
-                       "station.behaviour = pose"));
+  control::VesselControlParams control = shipped_control("otter");
+  control.station.behaviour = control::StationBehaviour::kPose;
+  EXPECT_TRUE(
+      contains(error_of([&] { control::VesselController(shipped_model("otter"), control); }),
+               "station.behaviour = pose"));
 }
 
 TEST(VesselModelFile, WithoutThrustersOrWithACurveThatFallsIsRefused) {
   const ScratchFolder folder;
   const std::string body = "name: v\nmass: 1\ninertia: [1, 1, 1]\nhull: {any: thing}\n";
   const std::string none = folder.write("none.yaml", body);
-  EXPECT_TRUE(contains(error_of([&] { load_vessel_model(none); }), "legal, to be controlled"));
+  EXPECT_TRUE(
+      contains(error_of([&] { control::load_vessel_model(none); }), "legal, to be controlled"));
   const std::string falling = folder.write(
       "falling.yaml", body +
                           "thrusters:\n  - {name: a, position: [0, 0, 0], mapping: "
                           "table, table_commands: [-1, 0, 1], table_forces: [-1, 2, 1]}\n");
-  EXPECT_TRUE(
-      contains(error_of([&] { load_vessel_model(falling); }), "thruster 'a': table_forces[2]"));
+  EXPECT_TRUE(contains(error_of([&] { control::load_vessel_model(falling); }),
+                       "thruster 'a': table_forces[2]"));
 }
 
 TEST(VesselController, CommandsOfALaterStampWaitAndAResetForgetsThem) {
   ControlledBoat boat("otter", shipped_control("otter"));
   boat.controller().push(SimTime::from_seconds(5.0), follow({{50.0, 0.0}}));
   boat.run(4.9);
-  EXPECT_EQ(boat.controller().mode(), VesselMode::kIdle);
+  EXPECT_EQ(boat.controller().mode(), control::VesselMode::kIdle);
   boat.run(0.2);
-  EXPECT_EQ(boat.controller().mode(), VesselMode::kPath);
+  EXPECT_EQ(boat.controller().mode(), control::VesselMode::kPath);
   boat.controller().push(SimTime::from_seconds(50.0), keep(0.0, 0.0, 0.0));
-  EXPECT_EQ(boat.controller().update({0}, {}), ControlStatus::ok);
-  EXPECT_EQ(boat.controller().mode(), VesselMode::kIdle);
-  EXPECT_EQ(boat.controller().update(SimTime::from_seconds(55.0), {}), ControlStatus::ok);
-  EXPECT_EQ(boat.controller().mode(), VesselMode::kIdle);
-  OdometryState broken;
+  EXPECT_EQ(boat.controller().update({0}, {}), control::ControlStatus::ok);
+  EXPECT_EQ(boat.controller().mode(), control::VesselMode::kIdle);
+  EXPECT_EQ(boat.controller().update(SimTime::from_seconds(55.0), {}), control::ControlStatus::ok);
+  EXPECT_EQ(boat.controller().mode(), control::VesselMode::kIdle);
+  control::OdometryState broken;
   broken.v_body.x() = std::nan("");
   EXPECT_EQ(boat.controller().update(SimTime::from_seconds(56.0), broken),
-            ControlStatus::invalid_state);
+            control::ControlStatus::invalid_state);
 }
 
 TEST(VesselController, AStampedPathThatComesAgainIsNotBegunAnew) {
   const auto place = [](double repeated_at, double stamp) {
     ControlledBoat boat("otter", shipped_control("otter"), uniform_current(0.3, 1.0));
-    const VesselCommand path = follow({{5.0, 20.0}, {80.0, 20.0}});
+    const control::VesselCommand path = follow({{5.0, 20.0}, {80.0, 20.0}});
     boat.controller().push(SimTime::from_seconds(1.0), path);
     boat.run(repeated_at);
     EXPECT_EQ(boat.controller().push(SimTime::from_seconds(stamp), path).refused, "");
@@ -165,7 +167,7 @@ TEST(VesselController, AStampedPathThatComesAgainIsNotBegunAnew) {
 
 class EveryControlledBoat : public testing::TestWithParam<const char*> {
  protected:
-  static VesselControlParams control() {
+  static control::VesselControlParams control() {
     const std::string vessel = GetParam();
     return shipped_control(vessel.rfind("wamv", 0) == 0 ? "wamv" : vessel);
   }
@@ -237,4 +239,4 @@ TEST(StationKeeping, HoldsAWamvWithXThrustersInWavesAndWind) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -11,7 +11,7 @@
 #include "trident_control_sim/lee_plugin.h"
 #include "trident_sim/commands.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 std::string control_file(const std::string& name) {
@@ -43,7 +43,7 @@ class ControlledWorld {
   explicit ControlledWorld(LoopTiming timing = LoopTiming::kDirect,
                            const std::string& vessel = "otter")
       : world_(ocean({make_sea({{"waves", {{"spectrum", "none"}}}})}), with_timing(timing)) {
-    register_control_plugins(world_.registry);
+    control::register_control_plugins(world_.registry);
     boat_ = &world_.add(make_controlled(vessel));
   }
 
@@ -70,7 +70,7 @@ TEST(VesselControllerPlugin, MovesTheBoatAsTheCoreWould) {
   ControlledWorld world;
   world.write("command/heading", ScalarSample{{}, 0.7});
   ControlledBoat core("otter", shipped_control("otter"));
-  core.tell(towards(VesselCommand::Kind::kHeading, 0.7));
+  core.tell(towards(control::VesselCommand::Kind::kHeading, 0.7));
   world.run(30.0);
   core.run(30.0);
   EXPECT_NEAR(world.pose().rpy().z(), core.heading(), 0.01);
@@ -153,7 +153,7 @@ TEST(VesselControllerPlugin, GoesOnFromASnapshotAndRepeats) {
 
 TEST(VesselControllerPlugin, NamesWhatIsMissing) {
   TestWorld world(ocean());
-  register_control_plugins(world.registry);
+  control::register_control_plugins(world.registry);
   const auto refused = [&](ModelSpec spec) {
     return error_of([&] { world.add(std::move(spec)); });
   };
@@ -172,4 +172,4 @@ TEST(VesselControllerPlugin, NamesWhatIsMissing) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -8,12 +8,12 @@
 #include "controlled_boat.h"
 #include "trident_control/drift_observer.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 using Path = std::vector<Eigen::Vector2d>;
 
-VesselControlParams control_of(const std::string& vessel) {
+control::VesselControlParams control_of(const std::string& vessel) {
   return shipped_control(vessel.rfind("wamv", 0) == 0 ? "wamv" : vessel);
 }
 
@@ -29,7 +29,7 @@ double tracking_rms(ControlledBoat& boat, const Path& path) {
   boat.tell(follow(path));
   double sum = 0.0;
   int count = 0;
-  while (boat.controller().mode() != VesselMode::kStation && boat.time_s() < 300.0) {
+  while (boat.controller().mode() != control::VesselMode::kStation && boat.time_s() < 300.0) {
     boat.step();
     const Eigen::Vector2d p(boat.x(), boat.y());
     double nearest = 1e9;
@@ -62,9 +62,9 @@ INSTANTIATE_TEST_SUITE_P(All, EveryDriftingBoat,
 /// What the observer makes of a boat that is steered to one heading after another.
 Eigen::Vector2d observed(const EnvironmentParams& sea, const std::vector<double>& headings) {
   ControlledBoat boat("wamv", shipped_control("wamv"), sea);
-  DriftObserver observer(shipped_model("wamv"), 5.0);
+  control::DriftObserver observer(shipped_model("wamv"), 5.0);
   for (const double heading : headings) {
-    boat.tell(towards(VesselCommand::Kind::kHeading, heading));
+    boat.tell(towards(control::VesselCommand::Kind::kHeading, heading));
     for (int i = 0; i < 3000; ++i) {
       boat.step();
       const Vector6d nu = boat.boat().nu();
@@ -89,4 +89,4 @@ TEST(DriftObserver, TakesNoSlideInATurnForADrift) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -7,14 +7,14 @@
 #include <cmath>
 #include <unsupported/Eigen/MatrixFunctions>
 
-#include "marine/vessel/thruster.h"
 #include "marine/environment/wave_field.h"
+#include "marine/vessel/thruster.h"
 #include "marine_random.h"
 #include "standalone_vessel.h"
 #include "test_world.h"
 #include "trident_base/angle.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 Vector6d surge(double force) {
@@ -298,4 +298,4 @@ TEST(LegacyVrx, ForceIsThatOfTheEquation) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -20,7 +20,7 @@
 #include "trident_base/angle.h"
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 struct Options {
@@ -89,11 +89,11 @@ void run(const Options& options) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim
 
 int main(int argc, char** argv) {
   try {
-    trident::run(trident::parse(argc, argv));
+    trident::sim::run(trident::sim::parse(argc, argv));
   } catch (const std::exception& error) {
     std::cerr << "vessel_manoeuvre: " << error.what() << "\n";
     return 1;

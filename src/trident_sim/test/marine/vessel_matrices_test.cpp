@@ -7,7 +7,7 @@
 #include "marine_random.h"
 #include "test_world.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 RigidBody lopsided_body() {
@@ -125,4 +125,4 @@ TEST(VesselMatrices, RefusalsNameVesselMatrixAndFigure) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -8,7 +8,7 @@
 #include "standalone_vessel.h"
 #include "test_world.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr const char* kBoat = "name: boat\nmass: 80\ninertia: [16, 21, 15]\n";
@@ -144,4 +144,4 @@ TEST(VesselParams, MatricesAreChecked) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

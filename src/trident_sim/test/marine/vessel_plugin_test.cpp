@@ -10,7 +10,7 @@
 #include "scratch_folder.h"
 #include "trident_base/angle.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 class EveryBoat : public testing::TestWithParam<const char*> {};
@@ -267,4 +267,4 @@ TEST(VesselPlugin, BadInputIsOneClearError) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

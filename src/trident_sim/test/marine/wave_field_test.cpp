@@ -12,7 +12,7 @@
 #include "trident_base/angle.h"
 #include "trident_base/random_stream.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr std::array<double, 2> kSurface = {0.0, 0.0};
@@ -334,4 +334,4 @@ TEST(WaveParams, BadInputIsNamed) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

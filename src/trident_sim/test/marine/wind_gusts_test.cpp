@@ -9,7 +9,7 @@
 
 #include "test_world.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 DrydenParams breeze() {
@@ -96,4 +96,4 @@ TEST(DrydenGusts, NoWindNoGusts) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -12,7 +12,7 @@
 #include "trident_sim/text_sample.h"
 #include "trident_sim/vector_sample.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 PluginSpec steady_wind(const char* speed, const char* direction = "0") {
@@ -231,4 +231,4 @@ TEST(Anemometer, HasItsRateAndRefusesBadInput) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -8,7 +8,7 @@
 #include "test_world.h"
 #include "trident_base/random_stream.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr int kBodies = 60;
@@ -106,4 +106,4 @@ TEST(Collision, AStaticBodyFarFromTheOriginIsHit) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -8,7 +8,7 @@
 #include "models.h"
 #include "test_world.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr double kGravity = 9.8, kMu = 0.4;
@@ -172,4 +172,4 @@ INSTANTIATE_TEST_SUITE_P(Towers, Stack,
                          [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -7,7 +7,7 @@
 #include "models.h"
 #include "test_world.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr double kDt = 0.01, kRadius = 0.5;
@@ -217,4 +217,4 @@ TEST(Margin, AWheelRollsOnItsOwnRadius) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -9,7 +9,7 @@
 #include "scratch_folder.h"
 #include "test_world.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// A closed box of half edge 0.1 m as STL text.
@@ -166,4 +166,4 @@ TEST(Contact, BodiesPushEachOtherAndKeepTheirMomentum) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

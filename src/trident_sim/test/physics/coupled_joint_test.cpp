@@ -8,7 +8,7 @@
 #include "models.h"
 #include "test_world.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846, kGravity = 9.8;
@@ -169,4 +169,4 @@ TEST(GearboxJoint, WheelsThatDoNotMoveAgainstTheReferenceAreRefused) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -6,7 +6,7 @@
 #include "models.h"
 #include "test_world.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// The same body stepped by ODE itself, with the gyroscopic torque given from outside.
@@ -124,4 +124,4 @@ TEST(FreeBody, ConservesMomentumWhenTheStepIsSmall) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -7,7 +7,7 @@
 #include "models.h"
 #include "test_world.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 Surface with_mu(double mu, double mu2) {
@@ -108,4 +108,4 @@ TEST(Friction, ItHoldsOnASlopeUpToItsAngle) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

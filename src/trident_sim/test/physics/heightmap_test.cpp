@@ -5,14 +5,14 @@
 
 #include <cmath>
 
+#include "core/physics/height_image.h"
 #include "golden_data.h"
 #include "models.h"
-#include "core/physics/height_image.h"
 #include "scratch_folder.h"
 #include "test_world.h"
 #include "trident_sim/sdf_loader.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// A PGM of `values`, row by row from the top.
@@ -241,4 +241,4 @@ TEST(Heightmap, SdfErrorsNameFileAndField) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

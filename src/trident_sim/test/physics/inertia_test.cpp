@@ -7,7 +7,7 @@
 #include "models.h"
 #include "test_world.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 bool near(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b, double tolerance) {
@@ -89,4 +89,4 @@ TEST(Inertia, WhatIsFixedToTheWorldDoesNotMove) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -9,7 +9,7 @@
 #include "test_world.h"
 #include "trident_sim/joint_drive.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr double kInertia = 0.25;
@@ -210,4 +210,4 @@ TEST(JointDrivePlugin, ItsErrorsNameModelPluginAndJoint) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -7,7 +7,7 @@
 #include "models.h"
 #include "test_world.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr double kPi = 3.14159265358979;
@@ -190,4 +190,4 @@ TEST(Prismatic, EffortAcceleratesUpToTheLimitOfTheJoint) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -9,7 +9,7 @@
 #include "test_world.h"
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846, kGravity = 9.8;
@@ -229,4 +229,4 @@ TEST(Revolute, LimitsHoldWhenTheChildStands) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

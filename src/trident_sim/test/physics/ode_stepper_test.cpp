@@ -9,7 +9,7 @@
 
 #include "core/physics/ode_context.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 class OdeStepperTest : public testing::TestWithParam<int (*)(dWorldID, dReal)> {
@@ -44,4 +44,4 @@ TEST_P(OdeStepperTest, AStepWithoutASolutionFailsAndTheNextIsFine) {
 INSTANTIATE_TEST_SUITE_P(Solvers, OdeStepperTest, testing::Values(dWorldStep, dWorldQuickStep));
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -11,7 +11,7 @@
 #include "test_world.h"
 #include "trident_base/angle.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr double kGravity = 9.8, kHalf = 0.1;
@@ -189,4 +189,4 @@ INSTANTIATE_TEST_SUITE_P(Solvers, RigidCase,
                          [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -7,7 +7,7 @@
 
 #include "quad_world.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 Inertial some_inertial() {
@@ -359,4 +359,4 @@ TEST(JointPositions, WhatCannotBeMovedIsRefusedBeforeAnythingMoves) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

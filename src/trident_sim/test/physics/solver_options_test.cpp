@@ -10,7 +10,7 @@
 #include "test_world.h"
 #include "trident_sim/sdf_loader.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// How far the balls of a column sink into each other within a second [m].
@@ -131,4 +131,4 @@ TEST(Solver, SdfSaysAllOfIt) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

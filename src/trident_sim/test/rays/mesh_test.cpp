@@ -7,7 +7,7 @@
 #include "ray_check.h"
 #include "scratch_folder.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// One triangle (0 0 0), (1 0 0), (0 0 2) of a red material, in a COLLADA file.
@@ -82,4 +82,4 @@ TEST(Mesh, AHeightmapTooLargeForTrianglesIsLeftOutOfWhatRaysSee) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -13,7 +13,7 @@
 #include "scratch_folder.h"
 #include "test_world.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// Left half red, right half blue; or with one channel, white and black.
@@ -91,4 +91,4 @@ TEST(PictureFile, WhatCannotBeReadIsNamed) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -10,7 +10,7 @@
 #include "ray_check.h"
 #include "scratch_folder.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr double kNothing = std::numeric_limits<double>::infinity();
@@ -273,4 +273,4 @@ TEST(ManyRays, TheOrderOfSpawningChangesNothing) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

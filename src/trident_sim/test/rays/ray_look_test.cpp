@@ -9,7 +9,7 @@
 #include "ray_check.h"
 #include "scratch_folder.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 const Eigen::Vector3d kX = Eigen::Vector3d::UnitX(), kZ = Eigen::Vector3d::UnitZ();
@@ -170,4 +170,4 @@ TEST(RayLook, APictureThatCannotBeReadIsToldOfOnce) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <optional>
 
-#include "rays/ray_packet.h"
 #include "ray_check.h"
+#include "rays/ray_packet.h"
 #include "scratch_folder.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr double kNothing = std::numeric_limits<double>::infinity();
@@ -285,4 +285,4 @@ TEST(RayShape, CylindersAreStillRoundWhenSeenFromFarAway) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

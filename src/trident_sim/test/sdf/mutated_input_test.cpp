@@ -18,7 +18,7 @@
 #include "test_world.h"
 #include "trident_sim/sdf_loader.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 // A model of every kind of element that the loader reads.
@@ -212,4 +212,4 @@ TEST(MutatedInput, IsLoadedOrRefusedWithAnError) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -8,7 +8,7 @@
 #include "scratch_folder.h"
 #include "test_world.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 const char kBall[] =
@@ -427,4 +427,4 @@ TEST(MissingFloor, IsNotToldWhereThereIsGround) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -6,11 +6,11 @@
 #include <filesystem>
 #include <fstream>
 
-#include "scratch_folder.h"
 #include "core/materials/ogre_script.h"
+#include "scratch_folder.h"
 #include "test_world.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 const char kScript[] = R"(// a comment {
@@ -196,4 +196,4 @@ TEST(OgreScript, ABrokenScriptIsOneWarningBesidesThatOfTheMaterial) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

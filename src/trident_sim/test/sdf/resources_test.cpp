@@ -7,7 +7,7 @@
 #include "scratch_folder.h"
 #include "test_world.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 class ResourcesTest : public testing::Test {
@@ -183,4 +183,4 @@ TEST_F(ResourcesTest, ExportsOfPackagesThatDoNotDependOnGazeboRosDoNotCount) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -7,7 +7,7 @@
 #include "models.h"
 #include "test_world.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 std::string load_error(const std::string& xml) {
@@ -188,4 +188,4 @@ TEST(PluginParams, ReadingIsStrict) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -6,7 +6,7 @@
 
 #include "test_world.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 const double kQuarter = std::acos(0.0);
@@ -131,4 +131,4 @@ TEST(SdfFrames, ABareModelElementIsAccepted) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -7,7 +7,7 @@
 #include "test_world.h"
 #include "trident_sim/sdf_loader.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr double kTurn = 6.283185307179586;
@@ -113,4 +113,4 @@ TEST(SdfJoint, WhatIsNotSupportedNamesWhatIs) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -8,7 +8,7 @@
 #include "scratch_folder.h"
 #include "test_world.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 WorldSpec load(const std::string& content, std::vector<std::string>* warnings = nullptr,
@@ -174,4 +174,4 @@ TEST(SdfSensor, APluginOfASensorKnowsItAndItsLink) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -11,7 +11,7 @@
 #include "scratch_folder.h"
 #include "test_world.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 const char kModel[] =
@@ -211,4 +211,4 @@ TEST_F(SdfInclude, LoadsFromManyThreads) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -4,11 +4,11 @@
 // Documents that include others, themselves, or too much.
 #include <gtest/gtest.h>
 
-#include "scratch_folder.h"
 #include "core/sdf/xml_cut.h"
+#include "scratch_folder.h"
 #include "test_world.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 class SdfSourcesTest : public testing::Test {
@@ -176,4 +176,4 @@ TEST(XmlCut, BlanksAnElementAndKeepsTheLines) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

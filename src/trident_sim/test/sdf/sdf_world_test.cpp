@@ -5,7 +5,7 @@
 #include "scratch_folder.h"
 #include "test_world.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 const char kBoxLink[] =
@@ -195,4 +195,4 @@ TEST(SdfWorld, FilesAreFoundAndNamedInErrors) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

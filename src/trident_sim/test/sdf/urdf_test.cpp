@@ -5,7 +5,7 @@
 #include "scratch_folder.h"
 #include "test_world.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 std::string inertial(const std::string& mass = "1", const std::string& ixx = "0.1") {
@@ -253,4 +253,4 @@ TEST(Urdf, MeshesOfPackagesAreFound) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

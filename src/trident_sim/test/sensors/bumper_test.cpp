@@ -5,7 +5,7 @@
 #include "models.h"
 #include "test_world.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr double kMass = 2.0;  ///< of the box [kg]
@@ -126,4 +126,4 @@ TEST(Bumper, BadSensorsAreRefusedByName) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -10,7 +10,7 @@
 #include "test_world.h"
 #include "trident_sim/commands.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr double kGravity = 9.8;
@@ -273,4 +273,4 @@ TEST(GazeboImu, BadParametersAreRefused) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

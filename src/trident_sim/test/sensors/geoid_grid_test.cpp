@@ -12,7 +12,7 @@
 #include "scratch_folder.h"
 #include "test_world.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 template <class Number>
@@ -92,4 +92,4 @@ TEST(Egm96, AgreesWithTheHeightsThatItsAuthorsPublish) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -9,7 +9,7 @@
 #include "sensors/gnss/geoid_grid.h"
 #include "test_world.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 using FixType = GnssStatusSample::FixType;
@@ -153,4 +153,4 @@ TEST(Gnss, BadElementsAreRefusedByName) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -12,7 +12,7 @@
 #include "test_world.h"
 #include "trident_sim/vector_sample.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 WorldSpec on_earth(double heading_deg = 0.0) {
@@ -154,4 +154,4 @@ TEST(HectorSonar, TellsTheNearestRange) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -8,11 +8,11 @@
 #include <cmath>
 
 #include "models.h"
-#include "sensors/inertial/axis_noise.h"
 #include "sample_statistics.h"
+#include "sensors/inertial/axis_noise.h"
 #include "test_world.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr double kPeriod = 0.01;  ///< [s]
@@ -213,4 +213,4 @@ TEST(ImuStatistics, RotorsBiasOfTurningOnIsSpreadOverVehicles) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

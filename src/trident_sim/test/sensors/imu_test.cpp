@@ -7,7 +7,7 @@
 #include "models.h"
 #include "test_world.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr double kGravity = 9.8;
@@ -159,4 +159,4 @@ TEST(Imu, WhiteNoiseHasItsDensity) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

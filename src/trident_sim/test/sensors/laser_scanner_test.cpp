@@ -10,7 +10,7 @@
 #include "test_world.h"
 #include "trident_base/angle.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr float kInf = std::numeric_limits<float>::infinity();
@@ -213,4 +213,4 @@ TEST(RollingLidar, NeedsARate) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

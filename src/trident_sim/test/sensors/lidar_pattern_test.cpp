@@ -12,7 +12,7 @@
 #include "test_world.h"
 #include "trident_base/angle.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 LidarSpec spec_of(int columns, double max_rad, int rings, double highest_rad) {
@@ -140,4 +140,4 @@ TEST(LidarPattern, BadValuesAreRefusedByName) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -7,7 +7,7 @@
 #include "sensors/lidar/lidar_spec.h"
 #include "test_world.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 SensorSpec sensor_of(const std::string& ray) {
@@ -91,4 +91,4 @@ TEST(LidarSpec, ASensorOfAnotherTypeIsRefused) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -8,11 +8,11 @@
 #include <cmath>
 
 #include "models.h"
-#include "sensors/air/air_pressure.h"
 #include "sample_statistics.h"
+#include "sensors/air/air_pressure.h"
 #include "test_world.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
@@ -220,4 +220,4 @@ TEST(NavigationSensors, BadParametersAreRefused) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -10,7 +10,7 @@
 #include "lidar_rig.h"
 #include "trident_sim/ray_scene.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr double kHalfRoom = 6.0;  ///< [m]
@@ -368,4 +368,4 @@ TEST(PointLidar, BadElementsAreRefusedByName) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

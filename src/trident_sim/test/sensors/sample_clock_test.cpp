@@ -6,7 +6,7 @@
 
 #include "core/plugins/sample_clock.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// Steps, counted from 1, in which a sensor of `rate_hz` measures.
@@ -53,4 +53,4 @@ TEST(SampleClock, LongRunsKeepTheirCount) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -7,7 +7,7 @@
 
 #include "lidar_rig.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// Five by three beams in a cone of 0.4 rad about x.
@@ -176,4 +176,4 @@ TEST(WheelEncoders, TellWholeTicksAndTheirRate) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -10,7 +10,7 @@
 #include "trident_base/angle.h"
 #include "trident_base/bicycle_odometry.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 const AckermannGeometry kGeometry{0.6, 0.4, 0.4};
@@ -276,4 +276,4 @@ TEST(AckermannDrive, ASecondRunAfterAResetIsTheFirst) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -9,7 +9,7 @@
 
 #include "cart.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 CartOptions with(ParamList params) {
@@ -218,4 +218,4 @@ TEST(P3d, TellsTheLinkInTheWorldOrAgainstAnother) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -6,7 +6,7 @@
 #include "models.h"
 #include "test_world.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 SE3 at(double x, double y, double z) { return {Eigen::Quaterniond::Identity(), {x, y, z}}; }
@@ -69,4 +69,4 @@ TEST(Follow, WhatCannotBeCarriedIsRefused) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

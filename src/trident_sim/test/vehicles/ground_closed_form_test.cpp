@@ -10,7 +10,7 @@
 #include "trident_base/angle.h"
 #include "trident_base/diff_drive_odometry.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr double kRadius = 0.1;
@@ -151,4 +151,4 @@ TEST_F(Slalom, OnIceTheyDriftBySlip) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -9,7 +9,7 @@
 #include "cart.h"
 #include "trident_base/angle.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr double kGravity = 9.8;
@@ -229,4 +229,4 @@ TEST(DiffDrive, TheRampOfSpeedIsItsAcceleration) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

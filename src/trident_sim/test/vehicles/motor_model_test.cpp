@@ -6,7 +6,7 @@
 
 #include "quad_world.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr double kDt = 0.01, kGravity = 9.8;
@@ -139,4 +139,4 @@ TEST(MotorModel, TwoRotorsTurningTheSameWayHoldTheBodyGyroscopically) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -7,7 +7,7 @@
 #include "models.h"
 #include "test_world.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 ModelSpec body_with_odometry(const ParamList& extra, const SE3& T_world_model = at(0, 0, 10)) {
@@ -150,4 +150,4 @@ TEST(Odometry, NormalNoiseHasItsSpreadAndIsInTheCovariance) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -5,7 +5,7 @@
 #include "core/physics/rotor_axis.h"
 #include "quad_world.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// Where the axis of rotor `number` points in the body after turning about x for a while.
@@ -80,4 +80,4 @@ TEST(RotorAxis, IsTheSameAloneAndBesideOthers) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -8,7 +8,7 @@
 #include "scratch_folder.h"
 #include "test_world.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 using FieldList = std::vector<std::pair<std::string, std::string>>;
@@ -184,4 +184,4 @@ TEST_F(WindFieldFile, AFileThatIsNotThereIsNamed) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -8,7 +8,7 @@
 #include "quad_world.h"
 #include "scratch_folder.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr double kDt = 0.01;
@@ -181,4 +181,4 @@ TEST_F(WindFieldPlugin, Conforms) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -9,7 +9,7 @@
 #include "test_world.h"
 #include "trident_base/random_stream.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 using Wind = std::function<Eigen::Vector3d(const Eigen::Vector3d&)>;
@@ -222,4 +222,4 @@ TEST(WindField, SpacingThatDoesNotFillTheColumnIsContinuedToItsEnds) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

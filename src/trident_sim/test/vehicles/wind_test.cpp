@@ -4,7 +4,7 @@
 
 #include "quad_world.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr double kDt = 0.01;
@@ -102,4 +102,4 @@ TEST(Wind, AStaticLinkIsNotPushed) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

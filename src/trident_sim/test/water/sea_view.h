@@ -12,7 +12,7 @@
 #include "sea_rays/water_surface.h"
 #include "test_world.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// A world of nothing but a sea, whose <waves> these are.
 inline WorldSpec sea_spec(const ParamList& waves, const std::string& level_m = "0") {
@@ -50,4 +50,4 @@ inline RayScene& scene_on_water(TestWorld& world, const Eigen::Vector3d& p_world
   return scene;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -10,7 +10,7 @@
 #include "sea_view.h"
 #include "trident_base/angle.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr double kPitch = 0.2;  ///< downward [rad]
@@ -174,4 +174,4 @@ TEST(WaterSlopes, AreThoseOfTheSurfaceAndFadeWithTheWidth) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -6,11 +6,11 @@
 #include <cmath>
 
 #include "lidar_rig.h"
-#include "sensors/lidar/water_returns.h"
 #include "sea_view.h"
+#include "sensors/lidar/water_returns.h"
 #include "trident_base/angle.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 const ParamList kCalm = {{"spectrum", "none"}};
@@ -251,4 +251,4 @@ TEST(WaterReturns, DependOnNeitherThreadsNorListeners) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -10,7 +10,7 @@
 
 #include "sea_view.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 const Eigen::Vector3d kX = Eigen::Vector3d::UnitX(), kZ = Eigen::Vector3d::UnitZ();
@@ -374,4 +374,4 @@ TEST(WaterSurface, OfOtherWaterIsItsLevel) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -8,7 +8,7 @@
 
 #include "cart.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 Diagnostic make(const std::string& subject, const std::string& kind, const std::string& value) {
@@ -168,4 +168,4 @@ TEST(SpawnedInside, AWallPushesARobotOutWithoutAnExplosion) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -4,7 +4,7 @@
 
 #include "trident_sim/lockstep.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 using Answer = LockstepVehicle::Answer;
@@ -145,4 +145,4 @@ TEST(Lockstep, ALongFlightKeepsWorking) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -8,7 +8,7 @@
 
 #include "test_world.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 const ParamList kBase{{"robotNamespace", "ns"}, {"linkName", "base_link"}};
@@ -402,4 +402,4 @@ TEST(PluginRegistry, FoldersPrefixAndSuffixDoNotMatter) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

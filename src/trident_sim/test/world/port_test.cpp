@@ -4,7 +4,7 @@
 
 #include "quad_world.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 TEST(PortBoard, OutputsAreUniqueByName) {
@@ -105,4 +105,4 @@ TEST(MultirotorBase, ShowsSignedSpeedsAndJointAngles) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -7,7 +7,7 @@
 
 #include "quad_world.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr int kSteps = 60;
@@ -104,4 +104,4 @@ TEST_P(Reset, OfModelsKeepsWhatModelsAreMadeOf) {
 INSTANTIATE_TEST_SUITE_P(Timings, Reset, testing::Values(LoopTiming::kRotors, LoopTiming::kDirect));
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -8,13 +8,13 @@
 #include "test_world.h"
 #include "trident_control_sim/lee_plugin.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 using Prepare = void (*)(TestWorld&);
 
 void fly_quads(TestWorld& world) {
-  register_control_plugins(world.registry);
+  control::register_control_plugins(world.registry);
   world.add(make_ground());
   for (int i = 0; i < 2; ++i) {
     QuadOptions options;
@@ -26,13 +26,13 @@ void fly_quads(TestWorld& world) {
         make_plugin("imu", "librotors_gazebo_imu_plugin.so",
                     {{"robotNamespace", options.robot_namespace}, {"linkName", "base_link"}}));
     world.add(std::move(spec));
-    TrajectorySample sample;
+    control::TrajectorySample sample;
     sample.points.resize(2);
     sample.points[0].point.p_world = {2.0 * i + 1.0, 1.0, 2.0};
     sample.points[1].point.p_world = {2.0 * i, -1.0, 1.0};
     sample.points[1].time_from_start = SimTime::from_seconds(2.5);
     world->ports()
-        .find_in<TrajectorySample>(options.robot_namespace + "/command/trajectory")
+        .find_in<control::TrajectorySample>(options.robot_namespace + "/command/trajectory")
         ->write(sample);
     world->ports().find_out<ImuSample>(options.robot_namespace + "/imu")->add_listener();
   }
@@ -240,4 +240,4 @@ TEST(Snapshot, OfOtherModelsOrAnotherWorldIsRefusedAndNothingChanges) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

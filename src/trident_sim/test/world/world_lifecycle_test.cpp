@@ -4,7 +4,7 @@
 
 #include "quad_world.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 std::size_t port_count(TestWorld& world) {
@@ -116,4 +116,4 @@ TEST(WorldLifecycle, LinksAreFoundByScopedOrUniqueName) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

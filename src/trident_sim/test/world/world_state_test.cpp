@@ -6,7 +6,7 @@
 
 #include "quad_world.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 TEST(SetState, AModelIsPutWhereAsked) {
@@ -189,4 +189,4 @@ TEST(Physics, StepAndGravityChangeAtRunTime) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim

@@ -7,7 +7,7 @@
 
 #include "conversions.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 using Point = ImageCloudSample::Point;
@@ -80,4 +80,4 @@ void convert(const BoundingBoxesSample& sample, trident_msgs::BoundingBoxes& mes
   }
 }
 
-}  // namespace trident
+}  // namespace trident::sim

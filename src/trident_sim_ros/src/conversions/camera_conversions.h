@@ -9,7 +9,7 @@
 
 #include "trident_sim/samples.h"
 
-namespace trident {
+namespace trident::sim {
 
 // Sample -> message, as in conversions.h.
 void convert(const ImageSample& sample, sensor_msgs::Image& message);
@@ -18,4 +18,4 @@ void convert(const CameraInfoSample& sample, sensor_msgs::CameraInfo& message);
 void convert(const ImageCloudSample& sample, sensor_msgs::PointCloud2& message);
 void convert(const BoundingBoxesSample& sample, trident_msgs::BoundingBoxes& message);
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -6,7 +6,7 @@
 
 #include "trident_base/shown_text.h"
 
-namespace trident {
+namespace trident::sim {
 
 std::string one_line(std::string text) {
   text = with_short_words(text);
@@ -203,4 +203,4 @@ void convert(const VectorSample& sample, geometry_msgs::Vector3Stamped& message)
   message.vector = to_vector(sample.value);
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -28,7 +28,7 @@
 #include "trident_sim/samples.h"
 #include "trident_sim/vector_sample.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// A text that may quote what a user sent, for a log or a status: without line ends and other
 /// control characters, and not longer than a screen is wide a few times.
@@ -75,4 +75,4 @@ void convert(const WindSample& sample, rotors_comm::WindSpeed& message);
 void convert(const WrenchSample& sample, geometry_msgs::WrenchStamped& message);
 void convert(const VectorSample& sample, geometry_msgs::Vector3Stamped& message);
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -4,7 +4,7 @@
 
 #include "conversions.h"
 
-namespace trident {
+namespace trident::sim {
 
 void convert(const EnvironmentSample& sample, trident_msgs::EnvironmentState& message) {
   message.header.stamp = to_ros(sample.stamp);
@@ -30,4 +30,4 @@ void convert(const FlagSample& sample, std_msgs::Bool& message) {
   message.data = sample.value ? 1 : 0;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

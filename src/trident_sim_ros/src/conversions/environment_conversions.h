@@ -10,7 +10,7 @@
 #include "trident_sim/text_sample.h"
 #include "trident_sim/thruster_setup.h"
 
-namespace trident {
+namespace trident::sim {
 
 // Sample -> message. The message is reused from call to call.
 void convert(const EnvironmentSample& sample, trident_msgs::EnvironmentState& message);
@@ -18,4 +18,4 @@ void convert(const WindReadingSample& sample, trident_msgs::WindReading& message
 void convert(const NumberSample& sample, std_msgs::Float64& message);
 void convert(const FlagSample& sample, std_msgs::Bool& message);
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -7,7 +7,7 @@
 
 #include "conversions.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 sensor_msgs::PointField make_field(const char* name, std::size_t offset, std::uint8_t datatype) {
@@ -106,4 +106,4 @@ void convert(const GnssStatusSample& sample, trident_msgs::GnssStatus& message) 
   message.geoid_separation = sample.geoid_separation_m;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -10,7 +10,7 @@
 
 #include "trident_sim/samples.h"
 
-namespace trident {
+namespace trident::sim {
 
 // Samples of what is seen, touched or received -> message. The message is reused from call to call.
 
@@ -21,4 +21,4 @@ void convert(const RangeSample& sample, sensor_msgs::Range& message);
 void convert(const ContactsSample& sample, gazebo_msgs::ContactsState& message);
 void convert(const GnssStatusSample& sample, trident_msgs::GnssStatus& message);
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -6,7 +6,7 @@
 
 #include "trident_ros/topic_peers.h"
 
-namespace trident {
+namespace trident::sim {
 AnsweredInputs::AnsweredInputs(const ServerOptions& options, PortBoard& board, PortBinder& outputs,
                                InputBinder& inputs, LossWatch& losses, NodeProbe& probe,
                                ReportSink report)
@@ -40,10 +40,11 @@ void AnsweredInputs::sync() {
 std::string AnsweredInputs::missing_node(Driver& driver) {
   const std::string state = "/" + driver.options.state;
   std::set<std::string> readers;
-  for (const TopicPeer& reader : topic_readers(state)) readers.insert(reader.node);
+  for (const ros_utils::TopicPeer& reader : ros_utils::topic_readers(state))
+    readers.insert(reader.node);
   driver.nodes.clear();
   for (const std::string& command : driver.options.commands) {
-    const std::vector<std::string> writers = topic_writers("/" + command);
+    const std::vector<std::string> writers = ros_utils::topic_writers("/" + command);
     for (const std::string& writer : writers) {
       if (!probe_.sends(writer, "/" + command)) return "a publisher of /" + command;
       if (readers.count(writer) > 0) driver.nodes.insert(writer);
@@ -61,7 +62,7 @@ std::string AnsweredInputs::missing_node(Driver& driver) {
 
 bool AnsweredInputs::has_lost_node(const Driver& driver) const {
   if (driver.nodes.empty()) return false;
-  for (const TopicPeer& reader : topic_readers("/" + driver.options.state)) {
+  for (const ros_utils::TopicPeer& reader : ros_utils::topic_readers("/" + driver.options.state)) {
     if (driver.nodes.count(reader.node) > 0) return false;
   }
   return true;
@@ -147,7 +148,7 @@ void AnsweredInputs::deliver(SimTime begin) {
 void AnsweredInputs::note_surplus(const std::string& command, std::uint64_t expected,
                                   SimTime time) {
   if (inputs_.received(command) <= expected || !losses_.repeatability().running()) return;
-  losses_.repeatability().spoil(join(topic_writers("/" + command)), time,
+  losses_.repeatability().spoil(join(ros_utils::topic_writers("/" + command)), time,
                                 "more than one message on /" + command + " a sample");
 }
 
@@ -187,4 +188,4 @@ void AnsweredInputs::clear() {
   sync();
 }
 
-}  // namespace trident
+}  // namespace trident::sim

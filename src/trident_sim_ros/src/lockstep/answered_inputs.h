@@ -8,14 +8,14 @@
 #include <string>
 #include <vector>
 
-#include "topics/input_binder.h"
 #include "loss_watch.h"
 #include "node_probe.h"
-#include "topics/port_binder.h"
 #include "server/server_options.h"
+#include "topics/input_binder.h"
+#include "topics/port_binder.h"
 #include "trident_sim/world.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// Lockstep with nodes whose commands carry no stamp: one that turns each sample of a topic (an
 /// odometry) into one message on each of some inputs (a Twist, thrusters' Float64). The world goes
@@ -77,4 +77,4 @@ class AnsweredInputs {
   std::vector<Driver> drivers_;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

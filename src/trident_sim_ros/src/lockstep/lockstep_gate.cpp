@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 using std::chrono::milliseconds;
@@ -45,8 +45,8 @@ LockstepGate::LockstepGate(ros::NodeHandle& node, const ServerOptions& options, 
       options_(options),
       losses_(losses),
       probe_(probe),
-      hub_(options.shares_process ? DirectInbox::Sockets::kReadByRoscpp
-                                  : DirectInbox::Sockets::kReadHere,
+      hub_(options.shares_process ? ros_utils::DirectInbox::Sockets::kReadByRoscpp
+                                  : ros_utils::DirectInbox::Sockets::kReadHere,
            losses.repeatability(), probe) {}
 
 LockstepGate::~LockstepGate() {
@@ -379,4 +379,4 @@ std::vector<std::string> LockstepGate::take_news() {
   return news;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

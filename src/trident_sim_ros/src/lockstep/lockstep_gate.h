@@ -13,14 +13,14 @@
 
 #include "loss_watch.h"
 #include "node_probe.h"
-#include "topics/port_binder.h"
 #include "server/server_options.h"
+#include "topics/port_binder.h"
 #include "trident_base/mutex.h"
 #include "trident_ros/process_cores.h"
 #include "trident_sim/world.h"
 #include "vehicle_link.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// Decides when the world may make its next step: when everything that was declared is there, when
 /// each enrolled controller has answered the states that the step needs, and when each set-point
@@ -85,10 +85,10 @@ class LockstepGate {
   const ServerOptions& options_;
   LossWatch& losses_;
   NodeProbe& probe_;
-  InlineCallbackQueue inline_queue_;
+  ros_utils::InlineCallbackQueue inline_queue_;
   LockstepHub hub_;
   std::map<std::string, std::unique_ptr<VehicleLink>> vehicles_;
-  ProcessCores cores_;
+  ros_utils::ProcessCores cores_;
   std::uint64_t newest_link_ = 0;  ///< when controllers were last kept on cores
   bool has_just_read_ = false;
   bool released_ = false;                   ///< time zero is no longer held
@@ -96,4 +96,4 @@ class LockstepGate {
   Clock::time_point next_look_;             ///< at who will confirm set-points
 };
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <cstdio>
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// A broken connection counts after this time without an answer, which may have been under way.
@@ -88,4 +88,4 @@ std::string LossWatch::waited_for() const {
   return waited_for_ + text;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

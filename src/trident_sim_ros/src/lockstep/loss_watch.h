@@ -10,7 +10,7 @@
 #include "trident_sim/lockstep.h"
 #include "trident_sim/world.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// Steady wall clock [ns].
 WallTime wall_now();
@@ -73,4 +73,4 @@ class LossWatch {
   WallTime waited_since_ = 0;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -15,7 +15,7 @@
 #include <chrono>
 #include <thread>
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr int kConnectLimit_ms = 2000;  ///< the backlog of a stopped process may be full
@@ -143,4 +143,4 @@ NodeProbe::State NodeProbe::look(const std::string& node, double period_s) {
   return answers_->states[node];
 }
 
-}  // namespace trident
+}  // namespace trident::sim

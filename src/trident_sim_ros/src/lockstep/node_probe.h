@@ -8,7 +8,7 @@
 #include <set>
 #include <string>
 
-namespace trident {
+namespace trident::sim {
 
 /// Tells nodes that have ended from those that are slow or stopped: a process that lives still has
 /// its port, and the kernel takes a connection to it. Asks the master and the port on a thread of
@@ -43,4 +43,4 @@ class NodeProbe {
   std::shared_ptr<Answers> answers_ = std::make_shared<Answers>();
 };
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -14,7 +14,7 @@
 #include "trident_ros/subscriptions.h"
 #include "trident_ros/topic_peers.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// Stamp of a serialised message that begins with a header; zero when it is too short.
@@ -36,20 +36,21 @@ bool LockstepHub::ready() const {
 }
 
 VehicleLink::VehicleLink(ros::NodeHandle& node, LockstepHub& hub, InPort<ActuatorCommand>& port,
-                         std::vector<OutputBinding*> odometry, InlineCallbackQueue& queue)
+                         std::vector<OutputBinding*> odometry,
+                         ros_utils::InlineCallbackQueue& queue)
     : node_(node), hub_(hub), queue_(queue), port_(&port), odometry_(std::move(odometry)) {
   const std::string tail = "command/motor_speed";
   prefix_ = port.name().substr(0, port.name().size() - tail.size());
   name_ = prefix_.empty() ? "vehicle" : prefix_.substr(0, prefix_.size() - 1);
   for (OutputBinding* binding : odometry_) {
-    direct_.push_back(std::make_unique<DirectPublication>(binding->publisher()));
+    direct_.push_back(std::make_unique<ros_utils::DirectPublication>(binding->publisher()));
   }
   commands_ = hub.commands.subscribe<mav_msgs::Actuators>(
       node, "/" + port.name(), 10,
       [this](Span<const std::uint8_t> bytes) TRIDENT_REQUIRES(hub_.mutex) { on_command(bytes); },
       [this](const mav_msgs::Actuators& message)
           TRIDENT_REQUIRES(hub_.mutex) { on_command(message); });
-  auto accepted = raw_subscription<std_msgs::Header>(
+  auto accepted = ros_utils::raw_subscription<std_msgs::Header>(
       "/" + confirmation_topic(), 100,
       [this](const auto& bytes) { on_confirmation(bytes.data(), bytes.size()); }, &queue);
   accepted_ = node.subscribe(accepted);
@@ -60,10 +61,10 @@ void VehicleLink::watch_setpoints() {
   const auto handler = [this](const auto& bytes) {
     on_setpoint(header_stamp(bytes.data(), bytes.size()), false, false);
   };
-  auto poses = raw_subscription<geometry_msgs::PoseStamped>("/" + prefix_ + "command/pose", 100,
-                                                            handler, &queue_);
+  auto poses = ros_utils::raw_subscription<geometry_msgs::PoseStamped>(
+      "/" + prefix_ + "command/pose", 100, handler, &queue_);
   poses_ = node_.subscribe(poses);
-  auto trajectories = raw_subscription<trajectory_msgs::MultiDOFJointTrajectory>(
+  auto trajectories = ros_utils::raw_subscription<trajectory_msgs::MultiDOFJointTrajectory>(
       "/" + prefix_ + "command/trajectory", 100, handler, &queue_);
   trajectories_ = node_.subscribe(trajectories);
 }
@@ -84,7 +85,7 @@ void VehicleLink::on_confirmation(const std::uint8_t* bytes, std::size_t size) {
 }
 
 void VehicleLink::on_setpoint(SimTime stamp, bool is_confirmation, bool replaces) {
-  hand_over("confirmation received");
+  ros_utils::hand_over("confirmation received");
   const Lock lock(hub_.mutex);
   // A confirmation says that the controller has it; without one, that it was sent must do.
   if (!is_confirmation && confirms_setpoints()) return;
@@ -146,7 +147,7 @@ void VehicleLink::on_command(const mav_msgs::Actuators& message) {
   const auto answer = lockstep.on_answer(command.stamp, wall_now());
   if (answer == LockstepVehicle::Answer::kForeign && lockstep.enrolled()) return;
   if (answer == LockstepVehicle::Answer::kForeign && hub_.repeatability.running()) {
-    hub_.repeatability.spoil(join(topic_writers("/" + port_->name())), hub_.next_time,
+    hub_.repeatability.spoil(join(ros_utils::topic_writers("/" + port_->name())), hub_.next_time,
                              "writes /" + port_->name() + " outside of the lockstep");
   }
   if (answer == LockstepVehicle::Answer::kEnrolled) {
@@ -205,7 +206,8 @@ bool VehicleLink::send_again_to_new_readers() {
   int newest = newest_reader_;
   bool is_controller = false;
   for (const OutputBinding* binding : odometry_) {
-    for (const TopicPeer& reader : topic_readers(binding->publisher().getTopic())) {
+    for (const ros_utils::TopicPeer& reader :
+         ros_utils::topic_readers(binding->publisher().getTopic())) {
       if (reader.connection <= newest_reader_) continue;
       newest = std::max(newest, reader.connection);
       is_controller = is_controller || controllers_.count(reader.node) > 0;
@@ -224,14 +226,16 @@ void VehicleLink::learn_controllers() {
   const std::uint64_t newest = hub_.commands.newest_link();
   if (newest == newest_link_) return;
   newest_link_ = newest;
-  for (const std::string& node : topic_writers("/" + port_->name())) controllers_.insert(node);
+  for (const std::string& node : ros_utils::topic_writers("/" + port_->name()))
+    controllers_.insert(node);
 }
 
 bool VehicleLink::has_lost_controller() const {
   // In a nodelet manager all are one process.
   if (controllers_.empty()) return odometry_readers() < readers_when_sent_;
   for (const OutputBinding* binding : odometry_) {
-    for (const TopicPeer& reader : topic_readers(binding->publisher().getTopic())) {
+    for (const ros_utils::TopicPeer& reader :
+         ros_utils::topic_readers(binding->publisher().getTopic())) {
       if (controllers_.count(reader.node) > 0) return false;
     }
   }
@@ -255,15 +259,16 @@ bool VehicleLink::has_controller() const {
   if (odometry_readers() == 0) return false;
   const std::string commands = "/" + port_->name(), confirmations = "/" + confirmation_topic();
   const auto all_send = [&](const std::string& topic) {
-    const std::vector<std::string> nodes = topic_writers(topic);
+    const std::vector<std::string> nodes = ros_utils::topic_writers(topic);
     return std::all_of(nodes.begin(), nodes.end(),
                        [&](const std::string& node) { return hub_.probe.sends(node, topic); });
   };
-  return !topic_writers(commands).empty() && all_send(commands) && all_send(confirmations);
+  return !ros_utils::topic_writers(commands).empty() && all_send(commands) &&
+         all_send(confirmations);
 }
 
 bool VehicleLink::hears_confirmations() const {
-  return !topic_writers("/" + confirmation_topic()).empty();
+  return !ros_utils::topic_writers("/" + confirmation_topic()).empty();
 }
 
 std::uint32_t VehicleLink::odometry_readers() const {
@@ -283,4 +288,4 @@ void VehicleLink::release() {
   outbox_.clear();
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -13,8 +13,8 @@
 
 #include "loss_watch.h"
 #include "node_probe.h"
-#include "topics/port_binder.h"
 #include "server/repeatability.h"
+#include "topics/port_binder.h"
 #include "trident_base/mutex.h"
 #include "trident_ros/direct_inbox.h"
 #include "trident_ros/direct_publication.h"
@@ -22,18 +22,20 @@
 #include "trident_sim/lockstep.h"
 #include "trident_sim/samples.h"
 
-namespace trident {
+namespace trident::sim {
 
 class VehicleLink;
 
 /// What the stepping thread and roscpp's socket thread share. Neither thread holds `mutex` while it
 /// takes the world's.
 struct LockstepHub {
-  LockstepHub(DirectInbox::Sockets sockets, Repeatability& its_repeatability, NodeProbe& its_probe)
+  LockstepHub(ros_utils::DirectInbox::Sockets sockets, Repeatability& its_repeatability,
+              NodeProbe& its_probe)
       : commands(sockets), repeatability(its_repeatability), probe(its_probe) {}
 
   Mutex mutex;
-  DirectInbox commands;  ///< of all vehicles; read by the stepping thread with `mutex` held
+  ros_utils::DirectInbox
+      commands;  ///< of all vehicles; read by the stepping thread with `mutex` held
   Repeatability& repeatability;
   NodeProbe& probe;
   std::vector<VehicleLink*> vehicles TRIDENT_GUARDED_BY(mutex);
@@ -56,7 +58,7 @@ struct LockstepHub {
 class VehicleLink {
  public:
   VehicleLink(ros::NodeHandle& node, LockstepHub& hub, InPort<ActuatorCommand>& port,
-              std::vector<OutputBinding*> odometry, InlineCallbackQueue& queue);
+              std::vector<OutputBinding*> odometry, ros_utils::InlineCallbackQueue& queue);
   ~VehicleLink();
 
   const std::string& name() const { return name_; }
@@ -106,7 +108,7 @@ class VehicleLink {
  private:
   struct State {
     SimTime stamp;
-    std::vector<std::pair<std::size_t, std::unique_ptr<DirectMessage>>> messages;
+    std::vector<std::pair<std::size_t, std::unique_ptr<ros_utils::DirectMessage>>> messages;
   };
   void on_command(Span<const std::uint8_t> bytes) TRIDENT_REQUIRES(hub_.mutex);
   void on_command(const mav_msgs::Actuators& message) TRIDENT_REQUIRES(hub_.mutex);
@@ -121,11 +123,12 @@ class VehicleLink {
   std::string name_, prefix_;
   ros::NodeHandle& node_;
   LockstepHub& hub_;
-  InlineCallbackQueue& queue_;
+  ros_utils::InlineCallbackQueue& queue_;
   InPort<ActuatorCommand>* port_;
   std::vector<OutputBinding*> odometry_;
-  std::vector<std::unique_ptr<DirectPublication>> direct_;  ///< one for each of `odometry_`
-  State under_way_ TRIDENT_GUARDED_BY(hub_.mutex);          ///< the last one sent
+  std::vector<std::unique_ptr<ros_utils::DirectPublication>>
+      direct_;                                      ///< one for each of `odometry_`
+  State under_way_ TRIDENT_GUARDED_BY(hub_.mutex);  ///< the last one sent
   bool is_confirming_open_ TRIDENT_GUARDED_BY(hub_.mutex) = false;
   SimTime newest_sent_ TRIDENT_GUARDED_BY(hub_.mutex){-1};  ///< set-point that was sent meanwhile
   std::uint32_t readers_when_sent_ TRIDENT_GUARDED_BY(hub_.mutex) = 0;
@@ -137,8 +140,8 @@ class VehicleLink {
   std::deque<State> outbox_ TRIDENT_GUARDED_BY(hub_.mutex);       ///< states in line
   std::vector<ActuatorCommand> inbox_ TRIDENT_GUARDED_BY(hub_.mutex);
   mav_msgs::Actuators message_ TRIDENT_GUARDED_BY(hub_.mutex);  ///< reused
-  std::unique_ptr<DirectSubscription> commands_;
+  std::unique_ptr<ros_utils::DirectSubscription> commands_;
   ros::Subscriber accepted_, poses_, trajectories_;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -13,9 +13,10 @@ namespace {
 
 int serve(const std::vector<std::string>& arguments) {
   const ros::NodeHandle node, private_node("~");
-  const trident::ServerOptions options = trident::read_server_options(private_node, arguments);
+  const trident::sim::ServerOptions options =
+      trident::sim::read_server_options(private_node, arguments);
   if (!ros::param::has("/use_sim_time")) ros::param::set("/use_sim_time", true);
-  trident::Server server(node, private_node, options);
+  trident::sim::Server server(node, private_node, options);
   const std::string reason = server.run();
   ROS_INFO("end of the run: %s", reason.c_str());
   ros::shutdown();
@@ -32,9 +33,10 @@ int check(const std::vector<std::string>& arguments) {
     int offset = static_cast<int>(begin);
     parameters.fromXml(text, &offset);
   }
-  const trident::ServerOptions options =
-      trident::server_options_of("/gazebo", parameters, arguments);
-  trident::load_world_file(options.world_file, trident::Resources(), [](const std::string&) {});
+  const trident::sim::ServerOptions options =
+      trident::sim::server_options_of("/gazebo", parameters, arguments);
+  trident::sim::load_world_file(options.world_file, trident::sim::Resources(),
+                                [](const std::string&) {});
   return 0;
 }
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace trident {
+namespace trident::sim {
 
 void Repeatability::spoil(const std::string& who, SimTime time, const std::string& why) {
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -42,4 +42,4 @@ void Repeatability::clear() {
   kinds_ = told_ = 0;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

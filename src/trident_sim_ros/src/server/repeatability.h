@@ -9,7 +9,7 @@
 
 #include "trident_base/sim_time.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// What of a run would not come again: whatever acted on the world in a moment that the wall clock
 /// chose. As long as it is empty, another run of the same ends in the same state to the bit. All
@@ -45,4 +45,4 @@ class Repeatability {
   std::size_t kinds_ = 0, told_ = 0;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

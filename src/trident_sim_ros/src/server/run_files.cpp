@@ -8,7 +8,7 @@
 
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr std::int64_t kRecordPeriodNs = 50'000'000;
@@ -135,4 +135,4 @@ void RunFiles::finish(const World& world, const End& end, const Repeatability& r
   if (states_ != nullptr) std::fflush(states_);
 }
 
-}  // namespace trident
+}  // namespace trident::sim

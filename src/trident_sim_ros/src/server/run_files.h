@@ -9,7 +9,7 @@
 #include "repeatability.h"
 #include "trident_sim/world.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// What a run leaves in its folder: states.csv (every 0.05 s of simulated time), progress.jsonl
 /// (every second of wall time), run.json (at the end). Without a folder nothing is written.
@@ -43,4 +43,4 @@ class RunFiles {
   SimTime last_progress_time_;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "server.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr std::uint32_t kServiceThreads = 4;
@@ -39,4 +39,4 @@ Server::~Server() {
   spinner_.stop();
 }
 
-}  // namespace trident
+}  // namespace trident::sim

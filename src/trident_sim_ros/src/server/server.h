@@ -11,7 +11,7 @@
 #include "services/services.h"
 #include "simulation.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// A simulation with its services and topics: the process gzserver, or a nodelet.
 class Server {
@@ -40,4 +40,4 @@ class Server {
   ros::AsyncSpinner spinner_, spawn_spinner_;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -10,7 +10,7 @@
 
 #include "server.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// gzserver for a nodelet manager: topics pass as objects between it and the manager's other
 /// nodelets. Its arguments are gzserver's; when the run comes to its end, so does the manager.
@@ -53,6 +53,6 @@ class ServerNodelet : public nodelet::Nodelet {
   std::atomic<bool> is_unloaded_{false};
 };
 
-}  // namespace trident
+}  // namespace trident::sim
 
-PLUGINLIB_EXPORT_CLASS(trident::ServerNodelet, nodelet::Nodelet)
+PLUGINLIB_EXPORT_CLASS(trident::sim::ServerNodelet, nodelet::Nodelet)

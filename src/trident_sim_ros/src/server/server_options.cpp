@@ -17,7 +17,7 @@
 #include "trident_base/error.h"
 #include "trident_base/option_number.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr std::int64_t kMaxCount = 9'000'000'000'000'000;  // below 2^53
@@ -348,4 +348,4 @@ ServerOptions read_server_options(const ros::NodeHandle& private_node,
   return server_options_of(private_node.getNamespace(), parameters, arguments);
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -13,7 +13,7 @@
 #include "trident_base/sim_time.h"
 #include "trident_sim/world.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// What the world does when an enrolled controller or source does not answer in time.
 enum class LossPolicy { kFreeRun, kWait, kPause };
@@ -81,4 +81,4 @@ ServerOptions server_options_of(const std::string& root, const XmlRpc::XmlRpcVal
 ServerOptions read_server_options(const ros::NodeHandle& private_node,
                                   const std::vector<std::string>& arguments);
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -10,7 +10,7 @@
 #include "conversions/conversions.h"
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 using std::chrono::duration;
@@ -142,7 +142,7 @@ std::string Simulation::run() {
 }
 
 bool Simulation::run_once() {
-  hand_over("stepping thread takes the world");
+  ros_utils::hand_over("stepping thread takes the world");
   const Lock lock(mutex_);
   if (Clock::now() >= next_scan_) every_so_often();
   if (finished()) return false;
@@ -357,4 +357,4 @@ SimTime Simulation::enrol_source(const std::string& node, const std::vector<std:
   return start;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

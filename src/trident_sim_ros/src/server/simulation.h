@@ -13,22 +13,22 @@
 #include <vector>
 
 #include "lockstep/answered_inputs.h"
-#include "topics/diagnostics_topic.h"
-#include "topics/input_binder.h"
 #include "lockstep/lockstep_gate.h"
 #include "lockstep/loss_watch.h"
 #include "lockstep/node_probe.h"
-#include "topics/performance_topic.h"
-#include "topics/port_binder.h"
 #include "repeatability.h"
 #include "run_files.h"
 #include "server_options.h"
+#include "topics/diagnostics_topic.h"
+#include "topics/input_binder.h"
+#include "topics/performance_topic.h"
+#include "topics/port_binder.h"
 #include "topics/state_topics.h"
 #include "trident_base/mutex.h"
 #include "trident_ros/schedule_fuzz.h"
 #include "trident_sim/world.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// The world and the thread that steps it. Services reach the world through Access, between steps.
 class Simulation {
@@ -48,7 +48,7 @@ class Simulation {
    public:
     explicit Access(Simulation& simulation) TRIDENT_ACQUIRE(simulation.mutex_)
         : simulation_(simulation) {
-      hand_over("service asks for the world");
+      ros_utils::hand_over("service asks for the world");
       simulation_.mutex_.lock();
     }
     ~Access() TRIDENT_RELEASE() {
@@ -160,4 +160,4 @@ class Simulation {
   bool is_ready_ TRIDENT_GUARDED_BY(mutex_) = false;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -4,7 +4,7 @@
 
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::sim {
 
 Model& required_model(const World& world, const std::string& name) {
   Model* model = world.find_model(name);
@@ -56,4 +56,4 @@ ReferenceFrame find_reference_frame(const World& world, const std::string& name)
   return {T, link->v_world_at(T.p), link->w_world()};
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -6,7 +6,7 @@
 
 #include "trident_sim/world.h"
 
-namespace trident {
+namespace trident::sim {
 
 // What a service names, or an Error that begins with the words of gazebo_ros, which scripts look
 // for, and ends with the name.
@@ -27,4 +27,4 @@ struct ReferenceFrame {
 };
 ReferenceFrame find_reference_frame(const World& world, const std::string& name);
 
-}  // namespace trident
+}  // namespace trident::sim

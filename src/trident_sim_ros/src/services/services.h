@@ -10,7 +10,7 @@
 #include "entity_lookup.h"
 #include "server/simulation.h"
 
-namespace trident {
+namespace trident::sim {
 
 // The services of gazebo_ros' API plugin under /gazebo, with its status texts, one group per file.
 using Servers = std::vector<ros::ServiceServer>;
@@ -54,4 +54,4 @@ void serve(ros::NodeHandle& node, const char* name, const char* failure_prefix, 
       }));
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -9,7 +9,7 @@
 #include "services.h"
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 using gazebo_msgs::ApplyBodyWrench;
@@ -81,4 +81,4 @@ void advertise_force_services(ros::NodeHandle& node, Simulation& simulation, Ser
   }
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -14,7 +14,7 @@
 #include "services.h"
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 using gazebo_msgs::GetJointProperties;
@@ -173,4 +173,4 @@ void advertise_property_services(ros::NodeHandle& node, Simulation& simulation, 
       [&](auto& request, auto& response) { configure(simulation, request, response); });
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -11,7 +11,7 @@
 #include "services.h"
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 const ros::Duration kDefaultPeriod(0.1);  ///< of set-point sources that give none
@@ -157,4 +157,4 @@ void advertise_run_services(ros::NodeHandle& node, Simulation& simulation, Serve
       }));
 }
 
-}  // namespace trident
+}  // namespace trident::sim

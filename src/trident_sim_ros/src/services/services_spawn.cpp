@@ -9,7 +9,7 @@
 #include "trident_sim/prepared_meshes.h"
 #include "trident_sim/sdf_loader.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 void check_request(const World& world, const gazebo_msgs::SpawnModel::Request& request) {
@@ -124,4 +124,4 @@ void advertise_delete_service(ros::NodeHandle& node, Simulation& simulation, Ser
       }));
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -13,7 +13,7 @@
 #include "trident_ros/refusals.h"
 #include "trident_sim/motion_limits.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 using gazebo_msgs::GetLinkState;
@@ -112,8 +112,8 @@ void get_world_properties(Simulation& simulation, GetWorldProperties::Response& 
 
 /// A topic form of a set_ service: refusals are told now and then, there is nobody to answer.
 template <class State, class Set>
-auto logged(Simulation& simulation, const std::shared_ptr<Refusals>& refusals, const char* what,
-            Set set) {
+auto logged(Simulation& simulation, const std::shared_ptr<ros_utils::Refusals>& refusals,
+            const char* what, Set set) {
   return [&simulation, refusals, what, set](const State& state) {
     try {
       set(simulation, state);
@@ -154,7 +154,7 @@ void advertise_state_services(ros::NodeHandle& node, Simulation& simulation, Ser
 
 void subscribe_state_topics(ros::NodeHandle& node, Simulation& simulation,
                             std::vector<ros::Subscriber>& subscribers) {
-  const auto refusals = std::make_shared<Refusals>(node);
+  const auto refusals = std::make_shared<ros_utils::Refusals>(node);
   subscribers.push_back(node.subscribe<gazebo_msgs::ModelState>(
       "set_model_state", 10,
       boost::function<void(const gazebo_msgs::ModelState&)>(logged<gazebo_msgs::ModelState>(
@@ -165,4 +165,4 @@ void subscribe_state_topics(ros::NodeHandle& node, Simulation& simulation,
           logged<gazebo_msgs::LinkState>(simulation, refusals, "set_link_state", set_link_state))));
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -13,7 +13,7 @@
 
 #include "trident_sim/thruster_setup.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 namespace msgs = uuv_gazebo_ros_plugins_msgs;
@@ -172,4 +172,4 @@ std::unique_ptr<InputBinding> bind_thruster_services(ros::NodeHandle& node,
   return std::make_unique<ThrusterServices>(node, queue, *changes, *told, repeatability);
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -6,7 +6,7 @@
 
 #include "topics/input_binder.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// uuv_simulator's services of a thruster, beside the topics of the input `port`: set_ and
 /// get_thruster_state, set_ and get_thrust_force_efficiency, set_ and get_dynamic_state_efficiency,
@@ -17,4 +17,4 @@ std::unique_ptr<InputBinding> bind_thruster_services(ros::NodeHandle& node,
                                                      PortBase& port, const PortBoard& board,
                                                      Repeatability& repeatability);
 
-}  // namespace trident
+}  // namespace trident::sim

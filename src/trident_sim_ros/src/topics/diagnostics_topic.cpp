@@ -8,7 +8,7 @@
 
 #include "conversions/conversions.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 using diagnostic_msgs::DiagnosticStatus;
@@ -86,4 +86,4 @@ void DiagnosticsTopic::publish(const World& world, const Notes& notes) const {
   publisher_.publish(array);
 }
 
-}  // namespace trident
+}  // namespace trident::sim

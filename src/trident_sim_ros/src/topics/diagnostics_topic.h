@@ -11,7 +11,7 @@
 
 #include "trident_sim/world.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// "gazebo: <name>", with the values, the count and the simulated times of the first and the last.
 diagnostic_msgs::DiagnosticStatus to_status(const DiagnosticEntry& entry);
@@ -35,4 +35,4 @@ class DiagnosticsTopic {
   std::vector<std::pair<Severity, std::string>> messages_;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

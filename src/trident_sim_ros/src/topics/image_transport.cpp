@@ -8,7 +8,7 @@
 #include "trident_base/error.h"
 #include "trident_sim/image_codec.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr std::uint32_t kQueue = 10;
@@ -69,7 +69,7 @@ class CompressedBinding : public OutputBinding {
     message.data = picture_.data;
     publisher_.publish(message);
   }
-  std::unique_ptr<DirectMessage> message() override { return nullptr; }
+  std::unique_ptr<ros_utils::DirectMessage> message() override { return nullptr; }
   std::uint32_t subscribers() const override { return publisher_.getNumSubscribers(); }
   const ros::Publisher& publisher() const override { return publisher_; }
 
@@ -100,4 +100,4 @@ std::unique_ptr<OutputBinding> bind_compressed(TopicAdvertiser& advertiser,
   return std::make_unique<CompressedBinding>(advertiser, port);
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -8,7 +8,7 @@
 #include "port_binder.h"
 #include "trident_sim/samples.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// "compressed" for pictures, "compressedDepth" for depths: the topic below an image's own.
 std::string compressed_name(const ImageSample& image);
@@ -21,4 +21,4 @@ std::string compressed_name(const ImageSample& image);
 std::unique_ptr<OutputBinding> bind_compressed(TopicAdvertiser& advertiser,
                                                OutPort<ImageSample>& port);
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -24,7 +24,7 @@
 #include "trident_sim/commands.h"
 #include "trident_sim/text_sample.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 TwistCommand from_message(const geometry_msgs::Twist& message) { return from_twist(message); }
@@ -79,7 +79,7 @@ class Mailbox {
       : bell_(around.bell), repeatability_(around.repeatability) {}
   /// `sender` is kept if the step in which the command acts is left to chance.
   void put(const Command& command, const std::string& sender) {
-    hand_over("input received");
+    ros_utils::hand_over("input received");
     {
       const std::lock_guard<std::mutex> lock(mutex_);
       if (!is_awaited && repeatability_.running()) late_.emplace_back(sender, stamp_of(command));
@@ -280,4 +280,4 @@ void InputBinder::clear() {
   for (auto& [name, binding] : entries_) binding->forget();
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -15,7 +15,7 @@
 #include "trident_ros/inline_callback_queue.h"
 #include "trident_sim/port.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// Rung when a message has come.
 class MessageBell {
@@ -78,10 +78,10 @@ class InputBinder {
   std::uint64_t version_ = 0;
   InputBinding* find(const std::string& port) const;
 
-  InlineCallbackQueue queue_;
+  ros_utils::InlineCallbackQueue queue_;
   /// Outlives a message that is under way.
   std::shared_ptr<MessageBell> bell_ = std::make_shared<MessageBell>();
   std::map<std::string, std::unique_ptr<InputBinding>> entries_;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -6,7 +6,7 @@
 
 #include "conversions/conversions.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr auto kPeriod = std::chrono::milliseconds(200);
@@ -63,4 +63,4 @@ void PerformanceTopic::publish(const World& world) {
   begin(world, now);
 }
 
-}  // namespace trident
+}  // namespace trident::sim

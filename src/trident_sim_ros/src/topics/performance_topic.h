@@ -11,7 +11,7 @@
 
 #include "trident_sim/world.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// /gazebo/performance_metrics (gazebo_msgs/PerformanceMetrics), five times a second of wall time
 /// while somebody listens: the real-time factor since the last message, and of each sensor that is
@@ -34,4 +34,4 @@ class PerformanceTopic {
   std::map<std::string, std::uint64_t> begin_counts_;  ///< of the sensors' outputs
 };
 
-}  // namespace trident
+}  // namespace trident::sim

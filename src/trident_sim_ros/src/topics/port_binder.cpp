@@ -7,11 +7,11 @@
 #include "conversions/camera_conversions.h"
 #include "conversions/conversions.h"
 #include "conversions/environment_conversions.h"
-#include "image_transport.h"
 #include "conversions/range_conversions.h"
+#include "image_transport.h"
 #include "trident_ros/schedule_fuzz.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 // Deep: a recorder that falls behind for a moment must not lose anything.
@@ -44,8 +44,8 @@ class TypedBinding : public OutputBinding {
     for (const Sample& sample : port_.earlier()) publisher_.publish(converted(sample));
     publisher_.publish(converted(port_.value));
   }
-  std::unique_ptr<DirectMessage> message() override {
-    return std::make_unique<ObjectMessage<Message>>(converted(port_.value));
+  std::unique_ptr<ros_utils::DirectMessage> message() override {
+    return std::make_unique<ros_utils::ObjectMessage<Message>>(converted(port_.value));
   }
   std::uint32_t subscribers() const override { return publisher_.getNumSubscribers(); }
   const ros::Publisher& publisher() const override { return publisher_; }
@@ -61,7 +61,7 @@ class TypedBinding : public OutputBinding {
 
   OutPort<Sample>& port_;
   ros::Publisher publisher_;
-  MessagePool<Message> pool_;
+  ros_utils::MessagePool<Message> pool_;
 };
 
 /// A transform: collected, and published with all others of the step as one message.
@@ -74,7 +74,7 @@ class FrameBinding : public OutputBinding {
     message_.transforms.emplace_back();
     convert(port_.value, message_.transforms.back());
   }
-  std::unique_ptr<DirectMessage> message() override { return nullptr; }
+  std::unique_ptr<ros_utils::DirectMessage> message() override { return nullptr; }
   std::uint32_t subscribers() const override { return tf_.getNumSubscribers(); }
   const ros::Publisher& publisher() const override { return tf_; }
 
@@ -190,7 +190,7 @@ std::vector<OutputBinding*> PortBinder::hold_back_odometry(const std::string& pr
 
 void PortBinder::scan_subscribers() {
   if (!advertiser_.take_change()) return;
-  hand_over("subscription found");
+  ros_utils::hand_over("subscription found");
   bool changed = false;
   for (auto& [name, entry] : entries_) {
     // Odometry that the lockstep sends stays wanted: when its reader dies, the world must still
@@ -247,4 +247,4 @@ void PortBinder::publish_held_display() {
   }
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -16,7 +16,7 @@
 #include "trident_ros/inline_callback_queue.h"
 #include "trident_sim/port.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// An output port and its topic.
 class OutputBinding {
@@ -30,7 +30,7 @@ class OutputBinding {
   virtual void publish() = 0;
   /// Converts the present value into a message that may wait to be sent; nullptr when the topic
   /// takes no single messages.
-  virtual std::unique_ptr<DirectMessage> message() = 0;
+  virtual std::unique_ptr<ros_utils::DirectMessage> message() = 0;
   virtual std::uint32_t subscribers() const = 0;
   virtual const ros::Publisher& publisher() const = 0;
   /// Joint states: of use to displays only.
@@ -77,7 +77,7 @@ class TopicAdvertiser {
 
  private:
   ros::NodeHandle& node_;
-  InlineCallbackQueue queue_;
+  ros_utils::InlineCallbackQueue queue_;
   std::atomic<bool> has_changed_{true};
 };
 
@@ -122,4 +122,4 @@ class PortBinder {
   std::chrono::steady_clock::time_point last_display_;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -6,7 +6,7 @@
 
 #include "conversions/conversions.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 geometry_msgs::Twist to_twist(const Link& link) {
@@ -114,4 +114,4 @@ void StateTopics::publish_links(const World& world) {
   links_.publish(message);
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -11,7 +11,7 @@
 
 #include "trident_sim/world.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// /clock, /gazebo/model_states, /gazebo/link_states and /gazebo/fleet_state.
 class StateTopics {
@@ -51,4 +51,4 @@ class StateTopics {
   std::size_t fleet_models_ = 0;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

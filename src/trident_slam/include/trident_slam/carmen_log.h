@@ -12,7 +12,7 @@
 #include "trident_slam/line_reader.h"
 #include "trident_slam/scan_source.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// Reader of logs of the CARMEN robot navigation toolkit (.log, .clf; plain, gzip, bzip2), line by
 /// line, in file order: stamps are labels and may go backwards.
@@ -68,4 +68,4 @@ class CarmenLog : public ScanSource {
   std::map<std::string, double, std::less<>> params_;
 };
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -9,7 +9,7 @@
 #include "trident_base/config_types.h"
 #include "trident_base/se2.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// A landmark as seen from the robot.
 struct PointObservation {
@@ -145,4 +145,4 @@ class EkfSlam {
   int next_id_ = 0;
 };
 
-}  // namespace trident
+}  // namespace trident::slam

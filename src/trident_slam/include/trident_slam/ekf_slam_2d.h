@@ -10,7 +10,7 @@
 #include "trident_slam/ekf_slam.h"
 #include "trident_slam/slam_2d.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// What counts as a post (pillar, trunk, table leg): a narrow object in front of what is around it.
 struct PostParams {
@@ -81,4 +81,4 @@ class EkfSlam2d : public Slam2d {
   std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace trident
+}  // namespace trident::slam

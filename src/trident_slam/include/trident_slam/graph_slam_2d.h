@@ -15,7 +15,7 @@
 #include "trident_slam/slam_2d.h"
 #include "trident_slam/slam_2d_abilities.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// Graph SLAM: each scan is matched against the surfaces of the map so far; keyframes and the
 /// measurements between them form a graph; loops are found by branch and bound and believed when
@@ -98,4 +98,4 @@ class GraphSlam2d : public Slam2d,
   std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -7,7 +7,7 @@
 
 #include "trident_base/yaml_config.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// What is done with a new scan. `localization` finds its place in a map that does not change,
 /// `lifelong` goes on with a map and lets go of scans that newer ones have replaced.
@@ -147,4 +147,4 @@ struct GraphSlamOptions {
   }
 };
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -9,7 +9,7 @@
 #include "trident_slam/slam_2d.h"
 #include "trident_slam/slam_2d_abilities.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// Names and meanings are those of hector_mapping; the map grows by itself, so it has no size here.
 struct HectorSlamParams {
@@ -69,4 +69,4 @@ class HectorSlam2d : public Slam2d, public Slam2dPlaced, public Slam2dOdometryUs
   std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -6,7 +6,7 @@
 
 #include "trident_slam/pose_graph_optimizer.h"
 
-namespace trident {
+namespace trident::slam {
 
 struct IncrementalOptions {
   /// The graph is optimised when what was added since disagrees with it by more than this part of
@@ -57,4 +57,4 @@ class IncrementalPoseGraph {
 extern template class IncrementalPoseGraph<SE2>;
 extern template class IncrementalPoseGraph<SE3>;
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -9,7 +9,7 @@
 #include "trident_base/se2.h"
 #include "trident_slam/ekf_slam.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// One pose of a landmark log: how the robot came there and what it saw there.
 struct LandmarkLogStep {
@@ -44,4 +44,4 @@ struct AssociationScore {
 AssociationScore score_association(const std::vector<LandmarkLogStep>& steps,
                                    const std::vector<std::vector<int>>& found);
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace trident {
+namespace trident::slam {
 
 /// Bytes of a file as they are after decompression; see `LineReader`.
 class ByteSource;
@@ -47,4 +47,4 @@ class LineReader {
   std::string damage_;
 };
 
-}  // namespace trident
+}  // namespace trident::slam

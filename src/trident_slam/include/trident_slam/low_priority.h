@@ -4,7 +4,7 @@
 
 #include <sys/resource.h>
 
-namespace trident {
+namespace trident::slam {
 
 /// From here on this thread lets others go first: what runs in the background must not hold up
 /// scans where there are fewer processor cores than threads. Changes no result.
@@ -13,4 +13,4 @@ inline void lower_priority_of_this_thread() {
   setpriority(PRIO_PROCESS, 0, kNice);  // Linux: of the calling thread alone
 }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -6,7 +6,7 @@
 
 #include "trident_base/se2.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// How well a scan constrains its pose: the eigenvalues of the information that its points give,
 /// with yaw counted in metres at the mean distance of the points. J. Zhang, M. Kaess, S. Singh, "On
@@ -48,4 +48,4 @@ struct MatchResult {
 /// `mean_range`: of the points about the base [m].
 Degeneracy degeneracy_of(const Eigen::Matrix3d& information, double mean_range);
 
-}  // namespace trident
+}  // namespace trident::slam

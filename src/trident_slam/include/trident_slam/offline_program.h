@@ -12,7 +12,7 @@
 #include "trident_base/se2.h"
 #include "trident_slam/scan_source.h"
 
-namespace trident {
+namespace trident::slam {
 
 struct OfflineCommand {
   std::string log_file;
@@ -37,4 +37,4 @@ using OpenSource = std::function<std::unique_ptr<ScanSource>(const OfflineComman
 int run_offline_program(int argc, char** argv, const std::vector<std::string>& source_options,
                         const OpenSource& open);
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -12,7 +12,7 @@
 #include "trident_slam/slam_2d.h"
 #include "trident_slam/slam_2d_abilities.h"
 
-namespace trident {
+namespace trident::slam {
 
 struct OfflineResult {
   std::size_t scans = 0;
@@ -43,4 +43,4 @@ OfflineResult run_offline(ScanSource& source, Slam2d& slam, const std::string& o
 /// One line of a TUM trajectory: "stamp x y z qx qy qz qw", six decimals.
 std::string tum_line(const StampedPose2d& pose);
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -10,7 +10,7 @@
 #include "trident_slam/slam_2d.h"
 #include "trident_slam/slam_2d_abilities.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// Names and meanings are those of slam_gmapping.
 struct ParticleSlamParams {
@@ -78,4 +78,4 @@ class ParticleSlam2d : public Slam2d, public Slam2dOdometryUse {
   std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -7,7 +7,7 @@
 
 #include "trident_base/laser_scan.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// A point on a surface, and the surface's unit normal there, towards the sensor. The normal is
 /// zero where the neighbouring beams show no surface.
@@ -35,4 +35,4 @@ struct PointScanOptions {
 PointScan make_point_scan(const LaserScan& scan, const PointScanOptions& options,
                           const Eigen::Vector3d& twist = Eigen::Vector3d::Zero());
 
-}  // namespace trident
+}  // namespace trident::slam

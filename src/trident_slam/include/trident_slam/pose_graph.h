@@ -12,7 +12,7 @@
 #include "trident_base/se2.h"
 #include "trident_base/se3.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// How the square s = e' Omega e of an edge counts in the cost. c is the edge's `kernel_scale`, in
 /// standard deviations.
@@ -111,4 +111,4 @@ using PoseGraph3d = PoseGraph<SE3>;
 extern template class PoseGraph<SE2>;
 extern template class PoseGraph<SE3>;
 
-}  // namespace trident
+}  // namespace trident::slam

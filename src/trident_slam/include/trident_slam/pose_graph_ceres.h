@@ -7,7 +7,7 @@
 
 #include "trident_slam/pose_graph_optimizer.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// Ceres' choices under the names and with the defaults of slam_toolbox' ceres_* parameters.
 struct CeresOptions {
@@ -30,4 +30,4 @@ struct CeresOptions {
 template <class Group>
 std::unique_ptr<PoseGraphSolver<Group>> make_ceres_solver(const CeresOptions& options);
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -8,7 +8,7 @@
 
 #include "trident_slam/pose_graph.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// What becomes of an edge whose information has a negative eigenvalue, so that its error could be
 /// worth less than nothing.
@@ -39,4 +39,4 @@ std::variant<PoseGraph2d, PoseGraph3d> read_g2o(
 template <class Group>
 void write_g2o(const PoseGraph<Group>& graph, const std::string& file);
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -8,7 +8,7 @@
 
 #include "trident_slam/pose_graph.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// How steps are kept from leaving the region where the linearisation holds.
 enum class TrustStrategy { kGaussNewton, kLevenbergMarquardt, kDogleg };
@@ -109,4 +109,4 @@ class PoseGraphOptimizer : public PoseGraphSolver<Group> {
 extern template class PoseGraphOptimizer<SE2>;
 extern template class PoseGraphOptimizer<SE3>;
 
-}  // namespace trident
+}  // namespace trident::slam

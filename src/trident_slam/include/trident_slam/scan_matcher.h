@@ -11,7 +11,7 @@
 #include "trident_slam/match_result.h"
 #include "trident_slam/point_scan.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// A scan of a reference, and where its base was.
 struct PlacedPoints {
@@ -86,4 +86,4 @@ void register_builtin_scan_matchers(Registry<ScanMatcherFactory>& registry);
 std::unique_ptr<ScanMatcher> make_scan_matcher(const std::string& name,
                                                const ScanMatcherOptions& options = {});
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -9,7 +9,7 @@
 #include "trident_base/laser_scan.h"
 #include "trident_base/se2.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// One scan with the odometry that was logged with it.
 struct ScanRecord {
@@ -53,4 +53,4 @@ class ScanSource {
   virtual double progress() const = 0;
 };
 
-}  // namespace trident
+}  // namespace trident::slam

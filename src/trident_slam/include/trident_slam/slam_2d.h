@@ -14,7 +14,7 @@
 #include "trident_base/registry.h"
 #include "trident_base/se2.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// What tells the motion between scans: odometry; scans, for odometry says nothing; scans, as the
 /// user wants it.
@@ -71,4 +71,4 @@ using Slam2dFactory = std::function<std::unique_ptr<Slam2d>(const std::string& c
 /// does.
 void register_builtin_slam_2d(Registry<Slam2dFactory>& registry);
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -16,7 +16,7 @@
 // What some algorithms can do beyond Slam2d. An algorithm inherits from what it has; who holds a
 // Slam2d asks with dynamic_cast.
 
-namespace trident {
+namespace trident::slam {
 
 /// Where the robot is when a session has been read: where the session ended; at its first node; at
 /// a given pose; at a given pose, and from then on the map does not change.
@@ -127,4 +127,4 @@ class Slam2dEditable {
   virtual void realign() = 0;
 };
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -9,7 +9,7 @@
 
 #include "trident_base/laser_scan.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// From the first beam to the last [s].
 double sweep_duration(const LaserScan& scan);
@@ -44,4 +44,4 @@ class YawRates {
   std::deque<Sample> samples_;  ///< of the last ten seconds
 };
 
-}  // namespace trident
+}  // namespace trident::slam

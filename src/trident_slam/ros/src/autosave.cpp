@@ -9,7 +9,7 @@
 #include "trident_base/error.h"
 #include "trident_base/string_util.h"
 
-namespace trident {
+namespace trident::slam {
 
 Autosave::Autosave(std::string file, double interval, Snapshot snapshot, Tell tell)
     : file_(std::move(file)),
@@ -58,4 +58,4 @@ void Autosave::save(const ros::Time& stamp) {
   }
 }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -13,7 +13,7 @@
 
 #include "trident_base/string_util.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 constexpr char kMagic[] = "#ROSBAG V2.0\n";
@@ -354,4 +354,4 @@ bool BagFile::parse_fields(Span header, Fields& fields) {
   return !fields.empty();
 }
 
-}  // namespace trident
+}  // namespace trident::slam

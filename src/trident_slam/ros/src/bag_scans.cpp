@@ -18,7 +18,7 @@
 #include "trident_slam_ros/bag_file.h"
 #include "trident_slam_ros/scan_intake.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 constexpr double kCacheS = 3600.0;  // transforms are few beside scans
@@ -275,4 +275,4 @@ const LogProblems& BagScans::problems() const { return impl_->problems(); }
 
 double BagScans::progress() const { return impl_->progress(); }
 
-}  // namespace trident
+}  // namespace trident::slam

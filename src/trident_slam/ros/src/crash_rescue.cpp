@@ -12,7 +12,7 @@
 #include <exception>
 #include <utility>
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 constexpr std::array<int, 5> kFaults = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
@@ -67,4 +67,4 @@ CrashRescue::~CrashRescue() {
   disarm();
 }
 
-}  // namespace trident
+}  // namespace trident::slam

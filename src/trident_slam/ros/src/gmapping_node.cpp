@@ -10,7 +10,7 @@
 #include "trident_slam_ros/slam_parameters.h"
 #include "trident_slam_ros/slam_programs.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 constexpr double kEntropyPeriodS = 1.0;
@@ -78,4 +78,4 @@ void run() {
 
 int run_gmapping(int argc, char** argv) { return run_program(argc, argv, "slam_gmapping", run); }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -16,7 +16,7 @@
 #include "trident_maps_ros/map_messages.h"
 #include "trident_ros/message_checks.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 using visualization_msgs::InteractiveMarkerControl;
@@ -109,7 +109,7 @@ visualization_msgs::InteractiveMarker movable_marker(const std::string& name,
   visualization_msgs::InteractiveMarker result;
   result.header.frame_id = frame;  // without a stamp: valid for viewers that come later, too
   result.name = name;
-  result.pose = to_pose_message(T);
+  result.pose = maps::to_pose_message(T);
   result.scale = static_cast<float>(diameter);
   InteractiveMarkerControl move = control(InteractiveMarkerControl::MOVE_PLANE);
   move.always_visible = 1;
@@ -176,7 +176,7 @@ void GraphEditor::follow(const InteractiveMarkerFeedback& feedback) {
   if (feedback.event_type != InteractiveMarkerFeedback::POSE_UPDATE) return;
   try {
     const int node = std::stoi(feedback.marker_name) - 1;
-    const SE2 T_map_node = from_pose_message(feedback.pose);
+    const SE2 T_map_node = maps::from_pose_message(feedback.pose);
     {
       const std::lock_guard<std::mutex> lock(mutex_);
       if (!is_on_) return;
@@ -184,7 +184,7 @@ void GraphEditor::follow(const InteractiveMarkerFeedback& feedback) {
     }
     show_scan(node, T_map_node);
   } catch (const std::exception& error) {
-    node_.tell("marker '" + quoted(feedback.marker_name) + "': " + error.what());
+    node_.tell("marker '" + ros_utils::quoted(feedback.marker_name) + "': " + error.what());
   }
 }
 
@@ -195,7 +195,7 @@ void GraphEditor::show_scan(int node, const SE2& T_map_node) {
   shown_ = std::max(ros::Time::now(), shown_ + ros::Duration(0, 1));
   place.header.stamp = shown_;
   place.child_frame_id = kScanFrame;
-  const geometry_msgs::Pose pose = to_pose_message(T_map_node);
+  const geometry_msgs::Pose pose = maps::to_pose_message(T_map_node);
   place.transform.translation.x = pose.position.x;
   place.transform.translation.y = pose.position.y;
   place.transform.rotation = pose.orientation;
@@ -224,4 +224,4 @@ void GraphEditor::show_markers() {
   markers_.applyChanges();
 }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 bool is_same_place(const nav_msgs::MapMetaData& a, const nav_msgs::MapMetaData& b) {
@@ -85,4 +85,4 @@ void MapPublisher::publish(const nav_msgs::OccupancyGrid& map, const ros::Time& 
   metadata_.publish(map.info);
 }
 
-}  // namespace trident
+}  // namespace trident::slam

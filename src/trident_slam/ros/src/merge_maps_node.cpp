@@ -23,7 +23,7 @@
 #include "trident_slam_ros/slam_parameters.h"
 #include "trident_slam_ros/slam_programs.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 namespace srv = slam_toolbox_msgs;
@@ -96,13 +96,13 @@ class MapMerger {
     std_msgs::Header header;
     header.frame_id = frame;
     header.stamp = ros::Time::now();
-    publisher.publish(to_map_message(map, header));
+    publisher.publish(maps::to_map_message(map, header));
   }
 
   void follow(std::size_t index, const visualization_msgs::InteractiveMarkerFeedback& feedback) {
     if (feedback.event_type != visualization_msgs::InteractiveMarkerFeedback::POSE_UPDATE) return;
     try {
-      const SE2 T_map_marker = from_pose_message(feedback.pose);
+      const SE2 T_map_marker = maps::from_pose_message(feedback.pose);
       if (!(T_map_marker.p.norm() <= kFarthestMarker)) {
         throw Error("it is " + number_text(T_map_marker.p.norm()) + " m away, legal: up to " +
                     number_text(kFarthestMarker) + " m");
@@ -111,7 +111,7 @@ class MapMerger {
       markers_.applyChanges();  // for other viewers
     } catch (const Error& error) {
       refusals_.note("marker refused",
-                     "marker '" + quoted(feedback.marker_name) + "': " + error.what());
+                     "marker '" + ros_utils::quoted(feedback.marker_name) + "': " + error.what());
     }
   }
 
@@ -122,7 +122,7 @@ class MapMerger {
     transform.header.frame_id = kMapFrame;
     transform.header.stamp = ros::Time::now();
     transform.child_frame_id = submap.frame;
-    const geometry_msgs::Pose pose = to_pose_message(submap.T_map_submap);
+    const geometry_msgs::Pose pose = maps::to_pose_message(submap.T_map_submap);
     transform.transform.translation.x = pose.position.x;
     transform.transform.translation.y = pose.position.y;
     transform.transform.rotation = pose.orientation;
@@ -149,7 +149,7 @@ class MapMerger {
 
   GraphSlamOptions options_;
   ros::NodeHandle handle_;
-  Refusals refusals_{handle_};
+  ros_utils::Refusals refusals_{handle_};
   interactive_markers::InteractiveMarkerServer markers_;
   tf2_ros::StaticTransformBroadcaster broadcaster_;
   ros::Publisher map_publisher_;
@@ -169,4 +169,4 @@ int run_merge_maps(int argc, char** argv) {
   return run_program(argc, argv, "merge_maps_kinematic", run);
 }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -7,7 +7,7 @@
 
 #include "trident_base/string_util.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 std::string rounded(double value) { return number_text(std::round(100.0 * value) / 100.0); }
@@ -33,4 +33,4 @@ MotionDiagnosis diagnose_motion(const ScanPose2d& pose) {
   return diagnosis;
 }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -9,7 +9,7 @@
 
 #include "trident_base/string_util.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 bool has(const ParameterNames& names, const std::string& name) {
@@ -51,4 +51,4 @@ void tell_unused(const ros::NodeHandle& own, const ParameterNames& used,
   }
 }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -7,7 +7,7 @@
 #include <exception>
 #include <iostream>
 
-namespace trident {
+namespace trident::slam {
 
 int run_program(int argc, char** argv, const std::string& name, const std::function<void()>& run) {
   ros::init(argc, argv, name);
@@ -20,4 +20,4 @@ int run_program(int argc, char** argv, const std::string& name, const std::funct
   return 0;
 }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -13,7 +13,7 @@
 #include "trident_base/string_util.h"
 #include "trident_ros/message_checks.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 constexpr double kMountResolution = 1e-5;  // [m], [rad]: logs tell mounts to this
@@ -40,7 +40,7 @@ std::string stamp_text(const ros::Time& stamp) {
 }
 
 void check(const sensor_msgs::LaserScan& message) {
-  const std::string problem = scan_problem(message);
+  const std::string problem = ros_utils::scan_problem(message);
   if (!problem.empty()) throw Error(problem);
   if (message.angle_increment == 0.0F) throw Error("angle_increment 0 rad, legal: not 0");
 }
@@ -52,7 +52,7 @@ LaserScan to_laser_scan(const sensor_msgs::LaserScan& message,
   check(message);
   const double up = rotation(T_base_laser.rotation)(2, 2);
   if (std::abs(up) < kMinUprightness) {
-    throw Error("frame " + quoted(message.header.frame_id) + " is tilted by " +
+    throw Error("frame " + ros_utils::quoted(message.header.frame_id) + " is tilted by " +
                 number_text(std::round(std::acos(up) * 180.0 / M_PI)) +
                 " deg, legal: a laser that looks around in the plane");
   }
@@ -74,9 +74,9 @@ LaserScan to_laser_scan(const sensor_msgs::LaserScan& message,
 
 bool ScanIntake::is_refused(const sensor_msgs::LaserScan& message, const ros::Time& now) {
   const std::string& frame = laser_frame(message);
-  std::string problem = stamp_problem(message.header.stamp, now);
+  std::string problem = ros_utils::stamp_problem(message.header.stamp, now);
   if (problem.empty() && (frame.empty() || frame.front() == '/')) {
-    problem = "frame_id is '" + quoted(frame) + "', legal: a name without / before it";
+    problem = "frame_id is '" + ros_utils::quoted(frame) + "', legal: a name without / before it";
   }
   if (problem.empty()) return false;
   ++received_;
@@ -103,14 +103,14 @@ void ScanIntake::add(const sensor_msgs::LaserScanConstPtr& message) {
 
 void ScanIntake::add(const sensor_msgs::Imu& message) {
   const std::string& imu = message.header.frame_id;
-  imu_problem_ = stamp_problem(message.header.stamp, ros::Time());
+  imu_problem_ = ros_utils::stamp_problem(message.header.stamp, ros::Time());
   if (!imu.empty() && imu.front() == '/') imu_problem_ = "frame_id begins with /";
   if (!imu_problem_.empty()) return;
   Eigen::Matrix3d R_base_imu = Eigen::Matrix3d::Identity();
   if (!imu.empty() && imu != options_.base_frame) {
     if (!transforms_.canTransform(options_.base_frame, imu, ros::Time(0))) {
-      imu_problem_ =
-          "transform " + options_.base_frame + " -> " + quoted(imu) + " is not known at all";
+      imu_problem_ = "transform " + options_.base_frame + " -> " + ros_utils::quoted(imu) +
+                     " is not known at all";
       return;
     }
     const auto mount = transforms_.lookupTransform(options_.base_frame, imu, ros::Time(0));
@@ -245,7 +245,7 @@ std::string ScanIntake::why_missing(const sensor_msgs::LaserScan& message) const
 
 std::string ScanIntake::lateness(const std::string& target, const std::string& source,
                                  const ros::Time& stamp) const {
-  const std::string name = "transform " + target + " -> " + quoted(source);
+  const std::string name = "transform " + target + " -> " + ros_utils::quoted(source);
   try {
     if (transforms_.canTransform(target, source, stamp)) return {};
     const ros::Time newest = transforms_.lookupTransform(target, source, ros::Time(0)).header.stamp;
@@ -270,4 +270,4 @@ void ScanIntake::leave_out(const sensor_msgs::LaserScan& message, const std::str
   tell("scan of " + stamp_text(message.header.stamp) + " s is left out: " + why);
 }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -7,7 +7,7 @@
 
 #include "trident_base/string_util.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 /// Two scans in a row that are no farther apart agree on what time it is [s].
@@ -58,4 +58,4 @@ ScanStamps::Step ScanStamps::add_older(const sensor_msgs::LaserScanConstPtr& mes
   return step;
 }
 
-}  // namespace trident
+}  // namespace trident::slam

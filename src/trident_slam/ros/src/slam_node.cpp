@@ -19,7 +19,7 @@
 #include "trident_slam/slam_2d_abilities.h"
 #include "trident_slam_ros/motion_diagnosis.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 constexpr double kIntakePeriodS = 0.005;
@@ -96,7 +96,7 @@ SlamNode::SlamNode(const ros::NodeHandle& private_handle, const SlamNodeOptions&
       autosave_(
           options.autosave_file, options.autosave_interval, [this] { return session_snapshot(); },
           [this](const std::string& problem) { tell(problem); }) {
-  transform_input_ = std::make_unique<TransformInput>(
+  transform_input_ = std::make_unique<ros_utils::TransformInput>(
       transforms_, [this](const std::string& problem) { tell(problem); });
   ros::NodeHandle handle;
   ros::NodeHandle own(private_handle);
@@ -279,7 +279,7 @@ void SlamNode::save_what_there_is() const {
   const auto* session = dynamic_cast<const Slam2dSession*>(slam_.get());
   try {
     if (session != nullptr) session->session_snapshot()(stem + ".posegraph");
-    trident::save_map(stem, slam_->map());
+    trident::maps::save_map(stem, slam_->map());
   } catch (const Error& error) {
     std::fprintf(stderr, "the map cannot be saved: %s\n", error.what());  // NOLINT: log may be gone
   }
@@ -319,7 +319,7 @@ void SlamNode::publish_pose(const ScanRecord& record, const ScanPose2d& pose) {
   geometry_msgs::PoseWithCovarianceStamped message;
   message.header.stamp.fromNSec(static_cast<std::uint64_t>(record.scan.stamp_ns));
   message.header.frame_id = options_.map_frame;
-  message.pose.pose = to_pose_message(pose.T_map_base);
+  message.pose.pose = maps::to_pose_message(pose.T_map_base);
   constexpr std::array<std::size_t, 3> kPlanar = {0, 1, 5};  // x, y, yaw among six
   const double linear = std::sqrt(options_.position_covariance_scale);
   const std::array<double, 3> scale = {linear, linear, std::sqrt(options_.yaw_covariance_scale)};
@@ -344,7 +344,7 @@ void SlamNode::publish_correction() {
     // The same stamp twice would be ignored by every listener, with a warning.
     if (!has_correction_ || message.header.stamp == last_correction_) return;
     last_correction_ = message.header.stamp;
-    const geometry_msgs::Pose pose = to_pose_message(T_map_odom_);
+    const geometry_msgs::Pose pose = maps::to_pose_message(T_map_odom_);
     message.transform.translation.x = pose.position.x;
     message.transform.translation.y = pose.position.y;
     message.transform.rotation = pose.orientation;
@@ -366,7 +366,7 @@ nav_msgs::OccupancyGrid SlamNode::to_message(const OccupancyGrid& map) const {
   std_msgs::Header header;
   header.frame_id = options_.map_frame;
   header.stamp = ros::Time::now();
-  return to_map_message(map, header);
+  return maps::to_map_message(map, header);
 }
 
 nav_msgs::OccupancyGrid SlamNode::map_message() { return to_message(map_snapshot()()); }
@@ -400,7 +400,7 @@ void SlamNode::save_session(const std::string& file) { session_snapshot()(file);
 
 void SlamNode::save_map(const std::string& stem) {
   if (options_.is_sync) with_slam([](Slam2d& slam) { slam.finish(); });
-  trident::save_map(stem, map_snapshot()());
+  trident::maps::save_map(stem, map_snapshot()());
 }
 
 void SlamNode::reset() {
@@ -473,4 +473,4 @@ void SlamNode::publish_diagnostics() {
   diagnostics_publisher_.publish(array);
 }
 
-}  // namespace trident
+}  // namespace trident::slam

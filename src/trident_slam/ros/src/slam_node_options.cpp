@@ -9,7 +9,7 @@
 #include "trident_base/error.h"
 #include "trident_base/string_util.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 struct TextParameter {
@@ -94,4 +94,4 @@ std::vector<std::string> slam_node_parameters() {
   return names;
 }
 
-}  // namespace trident
+}  // namespace trident::slam

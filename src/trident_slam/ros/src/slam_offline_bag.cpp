@@ -7,7 +7,7 @@
 #include "trident_slam/offline_program.h"
 #include "trident_slam_ros/bag_scans.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 std::unique_ptr<ScanSource> open_bag(const OfflineCommand& command) {
@@ -26,9 +26,10 @@ std::unique_ptr<ScanSource> open_bag(const OfflineCommand& command) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::slam
 
 int main(int argc, char** argv) {
-  return trident::run_offline_program(
-      argc, argv, {"--scan", "--odom", "--imu", "--odom-frame", "--base-frame"}, trident::open_bag);
+  return trident::slam::run_offline_program(
+      argc, argv, {"--scan", "--odom", "--imu", "--odom-frame", "--base-frame"},
+      trident::slam::open_bag);
 }

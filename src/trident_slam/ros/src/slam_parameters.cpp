@@ -12,7 +12,7 @@
 #include "trident_slam/particle_slam_2d.h"
 #include "trident_slam_ros/parameter_names.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 using XmlRpc::XmlRpcValue;
@@ -102,4 +102,4 @@ std::function<std::unique_ptr<Slam2d>()> slam_maker(const ros::NodeHandle& priva
   return [registry, method, config_file] { return registry->get(method)(config_file); };
 }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -30,7 +30,7 @@
 #include "trident_slam_ros/slam_programs.h"
 #include "trident_slam_ros/toolbox_parameters.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 namespace srv = slam_toolbox_msgs;
@@ -169,7 +169,7 @@ class Toolbox {
 
   void place(const geometry_msgs::PoseWithCovarianceStamped& message) {
     try {
-      const SE2 T_map_base = from_pose_message(message.pose.pose);
+      const SE2 T_map_base = maps::from_pose_message(message.pose.pose);
       node_.with_slam([&T_map_base](Slam2d& slam) {
         able<Slam2dPlaced>(slam, "be told where the robot is").set_pose(T_map_base);
       });
@@ -229,4 +229,4 @@ int run_slam_toolbox(int argc, char** argv, ToolboxMode mode) {
   return run_program(argc, argv, "slam_toolbox", [mode] { run(mode); });
 }
 
-}  // namespace trident
+}  // namespace trident::slam

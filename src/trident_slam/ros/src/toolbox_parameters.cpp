@@ -13,7 +13,7 @@
 #include "trident_slam_ros/parameter_names.h"
 #include "trident_slam_ros/slam_node.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 constexpr char kCeres[] = "solver_plugins::CeresSolver";
@@ -94,4 +94,4 @@ void tell_unused_toolbox_parameters(const ros::NodeHandle& own, bool has_solver)
   tell_unused(own, used, upstream_parameters());
 }
 
-}  // namespace trident
+}  // namespace trident::slam

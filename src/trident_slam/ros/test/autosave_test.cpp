@@ -13,7 +13,7 @@
 
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 constexpr double kInterval = 4.0;
@@ -133,4 +133,4 @@ TEST_F(AutosaveTest, ProblemsAreToldAndTheNextSessionIsTried) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::slam

@@ -12,7 +12,7 @@
 #include <random>
 #include <string>
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 namespace fs = std::filesystem;
@@ -183,4 +183,4 @@ TEST_F(BagFileTest, DamageOfAnyKindCrashesNothing) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::slam

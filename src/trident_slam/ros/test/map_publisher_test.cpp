@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 nav_msgs::OccupancyGrid map_of(std::uint32_t width, std::vector<std::int8_t> cells) {
@@ -63,4 +63,4 @@ TEST(ChangedPart, CannotTellOfAnotherSizeOrPlace) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::slam

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 TEST(MotionDiagnosis, OdometryThatMovesIsNothingToTellOf) {
@@ -33,4 +33,4 @@ TEST(MotionDiagnosis, AnOpenDirectionIsNamedWithItsDeviation) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::slam

@@ -6,7 +6,7 @@
 
 #include "trident_slam/hector_slam_2d.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 TEST(ParameterNames, AreThoseOfTheStruct) {
@@ -23,4 +23,4 @@ TEST(ParameterNames, WhatDoesNothingIsNamed) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::slam

@@ -11,7 +11,7 @@
 
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 class ScanIntakeTest : public testing::Test {
@@ -214,4 +214,4 @@ TEST_F(ScanIntakeTest, WhatIsAheadOfTheOthersDoesNotHoldThemUp) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::slam

@@ -7,7 +7,7 @@
 #include <boost/make_shared.hpp>
 #include <vector>
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 class ScanStampsTest : public testing::Test {
@@ -67,4 +67,4 @@ TEST_F(ScanStampsTest, APauseOfTheRecordingIsOne) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::slam

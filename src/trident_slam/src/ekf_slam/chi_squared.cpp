@@ -9,7 +9,7 @@
 
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
@@ -88,4 +88,4 @@ double chi_squared_quantile(double probability, int degrees) {
   return 2.0 * x;
 }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -14,7 +14,7 @@
 #include "trident_base/angle.h"
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 /// A scan with more observations than this is associated in the order given, so many at a time.
@@ -258,4 +258,4 @@ std::vector<EkfSlam::Landmark> EkfSlam::landmarks() const {
   return result;
 }
 
-}  // namespace trident
+}  // namespace trident::slam

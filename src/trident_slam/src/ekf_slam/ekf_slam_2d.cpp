@@ -5,12 +5,12 @@
 #include <cmath>
 
 #include "ekf_slam/posts.h"
+#include "logs/scan_map.h"
 #include "motion/odometry_motion.h"
 #include "scans/scan_archive.h"
 #include "scans/scan_check.h"
-#include "logs/scan_map.h"
 
-namespace trident {
+namespace trident::slam {
 
 class EkfSlam2d::Impl {
  public:
@@ -96,4 +96,4 @@ OccupancyGrid EkfSlam2d::map() const { return impl_->map(); }
 
 std::vector<EkfSlam::Landmark> EkfSlam2d::landmarks() const { return impl_->filter().landmarks(); }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -5,7 +5,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 /// The chosen pairs with the Cholesky factor of their joint innovation covariance; a pair more is
@@ -121,4 +121,4 @@ std::vector<LandmarkPair> largest_joint_set(
   return Search(candidates, gates, covariance, max_pairings).run();
 }
 
-}  // namespace trident
+}  // namespace trident::slam

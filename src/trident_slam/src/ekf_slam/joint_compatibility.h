@@ -7,7 +7,7 @@
 
 #include "trident_slam/ekf_slam.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// 2x2: covariance between the innovations of two pairs, noise of the observation included where
 /// both are of one observation [m^2].
@@ -23,4 +23,4 @@ std::vector<LandmarkPair> largest_joint_set(
     const std::vector<std::vector<LandmarkPair>>& candidates, const std::vector<double>& gates,
     const InnovationCovariance& covariance, int max_pairings);
 
-}  // namespace trident
+}  // namespace trident::slam

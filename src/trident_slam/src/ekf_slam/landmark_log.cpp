@@ -11,7 +11,7 @@
 #include "trident_base/error.h"
 #include "trident_slam/line_reader.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 /// One line, field by field, with errors that say where.
@@ -156,4 +156,4 @@ AssociationScore score_association(const std::vector<LandmarkLogStep>& steps,
   return score;
 }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -6,7 +6,7 @@
 
 #include "trident_base/angle.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 Eigen::Matrix2d rotation(double yaw) {
@@ -53,4 +53,4 @@ PlacedLandmark place(const Eigen::Vector3d& pose, const Eigen::Vector2d& p_base)
   return result;
 }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -6,7 +6,7 @@
 
 #include "trident_base/se2.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// The robot's part of the state: x [m], y [m], yaw [rad] in the map; the share by which odometry
 /// misjudges turns; its yaw drift [rad/m].
@@ -34,4 +34,4 @@ struct PlacedLandmark {
 };
 PlacedLandmark place(const Eigen::Vector3d& pose, const Eigen::Vector2d& p_base);
 
-}  // namespace trident
+}  // namespace trident::slam

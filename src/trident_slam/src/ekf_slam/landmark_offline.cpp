@@ -18,7 +18,7 @@
 #include "trident_slam/landmark_log.h"
 #include "trident_slam/offline_run.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 constexpr char kUsage[] =
@@ -116,11 +116,11 @@ void run(const Options& options) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::slam
 
 int main(int argc, char** argv) {
   try {
-    trident::run(trident::parse(argc, argv));
+    trident::slam::run(trident::slam::parse(argc, argv));
   } catch (const std::exception& error) {
     std::cerr << "landmark_offline: " << error.what() << '\n';
     return 1;

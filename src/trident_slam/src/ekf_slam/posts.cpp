@@ -8,7 +8,7 @@
 
 #include "trident_base/angle.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
@@ -112,4 +112,4 @@ std::vector<PointObservation> find_posts(const LaserScan& scan, const PostParams
   return posts;
 }
 
-}  // namespace trident
+}  // namespace trident::slam

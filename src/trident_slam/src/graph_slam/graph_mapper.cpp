@@ -7,7 +7,7 @@
 
 #include "graph_slam/backend/final_match.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 /// Part of a keyframe's points that must lie on an older stretch's surfaces to tie it to them.
@@ -293,4 +293,4 @@ std::vector<StampedPose2d> GraphMapper::trajectory() const {
   return poses;
 }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -9,23 +9,23 @@
 #include <utility>
 #include <vector>
 
-#include "motion/motion_filter.h"
-#include "motion/motion_source.h"
-#include "graph_slam/local/calibrated_odometry.h"
 #include "graph_slam/backend/keyframe_graph.h"
-#include "graph_slam/loop/loop_worker.h"
-#include "graph_slam/loop/lost_robot.h"
+#include "graph_slam/backend/stale_scans.h"
+#include "graph_slam/local/calibrated_odometry.h"
 #include "graph_slam/local/pose_uncertainty.h"
 #include "graph_slam/local/recent_scans.h"
+#include "graph_slam/local/scan_tracker.h"
+#include "graph_slam/local/submap_matcher.h"
+#include "graph_slam/loop/loop_worker.h"
+#include "graph_slam/loop/lost_robot.h"
+#include "motion/motion_filter.h"
+#include "motion/motion_source.h"
 #include "scans/scan_archive.h"
 #include "scans/scan_check.h"
-#include "graph_slam/local/scan_tracker.h"
-#include "graph_slam/backend/stale_scans.h"
-#include "graph_slam/local/submap_matcher.h"
 #include "trident_slam/graph_slam_options.h"
 #include "trident_slam/slam_2d.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// All that a session file holds. A copy shares the scans of the keyframes with the mapper.
 struct MapperState {
@@ -136,4 +136,4 @@ class GraphMapper {
   std::vector<std::pair<int, int>> reuse_links_;  ///< stretches: (older, newer)
 };
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -6,7 +6,7 @@
 #include "graph_slam/graph_mapper.h"
 #include "trident_slam/sweep_motion.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 /// A motion over a longer time says little about now [s].
@@ -50,4 +50,4 @@ void GraphMapper::settle_rolling_scan(std::int64_t next_stamp_ns,
                               : graph_.pose(entry.keyframe).inverse() * tracker_.T_map_base();
 }
 
-}  // namespace trident
+}  // namespace trident::slam

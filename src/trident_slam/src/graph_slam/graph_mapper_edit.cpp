@@ -7,7 +7,7 @@
 #include "graph_slam/graph_mapper.h"
 #include "graph_slam/loop/loop_closer.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 /// What lies within this of where a keyframe was moved may be what the user means [m].
@@ -147,4 +147,4 @@ int GraphMapper::close_loops_across(int first_newer) {
       }));
 }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
 // What a scan is told of the motion up to it, and what it says of that once it is placed.
-#include "matchers/surface_information.h"
 #include "graph_slam/graph_mapper.h"
+#include "matchers/surface_information.h"
 #include "trident_slam/sweep_motion.h"
 
-namespace trident {
+namespace trident::slam {
 
 Eigen::Vector3d GraphMapper::twist_of(const LaserScan& scan, const SE2& T_last_base) const {
   if (!options_.deskew) return Eigen::Vector3d::Zero();
@@ -36,4 +36,4 @@ std::string GraphMapper::settle_motion(const OdometryMotion::Step& motion, bool 
   return motion_source_.settle(T_before_now, is_shown);
 }
 
-}  // namespace trident
+}  // namespace trident::slam

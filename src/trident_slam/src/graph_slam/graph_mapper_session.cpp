@@ -8,7 +8,7 @@
 #include "graph_slam/graph_mapper.h"
 #include "graph_slam/loop/relocalizer.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 /// The graph and its surfaces are made anew after so many scans were forgotten or thinned.
@@ -113,4 +113,4 @@ void GraphMapper::take_out_forgotten_keyframes() {
   hide_what_drifted();
 }
 
-}  // namespace trident
+}  // namespace trident::slam

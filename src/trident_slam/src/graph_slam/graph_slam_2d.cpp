@@ -12,7 +12,7 @@
 #include "scans/start_pose.h"
 #include "trident_slam/pose_graph_g2o.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 /// What the map of the last snapshot was made of, for the next one.
@@ -225,4 +225,4 @@ void GraphSlam2d::save_g2o(const std::string& path) const {
   write_g2o(poses, path);
 }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -5,7 +5,7 @@
 #include "trident_base/error.h"
 #include "trident_slam/scan_matcher.h"
 
-namespace trident {
+namespace trident::slam {
 
 void GraphSlamOptions::validate() const {
   if (min_laser_range >= max_laser_range) {
@@ -19,4 +19,4 @@ void GraphSlamOptions::validate() const {
   }
 }
 
-}  // namespace trident
+}  // namespace trident::slam

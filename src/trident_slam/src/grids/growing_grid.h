@@ -11,7 +11,7 @@
 
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// A dense grid over whole-numbered cells that grows where it is written to; a cell that was never
 /// written to reads as `T{}`.
@@ -99,4 +99,4 @@ class GrowingGrid {
   std::vector<T> cells_;
 };
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-namespace trident {
+namespace trident::slam {
 
 int MaxPyramid::cell_of(double metres) const {
   return static_cast<int>(std::floor(metres / resolution_));
@@ -59,4 +59,4 @@ void MaxPyramid::insert(const SE2& T_map_base, const PointScan& scan) {
   }
 }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -9,7 +9,7 @@
 #include "trident_base/se2.h"
 #include "trident_slam/point_scan.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// Smeared hits of scans, and coarser levels that bound them: entry i of level h is the highest
 /// value of the 2^(h+1) cells from i * 2^h on, along both axes. A point that is moved by 0 to
@@ -41,4 +41,4 @@ class MaxPyramid {
   std::vector<GrowingGrid<std::uint8_t>> levels_;
 };
 
-}  // namespace trident
+}  // namespace trident::slam

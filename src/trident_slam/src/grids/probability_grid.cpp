@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 /// A wall that was seen a hundred times can still be forgotten.
@@ -115,4 +115,4 @@ OccupancyGrid ProbabilityGrid::occupancy() const {
   return grid;
 }
 
-}  // namespace trident
+}  // namespace trident::slam

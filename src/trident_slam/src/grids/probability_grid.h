@@ -11,7 +11,7 @@
 #include "trident_base/se2.h"
 #include "trident_slam/point_scan.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// An occupancy grid of probabilities that can be asked between its cells, too. Copies share what
 /// they have in common.
@@ -76,4 +76,4 @@ inline ProbabilityGrid::Sample ProbabilityGrid::sample(const Eigen::Vector2f& p_
   return sample;
 }
 
-}  // namespace trident
+}  // namespace trident::slam

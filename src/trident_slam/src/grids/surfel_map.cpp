@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <limits>
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 constexpr int kMaxRings = SurfelMap::kMaxRings;
@@ -157,4 +157,4 @@ const Surfel* SurfelMap::nearest(const Eigen::Vector2f& p, const Eigen::Vector2f
   return best;
 }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -10,7 +10,7 @@
 #include "trident_base/se2.h"
 #include "trident_slam/point_scan.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// A small piece of surface: the mean of the points, and of their normals, that fell into one cell.
 struct Surfel {
@@ -71,4 +71,4 @@ class SurfelMap {
   std::vector<char> hidden_;
 };
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -12,7 +12,7 @@
 
 #include "growing_grid.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// A grid over whole-numbered cells, in tiles that exist where it was written to. A copy shares its
 /// tiles with the original until one of them writes: many maps that differ in few places are cheap.
@@ -107,4 +107,4 @@ class TiledGrid {
   std::vector<std::shared_ptr<Tile>> tiles_;
 };
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -7,17 +7,17 @@
 #include <optional>
 #include <string>
 
+#include "grids/probability_grid.h"
 #include "matchers/map_match.h"
 #include "motion/motion_filter.h"
 #include "motion/motion_source.h"
-#include "grids/probability_grid.h"
 #include "scans/scan_check.h"
 #include "scans/start_pose.h"
 #include "trident_base/angle.h"
 #include "trident_slam/point_scan.h"
 #include "trident_slam/sweep_motion.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 constexpr int kCoarseIterations = 4;
@@ -140,4 +140,4 @@ void HectorSlam2d::set_uses_odometry(bool uses_odometry) {
 
 void HectorSlam2d::set_pose(const SE2& T_map_base) { impl_->set_pose(T_map_base); }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -8,7 +8,7 @@
 #include "logs/fields.h"
 #include "trident_base/string_util.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 constexpr double kDegree = 3.14159265358979323846 / 180.0;
@@ -218,4 +218,4 @@ void CarmenLog::complete(ScanRecord& record, double range_max) const {
   forget_readings_at_limit(scan);
 }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -5,7 +5,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 template <class Number>
@@ -58,4 +58,4 @@ bool Fields::stamp(std::int64_t& nanoseconds) {
   return true;
 }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
-namespace trident {
+namespace trident::slam {
 
 /// Blank-separated fields of one line, taken from the left.
 class Fields {
@@ -26,4 +26,4 @@ class Fields {
   std::string_view text_;
 };
 
-}  // namespace trident
+}  // namespace trident::slam

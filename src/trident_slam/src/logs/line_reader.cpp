@@ -15,7 +15,7 @@
 
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::slam {
 
 class ByteSource {
  public:
@@ -209,4 +209,4 @@ double LineReader::progress() const {
   return source_->file_size > 0.0 ? source_->position() / source_->file_size : 0.0;
 }
 
-}  // namespace trident
+}  // namespace trident::slam

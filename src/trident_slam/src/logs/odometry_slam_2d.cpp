@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "logs/odometry_slam_2d.h"
 
-namespace trident {
+namespace trident::slam {
 
 ScanPose2d OdometrySlam2d::add_scan(const LaserScan& scan, const SE2& T_odom_base) {
   if (scans_.empty()) T_map_odom_ = T_odom_base.inverse();
@@ -23,4 +23,4 @@ OccupancyGrid OdometrySlam2d::map() const {
   return build_scan_map(scans_.size(), placed, options);
 }
 
-}  // namespace trident
+}  // namespace trident::slam

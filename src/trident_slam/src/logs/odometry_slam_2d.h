@@ -8,7 +8,7 @@
 #include "trident_base/yaml_config.h"
 #include "trident_slam/slam_2d.h"
 
-namespace trident {
+namespace trident::slam {
 
 struct OdometrySlam2dParams {
   double resolution = 0.05;
@@ -38,4 +38,4 @@ class OdometrySlam2d : public Slam2d {
   std::vector<StampedPose2d> trajectory_;
 };
 
-}  // namespace trident
+}  // namespace trident::slam

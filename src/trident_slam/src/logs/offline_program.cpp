@@ -15,8 +15,8 @@
 #include <string>
 #include <system_error>
 
-#include "matchers/correlative_match.h"
 #include "logs/process_cost.h"
+#include "matchers/correlative_match.h"
 #include "trident_base/error.h"
 #include "trident_base/shown_text.h"
 #include "trident_base/string_util.h"
@@ -24,7 +24,7 @@
 #include "trident_slam/slam_2d.h"
 #include "trident_slam/slam_2d_abilities.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 constexpr char kUsage[] =
@@ -234,4 +234,4 @@ int run_offline_program(int argc, char** argv, const std::vector<std::string>& s
   return 0;
 }
 
-}  // namespace trident
+}  // namespace trident::slam

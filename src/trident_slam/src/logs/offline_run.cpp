@@ -13,7 +13,7 @@
 #include "trident_base/string_util.h"
 #include "trident_maps/map_file.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 constexpr std::int64_t kMicrosecond = 1'000;
@@ -114,7 +114,7 @@ OfflineResult run_offline(ScanSource& source, Slam2d& slam, const std::string& o
   std::vector<StampedPose2d> poses = slam.trajectory();
   poses.erase(poses.begin(), poses.begin() + static_cast<std::ptrdiff_t>(known_before));
   write_trajectory(poses.empty() ? causal : poses, out_dir + "/trajectory.tum");
-  save_map(out_dir + "/map", slam.map());
+  maps::save_map(out_dir + "/map", slam.map());
   if (const auto* graph = dynamic_cast<const Slam2dGraph*>(&slam)) {
     graph->save_g2o(out_dir + "/graph.g2o");
     write_loops(*graph, out_dir + "/loops.csv");
@@ -125,4 +125,4 @@ OfflineResult run_offline(ScanSource& source, Slam2d& slam, const std::string& o
   return result;
 }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <string>
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 double seconds(const timeval& time) {
@@ -39,4 +39,4 @@ ProcessCost process_cost() {
   return {seconds(usage.ru_utime) + seconds(usage.ru_stime), high_water_kb() / 1024.0};
 }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-namespace trident {
+namespace trident::slam {
 
 /// What this process has taken so far. Memory is that of this program alone: getrusage's figure is
 /// never below that of the process that started it.
@@ -14,4 +14,4 @@ ProcessCost process_cost();
 /// Its CPU time alone, to a microsecond.
 double process_cpu_s();
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -7,7 +7,7 @@
 
 #include "scans/beam_counts.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 // Where the returns of a scan lie [m].
@@ -39,4 +39,4 @@ OccupancyGrid build_scan_map(std::size_t count,
   return counts.map();
 }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -9,7 +9,7 @@
 #include "trident_base/occupancy_grid.h"
 #include "trident_base/se2.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// One scan and where its base was.
 struct PlacedScan {
@@ -29,4 +29,4 @@ OccupancyGrid build_scan_map(std::size_t count,
                              const std::function<PlacedScan(std::size_t)>& placed_scan,
                              const ScanMapOptions& options);
 
-}  // namespace trident
+}  // namespace trident::slam

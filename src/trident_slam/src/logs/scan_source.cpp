@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace trident {
+namespace trident::slam {
 
 void forget_readings_at_limit(LaserScan& scan) {
   for (float& range : scan.ranges) {
@@ -12,4 +12,4 @@ void forget_readings_at_limit(LaserScan& scan) {
   }
 }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -8,7 +8,7 @@
 #include "trident_slam/carmen_log.h"
 #include "trident_slam/offline_program.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 CarmenLog::Laser laser_named(const std::string& name) {
@@ -24,8 +24,8 @@ std::unique_ptr<ScanSource> open_log(const OfflineCommand& command) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::slam
 
 int main(int argc, char** argv) {
-  return trident::run_offline_program(argc, argv, {"--laser"}, trident::open_log);
+  return trident::slam::run_offline_program(argc, argv, {"--laser"}, trident::slam::open_log);
 }

@@ -4,7 +4,7 @@
 
 #include <cstdio>
 
-namespace trident {
+namespace trident::slam {
 
 void StampCheck::Kind::add(std::size_t scan, double seconds) {
   if (count++ == 0) first = scan;
@@ -40,4 +40,4 @@ std::string StampCheck::text() const {
   return both + ": scans are taken in the order of the log";
 }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-namespace trident {
+namespace trident::slam {
 
 /// Counts stamps that go back or jump ahead. They are labels, and nothing is sorted by them; but
 /// who reads a log wants to know.
@@ -37,4 +37,4 @@ class StampCheck {
   Kind jumps_;
 };
 
-}  // namespace trident
+}  // namespace trident::slam

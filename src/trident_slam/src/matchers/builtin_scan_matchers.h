@@ -6,7 +6,7 @@
 
 #include "trident_slam/scan_matcher.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// Branch and bound over a window of poses (Olson 2009, Hess 2016), then the mean of the response
 /// about the best one.
@@ -21,4 +21,4 @@ std::unique_ptr<ScanMatcher> make_line_matcher(const ScanMatcherOptions& options
 /// and Strasser 2003).
 std::unique_ptr<ScanMatcher> make_ndt_matcher(const ScanMatcherOptions& options);
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -8,7 +8,7 @@
 
 #include "trident_base/angle.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 struct Candidate {
@@ -136,4 +136,4 @@ std::vector<Eigen::Vector2f> thinned_points(const PointScan& scan, std::size_t m
   return points;
 }
 
-}  // namespace trident
+}  // namespace trident::slam

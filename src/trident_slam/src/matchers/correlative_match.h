@@ -9,7 +9,7 @@
 
 #include "grids/max_pyramid.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// Where a pose is sought: within `linear` of the guess along both axes and within `angular` of
 /// its yaw.
@@ -38,4 +38,4 @@ std::optional<CorrelativeMatch> match_by_branch_and_bound(
 /// The points of a scan, at most about `max_points`, evenly spread over the beams.
 std::vector<Eigen::Vector2f> thinned_points(const PointScan& scan, std::size_t max_points);
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -11,7 +11,7 @@
 #include "surface_information.h"
 #include "trident_base/angle.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 /// R v, written out: Eigen does not inline products of this size.
@@ -195,4 +195,4 @@ MatchResult match_lines(const SurfelMap& reference, const PointScan& scan, const
   return result;
 }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -5,7 +5,7 @@
 #include "grids/surfel_map.h"
 #include "trident_slam/match_result.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// Point-to-line registration: Gauss-Newton over nearest surfels, each scan point's distance along
 /// the surfel's normal, weighted by a Cauchy kernel.
@@ -44,4 +44,4 @@ NormalEquations line_match_sums(const SurfelMap& reference, const PointScan& sca
 MatchResult match_lines(const SurfelMap& reference, const PointScan& scan, const SE2& guess,
                         const PosePrior& prior, const LineMatchOptions& options);
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -13,7 +13,7 @@
 #include "trident_base/error.h"
 #include "trident_base/string_util.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 constexpr double kSurfelCell = 0.1;  // [m]
@@ -240,4 +240,4 @@ std::unique_ptr<ScanMatcher> make_line_matcher(const ScanMatcherOptions& /*optio
   return std::make_unique<LineMatcher>();
 }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 constexpr double kLargestTurn =
@@ -83,4 +83,4 @@ MapMatch match_map(const ProbabilityGrid& map, const PointScan& scan, const SE2&
   return match;
 }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -8,7 +8,7 @@
 #include "trident_base/se2.h"
 #include "trident_slam/point_scan.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// The sums of one Gauss-Newton step for sum (1 - M(p))^2 over the points p of a scan.
 struct MapMatchSums {
@@ -28,4 +28,4 @@ struct MapMatch {
 MapMatch match_map(const ProbabilityGrid& map, const PointScan& scan, const SE2& guess,
                    int iterations);
 
-}  // namespace trident
+}  // namespace trident::slam

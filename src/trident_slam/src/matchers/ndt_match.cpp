@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 /// Beyond this squared Mahalanobis distance a point adds less than 1e-5.
@@ -115,4 +115,4 @@ PoseCost ndt_cost(const NdtMap& map, const PointScan& scan, const SE2& T_ref_bas
   return sum;
 }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -11,7 +11,7 @@
 #include "pose_newton.h"
 #include "trident_slam/point_scan.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// The points of scans as one normal distribution per cell. Four grids, each shifted by half a
 /// cell, lie over one another, so that a place is near the middle of some cell.
@@ -60,4 +60,4 @@ class NdtMap {
 PoseCost ndt_cost(const NdtMap& map, const PointScan& scan, const SE2& T_ref_base,
                   std::vector<char>* is_on_surface = nullptr);
 
-}  // namespace trident
+}  // namespace trident::slam

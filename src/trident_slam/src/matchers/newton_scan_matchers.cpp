@@ -11,7 +11,7 @@
 #include "ndt_match.h"
 #include "surface_information.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 /// One point's standard deviations, by which the covariances of these matchers are those of their
@@ -175,4 +175,4 @@ std::unique_ptr<ScanMatcher> make_grid_matcher(const ScanMatcherOptions& /*optio
   return std::make_unique<GridMatcher>();
 }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -8,7 +8,7 @@
 
 #include "trident_base/angle.h"
 
-namespace trident {
+namespace trident::slam {
 
 PoseCost prior_cost(const PosePrior& prior, const SE2& T_ref_base) {
   constexpr double kKernel = 9.0;  // squared standard deviations
@@ -38,4 +38,4 @@ Eigen::Vector3d newton_step(const PoseCost& at, double range, double longest) {
   return scale.cwiseProduct(step);
 }
 
-}  // namespace trident
+}  // namespace trident::slam

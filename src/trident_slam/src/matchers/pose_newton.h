@@ -6,7 +6,7 @@
 
 #include "trident_slam/match_result.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// A cost at a pose, with its derivatives by (x [m], y [m], yaw [rad]).
 struct PoseCost {
@@ -72,4 +72,4 @@ NewtonResult minimise_pose(const SE2& start, double range, const NewtonOptions& 
   return result;
 }
 
-}  // namespace trident
+}  // namespace trident::slam

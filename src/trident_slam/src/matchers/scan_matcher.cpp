@@ -12,7 +12,7 @@
 #include "trident_base/angle.h"
 #include "trident_base/string_util.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 /// Of a pose that nothing is known of [m], [rad].
@@ -120,4 +120,4 @@ std::unique_ptr<ScanMatcher> make_scan_matcher(const std::string& name,
   return registry.get(name)(options);
 }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -7,7 +7,7 @@
 
 #include "trident_base/angle.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 /// Points that see more than this are neighbours of one another's, which err alike.
@@ -102,4 +102,4 @@ double mean_range(const PointScan& scan) {
   return scan.points.empty() ? 0.0 : sum / static_cast<double>(scan.points.size());
 }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -7,7 +7,7 @@
 #include "trident_slam/match_result.h"
 #include "trident_slam/point_scan.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// What points on surfaces tell of the pose that they are seen from, of (x, y, yaw) in the
 /// reference's frame: the sum of J' J / sigma^2 with J = (n, n x R p), n the surface's normal. A
@@ -36,4 +36,4 @@ void keep_what_is_told(double range, Eigen::Matrix3d* information, Eigen::Vector
 /// Mean distance of a scan's points from the base [m].
 double mean_range(const PointScan& scan);
 
-}  // namespace trident
+}  // namespace trident::slam

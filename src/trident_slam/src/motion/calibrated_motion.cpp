@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 /// exp(t + d) = exp(t) exp(J d) to the first order; Sola et al., A micro Lie theory for state
@@ -65,4 +65,4 @@ Eigen::Matrix<double, 3, kCalibrationParameters> CalibratedMotion::laser_jacobia
   return J;
 }
 
-}  // namespace trident
+}  // namespace trident::slam

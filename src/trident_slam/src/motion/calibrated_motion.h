@@ -6,7 +6,7 @@
 
 #include "trident_base/se2.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// What is wrong with odometry, and where the laser sits on the base. Order of CalibrationVector.
 enum CalibrationParameter {
@@ -48,4 +48,4 @@ class CalibratedMotion {
   Eigen::Matrix3d by_scales_ = Eigen::Matrix3d::Zero();  ///< of the base, by the first three
 };
 
-}  // namespace trident
+}  // namespace trident::slam

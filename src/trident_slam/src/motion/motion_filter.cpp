@@ -4,11 +4,11 @@
 
 #include <cmath>
 
-namespace trident {
+namespace trident::slam {
 
 bool MotionFilter::is_due(double metres, double radians, double seconds) const {
   return metres >= options_.distance || std::abs(radians) >= options_.heading ||
          (options_.period >= 0.0 && seconds >= options_.period);
 }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -4,7 +4,7 @@
 
 #include "trident_base/se2.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// After how much motion a scan tells something new.
 struct MotionFilterOptions {
@@ -30,4 +30,4 @@ class MotionFilter {
   MotionFilterOptions options_;
 };
 
-}  // namespace trident
+}  // namespace trident::slam

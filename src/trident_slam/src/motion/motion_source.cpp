@@ -6,7 +6,7 @@
 
 #include "trident_base/string_util.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 std::string rounded(double value) { return number_text(std::round(100.0 * value) / 100.0); }
@@ -64,4 +64,4 @@ std::string MotionSource::news(bool was_silent) const {
          " rad: until it moves, the motion is that of the scans themselves";
 }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -10,7 +10,7 @@
 #include "scan_odometry.h"
 #include "trident_slam/slam_2d.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// The motion between two scans: that of odometry as long as it tells any, else that of the scans
 /// themselves. Calls for each scan, in this order: `next`; if the scan shows anything, `measure`;
@@ -59,4 +59,4 @@ class MotionSource {
   SE2 T_told_;  ///< by odometry, since the last scan
 };
 
-}  // namespace trident
+}  // namespace trident::slam

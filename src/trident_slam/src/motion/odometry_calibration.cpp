@@ -6,7 +6,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 /// A parameter is known from the motions alone if they leave less of its first variance than this,
@@ -153,4 +153,4 @@ std::optional<DifferentialDrive> OdometryCalibration::drive() const {
   return drive;
 }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -7,7 +7,7 @@
 
 #include "calibrated_motion.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// Names of the parameters, in their order.
 constexpr std::array<const char*, kCalibrationParameters> kCalibrationNames = {
@@ -103,4 +103,4 @@ class OdometryCalibration {
   int outliers_ = 0;
 };
 
-}  // namespace trident
+}  // namespace trident::slam

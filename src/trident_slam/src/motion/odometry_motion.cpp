@@ -6,7 +6,7 @@
 
 #include "trident_base/string_util.h"
 
-namespace trident {
+namespace trident::slam {
 
 OdometryMotion::Step OdometryMotion::next(const SE2& T_odom_base) {
   Step step;
@@ -31,4 +31,4 @@ OdometryMotion::Step OdometryMotion::next(const SE2& T_odom_base) {
   return step;
 }
 
-}  // namespace trident
+}  // namespace trident::slam

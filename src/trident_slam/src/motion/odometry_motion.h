@@ -7,7 +7,7 @@
 
 #include "trident_base/se2.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// Standard deviations of a motion between two scans.
 struct MotionSpread {
@@ -41,4 +41,4 @@ class OdometryMotion {
   std::optional<SE2> T_odom_base_;  ///< the latest that was a number
 };
 
-}  // namespace trident
+}  // namespace trident::slam

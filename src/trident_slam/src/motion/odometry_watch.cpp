@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 /// Odometry that is farther from where it stood has told something [m], [rad].
@@ -69,4 +69,4 @@ void OdometryWatch::add(const SE2& T_told, const SE2& T_seen, bool is_shown) {
   if (!was_silent && is_silent()) told_metres_ = told_radians_ = 0.0;
 }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -6,7 +6,7 @@
 
 #include "trident_base/se2.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// Notices odometry that says nothing: it stays where it is, or where a little noise leaves it,
 /// while scans show that the robot moves; its position, its heading, or both. A robot that stands
@@ -51,4 +51,4 @@ class OdometryWatch {
   double told_radians_ = 0.0;
 };
 
-}  // namespace trident
+}  // namespace trident::slam

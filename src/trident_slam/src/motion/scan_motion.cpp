@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 /// Part of a mean that the newest value makes up.
@@ -83,4 +83,4 @@ void ScanMotion::add(std::int64_t stamp_ns, const SE2& T_before_now, bool is_sur
   last_stamp_ns_ = stamp_ns;
 }
 
-}  // namespace trident
+}  // namespace trident::slam

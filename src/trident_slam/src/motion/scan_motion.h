@@ -9,7 +9,7 @@
 #include "odometry_motion.h"
 #include "trident_base/se2.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// A motion between two scans before the second one has been looked at.
 struct ExpectedMotion {
@@ -46,4 +46,4 @@ class ScanMotion {
   double error_yaw_ = 0.01;
 };
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -8,7 +8,7 @@
 #include "matchers/correlative_match.h"
 #include "motion_filter.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 /// The scans that a new one is matched with.
@@ -123,4 +123,4 @@ void ScanOdometry::settle(const SE2& T_before_now) {
   if (!is_newest_kept_) T_kept_base_ = T_kept_base_ * T_before_now;
 }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -8,7 +8,7 @@
 #include "matchers/line_match.h"
 #include "scan_motion.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// How the base moved from one scan to the next, as the scans tell it.
 struct ScanStep {
@@ -49,4 +49,4 @@ class ScanOdometry {
   bool is_newest_kept_ = false;
 };
 
-}  // namespace trident
+}  // namespace trident::slam

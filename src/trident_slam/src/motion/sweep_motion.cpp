@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 constexpr double kLongestMotion = 1.0;  // [s]
@@ -85,4 +85,4 @@ std::optional<double> YawRates::mean(std::int64_t from_ns, std::int64_t to_ns) c
   return integral / static_cast<double>(to_ns - from_ns);
 }
 
-}  // namespace trident
+}  // namespace trident::slam

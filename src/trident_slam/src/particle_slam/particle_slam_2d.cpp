@@ -6,15 +6,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "motion/motion_filter.h"
 #include "grids/probability_grid.h"
+#include "motion/motion_filter.h"
 #include "particle_slam/proposal.h"
 #include "trident_base/random_stream.h"
 #include "trident_slam/hector_slam_2d.h"
 #include "trident_slam/point_scan.h"
 #include "trident_slam/sweep_motion.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 constexpr double kPassed = 0.4;            ///< probability of a cell that a beam passed
@@ -274,4 +274,4 @@ OccupancyGrid ParticleSlam2d::map() const { return impl_->map(); }
 
 double ParticleSlam2d::entropy() const { return impl_->entropy(); }
 
-}  // namespace trident
+}  // namespace trident::slam

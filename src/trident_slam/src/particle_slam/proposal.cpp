@@ -10,7 +10,7 @@
 #include "matchers/map_match.h"
 #include "trident_base/angle.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 constexpr int kIterations = 8;
@@ -48,4 +48,4 @@ Proposal propose(const ProbabilityGrid& map, const PointScan& scan, const PoseGa
   return result;
 }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -8,7 +8,7 @@
 #include "trident_base/se2.h"
 #include "trident_slam/point_scan.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// A Gaussian over poses; covariance of (x [m], y [m], yaw [rad]) in the map's frame.
 struct PoseGaussian {
@@ -31,4 +31,4 @@ struct Proposal {
 Proposal propose(const ProbabilityGrid& map, const PointScan& scan, const PoseGaussian& motion,
                  double beam_weight);
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -8,7 +8,7 @@
 
 #include "pose_graph/dense_kernels.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 using Supernode = BlockSymbolic::Supernode;
@@ -230,4 +230,4 @@ template class BlockCholesky<2>;
 template class BlockCholesky<3>;
 template class BlockCholesky<6>;
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -11,7 +11,7 @@
 
 #include "pose_graph/block_symbolic.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// A symmetric matrix of square blocks: those of the diagonal, and for each pair (i, j) of its
 /// structure the block in row i and column j.
@@ -67,4 +67,4 @@ extern template class BlockCholesky<2>;
 extern template class BlockCholesky<3>;
 extern template class BlockCholesky<6>;
 
-}  // namespace trident
+}  // namespace trident::slam

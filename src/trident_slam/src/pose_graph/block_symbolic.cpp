@@ -9,7 +9,7 @@
 
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 using Pairs = std::vector<std::pair<int, int>>;
@@ -270,4 +270,4 @@ std::size_t BlockSymbolic::factor_blocks() const {
   return static_cast<std::size_t>(blocks);
 }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace trident {
+namespace trident::slam {
 
 /// What the sparsity of a symmetric matrix of equal square blocks says about its Cholesky factor:
 /// the order of elimination and the supernodes, groups of consecutive columns with the same rows
@@ -57,4 +57,4 @@ class BlockSymbolic {
   std::vector<std::vector<Entry>> entries_;
 };
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -14,7 +14,7 @@
 #include "trident_base/string_util.h"
 #include "trident_slam/pose_graph_ceres.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 // A pose as Ceres keeps it: rotation matrix and origin, one after the other, changed by steps of
@@ -243,4 +243,4 @@ std::unique_ptr<PoseGraphSolver<Group>> make_ceres_solver(const CeresOptions& op
 template std::unique_ptr<PoseGraphSolver<SE2>> make_ceres_solver(const CeresOptions&);
 template std::unique_ptr<PoseGraphSolver<SE3>> make_ceres_solver(const CeresOptions&);
 
-}  // namespace trident
+}  // namespace trident::slam

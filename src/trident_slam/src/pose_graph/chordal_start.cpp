@@ -6,7 +6,7 @@
 #include <Eigen/SVD>
 #include <cmath>
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 // The rotation nearest to M, by Newton's iteration for the polar decomposition (Higham 1986).
@@ -192,4 +192,4 @@ template void apply_start(PoseSystem<SE3>&, PoseGraphStart, PoseGraphReport&);
 template PoseSystem<SE2>::Poses chordal_start(const PoseSystem<SE2>&);
 template PoseSystem<SE3>::Poses chordal_start(const PoseSystem<SE3>&);
 
-}  // namespace trident
+}  // namespace trident::slam

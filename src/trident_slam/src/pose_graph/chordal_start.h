@@ -5,7 +5,7 @@
 #include "pose_graph/pose_system.h"
 #include "trident_slam/pose_graph_optimizer.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// Poses that need no start: first the rotations that agree best with those of the edges, as
 /// unconstrained matrices that are then made orthogonal (Martinec, Pajdla 2007; Carlone et al.
@@ -18,4 +18,4 @@ typename PoseSystem<Group>::Poses chordal_start(const PoseSystem<Group>& system)
 template <class Group>
 void apply_start(PoseSystem<Group>& system, PoseGraphStart start, PoseGraphReport& report);
 
-}  // namespace trident
+}  // namespace trident::slam

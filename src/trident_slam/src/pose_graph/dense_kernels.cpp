@@ -6,7 +6,7 @@
 #include <atomic>
 #include <cmath>
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 #define TRIDENT_INLINE inline __attribute__((always_inline))
@@ -156,4 +156,4 @@ bool factorise_panel(double* panel, std::ptrdiff_t ld, std::ptrdiff_t rows, std:
   return true;
 }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-namespace trident {
+namespace trident::slam {
 
 // Dense parts of the sparse Cholesky factorisation. Matrices are column-major. Every element is the
 // same sequence of rounded operations whatever instructions the processor has, so results are equal
@@ -33,4 +33,4 @@ bool factorise_panel(double* panel, std::ptrdiff_t ld, std::ptrdiff_t rows, std:
 /// Only two numbers at a time, as processors without AVX2 do it; for tests.
 void force_plain_kernels(bool is_forced);
 
-}  // namespace trident
+}  // namespace trident::slam

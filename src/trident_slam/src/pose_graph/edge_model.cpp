@@ -7,7 +7,7 @@
 #include "trident_base/angle.h"
 #include "trident_base/so3.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 // Below this angle [rad] series with their last term are exact to double precision.
@@ -137,4 +137,4 @@ EdgeModel<SE3>::Pose EdgeModel<SE3>::moved(const Pose& T, const Tangent& step) {
   return {R.normalized().toRotationMatrix(), T.p + T.R * step.head<3>()};
 }
 
-}  // namespace trident
+}  // namespace trident::slam

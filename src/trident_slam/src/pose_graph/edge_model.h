@@ -7,7 +7,7 @@
 #include "trident_base/se2.h"
 #include "trident_base/se3.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// A pose as the optimiser keeps it: with a rotation matrix.
 template <int kSpace>
@@ -58,4 +58,4 @@ struct EdgeModel<SE3> {
   static Pose moved(const Pose& T, const Tangent& step);
 };
 
-}  // namespace trident
+}  // namespace trident::slam

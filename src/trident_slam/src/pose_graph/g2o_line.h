@@ -11,7 +11,7 @@
 #include "trident_base/error.h"
 #include "trident_base/string_util.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// The words of one line of a g2o file, taken one after the other.
 class G2oLine {
@@ -69,4 +69,4 @@ class G2oLine {
   int number_;
 };
 
-}  // namespace trident
+}  // namespace trident::slam

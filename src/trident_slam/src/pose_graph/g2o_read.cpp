@@ -20,7 +20,7 @@
 #include "trident_base/string_util.h"
 #include "trident_slam/pose_graph_g2o.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 using Graph = std::variant<std::monostate, PoseGraph2d, PoseGraph3d>;
@@ -260,4 +260,4 @@ std::variant<PoseGraph2d, PoseGraph3d> read_g2o(const std::string& file,
   return graph;
 }
 
-}  // namespace trident
+}  // namespace trident::slam

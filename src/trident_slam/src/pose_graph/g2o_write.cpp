@@ -6,7 +6,7 @@
 #include "trident_base/string_util.h"
 #include "trident_slam/pose_graph_g2o.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 void append(std::string& text, double value) { (text += ' ') += number_text(value); }
@@ -59,4 +59,4 @@ void write_g2o(const PoseGraph<Group>& graph, const std::string& file) {
 template void write_g2o(const PoseGraph<SE2>&, const std::string&);
 template void write_g2o(const PoseGraph<SE3>&, const std::string&);
 
-}  // namespace trident
+}  // namespace trident::slam

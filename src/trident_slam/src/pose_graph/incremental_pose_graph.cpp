@@ -7,7 +7,7 @@
 #include "trident_base/error.h"
 #include "trident_base/string_util.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 void require(bool is_legal, const char* field, double value, const char* range) {
@@ -72,4 +72,4 @@ void IncrementalPoseGraph<Group>::optimize(int iterations) {
 template class IncrementalPoseGraph<SE2>;
 template class IncrementalPoseGraph<SE3>;
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -10,7 +10,7 @@
 #include "trident_base/error.h"
 #include "trident_base/string_util.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 // Unlike for every structure of every graph in the process.
@@ -151,4 +151,4 @@ template SE3::Tangent pose_graph_error(const SE3&, const SE3&, const SE3&);
 template double pose_graph_chi2(const PoseGraph<SE2>&);
 template double pose_graph_chi2(const PoseGraph<SE3>&);
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -20,7 +20,7 @@
 #include "trident_slam/pose_graph_g2o.h"
 #include "trident_slam/pose_graph_optimizer.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 struct Settings {
@@ -234,11 +234,11 @@ void run(const Settings& settings) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::slam
 
 int main(int argc, char** argv) {
   try {
-    trident::run(trident::parse(argc, argv));
+    trident::slam::run(trident::slam::parse(argc, argv));
   } catch (const trident::Error& error) {
     std::fprintf(stderr, "%s\n", trident::with_short_words(error.what()).c_str());
     return 1;

@@ -13,7 +13,7 @@
 #include "trident_base/error.h"
 #include "trident_base/string_util.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 void require(bool is_legal, const std::string& field, double value, const std::string& range) {
@@ -203,4 +203,4 @@ typename PoseGraphOptimizer<Group>::Covariance PoseGraphOptimizer<Group>::relati
 template class PoseGraphOptimizer<SE2>;
 template class PoseGraphOptimizer<SE3>;
 
-}  // namespace trident
+}  // namespace trident::slam

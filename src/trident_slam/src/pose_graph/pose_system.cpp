@@ -7,7 +7,7 @@
 #include <numeric>
 #include <unordered_map>
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 // Which of several things are connected; the representative is the first of them.
@@ -202,4 +202,4 @@ template void end_report(const PoseSystem<SE3>&, PoseGraphReport&);
 template class PoseSystem<SE2>;
 template class PoseSystem<SE3>;
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -14,7 +14,7 @@
 #include "pose_graph/edge_model.h"
 #include "trident_slam/pose_graph_optimizer.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// The least-squares problem of a pose graph: which vertices are unknown, their poses now, the
 /// measurements, and the normal equations H step = -g, where H and g add up J' W J and J' W e.
@@ -93,4 +93,4 @@ void end_report(const PoseSystem<Group>& system, PoseGraphReport& report);
 extern template class PoseSystem<SE2>;
 extern template class PoseSystem<SE3>;
 
-}  // namespace trident
+}  // namespace trident::slam

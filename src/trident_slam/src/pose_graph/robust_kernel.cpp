@@ -8,7 +8,7 @@
 #include "trident_base/string_util.h"
 #include "trident_slam/pose_graph.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 constexpr std::array<std::pair<const char*, RobustKernel>, 5> kNames{{
@@ -63,4 +63,4 @@ RobustValue evaluate_robust_kernel(RobustKernel kernel, double scale, double squ
   return {s, 1.0};
 }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 constexpr double kLeastLambda = 1e-6;
@@ -180,4 +180,4 @@ bool StepSearch<Group>::is_negligible(double promised) const {
 template class StepSearch<SE2>;
 template class StepSearch<SE3>;
 
-}  // namespace trident
+}  // namespace trident::slam

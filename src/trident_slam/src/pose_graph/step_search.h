@@ -5,7 +5,7 @@
 #include "pose_graph/pose_system.h"
 #include "trident_slam/pose_graph_optimizer.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// Minimises the cost of a PoseSystem from its poses on. One Gauss-Newton system after the other;
 /// the strategy says what is done with a step that raises the cost:
@@ -63,4 +63,4 @@ class StepSearch {
 extern template class StepSearch<SE2>;
 extern template class StepSearch<SE3>;
 
-}  // namespace trident
+}  // namespace trident::slam

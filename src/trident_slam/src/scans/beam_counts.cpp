@@ -7,7 +7,7 @@
 #include "trident_base/error.h"
 #include "trident_base/string_util.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 constexpr double kMaxCells = 268'435'456.0;
@@ -101,4 +101,4 @@ OccupancyGrid BeamCounts::map() const {
   return grid;
 }
 
-}  // namespace trident
+}  // namespace trident::slam

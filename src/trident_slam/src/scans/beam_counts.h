@@ -9,7 +9,7 @@
 #include "grids/growing_grid.h"
 #include "trident_base/occupancy_grid.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// A map by counting, for each cell, beams that ended in it and beams that went through it (the
 /// reflection map of Thrun, Burgard, Fox: Probabilistic Robotics, 9.3). Counts are halved when they
@@ -42,4 +42,4 @@ class BeamCounts {
   Eigen::AlignedBox2d seen_;  ///< of the scanners and of what they saw [m]
 };
 
-}  // namespace trident
+}  // namespace trident::slam

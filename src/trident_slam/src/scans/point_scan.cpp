@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <limits>
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 /// Beams to each side that take part in the line of a normal: at least so many, and as many more
@@ -238,4 +238,4 @@ PointScan make_point_scan(const LaserScan& scan, const PointScanOptions& options
   return result;
 }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 /// Beam patterns that a scanner sends by turns, which are kept once.
@@ -153,4 +153,4 @@ void ScanArchive::load(BinaryReader* reader) {
   }
 }
 
-}  // namespace trident
+}  // namespace trident::slam

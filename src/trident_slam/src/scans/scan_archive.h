@@ -5,11 +5,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "graph_slam/session/binary_stream.h"
 #include "graph_slam/backend/keyframe_graph.h"
+#include "graph_slam/session/binary_stream.h"
 #include "trident_base/laser_scan.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// Every scan that came: where it was (100 bytes), and, if wanted, what it saw, in millimetres and
 /// two bytes a beam.
@@ -56,4 +56,4 @@ class ScanArchive {
   std::vector<std::uint16_t> ranges_;
 };
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -7,7 +7,7 @@
 
 #include "trident_base/string_util.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 /// By how much patterns of one scanner differ: part of a step (motors that turn freely), and steps
@@ -96,4 +96,4 @@ std::string ScanCheck::problem(const LaserScan& scan) {
   return counts.usable < kFewestReturns ? too_few(scan, counts) : std::string();
 }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -8,7 +8,7 @@
 
 #include "trident_base/laser_scan.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// Tells scans that a map can be made of from those that would harm it. A scanner may send several
 /// beam patterns by turns (one beam more or less, other start angles, other steps): each scan is
@@ -50,4 +50,4 @@ class ScanCheck {
   int scans_ = 0;
 };
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -7,7 +7,7 @@
 #include "trident_base/error.h"
 #include "trident_base/string_util.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 constexpr double kFarFromMap = 1000.0;  // [m]
@@ -32,4 +32,4 @@ void check_start_pose(const SE2& T_map_base, const Eigen::AlignedBox2d& mapped) 
               number_text(kFarFromMap) + " m");
 }
 
-}  // namespace trident
+}  // namespace trident::slam

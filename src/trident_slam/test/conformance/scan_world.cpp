@@ -8,7 +8,7 @@
 
 #include "trident_base/angle.h"
 
-namespace trident::testing_world {
+namespace trident::slam::testing_world {
 namespace {
 
 constexpr std::size_t kBeams = 360;
@@ -126,4 +126,4 @@ double ScanWorld::distance_to_surface(const Eigen::Vector2d& p_start) const {
   return nearest;
 }
 
-}  // namespace trident::testing_world
+}  // namespace trident::slam::testing_world

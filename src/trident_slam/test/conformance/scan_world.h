@@ -9,7 +9,7 @@
 #include "trident_base/random_stream.h"
 #include "trident_base/se2.h"
 
-namespace trident::testing_world {
+namespace trident::slam::testing_world {
 
 /// A room of 12 m x 8 m with an alcove, a pier and free-standing posts, driven through on a closed
 /// course of two laps by a robot with a scanner of 360 beams and odometry that turns 3 % too far.
@@ -46,4 +46,4 @@ class ScanWorld {
   std::vector<Step> steps_;
 };
 
-}  // namespace trident::testing_world
+}  // namespace trident::slam::testing_world

@@ -15,7 +15,7 @@
 #include "trident_slam/slam_2d.h"
 #include "trident_slam/slam_2d_abilities.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 using testing_world::ScanWorld;
@@ -112,4 +112,4 @@ TEST(HectorSlamByName, TakesAnInitialPose) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::slam

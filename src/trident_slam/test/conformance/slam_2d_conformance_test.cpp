@@ -14,7 +14,7 @@
 #include "trident_slam/slam_2d.h"
 #include "trident_slam/slam_2d_abilities.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 using testing_world::ScanWorld;
@@ -237,4 +237,4 @@ INSTANTIATE_TEST_SUITE_P(Methods, Slam2dConformance, testing::ValuesIn(registry(
                          [](const auto& info) { return info.param; });
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::slam

@@ -8,7 +8,7 @@
 
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 TEST(ChiSquaredQuantile, IsThatOfTheTables) {
@@ -52,4 +52,4 @@ TEST(ChiSquaredQuantile, RefusesWhatIsNone) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::slam

@@ -11,7 +11,7 @@
 #include "trident_base/error.h"
 #include "trident_base/random_stream.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 constexpr double kObservationSigma = 0.05;
@@ -172,4 +172,4 @@ TEST(EkfSlam, ParametersOutOfRangeAreRefused) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::slam

@@ -6,7 +6,7 @@
 
 #include <limits>
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 const std::vector<double> kGates = {0.0, 9.21, 13.28, 16.81, 20.09};  // 99 % of 2, 4, 6, 8 degrees
@@ -69,4 +69,4 @@ TEST(JointCompatibility, ACovarianceThatIsNoneIsNoPair) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::slam

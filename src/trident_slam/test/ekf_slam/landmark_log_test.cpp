@@ -12,7 +12,7 @@
 
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 const std::string kOdometry = " 0.0001 0 0 4e-06 0 4e-06\n";
@@ -97,4 +97,4 @@ TEST(VictoriaPark, AssociationsAreFoundWithoutTheirIds) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::slam

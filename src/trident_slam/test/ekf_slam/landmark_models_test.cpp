@@ -6,7 +6,7 @@
 
 #include "trident_base/random_stream.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 constexpr double kStep = 1e-6;
@@ -68,4 +68,4 @@ TEST_P(Jacobians, OfPlace) {
 INSTANTIATE_TEST_SUITE_P(Random, Jacobians, testing::Range(0, 20));
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::slam

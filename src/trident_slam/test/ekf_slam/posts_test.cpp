@@ -9,7 +9,7 @@
 
 #include "trident_base/angle.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 /// One cylinder before a round wall of 8 m.
@@ -65,4 +65,4 @@ TEST(Posts, WhatABadBeamBordersIsNotBelieved) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::slam

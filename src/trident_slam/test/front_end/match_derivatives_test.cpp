@@ -12,7 +12,7 @@
 #include "trident_base/angle.h"
 #include "trident_base/random_stream.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 SE2 moved(const SE2& T, int axis, double by) {
@@ -203,4 +203,4 @@ TEST(PoseNewton, FindsTheMinimumOfACostThatIsNotConvexWhereItBegins) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::slam

@@ -9,7 +9,7 @@
 
 #include "motion/odometry_motion.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -82,4 +82,4 @@ TEST(OdometryMotion, AfterForgettingAnyPlaceIsTheFirst) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::slam

@@ -9,7 +9,7 @@
 
 #include "trident_base/random_stream.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 const SE2 kTold = SE2::from_xy_yaw(0.20, 0.0, 0.0);
@@ -242,4 +242,4 @@ TEST(OdometryCalibration, FindsTheWheelsOfADifferentialDrive) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::slam

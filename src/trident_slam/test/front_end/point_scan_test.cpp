@@ -9,10 +9,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "matchers/line_match.h"
 #include "graph_slam/polygon_world.h"
+#include "matchers/line_match.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 /// A corridor of 2.4 m along x with rooms on both sides, whose ends a scanner of 12 m does not see
@@ -137,4 +137,4 @@ TEST(LineMatch, CorridorIsNotStretchedByNoiseThatGrowsWithTheRange) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::slam

@@ -12,7 +12,7 @@
 
 #include "graph_slam/polygon_world.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
@@ -283,4 +283,4 @@ TEST(ScanMatcherRegistry, AnOptionOutOfItsRangeIsAnError) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::slam

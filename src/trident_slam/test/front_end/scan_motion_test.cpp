@@ -10,7 +10,7 @@
 #include "matchers/correlative_match.h"
 #include "motion/odometry_watch.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 constexpr std::int64_t kMillisecond = 1'000'000;
@@ -91,4 +91,4 @@ TEST(CorrelativeMatch, ASearchCostsAtMostWhatItsLimitSays) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::slam

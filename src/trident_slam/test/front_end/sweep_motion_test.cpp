@@ -15,7 +15,7 @@
 #include "trident_slam/particle_slam_2d.h"
 #include "trident_slam/point_scan.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 constexpr double kBeamPeriod = 0.1 / 179.0;  // [s]: a tenth of a second per sweep
@@ -165,4 +165,4 @@ TEST(SweepTwist, EachMethodTakesTheGyrosRate) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::slam

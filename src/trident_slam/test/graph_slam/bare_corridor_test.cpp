@@ -8,7 +8,7 @@
 #include "graph_slam/polygon_world.h"
 #include "trident_slam/graph_slam_2d.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 /// A corridor of 2.4 m whose ends a scanner of 5.6 m does not see.
@@ -46,4 +46,4 @@ TEST(BareCorridor, RightOdometryIsKeptAlongIt) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::slam

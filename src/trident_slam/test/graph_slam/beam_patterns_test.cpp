@@ -16,7 +16,7 @@
 #include "trident_slam/graph_slam_2d.h"
 #include "trident_slam/offline_run.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 constexpr double kDegree = kPi / 180.0;
@@ -147,4 +147,4 @@ TEST_F(InterlacedLog, KeepingItTakesNoMoreThanWithOnePattern) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::slam

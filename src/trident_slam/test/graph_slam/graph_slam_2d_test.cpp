@@ -24,7 +24,7 @@
 #include "trident_slam/scan_matcher.h"
 #include "trident_slam/slam_2d.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
@@ -480,4 +480,4 @@ TEST(GraphSlamOptionsTest, TheShippedFileHoldsTheDefaults) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::slam

@@ -7,7 +7,7 @@
 #include "graph_slam/polygon_world.h"
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 /// The first `count` keyframes of a drive along the ring.
@@ -62,4 +62,4 @@ TEST(KeyframeMap, TooLargeAMapIsToldOf) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::slam

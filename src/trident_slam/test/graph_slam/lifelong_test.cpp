@@ -6,11 +6,11 @@
 #include <cmath>
 #include <cstdio>
 
-#include "graph_slam/polygon_world.h"
 #include "graph_slam/backend/stale_scans.h"
+#include "graph_slam/polygon_world.h"
 #include "trident_slam/graph_slam_2d.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 /// A room of 9 m by 7 m with a niche and a pillar, and a cupboard with its corner at `x`, `y`.
@@ -182,4 +182,4 @@ TEST(StaleScans, WhatIsSeenThroughGoesAtOnceAndWhatIsHiddenStays) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::slam

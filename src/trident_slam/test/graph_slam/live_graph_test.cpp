@@ -11,7 +11,7 @@
 #include "graph_slam/polygon_world.h"
 #include "trident_slam/graph_slam_2d.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 double distance(const SE2& T, const SE2& T_true) { return (T.p - T_true.p).norm(); }
@@ -115,4 +115,4 @@ TEST_F(BeyondTheMap, RecentScansCarryOnAndTheMapIsNotChanged) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::slam

@@ -11,7 +11,7 @@
 #include "graph_slam/polygon_world.h"
 #include "trident_slam/graph_slam_2d.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 /// Odometry that stands where it is.
@@ -167,4 +167,4 @@ TEST_F(NoOdometry, ARoomLeavesNothingOpen) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::slam

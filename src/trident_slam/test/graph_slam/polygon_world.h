@@ -13,7 +13,7 @@
 #include "trident_base/laser_scan.h"
 #include "trident_base/random_stream.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// Walls, and what a scanner of 180 beams over 270 degrees sees of them.
 class PolygonWorld {
@@ -127,4 +127,4 @@ inline std::vector<SE2> drifting_odometry(const std::vector<SE2>& path, double d
   return odometry;
 }
 
-}  // namespace trident
+}  // namespace trident::slam

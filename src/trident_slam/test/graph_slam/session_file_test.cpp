@@ -14,7 +14,7 @@
 
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 namespace fs = std::filesystem;
@@ -110,4 +110,4 @@ TEST_F(SessionFile, AFolderThatIsNotThereIsNamed) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::slam

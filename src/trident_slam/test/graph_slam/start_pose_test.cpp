@@ -13,7 +13,7 @@
 #include "trident_slam/graph_slam_2d.h"
 #include "trident_slam/hector_slam_2d.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 using testing_world::ScanWorld;
@@ -110,4 +110,4 @@ TEST(GrowingGrid, IsNotGrownBeyondItsMemory) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::slam

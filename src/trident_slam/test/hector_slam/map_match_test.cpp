@@ -9,7 +9,7 @@
 #include "conformance/scan_world.h"
 #include "trident_base/random_stream.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 using testing_world::ScanWorld;
@@ -129,4 +129,4 @@ TEST(MapMatch, AlongACorridorTheGuessIsKept) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::slam

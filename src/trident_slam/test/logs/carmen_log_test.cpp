@@ -16,7 +16,7 @@
 
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 constexpr double kDegree = 3.14159265358979323846 / 180.0;
@@ -230,4 +230,4 @@ TEST_F(CarmenLogTest, DamagedCompressionIsToldOf) {
 TEST_F(CarmenLogTest, MissingFileIsAnError) { EXPECT_THROW(CarmenLog("no/such.log"), Error); }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::slam

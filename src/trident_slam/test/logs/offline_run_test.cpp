@@ -15,7 +15,7 @@
 #include "trident_base/error.h"
 #include "trident_slam/pose_graph_g2o.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 // A robot that drives along x between two walls at y = +-1 m and looks to both sides.
@@ -178,4 +178,4 @@ TEST(TumLine, KeepsMicrosecondsOfLargeAndNegativeStamps) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::slam

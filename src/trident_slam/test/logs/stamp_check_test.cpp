@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 constexpr std::int64_t kMillisecond = 1'000'000;
@@ -37,4 +37,4 @@ TEST(StampCheck, AbsurdOnesAreCountedAsOthers) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::slam

@@ -10,7 +10,7 @@
 #include "grids/tiled_grid.h"
 #include "particle_slam/proposal.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 using testing_world::ScanWorld;
@@ -109,4 +109,4 @@ TEST(ParticleSlam2d, EntropyIsBetweenNoneAndThatOfEqualWeights) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::slam

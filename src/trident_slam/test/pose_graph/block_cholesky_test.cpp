@@ -10,7 +10,7 @@
 #include "pose_graph/dense_kernels.h"
 #include "pose_graph/random_graphs.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 template <int kSize>
@@ -118,4 +118,4 @@ TEST(DenseKernels, PanelIsTheCholeskyFactorForAnySize) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::slam

@@ -8,7 +8,7 @@
 #include "trident_slam/graph_slam_2d.h"
 #include "trident_slam/pose_graph_ceres.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 template <class Group>
@@ -93,4 +93,4 @@ TEST(CeresOptions, AMapMayBeOptimizedByCeres) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::slam

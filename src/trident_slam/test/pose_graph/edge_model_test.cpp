@@ -8,7 +8,7 @@
 
 #include "pose_graph/random_graphs.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 template <class Group>
@@ -92,4 +92,4 @@ TYPED_TEST(EdgeModelTest, GroupAndBack) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::slam

@@ -10,7 +10,7 @@
 #include "trident_base/error.h"
 #include "trident_slam/pose_graph_g2o.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 class G2oFile : public testing::Test {
@@ -168,4 +168,4 @@ TEST_F(G2oFile, DamagedArchiveIsAnError) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::slam

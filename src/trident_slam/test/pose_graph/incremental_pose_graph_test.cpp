@@ -9,7 +9,7 @@
 #include "pose_graph/random_graphs.h"
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 template <class Group>
@@ -69,4 +69,4 @@ TEST(IncrementalOptionsTest, NamesWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::slam

@@ -12,7 +12,7 @@
 #include "pose_graph/random_graphs.h"
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 template <class Group>
@@ -268,4 +268,4 @@ TEST(PoseGraph, RefusesWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::slam

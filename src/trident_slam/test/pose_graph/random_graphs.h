@@ -6,7 +6,7 @@
 
 #include "trident_slam/pose_graph.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// Numbers in [-1, 1], the same in every run.
 class Dice {
@@ -71,4 +71,4 @@ PoseGraph<Group> grid_graph(int rows, int columns, double noise, unsigned seed,
   return graph;
 }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -19,7 +19,7 @@
 #include "trident_ros/inline_callback_queue.h"
 #include "trident_ros/refusals.h"
 
-namespace trident {
+namespace trident::control {
 
 /// RotorS' lee_position_controller_node.
 /// Subscribes `odometry`, `command/pose`, `command/trajectory`; answers each odometry message with
@@ -48,13 +48,13 @@ class LeePositionControllerNode : public RunningNode {
   SetpointQueue setpoints_;              // under mutex_
   std::vector<TimedSetpoint> incoming_;  // reused
 
-  InlineCallbackQueue queue_;
+  ros_utils::InlineCallbackQueue queue_;
   MotorCommandPublisher motors_;
-  Refusals refusals_;
+  ros_utils::Refusals refusals_;
   ros::Publisher accepted_;
   ros::Subscriber pose_;
   ros::Subscriber trajectory_;
   std::unique_ptr<OdometryInput> odometry_;
 };
 
-}  // namespace trident
+}  // namespace trident::control

@@ -18,7 +18,7 @@
 #include "trident_control/control_types.h"
 #include "trident_control/setpoint_queue.h"
 
-namespace trident {
+namespace trident::control {
 
 /// What a controller reads of a nav_msgs/Odometry.
 struct StampedOdometry {
@@ -57,4 +57,4 @@ std::optional<std::size_t> to_setpoints(const trajectory_msgs::MultiDOFJointTraj
 
 AttitudeCommand to_attitude_command(const mav_msgs::RollPitchYawrateThrust& message);
 
-}  // namespace trident
+}  // namespace trident::control

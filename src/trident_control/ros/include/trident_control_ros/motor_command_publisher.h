@@ -12,7 +12,7 @@
 #include "trident_ros/direct_message.h"
 #include "trident_ros/direct_publication.h"
 
-namespace trident {
+namespace trident::control {
 
 /// Publishes mav_msgs/Actuators on `command/motor_speed`: to other processes one serialised
 /// message, in which only sequence number, stamp and speeds change; to this one an object.
@@ -26,7 +26,7 @@ class MotorCommandPublisher {
   void publish(const ros::Time& stamp);
 
  private:
-  struct Command : DirectMessage {
+  struct Command : ros_utils::DirectMessage {
     explicit Command(std::size_t rotor_count);
     Span<const std::uint8_t> frame(std::uint32_t sequence) override;
     boost::shared_ptr<void const> object() override;
@@ -35,12 +35,12 @@ class MotorCommandPublisher {
     ros::Time stamp;
     std::vector<double> speeds;
     std::vector<std::uint8_t> bytes;
-    MessagePool<mav_msgs::Actuators> pool;
+    ros_utils::MessagePool<mav_msgs::Actuators> pool;
   };
 
   ros::Publisher publisher_;
-  DirectPublication publication_;
+  ros_utils::DirectPublication publication_;
   Command command_;
 };
 
-}  // namespace trident
+}  // namespace trident::control

@@ -11,7 +11,7 @@
 
 #include "trident_control_ros/parameters.h"
 
-namespace trident {
+namespace trident::control {
 
 /// A node whose hot loop is served by the thread that calls it.
 class RunningNode {
@@ -39,4 +39,4 @@ void log_notes(const ParameterTree& parameters);
 /// Under simulated time, makes `stamp` the time of what this process logs next.
 void set_log_time(const ros::Time& stamp);
 
-}  // namespace trident
+}  // namespace trident::control

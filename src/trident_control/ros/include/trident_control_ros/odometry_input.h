@@ -13,7 +13,7 @@
 #include "trident_ros/inline_callback_queue.h"
 #include "trident_ros/refusals.h"
 
-namespace trident {
+namespace trident::control {
 
 /// Whose thread handles odometry.
 enum class OdometryThread {
@@ -41,11 +41,11 @@ class OdometryInput {
   void hand_over(const StampedOdometry& odometry);
 
   Handler handler_;
-  Refusals refusals_;
-  std::unique_ptr<DirectInbox> inbox_;  ///< OdometryThread::kCaller
-  std::unique_ptr<DirectSubscription> subscription_;
-  InlineCallbackQueue queue_;
+  ros_utils::Refusals refusals_;
+  std::unique_ptr<ros_utils::DirectInbox> inbox_;  ///< OdometryThread::kCaller
+  std::unique_ptr<ros_utils::DirectSubscription> subscription_;
+  ros_utils::InlineCallbackQueue queue_;
   ros::Subscriber subscriber_;  ///< OdometryThread::kPublisher
 };
 
-}  // namespace trident
+}  // namespace trident::control

@@ -12,7 +12,7 @@
 #include "trident_control/roll_pitch_yawrate_thrust_controller.h"
 #include "trident_control/setpoint_queue.h"
 
-namespace trident {
+namespace trident::control {
 
 /// Reads RotorS' parameter names (position_gain/x, mass, inertia/xx, rotor_configuration/0/angle
 /// ...) out of one parameter tree. What is absent keeps its default and is noted; what is of the
@@ -59,4 +59,4 @@ class ParameterTree {
   std::vector<std::string> asked_for_;  // first component of each name
 };
 
-}  // namespace trident
+}  // namespace trident::control

@@ -16,7 +16,7 @@
 #include "trident_ros/inline_callback_queue.h"
 #include "trident_ros/refusals.h"
 
-namespace trident {
+namespace trident::control {
 
 /// RotorS' roll_pitch_yawrate_thrust_controller_node.
 /// Subscribes `odometry` and `command/roll_pitch_yawrate_thrust`; answers each odometry message
@@ -40,11 +40,11 @@ class RollPitchYawrateThrustControllerNode : public RunningNode {
   std::optional<AttitudeCommand> command_;  // under mutex_
   ros::Time last_stamp_;
 
-  InlineCallbackQueue queue_;
+  ros_utils::InlineCallbackQueue queue_;
   MotorCommandPublisher motors_;
-  Refusals refusals_;
+  ros_utils::Refusals refusals_;
   ros::Subscriber command_subscriber_;
   std::unique_ptr<OdometryInput> odometry_;
 };
 
-}  // namespace trident
+}  // namespace trident::control

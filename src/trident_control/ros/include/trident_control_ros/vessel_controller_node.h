@@ -16,7 +16,7 @@
 #include "trident_control_ros/odometry_input.h"
 #include "trident_ros/inline_callback_queue.h"
 
-namespace trident {
+namespace trident::control {
 
 /// A vessel's controllers as a node.
 /// Subscribes `odometry`, `cmd_vel` (geometry_msgs/Twist: surge speed, yaw rate),
@@ -59,7 +59,7 @@ class VesselControllerNode : public RunningNode {
   std::map<std::string, Trouble> troubles_;  // under mutex_
   SimTime told_at_{-1'000'000'000};
 
-  InlineCallbackQueue queue_;
+  ros_utils::InlineCallbackQueue queue_;
   MotorCommandPublisher motors_;
   std::vector<ros::Publisher> single_;
   std::string name_;
@@ -68,4 +68,4 @@ class VesselControllerNode : public RunningNode {
   std::unique_ptr<OdometryInput> odometry_;
 };
 
-}  // namespace trident
+}  // namespace trident::control

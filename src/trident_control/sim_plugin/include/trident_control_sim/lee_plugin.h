@@ -10,7 +10,7 @@
 #include "trident_control/setpoint_queue.h"
 #include "trident_sim/plugin_registry.h"
 
-namespace trident {
+namespace trident::control {
 
 /// What command/trajectory carries. Stamp zero: takes effect at once.
 struct TrajectorySample {
@@ -24,9 +24,9 @@ struct TrajectorySample {
 /// robotNamespace; odometryTopic (odometry_sensor1/odometry); commandTopic (command/motor_speed);
 /// trajectoryTopic (command/trajectory); parameterFiles: space separated YAML files as the node's
 /// rosparam loads (lee_controller_<mav>.yaml, <mav>.yaml), as absolute paths without spaces.
-void register_control_plugins(PluginRegistry& registry);
+void register_control_plugins(sim::PluginRegistry& registry);
 
 /// Controller parameters from the YAML files of rotors_gazebo/resource. Throws Error.
 LeeParams load_lee_params(const std::vector<std::string>& files);
 
-}  // namespace trident
+}  // namespace trident::control

@@ -18,7 +18,7 @@
 #include "trident_estimation_ros/scan_input.h"
 #include "trident_estimation_ros/troubles.h"
 
-namespace trident {
+namespace trident::estimation {
 
 /// amcl's node. Takes `scan`, tf, `initialpose`, the map (service static_map, topic `map`, service
 /// set_map); gives `amcl_pose`, `particlecloud`, tf global -> odom, /diagnostics, the services
@@ -70,4 +70,4 @@ class AmclNode {
 /// amcl's main(). Returns the exit code.
 int amcl_main(int argc, char** argv);
 
-}  // namespace trident
+}  // namespace trident::estimation

@@ -8,7 +8,7 @@
 
 #include "trident_estimation/amcl_params.h"
 
-namespace trident {
+namespace trident::estimation {
 
 /// The private parameters of the node, under amcl's names. What `Amcl` itself needs is in `filter`.
 struct AmclNodeParams {
@@ -65,4 +65,4 @@ struct AmclNodeParams {
 /// ConfigError naming parameter, value and legal range.
 AmclNodeParams read_amcl_params(const ros::NodeHandle& private_node);
 
-}  // namespace trident
+}  // namespace trident::estimation

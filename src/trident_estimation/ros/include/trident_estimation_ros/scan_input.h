@@ -15,7 +15,7 @@
 #include "trident_estimation_ros/troubles.h"
 #include "trident_ros/transform_input.h"
 
-namespace trident {
+namespace trident::estimation {
 
 /// A scan with what tf knew about it.
 struct PlacedScan {
@@ -67,7 +67,7 @@ class ScanInput {
   Handler on_scan_;
   std::function<void()> on_new_time_;
   tf2_ros::Buffer buffer_;
-  TransformInput transforms_;
+  ros_utils::TransformInput transforms_;
   ros::Subscriber subscriber_;
   ros::WallTimer timer_;
   std::deque<Waiting> waiting_;
@@ -76,4 +76,4 @@ class ScanInput {
   std::uint64_t received_ = 0;
 };
 
-}  // namespace trident
+}  // namespace trident::estimation

@@ -8,7 +8,7 @@
 #include <mutex>
 #include <string>
 
-namespace trident {
+namespace trident::estimation {
 
 /// What went wrong, by kind: told once in the log, counted in /diagnostics. From any thread.
 class Troubles {
@@ -28,4 +28,4 @@ class Troubles {
 
 diagnostic_msgs::KeyValue key_value(const std::string& key, const std::string& value);
 
-}  // namespace trident
+}  // namespace trident::estimation

@@ -8,7 +8,7 @@
 #include "trident_base/occupancy_grid.h"
 #include "trident_base/se2.h"
 
-namespace trident {
+namespace trident::maps {
 
 geometry_msgs::Pose to_pose_message(const SE2& T_parent_child);
 
@@ -22,4 +22,4 @@ nav_msgs::OccupancyGrid to_map_message(const OccupancyGrid& grid, const std_msgs
 /// Throws Error when the number of cells is not width x height, or the resolution is not > 0.
 OccupancyGrid from_map_message(const nav_msgs::OccupancyGrid& message);
 
-}  // namespace trident
+}  // namespace trident::maps

@@ -10,7 +10,7 @@
 
 #include "trident_estimation_ros/troubles.h"
 
-namespace trident {
+namespace trident::maps {
 
 /// map_server: the map of a file on the latched topics `map` and `map_metadata` and by the service
 /// `static_map`; `change_map` replaces it by that of another file, and keeps the old one when that
@@ -28,7 +28,7 @@ class MapServerNode {
   std::string frame_;
   nav_msgs::OccupancyGrid map_;
   ros::Publisher map_publisher_, metadata_publisher_, diagnostics_publisher_;
-  Troubles troubles_;
+  estimation::Troubles troubles_;
   ros::ServiceServer static_map_, change_map_;
 };
 
@@ -39,4 +39,4 @@ int map_server_main(int argc, char** argv);
 /// NAME.pgm and NAME.yaml and ends. Returns the exit code.
 int map_saver_main(int argc, char** argv);
 
-}  // namespace trident
+}  // namespace trident::maps

@@ -10,7 +10,7 @@
 #include "core/physics/ode_context.h"
 #include "core/physics/ode_joint.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr int kRowsPerContact = 3, kRowsPerJoint = 6;
@@ -274,4 +274,4 @@ void ConstraintSolver::finish(double dt_s) {
   }
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -12,7 +12,7 @@
 #include "trident_sim/model.h"
 #include "trident_sim/model_spec.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// What a pass of the solver yields of the bodies' next state.
 enum class Pass { kPose = 0, kVelocity = 1 };
@@ -103,4 +103,4 @@ class ConstraintSolver {
   bool has_joints_ = false;  ///< of contacts
 };
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <variant>
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// What falls for two steps of 10 ms comes 3 mm, for two of 1 ms 0.03 mm. A small shape stays what
@@ -89,4 +89,4 @@ void take_margins_off(dContactGeom& found, const Geom& a, const Geom& b) {
   for (int i = 0; i < 3; ++i) found.pos[i] = on_both[i];
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -7,7 +7,7 @@
 #include "trident_sim/body.h"
 #include "trident_sim/model_spec.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// By how much ODE's shape of something that moves is larger all round [m], so that what lies on
 /// something is found in each step, though it touches by less than a double can tell, and what
@@ -18,4 +18,4 @@ double contact_margin(const Shape& shape);
 /// negative where there is a gap yet.
 void take_margins_off(dContactGeom& found, const Geom& a, const Geom& b);
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// Several contacts under one body hold it more often than it can move, which the exact solver
@@ -46,4 +46,4 @@ Correction combine_corrections(const Surface& a, const Surface* b, const Physics
   return pair;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

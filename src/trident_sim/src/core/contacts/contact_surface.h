@@ -6,7 +6,7 @@
 
 #include "trident_sim/model_spec.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// Contact parameters of a pair, combined as Gazebo combines them: springs in series, dampers in
 /// parallel, the smaller friction and restitution.
@@ -22,4 +22,4 @@ struct Correction {
 /// smaller value counts, and the world's maximum speed bounds them all.
 Correction combine_corrections(const Surface& a, const Surface* b, const PhysicsSpec& world);
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/physics/body_sync.h"
 #include "contact_margin.h"
 #include "contact_surface.h"
+#include "core/physics/body_sync.h"
 #include "core/physics/physics_engine.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// At which a body that was put into something is pushed out, where its surface does not tell. At
@@ -230,4 +230,4 @@ void PhysicsEngine::tell_contacts() {
   }
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -7,7 +7,7 @@
 
 #include "constraint_solver.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// Friction may be off by this part of what the largest normal force of the island allows.
@@ -131,4 +131,4 @@ void ConstraintSolver::relax_friction(bool first) {
   }
 }
 
-}  // namespace trident
+}  // namespace trident::sim

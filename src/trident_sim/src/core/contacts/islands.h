@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace trident {
+namespace trident::sim {
 
 /// Which bodies touch or are jointed, directly or through others, and how many constraint rows each
 /// such island has. Disjoint sets over body numbers; allocates only when the number of bodies
@@ -42,4 +42,4 @@ class Islands {
   std::vector<int> rows_;  ///< valid at the root of a set
 };
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -8,7 +8,7 @@
 #include <mutex>
 #include <utility>
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 struct BrokenOff {};
@@ -87,4 +87,4 @@ bool OdeStepper::run(int (*step)(dWorldID, dReal), double dt_s) {
   return !has_failed_;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <deque>
 
-namespace trident {
+namespace trident::sim {
 
 /// Steps a world of ODE. Where a solution is no number, ODE ends the process by an assertion amid
 /// the step; here that step fails instead, and leaves the bodies anywhere.
@@ -42,4 +42,4 @@ class OdeStepper {
   bool has_failed_ = false;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
 // How far models stand inside each other, apart from any step.
-#include "core/physics/body_sync.h"
 #include "contact_margin.h"
+#include "core/physics/body_sync.h"
 #include "core/physics/physics_engine.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 Eigen::Vector3d bound_centre_world(const Body& body) {
@@ -53,4 +53,4 @@ std::optional<PhysicsEngine::Overlap> PhysicsEngine::deepest_overlap(const Model
   return deepest;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

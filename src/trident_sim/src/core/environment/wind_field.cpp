@@ -6,7 +6,7 @@
 #include <cmath>
 #include <iterator>
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// Of a cell's length: what rounding may cost a point on the border.
@@ -65,4 +65,4 @@ std::optional<Eigen::Vector3d> wind_at(const WindGrid& grid, const Eigen::Vector
                y->weight);
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace trident {
+namespace trident::sim {
 
 /// A static wind field on a grid that follows the terrain, as RotorS' wind plugin takes it. Column
 /// (i, j) stands at x = min_x + i res_x, y = min_y + j res_y and reaches from its bottom_z to its
@@ -38,4 +38,4 @@ std::optional<Eigen::Vector3d> wind_at(const WindGrid& grid, const Eigen::Vector
 /// separated by blanks or line ends. Throws Error naming file, line, field, value and legal range.
 WindGrid read_wind_grid(const std::string& file);
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -13,7 +13,7 @@
 #include "trident_base/string_util.h"
 #include "wind_field.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr std::string_view kBlanks = " \t\r\n\v\f";
@@ -200,4 +200,4 @@ WindGrid read_wind_grid(const std::string& path) {
   return grid;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -4,7 +4,7 @@
 #include "mesh.h"
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// So many samples become triangles that need about 0.8 GB; ODE, which needs none, takes more.
@@ -45,4 +45,4 @@ TriangleMesh read_heightmap(const HeightmapShape& shape, MeshDetail detail) {
   return mesh;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -11,7 +11,7 @@
 
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 class MeshReader {
@@ -126,4 +126,4 @@ TriangleMesh read_mesh(const MeshShape& shape, MeshDetail detail) {
   return mesh;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -8,7 +8,7 @@
 
 #include "trident_sim/model_spec.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// Triangles in the frame of their shape, scaled.
 struct TriangleMesh {
@@ -40,4 +40,4 @@ std::optional<TriangleMesh> take_prepared_mesh(const MeshShape& shape);
 /// samples.
 TriangleMesh read_heightmap(const HeightmapShape& shape, MeshDetail detail);
 
-}  // namespace trident
+}  // namespace trident::sim

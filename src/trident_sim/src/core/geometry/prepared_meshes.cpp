@@ -9,7 +9,7 @@
 #include "mesh.h"
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 using Key = std::tuple<std::string, double, double, double>;
@@ -68,4 +68,4 @@ PreparedMeshes::~PreparedMeshes() {
   if (--store().users == 0) store().meshes.clear();
 }
 
-}  // namespace trident
+}  // namespace trident::sim

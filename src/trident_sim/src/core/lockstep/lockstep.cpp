@@ -6,7 +6,7 @@
 
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::sim {
 
 void LockstepVehicle::remember(SimTime stamp) {
   if (sent_count_ == 0) first_sent_ = stamp;
@@ -166,4 +166,4 @@ SimTime SetpointSources::end() const {
   return latest;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -4,7 +4,7 @@
 
 #include <map>
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 OgreMaterial of(const Eigen::Vector4d& ambient, const Eigen::Vector4d& diffuse) {
@@ -79,4 +79,4 @@ const OgreMaterial* find_ogre_material(const std::string& name) {
   return it == table.end() ? nullptr : &it->second;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <string>
 
-namespace trident {
+namespace trident::sim {
 
 /// OGRE's defaults.
 struct OgreMaterial {
@@ -18,4 +18,4 @@ struct OgreMaterial {
 /// colour of what it shows. nullptr: not one of those.
 const OgreMaterial* find_ogre_material(const std::string& name);
 
-}  // namespace trident
+}  // namespace trident::sim

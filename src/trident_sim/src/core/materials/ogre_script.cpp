@@ -10,7 +10,7 @@
 
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::sim {
 namespace fs = std::filesystem;
 namespace {
 
@@ -235,4 +235,4 @@ const OgreMaterial* OgreScripts::find(const std::string& path, const std::string
   return nullptr;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

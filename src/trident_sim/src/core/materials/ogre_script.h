@@ -9,7 +9,7 @@
 #include "ogre_materials.h"
 #include "trident_sim/sdf_loader.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// The materials of an OGRE material script, by name: of each the colours and the first texture of
 /// the first pass of its first technique, over those of its parent, if that is above it in the
@@ -37,4 +37,4 @@ class OgreScripts {
   std::set<std::string> told_;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

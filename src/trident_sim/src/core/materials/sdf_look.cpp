@@ -7,11 +7,11 @@
 #include <sstream>
 #include <vector>
 
-#include "ogre_materials.h"
 #include "core/sdf/sdf_values.h"
+#include "ogre_materials.h"
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// Components beyond [0, 1] are brought into it; libsdformat has warned of them.
@@ -188,4 +188,4 @@ SceneSpec convert_scene(const sdf::World& world) {
   return scene;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -7,7 +7,7 @@
 
 #include "core/sdf/sdf_convert.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// Fills in material, transparency, shadows and visibility of a visual. A texture that is not found
 /// is one warning.
@@ -19,4 +19,4 @@ LightSpec convert_light(const sdf::Light& from, const ConvertContext& context);
 
 SceneSpec convert_scene(const sdf::World& world);
 
-}  // namespace trident
+}  // namespace trident::sim

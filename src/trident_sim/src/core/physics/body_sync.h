@@ -6,7 +6,7 @@
 
 #include "trident_sim/body.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// Copies the state of a body into its ODE body, and back.
 inline void push(const Body& body) {
@@ -35,4 +35,4 @@ inline void pull(Body& body) {
   body.w_world = {w[0], w[1], w[2]};
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 Eigen::Matrix3d about_origin(double mass, const Eigen::Vector3d& p) {
@@ -79,4 +79,4 @@ void set_inertia(Body& body, const CompositeInertia& inertia,
   if (body.kinematic) dBodySetKinematic(body.ode);  // which a mass ends
 }
 
-}  // namespace trident
+}  // namespace trident::sim

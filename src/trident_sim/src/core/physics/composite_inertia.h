@@ -7,7 +7,7 @@
 #include "trident_sim/body.h"
 #include "trident_sim/model_spec.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// A link of a body. `spun_axis`: the axis, model frame, about which a motor turns it as a rotor;
 /// nullptr when none does.
@@ -38,4 +38,4 @@ RotorInertia rotor_inertia(const LinkSpec& link, const Eigen::Vector3d& spun_axi
 void set_inertia(Body& body, const CompositeInertia& inertia,
                  const Eigen::Quaterniond& R_model_body);
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "free_body.h"
 
-namespace trident {
+namespace trident::sim {
 
 void integrate_free_body(Body& body, double dt_s) {
   if (!body.kinematic) {
@@ -23,4 +23,4 @@ void integrate_free_body(Body& body, double dt_s) {
   body.set_orientation(next);
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -4,7 +4,7 @@
 
 #include "trident_sim/body.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// -w x (I w + h) in the world frame: h is the momentum of the spun rotors.
 inline Eigen::Vector3d gyroscopic_torque(const Body& body) {
@@ -28,4 +28,4 @@ inline bool is_diverged(const Body& body) {
 /// the new velocities, as ODE does (quaternion by its derivative, then normalised).
 void integrate_free_body(Body& body, double dt_s);
 
-}  // namespace trident
+}  // namespace trident::sim

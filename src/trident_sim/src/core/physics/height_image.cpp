@@ -8,7 +8,7 @@
 
 #include "trident_base/pixel_image.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// A field of 8193 x 8193 samples needs 0.5 GB; more is a mistake.
@@ -44,4 +44,4 @@ HeightImage read_heights(const HeightmapShape& shape) {
   return image;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

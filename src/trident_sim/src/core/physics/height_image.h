@@ -7,7 +7,7 @@
 
 #include "trident_sim/model_spec.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// A grey picture whose brightness is height. Rows from the top of the picture down.
 struct HeightImage {
@@ -22,4 +22,4 @@ HeightImage read_height_image(const std::string& file);
 /// The same, with heights [m] instead of brightness: black is at 0, the brightest pixel at size.z.
 HeightImage read_heights(const HeightmapShape& shape);
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -6,7 +6,7 @@
 
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// Cosine of the angle that the axes of a universal joint may miss a right angle by.
@@ -125,4 +125,4 @@ void anchor_joint(const Model& model, Joint& joint) {
   }
 }
 
-}  // namespace trident
+}  // namespace trident::sim

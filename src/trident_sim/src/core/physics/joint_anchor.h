@@ -4,7 +4,7 @@
 
 #include "trident_sim/model.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// Puts the ODE bodies of `model` where they were spawned, without their velocities.
 void place_as_spawned(const Model& model);
@@ -13,4 +13,4 @@ void place_as_spawned(const Model& model);
 /// are where they were spawned. Throws Error for axes that the joint cannot have.
 void anchor_joint(const Model& model, Joint& joint);
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -12,7 +12,7 @@
 #include "shapes.h"
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// Which links move as one: disjoint sets joined by rigid and spun joints. The last element stands
@@ -308,4 +308,4 @@ void PhysicsEngine::destroy(Model& model) {
   model.static_geoms.clear();
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <mutex>
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 struct Messages {
@@ -43,4 +43,4 @@ void init_ode() {
 std::uint64_t ode_message_count() { return messages().count; }
 const std::string& last_ode_message() { return messages().last; }
 
-}  // namespace trident
+}  // namespace trident::sim

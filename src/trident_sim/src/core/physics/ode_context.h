@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-namespace trident {
+namespace trident::sim {
 
 /// Initialises ODE for the process and for this thread, as often as it is called. ODE's messages
 /// are kept here instead of going to stderr.
@@ -15,4 +15,4 @@ void init_ode();
 std::uint64_t ode_message_count();
 const std::string& last_ode_message();
 
-}  // namespace trident
+}  // namespace trident::sim

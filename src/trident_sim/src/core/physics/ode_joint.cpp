@@ -9,7 +9,7 @@
 #include "trident_base/angle.h"
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 using SetParam = void (*)(dJointID, int, dReal);
@@ -251,4 +251,4 @@ void prepare_ode_joint(Joint& joint, double erp, double dt_s) {
   if (joint.spec.type == JointType::kGearbox) update_gearbox(joint, erp, dt_s);
 }
 
-}  // namespace trident
+}  // namespace trident::sim

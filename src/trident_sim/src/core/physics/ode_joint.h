@@ -4,7 +4,7 @@
 
 #include "trident_sim/model.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// Makes the ODE joints of `joint`, whose links have their bodies, with limits and friction. Of a
 /// gearbox the reference and the shaft must be set. Throws Error for a joint that cannot be.
@@ -21,4 +21,4 @@ std::unique_ptr<Body> make_shaft(const Model& model, const Joint& joint, dWorldI
 /// more than half a turn.
 void prepare_ode_joint(Joint& joint, double erp, double dt_s);
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -10,7 +10,7 @@
 #include "ode_context.h"
 #include "rotor_axis.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// As many contacts of two shapes as Gazebo keeps.
@@ -171,4 +171,4 @@ void PhysicsEngine::advance_rotors(double dt_s) {
   }
 }
 
-}  // namespace trident
+}  // namespace trident::sim

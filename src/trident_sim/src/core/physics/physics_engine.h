@@ -16,7 +16,7 @@
 #include "trident_sim/model.h"
 #include "trident_sim/model_spec.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// Deeper than this nobody puts a body on purpose; wheels and feet that stand a little low are
 /// less.
@@ -112,4 +112,4 @@ class PhysicsEngine {
   std::vector<Contact> told_;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

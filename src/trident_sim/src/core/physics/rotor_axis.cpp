@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// Two rotors side by side, for vector instructions: a vehicle's rotors are most of what the engine
@@ -67,4 +67,4 @@ void advance_rotor_axes(Span<Joint* const> joints, const Eigen::Vector3d& w_body
   }
 }
 
-}  // namespace trident
+}  // namespace trident::sim

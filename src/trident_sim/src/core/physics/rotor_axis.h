@@ -5,7 +5,7 @@
 #include "trident_base/span.h"
 #include "trident_sim/model.h"
 
-namespace trident {
+namespace trident::sim {
 
 // In Gazebo a rotor is a body of its own on an ODE hinge, and the hinge is held only as well as one
 // solver step per dt can: the orientation of a body that spins at s is integrated by its derivative
@@ -24,4 +24,4 @@ Eigen::Vector3d rotor_axis_reaction(const Joint& joint, double erp, double dt_s)
 void advance_rotor_axes(Span<Joint* const> joints, const Eigen::Vector3d& w_body, double erp,
                         double dt_s);
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -12,7 +12,7 @@
 #include "trident_base/error.h"
 #include "trident_sim/motion_limits.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr int kSecondGroup = 0x100;  ///< of ODE's parameters: those of the second axis
@@ -182,4 +182,4 @@ void set_axis_params(Joint& joint, std::size_t axis, const AxisParams& params) {
   if (in_ode) set_in_ode(joint, ode, spec, params);
 }
 
-}  // namespace trident
+}  // namespace trident::sim

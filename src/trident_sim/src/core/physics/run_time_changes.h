@@ -7,7 +7,7 @@
 #include "trident_sim/axis_params.h"
 #include "trident_sim/model.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// Gives `body` the inertia of its links as model.spec has them now. Its origin moves to the new
 /// centre of mass; links, shapes, joints and motion stay what and where they are. The ODE bodies of
@@ -18,4 +18,4 @@ void recompose(Model& model, Body& body);
 /// one that this kind of joint does not have.
 void set_axis_params(Joint& joint, std::size_t axis, const AxisParams& params);
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -8,12 +8,12 @@
 #include <memory>
 #include <vector>
 
-#include "core/geometry/mesh.h"
 #include "core/contacts/contact_margin.h"
+#include "core/geometry/mesh.h"
 #include "height_image.h"
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 dGeomID make_mesh(const MeshShape& shape, const std::string& scoped_name, dTriMeshDataID& data) {
@@ -132,4 +132,4 @@ void place_static_geom(Geom& geom, const SE3& T_world_shape) {
   dGeomSetQuaternion(geom.id, q);
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -8,7 +8,7 @@
 
 #include "trident_sim/body.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// Makes the ODE geometry of a shape, unplaced. Throws Error for a mesh or image that cannot be
 /// read. `can_move`: it gets a contact margin.
@@ -19,4 +19,4 @@ bool must_be_static(const Geom& geom);
 /// Places `geom`, which is not attached to a body, in the world.
 void place_static_geom(Geom& geom, const SE3& T_world_shape);
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <sstream>
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 std::string without_outer_slashes(const std::string& text) {
@@ -101,4 +101,4 @@ Eigen::Vector3d link_acceleration_world(const Link& link, double dt_s) {
   return linear + angular.cross(r) + body.w_world.cross(body.w_world.cross(r));
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -10,7 +10,7 @@
 #include "trident_sim/samples.h"
 #include "trident_sim/world.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// "<robotNamespace>/<topic>" without doubled or outer slashes; an absolute topic stands alone.
 std::string scoped_topic(const PluginParams& params, const std::string& topic);
@@ -60,4 +60,4 @@ class MeasuringPlugin : public Plugin {
   LoopTiming timing_;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -7,7 +7,7 @@
 
 #include "trident_sim/plugin.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// Tells at which steps a sensor of some rate measures. Sample k is due at k / rate after the last
 /// reset, k >= 1, and taken by the first step that ends there or later: on time when the period is
@@ -37,4 +37,4 @@ class SampleClock {
   double rate_hz_;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

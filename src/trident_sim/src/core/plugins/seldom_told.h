@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-namespace trident {
+namespace trident::sim {
 
 /// How often a refusal is told that comes again and again: the first ten times, then each time that
 /// their number has doubled. A user who tries things out reads of each mistake, a publisher gone
@@ -22,4 +22,4 @@ class SeldomTold {
   std::uint64_t count_ = 0;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

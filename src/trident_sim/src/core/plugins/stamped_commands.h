@@ -7,7 +7,7 @@
 
 #include "plugin_util.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// Commands of an external controller on a topic, each at its time: in `rotors` timing the answer
 /// to the odometry stamped s acts in the step that begins at s + dt, in `direct` timing in the one
@@ -50,4 +50,4 @@ class StampedCommands {
   InHandle<ActuatorCommand> port_;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

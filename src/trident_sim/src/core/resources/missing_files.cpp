@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace trident {
+namespace trident::sim {
 
 MissingFiles::Entry& MissingFiles::use(const std::string& file, const std::string& text) {
   auto entry = std::find_if(entries_.begin(), entries_.end(),
@@ -40,4 +40,4 @@ void MissingFiles::close() {
   entries_.clear();
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -8,7 +8,7 @@
 #include "core/sdf/odd_list.h"
 #include "trident_sim/sdf_loader.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// The files of shapes that are not found: each is told once, with its first place and the number
 /// of places. A collision without its file is an odd element; a visual alone is only told.
@@ -36,4 +36,4 @@ class MissingFiles {
   std::vector<Entry> entries_;  ///< in the order of their first uses
 };
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -10,7 +10,7 @@
 #include <fstream>
 #include <iterator>
 
-namespace trident {
+namespace trident::sim {
 namespace fs = std::filesystem;
 namespace {
 
@@ -138,4 +138,4 @@ void PackageIndex::add(const std::string& folder) const {
   if (!is_known) packages_.push_back(std::move(package));
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace trident {
+namespace trident::sim {
 
 /// The packages below some folders, as rospack finds them: by the name in their package.xml, the
 /// first of a name counts, and nothing is looked for below a package, a CATKIN_IGNORE or a
@@ -47,4 +47,4 @@ class PackageIndex {
   mutable std::map<std::pair<std::string, std::string>, std::vector<std::string>> exports_;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

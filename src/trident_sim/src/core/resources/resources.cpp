@@ -9,7 +9,7 @@
 
 #include "package_index.h"
 
-namespace trident {
+namespace trident::sim {
 namespace fs = std::filesystem;
 namespace {
 
@@ -148,4 +148,4 @@ std::string Resources::searched() const {
   return text;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -8,7 +8,7 @@
 #include "trident_base/error.h"
 #include "trident_sim/model_spec.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// The odd elements of a load, and what is done with them.
 struct OddList {
@@ -40,4 +40,4 @@ struct OddList {
   }
 };
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -9,7 +9,7 @@
 #include "trident_base/error.h"
 #include "trident_base/string_util.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 std::string trimmed(const std::string& text) {
@@ -132,4 +132,4 @@ Eigen::Vector3d PluginParams::vector3(std::string_view key, const Eigen::Vector3
   return value;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -6,14 +6,14 @@
 #include <algorithm>
 #include <limits>
 
-#include "sdf_joint.h"
 #include "core/materials/sdf_look.h"
+#include "sdf_joint.h"
 #include "sdf_params.h"
 #include "sdf_sensor.h"
 #include "sdf_values.h"
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// The text of a fault with file and line in place of the document's name.
@@ -394,4 +394,4 @@ WorldSpec convert_world(const sdf::World& from, const ConvertContext& context) {
   return spec;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

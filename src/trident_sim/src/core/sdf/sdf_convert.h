@@ -7,12 +7,12 @@
 #include <sdf/sdf.hh>
 #include <string>
 
+#include "core/materials/ogre_script.h"
 #include "core/resources/missing_files.h"
 #include "odd_list.h"
-#include "core/materials/ogre_script.h"
 #include "trident_sim/sdf_loader.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// Where a document comes from: for finding its files and for naming it in errors.
 struct ConvertContext {
@@ -32,4 +32,4 @@ struct ConvertContext {
 WorldSpec convert_world(const sdf::World& world, const ConvertContext& context);
 ModelSpec convert_model(const sdf::Model& model, const ConvertContext& context);
 
-}  // namespace trident
+}  // namespace trident::sim

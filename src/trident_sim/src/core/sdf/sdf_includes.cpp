@@ -10,7 +10,7 @@
 
 #include "sdf_schema.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 using tinyxml2::XMLElement;
@@ -214,4 +214,4 @@ sdf::SDFPtr read_sdf_file(const std::string& path, const UriFinder& find, sdf::E
   });
 }
 
-}  // namespace trident
+}  // namespace trident::sim

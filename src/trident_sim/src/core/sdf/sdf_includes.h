@@ -10,7 +10,7 @@
 #include <set>
 #include <string>
 
-namespace trident {
+namespace trident::sim {
 
 /// Where a URI leads; "" when it leads nowhere.
 using UriFinder = std::function<std::string(const std::string&)>;
@@ -46,4 +46,4 @@ class PlainIncludes {
 sdf::SDFPtr read_sdf_text(const std::string& text, const UriFinder& find, sdf::Errors& errors);
 sdf::SDFPtr read_sdf_file(const std::string& path, const UriFinder& find, sdf::Errors& errors);
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -7,7 +7,7 @@
 #include "sdf_values.h"
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr double kTurn = 6.283185307179586;
@@ -147,4 +147,4 @@ JointSpec convert_joint(const sdf::Joint& from, const std::string& prefix, const
   return joint;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -15,16 +15,16 @@
 #include <sdf/sdf.hh>
 #include <sstream>
 
+#include "core/urdf/urdf_check.h"
 #include "sdf_convert.h"
 #include "sdf_includes.h"
 #include "sdf_repair.h"
 #include "sdf_schema.h"
 #include "sdf_sources.h"
 #include "trident_base/error.h"
-#include "core/urdf/urdf_check.h"
 #include "xml_cut.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// Lets one load go at a time, because libsdformat's URDF converter and its log have global state.
@@ -337,4 +337,4 @@ ModelSpec load_model_string(const std::string& xml, const std::string& label,
   return spec;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sdf_params.h"
 
-namespace trident {
+namespace trident::sim {
 
 ParamNode to_param_node(const sdf::ElementPtr& element, std::string_view left_out) {
   ParamNode node;
@@ -29,4 +29,4 @@ std::vector<PluginSpec> convert_plugins(const sdf::ElementPtr& owner) {
   return plugins;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -8,7 +8,7 @@
 
 #include "trident_sim/model_spec.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// An element with all below it, but for the children of a name that is left out.
 ParamNode to_param_node(const sdf::ElementPtr& element, std::string_view left_out = "");
@@ -16,4 +16,4 @@ ParamNode to_param_node(const sdf::ElementPtr& element, std::string_view left_ou
 /// The `<plugin>` children of an element, which may be nullptr.
 std::vector<PluginSpec> convert_plugins(const sdf::ElementPtr& owner);
 
-}  // namespace trident
+}  // namespace trident::sim

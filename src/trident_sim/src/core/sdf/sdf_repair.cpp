@@ -12,7 +12,7 @@
 #include "trident_base/error.h"
 #include "xml_cut.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr int kMostCuts = 100;
@@ -202,4 +202,4 @@ void repair_elements(const sdf::ElementPtr& root, const SdfSources& sources,
   }
 }
 
-}  // namespace trident
+}  // namespace trident::sim

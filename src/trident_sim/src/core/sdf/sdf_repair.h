@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace trident {
+namespace trident::sim {
 
 class SdfSources;
 
@@ -22,4 +22,4 @@ void leave_out_unreadable(std::string& text, const std::string& label,
 void repair_elements(const sdf::ElementPtr& root, const SdfSources& sources,
                      std::vector<std::string>& odd);
 
-}  // namespace trident
+}  // namespace trident::sim

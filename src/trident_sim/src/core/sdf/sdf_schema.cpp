@@ -10,7 +10,7 @@
 
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 using tinyxml2::XMLElement;
@@ -124,4 +124,4 @@ sdf::SDFPtr make_document(const std::string& text) {
   return document;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -5,7 +5,7 @@
 #include <sdf/sdf.hh>
 #include <string>
 
-namespace trident {
+namespace trident::sim {
 
 /// An empty document that knows the SDF specification, as sdf::init() makes one, for reading `text`
 /// into. sdf::init() takes 40 ms and 10 MB: it parses every file of the specification as often as
@@ -14,4 +14,4 @@ namespace trident {
 /// `text` does not contain are therefore left out. Thread-safe.
 sdf::SDFPtr make_document(const std::string& text);
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -6,7 +6,7 @@
 #include "sdf_values.h"
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::sim {
 
 SensorSpec convert_sensor(const sdf::Sensor& from, const std::string& link, const std::string& what,
                           const ConvertContext& context) {
@@ -29,4 +29,4 @@ SensorSpec convert_sensor(const sdf::Sensor& from, const std::string& link, cons
   return sensor;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

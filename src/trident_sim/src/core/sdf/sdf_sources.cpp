@@ -15,7 +15,7 @@
 #include "trident_base/error.h"
 #include "xml_cut.h"
 
-namespace trident {
+namespace trident::sim {
 namespace fs = std::filesystem;
 namespace {
 
@@ -226,4 +226,4 @@ bool SdfSources::repair_text() {
   return text_ != before;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

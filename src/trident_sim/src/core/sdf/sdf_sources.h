@@ -16,7 +16,7 @@ namespace tinyxml2 {
 class XMLElement;
 }
 
-namespace trident {
+namespace trident::sim {
 
 /// What a document may hold with all that it includes. libsdformat takes up to 32 kB for each
 /// element, and follows an include that leads back to itself until there is no memory left.
@@ -98,4 +98,4 @@ class SdfSources {
   int copies_ = 0;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

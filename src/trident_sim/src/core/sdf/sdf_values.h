@@ -12,7 +12,7 @@
 #include "trident_base/error.h"
 #include "trident_base/se3.h"
 
-namespace trident {
+namespace trident::sim {
 
 // Reading single values out of libsdformat's objects.
 
@@ -62,4 +62,4 @@ inline std::optional<double> number_if_given(const sdf::ElementPtr& element, con
   throw Error(what + ": <" + name + "> is " + std::to_string(value) + ", must be a finite number");
 }
 
-}  // namespace trident
+}  // namespace trident::sim

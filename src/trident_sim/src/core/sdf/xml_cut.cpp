@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstring>
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr auto kNone = std::string::npos;
@@ -106,4 +106,4 @@ std::string cut_element(std::string& xml, int line, const std::string& name, int
   return "";
 }
 
-}  // namespace trident
+}  // namespace trident::sim

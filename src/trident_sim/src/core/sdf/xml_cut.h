@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace trident {
+namespace trident::sim {
 
 /// Blanks an element `<name …>` that begins in a line (from 1) of well-formed XML, with all that is
 /// in it, after `skipped` of that name in that line; the lines keep their numbers. Returns what was
@@ -15,4 +15,4 @@ std::string cut_element(std::string& xml, int line, const std::string& name, int
 /// the parser of older Gazebos took.
 void blank_late_declarations(std::string& xml);
 
-}  // namespace trident
+}  // namespace trident::sim

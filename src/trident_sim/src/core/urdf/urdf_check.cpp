@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
+#include "core/sdf/xml_cut.h"
 #include "trident_base/error.h"
 #include "urdf_check.h"
 #include "urdf_elements.h"
-#include "core/sdf/xml_cut.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 std::string place(const std::string& label, const tinyxml2::XMLElement& element,
@@ -219,4 +219,4 @@ void check_urdf(std::string& xml, const std::string& label, const WarningSink& w
   tell_lost_links(*robot, masses, label, warn);
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 using tinyxml2::XMLElement;
@@ -108,4 +108,4 @@ void tell_ignored_elements(const XMLElement& robot, const std::string& label,
   ignored.tell(label, warn);
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trident_sim/diagnostics.h"
 
-namespace trident {
+namespace trident::sim {
 
 bool Diagnostics::add(Diagnostic diagnostic, SimTime now) {
   DiagnosticEntry& entry = entries_[diagnostic.name()];
@@ -23,4 +23,4 @@ void Diagnostics::forget_model(const std::string& model_name) {
   }
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace trident {
+namespace trident::sim {
 
 /// Removes every item that the predicate is true for; the others keep their order.
 template <class T, class Predicate>
@@ -13,4 +13,4 @@ void drop_if(std::vector<T>& items, Predicate&& is_dropped) {
   items.erase(std::remove_if(items.begin(), items.end(), is_dropped), items.end());
 }
 
-}  // namespace trident
+}  // namespace trident::sim

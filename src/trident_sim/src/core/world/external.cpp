@@ -10,7 +10,7 @@
 #include "trident_sim/sea.h"
 #include "trident_sim/world.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 bool active(SimTime start, const StepInfo& info) { return start < info.end; }
@@ -123,4 +123,4 @@ std::string World::state_hash() const {
   return hash.hex_digest();
 }
 
-}  // namespace trident
+}  // namespace trident::sim

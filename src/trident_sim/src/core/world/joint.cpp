@@ -4,7 +4,7 @@
 
 #include "trident_sim/model.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr double kTurn = 6.283185307179586;
@@ -143,4 +143,4 @@ void Joint::state(StateArchive& archive) {
   for (JointAxis& axis : axes) archive(axis.turned, axis.force);
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -7,7 +7,7 @@
 
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 std::string name_of(const Joint& joint, std::size_t axis) {
@@ -95,4 +95,4 @@ void JointDrive::state(StateArchive& archive) {
   archive(target_, effort_, last_error_, has_error_);
 }
 
-}  // namespace trident
+}  // namespace trident::sim

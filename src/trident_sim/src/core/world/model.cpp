@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trident_sim/model.h"
 
-namespace trident {
+namespace trident::sim {
 
 Link* Model::find_link(const std::string& link_name) const {
   for (const auto& link : links) {
@@ -23,4 +23,4 @@ SE3 Model::T_world_model() const {
   return links.front()->T_world_link() * spec.links.front().T_model_link.inverse();
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -10,7 +10,7 @@
 #include "trident_sim/sea.h"
 #include "trident_sim/world.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr double kLongFall_m = 100.0;
@@ -61,4 +61,4 @@ void World::tell_missing_floor() {
             {{"model", fallen->first}}});
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -6,7 +6,7 @@
 
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr char kRegisterSymbol[] = "trident_register_plugins";
@@ -84,4 +84,4 @@ void PluginRegistry::load_shared_object(const std::string& path) {
   function(*this);  // the library stays loaded: its factories live in the registry
 }
 
-}  // namespace trident
+}  // namespace trident::sim

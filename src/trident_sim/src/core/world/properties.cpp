@@ -11,7 +11,7 @@
 #include "trident_sim/motion_limits.h"
 #include "trident_sim/world.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// Beyond what is built, and far enough below what a double holds.
@@ -155,7 +155,7 @@ void World::set_link_inertial(Link& link, const Inertial& inertial, bool gravity
 }
 
 void World::set_axis_params(Joint& joint, std::size_t axis, const AxisParams& params) {
-  trident::set_axis_params(joint, axis, params);
+  trident::sim::set_axis_params(joint, axis, params);
 }
 
 std::vector<std::string> World::set_joint_positions(
@@ -183,4 +183,4 @@ std::vector<std::string> World::set_joint_positions(
   return clamped;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace trident {
+namespace trident::sim {
 
 /// Whether nobody needs to be told that a plugin does not read an element: it means nothing here,
 /// or Gazebo's plugin of that name does not read it either though published vehicles have it.
@@ -45,4 +45,4 @@ inline bool is_of_no_account(const std::string& filename, const std::string& ele
   return false;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

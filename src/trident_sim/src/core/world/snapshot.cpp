@@ -8,7 +8,7 @@
 #include "core/physics/physics_engine.h"
 #include "trident_sim/world.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// The first entry that only one of two sorted lists has, told as news about the second.
@@ -81,4 +81,4 @@ void World::restore_snapshot(const Snapshot& snapshot) {
   for (const auto& [name, model] : models_) engine_->push_state(*model);
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -15,7 +15,7 @@
 #include "trident_sim/motion_limits.h"
 #include "trident_sim/ray_scene.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// Adds the wall time between construction and destruction, when there is somewhere to add it.
@@ -528,4 +528,4 @@ void World::set_link_state(Link& link, const SE3& T_world_link, const Eigen::Vec
   engine_->push_state(*link.body);
 }
 
-}  // namespace trident
+}  // namespace trident::sim

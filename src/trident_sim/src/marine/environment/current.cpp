@@ -8,7 +8,7 @@
 #include "seabed.h"
 #include "trident_base/angle.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// Lamb and Oseen's vortex, scaled to turn with `speed` where it turns fastest, at `core_m`.
@@ -90,4 +90,4 @@ void Current::add_to(const SE3& T_world_co, const Eigen::Vector3d& v_world, doub
   }
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -12,7 +12,7 @@
 #include "trident_base/se3.h"
 #include "trident_base/yaml_config.h"
 
-namespace trident {
+namespace trident::sim {
 
 enum class CurrentKind { kNone, kUniform, kShear, kVortex, kFile };
 constexpr auto enum_names(CurrentKind) {
@@ -83,4 +83,4 @@ class Current {
   WaterDepth water_depth_;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -13,7 +13,7 @@
 #include "trident_sim/sea.h"
 #include "wave_field.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// The sea that an environment describes; its wind is a Wind of its own.
 class Environment : public Sea {
@@ -67,4 +67,4 @@ class Environment : public Sea {
   Current current_;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

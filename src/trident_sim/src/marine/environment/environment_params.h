@@ -9,7 +9,7 @@
 #include "wave_params.h"
 #include "wind.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// What surrounds vessels and aircraft, as config/environments/*.yaml says it.
 struct EnvironmentParams {
@@ -32,4 +32,4 @@ struct EnvironmentParams {
   }
 };
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -15,7 +15,7 @@
 #include "trident_base/error.h"
 #include "trident_base/string_util.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr double kMostPoints = 5e7;
@@ -236,4 +236,4 @@ double Seabed::mean_depth_m(double level_m) const {
   return count > 0 ? sum / static_cast<double>(count) : 0.0;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

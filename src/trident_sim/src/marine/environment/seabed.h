@@ -10,7 +10,7 @@
 
 #include "trident_base/yaml_config.h"
 
-namespace trident {
+namespace trident::sim {
 
 enum class BathymetryKind { kNone, kFile, kTerrain };
 constexpr auto enum_names(BathymetryKind) {
@@ -99,4 +99,4 @@ inline double shore_fade(double depth_m, double full_m) {
   return part * part * (3.0 - 2.0 * part);
 }
 
-}  // namespace trident
+}  // namespace trident::sim

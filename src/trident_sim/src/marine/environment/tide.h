@@ -7,7 +7,7 @@
 #include "trident_base/angle.h"
 #include "trident_base/yaml_config.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// How the level of the still water moves: rate t + amplitude sin(2 pi t / period + phase), by
 /// default with the period of the moon's main tide, M2.
@@ -33,4 +33,4 @@ struct TideParams {
   }
 };
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <array>
 
-namespace trident {
+namespace trident::sim {
 
 /// Of a particle of water, world frame.
 struct WaterMotion {
@@ -44,4 +44,4 @@ class StillWater : public Water {
   double level_m_;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -9,7 +9,7 @@
 
 #include "seabed.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr auto kLanes = static_cast<std::size_t>(WaveLanes::SizeAtCompileTime);
@@ -227,4 +227,4 @@ double WaveField::dynamic_pressure_per_density(const Eigen::Vector3d& p_world,
   return strength(p_world.head<2>(), time_s) * sum.sum();
 }
 
-}  // namespace trident
+}  // namespace trident::sim

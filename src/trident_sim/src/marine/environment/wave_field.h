@@ -11,7 +11,7 @@
 #include "wave_lanes.h"
 #include "wave_spectrum.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// Depth of the ground below z = 0 at a place [m]; negative on land.
 using DepthFunction = std::function<double(const Eigen::Vector2d& p_world, double enough)>;
@@ -91,4 +91,4 @@ class WaveField : public Water {
   TideParams tide_;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

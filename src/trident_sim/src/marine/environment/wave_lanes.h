@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-namespace trident {
+namespace trident::sim {
 
 // Elementary functions of several waves at once, without branches, so that they become vector
 // instructions. Sums over waves are what a sea costs.
@@ -57,4 +57,4 @@ inline WaveLanes decaying(const WaveLanes& x) {
   return e;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -7,7 +7,7 @@
 
 #include "trident_base/yaml_config.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// kVrxPms and kVrxCwr are VRX' few waves: samples of a Pierson-Moskowitz spectrum of its own peak
 /// period, and waves of a constant ratio of height to length.
@@ -83,4 +83,4 @@ struct WaveParams {
   void validate() const;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -10,7 +10,7 @@
 #include "trident_base/random_stream.h"
 #include "trident_base/string_util.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr double kLowestPart = 0.5, kHighestPart = 4.0;  // of the peak frequency
@@ -195,4 +195,4 @@ std::vector<WaveComponent> make_waves(const WaveParams& params, std::uint64_t se
   return {};
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -9,7 +9,7 @@
 
 #include "wave_params.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// Wave number [1/m] of linear theory: omega^2 = g k tanh(k depth), by Newton's method. `depth_m`
 /// may be infinite.
@@ -43,4 +43,4 @@ struct WaveComponent {
 /// is shared out, so that the significant height is the one that was asked for. Throws Error.
 std::vector<WaveComponent> make_waves(const WaveParams& params, std::uint64_t seed);
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 DrydenParams dryden_of(const WindParams& params) {
@@ -64,4 +64,4 @@ void Wind::go_on_from(const Wind& other) {
   now_ = gust();
 }
 
-}  // namespace trident
+}  // namespace trident::sim

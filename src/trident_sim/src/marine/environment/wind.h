@@ -12,7 +12,7 @@
 #include "trident_base/yaml_config.h"
 #include "wind_gusts.h"
 
-namespace trident {
+namespace trident::sim {
 
 enum class GustKind { kNone, kFirstOrder, kDryden };
 constexpr auto enum_names(GustKind) {
@@ -80,4 +80,4 @@ class Wind {
   Eigen::Vector3d now_ = Eigen::Vector3d::Zero();  ///< gust of this step, world frame
 };
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -8,7 +8,7 @@
 #include "trident_base/error.h"
 #include "trident_base/string_util.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr double kFootPerMetre = 1.0 / 0.3048;
@@ -143,4 +143,4 @@ void FirstOrderGusts::go_on_from(const FirstOrderGusts& other) {
   value_ = other.value_;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

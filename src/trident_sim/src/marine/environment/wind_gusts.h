@@ -10,7 +10,7 @@
 #include "trident_base/random_stream.h"
 #include "trident_base/yaml_config.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// Dryden turbulence at low altitude (MIL-F-8785C): what it is made of follows from the mean wind
 /// at 20 ft and the altitude unless it is given.
@@ -101,4 +101,4 @@ class FirstOrderGusts {
   double value_ = 0.0;  ///< of unit variance
 };
 
-}  // namespace trident
+}  // namespace trident::sim

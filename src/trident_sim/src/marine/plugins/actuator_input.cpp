@@ -8,7 +8,7 @@
 
 #include "trident_base/string_util.h"
 
-namespace trident {
+namespace trident::sim {
 
 ActuatorInput::ActuatorInput(const PluginContext& context, const std::string& topic,
                              std::string what, std::string unit, const Limits& limits,
@@ -69,4 +69,4 @@ void ActuatorInput::reset() {
   seen_ = 0;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

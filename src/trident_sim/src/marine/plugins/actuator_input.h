@@ -8,7 +8,7 @@
 #include "core/plugins/plugin_util.h"
 #include "trident_sim/commands.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// Numbers that command an actuator, on a topic. One that is not finite is refused, one beyond the
 /// limits is cut to them; both are counted among the world's diagnostics.
@@ -43,4 +43,4 @@ class ActuatorInput {
   std::uint64_t seen_ = 0;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

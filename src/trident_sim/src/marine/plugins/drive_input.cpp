@@ -7,7 +7,7 @@
 
 #include "trident_base/string_util.h"
 
-namespace trident {
+namespace trident::sim {
 
 DriveInput::DriveInput(const PluginContext& context, const std::string& topic)
     : owner_(context.params.owner()),
@@ -47,4 +47,4 @@ void DriveInput::reset() {
   seen_ = 0;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -8,7 +8,7 @@
 #include "core/plugins/plugin_util.h"
 #include "trident_sim/commands.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// Commands of both sides of a boat at once (heron_msgs/Drive). One with a number that is not
 /// finite is refused, others are cut to [-1, 1]; both are counted among the world's diagnostics.
@@ -27,4 +27,4 @@ class DriveInput {
   std::uint64_t seen_ = 0;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

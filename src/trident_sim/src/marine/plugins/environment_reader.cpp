@@ -9,7 +9,7 @@
 #include "marine_files.h"
 #include "trident_base/string_util.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr const char* kSections[] = {"tide", "waves", "current", "wind", "bathymetry"};
@@ -131,4 +131,4 @@ EnvironmentParams read_vrx_waves(const PluginContext& context) {
   return environment;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

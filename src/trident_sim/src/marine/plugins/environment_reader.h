@@ -4,10 +4,10 @@
 
 #include <string>
 
-#include "marine/environment/environment_params.h"
 #include "core/plugins/plugin_util.h"
+#include "marine/environment/environment_params.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// Of libtrident_sea.so: the file <environment>, or its keys as elements. Throws Error.
 EnvironmentParams read_environment(const PluginContext& context);
@@ -18,4 +18,4 @@ EnvironmentParams read_vrx_waves(const PluginContext& context);
 /// Turns the names of files into paths that exist; `folder`: for relative ones. Throws Error.
 void find_files(const Resources& resources, const std::string& folder, EnvironmentParams* params);
 
-}  // namespace trident
+}  // namespace trident::sim

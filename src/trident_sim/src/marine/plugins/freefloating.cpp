@@ -10,7 +10,7 @@
 #include "trident_sim/commands.h"
 #include "vessel_body.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// One <thruster>: fixed, with its <map> to a wrench at the body's centre of gravity, or steering,
@@ -188,4 +188,4 @@ PluginFactory freefloating_control_factory() {
       {}};
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -10,7 +10,7 @@
 #include "trident_base/string_util.h"
 #include "trident_sim/sea.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// Sea and air as they are now: one object for as long as the world lasts, in which commands put
 /// another environment. Its plugin changes it between steps only.
@@ -40,4 +40,4 @@ class LiveSurroundings : public Sea, public Air {
   std::string text;  ///< what the environment is, as YAML
 };
 
-}  // namespace trident
+}  // namespace trident::sim

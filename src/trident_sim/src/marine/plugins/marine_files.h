@@ -7,7 +7,7 @@
 
 #include "core/plugins/plugin_util.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// The existing file that element `key` names as `path`. Throws Error.
 inline std::string existing_file(const PluginContext& context, const std::string& key,
@@ -20,4 +20,4 @@ inline std::string existing_file(const PluginContext& context, const std::string
   return file;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

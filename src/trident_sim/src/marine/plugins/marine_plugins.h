@@ -4,7 +4,7 @@
 
 #include "trident_sim/plugin_registry.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// A world's sea from an environment file or inline; VRX' wave field under its own elements.
 PluginFactory sea_factory();
@@ -26,4 +26,4 @@ PluginFactory uuv_object_factory();
 PluginFactory freefloating_control_factory();
 PluginFactory freefloating_fluid_factory();
 
-}  // namespace trident
+}  // namespace trident::sim

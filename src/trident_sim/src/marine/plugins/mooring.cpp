@@ -5,7 +5,7 @@
 #include "marine_plugins.h"
 #include "vessel_body.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// libtrident_mooring.so: a line without weight from <xyzOffset> [m] of the link <bodyName> to
@@ -51,4 +51,4 @@ PluginFactory mooring_factory() {
   return {[](const PluginContext& context) { return std::make_unique<Mooring>(context); }, {}};
 }
 
-}  // namespace trident
+}  // namespace trident::sim

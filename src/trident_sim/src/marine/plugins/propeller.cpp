@@ -3,11 +3,11 @@
 #include <cmath>
 #include <string>
 
-#include "vehicles/drives/drive_parts.h"
 #include "core/plugins/sample_clock.h"
 #include "marine_plugins.h"
+#include "vehicles/drives/drive_parts.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// libtrident_propeller.so: what is seen of a thruster of libtrident_vessel.so. It turns the joint
@@ -57,4 +57,4 @@ PluginFactory propeller_factory() {
           [](const PluginParams& params) { return params.text("jointName", ""); }};
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -14,7 +14,7 @@
 #include "trident_sim/text_sample.h"
 #include "vessel_body.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr Range kLevels{-1000.0, 9000.0};
@@ -291,4 +291,4 @@ PluginFactory freefloating_fluid_factory() {
           {}};
 }
 
-}  // namespace trident
+}  // namespace trident::sim

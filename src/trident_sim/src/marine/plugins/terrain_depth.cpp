@@ -8,7 +8,7 @@
 #include "core/physics/height_image.h"
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 GroundGrid grid_of(const HeightmapShape& shape, const SE3& T_world_shape, const std::string& name) {
@@ -66,4 +66,4 @@ std::shared_ptr<const Seabed> make_seabed(const BathymetryParams& params, const 
   return std::make_shared<const Seabed>(std::move(grids));
 }
 
-}  // namespace trident
+}  // namespace trident::sim

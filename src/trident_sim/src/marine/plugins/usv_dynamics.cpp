@@ -5,7 +5,7 @@
 #include "marine_plugins.h"
 #include "vessel_body.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 using Names = std::array<const char*, 6>;
@@ -122,4 +122,4 @@ PluginFactory usv_dynamics_factory() {
   return {[](const PluginContext& context) { return std::make_unique<UsvDynamics>(context); }, {}};
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -5,15 +5,15 @@
 #include <optional>
 #include <vector>
 
-#include "marine/vessel/thruster.h"
-#include "vehicles/drives/drive_parts.h"
-#include "core/plugins/sample_clock.h"
 #include "actuator_input.h"
+#include "core/plugins/sample_clock.h"
+#include "marine/vessel/thruster.h"
 #include "marine_plugins.h"
 #include "trident_base/angle.h"
+#include "vehicles/drives/drive_parts.h"
 #include "vessel_body.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// VRX' elements of a `<thruster>`.
@@ -204,4 +204,4 @@ PluginFactory usv_thrust_factory() {
   return {[](const PluginContext& context) { return std::make_unique<UsvThrust>(context); }, {}};
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -4,17 +4,17 @@
 #include <memory>
 #include <vector>
 
-#include "marine/vessel/vessel_dynamics.h"
-#include "marine/environment/wind_gusts.h"
 #include "core/plugins/plugin_util.h"
 #include "core/plugins/sample_clock.h"
+#include "marine/environment/wind_gusts.h"
+#include "marine/vessel/vessel_dynamics.h"
 #include "marine_plugins.h"
 #include "trident_base/angle.h"
 #include "trident_base/string_util.h"
 #include "trident_sim/sea.h"
 #include "trident_sim/text_sample.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// A wind that varies in strength only, the same everywhere.
@@ -183,4 +183,4 @@ PluginFactory usv_wind_factory() {
   return {[](const PluginContext& context) { return std::make_unique<UsvWind>(context); }, {}};
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -12,7 +12,7 @@
 #include "trident_base/string_util.h"
 #include "vessel_body.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 const Limits kSize{0.0, 1e6}, kLength{1e-6, 1e6};
@@ -330,4 +330,4 @@ PluginFactory uuv_object_factory() {
   return {[](const PluginContext& context) { return std::make_unique<UuvObject>(context); }, {}};
 }
 
-}  // namespace trident
+}  // namespace trident::sim

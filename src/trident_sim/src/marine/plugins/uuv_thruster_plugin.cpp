@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <sstream>
 
-#include "marine/vessel/uuv_thruster.h"
 #include "actuator_input.h"
+#include "marine/vessel/uuv_thruster.h"
 #include "marine_plugins.h"
 #include "trident_base/string_util.h"
 #include "trident_sim/commands.h"
@@ -12,7 +12,7 @@
 #include "trident_sim/thruster_setup.h"
 #include "vessel_body.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 const Limits kAny{-1e12, 1e12}, kPositive{1e-12, 1e12}, kNotNegative{0.0, 1e12};
@@ -278,4 +278,4 @@ PluginFactory uuv_thruster_factory() {
           [](const PluginParams& params) { return params.text("jointName", ""); }};
 }
 
-}  // namespace trident
+}  // namespace trident::sim

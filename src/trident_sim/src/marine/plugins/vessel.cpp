@@ -12,7 +12,7 @@
 #include "vessel_actuators.h"
 #include "vessel_body.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 VesselParams read_vessel(const PluginContext& context) {
@@ -172,4 +172,4 @@ PluginFactory vessel_factory() {
   return {[](const PluginContext& context) { return std::make_unique<Vessel>(context); }, {}};
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "vessel_actuators.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 std::string thruster_topic(const PluginContext& context, const ThrusterParams& params,
@@ -117,4 +117,4 @@ void RudderOnTopic::state(StateArchive& archive) {
   angle_.state(archive);
 }
 
-}  // namespace trident
+}  // namespace trident::sim

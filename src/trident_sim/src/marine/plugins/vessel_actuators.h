@@ -5,11 +5,11 @@
 #include <optional>
 #include <string>
 
+#include "actuator_input.h"
 #include "marine/vessel/rudder.h"
 #include "marine/vessel/thruster.h"
-#include "actuator_input.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// A thruster on its topics below <robotNamespace>/thrusters: in <name>_thrust_cmd, and
 /// <name>_thrust_angle [rad] where it turns; out <name>_thrust, what it gives [N].
@@ -58,4 +58,4 @@ class RudderOnTopic {
   ActuatorInput angle_;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -7,7 +7,7 @@
 #include "marine/environment/current.h"
 #include "trident_base/string_util.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr double kTolerance = 0.01;
@@ -225,4 +225,4 @@ void VesselBody::state(StateArchive& archive) {
   if (legacy_) legacy_->force.state(archive);
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -6,12 +6,12 @@
 #include <optional>
 #include <string>
 
+#include "core/plugins/plugin_util.h"
 #include "marine/vessel/vessel_dynamics.h"
 #include "marine/vessel/vrx_hull.h"
-#include "core/plugins/plugin_util.h"
 #include "trident_sim/sea.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// How a vessel lies in the water as a step begins.
 struct Afloat {
@@ -93,4 +93,4 @@ RigidBody rigid_body_of(const Link& link, const SE3& T_link_co);
 /// A link of the model that moves. Throws Error.
 Link& moving_link(const PluginContext& context, const std::string& key);
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -8,7 +8,7 @@
 #include "trident_base/error.h"
 #include "trident_base/string_util.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 Immersion immersed_power(const HullSection& s, double height) {
@@ -229,4 +229,4 @@ StaticPose Hull::rest(double mass_kg, const Eigen::Vector3d& center_of_gravity) 
               " kg: its sections displace too little, or lie too far from the centre of gravity");
 }
 
-}  // namespace trident
+}  // namespace trident::sim

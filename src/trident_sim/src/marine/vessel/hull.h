@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "hull_params.h"
-#include "trident_base/se3.h"
 #include "marine/environment/water.h"
+#include "trident_base/se3.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// What the water's own motion is for a hull that is not small: about CO, body axes.
 struct HullWater {
@@ -84,4 +84,4 @@ struct Immersion {
 };
 Immersion immersion(const HullSection& section, double height_m);
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -8,7 +8,7 @@
 
 #include "trident_base/yaml_config.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// kPower: breadth(h) = breadth (h / draft)^exponent at the height h above the keel, wall-sided
 /// above the design waterline; exponent 0 is a box, 0.5 a parabola, 1 a V. kCircle: a lying half
@@ -55,4 +55,4 @@ struct HullParams {
   }
 };
 
-}  // namespace trident
+}  // namespace trident::sim

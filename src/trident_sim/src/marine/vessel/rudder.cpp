@@ -8,7 +8,7 @@
 #include "trident_base/angle.h"
 #include "trident_base/string_util.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 struct FoilCoefficients {
@@ -62,4 +62,4 @@ Vector6d Rudder::wrench(const Vector6d& nu_r, double water_density) const {
   return result;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

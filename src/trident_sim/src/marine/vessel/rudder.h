@@ -5,7 +5,7 @@
 #include "trident_base/rudder_params.h"
 #include "trident_base/se3.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// Lift of a wing of low aspect ratio (Helmbold), C_L = 2 pi A / (2 + sqrt(A^2 + 4)) alpha, up to
 /// the stall angle, beyond it a flat plate's normal force; drag C_D0 + C_L^2 / (0.9 pi A).
@@ -33,4 +33,4 @@ class Rudder {
   double command_rad_ = 0.0, angle_rad_ = 0.0;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -8,7 +8,7 @@
 #include "trident_base/error.h"
 #include "trident_base/string_util.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 std::string range_text(double lo, double hi) {
@@ -64,4 +64,4 @@ Vector6d Thruster::wrench() const {
   return result;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -7,7 +7,7 @@
 #include "trident_base/se3.h"
 #include "trident_base/thruster_curve.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// A propeller that follows its command with a first-order lag and then makes thrust_at() of what
 /// it does (a command, or [rad/s] where the command is one).
@@ -43,4 +43,4 @@ class Thruster {
   double command_angle_rad_ = 0.0, angle_rad_ = 0.0;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

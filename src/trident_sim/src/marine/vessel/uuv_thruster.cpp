@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// One step of s_dot = drive - linear s - quadratic s|s|.
@@ -57,4 +57,4 @@ double UuvThruster::thrust_at(double state) const {
   return 0.0;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

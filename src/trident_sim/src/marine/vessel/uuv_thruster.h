@@ -7,7 +7,7 @@
 
 #include "trident_base/yaml_config.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// How a thruster of uuv_simulator follows its input u. With the state s:
 ///   ZeroOrder   s = u
@@ -68,4 +68,4 @@ class UuvThruster {
   double state_ = 0.0;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -9,7 +9,7 @@
 #include "trident_base/random_stream.h"
 #include "trident_base/string_util.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr int kStrips = 20;
@@ -33,7 +33,7 @@ VesselDynamics::VesselDynamics(const VesselParams& vessel)
     : name_(vessel.name),
       body_(vessel.rigid_body()),
       munk_(vessel.munk ? MunkMoment::kKeep : MunkMoment::kNeglect),
-      M_rb_(trident::rigid_body_mass(body_)),
+      M_rb_(trident::sim::rigid_body_mass(body_)),
       M_a_(vessel.added_mass_flu()),
       D_linear_(vessel.linear_damping_flu()),
       D_quadratic_(vessel.quadratic_damping_flu()),
@@ -87,7 +87,7 @@ Matrix6d VesselDynamics::damping(const Vector6d& nu_r) const {
 }
 
 Matrix6d VesselDynamics::added_mass_coriolis(const Vector6d& nu_r) const {
-  return trident::added_mass_coriolis(M_a_, nu_r, munk_);
+  return trident::sim::added_mass_coriolis(M_a_, nu_r, munk_);
 }
 
 Vector6d VesselDynamics::centripetal(const Eigen::Vector3d& w) const {
@@ -148,4 +148,4 @@ Vector6d LegacyVrxForce::wrench(const Vector6d& nu, double dt_s) {
          (linear_ + quadratic_.cwiseProduct(nu.cwiseAbs())).cwiseProduct(nu);
 }
 
-}  // namespace trident
+}  // namespace trident::sim

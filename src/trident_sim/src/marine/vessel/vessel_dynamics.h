@@ -8,7 +8,7 @@
 #include "trident_base/se3.h"
 #include "vessel_params.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// Forces on a vessel of six degrees of freedom (Fossen 2011, 6.1 and 8.3), about CO, body axes
 /// FLU:
@@ -96,4 +96,4 @@ class LegacyVrxForce {
   Vector6d nu_last_ = Vector6d::Zero();
 };
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -9,7 +9,7 @@
 #include "trident_base/so3.h"
 #include "trident_base/string_util.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// Rounding that a matrix written with a few digits may show, as a part of its largest element.
@@ -128,4 +128,4 @@ void check_dissipative(const std::string& vessel, const std::string& name, const
   }
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -7,7 +7,7 @@
 
 #include "trident_base/se3.h"
 
-namespace trident {
+namespace trident::sim {
 
 // Matrices of a vessel's equation of motion (Fossen, Handbook of Marine Craft Hydrodynamics and
 // Motion Control, 2011). Inside of the simulator the body frame is that of REP 103: x forward, y
@@ -61,4 +61,4 @@ void check_positive_definite(const std::string& vessel, const std::string& name,
 void check_dissipative(const std::string& vessel, const std::string& name, const Matrix6d& matrix);
 void check_skew(const std::string& vessel, const std::string& name, const Matrix6d& matrix);
 
-}  // namespace trident
+}  // namespace trident::sim

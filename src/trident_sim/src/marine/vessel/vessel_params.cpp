@@ -4,7 +4,7 @@
 
 #include <set>
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 void check_one_of(const std::string& name, const Vector6d& diagonal,
@@ -95,4 +95,4 @@ VesselParams in_flu(const VesselParams& vessel) {
 
 VesselParams load_vessel(const std::string& path) { return in_flu(load_yaml<VesselParams>(path)); }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -14,7 +14,7 @@
 #include "trident_base/yaml_config.h"
 #include "vessel_matrices.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// The body axes that a parameter file is written in; inside of the simulator they are always FLU.
 enum class BodyAxes { kFlu, kFrd };
@@ -116,4 +116,4 @@ VesselParams load_vessel(const std::string& path);
 /// The same vessel in FLU.
 VesselParams in_flu(const VesselParams& vessel);
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -6,7 +6,7 @@
 
 #include "hull.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr double kVrxGravity = 9.815;
@@ -43,4 +43,4 @@ Vector6d VrxHull::wrench(const SE3& T_world_link, const SE3& T_link_co, const Wa
   return sum;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "hull_params.h"
-#include "trident_base/se3.h"
 #include "marine/environment/water.h"
+#include "trident_base/se3.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// Buoyancy as VRX' plugin applies it, for comparisons: one force per section, straight up,
 ///
@@ -36,4 +36,4 @@ class VrxHull {
   double density_;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -8,7 +8,7 @@
 #include "sensors/sensor_plugins.h"
 #include "trident_base/random_stream.h"
 
-namespace trident {
+namespace trident::sim {
 
 double standard_pressure_pa(double altitude_m) {
   constexpr double kGravity = 9.80665;             // [m/s^2]
@@ -66,4 +66,4 @@ PluginFactory air_pressure_factory() {
   return {[](const PluginContext& context) { return std::make_unique<AirPressure>(context); }, {}};
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -11,7 +11,7 @@
 #include "trident_sim/text_sample.h"
 #include "trident_sim/vector_sample.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// libtrident_anemometer.so: the air's velocity in the sensor's frame on <topicName> (wind), and
@@ -82,4 +82,4 @@ PluginFactory anemometer_factory() {
   return {[](const PluginContext& context) { return std::make_unique<Anemometer>(context); }, {}};
 }
 
-}  // namespace trident
+}  // namespace trident::sim

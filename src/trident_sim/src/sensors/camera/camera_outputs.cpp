@@ -6,7 +6,7 @@
 
 #include "trident_sim/ray_scene.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 template <class Sample>
@@ -154,4 +154,4 @@ void CameraOutputs::publish_labels(const Wants& wanted, SimTime stamp) {
   }
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -12,7 +12,7 @@
 #include "trident_base/random_stream.h"
 #include "trident_sim/samples.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// What one camera of a sensor is and tells.
 struct CameraSetup {
@@ -67,4 +67,4 @@ class CameraOutputs {
   OutHandle<BoundingBoxesSample> boxes_;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -4,7 +4,7 @@
 
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr double kFastest = 1e6;  ///< [Hz]
@@ -92,4 +92,4 @@ void CameraSensor::state(StateArchive& archive) {
   archive(number_);
 }
 
-}  // namespace trident
+}  // namespace trident::sim

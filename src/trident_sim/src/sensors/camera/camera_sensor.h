@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "camera_outputs.h"
-#include "sensors/command_input.h"
 #include "core/plugins/sample_clock.h"
+#include "sensors/command_input.h"
 #include "sensors/sensor_plugins.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// The sensor that a camera's plugin belongs to; throws Error where there is none.
 const SensorSpec& required_sensor(const PluginContext& context);
@@ -48,4 +48,4 @@ class CameraSensor : public MeasuringPlugin {
   std::uint64_t number_ = 0;           ///< of pictures that were due since the last reset
 };
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "vehicles/drives/drive_parts.h"
 #include "camera_sensor.h"
 #include "trident_base/error.h"
+#include "vehicles/drives/drive_parts.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr double kFarthest = 1e6;  ///< [m] or [pixels]
@@ -250,4 +250,4 @@ PluginFactory noisy_depth_camera_factory() { return {make_noisy_depth_camera, {}
 
 PluginFactory camera_factory() { return {make_own_camera, {}}; }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
-#include "vehicles/drives/drive_parts.h"
 #include "core/plugins/plugin_util.h"
 #include "core/plugins/sample_clock.h"
 #include "sensors/sensor_plugins.h"
 #include "trident_base/error.h"
+#include "vehicles/drives/drive_parts.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// The geometry of a collision of the sensor's link. Throws Error that lists those it has.
@@ -122,4 +122,4 @@ PluginFactory bumper_factory() {
   return {[](const PluginContext& context) { return std::make_unique<Bumper>(context); }, {}};
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -7,7 +7,7 @@
 #include "sensors/sensor_plugins.h"
 #include "trident_base/wheel_encoder.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// libtrident_wheel_encoder.so: what incremental encoders on joints count, as joint states whose
@@ -72,4 +72,4 @@ PluginFactory wheel_encoder_factory() {
           {}};
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -13,7 +13,7 @@
 
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr std::streamoff kHeaderBytes = 40;
@@ -101,4 +101,4 @@ std::optional<double> geoid_height_m(const std::string& gtx_file, double latitud
   return GtxFile(gtx_file).height_m(latitude_deg, longitude_deg);
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-namespace trident {
+namespace trident::sim {
 
 /// Where PROJ keeps the EGM96 geoid on a grid of 15' (egm96_15.gtx, of Debian's proj-data): below
 /// PROJ_DATA, PROJ_LIB or /usr/share/proj; "" where it is not.
@@ -19,4 +19,4 @@ std::string find_egm96_grid();
 std::optional<double> geoid_height_m(const std::string& gtx_file, double latitude_deg,
                                      double longitude_deg);
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -8,15 +8,15 @@
 #include <limits>
 
 #include "core/plugins/plugin_util.h"
-#include "geoid_grid.h"
 #include "core/plugins/sample_clock.h"
+#include "geoid_grid.h"
 #include "sensors/sensor_plugins.h"
 #include "trident_base/angle.h"
 #include "trident_base/error.h"
 #include "trident_base/noise.h"
 #include "trident_sim/ray_scene.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 using FixType = GnssStatusSample::FixType;
@@ -205,4 +205,4 @@ PluginFactory gnss_factory() {
   return {[](const PluginContext& context) { return std::make_unique<Gnss>(context); }, {}};
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -10,7 +10,7 @@
 #include "trident_base/error.h"
 #include "trident_base/noise.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 GaussianNoise3 horizontal_and_vertical(const PluginParams& params, const char* horizontal,
@@ -93,4 +93,4 @@ PluginFactory gps_factory() {
   return {[](const PluginContext& context) { return std::make_unique<Gps>(context); }, {}};
 }
 
-}  // namespace trident
+}  // namespace trident::sim

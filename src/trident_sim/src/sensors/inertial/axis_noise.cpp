@@ -7,7 +7,7 @@
 
 #include <Eigen/Core>
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr double kLargest = 1e9;
@@ -115,4 +115,4 @@ void AxisNoiseSource::reset() {
   if (wandering_) wandering_->reset();
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -10,7 +10,7 @@
 #include "trident_base/random_stream.h"
 #include "trident_sim/param_tree.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// Noise of one axis as SDF's `<noise type="gaussian">` has it (sdformat.org/spec, noise): white
 /// noise, and a bias drawn once per stream, whose mean is negative as often as positive, as in
@@ -50,4 +50,4 @@ class AxisNoiseSource {
   std::optional<GaussMarkov> wandering_;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

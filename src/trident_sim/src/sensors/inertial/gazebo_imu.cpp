@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/plugins/plugin_util.h"
 #include "axis_noise.h"
-#include "sensors/command_input.h"
+#include "core/plugins/plugin_util.h"
 #include "core/plugins/sample_clock.h"
+#include "sensors/command_input.h"
 #include "sensors/sensor_plugins.h"
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 struct ImuSite {
@@ -232,4 +232,4 @@ PluginFactory gazebo_imu_factory() { return {make_model_imu, {}}; }
 PluginFactory gazebo_imu_sensor_factory() { return {make_sensor_imu, {}}; }
 PluginFactory hector_imu_factory() { return {make_hector_imu, {}}; }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -5,17 +5,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/plugins/plugin_util.h"
 #include "axis_noise.h"
-#include "sensors/lidar/ray_bundle.h"
+#include "core/plugins/plugin_util.h"
 #include "core/plugins/sample_clock.h"
+#include "sensors/lidar/ray_bundle.h"
 #include "sensors/sensor_plugins.h"
 #include "trident_base/angle.h"
 #include "trident_base/error.h"
 #include "trident_base/random_stream.h"
 #include "trident_sim/vector_sample.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr std::uint32_t kChannels = 4;  ///< of an AxisNoiseSource
@@ -307,4 +307,4 @@ PluginFactory hector_magnetic_factory() { return factory_of<HectorMagnetic>(); }
 PluginFactory hector_baro_factory() { return factory_of<HectorBaro>(); }
 PluginFactory hector_sonar_factory() { return factory_of<HectorSonar>(); }
 
-}  // namespace trident
+}  // namespace trident::sim

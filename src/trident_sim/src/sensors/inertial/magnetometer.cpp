@@ -4,7 +4,7 @@
 #include "sensors/sensor_plugins.h"
 #include "trident_base/noise.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// RotorS' magnetometer: the reference field turned into a link's frame, with white noise and a
@@ -68,4 +68,4 @@ PluginFactory magnetometer_factory() {
   return {[](const PluginContext& context) { return std::make_unique<Magnetometer>(context); }, {}};
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -14,7 +14,7 @@
 #include "trident_sim/world.h"
 #include "water_returns.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// `ray` sensors meet collisions, `gpu_ray` and `gpu_lidar` sensors visuals.
 inline RayGeometry geometry_of(const SensorSpec& sensor) {
@@ -110,4 +110,4 @@ inline const SensorSpec& required_ray_sensor(const PluginContext& context) {
   return *context.sensor;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "vehicles/drives/drive_parts.h"
 #include "core/plugins/plugin_util.h"
 #include "ray_bundle.h"
 #include "sensors/sensor_plugins.h"
 #include "trident_base/noise.h"
+#include "vehicles/drives/drive_parts.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// libgazebo_ros_block_laser.so: a point per beam, ring by ring. <topicName>, <frameName>,
@@ -73,4 +73,4 @@ PluginFactory block_laser_factory() {
   return {[](const PluginContext& context) { return std::make_unique<BlockLaser>(context); }, {}};
 }
 
-}  // namespace trident
+}  // namespace trident::sim

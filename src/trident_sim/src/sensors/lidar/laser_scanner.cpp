@@ -4,17 +4,17 @@
 #include <cmath>
 #include <limits>
 
-#include "vehicles/drives/drive_parts.h"
-#include "core/plugins/plugin_util.h"
 #include "beam_caster.h"
+#include "core/plugins/plugin_util.h"
+#include "core/plugins/sample_clock.h"
 #include "lidar_spec.h"
 #include "rolling_sweep.h"
-#include "core/plugins/sample_clock.h"
 #include "sensors/sensor_plugins.h"
 #include "trident_base/angle.h"
 #include "trident_base/error.h"
+#include "vehicles/drives/drive_parts.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr double kTurn = 2.0 * kPi;
@@ -183,4 +183,4 @@ PluginFactory laser_scanner(const char* default_topic, bool is_rolling) {
 PluginFactory gazebo_laser_factory() { return laser_scanner("/world", false); }
 PluginFactory lidar_factory() { return laser_scanner("scan", true); }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -12,7 +12,7 @@
 #include "trident_base/angle.h"
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr double kTurn = 2.0 * kPi;
@@ -236,4 +236,4 @@ std::unique_ptr<LidarPattern> make_pattern(const PatternRequest& request,
   params.refuse("pattern", name, "rings or rosette");
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -11,7 +11,7 @@
 #include "lidar_spec.h"
 #include "trident_sim/param_tree.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// Where the beams of a lidar point, and when. A scan is a number of columns, one after the other;
 /// the beams of a column are cast from one place, that of the sensor in the column's middle.
@@ -72,4 +72,4 @@ struct PatternRequest {
 std::unique_ptr<LidarPattern> make_pattern(const PatternRequest& request,
                                            const PluginParams& params);
 
-}  // namespace trident
+}  // namespace trident::sim

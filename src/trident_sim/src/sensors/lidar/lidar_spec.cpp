@@ -9,7 +9,7 @@
 #include "trident_base/error.h"
 #include "trident_sim/param_tree.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr double kMostSamples = 1e9;
@@ -83,4 +83,4 @@ LidarSpec read_lidar_spec(const SensorSpec& sensor, const std::string& owner) {
   return spec;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

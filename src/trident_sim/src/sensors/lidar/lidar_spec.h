@@ -8,7 +8,7 @@
 #include "trident_base/noise.h"
 #include "trident_sim/model_spec.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// Evenly spread beams in one plane: beam i of n at min + i (max - min) / (n - 1).
 struct BeamFan {
@@ -31,4 +31,4 @@ struct LidarSpec {
 /// below the largest.
 LidarSpec read_lidar_spec(const SensorSpec& sensor, const std::string& owner);
 
-}  // namespace trident
+}  // namespace trident::sim

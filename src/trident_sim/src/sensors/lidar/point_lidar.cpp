@@ -3,17 +3,17 @@
 #include <cmath>
 #include <limits>
 
-#include "vehicles/drives/drive_parts.h"
-#include "core/plugins/plugin_util.h"
 #include "beam_caster.h"
+#include "core/plugins/plugin_util.h"
+#include "core/plugins/sample_clock.h"
 #include "lidar_pattern.h"
 #include "lidar_spec.h"
 #include "rolling_sweep.h"
-#include "core/plugins/sample_clock.h"
 #include "sensors/sensor_plugins.h"
 #include "trident_base/error.h"
+#include "vehicles/drives/drive_parts.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// What a returning beam must keep to: the sensor's `<range>` and the plugin's <min_range>,
@@ -266,4 +266,4 @@ PluginFactory point_lidar(const char* default_topic, bool is_rolling) {
 PluginFactory velodyne_laser_factory() { return point_lidar("/world", false); }
 PluginFactory point_lidar_factory() { return point_lidar("points", true); }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "vehicles/drives/drive_parts.h"
 #include "core/plugins/plugin_util.h"
 #include "ray_bundle.h"
 #include "sensors/sensor_plugins.h"
 #include "trident_base/angle.h"
 #include "trident_base/noise.h"
+#include "vehicles/drives/drive_parts.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// libgazebo_ros_range.so: the nearest range of a bundle of rays. <topicName>, <frameName>, <fov>
@@ -74,4 +74,4 @@ PluginFactory range_factory() {
   return {[](const PluginContext& context) { return std::make_unique<RangeFinder>(context); }, {}};
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -7,7 +7,7 @@
 
 #include "core/plugins/plugin_util.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 double lower_rate(double sensor_hz, double plugin_hz) {
@@ -54,4 +54,4 @@ std::string sensor_topic(const PluginParams& params, const std::string& fallback
   return topic;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

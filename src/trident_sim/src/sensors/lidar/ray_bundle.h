@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "beam_caster.h"
-#include "lidar_spec.h"
 #include "core/plugins/sample_clock.h"
+#include "lidar_spec.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// All beams of a sensor's `<scan>`, cast at once from where it is, as gazebo_ros' ray sensors do.
 class RayBundle {
@@ -50,4 +50,4 @@ class RayBundle {
 /// The topic that `<topicName>` tells. Throws Error where it is told but empty.
 std::string sensor_topic(const PluginParams& params, const std::string& fallback);
 
-}  // namespace trident
+}  // namespace trident::sim

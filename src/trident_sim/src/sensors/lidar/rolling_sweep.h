@@ -11,7 +11,7 @@
 #include "trident_sim/plugin.h"
 #include "trident_sim/state_archive.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// Where a sensor is within a step, between its poses as the step begins and ends: at a constant
 /// velocity and rate.
@@ -115,4 +115,4 @@ class RollingSweep {
   std::int64_t zero_ns_ = 0;            ///< the last reset
 };
 
-}  // namespace trident
+}  // namespace trident::sim

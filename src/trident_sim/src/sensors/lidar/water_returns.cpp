@@ -7,7 +7,7 @@
 
 #include "sea_rays/water_surface.h"
 
-namespace trident {
+namespace trident::sim {
 
 WaterReturns read_water_returns(const PluginParams& params, WaterReturns fallback) {
   const std::string text = params.text("water_returns", "");
@@ -81,4 +81,4 @@ bool WaterSight::tells(const WaterSurface& water, std::uint32_t water_shape, con
   return chance < strength && chance < -std::expm1(-strength);
 }
 
-}  // namespace trident
+}  // namespace trident::sim

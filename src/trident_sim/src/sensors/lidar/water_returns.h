@@ -8,7 +8,7 @@
 #include "trident_base/random_stream.h"
 #include "trident_sim/ray_scene.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// What a beam gets back from the sea. Water hides what lies beyond it in any case.
 enum class WaterReturns {
@@ -56,4 +56,4 @@ class WaterSight {
   RandomStream stream_;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -10,7 +10,7 @@
 #include "trident_base/angle.h"
 #include "velocity_command.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// Gains with which an explicit step does not feed on itself: they may bring the wheel to its
@@ -291,4 +291,4 @@ PluginFactory ackermann_drive_factory() {
           {}};
 }
 
-}  // namespace trident
+}  // namespace trident::sim

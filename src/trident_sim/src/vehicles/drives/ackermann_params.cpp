@@ -9,7 +9,7 @@
 
 #include "trident_base/angle.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// The plugin is one of ROS 2, whose elements have underscores; people who bring it to ROS 1 write
@@ -239,4 +239,4 @@ AckermannSpec read_ackermann(const PluginContext& context) {
   return spec;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -9,7 +9,7 @@
 #include "drive_params.h"
 #include "trident_base/bicycle_odometry.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// What a car is made of. Pairs are left, right.
 struct AckermannSpec {
@@ -45,4 +45,4 @@ struct AckermannSpec {
 /// out of range; reports what contradicts the places of the wheels or the limits of their joints.
 AckermannSpec read_ackermann(const PluginContext& context);
 
-}  // namespace trident
+}  // namespace trident::sim

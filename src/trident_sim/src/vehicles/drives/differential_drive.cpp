@@ -9,7 +9,7 @@
 #include "trident_base/diff_drive_odometry.h"
 #include "velocity_command.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// What a drive with a left and a right side is made of.
@@ -266,4 +266,4 @@ PluginFactory skid_steer_drive_factory() {
           {}};
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cctype>
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 std::string without_outer_slashes(std::string text) {
@@ -61,4 +61,4 @@ std::string read_command_topic(const PluginParams& params) {
   return scoped_topic(params, params.text("commandTopic", "cmd_vel"));
 }
 
-}  // namespace trident
+}  // namespace trident::sim

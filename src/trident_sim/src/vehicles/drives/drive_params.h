@@ -6,7 +6,7 @@
 
 #include "core/plugins/plugin_util.h"
 
-namespace trident {
+namespace trident::sim {
 
 // What the drives of gazebo_plugins read alike.
 
@@ -43,4 +43,4 @@ OdometryNames read_odometry_names(const PluginContext& context, FramePrefix from
 /// <commandTopic>, scoped.
 std::string read_command_topic(const PluginParams& params);
 
-}  // namespace trident
+}  // namespace trident::sim

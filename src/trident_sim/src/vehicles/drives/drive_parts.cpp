@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace trident {
+namespace trident::sim {
 
 RateTicker::RateTicker(double rate_hz)
     : period_(rate_hz > 0.0 ? SimTime::from_seconds(1.0 / rate_hz) : SimTime{}) {}
@@ -174,4 +174,4 @@ void Steering::aim(double target_rad, double dt_s) const {
   joint->motor = JointMotor{is_there ? 0.0 : rate, torque_limit};
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -9,7 +9,7 @@
 #include "trident_base/se2.h"
 #include "trident_sim/samples.h"
 
-namespace trident {
+namespace trident::sim {
 
 // What the drives of gazebo_plugins are made of.
 
@@ -109,4 +109,4 @@ struct Steering {
   void aim(double target_rad, double dt_s) const;
 };
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -4,7 +4,7 @@
 
 #include "trident_sim/plugin_registry.h"
 
-namespace trident {
+namespace trident::sim {
 
 // Plugins under the names of gazebo_plugins, for ground robots.
 
@@ -17,4 +17,4 @@ PluginFactory planar_move_factory();
 PluginFactory joint_state_publisher_factory();
 PluginFactory p3d_factory();
 
-}  // namespace trident
+}  // namespace trident::sim

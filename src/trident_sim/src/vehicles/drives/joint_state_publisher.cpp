@@ -3,7 +3,7 @@
 #include "drive_parts.h"
 #include "gazebo_ros_plugins.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// libgazebo_ros_joint_state_publisher.so: <jointName> a, b, ...; <updateRate>.
@@ -33,4 +33,4 @@ PluginFactory joint_state_publisher_factory() {
       {}};
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -4,7 +4,7 @@
 #include "gazebo_ros_plugins.h"
 #include "trident_base/random_stream.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 SE3 read_offset(const PluginParams& params) {
@@ -112,4 +112,4 @@ PluginFactory p3d_factory() {
   return {[](const PluginContext& context) { return std::make_unique<P3d>(context); }, {}};
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -6,7 +6,7 @@
 #include "gazebo_ros_plugins.h"
 #include "velocity_command.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// libgazebo_ros_planar_move.so: moves a model in the plane as it is told, whatever its wheels do.
@@ -73,4 +73,4 @@ PluginFactory planar_move_factory() {
   return {[](const PluginContext& context) { return std::make_unique<PlanarMove>(context); }, {}};
 }
 
-}  // namespace trident
+}  // namespace trident::sim

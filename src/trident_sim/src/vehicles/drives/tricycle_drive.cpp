@@ -10,7 +10,7 @@
 #include "trident_base/diff_drive_odometry.h"
 #include "velocity_command.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// libgazebo_ros_tricycle_drive.so: one wheel that is steered and driven, two that only roll and
@@ -133,4 +133,4 @@ PluginFactory tricycle_drive_factory() {
           {}};
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -7,7 +7,7 @@
 
 #include "trident_sim/motion_limits.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 std::string list(const Eigen::Vector3d& v) {
@@ -80,4 +80,4 @@ CommandLimit wheel_speed_limit(const std::string& owner) {
            "all wheels are scaled down to the velocity limit of the wheel's joint, turn and all"}};
 }
 
-}  // namespace trident
+}  // namespace trident::sim

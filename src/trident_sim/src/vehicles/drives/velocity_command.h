@@ -7,7 +7,7 @@
 #include "core/plugins/plugin_util.h"
 #include "trident_sim/samples.h"
 
-namespace trident {
+namespace trident::sim {
 
 // What vehicles are told, and what becomes of it where it cannot be done. Both kinds of trouble are
 // counted in World::diagnostics().
@@ -61,4 +61,4 @@ class CommandLimit {
 /// curvature.
 CommandLimit wheel_speed_limit(const std::string& owner);
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -3,7 +3,7 @@
 #include "core/plugins/plugin_util.h"
 #include "sensors/sensor_plugins.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// libtrident_follow.so: carries its model along with another one, without turning it. <followed>
@@ -68,4 +68,4 @@ PluginFactory follow_factory() {
   return {[](const PluginContext& context) { return std::make_unique<Follow>(context); }, {}};
 }
 
-}  // namespace trident
+}  // namespace trident::sim

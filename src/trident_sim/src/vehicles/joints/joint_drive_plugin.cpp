@@ -6,7 +6,7 @@
 #include "joint_plugins.h"
 #include "trident_sim/motion_limits.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 DriveMode read_mode(const PluginParams& params) {
@@ -122,4 +122,4 @@ PluginFactory joint_drive_factory() {
           {}};
 }
 
-}  // namespace trident
+}  // namespace trident::sim

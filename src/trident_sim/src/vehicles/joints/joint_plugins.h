@@ -4,8 +4,8 @@
 
 #include "trident_sim/plugin_registry.h"
 
-namespace trident {
+namespace trident::sim {
 
 PluginFactory joint_drive_factory();
 
-}  // namespace trident
+}  // namespace trident::sim

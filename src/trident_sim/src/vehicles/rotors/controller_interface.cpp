@@ -6,7 +6,7 @@
 #include "core/plugins/stamped_commands.h"
 #include "rotors_plugins.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// Passes rotor speed commands on to the motors, each at its time (StampedCommands).
@@ -87,4 +87,4 @@ PluginFactory controller_interface_factory() {
       {}};
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -4,7 +4,7 @@
 #include "rotors_plugins.h"
 #include "trident_base/noise.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 ImuNoiseParams read_noise(const PluginParams& params) {
@@ -93,4 +93,4 @@ PluginFactory imu_factory() {
   return {[](const PluginContext& context) { return std::make_unique<Imu>(context); }, {}};
 }
 
-}  // namespace trident
+}  // namespace trident::sim

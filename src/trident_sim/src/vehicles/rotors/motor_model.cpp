@@ -7,7 +7,7 @@
 #include "rotors_plugins.h"
 #include "trident_sim/sea.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 constexpr double kFastestCommand = 1e6;  ///< [rad/s], either way
@@ -173,4 +173,4 @@ PluginFactory motor_model_factory() {
           }};
 }
 
-}  // namespace trident
+}  // namespace trident::sim

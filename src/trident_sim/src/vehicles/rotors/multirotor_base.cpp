@@ -6,7 +6,7 @@
 #include "core/plugins/plugin_util.h"
 #include "rotors_plugins.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// Number of a link named "...rotor_<N>", or -1.
@@ -83,4 +83,4 @@ PluginFactory multirotor_base_factory() {
           {}};
 }
 
-}  // namespace trident
+}  // namespace trident::sim

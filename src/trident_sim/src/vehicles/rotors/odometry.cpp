@@ -6,7 +6,7 @@
 #include "rotors_plugins.h"
 #include "trident_base/random_stream.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// Normal plus uniform noise on a 3-vector, as a function of the sample number.
@@ -198,4 +198,4 @@ PluginFactory odometry_factory() {
   return {[](const PluginContext& context) { return std::make_unique<Odometry>(context); }, {}};
 }
 
-}  // namespace trident
+}  // namespace trident::sim

@@ -4,7 +4,7 @@
 
 #include "trident_sim/plugin_registry.h"
 
-namespace trident {
+namespace trident::sim {
 
 // RotorS' plugins, with RotorS' parameters, defaults and formulas.
 PluginFactory motor_model_factory();
@@ -14,4 +14,4 @@ PluginFactory odometry_factory();
 PluginFactory imu_factory();
 PluginFactory wind_factory();
 
-}  // namespace trident
+}  // namespace trident::sim

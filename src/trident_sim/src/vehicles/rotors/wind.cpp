@@ -4,12 +4,12 @@
 #include <filesystem>
 #include <optional>
 
+#include "core/environment/wind_field.h"
 #include "core/plugins/plugin_util.h"
 #include "rotors_plugins.h"
 #include "trident_sim/sea.h"
-#include "core/environment/wind_field.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 /// `size`: of what blows that way. Published vehicles give the gust that they do not have no
@@ -132,4 +132,4 @@ PluginFactory wind_factory() {
   return {[](const PluginContext& context) { return std::make_unique<WindPlugin>(context); }, {}};
 }
 
-}  // namespace trident
+}  // namespace trident::sim

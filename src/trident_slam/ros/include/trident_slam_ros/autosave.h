@@ -9,7 +9,7 @@
 
 #include "trident_slam_ros/background_task.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// Keeps a session file that is never farther behind the scans than an interval of their stamps.
 /// All calls come from the thread that feeds the algorithm.
@@ -47,4 +47,4 @@ class Autosave {
   BackgroundTask task_;
 };
 
-}  // namespace trident
+}  // namespace trident::slam

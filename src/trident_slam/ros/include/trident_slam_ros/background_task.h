@@ -9,7 +9,7 @@
 
 #include "trident_slam/low_priority.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// One piece of work at a time in a thread of its own. All calls come from one thread.
 class BackgroundTask {
@@ -39,4 +39,4 @@ class BackgroundTask {
   std::future<void> running_;
 };
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -13,7 +13,7 @@
 
 #include "trident_base/error.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// A rosbag (format 2.0) read record by record. It needs no index, so that recordings that were
 /// never closed are read; what is damaged is left out and told with its offset, and what is whole
@@ -119,4 +119,4 @@ boost::shared_ptr<M> BagFile::instantiate(const Message& message) {
   }
 }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -9,7 +9,7 @@
 
 #include "trident_slam/scan_source.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// What to read of a bag; an empty name is found by itself.
 struct BagScansOptions {
@@ -39,4 +39,4 @@ class BagScans : public ScanSource {
   std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace trident
+}  // namespace trident::slam

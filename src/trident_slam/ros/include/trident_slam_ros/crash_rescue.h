@@ -4,7 +4,7 @@
 
 #include <functional>
 
-namespace trident {
+namespace trident::slam {
 
 /// While it lives, `save` runs before the process ends by a fault: SIGSEGV, SIGBUS, SIGFPE, SIGILL,
 /// or SIGABRT, which an exception that nobody catches ends in. It runs in a copy of the process
@@ -19,4 +19,4 @@ class CrashRescue {
   CrashRescue& operator=(const CrashRescue&) = delete;
 };
 
-}  // namespace trident
+}  // namespace trident::slam

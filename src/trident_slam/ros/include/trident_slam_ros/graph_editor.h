@@ -14,7 +14,7 @@
 #include "trident_slam/slam_2d_abilities.h"
 #include "trident_slam_ros/slam_node.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// Nodes as points, edges and loops as lines.
 visualization_msgs::MarkerArray graph_markers(const GraphView2d& graph, const std::string& frame);
@@ -58,4 +58,4 @@ class GraphEditor {
   std::map<int, SE2> moved_;
 };
 
-}  // namespace trident
+}  // namespace trident::slam

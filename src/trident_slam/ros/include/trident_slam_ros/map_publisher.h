@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-namespace trident {
+namespace trident::slam {
 
 /// The smallest rectangle of cells in which two maps of the same size and place differ, with what
 /// the newer one has there; zero cells when they are equal, nothing when size or place differ.
@@ -40,4 +40,4 @@ class MapPublisher {
   ros::Time last_whole_time_, last_time_;
 };
 
-}  // namespace trident
+}  // namespace trident::slam

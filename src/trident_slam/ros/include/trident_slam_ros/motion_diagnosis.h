@@ -6,7 +6,7 @@
 
 #include "trident_slam/slam_2d.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// What /diagnostics says of the motion that led to a pose.
 struct MotionDiagnosis {
@@ -16,4 +16,4 @@ struct MotionDiagnosis {
 };
 MotionDiagnosis diagnose_motion(const ScanPose2d& pose);
 
-}  // namespace trident
+}  // namespace trident::slam

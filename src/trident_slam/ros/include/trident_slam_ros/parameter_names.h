@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace trident {
+namespace trident::slam {
 
 using ParameterNames = std::vector<std::string>;
 
@@ -46,4 +46,4 @@ UnusedParameters unused_parameters(const ParameterNames& given, const ParameterN
 void tell_unused(const ros::NodeHandle& own, const ParameterNames& used,
                  const ParameterNames& upstream);
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -15,7 +15,7 @@
 #include "trident_slam/scan_source.h"
 #include "trident_slam/sweep_motion.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// The planar scan in a message. A laser that hangs upside down turns its beams the other way
 /// round. Throws Error naming the field, its value and what is legal.
@@ -94,4 +94,4 @@ class ScanIntake {
   std::string last_problem_;
 };
 
-}  // namespace trident
+}  // namespace trident::slam

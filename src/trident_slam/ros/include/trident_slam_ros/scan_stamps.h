@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace trident {
+namespace trident::slam {
 
 /// Tells a bag that begins again from a single scan whose stamp lies. A scan from far before the
 /// newest is held back until a second one agrees with it; one that was far ahead is known for what
@@ -38,4 +38,4 @@ class ScanStamps {
   sensor_msgs::LaserScanConstPtr suspect_;  ///< from far before the newest
 };
 
-}  // namespace trident
+}  // namespace trident::slam

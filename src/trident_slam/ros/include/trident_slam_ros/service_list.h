@@ -12,7 +12,7 @@
 #include "trident_base/error.h"
 #include "trident_slam_ros/telling_service.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// Services of a node that throw: a request that cannot be met fails; the caller and the log learn
 /// why.
@@ -48,4 +48,4 @@ inline std::string session_file(const std::string& name) {
   return name + ".posegraph";
 }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -33,7 +33,7 @@
 #include "trident_slam_ros/scan_stamps.h"
 #include "trident_slam_ros/slam_node_options.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// Any Slam2d as a ROS node: scans and transforms in; map, map_metadata, map_updates, map -> odom,
 /// pose and /diagnostics out. Scans wait for their transforms; a thread of its own feeds the
@@ -145,7 +145,7 @@ class SlamNode {
   ScanPose2d newest_;                             ///< what the newest scan led to
   std::atomic<bool> is_paused_{false};
 
-  std::unique_ptr<TransformInput> transform_input_;
+  std::unique_ptr<ros_utils::TransformInput> transform_input_;
   std::unique_ptr<MapPublisher> map_publisher_;
   std::vector<ros::Publisher> pose_publishers_;
   ros::Publisher diagnostics_publisher_;
@@ -162,4 +162,4 @@ class SlamNode {
   ros::AsyncSpinner slow_spinner_{1, &slow_queue_};
 };
 
-}  // namespace trident
+}  // namespace trident::slam

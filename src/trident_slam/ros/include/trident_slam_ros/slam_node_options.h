@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace trident {
+namespace trident::slam {
 
 /// What happens when scans come from more than `bag_loop_threshold` before the last one.
 enum class BagLoop { kIgnore, kRestart, kContinue };
@@ -46,4 +46,4 @@ void read_options(const ros::NodeHandle& private_handle, SlamNodeOptions& option
 /// Their names.
 std::vector<std::string> slam_node_parameters();
 
-}  // namespace trident
+}  // namespace trident::slam

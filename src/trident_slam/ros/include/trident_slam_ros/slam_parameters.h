@@ -12,7 +12,7 @@
 #include "trident_slam/pose_graph_optimizer.h"
 #include "trident_slam/slam_2d.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// Where the parameters `method` (default: `usual`) and `config_file` ask for graph_slam_2d with a
 /// YAML file, replaces `graph` by the options of that file. Throws Error naming file, line, key,
@@ -33,4 +33,4 @@ std::function<std::unique_ptr<Slam2d>()> slam_maker(const ros::NodeHandle& priva
                                                     const GraphSlamOptions& graph,
                                                     const PoseGraphSolverMaker& solver = {});
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-namespace trident {
+namespace trident::slam {
 
 /// The four nodes of slam_toolbox.
 enum class ToolboxMode { kSync, kAsync, kLocalization, kLifelong };
@@ -13,4 +13,4 @@ int run_slam_toolbox(int argc, char** argv, ToolboxMode mode);
 int run_merge_maps(int argc, char** argv);
 int run_gmapping(int argc, char** argv);
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -16,7 +16,7 @@
 #include "trident_base/error.h"
 #include "trident_base/shown_text.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// A failed answer as TCPROS has it: a zero, the length of a text, the text. roscpp itself sends an
 /// empty text, so that callers would not learn why a request was refused.
@@ -81,4 +81,4 @@ ros::AdvertiseServiceOptions telling_service(const std::string& name,
   return options;
 }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -9,7 +9,7 @@
 #include "grids/surfel_map.h"
 #include "pair_linker.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 constexpr std::size_t kPairPoints = 360;  // of each scan that is matched with another one
@@ -78,4 +78,4 @@ std::vector<SE2> match_archive(const ScanArchive& archive, const KeyframeGraph& 
   return poses;
 }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -7,7 +7,7 @@
 #include "keyframe_graph.h"
 #include "scans/scan_archive.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// Moves the keyframes to where all scans that see the same surfaces agree. The graph keeps its
 /// edges; returns those that it was aligned by.
@@ -17,4 +17,4 @@ std::vector<GraphEdge> align_all_keyframes(KeyframeGraph* graph);
 std::vector<SE2> match_archive(const ScanArchive& archive, const KeyframeGraph& graph,
                                const PointScanOptions& options);
 
-}  // namespace trident
+}  // namespace trident::slam

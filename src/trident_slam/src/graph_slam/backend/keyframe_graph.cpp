@@ -10,7 +10,7 @@
 
 #include "trident_slam/pose_graph_optimizer.h"
 
-namespace trident {
+namespace trident::slam {
 
 int KeyframeGraph::add(const Keyframe& keyframe) {
   keyframes_.push_back(keyframe);
@@ -179,4 +179,4 @@ void KeyframeGraph::optimize(double kernel, int iterations) {
   for (int i = 0; i < size(); ++i) set_pose(i, graph.pose(i));
 }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -14,7 +14,7 @@
 #include "trident_slam/point_scan.h"
 #include "trident_slam/pose_graph_optimizer.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// A scan that the map is made of. The scan itself never changes and is shared.
 struct Keyframe {
@@ -101,4 +101,4 @@ class KeyframeGraph {
 /// Error of an edge: log(T_from_to^-1 * T_map_from^-1 * T_map_to).
 Eigen::Vector3d edge_error(const GraphEdge& edge, const SE2& T_map_from, const SE2& T_map_to);
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -8,7 +8,7 @@
 #include "grids/surfel_map.h"
 #include "trident_base/angle.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 struct Partner {
@@ -73,4 +73,4 @@ std::vector<GraphEdge> link_pairs(const KeyframeGraph& graph, const PairLinkOpti
   return edges;
 }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "matchers/line_match.h"
 #include "keyframe_graph.h"
+#include "matchers/line_match.h"
 
-namespace trident {
+namespace trident::slam {
 
 struct PairLinkOptions {
   LineMatchOptions line;
@@ -22,4 +22,4 @@ struct PairLinkOptions {
 /// F. Lu and E. Milios, "Globally consistent range scan alignment", Autonomous Robots 4, 1997.
 std::vector<GraphEdge> link_pairs(const KeyframeGraph& graph, const PairLinkOptions& options);
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -10,7 +10,7 @@
 
 #include "trident_base/angle.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 constexpr int kDirections = 360;
@@ -195,4 +195,4 @@ void StaleScans::keep(const std::vector<int>& kept) {
   memories_ = std::move(rest);
 }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -9,7 +9,7 @@
 #include "keyframe_graph.h"
 #include "trident_slam/graph_slam_options.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// What the newest keyframe has made of older ones.
 struct StaleVerdict {
@@ -48,4 +48,4 @@ class StaleScans {
   std::vector<Memory> memories_;
 };
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -4,7 +4,7 @@
 
 #include <Eigen/LU>
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 constexpr double kLeastInliers = 0.6;
@@ -59,4 +59,4 @@ std::vector<CalibrationEstimate> CalibratedOdometry::estimates() const {
   return estimates;
 }
 
-}  // namespace trident
+}  // namespace trident::slam

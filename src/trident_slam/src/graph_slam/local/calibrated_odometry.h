@@ -9,7 +9,7 @@
 #include "trident_slam/match_result.h"
 #include "trident_slam/slam_2d_abilities.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// Odometry of a mapper that learns from its own matches what is wrong with it.
 class CalibratedOdometry {
@@ -41,4 +41,4 @@ class CalibratedOdometry {
   std::optional<OdometryCalibration> calibration_;
 };
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -6,7 +6,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 /// What the points say of the directions that they show; of an open one they say nothing.
@@ -42,4 +42,4 @@ void PoseUncertainty::add(const ScanStep& step, const MatchResult& match, double
   covariance_ = (0.5 * (covariance_ + covariance_.transpose())).eval();
 }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -7,7 +7,7 @@
 #include "motion/scan_odometry.h"
 #include "trident_slam/match_result.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// The covariance of a pose whose motion scans alone tell. Where the surroundings leave a direction
 /// open, every step along it adds its own uncertainty, until a place is seen that does not.
@@ -27,4 +27,4 @@ class PoseUncertainty {
   bool is_open_ = false;
 };
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "recent_scans.h"
 
-namespace trident {
+namespace trident::slam {
 
 double RecentScans::refine(const PointScan& scan, MatchResult* match) const {
   if (scans_.empty()) return 0.0;
@@ -31,4 +31,4 @@ void RecentScans::clear() {
   surfels_.clear();
 }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -8,7 +8,7 @@
 
 #include "matchers/line_match.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// The last few scans of a robot that localises itself: where the map knows nothing of what it
 /// sees, it goes on from these. The map has no part in them.
@@ -39,4 +39,4 @@ class RecentScans {
   SurfelMap surfels_;
 };
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -7,7 +7,7 @@
 
 #include "graph_slam/loop/relocalizer.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 /// What odometry that cannot be believed adds to its standard deviation [m], half of it [rad].
@@ -163,4 +163,4 @@ std::vector<std::pair<int, int>> ScanTracker::owners_under(const PointScan& scan
   return {counts.begin(), counts.end()};
 }
 
-}  // namespace trident
+}  // namespace trident::slam

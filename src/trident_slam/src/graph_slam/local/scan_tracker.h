@@ -11,7 +11,7 @@
 #include "matchers/line_match.h"
 #include "motion/odometry_motion.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// How uncertain odometry is taken to be, per motion between two scans (standard deviations).
 struct OdometryNoise {
@@ -118,4 +118,4 @@ class ScanTracker {
   SE2 T_before_now_;  ///< the last motion that a scan told of
 };
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 /// Keyframes farther than this from the robot do not belong to its surroundings [m].
@@ -65,4 +65,4 @@ MatchResult SubmapMatcher::match(const KeyframeGraph& graph, const SurfelMap& su
   return matcher_->match(scan, guess, prior);
 }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "grids/surfel_map.h"
 #include "graph_slam/backend/keyframe_graph.h"
+#include "grids/surfel_map.h"
 #include "trident_slam/scan_matcher.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// Any ScanMatcher as the graph's front end: its reference is made of the keyframes about the
 /// robot, and made anew when the robot has left their middle or the graph has moved them.
@@ -40,4 +40,4 @@ class SubmapMatcher {
   Eigen::Vector2d centre_ = Eigen::Vector2d::Zero();
 };
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "matchers/correlative_match.h"
 #include "grids/surfel_map.h"
+#include "matchers/correlative_match.h"
 #include "place.h"
 #include "trident_base/angle.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 /// Branch and bound over at most this many points.
@@ -169,4 +169,4 @@ std::vector<GraphEdge> LoopCloser::search(const KeyframeGraph& graph, int stretc
   return {};
 }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -4,10 +4,10 @@
 
 #include <vector>
 
-#include "matchers/line_match.h"
 #include "graph_slam/backend/keyframe_graph.h"
+#include "matchers/line_match.h"
 
-namespace trident {
+namespace trident::slam {
 
 struct LoopCloserOptions {
   LineMatchOptions line;
@@ -64,4 +64,4 @@ class LoopCloser {
 /// Edge between the anchors of two stretches.
 GraphEdge loop_edge(const KeyframeGraph& graph, const LoopCandidate& candidate);
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -9,7 +9,7 @@
 #include "graph_slam/backend/final_match.h"
 #include "trident_slam/low_priority.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 /// Of reused surfaces' edges [standard deviations].
@@ -84,4 +84,4 @@ void LoopWorker::clear() {
   closer_.clear();
 }
 
-}  // namespace trident
+}  // namespace trident::slam

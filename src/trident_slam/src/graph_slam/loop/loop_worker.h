@@ -7,11 +7,11 @@
 #include <optional>
 #include <vector>
 
-#include "grids/surfel_map.h"
 #include "graph_slam/backend/keyframe_graph.h"
+#include "grids/surfel_map.h"
 #include "loop_closer.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// How much of a graph is optimised anew, loops or not.
 enum class Realign {
@@ -65,4 +65,4 @@ class LoopWorker {
   std::future<LoopOutcome> running_;
 };
 
-}  // namespace trident
+}  // namespace trident::slam

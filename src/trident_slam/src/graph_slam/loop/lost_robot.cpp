@@ -10,7 +10,7 @@
 #include "place.h"
 #include "relocalizer.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 /// The robot is sought after so many scans of which less than this part fits.
@@ -101,4 +101,4 @@ void LostRobot::follow(const KeyframeGraph& graph, const SurfelMap& surfels, con
   if (rival_->scans >= kScansToLead && rival_->lead < kLead * rival_->scans) rival_.reset();
 }
 
-}  // namespace trident
+}  // namespace trident::slam

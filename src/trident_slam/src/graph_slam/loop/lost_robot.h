@@ -4,10 +4,10 @@
 
 #include <optional>
 
-#include "matchers/line_match.h"
 #include "graph_slam/backend/keyframe_graph.h"
+#include "matchers/line_match.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// Notices that a robot in a known map is not where it is believed to be, and finds it. A scan
 /// tells against a pose by points where keyframes about it saw free space; points where they saw
@@ -41,4 +41,4 @@ class LostRobot {
   int poor_in_a_row_ = 0;
 };
 
-}  // namespace trident
+}  // namespace trident::slam

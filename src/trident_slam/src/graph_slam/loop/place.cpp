@@ -7,7 +7,7 @@
 
 #include "trident_base/angle.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 constexpr int kDirections = 360;
@@ -111,4 +111,4 @@ PointScan stretch_cloud(const KeyframeGraph& graph, int stretch, double cell) {
   return cloud;
 }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -4,11 +4,11 @@
 
 #include <vector>
 
+#include "graph_slam/backend/keyframe_graph.h"
 #include "grids/max_pyramid.h"
 #include "grids/surfel_map.h"
-#include "graph_slam/backend/keyframe_graph.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// How what one place shows fits to what another one has seen.
 struct Agreement {
@@ -52,4 +52,4 @@ class Place {
 /// The points of a stretch in its anchor's frame, one per cell [m].
 PointScan stretch_cloud(const KeyframeGraph& graph, int stretch, double cell);
 
-}  // namespace trident
+}  // namespace trident::slam

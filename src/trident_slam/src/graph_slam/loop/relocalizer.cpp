@@ -8,7 +8,7 @@
 #include "matchers/correlative_match.h"
 #include "trident_base/angle.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 constexpr double kResolution = 0.1;  // of the search [m]
@@ -47,4 +47,4 @@ std::optional<MatchResult> find_in_map(const SurfelMap& surfels, const PointScan
   return match_lines(surfels, scan, found->T_ref_base, {}, line);
 }
 
-}  // namespace trident
+}  // namespace trident::slam

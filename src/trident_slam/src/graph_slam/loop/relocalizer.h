@@ -4,10 +4,10 @@
 
 #include <optional>
 
-#include "matchers/line_match.h"
 #include "grids/max_pyramid.h"
+#include "matchers/line_match.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// The place in a whole map where a scan fits best, by branch and bound; any heading. The higher
 /// `least_response`, the part of its points that must lie on surfaces, the shorter the search.
@@ -18,4 +18,4 @@ std::optional<MatchResult> find_in_map(const SurfelMap& surfels, const PointScan
 void insert_surfels(const SurfelMap& surfels, const Eigen::Vector2d& about, double reach,
                     MaxPyramid* hits);
 
-}  // namespace trident
+}  // namespace trident::slam

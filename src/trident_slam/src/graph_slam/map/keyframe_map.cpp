@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "keyframe_map.h"
 
-namespace trident {
+namespace trident::slam {
 
 bool KeyframeMap::only_grew(const KeyframeGraph& graph) const {
   if (static_cast<std::size_t>(graph.size()) < drawn_.size()) return false;
@@ -39,4 +39,4 @@ OccupancyGrid keyframe_map(const KeyframeGraph& graph, double resolution) {
   return KeyframeMap(resolution).update(graph);
 }
 
-}  // namespace trident
+}  // namespace trident::slam

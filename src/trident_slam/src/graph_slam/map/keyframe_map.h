@@ -5,10 +5,10 @@
 #include <memory>
 #include <vector>
 
-#include "scans/beam_counts.h"
 #include "graph_slam/backend/keyframe_graph.h"
+#include "scans/beam_counts.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// The occupancy map of a graph's scans. Brought up to date with a graph that has only got longer,
 /// it draws the new scans alone; the map is the same as one that is made at once.
@@ -36,4 +36,4 @@ class KeyframeMap {
 
 OccupancyGrid keyframe_map(const KeyframeGraph& graph, double resolution);
 
-}  // namespace trident
+}  // namespace trident::slam

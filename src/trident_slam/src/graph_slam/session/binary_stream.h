@@ -12,7 +12,7 @@
 #include "trident_base/error.h"
 #include "trident_base/se2.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// Numbers in the byte order of the machine, one after the other.
 class BinaryWriter {
@@ -89,4 +89,4 @@ class BinaryReader {
   std::size_t at_ = 0;
 };
 
-}  // namespace trident
+}  // namespace trident::slam

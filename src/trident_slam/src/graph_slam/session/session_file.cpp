@@ -16,7 +16,7 @@
 #include "trident_base/regular_file.h"
 #include "trident_base/sha256.h"
 
-namespace trident {
+namespace trident::slam {
 namespace {
 
 constexpr char kName[] = "trident graph_slam_2d session ";
@@ -114,4 +114,4 @@ BinaryReader read_session_file(const std::string& path) {
   return {std::move(contents), path};
 }
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -6,7 +6,7 @@
 
 #include "binary_stream.h"
 
-namespace trident {
+namespace trident::slam {
 
 /// A file of a name, a version, the contents and their SHA-256. It is written beside its place and
 /// then renamed, so that a session that was there is never half overwritten. Throws Error naming
@@ -17,4 +17,4 @@ void write_session_file(const std::string& path, const BinaryWriter& contents);
 /// has changed since it was written.
 BinaryReader read_session_file(const std::string& path);
 
-}  // namespace trident
+}  // namespace trident::slam

@@ -15,9 +15,9 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
-    trident::GraphSlam2d slam;
+    trident::slam::GraphSlam2d slam;
     slam.load_session(argv[1]);
-    const std::vector<trident::StampedPose2d> scans = slam.trajectory();
+    const std::vector<trident::slam::StampedPose2d> scans = slam.trajectory();
     const bool is_empty = scans.empty();
     std::printf(
         "{\"nodes\": %d, \"edges\": %zu, \"loops\": %d, \"scans\": %zu, \"first_stamp_ns\": %lld, "
