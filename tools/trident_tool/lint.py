@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
 from trident_tool.markdown import check_pages
+from trident_tool.rooms import check_rooms
 from trident_tool.thread_safety import run_thread_safety
 from trident_tool.tidy import run_clang_tidy
 from trident_tool.workspace import Runner, TridentError, Workspace, base_environment
@@ -115,6 +116,15 @@ def _markdown(workspace: Workspace, runner: Runner, fix: bool) -> int:
     return check_pages(pages, workspace.root, fix)
 
 
+def _rooms(workspace: Workspace, runner: Runner, fix: bool) -> int:
+    del fix  # where a file belongs is a question of design
+    files = cpp_files(workspace.root)
+    if runner.dry_run:
+        print("check the includes of", *files)
+        return 0
+    return check_rooms(workspace.root, files)
+
+
 CHECKS: dict[str, Callable[[Workspace, Runner, bool], int]] = {
     "clang-format": _clang_format,
     "ruff": _ruff,
@@ -122,6 +132,7 @@ CHECKS: dict[str, Callable[[Workspace, Runner, bool], int]] = {
     "clang-tidy": _clang_tidy,
     "thread-safety": _thread_safety,
     "markdown": _markdown,
+    "rooms": _rooms,
 }
 
 

@@ -272,7 +272,7 @@ void AmclNode::publish_diagnostics() {
         {"searches of the whole map", static_cast<double>(searches_)},
         {"scans", static_cast<double>(scans_->received())}};
     for (const auto& [key, value] : values) {
-      status.values.push_back(key_value(key, number_text(value)));
+      status.values.push_back(ros_utils::key_value(key, number_text(value)));
     }
   }
   array.status.push_back(status);

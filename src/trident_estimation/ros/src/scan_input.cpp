@@ -54,8 +54,9 @@ void fill_scan(const sensor_msgs::LaserScan& message, bool is_upside_down, Laser
 
 }  // namespace
 
-ScanInput::ScanInput(ros::NodeHandle& node, const ScanInputParams& params, Troubles& troubles,
-                     Handler on_scan, std::function<void()> on_new_time)
+ScanInput::ScanInput(ros::NodeHandle& node, const ScanInputParams& params,
+                     ros_utils::DiagnosticCounter& troubles, Handler on_scan,
+                     std::function<void()> on_new_time)
     : params_(params),
       troubles_(troubles),
       on_scan_(std::move(on_scan)),

@@ -13,6 +13,10 @@
 #include "trident_base/span.h"
 #include "trident_sim/model_spec.h"
 
+namespace trident {
+class WorkerPool;
+}
+
 namespace trident::sim {
 
 class Model;
@@ -23,7 +27,6 @@ struct RayPacket;
 struct SurfaceLook;
 struct SurfacePoint;
 class WaterSurface;
-class WorkerPool;
 
 /// What rays meet: collision shapes (`ray` sensors) or visual shapes (`gpu_ray`, cameras).
 enum class RayGeometry { kCollision, kVisual };

@@ -9,8 +9,8 @@
 
 #include "camera_spec.h"
 #include "lighting.h"
-#include "sea_rays/water_painter.h"
 #include "view_table.h"
+#include "water_painter.h"
 
 namespace trident::sim {
 

@@ -54,7 +54,5 @@ PluginFactory noisy_depth_camera_factory();
 PluginFactory camera_factory();
 /// A vane and anemometer in the world's wind.
 PluginFactory anemometer_factory();
-/// Carries a model, an observer's camera say, along with another one.
-PluginFactory follow_factory();
 
 }  // namespace trident::sim

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "camera_robot.h"
-#include "sea_rays/water_slopes.h"
+#include "cameras/water_slopes.h"
 #include "sea_view.h"
 #include "trident_base/angle.h"
 

@@ -10,7 +10,7 @@
 
 #include "loss_watch.h"
 #include "node_probe.h"
-#include "server/server_options.h"
+#include "run/server_options.h"
 #include "topics/input_binder.h"
 #include "topics/port_binder.h"
 #include "trident_sim/world.h"

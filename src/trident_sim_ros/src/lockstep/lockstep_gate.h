@@ -13,7 +13,7 @@
 
 #include "loss_watch.h"
 #include "node_probe.h"
-#include "server/server_options.h"
+#include "run/server_options.h"
 #include "topics/port_binder.h"
 #include "trident_base/mutex.h"
 #include "trident_ros/process_cores.h"

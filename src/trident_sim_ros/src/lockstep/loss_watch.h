@@ -5,8 +5,8 @@
 #include <functional>
 #include <string>
 
-#include "server/repeatability.h"
-#include "server/server_options.h"
+#include "run/repeatability.h"
+#include "run/server_options.h"
 #include "trident_sim/lockstep.h"
 #include "trident_sim/world.h"
 

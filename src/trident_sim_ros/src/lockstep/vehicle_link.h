@@ -13,7 +13,7 @@
 
 #include "loss_watch.h"
 #include "node_probe.h"
-#include "server/repeatability.h"
+#include "run/repeatability.h"
 #include "topics/port_binder.h"
 #include "trident_base/mutex.h"
 #include "trident_ros/direct_inbox.h"

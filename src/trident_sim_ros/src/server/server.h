@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "services/services.h"
-#include "simulation.h"
+#include "simulation/simulation.h"
 
 namespace trident::sim {
 

@@ -8,7 +8,7 @@
 
 #include "conversions/conversions.h"
 #include "entity_lookup.h"
-#include "server/simulation.h"
+#include "simulation/simulation.h"
 
 namespace trident::sim {
 

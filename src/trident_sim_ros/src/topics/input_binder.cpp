@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "conversions/conversions.h"
-#include "services/thruster_services.h"
+#include "thruster_services.h"
 #include "trident_ros/schedule_fuzz.h"
 #include "trident_sim/commands.h"
 #include "trident_sim/text_sample.h"

@@ -11,7 +11,7 @@
 #include <mutex>
 #include <string>
 
-#include "server/repeatability.h"
+#include "run/repeatability.h"
 #include "trident_ros/inline_callback_queue.h"
 #include "trident_sim/port.h"
 

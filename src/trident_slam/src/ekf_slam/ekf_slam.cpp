@@ -8,9 +8,9 @@
 #include <string>
 #include <tuple>
 
-#include "ekf_slam/chi_squared.h"
-#include "ekf_slam/joint_compatibility.h"
-#include "ekf_slam/landmark_models.h"
+#include "chi_squared.h"
+#include "joint_compatibility.h"
+#include "landmark_models.h"
 #include "trident_base/angle.h"
 #include "trident_base/error.h"
 

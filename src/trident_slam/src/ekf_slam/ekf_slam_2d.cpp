@@ -4,10 +4,10 @@
 
 #include <cmath>
 
-#include "ekf_slam/posts.h"
+#include "graph_slam/local/scan_archive.h"
 #include "logs/scan_map.h"
 #include "motion/odometry_motion.h"
-#include "scans/scan_archive.h"
+#include "posts.h"
 #include "scans/scan_check.h"
 
 namespace trident::slam {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-#include "ekf_slam/joint_compatibility.h"
+#include "joint_compatibility.h"
 
 #include <Eigen/Cholesky>
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-#include "ekf_slam/landmark_models.h"
+#include "landmark_models.h"
 
 #include <cmath>
 

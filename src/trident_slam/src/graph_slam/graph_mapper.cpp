@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-#include "graph_slam/graph_mapper.h"
+#include "graph_mapper.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 // Scans whose beams are measured one after the other while the base moves.
 #include <utility>
 
-#include "graph_slam/graph_mapper.h"
+#include "graph_mapper.h"
 #include "trident_slam/sweep_motion.h"
 
 namespace trident::slam {

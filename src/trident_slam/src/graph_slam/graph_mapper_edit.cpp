@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "graph_slam/graph_mapper.h"
+#include "graph_mapper.h"
 #include "graph_slam/loop/loop_closer.h"
 
 namespace trident::slam {

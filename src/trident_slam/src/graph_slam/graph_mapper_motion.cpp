@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
 // What a scan is told of the motion up to it, and what it says of that once it is placed.
-#include "graph_slam/graph_mapper.h"
+#include "graph_mapper.h"
 #include "matchers/surface_information.h"
 #include "trident_slam/sweep_motion.h"
 

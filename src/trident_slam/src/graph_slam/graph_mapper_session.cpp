@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "graph_mapper.h"
 #include "graph_slam/backend/final_match.h"
-#include "graph_slam/graph_mapper.h"
 #include "graph_slam/loop/relocalizer.h"
 
 namespace trident::slam {

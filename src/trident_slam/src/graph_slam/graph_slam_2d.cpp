@@ -6,7 +6,7 @@
 #include <mutex>
 #include <utility>
 
-#include "graph_slam/graph_mapper.h"
+#include "graph_mapper.h"
 #include "graph_slam/map/keyframe_map.h"
 #include "graph_slam/session/session_file.h"
 #include "scans/start_pose.h"

@@ -22,6 +22,7 @@ target_sources(trident_slam PRIVATE
   src/graph_slam/local/pose_uncertainty.cpp
   src/graph_slam/local/recent_scans.cpp
   src/graph_slam/loop/relocalizer.cpp
+  src/graph_slam/local/scan_archive.cpp
   src/graph_slam/local/scan_tracker.cpp
   src/graph_slam/session/session_file.cpp
   src/graph_slam/local/submap_matcher.cpp

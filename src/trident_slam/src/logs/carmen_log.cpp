@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "logs/fields.h"
+#include "fields.h"
 #include "trident_base/string_util.h"
 
 namespace trident::slam {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-#include "logs/odometry_slam_2d.h"
+#include "odometry_slam_2d.h"
 
 namespace trident::slam {
 

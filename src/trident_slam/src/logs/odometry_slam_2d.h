@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "logs/scan_map.h"
+#include "scan_map.h"
 #include "trident_base/yaml_config.h"
 #include "trident_slam/slam_2d.h"
 

@@ -15,8 +15,8 @@
 #include <string>
 #include <system_error>
 
-#include "logs/process_cost.h"
 #include "matchers/correlative_match.h"
+#include "process_cost.h"
 #include "trident_base/error.h"
 #include "trident_base/shown_text.h"
 #include "trident_base/string_util.h"

@@ -7,8 +7,8 @@
 #include <cstdio>
 #include <fstream>
 
-#include "logs/process_cost.h"
-#include "logs/stamp_check.h"
+#include "process_cost.h"
+#include "stamp_check.h"
 #include "trident_base/error.h"
 #include "trident_base/string_util.h"
 #include "trident_maps/map_file.h"

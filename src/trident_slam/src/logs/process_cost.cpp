@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-#include "logs/process_cost.h"
+#include "process_cost.h"
 
 #include <sys/resource.h>
 

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-#include "logs/scan_map.h"
+#include "scan_map.h"
 
 #include <cmath>
 #include <vector>
 
-#include "scans/beam_counts.h"
+#include "grids/beam_counts.h"
 
 namespace trident::slam {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "grids/probability_grid.h"
 #include "motion/motion_filter.h"
-#include "particle_slam/proposal.h"
+#include "proposal.h"
 #include "trident_base/random_stream.h"
 #include "trident_slam/hector_slam_2d.h"
 #include "trident_slam/point_scan.h"

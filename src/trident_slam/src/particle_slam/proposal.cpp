@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-#include "particle_slam/proposal.h"
+#include "proposal.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>

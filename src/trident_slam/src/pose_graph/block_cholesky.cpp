@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-#include "pose_graph/block_cholesky.h"
+#include "block_cholesky.h"
 
 #include <algorithm>
 #include <iterator>
 #include <map>
 
-#include "pose_graph/dense_kernels.h"
+#include "dense_kernels.h"
 
 namespace trident::slam {
 namespace {

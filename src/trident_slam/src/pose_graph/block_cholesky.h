@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "pose_graph/block_symbolic.h"
+#include "block_symbolic.h"
 
 namespace trident::slam {
 

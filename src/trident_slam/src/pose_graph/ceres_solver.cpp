@@ -8,8 +8,8 @@
 #include <Eigen/Eigenvalues>
 #include <array>
 
-#include "pose_graph/chordal_start.h"
-#include "pose_graph/pose_system.h"
+#include "chordal_start.h"
+#include "pose_system.h"
 #include "trident_base/error.h"
 #include "trident_base/string_util.h"
 #include "trident_slam/pose_graph_ceres.h"

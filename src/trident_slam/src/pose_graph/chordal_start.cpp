@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-#include "pose_graph/chordal_start.h"
+#include "chordal_start.h"
 
 #include <Eigen/LU>
 #include <Eigen/SVD>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "pose_graph/pose_system.h"
+#include "pose_system.h"
 #include "trident_slam/pose_graph_optimizer.h"
 
 namespace trident::slam {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-#include "pose_graph/edge_model.h"
+#include "edge_model.h"
 
 #include <cmath>
 

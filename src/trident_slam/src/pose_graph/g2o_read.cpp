@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-#include "pose_graph/g2o_line.h"
+#include "g2o_line.h"
 #include "trident_base/angle.h"
 #include "trident_base/error.h"
 #include "trident_base/regular_file.h"

@@ -6,7 +6,7 @@
 #include <atomic>
 #include <cmath>
 
-#include "pose_graph/edge_model.h"
+#include "edge_model.h"
 #include "trident_base/error.h"
 #include "trident_base/string_util.h"
 

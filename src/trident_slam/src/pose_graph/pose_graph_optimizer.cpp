@@ -7,9 +7,9 @@
 #include <optional>
 #include <utility>
 
-#include "pose_graph/chordal_start.h"
-#include "pose_graph/pose_system.h"
-#include "pose_graph/step_search.h"
+#include "chordal_start.h"
+#include "pose_system.h"
+#include "step_search.h"
 #include "trident_base/error.h"
 #include "trident_base/string_util.h"
 

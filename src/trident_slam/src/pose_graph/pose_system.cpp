@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-#include "pose_graph/pose_system.h"
+#include "pose_system.h"
 
 #include <algorithm>
 #include <cstdint>

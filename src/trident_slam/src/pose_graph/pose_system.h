@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "pose_graph/block_cholesky.h"
-#include "pose_graph/block_symbolic.h"
-#include "pose_graph/edge_model.h"
+#include "block_cholesky.h"
+#include "block_symbolic.h"
+#include "edge_model.h"
 #include "trident_slam/pose_graph_optimizer.h"
 
 namespace trident::slam {

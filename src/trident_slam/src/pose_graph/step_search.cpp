@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-#include "pose_graph/step_search.h"
+#include "step_search.h"
 
 #include <algorithm>
 #include <cmath>

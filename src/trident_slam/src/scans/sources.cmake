@@ -2,9 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Scans: their points, what is wrong with them, their archive, where they begin.
 target_sources(trident_slam PRIVATE
-  src/scans/beam_counts.cpp
   src/scans/point_scan.cpp
-  src/scans/scan_archive.cpp
   src/scans/scan_check.cpp
   src/scans/start_pose.cpp
 )

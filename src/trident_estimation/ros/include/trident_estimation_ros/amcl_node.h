@@ -16,7 +16,7 @@
 #include "trident_estimation/amcl.h"
 #include "trident_estimation_ros/amcl_node_params.h"
 #include "trident_estimation_ros/scan_input.h"
-#include "trident_estimation_ros/troubles.h"
+#include "trident_ros/diagnostic_counter.h"
 
 namespace trident::estimation {
 
@@ -50,7 +50,7 @@ class AmclNode {
   ros::NodeHandle private_node_;
   AmclNodeParams params_;
   std::string name_;
-  Troubles troubles_;
+  ros_utils::DiagnosticCounter troubles_;
   std::unique_ptr<Amcl> amcl_;  ///< once there is a map
   std::optional<SE2> T_global_odom_;
   std::optional<SE2> T_odom_scan_;  ///< odometry of the newest scan

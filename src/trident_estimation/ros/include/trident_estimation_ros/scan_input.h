@@ -12,7 +12,7 @@
 #include <string>
 
 #include "trident_base/laser_scan.h"
-#include "trident_estimation_ros/troubles.h"
+#include "trident_ros/diagnostic_counter.h"
 #include "trident_ros/transform_input.h"
 
 namespace trident::estimation {
@@ -37,8 +37,9 @@ struct ScanInputParams {
 class ScanInput {
  public:
   using Handler = std::function<void(const PlacedScan&)>;
-  ScanInput(ros::NodeHandle& node, const ScanInputParams& params, Troubles& troubles,
-            Handler on_scan, std::function<void()> on_new_time);
+  ScanInput(ros::NodeHandle& node, const ScanInputParams& params,
+            ros_utils::DiagnosticCounter& troubles, Handler on_scan,
+            std::function<void()> on_new_time);
 
   /// The robot's pose in the odometry's frame; the newest for time zero. Throws tf2's exceptions.
   SE2 T_odom_base(const ros::Time& stamp) const;
@@ -63,7 +64,7 @@ class ScanInput {
   SE2 looked_up(const std::string& target, const std::string& source, const ros::Time& stamp) const;
 
   ScanInputParams params_;
-  Troubles& troubles_;
+  ros_utils::DiagnosticCounter& troubles_;
   Handler on_scan_;
   std::function<void()> on_new_time_;
   tf2_ros::Buffer buffer_;

@@ -8,7 +8,7 @@
 
 #include <string>
 
-#include "trident_estimation_ros/troubles.h"
+#include "trident_ros/diagnostic_counter.h"
 
 namespace trident::maps {
 
@@ -28,7 +28,7 @@ class MapServerNode {
   std::string frame_;
   nav_msgs::OccupancyGrid map_;
   ros::Publisher map_publisher_, metadata_publisher_, diagnostics_publisher_;
-  estimation::Troubles troubles_;
+  ros_utils::DiagnosticCounter troubles_;
   ros::ServiceServer static_map_, change_map_;
 };
 

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <string>
 
+#include "core/plugins/joint_states.h"
 #include "core/plugins/sample_clock.h"
 #include "marine_plugins.h"
-#include "vehicles/drives/drive_parts.h"
 
 namespace trident::sim {
 namespace {

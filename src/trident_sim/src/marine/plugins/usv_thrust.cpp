@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "actuator_input.h"
+#include "core/plugins/joint_states.h"
 #include "core/plugins/sample_clock.h"
 #include "marine/vessel/thruster.h"
 #include "marine_plugins.h"
 #include "trident_base/angle.h"
-#include "vehicles/drives/drive_parts.h"
 #include "vessel_body.h"
 
 namespace trident::sim {

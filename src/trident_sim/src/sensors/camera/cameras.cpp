@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "camera_sensor.h"
+#include "core/plugins/model_params.h"
 #include "trident_base/error.h"
-#include "vehicles/drives/drive_parts.h"
 
 namespace trident::sim {
 namespace {

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
+#include "core/plugins/model_params.h"
 #include "core/plugins/plugin_util.h"
 #include "core/plugins/sample_clock.h"
 #include "sensors/sensor_plugins.h"
 #include "trident_base/error.h"
-#include "vehicles/drives/drive_parts.h"
 
 namespace trident::sim {
 namespace {

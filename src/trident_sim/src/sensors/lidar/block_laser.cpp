@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/plugins/model_params.h"
 #include "core/plugins/plugin_util.h"
 #include "ray_bundle.h"
 #include "sensors/sensor_plugins.h"
 #include "trident_base/noise.h"
-#include "vehicles/drives/drive_parts.h"
 
 namespace trident::sim {
 namespace {

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "beam_caster.h"
+#include "core/plugins/model_params.h"
 #include "core/plugins/plugin_util.h"
 #include "core/plugins/sample_clock.h"
 #include "lidar_spec.h"
@@ -12,7 +13,6 @@
 #include "sensors/sensor_plugins.h"
 #include "trident_base/angle.h"
 #include "trident_base/error.h"
-#include "vehicles/drives/drive_parts.h"
 
 namespace trident::sim {
 namespace {

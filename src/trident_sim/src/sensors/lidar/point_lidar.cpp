@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "beam_caster.h"
+#include "core/plugins/model_params.h"
 #include "core/plugins/plugin_util.h"
 #include "core/plugins/sample_clock.h"
 #include "lidar_pattern.h"
@@ -11,7 +12,6 @@
 #include "rolling_sweep.h"
 #include "sensors/sensor_plugins.h"
 #include "trident_base/error.h"
-#include "vehicles/drives/drive_parts.h"
 
 namespace trident::sim {
 namespace {

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/plugins/model_params.h"
 #include "core/plugins/plugin_util.h"
 #include "ray_bundle.h"
 #include "sensors/sensor_plugins.h"
 #include "trident_base/angle.h"
 #include "trident_base/noise.h"
-#include "vehicles/drives/drive_parts.h"
 
 namespace trident::sim {
 namespace {

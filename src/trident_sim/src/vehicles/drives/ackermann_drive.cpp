@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "ackermann_params.h"
+#include "core/plugins/rate_ticker.h"
 #include "drive_parts.h"
 #include "gazebo_ros_plugins.h"
 #include "trident_base/angle.h"

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "drive_params.h"
+#include "core/plugins/model_params.h"
 #include "trident_base/bicycle_odometry.h"
 
 namespace trident::sim {

@@ -8,17 +8,6 @@
 
 namespace trident::sim {
 
-RateTicker::RateTicker(double rate_hz)
-    : period_(rate_hz > 0.0 ? SimTime::from_seconds(1.0 / rate_hz) : SimTime{}) {}
-
-bool RateTicker::tick(const StepInfo& info) {
-  if (period_.ns <= 0) return true;
-  elapsed_ = elapsed_ + info.dt;
-  if (elapsed_ < period_) return false;
-  elapsed_.ns %= period_.ns;
-  return true;
-}
-
 BaseState base_state_in_world(const Model& model) {
   BaseState state;
   state.T_odom_base = model.T_world_model();
@@ -85,38 +74,6 @@ Covariance6 planar_covariance(double x, double y, double yaw) {
   const double diagonal[] = {x, y, kUnknown, kUnknown, kUnknown, yaw};
   for (std::size_t i = 0; i < 6; ++i) result[7 * i] = diagonal[i];
   return result;
-}
-
-JointStates::JointStates(const PluginContext& context, const std::string& topic,
-                         const std::vector<Joint*>& joints)
-    : topic_(topic) {
-  auto* shared = context.world.ports().find_out<JointStateSample>(topic);
-  if (shared == nullptr) {
-    own_ = advertise<JointStateSample>(context, topic, PortRank::kState);
-    shared = own_.get();
-  }
-  JointStateSample& value = shared->value;
-  for (Joint* joint : joints) {
-    const auto at = std::find(value.names.begin(), value.names.end(), joint->spec.name);
-    entries_.emplace_back(static_cast<std::size_t>(at - value.names.begin()), joint);
-    if (at == value.names.end()) value.names.push_back(joint->spec.name);
-  }
-  value.positions.resize(value.names.size());
-  value.velocities.resize(value.names.size());
-}
-
-void JointStates::publish(const World& world, SimTime stamp) {
-  // The plugin that was first may be gone, and its topic with it.
-  auto* port = own_ ? own_.get() : world.ports().find_out<JointStateSample>(topic_);
-  if (port == nullptr || !port->wanted()) return;
-  JointStateSample& value = port->value;
-  for (const auto& [index, joint] : entries_) {
-    if (index >= value.velocities.size() || value.names[index] != joint->spec.name) return;
-    value.positions[index] = joint->position();
-    value.velocities[index] = joint->velocity();
-  }
-  value.stamp = stamp;
-  port->publish();
 }
 
 WheelFrames::WheelFrames(const PluginContext& context, const std::vector<Joint*>& joints,

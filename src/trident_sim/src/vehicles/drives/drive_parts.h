@@ -5,26 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "drive_params.h"
+#include "core/plugins/model_params.h"
 #include "trident_base/se2.h"
 #include "trident_sim/samples.h"
 
 namespace trident::sim {
 
 // What the drives of gazebo_plugins are made of.
-
-/// Divides time into periods: due once a period, beginning one period after a reset.
-class RateTicker {
- public:
-  /// 0: due at every step.
-  explicit RateTicker(double rate_hz);
-  bool tick(const StepInfo& info);
-  void reset() { elapsed_ = {}; }
-  void state(StateArchive& archive) { archive(elapsed_); }
-
- private:
-  SimTime period_, elapsed_;
-};
 
 /// Where and how fast the base of a vehicle is.
 struct BaseState {
@@ -52,19 +39,6 @@ class OdometryOutput {
 
 /// Diagonal of x, y and yaw; what does not happen in the plane is unknown (1e12).
 Covariance6 planar_covariance(double x, double y, double yaw);
-
-/// Angles and rates of joints on a topic. Plugins that name the same topic share it.
-class JointStates {
- public:
-  JointStates(const PluginContext& context, const std::string& topic,
-              const std::vector<Joint*>& joints);
-  void publish(const World& world, SimTime stamp);
-
- private:
-  std::string topic_;
-  OutHandle<JointStateSample> own_;  ///< none: another plugin was first
-  std::vector<std::pair<std::size_t, Joint*>> entries_;
-};
 
 /// Transforms of wheels against the links that carry them.
 class WheelFrames {

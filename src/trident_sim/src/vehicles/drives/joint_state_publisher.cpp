@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/plugins/joint_states.h"
+#include "core/plugins/rate_ticker.h"
 #include "drive_parts.h"
 #include "gazebo_ros_plugins.h"
 

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/plugins/rate_ticker.h"
 #include "drive_parts.h"
 #include "gazebo_ros_plugins.h"
 #include "trident_base/random_stream.h"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
+#include "core/plugins/rate_ticker.h"
 #include "drive_parts.h"
 #include "gazebo_ros_plugins.h"
 #include "velocity_command.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/plugins/plugin_util.h"
-#include "sensors/sensor_plugins.h"
+#include "joint_plugins.h"
 
 namespace trident::sim {
 namespace {

@@ -6,6 +6,9 @@
 
 namespace trident::sim {
 
+/// Drives joints by commands on topics.
 PluginFactory joint_drive_factory();
+/// Carries a model, an observer's camera say, along with another one.
+PluginFactory follow_factory();
 
 }  // namespace trident::sim

@@ -4,8 +4,8 @@
 
 #include <vector>
 
+#include "graph_slam/local/scan_archive.h"
 #include "keyframe_graph.h"
-#include "scans/scan_archive.h"
 
 namespace trident::slam {
 

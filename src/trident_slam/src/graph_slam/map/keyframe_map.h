@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "graph_slam/backend/keyframe_graph.h"
-#include "scans/beam_counts.h"
+#include "grids/beam_counts.h"
 
 namespace trident::slam {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-#include "drive_params.h"
+#include "model_params.h"
 
 #include <algorithm>
 #include <cctype>

@@ -8,24 +8,24 @@
 #include <mutex>
 #include <string>
 
-namespace trident::estimation {
+namespace trident::ros_utils {
 
 /// What went wrong, by kind: told once in the log, counted in /diagnostics. From any thread.
-class Troubles {
+class DiagnosticCounter {
  public:
   void note(const std::string& kind, const std::string& text);
   /// Each kind as a warning named "`node`: kind" with its newest text and its count.
   void add_to(diagnostic_msgs::DiagnosticArray& array, const std::string& node) const;
 
  private:
-  struct Trouble {
+  struct Entry {
     std::string newest;
     std::uint64_t count = 0;
   };
   mutable std::mutex mutex_;
-  std::map<std::string, Trouble> troubles_;
+  std::map<std::string, Entry> entries_;
 };
 
 diagnostic_msgs::KeyValue key_value(const std::string& key, const std::string& value);
 
-}  // namespace trident::estimation
+}  // namespace trident::ros_utils

@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "cameras/lighting.h"
+#include "lighting.h"
 #include "water_slopes.h"
 
 namespace trident::sim {

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "grids/growing_grid.h"
+#include "growing_grid.h"
 #include "trident_base/occupancy_grid.h"
 
 namespace trident::slam {

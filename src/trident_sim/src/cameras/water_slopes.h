@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "water_surface.h"
+#include "sea_rays/water_surface.h"
 
 namespace trident::sim {
 

@@ -4,11 +4,11 @@
 
 #include <string>
 
-#include "core/plugins/plugin_util.h"
+#include "plugin_util.h"
 
 namespace trident::sim {
 
-// What the drives of gazebo_plugins read alike.
+// Parameters that many plugins of gazebo_plugins read alike.
 
 constexpr Limits kLength{1e-6, 1e6};
 constexpr Limits kNotNegative{0.0, 1e12};

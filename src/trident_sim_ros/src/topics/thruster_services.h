@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "topics/input_binder.h"
+#include "input_binder.h"
 
 namespace trident::sim {
 
