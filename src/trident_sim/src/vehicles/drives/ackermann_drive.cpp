@@ -6,6 +6,7 @@
 
 #include "ackermann_params.h"
 #include "core/plugins/rate_ticker.h"
+#include "core/plugins/joint_states.h"
 #include "drive_parts.h"
 #include "gazebo_ros_plugins.h"
 #include "trident_base/angle.h"

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/plugins/rate_ticker.h"
+#include "core/plugins/joint_states.h"
 #include "drive_parts.h"
 #include "gazebo_ros_plugins.h"
 #include "trident_base/diff_drive_odometry.h"
