@@ -19,7 +19,7 @@ const Eigen::Vector3d kX = Eigen::Vector3d::UnitX(), kY = Eigen::Vector3d::UnitY
 
 TEST(RayScene, InAnEmptyWorldNothingIsMet) {
   TestWorld world;
-  const RayScene& scene = world->rays(RayGeometry::kCollision);
+  const RayScene& scene = rays(*world, RayGeometry::kCollision);
   EXPECT_EQ(range(scene, {0, 0, 1}, -kZ), kNothing);
   fresh_rays(world);
   EXPECT_EQ(range(scene, {0, 0, 1}, -kZ), kNothing);
