@@ -8,7 +8,9 @@
 #include <map>
 
 #include "test_world.h"
+#include "trident_base/error.h"
 #include "trident_sim/commands.h"
+#include "trident_sim/sdf_loader.h"
 #include "trident_sim/vector_sample.h"
 
 namespace trident::sim {
@@ -173,6 +175,35 @@ PluginCase with(PluginCase plugin, const std::string& key, const std::string& va
 }
 
 }  // namespace
+
+PluginCase case_of(const std::string& filename, const PluginExample& example) {
+  std::string sdf =
+      "<plugin name='example' filename='" + filename + "'>" + example.elements + "</plugin>";
+  if (!example.sensor.empty()) {
+    const std::string end = "</sensor>";
+    const std::size_t at = example.sensor.rfind(end);
+    if (at == std::string::npos) throw Error("example of '" + filename + "': no " + end);
+    sdf = example.sensor.substr(0, at) + sdf + end;
+  }
+  // A plugin belongs to the model, a sensor to its link.
+  sdf = example.sensor.empty() ? "<link name='base_link'/>" + sdf
+                               : "<link name='base_link'>" + sdf + "</link>";
+  const ModelSpec model =
+      load_model_string("<sdf version='1.6'><model name='example'>" + sdf + "</model></sdf>",
+                        "example of '" + filename + "'", Resources({}), [](const auto&) {});
+  PluginCase result{filename, {}, example.required, example.numbers};
+  if (!example.sensor.empty()) {
+    result.sensor = model.links.at(0).sensors.at(0);
+    result.sensor->plugins.clear();
+  }
+  const PluginSpec& plugin =
+      example.sensor.empty() ? model.plugins.at(0) : model.links.at(0).sensors.at(0).plugins.at(0);
+  result.params.emplace_back("robotNamespace", "ns");
+  for (const ParamNode& node : plugin.params.children) {
+    result.params.emplace_back(node.name, node.text);
+  }
+  return result;
+}
 
 void expect_plugin_conforms(const PluginCase& plugin, void (*register_plugins)(PluginRegistry&)) {
   SCOPED_TRACE(plugin.filename);

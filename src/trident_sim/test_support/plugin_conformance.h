@@ -11,7 +11,8 @@
 
 namespace trident::sim {
 
-/// What every plugin owes its user. A new plugin's test is one of these and one call.
+/// What every plugin owes its user. A plugin of this package is tested by its example (case_of());
+/// the test of another one is one of these and one call.
 struct PluginCase {
   std::string filename;
   ParamList params;                   ///< valid and complete
@@ -20,6 +21,10 @@ struct PluginCase {
   /// Of a sensor's plugin: the sensor, which is put on base_link
   std::optional<SensorSpec> sensor = std::nullopt;
 };
+
+/// The case of a plugin's own example, in the namespace "ns". Throws Error where the example is no
+/// legal SDF.
+PluginCase case_of(const std::string& filename, const PluginExample& example);
 
 /// Expects, of the plugin alone on the links of make_quad(): it constructs; refuses a missing
 /// required element and a bad number with the element's name; runs; after a reset gives the outputs

@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,14 +15,27 @@
 
 namespace trident::sim {
 
+/// What the conformance suite runs a plugin with, on a quadrotor with the links base_link and
+/// rotor_0 to rotor_3 and the joints rotor_0_joint to rotor_3_joint.
+struct PluginExample {
+  std::string elements;  ///< SDF within `<plugin>`: valid, complete, without children
+  std::vector<std::string>
+      required;                      ///< without one of these elements the plugin throws, naming it
+  std::vector<std::string> numbers;  ///< these throw for what is not a finite number
+  /// Of a sensor's plugin: the `<sensor>` that it belongs to, without its `<plugin>`; else "".
+  std::string sensor = "";
+};
+
 /// How a plugin is made from its SDF element.
 struct PluginFactory {
   std::function<std::unique_ptr<Plugin>(const PluginContext&)> create;
   /// Name of the joint whose child this plugin spins as a rotor (see Model), or "".
   std::function<std::string(const PluginParams&)> spun_joint;
+  /// Of a plugin that the conformance suite runs.
+  std::optional<PluginExample> example = std::nullopt;
 };
 
-/// Plugin file name -> factory, filled by explicit calls only. Lookup ignores folders, a leading
+/// Plugin file name -> factory. Lookup ignores folders, a leading
 /// "lib" and a trailing ".so", so "librotors_gazebo_motor_model.so" and "rotors_gazebo_motor_model"
 /// are one name.
 class PluginRegistry {
@@ -44,7 +58,15 @@ class PluginRegistry {
   std::map<std::string, PluginFactory> factories_;
 };
 
-/// Everything that ships with the simulator, under the names RotorS and gazebo_ros use.
+/// At namespace scope in a plugin's .cpp, makes it one of those that ship with the simulator. The
+/// order in which registrars run does not matter.
+class PluginRegistrar {
+ public:
+  PluginRegistrar(const char* filename, PluginFactory factory);
+  PluginRegistrar(const char* filename, PluginFactory factory, PluginExample example);
+};
+
+/// Adds everything that ships with the simulator, under the names RotorS and gazebo_ros use.
 void register_builtin_plugins(PluginRegistry& registry);
 
 }  // namespace trident::sim

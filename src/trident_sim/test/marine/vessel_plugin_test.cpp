@@ -7,6 +7,7 @@
 
 #include "boat_world.h"
 #include "marine/vessel/thruster.h"
+#include "plugin_conformance.h"
 #include "scratch_folder.h"
 #include "trident_base/angle.h"
 
@@ -264,6 +265,14 @@ TEST(VesselPlugin, BadInputIsOneClearError) {
   spec.plugins[0].params.children[1].text =
       folder.write("raft.yaml", "name: raft\nmass: -3\ninertia: [1, 1, 1]\n");
   EXPECT_TRUE(contains(refusal(spec), "raft.yaml:2"));
+}
+
+TEST(VesselPlugin, Conforms) {
+  const std::string file = TRIDENT_REPOSITORY "/src/trident_sim/test/marine/quad_boat.yaml";
+  expect_plugin_conforms({"libtrident_vessel.so",
+                          {{"robotNamespace", "ns"}, {"bodyName", "base_link"}, {"vessel", file}},
+                          {"bodyName", "vessel"},
+                          {"cmdTimeout", "xyzOffset"}});
 }
 
 }  // namespace

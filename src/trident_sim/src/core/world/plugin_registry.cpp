@@ -4,6 +4,8 @@
 
 #include <dlfcn.h>
 
+#include <utility>
+
 #include "trident_base/error.h"
 
 namespace trident::sim {
@@ -31,7 +33,27 @@ bool is_ours(const std::string& path) {
   return exports;
 }
 
+/// Of the registrars that have run. Made by the first of them, whichever that is.
+std::vector<std::pair<const char*, PluginFactory>>& builtin_plugins() {
+  static std::vector<std::pair<const char*, PluginFactory>> plugins;
+  return plugins;
+}
+
 }  // namespace
+
+PluginRegistrar::PluginRegistrar(const char* filename, PluginFactory factory) {
+  builtin_plugins().emplace_back(filename, std::move(factory));
+}
+
+PluginRegistrar::PluginRegistrar(const char* filename, PluginFactory factory,
+                                 PluginExample example) {
+  factory.example = std::move(example);
+  builtin_plugins().emplace_back(filename, std::move(factory));
+}
+
+void register_builtin_plugins(PluginRegistry& registry) {
+  for (const auto& [filename, factory] : builtin_plugins()) registry.add(filename, factory);
+}
 
 std::string PluginRegistry::key(const std::string& filename) {
   std::string name = filename.substr(filename.rfind('/') + 1);

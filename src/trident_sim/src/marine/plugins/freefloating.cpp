@@ -5,9 +5,9 @@
 #include <sstream>
 
 #include "core/plugins/sample_clock.h"
-#include "marine_plugins.h"
 #include "trident_base/string_util.h"
 #include "trident_sim/commands.h"
+#include "trident_sim/plugin_registry.h"
 #include "vessel_body.h"
 
 namespace trident::sim {
@@ -180,12 +180,15 @@ class FreeFloatingControl : public Plugin {
   std::uint64_t seen_ = 0;
 };
 
-}  // namespace
-
 PluginFactory freefloating_control_factory() {
   return {
       [](const PluginContext& context) { return std::make_unique<FreeFloatingControl>(context); },
       {}};
 }
+
+const PluginRegistrar kFreefloatingGazeboControl("libfreefloating_gazebo_control.so",
+                                                 freefloating_control_factory());
+
+}  // namespace
 
 }  // namespace trident::sim

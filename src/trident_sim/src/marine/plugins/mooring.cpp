@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
-#include "marine_plugins.h"
+#include "trident_sim/plugin_registry.h"
 #include "vessel_body.h"
 
 namespace trident::sim {
@@ -45,10 +45,12 @@ class Mooring : public Plugin {
   double length_m_ = 0.0, stiffness_ = 0.0, damping_ = 0.0;
 };
 
-}  // namespace
-
 PluginFactory mooring_factory() {
   return {[](const PluginContext& context) { return std::make_unique<Mooring>(context); }, {}};
 }
+
+const PluginRegistrar kTridentMooring("libtrident_mooring.so", mooring_factory());
+
+}  // namespace
 
 }  // namespace trident::sim

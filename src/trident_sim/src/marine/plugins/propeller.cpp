@@ -5,7 +5,7 @@
 
 #include "core/plugins/joint_states.h"
 #include "core/plugins/sample_clock.h"
-#include "marine_plugins.h"
+#include "trident_sim/plugin_registry.h"
 
 namespace trident::sim {
 namespace {
@@ -50,11 +50,17 @@ class Propeller : public Plugin {
   const OutPort<ScalarSample>* asked_ = nullptr;  ///< to be compared only
 };
 
-}  // namespace
-
 PluginFactory propeller_factory() {
   return {[](const PluginContext& context) { return std::make_unique<Propeller>(context); },
           [](const PluginParams& params) { return params.text("jointName", ""); }};
 }
+
+const PluginRegistrar kTridentPropeller(
+    "libtrident_propeller.so", propeller_factory(),
+    PluginExample{"<jointName>rotor_1_joint</jointName><thruster>left</thruster>",
+                  {"jointName", "thruster"},
+                  {"maxRate", "maxThrust", "updateRate"}});
+
+}  // namespace
 
 }  // namespace trident::sim

@@ -7,10 +7,10 @@
 #include "core/plugins/seldom_told.h"
 #include "environment_reader.h"
 #include "live_surroundings.h"
-#include "marine_plugins.h"
 #include "terrain_depth.h"
 #include "trident_base/config_writer.h"
 #include "trident_base/string_util.h"
+#include "trident_sim/plugin_registry.h"
 #include "trident_sim/text_sample.h"
 #include "vessel_body.h"
 
@@ -248,25 +248,6 @@ class SeaPlugin : public Plugin {
   OutHandle<WindSample> wind_speed_;
 };
 
-}  // namespace
-
-std::shared_ptr<const Sea> find_sea(const World& world) {
-  const auto* const port = world.ports().find_out<SeaSample>(kSeaPort);
-  return port != nullptr ? port->value.sea : nullptr;
-}
-
-std::shared_ptr<const Air> find_air(const World& world) {
-  const auto* const port = world.ports().find_out<AirSample>(kAirPort);
-  return port != nullptr ? port->value.air : nullptr;
-}
-
-void Surroundings::look(const World& world) {
-  if (world.ports().version() == ports_version_) return;
-  ports_version_ = world.ports().version();
-  sea_ = find_sea(world);
-  air_ = find_air(world);
-}
-
 PluginFactory sea_factory() {
   return {[](const PluginContext& context) {
             return std::make_unique<SeaPlugin>(context, read_environment(context),
@@ -289,6 +270,33 @@ PluginFactory freefloating_fluid_factory() {
                                                SeaPlugin::HasAir::kNo);
           },
           {}};
+}
+
+const PluginRegistrar kTridentSea("libtrident_sea.so", sea_factory());
+const PluginRegistrar kTridentEnvironment("libtrident_environment.so", sea_factory());
+const PluginRegistrar kWavefieldModelPlugin("libWavefieldModelPlugin.so", vrx_wave_field_factory());
+const PluginRegistrar kOldWavefieldModelPlugin("libwavefield_model_plugin.so",
+                                            vrx_wave_field_factory());
+const PluginRegistrar kFreefloatingGazeboFluid("libfreefloating_gazebo_fluid.so",
+                                               freefloating_fluid_factory());
+
+}  // namespace
+
+std::shared_ptr<const Sea> find_sea(const World& world) {
+  const auto* const port = world.ports().find_out<SeaSample>(kSeaPort);
+  return port != nullptr ? port->value.sea : nullptr;
+}
+
+std::shared_ptr<const Air> find_air(const World& world) {
+  const auto* const port = world.ports().find_out<AirSample>(kAirPort);
+  return port != nullptr ? port->value.air : nullptr;
+}
+
+void Surroundings::look(const World& world) {
+  if (world.ports().version() == ports_version_) return;
+  ports_version_ = world.ports().version();
+  sea_ = find_sea(world);
+  air_ = find_air(world);
 }
 
 }  // namespace trident::sim

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <array>
 
-#include "marine_plugins.h"
+#include "trident_sim/plugin_registry.h"
 #include "vessel_body.h"
 
 namespace trident::sim {
@@ -116,10 +116,13 @@ class UsvDynamics : public Plugin, public Floating {
   VesselBody body_;
 };
 
-}  // namespace
-
 PluginFactory usv_dynamics_factory() {
   return {[](const PluginContext& context) { return std::make_unique<UsvDynamics>(context); }, {}};
 }
+
+const PluginRegistrar kUsvGazeboDynamicsPlugin("libusv_gazebo_dynamics_plugin.so",
+                                               usv_dynamics_factory());
+
+}  // namespace
 
 }  // namespace trident::sim

@@ -9,8 +9,8 @@
 #include "core/plugins/joint_states.h"
 #include "core/plugins/sample_clock.h"
 #include "marine/vessel/thruster.h"
-#include "marine_plugins.h"
 #include "trident_base/angle.h"
+#include "trident_sim/plugin_registry.h"
 #include "vessel_body.h"
 
 namespace trident::sim {
@@ -198,10 +198,13 @@ class UsvThrust : public Plugin {
   std::optional<JointStates> joints_;
 };
 
-}  // namespace
-
 PluginFactory usv_thrust_factory() {
   return {[](const PluginContext& context) { return std::make_unique<UsvThrust>(context); }, {}};
 }
+
+const PluginRegistrar kUsvGazeboThrustPlugin("libusv_gazebo_thrust_plugin.so",
+                                             usv_thrust_factory());
+
+}  // namespace
 
 }  // namespace trident::sim

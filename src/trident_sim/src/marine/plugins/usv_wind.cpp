@@ -8,9 +8,9 @@
 #include "core/plugins/sample_clock.h"
 #include "marine/environment/wind_gusts.h"
 #include "marine/vessel/vessel_dynamics.h"
-#include "marine_plugins.h"
 #include "trident_base/angle.h"
 #include "trident_base/string_util.h"
+#include "trident_sim/plugin_registry.h"
 #include "trident_sim/sea.h"
 #include "trident_sim/text_sample.h"
 
@@ -177,10 +177,12 @@ class UsvWind : public Plugin {
   OutHandle<NumberSample> speed_, direction_;
 };
 
-}  // namespace
-
 PluginFactory usv_wind_factory() {
   return {[](const PluginContext& context) { return std::make_unique<UsvWind>(context); }, {}};
 }
+
+const PluginRegistrar kUsvGazeboWindPlugin("libusv_gazebo_wind_plugin.so", usv_wind_factory());
+
+}  // namespace
 
 }  // namespace trident::sim

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "marine/environment/water.h"
-#include "marine_plugins.h"
 #include "trident_base/angle.h"
 #include "trident_base/string_util.h"
+#include "trident_sim/plugin_registry.h"
 #include "vessel_body.h"
 
 namespace trident::sim {
@@ -324,10 +324,13 @@ class UuvObject : public Plugin {
   std::vector<std::unique_ptr<UuvLink>> links_;
 };
 
-}  // namespace
-
 PluginFactory uuv_object_factory() {
   return {[](const PluginContext& context) { return std::make_unique<UuvObject>(context); }, {}};
 }
+
+const PluginRegistrar kUuvUnderwaterObjectRosPlugin("libuuv_underwater_object_ros_plugin.so",
+                                                    uuv_object_factory());
+
+}  // namespace
 
 }  // namespace trident::sim

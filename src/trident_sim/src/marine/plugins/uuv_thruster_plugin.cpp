@@ -5,9 +5,9 @@
 
 #include "actuator_input.h"
 #include "marine/vessel/uuv_thruster.h"
-#include "marine_plugins.h"
 #include "trident_base/string_util.h"
 #include "trident_sim/commands.h"
+#include "trident_sim/plugin_registry.h"
 #include "trident_sim/text_sample.h"
 #include "trident_sim/thruster_setup.h"
 #include "vessel_body.h"
@@ -271,11 +271,14 @@ class UuvThrusterPlugin : public Plugin {
   std::uint64_t changes_seen_ = 0;
 };
 
-}  // namespace
-
 PluginFactory uuv_thruster_factory() {
   return {[](const PluginContext& context) { return std::make_unique<UuvThrusterPlugin>(context); },
           [](const PluginParams& params) { return params.text("jointName", ""); }};
 }
+
+const PluginRegistrar kUuvThrusterRosPlugin("libuuv_thruster_ros_plugin.so",
+                                            uuv_thruster_factory());
+
+}  // namespace
 
 }  // namespace trident::sim

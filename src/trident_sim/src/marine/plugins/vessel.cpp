@@ -8,7 +8,7 @@
 #include "core/plugins/stamped_commands.h"
 #include "drive_input.h"
 #include "marine_files.h"
-#include "marine_plugins.h"
+#include "trident_sim/plugin_registry.h"
 #include "vessel_actuators.h"
 #include "vessel_body.h"
 
@@ -166,10 +166,12 @@ class Vessel : public Plugin, public Floating {
   std::optional<DriveInput> drive_;
 };
 
-}  // namespace
-
 PluginFactory vessel_factory() {
   return {[](const PluginContext& context) { return std::make_unique<Vessel>(context); }, {}};
 }
+
+const PluginRegistrar kTridentVessel("libtrident_vessel.so", vessel_factory());
+
+}  // namespace
 
 }  // namespace trident::sim

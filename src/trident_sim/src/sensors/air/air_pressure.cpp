@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "core/plugins/plugin_util.h"
-#include "sensors/sensor_plugins.h"
 #include "trident_base/random_stream.h"
+#include "trident_sim/plugin_registry.h"
 
 namespace trident::sim {
 
@@ -60,10 +60,16 @@ class AirPressure : public MeasuringPlugin {
   OutHandle<FluidPressureSample> pressure_;
 };
 
-}  // namespace
-
 PluginFactory air_pressure_factory() {
   return {[](const PluginContext& context) { return std::make_unique<AirPressure>(context); }, {}};
 }
+
+const PluginRegistrar kRotorsGazeboPressurePlugin(
+    "librotors_gazebo_pressure_plugin.so", air_pressure_factory(),
+    PluginExample{"<linkName>base_link</linkName><pressureVariance>4</pressureVariance>",
+                  {"linkName"},
+                  {"referenceAltitude", "pressureVariance"}});
+
+}  // namespace
 
 }  // namespace trident::sim

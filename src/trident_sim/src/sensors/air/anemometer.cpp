@@ -4,9 +4,9 @@
 
 #include "core/plugins/plugin_util.h"
 #include "core/plugins/sample_clock.h"
-#include "sensors/sensor_plugins.h"
 #include "trident_base/angle.h"
 #include "trident_base/noise.h"
+#include "trident_sim/plugin_registry.h"
 #include "trident_sim/sea.h"
 #include "trident_sim/text_sample.h"
 #include "trident_sim/vector_sample.h"
@@ -76,10 +76,16 @@ class Anemometer : public MeasuringPlugin {
   OutHandle<WindReadingSample> reading_;
 };
 
-}  // namespace
-
 PluginFactory anemometer_factory() {
   return {[](const PluginContext& context) { return std::make_unique<Anemometer>(context); }, {}};
 }
+
+const PluginRegistrar kTridentAnemometer(
+    "libtrident_anemometer.so", anemometer_factory(),
+    PluginExample{"<linkName>base_link</linkName><gaussianNoise>0.1</gaussianNoise>",
+                  {"linkName"},
+                  {"gaussianNoise", "bias", "updateRate"}});
+
+}  // namespace
 
 }  // namespace trident::sim

@@ -10,9 +10,12 @@
 #include "camera_outputs.h"
 #include "core/plugins/sample_clock.h"
 #include "sensors/command_input.h"
-#include "sensors/sensor_plugins.h"
 
 namespace trident::sim {
+
+/// When a camera takes pictures: at the sensor's rate, or one for each std_msgs/Empty on
+/// `<triggerTopicName>` (image_trigger), at the end of the next step.
+enum class Shutter { kRate, kTrigger };
 
 /// The sensor that a camera's plugin belongs to; throws Error where there is none.
 const SensorSpec& required_sensor(const PluginContext& context);

@@ -11,7 +11,9 @@
 
 #include "camera_sensor.h"
 #include "core/plugins/model_params.h"
+#include "sensors/camera/example_camera.h"
 #include "trident_base/error.h"
+#include "trident_sim/plugin_registry.h"
 
 namespace trident::sim {
 namespace {
@@ -221,8 +223,6 @@ std::unique_ptr<Plugin> make_own_camera(const PluginContext& context) {
   return std::make_unique<CameraSensor>(context, camera, std::vector<CameraSetup>{setup});
 }
 
-}  // namespace
-
 PluginFactory gazebo_camera_factory(Shutter shutter) {
   return {[shutter](const PluginContext& context) { return make_camera(context, shutter); }, {}};
 }
@@ -245,9 +245,60 @@ PluginFactory gazebo_multicamera_factory(Shutter shutter) {
   return {[shutter](const PluginContext& context) { return make_multicamera(context, shutter); },
           {}};
 }
-
 PluginFactory noisy_depth_camera_factory() { return {make_noisy_depth_camera, {}}; }
-
 PluginFactory camera_factory() { return {make_own_camera, {}}; }
+
+const PluginRegistrar kGazeboRosCamera(
+    "libgazebo_ros_camera.so", gazebo_camera_factory(Shutter::kRate),
+    PluginExample{"<cameraName>eye</cameraName><updateRate>50</updateRate>",
+                  {},
+                  {"updateRate", "focalLength", "Cx", "CxPrime", "distortionK1", "distortionT2"},
+                  kExampleCamera});
+const PluginRegistrar kGazeboRosTriggeredCamera(
+    "libgazebo_ros_triggered_camera.so", gazebo_camera_factory(Shutter::kTrigger),
+    PluginExample{"<cameraName>eye</cameraName><updateRate>50</updateRate>",
+                  {},
+                  {"updateRate", "focalLength", "Cx", "CxPrime", "distortionK1", "distortionT2"},
+                  kExampleCamera});
+const PluginRegistrar kGazeboRosDepthCamera(
+    "libgazebo_ros_depth_camera.so", gazebo_depth_camera_factory(),
+    PluginExample{"<cameraName>eye</cameraName><updateRate>50</updateRate>",
+                  {},
+                  {"updateRate", "focalLength", "Cx", "CxPrime", "distortionK1", "distortionT2",
+                   "hackBaseline", "pointCloudCutoff"},
+                  kExampleCamera});
+const PluginRegistrar kGazeboRosOpenniKinect(
+    "libgazebo_ros_openni_kinect.so", gazebo_kinect_factory(),
+    PluginExample{"<cameraName>eye</cameraName><updateRate>50</updateRate>",
+                  {},
+                  {"updateRate", "focalLength", "Cx", "CxPrime", "distortionK1", "distortionT2",
+                   "hackBaseline", "pointCloudCutoff"},
+                  kExampleCamera});
+const PluginRegistrar kGazeboRosMulticamera(
+    "libgazebo_ros_multicamera.so", gazebo_multicamera_factory(Shutter::kRate),
+    PluginExample{"<cameraName>eye</cameraName><updateRate>50</updateRate>",
+                  {},
+                  {"updateRate", "focalLength", "Cx", "CxPrime", "distortionK1", "distortionT2"},
+                  kExampleCamera});
+const PluginRegistrar kGazeboRosTriggeredMulticamera(
+    "libgazebo_ros_triggered_multicamera.so", gazebo_multicamera_factory(Shutter::kTrigger),
+    PluginExample{"<cameraName>eye</cameraName><updateRate>50</updateRate>",
+                  {},
+                  {"updateRate", "focalLength", "Cx", "CxPrime", "distortionK1", "distortionT2"},
+                  kExampleCamera});
+const PluginRegistrar kRotorsGazeboNoisydepthPlugin(
+    "librotors_gazebo_noisydepth_plugin.so", noisy_depth_camera_factory(),
+    PluginExample{"<cameraName>eye</cameraName><updateRate>50</updateRate>",
+                  {},
+                  {"updateRate", "depthNoiseMinDist", "baseline", "D435MaxStdev"},
+                  kExampleCamera});
+const PluginRegistrar kTridentCamera(
+    "libtrident_camera.so", camera_factory(),
+    PluginExample{"<cameraName>eye</cameraName><updateRate>50</updateRate>",
+                  {},
+                  {"updateRate", "focalLength", "Cx", "CxPrime", "distortionK1", "distortionT2"},
+                  kExampleCamera});
+
+}  // namespace
 
 }  // namespace trident::sim

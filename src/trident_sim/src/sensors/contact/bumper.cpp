@@ -5,8 +5,8 @@
 #include "core/plugins/model_params.h"
 #include "core/plugins/plugin_util.h"
 #include "core/plugins/sample_clock.h"
-#include "sensors/sensor_plugins.h"
 #include "trident_base/error.h"
+#include "trident_sim/plugin_registry.h"
 
 namespace trident::sim {
 namespace {
@@ -116,10 +116,16 @@ class Bumper : public Plugin {
   OutHandle<ContactsSample> states_;
 };
 
-}  // namespace
-
 PluginFactory bumper_factory() {
   return {[](const PluginContext& context) { return std::make_unique<Bumper>(context); }, {}};
 }
+
+constexpr const char* kExampleSensor =
+    R"(<sensor name="example" type="contact"><update_rate>50</update_rate>
+    <contact><collision>collision</collision></contact></sensor>)";
+const PluginRegistrar kGazeboRosBumper("libgazebo_ros_bumper.so", bumper_factory(),
+                                       PluginExample{"", {}, {}, kExampleSensor});
+
+}  // namespace
 
 }  // namespace trident::sim

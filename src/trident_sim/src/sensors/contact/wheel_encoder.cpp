@@ -4,8 +4,8 @@
 
 #include "core/plugins/plugin_util.h"
 #include "core/plugins/sample_clock.h"
-#include "sensors/sensor_plugins.h"
 #include "trident_base/wheel_encoder.h"
+#include "trident_sim/plugin_registry.h"
 
 namespace trident::sim {
 namespace {
@@ -65,11 +65,17 @@ class WheelEncoders : public MeasuringPlugin {
   OutHandle<JointStateSample> states_;
 };
 
-}  // namespace
-
 PluginFactory wheel_encoder_factory() {
   return {[](const PluginContext& context) { return std::make_unique<WheelEncoders>(context); },
           {}};
 }
+
+const PluginRegistrar kTridentWheelEncoder(
+    "libtrident_wheel_encoder.so", wheel_encoder_factory(),
+    PluginExample{"<jointName>rotor_0_joint, rotor_1_joint</jointName>",
+                  {"jointName"},
+                  {"ticksPerTurn", "updateRate"}});
+
+}  // namespace
 
 }  // namespace trident::sim

@@ -10,10 +10,10 @@
 #include "core/plugins/plugin_util.h"
 #include "core/plugins/sample_clock.h"
 #include "geoid_grid.h"
-#include "sensors/sensor_plugins.h"
 #include "trident_base/angle.h"
 #include "trident_base/error.h"
 #include "trident_base/noise.h"
+#include "trident_sim/plugin_registry.h"
 #include "trident_sim/ray_scene.h"
 
 namespace trident::sim {
@@ -199,10 +199,18 @@ class Gnss : public MeasuringPlugin {
   std::uint64_t good_since_ = 0;  ///< number of the step since when the view is good enough for RTK
 };
 
-}  // namespace
-
 PluginFactory gnss_factory() {
   return {[](const PluginContext& context) { return std::make_unique<Gnss>(context); }, {}};
 }
+
+const PluginRegistrar kTridentGnss(
+    "libtrident_gnss.so", gnss_factory(),
+    PluginExample{"<floatTime>0.1</floatTime><fixedTime>0.3</fixedTime>",
+                  {},
+                  {"satellites", "rtkSatellites", "floatTime", "fixedTime",
+                   "singleHorizontalStdDev", "fixedVerticalStdDev"},
+                  R"(<sensor name="example" type="gps"><update_rate>50</update_rate></sensor>)"});
+
+}  // namespace
 
 }  // namespace trident::sim

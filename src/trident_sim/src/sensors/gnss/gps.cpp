@@ -5,10 +5,10 @@
 
 #include "core/plugins/plugin_util.h"
 #include "core/plugins/sample_clock.h"
-#include "sensors/sensor_plugins.h"
 #include "trident_base/angle.h"
 #include "trident_base/error.h"
 #include "trident_base/noise.h"
+#include "trident_sim/plugin_registry.h"
 
 namespace trident::sim {
 namespace {
@@ -87,10 +87,17 @@ class Gps : public MeasuringPlugin {
   OutHandle<TwistSample> speed_;
 };
 
-}  // namespace
-
 PluginFactory gps_factory() {
   return {[](const PluginContext& context) { return std::make_unique<Gps>(context); }, {}};
 }
+
+const PluginRegistrar kRotorsGazeboGpsPlugin(
+    "librotors_gazebo_gps_plugin.so", gps_factory(),
+    PluginExample{"",
+                  {},
+                  {"horPosStdDev", "verPosStdDev", "horVelStdDev", "verVelStdDev"},
+                  R"(<sensor name="example" type="gps"><update_rate>50</update_rate></sensor>)"});
+
+}  // namespace
 
 }  // namespace trident::sim

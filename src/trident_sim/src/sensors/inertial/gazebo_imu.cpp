@@ -4,8 +4,8 @@
 #include "core/plugins/plugin_util.h"
 #include "core/plugins/sample_clock.h"
 #include "sensors/command_input.h"
-#include "sensors/sensor_plugins.h"
 #include "trident_base/error.h"
+#include "trident_sim/plugin_registry.h"
 
 namespace trident::sim {
 namespace {
@@ -226,10 +226,29 @@ std::unique_ptr<Plugin> make_hector_imu(const PluginContext& context) {
       noises);
 }
 
-}  // namespace
-
 PluginFactory gazebo_imu_factory() { return {make_model_imu, {}}; }
 PluginFactory gazebo_imu_sensor_factory() { return {make_sensor_imu, {}}; }
 PluginFactory hector_imu_factory() { return {make_hector_imu, {}}; }
+
+const PluginRegistrar kGazeboRosImu(
+    "libgazebo_ros_imu.so", gazebo_imu_factory(),
+    PluginExample{"<bodyName>base_link</bodyName><gaussianNoise>0.1</gaussianNoise>",
+                  {"bodyName"},
+                  {"gaussianNoise", "updateRate", "xyzOffset", "rpyOffset"}});
+const PluginRegistrar kGazeboRosImuSensor(
+    "libgazebo_ros_imu_sensor.so", gazebo_imu_sensor_factory(),
+    PluginExample{"<frameName>imu</frameName><gaussianNoise>0.1</gaussianNoise>",
+                  {"frameName"},
+                  {"gaussianNoise", "updateRateHZ", "xyzOffset", "rpyOffset"},
+                  R"(<sensor name="example" type="imu"><update_rate>50</update_rate></sensor>)"});
+const PluginRegistrar kHectorGazeboRosImu(
+    "libhector_gazebo_ros_imu.so", hector_imu_factory(),
+    PluginExample{"<bodyName>base_link</bodyName><rateDrift>0.01 0.02 0.03</rateDrift>"
+                  "<accelGaussianNoise>0.1</accelGaussianNoise>",
+                  {},
+                  {"gaussianNoise", "updateRate", "rpyOffset", "rateDrift", "accelOffset",
+                   "headingGaussianNoise", "rateDriftFrequency"}});
+
+}  // namespace
 
 }  // namespace trident::sim

@@ -8,11 +8,12 @@
 #include "axis_noise.h"
 #include "core/plugins/plugin_util.h"
 #include "core/plugins/sample_clock.h"
+#include "sensors/lidar/example_lidar.h"
 #include "sensors/lidar/ray_bundle.h"
-#include "sensors/sensor_plugins.h"
 #include "trident_base/angle.h"
 #include "trident_base/error.h"
 #include "trident_base/random_stream.h"
+#include "trident_sim/plugin_registry.h"
 #include "trident_sim/vector_sample.h"
 
 namespace trident::sim {
@@ -300,11 +301,35 @@ PluginFactory factory_of() {
   return {[](const PluginContext& context) { return std::make_unique<Sensor>(context); }, {}};
 }
 
-}  // namespace
-
 PluginFactory hector_gps_factory() { return factory_of<HectorGps>(); }
 PluginFactory hector_magnetic_factory() { return factory_of<HectorMagnetic>(); }
 PluginFactory hector_baro_factory() { return factory_of<HectorBaro>(); }
 PluginFactory hector_sonar_factory() { return factory_of<HectorSonar>(); }
+
+const PluginRegistrar kHectorGazeboRosGps("libhector_gazebo_ros_gps.so", hector_gps_factory(),
+                                          PluginExample{
+                                              "<updateRate>50</updateRate><drift>5 5 5</drift>"
+                                              "<velocityGaussianNoise>0.1</velocityGaussianNoise>",
+                                              {},
+                                              {"referenceLatitude", "referenceHeading",
+                                               "gaussianNoise", "drift", "velocityOffset"}});
+const PluginRegistrar kHectorGazeboRosMagnetic(
+    "libhector_gazebo_ros_magnetic.so", hector_magnetic_factory(),
+    PluginExample{"<gaussianNoise>1e-3 1e-3 1e-3</gaussianNoise>",
+                  {},
+                  {"magnitude", "declination", "inclination", "referenceHeading", "offset"}});
+const PluginRegistrar kHectorGazeboRosBaro(
+    "libhector_gazebo_ros_baro.so", hector_baro_factory(),
+    PluginExample{"<drift>0.1</drift><gaussianNoise>0.5</gaussianNoise>",
+                  {},
+                  {"updateRate", "driftFrequency"}});
+const PluginRegistrar kHectorGazeboRosSonar(
+    "libhector_gazebo_ros_sonar.so", hector_sonar_factory(),
+    PluginExample{"<gaussianNoise>0.01</gaussianNoise><updateRate>50</updateRate>",
+                  {},
+                  {"gaussianNoise", "drift", "updateRate"},
+                  kExampleLidar});
+
+}  // namespace
 
 }  // namespace trident::sim

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/plugins/plugin_util.h"
-#include "sensors/sensor_plugins.h"
 #include "trident_base/noise.h"
+#include "trident_sim/plugin_registry.h"
 
 namespace trident::sim {
 namespace {
@@ -62,10 +62,17 @@ class Magnetometer : public MeasuringPlugin {
   OutHandle<MagneticFieldSample> magnetic_;
 };
 
-}  // namespace
-
 PluginFactory magnetometer_factory() {
   return {[](const PluginContext& context) { return std::make_unique<Magnetometer>(context); }, {}};
 }
+
+const PluginRegistrar kRotorsGazeboMagnetometerPlugin(
+    "librotors_gazebo_magnetometer_plugin.so", magnetometer_factory(),
+    PluginExample{
+        "<linkName>base_link</linkName><noiseNormal>1e-7 1e-7 1e-7</noiseNormal>",
+        {"linkName"},
+        {"refMagNorth", "refMagEast", "refMagDown", "noiseNormal", "noiseUniformInitialBias"}});
+
+}  // namespace
 
 }  // namespace trident::sim

@@ -6,8 +6,9 @@
 #include "core/plugins/model_params.h"
 #include "core/plugins/plugin_util.h"
 #include "ray_bundle.h"
-#include "sensors/sensor_plugins.h"
+#include "sensors/lidar/example_lidar.h"
 #include "trident_base/noise.h"
+#include "trident_sim/plugin_registry.h"
 
 namespace trident::sim {
 namespace {
@@ -67,10 +68,16 @@ class BlockLaser : public MeasuringPlugin {
   OutHandle<PointListSample> points_;
 };
 
-}  // namespace
-
 PluginFactory block_laser_factory() {
   return {[](const PluginContext& context) { return std::make_unique<BlockLaser>(context); }, {}};
 }
+
+const PluginRegistrar kGazeboRosBlockLaser("libgazebo_ros_block_laser.so", block_laser_factory(),
+                                           PluginExample{"<gaussianNoise>0.01</gaussianNoise>",
+                                                         {},
+                                                         {"gaussianNoise", "updateRate"},
+                                                         kExampleLidar});
+
+}  // namespace
 
 }  // namespace trident::sim

@@ -10,9 +10,10 @@
 #include "core/plugins/sample_clock.h"
 #include "lidar_spec.h"
 #include "rolling_sweep.h"
-#include "sensors/sensor_plugins.h"
+#include "sensors/lidar/example_lidar.h"
 #include "trident_base/angle.h"
 #include "trident_base/error.h"
+#include "trident_sim/plugin_registry.h"
 
 namespace trident::sim {
 namespace {
@@ -178,9 +179,19 @@ PluginFactory laser_scanner(const char* default_topic, bool is_rolling) {
           {}};
 }
 
-}  // namespace
-
 PluginFactory gazebo_laser_factory() { return laser_scanner("/world", false); }
 PluginFactory lidar_factory() { return laser_scanner("scan", true); }
+
+const PluginRegistrar kGazeboRosLaser("libgazebo_ros_laser.so", gazebo_laser_factory(),
+                                      PluginExample{
+                                          "<topicName>scan</topicName>", {}, {}, kExampleLidar});
+const PluginRegistrar kGazeboRosGpuLaser("libgazebo_ros_gpu_laser.so", gazebo_laser_factory(),
+                                         PluginExample{
+                                             "<topicName>scan</topicName>", {}, {}, kExampleLidar});
+const PluginRegistrar kTridentLidar("libtrident_lidar.so", lidar_factory(),
+                                    PluginExample{
+                                        "<rolling>true</rolling>", {}, {}, kExampleLidar});
+
+}  // namespace
 
 }  // namespace trident::sim

@@ -10,8 +10,9 @@
 #include "lidar_pattern.h"
 #include "lidar_spec.h"
 #include "rolling_sweep.h"
-#include "sensors/sensor_plugins.h"
+#include "sensors/lidar/example_lidar.h"
 #include "trident_base/error.h"
+#include "trident_sim/plugin_registry.h"
 
 namespace trident::sim {
 namespace {
@@ -261,9 +262,30 @@ PluginFactory point_lidar(const char* default_topic, bool is_rolling) {
           {}};
 }
 
-}  // namespace
-
 PluginFactory velodyne_laser_factory() { return point_lidar("/world", false); }
 PluginFactory point_lidar_factory() { return point_lidar("points", true); }
+
+const PluginRegistrar kGazeboRosVelodyneLaser("libgazebo_ros_velodyne_laser.so",
+                                              velodyne_laser_factory(),
+                                              PluginExample{"<topicName>points</topicName>",
+                                                            {},
+                                                            {"min_range", "max_range",
+                                                             "min_intensity", "gaussianNoise"},
+                                                            kExampleLidar});
+const PluginRegistrar kGazeboRosVelodyneGpuLaser("libgazebo_ros_velodyne_gpu_laser.so",
+                                                 velodyne_laser_factory(),
+                                                 PluginExample{"<topicName>points</topicName>",
+                                                               {},
+                                                               {"min_range", "max_range",
+                                                                "min_intensity", "gaussianNoise"},
+                                                               kExampleLidar});
+const PluginRegistrar kTridentLidar3d("libtrident_lidar3d.so", point_lidar_factory(),
+                                      PluginExample{"<gaussianNoise>0.01</gaussianNoise>",
+                                                    {},
+                                                    {"min_range", "max_range", "min_intensity",
+                                                     "gaussianNoise", "beamPeriod"},
+                                                    kExampleLidar});
+
+}  // namespace
 
 }  // namespace trident::sim

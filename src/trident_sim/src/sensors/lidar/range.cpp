@@ -6,9 +6,10 @@
 #include "core/plugins/model_params.h"
 #include "core/plugins/plugin_util.h"
 #include "ray_bundle.h"
-#include "sensors/sensor_plugins.h"
+#include "sensors/lidar/example_lidar.h"
 #include "trident_base/angle.h"
 #include "trident_base/noise.h"
+#include "trident_sim/plugin_registry.h"
 
 namespace trident::sim {
 namespace {
@@ -68,10 +69,16 @@ class RangeFinder : public MeasuringPlugin {
   OutHandle<RangeSample> range_;
 };
 
-}  // namespace
-
 PluginFactory range_factory() {
   return {[](const PluginContext& context) { return std::make_unique<RangeFinder>(context); }, {}};
 }
+
+const PluginRegistrar kGazeboRosRange("libgazebo_ros_range.so", range_factory(),
+                                      PluginExample{"<gaussianNoise>0.01</gaussianNoise>",
+                                                    {},
+                                                    {"gaussianNoise", "fov", "updateRate"},
+                                                    kExampleLidar});
+
+}  // namespace
 
 }  // namespace trident::sim

@@ -5,11 +5,11 @@
 #include <optional>
 
 #include "ackermann_params.h"
-#include "core/plugins/rate_ticker.h"
 #include "core/plugins/joint_states.h"
+#include "core/plugins/rate_ticker.h"
 #include "drive_parts.h"
-#include "gazebo_ros_plugins.h"
 #include "trident_base/angle.h"
+#include "trident_sim/plugin_registry.h"
 #include "velocity_command.h"
 
 namespace trident::sim {
@@ -284,13 +284,30 @@ class AckermannDrive : public Plugin {
   bool is_due_ = false;
 };
 
-}  // namespace
-
 PluginFactory ackermann_drive_factory() {
   return {[](const PluginContext& context) {
             return std::make_unique<AckermannDrive>(context, read_ackermann(context));
           },
           {}};
 }
+
+const PluginRegistrar kGazeboRosAckermannDrive(
+    "libgazebo_ros_ackermann_drive.so", ackermann_drive_factory(),
+    PluginExample{
+        "<front_left_joint>rotor_1_joint</front_left_joint>"
+        "<front_right_joint>rotor_0_joint</front_right_joint>"
+        "<left_steering_joint>rotor_1_joint</left_steering_joint>"
+        "<right_steering_joint>rotor_0_joint</right_steering_joint>"
+        "<rear_left_joint>rotor_2_joint</rear_left_joint>"
+        "<rear_right_joint>rotor_3_joint</rear_right_joint><wheel_radius>0.1</wheel_radius>"
+        "<linear_velocity_pid_gain>1e-3 1e-3 0</linear_velocity_pid_gain>"
+        "<odometry_source>encoder</odometry_source><publish_odom>true</publish_odom>"
+        "<publish_odom_tf>true</publish_odom_tf><publish_distance>true</publish_distance>",
+        {},
+        {"wheel_radius", "wheel_base", "track_width", "max_steer", "max_speed",
+         "max_steering_angle", "update_rate", "covariance_x", "covariance_yaw", "drive_torque",
+         "acceleration", "steering_speed", "encoder_error_per_meter"}});
+
+}  // namespace
 
 }  // namespace trident::sim

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <optional>
 
-#include "core/plugins/rate_ticker.h"
 #include "core/plugins/joint_states.h"
+#include "core/plugins/rate_ticker.h"
 #include "drive_parts.h"
-#include "gazebo_ros_plugins.h"
 #include "trident_base/diff_drive_odometry.h"
+#include "trident_sim/plugin_registry.h"
 #include "velocity_command.h"
 
 namespace trident::sim {
@@ -245,8 +245,6 @@ DifferentialSpec read_kobuki(const PluginContext& context) {
   return spec;
 }
 
-}  // namespace
-
 PluginFactory diff_drive_factory() {
   return {[](const PluginContext& context) {
             return std::make_unique<DifferentialDrive>(context, read_diff_drive(context));
@@ -267,5 +265,33 @@ PluginFactory skid_steer_drive_factory() {
           },
           {}};
 }
+
+const PluginRegistrar kGazeboRosDiffDrive(
+    "libgazebo_ros_diff_drive.so", diff_drive_factory(),
+    PluginExample{"<leftJoint>rotor_1_joint</leftJoint><rightJoint>rotor_3_joint</rightJoint>"
+                  "<odometrySource>encoder</odometrySource>"
+                  "<publishWheelJointState>true</publishWheelJointState>"
+                  "<publishWheelTF>true</publishWheelTF>",
+                  {},
+                  {"wheelSeparation", "wheelDiameter", "wheelAcceleration", "wheelTorque",
+                   "updateRate", "encoderErrorPerMeter"}});
+const PluginRegistrar kGazeboRosKobuki(
+    "libgazebo_ros_kobuki.so", kobuki_factory(),
+    PluginExample{
+        "<left_wheel_joint_name>rotor_1_joint</left_wheel_joint_name>"
+        "<right_wheel_joint_name>rotor_3_joint</right_wheel_joint_name><publish_tf>1</publish_tf>",
+        {},
+        {"wheel_separation", "wheel_diameter", "torque", "velocity_command_timeout"}});
+const PluginRegistrar kGazeboRosSkidSteerDrive(
+    "libgazebo_ros_skid_steer_drive.so", skid_steer_drive_factory(),
+    PluginExample{"<leftFrontJoint>rotor_0_joint</leftFrontJoint>"
+                  "<leftRearJoint>rotor_1_joint</leftRearJoint>"
+                  "<rightFrontJoint>rotor_2_joint</rightFrontJoint>"
+                  "<rightRearJoint>rotor_3_joint</rightRearJoint>",
+                  {},
+                  {"wheelSeparation", "wheelDiameter", "torque", "updateRate", "covariance_x",
+                   "covariance_y", "covariance_yaw"}});
+
+}  // namespace
 
 }  // namespace trident::sim

@@ -3,7 +3,7 @@
 #include "core/plugins/joint_states.h"
 #include "core/plugins/rate_ticker.h"
 #include "drive_parts.h"
-#include "gazebo_ros_plugins.h"
+#include "trident_sim/plugin_registry.h"
 
 namespace trident::sim {
 namespace {
@@ -27,12 +27,17 @@ class JointStatePublisher : public Plugin {
   JointStates states_;
 };
 
-}  // namespace
-
 PluginFactory joint_state_publisher_factory() {
   return {
       [](const PluginContext& context) { return std::make_unique<JointStatePublisher>(context); },
       {}};
 }
+
+const PluginRegistrar kGazeboRosJointStatePublisher(
+    "libgazebo_ros_joint_state_publisher.so", joint_state_publisher_factory(),
+    PluginExample{
+        "<jointName>rotor_0_joint, rotor_1_joint</jointName>", {"jointName"}, {"updateRate"}});
+
+}  // namespace
 
 }  // namespace trident::sim

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/plugins/rate_ticker.h"
 #include "drive_parts.h"
-#include "gazebo_ros_plugins.h"
 #include "trident_base/random_stream.h"
+#include "trident_sim/plugin_registry.h"
 
 namespace trident::sim {
 namespace {
@@ -107,10 +107,17 @@ class P3d : public Plugin {
   OutHandle<FrameSample> frame_;
 };
 
-}  // namespace
-
 PluginFactory p3d_factory() {
   return {[](const PluginContext& context) { return std::make_unique<P3d>(context); }, {}};
 }
+
+const PluginRegistrar kGazeboRosP3d("libgazebo_ros_p3d.so", p3d_factory(),
+                                    PluginExample{
+                                        "<bodyName>base_link</bodyName><topicName>truth</topicName>"
+                                        "<gaussianNoise>0.1</gaussianNoise>",
+                                        {"bodyName", "topicName"},
+                                        {"gaussianNoise", "updateRate", "xyzOffset", "rpyOffset"}});
+
+}  // namespace
 
 }  // namespace trident::sim

@@ -4,7 +4,7 @@
 
 #include "core/plugins/rate_ticker.h"
 #include "drive_parts.h"
-#include "gazebo_ros_plugins.h"
+#include "trident_sim/plugin_registry.h"
 #include "velocity_command.h"
 
 namespace trident::sim {
@@ -68,10 +68,15 @@ class PlanarMove : public Plugin {
   OdometryOutput output_;
 };
 
-}  // namespace
-
 PluginFactory planar_move_factory() {
   return {[](const PluginContext& context) { return std::make_unique<PlanarMove>(context); }, {}};
 }
+
+const PluginRegistrar kGazeboRosPlanarMove("libgazebo_ros_planar_move.so", planar_move_factory(),
+                                           PluginExample{"<odometryRate>100</odometryRate>",
+                                                         {},
+                                                         {"odometryRate", "cmdTimeout"}});
+
+}  // namespace
 
 }  // namespace trident::sim

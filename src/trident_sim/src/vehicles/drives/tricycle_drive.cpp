@@ -4,12 +4,12 @@
 #include <cmath>
 #include <optional>
 
-#include "core/plugins/rate_ticker.h"
 #include "core/plugins/joint_states.h"
+#include "core/plugins/rate_ticker.h"
 #include "drive_parts.h"
-#include "gazebo_ros_plugins.h"
 #include "trident_base/angle.h"
 #include "trident_base/diff_drive_odometry.h"
+#include "trident_sim/plugin_registry.h"
 #include "velocity_command.h"
 
 namespace trident::sim {
@@ -128,11 +128,22 @@ class TricycleDrive : public Plugin {
   bool is_due_ = false;
 };
 
-}  // namespace
-
 PluginFactory tricycle_drive_factory() {
   return {[](const PluginContext& context) { return std::make_unique<TricycleDrive>(context); },
           {}};
 }
+
+const PluginRegistrar kGazeboRosTricycleDrive(
+    "libgazebo_ros_tricycle_drive.so", tricycle_drive_factory(),
+    PluginExample{
+        "<steeringJoint>rotor_0_joint</steeringJoint>"
+        "<actuatedWheelJoint>rotor_2_joint</actuatedWheelJoint>"
+        "<encoderWheelLeftJoint>rotor_1_joint</encoderWheelLeftJoint>"
+        "<encoderWheelRightJoint>rotor_3_joint</encoderWheelRightJoint>",
+        {},
+        {"actuatedWheelDiameter", "encoderWheelDiameter", "encoderWheelSeparation", "wheelTorque",
+         "wheelAcceleration", "steeringSpeed", "steeringAngleTolerance", "updateRate"}});
+
+}  // namespace
 
 }  // namespace trident::sim

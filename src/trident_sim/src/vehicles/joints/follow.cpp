@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/plugins/plugin_util.h"
-#include "joint_plugins.h"
+#include "trident_sim/plugin_registry.h"
 
 namespace trident::sim {
 namespace {
@@ -62,10 +62,12 @@ class Follow : public Plugin {
   Eigen::Vector3d shifted_ = Eigen::Vector3d::Zero();  ///< a static model, since it was spawned
 };
 
-}  // namespace
-
 PluginFactory follow_factory() {
   return {[](const PluginContext& context) { return std::make_unique<Follow>(context); }, {}};
 }
+
+const PluginRegistrar kTridentFollow("libtrident_follow.so", follow_factory());
+
+}  // namespace
 
 }  // namespace trident::sim

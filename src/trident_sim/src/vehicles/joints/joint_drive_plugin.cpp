@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "core/plugins/plugin_util.h"
-#include "joint_plugins.h"
 #include "trident_sim/motion_limits.h"
+#include "trident_sim/plugin_registry.h"
 
 namespace trident::sim {
 namespace {
@@ -115,11 +115,19 @@ class JointDrivePlugin : public Plugin {
   OutHandle<ScalarSample> state_;
 };
 
-}  // namespace
-
 PluginFactory joint_drive_factory() {
   return {[](const PluginContext& context) { return std::make_unique<JointDrivePlugin>(context); },
           {}};
 }
+
+const PluginRegistrar kTridentJointDrive(
+    "libtrident_joint_drive.so", joint_drive_factory(),
+    PluginExample{
+        "<jointName>rotor_1_joint</jointName><mode>position</mode><target>0.3</target><p>2e-3</p>"
+        "<i>1e-3</i><d>1e-4</d>",
+        {"jointName", "mode"},
+        {"axis", "target", "p", "i", "d", "integralLimit", "effortLimit"}});
+
+}  // namespace
 
 }  // namespace trident::sim

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/plugins/stamped_commands.h"
-#include "rotors_plugins.h"
+#include "trident_sim/plugin_registry.h"
 
 namespace trident::sim {
 namespace {
@@ -79,12 +79,16 @@ class ControllerInterface : public Plugin {
   OutHandle<ActuatorState> out_;
 };
 
-}  // namespace
-
 PluginFactory controller_interface_factory() {
   return {
       [](const PluginContext& context) { return std::make_unique<ControllerInterface>(context); },
       {}};
 }
+
+const PluginRegistrar kRotorsGazeboControllerInterface(
+    "librotors_gazebo_controller_interface.so", controller_interface_factory(),
+    PluginExample{"<linkName>base_link</linkName>", {}, {}});
+
+}  // namespace
 
 }  // namespace trident::sim

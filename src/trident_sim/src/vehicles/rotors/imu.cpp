@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/plugins/plugin_util.h"
-#include "rotors_plugins.h"
 #include "trident_base/noise.h"
+#include "trident_sim/plugin_registry.h"
 
 namespace trident::sim {
 namespace {
@@ -87,10 +87,19 @@ class Imu : public MeasuringPlugin {
   OutHandle<ImuSample> imu_;
 };
 
-}  // namespace
-
 PluginFactory imu_factory() {
   return {[](const PluginContext& context) { return std::make_unique<Imu>(context); }, {}};
 }
+
+const PluginRegistrar kRotorsGazeboImuPlugin(
+    "librotors_gazebo_imu_plugin.so", imu_factory(),
+    PluginExample{
+        "<linkName>base_link</linkName>",
+        {"linkName"},
+        {"gyroscopeNoiseDensity", "gyroscopeRandomWalk", "gyroscopeBiasCorrelationTime",
+         "gyroscopeTurnOnBiasSigma", "accelerometerNoiseDensity", "accelerometerRandomWalk",
+         "accelerometerBiasCorrelationTime", "accelerometerTurnOnBiasSigma"}});
+
+}  // namespace
 
 }  // namespace trident::sim

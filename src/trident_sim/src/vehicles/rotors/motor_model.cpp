@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/plugins/plugin_util.h"
-#include "rotors_plugins.h"
+#include "trident_sim/plugin_registry.h"
 #include "trident_sim/sea.h"
 
 namespace trident::sim {
@@ -163,8 +163,6 @@ class MotorModel : public Plugin {
   std::string name_;
 };
 
-}  // namespace
-
 PluginFactory motor_model_factory() {
   return {[](const PluginContext& context) { return std::make_unique<MotorModel>(context); },
           [](const PluginParams& params) {
@@ -172,5 +170,24 @@ PluginFactory motor_model_factory() {
                                                                       : std::string();
           }};
 }
+
+const PluginRegistrar kRotorsGazeboMotorModel(
+    "librotors_gazebo_motor_model.so", motor_model_factory(),
+    PluginExample{
+        "<jointName>rotor_1_joint</jointName><linkName>rotor_1</linkName>"
+        "<turningDirection>ccw</turningDirection><motorNumber>1</motorNumber>"
+        "<commandSubTopic>gazebo/command/motor_speed</commandSubTopic>"
+        "<motorSpeedPubTopic>motor_speed/1</motorSpeedPubTopic>"
+        "<timeConstantUp>0.02</timeConstantUp><timeConstantDown>0.05</timeConstantDown>"
+        "<maxRotVelocity>900</maxRotVelocity><motorConstant>1.2e-5</motorConstant>"
+        "<momentConstant>0.02</momentConstant><rotorDragCoefficient>0</rotorDragCoefficient>"
+        "<rollingMomentCoefficient>0</rollingMomentCoefficient>"
+        "<rotorVelocitySlowdownSim>10</rotorVelocitySlowdownSim>",
+        {"jointName", "linkName", "motorNumber", "turningDirection"},
+        {"motorNumber", "timeConstantUp", "timeConstantDown", "maxRotVelocity", "motorConstant",
+         "momentConstant", "rotorDragCoefficient", "rollingMomentCoefficient",
+         "rotorVelocitySlowdownSim"}});
+
+}  // namespace
 
 }  // namespace trident::sim

@@ -4,7 +4,7 @@
 #include <map>
 
 #include "core/plugins/plugin_util.h"
-#include "rotors_plugins.h"
+#include "trident_sim/plugin_registry.h"
 
 namespace trident::sim {
 namespace {
@@ -76,11 +76,15 @@ class MultirotorBase : public MeasuringPlugin {
   OutHandle<JointStateSample> joint_states_;
 };
 
-}  // namespace
-
 PluginFactory multirotor_base_factory() {
   return {[](const PluginContext& context) { return std::make_unique<MultirotorBase>(context); },
           {}};
 }
+
+const PluginRegistrar kRotorsGazeboMultirotorBasePlugin(
+    "librotors_gazebo_multirotor_base_plugin.so", multirotor_base_factory(),
+    PluginExample{"<linkName>base_link</linkName>", {"linkName"}, {"rotorVelocitySlowdownSim"}});
+
+}  // namespace
 
 }  // namespace trident::sim

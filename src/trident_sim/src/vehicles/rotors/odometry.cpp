@@ -3,8 +3,8 @@
 #include <deque>
 
 #include "core/plugins/plugin_util.h"
-#include "rotors_plugins.h"
 #include "trident_base/random_stream.h"
+#include "trident_sim/plugin_registry.h"
 
 namespace trident::sim {
 namespace {
@@ -192,10 +192,18 @@ class Odometry : public MeasuringPlugin {
   OutHandle<FrameSample> frame_;
 };
 
-}  // namespace
-
 PluginFactory odometry_factory() {
   return {[](const PluginContext& context) { return std::make_unique<Odometry>(context); }, {}};
 }
+
+const PluginRegistrar kRotorsGazeboOdometryPlugin(
+    "librotors_gazebo_odometry_plugin.so", odometry_factory(),
+    PluginExample{"<linkName>base_link</linkName><measurementDelay>2</measurementDelay>"
+                  "<noiseNormalPosition>0.1 0.1 0.1</noiseNormalPosition>",
+                  {"linkName"},
+                  {"measurementDivisor", "measurementDelay", "unknownDelay", "noiseNormalPosition",
+                   "noiseUniformAngularVelocity"}});
+
+}  // namespace
 
 }  // namespace trident::sim

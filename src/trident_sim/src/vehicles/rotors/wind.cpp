@@ -6,7 +6,7 @@
 
 #include "core/environment/wind_field.h"
 #include "core/plugins/plugin_util.h"
-#include "rotors_plugins.h"
+#include "trident_sim/plugin_registry.h"
 #include "trident_sim/sea.h"
 
 namespace trident::sim {
@@ -126,10 +126,19 @@ class WindPlugin : public Plugin {
   InHandle<WindSample> to_rotors_;
 };
 
-}  // namespace
-
 PluginFactory wind_factory() {
   return {[](const PluginContext& context) { return std::make_unique<WindPlugin>(context); }, {}};
 }
+
+const PluginRegistrar kRotorsGazeboWindPlugin(
+    "librotors_gazebo_wind_plugin.so", wind_factory(),
+    PluginExample{"<linkName>base_link</linkName><windForceMean>2</windForceMean>"
+                  "<windGustStart>0.05</windGustStart><windGustDuration>0.05</windGustDuration>"
+                  "<windGustForceMean>3</windGustForceMean>",
+                  {"linkName"},
+                  {"windForceMean", "windGustStart", "windGustDuration", "windGustForceMean",
+                   "windSpeedMean", "xyzOffset", "windDirection"}});
+
+}  // namespace
 
 }  // namespace trident::sim
