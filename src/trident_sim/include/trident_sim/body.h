@@ -2,34 +2,91 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <ode/ode.h>
-
 #include <Eigen/Geometry>
 #include <string>
-#include <vector>
 
 #include "trident_base/se3.h"
-#include "trident_sim/model_spec.h"
 #include "trident_sim/state_archive.h"
 
 namespace trident::sim {
 
-/// One collision shape with its ODE geometry.
-struct Geom {
-  dGeomID id = nullptr;
-  dTriMeshDataID mesh = nullptr;
-  dHeightfieldDataID heightfield = nullptr;
-  Surface surface;   ///< fdir1 in the frame of the body, of the world for a static geometry
-  std::string name;  ///< "model::link::collision"
-  /// By which ODE's shape is larger all round [m], so that a contact is found before it is there
-  double margin_m = 0.0;
-  int watchers = 0;  ///< who wants its contacts in World::contacts()
+/// One collision shape of a model. The engine makes it; plugins may watch its contacts.
+class Geom {
+ public:
+  /// "model::link::collision"
+  const std::string& scoped_name() const { return name; }
+  /// Has World::contacts() list the contacts of this shape, for as long as more watchers were added
+  /// than removed.
+  void add_watcher() { ++watchers; }
+  void remove_watcher() { --watchers; }
+
+ protected:
+  Geom() = default;
+  ~Geom() = default;
+  Geom(Geom&&) = default;
+  Geom& operator=(Geom&&) = default;
+
+  std::string name;
+  int watchers = 0;  ///< number of those who want its contacts
 };
 
 /// One rigid body: a link with everything rigidly fixed to it, and the rotors it carries. The body
-/// frame has its origin at the composite centre of mass and the axes of the first link.
-/// State in the world frame; `inertia` in the body frame, about the origin.
-struct Body {
+/// frame has its origin at the composite center of mass and the axes of the first link. Plugins
+/// read the state and apply forces; only the engine moves it (World::set_link_state() and its kin
+/// place it).
+class Body {
+ public:
+  virtual ~Body() = default;
+  Body(const Body&) = delete;
+  Body& operator=(const Body&) = delete;
+
+  /// "model::link" of its first link.
+  const std::string& scoped_name() const { return name; }
+  /// T_world_body.
+  const SE3& pose() const { return T_world_body; }
+  /// R_world_body, the rotation of pose() as a matrix.
+  const Eigen::Matrix3d& rotation() const { return R_world_body; }
+  /// Of the center of mass, world frame [m/s].
+  const Eigen::Vector3d& velocity() const { return v_world; }
+  /// World frame [rad/s].
+  const Eigen::Vector3d& angular_velocity() const { return w_world; }
+  /// Velocity of the point p (world coordinates) that moves with the body, world frame [m/s].
+  Eigen::Vector3d velocity_at(const Eigen::Vector3d& p_world) const {
+    return v_world + w_world.cross(p_world - T_world_body.p);
+  }
+  /// angular_velocity() at the beginning of the last step: accelerations are differences over a
+  /// step.
+  const Eigen::Vector3d& previous_angular_velocity() const { return w_before; }
+
+  double mass() const { return mass_kg; }  ///< [kg]
+  /// About the center of mass, body frame [kg m^2].
+  const Eigen::Matrix3d& inertia_tensor() const { return inertia; }
+  /// Mass of the links that gravity pulls [kg], and where it pulls them, body frame [m].
+  double weight_mass() const { return weight_kg; }
+  const Eigen::Vector3d& weight_point() const { return p_weight; }
+  /// Whether it moves with its velocity, whatever force acts on it.
+  bool is_kinematic() const { return kinematic; }
+  /// Whether one of its shapes touched another one in the last step.
+  bool has_contact() const { return in_contact; }
+
+  /// Adds a force [N], world frame, at the center of mass, for the next step.
+  void apply_force(const Eigen::Vector3d& force_world) { force += force_world; }
+  /// Adds a torque [N m], world frame, for the next step.
+  void apply_torque(const Eigen::Vector3d& torque_world) { torque += torque_world; }
+  /// Adds a force [N], world frame, that acts at a point in world coordinates, for the next step.
+  void add_force_at(const Eigen::Vector3d& force_world, const Eigen::Vector3d& p_world) {
+    force += force_world;
+    torque += (p_world - T_world_body.p).cross(force_world);
+  }
+  /// Sums of what was applied for the next step so far, world frame, torque about the center of
+  /// mass.
+  const Eigen::Vector3d& applied_force() const { return force; }
+  const Eigen::Vector3d& applied_torque() const { return torque; }
+
+ protected:
+  Body() = default;
+
+  // The state, which EngineBody opens to the engine.
   std::string name;
   SE3 T_world_body;
   SE3 T_world_body_initial;  ///< as spawned
@@ -44,7 +101,7 @@ struct Body {
   double weight_kg = 0.0;                              ///< of the links that gravity pulls
   Eigen::Vector3d p_weight = Eigen::Vector3d::Zero();  ///< where, from the origin, body frame
 
-  // Accumulated over a step, world frame, torque about the centre of mass.
+  // Accumulated over a step, world frame, torque about the center of mass.
   Eigen::Vector3d force = Eigen::Vector3d::Zero();
   Eigen::Vector3d torque = Eigen::Vector3d::Zero();
   /// Angular momentum of the spun rotors about their own axes [kg m^2/s], body frame.
@@ -53,38 +110,8 @@ struct Body {
   SE3 T_before;
   Eigen::Vector3d v_before = Eigen::Vector3d::Zero();
   Eigen::Vector3d w_before = Eigen::Vector3d::Zero();
-
-  dBodyID ode = nullptr;
-  std::vector<Geom> geoms;
-  Eigen::Vector3d bound_centre = Eigen::Vector3d::Zero();  ///< body frame
-  double bound_radius_m = 0.0;                             ///< 0: nothing to collide with
-  int joint_count = 0;      ///< ODE joints that last longer than a step
-  std::size_t number = 0;   ///< in the order of the engine
   bool in_contact = false;  ///< this step
-  /// Put somewhere by hand, and not free of what it was put into since: it is pushed out slowly
-  bool placed = true;
-  bool emerging = false;   ///< this step
-  bool frozen = false;     ///< its state grew without bound: it stands until a reset
-  bool kinematic = false;  ///< moves with its velocity, whatever pushes
-  bool self_collide = false;
-  const void* owner = nullptr;  ///< bodies of one model do not collide unless self_collide
-
-  void set_orientation(const Eigen::Quaterniond& R_world_body_new) {
-    T_world_body.R = R_world_body_new;
-    R_world_body = R_world_body_new.toRotationMatrix();
-  }
-  void state(StateArchive& archive) {
-    archive(T_world_body, R_world_body, v_world, w_world, T_before, v_before, w_before, force,
-            torque, rotor_momentum, in_contact, placed, frozen);
-  }
-  /// World velocity of the point p (world coordinates) that moves with the body.
-  Eigen::Vector3d velocity_at(const Eigen::Vector3d& p_world) const {
-    return v_world + w_world.cross(p_world - T_world_body.p);
-  }
-  void add_force_at(const Eigen::Vector3d& force_world, const Eigen::Vector3d& p_world) {
-    force += force_world;
-    torque += (p_world - T_world_body.p).cross(force_world);
-  }
+  bool kinematic = false;   ///< moves with its velocity, whatever pushes
 };
 
 }  // namespace trident::sim

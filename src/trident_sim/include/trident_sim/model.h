@@ -15,6 +15,9 @@
 
 namespace trident::sim {
 
+struct OdeJoint;
+struct StaticGeoms;
+
 /// A link as users know it. Several links may share a body.
 struct Link {
   std::string name;
@@ -23,13 +26,13 @@ struct Link {
   Inertial inertial;
   bool gravity = true;  ///< whether gravity pulls it
 
-  SE3 T_world_link() const { return body ? body->T_world_body * T_body_link : T_body_link; }
+  SE3 T_world_link() const { return body ? body->pose() * T_body_link : T_body_link; }
   Eigen::Vector3d p_world_com() const { return T_world_link() * inertial.T_link_com.p; }
   Eigen::Vector3d v_world_at(const Eigen::Vector3d& p_world) const {
     return body ? body->velocity_at(p_world) : Eigen::Vector3d::Zero();
   }
   Eigen::Vector3d w_world() const {
-    return body ? body->w_world : Eigen::Vector3d(Eigen::Vector3d::Zero());
+    return body ? body->angular_velocity() : Eigen::Vector3d(Eigen::Vector3d::Zero());
   }
 };
 
@@ -74,12 +77,11 @@ struct Joint {
   JointSpec spec;
   Link* parent = nullptr;  ///< nullptr: the world
   Link* child = nullptr;
-  dJointID ode = nullptr;          ///< nullptr: rigid or spun
-  std::vector<dJointID> ode_more;  ///< what a screw and a gearbox need besides
-  std::vector<Body*> held;         ///< bodies that its constraints act on, ODE joints only
-  Body* reference = nullptr;       ///< of a gearbox; nullptr: the world
-  Body* shaft = nullptr;           ///< of a gearbox
-  std::array<JointAxis, 2> axes;   ///< the first axis_count() of them
+  std::shared_ptr<OdeJoint> ode;  ///< the engine's; nullptr: rigid or spun
+  std::vector<Body*> held;        ///< bodies that its constraints act on, ODE joints only
+  Body* reference = nullptr;      ///< of a gearbox; nullptr: the world
+  Body* shaft = nullptr;          ///< of a gearbox
+  std::array<JointAxis, 2> axes;  ///< the first axis_count() of them
   /// On the axis of a revolute or prismatic joint, in place of its dry friction
   std::optional<JointMotor> motor;
 
@@ -121,11 +123,16 @@ class Model {
   std::vector<std::unique_ptr<Body>> bodies;
   std::vector<std::unique_ptr<Link>> links;
   std::vector<std::unique_ptr<Joint>> joints;
-  std::vector<Geom> static_geoms;
+  std::shared_ptr<StaticGeoms> static_geoms;  ///< the engine's; nullptr: none
   std::vector<std::unique_ptr<Plugin>> plugins;
 
   Link* find_link(const std::string& link_name) const;
   Joint* find_joint(const std::string& joint_name) const;
+  /// The collision shapes of the body that `link` is part of, or of all static links if it is part
+  /// of none. Valid as long as the model.
+  std::vector<Geom*> collision_shapes(const Link& link) const;
+  /// Whether it has collision shapes that are part of the world.
+  bool has_static_shapes() const;
   /// Pose of the model frame, carried by the first link.
   SE3 T_world_model() const;
   Link* canonical_link() const { return links.empty() ? nullptr : links.front().get(); }

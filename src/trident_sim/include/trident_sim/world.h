@@ -203,6 +203,10 @@ class World {
  private:
   void rebuild_schedule();
   void run_phase(Phase phase, const StepInfo& info);
+  StepInfo next_step() const;
+  void sense(const StepInfo& info);
+  void actuate(const StepInfo& info);
+  void finish_step(const StepInfo& info);
   void apply_external(const StepInfo& info);
   Model& add_model(ModelSpec spec, const std::string& robot_namespace);
   std::unique_ptr<Model> build_model(ModelSpec spec, const std::string& robot_namespace);

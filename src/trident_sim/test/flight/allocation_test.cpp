@@ -114,7 +114,7 @@ TEST_P(Allocation, RestingOnTheGroundDoesNotAllocateOnceSettled) {
   Model& box = world_.add(make_body("box", BoxShape{{0.2, 0.2, 0.2}}, at(5, 0, 0.1)));
   world_->step(200);
   EXPECT_EQ(allocations_of([this] { world_->step(100); }), 0u);
-  EXPECT_TRUE(box.bodies[0]->in_contact);
+  EXPECT_TRUE(box.bodies[0]->has_contact());
 }
 /// Memory of this process that is in use and no part of a file [pages]: code is mapped when it is
 /// first run, many pages at a time.

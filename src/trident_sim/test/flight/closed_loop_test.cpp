@@ -45,7 +45,7 @@ TEST_P(ClosedLoop, SettlesAtTheOffsetOfTheThrustBalance) {
     const double offset =
         (controller_mass * 9.81 - lee.options.mass_kg() * 9.8) / LeeQuad::kPositionGain;
     EXPECT_TRUE(is_near(flight.quad().T_world_model().p, {0, 0, 2 + offset}, 1e-3));
-    EXPECT_LT(flight.quad().bodies[0]->v_world.norm(), 1e-3);
+    EXPECT_LT(flight.quad().bodies[0]->velocity().norm(), 1e-3);
   }
 }
 

@@ -143,7 +143,7 @@ TEST(CommandTiming, ABadCommandStraightToTheMotorsIsRefusedToo) {
   bad.angular_velocities.assign({std::vector<double>(4, std::nan("")).data(), 4});
   quad->ports().find_in<ActuatorCommand>("quad/gazebo/command/motor_speed")->write(bad);
   quad->step(5);
-  EXPECT_TRUE(quad.body().v_world.allFinite());
+  EXPECT_TRUE(quad.body().velocity().allFinite());
   EXPECT_GE(quad.world.told(Severity::kError, "must be finite"), 1u);
 }
 

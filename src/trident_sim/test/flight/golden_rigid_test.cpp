@@ -21,7 +21,7 @@ GoldenWorld rigid_world() { return GoldenWorld(golden_folder() + "/rigid_dt0.01/
 /// Mechanical energy per kilogram of a body that does not turn [J/kg].
 double energy(const Model& model) {
   const Body& body = *model.bodies[0];
-  return 0.5 * body.v_world.squaredNorm() + kGravity * body.T_world_body.p.z();
+  return 0.5 * body.velocity().squaredNorm() + kGravity * body.pose().p.z();
 }
 
 class GoldenDrop : public testing::TestWithParam<const char*> {};
@@ -38,7 +38,7 @@ TEST_P(GoldenDrop, FallsAndComesToRestAsInGazeboWithoutGainingEnergy) {
     before = energy(body);
     EXPECT_TRUE(is_near(body.T_world_model().p, {row[1], row[2], row[3]}, 1e-6))
         << "at " << row[0] << " s";
-    EXPECT_NEAR(body.bodies[0]->v_world.z(), row[10], 1e-5) << "at " << row[0] << " s";
+    EXPECT_NEAR(body.bodies[0]->velocity().z(), row[10], 1e-5) << "at " << row[0] << " s";
   }
 }
 INSTANTIATE_TEST_SUITE_P(Bodies, GoldenDrop, testing::Values("box_drop", "sphere_drop"));
@@ -78,9 +78,9 @@ TEST(GoldenTumble, StaysNearTheClosedFormAndConservesMomentum) {
   }
   ASSERT_TRUE(is_near(exact.momentum(), momentum, 1e-6));
   const Body& body = *box.bodies[0];
-  const Eigen::Vector3d w = body.R_world_body.transpose() * body.w_world;
-  EXPECT_TRUE(is_near(body.R_world_body * (body.inertia * w), momentum, 0.05 * momentum.norm()));
-  EXPECT_NEAR(w.dot(body.inertia * w), energy, 0.05 * energy);
+  const Eigen::Vector3d w = body.rotation().transpose() * body.angular_velocity();
+  EXPECT_TRUE(is_near(body.rotation() * (body.inertia_tensor() * w), momentum, 0.05 * momentum.norm()));
+  EXPECT_NEAR(w.dot(body.inertia_tensor() * w), energy, 0.05 * energy);
   EXPECT_LT(rad_to_deg(worst_angle), 5.0);
   EXPECT_NEAR(box.T_world_model().p.x(), -20.0 + 1.0, 1e-9);
   // Semi-implicit Euler falls g dt t / 2 further than the parabola.
@@ -95,8 +95,8 @@ TEST(GoldenTumble, ComesToRestOnAFace) {
   world->set_model_twist(box, {1, 0, 0}, {0.1, 5.0, 0.1});
   world->step(800);
   EXPECT_NEAR(box.T_world_model().p.z(), 0.05, 1e-5);
-  EXPECT_LT(box.bodies[0]->v_world.norm(), 1e-6);
-  EXPECT_LT(box.bodies[0]->w_world.norm(), 1e-6);
+  EXPECT_LT(box.bodies[0]->velocity().norm(), 1e-6);
+  EXPECT_LT(box.bodies[0]->angular_velocity().norm(), 1e-6);
 }
 
 TEST(GoldenTumble, FollowsGazeboUntilTheGround) {

@@ -7,7 +7,7 @@
 
 #include "marine/environment/current.h"
 #include "marine/vessel/vessel_dynamics.h"
-#include "trident_sim/body.h"
+#include "core/physics/engine_body.h"
 
 namespace trident::sim {
 
@@ -50,7 +50,7 @@ class StandaloneVessel {
   Restoring restoring_;
   double gravity_;
   Matrix6d springs_ = Matrix6d::Zero();
-  Body body_;
+  EngineBody body_;
   double time_s_ = 0.0;
 };
 

@@ -68,7 +68,7 @@ TEST(UsvDynamics, OnlyVrxEquationDivergesWithLargeAddedMass) {
     double fastest = 0.0;
     for (int i = 0; i < 30; ++i) {
       world->step();
-      fastest = std::max(fastest, std::abs(boat.links[0]->body->v_world.y()));
+      fastest = std::max(fastest, std::abs(boat.links[0]->body->velocity().y()));
     }
     return fastest;
   };

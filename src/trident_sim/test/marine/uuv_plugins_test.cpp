@@ -155,7 +155,7 @@ TEST(UuvPlugins, CurrentOfTheSeaCarriesIt) {
   Model& boat = world.add(make_heron(heron_thruster(kFirstOrder, kHeronCurve)));
   world->set_model_pose(boat, at(0, 0, 0.14));
   world->step(3000);
-  EXPECT_NEAR(boat.links[0]->body->v_world.x(), 0.5, 1e-3);
+  EXPECT_NEAR(boat.links[0]->body->velocity().x(), 0.5, 1e-3);
 }
 
 TEST(UuvPlugins, InputsThatAreNotLegalAreRefusedOrCut) {

@@ -59,7 +59,7 @@ TEST(WindOnAircraft, RotorsFeelTheEnvironmentsWind) {
     command.angular_velocities.assign({speeds.data(), speeds.size()});
     if (port != nullptr) port->write(command);
     world->step(100);
-    return quad.bodies[0]->v_world.x();
+    return quad.bodies[0]->velocity().x();
   };
   const ParamList silent{{"robotNamespace", "quad"}, {"linkName", "base_link"}};
   const double still = drift({}, {}), windy = drift({steady_wind("5")}, {});
@@ -94,7 +94,7 @@ TEST(VrxWind, PushesByApparentWindOrAsVrxByWindOverGround) {
     Model& hull = world.add(make_body("hull", BoxShape{{1, 1, 1}}, at(0, 0, 0), 100.0));
     world->set_model_twist(hull, {0.0, 3.0, 0.0}, Eigen::Vector3d::Zero());
     world->step();
-    return (hull.bodies[0]->v_world.y() - 3.0) * 100.0 / 0.01;
+    return (hull.bodies[0]->velocity().y() - 3.0) * 100.0 / 0.01;
   };
   EXPECT_NEAR(push("false"), 0.5 * 25.0, 1e-6);
   EXPECT_NEAR(push("true"), 0.5 * 64.0, 1e-6);

@@ -49,7 +49,7 @@ TEST_P(Broadphase, FindsExactlyTheBodiesThatTouch) {
   world->step();
   std::set<std::string> found;
   for (const auto& [name, model] : world->models()) {
-    if (model->bodies[0]->in_contact) found.insert(name);
+    if (model->bodies[0]->has_contact()) found.insert(name);
   }
   EXPECT_EQ(found, touching);
   EXPECT_GT(touching.size(), 5u);
@@ -69,7 +69,7 @@ TEST(Collision, BodiesOfOneModelPassThroughEachOtherUnlessItSelfCollides) {
     Model& model = world.add(std::move(spec));
     ASSERT_EQ(model.bodies.size(), 2u);
     world->step();
-    EXPECT_EQ(model.bodies[0]->in_contact, self_collide);
+    EXPECT_EQ(model.bodies[0]->has_contact(), self_collide);
   }
 }
 
@@ -84,7 +84,7 @@ TEST(Collision, JointedNeighboursDoNotCollideEvenThen) {
       make_joint("j", JointType::kRevolute, "link", "other", at(0.15, 0, 0), {0, 0, 1}));
   Model& model = world.add(std::move(spec));
   world->step();
-  EXPECT_FALSE(model.bodies[0]->in_contact);
+  EXPECT_FALSE(model.bodies[0]->has_contact());
 }
 
 TEST(Collision, StaticModelsDoNotMoveAndDoNotCollideWithEachOther) {

@@ -76,11 +76,11 @@ TEST_P(ClosedForm, ASphereThatSlidesEndsRollingAtFiveSeventhsOfItsSpeed) {
   // It rolls after 2 v / (7 mu g).
   run(2.0 / (7 * kMu * kGravity) + 0.1);
   const Body& body = *model.bodies[0];
-  EXPECT_NEAR(body.v_world.x(), 5.0 / 7.0, 2e-3);
-  EXPECT_NEAR(body.v_world.x(), 0.1 * body.w_world.y(), 1e-4);
-  const double rolling = body.v_world.x();
+  EXPECT_NEAR(body.velocity().x(), 5.0 / 7.0, 2e-3);
+  EXPECT_NEAR(body.velocity().x(), 0.1 * body.angular_velocity().y(), 1e-4);
+  const double rolling = body.velocity().x();
   run(2.0);
-  EXPECT_NEAR(body.v_world.x(), rolling, 1e-3) << "rolling has no friction";
+  EXPECT_NEAR(body.velocity().x(), rolling, 1e-3) << "rolling has no friction";
 }
 
 TEST_P(ClosedForm, ABallReboundsToRestitutionSquaredOfItsHeight) {
@@ -90,9 +90,9 @@ TEST_P(ClosedForm, ABallReboundsToRestitutionSquaredOfItsHeight) {
   bouncy.bounce_threshold_m_s = 0.01;
   world_.add(make_ground(bouncy));
   Model& ball = world_.add(make_body("ball", SphereShape{0.1}, at(0, 0, 0.1 + drop), 1.0, bouncy));
-  while (ball.bodies[0]->v_world.z() <= 0.0 && world_->time().seconds() < 2.0) world_->step();
+  while (ball.bodies[0]->velocity().z() <= 0.0 && world_->time().seconds() < 2.0) world_->step();
   double top = 0.0;
-  while (ball.bodies[0]->v_world.z() > 0.0) {
+  while (ball.bodies[0]->velocity().z() > 0.0) {
     world_->step();
     top = std::max(top, ball.T_world_model().p.z() - 0.1);
   }
@@ -114,10 +114,10 @@ TEST_P(ClosedForm, OnASlopeABoxSticksBelowTheAngleOfFrictionAndSlidesAbove) {
   const double angle = 1.03 * critical;
   Model& box = box_on_slope(angle, kMu);
   run(0.1);
-  const double before = box.bodies[0]->v_world.norm();
+  const double before = box.bodies[0]->velocity().norm();
   run(1.0);
   const double acceleration = kGravity * (std::sin(angle) - kMu * std::cos(angle));
-  EXPECT_NEAR(box.bodies[0]->v_world.norm() - before, acceleration, 0.02 * acceleration + 1e-3);
+  EXPECT_NEAR(box.bodies[0]->velocity().norm() - before, acceleration, 0.02 * acceleration + 1e-3);
 }
 
 INSTANTIATE_TEST_SUITE_P(Solvers, ClosedForm,
@@ -160,7 +160,7 @@ TEST_P(Stack, OfTenBoxesStandsWithoutCreeping) {
     const SE3 T = boxes[i]->T_world_model();
     EXPECT_TRUE(is_near(T.p, settled[i].p, 1e-4)) << "box " << i;
     EXPECT_LT(T.R.angularDistance(settled[i].R), 1e-4) << "box " << i;
-    EXPECT_LT(boxes[i]->bodies[0]->v_world.norm(), 1e-5) << "box " << i;
+    EXPECT_LT(boxes[i]->bodies[0]->velocity().norm(), 1e-5) << "box " << i;
   }
 }
 INSTANTIATE_TEST_SUITE_P(Towers, Stack,

@@ -48,12 +48,12 @@ struct SunkenBall {
   double depth() const { return kRadius - ball->T_world_model().p.z(); }
   double depth_at_rest() {
     world->step(1000);
-    EXPECT_LT(ball->bodies[0]->v_world.norm(), 1e-4);
+    EXPECT_LT(ball->bodies[0]->velocity().norm(), 1e-4);
     return depth();
   }
   double speed_after_one_step() {
     world->step();
-    return ball->bodies[0]->v_world.z();
+    return ball->bodies[0]->velocity().z();
   }
   TestWorld world;
   Model* ball;
@@ -161,7 +161,7 @@ TEST(Correction, OfTwoBodiesTheSmallerSpeedCounts) {
     Model& b =
         world.add(make_body("b", SphereShape{kRadius}, at(0.9, 0, 0), 1.0, swapped ? fast : slow));
     world->step();
-    EXPECT_NEAR(b.bodies[0]->v_world.x() - a.bodies[0]->v_world.x(), 0.2, 1e-4);
+    EXPECT_NEAR(b.bodies[0]->velocity().x() - a.bodies[0]->velocity().x(), 0.2, 1e-4);
   }
 }
 
@@ -182,7 +182,7 @@ TEST(Margin, AGapClosesAndDoesNotHold) {
   const Model& box = world.add(make_body("m", BoxShape{{1, 1, 1}}, at(0, 0, 0.5008)));
   world->step(3);
   EXPECT_NEAR(box.T_world_model().p.z(), 0.5, 1e-8);
-  EXPECT_LT(box.bodies[0]->v_world.norm(), 1e-6);
+  EXPECT_LT(box.bodies[0]->velocity().norm(), 1e-6);
 }
 
 /// Wherever in its last step before the ground the ball is found.
@@ -200,7 +200,7 @@ TEST(Margin, TakesNothingFromABounce) {
         make_body("m", SphereShape{kRadius}, at(0, 0, kRadius + 0.01 + height), 1.0, bouncy));
     world->set_model_twist(ball, {0, 0, -kSpeed}, {0, 0, 0});
     world->step(10);
-    EXPECT_NEAR(ball.bodies[0]->v_world.z(), kRestitution * kSpeed, 1e-4) << height;
+    EXPECT_NEAR(ball.bodies[0]->velocity().z(), kRestitution * kSpeed, 1e-4) << height;
   }
 }
 

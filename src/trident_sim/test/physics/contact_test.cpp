@@ -40,7 +40,7 @@ class RestsOn : public testing::TestWithParam<Resting> {};
 void expect_at_rest(TestWorld& world, Model& model, double z) {
   world->step(300);
   EXPECT_NEAR(model.T_world_model().p.z(), z, 2e-3);
-  EXPECT_LT(model.bodies[0]->v_world.norm(), 5e-3);
+  EXPECT_LT(model.bodies[0]->velocity().norm(), 5e-3);
   EXPECT_LT(model.T_world_model().p.head<2>().norm(), 0.01);
 }
 
@@ -120,7 +120,7 @@ TEST(Contact, ATiltedPlaneCarriesToo) {
       "m", BoxShape{{0.2, 0.2, 0.2}},
       SE3::from_xyz_rpy({0.1 * std::sin(0.2), 0, 0.1 * std::cos(0.2)}, 0, 0.2, 0), 1.0, rough));
   world->step(200);
-  EXPECT_LT(box.bodies[0]->v_world.norm(), 5e-3);
+  EXPECT_LT(box.bodies[0]->velocity().norm(), 5e-3);
 }
 
 TEST(Contact, RestitutionGivesBackItsPartOfTheSpeed) {
@@ -133,8 +133,8 @@ TEST(Contact, RestitutionGivesBackItsPartOfTheSpeed) {
   double down = 0.0, up = 0.0;
   while (world->step_count() < 1000) {
     world->step();
-    down = std::min(down, ball.bodies[0]->v_world.z());
-    up = std::max(up, ball.bodies[0]->v_world.z());
+    down = std::min(down, ball.bodies[0]->velocity().z());
+    up = std::max(up, ball.bodies[0]->velocity().z());
   }
   EXPECT_NEAR(down, -std::sqrt(2 * 9.8 * 1.0), 0.02);
   EXPECT_NEAR(up, -0.6 * down, 0.03);
@@ -161,8 +161,8 @@ TEST(Contact, BodiesPushEachOtherAndKeepTheirMomentum) {
   Model& b = world.add(make_body("b", SphereShape{0.1}, at(0.5, 0, 0), 1.0));
   world->set_model_twist(a, {1, 0, 0}, {0, 0, 0});
   world->step(200);
-  EXPECT_GT(b.bodies[0]->v_world.x(), 0.5);
-  EXPECT_NEAR(2.0 * a.bodies[0]->v_world.x() + b.bodies[0]->v_world.x(), 2.0, 1e-9);
+  EXPECT_GT(b.bodies[0]->velocity().x(), 0.5);
+  EXPECT_NEAR(2.0 * a.bodies[0]->velocity().x() + b.bodies[0]->velocity().x(), 2.0, 1e-9);
 }
 
 }  // namespace

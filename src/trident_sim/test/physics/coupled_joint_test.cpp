@@ -17,9 +17,9 @@ constexpr double kPi = 3.14159265358979323846, kGravity = 9.8;
 double energy(const Model& model) {
   double sum = 0.0;
   for (const auto& body : model.bodies) {
-    const Eigen::Vector3d w = body->R_world_body.transpose() * body->w_world;
-    sum += 0.5 * body->mass_kg * body->v_world.squaredNorm() + 0.5 * w.dot(body->inertia * w) +
-           body->weight_kg * kGravity * body->T_world_body.p.z();
+    const Eigen::Vector3d w = body->rotation().transpose() * body->angular_velocity();
+    sum += 0.5 * body->mass() * body->velocity().squaredNorm() + 0.5 * w.dot(body->inertia_tensor() * w) +
+           body->weight_mass() * kGravity * body->pose().p.z();
   }
   return sum;
 }
@@ -37,10 +37,10 @@ TEST_P(Screw, FallsAsItsInertiaLetsIt) {
   world->step(1000);
   const double fall = kGravity * k * k / (k * k + 0.04);
   const Eigen::Vector3d p = model.links[0]->T_world_link().p;
-  EXPECT_NEAR(model.bodies[0]->v_world.z(), -fall, 2e-3 * fall + 1e-9);
+  EXPECT_NEAR(model.bodies[0]->velocity().z(), -fall, 2e-3 * fall + 1e-9);
   EXPECT_NEAR(p.z(), -0.5 * fall, 5e-3 * fall);
   EXPECT_NEAR(joint.position(), p.z() / k, 1e-3 * std::abs(p.z() / k)) << "turns are counted";
-  EXPECT_NEAR(joint.velocity(), model.bodies[0]->v_world.z() / k, 1e-3 * std::abs(fall / k));
+  EXPECT_NEAR(joint.velocity(), model.bodies[0]->velocity().z() / k, 1e-3 * std::abs(fall / k));
   EXPECT_LT(p.head<2>().norm(), 1e-6);
   EXPECT_NEAR(energy(model), 0.0, 0.01 * kGravity * std::abs(p.z()));
 }
@@ -71,15 +71,15 @@ TEST(ScrewJoint, BetweenTwoBodiesItKeepsTheirMomentum) {
   world->step(1000);
   Eigen::Vector3d momentum = Eigen::Vector3d::Zero(), spin = Eigen::Vector3d::Zero();
   for (const auto& body : model.bodies) {
-    const Eigen::Matrix3d& R = body->R_world_body;
-    momentum += body->mass_kg * body->v_world;
-    spin += R * body->inertia * R.transpose() * body->w_world +
-            body->mass_kg * body->T_world_body.p.cross(body->v_world);
+    const Eigen::Matrix3d& R = body->rotation();
+    momentum += body->mass() * body->velocity();
+    spin += R * body->inertia_tensor() * R.transpose() * body->angular_velocity() +
+            body->mass() * body->pose().p.cross(body->velocity());
   }
   EXPECT_LT(momentum.norm(), 1e-6);
   EXPECT_LT(spin.norm(), 1e-6);
   EXPECT_GT(model.find_joint("j")->velocity(), 0.5);
-  EXPECT_NEAR(model.bodies[1]->v_world.z() - model.bodies[0]->v_world.z(),
+  EXPECT_NEAR(model.bodies[1]->velocity().z() - model.bodies[0]->velocity().z(),
               0.4 / (2 * kPi) * model.find_joint("j")->velocity(), 1e-3);
 }
 
@@ -137,10 +137,10 @@ TEST_P(Gearbox, InAFreeCaseItKeepsAllMomentum) {
   Eigen::Vector3d momentum = Eigen::Vector3d::Zero(), spin = Eigen::Vector3d::Zero();
   for (const auto& body : model.bodies) {
     if (body.get() == model.find_joint("gear")->shaft) continue;
-    const Eigen::Matrix3d& R = body->R_world_body;
-    momentum += body->mass_kg * body->v_world;
-    spin += R * body->inertia * R.transpose() * body->w_world +
-            body->mass_kg * body->T_world_body.p.cross(body->v_world);
+    const Eigen::Matrix3d& R = body->rotation();
+    momentum += body->mass() * body->velocity();
+    spin += R * body->inertia_tensor() * R.transpose() * body->angular_velocity() +
+            body->mass() * body->pose().p.cross(body->velocity());
   }
   EXPECT_LT(momentum.norm(), 1e-4);
   EXPECT_LT(spin.norm(), 1e-4);

@@ -14,17 +14,17 @@ class OdeBody {
  public:
   explicit OdeBody(const Body& body) : world_(dWorldCreate()), body_(dBodyCreate(world_)) {
     dMass mass;
-    const Eigen::Matrix3d& I = body.inertia;
-    dMassSetParameters(&mass, body.mass_kg, 0, 0, 0, I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2),
+    const Eigen::Matrix3d& I = body.inertia_tensor();
+    dMassSetParameters(&mass, body.mass(), 0, 0, 0, I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2),
                        I(1, 2));
     dBodySetMass(body_, &mass);
     dBodySetGyroscopicMode(body_, 0);
-    const SE3& T = body.T_world_body;
+    const SE3& T = body.pose();
     const dQuaternion q = {T.R.w(), T.R.x(), T.R.y(), T.R.z()};
     dBodySetPosition(body_, T.p.x(), T.p.y(), T.p.z());
     dBodySetQuaternion(body_, q);
-    dBodySetLinearVel(body_, body.v_world.x(), body.v_world.y(), body.v_world.z());
-    dBodySetAngularVel(body_, body.w_world.x(), body.w_world.y(), body.w_world.z());
+    dBodySetLinearVel(body_, body.velocity().x(), body.velocity().y(), body.velocity().z());
+    dBodySetAngularVel(body_, body.angular_velocity().x(), body.angular_velocity().y(), body.angular_velocity().z());
   }
   ~OdeBody() { dWorldDestroy(world_); }
   OdeBody(const OdeBody&) = delete;
@@ -34,8 +34,8 @@ class OdeBody {
     const Eigen::Vector3d w_world = v3(dBodyGetAngularVel(body_));
     const Eigen::Quaterniond R = pose().R;
     const Eigen::Vector3d w = R.conjugate() * w_world;
-    const Eigen::Vector3d torque = R * -w.cross(like.inertia * w);
-    const Eigen::Vector3d force = like.mass_kg * gravity;
+    const Eigen::Vector3d torque = R * -w.cross(like.inertia_tensor() * w);
+    const Eigen::Vector3d force = like.mass() * gravity;
     dBodyAddForce(body_, force.x(), force.y(), force.z());
     dBodyAddTorque(body_, torque.x(), torque.y(), torque.z());
     dWorldStep(world_, dt_s);
@@ -63,8 +63,8 @@ TEST(FreeBody, MovesAsOdeWouldMoveIt) {
   for (int i = 0; i < 500; ++i) {
     ode.step(body, world->physics().gravity, 0.01);
     world->step();
-    ASSERT_TRUE(is_near(body.T_world_body.p, ode.pose().p, 1e-10));
-    ASSERT_LT((body.T_world_body.R.coeffs() - ode.pose().R.coeffs()).norm(), 1e-10);
+    ASSERT_TRUE(is_near(body.pose().p, ode.pose().p, 1e-10));
+    ASSERT_LT((body.pose().R.coeffs() - ode.pose().R.coeffs()).norm(), 1e-10);
   }
 }
 
@@ -75,8 +75,8 @@ TEST(FreeBody, FallsWithGravityUnlessItsLinkHasNone) {
   Model& a = world.add(make_body("falling", SphereShape{0.1}, {}));
   Model& b = world.add(std::move(floating));
   world->step(100);
-  EXPECT_NEAR(a.bodies[0]->v_world.z(), -9.8, 1e-9);
-  EXPECT_EQ(b.bodies[0]->v_world, Eigen::Vector3d(0, 0, 0));
+  EXPECT_NEAR(a.bodies[0]->velocity().z(), -9.8, 1e-9);
+  EXPECT_EQ(b.bodies[0]->velocity(), Eigen::Vector3d(0, 0, 0));
 }
 
 TEST(FreeBody, VelocityDecays) {
@@ -88,8 +88,8 @@ TEST(FreeBody, VelocityDecays) {
   Model& model = world.add(std::move(spec));
   world->set_model_twist(model, {1, 0, 0}, {0, 0, 1});
   world->step(100);
-  EXPECT_NEAR(model.bodies[0]->v_world.x(), std::exp(-0.5), 0.005);
-  EXPECT_NEAR(model.bodies[0]->w_world.z(), std::exp(-2.0), 0.01);
+  EXPECT_NEAR(model.bodies[0]->velocity().x(), std::exp(-0.5), 0.005);
+  EXPECT_NEAR(model.bodies[0]->angular_velocity().z(), std::exp(-2.0), 0.01);
 }
 
 TEST(FreeBody, AKinematicBodyKeepsItsVelocity) {
@@ -102,7 +102,7 @@ TEST(FreeBody, AKinematicBodyKeepsItsVelocity) {
   world->step(200);
   EXPECT_TRUE(is_near(model.T_world_model().p, {0.2, 0, 3}, 1e-9));
   // Friction carries the rider along.
-  EXPECT_NEAR(world->find_model("rider")->bodies[0]->v_world.x(), 0.1, 0.01);
+  EXPECT_NEAR(world->find_model("rider")->bodies[0]->velocity().x(), 0.1, 0.01);
 }
 
 TEST(FreeBody, ConservesMomentumWhenTheStepIsSmall) {
@@ -115,8 +115,8 @@ TEST(FreeBody, ConservesMomentumWhenTheStepIsSmall) {
   world->set_model_twist(model, {0, 0, 0}, {0.1, 5, 0.1});
   const Body& body = *model.bodies[0];
   const auto momentum = [&body] {
-    return Eigen::Vector3d(body.R_world_body * body.inertia * body.R_world_body.transpose() *
-                           body.w_world);
+    return Eigen::Vector3d(body.rotation() * body.inertia_tensor() * body.rotation().transpose() *
+                           body.angular_velocity());
   };
   const Eigen::Vector3d before = momentum();
   world->step(2000);

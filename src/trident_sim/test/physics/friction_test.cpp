@@ -82,8 +82,8 @@ TEST(Friction, ASphereThatSlidesEndsRolling) {
   world->step(50);
   world->set_model_twist(ball, {1, 0, 0}, {0, 0, 0});
   world->step(500);
-  EXPECT_NEAR(ball.bodies[0]->v_world.x(), 5.0 / 7.0, 0.01);
-  EXPECT_NEAR(ball.bodies[0]->w_world.y(), 50.0 / 7.0, 0.1);
+  EXPECT_NEAR(ball.bodies[0]->velocity().x(), 5.0 / 7.0, 0.01);
+  EXPECT_NEAR(ball.bodies[0]->angular_velocity().y(), 50.0 / 7.0, 0.1);
 }
 
 TEST(Friction, ItHoldsOnASlopeUpToItsAngle) {
@@ -98,7 +98,7 @@ TEST(Friction, ItHoldsOnASlopeUpToItsAngle) {
         SE3::from_xyz_rpy({0.05 * std::sin(angle), 0, 0.05 * std::cos(angle)}, 0, angle, 0), 1.0,
         with_mu(mu)));
     world->step(500);
-    const double speed = box.bodies[0]->v_world.norm();
+    const double speed = box.bodies[0]->velocity().norm();
     if (mu < 0.4) {
       EXPECT_NEAR(speed, 9.8 * (std::sin(angle) - mu * std::cos(angle)), 0.05);
     } else {

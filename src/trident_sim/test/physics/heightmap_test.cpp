@@ -48,7 +48,7 @@ double rests_at(TestWorld& world, double x, double y) {
   Model& ball = world.add(make_body("ball", SphereShape{0.1}, at(x, y, 2.5), 1.0, with_mu(1.0)));
   world->step(300);
   const double z = ball.T_world_model().p.z();
-  EXPECT_LT(ball.bodies[0]->v_world.norm(), 5e-3);
+  EXPECT_LT(ball.bodies[0]->velocity().norm(), 5e-3);
   world->remove("ball");
   return z - 0.1;
 }
@@ -101,7 +101,7 @@ TEST_P(RestsOnHeightmap, AsOnAPlane) {
       make_body("m", GetParam().shape, at(0.2, 0.1, 0.52 + GetParam().half_height_m), 1.0));
   world->step(300);
   EXPECT_TRUE(is_near(model.T_world_model().p, {0.2, 0.1, 0.5 + GetParam().half_height_m}, 3e-3));
-  EXPECT_LT(model.bodies[0]->v_world.norm(), 5e-3);
+  EXPECT_LT(model.bodies[0]->velocity().norm(), 5e-3);
 }
 INSTANTIATE_TEST_SUITE_P(Shapes, RestsOnHeightmap,
                          testing::Values(Resting{"box", BoxShape{{0.4, 0.4, 0.2}}, 0.1},
@@ -122,7 +122,7 @@ TEST(Heightmap, ABoxSlidesDownARampAsOnAPlane) {
                                    with_mu(mu)));
   world->step(500);
   const double expected = 9.8 * (std::sin(angle) - mu * std::cos(angle));
-  EXPECT_NEAR(box.bodies[0]->v_world.norm(), expected, 0.03);
+  EXPECT_NEAR(box.bodies[0]->velocity().norm(), expected, 0.03);
   const Eigen::Vector3d p = box.T_world_model().p;
   EXPECT_NEAR(p.z() - above, 0.25 * (p.x() + 10.0), 5e-3);
 }

@@ -147,9 +147,9 @@ TEST(Revolute, BetweenTwoBodiesItKeepsTheirMomentum) {
   world->step(50);
   Eigen::Vector3d momentum = Eigen::Vector3d::Zero(), angular = Eigen::Vector3d::Zero();
   for (const auto& body : model.bodies) {
-    momentum += body->mass_kg * body->v_world;
+    momentum += body->mass() * body->velocity();
     angular +=
-        body->inertia * body->w_world + body->T_world_body.p.cross(body->mass_kg * body->v_world);
+        body->inertia_tensor() * body->angular_velocity() + body->pose().p.cross(body->mass() * body->velocity());
   }
   EXPECT_GT(model.find_joint("j")->velocity(), 0.1);
   EXPECT_LT(momentum.norm(), 1e-9);

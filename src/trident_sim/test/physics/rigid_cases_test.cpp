@@ -40,16 +40,16 @@ ModelSpec brick(const std::string& name, const SE3& T_world_model) {
 }
 
 double kinetic_energy(const Body& body) {
-  const Eigen::Vector3d w = body.R_world_body.transpose() * body.w_world;
-  return 0.5 * body.mass_kg * body.v_world.squaredNorm() + 0.5 * w.dot(body.inertia * w);
+  const Eigen::Vector3d w = body.rotation().transpose() * body.angular_velocity();
+  return 0.5 * body.mass() * body.velocity().squaredNorm() + 0.5 * w.dot(body.inertia_tensor() * w);
 }
 double energy(const Body& body) {
-  return kinetic_energy(body) + body.mass_kg * kGravity * body.T_world_body.p.z();
+  return kinetic_energy(body) + body.mass() * kGravity * body.pose().p.z();
 }
 
 /// Angle between the vertical and the axis of a body that is nearest to it [rad].
 double tilt(const Body& body) {
-  return std::acos(std::min(1.0, body.R_world_body.row(2).cwiseAbs().maxCoeff()));
+  return std::acos(std::min(1.0, body.rotation().row(2).cwiseAbs().maxCoeff()));
 }
 
 class RigidCase : public testing::TestWithParam<Setting> {
@@ -80,20 +80,20 @@ class RigidCase : public testing::TestWithParam<Setting> {
 /// Falls from 1.1 m, is where it fell to in the step in which it hits, and lies there from the
 /// next.
 void expect_to_drop(TestWorld& world, const Body& body, double dt_s) {
-  double z = body.T_world_body.p.z(), v = 0.0;
+  double z = body.pose().p.z(), v = 0.0;
   while (z > kHalf) {
     v -= kGravity * dt_s;
     z += v * dt_s;
     world->step();
-    ASSERT_NEAR(body.T_world_body.p.z(), z, 1e-3) << world->time().seconds();
+    ASSERT_NEAR(body.pose().p.z(), z, 1e-3) << world->time().seconds();
   }
   while (world->time() < SimTime::from_seconds(3.0)) {
     world->step();
-    ASSERT_NEAR(body.T_world_body.p.z(), kHalf, 1e-5) << world->time().seconds();
-    ASSERT_LT(std::abs(body.v_world.z()), 0.0101) << "max_vel is what may remain";
+    ASSERT_NEAR(body.pose().p.z(), kHalf, 1e-5) << world->time().seconds();
+    ASSERT_LT(std::abs(body.velocity().z()), 0.0101) << "max_vel is what may remain";
   }
-  EXPECT_LT(body.v_world.norm(), 1e-6);
-  EXPECT_LT(body.T_world_body.p.head<2>().norm(), 1e-6);
+  EXPECT_LT(body.velocity().norm(), 1e-6);
+  EXPECT_LT(body.pose().p.head<2>().norm(), 1e-6);
   EXPECT_LT(tilt(body), 1e-6);
 }
 
@@ -119,11 +119,11 @@ TEST_P(RigidCase, ABoxAboutToTipSlidesForCoulombsSum) {
       world_->step();
       greatest_tilt = std::max(greatest_tilt, tilt(body));
     }
-    EXPECT_NEAR(body.T_world_body.p.x(), x, 1e-3) << "mu " << mu;
+    EXPECT_NEAR(body.pose().p.x(), x, 1e-3) << "mu " << mu;
     EXPECT_LT(rad_to_deg(greatest_tilt), 0.2) << "mu " << mu;
-    EXPECT_LT(std::abs(body.T_world_body.p.y()), 1e-4);
-    EXPECT_NEAR(body.T_world_body.p.z(), kHalf, 1e-5);
-    EXPECT_LT(body.v_world.norm(), 1e-5);
+    EXPECT_LT(std::abs(body.pose().p.y()), 1e-4);
+    EXPECT_NEAR(body.pose().p.z(), kHalf, 1e-5);
+    EXPECT_LT(body.velocity().norm(), 1e-5);
     world_->remove(name);
   }
 }
@@ -132,8 +132,8 @@ TEST_P(RigidCase, ABallThatRollsGoesOn) {
   const Body& body = add(ball("m", at(0, 0, kHalf)), {1, 0, 0}, {0, 10, 0});
   while (goes_on(8.0)) {
     world_->step();
-    ASSERT_NEAR(body.T_world_body.p.x(), world_->time().seconds(), 1e-4);
-    ASSERT_NEAR(body.T_world_body.p.z(), kHalf, 1e-5);
+    ASSERT_NEAR(body.pose().p.x(), world_->time().seconds(), 1e-4);
+    ASSERT_NEAR(body.pose().p.z(), kHalf, 1e-5);
   }
 }
 
@@ -147,9 +147,9 @@ TEST_P(RigidCase, ABallThatSlidesIsSlowedUntilItRolls) {
     w += 2.5 * taken / kHalf;
     x += v * dt();
     world_->step();
-    ASSERT_NEAR(body.T_world_body.p.x(), x, 1e-4) << world_->time().seconds();
+    ASSERT_NEAR(body.pose().p.x(), x, 1e-4) << world_->time().seconds();
   }
-  EXPECT_NEAR(body.v_world.x(), 5.0 / 7.0, 1e-5);
+  EXPECT_NEAR(body.velocity().x(), 5.0 / 7.0, 1e-5);
 }
 
 TEST_P(RigidCase, ABoxThatFallsOnACornerComesToRestOnAFace) {
@@ -160,10 +160,10 @@ TEST_P(RigidCase, ABoxThatFallsOnACornerComesToRestOnAFace) {
     EXPECT_LE(energy(body), before + 1e-6) << world_->time().seconds();
     before = energy(body);
   }
-  EXPECT_NEAR(body.T_world_body.p.z(), kHalf, 1e-5);
+  EXPECT_NEAR(body.pose().p.z(), kHalf, 1e-5);
   EXPECT_LT(tilt(body), 1e-5);
-  EXPECT_LT(body.v_world.norm(), 1e-6);
-  EXPECT_LT(body.w_world.norm(), 1e-6);
+  EXPECT_LT(body.velocity().norm(), 1e-6);
+  EXPECT_LT(body.angular_velocity().norm(), 1e-6);
 }
 
 TEST_P(RigidCase, ABrickThatTumblesComesToRestOnAFace) {
@@ -176,10 +176,10 @@ TEST_P(RigidCase, ABrickThatTumblesComesToRestOnAFace) {
     EXPECT_LE(energy(body), lowest + 0.006) << world_->time().seconds();
     lowest = std::min(lowest, energy(body));
   }
-  EXPECT_NEAR(body.T_world_body.p.z(), 0.05, 1e-5);
+  EXPECT_NEAR(body.pose().p.z(), 0.05, 1e-5);
   EXPECT_LT(tilt(body), 1e-5);
-  EXPECT_LT(body.v_world.norm(), 1e-6);
-  EXPECT_LT(body.w_world.norm(), 1e-6);
+  EXPECT_LT(body.velocity().norm(), 1e-6);
+  EXPECT_LT(body.angular_velocity().norm(), 1e-6);
 }
 
 INSTANTIATE_TEST_SUITE_P(Solvers, RigidCase,

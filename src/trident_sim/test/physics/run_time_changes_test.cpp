@@ -127,7 +127,7 @@ TEST(LinkInertial, ARotorsLeverFollowsTheCentreOfMass) {
   set->set_link_inertial(base, inertial, true);
   set.command_all(700.0);
   set->step(30);
-  EXPECT_GT(set.quad->bodies[0]->w_world.y(), 0.1);
+  EXPECT_GT(set.quad->bodies[0]->angular_velocity().y(), 0.1);
 }
 
 TEST(LinkInertial, GravityIsALinksOwn) {
@@ -141,9 +141,9 @@ TEST(LinkInertial, GravityIsALinksOwn) {
   Link& arm = *model.find_link("arm");
   world->set_link_inertial(arm, arm.inertial, false);
   world->step(1);
-  EXPECT_NEAR(model.find_link("base")->body->v_world.z(), -9.8 * 0.01 * 1.0 / 1.5, 1e-12);
-  EXPECT_EQ(arm.body->v_world.z(), 0.0);
-  EXPECT_NEAR(model.find_link("hand")->body->v_world.z(), -9.8 * 0.01, 1e-12);
+  EXPECT_NEAR(model.find_link("base")->body->velocity().z(), -9.8 * 0.01 * 1.0 / 1.5, 1e-12);
+  EXPECT_EQ(arm.body->velocity().z(), 0.0);
+  EXPECT_NEAR(model.find_link("hand")->body->velocity().z(), -9.8 * 0.01, 1e-12);
 }
 
 TEST(LinkInertial, WeightBesideTheCentreOfMassTurns) {
@@ -157,8 +157,8 @@ TEST(LinkInertial, WeightBesideTheCentreOfMassTurns) {
   Model& model = world.add(std::move(spec));
   world->step(1);
   // 1 kg pulls 0.5 m from the centre of 2 kg whose inertia is 0.2 + 2 * 0.25.
-  EXPECT_NEAR(model.bodies[0]->v_world.z(), -9.8 / 2.0 * 0.01, 1e-12);
-  EXPECT_NEAR(model.bodies[0]->w_world.y(), -9.8 * 0.5 / 0.7 * 0.01, 1e-9);
+  EXPECT_NEAR(model.bodies[0]->velocity().z(), -9.8 / 2.0 * 0.01, 1e-12);
+  EXPECT_NEAR(model.bodies[0]->angular_velocity().y(), -9.8 * 0.5 / 0.7 * 0.01, 1e-9);
 }
 
 TEST(LinkInertial, AnOlderSnapshotFitsNoMore) {

@@ -274,7 +274,8 @@ TEST(OddElements, AMeshThatCannotBeReadIsLeftOutOfItsModel) {
   WorldOptions options;
   options.odd_elements = OddElements::kLeaveOut;
   TestWorld world(world_spec(), options);
-  EXPECT_EQ(world.add(spec).bodies[0]->geoms.size(), 1u);
+  const Model& model = world.add(spec);
+  EXPECT_EQ(model.collision_shapes(*model.links[0]).size(), 1u);
   ASSERT_EQ(world->odd_elements().size(), 1u);
   EXPECT_TRUE(contains(world->odd_elements()[0], "collision 'm::link::bad'"));
 }

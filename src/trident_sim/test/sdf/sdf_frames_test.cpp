@@ -119,7 +119,7 @@ TEST(SdfFrames, ANestedModelIsOneBodyWhenFixed) {
     <joint name='mount' type='fixed'><parent>base</parent><child>tool::l</child></joint>)");
   Model& model = world.add(std::move(spec));
   ASSERT_EQ(model.bodies.size(), 1u);
-  EXPECT_TRUE(is_near(model.bodies[0]->T_world_body.p, {0, 0, 0.5}, 1e-12));
+  EXPECT_TRUE(is_near(model.bodies[0]->pose().p, {0, 0, 0.5}, 1e-12));
   EXPECT_NE(world->find_link("m::tool::l"), nullptr);
 }
 

@@ -64,8 +64,8 @@ TEST(Urdf, FixedAndZeroLimitJointsBecomeOneBody) {
                        "<axis xyz='0 0 1'/><limit lower='0' upper='0' effort='0' velocity='0'/>")))
           .model);
   ASSERT_EQ(model.bodies.size(), 1u);
-  EXPECT_DOUBLE_EQ(model.bodies[0]->mass_kg, 4.0);
-  EXPECT_TRUE(is_near(model.bodies[0]->T_world_body.p, {0, 0, 0.75}, 1e-9));
+  EXPECT_DOUBLE_EQ(model.bodies[0]->mass(), 4.0);
+  EXPECT_TRUE(is_near(model.bodies[0]->pose().p, {0, 0, 0.75}, 1e-9));
   ASSERT_NE(model.find_link("sensor"), nullptr);
   EXPECT_TRUE(is_near(model.find_link("sensor")->T_world_link(), at(0, 0, 1), 1e-9));
 }

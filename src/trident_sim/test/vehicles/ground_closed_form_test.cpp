@@ -63,7 +63,7 @@ double speed_after(const ModelSpec& spec, double seconds) {
   world->step(200);
   world->ports().find_in<TwistCommand>("cmd_vel")->write({{}, {100, 0, 0}, {0, 0, 0}});
   world->step(static_cast<std::uint64_t>(std::llround(seconds / 0.001)));
-  return model.bodies[0]->v_world.x();
+  return model.bodies[0]->velocity().x();
 }
 
 /// Torque T of each of four wheels against damping b of each joint: r T / b at the end, and on the

@@ -42,12 +42,12 @@ TEST(MotorModel, ThrustIsThatOfTheSpeedBeforeTheStep) {
   QuadWorld quad;
   quad.command_all(500.0);
   quad->step();
-  EXPECT_NEAR(quad.body().v_world.z(), -kGravity * kDt, 1e-12);
+  EXPECT_NEAR(quad.body().velocity().z(), -kGravity * kDt, 1e-12);
   const double speed = quad.rotor(1);
-  const double before = quad.body().v_world.z();
+  const double before = quad.body().velocity().z();
   quad->step();
   const double thrust = 4.0 * quad.options.motor_constant * speed * speed;
-  EXPECT_NEAR(quad.body().v_world.z() - before, (thrust / quad.options.mass_kg() - kGravity) * kDt,
+  EXPECT_NEAR(quad.body().velocity().z() - before, (thrust / quad.options.mass_kg() - kGravity) * kDt,
               1e-12);
 }
 
@@ -55,15 +55,15 @@ TEST(MotorModel, HoverSpeedCarriesTheWeight) {
   QuadWorld quad;
   quad.settle(std::vector<double>(4, quad.options.hover_speed_rad_s()));
   quad->step(100);
-  EXPECT_LT(quad.body().v_world.norm(), 1e-6);
-  EXPECT_LT(quad.body().w_world.norm(), 1e-9);
+  EXPECT_LT(quad.body().velocity().norm(), 1e-6);
+  EXPECT_LT(quad.body().angular_velocity().norm(), 1e-9);
 }
 
 /// Yaw acceleration with two of the rotors turning, by the direction of the pair.
 double yaw_acceleration(QuadWorld& quad, const std::vector<double>& speeds) {
   quad.settle(speeds);
   quad->step();
-  return quad.body().w_world.z() / kDt;
+  return quad.body().angular_velocity().z() / kDt;
 }
 
 TEST(MotorModel, DragTurnsTheBodyAgainstTheRotor) {
@@ -78,9 +78,9 @@ TEST(MotorModel, ThrustOfOneRotorTiltsTheBodyAwayFromIt) {
   QuadWorld quad;
   quad.settle({400, 0, 0, 0});  // the one at +x
   quad->step();
-  EXPECT_LT(quad.body().w_world.y(), 0.0);
+  EXPECT_LT(quad.body().angular_velocity().y(), 0.0);
   const double torque = quad.options.motor_constant * 400.0 * 400.0 * quad.options.arm_m;
-  EXPECT_NEAR(-quad.body().w_world.y() / kDt, torque / quad.body().inertia(1, 1),
+  EXPECT_NEAR(-quad.body().angular_velocity().y() / kDt, torque / quad.body().inertia(1, 1),
               0.05 * torque / quad.body().inertia(1, 1));
 }
 
@@ -93,7 +93,7 @@ Change fly_sideways(const QuadOptions& options) {
   quad.settle({400, 400, 400, 400});
   quad->set_model_twist(*quad.quad, {4, 0, 1}, Eigen::Vector3d::Zero());
   quad->step();
-  return {(quad.body().v_world - Eigen::Vector3d(4, 0, 1)) / kDt, quad.body().w_world / kDt};
+  return {(quad.body().velocity() - Eigen::Vector3d(4, 0, 1)) / kDt, quad.body().angular_velocity() / kDt};
 }
 
 TEST(MotorModel, RotorDragOpposesTheMotionAcrossTheAxis) {
@@ -124,7 +124,7 @@ TEST(MotorModel, SlowdownScalesTheJointOnly) {
     (*quad)->step(10);
   }
   EXPECT_NEAR(a.rotor(1), b.rotor(1), 1e-6);
-  EXPECT_NEAR(a.body().v_world.z(), b.body().v_world.z(), 1e-9);
+  EXPECT_NEAR(a.body().velocity().z(), b.body().velocity().z(), 1e-9);
   EXPECT_NEAR(a->ports().find_out<ScalarSample>("quad/motor_speed/1")->value.value, 45.0, 1e-6);
   EXPECT_NEAR(b->ports().find_out<ScalarSample>("quad/motor_speed/1")->value.value, 18.0, 1e-6);
 }
@@ -135,7 +135,7 @@ TEST(MotorModel, TwoRotorsTurningTheSameWayHoldTheBodyGyroscopically) {
   quad->set_model_twist(*quad.quad, Eigen::Vector3d::Zero(), {1, 0, 0});
   quad->step();
   // h along +z, w along +x: -w x h is along +y.
-  EXPECT_GT(quad.body().w_world.y(), 0.0);
+  EXPECT_GT(quad.body().angular_velocity().y(), 0.0);
 }
 
 }  // namespace

@@ -98,7 +98,7 @@ TEST_F(WindFieldPlugin, TakesThePlaceOfTheForces) {
   auto* force = world->ports().find_out<WrenchSample>("quad/external_force");
   force->add_listener();
   world->step(10);
-  EXPECT_EQ(probe.bodies[0]->v_world, Eigen::Vector3d(0, 0, 0));
+  EXPECT_EQ(probe.bodies[0]->velocity(), Eigen::Vector3d(0, 0, 0));
   EXPECT_EQ(force->count(), 0u);
 }
 
@@ -122,8 +122,8 @@ TEST_F(WindFieldPlugin, DragsTheRotorsOfItsNamespace) {
     quad->step();
     const Eigen::Vector2d wind =
         z > 100.0 ? Eigen::Vector2d(0, 0) : Eigen::Vector2d(10 - z / 20, 2);
-    EXPECT_NEAR(quad.body().v_world.x(), gain * wind.x(), 1e-9) << z;
-    EXPECT_NEAR(quad.body().v_world.y(), gain * wind.y(), 1e-9) << z;
+    EXPECT_NEAR(quad.body().velocity().x(), gain * wind.x(), 1e-9) << z;
+    EXPECT_NEAR(quad.body().velocity().y(), gain * wind.y(), 1e-9) << z;
   }
 }
 

@@ -23,7 +23,7 @@ Eigen::Vector3d drift(const ParamList& params, std::uint64_t steps) {
   TestWorld world;
   Model& body = world.add(body_in_wind(params));
   world->step(steps);
-  return body.bodies[0]->v_world;
+  return body.bodies[0]->velocity();
 }
 
 TEST(Wind, AGustWithoutForceNeedsNoDirection) {
@@ -58,7 +58,7 @@ TEST(Wind, ForceOffTheCentreTurns) {
   Model& body = world.add(body_in_wind({{"windForceMean", "3"}, {"xyzOffset", "0 0.1 0"}}));
   world->step();
   // r = +y, F = +x: torque along -z.
-  EXPECT_NEAR(body.bodies[0]->w_world.z(), -0.3 / body.bodies[0]->inertia(2, 2) * kDt, 1e-12);
+  EXPECT_NEAR(body.bodies[0]->angular_velocity().z(), -0.3 / body.bodies[0]->inertia(2, 2) * kDt, 1e-12);
 }
 
 TEST(Wind, ForceAndSpeedAreShown) {
@@ -88,8 +88,8 @@ TEST(Wind, SpeedDragsTheRotorsOfTheSameNamespaceOnly) {
     quad->settle({400, 400, 400, 400});
     (*quad)->step();
   }
-  EXPECT_NEAR(windy.body().v_world.x(), 4 * 400 * 2e-4 * 5.0 / options.mass_kg() * kDt, 1e-9);
-  EXPECT_NEAR(calm.body().v_world.x(), 0.0, 1e-12);
+  EXPECT_NEAR(windy.body().velocity().x(), 4 * 400 * 2e-4 * 5.0 / options.mass_kg() * kDt, 1e-9);
+  EXPECT_NEAR(calm.body().velocity().x(), 0.0, 1e-12);
 }
 
 TEST(Wind, AStaticLinkIsNotPushed) {

@@ -155,7 +155,7 @@ TEST(SpawnedInside, AWallPushesARobotOutWithoutAnExplosion) {
   double fastest = 0.0, highest = 0.0;
   for (int i = 0; i < 3000; ++i) {
     world->step();
-    for (const auto& body : cart.bodies) fastest = std::max(fastest, body->v_world.norm());
+    for (const auto& body : cart.bodies) fastest = std::max(fastest, body->velocity().norm());
     highest = std::max(highest, cart.T_world_model().p.z());
   }
   EXPECT_LT(fastest, 2.0);

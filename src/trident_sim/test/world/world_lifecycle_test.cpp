@@ -60,7 +60,7 @@ TEST(WorldLifecycle, DeletionDropsWrenchesAndEfforts) {
   world->step(5);
   Model& again = world.add(make_body("m", SphereShape{0.1}, {}));
   world->step(5);
-  EXPECT_EQ(again.bodies[0]->v_world.x(), 0.0);
+  EXPECT_EQ(again.bodies[0]->velocity().x(), 0.0);
 }
 
 TEST(WorldLifecycle, ARefusedModelLeavesTheWorldAsItWas) {

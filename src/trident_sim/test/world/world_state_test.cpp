@@ -24,7 +24,7 @@ TEST(SetState, ATwistIsThatOfTheModelOrigin) {
   spec.links[0].inertial.T_link_com.p = {1, 0, 0};
   Model& model = world.add(std::move(spec));
   world->set_model_twist(model, {1, 0, 0}, {0, 0, 2});
-  EXPECT_TRUE(is_near(model.bodies[0]->v_world, {1, 2, 0}, 1e-12));
+  EXPECT_TRUE(is_near(model.bodies[0]->velocity(), {1, 2, 0}, 1e-12));
   EXPECT_TRUE(is_near(model.canonical_link()->v_world_at({0, 0, 0}), {1, 0, 0}, 1e-12));
 }
 
@@ -33,7 +33,7 @@ TEST(SetState, APoseTurnsTheVelocityWithTheModel) {
   Model& model = world.add(make_body("m", SphereShape{0.1}, {}));
   world->set_model_twist(model, {1, 0, 0}, {0, 0, 0});
   world->set_model_pose(model, SE3::from_xyz_rpy({0, 0, 0}, 0, 0, std::acos(0.0)));
-  EXPECT_TRUE(is_near(model.bodies[0]->v_world, {0, 1, 0}, 1e-12));
+  EXPECT_TRUE(is_near(model.bodies[0]->velocity(), {0, 1, 0}, 1e-12));
 }
 
 TEST(SetState, JointsKeepTheirAnglesWhenAModelMoves) {
@@ -100,9 +100,9 @@ TEST(Wrench, ActsFromItsStartForItsDuration) {
                        SimTime::from_seconds(0.05),
                        SimTime::from_seconds(0.1)});
   world->step(5);
-  EXPECT_EQ(model.bodies[0]->v_world.x(), 0.0);
+  EXPECT_EQ(model.bodies[0]->velocity().x(), 0.0);
   world->step(100);
-  EXPECT_NEAR(model.bodies[0]->v_world.x(), 6.0 / 2.0 * 0.1, 1e-12);
+  EXPECT_NEAR(model.bodies[0]->velocity().x(), 6.0 / 2.0 * 0.1, 1e-12);
 }
 
 TEST(Wrench, WithoutEndActsUntilCleared) {
@@ -114,7 +114,7 @@ TEST(Wrench, WithoutEndActsUntilCleared) {
   world->step(30);
   world->clear_wrenches(*model.canonical_link());
   world->step(30);
-  EXPECT_NEAR(model.bodies[0]->v_world.x(), 0.3, 1e-12);
+  EXPECT_NEAR(model.bodies[0]->velocity().x(), 0.3, 1e-12);
 }
 
 TEST(Wrench, OffTheCentreItTurns) {
@@ -124,7 +124,7 @@ TEST(Wrench, OffTheCentreItTurns) {
   Model& model = world.add(std::move(spec));
   world->apply_wrench({model.canonical_link(), {0, 1, 0}, {0, 0, 0.5}, {0.2, 0, 0}, {0}, {-1}});
   world->step();
-  EXPECT_NEAR(model.bodies[0]->w_world.z(), (0.2 + 0.5) / model.bodies[0]->inertia(2, 2) * 0.01,
+  EXPECT_NEAR(model.bodies[0]->angular_velocity().z(), (0.2 + 0.5) / model.bodies[0]->inertia(2, 2) * 0.01,
               1e-9);
 }
 
@@ -182,10 +182,10 @@ TEST(Physics, StepAndGravityChangeAtRunTime) {
   physics.max_step_size_s = 0.002;
   physics.gravity = {0, 0, -1};
   world->set_physics(physics);
-  const double before = model.bodies[0]->v_world.z();
+  const double before = model.bodies[0]->velocity().z();
   world->step(10);
   EXPECT_EQ(world->time(), SimTime::from_seconds(0.12));
-  EXPECT_NEAR(model.bodies[0]->v_world.z() - before, -0.02, 1e-12);
+  EXPECT_NEAR(model.bodies[0]->velocity().z() - before, -0.02, 1e-12);
 }
 
 }  // namespace

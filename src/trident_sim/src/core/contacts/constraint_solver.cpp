@@ -26,7 +26,7 @@ constexpr double kLeastJointCfm = 1e-10;
 /// overflows; below these it does not, and the body is frozen after the step.
 constexpr double kDeadlyAcceleration = 1e14;
 
-bool is_constrained(const Body& body) { return body.joint_count > 0 || body.in_contact; }
+bool is_constrained(const EngineBody& body) { return body.joint_count > 0 || body.in_contact; }
 
 Eigen::Vector3d bounded(const Eigen::Vector3d& v, double limit) {
   if (!v.allFinite()) return Eigen::Vector3d::Constant(limit);
@@ -34,7 +34,7 @@ Eigen::Vector3d bounded(const Eigen::Vector3d& v, double limit) {
 }
 
 /// Hands the forces of this step to ODE.
-void load(const Body& body) {
+void load(const EngineBody& body) {
   const double smallest_inertia = body.inertia.diagonal().minCoeff();
   const Eigen::Vector3d force = bounded(body.force, kDeadlyAcceleration * body.mass_kg);
   const Eigen::Vector3d torque =
@@ -88,14 +88,14 @@ void ConstraintSolver::add(const Touch& touch) {
   if (touch.b != nullptr) islands_.join(touch.a->number, touch.b->number);
 }
 
-void ConstraintSolver::solve(const std::vector<Body*>& bodies, const std::vector<Joint*>& joints,
-                             double dt_s) {
+void ConstraintSolver::solve(const std::vector<EngineBody*>& bodies,
+                             const std::vector<Joint*>& joints, double dt_s) {
   gather(bodies, joints);
   if (held_.empty()) return;
   dWorldSetCFM(world_, joints.empty() ? spec_.cfm : std::max(spec_.cfm, kLeastJointCfm));
   for (Joint* joint : joints) prepare_ode_joint(*joint, spec_.erp, dt_s);
   for (Joint* joint : joints) apply_efforts(*joint, dt_s);
-  for (const Body* body : held_) load(*body);
+  for (const EngineBody* body : held_) load(*body);
   active_.assign(bodies.size(), 1);
   is_solved_twice_.assign(bodies.size(), 0);
   friction_.resize(bodies.size());
@@ -109,15 +109,16 @@ void ConstraintSolver::solve(const std::vector<Body*>& bodies, const std::vector
   finish(dt_s);
 }
 
-void ConstraintSolver::gather(const std::vector<Body*>& bodies, const std::vector<Joint*>& joints) {
+void ConstraintSolver::gather(const std::vector<EngineBody*>& bodies,
+                              const std::vector<Joint*>& joints) {
   for (const Joint* joint : joints) {
-    const std::size_t first = joint->held.front()->number;
+    const std::size_t first = engine_body(joint->held.front())->number;
     islands_.add_rows(first, kRowsPerJoint);
-    for (const Body* body : joint->held) islands_.join(first, body->number);
+    for (const Body* body : joint->held) islands_.join(first, engine_body(body)->number);
   }
   held_.clear();
   island_.clear();
-  for (Body* body : bodies) {
+  for (EngineBody* body : bodies) {
     if (!is_constrained(*body)) continue;
     push(*body);  // joints are read where ODE has their bodies
     held_.push_back(body);
@@ -158,7 +159,7 @@ void ConstraintSolver::enable_active() {
 }
 
 void ConstraintSolver::disable_all() const {
-  for (const Body* body : held_) dBodyDisable(body->ode);
+  for (const EngineBody* body : held_) dBodyDisable(body->ode);
 }
 
 void ConstraintSolver::put_back_active() {
@@ -264,7 +265,7 @@ void ConstraintSolver::make_joints(Pass pass, bool limits_known) {
 
 void ConstraintSolver::finish(double dt_s) {
   for (std::size_t i = 0; i < held_.size(); ++i) {
-    Body& body = *held_[i];
+    EngineBody& body = *held_[i];
     pull(body);
     if (is_solved_twice_[island_[i]]) {
       body.T_world_body.p = poses_[i].p;

@@ -7,9 +7,9 @@
 #include <array>
 #include <vector>
 
+#include "core/physics/engine_body.h"
 #include "islands.h"
 #include "ode_stepper.h"
-#include "trident_sim/model.h"
 #include "trident_sim/model_spec.h"
 
 namespace trident::sim {
@@ -20,8 +20,8 @@ enum class Pass { kPose = 0, kVelocity = 1 };
 /// A contact of this step, of which each pass makes an ODE joint.
 struct Touch {
   dContact ode;  ///< as dCollide found it, with the pair's surface; then as each pass is told
-  Body* a = nullptr;
-  Body* b = nullptr;              ///< nullptr: part of the world
+  EngineBody* a = nullptr;
+  EngineBody* b = nullptr;        ///< nullptr: part of the world
   std::array<double, 2> depth_m;  ///< by Pass: what it puts right of the depth that was found
   dJointFeedback feedback;        ///< forces of the last pass, world frame
 
@@ -52,7 +52,8 @@ class ConstraintSolver {
   void begin_step(std::size_t bodies);
   void add(const Touch& touch);
   /// Steps those of `bodies` that are in contact or on a joint. Their numbers are their places.
-  void solve(const std::vector<Body*>& bodies, const std::vector<Joint*>& joints, double dt_s);
+  void solve(const std::vector<EngineBody*>& bodies, const std::vector<Joint*>& joints,
+             double dt_s);
   /// Of the last step, with the forces that go with the velocities.
   const std::vector<Touch>& touches() const { return touches_; }
 
@@ -64,7 +65,7 @@ class ConstraintSolver {
     double relaxation;
   };
 
-  void gather(const std::vector<Body*>& bodies, const std::vector<Joint*>& joints);
+  void gather(const std::vector<EngineBody*>& bodies, const std::vector<Joint*>& joints);
   bool choose_bounded();
   void solve_pass(Pass pass, double dt_s);
   void solve_large(double dt_s);
@@ -93,7 +94,7 @@ class ConstraintSolver {
   PhysicsSpec spec_;
   Islands islands_;
   std::vector<Touch> touches_;
-  std::vector<Body*> held_;          ///< bodies that are constrained
+  std::vector<EngineBody*> held_;    ///< bodies that are constrained
   std::vector<std::size_t> island_;  ///< of each of them
   std::vector<SE3> poses_;           ///< of each of them, from the first pass
   // By the number of an island's first body.

@@ -30,7 +30,7 @@ void clamp_length(Vector&& v, double most) {
 }
 
 /// The point of the shape without its margin that is nearest to `p`, in the shape's frame.
-Eigen::Vector3d nearest_of_shape(const Geom& geom, Eigen::Vector3d p) {
+Eigen::Vector3d nearest_of_shape(const EngineGeom& geom, Eigen::Vector3d p) {
   dReal radius = 0.0, length = 0.0;
   dVector3 sides = {0.0, 0.0, 0.0};
   switch (dGeomGetClass(geom.id)) {
@@ -62,7 +62,7 @@ Eigen::Vector3d nearest_of_shape(const Geom& geom, Eigen::Vector3d p) {
   }
 }
 
-Eigen::Vector3d nearest_of_shape_in_world(const Geom& geom, const Eigen::Vector3d& p_world) {
+Eigen::Vector3d nearest_of_shape_in_world(const EngineGeom& geom, const Eigen::Vector3d& p_world) {
   if (!(geom.margin_m > 0.0)) return p_world;
   using Rows = Eigen::Matrix<double, 3, 4, Eigen::RowMajor>;
   const Eigen::Matrix3d R = Eigen::Map<const Rows>(dGeomGetRotation(geom.id)).leftCols<3>();
@@ -78,7 +78,7 @@ double contact_margin(const Shape& shape) {
   return std::min(kMargin, kMostPart * extent);
 }
 
-void take_margins_off(dContactGeom& found, const Geom& a, const Geom& b) {
+void take_margins_off(dContactGeom& found, const EngineGeom& a, const EngineGeom& b) {
   const Eigen::Vector3d normal(found.normal[0], found.normal[1], found.normal[2]);  // into a
   const Eigen::Vector3d p(found.pos[0], found.pos[1], found.pos[2]);
   // A corner of a larger box is further out than its faces are.

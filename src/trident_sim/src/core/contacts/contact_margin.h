@@ -4,7 +4,7 @@
 
 #include <ode/ode.h>
 
-#include "trident_sim/body.h"
+#include "core/physics/engine_body.h"
 #include "trident_sim/model_spec.h"
 
 namespace trident::sim {
@@ -16,6 +16,6 @@ double contact_margin(const Shape& shape);
 
 /// Takes a contact of the larger shapes for one of the shapes themselves: place and depth, which is
 /// negative where there is a gap yet.
-void take_margins_off(dContactGeom& found, const Geom& a, const Geom& b);
+void take_margins_off(dContactGeom& found, const EngineGeom& a, const EngineGeom& b);
 
 }  // namespace trident::sim

@@ -28,7 +28,7 @@ bool boxes_overlap(const dReal* a, const dReal* b) {
 }
 
 /// World direction of a surface's mu, or zero for any.
-Eigen::Vector3d friction_direction(const Geom& geom, const Body* body) {
+Eigen::Vector3d friction_direction(const EngineGeom& geom, const EngineBody* body) {
   const Eigen::Vector3d& fdir1 = geom.surface.fdir1;
   return body == nullptr ? fdir1 : Eigen::Vector3d(body->R_world_body * fdir1);
 }
@@ -69,7 +69,7 @@ void lay_friction(dContact& contact, const Eigen::Vector3d& direction) {
 }
 
 /// Of a geometry that is part of the world the middle of its box; a plane's has no end.
-Eigen::Vector3d centre_of(const Geom& geom, const Body* body) {
+Eigen::Vector3d centre_of(const EngineGeom& geom, const EngineBody* body) {
   if (body != nullptr) return body->T_world_body.p;
   dReal box[6];
   dGeomGetAABB(geom.id, box);
@@ -78,8 +78,8 @@ Eigen::Vector3d centre_of(const Geom& geom, const Body* body) {
   return middle.allFinite() ? middle : Eigen::Vector3d(Eigen::Vector3d::Zero());
 }
 
-Contact contact_of(const Geom& a, const Body* body_a, const Geom& b, const Body* body_b,
-                   const dContactGeom& found) {
+Contact contact_of(const EngineGeom& a, const EngineBody* body_a, const EngineGeom& b,
+                   const EngineBody* body_b, const dContactGeom& found) {
   Contact contact;
   contact.geom1 = &a;
   contact.geom2 = &b;
@@ -97,7 +97,7 @@ void PhysicsEngine::find_contacts(double dt_s) {
   solver_->begin_step(bodies_.size());
   watched_.clear();
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    Body& body = *bodies_[i];
+    EngineBody& body = *bodies_[i];
     centres_[i] = body.T_world_body.p + body.R_world_body * body.bound_centre;
     if (body.bound_radius_m > 0.0 && !body.frozen) collide_with_static(body, centres_[i], dt_s);
   }
@@ -140,7 +140,8 @@ void PhysicsEngine::sweep_bodies(double dt_s) {
   }
 }
 
-void PhysicsEngine::collide_with_static(Body& body, const Eigen::Vector3d& centre, double dt_s) {
+void PhysicsEngine::collide_with_static(EngineBody& body, const Eigen::Vector3d& centre,
+                                        double dt_s) {
   bool pushed = false;
   for (const StaticGeom& other : statics_) {
     if (other.is_plane) {
@@ -151,22 +152,23 @@ void PhysicsEngine::collide_with_static(Body& body, const Eigen::Vector3d& centr
     }
     if (!pushed) push(body);
     pushed = true;
-    for (Geom& geom : body.geoms) collide_geoms(geom, &body, *other.geom, nullptr, dt_s);
+    for (EngineGeom& geom : body.geoms) collide_geoms(geom, &body, *other.geom, nullptr, dt_s);
   }
 }
 
-void PhysicsEngine::collide_bodies(Body& a, Body& b, double dt_s) {
+void PhysicsEngine::collide_bodies(EngineBody& a, EngineBody& b, double dt_s) {
   if (a.owner == b.owner && !a.self_collide) return;
   if (a.frozen || b.frozen) return;
   if (dAreConnectedExcluding(a.ode, b.ode, dJointTypeContact)) return;
   push(a);
   push(b);
-  for (Geom& geom_a : a.geoms) {
-    for (Geom& geom_b : b.geoms) collide_geoms(geom_a, &a, geom_b, &b, dt_s);
+  for (EngineGeom& geom_a : a.geoms) {
+    for (EngineGeom& geom_b : b.geoms) collide_geoms(geom_a, &a, geom_b, &b, dt_s);
   }
 }
 
-void PhysicsEngine::collide_geoms(Geom& a, Body* body_a, Geom& b, Body* body_b, double dt_s) {
+void PhysicsEngine::collide_geoms(EngineGeom& a, EngineBody* body_a, EngineGeom& b,
+                                  EngineBody* body_b, double dt_s) {
   if ((a.surface.collide_bitmask & b.surface.collide_bitmask) == 0) return;
   dReal box_a[6], box_b[6];
   dGeomGetAABB(a.id, box_a);
@@ -205,8 +207,8 @@ void PhysicsEngine::collide_geoms(Geom& a, Body* body_a, Geom& b, Body* body_b, 
 
 /// What is to be put right of a pair's depth, more slowly while one of the two was put into the
 /// other, or is on its way out since.
-Correction PhysicsEngine::correct(const Geom& a, Body* body_a, const Geom& b, Body* body_b,
-                                  double deepest_m, double dt_s) {
+Correction PhysicsEngine::correct(const EngineGeom& a, EngineBody* body_a, const EngineGeom& b,
+                                  EngineBody* body_b, double deepest_m, double dt_s) {
   Correction pair = combine_corrections(a.surface, body_b == nullptr ? nullptr : &b.surface, spec_);
   // Nothing tells shapes without a margin from such that do not touch but their being inside.
   if (!(a.margin_m + b.margin_m > 0.0)) pair.min_depth_m = std::max(pair.min_depth_m, kSunkMesh_m);

@@ -22,7 +22,7 @@ constexpr double kSticking = 1e-7;
 Eigen::Vector3d vector_of(const dReal* v) { return {v[0], v[1], v[2]}; }
 
 /// Velocity of a point of a body in the solution that ODE has, the body being where it was.
-Eigen::Vector3d solved_velocity(const Body& body, const Eigen::Vector3d& p_world) {
+Eigen::Vector3d solved_velocity(const EngineBody& body, const Eigen::Vector3d& p_world) {
   return vector_of(dBodyGetLinearVel(body.ode)) +
          vector_of(dBodyGetAngularVel(body.ode)).cross(p_world - body.T_world_body.p);
 }

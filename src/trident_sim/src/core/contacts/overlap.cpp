@@ -8,11 +8,11 @@
 namespace trident::sim {
 namespace {
 
-Eigen::Vector3d bound_centre_world(const Body& body) {
+Eigen::Vector3d bound_centre_world(const EngineBody& body) {
   return body.T_world_body.p + body.R_world_body * body.bound_centre;
 }
 
-bool bounds_meet(const Body& a, const Body& b) {
+bool bounds_meet(const EngineBody& a, const EngineBody& b) {
   if (a.bound_radius_m <= 0.0 || b.bound_radius_m <= 0.0) return false;
   const double reach = a.bound_radius_m + b.bound_radius_m;
   return (bound_centre_world(a) - bound_centre_world(b)).squaredNorm() <= reach * reach;
@@ -20,7 +20,7 @@ bool bounds_meet(const Body& a, const Body& b) {
 
 }  // namespace
 
-void PhysicsEngine::measure_overlap(const Geom& own, const Geom& other,
+void PhysicsEngine::measure_overlap(const EngineGeom& own, const EngineGeom& other,
                                     std::optional<Overlap>& deepest) {
   if ((own.surface.collide_bitmask & other.surface.collide_bitmask) == 0) return;
   const int found = dCollide(own.id, other.id, static_cast<int>(contact_buffer_.size()),
@@ -36,17 +36,18 @@ void PhysicsEngine::measure_overlap(const Geom& own, const Geom& other,
 
 std::optional<PhysicsEngine::Overlap> PhysicsEngine::deepest_overlap(const Model& model) {
   std::optional<Overlap> deepest;
-  for (const auto& body : model.bodies) {
+  for (const auto& own_body : model.bodies) {
+    const EngineBody* const body = engine_body(own_body.get());
     if (body->bound_radius_m <= 0.0) continue;
     push(*body);
     for (const StaticGeom& other : statics_) {
-      for (const Geom& own : body->geoms) measure_overlap(own, *other.geom, deepest);
+      for (const EngineGeom& own : body->geoms) measure_overlap(own, *other.geom, deepest);
     }
-    for (const Body* other : bodies_) {
+    for (const EngineBody* other : bodies_) {
       if (other->owner == body->owner || !bounds_meet(*body, *other)) continue;
       push(*other);
-      for (const Geom& own : body->geoms) {
-        for (const Geom& theirs : other->geoms) measure_overlap(own, theirs, deepest);
+      for (const EngineGeom& own : body->geoms) {
+        for (const EngineGeom& theirs : other->geoms) measure_overlap(own, theirs, deepest);
       }
     }
   }

@@ -4,12 +4,12 @@
 
 #include <ode/ode.h>
 
-#include "trident_sim/body.h"
+#include "core/physics/engine_body.h"
 
 namespace trident::sim {
 
 /// Copies the state of a body into its ODE body, and back.
-inline void push(const Body& body) {
+inline void push(const EngineBody& body) {
   const SE3& T = body.T_world_body;
   dBodySetPosition(body.ode, T.p.x(), T.p.y(), T.p.z());
   const dQuaternion q = {T.R.w(), T.R.x(), T.R.y(), T.R.z()};
@@ -19,13 +19,13 @@ inline void push(const Body& body) {
 }
 
 /// Where ODE has a body.
-inline SE3 ode_pose(const Body& body) {
+inline SE3 ode_pose(const EngineBody& body) {
   const dReal* p = dBodyGetPosition(body.ode);
   const dReal* q = dBodyGetQuaternion(body.ode);
   return {Eigen::Quaterniond(q[0], q[1], q[2], q[3]), {p[0], p[1], p[2]}};
 }
 
-inline void pull(Body& body) {
+inline void pull(EngineBody& body) {
   const SE3 pose = ode_pose(body);
   const dReal* v = dBodyGetLinearVel(body.ode);
   const dReal* w = dBodyGetAngularVel(body.ode);

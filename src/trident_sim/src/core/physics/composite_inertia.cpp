@@ -63,7 +63,7 @@ RotorInertia rotor_inertia(const LinkSpec& link, const Eigen::Vector3d& spun_axi
   return {axial, 0.5 * (link.inertial.inertia_com.trace() - axial)};
 }
 
-void set_inertia(Body& body, const CompositeInertia& inertia,
+void set_inertia(EngineBody& body, const CompositeInertia& inertia,
                  const Eigen::Quaterniond& R_model_body) {
   const Eigen::Matrix3d R = R_model_body.toRotationMatrix();
   body.mass_kg = inertia.mass_kg;

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "trident_sim/body.h"
+#include "core/physics/engine_body.h"
 #include "trident_sim/model_spec.h"
 
 namespace trident::sim {
@@ -35,7 +35,7 @@ struct RotorInertia {
 RotorInertia rotor_inertia(const LinkSpec& link, const Eigen::Vector3d& spun_axis);
 
 /// Gives `body`, whose axes are turned by R_model_body, and its ODE body the inertia.
-void set_inertia(Body& body, const CompositeInertia& inertia,
+void set_inertia(EngineBody& body, const CompositeInertia& inertia,
                  const Eigen::Quaterniond& R_model_body);
 
 }  // namespace trident::sim

@@ -4,7 +4,7 @@
 
 namespace trident::sim {
 
-void integrate_free_body(Body& body, double dt_s) {
+void integrate_free_body(EngineBody& body, double dt_s) {
   if (!body.kinematic) {
     body.v_world += (dt_s / body.mass_kg) * body.force;
     const Eigen::Matrix3d& R = body.R_world_body;

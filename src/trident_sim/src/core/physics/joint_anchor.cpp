@@ -13,21 +13,22 @@ namespace {
 constexpr double kSquare = 1e-3;
 
 double mobility_of(const Body* body) {
-  return body == nullptr || body->kinematic ? 0.0 : 1.0 / body->mass_kg;
+  return body == nullptr || body->is_kinematic() ? 0.0 : 1.0 / body->mass();
 }
 
 /// One over the inertia of `body`, as spawned, about an axis through `anchor` [1/(kg m^2)].
 double mobility_about(const Body* body, const Eigen::Vector3d& axis,
                       const Eigen::Vector3d& anchor) {
-  if (body == nullptr || body->kinematic) return 0.0;
-  const SE3& T = body->T_world_body_initial;
+  if (body == nullptr || body->is_kinematic()) return 0.0;
+  const SE3& T = engine_body(body)->T_world_body_initial;
   const Eigen::Vector3d axis_body = T.R.toRotationMatrix().transpose() * axis;
   const Eigen::Vector3d arm = axis.cross(T.p - anchor);
-  return 1.0 / (axis_body.dot(body->inertia * axis_body) + body->mass_kg * arm.squaredNorm());
+  return 1.0 /
+         (axis_body.dot(body->inertia_tensor() * axis_body) + body->mass() * arm.squaredNorm());
 }
 
 SE3 spawned(const Body* body) {
-  return body == nullptr ? SE3::identity() : body->T_world_body_initial;
+  return body == nullptr ? SE3::identity() : engine_body(body)->T_world_body_initial;
 }
 
 /// A joint in the world, as spawned.
@@ -76,19 +77,20 @@ void anchor_universal(const Joint& joint, const Placed& placed, double sign) {
   // ODE's first axis is that of its first body.
   const Eigen::Vector3d one = sign * (sign > 0.0 ? placed.axis2 : placed.axis);
   const Eigen::Vector3d two = sign * (sign > 0.0 ? placed.axis : placed.axis2);
-  dJointSetUniversalAnchor(joint.ode, placed.anchor.x(), placed.anchor.y(), placed.anchor.z());
-  dJointSetUniversalAxis1(joint.ode, one.x(), one.y(), one.z());
-  dJointSetUniversalAxis2(joint.ode, two.x(), two.y(), two.z());
+  dJointSetUniversalAnchor(joint.ode->id, placed.anchor.x(), placed.anchor.y(), placed.anchor.z());
+  dJointSetUniversalAxis1(joint.ode->id, one.x(), one.y(), one.z());
+  dJointSetUniversalAxis2(joint.ode->id, two.x(), two.y(), two.z());
 }
 
 }  // namespace
 
 void place_as_spawned(const Model& model) {
   for (const auto& body : model.bodies) {
-    const SE3& T = body->T_world_body_initial;
-    dBodySetPosition(body->ode, T.p.x(), T.p.y(), T.p.z());
+    const EngineBody& own = engine_body(*body);
+    const SE3& T = own.T_world_body_initial;
+    dBodySetPosition(own.ode, T.p.x(), T.p.y(), T.p.z());
     const dQuaternion q = {T.R.w(), T.R.x(), T.R.y(), T.R.z()};
-    dBodySetQuaternion(body->ode, q);
+    dBodySetQuaternion(own.ode, q);
   }
 }
 
@@ -103,18 +105,18 @@ void anchor_joint(const Model& model, Joint& joint) {
   const Eigen::Vector3d& anchor = placed.anchor;
   switch (joint.spec.type) {
     case JointType::kRevolute:
-      dJointSetHingeAnchor(joint.ode, anchor.x(), anchor.y(), anchor.z());
-      dJointSetHingeAxis(joint.ode, axis.x(), axis.y(), axis.z());
+      dJointSetHingeAnchor(joint.ode->id, anchor.x(), anchor.y(), anchor.z());
+      dJointSetHingeAxis(joint.ode->id, axis.x(), axis.y(), axis.z());
       break;
     case JointType::kPrismatic:
-      dJointSetSliderAxis(joint.ode, axis.x(), axis.y(), axis.z());
+      dJointSetSliderAxis(joint.ode->id, axis.x(), axis.y(), axis.z());
       break;
     case JointType::kScrew:
-      dJointSetPistonAnchor(joint.ode, anchor.x(), anchor.y(), anchor.z());
-      dJointSetPistonAxis(joint.ode, axis.x(), axis.y(), axis.z());
+      dJointSetPistonAnchor(joint.ode->id, anchor.x(), anchor.y(), anchor.z());
+      dJointSetPistonAxis(joint.ode->id, axis.x(), axis.y(), axis.z());
       break;
     case JointType::kBall:
-      dJointSetBallAnchor(joint.ode, anchor.x(), anchor.y(), anchor.z());
+      dJointSetBallAnchor(joint.ode->id, anchor.x(), anchor.y(), anchor.z());
       break;
     case JointType::kUniversal:
       anchor_universal(joint, placed, sign);

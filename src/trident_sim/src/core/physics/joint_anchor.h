@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "trident_sim/model.h"
+#include "core/physics/engine_body.h"
 
 namespace trident::sim {
 

@@ -122,12 +122,12 @@ class Builder {
     for (const auto& [leader, links] : members) {
       if (leader == groups_.world()) continue;
       model_.bodies.push_back(make_body(leader, links));
-      for (const std::size_t i : links) attach_link(*model_.bodies.back(), i);
+      for (const std::size_t i : links) attach_link(engine_body(*model_.bodies.back()), i);
     }
   }
 
-  std::unique_ptr<Body> make_body(std::size_t leader, const std::vector<std::size_t>& links) {
-    auto body = std::make_unique<Body>();
+  std::unique_ptr<EngineBody> make_body(std::size_t leader, const std::vector<std::size_t>& links) {
+    auto body = std::make_unique<EngineBody>();
     const LinkSpec& first = spec_.links[leader];
     body->name = model_.name + "::" + first.name;
     std::vector<BodyPart> parts;
@@ -148,7 +148,7 @@ class Builder {
     return body;
   }
 
-  void make_ode_body(Body& body) {
+  void make_ode_body(EngineBody& body) {
     body.ode = dBodyCreate(world_);
     dBodySetGyroscopicMode(body.ode, 0);  // the engine adds that torque, rotors included
     dBodySetGravityMode(body.ode, 0);
@@ -158,7 +158,7 @@ class Builder {
     dBodyDisable(body.ode);
   }
 
-  void attach_link(Body& body, std::size_t i) {
+  void attach_link(EngineBody& body, std::size_t i) {
     Link& link = *model_.links[i];
     link.body = &body;
     link.T_body_link = body.T_world_body.inverse() * link.T_body_link;
@@ -171,23 +171,24 @@ class Builder {
         guard_([&] { add_collision(link, spec); });
       }
     }
-    for (const auto& body : model_.bodies) bound(*body);
+    for (const auto& body : model_.bodies) bound(engine_body(*body));
   }
 
   void add_collision(Link& link, const CollisionSpec& spec) {
-    Geom geom =
+    EngineGeom geom =
         make_geom(spec, model_.name + "::" + link.name + "::" + spec.name, link.body != nullptr);
     const SE3 T_base_shape = link.T_body_link * spec.T_link_shape;
     geom.surface.fdir1 = T_base_shape.R * geom.surface.fdir1;
     if (link.body == nullptr) {
       place_static_geom(geom, T_base_shape);
-      model_.static_geoms.push_back(std::move(geom));
+      if (model_.static_geoms == nullptr) model_.static_geoms = std::make_shared<StaticGeoms>();
+      model_.static_geoms->geoms.push_back(std::move(geom));
     } else {
-      place_on_body(*link.body, std::move(geom), T_base_shape);
+      place_on_body(engine_body(*link.body), std::move(geom), T_base_shape);
     }
   }
 
-  void place_on_body(Body& body, Geom geom, const SE3& T_body_shape) {
+  void place_on_body(EngineBody& body, EngineGeom geom, const SE3& T_body_shape) {
     if (must_be_static(geom)) {
       const std::string name = geom.name;
       const char* kind = geom.heightfield != nullptr ? "heightmap" : "plane";
@@ -204,11 +205,11 @@ class Builder {
   }
 
   /// Bounding sphere of all shapes, from their boxes while the ODE body is at the origin.
-  static void bound(Body& body) {
+  static void bound(EngineBody& body) {
     if (body.geoms.empty()) return;
     Eigen::AlignedBox3d all;
     std::vector<Eigen::AlignedBox3d> boxes;
-    for (const Geom& geom : body.geoms) {
+    for (const EngineGeom& geom : body.geoms) {
       dReal aabb[6];
       dGeomGetAABB(geom.id, aabb);
       boxes.emplace_back(Eigen::Vector3d(aabb[0], aabb[2], aabb[4]),
@@ -249,7 +250,7 @@ class Builder {
     if (link_index(reference, joint.spec.name) != groups_.world()) {
       joint.reference = model_.find_link(reference)->body;
     }
-    const Body *parent = body_of(joint.parent), *child = joint.child->body;
+    const EngineBody *parent = body_of(joint.parent), *child = engine_body(joint.child->body);
     if (parent == nullptr || child == nullptr || parent == joint.reference ||
         child == joint.reference) {
       throw Error("model '" + model_.name + "': gearbox '" + joint.spec.name +
@@ -259,7 +260,9 @@ class Builder {
     joint.shaft = model_.bodies.back().get();
   }
 
-  static Body* body_of(const Link* link) { return link == nullptr ? nullptr : link->body; }
+  static EngineBody* body_of(const Link* link) {
+    return link == nullptr ? nullptr : engine_body(link->body);
+  }
 
   void make_spun(Joint& joint) const {
     joint.spun = true;
@@ -270,7 +273,7 @@ class Builder {
     if (joint.child->body == nullptr) return;
     const Eigen::Quaterniond R_world_model = model_.T_world_model_initial.R;
     joint.axis_body =
-        joint.child->body->T_world_body.R.conjugate() * (R_world_model * joint.spec.axis_model);
+        joint.child->body->pose().R.conjugate() * (R_world_model * joint.spec.axis_model);
     joint.rotor_axis_body = joint.axis_body;
   }
 
@@ -299,13 +302,15 @@ void PhysicsEngine::build(Model& model, const std::vector<std::string>& spun_joi
 void PhysicsEngine::destroy(Model& model) {
   for (const auto& joint : model.joints) destroy_ode_joint(*joint);
   for (const auto& body : model.bodies) {
-    for (Geom& geom : body->geoms) destroy_geom(geom);
-    body->geoms.clear();
-    if (body->ode != nullptr) dBodyDestroy(body->ode);
-    body->ode = nullptr;
+    EngineBody& own = engine_body(*body);
+    for (EngineGeom& geom : own.geoms) destroy_geom(geom);
+    own.geoms.clear();
+    if (own.ode != nullptr) dBodyDestroy(own.ode);
+    own.ode = nullptr;
   }
-  for (Geom& geom : model.static_geoms) destroy_geom(geom);
-  model.static_geoms.clear();
+  if (model.static_geoms == nullptr) return;
+  for (EngineGeom& geom : model.static_geoms->geoms) destroy_geom(geom);
+  model.static_geoms.reset();
 }
 
 }  // namespace trident::sim

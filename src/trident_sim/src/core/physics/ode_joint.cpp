@@ -14,8 +14,14 @@ namespace {
 
 using SetParam = void (*)(dJointID, int, dReal);
 
-dBodyID ode_of(const Body* body) { return body == nullptr ? nullptr : body->ode; }
+dBodyID ode_of(const Body* body) { return body == nullptr ? nullptr : engine_body(body)->ode; }
 Body* body_of(const Link* link) { return link == nullptr ? nullptr : link->body; }
+
+std::shared_ptr<OdeJoint> own(dJointID id) {
+  auto joint = std::make_shared<OdeJoint>();
+  joint->id = id;
+  return joint;
+}
 
 /// ODE numbers the parameters of second and third axes in groups of 0x100.
 constexpr int kSecondGroup = 0x100;
@@ -39,7 +45,7 @@ void set_friction(dJointID joint, SetParam set, int group, const AxisSpec& spec)
 /// Attaches to child and parent, a body first.
 void attach(dJointID joint, const Body* child, const Body* parent) {
   if (child != nullptr) {
-    dJointAttach(joint, child->ode, ode_of(parent));
+    dJointAttach(joint, ode_of(child), ode_of(parent));
   } else {
     dJointAttach(joint, ode_of(parent), nullptr);
   }
@@ -47,7 +53,7 @@ void attach(dJointID joint, const Body* child, const Body* parent) {
 
 dJointID make_motor(dWorldID world, const Body& shaft, const Body* other, int axes) {
   const dJointID motor = dJointCreateAMotor(world, nullptr);
-  dJointAttach(motor, shaft.ode, ode_of(other));
+  dJointAttach(motor, ode_of(&shaft), ode_of(other));
   dJointSetAMotorMode(motor, dAMotorUser);
   dJointSetAMotorNumAxes(motor, axes);
   for (int i = 0; i < axes; ++i) {
@@ -58,31 +64,31 @@ dJointID make_motor(dWorldID world, const Body& shaft, const Body* other, int ax
 }
 
 void make_gearbox(Joint& joint, dWorldID world) {
-  joint.ode = make_motor(world, *joint.shaft, joint.reference, 2);
+  joint.ode = own(make_motor(world, *joint.shaft, joint.reference, 2));
   // The last holds nothing; it only tells that the two are joined and do not collide.
-  joint.ode_more = {make_motor(world, *joint.shaft, body_of(joint.parent), 1),
-                    make_motor(world, *joint.shaft, joint.child->body, 1),
-                    make_motor(world, *joint.child->body, body_of(joint.parent), 0)};
+  joint.ode->more = {make_motor(world, *joint.shaft, body_of(joint.parent), 1),
+                     make_motor(world, *joint.shaft, joint.child->body, 1),
+                     make_motor(world, *joint.child->body, body_of(joint.parent), 0)};
 }
 
 void make_one_axis(Joint& joint, dWorldID world, dJointID (*create)(dWorldID, dJointGroupID),
                    SetParam set) {
-  joint.ode = create(world, nullptr);
-  attach(joint.ode, joint.child->body, body_of(joint.parent));
-  set_limits(joint.ode, set, 0, joint.spec);
-  set_friction(joint.ode, set, 0, joint.spec);
+  joint.ode = own(create(world, nullptr));
+  attach(joint.ode->id, joint.child->body, body_of(joint.parent));
+  set_limits(joint.ode->id, set, 0, joint.spec);
+  set_friction(joint.ode->id, set, 0, joint.spec);
 }
 
 void make_universal(Joint& joint, dWorldID world) {
-  joint.ode = dJointCreateUniversal(world, nullptr);
-  attach(joint.ode, joint.child->body, body_of(joint.parent));
+  joint.ode = own(dJointCreateUniversal(world, nullptr));
+  attach(joint.ode->id, joint.child->body, body_of(joint.parent));
   // ODE's first axis is that of its first body, ours that of the parent.
   const bool is_child_first = joint.child->body != nullptr;
   const AxisSpec* specs[] = {&joint.spec, &joint.spec.axis2};
   for (int i = 0; i < 2; ++i) {
     const AxisSpec& spec = *specs[is_child_first ? 1 - i : i];
-    set_limits(joint.ode, dJointSetUniversalParam, kSecondGroup * i, spec);
-    set_friction(joint.ode, dJointSetUniversalParam, kSecondGroup * i, spec);
+    set_limits(joint.ode->id, dJointSetUniversalParam, kSecondGroup * i, spec);
+    set_friction(joint.ode->id, dJointSetUniversalParam, kSecondGroup * i, spec);
   }
 }
 
@@ -94,12 +100,12 @@ double lead(const Joint& joint) { return joint.spec.screw_pitch_m / (2.0 * kPi);
 void make_screw(Joint& joint, dWorldID world) {
   const Body* child = joint.child->body;
   const Body* parent = body_of(joint.parent);
-  joint.ode = dJointCreatePiston(world, nullptr);
-  attach(joint.ode, child, parent);
-  set_limits(joint.ode, dJointSetPistonParam, 0, joint.spec, lead(joint));
-  set_friction(joint.ode, dJointSetPistonParam, kSecondGroup, joint.spec);
-  joint.ode_more = {dJointCreateDBall(world, nullptr)};
-  attach(joint.ode_more[0], child, parent);
+  joint.ode = own(dJointCreatePiston(world, nullptr));
+  attach(joint.ode->id, child, parent);
+  set_limits(joint.ode->id, dJointSetPistonParam, 0, joint.spec, lead(joint));
+  set_friction(joint.ode->id, dJointSetPistonParam, kSecondGroup, joint.spec);
+  joint.ode->more = {dJointCreateDBall(world, nullptr)};
+  attach(joint.ode->more[0], child, parent);
 }
 
 void update_screw(const Joint& joint, double erp) {
@@ -109,12 +115,12 @@ void update_screw(const Joint& joint, double erp) {
   const double k = lead(joint), radius = std::abs(k);
   // The rod's direction: of a helix with this lead, the normal at `radius`.
   const Eigen::Vector3d rod = std::sqrt(0.5) * (along - (k > 0.0 ? 1.0 : -1.0) * along.cross(out));
-  const SE3 T_to = axis.to != nullptr ? axis.to->T_world_body : SE3::identity();
+  const SE3 T_to = axis.to != nullptr ? axis.to->pose() : SE3::identity();
   const Eigen::Vector3d p = T_to * axis.p_to_anchor + radius * out, q = p - rod;
   const bool is_to_first = axis.to != nullptr;
   const Eigen::Vector3d one = is_to_first ? p : q, two = is_to_first ? q : p;
   const double error = axis.length() - k * joint.position();
-  const dJointID ball = joint.ode_more[0];
+  const dJointID ball = joint.ode->more[0];
   dJointSetDBallAnchor1(ball, one.x(), one.y(), one.z());
   dJointSetDBallAnchor2(ball, two.x(), two.y(), two.z());
   dJointSetDBallParam(ball, dParamERP, erp);
@@ -131,15 +137,15 @@ void update_stops(const Joint& joint) {
   if (!is_above && !is_below) return;
   const double turns = joint.position() - joint.axes[0].angle();
   const double lo = spec.lower - turns, hi = spec.upper - turns;
-  dJointSetHingeParam(joint.ode, dParamLoStop, lo > -kPi ? lo : -dInfinity);
-  dJointSetHingeParam(joint.ode, dParamHiStop, hi < kPi ? hi : dInfinity);
+  dJointSetHingeParam(joint.ode->id, dParamLoStop, lo > -kPi ? lo : -dInfinity);
+  dJointSetHingeParam(joint.ode->id, dParamHiStop, hi < kPi ? hi : dInfinity);
 }
 
 void update_motor(const Joint& joint) {
   const auto set =
       joint.spec.type == JointType::kPrismatic ? dJointSetSliderParam : dJointSetHingeParam;
-  set(joint.ode, dParamVel, joint.motor->rate);
-  set(joint.ode, dParamFMax, joint.motor->effort_limit);
+  set(joint.ode->id, dParamVel, joint.motor->rate);
+  set(joint.ode->id, dParamFMax, joint.motor->effort_limit);
 }
 
 void set_axis(dJointID motor, int number, const Eigen::Vector3d& axis_world) {
@@ -160,18 +166,18 @@ void update_gearbox(const Joint& joint, double erp, double dt_s) {
   const double slope = (-ratio * f.dot(a) - f.dot(b)) / f.dot(e);
   const Eigen::Vector3d c = (b + slope * e).normalized();
   const Eigen::Vector3d side = f.unitOrthogonal();
-  set_axis(joint.ode, 0, side);
-  set_axis(joint.ode, 1, f.cross(side));
-  set_axis(joint.ode_more[0], 0, a);
-  set_axis(joint.ode_more[1], 0, c);
+  set_axis(joint.ode->id, 0, side);
+  set_axis(joint.ode->id, 1, f.cross(side));
+  set_axis(joint.ode->more[0], 0, a);
+  set_axis(joint.ode->more[1], 0, c);
   const double error = joint.position(1) + ratio * joint.position(0);
-  dJointSetAMotorParam(joint.ode_more[1], dParamVel, c.dot(b) * erp / dt_s * error);
+  dJointSetAMotorParam(joint.ode->more[1], dParamVel, c.dot(b) * erp / dt_s * error);
 }
 
 void hold(Joint& joint, Body* body) {
   if (body == nullptr) return;
   joint.held.push_back(body);
-  ++body->joint_count;
+  ++engine_body(body)->joint_count;
 }
 
 void make_kind(Joint& joint, dWorldID world) {
@@ -181,8 +187,8 @@ void make_kind(Joint& joint, dWorldID world) {
     case JointType::kPrismatic:
       return make_one_axis(joint, world, dJointCreateSlider, dJointSetSliderParam);
     case JointType::kBall:
-      joint.ode = dJointCreateBall(world, nullptr);
-      return attach(joint.ode, joint.child->body, body_of(joint.parent));
+      joint.ode = own(dJointCreateBall(world, nullptr));
+      return attach(joint.ode->id, joint.child->body, body_of(joint.parent));
     case JointType::kUniversal:
       return make_universal(joint, world);
     case JointType::kScrew:
@@ -211,24 +217,24 @@ void make_ode_joint(const Model& model, Joint& joint, dWorldID world) {
 }
 
 void destroy_ode_joint(Joint& joint) {
-  if (joint.ode != nullptr) dJointDestroy(joint.ode);
-  for (const dJointID more : joint.ode_more) dJointDestroy(more);
-  joint.ode = nullptr;
-  joint.ode_more.clear();
+  if (joint.ode == nullptr) return;
+  dJointDestroy(joint.ode->id);
+  for (const dJointID more : joint.ode->more) dJointDestroy(more);
+  joint.ode.reset();
 }
 
 std::unique_ptr<Body> make_shaft(const Model& model, const Joint& joint, dWorldID world) {
   constexpr double kLight = 1e-4;
-  auto shaft = std::make_unique<Body>();
+  auto shaft = std::make_unique<EngineBody>();
   shaft->name = model.name + "::" + joint.spec.name + "::shaft";
-  double inertia = joint.child->body->inertia.trace();
+  double inertia = joint.child->body->inertia_tensor().trace();
   if (body_of(joint.parent) != nullptr) {
-    inertia = std::min(inertia, joint.parent->body->inertia.trace());
+    inertia = std::min(inertia, joint.parent->body->inertia_tensor().trace());
   }
   shaft->mass_kg = 1.0;
   shaft->inertia = kLight * inertia * Eigen::Matrix3d::Identity();
   shaft->inertia_inverse = shaft->inertia.inverse();
-  shaft->T_world_body = shaft->T_world_body_initial = joint.child->body->T_world_body;
+  shaft->T_world_body = shaft->T_world_body_initial = joint.child->body->pose();
   shaft->set_orientation(shaft->T_world_body.R);
   shaft->owner = &model;
   shaft->ode = dBodyCreate(world);

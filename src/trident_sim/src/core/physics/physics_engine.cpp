@@ -16,9 +16,9 @@ namespace {
 /// As many contacts of two shapes as Gazebo keeps.
 constexpr int kMaxContacts = 250;
 
-bool is_constrained(const Body& body) { return body.joint_count > 0 || body.in_contact; }
+bool is_constrained(const EngineBody& body) { return body.joint_count > 0 || body.in_contact; }
 
-void pull_down(Body& body, const Eigen::Vector3d& gravity) {
+void pull_down(EngineBody& body, const Eigen::Vector3d& gravity) {
   const Eigen::Vector3d weight = body.weight_kg * gravity;
   body.force += weight;
   if (!body.p_weight.isZero(0.0)) body.torque += (body.R_world_body * body.p_weight).cross(weight);
@@ -56,12 +56,13 @@ void PhysicsEngine::set_models(const std::vector<Model*>& models) {
   statics_.clear();
   told_.clear();
   for (Model* model : models) {
-    for (const auto& body : model->bodies) bodies_.push_back(body.get());
+    for (const auto& body : model->bodies) bodies_.push_back(engine_body(body.get()));
     for (const auto& joint : model->joints) {
       if (joint->ode != nullptr) ode_joints_.push_back(joint.get());
       if (joint->spun && joint->child->body != nullptr) spun_joints_.push_back(joint.get());
     }
-    for (Geom& geom : model->static_geoms) {
+    if (model->static_geoms == nullptr) continue;
+    for (EngineGeom& geom : model->static_geoms->geoms) {
       StaticGeom entry{&geom, dGeomGetClass(geom.id) == dPlaneClass, {}, {}, {}, 0.0};
       if (entry.is_plane) {
         dVector4 plane;
@@ -78,7 +79,7 @@ void PhysicsEngine::set_models(const std::vector<Model*>& models) {
     }
   }
   for (std::size_t i = 0; i < spun_joints_.size(); ++i) {
-    Body* body = spun_joints_[i]->child->body;
+    EngineBody* body = engine_body(spun_joints_[i]->child->body);
     if (spun_carriers_.empty() || spun_carriers_.back().body != body) {
       spun_carriers_.push_back({body, i, i});
     }
@@ -91,14 +92,14 @@ void PhysicsEngine::set_models(const std::vector<Model*>& models) {
 }
 
 void PhysicsEngine::push_state(Model& model) {
-  for (const auto& body : model.bodies) push(*body);
+  for (const auto& body : model.bodies) push(engine_body(*body));
 }
 
-void PhysicsEngine::push_state(Body& body) { push(body); }
+void PhysicsEngine::push_state(Body& body) { push(engine_body(body)); }
 
 void PhysicsEngine::step(double dt_s) {
   load_rotors(dt_s);
-  for (Body* body : bodies_) {
+  for (EngineBody* body : bodies_) {
     body->in_contact = false;
     body->T_before = body->T_world_body;
     body->v_before = body->v_world;
@@ -107,7 +108,7 @@ void PhysicsEngine::step(double dt_s) {
   }
   find_contacts(dt_s);
   bool constrained = false;
-  for (Body* body : bodies_) {
+  for (EngineBody* body : bodies_) {
     if (is_constrained(*body)) {
       constrained = true;
     } else if (!body->frozen) {
@@ -118,14 +119,14 @@ void PhysicsEngine::step(double dt_s) {
   if (!watched_.empty() || !told_.empty()) tell_contacts();
   for (Joint* joint : ode_joints_) joint->count_turns();
   advance_rotors(dt_s);
-  for (Body* body : bodies_) {
+  for (EngineBody* body : bodies_) {
     body->force.setZero();
     body->torque.setZero();
     if (is_diverged(*body)) freeze(*body);
   }
 }
 
-void PhysicsEngine::freeze(Body& body) {
+void PhysicsEngine::freeze(EngineBody& body) {
   // A frozen one on a joint is still pulled at, and held again.
   if (!body.frozen) {
     report_("body '" + body.name +
@@ -141,7 +142,7 @@ void PhysicsEngine::freeze(Body& body) {
 
 void PhysicsEngine::load_rotors(double dt_s) {
   for (const SpunCarrier& carrier : spun_carriers_) {
-    Body& body = *carrier.body;
+    EngineBody& body = *carrier.body;
     body.rotor_momentum.setZero();
     Eigen::Vector3d reaction = Eigen::Vector3d::Zero();
     for (std::size_t i = carrier.first; i < carrier.last; ++i) {
@@ -157,7 +158,7 @@ void PhysicsEngine::advance_rotors(double dt_s) {
   // Nothing turns a rotor about its axis within a step, so it keeps its rate in space and the
   // carrier's own turning shows in the joint rate; its motor sets the rate anew in the next step.
   for (const SpunCarrier& carrier : spun_carriers_) {
-    const Body& body = *carrier.body;
+    const EngineBody& body = *carrier.body;
     const Eigen::Vector3d w_body = body.R_world_body.transpose() * body.w_world;
     const Eigen::Vector3d dw_body = body.R_world_body.transpose() * (body.w_world - body.w_before);
     for (std::size_t i = carrier.first; i < carrier.last; ++i) {

@@ -65,28 +65,30 @@ class PhysicsEngine {
  private:
   /// A body with rotors: spun_joints_[first] to spun_joints_[last - 1].
   struct SpunCarrier {
-    Body* body;
+    EngineBody* body;
     std::size_t first, last;
   };
   struct StaticGeom {
-    Geom* geom;
+    EngineGeom* geom;
     bool is_plane;
     Eigen::Vector3d lo, hi;  ///< bounds of anything but a plane
     Eigen::Vector3d normal;  ///< of a plane
     double offset;           ///< of a plane: normal . p = offset
   };
 
-  void freeze(Body& body);
-  void measure_overlap(const Geom& own, const Geom& other, std::optional<Overlap>& deepest);
+  void freeze(EngineBody& body);
+  void measure_overlap(const EngineGeom& own, const EngineGeom& other,
+                       std::optional<Overlap>& deepest);
   void load_rotors(double dt_s);
   void find_contacts(double dt_s);
   void sweep_bodies(double dt_s);
   void release_placed();
-  Correction correct(const Geom& a, Body* body_a, const Geom& b, Body* body_b, double deepest_m,
+  Correction correct(const EngineGeom& a, EngineBody* body_a, const EngineGeom& b,
+                     EngineBody* body_b, double deepest_m, double dt_s);
+  void collide_with_static(EngineBody& body, const Eigen::Vector3d& centre, double dt_s);
+  void collide_bodies(EngineBody& a, EngineBody& b, double dt_s);
+  void collide_geoms(EngineGeom& a, EngineBody* body_a, EngineGeom& b, EngineBody* body_b,
                      double dt_s);
-  void collide_with_static(Body& body, const Eigen::Vector3d& centre, double dt_s);
-  void collide_bodies(Body& a, Body& b, double dt_s);
-  void collide_geoms(Geom& a, Body* body_a, Geom& b, Body* body_b, double dt_s);
   void tell_contacts();
   void advance_rotors(double dt_s);
 
@@ -96,7 +98,7 @@ class PhysicsEngine {
   Eigen::Vector3d gravity_;
   dWorldID world_;
   std::unique_ptr<ConstraintSolver> solver_;
-  std::vector<Body*> bodies_;
+  std::vector<EngineBody*> bodies_;
   std::vector<Eigen::Vector3d> centres_;  ///< of the bounding spheres, world frame
   std::vector<std::size_t> order_;        ///< bodies by the low end of their x interval
   std::vector<Joint*> ode_joints_, spun_joints_;

@@ -25,7 +25,7 @@ const Joint* spun_joint_of(const Model& model, const Link& link) {
 }
 
 /// Numbers of the links that the body is made of; the first gives it its axes.
-std::vector<std::size_t> members(const Model& model, const Body& body) {
+std::vector<std::size_t> members(const Model& model, const EngineBody& body) {
   std::vector<std::size_t> result;
   for (std::size_t i = 0; i < model.links.size(); ++i) {
     if (model.links[i]->body == &body) result.push_back(i);
@@ -34,7 +34,7 @@ std::vector<std::size_t> members(const Model& model, const Body& body) {
 }
 
 /// Moves the origin of the body's frame, whatever is fixed to it staying where it is.
-void move_origin(Model& model, Body& body, const Eigen::Vector3d& shift_body) {
+void move_origin(Model& model, EngineBody& body, const Eigen::Vector3d& shift_body) {
   const auto move = [&](SE3& T, Eigen::Vector3d& v, const Eigen::Vector3d& w) {
     const Eigen::Vector3d arm = T.R * shift_body;
     T.p += arm;
@@ -47,7 +47,7 @@ void move_origin(Model& model, Body& body, const Eigen::Vector3d& shift_body) {
   for (const auto& link : model.links) {
     if (link->body == &body) link->T_body_link.p -= shift_body;
   }
-  for (const Geom& geom : body.geoms) {
+  for (const EngineGeom& geom : body.geoms) {
     const dReal* offset = dGeomGetOffsetPosition(geom.id);
     dGeomSetOffsetPosition(geom.id, offset[0] - shift_body.x(), offset[1] - shift_body.y(),
                            offset[2] - shift_body.z());
@@ -110,8 +110,8 @@ OdeAxis ode_axis(const Joint& joint, std::size_t axis) {
 void set_limits(const Joint& joint, const OdeAxis& ode, const AxisSpec& spec) {
   // Limits of more than half a turn are counted, and set anew in every step.
   const double reach = joint.spec.type == JointType::kRevolute ? kPi : dInfinity;
-  ode.set(joint.ode, dParamLoStop + ode.group, spec.lower > -reach ? spec.lower : -dInfinity);
-  ode.set(joint.ode, dParamHiStop + ode.group, spec.upper < reach ? spec.upper : dInfinity);
+  ode.set(joint.ode->id, dParamLoStop + ode.group, spec.lower > -reach ? spec.lower : -dInfinity);
+  ode.set(joint.ode->id, dParamHiStop + ode.group, spec.upper < reach ? spec.upper : dInfinity);
 }
 
 bool needs_ode(const AxisParams& p) {
@@ -121,7 +121,7 @@ bool needs_ode(const AxisParams& p) {
 
 void set_in_ode(Joint& joint, const OdeAxis& ode, const AxisSpec& spec, const AxisParams& params) {
   const auto set = [&](int parameter, const std::optional<double>& value) {
-    if (value) ode.set(joint.ode, parameter + ode.group, *value);
+    if (value) ode.set(joint.ode->id, parameter + ode.group, *value);
   };
   set(dParamCFM, params.cfm);
   set(dParamStopERP, params.stop_erp);
@@ -134,7 +134,7 @@ void set_in_ode(Joint& joint, const OdeAxis& ode, const AxisSpec& spec, const Ax
 
 }  // namespace
 
-void recompose(Model& model, Body& body) {
+void recompose(Model& model, EngineBody& body) {
   const std::vector<std::size_t> links = members(model, body);
   std::vector<BodyPart> parts;
   for (const std::size_t i : links) {

@@ -4,15 +4,15 @@
 
 #include <cstddef>
 
+#include "core/physics/engine_body.h"
 #include "trident_sim/axis_params.h"
-#include "trident_sim/model.h"
 
 namespace trident::sim {
 
 /// Gives `body` the inertia of its links as model.spec has them now. Its origin moves to the new
 /// centre of mass; links, shapes, joints and motion stay what and where they are. The ODE bodies of
 /// the model are left as spawned: their state must be pushed.
-void recompose(Model& model, Body& body);
+void recompose(Model& model, EngineBody& body);
 
 /// Changes an axis of an ODE joint. Throws Error, and changes nothing, for a value out of range or
 /// one that this kind of joint does not have.

@@ -66,18 +66,18 @@ const Eigen::Quaterniond kUpright(std::sqrt(0.5), std::sqrt(0.5), 0.0, 0.0);
 
 }  // namespace
 
-bool must_be_static(const Geom& geom) {
+bool must_be_static(const EngineGeom& geom) {
   const int kind = dGeomGetClass(geom.id);
   return kind == dPlaneClass || kind == dHeightfieldClass;
 }
 
-Geom make_geom(const CollisionSpec& spec, const std::string& scoped_name, bool can_move) {
-  Geom geom;
+EngineGeom make_geom(const CollisionSpec& spec, const std::string& scoped_name, bool can_move) {
+  EngineGeom geom;
   geom.name = scoped_name;
   geom.surface = spec.surface;
   if (can_move) geom.margin_m = contact_margin(spec.shape);
   struct Maker {
-    Geom& geom;
+    EngineGeom& geom;
     dGeomID operator()(const BoxShape& s) const {
       const Eigen::Vector3d size = s.size.array() + 2.0 * geom.margin_m;
       return dCreateBox(nullptr, size.x(), size.y(), size.z());
@@ -103,7 +103,7 @@ Geom make_geom(const CollisionSpec& spec, const std::string& scoped_name, bool c
   return geom;
 }
 
-void destroy_geom(Geom& geom) {
+void destroy_geom(EngineGeom& geom) {
   if (geom.id == nullptr) return;
   auto* mesh = static_cast<TriangleMesh*>(geom.mesh != nullptr ? dGeomGetData(geom.id) : nullptr);
   dGeomDestroy(geom.id);
@@ -115,7 +115,7 @@ void destroy_geom(Geom& geom) {
   geom.heightfield = nullptr;
 }
 
-void place_static_geom(Geom& geom, const SE3& T_world_shape) {
+void place_static_geom(EngineGeom& geom, const SE3& T_world_shape) {
   if (dGeomGetClass(geom.id) == dPlaneClass) {
     dVector4 local;
     dGeomPlaneGetParams(geom.id, local);

@@ -95,7 +95,7 @@ void World::apply_external(const StepInfo& info) {
     if (!active(wrench.start, info)) continue;
     wrench.link->body->add_force_at(wrench.force_world,
                                     wrench.link->T_world_link() * wrench.p_link);
-    wrench.link->body->torque += wrench.torque_world;
+    wrench.link->body->apply_torque(wrench.torque_world);
   }
   for (const AppliedEffort& effort : efforts_) {
     if (active(effort.start, info)) effort.joint->add_effort(effort.effort, effort.axis);
@@ -108,11 +108,11 @@ std::string World::state_hash() const {
   for (const auto& [name, model] : models_) {
     hash.update_string(name);
     for (const auto& body : model->bodies) {
-      const SE3& T = body->T_world_body;
+      const SE3& T = body->pose();
       for (int i = 0; i < 3; ++i) hash.update_double(T.p[i]);
       for (int i = 0; i < 4; ++i) hash.update_double(T.R.coeffs()[i]);
-      for (int i = 0; i < 3; ++i) hash.update_double(body->v_world[i]);
-      for (int i = 0; i < 3; ++i) hash.update_double(body->w_world[i]);
+      for (int i = 0; i < 3; ++i) hash.update_double(body->velocity()[i]);
+      for (int i = 0; i < 3; ++i) hash.update_double(body->angular_velocity()[i]);
     }
     for (const auto& joint : model->joints) {
       if (joint->spun) hash.update_double(joint->spun_velocity);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
+#include "core/physics/engine_body.h"
 #include "trident_sim/model.h"
 
 namespace trident::sim {
@@ -9,14 +10,14 @@ namespace {
 
 constexpr double kTurn = 6.283185307179586;
 
-SE3 pose_of(const Body* body) { return body == nullptr ? SE3::identity() : body->T_world_body; }
+SE3 pose_of(const Body* body) { return body == nullptr ? SE3::identity() : body->pose(); }
 
 Eigen::Vector3d turned_by(const Body* body, const Eigen::Vector3d& v) {
-  return body == nullptr ? v : Eigen::Vector3d(body->R_world_body * v);
+  return body == nullptr ? v : Eigen::Vector3d(body->rotation() * v);
 }
 
 Eigen::Vector3d w_of(const Body* body) {
-  return body == nullptr ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : body->w_world;
+  return body == nullptr ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : body->angular_velocity();
 }
 
 Eigen::Vector3d v_of(const Body* body, const Eigen::Vector3d& p_world) {
@@ -86,7 +87,7 @@ void JointAxis::push(double effort) const {
     if (linear) {
       body->add_force_at(part, p_world);
     } else {
-      body->torque += part;
+      body->apply_torque(part);
     }
   }
 }
@@ -116,7 +117,7 @@ void Joint::set_velocity(double rate) {
   if (axis_count() != 1 || axes[0].to == nullptr) return;
   const JointAxis& axis = axes[0];
   const Eigen::Vector3d change = (rate - velocity()) * axis.axis_world();
-  Body& body = *axis.to;
+  EngineBody& body = engine_body(*axis.to);
   if (axis.linear) {
     body.v_world += change;
     return;

@@ -21,7 +21,7 @@ bool falls(const Model& model) {
   const Link* const link = model.canonical_link();
   if (model.is_static || link == nullptr || link->body == nullptr) return false;
   const double fall_m = model.T_world_model_initial.p.z() - model.T_world_model().p.z();
-  return fall_m > kLongFall_m && link->body->v_world.z() < 0.0;
+  return fall_m > kLongFall_m && link->body->velocity().z() < 0.0;
 }
 
 }  // namespace
@@ -45,7 +45,7 @@ void World::tell_missing_floor() {
   next_floor_look_ = time_ + kFloorPeriod;
   const bool has_floor = ports_.find(kSeaPort, PortDirection::kOut) != nullptr ||
                          std::any_of(models_.begin(), models_.end(), [](const auto& entry) {
-                           return !entry.second->static_geoms.empty();
+                           return entry.second->has_static_shapes();
                          });
   if (has_floor) return;
   const auto fallen = std::find_if(models_.begin(), models_.end(),

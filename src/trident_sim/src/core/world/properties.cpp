@@ -81,7 +81,7 @@ SE3 motion(const Joint& joint, double change) {
   const Eigen::Vector3d along = axis.axis_world();
   if (axis.linear) return {Eigen::Quaterniond::Identity(), change * along};
   const Eigen::Vector3d anchor =
-      axis.to != nullptr ? axis.to->T_world_body * axis.p_to_anchor : axis.p_to_anchor;
+      axis.to != nullptr ? axis.to->pose() * axis.p_to_anchor : axis.p_to_anchor;
   const Eigen::Quaterniond R(Eigen::AngleAxisd(change, along));
   SE3 T{R, anchor - R * anchor};
   if (joint.spec.type == JointType::kScrew) {
@@ -95,9 +95,10 @@ Eigen::Vector3d v_at(const Body* body, const Eigen::Vector3d& p_world) {
 }
 
 /// Moves a body, whose motion against `base` moves along.
-void carry(Body& body, const Body* base, const SE3& T_move) {
+void carry(EngineBody& body, const Body* base, const SE3& T_move) {
   const Eigen::Vector3d p = body.T_world_body.p;
-  const Eigen::Vector3d w_base = base == nullptr ? Eigen::Vector3d::Zero() : base->w_world;
+  const Eigen::Vector3d w_base =
+      base == nullptr ? Eigen::Vector3d::Zero() : base->angular_velocity();
   const Eigen::Vector3d v = body.v_world - v_at(base, p), w = body.w_world - w_base;
   const SE3 moved = T_move * body.T_world_body;
   body.T_world_body.p = moved.p;
@@ -132,7 +133,7 @@ void move_joint(Model& model, Joint& joint, double position) {
   const Body* base = is_to_moved ? axis.from : axis.to;
   const SE3 T_to = motion(joint, change);
   const SE3 T_move = is_to_moved ? T_to : T_to.inverse();
-  for (Body* body : hanging_on(model, joint, root, base)) carry(*body, base, T_move);
+  for (Body* body : hanging_on(model, joint, root, base)) carry(engine_body(*body), base, T_move);
   axis.turned = position;
 }
 
@@ -147,7 +148,7 @@ void World::set_link_inertial(Link& link, const Inertial& inertial, bool gravity
   spec.inertial = link.inertial = inertial;
   spec.gravity = link.gravity = gravity;
   if (link.body == nullptr) return;
-  recompose(model, *link.body);
+  recompose(model, engine_body(*link.body));
   engine_->push_state(model);
   model.spawn_number = ++spawn_count_;  // older snapshots are of other body frames
   ++models_version_;

@@ -42,7 +42,7 @@ std::vector<std::string> World::inventory() const {
 void World::state(StateArchive& archive) {
   archive(time_, dt_, step_count_, reset_step_, physics_, wrenches_, efforts_);
   for (const auto& [name, model] : models_) {
-    for (const auto& body : model->bodies) body->state(archive);
+    for (const auto& body : model->bodies) engine_body(*body).state(archive);
     for (const auto& joint : model->joints) joint->state(archive);
     for (const auto& plugin : model->plugins) plugin->state(archive);
   }

@@ -166,8 +166,8 @@ class FreeFloatingControl : public Plugin {
     }
     const Eigen::Quaterniond R = body_->T_world_link().R;
     const Vector6d wrench = force_n * thruster.map;
-    body_->body->force += R * Eigen::Vector3d(wrench.head<3>());
-    body_->body->torque += R * Eigen::Vector3d(wrench.tail<3>());
+    body_->body->apply_force(R * Eigen::Vector3d(wrench.head<3>()));
+    body_->body->apply_torque(R * Eigen::Vector3d(wrench.tail<3>()));
   }
 
   std::string owner_;

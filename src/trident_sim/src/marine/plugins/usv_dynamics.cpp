@@ -84,7 +84,7 @@ UsvParams read_usv(const PluginContext& context, const Link& link) {
   vessel.quadratic_damping = read_diagonal(params, kQuadratic, Vector6d::Zero());
   vessel.hull = read_hull(params);
   usv.place.level_m = params.number("waterLevel", 0.5, {-1000.0, 9000.0});
-  usv.place.T_link_co.p.z() = set_draft(link.body->mass_kg, vessel.water_density, &vessel.hull);
+  usv.place.T_link_co.p.z() = set_draft(link.body->mass(), vessel.water_density, &vessel.hull);
   params.node("wave_model");  // VRX' name of the model with its waves; here the world has one sea
   return usv;
 }

@@ -160,7 +160,7 @@ class UsvWind : public Plugin {
       if (!is_over_ground_) wind -= body.velocity_at(p_com);
       const Vector6d wrench = wind_wrench(object.coefficients, T_world_link.R.conjugate() * wind);
       body.add_force_at(T_world_link.R * wrench.head<3>(), p_com);
-      body.torque += T_world_link.R * wrench.tail<3>();
+      body.apply_torque(T_world_link.R * wrench.tail<3>());
     }
   }
 

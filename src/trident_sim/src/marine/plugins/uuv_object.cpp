@@ -241,7 +241,7 @@ class UuvLink {
       : link_(link),
         body_(PluginContext{context.world, context.model, params, context.name}, link,
               hydrodynamics(context, params, density), {}),
-        buoyancy_(params, density, link.body->mass_kg, -context.world.physics().gravity.z()) {
+        buoyancy_(params, density, link.body->mass(), -context.world.physics().gravity.z()) {
     name_unread(context.world, params);
   }
 
@@ -270,7 +270,7 @@ class UuvLink {
       if (key == "name") name = value;
     }
     Link* const link = context.model->find_link(name);
-    if (link == nullptr || link->body == nullptr || link->body->kinematic) {
+    if (link == nullptr || link->body == nullptr || link->body->is_kinematic()) {
       params.refuse("link name", name, "a link of the model that forces move");
     }
     return *link;

@@ -37,16 +37,16 @@ RigidBody rigid_body_of(const Link& link, const SE3& T_link_co) {
   const SE3 T_co_body = (link.T_body_link * T_link_co).inverse();
   const Eigen::Matrix3d R = T_co_body.R.toRotationMatrix();
   RigidBody body;
-  body.mass_kg = link.body->mass_kg;
+  body.mass_kg = link.body->mass();
   body.center_of_gravity = T_co_body.p;
-  const Eigen::Matrix3d inertia = R * link.body->inertia * R.transpose();
+  const Eigen::Matrix3d inertia = R * link.body->inertia_tensor() * R.transpose();
   body.inertia_cg = 0.5 * (inertia + inertia.transpose());
   return body;
 }
 
 Link& moving_link(const PluginContext& context, const std::string& key) {
   Link& link = required_link(context, key);
-  if (link.body == nullptr || link.body->kinematic) {
+  if (link.body == nullptr || link.body->is_kinematic()) {
     context.params.refuse(key, link.name, "a link that forces move");
   }
   return link;
@@ -116,7 +116,7 @@ void VesselBody::look_around(World& world) {
 }
 
 void VesselBody::check_afloat(const Sea& sea) const {
-  const SE3 T_world_co = link_.body->T_world_body * T_body_co_;
+  const SE3 T_world_co = link_.body->pose() * T_body_co_;
   const double time_s = world_.time().seconds();
   double worst = 0.0;
   Eigen::Vector3d where = Eigen::Vector3d::Zero();
@@ -155,10 +155,10 @@ Afloat VesselBody::meet(World& world, const StepInfo& info) {
   const Body& body = *link_.body;
   const double time_s = info.begin.seconds();
   Afloat now;
-  now.T_world_co = body.T_world_body * T_body_co_;
+  now.T_world_co = body.pose() * T_body_co_;
   const Eigen::Matrix3d R_co_world = now.T_world_co.R.toRotationMatrix().transpose();
   const Eigen::Vector3d v_world = body.velocity_at(now.T_world_co.p);
-  now.nu << R_co_world * v_world, R_co_world * body.w_world;
+  now.nu << R_co_world * v_world, R_co_world * body.angular_velocity();
   SE3 T_sea_co = now.T_world_co;
   T_sea_co.p.z() -= place_.level_m;
   if (around_.sea() == nullptr) {
@@ -178,12 +178,12 @@ void VesselBody::push(const World& world, const StepInfo& info, const Afloat& no
   const Eigen::Matrix3d R = now.T_world_co.R.toRotationMatrix();
   const Eigen::Vector3d& r_cg = dynamics_->rigid_body().center_of_gravity;
   const Eigen::Vector3d weight =
-      R.transpose() * Eigen::Vector3d(body.weight_kg * world.physics().gravity);
-  const Eigen::Vector3d p_weight = r_cg + T_body_co_.R.conjugate() * body.p_weight;
-  const Eigen::Vector3d force = R.transpose() * body.force;
+      R.transpose() * Eigen::Vector3d(body.weight_mass() * world.physics().gravity);
+  const Eigen::Vector3d p_weight = r_cg + T_body_co_.R.conjugate() * body.weight_point();
+  const Eigen::Vector3d force = R.transpose() * body.applied_force();
   Vector6d engine;  // what it has already, about CO
   engine << force + weight,
-      R.transpose() * body.torque + r_cg.cross(force) + p_weight.cross(weight);
+      R.transpose() * body.applied_torque() + r_cg.cross(force) + p_weight.cross(weight);
   add_about_cg(now, dynamics_->engine_wrench(now.nu, now.load.water, engine + now.load.wrench + tau,
                                              engine, info.dt_s));
 }
@@ -203,18 +203,18 @@ void VesselBody::push_legacy(const StepInfo& info, const Afloat& now, const Vect
       legacy_->hull.wrench(T_sea_link, place_.T_link_co, water, info.begin.seconds());
   const Eigen::Matrix3d R = T_world_link.R.toRotationMatrix();
   Vector6d nu;
-  nu << R.transpose() * link_.v_world_at(T_world_link.p), R.transpose() * body.w_world;
+  nu << R.transpose() * link_.v_world_at(T_world_link.p), R.transpose() * body.angular_velocity();
   const Vector6d wrench = turned(R, legacy_->force.wrench(nu, info.dt_s)) + lift;
-  body.force += wrench.head<3>();
-  body.torque += wrench.tail<3>();
+  body.apply_force(wrench.head<3>());
+  body.apply_torque(wrench.tail<3>());
 }
 
 void VesselBody::add_about_cg(const Afloat& now, const Vector6d& wrench) {
   const Vector6d at_cg =
       turned(now.T_world_co.R.toRotationMatrix(),
              about_center_of_gravity(wrench, dynamics_->rigid_body().center_of_gravity));
-  link_.body->force += at_cg.head<3>();
-  link_.body->torque += at_cg.tail<3>();
+  link_.body->apply_force(at_cg.head<3>());
+  link_.body->apply_torque(at_cg.tail<3>());
 }
 
 void VesselBody::reset() {

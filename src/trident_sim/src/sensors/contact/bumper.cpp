@@ -14,13 +14,12 @@ namespace {
 /// The geometry of a collision of the sensor's link. Throws Error that lists those it has.
 Geom& find_geometry(const PluginContext& context, const std::string& name) {
   const std::string prefix = context.model->name + "::" + context.link->name + "::";
-  std::vector<Geom>& geoms =
-      context.link->body != nullptr ? context.link->body->geoms : context.model->static_geoms;
   std::string known;
-  for (Geom& geom : geoms) {
-    if (geom.name.compare(0, prefix.size(), prefix) != 0) continue;
-    const std::string own = geom.name.substr(prefix.size());
-    if (own == name || geom.name == name) return geom;
+  for (Geom* const geom : context.model->collision_shapes(*context.link)) {
+    const std::string& scoped_name = geom->scoped_name();
+    if (scoped_name.compare(0, prefix.size(), prefix) != 0) continue;
+    const std::string own = scoped_name.substr(prefix.size());
+    if (own == name || scoped_name == name) return *geom;
     known += (known.empty() ? "" : ", ") + own;
   }
   throw Error(context.params.owner() + ": <collision> is '" + name +
@@ -66,7 +65,7 @@ class Bumper : public Plugin {
     const bool is_watching = states_->wanted() && clock_.is_due(info);
     if (is_watching == is_watching_) return;
     is_watching_ = is_watching;
-    for (Geom* geom : geoms_) geom->watchers += is_watching ? 1 : -1;
+    for (Geom* geom : geoms_) is_watching ? geom->add_watcher() : geom->remove_watcher();
   }
   void post_step(const World& world, const StepInfo& info) override {
     if (!is_watching_) return;
@@ -93,14 +92,14 @@ class Bumper : public Plugin {
            const Eigen::Vector3d& p_world_centre) {
     std::vector<TouchSample>& touches = states_->value.touches;
     const auto is_pair = [&](const TouchSample& touch) {
-      return touch.collision1 == own.name && touch.collision2 == other.name;
+      return touch.collision1 == own.scoped_name() && touch.collision2 == other.scoped_name();
     };
     auto touch = std::find_if(touches.begin(), touches.end(), is_pair);
     if (touch == touches.end()) {
       touches.emplace_back();
       touch = std::prev(touches.end());
-      touch->collision1 = own.name;
-      touch->collision2 = other.name;
+      touch->collision1 = own.scoped_name();
+      touch->collision2 = other.scoped_name();
     }
     const Eigen::Vector3d force = sign * contact.force_world;
     touch->positions.push_back(contact.p_world);

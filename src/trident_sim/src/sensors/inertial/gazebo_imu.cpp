@@ -129,7 +129,7 @@ class GazeboImu : public MeasuringPlugin {
     if (link.body == nullptr) return acceleration;
     const Eigen::Vector3d r = link.T_world_link().R * site_.T_link_imu.p;
     const Eigen::Vector3d w = link.w_world();
-    const Eigen::Vector3d dw = (w - link.body->w_before) / dt_s;
+    const Eigen::Vector3d dw = (w - link.body->previous_angular_velocity()) / dt_s;
     return acceleration + dw.cross(r) + w.cross(w.cross(r));
   }
 

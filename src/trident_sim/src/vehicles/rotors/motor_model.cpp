@@ -103,7 +103,7 @@ class MotorModel : public Plugin {
 
   void apply_forces() {
     Body& body = *link_.body;
-    const Eigen::Matrix3d& R = body.R_world_body;
+    const Eigen::Matrix3d& R = body.rotation();
     const double speed = (joint_.spun ? joint_.spun_velocity : joint_.velocity()) * slowdown_;
     const double thrust = direction_ * std::abs(speed) * speed * motor_constant_;
     const Eigen::Vector3d axis = R * joint_.rotor_axis_body;
@@ -111,19 +111,19 @@ class MotorModel : public Plugin {
     Eigen::Vector3d thrust_axis = axis;
     if (!is_thrust_along_axis_) thrust_axis += R * axis_to_thrust_body_;
     const Eigen::Vector3d arm = R * arm_body_;
-    const Eigen::Vector3d velocity = body.v_world + body.w_world.cross(arm) - wind_velocity(arm);
+    const Eigen::Vector3d velocity = body.velocity() + body.angular_velocity().cross(arm) - wind_velocity(arm);
     const Eigen::Vector3d across = velocity - velocity.dot(axis) * axis;
     const Eigen::Vector3d force = thrust * thrust_axis - std::abs(speed) * rotor_drag_ * across;
-    body.force += force;
-    body.torque += arm.cross(force) - direction_ * thrust * moment_constant_ * thrust_axis -
-                   std::abs(speed) * rolling_moment_ * across;
+    body.apply_force(force);
+    body.apply_torque(arm.cross(force) - direction_ * thrust * moment_constant_ * thrust_axis -
+                   std::abs(speed) * rolling_moment_ * across);
   }
 
   /// What came on the topic, else the world's wind.
   Eigen::Vector3d wind_velocity(const Eigen::Vector3d& arm) const {
     if (wind_->count() > 0) return wind_->at(wind_->count() - 1).v_world;
     if (around_.air() == nullptr) return Eigen::Vector3d::Zero();
-    return around_.air()->wind(link_.body->T_world_body.p + arm);
+    return around_.air()->wind(link_.body->pose().p + arm);
   }
 
   void advance_speed(double dt_s) {

@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+// Making models and their plugins.
+#include "core/physics/physics_engine.h"
+#include "silent_elements.h"
+#include "trident_base/error.h"
+#include "trident_sim/world.h"
+
+namespace trident::sim {
+
+std::unique_ptr<Model> World::build_model(ModelSpec spec, const std::string& robot_namespace) {
+  auto model = std::make_unique<Model>();
+  model->name = spec.name;
+  model->robot_namespace = robot_namespace;
+  model->T_world_model_initial = spec.T_world_model;
+  model->is_static = spec.is_static;
+  std::vector<PluginSpec> plugins = std::move(spec.plugins);
+  spec.plugins.clear();
+  model->spec = std::move(spec);
+  std::vector<std::string> spun;
+  for (const PluginSpec& plugin : plugins) {
+    const PluginFactory* factory = registry_.find_or_load(plugin.filename, resources_);
+    if (factory == nullptr || !factory->spun_joint) continue;
+    const PluginParams params(plugin.params,
+                              "model '" + model->name + "' plugin '" + plugin.name + "'");
+    if (std::string joint = factory->spun_joint(params); !joint.empty()) spun.push_back(joint);
+  }
+  engine_->build(*model, spun,
+                 [this](const std::function<void()>& make) { leave_out_if_odd(make); });
+  try {
+    create_plugins(*model, plugins);
+  } catch (...) {
+    model->plugins.clear();
+    engine_->destroy(*model);
+    throw;
+  }
+  return model;
+}
+
+void World::create_plugins(Model& model, const std::vector<PluginSpec>& specs) {
+  const std::string owner = "model '" + model.name + "'";
+  for (const PluginSpec& spec : specs) {
+    leave_out_if_odd([&] {
+      auto plugin = create_plugin(spec, {&model, nullptr, nullptr}, owner);
+      if (plugin != nullptr) model.plugins.push_back(std::move(plugin));
+    });
+  }
+  for (LinkSpec& link : model.spec.links) {
+    for (SensorSpec& sensor : link.sensors) create_sensor(model, link, sensor);
+  }
+}
+
+void World::create_sensor(Model& model, const LinkSpec& link, SensorSpec& sensor) {
+  const std::string owner =
+      "model '" + model.name + "' link '" + link.name + "' sensor '" + sensor.name + "'";
+  for (const PluginSpec& spec : sensor.plugins) {
+    leave_out_if_odd([&] {
+      auto plugin = create_plugin(spec, {&model, model.find_link(link.name), &sensor}, owner);
+      if (plugin != nullptr) model.plugins.push_back(std::move(plugin));
+    });
+  }
+  sensor.plugins.clear();
+  sensor.params = {};
+}
+
+std::unique_ptr<Plugin> World::create_plugin(const PluginSpec& spec, const PluginPlace& place,
+                                             const std::string& owner) {
+  Model* const model = place.model;
+  const PluginFactory* factory = registry_.find_or_load(spec.filename, resources_);
+  if (factory == nullptr) {
+    std::string known;
+    for (const std::string& name : registry_.names()) known += (known.empty() ? "" : ", ") + name;
+    report(Severity::kWarning, owner + ": plugin '" + spec.name + "' (" + spec.filename +
+                                   ") is unknown and is left out; known: " + known);
+    return nullptr;
+  }
+  ParamNode params = spec.params;
+  if (model != nullptr && params.find("robotNamespace") == nullptr) {
+    params.children.push_back({"robotNamespace", model->robot_namespace, {}, {}});
+  }
+  const PluginParams reader(params, owner + " plugin '" + spec.name + "'");
+  std::string name = (model ? model->name : name_) + "::";
+  if (place.sensor != nullptr) name += place.link->name + "::" + place.sensor->name + "::";
+  auto plugin = factory->create({*this, model, reader, name + spec.name, place.link, place.sensor});
+  if (plugin != nullptr) tell_unread(spec, reader);
+  return plugin;
+}
+
+/// Once in the world, or a fleet would tell it a hundred times.
+void World::tell_unread(const PluginSpec& spec, const PluginParams& params) {
+  // Of a link that libsdformat has joined to another; it writes the offsets itself.
+  const bool is_lumped = params.has("ignition::corrected_offsets");
+  std::string list;
+  std::size_t count = 0;
+  for (const std::string& element : params.unread()) {
+    const bool is_offset = element == "xyzOffset" || element == "rpyOffset";
+    if (is_of_no_account(spec.filename, element) || (is_offset && is_lumped)) continue;
+    if (!told_elements_.insert(spec.filename + " " + element).second) continue;
+    list.append(list.empty() ? "<" : ", <").append(element).append(">");
+    ++count;
+  }
+  if (list.empty()) return;
+  diagnose({Severity::kWarning,
+            params.owner(),
+            "elements without effect",
+            list + " of " + spec.filename +
+                (count == 1 ? " is not known here and has no effect"
+                            : " are not known here and have no effect"),
+            {{"elements", list}}});
+}
+
+}  // namespace trident::sim
