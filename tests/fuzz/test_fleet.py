@@ -19,7 +19,7 @@ LEADER = "/UAV1/odometry_sensor1/odometry"
 NODES = {
     "UAV1": ("trident_fleet", "formation_all.py", 5),
     "UAV2": ("trident_fleet", "waypoint_flight.py", 1),
-    "UAV3": ("rotors_teleop", "rotors_formation_son.py", 10),
+    "UAV3": ("rotors_teleop", "rotors_formation_son.py", 100),
 }
 
 

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 import rospy
 from geometry_msgs.msg import Point, Pose, Quaternion, Twist
-from hostile import MESSAGES, SEED, Asked, note_treated, odometry, started, withstands
+from hostile import MESSAGES, SEED, Asked, messages, note_treated, odometry, started, withstands
 from nav_msgs.msg import Odometry
 from sensor_msgs.msg import Image
 from trident.testing import Gazebo, Ros, box_sdf, eventually, program, recorder
@@ -64,14 +64,14 @@ def hears_its_camera(target: Target) -> bool:
     return any(topic.startswith("/observer_") for topic in target.subscriptions())
 
 
-def endures(target: Target, messages: int, step: Callable[[], None] | None = None) -> None:
+def endures(target: Target, count: int, step: Callable[[], None] | None = None) -> None:
     """It lives through so many messages."""
     note_treated(target)
-    settings = CampaignOptions(messages=messages, seed=SEED, batch=BATCH)
+    settings = CampaignOptions(messages=count, seed=SEED, batch=BATCH)
     found = Campaign(target, settings, None, step).run()
     print(target.name, found.text())
     assert not found.problems, found.text()
-    assert sum(found.sent.values()) == messages
+    assert sum(found.sent.values()) == count
 
 
 def film(ros: Ros, step: Callable[[], None], out: Path) -> None:
@@ -106,7 +106,7 @@ def test_the_overview_shows_on(ros: Ros) -> None:
     process = started(ros, "/overview", [*command, "__name:=overview"])
     target = Target("/overview")
     eventually(lambda: is_heard(target, Image, 12), "cameras that look for a place")
-    endures(target, MESSAGES // 2)
+    endures(target, messages(10) // 2)
 
     def step() -> None:
         world.step()
@@ -116,7 +116,7 @@ def test_the_overview_shows_on(ros: Ros) -> None:
         return hears_its_camera(target)
 
     eventually(looks, "its camera")
-    endures(target, MESSAGES // 2, step)
+    endures(target, messages(10) // 2, step)
     with recorder("/overview/image_raw", Image) as pictures:
 
         def shows() -> bool:
@@ -139,7 +139,7 @@ def test_a_slam_tour_waits_on(ros: Ros, tmp_path: Path) -> None:
     eventually(lambda: is_heard(target, Odometry, 1), "its subscriptions")
     asked = Asked("/ground_truth/odom", odometry, "/cmd_vel", Twist)
     asked.is_answered()
-    endures(target, MESSAGES, asked.send)
+    endures(target, messages(10), asked.send)
     asked.close()
     process.eventually_logs("process[robot_state_publisher")  # its child takes an interrupt
     assert process.stop(limit_s=60.0) == 1, process.log[-3000:]  # its tour is not done
