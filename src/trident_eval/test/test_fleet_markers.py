@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 from __future__ import annotations
 
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -91,3 +92,27 @@ def test_a_description_that_is_none_is_a_disc(
         assert disc.type == Marker.CYLINDER
     assert len(told) == 1, "once, not with every picture"
     assert told[0].startswith("A is shown as a disc: robot_description: ")
+
+
+def test_a_vehicle_that_goes_while_its_marker_is_made_does_not_end_the_node(
+    parameters: dict[str, str],
+) -> None:
+    """States come in a thread of their own."""
+    fleet = FleetMarkers()
+    pose = state(0.0, A=(0.0, 0.0, 1.0)).pose[0]
+
+    class Leaving(SimpleNamespace):
+        @property
+        def orientation(self) -> Any:
+            fleet.add(state(1.0, B=(0.0, 0.0, 1.0)))
+            return pose.orientation
+
+    leaving = state(0.0, A=(0.0, 0.0, 1.0))
+    leaving.pose = [Leaving(position=pose.position)]
+    fleet.add(leaving)
+    assert set(by_name(fleet.markers())) == {"", "A/shape", "A/name"}
+    assert set(by_name(fleet.markers())) == {"", "B/shape", "B/name"}
+    parameters["/A/robot_description"] = URDF
+    fleet.add(state(2.0, A=(0.0, 0.0, 1.0)))
+    shapes = by_name(fleet.markers())["A/shape"]
+    assert shapes[-1].type == Marker.MESH_RESOURCE, "what came back is described anew"

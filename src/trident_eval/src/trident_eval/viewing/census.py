@@ -8,6 +8,7 @@ import math
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 import rospy
@@ -42,10 +43,12 @@ def models_in_the_world() -> list[Sphere]:
     """
     try:
         rospy.wait_for_service("/gazebo/get_world_properties", _SERVICE_LIMIT_S)
-        names = rospy.ServiceProxy("/gazebo/get_world_properties", GetWorldProperties)().model_names
-        if len(names) > _MOST_MODELS:
-            raise EvalError(f"{len(names)} models in the world, legal: up to {_MOST_MODELS}")
-        found = [_sphere(name) for name in names if not _NO_FEATURE.fullmatch(name.lower())]
+        with _Simulator() as simulator:
+            names = simulator.world().model_names
+            if len(names) > _MOST_MODELS:
+                raise EvalError(f"{len(names)} models in the world, legal: up to {_MOST_MODELS}")
+            features = [name for name in names if not _NO_FEATURE.fullmatch(name.lower())]
+            found = [_sphere(simulator, name) for name in features]
     except (rospy.ROSException, rospy.ServiceException) as error:
         raise EvalError(f"no simulator: {error}") from error
     return sorted(
@@ -53,27 +56,54 @@ def models_in_the_world() -> list[Sphere]:
     )
 
 
-def _sphere(name: str) -> Sphere | None:
+class _Simulator:
+    """The services that are asked, while it is entered.
+
+    Each over one connection: a fleet of a hundred vehicles is some thousand calls, and a look-up at
+    the master and a new connection cost more than the answer.
+    """
+
+    def __init__(self) -> None:
+        self.world = _service("get_world_properties", GetWorldProperties)
+        self.model = _service("get_model_properties", GetModelProperties)
+        self.model_state = _service("get_model_state", GetModelState)
+        self.link = _service("get_link_properties", GetLinkProperties)
+        self.link_state = _service("get_link_state", GetLinkState)
+
+    def __enter__(self) -> _Simulator:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        for service in (self.world, self.model, self.model_state, self.link, self.link_state):
+            service.close()
+
+
+def _service(name: str, kind: Any) -> rospy.ServiceProxy:
+    return rospy.ServiceProxy(f"/gazebo/{name}", kind, persistent=True)
+
+
+def _sphere(simulator: _Simulator, name: str) -> Sphere | None:
     """A model's sphere; None for one that has gone, or whose place is none."""
-    model = rospy.ServiceProxy("/gazebo/get_model_properties", GetModelProperties)(name)
-    state = rospy.ServiceProxy("/gazebo/get_model_state", GetModelState)(name, "")
+    model, state = simulator.model(name), simulator.model_state(name, "")
     if not (model.success and state.success):
         return None
     at = state.pose.position
     if point_problem("position", at):
         return None
     centre = (at.x, at.y, at.z)
-    radius_m = _SCENERY_RADIUS_M if model.is_static else _radius(name, model.body_names, centre)
+    radius_m = _SCENERY_RADIUS_M
+    if not model.is_static:
+        radius_m = _radius(simulator, name, model.body_names, centre)
     return Sphere(name, centre, radius_m, not model.is_static, bool(model.joint_names))
 
 
-def _radius(name: str, links: list[str], centre: tuple[float, float, float]) -> float:
-    state_of = rospy.ServiceProxy("/gazebo/get_link_state", GetLinkState)
-    properties_of = rospy.ServiceProxy("/gazebo/get_link_properties", GetLinkProperties)
+def _radius(
+    simulator: _Simulator, name: str, links: list[str], centre: tuple[float, float, float]
+) -> float:
     bodies: list[Body] = []
     for link in links[:_MOST_LINKS]:
         full_name = link if "::" in link else f"{name}::{link}"
-        state, of_link = state_of(full_name, ""), properties_of(full_name)
+        state, of_link = simulator.link_state(full_name, ""), simulator.link(full_name)
         if state.success and of_link.success:
             at = state.link_state.pose.position
             moments = (of_link.ixx, of_link.iyy, of_link.izz)

@@ -51,7 +51,8 @@ class FleetMarkers:
         self._newest: Any = None
         self._is_new = False
         self._paths: dict[str, list[Point]] = {}
-        self._visuals: dict[str, list[Visual]] = {}
+        self._gone: set[str] = set()
+        self._visuals: dict[str, list[Visual]] = {}  # of the thread that makes markers, alone
 
     def add(self, state: Any) -> None:
         """Take a state of the fleet (trident_msgs/FleetState) without a problem."""
@@ -61,7 +62,7 @@ class FleetMarkers:
             self._newest, self._is_new = state, True
             for gone in set(self._paths) - set(state.name):
                 self._paths.pop(gone)
-                self._visuals.pop(gone, None)
+                self._gone.add(gone)
             for name, pose in zip(state.name, state.pose, strict=True):
                 path = self._paths.setdefault(name, [])
                 if not path or _distance(path[-1], pose.position) >= _PATH_STEP_M:
@@ -75,6 +76,9 @@ class FleetMarkers:
                 return None
             state, self._is_new = self._newest, False
             paths = {name: list(path) for name, path in self._paths.items()}
+            gone, self._gone = self._gone, set()
+        for name in gone:
+            self._visuals.pop(name, None)
         found = [Marker(action=Marker.DELETEALL)]
         header = Header(frame_id=state.header.frame_id)
         for index, (name, pose) in enumerate(zip(state.name, state.pose, strict=True)):
