@@ -8,6 +8,7 @@ import os
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
+from trident_tool.headers import run_headers
 from trident_tool.markdown import check_pages
 from trident_tool.rooms import check_rooms
 from trident_tool.thread_safety import run_thread_safety
@@ -116,6 +117,11 @@ def _markdown(workspace: Workspace, runner: Runner, fix: bool) -> int:
     return check_pages(pages, workspace.root, fix)
 
 
+def _headers(workspace: Workspace, runner: Runner, fix: bool) -> int:
+    del fix  # which header a name is from is for its user to say
+    return run_headers(workspace, runner)
+
+
 def _rooms(workspace: Workspace, runner: Runner, fix: bool) -> int:
     del fix  # where a file belongs is a question of design
     files = cpp_files(workspace.root)
@@ -133,6 +139,7 @@ CHECKS: dict[str, Callable[[Workspace, Runner, bool], int]] = {
     "thread-safety": _thread_safety,
     "markdown": _markdown,
     "rooms": _rooms,
+    "headers": _headers,
 }
 
 

@@ -50,7 +50,9 @@ def read_house(root: Path) -> House:
         depends = {(item.text or "").strip() for item in tree if "depend" in item.tag}
         name = (tree.findtext("name") or "").strip()
         house.packages[manifest.parent.relative_to(root)] = name, depends
-    table: Mapping[str, Mapping[str, list[str]]] = yaml.safe_load((root / TABLE).read_text(encoding="utf-8"))
+    table: Mapping[str, Mapping[str, list[str]]] = yaml.safe_load(
+        (root / TABLE).read_text(encoding="utf-8")
+    )
     house.rooms = {Path(folder): dict(rooms) for folder, rooms in table.items()}
     return house
 

@@ -18,23 +18,23 @@ CartOptions with(ParamList params) {
   return options;
 }
 
-std::string refusal(ParamList params, bool four_wheels = false) {
+std::string plugin_refusal(ParamList params, bool four_wheels = false) {
   CartOptions options = with(std::move(params));
   options.four_wheels = four_wheels;
   return error_of([&] { CartWorld cart(options); });
 }
 
 TEST(DrivePlugins, BadValuesAreRefusedWithTheLegalOnes) {
-  EXPECT_TRUE(contains(refusal({{"wheelSeparation", "0"}}), "<wheelSeparation> is '0'"));
-  EXPECT_TRUE(contains(refusal({{"wheelDiameter", "-0.1"}}), "<wheelDiameter> is '-0.1'"));
-  EXPECT_TRUE(contains(refusal({{"wheelTorque", "-1"}}), "<wheelTorque> is '-1'"));
-  EXPECT_TRUE(contains(refusal({{"updateRate", "-5"}}), "<updateRate> is '-5'"));
-  EXPECT_TRUE(contains(refusal({{"odometrySource", "gps"}}),
+  EXPECT_TRUE(contains(plugin_refusal({{"wheelSeparation", "0"}}), "<wheelSeparation> is '0'"));
+  EXPECT_TRUE(contains(plugin_refusal({{"wheelDiameter", "-0.1"}}), "<wheelDiameter> is '-0.1'"));
+  EXPECT_TRUE(contains(plugin_refusal({{"wheelTorque", "-1"}}), "<wheelTorque> is '-1'"));
+  EXPECT_TRUE(contains(plugin_refusal({{"updateRate", "-5"}}), "<updateRate> is '-5'"));
+  EXPECT_TRUE(contains(plugin_refusal({{"odometrySource", "gps"}}),
                        "<odometrySource> is 'gps', expected world or encoder"));
-  EXPECT_TRUE(contains(refusal({{"leftJoint", "knee"}}), "a joint of the model: left, right"));
-  EXPECT_TRUE(contains(refusal({{"leftJoint", "right"}}), "another joint than leftJoint"));
-  EXPECT_TRUE(contains(refusal({{"publishTf", "maybe"}}), "<publishTf> is 'maybe'"));
-  EXPECT_TRUE(contains(refusal({{"leftRearJoint", "tail"}}, true), "model 'cart' plugin 'drive'"));
+  EXPECT_TRUE(contains(plugin_refusal({{"leftJoint", "knee"}}), "a joint of the model: left, right"));
+  EXPECT_TRUE(contains(plugin_refusal({{"leftJoint", "right"}}), "another joint than leftJoint"));
+  EXPECT_TRUE(contains(plugin_refusal({{"publishTf", "maybe"}}), "<publishTf> is 'maybe'"));
+  EXPECT_TRUE(contains(plugin_refusal({{"leftRearJoint", "tail"}}, true), "model 'cart' plugin 'drive'"));
 }
 
 TEST(DrivePlugins, AFixedJointCannotBeDriven) {

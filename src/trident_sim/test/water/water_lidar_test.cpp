@@ -29,9 +29,9 @@ LidarOptions downward_fan(const std::string& returns) {
 }
 double off_vertical(std::size_t beam) { return deg_to_rad(static_cast<double>(beam) - 60.0); }
 
-template <class Sample>
-OutPort<Sample>& listen(TestWorld& world) {
-  auto* const port = world->ports().find_out<Sample>("r/scan");
+template <class CloudSample>
+OutPort<CloudSample>& listen(TestWorld& world) {
+  auto* const port = world->ports().find_out<CloudSample>("r/scan");
   port->add_listener();
   return *port;
 }

@@ -23,7 +23,7 @@ using testing_world::ScanWorld;
 constexpr std::size_t kMapped = 60;  // scans
 constexpr double kNear = 0.1;        // [m]
 
-const ScanWorld& world() {
+const ScanWorld& abilities_world() {
   static const ScanWorld instance(11);
   return instance;
 }
@@ -35,10 +35,10 @@ std::unique_ptr<Slam2d> make(const std::string& method, const std::string& confi
 }
 
 ScanPose2d add(Slam2d& slam, std::size_t step) {
-  return slam.add_scan(world().steps()[step].scan, world().steps()[step].T_odom_base);
+  return slam.add_scan(abilities_world().steps()[step].scan, abilities_world().steps()[step].T_odom_base);
 }
 
-SE2 truth(std::size_t step) { return world().steps()[step].T_start_base; }
+SE2 truth(std::size_t step) { return abilities_world().steps()[step].T_start_base; }
 
 /// How far the pose of a scan is from the truth [m].
 double error(const ScanPose2d& pose, std::size_t step) {

@@ -34,8 +34,8 @@ class IncrementalPoseGraphTest : public testing::Test {
   IncrementalPoseGraph<Group> growing_;
 };
 
-using Groups = testing::Types<SE2, SE3>;
-TYPED_TEST_SUITE(IncrementalPoseGraphTest, Groups);
+using IncrementalGroups = testing::Types<SE2, SE3>;
+TYPED_TEST_SUITE(IncrementalPoseGraphTest, IncrementalGroups);
 
 TYPED_TEST(IncrementalPoseGraphTest, IsNearTheOptimumAtAnyTimeAndAtItInTheEnd) {
   for (int k = 0; k < this->kVertices; ++k) {

@@ -17,7 +17,7 @@ namespace trident::sim {
 namespace {
 
 /// VRX' elements of a `<thruster>`.
-ThrusterParams read_thruster(const PluginParams& params) {
+ThrusterParams read_usv_thruster(const PluginParams& params) {
   ThrusterParams thruster;
   thruster.name = params.required_text("linkName");
   const int mapping = params.integer("mappingType", 0, {0.0, 1.0});
@@ -62,7 +62,7 @@ class UsvThruster {
   /// `context.params` are those of the plugin, `params` those of the element.
   UsvThruster(const PluginContext& context, const PluginParams& params, double timeout_s)
       : UsvThruster(context, PluginContext{context.world, context.model, params, context.name},
-                    read_thruster(params), timeout_s) {}
+                    read_usv_thruster(params), timeout_s) {}
 
   void step(World& world, const StepInfo& info) {
     if (const auto command = command_.take(world)) {
