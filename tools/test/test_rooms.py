@@ -56,7 +56,8 @@ def test_an_upward_include_is_named_with_line_and_what_is_allowed(house: Path) -
 def test_a_package_that_is_not_depended_on_is_named(house: Path) -> None:
     _write(house / "src/lower/src/a.cpp", '#include "upper/world.h"\n')
     assert _found(house) == [
-        "src/lower/src/a.cpp:1: includes upper/world.h: src/lower/package.xml does not depend on upper"
+        "src/lower/src/a.cpp:1: includes upper/world.h: "
+        "src/lower/package.xml does not depend on upper"
     ]
 
 

@@ -82,12 +82,13 @@ def test_only_core_sources_are_checked_once_each(tmp_path: Path) -> None:
         "src/pkg/src/deep/a.cpp",
         "src/pkg/src/z.cpp",
         "src/pkg/ros/node.cpp",
+        "src/pkg_ros/src/node.cpp",
         "src/pkg/test/a_test.cpp",
         "build/src/pkg/src/generated.cpp",
     ]
     units = core_units([CompileCommand(tmp_path / name, ()) for name in names], tmp_path)
     found = [unit.source.relative_to(tmp_path).as_posix() for unit in units]
-    assert found == ["src/pkg/src/deep/a.cpp", "src/pkg/src/z.cpp"]
+    assert found == ["src/pkg/src/z.cpp", "src/pkg/src/deep/a.cpp"]
 
 
 def test_headers_are_followed_through_each_other(tmp_path: Path) -> None:

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""Whether each public header compiles alone: it includes what it uses, whatever was included before it.
+"""Whether each public header compiles alone: it includes what it uses.
 
 Results are kept as those of clang-tidy are.
 """
@@ -38,7 +38,7 @@ def public_headers(root: Path) -> list[Path]:
 def header_units(
     headers: Iterable[Path], units: Iterable[CompileCommand], scanner: IncludeScanner
 ) -> dict[Path, CompileCommand]:
-    """For each header the flags of a source that reaches it; headers that no source reaches are left out."""
+    """For each header the flags of a source that reaches it; others are left out."""
     missing = set(headers)
     found: dict[Path, CompileCommand] = {}
     for unit in units:

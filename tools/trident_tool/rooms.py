@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""Which C++ file may include which: packages by their package.xml, rooms of a package by tools/rooms.yaml."""
+"""Which C++ file may include which: packages by package.xml, rooms by tools/rooms.yaml."""
 
 from __future__ import annotations
 
@@ -118,7 +118,8 @@ def _problem(house: House, source: Path, target: Path) -> str:
         return f"{TABLE} does not list the room {room[1]} of {room[0]}"
     if target_room[1] in allowed:
         return ""
-    return f"the room {room[1]} may include {', '.join(allowed) or 'no other room'}, not {target_room[1]}"
+    names = ", ".join(allowed) or "no other room"
+    return f"the room {room[1]} may include {names}, not {target_room[1]}"
 
 
 def check_rooms(root: Path, sources: Iterable[Path]) -> int:

@@ -101,8 +101,7 @@ def _without_precompiled_headers(flags: list[str]) -> tuple[str, ...]:
 
 
 def core_units(units: Iterable[CompileCommand], root: Path) -> list[CompileCommand]:
-    """Those of ``units`` in the core (``src/<pkg>/src``) of a package without ROS, once each, in the
-    order of the build."""
+    """Those of ``units`` in the core (``src/<pkg>/src``) of a package without ROS, once each."""
     found: dict[Path, CompileCommand] = {}
     for unit in units:
         if unit.source.is_relative_to(root) and _CORE.fullmatch(

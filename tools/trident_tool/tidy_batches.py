@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 def batches(units: Iterable[CompileCommand], limit: int) -> list[list[CompileCommand]]:
-    """Groups of at most ``limit`` units with equal flags, in the order in which the build has them."""
+    """Groups of at most ``limit`` units with equal flags, in the order of the build."""
     alike: dict[tuple[str, ...], list[CompileCommand]] = {}
     for unit in units:
         alike.setdefault(unit.flags, []).append(unit)
