@@ -38,7 +38,7 @@ GTSAM_METHODS = ("gn", "lm", "chordal")
 #: Vertex by vertex, as a robot adds them; of these at most this part of iSAM2's time.
 INCREMENTAL = "isam2"
 MOST_OF_ISAM2 = 0.5
-GROWING = ("intel", "M3500")
+GROWING = ("intel", "M3500", "sphere2500")
 _LIMIT_S = 600.0
 
 
