@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 constexpr std::uint64_t kPoses = 100;
 
 // Rotational parts of every length below pi.
-Vector6d twist(std::uint64_t i) {
+Vector6d test_twist(std::uint64_t i) {
   Vector6d t = random_vector<6>(i, 1.0);
   t.head<3>() *= 20.0;
   t.tail<3>() = t.tail<3>().normalized() * kPi * (static_cast<double>(i) / kPoses);
@@ -26,7 +26,7 @@ Vector6d twist(std::uint64_t i) {
 
 TEST(Se3, ComposedWithItsInverseIsIdentity) {
   for (std::uint64_t i = 0; i < kPoses; ++i) {
-    const SE3 T = SE3::exp(twist(i));
+    const SE3 T = SE3::exp(test_twist(i));
     EXPECT_TRUE(is_near(T * T.inverse(), SE3::identity(), 1e-13));
     EXPECT_TRUE(is_near(T.inverse() * T, SE3::identity(), 1e-13));
   }
@@ -34,9 +34,9 @@ TEST(Se3, ComposedWithItsInverseIsIdentity) {
 
 TEST(Se3, CompositionIsAssociativeAndActsOnPoints) {
   for (std::uint64_t i = 0; i + 2 < kPoses; ++i) {
-    const SE3 a = SE3::exp(twist(i));
-    const SE3 b = SE3::exp(twist(i + 1));
-    const SE3 c = SE3::exp(twist(i + 2));
+    const SE3 a = SE3::exp(test_twist(i));
+    const SE3 b = SE3::exp(test_twist(i + 1));
+    const SE3 c = SE3::exp(test_twist(i + 2));
     const Vector3d point = random_vector<3>(i, 5.0);
     EXPECT_TRUE(is_near((a * b) * c, a * (b * c), 1e-12));
     EXPECT_TRUE(is_near((a * b) * point, a * (b * point), 1e-12));
@@ -46,12 +46,12 @@ TEST(Se3, CompositionIsAssociativeAndActsOnPoints) {
 
 TEST(Se3, LogInvertsExp) {
   for (std::uint64_t i = 0; i < kPoses; ++i) {
-    EXPECT_TRUE(is_near(SE3::exp(twist(i)).log(), twist(i), 1e-12));
+    EXPECT_TRUE(is_near(SE3::exp(test_twist(i)).log(), test_twist(i), 1e-12));
   }
 }
 
 TEST(Se3, ExpOfATwistIsTheMotionOfManySmallSteps) {
-  const Vector6d twist = twist(60);
+  const Vector6d twist = test_twist(60);
   SE3 stepped = SE3::identity();
   constexpr int kSteps = 1024;
   for (int i = 0; i < kSteps; ++i) stepped = stepped * SE3::exp(twist / kSteps);
@@ -66,10 +66,10 @@ TEST(Se3, ExpOfAQuarterTurnMovesAlongTheArc) {
 
 TEST(Se3, AdjointMovesTwistsBetweenFrames) {
   for (std::uint64_t i = 0; i + 1 < kPoses; ++i) {
-    const SE3 T = SE3::exp(twist(i));
+    const SE3 T = SE3::exp(test_twist(i));
     const Vector6d t = 0.3 * random_vector<6>(i, 1.0);
     EXPECT_TRUE(is_near(T * SE3::exp(t), SE3::exp(T.adjoint() * t) * T, 1e-12));
-    const SE3 U = SE3::exp(twist(i + 1));
+    const SE3 U = SE3::exp(test_twist(i + 1));
     EXPECT_TRUE(is_near((T * U).adjoint(), T.adjoint() * U.adjoint(), 1e-11));
   }
 }
