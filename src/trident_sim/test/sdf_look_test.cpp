@@ -88,7 +88,15 @@ TEST(SdfLook, ATextureIsFoundOrMissedAloud) {
   EXPECT_TRUE(warnings.empty());
   EXPECT_EQ(visual_of(material, &warnings).material.texture_file, "");
   ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_TRUE(contains(warnings[0], "texture 'wall.png' not found"));
+  EXPECT_TRUE(contains(warnings[0], "test.world:1: link 'l' visual 'v': texture 'wall.png' not "));
+}
+
+TEST(SdfLook, AMaterialScriptThatIsNotFoundIsToldWithItsLine) {
+  std::vector<std::string> warnings;
+  visual_of("\n<material><script><name>no_such_material</name></script></material>", &warnings);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_TRUE(contains(
+      warnings[0], "test.world:2: link 'l' visual 'v': material script 'no_such_material' is "));
 }
 
 TEST(SdfLook, LightsAndSceneAreRead) {

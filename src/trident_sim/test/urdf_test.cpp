@@ -221,6 +221,23 @@ TEST(Urdf, APointMassOnAFixedJointIsLumpedAsOne) {
   EXPECT_NEAR(inertial.inertia_com(0, 0), 0.1 + 1.0 * 0.5 / 1.5, 1e-9);
 }
 
+TEST(Urdf, MomentsOfInertiaThatNoBodyHasAreToldWithTheirLine) {
+  const std::string xml = robot(link("base", inertial()) + link("arm", inertial("1", "2.0")) +
+                                joint("continuous", "base", "arm", "<axis xyz='0 1 0'/>"));
+  const std::string fault =
+      "robot.urdf:4: link 'arm': principal moments of inertia are 0.1, 0.1 and 2 kg m^2; of a "
+      "body none is larger than the sum of the other two";
+  EXPECT_TRUE(contains(error_of([&] { load(xml); }), fault));
+  const Loaded loaded = load_leniently(xml);
+  ASSERT_EQ(loaded.model.odd_elements.size(), 1u);
+  EXPECT_EQ(loaded.model.odd_elements[0], fault + "; used as it is, as in Gazebo");
+  EXPECT_DOUBLE_EQ(loaded.model.links.at(1).inertial.inertia_com(0, 0), 2.0);
+}
+
+TEST(Urdf, MomentsOfInertiaBesideOneAnotherByAMeasurementsErrorAreNotOdd) {
+  EXPECT_TRUE(load(robot(link("base", inertial("1", "0.25")))).warnings.empty());
+}
+
 TEST(Urdf, AMissingVisualMeshIsOneWarning) {
   const std::string visual =
       "<visual><geometry><mesh filename='package://no_such_package/a.dae'/></geometry></visual>";
