@@ -161,6 +161,7 @@ catkin_add_gtest(trident_sim_marine_test
   test/marine/current_test.cpp
   test/marine/hull_test.cpp
   test/marine/live_environment_test.cpp
+  test/marine/buoyancy_test.cpp
   test/marine/mooring_test.cpp
   test/marine/sea_plugin_test.cpp
   test/marine/seabed_test.cpp

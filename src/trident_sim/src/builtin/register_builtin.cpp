@@ -85,6 +85,7 @@ void register_builtin_plugins(PluginRegistry& registry) {
   registry.add("libusv_gazebo_dynamics_plugin.so", usv_dynamics_factory());
   registry.add("libusv_gazebo_thrust_plugin.so", usv_thrust_factory());
   registry.add("libusv_gazebo_wind_plugin.so", usv_wind_factory());
+  registry.add("libbuoyancy_gazebo_plugin.so", buoyancy_factory());
   registry.add("libuuv_thruster_ros_plugin.so", uuv_thruster_factory());
   registry.add("libuuv_underwater_object_ros_plugin.so", uuv_object_factory());
   registry.add("librotors_gazebo_ros_interface_plugin.so", nothing_to_do());

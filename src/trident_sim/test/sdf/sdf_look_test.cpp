@@ -12,7 +12,7 @@ namespace trident::sim {
 namespace {
 
 WorldSpec load_looks(const std::string& content, std::vector<std::string>* warnings = nullptr,
-               const std::vector<std::string>& folders = {}) {
+                     const std::vector<std::string>& folders = {}) {
   return load_world_string("<sdf version='1.6'><world name='w'>" + content + "</world></sdf>",
                            "test.world", Resources(folders), [&](const std::string& text) {
                              if (warnings != nullptr) warnings->push_back(text);
@@ -27,8 +27,8 @@ VisualSpec visual_of(const std::string& content, std::vector<std::string>* warni
                      const std::vector<std::string>& folders = {}) {
   const WorldSpec world =
       load_looks(with_link("<visual name='v'><geometry><box><size>1 1 1</size></box></geometry>" +
-                     content + "</visual>"),
-           warnings, folders);
+                           content + "</visual>"),
+                 warnings, folders);
   return world.models.at(0).links.at(0).visuals.at(0);
 }
 
@@ -88,7 +88,15 @@ TEST(SdfLook, ATextureIsFoundOrMissedAloud) {
   EXPECT_TRUE(warnings.empty());
   EXPECT_EQ(visual_of(material, &warnings).material.texture_file, "");
   ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_TRUE(contains(warnings[0], "texture 'wall.png' not found"));
+  EXPECT_TRUE(contains(warnings[0], "test.world:1: link 'l' visual 'v': texture 'wall.png' not "));
+}
+
+TEST(SdfLook, AMaterialScriptThatIsNotFoundIsToldWithItsLine) {
+  std::vector<std::string> warnings;
+  visual_of("\n<material><script><name>no_such_material</name></script></material>", &warnings);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_TRUE(contains(
+      warnings[0], "test.world:2: link 'l' visual 'v': material script 'no_such_material' is "));
 }
 
 TEST(SdfLook, LightsAndSceneAreRead) {

@@ -336,7 +336,7 @@ TEST(BuiltinPlugins, AllHaveACase) {
   register_builtin_plugins(registry);
   // Two do nothing here: ROS is bound by the server, bags are written by rosbag. The others have no
   // port with numbers or want elements in elements; their tests are follow_test.cpp,
-  // marine/{mooring,sea_plugin,usv_plugins,uuv_plugins,wind_on_vehicles}_test.cpp and
+  // marine/{buoyancy,mooring,sea_plugin,usv_plugins,uuv_plugins,wind_on_vehicles}_test.cpp and
   // trident_description's test_vessels.py.
   std::set<std::string> cases{"rotors_gazebo_ros_interface_plugin",
                               "rotors_gazebo_bag_plugin",
@@ -349,6 +349,7 @@ TEST(BuiltinPlugins, AllHaveACase) {
                               "usv_gazebo_dynamics_plugin",
                               "usv_gazebo_thrust_plugin",
                               "usv_gazebo_wind_plugin",
+                              "buoyancy_gazebo_plugin",
                               "uuv_thruster_ros_plugin",
                               "uuv_underwater_object_ros_plugin",
                               "freefloating_gazebo_control",

@@ -15,10 +15,11 @@ PluginFactory vessel_factory();
 PluginFactory mooring_factory();
 /// A thruster of a vessel as a joint that turns.
 PluginFactory propeller_factory();
-/// VRX' hydrodynamics, thrusters and wind under their own elements.
+/// VRX' hydrodynamics, thrusters, wind and floats under their own elements.
 PluginFactory usv_dynamics_factory();
 PluginFactory usv_thrust_factory();
 PluginFactory usv_wind_factory();
+PluginFactory buoyancy_factory();
 /// uuv_simulator's thrusters and hydrodynamics under their own elements.
 PluginFactory uuv_thruster_factory();
 PluginFactory uuv_object_factory();
