@@ -218,9 +218,9 @@ Voyage voyage(std::size_t threads, bool is_heard) {
   world.add(std::move(mast));
   world->set_model_twist(robot, {1, 0.5, 0.0}, {0.0, 0.0, 0.3});
   Voyage result;
-  std::vector<const OutPort<LidarSample>*> clouds;
+  std::vector<const OutPort<LidarCloudSample>*> clouds;
   for (const char* name : {"scan", "libtrident_lidar3d.so", "libgazebo_ros_velodyne_laser.so"}) {
-    auto* const cloud = world->ports().find_out<LidarSample>(std::string("r/") + name);
+    auto* const cloud = world->ports().find_out<LidarCloudSample>(std::string("r/") + name);
     if (is_heard) cloud->add_listener();
     clouds.push_back(cloud);
   }
