@@ -9,11 +9,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from trident_sim.worldgen.checks import require, require_count, require_seed
-from trident_sim.worldgen.placing import Range, free_place
-from trident_sim.worldgen.sdf import Colour, Files, StaticModel, world_text
-from trident_sim.worldgen.shapes import cone, rock
-from trident_sim.worldgen.terrain import Terrain, hills
+from trident_worldgen.checks import require, require_count, require_seed
+from trident_worldgen.placing import Range, free_place
+from trident_worldgen.sdf import Colour, Files, StaticModel, world_text
+from trident_worldgen.shapes import cone, rock
+from trident_worldgen.terrain import Terrain, hills
 
 _FOLDER = "models/forest_parts"
 _URI = "model://forest_parts"

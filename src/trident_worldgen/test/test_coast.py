@@ -12,13 +12,13 @@ import numpy as np
 import pytest
 from trident_sim.occupancy import FREE, OCCUPIED, MapConfig
 from trident_sim.terrain_map import map_above_ground
-from trident_sim.worldgen import CoastConfig, RegattaConfig
-from trident_sim.worldgen.buoys import Buoy, course_of
-from trident_sim.worldgen.coast import BASIN_M, BED_M, LAND_M, coast_ground, fairway
+from trident_worldgen import CoastConfig, RegattaConfig
+from trident_worldgen.buoys import Buoy, course_of
+from trident_worldgen.coast import BASIN_M, BED_M, LAND_M, coast_ground, fairway
 
 import trident_sim
 
-WORLDS = Path(__file__).resolve().parents[4] / "worlds"
+WORLDS = Path(__file__).resolve().parents[3] / "worlds"
 
 
 @pytest.fixture(scope="module")

@@ -10,9 +10,9 @@ from itertools import pairwise
 
 import numpy as np
 
-from trident_sim.worldgen.checks import require, require_seed
-from trident_sim.worldgen.placing import free_place
-from trident_sim.worldgen.sdf import Files, Material, StaticModel, world_text
+from trident_worldgen.checks import require, require_seed
+from trident_worldgen.placing import free_place
+from trident_worldgen.sdf import Files, Material, StaticModel, world_text
 
 WALL = Material("Gazebo/White")
 FRAME = Material("Gazebo/DarkGrey")

@@ -11,13 +11,13 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from trident_sim._core import Error
-from trident_sim.worldgen.buoys import RegattaConfig, regatta
-from trident_sim.worldgen.coast import CoastConfig, coast
-from trident_sim.worldgen.forest import ForestConfig, forest
-from trident_sim.worldgen.hall import HallConfig, hall
-from trident_sim.worldgen.office import OfficeConfig, office
-from trident_sim.worldgen.sdf import Files, write_files
+from trident_sim import Error
+from trident_worldgen.buoys import RegattaConfig, regatta
+from trident_worldgen.coast import CoastConfig, coast
+from trident_worldgen.forest import ForestConfig, forest
+from trident_worldgen.hall import HallConfig, hall
+from trident_worldgen.office import OfficeConfig, office
+from trident_worldgen.sdf import Files, write_files
 
 _KINDS: dict[str, tuple[type[Any], Callable[[Any], Files]]] = {
     "office": (OfficeConfig, office),

@@ -9,14 +9,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from trident_sim.worldgen.buoys import GREEN, RED, SKY, YELLOW, Buoy, place_text, sea_text
-from trident_sim.worldgen.checks import require, require_count, require_seed
-from trident_sim.worldgen.coast_parts import MODEL_CONFIG, MODEL_SDF, harbour, road
-from trident_sim.worldgen.noise import Field, grain
-from trident_sim.worldgen.placing import free_place
-from trident_sim.worldgen.sdf import Colour, Files, StaticModel, world_text
-from trident_sim.worldgen.shapes import cone, rock
-from trident_sim.worldgen.terrain import Terrain, terrain_of
+from trident_worldgen.buoys import GREEN, RED, SKY, YELLOW, Buoy, place_text, sea_text
+from trident_worldgen.checks import require, require_count, require_seed
+from trident_worldgen.coast_parts import MODEL_CONFIG, MODEL_SDF, harbour, road
+from trident_worldgen.noise import Field, grain
+from trident_worldgen.placing import free_place
+from trident_worldgen.sdf import Colour, Files, StaticModel, world_text
+from trident_worldgen.shapes import cone, rock
+from trident_worldgen.terrain import Terrain, terrain_of
 
 SIDE_M = 300.0
 LAND_M = 1.5

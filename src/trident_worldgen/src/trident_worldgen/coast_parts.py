@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-from trident_sim.worldgen.sdf import Colour, StaticModel
+from trident_worldgen.sdf import Colour, StaticModel
 
 _ASPHALT = Colour((0.2, 0.2, 0.21))
 _PAINT = Colour((0.9, 0.9, 0.85))

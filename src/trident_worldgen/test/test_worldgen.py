@@ -14,7 +14,7 @@ import pytest
 from PIL import Image
 from scipy import ndimage
 from trident_sim.occupancy import FREE, OCCUPIED, MapConfig, OccupancyMap, occupancy_map
-from trident_sim.worldgen import (
+from trident_worldgen import (
     CoastConfig,
     Files,
     ForestConfig,
@@ -27,13 +27,13 @@ from trident_sim.worldgen import (
     office,
     regatta,
 )
-from trident_sim.worldgen.__main__ import main
-from trident_sim.worldgen.office import rooms_of
-from trident_sim.worldgen.sdf import write_files
+from trident_worldgen.__main__ import main
+from trident_worldgen.office import rooms_of
+from trident_worldgen.sdf import write_files
 
 import trident_sim
 
-WORLDS = Path(__file__).resolve().parents[4] / "worlds"
+WORLDS = Path(__file__).resolve().parents[3] / "worlds"
 ROBOT_RADIUS_M = 0.3
 
 

@@ -11,10 +11,10 @@ import numpy as np
 import numpy.typing as npt
 from PIL import Image
 
-from trident_sim.worldgen.checks import require, require_count, require_seed
-from trident_sim.worldgen.noise import grain, png
-from trident_sim.worldgen.placing import free_place
-from trident_sim.worldgen.sdf import Files, Picture, StaticModel, world_text
+from trident_worldgen.checks import require, require_count, require_seed
+from trident_worldgen.noise import grain, png
+from trident_worldgen.placing import free_place
+from trident_worldgen.sdf import Files, Picture, StaticModel, world_text
 
 _FOLDER = "models/hall_pictures/materials/textures"
 _URI = "model://hall_pictures/materials/textures"

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from trident_sim._core import Error
+from trident_sim import Error
 
 _LICENCE = (
     "<!-- SPDX-FileCopyrightText: 2026 The Trident authors -->\n"

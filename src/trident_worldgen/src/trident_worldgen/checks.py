@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 from trident_base import params
-from trident_sim._core import Error
+from trident_sim import Error
 
 
 def require(name: str, value: float, lowest: float, highest: float, unit: str = "m") -> None:

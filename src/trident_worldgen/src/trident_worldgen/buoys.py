@@ -8,8 +8,8 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from trident_sim.worldgen.checks import require, require_seed
-from trident_sim.worldgen.sdf import Colour, Files, StaticModel, world_text
+from trident_worldgen.checks import require, require_seed
+from trident_worldgen.sdf import Colour, Files, StaticModel, world_text
 
 _BED = Colour((0.1, 0.25, 0.35))
 _VESSEL = "package://trident_bringup/config/vessels/channel_buoy.yaml"

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from PIL import Image
 
-from trident_sim.worldgen.noise import Field, grain, png
+from trident_worldgen.noise import Field, grain, png
 
 SAMPLES = 129
 """Along each side; one of Gazebo's sizes, 2^n + 1."""
