@@ -7,8 +7,9 @@ import stat
 from pathlib import Path
 
 import pytest
+from trident_benchmarks.slam import public_logs as benchmark
 from trident_eval.core.errors import EvalError
-from trident_eval.slam import benchmark, offline
+from trident_eval.slam import offline
 from trident_eval.slam.__main__ import main
 
 PROGRAM = """#!/bin/sh

@@ -12,11 +12,11 @@ import numpy as np
 import pytest
 from trident_sim.occupancy import FREE, OCCUPIED, MapConfig
 from trident_sim.terrain_map import map_above_ground
-from trident_worldgen import CoastConfig, RegattaConfig
 from trident_worldgen.buoys import Buoy, course_of
 from trident_worldgen.coast import BASIN_M, BED_M, LAND_M, coast_ground, fairway
 
 import trident_sim
+from trident_worldgen import CoastConfig, RegattaConfig
 
 WORLDS = Path(__file__).resolve().parents[3] / "worlds"
 

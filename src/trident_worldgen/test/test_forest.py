@@ -14,11 +14,11 @@ import pytest
 from PIL import Image
 from trident_sim.occupancy import FREE, OCCUPIED, UNKNOWN, MapConfig
 from trident_sim.terrain_map import map_above_ground
-from trident_worldgen import ForestConfig, forest
 from trident_worldgen.forest import plants_of, terrain_of
 from trident_worldgen.sdf import write_files
 
 import trident_sim
+from trident_worldgen import ForestConfig, forest
 
 SHIPPED = Path(__file__).resolve().parents[3] / "worlds" / "forest.world"
 BOX = """<sdf version="1.6"><model name="box"><link name="link">

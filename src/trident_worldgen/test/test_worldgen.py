@@ -14,6 +14,11 @@ import pytest
 from PIL import Image
 from scipy import ndimage
 from trident_sim.occupancy import FREE, OCCUPIED, MapConfig, OccupancyMap, occupancy_map
+from trident_worldgen.__main__ import main
+from trident_worldgen.office import rooms_of
+from trident_worldgen.sdf import write_files
+
+import trident_sim
 from trident_worldgen import (
     CoastConfig,
     Files,
@@ -27,11 +32,6 @@ from trident_worldgen import (
     office,
     regatta,
 )
-from trident_worldgen.__main__ import main
-from trident_worldgen.office import rooms_of
-from trident_worldgen.sdf import write_files
-
-import trident_sim
 
 WORLDS = Path(__file__).resolve().parents[3] / "worlds"
 ROBOT_RADIUS_M = 0.3

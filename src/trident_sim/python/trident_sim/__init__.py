@@ -14,6 +14,7 @@ Example:
 """
 
 from trident_base.moved_modules import keep_old_names
+
 from trident_sim._core import (
     ActuatorCommand,
     ActuatorState,
