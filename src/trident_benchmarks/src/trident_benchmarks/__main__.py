@@ -10,7 +10,7 @@ import sys
 from types import FrameType
 
 from trident_eval.core.errors import EvalError
-from trident_eval.core.reader import until_unread
+from trident_eval.core.exit_codes import exit_code_of
 
 from trident_benchmarks.registry import BENCHMARKS
 from trident_benchmarks.results import UNUSABLE, say
@@ -59,4 +59,4 @@ def main(arguments: list[str] | None = None) -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(until_unread(main))
+    sys.exit(exit_code_of(main))

@@ -9,6 +9,8 @@ import math
 import numpy as np
 import numpy.typing as npt
 import pytest
+from trident_benchmarks.amcl import kidnap
+from trident_benchmarks.amcl import measure as amcl
 from trident_benchmarks.amcl.kidnap import Trial, judge
 from trident_benchmarks.datasets.recorded_drive import (
     Lidar,
@@ -18,9 +20,6 @@ from trident_benchmarks.datasets.recorded_drive import (
     compose,
     relative,
 )
-
-from trident_benchmarks.amcl import kidnap
-from trident_benchmarks.amcl import measure as amcl
 
 STAMPS = np.arange(0.0, 40.0, 0.2)
 

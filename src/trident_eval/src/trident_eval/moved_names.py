@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""Modules that were here before there were trident_benchmarks and trident_viewer."""
+"""Modules that have another name now, or are in trident_benchmarks or trident_viewer."""
 
 NEW_NAMES = {
     "trident_eval.bench": "trident_benchmarks",
@@ -21,7 +21,10 @@ NEW_NAMES = {
     "trident_eval.bench.rows": "trident_benchmarks.sim.rows",
     "trident_eval.bench.sensors": "trident_benchmarks.sensors.ray_sensors",
     "trident_eval.bench.vehicle": "trident_benchmarks.sim.vehicle",
+    "trident_eval.core.command": "trident_eval.core.flight_records",
+    "trident_eval.core.complaints": "trident_eval.core.log_warnings",
     "trident_eval.core.framing": "trident_viewer.framing",
+    "trident_eval.core.reader": "trident_eval.core.exit_codes",
     "trident_eval.core.visuals": "trident_viewer.visuals",
     "trident_eval.pose_graph.bench": "trident_benchmarks.posegraph.measure",
     "trident_eval.pose_graph.gtsam_timing": "trident_benchmarks.posegraph.gtsam_timing",

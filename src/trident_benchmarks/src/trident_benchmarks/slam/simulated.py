@@ -229,20 +229,20 @@ def localize_drive(
     return absolute_errors(moved(estimate, T_world_map), truth, "none").summary()
 
 
-def measure(place: Building, seed: int, folder: Path) -> dict[str, Any]:
+def measure(building: Building, seed: int, folder: Path) -> dict[str, Any]:
     """Both drives of a seed.
 
     Raises:
         EvalError: a drive or a program fails.
     """
-    way = place.roads.tour(seed, _APART_M)
-    numbers, final = map_drive(drive_along(place.world_file, way, seed), folder)
+    way = building.roads.tour(seed, _APART_M)
+    numbers, final = map_drive(drive_along(building.world_file, way, seed), folder)
     T = final.T_truth_map
     flat = np.eye(3)
     flat[:2, :2], flat[:2, 2] = T[:2, :2], T[:2, 3]
-    numbers["map"] = agreement(read_grid(folder / "map.yaml"), place.truth, flat).summary()
+    numbers["map"] = agreement(read_grid(folder / "map.yaml"), building.truth, flat).summary()
     other = seed + _SECOND_SEED
-    second = drive_along(place.world_file, place.roads.tour(other, _APART_M), other)
+    second = drive_along(building.world_file, building.roads.tour(other, _APART_M), other)
     session = folder / "map.session"
     numbers["localization"] = localize_drive(second, session, T, other, folder / "localization")
     return {"seed": seed} | numbers

@@ -9,7 +9,7 @@ import sys
 from pathlib import Path
 
 from trident_eval.core.errors import EvalError
-from trident_eval.core.reader import until_unread
+from trident_eval.core.exit_codes import exit_code_of
 from trident_eval.options import add_evaluate, add_slam
 from trident_eval.slam import evaluation, offline
 
@@ -106,4 +106,4 @@ def _evaluate(options: argparse.Namespace) -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(until_unread(main))
+    sys.exit(exit_code_of(main))

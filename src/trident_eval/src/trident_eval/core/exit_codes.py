@@ -14,7 +14,7 @@ _INTERRUPTED = 130
 _UNUSABLE = 2
 
 
-def until_unread(main: Callable[[], int]) -> int:
+def exit_code_of(main: Callable[[], int]) -> int:
     """Run a command whose output may be cut off, as by `| head`.
 
     Args:

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""What the vehicles of a run were told: the records `formation_<vehicle>.json`."""
+"""What the vehicles of a run were told: reads their flight records (trident_base.flight_record)."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from trident_base.flight_record import FOLLOW, GATE, PATTERN
 from trident_fleet.core.quintic import QuinticPath
-from trident_fleet.core.record import FOLLOW
 
 from trident_eval.core.errors import EvalError
 from trident_eval.core.tracks import Array
@@ -50,7 +50,7 @@ class Command:
     def position(self, time: Array) -> Array:
         """Commanded p_world [m] at simulated times [s], shape (M,) -> (M, N, 3)."""
         planned = np.stack([path.derivative(time, 0)[:, 0] for path in self.paths], axis=1)
-        if self.mode != "gate" or not len(self.command_s):
+        if self.mode != GATE or not len(self.command_s):
             return planned
         row = np.searchsorted(self.command_s, time + 1e-9, side="right") - 1
         return np.where(row[:, None, None] >= 0, self.rows[np.maximum(row, 0)], planned)
@@ -76,7 +76,7 @@ def read_command(folder: Path) -> Command | Refusal | None:
     Raises:
         EvalError: a record that is unreadable, incomplete, or at odds with the others.
     """
-    files = sorted(folder.glob("formation_*.json"))
+    files = sorted(folder.glob(PATTERN))
     if not files:
         return None
     records = [_read_record(path) for path in files]
@@ -97,7 +97,7 @@ def read_command(folder: Path) -> Command | Refusal | None:
         return _combine(names, [by_name[name] for name in names], errors)
     except (KeyError, TypeError, ValueError, IndexError) as error:
         raise EvalError(
-            f"{folder}/formation_*.json: not what a formation node writes"
+            f"{folder}/{PATTERN}: not what a formation node writes"
             f" ({type(error).__name__}: {error}); legal: records of one run"
         ) from error
 
@@ -116,7 +116,7 @@ def _combine(names: list[str], records: list[dict[str, Any]], errors: list[str])
     first = records[0]
     start = float(first["start_time_s"])
     rows = np.stack([np.array(record["rows"], dtype=np.float64) for record in records], axis=1)
-    if first["mode"] == "gate":
+    if first["mode"] == GATE:
         command = start + np.array(first["command_time_s"], dtype=np.float64)
         # All processes decide alike; a record written earlier than the others knows less.
         reached = min(len(record["arrival_time_s"]) for record in records)
