@@ -56,9 +56,10 @@ def test_what_to_write_instead_is_said_once(packages: Path) -> None:
     importlib.import_module("old_home")
     with pytest.warns(FutureWarning, match="old_home.part is new_home now") as told:
         importlib.import_module("old_home.part.thing")
-        importlib.import_module("old_home.part.tool")
     assert len(told) == 1
-    assert told[0].filename.endswith("importlib/__init__.py"), "whoever imports it"
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        importlib.import_module("old_home.part.tool")
 
 
 def test_a_command_runs_by_its_old_name(packages: Path) -> None:
