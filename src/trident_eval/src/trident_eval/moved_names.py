@@ -3,7 +3,7 @@
 """Modules that have another name now, or are in trident_benchmarks or trident_viewer."""
 
 NEW_NAMES = {
-    "trident_eval.bench": "trident_benchmarks",
+    "trident_eval.bench.__main__": "trident_benchmarks.__main__",
     "trident_eval.bench.amcl": "trident_benchmarks.amcl.measure",
     "trident_eval.bench.coast": "trident_benchmarks.sim.coast",
     "trident_eval.bench.in_process": "trident_benchmarks.sim.in_process",
