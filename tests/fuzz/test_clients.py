@@ -46,12 +46,12 @@ from trident.testing.fuzz import (
 )
 from trident.testing.fuzz.generator import serialized
 from trident_eval.core.errors import EvalError
-from trident_eval.viewing.census import models_in_the_world
-from trident_eval.viewing.hold import Held
-from trident_eval.viewing.observer_camera import place_of
 from trident_fleet.core.errors import FormationError
 from trident_fleet.nodes.spawn_fleet import read_positions, spawn_all
 from trident_nav.nodes.waypoint_path import enrol
+from trident_viewer.census import models_in_the_world
+from trident_viewer.hold import Held
+from trident_viewer.observer_camera import place_of
 
 from trident_msgs.srv import EnrollSource, EnrollSourceResponse, Step, StepResponse
 
@@ -103,7 +103,7 @@ def treat_starts(ros: Ros, package: str, name: str, *words: str, starts: int = S
         ends(process, 0, 1)
 
 
-@pytest.mark.fuzzes("trident_eval/hold_at.py")
+@pytest.mark.fuzzes("trident_viewer/hold_at.py")
 def test_hold_at(ros: Ros) -> None:
     examples = {
         "step": StepResponse(success=True, sim_time=rospy.Time(1, 500_000_000)),
@@ -114,11 +114,11 @@ def test_hold_at(ros: Ros) -> None:
         while answers.answered.total() < ANSWERS:
             with suppress(rospy.ROSException):
                 Held().advance_to(2.0, math.inf)
-        treat_starts(ros, "trident_eval", "hold_at.py", "1.5")
+        treat_starts(ros, "trident_viewer", "hold_at.py", "1.5")
     assert not answers.problems, answers.problems
 
 
-@pytest.mark.fuzzes("trident_eval/overview.py")
+@pytest.mark.fuzzes("trident_viewer/overview.py")
 def test_overview_asks(ros: Ros, tmp_path: Path) -> None:
     """Of what it hears: test_viewing.py."""
     with server(SHOWING, get_world_properties=WORLD) as answers:
@@ -131,7 +131,7 @@ def test_overview_asks(ros: Ros, tmp_path: Path) -> None:
     with server({**SHOWING, **HOLDING}, get_world_properties=WORLD) as answers:
         # Once: it is the slowest of them.
         words = ("--hold", f"--out={tmp_path / 'all.png'}")
-        treat_starts(ros, "trident_eval", "overview.py", *words, starts=1)
+        treat_starts(ros, "trident_viewer", "overview.py", *words, starts=1)
     assert not answers.problems, answers.problems
 
 

@@ -34,9 +34,9 @@ def fleet() -> FleetState:
     return message
 
 
-@pytest.mark.fuzzes("trident_eval/fleet_markers.py")
+@pytest.mark.fuzzes("trident_viewer/fleet_markers.py")
 def test_fleet_markers(ros: Ros) -> None:
-    command = [program("trident_eval", "fleet_markers.py"), "__name:=markers"]
+    command = [program("trident_viewer", "fleet_markers.py"), "__name:=markers"]
     process = started(ros, "/markers", command)
     states = rospy.Publisher("/gazebo/fleet_state", FleetState, queue_size=10, tcp_nodelay=True)
 
@@ -78,7 +78,7 @@ def film(ros: Ros, step: Callable[[], None], out: Path) -> None:
     """Films box, while hostile pictures come beside the simulator's."""
     words = ["--out", str(out), "--follow", "box", "--seconds", "1000", "--size", "64x48"]
     process = started(
-        ros, "/observer", [program("trident_eval", "observer.py"), "__name:=observer", *words]
+        ros, "/observer", [program("trident_viewer", "observer.py"), "__name:=observer", *words]
     )
     listened = Target("/observer")
     eventually(lambda: is_heard(listened, Image, 1), "its subscription")
@@ -87,7 +87,7 @@ def film(ros: Ros, step: Callable[[], None], out: Path) -> None:
     assert "Traceback" not in process.log, process.log[-3000:]
 
 
-@pytest.mark.fuzzes("trident_eval/observer.py")
+@pytest.mark.fuzzes("trident_viewer/observer.py")
 def test_the_observer_films_on(ros: Ros, tmp_path: Path) -> None:
     world = Gazebo(ros).ready()
     world.spawn("box", box_sdf("box"))
@@ -97,12 +97,12 @@ def test_the_observer_films_on(ros: Ros, tmp_path: Path) -> None:
     assert out.stat().st_size > 1000
 
 
-@pytest.mark.fuzzes("trident_eval/overview.py")
+@pytest.mark.fuzzes("trident_viewer/overview.py")
 def test_the_overview_shows_on(ros: Ros) -> None:
     """Strange depths while it looks for its place, and strange pictures when it has found it."""
     world = Gazebo(ros).ready()
     world.spawn("box", box_sdf("box"))
-    command = [program("trident_eval", "overview.py"), "--stream", "--size", "64x48"]
+    command = [program("trident_viewer", "overview.py"), "--stream", "--size", "64x48"]
     process = started(ros, "/overview", [*command, "__name:=overview"])
     target = Target("/overview")
     eventually(lambda: is_heard(target, Image, 12), "cameras that look for a place")
@@ -129,12 +129,12 @@ def test_the_overview_shows_on(ros: Ros) -> None:
     assert "Traceback" not in process.log, process.log[-3000:]
 
 
-@pytest.mark.fuzzes("trident_eval/slam_tour.py")
+@pytest.mark.fuzzes("trident_benchmarks/slam_tour.py")
 def test_a_slam_tour_waits_on(ros: Ros, tmp_path: Path) -> None:
     """There is no simulator: it answers odometry, and waits for its robot and for its map."""
     parameters = {"start": [0.0, 0.0, 0.0], "waypoints": [[1.0, 0.0]], "lidar_height": 0.2}
     ros.set_param("/tour", {**parameters, "world": "none", "out_dir": str(tmp_path / "tour")})
-    process = started(ros, "/tour", [program("trident_eval", "slam_tour.py"), "__name:=tour"])
+    process = started(ros, "/tour", [program("trident_benchmarks", "slam_tour.py"), "__name:=tour"])
     target = Target("/tour")
     eventually(lambda: is_heard(target, Odometry, 1), "its subscriptions")
     asked = Asked("/ground_truth/odom", odometry, "/cmd_vel", Twist)

@@ -124,11 +124,11 @@ class _Steps:
     [
         (
             ["bench", "sim", "--quick", "--out", "rows.json", "--dry-run"],
-            "would run: /usr/bin/python3 -m trident_eval.bench sim --quick --out rows.json\n",
+            "would run: /usr/bin/python3 -m trident_benchmarks sim --quick --out rows.json\n",
         ),
         (
             ["bench", "--dry-run", "slam", "--world", "office"],
-            "would run: /usr/bin/python3 -m trident_eval.slam bench --world office\n",
+            "would run: /usr/bin/python3 -m trident_benchmarks slam --world office\n",
         ),
         (
             ["slam", "drive.log", "--lifelong", "--dry-run"],
@@ -136,11 +136,11 @@ class _Steps:
         ),
         (
             ["bench", "vessels", "--out", "docs/vessels", "--dry-run"],
-            "would run: /usr/bin/python3 -m trident_eval.vessels --out docs/vessels\n",
+            "would run: /usr/bin/python3 -m trident_benchmarks vessels --out docs/vessels\n",
         ),
         (
             ["bench", "posegraph", "--quick", "a.g2o", "--dry-run"],
-            "would run: /usr/bin/python3 -m trident_eval.pose_graph.bench --quick a.g2o\n",
+            "would run: /usr/bin/python3 -m trident_benchmarks posegraph --quick a.g2o\n",
         ),
         (
             ["posegraph", "a.g2o", "--robust", "gnc", "--dry-run"],

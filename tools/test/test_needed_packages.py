@@ -53,7 +53,9 @@ def test_the_tool_needs_what_checks_and_judges_a_run() -> None:
     assert {"trident_fleet", "trident_msgs"} <= needed
 
 
-@pytest.mark.parametrize("package", ["trident_eval", "trident_testing", "of_an_overlay"])
+@pytest.mark.parametrize(
+    "package", ["trident_benchmarks", "trident_testing", "trident_viewer", "of_an_overlay"]
+)
 def test_whatever_may_start_anything_needs_everything(package: str) -> None:
     assert _needed((package, "")) is None
 

@@ -21,7 +21,9 @@ _OF_THE_TOOL = ("trident_fleet", "trident_msgs")
 #: The simulator loads plugins by name: what is compiled against it may be one.
 _SIMULATOR = "trident_sim"
 #: Their nodes start launch files of their own.
-_START_OTHERS = frozenset({"trident_eval", "trident_testing"})
+_START_OTHERS = frozenset(
+    {"trident_benchmarks", "trident_eval", "trident_testing", "trident_viewer"}
+)
 _DISTRIBUTION = (Path("/usr/share"), Path("/opt/ros"))
 _RUN = ("depend", "exec_depend", "run_depend")
 _BUILD = ("depend", "build_depend", "build_export_depend")

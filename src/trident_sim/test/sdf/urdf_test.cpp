@@ -232,7 +232,7 @@ TEST(Urdf, MomentsOfInertiaThatNoBodyHasAreToldWithTheirLine) {
   const std::string fault =
       "robot.urdf:4: link 'arm': principal moments of inertia are 0.1, 0.1 and 2 kg m^2; of a "
       "body none is larger than the sum of the other two";
-  EXPECT_TRUE(contains(error_of([&] { load(xml); }), fault));
+  EXPECT_TRUE(contains(error_of([&] { load_urdf(xml); }), fault));
   const Loaded loaded = load_leniently(xml);
   ASSERT_EQ(loaded.model.odd_elements.size(), 1u);
   EXPECT_EQ(loaded.model.odd_elements[0], fault + "; used as it is, as in Gazebo");
@@ -240,7 +240,7 @@ TEST(Urdf, MomentsOfInertiaThatNoBodyHasAreToldWithTheirLine) {
 }
 
 TEST(Urdf, MomentsOfInertiaBesideOneAnotherByAMeasurementsErrorAreNotOdd) {
-  EXPECT_TRUE(load(robot(link("base", inertial("1", "0.25")))).warnings.empty());
+  EXPECT_TRUE(load_urdf(robot(link("base", inertial("1", "0.25")))).warnings.empty());
 }
 
 TEST(Urdf, AMissingVisualMeshIsOneWarning) {
