@@ -78,7 +78,7 @@ struct ScanMatcherOptions {
 using ScanMatcherFactory =
     std::function<std::unique_ptr<ScanMatcher>(const ScanMatcherOptions& options)>;
 
-/// Adds the matchers of this package; `Registry::names` tells their names, docs/slam.md what each
+/// Adds the matchers of this package; `Registry::names` tells their names, docs/howto/slam.md what each
 /// does.
 void register_builtin_scan_matchers(Registry<ScanMatcherFactory>& registry);
 
