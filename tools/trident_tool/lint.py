@@ -115,6 +115,17 @@ def _markdown(workspace: Workspace, runner: Runner, fix: bool) -> int:
     return check_pages(pages, workspace.root, fix)
 
 
+def _reference(workspace: Workspace, runner: Runner, fix: bool) -> int:
+    # The parser's module names the checks of this one in its help.
+    from trident_tool.cli import make_parser
+    from trident_tool.reference import check_reference
+
+    if runner.dry_run:
+        print("compare docs/reference with launch files, commands and plugins")
+        return 0
+    return check_reference(workspace.root, make_parser(), fix)
+
+
 CHECKS: dict[str, Callable[[Workspace, Runner, bool], int]] = {
     "clang-format": _clang_format,
     "ruff": _ruff,
@@ -122,6 +133,7 @@ CHECKS: dict[str, Callable[[Workspace, Runner, bool], int]] = {
     "clang-tidy": _clang_tidy,
     "thread-safety": _thread_safety,
     "markdown": _markdown,
+    "reference": _reference,
 }
 
 
