@@ -94,3 +94,14 @@ def test_the_world_of_the_docs_loads(tmp_path: Path) -> None:
     world = trident_sim.World(str(file))
     assert {"ground_plane", "wall"} <= set(world.models)
     world.step(10)
+
+
+def test_the_robot_of_the_docs_has_its_lidar(tmp_path: Path) -> None:
+    file = tmp_path / "my_robot.urdf.xacro"
+    file.write_text(code_of("howto/add_a_sensor.md", "xml"), encoding="utf-8")
+    world = trident_sim.World(EMPTY)
+    world.spawn("my_robot", urdf=trident_sim.expand_xacro(str(file)))
+    points = world.ports["my_robot/velodyne_points"]
+    points.subscribe()
+    world.step_until(0.2)
+    assert points.value.points.shape[0] > 1000
