@@ -135,8 +135,8 @@ class _Steps:
             "would run: /usr/bin/python3 -m trident_eval.slam slam drive.log --lifelong\n",
         ),
         (
-            ["bench", "vessels", "--out", "docs/vessels", "--dry-run"],
-            "would run: /usr/bin/python3 -m trident_benchmarks vessels --out docs/vessels\n",
+            ["bench", "vessels", "--out", "docs/images/vessels", "--dry-run"],
+            "would run: /usr/bin/python3 -m trident_benchmarks vessels --out docs/images/vessels\n",
         ),
         (
             ["bench", "posegraph", "--quick", "a.g2o", "--dry-run"],

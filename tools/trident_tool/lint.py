@@ -131,6 +131,17 @@ def _rooms(workspace: Workspace, runner: Runner, fix: bool) -> int:
     return check_rooms(workspace.root, files)
 
 
+def _reference(workspace: Workspace, runner: Runner, fix: bool) -> int:
+    # The parser's module names the checks of this one in its help.
+    from trident_tool.cli import make_parser
+    from trident_tool.reference import check_reference
+
+    if runner.dry_run:
+        print("compare docs/reference with launch files, commands and plugins")
+        return 0
+    return check_reference(workspace.root, make_parser(), fix)
+
+
 CHECKS: dict[str, Callable[[Workspace, Runner, bool], int]] = {
     "clang-format": _clang_format,
     "ruff": _ruff,
@@ -140,6 +151,7 @@ CHECKS: dict[str, Callable[[Workspace, Runner, bool], int]] = {
     "markdown": _markdown,
     "rooms": _rooms,
     "headers": _headers,
+    "reference": _reference,
 }
 
 

@@ -9,6 +9,7 @@ add_library(trident_sim_test_support STATIC
   test_support/lidar_rig.cpp
   test_support/lee_quad.cpp
   test_support/models.cpp
+  test_support/plugin_cases.cpp
   test_support/plugin_conformance.cpp
   test_support/quad_world.cpp
   test_support/test_world.cpp
@@ -196,6 +197,11 @@ add_executable(vessel_manoeuvre test/marine/standalone_vessel.cpp test/marine/ve
 target_compile_options(vessel_manoeuvre PRIVATE -Wall -Wextra)
 target_include_directories(vessel_manoeuvre PRIVATE src)
 target_link_libraries(vessel_manoeuvre PRIVATE trident_sim_test_support)
+
+# What plugins ask of their elements, for docs/reference/plugins.md.
+add_executable(plugin_reference test/plugin_reference.cpp test/plugin_reference_cases.cpp)
+target_compile_options(plugin_reference PRIVATE -Wall -Wextra)
+target_link_libraries(plugin_reference PRIVATE trident_sim_test_support trident_control_sim)
 
 # One set of precompiled headers for all of them.
 foreach(test trident_sim_physics_test trident_sim_ground_test trident_sim_flight_test trident_sim_allocation_test

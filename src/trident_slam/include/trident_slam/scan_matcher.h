@@ -78,8 +78,8 @@ struct ScanMatcherOptions {
 using ScanMatcherFactory =
     std::function<std::unique_ptr<ScanMatcher>(const ScanMatcherOptions& options)>;
 
-/// Adds the matchers of this package; `Registry::names` tells their names, docs/slam.md what each
-/// does.
+/// Adds the matchers of this package; `Registry::names` tells their names, docs/howto/slam.md what
+/// each does.
 void register_builtin_scan_matchers(Registry<ScanMatcherFactory>& registry);
 
 /// The matcher of that name. Throws Error with the legal names for an unknown one.

@@ -67,8 +67,8 @@ class Slam2d {
 /// line, key, value and range.
 using Slam2dFactory = std::function<std::unique_ptr<Slam2d>(const std::string& config_file)>;
 
-/// Adds the algorithms of this package; `Registry::names` tells their names, docs/slam.md what each
-/// does.
+/// Adds the algorithms of this package; `Registry::names` tells their names, docs/howto/slam.md
+/// what each does.
 void register_builtin_slam_2d(Registry<Slam2dFactory>& registry);
 
 }  // namespace trident::slam

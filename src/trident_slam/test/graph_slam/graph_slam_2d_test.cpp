@@ -383,7 +383,8 @@ std::vector<std::string> scan_matcher_names() {
   return registry.names();
 }
 
-/// The names in back quotes that begin the rows of the table in a section of docs/slam.md, sorted.
+/// The names in back quotes that begin the rows of the table in a section of docs/howto/slam.md,
+/// sorted.
 std::vector<std::string> first_cells(const std::string& heading) {
   std::ifstream file(SLAM_MANUAL);
   std::vector<std::string> names;

@@ -44,7 +44,7 @@ class Plan:
     """One row to measure.
 
     Attributes:
-        mode: what is measured, see docs/benchmarks.md.
+        mode: what is measured, see docs/reference/benchmarks.md.
         n: number of vehicles.
         runs: how often.
         window_s: simulated seconds of a run's measurement.

@@ -162,9 +162,8 @@ class UsvThrust : public Plugin {
     const double timeout_s = params.number("cmdTimeout", 1.0, {0.0, 1e6});
     for (std::size_t number = 1;; ++number) {
       const std::string key = "thruster[" + std::to_string(number) + "]";
-      const ParamNode* const node = params.node(key);
-      if (node == nullptr) break;
-      const PluginParams own(*node, params.owner() + " <" + key + ">");
+      if (!params.has(key)) break;
+      const PluginParams own = params.below(key);
       thrusters_.emplace_back(context, own, timeout_s);
     }
     if (thrusters_.empty()) params.refuse("thruster", "", "at least one");
