@@ -15,7 +15,7 @@
 #include "trident_base/string_util.h"
 #include "trident_control_sim/lee_plugin.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 using Reference = std::map<std::string, ParamQueries>;
@@ -91,20 +91,20 @@ void print(const Reference& reference) {
 }
 
 }  // namespace
-}  // namespace trident
+}  // namespace trident::sim
 
 int main() {
-  trident::PluginRegistry shipped, recorded;
-  trident::register_builtin_plugins(shipped);
-  trident::register_control_plugins(shipped);
-  trident::Reference reference;
-  trident::record(shipped, reference, recorded);
-  for (const trident::ReferenceCase& plugin : trident::reference_cases()) {
+  trident::sim::PluginRegistry shipped, recorded;
+  trident::sim::register_builtin_plugins(shipped);
+  trident::control::register_control_plugins(shipped);
+  trident::sim::Reference reference;
+  trident::sim::record(shipped, reference, recorded);
+  for (const trident::sim::ReferenceCase& plugin : trident::sim::reference_cases()) {
     try {
-      trident::make(plugin, recorded);
+      trident::sim::make(plugin, recorded);
     } catch (const trident::Error&) {  // told, and what was asked for is kept
     }
   }
-  trident::print(reference);
+  trident::sim::print(reference);
   return 0;
 }

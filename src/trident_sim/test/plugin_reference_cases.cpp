@@ -6,7 +6,7 @@
 
 #include "plugin_cases.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 const std::string kRepository = TRIDENT_REPOSITORY;
@@ -189,4 +189,4 @@ ModelSpec reference_model(const ReferenceCase& plugin) {
   return spec;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

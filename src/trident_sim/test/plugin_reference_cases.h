@@ -7,7 +7,7 @@
 
 #include "models.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// A plugin as a file may have it.
 struct ReferenceCase {
@@ -24,4 +24,4 @@ std::vector<ReferenceCase> reference_cases();
 /// The quadrotor of make_quad() with the plugin on it.
 ModelSpec reference_model(const ReferenceCase& plugin);
 
-}  // namespace trident
+}  // namespace trident::sim

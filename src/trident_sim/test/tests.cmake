@@ -67,7 +67,7 @@ catkin_add_gtest(trident_sim_test
   test/world/world_state_test.cpp
 )
 target_link_libraries(trident_sim_test
-  trident_sim_test_support sdformat12::sdformat12 PkgConfig::GEOGRAPHICLIB ${GTEST_MAIN_LIBRARIES})
+  trident_sim_test_support sdformat12::sdformat12 PkgConfig::GEOGRAPHICLIB PkgConfig::TINYXML2 ${GTEST_MAIN_LIBRARIES})
 target_include_directories(trident_sim_test PRIVATE src)  # parts of plugins
 trident_precompile_headers(trident_sim_test <gtest/gtest.h>)
 

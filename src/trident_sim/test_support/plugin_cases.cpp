@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugin_cases.h"
 
-namespace trident {
+namespace trident::sim {
 namespace {
 
 const ParamList kBase{{"robotNamespace", "ns"}, {"linkName", "base_link"}};
@@ -321,4 +321,4 @@ std::vector<PluginCase> builtin_plugin_cases() {
   return cases;
 }
 
-}  // namespace trident
+}  // namespace trident::sim

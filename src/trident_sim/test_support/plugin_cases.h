@@ -6,9 +6,9 @@
 
 #include "plugin_conformance.h"
 
-namespace trident {
+namespace trident::sim {
 
 /// A complete case of each plugin that ships and has a port with numbers.
 std::vector<PluginCase> builtin_plugin_cases();
 
-}  // namespace trident
+}  // namespace trident::sim
