@@ -101,6 +101,10 @@ void add_vessels(std::vector<ReferenceCase>& cases) {
   cases.push_back(of_model(
       "libfreefloating_gazebo_control.so", {},
       {element("thruster", {{"map", "1 0 0 0 0 0"}}), element("thruster", {{"name", "rotor_1"}})}));
+  ParamNode buoyancy = element("buoyancy", {{"link_name", "base_link"}});
+  buoyancy.children.push_back(element("geometry", {}));
+  buoyancy.children.back().children.push_back(element("sphere", {{"radius", "0.2"}}));
+  cases.push_back(of_model("libbuoyancy_gazebo_plugin.so", {}, {buoyancy}));
   cases.push_back(of_model("libtrident_mooring.so",
                            {{"bodyName", "base_link"}, {"anchor", "0 0 -5"}, {"length", "6"}}));
   cases.push_back(variant("libtrident_vessel.so", {{"commandTopic", "command/motor_speed"}}));
