@@ -17,7 +17,7 @@ add_library(trident_sim_test_support STATIC
 target_include_directories(trident_sim_test_support PUBLIC test_support ${GTEST_INCLUDE_DIRS})
 target_compile_definitions(trident_sim_test_support PUBLIC TRIDENT_REPOSITORY="${CMAKE_SOURCE_DIR}")
 target_compile_options(trident_sim_test_support PRIVATE -Wall -Wextra)
-target_link_libraries(trident_sim_test_support PUBLIC trident_sim)
+target_link_libraries(trident_sim_test_support PUBLIC trident_sim gtest)
 
 catkin_add_gtest(trident_sim_test
   test/physics/broadphase_test.cpp

@@ -43,10 +43,12 @@ void bind_odometry(py::module_& module) {
           "angular_velocity", [](const OdometrySample& s) { return s.w_child; },
           "In child_frame [rad/s], shape (3,).")
       .def_property_readonly(
-          "pose_covariance", [](const OdometrySample& s) { return to_covariance(s.pose_covariance); },
+          "pose_covariance",
+          [](const OdometrySample& s) { return to_covariance(s.pose_covariance); },
           "x y z, rotation x y z [m, rad], shape (6, 6).")
       .def_property_readonly(
-          "twist_covariance", [](const OdometrySample& s) { return to_covariance(s.twist_covariance); },
+          "twist_covariance",
+          [](const OdometrySample& s) { return to_covariance(s.twist_covariance); },
           "Linear x y z, angular x y z [m/s, rad/s], shape (6, 6).");
 }
 
@@ -80,7 +82,8 @@ void bind_poses(py::module_& module) {
   add_pose(covered, &PoseWithCovarianceSample::T_frame_body);
   covered.def_readonly("frame", &PoseWithCovarianceSample::frame, "Frame that the values are in.")
       .def_property_readonly(
-          "covariance", [](const PoseWithCovarianceSample& s) { return to_covariance(s.covariance); },
+          "covariance",
+          [](const PoseWithCovarianceSample& s) { return to_covariance(s.covariance); },
           "x y z, rotation x y z [m, rad], shape (6, 6).");
   stamped<PointSample>(module, "PointSample", "Position of a body in frame.")
       .def_readonly("frame", &PointSample::frame, "Frame that the values are in.")

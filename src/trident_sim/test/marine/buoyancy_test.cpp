@@ -63,13 +63,15 @@ ParamNode cube() {
 
 const ParamList kWater{{"fluid_density", "1000"}, {"linear_drag", "5"}, {"angular_drag", "5"}};
 
-double height(TestWorld& world) { return world->find_model("buoy")->T_world_model().p.z(); }
+double height_of_float(TestWorld& world) {
+  return world->find_model("buoy")->T_world_model().p.z();
+}
 
 TEST(Buoyancy, ABuoyComesToRestWhereItDisplacesItsMass) {
   TestWorld world(ocean());
   world.add(buoy(2.0, kWater, cube()));
   world->step(20000);
-  EXPECT_NEAR(height(world), 0.0, 1e-4);
+  EXPECT_NEAR(height_of_float(world), 0.0, 1e-4);
   EXPECT_TRUE(world.reports.empty());
 }
 
@@ -79,7 +81,7 @@ TEST(Buoyancy, TheFluidLevelLiftsIt) {
   TestWorld world(ocean());
   world.add(buoy(2.0, params, cube()));
   world->step(20000);
-  EXPECT_NEAR(height(world), 3.0, 1e-4);
+  EXPECT_NEAR(height_of_float(world), 3.0, 1e-4);
 }
 
 TEST(Buoyancy, OnWavesItFollowsTheSurfaceOfTheSea) {
@@ -96,7 +98,7 @@ TEST(Buoyancy, OnWavesItFollowsTheSurfaceOfTheSea) {
     const Eigen::Vector2d place = world->find_model("buoy")->T_world_model().p.head<2>();
     const double surface =
         find_sea(*world)->water().column(place, {0.0, 0.0}, world->time().seconds()).elevation_m;
-    furthest = std::max(furthest, std::abs(height(world) - surface));
+    furthest = std::max(furthest, std::abs(height_of_float(world) - surface));
     highest = std::max(highest, surface);
   }
   EXPECT_GT(highest, 0.45);

@@ -30,7 +30,8 @@ TEST(UuvThruster, DynamicsAreTheirEquations) {
   params.beta = 8.0;
   EXPECT_NEAR(settled_vehicle(UuvThruster(params), 4.0, 0.01, 2000), std::sqrt(64.0), 1e-9);
   // s_dot = beta u - alpha s^2 is solved by tanh.
-  EXPECT_NEAR(settled_vehicle(UuvThruster(params), 4.0, 1e-5, 10000), 8.0 * std::tanh(4.0 * 0.1), 1e-3);
+  EXPECT_NEAR(settled_vehicle(UuvThruster(params), 4.0, 1e-5, 10000), 8.0 * std::tanh(4.0 * 0.1),
+              1e-3);
   params.dynamics = UuvDynamics::kBessa;
   params.Jmsp = 0.02;
   params.Kv1 = 0.3;

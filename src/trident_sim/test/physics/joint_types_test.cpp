@@ -32,7 +32,8 @@ TEST(Ball, AConicalPendulumGoesRoundAtItsRate) {
   }
   const Eigen::Vector3d end = model.links[0]->T_world_link().p;
   const double expected = std::remainder(2.0 * rate, 2 * kHalfTurn_rad);
-  EXPECT_NEAR(std::remainder(std::atan2(end.y(), end.x()) - expected, 2 * kHalfTurn_rad), 0.0, 0.02);
+  EXPECT_NEAR(std::remainder(std::atan2(end.y(), end.x()) - expected, 2 * kHalfTurn_rad), 0.0,
+              0.02);
 }
 
 TEST(Ball, TurnsFreelyAboutAllAxes) {

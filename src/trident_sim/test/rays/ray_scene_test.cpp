@@ -265,8 +265,9 @@ TEST(RayScene, OnlyWhatCastsShadowsIsInTheWayOfLight) {
     }
     const RayScene& scene = fresh_rays(world, RayGeometry::kVisual);
     for (const double z : {0.0, 3.0}) {
-      const std::vector<Ray> rays = {
-          ray_along({0, 0, z}, kForward), ray_along({0, 3, z}, kForward), {{0, 3, z}, kForward, 0.0, 4.4}};
+      const std::vector<Ray> rays = {ray_along({0, 0, z}, kForward),
+                                     ray_along({0, 3, z}, kForward),
+                                     {{0, 3, z}, kForward, 0.0, 4.4}};
       bool dark[3] = {};
       scene.occluded(rays, dark);
       EXPECT_FALSE(dark[0]);

@@ -31,10 +31,12 @@ TEST(DrivePlugins, BadValuesAreRefusedWithTheLegalOnes) {
   EXPECT_TRUE(contains(plugin_refusal({{"updateRate", "-5"}}), "<updateRate> is '-5'"));
   EXPECT_TRUE(contains(plugin_refusal({{"odometrySource", "gps"}}),
                        "<odometrySource> is 'gps', expected world or encoder"));
-  EXPECT_TRUE(contains(plugin_refusal({{"leftJoint", "knee"}}), "a joint of the model: left, right"));
+  EXPECT_TRUE(
+      contains(plugin_refusal({{"leftJoint", "knee"}}), "a joint of the model: left, right"));
   EXPECT_TRUE(contains(plugin_refusal({{"leftJoint", "right"}}), "another joint than leftJoint"));
   EXPECT_TRUE(contains(plugin_refusal({{"publishTf", "maybe"}}), "<publishTf> is 'maybe'"));
-  EXPECT_TRUE(contains(plugin_refusal({{"leftRearJoint", "tail"}}, true), "model 'cart' plugin 'drive'"));
+  EXPECT_TRUE(
+      contains(plugin_refusal({{"leftRearJoint", "tail"}}, true), "model 'cart' plugin 'drive'"));
 }
 
 TEST(DrivePlugins, AFixedJointCannotBeDriven) {

@@ -36,7 +36,7 @@ class TypedBinding : public OutputBinding {
       : OutputBinding(port),
         port_(port),
         publisher_(advertiser.advertise<OutputMessage>("/" + port.name(), kQueueOf<Sample>,
-                                                 kIsLatched<Sample>)) {
+                                                       kIsLatched<Sample>)) {
     if (kIsLatched<Sample> && port.count() > 0) publisher_.publish(converted(port.value));
   }
 

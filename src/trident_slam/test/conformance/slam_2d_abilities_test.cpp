@@ -35,7 +35,8 @@ std::unique_ptr<Slam2d> make(const std::string& method, const std::string& confi
 }
 
 ScanPose2d add(Slam2d& slam, std::size_t step) {
-  return slam.add_scan(abilities_world().steps()[step].scan, abilities_world().steps()[step].T_odom_base);
+  return slam.add_scan(abilities_world().steps()[step].scan,
+                       abilities_world().steps()[step].T_odom_base);
 }
 
 SE2 truth(std::size_t step) { return abilities_world().steps()[step].T_start_base; }

@@ -58,7 +58,7 @@ PolygonWorld long_corridor() {
 
 /// What one sees from a place, of every `stride`-th beam.
 PointScan scan_seen(const PolygonWorld& world, const SE2& T, std::uint64_t index, int stride = 1,
-               double sigma = 0.01) {
+                    double sigma = 0.01) {
   const LaserScan all = world.scan(T, index, sigma);
   LaserScan scan = all;
   scan.angle_increment *= stride;
@@ -250,7 +250,8 @@ TEST_P(ScanMatcherConformance, WhatCannotBeMatchedIsToldOfAndLeavesTheGuess) {
 TEST_P(ScanMatcherConformance, BadPointsOfTheReferenceHarmNothing) {
   const PolygonWorld world = room();
   std::vector<PlacedPoints> scans = submap(world, 100);
-  for (PlacedPoints& placed : scans) placed.scan.points.push_back({{kNotANumber, 1.0F}, {0.0F, 1.0F}});
+  for (PlacedPoints& placed : scans)
+    placed.scan.points.push_back({{kNotANumber, 1.0F}, {0.0F, 1.0F}});
   scans.push_back({SE2::from_xy_yaw(static_cast<double>(kNotANumber), 0.0, 0.0), scans[0].scan});
   const auto matcher = make_scan_matcher(GetParam());
   matcher->set_reference(scans);

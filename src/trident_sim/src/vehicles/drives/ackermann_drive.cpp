@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "ackermann_params.h"
-#include "core/plugins/rate_ticker.h"
 #include "core/plugins/joint_states.h"
+#include "core/plugins/rate_ticker.h"
 #include "drive_parts.h"
 #include "gazebo_ros_plugins.h"
 #include "trident_base/angle.h"

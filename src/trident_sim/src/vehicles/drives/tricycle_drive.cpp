@@ -4,8 +4,8 @@
 #include <cmath>
 #include <optional>
 
-#include "core/plugins/rate_ticker.h"
 #include "core/plugins/joint_states.h"
+#include "core/plugins/rate_ticker.h"
 #include "drive_parts.h"
 #include "gazebo_ros_plugins.h"
 #include "trident_base/angle.h"
