@@ -23,8 +23,8 @@ def _needed(*nodes: tuple[str, str], found: tuple[str, ...] = ()) -> set[str] | 
 def test_the_simulator_comes_with_its_plugins_and_without_slam() -> None:
     needed = _needed(("gazebo_ros", "worlds/a.world"), ("rviz", ""))
     assert needed is not None
-    assert {"gazebo_ros", "trident_sim", "trident_control", "trident_base"} <= needed
-    assert not {"trident_slam", "trident_estimation", "slam_toolbox"} & needed
+    assert {"gazebo_ros", "trident_sim_ros", "trident_control", "trident_base"} <= needed
+    assert not {"trident_slam", "trident_estimation", "slam_toolbox", "trident_sim_py"} & needed
 
 
 def test_the_package_of_a_node_comes_with_all_that_it_runs_with() -> None:
