@@ -14,7 +14,7 @@ from trident_sim.terrain_map import map_above_ground
 import trident_sim
 from trident_sim import worldmap
 
-FOREST = Path(__file__).resolve().parents[4] / "worlds" / "forest.world"
+FOREST = Path(__file__).resolve().parents[3] / "worlds" / "forest.world"
 
 
 def test_a_wall_on_a_plane_is_the_same_above_the_ground() -> None:
