@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""The checks of docs/explanation/vessel_checks.md hold, on boats under their plugin in a world, and are drawn."""
+"""The checks of docs/explanation/vessel_checks.md hold, on boats in a world, and are drawn."""
 
 from __future__ import annotations
 
