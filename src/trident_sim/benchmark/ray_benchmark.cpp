@@ -122,8 +122,8 @@ int run() {
   for (World* world : {&fixed_world, &moving_world}) {
     add_boxes(*world, world == &fixed_world);
   }
-  RayScene& fixed = fixed_world.rays(RayGeometry::kCollision);
-  RayScene& moving = moving_world.rays(RayGeometry::kCollision);
+  RayScene& fixed = sim::rays(fixed_world, RayGeometry::kCollision);
+  RayScene& moving = sim::rays(moving_world, RayGeometry::kCollision);
   fixed.refresh();
   moving.refresh();
   const std::vector<Ray> fan = make_fan(), rings = make_rings();

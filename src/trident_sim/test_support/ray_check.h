@@ -41,7 +41,7 @@ class Draw {
 
 /// The scene of a world, following it.
 inline RayScene& fresh_rays(TestWorld& world, RayGeometry geometry = RayGeometry::kCollision) {
-  RayScene& scene = world->rays(geometry);
+  RayScene& scene = rays(*world, geometry);
   scene.refresh();
   return scene;
 }

@@ -62,9 +62,9 @@ py::tuple cast_rays(Session& session, const py::object& origins, const py::objec
   const std::vector<Ray> rays = to_rays(from, towards, t_max);
   std::vector<RayHit> hits(rays.size());
   RayScene& scene =
-      session.world().rays(is_visual ? RayGeometry::kVisual : RayGeometry::kCollision);
+      sim::rays(session.world(), is_visual ? RayGeometry::kVisual : RayGeometry::kCollision);
   scene.refresh();
-  if (!rays.empty()) scene.refresh_water(rays.front().p_world_origin);
+  if (!rays.empty()) scene.refresh_surface(rays.front().p_world_origin);
   scene.cast({rays.data(), rays.size()}, {hits.data(), hits.size()});
   const auto count = static_cast<py::ssize_t>(rays.size());
   py::array_t<double> distance(count), normal({count, py::ssize_t{3}});
@@ -85,7 +85,7 @@ py::tuple cast_rays(Session& session, const py::object& origins, const py::objec
 std::vector<std::tuple<std::string, std::string, std::string>> ray_shapes(Session& session,
                                                                           bool is_visual) {
   RayScene& scene =
-      session.world().rays(is_visual ? RayGeometry::kVisual : RayGeometry::kCollision);
+      sim::rays(session.world(), is_visual ? RayGeometry::kVisual : RayGeometry::kCollision);
   scene.refresh();
   std::vector<std::tuple<std::string, std::string, std::string>> result;
   for (const RayShape& shape : scene.shapes()) {

@@ -13,12 +13,10 @@
 #include "trident_base/span.h"
 #include "trident_sim/model_spec.h"
 
-namespace trident {
-class WorkerPool;
-}
-
 namespace trident::sim {
 
+class AnalyticSurface;
+class AnalyticSurfaceSource;
 class Model;
 class World;
 struct Link;
@@ -26,7 +24,6 @@ struct PacketHits;
 struct RayPacket;
 struct SurfaceLook;
 struct SurfacePoint;
-class WaterSurface;
 
 /// What rays meet: collision shapes (`ray` sensors) or visual shapes (`gpu_ray`, cameras).
 enum class RayGeometry { kCollision, kVisual };
@@ -73,19 +70,20 @@ struct RayShape {
   std::optional<double> laser_retro;     ///< where its collision or visual tells it
 };
 
-/// What a sensor has to cast within a step, put off to the end of the phase, so that threads share
+/// What a sensor has to cast within a step, deferred to the end of the phase, so that threads share
 /// what all sensors have to cast there instead of the few rays of each. Its scene is refreshed
 /// before begin(), and stays as it is until all parts are done.
-class RayWork {
+class RayJob {
  public:
-  virtual ~RayWork() = default;
-  /// Where the sea is looked at from.
+  virtual ~RayJob() = default;
+  /// Where it looks from, world frame [m].
   virtual Eigen::Vector2d viewer() const = 0;
-  /// By the stepping thread, in the order in which works were put off: how many parts there are.
+  /// Called by the stepping thread, in the order in which jobs were deferred. Returns the number of
+  /// parts.
   virtual std::size_t begin() = 0;
-  /// By any thread, once for each part; it writes only what belongs to the part.
-  virtual void do_part(std::size_t part) = 0;
-  /// As begin(), after all parts of all works.
+  /// Called by any thread, once for each part; it writes only what belongs to the part.
+  virtual void run_part(std::size_t part) = 0;
+  /// Called as begin() is, after all parts of all jobs.
   virtual void finish() = 0;
 };
 
@@ -99,9 +97,10 @@ class RayWork {
 /// alpha 0 are not there. A visual mesh that cannot be read is reported once and left out.
 class RayScene {
  public:
-  /// Sees nothing before the first refresh(). `world` must outlive the scene. What is known of the
-  /// sea is shared with `other`, a scene of the same world, if there is one.
-  RayScene(const World& world, RayGeometry geometry, const RayScene* other = nullptr);
+  /// Sees nothing before the first refresh(). `world` must outlive the scene. `surface_source` is
+  /// the world's analytic surface; nullptr: it has none.
+  RayScene(const World& world, RayGeometry geometry,
+           std::shared_ptr<AnalyticSurfaceSource> surface_source);
   ~RayScene();
   RayScene(const RayScene&) = delete;
   RayScene& operator=(const RayScene&) = delete;
@@ -110,23 +109,25 @@ class RayScene {
   /// be called while another thread casts; hits from before lose their indices when models came or
   /// went.
   void refresh();
-  /// Has cast() meet the surface of the world's sea, too, as it is now about who looks, until the
-  /// next refresh(): a shape of its own, the last one, model "water", met from above and below and
-  /// hiding what lies beyond. Gives back that water, which stays as it is; nullptr: there is none.
-  std::shared_ptr<const WaterSurface> refresh_water(const Eigen::Vector3d& p_world_viewer);
-  /// No water is higher now; minus infinity: there is none. Whose rays all stay above it need not
-  /// call refresh_water(), which costs.
-  double water_ceiling_m();
+  /// Has cast() hit the world's analytic surface, the water of its sea, too, as it is now for a
+  /// viewer there, until the next refresh(). It is a shape, the last one, is hit from both sides
+  /// and hides what lies beyond. Returns that surface, which stays as it is; nullptr where none
+  /// exists.
+  std::shared_ptr<const AnalyticSurface> refresh_surface(const Eigen::Vector3d& p_world_viewer);
+  /// No point of the analytic surface is higher now [m]; minus infinity where none exists. A caller
+  /// whose rays all stay above it need not call refresh_surface(), which costs.
+  double surface_ceiling_m();
 
   /// Casts each ray; hits.size() >= rays.size(). A ray with a component that is not finite meets
   /// nothing. Any number of threads may cast at the same time. Rays are cast in packets of
   /// kPacket: a result does not depend on threads as long as work is divided between packets.
   void cast(Span<const Ray> rays, Span<RayHit> hits, const RayFilter& filter = {}) const;
-  /// The same with water that another refresh_water() gave, of the same moment; nullptr: without.
-  void cast(Span<const Ray> rays, Span<RayHit> hits, const WaterSurface* water,
+  /// The same with a surface that another refresh_surface() returned, of the same moment; nullptr:
+  /// without.
+  void cast(Span<const Ray> rays, Span<RayHit> hits, const AnalyticSurface* surface,
             const RayFilter& filter = {}) const;
-  /// Puts water before what rays have met without it.
-  void add_water(const WaterSurface& water, Span<const Ray> rays, Span<RayHit> hits) const;
+  /// Puts the surface before what rays have hit without it.
+  void add_surface(const AnalyticSurface& surface, Span<const Ray> rays, Span<RayHit> hits) const;
   /// Whether anything that casts shadows lies between t_min and t_max; faster than cast().
   void occluded(Span<const Ray> rays, Span<bool> result, const RayFilter& filter = {}) const;
   static constexpr std::size_t kPacket = 16;
@@ -153,22 +154,21 @@ class RayScene {
   SurfacePoint look_at(std::uint32_t shape, std::uint32_t primitive, const Ray& ray,
                        double t) const;
 
-  /// What meet() leaves out, for who draws it: nullptr where refresh_water() was not called, or
-  /// there is no sea.
-  const WaterSurface* water() const;
-  /// RayHit::shape of the water; RayHit::kNothing: there is none.
-  std::uint32_t water_shape() const;
+  /// The analytic surface, which meet() leaves out; nullptr where refresh_surface() was not called,
+  /// or none exists.
+  const AnalyticSurface* surface() const;
+  /// RayHit::shape of the analytic surface; RayHit::kNothing where none exists.
+  std::uint32_t surface_shape() const;
 
   RayGeometry geometry() const;
   const std::vector<RayShape>& shapes() const;
   const std::vector<Material>& materials() const;
 
-  /// Puts work off to the end of the phase of the step that the world is in.
-  void put_off(RayWork& work);
-  /// Does what was put off, of all scenes together, shared by the workers. For World::step().
-  static void do_put_off(Span<RayScene* const> scenes, WorkerPool& workers);
-  /// Of a step that an error has ended.
-  void forget_put_off();
+  /// Defers a job to the end of the phase of the step that the world is in.
+  void defer(RayJob& job) { deferred_.push_back(&job); }
+  /// The jobs that were deferred since drop_deferred(), in that order.
+  const std::vector<RayJob*>& deferred() const { return deferred_; }
+  void drop_deferred() { deferred_.clear(); }
 
   /// How often what never moves, and the moving links' places, were committed.
   struct Commits {
@@ -179,6 +179,11 @@ class RayScene {
  private:
   class Content;
   std::unique_ptr<Content> content_;
+  std::vector<RayJob*> deferred_;
 };
+
+/// The scene of a world, which is made when it is first asked for. It follows the world when its
+/// refresh() is called.
+RayScene& rays(World& world, RayGeometry geometry);
 
 }  // namespace trident::sim

@@ -24,12 +24,11 @@
 #include "trident_sim/samples.h"
 #include "trident_sim/sdf_loader.h"
 #include "trident_sim/snapshot.h"
+#include "trident_sim/step_extension.h"
 
 namespace trident::sim {
 
 class PhysicsEngine;
-class RayScene;
-enum class RayGeometry;
 
 /// How measurements and commands are delayed.
 enum class LoopTiming {
@@ -170,9 +169,8 @@ class World {
   /// order that is the same in every run.
   const std::vector<Contact>& contacts() const;
 
-  /// The world as rays see it; made when first asked for. It follows the world when its refresh()
-  /// is called.
-  RayScene& rays(RayGeometry geometry);
+  /// What follows the steps from outside the core, rays for one (see ray_scene.h).
+  StepExtensions& extensions() { return extensions_; }
 
   /// For work within a step that is worth sharing, and whose result does not depend on who does it.
   WorkerPool& workers() { return workers_; }
@@ -257,7 +255,7 @@ class World {
   std::shared_ptr<const int> identity_ = std::make_shared<int>();
   bool profiling_ = false;
   StageTimes stage_times_;
-  std::unique_ptr<RayScene> ray_scenes_[2];  ///< by RayGeometry
+  StepExtensions extensions_;
 };
 
 }  // namespace trident::sim

@@ -66,11 +66,12 @@ CameraRenderer::CameraRenderer(World& world, const CameraSpec& spec, const Camer
 CameraRenderer::~CameraRenderer() = default;
 
 void CameraRenderer::render(const SE3& T_world_camera, std::uint64_t noise_key, Picture& picture) {
-  RayScene& scene = world_.rays(RayGeometry::kVisual);
+  RayScene& scene = rays(world_, RayGeometry::kVisual);
   scene.use_textures();
   scene.refresh();
-  scene.refresh_water(T_world_camera.p);
-  if (scene.water() != nullptr) water_.begin_picture(world_, scene, pixel_angle_);
+  const std::shared_ptr<const WaterSurface> water =
+      as_water(scene.refresh_surface(T_world_camera.p));
+  if (water != nullptr) water_.begin_picture(world_, scene, pixel_angle_);
   for (const auto& seen : seen_) seen->surfaces.begin_picture(scene, T_world_camera.p);
   const Eigen::Matrix3f R = T_world_camera.R.toRotationMatrix().cast<float>();
   const Frame frame{scene,
@@ -81,7 +82,7 @@ void CameraRenderer::render(const SE3& T_world_camera, std::uint64_t noise_key, 
                     -R.col(2),
                     R.col(0),
                     world_.scene().background.head<3>().cast<float>(),
-                    scene.water(),
+                    water.get(),
                     pixel_angle_};
   make_room(picture);
   // A row of tiles is a part of the work: what it draws depends on no other.
@@ -218,7 +219,7 @@ void CameraRenderer::see_water(const Frame& frame, Seen& seen) const {
     if (behind - met.t > WaterPainter::kMurk_m || met.begins_below) seen.points.valid[lane] = 0;
     const bool is_near = met.t <= spec_.far_m;
     seen.depths[lane] = is_near ? met.t : kInfinity;
-    seen.hits.shape[lane] = is_near ? frame.scene.water_shape() : Picture::kNothing;
+    seen.hits.shape[lane] = is_near ? frame.scene.surface_shape() : Picture::kNothing;
   }
 }
 

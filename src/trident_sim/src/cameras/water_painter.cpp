@@ -40,7 +40,7 @@ struct WaterPainter::Facet {
 
 void WaterPainter::begin_picture(const World& world, const RayScene& scene, float pixel_angle_rad) {
   scene_ = &scene;
-  water_ = scene.water();
+  water_ = as_water(scene.surface());
   pixel_angle_ = pixel_angle_rad;
   slopes_.follow(*water_);
   const float square = slopes_.mean_square();

@@ -140,7 +140,7 @@ RayHit RayScene::Content::describe(const Ray& ray, const TracedShape& shape,
   }
   // A surface on which the ray begins may be measured a trace behind it.
   hit.distance_m = std::max(hit.distance_m, ray.t_min_m);
-  if (geometry == RayGeometry::kVisual) add_look(ray, shape, primitive, hit);
+  if (geometry_ == RayGeometry::kVisual) add_look(ray, shape, primitive, hit);
   if (hit.normal_world.dot(ray.direction_world) > 0.0) hit.normal_world = -hit.normal_world;
   return hit;
 }

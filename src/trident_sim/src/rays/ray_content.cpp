@@ -31,7 +31,7 @@ std::string numbers(const Eigen::Vector3d& v) {
 
 void RayScene::Content::refresh() {
   if (device_ == nullptr) device_ = make_device();
-  water_.reset();
+  surface_.reset();
   follow_models();
   follow_links();
   if (models_changed_) {
@@ -101,7 +101,7 @@ void RayScene::Content::add_shapes(const Model& model, const LinkSpec& spec, Tra
     shape->link = link.link;
     link.shapes.push_back(std::move(shape));
   };
-  if (geometry == RayGeometry::kCollision) {
+  if (geometry_ == RayGeometry::kCollision) {
     for (const CollisionSpec& collision : spec.collisions) add(collision);
     return;
   }
@@ -120,7 +120,7 @@ std::unique_ptr<TracedShape> RayScene::Content::trace_shape(const Shape& shape,
   try {
     return std::make_unique<TracedShape>(make_traced_shape(shape, find_mesh(shape)));
   } catch (const Error& error) {
-    const bool is_visual = geometry == RayGeometry::kVisual;
+    const bool is_visual = geometry_ == RayGeometry::kVisual;
     world_.report(Severity::kWarning, std::string(is_visual ? "visual '" : "collision '") + what +
                                           "': " + error.what() + "; sensors do not see it");
     return nullptr;
@@ -137,7 +137,7 @@ std::shared_ptr<const TriangleMesh> RayScene::Content::find_mesh(const Shape& sh
   std::weak_ptr<const TriangleMesh>& known = meshes_[key];
   if (auto alive = known.lock()) return alive;
   const MeshDetail detail =
-      geometry == RayGeometry::kVisual ? MeshDetail::kLook : MeshDetail::kShape;
+      geometry_ == RayGeometry::kVisual ? MeshDetail::kLook : MeshDetail::kShape;
   auto read = std::make_shared<const TriangleMesh>(
       mesh != nullptr ? read_mesh(*mesh, detail) : read_heightmap(*heightmap, detail));
   known = read;
@@ -159,7 +159,7 @@ void RayScene::Content::make_part(TracedLink& link) {
   for (const auto& shape : link.shapes) {
     if (shape->kind == SurfaceKind::kPlane) continue;
     if (link.scene == nullptr) link.scene = make_scene(device_.get(), SceneUse::kFixed);
-    attach_shape(device_.get(), link.scene.get(), *shape, box_form(geometry));
+    attach_shape(device_.get(), link.scene.get(), *shape, box_form(geometry_));
   }
   if (link.scene != nullptr) rtcCommitScene(link.scene.get());
 }
@@ -181,19 +181,19 @@ void RayScene::Content::follow_links() {
 }
 
 void RayScene::Content::number() {
-  shapes.clear();
+  shapes_.clear();
   traced_shapes_.clear();
-  materials.clear();
+  materials_.clear();
   planes_.clear();
   some_cast_no_shadow_ = false;
   std::uint32_t model_id = 0, link_id = 0;
   for (auto& [model_name, model] : models_) {
     for (TracedLink& link : model.links) {
       for (const auto& shape : link.shapes) {
-        shape->index = static_cast<std::uint32_t>(shapes.size());
+        shape->index = static_cast<std::uint32_t>(shapes_.size());
         traced_shapes_.push_back(shape.get());
-        shapes.push_back({model_name, link.link->name, shape->name, model_id, link_id, model.model,
-                          link.link, shape->laser_retro});
+        shapes_.push_back({model_name, link.link->name, shape->name, model_id, link_id, model.model,
+                           link.link, shape->laser_retro});
         if (shape->visual != nullptr) add_material(*shape);
         if (shape->kind == SurfaceKind::kPlane)
           planes_.push_back({shape.get(), flat_surface(*shape, 0)});
@@ -203,27 +203,27 @@ void RayScene::Content::number() {
     }
     ++model_id;
   }
-  number_water(model_id, link_id);
+  number_surface(model_id, link_id);
 }
 
 void RayScene::Content::commit_fixed() {
   fixed_.reset();
   fixed_shapes_.clear();
-  fixed_has_triangles_ = geometry == RayGeometry::kVisual;
+  fixed_has_triangles_ = geometry_ == RayGeometry::kVisual;
   for (const auto& [name, model] : models_) {
     for (const TracedLink& link : model.links) {
       if (link.moves) continue;
       for (const auto& shape : link.shapes) {
         if (shape->kind == SurfaceKind::kPlane) continue;
         if (fixed_ == nullptr) fixed_ = make_scene(device_.get(), SceneUse::kFixed);
-        attach_shape(device_.get(), fixed_.get(), *shape, box_form(geometry));
+        attach_shape(device_.get(), fixed_.get(), *shape, box_form(geometry_));
         fixed_shapes_.push_back(shape.get());
         fixed_has_triangles_ |= shape->kind == SurfaceKind::kMesh;
       }
     }
   }
   if (fixed_ != nullptr) rtcCommitScene(fixed_.get());
-  ++commits.fixed;
+  ++commits_.fixed;
 }
 
 void RayScene::Content::attach_parts() {
@@ -244,7 +244,7 @@ void RayScene::Content::attach_parts() {
 }
 
 void RayScene::Content::commit_moving() {
-  ++commits.moving;
+  ++commits_.moving;
   moving_.commit(device_.get());
 }
 

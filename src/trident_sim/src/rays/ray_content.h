@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "analytic_surface.h"
 #include "embree.h"
 #include "moving_parts.h"
 #include "ray_packet.h"
@@ -17,8 +18,6 @@
 #include "trident_sim/ray_scene.h"
 
 namespace trident::sim {
-
-class WaterTiles;
 
 /// A link as rays know it.
 struct TracedLink {
@@ -45,15 +44,16 @@ struct PlacedPlane {
 /// What RayScene holds: shapes, Embree's scenes, and tables that lead from Embree's numbers back.
 class RayScene::Content {
  public:
-  Content(const World& world, RayGeometry kind, std::shared_ptr<WaterTiles> tiles);
+  Content(const World& world, RayGeometry kind,
+          std::shared_ptr<AnalyticSurfaceSource> surface_source);
   ~Content();
 
   void refresh();
-  std::shared_ptr<const WaterSurface> refresh_water(const Eigen::Vector3d& p_world_viewer);
-  double water_ceiling_m();
-  const WaterSurface* water() const { return water_.get(); }
-  const std::shared_ptr<WaterTiles>& tiles() const { return tiles_; }
-  void add_water(const WaterSurface& water, Span<const Ray> rays, Span<RayHit> hits) const;
+  std::shared_ptr<const AnalyticSurface> refresh_surface(const Eigen::Vector3d& p_world_viewer);
+  double surface_ceiling_m();
+  const AnalyticSurface* surface() const { return surface_.get(); }
+  std::uint32_t surface_shape() const { return surface_shape_; }
+  void add_surface(const AnalyticSurface& surface, Span<const Ray> rays, Span<RayHit> hits) const;
   void use_textures();
   Eigen::Vector3d albedo(const RayHit& hit) const;
   double intensity(const RayHit& hit) const;
@@ -67,15 +67,10 @@ class RayScene::Content {
   SurfacePoint look_at(std::uint32_t shape, std::uint32_t primitive, const Ray& ray,
                        double t) const;
 
-  const RayGeometry geometry;
-  std::vector<RayShape> shapes;
-  std::vector<Material> materials;
-  std::uint32_t water_shape = RayHit::kNothing;
-  Commits commits;
-  std::vector<RayWork*> put_off;
-  std::vector<Eigen::Vector2d> viewers;                         ///< of works
-  std::vector<RayWork*> works;                                  ///< those that are being done, and
-  std::vector<std::pair<RayWork*, std::size_t>> put_off_parts;  ///< their parts
+  RayGeometry geometry() const { return geometry_; }
+  const std::vector<RayShape>& shapes() const { return shapes_; }
+  const std::vector<Material>& materials() const { return materials_; }
+  const Commits& commits() const { return commits_; }
 
  private:
   // Following the world: ray_content.cpp, materials: ray_look.cpp
@@ -96,8 +91,8 @@ class RayScene::Content {
   void attach_parts();
   void commit_moving();
 
-  // The sea: water_cast.cpp
-  void number_water(std::uint32_t models, std::uint32_t links);
+  // The analytic surface: ray_surface.cpp
+  void number_surface(std::uint32_t models, std::uint32_t links);
 
   // Casting: ray_cast.cpp
   const TracedShape* nearest_plane(const Ray& ray, const RayFilter& filter, bool shadows_only,
@@ -109,6 +104,10 @@ class RayScene::Content {
                   double t) const;
 
   const World& world_;
+  const RayGeometry geometry_;
+  std::vector<RayShape> shapes_;
+  std::vector<Material> materials_;
+  Commits commits_;
   EmbreeDevice device_;  ///< goes after all that is made with it
   std::map<std::string, TracedModel> models_;
   std::optional<std::uint64_t> seen_models_;  ///< World::models_version()
@@ -128,11 +127,11 @@ class RayScene::Content {
   std::vector<const TracedShape*> traced_shapes_;             ///< by TracedShape::index
   bool some_cast_no_shadow_ = false;
 
-  std::shared_ptr<WaterTiles> tiles_;
-  std::shared_ptr<const WaterSurface> water_;            ///< nullptr: not asked for since refresh()
-  std::vector<std::shared_ptr<WaterSurface>> surfaces_;  ///< some of which nobody looks at any more
-  bool has_water_shape_ = false;
-  std::uint32_t water_material_ = RayHit::kNothing;
+  std::shared_ptr<AnalyticSurfaceSource> surface_source_;  ///< nullptr: the world has none
+  std::shared_ptr<const AnalyticSurface> surface_;  ///< nullptr: not asked for since refresh()
+  bool has_surface_shape_ = false;
+  std::uint32_t surface_shape_ = RayHit::kNothing;
+  std::uint32_t surface_material_ = RayHit::kNothing;
 };
 
 }  // namespace trident::sim

@@ -11,14 +11,14 @@ namespace trident::sim {
 
 /// A visual's own material counts for the whole of it; else the mesh's.
 void RayScene::Content::add_material(TracedShape& shape) {
-  shape.material = static_cast<std::uint32_t>(materials.size());
+  shape.material = static_cast<std::uint32_t>(materials_.size());
   shape.has_mesh_materials = shape.mesh != nullptr && !shape.visual->material.is_given &&
                              !shape.mesh->triangle_materials.empty();
   if (shape.has_mesh_materials) {
     const std::vector<Material>& own = shape.mesh->materials;
-    materials.insert(materials.end(), own.begin(), own.end());
+    materials_.insert(materials_.end(), own.begin(), own.end());
   } else {
-    materials.push_back(shape.visual->material);
+    materials_.push_back(shape.visual->material);
   }
 }
 
@@ -29,10 +29,10 @@ void RayScene::Content::use_textures() {
 }
 
 void RayScene::Content::find_textures() {
-  material_textures_.assign(materials.size(), nullptr);
+  material_textures_.assign(materials_.size(), nullptr);
   if (!use_textures_) return;
-  for (std::size_t i = 0; i < materials.size(); ++i) {
-    if (!materials[i].texture_file.empty()) material_textures_[i] = find_texture(materials[i]);
+  for (std::size_t i = 0; i < materials_.size(); ++i) {
+    if (!materials_[i].texture_file.empty()) material_textures_[i] = find_texture(materials_[i]);
   }
 }
 
@@ -52,18 +52,18 @@ const Texture* RayScene::Content::find_texture(const Material& material) {
 }
 
 Eigen::Vector3d RayScene::Content::albedo(const RayHit& hit) const {
-  if (hit.material >= materials.size()) return Eigen::Vector3d::Zero();
+  if (hit.material >= materials_.size()) return Eigen::Vector3d::Zero();
   if (const Texture* const texture = material_textures_[hit.material])
     return texture->at(hit.uv).cast<double>();
-  return materials[hit.material].diffuse.head<3>();
+  return materials_[hit.material].diffuse.head<3>();
 }
 
 double RayScene::Content::intensity(const RayHit& hit) const {
   if (!hit.met()) return 0.0;
-  if (const auto& told = shapes[hit.shape].laser_retro) return *told;
-  if (hit.material >= materials.size()) return 0.0;
+  if (const auto& told = shapes_[hit.shape].laser_retro) return *told;
+  if (hit.material >= materials_.size()) return 0.0;
   constexpr double kRed = 0.2126, kGreen = 0.7152, kBlue = 0.0722;  // ITU-R BT.709
-  const Eigen::Vector4d& color = materials[hit.material].diffuse;
+  const Eigen::Vector4d& color = materials_[hit.material].diffuse;
   return 100.0 * (kRed * color[0] + kGreen * color[1] + kBlue * color[2]);
 }
 

@@ -7,6 +7,7 @@
 #include <limits>
 #include <memory>
 
+#include "rays/analytic_surface.h"
 #include "trident_sim/ray_scene.h"
 #include "trident_sim/sea.h"
 #include "water_tiles.h"
@@ -32,7 +33,7 @@ struct WaterReach {
 /// the tile. Nothing is worked out before follow() is called, and one tile per period of the waves
 /// after that (WaterPattern says how true it is). What is met is a pure function of the sea, the
 /// time and the place that was given to follow(). Any number of threads may ask at the same time.
-class WaterSurface {
+class WaterSurface final : public AnalyticSurface {
  public:
   /// With tiles of its own. `world` must outlive it.
   explicit WaterSurface(const World& world) : WaterSurface(std::make_shared<WaterTiles>(world)) {}
@@ -42,7 +43,8 @@ class WaterSurface {
   /// world has no sea.
   bool follow(const Eigen::Vector3d& p_world_viewer);
 
-  /// The first meeting between t_min_m and t_max. Directions may have any length.
+  AnalyticHit intersect(const Ray& ray, double t_max) const override;
+  /// The same with what a picture of the water needs.
   WaterMeeting meet(const Ray& ray, double t_max) const;
   // Of a ray that begins above all waves, with a direction of unit length, without following it.
 
@@ -147,5 +149,9 @@ class WaterSurface {
   double steepest_ = 0.0;                            ///< no slope is steeper away from the shore,
   double steepest_fading_ = 0.0;                     ///< or anywhere
 };
+
+/// The water that a scene's analytic surface is; nullptr: it is none.
+const WaterSurface* as_water(const AnalyticSurface* surface);
+std::shared_ptr<const WaterSurface> as_water(const std::shared_ptr<const AnalyticSurface>& surface);
 
 }  // namespace trident::sim

@@ -50,7 +50,7 @@ TEST(CameraPlugins, WithoutListenersNothingIsDrawn) {
   auto& info = listen_to<CameraInfoSample>(world, "r/eye/camera_info");
   world->step(300);
   EXPECT_EQ(info.count(), 3u);
-  EXPECT_EQ(world->rays(RayGeometry::kVisual).commits().fixed, 0u) << "the scene was not needed";
+  EXPECT_EQ(rays(*world, RayGeometry::kVisual).commits().fixed, 0u) << "the scene was not needed";
   for (const std::string& name : kImages) {
     EXPECT_EQ(world->ports().find_out<ImageSample>(name)->count(), 0u);
   }

@@ -155,7 +155,7 @@ TEST(LiveEnvironment, RaysSeeAShoreThatIsMoved) {
        {"bathymetry", {{"kind", "file"}, {"file", file}}}})}));
   const auto compare = [&](double strength) {
     RayScene& rays = fresh_rays(world);
-    rays.refresh_water({20, 5, 8});
+    rays.refresh_surface({20, 5, 8});
     double farthest = 0.0;
     for (int i = 0; i < 100; ++i) {
       const Eigen::Vector3d from(0.4 * i, 0.1 * i, 8.0);

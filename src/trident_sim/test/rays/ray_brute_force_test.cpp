@@ -263,7 +263,7 @@ TEST(ManyRays, TheOrderOfSpawningChangesNothing) {
       world.add(model);
       fresh_rays(world);
     }
-    return cast_all(world->rays(RayGeometry::kCollision), rays);
+    return cast_all(sim::rays(*world, RayGeometry::kCollision), rays);
   };
   const std::vector<RayHit> forwards = look(false), backwards = look(true);
   for (std::size_t i = 0; i < rays.size(); ++i) {

@@ -19,7 +19,7 @@ const Eigen::Vector3d kForward = Eigen::Vector3d::UnitX(), kLeft = Eigen::Vector
 
 TEST(RayScene, InAnEmptyWorldNothingIsMet) {
   TestWorld world;
-  const RayScene& scene = world->rays(RayGeometry::kCollision);
+  const RayScene& scene = rays(*world, RayGeometry::kCollision);
   EXPECT_EQ(range(scene, {0, 0, 1}, -kUpward), kNoShape);
   fresh_rays(world);
   EXPECT_EQ(range(scene, {0, 0, 1}, -kUpward), kNoShape);

@@ -338,7 +338,7 @@ TEST(PointLidar, WithoutListenersNothingIsCast) {
   world.add(robot_with(vlp16()));
   world->step(500);
   EXPECT_EQ(world->ports().find_out<LidarCloudSample>("r/scan")->count(), 0u);
-  EXPECT_EQ(world->rays(RayGeometry::kCollision).commits().fixed, 0u);
+  EXPECT_EQ(rays(*world, RayGeometry::kCollision).commits().fixed, 0u);
 }
 
 TEST(PointLidar, BadElementsAreRefusedByName) {

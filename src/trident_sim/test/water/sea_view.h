@@ -46,7 +46,7 @@ inline const WaveField& waves_of(const World& world) {
 inline RayScene& scene_on_water(TestWorld& world, const Eigen::Vector3d& p_world_viewer,
                                 RayGeometry geometry = RayGeometry::kCollision) {
   RayScene& scene = fresh_rays(world, geometry);
-  scene.refresh_water(p_world_viewer);
+  scene.refresh_surface(p_world_viewer);
   return scene;
 }
 

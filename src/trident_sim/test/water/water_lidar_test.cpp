@@ -158,7 +158,7 @@ TEST(WaterReturns, WaterNearerThanTheSmallestRangeHidesWhatLiesBeyond) {
 TEST(WaterReturns, AreThoseOfBeamsThatAreFollowedToTheWater) {
   TestWorld world(sea_spec(jonswap("0.6", "4")));
   RayScene& scene = fresh_rays(world);
-  const auto water = scene.refresh_water({0, 0, 2});
+  const auto water = as_water(scene.refresh_surface({0, 0, 2}));
   const WaterSight sight(WaterReturns::kAuto, 5, "lidar");
   const RandomStream chance(5, "lidar/water");
   constexpr std::uint32_t kChannel = 7, kOther = 1234;
@@ -174,8 +174,8 @@ TEST(WaterReturns, AreThoseOfBeamsThatAreFollowedToTheWater) {
       behind.shape = kOther;
     }
     RayHit expected = behind;
-    scene.add_water(*water, {&ray, 1}, {&expected, 1});
-    if (expected.shape == scene.water_shape()) {
+    scene.add_surface(*water, {&ray, 1}, {&expected, 1});
+    if (expected.shape == scene.surface_shape()) {
       const double p = water_return_probability(-expected.normal_world.dot(ray.direction_world),
                                                 expected.distance_m);
       const bool is_told = chance.uniform(scan, kChannel) < p;
@@ -232,7 +232,7 @@ Voyage voyage(std::size_t threads, bool is_heard) {
       result.points.insert(result.points.end(), points.begin(), points.end());
     }
   }
-  EXPECT_EQ(world->rays(RayGeometry::kCollision).water() != nullptr, is_heard)
+  EXPECT_EQ(rays(*world, RayGeometry::kCollision).surface() != nullptr, is_heard)
       << "nothing is worked out for nobody";
   result.hash = world->state_hash();
   return result;

@@ -80,7 +80,7 @@ TEST(WaterSurface, OfStillWaterIsMetAtItsLevel) {
       continue;
     }
     ASSERT_NEAR(hit.distance_m, expected, 1e-9 * (1.0 + expected));
-    EXPECT_EQ(hit.shape, scene.water_shape());
+    EXPECT_EQ(hit.shape, scene.surface_shape());
     EXPECT_TRUE(is_near(hit.normal_world, p.z() > 0.7 ? kZ : Eigen::Vector3d(-kZ), 1e-12));
   }
 }

@@ -3,7 +3,6 @@
 #include "trident_sim/world.h"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
 #include <sstream>
@@ -13,7 +12,6 @@
 #include "silent_elements.h"
 #include "trident_base/error.h"
 #include "trident_sim/motion_limits.h"
-#include "trident_sim/ray_scene.h"
 
 namespace trident::sim {
 namespace {
@@ -100,18 +98,6 @@ void place(Body& body, const SE3& T_world_body, const Eigen::Vector3d& v_world,
   body.w_world = body.w_before = w_world;
   body.placed = true;
   body.frozen = false;
-}
-
-using RayScenes = std::unique_ptr<RayScene>[2];
-
-/// What sensors have put off in a phase.
-void cast_put_off(const RayScenes& scenes, WorkerPool& workers) {
-  std::array<RayScene*, 2> made{};
-  std::size_t count = 0;
-  for (const auto& scene : scenes) {
-    if (scene != nullptr) made[count++] = scene.get();
-  }
-  RayScene::do_put_off({made.data(), count}, workers);
 }
 
 }  // namespace
@@ -379,9 +365,7 @@ void World::run_phase(Phase phase, const StepInfo& info) {
 
 void World::step(std::uint64_t n) {
   StageTimes* times = profiling_ ? &stage_times_ : nullptr;
-  for (const auto& scene : ray_scenes_) {
-    if (scene != nullptr) scene->forget_put_off();
-  }
+  extensions_.begin_steps();
   for (std::uint64_t i = 0; i < n; ++i) {
     const std::uint64_t step = step_count_ + 1;
     const StepInfo info{
@@ -389,7 +373,7 @@ void World::step(std::uint64_t n) {
     {
       const StageTimer timer(times ? &times->sense_s : nullptr);
       run_phase(Phase::kSense, info);
-      cast_put_off(ray_scenes_, workers_);
+      extensions_.end_phase(Phase::kSense);
     }
     {
       const StageTimer timer(times ? &times->control_s : nullptr);
@@ -411,23 +395,13 @@ void World::step(std::uint64_t n) {
     for (Plugin* plugin : schedule_[static_cast<std::size_t>(Phase::kPost)]) {
       plugin->post_step(*this, info);
     }
-    cast_put_off(ray_scenes_, workers_);
+    extensions_.end_phase(Phase::kPost);
     if (time_ >= next_floor_look_) tell_missing_floor();
     if (times != nullptr) ++times->steps;
   }
 }
 
 const std::vector<Contact>& World::contacts() const { return engine_->contacts(); }
-
-RayScene& World::rays(RayGeometry geometry) {
-  std::unique_ptr<RayScene>& scene = ray_scenes_[static_cast<std::size_t>(geometry)];
-  if (scene == nullptr) {
-    const RayScene* other = nullptr;
-    for (const auto& one : ray_scenes_) other = one != nullptr ? one.get() : other;
-    scene = std::make_unique<RayScene>(*this, geometry, other);
-  }
-  return *scene;
-}
 
 World::StageTimes World::take_stage_times() {
   const StageTimes result = stage_times_;

@@ -143,7 +143,7 @@ void CameraOutputs::publish_depths(SimTime stamp) {
 }
 
 void CameraOutputs::publish_labels(const Wants& wanted, SimTime stamp) {
-  const Labels labels(world_.rays(RayGeometry::kVisual), now_.label_kind);
+  const Labels labels(rays(world_, RayGeometry::kVisual), now_.label_kind);
   if (wanted.labels) {
     write_labels(picture_.shapes, labels, labels_->value.data);
     publish(labels_, stamp);

@@ -139,7 +139,7 @@ class Gnss : public MeasuringPlugin {
     }
     RayFilter others;
     others.exclude_link = &link_;
-    RayScene& scene = world_.rays(RayGeometry::kCollision);
+    RayScene& scene = rays(world_, RayGeometry::kCollision);
     scene.refresh();
     scene.cast({rays_.data(), rays_.size()}, {hits_.data(), hits_.size()}, others);
     return static_cast<int>(

@@ -33,7 +33,7 @@ class BeamCaster {
   /// `context` is the sensor's plugin's.
   BeamCaster(const PluginContext& context, double range_min_m, double range_max_m,
              WaterReturns water = WaterReturns::kAuto)
-      : scene_(context.world.rays(geometry_of(*context.sensor))),
+      : scene_(rays(context.world, geometry_of(*context.sensor))),
         sight_(read_water_returns(context.params, water), context.world.seed(), context.name) {
     blank_.t_min_m = range_min_m;
     blank_.t_max_m = range_max_m;
@@ -49,12 +49,13 @@ class BeamCaster {
   /// As refresh(), for what is aimed already: without the sea where no beam gets down to it.
   void refresh_for_aimed(const Eigen::Vector3d& p_world_sensor) {
     scene_.refresh();
-    water_ = reaches(scene_.water_ceiling_m()) ? scene_.refresh_water(p_world_sensor) : nullptr;
+    water_.reset();
+    if (reaches(scene_.surface_ceiling_m())) refresh_water(p_world_sensor);
   }
   /// Has what is cast from now on see the sea as it is now about the sensor, in the scene as it was
   /// refreshed last.
   void refresh_water(const Eigen::Vector3d& p_world_sensor) {
-    water_ = scene_.refresh_water(p_world_sensor);
+    water_ = as_water(scene_.refresh_surface(p_world_sensor));
   }
   void cast() { cast(own_); }
   /// What the sensor notices of what a beam met, or of the water before that; `scan` and `channel`

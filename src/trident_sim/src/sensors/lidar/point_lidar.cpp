@@ -40,8 +40,8 @@ ReturnLimits read_limits(const LidarSpec& spec, const PluginParams& params) {
 /// A lidar with many rings, whose returns are points in its frame. As a snapshot all beams of a
 /// scan are cast at once, as Gazebo does, and stamped with that time; rolling, each is cast from
 /// where the sensor is as its column is cast, and the stamp is that of the first. What is cast in a
-/// step is put off to the end of the phase, when threads do it side by side with other sensors'.
-class PointLidar : public MeasuringPlugin, public RayWork {
+/// step is deferred to the end of the phase, when threads share it with other sensors'.
+class PointLidar : public MeasuringPlugin, public RayJob {
  public:
   PointLidar(const PluginContext& context, const std::string& default_topic, bool is_rolling)
       : PointLidar(context, read_lidar_spec(required_ray_sensor(context), context.params.owner()),
@@ -67,7 +67,7 @@ class PointLidar : public MeasuringPlugin, public RayWork {
       T_world_sensor_ = link_.T_world_link() * T_link_sensor_;
       casts_.push_back({{clock_.count_at(info), 0, pattern_->columns(), true}, info.end});
     }
-    if (!casts_.empty()) caster_.scene().put_off(*this);
+    if (!casts_.empty()) caster_.scene().defer(*this);
   }
 
   Eigen::Vector2d viewer() const override { return T_world_sensor_.p.head<2>(); }
@@ -80,7 +80,7 @@ class PointLidar : public MeasuringPlugin, public RayWork {
     return blocks_.size();
   }
 
-  void do_part(std::size_t part) override {
+  void run_part(std::size_t part) override {
     thread_local Beams beams;
     const Block& block = blocks_[part];
     cast_block(block, beams);

@@ -61,8 +61,8 @@ RayHit WaterSight::see(const RayScene& scene, const WaterSurface& water, const R
     }
   }
   RayHit hit = behind;
-  scene.add_water(water, {&ray, 1}, {&hit, 1});
-  return tells(water, scene.water_shape(), ray, hit, scan, channel) ? hit : RayHit{};
+  scene.add_surface(water, {&ray, 1}, {&hit, 1});
+  return tells(water, scene.surface_shape(), ray, hit, scan, channel) ? hit : RayHit{};
 }
 
 bool WaterSight::tells(const WaterSurface& water, std::uint32_t water_shape, const Ray& ray,

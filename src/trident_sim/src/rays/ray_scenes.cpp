@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ray_scenes.h"
+
+#include "trident_sim/world.h"
+
+namespace trident::sim {
+
+RayScene& rays(World& world, RayGeometry geometry) {
+  return world.extensions().get<RayScenes>(world).scene(geometry);
+}
+
+RayScenes::RayScenes(World& world) : world_(world), surface_source_(make_analytic_surface(world)) {}
+
+RayScenes::~RayScenes() = default;
+
+RayScene& RayScenes::scene(RayGeometry geometry) {
+  std::unique_ptr<RayScene>& scene = scenes_[static_cast<std::size_t>(geometry)];
+  if (scene == nullptr) scene = std::make_unique<RayScene>(world_, geometry, surface_source_);
+  return *scene;
+}
+
+void RayScenes::begin_steps() {
+  for (const auto& scene : scenes_) {
+    if (scene != nullptr) scene->drop_deferred();
+  }
+}
+
+/// Moves the scenes' deferred jobs into jobs_. Returns whether there are any.
+bool RayScenes::collect_jobs() {
+  jobs_.clear();
+  for (const auto& scene : scenes_) {
+    if (scene == nullptr || scene->deferred().empty()) continue;
+    scene->refresh();
+    jobs_.insert(jobs_.end(), scene->deferred().begin(), scene->deferred().end());
+    scene->drop_deferred();
+  }
+  return !jobs_.empty();
+}
+
+void RayScenes::end_phase(Phase /*phase*/) {
+  if (!collect_jobs()) return;
+  if (surface_source_ != nullptr) {
+    p_world_viewers_.clear();
+    for (const RayJob* const job : jobs_) p_world_viewers_.push_back(job->viewer());
+    surface_source_->prepare(p_world_viewers_, world_.workers());
+  }
+  parts_.clear();
+  for (RayJob* const job : jobs_) {
+    const std::size_t count = job->begin();
+    for (std::size_t part = 0; part < count; ++part) parts_.emplace_back(job, part);
+  }
+  world_.workers().share(parts_.size(), [this](std::size_t i, std::size_t /*worker*/) {
+    parts_[i].first->run_part(parts_[i].second);
+  });
+  for (RayJob* const job : jobs_) job->finish();
+}
+
+}  // namespace trident::sim
