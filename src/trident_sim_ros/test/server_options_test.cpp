@@ -107,7 +107,7 @@ TEST(ServerOptions, ErrorsAndWarningsNameTheParameter) {
 TEST(ServerOptions, TheReferenceIsThatOfTheStruct) {
   const std::string page = ros_utils::params_page(
       "gazebo",
-      "Private parameters of the simulator (`/gazebo/...`), printed from the server's struct. "
+      "Private parameters of the simulator (`/gazebo/...`), printed from the server's struct.\n"
       "Environment variables and arguments: see architecture.md.",
       ros_utils::document_params<ServerParams>());
   EXPECT_EQ(ros_utils::page_on_disk(PARAMETER_PAGES "/gazebo.md", page), page)
