@@ -2,18 +2,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <Eigen/Geometry>
 #include <memory>
 #include <utility>
 #include <vector>
 
 #include "keyframe_graph.h"
+#include "trident_slam/graph_slam_back_end.h"
 #include "trident_slam/graph_slam_options.h"
 
 namespace trident::slam {
 
 /// What the newest keyframe has made of older ones.
-struct StaleVerdict {
-  std::vector<int> stale;  ///< newer scans have replaced them
+struct PruneResult {
+  std::vector<int> replaced;  ///< newer scans have replaced them
   /// Scans without the points that the newest one saw through.
   std::vector<std::pair<int, std::shared_ptr<const PointScan>>> thinned;
 };
@@ -23,11 +25,13 @@ struct StaleVerdict {
 /// (S. Macenski, I. Jambrecic, "SLAM Toolbox", JOSS 6(61), 2021). Beyond that, a scan stays while
 /// newer ones have not seen nearly all of its points again, and points that a newer scan has seen
 /// through go at once.
-class StaleScans {
+class ScanPruner {
  public:
-  explicit StaleScans(const LifelongOptions& options) : options_(options) {}
+  explicit ScanPruner(const LifelongOptions& options, const PruningOptions& pruning = {},
+                      const FreeSpaceOptions& free_space = {})
+      : options_(options), pruning_(pruning), free_space_(free_space) {}
 
-  StaleVerdict weigh(const KeyframeGraph& graph);
+  PruneResult update(const KeyframeGraph& graph);
   /// The graph has no more than these of its keyframes, in this order.
   void keep(const std::vector<int>& kept);
   void clear() { memories_.clear(); }
@@ -38,13 +42,26 @@ class StaleScans {
     std::shared_ptr<const PointScan> scan;
     std::vector<char> seen_again;  ///< per point of the scan
   };
+  /// What the newest scan has seen of an older one's points.
+  struct Comparison {
+    std::shared_ptr<PointScan> thinned;  ///< without the points that were seen through
+    std::vector<char> seen_again;        ///< per point of `thinned`
+    int seen = 0;                        ///< points of the older scan that were seen
+  };
   class View;
+  struct Overlap;
+
+  static Overlap overlap_of(const Eigen::AlignedBox2d& newest, const Eigen::AlignedBox2d& older);
+  static Comparison compare(const View& newest, const Memory& memory, const SE2& T_map_base);
+  void update_score(const Overlap& overlap, double readings, int edges, Memory* memory) const;
 
   std::vector<int> candidates(const KeyframeGraph& graph, double radius) const;
   bool is_replaced(const Memory& memory) const;
   Memory& memory_of(const KeyframeGraph& graph, int keyframe);
 
   LifelongOptions options_;
+  PruningOptions pruning_;
+  FreeSpaceOptions free_space_;
   std::vector<Memory> memories_;
 };
 

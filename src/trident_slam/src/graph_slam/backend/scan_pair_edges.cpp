@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-#include "pair_linker.h"
+#include "scan_pair_edges.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,15 +16,15 @@ struct Partner {
   double distance;
 };
 
-/// Keyframes with a lower number that lie near to keyframe i: the nearest one of every stretch, and
+/// Keyframes with a lower number that lie near to keyframe i: the nearest one of every submap, and
 /// of those the nearest few.
-std::vector<int> partners_of(const KeyframeGraph& graph, int i, const PairLinkOptions& options) {
+std::vector<int> partners_of(const KeyframeGraph& graph, int i, const AlignmentOptions& options) {
   std::vector<int> result;
-  for (int j = std::max(0, i - options.chain); j < i; ++j) result.push_back(j);
+  for (int j = std::max(0, i - options.predecessors); j < i; ++j) result.push_back(j);
   std::vector<Partner> nearest;
-  for (int s = 0; s <= graph.stretch_of(i); ++s) {
+  for (int s = 0; s <= graph.submap_of(i); ++s) {
     Partner best{-1, options.reach};
-    for (int j = graph.first_of(s); j < graph.end_of(s) && j < i - options.chain; ++j) {
+    for (int j = graph.first_of(s); j < graph.end_of(s) && j < i - options.predecessors; ++j) {
       const SE2 T = graph.pose(j).inverse() * graph.pose(i);
       const double distance = T.p.norm() + std::abs(T.angle);
       if (distance < best.distance) best = {j, distance};
@@ -49,25 +49,31 @@ Eigen::Matrix3d turned(const Eigen::Matrix3d& information, double angle) {
 
 }  // namespace
 
-std::vector<GraphEdge> link_pairs(const KeyframeGraph& graph, const PairLinkOptions& options) {
+std::vector<GraphEdge> make_scan_pair_edges(const KeyframeGraph& graph,
+                                            const AlignmentOptions& options) {
   std::vector<std::vector<int>> matched_with(static_cast<std::size_t>(graph.size()));
   for (int i = 1; i < graph.size(); ++i) {
     for (const int j : partners_of(graph, i, options)) matched_with[j].push_back(i);
   }
   std::vector<GraphEdge> edges;
-  SurfelMap reference(0.1);
+  SurfelMap reference(options.surfel_cell);
+  LineMatchOptions line;
+  line.max_points = static_cast<std::size_t>(options.max_points);
+  line.converged = options.converged;
+  line.least_paired = options.min_inliers;
   for (int j = 0; j < graph.size(); ++j) {
     if (matched_with[j].empty()) continue;
     reference.clear();
     reference.insert(SE2::identity(), *graph[j].scan);
     for (const int i : matched_with[j]) {
       const SE2 guess = graph.pose(j).inverse() * graph.pose(i);
-      const MatchResult match = match_lines(reference, *graph[i].scan, guess, {}, options.line);
+      const MatchResult match = match_lines(reference, *graph[i].scan, guess, {}, line);
       const SE2 change = guess.inverse() * match.T_ref_base;
       if (match.inlier_fraction < options.min_inliers) continue;
-      if (change.p.norm() > options.largest_change || std::abs(change.angle) > 0.2) continue;
+      if (change.p.norm() > options.max_change || std::abs(change.angle) > options.max_change_yaw)
+        continue;
       edges.push_back({j, i, match.T_ref_base, turned(match.information, match.T_ref_base.angle),
-                       EdgeKind::kReuse});
+                       EdgeKind::kRevisit});
     }
   }
   return edges;
