@@ -10,7 +10,6 @@ target_sources(trident_slam PRIVATE
   src/graph_slam/graph_mapper_edit.cpp
   src/graph_slam/graph_mapper_motion.cpp
   src/graph_slam/graph_mapper_session.cpp
-  src/graph_slam/graph_slam_2d.cpp
   src/graph_slam/graph_slam_options.cpp
   src/graph_slam/backend/keyframe_graph.cpp
   src/graph_slam/map/keyframe_map.cpp
