@@ -237,13 +237,14 @@ SlamMethod read_method(ros_utils::NodeParams& params) {
 }
 
 void run() {
-  ros_utils::NodeParams params(ros::NodeHandle("~"));
-  auto own = params.read<HectorNodeParams>();
-  if (!own.publishes_correction) own.options.transform_publish_period = 0.0;
+  const ros::NodeHandle own("~");  // ROS ends with the last handle
+  ros_utils::NodeParams params(own);
+  auto hector = params.read<HectorNodeParams>();
+  if (!hector.publishes_correction) hector.options.transform_publish_period = 0.0;
   const SlamMethod method = read_method(params);
   accept_upstream_names(params);
   params.log_warnings();
-  HectorMapping node(ros::NodeHandle(), own.options, own, method.maker());
+  HectorMapping node(ros::NodeHandle(), hector.options, hector, method.maker());
   node.run();
 }
 

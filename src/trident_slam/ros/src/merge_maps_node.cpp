@@ -160,7 +160,8 @@ class MapMerger {
 };
 
 void run() {
-  ros_utils::NodeParams params(ros::NodeHandle("~"));
+  const ros::NodeHandle own("~");  // ROS ends with the last handle
+  ros_utils::NodeParams params(own);
   SlamMethod method(params, kMethod);
   if (method.name() != kMethod) {
     throw Error("parameter " + params.name_space() + "/method is " + method.name() + ", must be " +
