@@ -226,16 +226,10 @@ def test_rosnode_kill_ends_it(ros: RosProcesses) -> None:
             {"position_gain": {"x": True}},
             f"/UAV1/{LEE}/position_gain/x: must be a number >= 0, but is true",
         ),
-        (
-            {"rotor_configuration": {"0": {"angle": 0.0}}},
-            "rotor_configuration/0/arm_length: missing required key",
-        ),
+        ({"rotor_configuration": {"0": {"angle": 0.0}}}, "0/arm_length: missing required key"),
         ({"rotor_configuration": {"1": ROTOR}}, "0, 1, 2 ... without a gap"),
         ({"rotor_configuration": [1, 2]}, "rotor_configuration: must be a map"),
-        (
-            {"omit_gyroscopic_term": "yes"},
-            "omit_gyroscopic_term: must be true or false, but is the text 'yes'",
-        ),
+        ({"omit_gyroscopic_term": "yes"}, "must be true or false, but is the text 'yes'"),
     ],
 )
 def test_bad_parameters_give_one_error_and_exit_code_1(

@@ -10,28 +10,36 @@ namespace {
 
 constexpr auto kMasterPollPeriod = std::chrono::milliseconds(50);
 
+void add_missing_models(const World& world, const std::vector<std::string>& names,
+                        std::vector<std::string>& missing) {
+  for (const std::string& name : names) {
+    if (world.find_model(name) == nullptr) missing.push_back("model " + name);
+  }
+}
+
 }  // namespace
 
-std::string StartGate::missing(const World& world) {
-  std::vector<std::string> missing;
-  for (const std::string& name : options_.wait_for_models) {
-    if (world.find_model(name) == nullptr) missing.push_back("model " + name);
-  }
-  const int absent = options_.wait_for - static_cast<int>(vehicles_.size());
-  if (absent > 0) missing.push_back(std::to_string(absent) + " more vehicle(s)");
-  if (options_.wait_for > 0) {
-    for (const auto& [name, vehicle] : vehicles_.links()) {
-      if (!vehicle->has_controller()) missing.push_back("the controller of " + vehicle->name());
-    }
-  }
-  for (const std::string& name : options_.wait_for_spawned) {
-    if (world.find_model(name) == nullptr) missing.push_back("model " + name);
-  }
-  for (const auto& [name, vehicle] : vehicles_.links()) {
-    if (is_to_be_controlled(name) && !vehicle->has_controller()) {
+template <class IsAsked>
+void StartGate::add_missing_controllers(const IsAsked& is_asked,
+                                        std::vector<std::string>& missing) const {
+  for (const auto& [port, vehicle] : vehicles_.links()) {
+    if (is_asked(port) && !vehicle->has_controller()) {
       missing.push_back("the controller of " + vehicle->name());
     }
   }
+}
+
+std::string StartGate::missing(const World& world) {
+  std::vector<std::string> missing;
+  add_missing_models(world, options_.wait_for_models, missing);
+  const int absent = options_.wait_for - static_cast<int>(vehicles_.size());
+  if (absent > 0) missing.push_back(std::to_string(absent) + " more vehicle(s)");
+  if (options_.wait_for > 0) {
+    add_missing_controllers([](const std::string&) { return true; }, missing);
+  }
+  add_missing_models(world, options_.wait_for_spawned, missing);
+  add_missing_controllers([this](const std::string& port) { return is_to_be_controlled(port); },
+                          missing);
   LockstepHub& hub = vehicles_.hub();
   const Lock lock(hub.mutex);
   const int silent = options_.wait_for_sources - static_cast<int>(hub.sources.all().size());

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <string>
+#include <vector>
 
 #include "run/server_options.h"
 #include "topics/port_binder.h"
@@ -32,6 +33,9 @@ class StartGate {
  private:
   using Clock = std::chrono::steady_clock;
 
+  /// Names the vehicles without controllers among those whose port `is_asked` is true for.
+  template <class IsAsked>
+  void add_missing_controllers(const IsAsked& is_asked, std::vector<std::string>& missing) const;
   bool is_to_be_controlled(const std::string& port) const;
   bool all_announced_confirm();
   void release(const World& world);

@@ -11,6 +11,7 @@
 #include "graph_slam/session/session_file.h"
 #include "scans/start_pose.h"
 #include "trident_slam/pose_graph_g2o.h"
+#include "trident_slam/slam_2d_factory.h"
 
 namespace trident::slam {
 namespace {
@@ -225,5 +226,7 @@ void GraphSlam2d::save_g2o(const std::string& path) const {
   }
   write_g2o(poses, path);
 }
+
+TRIDENT_SLAM_2D_METHOD(graph_slam_2d, "graph_slam_2d", GraphSlam2d, GraphSlamOptions)
 
 }  // namespace trident::slam

@@ -9,7 +9,6 @@ target_sources(trident_slam PRIVATE
   src/graph_slam/backend/scan_pair_edges.cpp
   src/graph_slam/backend/scan_pruner.cpp
   src/graph_slam/graph_mapper.cpp
-  src/graph_slam/graph_slam_2d.cpp
   src/graph_slam/graph_slam_options.cpp
   src/graph_slam/local/calibrated_odometry.cpp
   src/graph_slam/local/local_mapper.cpp

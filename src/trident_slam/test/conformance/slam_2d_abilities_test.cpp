@@ -12,8 +12,8 @@
 #include <string>
 
 #include "conformance/scan_world.h"
-#include "trident_slam/slam_2d.h"
 #include "trident_slam/slam_2d_abilities.h"
+#include "trident_slam/slam_2d_factory.h"
 
 namespace trident::slam {
 namespace {
@@ -29,9 +29,7 @@ const ScanWorld& abilities_world() {
 }
 
 std::unique_ptr<Slam2d> make(const std::string& method, const std::string& config_file = "") {
-  Registry<Slam2dFactory> registry("SLAM method");
-  register_builtin_slam_2d(registry);
-  return registry.get(method)(config_file);
+  return builtin_slam_2d().get(method)(Slam2dSetup(config_file));
 }
 
 ScanPose2d add(Slam2d& slam, std::size_t step) {
