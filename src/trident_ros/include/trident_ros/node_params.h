@@ -236,8 +236,8 @@ std::string document_params(const T& defaults = T{}) {
   return config_detail::markdown_table(rows);
 }
 
-/// The text of a page of docs/parameters, of which a test compares it with the structs: its
-/// license, a heading, a paragraph, and tables.
+/// The text of a page of docs/reference/parameters, of which a test compares it with the structs:
+/// its license, a heading, a paragraph, and tables.
 std::string params_page(const std::string& heading, const std::string& paragraph,
                         const std::string& tables);
 /// The text of a page as it is on disk, "" when there is no such file. With TRIDENT_WRITE_DOCS=1 in

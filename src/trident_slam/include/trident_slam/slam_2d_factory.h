@@ -106,8 +106,8 @@ Slam2dFactory slam_2d_factory() {
     registry.add(name, slam_2d_factory<Method, Params>()); \
   }
 
-/// Adds the methods of this package; `Registry::names` lists their names, docs/slam.md describes
-/// each.
+/// Adds the methods of this package; `Registry::names` lists their names, docs/howto/slam.md
+/// describes each.
 void register_builtin_slam_2d(Registry<Slam2dFactory>& registry);
 /// A registry with the methods of this package.
 Registry<Slam2dFactory> builtin_slam_2d();

@@ -63,7 +63,7 @@ struct SlamNodeOptions {
              "factor of the published variances of x and y");
     ar.field("yaw_covariance_scale", yaw_covariance_scale, Range::non_negative(),
              "factor of the published variance of yaw");
-    ar.field("bag_loop", bag_loop, "what follows when time goes back: see docs/slam.md");
+    ar.field("bag_loop", bag_loop, "what follows when time goes back: see docs/howto/slam.md");
     ar.field("bag_loop_threshold", bag_loop_threshold, Range::non_negative(),
              "stamps that go back by more are of a bag that begins again [s]");
     ar.field("autosave_file", autosave_file, "session file; empty: none");

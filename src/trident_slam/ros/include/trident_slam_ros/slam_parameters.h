@@ -20,7 +20,7 @@ struct SlamMethodParams {
   /// Lists the fields for the parameter reader and the reference.
   template <class Archive>
   void visit(Archive& ar) {
-    ar.field("method", method, "SLAM method, a name of docs/slam.md");
+    ar.field("method", method, "SLAM method, a name of docs/howto/slam.md");
     ar.field("config_file", config_file,
              "YAML file of the method; empty: private parameters of the same names");
   }
