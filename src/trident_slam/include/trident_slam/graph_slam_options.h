@@ -131,8 +131,8 @@ struct GraphSlamOptions {
              "old surfaces are matched against as they are if the path to them is shorter [m]");
     ar.field("is_asynchronous", is_asynchronous, "close loops in a thread of their own");
     ar.field("keep_scans", keep_scans,
-             "keep all ranges, so that the end can match every scan with the final map; false: "
-             "a scan keeps its place beside its keyframe");
+             "keep all ranges, so that the end can match each scan with the final map; false: "
+             "a scan keeps its place at its keyframe");
   }
   template <class Archive>
   void visit_odometry(Archive& ar) {
