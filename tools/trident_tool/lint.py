@@ -138,7 +138,7 @@ def _rooms(workspace: Workspace, runner: Runner, fix: bool) -> int:
 
 def _words(workspace: Workspace, runner: Runner, fix: bool) -> int:
     files = [path for path in source_files(workspace.root) if path.suffix in _SPELLED_SUFFIXES]
-    config = ["--toml", workspace.root / "pyproject.toml"]
+    config: list[str | Path] = ["--toml", workspace.root / "pyproject.toml"]
     spelling = runner.run([workspace.venv_python, "-m", "codespell_lib", *config, *files])
     if runner.dry_run:
         return spelling
