@@ -13,10 +13,15 @@ from trident_tool.markdown import check_pages
 from trident_tool.rooms import check_rooms
 from trident_tool.thread_safety import run_thread_safety
 from trident_tool.tidy import run_clang_tidy
+from trident_tool.words import check_words
 from trident_tool.workspace import Runner, TridentError, Workspace, base_environment
 
 _SKIPPED_FOLDERS = {"build", "out", "third_party", "__pycache__", "node_modules"}
 _CPP_SUFFIXES = {".h", ".hpp", ".cpp", ".cc"}
+_SPELLED_SUFFIXES = _CPP_SUFFIXES | {
+    *(".py", ".pyi", ".md", ".yaml", ".txt", ".cmake", ".xml", ".launch", ".test"),
+    *(".msg", ".srv", ".action", ".xacro", ".urdf", ".sdf", ".world"),
+}
 
 
 def source_files(root: Path) -> Iterator[Path]:
@@ -142,6 +147,16 @@ def _reference(workspace: Workspace, runner: Runner, fix: bool) -> int:
     return check_reference(workspace.root, make_parser(), fix)
 
 
+def _words(workspace: Workspace, runner: Runner, fix: bool) -> int:
+    files = [path for path in source_files(workspace.root) if path.suffix in _SPELLED_SUFFIXES]
+    config: list[str | Path] = ["--toml", workspace.root / "pyproject.toml"]
+    spelling = runner.run([workspace.venv_python, "-m", "codespell_lib", *config, *files])
+    if runner.dry_run:
+        return spelling
+    sources = [*cpp_files(workspace.root), *python_files(workspace.root)]
+    return check_words(workspace.root, sources, fix) or spelling
+
+
 CHECKS: dict[str, Callable[[Workspace, Runner, bool], int]] = {
     "clang-format": _clang_format,
     "ruff": _ruff,
@@ -150,6 +165,7 @@ CHECKS: dict[str, Callable[[Workspace, Runner, bool], int]] = {
     "thread-safety": _thread_safety,
     "markdown": _markdown,
     "rooms": _rooms,
+    "words": _words,
     "headers": _headers,
     "reference": _reference,
 }

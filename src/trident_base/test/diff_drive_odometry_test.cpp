@@ -100,16 +100,16 @@ TEST(DiffDriveOdometry, ItsCovarianceIsThatOfManyRuns) {
     error.z() = std::remainder(error.z(), 2.0 * kPi);
     scatter += error * error.transpose() / runs;
   }
-  const Eigen::Matrix3d& told = exact.covariance();
+  const Eigen::Matrix3d& covariance = exact.covariance();
   // The variance of a sample variance is 2 / runs of its square: four sigma.
   for (int i = 0; i < 3; ++i)
-    EXPECT_NEAR(scatter(i, i) / told(i, i), 1.0, 4.0 * std::sqrt(2.0 / runs));
-  EXPECT_NEAR(scatter(1, 2) / std::sqrt(told(1, 1) * told(2, 2)),
-              told(1, 2) / std::sqrt(told(1, 1) * told(2, 2)), 0.06);
-  EXPECT_TRUE(told.isApprox(told.transpose()));
+    EXPECT_NEAR(scatter(i, i) / covariance(i, i), 1.0, 4.0 * std::sqrt(2.0 / runs));
+  EXPECT_NEAR(scatter(1, 2) / std::sqrt(covariance(1, 1) * covariance(2, 2)),
+              covariance(1, 2) / std::sqrt(covariance(1, 1) * covariance(2, 2)), 0.06);
+  EXPECT_TRUE(covariance.isApprox(covariance.transpose()));
 }
 
-TEST(DiffDriveOdometry, ResetStartsAnew) {
+TEST(DiffDriveOdometry, ResetStartsAgain) {
   DiffDriveOdometry odometry(kDrive);
   odometry.update(3.0, 1.0);
   EXPECT_GT(odometry.covariance().norm(), 0.0);

@@ -85,6 +85,8 @@ TEST(ServerOptions, AnswersHaveTheNamesOfPorts) {
   EXPECT_EQ(
       error_of(value),
       "parameter /gazebo/answers/nav: state and commands must name topics, at least one each");
+  value["answers"]["nav"]["commands"][0] = 3;
+  EXPECT_NE(error_of(value).find("parameter /gazebo/answers/nav: topic '3': "), std::string::npos);
 }
 
 TEST(ServerOptions, ErrorsAndWarningsNameTheParameter) {

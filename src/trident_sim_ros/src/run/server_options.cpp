@@ -183,8 +183,14 @@ void read_arguments(const std::vector<std::string>& arguments, ServerOptions& op
 }  // namespace
 
 void AnswerParams::validate() const {
-  bool is_named = !port_name(state).empty() && !commands.empty();
-  for (const std::string& command : commands) is_named = is_named && !port_name(command).empty();
+  std::vector<std::string> topics = commands;
+  topics.push_back(state);
+  bool is_named = !commands.empty();
+  for (const std::string& topic : topics) {
+    is_named = is_named && !port_name(topic).empty();
+    std::string why;
+    if (!ros::names::validate(topic, why)) throw Error("topic '" + topic + "': " + why);
+  }
   if (!is_named) throw Error("state and commands must name topics, at least one each");
 }
 

@@ -57,7 +57,7 @@ ScanPose2d GraphMapper::add_scan(const LaserScan& scan, const SE2& T_odom_base) 
 
 Eigen::Vector3d GraphMapper::match_and_map(const LaserScan& scan, LocalMapper::Motion* motion,
                                            ScanPose2d* result) {
-  const Eigen::Vector3d twist = deskewer_.predict_twist(scan, motion->T_before_now);
+  Eigen::Vector3d twist = deskewer_.predict_twist(scan, motion->T_before_now);
   const auto points = std::make_shared<const PointScan>(deskewer_.points(scan, twist));
   const MatchResult match = local_.match(points, scan.T_base_laser, motion);
   local_.report_uncertainty(*motion, match, *points, result);

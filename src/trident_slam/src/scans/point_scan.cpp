@@ -32,7 +32,7 @@ constexpr double kMinSpreadByNoise = 4.0;
 /// Where both sides together form no line, so that the alternative is no normal at all, a little
 /// less suffices (a side of the full reach spreads by kReachByNoise / sqrt(12) = 3.5), if the
 /// points spread as far as this across the beam, too, where ranges put no noise.
-constexpr double kMinSpreadWithoutLine = 3.0;
+constexpr double kMinSpreadWithoutLine = 2.5;
 constexpr double kMinSpreadAcrossBeam = 1.0;
 
 /// Neighbouring beams hit one surface if the gap between their ends is at most this [m]. A wall

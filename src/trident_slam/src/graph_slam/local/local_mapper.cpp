@@ -64,7 +64,7 @@ MatchResult LocalMapper::match(const std::shared_ptr<const PointScan>& points,
   }
   const SE2 T_map_last = tracker_.T_map_base();
   tracker_.set_distance_noise(options_.odometry_distance_noise * calibration_.noise_fraction());
-  const MatchResult match = tracker_.track(*points, *motion);
+  MatchResult match = tracker_.track(*points, *motion);
   if (motion->problem.empty() && !motion->by_scans) {
     calibration_.learn(T_base_laser, T_map_last.inverse() * match.T_ref_base, match);
   } else {

@@ -13,41 +13,41 @@ namespace {
 constexpr double kLeaveStation = 1.5;
 /// Further than the course the bow is not turned [rad].
 constexpr double kLargestLead = 0.6;
-/// Of the cruise, from which a drift is turned into an angle of the bow.
-constexpr double kSlowestWay = 0.5;
+/// The speed by which a drift becomes a bow angle is at least this fraction of the cruise speed.
+constexpr double kMinSpeedFraction = 0.5;
 
 }  // namespace
 
-VesselController::Wish VesselController::wish(SimTime stamp, const VesselState& state,
-                                              double dt_s) {
-  Wish wish;
+VesselController::Setpoint VesselController::setpoint(SimTime stamp, const VesselState& state,
+                                                      double dt_s) {
+  Setpoint setpoint;
   switch (mode_) {
     case VesselMode::kIdle:
       break;
     case VesselMode::kVelocity:
-      return velocity_wish(stamp);
+      return velocity_setpoint(stamp);
     case VesselMode::kHeading:
-      wish.heading = angle_;
-      wish.speed = cruise_;
+      setpoint.heading = angle_;
+      setpoint.speed = cruise_;
       break;
     case VesselMode::kCourse:
-      wish.heading = course_heading(state, dt_s);
-      wish.speed = cruise_;
+      setpoint.heading = course_heading(state, dt_s);
+      setpoint.speed = cruise_;
       break;
     case VesselMode::kPath:
-      return path_wish(stamp, state, dt_s);
+      return path_setpoint(stamp, state, dt_s);
     case VesselMode::kStation:
-      return station_wish(state, dt_s);
+      return station_setpoint(state, dt_s);
   }
-  return wish;
+  return setpoint;
 }
 
-VesselController::Wish VesselController::velocity_wish(SimTime stamp) const {
-  Wish wish;
+VesselController::Setpoint VesselController::velocity_setpoint(SimTime stamp) const {
+  Setpoint setpoint;
   const bool is_old = has_timeout_ && (stamp - commanded_at_).seconds() > params_.cmd_vel.timeout;
-  wish.speed = is_old ? 0.0 : speed_;
-  wish.rate = is_old ? 0.0 : rate_;
-  return wish;
+  setpoint.speed = is_old ? 0.0 : speed_;
+  setpoint.rate = is_old ? 0.0 : rate_;
+  return setpoint;
 }
 
 double VesselController::course_heading(const VesselState& state, double dt_s) {
@@ -63,66 +63,69 @@ double VesselController::slowed(double heading, const VesselState& state) const 
                   std::cos(angle_difference(heading, state.heading)));
 }
 
-/// The heading that turns the way through the water towards `course`: a hull without a keel slides
-/// on as it went when its bow turns, so that the bow is to turn further until the way has followed.
+/// The heading that turns the motion through the water towards `course`: a hull without a keel
+/// keeps its velocity when its bow turns, so the bow has to turn further until the velocity has
+/// followed.
 double VesselController::steered_towards(double course, double speed,
                                          const VesselState& state) const {
-  const double way = state.heading + std::atan2(drift_.sway(), speed);
-  const double lead = params_.guidance.course_gain * angle_difference(course, way);
+  const double course_now = state.heading + std::atan2(drift_.sway(), speed);
+  const double lead = params_.guidance.course_gain * angle_difference(course, course_now);
   return wrap_to_pi(course + std::clamp(lead, -kLargestLead, kLargestLead));
 }
 
-VesselController::Wish VesselController::path_wish(SimTime stamp, const VesselState& state,
-                                                   double dt_s) {
-  Wish wish;
+VesselController::Setpoint VesselController::path_setpoint(SimTime stamp, const VesselState& state,
+                                                           double dt_s) {
+  Setpoint setpoint;
   const double speed = speed_through_water(stamp, state);
   const double course = path_.update(state.p_world, drift_.drift(), speed, dt_s);
-  wish.heading = steered_towards(course, speed, state);
-  wish.speed = cruise_ * slowed(wish.heading, state);
-  if (!path_.is_finished()) return wish;
+  setpoint.heading = steered_towards(course, speed, state);
+  setpoint.speed = cruise_ * slowed(setpoint.heading, state);
+  if (!path_.is_finished()) return setpoint;
   if (params_.guidance.at_end == PathEnd::kKeepStation) {
     keep_station(path_.goal(), path_.direction(), state);
-    return station_wish(state, dt_s);
+    return station_setpoint(state, dt_s);
   }
   enter(VesselMode::kVelocity, state);
   speed_ = rate_ = 0.0;
-  wish.speed = 0.0;
-  wish.rate = 0.0;
-  return wish;
+  setpoint.speed = 0.0;
+  setpoint.rate = 0.0;
+  return setpoint;
 }
 
-VesselController::Wish VesselController::station_wish(const VesselState& state, double dt_s) {
+VesselController::Setpoint VesselController::station_setpoint(const VesselState& state,
+                                                              double dt_s) {
   const Eigen::Vector2d away = station_ - state.p_world;
   const double near = params_.station.approach_radius * (is_near_station_ ? kLeaveStation : 1.0);
   const bool was_near = is_near_station_;
   is_near_station_ = away.norm() <= near;
-  Wish wish;
-  wish.over_ground = true;
+  Setpoint setpoint;
+  setpoint.over_ground = true;
   if (!is_near_station_) {
-    wish.heading = std::atan2(away.y(), away.x());
-    wish.speed = cruise_ * slowed(wish.heading, state);
-    return wish;
+    setpoint.heading = std::atan2(away.y(), away.x());
+    setpoint.speed = cruise_ * slowed(setpoint.heading, state);
+    return setpoint;
   }
   if (!was_near) {
     place_hold_.reset();
     weather_vane_.start(state, station_);
   }
   if (holds_pose_) {
-    wish.heading = angle_;
-    wish.force = place_hold_.hold(state, station_, dt_s);
-    return wish;
+    setpoint.heading = angle_;
+    setpoint.force = place_hold_.hold(state, station_, dt_s);
+    return setpoint;
   }
-  const WeatherVane::Wish vane = weather_vane_.update(state, station_, dt_s);
-  wish.heading = vane.heading;
-  wish.speed = vane.speed;
-  return wish;
+  const WeatherVane::Setpoint vane = weather_vane_.update(state, station_, dt_s);
+  setpoint.heading = vane.heading;
+  setpoint.speed = vane.speed;
+  return setpoint;
 }
 
-/// As a log or the drift tells it; a vessel that gathers way is taken for one at half its cruise.
+/// As measured by a log or derived from the drift; a vessel that accelerates counts as one at half
+/// of its cruise speed.
 double VesselController::speed_through_water(SimTime stamp, const VesselState& state) const {
   const Eigen::Vector2d bow(std::cos(state.heading), std::sin(state.heading));
-  const double told = has_log(stamp) ? *log_ : state.u - bow.dot(drift_.drift());
-  return std::max(told, kSlowestWay * cruise_);
+  const double measured = has_log(stamp) ? *log_ : state.u - bow.dot(drift_.drift());
+  return std::max(measured, kMinSpeedFraction * cruise_);
 }
 
 }  // namespace trident::control
