@@ -20,12 +20,15 @@ from typing import Any
 import genpy
 import rospy
 from geometry_msgs.msg import TransformStamped
+from nav_msgs.msg import Odometry
 from sensor_msgs.msg import LaserScan
 from tf2_msgs.msg import TFMessage
 from trident.testing import Process, Ros, complaints, eventually, recorder
 from trident.testing.fuzz import Campaign, CampaignOptions, Target
 
 MESSAGES = int(os.environ.get("TRIDENT_FUZZ_MESSAGES", "10000"))
+#: The long form: slow nodes get all of them, too (minutes for some).
+IS_LONG = os.environ.get("TRIDENT_FUZZ_LONG", "0") == "1"
 SEED = int(os.environ.get("TRIDENT_FUZZ_SEED", "1"))
 #: Lines that a node may complain in of 10^4 messages: it tells each kind now and then.
 MOST_COMPLAINTS = 300
@@ -35,6 +38,11 @@ _PROGRAM = re.compile(r"/lib/([^/]+/[^/]+)$")
 
 #: "package/program" of what has been treated in the test that runs.
 TREATED: set[str] = set()
+
+
+def messages(part: int) -> int:
+    """To a node that needs long for each: one part in so many of what others get."""
+    return MESSAGES if IS_LONG else max(MESSAGES // part, 100)
 
 
 def note_treated(target: Target | Process) -> None:
@@ -99,7 +107,12 @@ def withstands(
 
 
 class Asked:
-    """One sane topic to a node, and what it must answer."""
+    """One sane topic to a node, and what it must answer.
+
+    Attributes:
+        topic: that the node listens to.
+        make: a sane message of now.
+    """
 
     def __init__(self, topic: str, make: Callable[[], Any], answer: str, kind: Any) -> None:
         """Advertise it.
@@ -110,12 +123,13 @@ class Asked:
             answer: topic that the node answers on.
             kind: of the answers.
         """
-        self._make, self._answer, self._kind = make, answer, kind
-        self._topic = rospy.Publisher(topic, type(make()), queue_size=10, tcp_nodelay=True)
+        self.topic, self.make = topic, make
+        self._answer, self._kind = answer, kind
+        self._publisher = rospy.Publisher(topic, type(make()), queue_size=10, tcp_nodelay=True)
 
     def send(self) -> None:
         """Ask once."""
-        self._topic.publish(self._make())
+        self._publisher.publish(self.make())
 
     def is_answered(self) -> None:
         """Ask until some answers have come."""
@@ -129,7 +143,34 @@ class Asked:
 
     def close(self) -> None:
         """End the topic."""
-        self._topic.unregister()
+        self._publisher.unregister()
+
+
+def answers_on(
+    process: Process,
+    node: str,
+    asked: Asked,
+    examples: Mapping[str, genpy.Message] | None = None,
+) -> None:
+    """`withstands` of a node that answers one topic on another, which it is asked all the while.
+
+    Args:
+        process: that the node is in.
+        node: its full name.
+        asked: that topic, whose sane messages are an example, too.
+        examples: of other topics.
+    """
+    sane = {asked.topic: asked.make()}
+    withstands(process, node, asked.is_answered, {**(examples or {}), **sane}, asked.send)
+    asked.close()
+
+
+def odometry() -> Odometry:
+    """Of a vehicle that stands, now."""
+    message = Odometry()
+    message.header.stamp, message.header.frame_id = rospy.Time.now(), "odom"
+    message.pose.pose.orientation.w = 1.0
+    return message
 
 
 def transform(parent: str, child: str, x: float = 0.0) -> TransformStamped:

@@ -30,7 +30,7 @@ from gazebo_msgs.srv import (
     SpawnModelResponse,
 )
 from geometry_msgs.msg import Twist
-from hostile import MESSAGES, SEED, note_treated, started
+from hostile import IS_LONG, MESSAGES, SEED, messages, note_treated, started
 from nav_msgs.msg import MapMetaData, OccupancyGrid
 from nav_msgs.msg import Path as PathMessage
 from std_srvs.srv import Empty
@@ -46,16 +46,19 @@ from trident.testing.fuzz import (
 )
 from trident.testing.fuzz.generator import serialized
 from trident_eval.core.errors import EvalError
-from trident_eval.viewing.census import models_in_the_world
-from trident_eval.viewing.hold import Held
-from trident_eval.viewing.observer_camera import place_of
+from trident_fleet.core.errors import FormationError
+from trident_fleet.nodes.spawn_fleet import read_positions, spawn_all
 from trident_nav.nodes.waypoint_path import enrol
+from trident_viewer.census import models_in_the_world
+from trident_viewer.hold import Held
+from trident_viewer.observer_camera import place_of
 
 from trident_msgs.srv import EnrollSource, EnrollSourceResponse, Step, StepResponse
 
-#: They end at the first answer that they refuse.
-STARTS = 3
-ANSWERS = max(MESSAGES // 10, 100)
+#: They end at the first answer that they refuse, and a start takes tenths of a second.
+STARTS = 100 if IS_LONG else 3
+#: To functions of those nodes that need no start for each refusal.
+ANSWERS = messages(10)
 HOLDING = {
     "/gazebo/pause_physics": Empty,
     "/gazebo/step": Step,
@@ -100,7 +103,7 @@ def treat_starts(ros: Ros, package: str, name: str, *words: str, starts: int = S
         ends(process, 0, 1)
 
 
-@pytest.mark.fuzzes("trident_eval/hold_at.py")
+@pytest.mark.fuzzes("trident_viewer/hold_at.py")
 def test_hold_at(ros: Ros) -> None:
     examples = {
         "step": StepResponse(success=True, sim_time=rospy.Time(1, 500_000_000)),
@@ -111,15 +114,15 @@ def test_hold_at(ros: Ros) -> None:
         while answers.answered.total() < ANSWERS:
             with suppress(rospy.ROSException):
                 Held().advance_to(2.0, math.inf)
-        treat_starts(ros, "trident_eval", "hold_at.py", "1.5")
+        treat_starts(ros, "trident_viewer", "hold_at.py", "1.5")
     assert not answers.problems, answers.problems
 
 
-@pytest.mark.fuzzes("trident_eval/overview.py")
+@pytest.mark.fuzzes("trident_viewer/overview.py")
 def test_overview_asks(ros: Ros, tmp_path: Path) -> None:
     """Of what it hears: test_viewing.py."""
     with server(SHOWING, get_world_properties=WORLD) as answers:
-        while answers.answered.total() < ANSWERS // 4:
+        while answers.answered.total() < ANSWERS:
             with suppress(EvalError):
                 for sphere in models_in_the_world():
                     assert all(map(math.isfinite, (*sphere.centre, sphere.radius_m)))
@@ -128,7 +131,7 @@ def test_overview_asks(ros: Ros, tmp_path: Path) -> None:
     with server({**SHOWING, **HOLDING}, get_world_properties=WORLD) as answers:
         # Once: it is the slowest of them.
         words = ("--hold", f"--out={tmp_path / 'all.png'}")
-        treat_starts(ros, "trident_eval", "overview.py", *words, starts=1)
+        treat_starts(ros, "trident_viewer", "overview.py", *words, starts=1)
     assert not answers.problems, answers.problems
 
 
@@ -148,6 +151,9 @@ def test_spawn_fleet(ros: Ros) -> None:
     parameters = {"robot_description": "<robot name='NAME'/>", "namespace_token": "NAME"}
     ros.set_param("/spawn_fleet", {**parameters, "positions": positions})
     with server(SPAWNING, spawn_urdf_model=SpawnModelResponse(True, "")) as answers:
+        while answers.answered.total() < ANSWERS:
+            with suppress(FormationError, rospy.ServiceException):
+                spawn_all("<robot name='NAME'/>", "NAME", read_positions(positions, None))
         treat_starts(ros, "trident_fleet", "spawn_fleet.py")
     assert not answers.problems, answers.problems
 
@@ -200,7 +206,7 @@ def withstands_until_it_sends(process: Process, last: str) -> None:
     target = Target("/sender", skip=("/command/trajectory",))  # with a listener its work is done
     note_treated(target)
     eventually(lambda: last in target.subscriptions(), f"a subscriber of {last}")
-    found = Campaign(target, CampaignOptions(messages=ANSWERS, seed=SEED)).run()
+    found = Campaign(target, CampaignOptions(messages=MESSAGES, seed=SEED)).run()
     print(found.text())
     assert not found.problems, found.text()
     with recorder("/command/trajectory", MultiDOFJointTrajectory) as sent:
@@ -216,7 +222,7 @@ def test_map_saver(ros: Ros, tmp_path: Path) -> None:
     topic = rospy.Publisher("/map", OccupancyGrid, queue_size=None, tcp_nodelay=True)
     command = [program("map_server", "map_saver"), "__name:=saver", "-f", str(tmp_path / "map")]
     process = started(ros, "/saver", command)
-    for number in range(ANSWERS // 2):
+    for number in range(messages(20)):
         if not process.running:
             ends(process, 0)
             process = started(ros, "/saver", command)

@@ -7,22 +7,14 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
-import rospy
 import yaml
 from geometry_msgs.msg import PoseStamped, Transform
-from hostile import Asked, started, withstands
+from hostile import Asked, answers_on, odometry, started
 from mav_msgs.msg import Actuators, RollPitchYawrateThrust
-from nav_msgs.msg import Odometry, Path
+from nav_msgs.msg import Path
 from std_msgs.msg import Float32
 from trajectory_msgs.msg import MultiDOFJointTrajectory, MultiDOFJointTrajectoryPoint
 from trident.testing import Ros, package, program
-
-
-def odometry() -> Odometry:
-    """Of a vehicle that stands, now."""
-    message = Odometry()
-    message.header.stamp, message.pose.pose.orientation.w = rospy.Time.now(), 1.0
-    return message
 
 
 def firefly(gains: str) -> dict[str, Any]:
@@ -48,10 +40,7 @@ def treat(
     kind_of_answer = Float32 if "answer" in where else Actuators
     asked = Asked("/UAV1/odometry", odometry, f"/UAV1/{topic}", kind_of_answer)
     examples = {f"/UAV1/{name}": message for name, message in examples.items()}
-    withstands(
-        process, node, asked.is_answered, {**examples, "/UAV1/odometry": odometry()}, asked.send
-    )
-    asked.close()
+    answers_on(process, node, asked, examples)
 
 
 @pytest.mark.fuzzes("rotors_control/lee_position_controller_node")

@@ -32,6 +32,11 @@ NO_NODES = {
     "gazebo_ros/gazebo": "a shell script that starts gzserver",
     "gazebo_ros/gzclient": "a shell script without a node",
     "gazebo_ros/perf": "a shell script that starts gzserver in a profiler",
+    "trident_eval/fleet_markers.py": "becomes trident_viewer's",
+    "trident_eval/hold_at.py": "becomes trident_viewer's",
+    "trident_eval/observer.py": "becomes trident_viewer's",
+    "trident_eval/overview.py": "becomes trident_viewer's",
+    "trident_eval/slam_tour.py": "becomes trident_benchmarks'",
     "trident_slam/slam_offline_bag": "reads a file; never calls ros::init",
     "trident_testing/fuzz_node": "is the fuzzer",
 }

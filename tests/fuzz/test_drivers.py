@@ -7,26 +7,15 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
-import rospy
 from geometry_msgs.msg import Twist
-from hostile import Asked, room_scan, started, withstands
-from nav_msgs.msg import Odometry
+from hostile import Asked, answers_on, odometry, room_scan, started
 from sensor_msgs.msg import Joy
 from trident.testing import Ros, program
 
 
-def odometry() -> Odometry:
-    message = Odometry()
-    message.header.stamp, message.header.frame_id = rospy.Time.now(), "odom"
-    message.pose.pose.orientation.w = 1.0
-    return message
-
-
 def treat(ros: Ros, package: str, name: str, topic: str, make: Any, *words: str) -> None:
     process = started(ros, "/driver", [program(package, name), "__name:=driver", *words])
-    asked = Asked(topic, make, "/cmd_vel", Twist)
-    withstands(process, "/driver", asked.is_answered, {topic: make()}, asked.send)
-    asked.close()
+    answers_on(process, "/driver", Asked(topic, make, "/cmd_vel", Twist))
 
 
 @pytest.mark.fuzzes("trident_nav/wander.py")

@@ -8,30 +8,31 @@ import signal
 from pathlib import Path
 
 import pytest
-from hostile import MESSAGES, SEED, note_treated, started
+from hostile import SEED, messages, note_treated, started
 from trident.testing import Gazebo, Launch, Ros, pose, program
 from trident.testing.fuzz import Campaign, CampaignOptions, Target
 
 LEADER = "/UAV1/odometry_sensor1/odometry"
-#: Nodes that share the code of formation_node, each with a vehicle of its own.
+#: Nodes that share the code of formation_node, each with a vehicle of its own: what they are, and
+#: one in how many messages they get. The first one plans anew whenever time goes back; the last one
+#: answers each command that is not its own with all that it sent lately.
 NODES = {
-    "UAV1": ("trident_fleet", "formation_all.py"),
-    "UAV2": ("trident_fleet", "waypoint_flight.py"),
-    "UAV3": ("rotors_teleop", "rotors_formation_son.py"),
+    "UAV1": ("trident_fleet", "formation_all.py", 5),
+    "UAV2": ("trident_fleet", "waypoint_flight.py", 1),
+    "UAV3": ("rotors_teleop", "rotors_formation_son.py", 100),
 }
 
 
-def withstands(node: str, share: int = 30) -> None:
+def withstands(node: str, part: int = 1) -> None:
     """It lives, and commands nothing that is no number.
 
     Who takes the simulator's place, or the leader's, is obeyed: where it flies is not asked.
 
     Args:
         node: its full name.
-        share: it gets one part in so many of what other nodes get: each message may have it
-            command minutes of a flight.
+        part: see `messages`: each of them may have it command minutes of a flight.
     """
-    count = max(MESSAGES // share, 100)
+    count = messages(part)
     settings = CampaignOptions(messages=count, seed=SEED, batch=20, words=("UAV1", "UAV2"))
     target = Target(node)
     note_treated(target)
@@ -83,7 +84,7 @@ def world(ros: Ros) -> Gazebo:
     return simulation
 
 
-@pytest.mark.fuzzes(*(f"{package}/{name}" for package, name in NODES.values()))
+@pytest.mark.fuzzes(*(f"{package}/{name}" for package, name, _ in NODES.values()))
 def test_its_kin(ros: Ros, world: Gazebo, tmp_path: Path) -> None:
     """Their common code is under more of them in `test_a_formation_node`."""
     file = tmp_path / "one.txt"
@@ -98,13 +99,13 @@ def test_its_kin(ros: Ros, world: Gazebo, tmp_path: Path) -> None:
         name: started(
             ros,
             f"/source_{name}",
-            [program(*NODES[name]), f"__name:=source_{name}", *words[name]],
+            [program(*NODES[name][:2]), f"__name:=source_{name}", *words[name]],
         )
         for name in NODES
     }
     world.step_to(1.0)
     for name, process in processes.items():
-        withstands(f"/source_{name}", 100)
+        withstands(f"/source_{name}", NODES[name][2])
         has_no_traceback(name, process.log)
         assert process.running, process.log
     assert {process.stop(signal.SIGINT) for process in processes.values()} == {0}

@@ -32,7 +32,7 @@ def include_flags() -> list[str]:
     packages = ["trident_base", "trident_sim"]
     flags = [f"-I{REPO / 'src' / package / 'include'}" for package in packages]
     system = subprocess.run(
-        ["pkg-config", "--cflags", "eigen3", "ode"], capture_output=True, text=True, check=True
+        ["pkg-config", "--cflags", "eigen3"], capture_output=True, text=True, check=True
     )
     return flags + system.stdout.split()
 
@@ -41,7 +41,7 @@ def include_flags() -> list[str]:
 def plugin_folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("plugin")
     source = folder / "push_plugin.cpp"
-    source.write_text(code_of("add_a_plugin.md", "cpp"), encoding="utf-8")
+    source.write_text(code_of("howto/add_a_plugin.md", "cpp"), encoding="utf-8")
     command = ["g++", "-std=c++17", "-shared", "-fPIC", "-Wall", "-Wextra", "-Werror"]
     command += [*include_flags(), str(source), "-o", str(folder / "libpush_plugin.so")]
     subprocess.run(command, check=True)
@@ -90,7 +90,18 @@ def test_the_plugin_of_the_docs_refuses_bad_parameters(
 
 def test_the_world_of_the_docs_loads(tmp_path: Path) -> None:
     file = tmp_path / "yard.world"
-    file.write_text(code_of("add_a_world.md", "xml"), encoding="utf-8")
+    file.write_text(code_of("howto/add_a_world.md", "xml"), encoding="utf-8")
     world = trident_sim.World(str(file))
     assert {"ground_plane", "wall"} <= set(world.models)
     world.step(10)
+
+
+def test_the_robot_of_the_docs_has_its_lidar(tmp_path: Path) -> None:
+    file = tmp_path / "my_robot.urdf.xacro"
+    file.write_text(code_of("howto/add_a_sensor.md", "xml"), encoding="utf-8")
+    world = trident_sim.World(EMPTY)
+    world.spawn("my_robot", urdf=trident_sim.expand_xacro(str(file)))
+    points = world.ports["my_robot/velodyne_points"]
+    points.subscribe()
+    world.step_until(0.2)
+    assert points.value.points.shape[0] > 1000

@@ -83,7 +83,7 @@ def test_an_observer_draws_what_goes_on(launch: Start, tmp_path: FilePath) -> No
     words += ["--size", "160x100"]
     out = tmp_path / "seen.png"
     run.ros.call(
-        *("rosrun", "trident_eval", "observer.py", *words),
+        *("rosrun", "trident_viewer", "observer.py", *words),
         *("--count", "2", "--every", "0.2", "--out", out),
     )
     first, second = (Image.open(tmp_path / f"seen_000{n}.png") for n in (0, 1))

@@ -16,7 +16,7 @@ from harness import REPO, Gazebo, Ros, box_sdf, eventually, pose, recorder
 from matplotlib.image import imread
 from visualization_msgs.msg import Marker, MarkerArray
 
-HOLD = ("rosrun", "trident_eval", "hold_at.py")
+HOLD = ("rosrun", "trident_viewer", "hold_at.py")
 SIZE = (600, 400)
 
 
@@ -35,7 +35,7 @@ def test_a_simulation_is_held_at_a_time_to_the_step(
 def test_the_fleet_is_shown_where_it_is(ros: Ros, gazebo: Gazebo) -> None:
     gazebo.spawn("UAV1", at=pose(1.0, 2.0, 0.5))
     ros.set_param("/UAV1/robot_description", "")
-    ros.launch(["rosrun", "trident_eval", "fleet_markers.py"])
+    ros.launch(["rosrun", "trident_viewer", "fleet_markers.py"])
     with recorder("/fleet_markers", MarkerArray) as heard:
         gazebo.step(1)
         heard.received()
@@ -54,7 +54,7 @@ def test_a_film_of_a_model_that_is_followed(ros: Ros, gazebo: Gazebo, tmp_path: 
     path = tmp_path / "film.mp4"
     words = ["--follow", "box", "--from", "0", "-1", "0.5", "--at", "0", "0", "0"]
     words += ["--size", "96x64", "--seconds", "0.8", "--out", str(path)]
-    film = ros.launch(["rosrun", "trident_eval", "observer.py", *words])
+    film = ros.launch(["rosrun", "trident_viewer", "observer.py", *words])
 
     def is_filmed() -> bool:
         gazebo.step(4)  # a frame of 25 per second

@@ -124,23 +124,23 @@ class _Steps:
     [
         (
             ["bench", "sim", "--quick", "--out", "rows.json", "--dry-run"],
-            "would run: /usr/bin/python3 -m trident_eval.bench sim --quick --out rows.json\n",
+            "would run: /usr/bin/python3 -m trident_benchmarks sim --quick --out rows.json\n",
         ),
         (
             ["bench", "--dry-run", "slam", "--world", "office"],
-            "would run: /usr/bin/python3 -m trident_eval.slam bench --world office\n",
+            "would run: /usr/bin/python3 -m trident_benchmarks slam --world office\n",
         ),
         (
             ["slam", "drive.log", "--lifelong", "--dry-run"],
             "would run: /usr/bin/python3 -m trident_eval.slam slam drive.log --lifelong\n",
         ),
         (
-            ["bench", "vessels", "--out", "docs/vessels", "--dry-run"],
-            "would run: /usr/bin/python3 -m trident_eval.vessels --out docs/vessels\n",
+            ["bench", "vessels", "--out", "docs/images/vessels", "--dry-run"],
+            "would run: /usr/bin/python3 -m trident_benchmarks vessels --out docs/images/vessels\n",
         ),
         (
             ["bench", "posegraph", "--quick", "a.g2o", "--dry-run"],
-            "would run: /usr/bin/python3 -m trident_eval.pose_graph.bench --quick a.g2o\n",
+            "would run: /usr/bin/python3 -m trident_benchmarks posegraph --quick a.g2o\n",
         ),
         (
             ["posegraph", "a.g2o", "--robust", "gnc", "--dry-run"],

@@ -29,7 +29,12 @@ def page(tmp_path: Path) -> Path:
         ("[a](other.md#three)", "page.md:1: link to 'other.md#three': no heading has this anchor"),
         ("| [a](absent.md) |", "page.md:1: link to 'absent.md': there is no absent.md"),
         (f"x\n{LONG}", "page.md:2: 200 columns, legal: up to 120"),
-        (f"| {LONG} |", ""),
+        (
+            "| a | " + "x" * 121 + " |",
+            "page.md:1: a table cell of 121 characters, legal: up to 120",
+        ),
+        ("| " + "x" * 120 + " | [b](other.md) |", ""),
+        ("```\n| " + "x" * 121 + " |\n```", ""),
         (f"```\n{LONG}\n```", ""),
     ],
 )

@@ -34,15 +34,15 @@ def _nothing_is_built(clone: Workspace, monkeypatch: pytest.MonkeyPatch) -> None
             "--uavs 7 --formation p.mat --vehicles-in-file 8 --out f.launch",
         ),
         ("worldmap forest --above-ground", "trident_sim.worldmap forest --above-ground"),
-        ("worldgen forest --seed 2", "trident_sim.worldgen forest --seed 2"),
+        ("worldgen forest --seed 2", "trident_worldgen forest --seed 2"),
         ("worldmap room", "trident_sim.worldmap room"),
         (
             "worldmap a.world --height 0.2 --height 1 --start=-2,0 --out m.pgm --resolution 0.1",
             "trident_sim.worldmap a.world "
             "--out m.pgm --resolution 0.1 --height 0.2 --height 1.0 --start=-2,0",
         ),
-        ("worldgen office --seed 4 --out w", "trident_sim.worldgen office --seed 4 --out w"),
-        ("worldgen hall --length 12.5", "trident_sim.worldgen hall --length 12.5"),
+        ("worldgen office --seed 4 --out w", "trident_worldgen office --seed 4 --out w"),
+        ("worldgen hall --length 12.5", "trident_worldgen hall --length 12.5"),
     ],
 )
 def test_what_is_given_is_passed_on(

@@ -23,8 +23,8 @@ def _needed(*nodes: tuple[str, str], found: tuple[str, ...] = ()) -> set[str] | 
 def test_the_simulator_comes_with_its_plugins_and_without_slam() -> None:
     needed = _needed(("gazebo_ros", "worlds/a.world"), ("rviz", ""))
     assert needed is not None
-    assert {"gazebo_ros", "trident_sim", "trident_control", "trident_base"} <= needed
-    assert not {"trident_slam", "trident_estimation", "slam_toolbox"} & needed
+    assert {"gazebo_ros", "trident_sim_ros", "trident_control", "trident_base"} <= needed
+    assert not {"trident_slam", "trident_estimation", "slam_toolbox", "trident_sim_py"} & needed
 
 
 def test_the_package_of_a_node_comes_with_all_that_it_runs_with() -> None:
@@ -53,7 +53,9 @@ def test_the_tool_needs_what_checks_and_judges_a_run() -> None:
     assert {"trident_fleet", "trident_msgs"} <= needed
 
 
-@pytest.mark.parametrize("package", ["trident_eval", "trident_testing", "of_an_overlay"])
+@pytest.mark.parametrize(
+    "package", ["trident_benchmarks", "trident_testing", "trident_viewer", "of_an_overlay"]
+)
 def test_whatever_may_start_anything_needs_everything(package: str) -> None:
     assert _needed((package, "")) is None
 

@@ -21,14 +21,14 @@ def test_a_film_is_made_by_the_observer(clone: Workspace) -> None:
     look = Look(("a.launch",), size=Size(640, 400), recording=recording)
     command = viewer_command(clone, look, {"DISPLAY": ":0"})
     words = "--seconds 5 --out a.mp4 --wait 60 --size 640x400 --follow robot"
-    assert command == ["rosrun", "trident_eval", "observer.py", *words.split()]
+    assert command == ["rosrun", "trident_viewer", "observer.py", *words.split()]
 
 
 def test_rerun_is_opened_where_there_is_a_display(clone: Workspace) -> None:
     look = Look(recording=Recording(rerun=True, out=Path("a.rrd")))
     command = viewer_command(clone, look, {})
     assert command[0] == str(clone.venv_python)
-    assert command[1:] == ["-m", "trident_eval.viewing.to_rerun", "--out", "a.rrd"]
+    assert command[1:] == ["-m", "trident_viewer.to_rerun", "--out", "a.rrd"]
     assert viewer_command(clone, look, {"DISPLAY": ":0"}) == [*command, "--viewer"]
 
 

@@ -14,7 +14,6 @@ import sys
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from trident_tool import unity_build
 from trident_tool.workspace import (
     Runner,
     TridentError,
@@ -222,7 +221,6 @@ def build(
         raise TridentError(f"{workspace.build} is not writable: was it built by another user?")
     with _exclusive(workspace):
         configure(workspace, runner)
-        unity_build.update(workspace.build)
         # stdout belongs to the command that is run after the build.
         env = clean_environment() | _shared_compiler_cache(workspace)
         runner.check(command, what="building", env=env, stdout=sys.stderr)

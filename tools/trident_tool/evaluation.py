@@ -1,16 +1,18 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""Commands of the evaluation package, with the options that the package itself parses.
+"""Commands of trident_eval, and of trident_benchmarks: with the options that they parse themselves.
 
-The options are loaded from its source, so that help and wrong options need no build.
+The options are loaded from their sources, so that help and wrong options need no build.
 """
 
 from __future__ import annotations
 
 import argparse
+import importlib
 import importlib.util
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -19,42 +21,66 @@ from trident_tool.modules import run_module
 from trident_tool.workspace import Runner, TridentError, Workspace
 
 _OPTIONS = "src/trident_eval/src/trident_eval/options.py"
+_BENCHMARKS = "src/trident_benchmarks/src"
+_ROOT = Path(__file__).resolve().parents[2]
 _WHAT_IS_MEASURED = "what"
 
 
 def _load_options() -> Any:
-    """The package's module of options."""
-    path = Workspace(Path(__file__).resolve().parents[2]).root / _OPTIONS
-    spec = importlib.util.spec_from_file_location("trident_eval_options", path)
+    """The module of trident_eval's options."""
+    spec = importlib.util.spec_from_file_location("trident_eval_options", _ROOT / _OPTIONS)
     assert spec is not None
     assert spec.loader is not None
     module = importlib.util.module_from_spec(spec)
-    writes, sys.dont_write_bytecode = sys.dont_write_bytecode, True
-    try:
-        spec.loader.exec_module(module)
-    finally:
-        sys.dont_write_bytecode = writes
+    spec.loader.exec_module(module)
     return module
 
 
+def _add_benchmarks(kinds: Any) -> None:
+    """A subparser for each benchmark of the registry, by the benchmark's own file."""
+    sources = str(_ROOT / _BENCHMARKS)
+    sys.path.insert(0, sources)
+    try:
+        registry = importlib.import_module("trident_benchmarks.registry")
+        for benchmark in registry.BENCHMARKS:
+            sub = kinds.add_parser(benchmark.name, help=benchmark.help, description=benchmark.help)
+            # It may stand before the benchmark's name: its absence here says nothing.
+            sub.add_argument(
+                "--dry-run",
+                action="store_true",
+                default=argparse.SUPPRESS,
+                help="print what would be done, and do nothing",
+            )
+            benchmark.load().add_options(sub)
+            sub.set_defaults(call=("trident_benchmarks", benchmark.name), passes_on=False)
+    finally:
+        sys.path.remove(sources)
+
+
+@contextmanager
+def _without_bytecode() -> Iterator[None]:
+    """Nothing is written beside the sources that are imported."""
+    writes, sys.dont_write_bytecode = sys.dont_write_bytecode, True
+    try:
+        yield
+    finally:
+        sys.dont_write_bytecode = writes
+
+
 def add_evaluation_commands(add: Callable[[str, Handler, str], argparse.ArgumentParser]) -> None:
-    """Adds the package's commands, and ``bench`` with a subparser for each benchmark."""
+    """Adds the packages' commands; ``bench`` has a subparser for each benchmark."""
+    with _without_bytecode():
+        _add_commands(add)
+
+
+def _add_commands(add: Callable[[str, Handler, str], argparse.ArgumentParser]) -> None:
     options = _load_options()
     for command in options.COMMANDS:
         sub = add(command.name, _cmd_report if command.name == "report" else _run, command.help)
         _set_up(sub, command)
     bench = add("bench", _run, "measure; each benchmark has options of its own: bench sim -h")
     kinds = bench.add_subparsers(dest=_WHAT_IS_MEASURED, metavar="BENCHMARK", required=True)
-    for command in options.BENCHMARKS:
-        sub = kinds.add_parser(command.name, help=command.help, description=command.help)
-        # It may stand before the benchmark's name: its absence here says nothing.
-        sub.add_argument(
-            "--dry-run",
-            action="store_true",
-            default=argparse.SUPPRESS,
-            help="print what would be done, and do nothing",
-        )
-        _set_up(sub, command)
+    _add_benchmarks(kinds)
 
 
 def _set_up(parser: argparse.ArgumentParser, command: Any) -> None:

@@ -8,14 +8,20 @@ import os
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
+from trident_tool.headers import run_headers
 from trident_tool.markdown import check_pages
 from trident_tool.rooms import check_rooms
 from trident_tool.thread_safety import run_thread_safety
 from trident_tool.tidy import run_clang_tidy
+from trident_tool.words import check_words
 from trident_tool.workspace import Runner, TridentError, Workspace, base_environment
 
 _SKIPPED_FOLDERS = {"build", "out", "third_party", "__pycache__", "node_modules"}
 _CPP_SUFFIXES = {".h", ".hpp", ".cpp", ".cc"}
+_SPELLED_SUFFIXES = _CPP_SUFFIXES | {
+    *(".py", ".pyi", ".md", ".yaml", ".txt", ".cmake", ".xml", ".launch", ".test"),
+    *(".msg", ".srv", ".action", ".xacro", ".urdf", ".sdf", ".world"),
+}
 
 
 def source_files(root: Path) -> Iterator[Path]:
@@ -116,6 +122,11 @@ def _markdown(workspace: Workspace, runner: Runner, fix: bool) -> int:
     return check_pages(pages, workspace.root, fix)
 
 
+def _headers(workspace: Workspace, runner: Runner, fix: bool) -> int:
+    del fix  # which header a name is from is for its user to say
+    return run_headers(workspace, runner)
+
+
 def _rooms(workspace: Workspace, runner: Runner, fix: bool) -> int:
     del fix  # where a file belongs is a question of design
     files = cpp_files(workspace.root)
@@ -123,6 +134,27 @@ def _rooms(workspace: Workspace, runner: Runner, fix: bool) -> int:
         print("check the includes of", *files)
         return 0
     return check_rooms(workspace.root, files)
+
+
+def _reference(workspace: Workspace, runner: Runner, fix: bool) -> int:
+    # The parser's module names the checks of this one in its help.
+    from trident_tool.cli import make_parser
+    from trident_tool.reference import check_reference
+
+    if runner.dry_run:
+        print("compare docs/reference with launch files, commands and plugins")
+        return 0
+    return check_reference(workspace.root, make_parser(), fix)
+
+
+def _words(workspace: Workspace, runner: Runner, fix: bool) -> int:
+    files = [path for path in source_files(workspace.root) if path.suffix in _SPELLED_SUFFIXES]
+    config: list[str | Path] = ["--toml", workspace.root / "pyproject.toml"]
+    spelling = runner.run([workspace.venv_python, "-m", "codespell_lib", *config, *files])
+    if runner.dry_run:
+        return spelling
+    sources = [*cpp_files(workspace.root), *python_files(workspace.root)]
+    return check_words(workspace.root, sources, fix) or spelling
 
 
 CHECKS: dict[str, Callable[[Workspace, Runner, bool], int]] = {
@@ -133,6 +165,9 @@ CHECKS: dict[str, Callable[[Workspace, Runner, bool], int]] = {
     "thread-safety": _thread_safety,
     "markdown": _markdown,
     "rooms": _rooms,
+    "words": _words,
+    "headers": _headers,
+    "reference": _reference,
 }
 
 

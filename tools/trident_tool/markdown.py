@@ -10,6 +10,8 @@ from collections.abc import Iterator
 from pathlib import Path
 
 MAX_COLUMNS = 120
+MAX_CELL = 120
+_CELL_BORDER = re.compile(r"(?<!\\)\|")
 _LINK = re.compile(r"\]\(([^)\s]+)\)")
 _HEADING = re.compile(r"^#{1,6}\s+(.*)$")
 _LIST_ITEM = re.compile(r"^(\s*(?:[-*]|\d+\.)\s+|\s*)")
@@ -58,7 +60,22 @@ def problems(path: Path, root: Path) -> list[str]:
     for number, line in prose_lines(text):
         if len(line) > MAX_COLUMNS and " " in line.strip() and not line.lstrip().startswith("!["):
             found.append(f"{name}:{number}: {len(line)} columns, legal: up to {MAX_COLUMNS}")
+    for number, cell in _long_cells(text):
+        found.append(f"{name}:{number}: a table cell of {cell} characters, legal: up to {MAX_CELL}")
     return found
+
+
+def _long_cells(text: str) -> Iterator[tuple[int, int]]:
+    """Line and length of each table cell that is a paragraph; a link counts by what is shown."""
+    prose = dict(prose_lines(text))
+    is_code = False
+    for number, line in enumerate(text.splitlines(), start=1):
+        is_code ^= line.lstrip().startswith("```")
+        if is_code or number in prose or not line.startswith("|"):
+            continue
+        for cell in _CELL_BORDER.split(_LINK.sub("]", line)):
+            if len(cell.strip()) > MAX_CELL:
+                yield number, len(cell.strip())
 
 
 def _link_problem(page: Path, target: str, text: str) -> str:

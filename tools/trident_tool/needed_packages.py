@@ -20,8 +20,12 @@ from trident_tool.workspace import TridentError, Workspace
 _OF_THE_TOOL = ("trident_fleet", "trident_msgs")
 #: The simulator loads plugins by name: what is compiled against it may be one.
 _SIMULATOR = "trident_sim"
+#: Compiled against it and no plugin: the simulator as a module of Python.
+_PYTHON_MODULE = "trident_sim_py"
 #: Their nodes start launch files of their own.
-_START_OTHERS = frozenset({"trident_eval", "trident_testing"})
+_START_OTHERS = frozenset(
+    {"trident_benchmarks", "trident_eval", "trident_testing", "trident_viewer"}
+)
 _DISTRIBUTION = (Path("/usr/share"), Path("/opt/ros"))
 _RUN = ("depend", "exec_depend", "run_depend")
 _BUILD = ("depend", "build_depend", "build_export_depend")
@@ -86,7 +90,7 @@ def needed_packages(
         return None
     if _SIMULATOR in needed:
         plugins = {name for name, one in packages.items() if _SIMULATOR in one.builds_with}
-        needed |= _with_all_they_run_with(plugins, packages)
+        needed |= _with_all_they_run_with(plugins - {_PYTHON_MODULE}, packages)
     return needed | (set(facts["found"]) & set(packages))
 
 

@@ -69,11 +69,11 @@ class Recording:
             words += ["--out", str(self.film), "--wait", str(_LATE_S)]
             words += ["--size", f"{size.width}x{size.height}"] if size is not None else []
             words += ["--follow", self.follow] if self.follow is not None else []
-            return ["rosrun", "trident_eval", "observer.py", *words]
+            return ["rosrun", "trident_viewer", "observer.py", *words]
         words += ["--out", str(self.out)] if self.out is not None else []
         words += ["--viewer"] if env.get("DISPLAY") else []
         # Of .venv: rerun is no package of Debian's.
-        return [str(workspace.venv_python), "-m", "trident_eval.viewing.to_rerun", *words]
+        return [str(workspace.venv_python), "-m", "trident_viewer.to_rerun", *words]
 
 
 def _check_file(option: str, file: Path | None, suffix: str) -> None:

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""Which C++ file may include which: packages by their package.xml, rooms of a package by tools/rooms.yaml."""
+"""Which C++ file may include which: packages by package.xml, rooms by tools/rooms.yaml."""
 
 from __future__ import annotations
 
@@ -50,7 +50,9 @@ def read_house(root: Path) -> House:
         depends = {(item.text or "").strip() for item in tree if "depend" in item.tag}
         name = (tree.findtext("name") or "").strip()
         house.packages[manifest.parent.relative_to(root)] = name, depends
-    table: Mapping[str, Mapping[str, list[str]]] = yaml.safe_load((root / TABLE).read_text(encoding="utf-8"))
+    table: Mapping[str, Mapping[str, list[str]]] = yaml.safe_load(
+        (root / TABLE).read_text(encoding="utf-8")
+    )
     house.rooms = {Path(folder): dict(rooms) for folder, rooms in table.items()}
     return house
 
@@ -116,7 +118,8 @@ def _problem(house: House, source: Path, target: Path) -> str:
         return f"{TABLE} does not list the room {room[1]} of {room[0]}"
     if target_room[1] in allowed:
         return ""
-    return f"the room {room[1]} may include {', '.join(allowed) or 'no other room'}, not {target_room[1]}"
+    names = ", ".join(allowed) or "no other room"
+    return f"the room {room[1]} may include {names}, not {target_room[1]}"
 
 
 def check_rooms(root: Path, sources: Iterable[Path]) -> int:

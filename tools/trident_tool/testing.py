@@ -4,10 +4,12 @@
 
 from __future__ import annotations
 
+import json
 import os
-from collections.abc import Sequence
+import subprocess
+from collections.abc import Iterable, Sequence
 
-from trident_tool.building import build
+from trident_tool.building import build, configure
 from trident_tool.environment import ros_environment
 from trident_tool.processes import ends_by_exception, started
 from trident_tool.workspace import Runner, Workspace, base_environment, hide_from_crawlers
@@ -40,6 +42,45 @@ def clang_tidy_command(workspace: Workspace) -> list[str]:
     return ["nice", "-n", "19", "/usr/bin/python3", str(lint), "clang-tidy"]
 
 
+def targets_of_tests(names: Iterable[str]) -> list[str]:
+    """What ninja has to build for tests of these names.
+
+    A gtest needs its program alone; a check of the sources (lint_) needs nothing but the
+    configuration. A pytest or rostest may start any node, so that all is built for it.
+    """
+    targets = []
+    for name in names:
+        _, is_gtest, program = name.partition("_gtest_")
+        if is_gtest:
+            targets.append(program)
+        elif not name.startswith("lint_"):
+            return ["all", "tests"]
+    return targets
+
+
+def matching_tests(workspace: Workspace, pattern: str) -> list[str]:
+    """Names of the configured tests that a pattern selects."""
+    listing = subprocess.run(
+        ["ctest", "--test-dir", str(workspace.build), "--show-only=json-v1", "-R", pattern],
+        env=base_environment(),
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    return [test["name"] for test in json.loads(listing.stdout)["tests"]]
+
+
+def _build_for(workspace: Workspace, runner: Runner, pattern: str | None) -> None:
+    """Builds what the selected tests need."""
+    if pattern is None or runner.dry_run:
+        build(workspace, runner, ["all", "tests"])
+        return
+    configure(workspace, runner)
+    targets = targets_of_tests(matching_tests(workspace, pattern))
+    if targets:
+        build(workspace, runner, targets)
+
+
 def run_tests(
     workspace: Workspace,
     runner: Runner,
@@ -47,8 +88,8 @@ def run_tests(
     jobs: int | None = None,
     extra: Sequence[str] = (),
 ) -> int:
-    """Builds all and the tests, runs them, and returns ctest's exit code."""
-    build(workspace, runner, ["all", "tests"])
+    """Builds what the selected tests need, runs them, and returns ctest's exit code."""
+    _build_for(workspace, runner, pattern)
     # A simulation and its controllers keep more than one core busy: more at once only adds noise.
     parallel = jobs or min(2, len(os.sched_getaffinity(0)))
     env = base_environment() if runner.dry_run else ros_environment(workspace)

@@ -30,9 +30,9 @@ from trident_tool.workspace import Runner, TridentError, Workspace, base_environ
 
 _INCLUDE = re.compile(rb'^[ \t]*#[ \t]*include[ \t]*[<"]([^>"]+)[>"]', re.MULTILINE)
 _UNITY = re.compile(r"/Unity/unity_[^/]+_cxx\.cxx$")
-_CORE = re.compile(r"src/[^/]+/src/.+\.(cpp|cc)")
+_CORE = re.compile(r"src/[^/]+(?<!_ros)(?<!_py)/src/.+\.(cpp|cc)")
 _TOKEN_ROOT = "<root>"
-_UNITS_IN_A_BATCH = 12
+_UNITS_IN_A_BATCH = 10  # two groups of the unity build
 
 
 @dataclass(frozen=True)
@@ -101,14 +101,14 @@ def _without_precompiled_headers(flags: list[str]) -> tuple[str, ...]:
 
 
 def core_units(units: Iterable[CompileCommand], root: Path) -> list[CompileCommand]:
-    """Those of ``units`` in the core (``src/<pkg>/src``) of a package, once each, by name."""
+    """Those of ``units`` in the core (``src/<pkg>/src``) of a package without ROS, once each."""
     found: dict[Path, CompileCommand] = {}
     for unit in units:
         if unit.source.is_relative_to(root) and _CORE.fullmatch(
             unit.source.relative_to(root).as_posix()
         ):
             found.setdefault(unit.source, unit)
-    return [found[source] for source in sorted(found)]
+    return list(found.values())
 
 
 @dataclass

@@ -32,8 +32,8 @@ from trident_tool.workspace import Runner, TridentError, Workspace, base_environ
 
 _TRIES = 3
 _DEFAULT = "default"
-_STREAM = ["rosrun", "trident_eval", "overview.py", "--stream", "--size", "720x450"]
-_MARKERS = ["rosrun", "trident_eval", "fleet_markers.py"]
+_STREAM = ["rosrun", "trident_viewer", "overview.py", "--stream", "--size", "720x450"]
+_MARKERS = ["rosrun", "trident_viewer", "fleet_markers.py"]
 
 
 @dataclass(frozen=True)
@@ -161,7 +161,7 @@ def overview_command(look: Look) -> list[str]:
     # What others have started is not held for a picture.
     words += ["--hold"] if look.words else []
     words += ["--at", f"{look.at_s:g}"] if look.at_s is not None else []
-    return ["rosrun", "trident_eval", "overview.py", *words]
+    return ["rosrun", "trident_viewer", "overview.py", *words]
 
 
 def is_launch_file(feed: Sequence[str]) -> bool:
@@ -246,7 +246,7 @@ def _show(
         if look.at_s is not None:
             _hold(runner, max(look.at_s - look.live_s, 0.0), len(nodes), env)
             if look.live_s:
-                hold = ["rosrun", "trident_eval", "hold_at.py", "--viewer", str(look.at_s)]
+                hold = ["rosrun", "trident_viewer", "hold_at.py", "--viewer", str(look.at_s)]
                 last_steps = stack.enter_context(started(hold, env))
         if source is not None and source.poll() not in (None, 0):
             raise TridentError(f"{' '.join(feed or [])} ended with exit code {source.returncode}")
@@ -291,7 +291,7 @@ def _at(env: Mapping[str, str], uri: str) -> dict[str, str]:
 def _hold(runner: Runner, at_s: float, nodes: int, env: Mapping[str, str]) -> None:
     say(f"simulating to {at_s:g} s")
     runner.check(
-        ["rosrun", "trident_eval", "hold_at.py", "--nodes", str(nodes), str(at_s)],
+        ["rosrun", "trident_viewer", "hold_at.py", "--nodes", str(nodes), str(at_s)],
         what=f"holding the simulation at {at_s:g} s",
         env=env,
     )

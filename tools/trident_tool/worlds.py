@@ -55,4 +55,4 @@ def _cmd_worldmap(workspace: Workspace, runner: Runner, options: argparse.Namesp
 
 def _cmd_worldgen(workspace: Workspace, runner: Runner, options: argparse.Namespace) -> int:
     given = option_words(options, ("seed", "length", "width", "out"))
-    return run_module(workspace, runner, "trident_sim.worldgen", [options.kind, *given])
+    return run_module(workspace, runner, "trident_worldgen", [options.kind, *given])

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "trident_base/shown_text.h"
+#include "trident_base/string_util.h"
 
 namespace trident {
 namespace {
@@ -22,7 +23,8 @@ std::string located(const std::string& file, int line, const std::string& key,
                     const std::string& problem) {
   std::string text = file;
   if (line > 0) text += ':' + std::to_string(line);
-  text += ": ";
+  // The name of a ROS parameter continues its label: "parameter /node/name: ...".
+  text += starts_with(key, "/") ? " " : ": ";
   if (!key.empty()) text += key + ": ";
   return with_short_words(text + problem);
 }

@@ -177,7 +177,8 @@ std::string unit_of(const char* doc) {
 }
 
 std::string child_path(const std::string& parent, const std::string& key) {
-  return parent.empty() ? key : parent + '.' + key;
+  // Below an absolute ROS name such as /node, the names of parameters have slashes.
+  return parent.empty() ? key : parent + (starts_with(parent, "/") ? '/' : '.') + key;
 }
 
 ConfigReader::ConfigReader(const ConfigNode& node, const std::string& file, std::string path)

@@ -105,7 +105,7 @@ PixelImage read_png(const std::string& path, const PixelImageLimits& limits) {
   return image;
 }
 
-/// The next number of a PGM, behind white space and comments; -1 when there is none.
+/// The next number of a PGM, behind white space and comments; -1 if there is no number.
 long next_number(std::istream& in) {
   while (true) {
     in >> std::ws;
@@ -174,8 +174,8 @@ PixelImage read_pgm(const std::string& path, std::istream& in, bool is_binary,
   image.width = static_cast<int>(width);
   image.height = static_cast<int>(height);
   image.white = static_cast<int>(white);
-  // A header that promises too much is told before there is memory for it. A white space precedes
-  // the pixels; plain ones take two characters each.
+  // A header that promises more than the file holds is refused before memory is allocated for it.
+  // A white space precedes the pixels; plain ones take two characters each.
   const std::size_t left = std::max<std::size_t>(1, bytes_left(in));
   const std::size_t most = is_binary ? (left - 1) / (white < 256 ? 1 : 2) : left / 2;
   if (most < static_cast<std::size_t>(width * height)) refuse_short(path, image, most);

@@ -119,8 +119,8 @@ class WorkerPool::Crew {
 };
 
 WorkerPool::WorkerPool(std::size_t threads) : threads_(threads) {
-  constexpr std::size_t kMost = 256;
-  if (threads < 1 || threads > kMost) {
+  constexpr std::size_t kMaxThreads = 256;
+  if (threads < 1 || threads > kMaxThreads) {
     throw Error("worker threads: " + std::to_string(threads) + " is out of range [1, 256]");
   }
 }

@@ -25,9 +25,9 @@ TEST(AckermannGeometry, TheWheelsTurnAboutOnePoint) {
     const Eigen::Vector2d angles = kCar.wheel_angles(steering);
     for (const int side : {0, 1}) {
       const double y = (side == 0 ? 0.5 : -0.5) * kCar.front_track_m;
-      const Eigen::Vector2d to_centre(-kCar.wheelbase_m, radius - y);
+      const Eigen::Vector2d to_center(-kCar.wheelbase_m, radius - y);
       const Eigen::Vector2d rolling(std::cos(angles[side]), std::sin(angles[side]));
-      EXPECT_NEAR(rolling.dot(to_centre.normalized()), 0.0, 1e-12) << steering;
+      EXPECT_NEAR(rolling.dot(to_center.normalized()), 0.0, 1e-12) << steering;
     }
     const Eigen::Vector2d speeds = kCar.rear_speeds(3.0, steering);
     EXPECT_NEAR(speeds[0] / speeds[1],
@@ -76,25 +76,25 @@ TEST(BicycleOdometry, ItsCovarianceIsThatOfManyRuns) {
   for (int run = 0; run < runs; ++run) {
     BicycleOdometry noisy({2.5, 0.3, 0.0, 0.0});
     for (int i = 0; i < steps; ++i, ++sample) {
-      const double way =
+      const double distance =
           travel + std::sqrt(kParams.travel_variance_m * travel) * stream.normal(sample, 0);
       const double turn =
           travel * std::tan(steering) / 2.5 +
           std::sqrt(kParams.turn_variance_rad2_m * travel) * stream.normal(sample, 1);
-      noisy.update(way / 0.3, std::atan(turn * 2.5 / way));
+      noisy.update(distance / 0.3, std::atan(turn * 2.5 / distance));
     }
     const Eigen::Vector3d error = vector_of(noisy.T_odom_axle()) - vector_of(exact.T_odom_axle());
     scatter += error * error.transpose() / runs;
   }
-  const Eigen::Matrix3d& told = exact.covariance();
+  const Eigen::Matrix3d& covariance = exact.covariance();
   for (int i = 0; i < 3; ++i) {
-    EXPECT_NEAR(scatter(i, i) / told(i, i), 1.0, 5.0 * std::sqrt(2.0 / runs)) << i;
+    EXPECT_NEAR(scatter(i, i) / covariance(i, i), 1.0, 5.0 * std::sqrt(2.0 / runs)) << i;
   }
-  EXPECT_TRUE(told.isApprox(told.transpose()));
-  EXPECT_NEAR(told(2, 2), steps * travel * kParams.turn_variance_rad2_m, 1e-12);
+  EXPECT_TRUE(covariance.isApprox(covariance.transpose()));
+  EXPECT_NEAR(covariance(2, 2), steps * travel * kParams.turn_variance_rad2_m, 1e-12);
 }
 
-TEST(BicycleOdometry, ResetStartsAnew) {
+TEST(BicycleOdometry, ResetStartsAgain) {
   BicycleOdometry odometry(kParams);
   odometry.update(3.0, 0.2);
   odometry.reset();

@@ -13,14 +13,14 @@
 namespace trident {
 namespace {
 
-const DiffDriveOdometryParams kParams{0.4, 0.1, 1e-4};
+const DiffDriveOdometryParams kDrive{0.4, 0.1, 1e-4};
 
-Eigen::Vector3d vector_of(const SE2& T) { return {T.p.x(), T.p.y(), T.angle}; }
+Eigen::Vector3d xy_yaw_of(const SE2& T) { return {T.p.x(), T.p.y(), T.angle}; }
 
 TEST(DiffDriveOdometry, StraightAheadIsRadiusTimesAngle) {
-  DiffDriveOdometry odometry(kParams);
+  DiffDriveOdometry odometry(kDrive);
   odometry.update(3.0, 3.0);
-  EXPECT_NEAR((vector_of(odometry.T_odom_base()) - Eigen::Vector3d(0.3, 0, 0)).norm(), 0, 1e-15);
+  EXPECT_NEAR((xy_yaw_of(odometry.T_odom_base()) - Eigen::Vector3d(0.3, 0, 0)).norm(), 0, 1e-15);
   odometry.update(-1.0, -1.0);
   EXPECT_NEAR(odometry.distance_m(), 0.2, 1e-15);
 }
@@ -38,10 +38,10 @@ TEST(DiffDriveOdometry, OneStepAlongAnArcEndsOnTheCircle) {
 }
 
 TEST(DiffDriveOdometry, AnArcInPartsIsTheArc) {
-  DiffDriveOdometry whole(kParams), parts(kParams);
+  DiffDriveOdometry whole(kDrive), parts(kDrive);
   whole.update(7.0, 11.0);
   for (int i = 0; i < 100; ++i) parts.update(0.07, 0.11);
-  EXPECT_NEAR((vector_of(whole.T_odom_base()) - vector_of(parts.T_odom_base())).norm(), 0, 1e-13);
+  EXPECT_NEAR((xy_yaw_of(whole.T_odom_base()) - xy_yaw_of(parts.T_odom_base())).norm(), 0, 1e-13);
 }
 
 TEST(WheelArc, ItsJacobiansAreThoseOfCentralDifferences) {
@@ -54,7 +54,7 @@ TEST(WheelArc, ItsJacobiansAreThoseOfCentralDifferences) {
     const auto after = [](double l, double r, double heading) {
       SE2 before;
       before.angle = heading;
-      return vector_of(WheelArc(l, r, 0.4).applied_to(before));
+      return xy_yaw_of(WheelArc(l, r, 0.4).applied_to(before));
     };
     const auto slope = [&](const Eigen::Vector3d& plus, const Eigen::Vector3d& minus) {
       Eigen::Vector3d change = plus - minus;
@@ -82,7 +82,7 @@ TEST(WheelArc, ItsJacobiansAreThoseOfCentralDifferences) {
 TEST(DiffDriveOdometry, ItsCovarianceIsThatOfManyRuns) {
   const int runs = 4000, steps = 20;
   const double left = 0.9, right = 1.1;  // [rad] per step
-  DiffDriveOdometry exact(kParams);
+  DiffDriveOdometry exact(kDrive);
   for (int i = 0; i < steps; ++i) exact.update(left, right);
   const RandomStream stream(3, "encoders");
   Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
@@ -91,30 +91,30 @@ TEST(DiffDriveOdometry, ItsCovarianceIsThatOfManyRuns) {
     DiffDriveOdometry noisy({0.4, 0.1, 0.0});
     for (int i = 0; i < steps; ++i, ++sample) {
       const auto disturbed = [&](double angle, std::uint32_t channel) {
-        const double sigma_m = std::sqrt(kParams.travel_variance_m * 0.1 * angle);
+        const double sigma_m = std::sqrt(kDrive.travel_variance_m * 0.1 * angle);
         return angle + sigma_m / 0.1 * stream.normal(sample, channel);
       };
       noisy.update(disturbed(left, 0), disturbed(right, 1));
     }
-    Eigen::Vector3d error = vector_of(noisy.T_odom_base()) - vector_of(exact.T_odom_base());
+    Eigen::Vector3d error = xy_yaw_of(noisy.T_odom_base()) - xy_yaw_of(exact.T_odom_base());
     error.z() = std::remainder(error.z(), 2.0 * kPi);
     scatter += error * error.transpose() / runs;
   }
-  const Eigen::Matrix3d& told = exact.covariance();
+  const Eigen::Matrix3d& covariance = exact.covariance();
   // The variance of a sample variance is 2 / runs of its square: four sigma.
   for (int i = 0; i < 3; ++i)
-    EXPECT_NEAR(scatter(i, i) / told(i, i), 1.0, 4.0 * std::sqrt(2.0 / runs));
-  EXPECT_NEAR(scatter(1, 2) / std::sqrt(told(1, 1) * told(2, 2)),
-              told(1, 2) / std::sqrt(told(1, 1) * told(2, 2)), 0.06);
-  EXPECT_TRUE(told.isApprox(told.transpose()));
+    EXPECT_NEAR(scatter(i, i) / covariance(i, i), 1.0, 4.0 * std::sqrt(2.0 / runs));
+  EXPECT_NEAR(scatter(1, 2) / std::sqrt(covariance(1, 1) * covariance(2, 2)),
+              covariance(1, 2) / std::sqrt(covariance(1, 1) * covariance(2, 2)), 0.06);
+  EXPECT_TRUE(covariance.isApprox(covariance.transpose()));
 }
 
-TEST(DiffDriveOdometry, ResetStartsAnew) {
-  DiffDriveOdometry odometry(kParams);
+TEST(DiffDriveOdometry, ResetStartsAgain) {
+  DiffDriveOdometry odometry(kDrive);
   odometry.update(3.0, 1.0);
   EXPECT_GT(odometry.covariance().norm(), 0.0);
   odometry.reset();
-  EXPECT_EQ(vector_of(odometry.T_odom_base()).norm(), 0.0);
+  EXPECT_EQ(xy_yaw_of(odometry.T_odom_base()).norm(), 0.0);
   EXPECT_EQ(odometry.covariance().norm(), 0.0);
   EXPECT_EQ(odometry.distance_m(), 0.0);
 }

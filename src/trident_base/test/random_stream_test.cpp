@@ -17,13 +17,13 @@ namespace {
 
 using Words = std::array<std::uint32_t, 4>;
 
-constexpr std::size_t kSamples = 100'000;
+constexpr std::size_t kDraws = 100'000;
 // Four standard errors of a correlation of independent samples.
-const double kUncorrelated = 4.0 / std::sqrt(static_cast<double>(kSamples));
+const double kUncorrelated = 4.0 / std::sqrt(static_cast<double>(kDraws));
 
 std::vector<double> normals(const RandomStream& stream, std::uint32_t channel,
                             std::uint64_t first = 0) {
-  return draw_samples(kSamples, [&](std::size_t i) { return stream.normal(first + i, channel); });
+  return draw_samples(kDraws, [&](std::size_t i) { return stream.normal(first + i, channel); });
 }
 
 // The vectors that Random123 publishes for philox4x32-10.
@@ -62,7 +62,7 @@ TEST(RandomStream, IsAPureFunctionInAnyOrder) {
 
 TEST(RandomStream, UniformIsUniformOnTheHalfOpenUnitInterval) {
   const RandomStream stream(3, "uniform");
-  const auto samples = draw_samples(kSamples, [&](std::size_t i) { return stream.uniform(i, 0); });
+  const auto samples = draw_samples(kDraws, [&](std::size_t i) { return stream.uniform(i, 0); });
   for (const double x : samples) {
     ASSERT_GE(x, 0.0);
     ASSERT_LT(x, 1.0);
@@ -73,7 +73,7 @@ TEST(RandomStream, UniformIsUniformOnTheHalfOpenUnitInterval) {
 TEST(RandomStream, NormalIsStandardNormal) {
   const auto samples = normals(RandomStream(3, "normal"), 0);
   const Moments m = moments(samples);
-  const double n = kSamples;
+  const double n = kDraws;
   EXPECT_NEAR(m.mean, 0.0, 4.0 / std::sqrt(n));
   EXPECT_NEAR(m.variance, 1.0, 4.0 * std::sqrt(2.0 / n));
   EXPECT_NEAR(m.skewness, 0.0, 4.0 * std::sqrt(6.0 / n));
@@ -86,13 +86,13 @@ TEST(RandomStream, FourNormalsAtATimeAreStandardNormalAndIndependent) {
   const RandomStream stream(3, "lidar");
   std::array<std::vector<double>, 4> of_place;
   std::vector<double> all;
-  for (std::uint64_t i = 0; i < kSamples; ++i) {
+  for (std::uint64_t i = 0; i < kDraws; ++i) {
     const auto four = stream.normals4(i, 5);
     for (std::size_t k = 0; k < 4; ++k) of_place[k].push_back(four[k]);
     all.insert(all.end(), four.begin(), four.end());
   }
   const Moments m = moments(all);
-  const double n = 4.0 * kSamples;
+  const double n = 4.0 * kDraws;
   EXPECT_NEAR(m.mean, 0.0, 4.0 / std::sqrt(n));
   EXPECT_NEAR(m.variance, 1.0, 4.0 * std::sqrt(2.0 / n));
   EXPECT_NEAR(m.skewness, 0.0, 4.0 * std::sqrt(6.0 / n));
@@ -139,7 +139,7 @@ TEST(RandomStream, ChannelsIndicesAndDistributionsAreIndependent) {
   EXPECT_LT(std::abs(correlation(reference, normals(stream, 1))), kUncorrelated);
   EXPECT_LT(std::abs(correlation(reference, normals(stream, 0, 1))), kUncorrelated);
   EXPECT_LT(std::abs(correlation(reference, normals(stream, 0, 1ULL << 32))), kUncorrelated);
-  const auto uniforms = draw_samples(kSamples, [&](std::size_t i) { return stream.uniform(i, 0); });
+  const auto uniforms = draw_samples(kDraws, [&](std::size_t i) { return stream.uniform(i, 0); });
   EXPECT_LT(std::abs(correlation(reference, uniforms)), kUncorrelated);
 }
 

@@ -30,7 +30,7 @@ TEST(Angle, WrapsIntoTheHalfOpenInterval) {
   EXPECT_NEAR(wrap_to_pi(0.25 + 200 * kPi), 0.25, 1e-12);
 }
 
-TEST(Angle, DifferenceTakesTheShortWay) {
+TEST(Angle, DifferenceIsTheShorterRotation) {
   EXPECT_NEAR(angle_difference(deg_to_rad(-179), deg_to_rad(179)), deg_to_rad(2), 1e-15);
   EXPECT_DOUBLE_EQ(rad_to_deg(deg_to_rad(33.0)), 33.0);
 }

@@ -14,29 +14,29 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::uint64_t kCases = 100;
+constexpr std::uint64_t kPoses = 100;
 
 // Rotational parts of every length below pi.
-Vector6d tangent(std::uint64_t i) {
+Vector6d test_twist(std::uint64_t i) {
   Vector6d t = random_vector<6>(i, 1.0);
   t.head<3>() *= 20.0;
-  t.tail<3>() = t.tail<3>().normalized() * kPi * (static_cast<double>(i) / kCases);
+  t.tail<3>() = t.tail<3>().normalized() * kPi * (static_cast<double>(i) / kPoses);
   return t;
 }
 
 TEST(Se3, ComposedWithItsInverseIsIdentity) {
-  for (std::uint64_t i = 0; i < kCases; ++i) {
-    const SE3 T = SE3::exp(tangent(i));
+  for (std::uint64_t i = 0; i < kPoses; ++i) {
+    const SE3 T = SE3::exp(test_twist(i));
     EXPECT_TRUE(is_near(T * T.inverse(), SE3::identity(), 1e-13));
     EXPECT_TRUE(is_near(T.inverse() * T, SE3::identity(), 1e-13));
   }
 }
 
 TEST(Se3, CompositionIsAssociativeAndActsOnPoints) {
-  for (std::uint64_t i = 0; i + 2 < kCases; ++i) {
-    const SE3 a = SE3::exp(tangent(i));
-    const SE3 b = SE3::exp(tangent(i + 1));
-    const SE3 c = SE3::exp(tangent(i + 2));
+  for (std::uint64_t i = 0; i + 2 < kPoses; ++i) {
+    const SE3 a = SE3::exp(test_twist(i));
+    const SE3 b = SE3::exp(test_twist(i + 1));
+    const SE3 c = SE3::exp(test_twist(i + 2));
     const Vector3d point = random_vector<3>(i, 5.0);
     EXPECT_TRUE(is_near((a * b) * c, a * (b * c), 1e-12));
     EXPECT_TRUE(is_near((a * b) * point, a * (b * point), 1e-12));
@@ -45,13 +45,13 @@ TEST(Se3, CompositionIsAssociativeAndActsOnPoints) {
 }
 
 TEST(Se3, LogInvertsExp) {
-  for (std::uint64_t i = 0; i < kCases; ++i) {
-    EXPECT_TRUE(is_near(SE3::exp(tangent(i)).log(), tangent(i), 1e-12));
+  for (std::uint64_t i = 0; i < kPoses; ++i) {
+    EXPECT_TRUE(is_near(SE3::exp(test_twist(i)).log(), test_twist(i), 1e-12));
   }
 }
 
 TEST(Se3, ExpOfATwistIsTheMotionOfManySmallSteps) {
-  const Vector6d twist = tangent(60);
+  const Vector6d twist = test_twist(60);
   SE3 stepped = SE3::identity();
   constexpr int kSteps = 1024;
   for (int i = 0; i < kSteps; ++i) stepped = stepped * SE3::exp(twist / kSteps);
@@ -65,11 +65,11 @@ TEST(Se3, ExpOfAQuarterTurnMovesAlongTheArc) {
 }
 
 TEST(Se3, AdjointMovesTwistsBetweenFrames) {
-  for (std::uint64_t i = 0; i + 1 < kCases; ++i) {
-    const SE3 T = SE3::exp(tangent(i));
+  for (std::uint64_t i = 0; i + 1 < kPoses; ++i) {
+    const SE3 T = SE3::exp(test_twist(i));
     const Vector6d t = 0.3 * random_vector<6>(i, 1.0);
     EXPECT_TRUE(is_near(T * SE3::exp(t), SE3::exp(T.adjoint() * t) * T, 1e-12));
-    const SE3 U = SE3::exp(tangent(i + 1));
+    const SE3 U = SE3::exp(test_twist(i + 1));
     EXPECT_TRUE(is_near((T * U).adjoint(), T.adjoint() * U.adjoint(), 1e-11));
   }
 }
@@ -82,7 +82,7 @@ TEST(Se3, RollPitchYawTurnAboutFixedAxes) {
 }
 
 TEST(Se3, RpyInvertsFromXyzRpy) {
-  for (std::uint64_t i = 0; i < kCases; ++i) {
+  for (std::uint64_t i = 0; i < kPoses; ++i) {
     const Vector3d rpy = random_vector<3>(i, 1.0).cwiseProduct(Vector3d(kPi, kPi / 2, kPi));
     EXPECT_TRUE(is_near(SE3::from_xyz_rpy({0, 0, 0}, rpy[0], rpy[1], rpy[2]).rpy(), rpy, 1e-13));
   }

@@ -50,7 +50,7 @@ TEST(So3, LogInvertsExp) {
   }
 }
 
-TEST(So3, LogTakesTheShortWayForBothSignsOfTheQuaternion) {
+TEST(So3, LogIsTheShorterRotationForBothSignsOfTheQuaternion) {
   const Quaterniond q = so3_exp(Vector3d(0.0, 0.0, 1.5 * kPi));
   const Quaterniond minus_q(-q.w(), -q.x(), -q.y(), -q.z());
   EXPECT_TRUE(is_near(so3_log(q), Vector3d(0.0, 0.0, -0.5 * kPi), 1e-14));

@@ -7,7 +7,7 @@
 namespace trident {
 namespace {
 
-TEST(WheelEncoder, CountsWholeMarksBothWays) {
+TEST(WheelEncoder, CountsWholeMarksInBothDirections) {
   const WheelEncoder encoder(4);
   EXPECT_EQ(encoder.ticks(0.0), 0);
   EXPECT_EQ(encoder.ticks(0.49 * kPi), 0);
@@ -17,12 +17,12 @@ TEST(WheelEncoder, CountsWholeMarksBothWays) {
   EXPECT_EQ(encoder.ticks(-0.51 * kPi), -2);
 }
 
-TEST(WheelEncoder, AnAngleIsToldTooLowByLessThanATick) {
+TEST(WheelEncoder, AMeasuredAngleIsTooLowByLessThanATick) {
   const WheelEncoder encoder(1024);
   for (int i = -2000; i < 2000; ++i) {
-    const double angle = 0.0137 * i, told = encoder.angle(encoder.ticks(angle));
-    EXPECT_LE(told, angle + 1e-12);
-    EXPECT_GT(told, angle - 2.0 * kPi / 1024.0 - 1e-12);
+    const double angle = 0.0137 * i, measured = encoder.angle(encoder.ticks(angle));
+    EXPECT_LE(measured, angle + 1e-12);
+    EXPECT_GT(measured, angle - 2.0 * kPi / 1024.0 - 1e-12);
   }
 }
 

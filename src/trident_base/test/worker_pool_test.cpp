@@ -65,7 +65,7 @@ TEST(WorkerPool, ResultsDoNotDependOnTheNumberOfThreads) {
   EXPECT_EQ(computed(1), computed(4));
 }
 
-TEST(WorkerPool, TheFirstPartThatThrowsIsToldOfAndTheOthersAreDone) {
+TEST(WorkerPool, TheFirstErrorOfAPartIsRethrownAndTheOthersAreDone) {
   for (const std::size_t threads : {1U, 4U}) {
     WorkerPool pool(threads);
     std::atomic<int> done{0};

@@ -105,7 +105,7 @@ TEST(YamlConfig, FilesAreRead) {
   std::filesystem::remove(path);
 }
 
-TEST(YamlConfig, ATreeFromElsewhereIsCheckedTheSameWay) {
+TEST(YamlConfig, ATreeFromElsewhereIsCheckedAsAFileIs) {
   ConfigNode node;
   node.kind = ConfigNode::Kind::kMap;
   node.keys = {"mass"};

@@ -31,7 +31,8 @@ class BoxProgram {
   }
 
  private:
-  /// Towards the minimum over the free variables, as far as the bounds let it. True: one was met.
+  /// Towards the minimum over the free variables, as far as the bounds let it. Returns whether one
+  /// was reached.
   bool step_to_minimum() {
     int count = 0;
     std::array<int, N> free{};
@@ -48,20 +49,20 @@ class BoxProgram {
     }
     const Vector step = H.llt().solve(gradient);
     double part = 1.0;
-    int met = -1;
+    int bound = -1;
     for (int a = 0; a < count; ++a) {
       const int i = free[static_cast<std::size_t>(a)];
       const double room = step[a] > 0.0 ? hi_[i] - z_[i] : lo_[i] - z_[i];
       if (step[a] == 0.0 || room / step[a] >= part) continue;
       part = room / step[a];
-      met = i;
+      bound = i;
     }
     for (int a = 0; a < count; ++a) z_[free[static_cast<std::size_t>(a)]] += part * step[a];
-    if (met < 0) return false;
-    const auto m = static_cast<std::size_t>(met);
+    if (bound < 0) return false;
+    const auto m = static_cast<std::size_t>(bound);
     is_bound_[m] = true;
-    at_upper_[m] = hi_[met] - z_[met] < z_[met] - lo_[met];
-    z_[met] = at_upper_[m] ? hi_[met] : lo_[met];
+    at_upper_[m] = hi_[bound] - z_[bound] < z_[bound] - lo_[bound];
+    z_[bound] = at_upper_[m] ? hi_[bound] : lo_[bound];
     return true;
   }
 

@@ -10,7 +10,7 @@
 namespace trident::control {
 namespace {
 
-/// The tangent of the angle by which a bow at `speed` cancels a drift across its way.
+/// The tangent of the angle by which a bow at `speed` cancels a drift across its course.
 double crab_slope(double across, double speed, double largest) {
   const double most = std::sin(largest);
   const double sine = speed > 0.0 ? std::clamp(across / speed, -most, most) : 0.0;

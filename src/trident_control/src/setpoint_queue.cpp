@@ -74,7 +74,7 @@ bool SetpointQueue::is_repeated_in_pending(std::size_t begin) const {
   for (std::size_t end = begin, i = begin; i-- > 0;) {
     if (pending[i].stamp == SimTime{}) return false;  // it takes the place of all before
     if (!pending[i].starts_message) continue;
-    if (pending[i].is_repeated) {  // it tells nothing of what came before it
+    if (pending[i].is_repeated) {  // it does not describe what came before it
       end = i;
       continue;
     }

@@ -68,21 +68,22 @@ void WeatherVane::start(const VesselState& state, const Eigen::Vector2d& place_w
   point_ = place_world + params_.suspension * (is_there ? ahead : to_place.normalized());
 }
 
-WeatherVane::Wish WeatherVane::update(const VesselState& state, const Eigen::Vector2d& place_world,
-                                      double dt_s) {
+WeatherVane::Setpoint WeatherVane::update(const VesselState& state,
+                                          const Eigen::Vector2d& place_world, double dt_s) {
   const Eigen::Vector2d to_point = point_ - state.p_world;
   const double beyond = to_point.norm() - params_.suspension;
   // Moved while the vessel still comes, it would be moved too far.
   if (std::abs(beyond) < kHangs * params_.suspension) {
     point_ += params_.suspension_rate * dt_s * (place_world - state.p_world);
   }
-  Wish wish;
-  wish.heading = to_point.norm() > 1e-6 ? std::atan2(to_point.y(), to_point.x()) : state.heading;
+  Setpoint setpoint;
+  setpoint.heading =
+      to_point.norm() > 1e-6 ? std::atan2(to_point.y(), to_point.x()) : state.heading;
   // A bow that looks elsewhere must not lead there.
-  const double ahead = std::max(0.0, std::cos(angle_difference(wish.heading, state.heading)));
-  wish.speed =
+  const double ahead = std::max(0.0, std::cos(angle_difference(setpoint.heading, state.heading)));
+  setpoint.speed =
       ahead * std::clamp(params_.natural_frequency * beyond, -params_.max_speed, params_.max_speed);
-  return wish;
+  return setpoint;
 }
 
 }  // namespace trident::control

@@ -32,7 +32,8 @@ double SurgeSpeedController::hold(std::optional<double> measured, double target,
 
 void SurgeSpeedController::settle(double given) {
   if (params_.integral_time <= 0.0) return;
-  // What resists a wrong speed is the drag, too: the integral is done in its time beside both.
+  // What resists a wrong speed is the drag, too: the integral settles in its own time, slower than
+  // both.
   const double resistance = model_.mass[0] / params_.time_constant + model_.linear_damping[0];
   const double gain = resistance / params_.integral_time;
   integral_.add(gain * error_, dt_s_, asked_ - given, 0.02 * std::abs(asked_) + 1e-9);

@@ -14,10 +14,10 @@
 namespace trident::control {
 namespace {
 
-/// Weight of the forces themselves beside that of what they miss; both in parts of the largest.
+/// Weight of the forces relative to that of their error; both as fractions of the largest force.
 constexpr double kEffort = 1e-6;
 /// Forces below this part of the largest do not turn a thruster.
-constexpr double kLeastToTurn = 0.02;
+constexpr double kMinForceToRotate = 0.02;
 
 Eigen::Vector2d direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
@@ -135,7 +135,7 @@ ThrustAllocation::Vector ThrustAllocation::solve(const PlanarForce& wanted) cons
 /// astern; where both would do, whichever is nearer.
 double ThrustAllocation::pointing(const ThrusterParams& thruster, double angle_now,
                                   const Eigen::Vector2d& force) const {
-  if (force.norm() < kLeastToTurn) return angle_now;
+  if (force.norm() < kMinForceToRotate) return angle_now;
   const double ahead = std::atan2(force.y(), force.x());
   const double astern = wrap_to_pi(ahead + kPi);
   const bool can_ahead = std::abs(ahead) <= thruster.max_angle;

@@ -10,7 +10,7 @@
 namespace trident::control {
 namespace {
 
-constexpr std::size_t kMostWaypoints = 10000;
+constexpr std::size_t kMaxWaypoints = 10000;
 constexpr double kLargest = 1e8;  // [m], [rad]
 
 std::string range_text(double lo, double hi, const char* unit) {
@@ -34,9 +34,9 @@ class Check {
     value = cut;
   }
   void waypoints(const std::vector<Eigen::Vector2d>& points) {
-    if (points.empty() || points.size() > kMostWaypoints) {
+    if (points.empty() || points.size() > kMaxWaypoints) {
       verdict.refused = std::to_string(points.size()) + " waypoints, legal is 1 to " +
-                        std::to_string(kMostWaypoints);
+                        std::to_string(kMaxWaypoints);
     }
     for (std::size_t i = 0; i < points.size() && verdict.refused.empty(); ++i) {
       const std::string name = "waypoint " + std::to_string(i) + ": ";

@@ -13,7 +13,7 @@ namespace trident::control {
 namespace {
 
 constexpr std::int64_t kForeignClockNs = 60'000'000'000;
-constexpr std::size_t kMostPending = 256;
+constexpr std::size_t kMaxPending = 256;
 /// A gap in the states counts as no more than this [s].
 constexpr double kLongestStep = 0.5;
 
@@ -29,13 +29,13 @@ VesselState planar_state(const OdometryState& odometry) {
   return state;
 }
 
-bool can_hold_pose(StationBehaviour behaviour, const ThrustAllocation& allocation,
+bool can_hold_pose(StationBehavior behavior, const ThrustAllocation& allocation,
                    const std::string& vessel) {
-  if (behaviour == StationBehaviour::kPose && !allocation.can_push_everywhere()) {
+  if (behavior == StationBehavior::kPose && !allocation.can_push_everywhere()) {
     throw Error("station.behaviour = pose, legal for vessel '" + vessel +
                 "', whose thrusters do not push sideways, is automatic, weather_vane");
   }
-  if (behaviour != StationBehaviour::kAutomatic) return behaviour == StationBehaviour::kPose;
+  if (behavior != StationBehavior::kAutomatic) return behavior == StationBehavior::kPose;
   return allocation.can_push_everywhere_at_once();
 }
 
@@ -69,7 +69,7 @@ VesselController::VesselController(const VesselModel& model, const VesselControl
       weather_vane_(params.station),
       wave_filter_(params.station.wave_frequency),
       allocation_(model, params.allocation),
-      holds_pose_(can_hold_pose(params.station.behaviour, allocation_, model.name)),
+      holds_pose_(can_hold_pose(params.station.behavior, allocation_, model.name)),
       cruise_(params.speed.cruise) {}
 
 bool VesselCommand::operator==(const VesselCommand& other) const {
@@ -98,8 +98,8 @@ CommandVerdict VesselController::push(SimTime stamp, const VesselCommand& comman
   if (!verdict.refused.empty()) return verdict;
   const SimTime now = last_stamp_.value_or(SimTime{});
   if (stamp.ns > now.ns + kForeignClockNs) stamp = {};
-  if (pending_.size() == kMostPending) {
-    verdict.refused = std::to_string(kMostPending) + " commands wait for their time already";
+  if (pending_.size() == kMaxPending) {
+    verdict.refused = std::to_string(kMaxPending) + " commands wait for their time already";
     return verdict;
   }
   // In order of time; of one stamp in order of arrival.
@@ -110,7 +110,7 @@ CommandVerdict VesselController::push(SimTime stamp, const VesselCommand& comman
 }
 
 void VesselController::set_log(SimTime stamp, double u_water) {
-  if (!(std::abs(u_water) <= 1e3)) return;  // [m/s]; the node tells of it
+  if (!(std::abs(u_water) <= 1e3)) return;  // [m/s]; the node reports it
   log_ = u_water;
   log_stamp_ = stamp;
 }
@@ -128,7 +128,7 @@ ControlStatus VesselController::update(SimTime stamp, const OdometryState& odome
     return ControlStatus::ok;
   }
   if (mode_ == VesselMode::kStation) state = wave_filter_.filter(state, dt_s);
-  actuate(wish(stamp, state, dt_s), stamp, state, dt_s);
+  actuate(setpoint(stamp, state, dt_s), stamp, state, dt_s);
   return ControlStatus::ok;
 }
 
@@ -204,23 +204,23 @@ std::optional<double> VesselController::measured_speed(SimTime stamp,
   return log_;
 }
 
-void VesselController::actuate(const Wish& wish, SimTime stamp, const VesselState& state,
+void VesselController::actuate(const Setpoint& setpoint, SimTime stamp, const VesselState& state,
                                double dt_s) {
-  asked_[2] = wish.rate ? autopilot_.turn(state, *wish.rate, dt_s)
-                        : autopilot_.hold(state, wish.heading, dt_s);
-  if (wish.force) {
-    asked_.head<2>() = *wish.force;
+  asked_[2] = setpoint.rate ? autopilot_.turn(state, *setpoint.rate, dt_s)
+                            : autopilot_.hold(state, setpoint.heading, dt_s);
+  if (setpoint.force) {
+    asked_.head<2>() = *setpoint.force;
     is_speed_held_ = false;
   } else {
     if (!is_speed_held_) speed_controller_.reset(state.u);
     is_speed_held_ = true;
-    const auto measured = wish.over_ground ? state.u : measured_speed(stamp, state);
-    asked_[0] = speed_controller_.hold(measured, wish.speed, dt_s);
+    const auto measured = setpoint.over_ground ? state.u : measured_speed(stamp, state);
+    asked_[0] = speed_controller_.hold(measured, setpoint.speed, dt_s);
     asked_[1] = 0.0;
   }
   given_ = allocation_.allocate(asked_, state.u, dt_s);
   autopilot_.settle(given_[2]);
-  if (wish.force) {
+  if (setpoint.force) {
     place_hold_.settle(given_.head<2>());
   } else {
     speed_controller_.settle(given_[0]);

@@ -1,10 +1,8 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""Node fleet_markers."""
+"""The old name of a node of trident_viewer."""
 
-import sys
+from trident_eval.moved_node import start_moved_node
 
-from trident_eval.viewing.fleet_markers import main
-
-sys.exit(main())
+start_moved_node("trident_viewer")

@@ -1,10 +1,8 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""Node slam_tour of trident_eval."""
+"""The old name of a node of trident_benchmarks."""
 
-import sys
+from trident_eval.moved_node import start_moved_node
 
-from trident_eval.slam.tour_node import main
-
-sys.exit(main())
+start_moved_node("trident_benchmarks")

@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from runs import NAMES, SPAWN, STATE_PERIOD_S, SUMMARY, Run
-from trident_eval.core.command import Command, Refusal, read_command
+from trident_eval.core.flight_records import Command, Refusal, read_command
 from trident_eval.core.scene import formation_scene
 from trident_eval.core.tracks import read_states
 from trident_eval.core.verdict import Verdict, judge

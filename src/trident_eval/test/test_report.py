@@ -14,8 +14,8 @@ import numpy as np
 import pytest
 from runs import NAMES, SUMMARY, Run
 from trident_eval.__main__ import main
-from trident_eval.core.complaints import complaints
 from trident_eval.core.errors import EvalError
+from trident_eval.core.log_warnings import log_warnings
 from trident_eval.core.provenance import Provenance, read_provenance
 from trident_eval.core.report import verdict_rows
 from trident_eval.core.scene import Scene
@@ -197,5 +197,5 @@ def test_vehicles_without_a_command_have_no_tracking_error(planned_run: Run) -> 
     assert "tracking RMS [m]" in report_of(planned_run.folder).words
 
 
-def test_a_log_that_is_not_there_has_no_complaints(tmp_path: Path) -> None:
-    assert complaints(tmp_path / "roslaunch.log") == []
+def test_a_log_that_is_not_there_has_no_warnings(tmp_path: Path) -> None:
+    assert log_warnings(tmp_path / "roslaunch.log") == []

@@ -2,13 +2,12 @@
 # SPDX-License-Identifier: Apache-2.0
 from __future__ import annotations
 
-import json
 import stat
 from pathlib import Path
 
 import pytest
 from trident_eval.core.errors import EvalError
-from trident_eval.slam import benchmark, offline
+from trident_eval.slam import offline
 from trident_eval.slam.__main__ import main
 
 PROGRAM = """#!/bin/sh
@@ -99,61 +98,6 @@ def test_landmarks_go_to_their_filter(tmp_path: Path, monkeypatch: pytest.Monkey
     run = offline.Run(tmp_path / "park.txt", offline.LANDMARK_METHOD, tmp_path)
     words = ["trident_slam/landmark_offline", str(tmp_path / "park.txt")]
     assert offline.command(run) == [*words, "--out", str(tmp_path)]
-
-
-def test_the_benchmark_sets_others_beside_ours(
-    stand_in: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    rows = tmp_path / "rows.json"
-    words = ["--data", str(stand_in), "--runs", "3", "--out", str(rows)]
-    assert main(["bench", *words]) == 0
-    lines = capsys.readouterr().out.splitlines()
-    alone = [f"{method}, no odometry" for method in benchmark.BY_SCANS_ALONE]
-    for method in ("graph_slam_2d", "particle_slam_2d", "hector_slam_2d", "odometry", *alone):
-        figures = "0.0100 ± 0.0000 | 0.000 ± 0.000"
-        final = f"| intel | **{method}, final** | {figures} | 0.5 | ? | 0.50 | 10 |"
-        assert final in lines
-        assert f"| intel | **{method}, causal** | {figures} |  |  |  |  |" in lines
-        assert f"| other | **{method}** | no truth |  | 0.5 | ? | 0.50 | 10 |" in lines
-    assert "| intel | slam_toolbox, final | 0.302 | 0.9 |  |  | 23.5 | 69 |" in lines
-    assert not any("fr079" in line or "ekf_slam" in line for line in lines)
-    written = json.loads(rows.read_text())["rows"]
-    assert written[0]["cpu_s"] == 0.5
-    runs = {row["system"]: row["runs"] for row in written}
-    assert runs["graph_slam_2d"] == 3
-    assert runs["odometry"] == runs["hector_slam_2d, no odometry"] == 1
-
-
-def test_landmarks_are_a_row_of_the_benchmark(
-    stand_in: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    (tmp_path / "landmark").mkdir()
-    (tmp_path / "landmark" / "victoria_park.txt").write_text("")
-    program = tmp_path / "slam_offline"
-    timing = """{"scans": 2, "cpu_s": 0.1, "peak_rss_mb": 10.0, "observations": 9,
-      "association_share": 0.875, "true_landmarks": 3, "landmarks": 4}"""
-    program.write_text(PROGRAM + f"echo '{timing}' > timing.json\n")
-    assert main(["bench", "--data", str(stand_in), "--runs", "1", "--method", "ekf_slam"]) == 0
-    assert (
-        "| victoria_park | **ekf_slam** | 87.5% of 9 associated as in the log | "
-        "4 landmarks, true 3 |  |  | 0.10 | 10 |"
-    ) in capsys.readouterr().out.splitlines()
-
-
-def test_pictures_of_the_benchmark(stand_in: Path, tmp_path: Path) -> None:
-    words = ["--data", str(stand_in), "--quick", "--pictures", str(tmp_path / "shown")]
-    assert main(["bench", *words]) == 0
-    names = {path.name for path in (tmp_path / "shown" / "intel_graph_slam_2d").iterdir()}
-    assert {"map.png", "report.html"} <= names
-
-
-def test_without_data_the_benchmark_says_so(
-    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: Path
-) -> None:
-    monkeypatch.delenv(benchmark.DATA, raising=False)
-    assert main(["bench", "--quick"]) == 0
-    assert capsys.readouterr().err.startswith("SKIPPED: TRIDENT_DATA")
-    assert main(["bench", "--data", str(tmp_path)]) == 2
 
 
 def test_the_bar_fills() -> None:

@@ -8,8 +8,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 from runs import NAMES, OFFSET, START_S, Run
-from trident_eval.core.command import Command, Refusal, read_command
 from trident_eval.core.errors import EvalError
+from trident_eval.core.flight_records import Command, Refusal, read_command
 from trident_eval.core.report import table
 from trident_eval.core.tracks import Tracks, read_states
 from trident_eval.core.verdict import Verdict, judge, take_over

@@ -99,6 +99,15 @@ def test_in_lockstep_every_message_is_sent_once_and_ahead(feed: PlannedFeed) -> 
     assert [stamp_of(b[0]) for b in late] == [START_NS + i * PERIOD_NS for i in range(7, 15)]
 
 
+def test_a_clock_of_another_century_draws_no_message_of_the_way_there(feed: PlannedFeed) -> None:
+    """It would take all memory: three weeks are 2e7 messages, fifty years 2e10."""
+    feeder = TimeFeeder(feed, lookahead=5, is_lockstep=True)
+    ahead = 20_000
+    stamps = [stamp_of(first) for first, _ in feeder.due(START_NS + ahead * PERIOD_NS)]
+    assert stamps == [START_NS + (ahead + number) * PERIOD_NS for number in range(6)]
+    assert len(feeder.due(START_NS + (ahead + 1) * PERIOD_NS)) == 1, "it goes on from there"
+
+
 def test_without_lockstep_nothing_is_early_and_nothing_is_stale(feed: PlannedFeed) -> None:
     feeder = TimeFeeder(feed, lookahead=5, is_lockstep=False)
     assert feeder.due(START_NS - 1) == []

@@ -20,7 +20,7 @@ from trident_fleet.core.formation_file import FormationSource
 from trident_fleet.core.schedule import FeedConfig
 from trident_fleet.core.settings import FleetSettings, fleet_of_names
 from trident_fleet.nodes import flights
-from trident_fleet.nodes.flights import Crew, formation_flight
+from trident_fleet.nodes.flights import FlightContext, formation_flight
 from trident_fleet.nodes.setpoint_topic import SetpointTopic
 from trident_fleet.nodes.world_link import WorldLink
 
@@ -58,9 +58,9 @@ class World:
     def restart(self) -> None:
         self.restarts += 1
 
-    def crew(self) -> Crew:
+    def context(self) -> FlightContext:
         vehicles = fleet_of_names(["UAV1"])
-        return Crew(
+        return FlightContext(
             settings=FleetSettings(FormationSource(Path("rows.txt"))),
             vehicles=vehicles,
             fed=vehicles,
@@ -94,7 +94,7 @@ def world() -> World:
 
 
 def flight_in(world: World) -> flights.Flight:
-    return formation_flight(ROWS)(world.crew(), SPAWN, PERIOD_NS)
+    return formation_flight(ROWS)(world.context(), SPAWN, PERIOD_NS)
 
 
 def test_a_clock_that_runs_as_the_flight_begins_is_no_reset(

@@ -84,8 +84,9 @@ DistanceField::DistanceField(const OccupancyGrid& grid, double max_distance, Obs
   for (int row = 1; row <= height_; ++row) {
     transform.run(&padded_[static_cast<std::size_t>(row) * stride + 1], width_, 1);
   }
-  const auto metres = static_cast<float>(resolution_), limit = static_cast<float>(max_distance);
-  for (float& cell : padded_) cell = std::min(std::sqrt(cell) * metres, limit);
+  const auto meters_per_cell = static_cast<float>(resolution_),
+             limit = static_cast<float>(max_distance);
+  for (float& cell : padded_) cell = std::min(std::sqrt(cell) * meters_per_cell, limit);
 }
 
 float DistanceField::at(float x, float y) const {
@@ -107,13 +108,13 @@ double DistanceField::ray(const Eigen::Vector2d& p_grid, double angle, double ma
   const int stride = this->stride();
   // What is known is the distance between the cells' centres; beam and obstacle may each be half a
   // diagonal from theirs.
-  constexpr float kSlack = 1.41421356F, kLeast = 0.5F;
+  constexpr float kSlack = 1.41421356F, kMinStep = 0.5F;
   for (float range = 0.0F; range < limit;) {
     const float column = std::min(std::max(x + range * cosine, 0.0F), right);
     const float row = std::min(std::max(y + range * sine, 0.0F), top);
     const float distance = cells[static_cast<int>(row) * stride + static_cast<int>(column)];
     if (distance <= 0.0F) return static_cast<double>(range) * resolution_;
-    range += std::max(distance * cells_per_m_ - kSlack, kLeast);
+    range += std::max(distance * cells_per_m_ - kSlack, kMinStep);
   }
   return max_range;
 }
@@ -128,9 +129,9 @@ double scan_agreement(const DistanceField& field, const ScanPoints& points,
     const float near = field.at(static_cast<float>(p_grid.x()), static_cast<float>(p_grid.y()));
     if (static_cast<double>(near) > kAgreeWithin) continue;
     const Eigen::Vector2d beam = p_grid - p_grid_laser;
-    const double free_way = beam.norm() - kAgreeWithin;
-    const double met = field.ray(p_grid_laser, std::atan2(beam.y(), beam.x()), free_way);
-    explained += met >= free_way ? 1 : 0;
+    const double free_range = beam.norm() - kAgreeWithin;
+    const double hit_range = field.ray(p_grid_laser, std::atan2(beam.y(), beam.x()), free_range);
+    explained += hit_range >= free_range ? 1 : 0;
   }
   return static_cast<double>(explained) / static_cast<double>(points.p_base.size());
 }

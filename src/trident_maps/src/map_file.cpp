@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr std::array kKnownKeys{"image",       "resolution", "origin", "occupied_thresh",
                                 "free_thresh", "negate",     "mode"};
-constexpr unsigned char kWhite = 254, kGrey = 205, kBlack = 0;  // map_saver's
+constexpr unsigned char kWhite = 254, kGray = 205, kBlack = 0;  // map_saver's
 
 ConfigNode known_keys_only(const ConfigNode& node) {
   ConfigNode result = node;
@@ -50,10 +50,10 @@ PixelImage read_picture(const std::string& path) {
 /// The mean of a pixel's samples, 0 ... 255. Alpha counts in trinary maps, as in map_server: a
 /// transparent white pixel is unknown.
 double brightness(const PixelImage& image, const std::uint16_t* pixel, MapMode mode) {
-  const int colours = image.channels - (image.has_alpha() && mode != MapMode::kTrinary ? 1 : 0);
+  const int colors = image.channels - (image.has_alpha() && mode != MapMode::kTrinary ? 1 : 0);
   double sum = 0.0;
-  for (int i = 0; i < colours; ++i) sum += pixel[i];
-  return sum / colours * (255.0 / image.white);
+  for (int i = 0; i < colors; ++i) sum += pixel[i];
+  return sum / colors * (255.0 / image.white);
 }
 
 std::int8_t occupancy(const PixelImage& image, const std::uint16_t* pixel, const MapFile& file) {
@@ -71,7 +71,7 @@ std::int8_t occupancy(const PixelImage& image, const std::uint16_t* pixel, const
   return static_cast<std::int8_t>(1.0 + 98.0 * between);
 }
 
-/// Written beside its place, then moved there.
+/// Written to a temporary file next to it, which is then renamed.
 void write_file(const std::string& path, const std::string& bytes) {
   const std::string part = path + ".part";
   std::ofstream out(part, std::ios::binary | std::ios::trunc);
@@ -99,7 +99,7 @@ std::string pgm_of(const OccupancyGrid& grid, const SaveThresholds& thresholds) 
   for (int row = grid.height - 1; row >= 0; --row) {
     for (int column = 0; column < grid.width; ++column) {
       const std::int8_t cell = grid.cells[grid.index(column, row)];
-      unsigned char pixel = kGrey;
+      unsigned char pixel = kGray;
       if (cell >= 0 && cell <= thresholds.free) {
         pixel = kWhite;
       } else if (cell >= thresholds.occupied) {

@@ -92,8 +92,8 @@ TEST_F(MapFileTest, ModesAndNegate) {
 }
 
 TEST_F(MapFileTest, PngsOfAnyKind) {
-  const unsigned char grey[] = {254, 0};
-  write_png("grey.png", PNG_FORMAT_GRAY, grey);
+  const unsigned char gray[] = {254, 0};
+  write_png("grey.png", PNG_FORMAT_GRAY, gray);
   EXPECT_EQ(load("grey.png").cells, (Cells{0, 100}));
   // Transparent white is unknown, opaque black (mean with alpha 63.75) occupied.
   const unsigned char rgba[] = {255, 255, 255, 0, 0, 0, 0, 255};

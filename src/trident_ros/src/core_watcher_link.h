@@ -18,7 +18,7 @@ class CoreWatcherLink {
   CoreWatcherLink(const CoreWatcherLink&) = delete;
   CoreWatcherLink& operator=(const CoreWatcherLink&) = delete;
 
-  /// Tells the program of a process; the first call starts it. Returns whether it watches.
+  /// Sends a process to the watching program; the first call starts it. Returns whether it watches.
   bool watch(const affinity::KeptProcess& kept);
 
  private:

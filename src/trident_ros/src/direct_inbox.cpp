@@ -249,7 +249,7 @@ void DirectInbox::read_link(std::uint64_t key) {
   if (got > 0) {
     hand_out(link, kept + static_cast<std::size_t>(got));
   } else if (got == 0 || (errno != EAGAIN && errno != EINTR)) {
-    give_back(key);
+    return_to_roscpp(key);
   } else {
     link.partial.assign(buffer_.begin(), buffer_.begin() + static_cast<std::ptrdiff_t>(kept));
   }
@@ -284,7 +284,7 @@ void DirectInbox::hand_out(Link& link, std::size_t size) {
 }
 
 // roscpp finds the end of the connection by reading, drops it and looks for its publisher again.
-void DirectInbox::give_back(std::uint64_t key) {
+void DirectInbox::return_to_roscpp(std::uint64_t key) {
   const auto entry = links_.find(key);
   const ros::ConnectionPtr connection = entry->second->connection;
   links_.erase(entry);

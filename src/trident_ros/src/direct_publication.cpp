@@ -109,7 +109,7 @@ void DirectPublication::hand_over(ros::SubscriberLink& link, DirectMessage& mess
   ros::SerializedMessage form;
   if (takes_bytes) form = unframed_copy_of(message.frame(sequence));
   if (takes_object) form.message = message.object();
-  form.type_info = &message.type();  // also without an object: it tells who has asked for bytes
+  form.type_info = &message.type();  // also without an object: roscpp compares it to choose bytes
   if (takes_bytes || takes_object) link.enqueueMessage(form, takes_bytes, takes_object);
 }
 

@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kLongestQuote = 200;
 constexpr std::uint32_t kNanosecondsPerSecond = 1'000'000'000;
 constexpr double kOfTf2 = 0.0049;        // tf2 checks the square of the length to 1 %
-constexpr double kLargestAngle = 100.0;  // [rad]: several turns, which some drivers tell
+constexpr double kLargestAngle = 100.0;  // [rad]: several turns: some drivers report such
 
 /// As tf2 takes it.
 std::string without_slash(const std::string& frame) {
@@ -38,9 +38,9 @@ std::string stamp_problem(const ros::Time& stamp, const ros::Time& now) {
   }
   if (now.isZero() || now.sec >= kLatestStampS) return "";
   const double ahead = (stamp - now).toSec();
-  if (ahead <= kMostAheadS) return "";
+  if (ahead <= kMaxAheadS) return "";
   return "stamp is " + fixed(ahead) + " s ahead of the clock, legal: up to " +
-         number_text(kMostAheadS) + " s";
+         number_text(kMaxAheadS) + " s";
 }
 
 std::string number_problem(double value, double most, const std::string& name) {

@@ -49,7 +49,7 @@ std::string in_proc_form(const sockaddr_storage& address) {
   return text + part;
 }
 
-/// Inode of the socket that `local` and `remote` tell of; "" when this machine has none.
+/// Inode of the socket between `local` and `remote`; "" if this machine does not have it.
 std::string find_inode(const char* table, const std::string& local, const std::string& remote) {
   std::ifstream file(table);
   std::string line;

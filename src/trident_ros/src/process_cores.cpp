@@ -30,7 +30,7 @@ ProcessCores::~ProcessCores() {
 
 int ProcessCores::keep(pid_t process, std::size_t index) {
   if (process <= 0 || process == getpid() || cores_.size() < 2) return -1;
-  if (affinity::thread_count(process) > kMostThreads) return -1;
+  if (affinity::thread_count(process) > kMaxThreads) return -1;
   const int core = cores_[index % cores_.size()];
   if (!affinity::has_thread_on(process, all_)) return -1;
   const affinity::KeptProcess kept{process, core, affinity::start_time(process), all_};

@@ -9,7 +9,7 @@
 namespace trident::ros_utils {
 namespace {
 
-constexpr double kTellEveryS = 5.0;     // wall time
+constexpr double kLogEveryS = 5.0;      // wall time
 constexpr double kPublishEveryS = 0.5;  // wall time
 
 }  // namespace
@@ -23,12 +23,12 @@ void Refusals::note(const std::string& kind, const std::string& text) {
   known.newest = text;
   ++known.count;
   const ros::WallTime now = ros::WallTime::now();
-  if (known.told == 0 || (now - known.told_at).toSec() >= kTellEveryS) {
-    const std::uint64_t more = known.count - known.told - 1;
+  if (known.logged == 0 || (now - known.logged_at).toSec() >= kLogEveryS) {
+    const std::uint64_t more = known.count - known.logged - 1;
     ROS_ERROR("%s%s", text.c_str(),
               more == 0 ? "" : (" (and " + std::to_string(more) + " before it)").c_str());
-    known.told = known.count;
-    known.told_at = now;
+    known.logged = known.count;
+    known.logged_at = now;
   }
   if ((now - published_at_).toSec() < kPublishEveryS) return;
   published_at_ = now;

@@ -37,7 +37,7 @@ std::uint64_t hash_of(const std::string& text) {  // FNV-1a
   return value;
 }
 
-/// The node's namespace tells copies of one program apart.
+/// The node's namespace distinguishes copies of one program.
 std::uint64_t seed_of_process() {
   const char* space = std::getenv("ROS_NAMESPACE");
   return mixed(hash_of(std::string(seed_text()) + "|" + program_invocation_short_name + "|" +

@@ -22,7 +22,7 @@ std::string name_of(const geometry_msgs::TransformStamped& transform) {
 std::string TransformGate::add(const geometry_msgs::TransformStamped& transform,
                                const std::string& authority, bool is_static, const ros::Time& now) {
   std::string problem = transform_problem(transform);
-  // tf2 adds to stamps of static transforms, too, but what they tell does not matter.
+  // tf2 adds to stamps of static transforms, too, but the value of these does not matter.
   const ros::Time clock = is_static ? ros::Time() : now;
   if (problem.empty()) problem = stamp_problem(transform.header.stamp, clock);
   if (!problem.empty()) return name_of(transform) + " is refused: " + problem;
@@ -52,8 +52,8 @@ void TransformGate::clear() {
   children_.clear();
 }
 
-TransformInput::TransformInput(tf2::BufferCore& buffer, Tell tell)
-    : gate_(buffer), tell_(std::move(tell)) {
+TransformInput::TransformInput(tf2::BufferCore& buffer, OnRefusal on_refusal)
+    : gate_(buffer), on_refusal_(std::move(on_refusal)) {
   ros::NodeHandle node;
   node.setCallbackQueue(&queue_);
   const boost::function<void(const Event&)> changing = [this](const Event& event) {
@@ -90,7 +90,7 @@ void TransformInput::receive(const Event& event, bool is_static) {
     std::unique_lock<std::mutex> lock(mutex_);
     const std::string problem = gate_.add(transform, authority, is_static, now);
     lock.unlock();
-    if (!problem.empty()) tell_(problem);
+    if (!problem.empty()) on_refusal_(problem);
   }
 }
 

@@ -100,7 +100,7 @@ TEST_F(DirectInboxTest, EveryMessageComesOnceAndInOrder) {
   EXPECT_EQ(inbox_.link_count(), 1U);
 }
 
-TEST_F(DirectInboxTest, TellsTheProcessThatSends) {
+TEST_F(DirectInboxTest, ReportsTheProcessThatSends) {
   ASSERT_TRUE(is_answered());
   ask("process");
   ASSERT_TRUE(spin([&] { return answers().size() == 1 && inbox_.link_count() == 1; }));

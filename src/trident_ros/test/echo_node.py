@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Sends back what it gets on ``question``, on ``answer``.
 
-"reconnect" makes it publish anew, "process" tells its process id.
+"reconnect" makes it publish again, "process" makes it send its process id.
 """
 
 from __future__ import annotations

@@ -90,8 +90,8 @@ TEST(ProcessCores, KeepsAProcessOnOneCoreAndGivesItBack) {
 
 TEST(ProcessCores, LeavesAloneWhatIsNotARoscppNode) {
   const std::vector<int> all = cores_of(0);
-  const Child child(threads(ProcessCores::kMostThreads + 1));
-  ASSERT_TRUE(child.wait_for_threads(ProcessCores::kMostThreads + 1));
+  const Child child(threads(ProcessCores::kMaxThreads + 1));
+  ASSERT_TRUE(child.wait_for_threads(ProcessCores::kMaxThreads + 1));
   ProcessCores cores;
   EXPECT_EQ(cores.keep(child.id(), 0), -1);
   EXPECT_EQ(cores_of(child.id()), all);

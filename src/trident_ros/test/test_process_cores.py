@@ -114,9 +114,9 @@ def test_a_keeper_that_keeps_nothing_starts_no_watcher() -> None:
         assert children.read_text() == ""
 
 
-@pytest.mark.parametrize(("later_ticks", "is_given_back"), [(0, True), (1, False)])
+@pytest.mark.parametrize(("later_ticks", "is_restored"), [(0, True), (1, False)])
 def test_another_process_that_has_the_number_now_is_left_alone(
-    kept: int, later_ticks: int, is_given_back: bool
+    kept: int, later_ticks: int, is_restored: bool
 ) -> None:
     core = min(ALL)
     os.sched_setaffinity(kept, {core})
@@ -128,4 +128,4 @@ def test_another_process_that_has_the_number_now_is_left_alone(
         here.send(struct.pack(f"=iiQ{_SET_BYTES}s", kept, core, start + later_ticks, cores))
         here.close()
         assert watcher.wait() == 0
-    assert os.sched_getaffinity(kept) == (ALL if is_given_back else {core})
+    assert os.sched_getaffinity(kept) == (ALL if is_restored else {core})

@@ -49,7 +49,7 @@ TEST_F(TransformGateTest, AStampFromAnotherCenturyStaysOut) {
   EXPECT_TRUE(is_known(1000.05));
 }
 
-TEST_F(TransformGateTest, AStampAnHourAheadIsBelievedOnlyUntilTheOthersGoOn) {
+TEST_F(TransformGateTest, AStampAnHourAheadIsBelievedOnlyUntilTheOthersContinue) {
   EXPECT_EQ(add(1000.0, 1.0), "");
   EXPECT_EQ(add(4600.0, 2.0), "");
   int refused = 0;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Hovering vehicles with the controllers inside the simulator: simulated time per wall time, CPU
-// and memory, and with --profile where a step's time goes. See docs/benchmarks.md.
+// and memory, and with --profile where a step's time goes. See docs/reference/benchmarks.md.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>

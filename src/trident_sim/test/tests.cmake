@@ -9,6 +9,7 @@ add_library(trident_sim_test_support STATIC
   test_support/lidar_rig.cpp
   test_support/lee_quad.cpp
   test_support/models.cpp
+  test_support/plugin_cases.cpp
   test_support/plugin_conformance.cpp
   test_support/quad_world.cpp
   test_support/test_world.cpp
@@ -16,7 +17,7 @@ add_library(trident_sim_test_support STATIC
 target_include_directories(trident_sim_test_support PUBLIC test_support ${GTEST_INCLUDE_DIRS})
 target_compile_definitions(trident_sim_test_support PUBLIC TRIDENT_REPOSITORY="${CMAKE_SOURCE_DIR}")
 target_compile_options(trident_sim_test_support PRIVATE -Wall -Wextra)
-target_link_libraries(trident_sim_test_support PUBLIC trident_sim)
+target_link_libraries(trident_sim_test_support PUBLIC trident_sim gtest)
 
 # A new sensor's test needs no line here. What follows is with the ray casting tests below.
 file(GLOB sensor_tests CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/test/sensors/*_test.cpp)
@@ -60,7 +61,7 @@ catkin_add_gtest(trident_sim_test
   test/world/world_state_test.cpp
 )
 target_link_libraries(trident_sim_test
-  trident_sim_test_support sdformat12::sdformat12 PkgConfig::GEOGRAPHICLIB ${GTEST_MAIN_LIBRARIES})
+  trident_sim_test_support sdformat12::sdformat12 PkgConfig::ODE PkgConfig::GEOGRAPHICLIB PkgConfig::TINYXML2 ${GTEST_MAIN_LIBRARIES})
 target_include_directories(trident_sim_test PRIVATE src)  # parts of plugins
 trident_precompile_headers(trident_sim_test <gtest/gtest.h>)
 
@@ -155,6 +156,7 @@ catkin_add_gtest(trident_sim_marine_test
   test/marine/current_test.cpp
   test/marine/hull_test.cpp
   test/marine/live_environment_test.cpp
+  test/marine/buoyancy_test.cpp
   test/marine/mooring_test.cpp
   test/marine/sea_plugin_test.cpp
   test/marine/seabed_test.cpp
@@ -189,6 +191,11 @@ add_executable(vessel_manoeuvre test/marine/standalone_vessel.cpp test/marine/ve
 target_compile_options(vessel_manoeuvre PRIVATE -Wall -Wextra)
 target_include_directories(vessel_manoeuvre PRIVATE src)
 target_link_libraries(vessel_manoeuvre PRIVATE trident_sim_test_support)
+
+# What plugins ask of their elements, for docs/reference/plugins.md.
+add_executable(plugin_reference test/plugin_reference.cpp test/plugin_reference_cases.cpp)
+target_compile_options(plugin_reference PRIVATE -Wall -Wextra)
+target_link_libraries(plugin_reference PRIVATE trident_sim_test_support trident_control_sim)
 
 # One set of precompiled headers for all of them.
 foreach(test trident_sim_physics_test trident_sim_ground_test trident_sim_flight_test trident_sim_allocation_test

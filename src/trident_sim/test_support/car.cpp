@@ -52,7 +52,7 @@ void add_rear(ModelSpec& model, const CarOptions& options, const std::string& si
   model.joints.push_back(joint);
 }
 
-PluginSpec make_drive(const CarOptions& options) {
+PluginSpec make_car_drive(const CarOptions& options) {
   ParamList params = options.params;
   const std::string steer = options.universal ? "front_" : "steer_";
   const ParamList own{{"front_left_joint", "front_left"},
@@ -86,7 +86,7 @@ ModelSpec make_car(const CarOptions& options) {
     add_front(model, options, side, at(rear + options.wheelbase_m, y, r));
     add_rear(model, options, side, at(rear, y, r));
   }
-  model.plugins = {make_drive(options)};
+  model.plugins = {make_car_drive(options)};
   return model;
 }
 

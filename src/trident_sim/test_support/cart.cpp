@@ -38,7 +38,7 @@ void add_wheel(ModelSpec& model, const CartOptions& options, const std::string& 
   model.joints.push_back(joint);
 }
 
-PluginSpec make_drive(const CartOptions& options) {
+PluginSpec make_cart_drive(const CartOptions& options) {
   ParamList params = options.params;
   const auto add = [&params](const char* key, const std::string& value) {
     for (const auto& [known, given] : params) {
@@ -84,7 +84,7 @@ ModelSpec make_cart(const CartOptions& options) {
       add_wheel(model, options, name, 0.0, side * y);
     }
   }
-  if (options.with_drive) model.plugins = {make_drive(options)};
+  if (options.with_drive) model.plugins = {make_cart_drive(options)};
   for (const PluginSpec& plugin : options.more_plugins) model.plugins.push_back(plugin);
   return model;
 }

@@ -190,7 +190,7 @@ PluginCase case_of(const std::string& filename, const PluginExample& example) {
                                : "<link name='base_link'>" + sdf + "</link>";
   const ModelSpec model =
       load_model_string("<sdf version='1.6'><model name='example'>" + sdf + "</model></sdf>",
-                        "example of '" + filename + "'", Resources({}), [](const auto&) {});
+                        "example of '" + filename + "'", Resources(std::vector<std::string>{}), [](const auto&) {});
   PluginCase result{filename, {}, example.required, example.numbers};
   if (!example.sensor.empty()) {
     result.sensor = model.links.at(0).sensors.at(0);

@@ -9,11 +9,11 @@
 namespace trident::sim {
 namespace {
 
-Matrix6RowMajor to_matrix(const Covariance6& values) {
+Matrix6RowMajor to_covariance(const Covariance6& values) {
   return Eigen::Map<const Matrix6RowMajor>(values.data());
 }
 
-Matrix3RowMajor to_matrix(const std::array<double, 9>& values) {
+Matrix3RowMajor to_covariance(const std::array<double, 9>& values) {
   return Eigen::Map<const Matrix3RowMajor>(values.data());
 }
 
@@ -43,10 +43,12 @@ void bind_odometry(py::module_& module) {
           "angular_velocity", [](const OdometrySample& s) { return s.w_child; },
           "In child_frame [rad/s], shape (3,).")
       .def_property_readonly(
-          "pose_covariance", [](const OdometrySample& s) { return to_matrix(s.pose_covariance); },
+          "pose_covariance",
+          [](const OdometrySample& s) { return to_covariance(s.pose_covariance); },
           "x y z, rotation x y z [m, rad], shape (6, 6).")
       .def_property_readonly(
-          "twist_covariance", [](const OdometrySample& s) { return to_matrix(s.twist_covariance); },
+          "twist_covariance",
+          [](const OdometrySample& s) { return to_covariance(s.twist_covariance); },
           "Linear x y z, angular x y z [m/s, rad/s], shape (6, 6).");
 }
 
@@ -80,7 +82,8 @@ void bind_poses(py::module_& module) {
   add_pose(covered, &PoseWithCovarianceSample::T_frame_body);
   covered.def_readonly("frame", &PoseWithCovarianceSample::frame, "Frame that the values are in.")
       .def_property_readonly(
-          "covariance", [](const PoseWithCovarianceSample& s) { return to_matrix(s.covariance); },
+          "covariance",
+          [](const PoseWithCovarianceSample& s) { return to_covariance(s.covariance); },
           "x y z, rotation x y z [m, rad], shape (6, 6).");
   stamped<PointSample>(module, "PointSample", "Position of a body in frame.")
       .def_readonly("frame", &PointSample::frame, "Frame that the values are in.")
@@ -107,15 +110,15 @@ void bind_imu(py::module_& module) {
           "Specific force in frame [m/s^2], shape (3,).")
       .def_property_readonly(
           "orientation_covariance",
-          [](const ImuSample& s) { return to_matrix(s.orientation_covariance); },
+          [](const ImuSample& s) { return to_covariance(s.orientation_covariance); },
           "Rotation x y z [rad], shape (3, 3).")
       .def_property_readonly(
           "angular_velocity_covariance",
-          [](const ImuSample& s) { return to_matrix(s.gyro_covariance); },
+          [](const ImuSample& s) { return to_covariance(s.gyro_covariance); },
           "x y z in frame [rad/s], shape (3, 3).")
       .def_property_readonly(
           "linear_acceleration_covariance",
-          [](const ImuSample& s) { return to_matrix(s.accel_covariance); },
+          [](const ImuSample& s) { return to_covariance(s.accel_covariance); },
           "x y z in frame [m/s^2], shape (3, 3).");
 }
 
@@ -218,7 +221,7 @@ void bind_navigation(py::module_& module) {
           "field", [](const MagneticFieldSample& s) { return s.field_t; },
           "In frame [T], shape (3,).")
       .def_property_readonly(
-          "covariance", [](const MagneticFieldSample& s) { return to_matrix(s.covariance); },
+          "covariance", [](const MagneticFieldSample& s) { return to_covariance(s.covariance); },
           "x y z in frame [T^2], shape (3, 3).");
   stamped<GnssFixSample>(module, "GnssFixSample", "A satellite receiver's position fix, WGS84.")
       .def_readonly("frame", &GnssFixSample::frame, "Frame of the antenna.")
@@ -226,7 +229,7 @@ void bind_navigation(py::module_& module) {
       .def_readonly("longitude", &GnssFixSample::longitude_deg, "[deg], east positive.")
       .def_readonly("altitude", &GnssFixSample::altitude_m, "Above the ellipsoid [m].")
       .def_property_readonly(
-          "covariance", [](const GnssFixSample& s) { return to_matrix(s.covariance_enu); },
+          "covariance", [](const GnssFixSample& s) { return to_covariance(s.covariance_enu); },
           "East, north, up [m^2], shape (3, 3).");
   stamped<GnssStatusSample>(module, "GnssStatusSample", "How good a satellite receiver's fix is.")
       .def_readonly("frame", &GnssStatusSample::frame, "Frame of the antenna.")

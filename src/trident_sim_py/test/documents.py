@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""The pieces of code in docs/python.md, and processes that have not sourced anything."""
+"""The pieces of code in docs/howto/python.md, and processes that have not sourced anything."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ import subprocess
 import sys
 from pathlib import Path
 
-REPO = Path(__file__).resolve().parents[4]
-PAGE = REPO / "docs" / "python.md"
+REPO = Path(__file__).resolve().parents[3]
+PAGE = REPO / "docs" / "howto" / "python.md"
 EXAMPLES = Path(__file__).resolve().parents[1] / "examples"
 _BLOCK = re.compile(r"^```python ?(\S*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 _SOURCED = re.compile(r"^(ROS_|GAZEBO_|CMAKE_|TRIDENT_|PYTHONPATH$|LD_LIBRARY_PATH$)")

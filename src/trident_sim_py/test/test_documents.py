@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""docs/python.md does what it says: its code runs, and is typed."""
+"""docs/howto/python.md does what it says: its code runs, and is typed."""
 
 from __future__ import annotations
 

@@ -13,6 +13,8 @@ Example:
     print(world.time, uav.position, world.state_hash())
 """
 
+from trident_base.moved_modules import keep_old_names
+
 from trident_sim._core import (
     ActuatorCommand,
     ActuatorState,
@@ -76,6 +78,7 @@ from trident_sim.description import (
 from trident_sim.world import RayHits, ShapeName, SimulationWarning, World
 
 complete_environment()
+keep_old_names({"trident_sim.worldgen": "trident_worldgen"})
 
 __all__ = [
     "ActuatorCommand",

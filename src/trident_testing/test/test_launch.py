@@ -17,13 +17,13 @@ from trident.testing import Gazebo, Launch, Ros, box_sdf, eventually, pose, reco
 
 from trident_msgs.msg import FleetState
 
-PAGE = Path(__file__).resolve().parents[3] / "docs" / "python.md"
+PAGE = Path(__file__).resolve().parents[3] / "docs" / "howto" / "python.md"
 FORMATION = ("trident_bringup", "multi_uav_simulation.launch")
 Start = Callable[..., Launch]
 
 
 def block(label: str) -> str:
-    """The piece of code in docs/python.md that has this label."""
+    """The piece of code in docs/howto/python.md that has this label."""
     text = PAGE.read_text(encoding="utf-8")
     (found,) = re.findall(rf"^```python {label}\n(.*?)^```$", text, re.MULTILINE | re.DOTALL)
     return str(found)

@@ -72,7 +72,7 @@ def test_the_markers_of_the_fleet_end_with_the_viewer(viewer: Path, code: int) -
     assert result.returncode == code
     log = viewer / "rosrun.log"
     eventually(lambda: "ended" in log.read_text(), "the end of the markers")
-    assert log.read_text() == "trident_eval fleet_markers.py\nended\n"
+    assert log.read_text() == "trident_viewer fleet_markers.py\nended\n"
 
 
 @pytest.mark.parametrize("code", [0, 3])

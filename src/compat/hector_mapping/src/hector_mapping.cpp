@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Node hector_mapping: hector's topics, services and parameters around trident_slam.
 #include <geometry_msgs/PoseStamped.h>
+#include <geometry_msgs/PoseWithCovarianceStamped.h>
 #include <hector_mapping/ResetMapping.h>
 #include <nav_msgs/Odometry.h>
 #include <ros/ros.h>
@@ -15,12 +16,12 @@
 #include <cstdint>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "trident_base/error.h"
 #include "trident_maps_ros/map_messages.h"
 #include "trident_slam/hector_slam_2d.h"
 #include "trident_slam/slam_2d_abilities.h"
-#include "trident_slam_ros/parameter_names.h"
 #include "trident_slam_ros/run_program.h"
 #include "trident_slam_ros/slam_node.h"
 #include "trident_slam_ros/slam_parameters.h"
@@ -30,11 +31,51 @@ namespace {
 
 constexpr char kUsualMethod[] = "hector_slam_2d";
 
-struct HectorOptions {
+/// Private parameters of the node beyond those of the method, with hector's defaults.
+struct HectorNodeParams {
+  HectorNodeParams() {
+    options.base_frame = "base_link";
+    options.map_update_interval = 2.0;
+    options.pose_topic = "poseupdate";
+    options.scan_queue_size = 5;
+  }
+
+  SlamNodeOptions options;
+  bool publishes_correction = true;    ///< map -> odom
   bool publishes_odometry = false;     ///< scanmatch_odom
   bool publishes_scan_matcher = true;  ///< map -> `scan_matcher_frame`: the base as matched
   std::string scan_matcher_frame = "scanmatcher_frame";
   std::string command_topic = "syscommand";
+
+  template <class Archive>
+  void visit(Archive& ar) {
+    options.visit(ar);
+    ar.field("map_pub_period", options.map_update_interval, Range::non_negative(),
+             "hector's name of map_update_interval [s]");
+    ar.field("scan_subscriber_queue_size", options.scan_queue_size, Range::at_least(1),
+             "scans that wait for the node");
+    ar.field("use_tf_scan_transformation", options.uses_mount,
+             "false: the laser is taken to sit at base_frame");
+    ar.field("pub_map_odom_transform", publishes_correction, "publish map -> odom");
+    ar.field("pub_odometry", publishes_odometry, "publish scanmatch_odom");
+    ar.field("pub_map_scanmatch_transform", publishes_scan_matcher,
+             "publish the matched pose as a transform");
+    ar.field("tf_map_scanmatch_transform_frame_name", scan_matcher_frame,
+             "child frame of that transform");
+    ar.field("sys_msg_topic", command_topic, "topic of the command reset");
+  }
+};
+
+/// hector's parameters that say what odometry is good for.
+struct HectorOdometryParams {
+  bool uses_start_estimate = false;
+  bool has_known_poses = false;
+
+  template <class Archive>
+  void visit(Archive& ar) {
+    ar.field("use_tf_pose_start_estimate", uses_start_estimate, "odometry starts each match");
+    ar.field("map_with_known_poses", has_known_poses, "odometry is believed, nothing is matched");
+  }
 };
 
 sensor_msgs::PointCloud cloud_of(const LaserScan& scan, const std_msgs::Header& header) {
@@ -57,7 +98,7 @@ sensor_msgs::PointCloud cloud_of(const LaserScan& scan, const std_msgs::Header& 
 class HectorMapping {
  public:
   HectorMapping(const ros::NodeHandle& own, const SlamNodeOptions& options,
-                const HectorOptions& hector, SlamNode::MakeSlam make)
+                const HectorNodeParams& hector, SlamNode::MakeSlam make)
       : map_frame_(options.map_frame),
         base_frame_(options.base_frame),
         hector_(hector),
@@ -148,7 +189,7 @@ class HectorMapping {
 
   std::string map_frame_;
   std::string base_frame_;
-  HectorOptions hector_;
+  HectorNodeParams hector_;
   tf2_ros::TransformBroadcaster broadcaster_;
   ros::Publisher pose_publisher_;
   ros::Publisher cloud_publisher_;
@@ -161,75 +202,49 @@ class HectorMapping {
   ros::ServiceServer restart_;
 };
 
-/// Of a map that does not grow, of endpoints that are not in the plane, of debugging.
-const ParameterNames& upstream_parameters() {
-  static const ParameterNames names = {
-      "map_size",          "map_start_x",  "map_start_y",     "laser_z_min_value",
-      "laser_z_max_value", "laser_z_min",  "laser_z_max",     "advertise_map_service",
-      "output_timing",     "pub_drawings", "pub_debug_output"};
-  return names;
+/// hector's names for what graph_slam_2d calls otherwise.
+const std::vector<ParameterAlias>& aliases() {
+  static const std::vector<ParameterAlias> list = {{"resolution", "map_resolution"},
+                                                   {"min_laser_range", "laser_min_dist"},
+                                                   {"max_laser_range", "laser_max_dist"}};
+  return list;
 }
 
-void tell_unused_parameters(const ros::NodeHandle& own) {
-  ParameterNames used = field_names<HectorSlamParams>();
-  const ParameterNames of_node = slam_node_parameters();
-  used.insert(used.end(), of_node.begin(), of_node.end());
-  used.insert(used.end(), {"method", "config_file", "map_pub_period", "pub_map_odom_transform",
-                           "pub_map_scanmatch_transform", "tf_map_scanmatch_transform_frame_name",
-                           "pub_odometry", "scan_subscriber_queue_size", "sys_msg_topic",
-                           "use_tf_scan_transformation", "use_tf_pose_start_estimate"});
-  tell_unused(own, used, upstream_parameters());
+/// Parameters of a map that does not grow, of endpoints that are not in the plane, of debugging.
+void accept_upstream_names(ros_utils::NodeParams& params) {
+  params.accept_without_effect({"map_size", "map_start_x", "map_start_y", "laser_z_min_value",
+                                "laser_z_max_value", "laser_z_min", "laser_z_max",
+                                "advertise_map_service", "output_timing", "pub_drawings",
+                                "pub_debug_output"});
 }
 
-SlamNodeOptions read_node_options(const ros::NodeHandle& own) {
-  SlamNodeOptions options;
-  options.base_frame = "base_link";
-  options.map_update_interval = 2.0;
-  options.pose_topic = "poseupdate";
-  options.scan_queue_size = 5;
-  read_options(own, options);
-  own.getParam("map_pub_period", options.map_update_interval);
-  own.getParam("scan_subscriber_queue_size", options.scan_queue_size);
-  own.getParam("use_tf_scan_transformation", options.uses_mount);
-  bool publishes_correction = true;
-  own.getParam("pub_map_odom_transform", publishes_correction);
-  if (!publishes_correction) options.transform_publish_period = 0.0;
-  if (options.scan_queue_size < 1) {
-    throw Error("parameter " + own.resolveName("scan_subscriber_queue_size") + " is " +
-                std::to_string(options.scan_queue_size) + ", legal: 1 and above");
+/// The method with hector's defaults. A YAML file replaces all of these.
+SlamMethod read_method(ros_utils::NodeParams& params) {
+  const auto odometry = params.read<HectorOdometryParams>();
+  SlamMethod method(params, kUsualMethod, aliases());
+  set_node_defaults(method);
+  method.set("is_asynchronous", "true");
+  if (method.has_file()) return method;
+  method.set_default("map_resolution", "0.025");
+  method.set_default("laser_min_dist", "0.4");
+  method.set_default("resolution", "0.025");
+  method.set_default("min_laser_range", "0.4");
+  if (method.name() == kUsualMethod) {
+    const bool is_used = odometry.uses_start_estimate || odometry.has_known_poses;
+    method.set_default("use_odometry", is_used ? "true" : "false");
   }
-  return options;
-}
-
-HectorOptions read_hector_options(const ros::NodeHandle& own) {
-  HectorOptions options;
-  own.getParam("pub_odometry", options.publishes_odometry);
-  own.getParam("pub_map_scanmatch_transform", options.publishes_scan_matcher);
-  own.getParam("tf_map_scanmatch_transform_frame_name", options.scan_matcher_frame);
-  own.getParam("sys_msg_topic", options.command_topic);
-  return options;
+  return method;
 }
 
 void run() {
-  const ros::NodeHandle own("~");
-  const SlamNodeOptions options = read_node_options(own);
-  tell_unused_parameters(own);
-  // hector's defaults, and its name for what odometry is good for.
-  if (!own.hasParam("map_resolution")) own.setParam("map_resolution", 0.025);
-  if (!own.hasParam("laser_min_dist")) own.setParam("laser_min_dist", 0.4);
-  if (!own.hasParam("use_odometry")) {
-    own.setParam("use_odometry", own.param("use_tf_pose_start_estimate", false) ||
-                                     own.param("map_with_known_poses", false));
-  }
-  GraphSlamOptions graph;  // for another ~method
-  own.getParam("map_resolution", graph.resolution);
-  own.getParam("laser_min_dist", graph.min_laser_range);
-  own.getParam("laser_max_dist", graph.max_laser_range);
-  read_graph_file(own, kUsualMethod, graph);
-  graph.is_asynchronous = true;
-  graph.validate();
-  HectorMapping node(ros::NodeHandle(), options, read_hector_options(own),
-                     slam_maker(own, kUsualMethod, graph));
+  const ros::NodeHandle own("~");  // ROS ends with the last handle
+  ros_utils::NodeParams params(own);
+  auto hector = params.read<HectorNodeParams>();
+  if (!hector.publishes_correction) hector.options.transform_publish_period = 0.0;
+  const SlamMethod method = read_method(params);
+  accept_upstream_names(params);
+  params.log_warnings();
+  HectorMapping node(ros::NodeHandle(), hector.options, hector, method.maker());
   node.run();
 }
 

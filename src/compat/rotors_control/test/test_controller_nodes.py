@@ -23,6 +23,13 @@ LEE = "lee_position_controller_node"
 ATTITUDE = "roll_pitch_yawrate_thrust_controller_node"
 CLEAN_END_S = 1.0
 NAMESPACE = {"ROS_NAMESPACE": "/UAV1"}
+ROTOR = {
+    "angle": 0.0,
+    "arm_length": 0.2,
+    "rotor_force_constant": 8e-6,
+    "rotor_moment_constant": 0.016,
+    "direction": 1,
+}
 
 
 @pytest.fixture
@@ -207,19 +214,22 @@ def test_rosnode_kill_ends_it(ros: RosProcesses) -> None:
 @pytest.mark.parametrize(
     ("change", "text"),
     [
-        ({"mass": -1.0}, "'mass' is -1: it must be a finite number > 0"),
-        ({"mass": "heavy"}, f"'/UAV1/{LEE}/mass' is heavy: it must be a number"),
-        ({"mass": float("nan")}, f"'/UAV1/{LEE}/mass' is nan: it must be a finite number"),
+        ({"mass": -1.0}, f"/UAV1/{LEE}/mass: -1 is out of range; must be a number > 0 kg"),
+        ({"mass": "heavy"}, f"/UAV1/{LEE}/mass: must be a number > 0 kg, but is the text"),
+        ({"mass": float("nan")}, f"/UAV1/{LEE}/mass: nan is out of range"),
         ({"inertia": {"xx": 0.0}}, "'inertia' is [xx 0,"),
-        ({"position_gain": {"x": 1, "y": -2, "z": 3}}, f"'/UAV1/{LEE}/position_gain' is"),
+        (
+            {"position_gain": {"x": 1, "y": -2, "z": 3}},
+            f"/UAV1/{LEE}/position_gain/y: -2 is out of range",
+        ),
         (
             {"position_gain": {"x": True}},
-            f"'/UAV1/{LEE}/position_gain/x' is 1: it must be a number",
+            f"/UAV1/{LEE}/position_gain/x: must be a number >= 0, but is true",
         ),
-        ({"rotor_configuration": {"0": {"angle": 0.0}}}, "that has 'arm_length' too"),
-        ({"rotor_configuration": {"1": {}}}, "0, 1, 2 ... without a gap"),
-        ({"rotor_configuration": [1, 2]}, "rotors named 0, 1, 2 ..."),
-        ({"omit_gyroscopic_term": "yes"}, "it must be true or false"),
+        ({"rotor_configuration": {"0": {"angle": 0.0}}}, "0/arm_length: missing required key"),
+        ({"rotor_configuration": {"1": ROTOR}}, "0, 1, 2 ... without a gap"),
+        ({"rotor_configuration": [1, 2]}, "rotor_configuration: must be a map"),
+        ({"omit_gyroscopic_term": "yes"}, "must be true or false, but is the text 'yes'"),
     ],
 )
 def test_bad_parameters_give_one_error_and_exit_code_1(
@@ -239,5 +249,5 @@ def test_absent_and_unknown_parameters_are_named(ros: RosProcesses) -> None:
     assert process.stdout is not None
     lines = [process.stdout.readline() for _ in range(4)]
     for axis, line in zip("xyz", lines, strict=False):
-        assert f"'/UAV1/{LEE}/position_gain/{axis}' is not set, using 6" in line
-    assert "'postion_gain' is not one that this node knows" in lines[3]
+        assert f"/UAV1/{LEE}/position_gain/{axis} is not set, using 6" in line
+    assert "postion_gain is unknown, not used; did you mean position_gain?" in lines[3]

@@ -18,7 +18,7 @@ struct AckermannGeometry {
 
   /// Angles of the left and the right front wheel.
   Eigen::Vector2d wheel_angles(double steering_rad) const;
-  /// From those: the mean of what each wheel tells, in tan(steering).
+  /// The inverse of `wheel_angles`: the mean of tan(steering) over both wheels.
   double steering_of(double left_rad, double right_rad) const;
   /// The steering at which the inner wheel stands at an angle.
   double steering_of_inner(double inner_rad) const;

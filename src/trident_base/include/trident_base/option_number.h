@@ -11,8 +11,8 @@ namespace trident {
 /// name. Throws Error naming the option and `text` unless the whole text is a number in [lo, hi].
 double option_number(const std::string& option, const std::string& text, double lo, double hi);
 
-/// The whole number that is written so, 1e3 included. Throws Error likewise; lo and hi within
-/// +-2^53, where a double holds every whole number.
+/// The integer that is written as `text` (1e3 is one, too). Throws Error on the same conditions,
+/// and unless the number is an integer; requires |lo|, |hi| <= 2^53, where a double is exact.
 std::int64_t option_count(const std::string& option, const std::string& text, std::int64_t lo,
                           std::int64_t hi);
 

@@ -39,8 +39,8 @@ class PixelImageError : public Error {
   Kind kind_;
 };
 
-/// Reads a PGM (P2, P5; up to 65535) or a PNG (any: palettes become RGB), told apart by their first
-/// bytes. Throws PixelImageError naming the file.
+/// Reads a PGM (P2, P5; up to 65535) or a PNG (any: palettes become RGB); the first bytes decide
+/// which. Throws PixelImageError naming the file.
 PixelImage read_pixel_image(const std::string& path, const PixelImageLimits& limits = {});
 
 }  // namespace trident

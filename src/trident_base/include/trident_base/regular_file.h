@@ -10,7 +10,7 @@
 
 namespace trident {
 
-/// Throws Error for a device, which is endless. What is not there is told by whoever opens it.
+/// Throws Error for a device, which is endless. Accepts a missing file: opening it reports that.
 inline void check_no_device(const std::string& path, const std::string& legal) {
   struct stat about {};
   if (stat(path.c_str(), &about) != 0) return;

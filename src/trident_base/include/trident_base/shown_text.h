@@ -11,7 +11,7 @@ namespace trident {
 inline constexpr std::size_t kLongestShownWord = 200;
 
 /// A message about bad input with every word of more than `kLongestShownWord` bytes cut, which
-/// "..." tells. Paths stay whole: they are no bad input, and name the place.
+/// "..." marks. Paths stay whole: they are no bad input, and name the place.
 std::string with_short_words(const std::string& text);
 
 }  // namespace trident

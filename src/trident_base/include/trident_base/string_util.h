@@ -24,7 +24,7 @@ inline bool ends_with(std::string_view text, std::string_view suffix) {
 std::string number_text(double value);
 
 /// The number that the whole text is, as std::stod reads it: white space may come before it, "inf"
-/// and "nan" are numbers; one that is too large or too small for a double is none.
+/// and "nan" are numbers; nullopt if there is no number, or if it is out of a double's range.
 std::optional<double> number_from_text(const std::string& text);
 
 /// Number of single-character insertions, deletions, replacements and swaps of neighbours that lead

@@ -12,7 +12,7 @@
 namespace trident {
 
 /// An incremental encoder: it counts the marks that a shaft has passed since zero, down as the
-/// shaft turns back. An angle is told too low, by less than a tick.
+/// shaft turns back. The measured angle is too low, by less than a tick.
 class WheelEncoder {
  public:
   /// Throws Error unless `ticks_per_turn` >= 1.

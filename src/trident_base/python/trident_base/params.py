@@ -194,7 +194,7 @@ def read(
 
     Args:
         defaults: an instance; a field that is a dataclass itself is a group, whose parameters are
-            read in the same way.
+            read by the same rules.
         params: where from.
         prefixes: of the names of the parameters of a group, by the group's path of fields.
         leave: fields that are not read.

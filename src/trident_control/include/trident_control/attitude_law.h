@@ -10,7 +10,7 @@
 
 namespace trident::control {
 
-/// Where the RotorS controllers depart from the paper. Each default is RotorS' behaviour.
+/// Where the RotorS controllers depart from the paper. Each default is RotorS' behavior.
 struct AttitudeQuirks {
   /// The desired body rate is rotated by Rd' R; the paper says R' Rd.
   bool rotate_yaw_rate_with_RdT_R = true;

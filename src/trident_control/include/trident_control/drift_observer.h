@@ -12,7 +12,7 @@ namespace trident::control {
 /// what wind and waves add to it. The model's sway (pushed aside by the turn's own centripetal
 /// force, slowed by the drag) less the measured one is how fast the water moves across the bow;
 /// that part of a vector of the world's axes is averaged. The part along the bow stays as it was
-/// learned on another heading: a surge speed over ground alone does not tell it.
+/// learned on another heading: a surge speed over ground alone does not determine it.
 class DriftObserver {
  public:
   /// `time_constant` of the average [s], > 0.

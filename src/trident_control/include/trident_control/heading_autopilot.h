@@ -22,7 +22,7 @@ class HeadingAutopilot {
   double hold(const VesselState& state, double target, double dt_s);
   /// Moment [N m] that turns with `rate` [rad/s]; a heading is held when it is 0.
   double turn(const VesselState& state, double rate, double dt_s);
-  /// What the actuators gave of the last moment; the integral goes on by it.
+  /// What the actuators gave of the last moment; the integral continues from it.
   void settle(double given);
 
   /// The heading that is asked for at present [rad].

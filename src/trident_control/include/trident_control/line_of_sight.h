@@ -14,8 +14,8 @@ namespace trident::control {
 /// the distance e to the left of a leg in direction gamma, with the lookahead D,
 ///   chi_d = gamma - atan((e + c + sigma s) / D),  ds/dt = D e / (D^2 + (e + c + sigma s)^2),
 /// where c is as far as the drift that is known already would set a vessel aside. The integral
-/// cancels what else is steady across the leg, and hardly grows far from it. What legs have told of
-/// that, each the part across it, is kept as a vector, from which the next leg begins.
+/// cancels what else is steady across the leg, and hardly grows far from it. What legs have shown
+/// of that, each the part across it, is kept as a vector, from which the next leg begins.
 class LineOfSight {
  public:
   explicit LineOfSight(const GuidanceParams& params) : params_(params) {}

@@ -35,16 +35,16 @@ class PlaceHold {
 /// 2001). Its heading is the weather's choice.
 class WeatherVane {
  public:
-  struct Wish {
+  struct Setpoint {
     double heading = 0.0;  ///< [rad]
     double speed = 0.0;    ///< [m/s]
   };
 
   explicit WeatherVane(const StationParams& params) : params_(params) {}
 
-  /// Hangs it where it would be at the place when it went on straight to there.
+  /// Hangs it where it would be at the place if it continued straight to there.
   void start(const VesselState& state, const Eigen::Vector2d& place_world);
-  Wish update(const VesselState& state, const Eigen::Vector2d& place_world, double dt_s);
+  Setpoint update(const VesselState& state, const Eigen::Vector2d& place_world, double dt_s);
   /// Where the vessel hangs.
   const Eigen::Vector2d& suspension() const { return point_; }
 

@@ -16,9 +16,9 @@ namespace trident::control {
 ///
 /// Of forces f with effects B f the ones with the least
 ///   |W (B f - tau)|^2 + eps |f|^2,   f within the limits,
-/// are taken, which is a quadratic program with bounds, solved exactly by an active set. W tells
+/// are taken, which is a quadratic program with bounds, solved exactly by an active set. W sets
 /// what is kept when not everything can be given: yaw before surge, as a rule. Where thrusters turn
-/// it is solved twice: once with the force of each as a vector, which tells its angle, then with
+/// it is solved twice: once with the force of each as a vector, which gives its angle, then with
 /// the angles that they have by then (at their rate, as they were commanded) for the thrusts.
 /// Commands come from the inverse of each thruster's curve. Nothing is allocated on the heap.
 class ThrustAllocation {

@@ -114,15 +114,15 @@ struct GuidanceParams {
 };
 
 /// kAutomatic: kPose where thrusters push sideways without being turned first, else kWeatherVane.
-enum class StationBehaviour { kAutomatic, kPose, kWeatherVane };
-constexpr auto enum_names(StationBehaviour) {
-  return std::array{EnumName{StationBehaviour::kAutomatic, "automatic"},
-                    EnumName{StationBehaviour::kPose, "pose"},
-                    EnumName{StationBehaviour::kWeatherVane, "weather_vane"}};
+enum class StationBehavior { kAutomatic, kPose, kWeatherVane };
+constexpr auto enum_names(StationBehavior) {
+  return std::array{EnumName{StationBehavior::kAutomatic, "automatic"},
+                    EnumName{StationBehavior::kPose, "pose"},
+                    EnumName{StationBehavior::kWeatherVane, "weather_vane"}};
 }
 
 struct StationParams {
-  StationBehaviour behaviour = StationBehaviour::kAutomatic;
+  StationBehavior behavior = StationBehavior::kAutomatic;
   double natural_frequency = 0.3;
   double damping_ratio = 0.9;
   double integral_time = 30.0;
@@ -135,7 +135,7 @@ struct StationParams {
   template <class Archive>
   void visit(Archive& ar) {
     ar.field(
-        "behaviour", behaviour,
+        "behaviour", behavior,
         "pose: holds place and heading; weather_vane: the place, its heading is the weather's");
     ar.field("natural_frequency", natural_frequency, Range{0.0, 10.0, true},
              "of the closed loop [rad/s]");

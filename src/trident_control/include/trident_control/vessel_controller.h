@@ -19,7 +19,7 @@
 
 namespace trident::control {
 
-/// What a vessel is told. Angles from x towards y of the odometry's frame.
+/// A command to a vessel. Angles from x towards y of the odometry's frame.
 struct VesselCommand {
   enum class Kind {
     kVelocity,  ///< speed [m/s] and rate [rad/s]
@@ -45,7 +45,7 @@ struct CommandVerdict {
 enum class VesselMode { kIdle, kVelocity, kHeading, kCourse, kPath, kStation };
 const char* name_of(VesselMode mode);
 
-/// A vessel's controllers behind one another: the newest command decides the mode; that tells
+/// A vessel's controllers behind one another: the newest command decides the mode; that sets
 /// heading and speed, or a force; autopilot and speed controller make a force of them, and the
 /// allocation commands of that. Time is the stamps of the states.
 class VesselController {
@@ -85,7 +85,7 @@ class VesselController {
     }
   };
   /// Heading and speed, or surge and sway force and heading.
-  struct Wish {
+  struct Setpoint {
     double heading = 0.0, speed = 0.0;
     std::optional<double> rate;            // in place of the heading
     std::optional<Eigen::Vector2d> force;  // in place of the speed
@@ -96,17 +96,17 @@ class VesselController {
   void apply(SimTime stamp, const VesselCommand& command, const VesselState& state);
   void enter(VesselMode mode, const VesselState& state);
   void keep_station(const Eigen::Vector2d& place, double heading, const VesselState& state);
-  Wish wish(SimTime stamp, const VesselState& state, double dt_s);
-  Wish velocity_wish(SimTime stamp) const;
+  Setpoint setpoint(SimTime stamp, const VesselState& state, double dt_s);
+  Setpoint velocity_setpoint(SimTime stamp) const;
   double steered_towards(double course, double speed, const VesselState& state) const;
-  Wish path_wish(SimTime stamp, const VesselState& state, double dt_s);
-  Wish station_wish(const VesselState& state, double dt_s);
+  Setpoint path_setpoint(SimTime stamp, const VesselState& state, double dt_s);
+  Setpoint station_setpoint(const VesselState& state, double dt_s);
   double course_heading(const VesselState& state, double dt_s);
   double slowed(double heading, const VesselState& state) const;
   bool has_log(SimTime stamp) const;
   double speed_through_water(SimTime stamp, const VesselState& state) const;
   std::optional<double> measured_speed(SimTime stamp, const VesselState& state) const;
-  void actuate(const Wish& wish, SimTime stamp, const VesselState& state, double dt_s);
+  void actuate(const Setpoint& setpoint, SimTime stamp, const VesselState& state, double dt_s);
 
   VesselControlParams params_;
   HeadingAutopilot autopilot_;

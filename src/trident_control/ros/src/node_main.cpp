@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "trident_base/error.h"
+#include "trident_control_ros/controller_params.h"
 
 namespace trident::control {
 namespace {
@@ -57,11 +58,9 @@ void init_without_clock(int argc, char** argv, const std::string& name) {
 
 }  // namespace
 
-void log_notes(const ParameterTree& parameters) {
-  for (const std::string& note : parameters.notes()) ROS_WARN("%s", note.c_str());
-  for (const std::string& name : parameters.unknown_names()) {
-    ROS_WARN("private parameter '%s' is not one that this node knows; ignored", name.c_str());
-  }
+void log_notes(const ros_utils::NodeParams& params) {
+  for (const std::string& note : absent_notes(params)) ROS_WARN("%s", note.c_str());
+  params.log_warnings();
 }
 
 void set_log_time(const ros::Time& stamp) {
@@ -79,10 +78,9 @@ int run_node(int argc, char** argv, const std::string& name, const NodeFactory& 
   ros::NodeHandle node;  // outlives the catch: logging ends with the last handle
   int result = 0;
   try {
-    ros::NodeHandle private_node("~");
-    ParameterTree parameters = ParameterTree::of_node(private_node);
-    const std::unique_ptr<RunningNode> running = make_node(node, parameters);
-    log_notes(parameters);
+    ros_utils::NodeParams params(ros::NodeHandle("~"));
+    const std::unique_ptr<RunningNode> running = make_node(node, params);
+    log_notes(params);
     while (ros::ok()) running->spin_once(kLookAtRosEvery);
   } catch (const Error& error) {
     ROS_FATAL("%s", error.what());

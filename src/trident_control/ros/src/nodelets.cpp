@@ -8,21 +8,21 @@
 #include <memory>
 
 #include "trident_base/error.h"
+#include "trident_control_ros/controller_params.h"
 #include "trident_control_ros/lee_position_controller_node.h"
 #include "trident_control_ros/node_main.h"
 #include "trident_control_ros/roll_pitch_yawrate_thrust_controller_node.h"
 
 namespace trident::control {
-namespace {
 
 /// With a bad parameter the manager does not get the nodelet.
 class ControllerNodelet : public nodelet::Nodelet {
  public:
   void onInit() override {
     try {
-      ParameterTree parameters = ParameterTree::of_node(getPrivateNodeHandle());
-      node_ = make(getNodeHandle(), parameters);
-      log_notes(parameters);
+      ros_utils::NodeParams params(getPrivateNodeHandle());
+      node_ = make(getNodeHandle(), params);
+      log_notes(params);
     } catch (const Error& error) {
       NODELET_FATAL("%s", error.what());  // the manager says only that it failed
       throw;
@@ -30,28 +30,28 @@ class ControllerNodelet : public nodelet::Nodelet {
   }
 
  protected:
-  virtual std::unique_ptr<RunningNode> make(ros::NodeHandle& node, ParameterTree& parameters) = 0;
+  virtual std::unique_ptr<RunningNode> make(ros::NodeHandle& node,
+                                            ros_utils::NodeParams& params) = 0;
 
  private:
   std::unique_ptr<RunningNode> node_;
 };
 
-}  // namespace
-
 class LeePositionControllerNodelet : public ControllerNodelet {
  protected:
-  std::unique_ptr<RunningNode> make(ros::NodeHandle& node, ParameterTree& parameters) override {
-    const LeeParams params = parameters.lee_params();
-    return std::make_unique<LeePositionControllerNode>(
-        node, params, parameters.setpoint_queue_params(), OdometryThread::kPublisher);
+  std::unique_ptr<RunningNode> make(ros::NodeHandle& node, ros_utils::NodeParams& params) override {
+    const auto own = params.read<LeeNodeParams>();
+    return std::make_unique<LeePositionControllerNode>(node, own.controller(), own.setpoints,
+                                                       OdometryThread::kPublisher);
   }
 };
 
 class RollPitchYawrateThrustControllerNodelet : public ControllerNodelet {
  protected:
-  std::unique_ptr<RunningNode> make(ros::NodeHandle& node, ParameterTree& parameters) override {
-    return std::make_unique<RollPitchYawrateThrustControllerNode>(
-        node, parameters.roll_pitch_yawrate_thrust_params(), OdometryThread::kPublisher);
+  std::unique_ptr<RunningNode> make(ros::NodeHandle& node, ros_utils::NodeParams& params) override {
+    const auto own = params.read<RollPitchYawrateThrustNodeParams>();
+    return std::make_unique<RollPitchYawrateThrustControllerNode>(node, own.controller(),
+                                                                  OdometryThread::kPublisher);
   }
 };
 

@@ -16,16 +16,16 @@ import numpy as np
 
 from trident_eval.bag import read_bag
 from trident_eval.core.animation import animate
-from trident_eval.core.command import Command, read_command
-from trident_eval.core.complaints import complaints
 from trident_eval.core.errors import EvalError
+from trident_eval.core.exit_codes import exit_code_of
 from trident_eval.core.faults import add_faults, read_faults
+from trident_eval.core.flight_records import Command, read_command
+from trident_eval.core.log_warnings import log_warnings
 from trident_eval.core.mission_plots import draw_missions
 from trident_eval.core.missions import judge_missions, read_missions
 from trident_eval.core.page import Report, page
 from trident_eval.core.plots import draw_all
 from trident_eval.core.provenance import Provenance, read_object, read_provenance
-from trident_eval.core.reader import until_unread
 from trident_eval.core.report import table
 from trident_eval.core.scene import Scene, formation_scene
 from trident_eval.core.tracks import read_states
@@ -181,7 +181,7 @@ def write_report(
         flown=flights(scene) if scene else (),
         pictures=pictures,
         provenance=provenance,
-        complaints=complaints(source / "roslaunch.log"),
+        complaints=log_warnings(source / "roslaunch.log"),
         drawn_with=_drawn_with(),
     )
     path = folder / "report.html"
@@ -211,4 +211,4 @@ def _drawn_with() -> dict[str, str]:
 
 
 if __name__ == "__main__":
-    sys.exit(until_unread(main))
+    sys.exit(exit_code_of(main))

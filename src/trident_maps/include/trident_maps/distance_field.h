@@ -37,7 +37,7 @@ class DistanceField {
   float at(float x, float y) const;
 
   /// How far a beam from `p_grid` along `angle` gets to the first obstacle [m]; `max_range` when it
-  /// meets none in the map.
+  /// hits nothing in the map.
   double ray(const Eigen::Vector2d& p_grid, double angle, double max_range) const;
 
  private:
@@ -53,8 +53,8 @@ struct ScanPoints {
   std::vector<Eigen::Vector2f> p_base;  ///< ends of beams [m]
 };
 
-/// The share of the beams, 0 ... 1, that the map explains from a pose: the way is free to within
-/// 0.3 m of the beam's end, and something is within 0.3 m of that end.
+/// The fraction of the beams, 0 ... 1, that the map explains from a pose: the beam is free to
+/// within 0.3 m of the beam's end, and something is within 0.3 m of that end.
 double scan_agreement(const DistanceField& field, const ScanPoints& points, const SE2& T_grid_base);
 
 }  // namespace trident::maps

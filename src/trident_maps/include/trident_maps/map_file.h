@@ -14,7 +14,7 @@
 namespace trident::maps {
 
 /// How the brightness of a pixel becomes the occupancy of a cell. With `dark`, 0 for a white and 1
-/// for a black pixel (the other way round where `negate` is 1):
+/// for a black pixel (inverted where `negate` is 1):
 ///   trinary  occupied (100) above occupied_thresh, free (0) below free_thresh, else unknown (-1);
 ///   scale    as trinary, but what lies between grows from 1 to 99, and only transparent pixels
 ///            are unknown;

@@ -53,7 +53,7 @@ SaverOptions parse_options(int argc, char** argv) {
   return options;
 }
 
-bool save_or_tell(const SaverOptions& options, const OccupancyGrid& grid) {
+bool save_or_log(const SaverOptions& options, const OccupancyGrid& grid) {
   try {
     save_map(options.name, grid, options.thresholds);
   } catch (const Error& error) {
@@ -85,7 +85,7 @@ int map_saver_main(int argc, char** argv) {
                           std::string("map refused, still waiting: ") + error.what());
             return;
           }
-          result = save_or_tell(options, grid) ? 0 : 1;
+          result = save_or_log(options, grid) ? 0 : 1;
         };
     const ros::Subscriber subscriber = node.subscribe<nav_msgs::OccupancyGrid>(
         "map", 1, [&save](const nav_msgs::OccupancyGridConstPtr& message) { save(*message); });

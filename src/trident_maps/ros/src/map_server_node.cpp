@@ -64,10 +64,10 @@ bool MapServerNode::on_change_map(nav_msgs::LoadMap::Request& request,
               ros_utils::quoted(std::string("change_map: ") + error.what() + "; the last map stays")
                   .c_str());
     response.result = code_of(error.kind());
-    troubles_.note("change_map", ros_utils::quoted(error.what()));
+    problems_.note("change_map", ros_utils::quoted(error.what()));
     diagnostic_msgs::DiagnosticArray array;
     array.header.stamp = ros::Time::now();
-    troubles_.add_to(array, "map_server");
+    problems_.add_to(array, "map_server");
     diagnostics_publisher_.publish(array);
   }
   return true;

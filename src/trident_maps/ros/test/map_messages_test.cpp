@@ -24,7 +24,7 @@ nav_msgs::OccupancyGrid map_of_two() {
   return map;
 }
 
-std::string complaint(const nav_msgs::OccupancyGrid& map) {
+std::string problem_of(const nav_msgs::OccupancyGrid& map) {
   try {
     from_map_message(map);
   } catch (const Error& error) {
@@ -43,18 +43,18 @@ TEST(MapMessages, ThereAndBack) {
 TEST(MapMessages, AMapOfAnotherSizeThanItSaysIsRefused) {
   nav_msgs::OccupancyGrid bad = map_of_two();
   bad.data.push_back(0);
-  EXPECT_EQ(complaint(bad), "map: 3 cells, legal: width x height, 2 x 1, at least 1 x 1");
+  EXPECT_EQ(problem_of(bad), "map: 3 cells, legal: width x height, 2 x 1, at least 1 x 1");
   bad = map_of_two();
   bad.info.width = bad.info.height = std::numeric_limits<std::uint32_t>::max();
-  EXPECT_NE(complaint(bad), "");
+  EXPECT_NE(problem_of(bad), "");
   bad = map_of_two();
   bad.info.resolution = 0.0F;
-  EXPECT_EQ(complaint(bad), "map: resolution 0 m, legal: 1e-04 to 1000 m");
+  EXPECT_EQ(problem_of(bad), "map: resolution 0 m, legal: 1e-04 to 1000 m");
   bad.info.resolution = 1e-40F;
-  EXPECT_NE(complaint(bad).find("resolution"), std::string::npos);
+  EXPECT_NE(problem_of(bad).find("resolution"), std::string::npos);
   bad = map_of_two();
   bad.info.origin.position.y = std::nan("");
-  EXPECT_NE(complaint(bad).find("pose: position (1, nan) m"), std::string::npos);
+  EXPECT_NE(problem_of(bad).find("pose: position (1, nan) m"), std::string::npos);
 }
 
 TEST(MapMessages, APoseWithoutAnOrientationIsRefused) {

@@ -10,7 +10,7 @@
 
 namespace trident::ros_utils {
 
-/// What went wrong, by kind: told once in the log, counted in /diagnostics. From any thread.
+/// Counts problems by kind: each kind is logged once and counted in /diagnostics. Thread-safe.
 class DiagnosticCounter {
  public:
   void note(const std::string& kind, const std::string& text);

@@ -45,10 +45,10 @@ class DirectSubscription {
   ros::Subscriber subscriber_;
 };
 
-/// Messages of some topics, read from their sockets by the thread that waits for them. roscpp's way
-/// costs three reads, a poll of all its sockets, a pass over all its publications and the waking
-/// of a second thread per message; this one a poll and a read. roscpp makes the connections and
-/// ends them. What comes before a connection is taken over, or on a transport other than TCP,
+/// Messages of some topics, read from their sockets by the thread that waits for them. roscpp's own
+/// path costs three reads, a poll of all its sockets, a pass over all its publications and the
+/// waking of a second thread per message; this one a poll and a read. roscpp makes the connections
+/// and ends them. What comes before a connection is taken over, or on a transport other than TCP,
 /// passes through here in order; so do the objects that publishers in this process hand over.
 /// wait() and read() belong to one thread; the rest may be called from any.
 class DirectInbox {
@@ -128,7 +128,7 @@ class DirectInbox {
   void read_put();
   void read_link(std::uint64_t key);
   void hand_out(Link& link, std::size_t size);
-  void give_back(std::uint64_t key);
+  void return_to_roscpp(std::uint64_t key);
 
   Sockets sockets_;
   InlineCallbackQueue queue_;

@@ -19,8 +19,7 @@ namespace trident::ros_utils {
 /// socket for writing: eleven system calls more than the one that sends. A link that is still
 /// shaking hands or has unsent bytes gets the message through roscpp's own queue, so order and
 /// framing hold. Subscribers in this process get the object, or the bytes if they ask for another
-/// type, before send() returns. The topic must be published in no other way, and calls must not
-/// overlap.
+/// type, before send() returns. Nothing else may publish on the topic, and calls must not overlap.
 class DirectPublication {
  public:
   explicit DirectPublication(const ros::Publisher& publisher);

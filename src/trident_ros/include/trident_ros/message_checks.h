@@ -13,19 +13,19 @@
 #include <cstdint>
 #include <string>
 
-// What of a message is checked where it comes in, so that no algorithm meets a number that is none.
-// Each function returns an empty text, or what is wrong: the field, its value, what is legal.
+// Checks of incoming messages, so that no algorithm gets a number that is not finite. Each function
+// returns an empty text, or what is wrong: the field, its value, what is legal.
 
 namespace trident::ros_utils {
 
-/// Coordinates of anything that a robot meets; the earth's centre is 6.4e6 m away.
+/// Largest legal coordinate [m]; the earth's center is 6.4e6 m away.
 inline constexpr double kFarthestM = 1e8;
 /// ros::Duration counts its seconds in 32 bits with a sign: two stamps below this can be subtracted
 /// from each other, and to each a duration can be added, without ROS throwing.
 inline constexpr std::uint32_t kLatestStampS = 2'147'000'000;
-/// A stamp that is farther ahead of the clock than this was not measured.
-inline constexpr double kMostAheadS = 86'400.0;
-/// A sweep that takes longer is none.
+/// Largest legal lead of a stamp over the clock [s].
+inline constexpr double kMaxAheadS = 86'400.0;
+/// Longest legal duration of a sweep [s].
 inline constexpr double kLongestSweepS = 60.0;
 
 /// `now`: of the clock; zero: it is not known yet.

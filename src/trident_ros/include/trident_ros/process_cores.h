@@ -28,11 +28,11 @@ class ProcessCores {
 
   /// A node of roscpp has five threads and, with timers, six. One that has more works on several
   /// cores by design.
-  static constexpr std::size_t kMostThreads = 6;
+  static constexpr std::size_t kMaxThreads = 6;
 
   /// Restricts all threads of the process, and those that they will start, to core
   /// `index` modulo count(). Returns the core; -1 when it is left alone: it is this process, has
-  /// more than kMostThreads, was restricted before, here or by somebody else, or may not be; or
+  /// more than kMaxThreads, was restricted before, here or by somebody else, or may not be; or
   /// there is one core only.
   int keep(pid_t process, std::size_t index);
 

@@ -12,8 +12,8 @@
 
 namespace trident::ros_utils {
 
-/// Messages that a node refuses, by kind: each kind is told in the log at once and then every few
-/// seconds at most, and counted in /diagnostics, where the node has a status "`node`: kind" of
+/// Messages that a node refuses, by kind: each kind is logged at once and then every few seconds
+/// at most, and counted in /diagnostics, where the node has a status "`node`: kind" of
 /// each. From any thread.
 class Refusals {
  public:
@@ -24,8 +24,8 @@ class Refusals {
  private:
   struct Kind {
     std::string newest;
-    std::uint64_t count = 0, told = 0;
-    ros::WallTime told_at;
+    std::uint64_t count = 0, logged = 0;
+    ros::WallTime logged_at;
   };
   void publish();
 

@@ -21,7 +21,7 @@ class RawSubscriptionHelper : public ros::SubscriptionCallbackHelper {
 
   explicit RawSubscriptionHelper(Handler handler) : handler_(std::move(handler)) {}
 
-  /// No message comes back, so roscpp does not go on to call().
+  /// Returns no message, so that roscpp does not call call().
   ros::VoidConstPtr deserialize(
       const ros::SubscriptionCallbackHelperDeserializeParams& p) override {
     handler_({p.buffer, p.length});

@@ -17,7 +17,7 @@ struct TopicPeer {
 std::vector<TopicPeer> topic_readers(const std::string& topic);
 
 /// Nodes that write a topic that this process subscribes to. One that was killed stays among them
-/// until the master hears of its end: roscpp goes on to look for it.
+/// until the master hears of its end: roscpp tries to reconnect until then.
 std::vector<std::string> topic_writers(const std::string& topic);
 
 }  // namespace trident::ros_utils

@@ -15,8 +15,8 @@
 
 namespace trident::ros_utils {
 
-/// Hands transforms to a buffer, but for those that would harm it: numbers that are none, and
-/// stamps that lie. A buffer keeps what is newer than its newest transform less its length: a
+/// Hands transforms to a buffer, except those that would harm it: numbers that are not finite, and
+/// wrong stamps. A buffer keeps what is newer than its newest transform less its length: a
 /// single one stamped far ahead would make it refuse all that follow. No clock, no threads.
 class TransformGate {
  public:
@@ -48,10 +48,10 @@ class TransformGate {
 /// tf2_ros::TransformListener. When ROS time goes back, transforms are forgotten.
 class TransformInput {
  public:
-  /// Hears of transforms that are refused, in the thread of this object.
-  using Tell = std::function<void(const std::string& problem)>;
+  /// Called for each refused transform, in the thread of this object.
+  using OnRefusal = std::function<void(const std::string& problem)>;
 
-  TransformInput(tf2::BufferCore& buffer, Tell tell);
+  TransformInput(tf2::BufferCore& buffer, OnRefusal on_refusal);
   ~TransformInput();
   TransformInput(const TransformInput&) = delete;
   TransformInput& operator=(const TransformInput&) = delete;
@@ -65,7 +65,7 @@ class TransformInput {
 
   std::mutex mutex_;  // guards the gate
   TransformGate gate_;
-  Tell tell_;
+  OnRefusal on_refusal_;
   ros::Time last_update_;
   ros::CallbackQueue queue_;
   ros::Subscriber changing_, static_;

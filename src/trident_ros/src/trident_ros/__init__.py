@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""What nodes of ours share: checks of what comes in, and refusals that are told and counted."""
+"""What our nodes share: checks of incoming messages; refusals that are logged and counted."""
 
 from trident_ros.message_checks import (
     FARTHEST_M,

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
-#: Coordinates of anything that a robot meets; the earth's centre is 6.4e6 m away.
+#: Largest legal coordinate [m]; the earth's center is 6.4e6 m away.
 FARTHEST_M = 1e8
 #: Stamps below can be subtracted from each other in ROS, whose durations have 32 bits of seconds.
 LATEST_STAMP_S = 2_147_000_000
@@ -22,8 +22,8 @@ def numbers_problem(name: str, *values: float, most: float = FARTHEST_M) -> str:
     """Whether all are finite, and none beyond `most`."""
     if all(abs(value) <= most for value in values):
         return ""
-    told = ", ".join(f"{value:g}" for value in values[:7])
-    return f"{name} is ({told}), legal: finite, up to +-{most:g}"
+    shown = ", ".join(f"{value:g}" for value in values[:7])
+    return f"{name} is ({shown}), legal: finite, up to +-{most:g}"
 
 
 def point_problem(name: str, point: Any) -> str:

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""Messages that a node refuses: told now and then, counted in /diagnostics."""
+"""Messages that a node refuses: logged every few seconds at most, counted in /diagnostics."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import rospy
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus, KeyValue
 
-_TELL_EVERY_S = 5.0
+_LOG_EVERY_S = 5.0
 _PUBLISH_EVERY_S = 0.5
 
 
@@ -19,8 +19,8 @@ _PUBLISH_EVERY_S = 0.5
 class _Kind:
     newest: str = ""
     count: int = 0
-    told: int = 0
-    told_at: float = 0.0
+    logged: int = 0
+    logged_at: float = 0.0
 
 
 class Refusals:
@@ -34,7 +34,7 @@ class Refusals:
         self._publisher = rospy.Publisher("/diagnostics", DiagnosticArray, queue_size=10)
 
     def note(self, kind: str, text: str) -> None:
-        """Count one, and tell it at once or with a later one.
+        """Counts one, and logs it at once or together with a later one.
 
         Args:
             kind: what was refused, without numbers.
@@ -44,10 +44,10 @@ class Refusals:
             now = time.monotonic()
             known = self._kinds.setdefault(kind, _Kind())
             known.newest, known.count = text, known.count + 1
-            if not known.told or now - known.told_at >= _TELL_EVERY_S:
-                more = known.count - known.told - 1
+            if not known.logged or now - known.logged_at >= _LOG_EVERY_S:
+                more = known.count - known.logged - 1
                 rospy.logerr("%s%s", text, f" (and {more} before it)" if more else "")
-                known.told, known.told_at = known.count, now
+                known.logged, known.logged_at = known.count, now
             if now - self._published_at >= _PUBLISH_EVERY_S:
                 self._published_at = now
                 self._publish()

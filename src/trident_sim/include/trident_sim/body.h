@@ -54,13 +54,16 @@ class Body {
   Eigen::Vector3d velocity_at(const Eigen::Vector3d& p_world) const {
     return v_world + w_world.cross(p_world - T_world_body.p);
   }
-  /// angular_velocity() at the beginning of the last step: accelerations are differences over a
-  /// step.
+  /// velocity() and angular_velocity() at the beginning of the last step: accelerations are
+  /// differences over a step.
+  const Eigen::Vector3d& previous_velocity() const { return v_before; }
   const Eigen::Vector3d& previous_angular_velocity() const { return w_before; }
 
   double mass() const { return mass_kg; }  ///< [kg]
   /// About the center of mass, body frame [kg m^2].
   const Eigen::Matrix3d& inertia_tensor() const { return inertia; }
+  /// Inverse of inertia_tensor() [1/(kg m^2)].
+  const Eigen::Matrix3d& inverse_inertia_tensor() const { return inertia_inverse; }
   /// Mass of the links that gravity pulls [kg], and where it pulls them, body frame [m].
   double weight_mass() const { return weight_kg; }
   const Eigen::Vector3d& weight_point() const { return p_weight; }

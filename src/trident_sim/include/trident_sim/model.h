@@ -72,7 +72,7 @@ struct JointMotor {
 };
 
 /// A joint as users know it: rigid (no degree of freedom), held by ODE, or a spun rotor, which is
-/// kept as a scalar rate on its carrier (see docs/architecture.md, "Rotors").
+/// kept as a scalar rate on its carrier (see docs/explanation/physics.md).
 struct Joint {
   JointSpec spec;
   Link* parent = nullptr;  ///< nullptr: the world

@@ -4,9 +4,9 @@
 
 #include <Eigen/Core>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -30,11 +30,27 @@ struct Limits {
   double hi = std::numeric_limits<double>::infinity();
 };
 
+/// What a plugin has asked for of one element, whether the file has it or not.
+struct ParamQuery {
+  /// From what tells least of an element to what tells most.
+  enum class Kind { kElement, kText, kNumber, kInteger, kFlag, kVector };
+  Kind kind = Kind::kElement;
+  std::string fallback;  ///< as a file would say it; empty for elements and required ones
+  Limits limits;         ///< of a number
+  bool is_required = false;
+};
+
+/// By name; what is below an element has the element's name and a slash before its own.
+using ParamQueries = std::map<std::string, ParamQuery, std::less<>>;
+
 /// Typed, checked reading of a plugin's parameters. Every error names the model, the plugin, the
 /// element, its value and the legal range. Copies know together what was read.
 class PluginParams {
  public:
   PluginParams(const ParamNode& root, std::string owner) : root_(&root), owner_(std::move(owner)) {}
+
+  /// The reader of the element `key`, empty where that is missing; `queries` of both are one.
+  PluginParams below(std::string_view key) const;
 
   bool has(std::string_view key) const { return node(key) != nullptr; }
   /// The element itself, with what is below it; nullptr when it is missing.
@@ -49,6 +65,7 @@ class PluginParams {
   const std::string& owner() const { return owner_; }
   /// Names of the elements that nobody has asked for, each once.
   std::vector<std::string> unread() const;
+  const ParamQueries& queries() const { return *queries_; }
 
   /// Throws the one error about `key`.
   [[noreturn]] void refuse(std::string_view key, std::string_view value,
@@ -56,11 +73,15 @@ class PluginParams {
 
  private:
   std::optional<std::string> raw(std::string_view key) const;
+  ParamQuery& query(std::string_view key) const;
+  /// Keeps the query if it tells more of the element than those before it.
+  void note(std::string_view key, ParamQuery::Kind kind, const std::string& fallback,
+            Limits limits = {}) const;
+  double read_number(std::string_view key, double fallback, Limits limits) const;
 
   const ParamNode* root_;
-  std::string owner_;
-  std::shared_ptr<std::set<std::string, std::less<>>> read_ =
-      std::make_shared<std::set<std::string, std::less<>>>();
+  std::string owner_, prefix_;
+  std::shared_ptr<ParamQueries> queries_ = std::make_shared<ParamQueries>();
 };
 
 }  // namespace trident::sim

@@ -11,11 +11,12 @@ namespace trident::sim {
 
 class PackageIndex;
 
-/// Finds files that SDF, URDF and launch files name: `model://`, `package://`, `file://`, absolute
-/// and relative paths. Search order: explicit folders, GAZEBO_MODEL_PATH, GAZEBO_RESOURCE_PATH,
-/// what packages of ROS_PACKAGE_PATH export as gazebo_ros' gazebo_model_path and gazebo_media_path,
-/// for `package://` and `model://` those packages themselves, and at last what comes with the
-/// simulator, whatever the variables say. Copies share what they have found.
+/// Finds what SDF, URDF and launch files name: `model://`, `package://`, `file://`, absolute and
+/// relative paths. Search order: explicit folders, GAZEBO_MODEL_PATH, GAZEBO_RESOURCE_PATH,
+/// packages of ROS_PACKAGE_PATH by gazebo_ros' gazebo_model_path and gazebo_media_path, for
+/// relative files (media/ or Media/)models of these, for `package://` and `model://` the packages
+/// themselves, and at last what comes with the simulator, whatever the variables say. Copies share
+/// the findings.
 class Resources {
  public:
   /// Takes the environment's search paths; `extra_folders` come first.

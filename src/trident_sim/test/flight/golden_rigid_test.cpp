@@ -11,7 +11,7 @@
 namespace trident::sim {
 namespace {
 
-constexpr double kDt = 0.01, kGravity = 9.8;
+constexpr double kRigidStep_s = 0.01, kGravity = 9.8;
 
 std::vector<std::vector<double>> rigid(const std::string& name) {
   return read_csv(golden_folder() + "/rigid_dt0.01/" + name + ".csv");
@@ -73,7 +73,7 @@ TEST(GoldenTumble, StaysNearTheClosedFormAndConservesMomentum) {
   double worst_angle = 0.0;
   while (world->step_count() < 100) {
     world->step();
-    for (int i = 0; i < 1000; ++i) exact.advance(kDt / 1000);
+    for (int i = 0; i < 1000; ++i) exact.advance(kRigidStep_s / 1000);
     worst_angle = std::max(worst_angle, box.T_world_model().R.angularDistance(exact.R));
   }
   ASSERT_TRUE(is_near(exact.momentum(), momentum, 1e-6));
@@ -84,7 +84,7 @@ TEST(GoldenTumble, StaysNearTheClosedFormAndConservesMomentum) {
   EXPECT_LT(rad_to_deg(worst_angle), 5.0);
   EXPECT_NEAR(box.T_world_model().p.x(), -20.0 + 1.0, 1e-9);
   // Semi-implicit Euler falls g dt t / 2 further than the parabola.
-  EXPECT_NEAR(box.T_world_model().p.z(), 30.0 - 0.5 * kGravity * (1.0 + kDt), 1e-9);
+  EXPECT_NEAR(box.T_world_model().p.z(), 30.0 - 0.5 * kGravity * (1.0 + kRigidStep_s), 1e-9);
 }
 
 /// Gazebo's own stays on an edge, 1.4 mm low, and rocks there.

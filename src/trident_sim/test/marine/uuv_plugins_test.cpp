@@ -14,34 +14,35 @@
 namespace trident::sim {
 namespace {
 
-double settled(UuvThruster thruster, double input, double dt_s, int steps) {
+double settled_vehicle(UuvThruster thruster, double input, double dt_s, int steps) {
   for (int i = 0; i < steps; ++i) thruster.step(input, dt_s);
   return thruster.state_value();
 }
 
 TEST(UuvThruster, DynamicsAreTheirEquations) {
   UuvThrusterParams params;
-  EXPECT_EQ(settled(UuvThruster(params), 7.0, 0.01, 1), 7.0);
+  EXPECT_EQ(settled_vehicle(UuvThruster(params), 7.0, 0.01, 1), 7.0);
   params.dynamics = UuvDynamics::kFirstOrder;
   params.time_constant_s = 0.05;
-  EXPECT_NEAR(settled(UuvThruster(params), 1.0, 0.01, 5), 1.0 - std::exp(-1.0), 1e-12);
+  EXPECT_NEAR(settled_vehicle(UuvThruster(params), 1.0, 0.01, 5), 1.0 - std::exp(-1.0), 1e-12);
   params.dynamics = UuvDynamics::kYoerger;
   params.alpha = 0.5;
   params.beta = 8.0;
-  EXPECT_NEAR(settled(UuvThruster(params), 4.0, 0.01, 2000), std::sqrt(64.0), 1e-9);
+  EXPECT_NEAR(settled_vehicle(UuvThruster(params), 4.0, 0.01, 2000), std::sqrt(64.0), 1e-9);
   // s_dot = beta u - alpha s^2 is solved by tanh.
-  EXPECT_NEAR(settled(UuvThruster(params), 4.0, 1e-5, 10000), 8.0 * std::tanh(4.0 * 0.1), 1e-3);
+  EXPECT_NEAR(settled_vehicle(UuvThruster(params), 4.0, 1e-5, 10000), 8.0 * std::tanh(4.0 * 0.1),
+              1e-3);
   params.dynamics = UuvDynamics::kBessa;
   params.Jmsp = 0.02;
   params.Kv1 = 0.3;
   params.Kv2 = 0.1;
   params.Kt = 0.2;
   params.Rm = 0.5;
-  const double state = settled(UuvThruster(params), -10.0, 0.01, 2000);
+  const double state = settled_vehicle(UuvThruster(params), -10.0, 0.01, 2000);
   EXPECT_NEAR(-0.3 * state + 0.1 * state * state, 0.2 * 10.0 / 0.5, 1e-9);
   params.alpha = 1e9;  // as stiff as can be, at a step as long as can be
   params.dynamics = UuvDynamics::kYoerger;
-  EXPECT_TRUE(std::isfinite(settled(UuvThruster(params), 1e3, 0.1, 100)));
+  EXPECT_TRUE(std::isfinite(settled_vehicle(UuvThruster(params), 1e3, 0.1, 100)));
 }
 
 TEST(UuvThruster, ConversionsAreTheirEquations) {

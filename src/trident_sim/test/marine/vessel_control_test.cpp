@@ -112,7 +112,7 @@ TEST(VesselControlFile, IsReadStrictly) {
 
 TEST(VesselControlFile, APoseWantsThrustersThatPushSideways) {
   control::VesselControlParams control = shipped_control("otter");
-  control.station.behaviour = control::StationBehaviour::kPose;
+  control.station.behavior = control::StationBehavior::kPose;
   EXPECT_TRUE(
       contains(error_of([&] { control::VesselController(shipped_model("otter"), control); }),
                "station.behaviour = pose"));

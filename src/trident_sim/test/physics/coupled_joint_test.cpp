@@ -11,7 +11,7 @@
 namespace trident::sim {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846, kGravity = 9.8;
+constexpr double kPi = 3.14159265358979323846, kStandardGravity = 9.8;
 
 /// Kinetic and potential energy of all bodies [J].
 double energy(const Model& model) {
@@ -19,7 +19,7 @@ double energy(const Model& model) {
   for (const auto& body : model.bodies) {
     const Eigen::Vector3d w = body->rotation().transpose() * body->angular_velocity();
     sum += 0.5 * body->mass() * body->velocity().squaredNorm() + 0.5 * w.dot(body->inertia_tensor() * w) +
-           body->weight_mass() * kGravity * body->pose().p.z();
+           body->weight_mass() * kStandardGravity * body->pose().p.z();
   }
   return sum;
 }
@@ -35,14 +35,14 @@ TEST_P(Screw, FallsAsItsInertiaLetsIt) {
   Model& model = world.add(std::move(spec));
   const Joint& joint = *model.find_joint("j");
   world->step(1000);
-  const double fall = kGravity * k * k / (k * k + 0.04);
+  const double fall = kStandardGravity * k * k / (k * k + 0.04);
   const Eigen::Vector3d p = model.links[0]->T_world_link().p;
   EXPECT_NEAR(model.bodies[0]->velocity().z(), -fall, 2e-3 * fall + 1e-9);
   EXPECT_NEAR(p.z(), -0.5 * fall, 5e-3 * fall);
   EXPECT_NEAR(joint.position(), p.z() / k, 1e-3 * std::abs(p.z() / k)) << "turns are counted";
   EXPECT_NEAR(joint.velocity(), model.bodies[0]->velocity().z() / k, 1e-3 * std::abs(fall / k));
   EXPECT_LT(p.head<2>().norm(), 1e-6);
-  EXPECT_NEAR(energy(model), 0.0, 0.01 * kGravity * std::abs(p.z()));
+  EXPECT_NEAR(energy(model), 0.0, 0.01 * kStandardGravity * std::abs(p.z()));
 }
 INSTANTIATE_TEST_SUITE_P(Pitches, Screw, testing::Values(0.5, -0.5, 2.0, 0.01));
 

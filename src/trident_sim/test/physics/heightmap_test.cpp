@@ -37,7 +37,7 @@ ModelSpec terrain(const std::string& file, const Eigen::Vector3d& size, const SE
   return model;
 }
 
-Surface with_mu(double mu) {
+Surface on_ground_with_mu(double mu) {
   Surface surface;
   surface.mu = surface.mu2 = mu;
   return surface;
@@ -45,7 +45,8 @@ Surface with_mu(double mu) {
 
 /// Where a ball of radius 0.1 m comes to rest that is dropped over (x, y).
 double rests_at(TestWorld& world, double x, double y) {
-  Model& ball = world.add(make_body("ball", SphereShape{0.1}, at(x, y, 2.5), 1.0, with_mu(1.0)));
+  Model& ball =
+      world.add(make_body("ball", SphereShape{0.1}, at(x, y, 2.5), 1.0, on_ground_with_mu(1.0)));
   world->step(300);
   const double z = ball.T_world_model().p.z();
   EXPECT_LT(ball.bodies[0]->velocity().norm(), 5e-3);
@@ -115,11 +116,12 @@ TEST(Heightmap, ABoxSlidesDownARampAsOnAPlane) {
   const ScratchFolder folder;
   const double angle = std::atan(0.25), mu = 0.1;
   TestWorld world(world_spec(0.002));
-  world.add(terrain(folder.write("a.pgm", ramp(41, 21)), {20, 10, 5}, {}, with_mu(100.0)));
+  world.add(
+      terrain(folder.write("a.pgm", ramp(41, 21)), {20, 10, 5}, {}, on_ground_with_mu(100.0)));
   const double above = 0.1 / std::cos(angle);
   Model& box = world.add(make_body("m", BoxShape{{0.4, 0.4, 0.2}},
                                    SE3::from_xyz_rpy({5, 0.3, 3.75 + above}, 0, -angle, 0), 1.0,
-                                   with_mu(mu)));
+                                   on_ground_with_mu(mu)));
   world->step(500);
   const double expected = 9.8 * (std::sin(angle) - mu * std::cos(angle));
   EXPECT_NEAR(box.bodies[0]->velocity().norm(), expected, 0.03);

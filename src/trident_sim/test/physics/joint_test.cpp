@@ -10,7 +10,7 @@
 namespace trident::sim {
 namespace {
 
-constexpr double kPi = 3.14159265358979;
+constexpr double kHalfTurn = 3.14159265358979;
 
 /// A 1 kg bob on a weightless rod of 0.5 m, hinged to the world at (0, 0, 2) about y, at `angle`
 /// from straight down when the joint stands at zero.
@@ -46,7 +46,7 @@ TEST(Revolute, PendulumHasItsPeriod) {
   }
   ASSERT_EQ(crossings.size(), 5u);
   const double period = (crossings.back() - crossings.front()) / 4.0;
-  const double expected = 2 * kPi * std::sqrt((0.5 * 0.5 + 1e-4) / (9.8 * 0.5));
+  const double expected = 2 * kHalfTurn * std::sqrt((0.5 * 0.5 + 1e-4) / (9.8 * 0.5));
   EXPECT_NEAR(period, expected, 0.005 * expected);
 }
 

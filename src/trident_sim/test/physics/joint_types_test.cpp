@@ -12,7 +12,7 @@
 namespace trident::sim {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846, kGravity = 9.8;
+constexpr double kHalfTurn_rad = 3.14159265358979323846, kGravity_m_s2 = 9.8;
 
 TEST(Ball, AConicalPendulumGoesRoundAtItsRate) {
   TestWorld world(world_spec(0.001));
@@ -21,7 +21,7 @@ TEST(Ball, AConicalPendulumGoesRoundAtItsRate) {
   // A point mass turning about the vertical: w^2 = g / (l cos(angle)).
   Model& model =
       world.add(make_on_world(JointType::kBall, p, {0, 0, 1}, Eigen::Vector3d::Constant(1e-6)));
-  const double rate = std::sqrt(kGravity / (length * std::cos(angle)));
+  const double rate = std::sqrt(kGravity_m_s2 / (length * std::cos(angle)));
   const Eigen::Vector3d w(0, 0, rate);
   world->set_link_state(*model.links[0], model.links[0]->T_world_link(), w.cross(p), w);
   for (int i = 0; i < 2000; ++i) {
@@ -31,8 +31,9 @@ TEST(Ball, AConicalPendulumGoesRoundAtItsRate) {
     ASSERT_NEAR(now.z(), p.z(), 0.01);
   }
   const Eigen::Vector3d end = model.links[0]->T_world_link().p;
-  const double expected = std::remainder(2.0 * rate, 2 * kPi);
-  EXPECT_NEAR(std::remainder(std::atan2(end.y(), end.x()) - expected, 2 * kPi), 0.0, 0.02);
+  const double expected = std::remainder(2.0 * rate, 2 * kHalfTurn_rad);
+  EXPECT_NEAR(std::remainder(std::atan2(end.y(), end.x()) - expected, 2 * kHalfTurn_rad), 0.0,
+              0.02);
 }
 
 TEST(Ball, TurnsFreelyAboutAllAxes) {

@@ -13,18 +13,18 @@
 namespace trident::sim {
 namespace {
 
-constexpr double kNothing = std::numeric_limits<double>::infinity();
-const Eigen::Vector3d kX = Eigen::Vector3d::UnitX(), kY = Eigen::Vector3d::UnitY(),
-                      kZ = Eigen::Vector3d::UnitZ();
+constexpr double kNoShape = std::numeric_limits<double>::infinity();
+const Eigen::Vector3d kForward = Eigen::Vector3d::UnitX(), kLeft = Eigen::Vector3d::UnitY(),
+                      kUpward = Eigen::Vector3d::UnitZ();
 
 TEST(RayScene, InAnEmptyWorldNothingIsMet) {
   TestWorld world;
   const RayScene& scene = rays(*world, RayGeometry::kCollision);
-  EXPECT_EQ(range(scene, {0, 0, 1}, -kZ), kNothing);
+  EXPECT_EQ(range(scene, {0, 0, 1}, -kUpward), kNoShape);
   fresh_rays(world);
-  EXPECT_EQ(range(scene, {0, 0, 1}, -kZ), kNothing);
+  EXPECT_EQ(range(scene, {0, 0, 1}, -kUpward), kNoShape);
   bool dark = true;
-  const Ray ray = ray_along({0, 0, 1}, -kZ);
+  const Ray ray = ray_along({0, 0, 1}, -kUpward);
   scene.occluded({&ray, 1}, {&dark, 1});
   EXPECT_FALSE(dark);
   scene.cast({}, {});
@@ -36,9 +36,9 @@ TEST(RayScene, RaysThatAreNotFiniteMeetNothing) {
   world.add(make_static("box", BoxShape{{1, 1, 1}}, at(0, 0, 0.5)));
   const RayScene& scene = fresh_rays(world);
   const double nan = std::nan("");
-  std::vector<Ray> rays(5, ray_along({0, 0, 3}, -kZ));
+  std::vector<Ray> rays(5, ray_along({0, 0, 3}, -kUpward));
   rays[0].p_world_origin.x() = nan;
-  rays[1].direction_world.y() = kNothing;
+  rays[1].direction_world.y() = kNoShape;
   rays[2].t_max_m = nan;
   rays[3].t_min_m = 10.0, rays[3].t_max_m = 1.0;
   const std::vector<RayHit> hits = cast_all(scene, rays);
@@ -52,26 +52,26 @@ TEST(RayScene, OnlySurfacesWithinTheLimitsCount) {
   world.add(make_static("far", SphereShape{0.5}, at(5, 0, 0)));
   const RayScene& scene = fresh_rays(world);
   const auto between = [&](double low, double high) {
-    return cast_one(scene, {{0, 0, 0}, kX, low, high}).distance_m;
+    return cast_one(scene, {{0, 0, 0}, kForward, low, high}).distance_m;
   };
   EXPECT_NEAR(between(0.0, 1.5), 1.5, 1e-12);
-  EXPECT_EQ(between(0.0, 1.4999), kNothing);
-  EXPECT_NEAR(between(2.0, kNothing), 2.5, 1e-12);
-  EXPECT_NEAR(between(2.6, kNothing), 4.5, 1e-12);
-  EXPECT_NEAR(between(4.6, kNothing), 5.5, 1e-12);
-  EXPECT_EQ(between(5.6, kNothing), kNothing);
+  EXPECT_EQ(between(0.0, 1.4999), kNoShape);
+  EXPECT_NEAR(between(2.0, kNoShape), 2.5, 1e-12);
+  EXPECT_NEAR(between(2.6, kNoShape), 4.5, 1e-12);
+  EXPECT_NEAR(between(4.6, kNoShape), 5.5, 1e-12);
+  EXPECT_EQ(between(5.6, kNoShape), kNoShape);
 }
 
 TEST(RayScene, MovedAndTurnedModelsAreMetWhereTheyAre) {
   TestWorld world;
   Model& box = world.add(make_body("box", BoxShape{{2, 1, 1}}, at(5, 0, 0)));
   RayScene& scene = fresh_rays(world);
-  EXPECT_NEAR(range(scene, {0, 0, 0}, kX), 4.0, 1e-12);
+  EXPECT_NEAR(range(scene, {0, 0, 0}, kForward), 4.0, 1e-12);
   world->set_model_pose(box, SE3::from_xyz_rpy({6, 0, 0}, 0, 0, std::acos(0.0)));
-  EXPECT_NEAR(range(scene, {0, 0, 0}, kX), 4.0, 1e-12) << "moved before refresh()";
+  EXPECT_NEAR(range(scene, {0, 0, 0}, kForward), 4.0, 1e-12) << "moved before refresh()";
   scene.refresh();
-  EXPECT_NEAR(range(scene, {0, 0, 0}, kX), 5.5, 1e-12);
-  EXPECT_NEAR(range(scene, {6, -5, 0}, kY), 4.0, 1e-12);
+  EXPECT_NEAR(range(scene, {0, 0, 0}, kForward), 5.5, 1e-12);
+  EXPECT_NEAR(range(scene, {6, -5, 0}, kLeft), 4.0, 1e-12);
 }
 
 TEST(RayScene, FallingBodiesAreFollowed) {
@@ -82,7 +82,7 @@ TEST(RayScene, FallingBodiesAreFollowed) {
   for (int i = 0; i < 60; ++i) {
     world->step();
     scene.refresh();
-    ASSERT_NEAR(range(scene, {0, 0, 20}, -kZ), 19.8 - ball.T_world_model().p.z(), 1e-9);
+    ASSERT_NEAR(range(scene, {0, 0, 20}, -kUpward), 19.8 - ball.T_world_model().p.z(), 1e-9);
   }
   EXPECT_LT(ball.T_world_model().p.z(), 4.0);
 }
@@ -114,10 +114,10 @@ TEST(RayScene, FixedLinksThatArePlacedElsewhereAreNoticed) {
   TestWorld world;
   Model& wall = world.add(make_static("wall", BoxShape{{1, 1, 1}}, at(3, 0, 0)));
   RayScene& scene = fresh_rays(world);
-  EXPECT_NEAR(range(scene, {0, 0, 0}, kX), 2.5, 1e-12);
+  EXPECT_NEAR(range(scene, {0, 0, 0}, kForward), 2.5, 1e-12);
   wall.links[0]->T_body_link = at(4, 0, 0);
   scene.refresh();
-  EXPECT_NEAR(range(scene, {0, 0, 0}, kX), 3.5, 1e-12);
+  EXPECT_NEAR(range(scene, {0, 0, 0}, kForward), 3.5, 1e-12);
 }
 
 TEST(RayScene, ModelsComeAndGo) {
@@ -127,17 +127,17 @@ TEST(RayScene, ModelsComeAndGo) {
     const double x = 2.0 + 0.1 * i;
     world.add(make_static("wall", BoxShape{{1, 1, 1}}, at(x, 0, 0)));
     world.add(make_body("ball", SphereShape{0.5}, at(0, x, 0)));
-    EXPECT_EQ(range(scene, {0, 0, 0}, kX), kNothing);
+    EXPECT_EQ(range(scene, {0, 0, 0}, kForward), kNoShape);
     scene.refresh();
-    ASSERT_NEAR(range(scene, {0, 0, 0}, kX), x - 0.5, 1e-9);
-    ASSERT_NEAR(range(scene, {0, 0, 0}, kY), x - 0.5, 1e-9);
+    ASSERT_NEAR(range(scene, {0, 0, 0}, kForward), x - 0.5, 1e-9);
+    ASSERT_NEAR(range(scene, {0, 0, 0}, kLeft), x - 0.5, 1e-9);
     ASSERT_EQ(scene.shapes().size(), 2u);
     world->remove("wall");
     world->remove("ball");
-    EXPECT_NEAR(range(scene, {0, 0, 0}, kX), x - 0.5, 1e-9) << "still there until refresh()";
+    EXPECT_NEAR(range(scene, {0, 0, 0}, kForward), x - 0.5, 1e-9) << "still there until refresh()";
     scene.refresh();
-    ASSERT_EQ(range(scene, {0, 0, 0}, kX), kNothing);
-    ASSERT_EQ(range(scene, {0, 0, 0}, kY), kNothing);
+    ASSERT_EQ(range(scene, {0, 0, 0}, kForward), kNoShape);
+    ASSERT_EQ(range(scene, {0, 0, 0}, kLeft), kNoShape);
   }
 }
 
@@ -148,7 +148,7 @@ TEST(RayScene, AModelThatTakesTheNameOfAnotherIsMet) {
   world->remove("wall");
   world.add(make_static("wall", BoxShape{{1, 1, 1}}, at(7, 0, 0)));
   scene.refresh();
-  EXPECT_NEAR(range(scene, {0, 0, 0}, kX), 6.5, 1e-12);
+  EXPECT_NEAR(range(scene, {0, 0, 0}, kForward), 6.5, 1e-12);
 }
 
 TEST(RayScene, HitsTellWhatWasMet) {
@@ -163,8 +163,8 @@ TEST(RayScene, HitsTellWhatWasMet) {
   const auto what = [&](const Eigen::Vector3d& p, const Eigen::Vector3d& d) {
     return scene.shapes()[cast_one(scene, ray_along(p, d)).shape];
   };
-  EXPECT_EQ(what({0, 0, 0}, kX).model, "a_wall");
-  const RayShape hull = what({0, 0, 0}, -kX), arm = what({0, 3, 0}, -kX);
+  EXPECT_EQ(what({0, 0, 0}, kForward).model, "a_wall");
+  const RayShape hull = what({0, 0, 0}, -kForward), arm = what({0, 3, 0}, -kForward);
   EXPECT_EQ(hull.model + "::" + hull.link + "::" + hull.name, "robot::link::hull");
   EXPECT_EQ(arm.link, "arm");
   EXPECT_EQ(hull.model_id, 1u);
@@ -186,14 +186,14 @@ TEST(RayScene, TheBodyThatCarriesTheSensorCanBeLeftOut) {
     world.add(make_static("wall", BoxShape{{1, 1, 1}}, at(5, 0, 0)));
     const RayScene& scene = fresh_rays(world);
     RayFilter filter;
-    EXPECT_NEAR(range(scene, {0, 0, 0}, kX, filter), 0.5, 1e-12);
+    EXPECT_NEAR(range(scene, {0, 0, 0}, kForward, filter), 0.5, 1e-12);
     filter.exclude_link = robot.find_link("link");
-    EXPECT_NEAR(range(scene, {0, 0, 0}, kX, filter), 1.5, 1e-12);
+    EXPECT_NEAR(range(scene, {0, 0, 0}, kForward, filter), 1.5, 1e-12);
     filter.exclude_link = nullptr;
     filter.exclude_model = &robot;
-    EXPECT_NEAR(range(scene, {0, 0, 0}, kX, filter), 4.5, 1e-12);
+    EXPECT_NEAR(range(scene, {0, 0, 0}, kForward, filter), 4.5, 1e-12);
     bool dark = true;
-    const Ray ray{{0, 0, 0}, kX, 0.0, 4.0};
+    const Ray ray{{0, 0, 0}, kForward, 0.0, 4.0};
     scene.occluded({&ray, 1}, {&dark, 1}, filter);
     EXPECT_FALSE(dark);
   }
@@ -204,8 +204,8 @@ TEST(RayScene, CollisionsAndVisualsAreSeenApart) {
   ModelSpec model = make_visual("body", BoxShape{{1, 1, 1}}, at(5, 0, 0));
   model.links[0].collisions.push_back(make_collision(SphereShape{2.0}));
   world.add(model);
-  EXPECT_NEAR(range(fresh_rays(world, RayGeometry::kCollision), {0, 0, 0}, kX), 3.0, 1e-12);
-  EXPECT_NEAR(range(fresh_rays(world, RayGeometry::kVisual), {0, 0, 0}, kX), 4.5, 1e-12);
+  EXPECT_NEAR(range(fresh_rays(world, RayGeometry::kCollision), {0, 0, 0}, kForward), 3.0, 1e-12);
+  EXPECT_NEAR(range(fresh_rays(world, RayGeometry::kVisual), {0, 0, 0}, kForward), 4.5, 1e-12);
 }
 
 TEST(RayScene, MasksChooseAmongVisuals) {
@@ -214,7 +214,7 @@ TEST(RayScene, MasksChooseAmongVisuals) {
     const std::vector<std::pair<std::string, Shape>> in_a_row = {{"a", BoxShape{{1, 1, 1}}},
                                                                  {"b", SphereShape{0.5}},
                                                                  {"c", BoxShape{{1, 1, 1}}},
-                                                                 {"d", PlaneShape{kX}}};
+                                                                 {"d", PlaneShape{kForward}}};
     for (std::size_t i = 0; i < in_a_row.size(); ++i) {
       ModelSpec model = make_visual(in_a_row[i].first, in_a_row[i].second, at(2.0 + 2.0 * i, 0, 0));
       model.is_static = is_static;
@@ -225,13 +225,13 @@ TEST(RayScene, MasksChooseAmongVisuals) {
     const auto seen = [&](std::uint32_t mask) {
       RayFilter filter;
       filter.mask = mask;
-      return range(scene, {0, 0, 0}, kX, filter);
+      return range(scene, {0, 0, 0}, kForward, filter);
     };
     EXPECT_NEAR(seen(15), 1.5, 1e-12);
     EXPECT_NEAR(seen(2), 3.5, 1e-12);
     EXPECT_NEAR(seen(12), 5.5, 1e-12);
     EXPECT_NEAR(seen(8), 8.0, 1e-12);
-    EXPECT_EQ(seen(16), kNothing);
+    EXPECT_EQ(seen(16), kNoShape);
   }
 }
 
@@ -247,7 +247,7 @@ TEST(RayScene, WhatIsTransparentIsNotSeen) {
   ModelSpec half = make_visual("half", BoxShape{{1, 1, 1}}, at(6, 0, 0));
   half.links[0].visuals[0].transparency = 0.5;
   world.add(half);
-  EXPECT_NEAR(range(fresh_rays(world, RayGeometry::kVisual), {0, 0, 0}, kX), 5.5, 1e-12);
+  EXPECT_NEAR(range(fresh_rays(world, RayGeometry::kVisual), {0, 0, 0}, kForward), 5.5, 1e-12);
 }
 
 TEST(RayScene, OnlyWhatCastsShadowsIsInTheWayOfLight) {
@@ -265,8 +265,9 @@ TEST(RayScene, OnlyWhatCastsShadowsIsInTheWayOfLight) {
     }
     const RayScene& scene = fresh_rays(world, RayGeometry::kVisual);
     for (const double z : {0.0, 3.0}) {
-      const std::vector<Ray> rays = {
-          ray_along({0, 0, z}, kX), ray_along({0, 3, z}, kX), {{0, 3, z}, kX, 0.0, 4.4}};
+      const std::vector<Ray> rays = {ray_along({0, 0, z}, kForward),
+                                     ray_along({0, 3, z}, kForward),
+                                     {{0, 3, z}, kForward, 0.0, 4.4}};
       bool dark[3] = {};
       scene.occluded(rays, dark);
       EXPECT_FALSE(dark[0]);
@@ -285,7 +286,7 @@ TEST(RayScene, AVisualMeshThatCannotBeReadIsToldOfOnce) {
   world.add(make_visual("whole", BoxShape{{1, 1, 1}}, at(5, 0, 0)));
   RayScene& scene = fresh_rays(world, RayGeometry::kVisual);
   scene.refresh();
-  EXPECT_NEAR(range(scene, {0, 0, 0}, kX), 4.5, 1e-12);
+  EXPECT_NEAR(range(scene, {0, 0, 0}, kForward), 4.5, 1e-12);
   EXPECT_EQ(world.told(Severity::kWarning, "visual 'broken::link::visual': mesh '" + file), 1u);
 }
 

@@ -13,9 +13,9 @@
 namespace trident::sim {
 namespace {
 
-constexpr double kNothing = std::numeric_limits<double>::infinity();
-const Eigen::Vector3d kX = Eigen::Vector3d::UnitX(), kY = Eigen::Vector3d::UnitY(),
-                      kZ = Eigen::Vector3d::UnitZ();
+constexpr double kNoRefusal = std::numeric_limits<double>::infinity();
+const Eigen::Vector3d kAxisX = Eigen::Vector3d::UnitX(), kAxisY = Eigen::Vector3d::UnitY(),
+                      kAxisZ = Eigen::Vector3d::UnitZ();
 
 TEST(RayShape, ABoxIsMetOnEachFaceFromOutsideAndFromWithin) {
   TestWorld world;
@@ -33,7 +33,7 @@ TEST(RayShape, ABoxIsMetOnEachFaceFromOutsideAndFromWithin) {
       EXPECT_TRUE(is_near(within.normal_world, -out, 1e-12));
     }
   }
-  EXPECT_EQ(range(scene, {10, 10, 10}, kX), kNothing);
+  EXPECT_EQ(range(scene, {10, 10, 10}, kAxisX), kNoRefusal);
 }
 
 TEST(RayShape, ASphereIsMetAsCloselyAsDoublesGoAlsoFarFromTheOrigin) {
@@ -53,7 +53,7 @@ TEST(RayShape, ASphereIsMetAsCloselyAsDoublesGoAlsoFarFromTheOrigin) {
     ASSERT_TRUE(is_near(hit.normal_world, (p + hit.distance_m * d - centre).normalized(), 1e-9));
   }
   EXPECT_NEAR(range(scene, centre, {1, 1, 1}), 0.7, 1e-12);
-  EXPECT_EQ(range(scene, centre + 0.71 * kZ, kX), kNothing);
+  EXPECT_EQ(range(scene, centre + 0.71 * kAxisZ, kAxisX), kNoRefusal);
 }
 
 /// Rays of pictures are as long as their pixel lies off the axis.
@@ -157,7 +157,7 @@ bool in_cylinder(const Eigen::Vector3d& p) {
 }
 bool in_capsule(const Eigen::Vector3d& p) {
   const double z = std::min(0.8, std::max(-0.8, p.z()));
-  return (p - z * kZ).norm() <= 0.5;
+  return (p - z * kAxisZ).norm() <= 0.5;
 }
 bool in_box(const Eigen::Vector3d& p) {
   return (p.cwiseAbs() - Eigen::Vector3d(0.5, 0.4, 0.8)).maxCoeff() <= 0.0;
@@ -177,25 +177,25 @@ TEST(RayShape, ACylinderIsMetOnTheWallTheLidsAndFromWithin) {
   TestWorld world;
   world.add(make_static("drum", CylinderShape{0.5, 2.0}, at(300, 0, 0)));
   const RayScene& scene = fresh_rays(world);
-  EXPECT_NEAR(range(scene, {290, 0.3, 0.2}, kX), 10.0 - 0.4, 1e-10);
-  EXPECT_NEAR(range(scene, {300.2, 0.1, 5}, -kZ), 4.0, 1e-12);
-  EXPECT_NEAR(range(scene, {300, 0, 0}, kY), 0.5, 1e-12);
-  EXPECT_NEAR(range(scene, {300, 0, 0}, kZ), 1.0, 1e-12);
-  EXPECT_EQ(range(scene, {290, 0, 1.001}, kX), kNothing);
-  EXPECT_EQ(range(scene, {290, 0.501, 0}, kX), kNothing);
+  EXPECT_NEAR(range(scene, {290, 0.3, 0.2}, kAxisX), 10.0 - 0.4, 1e-10);
+  EXPECT_NEAR(range(scene, {300.2, 0.1, 5}, -kAxisZ), 4.0, 1e-12);
+  EXPECT_NEAR(range(scene, {300, 0, 0}, kAxisY), 0.5, 1e-12);
+  EXPECT_NEAR(range(scene, {300, 0, 0}, kAxisZ), 1.0, 1e-12);
+  EXPECT_EQ(range(scene, {290, 0, 1.001}, kAxisX), kNoRefusal);
+  EXPECT_EQ(range(scene, {290, 0.501, 0}, kAxisX), kNoRefusal);
 }
 
 TEST(RayShape, APlaneIsInfiniteLeansAndIsMetFromBothSides) {
   TestWorld world;
   world.add(make_static("slope", PlaneShape{{1, 0, 1}}, at(0, 0, 2)));
   const RayScene& scene = fresh_rays(world);
-  EXPECT_NEAR(range(scene, {0, 0, 5}, -kZ), 3.0, 1e-12);
-  EXPECT_NEAR(range(scene, {1000, 4000, 5}, -kZ), 1003.0, 1e-9);
-  const RayHit below = cast_one(scene, ray_along({0, 0, 0}, kZ));
+  EXPECT_NEAR(range(scene, {0, 0, 5}, -kAxisZ), 3.0, 1e-12);
+  EXPECT_NEAR(range(scene, {1000, 4000, 5}, -kAxisZ), 1003.0, 1e-9);
+  const RayHit below = cast_one(scene, ray_along({0, 0, 0}, kAxisZ));
   EXPECT_NEAR(below.distance_m, 2.0, 1e-12);
   EXPECT_TRUE(is_near(below.normal_world, Eigen::Vector3d(-1, 0, -1).normalized(), 1e-12));
-  EXPECT_EQ(range(scene, {0, 0, 5}, kZ), kNothing);
-  EXPECT_EQ(range(scene, {0, 0, 5}, {1, 0, -1}), kNothing);
+  EXPECT_EQ(range(scene, {0, 0, 5}, kAxisZ), kNoRefusal);
+  EXPECT_EQ(range(scene, {0, 0, 5}, {1, 0, -1}), kNoRefusal);
 }
 
 TEST(RayShape, WhatIsNearerThanAPlaneHidesItAndWhatIsBehindDoesNot) {
@@ -205,9 +205,9 @@ TEST(RayShape, WhatIsNearerThanAPlaneHidesItAndWhatIsBehindDoesNot) {
   world.add(make_static("below", BoxShape{{1, 1, 1}}, at(5, 0, -2)));
   world.add(make_static("pier", BoxShape{{1, 1, 4}}, at(10, 0, 0)));
   const RayScene& scene = fresh_rays(world);
-  EXPECT_NEAR(range(scene, {0, 0, 5}, -kZ), 2.5, 1e-12);
-  EXPECT_NEAR(range(scene, {5, 0, 5}, -kZ), 5.0, 1e-12);
-  EXPECT_NEAR(range(scene, {10, 0, 5}, -kZ), 3.0, 1e-12);
+  EXPECT_NEAR(range(scene, {0, 0, 5}, -kAxisZ), 2.5, 1e-12);
+  EXPECT_NEAR(range(scene, {5, 0, 5}, -kAxisZ), 5.0, 1e-12);
+  EXPECT_NEAR(range(scene, {10, 0, 5}, -kAxisZ), 3.0, 1e-12);
 }
 
 /// A tetrahedron as an OBJ file with an own material and picture coordinates.
@@ -222,10 +222,10 @@ TEST(RayShape, AMeshIsMetWithItsScale) {
   world.add(make_static("mesh", MeshShape{file, {2, 3, 4}}, at(0, 0, 0)));
   const RayScene& scene = fresh_rays(world);
   // x/2 + y/3 + z/4 = 1 is the leaning face.
-  EXPECT_NEAR(range(scene, {0.4, 0.6, 10}, -kZ), 10.0 - 4.0 * (1.0 - 0.2 - 0.2), 1e-6);
-  EXPECT_NEAR(range(scene, {0.4, 0.6, -10}, kZ), 10.0, 1e-6);
-  EXPECT_NEAR(range(scene, {0.2, 0.3, 0.4}, kX), 2.0 * (1.0 - 0.1 - 0.1) - 0.2, 1e-6);
-  const RayHit hit = cast_one(scene, ray_along({0.4, 0.6, 10}, -kZ));
+  EXPECT_NEAR(range(scene, {0.4, 0.6, 10}, -kAxisZ), 10.0 - 4.0 * (1.0 - 0.2 - 0.2), 1e-6);
+  EXPECT_NEAR(range(scene, {0.4, 0.6, -10}, kAxisZ), 10.0, 1e-6);
+  EXPECT_NEAR(range(scene, {0.2, 0.3, 0.4}, kAxisX), 2.0 * (1.0 - 0.1 - 0.1) - 0.2, 1e-6);
+  const RayHit hit = cast_one(scene, ray_along({0.4, 0.6, 10}, -kAxisZ));
   EXPECT_TRUE(
       is_near(hit.normal_world, Eigen::Vector3d(1.0 / 2, 1.0 / 3, 1.0 / 4).normalized(), 1e-6));
 }
@@ -237,8 +237,8 @@ TEST(RayShape, DegenerateTrianglesAreNotMetAndDoNoHarm) {
   TestWorld world;
   world.add(make_visual("thin", MeshShape{file, {1, 1, 1}}, at(0, 0, 0)));
   const RayScene& scene = fresh_rays(world, RayGeometry::kVisual);
-  EXPECT_NEAR(range(scene, {0.2, 0.2, 1}, -kZ), 1.0, 1e-6);
-  const RayHit edge_on = cast_one(scene, ray_along({1.5, -1, 0}, kY));
+  EXPECT_NEAR(range(scene, {0.2, 0.2, 1}, -kAxisZ), 1.0, 1e-6);
+  const RayHit edge_on = cast_one(scene, ray_along({1.5, -1, 0}, kAxisY));
   EXPECT_TRUE(!edge_on.met() || edge_on.normal_world.allFinite());
 }
 
@@ -266,9 +266,9 @@ TEST(RayShape, AHeightmapIsMetWhereItsTrianglesLie) {
   const RayScene& scene = fresh_rays(world);
   for (int i = 0; i < 500; ++i) {
     const double x = draw.uniform(-1.99, 1.99), y = draw.uniform(-1.49, 1.49);
-    ASSERT_NEAR(range(scene, {20 + x, 10 + y, 10}, -kZ), 5.0 - height_at(samples, x, y), 1e-6);
+    ASSERT_NEAR(range(scene, {20 + x, 10 + y, 10}, -kAxisZ), 5.0 - height_at(samples, x, y), 1e-6);
   }
-  EXPECT_EQ(range(scene, {22.01, 10, 10}, -kZ), kNothing);
+  EXPECT_EQ(range(scene, {22.01, 10, 10}, -kAxisZ), kNoRefusal);
 }
 
 TEST(RayShape, CylindersAreStillRoundWhenSeenFromFarAway) {

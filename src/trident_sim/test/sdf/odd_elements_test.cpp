@@ -298,6 +298,16 @@ TEST(OddElements, AnInertiaThatCannotBeIsReplacedAloneAsInGazebo) {
   EXPECT_DOUBLE_EQ(inertial.T_link_com.p.z(), 3.0);
 }
 
+TEST(OddElements, MomentsOfInertiaThatNoBodyHasAreToldAndUsed) {
+  WorldSpec world;
+  const std::string odd = odd_element_of(model_of_mass("2", "15"), &world);
+  EXPECT_EQ(odd,
+            "odd.world:3: link 'l' <inertial>: principal moments of inertia are 1.5, 1.5 and 15 kg "
+            "m^2; of a body none is larger than the sum of the other two; used as it is, as in "
+            "Gazebo");
+  EXPECT_DOUBLE_EQ(world.models.at(0).links[0].inertial.inertia_com(0, 0), 15.0);
+}
+
 TEST(OddElements, AMassThatCannotBeIsReplacedAlone) {
   WorldSpec world;
   const std::string odd = odd_element_of(model_of_mass("-2", "1.5"), &world);

@@ -166,7 +166,7 @@ TEST(OgreScript, AMissingScriptIsOneWarningWithTheColourThatStandsForIt) {
   const auto visuals = visuals_of({lost, lost, lost}, warnings, {});
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_TRUE(contains(warnings[0],
-                       "test.world: link 'l' visual 'v0': material script 'Mine/Base' not found, "
+                       "test.world:1: link 'l' visual 'v0': material script 'Mine/Base' not found, "
                        "nor is 'model://nowhere/materials/scripts'; shown in grey (0.7 0.7 0.7)"));
   EXPECT_TRUE(is(visuals.at(2).material.diffuse, 0.7, 0.7, 0.7, 1.0));
 }

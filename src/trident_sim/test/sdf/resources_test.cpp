@@ -160,6 +160,19 @@ TEST_F(ResourcesTest, PackagesExportPathsToGazeboRos) {
   EXPECT_TRUE(contains(resources.searched(), folder_.path() + "/ws/a/more"));
 }
 
+TEST_F(ResourcesTest, FilesNamedBarelyAreFoundAmongTheMediaOfEachFolderAsInGazebo) {
+  folder_.write("ws/a/package.xml",
+                exporting("a", "<depend>gazebo_ros</depend>", "gazebo_media_path='${prefix}'"));
+  const std::string tree = folder_.write("ws/a/Media/models/tree.dae", "");
+  const std::string rock = folder_.write("media/models/rock.dae", "");
+  const ScopedEnvironment packages("ROS_PACKAGE_PATH", folder_.path() + "/ws");
+  const ScopedEnvironment path("GAZEBO_RESOURCE_PATH", folder_.path());
+  EXPECT_EQ(Resources().find("file://tree.dae"), tree);
+  EXPECT_EQ(Resources().find("rock.dae"), rock);
+  EXPECT_EQ(Resources().find("file://crate/meshes/a.stl"), file_);
+  EXPECT_EQ(Resources().find("model://tree.dae"), "");
+}
+
 TEST_F(ResourcesTest, ExportsComeBehindTheVariablesAndBeforeWhatIsShipped) {
   folder_.write("ws/a/package.xml", exporting("a", "<exec_depend>gazebo_ros</exec_depend>",
                                               "gazebo_model_path='${prefix}'"));

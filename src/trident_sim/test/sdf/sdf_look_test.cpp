@@ -11,8 +11,8 @@
 namespace trident::sim {
 namespace {
 
-WorldSpec load(const std::string& content, std::vector<std::string>* warnings = nullptr,
-               const std::vector<std::string>& folders = {}) {
+WorldSpec load_looks(const std::string& content, std::vector<std::string>* warnings = nullptr,
+                     const std::vector<std::string>& folders = {}) {
   return load_world_string("<sdf version='1.6'><world name='w'>" + content + "</world></sdf>",
                            "test.world", Resources(folders), [&](const std::string& text) {
                              if (warnings != nullptr) warnings->push_back(text);
@@ -26,14 +26,14 @@ std::string with_link(const std::string& content) {
 VisualSpec visual_of(const std::string& content, std::vector<std::string>* warnings = nullptr,
                      const std::vector<std::string>& folders = {}) {
   const WorldSpec world =
-      load(with_link("<visual name='v'><geometry><box><size>1 1 1</size></box></geometry>" +
-                     content + "</visual>"),
-           warnings, folders);
+      load_looks(with_link("<visual name='v'><geometry><box><size>1 1 1</size></box></geometry>" +
+                           content + "</visual>"),
+                 warnings, folders);
   return world.models.at(0).links.at(0).visuals.at(0);
 }
 
 SensorSpec sensor_of(const std::string& content) {
-  return load(with_link(content)).models.at(0).links.at(0).sensors.at(0);
+  return load_looks(with_link(content)).models.at(0).links.at(0).sensors.at(0);
 }
 
 TEST(SdfLook, AVisualWithoutMaterialIsGrey) {
@@ -88,11 +88,19 @@ TEST(SdfLook, ATextureIsFoundOrMissedAloud) {
   EXPECT_TRUE(warnings.empty());
   EXPECT_EQ(visual_of(material, &warnings).material.texture_file, "");
   ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_TRUE(contains(warnings[0], "texture 'wall.png' not found"));
+  EXPECT_TRUE(contains(warnings[0], "test.world:1: link 'l' visual 'v': texture 'wall.png' not "));
+}
+
+TEST(SdfLook, AMaterialScriptThatIsNotFoundIsToldWithItsLine) {
+  std::vector<std::string> warnings;
+  visual_of("\n<material><script><name>no_such_material</name></script></material>", &warnings);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_TRUE(contains(
+      warnings[0], "test.world:2: link 'l' visual 'v': material script 'no_such_material' is "));
 }
 
 TEST(SdfLook, LightsAndSceneAreRead) {
-  const WorldSpec world = load(
+  const WorldSpec world = load_looks(
       "<light name='sun' type='directional'><pose>0 0 10 0 0 0</pose><diffuse>0.8 0.8 0.7 "
       "1</diffuse>"
       "<direction>0 3 -4</direction><cast_shadows>1</cast_shadows></light>"
@@ -154,7 +162,7 @@ TEST(SdfSensor, APluginOfASensorKnowsItAndItsLink) {
                                  return std::make_unique<Silent>();
                                },
                                {}});
-  const WorldSpec spec = load("");
+  const WorldSpec spec = load_looks("");
   World world(spec, Resources(std::vector<std::string>()), registry, {});
   SpawnRequest request;
   request.name = "robot";

@@ -4,6 +4,7 @@
 // Documents that include others, themselves, or too much.
 #include <gtest/gtest.h>
 
+#include "core/sdf/sdf_includes.h"
 #include "core/sdf/xml_cut.h"
 #include "scratch_folder.h"
 #include "test_world.h"
@@ -60,6 +61,15 @@ TEST_F(SdfSourcesTest, SoAreModelsThatIncludeEachOther) {
   EXPECT_EQ(load("a", OddElements::kLeaveOut).links.size(), 4u);
 }
 
+TEST_F(SdfSourcesTest, AModelWhoseFileIsNotThereIsToldAsThat) {
+  folder_.write("dock/model.config",
+                "<model><name>m</name><sdf version='1.6'>model.sdf</sdf></model>");
+  const ModelSpec model = load("dock", OddElements::kLeaveOut);
+  ASSERT_EQ(model.odd_elements.size(), 1u);
+  EXPECT_TRUE(contains(model.odd_elements[0], "top.sdf:2: <include> of 'model://dock': " +
+                                                  file("dock") + " does not exist; left out"));
+}
+
 TEST_F(SdfSourcesTest, IncludesInEachOtherHaveALimit) {
   for (int i = 0; i < 50; ++i) write("m" + std::to_string(i), {"m" + std::to_string(i + 1)});
   write("m50", {});
@@ -110,6 +120,9 @@ TEST_F(SdfSourcesTest, IncludesInThePartsOfAPluginAreItsOwn) {
   EXPECT_NE(model.plugins[0].params.find("include"), nullptr);
 }
 
+/// What it says twice, libsdformat alone sorts out.
+constexpr char kReadByLibsdformat[] = "<static>0</static><static>0</static>";
+
 /// Includes that are read here come with what they say, in the order of the document; with
 /// `extra`, which libsdformat alone knows, they are read by it.
 WorldSpec included_world(const std::string& folder, const std::string& extra) {
@@ -130,6 +143,11 @@ WorldSpec included_world(const std::string& folder, const std::string& extra) {
 std::string summary(const WorldSpec& world) {
   std::ostringstream text;
   for (const ModelSpec& model : world.models) {
+    for (const PluginSpec& plugin : model.plugins) {
+      text << plugin.name << " in " << plugin.filename << " (";
+      for (const ParamNode& part : plugin.params.children) text << part.name << "=" << part.text;
+      text << ") of ";
+    }
     text << model.name << (model.is_static ? " static" : "") << " at "
          << model.T_world_model.p.transpose() << ":";
     for (const LinkSpec& link : model.links) {
@@ -151,8 +169,7 @@ TEST_F(SdfSourcesTest, IncludesThatAreReadHereAreThoseOfLibsdformat) {
                 "<sdf version='1.6'><light type='directional' name='lamp'><direction>0 0 -1"
                 "</direction></light></sdf>");
   const std::string here = summary(included_world(folder_.path(), ""));
-  EXPECT_EQ(here,
-            summary(included_world(folder_.path(), "<plugin name='p' filename='libnothing.so'/>")));
+  EXPECT_EQ(here, summary(included_world(folder_.path(), kReadByLibsdformat)));
   EXPECT_EQ(here,
             "b1 at 1 2 3: l at 0 0 0 with 01 n0::l at 0 0 0 with 01\n"
             "own at 0 0 0: l at 0 0 0 with 00\n"
@@ -160,6 +177,30 @@ TEST_F(SdfSourcesTest, IncludesThatAreReadHereAreThoseOfLibsdformat) {
             "outer at 0 0 5: ball::l at 1 0 0 with 01 ball::n0::l at 1 0 0 with 01 "
             "inner::ball::l at 0 0 0 with 01 inner::ball::n0::l at 0 0 0 with 01\n"
             "ball at 0 0 0: l at 0 0 0 with 01 n0::l at 0 0 0 with 01\nlamp\n");
+}
+
+TEST_F(SdfSourcesTest, PluginsOfAnIncludeAreReadHereAsByLibsdformat) {
+  write("ball", {});
+  folder_.write("lamp/model.config",
+                "<model><name>m</name><sdf version='1.6'>model.sdf</sdf></model>");
+  folder_.write("lamp/model.sdf", "<sdf version='1.6'><light type='point' name='lamp'/></sdf>");
+  const std::string plugins =
+      "<plugin name='p' filename='libp.so'><a>1 2</a><b> x &amp;  y\n</b></plugin>"
+      "<plugin name='q' filename='libq.so'/>";
+  const std::string here = summary(included_world(folder_.path(), plugins));
+  EXPECT_EQ(here, summary(included_world(folder_.path(), plugins + kReadByLibsdformat)));
+  EXPECT_TRUE(contains(here, "p in libp.so (a=1 2b=")) << here;
+  EXPECT_TRUE(contains(here, "of q in libq.so () of ball at 0 0 0:")) << here;
+  const auto is_read_here = [this](const std::string& extra) {
+    const Resources resources({folder_.path()});
+    const PlainIncludes includes(
+        "<sdf version='1.6'><world name='w'><include><uri>model://ball</uri>" + extra +
+            "</include></world></sdf>",
+        [&resources](const std::string& uri) { return resources.find(uri); });
+    return includes.have("model://ball");
+  };
+  EXPECT_TRUE(is_read_here(plugins));
+  EXPECT_FALSE(is_read_here(kReadByLibsdformat));
 }
 
 TEST(XmlCut, BlanksAnElementAndKeepsTheLines) {

@@ -28,7 +28,7 @@ struct Loaded {
   ModelSpec model;
   std::vector<std::string> warnings;
 };
-Loaded load(const std::string& xml, const std::vector<std::string>& folders = {}) {
+Loaded load_urdf(const std::string& xml, const std::vector<std::string>& folders = {}) {
   Loaded loaded;
   loaded.model = load_model_string(xml, "robot.urdf", Resources(folders),
                                    [&](const std::string& t) { loaded.warnings.push_back(t); });
@@ -36,7 +36,7 @@ Loaded load(const std::string& xml, const std::vector<std::string>& folders = {}
 }
 
 TEST(Urdf, LinksAndJointsAreConverted) {
-  const Loaded loaded = load(
+  const Loaded loaded = load_urdf(
       robot(link("base", inertial()) + link("arm", inertial()) +
             joint("revolute", "base", "arm",
                   "<axis xyz='0 1 0'/><limit lower='-1' upper='2' effort='3' velocity='4'/>")));
@@ -49,8 +49,9 @@ TEST(Urdf, LinksAndJointsAreConverted) {
 }
 
 TEST(Urdf, ContinuousJointsHaveNoLimits) {
-  const Loaded loaded = load(robot(link("base", inertial()) + link("wheel", inertial()) +
-                                   joint("continuous", "base", "wheel", "<axis xyz='0 1 0'/>")));
+  const Loaded loaded =
+      load_urdf(robot(link("base", inertial()) + link("wheel", inertial()) +
+                      joint("continuous", "base", "wheel", "<axis xyz='0 1 0'/>")));
   EXPECT_TRUE(std::isinf(loaded.model.joints[0].upper));
   EXPECT_FALSE(loaded.model.joints[0].rigid());
 }
@@ -58,10 +59,11 @@ TEST(Urdf, ContinuousJointsHaveNoLimits) {
 TEST(Urdf, FixedAndZeroLimitJointsBecomeOneBody) {
   TestWorld world;
   Model& model = world.add(
-      load(robot(link("base", inertial("1")) + link("fixed", inertial("2")) +
-                 link("sensor", inertial("1")) + joint("fixed", "base", "fixed") +
-                 joint("revolute", "base", "sensor",
-                       "<axis xyz='0 0 1'/><limit lower='0' upper='0' effort='0' velocity='0'/>")))
+      load_urdf(
+          robot(link("base", inertial("1")) + link("fixed", inertial("2")) +
+                link("sensor", inertial("1")) + joint("fixed", "base", "fixed") +
+                joint("revolute", "base", "sensor",
+                      "<axis xyz='0 0 1'/><limit lower='0' upper='0' effort='0' velocity='0'/>")))
           .model);
   ASSERT_EQ(model.bodies.size(), 1u);
   EXPECT_DOUBLE_EQ(model.bodies[0]->mass(), 4.0);
@@ -71,7 +73,7 @@ TEST(Urdf, FixedAndZeroLimitJointsBecomeOneBody) {
 }
 
 TEST(Urdf, GazeboTagsReachTheModel) {
-  const Loaded loaded = load(
+  const Loaded loaded = load_urdf(
       robot(link("base", inertial() +
                              "<collision><geometry><sphere radius='0.1'/></geometry></collision>") +
             "<gazebo reference='base'><mu1>0.3</mu1><mu2>0.2</mu2><kp>1000</kp>"
@@ -89,8 +91,9 @@ TEST(Urdf, GazeboTagsReachTheModel) {
 }
 
 TEST(Urdf, ALinkWithoutInertialIsAWarningWithItsLine) {
-  const Loaded loaded = load(robot(link("base", inertial()) + link("ghost", "") +
-                                   joint("continuous", "base", "ghost", "<axis xyz='0 0 1'/>")));
+  const Loaded loaded =
+      load_urdf(robot(link("base", inertial()) + link("ghost", "") +
+                      joint("continuous", "base", "ghost", "<axis xyz='0 0 1'/>")));
   ASSERT_EQ(loaded.warnings.size(), 1u);
   EXPECT_TRUE(contains(loaded.warnings[0], "robot.urdf:4"));
   EXPECT_TRUE(contains(loaded.warnings[0], "'ghost'"));
@@ -100,9 +103,10 @@ TEST(Urdf, AMasslessFrameOnAFixedJointIsNoCauseForAWarning) {
   const std::string frames = link("base", inertial()) + link("camera", "") +
                              joint("fixed", "base", "camera") + link("optical", "") +
                              joint("fixed", "camera", "optical");
-  EXPECT_TRUE(load(robot(frames)).warnings.empty());
-  const Loaded loaded = load(robot(frames + link("wheel", inertial()) +
-                                   joint("continuous", "optical", "wheel", "<axis xyz='0 1 0'/>")));
+  EXPECT_TRUE(load_urdf(robot(frames)).warnings.empty());
+  const Loaded loaded =
+      load_urdf(robot(frames + link("wheel", inertial()) +
+                      joint("continuous", "optical", "wheel", "<axis xyz='0 1 0'/>")));
   ASSERT_EQ(loaded.warnings.size(), 2u) << "what moves on a frame is lost";
   EXPECT_TRUE(contains(loaded.warnings[0], "'camera'"));
   EXPECT_TRUE(contains(loaded.warnings[1], "'optical'"));
@@ -111,9 +115,9 @@ TEST(Urdf, AMasslessFrameOnAFixedJointIsNoCauseForAWarning) {
 TEST(Urdf, ElementsWithoutEffectAreNamedOnceWithTheirFirstLine) {
   const std::string drive = "<wheels name='t'><type>x</type></wheels>\n";
   const Loaded loaded =
-      load(robot(link("base", inertial()) + link("wheel", inertial()) +
-                 joint("continuous", "base", "wheel", "<axis xyz='0 1 0'/><limits/>") + drive +
-                 drive + "<gazebo reference='wheel'><mu>1</mu><mu1>1</mu1></gazebo>"));
+      load_urdf(robot(link("base", inertial()) + link("wheel", inertial()) +
+                      joint("continuous", "base", "wheel", "<axis xyz='0 1 0'/><limits/>") + drive +
+                      drive + "<gazebo reference='wheel'><mu>1</mu><mu1>1</mu1></gazebo>"));
   ASSERT_EQ(loaded.warnings.size(), 3u);
   EXPECT_EQ(loaded.warnings[0], "robot.urdf:6: <wheels> in <robot> (2 times) has no effect here");
   EXPECT_EQ(loaded.warnings[1], "robot.urdf:5: <limits> in <joint> has no effect here");
@@ -121,18 +125,18 @@ TEST(Urdf, ElementsWithoutEffectAreNamedOnceWithTheirFirstLine) {
 }
 
 TEST(Urdf, WhatIsForOthersThanASimulatorIsNotTold) {
-  const Loaded loaded =
-      load(robot(link("base", inertial()) + link("wheel", inertial()) +
-                 joint("continuous", "base", "wheel",
-                       "<axis xyz='0 1 0'/><mimic joint='j'/><safety_controller k_velocity='1'/>"
-                       "<calibration rising='0'/>") +
-                 "<transmission name='t'><type>x</type></transmission>"));
+  const Loaded loaded = load_urdf(
+      robot(link("base", inertial()) + link("wheel", inertial()) +
+            joint("continuous", "base", "wheel",
+                  "<axis xyz='0 1 0'/><mimic joint='j'/><safety_controller k_velocity='1'/>"
+                  "<calibration rising='0'/>") +
+            "<transmission name='t'><type>x</type></transmission>"));
   EXPECT_TRUE(loaded.warnings.empty()) << testing::PrintToString(loaded.warnings);
 }
 
 TEST(Urdf, ARootThatAFixedChildGivesInertiaIsFine) {
-  const Loaded loaded = load(robot(link("base", "") + link("base_inertia", inertial()) +
-                                   joint("fixed", "base", "base_inertia")));
+  const Loaded loaded = load_urdf(robot(link("base", "") + link("base_inertia", inertial()) +
+                                        joint("fixed", "base", "base_inertia")));
   EXPECT_TRUE(loaded.warnings.empty());
   EXPECT_EQ(loaded.model.links[0].name, "base");
   EXPECT_DOUBLE_EQ(loaded.model.links[0].inertial.mass_kg, 1.0);
@@ -145,8 +149,9 @@ class UrdfInertial : public testing::TestWithParam<BadInertial> {};
 
 TEST_P(UrdfInertial, IsRefusedWithFileLineLinkAndValue) {
   const std::string error = error_of([] {
-    load(robot(link("base", inertial()) + link("bad", inertial(GetParam().mass, GetParam().ixx)) +
-               joint("fixed", "base", "bad")));
+    load_urdf(robot(link("base", inertial()) +
+                    link("bad", inertial(GetParam().mass, GetParam().ixx)) +
+                    joint("fixed", "base", "bad")));
   });
   EXPECT_TRUE(contains(error, "robot.urdf:4: link 'bad'"));
   EXPECT_TRUE(contains(error, GetParam().told));
@@ -221,10 +226,27 @@ TEST(Urdf, APointMassOnAFixedJointIsLumpedAsOne) {
   EXPECT_NEAR(inertial.inertia_com(0, 0), 0.1 + 1.0 * 0.5 / 1.5, 1e-9);
 }
 
+TEST(Urdf, MomentsOfInertiaThatNoBodyHasAreToldWithTheirLine) {
+  const std::string xml = robot(link("base", inertial()) + link("arm", inertial("1", "2.0")) +
+                                joint("continuous", "base", "arm", "<axis xyz='0 1 0'/>"));
+  const std::string fault =
+      "robot.urdf:4: link 'arm': principal moments of inertia are 0.1, 0.1 and 2 kg m^2; of a "
+      "body none is larger than the sum of the other two";
+  EXPECT_TRUE(contains(error_of([&] { load_urdf(xml); }), fault));
+  const Loaded loaded = load_leniently(xml);
+  ASSERT_EQ(loaded.model.odd_elements.size(), 1u);
+  EXPECT_EQ(loaded.model.odd_elements[0], fault + "; used as it is, as in Gazebo");
+  EXPECT_DOUBLE_EQ(loaded.model.links.at(1).inertial.inertia_com(0, 0), 2.0);
+}
+
+TEST(Urdf, MomentsOfInertiaBesideOneAnotherByAMeasurementsErrorAreNotOdd) {
+  EXPECT_TRUE(load_urdf(robot(link("base", inertial("1", "0.25")))).warnings.empty());
+}
+
 TEST(Urdf, AMissingVisualMeshIsOneWarning) {
   const std::string visual =
       "<visual><geometry><mesh filename='package://no_such_package/a.dae'/></geometry></visual>";
-  const Loaded loaded = load(robot(link("base", inertial() + visual)));
+  const Loaded loaded = load_urdf(robot(link("base", inertial() + visual)));
   ASSERT_EQ(loaded.warnings.size(), 1u);
   EXPECT_TRUE(contains(loaded.warnings[0], "no_such_package/a.dae"));
 }
@@ -233,7 +255,8 @@ TEST(Urdf, AMissingCollisionMeshRefusesTheModel) {
   const std::string collision =
       "<collision><geometry><mesh "
       "filename='package://no_such_package/a.stl'/></geometry></collision>";
-  const std::string error = error_of([&] { load(robot(link("base", inertial() + collision))); });
+  const std::string error =
+      error_of([&] { load_urdf(robot(link("base", inertial() + collision))); });
   EXPECT_TRUE(contains(error, "robot.urdf"));
   EXPECT_TRUE(contains(error, "no_such_package/a.stl"));
   EXPECT_TRUE(contains(error, "searched:"));
@@ -244,7 +267,7 @@ TEST(Urdf, MeshesOfPackagesAreFound) {
   folder.write("my_robot/package.xml", "<package/>");
   const std::string mesh = folder.write("my_robot/meshes/a.stl", "solid a\nendsolid a\n");
   const ScopedEnvironment path("ROS_PACKAGE_PATH", folder.path());
-  const Loaded loaded = load(robot(link(
+  const Loaded loaded = load_urdf(robot(link(
       "base", inertial() + "<collision><geometry><mesh filename='package://my_robot/meshes/a.stl' "
                            "scale='2 2 2'/></geometry></collision>")));
   const auto& shape = std::get<MeshShape>(loaded.model.links[0].collisions[0].shape);

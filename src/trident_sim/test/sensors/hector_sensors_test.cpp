@@ -15,7 +15,7 @@
 namespace trident::sim {
 namespace {
 
-WorldSpec on_earth(double heading_deg = 0.0) {
+WorldSpec on_earth_heading(double heading_deg = 0.0) {
   WorldSpec spec = weightless(0.01);
   spec.spherical = {49.9, 8.9, 100.0, heading_deg};
   return spec;
@@ -40,7 +40,7 @@ const char kGps[] = "libhector_gazebo_ros_gps.so";
 const char kMagnetic[] = "libhector_gazebo_ros_magnetic.so";
 
 TEST(HectorGps, PositionIsOnTheEarthAndVelocityNorthWestUp) {
-  TestWorld world(on_earth());
+  TestWorld world(on_earth_heading());
   Model& body = world.add(body_with(kGps, {}, at(30, 40, 2)));
   auto& fix = listen<GnssFixSample>(world, "a/fix");
   auto& speed = listen<VectorSample>(world, "a/fix_velocity");
@@ -57,7 +57,7 @@ TEST(HectorGps, PositionIsOnTheEarthAndVelocityNorthWestUp) {
 }
 
 TEST(HectorGps, ReferenceStandsInForTheWorlds) {
-  TestWorld world(on_earth());
+  TestWorld world(on_earth_heading());
   world.add(body_with(kGps,
                       {{"referenceLatitude", "10"},
                        {"referenceLongitude", "20"},
@@ -74,7 +74,7 @@ TEST(HectorGps, ReferenceStandsInForTheWorlds) {
 }
 
 TEST(HectorGps, ErrorsHaveTheirSpread) {
-  TestWorld world(on_earth());
+  TestWorld world(on_earth_heading());
   world.add(body_with(kGps, {{"updateRate", "0"}, {"gaussianNoise", "2 3 4"}}));
   auto& fix = listen<GnssFixSample>(world, "a/fix");
   std::vector<double> heights;
@@ -92,7 +92,7 @@ TEST(HectorGps, ErrorsHaveTheirSpread) {
 
 TEST(HectorMagnetic, PointsNorthAndDownInTheBodysFrame) {
   for (const bool as_field : {false, true}) {
-    TestWorld world(on_earth());
+    TestWorld world(on_earth_heading());
     world.add(body_with(kMagnetic,
                         {{"magnitude", "2"}, {"useMagneticFieldMsgs", as_field ? "true" : "false"}},
                         SE3::from_xyz_rpy({0, 0, 0}, 0, 0, 0.5 * kPi)));
@@ -112,7 +112,7 @@ TEST(HectorMagnetic, PointsNorthAndDownInTheBodysFrame) {
 }
 
 TEST(HectorMagnetic, DeclinationTurnsItFromTrueNorthEastwards) {
-  TestWorld world(on_earth());
+  TestWorld world(on_earth_heading());
   world.add(body_with(kMagnetic, {{"inclination", "0"}, {"declination", "30"}}));
   auto& field = listen<VectorSample>(world, "a/magnetic");
   world->step(1);
@@ -120,7 +120,7 @@ TEST(HectorMagnetic, DeclinationTurnsItFromTrueNorthEastwards) {
 }
 
 TEST(HectorBaro, TellsTheHeight) {
-  TestWorld world(on_earth());
+  TestWorld world(on_earth_heading());
   world.add(body_with("libhector_gazebo_ros_baro.so", {{"offset", "0 0 0.5"}}, at(1, 2, 7)));
   auto& height = listen<PointSample>(world, "a/pressure_height");
   world->step(3);

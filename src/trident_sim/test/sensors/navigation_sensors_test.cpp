@@ -58,6 +58,20 @@ TEST(Gps, MetresAreMetresOnTheEllipsoid) {
   EXPECT_NEAR(fix.value.altitude_m, 520.0 + 500.0 * 500.0 / (2.0 * 6371e3), 1e-3);
 }
 
+TEST(Gps, AsASensorItMayNameItsLink) {
+  TestWorld world(zurich());
+  ModelSpec spec = make_body("a", BoxShape{{0.2, 0.2, 0.2}}, at(0, 0, 1));
+  SensorSpec sensor;
+  sensor.name = "gps";
+  sensor.type = "gps";
+  sensor.update_rate_hz = 5.0;
+  sensor.plugins = {
+      make_plugin("gps", kGps, {{"robotNamespace", "a"}, {"linkName", spec.links[0].name}})};
+  spec.links[0].sensors.push_back(sensor);
+  world.add(std::move(spec));
+  EXPECT_TRUE(world.reports.empty()) << testing::PrintToString(world.reports.size());
+}
+
 TEST(Gps, TheWorldsHeadingTurnsItsXFromEastToNorth) {
   WorldSpec spec = zurich();
   spec.spherical.heading_deg = 90.0;

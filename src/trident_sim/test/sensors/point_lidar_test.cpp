@@ -42,7 +42,7 @@ LidarOptions snapshot_of(LidarOptions options, const std::string& type = "ray") 
 
 WorldOptions direct() { return with_timing(LoopTiming::kDirect); }
 
-OutPort<LidarCloudSample>& listen(TestWorld& world) {
+OutPort<LidarCloudSample>& listen_to_cloud(TestWorld& world) {
   auto* port = world->ports().find_out<LidarCloudSample>("r/scan");
   port->add_listener();
   return *port;
@@ -64,7 +64,7 @@ TEST(PointLidar, RingsAzimuthsAndTimesAreThoseOfAVlp16) {
   TestWorld world(weightless());
   add_walls(world, kHalfRoom, 20.0);
   world.add(robot_with(vlp16()));
-  auto& cloud = listen(world);
+  auto& cloud = listen_to_cloud(world);
   world->step(100);
   ASSERT_EQ(cloud.count(), 1u);
   const LidarCloudSample& value = cloud.value;
@@ -95,7 +95,7 @@ TEST(PointLidar, AScanPerPeriodStampedWithItsFirstBeam) {
     TestWorld world(weightless(dt_s));
     add_walls(world, kHalfRoom, 20.0);
     world.add(robot_with(vlp16()));
-    auto& cloud = listen(world);
+    auto& cloud = listen_to_cloud(world);
     world->step(static_cast<std::uint64_t>(std::ceil(1.0 / dt_s)));
     EXPECT_EQ(cloud.count(), 10u) << dt_s;
     EXPECT_EQ(cloud.value.stamp, SimTime{900'000'000}) << dt_s;
@@ -111,7 +111,7 @@ TEST(PointLidar, AtRestAScanIsTheSameWhateverTheStep) {
     LidarOptions options = vlp16();
     options.stddev_m = 0.01;
     world.add(robot_with(options));
-    auto& cloud = listen(world);
+    auto& cloud = listen_to_cloud(world);
     while (cloud.count() < 2) world->step();
     if (first.empty()) first = cloud.value.points;
     EXPECT_TRUE(same(cloud.value.points, first)) << dt_s;
@@ -126,7 +126,7 @@ class MovingRobot {
     add_walls(world_, kHalfRoom, 20.0);
     options.T_link_sensor.p = p_link_sensor_;
     world_->set_model_twist(world_.add(robot_with(options)), v_world_, {0.0, 0.0, spin_});
-    cloud_ = &listen(world_);
+    cloud_ = &listen_to_cloud(world_);
     world_->step(static_cast<std::uint64_t>(std::lround(0.5 / dt_s)));
   }
   const LidarCloudSample& cloud() const { return cloud_->value; }
@@ -204,7 +204,7 @@ TEST(PointLidar, ASnapshotSeesAllAtItsStamp) {
     }
     Model& robot = world.add(robot_with(snapshot_of(vlp16(), type)));
     world->set_model_twist(robot, {0, 0, 0}, {0, 0, 3.0});
-    auto& cloud = listen(world);
+    auto& cloud = listen_to_cloud(world);
     world->step(100);
     ASSERT_EQ(cloud.count(), 1u);
     EXPECT_EQ(cloud.value.stamp, world->time());
@@ -228,7 +228,7 @@ TEST(PointLidar, NoiseHasItsMeanAndSpread) {
   options.stddev_m = 0.03;
   options.params.emplace_back("gaussianNoise", "0.04");  // adds to the sensor's own
   world.add(robot_with(options));
-  auto& cloud = listen(world);
+  auto& cloud = listen_to_cloud(world);
   world->step(100);
   double sum = 0.0, squares = 0.0, products = 0.0, last = 0.0;
   const auto n = static_cast<double>(cloud.value.points.size());
@@ -256,13 +256,13 @@ TEST(PointLidar, IsTheSameForEverySubscriberAndAfterSnapshotAndReset) {
   TestWorld early(weightless(), direct()), late(weightless(), direct());
   make(early);
   make(late);
-  auto& cloud = listen(early);
+  auto& cloud = listen_to_cloud(early);
   early->step(450);
   const Snapshot snapshot = early->save_snapshot();
   early->step(150);
   const std::vector<LidarPoint> expected = cloud.value.points;
   late->step(333);
-  auto& late_cloud = listen(late);
+  auto& late_cloud = listen_to_cloud(late);
   late->step(267);
   EXPECT_TRUE(same(late_cloud.value.points, expected)) << "who came late";
   early->restore_snapshot(snapshot);
@@ -287,7 +287,7 @@ TEST(PointLidar, LeavesOutWhatIsNotInRange) {
   options.lowest_rad = options.highest_rad = 0.0;
   options.params = {{"min_range", "3.5"}, {"max_range", "7.0"}};
   world.add(robot_with(options));
-  auto& cloud = listen(world);
+  auto& cloud = listen_to_cloud(world);
   world->step(100);
   ASSERT_EQ(cloud.value.points.size(), 1u);
   EXPECT_TRUE(is_near(position(cloud.value.points[0]), {0.0, 4.0, 0.0}, 1e-6));
@@ -320,7 +320,7 @@ TEST(PointLidar, IntensityIsTheRetroOfACollisionAndTheBrightnessOfAVisual) {
     picky.links[0].sensors[0].plugins[0].params.children[1].text = "picky";
     world.add(robot);
     world.add(picky);
-    auto& cloud = listen(world);
+    auto& cloud = listen_to_cloud(world);
     auto* only_bright = world->ports().find_out<LidarCloudSample>("r/picky");
     only_bright->add_listener();
     world->step(100);

@@ -12,29 +12,31 @@
 namespace trident::sim {
 namespace {
 
-CartOptions with(ParamList params) {
+CartOptions cart_with(ParamList params) {
   CartOptions options;
   options.params = std::move(params);
   return options;
 }
 
-std::string refusal(ParamList params, bool four_wheels = false) {
-  CartOptions options = with(std::move(params));
+std::string plugin_refusal(ParamList params, bool four_wheels = false) {
+  CartOptions options = cart_with(std::move(params));
   options.four_wheels = four_wheels;
   return error_of([&] { CartWorld cart(options); });
 }
 
 TEST(DrivePlugins, BadValuesAreRefusedWithTheLegalOnes) {
-  EXPECT_TRUE(contains(refusal({{"wheelSeparation", "0"}}), "<wheelSeparation> is '0'"));
-  EXPECT_TRUE(contains(refusal({{"wheelDiameter", "-0.1"}}), "<wheelDiameter> is '-0.1'"));
-  EXPECT_TRUE(contains(refusal({{"wheelTorque", "-1"}}), "<wheelTorque> is '-1'"));
-  EXPECT_TRUE(contains(refusal({{"updateRate", "-5"}}), "<updateRate> is '-5'"));
-  EXPECT_TRUE(contains(refusal({{"odometrySource", "gps"}}),
+  EXPECT_TRUE(contains(plugin_refusal({{"wheelSeparation", "0"}}), "<wheelSeparation> is '0'"));
+  EXPECT_TRUE(contains(plugin_refusal({{"wheelDiameter", "-0.1"}}), "<wheelDiameter> is '-0.1'"));
+  EXPECT_TRUE(contains(plugin_refusal({{"wheelTorque", "-1"}}), "<wheelTorque> is '-1'"));
+  EXPECT_TRUE(contains(plugin_refusal({{"updateRate", "-5"}}), "<updateRate> is '-5'"));
+  EXPECT_TRUE(contains(plugin_refusal({{"odometrySource", "gps"}}),
                        "<odometrySource> is 'gps', expected world or encoder"));
-  EXPECT_TRUE(contains(refusal({{"leftJoint", "knee"}}), "a joint of the model: left, right"));
-  EXPECT_TRUE(contains(refusal({{"leftJoint", "right"}}), "another joint than leftJoint"));
-  EXPECT_TRUE(contains(refusal({{"publishTf", "maybe"}}), "<publishTf> is 'maybe'"));
-  EXPECT_TRUE(contains(refusal({{"leftRearJoint", "tail"}}, true), "model 'cart' plugin 'drive'"));
+  EXPECT_TRUE(
+      contains(plugin_refusal({{"leftJoint", "knee"}}), "a joint of the model: left, right"));
+  EXPECT_TRUE(contains(plugin_refusal({{"leftJoint", "right"}}), "another joint than leftJoint"));
+  EXPECT_TRUE(contains(plugin_refusal({{"publishTf", "maybe"}}), "<publishTf> is 'maybe'"));
+  EXPECT_TRUE(
+      contains(plugin_refusal({{"leftRearJoint", "tail"}}, true), "model 'cart' plugin 'drive'"));
 }
 
 TEST(DrivePlugins, AFixedJointCannotBeDriven) {
@@ -75,7 +77,7 @@ TEST(DrivePlugins, ASpeedBeyondTheWheelsLimitIsScaledWithItsTurn) {
 
 TEST(DrivePlugins, WithoutLegacyModeThePlacesOfTheWheelsTell) {
   for (const bool swapped : {false, true}) {
-    CartOptions options = with(
+    CartOptions options = cart_with(
         {{"leftJoint", swapped ? "right" : "left"}, {"rightJoint", swapped ? "left" : "right"}});
     ModelSpec spec = make_cart(options);
     auto& params = spec.plugins[0].params.children;
@@ -93,19 +95,19 @@ TEST(DrivePlugins, WithoutLegacyModeThePlacesOfTheWheelsTell) {
 }
 
 TEST(DrivePlugins, FlagsSayWhatIsPublished) {
-  CartWorld silent(with({{"publishTf", "false"}}));
+  CartWorld silent(cart_with({{"publishTf", "false"}}));
   EXPECT_EQ(silent.odometry, nullptr);
   EXPECT_EQ(silent.world->ports().find_out<FrameSample>("tf/base_footprint"), nullptr);
-  CartWorld without_frame(with({{"publishOdomTF", "false"}}));
+  CartWorld without_frame(cart_with({{"publishOdomTF", "false"}}));
   EXPECT_NE(without_frame.odometry, nullptr);
   EXPECT_EQ(without_frame.world->ports().find_out<FrameSample>("tf/base_footprint"), nullptr);
-  CartWorld all(with({{"publishWheelTF", "true"}, {"publishWheelJointState", "true"}}));
+  CartWorld all(cart_with({{"publishWheelTF", "true"}, {"publishWheelJointState", "true"}}));
   EXPECT_NE(all.world->ports().find_out<FrameSample>("tf/left_wheel"), nullptr);
   EXPECT_NE(all.world->ports().find_out<JointStateSample>("joint_states"), nullptr);
 }
 
 TEST(DrivePlugins, JointStatesCountTurnsAndTellRates) {
-  CartWorld cart(with({{"publishWheelJointState", "true"}, {"wheelAcceleration", "1"}}));
+  CartWorld cart(cart_with({{"publishWheelJointState", "true"}, {"wheelAcceleration", "1"}}));
   auto* states = cart.world->ports().find_out<JointStateSample>("joint_states");
   ASSERT_NE(states, nullptr);
   states->add_listener();
@@ -118,7 +120,7 @@ TEST(DrivePlugins, JointStatesCountTurnsAndTellRates) {
 }
 
 TEST(DrivePlugins, TwoPluginsMayShareTheJointStates) {
-  ModelSpec spec = make_cart(with({{"publishWheelJointState", "true"}}));
+  ModelSpec spec = make_cart(cart_with({{"publishWheelJointState", "true"}}));
   spec.plugins.push_back(make_plugin("states", "libgazebo_ros_joint_state_publisher.so",
                                      {{"jointName", "right, left"}, {"updateRate", "50"}}));
   TestWorld world;
@@ -137,7 +139,7 @@ TEST(DrivePlugins, FramesAreResolvedAsUpstreamResolvesThem) {
       return space == "r1" ? prefix : "of another namespace";
     };
     TestWorld world(world_spec(), options);
-    world.add(make_cart(with({{"robotNamespace", "/r1/"}, {"odometryFrame", name}})));
+    world.add(make_cart(cart_with({{"robotNamespace", "/r1/"}, {"odometryFrame", name}})));
     return world->ports().find_out<OdometrySample>("r1/odom")->value.parent_frame;
   };
   EXPECT_EQ(frame("", "odom"), "r1/odom") << "the namespace in place of a prefix";
@@ -162,7 +164,7 @@ TEST(PlanarMove, OfTwoRobotsWithOneFrameTheFirstGivesItsTransform) {
 }
 
 TEST(DrivePlugins, ASecondRunAfterAResetIsTheFirst) {
-  CartOptions options = with({{"odometrySource", "encoder"}, {"wheelAcceleration", "0.7"}});
+  CartOptions options = cart_with({{"odometrySource", "encoder"}, {"wheelAcceleration", "0.7"}});
   CartWorld cart(options);
   const auto run = [&cart] {
     cart.command(0.6, 0.4);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kRadius = 0.1;
 
-CartOptions with(ParamList params, double mu = 1.0) {
+CartOptions plugin_with(ParamList params, double mu = 1.0) {
   CartOptions options;
   options.params = std::move(params);
   options.mu = mu;
@@ -42,7 +42,7 @@ void drive_side(CartWorld& cart, double side_m, double yaw_rad) {
 
 /// Four sides of 100 m: what the encoders tell stays within a thousandth of the 400 m driven.
 TEST(DiffDrive, ASquareWithSidesOfAHundredMetresClosesWithinATenthOfAPercent) {
-  CartWorld cart(with({{"odometrySource", "encoder"}, {"wheelAcceleration", "1"}}), 0.002);
+  CartWorld cart(plugin_with({{"odometrySource", "encoder"}, {"wheelAcceleration", "1"}}), 0.002);
   double worst = 0.0;
   for (int side = 1; side <= 4; ++side) {
     drive_side(cart, 100.0, side * 0.5 * kPi);
@@ -70,12 +70,12 @@ double speed_after(const ModelSpec& spec, double seconds) {
 /// way 1 - exp(-t / tau) of it, tau = (m + 4 I / r^2) / (4 b / r^2).
 TEST(SkidSteer, WheelTorqueAgainstDampingOfTheJointsIsATerminalSpeed) {
   const double torque = 0.2, damping = 0.01;
-  CartOptions options = with({{"torque", "0.2"}, {"updateRate", "0"}});
+  CartOptions options = plugin_with({{"torque", "0.2"}, {"updateRate", "0"}});
   options.four_wheels = true;
   ModelSpec spec = make_cart(options);
   for (JointSpec& joint : spec.joints) joint.damping = damping;
   const double terminal = kRadius * torque / damping;
-  const double moved = 5.0 + 4 * 0.5 + 4 * 0.5 * 0.5;  // with I / r^2 of discs of 0.5 kg
+  const double moved = 5.0 + 4 * 0.5 + 4 * 0.5 * 0.5;  // plugin_with I / r^2 of discs of 0.5 kg
   const double tau = moved / (4.0 * damping / (kRadius * kRadius));
   EXPECT_NEAR(speed_after(spec, tau), terminal * (1.0 - std::exp(-1.0)), 0.01 * terminal);
   EXPECT_NEAR(speed_after(spec, 8.0 * tau), terminal, 0.005 * terminal);
@@ -85,7 +85,7 @@ TEST(SkidSteer, WheelTorqueAgainstDampingOfTheJointsIsATerminalSpeed) {
 /// of the wheels' turning: 4 T / r = decay (m + 4 I / r^2) v.
 TEST(SkidSteer, WheelTorqueAgainstDragIsATerminalSpeed) {
   const double torque = 0.1, decay = 0.8;
-  CartOptions options = with({{"torque", "0.1"}, {"updateRate", "0"}});
+  CartOptions options = plugin_with({{"torque", "0.1"}, {"updateRate", "0"}});
   options.four_wheels = true;
   ModelSpec spec = make_cart(options);
   for (LinkSpec& link : spec.links) link.linear_damping = link.angular_damping = decay;
@@ -117,7 +117,7 @@ class Slalom : public testing::Test {
   };
   /// Jerks and turns for ten seconds, followed by ticks of the wheels.
   static Result drive(double mu) {
-    CartOptions options = with({{"wheelAcceleration", "2"}}, mu);
+    CartOptions options = plugin_with({{"wheelAcceleration", "2"}}, mu);
     options.more_plugins = {make_plugin("ticks", "libtrident_wheel_encoder.so",
                                         {{"jointName", "left right"}, {"ticksPerTurn", "4096"}})};
     CartWorld cart(options);

@@ -19,7 +19,7 @@ ParamList encoders(ParamList more = {}) {
   return more;
 }
 
-CartOptions with(ParamList params, double mu = 1.0) {
+CartOptions rover_with(ParamList params, double mu = 1.0) {
   CartOptions options;
   options.params = std::move(params);
   options.mu = mu;
@@ -57,7 +57,7 @@ void turn_to(CartWorld& cart, double yaw_rad) {
 }
 
 TEST(DiffDrive, ASquareOfAHundredMetresClosesWithinATenthOfAPercent) {
-  CartWorld cart(with(encoders({{"wheelAcceleration", "1"}})), 0.002);
+  CartWorld cart(rover_with(encoders({{"wheelAcceleration", "1"}})), 0.002);
   for (int side = 1; side <= 4; ++side) {
     go_ahead(cart, 25.0);
     turn_to(cart, side * 0.5 * kPi);
@@ -70,7 +70,7 @@ TEST(DiffDrive, ASquareOfAHundredMetresClosesWithinATenthOfAPercent) {
 }
 
 TEST(DiffDrive, OnIceTheEncodersTellALongerWay) {
-  CartWorld cart(with(encoders({{"wheelAcceleration", "2"}}), 0.05));
+  CartWorld cart(rover_with(encoders({{"wheelAcceleration", "2"}}), 0.05));
   cart.command(2.0, 0.0);
   cart.run(2.0);
   EXPECT_GT(cart.told().p.x(), 1.05 * cart.truth().p.x());
@@ -78,7 +78,7 @@ TEST(DiffDrive, OnIceTheEncodersTellALongerWay) {
 }
 
 TEST(DiffDrive, WithGripTheyTellTheWay) {
-  CartWorld cart(with(encoders({{"wheelAcceleration", "2"}}), 1.0));
+  CartWorld cart(rover_with(encoders({{"wheelAcceleration", "2"}}), 1.0));
   cart.command(2.0, 0.0);
   cart.run(2.0);
   EXPECT_NEAR(cart.told().p.x(), cart.truth().p.x(), 1e-3 * cart.truth().p.x());
@@ -103,11 +103,11 @@ TEST(DiffDrive, ItTurnsAboutTheMiddleOfItsAxleAndAlongCircles) {
   CartWorld circle;
   circle.command(0.5, 0.5);  // of 1 m about (0, 1)
   circle.run(5.0);
-  // It starts with a jerk, in which the wheels slip.
+  // It starts rover_with a jerk, in which the wheels slip.
   EXPECT_NEAR((circle.truth().p - Eigen::Vector2d(0, 1)).norm(), 1.0, 0.02);
 }
 
-/// v^2 / (2 mu g) with all wheels braked.
+/// v^2 / (2 mu g) rover_with all wheels braked.
 TEST(SkidSteer, BrakingIsLimitedByFriction) {
   for (const double mu : {0.1, 0.3}) {
     CartWorld cart(four_wheels(mu));
@@ -124,7 +124,7 @@ TEST(SkidSteer, BrakingIsLimitedByFriction) {
   }
 }
 
-/// mu g from standstill, with all wheels driven and none slow enough to grip.
+/// mu g from standstill, rover_with all wheels driven and none slow enough to grip.
 TEST(SkidSteer, AccelerationIsLimitedByFriction) {
   CartWorld cart(four_wheels(0.2));
   cart.run(0.2);
@@ -168,7 +168,7 @@ TEST(SkidSteer, ItSlipsOnASlopeBeyondTheAngleOfFriction) {
 }
 
 TEST(DiffDrive, OdometryOfTheWorldIsTheTruth) {
-  CartOptions options = with({{"updateRate", "0"}}, 0.05);
+  CartOptions options = rover_with({{"updateRate", "0"}}, 0.05);
   options.T_world_model = SE3::from_xyz_rpy({3, -2, 0}, 0, 0, 0.5);
   CartWorld cart(options);
   cart.command(1.0, 0.7);
@@ -179,7 +179,7 @@ TEST(DiffDrive, OdometryOfTheWorldIsTheTruth) {
 }
 
 TEST(DiffDrive, OdometryOfEncodersStartsAtItsOrigin) {
-  CartOptions options = with(encoders({{"wheelAcceleration", "1"}}));
+  CartOptions options = rover_with(encoders({{"wheelAcceleration", "1"}}));
   options.T_world_model = SE3::from_xyz_rpy({3, -2, 0}, 0, 0, 0.5);
   CartWorld cart(options);
   cart.command(0.5, 0.3);
@@ -194,11 +194,11 @@ TEST(DiffDrive, OdometryOfEncodersStartsAtItsOrigin) {
 
 /// Separation and diameter that do not fit scale turn and way.
 TEST(DiffDrive, AWrongGeometryShowsAsItsRatio) {
-  CartWorld narrow(with(encoders({{"wheelSeparation", "0.36"}, {"wheelAcceleration", "1"}})));
+  CartWorld narrow(rover_with(encoders({{"wheelSeparation", "0.36"}, {"wheelAcceleration", "1"}})));
   narrow.command(0.0, 0.5);
   narrow.run(4.0);
   EXPECT_NEAR(narrow.told().angle / narrow.truth().angle, 0.4 / 0.36, 0.03);
-  CartWorld small(with(encoders({{"wheelDiameter", "0.19"}, {"wheelAcceleration", "1"}})));
+  CartWorld small(rover_with(encoders({{"wheelDiameter", "0.19"}, {"wheelAcceleration", "1"}})));
   small.command(0.5, 0.0);
   small.run(4.0);
   EXPECT_NEAR(small.told().p.x() / small.truth().p.x(), 0.19 / 0.2, 0.005);
@@ -206,7 +206,7 @@ TEST(DiffDrive, AWrongGeometryShowsAsItsRatio) {
 }
 
 TEST(DiffDrive, ItsEncodersCovarianceGrowsWhenAsked) {
-  CartWorld cart(with(encoders({{"encoderErrorPerMeter", "1e-4"}})));
+  CartWorld cart(rover_with(encoders({{"encoderErrorPerMeter", "1e-4"}})));
   cart.command(1.0, 0.0);
   cart.run(3.0);
   const Covariance6& covariance = cart.odometry->value.pose_covariance;
@@ -219,7 +219,7 @@ TEST(DiffDrive, ItsEncodersCovarianceGrowsWhenAsked) {
 }
 
 TEST(DiffDrive, TheRampOfSpeedIsItsAcceleration) {
-  CartWorld cart(with({{"wheelAcceleration", "0.5"}, {"updateRate", "0"}}));
+  CartWorld cart(rover_with({{"wheelAcceleration", "0.5"}, {"updateRate", "0"}}));
   cart.run(0.2);
   cart.command(1.0, 0.0);
   cart.run(1.0);

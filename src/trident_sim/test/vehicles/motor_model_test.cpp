@@ -69,7 +69,7 @@ double yaw_acceleration(QuadWorld& quad, const std::vector<double>& speeds) {
 TEST(MotorModel, DragTurnsTheBodyAgainstTheRotor) {
   QuadWorld cw, ccw;
   const double thrust = 2.0 * cw.options.motor_constant * 400.0 * 400.0;
-  const double expected = thrust * cw.options.moment_constant / cw.body().inertia(2, 2);
+  const double expected = thrust * cw.options.moment_constant / cw.body().inertia_tensor()(2, 2);
   EXPECT_NEAR(yaw_acceleration(cw, {400, 0, 400, 0}), expected, 0.01 * expected);
   EXPECT_NEAR(yaw_acceleration(ccw, {0, 400, 0, 400}), -expected, 0.01 * expected);
 }
@@ -80,8 +80,8 @@ TEST(MotorModel, ThrustOfOneRotorTiltsTheBodyAwayFromIt) {
   quad->step();
   EXPECT_LT(quad.body().angular_velocity().y(), 0.0);
   const double torque = quad.options.motor_constant * 400.0 * 400.0 * quad.options.arm_m;
-  EXPECT_NEAR(-quad.body().angular_velocity().y() / kDt, torque / quad.body().inertia(1, 1),
-              0.05 * torque / quad.body().inertia(1, 1));
+  EXPECT_NEAR(-quad.body().angular_velocity().y() / kDt, torque / quad.body().inertia_tensor()(1, 1),
+              0.05 * torque / quad.body().inertia_tensor()(1, 1));
 }
 
 /// Change of the twist in one step at 4 m/s along x, 1 m/s up, all rotors at 400 rad/s.
@@ -110,7 +110,7 @@ TEST(MotorModel, RollingMomentActsAlongTheMotion) {
   const Change with = fly_sideways(options);
   const double torque = -4.0 * 400.0 * 3e-5 * 4.0;
   QuadWorld quad(options);
-  EXPECT_NEAR(with.angular.x(), torque / quad.body().inertia(0, 0), 1e-6);
+  EXPECT_NEAR(with.angular.x(), torque / quad.body().inertia_tensor()(0, 0), 1e-6);
   EXPECT_NEAR(with.angular.y(), 0.0, 1e-9);
 }
 

@@ -7,7 +7,7 @@
 namespace trident::sim {
 namespace {
 
-constexpr double kDt = 0.01;
+constexpr double kStep_s = 0.01;
 
 ModelSpec body_in_wind(const ParamList& params) {
   ModelSpec model = make_body("a", SphereShape{0.1}, at(0, 0, 10), 2.0);
@@ -38,7 +38,7 @@ TEST(Wind, AGustWithoutForceNeedsNoDirection) {
 
 TEST(Wind, ForcePushesAlongTheNormalisedDirection) {
   EXPECT_TRUE(is_near(drift({{"windForceMean", "3"}, {"windDirection", "0 2 0"}}, 10),
-                      {0, 3.0 / 2.0 * 10 * kDt, 0}, 1e-12));
+                      {0, 3.0 / 2.0 * 10 * kStep_s, 0}, 1e-12));
 }
 
 TEST(Wind, NoForceByDefault) { EXPECT_EQ(drift({}, 10), Eigen::Vector3d(0, 0, 0)); }
@@ -49,7 +49,7 @@ TEST(Wind, GustLastsFromStartForItsDuration) {
                        {"windGustDuration", "0.2"},
                        {"windGustDirection", "0 0 1"}};
   EXPECT_EQ(drift(gust, 9), Eigen::Vector3d(0, 0, 0));
-  EXPECT_TRUE(is_near(drift(gust, 10), {0, 0, 4.0 / 2.0 * kDt}, 1e-12));
+  EXPECT_TRUE(is_near(drift(gust, 10), {0, 0, 4.0 / 2.0 * kStep_s}, 1e-12));
   EXPECT_TRUE(is_near(drift(gust, 50), {0, 0, 4.0 / 2.0 * 0.2}, 1e-12));
 }
 
@@ -58,7 +58,7 @@ TEST(Wind, ForceOffTheCentreTurns) {
   Model& body = world.add(body_in_wind({{"windForceMean", "3"}, {"xyzOffset", "0 0.1 0"}}));
   world->step();
   // r = +y, F = +x: torque along -z.
-  EXPECT_NEAR(body.bodies[0]->angular_velocity().z(), -0.3 / body.bodies[0]->inertia(2, 2) * kDt, 1e-12);
+  EXPECT_NEAR(body.bodies[0]->angular_velocity().z(), -0.3 / body.bodies[0]->inertia_tensor()(2, 2) * kStep_s, 1e-12);
 }
 
 TEST(Wind, ForceAndSpeedAreShown) {
@@ -88,7 +88,7 @@ TEST(Wind, SpeedDragsTheRotorsOfTheSameNamespaceOnly) {
     quad->settle({400, 400, 400, 400});
     (*quad)->step();
   }
-  EXPECT_NEAR(windy.body().velocity().x(), 4 * 400 * 2e-4 * 5.0 / options.mass_kg() * kDt, 1e-9);
+  EXPECT_NEAR(windy.body().velocity().x(), 4 * 400 * 2e-4 * 5.0 / options.mass_kg() * kStep_s, 1e-9);
   EXPECT_NEAR(calm.body().velocity().x(), 0.0, 1e-12);
 }
 

@@ -29,9 +29,9 @@ LidarOptions downward_fan(const std::string& returns) {
 }
 double off_vertical(std::size_t beam) { return deg_to_rad(static_cast<double>(beam) - 60.0); }
 
-template <class Sample>
-OutPort<Sample>& listen(TestWorld& world) {
-  auto* const port = world->ports().find_out<Sample>("r/scan");
+template <class Message>
+OutPort<Message>& listen_to(TestWorld& world) {
+  auto* const port = world->ports().find_out<Message>("r/scan");
   port->add_listener();
   return *port;
 }
@@ -43,7 +43,7 @@ std::vector<float> scan_of(const LidarOptions& options, double height_m, int sca
   world.add(floor);
   world.add(make_static("buoy", BoxShape{{1, 1, 1}}, at(3, 0, 1)));
   world.add(robot_with(options, at(0, 0, 1.0 + height_m)));
-  auto& scan = listen<LaserScanSample>(world);
+  auto& scan = listen_to<LaserScanSample>(world);
   world->step(static_cast<std::uint64_t>(10 * scans));
   EXPECT_EQ(scan.count(), static_cast<std::uint64_t>(scans));
   return scan.value.ranges;
@@ -100,7 +100,7 @@ TEST(WaterReturns, ComeAsOftenAsTheModelSays) {
   TestWorld world(sea_spec(kCalm));
   LidarOptions options = downward_fan("auto");
   world.add(robot_with(options, at(0, 0, 3.0)));
-  auto& scan = listen<LaserScanSample>(world);
+  auto& scan = listen_to<LaserScanSample>(world);
   constexpr int kScans = 200;
   double seen = 0.0, expected = 0.0, variance = 0.0;
   for (int k = 0; k < kScans; ++k) {
@@ -136,7 +136,7 @@ TEST(WaterReturns, OfSoundAlwaysCome) {
   sonar.file = "libgazebo_ros_range.so";
   TestWorld world(sea_spec(kCalm));
   world.add(robot_with(sonar, at(0, 0, 30.0)));
-  auto& range = listen<RangeSample>(world);
+  auto& range = listen_to<RangeSample>(world);
   world->step(10);
   EXPECT_NEAR(range.value.range_m, 30.0, 1e-3);
 }

@@ -102,6 +102,19 @@ TEST(IgnoredElements, AreNamedOnceForAFleet) {
   EXPECT_NE(find(*world, "model 'a' plugin 'drive': elements without effect"), nullptr);
 }
 
+TEST(UnknownPlugins, AreNamedOnceOfEachModel) {
+  TestWorld world;
+  for (const char* name : {"a", "b"}) {
+    ModelSpec spec = make_cart(CartOptions());
+    spec.name = name;
+    spec.plugins = {make_plugin("light", "libno_such_light.so", {}),
+                    make_plugin("light", "libno_such_light.so", {})};
+    world.add(std::move(spec));
+  }
+  EXPECT_EQ(world.told(Severity::kWarning, "model 'a': plugin 'light' (libno_such_light.so)"), 1u);
+  EXPECT_EQ(world.told(Severity::kWarning, "model 'b': plugin 'light' (libno_such_light.so)"), 1u);
+}
+
 TEST(IgnoredElements, NoneOfACompletePluginIs) {
   CartWorld cart;
   EXPECT_TRUE(cart.world.reports.empty());

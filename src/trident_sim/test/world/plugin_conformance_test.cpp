@@ -6,28 +6,18 @@
 
 #include <set>
 
+#include "plugin_cases.h"
 #include "test_world.h"
 
 namespace trident::sim {
 namespace {
 
-/// Those that come with an example of their own.
-std::vector<PluginCase> all_cases() {
-  PluginRegistry registry;
-  register_builtin_plugins(registry);
-  std::vector<PluginCase> cases;
-  for (const std::string& name : registry.names()) {
-    const auto& example = registry.find(name)->example;
-    if (example) cases.push_back(case_of(name, *example));
-  }
-  return cases;
-}
 
 class BuiltinPlugin : public testing::TestWithParam<PluginCase> {};
 void PrintTo(const PluginCase& plugin, std::ostream* out) { *out << plugin.filename; }
 
 TEST_P(BuiltinPlugin, Conforms) { expect_plugin_conforms(GetParam()); }
-INSTANTIATE_TEST_SUITE_P(All, BuiltinPlugin, testing::ValuesIn(all_cases()));
+INSTANTIATE_TEST_SUITE_P(All, BuiltinPlugin, testing::ValuesIn(builtin_plugin_cases()));
 
 TEST(BuiltinPlugins, AllHaveAnExample) {
   PluginRegistry registry;
@@ -38,7 +28,7 @@ TEST(BuiltinPlugins, AllHaveAnExample) {
   }
   // Two do nothing here: ROS is bound by the server, bags are written by rosbag. The others have no
   // port with numbers, or want a file or elements in elements; their tests are follow_test.cpp,
-  // marine/{mooring,sea_plugin,usv_plugins,uuv_plugins,vessel_plugin,wind_on_vehicles}_test.cpp and
+  // marine/{buoyancy,mooring,sea_plugin,usv_plugins,uuv_plugins,vessel_plugin,wind_on_vehicles}_test.cpp and
   // trident_description's test_vessels.py.
   const std::set<std::string> expected{"rotors_gazebo_ros_interface_plugin",
                                        "rotors_gazebo_bag_plugin",
@@ -52,6 +42,7 @@ TEST(BuiltinPlugins, AllHaveAnExample) {
                                        "usv_gazebo_dynamics_plugin",
                                        "usv_gazebo_thrust_plugin",
                                        "usv_gazebo_wind_plugin",
+                                       "buoyancy_gazebo_plugin",
                                        "uuv_thruster_ros_plugin",
                                        "uuv_underwater_object_ros_plugin",
                                        "freefloating_gazebo_control",

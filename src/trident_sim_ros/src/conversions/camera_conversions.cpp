@@ -69,14 +69,14 @@ void convert(const BoundingBoxesSample& sample, trident_msgs::BoundingBoxes& mes
   message.header.frame_id = sample.frame;
   message.boxes.clear();
   for (const BoundingBoxesSample::Box& box : sample.boxes) {
-    trident_msgs::BoundingBox& told = message.boxes.emplace_back();
-    told.label = box.label;
-    told.name = box.name;
-    told.x_min = box.x_min;
-    told.y_min = box.y_min;
-    told.x_max = box.x_max;
-    told.y_max = box.y_max;
-    told.pixels = box.pixels;
+    trident_msgs::BoundingBox& converted = message.boxes.emplace_back();
+    converted.label = box.label;
+    converted.name = box.name;
+    converted.x_min = box.x_min;
+    converted.y_min = box.y_min;
+    converted.x_max = box.x_max;
+    converted.y_max = box.y_max;
+    converted.pixels = box.pixels;
   }
 }
 

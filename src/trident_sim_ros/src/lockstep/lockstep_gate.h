@@ -6,39 +6,42 @@
 
 #include <chrono>
 #include <functional>
-#include <map>
-#include <memory>
 #include <string>
 #include <vector>
 
+#include "controller_cores.h"
 #include "loss_watch.h"
 #include "node_probe.h"
 #include "run/server_options.h"
+#include "start_gate.h"
+#include "timeout_check.h"
 #include "topics/port_binder.h"
 #include "trident_base/mutex.h"
-#include "trident_ros/process_cores.h"
 #include "trident_sim/world.h"
 #include "vehicle_link.h"
+#include "vehicle_table.h"
 
 namespace trident::sim {
 
 /// Decides when the world may make its next step: when everything that was declared is there, when
 /// each enrolled controller has answered the states that the step needs, and when each set-point
-/// source has given what it owes. Called by the stepping thread and by services, with the world's
-/// mutex held.
+/// source has sent what it owes. Called by the stepping thread and by services, with the world's
+/// mutex held. Its parts: the vehicles and their links, the hold of time zero, the check of those
+/// that do not answer, and the cores of controllers.
 class LockstepGate {
  public:
   LockstepGate(ros::NodeHandle& node, const ServerOptions& options, LossWatch& losses,
                NodeProbe& probe);
-  ~LockstepGate();
 
   /// Follows the vehicles that came or went.
   void sync(World& world, PortBinder& binder);
 
   /// Everything that time zero is held for is there.
-  bool start_allowed(const World& world, PortBinder& binder);
+  bool start_allowed(const World& world, PortBinder& binder) {
+    return start_.allows_start(world, binder);
+  }
   /// What it is held for, in words; "" when nothing is missing.
-  std::string missing_for_start(const World& world);
+  std::string missing_for_start(const World& world) { return start_.missing(world); }
   /// One that was there while time zero is held, and has died, will not come by waiting.
   void check_losses_at_start();
 
@@ -67,33 +70,23 @@ class LockstepGate {
 
   std::size_t vehicle_count() const { return vehicles_.size(); }
   /// Name of each vehicle and whether its controller is in lockstep.
-  std::vector<std::pair<std::string, bool>> vehicle_states();
+  std::vector<std::pair<std::string, bool>> vehicle_states() { return vehicles_.states(); }
   /// What happened since the last call, a line each.
   std::vector<std::string> take_news();
 
  private:
-  using Clock = std::chrono::steady_clock;
-  bool is_to_be_controlled(const std::string& port) const;
-  bool all_confirm_who_will();
   bool wait_until_ready() TRIDENT_EXCLUDES(hub_.mutex);
   void read_commands(std::chrono::milliseconds limit) TRIDENT_REQUIRES(hub_.mutex);
-  void check_losses(const World& world);
-  void check_vehicle(VehicleLink& vehicle, WallTime now) TRIDENT_REQUIRES(hub_.mutex);
-  void check_source(SimTime time, WallTime now) TRIDENT_REQUIRES(hub_.mutex);
 
-  ros::NodeHandle& node_;
   const ServerOptions& options_;
   LossWatch& losses_;
   NodeProbe& probe_;
-  ros_utils::InlineCallbackQueue inline_queue_;
-  LockstepHub hub_;
-  std::map<std::string, std::unique_ptr<VehicleLink>> vehicles_;
-  ros_utils::ProcessCores cores_;
-  std::uint64_t newest_link_ = 0;  ///< when controllers were last kept on cores
+  VehicleTable vehicles_;
+  LockstepHub& hub_;  ///< That of `vehicles_`.
+  StartGate start_;
+  TimeoutCheck timeouts_;
+  ControllerCores cores_;
   bool has_just_read_ = false;
-  bool released_ = false;                   ///< time zero is no longer held
-  std::map<std::string, Waiting> sources_;  ///< how long the world waits for them
-  Clock::time_point next_look_;             ///< at who will confirm set-points
 };
 
 }  // namespace trident::sim

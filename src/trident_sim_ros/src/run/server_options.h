@@ -21,7 +21,7 @@ enum class LossPolicy { kFreeRun, kWait, kPause };
 /// The rules of a loss; see LossWatch.
 struct LossRules {
   LossPolicy policy = LossPolicy::kWait;
-  double timeout_s = 2.0;            ///< wall time without an answer that is told of
+  double timeout_s = 2.0;            ///< wall time without an answer that is reported
   double restart_patience_s = 10.0;  ///< wall time in which one that died may be started again
 };
 
@@ -34,9 +34,8 @@ struct AnswerOptions {
   double delay_s = 0.01;  ///< an answer acts so long after its sample
 };
 
-/// How the server runs: command line, then private parameters (/gazebo/...), then the environment
-/// that
-/// `./trident run` sets, then these defaults.
+/// How the server runs: command line, then private parameters (see ServerParams), then the
+/// environment that `./trident run` sets, then these defaults.
 struct ServerOptions {
   std::string world_file = "worlds/empty.world";
   bool paused = false;

@@ -27,7 +27,7 @@ class Server {
   std::string run() { return simulation_.run(); }
   /// From any thread.
   void stop() { simulation_.stop(); }
-  /// The run has ended with an error, which was told.
+  /// The run has ended with an error, which was logged.
   bool failed() const { return !simulation_.error().empty(); }
 
  private:

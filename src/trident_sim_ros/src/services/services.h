@@ -23,7 +23,7 @@ void subscribe_state_topics(ros::NodeHandle& node, Simulation& simulation,
                             std::vector<ros::Subscriber>& subscribers);
 void advertise_property_services(ros::NodeHandle& node, Simulation& simulation, Servers& servers);
 void advertise_force_services(ros::NodeHandle& node, Simulation& simulation, Servers& servers);
-/// /gazebo/not_repeatable (std_msgs/String): a node says in which way it has acted by chance.
+/// /gazebo/not_repeatable (std_msgs/String): a node names what made it act by chance.
 void subscribe_run_topics(ros::NodeHandle& node, Simulation& simulation,
                           std::vector<ros::Subscriber>& subscribers);
 void advertise_run_services(ros::NodeHandle& node, Simulation& simulation, Servers& servers);

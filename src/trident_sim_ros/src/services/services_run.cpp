@@ -73,15 +73,15 @@ void step(Simulation& simulation, const Step::Request& request, Step::Response& 
   }
 }
 
-void enrol(Simulation& simulation, const EnrollSource::Request& request,
-           EnrollSource::Response& response) {
+void enroll(Simulation& simulation, const EnrollSource::Request& request,
+            EnrollSource::Response& response) {
   try {
     Simulation::Access access(simulation);
     if (request.enroll) {
       const ros::Duration period = request.period.isZero() ? kDefaultPeriod : request.period;
       response.start_time =
-          to_ros(simulation.enrol_source(request.node, request.vehicles, from_ros(period),
-                                         from_ros(request.end_time), request.waits_beyond_end));
+          to_ros(simulation.enroll_source(request.node, request.vehicles, from_ros(period),
+                                          from_ros(request.end_time), request.waits_beyond_end));
     } else {
       simulation.release_source(request.node);
     }
@@ -152,7 +152,7 @@ void advertise_run_services(ros::NodeHandle& node, Simulation& simulation, Serve
       }));
   servers.push_back(node.advertiseService<EnrollSource::Request, EnrollSource::Response>(
       "enroll_source", [&](EnrollSource::Request& request, EnrollSource::Response& response) {
-        enrol(simulation, request, response);
+        enroll(simulation, request, response);
         return true;
       }));
 }

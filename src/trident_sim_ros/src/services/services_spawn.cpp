@@ -24,7 +24,7 @@ void report_all(const World& world, const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings) world.report(Severity::kWarning, warning);
 }
 
-/// Reads the model while the world goes on: that takes longer than a hundred steps. Warnings come
+/// Reads the model while the world continues: that takes longer than a hundred steps. Warnings come
 /// before an error, as from World::spawn().
 ModelSpec read_model(Simulation& simulation, const Resources& resources,
                      const gazebo_msgs::SpawnModel::Request& request) {
@@ -41,7 +41,7 @@ ModelSpec read_model(Simulation& simulation, const Resources& resources,
   }
 }
 
-/// What the caller is told.
+/// Text of the response to the caller.
 std::string describe(const std::vector<std::string>& all_odd, std::size_t before) {
   const std::string text = "SpawnModel: Successfully spawned entity";
   const std::size_t count = all_odd.size() - before;
@@ -73,7 +73,7 @@ std::string spawn(Simulation& simulation, const Resources& resources,
   return describe(world.odd_elements(), odd_before);
 }
 
-/// A refusal is told by who asked; /diagnostics keeps it.
+/// The caller logs a refusal; /diagnostics keeps it.
 std::string spawn_or_note(Simulation& simulation, const Resources& resources,
                           const gazebo_msgs::SpawnModel::Request& request) {
   try {
@@ -99,7 +99,7 @@ void remove(Simulation& simulation, const std::string& name) {
 
 void advertise_spawn_services(ros::NodeHandle& node, Simulation& simulation, Servers& servers) {
   using gazebo_msgs::SpawnModel;
-  // Not the world's own: models are read beside it. Loads go one at a time, so sharing is safe.
+  // Not the world's own: models are read next to it. Loads go one at a time, so sharing is safe.
   const auto resources = std::make_shared<Resources>();
   for (const char* name : {"spawn_urdf_model", "spawn_sdf_model", "spawn_gazebo_model"}) {
     servers.push_back(node.advertiseService<SpawnModel::Request, SpawnModel::Response>(

@@ -110,7 +110,7 @@ void get_world_properties(Simulation& simulation, GetWorldProperties::Response& 
   response.status_message = "GetWorldProperties: got properties";
 }
 
-/// A topic form of a set_ service: refusals are told now and then, there is nobody to answer.
+/// A topic form of a set_ service: refusals are logged every few seconds, as there is no response.
 template <class State, class Set>
 auto logged(Simulation& simulation, const std::shared_ptr<ros_utils::Refusals>& refusals,
             const char* what, Set set) {

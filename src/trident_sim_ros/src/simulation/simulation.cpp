@@ -264,7 +264,7 @@ void Simulation::every_so_often() {
   if (!is_ready_) announce_readiness();
   if (real_time_factor_ <= 0.0) gate_->keep_on_cores();
   for (const std::string& line : gate_->take_news()) ROS_INFO("%s", line.c_str());
-  tell_notes();
+  log_notes();
   if (now < next_second_) return;
   next_second_ = now + std::chrono::seconds(1);
   publish_diagnostics();
@@ -273,7 +273,7 @@ void Simulation::every_so_often() {
   files_->progress(*world_, end, gate_->vehicle_count(), describe_state());
 }
 
-void Simulation::tell_notes() {
+void Simulation::log_notes() {
   Repeatability::Note note;
   while (repeatability_.take_news(&note)) {
     const std::string text = "not repeatable: " + note.who +
@@ -349,8 +349,8 @@ SimTime Simulation::step(std::uint64_t n) {
   return world_->time();
 }
 
-SimTime Simulation::enrol_source(const std::string& node, const std::vector<std::string>& vehicles,
-                                 SimTime period, SimTime end, bool waits_beyond_end) {
+SimTime Simulation::enroll_source(const std::string& node, const std::vector<std::string>& vehicles,
+                                  SimTime period, SimTime end, bool waits_beyond_end) {
   const SimTime start =
       gate_->enrol_source(node, vehicles, period, end, waits_beyond_end, world_->time());
   topics_->set_state_period(period);

@@ -61,7 +61,7 @@ class Simulation {
     Access& operator=(const Access&) = delete;
     // That there is one shows that the mutex is held.
     World& world() const TRIDENT_NO_THREAD_SAFETY_ANALYSIS { return *simulation_.world_; }
-    /// The same for `who`, from outside, who is about to change something; a running world meets
+    /// The same for `who`, from outside, who is about to change something; a running world reaches
     /// that at a time that is left to chance.
     World& changed_by(const std::string& who) const TRIDENT_NO_THREAD_SAFETY_ANALYSIS {
       changed_by_ = who;
@@ -91,14 +91,15 @@ class Simulation {
   void reset(bool with_time) TRIDENT_REQUIRES(mutex_);
   double max_update_rate_hz() const TRIDENT_REQUIRES(mutex_);
   void set_max_update_rate_hz(double rate) TRIDENT_REQUIRES(mutex_);
-  SimTime enrol_source(const std::string& node, const std::vector<std::string>& vehicles,
-                       SimTime period, SimTime end, bool waits_beyond_end) TRIDENT_REQUIRES(mutex_);
+  SimTime enroll_source(const std::string& node, const std::vector<std::string>& vehicles,
+                        SimTime period, SimTime end, bool waits_beyond_end)
+      TRIDENT_REQUIRES(mutex_);
   void release_source(const std::string& node) TRIDENT_REQUIRES(mutex_) {
     gate_->release_source(node);
   }
 
   /// Makes n steps and returns when they are done and published; throws Error when the run ends
-  /// first or another call is under way. Without Access.
+  /// first or another call is in progress. Without Access.
   SimTime step(std::uint64_t n);
 
  private:
@@ -119,7 +120,7 @@ class Simulation {
   void wait(std::chrono::microseconds time) TRIDENT_REQUIRES(mutex_);
   void make_step() TRIDENT_REQUIRES(mutex_);
   void every_so_often() TRIDENT_REQUIRES(mutex_);
-  void tell_notes() TRIDENT_REQUIRES(mutex_);
+  void log_notes() TRIDENT_REQUIRES(mutex_);
   void announce_readiness() TRIDENT_REQUIRES(mutex_);
   void publish_diagnostics() TRIDENT_REQUIRES(mutex_);
   std::string describe_state() TRIDENT_REQUIRES(mutex_);

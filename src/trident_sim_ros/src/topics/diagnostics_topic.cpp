@@ -35,7 +35,7 @@ void add_value(DiagnosticStatus& status, const std::string& key, const std::stri
   status.values.push_back(pair);
 }
 
-/// So many are listed; all are counted, and told in the log.
+/// So many are listed; all are counted and logged.
 constexpr std::size_t kListedElements = 20;
 
 DiagnosticStatus odd_status(const std::vector<std::string>& odd) {

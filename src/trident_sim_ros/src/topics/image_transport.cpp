@@ -15,13 +15,13 @@ constexpr std::uint32_t kQueue = 10;
 
 template <class Number>
 void read_number(const std::string& name, Number low, Number high, Number& value) {
-  Number told = value;
-  if (!ros::param::get(name, told)) return;
-  if (told >= low && told <= high) {
-    value = told;
+  Number given = value;
+  if (!ros::param::get(name, given)) return;
+  if (given >= low && given <= high) {
+    value = given;
     return;
   }
-  ROS_ERROR_STREAM("parameter " << name << " is " << told << ", legal: " << low << " to " << high
+  ROS_ERROR_STREAM("parameter " << name << " is " << given << ", legal: " << low << " to " << high
                                 << "; " << value << " counts");
 }
 

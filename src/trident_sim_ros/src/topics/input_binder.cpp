@@ -144,7 +144,7 @@ class MailboxBinding : public InputBinding {
  private:
   InPort<Command>& port_;
   std::vector<Command> taken_;
-  Box mailbox_;  ///< outlives a message that is under way
+  Box mailbox_;  ///< outlives a message in progress
 };
 
 template <class Command, class Message>

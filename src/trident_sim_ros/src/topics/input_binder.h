@@ -79,7 +79,7 @@ class InputBinder {
   InputBinding* find(const std::string& port) const;
 
   ros_utils::InlineCallbackQueue queue_;
-  /// Outlives a message that is under way.
+  /// Outlives a message in progress.
   std::shared_ptr<MessageBell> bell_ = std::make_shared<MessageBell>();
   std::map<std::string, std::unique_ptr<InputBinding>> entries_;
 };

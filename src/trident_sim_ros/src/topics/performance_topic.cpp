@@ -49,7 +49,7 @@ void PerformanceTopic::publish(const World& world) {
   world.ports().for_each([&](const PortBase& port) {
     const auto before = begin_counts_.find(port.name());
     if (!is_measured(port) || before == begin_counts_.end()) return;
-    // Of a port that came anew under the name of another there may be less than before.
+    // A new port with the name of an earlier one may have a smaller count than that.
     const double samples =
         port.count() < before->second ? 0.0 : static_cast<double>(port.count() - before->second);
     gazebo_msgs::SensorPerformanceMetric sensor;

@@ -15,7 +15,7 @@ namespace trident::sim {
 namespace {
 
 // Deep: a recorder that falls behind for a moment must not lose anything.
-constexpr std::uint32_t kQueue = 1000;
+constexpr std::uint32_t kPublisherQueue = 1000;
 // Of samples of megabytes, of which a deep queue would fill the memory.
 constexpr std::uint32_t kPictureQueue = 10;
 template <class Sample>
@@ -23,20 +23,20 @@ constexpr std::uint32_t kQueueOf =
     std::is_same_v<Sample, ImageSample> || std::is_same_v<Sample, ImageCloudSample> ||
             std::is_same_v<Sample, LidarCloudSample>
         ? kPictureQueue
-        : kQueue;
+        : kPublisherQueue;
 /// Of what changes seldom.
 template <class Sample>
 constexpr bool kIsLatched = std::is_same_v<Sample, EnvironmentSample>;
 constexpr auto kDisplayPeriod = std::chrono::milliseconds(40);
 
-template <class Sample, class Message>
+template <class Sample, class OutputMessage>
 class TypedBinding : public OutputBinding {
  public:
   TypedBinding(TopicAdvertiser& advertiser, OutPort<Sample>& port)
       : OutputBinding(port),
         port_(port),
-        publisher_(advertiser.advertise<Message>("/" + port.name(), kQueueOf<Sample>,
-                                                 kIsLatched<Sample>)) {
+        publisher_(advertiser.advertise<OutputMessage>("/" + port.name(), kQueueOf<Sample>,
+                                                       kIsLatched<Sample>)) {
     if (kIsLatched<Sample> && port.count() > 0) publisher_.publish(converted(port.value));
   }
 
@@ -45,7 +45,7 @@ class TypedBinding : public OutputBinding {
     publisher_.publish(converted(port_.value));
   }
   std::unique_ptr<ros_utils::DirectMessage> message() override {
-    return std::make_unique<ros_utils::ObjectMessage<Message>>(converted(port_.value));
+    return std::make_unique<ros_utils::ObjectMessage<OutputMessage>>(converted(port_.value));
   }
   std::uint32_t subscribers() const override { return publisher_.getNumSubscribers(); }
   const ros::Publisher& publisher() const override { return publisher_; }
@@ -53,7 +53,7 @@ class TypedBinding : public OutputBinding {
   bool is_latched() const override { return kIsLatched<Sample>; }
 
  private:
-  boost::shared_ptr<Message> converted(const Sample& sample) {
+  boost::shared_ptr<OutputMessage> converted(const Sample& sample) {
     const auto message = pool_.take();
     convert(sample, *message);
     return message;
@@ -61,7 +61,7 @@ class TypedBinding : public OutputBinding {
 
   OutPort<Sample>& port_;
   ros::Publisher publisher_;
-  ros_utils::MessagePool<Message> pool_;
+  ros_utils::MessagePool<OutputMessage> pool_;
 };
 
 /// A transform: collected, and published with all others of the step as one message.
@@ -84,15 +84,15 @@ class FrameBinding : public OutputBinding {
   tf2_msgs::TFMessage& message_;
 };
 
-template <class Sample, class Message>
+template <class Sample, class OutputMessage>
 std::unique_ptr<OutputBinding> try_bind(TopicAdvertiser& advertiser, PortBase& port) {
   auto* typed = dynamic_cast<OutPort<Sample>*>(&port);
   if (typed == nullptr) return nullptr;
-  return std::make_unique<TypedBinding<Sample, Message>>(advertiser, *typed);
+  return std::make_unique<TypedBinding<Sample, OutputMessage>>(advertiser, *typed);
 }
 
-using BindFunction = std::unique_ptr<OutputBinding> (*)(TopicAdvertiser&, PortBase&);
-constexpr BindFunction kBindFunctions[] = {
+using OutputBindFunction = std::unique_ptr<OutputBinding> (*)(TopicAdvertiser&, PortBase&);
+constexpr OutputBindFunction kOutputBindFunctions[] = {
     try_bind<OdometrySample, nav_msgs::Odometry>,
     try_bind<PoseSample, geometry_msgs::Pose>,
     try_bind<PoseWithCovarianceSample, geometry_msgs::PoseWithCovarianceStamped>,
@@ -141,7 +141,7 @@ void OutputBinding::set_wanted(bool wanted) {
 PortBinder::PortBinder(ros::NodeHandle& node, PortBoard& board)
     : board_(board),
       advertiser_(node),
-      tf_(advertiser_.advertise<tf2_msgs::TFMessage>("/tf", kQueue)) {}
+      tf_(advertiser_.advertise<tf2_msgs::TFMessage>("/tf", kPublisherQueue)) {}
 
 void PortBinder::sync() {
   if (board_.version() == version_) return;
@@ -156,7 +156,7 @@ void PortBinder::sync() {
     if (auto* frame = dynamic_cast<OutPort<FrameSample>*>(&port)) {
       binding = std::make_unique<FrameBinding>(*frame, tf_, tf_message_);
     }
-    for (const BindFunction bind : kBindFunctions) {
+    for (const OutputBindFunction bind : kOutputBindFunctions) {
       if (!binding) binding = bind(advertiser_, port);
     }
     if (binding) entries_.emplace(port.name(), Entry{port.name(), std::move(binding), false});

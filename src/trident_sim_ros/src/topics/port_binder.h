@@ -39,7 +39,7 @@ class OutputBinding {
   virtual bool is_latched() const { return false; }
 
   PortBase& port() const { return *port_; }
-  /// Tells the port whether anybody listens.
+  /// Sets whether the port has a listener.
   void set_wanted(bool wanted);
   bool wanted() const { return wanted_; }
   bool is_late = false;  ///< a value was not published yet, for the wall rate of displays
@@ -104,7 +104,7 @@ class PortBinder {
 
  private:
   struct Entry {
-    std::string port;  ///< its name; several topics may tell of one
+    std::string port;  ///< its name; several topics may share one
     std::unique_ptr<OutputBinding> binding;
     bool held_back = false;
   };

@@ -18,7 +18,7 @@ namespace {
 
 namespace msgs = uuv_gazebo_ros_plugins_msgs;
 
-/// What services and the stepping thread share; outlives a call that is under way.
+/// What services and the stepping thread share; outlives a call in progress.
 class Desk {
  public:
   explicit Desk(const Repeatability& repeatability) : repeatability_(repeatability) {}
@@ -63,13 +63,13 @@ class Desk {
 class ThrusterServices final : public InputBinding {
  public:
   ThrusterServices(ros::NodeHandle& node, ros::CallbackQueueInterface& queue,
-                   InPort<ThrusterChange>& port, const OutPort<ThrusterSetup>& told,
+                   InPort<ThrusterChange>& port, const OutPort<ThrusterSetup>& setup,
                    Repeatability& repeatability)
       : port_(port),
-        told_(told),
+        setup_(setup),
         repeatability_(repeatability),
         desk_(std::make_shared<Desk>(repeatability)) {
-    desk_->follow(told.value);
+    desk_->follow(setup.value);
     advertise_state(node, queue);
     advertise_efficiency(node, queue, "thrust_force_efficiency", &ThrusterChange::thrust_efficiency,
                          &ThrusterSetup::thrust_efficiency);
@@ -94,13 +94,13 @@ class ThrusterServices final : public InputBinding {
                            "called outside of the lockstep");
     }
     for (const ThrusterChange& change : desk_->take()) port_.write(change);
-    if (seen_ == told_.count()) return;
-    seen_ = told_.count();
-    desk_->follow(told_.value);
+    if (seen_ == setup_.count()) return;
+    seen_ = setup_.count();
+    desk_->follow(setup_.value);
   }
   void forget() override {
     desk_->take();
-    desk_->follow(told_.value);
+    desk_->follow(setup_.value);
   }
   std::uint64_t received() const override { return desk_->count(); }
   std::uint32_t publishers() const override { return 0; }
@@ -122,7 +122,7 @@ class ThrusterServices final : public InputBinding {
 
   void advertise_efficiency(ros::NodeHandle& node, ros::CallbackQueueInterface& queue,
                             const std::string& name, std::optional<double> ThrusterChange::*asked,
-                            double ThrusterSetup::*told) {
+                            double ThrusterSetup::*setup) {
     advertise<msgs::SetThrusterEfficiency>(
         node, queue, "set_" + name, [desk = desk_, asked](const auto& request, auto& response) {
           response.success = is_efficiency(request.efficiency) ? 1 : 0;
@@ -132,18 +132,18 @@ class ThrusterServices final : public InputBinding {
           desk->change(change);
         });
     advertise<msgs::GetThrusterEfficiency>(node, queue, "get_" + name,
-                                           [desk = desk_, told](const auto&, auto& response) {
-                                             response.efficiency = desk->setup().*told;
+                                           [desk = desk_, setup](const auto&, auto& response) {
+                                             response.efficiency = desk->setup().*setup;
                                            });
   }
 
   template <class Service, class Answer>
   void advertise(ros::NodeHandle& node, ros::CallbackQueueInterface& queue, const std::string& name,
                  const Answer& answer) {
-    const std::string beside = port_.name().substr(0, port_.name().rfind('/') + 1);
+    const std::string prefix = port_.name().substr(0, port_.name().rfind('/') + 1);
     ros::AdvertiseServiceOptions options;
     options.init<typename Service::Request, typename Service::Response>(
-        "/" + beside + name,
+        "/" + prefix + name,
         [answer](typename Service::Request& request, typename Service::Response& response) {
           answer(request, response);
           return true;
@@ -153,7 +153,7 @@ class ThrusterServices final : public InputBinding {
   }
 
   InPort<ThrusterChange>& port_;
-  const OutPort<ThrusterSetup>& told_;
+  const OutPort<ThrusterSetup>& setup_;
   Repeatability& repeatability_;
   std::shared_ptr<Desk> desk_;
   std::uint64_t seen_ = 0;
@@ -167,9 +167,9 @@ std::unique_ptr<InputBinding> bind_thruster_services(ros::NodeHandle& node,
                                                      PortBase& port, const PortBoard& board,
                                                      Repeatability& repeatability) {
   auto* const changes = dynamic_cast<InPort<ThrusterChange>*>(&port);
-  const auto* const told = board.find_out<ThrusterSetup>(port.name());
-  if (changes == nullptr || told == nullptr) return nullptr;
-  return std::make_unique<ThrusterServices>(node, queue, *changes, *told, repeatability);
+  const auto* const setup = board.find_out<ThrusterSetup>(port.name());
+  if (changes == nullptr || setup == nullptr) return nullptr;
+  return std::make_unique<ThrusterServices>(node, queue, *changes, *setup, repeatability);
 }
 
 }  // namespace trident::sim

@@ -6,11 +6,13 @@
 #include <string>
 
 #include "trident_base/yaml_config.h"
+#include "trident_slam/graph_slam_back_end.h"
+#include "trident_slam/graph_slam_front_end.h"
 
 namespace trident::slam {
 
-/// What is done with a new scan. `localization` finds its place in a map that does not change,
-/// `lifelong` goes on with a map and lets go of scans that newer ones have replaced.
+/// What is done with a new scan. `localization` finds its pose in a map that does not change,
+/// `lifelong` continues a map and removes scans that newer ones have replaced.
 enum class SlamMode { kMapping, kLocalization, kLifelong };
 
 constexpr auto enum_names(SlamMode /*tag*/) {
@@ -19,7 +21,7 @@ constexpr auto enum_names(SlamMode /*tag*/) {
                     EnumName<SlamMode>{SlamMode::kLifelong, "lifelong"}};
 }
 
-/// When a scan gives way to newer ones in lifelong mode; slam_toolbox' names and meaning, with
+/// When newer scans replace a scan in lifelong mode; slam_toolbox' names and meaning, with
 /// `lifelong_` before them.
 struct LifelongOptions {
   bool search_use_tree = true;
@@ -33,17 +35,17 @@ struct LifelongOptions {
   template <class Archive>
   void visit(Archive& ar) {
     ar.field("lifelong_search_use_tree", search_use_tree,
-             "weigh all older scans near to a new one; false: those that edges lead to");
+             "compare all older scans near to a new one; false: those that edges lead to");
     ar.field("lifelong_minimum_score", minimum_score, Range{0.0, 1.0},
-             "bounding boxes must share this part (intersection over union) to be weighed");
+             "bounding boxes must share this fraction (intersection over union) to be compared");
     ar.field("lifelong_iou_match", iou_match, Range{0.0, 1.0},
-             "an older scan that shares more, and closes no loop, goes at once");
+             "an older scan that shares more, and closes no loop, is removed at once");
     ar.field("lifelong_node_removal_score", node_removal_score, Range{0.0, 1.0},
-             "a scan whose score has fallen below goes");
+             "a scan whose score has fallen below is removed");
     ar.field("lifelong_overlap_score_scale", overlap_score_scale, Range{0.0, 10.0},
              "a newer scan that shows all of an older one takes this from its score");
     ar.field("lifelong_constraint_multiplier", constraint_multiplier, Range{0.0, 10.0},
-             "part of the score that each edge beyond two gives back");
+             "fraction of the score that each edge beyond two returns");
     ar.field("lifelong_nearby_penalty", nearby_penalty, Range{0.0, 1.0},
              "a newer scan that is near takes this from the score in any case");
   }
@@ -82,6 +84,8 @@ struct GraphSlamOptions {
   bool deskew = true;
 
   LifelongOptions lifelong;
+  FrontEndOptions front_end;
+  BackEndOptions back_end;
 
   template <class Archive>
   void visit(Archive& ar) {
@@ -97,16 +101,18 @@ struct GraphSlamOptions {
     ar.field("scan_matcher", scan_matcher,
              "what places a scan as it comes: a name of register_builtin_scan_matchers");
     ar.field("minimum_travel_distance", minimum_travel_distance, Range{0.01, 10.0},
-             "way after which a scan becomes part of the map [m]");
+             "distance after which a scan becomes part of the map [m]");
     ar.field("minimum_travel_heading", minimum_travel_heading, Range{0.01, 3.1},
-             "turn after which a scan becomes part of the map [rad]");
+             "rotation after which a scan becomes part of the map [rad]");
     ar.field("scan_buffer_size", scan_buffer_size, Range{0, 1000},
-             "localization: recent scans that are gone on from where the map knows nothing");
+             "localization: recent scans that are matched with where the map ends");
     ar.field("scan_buffer_maximum_scan_distance", scan_buffer_maximum_scan_distance,
              Range{0.1, 1000.0}, "of those scans, from the newest one [m]");
     visit_loops(ar);
     visit_odometry(ar);
     lifelong.visit(ar);
+    ar.field("front_end", front_end, "tracking and localization in detail");
+    ar.field("back_end", back_end, "pose graph, loops, pruning and editing in detail");
   }
   /// Throws Error naming field, value and range.
   void validate() const;
@@ -118,31 +124,33 @@ struct GraphSlamOptions {
     ar.field("loop_search_maximum_distance", loop_search_maximum_distance, Range{0.5, 200.0},
              "a loop may have drifted apart by this [m]");
     ar.field("loop_match_minimum_response_fine", loop_match_minimum_response_fine, Range{0.1, 1.0},
-             "of the points that both places can see, the part that must agree");
+             "of the points that both places can see, the fraction that must agree");
     ar.field("loop_match_minimum_chain_size", loop_match_minimum_chain_size, Range{2, 100},
              "successive keyframes that are compared as one");
     ar.field("reuse_distance", reuse_distance, Range{1.0, 10000.0},
-             "old surfaces are matched against as they are if the way to them is shorter [m]");
+             "old surfaces are matched against as they are if the path to them is shorter [m]");
     ar.field("is_asynchronous", is_asynchronous, "close loops in a thread of their own");
     ar.field("keep_scans", keep_scans,
-             "keep all ranges, so that the end can match every scan with the final map; false: "
-             "a scan keeps its place beside its keyframe");
+             "keep all ranges, so that the end can match each scan with the final map; false: "
+             "a scan keeps its place at its keyframe");
   }
   template <class Archive>
   void visit_odometry(Archive& ar) {
-    ar.field("use_odometry", use_odometry,
-             "false: the motion between scans is told by the scans alone, as it is where odometry "
-             "stands still while scans move");
+    ar.field(
+        "use_odometry", use_odometry,
+        "false: the motion between scans is measured by the scans alone, as it is where odometry "
+        "stands still while scans move");
     ar.field("odometry_distance_noise", odometry_distance_noise, Range{0.001, 10.0},
-             "standard deviation of a distance, as a part of it");
+             "standard deviation of a distance, as a fraction of it");
     ar.field("odometry_heading_noise", odometry_heading_noise, Range{0.001, 10.0},
-             "standard deviation of a turn, as a part of it");
+             "standard deviation of a rotation, as a fraction of it");
     ar.field("odometry_jump_distance", odometry_jump_distance, Range{0.1, 1000.0},
-             "odometry that moves farther between two scans is not believed [m]");
+             "odometry that moves farther between two scans is rejected [m]");
     ar.field("odometry_jump_heading", odometry_jump_heading, Range{0.1, 3.2},
-             "odometry that turns farther between two scans is not believed [rad]");
-    ar.field("calibrate_odometry", calibrate_odometry,
-             "predict poses by odometry with the errors corrected that were learnt while driving");
+             "odometry that turns farther between two scans is rejected [rad]");
+    ar.field(
+        "calibrate_odometry", calibrate_odometry,
+        "predict poses by odometry with the errors corrected that were estimated while driving");
     ar.field("deskew", deskew, "put each beam where the robot was when it was measured");
   }
 };

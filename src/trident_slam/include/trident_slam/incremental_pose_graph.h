@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "trident_slam/pose_graph_optimizer.h"
@@ -14,7 +15,9 @@ struct IncrementalOptions {
   double share = 0.2;
   /// ... and by more than this, >= 0.
   double least = 1.0;
-  int steps = 1;  ///< iterations each time, >= 1; the next time goes on from there
+  /// Iterations each time, >= 1; the next time goes on from there. Where one would raise the cost,
+  /// the optimiser's bounded steps lead to the optimum instead.
+  int steps = 1;
 
   /// Throws Error naming field, value and range.
   void validate() const;
@@ -31,6 +34,9 @@ class IncrementalPoseGraph {
   using Edge = typename PoseGraph<Group>::Edge;
 
   explicit IncrementalPoseGraph(const IncrementalOptions& options = {});
+  IncrementalPoseGraph(IncrementalPoseGraph&&) noexcept;
+  IncrementalPoseGraph& operator=(IncrementalPoseGraph&&) noexcept;
+  ~IncrementalPoseGraph();
 
   /// A vertex and its edges to vertices that are known; where the last edge from the vertex before
   /// it leads, or else the first edge. Without an edge (the first one) it is where `T_map_vertex`
@@ -44,10 +50,14 @@ class IncrementalPoseGraph {
   int optimizations() const { return optimizations_; }
 
  private:
-  void optimize(int iterations);
+  class Solver;
+
+  void optimize();
+  void search();  ///< with bounded steps, to the optimum
 
   IncrementalOptions options_;
   PoseGraph<Group> graph_;
+  std::unique_ptr<Solver> solver_;
   double chi2_ = 0.0;     ///< after the last optimisation
   double pending_ = 0.0;  ///< by what was added since
   int last_id_ = 0;

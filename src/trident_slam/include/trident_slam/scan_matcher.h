@@ -78,8 +78,9 @@ struct ScanMatcherOptions {
 using ScanMatcherFactory =
     std::function<std::unique_ptr<ScanMatcher>(const ScanMatcherOptions& options)>;
 
-/// Adds the matchers of this package; `Registry::names` tells their names, docs/slam.md what each
-/// does.
+/// Adds the matchers of this package; `Registry::names` lists their names, docs/howto/slam.md
+/// describes each. Those of a new source are registered by its add_NAME() (see
+/// line_scan_matchers.cpp) and a line in the list of CMakeLists.txt.
 void register_builtin_scan_matchers(Registry<ScanMatcherFactory>& registry);
 
 /// The matcher of that name. Throws Error with the legal names for an unknown one.

@@ -4,14 +4,11 @@
 
 #include <Eigen/Core>
 #include <cstdint>
-#include <functional>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "trident_base/laser_scan.h"
 #include "trident_base/occupancy_grid.h"
-#include "trident_base/registry.h"
 #include "trident_base/se2.h"
 
 namespace trident::slam {
@@ -62,13 +59,5 @@ class Slam2d {
   /// The map as known now; resolution as configured.
   virtual OccupancyGrid map() const = 0;
 };
-
-/// `config_file`: YAML of that algorithm, or empty for its defaults. Throws Error naming file,
-/// line, key, value and range.
-using Slam2dFactory = std::function<std::unique_ptr<Slam2d>(const std::string& config_file)>;
-
-/// Adds the algorithms of this package; `Registry::names` tells their names, docs/slam.md what each
-/// does.
-void register_builtin_slam_2d(Registry<Slam2dFactory>& registry);
 
 }  // namespace trident::slam

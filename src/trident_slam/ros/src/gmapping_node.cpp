@@ -3,8 +3,10 @@
 #include <ros/ros.h>
 #include <std_msgs/Float64.h>
 
+#include <vector>
+
 #include "trident_slam/particle_slam_2d.h"
-#include "trident_slam_ros/parameter_names.h"
+#include "trident_slam_ros/gmapping_params.h"
 #include "trident_slam_ros/run_program.h"
 #include "trident_slam_ros/slam_node.h"
 #include "trident_slam_ros/slam_parameters.h"
@@ -16,22 +18,24 @@ namespace {
 constexpr double kEntropyPeriodS = 1.0;
 constexpr char kUsualMethod[] = "particle_slam_2d";
 
-/// Of gmapping's scan matcher, which searches in steps; of maps that do not grow; of a map that
-/// counts hits.
-const ParameterNames& upstream_parameters() {
-  static const ParameterNames names = {
-      "sigma",  "kernelSize",   "lstep",         "astep",         "iterations",
-      "lsigma", "llsamplestep", "llsamplerange", "lasamplerange", "lasamplestep",
-      "xmin",   "ymin",         "xmax",          "ymax",          "occ_thresh"};
-  return names;
+/// gmapping's names for what graph_slam_2d calls otherwise. Its maxUrange is its maxRange where it
+/// is not set.
+const std::vector<ParameterAlias>& aliases() {
+  static const std::vector<ParameterAlias> list = {{"maxUrange", "maxRange"},
+                                                   {"resolution", "delta"},
+                                                   {"minimum_travel_distance", "linearUpdate"},
+                                                   {"minimum_travel_heading", "angularUpdate"},
+                                                   {"max_laser_range", "maxUrange"},
+                                                   {"max_laser_range", "maxRange"}};
+  return list;
 }
 
-void tell_unused_parameters(const ros::NodeHandle& own) {
-  ParameterNames used = field_names<ParticleSlamParams>();
-  const ParameterNames of_node = slam_node_parameters();
-  used.insert(used.end(), of_node.begin(), of_node.end());
-  used.insert(used.end(), {"method", "config_file", "maxRange", "tf_delay"});
-  tell_unused(own, used, upstream_parameters());
+/// Parameters of gmapping's scan matcher, which searches in steps; of maps that do not grow; of a
+/// map that counts hits.
+void accept_upstream_names(ros_utils::NodeParams& params) {
+  params.accept_without_effect({"sigma", "kernelSize", "lstep", "astep", "iterations", "lsigma",
+                                "llsamplestep", "llsamplerange", "lasamplerange", "lasamplestep",
+                                "xmin", "ymin", "xmax", "ymax", "occ_thresh"});
 }
 
 void publish_entropy(SlamNode& node, const ros::Publisher& publisher) {
@@ -46,26 +50,14 @@ void publish_entropy(SlamNode& node, const ros::Publisher& publisher) {
 
 void run() {
   const ros::NodeHandle own("~");
-  SlamNodeOptions options;
-  options.base_frame = "base_link";
-  options.transform_publish_period = 0.05;
-  read_options(own, options);
-  own.getParam("tf_delay", options.tf_delay);
-  // What gmapping calls otherwise.
-  GraphSlamOptions graph;
-  own.getParam("delta", graph.resolution);
-  own.getParam("linearUpdate", graph.minimum_travel_distance);
-  own.getParam("angularUpdate", graph.minimum_travel_heading);
-  double reach = 0.0;  // gmapping's maxUrange is its maxRange where it is not given
-  if (!own.hasParam("maxUrange") && own.getParam("maxRange", reach)) {
-    own.setParam("maxUrange", reach);
-  }
-  own.getParam("maxUrange", graph.max_laser_range);
-  read_graph_file(own, kUsualMethod, graph);
-  graph.is_asynchronous = true;
-  tell_unused_parameters(own);
-  graph.validate();
-  SlamNode node(ros::NodeHandle(), options, slam_maker(own, kUsualMethod, graph));
+  ros_utils::NodeParams params(own);
+  const SlamNodeOptions options = params.read<GmappingParams>().options;
+  SlamMethod method(params, kUsualMethod, aliases());
+  set_node_defaults(method);
+  method.set("is_asynchronous", "true");
+  accept_upstream_names(params);
+  params.log_warnings();
+  SlamNode node(ros::NodeHandle(), options, method.maker());
   ros::NodeHandle handle("~");
   const ros::Publisher publisher = handle.advertise<std_msgs::Float64>("entropy", 1, true);
   const ros::Timer timer =

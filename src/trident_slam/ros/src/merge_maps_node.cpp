@@ -27,6 +27,7 @@ namespace trident::slam {
 namespace {
 
 namespace srv = slam_toolbox_msgs;
+constexpr char kMethod[] = "graph_slam_2d";
 constexpr char kMapFrame[] = "map";
 constexpr double kMarkerDiameter = 2.4;  // [m]
 constexpr double kFarthestMarker = 1e5;  // [m]
@@ -159,7 +160,15 @@ class MapMerger {
 };
 
 void run() {
-  const MapMerger merger(read_graph_options(ros::NodeHandle("~")));
+  const ros::NodeHandle own("~");  // ROS ends with the last handle
+  ros_utils::NodeParams params(own);
+  SlamMethod method(params, kMethod);
+  if (method.name() != kMethod) {
+    throw Error("parameter " + params.name_space() + "/method is " + method.name() + ", must be " +
+                kMethod);
+  }
+  set_node_defaults(method);
+  const MapMerger merger(method.params<GraphSlamOptions>());
   ros::spin();
 }
 

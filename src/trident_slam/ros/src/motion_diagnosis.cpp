@@ -10,7 +10,7 @@
 namespace trident::slam {
 namespace {
 
-std::string rounded(double value) { return number_text(std::round(100.0 * value) / 100.0); }
+std::string in_hundredths(double value) { return number_text(std::round(100.0 * value) / 100.0); }
 
 }  // namespace
 
@@ -28,7 +28,8 @@ MotionDiagnosis diagnose_motion(const ScanPose2d& pose) {
   const double sigma = std::sqrt(std::max(solver.eigenvalues()(1), 0.0));
   double yaw = std::atan2(along.y(), along.x());
   if (yaw < 0.0) yaw += M_PI;  // a direction, either way
-  diagnosis.open = rounded(yaw) + " rad in the map, standard deviation " + rounded(sigma) + " m";
+  diagnosis.open =
+      in_hundredths(yaw) + " rad in the map, standard deviation " + in_hundredths(sigma) + " m";
   diagnosis.warning = "the scans leave a direction open: " + diagnosis.open;
   return diagnosis;
 }

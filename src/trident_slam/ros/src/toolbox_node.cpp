@@ -14,6 +14,7 @@
 #include <std_srvs/Empty.h>
 #include <visualization_msgs/MarkerArray.h>
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -52,7 +53,7 @@ class Toolbox {
  public:
   /// `can_edit`: interactive mode is allowed.
   Toolbox(const ros::NodeHandle& own, const SlamNodeOptions& options, SlamNode::MakeSlam make,
-          bool can_edit)
+          bool can_edit, const ToolboxParams& start)
       : own_(own),
         map_frame_(options.map_frame),
         can_edit_(can_edit),
@@ -88,7 +89,7 @@ class Toolbox {
     graph_timer_ = own_.createTimer(ros::Duration(std::max(options.map_update_interval, 0.1)),
                                     [this](const ros::TimerEvent&) { publish_graph(); });
     initial_pose_ = ros::NodeHandle().subscribe("initialpose", 1, &Toolbox::place, this);
-    load_by_parameters();
+    load_by_parameters(start);
   }
 
   void run() { node_.run(); }
@@ -150,20 +151,13 @@ class Toolbox {
     node_.forget_correction();
   }
 
-  void load_by_parameters() {
-    std::string name;
-    if (!own_.getParam("map_file_name", name) || name.empty()) return;
-    std::vector<double> pose;
-    const bool has_pose = own_.getParam("map_start_pose", pose);
-    bool is_at_dock = !has_pose;
-    if (!has_pose) own_.getParam("map_start_at_dock", is_at_dock);
-    if (has_pose && pose.size() != 3) {
-      throw Error("map_start_pose has " + std::to_string(pose.size()) +
-                  " numbers, legal: [x, y, yaw]");
-    }
-    if (!has_pose) pose = {0.0, 0.0, 0.0};
+  void load_by_parameters(const ToolboxParams& start) {
+    if (start.map_file_name.empty()) return;
+    const bool is_at_dock = !start.map_start_pose && start.map_start_at_dock.value_or(true);
+    const std::array<double, 3> pose = start.map_start_pose.value_or(std::array<double, 3>{});
     using Request = srv::DeserializePoseGraph::Request;
-    load(name, is_at_dock ? Request::START_AT_FIRST_NODE : Request::START_AT_GIVEN_POSE,
+    load(start.map_file_name,
+         is_at_dock ? Request::START_AT_FIRST_NODE : Request::START_AT_GIVEN_POSE,
          SE2::from_xy_yaw(pose[0], pose[1], pose[2]));
   }
 
@@ -206,20 +200,23 @@ void log_debug() {
 
 void run(ToolboxMode mode) {
   const ros::NodeHandle own("~");
-  SlamNodeOptions options;
+  ros_utils::NodeParams params(own);
+  auto options = params.read<SlamNodeOptions>();
   options.is_sync = mode != ToolboxMode::kAsync;
-  read_options(own, options);
-  own.getParam("map_name", options.map_topic);
-  GraphSlamOptions graph = read_graph_options(own);
-  graph.is_asynchronous = mode == ToolboxMode::kAsync;
-  if (mode == ToolboxMode::kLocalization) graph.mode = SlamMode::kLocalization;
-  if (mode == ToolboxMode::kLifelong) graph.mode = SlamMode::kLifelong;
-  const PoseGraphSolverMaker solver = read_solver(own);
-  tell_unused_toolbox_parameters(own, solver != nullptr);
-  if (own.param("debug_logging", false)) log_debug();
+  const auto toolbox_params = params.read<ToolboxParams>();
+  options.map_topic = toolbox_params.map_name;
+  SlamMethod method(params, "graph_slam_2d");
+  set_node_defaults(method);
+  method.set("is_asynchronous", mode == ToolboxMode::kAsync ? "true" : "false");
+  if (mode == ToolboxMode::kLocalization) method.set("mode", "localization");
+  if (mode == ToolboxMode::kLifelong) method.set("mode", "lifelong");
+  method.set_solver(read_solver(params, toolbox_params.solver_plugin));
+  accept_toolbox_names(params);
+  params.log_warnings();
+  if (toolbox_params.debug_logging) log_debug();
   const bool can_edit =
-      graph.mode != SlamMode::kLocalization && own.param("enable_interactive_mode", true);
-  Toolbox toolbox(own, options, slam_maker(own, "graph_slam_2d", graph, solver), can_edit);
+      method.text("mode") != "localization" && toolbox_params.enable_interactive_mode;
+  Toolbox toolbox(own, options, method.maker(), can_edit, toolbox_params);
   toolbox.run();
 }
 

@@ -103,7 +103,7 @@ def test_gmapping_does_what_its_parameters_say(
     assert width_m(whole) < ROOM_M - 0.3
     assert whole.info.width * whole.info.resolution < 20.0
     node.eventually_logs("parameters without effect here: astep, iterations, kernelSize, lasample")
-    node.eventually_logs("unknown parameters, not used: partikles (did you mean particles?)")
+    node.eventually_logs("partikles is unknown, not used; did you mean particles?")
 
 
 def test_hector_needs_no_odometry(ros: Ros, bag: Path, transforms: tf2_ros.Buffer) -> None:

@@ -199,8 +199,8 @@ def test_a_late_transform_is_named(ros: Ros, tmp_path: Path) -> None:
     ("parameter", "complaint"),
     [
         ("_resolution:=-1.0", "resolution"),
-        ("_throttle_scans:=0", "throttle_scans is 0, legal: 1 and above"),
-        ("_bag_loop:=never", "'never', legal: ignore, restart, continue"),
+        ("_throttle_scans:=0", "throttle_scans: 0 is out of range; must be a whole number in [1,"),
+        ("_bag_loop:=never", "must be one of ignore, restart, continue, but is the text 'never'"),
         ("_method:=karto", "unknown SLAM method 'karto'"),
         ("_solver_plugin:=solver_plugins::SpaSolver", "unknown solver 'solver_plugins::SpaSolver'"),
         # The node ends while its services are still advertised.

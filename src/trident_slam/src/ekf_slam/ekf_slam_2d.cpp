@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
 #include "trident_slam/ekf_slam_2d.h"
+#include "trident_slam/slam_2d_factory.h"
 
 #include <cmath>
 
@@ -95,5 +96,7 @@ std::vector<StampedPose2d> EkfSlam2d::trajectory() const { return impl_->traject
 OccupancyGrid EkfSlam2d::map() const { return impl_->map(); }
 
 std::vector<EkfSlam::Landmark> EkfSlam2d::landmarks() const { return impl_->filter().landmarks(); }
+
+TRIDENT_SLAM_2D_METHOD(ekf_slam_2d, "ekf_slam_2d", EkfSlam2d, EkfSlam2dParams)
 
 }  // namespace trident::slam

@@ -3,7 +3,6 @@
 target_sources(trident_slam PRIVATE
   src/ekf_slam/chi_squared.cpp
   src/ekf_slam/ekf_slam.cpp
-  src/ekf_slam/ekf_slam_2d.cpp
   src/ekf_slam/joint_compatibility.cpp
   src/ekf_slam/landmark_log.cpp
   src/ekf_slam/landmark_models.cpp

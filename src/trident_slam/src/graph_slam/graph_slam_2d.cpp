@@ -11,6 +11,7 @@
 #include "graph_slam/session/session_file.h"
 #include "scans/start_pose.h"
 #include "trident_slam/pose_graph_g2o.h"
+#include "trident_slam/slam_2d_factory.h"
 
 namespace trident::slam {
 namespace {
@@ -28,9 +29,9 @@ Eigen::AlignedBox2d extent_of(const KeyframeGraph& graph) {
   return box;
 }
 
-void write_state(const MapperState& state, const std::string& path) {
+void write_session(const Session& session, const std::string& path) {
   BinaryWriter writer;
-  state.save(&writer);
+  session.save(&writer);
   write_session_file(path, writer);
 }
 
@@ -79,12 +80,12 @@ OccupancyGrid GraphSlam2d::map() const {
 }
 
 std::vector<CalibrationEstimate> GraphSlam2d::odometry_calibration() const {
-  return impl_->mapper->calibration().estimates();
+  return impl_->mapper->local().calibration().estimates();
 }
 
 void GraphSlam2d::set_uses_odometry(bool uses_odometry) {
   impl_->options.use_odometry = uses_odometry;
-  impl_->mapper->set_uses_odometry(uses_odometry);
+  impl_->mapper->local().set_uses_odometry(uses_odometry);
 }
 
 void GraphSlam2d::set_paused(bool is_paused) { impl_->mapper->set_paused(is_paused); }
@@ -102,15 +103,15 @@ void GraphSlam2d::set_mode(SlamMode mode) {
 }
 
 void GraphSlam2d::save_session(const std::string& path) const {
-  write_state(impl_->mapper->state(), path);
+  write_session(impl_->mapper->session(), path);
 }
 
 void GraphSlam2d::load_session(const std::string& path, const std::optional<SE2>& T_map_base) {
   BinaryReader reader = read_session_file(path);
-  MapperState state{KeyframeGraph(1, impl_->solver), {}, {}, 0.0};
-  state.load(&reader);
-  if (T_map_base) check_start_pose(*T_map_base, extent_of(state.graph));
-  impl_->mapper->set_state(std::move(state), T_map_base);
+  Session session{KeyframeGraph(1, impl_->solver), {}, {}, 0.0};
+  session.load(&reader);
+  if (T_map_base) check_start_pose(*T_map_base, extent_of(session.graph));
+  impl_->mapper->set_session(std::move(session), T_map_base);
 }
 
 void GraphSlam2d::load_session(const std::string& path, SessionStart start, const SE2& T_map_base) {
@@ -128,29 +129,30 @@ std::function<OccupancyGrid()> GraphSlam2d::map_snapshot() const {
 }
 
 std::function<void(const std::string&)> GraphSlam2d::session_snapshot() const {
-  return [state = impl_->mapper->state()](const std::string& path) { write_state(state, path); };
+  return [session = impl_->mapper->session()](const std::string& path) {
+    write_session(session, path);
+  };
 }
 
 void GraphSlam2d::realign() {
   if (impl_->options.is_asynchronous) {
-    impl_->mapper->realign(Realign::kScans);
+    impl_->mapper->backend().realign(Realign::kScans);
   } else {
     finish();
   }
 }
 
-bool GraphSlam2d::is_busy() const { return impl_->mapper->is_busy(); }
+bool GraphSlam2d::is_busy() const { return impl_->mapper->backend().is_busy(); }
 
 void GraphSlam2d::set_pose(const SE2& T_map_base) {
   check_start_pose(T_map_base, extent_of(impl_->mapper->graph()));
   impl_->mapper->set_pose(T_map_base);
 }
 
-void GraphSlam2d::clear_localization_buffer() { impl_->mapper->clear_localization_buffer(); }
+void GraphSlam2d::clear_localization_buffer() { impl_->mapper->local().clear_recent_scans(); }
 
 std::optional<SE2> GraphSlam2d::relocalize(const LaserScan& scan, double min_inliers) {
-  return impl_->mapper->relocalize(impl_->mapper->points_of(scan, Eigen::Vector3d::Zero()),
-                                   min_inliers);
+  return impl_->mapper->relocalize(scan, min_inliers);
 }
 
 bool GraphSlam2d::close_loop(int older, int newer, const SE2& T_older_newer) {
@@ -192,7 +194,7 @@ GraphView2d GraphSlam2d::graph_view() const {
   view.nodes.reserve(static_cast<std::size_t>(graph.size()));
   for (int i = 0; i < graph.size(); ++i) view.nodes.push_back(graph.pose(i));
   for (const GraphEdge& edge : graph.edges()) {
-    view.edges.push_back({edge.from, edge.to, edge.kind != EdgeKind::kChain});
+    view.edges.push_back({edge.from, edge.to, edge.kind != EdgeKind::kOdometry});
   }
   return view;
 }
@@ -201,7 +203,7 @@ std::vector<GraphLoop2d> GraphSlam2d::loops() const {
   const std::vector<std::size_t> scans = impl_->mapper->scans_of_keyframes();
   std::vector<GraphLoop2d> loops;
   for (const GraphEdge& edge : impl_->mapper->graph().edges()) {
-    if (edge.kind == EdgeKind::kChain) continue;
+    if (edge.kind == EdgeKind::kOdometry) continue;
     loops.push_back(
         {scans[edge.from], scans[edge.to], edge.T_from_to, edge.kind == EdgeKind::kLoop});
   }
@@ -224,5 +226,7 @@ void GraphSlam2d::save_g2o(const std::string& path) const {
   }
   write_g2o(poses, path);
 }
+
+TRIDENT_SLAM_2D_METHOD(graph_slam_2d, "graph_slam_2d", GraphSlam2d, GraphSlamOptions)
 
 }  // namespace trident::slam

@@ -8,4 +8,4 @@ trident_slam_test(graph_slam test/graph_slam/bare_corridor_test.cpp
                   test/graph_slam/session_file_test.cpp)
 target_compile_definitions(trident_slam_graph_slam_test PRIVATE
   GRAPH_SLAM_CONFIG="${CMAKE_SOURCE_DIR}/config/slam/graph_slam_2d.yaml"
-  SLAM_MANUAL="${CMAKE_SOURCE_DIR}/docs/slam.md")
+  SLAM_MANUAL="${CMAKE_SOURCE_DIR}/docs/howto/slam.md")

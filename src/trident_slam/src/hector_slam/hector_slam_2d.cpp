@@ -15,6 +15,7 @@
 #include "scans/start_pose.h"
 #include "trident_base/angle.h"
 #include "trident_slam/point_scan.h"
+#include "trident_slam/slam_2d_factory.h"
 #include "trident_slam/sweep_motion.h"
 
 namespace trident::slam {
@@ -139,5 +140,7 @@ void HectorSlam2d::set_uses_odometry(bool uses_odometry) {
 }
 
 void HectorSlam2d::set_pose(const SE2& T_map_base) { impl_->set_pose(T_map_base); }
+
+TRIDENT_SLAM_2D_METHOD(hector_slam_2d, "hector_slam_2d", HectorSlam2d, HectorSlamParams)
 
 }  // namespace trident::slam

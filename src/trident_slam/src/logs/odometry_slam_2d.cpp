@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "odometry_slam_2d.h"
 
+#include "trident_slam/slam_2d_factory.h"
+
 namespace trident::slam {
 
 ScanPose2d OdometrySlam2d::add_scan(const LaserScan& scan, const SE2& T_odom_base) {
@@ -22,5 +24,7 @@ OccupancyGrid OdometrySlam2d::map() const {
   };
   return build_scan_map(scans_.size(), placed, options);
 }
+
+TRIDENT_SLAM_2D_METHOD(odometry_slam_2d, "odometry", OdometrySlam2d, OdometrySlam2dParams)
 
 }  // namespace trident::slam

@@ -21,24 +21,49 @@
 #include "trident_base/shown_text.h"
 #include "trident_base/string_util.h"
 #include "trident_slam/offline_run.h"
-#include "trident_slam/slam_2d.h"
 #include "trident_slam/slam_2d_abilities.h"
+#include "trident_slam/slam_2d_factory.h"
 
 namespace trident::slam {
 namespace {
 
-constexpr char kUsage[] =
-    "usage: PROGRAM FILE --method NAME [--config FILE.yaml] --out DIR [--NAME VALUE ...]\n"
-    "graph_slam_2d: --session FILE: go on with it, or with `mode: localization` in the config "
-    "find\n"
-    "  one's place in it; --start X,Y,YAW [m, rad]: there; --keep-session FILE: write it\n"
-    "slam_offline: FILE is a CARMEN log (.log, .clf; plain, gzip, bzip2), '-' the standard input;\n"
-    "  --laser front|rear\n"
-    "slam_offline_bag: FILE is a rosbag; --scan TOPIC --odom TOPIC --imu TOPIC\n"
-    "  --odom-frame F --base-frame F\n"
-    "--progress: names each scan before it is worked on\n"
-    "--no-odometry: poses by scans alone (graph_slam_2d, hector_slam_2d, particle_slam_2d)\n"
-    "Writes trajectory.tum, causal.tum, map.pgm, map.yaml and timing.json into DIR.\n";
+/// Names of the methods that `has` is true for.
+template <class Has>
+std::string methods_that(const Has& has) {
+  const Registry<Slam2dFactory> registry = builtin_slam_2d();
+  std::vector<std::string> names;
+  for (const std::string& name : registry.names()) {
+    if (has(registry.get(name))) names.push_back(name);
+  }
+  return join(names);
+}
+
+std::string methods_with_sessions() {
+  return methods_that([](const Slam2dFactory& method) { return method.has_sessions; });
+}
+
+std::string methods_without_odometry() {
+  return methods_that([](const Slam2dFactory& method) { return method.maps_without_odometry; });
+}
+
+std::string usage() {
+  return "usage: PROGRAM FILE --method NAME [--config FILE.yaml] --out DIR [--NAME VALUE ...]\n"
+         "NAME: " +
+         join(builtin_slam_2d().names()) + "\n" + methods_with_sessions() +
+         ": --session FILE: continue it, or with `mode: localization` in "
+         "the config localize\n"
+         "  in it; --start X,Y,YAW [m, rad]: there; --keep-session FILE: write it\n"
+         "slam_offline: FILE is a CARMEN log (.log, .clf; plain, gzip, bzip2), '-' the standard "
+         "input;\n"
+         "  --laser front|rear\n"
+         "slam_offline_bag: FILE is a rosbag; --scan TOPIC --odom TOPIC --imu TOPIC\n"
+         "  --odom-frame F --base-frame F\n"
+         "--progress: names each scan before it is worked on\n"
+         "--no-odometry: poses by scans alone (" +
+         methods_without_odometry() +
+         ")\n"
+         "Writes trajectory.tum, causal.tum, map.pgm, map.yaml and timing.json into DIR.\n";
+}
 
 SE2 read_start(const std::string& text) {
   double x = 0.0;
@@ -88,11 +113,11 @@ OfflineCommand parse(int argc, char** argv, const std::vector<std::string>& sour
                source_options.end()) {
       options.source[word.substr(2)] = value;
     } else {
-      throw Error("unknown option " + word + "\n" + kUsage);
+      throw Error("unknown option " + word + "\n" + usage());
     }
   }
   if (options.log_file.empty() || options.method.empty() || options.out_dir.empty()) {
-    throw Error(std::string("FILE, --method and --out are needed\n") + kUsage);
+    throw Error("FILE, --method and --out are needed\n" + usage());
   }
   return options;
 }
@@ -163,7 +188,8 @@ Slam2dSession* with_sessions(Slam2d* slam, const OfflineCommand& options) {
   auto* able = dynamic_cast<Slam2dSession*>(slam);
   const bool is_wanted = !options.session.empty() || !options.kept_session.empty();
   if (is_wanted && able == nullptr) {
-    throw Error("--method " + options.method + " has no sessions; legal: graph_slam_2d");
+    throw Error("--method " + options.method +
+                " has no sessions; legal: " + methods_with_sessions());
   }
   return able;
 }
@@ -183,15 +209,14 @@ void leave_odometry(Slam2d* slam, const std::string& method) {
   auto* able = dynamic_cast<Slam2dOdometryUse*>(slam);
   if (able == nullptr) {
     throw Error("--no-odometry: " + method +
-                " needs odometry; legal: graph_slam_2d, hector_slam_2d, particle_slam_2d");
+                " needs odometry; legal: " + methods_without_odometry());
   }
   able->set_uses_odometry(false);
 }
 
 void run(const OfflineCommand& options, const OpenSource& open) {
-  Registry<Slam2dFactory> registry("SLAM method");
-  register_builtin_slam_2d(registry);
-  const std::unique_ptr<Slam2d> slam = registry.get(options.method)(options.config_file);
+  const Slam2dFactory method = builtin_slam_2d().get(options.method);
+  const std::unique_ptr<Slam2d> slam = method(Slam2dSetup(options.config_file));
   if (!options.uses_odometry) leave_odometry(slam.get(), options.method);
   Slam2dSession* const session = with_sessions(slam.get(), options);
   if (!options.session.empty()) load_session(session, options);
@@ -222,7 +247,7 @@ int run_offline_program(int argc, char** argv, const std::vector<std::string>& s
                         const OpenSource& open) {
   const std::string name = std::filesystem::path(argv[0]).filename().string();
   if (argc == 2 && (std::string(argv[1]) == "-h" || std::string(argv[1]) == "--help")) {
-    std::cout << kUsage;
+    std::cout << usage();
     return 0;
   }
   try {

@@ -6,7 +6,6 @@ target_sources(trident_slam PRIVATE
   src/logs/carmen_log.cpp
   src/logs/fields.cpp
   src/logs/line_reader.cpp
-  src/logs/odometry_slam_2d.cpp
   src/logs/offline_program.cpp
   src/logs/offline_run.cpp
   src/logs/process_cost.cpp

@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "builtin_scan_matchers.h"
 #include "correlative_match.h"
 #include "line_match.h"
 #include "surface_information.h"
 #include "trident_base/angle.h"
 #include "trident_base/error.h"
 #include "trident_base/string_util.h"
+#include "trident_slam/scan_matcher.h"
 
 namespace trident::slam {
 namespace {
@@ -228,16 +228,22 @@ class CorrelativeMatcher : public ScanMatcher {
 
 }  // namespace
 
-std::unique_ptr<ScanMatcher> make_correlative_matcher(const ScanMatcherOptions& options) {
-  return std::make_unique<CorrelativeMatcher>(options);
-}
-
-std::unique_ptr<ScanMatcher> make_hybrid_matcher(const ScanMatcherOptions& options) {
-  return std::make_unique<HybridMatcher>(options);
-}
-
-std::unique_ptr<ScanMatcher> make_line_matcher(const ScanMatcherOptions& /*options*/) {
-  return std::make_unique<LineMatcher>();
+/// Called by register_builtin_scan_matchers().
+void add_line_scan_matchers(Registry<ScanMatcherFactory>& registry);
+void add_line_scan_matchers(Registry<ScanMatcherFactory>& registry) {
+  // Branch and bound over a window of poses (Olson 2009, Hess 2016), then the mean of the response
+  // about the best one.
+  registry.add("correlative", [](const ScanMatcherOptions& options) {
+    return std::make_unique<CorrelativeMatcher>(options);
+  });
+  // The correlative matcher, then from its pose the line matcher.
+  registry.add("hybrid", [](const ScanMatcherOptions& options) {
+    return std::make_unique<HybridMatcher>(options);
+  });
+  // Gauss-Newton over distances to the nearest surfaces (Censi 2008).
+  registry.add("point_to_line", [](const ScanMatcherOptions& /*options*/) {
+    return std::make_unique<LineMatcher>();
+  });
 }
 
 }  // namespace trident::slam

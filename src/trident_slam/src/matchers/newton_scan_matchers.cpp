@@ -6,10 +6,10 @@
 #include <array>
 #include <cmath>
 
-#include "builtin_scan_matchers.h"
 #include "map_match.h"
 #include "ndt_match.h"
 #include "surface_information.h"
+#include "trident_slam/scan_matcher.h"
 
 namespace trident::slam {
 namespace {
@@ -167,12 +167,17 @@ class GridMatcher : public ScanMatcher {
 
 }  // namespace
 
-std::unique_ptr<ScanMatcher> make_ndt_matcher(const ScanMatcherOptions& /*options*/) {
-  return std::make_unique<NdtMatcher>();
-}
-
-std::unique_ptr<ScanMatcher> make_grid_matcher(const ScanMatcherOptions& /*options*/) {
-  return std::make_unique<GridMatcher>();
+/// Called by register_builtin_scan_matchers().
+void add_newton_scan_matchers(Registry<ScanMatcherFactory>& registry);
+void add_newton_scan_matchers(Registry<ScanMatcherFactory>& registry) {
+  // Gauss-Newton over interpolated occupancy, from coarse to fine (Kohlbrecher 2011).
+  registry.add("grid_gauss_newton", [](const ScanMatcherOptions& /*options*/) {
+    return std::make_unique<GridMatcher>();
+  });
+  // Newton over normal distributions of the points of overlapping cells, from coarse to fine (Biber
+  // and Strasser 2003).
+  registry.add(
+      "ndt", [](const ScanMatcherOptions& /*options*/) { return std::make_unique<NdtMatcher>(); });
 }
 
 }  // namespace trident::slam

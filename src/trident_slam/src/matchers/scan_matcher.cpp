@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "builtin_scan_matchers.h"
 #include "surface_information.h"
 #include "trident_base/angle.h"
 #include "trident_base/string_util.h"
@@ -103,14 +102,6 @@ ScanMatch ScanMatcher::match(const PointScan& scan, const SE2& guess,
         held_where_degenerate(match.T_ref_base, guess, match.information, mean_range(scan));
   }
   return match;
-}
-
-void register_builtin_scan_matchers(Registry<ScanMatcherFactory>& registry) {
-  registry.add("correlative", make_correlative_matcher);
-  registry.add("grid_gauss_newton", make_grid_matcher);
-  registry.add("hybrid", make_hybrid_matcher);
-  registry.add("ndt", make_ndt_matcher);
-  registry.add("point_to_line", make_line_matcher);
 }
 
 std::unique_ptr<ScanMatcher> make_scan_matcher(const std::string& name,

@@ -4,10 +4,8 @@
 target_sources(trident_slam PRIVATE
   src/matchers/correlative_match.cpp
   src/matchers/line_match.cpp
-  src/matchers/line_scan_matchers.cpp
   src/matchers/map_match.cpp
   src/matchers/ndt_match.cpp
-  src/matchers/newton_scan_matchers.cpp
   src/matchers/pose_newton.cpp
   src/matchers/scan_matcher.cpp
   src/matchers/surface_information.cpp

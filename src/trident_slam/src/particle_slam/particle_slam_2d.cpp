@@ -12,6 +12,7 @@
 #include "trident_base/random_stream.h"
 #include "trident_slam/hector_slam_2d.h"
 #include "trident_slam/point_scan.h"
+#include "trident_slam/slam_2d_factory.h"
 #include "trident_slam/sweep_motion.h"
 
 namespace trident::slam {
@@ -273,5 +274,7 @@ std::vector<StampedPose2d> ParticleSlam2d::trajectory() const { return impl_->tr
 OccupancyGrid ParticleSlam2d::map() const { return impl_->map(); }
 
 double ParticleSlam2d::entropy() const { return impl_->entropy(); }
+
+TRIDENT_SLAM_2D_METHOD(particle_slam_2d, "particle_slam_2d", ParticleSlam2d, ParticleSlamParams)
 
 }  // namespace trident::slam

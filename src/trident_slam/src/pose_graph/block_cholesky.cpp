@@ -65,8 +65,15 @@ std::ptrdiff_t update_rows(const Supernode& node) {
 }  // namespace
 
 template <int kSize>
-BlockCholesky<kSize>::BlockCholesky(std::shared_ptr<const BlockSymbolic> symbolic)
-    : symbolic_(std::move(symbolic)) {
+BlockCholesky<kSize>::BlockCholesky(std::shared_ptr<const BlockSymbolic> symbolic) {
+  reset(std::move(symbolic));
+}
+
+template <int kSize>
+void BlockCholesky<kSize>::reset(std::shared_ptr<const BlockSymbolic> symbolic) {
+  symbolic_ = std::move(symbolic);
+  panel_begin_.clear();
+  update_begin_.clear();
   const std::vector<Supernode>& nodes = symbolic_->supernodes();
   std::size_t panels = 0;
   std::ptrdiff_t most_below = 0;
@@ -92,7 +99,9 @@ void BlockCholesky<kSize>::assemble(std::size_t s, const BlockMatrix<kSize>& mat
   double* panel = panels_.data() + panel_begin_[s];
   std::fill_n(panel, ld * kSize * node.columns, 0.0);
   using Target = Eigen::Map<Block, 0, Eigen::OuterStride<>>;
-  for (const BlockSymbolic::Entry& entry : symbolic_->entries()[s]) {
+  const BlockSymbolic::Entry* end = symbolic_->entries_end(s);
+  for (const BlockSymbolic::Entry* it = symbolic_->entries_begin(s); it != end; ++it) {
+    const BlockSymbolic::Entry& entry = *it;
     Target target(panel + kSize * (entry.row + entry.column * ld), Eigen::OuterStride<>(ld));
     if (entry.pair < 0) {
       target = matrix.diagonal[-1 - entry.pair];

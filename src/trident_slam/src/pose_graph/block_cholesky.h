@@ -35,7 +35,10 @@ class BlockCholesky {
   using Block = typename BlockMatrix<kSize>::Block;
   using Columns = Eigen::Matrix<double, Eigen::Dynamic, kSize>;
 
+  BlockCholesky() = default;  ///< reset() comes next
   explicit BlockCholesky(std::shared_ptr<const BlockSymbolic> symbolic);
+  /// From now on for this structure; memory is kept.
+  void reset(std::shared_ptr<const BlockSymbolic> symbolic);
 
   /// False when the matrix is not positive definite; then nothing may be solved.
   bool factorise(const BlockMatrix<kSize>& matrix);

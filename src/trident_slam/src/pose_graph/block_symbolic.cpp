@@ -13,10 +13,10 @@ namespace trident::slam {
 namespace {
 
 using Pairs = std::vector<std::pair<int, int>>;
-using Columns = std::vector<std::vector<int>>;
 
 // Variables in the order of elimination that approximate minimum degree finds.
 std::vector<int> minimum_degree_order(int size, const Pairs& pairs) {
+  if (size == 0) return {};  // AMD refuses it
   std::vector<int> begin(size + 1, 0);
   for (const auto& [i, j] : pairs) {
     ++begin[i + 1];
@@ -33,38 +33,6 @@ std::vector<int> minimum_degree_order(int size, const Pairs& pairs) {
   const int status = amd_order(size, begin.data(), rows.data(), order.data(), nullptr, nullptr);
   if (status != AMD_OK && status != AMD_OK_BUT_JUMBLED) throw Error("pose graph: AMD failed");
   return order;
-}
-
-// For each column, by place in the order, the rows below its diagonal.
-Columns lower_columns(int size, const Pairs& pairs, const std::vector<int>& position) {
-  Columns below(size);
-  for (const auto& [i, j] : pairs) {
-    const auto [first, last] = std::minmax(position[i], position[j]);
-    below[first].push_back(last);
-  }
-  return below;
-}
-
-// The elimination tree (Liu 1990): -1 for roots.
-std::vector<int> elimination_tree(const Columns& below) {
-  const int size = static_cast<int>(below.size());
-  Columns left_of(size);  // rows, with their columns
-  for (int column = 0; column < size; ++column) {
-    for (const int row : below[column]) left_of[row].push_back(column);
-  }
-  std::vector<int> parent(size, -1);
-  std::vector<int> ancestor(size, -1);
-  for (int row = 0; row < size; ++row) {
-    for (int node : left_of[row]) {
-      while (node != -1 && node != row) {
-        const int next = ancestor[node];
-        ancestor[node] = row;
-        if (next == -1) parent[node] = row;
-        node = next;
-      }
-    }
-  }
-  return parent;
 }
 
 // Children before their parents, subtrees in one piece.
@@ -103,34 +71,6 @@ std::vector<int> inverse_of(const std::vector<int>& order) {
   return position;
 }
 
-// Blocks of each column of the factor, the diagonal included.
-std::vector<int> column_counts(const Columns& below, const std::vector<int>& parent) {
-  const int size = static_cast<int>(below.size());
-  Columns rows(size);
-  std::vector<int> mark(size, -1);
-  std::vector<int> counts(size, 1);
-  for (int column = 0; column < size; ++column) {
-    std::vector<int>& own = rows[column];  // what the children have left here
-    mark[column] = column;
-    std::vector<int> merged;
-    for (const std::vector<int>* part :
-         {&below[column], static_cast<const std::vector<int>*>(&own)}) {
-      for (const int row : *part) {
-        if (mark[row] == column) continue;
-        mark[row] = column;
-        merged.push_back(row);
-      }
-    }
-    counts[column] += static_cast<int>(merged.size());
-    own.clear();
-    own.shrink_to_fit();
-    if (parent[column] == -1) continue;
-    std::vector<int>& above = rows[parent[column]];
-    above.insert(above.end(), merged.begin(), merged.end());
-  }
-  return counts;
-}
-
 // Blocks of a trapezoid of so many columns, the first of which has so many rows.
 double trapezoid(double columns, double rows) {
   return columns * rows - 0.5 * columns * (columns - 1.0);
@@ -148,21 +88,96 @@ bool is_merge_worthwhile(int columns, double zeros, double total) {
 
 }  // namespace
 
+BlockSymbolic::Columns BlockSymbolic::lower_columns(const Pairs& pairs,
+                                                    const std::vector<int>& position) {
+  const std::size_t size = position.size();
+  Columns below{std::vector<int>(size + 1, 0), std::vector<int>(pairs.size())};
+  for (const auto& [i, j] : pairs) ++below.begin[std::min(position[i], position[j]) + 1];
+  std::partial_sum(below.begin.begin(), below.begin.end(), below.begin.begin());
+  std::vector<int> next(below.begin.begin(), below.begin.end() - 1);
+  for (const auto& [i, j] : pairs) {
+    const auto [first, last] = std::minmax(position[i], position[j]);
+    below.rows[next[first]++] = last;
+  }
+  return below;
+}
+
+// For each row the columns left of its diagonal, from the first to the last.
+BlockSymbolic::Columns BlockSymbolic::transposed(const Columns& below) {
+  const int size = static_cast<int>(below.begin.size()) - 1;
+  Columns left_of{std::vector<int>(size + 1, 0), std::vector<int>(below.rows.size())};
+  for (const int row : below.rows) ++left_of.begin[row + 1];
+  std::partial_sum(left_of.begin.begin(), left_of.begin.end(), left_of.begin.begin());
+  std::vector<int> next(left_of.begin.begin(), left_of.begin.end() - 1);
+  for (int column = 0; column < size; ++column) {
+    for (int k = below.begin[column]; k < below.begin[column + 1]; ++k) {
+      left_of.rows[next[below.rows[k]]++] = column;
+    }
+  }
+  return left_of;
+}
+
+// Liu 1990: -1 for roots.
+std::vector<int> BlockSymbolic::elimination_tree(const Columns& left_of) {
+  const int size = static_cast<int>(left_of.begin.size()) - 1;
+  std::vector<int> parent(size, -1);
+  std::vector<int> ancestor(size, -1);
+  for (int row = 0; row < size; ++row) {
+    for (int k = left_of.begin[row]; k < left_of.begin[row + 1]; ++k) {
+      int node = left_of.rows[k];
+      while (node != -1 && node != row) {
+        const int next = ancestor[node];
+        ancestor[node] = row;
+        if (next == -1) parent[node] = row;
+        node = next;
+      }
+    }
+  }
+  return parent;
+}
+
+// Blocks of each column of the factor, the diagonal included: a row of the factor is the part of
+// the tree between the columns left of its diagonal and the row itself.
+std::vector<int> BlockSymbolic::column_counts(const Columns& left_of,
+                                              const std::vector<int>& parent) {
+  const int size = static_cast<int>(parent.size());
+  std::vector<int> mark(size, -1);
+  std::vector<int> counts(size, 1);
+  for (int row = 0; row < size; ++row) {
+    mark[row] = row;
+    for (int k = left_of.begin[row]; k < left_of.begin[row + 1]; ++k) {
+      for (int node = left_of.rows[k]; mark[node] != row; node = parent[node]) {
+        mark[node] = row;
+        ++counts[node];
+      }
+    }
+  }
+  return counts;
+}
+
 BlockSymbolic::BlockSymbolic(int size, const Pairs& pairs) {
-  std::vector<int> order = minimum_degree_order(size, pairs);
-  const std::vector<int> tree = elimination_tree(lower_columns(size, pairs, inverse_of(order)));
-  std::vector<int> sorted;
-  for (const int k : postorder(tree)) sorted.push_back(order[k]);
-  position_ = inverse_of(sorted);
-  const Columns below = lower_columns(size, pairs, position_);
-  add_supernodes(below, elimination_tree(below));
-  fill_rows(below);
+  const std::vector<int> order = minimum_degree_order(size, pairs);
+  const Columns unsorted = transposed(lower_columns(pairs, inverse_of(order)));
+  const std::vector<int> tree = elimination_tree(unsorted);
+  const std::vector<int> counts = column_counts(unsorted, tree);
+  const std::vector<int> sorted = postorder(tree);  // the factor is the same, in another order
+  const std::vector<int> place = inverse_of(sorted);
+  std::vector<int> parent(size);
+  std::vector<int> sorted_counts(size);
+  position_.resize(size);
+  for (int k = 0; k < size; ++k) {
+    const int above = tree[sorted[k]];
+    parent[k] = above == -1 ? -1 : place[above];
+    sorted_counts[k] = counts[sorted[k]];
+    position_[order[sorted[k]]] = k;
+  }
+  add_supernodes(sorted_counts, parent);
+  fill_rows(lower_columns(pairs, position_));
   add_entries(pairs);
 }
 
-void BlockSymbolic::add_supernodes(const Columns& below, const std::vector<int>& parent) {
-  const int size = static_cast<int>(below.size());
-  const std::vector<int> counts = column_counts(below, parent);
+void BlockSymbolic::add_supernodes(const std::vector<int>& counts, const std::vector<int>& parent) {
+  const int size = static_cast<int>(parent.size());
   std::vector<int> children(size, 0);
   for (const int p : parent) {
     if (p != -1) ++children[p];
@@ -211,31 +226,35 @@ void BlockSymbolic::add_supernodes(const Columns& below, const std::vector<int>&
 }
 
 void BlockSymbolic::fill_rows(const Columns& below) {
-  std::vector<int> mark(below.size(), -1);
-  std::vector<int> place(below.size(), -1);
+  const int size = static_cast<int>(supernode_of_.size());
+  std::vector<int> mark(size, -1);
+  std::vector<int> place(size, -1);
+  std::vector<int> behind;  // the own columns
   for (std::size_t s = 0; s < supernodes_.size(); ++s) {
     Supernode& node = supernodes_[s];
     const int end = node.first + node.columns;
-    const auto take = [&](const std::vector<int>& rows) {
-      for (const int row : rows) {
-        if (row < end || mark[row] == static_cast<int>(s)) continue;
-        mark[row] = static_cast<int>(s);
-        node.rows.push_back(row);
-      }
+    behind.clear();
+    const auto take = [&](int row) {
+      if (row < end || mark[row] == static_cast<int>(s)) return;
+      mark[row] = static_cast<int>(s);
+      behind.push_back(row);
     };
-    for (int column = node.first; column < end; ++column) take(below[column]);
-    for (const int child : node.children) take(supernodes_[child].rows);
-    std::sort(node.rows.begin(), node.rows.end());
-    if (!node.rows.empty()) {
-      node.parent = supernode_of_[node.rows.front()];
+    for (int k = below.begin[node.first]; k < below.begin[end]; ++k) take(below.rows[k]);
+    for (const int child : node.children) {
+      for (const int row : supernodes_[child].rows) take(row);
+    }
+    std::sort(behind.begin(), behind.end());
+    if (!behind.empty()) {
+      node.parent = supernode_of_[behind.front()];
       supernodes_[node.parent].children.push_back(static_cast<int>(s));
     }
-    std::vector<int> own(node.columns);
-    std::iota(own.begin(), own.end(), node.first);
-    node.rows.insert(node.rows.begin(), own.begin(), own.end());
+    node.rows.resize(node.columns + behind.size());
+    std::iota(node.rows.begin(), node.rows.begin() + node.columns, node.first);
+    std::copy(behind.begin(), behind.end(), node.rows.begin() + node.columns);
     for (std::size_t k = 0; k < node.rows.size(); ++k) place[node.rows[k]] = static_cast<int>(k);
     for (const int child : node.children) {
       Supernode& below_it = supernodes_[child];
+      below_it.place_in_parent.reserve(below_it.rows.size() - below_it.columns);
       for (std::size_t k = below_it.columns; k < below_it.rows.size(); ++k) {
         below_it.place_in_parent.push_back(place[below_it.rows[k]]);
       }
@@ -244,13 +263,21 @@ void BlockSymbolic::fill_rows(const Columns& below) {
 }
 
 void BlockSymbolic::add_entries(const Pairs& pairs) {
-  entries_.resize(supernodes_.size());
+  entry_begin_.assign(supernodes_.size() + 1, 0);
+  const auto column_of = [&](const std::pair<int, int>& pair) {
+    return std::min(position_[pair.first], position_[pair.second]);
+  };
+  for (const int s : supernode_of_) ++entry_begin_[s + 1];
+  for (const auto& pair : pairs) ++entry_begin_[supernode_of_[column_of(pair)] + 1];
+  std::partial_sum(entry_begin_.begin(), entry_begin_.end(), entry_begin_.begin());
+  std::vector<std::size_t> next(entry_begin_.begin(), entry_begin_.end() - 1);
+  entries_.resize(entry_begin_.back());
   const auto add = [&](int pair, int row, int column, bool is_transposed) {
     const int s = supernode_of_[column];
     const std::vector<int>& rows = supernodes_[s].rows;
     const auto place = std::lower_bound(rows.begin(), rows.end(), row) - rows.begin();
-    entries_[s].push_back(
-        {pair, static_cast<int>(place), column - supernodes_[s].first, is_transposed});
+    entries_[next[s]++] = {pair, static_cast<int>(place), column - supernodes_[s].first,
+                           is_transposed};
   };
   for (int variable = 0; variable < size(); ++variable) {
     add(-1 - variable, position_[variable], position_[variable], false);

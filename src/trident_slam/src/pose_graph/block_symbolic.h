@@ -40,21 +40,33 @@ class BlockSymbolic {
   int position(int variable) const { return position_[variable]; }
   const std::vector<Supernode>& supernodes() const { return supernodes_; }
   int supernode_of(int position) const { return supernode_of_[position]; }
-  const std::vector<std::vector<Entry>>& entries() const { return entries_; }
+  /// Those of a supernode: [begin, end).
+  const Entry* entries_begin(std::size_t s) const { return entries_.data() + entry_begin_[s]; }
+  const Entry* entries_end(std::size_t s) const { return entries_.data() + entry_begin_[s + 1]; }
   /// Blocks of the factor, and multiplications of blocks to compute it.
   std::size_t factor_blocks() const;
 
  private:
-  using Columns = std::vector<std::vector<int>>;
+  /// For each column, by place in the order, the rows below its diagonal, all in one piece.
+  struct Columns {
+    std::vector<int> begin;  ///< of each column's part, and behind the last one
+    std::vector<int> rows;
+  };
 
-  void add_supernodes(const Columns& below, const std::vector<int>& parent);
+  static Columns lower_columns(const std::vector<std::pair<int, int>>& pairs,
+                               const std::vector<int>& position);
+  static Columns transposed(const Columns& below);
+  static std::vector<int> elimination_tree(const Columns& left_of);
+  static std::vector<int> column_counts(const Columns& left_of, const std::vector<int>& parent);
+  void add_supernodes(const std::vector<int>& counts, const std::vector<int>& parent);
   void fill_rows(const Columns& below);
   void add_entries(const std::vector<std::pair<int, int>>& pairs);
 
   std::vector<int> position_;
   std::vector<Supernode> supernodes_;
   std::vector<int> supernode_of_;
-  std::vector<std::vector<Entry>> entries_;
+  std::vector<Entry> entries_;
+  std::vector<std::size_t> entry_begin_;
 };
 
 }  // namespace trident::slam

@@ -3,7 +3,10 @@
 #include "trident_slam/incremental_pose_graph.h"
 
 #include <algorithm>
+#include <utility>
 
+#include "pose_graph/block_cholesky.h"
+#include "pose_graph/pose_system.h"
 #include "trident_base/error.h"
 #include "trident_base/string_util.h"
 
@@ -31,11 +34,81 @@ void IncrementalOptions::validate() const {
   require(steps >= 1, "steps", steps, ">= 1");
 }
 
+/// Gauss-Newton steps of a graph that grows. What does not change is kept from one to the next:
+/// the measurements, the poses as matrices, the cost of where they are, and the memory.
+template <class Group>
+class IncrementalPoseGraph<Group>::Solver {
+ public:
+  /// So many steps; false when one would raise the cost or cannot be found, then the graph's poses
+  /// stay. The graph may only have grown since the last time, unless `forget` was called.
+  bool improve(PoseGraph<Group>& graph, int steps) {
+    system_.extend(graph);
+    for (; counted_ < system_.edges().size(); ++counted_) {
+      const auto& edge = system_.edges()[counted_];
+      const double s = system_.squared_error(edge, system_.poses);
+      cost_.chi2 += s;
+      cost_.robust += system_.robust_value(edge, s).cost;
+    }
+    cholesky_.reset(system_.symbolic());
+    for (int k = 0; k < steps; ++k) {
+      if (!step()) return false;
+    }
+    system_.store(graph);
+    return true;
+  }
+  /// After poses were changed from outside.
+  void forget() {
+    system_ = PoseSystem<Group>();
+    cost_ = {};
+    counted_ = 0;
+  }
+  double chi2() const { return cost_.chi2; }
+
+ private:
+  static constexpr int kDimension = PoseSystem<Group>::kDimension;
+
+  // False when it would raise the cost, by more than roundings do where there is nothing to gain.
+  bool step() {
+    system_.linearise(system_.poses, H_, g_);
+    if (!cholesky_.factorise(H_)) return false;
+    newton_ = -g_;
+    cholesky_.solve(newton_);
+    if (!newton_.allFinite()) return false;
+    system_.move(system_.poses, newton_, trial_);
+    const auto cost = system_.cost(trial_);
+    if (!(cost.robust <= cost_.robust)) {
+      const PoseGraphOptions options;
+      return -g_.dot(newton_) <=
+             options.relative_tolerance * cost_.robust + options.absolute_tolerance;
+    }
+    cost_ = cost;
+    std::swap(system_.poses, trial_);
+    return true;
+  }
+
+  PoseSystem<Group> system_;
+  BlockMatrix<kDimension> H_;
+  Eigen::VectorXd g_;
+  Eigen::VectorXd newton_;
+  BlockCholesky<kDimension> cholesky_;
+  typename PoseSystem<Group>::Poses trial_;
+  typename PoseSystem<Group>::Cost cost_;  // of the system's poses ...
+  std::size_t counted_ = 0;                // ... and this many edges
+};
+
 template <class Group>
 IncrementalPoseGraph<Group>::IncrementalPoseGraph(const IncrementalOptions& options)
-    : options_(options) {
+    : options_(options), solver_(std::make_unique<Solver>()) {
   options_.validate();
 }
+
+template <class Group>
+IncrementalPoseGraph<Group>::IncrementalPoseGraph(IncrementalPoseGraph&&) noexcept = default;
+template <class Group>
+IncrementalPoseGraph<Group>& IncrementalPoseGraph<Group>::operator=(
+    IncrementalPoseGraph&&) noexcept = default;
+template <class Group>
+IncrementalPoseGraph<Group>::~IncrementalPoseGraph() = default;
 
 template <class Group>
 void IncrementalPoseGraph<Group>::add(int id, const Group& T_map_vertex,
@@ -52,21 +125,31 @@ void IncrementalPoseGraph<Group>::add(int id, const Group& T_map_vertex,
         pose_graph_error(graph_.pose(edge.from), graph_.pose(edge.to), edge.T_from_to);
     pending_ += error.dot(edge.information * error);
   }
-  if (pending_ > std::max(options_.least, options_.share * chi2_)) optimize(options_.steps);
+  if (pending_ > std::max(options_.least, options_.share * chi2_)) optimize();
 }
 
 template <class Group>
 void IncrementalPoseGraph<Group>::finish() {
-  optimize(PoseGraphOptions().max_iterations);
+  search();
+  pending_ = 0.0;
+  ++optimizations_;
 }
 
 template <class Group>
-void IncrementalPoseGraph<Group>::optimize(int iterations) {
-  PoseGraphOptions options;
-  options.max_iterations = iterations;
-  chi2_ = PoseGraphOptimizer<Group>(options).optimize(graph_).chi2_after;
+void IncrementalPoseGraph<Group>::optimize() {
+  if (solver_->improve(graph_, options_.steps)) {
+    chi2_ = solver_->chi2();
+  } else {
+    search();
+  }
   pending_ = 0.0;
   ++optimizations_;
+}
+
+template <class Group>
+void IncrementalPoseGraph<Group>::search() {
+  chi2_ = PoseGraphOptimizer<Group>().optimize(graph_).chi2_after;
+  solver_->forget();
 }
 
 template class IncrementalPoseGraph<SE2>;

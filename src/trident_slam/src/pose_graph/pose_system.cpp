@@ -3,9 +3,7 @@
 #include "pose_system.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <numeric>
-#include <unordered_map>
 
 namespace trident::slam {
 namespace {
@@ -52,29 +50,53 @@ void PoseSystem<Group>::choose_unknowns(const PoseGraph<Group>& graph) {
   }
 }
 
+// Measurements and weights; the structure stays.
 template <class Group>
-void PoseSystem<Group>::build_structure(const PoseGraph<Group>& graph) {
-  edges_.clear();
-  for (const auto& edge : graph.edges()) {
+void PoseSystem<Group>::take(const typename PoseGraph<Group>::Edge& edge, Edge& to) {
+  to.measured = Model::from_group(edge.T_from_to);
+  to.inverse_measured = to.measured.inverse();
+  to.information = edge.information;
+  to.kernel = edge.kernel;
+  to.kernel_scale = edge.kernel_scale;
+  to.is_trusted = edge.is_trusted;
+  to.is_rejected = false;
+}
+
+// Those of the graph that are not known yet.
+template <class Group>
+void PoseSystem<Group>::add_edges(const PoseGraph<Group>& graph) {
+  for (std::size_t k = edges_.size(); k < graph.edges().size(); ++k) {
+    const auto& edge = graph.edges()[k];
     Edge added;
     added.from = static_cast<int>(graph.index(edge.from));
     added.to = static_cast<int>(graph.index(edge.to));
+    take(edge, added);
     edges_.push_back(added);
   }
+}
+
+template <class Group>
+void PoseSystem<Group>::add_pair(Edge& edge) {
+  const int from = unknown_of_vertex_[edge.from];
+  const int to = unknown_of_vertex_[edge.to];
+  if (from == -1 || to == -1) return;
+  const auto [first, last] = std::minmax(from, to);
+  const std::uint64_t key = (static_cast<std::uint64_t>(first) << 32) + last;
+  const auto [found, is_new] = pair_of_.try_emplace(key, static_cast<int>(pairs_.size()));
+  if (is_new) pairs_.emplace_back(from, to);
+  edge.pair = found->second;
+  edge.is_pair_reversed = pairs_[edge.pair].first != from;
+}
+
+template <class Group>
+void PoseSystem<Group>::build_structure(const PoseGraph<Group>& graph) {
+  edges_.clear();
+  edges_.reserve(graph.edges().size());
+  add_edges(graph);
   choose_unknowns(graph);
   pairs_.clear();
-  std::unordered_map<std::uint64_t, int> pair_of;
-  for (Edge& edge : edges_) {
-    const int from = unknown_of_vertex_[edge.from];
-    const int to = unknown_of_vertex_[edge.to];
-    if (from == -1 || to == -1) continue;
-    const auto [first, last] = std::minmax(from, to);
-    const std::uint64_t key = (static_cast<std::uint64_t>(first) << 32) + last;
-    const auto [found, is_new] = pair_of.try_emplace(key, static_cast<int>(pairs_.size()));
-    if (is_new) pairs_.emplace_back(from, to);
-    edge.pair = found->second;
-    edge.is_pair_reversed = pairs_[edge.pair].first != from;
-  }
+  pair_of_.clear();
+  for (Edge& edge : edges_) add_pair(edge);
   symbolic_ = std::make_shared<const BlockSymbolic>(unknowns(), pairs_);
   structure_version_ = graph.structure_version();
 }
@@ -83,21 +105,49 @@ template <class Group>
 void PoseSystem<Group>::load(const PoseGraph<Group>& graph) {
   if (symbolic_ == nullptr || structure_version_ != graph.structure_version()) {
     build_structure(graph);
-  }
-  for (std::size_t k = 0; k < edges_.size(); ++k) {
-    const auto& edge = graph.edges()[k];
-    edges_[k].measured = Model::from_group(edge.T_from_to);
-    edges_[k].inverse_measured = edges_[k].measured.inverse();
-    edges_[k].information = edge.information;
-    edges_[k].kernel = edge.kernel;
-    edges_[k].kernel_scale = edge.kernel_scale;
-    edges_[k].is_trusted = edge.is_trusted;
-    edges_[k].is_rejected = false;
+  } else {
+    for (std::size_t k = 0; k < edges_.size(); ++k) take(graph.edges()[k], edges_[k]);
   }
   poses.clear();
   for (const auto& vertex : graph.vertices()) {
     poses.push_back(Model::from_group(vertex.T_map_vertex));
   }
+}
+
+// Are the vertices one connected part, whose held vertex stays the first, and every added one free?
+template <class Group>
+bool PoseSystem<Group>::is_extendable(const PoseGraph<Group>& graph) const {
+  if (symbolic_ == nullptr || vertex_of_unknown_.size() + 1 != unknown_of_vertex_.size()) {
+    return false;
+  }
+  std::vector<bool> is_joined(graph.vertices().size() - poses.size(), false);
+  for (std::size_t k = poses.size(); k < graph.vertices().size(); ++k) {
+    if (graph.vertices()[k].is_fixed) return false;
+  }
+  for (std::size_t k = edges_.size(); k < graph.edges().size(); ++k) {
+    const auto& edge = graph.edges()[k];
+    const std::size_t later = std::max(graph.index(edge.from), graph.index(edge.to));
+    if (later >= poses.size()) is_joined[later - poses.size()] = true;
+  }
+  return std::all_of(is_joined.begin(), is_joined.end(), [](bool is) { return is; });
+}
+
+template <class Group>
+void PoseSystem<Group>::extend(const PoseGraph<Group>& graph) {
+  if (!is_extendable(graph)) {
+    load(graph);
+    return;
+  }
+  for (std::size_t k = poses.size(); k < graph.vertices().size(); ++k) {
+    unknown_of_vertex_.push_back(unknowns());
+    vertex_of_unknown_.push_back(static_cast<int>(k));
+    poses.push_back(Model::from_group(graph.vertices()[k].T_map_vertex));
+  }
+  const std::size_t known = edges_.size();
+  add_edges(graph);
+  for (std::size_t k = known; k < edges_.size(); ++k) add_pair(edges_[k]);
+  symbolic_ = std::make_shared<const BlockSymbolic>(unknowns(), pairs_);
+  structure_version_ = graph.structure_version();
 }
 
 template <class Group>

@@ -5,7 +5,9 @@
 #include <Eigen/Core>
 #include <Eigen/StdVector>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -49,6 +51,9 @@ class PoseSystem {
 
   /// Takes measurements and poses; keeps the ordering when the structure is the one it knows.
   void load(const PoseGraph<Group>& graph);
+  /// The same for a graph to which vertices and edges were added and that is otherwise as this
+  /// system has loaded or stored it: only what was added is taken. Gives what load() gives.
+  void extend(const PoseGraph<Group>& graph);
   /// Writes the poses of unknown vertices.
   void store(PoseGraph<Group>& graph) const;
 
@@ -73,6 +78,10 @@ class PoseSystem {
  private:
   void build_structure(const PoseGraph<Group>& graph);
   void choose_unknowns(const PoseGraph<Group>& graph);
+  bool is_extendable(const PoseGraph<Group>& graph) const;
+  void add_edges(const PoseGraph<Group>& graph);
+  void add_pair(Edge& edge);
+  static void take(const typename PoseGraph<Group>::Edge& edge, Edge& to);
   void add_edge_terms(const Edge& edge, const Poses& poses, BlockMatrix<kDimension>& H,
                       Eigen::VectorXd& g) const;
 
@@ -80,6 +89,7 @@ class PoseSystem {
   std::vector<int> unknown_of_vertex_;
   std::vector<int> vertex_of_unknown_;
   std::vector<std::pair<int, int>> pairs_;
+  std::unordered_map<std::uint64_t, int> pair_of_;  // of two unknowns, the lesser one in front
   std::vector<Edge, Eigen::aligned_allocator<Edge>> edges_;
   std::shared_ptr<const BlockSymbolic> symbolic_;
 };

@@ -12,20 +12,30 @@ namespace {
 
 /// Beams to each side that take part in the line of a normal: at least so many, and as many more
 /// as lie within the reach. Close to a wall few beams would span less than the scanner's noise.
-constexpr int kFewestNeighbours = 3;
-constexpr int kMostNeighbours = 24;
+constexpr int kMinNeighbours = 3;
+constexpr int kMaxNeighbours = 24;
 constexpr double kReach = 0.15;  // [m]
 /// ... or farther where the scanner's noise is larger, for a line over so many standard deviations
 /// of it to each side leans by no more than a few degrees.
 constexpr double kReachByNoise = 12.0;
-constexpr double kFarthestReach = 0.6;  // [m]
+constexpr double kMaxReach = 0.6;  // [m]
 
 /// Points that deviate less from their line have no corner among them [m].
 constexpr double kStraight = 0.003;
 /// Variance about the line over that of one side's, beyond which there is a corner.
 constexpr double kWorseByCorner = 8.0;
+/// A side is preferred only if its points spread along their line by at least so many standard
+/// deviations of the scanner's noise: a line through four of them leans by 1 / (4 sqrt(4)) = 7
+/// degrees then. A few beams that hit a wall close by spread less than their noise and often lie
+/// on a line along the beam by chance, which would be a wall across the true one.
+constexpr double kMinSpreadByNoise = 4.0;
+/// Where both sides together form no line, so that the alternative is no normal at all, a little
+/// less suffices (a side of the full reach spreads by kReachByNoise / sqrt(12) = 3.5), if the
+/// points spread as far as this across the beam, too, where ranges put no noise.
+constexpr double kMinSpreadWithoutLine = 2.5;
+constexpr double kMinSpreadAcrossBeam = 1.0;
 
-/// Neighbouring beams meet one surface if the gap between their ends is at most this [m]. A wall
+/// Neighbouring beams hit one surface if the gap between their ends is at most this [m]. A wall
 /// seen at 10 degrees of grazing angle stays in one piece.
 double largest_gap(double range, double angle_increment) {
   return 0.05 + 6.0 * range * std::abs(angle_increment);
@@ -42,8 +52,8 @@ double range_noise(const std::vector<double>& ranges, double angle_increment) {
       continue;
     bends.push_back(std::abs(ranges[i - 1] - 2.0 * ranges[i] + ranges[i + 1]));
   }
-  constexpr std::size_t kFewest = 20;  // of which a median says something
-  if (bends.size() < kFewest) return 0.0;
+  constexpr std::size_t kMinBends = 20;  // of which a median says something
+  if (bends.size() < kMinBends) return 0.0;
   const auto middle = bends.begin() + static_cast<std::ptrdiff_t>(bends.size() / 2);
   std::nth_element(bends.begin(), middle, bends.end());
   return *middle / (0.6745 * std::sqrt(6.0));  // of a normal distribution, and of three ranges
@@ -85,6 +95,12 @@ struct Scatter {
     across = std::max(0.5 * (xx + yy) - root, 0.0);
     along = 0.5 * (xx + yy) + root;
   }
+
+  /// Variance perpendicular to a beam [m^2], where ranges put no noise.
+  double across_beam(const Eigen::Vector2f& beam) const {
+    const Eigen::Vector2d u = beam.cast<double>().normalized();
+    return yy * u.x() * u.x() - 2.0 * xy * u.x() * u.y() + xx * u.y() * u.y();
+  }
 };
 
 /// The normal of the points' line, or zero if they do not lie on one. Points err along their beam
@@ -99,16 +115,16 @@ Eigen::Vector2f line_normal(const Scatter& s, const Eigen::Vector2f& beam) {
   const Eigen::Vector2d plain = (s.xx > s.yy ? Eigen::Vector2d(-s.xy, s.along - s.yy)
                                              : Eigen::Vector2d(s.along - s.xx, -s.xy))
                                     .normalized();
-  constexpr double kGrazing = 0.3;    // sine
-  constexpr double kMostLean = 0.05;  // [rad]
+  constexpr double kGrazing = 0.3;   // sine
+  constexpr double kMaxLean = 0.05;  // [rad]
   const Eigen::Vector2d u = beam.cast<double>().normalized();
   if (std::abs(plain.dot(u)) < kGrazing) return plain.cast<float>();
   const Eigen::Vector2d normal =
       Eigen::Vector2d(s.yy * u.x() - s.xy * u.y(), s.xx * u.y() - s.xy * u.x()).normalized();
-  return (std::abs(normal.dot(plain)) < std::cos(kMostLean) ? plain : normal).cast<float>();
+  return (std::abs(normal.dot(plain)) < std::cos(kMaxLean) ? plain : normal).cast<float>();
 }
 
-/// Sets normals from the points about each point that meet the same surface.
+/// Sets normals from the points about each point that hit the same surface.
 class Normals {
  public:
   explicit Normals(PointScan* scan) : scan_(*scan), sums_(scan->points.size() + 1) {
@@ -119,8 +135,9 @@ class Normals {
   }
 
   void set(const std::vector<double>& ranges, double angle_increment) {
-    const double reach =
-        std::clamp(kReachByNoise * range_noise(ranges, angle_increment), kReach, kFarthestReach);
+    const double noise = range_noise(ranges, angle_increment);
+    const double reach = std::clamp(kReachByNoise * noise, kReach, kMaxReach);
+    noise_variance_ = noise * noise;
     squared_reach_ = static_cast<float>(reach * reach);
     find_surfaces(ranges, angle_increment);
     const int size = static_cast<int>(scan_.points.size());
@@ -148,15 +165,15 @@ class Normals {
       first_[i] = is_on ? first_[i - 1] : i;
     }
     for (int i = size - 1; i >= 0; --i) {
-      const bool goes_on = i + 1 < size && gaps[i + 1] <= largest_gap(ranges[i], angle_increment);
-      end_[i] = goes_on ? end_[i + 1] : i + 1;
+      const bool continues = i + 1 < size && gaps[i + 1] <= largest_gap(ranges[i], angle_increment);
+      end_[i] = continues ? end_[i + 1] : i + 1;
     }
   }
 
   /// From the points begin to end - 1 about point i; by a corner from those on one side of it
   /// alone: a line about the corner leans, and what leans slides along the wall when scans are
   /// matched. M. Kuwahara et al., "Processing of RI-angiocardiographic images", 1976, for the
-  /// choice.
+  /// choice. A side that spreads little by the scanner's noise is none: see kMinSpreadByNoise.
   Eigen::Vector2f normal_at(int i, int begin, int end) const {
     const Eigen::Vector2f beam = scan_.points[i].p - scan_.origin;
     const Scatter both = scatter(begin, end);
@@ -164,15 +181,26 @@ class Normals {
     const Scatter before = scatter(begin, i + 1);
     const Scatter after = scatter(i, end);
     const Scatter& side = before.across < after.across ? before : after;
-    return line_normal(kWorseByCorner * side.across < both.across ? side : both, beam);
+    if (kWorseByCorner * side.across >= both.across) return line_normal(both, beam);
+    if (is_wide(side.along, kMinSpreadByNoise)) return line_normal(side, beam);
+    const Eigen::Vector2f normal = line_normal(both, beam);
+    const bool is_side = normal.isZero(0.0F) && is_wide(side.along, kMinSpreadWithoutLine) &&
+                         is_wide(side.across_beam(beam), kMinSpreadAcrossBeam);
+    return is_side ? line_normal(side, beam) : normal;
+  }
+
+  /// Whether a variance [m^2] is that of points that spread by at least `factor` standard
+  /// deviations of the noise.
+  bool is_wide(double variance, double factor) const {
+    return variance >= factor * factor * noise_variance_;
   }
 
   Scatter scatter(int begin, int end) const { return {sums_[end] - sums_[begin], end - begin}; }
 
   bool is_neighbour(int i, int j) const {
     const int apart = std::abs(i - j);
-    if (apart > kMostNeighbours) return false;
-    return apart <= kFewestNeighbours ||
+    if (apart > kMaxNeighbours) return false;
+    return apart <= kMinNeighbours ||
            (scan_.points[j].p - scan_.points[i].p).squaredNorm() <= squared_reach_;
   }
 
@@ -180,7 +208,8 @@ class Normals {
   std::vector<LineSums> sums_;  ///< over the points before each one, about the laser
   std::vector<int> first_;
   std::vector<int> end_;
-  float squared_reach_ = 0.0F;  ///< of the neighbours that take part in a line [m^2]
+  double noise_variance_ = 0.0;  ///< of the ranges [m^2]
+  float squared_reach_ = 0.0F;   ///< of the neighbours that take part in a line [m^2]
 };
 
 /// The directions of a scan's beams one after the other: cosine and sine.
@@ -194,7 +223,7 @@ class Directions {
 
   const Eigen::Vector2d& value() const { return direction_; }
   void next() {
-    constexpr int kPeriod = 16;  // angles are added up anew: errors stay at a few 1e-16
+    constexpr int kPeriod = 16;  // angles are computed again: errors stay at a few 1e-16
     if (++beam_ % kPeriod == 0) {
       direction_ = unit_at(angle_ + beam_ * increment_);
     } else {

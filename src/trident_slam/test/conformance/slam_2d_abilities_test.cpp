@@ -12,8 +12,8 @@
 #include <string>
 
 #include "conformance/scan_world.h"
-#include "trident_slam/slam_2d.h"
 #include "trident_slam/slam_2d_abilities.h"
+#include "trident_slam/slam_2d_factory.h"
 
 namespace trident::slam {
 namespace {
@@ -23,22 +23,21 @@ using testing_world::ScanWorld;
 constexpr std::size_t kMapped = 60;  // scans
 constexpr double kNear = 0.1;        // [m]
 
-const ScanWorld& world() {
+const ScanWorld& abilities_world() {
   static const ScanWorld instance(11);
   return instance;
 }
 
 std::unique_ptr<Slam2d> make(const std::string& method, const std::string& config_file = "") {
-  Registry<Slam2dFactory> registry("SLAM method");
-  register_builtin_slam_2d(registry);
-  return registry.get(method)(config_file);
+  return builtin_slam_2d().get(method)(Slam2dSetup(config_file));
 }
 
 ScanPose2d add(Slam2d& slam, std::size_t step) {
-  return slam.add_scan(world().steps()[step].scan, world().steps()[step].T_odom_base);
+  return slam.add_scan(abilities_world().steps()[step].scan,
+                       abilities_world().steps()[step].T_odom_base);
 }
 
-SE2 truth(std::size_t step) { return world().steps()[step].T_start_base; }
+SE2 truth(std::size_t step) { return abilities_world().steps()[step].T_start_base; }
 
 /// How far the pose of a scan is from the truth [m].
 double error(const ScanPose2d& pose, std::size_t step) {

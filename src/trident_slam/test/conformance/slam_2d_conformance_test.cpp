@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "conformance/scan_world.h"
-#include "trident_slam/slam_2d.h"
 #include "trident_slam/slam_2d_abilities.h"
+#include "trident_slam/slam_2d_factory.h"
 
 namespace trident::slam {
 namespace {
@@ -24,11 +24,7 @@ const ScanWorld& world() {
   return instance;
 }
 
-Registry<Slam2dFactory> registry() {
-  Registry<Slam2dFactory> result("SLAM method");
-  register_builtin_slam_2d(result);
-  return result;
-}
+Registry<Slam2dFactory> registry() { return builtin_slam_2d(); }
 
 /// How near each comes to the truth in that room, with its defaults: largest error of a final pose
 /// [m], and share of the occupied cells that lie within 15 cm of a surface. Odometry alone is the
@@ -60,7 +56,7 @@ struct Driven {
 };
 
 Driven drive(const std::string& method) {
-  Driven driven{registry().get(method)(""), {}};
+  Driven driven{registry().get(method)(Slam2dSetup()), {}};
   for (const auto& step : world().steps()) {
     driven.poses.push_back(driven.slam->add_scan(step.scan, step.T_odom_base));
   }
@@ -70,7 +66,7 @@ Driven drive(const std::string& method) {
 
 class Slam2dConformance : public testing::TestWithParam<std::string> {
  protected:
-  std::unique_ptr<Slam2d> make() const { return registry().get(GetParam())(""); }
+  std::unique_ptr<Slam2d> make() const { return registry().get(GetParam())(Slam2dSetup()); }
   /// Each algorithm's first whole drive: several tests look at it, none changes it.
   static const Driven& driven() {
     static std::map<std::string, Driven> known;
@@ -230,7 +226,7 @@ TEST_P(Slam2dConformance, OdometryThatStandsIsToldOfOnceAndTheScansTakeItsPlace)
 }
 
 TEST_P(Slam2dConformance, AnUnknownKeyOfItsFileIsAnError) {
-  EXPECT_THROW(registry().get(GetParam())("no_such_file.yaml"), Error);
+  EXPECT_THROW(registry().get(GetParam())(Slam2dSetup("no_such_file.yaml")), Error);
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, Slam2dConformance, testing::ValuesIn(registry().names()),

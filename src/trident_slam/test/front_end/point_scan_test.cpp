@@ -11,6 +11,7 @@
 
 #include "graph_slam/polygon_world.h"
 #include "matchers/line_match.h"
+#include "trident_base/angle.h"
 
 namespace trident::slam {
 namespace {
@@ -99,6 +100,33 @@ TEST(PointScan, NoisyWallHasNormals) {
   }
   EXPECT_GT(normals, points * 3 / 4);
   EXPECT_GT(right, normals * 3 / 4);
+}
+
+/// Between two walls 45 cm from a scanner of 3 cm noise, the ends of three neighbouring beams lie
+/// on a line along the beams as often as not.
+TEST(PointScan, FewNoisyBeamsDoNotMakeAWallAcrossTheTrueOne) {
+  const RandomStream noise(7, "point_scan_test");
+  LaserScan scan;
+  scan.angle_min = -0.5 * kPi;
+  scan.angle_increment = kPi / 180.0;
+  scan.range_max = 30.0;
+  scan.ranges.resize(180);
+  int normals = 0;
+  int across = 0;
+  for (std::uint64_t k = 0; k < 100; ++k) {
+    for (std::uint32_t beam = 0; beam < scan.size(); ++beam) {
+      const double angle = scan.angle_min + scan.angle_increment * beam;
+      const double range = 0.45 / std::abs(std::sin(angle)) + 0.03 * noise.normal(k, beam);
+      scan.ranges[beam] = static_cast<float>(range);
+    }
+    for (const SurfacePoint& point : make_point_scan(scan, {}).points) {
+      if (!point.has_normal()) continue;
+      ++normals;
+      if (std::abs(point.normal.x()) > std::abs(point.normal.y())) ++across;
+    }
+  }
+  ASSERT_GT(normals, 100 * 120);
+  EXPECT_LT(across, normals / 100);
 }
 
 TEST(LineMatch, PointsBeyondTheReferenceHaveNoPair) {

@@ -15,7 +15,7 @@
 namespace trident::slam {
 namespace {
 
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kNotANumber = std::numeric_limits<float>::quiet_NaN();
 
 std::vector<std::string> matcher_names() {
   Registry<ScanMatcherFactory> registry("scan matcher");
@@ -46,9 +46,9 @@ PolygonWorld room() {
   return world;
 }
 
-/// A corridor of 2.4 m, so long that no scan sees an end, turned by `kCorridorYaw`.
+/// A long_corridor of 2.4 m, so long that no scan sees an end, turned by `kCorridorYaw`.
 constexpr double kCorridorYaw = 0.6;
-PolygonWorld corridor() {
+PolygonWorld long_corridor() {
   const SE2 turn = SE2::from_xy_yaw(0.0, 0.0, kCorridorYaw);
   PolygonWorld world;
   world.add_polygon({turn * Eigen::Vector2d(-60, -1), turn * Eigen::Vector2d(60, -1),
@@ -57,8 +57,8 @@ PolygonWorld corridor() {
 }
 
 /// What one sees from a place, of every `stride`-th beam.
-PointScan seen(const PolygonWorld& world, const SE2& T, std::uint64_t index, int stride = 1,
-               double sigma = 0.01) {
+PointScan scan_seen(const PolygonWorld& world, const SE2& T, std::uint64_t index, int stride = 1,
+                    double sigma = 0.01) {
   const LaserScan all = world.scan(T, index, sigma);
   LaserScan scan = all;
   scan.angle_increment *= stride;
@@ -79,7 +79,7 @@ std::vector<PlacedPoints> submap(const PolygonWorld& world, std::uint64_t seed, 
        {std::array{-1.0, 0.0, 0.0}, std::array{-0.3, 0.3, 0.7}, std::array{0.3, 0.2, 2.5},
         std::array{0.6, -0.4, -1.5}, std::array{1.0, 0.0, 0.4}, std::array{0.0, -0.3, -2.6}}) {
     const SE2 T = SE2::from_xy_yaw(x, y, yaw);
-    scans.push_back({kRefWorld * T, seen(world, T, index++, stride, sigma)});
+    scans.push_back({kRefWorld * T, scan_seen(world, T, index++, stride, sigma)});
   }
   return scans;
 }
@@ -113,7 +113,7 @@ TEST_P(ScanMatcherConformance, FindsThePoseInARoom) {
     const SE2 off(SE2::from_xy_yaw(far * std::cos(bearing), far * std::sin(bearing),
                                    uniform(4, limits().far_yaw)));
     const SE2 guess = kRefWorld * truth * off;
-    const ScanMatch match = matcher->match(seen(world, truth, 200 + i), guess);
+    const ScanMatch match = matcher->match(scan_seen(world, truth, 200 + i), guess);
     EXPECT_EQ(match.problem, "");
     EXPECT_TRUE(match.is_converged) << i;
     EXPECT_GT(match.inlier_fraction, 0.9) << i;
@@ -136,7 +136,7 @@ TEST_P(ScanMatcherConformance, ItsCovarianceIsThatOfItsErrors) {
     const SE2 truth = SE2::from_xy_yaw(0.5 * random.normal(i, 0), 0.4 * random.normal(i, 1),
                                        kPi * random.uniform(i, 2));
     const SE2 guess = kRefWorld * truth * SE2::from_xy_yaw(0.02, -0.02, 0.01);
-    const ScanMatch match = matcher->match(seen(world, truth, 5000 + i, 1, kNoise), guess);
+    const ScanMatch match = matcher->match(scan_seen(world, truth, 5000 + i, 1, kNoise), guess);
     const SE2 T = kRefWorld * truth;
     const Eigen::Vector3d error(match.T_ref_base.p.x() - T.p.x(), match.T_ref_base.p.y() - T.p.y(),
                                 angle_difference(match.T_ref_base.angle, T.angle));
@@ -150,7 +150,7 @@ TEST_P(ScanMatcherConformance, ItsCovarianceIsThatOfItsErrors) {
 }
 
 TEST_P(ScanMatcherConformance, ACorridorIsDegenerateAlongItself) {
-  const PolygonWorld world = corridor();
+  const PolygonWorld world = long_corridor();
   const auto matcher = make(world);
   const Eigen::Vector2d along =
       kRefWorld.rotation() * Eigen::Vector2d(std::cos(kCorridorYaw), std::sin(kCorridorYaw));
@@ -158,7 +158,7 @@ TEST_P(ScanMatcherConformance, ACorridorIsDegenerateAlongItself) {
   const SE2 truth = SE2::from_xy_yaw(0.2, 0.0, 0.3);
   SE2 guess = kRefWorld * truth;
   guess.p += 0.1 * along + 0.05 * across;
-  const ScanMatch match = matcher->match(seen(world, truth, 300), guess);
+  const ScanMatch match = matcher->match(scan_seen(world, truth, 300), guess);
   ASSERT_EQ(match.problem, "");
   EXPECT_TRUE(match.degeneracy.is_degenerate()) << match.degeneracy.ratio;
   EXPECT_GT(std::abs(match.degeneracy.weakest.head<2>().dot(along)), 0.98);
@@ -172,13 +172,13 @@ TEST_P(ScanMatcherConformance, ACorridorIsDegenerateAlongItself) {
 }
 
 TEST_P(ScanMatcherConformance, APriorTellsWhatACorridorDoesNot) {
-  const PolygonWorld world = corridor();
+  const PolygonWorld world = long_corridor();
   const auto matcher = make(world);
   const SE2 truth = SE2::from_xy_yaw(0.2, 0.0, 0.3);
   PosePrior prior;
   prior.T_ref_base = kRefWorld * truth;
   prior.information = Eigen::Vector3d(2500.0, 2500.0, 2500.0).asDiagonal();  // 2 cm, 0.02 rad
-  const ScanMatch match = matcher->match(seen(world, truth, 300), prior.T_ref_base, prior);
+  const ScanMatch match = matcher->match(scan_seen(world, truth, 300), prior.T_ref_base, prior);
   EXPECT_LT(apart(match.T_ref_base, kRefWorld * truth), 0.04);
   const Eigen::Vector3d sigma = match.covariance.diagonal().cwiseSqrt();
   EXPECT_LT(sigma.maxCoeff(), 0.021) << "never less certain than the prior";
@@ -189,7 +189,7 @@ TEST_P(ScanMatcherConformance, FewBeamsAreEnough) {
   const auto matcher = make_scan_matcher(GetParam());
   matcher->set_reference(submap(world, 400, 6));
   const SE2 truth = SE2::from_xy_yaw(0.1, 0.1, 0.2);
-  const PointScan scan = seen(world, truth, 450, 6);
+  const PointScan scan = scan_seen(world, truth, 450, 6);
   ASSERT_EQ(scan.points.size(), 30U);
   const ScanMatch match =
       matcher->match(scan, kRefWorld * truth * SE2::from_xy_yaw(0.06, -0.05, 0.04));
@@ -203,7 +203,7 @@ TEST_P(ScanMatcherConformance, TheSameCallsGiveTheSameBits) {
   const auto a = make(world);
   const auto b = make(world, 700);  // another reference before
   b->set_reference(submap(world, 100));
-  const PointScan scan = seen(world, SE2::from_xy_yaw(0.3, 0.1, 0.2), 500);
+  const PointScan scan = scan_seen(world, SE2::from_xy_yaw(0.3, 0.1, 0.2), 500);
   const SE2 guess = kRefWorld * SE2::from_xy_yaw(0.4, 0.05, 0.25);
   const ScanMatch first = a->match(scan, guess);
   for (const ScanMatch& again : {a->match(scan, guess), b->match(scan, guess)}) {
@@ -216,7 +216,7 @@ TEST_P(ScanMatcherConformance, TheSameCallsGiveTheSameBits) {
 TEST_P(ScanMatcherConformance, WhatCannotBeMatchedIsToldOfAndLeavesTheGuess) {
   const PolygonWorld world = room();
   const auto matcher = make(world);
-  const PointScan good = seen(world, SE2::identity(), 600);
+  const PointScan good = scan_seen(world, SE2::identity(), 600);
   const SE2 guess = kRefWorld * SE2::from_xy_yaw(0.1, 0.1, 0.1);
   PosePrior prior;
   prior.T_ref_base = guess;
@@ -229,8 +229,8 @@ TEST_P(ScanMatcherConformance, WhatCannotBeMatchedIsToldOfAndLeavesTheGuess) {
     return match.problem;
   };
   PointScan bad = good;
-  bad.points[3].p.x() = kNan;
-  bad.points[9].normal.y() = kNan;
+  bad.points[3].p.x() = kNotANumber;
+  bad.points[9].normal.y() = kNotANumber;
   EXPECT_EQ(told(*matcher, bad),
             "2 of " + std::to_string(bad.points.size()) + " points are not finite");
   EXPECT_EQ(told(*matcher, {}), "0 points, legal: at least 5");
@@ -241,20 +241,21 @@ TEST_P(ScanMatcherConformance, WhatCannotBeMatchedIsToldOfAndLeavesTheGuess) {
   for (SurfacePoint& point : elsewhere.points) point.p += Eigen::Vector2f(500.0F, 0.0F);
   EXPECT_NE(told(*matcher, elsewhere), "");
   EXPECT_EQ(told(*make_scan_matcher(GetParam()), good), "the reference has no points");
-  const SE2 nowhere = SE2::from_xy_yaw(static_cast<double>(kNan), 0.0, 0.0);
+  const SE2 nowhere = SE2::from_xy_yaw(static_cast<double>(kNotANumber), 0.0, 0.0);
   EXPECT_EQ(matcher->match(good, nowhere).problem, "the guess is not finite");
-  prior.information(0, 0) = static_cast<double>(kNan);
+  prior.information(0, 0) = static_cast<double>(kNotANumber);
   EXPECT_EQ(matcher->match(good, guess, prior).problem, "the prior is not finite");
 }
 
 TEST_P(ScanMatcherConformance, BadPointsOfTheReferenceHarmNothing) {
   const PolygonWorld world = room();
   std::vector<PlacedPoints> scans = submap(world, 100);
-  for (PlacedPoints& placed : scans) placed.scan.points.push_back({{kNan, 1.0F}, {0.0F, 1.0F}});
-  scans.push_back({SE2::from_xy_yaw(static_cast<double>(kNan), 0.0, 0.0), scans[0].scan});
+  for (PlacedPoints& placed : scans)
+    placed.scan.points.push_back({{kNotANumber, 1.0F}, {0.0F, 1.0F}});
+  scans.push_back({SE2::from_xy_yaw(static_cast<double>(kNotANumber), 0.0, 0.0), scans[0].scan});
   const auto matcher = make_scan_matcher(GetParam());
   matcher->set_reference(scans);
-  const PointScan scan = seen(world, SE2::identity(), 600);
+  const PointScan scan = scan_seen(world, SE2::identity(), 600);
   const SE2 guess = kRefWorld * SE2::from_xy_yaw(0.05, 0.0, 0.0);
   EXPECT_TRUE(
       is_same(matcher->match(scan, guess).T_ref_base, make(world)->match(scan, guess).T_ref_base));

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "graph_slam/backend/stale_scans.h"
+#include "graph_slam/backend/scan_pruner.h"
 #include "graph_slam/polygon_world.h"
 #include "trident_slam/graph_slam_2d.h"
 
@@ -138,7 +138,7 @@ TEST(KeyframeGraphRemoval, EdgesGoToTheKeyframesBesideThoseThatAreTakenOut) {
   EXPECT_EQ(graph.edges().back().to, 2);
 }
 
-TEST(StaleScans, WhatNobodyHasSeenAgainStays) {
+TEST(ScanPruner, WhatNobodyHasSeenAgainStays) {
   KeyframeGraph graph(10);
   const auto scan = [](const std::vector<Eigen::Vector2f>& points) {
     auto result = std::make_shared<PointScan>();
@@ -146,17 +146,17 @@ TEST(StaleScans, WhatNobodyHasSeenAgainStays) {
     return result;
   };
   graph.add({SE2::identity(), scan({{4.0F, 3.0F}, {4.0F, -3.0F}, {-2.0F, 1.0F}}), 0.0});
-  StaleScans stale_scans{LifelongOptions{}};
+  ScanPruner scan_pruner{LifelongOptions{}};
   for (int i = 1; i < 12; ++i) {  // these see two of its three points again
     graph.add({SE2::identity(), scan({{4.0F, 3.0F}, {4.0F, -3.0F}}), 30.0 * i});
-    for (const int stale : stale_scans.weigh(graph).stale) EXPECT_NE(stale, 0);
+    for (const int stale : scan_pruner.update(graph).replaced) EXPECT_NE(stale, 0);
   }
   graph.add({SE2::identity(), scan({{4.0F, 3.0F}, {4.0F, -3.0F}, {-2.0F, 1.0F}}), 400.0});
-  const std::vector<int> stale = stale_scans.weigh(graph).stale;
+  const std::vector<int> stale = scan_pruner.update(graph).replaced;
   EXPECT_EQ(std::count(stale.begin(), stale.end(), 0), 1);
 }
 
-TEST(StaleScans, WhatIsSeenThroughGoesAtOnceAndWhatIsHiddenStays) {
+TEST(ScanPruner, WhatIsSeenThroughGoesAtOnceAndWhatIsHiddenStays) {
   const auto wall = [](float x) {
     auto result = std::make_shared<PointScan>();
     for (int i = -30; i <= 30; ++i) {
@@ -167,7 +167,7 @@ TEST(StaleScans, WhatIsSeenThroughGoesAtOnceAndWhatIsHiddenStays) {
   KeyframeGraph graph(10);
   graph.add({SE2::identity(), wall(3.0F), 0.0});
   graph.add({SE2::identity(), wall(5.0F), 30.0});
-  const StaleVerdict through = StaleScans(LifelongOptions{}).weigh(graph);
+  const PruneResult through = ScanPruner(LifelongOptions{}).update(graph);
   ASSERT_EQ(through.thinned.size(), 1U);
   for (const SurfacePoint& point : through.thinned[0].second->points) {
     EXPECT_GT(std::abs(point.p.y()) / 3.0F, 1.4F / 5.0F);  // beside what the new scan looked at
@@ -176,8 +176,8 @@ TEST(StaleScans, WhatIsSeenThroughGoesAtOnceAndWhatIsHiddenStays) {
   KeyframeGraph hidden(10);
   hidden.add({SE2::identity(), wall(5.0F), 0.0});
   hidden.add({SE2::identity(), wall(3.0F), 30.0});
-  const StaleVerdict behind = StaleScans(LifelongOptions{}).weigh(hidden);
-  EXPECT_TRUE(behind.stale.empty());
+  const PruneResult behind = ScanPruner(LifelongOptions{}).update(hidden);
+  EXPECT_TRUE(behind.replaced.empty());
   EXPECT_TRUE(behind.thinned.empty());
 }
 

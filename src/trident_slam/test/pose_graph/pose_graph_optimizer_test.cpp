@@ -17,8 +17,8 @@ namespace {
 
 template <class Group>
 class PoseGraphOptimizerTest : public testing::Test {};
-using Groups = testing::Types<SE2, SE3>;
-TYPED_TEST_SUITE(PoseGraphOptimizerTest, Groups);
+using OptimizerGroups = testing::Types<SE2, SE3>;
+TYPED_TEST_SUITE(PoseGraphOptimizerTest, OptimizerGroups);
 
 template <class Group>
 double largest_error(const PoseGraph<Group>& graph, const std::vector<Group>& truth) {

@@ -9,7 +9,7 @@
 #include <memory>
 #include <string>
 
-#include "trident_control_ros/parameters.h"
+#include "trident_ros/node_params.h"
 
 namespace trident::control {
 
@@ -24,8 +24,8 @@ class RunningNode {
   virtual void spin_once(std::chrono::milliseconds limit) = 0;
 };
 /// Makes a node that has read its parameters.
-using NodeFactory =
-    std::function<std::unique_ptr<RunningNode>(ros::NodeHandle& node, ParameterTree& parameters)>;
+using NodeFactory = std::function<std::unique_ptr<RunningNode>(ros::NodeHandle& node,
+                                                               ros_utils::NodeParams& params)>;
 
 /// main() of a node: initialises ROS, makes the node, logs notes on its parameters, and spins.
 /// SIGINT and SIGTERM end it within a second even when the master does not answer, and also while
@@ -33,8 +33,8 @@ using NodeFactory =
 /// parameters, which is logged.
 int run_node(int argc, char** argv, const std::string& name, const NodeFactory& make_node);
 
-/// Logs which parameters were not set, and which are not known.
-void log_notes(const ParameterTree& parameters);
+/// Logs which of RotorS' parameters are not set, and which parameters are not known.
+void log_notes(const ros_utils::NodeParams& params);
 
 /// Under simulated time, makes `stamp` the time of what this process logs next.
 void set_log_time(const ros::Time& stamp);

@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <ros/ros.h>
-
 #include <string>
 
+#include "trident_base/config_types.h"
 #include "trident_estimation/amcl_params.h"
 
 namespace trident::estimation {
@@ -28,6 +27,7 @@ struct AmclNodeParams {
   double bag_loop_jump = 1.0;
   bool start_anywhere = false;
 
+  /// Lists the fields for the parameter reader and the reference.
   template <class Archive>
   void visit(Archive& ar) {
     filter.visit(ar);
@@ -54,15 +54,12 @@ struct AmclNodeParams {
     ar.field("std_warn_level_yaw", std_warn_level_yaw, Range::non_negative(),
              "for diagnostics [rad]");
     ar.field("bag_loop_jump", bag_loop_jump, Range::positive(),
-             "a jump back of stamps by more is a bag that begins anew [s]");
+             "a jump back of stamps by more is a bag that begins again [s]");
     ar.field("start_anywhere", start_anywhere,
              "as if global_localization were called when there is a map");
   }
+  /// Throws Error when fields contradict one another.
   void validate() const { filter.validate(); }
 };
-
-/// Reads the private parameters of a node; those that it does not know are warned about. Throws
-/// ConfigError naming parameter, value and legal range.
-AmclNodeParams read_amcl_params(const ros::NodeHandle& private_node);
 
 }  // namespace trident::estimation

@@ -1,3 +1,3 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""Measures the simulator and prints how: ``python -m trident_eval.bench sim``."""
+"""Empty: its modules are in trident_benchmarks; moved_names.py has the new name of each."""

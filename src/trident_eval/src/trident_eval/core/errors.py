@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The one exception of this package."""
 
-from trident_fleet.core.errors import with_short_words
+from trident_base.error_text import with_short_words
 
 
 class EvalError(ValueError):

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from trident_fleet.core.separation import min_separation, pairs
 
-from trident_eval.core.command import Command
+from trident_eval.core.flight_records import Command
 from trident_eval.core.metrics import instant_rms, lengths, rigid_residuals
 from trident_eval.core.tracks import Array, Tracks
 from trident_eval.core.verdict import FORMATION_RMS_LIMIT_M, SEPARATION_SLACK_M, score

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from trident_fleet.core.separation import min_separation, pair_separations
 
-from trident_eval.core.command import Command, Refusal
+from trident_eval.core.flight_records import Command, Refusal
 from trident_eval.core.metrics import closest_approach, rigid_residuals, rms
 from trident_eval.core.tracks import Array, Tracks
 

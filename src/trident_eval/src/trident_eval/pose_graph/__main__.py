@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from trident_eval.core.errors import EvalError
-from trident_eval.core.reader import until_unread
+from trident_eval.core.exit_codes import exit_code_of
 from trident_eval.options import SOLVER_OPTIONS, add_pose_graph
 from trident_eval.pose_graph.g2o import read_layout
 from trident_eval.pose_graph.picture import draw
@@ -101,4 +101,4 @@ def main() -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(until_unread(main))
+    sys.exit(exit_code_of(main))

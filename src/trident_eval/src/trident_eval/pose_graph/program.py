@@ -12,8 +12,8 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from trident_eval.bench.vehicle import program
 from trident_eval.core.errors import EvalError
+from trident_eval.ros_paths import program
 
 
 @cache

@@ -1,29 +1,26 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""Command line: judge trajectories and maps, run a log through SLAM, measure SLAM."""
+"""Command line: judge trajectories and maps, run a log through SLAM."""
 
 from __future__ import annotations
 
 import argparse
-import json
 import sys
 from pathlib import Path
-from typing import Any
 
-from trident_eval.bench.machine import describe_commit, describe_machine
 from trident_eval.core.errors import EvalError
-from trident_eval.core.reader import until_unread
-from trident_eval.options import DEFAULT_METHOD, add_evaluate, add_slam, add_slam_bench
-from trident_eval.slam import benchmark, evaluation, live, offline, robustness, simulated
+from trident_eval.core.exit_codes import exit_code_of
+from trident_eval.options import add_evaluate, add_slam
+from trident_eval.slam import evaluation, offline
 
-DONE, MISSED, UNUSABLE = 0, 1, 2
+DONE, UNUSABLE = 0, 2
 
 
 def main(arguments: list[str] | None = None) -> int:
     """Run a subcommand.
 
     Returns:
-        0: done; 1: a limit was missed; 2: something that cannot be read, or run.
+        0: done; 2: something that cannot be read, or run.
     """
     parser = _parser()
     options, rest = parser.parse_known_args(arguments)
@@ -52,9 +49,6 @@ def _parser() -> argparse.ArgumentParser:
     slam = commands.add_parser("slam", help="run a CARMEN log or a rosbag through SLAM")
     add_slam(slam)
     slam.set_defaults(run=_slam)
-    bench = commands.add_parser("bench", help="measure on the public logs, or in a simulated world")
-    add_slam_bench(bench)
-    bench.set_defaults(run=_bench)
     return parser
 
 
@@ -88,69 +82,6 @@ def _slam(options: argparse.Namespace) -> int:
     return DONE
 
 
-def _bench_world(options: argparse.Namespace) -> int:
-    seeds = range(options.seeds or (2 if options.quick else 20))
-    rows = simulated.measure_all(options.world, seeds, options.keep, _say)
-    print(simulated.table(rows))
-    missed = simulated.reasons(rows)
-    print("\n".join(missed) if missed else "all limits are kept")
-    if options.out:
-        options.out.write_text(simulated.as_json(rows, _about()), encoding="utf-8")
-    return MISSED if missed else DONE
-
-
-def _about() -> dict[str, object]:
-    return {"machine": describe_machine(), "commit": describe_commit(Path(__file__).parent)}
-
-
-def _bench(options: argparse.Namespace) -> int:
-    if options.live:
-        return _bench_live(options)
-    if options.world:
-        return _bench_world(options)
-    folder = options.data or benchmark.data_folder()
-    if folder is None:
-        print(f"SKIPPED: {benchmark.DATA} does not point to the public logs", file=sys.stderr)
-        return DONE
-    if options.robustness:
-        return _bench_robustness(folder, options)
-    runs = options.runs or (1 if options.quick else 5)
-    rows = []
-    for one in benchmark.plan(folder, options.method, runs, options.quick):
-        is_meant = bool(options.method) or one.method == DEFAULT_METHOD
-        config = options.config if is_meant else None  # not of the others that come along
-        rows.append(benchmark.measure(one, config, _say, options.pictures))
-    print(benchmark.table(rows))
-    _write_rows(options.out, rows)
-    return DONE
-
-
-def _bench_robustness(folder: Path, options: argparse.Namespace) -> int:
-    rows = robustness.measure(folder, options.quick, options.config, _say)
-    print(robustness.table(rows))
-    missed = robustness.reasons(rows)
-    print("\n".join(missed) if missed else "all limits are kept")
-    _write_rows(options.out, rows)
-    return MISSED if missed else DONE
-
-
-def _bench_live(options: argparse.Namespace) -> int:
-    plan = live.Plan(seconds=20.0, with_hour=False) if options.quick else live.Plan()
-    row = live.measure(plan, _say)
-    print(live.table(row))
-    _write_rows(options.out, [row])
-    return DONE if live.is_met(row) else MISSED
-
-
-def _write_rows(out: Path | None, rows: list[dict[str, Any]]) -> None:
-    if out:
-        out.write_text(json.dumps(_about() | {"rows": rows}, indent=2) + "\n", encoding="utf-8")
-
-
-def _say(text: str) -> None:
-    print(text, file=sys.stderr, flush=True)
-
-
 def _evaluate(options: argparse.Namespace) -> int:
     source: Path = options.source
     if source.is_dir():
@@ -175,4 +106,4 @@ def _evaluate(options: argparse.Namespace) -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(until_unread(main))
+    sys.exit(exit_code_of(main))

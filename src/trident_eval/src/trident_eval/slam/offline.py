@@ -13,8 +13,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import IO, Any
 
-from trident_eval.bench.vehicle import program
 from trident_eval.core.errors import EvalError
+from trident_eval.ros_paths import program
 
 #: The only one whose logs hold landmarks, not scans.
 LANDMARK_METHOD = "ekf_slam"

@@ -8,12 +8,12 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
+from trident_base.flight_record import FOLLOW, FORMAT
 
 from trident_fleet.core.encoding import NS_PER_S
 from trident_fleet.core.followers import Followers
 from trident_fleet.core.leader import LeaderState
 from trident_fleet.core.quintic import Array
-from trident_fleet.core.record import FOLLOW, FORMAT
 
 _ROW_S = 1.0
 # Around the moment of joining, in which all are said to be at their places.

@@ -11,15 +11,13 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any
 
+from trident_base.flight_record import FOLLOW, FORMAT, GATE, TIME, Knots, record_path
+
 from trident_fleet.core.errors import FormationError
 from trident_fleet.core.formation_file import FormationSource
 from trident_fleet.core.gate import FormationGate, Phase
 from trident_fleet.core.plan import FormationPlan
 from trident_fleet.core.quintic import QuinticPath
-
-FORMAT = 1
-FOLLOW = "follow"
-"""Mode of the records of a leader and its followers."""
 
 
 @dataclass(frozen=True)
@@ -48,7 +46,7 @@ def plan_record(plan: FormationPlan, vehicle: int, origin: Origin) -> dict[str, 
     """Record of a vehicle whose motion is planned in time."""
     return origin.to_json() | {
         "vehicle": origin.vehicles[vehicle],
-        "mode": "time",
+        "mode": TIME,
         "end_time_s": origin.start_ns / 1e9 + plan.duration,
         "first_row_s": plan.first_row_s,
         "rows": plan.rows[:, vehicle].tolist(),
@@ -63,7 +61,7 @@ def gate_record(
     """Record of a vehicle that flies row by row, as far as it has come."""
     return origin.to_json() | {
         "vehicle": origin.vehicles[vehicle],
-        "mode": "gate",
+        "mode": GATE,
         "first_row_s": gate.take_off.duration,
         "rows": rows,
         "knots": _knots(gate.take_off, vehicle),
@@ -78,11 +76,6 @@ def gate_record(
 def refusal_record(error: FormationError, vehicle: int, origin: Origin) -> dict[str, Any]:
     """Record of a vehicle that did not fly at all, and why."""
     return origin.to_json() | {"vehicle": origin.vehicles[vehicle], "error": str(error)}
-
-
-def record_path(folder: Path, vehicle: str) -> Path:
-    """Where the record of a vehicle lies."""
-    return folder / f"formation_{vehicle}.json"
 
 
 def write_record(folder: Path, record: dict[str, Any]) -> Path:
@@ -105,7 +98,7 @@ def write_record(folder: Path, record: dict[str, Any]) -> Path:
     return path
 
 
-def _knots(path: QuinticPath, vehicle: int) -> dict[str, Any]:
+def _knots(path: QuinticPath, vehicle: int) -> Knots:
     return {
         "time_s": path.time.tolist(),
         "position": path.position[:, vehicle].tolist(),

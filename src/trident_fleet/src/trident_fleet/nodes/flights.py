@@ -34,7 +34,7 @@ _STANDS_MOST_S = 16.0
 
 
 @dataclass(frozen=True)
-class Crew:
+class FlightContext:
     """What a flight works with.
 
     Attributes:
@@ -129,18 +129,18 @@ class Flight(Protocol):
         """Called a few times a second, whatever simulated time does."""
 
 
-FlightMaker = Callable[[Crew, Array, int], Flight]
+FlightMaker = Callable[[FlightContext, Array, int], Flight]
 """Plans a flight from spawn positions [m, world], shape (N, 3), and the first stamp [ns]."""
 
 
 def formation_flight(rows: Array) -> FlightMaker:
     """Flights through rows: p_world of each row and vehicle [m], shape (T, N, 3)."""
 
-    def make(crew: Crew, spawn: Array, start_ns: int) -> Flight:
-        settings = crew.settings
+    def make(context: FlightContext, spawn: Array, start_ns: int) -> Flight:
+        settings = context.settings
         origin = Origin(
             source=settings.source,
-            vehicles=[vehicle.name for vehicle in crew.vehicles],
+            vehicles=[vehicle.name for vehicle in context.vehicles],
             start_ns=start_ns,
             settings={
                 "plan": asdict(settings.plan),
@@ -149,7 +149,7 @@ def formation_flight(rows: Array) -> FlightMaker:
             },
         )
         kind = TimeFlight if settings.mode == "time" else GateFlight
-        return kind(crew, rows, spawn, origin)
+        return kind(context, rows, spawn, origin)
 
     return make
 
@@ -157,11 +157,11 @@ def formation_flight(rows: Array) -> FlightMaker:
 class TimeFlight:
     """A flight that is planned in time and sent ahead of the clock."""
 
-    def __init__(self, crew: Crew, rows: Array, spawn: Array, origin: Origin) -> None:
+    def __init__(self, context: FlightContext, rows: Array, spawn: Array, origin: Origin) -> None:
         """Plan it.
 
         Args:
-            crew: who flies.
+            context: who flies.
             rows: p_world of each row and vehicle [m], shape (T, N, 3).
             spawn: where the vehicles stand [m, world], shape (N, 3).
             origin: where the flight comes from, and its start.
@@ -169,25 +169,25 @@ class TimeFlight:
         Raises:
             FormationError: it cannot be flown.
         """
-        settings = crew.settings
-        self._crew = crew
+        settings = context.settings
+        self._context = context
         self._lock = threading.Lock()
-        self._standstill = Standstill(crew.link)
+        self._standstill = Standstill(context.link)
         self._now_ns = origin.start_ns
         plan = plan_formation(rows, spawn, settings.plan)
         self._end_ns = end_of_plan_ns(origin.start_ns, plan.duration, settings.feed)
-        feed = PlannedFeed(plan, crew.fed_indices, origin.start_ns, settings.feed)
-        self._feeder = TimeFeeder(feed, settings.lookahead, crew.link.is_lockstep)
-        for vehicle in crew.fed:
-            crew.record(plan_record(plan, vehicle.index, origin))
+        feed = PlannedFeed(plan, context.fed_indices, origin.start_ns, settings.feed)
+        self._feeder = TimeFeeder(feed, settings.lookahead, context.link.is_lockstep)
+        for vehicle in context.fed:
+            context.record(plan_record(plan, vehicle.index, origin))
 
     def begin(self) -> list[rospy.Subscriber]:
         """Send the first set-points and go on with the clock."""
-        self._crew.link.close_states()
-        if self._crew.link.is_lockstep:
-            self._crew.link.enroll(self._end_ns)
-        clock = self._crew.link.on_clock(self._on_clock)
-        self._crew.link.wait_for_publisher([clock])
+        self._context.link.close_states()
+        if self._context.link.is_lockstep:
+            self._context.link.enroll(self._end_ns)
+        clock = self._context.link.on_clock(self._on_clock)
+        self._context.link.wait_for_publisher([clock])
         with self._lock:
             # The clock may have run meanwhile: its callback sends, too.
             self._send_due()
@@ -196,61 +196,61 @@ class TimeFlight:
     def watch(self) -> None:
         """Help a world that waits for what it has been sent."""
         if self._standstill.is_due(self._now_ns):
-            self._crew.repeat()
+            self._context.repeat()
 
     def _on_clock(self, now_ns: int) -> None:
         with self._lock:
-            if self._crew.restart_if_reset(self._now_ns, now_ns):
+            if self._context.restart_if_reset(self._now_ns, now_ns):
                 return
             self._now_ns = max(now_ns, self._now_ns)
             self._send_due()
 
     def _send_due(self) -> None:
         """Under the lock: whoever waits for it must not come with an old time."""
-        self._crew.send(self._feeder.due(self._now_ns))
+        self._context.send(self._feeder.due(self._now_ns))
 
 
 class GateFlight:
     """A flight row by row, driven by measured states."""
 
-    def __init__(self, crew: Crew, rows: Array, spawn: Array, origin: Origin) -> None:
+    def __init__(self, context: FlightContext, rows: Array, spawn: Array, origin: Origin) -> None:
         """Plan its take-off. Arguments and errors as for `TimeFlight`."""
-        settings = crew.settings
-        self._crew = crew
+        settings = context.settings
+        self._context = context
         self._rows = rows
         self._origin = origin
-        names = [vehicle.name for vehicle in crew.vehicles]
+        names = [vehicle.name for vehicle in context.vehicles]
         self._gate = FormationGate(rows, spawn, names, settings.plan, settings.gate)
-        feed = GateFeed(crew.fed_indices, origin.start_ns, settings.plan.yaw_rad, settings.feed)
+        feed = GateFeed(context.fed_indices, origin.start_ns, settings.plan.yaw_rad, settings.feed)
         self._feeder = GateFeeder(self._gate, feed)
         self._stamp_ns = origin.start_ns
         self._lock = threading.Lock()
-        self._standstill = Standstill(crew.link)
+        self._standstill = Standstill(context.link)
         self._is_over = False
 
     def begin(self) -> list[rospy.Subscriber]:
         """Send the first set-points and go on with each state."""
         self._write_records()
-        subscribers = self._crew.link.on_state(self._on_state)
-        self._crew.link.wait_for_publisher(subscribers)
+        subscribers = self._context.link.on_state(self._on_state)
+        self._context.link.wait_for_publisher(subscribers)
         with self._lock:
-            self._crew.send(self._feeder.begin())
+            self._context.send(self._feeder.begin())
         return subscribers
 
     def watch(self) -> None:
         """Help a world that waits for what it has been sent."""
         if self._standstill.is_due(self._stamp_ns):
-            self._crew.repeat()
+            self._context.repeat()
 
     def _on_state(self, stamp_ns: int, position: Array) -> None:
         with self._lock:
-            if self._crew.restart_if_reset(self._stamp_ns, stamp_ns):
+            if self._context.restart_if_reset(self._stamp_ns, stamp_ns):
                 return
             self._stamp_ns = max(stamp_ns, self._stamp_ns)
             batches = self._feeder.on_state(stamp_ns, position)
             if self._feeder.end_ns is not None and not self._is_over:
                 self._finish(self._feeder.end_ns)
-            self._crew.send(batches)
+            self._context.send(batches)
 
     def _finish(self, end_ns: int) -> None:
         self._is_over = True
@@ -258,10 +258,10 @@ class GateFlight:
         self._write_records()
         if self._gate.phase is Phase.FAILED:
             rospy.logerr("formation: %s", self._gate.failure)
-        if self._crew.link.is_lockstep:
-            self._crew.link.enroll(end_ns)
+        if self._context.link.is_lockstep:
+            self._context.link.enroll(end_ns)
 
     def _write_records(self) -> None:
-        for vehicle in self._crew.fed:
+        for vehicle in self._context.fed:
             rows = self._rows[:, vehicle.index].tolist()
-            self._crew.record(gate_record(self._gate, rows, vehicle.index, self._origin))
+            self._context.record(gate_record(self._gate, rows, vehicle.index, self._origin))

@@ -18,7 +18,7 @@ from trident_fleet.core.follow_settings import FollowSettings
 from trident_fleet.core.followers import Followers, Phase, Slots
 from trident_fleet.core.leader import Decoder, LeaderState, LeaderTrack
 from trident_fleet.core.quintic import Array
-from trident_fleet.nodes.flights import Crew, Flight, FlightMaker, Standstill
+from trident_fleet.nodes.flights import Flight, FlightContext, FlightMaker, Standstill
 from trident_fleet.nodes.leader_topic import LeaderTopic
 from trident_fleet.nodes.world_link import LONGEST_JUMP_NS
 
@@ -31,8 +31,8 @@ _REPORT_S = 10.0
 def follow_flight(settings: FollowSettings) -> FlightMaker:
     """Flights around the leader of these settings."""
 
-    def make(crew: Crew, spawn: Array, start_ns: int) -> Flight:
-        return FollowFlight(crew, settings, spawn, start_ns)
+    def make(context: FlightContext, spawn: Array, start_ns: int) -> Flight:
+        return FollowFlight(context, settings, spawn, start_ns)
 
     return make
 
@@ -44,11 +44,13 @@ class FollowFlight:
     states. One from outside counts as it comes.
     """
 
-    def __init__(self, crew: Crew, settings: FollowSettings, spawn: Array, start_ns: int) -> None:
+    def __init__(
+        self, context: FlightContext, settings: FollowSettings, spawn: Array, start_ns: int
+    ) -> None:
         """Plan the take-off.
 
         Args:
-            crew: the followers.
+            context: the followers.
             settings: of the formation.
             spawn: where the followers stand [m, world], shape (N, 3).
             start_ns: simulated time of the first set-point [ns].
@@ -56,17 +58,17 @@ class FollowFlight:
         Raises:
             FormationError: an illegal configuration.
         """
-        self._crew, self._settings = crew, settings
+        self._context, self._settings = context, settings
         self._start_ns = self._now_ns = start_ns
         self._period_ns = settings.config.feed.period_ns
-        self._lead = 1 if crew.link.is_lockstep else 0
+        self._lead = 1 if context.link.is_lockstep else 0
         self._followers = Followers(spawn, settings.config)
-        names = [vehicle.name for vehicle in crew.fed]
+        names = [vehicle.name for vehicle in context.fed]
         self._log = FollowLog(settings.leader, names, start_ns)
         self._topic = LeaderTopic(settings.leader_topic, settings.leader)
         self._track = LeaderTrack()
         self._lock = threading.Lock()
-        self._standstill = Standstill(crew.link)
+        self._standstill = Standstill(context.link)
         self._over = threading.Event()
         self._has_end = False  # the run may end, as far as the followers are concerned
         self._has_begun = False
@@ -78,16 +80,16 @@ class FollowFlight:
 
     @property
     def _waits_for_leader(self) -> bool:
-        return self._topic.is_simulated and self._crew.link.is_lockstep and not self._is_silent
+        return self._topic.is_simulated and self._context.link.is_lockstep and not self._is_silent
 
     def begin(self) -> list[rospy.Subscriber]:
         """Send the first set-points and go on with clock and leader."""
-        clock = self._crew.link.on_clock(self._on_clock)
-        self._crew.link.wait_for_publisher([clock])
+        clock = self._context.link.on_clock(self._on_clock)
+        self._context.link.wait_for_publisher([clock])
         if self._waits_for_leader:
             self._wait_for_topic()
         else:
-            self._crew.link.not_repeatable(f"{self._topic.name} counts as it comes")
+            self._context.link.not_repeatable(f"{self._topic.name} counts as it comes")
         with self._lock:
             for _ in range(2 * self._lead):
                 self._send_period(None, 0)
@@ -106,7 +108,7 @@ class FollowFlight:
                 self._look_at_silence()
             self._go_on()
         if self._standstill.is_due(self._now_ns):
-            self._crew.repeat()
+            self._context.repeat()
 
     def _look_at_silence(self) -> None:
         """Silence is measured in wall-clock time, for simulated time stands meanwhile.
@@ -123,7 +125,7 @@ class FollowFlight:
             return
         self._is_silent = True
         rospy.logwarn("nothing on %s; the followers hold their places", self._topic.name)
-        self._crew.link.not_repeatable(f"nothing on {self._topic.name} for {silent_s:.1f} s")
+        self._context.link.not_repeatable(f"nothing on {self._topic.name} for {silent_s:.1f} s")
 
     def close(self) -> None:
         """Hear no more of the leader."""
@@ -174,9 +176,9 @@ class FollowFlight:
     def _on_clock(self, now_ns: int) -> None:
         with self._lock:
             if self._ahead_ns(now_ns) > LONGEST_JUMP_NS:
-                self._crew.link.refuse("/clock", "a world in lockstep cannot be that far ahead")
+                self._context.link.refuse("/clock", "a world in lockstep cannot be that far ahead")
                 return
-            if self._crew.restart_if_reset(self._now_ns, now_ns):
+            if self._context.restart_if_reset(self._now_ns, now_ns):
                 self.close()
                 return
             self._now_ns = max(now_ns, self._now_ns)
@@ -184,7 +186,7 @@ class FollowFlight:
 
     def _ahead_ns(self, time_ns: int) -> int:
         """How far a time is ahead of what is commanded [ns]; a world in lockstep waits for that."""
-        return time_ns - self._boundary_ns() if self._crew.link.is_lockstep else 0
+        return time_ns - self._boundary_ns() if self._context.link.is_lockstep else 0
 
     def _boundary_ns(self) -> int:
         """Simulated time of the leader's state that the next period is commanded by [ns]."""
@@ -214,8 +216,8 @@ class FollowFlight:
         if (self._followers.phase is Phase.DONE) != self._has_end:
             self._tell_end(self._start_ns + elapsed_ns + 3 * self._period_ns)
         # Without lockstep, what the clock has overtaken is not worth sending.
-        if self._crew.link.is_lockstep or self._boundary_ns() > self._now_ns:
-            self._crew.send([self._encoded(slots, self._start_ns + window_ns)])
+        if self._context.link.is_lockstep or self._boundary_ns() > self._now_ns:
+            self._context.send([self._encoded(slots, self._start_ns + window_ns)])
 
     def _encoded(self, slots: Slots, stamp_ns: int) -> list[bytes]:
         feed = self._settings.config.feed
@@ -223,7 +225,7 @@ class FollowFlight:
         turn = (slots.yaw, slots.yaw_rate)
         return [
             encode_message(stamp_ns, encode_turning_points(slots.motion, index, turn, offsets))
-            for index in range(len(self._crew.fed))
+            for index in range(len(self._context.fed))
         ]
 
     def _tell_problem(self) -> None:
@@ -244,15 +246,15 @@ class FollowFlight:
         if self._has_end:
             # The records must be there before the world may end.
             self.write_records()
-        if self._crew.link.is_lockstep:
-            self._crew.link.enroll(end_ns if self._has_end else 0, waits_beyond_end=True)
+        if self._context.link.is_lockstep:
+            self._context.link.enroll(end_ns if self._has_end else 0, waits_beyond_end=True)
 
     def write_records(self) -> None:
         """Say what the followers should have done so far."""
         config = asdict(self._settings.config)
         config["offsets"] = self._settings.config.offsets.tolist()
         for record in self._log.records({"follow": config}):
-            self._crew.record(record)
+            self._context.record(record)
 
 
 def _at_rest(leader: LeaderState, elapsed_ns: int) -> LeaderState:

@@ -13,7 +13,7 @@ import rospy
 from trident_fleet.core.errors import FormationError
 from trident_fleet.core.record import Origin, refusal_record, write_record
 from trident_fleet.core.settings import FleetSettings, Vehicle
-from trident_fleet.nodes.flights import Crew, FlightMaker
+from trident_fleet.nodes.flights import FlightContext, FlightMaker
 from trident_fleet.nodes.setpoint_topic import SetpointTopic
 from trident_fleet.nodes.world_link import WorldLink
 
@@ -42,7 +42,7 @@ class FormationRunner:
         """
         self._make = make
         self._wake = threading.Event()
-        self._crew = Crew(
+        self._context = FlightContext(
             settings=settings,
             vehicles=vehicles,
             fed=fed,
@@ -59,23 +59,23 @@ class FormationRunner:
         Raises:
             FormationError: the formation cannot be flown.
         """
-        while not rospy.is_shutdown() and self._crew.link.wait_for_simulator():
+        while not rospy.is_shutdown() and self._context.link.wait_for_simulator():
             self._wake.clear()
             self._fly_once()
 
     def _fly_once(self) -> None:
         """One flight, until the world's time is reset or the node is shut down."""
-        crew = self._crew
+        context = self._context
         # Before it enrols: a world that waits for all sources stands at time zero until then, so
         # that the vehicles are found where they were spawned, however long that took.
-        spawned = crew.link.wait_for_spawn()
+        spawned = context.link.wait_for_spawn()
         if spawned is None:
             return
-        start_ns = crew.link.enroll() if crew.link.is_lockstep else self._next_period_ns()
+        start_ns = context.link.enroll() if context.link.is_lockstep else self._next_period_ns()
         # A node that is started again finds its enrolment as old as its first life.
         start_ns = max(start_ns, self._period_from(spawned.stamp_ns))
         self._prepare_topics()
-        flight = self._make(crew, spawned.position, start_ns)
+        flight = self._make(context, spawned.position, start_ns)
         subscribers = flight.begin()
         while not self._wake.wait(_WATCH_S):
             flight.watch()
@@ -83,30 +83,30 @@ class FormationRunner:
             subscriber.unregister()
 
     def _prepare_topics(self) -> None:
-        crew = self._crew
-        for topic in crew.topics:
+        context = self._context
+        for topic in context.topics:
             topic.forget()
-            limit_s = crew.settings.connect_wait_s
+            limit_s = context.settings.connect_wait_s
             while not topic.wait_for_controller(limit_s) and not rospy.is_shutdown():
                 rospy.logwarn("%s: no controller listens yet", topic.topic)
                 # In lockstep the world stands meanwhile, so that there is no hurry; a controller
                 # of another name, or within the simulator, is heard of as a listener.
-                if topic.has_listener or not crew.link.is_lockstep:
+                if topic.has_listener or not context.link.is_lockstep:
                     break
-            if crew.settings.guard:
+            if context.settings.guard:
                 topic.guard()
 
     def _next_period_ns(self) -> int:
         """Without lockstep: the first whole period from now on."""
         first: list[int] = []
-        clock = self._crew.link.on_clock(first.append)
+        clock = self._context.link.on_clock(first.append)
         while not first and not rospy.is_shutdown() and not self._wake.wait(0.02):
             pass
         clock.unregister()
         return self._period_from(first[-1] + 1) if first else 0
 
     def _period_from(self, time_ns: int) -> int:
-        period_ns = self._crew.settings.feed.period_ns
+        period_ns = self._context.settings.feed.period_ns
         return -(-time_ns // period_ns) * period_ns
 
 

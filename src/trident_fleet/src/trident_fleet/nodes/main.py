@@ -33,7 +33,7 @@ from trident_fleet.nodes.params import (
     warn_of_unknown,
 )
 
-Crewing = tuple[list[Vehicle], list[Vehicle], Array]
+Lineup = tuple[list[Vehicle], list[Vehicle], Array]
 """The whole formation, the vehicles this process feeds, and the rows to fly."""
 
 Getter = Callable[[str], Any]
@@ -52,7 +52,7 @@ def main_one(guard: bool = False) -> int:
     prefix, seq = str(rospy.get_param("~UAV", "")), rospy.get_param("~seq", 0)
     own = Vehicle(prefix.strip("/").rsplit("/", 1)[-1], prefix, 0)
 
-    def crew(settings: FleetSettings) -> Crewing:
+    def lineup(settings: FleetSettings) -> Lineup:
         if isinstance(seq, bool) or not isinstance(seq, int):
             raise FormationError(f"seq: {seq!r}; legal: a whole number, 0 or more")
         positions = read_formation(settings.source)
@@ -62,7 +62,7 @@ def main_one(guard: bool = False) -> int:
         return vehicles, [vehicles[index]], flying_rows(positions, uavs, row)
 
     # All processes read the same file: its error is told once.
-    return _run(crew, [own], guard, is_spokesman=seq in (0, None))
+    return _run(lineup, [own], guard, is_spokesman=seq in (0, None))
 
 
 def main_all() -> int:
@@ -74,7 +74,7 @@ def main_all() -> int:
     rospy.init_node("formation")
     given = get_param("vehicles")
 
-    def crew(settings: FleetSettings) -> Crewing:
+    def lineup(settings: FleetSettings) -> Lineup:
         positions = read_formation(settings.source)
         uavs = settings.source.uavs or positions.shape[1]
         names = names_of(given) or [f"UAV{number + 1}" for number in range(uavs)]
@@ -88,11 +88,11 @@ def main_all() -> int:
     count = uavs if isinstance(uavs, int) and uavs > 0 else 1
     names = names_of(given) or [f"UAV{number + 1}" for number in range(count)]
     fed = [Vehicle(name, f"/{name}/", index) for index, name in enumerate(names)]
-    return _run(crew, fed, False, is_spokesman=True)
+    return _run(lineup, fed, False, is_spokesman=True)
 
 
 def _run(
-    crew: Callable[[FleetSettings], Crewing],
+    lineup: Callable[[FleetSettings], Lineup],
     fallback: list[Vehicle],
     guard: bool,
     is_spokesman: bool,
@@ -103,7 +103,7 @@ def _run(
         get = Recorded(_with_default("guard", guard))
         settings = read_settings(get, settings.source.file)
         warn_of_unknown(get.asked, with_common=is_spokesman)
-        vehicles, fed, rows = crew(settings)
+        vehicles, fed, rows = lineup(settings)
         for line in too_close(rows, settings) if is_spokesman else []:
             rospy.logwarn("formation: %s", line)
         FormationRunner(settings, vehicles, fed, formation_flight(rows), folder).run()

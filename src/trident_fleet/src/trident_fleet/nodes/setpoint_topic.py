@@ -69,10 +69,14 @@ class SetpointTopic(rospy.SubscribeListener):  # type: ignore[misc]
             self._recent.clear()
 
     def guard(self) -> None:
-        """From now on, send the recent messages again when another node has sent a command."""
-        self._foreign = rospy.Subscriber(
-            self.topic, rospy.AnyMsg, self._on_command, tcp_nodelay=True
-        )
+        """From now on, send the recent messages again when another node has sent a command.
+
+        Once for each command, also if this is called again, for a flight that starts over.
+        """
+        if self._foreign is None:
+            self._foreign = rospy.Subscriber(
+                self.topic, rospy.AnyMsg, self._on_command, tcp_nodelay=True
+            )
 
     def wait_for_controller(self, limit_s: float) -> bool:
         """Wait until the vehicle's controller, a node in its namespace, has connected.

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import math
 import time
+from contextlib import closing
 from typing import Any
 
 import rospy
@@ -38,7 +39,7 @@ def main() -> int:
         if token not in description:
             raise FormationError(f"robot_description: no '{token}' in it; legal: the name's place")
         positions = read_positions(rospy.get_param("~positions", None), get_param("uavs"))
-        spawned = _spawn_all(description, token, positions)
+        spawned = spawn_all(description, token, positions)
     except (FormationError, rospy.ServiceException, rospy.ROSException) as error:
         if not rospy.core.is_shutdown_requested():
             rospy.logfatal("spawn_fleet: %s", error)
@@ -75,16 +76,29 @@ def _text(name: str) -> str:
     return value
 
 
-def _spawn_all(description: str, token: str, positions: Positions) -> int:
+def spawn_all(description: str, token: str, positions: Positions) -> int:
+    """Have the simulator spawn each vehicle; errors as the service's.
+
+    Args:
+        description: a URDF.
+        token: that stands in it for the vehicle's name.
+        positions: of the vehicles.
+
+    Returns:
+        How many there are.
+
+    Raises:
+        FormationError: the simulator refuses one.
+    """
     _wait_for_simulator()
-    spawn = rospy.ServiceProxy(_SERVICE, SpawnModel, persistent=True)
-    for name, (x, y, z) in positions.items():
-        own = description.replace(token, name)
-        rospy.set_param(f"/{name}/robot_description", own)
-        pose = Pose(Point(x, y, z), Quaternion(0.0, 0.0, 0.0, 1.0))
-        answer = spawn(name, own, f"/{name}", pose, "world")
-        if not answer.success:
-            raise FormationError(f"{name}: {answer.status_message}")
+    with closing(rospy.ServiceProxy(_SERVICE, SpawnModel, persistent=True)) as spawn:
+        for name, (x, y, z) in positions.items():
+            own = description.replace(token, name)
+            rospy.set_param(f"/{name}/robot_description", own)
+            pose = Pose(Point(x, y, z), Quaternion(0.0, 0.0, 0.0, 1.0))
+            answer = spawn(name, own, f"/{name}", pose, "world")
+            if not answer.success:
+                raise FormationError(f"{name}: {answer.status_message}")
     return len(positions)
 
 

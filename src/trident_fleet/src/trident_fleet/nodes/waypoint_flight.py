@@ -22,7 +22,7 @@ from trident_fleet.core.errors import FormationError
 from trident_fleet.core.formation_file import FormationSource
 from trident_fleet.core.quintic import Array
 from trident_fleet.core.settings import FleetSettings, Vehicle, read_settings
-from trident_fleet.nodes.flights import Crew, Flight, FlightMaker, formation_flight
+from trident_fleet.nodes.flights import Flight, FlightContext, FlightMaker, formation_flight
 from trident_fleet.nodes.formation_runner import FormationRunner, refuse
 from trident_fleet.nodes.params import get_param, warn_of_unknown
 from trident_ros import MISSION_PARAMETERS
@@ -83,10 +83,10 @@ def read_places(given: Any) -> Array:
 def waypoint_flight(places: Array) -> FlightMaker:
     """Flights of one vehicle through places, shape (n, 3), counted from its start."""
 
-    def make(crew: Crew, spawn: Array, start_ns: int) -> Flight:
+    def make(context: FlightContext, spawn: Array, start_ns: int) -> Flight:
         way = along_lines(places, _SPACING_M)
-        rows = rows_from(spawn[0], crew.settings.plan.yaw_rad, way)
-        return formation_flight(rows)(crew, spawn, start_ns)
+        rows = rows_from(spawn[0], context.settings.plan.yaw_rad, way)
+        return formation_flight(rows)(context, spawn, start_ns)
 
     return make
 

@@ -28,7 +28,7 @@ class MapServerNode {
   std::string frame_;
   nav_msgs::OccupancyGrid map_;
   ros::Publisher map_publisher_, metadata_publisher_, diagnostics_publisher_;
-  ros_utils::DiagnosticCounter troubles_;
+  ros_utils::DiagnosticCounter problems_;
   ros::ServiceServer static_map_, change_map_;
 };
 

@@ -72,18 +72,30 @@ std::string find_script_texture(const std::string& name, const ScriptPaths& path
   return context.resources.find("media/materials/textures/" + name, context.base_folder);
 }
 
-void set_texture(const std::string& name, const std::string& file, const std::string& what,
+/// The visual whose look is read: its `<material>`, and its name for messages.
+struct Look {
+  sdf::ElementPtr element;
+  const std::string& what;
+};
+
+void warn_of(const Look& look, const std::string& fault, const ConvertContext& context) {
+  context.warn(placed(context.label + ": " + look.what + ": " + fault, look.element, context));
+}
+
+void set_texture(const std::string& name, const std::string& file, const Look& look,
                  const ConvertContext& context, Material& material) {
   material.texture_file = file;
   if (!file.empty() || !context.scripts->is_news("texture " + name)) return;
-  context.warn(context.label + ": " + what + ": texture '" + name +
-               "' not found; shown without it, in the colour " + color_text(material.diffuse));
+  warn_of(look,
+          "texture '" + name + "' not found; shown without it, in the colour " +
+              color_text(material.diffuse),
+          context);
 }
 
 /// A script's material stands for its colours; colours beside it count where it is unknown. One
 /// that a script on disk has comes before Gazebo's of the same name.
-void read_script(const sdf::ElementPtr& element, const std::string& what,
-                 const ConvertContext& context, Material& material) {
+void read_script(const Look& look, const ConvertContext& context, Material& material) {
+  const sdf::ElementPtr& element = look.element;
   material.script = value_or(element, {"script", "name"}, std::string());
   if (material.script.empty() || material.script == "__default__") return;
   const ScriptPaths paths = find_script_paths(element->GetElement("script"), context);
@@ -95,7 +107,7 @@ void read_script(const sdf::ElementPtr& element, const std::string& what,
     material.specular = own->specular;
     material.emissive = own->emissive;
     if (own->texture.empty()) return;
-    set_texture(own->texture, find_script_texture(own->texture, paths, context), what, context,
+    set_texture(own->texture, find_script_texture(own->texture, paths, context), look, context,
                 material);
     return;
   }
@@ -109,16 +121,16 @@ void read_script(const sdf::ElementPtr& element, const std::string& what,
   if (!context.scripts->is_news("script " + material.script)) return;
   const std::string where = paths.missing.empty() ? "is not known by its name"
                                                   : "not found, nor is '" + paths.missing[0] + "'";
-  context.warn(context.label + ": " + what + ": material script '" + material.script + "' " +
-               where + "; shown in " + (has_color ? "the colour " : "grey ") +
-               color_text(material.diffuse));
+  warn_of(look,
+          "material script '" + material.script + "' " + where + "; shown in " +
+              (has_color ? "the colour " : "grey ") + color_text(material.diffuse),
+          context);
 }
 
-void read_texture(const sdf::ElementPtr& element, const std::string& what,
-                  const ConvertContext& context, Material& material) {
-  const auto uri = value_or(element, {"pbr", "metal", "albedo_map"}, std::string());
+void read_texture(const Look& look, const ConvertContext& context, Material& material) {
+  const auto uri = value_or(look.element, {"pbr", "metal", "albedo_map"}, std::string());
   if (uri.empty()) return;
-  set_texture(uri, context.resources.find(uri, context.base_folder), what, context, material);
+  set_texture(uri, context.resources.find(uri, context.base_folder), look, context, material);
 }
 
 LightType light_type(sdf::LightType type) {
@@ -148,8 +160,9 @@ void convert_look(const sdf::Visual& from, const std::string& what, const Conver
   read_color(element, "ambient", material.ambient);
   read_color(element, "specular", material.specular);
   read_color(element, "emissive", material.emissive);
-  read_script(element, what, context, material);
-  read_texture(element, what, context, material);
+  const Look look{element, what};
+  read_script(look, context, material);
+  read_texture(look, context, material);
 }
 
 LightSpec convert_light(const sdf::Light& from, const ConvertContext& context) {

@@ -15,7 +15,7 @@
 namespace trident::sim {
 namespace {
 
-constexpr int kSecondGroup = 0x100;  ///< of ODE's parameters: those of the second axis
+constexpr int kSecondAxisGroup = 0x100;  ///< of ODE's parameters: those of the second axis
 
 const Joint* spun_joint_of(const Model& model, const Link& link) {
   for (const auto& joint : model.joints) {
@@ -98,7 +98,7 @@ OdeAxis ode_axis(const Joint& joint, std::size_t axis) {
     case JointType::kUniversal: {
       // ODE's first axis is that of its first body, ours that of the parent.
       const bool is_child_first = joint.child->body != nullptr;
-      return {dJointSetUniversalParam, is_child_first == (axis == 0) ? kSecondGroup : 0};
+      return {dJointSetUniversalParam, is_child_first == (axis == 0) ? kSecondAxisGroup : 0};
     }
     default:
       throw Error("joint [" + joint.spec.name +

@@ -95,10 +95,11 @@ Eigen::Vector3d link_velocity_world(const Link& link) {
 Eigen::Vector3d link_acceleration_world(const Link& link, double dt_s) {
   if (link.body == nullptr) return Eigen::Vector3d::Zero();
   const Body& body = *link.body;
-  const Eigen::Vector3d r = link.T_world_link().p - body.T_world_body.p;
-  const Eigen::Vector3d linear = (body.v_world - body.v_before) / dt_s;
-  const Eigen::Vector3d angular = (body.w_world - body.w_before) / dt_s;
-  return linear + angular.cross(r) + body.w_world.cross(body.w_world.cross(r));
+  const Eigen::Vector3d r = link.T_world_link().p - body.pose().p;
+  const Eigen::Vector3d& w = body.angular_velocity();
+  const Eigen::Vector3d linear = (body.velocity() - body.previous_velocity()) / dt_s;
+  const Eigen::Vector3d angular = (w - body.previous_angular_velocity()) / dt_s;
+  return linear + angular.cross(r) + w.cross(w.cross(r));
 }
 
 }  // namespace trident::sim

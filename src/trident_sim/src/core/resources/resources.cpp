@@ -54,6 +54,17 @@ std::string find_in(const std::vector<std::string>& folders, std::string_view re
   return "";
 }
 
+/// Gazebo looks for a file by its bare name in these folders, too, of each that holds media.
+std::string find_among_media(const std::vector<std::string>& folders, std::string_view rest) {
+  for (const std::string& folder : folders) {
+    for (const char* media : {"models", "media/models", "Media/models"}) {
+      const fs::path path = fs::path(folder) / media / rest;
+      if (present(path)) return path.string();
+    }
+  }
+  return "";
+}
+
 void append(const std::vector<std::string>& folders, std::string& text) {
   for (const std::string& folder : folders) text += (text.empty() ? "" : ":") + folder;
 }
@@ -130,7 +141,12 @@ std::string Resources::find(std::string_view uri, std::string_view base_folder) 
     return (fs::path(base_folder) / rest).string();
   }
   if (std::string found = find_in(model_folders_, rest); !found.empty()) return found;
-  if (std::string found = find_in(exported_folders(), rest); !found.empty()) return found;
+  const std::vector<std::string> exported = exported_folders();
+  if (std::string found = find_in(exported, rest); !found.empty()) return found;
+  if ((scheme == "file" || scheme.empty()) && !rest.empty() && rest.front() != '/') {
+    if (std::string found = find_among_media(model_folders_, rest); !found.empty()) return found;
+    if (std::string found = find_among_media(exported, rest); !found.empty()) return found;
+  }
   // libsdformat turns a URDF's package:// into model://, so either may mean a package.
   if (scheme == "package" || scheme == "model") {
     if (std::string found = find_in_packages(rest); !found.empty()) return found;

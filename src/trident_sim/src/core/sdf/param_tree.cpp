@@ -47,10 +47,30 @@ std::optional<std::string> PluginParams::raw(std::string_view key) const {
   return trimmed(found->text);
 }
 
+PluginParams PluginParams::below(std::string_view key) const {
+  static const ParamNode kNothing{};
+  const ParamNode* const element = node(key);
+  PluginParams reader(element != nullptr ? *element : kNothing,
+                      owner_ + " <" + std::string(key) + ">");
+  reader.prefix_ = prefix_ + std::string(key.substr(0, key.find('['))) + "/";
+  reader.queries_ = queries_;
+  return reader;
+}
+
+ParamQuery& PluginParams::query(std::string_view key) const {
+  return (*queries_)[prefix_ + std::string(key.substr(0, key.find('[')))];
+}
+
+void PluginParams::note(std::string_view key, ParamQuery::Kind kind, const std::string& fallback,
+                        Limits limits) const {
+  ParamQuery& known = query(key);
+  if (kind > known.kind) known = {kind, fallback, limits, known.is_required};
+}
+
 /// "name[i]" is the i-th element of that name, from 1, as in XPath; "name" the first.
 const ParamNode* PluginParams::node(std::string_view key) const {
   const std::string_view name = key.substr(0, key.find('['));
-  read_->emplace(name);
+  query(name);
   if (name.size() == key.size()) return root_->find(name);
   std::size_t number = std::stoul(std::string(key.substr(name.size() + 1)));
   for (const ParamNode& child : root_->children) {
@@ -62,7 +82,7 @@ const ParamNode* PluginParams::node(std::string_view key) const {
 std::vector<std::string> PluginParams::unread() const {
   std::vector<std::string> names;
   for (const ParamNode& child : root_->children) {
-    const bool is_known = read_->count(child.name) > 0;
+    const bool is_known = queries_->count(prefix_ + child.name) > 0;
     if (!is_known && std::find(names.begin(), names.end(), child.name) == names.end()) {
       names.push_back(child.name);
     }
@@ -77,10 +97,13 @@ void PluginParams::refuse(std::string_view key, std::string_view value,
 }
 
 std::string PluginParams::text(std::string_view key, std::string_view fallback) const {
+  note(key, ParamQuery::Kind::kText, std::string(fallback));
   return raw(key).value_or(std::string(fallback));
 }
 
 std::string PluginParams::required_text(std::string_view key) const {
+  note(key, ParamQuery::Kind::kText, "");
+  query(key).is_required = true;
   const auto value = raw(key);
   if (!value || value->empty()) {
     throw Error(owner_ + ": required element <" + std::string(key) + "> is missing or empty");
@@ -89,6 +112,11 @@ std::string PluginParams::required_text(std::string_view key) const {
 }
 
 double PluginParams::number(std::string_view key, double fallback, Limits limits) const {
+  note(key, ParamQuery::Kind::kNumber, number_text(fallback), limits);
+  return read_number(key, fallback, limits);
+}
+
+double PluginParams::read_number(std::string_view key, double fallback, Limits limits) const {
   const auto text = raw(key);
   if (!text) return fallback;
   const std::optional<double> value = finite_number(*text);
@@ -97,7 +125,8 @@ double PluginParams::number(std::string_view key, double fallback, Limits limits
 }
 
 int PluginParams::integer(std::string_view key, int fallback, Limits limits) const {
-  const double value = number(key, fallback, limits);
+  note(key, ParamQuery::Kind::kInteger, std::to_string(fallback), limits);
+  const double value = read_number(key, fallback, limits);
   if (value != std::floor(value) || std::abs(value) > 1e9) {
     refuse(key, *raw(key), "a whole number");
   }
@@ -110,6 +139,7 @@ int PluginParams::required_integer(std::string_view key, Limits limits) const {
 }
 
 bool PluginParams::flag(std::string_view key, bool fallback) const {
+  note(key, ParamQuery::Kind::kFlag, fallback ? "true" : "false");
   const auto text = raw(key);
   if (!text) return fallback;
   if (*text == "1" || *text == "true" || *text == "True" || *text == "TRUE") return true;
@@ -118,6 +148,9 @@ bool PluginParams::flag(std::string_view key, bool fallback) const {
 }
 
 Eigen::Vector3d PluginParams::vector3(std::string_view key, const Eigen::Vector3d& fallback) const {
+  note(key, ParamQuery::Kind::kVector,
+       number_text(fallback.x()) + " " + number_text(fallback.y()) + " " +
+           number_text(fallback.z()));
   const auto text = raw(key);
   if (!text) return fallback;
   std::istringstream in(*text);

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/materials/sdf_look.h"
+#include "principal_moments.h"
 #include "sdf_joint.h"
 #include "sdf_params.h"
 #include "sdf_sensor.h"
@@ -14,9 +15,7 @@
 #include "trident_base/error.h"
 
 namespace trident::sim {
-namespace {
 
-/// The text of a fault with file and line in place of the document's name.
 std::string placed(const std::string& fault, const sdf::ElementPtr& element,
                    const ConvertContext& context) {
   if (!element || !context.has_places) return fault;
@@ -28,6 +27,8 @@ std::string placed(const std::string& fault, const sdf::ElementPtr& element,
   if (const auto line = element->LineNumber()) place += ":" + std::to_string(*line);
   return place + ": " + text;
 }
+
+namespace {
 
 /// Who has a shape.
 struct ShapeOwner {
@@ -177,6 +178,8 @@ Inertial convert_inertial(const sdf::Link& link, const Note& note) {
   const auto [least, most] = principal_inertia(inertia);
   if (least > 0.0 && most <= kHeaviest) {
     inertial.inertia_com = inertia;
+    const std::string fault = uneven_moments(inertia);
+    if (!fault.empty()) note(fault, kUsedAsItIs);
   } else {
     note("principal inertia is " + std::to_string(least) + " to " + std::to_string(most) +
              " kg m^2, all must be > 0 and <= 1e12",

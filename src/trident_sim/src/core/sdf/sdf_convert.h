@@ -29,6 +29,10 @@ struct ConvertContext {
   std::shared_ptr<OgreScripts> scripts = std::make_shared<OgreScripts>();
 };
 
+/// The text of a fault with file and line in place of the document's name.
+std::string placed(const std::string& fault, const sdf::ElementPtr& element,
+                   const ConvertContext& context);
+
 WorldSpec convert_world(const sdf::World& world, const ConvertContext& context);
 ModelSpec convert_model(const sdf::Model& model, const ConvertContext& context);
 

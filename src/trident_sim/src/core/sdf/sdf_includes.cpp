@@ -43,6 +43,7 @@ bool is_plain_part(const XMLElement& part) {
 bool is_plain(const XMLElement& include) {
   std::set<std::string> met;
   for (auto* part = include.FirstChildElement(); part; part = part->NextSiblingElement()) {
+    if (part->Value() == std::string("plugin")) continue;
     if (!is_plain_part(*part) || !met.insert(part->Value()).second) return false;
   }
   return met.count("uri") > 0 && include.FirstAttribute() == nullptr;
@@ -66,6 +67,25 @@ void take_parts(const XMLElement& include, const sdf::ElementPtr& element) {
   if (is_static != nullptr && kind == "model") {
     element->GetElement("static")->GetValue()->SetFromString(is_static->GetText());
   }
+}
+
+/// The plugins of an include stand behind those of its model. False: libsdformat must read them.
+bool take_plugins(const XMLElement& include, const sdf::ElementPtr& element) {
+  auto* plugin = include.FirstChildElement("plugin");
+  if (plugin != nullptr && element->GetName() == "light") return false;
+  for (; plugin != nullptr; plugin = plugin->NextSiblingElement("plugin")) {
+    if (!element->HasElementDescription("plugin")) return false;
+    tinyxml2::XMLPrinter text(nullptr, true);
+    plugin->Accept(&text);
+    sdf::Errors errors;
+    const std::string document = std::string("<sdf version='") + SDF_VERSION + "'>";
+    if (!sdf::readString(document + text.CStr() + "</sdf>", element->AddElement("plugin"),
+                         errors) ||
+        !errors.empty()) {
+      return false;
+    }
+  }
+  return true;
 }
 
 std::string model_file(const std::string& path) {
@@ -127,6 +147,7 @@ bool PlainIncludes::read(const XMLElement& include, const UriFinder& find) {
   if (!element || element->GetNextElement()) return false;
   if (!is_entity(element->GetName()) || element->GetName() == "world") return false;
   take_parts(include, element);
+  if (!take_plugins(include, element)) return false;
   elements_[&include] = element;
   uris_.insert(uri);
   return true;

@@ -135,6 +135,7 @@ void SdfSources::visit_includes(const XMLElement& parent, const std::string& lab
 
 std::string SdfSources::open(const std::string& path, int depth, File& file) {
   std::error_code failed;
+  if (!fs::exists(path, failed)) return "does not exist";
   const std::uint64_t bytes = fs::is_regular_file(path, failed) ? fs::file_size(path, failed) : 0;
   if (failed || bytes > limits_.bytes) {
     return "is no file of at most " + number(limits_.bytes) + " bytes";

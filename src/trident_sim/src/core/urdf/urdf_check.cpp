@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/sdf/principal_moments.h"
 #include "core/sdf/xml_cut.h"
 #include "trident_base/error.h"
 #include "urdf_check.h"
@@ -71,15 +72,20 @@ std::string inertia_fault(const Eigen::Matrix3d& inertia) {
 }
 
 /// Throws what is wrong with the mass, or with numbers; of an inertia that cannot be it is noted
-/// what is used instead.
+/// what is used.
 void check_inertial(const tinyxml2::XMLElement& inertial, const std::string& where, OddList& odd) {
   check_mass(inertial, where);
-  const std::string fault = inertia_fault(read_inertia(inertial, where));
+  const Eigen::Matrix3d inertia = read_inertia(inertial, where);
+  std::string fault = inertia_fault(inertia);
+  const bool is_usable = fault.empty();
+  if (is_usable) fault = uneven_moments(inertia);
   if (fault.empty()) return;
   if (odd.policy == OddElements::kRefuse) throw Error(where + ": " + fault);
-  odd.texts.push_back(where + ": " + fault +
-                      "; counts with what fixed joints join to the link, and if their sum cannot "
-                      "be either, 1 kg m^2 about each axis is used, as in Gazebo");
+  odd.texts.push_back(where + ": " + fault + "; " +
+                      (is_usable ? kUsedAsItIs
+                                 : "counts with what fixed joints join to the link, and if their "
+                                   "sum cannot be either, 1 kg m^2 about each axis is used, as in "
+                                   "Gazebo"));
 }
 
 /// The links of a robot by whether they have an `<inertial>` that can be used.

@@ -68,6 +68,8 @@ std::unique_ptr<Plugin> World::create_plugin(const PluginSpec& spec, const Plugi
   Model* const model = place.model;
   const PluginFactory* factory = registry_.find_or_load(spec.filename, resources_);
   if (factory == nullptr) {
+    // Once of an owner: a course of buoys has one in each buoy.
+    if (!told_elements_.insert(owner + " " + spec.filename).second) return nullptr;
     std::string known;
     for (const std::string& name : registry_.names()) known += (known.empty() ? "" : ", ") + name;
     report(Severity::kWarning, owner + ": plugin '" + spec.name + "' (" + spec.filename +

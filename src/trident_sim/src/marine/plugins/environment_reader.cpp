@@ -102,11 +102,9 @@ void find_files(const Resources& resources, const std::string& folder, Environme
 }
 
 EnvironmentParams read_vrx_waves(const PluginContext& context) {
-  static const ParamNode kNothing{};
-  const ParamNode* const node = context.params.node("wave");
   // They shape the mesh that VRX shows, and what it does without a model.
   for (const char* key : {"static", "update_rate", "size", "cell_count"}) context.params.node(key);
-  const PluginParams wave(node != nullptr ? *node : kNothing, context.params.owner() + " <wave>");
+  const PluginParams wave = context.params.below("wave");
   EnvironmentParams environment;
   WaveParams& waves = environment.waves;
   const std::string model = wave.text("model", "PMS");

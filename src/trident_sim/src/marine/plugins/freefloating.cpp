@@ -73,9 +73,8 @@ class FreeFloatingControl : public Plugin {
     }
     for (std::size_t number = 1;; ++number) {
       const std::string key = "thruster[" + std::to_string(number) + "]";
-      const ParamNode* const node = params.node(key);
-      if (node == nullptr) break;
-      const PluginParams own(*node, params.owner() + " <" + key + ">");
+      if (!params.has(key)) break;
+      const PluginParams own = params.below(key);
       thrusters_.push_back(read_thruster(context, own, thrusters_.size()));
     }
     if (thrusters_.empty()) params.refuse("thruster", "", "at least one");

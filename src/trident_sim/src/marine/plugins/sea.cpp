@@ -130,7 +130,7 @@ class SeaPlugin : public Plugin {
   }
 
   void listen(const PluginContext& context, const std::string& section) {
-    inputs_.push_back({section, subscribe<TextCommand>(context, "environment/" + section), 0, ""});
+    inputs_.push_back({section, subscribe<TextCommand>(context, "environment/" + section), 0, {}});
   }
 
   /// One air: where another plugin gives it, this one's must not blow.

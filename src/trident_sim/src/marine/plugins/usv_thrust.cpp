@@ -17,7 +17,7 @@ namespace trident::sim {
 namespace {
 
 /// VRX' elements of a `<thruster>`.
-ThrusterParams read_thruster(const PluginParams& params) {
+ThrusterParams read_usv_thruster(const PluginParams& params) {
   ThrusterParams thruster;
   thruster.name = params.required_text("linkName");
   const int mapping = params.integer("mappingType", 0, {0.0, 1.0});
@@ -62,7 +62,7 @@ class UsvThruster {
   /// `context.params` are those of the plugin, `params` those of the element.
   UsvThruster(const PluginContext& context, const PluginParams& params, double timeout_s)
       : UsvThruster(context, PluginContext{context.world, context.model, params, context.name},
-                    read_thruster(params), timeout_s) {}
+                    read_usv_thruster(params), timeout_s) {}
 
   void step(World& world, const StepInfo& info) {
     if (const auto command = command_.take(world)) {
@@ -162,9 +162,8 @@ class UsvThrust : public Plugin {
     const double timeout_s = params.number("cmdTimeout", 1.0, {0.0, 1e6});
     for (std::size_t number = 1;; ++number) {
       const std::string key = "thruster[" + std::to_string(number) + "]";
-      const ParamNode* const node = params.node(key);
-      if (node == nullptr) break;
-      const PluginParams own(*node, params.owner() + " <" + key + ">");
+      if (!params.has(key)) break;
+      const PluginParams own = params.below(key);
       thrusters_.emplace_back(context, own, timeout_s);
     }
     if (thrusters_.empty()) params.refuse("thruster", "", "at least one");

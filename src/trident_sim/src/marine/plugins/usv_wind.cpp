@@ -70,9 +70,8 @@ class UsvWind : public Plugin {
     const PluginParams& params = context.params;
     for (std::size_t number = 1;; ++number) {
       const std::string key = "wind_obj[" + std::to_string(number) + "]";
-      const ParamNode* const node = params.node(key);
-      if (node == nullptr) break;
-      objects_.push_back(read_object(PluginParams(*node, owner_ + " <" + key + ">")));
+      if (!params.has(key)) break;
+      objects_.push_back(read_object(params.below(key)));
     }
     direction_deg_ = params.number("wind_direction", 0.0, {-720.0, 720.0});
     air_ = make_air(context);

@@ -195,7 +195,7 @@ class Buoyancy {
 
  private:
   static double box_height(const PluginParams& params) {
-    const PluginParams size(*params.node("box"), params.owner() + " <box>");
+    const PluginParams size = params.below("box");
     for (const char* key : {"width", "length"}) size.number(key, 0.0, kLength);
     return size.number("height", 0.0, kLength);
   }
@@ -208,8 +208,10 @@ class Buoyancy {
 /// One <link> of the plugin.
 class UuvLink {
  public:
-  UuvLink(const PluginContext& context, const ParamNode& node, double density)
-      : UuvLink(context, PluginParams(node, context.params.owner() + " <link>"), node, density) {}
+  /// `params` reads `node`.
+  UuvLink(const PluginContext& context, const PluginParams& params, const ParamNode& node,
+          double density)
+      : UuvLink(context, params, named_link(context, params, node), density) {}
 
   void step(World& world, const StepInfo& info) {
     Afloat now = body_.meet(world, info);
@@ -234,9 +236,6 @@ class UuvLink {
   void state(StateArchive& archive) { body_.state(archive); }
 
  private:
-  UuvLink(const PluginContext& context, const PluginParams& params, const ParamNode& node,
-          double density)
-      : UuvLink(context, params, named_link(context, params, node), density) {}
   UuvLink(const PluginContext& context, const PluginParams& params, Link& link, double density)
       : link_(link),
         body_(PluginContext{context.world, context.model, params, context.name}, link,
@@ -249,7 +248,7 @@ class UuvLink {
                                     double density) {
     const ParamNode* const node = params.node("hydrodynamic_model");
     if (node == nullptr) params.refuse("hydrodynamic_model", "", "an element with its <type>");
-    const PluginParams model(*node, params.owner() + " <hydrodynamic_model>");
+    const PluginParams model = params.below("hydrodynamic_model");
     VesselParams vessel = read_hydrodynamics(model, context.model->name, density);
     name_unread(context.world, model);
     return vessel;
@@ -293,9 +292,10 @@ class UuvObject : public Plugin {
     const double density = params.number("fluid_density", 1028.0, {1.0, 1e5});
     for (const char* key : {"flow_velocity_topic", "debug", "use_global_current"}) params.node(key);
     for (std::size_t number = 1;; ++number) {
-      const ParamNode* const node = params.node("link[" + std::to_string(number) + "]");
+      const std::string key = "link[" + std::to_string(number) + "]";
+      const ParamNode* const node = params.node(key);
       if (node == nullptr) break;
-      links_.push_back(std::make_unique<UuvLink>(context, *node, density));
+      links_.push_back(std::make_unique<UuvLink>(context, params.below(key), *node, density));
     }
     if (links_.empty()) params.refuse("link", "", "at least one");
     if (params.has("flow_velocity_topic")) {

@@ -17,13 +17,6 @@ namespace {
 
 const Limits kAny{-1e12, 1e12}, kPositive{1e-12, 1e12}, kNotNegative{0.0, 1e12};
 
-/// An element with what is below it; errors name both. Empty where it is missing.
-PluginParams element(const PluginParams& params, const std::string& key) {
-  static const ParamNode kNothing{};
-  const ParamNode* const node = params.node(key);
-  return {node != nullptr ? *node : kNothing, params.owner() + " <" + key + ">"};
-}
-
 template <class Enum>
 Enum read_type(const PluginParams& params) {
   const std::string text = params.required_text("type");
@@ -102,8 +95,8 @@ void read_conversion(const PluginParams& params, UuvThrusterParams* thruster) {
 
 UuvThruster read_thruster(const PluginParams& params) {
   UuvThrusterParams thruster;
-  read_dynamics(element(params, "dynamics"), &thruster);
-  read_conversion(element(params, "conversion"), &thruster);
+  read_dynamics(params.below("dynamics"), &thruster);
+  read_conversion(params.below("conversion"), &thruster);
   return UuvThruster(thruster);
 }
 
@@ -113,7 +106,7 @@ ThrusterSetup read_setup(const PluginParams& params) {
   setup.thrust_efficiency = params.number("thrust_efficiency", 1.0, {0.0, 1.0});
   setup.dynamic_state_efficiency = params.number("propeller_efficiency", 1.0, {0.0, 1.0});
   UuvThrusterParams thruster;
-  read_conversion(element(params, "conversion"), &thruster);
+  read_conversion(params.below("conversion"), &thruster);
   for (const auto& item : enum_names(thruster.conversion)) {
     if (item.value == thruster.conversion) setup.conversion = item.name;
   }

@@ -41,6 +41,7 @@ class Gps : public MeasuringPlugin {
     const double heading = deg_to_rad(origin.heading_deg);
     R_enu_world_ = Eigen::AngleAxisd(heading, Eigen::Vector3d::UnitZ()).toRotationMatrix();
     const PluginParams& params = context.params;
+    if (context.sensor != nullptr) params.text("linkName", "");  // as a sensor it has its link
     fix_ = advertise<GnssFixSample>(context, scoped_topic(params, params.text("gpsTopic", "gps")),
                                     PortRank::kSensor);
     speed_ = advertise<TwistSample>(

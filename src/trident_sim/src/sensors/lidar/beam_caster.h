@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "sea_rays/water_surface.h"
 #include "trident_base/error.h"
 #include "trident_sim/ray_scene.h"
 #include "trident_sim/world.h"

@@ -10,6 +10,8 @@
 
 namespace trident::sim {
 
+class WaterSurface;
+
 /// What a beam gets back from the sea. Water hides what lies beyond it in any case.
 enum class WaterReturns {
   kAuto,  ///< as a lidar at 905 nm does: see water_return_probability()

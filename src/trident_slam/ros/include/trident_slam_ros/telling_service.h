@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <ros/advertise_service_options.h>
 #include <ros/message_traits.h>
 #include <ros/serialization.h>
 #include <ros/service_callback_helper.h>

@@ -17,32 +17,33 @@ int KeyframeGraph::add(const Keyframe& keyframe) {
   return size() - 1;
 }
 
-std::vector<double> KeyframeGraph::distances_from(int stretch) const {
-  const std::size_t count = static_cast<std::size_t>(stretches());
-  std::vector<std::vector<std::pair<int, double>>> neighbours(count);
+std::vector<double> KeyframeGraph::distances_from(int submap) const {
+  const std::size_t count = static_cast<std::size_t>(submaps());
+  std::vector<std::vector<std::pair<int, double>>> neighbors(count);
   for (std::size_t s = 1; s < count; ++s) {
     const int at = static_cast<int>(s);
-    const double way = (*this)[anchor_of(at)].travelled - (*this)[anchor_of(at - 1)].travelled;
-    neighbours[s].emplace_back(at - 1, way);
-    neighbours[s - 1].emplace_back(at, way);
+    const double path_length =
+        (*this)[anchor_of(at)].travelled - (*this)[anchor_of(at - 1)].travelled;
+    neighbors[s].emplace_back(at - 1, path_length);
+    neighbors[s - 1].emplace_back(at, path_length);
   }
   for (const GraphEdge& edge : edges_) {
-    if (edge.kind == EdgeKind::kChain) continue;
-    neighbours[stretch_of(edge.from)].emplace_back(stretch_of(edge.to), 1.0);
-    neighbours[stretch_of(edge.to)].emplace_back(stretch_of(edge.from), 1.0);
+    if (edge.kind == EdgeKind::kOdometry) continue;
+    neighbors[submap_of(edge.from)].emplace_back(submap_of(edge.to), 1.0);
+    neighbors[submap_of(edge.to)].emplace_back(submap_of(edge.from), 1.0);
   }
   std::vector<double> distances(count, std::numeric_limits<double>::infinity());
   using Item = std::pair<double, int>;
   std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
-  distances[stretch] = 0.0;
-  queue.emplace(0.0, stretch);
+  distances[submap] = 0.0;
+  queue.emplace(0.0, submap);
   while (!queue.empty()) {
     const auto [distance, at] = queue.top();
     queue.pop();
     if (distance > distances[at]) continue;
-    for (const auto& [next, way] : neighbours[at]) {
-      if (distance + way >= distances[next]) continue;
-      distances[next] = distance + way;
+    for (const auto& [next, path_length] : neighbors[at]) {
+      if (distance + path_length >= distances[next]) continue;
+      distances[next] = distance + path_length;
       queue.emplace(distances[next], next);
     }
   }
@@ -51,6 +52,11 @@ std::vector<double> KeyframeGraph::distances_from(int stretch) const {
 
 Eigen::Vector3d edge_error(const GraphEdge& edge, const SE2& T_map_from, const SE2& T_map_to) {
   return (edge.T_from_to.inverse() * T_map_from.inverse() * T_map_to).log();
+}
+
+Eigen::Matrix3d sigma_information(double sigma, double sigma_yaw) {
+  const double w = 1.0 / (sigma * sigma);
+  return Eigen::Vector3d(w, w, 1.0 / (sigma_yaw * sigma_yaw)).asDiagonal();
 }
 
 void KeyframeGraph::forget_scan(int i) {
@@ -104,7 +110,7 @@ KeyframeGraph::Removal KeyframeGraph::remove(const std::vector<char>& is_removed
 }
 
 void KeyframeGraph::save(BinaryWriter* writer) const {
-  writer->put<std::int32_t>(stretch_size_);
+  writer->put<std::int32_t>(submap_size_);
   writer->put<std::uint64_t>(keyframes_.size());
   for (const Keyframe& keyframe : keyframes_) {
     writer->put_pose(keyframe.T_map_base);
@@ -130,8 +136,8 @@ void KeyframeGraph::save(BinaryWriter* writer) const {
 }
 
 void KeyframeGraph::load(BinaryReader* reader) {
-  stretch_size_ = reader->get<std::int32_t>();
-  if (stretch_size_ < 1) reader->fail();
+  submap_size_ = reader->get<std::int32_t>();
+  if (submap_size_ < 1) reader->fail();
   keyframes_.resize(reader->get_count(sizeof(double)));
   for (Keyframe& keyframe : keyframes_) {
     keyframe.T_map_base = reader->get_pose();
@@ -159,22 +165,23 @@ void KeyframeGraph::load(BinaryReader* reader) {
   }
 }
 
-void KeyframeGraph::optimize(double kernel, int iterations) {
+void KeyframeGraph::optimize(const GraphOptimizationOptions& options) {
   if (size() < 2) return;
   PoseGraph2d graph;
   for (int i = 0; i < size(); ++i) graph.add_vertex(i, pose(i));
   graph.set_fixed(0, true);
   for (const GraphEdge& edge : edges_) {
-    const bool is_doubted = edge.kind == EdgeKind::kReuse;
+    const bool is_unverified = edge.kind == EdgeKind::kRevisit;
     graph.add_edge({edge.from, edge.to, edge.T_from_to, edge.information,
-                    is_doubted ? RobustKernel::kCauchy : RobustKernel::kNone, kernel, !is_doubted});
+                    is_unverified ? RobustKernel::kCauchy : RobustKernel::kNone, options.kernel,
+                    !is_unverified});
   }
   if (solver_) {
-    solver_(iterations)->optimize(graph);
+    solver_(options.max_iterations)->optimize(graph);
   } else {
-    PoseGraphOptions options;
-    options.max_iterations = iterations;
-    PoseGraphOptimizer<SE2>(options).optimize(graph);
+    PoseGraphOptions limits;
+    limits.max_iterations = options.max_iterations;
+    PoseGraphOptimizer<SE2>(limits).optimize(graph);
   }
   for (int i = 0; i < size(); ++i) set_pose(i, graph.pose(i));
 }

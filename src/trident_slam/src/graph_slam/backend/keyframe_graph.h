@@ -11,6 +11,7 @@
 
 #include "graph_slam/session/binary_stream.h"
 #include "trident_base/se2.h"
+#include "trident_slam/graph_slam_back_end.h"
 #include "trident_slam/point_scan.h"
 #include "trident_slam/pose_graph_optimizer.h"
 
@@ -24,9 +25,9 @@ struct Keyframe {
 };
 
 enum class EdgeKind : std::uint8_t {
-  kChain,  ///< between successive keyframes
-  kReuse,  ///< a scan that was matched against surfaces of an older part of the map
-  kLoop,   ///< a loop that several candidates agreed on, or one that the user asked for
+  kOdometry,  ///< between successive keyframes
+  kRevisit,   ///< a scan that was matched against surfaces of an older part of the map
+  kLoop,      ///< a loop that several candidates agreed on, or one that the user asked for
 };
 
 /// A measured transform between two keyframes.
@@ -35,16 +36,16 @@ struct GraphEdge {
   int to = 0;
   SE2 T_from_to;
   Eigen::Matrix3d information = Eigen::Matrix3d::Identity();  ///< of (x, y, yaw) in frame `to`
-  EdgeKind kind = EdgeKind::kChain;
+  EdgeKind kind = EdgeKind::kOdometry;
 };
 
-/// Keyframes, the edges between them, and stretches of successive keyframes that loops are sought
-/// for.
+/// Keyframes, the edges between them, and submaps of successive keyframes that loops are searched
+/// for for.
 class KeyframeGraph {
  public:
   /// `solver` optimises; empty: ours.
-  explicit KeyframeGraph(int stretch_size, PoseGraphSolverMaker solver = {})
-      : stretch_size_(stretch_size), solver_(std::move(solver)) {}
+  explicit KeyframeGraph(int submap_size, PoseGraphSolverMaker solver = {})
+      : submap_size_(submap_size), solver_(std::move(solver)) {}
 
   int add(const Keyframe& keyframe);
   void add_edge(const GraphEdge& edge) { edges_.push_back(edge); }
@@ -57,17 +58,17 @@ class KeyframeGraph {
   void set_pose(int i, const SE2& T) { keyframes_[static_cast<std::size_t>(i)].T_map_base = T; }
 
   const PoseGraphSolverMaker& solver() const { return solver_; }
-  int stretch_size() const { return stretch_size_; }
-  int stretch_of(int keyframe) const { return keyframe / stretch_size_; }
-  int stretches() const { return (size() + stretch_size_ - 1) / stretch_size_; }
-  int first_of(int stretch) const { return stretch * stretch_size_; }
-  int end_of(int stretch) const { return std::min(size(), (stretch + 1) * stretch_size_); }
-  /// The keyframe in the middle of a stretch.
-  int anchor_of(int stretch) const { return (first_of(stretch) + end_of(stretch) - 1) / 2; }
+  int submap_size() const { return submap_size_; }
+  int submap_of(int keyframe) const { return keyframe / submap_size_; }
+  int submaps() const { return (size() + submap_size_ - 1) / submap_size_; }
+  int first_of(int submap) const { return submap * submap_size_; }
+  int end_of(int submap) const { return std::min(size(), (submap + 1) * submap_size_); }
+  /// The keyframe in the middle of a submap.
+  int anchor_of(int submap) const { return (first_of(submap) + end_of(submap) - 1) / 2; }
 
-  /// The shortest way through the edges from one stretch to every other one [m]: a measure of how
+  /// The shortest path through the edges from one submap to every other one [m]: a measure of how
   /// far both may have drifted apart. An edge that closes a loop counts as one metre.
-  std::vector<double> distances_from(int stretch) const;
+  std::vector<double> distances_from(int submap) const;
 
   /// A keyframe whose scan is no longer part of the map keeps its place in the graph.
   void forget_scan(int i);
@@ -86,17 +87,19 @@ class KeyframeGraph {
   void save(BinaryWriter* writer) const;
   void load(BinaryReader* reader);
 
-  /// Moves the keyframes to where the edges agree best; the first one stays. `kernel` [standard
-  /// deviations]: Cauchy's, for what the tracker reused; loops have been verified before they are
-  /// edges.
-  void optimize(double kernel, int iterations);
+  /// Moves the keyframes to where the edges agree best; the first one stays. Cauchy's kernel holds
+  /// for kRevisit edges; loops have been verified before they are edges.
+  void optimize(const GraphOptimizationOptions& options);
 
  private:
-  int stretch_size_;
+  int submap_size_;
   PoseGraphSolverMaker solver_;
   std::vector<Keyframe> keyframes_;
   std::vector<GraphEdge> edges_;
 };
+
+/// Information of (x, y, yaw) from standard deviations of x and y [m] and of yaw [rad].
+Eigen::Matrix3d sigma_information(double sigma, double sigma_yaw);
 
 /// Error of an edge: log(T_from_to^-1 * T_map_from^-1 * T_map_to).
 Eigen::Vector3d edge_error(const GraphEdge& edge, const SE2& T_map_from, const SE2& T_map_to);

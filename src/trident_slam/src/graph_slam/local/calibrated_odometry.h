@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "motion/odometry_calibration.h"
+#include "trident_slam/graph_slam_front_end.h"
 #include "trident_slam/match_result.h"
 #include "trident_slam/slam_2d_abilities.h"
 
@@ -15,7 +16,8 @@ namespace trident::slam {
 class CalibratedOdometry {
  public:
   /// `is_applied` false: it is learnt, but motions stay as odometry tells them.
-  explicit CalibratedOdometry(bool is_applied) : is_applied_(is_applied) {}
+  explicit CalibratedOdometry(bool is_applied, const CalibrationOptions& options = {})
+      : is_applied_(is_applied), options_(options) {}
 
   /// The motion since the last scan, by what odometry tells of it.
   SE2 calibrated(const SE2& T_last_base) {
@@ -30,12 +32,13 @@ class CalibratedOdometry {
     if (calibration_) calibration_->interrupt();
   }
   std::vector<CalibrationEstimate> estimates() const;
-  /// Of what odometry is told to err by per way, the part that is left: less once scale and drift
-  /// have been seen and are corrected.
-  double noise_share() const;
+  /// Of what odometry is told to err by per distance, the fraction that is left: less once scale
+  /// and drift have been seen and are corrected.
+  double noise_fraction() const;
 
  private:
   bool is_applied_;
+  CalibrationOptions options_;
   SE2 T_last_base_;  ///< as odometry told it
   SE2 T_base_laser_;
   std::optional<OdometryCalibration> calibration_;

@@ -8,35 +8,13 @@
 #include "graph_slam/loop/relocalizer.h"
 
 namespace trident::slam {
-namespace {
-
-/// What odometry that cannot be believed adds to its standard deviation [m], half of it [rad].
-constexpr double kDoubt = 0.5;
-/// Part of the points by which a place that was sought must fit better than the one at hand.
-constexpr double kSearchGain = 0.05;
-/// A place that odometry excludes must fit better by this part of the points; half of it at
-/// kDoubtedDeviation [squared standard deviations].
-constexpr double kWorthOfGuess = 0.35;
-constexpr double kDoubtedDeviation = 9.0;
-/// Part of the points that must fit in a place that a wide search finds where hardly any place
-/// fitted, ...
-constexpr double kSureFraction = 0.7;
-/// ... and where the one at hand fits somewhat, but not odometry.
-constexpr double kCertainFraction = 0.95;
-/// Part of the points below which a place fits somewhat only.
-constexpr double kFitsSomewhat = 0.8;
-
-}  // namespace
-
 const MaxPyramid& ScanTracker::hits_about(const Eigen::Vector2d& p_map) {
-  constexpr double kMostAway = 3.0;  // [m]
-  constexpr int kMostChanges = 5;
-  const bool is_fresh =
-      hits_ && (p_map - hits_centre_).norm() < kMostAway && changes_ - hits_changes_ < kMostChanges;
+  const bool is_fresh = hits_ && (p_map - hits_center_).norm() < options_.search.max_distance &&
+                        changes_ - hits_changes_ < options_.search.max_changes;
   if (is_fresh) return *hits_;
-  hits_.emplace(options_.search_resolution, 4);
-  insert_surfels(surfels_, p_map, options_.search_reach, &*hits_);
-  hits_centre_ = p_map;
+  hits_.emplace(options_.search.resolution, options_.search.levels);
+  insert_surfels(surfels_, p_map, options_.search.reach, &*hits_);
+  hits_center_ = p_map;
   hits_changes_ = changes_;
   return *hits_;
 }
@@ -58,13 +36,13 @@ double ScanTracker::Guess::squared_deviation(const SE2& T) const {
 /// it stood still.
 SE2 ScanTracker::expected(const OdometryMotion::Step& step) {
   if (step.by_scans) {
-    T_told_base_ = SE2::identity();
+    T_reported_base_ = SE2::identity();
     return T_map_base_ * step.T_before_now;
   }
   if (step.is_stale) return T_map_base_;
-  const SE2 T_told_map = T_told_base_ * T_map_base_.inverse();
-  T_told_base_ = SE2::identity();
-  return T_told_map.inverse() * step.T_before_now;
+  const SE2 T_reported_map = T_reported_base_ * T_map_base_.inverse();
+  T_reported_base_ = SE2::identity();
+  return T_reported_map.inverse() * step.T_before_now;
 }
 
 void ScanTracker::coast(const OdometryMotion::Step& step) {
@@ -76,10 +54,12 @@ void ScanTracker::coast(const OdometryMotion::Step& step) {
 ScanTracker::Guess ScanTracker::guess(const OdometryMotion::Step& step) {
   const double metres = step.T_before_now.p.norm();
   const double radians = std::abs(step.T_before_now.angle);
-  const double doubt = step.problem.empty() ? 0.0 : kDoubt;
+  const bool has_problem = !step.problem.empty();
+  const OdometryNoiseOptions& noise = options_.noise.other;
   Guess guess;
-  guess.s_p = options_.noise.distance_sigma(metres, radians) + doubt;
-  guess.s_yaw = options_.noise.yaw_sigma(metres, radians) + 0.5 * doubt;
+  guess.s_p =
+      options_.noise.distance_sigma(metres, radians) + (has_problem ? noise.problem_distance : 0.0);
+  guess.s_yaw = options_.noise.yaw_sigma(metres, radians) + (has_problem ? noise.problem_yaw : 0.0);
   if (step.is_stale) {  // it may go on as before
     guess.s_p += T_before_now_.p.norm();
     guess.s_yaw += std::abs(T_before_now_.angle);
@@ -102,53 +82,92 @@ MatchResult ScanTracker::match(const PointScan& scan, const Guess& guess, bool i
 MatchResult ScanTracker::search(const PointScan& scan, const Guess& guess,
                                 const SearchWindow& window) {
   const MaxPyramid& hits = hits_about(guess.T_map_base.p);
+  const auto max_points = static_cast<std::size_t>(options_.search.max_points);
   const auto found =
-      match_by_branch_and_bound(hits, thinned_points(scan, 200), guess.T_map_base, window, 0.2);
+      match_by_branch_and_bound(hits, thinned_points(scan, max_points), guess.T_map_base, window,
+                                options_.search.min_response);
   if (!found) return {};
   return refine(scan, found->T_ref_base, guess.prior());
 }
 
-MatchResult ScanTracker::better(const MatchResult& a, const MatchResult& b, const Guess& guess) {
-  const auto score = [&guess](const MatchResult& match) {
+MatchResult ScanTracker::better(const MatchResult& a, const MatchResult& b,
+                                const Guess& guess) const {
+  const TrackingOptions& tracking = options_.tracking;
+  const auto score = [&](const MatchResult& match) {
     const double deviation = guess.squared_deviation(match.T_ref_base);
-    return match.inlier_fraction - kWorthOfGuess * deviation / (deviation + kDoubtedDeviation);
+    return match.inlier_fraction -
+           tracking.prior_weight * deviation / (deviation + tracking.max_squared_deviation);
   };
-  return score(a) > score(b) + kSearchGain ? a : b;
+  return score(a) > score(b) + tracking.search_gain ? a : b;
+}
+
+bool ScanTracker::is_off_prior(const MatchResult& match, const Guess& guess) const {
+  const SE2 off = guess.T_map_base.inverse() * match.T_ref_base;
+  return off.p.norm() > options_.tracking.prior_sigmas * guess.s_p ||
+         std::abs(off.angle) > options_.tracking.prior_sigmas * guess.s_yaw;
+}
+
+// A long motion may have left the reach of the match, and poor odometry its start.
+bool ScanTracker::is_uncertain(const OdometryMotion::Step& step, const MatchResult& match) const {
+  const TrackingOptions& tracking = options_.tracking;
+  const bool is_far = step.T_before_now.p.norm() > tracking.search_motion ||
+                      std::abs(step.T_before_now.angle) > tracking.search_turn;
+  const double enough = step.by_scans ? tracking.min_inliers_by_scans : tracking.min_inliers;
+  return is_far || !step.problem.empty() || match.inlier_fraction < enough;
+}
+
+SearchWindow ScanTracker::near_window(const Guess& guess) const {
+  const TrackingSearchOptions& search = options_.search;
+  return {search.near_window + search.window_sigmas * guess.s_p,
+          search.near_window_yaw + search.window_sigmas_yaw * guess.s_yaw};
+}
+
+MatchResult ScanTracker::search_near(const PointScan& scan, const Guess& guess,
+                                     const MatchResult& best) {
+  MatchResult result = best;
+  if (is_off_prior(best, guess)) result = better(best, match(scan, guess, true), guess);
+  return better(search(scan, guess, near_window(guess)), result, guess);
+}
+
+// Where hardly anything fits the robot may be lost; where something fits, but odometry excludes the
+// pose, the match may be at a similar place. The latter needs more to be replaced.
+MatchResult ScanTracker::search_wide(const PointScan& scan, const Guess& guess,
+                                     const MatchResult& best) {
+  const TrackingOptions& tracking = options_.tracking;
+  const bool is_lost = best.inlier_fraction < tracking.lost_inliers;
+  const bool is_inconsistent =
+      best.inlier_fraction < tracking.inconsistent_inliers &&
+      guess.squared_deviation(best.T_ref_base) > tracking.max_squared_deviation;
+  if (!is_lost && !is_inconsistent) return best;
+  const SearchWindow near = near_window(guess);
+  const SearchWindow wide{near.linear + options_.search.wide_window,
+                          near.angular + options_.search.wide_window_yaw};
+  const MatchResult other = search(scan, guess, wide);
+  const double enough = is_lost ? tracking.min_lost_inliers : tracking.min_inconsistent_inliers;
+  return other.inlier_fraction > enough ? better(other, best, guess) : best;
 }
 
 MatchResult ScanTracker::track(const PointScan& scan, const OdometryMotion::Step& step) {
+  // 1. Predict: the pose by odometry, or by the scans' own motion.
   const Guess guess = this->guess(step);
   const SE2 T_base_before = T_map_base_.inverse();
   MatchResult best;
   best.T_ref_base = guess.T_map_base;
   if (!surfels_.empty()) {
+    // 2. Match: with the surfaces, from the prediction.
     best = match(scan, guess, false);
-    const bool is_far = step.T_before_now.p.norm() > options_.search_motion ||
-                        std::abs(step.T_before_now.angle) > options_.search_turn;
-    const SE2 off = guess.T_map_base.inverse() * best.T_ref_base;
-    const bool is_odd = off.p.norm() > 3.0 * guess.s_p || std::abs(off.angle) > 3.0 * guess.s_yaw;
-    const double enough =
-        step.by_scans ? options_.inlier_fraction_by_scans : options_.smallest_inlier_fraction;
-    const bool is_doubted =
-        is_far || is_odd || !step.problem.empty() || best.inlier_fraction < enough;
-    const SearchWindow near{0.2 + 3.0 * guess.s_p, 0.05 + 2.0 * guess.s_yaw};
-    const SearchWindow wide{near.linear + 1.0, near.angular + 0.8};
-    if (is_doubted && best.inlier_fraction + kSearchGain < 1.0) {
-      if (is_odd) best = better(best, match(scan, guess, true), guess);
-      best = better(search(scan, guess, near), best, guess);
+    // 3. Search near: where the match is uncertain and another pose could fit better.
+    const bool is_improvable = best.inlier_fraction + options_.tracking.search_gain < 1.0;
+    if (is_improvable && (is_off_prior(best, guess) || is_uncertain(step, best))) {
+      best = search_near(scan, guess, best);
     }
-    const bool is_lost = best.inlier_fraction < options_.lost_inlier_fraction;
-    const bool is_astray = best.inlier_fraction < kFitsSomewhat &&
-                           guess.squared_deviation(best.T_ref_base) > kDoubtedDeviation;
-    if (is_lost || is_astray) {
-      const MatchResult other = search(scan, guess, wide);
-      const double enough = is_lost ? kSureFraction : kCertainFraction;
-      if (other.inlier_fraction > enough) best = better(other, best, guess);
-    }
+    // 4. Search wide: where the scan fits nowhere near, or odometry excludes the pose.
+    best = search_wide(scan, guess, best);
   }
+  // 5. Update: the pose and the motion up to it.
   T_map_base_ = best.T_ref_base;
   T_before_now_ = T_base_before * T_map_base_;
-  if (step.is_stale) T_told_base_ = T_told_base_ * T_before_now_;
+  if (step.is_stale) T_reported_base_ = T_reported_base_ * T_before_now_;
   return best;
 }
 

@@ -10,37 +10,32 @@
 #include "matchers/correlative_match.h"
 #include "matchers/line_match.h"
 #include "motion/odometry_motion.h"
+#include "trident_slam/graph_slam_front_end.h"
 
 namespace trident::slam {
 
 /// How uncertain odometry is taken to be, per motion between two scans (standard deviations).
 struct OdometryNoise {
-  double distance_floor = 0.01;       ///< [m]
-  double distance_per_metre = 0.15;   ///< wrong scale of the distance
-  double distance_per_radian = 0.05;  ///< [m/rad]
-  double yaw_floor = 0.005;           ///< [rad]
-  double yaw_per_radian = 0.15;
-  double yaw_per_metre = 0.03;  ///< [rad/m]
+  double distance_per_metre = 0.15;  ///< wrong scale of the distance
+  double yaw_per_radian = 0.15;      ///< wrong scale of the rotation
+  OdometryNoiseOptions other;        ///< what does not scale with its own kind of motion
 
+  /// Of the position [m] after a motion.
   double distance_sigma(double metres, double radians) const {
-    return distance_floor + distance_per_metre * metres + distance_per_radian * radians;
+    return other.distance_floor + distance_per_metre * metres + other.distance_per_radian * radians;
   }
+  /// Of the heading [rad] after a motion.
   double yaw_sigma(double metres, double radians) const {
-    return yaw_floor + yaw_per_radian * radians + yaw_per_metre * metres;
+    return other.yaw_floor + yaw_per_radian * radians + other.yaw_per_metre * metres;
   }
 };
 
+/// What a ScanTracker needs of GraphSlamOptions.
 struct ScanTrackerOptions {
-  OdometryNoise noise;
-  LineMatchOptions line;
-  double surfel_cell = 0.1;               ///< [m]
-  double search_resolution = 0.05;        ///< of the correlative search [m]
-  double smallest_inlier_fraction = 0.6;  ///< below this the pose is sought in a window
-  double inlier_fraction_by_scans = 0.8;  ///< the same where scans alone tell the motion
-  double lost_inlier_fraction = 0.5;      ///< below this it is sought in a wide one
-  double search_motion = 0.3;             ///< moved farther than this: sought in a window, too [m]
-  double search_turn = 0.3;               ///< [rad]
-  double search_reach = 12.0;             ///< surfaces that the search knows [m]
+  OdometryNoise noise;           ///< of the prediction
+  LineMatchOptions line;         ///< of a match with the surfaces
+  TrackingOptions tracking;      ///< when a match is accepted
+  TrackingSearchOptions search;  ///< the search where it is not
 };
 
 /// Finds a scan's pose from a guess in the frame of the map.
@@ -52,12 +47,12 @@ using RefinePose =
 class ScanTracker {
  public:
   explicit ScanTracker(const ScanTrackerOptions& options)
-      : options_(options), surfels_(options.surfel_cell) {}
+      : options_(options), surfels_(options.tracking.surfel_cell) {}
 
   MatchResult track(const PointScan& scan, const OdometryMotion::Step& step);
   /// Takes the place of matching against the surfaces' lines.
   void set_refine(RefinePose refine) { refine_ = std::move(refine); }
-  /// Of the motions that are told from now on, as a part of their way.
+  /// Of the motions that are told from now on, as a fraction of their distance.
   void set_distance_noise(double per_metre) { options_.noise.distance_per_metre = per_metre; }
   /// Moves without a scan.
   void coast(const OdometryMotion::Step& step);
@@ -101,21 +96,26 @@ class ScanTracker {
   SE2 expected(const OdometryMotion::Step& step);
   Guess guess(const OdometryMotion::Step& step);
   MatchResult match(const PointScan& scan, const Guess& guess, bool is_firm) const;
+  bool is_off_prior(const MatchResult& match, const Guess& guess) const;
+  bool is_uncertain(const OdometryMotion::Step& step, const MatchResult& match) const;
+  MatchResult search_near(const PointScan& scan, const Guess& guess, const MatchResult& best);
+  MatchResult search_wide(const PointScan& scan, const Guess& guess, const MatchResult& best);
+  SearchWindow near_window(const Guess& guess) const;
   MatchResult search(const PointScan& scan, const Guess& guess, const SearchWindow& window);
   /// `a` if it fits better, odometry counted, else `b`.
-  static MatchResult better(const MatchResult& a, const MatchResult& b, const Guess& guess);
+  MatchResult better(const MatchResult& a, const MatchResult& b, const Guess& guess) const;
   const MaxPyramid& hits_about(const Eigen::Vector2d& p_map);
 
   ScanTrackerOptions options_;
   RefinePose refine_;
   SurfelMap surfels_;
-  std::optional<MaxPyramid> hits_;  ///< of the surfels about `hits_centre_`, not quite the newest
-  Eigen::Vector2d hits_centre_ = Eigen::Vector2d::Zero();
+  std::optional<MaxPyramid> hits_;  ///< of the surfels about `hits_center_`, not quite the newest
+  Eigen::Vector2d hits_center_ = Eigen::Vector2d::Zero();
   int changes_ = 0;  ///< scans inserted
   int hits_changes_ = 0;
   SE2 T_map_base_;
-  SE2 T_told_base_;   ///< motion by scans since odometry told a new pose
-  SE2 T_before_now_;  ///< the last motion that a scan told of
+  SE2 T_reported_base_;  ///< motion by scans since odometry told a new pose
+  SE2 T_before_now_;     ///< the last motion that a scan told of
 };
 
 }  // namespace trident::slam

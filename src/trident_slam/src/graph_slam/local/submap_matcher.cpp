@@ -6,21 +6,11 @@
 #include <utility>
 
 namespace trident::slam {
-namespace {
-
-/// Keyframes farther than this from the robot do not belong to its surroundings [m].
-constexpr double kReach = 8.0;
-/// Of those within the reach the nearest are taken, so many at most.
-constexpr std::size_t kMostKeyframes = 40;
-/// The reference is made anew when the robot is so far from where it was made for [m].
-constexpr double kMostAway = 2.0;
-/// A match seeks no farther than this, however wide the prior is.
-constexpr ScanMatcherOptions kSearch = {2.0, 1.0, 0.05};
-
-}  // namespace
-
-SubmapMatcher::SubmapMatcher(const std::string& name)
-    : matcher_(make_scan_matcher(name, kSearch)) {}
+// A match searches no farther than `max_correction`, however wide the prior is.
+SubmapMatcher::SubmapMatcher(const std::string& name, const MatcherReferenceOptions& options)
+    : options_(options),
+      matcher_(make_scan_matcher(
+          name, {options.max_correction, options.max_correction_yaw, options.resolution})) {}
 
 void SubmapMatcher::use(const KeyframeGraph& graph, int keyframe) {
   matcher_->add_to_reference(graph.pose(keyframe), *graph[keyframe].scan);
@@ -29,11 +19,11 @@ void SubmapMatcher::use(const KeyframeGraph& graph, int keyframe) {
 
 bool SubmapMatcher::is_outdated(const KeyframeGraph& graph, const SurfelMap& surfaces,
                                 const Eigen::Vector2d& p_map) const {
-  if (graph.size() < known_ || (p_map - centre_).norm() > kMostAway) return true;
+  if (graph.size() < known_ || (p_map - center_).norm() > options_.max_distance) return true;
   return std::any_of(used_.begin(), used_.end(), [&](const Used& used) {
     const SE2& T = graph.pose(used.keyframe);
     return T.p != used.T_map_base.p || T.angle != used.T_map_base.angle ||
-           surfaces.is_hidden(graph.stretch_of(used.keyframe));
+           surfaces.is_hidden(graph.submap_of(used.keyframe));
   });
 }
 
@@ -42,15 +32,15 @@ void SubmapMatcher::rebuild(const KeyframeGraph& graph, const SurfelMap& surface
   std::vector<std::pair<double, int>> near;
   for (int i = 0; i < graph.size(); ++i) {
     const double distance = (graph.pose(i).p - p_map).norm();
-    if (distance < kReach && !surfaces.is_hidden(graph.stretch_of(i)))
+    if (distance < options_.reach && !surfaces.is_hidden(graph.submap_of(i)))
       near.emplace_back(distance, i);
   }
   std::sort(near.begin(), near.end());
-  near.resize(std::min(near.size(), kMostKeyframes));
+  near.resize(std::min(near.size(), static_cast<std::size_t>(options_.max_keyframes)));
   matcher_->clear_reference();
   used_.clear();
   for (const auto& [distance, keyframe] : near) use(graph, keyframe);
-  centre_ = p_map;
+  center_ = p_map;
 }
 
 MatchResult SubmapMatcher::match(const KeyframeGraph& graph, const SurfelMap& surfaces,

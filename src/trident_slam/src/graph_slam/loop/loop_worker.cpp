@@ -12,21 +12,17 @@
 namespace trident::slam {
 namespace {
 
-/// Of reused surfaces' edges [standard deviations].
-constexpr double kKernel = 3.0;
-constexpr int kIterations = 20;
-/// A loop that the optimised graph misses by more is not believed [m], [rad].
-constexpr double kMisfit = 0.3;
-constexpr double kMisfitYaw = 0.1;
-
 /// Adds the loops, unless the rest of the graph contradicts them.
-bool accept(const std::vector<GraphEdge>& loops, KeyframeGraph* graph) {
+bool accept(const std::vector<GraphEdge>& loops, const BackEndOptions& options,
+            KeyframeGraph* graph) {
   KeyframeGraph changed = *graph;
   for (const GraphEdge& loop : loops) changed.add_edge(loop);
-  changed.optimize(kKernel, kIterations);
+  changed.optimize(options.optimization);
   for (const GraphEdge& loop : loops) {
     const Eigen::Vector3d error = edge_error(loop, changed.pose(loop.from), changed.pose(loop.to));
-    if (error.head<2>().norm() > kMisfit || std::abs(error.z()) > kMisfitYaw) return false;
+    if (error.head<2>().norm() > options.loop_verification.max_residual ||
+        std::abs(error.z()) > options.loop_verification.max_residual_yaw)
+      return false;
   }
   *graph = std::move(changed);
   return true;
@@ -36,29 +32,29 @@ bool accept(const std::vector<GraphEdge>& loops, KeyframeGraph* graph) {
 
 LoopOutcome LoopWorker::run(KeyframeGraph graph, const Job& job, double surfel_cell) {
   LoopOutcome outcome{{}, {}, SurfelMap(surfel_cell)};
-  for (const int stretch : job.stretches) {
+  for (const int submap : job.submaps) {
     const std::vector<GraphEdge> loops =
-        closer_.search(graph, stretch, graph.distances_from(stretch));
-    if (loops.empty() || !accept(loops, &graph)) continue;
+        closer_.search(graph, submap, graph.distances_from(submap));
+    if (loops.empty() || !accept(loops, options_, &graph)) continue;
     outcome.loops.insert(outcome.loops.end(), loops.begin(), loops.end());
   }
   if (outcome.loops.empty() && job.realign == Realign::kNo) return outcome;
-  if (job.realign == Realign::kEdges) graph.optimize(kKernel, kIterations);
-  if (job.realign == Realign::kScans) align_all_keyframes(&graph);
+  if (job.realign == Realign::kEdges) graph.optimize(options_.optimization);
+  if (job.realign == Realign::kScans) align_all_keyframes(&graph, options_);
   for (int i = 0; i < graph.size(); ++i) {
     outcome.poses.push_back(graph.pose(i));
-    outcome.surfels.insert(graph.pose(i), *graph[i].scan, graph.stretch_of(i));
+    outcome.surfels.insert(graph.pose(i), *graph[i].scan, graph.submap_of(i));
   }
   return outcome;
 }
 
-LoopOutcome LoopWorker::search(const KeyframeGraph& graph, int stretch, double surfel_cell) {
-  return run(graph, {{stretch}, Realign::kNo}, surfel_cell);
+LoopOutcome LoopWorker::search(const KeyframeGraph& graph, int submap, double surfel_cell) {
+  return run(graph, {{submap}, Realign::kNo}, surfel_cell);
 }
 
 void LoopWorker::start(const KeyframeGraph& graph, double surfel_cell) {
   if (running_.valid()) return;
-  if (waiting_.stretches.empty() && waiting_.realign == Realign::kNo) return;
+  if (waiting_.submaps.empty() && waiting_.realign == Realign::kNo) return;
   running_ = std::async(std::launch::async, [this, known = graph, job = std::exchange(waiting_, {}),
                                              surfel_cell]() mutable {
     lower_priority_of_this_thread();

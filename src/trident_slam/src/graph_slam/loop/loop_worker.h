@@ -13,7 +13,7 @@
 
 namespace trident::slam {
 
-/// How much of a graph is optimised anew, loops or not.
+/// How much of a graph is reoptimized, loops or not.
 enum class Realign {
   kNo,
   kEdges,  ///< the edges that it has
@@ -27,18 +27,19 @@ struct LoopOutcome {
   SurfelMap surfels;       ///< of those keyframes at those poses
 };
 
-/// Seeks loops for stretches that are complete, at once or in a thread of its own.
+/// Searches for loops for submaps that are complete, at once or in a thread of its own.
 class LoopWorker {
  public:
-  explicit LoopWorker(const LoopCloserOptions& options) : closer_(options) {}
+  LoopWorker(const LoopCloserOptions& loops, const BackEndOptions& options)
+      : options_(options), closer_(loops) {}
   ~LoopWorker() { wait(); }
   LoopWorker(const LoopWorker&) = delete;
   LoopWorker& operator=(const LoopWorker&) = delete;
 
   /// Searches now.
-  LoopOutcome search(const KeyframeGraph& graph, int stretch, double surfel_cell);
+  LoopOutcome search(const KeyframeGraph& graph, int submap, double surfel_cell);
   /// What is asked for here is begun by the next `start`.
-  void ask(int stretch) { waiting_.stretches.push_back(stretch); }
+  void ask(int submap) { waiting_.submaps.push_back(submap); }
   void ask(Realign realign) { waiting_.realign = std::max(waiting_.realign, realign); }
   /// Begins in the background what was asked for, unless something is under way there.
   void start(const KeyframeGraph& graph, double surfel_cell);
@@ -54,12 +55,13 @@ class LoopWorker {
 
  private:
   struct Job {
-    std::vector<int> stretches;
+    std::vector<int> submaps;
     Realign realign = Realign::kNo;
   };
 
   LoopOutcome run(KeyframeGraph graph, const Job& job, double surfel_cell);
 
+  BackEndOptions options_;
   LoopCloser closer_;
   Job waiting_;
   std::future<LoopOutcome> running_;

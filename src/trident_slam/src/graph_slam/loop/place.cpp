@@ -10,13 +10,8 @@
 namespace trident::slam {
 namespace {
 
+/// Resolution of what a scan shows to be free: one degree.
 constexpr int kDirections = 360;
-
-/// A point this much before what a beam met is in free space [m], plus a part of the range.
-constexpr double kFreeMargin = 0.3;
-constexpr double kFreeMarginPerMetre = 0.03;
-/// A point this near to a surface is on it [m].
-constexpr double kOnSurface = 0.15;
 
 int direction_of(const Eigen::Vector2d& p) {
   const int direction =
@@ -26,14 +21,18 @@ int direction_of(const Eigen::Vector2d& p) {
 
 }  // namespace
 
-Place::Place(const KeyframeGraph& graph, int first, int last, int anchor) {
+Place::Place(const KeyframeGraph& graph, int first, int last, int anchor,
+             const FreeSpaceOptions& options)
+    : options_(options) {
   const SE2 T_place_map = graph.pose(anchor).inverse();
   for (int i = graph.first_of(first); i < graph.end_of(last); ++i) {
     add(*graph[i].scan, T_place_map * graph.pose(i));
   }
 }
 
-Place::Place(const KeyframeGraph& graph, const std::vector<int>& keyframes) {
+Place::Place(const KeyframeGraph& graph, const std::vector<int>& keyframes,
+             const FreeSpaceOptions& options)
+    : options_(options) {
   for (const int i : keyframes) add(*graph[i].scan, graph.pose(i));
 }
 
@@ -65,8 +64,10 @@ bool Place::is_seen_free(const Eigen::Vector2d& p_place) const {
   for (const View& view : views_) {
     const Eigen::Vector2d p = view.T_view_place * p_place;
     const double range = p.norm();
-    const double met = static_cast<double>(view.nearest[direction_of(p)]);
-    if (met > 0.0 && range < met - kFreeMargin - kFreeMarginPerMetre * met) return true;
+    const double range_hit = static_cast<double>(view.nearest[direction_of(p)]);
+    if (range_hit > 0.0 &&
+        range < range_hit - options_.margin - options_.margin_per_metre * range_hit)
+      return true;
   }
   return false;
 }
@@ -84,7 +85,7 @@ Agreement Place::agreement(const SurfelMap& surfels, const PointScan& cloud,
                                                      : (p.cast<float>() - surfel->mean).eval();
     const double distance =
         static_cast<double>(has_normal ? std::abs(offset.dot(surfel->normal)) : offset.norm());
-    if (surfel != nullptr && distance < kOnSurface) {
+    if (surfel != nullptr && distance < options_.on_surface) {
       ++on_surface;
     } else if (is_seen_free(p)) {
       ++in_free_space;
@@ -97,10 +98,10 @@ Agreement Place::agreement(const SurfelMap& surfels, const PointScan& cloud,
   return result;
 }
 
-PointScan stretch_cloud(const KeyframeGraph& graph, int stretch, double cell) {
+PointScan submap_cloud(const KeyframeGraph& graph, int submap, double cell) {
   SurfelMap surfels(cell);
-  const SE2 T_anchor_map = graph.pose(graph.anchor_of(stretch)).inverse();
-  for (int i = graph.first_of(stretch); i < graph.end_of(stretch); ++i) {
+  const SE2 T_anchor_map = graph.pose(graph.anchor_of(submap)).inverse();
+  for (int i = graph.first_of(submap); i < graph.end_of(submap); ++i) {
     surfels.insert(T_anchor_map * graph.pose(i), *graph[i].scan);
   }
   PointScan cloud;

@@ -7,6 +7,7 @@
 #include "graph_slam/backend/keyframe_graph.h"
 #include "grids/max_pyramid.h"
 #include "grids/surfel_map.h"
+#include "trident_slam/graph_slam_back_end.h"
 
 namespace trident::slam {
 
@@ -16,14 +17,16 @@ struct Agreement {
   double overlap = 0.0;  ///< points on surfaces or in free space, of all
 };
 
-/// A few stretches of a map in the frame of one keyframe, and what they saw: surfaces, and free
+/// A few submaps of a map in the frame of one keyframe, and what they saw: surfaces, and free
 /// space before them.
 class Place {
  public:
-  /// Stretches `first` to `last`, both included.
-  Place(const KeyframeGraph& graph, int first, int last, int anchor);
+  /// Submaps `first` to `last`, both included.
+  Place(const KeyframeGraph& graph, int first, int last, int anchor,
+        const FreeSpaceOptions& options);
   /// Some keyframes, in the map's frame.
-  Place(const KeyframeGraph& graph, const std::vector<int>& keyframes);
+  Place(const KeyframeGraph& graph, const std::vector<int>& keyframes,
+        const FreeSpaceOptions& options);
 
   void insert_into(MaxPyramid* hits) const;
   SurfelMap surfels(double cell) const;
@@ -45,11 +48,12 @@ class Place {
     SE2 T_place_base;
     const PointScan* scan;
   };
+  FreeSpaceOptions options_;
   std::vector<PlacedScan> scans_;
   std::vector<View> views_;
 };
 
-/// The points of a stretch in its anchor's frame, one per cell [m].
-PointScan stretch_cloud(const KeyframeGraph& graph, int stretch, double cell);
+/// The points of a submap in its anchor's frame, one per cell [m].
+PointScan submap_cloud(const KeyframeGraph& graph, int submap, double cell);
 
 }  // namespace trident::slam

@@ -1,0 +1,161 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""Node hold_at: takes a simulation to a simulated time, to the step, and leaves it paused there."""
+
+from __future__ import annotations
+
+import argparse
+import math
+import sys
+import time
+
+import rosgraph
+import rospy
+from gazebo_msgs.srv import GetPhysicsProperties, GetWorldProperties
+from std_srvs.srv import Empty
+
+from trident_msgs.srv import Step
+from trident_ros import LATEST_STAMP_S
+from trident_viewer.launch_nodes import wait_for_nodes
+
+_START_LIMIT_S = 300.0  # on a loaded machine; whoever has started it sees it end
+_NODES_LIMIT_S = 300.0
+_TRIES = 20
+_POLL_S = 0.1
+_CONNECT_S = 1.0
+_CHUNK_S = 0.05  # of simulated time, so that whoever watches can follow
+_PACE = 5.0
+_SHORTEST_STEP_S = 1e-6
+
+
+def _checked(name: str, value_s: float, least_s: float) -> float:
+    """A time of a service's answer [s].
+
+    Raises:
+        rospy.ROSException: it is none.
+    """
+    if not least_s <= value_s <= LATEST_STAMP_S:
+        legal = f"{least_s:g} to {LATEST_STAMP_S:g} s"
+        raise rospy.ROSException(f"the simulator's {name} is {value_s:g} s, legal: {legal}")
+    return value_s
+
+
+class Held:
+    """A simulation that is stepped by this node."""
+
+    def __init__(self) -> None:
+        """Wait for the simulator.
+
+        Raises:
+            rospy.ROSException: there is none, or it reports an invalid time.
+        """
+        rospy.wait_for_service("/gazebo/step", _START_LIMIT_S)
+        self._pause = rospy.ServiceProxy("/gazebo/pause_physics", Empty)
+        self._step = rospy.ServiceProxy("/gazebo/step", Step)
+        self._world = rospy.ServiceProxy("/gazebo/get_world_properties", GetWorldProperties)
+        physics = rospy.ServiceProxy("/gazebo/get_physics_properties", GetPhysicsProperties)
+        self.pause()
+        self.dt_s = _checked("time_step", float(physics().time_step), _SHORTEST_STEP_S)
+
+    def pause(self) -> None:
+        """Pause it, also if somebody else has unpaused it, and note where it stands."""
+        self._pause()
+        self.time_s = _checked("sim_time", float(self._world().sim_time), 0.0)
+
+    def step_once(self) -> None:
+        """Go on by a step; errors as `advance_to`."""
+        self.advance_to(self.time_s + self.dt_s, math.inf)
+
+    def advance_to(self, time_s: float, pace: float) -> None:
+        """Go there step by step; a node of the launch may unpause the world on the way.
+
+        Args:
+            time_s: simulated time [s].
+            pace: how many times faster than real time, at most; inf: as fast as it goes.
+
+        Raises:
+            rospy.ROSException: it is past that; it refuses, or stands still, however often it is
+                paused.
+        """
+        refused = 0
+        begin, begin_s = time.monotonic(), self.time_s
+        while not rospy.is_shutdown():
+            left = round((time_s - self.time_s) / self.dt_s)
+            if left < 0:
+                raise rospy.ROSException(f"it is {self.time_s:.3f} s already, past {time_s:.3f} s")
+            due = begin + (self.time_s - begin_s) / pace
+            time.sleep(max(0.0, due - time.monotonic()))
+            if left == 0:
+                return
+            response = self._step(n=min(left, max(1, round(_CHUNK_S / self.dt_s))))
+            time_after_s = response.sim_time.to_sec()
+            if response.success and time_after_s > self.time_s:
+                self.time_s, refused = time_after_s, 0
+                continue
+            refused += 1
+            if refused == _TRIES:
+                raise rospy.ROSException(
+                    f"it stands at {self.time_s:.3f} s: {response.message or 'it does not step'}"
+                )
+            self.pause()
+        raise rospy.ROSInterruptException("interrupted")
+
+
+def wait_for_viewer() -> None:
+    """Wait until an rviz listens to transforms.
+
+    Raises:
+        rospy.ROSException: there is none within the limit.
+    """
+    give_up = time.monotonic() + _START_LIMIT_S
+    master = rosgraph.Master(rospy.get_name())
+    while not rospy.is_shutdown():
+        _, subscribers, _ = master.getSystemState()
+        if any(node.startswith("/rviz") for node in dict(subscribers).get("/tf", [])):
+            time.sleep(_CONNECT_S)  # it has asked for its topics; its sockets need a moment
+            return
+        if time.monotonic() > give_up:
+            raise rospy.ROSException(f"no rviz within {_START_LIMIT_S:g} s")
+        time.sleep(_POLL_S)
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Run to the end.
+
+    Returns:
+        0: the world stands at the time; 1: it cannot, because it is past it or not there.
+    """
+    parser = argparse.ArgumentParser(prog="hold_at", description=__doc__)
+    parser.add_argument("time_s", type=float, metavar="SECONDS", help="simulated time")
+    parser.add_argument(
+        "--viewer",
+        action="store_true",
+        help="first wait for an rviz, which then sees the way there",
+    )
+    parser.add_argument(
+        "--nodes",
+        type=int,
+        default=0,
+        metavar="N",
+        help="first wait until so many nodes of roslaunch are up, so that none acts too late",
+    )
+    parser.add_argument(
+        "--pace",
+        type=float,
+        default=_PACE,
+        metavar="FACTOR",
+        help="times real time, at most, so that nodes that are not waited for keep up; 0: any",
+    )
+    options = parser.parse_args(rospy.myargv(arguments or sys.argv)[1:])
+    rospy.init_node("hold_at", anonymous=True)
+    try:
+        held = Held()
+        if options.nodes:
+            wait_for_nodes(options.nodes, _NODES_LIMIT_S, held.pause)
+        if options.viewer:
+            wait_for_viewer()
+        held.advance_to(options.time_s, options.pace or math.inf)
+        return 0
+    except (rospy.ROSException, rospy.ServiceException) as error:
+        rospy.logerr("the simulation cannot be held: %s", error)
+    return 1

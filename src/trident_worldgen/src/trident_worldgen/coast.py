@@ -1,0 +1,220 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""A coast: hills in the north, the sea in the south, and a harbour and a road between them."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from trident_worldgen.buoys import GREEN, RED, SKY, YELLOW, Buoy, place_text, sea_text
+from trident_worldgen.checks import require, require_count, require_seed
+from trident_worldgen.coast_parts import MODEL_CONFIG, MODEL_SDF, harbour, road
+from trident_worldgen.noise import Field, grain
+from trident_worldgen.placing import free_place
+from trident_worldgen.sdf import Colour, Files, StaticModel, world_text
+from trident_worldgen.shapes import cone, rock
+from trident_worldgen.terrain import Terrain, terrain_of
+
+SIDE_M = 300.0
+LAND_M = 1.5
+"""Height of the road and of the quays above the still water."""
+BED_M = -10.0
+"""The sea's bottom off the shore."""
+BASIN_M = -5.0
+"""That of the harbour."""
+QUAY_Y_M = 25.0
+"""The harbour lies south of this line."""
+
+_FOLDER = "models/coast_parts"
+_URI = "model://coast_parts"
+_SAMPLES = 129
+_GROUND = Colour((0.46, 0.45, 0.3))
+_BARK = Colour((0.36, 0.25, 0.16))
+_NEEDLES = Colour((0.1, 0.3, 0.16))
+_STONE = Colour((0.45, 0.44, 0.42))
+_OCTAVES = ((4, 1.0), (9, 0.4), (23, 0.1))
+_TRIES = 60
+_EDGE_M = 4.0
+
+
+@dataclass(frozen=True)
+class CoastConfig:
+    """What a coast of 300 m x 300 m has.
+
+    Attributes:
+        seed: decides the hills, the bays, and what grows where.
+        relief: of the hills over the road [m].
+        trees: how many; fewer where there is no room.
+        rocks: how many, on land and off the shore.
+    """
+
+    seed: int = 1
+    relief: float = 14.0
+    trees: int = 90
+    rocks: int = 36
+
+    def validate(self) -> None:
+        """Raises Error naming the field, its value and what is legal."""
+        require_seed(self.seed)
+        require("relief", self.relief, 0.0, 30.0)
+        require_count("trees", self.trees, 2000)
+        require_count("rocks", self.rocks, 1000)
+
+
+def coast(config: CoastConfig | None = None) -> Files:
+    """`coast.world`, its terrain and its meshes.
+
+    Raises:
+        Error: an illegal configuration.
+    """
+    config = config or CoastConfig()
+    config.validate()
+    ground = coast_ground(config)
+    land = StaticModel("coast")
+    size = (SIDE_M, SIDE_M, ground.relief)
+    land.heightmap("terrain", f"{_URI}/terrain.png", size, (0.0, 0.0, ground.lowest), _GROUND)
+    _grow(land, config, ground)
+    road(land, LAND_M)
+    quays = StaticModel("harbour")
+    harbour(quays, LAND_M, BASIN_M, QUAY_Y_M)
+    more = "".join(buoy.text() for buoy in fairway(ground))
+    more += sea_text("coast") + place_text(63.4389, 10.399)
+    comment = (
+        "A coast of 300 m x 300 m: hills, a road, a harbour, and the sea in the south. "
+        f"Made by ./trident worldgen coast, seed {config.seed}"
+    )
+    return {
+        "coast.world": world_text(
+            comment,
+            [land, quays],
+            name="coast",
+            ground=False,
+            step_s=0.004,
+            gravity=9.81,
+            sky=SKY,
+            more=more,
+        ),
+        f"{_FOLDER}/model.config": MODEL_CONFIG,
+        f"{_FOLDER}/model.sdf": MODEL_SDF,
+        f"{_FOLDER}/terrain.png": ground.picture(),
+        f"{_FOLDER}/meshes/cone.obj": cone(),
+        f"{_FOLDER}/meshes/rock.obj": rock(_random(config, 0x50C4)),
+    }
+
+
+def coast_ground(config: CoastConfig) -> Terrain:
+    """The ground that `coast` builds, above and below the water."""
+    half = SIDE_M / 2
+    x = np.linspace(-half, half, _SAMPLES)[None, :]
+    y = np.linspace(half, -half, _SAMPLES)[:, None]
+    random = _random(config, 0xC0A57)
+    inland = y - _shore_y(config, x)  # m north of the shore
+    noise = sum(share * grain(random, _SAMPLES, cells) for cells, share in _OCTAVES)
+    assert isinstance(noise, np.ndarray)
+    noise = (noise - noise.min()) / max(float(np.ptp(noise)), 1e-9)
+    hills = LAND_M + config.relief * noise * _smooth((inland - 45.0) / 60.0)
+    beach = 0.08 * inland
+    ground = np.where(inland > 0.0, np.minimum(beach, LAND_M) + hills - LAND_M, 0.0)
+    bed = np.maximum(0.11 * inland, BED_M + 0.8 * noise)
+    ground = np.where(inland > 0.0, ground, bed)
+    ground = _levelled(ground, LAND_M, _road_distance(x, y), 5.0, 16.0)
+    # The yard behind the quays, then the basin, whose edges the quays' walls hide.
+    ground = _levelled(ground, LAND_M, _outside(x, y, (-20.0, 80.0), (29.0, 62.0)), 0.0, 12.0)
+    ground = _levelled(ground, BASIN_M, _outside(x, y, (-2.0, 62.0), (-40.0, 26.0)), 0.0, 6.0)
+    return terrain_of(ground, SIDE_M, SIDE_M)
+
+
+def fairway(ground: Terrain) -> list[Buoy]:
+    """The buoys of the harbour's approach, red to port when coming in, and two of a course."""
+    places = [
+        ("buoy_red_1", 0.0, -45.0, RED),
+        ("buoy_green_1", 60.0, -45.0, GREEN),
+        ("buoy_red_2", 0.0, -85.0, RED),
+        ("buoy_green_2", 60.0, -85.0, GREEN),
+        ("buoy_west", -60.0, -90.0, YELLOW),
+        ("buoy_east", 110.0, -90.0, YELLOW),
+    ]
+    return [
+        Buoy(name, x, y, round(-ground.height(x, y), 2), colour) for name, x, y, colour in places
+    ]
+
+
+def _shore_y(config: CoastConfig, x: Field) -> Field:
+    """Where the land begins: bays and capes, straight about the harbour [m]."""
+    random = _random(config, 0x54023)
+    bays = np.zeros_like(x)
+    for waves, height in ((1.5, 9.0), (3.0, 5.0), (7.0, 1.5)):
+        phase = float(random.uniform(0.0, 2.0 * math.pi))
+        bays += height * np.sin(2.0 * math.pi * waves * x / SIDE_M + phase)
+    away = _smooth((np.abs(x - 30.0) - 50.0) / 40.0)
+    shore: Field = 16.0 + away * bays
+    return shore
+
+
+def _road_distance(x: Field, y: Field) -> Field:
+    """To the middle of the road along y = 50 m [m]."""
+    return np.asarray(np.hypot(np.maximum(np.abs(x) - 135.0, 0.0), y - 50.0))
+
+
+def _outside(
+    x: Field, y: Field, x_range: tuple[float, float], y_range: tuple[float, float]
+) -> Field:
+    """Distance to a rectangle [m]; 0 within."""
+    beside = np.maximum(np.maximum(x_range[0] - x, x - x_range[1]), 0.0)
+    along = np.maximum(np.maximum(y_range[0] - y, y - y_range[1]), 0.0)
+    return np.asarray(np.hypot(beside, along))
+
+
+def _levelled(ground: Field, level: float, distance: Field, near: float, far: float) -> Field:
+    """The ground brought to a level up to `near`, itself again from `far` on [m]."""
+    share = _smooth((distance - near) / (far - near))
+    return np.asarray(level + share * (ground - level))
+
+
+def _smooth(share: Field) -> Field:
+    """0 up to 0, 1 from 1 on, without a kink between."""
+    share = np.clip(share, 0.0, 1.0)
+    return np.asarray(share * share * (3.0 - 2.0 * share))
+
+
+def _grow(land: StaticModel, config: CoastConfig, ground: Terrain) -> None:
+    """Spruces on the hills; rocks there and off the shore."""
+    random = _random(config, 0x72EE)
+    edge = SIDE_M / 2 - _EDGE_M
+    taken: list[tuple[float, float]] = []
+
+    def is_free(x: float, y: float) -> bool:
+        return all(math.hypot(x - a, y - b) > 4.0 for a, b in taken)
+
+    for index in range(config.trees):
+        place = free_place(random, (-edge, edge), (70.0, edge), is_free, _TRIES)
+        if place is None:
+            break
+        taken.append(place)
+        x, y = place
+        foot, height = ground.height(x, y), float(random.uniform(5.0, 9.0))
+        name, radius = f"tree{index}", 0.03 * height
+        trunk = 0.3 * height + 0.3
+        land.cylinder(f"{name}_trunk", radius, trunk, (x, y, foot - 0.3 + trunk / 2), _BARK)
+        scale = (0.2 * height, 0.2 * height, 0.72 * height)
+        crown = (x, y, foot + 0.28 * height)
+        land.mesh(f"{name}_crown", f"{_URI}/meshes/cone.obj", scale, crown, _NEEDLES)
+    for index in range(config.rocks):
+        x, y = float(random.uniform(-edge, -35.0)), float(random.uniform(-25.0, 40.0))
+        radius, yaw = float(random.uniform(0.4, 1.8)), float(random.uniform(0.0, 6.28))
+        scale, foot = (radius, radius, 0.8 * radius), ground.height(x, y)
+        if not _is_off_the_road(y, radius):
+            continue
+        land.mesh(f"rock{index}", f"{_URI}/meshes/rock.obj", scale, (x, y, foot), _STONE, yaw=yaw)
+
+
+def _is_off_the_road(y: float, radius: float) -> bool:
+    return abs(y - 50.0) > 8.0 + radius
+
+
+def _random(config: CoastConfig, part: int) -> np.random.Generator:
+    """A stream per part, so that one more tree moves no hill."""
+    return np.random.default_rng([config.seed, part])
