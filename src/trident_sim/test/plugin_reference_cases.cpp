@@ -108,9 +108,9 @@ void add_vessels(std::vector<ReferenceCase>& cases) {
   cases.push_back(of_model("libtrident_mooring.so",
                            {{"bodyName", "base_link"}, {"anchor", "0 0 -5"}, {"length", "6"}}));
   for (const char* input : {"commandTopic", "driveTopic"}) {
-    cases.push_back(of_model(
-        "libtrident_vessel.so",
-        {{"bodyName", "base_link"}, {"vessel", kQuadBoat}, {input, "command"}}));
+    cases.push_back(
+        of_model("libtrident_vessel.so",
+                 {{"bodyName", "base_link"}, {"vessel", kQuadBoat}, {input, "command"}}));
   }
 }
 

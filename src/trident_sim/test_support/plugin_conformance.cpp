@@ -188,9 +188,9 @@ PluginCase case_of(const std::string& filename, const PluginExample& example) {
   // A plugin belongs to the model, a sensor to its link.
   sdf = example.sensor.empty() ? "<link name='base_link'/>" + sdf
                                : "<link name='base_link'>" + sdf + "</link>";
-  const ModelSpec model =
-      load_model_string("<sdf version='1.6'><model name='example'>" + sdf + "</model></sdf>",
-                        "example of '" + filename + "'", Resources(std::vector<std::string>{}), [](const auto&) {});
+  const ModelSpec model = load_model_string(
+      "<sdf version='1.6'><model name='example'>" + sdf + "</model></sdf>",
+      "example of '" + filename + "'", Resources(std::vector<std::string>{}), [](const auto&) {});
   PluginCase result{filename, {}, example.required, example.numbers};
   if (!example.sensor.empty()) {
     result.sensor = model.links.at(0).sensors.at(0);

@@ -107,7 +107,7 @@ class Body {
   // Accumulated over a step, world frame, torque about the center of mass.
   Eigen::Vector3d force = Eigen::Vector3d::Zero();
   Eigen::Vector3d torque = Eigen::Vector3d::Zero();
-  /// Angular momentum of the spun rotors about their own axes [kg m^2/s], body frame.
+  /// Angular momentum of the rotors about their own axes [kg m^2/s], body frame.
   Eigen::Vector3d rotor_momentum = Eigen::Vector3d::Zero();
   // State at the beginning of the last step; accelerations are differences over a step.
   SE3 T_before;

@@ -79,7 +79,8 @@ TEST(GoldenTumble, StaysNearTheClosedFormAndConservesMomentum) {
   ASSERT_TRUE(is_near(exact.momentum(), momentum, 1e-6));
   const Body& body = *box.bodies[0];
   const Eigen::Vector3d w = body.rotation().transpose() * body.angular_velocity();
-  EXPECT_TRUE(is_near(body.rotation() * (body.inertia_tensor() * w), momentum, 0.05 * momentum.norm()));
+  EXPECT_TRUE(
+      is_near(body.rotation() * (body.inertia_tensor() * w), momentum, 0.05 * momentum.norm()));
   EXPECT_NEAR(w.dot(body.inertia_tensor() * w), energy, 0.05 * energy);
   EXPECT_LT(rad_to_deg(worst_angle), 5.0);
   EXPECT_NEAR(box.T_world_model().p.x(), -20.0 + 1.0, 1e-9);

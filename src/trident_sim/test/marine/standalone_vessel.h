@@ -5,9 +5,9 @@
 #include <memory>
 #include <string>
 
+#include "core/physics/engine_body.h"
 #include "marine/environment/current.h"
 #include "marine/vessel/vessel_dynamics.h"
-#include "core/physics/engine_body.h"
 
 namespace trident::sim {
 

@@ -18,7 +18,8 @@ double energy(const Model& model) {
   double sum = 0.0;
   for (const auto& body : model.bodies) {
     const Eigen::Vector3d w = body->rotation().transpose() * body->angular_velocity();
-    sum += 0.5 * body->mass() * body->velocity().squaredNorm() + 0.5 * w.dot(body->inertia_tensor() * w) +
+    sum += 0.5 * body->mass() * body->velocity().squaredNorm() +
+           0.5 * w.dot(body->inertia_tensor() * w) +
            body->weight_mass() * kStandardGravity * body->pose().p.z();
   }
   return sum;

@@ -24,7 +24,8 @@ class OdeBody {
     dBodySetPosition(body_, T.p.x(), T.p.y(), T.p.z());
     dBodySetQuaternion(body_, q);
     dBodySetLinearVel(body_, body.velocity().x(), body.velocity().y(), body.velocity().z());
-    dBodySetAngularVel(body_, body.angular_velocity().x(), body.angular_velocity().y(), body.angular_velocity().z());
+    dBodySetAngularVel(body_, body.angular_velocity().x(), body.angular_velocity().y(),
+                       body.angular_velocity().z());
   }
   ~OdeBody() { dWorldDestroy(world_); }
   OdeBody(const OdeBody&) = delete;

@@ -27,7 +27,8 @@ TEST(Inertia, TwoFixedMassesByHand) {
   EXPECT_DOUBLE_EQ(body.mass(), 3.0);
   EXPECT_TRUE(is_near(body.pose().p, {1, 0, 0}, 1e-12));
   EXPECT_TRUE(near(body.inertia_tensor(), Eigen::Vector3d(0.11, 6.22, 6.33).asDiagonal(), 1e-12));
-  EXPECT_TRUE(near(body.inertia_tensor() * engine_body(body).inertia_inverse, Eigen::Matrix3d::Identity(), 1e-12));
+  EXPECT_TRUE(near(body.inertia_tensor() * engine_body(body).inertia_inverse,
+                   Eigen::Matrix3d::Identity(), 1e-12));
 }
 
 TEST(Inertia, ARotatedLinkSwapsItsAxes) {

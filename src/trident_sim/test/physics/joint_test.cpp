@@ -148,8 +148,8 @@ TEST(Revolute, BetweenTwoBodiesItKeepsTheirMomentum) {
   Eigen::Vector3d momentum = Eigen::Vector3d::Zero(), angular = Eigen::Vector3d::Zero();
   for (const auto& body : model.bodies) {
     momentum += body->mass() * body->velocity();
-    angular +=
-        body->inertia_tensor() * body->angular_velocity() + body->pose().p.cross(body->mass() * body->velocity());
+    angular += body->inertia_tensor() * body->angular_velocity() +
+               body->pose().p.cross(body->mass() * body->velocity());
   }
   EXPECT_GT(model.find_joint("j")->velocity(), 0.1);
   EXPECT_LT(momentum.norm(), 1e-9);

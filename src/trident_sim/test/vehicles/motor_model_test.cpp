@@ -47,8 +47,8 @@ TEST(MotorModel, ThrustIsThatOfTheSpeedBeforeTheStep) {
   const double before = quad.body().velocity().z();
   quad->step();
   const double thrust = 4.0 * quad.options.motor_constant * speed * speed;
-  EXPECT_NEAR(quad.body().velocity().z() - before, (thrust / quad.options.mass_kg() - kGravity) * kDt,
-              1e-12);
+  EXPECT_NEAR(quad.body().velocity().z() - before,
+              (thrust / quad.options.mass_kg() - kGravity) * kDt, 1e-12);
 }
 
 TEST(MotorModel, HoverSpeedCarriesTheWeight) {
@@ -80,7 +80,8 @@ TEST(MotorModel, ThrustOfOneRotorTiltsTheBodyAwayFromIt) {
   quad->step();
   EXPECT_LT(quad.body().angular_velocity().y(), 0.0);
   const double torque = quad.options.motor_constant * 400.0 * 400.0 * quad.options.arm_m;
-  EXPECT_NEAR(-quad.body().angular_velocity().y() / kDt, torque / quad.body().inertia_tensor()(1, 1),
+  EXPECT_NEAR(-quad.body().angular_velocity().y() / kDt,
+              torque / quad.body().inertia_tensor()(1, 1),
               0.05 * torque / quad.body().inertia_tensor()(1, 1));
 }
 
@@ -93,7 +94,8 @@ Change fly_sideways(const QuadOptions& options) {
   quad.settle({400, 400, 400, 400});
   quad->set_model_twist(*quad.quad, {4, 0, 1}, Eigen::Vector3d::Zero());
   quad->step();
-  return {(quad.body().velocity() - Eigen::Vector3d(4, 0, 1)) / kDt, quad.body().angular_velocity() / kDt};
+  return {(quad.body().velocity() - Eigen::Vector3d(4, 0, 1)) / kDt,
+          quad.body().angular_velocity() / kDt};
 }
 
 TEST(MotorModel, RotorDragOpposesTheMotionAcrossTheAxis) {

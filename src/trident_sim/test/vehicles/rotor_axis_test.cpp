@@ -15,8 +15,7 @@ Eigen::Vector3d axis_after_turning(int number, LoopTiming timing) {
   quad->set_model_twist(*quad.quad, {0, 0, 0}, {1, 0, 0});
   for (int i = 0; i < 60; ++i) {
     quad->step();
-    quad->set_model_twist(*quad.quad, {0, 0, 0},
-                          quad.body().rotation() * Eigen::Vector3d(1, 0, 0));
+    quad->set_model_twist(*quad.quad, {0, 0, 0}, quad.body().rotation() * Eigen::Vector3d(1, 0, 0));
   }
   return quad.quad->find_joint("rotor_" + std::to_string(number) + "_joint")->rotor_axis_body;
 }

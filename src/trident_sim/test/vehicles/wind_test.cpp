@@ -58,7 +58,8 @@ TEST(Wind, ForceOffTheCentreTurns) {
   Model& body = world.add(body_in_wind({{"windForceMean", "3"}, {"xyzOffset", "0 0.1 0"}}));
   world->step();
   // r = +y, F = +x: torque along -z.
-  EXPECT_NEAR(body.bodies[0]->angular_velocity().z(), -0.3 / body.bodies[0]->inertia_tensor()(2, 2) * kStep_s, 1e-12);
+  EXPECT_NEAR(body.bodies[0]->angular_velocity().z(),
+              -0.3 / body.bodies[0]->inertia_tensor()(2, 2) * kStep_s, 1e-12);
 }
 
 TEST(Wind, ForceAndSpeedAreShown) {
@@ -88,7 +89,8 @@ TEST(Wind, SpeedDragsTheRotorsOfTheSameNamespaceOnly) {
     quad->settle({400, 400, 400, 400});
     (*quad)->step();
   }
-  EXPECT_NEAR(windy.body().velocity().x(), 4 * 400 * 2e-4 * 5.0 / options.mass_kg() * kStep_s, 1e-9);
+  EXPECT_NEAR(windy.body().velocity().x(), 4 * 400 * 2e-4 * 5.0 / options.mass_kg() * kStep_s,
+              1e-9);
   EXPECT_NEAR(calm.body().velocity().x(), 0.0, 1e-12);
 }
 

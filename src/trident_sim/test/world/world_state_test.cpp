@@ -124,8 +124,8 @@ TEST(Wrench, OffTheCentreItTurns) {
   Model& model = world.add(std::move(spec));
   world->apply_wrench({model.canonical_link(), {0, 1, 0}, {0, 0, 0.5}, {0.2, 0, 0}, {0}, {-1}});
   world->step();
-  EXPECT_NEAR(model.bodies[0]->angular_velocity().z(), (0.2 + 0.5) / model.bodies[0]->inertia_tensor()(2, 2) * 0.01,
-              1e-9);
+  EXPECT_NEAR(model.bodies[0]->angular_velocity().z(),
+              (0.2 + 0.5) / model.bodies[0]->inertia_tensor()(2, 2) * 0.01, 1e-9);
 }
 
 TEST(Wrench, NonsenseIsRefused) {

@@ -83,7 +83,7 @@ inline const EngineBody* engine_body(const Body* body) {
   return static_cast<const EngineBody*>(body);
 }
 
-/// The ODE joints of a joint that is neither rigid nor spun.
+/// The ODE joints of a joint that is neither rigid nor a rotor's.
 struct OdeJoint {
   dJointID id = nullptr;
   std::vector<dJointID> more;  ///< what a screw and a gearbox need besides

@@ -276,7 +276,7 @@ const PluginRegistrar kTridentSea("libtrident_sea.so", sea_factory());
 const PluginRegistrar kTridentEnvironment("libtrident_environment.so", sea_factory());
 const PluginRegistrar kWavefieldModelPlugin("libWavefieldModelPlugin.so", vrx_wave_field_factory());
 const PluginRegistrar kOldWavefieldModelPlugin("libwavefield_model_plugin.so",
-                                            vrx_wave_field_factory());
+                                               vrx_wave_field_factory());
 const PluginRegistrar kFreefloatingGazeboFluid("libfreefloating_gazebo_fluid.so",
                                                freefloating_fluid_factory());
 

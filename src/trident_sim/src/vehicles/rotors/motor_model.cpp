@@ -111,12 +111,13 @@ class MotorModel : public Plugin {
     Eigen::Vector3d thrust_axis = axis;
     if (!is_thrust_along_axis_) thrust_axis += R * axis_to_thrust_body_;
     const Eigen::Vector3d arm = R * arm_body_;
-    const Eigen::Vector3d velocity = body.velocity() + body.angular_velocity().cross(arm) - wind_velocity(arm);
+    const Eigen::Vector3d velocity =
+        body.velocity() + body.angular_velocity().cross(arm) - wind_velocity(arm);
     const Eigen::Vector3d across = velocity - velocity.dot(axis) * axis;
     const Eigen::Vector3d force = thrust * thrust_axis - std::abs(speed) * rotor_drag_ * across;
     body.apply_force(force);
     body.apply_torque(arm.cross(force) - direction_ * thrust * moment_constant_ * thrust_axis -
-                   std::abs(speed) * rolling_moment_ * across);
+                      std::abs(speed) * rolling_moment_ * across);
   }
 
   /// What came on the topic, else the world's wind.
