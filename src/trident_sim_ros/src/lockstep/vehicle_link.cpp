@@ -174,7 +174,7 @@ void VehicleLink::note_enrolment(SimTime stamp) {
 void VehicleLink::send_next() {
   if (lockstep.next_to_send(wall_now()).ns < 0 || outbox_.empty()) return;
   send(outbox_.front());
-  under_way_ = std::move(outbox_.front());
+  in_flight_ = std::move(outbox_.front());
   outbox_.pop_front();
 }
 
@@ -204,7 +204,7 @@ void VehicleLink::send_state(SimTime stamp, WallTime now) {
     return;
   }
   send(state);
-  under_way_ = std::move(state);
+  in_flight_ = std::move(state);
   // Those that time zero was held for are connected both ways.
   if (answered_reader_ == 0) answered_reader_ = newest_reader_;
 }
@@ -218,10 +218,10 @@ bool VehicleLink::send_again_to_new_readers(WallTime now) {
     is_controller_back = is_controller_back || controllers_.count(reader.node) > 0;
   }
   if (newest_reader_ > sent_to) {
-    send_under_way(sent_to, now);
+    send_in_flight(sent_to, now);
     readers_when_sent_ = odometry_readers();
   } else if (now - asked_at_ > kAskAgainPeriod && has_unproven_controller()) {
-    send_under_way(answered_reader_, now);
+    send_in_flight(answered_reader_, now);
   }
   return is_controller_back;
 }
@@ -237,8 +237,8 @@ bool VehicleLink::has_unproven_controller() const {
   });
 }
 
-void VehicleLink::send_under_way(int after, WallTime now) {
-  for (const auto& [index, message] : under_way_.messages) direct_[index]->send(*message, after);
+void VehicleLink::send_in_flight(int after, WallTime now) {
+  for (const auto& [index, message] : in_flight_.messages) direct_[index]->send(*message, after);
   asked_at_ = now;
 }
 

@@ -96,7 +96,7 @@ class VehicleLink {
   /// Tells the readers of the odometry that time is back at zero: a state
   /// at rest, stamped zero.
   void announce_reset() TRIDENT_REQUIRES(hub_.mutex);
-  /// Sends the state under way to those who have begun to read since, and again and again to a
+  /// Sends the state in flight to those who have begun to read since, and again and again to a
   /// controller that came back, until it answers. True: one that came back just now.
   bool send_again_to_new_readers(WallTime now) TRIDENT_REQUIRES(hub_.mutex);
   /// Stops waiting for the controller; what was in line for it is dropped.
@@ -120,7 +120,7 @@ class VehicleLink {
   void note_outsider(SimTime stamp) TRIDENT_REQUIRES(hub_.mutex);
   void note_enrolment(SimTime stamp) TRIDENT_REQUIRES(hub_.mutex);
   void learn_controllers() TRIDENT_REQUIRES(hub_.mutex);
-  void send_under_way(int after, WallTime now) TRIDENT_REQUIRES(hub_.mutex);
+  void send_in_flight(int after, WallTime now) TRIDENT_REQUIRES(hub_.mutex);
   bool has_unproven_controller() const TRIDENT_REQUIRES(hub_.mutex);
   std::vector<ros_utils::TopicPeer> all_odometry_readers() const;
 
@@ -132,7 +132,7 @@ class VehicleLink {
   std::vector<OutputBinding*> odometry_;
   std::vector<std::unique_ptr<ros_utils::DirectPublication>>
       direct_;                                      ///< one for each of `odometry_`
-  State under_way_ TRIDENT_GUARDED_BY(hub_.mutex);  ///< the last one sent
+  State in_flight_ TRIDENT_GUARDED_BY(hub_.mutex);  ///< the last one sent
   bool is_confirming_open_ TRIDENT_GUARDED_BY(hub_.mutex) = false;
   SimTime newest_sent_ TRIDENT_GUARDED_BY(hub_.mutex){-1};  ///< set-point that was sent meanwhile
   std::uint32_t readers_when_sent_ TRIDENT_GUARDED_BY(hub_.mutex) = 0;
