@@ -41,7 +41,9 @@ ANSWERS = {"state": "/cart/odom", "commands": ["/cart/cmd_vel"], "delay": 0.02}
     ],
     ids=["delay nan", "no topic", "no state"],
 )
-def test_a_parameter_that_cannot_be_is_one_error(ros: Ros, wrong: dict[str, Any], told: str) -> None:
+def test_a_parameter_that_cannot_be_is_one_error(
+    ros: Ros, wrong: dict[str, Any], told: str
+) -> None:
     answers = {key: value for key, value in {**ANSWERS, **wrong}.items() if value is not None}
     gazebo = Gazebo(ros, answers={"cart": answers})
     assert gazebo.process.wait() == 1, gazebo.log
