@@ -171,6 +171,6 @@ def test_what_is_wrong_is_said_and_the_manager_goes_on(ros: Ros) -> None:
     lost = gazebo.load("gazebo_ros/gzserver", ["/no/such.world", "__name:=other"])
     assert lost.wait() != 0
     log = gazebo.log
-    assert "vehicle parameter 'mass' is -1" in log
+    assert "/UAV1/lee/mass: -1 is out of range" in log
     assert "/no/such.world" in log
     assert gazebo.step(1) == pytest.approx(0.01)
