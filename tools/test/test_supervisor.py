@@ -174,7 +174,7 @@ def test_below_nohup_a_hangup_ends_nothing(family: Family) -> None:
 
 
 def test_several_are_asked_to_end_at_once(tmp_path: Path) -> None:
-    # Each tells when it is interrupted, and ends when the other has told so, too.
+    # Each reports when it is interrupted, and ends when the other has reported that, too.
     script = (
         "import pathlib, signal, sys, time\n"
         "here, other = (pathlib.Path(sys.argv[1], name) for name in sys.argv[2:])\n"
@@ -215,7 +215,7 @@ def test_the_command_is_interrupted_once_and_may_clean_up(tmp_path: Path) -> Non
 @pytest.mark.parametrize(
     ("line", "code"), [("exit 0", 0), ("exit 7", 7), ("kill -SEGV $$", -11), ("kill -9 $$", -9)]
 )
-def test_the_end_of_the_command_is_told(line: str, code: int) -> None:
+def test_the_end_of_the_command_is_reported(line: str, code: int) -> None:
     process = Supervised(["sh", "-c", line])
     assert process.wait(LIMIT_S) == code
     assert process.end() == code
