@@ -151,16 +151,16 @@ void VehicleLink::on_command(const mav_msgs::Actuators& message) {
                              "writes /" + port_->name() + " outside of the lockstep");
   }
   if (answer == LockstepVehicle::Answer::kEnrolled) {
-    note_enrolment(command.stamp);
-    hub_.news.push_back(name_ + ": controller enrolled at state " +
-                        std::to_string(command.stamp.seconds()) + " s; the world waits for it");
+    note_enrollment(command.stamp);
+    hub_.events.push_back(name_ + ": controller enrolled at state " +
+                          std::to_string(command.stamp.seconds()) + " s; the world waits for it");
   }
   waiting.end();
   inbox_.push_back(command);
   send_next();
 }
 
-void VehicleLink::note_enrolment(SimTime stamp) {
+void VehicleLink::note_enrollment(SimTime stamp) {
   const bool has_run_without = lockstep.first_sent() < hub_.required_stamp;
   if (!has_run_without || !hub_.repeatability.running()) return;
   hub_.repeatability.spoil("the controller of " + name_, stamp, "enrolled while time ran");
@@ -169,7 +169,7 @@ void VehicleLink::note_enrolment(SimTime stamp) {
 void VehicleLink::send_next() {
   if (lockstep.next_to_send(wall_now()).ns < 0 || outbox_.empty()) return;
   send(outbox_.front());
-  under_way_ = std::move(outbox_.front());
+  in_flight_ = std::move(outbox_.front());
   outbox_.pop_front();
 }
 
@@ -199,7 +199,7 @@ void VehicleLink::send_state(SimTime stamp, WallTime now) {
     return;
   }
   send(state);
-  under_way_ = std::move(state);
+  in_flight_ = std::move(state);
 }
 
 bool VehicleLink::send_again_to_new_readers() {
@@ -214,7 +214,7 @@ bool VehicleLink::send_again_to_new_readers() {
     }
   }
   if (newest == newest_reader_) return false;
-  for (const auto& [index, message] : under_way_.messages) {
+  for (const auto& [index, message] : in_flight_.messages) {
     direct_[index]->send(*message, newest_reader_);
   }
   newest_reader_ = newest;
