@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-// What changes and tells of a world's sea and wind.
+// What changes and describes a world's sea and wind.
 #include "bindings.h"
 #include "sample_class.h"
 #include "trident_sim/text_sample.h"
