@@ -17,10 +17,10 @@ import sys
 ROWS = 200
 LINE_Y_M = (4.0, 2.4, 0.8, -0.8, -2.4, -4.0)
 RADIUS_M = 1.7
-# Slots around the hexagon in the order of the line, so that nobody crosses anybody's way.
+# Slots around the hexagon in the order of the line, so that no two paths cross.
 SLOT_DEG = (90.0, 150.0, 30.0, 210.0, 330.0, 270.0)
 START_Z_M = 1.2
-# (first row, last row, way [m], turn [deg]); the first phase forms the hexagon.
+# (first row, last row, shift [m], turn [deg]); the first phase forms the hexagon.
 FORM = (0, 45)
 PHASES = (
     (0, 45, (2.0, 0.0, 0.3), 0.0),
@@ -38,10 +38,10 @@ def blend(row: int, first: int, last: int) -> float:
 
 def position(row: int, vehicle: int) -> tuple[float, float, float]:
     """Position of a vehicle at a row [m]."""
-    centre, turn_deg = [0.0, 0.0, START_Z_M], 0.0
-    for first, last, way, angle_deg in PHASES:
+    center, turn_deg = [0.0, 0.0, START_Z_M], 0.0
+    for first, last, shift, angle_deg in PHASES:
         done = blend(row, first, last)
-        centre = [c + done * w for c, w in zip(centre, way, strict=True)]
+        center = [c + done * w for c, w in zip(center, shift, strict=True)]
         turn_deg += done * angle_deg
     formed = blend(row, *FORM)
     slot = math.radians(SLOT_DEG[vehicle])
@@ -49,9 +49,9 @@ def position(row: int, vehicle: int) -> tuple[float, float, float]:
     y = (1.0 - formed) * LINE_Y_M[vehicle] + formed * RADIUS_M * math.sin(slot)
     turn = math.radians(turn_deg)
     return (
-        centre[0] + x * math.cos(turn) - y * math.sin(turn),
-        centre[1] + x * math.sin(turn) + y * math.cos(turn),
-        centre[2],
+        center[0] + x * math.cos(turn) - y * math.sin(turn),
+        center[1] + x * math.sin(turn) + y * math.cos(turn),
+        center[2],
     )
 
 

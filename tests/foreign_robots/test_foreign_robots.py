@@ -20,7 +20,7 @@ EMPTY = "package://rotors_gazebo/worlds/empty.world"
 
 @dataclass(frozen=True)
 class Foreign:
-    """One robot: where it listens, where it tells, how well it turns, and what is left out."""
+    """One robot: where it listens, where it publishes, how well it turns, and what is left out."""
 
     name: str
     command: str
@@ -114,10 +114,10 @@ def test_it_drives_ahead_and_turns_left(robot: Foreign) -> None:
 def test_its_odometry_is_heard_under_its_name(robot: Foreign) -> None:
     world = spawn(robot)
     drive(world, robot.command, 0.3, 0.0, 3.0)
-    told = world.ports[robot.odometry].value
-    assert told.parent_frame.endswith("odom")
-    assert told.position[0] == pytest.approx(world.model(robot.name).position[0], rel=0.05)
-    assert told.linear_velocity[0] == pytest.approx(0.3, abs=0.02)
+    odometry = world.ports[robot.odometry].value
+    assert odometry.parent_frame.endswith("odom")
+    assert odometry.position[0] == pytest.approx(world.model(robot.name).position[0], rel=0.05)
+    assert odometry.linear_velocity[0] == pytest.approx(0.3, abs=0.02)
 
 
 @pytest.mark.parametrize("robot", ROBOTS, ids=NAMES)
@@ -143,5 +143,5 @@ def test_a_second_one_of_its_kind_names_its_elements_no_more() -> None:
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", trident_sim.SimulationWarning)
         world.spawn("second", urdf=urdf, namespace="second", pose=(3.0, 0.0, robot.z))
-    told = [message.text for message in world.messages[before:]]
-    assert not [text for text in told if "no effect" in text], told
+    warned = [message.text for message in world.messages[before:]]
+    assert not [text for text in warned if "no effect" in text], warned

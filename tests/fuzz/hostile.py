@@ -23,15 +23,15 @@ from geometry_msgs.msg import TransformStamped
 from nav_msgs.msg import Odometry
 from sensor_msgs.msg import LaserScan
 from tf2_msgs.msg import TFMessage
-from trident.testing import Process, Ros, complaints, eventually, recorder
+from trident.testing import Process, Ros, eventually, logged_problems, recorder
 from trident.testing.fuzz import Campaign, CampaignOptions, Target
 
 MESSAGES = int(os.environ.get("TRIDENT_FUZZ_MESSAGES", "10000"))
 #: The long form: slow nodes get all of them, too (minutes for some).
 IS_LONG = os.environ.get("TRIDENT_FUZZ_LONG", "0") == "1"
 SEED = int(os.environ.get("TRIDENT_FUZZ_SEED", "1"))
-#: Lines that a node may complain in of 10^4 messages: it tells each kind now and then.
-MOST_COMPLAINTS = 300
+#: Warnings that a node may log about 10^4 messages: it logs each kind every few seconds.
+MAX_PROBLEMS = 300
 _ROOM_M = (4.0, 3.0)  # half of its sides
 _BEAMS = 180
 _PROGRAM = re.compile(r"/lib/([^/]+/[^/]+)$")
@@ -80,7 +80,7 @@ def withstands(
     skip: tuple[str, ...] = (),
     **options: Any,
 ) -> None:
-    """The node lives, tells nothing that is no number, complains seldom, and still does its work.
+    """The node lives, sends only finite numbers, warns seldom, and still does its work.
 
     Args:
         process: that the node is in.
@@ -99,8 +99,8 @@ def withstands(
     print(node, found.text())
     assert not found.problems, found.text()
     refusals = sum(found.refused.values())  # each has its answer, and a line in the log
-    told = len(complaints(process.log)) - refusals
-    assert told < MOST_COMPLAINTS, f"{told} complaints:\n{process.log[:5000]}"
+    count = len(logged_problems(process.log)) - refusals
+    assert count < MAX_PROBLEMS, f"{count} problems:\n{process.log[:5000]}"
     assert "Traceback" not in process.log
     sane()
     assert process.stop(signal.SIGINT) == 0, process.log[-3000:]

@@ -48,7 +48,7 @@ from trident.testing.fuzz.generator import serialized
 from trident_eval.core.errors import EvalError
 from trident_fleet.core.errors import FormationError
 from trident_fleet.nodes.spawn_fleet import read_positions, spawn_all
-from trident_nav.nodes.waypoint_path import enrol
+from trident_nav.nodes.waypoint_path import enroll
 from trident_viewer.census import models_in_the_world
 from trident_viewer.hold import Held
 from trident_viewer.observer_camera import place_of
@@ -125,7 +125,7 @@ def test_overview_asks(ros: Ros, tmp_path: Path) -> None:
         while answers.answered.total() < ANSWERS:
             with suppress(EvalError):
                 for sphere in models_in_the_world():
-                    assert all(map(math.isfinite, (*sphere.centre, sphere.radius_m)))
+                    assert all(map(math.isfinite, (*sphere.center, sphere.radius_m)))
             with suppress(EvalError):
                 assert all(map(math.isfinite, place_of("box")))
     with server({**SHOWING, **HOLDING}, get_world_properties=WORLD) as answers:
@@ -166,7 +166,7 @@ def test_waypoint_path(ros: Ros) -> None:
     sane = EnrollSourceResponse(success=True, start_time=rospy.Time(100))
     with server({"/gazebo/enroll_source": EnrollSource}, enroll_source=sane) as answers:
         while answers.answered.total() < ANSWERS:
-            start = enrol("USV1")
+            start = enroll("USV1")
             assert start is None or 0.0 <= start.to_sec() < 2**31
         process = started(ros, "/waypoint_path", [program("trident_nav", "waypoint_path.py")])
         note_treated(process)

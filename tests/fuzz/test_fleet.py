@@ -14,8 +14,8 @@ from trident.testing.fuzz import Campaign, CampaignOptions, Target
 
 LEADER = "/UAV1/odometry_sensor1/odometry"
 #: Nodes that share the code of formation_node, each with a vehicle of its own: what they are, and
-#: one in how many messages they get. The first one plans anew whenever time goes back; the last one
-#: answers each command that is not its own with all that it sent lately.
+#: one in how many messages they get. The first one plans again whenever time goes back; the last
+#: one answers each command that is not its own with all that it sent lately.
 NODES = {
     "UAV1": ("trident_fleet", "formation_all.py", 5),
     "UAV2": ("trident_fleet", "waypoint_flight.py", 1),

@@ -63,12 +63,12 @@ def test_amcl(ros: Ros, map_file: Path) -> None:
 
     def still_localizes() -> None:
         rospy.wait_for_service("/request_nomotion_update", LIMIT_S)
-        told = rospy.Publisher("/initialpose", PoseWithCovarianceStamped, queue_size=1)
+        start = rospy.Publisher("/initialpose", PoseWithCovarianceStamped, queue_size=1)
         with recorder("/amcl_pose", PoseWithCovarianceStamped) as poses:
             seen = len(poses.messages)
             driver.drives_until(lambda: len(poses.messages) > seen + 2, "poses")
             rospy.ServiceProxy("/request_nomotion_update", Empty)()
-        told.unregister()
+        start.unregister()
 
     examples = {
         "/scan": room_scan(),

@@ -90,7 +90,7 @@ def test_gzserver_with_vessels_and_ground_robots(coast: Gazebo) -> None:
         "/gazebo",
         lambda: still_steps(coast),
         meanwhile=lambda: coast.ask("step", n=1),
-        # Whoever has lost its robots is not asked much.
+        # A world that has lost its robots is not asked much.
         skip=(*OBEYED, "*/delete_model"),
         words=(*COAST, "world", "base_link"),
         service_share=0.2,

@@ -20,7 +20,7 @@ from visualization_msgs.msg import MarkerArray
 
 from trident_msgs.msg import FleetState
 
-#: Messages after which a world that works beside a node is stepped.
+#: Messages after which a world that works alongside a node is stepped.
 BATCH = 20
 
 
@@ -75,7 +75,7 @@ def endures(target: Target, count: int, step: Callable[[], None] | None = None) 
 
 
 def film(ros: Ros, step: Callable[[], None], out: Path) -> None:
-    """Films box, while hostile pictures come beside the simulator's."""
+    """Films box, while hostile pictures come in addition to the simulator's."""
     words = ["--out", str(out), "--follow", "box", "--seconds", "1000", "--size", "64x48"]
     process = started(
         ros, "/observer", [program("trident_viewer", "observer.py"), "__name:=observer", *words]

@@ -78,13 +78,13 @@ def test_a_plugin_that_lacks_a_symbol_is_refused(
 
 
 @pytest.mark.parametrize(
-    ("link", "force", "told"), [("wheel", 1.0, "linkName"), ("base_link", 1000.0, "force")]
+    ("link", "force", "named"), [("wheel", 1.0, "linkName"), ("base_link", 1000.0, "force")]
 )
 def test_the_plugin_of_the_docs_refuses_bad_parameters(
-    plugin_folder: Path, monkeypatch: pytest.MonkeyPatch, link: str, force: float, told: str
+    plugin_folder: Path, monkeypatch: pytest.MonkeyPatch, link: str, force: float, named: str
 ) -> None:
     monkeypatch.setenv("GAZEBO_PLUGIN_PATH", str(plugin_folder))
-    with pytest.raises(trident_sim.Error, match=told):
+    with pytest.raises(trident_sim.Error, match=named):
         trident_sim.World(EMPTY).spawn("box", sdf=BOX.format(link=link, force=force))
 
 

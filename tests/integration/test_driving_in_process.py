@@ -51,13 +51,13 @@ def test_a_wandering_robot_touches_nothing(name: str, seed: int) -> None:
         world.ports["cmd_vel"].write(trident_sim.TwistCommand((v, 0, 0), (0, 0, w)))
         places.append(robot.position[:2])
     track = np.array(places)
-    # The map has the robot itself where it began; elsewhere it tells how near walls are.
+    # The map has the robot itself where it began; elsewhere it shows how near walls are.
     away = track[np.linalg.norm(track, axis=1) > 0.5]
     cells = np.floor((away - grid.origin) / grid.resolution).astype(int)
     assert clear[cells[:, 1], cells[:, 0]].min() > 0.14, "half a diagonal of the robot is 0.16 m"
     assert abs(robot.position[2]) < 0.01
-    way = np.linalg.norm(np.diff(track, axis=0), axis=1).sum()
-    assert way > 12.0, "m in 90 s"
+    distance = np.linalg.norm(np.diff(track, axis=0), axis=1).sum()
+    assert distance > 12.0, "m in 90 s"
     assert np.ptp(track, axis=0).max() > 3.0, "it gets about"
 
 

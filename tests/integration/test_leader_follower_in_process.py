@@ -29,7 +29,7 @@ WEDGE = np.array([[-1.3, 1.3, 0.0], [-1.3, -1.3, 0.0], [-2.6, 2.6, 0.0]])
 
 
 @dataclass
-class Flown:
+class Flight:
     """What was measured at the end of each period since all have joined.
 
     Attributes:
@@ -74,7 +74,7 @@ def build() -> tuple[trident_sim.World, FormationPlan]:
     return world, plan_formation(rows, PLACES[:1], PlanConfig())
 
 
-def fly() -> Flown:
+def fly() -> Flight:
     world, plan = build()
     followers = Followers(PLACES[1:], FollowConfig(WEDGE, frame="world", end_when_still_s=5.0))
     track = LeaderTrack()
@@ -98,18 +98,18 @@ def fly() -> Flown:
             ideal.append(followers.ideal(leader).position[0])
         period += 1
     assert followers.phase is Phase.DONE, followers.problem
-    return Flown(np.array(position), np.array(ideal), world.state_hash())
+    return Flight(np.array(position), np.array(ideal), world.state_hash())
 
 
 @pytest.fixture(scope="module")
-def flown() -> Flown:
+def flown() -> Flight:
     return fly()
 
 
-def test_followers_hold_their_places_around_a_leader_on_its_way(flown: Flown) -> None:
+def test_followers_hold_their_places_around_a_moving_leader(flown: Flight) -> None:
     assert len(flown.position) > 250, "they join in time to follow for most of the way"
-    way = np.linalg.norm(np.diff(flown.position[:, 0], axis=0), axis=1).sum()
-    assert way > 15.0, "the leader moves meanwhile"
+    distance = np.linalg.norm(np.diff(flown.position[:, 0], axis=0), axis=1).sum()
+    assert distance > 15.0, "the leader moves meanwhile"
     error = np.linalg.norm(flown.position[:, 1:] - flown.ideal, axis=-1)
     # They hover 4 cm too high, as every vehicle under this controller does.
     assert np.sqrt((error**2).mean()) < 0.08
@@ -117,5 +117,5 @@ def test_followers_hold_their_places_around_a_leader_on_its_way(flown: Flown) ->
     assert min_separation(flown.position) > min_separation(WEDGE[None]) - 0.2
 
 
-def test_the_same_flight_ends_in_the_same_state(flown: Flown) -> None:
+def test_the_same_flight_ends_in_the_same_state(flown: Flight) -> None:
     assert fly().state_hash == flown.state_hash

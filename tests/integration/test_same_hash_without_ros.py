@@ -62,7 +62,7 @@ def launch(folder: Path, *args: str) -> dict[str, Any]:
 
 
 def fly_without_ros(*args: str) -> tuple[int, dict[str, Any], str]:
-    """Runs the example; returns its exit code, its result and its complaints."""
+    """Runs the example; returns its exit code, its result and its errors."""
     result = subprocess.run(
         [sys.executable, str(EXAMPLE), *args], capture_output=True, text=True, check=False
     )
@@ -75,8 +75,8 @@ def fly_without_ros(*args: str) -> tuple[int, dict[str, Any], str]:
 def test_same_states_and_hash_with_and_without_ros(tmp_path: Path, uavs: int, seed: int) -> None:
     facts = launch(tmp_path, f"uavs:={uavs}", f"seed:={seed}")
     arguments = ["--uavs", str(uavs), "--seed", str(seed), "--compare", str(tmp_path)]
-    code, result, complaints = fly_without_ros(*arguments)
-    assert complaints == ""
+    code, result, errors = fly_without_ros(*arguments)
+    assert errors == ""
     assert code == 0
     assert result["state_hash"] == facts["state_hash"]
     assert result["sim_s"] == pytest.approx(facts["sim_s"])
@@ -90,13 +90,13 @@ def test_a_difference_is_found(tmp_path: Path) -> None:
     states = "t,name,x,y,z,qx,qy,qz,qw,vx,vy,vz,wx,wy,wz\n0.05,UAV1,0,0,0,0,0,0,1,0,0,0,0,0,0\n"
     (tmp_path / "states.csv").write_text(states, encoding="utf-8")
     (tmp_path / "run.json").write_text(json.dumps(result), encoding="utf-8")
-    code, compared, complaints = fly_without_ros("--uavs", "1", "--compare", str(tmp_path))
+    code, compared, errors = fly_without_ros("--uavs", "1", "--compare", str(tmp_path))
     assert (code, compared["equal"], compared["state_hash"]) == (1, False, result["state_hash"])
-    assert "first difference: UAV1 at 0.05 s: here (" in complaints
+    assert "first difference: UAV1 at 0.05 s: here (" in errors
 
 
 def test_a_run_that_has_not_ended_cannot_be_compared(tmp_path: Path) -> None:
     (tmp_path / "run.json").write_text("{}", encoding="utf-8")
-    code, result, complaints = fly_without_ros("--uavs", "1", "--compare", str(tmp_path))
+    code, result, errors = fly_without_ros("--uavs", "1", "--compare", str(tmp_path))
     assert (code, result) == (1, {})
-    assert "no state_hash, the run has not ended" in complaints
+    assert "no state_hash, the run has not ended" in errors

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""What only the system tests need beside trident.testing, and its names in one place."""
+"""What only the system tests need in addition to trident.testing, and its names in one place."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ from trident.testing import (
     Recorder,
     Ros,
     box_sdf,
-    complaints,
     eventually,
+    logged_problems,
     package,
     pilot_of,
     pose,
@@ -41,10 +41,10 @@ __all__ = [
     "Recorder",
     "Ros",
     "box_sdf",
-    "complaints",
     "environment",
     "eventually",
     "fresh_folder",
+    "logged_problems",
     "package",
     "pilot_of",
     "pose",

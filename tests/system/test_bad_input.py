@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""What is wrong is named, once and with its place; the server and the other models go on."""
+"""What is wrong is named, once and with its place; the server and the other models continue."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 import rospy
 from diagnostic_msgs.msg import DiagnosticArray
-from harness import REPO, Gazebo, Ros, box_sdf, complaints, eventually, package, pose, recorder
+from harness import REPO, Gazebo, Ros, box_sdf, eventually, logged_problems, package, pose, recorder
 from std_msgs.msg import Float32
 
 WORLD = """<?xml version="1.0"?>
@@ -43,16 +43,16 @@ def inertia(ixx: float, iyy: float, izz: float, ixy: float = 0.0) -> str:
 
 
 def refused_start(ros: Ros, world: str | Path, **options: object) -> str:
-    """A server that must end by itself with exit code 1; its one complaint."""
+    """A server that must end by itself with exit code 1; its one error."""
     gazebo = Gazebo(ros, world, **options)  # type: ignore[arg-type]
     assert gazebo.process.wait() == 1, gazebo.log
-    told = [line for line in complaints(gazebo.log) if "FATAL" in line or "ERROR" in line]
-    assert len(told) == 1, gazebo.log
+    reported = [line for line in logged_problems(gazebo.log) if "FATAL" in line or "ERROR" in line]
+    assert len(reported) == 1, gazebo.log
     return gazebo.log
 
 
 def refused_spawn(gazebo: Gazebo, name: str, xml: str) -> str:
-    """A model that must not come in, in a world that goes on; the status message."""
+    """A model that must not come in, in a world that continues; the status message."""
     kind = "spawn_urdf_model" if "<robot" in xml else "spawn_sdf_model"
     before = gazebo.time()
     status = gazebo.refusal(
@@ -112,8 +112,8 @@ def test_an_unknown_option_is_named(ros: Ros) -> None:
 def test_a_parameter_that_nobody_knows_is_a_warning(ros: Ros) -> None:
     gazebo = Gazebo(ros, "basic", real_time_facter=3.0).ready()
     assert gazebo.step(1) == pytest.approx(0.01)
-    told = [line for line in complaints(gazebo.log) if "real_time_facter" in line]
-    assert len(told) == 1, gazebo.log
+    reported = [line for line in logged_problems(gazebo.log) if "real_time_facter" in line]
+    assert len(reported) == 1, gazebo.log
 
 
 @pytest.mark.parametrize(
@@ -171,10 +171,10 @@ def test_an_unknown_plugin_is_one_warning_and_the_model_flies(gazebo: Gazebo) ->
             ),
             "the plugin in /diagnostics",
         )
-    told = [line for line in complaints(gazebo.log) if "libmagic_carpet.so" in line]
-    assert len(told) == 1, gazebo.log
-    assert "crate" in told[0]
-    assert "magic_plugin" in told[0]
+    reported = [line for line in logged_problems(gazebo.log) if "libmagic_carpet.so" in line]
+    assert len(reported) == 1, gazebo.log
+    assert "crate" in reported[0]
+    assert "magic_plugin" in reported[0]
     assert gazebo.position("crate")[2] < 5.0
 
 
@@ -185,8 +185,8 @@ def test_a_missing_picture_is_a_warning_and_a_missing_hull_a_refusal(gazebo: Gaz
     assert box
     visual = f'<visual name="visual">{box[0]}</visual>'
     gazebo.spawn("a", whole.replace(visual, f'<visual name="visual">{mesh}</visual>'), pose(z=2.0))
-    told = [line for line in complaints(gazebo.log) if "part.dae" in line]
-    assert len(told) == 1, gazebo.log
+    reported = [line for line in logged_problems(gazebo.log) if "part.dae" in line]
+    assert len(reported) == 1, gazebo.log
     hull = whole.replace(
         f'<collision name="collision">{box[0]}', f'<collision name="collision">{mesh}'
     )
@@ -285,9 +285,9 @@ def test_a_boat_that_cannot_be_and_thrusts_that_cannot_be(
     for value, words in ((math.nan, "nan is refused"), (1e4, "10000 is cut to the nearest")):
         thrust.publish(value)
         eventually(lambda: gazebo.step(1) > 0.0 and words in gazebo.log, words)  # noqa: B023
-        (told,) = [line for line in complaints(gazebo.log) if words in line]
-        assert "left_thrust_cmd" in told
-        assert "legal is [" in told
+        (reported,) = [line for line in logged_problems(gazebo.log) if words in line]
+        assert "left_thrust_cmd" in reported
+        assert "legal is [" in reported
     thrust.unregister()
 
 
@@ -295,5 +295,5 @@ def test_the_shipped_worlds_load_without_a_word(ros: Ros) -> None:
     for world in sorted((package("rotors_gazebo") / "worlds").glob("*.world")):
         gazebo = Gazebo(ros, world).ready()
         gazebo.step(5)
-        assert not complaints(gazebo.log), f"{world.name}: {gazebo.log}"
+        assert not logged_problems(gazebo.log), f"{world.name}: {gazebo.log}"
         ros.clean()

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""UAVs, UGVs and USVs in one launch get under way; the world waits for the drivers' Twists, too."""
+"""UAVs, UGVs and USVs in one launch move; the world waits for the drivers' Twists, too."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ WITHOUT_SENSORS = {
 TWO_OF_EACH = {f"{kind}s": 2 for kind in ("uav", "ugv", "usv")}
 
 
-def test_all_get_under_way_twice_alike(launch: Callable[..., Launch]) -> None:
+def test_all_move_twice_alike(launch: Callable[..., Launch]) -> None:
     """Two of each: stepped, with a listener, and run to its end by itself."""
     words = ("trident_bringup", "cross_domain.launch")
     args = {**WITHOUT_SENSORS, **TWO_OF_EACH}
@@ -34,7 +34,8 @@ def test_all_get_under_way_twice_alike(launch: Callable[..., Launch]) -> None:
     south = begin["usv2"][1] - run.position("usv2")[1]
     assert up > 2.0
     assert south > 1.0, "out of the harbour"
-    # 0.8 m/s^2 up to 1.6 m/s, its first answer 30 ms after time zero: as planned, whoever waited.
+    # 0.8 m/s^2 up to 1.6 m/s, its first answer 30 ms after time zero: as planned, independent of
+    # waiting.
     assert east == pytest.approx(6.0 * 1.6 - 1.6**2 / (2 * 0.8), abs=0.15)
     assert {message.header.frame_id for message in odometry.messages} == {"ugv1/odom"}
     assert {message.child_frame_id for message in odometry.messages} == {"ugv1/base_footprint"}

@@ -21,8 +21,8 @@ Start = Callable[..., Launch]
 ROBOT = "my_nav_robot"
 
 
-def has_gone(run: Launch, metres: float) -> bool:
-    return math.dist(run.position(ROBOT)[:2], (0.0, 0.0)) > metres
+def has_gone(run: Launch, meters: float) -> bool:
+    return math.dist(run.position(ROBOT)[:2], (0.0, 0.0)) > meters
 
 
 def test_a_robot_wanders(launch: Start) -> None:
@@ -76,7 +76,7 @@ def test_a_follower_without_waypoints_says_so(ros: Ros) -> None:
     assert "Traceback" not in node.log
 
 
-def test_an_observer_draws_what_goes_on(launch: Start, tmp_path: FilePath) -> None:
+def test_an_observer_draws_what_happens(launch: Start, tmp_path: FilePath) -> None:
     run = launch("trident_bringup", "robot_in_room.launch", real_time_factor=1).spawned(ROBOT)
     before = run.models()
     words = ["--model", ROBOT, "--from", "2", "-2", "1.5", "--at", "0", "0", "0"]

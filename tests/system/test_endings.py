@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""Ways in which `./trident run` ends, and what is left then: no process, and every result."""
+"""Ends of `./trident run`, and what is left then: no process, and every result."""
 
 from __future__ import annotations
 
@@ -124,7 +124,7 @@ def test_a_run_in_its_first_second_leaves_nothing(
 
 
 @pytest.mark.parametrize(
-    ("words", "told"),
+    ("words", "reported"),
     [
         (("real_time_factor:=-1",), "real_time_factor is '-1'"),
         (("uavs:=1000000000",), "/gazebo/wait_for is 1000000000"),
@@ -135,14 +135,14 @@ def test_a_run_in_its_first_second_leaves_nothing(
     ],
 )
 def test_arguments_are_refused_before_anything_starts(
-    tmp_path: Path, words: tuple[str, ...], told: str
+    tmp_path: Path, words: tuple[str, ...], reported: str
 ) -> None:
     command = [str(REPO / "trident"), "run", "multi_uav_simulation.launch", *words]
     process = Process(command, os.environ, tmp_path / "log")
     assert process.wait() == 1
     (line,) = process.log.splitlines()
     assert line.startswith("trident: ")
-    assert told in line
+    assert reported in line
     assert not process.family()
 
 
@@ -173,7 +173,7 @@ def test_a_killed_simulator_is_named_and_its_torn_states_are_read(
     assert outcome.verdict["vehicles"], "what was there is judged"
 
 
-def test_a_killed_recorder_is_told_and_what_it_wrote_is_kept(
+def test_a_killed_recorder_is_reported_and_what_it_wrote_is_kept(
     tmp_path: Path, trident: Trident, launch_file: Path
 ) -> None:
     end = {"TRIDENT_END_TIME": "12"}

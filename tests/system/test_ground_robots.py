@@ -60,7 +60,7 @@ def command(run: Launch, v: float, w: float, seconds: float) -> None:
     eventually(lambda: publisher.get_num_connections() > 0, "a reader of /cmd_vel")
     publisher.publish(twist(v, w))
     with recorder("/joint_states", JointState) as states:
-        # Delivered on a socket of its own: the wheels tell when it has arrived.
+        # Delivered on a socket of its own: the wheels show when it has arrived.
         run.step_until(
             lambda: bool(states.messages) and acts(states.messages[-1], v, w), "an answer"
         )
@@ -68,7 +68,7 @@ def command(run: Launch, v: float, w: float, seconds: float) -> None:
     publisher.unregister()
 
 
-#: How much of its way a robot may slip; the burger's wheels have a friction of 0.1 only.
+#: Fraction of its path that a robot may slip; the burger's wheels have a friction of 0.1 only.
 SLIP = {
     "ackermann_car": 0.03,
     "my_nav_robot": 0.03,
@@ -78,17 +78,18 @@ SLIP = {
 
 
 @pytest.mark.parametrize("robot", SLIP)
-def test_a_robot_in_a_room_goes_where_it_is_told(launch: Start, robot: str) -> None:
+def test_a_robot_in_a_room_goes_where_it_is_commanded(launch: Start, robot: str) -> None:
     run = launch(
         "trident_bringup", "robot_in_room.launch", robot=robot, paused=True, x=-2, y=-1, yaw=0.5
     ).spawned(robot)
     with (
-        recorder("/odom", Odometry) as told,
+        recorder("/odom", Odometry) as odometry,
         recorder("/ground_truth/odom", Odometry) as truth,
         recorder("/tf", TFMessage) as tf,
     ):
         wheel = "wheel_rear_left_link" if robot == "ackermann_car" else "wheel_left_link"
-        # Who tells of the wheels may start after everybody else, and a paused world waits for none.
+        # The publisher of the wheels may start after everybody else, and a paused world waits for
+        # none.
         eventually(lambda: run.step(20) > 0.0 and wheel in transforms(tf.messages), "wheels in /tf")
         run.step(200)
         command(run, 0.2, 0.0, 3.0)
@@ -96,12 +97,12 @@ def test_a_robot_in_a_room_goes_where_it_is_told(launch: Start, robot: str) -> N
         # Standing, so that messages of two topics need not be of one moment.
         command(run, 0.0, 0.0, 1.0)
         late = run.time() - 0.5
-        for heard in (told, truth):
+        for heard in (odometry, truth):
             eventually(partial(is_after, heard, late), "the last odometry")
-    odom, actual = told.messages[-1], truth.messages[-1]
+    odom, actual = odometry.messages[-1], truth.messages[-1]
     assert (odom.header.frame_id, odom.child_frame_id) == ("odom", "base_footprint")
-    way = math.hypot(actual.pose.pose.position.x + 2, actual.pose.pose.position.y + 1)
-    assert way > 0.8
+    distance = math.hypot(actual.pose.pose.position.x + 2, actual.pose.pose.position.y + 1)
+    assert distance > 0.8
     tree = transforms(tf.messages)
     assert tree["base_footprint"] == "odom"
     assert tree[wheel] == "base_link"
@@ -109,7 +110,7 @@ def test_a_robot_in_a_room_goes_where_it_is_told(launch: Start, robot: str) -> N
     x, y = odom.pose.pose.position.x, odom.pose.pose.position.y
     seen = (-2 + x * math.cos(0.5) - y * math.sin(0.5), -1 + x * math.sin(0.5) + y * math.cos(0.5))
     error = math.dist(seen, (actual.pose.pose.position.x, actual.pose.pose.position.y))
-    assert error < SLIP[robot] * way + 0.01
+    assert error < SLIP[robot] * distance + 0.01
     turned = math.remainder(yaw_of(odom) + 0.5 - yaw_of(actual), 2 * math.pi)
     assert abs(turned) < 2 * SLIP[robot]
 
@@ -122,11 +123,11 @@ def test_turtlebot3_world_starts_with_a_burger(launch: Start) -> None:
         paused=True,
         env={"TURTLEBOT3_MODEL": "burger"},
     ).spawned("turtlebot3_burger", "hexagon_arena")
-    with recorder("/odom", Odometry) as told:
+    with recorder("/odom", Odometry) as odometry:
         run.step(500)
         command(run, 0.15, 0.0, 2.0)
-        eventually(partial(is_after, told, run.time() - 0.1), "the last odometry")
-    pose = told.messages[-1].pose.pose
+        eventually(partial(is_after, odometry, run.time() - 0.1), "the last odometry")
+    pose = odometry.messages[-1].pose.pose
     # World odometry: it begins where the robot was spawned.
     assert pose.position.x > -2.0 + 0.2
     assert pose.position.y == pytest.approx(-0.5, abs=0.05)

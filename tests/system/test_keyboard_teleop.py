@@ -31,11 +31,11 @@ def test_keys_drive_the_robot_and_ctrl_c_stops_it(
     run = launch("trident_bringup", "robot_in_room.launch", real_time_factor=None)
     run.spawned("my_nav_robot")
     keys, stdin = terminal
-    told = tmp_path / "teleop.log"
-    with told.open("w") as log:
+    log_file = tmp_path / "teleop.log"
+    with log_file.open("w") as log:
         # No timeout: a key holds until the next one.
         node = ros.start([TELEOP, "_speed:=0.4", "_key_timeout:=0"], stdin=stdin, stdout=log)
-    eventually(lambda: "currently" in told.read_text(), "the node's help")
+    eventually(lambda: "currently" in log_file.read_text(), "the node's help")
     with recorder("/cmd_vel", Twist) as sent:
 
         def press(key: str) -> None:

@@ -27,8 +27,8 @@ def interrupt(run: Launch) -> None:
     assert unclean or took < SHUTDOWN_LIMIT_S, f"the shutdown took {took:.1f} s:\n{run.log}"
     for name, text in run.logs():
         # rospy's own sockets, closed while it connects them, are noted in its log file only.
-        told = [line for line in text.splitlines() if "[rospy.internal]" not in line]
-        assert not any("Traceback" in line for line in told), f"{name}:\n{text[-3000:]}"
+        reported = [line for line in text.splitlines() if "[rospy.internal]" not in line]
+        assert not any("Traceback" in line for line in reported), f"{name}:\n{text[-3000:]}"
         assert "Segmentation fault" not in text, f"{name}:\n{text[-3000:]}"
 
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""Sea and wind are changed over topics; what is not legal is told once, and what was stays."""
+"""Sea and wind are changed over topics; what is not legal is reported once, and what was stays."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from collections.abc import Callable
 
 import rospy
 import yaml
-from harness import REPO, Gazebo, complaints, eventually, pose, recorder
+from harness import REPO, Gazebo, eventually, logged_problems, pose, recorder
 from rotors_comm.msg import WindSpeed
 from std_msgs.msg import Float64, String
 
@@ -56,7 +56,7 @@ def test_the_environment_changes_live(start_gazebo: Callable[..., Gazebo]) -> No
         def step_until(is_so: Callable[[], bool], what: str) -> None:
             eventually(lambda: gazebo.step(1) > 0.0 and is_so(), what)
 
-        # Latched: it is told to who comes late, before the first step.
+        # Latched: it reaches subscribers that come late, before the first step.
         eventually(lambda: bool(state.messages), "the state of a paused world")
         assert now()["waves"]["significant_height"] == 0.2
         assert now()["bathymetry"]["kind"] == "terrain"
@@ -72,9 +72,9 @@ def test_the_environment_changes_live(start_gazebo: Callable[..., Gazebo]) -> No
         step_until(lambda: wind.messages[-1].velocity.x == 7.0, "the wind")
         gazebo.call("reset_world")
         step_until(lambda: now()["waves"]["significant_height"] == 0.2, "the file's waves")
-    told = [line for line in complaints(gazebo.log) if "environment/waves" in line]
-    assert len(told) == 1
-    assert "must be a number in [0, 30] m" in told[0]
+    reported = [line for line in logged_problems(gazebo.log) if "environment/waves" in line]
+    assert len(reported) == 1
+    assert "must be a number in [0, 30] m" in reported[0]
 
 
 def test_a_vessel_on_land_is_refused(start_gazebo: Callable[..., Gazebo]) -> None:

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""Lockstep over ROS: equal hashes whoever listens, and what happens when a part dies."""
+"""Lockstep over ROS: equal hashes with any listeners, and what happens when a part dies."""
 
 from __future__ import annotations
 
@@ -22,9 +22,9 @@ from harness import (
     Pilot,
     Process,
     Ros,
-    complaints,
     eventually,
     fresh_folder,
+    logged_problems,
     pilot_of,
     pose,
     program,
@@ -85,7 +85,7 @@ def fly(
             listen(stack)
         gazebo.ask("unpause_physics")
         results = gazebo.ended()
-    assert not complaints(gazebo.log), gazebo.log
+    assert not logged_problems(gazebo.log), gazebo.log
     ros.clean()
     return results
 
@@ -127,7 +127,9 @@ def test_ready_is_latched_and_turns_true_with_the_last_declared_part(
         assert late.received(1)[-1].data
 
 
-def test_equal_hashes_whoever_listens_and_however_fast(ros: Ros, start_gazebo: StartGazebo) -> None:
+def test_equal_hashes_with_any_listeners_and_at_any_speed(
+    ros: Ros, start_gazebo: StartGazebo
+) -> None:
     first = fly(ros, start_gazebo, "first")
     assert first["steps"] == round(END_S / 0.01)
     assert first["end_reason"] == "end_time"
@@ -214,13 +216,13 @@ def test_a_source_that_falls_silent_is_named_and_released(
         gazebo.ask("unpause_physics")
         gazebo.process.eventually_logs("set-point source /silent has sent nothing for")
         gazebo.until(1.0)
-    line = next(line for line in complaints(gazebo.log) if "/silent" in line)
+    line = next(line for line in logged_problems(gazebo.log) if "/silent" in line)
     assert "UAV1" in line
     assert "the world goes on without it" in line
 
 
 @pytest.mark.parametrize("fields", [{"period": rospy.Duration(0)}, {"vehicles": []}])
-def test_a_source_without_period_or_vehicles_is_told(
+def test_a_source_without_period_or_vehicles_is_reported(
     gazebo: Gazebo, fields: dict[str, Any]
 ) -> None:
     request = {"node": "/odd", "vehicles": ["UAV1"], "period": rospy.Duration(0.1), "enroll": True}
@@ -288,7 +290,7 @@ def test_a_killed_controller_is_named_the_other_flies_on_and_a_new_one_is_enroll
         gazebo.until(gazebo.time() + 4.0)
         assert hovers(gazebo, "UAV1")
         assert hovers(gazebo, "UAV2")
-    losses = [line for line in complaints(gazebo.log) if "controller of" in line]
+    losses = [line for line in logged_problems(gazebo.log) if "controller of" in line]
     assert len(losses) == 1, losses
 
 
@@ -315,7 +317,7 @@ def waits_for_one(gazebo: Gazebo, name: str) -> float:
     """Time at which the world stands still [s], with a few words about one lost controller."""
     stands_at = gazebo.time()
     assert [gazebo.time() for _ in range(200)] == [stands_at] * 200
-    warnings = [line for line in complaints(gazebo.log) if name in line]
+    warnings = [line for line in logged_problems(gazebo.log) if name in line]
     assert len(warnings) <= 3, f"{len(warnings)} warnings about one loss"
     return stands_at
 
@@ -360,7 +362,7 @@ def test_a_new_controller_whose_first_answer_is_lost_is_asked_again(
         assert heard.count(heard[0]) > 1
 
 
-def test_policy_wait_goes_on_with_a_controller_that_was_only_stopped(
+def test_policy_wait_continues_with_a_controller_that_was_only_stopped(
     start_gazebo: StartGazebo,
 ) -> None:
     gazebo, controllers = start_pair(
@@ -405,8 +407,8 @@ def test_as_fast_as_possible_one_that_lives_is_waited_for_and_named(
             results = gazebo.ended()
         assert results["repeatable"] is True, results
         hashes[stops] = results["state_hash"]
-        told = [status.message for array in heard.messages for status in array.status]
-        named = [text for text in told if "waiting for the controller of UAV2" in text]
+        reported = [status.message for array in heard.messages for status in array.status]
+        named = [text for text in reported if "waiting for the controller of UAV2" in text]
         states = (Path(out_dir) / "progress.jsonl").read_text("utf-8")
         if stops:
             assert named, "the diagnostics name whom"
@@ -416,7 +418,7 @@ def test_as_fast_as_possible_one_that_lives_is_waited_for_and_named(
     assert hashes[0] == hashes[2]
 
 
-def test_where_the_policy_goes_on_the_run_says_who_when_and_why(
+def test_where_the_policy_continues_the_run_says_who_when_and_why(
     ros: Ros, start_gazebo: StartGazebo
 ) -> None:
     out_dir = fresh_folder(ros.folder / "goes-on")
@@ -570,7 +572,7 @@ def test_controllers_answer_a_simulator_that_was_killed_and_started_again(
             again.spawn(name, at=pose(0.0, Y_OF[name], 0.1))
         hover(again, pilot, 1.5)
         assert all(process.running for process in controllers.values())
-        assert not complaints(again.log), again.log
+        assert not logged_problems(again.log), again.log
 
 
 @pytest.mark.parametrize("sent", ["ahead", "in time"])

@@ -14,9 +14,9 @@ from harness import (
     Pilot,
     Process,
     Ros,
-    complaints,
     eventually,
     fresh_folder,
+    logged_problems,
     package,
     pilot_of,
     pose,
@@ -96,7 +96,7 @@ def fly(ros: Ros, kind: type[Processes | Nodelets], label: str, **params: Any) -
             pilot.send(name, 1.0, Y_OF[name], 1.0, 2.0)
         gazebo.ask("unpause_physics")
         results = gazebo.ended()
-    assert not complaints(gazebo.log), gazebo.log
+    assert not logged_problems(gazebo.log), gazebo.log
     ros.clean()
     return results
 
@@ -163,7 +163,7 @@ def test_the_server_may_be_unloaded_and_loaded_again(ros: Ros) -> None:
     assert gazebo.step(1) == pytest.approx(0.01)
 
 
-def test_what_is_wrong_is_said_and_the_manager_goes_on(ros: Ros) -> None:
+def test_what_is_wrong_is_said_and_the_manager_continues(ros: Ros) -> None:
     gazebo = Nodelets(ros).ready()
     ros.set_param("/UAV1/lee/mass", -1.0)
     refused = gazebo.load("rotors_control/lee_position_controller", ["__name:=lee", "__ns:=/UAV1"])

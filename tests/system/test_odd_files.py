@@ -10,7 +10,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from diagnostic_msgs.msg import DiagnosticArray
-from harness import Gazebo, Ros, box_sdf, complaints, eventually, fresh_folder, pose, recorder
+from harness import Gazebo, Ros, box_sdf, eventually, fresh_folder, logged_problems, pose, recorder
 
 #: A mesh that is nowhere, a value that SDF does not know, and a name that is there twice.
 ODD_WORLD = """<?xml version="1.0"?>
@@ -29,7 +29,7 @@ ODD_WORLD = """<?xml version="1.0"?>
 
 
 def of_level(messages: list[DiagnosticArray], name: str) -> dict[str, str]:
-    """The values of the newest diagnostic of a name; none: nobody has told of it."""
+    """The values of the newest diagnostic of a name; none: nobody has reported it."""
     for message in reversed(messages):
         for status in message.status:
             if status.name == name:
@@ -45,12 +45,14 @@ def test_a_world_loads_with_what_it_has_and_counts_what_it_has_not(
     out = fresh_folder(tmp_path / "out")
     gazebo = start_gazebo(world, strict=False, out_dir=out, end_time=0.05, paused=True)
     assert set(gazebo.ask("get_world_properties").model_names) >= {"ball", "ball_1", "plant"}
-    told = [line for line in complaints(gazebo.log) if "odd.world" in line]
-    assert len(told) == 3, gazebo.log
-    assert any("odd.world:5: <speed> is '-4', legal: double, at least 0" in line for line in told)
+    reported = [line for line in logged_problems(gazebo.log) if "odd.world" in line]
+    assert len(reported) == 3, gazebo.log
+    assert any(
+        "odd.world:5: <speed> is '-4', legal: double, at least 0" in line for line in reported
+    )
     assert any(
         "odd.world:7:" in line and "searched:" in line and "used in 2 places" in line
-        for line in told
+        for line in reported
     )
     with recorder("/diagnostics", DiagnosticArray) as diagnostics:
         eventually(
@@ -62,7 +64,7 @@ def test_a_world_loads_with_what_it_has_and_counts_what_it_has_not(
     assert json.loads((Path(out) / "run.json").read_text())["odd_elements"] == 4
 
 
-def test_the_answer_of_a_spawn_tells_what_was_left_out(start_gazebo: Callable[..., Gazebo]) -> None:
+def test_the_answer_of_a_spawn_says_what_was_left_out(start_gazebo: Callable[..., Gazebo]) -> None:
     gazebo = start_gazebo(strict=False)
     mesh = "<geometry><mesh><uri>model://no_such_model/part.dae</uri></mesh></geometry>"
     xml = box_sdf("a").replace("</link>", f'<collision name="d">{mesh}</collision></link>', 1)
@@ -114,7 +116,7 @@ def test_a_model_that_includes_itself_is_refused_and_the_next_is_spawned(
         gazebo = Gazebo(ros, "basic").ready()
     finally:
         ros.env["GAZEBO_MODEL_PATH"] = before
-    assert not any("GAZEBO_MODEL_PATH" in line for line in complaints(gazebo.log))
+    assert not any("GAZEBO_MODEL_PATH" in line for line in logged_problems(gazebo.log))
     assert "ground_plane" in gazebo.ask("get_world_properties").model_names
     status = gazebo.refusal(
         "spawn_sdf_model",

@@ -103,7 +103,7 @@ def test_a_heavier_vehicle_sinks_under_its_controller(gazebo: Gazebo) -> None:
     assert gazebo.step(10) == pytest.approx(0.1)
 
 
-def test_joint_properties_tell_kind_and_state(arm: Gazebo) -> None:
+def test_joint_properties_have_kind_and_state(arm: Gazebo) -> None:
     swivel = joint(arm)
     assert swivel.type == GetJointPropertiesResponse.CONTINUOUS
     assert (list(swivel.position), list(swivel.rate), list(swivel.damping)) == ([0.0], [0.0], [0.0])

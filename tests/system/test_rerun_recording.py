@@ -68,11 +68,11 @@ def test_a_robot_in_a_room_is_recorded(tmp_path: Path) -> None:
     reach = [np.linalg.norm(scan, axis=1) for scan in scans]
     assert all(r.min() > 0.5 and r.max() < 12.0 for r in reach), "within the room"
     at, place = plan_path(recording, "/world/my_nav_robot")
-    told_at, told = plan_path(recording, "/odom/base_footprint")
+    odometry_at, odometry = plan_path(recording, "/odom/base_footprint")
     assert np.ptp(place, axis=0).max() > 0.1, "it has moved"
-    both = (told_at >= at[0]) & (told_at <= at[-1])
-    expected = np.column_stack([np.interp(told_at[both], at, column) for column in place.T])
-    np.testing.assert_allclose(told[both], expected, atol=0.05)
+    both = (odometry_at >= at[0]) & (odometry_at <= at[-1])
+    expected = np.column_stack([np.interp(odometry_at[both], at, column) for column in place.T])
+    np.testing.assert_allclose(odometry[both], expected, atol=0.05)
     static = recording.view(index="sim_time", contents=f"{BASE}/laser_link").select_static()
     height = static.read_all().to_pydict()[f"{BASE}/laser_link:Translation3D"][0][0][2]
     assert height == pytest.approx(0.06, abs=0.05), "the lidar is on the robot"

@@ -40,12 +40,12 @@ def test_the_camera_of_a_robot_sees_the_room(launch: Start) -> None:
     assert info.distortion_model == "plumb_bob"
     assert info.K[0] == pytest.approx(WIDTH / 2.0 / np.tan(1.0472 / 2.0), rel=1e-6)
     assert (depth.encoding, depth.step) == ("32FC1", 4 * WIDTH)
-    metres = np.frombuffer(depth.data, dtype="<f4").reshape(HEIGHT, WIDTH)
+    meters = np.frombuffer(depth.data, dtype="<f4").reshape(HEIGHT, WIDTH)
     # The middle looks level at the wall; the robot may have settled by a milliradian.
-    assert metres[HEIGHT // 2, WIDTH // 2] == pytest.approx(WALL_M, abs=0.01)
-    assert np.isnan(metres[0]).all(), "over the wall there is nothing"
-    assert np.nanmin(metres) > 0.1
+    assert meters[HEIGHT // 2, WIDTH // 2] == pytest.approx(WALL_M, abs=0.01)
+    assert np.isnan(meters[0]).all(), "over the wall there is nothing"
+    assert np.nanmin(meters) > 0.1
     cloud = clouds.messages[-1]
     assert [field.name for field in cloud.fields] == ["x", "y", "z", "rgb"]
     points = np.frombuffer(cloud.data, dtype="<f4").reshape(HEIGHT, WIDTH, cloud.point_step // 4)
-    assert np.array_equal(points[..., 2], metres, equal_nan=True)
+    assert np.array_equal(points[..., 2], meters, equal_nan=True)

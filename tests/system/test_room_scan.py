@@ -23,7 +23,7 @@ LASER_HEIGHT_M = 0.115
 
 
 def boxes_at(height: float) -> list[tuple[Array, Array]]:
-    """Corners in x and y of the room's boxes that a horizontal beam at a height can meet."""
+    """Corners in x and y of the room's boxes that a horizontal beam at a height can hit."""
     world = package("trident_bringup") / "worlds" / "room.world"
     found = []
     for model in ElementTree.parse(world).getroot().iter("model"):
@@ -33,10 +33,10 @@ def boxes_at(height: float) -> list[tuple[Array, Array]]:
             if size_text is None:
                 continue
             place = np.array([float(x) for x in (collision.findtext("pose") or "0 0 0").split()])
-            centre = origin[:3] + place[:3]
+            center = origin[:3] + place[:3]
             half = np.array([float(x) for x in size_text.split()]) / 2.0
-            if abs(height - centre[2]) < half[2]:
-                found.append(((centre - half)[:2], (centre + half)[:2]))
+            if abs(height - center[2]) < half[2]:
+                found.append(((center - half)[:2], (center + half)[:2]))
     assert len(found) >= 9, "four walls, an inner wall, four legs"
     return found
 

@@ -125,7 +125,7 @@ def depths_of(message: CompressedImage) -> npt.NDArray[np.float64]:
     return np.where(inverse > 0.0, a / np.where(inverse > 0.0, inverse - b, 1.0), np.nan)
 
 
-def test_compressed_images_and_what_is_told_to_sensors(explorer: Launch) -> None:
+def test_compressed_images_and_what_is_set_on_sensors(explorer: Launch) -> None:
     with (
         recorder("/camera/rgb/image_raw", Image) as images,
         recorder("/camera/rgb/image_raw/compressed", CompressedImage) as pictures,
@@ -149,10 +149,10 @@ def test_compressed_images_and_what_is_told_to_sensors(explorer: Launch) -> None
         assert np.abs(decoded.astype(int) - expected.astype(int)).mean() < 4.0
         assert len(picture.data) < len(raw.data) / 5
         raw = at_stamp(depths.messages, depth.header.stamp)
-        metres = np.frombuffer(raw.data, "<f4").reshape(raw.height, raw.width)
-        seen = np.isfinite(metres)
+        meters = np.frombuffer(raw.data, "<f4").reshape(raw.height, raw.width)
+        seen = np.isfinite(meters)
         assert depth.format == "32FC1; compressedDepth png"
-        assert depths_of(depth)[seen] == pytest.approx(metres[seen], abs=0.01)
+        assert depths_of(depth)[seen] == pytest.approx(meters[seen], abs=0.01)
         assert np.isnan(depths_of(depth)[~seen]).all()
 
         rospy.ServiceProxy("/imu/calibrate", Empty)()

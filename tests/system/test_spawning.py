@@ -57,7 +57,7 @@ def position_of(gazebo: Gazebo, joint: str) -> float:
     return float(gazebo.ask("get_joint_properties", joint_name=joint).position[0])
 
 
-def test_joints_begin_where_they_are_told_to(ros: Ros, gazebo: Gazebo) -> None:
+def test_joints_begin_where_they_are_set_to(ros: Ros, gazebo: Gazebo) -> None:
     file = file_of(ros, "arm.urdf", ARM_URDF)
     spawned(
         ros, "-urdf", "-file", file, "-model", "arm", "-J", "shoulder", 0.8, "-J", "elbow", -0.5

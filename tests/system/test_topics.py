@@ -19,8 +19,8 @@ from harness import (
     Recorder,
     Ros,
     box_sdf,
-    complaints,
     eventually,
+    logged_problems,
     pilot_of,
     pose,
     recorder,
@@ -278,7 +278,7 @@ def test_a_world_that_stands_still_is_silent(
     assert latched[0].received(1)[0].clock.to_nsec() == 0
 
 
-def test_a_command_that_is_not_finite_is_told_once_and_the_last_one_stays(
+def test_a_command_that_is_not_finite_is_reported_once_and_the_last_one_stays(
     gazebo: Gazebo, listen: Callable[..., Recorder]
 ) -> None:
     gazebo.spawn("UAV1")
@@ -301,9 +301,9 @@ def test_a_command_that_is_not_finite_is_told_once_and_the_last_one_stays(
     assert steady(300.0), "the last good command stays"
     publisher.publish(Actuators(angular_velocities=[250.0] * 6))
     eventually(lambda: steady(250.0), "the next good command acts")
-    told = [line for line in complaints(gazebo.log) if "motor command" in line]
-    assert len(told) == 1, told
-    assert "UAV1" in told[0]
+    reported = [line for line in logged_problems(gazebo.log) if "motor command" in line]
+    assert len(reported) == 1, reported
+    assert "UAV1" in reported[0]
     publisher.unregister()
 
 

@@ -66,7 +66,9 @@ def position_by_the_plugin() -> npt.NDArray[np.float64]:
     return np.array(boat.position)
 
 
-def test_the_node_and_the_plugin_take_a_vessel_along_one_way(launch: Start, tmp_path: Path) -> None:
+def test_the_node_and_the_plugin_take_a_vessel_along_one_path(
+    launch: Start, tmp_path: Path
+) -> None:
     file = tmp_path / "vessels.launch"
     file.write_text(LAUNCH, encoding="utf-8")
     run = launch(file).spawned("otter", "wamv")
@@ -84,7 +86,7 @@ def test_the_node_and_the_plugin_take_a_vessel_along_one_way(launch: Start, tmp_
     with recorder("/usv1/thrusters/left_thrust_cmd", Float32) as command:
         command.connected()
         run.step_to(END_S)
-        # The single commands go beside those in lockstep; a slow listener misses some.
+        # The single commands come in addition to those in lockstep; a slow listener misses some.
         assert len(command.received(10)) >= 10
     assert np.array_equal(run.position("otter"), position_by_the_plugin())
     assert run.position("otter")[0] > 10.0
@@ -92,8 +94,8 @@ def test_the_node_and_the_plugin_take_a_vessel_along_one_way(launch: Start, tmp_
 
     wrong = rospy.Publisher("/usv1/cmd_vel", Twist, queue_size=1)
     eventually(lambda: wrong.get_num_connections() > 0, "the controller")
-    with recorder("/diagnostics", DiagnosticArray) as told:
-        told.connected(2)
+    with recorder("/diagnostics", DiagnosticArray) as diagnostics:
+        diagnostics.connected(2)
         twist = Twist()
         twist.linear.x = math.nan
         wrong.publish(twist)
@@ -102,7 +104,7 @@ def test_the_node_and_the_plugin_take_a_vessel_along_one_way(launch: Start, tmp_
         eventually(
             lambda: any(
                 status.name.endswith("cmd_vel refused") and status.level == status.ERROR
-                for array in told.messages
+                for array in diagnostics.messages
                 for status in array.status
             ),
             "the diagnostics",

@@ -104,9 +104,9 @@ def test_sanitizers_are_a_build_of_their_own(
     monkeypatch.setattr(Workspace, "of_this_file", staticmethod(lambda: clone))
     monkeypatch.setattr(cli, "provision", lambda *_args: None)
     assert cli.main(["test", "--sanitize", "--dry-run"]) == 0
-    told = capsys.readouterr().out
-    assert "-DTRIDENT_SANITIZE=ON" in told
-    assert "core_tests" in told
+    output = capsys.readouterr().out
+    assert "-DTRIDENT_SANITIZE=ON" in output
+    assert "core_tests" in output
 
 
 class _Steps:

@@ -51,7 +51,7 @@ def test_a_required_node_that_ends_well_is_no_fault(tmp_path: Path) -> None:
     assert _faults(tmp_path, text + DIED.format("a/pilot-3", 1)) == []
 
 
-def test_a_recorder_is_missed_and_the_run_goes_on(tmp_path: Path) -> None:
+def test_a_recorder_is_missed_and_the_run_continues(tmp_path: Path) -> None:
     (fault,) = _faults(tmp_path, DIED.format("record-9", -9))
     assert not fault.is_fatal
     assert fault.text == "/record was killed by SIGKILL"
@@ -85,12 +85,12 @@ def test_exit_codes_in_words(code: int, text: str) -> None:
     assert describe_exit(code) == text
 
 
-def test_a_lack_of_memory_is_told() -> None:
+def test_a_lack_of_memory_is_reported() -> None:
     assert describe_exit(-9, out_of_memory=True).endswith("(the machine was out of memory)")
     assert describe_exit(-11, out_of_memory=True) == "was killed by SIGSEGV"
 
 
-def test_faults_are_kept_beside_the_results(tmp_path: Path) -> None:
+def test_faults_are_kept_next_to_the_results(tmp_path: Path) -> None:
     save_faults(tmp_path, [])
     assert not list(tmp_path.iterdir())
     save_faults(tmp_path, [Fault("/a", "was killed by SIGKILL", True)])

@@ -47,7 +47,7 @@ def test_a_module_of_the_workspace_says_nothing(tmp_path: Path, after_s: float) 
     assert code == -signal.SIGINT
 
 
-def test_other_errors_of_a_module_are_told(tmp_path: Path) -> None:
+def test_other_errors_of_a_module_are_reported(tmp_path: Path) -> None:
     (tmp_path / "bad_module.py").write_text("raise ValueError('told')\n")
     done = subprocess.run(
         module_command("bad_module"),

@@ -57,7 +57,7 @@ def save(clone: Workspace, folder: Path, **args: str) -> dict[str, Any]:
     return facts
 
 
-def test_a_clean_clone_is_told_by_its_commit(
+def test_a_clean_clone_is_identified_by_its_commit(
     committed: Workspace, tmp_path_factory: pytest.TempPathFactory
 ) -> None:
     folder = tmp_path_factory.mktemp("out") / "run"
@@ -87,7 +87,7 @@ def test_changes_are_kept_as_a_patch_that_can_be_applied(
     assert file.read_bytes() == changed
 
 
-def test_files_among_the_arguments_are_told_by_their_content(
+def test_files_among_the_arguments_are_identified_by_their_content(
     committed: Workspace, tmp_path: Path
 ) -> None:
     data = tmp_path / "positions.txt"
@@ -159,7 +159,7 @@ def test_no_master_no_parameters(tmp_path: Path) -> None:
     assert not list(tmp_path.iterdir())
 
 
-def test_long_texts_are_told_apart_without_being_kept() -> None:
+def test_long_texts_are_distinguished_without_being_kept() -> None:
     text = "x" * 5000
     short = shortened({"a": {"b": text, "c": 1}, "d": "y"})
     assert short == {"a": {"b": f"(5000 characters, SHA-256 {digest(text)})", "c": 1}, "d": "y"}

@@ -65,7 +65,9 @@ def test_targets_are_the_folders_of_packages() -> None:
     assert targets == ["src/compat/gazebo_ros/all", "src/trident_sim/all"]
 
 
-def test_what_a_package_runs_with_and_is_compiled_against_are_told_apart(clone: Workspace) -> None:
+def test_what_a_package_runs_with_and_is_compiled_against_are_distinguished(
+    clone: Workspace,
+) -> None:
     folder = clone.root / "src" / "a"
     folder.mkdir()
     (folder / "package.xml").write_text(

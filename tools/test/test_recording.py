@@ -12,24 +12,24 @@ import pytest
 from trident_tool.processes import foreground
 from trident_tool.recording import Recording
 from trident_tool.screenshot import Size
-from trident_tool.viewing import Look, view, viewer_command
+from trident_tool.viewing import ViewOptions, view, viewer_command
 from trident_tool.workspace import Runner, TridentError, Workspace
 
 
 def test_a_film_is_made_by_the_observer(clone: Workspace) -> None:
     recording = Recording(film=Path("a.mp4"), follow="robot", seconds=5.0)
-    look = Look(("a.launch",), size=Size(640, 400), recording=recording)
-    command = viewer_command(clone, look, {"DISPLAY": ":0"})
+    options = ViewOptions(("a.launch",), size=Size(640, 400), recording=recording)
+    command = viewer_command(clone, options, {"DISPLAY": ":0"})
     words = "--seconds 5 --out a.mp4 --wait 60 --size 640x400 --follow robot"
     assert command == ["rosrun", "trident_viewer", "observer.py", *words.split()]
 
 
 def test_rerun_is_opened_where_there_is_a_display(clone: Workspace) -> None:
-    look = Look(recording=Recording(rerun=True, out=Path("a.rrd")))
-    command = viewer_command(clone, look, {})
+    options = ViewOptions(recording=Recording(rerun=True, out=Path("a.rrd")))
+    command = viewer_command(clone, options, {})
     assert command[0] == str(clone.venv_python)
     assert command[1:] == ["-m", "trident_viewer.to_rerun", "--out", "a.rrd"]
-    assert viewer_command(clone, look, {"DISPLAY": ":0"}) == [*command, "--viewer"]
+    assert viewer_command(clone, options, {"DISPLAY": ":0"}) == [*command, "--viewer"]
 
 
 @pytest.mark.parametrize(
@@ -52,9 +52,9 @@ def test_what_does_not_go_together_is_refused(recording: Recording, what: str) -
 
 
 def test_a_world_that_is_held_cannot_be_filmed(clone: Workspace) -> None:
-    look = Look(("a.launch",), at_s=3.0, recording=Recording(film=Path("a.mp4")))
+    options = ViewOptions(("a.launch",), at_s=3.0, recording=Recording(film=Path("a.mp4")))
     with pytest.raises(TridentError, match="--at and --screenshot go with rviz only"):
-        view(clone, Runner(dry_run=True), look)
+        view(clone, Runner(dry_run=True), options)
 
 
 def _python(code: str) -> list[str]:

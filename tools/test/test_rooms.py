@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""Tests for rooms: includes go one way."""
+"""Tests for rooms: includes go in one direction."""
 
 from __future__ import annotations
 

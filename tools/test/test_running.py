@@ -15,7 +15,7 @@ from trident_tool.framebuffer import Image, read_xwd, write_png
 from trident_tool.progress import (
     ProgressView,
     Tail,
-    last_complaints,
+    last_warnings,
     parse_report,
     progress_line,
     required_node_failed,
@@ -240,7 +240,7 @@ def test_a_required_node_that_ends_with_0_or_cleanly_did_not_fail() -> None:
     assert required_node_failed(clean) is None
 
 
-def test_view_shows_complaints_once_and_progress_sparsely(tmp_path: Path) -> None:
+def test_view_shows_warnings_once_and_progress_sparsely(tmp_path: Path) -> None:
     stream = io.StringIO()
     view = ProgressView(tmp_path, stream)
     warning = "\x1b[33m[ WARN] [17.{0}]: no plugin libx.so\x1b[0m\n"
@@ -257,12 +257,12 @@ def test_view_shows_complaints_once_and_progress_sparsely(tmp_path: Path) -> Non
     assert "3.0" not in stream.getvalue()
 
 
-def test_last_complaints_name_the_log(tmp_path: Path) -> None:
+def test_last_warnings_name_the_log(tmp_path: Path) -> None:
     (tmp_path / "UAV1-lee.log").write_text("fine\n[ERROR] [1.0]: no gains\n", encoding="utf-8")
-    assert last_complaints(tmp_path) == ["UAV1-lee.log: [ERROR] [1.0]: no gains"]
+    assert last_warnings(tmp_path) == ["UAV1-lee.log: [ERROR] [1.0]: no gains"]
 
 
-def test_a_complaint_in_several_logs_is_said_once(tmp_path: Path) -> None:
+def test_a_warning_in_several_logs_is_said_once(tmp_path: Path) -> None:
     texts = {
         "roslaunch.log": "\x1b[31m[ERROR] [17.5]: no gains\x1b[0m\n",
         "lee-2.log": "[rosout][ERROR] 2026-11-21 07:28:39,327: no gains\n",
@@ -270,8 +270,8 @@ def test_a_complaint_in_several_logs_is_said_once(tmp_path: Path) -> None:
     }
     for name, text in texts.items():
         (tmp_path / name).write_text(text, encoding="utf-8")
-    (complaint,) = last_complaints(tmp_path)
-    assert complaint.endswith("no gains")
+    (warning,) = last_warnings(tmp_path)
+    assert warning.endswith("no gains")
 
 
 def test_ansi_codes_and_titles_are_removed() -> None:

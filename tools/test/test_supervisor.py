@@ -216,7 +216,7 @@ def test_the_command_is_interrupted_once_and_may_clean_up(tmp_path: Path) -> Non
 @pytest.mark.parametrize(
     ("line", "code"), [("exit 0", 0), ("exit 7", 7), ("kill -SEGV $$", -11), ("kill -9 $$", -9)]
 )
-def test_the_end_of_the_command_is_told(line: str, code: int) -> None:
+def test_the_end_of_the_command_is_reported(line: str, code: int) -> None:
     process = Supervised(["sh", "-c", line])
     assert process.wait(LIMIT_S) == code
     assert process.end() == code

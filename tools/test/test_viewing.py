@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 from trident_tool import screenshot
 from trident_tool.screenshot import Size, resized
-from trident_tool.viewing import Look, pick_config, source_command, view, view_environment
+from trident_tool.viewing import ViewOptions, pick_config, source_command, view, view_environment
 from trident_tool.workspace import Runner, TridentError, Workspace
 
 
@@ -55,28 +55,28 @@ def test_without_a_display_only_a_picture_can_be_made(
 ) -> None:
     monkeypatch.delenv("DISPLAY", raising=False)
     with pytest.raises(TridentError, match="there is no DISPLAY"):
-        view(clone, Runner(), Look())
+        view(clone, Runner(), ViewOptions())
 
 
-def test_a_picture_without_a_wish_is_taken_in_the_world(
+def test_a_picture_without_a_request_is_taken_in_the_world(
     clone: Workspace, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     (clone.root / "config" / "rviz" / "fleet.rviz").touch()
     (clone.launch / "fly.launch").write_text("<launch/>", encoding="utf-8")
     picture = tmp_path / "a.png"
-    look = Look(("fly.launch",), screenshot=picture, at_s=3.0, size=Size(800, 500))
-    view(clone, Runner(dry_run=True), look)
+    options = ViewOptions(("fly.launch",), screenshot=picture, at_s=3.0, size=Size(800, 500))
+    view(clone, Runner(dry_run=True), options)
     took = f"overview.py --out {picture} --size 800x500 --hold --at 3"
     assert took in capsys.readouterr().out
-    view(clone, Runner(dry_run=True), Look(screenshot=picture))
-    told = capsys.readouterr().out
-    assert f"overview.py --out {picture} --size 1600x1000" in told
-    assert "--hold" not in told, "a run in progress goes on"
-    view(clone, Runner(dry_run=True), Look(("fly.launch",), "fleet", screenshot=picture))
+    view(clone, Runner(dry_run=True), ViewOptions(screenshot=picture))
+    output = capsys.readouterr().out
+    assert f"overview.py --out {picture} --size 1600x1000" in output
+    assert "--hold" not in output, "a run in progress goes on"
+    view(clone, Runner(dry_run=True), ViewOptions(("fly.launch",), "fleet", screenshot=picture))
     assert "rviz" in capsys.readouterr().out
     bag = tmp_path / "a.bag"
     bag.touch()
-    view(clone, Runner(dry_run=True), Look((str(bag),), screenshot=picture))
+    view(clone, Runner(dry_run=True), ViewOptions((str(bag),), screenshot=picture))
     assert "rviz" in capsys.readouterr().out, "a bag holds no world"
 
 
@@ -85,7 +85,7 @@ def test_only_a_launch_can_be_held(clone: Workspace, tmp_path: Path) -> None:
     bag.touch()
     for words in ((), (str(bag),)):
         with pytest.raises(TridentError, match="--at goes with a launch file only"):
-            view(clone, Runner(dry_run=True), Look(words, at_s=3.0))
+            view(clone, Runner(dry_run=True), ViewOptions(words, at_s=3.0))
 
 
 def test_what_is_looked_at_runs_in_real_time_and_does_not_end() -> None:

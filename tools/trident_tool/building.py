@@ -153,7 +153,7 @@ def errors_of_cmake(output: str) -> str:
 def source_key(workspace: Workspace, targets: Sequence[str]) -> str:
     """Digest of what a build of ``targets`` depends on: names, sizes and times of the files.
 
-    ninja alone cannot tell that there is nothing to do, because genmsg's checks always run.
+    ninja alone cannot detect that there is nothing to do, because genmsg's checks always run.
     Debian's package state stands for the libraries and headers outside the clone.
     """
     digest = hashlib.sha256("\0".join([configure_key(workspace), *targets]).encode())

@@ -24,7 +24,7 @@ from trident_tool.sanitizing import run_sanitized
 from trident_tool.screenshot import Size
 from trident_tool.shell import shell
 from trident_tool.testing import run_tests
-from trident_tool.viewing import Look, view
+from trident_tool.viewing import ViewOptions, view
 from trident_tool.workspace import Runner, TridentError, Workspace, say
 from trident_tool.worlds import add_world_commands
 
@@ -94,7 +94,7 @@ def _cmd_run(workspace: Workspace, runner: Runner, options: argparse.Namespace) 
 
 def _cmd_view(workspace: Workspace, runner: Runner, options: argparse.Namespace) -> int:
     build(workspace, runner)
-    look = Look(
+    view_options = ViewOptions(
         tuple(options.words),
         options.config,
         options.screenshot,
@@ -103,7 +103,7 @@ def _cmd_view(workspace: Workspace, runner: Runner, options: argparse.Namespace)
         options.size,
         Recording(options.film, options.follow, options.rerun, options.out, options.seconds),
     )
-    return view(workspace, runner, look)
+    return view(workspace, runner, view_options)
 
 
 def _cmd_shell(workspace: Workspace, runner: Runner, options: argparse.Namespace) -> int:

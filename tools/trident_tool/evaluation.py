@@ -59,7 +59,7 @@ def _add_benchmarks(kinds: Any) -> None:
 
 @contextmanager
 def _without_bytecode() -> Iterator[None]:
-    """Nothing is written beside the sources that are imported."""
+    """Nothing is written next to the sources that are imported."""
     writes, sys.dont_write_bytecode = sys.dont_write_bytecode, True
     try:
         yield

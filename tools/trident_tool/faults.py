@@ -60,7 +60,7 @@ def describe_exit(code: int, out_of_memory: bool = False) -> str:
     """What an exit code as of subprocess says, in words: "was killed by SIGSEGV".
 
     Args:
-        code: below zero: by that signal; scripts of a shell tell 128 more than a signal.
+        code: below zero: by that signal; scripts of a shell return 128 more than a signal.
         out_of_memory: whether the kernel has killed something for lack of memory meanwhile.
     """
     number = -code if code < 0 else code - 128 if 128 < code < 160 else 0
@@ -132,7 +132,7 @@ class FaultWatch:
 
 
 def save_faults(folder: Path, faults: Sequence[Fault]) -> None:
-    """Writes them beside the results of the run, if there are any."""
+    """Writes them next to the results of the run, if there are any."""
     if faults:
         text = json.dumps([asdict(fault) for fault in faults], indent=2)
         (folder / FAULTS_FILE).write_text(text + "\n", encoding="utf-8")

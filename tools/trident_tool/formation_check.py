@@ -28,10 +28,10 @@ def check_formations(plan: LaunchPlan, env: Mapping[str, str]) -> None:
     nodes = [node for node in plan.nodes if node.package == _PACKAGE]
     if not nodes:
         return
-    told = [{"name": node.name, "package": node.package, "type": node.type} for node in nodes]
+    described = [{"name": node.name, "package": node.package, "type": node.type} for node in nodes]
     done = subprocess.run(
         ["/usr/bin/python3", "-m", _MODULE],
-        input=json.dumps({"nodes": told, "params": dict(plan.params)}),
+        input=json.dumps({"nodes": described, "params": dict(plan.params)}),
         env=dict(env),
         capture_output=True,
         text=True,

@@ -12,7 +12,7 @@ from pathlib import Path
 from trident_tool.workspace import TridentError
 
 _HEADER = struct.Struct(">25I")
-_COLOUR_BYTES = 12  # size of one entry of the colour map between header and pixels
+_COLOR_BYTES = 12  # size of one entry of the colour map between header and pixels
 
 
 @dataclass(frozen=True)
@@ -50,7 +50,7 @@ def read_xwd(data: bytes) -> Image:
         raise TridentError(f"not an X window dump: {len(data)} bytes, need at least {_HEADER.size}")
     fields = _HEADER.unpack_from(data)
     header_bytes, version, width, height = fields[0], fields[1], fields[4], fields[5]
-    little_endian, bits_per_pixel, row_bytes, colours = (
+    little_endian, bits_per_pixel, row_bytes, colors = (
         fields[7] == 0,
         fields[11],
         fields[12],
@@ -58,7 +58,7 @@ def read_xwd(data: bytes) -> Image:
     )
     if version != 7 or bits_per_pixel != 32:
         raise TridentError(f"X window dump of version {version}, {bits_per_pixel} bits: need 7, 32")
-    start = header_bytes + colours * _COLOUR_BYTES
+    start = header_bytes + colors * _COLOR_BYTES
     if len(data) < start + row_bytes * height:
         raise TridentError("the X window dump is cut short")
     offsets = (2, 1, 0) if little_endian else (1, 2, 3)

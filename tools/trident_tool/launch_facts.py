@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""What a run was started with, kept beside its results: enough to repeat it, and to explain it."""
+"""What a run was started with, kept next to its results: enough to repeat it, and to explain it."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ def library_versions(workspace: Workspace) -> dict[str, str]:
             ["dpkg-query", "-W", "-f", "${Package}\\t${Version}\\n", *wanted],
             capture_output=True,
             text=True,
-            check=False,  # it complains about those that are not there
+            check=False,  # it warns about those that are not there
         ).stdout
         versions |= dict(line.split("\t", 1) for line in output.splitlines() if "\t" in line)
     with contextlib.suppress(OSError):
@@ -174,7 +174,7 @@ def texts(value: Any) -> Iterator[str]:
 
 
 def shortened(value: Any) -> Any:
-    """``value`` of any depth, with long texts replaced by what tells them apart."""
+    """``value`` of any depth, with long texts replaced by their length and digest."""
     if isinstance(value, dict):
         return {name: shortened(item) for name, item in value.items()}
     if isinstance(value, str) and len(value) > _LONGEST_VALUE:

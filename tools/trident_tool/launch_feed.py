@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""What a launch file starts, as far as whoever looks at it has to know."""
+"""What a launch file starts, as far as a viewer has to know."""
 
 from __future__ import annotations
 

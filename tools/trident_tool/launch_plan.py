@@ -127,10 +127,11 @@ class LaunchPlan:
 
         Nothing where the launch file or the caller says what it is held for.
         """
-        told = ("/gazebo/wait_for", "/gazebo/wait_for_sources")
+        parameters = ("/gazebo/wait_for", "/gazebo/wait_for_sources")
         asked = ("TRIDENT_WAIT_FOR", "TRIDENT_WAIT_FOR_MODELS")
-        is_told = any(name in self.params for name in told) or any(name in env for name in asked)
-        if is_told or not self.models:
+        is_configured = any(name in self.params for name in parameters)
+        is_configured = is_configured or any(name in env for name in asked)
+        if is_configured or not self.models:
             return {}
         return {
             "TRIDENT_WAIT_FOR_MODELS": ",".join(self.models),

@@ -78,7 +78,7 @@ def find_launch_file(workspace: Workspace, request: LaunchRequest, env: Mapping[
     """The launch file of ``request``: in its package, or a path, or below the workspace's launch/.
 
     Raises:
-        TridentError: there is none, or more than one.
+        TridentError: no such file, or more than one.
     """
     if request.package is None and Path(request.file).is_file():
         return Path(request.file).resolve()
@@ -135,7 +135,7 @@ def declared_args(launch_file: Path) -> DeclaredArgs:
 
 
 def check_args(launch_file: Path, declared: DeclaredArgs, given: Mapping[str, str]) -> None:
-    """Refuses what roslaunch would only complain about after a master was started.
+    """Refuses what roslaunch would only reject after a master was started.
 
     Raises:
         TridentError: an argument is unknown, cannot be set, or is missing.

@@ -94,7 +94,7 @@ def _link_problem(page: Path, target: str, text: str) -> str:
 
 
 def wrapped(text: str) -> str:
-    """The same page, with the paragraphs broken anew that hold a line that is too long."""
+    """The same page, with those paragraphs wrapped again that hold a line that is too long."""
     prose = dict(prose_lines(text))
     lines: list[str] = []
     paragraph: list[str] = []

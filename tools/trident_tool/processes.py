@@ -138,7 +138,7 @@ def supervised(
 def run_supervised(
     command: Sequence[str | Path], env: Mapping[str, str] | None = None, **options: Any
 ) -> int:
-    """Runs a command to its end and returns its exit code, as a shell tells it.
+    """Runs a command to its end and returns its exit code, as a shell reports it.
 
     Whatever ends this process, or a signal to it, ends the command and all that it has started.
     """

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""Shows how far a run is, and what its nodes complain about, from the files the run writes."""
+"""Shows how far a run is, and its nodes' warnings and errors, from the files the run writes."""
 
 from __future__ import annotations
 
@@ -22,12 +22,12 @@ _DIED = re.compile(r"process has died \[pid \d+, exit code (-?\d+)")
 _REQUIRED = re.compile(r"REQUIRED process \[([^\]]+)\] has died")
 
 _ERROR_LINE = re.compile(r"\bERROR\b|\bFATAL\b|Error:|Traceback|process has died \[pid")
-_MAX_SHOWN = 30  # lines of complaints: a node that warns at every step must not flood the terminal
+_MAX_SHOWN = 30  # lines of warnings: a node that warns at every step must not flood the terminal
 _QUIET_PERIOD_S = 10.0  # wall time between two lines where the output is not a terminal
 
 
 def strip_ansi(text: str) -> str:
-    """``text`` without terminal colours and titles."""
+    """``text`` without terminal colors and titles."""
     return _ANSI.sub("", text)
 
 
@@ -87,7 +87,7 @@ def parse_report(line: str) -> dict[str, Any] | None:
 def required_node_failed(log: str) -> str | None:
     """Name of the required node whose failure ended a launch, by roslaunch's own output, or None.
 
-    roslaunch exits 0 also when a required node died, so its exit code does not tell.
+    roslaunch exits 0 also when a required node died, so its exit code does not show that.
     """
     found = _REQUIRED.search(log)
     if found is None:
@@ -96,7 +96,7 @@ def required_node_failed(log: str) -> str | None:
     return found.group(1) if died is not None and int(died.group(1)) != 0 else None
 
 
-def last_complaints(folder: Path, count: int = 15) -> list[str]:
+def last_warnings(folder: Path, count: int = 15) -> list[str]:
     """The last error lines of the logs below ``folder``, newest log last, each said once."""
     logs = [
         path
@@ -116,13 +116,13 @@ def last_complaints(folder: Path, count: int = 15) -> list[str]:
 
 @dataclass
 class ProgressView:
-    """One updating line on a terminal, an occasional line elsewhere; complaints as they come."""
+    """One updating line on a terminal, an occasional line elsewhere; warnings as they come."""
 
     run_folder: Path
     stream: IO[str] = field(default_factory=lambda: sys.stderr)
     _last_shown: str = ""
     _next_wall_s: float = 0.0
-    _complaints: dict[str, int] = field(default_factory=dict)
+    _warnings: dict[str, int] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         self._progress = Tail(self.run_folder / "progress.jsonl")
@@ -131,7 +131,7 @@ class ProgressView:
     def update(self) -> None:
         """Shows what is new since the last call."""
         for line in self._log.lines():
-            self._complain(strip_ansi(line).strip())
+            self._warn(strip_ansi(line).strip())
         reports = [parse_report(line) for line in self._progress.lines()]
         newest = next((report for report in reversed(reports) if report is not None), None)
         if newest is not None:
@@ -155,17 +155,17 @@ class ProgressView:
         self._last_shown = line
         self.stream.flush()
 
-    def _complain(self, line: str) -> None:
+    def _warn(self, line: str) -> None:
         if not _WORTH_SHOWING.search(line):
             return
-        # The same complaint at another time is the same complaint.
+        # The same warning at another time is the same warning.
         key = re.sub(r"\d+(\.\d+)?", "#", line)
-        self._complaints[key] = self._complaints.get(key, 0) + 1
-        if self._complaints[key] > 1 or len(self._complaints) > _MAX_SHOWN:
+        self._warnings[key] = self._warnings.get(key, 0) + 1
+        if self._warnings[key] > 1 or len(self._warnings) > _MAX_SHOWN:
             return
         clear = "\r\x1b[K" if self.stream.isatty() else ""
         self.stream.write(f"{clear}{line}\n")
-        if len(self._complaints) == _MAX_SHOWN:
+        if len(self._warnings) == _MAX_SHOWN:
             self.stream.write(f"more is in {self.run_folder / 'roslaunch.log'}\n")
         if self.stream.isatty() and self._last_shown:
             self.stream.write(self._last_shown)

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Ctrl-C ends a program without a traceback, also in its first second, while it imports.
 
-Run by its path, ``quiet_interrupt.py MODULE [WORD …]`` runs a module so. Whoever starts Python has
-to block SIGINT before, as ``env --block-signal=INT`` does: it is let in here.
+Run by its path, ``quiet_interrupt.py MODULE [WORD …]`` runs a module so. The caller has to block
+SIGINT before it starts Python, as ``env --block-signal=INT`` does: it is let in here.
 """
 
 from __future__ import annotations

@@ -17,7 +17,7 @@ _LATE_S = 60  # a launch takes a while until the model is there
 
 @dataclass(frozen=True)
 class Recording:
-    """What is made beside, or without, a look.
+    """What is made in addition to, or without, a look.
 
     Attributes:
         film: MP4 file that a camera in the world writes.

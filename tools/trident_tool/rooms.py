@@ -59,10 +59,10 @@ def read_house(root: Path) -> House:
 
 def _candidates(source: Path, include: str, files: Mapping[str, list[Path]]) -> list[Path]:
     """Files of the clone that an include may mean, the nearest first."""
-    beside = Path(*_normalized((source.parent / include).parts))
+    sibling = Path(*_normalized((source.parent / include).parts))
     found = files.get(Path(include).name, [])
-    if beside in found:
-        return [beside]
+    if sibling in found:
+        return [sibling]
     return [path for path in found if path.as_posix().endswith("/" + include.removeprefix("../"))]
 
 

@@ -23,7 +23,7 @@ from trident_tool.launch_plan import LaunchPlan, check_plan, check_real_time_fac
 from trident_tool.launchfile import check_args, declared_args, find_launch_file, parse_request
 from trident_tool.modules import module_command
 from trident_tool.processes import Supervised, ends_by_exception, supervised
-from trident_tool.progress import ProgressView, last_complaints, required_node_failed
+from trident_tool.progress import ProgressView, last_warnings, required_node_failed
 from trident_tool.workspace import (
     Runner,
     TridentError,
@@ -95,7 +95,7 @@ def run_environment(
         "TRIDENT_HEADLESS": "1",
         # Who lives is waited for, also in a run that keeps to a pace, as one that is recorded does.
         "TRIDENT_LOCKSTEP_POLICY": env.get("TRIDENT_LOCKSTEP_POLICY", "wait"),
-        "TRIDENT_END": "1",  # the launch ends with the job, where a plain roslaunch goes on
+        "TRIDENT_END": "1",  # the launch ends with the job, where a plain roslaunch continues
         "ROS_MASTER_URI": f"http://localhost:{port}",
         "ROS_LOG_DIR": str(folder / "log"),
         "ROS_HOME": str(folder / "ros_home"),
@@ -207,7 +207,7 @@ def _follow(run: Run, process: Supervised, view: ProgressView, watch: FaultWatch
 
 def _report_failure(run: Run, reason: str) -> None:
     say(f"{run.launch_file.name} failed: {reason}")
-    for line in last_complaints(run.folder):
+    for line in last_warnings(run.folder):
         print(f"  {line}", file=sys.stderr)
     say(f"the logs are in {run.folder}")
 

@@ -152,7 +152,7 @@ def _picture(
     """Of the program, without what is around it.
 
     Raises:
-        TridentError: there is none.
+        TridentError: the program shows nothing, or ends.
     """
     with (
         tempfile.TemporaryDirectory(prefix="trident-view-") as folder,

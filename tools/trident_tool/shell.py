@@ -15,7 +15,7 @@ from trident_tool.environment import ros_environment
 from trident_tool.launch_facts import LAUNCH_FILE
 from trident_tool.workspace import Runner, TridentError, Workspace, say
 
-_MASTER_LIMIT_S = 300.0  # it is told at once when roscore ends
+_MASTER_LIMIT_S = 300.0  # the end of roscore is noticed at once
 
 # An interactive bash reads the user's own settings first: they must not undo the order of PATH.
 _RC = """\

@@ -2,11 +2,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """Runs a command so that nothing of it outlives its caller: ``supervisor.py FD MODE COMMAND …``.
 
-roslaunch gives each node a session of its own, and whoever is killed by SIGKILL takes no child
-with it. So every command that may start others runs below this small process. It adopts all orphans
-among its descendants (it is a child subreaper, see prctl(2)), and holds one end of a socket whose
-other end only its caller holds. When the caller ends, however that happens, the socket ends, and
-then whatever the command has started is interrupted, and killed if it does not end. It needs no
+roslaunch gives each node a session of its own, and a process that is killed by SIGKILL takes no
+child with it. So every command that may start others runs below this small process. It adopts all
+orphans among its descendants (it is a child subreaper, see prctl(2)), and holds one end of a socket
+whose other end only its caller holds. When the caller ends, however that happens, the socket ends,
+and then whatever the command has started is interrupted, and killed if it does not end. It needs no
 rights.
 
 MODE is ``session`` (a session of its own, so that a Ctrl-C at the terminal reaches the caller only,
@@ -35,7 +35,7 @@ INTERRUPT_S = 3.2  # roslaunch interrupts its nodes and waits for them, the mast
 AT_TERMINAL_S = 1.6  # of these, for a command that has had the terminal's Ctrl-C before
 LEFT_OVER_S = 0.8  # for those that their own parent has left behind
 TERMINATE_S = 0.6
-DONE = b"."  # told to the caller: nothing is left
+DONE = b"."  # sent to the caller: nothing is left
 _POLL_S = 0.02
 _KILL_LIMIT_S = 10.0
 _PR_SET_PDEATHSIG = 1

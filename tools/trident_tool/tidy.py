@@ -141,8 +141,8 @@ class IncludeScanner:
             self._direct[path] = [name.decode("utf-8", "replace") for name in names]
         return self._direct[path]
 
-    def _resolve(self, name: str, beside: Path, include_dirs: Iterable[Path]) -> Path | None:
-        for folder in (beside, *include_dirs):
+    def _resolve(self, name: str, sibling_dir: Path, include_dirs: Iterable[Path]) -> Path | None:
+        for folder in (sibling_dir, *include_dirs):
             candidate = Path(os.path.normpath(folder / name))
             if candidate.is_relative_to(self.root) and candidate.is_file():
                 return candidate
@@ -175,7 +175,7 @@ class Result:
 
 
 def load_result(path: Path) -> Result | None:
-    """A kept result, or None if there is none that can be read."""
+    """A kept result, or None if it cannot be read."""
     try:
         data = json.loads(path.read_text(encoding="utf-8"))
         return Result(int(data["code"]), str(data["findings"]))
@@ -209,7 +209,7 @@ def _check_once(
     """Results of one batch, which ``lock`` stands for; each unit with where its result is kept.
 
     What another process has found meanwhile is taken from there, the others are found now: all in
-    one go, and where that has anything to tell, by halves.
+    one go, and where that reports anything, by halves.
     """
     with _locked(lock):
         found = {unit.source: load_result(path) for unit, path in units}

@@ -37,7 +37,7 @@ _MARKERS = ["rosrun", "trident_viewer", "fleet_markers.py"]
 
 
 @dataclass(frozen=True)
-class Look:
+class ViewOptions:
     """What is to be seen, and how.
 
     Attributes:
@@ -78,7 +78,7 @@ class Look:
 
     @property
     def is_overview(self) -> bool:
-        """Whether a camera in the world takes the picture: of a simulation, with no other wish."""
+        """Whether a camera in the world takes the picture: a simulation, no other request."""
         is_plain = self.config is None and not self.recording.is_wanted
         return self.screenshot is not None and is_plain and self.is_of_a_world
 
@@ -122,7 +122,7 @@ def source_command(
     """The command that feeds rviz: a bag is played, a world simulated, a launch file launched.
 
     Raises:
-        TridentError: the source does not exist or is none of them; an argument is wrong.
+        TridentError: the source does not exist or is of no known kind; an argument is wrong.
     """
     if not words:
         return None
@@ -145,22 +145,22 @@ def source_command(
     return ["roslaunch", "--disable-title", str(file), *given]
 
 
-def viewer_command(workspace: Workspace, look: Look, env: Mapping[str, str]) -> list[str]:
+def viewer_command(workspace: Workspace, options: ViewOptions, env: Mapping[str, str]) -> list[str]:
     """The call of what looks."""
-    if look.recording.is_wanted:
-        return look.recording.command(workspace, look.size, env)
-    if look.is_overview:
-        return overview_command(look)
-    return rviz_command(look, pick_config(workspace, look.config))
+    if options.recording.is_wanted:
+        return options.recording.command(workspace, options.size, env)
+    if options.is_overview:
+        return overview_command(options)
+    return rviz_command(options, pick_config(workspace, options.config))
 
 
-def overview_command(look: Look) -> list[str]:
+def overview_command(options: ViewOptions) -> list[str]:
     """The call of the camera that takes a picture of all that is there."""
-    size = look.size or Size()
-    words = ["--out", str(look.screenshot), "--size", f"{size.width}x{size.height}"]
+    size = options.size or Size()
+    words = ["--out", str(options.screenshot), "--size", f"{size.width}x{size.height}"]
     # What others have started is not held for a picture.
-    words += ["--hold"] if look.words else []
-    words += ["--at", f"{look.at_s:g}"] if look.at_s is not None else []
+    words += ["--hold"] if options.words else []
+    words += ["--at", f"{options.at_s:g}"] if options.at_s is not None else []
     return ["rosrun", "trident_viewer", "overview.py", *words]
 
 
@@ -169,12 +169,12 @@ def is_launch_file(feed: Sequence[str]) -> bool:
     return "--disable-title" in feed
 
 
-def rviz_command(look: Look, configuration: Path | None) -> list[str]:
+def rviz_command(options: ViewOptions, configuration: Path | None) -> list[str]:
     """The call of rviz. The splash screen would be taken for the first picture."""
     command = ["rviz", "--splash-screen", ""]
     command += ["-d", str(configuration)] if configuration else []
     # The picture is without menus and panels.
-    return [*command, "--fullscreen"] if look.screenshot is not None else command
+    return [*command, "--fullscreen"] if options.screenshot is not None else command
 
 
 def view_environment(env: Mapping[str, str]) -> dict[str, str]:
@@ -184,20 +184,20 @@ def view_environment(env: Mapping[str, str]) -> dict[str, str]:
     }
 
 
-def view(workspace: Workspace, runner: Runner, look: Look) -> int:
+def view(workspace: Workspace, runner: Runner, options: ViewOptions) -> int:
     """The ``view`` subcommand.
 
     Raises:
         TridentError: there is nothing to be seen, or no display for it.
     """
-    look.validate(bool(os.environ.get("DISPLAY")) or runner.dry_run)
+    options.validate(bool(os.environ.get("DISPLAY")) or runner.dry_run)
     env = base_environment() if runner.dry_run else ros_environment(workspace)
-    feed = source_command(workspace, look.words, env)
-    if look.at_s is not None and not is_launch_file(feed or []):
+    feed = source_command(workspace, options.words, env)
+    if options.at_s is not None and not is_launch_file(feed or []):
         raise TridentError("--at goes with a launch file only")
-    command = viewer_command(workspace, look, env)
+    command = viewer_command(workspace, options, env)
     if runner.dry_run:
-        helpers = [] if look.recording.is_wanted or look.is_overview else [_MARKERS]
+        helpers = [] if options.recording.is_wanted or options.is_overview else [_MARKERS]
         for words in [feed, *helpers, command]:
             runner.run(words or ["true"])
         return 0
@@ -205,13 +205,13 @@ def view(workspace: Workspace, runner: Runner, look: Look) -> int:
     if feed and is_launch_file(feed):
         args = dict(word.split(":=", 1) for word in feed[3:])
         check_formations(load_plan(Path(feed[2]), args, env), env)
-    return _show(workspace, runner, look, feed, command, env)
+    return _show(workspace, runner, options, feed, command, env)
 
 
 def _show(
     workspace: Workspace,
     runner: Runner,
-    look: Look,
+    options: ViewOptions,
     feed: list[str] | None,
     command: list[str],
     env: dict[str, str],
@@ -235,33 +235,33 @@ def _show(
             source = stack.enter_context(started(feed, feed_env))
             if is_unplaced and wait_for_param(uri, DESCRIPTION, source):
                 stack.enter_context(started(STATE_PUBLISHER, env))
-        if look.is_overview:
+        if options.is_overview:
             return foreground([*command, "--nodes", str(len(nodes))], env, source)
-        if look.recording.is_wanted:
+        if options.recording.is_wanted:
             return foreground(command, env, source)
         stack.enter_context(started(_MARKERS, env))
-        if source is not None and look.config is None and look.is_of_a_world:
+        if source is not None and options.config is None and options.is_of_a_world:
             stack.enter_context(started(_STREAM, env))
         last_steps: subprocess.Popen[bytes] | None = None
-        if look.at_s is not None:
-            _hold(runner, max(look.at_s - look.live_s, 0.0), len(nodes), env)
-            if look.live_s:
-                hold = ["rosrun", "trident_viewer", "hold_at.py", "--viewer", str(look.at_s)]
+        if options.at_s is not None:
+            _hold(runner, max(options.at_s - options.live_s, 0.0), len(nodes), env)
+            if options.live_s:
+                hold = ["rosrun", "trident_viewer", "hold_at.py", "--viewer", str(options.at_s)]
                 last_steps = stack.enter_context(started(hold, env))
         if source is not None and source.poll() not in (None, 0):
             raise TridentError(f"{' '.join(feed or [])} ended with exit code {source.returncode}")
-        if look.screenshot is None:
+        if options.screenshot is None:
             return runner.run(command, env=env)
         _take_picture(
             command,
             env,
-            look.screenshot,
-            look.size or Size(),
+            options.screenshot,
+            options.size or Size(),
             lambda: last_steps is None or last_steps.poll() is not None,
             # What went by in front of a viewer that crashed does not come again.
             1 if last_steps else _TRIES,
         )
-        say(f"wrote {look.screenshot}")
+        say(f"wrote {options.screenshot}")
     return 0
 
 

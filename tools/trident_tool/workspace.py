@@ -69,7 +69,7 @@ def hide_from_crawlers(directory: Path) -> None:
 
 
 def say(text: str) -> None:
-    """One line about what is going on, on stderr, so that stdout stays the command's own."""
+    """One line of progress, on stderr, so that stdout stays the command's own."""
     print(f"trident: {text}", file=sys.stderr, flush=True)
 
 

@@ -101,16 +101,16 @@ def test_lost_vehicles_fail_their_row(measured, tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("words", "complaint"),
+    ("words", "error_text"),
     [
         (["sim", "--mode", "gpu"], "mode 'gpu' is unknown"),
         (["sim", "--out", "/no/such/folder/b.json"], "its folder does not exist"),
         (["table", "/no/such/file.json"], "/no/such/file.json"),
     ],
 )
-def test_bad_words_are_one_clear_error(measured, words, complaint, capsys):
+def test_bad_words_are_one_clear_error(measured, words, error_text, capsys):
     assert bench.main(words) == UNUSABLE
-    assert complaint in capsys.readouterr().err
+    assert error_text in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("text", ["{}", "[]", "not JSON"])

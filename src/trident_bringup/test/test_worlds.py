@@ -48,7 +48,7 @@ def test_robots_stand_level_and_still(robot: str) -> None:
     assert 2 * math.hypot(qx, qy) < 0.02
 
 
-#: Where something stands in the way: start, heading, and how far the base's middle may come.
+#: Where something blocks the path: start, heading, and how far the base's middle may come.
 OBSTACLES = {
     "east wall": ((3.5, 0.0), 0.0, 1.5),
     "north wall": ((3.0, 3.5), math.pi / 2, 1.5),

@@ -112,7 +112,7 @@ TEST(LeePositionController,
   EXPECT_NEAR(roll[1], 0.0, 1e-9);
 }
 
-TEST(LeePositionController, answer_does_not_depend_on_where_or_which_way_the_world_lies) {
+TEST(LeePositionController, answer_does_not_depend_on_where_the_world_lies_or_how_it_is_turned) {
   const LeeParams params;
   std::mt19937_64 random(4);
   for (int trial = 0; trial < 200; ++trial) {

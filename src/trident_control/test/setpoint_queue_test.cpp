@@ -100,7 +100,7 @@ TEST(SetpointQueue, every_point_waits_for_its_own_time_when_asked_to) {
   EXPECT_EQ(queue.advance(at(90.0))->p_world.x(), 2.0);
 }
 
-TEST_F(SetpointQueueTest, a_skipped_stretch_of_states_ends_at_the_latest_point) {
+TEST_F(SetpointQueueTest, a_skipped_period_of_states_ends_at_the_latest_point) {
   push(at(1.0), {point(1, 0.0), point(2, 0.1), point(3, 0.2)});
   EXPECT_EQ(x_at(5.0), 3.0);
 }
@@ -125,7 +125,7 @@ TEST_F(SetpointQueueTest, a_message_that_comes_again_takes_nothing_back) {
   push(at(1.0), first);
   push(at(2.0), second);
   x_at(1.2);
-  push(at(1.0), first);  // the second one's repetition is still under way
+  push(at(1.0), first);  // the second one's repetition has not arrived yet
   EXPECT_EQ(x_at(1.6), 2.0);
   EXPECT_EQ(x_at(2.0), 3.0);
   push(at(1.0), first);
@@ -251,21 +251,21 @@ TEST_F(SetpointQueueTest, an_equal_stamp_is_no_reset) {
 }
 
 TEST_F(SetpointQueueTest, a_message_that_comes_again_is_known_before_and_after_a_state) {
-  const auto told = [this](SimTime stamp, double x) {
+  const auto is_repetition = [this](SimTime stamp, double x) {
     push(stamp, {point(x)});
     return queue.repeats();
   };
-  EXPECT_FALSE(told(at(1.0), 1));
-  EXPECT_FALSE(told(at(2.0), 2));
-  EXPECT_TRUE(told(at(1.0), 1)) << "no state has taken it yet";
-  EXPECT_TRUE(told(at(2.0), 2)) << "behind one that was repeated itself";
-  EXPECT_TRUE(told(at(1.0), 1));
+  EXPECT_FALSE(is_repetition(at(1.0), 1));
+  EXPECT_FALSE(is_repetition(at(2.0), 2));
+  EXPECT_TRUE(is_repetition(at(1.0), 1)) << "no state has taken it yet";
+  EXPECT_TRUE(is_repetition(at(2.0), 2)) << "behind one that was repeated itself";
+  EXPECT_TRUE(is_repetition(at(1.0), 1));
   x_at(0.5);
-  EXPECT_TRUE(told(at(2.0), 2)) << "a state has";
-  EXPECT_FALSE(told(at(2.0), 3)) << "another plan";
-  EXPECT_FALSE(told(kNoStamp, 3));
-  EXPECT_FALSE(told(kNoStamp, 3)) << "without a stamp each counts anew";
-  EXPECT_FALSE(told(at(2.0), 3)) << "what has no stamp took its place";
+  EXPECT_TRUE(is_repetition(at(2.0), 2)) << "a state has";
+  EXPECT_FALSE(is_repetition(at(2.0), 3)) << "another plan";
+  EXPECT_FALSE(is_repetition(kNoStamp, 3));
+  EXPECT_FALSE(is_repetition(kNoStamp, 3)) << "without a stamp each counts anew";
+  EXPECT_FALSE(is_repetition(at(2.0), 3)) << "what has no stamp took its place";
 }
 
 }  // namespace

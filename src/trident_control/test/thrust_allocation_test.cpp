@@ -73,7 +73,7 @@ double part(const RandomStream& random, std::uint64_t i, std::uint32_t channel) 
   return 2.0 * random.uniform(i, channel) - 1.0;
 }
 
-TEST(ThrustAllocation, GivesBackWhatThrustersCanGive) {
+TEST(ThrustAllocation, ReproducesWhatThrustersCanGive) {
   const RandomStream random(2, "thrust allocation test");
   for (const VesselModel& model : {twin(), layout_x()}) {
     ThrustAllocation allocation(model, {});

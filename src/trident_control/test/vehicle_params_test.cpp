@@ -86,7 +86,8 @@ TEST(AllocationMatrix, canted_rotors_give_side_torque_and_less_lift) {
   for (int i = 0; i < 6; ++i) {
     const int direction = vehicle.rotors[static_cast<std::size_t>(i)].direction;
     EXPECT_NEAR(allocation(3, i), kf * std::cos(cant), 1e-18);
-    // p x f about z: a rotor tilted by -dir cant about its arm pushes the vehicle the way -dir.
+    // p x f about z: a rotor tilted by -dir cant about its arm pushes the vehicle in direction
+    // -dir.
     const double expected =
         direction * 0.25 * kf * std::sin(cant) - direction * 0.016 * kf * std::cos(cant);
     EXPECT_NEAR(allocation(2, i), expected, 1e-18);

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""The lidars of sensors.xacro measure as their makers tell, in the simulator."""
+"""The lidars of sensors.xacro measure as their makers say, in the simulator."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def expand(macro: str, tmp_path: Path) -> str:
 
 
 @pytest.mark.parametrize("macro", FIGURES)
-def test_a_lidar_measures_as_its_maker_tells(macro: str, tmp_path: Path) -> None:
+def test_a_lidar_measures_as_its_maker_says(macro: str, tmp_path: Path) -> None:
     range_m, rate_hz, step_deg = FIGURES[macro]
     world = trident_sim.World(EMPTY)
     for number in range(24):
@@ -88,7 +88,7 @@ def walled_world(macro: str, tmp_path: Path, height_m: float = 0.05) -> trident_
 
 
 @pytest.mark.parametrize("macro", RINGS)
-def test_a_lidar_of_many_rings_turns_as_its_maker_tells(macro: str, tmp_path: Path) -> None:
+def test_a_lidar_of_many_rings_turns_as_its_maker_says(macro: str, tmp_path: Path) -> None:
     rings, lowest_deg, highest_deg, columns, range_m = RINGS[macro]
     world = walled_world(f'{macro} topic="points"', tmp_path, height_m=2.0)
     port = world.ports["carrier/points"]

@@ -81,7 +81,7 @@ def test_the_smallest_circle_of_the_car(steering: float) -> None:
     assert circle_radius(np.array(points)) == pytest.approx(expected, rel=0.02)
 
 
-def test_the_car_obeys_a_yaw_rate_and_its_encoders_tell_its_way() -> None:
+def test_the_car_obeys_a_yaw_rate_and_its_encoders_measure_its_path() -> None:
     world = world_of("ackermann_car")
     car = world.model("ackermann_car")
     for w in (0.5, -0.5, 0.0):
@@ -90,8 +90,8 @@ def test_the_car_obeys_a_yaw_rate_and_its_encoders_tell_its_way() -> None:
         assert world.ports["ackermann_car/odom"].value.angular_velocity[2] == pytest.approx(
             w, abs=0.02
         )
-    told = np.array(world.ports["ackermann_car/odom"].value.position[:2])
-    assert np.linalg.norm(told - np.array(car.position[:2])) < 0.02 * 9.6
+    odometry = np.array(world.ports["ackermann_car/odom"].value.position[:2])
+    assert np.linalg.norm(odometry - np.array(car.position[:2])) < 0.02 * 9.6
 
 
 def test_the_car_is_as_fast_as_it_says_and_says_so_of_more() -> None:

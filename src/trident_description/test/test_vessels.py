@@ -69,7 +69,7 @@ def place_of(urdf: str, link: str) -> list[float]:
 def seen_from_port(
     world: trident_sim.World, x: npt.ArrayLike, z: npt.ArrayLike, as_far_as_y: float
 ) -> npt.NDArray[np.bool_]:
-    """Whether a look from port meets something of the vessel, at each of x and z [m]."""
+    """Whether a ray from port hits something of the vessel, at each of x and z [m]."""
     x, z = np.broadcast_arrays(np.asarray(x, dtype=float), np.asarray(z, dtype=float))
     origins = np.column_stack([x, np.full(x.shape, 3.0), z])
     along = np.tile([0.0, -1.0, 0.0], (len(origins), 1))
@@ -99,7 +99,7 @@ def test_a_wamvs_deck_stands_on_its_pontoons() -> None:
 
 
 @pytest.mark.parametrize("vessel", FIGURES)
-def test_it_goes_where_its_controller_is_told(vessel: str) -> None:
+def test_it_goes_where_its_controller_is_commanded(vessel: str) -> None:
     world = world_of(vessel, OCEAN, control="plugin", lidar="false")
     world.ports[f"{vessel}/command/pose"].write(trident_sim.PoseSample((20.0, 15.0, 0.0)))
     world.step(16000)
@@ -143,7 +143,7 @@ def test_sensors_are_optional_and_may_have_their_topics_in_vrx(vessel: str) -> N
 
 
 @pytest.mark.parametrize("vessel", FIGURES)
-def test_its_sensors_tell_and_its_propellers_push(vessel: str) -> None:
+def test_its_sensors_measure_and_its_propellers_push(vessel: str) -> None:
     world = world_of(vessel, OCEAN)
     for port in ("fix", "imu/data", "velodyne_points", "ground_truth/odom", "wind"):
         world.ports[f"{vessel}/{port}"].subscribe()
@@ -151,7 +151,7 @@ def test_its_sensors_tell_and_its_propellers_push(vessel: str) -> None:
         command = trident_sim.ScalarSample(FIGURES[vessel][1])
         world.ports[f"{vessel}/thrusters/{side}_thrust_cmd"].write(command)
     world.step(100)
-    world.ports[f"{vessel}/velodyne_points"].unsubscribe()  # it has told enough, and costs most
+    world.ports[f"{vessel}/velodyne_points"].unsubscribe()  # it has sent enough, and costs most
     world.step(2900)
     for port in ("fix", "imu/data", "velodyne_points", "ground_truth/odom", "wind"):
         assert world.ports[f"{vessel}/{port}"].count > 0, port
@@ -165,7 +165,7 @@ def test_its_sensors_tell_and_its_propellers_push(vessel: str) -> None:
 
 @pytest.mark.parametrize("vessel", FIGURES)
 def test_its_propellers_turn(vessel: str) -> None:
-    """The way of its thrust; both joints are told with the angles that tf needs."""
+    """The direction of its thrust; both joints are published with the angles that tf needs."""
     world = world_of(vessel, OCEAN, lidar=False)
     world.ports[f"{vessel}/joint_states"].subscribe()
     for side, part in (("left", 1.0), ("right", -1.0)):
@@ -212,9 +212,9 @@ def test_heron_takes_drive_commands() -> None:
     world.step(500)
     assert world.ports["heron/thrusters/left_thrust"].value.value == pytest.approx(21.28)
     assert world.ports["heron/thrusters/right_thrust"].value.value == pytest.approx(-19.88)
-    told = "\n".join(message.text for message in world.messages)
-    assert "cmd_drive: nan, 0 is refused, the last good one stays; legal is [-1, 1]" in told
-    assert "cmd_drive: 0.6, -3 is cut to the nearest; legal is [-1, 1]" in told
+    messages = "\n".join(message.text for message in world.messages)
+    assert "cmd_drive: nan, 0 is refused, the last good one stays; legal is [-1, 1]" in messages
+    assert "cmd_drive: 0.6, -3 is cut to the nearest; legal is [-1, 1]" in messages
 
 
 def test_small_catamaran_is_driven_as_usv_sim_lsa_does() -> None:
@@ -229,8 +229,8 @@ def test_small_catamaran_is_driven_as_usv_sim_lsa_does() -> None:
     # 20 N are cut to 11.5, and 10 N with them: as fast as 17.25 N make it, in a turn to starboard.
     assert 0.8 < state.linear_velocity[0] < 1.55
     assert state.angular_velocity[2] < -0.2
-    told = "\n".join(message.text for message in world.messages)
-    assert "thruster_command: 'fwd_middle', which is no thruster, is refused" in told
+    messages = "\n".join(message.text for message in world.messages)
+    assert "thruster_command: 'fwd_middle', which is no thruster, is refused" in messages
 
 
 def test_its_odometry_is_a_transform_of_its_namespace() -> None:

@@ -20,7 +20,7 @@ AmclParams params_of(LaserModel laser = LaserModel::kLikelihoodField,
   params.laser.laser_model_type = laser;
   params.laser.laser_max_beams = 60;
   params.laser.laser_z_hit = 0.9;
-  // Deviations of 2 cm and 2 degrees in 0.3 m, whichever way alphas are read.
+  // Deviations of 2 cm and 2 degrees in 0.3 m, whichever reading of the alphas is used.
   const double alpha = odom == OdomModel::kDiff || odom == OdomModel::kOmni ? 0.2 : 0.005;
   params.motion = {odom, alpha, alpha, alpha, alpha, alpha};
   params.kld_err = 0.05;
@@ -37,7 +37,7 @@ class Drive {
       : T_grid_base_(T_grid_start), amcl_(params, grid_) {}
 
   SE2 truth() const { return grid_.T_map_origin * T_grid_base_; }
-  /// Goes on along a curve in the free middle of the left room.
+  /// Continues along a curve in the free middle of the left room.
   AmclStep step() {
     const SE2 motion = SE2::exp({0.3, 0.0, 0.3 / 0.9});
     T_grid_base_ = T_grid_base_ * motion;
@@ -164,7 +164,7 @@ TEST(Amcl, StandsStillUntilTheRobotHasMovedOrItIsForced) {
   EXPECT_TRUE(drive.amcl().update(scan, drive.T_odom_base()).is_updated);
 }
 
-TEST(Amcl, BadInputIsToldAndChangesNothing) {
+TEST(Amcl, BadInputIsReportedAndChangesNothing) {
   Drive drive(params_of());
   drive.amcl().set_pose(drive.truth(), kUnsure);
   for (int i = 0; i < 4; ++i) drive.step();

@@ -15,8 +15,8 @@ namespace trident::estimation {
 
 inline void fill(OccupancyGrid& grid, double x0, double y0, double x1, double y1,
                  std::int8_t value = OccupancyGrid::kOccupied) {
-  const auto cell = [&grid](double metres) {
-    return static_cast<int>(std::lround(metres / grid.resolution));
+  const auto cell = [&grid](double meters) {
+    return static_cast<int>(std::lround(meters / grid.resolution));
   };
   for (int row = cell(y0); row < cell(y1); ++row) {
     for (int column = cell(x0); column < cell(x1); ++column) {

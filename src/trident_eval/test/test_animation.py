@@ -33,9 +33,9 @@ def frames(path: Path) -> list[Array]:
         return pictures
 
 
-def column_of(picture: Array, colour: tuple[int, int, int]) -> float:
-    """Mean column of the pixels of about this colour [pixel]."""
-    near = np.abs(picture - np.array(colour)).max(axis=-1) < 40.0
+def column_of(picture: Array, color: tuple[int, int, int]) -> float:
+    """Mean column of the pixels of about this color [pixel]."""
+    near = np.abs(picture - np.array(color)).max(axis=-1) < 40.0
     assert near.any()
     return float(np.nonzero(near)[1].max())
 
@@ -71,9 +71,9 @@ def test_the_same_run_gives_the_same_file(tmp_path: Path) -> None:
 def test_a_vehicle_that_comes_late_and_many_vehicles_are_drawn(tmp_path: Path) -> None:
     late = scene(vehicles=20)
     late.tracks.position[:10, 3] = np.nan
-    told: list[tuple[int, int]] = []
-    path = animate(late, tmp_path / "a.gif", lambda *count: told.append(count))
-    assert len(frames(path)) == told[-1][0] == told[-1][1]
+    reported: list[tuple[int, int]] = []
+    path = animate(late, tmp_path / "a.gif", lambda *count: reported.append(count))
+    assert len(frames(path)) == reported[-1][0] == reported[-1][1]
 
 
 def test_what_does_not_move_cannot_be_animated(tmp_path: Path) -> None:

@@ -48,7 +48,7 @@ def pose(stamp: float, point: np.ndarray) -> PoseStamped:
 
 @pytest.fixture
 def bag(tmp_path: Path) -> Path:
-    """Two vehicles, 2 s; one is told by trajectories, one by poses."""
+    """Two vehicles, 2 s; one is commanded by trajectories, one by poses."""
     path = tmp_path / "run.bag"
     with rosbag.Bag(str(path), "w") as out:
         for step in range(41):

@@ -68,7 +68,7 @@ def test_a_run_that_left_nothing_fails(tmp_path: Path, capsys: pytest.CaptureFix
     assert verdict["pass"] is False
 
 
-def test_the_verdict_is_told_before_anything_is_drawn(
+def test_the_verdict_is_printed_before_anything_is_drawn(
     planned_run: Run, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     shown: list[str] = []
@@ -88,7 +88,7 @@ def test_no_folder_is_no_run(tmp_path: Path, capsys: pytest.CaptureFixture[str])
     assert "no such folder" in capsys.readouterr().err
 
 
-def test_a_broken_summary_is_told(planned_run: Run, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_broken_summary_is_reported(planned_run: Run, capsys: pytest.CaptureFixture[str]) -> None:
     (planned_run.folder / "run.json").write_text("{")
     assert main(["report", str(planned_run.folder)]) == 2
     assert "run.json: " in capsys.readouterr().err

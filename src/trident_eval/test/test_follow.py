@@ -108,7 +108,7 @@ def test_a_follower_that_lags_fails(following: Following) -> None:
     assert any("rows flown" in reason for reason in verdict.reasons)
 
 
-def test_followers_that_never_joined_are_told_of(following: Following, tmp_path: Path) -> None:
+def test_followers_that_never_joined_are_reported(following: Following, tmp_path: Path) -> None:
     for record in FollowLog(NAMES[0], NAMES[1:], START_NS, error="no way").records({}):
         write_record(tmp_path, record)
     assert isinstance(read_command(tmp_path), Refusal)

@@ -44,8 +44,8 @@ def test_no_rigid_motion_does_better(seed: int) -> None:
         )
         small, _ = np.linalg.qr(np.eye(3) + cross)
         small = small * np.sign(np.diag(small))
-        centre = commanded.mean(axis=1, keepdims=True)
-        moved = (commanded - centre) @ small.T + measured.mean(axis=1, keepdims=True)
+        center = commanded.mean(axis=1, keepdims=True)
+        moved = (commanded - center) @ small.T + measured.mean(axis=1, keepdims=True)
         aligned = rigid_residuals(moved, commanded)
         assert rms(aligned) < 1e-9
         assert best <= rms(measured - moved) + 1e-12

@@ -66,7 +66,7 @@ def test_a_mission_along_its_lines_passes(
     assert verdict.numbers["rtf"] == 3.0
 
 
-def test_the_error_is_the_distance_to_the_way(tmp_path: Path) -> None:
+def test_the_error_is_the_distance_to_the_path(tmp_path: Path) -> None:
     (one,) = read_missions(folder_of(tmp_path, r1=mission("ugv")))
     straight = track("r1", [[1.0, 2.0, 0.0], [1.0, 11.0, 0.0]], aside=0.4)
     outcome = follow(straight, one)

@@ -23,7 +23,7 @@ def area(line: Array) -> float:
     return float(0.5 * abs((x[:-1] * y[1:] - x[1:] * y[:-1]).sum()))
 
 
-def test_few_are_joined_with_their_neighbours() -> None:
+def test_few_are_joined_with_their_neighbors() -> None:
     angle = np.array([0.0, 4.0, 2.0, 3.0, 1.0, 5.0]) * np.pi / 3.0
     hexagon = np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=1)
     line = outline_of(hexagon)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""The page of a run: that it needs nothing beside it, and says what the run was."""
+"""The page of a run: that it needs no other file, and says what the run was."""
 
 from __future__ import annotations
 
@@ -164,14 +164,14 @@ def test_values_are_held_against_their_limits() -> None:
         "rows": 4,
         "rtf": 20.0,
     }
-    met = {row.label: row.is_met for row in verdict_rows(verdict)}
-    assert met["formation RMS"] is False, "the limit itself is too much"
-    assert met["minimum separation"] is True
-    assert met["rows flown by all"] is False
-    assert met["real-time factor"] is None
+    satisfied = {row.label: row.is_satisfied for row in verdict_rows(verdict)}
+    assert satisfied["formation RMS"] is False, "the limit itself is too much"
+    assert satisfied["minimum separation"] is True
+    assert satisfied["rows flown by all"] is False
+    assert satisfied["real-time factor"] is None
     unknown = {row.label: row for row in verdict_rows(verdict | {"formation_rms_m": None})}
     assert unknown["formation RMS"].value == "unknown"
-    assert unknown["formation RMS"].is_met is False
+    assert unknown["formation RMS"].is_satisfied is False
 
 
 def test_numbers_of_each_vehicle() -> None:

@@ -118,7 +118,7 @@ def test_last_stamps_that_are_rounded_up_are_within_the_truth() -> None:
     assert errors.stamp.tolist() == rounded[1:].tolist()
 
 
-def test_relative_error_over_a_metre() -> None:
+def test_relative_error_over_a_meter() -> None:
     count = 101
     x = 0.1 * np.arange(count)
     truth = Trajectory.planar(np.arange(count) * 1.0, x, np.zeros(count), np.zeros(count))
@@ -221,7 +221,7 @@ def test_the_command_writes_numbers_pictures_and_a_page(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("text", "complaint"),
+    ("text", "error_text"),
     [
         ("", "has no row"),
         ("1 2 3\n", ":1: '1 2 3' is not legal"),
@@ -230,19 +230,19 @@ def test_the_command_writes_numbers_pictures_and_a_page(tmp_path: Path) -> None:
         ("1 2 3 4 0 0 0 0\n", "pose 1 has a quaternion of norm 0"),
     ],
 )
-def test_bad_trajectories_are_named(tmp_path: Path, text: str, complaint: str) -> None:
+def test_bad_trajectories_are_named(tmp_path: Path, text: str, error_text: str) -> None:
     path = tmp_path / "bad.tum"
     path.write_text(text)
     with pytest.raises(EvalError, match=r"bad\.tum") as error:
         read_tum(path)
-    assert complaint in str(error.value)
+    assert error_text in str(error.value)
 
 
 def test_bad_maps_are_named(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     write_tum(tmp_path / "trajectory.tum", drive())
     path = write_map(tmp_path, room())
     text = path.read_text()
-    for bad, complaint in [
+    for bad, error_text in [
         (text.replace("0.05", "-1"), "resolution above 0"),
         (text.replace("map.pgm", "none.pgm"), "none.pgm"),
         ("[", "map.yaml"),
@@ -250,7 +250,7 @@ def test_bad_maps_are_named(tmp_path: Path, capsys: pytest.CaptureFixture[str]) 
     ]:
         path.write_text(bad)
         assert main(["evaluate", str(tmp_path)]) == 2
-        assert complaint in capsys.readouterr().err
+        assert error_text in capsys.readouterr().err
     with pytest.raises(EvalError, match=r"none\.relations"):
         read_relations(tmp_path / "none.relations")
 

@@ -77,9 +77,9 @@ def test_a_full_disk_is_one_sentence(
     out.mkdir()
     (out / file).symlink_to("/dev/full")
     assert main(["slam", str(stand_in / "other.log"), "--out", str(out)]) == 2
-    told = capsys.readouterr().err.splitlines()[-1]
-    assert told.startswith(f"trident: {out}")
-    assert told.endswith(": No space left on device")
+    output = capsys.readouterr().err.splitlines()[-1]
+    assert output.startswith(f"trident: {out}")
+    assert output.endswith(": No space left on device")
 
 
 def test_bags_go_to_their_reader(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -104,7 +104,7 @@ def test_the_bar_fills() -> None:
     assert offline.bar(50, 100).endswith("[###############...............]  50 %  100 scans")
 
 
-def test_a_map_without_a_cell_is_told_in_one_sentence(
+def test_a_map_without_a_cell_is_reported_in_one_sentence(
     stand_in: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     program = PROGRAM.replace("P5 2 2 255 \\000\\376\\376\\315", "P5\\n0 0\\n255\\n")

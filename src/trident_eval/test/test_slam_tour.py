@@ -17,7 +17,7 @@ RECORD = {"world": "room", "robot": "r", "start": [0, 0, 0], "lidar_height": 0.1
 
 @pytest.fixture
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A tour without an error, whose map lies a metre beside the world's origin."""
+    """A tour without an error, whose map lies a metre off the world's origin."""
     truth = drive(200)
     T = np.eye(4)
     T[0, 3] = 1.0

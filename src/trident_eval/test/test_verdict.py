@@ -202,7 +202,7 @@ def test_damaged_states_are_refused(tmp_path: Path, content: str, what: str) -> 
         read_states(path)
 
 
-def test_states_of_different_vehicles_meet_in_time(tmp_path: Path) -> None:
+def test_states_of_different_vehicles_are_matched_in_time(tmp_path: Path) -> None:
     path = tmp_path / "states.csv"
     path.write_text("t,name,x,y,z\n0.05,B,4,5,6\n0.0,A,1,2,3\n0.050000,A,7,8,9\n0.0,B,0,0,nan\n")
     tracks = read_states(path)
@@ -222,9 +222,9 @@ def test_what_is_not_repeatable_is_said_by_the_verdict_and_does_not_fail_it() ->
     assert verdict.passed
     lines = table(verdict.to_json()).splitlines()
     assert any("state hash" in line and "38d26b (not repeatable)" in line for line in lines)
-    told = [line for line in lines if "the controller of UAV4, t = 12.30 s" in line]
-    assert told, lines
-    assert "has not answered in time" in told[0]
+    found = [line for line in lines if "the controller of UAV4, t = 12.30 s" in line]
+    assert found, lines
+    assert "has not answered in time" in found[0]
 
 
 def test_a_repeatable_run_says_nothing_of_it_and_an_error_is_the_first_reason() -> None:

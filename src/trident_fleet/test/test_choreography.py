@@ -36,7 +36,7 @@ def shape_of(row: Array) -> Array:
     return np.linalg.norm(row[:, None] - row[None], axis=-1)
 
 
-def longest_way(rows: Array) -> float:
+def longest_step(rows: Array) -> float:
     return float(np.linalg.norm(np.diff(rows, axis=0), axis=-1).max())
 
 
@@ -48,10 +48,10 @@ def test_a_rigid_step_moves_and_turns_and_keeps_the_shape() -> None:
     np.testing.assert_allclose(rows[-1].mean(axis=0), [3.0, 1.0, 1.7], atol=1e-9)
     # From a line along y to one along -x.
     np.testing.assert_allclose(rows[-1, 0] - rows[-1, 3], [-6.0, 0.0, 0.0], atol=1e-9)
-    assert longest_way(rows) <= 0.15
+    assert longest_step(rows) <= 0.15
 
 
-def test_a_rescaled_formation_grows_around_its_centre() -> None:
+def test_a_rescaled_formation_grows_around_its_center() -> None:
     rows = perform(Choreography(5, Pattern("wedge", 2.0), (Step(rescale=1.5),))).rows
     np.testing.assert_allclose(rows[-1].mean(axis=0), rows[0].mean(axis=0), atol=1e-9)
     np.testing.assert_allclose(shape_of(rows[-1]), 1.5 * shape_of(rows[0]), atol=1e-9)
@@ -83,7 +83,7 @@ def test_a_new_pattern_is_where_the_formation_is_and_as_it_heads() -> None:
             st.sampled_from(KINDS).map(lambda kind: Step(pattern=Pattern(kind, 1.5))),
             st.floats(-200.0, 200.0).map(lambda turn: Step(rotate_deg=turn)),
             st.floats(1.0, 2.0).map(lambda factor: Step(rescale=factor)),
-            st.floats(-3.0, 3.0).map(lambda way: Step(translate_m=(way, -way, 0.1))),
+            st.floats(-3.0, 3.0).map(lambda shift: Step(translate_m=(shift, -shift, 0.1))),
         ),
         max_size=4,
     ),
@@ -94,7 +94,7 @@ def test_every_choreography_keeps_its_separation_in_rows_and_in_flight(
     choreography = Choreography(count, Pattern(begin, 1.5), tuple(changes), row_spacing_m=0.4)
     rows = perform(choreography).rows
     assert min_separation(rows) >= 1.0 - 1e-6
-    assert longest_way(rows) <= 0.4 * 1.01 if len(rows) > 1 else True
+    assert longest_step(rows) <= 0.4 * 1.01 if len(rows) > 1 else True
     ground = rows[0].copy()
     ground[:, 2] = 0.1
     plan = plan_formation(rows, ground, PlanConfig())
@@ -191,9 +191,9 @@ def test_words_are_the_short_form() -> None:
     words = ["line", "circle", "rotate:-45", "translate:1,2,0.5", "rescale:1.5"]
     choreography = parse_words(words, 8, 2.0)
     assert choreography.begin == Pattern("line", 2.0)
-    circle, turn, way, growth = choreography.steps
+    circle, turn, shift, growth = choreography.steps
     assert circle.pattern == Pattern("circle", 2.0)
-    assert (turn.rotate_deg, way.translate_m, growth.rescale) == (-45.0, (1.0, 2.0, 0.5), 1.5)
+    assert (turn.rotate_deg, shift.translate_m, growth.rescale) == (-45.0, (1.0, 2.0, 0.5), 1.5)
 
 
 @pytest.mark.parametrize(

@@ -117,7 +117,7 @@ def test_every_field_of_a_choreography_can_be_set(tmp_path: Path) -> None:
     assert shaped.steps[0].pattern == Pattern("grid", columns=2)
 
 
-def test_an_unknown_key_is_told_with_file_line_and_the_nearest_one(tmp_path: Path) -> None:
+def test_an_unknown_key_is_reported_with_file_line_and_the_nearest_one(tmp_path: Path) -> None:
     text = "begin:\n  pattern: line\n  spacing: 2\nsteps: []\n"
     with pytest.raises(FormationError, match=r"steps.yaml:3: spacing: unknown key; did you mean"):
         _choreography(tmp_path, text)

@@ -78,7 +78,7 @@ def test_messages_follow_each_other_without_gap(plan: FormationPlan, feed: Plann
             np.testing.assert_array_equal([[p.x, p.y, p.z] for p in got], wanted)
 
 
-def test_after_the_end_the_last_hover_goes_on(plan: FormationPlan, feed: PlannedFeed) -> None:
+def test_after_the_end_the_last_hover_continues(plan: FormationPlan, feed: PlannedFeed) -> None:
     far = int(plan.duration * 10) + 500
     first, second = (feed.messages(index)[0] for index in (far, far + 1))
     assert stamp_of(second) - stamp_of(first) == PERIOD_NS
@@ -99,7 +99,7 @@ def test_in_lockstep_every_message_is_sent_once_and_ahead(feed: PlannedFeed) -> 
     assert [stamp_of(b[0]) for b in late] == [START_NS + i * PERIOD_NS for i in range(7, 15)]
 
 
-def test_a_clock_of_another_century_draws_no_message_of_the_way_there(feed: PlannedFeed) -> None:
+def test_a_clock_of_another_century_draws_no_message_of_the_time_between(feed: PlannedFeed) -> None:
     """It would take all memory: three weeks are 2e7 messages, fifty years 2e10."""
     feeder = TimeFeeder(feed, lookahead=5, is_lockstep=True)
     ahead = 20_000

@@ -102,8 +102,8 @@ def test_the_launch_file_is_read_with_its_arguments(tmp_path: Path, checked: Che
     words = [f"formation_file:={file}", "uavs:=4"]
     (settings,) = check_launch.formations(json.loads(plan_of(MAIN_JOB, words)))
     assert settings.source.uavs == 4
-    code, told, _ = checked(words)
-    assert (code, "come within 0.700 m" in told) == (0, True)
+    code, report, _ = checked(words)
+    assert (code, "come within 0.700 m" in report) == (0, True)
     assert checked([*words, "scale_z:=3", "offset_z:=-1"]) == (0, "", "")
     code, _, error = checked(words[:1])
     assert (code, "uavs: 6, but" in error) == (1, True)
@@ -117,7 +117,7 @@ def test_the_launch_file_is_read_with_its_arguments(tmp_path: Path, checked: Che
         (["mode:=walk"], "mode: 'walk'; legal: time, gate"),
     ],
 )
-def test_a_launch_that_cannot_fly_is_told_in_one_line(
+def test_a_launch_that_cannot_fly_is_reported_in_one_line(
     words: list[str], what: str, checked: Checked
 ) -> None:
     code, _, error = checked(words)

@@ -103,7 +103,7 @@ def test_what_cannot_be_made_is_refused(template: str, count: int, what: str) ->
 
 
 @given(count=st.integers(1, 50), kind=st.sampled_from(KINDS), x=st.floats(-5.0, 5.0))
-def test_take_off_from_the_grid_crosses_nobodys_way(count: int, kind: str, x: float) -> None:
+def test_take_off_from_the_grid_crosses_nobodys_path(count: int, kind: str, x: float) -> None:
     first_row = places(Pattern(kind, 1.5), count) + np.array([x, 0.0, 1.2])
     spawn = spawn_grid(first_row, 1.6)
     assert (spawn[:, 2] == 0.1).all()

@@ -160,7 +160,7 @@ def test_two_instances_fed_alike_decide_alike() -> None:
     np.testing.assert_array_equal(gates[0].steady_offset, gates[1].steady_offset)
 
 
-def test_the_end_is_told_two_periods_ahead_or_more() -> None:
+def test_the_end_is_announced_two_periods_ahead_or_more() -> None:
     gate = new_gate(rows_ahead(2), GateConfig(hold_last_s=0.5))
     start_ns = 700_000_000
     feeder = GateFeeder(gate, GateFeed([0], start_ns, 0.0, FeedConfig()))

@@ -90,7 +90,7 @@ def test_a_file_that_another_program_wrote_needs_no_class(tmp_path: Path) -> Non
     np.testing.assert_array_equal(read, positions(20, 6))
 
 
-def test_the_whole_way_from_a_file_with_scale_and_offset(tmp_path: Path) -> None:
+def test_a_file_with_scale_and_offset_from_end_to_end(tmp_path: Path) -> None:
     path = save_v73(tmp_path / "f.mat", {"vehicle_pos": laid_out(positions(20, 6), "3xNxT")})
     source = FormationSource(str(path), uavs=4, scale=(1.0, 2.0, 0.5), offset=(0.0, 0.0, 3.0))
     expected = positions(20, 6) * [1.0, 2.0, 0.5] + [0.0, 0.0, 3.0]

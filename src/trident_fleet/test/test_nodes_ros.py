@@ -176,7 +176,9 @@ def test_runs_repeat_to_the_bit_in_one_process_or_in_one_for_each(
         assert worlds[0]["sim_s"] >= records[0]["row_time_s"][-1] + 3.0
 
 
-def test_a_bad_file_is_told_once_and_the_world_goes_on(session: RosSession, tmp_path: Path) -> None:
+def test_a_bad_file_is_reported_once_and_the_world_continues(
+    session: RosSession, tmp_path: Path
+) -> None:
     bad = tmp_path / "bad.txt"
     bad.write_text("1 0 0 1\n2 0 1\n")
     world = session.world(3, 3)
@@ -193,7 +195,7 @@ def test_a_bad_file_is_told_once_and_the_world_goes_on(session: RosSession, tmp_
     assert all("3 columns" in record["error"] for record in session.records())
 
 
-def test_a_parameter_that_is_not_known_is_told_once_with_the_nearest_one(
+def test_a_parameter_that_is_not_known_is_reported_once_with_the_nearest_one(
     session: RosSession, tmp_path: Path
 ) -> None:
     bad = tmp_path / "bad.txt"
@@ -237,7 +239,7 @@ def follow(folder: Path, formation: Path, *topic: str) -> RosSession:
 
 
 @pytest.fixture
-def long_way(tmp_path: Path) -> Path:
+def long_path(tmp_path: Path) -> Path:
     """Three vehicles, a hundred rows ahead and up."""
     path = tmp_path / "long.txt"
     rows = [
@@ -250,9 +252,9 @@ def long_way(tmp_path: Path) -> Path:
 
 
 def test_followers_hold_their_places_and_runs_repeat_to_the_bit(
-    tmp_path: Path, long_way: Path
+    tmp_path: Path, long_path: Path
 ) -> None:
-    runs = [follow(tmp_path / name, long_way) for name in ("first", "second")]
+    runs = [follow(tmp_path / name, long_path) for name in ("first", "second")]
     worlds = [json.loads((run.folder / "world.json").read_text()) for run in runs]
     assert worlds[0]["digest"] == worlds[1]["digest"]
     position = np.array(worlds[0]["position"])
@@ -270,10 +272,10 @@ def test_followers_hold_their_places_and_runs_repeat_to_the_bit(
 
 
 def test_without_a_leader_the_followers_hover_until_they_give_up(
-    session: RosSession, long_way: Path
+    session: RosSession, long_path: Path
 ) -> None:
     world = session.world(3, 2)
-    session.vehicle(0, *params(long_way, "time"), "_uavs:=1")
+    session.vehicle(0, *params(long_path, "time"), "_uavs:=1")
     script = FLEET / "scripts" / "leader_follower.py"
     own = ["_followers:=UAV2 UAV3", "_leader:=nobody", "_end_when_still:=1.0", "_give_up:=3.0"]
     session.start(PYTHON, script, *own, *session.common())
@@ -284,9 +286,9 @@ def test_without_a_leader_the_followers_hover_until_they_give_up(
     assert set(errors.values()) == {"the leader has not been seen"}
 
 
-def test_a_topic_of_another_type_is_refused(session: RosSession, long_way: Path) -> None:
+def test_a_topic_of_another_type_is_refused(session: RosSession, long_path: Path) -> None:
     world = session.world(3, 2)
-    session.vehicle(0, *params(long_way, "time"), "_uavs:=1")
+    session.vehicle(0, *params(long_path, "time"), "_uavs:=1")
     script = FLEET / "scripts" / "leader_follower.py"
     own = ["_followers:=UAV2 UAV3", "_leader_topic:=/clock"]
     node = session.start(PYTHON, script, *own, *session.common())

@@ -35,7 +35,7 @@ def permuted(points: Array, seed: int) -> Array:
 
 
 @given(kind=st.sampled_from(KINDS), count=st.integers(1, 60), spacing=st.floats(0.1, 20.0))
-def test_neighbours_of_every_pattern_are_a_spacing_apart(
+def test_neighbors_of_every_pattern_are_a_spacing_apart(
     kind: str, count: int, spacing: float
 ) -> None:
     points = places(Pattern(kind, spacing), count)
@@ -79,7 +79,7 @@ def test_bad_patterns_are_refused(pattern: Pattern, what: str) -> None:
 
 
 @given(seed=SEEDS, count=st.integers(1, 6))
-def test_no_assignment_has_less_squared_way(seed: int, count: int) -> None:
+def test_no_assignment_has_less_squared_distance(seed: int, count: int) -> None:
     rng = np.random.default_rng(seed)
     start, goal = rng.normal(size=(2, count, 3)) * 5.0
     place = assign(start, goal)
@@ -91,7 +91,7 @@ def test_no_assignment_has_less_squared_way(seed: int, count: int) -> None:
     assert ((goal[place] - start) ** 2).sum() == pytest.approx(best, abs=1e-5)
 
 
-def test_of_equal_ways_the_one_in_order_is_taken() -> None:
+def test_of_equal_distances_the_one_in_order_is_taken() -> None:
     square = places(Pattern("circle", radius_m=1.0), 8)
     up = square + np.array([0.0, 0.0, 5.0])
     np.testing.assert_array_equal(assign(square, up), range(8))

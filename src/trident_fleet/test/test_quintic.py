@@ -17,7 +17,7 @@ def some_path(rng: np.random.Generator, knots: int = 5, vehicles: int = 2) -> Qu
     return QuinticPath(time, *(rng.normal(size=(knots, vehicles, 3)) for _ in range(3)))
 
 
-def test_knot_states_are_met_from_both_sides() -> None:
+def test_knot_states_are_reached_from_both_sides() -> None:
     path = some_path(np.random.default_rng(1))
     for before in (0.0, 1e-9):
         motion = path.sample(path.time[1:-1] - before)
@@ -77,7 +77,7 @@ def test_minimum_jerk_peaks_at_fifteen_eighths_of_the_mean_speed() -> None:
     assert speed.max() == pytest.approx(1.875 * 4.0 / 2.0)
 
 
-def test_slower_is_the_same_way() -> None:
+def test_slower_is_the_same_path() -> None:
     path = some_path(np.random.default_rng(4))
     slow = path.stretched(2.0)
     time = np.linspace(path.time[0], path.time[-1], 31)

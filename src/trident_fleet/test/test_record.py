@@ -52,7 +52,7 @@ def test_the_command_can_be_computed_again_to_the_bit(origin: Origin, tmp_path: 
     assert [path.name for path in (tmp_path / "new" / "run").iterdir()] == ["formation_UAV2.json"]
 
 
-def test_a_gate_tells_when_each_row_was_commanded_and_reached(origin: Origin) -> None:
+def test_a_gate_records_when_each_row_was_commanded_and_reached(origin: Origin) -> None:
     gate = FormationGate(ROWS, SPAWN, origin.vehicles, PlanConfig(), GateConfig())
     gate.command_ns, gate.arrival_ns = [1_000_000_000, 3_000_000_000], [2_900_000_000]
     record = gate_record(gate, ROWS[:, 0].tolist(), 0, origin)

@@ -19,6 +19,6 @@ def test_flights_that_start_over_answer_a_foreign_command_once(ros: Ros) -> None
     topic = SetpointTopic("/UAV1/", keep=7)
     for _ in range(3):
         topic.guard()
-    beside = rospy.Subscriber(topic.topic, rospy.AnyMsg)  # without a callback of its own
-    assert len(beside.impl.callbacks) == 1
-    beside.unregister()
+    other = rospy.Subscriber(topic.topic, rospy.AnyMsg)  # without a callback of its own
+    assert len(other.impl.callbacks) == 1
+    other.unregister()

@@ -11,7 +11,7 @@ from trident_fleet.core.settings import (
     fleet_around,
     fleet_of_names,
     read_settings,
-    seat_of_sequence,
+    vehicle_of_line,
 )
 
 
@@ -123,9 +123,9 @@ def test_named_vehicles_keep_their_order() -> None:
 
 
 def test_the_first_line_says_which_vehicle_and_row() -> None:
-    assert seat_of_sequence(4, 6, 6) == (4, 0)
-    assert seat_of_sequence(13, 6, 4) == (1, 2)
+    assert vehicle_of_line(4, 6, 6) == (4, 0)
+    assert vehicle_of_line(13, 6, 4) == (1, 2)
     with pytest.raises(FormationError, match="seq: 5 is vehicle 6 of 6, but uavs is 4"):
-        seat_of_sequence(5, 6, 4)
+        vehicle_of_line(5, 6, 4)
     with pytest.raises(FormationError, match="seq: -1; legal: 0 or more"):
-        seat_of_sequence(-1, 6, 6)
+        vehicle_of_line(-1, 6, 6)

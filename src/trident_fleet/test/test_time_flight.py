@@ -22,7 +22,7 @@ from trident_fleet.core.settings import FleetSettings, fleet_of_names
 from trident_fleet.nodes import flights
 from trident_fleet.nodes.flights import FlightContext, formation_flight
 from trident_fleet.nodes.setpoint_topic import SetpointTopic
-from trident_fleet.nodes.world_link import WorldLink
+from trident_fleet.nodes.world_link import SimulatorClient
 
 PERIOD_NS = FeedConfig().period_ns
 SPAWN = np.array([[0.0, 0.0, 0.1]])
@@ -65,7 +65,7 @@ class World:
             vehicles=vehicles,
             fed=vehicles,
             topics=[cast(SetpointTopic, self)],
-            link=cast(WorldLink, self),
+            link=cast(SimulatorClient, self),
             record=lambda record: None,
             restart=self.restart,
         )

@@ -68,9 +68,9 @@ def test_acceleration_has_no_jumps(own_formation: Path) -> None:
 def test_the_flight_is_short(own_formation: Path) -> None:
     rows = read_formation(FormationSource(str(own_formation)))
     path = fly_through(rows, FlightLimits())
-    ways = np.linalg.norm(np.diff(rows, axis=0), axis=-1).sum(axis=0)
-    # Two and a half times what the longest way takes at full speed without any turn.
-    assert path.duration < 2.5 * ways.max() / FlightLimits().v_max
+    distances = np.linalg.norm(np.diff(rows, axis=0), axis=-1).sum(axis=0)
+    # Two and a half times what the longest path takes at full speed without any corner.
+    assert path.duration < 2.5 * distances.max() / FlightLimits().v_max
 
 
 def test_a_straight_line_is_flown_close_to_the_limits() -> None:

@@ -81,7 +81,7 @@ def test_a_column_in_the_air_is_built_in_the_right_order() -> None:
     assert flown_separation(points) >= 1.0 - 1e-6
 
 
-def test_only_those_who_meet_use_more_layers() -> None:
+def test_only_those_in_conflict_use_more_layers() -> None:
     spawn = np.array([[0.0, 0, 0.1], [2.0, 0, 0.1], [20.0, 0, 0.1], [22.0, 0, 0.1]])
     goal = spawn[[1, 0, 3, 2]] + np.array([0.0, 0.0, 1.0])
     heights = transit_points(spawn, goal, CONFIG)[1][:, 2]
@@ -103,7 +103,7 @@ def test_two_vehicles_at_one_place_are_named() -> None:
         transit_points(goal, spawn, CONFIG)
 
 
-def test_a_way_that_cannot_be_free_is_refused() -> None:
+def test_a_path_that_cannot_be_free_is_refused() -> None:
     # One stands above the other, and they have to change places.
     spawn = np.array([[0.0, 0, 0.1], [0.0, 0, 2.0]])
     goal = np.array([[3.0, 0, 3.0], [3.0, 0, 1.0]])
@@ -112,10 +112,15 @@ def test_a_way_that_cannot_be_free_is_refused() -> None:
 
 
 @settings(max_examples=30)
-@given(way=st.floats(0.0, 50.0), v=st.floats(0.2, 5), a=st.floats(0.2, 5), j=st.floats(0.2, 10))
-def test_legs_keep_the_limits(way: float, v: float, a: float, j: float) -> None:
+@given(
+    distance=st.floats(0.0, 50.0),
+    v=st.floats(0.2, 5),
+    a=st.floats(0.2, 5),
+    j=st.floats(0.2, 10),
+)
+def test_legs_keep_the_limits(distance: float, v: float, a: float, j: float) -> None:
     limits = FlightLimits(v, a, j)
-    points = np.array([[[0.0, 0, 0]], [[way, 0, 0]]])
+    points = np.array([[[0.0, 0, 0]], [[distance, 0, 0]]])
     path = transit_path(points, limits)
     time = np.linspace(0.0, path.duration, 2001)
     for order, limit in ((1, v), (2, a), (3, j)):

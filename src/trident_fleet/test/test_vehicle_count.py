@@ -65,7 +65,7 @@ def test_a_lone_vehicle_is_one(own_formation: Path) -> None:
 
 
 @pytest.mark.parametrize("uavs", [20, 7])
-def test_a_large_ring_is_no_way_of_one_vehicle_when_several_fly(uavs: int) -> None:
+def test_a_large_ring_is_no_path_of_one_vehicle_when_several_fly(uavs: int) -> None:
     assert infer_vehicles(interleaved(TOURS["circle"], 20), uavs, "f") == 20
 
 

@@ -21,13 +21,13 @@ def test_places_turn_with_the_start() -> None:
     np.testing.assert_allclose(rows, [[[0.0, 4.0, 7.0]]], atol=1e-12)
 
 
-def test_a_way_keeps_its_places_and_gets_others_between() -> None:
+def test_a_path_keeps_its_places_and_gets_others_between() -> None:
     places = np.array([[0, 0, 5], [10, 0, 5], [10, 2, 5], [10, 2, 5]], dtype=float)
-    way = along_lines(places, 3.0)
-    assert len(way) == 1 + 4 + 1 + 1
+    path = along_lines(places, 3.0)
+    assert len(path) == 1 + 4 + 1 + 1
     for place in places:
-        assert (way == place).all(axis=1).any()
-    assert np.linalg.norm(np.diff(way, axis=0), axis=1).max() <= 3.0
+        assert (path == place).all(axis=1).any()
+    assert np.linalg.norm(np.diff(path, axis=0), axis=1).max() <= 3.0
 
 
 def test_a_smooth_flight_keeps_to_the_lines() -> None:

@@ -18,7 +18,7 @@ FREE = np.full(ANGLES.size, np.inf)
 
 
 def wall(x: float) -> np.ndarray:
-    """Ranges to a wall across the robot's way at x, shape (n,)."""
+    """Ranges to a wall across the robot's path at x, shape (n,)."""
     with np.errstate(divide="ignore"):
         ranges = x / np.cos(ANGLES)
     ranges[(ranges <= 0.0) | (ranges > 12.0)] = np.inf
@@ -60,7 +60,7 @@ def test_a_turn_ends_when_it_is_free_ahead_and_not_before() -> None:
     assert wander.command(61.0, ANGLES, FREE).linear == CONFIG.speed
 
 
-def test_what_is_beside_its_way_does_not_stop_it() -> None:
+def test_what_is_next_to_its_path_does_not_stop_it() -> None:
     ranges = FREE.copy()
     ranges[np.abs(ANGLES - math.pi / 2) < 0.05] = CONFIG.half_width + 0.02
     assert Wander(CONFIG).command(0.0, ANGLES, ranges).linear == CONFIG.speed

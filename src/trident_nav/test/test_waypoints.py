@@ -23,8 +23,8 @@ def moved(pose: Pose, velocity: Velocity) -> Pose:
     x, y, yaw = pose
     turn = velocity.angular * DT_S
     middle = yaw + turn / 2
-    way = velocity.linear * DT_S * float(np.sinc(turn / (2 * math.pi)))
-    return x + way * math.cos(middle), y + way * math.sin(middle), yaw + turn
+    distance = velocity.linear * DT_S * float(np.sinc(turn / (2 * math.pi)))
+    return x + distance * math.cos(middle), y + distance * math.sin(middle), yaw + turn
 
 
 def drive(
@@ -90,8 +90,8 @@ def test_a_loop_never_ends() -> None:
     follower = WaypointFollower(corners, replace(CONFIG, loop=True))
     poses, commands = drive(follower, (0.0, 0.0, 0.0), limit_s=120.0)
     assert not follower.is_done
-    way = sum(command.linear for command in commands) * DT_S
-    assert way > 3 * 4.0
+    distance = sum(command.linear for command in commands) * DT_S
+    assert distance > 3 * 4.0
     assert off_the_lines(poses, [(0.0, 0.0), *corners]) < 0.25
 
 

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""Puts a robot with an RGB-D camera into a world and writes what it sees, colour beside depth.
+"""Puts a robot with an RGB-D camera into a world and writes what it sees, color next to depth.
 
 Without ROS and without a display:
 
@@ -26,10 +26,10 @@ WORLD = "package://trident_bringup/worlds/{}.world"
 ROBOT = "package://trident_description/urdf/my_nav_robot.urdf.xacro"
 SETTLE_S = 1.0
 
-Colours = npt.NDArray[np.uint8]
+Colors = npt.NDArray[np.uint8]
 
 
-def colour_depths(depths: npt.NDArray[np.float32], farthest_m: float) -> Colours:
+def color_depths(depths: npt.NDArray[np.float32], farthest_m: float) -> Colors:
     """Near is bright, nothing is black.
 
     Args:
@@ -41,12 +41,12 @@ def colour_depths(depths: npt.NDArray[np.float32], farthest_m: float) -> Colours
     """
     seen = np.isfinite(depths)
     share = np.clip(np.where(seen, depths, 0.0) / farthest_m, 0.0, 1.0)
-    colours = mpl.colormaps["viridis_r"](share)[..., :3]
-    return (255.0 * np.where(seen[..., None], colours, 0.0)).astype(np.uint8)
+    colors = mpl.colormaps["viridis_r"](share)[..., :3]
+    return (255.0 * np.where(seen[..., None], colors, 0.0)).astype(np.uint8)
 
 
-def see(world_name: str, place: tuple[float, float, float]) -> Colours:
-    """Colour beside depth, shape (height, 2 width, 3).
+def see(world_name: str, place: tuple[float, float, float]) -> Colors:
+    """Color next to depth, shape (height, 2 width, 3).
 
     Args:
         world_name: of a file in worlds/.
@@ -61,7 +61,7 @@ def see(world_name: str, place: tuple[float, float, float]) -> Colours:
     color.subscribe()
     depth.subscribe()
     world.step(math.ceil(SETTLE_S / world.dt))
-    return np.concatenate([color.value.pixels, colour_depths(depth.value.pixels, 8.0)], axis=1)
+    return np.concatenate([color.value.pixels, color_depths(depth.value.pixels, 8.0)], axis=1)
 
 
 def main() -> None:

@@ -67,7 +67,7 @@ void bind_images(py::module_& module) {
       .def_readonly("encoding", &ImageSample::encoding,
                     "rgb8, bgr8, mono8, mono16, 16UC1 or 32FC1, as ROS names them.")
       .def_property_readonly("pixels", pixels_of,
-                             "Shape (height, width, 3), uint8, of colours; else "
+                             "Shape (height, width, 3), uint8, of colors; else "
                              "(height, width): m, mm or labels.");
   stamped<ImageCloudSample>(module, "ImageCloudSample", "Points of a picture, pixel by pixel.")
       .def_readonly("frame", &ImageCloudSample::frame, "Optical frame: x right, y down, z ahead.")

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-// What changes and tells of a world's sea and wind.
+// What changes and describes a world's sea and wind.
 #include "bindings.h"
 #include "sample_class.h"
 #include "trident_sim/text_sample.h"
@@ -23,7 +23,7 @@ void bind_environment(py::module_& module) {
   stamped<WindReadingSample>(module, "WindReadingSample", "Speed and angle of the wind.")
       .def_readonly("frame", &WindReadingSample::frame, "Frame of the sensor.")
       .def_readonly("is_true", &WindReadingSample::is_true,
-                    "Over ground; else as the sensor feels it on its way.")
+                    "Over ground; else as the sensor feels it while it moves.")
       .def_readonly("speed", &WindReadingSample::speed_m_s, "[m/s].")
       .def_readonly("angle", &WindReadingSample::angle_rad,
                     "Where it comes from, from the frame's x clockwise, in [0, 2 pi) [rad].");

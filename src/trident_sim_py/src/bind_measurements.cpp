@@ -130,7 +130,7 @@ void bind_laser_scan(py::module_& module) {
       .def_readonly("angle_max", &Scan::angle_max_rad, "Of the last beam [rad].")
       .def_readonly("angle_increment", &Scan::angle_increment_rad, "From beam to beam [rad].")
       .def_readonly("time_increment", &Scan::time_increment_s, "From beam to beam [s].")
-      .def_readonly("scan_time", &Scan::scan_time_s, "From scan to scan [s]; 0: not told.")
+      .def_readonly("scan_time", &Scan::scan_time_s, "From scan to scan [s]; 0: not known.")
       .def_readonly("range_min", &Scan::range_min_m, "Smallest range [m].")
       .def_readonly("range_max", &Scan::range_max_m, "Largest range [m].")
       .def_property_readonly(
@@ -183,7 +183,7 @@ void bind_ranges(py::module_& module) {
       .def_readonly("field_of_view", &RangeSample::field_of_view_rad, "Of the cone [rad].")
       .def_readonly("range_min", &RangeSample::range_min_m, "Smallest range [m].")
       .def_readonly("range_max", &RangeSample::range_max_m, "Largest range [m].")
-      .def_readonly("range", &RangeSample::range_m, "[m]; the largest range: nothing met.");
+      .def_readonly("range", &RangeSample::range_m, "[m]; the largest range: nothing hit.");
 }
 
 void bind_contacts(py::module_& module) {
@@ -259,7 +259,7 @@ void bind_others(py::module_& module) {
           "Angles [rad] or lengths [m], shape (n,).")
       .def_property_readonly(
           "velocities", [](const JointStateSample& s) { return to_numpy(s.velocities); },
-          "Rates [rad/s] or [m/s], shape (n,); shape (0,) where they are not told.");
+          "Rates [rad/s] or [m/s], shape (n,); shape (0,) where they are not known.");
   stamped<ScalarSample>(module, "ScalarSample", "One number.")
       .def(py::init([](double value, double stamp) {
              return ScalarSample{to_time(stamp, "stamp"), value};

@@ -136,7 +136,7 @@ void bind_joints(py::module_& module) {
       .def_property_readonly("name", &JointView::name, "Of the joint in its model.")
       .def_property_readonly(
           "position", [](const JointView& v) { return v.joint().position(); },
-          "Angle [rad] or way [m] along its axis; 0: as its description has it.")
+          "Angle [rad] or displacement [m] along its axis; 0: as its description has it.")
       .def_property_readonly(
           "velocity", [](const JointView& v) { return v.joint().velocity(); },
           "Rate of its position [rad/s] or [m/s].")
@@ -178,9 +178,10 @@ void bind_model(py::module_& module) {
            "Of the whole model, in the world frame [m/s], [rad/s], shape (3,).")
       .def_property_readonly("links", &ModelView::links, "Names of its links.")
       .def_property_readonly("joints", &ModelView::joints, "Names of its joints.")
-      .def("link", &ModelView::link, py::arg("name"), "One of its links; Error if there is none.")
+      .def("link", &ModelView::link, py::arg("name"),
+           "One of its links; Error if it has no such link.")
       .def("joint", &ModelView::joint, py::arg("name"),
-           "One of its joints; Error if there is none.")
+           "One of its joints; Error if it has no such joint.")
       .def("__repr__", [](const ModelView& v) { return "<trident_sim.Model '" + v.name() + "'>"; });
   for (const char* name : {"Link", "Joint", "Model"}) {
     module.attr(name).attr("__module__") = "trident_sim";

@@ -47,7 +47,7 @@ NumpyArray rows_of_three(const py::object& value, const std::string& what) {
   return array;
 }
 
-/// Distances, normals and indices of the shapes met, one per ray.
+/// Distances, normals and indices of the shapes hit, one per ray.
 py::tuple cast_rays(Session& session, const py::object& origins, const py::object& directions,
                     double t_max, bool is_visual) {
   const NumpyArray from = rows_of_three(origins, "origins");

@@ -98,11 +98,11 @@ const PortType* find_port_type(const PortBase& port) {
 
 PortBase& PortView::required(PortDirection direction) const {
   if (PortBase* port = find(direction)) return *port;
-  const bool other_way =
+  const bool other_direction =
       find(direction == PortDirection::kOut ? PortDirection::kIn : PortDirection::kOut) != nullptr;
   const char* kind = direction == PortDirection::kOut ? "output" : "input";
   throw Error("port '" + name_ + "' " +
-              (other_way ? std::string("is not an ") + kind : "is no longer in the world"));
+              (other_direction ? std::string("is not an ") + kind : "is no longer in the world"));
 }
 
 const PortType& PortView::required_type(const PortBase& port) const {

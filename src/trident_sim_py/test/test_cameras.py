@@ -58,7 +58,7 @@ def ports(world: trident_sim.World) -> dict[str, trident_sim.Port]:
     return found
 
 
-def test_colours(ports: dict[str, trident_sim.Port]) -> None:
+def test_colors(ports: dict[str, trident_sim.Port]) -> None:
     image = ports["image_raw"].value
     assert isinstance(image, trident_sim.ImageSample)
     assert (image.encoding, image.frame, image.stamp) == ("rgb8", "robot/link", pytest.approx(0.1))
@@ -97,10 +97,10 @@ def test_camera_info_projects_points_to_their_pixels(ports: dict[str, trident_si
 
 
 def test_labels_and_boxes(ports: dict[str, trident_sim.Port]) -> None:
-    labels, told = ports["segmentation/image_raw"].value, ports["segmentation/boxes"].value
+    labels, sample = ports["segmentation/image_raw"].value, ports["segmentation/boxes"].value
     assert isinstance(labels, trident_sim.ImageSample)
-    assert isinstance(told, trident_sim.BoundingBoxesSample)
-    (box,) = told.boxes
+    assert isinstance(sample, trident_sim.BoundingBoxesSample)
+    (box,) = sample.boxes
     assert box.name == "wall"
     assert np.array_equal(np.unique(labels.pixels), [0, box.label])
     assert (box.x_min, box.x_max) == (0, WIDTH // 2 - 1)

@@ -100,7 +100,7 @@ def test_an_unstamped_command_acts_at_once(make_flight: Fly) -> None:
     assert world.model("UAV1").joint("UAV1/rotor_0_joint").velocity != 0.0
 
 
-def test_a_command_of_too_few_speeds_is_told_and_the_rest_flies(make_flight: Fly) -> None:
+def test_a_command_of_too_few_speeds_is_reported_and_the_rest_flies(make_flight: Fly) -> None:
     world = make_flight(controlled=False)
     world.ports[COMMAND].write([HOVER_RAD_S] * (ROTORS - 1))
     with pytest.warns(trident_sim.SimulationWarning, match="motor 5 is not in a command of 5"):

@@ -81,7 +81,7 @@ def test_walls_are_as_thick_as_they_are(yard: trident_sim.World) -> None:
     assert result.at(100.0, 0.0) == UNKNOWN
 
 
-def test_heights_decide_what_stands_in_the_way(yard: trident_sim.World) -> None:
+def test_heights_decide_what_is_an_obstacle(yard: trident_sim.World) -> None:
     assert occupancy_map(yard).at(-1.0, -0.8) == FREE
     both = occupancy_map(yard, MapConfig(heights=(0.2, 0.725)))
     assert both.at(-1.0, -0.8) == OCCUPIED
@@ -137,9 +137,9 @@ def test_the_files_are_map_servers(yard: trident_sim.World, tmp_path: Path) -> N
     head, size, most, pixels = (tmp_path / "yard.pgm").read_bytes().split(b"\n", 3)
     rows, columns = result.cells.shape
     assert (head, size, most) == (b"P5", f"{columns} {rows}".encode(), b"255")
-    grey = np.frombuffer(pixels, np.uint8).reshape(rows, columns)[::-1]
-    np.testing.assert_array_equal(grey < 100, result.cells == OCCUPIED)
-    np.testing.assert_array_equal(grey > 250, result.cells == FREE)
+    gray = np.frombuffer(pixels, np.uint8).reshape(rows, columns)[::-1]
+    np.testing.assert_array_equal(gray < 100, result.cells == OCCUPIED)
+    np.testing.assert_array_equal(gray > 250, result.cells == FREE)
     # As map_server reads it: occupied from 0.65 on, free up to 0.196.
     assert facts["free_thresh"] < (255 - 205) / 255
     assert facts["occupied_thresh"] > (255 - 205) / 255

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""What the package promises beside physics: no ROS, types and documentation that fit."""
+"""What the package promises in addition to physics: no ROS, types and documentation that fit."""
 
 from __future__ import annotations
 

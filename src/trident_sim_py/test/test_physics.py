@@ -75,7 +75,7 @@ def test_bad_drives_are_refused(
         make("wheel", "hub", **arguments)
 
 
-def test_a_flight_goes_on_from_a_snapshot_as_it_did(
+def test_a_flight_continues_from_a_snapshot_as_it_did(
     make_flight: Callable[..., trident_sim.World],
 ) -> None:
     straight = make_flight((1.0, 0.0, 1.5), seed=3)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""Rays cast from Python meet what they should."""
+"""Rays cast from Python hit what they should."""
 
 from __future__ import annotations
 
@@ -37,11 +37,11 @@ def test_visuals_are_other_shapes(world_with_box: trident_sim.World) -> None:
     assert hits.shapes[hits.shape[0]].name == "look"
 
 
-def test_what_is_too_far_is_not_met(world_with_box: trident_sim.World) -> None:
+def test_what_is_too_far_is_not_hit(world_with_box: trident_sim.World) -> None:
     assert world_with_box.cast_rays([[0, 0, 0]], [[1, 0, 0]], max_distance=8.9).shape[0] == -1
 
 
-def test_no_rays_meet_nothing(world_with_box: trident_sim.World) -> None:
+def test_no_rays_hit_nothing(world_with_box: trident_sim.World) -> None:
     hits = world_with_box.cast_rays(np.zeros((0, 3)), np.zeros((0, 3)))
     assert hits.distance.shape == (0,)
     assert hits.normal.shape == (0, 3)

@@ -57,7 +57,7 @@ MODEL = f"""<?xml version="1.0"?>
 
 
 def _measured(threads: int) -> dict[str, str]:
-    """Hash of all that each topic told, of a robot that turns in the room."""
+    """Hash of all samples of each topic, of a robot that turns in the room."""
     world = trident_sim.World("worlds/room.world", seed=3, sensor_threads=threads)
     world.spawn("robot", sdf=MODEL, pose=(0.5, -1.0, 0.4))
     world.models["robot"].set_velocity((0.1, 0.0, 0.0), (0.0, 0.0, 1.0))

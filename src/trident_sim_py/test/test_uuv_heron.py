@@ -70,8 +70,8 @@ def test_elements_without_effect_are_named_once() -> None:
     world = trident_sim.World(WORLD)
     world.spawn("heron", urdf=heron("<colour>red</colour>"))
     world.step(10)
-    told = [message.text for message in world.messages]
-    assert [text for text in told if "<hydrodynamic_model> <colour> is not known" in text] == told
+    texts = [message.text for message in world.messages]
+    assert [text for text in texts if "<hydrodynamic_model> <colour> is not known" in text] == texts
 
 
 def test_a_mass_matrix_that_is_not_positive_definite_is_refused() -> None:

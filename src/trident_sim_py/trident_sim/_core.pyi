@@ -189,7 +189,7 @@ class LaserScanSample(_Stamped):
         """From beam to beam [s]."""
     @property
     def scan_time(self) -> float:
-        """From scan to scan [s]; 0: not told."""
+        """From scan to scan [s]; 0: not known."""
     @property
     def range_min(self) -> float:
         """Smallest range [m]."""
@@ -213,7 +213,7 @@ class ImageSample(_Stamped):
         """rgb8, bgr8, mono8, mono16, 16UC1 or 32FC1, as ROS names them."""
     @property
     def pixels(self) -> _Pixels:
-        """Shape (height, width, 3), uint8, of colours; else (height, width): m, mm or labels."""
+        """Shape (height, width, 3), uint8, of colors; else (height, width): m, mm or labels."""
 
 class ImageCloudSample(_Stamped):
     """Points of a picture, pixel by pixel."""
@@ -324,7 +324,7 @@ class RangeSample(_Stamped):
         """Largest range [m]."""
     @property
     def range(self) -> float:
-        """[m]; the largest range: nothing met."""
+        """[m]; the largest range: nothing hit."""
 
 class TouchSample:
     """Contacts of two collisions."""
@@ -447,7 +447,7 @@ class JointStateSample(_Stamped):
         """Angles [rad] or lengths [m], shape (n,)."""
     @property
     def velocities(self) -> _Array:
-        """Rates [rad/s] or [m/s], shape (n,); shape (0,) where they are not told."""
+        """Rates [rad/s] or [m/s], shape (n,); shape (0,) where they are not known."""
 
 class ScalarSample(_Stamped):
     """One number."""
@@ -534,7 +534,7 @@ class WindReadingSample(_Stamped):
         """Frame of the sensor."""
     @property
     def is_true(self) -> bool:
-        """Over ground; else as the sensor feels it on its way."""
+        """Over ground; else as the sensor feels it while it moves."""
     @property
     def speed(self) -> float:
         """[m/s]."""
@@ -649,7 +649,7 @@ class Joint:
         """Of the joint in its model."""
     @property
     def position(self) -> float:
-        """Angle [rad] or way [m] along its axis; 0: as its description has it."""
+        """Angle [rad] or displacement [m] along its axis; 0: as its description has it."""
     @property
     def velocity(self) -> float:
         """Rate of its position [rad/s] or [m/s]."""
@@ -698,9 +698,9 @@ class Model:
     def joints(self) -> list[str]:
         """Names of its joints."""
     def link(self, name: str) -> Link:
-        """One of its links; Error if there is none."""
+        """One of its links; Error if it has no such link."""
     def joint(self, name: str) -> Joint:
-        """One of its joints; Error if there is none."""
+        """One of its joints; Error if it has no such joint."""
 
 class Port:
     """A named place where the world leaves measurements (an output), takes
@@ -729,7 +729,7 @@ class Port:
         """From the next step on, have its values computed."""
     def unsubscribe(self) -> None:
         """Have its values computed no longer."""
-    # Which class it is, `type` tells; a union would make every use a cast.
+    # `type` says which class it is; a union would make every use a cast.
     @property
     def value(self) -> typing.Any:
         """The newest value, a copy. Subscribes; Error before the first value."""

@@ -18,7 +18,7 @@ def complete_environment(paths: Path = _PATHS) -> None:
     workspace or the caller has set stays.
 
     Args:
-        paths: JSON object of variable and value; made by the build beside this file. Nothing
+        paths: JSON object of variable and value; made by the build next to this file. Nothing
             happens without it, e.g. in an installed package.
     """
     if not paths.is_file():

@@ -26,7 +26,7 @@ def find_resource(uri: FilePath, folders: Sequence[FilePath] = ()) -> str:
         folders: searched before GAZEBO_MODEL_PATH, GAZEBO_RESOURCE_PATH and ROS_PACKAGE_PATH.
 
     Raises:
-        Error: there is none; the text lists the folders.
+        Error: it was not found; the text lists the folders.
     """
     return _core.find_resource(os.fspath(uri), [os.fspath(folder) for folder in folders])
 
@@ -72,7 +72,7 @@ def lee_parameter_files(vehicle: str = "firefly") -> list[str]:
         Paths of gains and vehicle parameters, those that its launch files load.
 
     Raises:
-        Error: there are none.
+        Error: none were found.
     """
     folder = "package://rotors_gazebo/resource"
     return [

@@ -21,10 +21,10 @@ FREE, OCCUPIED, UNKNOWN = 0, 100, -1
 
 _PIXEL = {FREE: 254, OCCUPIED: 0, UNKNOWN: 205}  # what map_saver writes
 _ROWS_PER_CELL = 2
-_BEYOND_M = 1e-4  # a surface that was met; Embree's floats resolve 8e-6 m at 100 m
+_BEYOND_M = 1e-4  # a surface that was hit; Embree's floats resolve 8e-6 m at 100 m
 _SAME_M = 1e-6  # places of one surface
-_MOST_SURFACES = 10_000
-_MOST_CELLS = 100_000_000
+_MAX_SURFACES = 10_000
+_MAX_CELLS = 100_000_000
 
 Cells = npt.NDArray[np.int8]
 _Floats = npt.NDArray[np.float64]
@@ -54,7 +54,7 @@ class OccupancyMap:
         return int(self.cells[row, column]) if inside else UNKNOWN
 
     def save(self, path: Path) -> None:
-        """Write `path` (PGM) and the YAML file beside it, as map_server reads them.
+        """Write `path` (PGM) and the YAML file next to it, as map_server reads them.
 
         Args:
             path: ends in `.pgm`.
@@ -65,8 +65,8 @@ class OccupancyMap:
         if path.suffix != ".pgm":
             raise Error(f"{path}: suffix is '{path.suffix}', legal: .pgm")
         pixels = np.empty(self.cells.shape, np.uint8)
-        for value, grey in _PIXEL.items():
-            pixels[self.cells == value] = grey
+        for value, gray in _PIXEL.items():
+            pixels[self.cells == value] = gray
         rows, columns = pixels.shape
         x, y = self.origin
         text = (
@@ -176,16 +176,16 @@ def _cut(
     lines, shapes, places = [], [], []
     direction = np.zeros(3)
     direction[axis] = 1.0
-    for _ in range(_MOST_SURFACES):
+    for _ in range(_MAX_SURFACES):
         if not line.size:
             break
         origins = np.empty((line.size, 3))
         origins[:, axis], origins[:, 1 - axis], origins[:, 2] = place, across[line], height
         hits = world.cast_rays(origins, np.broadcast_to(direction, origins.shape))
-        met = (hits.shape >= 0) & (place + hits.distance <= first + 2.0 * config.reach)
-        line, place = line[met], place[met] + hits.distance[met]
+        hit = (hits.shape >= 0) & (place + hits.distance <= first + 2.0 * config.reach)
+        line, place = line[hit], place[hit] + hits.distance[hit]
         lines.append(line)
-        shapes.append(hits.shape[met])
+        shapes.append(hits.shape[hit])
         places.append(place)
         place = place + _BEYOND_M
     if not lines:
@@ -241,7 +241,7 @@ def _extent(
     corner = [math.floor((low - config.margin) / resolution) for low in lowest]
     other = [math.ceil((high + config.margin) / resolution) for high in highest]
     columns, rows = (end - begin for begin, end in zip(corner, other, strict=True))
-    if rows * columns > _MOST_CELLS:
+    if rows * columns > _MAX_CELLS:
         raise Error(
             f"resolution: {resolution:g} m makes {columns} x {rows} cells, legal: up to 1e8; "
             "a smaller reach leaves out what is far away"
@@ -287,8 +287,8 @@ def _draw_lone(
 ) -> None:
     """Mark surfaces without a second one: of open meshes, or of shapes whose faces coincide.
 
-    Of two faces at one place a ray meets one. What is left of the other lies on the edge of a solid
-    cell and tells nothing new.
+    Of two faces at one place a ray hits one. What is left of the other lies on the edge of a solid
+    cell and adds nothing new.
     """
     if axis == 1:
         surfaces, inner = surfaces.T, inner.T

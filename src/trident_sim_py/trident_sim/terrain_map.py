@@ -23,14 +23,14 @@ from trident_sim.occupancy import (
 )
 from trident_sim.world import World
 
-_TOP_M = 500.0  # where rays begin their way down
-_BEYOND_M = 1e-4  # a surface that was met
+_TOP_M = 500.0  # where rays that point down begin
+_BEYOND_M = 1e-4  # a surface that was hit
 _COARSE_M = 1.0
 _RAYS_AT_ONCE = 1_000_000
-_MOST_CELLS = 20_000_000
-_MOST_SURFACES = 10_000
+_MAX_CELLS = 20_000_000
+_MAX_SURFACES = 10_000
 
-_LEAST_SHARE = 0.2
+_MIN_SHARE = 0.2
 
 _Ints = npt.NDArray[np.int64]
 _Floats = npt.NDArray[np.float64]
@@ -84,17 +84,17 @@ def _grid(world: World, config: MapConfig) -> tuple[_Floats, _Floats]:
     steps = np.arange(-math.ceil(config.reach / pitch), math.ceil(config.reach / pitch) + 1) * pitch
     x, y = (np.tile(steps, len(steps)), np.repeat(steps, len(steps)))
     x, y = x + config.start[0], y + config.start[1]
-    met = _cast_down(world, x, y, np.full(len(x), _TOP_M))[0] >= 0
-    if not met.any():
+    hit = _cast_down(world, x, y, np.full(len(x), _TOP_M))[0] >= 0
+    if not hit.any():
         raise Error(f"no ground within {config.reach:g} m of the start")
     sides = []
     for places, start in ((x, config.start[0]), (y, config.start[1])):
-        low = max(places[met].min() - pitch, start - config.reach)
-        high = min(places[met].max() + pitch, start + config.reach)
+        low = max(places[hit].min() - pitch, start - config.reach)
+        high = min(places[hit].max() + pitch, start + config.reach)
         first = math.floor(low / config.resolution)
         count = math.ceil(high / config.resolution) - first
         sides.append((first + 0.5 + np.arange(count)) * config.resolution)
-    if len(sides[0]) * len(sides[1]) > _MOST_CELLS:
+    if len(sides[0]) * len(sides[1]) > _MAX_CELLS:
         raise Error(
             f"resolution: {config.resolution:g} m makes {len(sides[0])} x {len(sides[1])} cells, "
             "legal: up to 2e7; a smaller reach leaves out what is far away"
@@ -108,7 +108,7 @@ def _classified(columns: _Columns, count: int, config: MapConfig) -> Cells:
     is_ground = is_lone & _are_ground(columns.shape, is_lone)[columns.shape]
     ground = np.full(count, -np.inf)
     np.maximum.at(ground, columns.cell[is_ground], columns.top[is_ground])
-    # Of a plane and what stands on it a ray that comes from above meets one at their common place.
+    # Of a plane and what stands on it a ray that comes from above hits one at their common place.
     lowest = np.full(count, np.inf)
     np.minimum.at(lowest, columns.cell, columns.bottom)
     ground = np.where(np.isfinite(ground), ground, lowest)
@@ -124,12 +124,12 @@ def _classified(columns: _Columns, count: int, config: MapConfig) -> Cells:
 def _are_ground(shape: _Ints, is_lone: npt.NDArray[np.bool_]) -> npt.NDArray[np.bool_]:
     """Whether a shape, by its number, is ground: open, and not much smaller than the largest."""
     lone = np.bincount(shape[is_lone], minlength=int(shape.max()) + 1)
-    met = np.bincount(shape, minlength=len(lone))
-    return (lone > _LEAST_SHARE * lone.max()) & (lone > 0.5 * met)
+    hit = np.bincount(shape, minlength=len(lone))
+    return (lone > _MIN_SHARE * lone.max()) & (lone > 0.5 * hit)
 
 
 def _columns(world: World, x: _Floats, y: _Floats) -> _Columns:
-    """What rays meet on their way down at places [m], shape (N,) each."""
+    """What rays that point down hit at places [m], shape (N,) each."""
     parts = []
     for begin in range(0, len(x), _RAYS_AT_ONCE):
         some = slice(begin, begin + _RAYS_AT_ONCE)
@@ -143,12 +143,12 @@ def _columns_at_once(
     """The fields of _Columns; the first place is column `first`."""
     line, place = np.arange(len(x)), np.full(len(x), _TOP_M)
     lines, shapes, places = [], [], []
-    for _ in range(_MOST_SURFACES):
+    for _ in range(_MAX_SURFACES):
         shape, distance = _cast_down(world, x[line], y[line], place)
-        met = shape >= 0
-        line, place = line[met], place[met] - distance[met]
+        hit = shape >= 0
+        line, place = line[hit], place[hit] - distance[hit]
         lines.append(line)
-        shapes.append(shape[met])
+        shapes.append(shape[hit])
         places.append(-place)  # downwards, as spans are counted
         if not line.size:
             break
@@ -158,7 +158,7 @@ def _columns_at_once(
 
 
 def _cast_down(world: World, x: _Floats, y: _Floats, z: _Floats) -> tuple[_Ints, _Floats]:
-    """Number of the shape that is met first (-1: none), and how far down [m], shape (N,) each."""
+    """Number of the shape that is hit first (-1: none), and how far down [m], shape (N,) each."""
     down = np.broadcast_to(np.array([0.0, 0.0, -1.0]), (len(x), 3))
     hits = world.cast_rays(np.stack([x, y, z], axis=1), down)
     return np.asarray(hits.shape, np.int64), np.asarray(hits.distance, np.float64)

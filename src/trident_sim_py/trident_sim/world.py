@@ -40,7 +40,7 @@ PoseLike = Sequence[float] | npt.NDArray[np.float64]
 
 
 class ShapeName(NamedTuple):
-    """Whose shape a ray has met.
+    """Whose shape a ray has hit.
 
     Attributes:
         model: name of the model.
@@ -55,14 +55,14 @@ class ShapeName(NamedTuple):
 
 @dataclass(frozen=True)
 class RayHits:
-    """What n rays meet first.
+    """What n rays hit first.
 
     Attributes:
         distance: along each ray [m], shape (n,); inf: nothing.
         normal: of the surface, of unit length, against the ray, in the world frame, shape (n, 3);
             zero: nothing.
         shape: index into `shapes`, shape (n,); -1: nothing.
-        shapes: all that rays can meet.
+        shapes: all that rays can hit.
     """
 
     distance: npt.NDArray[np.float64]
@@ -165,7 +165,7 @@ class World:
             raise Error(f"seed is {seed}, legal: 0 to 2^64 - 1")
         if not 1 <= sensor_threads <= 256:
             raise Error(f"sensor_threads is {sensor_threads}, legal: 1 to 256")
-        self._told = 0
+        self._reported = 0
         self._session = Session(
             os.fspath(world),
             seed,
@@ -238,7 +238,7 @@ class World:
     def step(self, n: int = 1) -> None:
         """Advance by n steps of `dt`.
 
-        Trouble that does not stop the world is added to `messages` and warned of.
+        A problem that does not stop the world is added to `messages` and warned of.
 
         Raises:
             Error: n is negative.
@@ -246,7 +246,7 @@ class World:
         if n < 0:
             raise Error(f"step: n is {n}, legal: 0 or more")
         self._session.step(n)
-        if self._session.message_count != self._told:
+        if self._session.message_count != self._reported:
             self._warn()
 
     def step_until(self, time: float) -> None:
@@ -332,12 +332,12 @@ class World:
         max_distance: float = math.inf,
         visual: bool = False,
     ) -> RayHits:
-        """What rays meet in the world as it is now, its sea as it is about the first origin.
+        """What rays hit in the world as it is now, its sea as it is about the first origin.
 
         Args:
             origins: where each begins, in the world frame [m], shape (n, 3).
             directions: of any length but zero, in the world frame, shape (n, 3).
-            max_distance: what is farther is not met [m].
+            max_distance: what is farther is not hit [m].
             visual: look for what cameras see, not for what bodies touch.
 
         Raises:
@@ -418,8 +418,8 @@ class World:
 
     def _warn(self) -> None:
         """Warn of the messages since the last call, at the line that called into this module."""
-        news = self._session.messages[self._told :]
-        self._told += len(news)
+        news = self._session.messages[self._reported :]
+        self._reported += len(news)
         for message in news:
             warnings.warn(message.text, SimulationWarning, stacklevel=3)
 

@@ -22,11 +22,11 @@ def main(arguments: list[str] | None = None) -> int:
     """Write PGM and YAML.
 
     Returns:
-        0: written; 2: not, and why has been told.
+        0: written; 2: not, and the reason has been reported.
     """
     options = _parser().parse_args(arguments)
     complete_environment()
-    warnings.simplefilter("ignore", SimulationWarning)  # looks only; a run tells of them
+    warnings.simplefilter("ignore", SimulationWarning)  # only reads; a run reports them
     try:
         out = options.out or Path(Path(options.world).stem + ".pgm")
         make = map_above_ground if options.above_ground else occupancy_map

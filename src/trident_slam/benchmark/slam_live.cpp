@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
 // slam_live LOG --nodes N --rate HZ --seconds S --out DIR [--repeat K]: how long do scans wait
-// while a large graph is optimised? Builds a graph of N nodes as fast as it goes, writes it as a
-// session, goes on with it in real time, always with an optimisation of the whole graph under way,
+// while a large graph is optimised? Builds a graph of N nodes as fast as possible, writes it as a
+// session, continues it in real time while an optimisation of the whole graph is always running,
 // and prints what it measured as JSON. With --repeat it feeds the whole log, each scan K times, and
-// tells the memory.
+// reports the memory.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>

@@ -97,7 +97,7 @@ def test_results_are_there_only_after_the_end(launch: Start) -> None:
     assert run.results()["steps"] == 1
 
 
-def test_a_launch_file_that_is_not_there_is_told_at_once(ros: Ros) -> None:
+def test_a_launch_file_that_is_not_there_is_reported_at_once(ros: Ros) -> None:
     run = Launch(ros, "trident_bringup", "no_such.launch")
     with pytest.raises(AssertionError, match=r"(?s)has ended.*no_such\.launch"):
         run.ready()
@@ -119,7 +119,7 @@ def launch_file(folder: Path, command: str) -> Path:
 
 
 @pytest.mark.parametrize(
-    ("command", "told"),
+    ("command", "reported"),
     [
         ("exit 3", ["odd has died (exit code 3)"]),
         ("trap '' INT; touch READY; while :; do sleep 0.1; done", ["odd ignored the interrupt"]),
@@ -128,14 +128,14 @@ def launch_file(folder: Path, command: str) -> Path:
     ],
     ids=["dies", "ignores the interrupt", "leaves a process", "is well"],
 )
-def test_what_is_not_a_clean_end_is_told(
-    ros: Ros, tmp_path: Path, command: str, told: list[str]
+def test_what_is_not_a_clean_end_is_reported(
+    ros: Ros, tmp_path: Path, command: str, reported: list[str]
 ) -> None:
     ready = tmp_path / "ready"
     run = Launch(ros, launch_file(tmp_path, command.replace("READY", str(ready))))
     run.ready()
     until(lambda: bool(run.died()) if "exit" in command else ready.exists())
-    assert run.end() == told
+    assert run.end() == reported
     until(lambda: not run.process.family())
 
 

@@ -48,7 +48,7 @@ def test_a_process_with_a_tenth_of_a_processor_has_ten_times_the_limit(clock: li
     assert spent_s == pytest.approx(1.0 + 60.0)
 
 
-def test_what_wants_nothing_meets_its_limit_as_on_a_quiet_machine(clock: list[float]) -> None:
+def test_what_wants_nothing_reaches_its_limit_as_on_a_quiet_machine(clock: list[float]) -> None:
     patience = Patience(lambda: {7: (5, 5)})
     for _ in range(60):
         clock[0] += 1.0

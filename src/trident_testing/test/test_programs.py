@@ -7,7 +7,8 @@ import signal
 from pathlib import Path
 
 import pytest
-from trident.testing import Process, complaints, eventually, package, program
+import trident.testing
+from trident.testing import Process, eventually, logged_problems, package, program
 
 
 def start(script: str, folder: Path) -> Process:
@@ -51,8 +52,15 @@ def test_packages_and_programs_that_are_not_there_are_named() -> None:
         program("gazebo_ros", "no_such")
 
 
-def test_complaints_are_warnings_errors_and_tracebacks() -> None:
+def test_logged_problems_are_warnings_errors_and_tracebacks() -> None:
     log = (
         "[ INFO] fine\n[ WARN] [1.0]: low\n[ERROR] [2.0]: bad\nTraceback (most recent call last)\n"
     )
-    assert len(complaints(log)) == 3
+    assert len(logged_problems(log)) == 3
+
+
+def test_an_old_name_still_works_and_names_the_new_one() -> None:
+    name = "complaints"
+    with pytest.warns(FutureWarning, match=r"trident\.testing\.logged_problems now"):
+        old = getattr(trident.testing, name)
+    assert old is logged_problems

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""Disturbed schedules: delays that repeat, a campaign that goes on, and ten small runs of it."""
+"""Disturbed schedules: delays that repeat, a campaign that continues, and ten small runs of it."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def test_delays_are_mostly_none_now_and_then_long_and_a_function_of_the_seed() -
     assert delays(8) != drawn
 
 
-def test_whoever_is_stopped_goes_on_when_the_block_ends() -> None:
+def test_what_is_stopped_continues_when_the_block_ends() -> None:
     child = subprocess.Popen(["cat"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
     plan = StopPlan(pause_s=0.01, short_s=(30.0, 30.0), long_most=0)
     assert child.stdin is not None
@@ -47,7 +47,7 @@ def test_whoever_is_stopped_goes_on_when_the_block_ends() -> None:
     assert stopper.stops[0][1] == 30.0
 
 
-def test_a_campaign_goes_on_where_it_was_and_judges_all(
+def test_a_campaign_continues_where_it_was_and_judges_all(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     out = tmp_path / "done.jsonl"

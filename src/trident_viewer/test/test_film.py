@@ -45,7 +45,7 @@ def test_at_thirty_a_second_pictures_come_every_33_or_34_steps() -> None:
     assert [pace.frames_until(np.ceil(k * 1000 / 30) / 1000) for k in range(300)] == [1] * 300
 
 
-def test_a_film_goes_on_after_a_reset() -> None:
+def test_a_film_continues_after_a_reset() -> None:
     pace = Pace(10.0)
     assert [pace.frames_until(stamp) for stamp in (5.0, 5.1, 0.1, 0.2, 0.3)] == [1] * 5
 
@@ -105,7 +105,7 @@ def test_what_cannot_be_filmed_is_refused(tmp_path: Path) -> None:
         fill(lost)
 
 
-def test_a_machine_without_ffmpeg_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_machine_without_ffmpeg_is_reported(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("PATH", "")
     with pytest.raises(EvalError, match=r"film.mp4: films need ffmpeg, which is not installed"):
         Film(Path("film.mp4"), WIDTH, HEIGHT, 25.0)

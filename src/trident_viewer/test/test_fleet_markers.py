@@ -82,16 +82,16 @@ def test_a_reset_begins_new_paths_and_a_vehicle_that_is_gone_is_not_shown(
 def test_a_description_that_is_none_is_a_disc(
     parameters: dict[str, str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    told: list[str] = []
-    monkeypatch.setattr(rospy, "logwarn", lambda text, *words: told.append(text % words))
+    logged: list[str] = []
+    monkeypatch.setattr(rospy, "logwarn", lambda text, *words: logged.append(text % words))
     parameters["/A/robot_description"] = "<robot"
     fleet = FleetMarkers()
     for step in range(2):
         fleet.add(state(step, A=(0.0, 0.0, 1.0)))
         (disc,) = by_name(fleet.markers())["A/shape"]
         assert disc.type == Marker.CYLINDER
-    assert len(told) == 1, "once, not with every picture"
-    assert told[0].startswith("A is shown as a disc: robot_description: ")
+    assert len(logged) == 1, "once, not with every picture"
+    assert logged[0].startswith("A is shown as a disc: robot_description: ")
 
 
 def test_a_vehicle_that_goes_while_its_marker_is_made_does_not_end_the_node(

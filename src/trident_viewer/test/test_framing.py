@@ -53,7 +53,7 @@ def test_everything_is_in_the_picture_whole(
     assert all_inside(stand, LENS, spheres)
     axes = stand.axes()
     for sphere in spheres:
-        rim = np.array(sphere.centre) + radius * np.concatenate([axes, -axes])
+        rim = np.array(sphere.center) + radius * np.concatenate([axes, -axes])
         pixels, ahead = project(stand, LENS, rim)
         assert (ahead > 0.0).all()
         assert (pixels >= 0.0).all()
@@ -63,7 +63,7 @@ def test_everything_is_in_the_picture_whole(
 def test_a_lone_vehicle_is_no_dot_and_does_not_fill_the_picture() -> None:
     vehicle = Sphere("firefly", (0.0, 0.0, 1.0), 0.38)
     stand = frame([vehicle], LENS, 1.0, 0.5)
-    rim = np.array(vehicle.centre) + 0.38 * np.array([stand.axes()[1], -stand.axes()[1]])
+    rim = np.array(vehicle.center) + 0.38 * np.array([stand.axes()[1], -stand.axes()[1]])
     pixels, _ = project(stand, LENS, rim)
     assert 0.15 < (pixels[1, 0] - pixels[0, 0]) / LENS.width < 0.4
 
@@ -77,7 +77,7 @@ def test_what_stands_before_a_vehicle_hides_it() -> None:
     stand = frame(FLEET, LENS, math.radians(30.0), math.radians(30.0))
     free = np.full((LENS.height, LENS.width), np.inf)
     assert hidden(stand, LENS, FLEET, free) == 0
-    pixels, ahead = project(stand, LENS, np.array([sphere.centre for sphere in FLEET]))
+    pixels, ahead = project(stand, LENS, np.array([sphere.center for sphere in FLEET]))
     wall = free.copy()
     column, row = (int(value) for value in pixels[2])
     wall[row - 2 : row + 3, column - 2 : column + 3] = ahead[2] - 1.0

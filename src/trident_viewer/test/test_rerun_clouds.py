@@ -47,24 +47,24 @@ def cloud(points: list[tuple[float, ...]], names: str, *, order: str = "<") -> P
     )
 
 
-def test_beams_end_where_they_met_something() -> None:
-    points, colours = scan_points(scan([1.0, 2.0, 3.0]))
+def test_beams_end_where_they_hit_something() -> None:
+    points, colors = scan_points(scan([1.0, 2.0, 3.0]))
     np.testing.assert_allclose(points, [[0, -1, 0], [2, 0, 0], [0, 3, 0]], atol=1e-6)
-    assert colours is None
+    assert colors is None
 
 
 @pytest.mark.parametrize("nothing", [NAN, INF, -INF, 0.05, 10.1])
-def test_beams_that_met_nothing_are_dropped(nothing: float) -> None:
-    points, colours = scan_points(scan([1.0, nothing, 3.0], [1.0, 500.0, 3.0]))
+def test_beams_that_hit_nothing_are_dropped(nothing: float) -> None:
+    points, colors = scan_points(scan([1.0, nothing, 3.0], [1.0, 500.0, 3.0]))
     np.testing.assert_allclose(points, [[0, -1, 0], [0, 3, 0]], atol=1e-6)
-    assert colours is not None
-    np.testing.assert_array_equal(colours, shaded(np.array([0.0, 1.0])), "of those that are left")
+    assert colors is not None
+    np.testing.assert_array_equal(colors, shaded(np.array([0.0, 1.0])), "of those that are left")
 
 
 def test_the_least_intensity_is_dark_and_the_greatest_is_bright() -> None:
-    colours = shaded(np.array([5.0, 9.0, 7.0, NAN]))
-    assert colours is not None
-    brightness = colours.astype(int).sum(axis=1)
+    colors = shaded(np.array([5.0, 9.0, 7.0, NAN]))
+    assert colors is not None
+    brightness = colors.astype(int).sum(axis=1)
     assert brightness[0] < brightness[2] < brightness[1]
     assert brightness[3] == brightness[0]
     assert shaded(np.array([2.0, 2.0])) is None
@@ -81,27 +81,27 @@ def test_no_scan_gives_a_point_that_is_not_finite(ranges: list[float]) -> None:
 
 @pytest.mark.parametrize("order", ["<", ">"])
 def test_points_of_a_cloud(order: str) -> None:
-    points, colours = cloud_points(
+    points, colors = cloud_points(
         cloud([(1, 2, 3, 10), (NAN, 0, 0, 50), (4, 5, 6, 20), (0, 0, INF, 90)], "xyzi", order=order)
     )
     np.testing.assert_array_equal(points, [[1, 2, 3], [4, 5, 6]])
-    assert colours is None, "a field i is no intensity"
+    assert colors is None, "a field i is no intensity"
 
 
-def test_a_cloud_is_coloured_by_its_intensity() -> None:
+def test_a_cloud_is_colored_by_its_intensity() -> None:
     message = cloud([(1, 2, 3, 10), (NAN, 0, 0, 50), (4, 5, 6, 20)], "xyzi")
     message.fields[3].name = "intensity"
-    points, colours = cloud_points(message)
+    points, colors = cloud_points(message)
     assert len(points) == 2
-    np.testing.assert_array_equal(colours, shaded(np.array([0.0, 1.0])))
+    np.testing.assert_array_equal(colors, shaded(np.array([0.0, 1.0])))
 
 
-def test_a_cloud_with_colours_keeps_them() -> None:
+def test_a_cloud_with_colors_keeps_them() -> None:
     packed = struct.unpack("<f", bytes([30, 20, 10, 0]))[0]  # blue, green, red
     message = cloud([(1, 2, 3, packed)], "xyzc")
     message.fields[3].name = "rgb"
-    _, colours = cloud_points(message)
-    np.testing.assert_array_equal(colours, [[10, 20, 30]])
+    _, colors = cloud_points(message)
+    np.testing.assert_array_equal(colors, [[10, 20, 30]])
 
 
 def test_a_cloud_that_contradicts_itself_is_refused() -> None:

@@ -59,8 +59,8 @@ def header(frame: str, stamp_s: float = 0.0) -> Header:
 
 
 def transform(parent: str, child: str, stamp_s: float = 0.0, x: float = 0.0) -> TFMessage:
-    told = TransformStamped(header(parent, stamp_s), child, Transform(Vector3(x, 0, 0), QUARTER))
-    return TFMessage([told])
+    stamped = TransformStamped(header(parent, stamp_s), child, Transform(Vector3(x, 0, 0), QUARTER))
+    return TFMessage([stamped])
 
 
 def tf(converter: Converter, now_s: float, *message: Any) -> list[Item]:
@@ -68,7 +68,7 @@ def tf(converter: Converter, now_s: float, *message: Any) -> list[Item]:
 
 
 def settled() -> Converter:
-    """Of a robot with a lidar, 1 s after its frames were told."""
+    """Of a robot with a lidar, 1 s after its frames were published."""
     converter = Converter()
     static = transform("base", "lidar", 0.0, 0.5)
     converter.items("/tf_static", "tf2_msgs/TFMessage", static, 1.0)

@@ -26,7 +26,7 @@ BROKEN = '<robot><link name="a">{}</link>{}</robot>'
 def test_shapes_are_placed_in_the_root_link() -> None:
     box, cylinder, sphere, mesh = visuals_of(URDF)
     assert [shape.kind for shape in (box, cylinder, sphere, mesh)] == [BOX, CYLINDER, SPHERE, MESH]
-    assert (box.scale, box.colour) == ((1.0, 2.0, 3.0), (1.0, 0.0, 0.0, 0.5))
+    assert (box.scale, box.color) == ((1.0, 2.0, 3.0), (1.0, 0.0, 0.0, 0.5))
     assert box.T_base_shape[:3, 3] == pytest.approx([0.0, 0.0, 0.1])
     assert cylinder.scale == (1.0, 1.0, 4.0)
     assert sphere.scale == (0.5, 0.5, 0.5)
@@ -34,7 +34,7 @@ def test_shapes_are_placed_in_the_root_link() -> None:
     # A quarter turn to the left at the shoulder: what is ahead of the arm is along base's y.
     assert mesh.T_base_shape[:3, 3] == pytest.approx([0.0, 3.0, 0.0], abs=1e-12)
     assert mesh.T_base_shape[:3, 0] == pytest.approx([0.0, 1.0, 0.0], abs=1e-12)
-    assert (mesh.resource, mesh.scale, mesh.colour) == ("package://a/b.dae", (2.0,) * 3, None)
+    assert (mesh.resource, mesh.scale, mesh.color) == ("package://a/b.dae", (2.0,) * 3, None)
 
 
 def test_rotations_are_about_fixed_axes_x_first() -> None:

@@ -23,7 +23,7 @@ WORLDS = Path(__file__).resolve().parents[3] / "worlds"
 
 @pytest.fixture(scope="module")
 def shipped() -> trident_sim.World:
-    """The coast of seed 1; loading it tells nothing."""
+    """The coast of seed 1; loading it warns of nothing."""
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         return trident_sim.World(WORLDS / "coast.world")
@@ -63,7 +63,7 @@ def test_its_map_has_the_road_free_and_houses_occupied(shipped: trident_sim.Worl
 
 def _is_still_moored(buoy: Buoy, position: np.ndarray) -> None:
     away = math.hypot(position[0] - buoy.x, position[1] - buoy.y)
-    # The line is 1.15 depths long, ends 0.5 m below the water, and stretches a little.
+    # The line is 1.15 depths long, ends 0.5 m below the water, and lengthens a little.
     slack = math.sqrt((1.15 * buoy.depth) ** 2 - (buoy.depth - 0.5) ** 2)
     assert away < slack + 1.5, buoy.name
     assert abs(position[2]) < 0.5, buoy.name

@@ -29,7 +29,7 @@ BOX = """<sdf version="1.6"><model name="box"><link name="link">
 
 @pytest.fixture(scope="module")
 def shipped() -> trident_sim.World:
-    """The forest of seed 1; loading it tells nothing."""
+    """The forest of seed 1; loading it warns of nothing."""
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         return trident_sim.World(SHIPPED)

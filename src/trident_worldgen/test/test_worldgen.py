@@ -124,7 +124,7 @@ def test_shipped_worlds_are_those_of_seed_1(make: object) -> None:
                 ElementTree.fromstring(content)  # libsdformat reads what is not XML, others do not
 
 
-def test_pictures_are_met_where_they_hang() -> None:
+def test_pictures_are_seen_where_they_hang() -> None:
     world = trident_sim.World(WORLDS / "hall.world")
     hits = world.cast_rays([[0.0, 0.0, 1.5]], [[0.0, 1.0, 0.0]], visual=True)
     shape = hits.shapes[hits.shape[0]]

@@ -153,7 +153,7 @@ def test_it_finds_the_robot_and_says_what_is_wrong(ros: Ros, tmp_path: Path) -> 
             "the late transform named",
         )
 
-        def told(kind: str) -> str:
+        def count_of(kind: str) -> str:
             """How often, by the newest diagnostics."""
             for array in reversed(diagnostics.messages):
                 for status in array.status:
@@ -161,19 +161,19 @@ def test_it_finds_the_robot_and_says_what_is_wrong(ros: Ros, tmp_path: Path) -> 
                         return str(status.values[0].value)
             return "0"
 
-        assert told("transform late") == "1", "a scan that waits is counted once"
+        assert count_of("transform late") == "1", "a scan that waits is counted once"
         robot.publish(5.0)
         eventually(reports(diagnostics.messages, "went back by"), "the jump back of time told")
         robot.message.ranges = [math.nan] * 180
         robot.now_s = 6.0
 
-        def is_told() -> bool:
+        def is_reported() -> bool:
             robot.now_s += 0.1
             robot.publish(robot.now_s)
             force()
             return reports(diagnostics.messages, "no return within its limits")()
 
-        eventually(is_told, "the scan without a return told")
+        eventually(is_reported, "the scan without a return told")
     robot.close()
 
 

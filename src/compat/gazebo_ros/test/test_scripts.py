@@ -43,10 +43,10 @@ def test_viewer_without_a_display_says_how_to_look_and_succeeds(tmp_path: Path) 
 
 @pytest.fixture
 def viewer(tmp_path: Path) -> Path:
-    """Stand-ins of rviz, which ends at once, and of the node beside it, which does not."""
+    """Stand-ins of rviz, which ends at once, and of the node next to it, which does not."""
     stand_in(tmp_path, "rospack", f"echo {tmp_path}")
-    until_told = f"while [ ! -e {tmp_path}/node ]; do sleep 0.01; done"
-    stand_in(tmp_path, "rviz", f'echo "rviz $*"; {until_told}; exit ${{RVIZ_CODE:-0}}')
+    until_node = f"while [ ! -e {tmp_path}/node ]; do sleep 0.01; done"
+    stand_in(tmp_path, "rviz", f'echo "rviz $*"; {until_node}; exit ${{RVIZ_CODE:-0}}')
     trap = 'trap "echo ended >>$0.log; exit" TERM'
     wait = "while :; do sleep 0.01; done"
     stand_in(tmp_path, "rosrun", f'echo "$*" >$0.log; {trap}; touch {tmp_path}/node; {wait}')

@@ -132,7 +132,7 @@ def test_failures_give_one_line_and_exit_code_1(ros: Simulation, arguments: str,
     assert len(output.splitlines()) == 1, output
 
 
-def test_b_stays_and_deletes_the_model_when_it_is_told_to_end(ros: Simulation) -> None:
+def test_b_stays_and_deletes_the_model_when_it_is_ended(ros: Simulation) -> None:
     ros.start_simulator()
     process = ros.start_spawner("-database box -sdf -model box -b")
     eventually(lambda: len(ros.calls()) == 1, "the spawn")

@@ -21,7 +21,7 @@
 #include "trident_base/error.h"
 #include "trident_maps_ros/map_messages.h"
 #include "trident_slam/hector_slam_2d.h"
-#include "trident_slam/slam_2d_abilities.h"
+#include "trident_slam/slam_2d_capabilities.h"
 #include "trident_slam_ros/run_program.h"
 #include "trident_slam_ros/slam_node.h"
 #include "trident_slam_ros/slam_parameters.h"
@@ -176,13 +176,13 @@ class HectorMapping {
     try {
       const SE2 T_map_base = maps::from_pose_message(pose);
       node_.with_slam([&T_map_base](Slam2d& slam) {
-        auto* placed = dynamic_cast<Slam2dPlaced*>(&slam);
+        auto* placed = dynamic_cast<PoseInitializable*>(&slam);
         if (placed == nullptr) throw Error("this method cannot be told where the robot is");
         placed->set_pose(T_map_base);
       });
       return true;
     } catch (const Error& error) {
-      node_.tell(std::string("pose: ") + error.what());
+      node_.report(std::string("pose: ") + error.what());
       return false;
     }
   }

@@ -51,11 +51,11 @@ def test_a_bad_map_does_not_replace_the_good_one(ros: RosProcesses, tmp_path: Pa
         code, answer = ros.run(["rosservice", "call", "/change_map", request])
         assert code == 0, answer
         assert f"result: {result}" in answer
-    code, told = ros.run(["rostopic", "echo", "-n", "1", "/diagnostics"])
+    code, output = ros.run(["rostopic", "echo", "-n", "1", "/diagnostics"])
     assert code == 0
-    assert "map_server: change_map" in told
-    assert 'value: "2"' in told
-    assert "missing.yaml" in told
+    assert "map_server: change_map" in output
+    assert 'value: "2"' in output
+    assert "missing.yaml" in output
     code, output = saved(tmp_path, ros)
     assert code == 0, output
     assert (tmp_path / "saved.pgm").read_bytes() == PGM

@@ -58,7 +58,7 @@ TEST(Common, GravityMatchesTheFormulaAtEquatorPoleAndHeight) {
   EXPECT_NEAR(mav_msgs::kGravity, 9.8066, 2e-3);
 }
 
-TEST(Common, QuaternionOfAnEmptyMessageIsIdentityAndOthersAreNormalised) {
+TEST(Common, QuaternionOfAnEmptyMessageIsIdentityAndOthersAreNormalized) {
   geometry_msgs::Quaternion msg;
   msg.w = 0.0;
   EXPECT_TRUE(mav_msgs::quaternionFromMsg(msg).isApprox(Quaterniond::Identity()));
@@ -224,7 +224,7 @@ TEST(Conversions, PointWithoutVelocitiesIsAtRestAndAnEmptyOneChangesNothing) {
   EXPECT_EQ(point.acceleration_W, Vector3d::Zero());
 }
 
-TEST(Conversions, PositionYawMakesOneWayPointOfTheBaseLink) {
+TEST(Conversions, PositionYawMakesOneWaypointOfTheBaseLink) {
   trajectory_msgs::MultiDOFJointTrajectory msg;
   mav_msgs::msgMultiDofJointTrajectoryFromPositionYaw({1, 2, 3}, M_PI / 3, &msg);
   ASSERT_EQ(msg.points.size(), 1u);

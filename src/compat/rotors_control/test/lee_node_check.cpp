@@ -91,7 +91,7 @@ class Peer {
     settle();
   }
 
-  /// The controller's answer to one state; empty when there is none.
+  /// The controller's answer to one state; empty without an answer.
   std::vector<double> answer(const OdometryState& state, double stamp_s,
                              std::chrono::milliseconds limit = kTimeout) {
     const ros::Time stamp(stamp_s);
@@ -221,7 +221,7 @@ TEST_F(LeeNode, a_stamped_trajectory_acts_at_its_stamps_with_feed_forward) {
   }
 }
 
-TEST_F(LeeNode, refuses_nan_set_points_and_goes_on_with_the_last_good_one) {
+TEST_F(LeeNode, refuses_nan_set_points_and_keeps_the_last_good_one) {
   ASSERT_TRUE(peer->confirmed(&Peer::pose_, pose(0.02, 0.0, 0.0, 1.0, 0.0)));
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(peer->confirmed(&Peer::pose_, pose(0.03, nan, 0.0, 1.0, 0.0), kTimeOfNoAnswer));

@@ -103,7 +103,7 @@ def test_every_shipped_parameter_file_is_complete(
 
 
 class RawSubscriber:
-    """Connects to a topic of a node and reads only when told to."""
+    """Connects to a topic of a node and reads only on request."""
 
     def __init__(self, ros: RosProcesses, node: str, topic: str, md5: str) -> None:
         def is_advertised() -> bool:

@@ -16,24 +16,24 @@ from dataclasses import dataclass
 from pathlib import Path
 
 Vector = tuple[float, float, float]
-Colour = tuple[float, float, float]
+Color = tuple[float, float, float]
 
-DARK: Colour = (0.12, 0.12, 0.13)
-GREY: Colour = (0.45, 0.46, 0.48)
-ORANGE: Colour = (0.85, 0.36, 0.08)
-BLUE: Colour = (0.10, 0.32, 0.70)
+DARK: Color = (0.12, 0.12, 0.13)
+GRAY: Color = (0.45, 0.46, 0.48)
+ORANGE: Color = (0.85, 0.36, 0.08)
+BLUE: Color = (0.10, 0.32, 0.70)
 
 
 @dataclass(frozen=True)
 class Part:
-    """A convex or prismatic solid of one colour: vertices and counter-clockwise triangles."""
+    """A convex or prismatic solid of one color: vertices and counter-clockwise triangles."""
 
-    colour: Colour
+    color: Color
     vertices: tuple[Vector, ...]
     triangles: tuple[tuple[int, int, int], ...]
 
 
-def prism(colour: Colour, rings: Sequence[Sequence[Vector]]) -> Part:
+def prism(color: Color, rings: Sequence[Sequence[Vector]]) -> Part:
     """Skin over equally long rings of points, closed at both ends; rings wind about the axis."""
     n = len(rings[0])
     triangles = []
@@ -44,18 +44,18 @@ def prism(colour: Colour, rings: Sequence[Sequence[Vector]]) -> Part:
     last = (len(rings) - 1) * n
     for i in range(1, n - 1):
         triangles += [(0, i + 1, i), (last, last + i, last + i + 1)]
-    return Part(colour, tuple(p for ring in rings for p in ring), tuple(triangles))
+    return Part(color, tuple(p for ring in rings for p in ring), tuple(triangles))
 
 
-def cylinder(colour: Colour, centre: Vector, radius: float, height: float, sides: int = 12) -> Part:
+def cylinder(color: Color, center: Vector, radius: float, height: float, sides: int = 12) -> Part:
     """Upright cylinder."""
-    x, y, z = centre
+    x, y, z = center
     angles = [2 * math.pi * i / sides for i in range(sides)]
     circle = [(x + radius * math.cos(a), y + radius * math.sin(a)) for a in angles]
-    return prism(colour, [[(u, v, z + s * height / 2) for u, v in circle] for s in (-1, 1)])
+    return prism(color, [[(u, v, z + s * height / 2) for u, v in circle] for s in (-1, 1)])
 
 
-def beam(colour: Colour, start: Vector, end: Vector, width: float, height: float) -> Part:
+def beam(color: Color, start: Vector, end: Vector, width: float, height: float) -> Part:
     """Box of a cross-section along a line that is not vertical."""
     dx, dy = end[0] - start[0], end[1] - start[1]
     length = math.hypot(dx, dy)
@@ -65,7 +65,7 @@ def beam(colour: Colour, start: Vector, end: Vector, width: float, height: float
         [(p[0] + s * side[0], p[1] + s * side[1], p[2] + t * height / 2) for s, t in corners]
         for p in (start, end)
     ]
-    return prism(colour, rings)
+    return prism(color, rings)
 
 
 def propeller(turning: int) -> list[Part]:
@@ -81,21 +81,21 @@ def propeller(turning: int) -> list[Part]:
                 z = chord * (along * math.sin(pitch) + up * math.cos(pitch))
                 ring.append((heading * radius, heading * y, z))
             rings.append(ring)
-        parts.append(prism(GREY, rings))
+        parts.append(prism(GRAY, rings))
     return parts
 
 
 def multirotor(
-    rotors: Sequence[tuple[float, float]], rotor_z: float, half_height: float, colour: Colour
+    rotors: Sequence[tuple[float, float]], rotor_z: float, half_height: float, color: Color
 ) -> list[Part]:
     """Body, an arm and a motor per rotor [m, m], and four feet down to -half_height [m]."""
     parts = [
-        cylinder(colour, (0.0, 0.0, 0.0), 0.055, 0.05, sides=16),
+        cylinder(color, (0.0, 0.0, 0.0), 0.055, 0.05, sides=16),
         cylinder(DARK, (0.0, 0.0, 0.035), 0.035, 0.02, sides=16),
     ]
     for index, (x, y) in enumerate(rotors):
         front = x > 0 and index in (0, len(rotors) - 1)
-        parts.append(beam(ORANGE if front else GREY, (0.0, 0.0, 0.0), (x, y, 0.0), 0.016, 0.012))
+        parts.append(beam(ORANGE if front else GRAY, (0.0, 0.0, 0.0), (x, y, 0.0), 0.016, 0.012))
         parts.append(cylinder(DARK, (x, y, rotor_z / 2), 0.014, max(rotor_z, 0.01)))
     for x, y in ((0.04, 0.04), (-0.04, 0.04), (-0.04, -0.04), (0.04, -0.04)):
         parts.append(cylinder(DARK, (x, y, -half_height / 2), 0.005, half_height, sides=6))
@@ -111,7 +111,7 @@ def meshes() -> dict[str, list[Part]]:
     pelican = [(0.21, 0.0), (0.0, 0.21), (-0.21, 0.0), (0.0, -0.21)]
     ardrone = [(0.12728, -0.12728), (-0.12728, 0.12728), (-0.12728, -0.12728), (0.12728, 0.12728)]
     return {
-        "ardrone.dae": multirotor(ardrone, 0.023, 0.08, GREY),
+        "ardrone.dae": multirotor(ardrone, 0.023, 0.08, GRAY),
         "firefly.dae": multirotor(firefly, 0.037, 0.08, BLUE),
         "hummingbird.dae": multirotor(hummingbird, 0.01, 0.06, BLUE),
         "iris.dae": multirotor(iris, 0.023, 0.055, BLUE),
@@ -147,9 +147,9 @@ def _geometry(index: int, part: Part) -> str:
 """
 
 
-def _material(index: int, colour: Colour) -> tuple[str, str]:
-    """The <effect> and the <material> of a colour."""
-    r, g, b = colour
+def _material(index: int, color: Color) -> tuple[str, str]:
+    """The <effect> and the <material> of a color."""
+    r, g, b = color
     effect = f"""    <effect id="colour{index}_fx">
       <profile_COMMON>
         <technique sid="common">
@@ -164,12 +164,12 @@ def _material(index: int, colour: Colour) -> tuple[str, str]:
     return effect, material
 
 
-def _node(index: int, colour_index: int) -> str:
+def _node(index: int, color_index: int) -> str:
     return f"""      <node id="node{index}">
         <instance_geometry url="#part{index}">
           <bind_material>
             <technique_common>
-              <instance_material symbol="m" target="#colour{colour_index}"/>
+              <instance_material symbol="m" target="#colour{color_index}"/>
             </technique_common>
           </bind_material>
         </instance_geometry>
@@ -179,8 +179,8 @@ def _node(index: int, colour_index: int) -> str:
 
 def collada(parts: Sequence[Part]) -> str:
     """The parts as a COLLADA 1.4.1 document."""
-    colours = sorted({part.colour for part in parts})
-    materials = [_material(i, colour) for i, colour in enumerate(colours)]
+    colors = sorted({part.color for part in parts})
+    materials = [_material(i, color) for i, color in enumerate(colors)]
     return f"""<?xml version="1.0" encoding="utf-8"?>
 <!-- SPDX-FileCopyrightText: 2026 The Trident authors -->
 <!-- SPDX-License-Identifier: Apache-2.0 -->
@@ -199,7 +199,7 @@ def collada(parts: Sequence[Part]) -> str:
 {"".join(_geometry(i, part) for i, part in enumerate(parts))}  </library_geometries>
   <library_visual_scenes>
     <visual_scene id="scene">
-{"".join(_node(i, colours.index(part.colour)) for i, part in enumerate(parts))}    </visual_scene>
+{"".join(_node(i, colors.index(part.color)) for i, part in enumerate(parts))}    </visual_scene>
   </library_visual_scenes>
   <scene><instance_visual_scene url="#scene"/></scene>
 </COLLADA>

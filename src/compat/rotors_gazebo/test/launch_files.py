@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""Loads launch files the way roslaunch does, without a master or a process of theirs."""
+"""Loads launch files as roslaunch does, without a master or a process of theirs."""
 
 from __future__ import annotations
 

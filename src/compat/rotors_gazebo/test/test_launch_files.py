@@ -227,7 +227,7 @@ class TestSixVehicles:
         assert Path(words[-1]).resolve() == PACKAGE / "worlds" / "cloister.world"
 
 
-def test_swarm_has_nine_vehicles_with_a_way_point_each() -> None:
+def test_swarm_has_nine_vehicles_with_a_waypoint_each() -> None:
     found = nodes(load(LAUNCH / "firefly_swarm_hovering_example.launch", "gui:=false"))
     publishers = [found[f"/firefly{i}/waypoint_publisher"] for i in range(1, 10)]
     targets = {tuple(map(float, arguments_of(p)[:3])) for p in publishers}

@@ -104,13 +104,13 @@ class TestCloister:
         """Axis-aligned bounds of every collision: name -> (low, high) [m]."""
         bounds = {}
         for collision in world_of(WORLDS / "cloister.world").iter("collision"):
-            centre = numbers(collision.findtext("pose"))[:3]
+            center = numbers(collision.findtext("pose"))[:3]
             size = numbers(collision.findtext("geometry/box/size"))
             if not size:
                 radius = number(collision, "geometry/cylinder/radius")
                 size = [2 * radius, 2 * radius, number(collision, "geometry/cylinder/length")]
-            low = [c - s / 2 for c, s in zip(centre, size, strict=True)]
-            high = [c + s / 2 for c, s in zip(centre, size, strict=True)]
+            low = [c - s / 2 for c, s in zip(center, size, strict=True)]
+            high = [c + s / 2 for c, s in zip(center, size, strict=True)]
             bounds[str(collision.get("name"))] = (low, high)
         return bounds
 
@@ -129,9 +129,9 @@ class TestCloister:
         assert underside == {3.4}
         assert {round(high[2], 6) for _, high in columns.values()} == underside
         for name, (low, high) in columns.items():
-            centre = [(a + b) / 2 for a, b in zip(low, high, strict=True)]
+            center = [(a + b) / 2 for a, b in zip(low, high, strict=True)]
             under = [
-                all(r_low[k] <= centre[k] <= r_high[k] for k in (0, 1))
+                all(r_low[k] <= center[k] <= r_high[k] for k in (0, 1))
                 for r_low, r_high in roofs.values()
             ]
             assert any(under), f"{name} carries nothing"
@@ -143,7 +143,7 @@ class TestCloister:
         assert north[0][1] - south[1][1] == pytest.approx(3.0)
         assert all(high[2] - low[2] == pytest.approx(4.0) for low, high in walls.values())
 
-    def test_walk_is_three_metres_wide(self) -> None:
+    def test_walk_is_three_meters_wide(self) -> None:
         boxes = self.boxes()
         columns = [box for name, box in boxes.items() if name.startswith("column")]
         walk = min(low[1] for low, _ in columns) - boxes["wall_south"][1][1]

@@ -195,7 +195,7 @@ def test_a_new_file_matches_a_glob(command: Command) -> None:
     assert '<link name="two"' in command.expand()
 
 
-def test_warnings_are_told_every_time(command: Command) -> None:
+def test_warnings_are_printed_every_time(command: Command) -> None:
     command.write('<property name="pi" value="3"/><link name="l${pi}"/>')
     first, second = command.run(), command.run()
     assert first.returncode == 0

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""The file format of flight records: what one vehicle was told to do, `formation_<vehicle>.json`.
+"""The file format of flight records: what one vehicle was commanded, `formation_<vehicle>.json`.
 
 A record is a JSON object with the keys of `FlightRecord`. trident_fleet writes one for each
 vehicle, trident_eval judges a run by them. One without `rows` is of a vehicle that did not fly.
@@ -44,7 +44,7 @@ class FlightRecord(TypedDict, total=False):
         mode: `TIME`, `GATE` or `FOLLOW`.
         start_time_s: simulated time of the start [s]; the other times count from it.
         end_time_s: simulated time of the end [s]; mode `TIME`.
-        source: where the rows come from: `file`, and what else the reader was told.
+        source: where the rows come from: `file`, and the reader's other arguments.
         settings: of the flight.
         rows: p_world of the vehicle in each row [m], R x 3.
         first_row_s: when the first row is reached.

@@ -54,9 +54,9 @@ def test_an_old_name_is_the_module_of_the_new_one(packages: Path) -> None:
 
 def test_what_to_write_instead_is_said_once(packages: Path) -> None:
     importlib.import_module("old_home")
-    with pytest.warns(FutureWarning, match="old_home.part is new_home now") as told:
+    with pytest.warns(FutureWarning, match="old_home.part is new_home now") as warned:
         importlib.import_module("old_home.part.thing")
-    assert len(told) == 1
+    assert len(warned) == 1
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         importlib.import_module("old_home.part.tool")

@@ -38,7 +38,7 @@ def free_port() -> int:
 
 
 def last_lines(path: Path, count: int = _SHOWN_LINES) -> str:
-    """The last lines of a log, or "" when there is none."""
+    """The last lines of a log, or "" if the log does not exist."""
     try:
         lines = path.read_text(encoding="utf-8", errors="replace").strip().splitlines()
     except OSError:

@@ -94,7 +94,7 @@ def process_cpu_s(pid: int) -> float:
     Raises:
         EvalError: there is no such process.
     """
-    return parse_process_cpu(_told_of(pid, "stat"))
+    return parse_process_cpu(_proc_text(pid, "stat"))
 
 
 def total_cpu_s(pids: Iterable[int]) -> float:
@@ -108,10 +108,10 @@ def memory_of(pid: int) -> Memory:
     Raises:
         EvalError: there is no such process.
     """
-    return parse_memory(_told_of(pid, "status"))
+    return parse_memory(_proc_text(pid, "status"))
 
 
-def _told_of(pid: int, name: str) -> str:
+def _proc_text(pid: int, name: str) -> str:
     try:
         return (_PROC / str(pid) / name).read_text(encoding="utf-8")
     except OSError as error:

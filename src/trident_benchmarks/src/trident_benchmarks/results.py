@@ -38,7 +38,7 @@ def measure_cases(
 
 
 def measure_case(bench: ModuleType, case: Any, options: argparse.Namespace) -> dict[str, Any]:
-    """The row of a case; one that says why there is none if it cannot be measured."""
+    """The row of a case; one with the reason if it cannot be measured."""
     runs = options.runs or (1 if options.quick else 3)
     row: dict[str, Any]
     try:

@@ -57,13 +57,13 @@ def test_poses_compose() -> None:
     assert compose(a, relative(a, b)) == pytest.approx(b)
 
 
-def test_odometry_drifts_as_it_is_told() -> None:
+def test_odometry_drifts_as_configured() -> None:
     straight, walked = Odometry(Noise(yaw_walk=0.0), 1), []
     for i in range(101):
         straight.add(float(i), np.array([0.1 * i, 0.0, 0.0]))
     assert abs(straight.poses[-1][0] - 10.0) == pytest.approx(0.2)
     for seed in range(200):
-        odometry = Odometry(Noise(way=0.0, turn=0.0), seed)
+        odometry = Odometry(Noise(distance=0.0, turn=0.0), seed)
         for i in range(41):
             odometry.add(float(i), np.array([0.1 * i, 0.0, 0.0]))
         walked.append(odometry.poses[-1][2])

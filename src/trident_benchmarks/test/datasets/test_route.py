@@ -26,18 +26,18 @@ def two_rooms() -> occupancy.OccupancyMap:
 def test_a_tour_sees_every_place_and_leads_back_without_touching_a_wall() -> None:
     grid = two_rooms()
     roads = Roads(grid)
-    way = roads.tour(0, 2.0)
-    assert way[0] == pytest.approx(way[-1])
-    steps = [np.linspace(a, b, 50) for a, b in itertools.pairwise(way)]
+    path = roads.tour(0, 2.0)
+    assert path[0] == pytest.approx(path[-1])
+    steps = [np.linspace(a, b, 50) for a, b in itertools.pairwise(path)]
     points = np.concatenate(steps)
-    offset = roads.places[:, None] - way[None]
+    offset = roads.places[:, None] - path[None]
     assert np.linalg.norm(offset, axis=2).min(axis=1).max() < 2.0
     for angle in np.linspace(0.0, 2.0 * np.pi, 12):
-        beside = points + 0.2 * np.array([np.cos(angle), np.sin(angle)])
-        assert all(grid.at(x, y) == occupancy.FREE for x, y in beside)
+        around = points + 0.2 * np.array([np.cos(angle), np.sin(angle)])
+        assert all(grid.at(x, y) == occupancy.FREE for x, y in around)
 
 
-def test_seeds_go_different_ways_and_one_seed_the_same() -> None:
+def test_seeds_take_different_paths_and_one_seed_the_same() -> None:
     roads = Roads(two_rooms())
     assert np.array_equal(roads.tour(1, 2.0), roads.tour(1, 2.0))
     assert not np.array_equal(roads.tour(1, 2.0)[0], roads.tour(2, 2.0)[0])
@@ -49,7 +49,7 @@ def test_a_map_without_room_is_an_error() -> None:
         Roads(occupancy.OccupancyMap(cells, 0.05, (0.0, 0.0)))
 
 
-def test_a_straightened_way_keeps_its_corners() -> None:
+def test_a_straightened_path_keeps_its_corners() -> None:
     line = np.linspace([0.0, 0.0], [4.0, 0.0], 41)
     corner = np.concatenate((line, np.linspace([4.0, 0.0], [4.0, 3.0], 31)[1:], line[-2::-1]))
     found = straightened(corner, 0.05)

@@ -101,7 +101,7 @@ def driver(world: World) -> LockstepDriver:
     return driver
 
 
-def test_what_is_done_between_two_drives_meets_a_world_that_stands(
+def test_what_is_done_between_two_drives_finds_a_world_that_stands(
     world: World, driver: LockstepDriver
 ) -> None:
     driver.stand(1.0)
@@ -150,7 +150,7 @@ def test_a_drive_that_takes_too_long_ends(world: World, driver: LockstepDriver) 
 
 
 def test_the_world_stands_at_the_odometry_that_the_tour_has_to_answer() -> None:
-    """With a delay it goes on for that long, and what ends the run meets it where chance says."""
+    """With a delay it runs for that long, and what ends the run finds it where chance says."""
     file = package("trident_bringup") / "launch" / "slam_room.launch"
     params = [one for one in ElementTree.parse(file).iter("rosparam") if one.get("param")]
     answers = {one.get("param"): yaml.safe_load(one.text or "") for one in params}

@@ -19,10 +19,10 @@ def _row(chi2: float, **gtsam: tuple[float, float]) -> dict[str, Any]:
 
 
 def test_only_rows_that_reach_the_best_chi2_are_compared() -> None:
-    told = bench.judgement(_row(100.05, gn=(500.0, 0.01), lm=(100.0, 0.4), chordal=(100.0, 0.3)))
-    assert told["is_chi2_best"]
-    assert told["gtsam_best"] == "chordal"
-    assert told["speed_up"] == pytest.approx(3.0)
+    judged = bench.judgement(_row(100.05, gn=(500.0, 0.01), lm=(100.0, 0.4), chordal=(100.0, 0.3)))
+    assert judged["is_chi2_best"]
+    assert judged["gtsam_best"] == "chordal"
+    assert judged["speed_up"] == pytest.approx(3.0)
 
 
 def test_chi2_above_the_tolerance_is_not_the_best() -> None:
@@ -30,7 +30,7 @@ def test_chi2_above_the_tolerance_is_not_the_best() -> None:
     assert not bench.judgement(_row(100.05, gn=(99.0, 1.0)))["is_chi2_best"]
 
 
-def test_contestant_that_fails_is_told(tmp_path: Path) -> None:
+def test_contestant_that_fails_is_reported(tmp_path: Path) -> None:
     assert "error" in bench.run_gtsam("/bin/false", tmp_path / "a.g2o", "gn")
     row = _row(100.0) | {"gtsam": {"gn": {"error": "diverges"}}}
     row |= bench.judgement(row) | {"name": "a", "vertices": 1, "edges": 1}

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""The three domains together: a small fleet is measured, rows are told, bad names refused."""
+"""The three domains together: a small fleet is measured, rows are printed, bad names refused."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def test_a_silent_sensor_is_an_error(monkeypatch: pytest.MonkeyPatch) -> None:
         coast.measure(case, 1, quick=False)
 
 
-def test_rows_are_told() -> None:
+def test_rows_are_printed() -> None:
     failed = coast.failed(coast.CASES[0], "no such world")
     assert coast.headline([row(), failed]) == {"fleet_rtf": 7.5}
     table = coast.markdown_table([row(), row(repeatable=False), failed])

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""What roslaunch's output tells."""
+"""What roslaunch's output reports."""
 
 from __future__ import annotations
 

@@ -58,7 +58,7 @@ def test_the_startup_launch_has_a_namespace_and_a_place_per_vehicle():
     assert len(places) == 12
 
 
-def test_places_are_two_metres_apart_in_rows_of_ten():
+def test_places_are_two_meters_apart_in_rows_of_ten():
     assert place(0) == (0.0, 0.0)
     assert place(9) == (18.0, 0.0)
     assert place(10) == (0.0, 2.0)

@@ -94,7 +94,7 @@ def test_a_measure_that_one_run_lacks_has_no_median():
         ([None, None], None, None),
     ],
 )
-def test_runs_that_differ_are_told(hashes, state_hash, repeatable):
+def test_runs_that_differ_are_reported(hashes, state_hash, repeatable):
     row = summarize(_PLAN, [_result(1.0) | {"state_hash": text} for text in hashes])
     assert row["state_hash"] == state_hash
     assert row["repeatable"] is repeatable

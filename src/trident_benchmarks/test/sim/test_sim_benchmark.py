@@ -72,7 +72,7 @@ def test_the_profile_has_every_stage(benchmark, words):
 
 
 @pytest.mark.parametrize(
-    ("bad", "complaint"),
+    ("bad", "error_text"),
     [
         ({"--n": "0"}, "option --n is '0', must be a whole number in [1, 1000]"),
         ({"--n": "2.5"}, "must be a whole number"),
@@ -84,8 +84,8 @@ def test_the_profile_has_every_stage(benchmark, words):
         ({"--marker": ""}, "option --marker is missing"),
     ],
 )
-def test_bad_options_are_one_clear_error(benchmark, words, bad, complaint):
+def test_bad_options_are_one_clear_error(benchmark, words, bad, error_text):
     result = _run(benchmark, words | bad)
     assert result.returncode == 1
-    assert complaint in result.stderr
+    assert error_text in result.stderr
     assert result.stdout == ""

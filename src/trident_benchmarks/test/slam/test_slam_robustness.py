@@ -63,18 +63,19 @@ def test_worse_scans(tmp_path: Path) -> None:
     np.testing.assert_allclose(noisy[:, 3], NOTHING)
 
 
-def test_a_laser_told_elsewhere_is_judged_where_it_is(tmp_path: Path) -> None:
+def test_a_laser_configured_elsewhere_is_judged_where_it_is(tmp_path: Path) -> None:
     file, out = _log(tmp_path), tmp_path / "changed.clf"
-    T_told_true = write_changed(file, Change(laser=(0.1, 0.05, 0.05)), out)
+    T_nominal_true = write_changed(file, Change(laser=(0.1, 0.05, 0.05)), out)
     true = [(laser, base) for _, laser, base, _ in _scans(file)]
-    told = [(laser, base) for _, laser, base, _ in _scans(out)]
-    # SLAM finds the true laser, and a base that lies to it as the told base to the told laser.
+    changed = [(laser, base) for _, laser, base, _ in _scans(out)]
+    # SLAM finds the true laser, and a base relative to it as the nominal base is to the nominal
+    # laser.
     believed = [
         laser @ np.linalg.inv(t_laser) @ t_base
-        for (laser, _), (t_laser, t_base) in zip(true, told, strict=True)
+        for (laser, _), (t_laser, t_base) in zip(true, changed, strict=True)
     ]
     columns = np.array([(T[0, 2], T[1, 2], np.arctan2(T[1, 0], T[0, 0])) for T in believed])
-    judged = as_true_base(Trajectory.planar(np.arange(10.0), *columns.T), T_told_true)
+    judged = as_true_base(Trajectory.planar(np.arange(10.0), *columns.T), T_nominal_true)
     for k, (_, base) in enumerate(true):
         np.testing.assert_allclose(judged.p[k, :2], base[:2, 2], atol=1e-5)
 

@@ -117,6 +117,6 @@ def test_the_office_is_mapped_and_found_again(office: Path, seed: int, tmp_path:
     assert again["poses"] == len(back.sweeps)
 
 
-def drive(office: Path, way: npt.NDArray[np.float64], seed: int) -> Recording:
-    """Along a way at 0.8 m/s."""
-    return simulated.drive_along(office, way, seed, speed=0.8)
+def drive(office: Path, path: npt.NDArray[np.float64], seed: int) -> Recording:
+    """Along a path at 0.8 m/s."""
+    return simulated.drive_along(office, path, seed, speed=0.8)

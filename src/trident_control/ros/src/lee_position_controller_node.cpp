@@ -105,7 +105,7 @@ void LeePositionControllerNode::accept(const std_msgs::Header& header, const std
     return;
   }
   ros_utils::hand_over("set-point confirmed");
-  // One without a stamp counts at once, and is told as such.
+  // One without a stamp counts at once, and is confirmed as such.
   std_msgs::Header confirmation;
   confirmation.stamp = header.stamp;
   if (!repeats) confirmation.frame_id = topic;  // one that came again replaces nothing

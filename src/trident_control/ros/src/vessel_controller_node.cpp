@@ -138,7 +138,7 @@ void VesselControllerNode::accept(const std::string& topic, const ros::Time& sta
       return;
     }
   }
-  // One without a stamp counts at once, and is told as such.
+  // One without a stamp counts at once, and is confirmed as such.
   std_msgs::Header confirmation;
   confirmation.stamp = stamp;
   confirmation.frame_id = topic;
@@ -147,10 +147,10 @@ void VesselControllerNode::accept(const std::string& topic, const ros::Time& sta
 
 /// Under mutex_.
 void VesselControllerNode::note(const std::string& kind, bool is_error, const std::string& text) {
-  Trouble& trouble = troubles_[kind];
-  trouble.is_error = is_error;
-  trouble.newest = text;
-  if (++trouble.count > 1) return;
+  Problem& problem = problems_[kind];
+  problem.is_error = is_error;
+  problem.newest = text;
+  if (++problem.count > 1) return;
   if (is_error) {
     ROS_ERROR("%s", text.c_str());
   } else {
@@ -171,8 +171,8 @@ void VesselControllerNode::on_odometry(const StampedOdometry& odometry) {
   std::copy(commands.begin(), commands.end(), motors_.rotor_speeds().begin());
   motors_.publish(odometry.stamp);
   publish_single();
-  const bool is_reset = now_ < told_at_;
-  if (is_reset || now_.ns - told_at_.ns >= kDiagnosticsEveryNs) publish_diagnostics();
+  const bool is_reset = now_ < published_at_;
+  if (is_reset || now_.ns - published_at_.ns >= kDiagnosticsEveryNs) publish_diagnostics();
 }
 
 void VesselControllerNode::publish_single() {
@@ -196,7 +196,7 @@ void VesselControllerNode::publish_single() {
 }
 
 void VesselControllerNode::publish_diagnostics() {
-  told_at_ = now_;
+  published_at_ = now_;
   if (diagnostics_.getNumSubscribers() == 0) return;
   diagnostic_msgs::DiagnosticArray array;
   array.header.stamp.fromNSec(static_cast<std::uint64_t>(std::max<std::int64_t>(now_.ns, 0)));
@@ -205,13 +205,13 @@ void VesselControllerNode::publish_diagnostics() {
   state.message = name_of(controller_.mode());
   state.values.push_back(key_value("cross_track_m", number_text(controller_.cross_track_m())));
   array.status.push_back(state);
-  for (const auto& [kind, trouble] : troubles_) {
+  for (const auto& [kind, problem] : problems_) {
     diagnostic_msgs::DiagnosticStatus status;
-    status.level = trouble.is_error ? diagnostic_msgs::DiagnosticStatus::ERROR
+    status.level = problem.is_error ? diagnostic_msgs::DiagnosticStatus::ERROR
                                     : diagnostic_msgs::DiagnosticStatus::WARN;
     status.name = name_ + ": " + kind;
-    status.message = trouble.newest;
-    status.values.push_back(key_value("count", std::to_string(trouble.count)));
+    status.message = problem.newest;
+    status.values.push_back(key_value("count", std::to_string(problem.count)));
     array.status.push_back(status);
   }
   diagnostics_.publish(array);

@@ -40,10 +40,11 @@ struct AmclStep {
 };
 
 /// Adaptive Monte Carlo localisation in a known map (Fox 2003; "Probabilistic Robotics", 8.3) with
-/// the parameters of the package amcl. A lost robot is found again in two ways: by random particles
-/// when the mean weight drops (recovery_alpha_*), and, when the scan disagrees with the map at the
-/// estimate, by particles at the places that branch and bound finds for the scan; which of them is
-/// right the next scans decide. No clock and no threads: equal calls give equal poses, to the bit.
+/// the parameters of the package amcl. A lost robot is found again by two methods: by random
+/// particles when the mean weight drops (recovery_alpha_*), and, when the scan disagrees with the
+/// map at the estimate, by particles at the places that branch and bound finds for the scan; which
+/// of them is right the next scans decide. No clock and no threads: equal calls give equal poses,
+/// to the bit.
 class Amcl {
  public:
   /// Throws Error for a map without a free cell.
@@ -63,10 +64,10 @@ class Amcl {
 
   /// `T_odom_base`: odometry at the scan's stamp; `T_start_end`: the robot's motion while the scan
   /// was taken, for scanners that turn slowly (see select_beams). Input that is not usable changes
-  /// nothing and is told of in `problem`; a jump of odometry is taken out of it.
+  /// nothing and is reported in `problem`; a jump of odometry is taken out of it.
   AmclStep update(const LaserScan& scan, const SE2& T_odom_base, const SE2& T_start_end = {});
 
-  /// Odometry begins anew: the next scan is used without motion since the last one.
+  /// Odometry starts again: the next scan is used without motion since the last one.
   void forget_odometry();
 
   const PoseEstimate& estimate() const { return estimate_; }

@@ -61,7 +61,7 @@ class PoseHistogram {
  private:
   struct Moments;
   std::uint32_t* slot_of(std::uint64_t key);
-  std::vector<std::uint32_t> join_neighbours();
+  std::vector<std::uint32_t> join_neighbors();
 
   std::vector<std::uint32_t> table_;  ///< cell index + 1, 0: empty; a power of two
   std::vector<std::uint64_t> keys_;   ///< of cells

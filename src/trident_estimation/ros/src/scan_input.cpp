@@ -15,7 +15,7 @@
 namespace trident::estimation {
 namespace {
 
-constexpr std::size_t kMostWaiting = 100;
+constexpr std::size_t kMaxWaiting = 100;
 constexpr double kLookEvery = 0.005;   // while something waits [s]
 constexpr double kLateAfter = 0.5;     // wall time [s]
 constexpr double kForEndOfScan = 0.2;  // wall time waited for the transform of the last beam [s]
@@ -55,17 +55,17 @@ void fill_scan(const sensor_msgs::LaserScan& message, bool is_upside_down, Laser
 }  // namespace
 
 ScanInput::ScanInput(ros::NodeHandle& node, const ScanInputParams& params,
-                     ros_utils::DiagnosticCounter& troubles, Handler on_scan,
+                     ros_utils::DiagnosticCounter& problems, Handler on_scan,
                      std::function<void()> on_new_time)
     : params_(params),
-      troubles_(troubles),
+      problems_(problems),
       on_scan_(std::move(on_scan)),
       on_new_time_(std::move(on_new_time)),
       buffer_(ros::Duration(30.0)),
       transforms_(
           buffer_,
-          [this](const std::string& problem) { troubles_.note("transform refused", problem); }),
-      subscriber_(node.subscribe("scan", kMostWaiting, &ScanInput::receive, this)),
+          [this](const std::string& problem) { problems_.note("transform refused", problem); }),
+      subscriber_(node.subscribe("scan", kMaxWaiting, &ScanInput::receive, this)),
       timer_(node.createWallTimer(ros::WallDuration(kLookEvery),
                                   [this](const ros::WallTimerEvent&) { hand_out(); })) {}
 
@@ -91,7 +91,7 @@ bool ScanInput::is_refused(const sensor_msgs::LaserScan& message) {
   if (problem.empty()) problem = ros_utils::scan_problem(message);
   if (problem.empty() && !std::isfinite(message.range_max)) problem = "range_max is not finite";
   if (problem.empty()) return false;
-  troubles_.note("scan refused", "scan of '" + ros_utils::quoted(message.header.frame_id) +
+  problems_.note("scan refused", "scan of '" + ros_utils::quoted(message.header.frame_id) +
                                      "' at " + fixed(message.header.stamp.toSec()) +
                                      " s: " + problem);
   return true;
@@ -103,7 +103,7 @@ void ScanInput::receive(const sensor_msgs::LaserScanConstPtr& message) {
   const ros::Time stamp = message->header.stamp;
   const double back = (last_stamp_ - stamp).toSec();
   if (back > params_.bag_loop_jump) {
-    troubles_.note("time went back", "stamps of scans went back by " + fixed(back) +
+    problems_.note("time went back", "stamps of scans went back by " + fixed(back) +
                                          " s: taken for a bag that begins anew");
     waiting_.clear();
     transforms_.clear();
@@ -111,7 +111,7 @@ void ScanInput::receive(const sensor_msgs::LaserScanConstPtr& message) {
     last_stamp_ = stamp;
   }
   last_stamp_ = std::max(last_stamp_, stamp);
-  if (waiting_.size() == kMostWaiting) {
+  if (waiting_.size() == kMaxWaiting) {
     note_missing(waiting_.front(), "");
     waiting_.pop_front();
   }
@@ -147,7 +147,7 @@ bool ScanInput::try_first() {
     if (waited < kLateAfter) return false;
     return !note_missing(waiting, error.what()) || waited > kGivenUpAfter;
   } catch (const Error& error) {
-    troubles_.note("transform refused", error.what());
+    problems_.note("transform refused", error.what());
     return true;
   }
   on_scan_(placed);
@@ -156,7 +156,7 @@ bool ScanInput::try_first() {
 
 // Once for each scan. False: what is missing can no longer come.
 bool ScanInput::note_missing(Waiting& waiting, const std::string& reason) {
-  const bool is_told = std::exchange(waiting.is_told, true);
+  const bool is_reported = std::exchange(waiting.is_reported, true);
   const std::string& laser = waiting.message->header.frame_id;
   const ros::Time stamp = waiting.message->header.stamp;
   for (const auto& [target, source] :
@@ -165,23 +165,23 @@ bool ScanInput::note_missing(Waiting& waiting, const std::string& reason) {
     try {
       const ros::Time newest = buffer_.lookupTransform(target, source, ros::Time(0)).header.stamp;
       if (newest.isZero() || newest >= stamp) continue;  // static, or not the late one
-      if (!is_told)
-        troubles_.note("transform late", "transform " + name + " is " +
+      if (!is_reported)
+        problems_.note("transform late", "transform " + name + " is " +
                                              fixed((stamp - newest).toSec()) +
                                              " s late for the scan of " + laser + " at " +
                                              fixed(stamp.toSec()) + " s; the scan waits");
       return true;
     } catch (const tf2::TransformException& error) {
-      if (!is_told)
-        troubles_.note("transform missing",
+      if (!is_reported)
+        problems_.note("transform missing",
                        "no transform " + name + " for the scan of " + laser + ": " + error.what());
       return true;
     }
   }
   // Transforms come in a thread of their own: it may have come just now.
   if (buffer_.canTransform(params_.odom_frame_id, params_.base_frame_id, stamp)) return true;
-  if (!is_told)
-    troubles_.note("scan too old", "scan of " + laser + " at " + fixed(stamp.toSec()) +
+  if (!is_reported)
+    problems_.note("scan too old", "scan of " + laser + " at " + fixed(stamp.toSec()) +
                                        " s is older than what tf keeps" +
                                        (reason.empty() ? "" : ": " + reason));
   return false;

@@ -32,7 +32,7 @@ constexpr double kInjectedSigmaYaw = 0.03;  // [rad]
 constexpr std::size_t kParticlesPerHypothesis = 100;
 constexpr double kLargestVariance = 1e8;  // [m^2], [rad^2]
 constexpr double kFarthest = 1e8;         // of a pose and of odometry, from where they begin [m]
-constexpr int kMostPatience = 32;         // times recovery_patience
+constexpr int kMaxPatience = 32;          // times recovery_patience
 
 double to_unit(std::uint64_t bits) { return static_cast<double>(bits >> 11) * 0x1.0p-53; }
 
@@ -174,8 +174,9 @@ void Amcl::push_random_pose(ParticleSet& particles, std::uint64_t number) {
 
 bool Amcl::has_moved(const SE2& T_odom_base) const {
   if (!T_odom_used_) return true;
-  const Eigen::Vector2d way = T_odom_base.p - T_odom_used_->p;
-  return std::abs(way.x()) > params_.update_min_d || std::abs(way.y()) > params_.update_min_d ||
+  const Eigen::Vector2d motion = T_odom_base.p - T_odom_used_->p;
+  return std::abs(motion.x()) > params_.update_min_d ||
+         std::abs(motion.y()) > params_.update_min_d ||
          std::abs(angle_difference(T_odom_base.angle, T_odom_used_->angle)) > params_.update_min_a;
 }
 
@@ -289,7 +290,7 @@ void Amcl::resample() {
   }
   std::swap(particles_, next_);
   particles_.set_equal_weights();
-  // Whoever was random has had a chance; otherwise there would be ever more of them.
+  // Random particles have had a chance; otherwise there would be ever more of them.
   if (share > 0.0) slow_ = fast_ = 0.0;
 }
 
@@ -313,13 +314,13 @@ void Amcl::recover(const ScanBeams& beams, AmclStep& step) {
   disagreements_ = 0;
   step.hypotheses = hypotheses.size();
   if (hypotheses.empty()) {
-    patience_ = std::min(2 * patience_, kMostPatience * params_.recovery_patience);
+    patience_ = std::min(2 * patience_, kMaxPatience * params_.recovery_patience);
   } else {
     inject(hypotheses, beams);
   }
 }
 
-/// Half of the particles stay as they were, the others go to the hypotheses; all are weighed anew.
+/// Half of the particles stay as they were, the others go to the hypotheses; all are weighed again.
 void Amcl::inject(const std::vector<maps::PoseHypothesis>& hypotheses, const ScanBeams& beams) {
   const auto most = static_cast<std::size_t>(params_.max_particles);
   const std::size_t each =

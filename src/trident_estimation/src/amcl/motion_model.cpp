@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint32_t kSteps = 1U << 11;  // of the table of quantiles
 constexpr double kTail = 4.0;               // what the table ends at [standard deviations]
-constexpr double kStill = 0.01;             // below it, the way tells no direction [m]
+constexpr double kStill = 0.01;             // below it, the motion has no direction [m]
 
 /// The x at which the standard normal's distribution reaches p, by bisection.
 double normal_quantile(double p) {
@@ -77,17 +77,17 @@ void MotionModel::apply(const SE2& T_old_new, std::uint64_t step, ParticleSet& p
 
 /// "Probabilistic Robotics", table 5.6: turn, go, turn.
 void MotionModel::apply_diff(const SE2& T_old_new, ParticleSet& particles) {
-  const double way = T_old_new.p.norm();
-  const double turn1 = way < kStill ? 0.0 : std::atan2(T_old_new.p.y(), T_old_new.p.x());
+  const double distance = T_old_new.p.norm();
+  const double turn1 = distance < kStill ? 0.0 : std::atan2(T_old_new.p.y(), T_old_new.p.x());
   const double turn2 = wrap_to_pi(T_old_new.angle - turn1);
   const double noise1 = std::pow(turn_for_noise(turn1), 2);
   const double noise2 = std::pow(turn_for_noise(turn2), 2);
-  const double square = way * way;
+  const double square = distance * distance;
   const float s1 = deviation(params_.odom_alpha1 * noise1 + params_.odom_alpha2 * square);
   const float s2 = deviation(params_.odom_alpha3 * square + params_.odom_alpha4 * noise1 +
                              params_.odom_alpha4 * noise2);
   const float s3 = deviation(params_.odom_alpha1 * noise2 + params_.odom_alpha2 * square);
-  const auto mean1 = static_cast<float>(turn1), mean2 = static_cast<float>(way),
+  const auto mean1 = static_cast<float>(turn1), mean2 = static_cast<float>(distance),
              mean3 = static_cast<float>(turn2);
   const std::size_t count = particles.size();
   float *x = particles.x.data(), *y = particles.y.data(), *yaw = particles.yaw.data();
@@ -102,11 +102,13 @@ void MotionModel::apply_diff(const SE2& T_old_new, ParticleSet& particles) {
 }
 
 void MotionModel::apply_omni(const SE2& T_old_new, ParticleSet& particles) {
-  const double way = T_old_new.p.norm(), square = way * way;
+  const double distance = T_old_new.p.norm(), square = distance * distance;
   const double turn_square = T_old_new.angle * T_old_new.angle;
   const auto bearing = static_cast<float>(std::atan2(T_old_new.p.y(), T_old_new.p.x()));
-  const auto mean_way = static_cast<float>(way), mean_turn = static_cast<float>(T_old_new.angle);
-  const float s_way = deviation(params_.odom_alpha3 * square + params_.odom_alpha1 * turn_square);
+  const auto mean_distance = static_cast<float>(distance),
+             mean_turn = static_cast<float>(T_old_new.angle);
+  const float s_distance =
+      deviation(params_.odom_alpha3 * square + params_.odom_alpha1 * turn_square);
   const float s_turn = deviation(params_.odom_alpha4 * turn_square + params_.odom_alpha2 * square);
   const float s_strafe =
       deviation(params_.odom_alpha1 * turn_square + params_.odom_alpha5 * square);
@@ -115,7 +117,7 @@ void MotionModel::apply_omni(const SE2& T_old_new, ParticleSet& particles) {
   for (std::size_t i = 0; i < count; ++i) heading_[i] = yaw[i] + bearing;
   fast::sines_cosines(heading_.data(), count, sine_.data(), cosine_.data());
   for (std::size_t i = 0; i < count; ++i) {
-    const float gone = mean_way + s_way * first_[i], strafed = s_strafe * second_[i];
+    const float gone = mean_distance + s_distance * first_[i], strafed = s_strafe * second_[i];
     x[i] += gone * cosine_[i] + strafed * sine_[i];
     y[i] += gone * sine_[i] - strafed * cosine_[i];
     yaw[i] = fast::wrapped(yaw[i] + mean_turn + s_turn * third_[i]);

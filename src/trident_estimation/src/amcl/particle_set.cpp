@@ -15,7 +15,8 @@ namespace {
 constexpr float kCellsPerM = 2.0F;
 constexpr int kHeadings = 36;
 constexpr float kHeadingsPerRad = static_cast<float>(kHeadings / (2.0 * kPi));
-constexpr std::int64_t kOffset = 1 << 23;  // keeps columns and rows positive: 4000 km each way
+constexpr std::int64_t kOffset =
+    1 << 23;  // keeps columns and rows positive: 4000 km in each direction
 
 std::uint64_t key_of(std::int64_t column, std::int64_t row, std::int64_t heading) {
   return (static_cast<std::uint64_t>(column + kOffset) << 32) |
@@ -147,7 +148,7 @@ std::uint32_t PoseHistogram::insert(float x, float y, float yaw) {
 }
 
 /// The first cell of each cell's group.
-std::vector<std::uint32_t> PoseHistogram::join_neighbours() {
+std::vector<std::uint32_t> PoseHistogram::join_neighbors() {
   std::vector<std::uint32_t> parent(keys_.size());
   std::iota(parent.begin(), parent.end(), 0U);
   const auto root = [&parent](std::uint32_t cell) {
@@ -158,9 +159,9 @@ std::vector<std::uint32_t> PoseHistogram::join_neighbours() {
     const auto column = static_cast<std::int64_t>(keys_[cell] >> 32) - kOffset;
     const auto row = static_cast<std::int64_t>((keys_[cell] >> 8) & 0xFFFFFF) - kOffset;
     const auto heading = static_cast<std::int64_t>(keys_[cell] & 0xFF);
-    for (int neighbour = 0; neighbour < 27; ++neighbour) {
-      const std::uint64_t key = key_of(column + neighbour % 3 - 1, row + neighbour / 3 % 3 - 1,
-                                       (heading + neighbour / 9 - 1 + kHeadings) % kHeadings);
+    for (int neighbor = 0; neighbor < 27; ++neighbor) {
+      const std::uint64_t key = key_of(column + neighbor % 3 - 1, row + neighbor / 3 % 3 - 1,
+                                       (heading + neighbor / 9 - 1 + kHeadings) % kHeadings);
       const std::uint32_t slot = *slot_of(key);
       if (slot == 0) continue;
       const std::uint32_t a = root(cell), b = root(slot - 1);
@@ -184,7 +185,7 @@ std::vector<PoseCluster> PoseHistogram::clusters(const ParticleSet& particles) {
                       static_cast<double>(particles.y[i]) - y0, static_cast<double>(std::cos(yaw)),
                       static_cast<double>(std::sin(yaw)));
   }
-  const std::vector<std::uint32_t> group = join_neighbours();
+  const std::vector<std::uint32_t> group = join_neighbors();
   for (std::size_t cell = 0; cell < moments.size(); ++cell) {
     if (group[cell] != cell) moments[group[cell]].add(moments[cell]);
   }

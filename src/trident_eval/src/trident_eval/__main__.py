@@ -181,7 +181,7 @@ def write_report(
         flown=flights(scene) if scene else (),
         pictures=pictures,
         provenance=provenance,
-        complaints=log_warnings(source / "roslaunch.log"),
+        warnings=log_warnings(source / "roslaunch.log"),
         drawn_with=_drawn_with(),
     )
     path = folder / "report.html"

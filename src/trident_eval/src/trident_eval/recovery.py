@@ -31,7 +31,7 @@ Fields = dict[bytes, bytes]
 def recover_bags(folder: Path) -> list[str]:
     """Keep what is in every bag below a folder that was left open, under the name it had got.
 
-    Only for a run that has ended: whoever still writes one would lose it.
+    Only for a run that has ended: a process that still writes one would lose it.
 
     Args:
         folder: of the run.

@@ -16,7 +16,7 @@ def package_folder(package: str) -> Path:
     """Folder of a ROS package.
 
     Raises:
-        EvalError: there is none; the workspace is not sourced.
+        EvalError: it does not exist; the workspace is not sourced.
     """
     found = subprocess.run(
         ["rospack", "find", package], capture_output=True, text=True, check=False

@@ -38,14 +38,14 @@ def _main(monkeypatch: pytest.MonkeyPatch, *words: object) -> int:
     return command.main()
 
 
-def test_graph_is_optimised_written_told_and_drawn(
+def test_graph_is_optimized_written_reported_and_drawn(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     file, out, picture = _square(tmp_path), tmp_path / "out.g2o.gz", tmp_path / "p.png"
     assert _main(monkeypatch, file, "--out", out, "--picture", picture) == 0
-    told = capsys.readouterr().out
-    assert "SE2, 41 vertices, 51 edges" in told
-    assert "NOT converged" not in told
+    output = capsys.readouterr().out
+    assert "SE2, 41 vertices, 51 edges" in output
+    assert "NOT converged" not in output
     assert picture.read_bytes()[:4] == b"\x89PNG"
     layout = read_layout(out)
     np.testing.assert_allclose(layout.positions[20], [0.0, 0.0], atol=1e-6)
@@ -68,7 +68,7 @@ def test_graph_without_vertices_is_drawn_where_it_starts(
     np.testing.assert_allclose(after.positions[10], [10.0, 10.0], atol=1e-6)
 
 
-def test_parts_that_are_not_joined_are_told(
+def test_parts_that_are_not_joined_are_reported(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     file = _square(tmp_path)

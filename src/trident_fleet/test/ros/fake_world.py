@@ -90,7 +90,7 @@ class LockstepWorld(World):
         super().__init__(vehicles)
         self.sources = sources
         self.ends: dict[str, int] = {}
-        self.goes_on: dict[str, bool] = {}  # is waited for beyond its end
+        self.waits_beyond_end: dict[str, bool] = {}  # is waited for beyond its end
         self.source_of: dict[str, str] = {}
         self.flown = [hashlib.sha256() for _ in self.names]
         self.fleet = rospy.Publisher("/gazebo/fleet_state", FleetState, queue_size=50, latch=True)
@@ -100,7 +100,7 @@ class LockstepWorld(World):
     def on_enroll(self, request: EnrollSourceRequest) -> EnrollSourceResponse:
         with self.changed:
             self.ends[request.node] = request.end_time.to_nsec()
-            self.goes_on[request.node] = request.waits_beyond_end
+            self.waits_beyond_end[request.node] = request.waits_beyond_end
             self.source_of.update(dict.fromkeys(request.vehicles, request.node))
             self.changed.notify_all()
         return EnrollSourceResponse(True, rospy.Time(0), "")
@@ -149,7 +149,7 @@ class LockstepWorld(World):
         sources = [self.source_of[name] for name in self.names]
         last = max(self.ends.values())
         early = [
-            not self.goes_on[source] and 0 < self.ends[source] < min(time_ns + 1, last)
+            not self.waits_beyond_end[source] and 0 < self.ends[source] < min(time_ns + 1, last)
             for source in sources
         ]
         return [index for index, is_early in enumerate(early) if not is_early]

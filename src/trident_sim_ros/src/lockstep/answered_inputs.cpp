@@ -118,7 +118,7 @@ bool AnsweredInputs::allows_step(SimTime begin) {
   return allowed;
 }
 
-void AnsweredInputs::check_losses(SimTime time) {
+void AnsweredInputs::check_timeouts(SimTime time) {
   const WallTime now = wall_now();
   losses_.clear();
   for (Driver& driver : drivers_) {

@@ -18,12 +18,12 @@
 namespace trident::sim {
 
 /// Lockstep with nodes whose commands carry no stamp: one that turns each sample of a topic (an
-/// odometry) into one message on each of some inputs (a Twist, thrusters' Float64). The world goes
-/// on by `delay` beyond a sample, waits there for its answers, and hands them to the plugins in
-/// that very step, whenever they came. A set-point's source (lockstep.h) says by stamps what time
-/// it covers and may be far ahead; here nothing tells what a message is for but that it is the next
-/// one after a sample, so that messages are counted and held back. By the stepping thread, with the
-/// world's mutex held.
+/// odometry) into one message on each of some inputs (a Twist, thrusters' Float64). The world
+/// continues by `delay` beyond a sample, waits there for its answers, and hands them to the plugins
+/// in that very step, whenever they came. A set-point's source (lockstep.h) says by stamps what
+/// time it covers and may be far ahead; here a message is known only as the next one after a
+/// sample, so that messages are counted and held back. By the stepping thread, with the world's
+/// mutex held.
 class AnsweredInputs {
  public:
   AnsweredInputs(const ServerOptions& options, PortBoard& board, PortBinder& outputs,
@@ -40,7 +40,7 @@ class AnsweredInputs {
   /// Waits for a message for up to milliseconds; without the world's mutex.
   void wait() { inputs_.wait_for_message(std::chrono::milliseconds(2)); }
   /// Nodes that have been silent for too long run free from then on, or are waited for.
-  void check_losses(SimTime now);
+  void check_timeouts(SimTime now);
   /// Hands over what is due in the step that begins at `begin`.
   void deliver(SimTime begin);
   /// The step has been made: are there samples to answer?

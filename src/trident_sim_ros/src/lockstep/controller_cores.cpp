@@ -22,8 +22,8 @@ void ControllerCores::pin(std::size_t vehicles) {
     for (const pid_t process : vehicle.controller_processes()) {
       const int core = cores_.keep(process, i);
       if (core < 0) continue;
-      hub_.news.push_back(vehicle.name() + ": controller, process " + std::to_string(process) +
-                          ", is kept on core " + std::to_string(core));
+      hub_.events.push_back(vehicle.name() + ": controller, process " + std::to_string(process) +
+                            ", is kept on core " + std::to_string(core));
     }
   }
 }

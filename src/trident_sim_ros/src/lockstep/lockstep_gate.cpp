@@ -82,7 +82,7 @@ void LockstepGate::read_commands(milliseconds limit) {
   if (hub_.commands.wait(limit)) hub_.commands.read();
 }
 
-void LockstepGate::read_while_standing() {
+void LockstepGate::poll_while_paused() {
   const Lock lock(hub_.mutex);
   read_commands(milliseconds(0));
 }
@@ -96,7 +96,7 @@ void LockstepGate::send_states(SimTime stamp) {
   }
 }
 
-void LockstepGate::keep_on_cores() {
+void LockstepGate::pin_controllers() {
   if (options_.pin_controllers) cores_.pin(vehicles_.size());
 }
 
@@ -111,9 +111,9 @@ void LockstepGate::clear(bool with_time) {
   timeouts_.clear();
 }
 
-SimTime LockstepGate::enrol_source(const std::string& node,
-                                   const std::vector<std::string>& vehicles, SimTime period,
-                                   SimTime end, bool waits_beyond_end, SimTime now) {
+SimTime LockstepGate::enroll_source(const std::string& node,
+                                    const std::vector<std::string>& vehicles, SimTime period,
+                                    SimTime end, bool waits_beyond_end, SimTime now) {
   vehicles_.watch_setpoints(vehicles);
   const Lock lock(hub_.mutex);
   const bool is_new = hub_.sources.all().count(node) == 0;
@@ -123,8 +123,8 @@ SimTime LockstepGate::enrol_source(const std::string& node,
   }
   const SimTime start = hub_.sources.enrol(node, vehicles, period, end, now, waits_beyond_end);
   if (is_new) {
-    hub_.news.push_back("set-point source " + node + " enrolled for " + join(vehicles) +
-                        " from t = " + seconds_text(start.seconds()));
+    hub_.events.push_back("set-point source " + node + " enrolled for " + join(vehicles) +
+                          " from t = " + seconds_text(start.seconds()));
   }
   return start;
 }
@@ -139,11 +139,11 @@ SimTime LockstepGate::sources_end() {
   return hub_.sources.end();
 }
 
-std::vector<std::string> LockstepGate::take_news() {
+std::vector<std::string> LockstepGate::drain_events() {
   const Lock lock(hub_.mutex);
-  std::vector<std::string> news;
-  news.swap(hub_.news);
-  return news;
+  std::vector<std::string> events;
+  events.swap(hub_.events);
+  return events;
 }
 
 }  // namespace trident::sim

@@ -25,9 +25,9 @@ namespace trident::sim {
 
 /// Decides when the world may make its next step: when everything that was declared is there, when
 /// each enrolled controller has answered the states that the step needs, and when each set-point
-/// source has sent what it owes. Called by the stepping thread and by services, with the world's
-/// mutex held. Its parts: the vehicles and their links, the hold of time zero, the check of those
-/// that do not answer, and the cores of controllers.
+/// source has sent what the step requires. Called by the stepping thread and by services, with the
+/// world's mutex held. Its parts: the vehicles and their links, the hold of time zero, the check of
+/// those that do not answer, and the cores of controllers.
 class LockstepGate {
  public:
   LockstepGate(ros::NodeHandle& node, const ServerOptions& options, LossWatch& losses,
@@ -51,19 +51,19 @@ class LockstepGate {
   bool allows_step(const World& world, FairMutex& world_mutex,
                    const std::function<void()>& about_to_wait) TRIDENT_REQUIRES(world_mutex);
   /// Takes the commands that come while no step is to be made.
-  void read_while_standing();
+  void poll_while_paused();
   /// Sends, or lines up, the odometry of the step that was just made.
   void send_states(SimTime stamp);
 
   /// Keeps controllers that have come on one core each, where there is not a core for each of them
   /// and the option does not forbid it.
-  void keep_on_cores();
+  void pin_controllers();
 
-  /// The states under way are void; after a reset of time the set-points too.
+  /// The states in flight are void; after a reset of time the set-points too.
   void clear(bool with_time);
 
-  SimTime enrol_source(const std::string& node, const std::vector<std::string>& vehicles,
-                       SimTime period, SimTime end, bool waits_beyond_end, SimTime now);
+  SimTime enroll_source(const std::string& node, const std::vector<std::string>& vehicles,
+                        SimTime period, SimTime end, bool waits_beyond_end, SimTime now);
   void release_source(const std::string& node);
   /// End of the last source; 0 while one has none.
   SimTime sources_end();
@@ -72,7 +72,7 @@ class LockstepGate {
   /// Name of each vehicle and whether its controller is in lockstep.
   std::vector<std::pair<std::string, bool>> vehicle_states() { return vehicles_.states(); }
   /// What happened since the last call, a line each.
-  std::vector<std::string> take_news();
+  std::vector<std::string> drain_events();
 
  private:
   bool wait_until_ready() TRIDENT_EXCLUDES(hub_.mutex);

@@ -8,9 +8,9 @@
 namespace trident::sim {
 namespace {
 
-/// A broken connection counts after this time without an answer, which may have been under way.
+/// A broken connection counts after this time without an answer, which may have been in flight.
 constexpr WallTime kDisconnectedAfter = 20'000'000;
-constexpr double kToldAfter_s = 1.0;
+constexpr double kReportedAfter_s = 1.0;
 
 double seconds(WallTime time) { return static_cast<double>(time) * 1e-9; }
 
@@ -54,7 +54,7 @@ bool LossWatch::gives_up(const Silence& silence, Waiting& waiting, WallTime now)
     wait_on(silence, waiting, now, why);
     return false;
   }
-  tell(silence, why);
+  report_silence(silence, why);
   if (rules_.policy == LossPolicy::kPause) pause_();
   repeatability_.spoil(silence.who, silence.time, is_gone ? why : silence.what + " in time");
   waiting.end();
@@ -64,15 +64,15 @@ bool LossWatch::gives_up(const Silence& silence, Waiting& waiting, WallTime now)
 void LossWatch::wait_on(const Silence& silence, Waiting& waiting, WallTime now,
                         const std::string& why) {
   const bool is_gone = waiting.gone_since != 0;
-  bool& is_told = is_gone ? waiting.is_told_gone : waiting.is_told;
-  if (!is_told) tell(silence, why);
-  is_told = true;
+  bool& is_reported = is_gone ? waiting.is_reported_gone : waiting.is_reported;
+  if (!is_reported) report_silence(silence, why);
+  is_reported = true;
   if (!is_gone || seconds(now - waiting.gone_since) < rules_.restart_patience_s) return;
   fail_(silence.who + " has died at t = " + seconds_text(silence.time.seconds()) +
         ", and has not come back for " + seconds_text(rules_.restart_patience_s));
 }
 
-void LossWatch::tell(const Silence& silence, const std::string& why) {
+void LossWatch::report_silence(const Silence& silence, const std::string& why) {
   const char* what = rules_.policy == LossPolicy::kWait    ? "the world waits"
                      : rules_.policy == LossPolicy::kPause ? "the world is paused"
                                                            : "the world goes on without it";
@@ -82,7 +82,7 @@ void LossWatch::tell(const Silence& silence, const std::string& why) {
 std::string LossWatch::waited_for() const {
   if (waited_for_.empty()) return {};
   const double waited_s = seconds(wall_now() - waited_since_);
-  if (waited_s < kToldAfter_s) return {};
+  if (waited_s < kReportedAfter_s) return {};
   char text[32];
   std::snprintf(text, sizeof(text), " (%.0f s)", waited_s);
   return waited_for_ + text;

@@ -22,7 +22,7 @@ std::string join(const std::vector<std::string>& words);
 struct Waiting {
   WallTime since = 0;       ///< 0: it is not waited for
   WallTime gone_since = 0;  ///< 0: it lives, as far as one knows
-  bool is_told = false, is_told_gone = false;
+  bool is_reported = false, is_reported_gone = false;
 
   void end() { *this = {}; }
 };
@@ -30,7 +30,7 @@ struct Waiting {
 /// What happens when one whom the world waits for is silent or has gone. A process that lives, be
 /// it slow or stopped, is waited for under LossPolicy::kWait, so that the wall clock decides
 /// nothing; one that has died and is not started again ends the run with an error. Under the other
-/// policies the world goes on (or is paused), and the run is marked as not repeatable.
+/// policies the world continues (or is paused), and the run is marked as not repeatable.
 class LossWatch {
  public:
   using Action = std::function<void()>;
@@ -57,11 +57,11 @@ class LossWatch {
   Repeatability& repeatability() { return repeatability_; }
   /// Whom the world waits for at present, and how long it has; "" where it is less than a second.
   std::string waited_for() const;
-  /// The world goes on.
+  /// The world continues.
   void clear() { waited_for_.clear(); }
 
  private:
-  void tell(const Silence& silence, const std::string& why);
+  void report_silence(const Silence& silence, const std::string& why);
   void wait_on(const Silence& silence, Waiting& waiting, WallTime now, const std::string& why);
 
   const LossRules& rules_;

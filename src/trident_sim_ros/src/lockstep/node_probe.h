@@ -10,9 +10,9 @@
 
 namespace trident::sim {
 
-/// Tells nodes that have ended from those that are slow or stopped: a process that lives still has
-/// its port, and the kernel takes a connection to it. Asks the master and the port on a thread of
-/// its own, since both may be slow.
+/// Distinguishes nodes that have ended from those that are slow or stopped: a process that lives
+/// still has its port, and the kernel takes a connection to it. Asks the master and the port on a
+/// thread of its own, since both may be slow.
 class NodeProbe {
  public:
   enum class State {
@@ -21,7 +21,7 @@ class NodeProbe {
     kGone  ///< it was alive, and has ended
   };
 
-  /// The newest answer; asks anew when there has been none for `period_s` of wall time.
+  /// The newest answer; asks again if there has been none for `period_s` of wall time.
   State look(const std::string& node, double period_s = 1.0);
 
   /// Whether a node sends a topic to this process, as it sees it itself. It comes to see that after
@@ -33,13 +33,13 @@ class NodeProbe {
   struct Answers {
     std::mutex mutex;
     std::map<std::string, State> states;
-    std::map<std::string, double> asked_at;  ///< < 0: an answer is under way
+    std::map<std::string, double> asked_at;  ///< < 0: an answer is awaited
     std::set<std::string> links;             ///< "node topic" that were seen
   };
   static void ask_for_links(const std::shared_ptr<Answers>& answers, const std::string& node);
   static void ask(const std::shared_ptr<Answers>& answers, const std::string& node);
 
-  /// Outlives a question that is under way.
+  /// Outlives a question that has no answer yet.
   std::shared_ptr<Answers> answers_ = std::make_shared<Answers>();
 };
 

@@ -95,9 +95,9 @@ void StartGate::release(const World& world) {
                            "does not confirm its set-points: when they reach it is left to chance");
     }
   }
-  hub.news.push_back(std::to_string(vehicles_.size()) + " vehicle(s) with controllers and " +
-                     std::to_string(hub.sources.all().size()) +
-                     " set-point source(s) are there: time runs");
+  hub.events.push_back(std::to_string(vehicles_.size()) + " vehicle(s) with controllers and " +
+                       std::to_string(hub.sources.all().size()) +
+                       " set-point source(s) are there: time runs");
 }
 
 }  // namespace trident::sim

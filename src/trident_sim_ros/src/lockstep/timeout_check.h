@@ -24,7 +24,8 @@ class TimeoutCheck {
   /// While time zero is held: a controller or source that was there and has died will not come by
   /// waiting.
   void check_at_start() TRIDENT_EXCLUDES(hub_.mutex);
-  /// After a step could not be made: whoever is late is reported, and released when it is given up.
+  /// After a step could not be made: each node that is late is reported, and released when it is
+  /// given up.
   void check(const World& world) TRIDENT_EXCLUDES(hub_.mutex);
   /// Nobody is waited for.
   void clear() { sources_.clear(); }

@@ -155,9 +155,9 @@ void VehicleLink::on_command(const mav_msgs::Actuators& message) {
                              "writes /" + port_->name() + " outside of the lockstep");
   }
   if (answer == LockstepVehicle::Answer::kEnrolled) {
-    note_enrolment(command.stamp);
-    hub_.news.push_back(name_ + ": controller enrolled at state " +
-                        std::to_string(command.stamp.seconds()) + " s; the world waits for it");
+    note_enrollment(command.stamp);
+    hub_.events.push_back(name_ + ": controller enrolled at state " +
+                          std::to_string(command.stamp.seconds()) + " s; the world waits for it");
   }
   if (answer == LockstepVehicle::Answer::kExpected) answered_reader_ = newest_reader_;
   waiting.end();
@@ -165,7 +165,7 @@ void VehicleLink::on_command(const mav_msgs::Actuators& message) {
   send_next();
 }
 
-void VehicleLink::note_enrolment(SimTime stamp) {
+void VehicleLink::note_enrollment(SimTime stamp) {
   const bool has_run_without = lockstep.first_sent() < hub_.required_stamp;
   if (!has_run_without || !hub_.repeatability.running()) return;
   hub_.repeatability.spoil("the controller of " + name_, stamp, "enrolled while time ran");

@@ -45,7 +45,7 @@ struct LockstepHub {
   SimTime required_stamp TRIDENT_GUARDED_BY(mutex){
       -1};                                      ///< of the states whose answers the next step needs
   SimTime next_time TRIDENT_GUARDED_BY(mutex);  ///< to which the next step leads
-  std::vector<std::string> news TRIDENT_GUARDED_BY(mutex);  ///< one line per event, for the log
+  std::vector<std::string> events TRIDENT_GUARDED_BY(mutex);  ///< one line per event, for the log
 
   bool ready() const TRIDENT_REQUIRES(mutex);
   /// Wakes the stepping thread if what it waits for is there.
@@ -65,7 +65,7 @@ class VehicleLink {
   const std::string& name() const { return name_; }
   InPort<ActuatorCommand>& port() const { return *port_; }
 
-  /// Called where the hub's mutex is held, which the analysis cannot tell to be this one.
+  /// Called where the hub's mutex is held, which the analysis cannot identify with this one.
   void assert_hub_is_locked() const TRIDENT_ASSERT_HELD(hub_.mutex) {}
 
   // Stepping thread:
@@ -93,8 +93,7 @@ class VehicleLink {
   /// Those that send its commands.
   std::vector<pid_t> controller_processes() const { return commands_->processes(); }
   void clear() TRIDENT_REQUIRES(hub_.mutex);
-  /// Tells the readers of the odometry that time is back at zero: a state
-  /// at rest, stamped zero.
+  /// Announces to readers of the odometry that time is back at zero: a state at rest, stamped zero.
   void announce_reset() TRIDENT_REQUIRES(hub_.mutex);
   /// Sends the state in flight to those who have begun to read since, and again and again to a
   /// controller that came back, until it answers. True: one that came back just now.
@@ -118,7 +117,7 @@ class VehicleLink {
   void on_confirmation(const std::uint8_t* bytes, std::size_t size);
   void on_setpoint(SimTime stamp, bool is_confirmation, bool replaces);
   void note_outsider(SimTime stamp) TRIDENT_REQUIRES(hub_.mutex);
-  void note_enrolment(SimTime stamp) TRIDENT_REQUIRES(hub_.mutex);
+  void note_enrollment(SimTime stamp) TRIDENT_REQUIRES(hub_.mutex);
   void learn_controllers() TRIDENT_REQUIRES(hub_.mutex);
   void send_in_flight(int after, WallTime now) TRIDENT_REQUIRES(hub_.mutex);
   bool has_unproven_controller() const TRIDENT_REQUIRES(hub_.mutex);

@@ -16,13 +16,13 @@ void Repeatability::spoil(const std::string& who, SimTime time, const std::strin
     return;
   }
   ++kinds_;
-  if (notes_.size() < kMostNotes) notes_.push_back({who, why, time});
+  if (notes_.size() < kMaxNotes) notes_.push_back({who, why, time});
 }
 
-bool Repeatability::take_news(Note* note) {
+bool Repeatability::take_unlogged(Note* note) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (told_ >= notes_.size()) return false;
-  *note = notes_[told_++];
+  if (logged_ >= notes_.size()) return false;
+  *note = notes_[logged_++];
   return true;
 }
 
@@ -39,7 +39,7 @@ std::size_t Repeatability::kinds() const {
 void Repeatability::clear() {
   const std::lock_guard<std::mutex> lock(mutex_);
   notes_.clear();
-  kinds_ = told_ = 0;
+  kinds_ = logged_ = 0;
 }
 
 }  // namespace trident::sim

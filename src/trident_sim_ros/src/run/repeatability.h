@@ -21,7 +21,7 @@ class Repeatability {
     SimTime time;             ///< of the first time
     std::uint64_t count = 1;  ///< how often the same was noted
   };
-  static constexpr std::size_t kMostNotes = 20;  ///< different ones that are kept
+  static constexpr std::size_t kMaxNotes = 20;  ///< different ones that are kept
 
   /// Whether steps are made without being asked for one by one. What comes while the world stands
   /// acts in its next step, whenever that is made.
@@ -30,8 +30,8 @@ class Repeatability {
 
   /// Notes it whether the world runs or not.
   void spoil(const std::string& who, SimTime time, const std::string& why);
-  /// True once after a new kind of note: it is to be told.
-  bool take_news(Note* note);
+  /// True once after a new kind of note: it is to be logged.
+  bool take_unlogged(Note* note);
   std::vector<Note> notes() const;
   /// Of kinds, kept or not.
   std::size_t kinds() const;
@@ -42,7 +42,7 @@ class Repeatability {
   mutable std::mutex mutex_;
   std::atomic<bool> running_{false};
   std::vector<Note> notes_;
-  std::size_t kinds_ = 0, told_ = 0;
+  std::size_t kinds_ = 0, logged_ = 0;
 };
 
 }  // namespace trident::sim

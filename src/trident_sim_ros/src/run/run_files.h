@@ -30,7 +30,7 @@ class RunFiles {
     SimTime simulated;  ///< since the first step
   };
   void finish(const World& world, const End& end, const Repeatability& repeatability);
-  /// Time went back to zero: the record begins anew.
+  /// Time went back to zero: the record starts again.
   void restart();
 
  private:

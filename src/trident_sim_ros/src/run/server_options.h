@@ -52,7 +52,7 @@ struct ServerOptions {
   std::vector<std::string> wait_for_spawned;      ///< models of any kind before time zero is left
   std::vector<std::string> wait_for_controllers;  ///< of those the topics of their motor speeds
   LossRules loss;
-  /// Nobody has asked for a policy: it waits when it is as fast as possible, else it goes on.
+  /// Nobody has asked for a policy: it waits when it is as fast as possible, else it continues.
   bool has_default_policy = true;
   /// As fast as possible: keeps a controller's process on one core.
   bool pin_controllers = true;

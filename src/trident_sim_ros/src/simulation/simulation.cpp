@@ -144,7 +144,7 @@ std::string Simulation::run() {
 bool Simulation::run_once() {
   ros_utils::hand_over("stepping thread takes the world");
   const Lock lock(mutex_);
-  if (Clock::now() >= next_scan_) every_so_often();
+  if (Clock::now() >= next_scan_) run_housekeeping();
   if (finished()) return false;
   const bool stepping = steps_wanted_ > 0;
   if ((paused_ && !stepping) || !start_allowed()) {
@@ -153,7 +153,7 @@ bool Simulation::run_once() {
     restart_pace();
     topics_->publish_clock(world_->time());
     binder_->publish_held_display();
-    gate_->read_while_standing();
+    gate_->poll_while_paused();
     wait(milliseconds(1));
     return true;
   }
@@ -195,7 +195,7 @@ bool Simulation::answers_allow_step() {
     const Unlock unlocked(mutex_);
     answers.wait();
   }
-  answers_->check_losses(world_->time());
+  answers_->check_timeouts(world_->time());
   return false;  // the world may have changed meanwhile
 }
 
@@ -254,7 +254,7 @@ void Simulation::make_step() {
   files_->record(*world_);
 }
 
-void Simulation::every_so_often() {
+void Simulation::run_housekeeping() {
   const auto now = Clock::now();
   next_scan_ = now + kScanPeriod;
   binder_->scan_subscribers();
@@ -262,8 +262,8 @@ void Simulation::every_so_often() {
   topics_->catch_up_clock(world_->time());
   performance_.publish(*world_);
   if (!is_ready_) announce_readiness();
-  if (real_time_factor_ <= 0.0) gate_->keep_on_cores();
-  for (const std::string& line : gate_->take_news()) ROS_INFO("%s", line.c_str());
+  if (real_time_factor_ <= 0.0) gate_->pin_controllers();
+  for (const std::string& line : gate_->drain_events()) ROS_INFO("%s", line.c_str());
   log_notes();
   if (now < next_second_) return;
   next_second_ = now + std::chrono::seconds(1);
@@ -275,7 +275,7 @@ void Simulation::every_so_often() {
 
 void Simulation::log_notes() {
   Repeatability::Note note;
-  while (repeatability_.take_news(&note)) {
+  while (repeatability_.take_unlogged(&note)) {
     const std::string text = "not repeatable: " + note.who +
                              ", t = " + seconds_text(note.time.seconds()) + ": " + note.why;
     ROS_INFO("%s", text.c_str());
@@ -352,7 +352,7 @@ SimTime Simulation::step(std::uint64_t n) {
 SimTime Simulation::enroll_source(const std::string& node, const std::vector<std::string>& vehicles,
                                   SimTime period, SimTime end, bool waits_beyond_end) {
   const SimTime start =
-      gate_->enrol_source(node, vehicles, period, end, waits_beyond_end, world_->time());
+      gate_->enroll_source(node, vehicles, period, end, waits_beyond_end, world_->time());
   topics_->set_state_period(period);
   return start;
 }

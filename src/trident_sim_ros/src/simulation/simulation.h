@@ -119,7 +119,7 @@ class Simulation {
   bool pace_allows() TRIDENT_REQUIRES(mutex_);
   void wait(std::chrono::microseconds time) TRIDENT_REQUIRES(mutex_);
   void make_step() TRIDENT_REQUIRES(mutex_);
-  void every_so_often() TRIDENT_REQUIRES(mutex_);
+  void run_housekeeping() TRIDENT_REQUIRES(mutex_);
   void log_notes() TRIDENT_REQUIRES(mutex_);
   void announce_readiness() TRIDENT_REQUIRES(mutex_);
   void publish_diagnostics() TRIDENT_REQUIRES(mutex_);

@@ -18,7 +18,7 @@ namespace trident::slam {
 /// line, in file order: stamps are labels and may go backwards.
 ///
 /// - FLASER (front) and RLASER (rear): ranges, the laser's and the base's odometry pose. Where the
-///   laser sits on the base comes from these two poses of the first scan. The number of beams tells
+///   laser sits on the base comes from these two poses of the first scan. The number of beams gives
 ///   the angles, as SICK LMS scanners have them: beam 0 points to the right (-90 deg), beams are
 ///   180 deg / 180 apart up to 181 of them, 180 deg / 360 up to 361, and so on.
 /// - ROBOTLASER1 (front) and ROBOTLASER2 (rear): they carry angles and range limit themselves.
@@ -28,7 +28,7 @@ namespace trident::slam {
 /// - ODOM and every other message is passed over: each scan carries its odometry.
 ///
 /// A reading at or above the range limit is no return and given out as infinite. A line that cannot
-/// be read is counted and named in `problems`, and the log goes on.
+/// be read is counted and named in `problems`, and reading continues.
 class CarmenLog : public ScanSource {
  public:
   enum class Laser { kFront, kRear };
@@ -64,7 +64,7 @@ class CarmenLog : public ScanSource {
   std::string scan_message_;  // the first kind of scan that came: the others repeat it
   std::optional<SE2> T_base_laser_;
   bool is_one_pose_ = false;  // the first scan's poses of laser and base
-  bool has_told_of_loose_laser_ = false;
+  bool has_reported_loose_laser_ = false;
   std::map<std::string, double, std::less<>> params_;
 };
 

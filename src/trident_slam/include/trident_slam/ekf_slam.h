@@ -25,12 +25,12 @@ struct EkfSlamParams {
   double curvature_sigma = 0.01;      ///< [rad/m] of its yaw drift over distance
   double yaw_scale_walk = 0.02;       ///< [1/sqrt(m)] how fast that share changes
   double curvature_walk = 0.0003;     ///< [rad/m/sqrt(m)] how fast that drift changes
-  double observation_sigma = 0.0;     ///< [m] of each coordinate; 0: as each observation tells
+  double observation_sigma = 0.0;     ///< [m] of each coordinate; 0: that of each observation
   int max_pairings = 4000;            ///< joint hypotheses tried per scan before the best is taken
   int confirm_sightings = 3;          ///< a landmark seen less often may be forgotten
   int forget_misses = 8;              ///< times it was in view, unseen, until it is
   double view_range = 25.0;           ///< [m] within which a landmark should be seen
-  double view_half_angle = 1.2;       ///< [rad] from straight ahead, likewise
+  double view_half_angle = 1.2;       ///< [rad] from straight ahead, see above
 
   template <class Archive>
   void visit(Archive& archive) {
@@ -49,7 +49,7 @@ struct EkfSlamParams {
     archive.field("curvature_walk", curvature_walk, Range::non_negative(),
                   "how fast that drift changes, per root metre [rad/m]");
     archive.field("observation_sigma", observation_sigma, Range::non_negative(),
-                  "of each coordinate; 0: as each observation tells [m]");
+                  "of each coordinate; 0: that of each observation [m]");
     archive.field("max_pairings", max_pairings, Range::at_least(1),
                   "joint hypotheses tried per scan");
     archive.field("confirm_sightings", confirm_sightings, Range::at_least(1),
@@ -102,7 +102,7 @@ class EkfSlam {
   /// kAmbiguous (then it was not used). Observations that are not finite are kAmbiguous.
   std::vector<int> observe(const std::vector<PointObservation>& observations);
 
-  /// As `observe`, with the landmarks told; ids that are not known yet are new ones.
+  /// As `observe`, with known association of landmarks; ids that are not known yet are new ones.
   void observe_known(const std::vector<PointObservation>& observations,
                      const std::vector<int>& ids);
 
@@ -138,7 +138,7 @@ class EkfSlam {
 
   EkfSlamParams params_;
   std::vector<double> joint_gates_;  ///< of the squared Mahalanobis distance of 0, 1, 2 ... pairs
-  double new_gate_;                  ///< likewise, of one observation and any landmark
+  double new_gate_;                  ///< the same of one observation and any landmark
   Eigen::VectorXd state_;            ///< of the robot, then x, y of each landmark
   Eigen::MatrixXd covariance_;
   std::vector<Track> tracks_;

@@ -13,7 +13,7 @@
 #include "trident_slam/graph_slam_options.h"
 #include "trident_slam/pose_graph_optimizer.h"
 #include "trident_slam/slam_2d.h"
-#include "trident_slam/slam_2d_abilities.h"
+#include "trident_slam/slam_2d_capabilities.h"
 
 namespace trident::slam {
 
@@ -22,19 +22,19 @@ namespace trident::slam {
 /// several of them agree; at the end every scan is matched against the map once more. The graph's
 /// nodes are the keyframes.
 ///
-/// All calls come from one thread. With `is_asynchronous` loops are sought in a thread of its own
-/// and take effect at a later `add_scan`, so that poses may differ from run to run; without it
+/// All calls come from one thread. With `is_asynchronous` loops are searched for in a thread of its
+/// own and take effect at a later `add_scan`, so that poses may differ from run to run; without it
 /// they are closed within `add_scan`. No call but `finish`, `relocalize` and those that load or
 /// save then takes longer as the map grows.
 class GraphSlam2d : public Slam2d,
                     public Slam2dSession,
                     public Slam2dMapSnapshot,
-                    public Slam2dPlaced,
+                    public PoseInitializable,
                     public Slam2dLocalizing,
                     public Slam2dOdometryUse,
                     public Slam2dCalibrated,
                     public Slam2dGraph,
-                    public Slam2dEditable {
+                    public GraphEditable {
  public:
   /// `solver` optimises the graph; empty: ours.
   explicit GraphSlam2d(const GraphSlamOptions& options = {}, PoseGraphSolverMaker solver = {});
@@ -66,13 +66,13 @@ class GraphSlam2d : public Slam2d,
 
   /// With `is_asynchronous` in the background, else as `finish`.
   void realign() override;
-  /// Loops are being sought, or the graph optimised, in the background.
+  /// Loops are being searched for, or the graph optimised, in the background.
   bool is_busy() const;
 
   void set_pose(const SE2& T_map_base) override;
   void clear_localization_buffer() override;
-  /// Seeks a scan in the whole map. The pose is taken over if at least `min_inliers` of the points
-  /// lie on surfaces of the map.
+  /// Searches for a scan in the whole map. The pose is taken over if at least `min_inliers` of the
+  /// points lie on surfaces of the map.
   std::optional<SE2> relocalize(const LaserScan& scan, double min_inliers = 0.7);
 
   /// Ties keyframe `newer` to keyframe `older` where a user put it; scans about both refine the
@@ -81,8 +81,9 @@ class GraphSlam2d : public Slam2d,
   /// Ties keyframes to whatever lies where a user moved them, if their surroundings fit there
   /// within a metre; everything follows.
   std::vector<int> move_nodes(const std::map<int, SE2>& T_map_base) override;
-  /// Adds the keyframes of a session file, whose origin is at `T_map_session`, roughly, and seeks
-  /// loops between both. Returns how many it found. Throws Error as `load_session` does.
+  /// Adds the keyframes of a session file, whose origin is at `T_map_session`, roughly, and
+  /// searches for loops between both. Returns how many it found. Throws Error as `load_session`
+  /// does.
   int append_session(const std::string& path, const SE2& T_map_session);
 
   int nodes() const;  ///< how many keyframes there are

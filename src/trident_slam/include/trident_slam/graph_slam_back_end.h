@@ -49,9 +49,9 @@ struct LoopSearchOptions {
   double place_reach = 8.0;
   double min_path_fraction = 0.4;
   double window = 0.5;
-  double window_per_metre = 0.03;
+  double window_per_meter = 0.03;
   double window_yaw = 0.1;
-  double window_yaw_per_metre = 0.004;
+  double window_yaw_per_meter = 0.004;
   double max_window_yaw = 1.0;
   double resolution = 0.1;
   int levels = 7;
@@ -69,11 +69,11 @@ struct LoopSearchOptions {
     ar.field("min_path_fraction", min_path_fraction, Range{0.0, 1.0},
              "fraction of `reuse_distance` from which on a place is a candidate");
     ar.field("window", window, Range{0.0, 100.0}, "half side of the window at no path length [m]");
-    ar.field("window_per_metre", window_per_metre, Range{0.0, 10.0},
+    ar.field("window_per_metre", window_per_meter, Range{0.0, 10.0},
              "growth of it by path length [m/m]");
     ar.field("window_yaw", window_yaw, Range{0.0, 3.2},
              "half range of the heading at no path length [rad]");
-    ar.field("window_yaw_per_metre", window_yaw_per_metre, Range{0.0, 10.0},
+    ar.field("window_yaw_per_metre", window_yaw_per_meter, Range{0.0, 10.0},
              "growth of it by path length [rad/m]");
     ar.field("max_window_yaw", max_window_yaw, Range{0.0, 3.2},
              "largest half range of the heading [rad]");
@@ -96,9 +96,9 @@ struct LoopVerificationOptions {
   double min_residual = 0.5;
   double max_path = 80.0;
   double max_error = 0.2;
-  double error_per_metre = 0.01;
+  double error_per_meter = 0.01;
   double max_error_yaw = 0.03;
-  double error_yaw_per_metre = 0.001;
+  double error_yaw_per_meter = 0.001;
   int min_group = 2;
   double long_path = 150.0;
   int min_group_long = 3;
@@ -120,10 +120,10 @@ struct LoopVerificationOptions {
              "two candidates are compared over a path of at most this length [m]");
     ar.field("max_error", max_error, Range{0.0, 100.0},
              "by which two consistent candidates differ at most, at no path length [m]");
-    ar.field("error_per_metre", error_per_metre, Range{0.0, 1.0},
+    ar.field("error_per_metre", error_per_meter, Range{0.0, 1.0},
              "growth of it by path length [m/m]");
     ar.field("max_error_yaw", max_error_yaw, Range{0.0, 3.2}, "the same for the heading [rad]");
-    ar.field("error_yaw_per_metre", error_yaw_per_metre, Range{0.0, 1.0},
+    ar.field("error_yaw_per_metre", error_yaw_per_meter, Range{0.0, 1.0},
              "growth of it by path length [rad/m]");
     ar.field("min_group", min_group, Range{1, 100},
              "candidates that must be consistent with each other");
@@ -145,7 +145,7 @@ struct LoopVerificationOptions {
 /// pruning.
 struct FreeSpaceOptions {
   double margin = 0.3;
-  double margin_per_metre = 0.03;
+  double margin_per_meter = 0.03;
   double on_surface = 0.15;
 
   /// Names each field with its range and meaning.
@@ -153,7 +153,7 @@ struct FreeSpaceOptions {
   void visit(Archive& ar) {
     ar.field("margin", margin, Range{0.0, 10.0},
              "points nearer to the scanner than a return by this were seen through [m] ...");
-    ar.field("margin_per_metre", margin_per_metre, Range{0.0, 1.0},
+    ar.field("margin_per_metre", margin_per_meter, Range{0.0, 1.0},
              "... plus this fraction of the range");
     ar.field("on_surface", on_surface, Range{0.0, 10.0},
              "points nearer to a surface are on it [m]");

@@ -6,7 +6,7 @@
 
 namespace trident::slam {
 
-/// How uncertain odometry is taken to be per motion between two scans, beside
+/// How uncertain odometry is taken to be per motion between two scans, in addition to
 /// `odometry_distance_noise` and `odometry_heading_noise` (standard deviations). The form, floors
 /// plus fractions of distance and rotation, is that of S. Thrun et al., "Probabilistic Robotics",
 /// 2005, section 5.4.
@@ -14,7 +14,7 @@ struct OdometryNoiseOptions {
   double distance_floor = 0.01;
   double distance_per_radian = 0.05;
   double yaw_floor = 0.005;
-  double yaw_per_metre = 0.03;
+  double yaw_per_meter = 0.03;
   double problem_distance = 0.5;
   double problem_yaw = 0.25;
 
@@ -26,7 +26,7 @@ struct OdometryNoiseOptions {
              "position error per rotation [m/rad]");
     ar.field("yaw_floor", yaw_floor, Range{1e-6, 3.2},
              "of the heading after a motion of any length [rad]");
-    ar.field("yaw_per_metre", yaw_per_metre, Range{0.0, 10.0},
+    ar.field("yaw_per_metre", yaw_per_meter, Range{0.0, 10.0},
              "heading error per distance [rad/m]");
     ar.field("problem_distance", problem_distance, Range{0.0, 100.0},
              "added where odometry reports an impossible motion [m]");
@@ -215,7 +215,8 @@ struct RelocalizationOptions {
 
 /// `mode: localization`: where the map explains too little of a scan, recent scans are matched
 /// instead; where that lasts, the robot is searched for in the whole map and a second pose
-/// hypothesis is tracked beside the first one, as rooms look alike and paths through them do less.
+/// hypothesis is tracked alongside the first one, as rooms look alike and paths through them do
+/// less.
 struct LocalizationOptions {
   double min_inliers = 0.75;
   double min_fit = 0.75;

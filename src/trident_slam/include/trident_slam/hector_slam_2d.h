@@ -7,7 +7,7 @@
 
 #include "trident_base/config_types.h"
 #include "trident_slam/slam_2d.h"
-#include "trident_slam/slam_2d_abilities.h"
+#include "trident_slam/slam_2d_capabilities.h"
 
 namespace trident::slam {
 
@@ -16,7 +16,7 @@ struct HectorSlamParams {
   double map_resolution = 0.05;             ///< of the finest level [m]
   int map_multi_res_levels = 3;             ///< each twice as coarse as the one before
   double update_factor_free = 0.4;          ///< probability that a cell a beam passed is occupied
-  double update_factor_occupied = 0.9;      ///< likewise of a cell where one ended
+  double update_factor_occupied = 0.9;      ///< the same of a cell where one ended
   double map_update_distance_thresh = 0.4;  ///< [m] travelled since the last update of the map
   double map_update_angle_thresh = 0.9;     ///< [rad] turned since
   double laser_min_dist = 0.1;              ///< [m]
@@ -49,9 +49,9 @@ struct HectorSlamParams {
 /// bilinearly interpolated probabilities, from the coarsest level to the finest (Kohlbrecher, von
 /// Stryk, Meyer, Klingauf: A flexible and scalable SLAM system with full 3D motion estimation, SSRR
 /// 2011). It needs no odometry: without, or where odometry stands
-/// while scans move, a match begins where the scan lies beside those before it, and it never closes
-/// a loop: final poses are those given when the scans came.
-class HectorSlam2d : public Slam2d, public Slam2dPlaced, public Slam2dOdometryUse {
+/// while scans move, a match begins where the scan lies relative to those before it, and it never
+/// closes a loop: final poses are those given when the scans came.
+class HectorSlam2d : public Slam2d, public PoseInitializable, public Slam2dOdometryUse {
  public:
   explicit HectorSlam2d(const HectorSlamParams& params = {});
   ~HectorSlam2d() override;

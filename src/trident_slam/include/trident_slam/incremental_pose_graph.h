@@ -15,8 +15,8 @@ struct IncrementalOptions {
   double share = 0.2;
   /// ... and by more than this, >= 0.
   double least = 1.0;
-  /// Iterations each time, >= 1; the next time goes on from there. Where one would raise the cost,
-  /// the optimiser's bounded steps lead to the optimum instead.
+  /// Iterations each time, >= 1; the next time continues from there. Where one would raise the
+  /// cost, the optimiser's bounded steps lead to the optimum instead.
   int steps = 1;
 
   /// Throws Error naming field, value and range.

@@ -13,7 +13,7 @@ namespace trident::slam {
 class ByteSource;
 
 /// The lines of a text file, one after another, in a buffer that is as large as the longest line.
-/// What the file is (plain, gzip, bzip2) is told by its first bytes, never by its name.
+/// What the file is (plain, gzip, bzip2) is determined from its first bytes, never from its name.
 class LineReader {
  public:
   /// "-" is the standard input (plain text). Throws Error when the file cannot be opened.

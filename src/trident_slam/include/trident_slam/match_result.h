@@ -9,7 +9,7 @@
 namespace trident::slam {
 
 /// How well a scan constrains its pose: the eigenvalues of the information that its points give,
-/// with yaw counted in metres at the mean distance of the points. J. Zhang, M. Kaess, S. Singh, "On
+/// with yaw counted in meters at the mean distance of the points. J. Zhang, M. Kaess, S. Singh, "On
 /// degeneracy of optimization-based state estimation problems", ICRA 2016.
 struct Degeneracy {
   /// Smallest by largest eigenvalue: 1 in a round room, towards 0 in a long corridor.
@@ -26,8 +26,8 @@ struct PosePrior {
   SE2 T_ref_base;
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< of (x, y, yaw) in the ref's frame
   bool is_firm = false;  ///< not doubted, however far the points lead away from it
-  /// Told by other than scans (wheels): along directions that the points leave open it alone
-  /// counts.
+  /// Measured by something other than scans (wheels): along directions that the points leave open
+  /// it alone counts.
   bool is_independent = false;
 };
 

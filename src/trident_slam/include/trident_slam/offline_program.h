@@ -19,7 +19,7 @@ struct OfflineCommand {
   std::string method;
   std::string config_file;                    ///< empty: the method's defaults
   std::string out_dir;                        ///< is made
-  std::string session;                        ///< file to go on with; empty: a new map
+  std::string session;                        ///< file to continue; empty: a new map
   std::optional<SE2> T_map_base;              ///< in the session; none: where it ended
   std::string kept_session;                   ///< file to write; empty: none
   bool shows_scans = false;                   ///< progress names each scan before it is worked on

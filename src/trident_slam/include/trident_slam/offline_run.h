@@ -10,7 +10,7 @@
 
 #include "trident_slam/scan_source.h"
 #include "trident_slam/slam_2d.h"
-#include "trident_slam/slam_2d_abilities.h"
+#include "trident_slam/slam_2d_capabilities.h"
 
 namespace trident::slam {
 

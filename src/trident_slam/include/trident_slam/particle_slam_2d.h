@@ -8,7 +8,7 @@
 
 #include "trident_base/config_types.h"
 #include "trident_slam/slam_2d.h"
-#include "trident_slam/slam_2d_abilities.h"
+#include "trident_slam/slam_2d_capabilities.h"
 
 namespace trident::slam {
 
@@ -55,7 +55,7 @@ struct ParticleSlamParams {
 
 /// Rao-Blackwellised particle filter: each particle is a path with the map that follows from it.
 /// Poses are drawn from the improved proposal, the odometry's and the scan's likelihood together,
-/// here by its Laplace approximation about the scan match; particles are drawn anew only when their
+/// here by its Laplace approximation about the scan match; particles are resampled only when their
 /// effective number falls (Grisetti, Stachniss, Burgard: Improved techniques for grid mapping with
 /// Rao-Blackwellized particle filters, T-RO 2007). Maps of particles share what they have in
 /// common.

@@ -80,7 +80,7 @@ class PoseGraph {
 
   const std::vector<Vertex>& vertices() const { return vertices_; }
   const std::vector<Edge>& edges() const { return edges_; }
-  /// Position of a vertex in `vertices()`; Error when there is none.
+  /// Position of a vertex in `vertices()`. Throws Error if there is no such vertex.
   std::size_t index(int id) const;
   void set_pose_at(std::size_t index, const Group& T) { vertices_[index].T_map_vertex = T; }
 

@@ -28,7 +28,7 @@ struct G2oWarnings {
 /// takes its vertices from its edges, each where the first edges that lead there from the lowest id
 /// put it. Edges between ids that follow each other count as odometry (`is_trusted`).
 /// Information with a negative eigenvalue is taken as the nearest positive semidefinite matrix, and
-/// told in `warnings`, unless `indefinite` says otherwise.
+/// reported in `warnings`, unless `indefinite` says otherwise.
 /// Throws Error naming file, line, field and value.
 std::variant<PoseGraph2d, PoseGraph3d> read_g2o(
     const std::string& file, IndefiniteInformation indefinite = IndefiniteInformation::kNearest,

@@ -28,7 +28,7 @@ struct PoseGraphOptions {
   double relative_tolerance = 1e-6;
   /// ... or less than this, >= 0.
   double absolute_tolerance = 1e-10;
-  /// Where the search from the graph's own poses took long or met steps that raised the cost, it
+  /// Where the search from the graph's own poses took long or had steps that raised the cost, it
   /// may have ended in a minimum of its own: then averaged rotations are tried, too, and what ends
   /// lower stays.
   bool tries_both_starts = false;
@@ -66,7 +66,7 @@ struct PoseGraphReport {
   std::vector<double> weights;
 };
 
-/// One way to optimise a pose graph in place. Equal input gives equal output to the bit. May be
+/// A method that optimises a pose graph in place. Equal input gives equal output to the bit. May be
 /// called again after the graph has changed.
 template <class Group>
 class PoseGraphSolver {

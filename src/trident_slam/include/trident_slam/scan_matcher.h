@@ -19,7 +19,7 @@ struct PlacedPoints {
   PointScan scan;
 };
 
-/// What a matcher answers. Beside what MatchResult holds:
+/// What a matcher answers. In addition to what MatchResult holds:
 struct ScanMatch : MatchResult {
   /// 0 to 1, the higher the better the scan fits; each matcher's own measure.
   double score = 0.0;
@@ -32,9 +32,9 @@ struct ScanMatch : MatchResult {
 /// or of several with known poses. No clock, no random numbers: the same calls give the same bits.
 /// Calls of `match` change nothing.
 ///
-/// `information` is what the scan's points tell, `covariance` that of the pose with the prior, both
-/// of (x [m], y [m], yaw [rad]) in the reference's frame. Along a direction of which the points
-/// tell too little (`degeneracy`) a pose without a prior stays where it was guessed.
+/// `information` is that of the scan's points, `covariance` that of the pose with the prior, both
+/// of (x [m], y [m], yaw [rad]) in the reference's frame. Along a direction in which the points
+/// give too little information (`degeneracy`) a pose without a prior stays where it was guessed.
 class ScanMatcher {
  public:
   ScanMatcher() = default;
@@ -42,18 +42,18 @@ class ScanMatcher {
   ScanMatcher& operator=(const ScanMatcher&) = delete;
   virtual ~ScanMatcher() = default;
 
-  /// Makes the reference anew. Points that are no numbers are left out.
+  /// Replaces the reference. Points that are no numbers are left out.
   void set_reference(const std::vector<PlacedPoints>& scans);
   /// Adds a scan to the reference.
   void add_to_reference(const SE2& T_ref_base, const PointScan& scan);
   void clear_reference();
 
   /// `guess`: where to begin; `prior`: what is known of the pose, nothing by default. A guess or a
-  /// point that is no number, fewer than `kFewestPoints` points or an empty reference are told of
+  /// point that is no number, fewer than `kMinPoints` points or an empty reference are reported
   /// in `problem`.
   ScanMatch match(const PointScan& scan, const SE2& guess, const PosePrior& prior = {}) const;
 
-  static constexpr std::size_t kFewestPoints = 5;
+  static constexpr std::size_t kMinPoints = 5;
 
  private:
   /// The base class has seen to it that all is finite, and that there is enough of it.
@@ -67,8 +67,8 @@ class ScanMatcher {
 };
 
 struct ScanMatcherOptions {
-  /// Of `correlative` and `hybrid`: how far from the guess the pose is sought where no prior tells
-  /// [m], [rad].
+  /// Of `correlative` and `hybrid`: how far from the guess the pose is searched for without a
+  /// prior [m], [rad].
   double search_distance = 0.5;
   double search_heading = 0.35;
   double search_resolution = 0.05;  ///< [m]

@@ -46,7 +46,7 @@ class ScanSource {
   ScanSource& operator=(const ScanSource&) = delete;
   virtual ~ScanSource() = default;
 
-  /// False at the end of the log. A bad record is told of in `problems` and passed over.
+  /// False at the end of the log. A bad record is reported in `problems` and passed over.
   virtual bool next(ScanRecord& record) = 0;
   virtual const LogProblems& problems() const = 0;
   /// Part of the log that is read, 0 .. 1; 0 where its length is unknown.

@@ -13,8 +13,8 @@
 
 namespace trident::slam {
 
-/// What tells the motion between scans: odometry; scans, for odometry says nothing; scans, as the
-/// user wants it.
+/// Source of the motion between scans: odometry; scans, because odometry does not report motion;
+/// scans, because the user wants it.
 enum class MotionBy { kOdometry, kScansAsOdometryStands, kScansAsAsked };
 
 /// What one scan led to, at the moment when it was consumed.
@@ -38,7 +38,7 @@ struct StampedPose2d {
 /// threads that change results: the same scans give the same poses and the same map to the bit, and
 /// the pose returned for scan k depends on scans 0..k alone. Stamps are labels; scans are taken in
 /// the order of the calls. One scan with NaN, infinite or zero ranges, another number of beams or
-/// a jump of odometry does not harm the map: it is told of in `problem`.
+/// a jump of odometry does not harm the map: it is reported in `problem`.
 class Slam2d {
  public:
   Slam2d() = default;
@@ -47,7 +47,8 @@ class Slam2d {
   virtual ~Slam2d() = default;
 
   /// `T_odom_base`: odometry at the scan's stamp, in any fixed frame. The first call's pose in the
-  /// map is the identity unless the algorithm was told otherwise (`Slam2dPlaced`, its file).
+  /// map is the identity unless the algorithm was given another one (`PoseInitializable`, its
+  /// file).
   virtual ScanPose2d add_scan(const LaserScan& scan, const SE2& T_odom_base) = 0;
 
   /// Ends the log: pending loop closures and a last optimisation. May be called again.

@@ -15,7 +15,7 @@
 #include "trident_base/yaml_config.h"
 #include "trident_slam/pose_graph_optimizer.h"
 #include "trident_slam/slam_2d.h"
-#include "trident_slam/slam_2d_abilities.h"
+#include "trident_slam/slam_2d_capabilities.h"
 
 namespace trident::slam {
 

@@ -24,7 +24,7 @@ Eigen::Vector3d sweep_twist(const LaserScan& scan, const SE2& T_before_now, doub
 class YawRates {
  public:
   /// A rate that is not finite or above 100 rad/s, or not younger than the one before, is left out:
-  /// false. A stamp that goes back by more than a second (a bag that is played again) begins anew.
+  /// false. A stamp that goes back by more than a second (a bag that is played again) starts again.
   bool add(std::int64_t stamp_ns, double yaw_rate);
   void clear() { samples_.clear(); }
 

@@ -11,18 +11,18 @@
 
 namespace trident::slam {
 
-Autosave::Autosave(std::string file, double interval, Snapshot snapshot, Tell tell)
+Autosave::Autosave(std::string file, double interval, Snapshot snapshot, OnProblem on_problem)
     : file_(std::move(file)),
       interval_(interval),
       snapshot_(std::move(snapshot)),
-      tell_(std::move(tell)) {}
+      on_problem_(std::move(on_problem)) {}
 
 void Autosave::before_scan(const ros::Time& stamp) {
   if (!is_on() || !task_.is_busy()) return;
   if (std::abs((stamp - safe_until_).toSec()) <= interval_) return;
   task_.wait();
-  tell_("a scan had to wait for the autosave; parameter autosave_interval (" +
-        number_text(interval_) + " s) is too short");
+  on_problem_("a scan had to wait for the autosave; parameter autosave_interval (" +
+              number_text(interval_) + " s) is too short");
 }
 
 // Begun every half interval: until a session is on the disk, the one before it counts.
@@ -50,11 +50,11 @@ void Autosave::save(const ros::Time& stamp) {
       try {
         write(file_);
       } catch (const Error& error) {
-        tell_(std::string("autosave: ") + error.what());
+        on_problem_(std::string("autosave: ") + error.what());
       }
     });
   } catch (const Error& error) {
-    tell_(std::string("autosave: ") + error.what());
+    on_problem_(std::string("autosave: ") + error.what());
   }
 }
 

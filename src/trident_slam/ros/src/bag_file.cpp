@@ -21,7 +21,7 @@ constexpr std::size_t kMagicSize = sizeof(kMagic) - 1;
 constexpr std::size_t kLargestHeader = std::size_t{1} << 20;
 constexpr std::size_t kLargestChunk = std::size_t{1} << 30;
 constexpr std::size_t kBlock = std::size_t{1} << 20;
-constexpr std::size_t kMostTold = 20;
+constexpr std::size_t kMaxReported = 20;
 // Every chunk's header has this field; rosbag writes it first.
 constexpr char kChunkField[] = "compression=";
 
@@ -130,7 +130,7 @@ void BagFile::walk() {
   }
 }
 
-/// Moves `at` behind a whole record; false when there is none.
+/// Moves `at` behind a whole record; false if there is no such record.
 bool BagFile::take_record(std::uint64_t& at) {
   std::string word;
   std::string header;
@@ -256,7 +256,7 @@ void BagFile::take_connection(const Fields& fields, Span data) {
   }
 }
 
-/// Where the next record lies that may be a chunk; the file's size when there is none.
+/// Where the next record lies that may be a chunk; the file's size if there is no such record.
 std::uint64_t BagFile::next_chunk_after(std::uint64_t at) {
   constexpr std::uint64_t kLead = 8;  // lengths of the header and of its first field
   const std::size_t overlap = std::strlen(kChunkField);
@@ -306,8 +306,8 @@ BagFile::Span BagFile::data_of(const Message& message) {
 }
 
 void BagFile::leave_out(std::uint64_t at, const std::string& what) {
-  if (damage_.size() == kMostTold) damage_.push_back("more damage is not told");
-  if (damage_.size() < kMostTold) {
+  if (damage_.size() == kMaxReported) damage_.push_back("more damage is not told");
+  if (damage_.size() < kMaxReported) {
     damage_.push_back("damaged at offset " + std::to_string(at) + ": " + what);
   }
 }

@@ -21,7 +21,7 @@
 namespace trident::slam {
 namespace {
 
-constexpr double kCacheS = 3600.0;  // transforms are few beside scans
+constexpr double kCacheS = 3600.0;  // transforms are few compared with scans
 constexpr std::size_t kMessagesLookedAt = 5000;
 constexpr char kAuthority[] = "bag";
 
@@ -96,10 +96,10 @@ class BagScans::Impl {
 
   const LogProblems& problems() {
     // One list of what was wrong with the bag and with its scans.
-    for (; told_ < intake_->problems().texts().size(); ++told_) {
-      problems_.add(path_ + ": " + intake_->problems().texts()[told_]);
+    for (; reported_ < intake_->problems().texts().size(); ++reported_) {
+      problems_.add(path_ + ": " + intake_->problems().texts()[reported_]);
     }
-    for (; told_ < intake_->problems().count(); ++told_) problems_.add("");
+    for (; reported_ < intake_->problems().count(); ++reported_) problems_.add("");
     return problems_;
   }
 
@@ -151,7 +151,7 @@ class BagScans::Impl {
     return name_frames(options, frames, laser, odometry.get());
   }
 
-  // What a message tells about frames; a damaged one tells nothing.
+  // Reads the frames of a message; a damaged one is ignored.
   void look_at(const BagFile::Message& message, std::set<std::string>& frames, std::string& laser,
                nav_msgs::OdometryConstPtr& odometry) {
     try {
@@ -166,7 +166,7 @@ class BagScans::Impl {
         odometry = bag_->instantiate<nav_msgs::Odometry>(message);
       }
     } catch (const Error&) {
-      return;  // it is told when its turn comes
+      return;  // it is reported when it is read in order
     }
   }
 
@@ -261,7 +261,7 @@ class BagScans::Impl {
   std::unique_ptr<ScanIntake> intake_;
   std::deque<ScanRecord> ready_;
   LogProblems problems_;
-  std::size_t told_ = 0;
+  std::size_t reported_ = 0;
 };
 
 BagScans::BagScans(std::string path, const BagScansOptions& options)

@@ -73,8 +73,8 @@ sensor_msgs::LaserScan scan_of(const std::vector<Eigen::Vector2f>& points, const
   return scan;
 }
 
-Slam2dEditable& editable(Slam2d& slam) {
-  auto* result = dynamic_cast<Slam2dEditable*>(&slam);
+GraphEditable& editable(Slam2d& slam) {
+  auto* result = dynamic_cast<GraphEditable*>(&slam);
   if (result == nullptr) throw Error("this method has no graph that can be changed");
   return *result;
 }
@@ -86,20 +86,20 @@ visualization_msgs::MarkerArray graph_markers(const GraphView2d& graph, const st
   nodes.scale.x = nodes.scale.y = 0.1;
   nodes.color.r = 1.0F;
   for (const SE2& node : graph.nodes) nodes.points.push_back(point_of(node));
-  Marker ways = marker(frame, "edges", Marker::LINE_LIST);
-  ways.scale.x = 0.03;
-  ways.color.b = 1.0F;
-  Marker loops = ways;
+  Marker path = marker(frame, "edges", Marker::LINE_LIST);
+  path.scale.x = 0.03;
+  path.color.b = 1.0F;
+  Marker loops = path;
   loops.ns = "loops";
   loops.color.b = 0.0F;
   loops.color.g = 0.8F;
   for (const GraphView2d::Edge& edge : graph.edges) {
-    Marker& lines = edge.is_loop ? loops : ways;
+    Marker& lines = edge.is_loop ? loops : path;
     lines.points.push_back(point_of(graph.nodes[static_cast<std::size_t>(edge.from)]));
     lines.points.push_back(point_of(graph.nodes[static_cast<std::size_t>(edge.to)]));
   }
   visualization_msgs::MarkerArray array;
-  array.markers = {nodes, ways, loops};
+  array.markers = {nodes, path, loops};
   return array;
 }
 
@@ -184,7 +184,7 @@ void GraphEditor::follow(const InteractiveMarkerFeedback& feedback) {
     }
     show_scan(node, T_map_node);
   } catch (const std::exception& error) {
-    node_.tell("marker '" + ros_utils::quoted(feedback.marker_name) + "': " + error.what());
+    node_.report("marker '" + ros_utils::quoted(feedback.marker_name) + "': " + error.what());
   }
 }
 

@@ -9,7 +9,7 @@
 
 #include "trident_base/error.h"
 #include "trident_maps/map_file.h"
-#include "trident_slam/slam_2d_abilities.h"
+#include "trident_slam/slam_2d_capabilities.h"
 
 namespace trident::slam {
 

@@ -10,10 +10,10 @@
 namespace trident::slam {
 
 MapServer::MapServer(ros::NodeHandle node, ros::NodeHandle own, const SlamNodeOptions& options,
-                     GuardedSlam& slam, Tell tell)
+                     GuardedSlam& slam, OnProblem on_problem)
     : frame_(options.map_frame),
       slam_(slam),
-      tell_(std::move(tell)),
+      on_problem_(std::move(on_problem)),
       publisher_(node, options.map_topic,
                  {options.map_update_interval, options.map_changes_interval}),
       service_(own.advertiseService("dynamic_map", &MapServer::get_map, this)) {}
@@ -24,7 +24,7 @@ void MapServer::publish_if_due(const ros::Time& now) {
     try {
       publisher_.publish(to_message(draw()), now);
     } catch (const Error& error) {
-      tell_(error.what());
+      on_problem_(error.what());
     }
   });
 }

@@ -47,7 +47,7 @@ SE2 middle_of(const OccupancyGrid& map) {
   return SE2::from_xy_yaw(p.x(), p.y(), 0.0);
 }
 
-/// Sessions that are put beside each other by hand (interactive markers, namespace
+/// Sessions that are aligned with each other by hand (interactive markers, namespace
 /// merge_maps_tool), and become one map.
 class MapMerger {
  public:

@@ -27,7 +27,7 @@ MotionDiagnosis diagnose_motion(const ScanPose2d& pose) {
   const Eigen::Vector2d along = solver.eigenvectors().col(1);
   const double sigma = std::sqrt(std::max(solver.eigenvalues()(1), 0.0));
   double yaw = std::atan2(along.y(), along.x());
-  if (yaw < 0.0) yaw += M_PI;  // a direction, either way
+  if (yaw < 0.0) yaw += M_PI;  // a direction without a sign
   diagnosis.open =
       in_hundredths(yaw) + " rad in the map, standard deviation " + in_hundredths(sigma) + " m";
   diagnosis.warning = "the scans leave a direction open: " + diagnosis.open;

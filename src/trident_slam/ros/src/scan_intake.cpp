@@ -16,7 +16,7 @@
 namespace trident::slam {
 namespace {
 
-constexpr double kMountResolution = 1e-5;  // [m], [rad]: logs tell mounts to this
+constexpr double kMountResolution = 1e-5;  // [m], [rad]: logs give mounts to this precision
 /// A scan that need not be the newest waits for turning rates until later scans are so much
 /// younger.
 constexpr double kGyroPatience = 1.0;    // [s]
@@ -202,8 +202,8 @@ bool ScanIntake::has_settled_gyro(ScanRecord& record) {
     return false;
   }
   ++without_gyro_;
-  tell("scan of " + stamp_text(waiting_.front()->header.stamp) +
-       " s has no gyro: " + why_no_gyro(scan));
+  add_problem("scan of " + stamp_text(waiting_.front()->header.stamp) +
+              " s has no gyro: " + why_no_gyro(scan));
   return true;
 }
 
@@ -260,14 +260,14 @@ std::string ScanIntake::lateness(const std::string& target, const std::string& s
   }
 }
 
-void ScanIntake::tell(const std::string& problem) {
+void ScanIntake::add_problem(const std::string& problem) {
   last_problem_ = problem;
   problems_.add(problem);
 }
 
 void ScanIntake::leave_out(const sensor_msgs::LaserScan& message, const std::string& why) {
   ++left_out_;
-  tell("scan of " + stamp_text(message.header.stamp) + " s is left out: " + why);
+  add_problem("scan of " + stamp_text(message.header.stamp) + " s is left out: " + why);
 }
 
 }  // namespace trident::slam

@@ -10,7 +10,7 @@
 
 #include "trident_base/error.h"
 #include "trident_maps/map_file.h"
-#include "trident_slam/slam_2d_abilities.h"
+#include "trident_slam/slam_2d_capabilities.h"
 
 namespace trident::slam {
 namespace {
@@ -48,11 +48,11 @@ SlamNode::SlamNode(const ros::NodeHandle& private_handle, const SlamNodeOptions&
       transform_(ros::NodeHandle(), options),
       poses_(ros::NodeHandle(), private_handle, options),
       map_(ros::NodeHandle(), on_queue(private_handle, &slow_queue_), options, slam_,
-           [this](const std::string& problem) { tell(problem); }),
+           [this](const std::string& problem) { report(problem); }),
       autosave_(
           options.autosave_file, options.autosave_interval,
           [this] { return slam_.session_snapshot(); },
-          [this](const std::string& problem) { tell(problem); }),
+          [this](const std::string& problem) { report(problem); }),
       receiver_(ros::NodeHandle(), options, scans_, diagnostics_, [this] { reset(); }) {
   diagnostics_.start(ros::NodeHandle(), [this] { return receiver_.counts(); });
   crash_rescue_ =
@@ -74,7 +74,7 @@ void SlamNode::work() {
     try {
       consume(*record);
     } catch (const Error& error) {
-      tell(std::string("scan is not used: ") + error.what());
+      report(std::string("scan is not used: ") + error.what());
     } catch (const std::exception& error) {
       rescue(error.what());
       return;

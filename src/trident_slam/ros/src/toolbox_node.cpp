@@ -22,7 +22,7 @@
 
 #include "trident_base/error.h"
 #include "trident_maps_ros/map_messages.h"
-#include "trident_slam/slam_2d_abilities.h"
+#include "trident_slam/slam_2d_capabilities.h"
 #include "trident_slam_ros/graph_editor.h"
 #include "trident_slam_ros/run_program.h"
 #include "trident_slam_ros/service_list.h"
@@ -165,10 +165,10 @@ class Toolbox {
     try {
       const SE2 T_map_base = maps::from_pose_message(message.pose.pose);
       node_.with_slam([&T_map_base](Slam2d& slam) {
-        able<Slam2dPlaced>(slam, "be told where the robot is").set_pose(T_map_base);
+        able<PoseInitializable>(slam, "be told where the robot is").set_pose(T_map_base);
       });
     } catch (const Error& error) {
-      node_.tell(std::string("initialpose: ") + error.what());
+      node_.report(std::string("initialpose: ") + error.what());
     }
   }
 

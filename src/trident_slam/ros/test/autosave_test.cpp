@@ -18,14 +18,14 @@ namespace {
 
 constexpr double kInterval = 4.0;
 
-/// A session that holds the last scan alone, and what was written and told of it.
+/// A session that holds the last scan alone, and what was written and reported.
 class AutosaveTest : public testing::Test {
  protected:
   Autosave make(const std::string& file, double interval) {
     return {file, interval, [this] { return snapshot(); },
             [this](const std::string& problem) {
               const std::lock_guard<std::mutex> lock(mutex_);
-              told_.push_back(problem);
+              problems_.push_back(problem);
             }};
   }
   Autosave::Write snapshot() {
@@ -46,9 +46,9 @@ class AutosaveTest : public testing::Test {
     const std::lock_guard<std::mutex> lock(mutex_);
     return written_;
   }
-  std::vector<std::string> told() {
+  std::vector<std::string> problems() {
     const std::lock_guard<std::mutex> lock(mutex_);
-    return told_;
+    return problems_;
   }
 
   double scan_ = 0.0;
@@ -59,7 +59,7 @@ class AutosaveTest : public testing::Test {
  private:
   std::mutex mutex_;
   std::vector<double> written_;
-  std::vector<std::string> told_;
+  std::vector<std::string> problems_;
 };
 
 TEST_F(AutosaveTest, NeedsAFileAndAnInterval) {
@@ -109,14 +109,14 @@ TEST_F(AutosaveTest, ScansWaitForASlowDisk) {
   autosave.before_scan(ros::Time(14.1));
   EXPECT_EQ(written(), std::vector<double>{10.0});
   release.join();
-  for (const std::string& problem : told()) {
+  for (const std::string& problem : problems()) {
     EXPECT_EQ(
         problem,
         "a scan had to wait for the autosave; parameter autosave_interval (4 s) is too short");
   }
 }
 
-TEST_F(AutosaveTest, ProblemsAreToldAndTheNextSessionIsTried) {
+TEST_F(AutosaveTest, ProblemsAreReportedAndTheNextSessionIsTried) {
   Autosave autosave = make("session", kInterval);
   keeps_no_sessions_ = true;
   take(autosave, 10.0);
@@ -127,8 +127,8 @@ TEST_F(AutosaveTest, ProblemsAreToldAndTheNextSessionIsTried) {
   is_disk_full_ = false;
   take(autosave, 14.0);
   autosave.finish();
-  EXPECT_EQ(told(), (std::vector<std::string>{"autosave: this method keeps no sessions",
-                                              "autosave: session: no space left"}));
+  EXPECT_EQ(problems(), (std::vector<std::string>{"autosave: this method keeps no sessions",
+                                                  "autosave: session: no space left"}));
   EXPECT_EQ(written(), std::vector<double>{14.0});
 }
 

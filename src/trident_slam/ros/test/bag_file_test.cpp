@@ -119,7 +119,7 @@ TEST_F(BagFileTest, MessagesComeByTheirTimeWithoutAnIndex) {
   EXPECT_EQ(bag.instantiate<tf2_msgs::TFMessage>(bag.messages({"/scan"})[0]), nullptr);
 }
 
-TEST_F(BagFileTest, WhatIsWholeBesideDamageIsUsedAndTheOffsetTold) {
+TEST_F(BagFileTest, WhatIsWholeNextToDamageIsUsedAndTheOffsetReported) {
   const std::string good = a_bag(3);
   std::string bad = good;
   const std::size_t second = good.find("compression=", good.find("compression=") + 1);

@@ -53,7 +53,7 @@ TEST(ChangedPart, IsEmptyForTheSameMap) {
   EXPECT_TRUE(changed_part(map, map)->data.empty());
 }
 
-TEST(ChangedPart, CannotTellOfAnotherSizeOrPlace) {
+TEST(ChangedPart, CannotExpressAnotherSizeOrPlace) {
   const auto map = map_of(2, {0, 100, -1, 0});
   EXPECT_FALSE(changed_part(map, map_of(1, {0, 100, -1, 0})));
   EXPECT_FALSE(changed_part(map, map_of(2, {0, 100})));

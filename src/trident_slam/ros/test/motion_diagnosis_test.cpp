@@ -7,7 +7,7 @@
 namespace trident::slam {
 namespace {
 
-TEST(MotionDiagnosis, OdometryThatMovesIsNothingToTellOf) {
+TEST(MotionDiagnosis, OdometryThatMovesIsNoProblem) {
   const MotionDiagnosis diagnosis = diagnose_motion({});
   EXPECT_EQ(diagnosis.motion_by, "odometry");
   EXPECT_EQ(diagnosis.open, "none");

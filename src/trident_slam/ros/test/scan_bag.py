@@ -66,7 +66,7 @@ def write_bag(file: Path, scans: int = 60, tf_delay_s: float = 0.03, imu_s: floa
     """Record a drive; odometry comes at 20 Hz, `tf_delay_s` later than its stamp.
 
     Beams are measured one after the other, so that scans are skewed. An IMU that hangs upside down
-    tells the turning rate for the first `imu_s` seconds.
+    measures the turning rate for the first `imu_s` seconds.
     """
     rng = np.random.default_rng(5)
     truth = path(TRUTH_PERIOD_S * np.arange(2 * scans + 4))

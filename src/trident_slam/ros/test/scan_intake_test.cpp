@@ -82,7 +82,7 @@ TEST_F(ScanIntakeTest, WithoutAnOdometryFrameNoneIsWaitedFor) {
 TEST_F(ScanIntakeTest, SaysWhichTransformIsLateAndByHowMuch) {
   odometry(10.0, 1.0);
   add(scan(10.1));
-  add(scan(10.5));  // tells that 0.4 s have passed
+  add(scan(10.5));  // shows that 0.4 s have passed
   EXPECT_TRUE(intake_.take().empty());
   EXPECT_EQ(intake_.problems().count(), 1U);
   EXPECT_EQ(intake_.last_problem(),
@@ -132,7 +132,7 @@ TEST_F(ScanIntakeTest, WaitsForEverScanWhenNoneMayBeLost) {
   EXPECT_EQ(patient.waiting(), 0U);
 }
 
-TEST_F(ScanIntakeTest, ALaserUpsideDownTurnsTheOtherWay) {
+TEST_F(ScanIntakeTest, ALaserUpsideDownTurnsInTheOtherDirection) {
   geometry_msgs::Transform mount;
   mount.rotation.x = 1.0;  // half a turn about x
   mount.rotation.w = 0.0;
@@ -144,8 +144,8 @@ TEST_F(ScanIntakeTest, ALaserUpsideDownTurnsTheOtherWay) {
 TEST_F(ScanIntakeTest, BadMessagesAreOneErrorEach) {
   geometry_msgs::Transform level;
   level.rotation.w = 1.0;
-  const auto complaint = [&](const sensor_msgs::LaserScan& message,
-                             const geometry_msgs::Transform& mount) {
+  const auto problem_of = [&](const sensor_msgs::LaserScan& message,
+                              const geometry_msgs::Transform& mount) {
     try {
       to_laser_scan(message, mount);
     } catch (const Error& error) {
@@ -155,18 +155,18 @@ TEST_F(ScanIntakeTest, BadMessagesAreOneErrorEach) {
   };
   sensor_msgs::LaserScan bad = scan(1.0);
   bad.ranges.clear();
-  EXPECT_EQ(complaint(bad, level), "ranges: no beam, legal: at least 1");
+  EXPECT_EQ(problem_of(bad, level), "ranges: no beam, legal: at least 1");
   bad = scan(1.0);
   bad.angle_increment = 0.0F;
-  EXPECT_EQ(complaint(bad, level), "angle_increment 0 rad, legal: not 0");
+  EXPECT_EQ(problem_of(bad, level), "angle_increment 0 rad, legal: not 0");
   bad.angle_increment = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_NE(complaint(bad, level), "");
+  EXPECT_NE(problem_of(bad, level), "");
   bad = scan(1.0);
   bad.range_max = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_NE(complaint(bad, level).find("range_max nan m, legal"), std::string::npos);
+  EXPECT_NE(problem_of(bad, level).find("range_max nan m, legal"), std::string::npos);
   geometry_msgs::Transform tilted;
   tilted.rotation.w = tilted.rotation.y = std::sqrt(0.5);
-  EXPECT_EQ(complaint(scan(1.0), tilted),
+  EXPECT_EQ(problem_of(scan(1.0), tilted),
             "frame laser is tilted by 90 deg, legal: a laser that looks around in the plane");
   // NaN, infinite and zero ranges are no returns; whether enough are left is the algorithm's.
   bad = scan(1.0);

@@ -20,7 +20,7 @@ from trident.testing import Recorder, Ros, eventually, program, recorder
 
 INTERVAL_S = 0.8
 PERIOD_S = 0.1
-#: Nodes that go on one after the other, each killed after so many poses at least: soon, and later.
+#: Nodes that run one after the other, each killed after so many poses at least: soon, and later.
 LIVES = ((3, "sync"), (15, "sync"), (16, "lifelong"), (25, "lifelong"))
 _AHEAD = 20  # scans that are sent before their poses are heard
 

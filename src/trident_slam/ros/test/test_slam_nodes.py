@@ -109,7 +109,7 @@ def test_a_config_file_takes_nothing_from_a_node(ros: Ros, bag: Path, tmp_path: 
     far.pose.pose.position.x, far.pose.pose.orientation.w = 5000.0, 1.0
     eventually(lambda: place.get_num_connections() == 1, "the node")
     place.publish(far)
-    # A pose that no map can go on from is refused by the map, not by the method.
+    # A pose that no map can continue from is refused by the map, not by the method.
     node.eventually_logs("initialpose: pose (5000, 0) m, 0 rad is ")
     node.stop()
     # What kind of node it is decides, not the file.
@@ -152,7 +152,7 @@ def test_odometry_is_not_needed(imu_bag: Path, tmp_path: Path) -> None:
     assert "--no-odometry: odometry needs odometry; legal: graph_slam_2d" in refused.stderr
 
 
-def test_an_imu_that_ends_is_told_of_and_mapping_goes_on(tmp_path: Path) -> None:
+def test_an_imu_that_ends_is_reported_and_mapping_continues(tmp_path: Path) -> None:
     short = tmp_path / "short.bag"
     write_bag(short, 40, imu_s=2.0)
     done = offline(short, tmp_path / "out", "--imu", "/imu")
@@ -196,7 +196,7 @@ def test_a_late_transform_is_named(ros: Ros, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("parameter", "complaint"),
+    ("parameter", "error"),
     [
         ("_resolution:=-1.0", "resolution"),
         ("_throttle_scans:=0", "throttle_scans: 0 is out of range; must be a whole number in [1,"),
@@ -207,13 +207,13 @@ def test_a_late_transform_is_named(ros: Ros, tmp_path: Path) -> None:
         ("_map_file_name:=/no/such/session", "/no/such/session.posegraph"),
     ],
 )
-def test_a_bad_parameter_is_one_line(ros: Ros, parameter: str, complaint: str) -> None:
+def test_a_bad_parameter_is_one_line(ros: Ros, parameter: str, error: str) -> None:
     node = ros.launch([program("slam_toolbox", "async_slam_toolbox_node"), parameter])
     assert node.wait() == 1
-    assert complaint in node.log
+    assert error in node.log
 
 
-def test_a_request_that_cannot_be_met_says_why(ros: Ros) -> None:
+def test_a_request_that_fails_says_why(ros: Ros) -> None:
     words = ["__name:=slam_toolbox", "_method:=odometry"]
     node = ros.launch([program("slam_toolbox", "sync_slam_toolbox_node"), *words])
     serialize = service("/slam_toolbox/serialize_map", SerializePoseGraph)

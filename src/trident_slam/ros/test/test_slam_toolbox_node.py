@@ -119,7 +119,7 @@ def cells(whole: OccupancyGrid, update: OccupancyGridUpdate) -> np.ndarray:
 
 
 def drag(publisher: rospy.Publisher, marker: Any, x: float, y: float) -> None:
-    """What rviz tells when a marker is dragged to a place [m]."""
+    """What rviz sends when a marker is dragged to a place [m]."""
     feedback = InteractiveMarkerFeedback(marker_name=marker.name)
     feedback.header.frame_id = "map"
     feedback.event_type = InteractiveMarkerFeedback.POSE_UPDATE
@@ -175,9 +175,9 @@ def test_the_whole_interface_of_slam_toolbox(ros: Ros, bag: Path, tmp_path: Path
         parameters={**USED, **WITHOUT_EFFECT},
     )
     dynamic_map = service("/slam_toolbox/dynamic_map", GetMap)
-    told = [line for line in node.log.splitlines() if "parameters" in line]
-    assert len(told) == 1
-    named = set(told[0].split("here: ")[1].split("\x1b")[0].split(", "))
+    reported = [line for line in node.log.splitlines() if "parameters" in line]
+    assert len(reported) == 1
+    named = set(reported[0].split("here: ")[1].split("\x1b")[0].split(", "))
     # Those of lifelong mode may mean something.
     assert named <= set(WITHOUT_EFFECT)
     assert {name for name in WITHOUT_EFFECT if not name.startswith("lifelong_")} <= named
@@ -212,7 +212,7 @@ def test_the_whole_interface_of_slam_toolbox(ros: Ros, bag: Path, tmp_path: Path
 
 
 def merge(ros: Ros, session: str, tmp_path: Path) -> None:
-    """The same session twice, the second one put a little beside the first."""
+    """The same session twice, the second one put at a small offset from the first."""
     node = start_slam(
         ros,
         "slam_toolbox",

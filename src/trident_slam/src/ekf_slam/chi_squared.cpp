@@ -13,8 +13,8 @@ namespace trident::slam {
 namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-constexpr int kMostTerms = 100'000;
-constexpr int kMostSteps = 200;
+constexpr int kMaxTerms = 100'000;
+constexpr int kMaxSteps = 200;
 
 /// Both tails of the gamma distribution, so that the small one keeps its digits.
 struct Tails {
@@ -30,7 +30,7 @@ Tails gamma_tails(double a, double x) {
   if (x < a + 1.0) {
     double term = 1.0 / a;
     double sum = term;
-    for (int n = 1; n < kMostTerms && term > kEpsilon * sum; ++n) {
+    for (int n = 1; n < kMaxTerms && term > kEpsilon * sum; ++n) {
       term *= x / (a + n);
       sum += term;
     }
@@ -40,7 +40,7 @@ Tails gamma_tails(double a, double x) {
   double c = std::numeric_limits<double>::max();
   double d = 1.0 / b;
   double fraction = d;
-  for (int n = 1; n < kMostTerms; ++n) {
+  for (int n = 1; n < kMaxTerms; ++n) {
     const double an = -n * (n - a);
     b += 2.0;
     d = 1.0 / (an * d + b);
@@ -75,7 +75,7 @@ double chi_squared_quantile(double probability, int degrees) {
   double high = std::numeric_limits<double>::infinity();
   double x = 0.5 * rough_quantile(probability, degrees);
   if (!(x > 0.0)) x = std::exp((std::log(probability) + std::lgamma(a + 1.0)) / a);
-  for (int step = 0; step < kMostSteps; ++step) {
+  for (int step = 0; step < kMaxSteps; ++step) {
     const Tails tails = gamma_tails(a, x);
     const double miss = is_upper ? (1.0 - probability) - tails.above : tails.below - probability;
     (miss > 0.0 ? high : low) = x;

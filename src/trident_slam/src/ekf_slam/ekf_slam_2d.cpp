@@ -63,16 +63,16 @@ class EkfSlam2d::Impl {
 
  private:
   Eigen::Matrix3d motion_covariance(const OdometryMotion::Step& motion) const {
-    constexpr double kLostMetres = 1.0;  // where odometry told nothing
+    constexpr double kLostMeters = 1.0;  // where odometry reported nothing
     constexpr double kLostYaw = 0.5;
     if (!motion.problem.empty()) {
-      return Eigen::Vector3d(kLostMetres, kLostMetres, kLostYaw).cwiseAbs2().asDiagonal();
+      return Eigen::Vector3d(kLostMeters, kLostMeters, kLostYaw).cwiseAbs2().asDiagonal();
     }
-    const double metres = motion.T_before_now.p.norm();
-    const double along = params_.odometry_distance_sigma * metres;
-    const double across = params_.odometry_slip_sigma * metres;
+    const double meters = motion.T_before_now.p.norm();
+    const double along = params_.odometry_distance_sigma * meters;
+    const double across = params_.odometry_slip_sigma * meters;
     const double turn = std::hypot(params_.odometry_turn_sigma * motion.T_before_now.angle,
-                                   params_.odometry_drift_sigma * metres);
+                                   params_.odometry_drift_sigma * meters);
     return Eigen::Vector3d(along, across, turn).cwiseAbs2().asDiagonal();
   }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
 // landmark_offline FILE [--config FILE.yaml] --out DIR: a log of landmarks in; the path of the
-// filter, its landmarks and, where the log tells which landmark was seen, the score of its
+// filter, its landmarks and, where the log names the landmark that was seen, the score of its
 // association out.
 #include <cstdio>
 #include <filesystem>
@@ -27,7 +27,7 @@ constexpr char kUsage[] =
     "Writes causal.tum and trajectory.tum (stamps: ids of poses; a filter has no other final\n"
     "poses), landmarks.csv and timing.json into DIR.\n";
 
-/// Of a tree by a laser scanner [m]; such logs tell larger ones. A configuration may say otherwise.
+/// Of a tree by a laser scanner [m]; such logs give larger ones. A configuration may say otherwise.
 constexpr double kObservationSigma = 0.25;
 
 struct Options {

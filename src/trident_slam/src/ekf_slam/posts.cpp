@@ -62,7 +62,7 @@ std::vector<Cluster> clusters(const LaserScan& scan, double clearance) {
 
 /// The range of the beam before or after a cluster; 0 (nothing can be said) at the edge of the
 /// view.
-double beside(const LaserScan& scan, const Cluster& cluster, bool after) {
+double adjacent_range(const LaserScan& scan, const Cluster& cluster, bool after) {
   const std::size_t n = scan.size();
   const bool is_edge = after ? cluster.first + cluster.count >= n : cluster.first == 0;
   if (is_edge && !is_round(scan)) return 0.0;
@@ -104,8 +104,8 @@ std::vector<PointObservation> find_posts(const LaserScan& scan, const PostParams
     if (half >= 0.25 * kPi || nearest > params.max_range) continue;
     const double radius = nearest * std::sin(half) / (1.0 - std::sin(half));
     const double behind = nearest + radius + params.clearance;
-    const bool stands_free =
-        beside(scan, cluster, false) > behind && beside(scan, cluster, true) > behind;
+    const bool stands_free = adjacent_range(scan, cluster, false) > behind &&
+                             adjacent_range(scan, cluster, true) > behind;
     if (2.0 * radius > params.max_diameter || !stands_free) continue;
     posts.push_back(middle_of(scan, cluster, nearest, radius, params.range_sigma));
   }

@@ -50,7 +50,7 @@ ScanPose2d GraphMapper::add_scan(const LaserScan& scan, const SE2& T_odom_base) 
   if (result.problem.empty()) result.problem = motion.problem;
   if (result.problem.empty()) result.problem = notice;
   result.T_map_base = tracker().T_map_base();
-  // 7. Archive: the scan beside its keyframe, for the trajectory and the final match.
+  // 7. Archive: the scan relative to its keyframe, for the trajectory and the final match.
   if (!is_map_fixed()) archive(scan, twist, result.is_used);
   return result;
 }
@@ -88,7 +88,7 @@ void GraphMapper::finish_pending_scan(std::int64_t next_stamp_ns,
   if (!pending.is_archived) return;
   ScanArchive::Entry& entry = archive_[archive_.size() - 1];
   entry.twist = twist.cast<float>();
-  place_beside_keyframe(&entry);
+  place_relative_to_keyframe(&entry);
 }
 
 void GraphMapper::archive(const LaserScan& scan, const Eigen::Vector3d& twist, bool is_used) {
@@ -97,12 +97,12 @@ void GraphMapper::archive(const LaserScan& scan, const Eigen::Vector3d& twist, b
   entry.stamp_ns = scan.stamp_ns;
   entry.is_used = is_used;
   entry.twist = twist.cast<float>();
-  place_beside_keyframe(&entry);
+  place_relative_to_keyframe(&entry);
   archive_.add(scan, entry, options_.keep_scans ? options_.max_laser_range : 0.0);
 }
 
 // The pose of the newest scan is kept relative to the newest keyframe, which the graph may move.
-void GraphMapper::place_beside_keyframe(ScanArchive::Entry* entry) const {
+void GraphMapper::place_relative_to_keyframe(ScanArchive::Entry* entry) const {
   const SE2& T_map_base = tracker().T_map_base();
   entry->keyframe = graph_.size() - 1;
   entry->T_keyframe_base =

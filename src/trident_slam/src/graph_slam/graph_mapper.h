@@ -76,7 +76,7 @@ class GraphMapper {
                                 ScanPose2d* result);
   void finish_pending_scan(std::int64_t next_stamp_ns, const LocalMapper::Motion& motion);
   void archive(const LaserScan& scan, const Eigen::Vector3d& twist, bool is_used);
-  void place_beside_keyframe(ScanArchive::Entry* entry) const;
+  void place_relative_to_keyframe(ScanArchive::Entry* entry) const;
   bool is_map_fixed() const { return options_.mode == SlamMode::kLocalization || is_paused_; }
   bool is_keyframe_due() const;
 

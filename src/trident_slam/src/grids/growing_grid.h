@@ -46,9 +46,9 @@ class GrowingGrid {
 
  private:
   /// A gibibyte: one place far away would take all memory.
-  static constexpr double kMostBytes = 1073741824.0;
+  static constexpr double kMaxBytes = 1073741824.0;
 
-  /// Throws Error, and stays as it is, for a size that is none of a map.
+  /// Throws Error, and stays as it is, for a size that no map can have.
   void check_size(std::int64_t x0, std::int64_t y0, std::int64_t x1, std::int64_t y1) const {
     const bool is_empty = cells_.empty();
     const std::int64_t left = is_empty ? x0 : std::min<std::int64_t>(x0, min_x_);
@@ -60,7 +60,7 @@ class GrowingGrid {
     constexpr std::int64_t kFarthest = 1 << 30;
     const bool is_near =
         left > -kFarthest && bottom > -kFarthest && right < kFarthest && top < kFarthest;
-    if (is_near && columns * rows * sizeof(T) <= kMostBytes) return;
+    if (is_near && columns * rows * sizeof(T) <= kMaxBytes) return;
     throw Error("a grid of the map would have " + std::to_string(right - left) + " x " +
                 std::to_string(top - bottom) + " cells from (" + std::to_string(left) + ", " +
                 std::to_string(bottom) + "), legal: up to 2^30 bytes, numbers below 2^30");

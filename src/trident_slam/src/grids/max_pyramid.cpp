@@ -7,8 +7,8 @@
 
 namespace trident::slam {
 
-int MaxPyramid::cell_of(double metres) const {
-  return static_cast<int>(std::floor(metres / resolution_));
+int MaxPyramid::cell_of(double meters) const {
+  return static_cast<int>(std::floor(meters / resolution_));
 }
 
 void MaxPyramid::raise(int x, int y, std::uint8_t value) {

@@ -31,7 +31,7 @@ class MaxPyramid {
   const GrowingGrid<std::uint8_t>& level(int h) const {
     return levels_[static_cast<std::size_t>(h)];
   }
-  int cell_of(double metres) const;
+  int cell_of(double meters) const;
 
  private:
   void stamp(const Eigen::Vector2d& p);

@@ -40,7 +40,7 @@ class ProbabilityGrid::Logistic {
 
 ProbabilityGrid::ProbabilityGrid(double resolution, double passed, double ended)
     : resolution_(resolution),
-      per_metre_(static_cast<float>(1.0 / resolution)),
+      per_meter_(static_cast<float>(1.0 / resolution)),
       log_odds_passed_(log_odds(passed)),
       log_odds_ended_(log_odds(ended)) {}
 
@@ -58,7 +58,7 @@ void ProbabilityGrid::insert(const SE2& T_map_base, const PointScan& scan) {
   for (const SurfacePoint& point : scan.points) {
     const Eigen::Vector2i to = cell_of(R * point.p.cast<double>() + T_map_base.p);
     pass(logistic, pen, from, to);
-    tell(logistic, pen.at(to.x(), to.y()), true);
+    update(logistic, pen.at(to.x(), to.y()), true);
   }
 }
 
@@ -71,7 +71,7 @@ void ProbabilityGrid::pass(Logistic& logistic, TiledGrid<Cell>::Pen& pen,
   int error = span.x() - span.y();
   while (cell != to) {
     Cell& passed = pen.at(cell.x(), cell.y());
-    if (passed.told < 2 * scans_) tell(logistic, passed, false);
+    if (passed.last_update < 2 * scans_) update(logistic, passed, false);
     const int twice = 2 * error;
     if (twice > -span.y()) {
       error -= span.y();
@@ -84,15 +84,16 @@ void ProbabilityGrid::pass(Logistic& logistic, TiledGrid<Cell>::Pen& pen,
   }
 }
 
-void ProbabilityGrid::tell(Logistic& logistic, Cell& c, bool is_end) {
+void ProbabilityGrid::update(Logistic& logistic, Cell& c, bool is_end) {
   const std::int32_t passed = 2 * scans_;
-  if (c.told >= passed + (is_end ? 1 : 0)) return;
+  if (c.last_update >= passed + (is_end ? 1 : 0)) return;
   const float before = c.log_odds;
-  if (c.told == passed) c.log_odds -= log_odds_passed_;  // a beam ended where another had passed
+  if (c.last_update == passed)
+    c.log_odds -= log_odds_passed_;  // a beam ended where another had passed
   c.log_odds += is_end ? log_odds_ended_ : log_odds_passed_;
   c.log_odds = std::clamp(c.log_odds, -kMaxLogOdds, kMaxLogOdds);
   if (c.log_odds != before) c.probability = logistic.of(c.log_odds);
-  c.told = passed + (is_end ? 1 : 0);
+  c.last_update = passed + (is_end ? 1 : 0);
 }
 
 OccupancyGrid ProbabilityGrid::occupancy() const {
@@ -107,7 +108,7 @@ OccupancyGrid ProbabilityGrid::occupancy() const {
     for (int column = 0; column < grid.width; ++column) {
       const Cell cell = cells_.get(extent.min_x + column, extent.min_y + row);
       std::int8_t value = OccupancyGrid::kUnknown;
-      if (cell.told != 0 && cell.log_odds < 0.0F) value = OccupancyGrid::kFree;
+      if (cell.last_update != 0 && cell.log_odds < 0.0F) value = OccupancyGrid::kFree;
       if (cell.log_odds > 0.0F) value = OccupancyGrid::kOccupied;
       grid.cells.push_back(value);
     }

@@ -20,7 +20,7 @@ class ProbabilityGrid {
   /// Probabilities that a passed cell, or one where a beam ended, is occupied: below and above 0.5.
   ProbabilityGrid(double resolution, double passed, double ended);
 
-  /// Each cell is told once per scan: occupied where a beam ended, else free where one passed.
+  /// Each cell is updated once per scan: occupied where a beam ended, else free where one passed.
   void insert(const SE2& T_map_base, const PointScan& scan);
 
   struct Sample {
@@ -38,17 +38,17 @@ class ProbabilityGrid {
   struct Cell {
     float log_odds = 0.0F;
     float probability = 0.5F;
-    std::int32_t told = 0;  ///< 2 * scan: passed; + 1: ended
+    std::int32_t last_update = 0;  ///< 2 * scan: passed; + 1: ended
   };
 
   Eigen::Vector2i cell_of(const Eigen::Vector2d& p_map) const;
   class Logistic;
   void pass(Logistic& logistic, TiledGrid<Cell>::Pen& pen, const Eigen::Vector2i& from,
             const Eigen::Vector2i& to);
-  void tell(Logistic& logistic, Cell& cell, bool is_end);
+  void update(Logistic& logistic, Cell& cell, bool is_end);
 
   double resolution_;
-  float per_metre_;
+  float per_meter_;
   float log_odds_passed_;
   float log_odds_ended_;
   std::int32_t scans_ = 0;
@@ -56,7 +56,7 @@ class ProbabilityGrid {
 };
 
 inline ProbabilityGrid::Sample ProbabilityGrid::sample(const Eigen::Vector2f& p_map) const {
-  const Eigen::Vector2f at = p_map * per_metre_ - Eigen::Vector2f::Constant(0.5F);
+  const Eigen::Vector2f at = p_map * per_meter_ - Eigen::Vector2f::Constant(0.5F);
   const Eigen::Vector2f corner(std::floor(at.x()), std::floor(at.y()));
   const Eigen::Vector2f t = at - corner;
   const int x = static_cast<int>(corner.x());
@@ -71,8 +71,8 @@ inline ProbabilityGrid::Sample ProbabilityGrid::sample(const Eigen::Vector2f& p_
   const float above = p01 + t.x() * (p11 - p01);
   Sample sample;
   sample.value = below + t.y() * (above - below);
-  sample.gradient.x() = per_metre_ * ((1.0F - t.y()) * (p10 - p00) + t.y() * (p11 - p01));
-  sample.gradient.y() = per_metre_ * (above - below);
+  sample.gradient.x() = per_meter_ * ((1.0F - t.y()) * (p10 - p00) + t.y() * (p11 - p01));
+  sample.gradient.y() = per_meter_ * (above - below);
   return sample;
 }
 

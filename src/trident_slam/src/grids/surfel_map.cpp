@@ -59,7 +59,7 @@ class Gaps {
 inline SurfelMap::Place SurfelMap::place_of(const Eigen::Vector2f& p) const {
   Place place;
   for (const int axis : {0, 1}) {
-    const float cells = p(axis) * per_metre_;
+    const float cells = p(axis) * per_meter_;
     const int truncated = static_cast<int>(cells);
     const int cell = truncated - (cells < static_cast<float>(truncated) ? 1 : 0);
     place.cell(axis) = cell;
@@ -68,8 +68,8 @@ inline SurfelMap::Place SurfelMap::place_of(const Eigen::Vector2f& p) const {
   return place;
 }
 
-void SurfelMap::tell_neighbours(const Eigen::Vector2i& cell) {
-  // Room for the neighbours of whatever is told of here: nearest() reads without asking.
+void SurfelMap::mark_neighbors(const Eigen::Vector2i& cell) {
+  // Room for the neighbors of every cell marked here: nearest() reads without checks.
   constexpr int kRoom = 2 * kMaxRings;
   first_.reserve(cell.x() - kRoom, cell.y() - kRoom, cell.x() + kRoom, cell.y() + kRoom);
   for (int ring = 1; ring <= kMaxRings; ++ring) {
@@ -85,7 +85,7 @@ void SurfelMap::insert_point(const SurfacePoint& point, int owner) {
   std::int32_t first = std::max(first_.get(cell.x(), cell.y()), 0);
   if (first == 0) {
     touched_.push_back(cell);
-    tell_neighbours(cell);
+    mark_neighbors(cell);
   }
   for (std::int32_t i = first; i != 0; i = surfels_[i - 1].next) {
     Surfel& surfel = surfels_[i - 1];

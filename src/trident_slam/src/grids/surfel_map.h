@@ -24,14 +24,14 @@ struct Surfel {
   bool has_normal() const { return normal.x() != 0.0F || normal.y() != 0.0F; }
 };
 
-/// A map of surfels. Both faces of a thin wall keep surfels of their own, told apart by where they
-/// were seen from. Owners can be hidden: their surfels are then neither found nor added to.
+/// A map of surfels. Both faces of a thin wall keep surfels of their own, distinguished by where
+/// they were seen from. Owners can be hidden: their surfels are then neither found nor added to.
 class SurfelMap {
  public:
   /// Surfels are found in cells up to so many cells away.
   static constexpr int kMaxRings = 3;
 
-  explicit SurfelMap(double cell = 0.1) : cell_(cell), per_metre_(static_cast<float>(1.0 / cell)) {}
+  explicit SurfelMap(double cell = 0.1) : cell_(cell), per_meter_(static_cast<float>(1.0 / cell)) {}
 
   void insert(const SE2& T_map_base, const PointScan& scan, int owner = 0);
   void clear();
@@ -40,8 +40,8 @@ class SurfelMap {
   void set_hidden(std::vector<char> hidden) { hidden_ = std::move(hidden); }
   bool empty() const { return surfels_.empty(); }
 
-  /// The surfel nearest to a point among those that face the same way, at most `rings` cells away,
-  /// up to kMaxRings; nullptr if there is none.
+  /// The surfel nearest to a point among those that face in the same direction, at most `rings`
+  /// cells away, up to kMaxRings; nullptr if there is no such surfel.
   const Surfel* nearest(const Eigen::Vector2f& p, const Eigen::Vector2f& normal, int rings) const;
 
   bool is_hidden(int owner) const {
@@ -59,10 +59,10 @@ class SurfelMap {
 
   Place place_of(const Eigen::Vector2f& p) const;
   void insert_point(const SurfacePoint& point, int owner);
-  void tell_neighbours(const Eigen::Vector2i& cell);
+  void mark_neighbors(const Eigen::Vector2i& cell);
 
   double cell_;
-  float per_metre_;
+  float per_meter_;
   /// 1 + index of a cell's first surfel; without any: minus the rings to the nearest cell that has
   /// one, 0 beyond kMaxRings.
   GrowingGrid<std::int32_t> first_;

@@ -51,9 +51,9 @@ class HectorSlam2d::Impl {
       T_map_base_ = T_map_base_ * motion.T_before_now;
     }
     result.motion_by = motion_source_.motion_by();
-    const std::string news =
+    const std::string change_of_odometry =
         motion_source_.settle(T_map_before.inverse() * T_map_base_, result.is_used);
-    if (result.problem.empty()) result.problem = news;
+    if (result.problem.empty()) result.problem = change_of_odometry;
     last_stamp_ns_ = scan.stamp_ns;
     result.T_map_base = T_map_base_;
     trajectory_.push_back({scan.stamp_ns, T_map_base_});

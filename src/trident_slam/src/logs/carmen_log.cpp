@@ -24,7 +24,7 @@ struct BeamAngles {
   double angle_increment = kDegree;
 };
 
-// FLASER does not tell its angles. Scanners of that time start at -90 deg and give 180 / n deg
+// FLASER does not contain its angles. Scanners of that time start at -90 deg and give 180 / n deg
 // steps with or without the last beam; 401 beams are the LMS' 100 deg at a quarter of a degree.
 BeamAngles angles_of(std::size_t beams) {
   if (beams == 401) return {-50.0 * kDegree, 0.25 * kDegree};
@@ -169,7 +169,7 @@ std::string CarmenLog::read_robotlaser(std::string_view rest, ScanRecord& record
   return {};
 }
 
-// A mounted laser does not move: the first scan tells where it sits. A log whose laser poses were
+// A mounted laser does not move: the first scan gives its pose. A log whose laser poses were
 // corrected by somebody's SLAM has other ones in every line; there the offset parameter counts, as
 // it does where the laser's pose is the base's.
 std::string CarmenLog::place_laser(const Poses& poses, ScanRecord& record) {
@@ -188,9 +188,9 @@ std::string CarmenLog::place_laser(const Poses& poses, ScanRecord& record) {
     }
   }
   const SE2 moved = T_base_laser_->inverse() * T_base_laser;
-  if (!has_told_of_loose_laser_ && !(is_one_pose_ && is_one_pose) &&
+  if (!has_reported_loose_laser_ && !(is_one_pose_ && is_one_pose) &&
       (moved.p.norm() > kMaxMountShift || std::abs(moved.angle) > kMaxMountTurn)) {
-    has_told_of_loose_laser_ = true;
+    has_reported_loose_laser_ = true;
     problems_.add(reader_.path() + ":" + std::to_string(reader_.line_number()) +
                   ": the laser moves on the base by " + number_text(moved.p.norm()) + " m, " +
                   number_text(moved.angle) + " rad; its first place is kept");

@@ -21,7 +21,7 @@
 #include "trident_base/shown_text.h"
 #include "trident_base/string_util.h"
 #include "trident_slam/offline_run.h"
-#include "trident_slam/slam_2d_abilities.h"
+#include "trident_slam/slam_2d_capabilities.h"
 #include "trident_slam/slam_2d_factory.h"
 
 namespace trident::slam {
@@ -169,7 +169,7 @@ void write_timing(const OfflineCommand& options, const OfflineResult& result,
                 options.method.c_str(), result.scans, result.unused_scans,
                 result.scan_problems.count(), bad_lines, cost.cpu_s, cost.peak_rss_mb,
                 result.stamps_back, result.stamp_jumps, result.slowest_scan,
-                result.slowest_scan_cpu_s, kMostLookups);
+                result.slowest_scan_cpu_s, kMaxLookups);
   const std::string path = options.out_dir + "/timing.json";
   std::ofstream file(path);
   file << text << calibration_text(result.odometry_calibration) << "}\n";
@@ -177,7 +177,7 @@ void write_timing(const OfflineCommand& options, const OfflineResult& result,
   if (!file) throw Error(path + ": cannot be written");
 }
 
-void tell(const char* what, const LogProblems& problems) {
+void print_problems(const char* what, const LogProblems& problems) {
   for (const std::string& text : problems.texts()) std::cerr << "warning: " << text << '\n';
   if (problems.count() > problems.texts().size()) {
     std::cerr << "warning: " << problems.count() << ' ' << what << " in all\n";
@@ -230,12 +230,12 @@ void run(const OfflineCommand& options, const OpenSource& open) {
     result = run_offline(*log, *slam, options.out_dir, std::ref(progress),
                          options.shows_scans ? OfflineScanBegins(show_scan) : nullptr);
   } catch (const Error& problem) {
-    tell("problems of the log", log->problems());
+    print_problems("problems of the log", log->problems());
     throw Error(options.log_file + ": " + problem.what());
   }
   progress.finish();
-  tell("problems of the log", log->problems());
-  tell("problems of scans", result.scan_problems);
+  print_problems("problems of the log", log->problems());
+  print_problems("problems of scans", result.scan_problems);
   if (!result.stamp_problem.empty()) std::cerr << "warning: " << result.stamp_problem << '\n';
   if (!options.kept_session.empty()) session->save_session(options.kept_session);
   write_timing(options, result, log->problems().count());

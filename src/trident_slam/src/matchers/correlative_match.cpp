@@ -66,7 +66,7 @@ class Search {
     }
   }
 
-  bool is_spent() const { return lookups_ >= kMostLookups; }
+  bool is_spent() const { return lookups_ >= kMaxLookups; }
 
   Candidate scored(Candidate candidate, int level) {
     lookups_ += static_cast<std::int64_t>(cells_[static_cast<std::size_t>(candidate.turn)].size());

@@ -11,8 +11,8 @@
 
 namespace trident::slam {
 
-/// Where a pose is sought: within `linear` of the guess along both axes and within `angular` of
-/// its yaw.
+/// Where a pose is searched for: within `linear` of the guess along both axes and within `angular`
+/// of its yaw.
 struct SearchWindow {
   double linear = 0.3;   ///< [m]
   double angular = 0.2;  ///< [rad]; pi or more: every direction
@@ -25,7 +25,7 @@ struct CorrelativeMatch {
 
 /// What one search may cost: points looked up. It is cut short there, and what it has found until
 /// then counts; searches that find anything need a small part of it.
-constexpr std::int64_t kMostLookups = 500'000'000;
+constexpr std::int64_t kMaxLookups = 500'000'000;
 
 /// The pose of highest score within the window, by branch and bound: exact for the grid of poses
 /// (one cell, and turns that move the farthest point by one cell). Nothing if no pose reaches

@@ -29,10 +29,10 @@ float along(const Surfel& surfel, const Eigen::Vector2f& p) {
 class Pairing {
  public:
   Pairing(const SurfelMap& reference, const PointScan& scan, const LineMatchOptions& options,
-          bool tells_cost)
+          bool wants_cost)
       : reference_(reference),
         options_(options),
-        tells_cost_(tells_cost),
+        wants_cost_(wants_cost),
         kernel_(options.kernel * options.kernel),
         information_(kernel_ / (options.sigma * options.sigma)) {
     const std::size_t stride = (scan.points.size() + options.max_points - 1) / options.max_points;
@@ -42,7 +42,7 @@ class Pairing {
     }
   }
 
-  /// Pairs anew if the scan has moved since it was done last.
+  /// Pairs again if the scan has moved since the last pairing.
   NormalEquations sums_at(const SE2& T, double range) {
     const Eigen::Matrix2f R = T.rotation().cast<float>();
     const Eigen::Vector2f t = T.p.cast<float>();
@@ -114,12 +114,12 @@ class Pairing {
       for (int column = row; column < 3; ++column) sums->H(row, column) += weighted * J[column];
       sums->g(row) += weighted * residual;
     }
-    if (tells_cost_) sums->cost += 0.5 * scale * std::log1p(residual * residual / kernel_);
+    if (wants_cost_) sums->cost += 0.5 * scale * std::log1p(residual * residual / kernel_);
   }
 
   const SurfelMap& reference_;
   const LineMatchOptions& options_;
-  bool tells_cost_;
+  bool wants_cost_;
   double kernel_;       ///< squared [m^2]
   double information_;  ///< of a residual of 0 [1/m^2], times kernel_
   std::vector<Pair> pairs_;
@@ -169,7 +169,7 @@ MatchResult match_lines(const SurfelMap& reference, const PointScan& scan, const
         prior.is_firm ? 1.0 : 1.0 / (1.0 + off.dot(prior.information * off) / kPriorKernel);
     Eigen::Matrix3d H = sums.H;
     Eigen::Vector3d g = sums.g;
-    if (prior.is_independent) keep_what_is_told(range, &H, &g);
+    if (prior.is_independent) discard_degenerate(range, &H, &g);
     H += trust * prior.information;
     H.diagonal() += Eigen::Vector3d(1e-3, 1e-3, 1e-3);  // no returns at all: stay where we are
     g += trust * prior.information * off;

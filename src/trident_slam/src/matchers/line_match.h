@@ -16,12 +16,12 @@ struct LineMatchOptions {
   double settled = 0.01;          ///< points that moved less keep their surfels [m] ...
   double converged_pairs = 5e-4;  ///< ... and at the end, less than this [m]
   double least_paired = 0.0;     ///< part of the points that must have a surfel, else it ends early
-  int search_rings = 3;          ///< cells about a point in which its surfel is sought
+  int search_rings = 3;          ///< cells about a point in which its surfel is searched for
   double sigma = 0.03;           ///< of one distance; correlated errors counted in [m]
   double kernel = 0.06;          ///< distance at which a point's weight has halved [m]
   double inlier_distance = 0.1;  ///< [m]
   /// Points farther than this along the line from the surfel's mean are beyond what the reference
-  /// saw, where noise decides which of them meet its end: no pair [m].
+  /// saw, where noise decides which of them match its end: no pair [m].
   double reach_along = 0.1;
   double point_weight = 0.1;     ///< of a point without a normal, towards the surfel's mean
   std::size_t max_points = 200;  ///< of a scan that are used, evenly spread

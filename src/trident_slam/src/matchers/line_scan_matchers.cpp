@@ -34,16 +34,16 @@ class Correlator {
 
   std::optional<CorrelativeMatch> find(const std::vector<Eigen::Vector2f>& points, const SE2& guess,
                                        const PosePrior& prior) const {
-    return match_by_branch_and_bound(hits_, points, guess, window(prior), kLeastResponse);
+    return match_by_branch_and_bound(hits_, points, guess, window(prior), kMinResponse);
   }
   std::string nothing_found() const {
     return "no pose within " + number_text(options_.search_distance) + " m of the guess brings " +
-           number_text(kLeastResponse) + " of the response";
+           number_text(kMinResponse) + " of the response";
   }
 
  private:
   static constexpr int kPyramidLevels = 6;
-  static constexpr double kLeastResponse = 0.2;
+  static constexpr double kMinResponse = 0.2;
 
   static void check(const char* name, double value, double low, double high, const char* unit) {
     if (value >= low && value <= high) return;
@@ -211,8 +211,8 @@ class CorrelativeMatcher : public ScanMatcher {
     const double cell = resolution_ * resolution_ / 12.0;
     const Eigen::Matrix3d rounding = Eigen::Vector3d(cell, cell, 1e-6).asDiagonal();
     const Eigen::Matrix3d least = 1e-6 * Eigen::Matrix3d::Identity();
-    const Eigen::Matrix3d told = without_noise(match->information, range);
-    const Eigen::Matrix3d measured = ((told + least).inverse() + 0.1 * rounding).inverse();
+    const Eigen::Matrix3d denoised = without_noise(match->information, range);
+    const Eigen::Matrix3d measured = ((denoised + least).inverse() + 0.1 * rounding).inverse();
     match->covariance = (measured + prior.information).inverse();
     const SE2& P = prior.T_ref_base;
     const Eigen::Vector3d off(P.p.x() - T.p.x(), P.p.y() - T.p.y(),

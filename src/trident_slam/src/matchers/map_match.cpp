@@ -12,7 +12,7 @@ namespace {
 constexpr double kLargestTurn =
     0.2;  ///< [rad] of one step; a step beyond has left its linear model
 /// Of an eigenvalue of H by its number of points [1/m^2]: below, the points say nothing there.
-constexpr double kLeastInformation = 1e-4;
+constexpr double kMinInformation = 1e-4;
 /// Of 1 - M at a point that is where it should be.
 constexpr double kResidualSigma = 0.3;
 
@@ -66,7 +66,7 @@ MapMatch match_map(const ProbabilityGrid& map, const PointScan& scan, const SE2&
                    int iterations) {
   MapMatch match;
   match.T_map_base = guess;
-  const double least = kLeastInformation * static_cast<double>(scan.points.size()) /
+  const double least = kMinInformation * static_cast<double>(scan.points.size()) /
                        (map.resolution() * map.resolution());
   Eigen::Matrix3d H = Eigen::Matrix3d::Zero();
   for (int i = 0; i < iterations; ++i) {

@@ -24,7 +24,7 @@ struct MapMatch {
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();  ///< of (x [m], y [m], yaw [rad])
 };
 
-/// From `guess`, `iterations` steps. Directions that the points do not tell of keep the guess.
+/// From `guess`, `iterations` steps. Directions without information from the points keep the guess.
 MapMatch match_map(const ProbabilityGrid& map, const PointScan& scan, const SE2& guess,
                    int iterations);
 

@@ -14,7 +14,7 @@ constexpr double kFar = 24.0;
 constexpr double kOnSurface = 4.0;
 /// A distribution that is wider than 5 cm in both directions is no surface: this is the least
 /// trace of the information of one that is [1/m^2].
-constexpr double kLeastTrace = 400.0;
+constexpr double kMinTrace = 400.0;
 
 /// Adds exp(-q / 2) of one point and one distribution, as a part of the cost and its derivatives.
 /// `arm` is R p; its derivatives by yaw are `side` and -arm.
@@ -64,7 +64,7 @@ void NdtMap::add(std::size_t g, const Eigen::Vector2d& p_ref) {
 
 void NdtMap::update_normal(Cell* cell) const {
   cell->is_changed = false;
-  if (cell->count < kFewestPoints) return;
+  if (cell->count < kMinPoints) return;
   const Eigen::Matrix2d scatter = 0.5 * (cell->scatter + cell->scatter.transpose());
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(scatter / cell->count);
   const Eigen::Vector2d variances = solver.eigenvalues().cwiseMax(least_sigma_ * least_sigma_);
@@ -91,7 +91,7 @@ const NdtMap::Normal* NdtMap::over(std::size_t g, const Eigen::Vector2d& p_ref) 
   const std::int32_t number = index_[g].get(at[0], at[1]);
   if (number == 0) return nullptr;
   const Cell& cell = cells_[static_cast<std::size_t>(number - 1)];
-  return cell.count < kFewestPoints ? nullptr : &cell.normal;
+  return cell.count < kMinPoints ? nullptr : &cell.normal;
 }
 
 PoseCost ndt_cost(const NdtMap& map, const PointScan& scan, const SE2& T_ref_base,
@@ -107,7 +107,7 @@ PoseCost ndt_cost(const NdtMap& map, const PointScan& scan, const SE2& T_ref_bas
       const NdtMap::Normal* normal = map.over(g, p_ref);
       if (normal == nullptr) continue;
       const double q = add_term(*normal, p_ref - normal->mean, arm, &sum);
-      if (is_on_surface != nullptr && q < kOnSurface && normal->information.trace() > kLeastTrace) {
+      if (is_on_surface != nullptr && q < kOnSurface && normal->information.trace() > kMinTrace) {
         (*is_on_surface)[i] = 1;
       }
     }

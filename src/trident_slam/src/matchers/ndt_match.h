@@ -30,9 +30,9 @@ class NdtMap {
     Eigen::Matrix2d information = Eigen::Matrix2d::Zero();  ///< inverse of the covariance
   };
   static constexpr std::size_t kGrids = 4;
-  /// The cell over a place in grid `g`; nullptr where fewer than `kFewestPoints` points fell.
+  /// The cell over a place in grid `g`; nullptr where fewer than `kMinPoints` points fell.
   const Normal* over(std::size_t g, const Eigen::Vector2d& p_ref) const;
-  static constexpr int kFewestPoints = 3;
+  static constexpr int kMinPoints = 3;
 
   double cell() const { return cell_; }
 
@@ -51,7 +51,7 @@ class NdtMap {
   double least_sigma_;
   std::array<GrowingGrid<std::int32_t>, kGrids> index_;  ///< 1 + place in cells_, 0: none
   std::vector<Cell> cells_;
-  std::vector<std::size_t> changed_;  ///< whose distribution is to be made anew
+  std::vector<std::size_t> changed_;  ///< whose distribution must be recomputed
 };
 
 /// The mean over the grids of 1 - exp(-d' S^-1 d / 2), summed over the points of a scan, with

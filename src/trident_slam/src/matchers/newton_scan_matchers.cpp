@@ -76,7 +76,7 @@ class NdtMatcher : public ScanMatcher {
     for (std::size_t level = first_level(prior); level < maps_.size(); ++level) {
       NewtonOptions options;
       options.longest_step = kLevels[level].least_sigma;
-      found = minimise_pose(found.T_ref_base, range, options, [&](const SE2& T) {
+      found = minimize_pose(found.T_ref_base, range, options, [&](const SE2& T) {
         PoseCost cost = scaled(ndt_cost(maps_[level], scan, T), weight);
         return cost += prior_cost(prior, T);
       });
@@ -135,7 +135,7 @@ class GridMatcher : public ScanMatcher {
     for (const ProbabilityGrid& grid : grids_) {
       NewtonOptions options;
       options.longest_step = grid.resolution();
-      found = minimise_pose(found.T_ref_base, range, options, [&](const SE2& T) {
+      found = minimize_pose(found.T_ref_base, range, options, [&](const SE2& T) {
         const MapMatchSums sums = map_match_sums(grid, scan, T);
         PoseCost at{gain * sums.H, -gain * sums.g, 0.5 * gain * sums.cost};
         return at += prior_cost(prior, T);

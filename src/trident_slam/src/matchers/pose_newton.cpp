@@ -22,14 +22,14 @@ PoseCost prior_cost(const PosePrior& prior, const SE2& T_ref_base) {
 }
 
 Eigen::Vector3d newton_step(const PoseCost& at, double range, double longest) {
-  constexpr double kLeast = 1e-6;  // of the largest eigenvalue
+  constexpr double kMinRatio = 1e-6;  // of the largest eigenvalue
   const Eigen::Vector3d scale(1.0, 1.0, 1.0 / std::max(range, 0.1));
   const Eigen::Matrix3d H = scale.asDiagonal() * at.H * scale.asDiagonal();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(H);
   Eigen::Vector3d amounts = solver.eigenvalues().cwiseAbs();
   const double largest = amounts.maxCoeff();
   if (!(largest > 0.0)) return Eigen::Vector3d::Zero();
-  amounts = amounts.cwiseMax(kLeast * largest);
+  amounts = amounts.cwiseMax(kMinRatio * largest);
   const Eigen::Matrix3d& V = solver.eigenvectors();
   const Eigen::Vector3d g = V.transpose() * scale.cwiseProduct(at.g);
   Eigen::Vector3d step = -(V * g.cwiseQuotient(amounts));

@@ -46,7 +46,7 @@ Eigen::Vector3d newton_step(const PoseCost& at, double range, double longest);
 /// The minimum of `cost_at(T) -> PoseCost` about `start`: Newton's method, steps halved until the
 /// cost falls.
 template <class CostAt>
-NewtonResult minimise_pose(const SE2& start, double range, const NewtonOptions& options,
+NewtonResult minimize_pose(const SE2& start, double range, const NewtonOptions& options,
                            const CostAt& cost_at) {
   NewtonResult result;
   result.T_ref_base = start;

@@ -70,9 +70,9 @@ std::string ScanMatcher::problem_of(const PointScan& scan, const SE2& guess,
     return std::to_string(bad) + " of " + std::to_string(scan.points.size()) +
            " points are not finite";
   }
-  if (scan.points.size() < kFewestPoints) {
+  if (scan.points.size() < kMinPoints) {
     return std::to_string(scan.points.size()) + " points, legal: at least " +
-           std::to_string(kFewestPoints);
+           std::to_string(kMinPoints);
   }
   return has_reference_ ? "" : "the reference has no points";
 }

@@ -10,7 +10,7 @@
 namespace trident::slam {
 namespace {
 
-/// Points that see more than this are neighbours of one another's, which err alike.
+/// Points that see more than this are neighbors of one another's, which err alike.
 constexpr double kIndependentPoints = 200.0;
 /// Of a point without a normal, in both directions.
 constexpr double kPointWeight = 0.1;
@@ -20,21 +20,21 @@ constexpr double kNoise = 0.01;
 /// Directions of an information and what is known along them, yaw counted at a range.
 struct Axes {
   Axes(const Eigen::Matrix3d& information, double range)
-      : to_metres(1.0, 1.0, std::max(range, 0.1)) {
-    const Eigen::Vector3d to_pose = to_metres.cwiseInverse();
+      : to_meters(1.0, 1.0, std::max(range, 0.1)) {
+    const Eigen::Vector3d to_pose = to_meters.cwiseInverse();
     const Eigen::Matrix3d scaled = to_pose.asDiagonal() * information * to_pose.asDiagonal();
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scaled);
     values = solver.eigenvalues();
     directions = solver.eigenvectors();
   }
-  /// Of each direction, the part that is told by surfaces and not by errors of their normals.
-  Eigen::Vector3d told() const {
+  /// Of each direction, the fraction known from surfaces and not from errors of their normals.
+  Eigen::Vector3d known_fractions() const {
     constexpr double kAll = Degeneracy::kDegenerateRatio;
     const Eigen::Vector3d ratios = values / std::max(values[2], 1e-12);
     return ((ratios.array() - kNoise) / (kAll - kNoise)).max(0.0).min(1.0);
   }
 
-  Eigen::Vector3d to_metres;
+  Eigen::Vector3d to_meters;
   Eigen::Vector3d values;
   Eigen::Matrix3d directions;
 };
@@ -69,7 +69,7 @@ Eigen::Matrix3d without_noise(const Eigen::Matrix3d& information, double range) 
   const Eigen::Vector3d rest =
       (axes.values.array() - kNoise * std::max(axes.values[2], 0.0)).max(0.0);
   const Eigen::Matrix3d scaled = axes.directions * rest.asDiagonal() * axes.directions.transpose();
-  return axes.to_metres.asDiagonal() * scaled * axes.to_metres.asDiagonal();
+  return axes.to_meters.asDiagonal() * scaled * axes.to_meters.asDiagonal();
 }
 
 SE2 held_where_degenerate(const SE2& T, const SE2& anchor, const Eigen::Matrix3d& information,
@@ -77,23 +77,24 @@ SE2 held_where_degenerate(const SE2& T, const SE2& anchor, const Eigen::Matrix3d
   const Axes axes(information, range);
   const Eigen::Vector3d moved(T.p.x() - anchor.p.x(), T.p.y() - anchor.p.y(),
                               angle_difference(T.angle, anchor.angle));
-  const Eigen::Vector3d along = axes.directions.transpose() * axes.to_metres.cwiseProduct(moved);
+  const Eigen::Vector3d along = axes.directions.transpose() * axes.to_meters.cwiseProduct(moved);
   const Eigen::Vector3d kept =
-      (axes.directions * axes.told().cwiseProduct(along)).cwiseQuotient(axes.to_metres);
+      (axes.directions * axes.known_fractions().cwiseProduct(along)).cwiseQuotient(axes.to_meters);
   return SE2::from_xy_yaw(anchor.p.x() + kept.x(), anchor.p.y() + kept.y(),
                           anchor.angle + kept.z());
 }
 
-void keep_what_is_told(double range, Eigen::Matrix3d* information, Eigen::Vector3d* gradient) {
+void discard_degenerate(double range, Eigen::Matrix3d* information, Eigen::Vector3d* gradient) {
   const Axes axes(*information, range);
-  const Eigen::Vector3d told = axes.told();
-  if ((told.array() == 1.0).all()) return;
-  const Eigen::Matrix3d scaled =
-      axes.directions * told.cwiseProduct(axes.values).asDiagonal() * axes.directions.transpose();
-  *information = axes.to_metres.asDiagonal() * scaled * axes.to_metres.asDiagonal();
+  const Eigen::Vector3d known_fractions = axes.known_fractions();
+  if ((known_fractions.array() == 1.0).all()) return;
+  const Eigen::Matrix3d scaled = axes.directions *
+                                 known_fractions.cwiseProduct(axes.values).asDiagonal() *
+                                 axes.directions.transpose();
+  *information = axes.to_meters.asDiagonal() * scaled * axes.to_meters.asDiagonal();
   const Eigen::Vector3d along =
-      axes.directions.transpose() * gradient->cwiseQuotient(axes.to_metres);
-  *gradient = axes.to_metres.cwiseProduct(axes.directions * told.cwiseProduct(along));
+      axes.directions.transpose() * gradient->cwiseQuotient(axes.to_meters);
+  *gradient = axes.to_meters.cwiseProduct(axes.directions * known_fractions.cwiseProduct(along));
 }
 
 double mean_range(const PointScan& scan) {

@@ -29,18 +29,18 @@ CalibratedMotion::CalibratedMotion(const CalibrationVector& parameters, double w
     : parameters_(parameters), wheel_base_(wheel_base) {}
 
 void CalibratedMotion::add(const SE2& T_before_now) {
-  const SE2::Tangent told = T_before_now.log();
+  const SE2::Tangent reported = T_before_now.log();
   const double scale = parameters_[kDistanceScale];
   const double turn = parameters_[kTurnScale];
   const double drift = parameters_[kYawDrift];
   const double arm = 0.25 * wheel_base_ * wheel_base_ / turn;
-  const SE2::Tangent t(scale * (told[0] + drift * arm * told[2]), scale * told[1],
-                       turn * told[2] + drift * told[0]);
+  const SE2::Tangent t(scale * (reported[0] + drift * arm * reported[2]), scale * reported[1],
+                       turn * reported[2] + drift * reported[0]);
   Eigen::Matrix3d by_scales;
-  by_scales << told[0] + drift * arm * told[2], -scale * drift * arm * told[2] / turn,
-      scale * arm * told[2],  //
-      told[1], 0.0, 0.0,      //
-      0.0, told[2], told[0];
+  by_scales << reported[0] + drift * arm * reported[2], -scale * drift * arm * reported[2] / turn,
+      scale * arm * reported[2],  //
+      reported[1], 0.0, 0.0,      //
+      0.0, reported[2], reported[0];
   const SE2 step = SE2::exp(t);
   by_scales_ = step.inverse().adjoint() * by_scales_ + right_jacobian(t) * by_scales;
   T_first_base_ = T_first_base_ * step;

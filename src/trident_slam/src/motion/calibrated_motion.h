@@ -10,9 +10,9 @@ namespace trident::slam {
 
 /// What is wrong with odometry, and where the laser sits on the base. Order of CalibrationVector.
 enum CalibrationParameter {
-  kDistanceScale,  ///< true by told distance
-  kTurnScale,      ///< true by told turn
-  kYawDrift,       ///< turned unseen per told metre ahead [rad/m]
+  kDistanceScale,  ///< true by reported distance
+  kTurnScale,      ///< true by reported rotation
+  kYawDrift,       ///< unreported rotation per reported meter ahead [rad/m]
   kLaserX,         ///< [m]
   kLaserY,         ///< [m]
   kLaserYaw,       ///< [rad]

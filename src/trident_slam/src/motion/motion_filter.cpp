@@ -6,8 +6,8 @@
 
 namespace trident::slam {
 
-bool MotionFilter::is_due(double metres, double radians, double seconds) const {
-  return metres >= options_.distance || std::abs(radians) >= options_.heading ||
+bool MotionFilter::is_due(double meters, double radians, double seconds) const {
+  return meters >= options_.distance || std::abs(radians) >= options_.heading ||
          (options_.period >= 0.0 && seconds >= options_.period);
 }
 

@@ -6,14 +6,14 @@
 
 namespace trident::slam {
 
-/// After how much motion a scan tells something new.
+/// After how much motion a scan adds something new.
 struct MotionFilterOptions {
   double distance = 0.3;  ///< [m]
   double heading = 0.3;   ///< [rad]
   double period = -1.0;   ///< [s] after which a scan is due even without motion; negative: never
 };
 
-/// Tells which scans to use: those that were taken far enough, turned enough or long enough after
+/// Selects the scans to use: those that were taken far enough, turned enough or long enough after
 /// the last one that was used. Who asks keeps that scan's pose, since optimisation may move it.
 class MotionFilter {
  public:
@@ -23,8 +23,9 @@ class MotionFilter {
   bool is_due(const SE2& T_last_now, double seconds = 0.0) const {
     return is_due(T_last_now.p.norm(), T_last_now.angle, seconds);
   }
-  /// The same for a way [m] and a turn [rad] of either sign. What is not a number is not due.
-  bool is_due(double metres, double radians, double seconds = 0.0) const;
+  /// The same for a distance [m] and a rotation [rad] of either sign. What is not a number is not
+  /// due.
+  bool is_due(double meters, double radians, double seconds = 0.0) const;
 
  private:
   MotionFilterOptions options_;

@@ -17,11 +17,11 @@ MotionSource::Step MotionSource::next(std::int64_t stamp_ns, const SE2& T_odom_b
   stamp_ns_ = stamp_ns;
   newest_.reset();
   Step step = uses_odometry_ ? odometry_.next(T_odom_base) : Step();
-  T_told_ = step.T_before_now;
+  T_reported_ = step.T_before_now;
   if (!is_by_scans()) return step;
   const ExpectedMotion expected = motion_.expected(stamp_ns);
   step.T_before_now = expected.T_before_now;
-  if (uses_odometry_ && watch_.tells_heading()) step.T_before_now.angle = T_told_.angle;
+  if (uses_odometry_ && watch_.reports_heading()) step.T_before_now.angle = T_reported_.angle;
   step.by_scans = expected.spread;
   step.is_stale = false;
   return step;
@@ -40,7 +40,7 @@ void MotionSource::measure(const std::shared_ptr<const PointScan>& scan, Step* s
 std::string MotionSource::settle(const SE2& T_before_now, bool is_shown) {
   const bool was_by_scans = is_by_scans();
   const bool was_silent = is_silent();
-  if (uses_odometry_) watch_.add(T_told_, T_before_now, is_shown);
+  if (uses_odometry_) watch_.add(T_reported_, T_before_now, is_shown);
   if (was_by_scans) {
     if (newest_ == nullptr) scan_odometry_.coast(T_before_now);
     scan_odometry_.settle(T_before_now);
@@ -52,14 +52,14 @@ std::string MotionSource::settle(const SE2& T_before_now, bool is_shown) {
     scan_odometry_.forget();
     if (newest_ != nullptr) scan_odometry_.track(newest_, {});
   }
-  return news(was_silent);
+  return change_of_odometry(was_silent);
 }
 
-std::string MotionSource::news(bool was_silent) const {
+std::string MotionSource::change_of_odometry(bool was_silent) const {
   if (was_silent == is_silent()) return {};
   if (was_silent) return "odometry moves again: it is believed again";
   return "odometry has stood still for " + std::to_string(watch_.scans()) +
-         " scans that moved by " + rounded(watch_.seen_metres()) + " m, " +
+         " scans that moved by " + rounded(watch_.seen_meters()) + " m, " +
          rounded(watch_.seen_radians()) +
          " rad: until it moves, the motion is that of the scans themselves";
 }

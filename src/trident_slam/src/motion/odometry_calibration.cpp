@@ -29,7 +29,7 @@ CalibrationVector start(const SE2& T_base_laser) {
 OdometryCalibration::OdometryCalibration(const SE2& T_base_laser,
                                          const OdometryCalibrationOptions& options)
     : options_(options),
-      T_base_laser_told_(T_base_laser),
+      T_base_laser_nominal_(T_base_laser),
       parameters_(start(T_base_laser)),
       covariance_(as_vector(options.sigma).cwiseAbs2().asDiagonal()),
       information_(CalibrationMatrix::Zero()),
@@ -49,15 +49,15 @@ void OdometryCalibration::interrupt() {
 OdometryCalibration::Outcome OdometryCalibration::add(const SE2& T_before_now,
                                                       const SE2& T_laser_before_now,
                                                       const Eigen::Matrix3d& covariance) {
-  // Where a window begins anew, the pose before was about as well known as this one.
+  // Where a new window begins, the pose before was about as well known as this one.
   if (window_.is_empty && window_.first_covariance.isZero()) window_.first_covariance = covariance;
   window_.is_empty = false;
   window_.motion.add(T_before_now);
   window_.T_laser_first_now = window_.T_laser_first_now * T_laser_before_now;
-  window_.metres += T_before_now.p.norm();
+  window_.meters += T_before_now.p.norm();
   window_.radians += std::abs(T_before_now.angle);
   window_.last_covariance = covariance;
-  if (window_.metres < options_.distance && window_.radians < options_.turn) {
+  if (window_.meters < options_.distance && window_.radians < options_.turn) {
     return Outcome::kPending;
   }
   const Outcome outcome = use_window();
@@ -81,8 +81,8 @@ Eigen::Matrix<double, 3, kCalibrationParameters> OdometryCalibration::shown_by_w
 }
 
 Eigen::Matrix3d OdometryCalibration::noise_of_window(const Eigen::Matrix3d& covariance) const {
-  const double distance = options_.distance_noise * options_.distance_noise * window_.metres;
-  const double yaw = options_.yaw_noise * options_.yaw_noise * window_.metres +
+  const double distance = options_.distance_noise * options_.distance_noise * window_.meters;
+  const double yaw = options_.yaw_noise * options_.yaw_noise * window_.meters +
                      options_.turn_noise * options_.turn_noise * window_.radians;
   const Eigen::Vector3d of_base(distance, distance, yaw);
   const SE2::Adjoint Ad =
@@ -96,7 +96,7 @@ void OdometryCalibration::let_walk() {
   for (int i = 0; i < kCalibrationParameters; ++i) {
     const auto k = static_cast<std::size_t>(i);
     const double first = options_.sigma[k] * options_.sigma[k];
-    const double grown = covariance_(i, i) + window_.metres * options_.walk[k] * options_.walk[k];
+    const double grown = covariance_(i, i) + window_.meters * options_.walk[k] * options_.walk[k];
     if (grown < first) covariance_(i, i) = grown;
   }
 }
@@ -129,7 +129,7 @@ OdometryCalibration::Outcome OdometryCalibration::use_window() {
 SE2 OdometryCalibration::calibrated(const SE2& T_before_now) const {
   CalibratedMotion motion(parameters_, options_.wheel_base);
   motion.add(T_before_now);
-  return T_base_laser_told_ * motion.of_laser() * T_base_laser_told_.inverse();
+  return T_base_laser_nominal_ * motion.of_laser() * T_base_laser_nominal_.inverse();
 }
 
 double OdometryCalibration::sigma(CalibrationParameter parameter) const {

@@ -18,7 +18,7 @@ struct OdometryCalibrationOptions {
   std::array<double, kCalibrationParameters> sigma = {0.1, 0.1, 0.03, 0.1, 0.1, 0.1};
   /// How fast each changes by itself, per root metre: tyres, load and floor do, the laser does not.
   std::array<double, kCalibrationParameters> walk = {1e-3, 1e-3, 3e-4, 0.0, 0.0, 0.0};
-  double wheel_base = 0.0;  ///< of a differential drive, as its odometry believes; 0: not told [m]
+  double wheel_base = 0.0;  ///< of a differential drive, as its odometry assumes; 0: not known [m]
 
   /// Increments are put together until they are a motion of this size [m], [rad]; what is below the
   /// smallest says nothing of the parameters that such a motion would show.
@@ -35,8 +35,8 @@ struct OdometryCalibrationOptions {
 
 /// The wheels of a differential drive, as calibrated.
 struct DifferentialDrive {
-  double left_scale = 1.0;   ///< true by told way
-  double right_scale = 1.0;  ///< likewise
+  double left_scale = 1.0;   ///< true by reported distance
+  double right_scale = 1.0;  ///< true by reported distance
   double wheel_base = 0.0;   ///< [m]
 };
 
@@ -45,7 +45,7 @@ struct DifferentialDrive {
 /// parameters of CalibratedMotion, with gating (after A. Censi, A. Franchi, L. Marchionni,
 /// G. Oriolo, Simultaneous calibration of odometry and sensor parameters for mobile robots, T-RO
 /// 2013, for increments of odometry instead of wheels' velocities). What the motions so far do not
-/// show stays near what was told: driving straight ahead says nothing of turns or of where the
+/// show stays near its nominal value: driving straight ahead says nothing of turns or of where the
 /// laser sits, a circle driven again and again not how far it is to the side.
 class OdometryCalibration {
  public:
@@ -60,8 +60,9 @@ class OdometryCalibration {
   /// The next increment does not follow from the last one: something was not measured.
   void interrupt();
 
-  /// A motion as it was in truth, as far as known, by what odometry tells. Of the base as it lies
-  /// to the laser by what was told, so that maps of the told and of the calibrated base are one.
+  /// The true motion, as far as known, for a motion that odometry reports. It is that of the base
+  /// at its nominal pose relative to the laser, so that maps of the nominal and of the calibrated
+  /// base are one.
   SE2 calibrated(const SE2& T_before_now) const;
 
   const CalibrationVector& parameters() const { return parameters_; }
@@ -85,7 +86,7 @@ class OdometryCalibration {
     explicit Window(const CalibratedMotion& motion) : motion(motion) {}
     CalibratedMotion motion;
     SE2 T_laser_first_now;
-    double metres = 0.0;
+    double meters = 0.0;
     double radians = 0.0;
     Eigen::Matrix3d first_covariance = Eigen::Matrix3d::Zero();
     Eigen::Matrix3d last_covariance = Eigen::Matrix3d::Zero();
@@ -94,7 +95,7 @@ class OdometryCalibration {
   void start_window();
 
   OdometryCalibrationOptions options_;
-  SE2 T_base_laser_told_;
+  SE2 T_base_laser_nominal_;
   CalibrationVector parameters_;
   CalibrationMatrix covariance_;
   CalibrationMatrix information_;  ///< of the motions alone

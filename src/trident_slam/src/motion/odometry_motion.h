@@ -15,7 +15,7 @@ struct MotionSpread {
   double s_yaw = 0.0;  ///< [rad]
 };
 
-/// The motion between two scans as odometry tells it, or none where odometry cannot be believed.
+/// The motion between two scans as odometry reports it, or none where odometry cannot be believed.
 class OdometryMotion {
  public:
   /// Farther [m], or turned more [rad], between two scans is a jump.
@@ -26,9 +26,9 @@ class OdometryMotion {
     SE2 T_before_now;     ///< identity for the first scan and where there is a problem
     std::string problem;  ///< empty, or what is wrong, with values and what is legal
     /// The very same pose as before. It may lag behind: some drivers repeat the latest one that
-    /// they have, and tell of all that was missed in one step.
+    /// they have, and report all that was missed in one step.
     bool is_stale = false;
-    /// Of a motion that scans told, for odometry tells nothing (`MotionSource`).
+    /// Of a motion measured by scans because odometry reports none (`MotionSource`).
     std::optional<MotionSpread> by_scans;
   };
   Step next(const SE2& T_odom_base);

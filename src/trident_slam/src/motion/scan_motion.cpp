@@ -11,26 +11,28 @@ namespace {
 /// Part of a mean that the newest value makes up.
 constexpr double kNewest = 0.1;
 constexpr double kNewestPeriod = 0.05;
-/// A motion goes on for so many usual times between scans at most, ...
+/// A motion continues for so many usual times between scans at most, ...
 constexpr double kLongest = 3.0;
 /// ... and two scans that came at once are taken to be this part of it apart.
 constexpr double kShortest = 0.5;
 /// No step is longer [m, m, rad].
-const SE2::Tangent kMost(2.0, 2.0, 1.5);
+const SE2::Tangent kMaxMotion(2.0, 2.0, 1.5);
 /// What a robot loses of its velocity with each scan that does not show it.
 constexpr double kDamping = 0.7;
 
 /// Standard deviations: of the errors of late, and of the motion, whose part they are.
 constexpr double kErrors = 1.5;
 constexpr double kPartOfMotion = 0.1;
-constexpr double kLeastSigma = 0.03;  // [m], [rad]
-constexpr double kMostSigma = 0.3;
+constexpr double kMinSigma = 0.03;  // [m], [rad]
+constexpr double kMaxSigma = 0.3;
 
-SE2::Tangent bounded(const SE2::Tangent& motion) { return motion.cwiseMin(kMost).cwiseMax(-kMost); }
+SE2::Tangent bounded(const SE2::Tangent& motion) {
+  return motion.cwiseMin(kMaxMotion).cwiseMax(-kMaxMotion);
+}
 
 double sigma(double squared_error, double motion) {
-  return std::clamp(kErrors * std::sqrt(squared_error) + kPartOfMotion * motion, kLeastSigma,
-                    kMostSigma);
+  return std::clamp(kErrors * std::sqrt(squared_error) + kPartOfMotion * motion, kMinSigma,
+                    kMaxSigma);
 }
 
 }  // namespace

@@ -17,14 +17,14 @@ struct ExpectedMotion {
   MotionSpread spread;
 };
 
-/// Predicts the next motion between two scans from those before it, which the scans told: the robot
-/// goes on as it did. Stamps may lie (those of a log are often when a scan was delivered: some come
-/// a millisecond apart, or go back). Two predictions are kept, one of the same motion from scan to
-/// scan as before, one of the same velocity by the stamps, and the one that has erred less of late
-/// is given out. Both are bounded, so that no pair of stamps sends the robot off.
+/// Predicts the next motion between two scans from those before it, which scans measured: the
+/// robot continues as it did. Stamps may lie (those of a log are often when a scan was delivered:
+/// some come a millisecond apart, or go back). Two predictions are kept, one of the same motion
+/// from scan to scan as before, one of the same velocity by the stamps, and the one that has erred
+/// less of late is given out. Both are bounded, so that no pair of stamps sends the robot off.
 class ScanMotion {
  public:
-  /// The motion up to a scan of this stamp. It stands still before any motion was told.
+  /// The motion up to a scan of this stamp. It stands still before any motion was added.
   ExpectedMotion expected(std::int64_t stamp_ns) const;
   /// The motion from the last scan to one of this stamp. `is_sure` false: the scan did not show it.
   void add(std::int64_t stamp_ns, const SE2& T_before_now, bool is_sure);

@@ -14,8 +14,8 @@ namespace {
 /// The scans that a new one is matched with.
 constexpr std::size_t kKept = 12;
 const MotionFilter kKeptApart({0.1, 0.1});
-/// Part of the points that must lie on surfaces, else the pose is sought in the first window, and
-/// in the second one; one that was sought must fit better by the gain.
+/// Part of the points that must lie on surfaces, else the pose is searched for in the first
+/// window, and in the second one; one that was found so must fit better by the gain.
 constexpr double kGoodFit = 0.8;
 constexpr double kPoorFit = 0.6;
 constexpr double kSearchGain = 0.05;
@@ -23,16 +23,16 @@ constexpr SearchWindow kNear{0.4, 0.4};
 constexpr SearchWindow kWide{1.0, 0.9};
 constexpr double kSearchResolution = 0.05;  // [m]
 constexpr std::size_t kSearchPoints = 200;
-constexpr double kLeastResponse = 0.2;
+constexpr double kMinResponse = 0.2;
 /// Less is no match.
-constexpr double kLeastFit = 0.4;
+constexpr double kMinFit = 0.4;
 /// What a match errs by, whatever its points say [m], [rad].
-constexpr double kLeastSigma = 0.01;
-constexpr double kLeastYawSigma = 0.005;
+constexpr double kMinSigma = 0.01;
+constexpr double kMinYawSigma = 0.005;
 constexpr double kLostSigma = 0.3;
 
 /// Consecutive scans err alike less than a scan and a map, and returns without a normal (the far
-/// end of a corridor) are most of what tells the way along it.
+/// end of a corridor) give most of the information along it.
 LineMatchOptions line_options() {
   LineMatchOptions options;
   options.sigma = 0.02;
@@ -78,7 +78,7 @@ MatchResult ScanOdometry::match(const PointScan& scan, const ExpectedMotion& exp
       for (const Placed& placed : recent_) hits->insert(placed.T_local_base, *placed.scan);
     }
     const auto found = match_by_branch_and_bound(*hits, thinned_points(scan, kSearchPoints),
-                                                 prior.T_ref_base, window, kLeastResponse);
+                                                 prior.T_ref_base, window, kMinResponse);
     if (!found) continue;
     const MatchResult other = match_lines(surfels_, scan, found->T_ref_base, prior, line);
     if (other.inlier_fraction > best.inlier_fraction + kSearchGain) best = other;
@@ -95,12 +95,12 @@ ScanStep ScanOdometry::track(const std::shared_ptr<const PointScan>& scan,
     return step;
   }
   const MatchResult best = match(*scan, expected);
-  step.is_sure = best.inlier_fraction >= kLeastFit;
+  step.is_sure = best.inlier_fraction >= kMinFit;
   step.is_open = step.is_sure && best.degeneracy.is_degenerate();
   const SE2 T_local_base = step.is_sure ? best.T_ref_base : T_local_base_ * expected.T_before_now;
   const SE2 T_kept_now = recent_.back().T_local_base.inverse() * T_local_base;
   step.T_before_now = T_kept_before.inverse() * T_kept_now;
-  step.covariance = squared({kLeastSigma, kLeastSigma, kLeastYawSigma});
+  step.covariance = squared({kMinSigma, kMinSigma, kMinYawSigma});
   if (step.is_sure) {
     Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
     R.topLeftCorner<2, 2>() = T_local_base_.rotation().transpose();

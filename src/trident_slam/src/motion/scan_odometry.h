@@ -10,7 +10,7 @@
 
 namespace trident::slam {
 
-/// How the base moved from one scan to the next, as the scans tell it.
+/// How the base moved from one scan to the next, as measured by scans.
 struct ScanStep {
   SE2 T_before_now;
   /// Of (x [m], y [m], yaw [rad]) of that motion, in the base's frame before it.
@@ -20,17 +20,17 @@ struct ScanStep {
 };
 
 /// Odometry by scans alone: each scan is matched with a few that were taken shortly before it, a
-/// little way apart. While the robot stands they stay the same, so that it does not creep; they are
-/// not blurred by what a map has gathered over time, so that in a corridor even small features
-/// count.
+/// little distance apart. While the robot stands they stay the same, so that it does not creep;
+/// they are not blurred by what a map has gathered over time, so that in a corridor even small
+/// features count.
 class ScanOdometry {
  public:
   /// The next scan, and where it is expected to be.
   ScanStep track(const std::shared_ptr<const PointScan>& scan, const ExpectedMotion& expected);
   /// A scan that shows nothing: the base has moved like this.
   void coast(const SE2& T_before_now);
-  /// The motion up to the newest scan as it was believed in the end, by the map. Motions are told
-  /// from where the map put the scans that the next one is matched with.
+  /// The motion up to the newest scan as it was believed in the end, by the map. Motions are
+  /// counted from where the map put the scans that the next one is matched with.
   void settle(const SE2& T_before_now);
   void forget() { *this = ScanOdometry(); }
 

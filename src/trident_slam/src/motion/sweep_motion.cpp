@@ -10,10 +10,10 @@ namespace {
 
 constexpr double kLongestMotion = 1.0;  // [s]
 /// What moves faster, by odometry and stamps, has stamps that lie.
-constexpr double kFastest = 100.0;                  // [m/s], [rad/s]
-constexpr std::int64_t kKept = 10'000'000'000;      // [ns]
-constexpr std::int64_t kLongestGap = 100'000'000;   // [ns]
-constexpr std::int64_t kBegunAnew = 1'000'000'000;  // [ns]
+constexpr double kFastest = 100.0;                   // [m/s], [rad/s]
+constexpr std::int64_t kKept = 10'000'000'000;       // [ns]
+constexpr std::int64_t kLongestGap = 100'000'000;    // [ns]
+constexpr std::int64_t kRestartGap = 1'000'000'000;  // [ns]
 
 }  // namespace
 
@@ -32,7 +32,7 @@ Eigen::Vector3d sweep_twist(const LaserScan& scan, const SE2& T_before_now, doub
 
 bool YawRates::add(std::int64_t stamp_ns, double yaw_rate) {
   if (!(std::abs(yaw_rate) <= kFastest)) return false;
-  if (!samples_.empty() && stamp_ns < samples_.back().stamp_ns - kBegunAnew) samples_.clear();
+  if (!samples_.empty() && stamp_ns < samples_.back().stamp_ns - kRestartGap) samples_.clear();
   if (!samples_.empty() && stamp_ns <= samples_.back().stamp_ns) return false;
   samples_.push_back({stamp_ns, yaw_rate});
   while (samples_.front().stamp_ns < stamp_ns - kKept) samples_.pop_front();

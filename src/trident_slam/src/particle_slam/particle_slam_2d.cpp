@@ -97,15 +97,15 @@ class ParticleSlam2d::Impl {
   }
 
  private:
-  /// The way since the maps were updated, as tracked.
+  /// The path length since the maps were updated, as tracked.
   struct SinceUpdate {
     SE2 T_update_base;
-    double metres = 0.0;
+    double meters = 0.0;
     double radians = 0.0;
     bool is_lost = false;
     void add(const SE2& T_before_now, bool had_problem) {
       T_update_base = T_update_base * T_before_now;
-      metres += T_before_now.p.norm();
+      meters += T_before_now.p.norm();
       radians += std::abs(T_before_now.angle);
       is_lost = is_lost || had_problem;
     }
@@ -129,7 +129,7 @@ class ParticleSlam2d::Impl {
   bool is_update_due(std::int64_t stamp_ns) const {
     const double seconds = 1e-9 * static_cast<double>(stamp_ns - update_stamp_ns_);
     return since_update_.is_lost ||
-           update_filter_.is_due(since_update_.metres, since_update_.radians, seconds);
+           update_filter_.is_due(since_update_.meters, since_update_.radians, seconds);
   }
 
   PointScan thinned(PointScan points) const {
@@ -158,11 +158,11 @@ class ParticleSlam2d::Impl {
   }
 
   PoseGaussian moved(const SE2& T_map_base) const {
-    constexpr double kLeast = 1e-3;  // [m], [rad]: a standing robot's pose is not exact either
-    const double metres = since_update_.metres;
+    constexpr double kMinSigma = 1e-3;  // [m], [rad]: a standing robot's pose is not exact either
+    const double meters = since_update_.meters;
     const double radians = since_update_.radians;
-    const double linear = std::hypot(params_.srr * metres, params_.srt * radians) + kLeast;
-    const double angular = std::hypot(params_.str * metres, params_.stt * radians) + kLeast;
+    const double linear = std::hypot(params_.srr * meters, params_.srt * radians) + kMinSigma;
+    const double angular = std::hypot(params_.str * meters, params_.stt * radians) + kMinSigma;
     const double lost = since_update_.is_lost ? 1.0 : 0.0;
     PoseGaussian result;
     result.T_map_base = T_map_base * since_update_.T_update_base;
@@ -245,7 +245,7 @@ class ParticleSlam2d::Impl {
   ParticleSlamParams params_;
   MotionFilter update_filter_;
   RandomStream stream_;
-  HectorSlam2d tracker_;  ///< the way from scan to scan
+  HectorSlam2d tracker_;  ///< the motion from scan to scan
   SE2 tracked_;           ///< the base in the tracker's map
   std::vector<Particle> particles_;
   std::vector<Keyframe> keyframes_;

@@ -26,7 +26,7 @@ struct Proposal {
 
 /// Minimum of sum (1 - M(p))^2 / (2 sigma^2) + half the squared Mahalanobis distance to `motion`,
 /// by Gauss-Newton, with its curvature: the Laplace approximation of p(scan, pose | map, odometry).
-/// `beam_weight`: how much one point counts, since neighbours are not
+/// `beam_weight`: how much one point counts, since neighbors are not
 /// independent.
 Proposal propose(const ProbabilityGrid& map, const PointScan& scan, const PoseGaussian& motion,
                  double beam_weight);

@@ -16,7 +16,7 @@ using Supernode = BlockSymbolic::Supernode;
 template <int kSize>
 constexpr int kStrip = kSize == 2 ? 2 : 3;
 
-// Places in one stretch of memory for pieces that come and go: always the lowest gap that fits.
+// Allocates pieces in one block of memory: always the lowest gap that fits.
 class FirstFit {
  public:
   std::size_t take(std::size_t size) {
@@ -143,7 +143,7 @@ void BlockCholesky<kSize>::add_child(std::size_t parent, std::size_t child) {
 }
 
 template <int kSize>
-bool BlockCholesky<kSize>::factorise(const BlockMatrix<kSize>& matrix) {
+bool BlockCholesky<kSize>::factorize(const BlockMatrix<kSize>& matrix) {
   const std::vector<Supernode>& nodes = symbolic_->supernodes();
   for (std::size_t s = 0; s < nodes.size(); ++s) {
     const Supernode& node = nodes[s];
@@ -154,7 +154,7 @@ bool BlockCholesky<kSize>::factorise(const BlockMatrix<kSize>& matrix) {
     if (below > 0) std::fill_n(update_of(s), padded_rows(below) * below, 0.0);
     for (const int child : node.children) add_child(s, child);
     double* panel = panels_.data() + panel_begin_[s];
-    if (!factorise_panel(panel, ld, columns + below, columns, kStrip<kSize>)) return false;
+    if (!factorize_panel(panel, ld, columns + below, columns, kStrip<kSize>)) return false;
     if (below > 0) {
       subtract_outer_product(update_of(s), padded_rows(below), panel + columns, ld, below, columns,
                              kStrip<kSize>);
@@ -225,7 +225,7 @@ typename BlockCholesky<kSize>::Columns BlockCholesky<kSize>::half_solve(int vari
   for (int c = 0; c < kSize; ++c) {
     double* x = result.data() + c * result.rows();
     x[kSize * position + c] = 1.0;
-    // Only the supernodes on the way to the root are met.
+    // Only the supernodes on the path to the root are visited.
     for (int s = symbolic_->supernode_of(position); s != -1;) {
       const Supernode& node = symbolic_->supernodes()[s];
       forward(node, panels_.data() + panel_begin_[s], x);

@@ -41,7 +41,7 @@ class BlockCholesky {
   void reset(std::shared_ptr<const BlockSymbolic> symbolic);
 
   /// False when the matrix is not positive definite; then nothing may be solved.
-  bool factorise(const BlockMatrix<kSize>& matrix);
+  bool factorize(const BlockMatrix<kSize>& matrix);
 
   /// Solves A x = b; `vector` holds b, then x, in the order of the variables.
   void solve(Eigen::VectorXd& vector);

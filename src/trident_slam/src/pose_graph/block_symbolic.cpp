@@ -189,9 +189,9 @@ void BlockSymbolic::add_supernodes(const std::vector<int>& counts, const std::ve
   std::vector<Group> groups;  // a stack, of which the last one may still grow
   std::vector<Group> fundamental;
   for (int column = 0; column < size; ++column) {
-    const bool goes_on = column > 0 && parent[column - 1] == column && children[column] == 1 &&
-                         counts[column - 1] == counts[column] + 1;
-    if (goes_on) {
+    const bool extends_last = column > 0 && parent[column - 1] == column && children[column] == 1 &&
+                              counts[column - 1] == counts[column] + 1;
+    if (extends_last) {
       ++fundamental.back().columns;
     } else {
       fundamental.push_back({column, 1, counts[column], 0.0});

@@ -98,7 +98,7 @@ class ChordalStart {
     for (const auto& edge : system_.edges()) {
       add_terms(edge, Vectors::turn(edge.measured.R), rotation_weight(edge) * Block::Identity());
     }
-    if (!cholesky_.factorise(matrix_)) return false;
+    if (!cholesky_.factorize(matrix_)) return false;
     std::vector<Eigen::VectorXd> solutions;
     for (int k = 0; k < Vectors::kCount; ++k) {
       solutions.push_back(rotation_terms(k));
@@ -148,7 +148,7 @@ class ChordalStart {
       if (to != -1) x.template segment<kSpace>(kSpace * to) += W * offset;
       if (from != -1) x.template segment<kSpace>(kSpace * from) -= W * offset;
     }
-    if (!cholesky_.factorise(matrix_)) return false;
+    if (!cholesky_.factorize(matrix_)) return false;
     cholesky_.solve(x);
     for (int unknown = 0; unknown < system_.unknowns(); ++unknown) {
       poses_[system_.vertex(unknown)].p = x.template segment<kSpace>(kSpace * unknown);

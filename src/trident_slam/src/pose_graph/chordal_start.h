@@ -14,7 +14,7 @@ namespace trident::slam {
 template <class Group>
 typename PoseSystem<Group>::Poses chordal_start(const PoseSystem<Group>& system);
 
-/// Puts the system's poses where the optimisation is to start, and tells so in the report.
+/// Moves the system's poses to where the optimisation is to start, and notes that in the report.
 template <class Group>
 void apply_start(PoseSystem<Group>& system, PoseGraphStart start, PoseGraphReport& report);
 

@@ -114,7 +114,7 @@ Update update_of_strips() {
 Update update_for(int strip) { return strip == 2 ? update_of_strips<2>() : update_of_strips<3>(); }
 
 // Cholesky of one strip of columns whose earlier columns are already subtracted.
-bool factorise_strip(double* strip, std::ptrdiff_t ld, std::ptrdiff_t rows, int columns) {
+bool factorize_strip(double* strip, std::ptrdiff_t ld, std::ptrdiff_t rows, int columns) {
   for (int c = 0; c < columns; ++c) {
     double* column = strip + c * ld;
     for (int before = 0; before < c; ++before) {
@@ -139,7 +139,7 @@ void subtract_outer_product(double* C, std::ptrdiff_t ldc, const double* A, std:
   update_for(strip)(C, ldc, A, lda, n, n, depth);
 }
 
-bool factorise_panel(double* panel, std::ptrdiff_t ld, std::ptrdiff_t rows, std::ptrdiff_t columns,
+bool factorize_panel(double* panel, std::ptrdiff_t ld, std::ptrdiff_t rows, std::ptrdiff_t columns,
                      int strip) {
   constexpr std::ptrdiff_t kBlock = 48;  // of columns: what is read again stays in the cache
   const Update update = update_for(strip);
@@ -148,7 +148,7 @@ bool factorise_panel(double* panel, std::ptrdiff_t ld, std::ptrdiff_t rows, std:
     for (std::ptrdiff_t column = begin; column < end; column += strip) {
       double* diagonal = panel + column * ld + column;
       update(diagonal, ld, panel + begin * ld + column, ld, rows - column, strip, column - begin);
-      if (!factorise_strip(diagonal, ld, rows - column, strip)) return false;
+      if (!factorize_strip(diagonal, ld, rows - column, strip)) return false;
     }
     update(panel + end * ld + end, ld, panel + begin * ld + end, ld, rows - end, columns - end,
            end - begin);

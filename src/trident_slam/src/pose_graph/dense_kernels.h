@@ -27,7 +27,7 @@ void subtract_outer_product(double* C, std::ptrdiff_t ldc, const double* A, std:
 /// Cholesky factorisation of the first `columns` columns of a tall matrix of `rows` rows, in place:
 /// the lower triangle L11 on top, L21 = A21 * L11^-T below. Diagonal elements become their
 /// reciprocals. False when a pivot is not > 0. `strip`: 2 or 3, which divides `columns`.
-bool factorise_panel(double* panel, std::ptrdiff_t ld, std::ptrdiff_t rows, std::ptrdiff_t columns,
+bool factorize_panel(double* panel, std::ptrdiff_t ld, std::ptrdiff_t rows, std::ptrdiff_t columns,
                      int strip);
 
 /// Only two numbers at a time, as processors without AVX2 do it; for tests.

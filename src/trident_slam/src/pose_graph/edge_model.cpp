@@ -132,7 +132,7 @@ Matrix6d EdgeModel<SE3>::inverse_adjoint(const Pose& T) {
 }
 
 EdgeModel<SE3>::Pose EdgeModel<SE3>::moved(const Pose& T, const Tangent& step) {
-  // By way of a quaternion, normalised so that roundings do not gather.
+  // Through a quaternion, normalised so that roundings do not gather.
   const Eigen::Quaterniond R = Eigen::Quaterniond(T.R) * so3_exp(step.tail<3>());
   return {R.normalized().toRotationMatrix(), T.p + T.R * step.head<3>()};
 }

@@ -220,18 +220,18 @@ class Reader {
   // Breadth first from the lowest id of each connected part.
   template <class Group>
   static void add_vertices_of_edges(const Parts<Group>& parts, PoseGraph<Group>& graph) {
-    std::map<int, std::vector<std::pair<int, Group>>> neighbours;
+    std::map<int, std::vector<std::pair<int, Group>>> neighbors;
     for (const auto& [edge, number] : parts.edges) {
-      neighbours[edge.from].emplace_back(edge.to, edge.T_from_to);
-      neighbours[edge.to].emplace_back(edge.from, edge.T_from_to.inverse());
+      neighbors[edge.from].emplace_back(edge.to, edge.T_from_to);
+      neighbors[edge.to].emplace_back(edge.from, edge.T_from_to.inverse());
     }
     std::map<int, Group> poses;
-    for (const auto& [root, ignored] : neighbours) {
+    for (const auto& [root, ignored] : neighbors) {
       if (!poses.try_emplace(root, Group::identity()).second) continue;
       std::queue<int> waiting({root});
       for (; !waiting.empty(); waiting.pop()) {
         const Group T = poses.at(waiting.front());
-        for (const auto& [id, T_next] : neighbours[waiting.front()]) {
+        for (const auto& [id, T_next] : neighbors[waiting.front()]) {
           if (poses.try_emplace(id, T * T_next).second) waiting.push(id);
         }
       }

@@ -69,8 +69,8 @@ class IncrementalPoseGraph<Group>::Solver {
 
   // False when it would raise the cost, by more than roundings do where there is nothing to gain.
   bool step() {
-    system_.linearise(system_.poses, H_, g_);
-    if (!cholesky_.factorise(H_)) return false;
+    system_.linearize(system_.poses, H_, g_);
+    if (!cholesky_.factorize(H_)) return false;
     newton_ = -g_;
     cholesky_.solve(newton_);
     if (!newton_.allFinite()) return false;

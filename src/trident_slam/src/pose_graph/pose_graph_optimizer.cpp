@@ -47,9 +47,9 @@ class PoseGraphOptimizer<Group>::Impl {
     system_.load(graph);
     PoseGraphReport report;
     begin_report(system_, report);
-    if (options_.is_graduated) doubt(1.0);
+    if (options_.is_graduated) set_gnc_mu(1.0);
     apply_start(system_, options_.start, report);
-    if (options_.is_graduated) graduate(report);
+    if (options_.is_graduated) run_gnc(report);
     const auto start = system_.poses;
     const bool was_easy = search(options_, report);
     const bool has_another = options_.tries_both_starts && !options_.is_graduated;
@@ -60,7 +60,7 @@ class PoseGraphOptimizer<Group>::Impl {
   }
 
   Covariance marginal(const PoseGraph<Group>& graph, int id) {
-    const int unknown = factorise(graph, graph.index(id));
+    const int unknown = factorize(graph, graph.index(id));
     if (unknown == -1) return Covariance::Zero();
     const auto half = cholesky_->half_solve(unknown);
     return half.transpose() * half;
@@ -69,7 +69,7 @@ class PoseGraphOptimizer<Group>::Impl {
   Covariance relative(const PoseGraph<Group>& graph, int from, int to) {
     const std::size_t a = graph.index(from);
     const std::size_t b = graph.index(to);
-    const int unknown_a = factorise(graph, a);
+    const int unknown_a = factorize(graph, a);
     const int unknown_b = system_.unknown(b);
     // A step d_a of T_a moves T_ab as the step -Ad(T_ab^-1) d_a of T_b does.
     using Columns = typename BlockCholesky<kDimension>::Columns;
@@ -84,18 +84,18 @@ class PoseGraphOptimizer<Group>::Impl {
 
  private:
   // The index of the vertex's unknown, with H at the graph's poses factorised.
-  int factorise(const PoseGraph<Group>& graph, std::size_t vertex) {
+  int factorize(const PoseGraph<Group>& graph, std::size_t vertex) {
     system_.load(graph);
-    system_.linearise(system_.poses, H_, g_);
+    system_.linearize(system_.poses, H_, g_);
     cholesky_ = std::make_unique<BlockCholesky<kDimension>>(system_.symbolic());
-    if (!cholesky_->factorise(H_)) {
+    if (!cholesky_->factorize(H_)) {
       throw Error("pose graph: the edges do not determine every vertex, so there is no covariance");
     }
     return system_.unknown(vertex);
   }
 
   // Gives edges that are not trusted the kernel of graduated non-convexity.
-  void doubt(double mu) {
+  void set_gnc_mu(double mu) {
     for (auto& edge : system_.edges()) {
       if (edge.is_trusted) continue;
       edge.kernel = RobustKernel::kGemanMcClure;
@@ -106,19 +106,19 @@ class PoseGraphOptimizer<Group>::Impl {
   // Straight from the start, and from a kernel so wide that the cost is nearly convex: whichever
   // ends lower. The first is right where the start is good and many loops are false, so that the
   // convex cost is theirs; the second where the start is bad.
-  void graduate(PoseGraphReport& report) {
+  void run_gnc(PoseGraphReport& report) {
     const auto start = system_.poses;
-    doubt(1.0);
+    set_gnc_mu(1.0);
     search(options_, report);
     const auto direct = system_.poses;
     system_.poses = start;
-    narrow(report);
+    anneal(report);
     if (system_.cost(direct).robust < system_.cost(system_.poses).robust) system_.poses = direct;
     reject();
   }
 
   // From the wide kernel down to the true one.
-  void narrow(PoseGraphReport& report) {
+  void anneal(PoseGraphReport& report) {
     constexpr double kFactor = 1.4;
     double worst = 0.0;
     for (const auto& edge : system_.edges()) {
@@ -128,10 +128,10 @@ class PoseGraphOptimizer<Group>::Impl {
     options.max_iterations = 2;
     const double scale2 = options_.graduated_scale * options_.graduated_scale;
     for (double mu = 2.0 * worst / scale2; mu > 1.0; mu /= kFactor) {
-      doubt(mu);
+      set_gnc_mu(mu);
       search(options, report);
     }
-    doubt(1.0);
+    set_gnc_mu(1.0);
     search(options_, report);
   }
 

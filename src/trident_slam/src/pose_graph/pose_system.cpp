@@ -211,7 +211,7 @@ void PoseSystem<Group>::add_edge_terms(const Edge& edge, const Poses& at,
 }
 
 template <class Group>
-void PoseSystem<Group>::linearise(const Poses& at, BlockMatrix<kDimension>& H,
+void PoseSystem<Group>::linearize(const Poses& at, BlockMatrix<kDimension>& H,
                                   Eigen::VectorXd& g) const {
   H.set_zero(unknowns(), pairs_.size());
   g.setZero(kDimension * unknowns());

@@ -59,7 +59,7 @@ class PoseSystem {
 
   Cost cost(const Poses& poses) const;
   /// H and g (of the unknowns, in their order) at these poses.
-  void linearise(const Poses& poses, BlockMatrix<kDimension>& H, Eigen::VectorXd& g) const;
+  void linearize(const Poses& poses, BlockMatrix<kDimension>& H, Eigen::VectorXd& g) const;
   /// The poses after a step of the unknowns.
   void move(const Poses& from, const Eigen::VectorXd& step, Poses& to) const;
 

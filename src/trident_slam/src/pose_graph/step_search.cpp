@@ -8,12 +8,12 @@
 namespace trident::slam {
 namespace {
 
-constexpr double kLeastLambda = 1e-6;
+constexpr double kMinLambda = 1e-6;
 /// Damping that was needed is let go of slowly: from nothing it takes a step that is rejected to
 /// find each power of two again.
 constexpr double kForgottenLambda = 1e-12;
-constexpr double kMostLambda = 1e12;
-constexpr double kLeastRadiusRatio = 1e-9;
+constexpr double kMaxLambda = 1e12;
+constexpr double kMinRadiusRatio = 1e-9;
 
 }  // namespace
 
@@ -26,7 +26,7 @@ bool StepSearch<Group>::run() {
   if (system_.unknowns() == 0) return true;
   cost_ = system_.cost(system_.poses).robust;
   while (iterations_ < options_.max_iterations) {
-    system_.linearise(system_.poses, H_, g_);
+    system_.linearize(system_.poses, H_, g_);
     const Outcome outcome = iterate();
     if (outcome != Outcome::kMoved) return outcome == Outcome::kConverged;
   }
@@ -51,7 +51,7 @@ typename StepSearch<Group>::Outcome StepSearch<Group>::iterate() {
 
 template <class Group>
 typename StepSearch<Group>::Outcome StepSearch<Group>::iterate_damped() {
-  while (iterations_ < options_.max_iterations && lambda_ < kMostLambda) {
+  while (iterations_ < options_.max_iterations && lambda_ < kMaxLambda) {
     if (solve(lambda_)) {
       const double promised = promised_by(newton_);
       const double before = cost_;
@@ -65,7 +65,7 @@ typename StepSearch<Group>::Outcome StepSearch<Group>::iterate_damped() {
       if (is_negligible(promised)) return Outcome::kConverged;
     }
     has_rejected_ = true;
-    lambda_ = std::max(kLeastLambda, lambda_ * growth_);
+    lambda_ = std::max(kMinLambda, lambda_ * growth_);
     growth_ *= 2.0;
   }
   return Outcome::kStuck;
@@ -92,7 +92,7 @@ typename StepSearch<Group>::Outcome StepSearch<Group>::iterate_dogleg() {
     if (is_negligible(promised)) return Outcome::kConverged;
     has_rejected_ = true;
     radius_ = 0.5 * std::min(radius_, length(step));
-    if (radius_ < kLeastRadiusRatio * newton_length) return Outcome::kStuck;
+    if (radius_ < kMinRadiusRatio * newton_length) return Outcome::kStuck;
     if (++iterations_ >= options_.max_iterations) return Outcome::kMoved;
   }
 }
@@ -106,7 +106,7 @@ bool StepSearch<Group>::solve(double lambda) {
     for (auto& block : damped_.diagonal) block.diagonal() *= 1.0 + lambda;
     matrix = &damped_;
   }
-  if (!cholesky_.factorise(*matrix)) return false;
+  if (!cholesky_.factorize(*matrix)) return false;
   newton_ = -g_;
   cholesky_.solve(newton_);
   return newton_.allFinite();
@@ -115,7 +115,7 @@ bool StepSearch<Group>::solve(double lambda) {
 template <class Group>
 bool StepSearch<Group>::solve_somehow() {
   if (solve(0.0)) return true;
-  for (double lambda = kLeastLambda; lambda < kMostLambda; lambda *= 100.0) {
+  for (double lambda = kMinLambda; lambda < kMaxLambda; lambda *= 100.0) {
     if (solve(lambda)) return true;
   }
   return false;
@@ -148,13 +148,13 @@ Eigen::VectorXd StepSearch<Group>::dogleg_step(const Eigen::VectorXd& downhill) 
   const double downhill_length = length(downhill);
   if (downhill_length >= radius_) return (radius_ / downhill_length) * downhill;
   // |downhill + t (newton - downhill)| = radius; the length is a norm of weighted squares.
-  const Eigen::VectorXd way = newton_ - downhill;
-  const double a = std::pow(length(way), 2);
-  const double both = std::pow(length(downhill + way), 2);
+  const Eigen::VectorXd to_newton = newton_ - downhill;
+  const double a = std::pow(length(to_newton), 2);
+  const double both = std::pow(length(downhill + to_newton), 2);
   const double b = 0.5 * (both - a - downhill_length * downhill_length);
   const double c = downhill_length * downhill_length - radius_ * radius_;
   const double t = (-b + std::sqrt(std::max(0.0, b * b - a * c))) / a;
-  return downhill + t * way;
+  return downhill + t * to_newton;
 }
 
 template <class Group>

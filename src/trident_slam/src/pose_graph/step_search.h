@@ -23,8 +23,8 @@ class StepSearch {
   bool run();
   /// Linear systems solved, and shorter steps tried.
   int iterations() const { return iterations_; }
-  /// Whether some step raised the cost: the way led past where the linearisation holds, and may
-  /// have ended in a minimum that is not the lowest.
+  /// Whether some step raised the cost: the steps left the region where the linearisation holds,
+  /// and may have ended in a minimum that is not the lowest.
   bool has_rejected() const { return has_rejected_; }
 
  private:

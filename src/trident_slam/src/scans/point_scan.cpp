@@ -12,8 +12,8 @@ namespace {
 
 /// Beams to each side that take part in the line of a normal: at least so many, and as many more
 /// as lie within the reach. Close to a wall few beams would span less than the scanner's noise.
-constexpr int kMinNeighbours = 3;
-constexpr int kMaxNeighbours = 24;
+constexpr int kMinNeighbors = 3;
+constexpr int kMaxNeighbors = 24;
 constexpr double kReach = 0.15;  // [m]
 /// ... or farther where the scanner's noise is larger, for a line over so many standard deviations
 /// of it to each side leans by no more than a few degrees.
@@ -42,7 +42,7 @@ double largest_gap(double range, double angle_increment) {
 }
 
 /// Standard deviation of the ranges [m], by the median of how far each is from the middle of those
-/// beside it: of beams on one surface that is noise, as long as the surface is nearly straight.
+/// next to it: of beams on one surface that is noise, as long as the surface is nearly straight.
 double range_noise(const std::vector<double>& ranges, double angle_increment) {
   std::vector<double> bends;
   bends.reserve(ranges.size());
@@ -144,9 +144,9 @@ class Normals {
     for (int i = 0; i < size; ++i) {
       SurfacePoint& point = scan_.points[i];
       int begin = i;
-      while (begin > first_[i] && is_neighbour(i, begin - 1)) --begin;
+      while (begin > first_[i] && is_neighbor(i, begin - 1)) --begin;
       int end = i + 1;
-      while (end < end_[i] && is_neighbour(i, end)) ++end;
+      while (end < end_[i] && is_neighbor(i, end)) ++end;
       point.normal = normal_at(i, begin, end);
       if (point.normal.dot(scan_.origin - point.p) < 0.0F) point.normal = -point.normal;
     }
@@ -173,7 +173,8 @@ class Normals {
   /// From the points begin to end - 1 about point i; by a corner from those on one side of it
   /// alone: a line about the corner leans, and what leans slides along the wall when scans are
   /// matched. M. Kuwahara et al., "Processing of RI-angiocardiographic images", 1976, for the
-  /// choice. A side that spreads little by the scanner's noise is none: see kMinSpreadByNoise.
+  /// choice. A side that spreads little compared with the scanner's noise does not count: see
+  /// kMinSpreadByNoise.
   Eigen::Vector2f normal_at(int i, int begin, int end) const {
     const Eigen::Vector2f beam = scan_.points[i].p - scan_.origin;
     const Scatter both = scatter(begin, end);
@@ -197,10 +198,10 @@ class Normals {
 
   Scatter scatter(int begin, int end) const { return {sums_[end] - sums_[begin], end - begin}; }
 
-  bool is_neighbour(int i, int j) const {
+  bool is_neighbor(int i, int j) const {
     const int apart = std::abs(i - j);
-    if (apart > kMaxNeighbours) return false;
-    return apart <= kMinNeighbours ||
+    if (apart > kMaxNeighbors) return false;
+    return apart <= kMinNeighbors ||
            (scan_.points[j].p - scan_.points[i].p).squaredNorm() <= squared_reach_;
   }
 
@@ -209,7 +210,7 @@ class Normals {
   std::vector<int> first_;
   std::vector<int> end_;
   double noise_variance_ = 0.0;  ///< of the ranges [m^2]
-  float squared_reach_ = 0.0F;   ///< of the neighbours that take part in a line [m^2]
+  float squared_reach_ = 0.0F;   ///< of the neighbors that take part in a line [m^2]
 };
 
 /// The directions of a scan's beams one after the other: cosine and sine.

@@ -14,7 +14,7 @@ namespace {
 /// at either end. Where readings were lost, more is missing.
 constexpr double kLikeSteps = 0.05;
 constexpr double kLikeEnds = 2.0;
-constexpr std::size_t kMostNewcomers = 16;
+constexpr std::size_t kMaxNewcomers = 16;
 
 struct ReturnCounts {
   std::size_t usable = 0, not_a_number = 0, infinite = 0, zero = 0;
@@ -40,7 +40,7 @@ ReturnCounts count_returns(const LaserScan& scan) {
 std::string too_few(const LaserScan& scan, const ReturnCounts& counts) {
   return std::to_string(counts.usable) + " of " + std::to_string(scan.size()) +
          " beams have a return within [" + number_text(scan.range_min) + ", " +
-         number_text(scan.range_max) + "] m, needed: " + std::to_string(ScanCheck::kFewestReturns) +
+         number_text(scan.range_max) + "] m, needed: " + std::to_string(ScanCheck::kMinReturns) +
          " (" + std::to_string(counts.not_a_number) + " NaN, " + std::to_string(counts.infinite) +
          " infinite, " + std::to_string(counts.zero) + " zero)";
 }
@@ -66,7 +66,7 @@ bool ScanCheck::is_believed(const Pattern& pattern) {
     return pattern.is_like(known.pattern);
   });
   if (it == newcomers_.end()) {
-    if (newcomers_.size() == kMostNewcomers) newcomers_.erase(newcomers_.begin());
+    if (newcomers_.size() == kMaxNewcomers) newcomers_.erase(newcomers_.begin());
     it = newcomers_.insert(newcomers_.end(), Newcomer{pattern, scans_, 0});
   } else if (scans_ - it->first_scan >= kPatienceScans) {
     *it = {pattern, scans_, 0};
@@ -93,7 +93,7 @@ std::string ScanCheck::problem(const LaserScan& scan) {
                 : " and " + std::to_string(patterns_.size() - 1) + " other patterns");
   }
   const ReturnCounts counts = count_returns(scan);
-  return counts.usable < kFewestReturns ? too_few(scan, counts) : std::string();
+  return counts.usable < kMinReturns ? too_few(scan, counts) : std::string();
 }
 
 }  // namespace trident::slam

@@ -10,9 +10,9 @@
 
 namespace trident::slam {
 
-/// Tells scans that a map can be made of from those that would harm it. A scanner may send several
-/// beam patterns by turns (one beam more or less, other start angles, other steps): each scan is
-/// seen by its own angles.
+/// Distinguishes scans that a map can be made of from those that would harm it. A scanner may send
+/// several beam patterns by turns (one beam more or less, other start angles, other steps): each
+/// scan is seen by its own angles.
 class ScanCheck {
  public:
   /// Empty, or what is wrong with the scan, with values and what is legal. Beams that look through
@@ -22,7 +22,7 @@ class ScanCheck {
 
   static constexpr int kPatience = 10;
   static constexpr int kPatienceScans = 200;
-  static constexpr std::size_t kFewestReturns = 5;
+  static constexpr std::size_t kMinReturns = 5;
 
  private:
   /// How beams lie.

@@ -11,7 +11,7 @@ namespace trident::slam {
 namespace {
 
 constexpr double kFarFromMap = 1000.0;  // [m]
-constexpr double kFarFromOrigin = 1e5;  // [m]; single floats tell 8 mm there
+constexpr double kFarFromOrigin = 1e5;  // [m]; single floats resolve 8 mm there
 
 }  // namespace
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "conformance/scan_world.h"
-#include "trident_slam/slam_2d_abilities.h"
+#include "trident_slam/slam_2d_capabilities.h"
 #include "trident_slam/slam_2d_factory.h"
 
 namespace trident::slam {
@@ -45,7 +45,7 @@ const std::map<std::string, Expected>& expected() {
 
 /// A drive with something wrong in it need not be as long as the others.
 constexpr std::size_t kScansOfALap = 160;
-constexpr std::size_t kScansAfterTrouble = 130;
+constexpr std::size_t kScansAfterProblem = 130;
 
 bool is_same(const SE2& a, const SE2& b) { return a.p == b.p && a.angle == b.angle; }
 
@@ -156,9 +156,9 @@ TEST_P(Slam2dConformance, TheSameScansGiveTheSameBits) {
   EXPECT_EQ(a.slam->map().cells, b.slam->map().cells);
 }
 
-TEST_P(Slam2dConformance, BadScansAreToldOfAndHarmNothing) {
+TEST_P(Slam2dConformance, BadScansAreReportedAndHarmNothing) {
   const auto slam = make();
-  int told = 0;
+  int reported = 0;
   for (std::size_t k = 0; k < kScansOfALap; ++k) {
     const auto& step = world().steps()[k];
     LaserScan scan = step.scan;
@@ -172,17 +172,17 @@ TEST_P(Slam2dConformance, BadScansAreToldOfAndHarmNothing) {
     for (std::size_t beam = k % 7; beam < scan.size(); beam += 37) scan.ranges[beam] = nan;
     const ScanPose2d pose = slam->add_scan(scan, step.T_odom_base);
     ASSERT_TRUE(pose.T_map_base.p.allFinite());
-    if (is_bad && !pose.problem.empty()) ++told;
+    if (is_bad && !pose.problem.empty()) ++reported;
   }
   slam->finish();
   EXPECT_LT(largest_error(*slam), 1.5 * expectation().largest_error);
-  if (GetParam() != "odometry") EXPECT_GE(told, static_cast<int>(kScansOfALap) / 20 - 1);
+  if (GetParam() != "odometry") EXPECT_GE(reported, static_cast<int>(kScansOfALap) / 20 - 1);
 }
 
-TEST_P(Slam2dConformance, OdometryThatIsNoNumberIsToldOfAndHarmsNothing) {
+TEST_P(Slam2dConformance, OdometryThatIsNotANumberIsReportedAndHarmsNothing) {
   if (GetParam() == "odometry") GTEST_SKIP() << "it has nothing but odometry";
   const auto slam = make();
-  for (std::size_t k = 0; k < kScansAfterTrouble; ++k) {
+  for (std::size_t k = 0; k < kScansAfterProblem; ++k) {
     const auto& step = world().steps()[k];
     SE2 T_odom_base = step.T_odom_base;
     if (k == 60) T_odom_base.p.x() = std::numeric_limits<double>::quiet_NaN();
@@ -194,11 +194,11 @@ TEST_P(Slam2dConformance, OdometryThatIsNoNumberIsToldOfAndHarmsNothing) {
   EXPECT_LT(largest_error(*slam), 1.5 * expectation().largest_error);
 }
 
-TEST_P(Slam2dConformance, AJumpOfOdometryIsToldOfAndHarmsNothing) {
+TEST_P(Slam2dConformance, AJumpOfOdometryIsReportedAndHarmsNothing) {
   if (GetParam() == "odometry") GTEST_SKIP() << "it has nothing but odometry";
   const auto slam = make();
   const SE2 jump = SE2::from_xy_yaw(30.0, -20.0, 1.0);
-  for (std::size_t k = 0; k < kScansAfterTrouble; ++k) {
+  for (std::size_t k = 0; k < kScansAfterProblem; ++k) {
     const auto& step = world().steps()[k];
     const SE2 T_odom_base = k < 90 ? step.T_odom_base : jump * step.T_odom_base;
     const ScanPose2d pose = slam->add_scan(step.scan, T_odom_base);
@@ -208,19 +208,19 @@ TEST_P(Slam2dConformance, AJumpOfOdometryIsToldOfAndHarmsNothing) {
   EXPECT_LT(largest_error(*slam), 1.5 * expectation().largest_error);
 }
 
-TEST_P(Slam2dConformance, OdometryThatStandsIsToldOfOnceAndTheScansTakeItsPlace) {
+TEST_P(Slam2dConformance, OdometryThatStandsIsReportedOnceAndTheScansTakeItsPlace) {
   for (const bool uses_odometry : {true, false}) {
     const auto slam = make();
     auto* able = dynamic_cast<Slam2dOdometryUse*>(slam.get());
     if (able == nullptr) GTEST_SKIP() << "it needs odometry";
     able->set_uses_odometry(uses_odometry);
-    int told = 0;
+    int reported = 0;
     for (std::size_t k = 0; k < kScansOfALap; ++k) {
       const ScanPose2d pose = slam->add_scan(world().steps()[k].scan, SE2::from_xy_yaw(4, 5, 1));
-      if (!pose.problem.empty()) ++told;
+      if (!pose.problem.empty()) ++reported;
     }
     slam->finish();
-    EXPECT_EQ(told, uses_odometry ? 1 : 0);
+    EXPECT_EQ(reported, uses_odometry ? 1 : 0);
     EXPECT_LT(largest_error(*slam), 1.5 * expectation().largest_error);
   }
 }

@@ -33,10 +33,10 @@ struct Drive {
     const SE2 motion = SE2::exp({0.5, 0.0, 0.05});
     T_map_base = T_map_base * motion;
     const double s = 1e-2;
-    const SE2 told = SE2::from_xy_yaw(motion.p.x() + s * stream.normal(k, 0),
-                                      motion.p.y() + 0.3 * s * stream.normal(k, 1),
-                                      motion.angle / yaw_scale + 0.3 * s * stream.normal(k, 2));
-    slam.predict(told, kMotionCovariance);
+    const SE2 reported = SE2::from_xy_yaw(motion.p.x() + s * stream.normal(k, 0),
+                                          motion.p.y() + 0.3 * s * stream.normal(k, 1),
+                                          motion.angle / yaw_scale + 0.3 * s * stream.normal(k, 2));
+    slam.predict(reported, kMotionCovariance);
     std::vector<PointObservation> seen;
     true_ids.clear();
     for (std::size_t i = 0; i < posts.size(); ++i) {

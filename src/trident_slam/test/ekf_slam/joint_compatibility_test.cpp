@@ -20,7 +20,7 @@ LandmarkPair make_pair(std::size_t observed, std::size_t landmark, double x, dou
   return pair;
 }
 
-/// The whole team of observations may be shifted by up to metres, each alone by centimetres.
+/// The whole team of observations may be shifted by up to meters, each alone by centimetres.
 Eigen::Matrix2d shifted_together(const LandmarkPair& a, const LandmarkPair& b) {
   const double own = a.observed == b.observed ? 0.01 : 0.0;
   return (1.0 + own) * Eigen::Matrix2d::Identity();

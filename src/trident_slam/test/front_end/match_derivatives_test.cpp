@@ -81,7 +81,7 @@ TEST_F(LineMatchDerivatives, WhereNothingIsOffTheHessianIsThatOfTheCost) {
   EXPECT_LT((at(SE2::identity()).H - numeric).norm(), 2e-3 * numeric.norm());
 }
 
-TEST_F(LineMatchDerivatives, APointBesideItsLineTellsNothingAlongIt) {
+TEST_F(LineMatchDerivatives, APointOffItsLineGivesNoInformationAlongIt) {
   PointScan wall;
   for (int i = 0; i < 9; ++i) {
     wall.points.push_back({{static_cast<float>(i) - 4.0F, 1.05F}, {0.0F, -1.0F}});
@@ -163,7 +163,7 @@ TEST(NdtMap, ACellIsTheMeanAndTheCovarianceOfItsPoints) {
   EXPECT_EQ(map.over(0, {0.5, 0.5}), nullptr);
 }
 
-TEST(NdtMap, ALineIsNoNarrowerThanItWasTold) {
+TEST(NdtMap, ALineIsNoNarrowerThanItsSigma) {
   PointScan scan;
   for (int i = 0; i < 5; ++i) scan.points.push_back({{0.1F * static_cast<float>(i), 0.25F}, {}});
   NdtMap map(1.0, 0.05);
@@ -196,7 +196,7 @@ TEST(PoseNewton, FindsTheMinimumOfACostThatIsNotConvexWhereItBegins) {
   };
   NewtonOptions options;
   options.max_iterations = 100;
-  const NewtonResult found = minimise_pose(SE2::from_xy_yaw(2.6, -2.4, 1.9), 1.0, options, cost_at);
+  const NewtonResult found = minimize_pose(SE2::from_xy_yaw(2.6, -2.4, 1.9), 1.0, options, cost_at);
   EXPECT_TRUE(found.is_converged);
   EXPECT_LT((found.T_ref_base.p - Eigen::Vector2d(0.5, -0.25)).norm(), 1e-3);
   EXPECT_LT(std::abs(found.T_ref_base.angle), 1e-3);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-TEST(MotionFilter, AWayATurnOrATimeIsEnough) {
+TEST(MotionFilter, ADistanceARotationOrATimeIsEnough) {
   const MotionFilter filter({0.5, 0.2, 3.0});
   EXPECT_FALSE(filter.is_due(SE2::from_xy_yaw(0.3, 0.3, 0.1), 2.9));
   EXPECT_TRUE(filter.is_due(SE2::from_xy_yaw(0.4, -0.4, 0.0)));
@@ -22,7 +22,7 @@ TEST(MotionFilter, AWayATurnOrATimeIsEnough) {
   EXPECT_TRUE(filter.is_due(SE2::identity(), 3.0));
 }
 
-TEST(MotionFilter, WithoutAPeriodARobotThatStandsTellsNothingNew) {
+TEST(MotionFilter, WithoutAPeriodARobotThatStandsAddsNothingNew) {
   const MotionFilter filter({0.5, 0.2});
   EXPECT_FALSE(filter.is_due(SE2::identity(), 1e9));
 }
@@ -35,7 +35,7 @@ TEST(MotionFilter, WhatIsNoNumberIsNotDue) {
   EXPECT_FALSE(MotionFilter({0.5, 0.2, 3.0}).is_due(kNan, kNan, kNan));
 }
 
-TEST(OdometryMotion, TellsTheMotionFromScanToScan) {
+TEST(OdometryMotion, MeasuresTheMotionFromScanToScan) {
   OdometryMotion odometry(1.0, 0.5);
   const SE2 first = SE2::from_xy_yaw(5.0, 3.0, 0.4);
   EXPECT_EQ(odometry.next(first).T_before_now.p.norm(), 0.0);
@@ -53,7 +53,7 @@ TEST(OdometryMotion, ThePoseOfBeforeIsStale) {
   EXPECT_FALSE(odometry.next(here * SE2::from_xy_yaw(0.0, 0.0, 1e-6)).is_stale);
 }
 
-TEST(OdometryMotion, AJumpIsToldOfAndTheNextMotionBeginsThere) {
+TEST(OdometryMotion, AJumpIsReportedAndTheNextMotionBeginsThere) {
   OdometryMotion odometry(1.0, 0.5);
   odometry.next(SE2::identity());
   const OdometryMotion::Step far = odometry.next(SE2::from_xy_yaw(2.0, 0.0, 0.0));
@@ -65,7 +65,7 @@ TEST(OdometryMotion, AJumpIsToldOfAndTheNextMotionBeginsThere) {
   EXPECT_NEAR(next.T_before_now.p.norm(), 0.1, 1e-12);
 }
 
-TEST(OdometryMotion, WhatIsNoNumberIsToldOfAndPassedOver) {
+TEST(OdometryMotion, WhatIsNotANumberIsReportedAndPassedOver) {
   OdometryMotion odometry;
   odometry.next(SE2::from_xy_yaw(1.0, 0.0, 0.0));
   const OdometryMotion::Step bad = odometry.next(SE2::from_xy_yaw(kNan, 0.0, 0.0));

@@ -12,7 +12,7 @@
 namespace trident::slam {
 namespace {
 
-const SE2 kTold = SE2::from_xy_yaw(0.20, 0.0, 0.0);
+const SE2 kNominal = SE2::from_xy_yaw(0.20, 0.0, 0.0);
 const SE2 kTrue = SE2::from_xy_yaw(0.26, -0.04, 0.05);
 constexpr double kDistance = 1.03;
 constexpr double kTurn = 0.94;
@@ -26,7 +26,7 @@ CalibrationVector truth() {
   return parameters;
 }
 
-/// A robot of those errors that drives as it is told, step by step: what odometry and what scan
+/// A robot of those errors that drives as commanded, step by step: what odometry and what scan
 /// matching say of each step.
 class Drive {
  public:
@@ -36,13 +36,14 @@ class Drive {
 
   void run(OdometryCalibration* calibration, int steps, const Twist& twist) {
     for (int i = 0; i < steps; ++i, ++k_) {
-      const SE2 told = SE2::exp(twist(i));
+      const SE2 reported = SE2::exp(twist(i));
       CalibratedMotion motion(truth());
-      motion.add(told);
+      motion.add(reported);
       T_map_laser_ = T_map_laser_ * motion.of_laser();
       const SE2 T_map_seen = T_map_laser_ * SE2::exp(noise(0, kScanSigma));
-      const double size = std::sqrt(told.p.norm() + std::abs(told.angle));
-      const SE2 odometry = told * SE2::exp(noise(3, size * Eigen::Vector3d(0.005, 0.001, 0.003)));
+      const double size = std::sqrt(reported.p.norm() + std::abs(reported.angle));
+      const SE2 odometry =
+          reported * SE2::exp(noise(3, size * Eigen::Vector3d(0.005, 0.001, 0.003)));
       SE2 seen = T_seen_last_.inverse() * T_map_seen;
       if (slip_every_ > 0 && k_ % slip_every_ == 0) seen = seen * SE2::exp({0.3, -0.2, 0.2});
       calibration->add(odometry, seen, kScanCovariance);
@@ -111,7 +112,7 @@ TEST(CalibratedMotion, JacobianIsThatOfTheMotion) {
 
 TEST(OdometryCalibration, FindsWhatIsWrong) {
   for (const std::uint64_t seed : {1, 2, 3}) {
-    OdometryCalibration calibration(kTold);
+    OdometryCalibration calibration(kNominal);
     Drive(seed).run(&calibration, 3000, about_the_house);
     expect_truth(calibration, 0.01, 0.01);
     const CalibrationVector off = calibration.parameters() - truth();
@@ -126,7 +127,7 @@ TEST(OdometryCalibration, FindsWhatIsWrong) {
 }
 
 TEST(OdometryCalibration, FindsItAmongOutliers) {
-  OdometryCalibration calibration(kTold);
+  OdometryCalibration calibration(kNominal);
   Drive drive(4);
   drive.slip_every(40);
   drive.run(&calibration, 4000, about_the_house);
@@ -136,15 +137,15 @@ TEST(OdometryCalibration, FindsItAmongOutliers) {
 }
 
 TEST(OdometryCalibration, FollowsWhatChanges) {
-  OdometryCalibration calibration(kTold);
+  OdometryCalibration calibration(kNominal);
   const auto drive = [&calibration](double scale) {
     for (int k = 0; k < 4000; ++k) {
-      const SE2 told = SE2::exp(about_the_house(k));
+      const SE2 reported = SE2::exp(about_the_house(k));
       CalibrationVector parameters = truth();
       parameters[kDistanceScale] = scale;
       CalibratedMotion motion(parameters);
-      motion.add(told);
-      calibration.add(told, motion.of_laser(), kScanCovariance);
+      motion.add(reported);
+      calibration.add(reported, motion.of_laser(), kScanCovariance);
     }
   };
   drive(1.0);
@@ -154,14 +155,14 @@ TEST(OdometryCalibration, FollowsWhatChanges) {
 }
 
 TEST(OdometryCalibration, StraightAheadSaysNothingOfTurnsNorOfWhereTheLaserSits) {
-  OdometryCalibration calibration(kTold);
+  OdometryCalibration calibration(kNominal);
   Drive(5).run(&calibration, 3000, ahead);
   for (const auto parameter : {kTurnScale, kLaserX, kLaserY}) {
     EXPECT_FALSE(calibration.is_observed(parameter)) << kCalibrationNames[parameter];
     EXPECT_NEAR(calibration.sigma(parameter), 0.1, 1e-6);
   }
   EXPECT_NEAR(calibration.parameters()[kTurnScale], 1.0, 1e-9);
-  EXPECT_NEAR((calibration.parameters().segment<2>(kLaserX) - kTold.p).norm(), 0.0, 1e-9);
+  EXPECT_NEAR((calibration.parameters().segment<2>(kLaserX) - kNominal.p).norm(), 0.0, 1e-9);
   for (const auto parameter : {kDistanceScale, kYawDrift, kLaserYaw}) {
     EXPECT_TRUE(calibration.is_observed(parameter)) << kCalibrationNames[parameter];
   }
@@ -170,8 +171,8 @@ TEST(OdometryCalibration, StraightAheadSaysNothingOfTurnsNorOfWhereTheLaserSits)
   EXPECT_NEAR(calibration.parameters()[kLaserYaw], kTrue.angle, 0.005);
 }
 
-TEST(OdometryCalibration, OneCircleDoesNotTellScalesFromPlaces) {
-  OdometryCalibration calibration(kTold);
+TEST(OdometryCalibration, OneCircleDoesNotDistinguishScalesFromPlaces) {
+  OdometryCalibration calibration(kNominal);
   Drive(6).run(&calibration, 4000, circle);
   for (const auto parameter : {kDistanceScale, kTurnScale, kYawDrift, kLaserX, kLaserY}) {
     EXPECT_FALSE(calibration.is_observed(parameter)) << kCalibrationNames[parameter];
@@ -181,7 +182,7 @@ TEST(OdometryCalibration, OneCircleDoesNotTellScalesFromPlaces) {
 }
 
 TEST(OdometryCalibration, OnTheSpotSaysNothingOfDistances) {
-  OdometryCalibration calibration(kTold);
+  OdometryCalibration calibration(kNominal);
   Drive(8).run(&calibration, 2000, on_the_spot);
   EXPECT_TRUE(calibration.is_observed(kTurnScale));
   EXPECT_NEAR(calibration.parameters()[kTurnScale], kTurn, 0.005);
@@ -190,22 +191,22 @@ TEST(OdometryCalibration, OnTheSpotSaysNothingOfDistances) {
   EXPECT_NEAR(calibration.parameters()[kDistanceScale], 1.0, 1e-9);
 }
 
-TEST(OdometryCalibration, CalibratedMotionIsThatOfTheToldBase) {
-  OdometryCalibration calibration(kTold);
+TEST(OdometryCalibration, CalibratedMotionIsThatOfTheNominalBase) {
+  OdometryCalibration calibration(kNominal);
   Drive(9).run(&calibration, 3000, about_the_house);
-  const SE2 told = SE2::exp({0.3, 0.0, 0.4});
+  const SE2 reported = SE2::exp({0.3, 0.0, 0.4});
   CalibratedMotion motion(truth());
-  motion.add(told);
-  const SE2 expected = kTold * motion.of_laser() * kTold.inverse();
-  const SE2 off = expected.inverse() * calibration.calibrated(told);
+  motion.add(reported);
+  const SE2 expected = kNominal * motion.of_laser() * kNominal.inverse();
+  const SE2 off = expected.inverse() * calibration.calibrated(reported);
   EXPECT_LT(off.p.norm(), 0.005);
   EXPECT_LT(std::abs(off.angle), 0.004);
-  const SE2 raw = expected.inverse() * told;
+  const SE2 raw = expected.inverse() * reported;
   EXPECT_GT(raw.p.norm(), 0.015) << "what it corrects";
 }
 
 TEST(OdometryCalibration, AnInterruptionIsNotAMotion) {
-  OdometryCalibration calibration(kTold);
+  OdometryCalibration calibration(kNominal);
   Drive drive(10);
   for (int part = 0; part < 60; ++part) {
     drive.run(&calibration, 50, about_the_house);
@@ -226,19 +227,19 @@ TEST(OdometryCalibration, FindsTheWheelsOfADifferentialDrive) {
   OdometryCalibrationOptions options;
   options.wheel_base = kNominalBase;
   options.sigma[kYawDrift] = 0.3;
-  OdometryCalibration calibration(kTold, options);
+  OdometryCalibration calibration(kNominal, options);
   for (int k = 0; k < 4000; ++k) {
-    const SE2::Tangent told = about_the_house(k);
-    const double left = kLeft * (told[0] - 0.5 * kNominalBase * told[2]);
-    const double right = kRight * (told[0] + 0.5 * kNominalBase * told[2]);
+    const SE2::Tangent reported = about_the_house(k);
+    const double left = kLeft * (reported[0] - 0.5 * kNominalBase * reported[2]);
+    const double right = kRight * (reported[0] + 0.5 * kNominalBase * reported[2]);
     const SE2 moved = SE2::exp({0.5 * (left + right), 0.0, (right - left) / kBase});
-    calibration.add(SE2::exp(told), kTrue.inverse() * moved * kTrue, kScanCovariance);
+    calibration.add(SE2::exp(reported), kTrue.inverse() * moved * kTrue, kScanCovariance);
   }
   ASSERT_TRUE(calibration.drive());
   EXPECT_NEAR(calibration.drive()->left_scale, kLeft, 0.002);
   EXPECT_NEAR(calibration.drive()->right_scale, kRight, 0.002);
   EXPECT_NEAR(calibration.drive()->wheel_base, kBase, 0.002);
-  EXPECT_FALSE(OdometryCalibration(kTold).drive());
+  EXPECT_FALSE(OdometryCalibration(kNominal).drive());
 }
 
 }  // namespace

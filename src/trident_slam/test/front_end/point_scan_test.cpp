@@ -17,7 +17,7 @@ namespace trident::slam {
 namespace {
 
 /// A corridor of 2.4 m along x with rooms on both sides, whose ends a scanner of 12 m does not see
-/// from its middle: what it sees through the doors tells how far along it the robot is.
+/// from its middle: what it sees through the doors shows how far along it the robot is.
 PolygonWorld corridor() {
   std::vector<Eigen::Vector2d> outline;
   const auto add_room = [&outline](double door, double side) {

@@ -164,14 +164,14 @@ TEST_P(ScanMatcherConformance, ACorridorIsDegenerateAlongItself) {
   EXPECT_GT(std::abs(match.degeneracy.weakest.head<2>().dot(along)), 0.98);
   const Eigen::Matrix2d spread = match.covariance.topLeftCorner<2, 2>();
   EXPECT_GT(along.dot(spread * along), 50.0 * across.dot(spread * across));
-  // Across, the walls tell; along, the pose stays where it was guessed.
+  // Across, the walls give the pose; along, it stays where it was guessed.
   const Eigen::Vector2d error = match.T_ref_base.p - (kRefWorld * truth).p;
   EXPECT_LT(std::abs(across.dot(error)), 0.03);
   EXPECT_NEAR(along.dot(error), 0.1, 0.02);
   EXPECT_LT(turned(match.T_ref_base, kRefWorld * truth), 0.01);
 }
 
-TEST_P(ScanMatcherConformance, APriorTellsWhatACorridorDoesNot) {
+TEST_P(ScanMatcherConformance, APriorDeterminesWhatACorridorDoesNot) {
   const PolygonWorld world = long_corridor();
   const auto matcher = make(world);
   const SE2 truth = SE2::from_xy_yaw(0.2, 0.0, 0.3);
@@ -213,7 +213,7 @@ TEST_P(ScanMatcherConformance, TheSameCallsGiveTheSameBits) {
   }
 }
 
-TEST_P(ScanMatcherConformance, WhatCannotBeMatchedIsToldOfAndLeavesTheGuess) {
+TEST_P(ScanMatcherConformance, WhatCannotBeMatchedIsReportedAndLeavesTheGuess) {
   const PolygonWorld world = room();
   const auto matcher = make(world);
   const PointScan good = scan_seen(world, SE2::identity(), 600);
@@ -221,7 +221,7 @@ TEST_P(ScanMatcherConformance, WhatCannotBeMatchedIsToldOfAndLeavesTheGuess) {
   PosePrior prior;
   prior.T_ref_base = guess;
   prior.information = Eigen::Vector3d(100.0, 100.0, 400.0).asDiagonal();
-  const auto told = [&](const ScanMatcher& by, const PointScan& scan) {
+  const auto problem_of = [&](const ScanMatcher& by, const PointScan& scan) {
     const ScanMatch match = by.match(scan, guess, prior);
     EXPECT_TRUE(is_same(match.T_ref_base, guess));
     EXPECT_FALSE(match.is_converged);
@@ -231,16 +231,16 @@ TEST_P(ScanMatcherConformance, WhatCannotBeMatchedIsToldOfAndLeavesTheGuess) {
   PointScan bad = good;
   bad.points[3].p.x() = kNotANumber;
   bad.points[9].normal.y() = kNotANumber;
-  EXPECT_EQ(told(*matcher, bad),
+  EXPECT_EQ(problem_of(*matcher, bad),
             "2 of " + std::to_string(bad.points.size()) + " points are not finite");
-  EXPECT_EQ(told(*matcher, {}), "0 points, legal: at least 5");
+  EXPECT_EQ(problem_of(*matcher, {}), "0 points, legal: at least 5");
   PointScan few = good;
   few.points.resize(4);
-  EXPECT_EQ(told(*matcher, few), "4 points, legal: at least 5");
+  EXPECT_EQ(problem_of(*matcher, few), "4 points, legal: at least 5");
   PointScan elsewhere = good;
   for (SurfacePoint& point : elsewhere.points) point.p += Eigen::Vector2f(500.0F, 0.0F);
-  EXPECT_NE(told(*matcher, elsewhere), "");
-  EXPECT_EQ(told(*make_scan_matcher(GetParam()), good), "the reference has no points");
+  EXPECT_NE(problem_of(*matcher, elsewhere), "");
+  EXPECT_EQ(problem_of(*make_scan_matcher(GetParam()), good), "the reference has no points");
   const SE2 nowhere = SE2::from_xy_yaw(static_cast<double>(kNotANumber), 0.0, 0.0);
   EXPECT_EQ(matcher->match(good, nowhere).problem, "the guess is not finite");
   prior.information(0, 0) = static_cast<double>(kNotANumber);

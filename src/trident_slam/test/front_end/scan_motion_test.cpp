@@ -21,7 +21,7 @@ TEST(ScanMotion, AtFirstTheRobotStands) {
   EXPECT_GT(motion.spread.s_p, 0.03);
 }
 
-TEST(ScanMotion, AVelocityGoesOnOverScansThatAreMissing) {
+TEST(ScanMotion, AVelocityContinuesOverScansThatAreMissing) {
   ScanMotion motion;
   std::int64_t stamp_ms = 0;
   for (int k = 0; k < 60; ++k) {  // 1 m/s, every seventh scan is missing
@@ -59,7 +59,7 @@ TEST(ScanMotion, NoPairOfStampsSendsTheRobotOff) {
   }
 }
 
-TEST(OdometryWatch, ALaserThatSitsElsewhereThanToldIsNoReasonWhileTheRobotTurns) {
+TEST(OdometryWatch, ALaserThatSitsElsewhereThanConfiguredIsNoReasonWhileTheRobotTurns) {
   OdometryWatch watch;
   for (int k = 0; k < 200; ++k) {  // on the spot; the laser is 0.3 m off
     const SE2 turn = SE2::from_xy_yaw(0.0, 0.0, 0.05);

@@ -98,7 +98,7 @@ TEST(YawRates, TheMeanIsTheIntegralOverTheTime) {
   EXPECT_EQ(*rates.newest_ns(), 100 * kMs);
 }
 
-TEST(YawRates, WhatIsNotMeasuredIsNotTold) {
+TEST(YawRates, WhatIsNotMeasuredIsNotReported) {
   YawRates rates;
   EXPECT_FALSE(rates.mean(0, 10 * kMs));
   EXPECT_FALSE(rates.newest_ns());
@@ -115,7 +115,7 @@ TEST(YawRates, WhatIsNotMeasuredIsNotTold) {
   EXPECT_TRUE(rates.mean(200 * kMs, 205 * kMs));
 }
 
-TEST(YawRates, BadSamplesAreLeftOutAndTimeMayBeginAnew) {
+TEST(YawRates, BadSamplesAreLeftOutAndTimeMayStartAgain) {
   YawRates rates;
   EXPECT_TRUE(rates.add(5000 * kMs, 1.0));
   EXPECT_FALSE(rates.add(5010 * kMs, std::numeric_limits<double>::quiet_NaN()));

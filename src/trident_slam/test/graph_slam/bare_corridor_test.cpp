@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-// Where scans leave a direction open, the wheels tell how far the robot has come.
+// Where scans leave a direction open, the wheels measure how far the robot has moved.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -21,7 +21,7 @@ PolygonWorld corridor() {
 LaserScan seen(const PolygonWorld& world, const SE2& T, std::uint64_t index) {
   LaserScan scan = world.scan(T, index);
   scan.range_max = 5.6;
-  for (float& range : scan.ranges) range = 0.01F * std::round(100.0F * range);  // as a SICK tells
+  for (float& range : scan.ranges) range = 0.01F * std::round(100.0F * range);  // as a SICK reports
   return scan;
 }
 

@@ -103,7 +103,7 @@ TEST_F(GraphSlamRing, SameScansGiveSameBitsAndPosesDoNotKnowTheFuture) {
   }
 }
 
-TEST_F(GraphSlamRing, BadScansAreToldAndDoNotHarmTheMap) {
+TEST_F(GraphSlamRing, BadScansAreReportedAndDoNotHarmTheMap) {
   GraphSlam2d slam(options());
   drive(slam, 0, 60);
   const std::size_t keyframes = slam.graph_view().nodes.size();
@@ -145,14 +145,14 @@ TEST_F(GraphSlamRing, AJumpOfOdometryIsNotBelieved) {
 TEST_F(GraphSlamRing, OdometryThatStoodStillCatchesUpFromWhereItStood) {
   GraphSlam2d slam(options());
   drive(slam, 0, 200);
-  for (std::size_t i = 200; i < 230; ++i) {  // 2 m that are told of in one step
-    const std::size_t told = i < 220 ? 199 : i;
-    const ScanPose2d pose = slam.add_scan(world_.scan(path_[i], i), odometry_[told]);
+  for (std::size_t i = 200; i < 230; ++i) {  // 2 m that are reported in one step
+    const std::size_t reported = i < 220 ? 199 : i;
+    const ScanPose2d pose = slam.add_scan(world_.scan(path_[i], i), odometry_[reported]);
     EXPECT_LT(error(pose.T_map_base, i), 0.05) << i;
   }
 }
 
-TEST_F(GraphSlamRing, ASessionGoesOnAsIfItHadNotBeenInterrupted) {
+TEST_F(GraphSlamRing, ASessionContinuesAsIfItHadNotBeenInterrupted) {
   const std::string path = ::testing::TempDir() + "/graph_slam_session.tsl";
   GraphSlam2d first(options());
   drive(first, 0, 100);
@@ -235,7 +235,7 @@ TEST_F(GraphSlamRing, LoopsThatAreClosedInTheBackgroundGiveAnEquallyGoodMap) {
   EXPECT_LT(error(slam.trajectory().back().T_map_base, path_.size() - 1), 0.05);
 }
 
-/// The laser is told to be on the base's axle, but sits ahead of it and to the left.
+/// The laser is configured to be on the base's axle, but sits ahead of it and to the left.
 TEST_F(GraphSlamRing, WhatIsWrongWithOdometryIsFoundWhileDriving) {
   const SE2 T_base_laser = SE2::from_xy_yaw(0.12, 0.05, 0.03);
   std::vector<SE2> base_path;
@@ -267,8 +267,8 @@ TEST_F(GraphSlamRing, WhatIsWrongWithOdometryIsFoundWhileDriving) {
   }
 }
 
-/// 5 % of way and turn and 0.03 rad/m: a prior that errs always to the same side bends the map, by
-/// little with each scan and by what loops can hardly mend in the end.
+/// 5 % of distance and rotation and 0.03 rad/m: a prior that errs always to the same side bends the
+/// map, by little with each scan and by what loops can hardly mend in the end.
 TEST_F(GraphSlamRing, OdometryThatAlwaysErrsAlikeDoesNotBendTheMap) {
   odometry_ = {SE2::identity()};
   for (std::size_t i = 1; i < path_.size(); ++i) {
@@ -321,7 +321,7 @@ TEST_F(GraphSlamRing, AKeyframeThatAUserMovesClosesTheLoop) {
   EXPECT_THROW(slam.move_nodes({{newest + 1, dropped}}), Error);
 }
 
-TEST_F(GraphSlamRing, AKeyframeTellsWhatItSaw) {
+TEST_F(GraphSlamRing, AKeyframeReportsWhatItSaw) {
   GraphSlam2d slam(options());
   drive(slam, 0, 40);
   const std::vector<Eigen::Vector2f> points = slam.node_points(0);
@@ -417,7 +417,7 @@ TEST_P(GraphSlamMatchers, TracksAndGivesTheSameBits) {
   }
 }
 
-TEST_P(GraphSlamMatchers, GoesOnInASession) {
+TEST_P(GraphSlamMatchers, ContinuesInASession) {
   GraphSlamOptions chosen = options();
   chosen.scan_matcher = GetParam();
   GraphSlam2d slam(chosen);

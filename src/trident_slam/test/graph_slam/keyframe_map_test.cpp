@@ -38,7 +38,7 @@ TEST(KeyframeMap, BroughtUpToDateItIsAsIfMadeAtOnce) {
   }
 }
 
-TEST(KeyframeMap, MovedAndForgottenScansAreDrawnAnew) {
+TEST(KeyframeMap, MovedAndForgottenScansAreDrawnAgain) {
   KeyframeGraph graph = ring_graph(40);
   KeyframeMap map(0.05);
   map.update(graph);
@@ -50,7 +50,7 @@ TEST(KeyframeMap, MovedAndForgottenScansAreDrawnAnew) {
   expect_same(map.update(ring_graph(5)), keyframe_map(ring_graph(5), 0.05));
 }
 
-TEST(KeyframeMap, TooLargeAMapIsToldOf) {
+TEST(KeyframeMap, TooLargeAMapIsReported) {
   KeyframeGraph graph = ring_graph(2);
   graph.set_pose(1, SE2::from_xy_yaw(1e5, 1e5, 0.0));
   try {

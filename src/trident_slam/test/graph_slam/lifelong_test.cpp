@@ -121,7 +121,7 @@ KeyframeGraph row(int count, float ahead) {
   return graph;
 }
 
-TEST(KeyframeGraphRemoval, EdgesGoToTheKeyframesBesideThoseThatAreTakenOut) {
+TEST(KeyframeGraphRemoval, EdgesGoToTheKeyframesNextToThoseThatAreTakenOut) {
   KeyframeGraph graph = row(8, 1.0F);
   GraphEdge loop{1, 6, SE2::from_xy_yaw(5.0, 0.0, 0.0)};
   loop.kind = EdgeKind::kLoop;
@@ -170,7 +170,7 @@ TEST(ScanPruner, WhatIsSeenThroughGoesAtOnceAndWhatIsHiddenStays) {
   const PruneResult through = ScanPruner(LifelongOptions{}).update(graph);
   ASSERT_EQ(through.thinned.size(), 1U);
   for (const SurfacePoint& point : through.thinned[0].second->points) {
-    EXPECT_GT(std::abs(point.p.y()) / 3.0F, 1.4F / 5.0F);  // beside what the new scan looked at
+    EXPECT_GT(std::abs(point.p.y()) / 3.0F, 1.4F / 5.0F);  // outside what the new scan saw
   }
   EXPECT_GT(through.thinned[0].second->points.size(), 10U);
   KeyframeGraph hidden(10);

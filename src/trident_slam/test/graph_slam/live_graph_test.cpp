@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-// What a node asks of graph_slam_2d while scans go on.
+// What a node asks of graph_slam_2d while scans arrive.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 
 double distance(const SE2& T, const SE2& T_true) { return (T.p - T_true.p).norm(); }
 
-TEST(LiveGraph, MapsSessionsAndOptimisationsRunBesideTheScans) {
+TEST(LiveGraph, MapsSessionsAndOptimizationsRunAlongsideTheScans) {
   const std::string session = ::testing::TempDir() + "/live_graph.posegraph";
   const PolygonWorld world = ring_world();
   const std::vector<SE2> path = ring_path(1.0);
@@ -55,7 +55,7 @@ TEST(LiveGraph, MapsSessionsAndOptimisationsRunBesideTheScans) {
   }
 }
 
-TEST(LiveGraph, ScansWithoutRangesKeepTheirPlacesBesideTheirKeyframes) {
+TEST(LiveGraph, ScansWithoutRangesKeepTheirPosesRelativeToTheirKeyframes) {
   const PolygonWorld world = ring_world();
   const std::vector<SE2> path = ring_path(0.3);
   const std::vector<SE2> odometry = drifting_odometry(path, 1.02, 0.99);
@@ -74,7 +74,7 @@ TEST(LiveGraph, ScansWithoutRangesKeepTheirPlacesBesideTheirKeyframes) {
 }
 
 /// A corridor is mapped almost to its corner by a robot that sees 7 m far; then the robot localises
-/// itself on its way around the corner and on.
+/// itself around the corner and beyond it.
 class BeyondTheMap : public ::testing::Test {
  protected:
   static constexpr std::size_t kMapped = 140;

@@ -28,7 +28,7 @@ class NoOdometry : public testing::Test {
     for (std::size_t i = begin; i < end; ++i) {
       last_ = slam.add_scan(world_.scan(path_[i], i), odometry[i]);
       if (!last_.problem.empty()) {
-        told_.push_back("scan " + std::to_string(i) + ": " + last_.problem);
+        problems_.push_back("scan " + std::to_string(i) + ": " + last_.problem);
       }
     }
   }
@@ -46,14 +46,14 @@ class NoOdometry : public testing::Test {
   std::vector<SE2> path_ = ring_path(1.25);
   std::vector<SE2> still_ = std::vector<SE2>(path_.size(), kStill);
   ScanPose2d last_;
-  std::vector<std::string> told_;
+  std::vector<std::string> problems_;
 };
 
 TEST_F(NoOdometry, OneThatStandsIsNoticedAndReplacedByTheScans) {
   GraphSlam2d slam;
   drive(slam, 0, path_.size(), still_);
-  ASSERT_EQ(told_.size(), 1U);
-  EXPECT_NE(told_[0].find("odometry has stood still for"), std::string::npos) << told_[0];
+  ASSERT_EQ(problems_.size(), 1U);
+  EXPECT_NE(problems_[0].find("odometry has stood still for"), std::string::npos) << problems_[0];
   EXPECT_EQ(last_.motion_by, MotionBy::kScansAsOdometryStands);
   EXPECT_LT(largest_final_error(slam), 0.08);
 }
@@ -65,7 +65,7 @@ TEST_F(NoOdometry, OneThatAUserDoesNotWantIsNotLookedAt) {
   std::vector<SE2> nonsense = still_;
   for (std::size_t i = 0; i < nonsense.size(); ++i) nonsense[i].p.x() += i % 3 == 0 ? 50.0 : 0.2;
   drive(slam, 0, path_.size(), nonsense);
-  EXPECT_TRUE(told_.empty()) << told_[0];
+  EXPECT_TRUE(problems_.empty()) << problems_[0];
   EXPECT_EQ(last_.motion_by, MotionBy::kScansAsAsked);
   EXPECT_LT(largest_final_error(slam), 0.08);
 }
@@ -100,7 +100,7 @@ TEST_F(NoOdometry, ARobotThatReallyStandsStaysWhereItIs) {
   }
 }
 
-TEST_F(NoOdometry, WheelsThatStopTellingAreLeftAndBelievedWhenTheyTellAgain) {
+TEST_F(NoOdometry, WheelsThatStopReportingAreLeftAndBelievedWhenTheyReportAgain) {
   GraphSlam2d slam;
   std::vector<SE2> odometry = drifting_odometry(path_, 1.03, 0.98);
   const std::size_t from = 200, to = 500;
@@ -108,25 +108,25 @@ TEST_F(NoOdometry, WheelsThatStopTellingAreLeftAndBelievedWhenTheyTellAgain) {
   for (std::size_t i = to; i < odometry.size(); ++i) odometry[i] = T_stood_again * odometry[i];
   for (std::size_t i = from; i < to; ++i) odometry[i] = odometry[from];
   drive(slam, 0, to, odometry);
-  EXPECT_EQ(told_.size(), 1U);
+  EXPECT_EQ(problems_.size(), 1U);
   EXPECT_EQ(last_.motion_by, MotionBy::kScansAsOdometryStands);
   drive(slam, to, path_.size(), odometry);
-  ASSERT_EQ(told_.size(), 2U);
-  EXPECT_NE(told_[1].find("odometry moves again: it is believed again"), std::string::npos);
+  ASSERT_EQ(problems_.size(), 2U);
+  EXPECT_NE(problems_[1].find("odometry moves again: it is believed again"), std::string::npos);
   EXPECT_EQ(last_.motion_by, MotionBy::kOdometry);
   EXPECT_LT(largest_final_error(slam), 0.08);
 }
 
-TEST_F(NoOdometry, AHeadingThatStandsWhileTheWheelsTellTheWayIsNoticed) {
+TEST_F(NoOdometry, AHeadingThatStandsWhileTheWheelsReportTheDistanceIsNoticed) {
   GraphSlam2d slam;
   std::vector<SE2> odometry = drifting_odometry(path_, 1.0, 1.0);
   for (SE2& T : odometry) T.angle = 0.0;
   drive(slam, 0, path_.size(), odometry);
-  EXPECT_GE(told_.size(), 1U);
+  EXPECT_GE(problems_.size(), 1U);
   EXPECT_LT(largest_final_error(slam), 0.08);
 }
 
-/// Two bare walls: nothing tells the way along them.
+/// Two bare walls: nothing shows the motion along them.
 TEST(NoOdometryCorridor, LeavesADirectionOpenAndSaysSo) {
   PolygonWorld world;
   world.add_polygon({{-60.0, -1.0}, {60.0, -1.0}, {60.0, 1.0}, {-60.0, 1.0}});

@@ -54,12 +54,12 @@ TEST_F(SessionFile, AtEveryByteOfASaveTheOneBeforeItStillLoads) {
     put(unfinished_, next.substr(0, written));  // the process ended here
     ASSERT_EQ(first_number(), 1U) << written;
   }
-  write_session_file(path_, numbers(2, 4));  // what was left over is in nobody's way
+  write_session_file(path_, numbers(2, 4));  // a leftover file does not disturb
   EXPECT_EQ(first_number(), 2U);
   EXPECT_EQ(bytes_of(path_), next);
 }
 
-TEST_F(SessionFile, EveryCutAndEveryChangedByteIsToldOf) {
+TEST_F(SessionFile, EveryCutAndEveryChangedByteIsReported) {
   write_session_file(path_, numbers(1, 4));
   const std::string whole = bytes_of(path_);
   for (std::size_t i = 0; i < whole.size(); ++i) {

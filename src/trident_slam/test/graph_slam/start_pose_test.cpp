@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-// Poses from outside that no map can go on from, and scans whose stamps lie.
+// Poses from outside that no map can continue from, and scans with wrong stamps.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -78,7 +78,7 @@ TEST(StartPose, OfHector) {
   slam.set_pose(SE2::from_xy_yaw(3.0, 0.0, 0.0));
 }
 
-TEST(StartPose, AMapMayLieAnywhereThatASingleFloatTells) {
+TEST(StartPose, AMapMayLieAnywhereThatASingleFloatResolves) {
   GraphSlam2d slam{GraphSlamOptions()};
   slam.set_pose(SE2::from_xy_yaw(9e4, -9e4, 0.0));
   drive(slam, 0, 3);

@@ -91,7 +91,7 @@ TEST(MapMatch, TheStepIsTheGradientOfTheCost) {
   EXPECT_LT((numeric + 2.0 * g).norm(), 0.02 * numeric.norm());
 }
 
-TEST(MapMatch, FindsTheWayBackFromAWrongGuess) {
+TEST(MapMatch, ReturnsFromAWrongGuess) {
   ProbabilityGrid map(0.1, 0.4, 0.9);
   map.insert(SE2::identity(), points_of(0));
   map.insert(SE2::identity(), points_of(0));

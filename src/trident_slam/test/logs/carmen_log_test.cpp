@@ -136,8 +136,8 @@ TEST_F(CarmenLogTest, BadLinesAreNamedAndPassedOver) {
       << texts[4];
 }
 
-// A log whose odometry was lost, or that tells one pose twice.
-TEST_F(CarmenLogTest, OfTwoEqualPosesTheParameterTellsWhereTheLaserSits) {
+// A log whose odometry was lost, or that has one pose twice.
+TEST_F(CarmenLogTest, OfTwoEqualPosesTheParameterGivesWhereTheLaserSits) {
   write("PARAM robot_frontlaser_offset -0.04 1 host 1\n" + flaser("1 1", "0 0 0 0 0 0 1") +
         flaser("1 1", "0 0 0 0 0 0 2"));
   CarmenLog log(path_);
@@ -203,7 +203,7 @@ TEST_F(CarmenLogTest, CompressionDoesNotMatter) {
   }
 }
 
-TEST_F(CarmenLogTest, TruncatedCompressionIsToldOf) {
+TEST_F(CarmenLogTest, TruncatedCompressionIsReported) {
   const std::string text = many_scans();
   const std::string gz = gzip(text, path_);
   const std::string bz2 = bzip2(text);
@@ -217,7 +217,7 @@ TEST_F(CarmenLogTest, TruncatedCompressionIsToldOf) {
   }
 }
 
-TEST_F(CarmenLogTest, DamagedCompressionIsToldOf) {
+TEST_F(CarmenLogTest, DamagedCompressionIsReported) {
   std::string bytes = bzip2(many_scans());
   bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 0x55);
   write(bytes);

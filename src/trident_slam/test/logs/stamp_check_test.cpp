@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::int64_t kMillisecond = 1'000'000;
 
-TEST(StampCheck, StampsInOrderAreNothingToTellOf) {
+TEST(StampCheck, StampsInOrderAreNoProblem) {
   StampCheck check;
   for (std::int64_t i = 0; i < 100; ++i) check.add(100 * kMillisecond * i);
   check.add(100 * kMillisecond * 99);  // the same again

@@ -57,7 +57,7 @@ class ProposalTest : public testing::Test {
   PoseGaussian motion_;
 };
 
-TEST_F(ProposalTest, FindsThePoseThatTheScanTells) {
+TEST_F(ProposalTest, FindsThePoseThatTheScanDetermines) {
   motion_.T_map_base = SE2::from_xy_yaw(0.05, -0.04, 0.02);
   const Proposal proposal = propose(map_, scan_, motion_, 0.3);
   EXPECT_LT(proposal.pose.T_map_base.p.norm(), 0.02);
@@ -87,7 +87,7 @@ double last_error(const ParticleSlamParams& params) {
   return (slam.trajectory().back().T_map_base.p - world().steps().back().T_start_base.p).norm();
 }
 
-TEST(ParticleSlam2d, OneParticleAndManyFindTheWay) {
+TEST(ParticleSlam2d, OneParticleAndManyTrackThePath) {
   ParticleSlamParams params;
   params.particles = 1;
   EXPECT_LT(last_error(params), 0.2);

@@ -56,7 +56,7 @@ void check_against_dense(int size, int pair_count, unsigned seed) {
   const Problem<kSize> problem = random_problem<kSize>(size, pair_count, seed);
   const auto symbolic = std::make_shared<const BlockSymbolic>(size, problem.pairs);
   BlockCholesky<kSize> cholesky(symbolic);
-  ASSERT_TRUE(cholesky.factorise(problem.blocks));
+  ASSERT_TRUE(cholesky.factorize(problem.blocks));
   Dice dice(seed + 1);
   Eigen::VectorXd b(kSize * size);
   for (double& value : b) value = dice.roll();
@@ -91,7 +91,7 @@ TEST(BlockCholesky, RefusesWhatIsNotPositiveDefinite) {
   Problem<3> problem = random_problem<3>(20, 30, 3);
   problem.blocks.diagonal[11](1, 1) = -1.0;
   BlockCholesky<3> cholesky(std::make_shared<const BlockSymbolic>(20, problem.pairs));
-  EXPECT_FALSE(cholesky.factorise(problem.blocks));
+  EXPECT_FALSE(cholesky.factorize(problem.blocks));
 }
 
 TEST(DenseKernels, PanelIsTheCholeskyFactorForAnySize) {
@@ -108,7 +108,7 @@ TEST(DenseKernels, PanelIsTheCholeskyFactorForAnySize) {
       Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>> view(panel.data(), rows, columns,
                                                                 Eigen::OuterStride<>(ld));
       view = A.leftCols(columns);
-      ASSERT_TRUE(factorise_panel(panel.data(), ld, rows, columns, 3));
+      ASSERT_TRUE(factorize_panel(panel.data(), ld, rows, columns, 3));
       for (int c = 0; c < columns; ++c) {
         EXPECT_NEAR(view(c, c), 1.0 / L(c, c), 1e-10);
         for (int r = c + 1; r < rows; ++r) EXPECT_NEAR(view(r, c), L(r, c), 1e-10);

@@ -56,12 +56,12 @@ TYPED_TEST(IncrementalPoseGraphTest, IsNearTheOptimumAtAnyTimeAndAtItInTheEnd) {
 }
 
 TYPED_TEST(IncrementalPoseGraphTest, OdometryAloneNeedsNoOptimisation) {
-  for (int k = 0; k < 15; ++k) this->add(k);  // the first row, beside which there is none
+  for (int k = 0; k < 15; ++k) this->add(k);  // the first row, without one next to it
   EXPECT_EQ(this->growing_.optimizations(), 0);
   EXPECT_LT(pose_graph_chi2(this->growing_.graph()), 1e-12);
 }
 
-TYPED_TEST(IncrementalPoseGraphTest, GoesTheWayOfIterationsThatEachBeginAnew) {
+TYPED_TEST(IncrementalPoseGraphTest, TakesTheStepsOfIterationsThatEachStartAgain) {
   PoseGraphOptions options;
   options.max_iterations = 1;
   const IncrementalOptions when;
@@ -147,8 +147,8 @@ TYPED_TEST(IncrementalPoseGraphTest, ASystemThatIsExtendedIsTheOneThatIsLoaded) 
     ASSERT_EQ(extended.pairs(), loaded.pairs()) << "vertex " << k;
     BlockMatrix<TypeParam::Tangent::RowsAtCompileTime> H, H_loaded;
     Eigen::VectorXd g, g_loaded;
-    extended.linearise(extended.poses, H, g);
-    loaded.linearise(loaded.poses, H_loaded, g_loaded);
+    extended.linearize(extended.poses, H, g);
+    loaded.linearize(loaded.poses, H_loaded, g_loaded);
     EXPECT_EQ(H.diagonal, H_loaded.diagonal) << "vertex " << k;
     EXPECT_EQ(H.pairs, H_loaded.pairs) << "vertex " << k;
     EXPECT_EQ(g, g_loaded) << "vertex " << k;

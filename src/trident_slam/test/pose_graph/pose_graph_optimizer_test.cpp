@@ -205,7 +205,7 @@ TYPED_TEST(PoseGraphOptimizerTest, SurvivesFalseLoops) {
   Dice dice(13);
   typename PoseGraph<TypeParam>::Edge edge = clean.edges().back();
   const std::size_t true_edges = clean.edges().size();
-  for (int k = 0; k < 25; ++k) {  // beside 81 true ones
+  for (int k = 0; k < 25; ++k) {  // among 81 true ones
     edge.from = dice.roll(99);
     edge.to = edge.from + 1 + dice.roll(99 - edge.from);
     edge.T_from_to = TypeParam::exp(dice.vector<typename TypeParam::Tangent>(2.0));

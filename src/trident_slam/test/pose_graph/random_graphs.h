@@ -25,7 +25,7 @@ class Dice {
   std::mt19937 engine_;
 };
 
-/// A rectangular grid, driven boustrophedon with measurements to the neighbours in the row before;
+/// A rectangular grid, driven boustrophedon with measurements to the neighbors in the row before;
 /// every measurement is off by up to `noise` [m, rad]. The graph's poses are those of odometry.
 template <class Group>
 PoseGraph<Group> grid_graph(int rows, int columns, double noise, unsigned seed,
@@ -60,7 +60,7 @@ PoseGraph<Group> grid_graph(int rows, int columns, double noise, unsigned seed,
     T = T * edge.T_from_to;
     graph.add_vertex(k, T);
     graph.add_edge(edge);
-    const int before = k - 1 - 2 * (k % columns);  // beside it, in the row before
+    const int before = k - 1 - 2 * (k % columns);  // next to it, in the row before
     if (before < 0 || before == k - 1) continue;
     edge.from = before;
     edge.T_from_to = measured(before, k);

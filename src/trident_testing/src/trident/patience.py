@@ -6,7 +6,7 @@ On a loaded machine a process that wants to run has to wait for a processor. The
 how long, thread by thread (/proc/PID/task/TID/schedstat: time run and time waited for a processor,
 in nanoseconds). A `Patience` counts time as far as this process and all that it has started got
 what they wanted: with a tenth of a processor, a limit of 60 s is one of 600 s. What hangs without
-wanting anything, or runs for ever, meets its limit as on a quiet machine.
+wanting anything, or runs for ever, reaches its limit as on a quiet machine.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ def rate_of_time(ran_s: float, waited_s: float, wall_s: float) -> float:
 
     Args:
         ran_s: by all their threads together [s].
-        waited_s: likewise [s].
+        waited_s: by all their threads together [s].
         wall_s: that went by [s], more than 0.
 
     Returns:

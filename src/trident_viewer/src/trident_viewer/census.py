@@ -25,9 +25,9 @@ from trident_ros import point_problem
 from trident_viewer.framing import Sphere
 
 _SERVICE_LIMIT_S = 300.0
-_MOST_MODELS = 5000  # each costs two calls and some more
-_MOST_LINKS = 12  # that are asked for their size
-_LEAST_RADIUS_M = 0.12
+_MAX_MODELS = 5000  # each costs two calls and some more
+_MAX_LINKS = 12  # that are asked for their size
+_MIN_RADIUS_M = 0.12
 _SCENERY_RADIUS_M = 1.0  # of what stands still nobody knows the size
 _SHAPE = 0.7  # of the half diagonal: most of a vehicle is nearer to its middle than a box would be
 _LIGHT = 0.02  # of the heaviest link
@@ -45,8 +45,8 @@ def models_in_the_world() -> list[Sphere]:
         rospy.wait_for_service("/gazebo/get_world_properties", _SERVICE_LIMIT_S)
         with _Simulator() as simulator:
             names = simulator.world().model_names
-            if len(names) > _MOST_MODELS:
-                raise EvalError(f"{len(names)} models in the world, legal: up to {_MOST_MODELS}")
+            if len(names) > _MAX_MODELS:
+                raise EvalError(f"{len(names)} models in the world, legal: up to {_MAX_MODELS}")
             features = [name for name in names if not _NO_FEATURE.fullmatch(name.lower())]
             found = [_sphere(simulator, name) for name in features]
     except (rospy.ROSException, rospy.ServiceException) as error:
@@ -83,31 +83,31 @@ def _service(name: str, kind: Any) -> rospy.ServiceProxy:
 
 
 def _sphere(simulator: _Simulator, name: str) -> Sphere | None:
-    """A model's sphere; None for one that has gone, or whose place is none."""
+    """A model's sphere; None for one that has gone, or whose place is illegal."""
     model, state = simulator.model(name), simulator.model_state(name, "")
     if not (model.success and state.success):
         return None
     at = state.pose.position
     if point_problem("position", at):
         return None
-    centre = (at.x, at.y, at.z)
+    center = (at.x, at.y, at.z)
     radius_m = _SCENERY_RADIUS_M
     if not model.is_static:
-        radius_m = _radius(simulator, name, model.body_names, centre)
-    return Sphere(name, centre, radius_m, not model.is_static, bool(model.joint_names))
+        radius_m = _radius(simulator, name, model.body_names, center)
+    return Sphere(name, center, radius_m, not model.is_static, bool(model.joint_names))
 
 
 def _radius(
-    simulator: _Simulator, name: str, links: list[str], centre: tuple[float, float, float]
+    simulator: _Simulator, name: str, links: list[str], center: tuple[float, float, float]
 ) -> float:
     bodies: list[Body] = []
-    for link in links[:_MOST_LINKS]:
+    for link in links[:_MAX_LINKS]:
         full_name = link if "::" in link else f"{name}::{link}"
         state, of_link = simulator.link_state(full_name, ""), simulator.link(full_name)
         if state.success and of_link.success:
             at = state.link_state.pose.position
             moments = (of_link.ixx, of_link.iyy, of_link.izz)
-            bodies.append(Body(math.dist((at.x, at.y, at.z), centre), of_link.mass, moments))
+            bodies.append(Body(math.dist((at.x, at.y, at.z), center), of_link.mass, moments))
     return radius_of(bodies)
 
 
@@ -123,14 +123,14 @@ class Body:
 def radius_of(bodies: Sequence[Body]) -> float:
     """Of a sphere around the model's origin that holds about all of its links [m].
 
-    What weighs nearly nothing has moments that keep a solver happy, and tell no size.
+    What weighs nearly nothing has moments that keep a solver happy, and give no size.
     """
     heaviest = max((body.mass_kg for body in bodies), default=0.0)
     reach_m = [
         body.away_m + (_SHAPE * _half_diagonal(body) if body.mass_kg > _LIGHT * heaviest else 0.0)
         for body in bodies
     ]
-    return max([_LEAST_RADIUS_M, *(reach for reach in reach_m if math.isfinite(reach))])
+    return max([_MIN_RADIUS_M, *(reach for reach in reach_m if math.isfinite(reach))])
 
 
 def _half_diagonal(body: Body) -> float:

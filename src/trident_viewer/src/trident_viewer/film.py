@@ -45,7 +45,7 @@ class Pace:
         """
         if self._origin_s is None:
             self._origin_s = stamp_s
-        elif stamp_s < self._last_s:  # the world was reset: the film goes on
+        elif stamp_s < self._last_s:  # the world was reset: the film continues
             self._origin_s = stamp_s - self.written / self.fps
         self._last_s = stamp_s
         due = round((stamp_s - self._origin_s) * self.fps) + 1 - self.written
@@ -90,7 +90,7 @@ class Film:
         self._frames = 0
         self._most = max(1.0, round(length_s * fps)) if math.isfinite(length_s) else math.inf
         self._last: bytes = b""
-        self._told: IO[bytes] | None = None
+        self._errors: IO[bytes] | None = None
         self._process: subprocess.Popen[bytes] | None = None
         self.missing = 0
 
@@ -106,7 +106,7 @@ class Film:
 
     def __enter__(self) -> Film:
         """Start the encoder."""
-        self._told = tempfile.TemporaryFile()
+        self._errors = tempfile.TemporaryFile()
         height, width, _ = self._shape
         source = ["-f", "rawvideo", "-pix_fmt", "rgb24", "-s", f"{width}x{height}"]
         source += ["-r", f"{self._pace.fps:g}", "-i", "-"]
@@ -115,7 +115,7 @@ class Film:
         self._process = subprocess.Popen(
             [self._program, "-loglevel", "error", "-y", *source, *coding, str(self._path)],
             stdin=subprocess.PIPE,
-            stderr=self._told,
+            stderr=self._errors,
             start_new_session=True,  # Ctrl-C ends the film, it does not break it off
         )
         return self
@@ -129,19 +129,19 @@ class Film:
         """Finish the file.
 
         Raises:
-            EvalError: the encoder failed; says what it told.
+            EvalError: the encoder failed; contains what it printed.
         """
         assert self._process is not None
         assert self._process.stdin is not None
-        assert self._told is not None
-        with contextlib.suppress(BrokenPipeError):  # its exit code tells more
+        assert self._errors is not None
+        with contextlib.suppress(BrokenPipeError):  # its exit code says more
             self._process.stdin.close()
         code = self._process.wait()
-        with self._told:
-            self._told.seek(0)
-            told = self._told.read().decode(errors="replace").strip()
+        with self._errors:
+            self._errors.seek(0)
+            text = self._errors.read().decode(errors="replace").strip()
         if code != 0:
-            raise EvalError(f"{self._path}: ffmpeg ended with exit code {code}: {told}") from error
+            raise EvalError(f"{self._path}: ffmpeg ended with exit code {code}: {text}") from error
 
     def add(self, pixels: Pixels, stamp_s: float) -> None:
         """Show a picture, shape (height, width, 3), from its simulated time [s] on.

@@ -17,7 +17,7 @@ from geometry_msgs.msg import Point, Pose, Quaternion, Vector3
 from rosgraph.names import is_legal_name
 from std_msgs.msg import ColorRGBA, Header
 from trident_eval.core.errors import EvalError
-from trident_eval.core.plots import colour
+from trident_eval.core.plots import color
 from trident_eval.core.tracks import Array
 from visualization_msgs.msg import Marker, MarkerArray
 
@@ -39,7 +39,7 @@ _KINDS = {
     SPHERE: Marker.SPHERE,
 }
 # What a vehicle without a description looks like: a disc of about a vehicle's size.
-_UNKNOWN = Visual(CYLINDER, np.eye(4), (0.5, 0.5, 0.08), colour=(0.3, 0.3, 0.3, 1.0))
+_UNKNOWN = Visual(CYLINDER, np.eye(4), (0.5, 0.5, 0.08), color=(0.3, 0.3, 0.3, 1.0))
 
 
 class FleetMarkers:
@@ -136,11 +136,11 @@ def _shape(
     marker.scale = Vector3(*visual.scale)
     if visual.kind == MESH:
         marker.mesh_resource = visual.resource
-        marker.mesh_use_embedded_materials = visual.colour is None
+        marker.mesh_use_embedded_materials = visual.color is None
     else:
         marker.color = tint
-    if visual.colour is not None:
-        marker.color = ColorRGBA(*visual.colour)
+    if visual.color is not None:
+        marker.color = ColorRGBA(*visual.color)
     return marker
 
 
@@ -162,7 +162,7 @@ def _path(header: Any, name: str, points: list[Point], tint: Any) -> Any:
 
 
 def _tint(index: int) -> Any:
-    text = colour(index).lstrip("#")
+    text = color(index).lstrip("#")
     red, green, blue = (int(text[at : at + 2], 16) / 255.0 for at in (0, 2, 4))
     return ColorRGBA(red, green, blue, 1.0)
 

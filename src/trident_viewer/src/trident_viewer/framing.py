@@ -12,8 +12,8 @@ import numpy as np
 from trident_eval.core.tracks import Array
 
 _MARGIN = 1.12  # of the picture around what is shown
-_LEAST_WIDTH_M = 3.2  # that the picture shows
-_LEAST_WIDTH_RADII = 8.0
+_MIN_WIDTH_M = 3.2  # that the picture shows
+_MIN_WIDTH_RADII = 8.0
 _GROUND_M = 0.1  # is no more uneven than this, for what stands out of it
 _LOWEST_M = 0.3  # of the camera above the lowest thing shown
 
@@ -24,14 +24,14 @@ class Sphere:
 
     Attributes:
         name: of the model.
-        centre: p_world [m].
+        center: p_world [m].
         radius_m: of a sphere that holds it.
         moves: whether it is no part of the scenery.
         has_joints: whether it has moving parts, as robots do.
     """
 
     name: str
-    centre: tuple[float, float, float]
+    center: tuple[float, float, float]
     radius_m: float
     moves: bool = True
     has_joints: bool = False
@@ -103,9 +103,9 @@ def frame(spheres: Sequence[Sphere], lens: Lens, yaw_rad: float, down_rad: float
         yaw_rad: heading of the camera.
         down_rad: how far it looks down, less than a right angle.
     """
-    centres = np.array([sphere.centre for sphere in spheres])
+    centers = np.array([sphere.center for sphere in spheres])
     radii = np.array([sphere.radius_m for sphere in spheres])
-    low, high = (centres - radii[:, None]).min(axis=0), (centres + radii[:, None]).max(axis=0)
+    low, high = (centers - radii[:, None]).min(axis=0), (centers + radii[:, None]).max(axis=0)
     target = (low + high) / 2.0
     ahead = np.array(
         [
@@ -115,13 +115,13 @@ def frame(spheres: Sequence[Sphere], lens: Lens, yaw_rad: float, down_rad: float
         ]
     )
     axes = Stand(tuple((-ahead).tolist()), (0.0, 0.0, 0.0)).axes()
-    seen = (centres - target) @ axes.T
+    seen = (centers - target) @ axes.T
     away = 0.0
     for side, tangent in zip((1, 2), lens.tangents, strict=True):
         # A sphere touches the edge of the picture at its radius by the cosine of the half angle.
         reach = np.abs(seen[:, side]) + radii * math.hypot(1.0, tangent)
         away = max(away, float((_MARGIN * reach / tangent - seen[:, 0]).max()))
-    least_width_m = max(_LEAST_WIDTH_M, _LEAST_WIDTH_RADII * float(radii.max()))
+    least_width_m = max(_MIN_WIDTH_M, _MIN_WIDTH_RADII * float(radii.max()))
     away = max(away, least_width_m / 2.0 / lens.tangents[0])
     place = target - away * ahead
     place[2] = max(place[2], low[2] + _LOWEST_M)
@@ -129,8 +129,8 @@ def frame(spheres: Sequence[Sphere], lens: Lens, yaw_rad: float, down_rad: float
 
 
 def all_inside(stand: Stand, lens: Lens, spheres: Sequence[Sphere]) -> bool:
-    """Whether the centres of all spheres are in the picture."""
-    pixels, ahead = project(stand, lens, np.array([sphere.centre for sphere in spheres]))
+    """Whether the centers of all spheres are in the picture."""
+    pixels, ahead = project(stand, lens, np.array([sphere.center for sphere in spheres]))
     inside = (pixels >= 0.0).all(axis=1) & (pixels < [lens.width, lens.height]).all(axis=1)
     return bool((inside & (ahead > 0.0)).all())
 
@@ -145,7 +145,7 @@ def hidden(stand: Stand, lens: Lens, spheres: Sequence[Sphere], depth: Array) ->
         depth: how far ahead of the camera each pixel is, shape (height, width) [m]; not finite
             where there is nothing.
     """
-    pixels, ahead = project(stand, lens, np.array([sphere.centre for sphere in spheres]))
+    pixels, ahead = project(stand, lens, np.array([sphere.center for sphere in spheres]))
     count = 0
     for sphere, (column, row), distance in zip(spheres, pixels, ahead, strict=True):
         x, y = int(column), int(row)
@@ -153,8 +153,8 @@ def hidden(stand: Stand, lens: Lens, spheres: Sequence[Sphere], depth: Array) ->
             count += 1
             continue
         around = depth[max(y - 1, 0) : y + 2, max(x - 1, 0) : x + 2]
-        met = around[np.isfinite(around)]
-        count += bool(len(met) and met.max() < distance - 1.5 * sphere.radius_m)
+        hits = around[np.isfinite(around)]
+        count += bool(len(hits) and hits.max() < distance - 1.5 * sphere.radius_m)
     return count
 
 

@@ -18,12 +18,12 @@ from trident_msgs.srv import Step
 from trident_ros import LATEST_STAMP_S
 from trident_viewer.launch_nodes import wait_for_nodes
 
-_START_LIMIT_S = 300.0  # on a loaded machine; whoever has started it sees it end
+_START_LIMIT_S = 300.0  # on a loaded machine; the user who has started it sees it end
 _NODES_LIMIT_S = 300.0
 _TRIES = 20
 _POLL_S = 0.1
 _CONNECT_S = 1.0
-_CHUNK_S = 0.05  # of simulated time, so that whoever watches can follow
+_CHUNK_S = 0.05  # of simulated time, so that a viewer can follow
 _PACE = 5.0
 _SHORTEST_STEP_S = 1e-6
 
@@ -32,7 +32,7 @@ def _checked(name: str, value_s: float, least_s: float) -> float:
     """A time of a service's answer [s].
 
     Raises:
-        rospy.ROSException: it is none.
+        rospy.ROSException: it is not one.
     """
     if not least_s <= value_s <= LATEST_STAMP_S:
         legal = f"{least_s:g} to {LATEST_STAMP_S:g} s"
@@ -47,7 +47,7 @@ class Held:
         """Wait for the simulator.
 
         Raises:
-            rospy.ROSException: there is none, or it reports an invalid time.
+            rospy.ROSException: it does not exist, or reports an invalid time.
         """
         rospy.wait_for_service("/gazebo/step", _START_LIMIT_S)
         self._pause = rospy.ServiceProxy("/gazebo/pause_physics", Empty)
@@ -63,11 +63,11 @@ class Held:
         self.time_s = _checked("sim_time", float(self._world().sim_time), 0.0)
 
     def step_once(self) -> None:
-        """Go on by a step; errors as `advance_to`."""
+        """Continue by a step; errors as `advance_to`."""
         self.advance_to(self.time_s + self.dt_s, math.inf)
 
     def advance_to(self, time_s: float, pace: float) -> None:
-        """Go there step by step; a node of the launch may unpause the world on the way.
+        """Go there step by step; a node of the launch may unpause the world meanwhile.
 
         Args:
             time_s: simulated time [s].
@@ -105,7 +105,7 @@ def wait_for_viewer() -> None:
     """Wait until an rviz listens to transforms.
 
     Raises:
-        rospy.ROSException: there is none within the limit.
+        rospy.ROSException: none comes within the limit.
     """
     give_up = time.monotonic() + _START_LIMIT_S
     master = rosgraph.Master(rospy.get_name())

@@ -16,7 +16,7 @@ import rospy
 _URIS = "/roslaunch/uris"
 _OF_ROSCORE = frozenset({"master", "rosout-1"})
 _POLL_S = 0.1
-_QUIET_S = 0.7  # a node that is registered goes on with its topics and services
+_QUIET_S = 0.7  # a node that is registered continues with its topics and services
 
 
 def node_of(process: str) -> str:

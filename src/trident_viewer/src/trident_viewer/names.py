@@ -37,7 +37,7 @@ def write_names(
     """
     if not spheres:
         return []
-    tops = np.array([s.centre for s in spheres], dtype=float)
+    tops = np.array([s.center for s in spheres], dtype=float)
     tops[:, 2] += [s.radius_m if s.moves else 0.0 for s in spheres]
     pixels, ahead = project(stand, lens, tops)
     pixels[ahead <= 0.0] = -1.0

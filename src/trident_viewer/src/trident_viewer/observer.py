@@ -38,7 +38,8 @@ def main(arguments: list[str] | None = None) -> int:
     """Run to the end.
 
     Returns:
-        0: written; 1: not, and why has been told; 130: interrupted, a film holds what was seen.
+        0: written; 1: not, and the reason has been reported; 130: interrupted, a film holds what
+        was seen.
     """
     options = _parser().parse_args(rospy.myargv(arguments or sys.argv)[1:])
     rospy.init_node("observer", anonymous=True, disable_signals=True)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""A camera beside the robots, put into the running simulation."""
+"""A camera next to the robots, put into the running simulation."""
 
 from __future__ import annotations
 
@@ -104,7 +104,7 @@ class WorldStandsError(EvalError):
 
 
 def image_problem(message: Image) -> str:
-    """Why these are no colour pixels in rows, or ""."""
+    """Why these are no color pixels in rows, or ""."""
     if message.encoding != "rgb8":
         return f"image of encoding '{quoted(message.encoding)}', legal: rgb8"
     size, row = len(message.data), 3 * message.width
@@ -130,7 +130,7 @@ def pixels_of(message: Image) -> npt.NDArray[np.uint8]:
 
 
 class WaitingPictures:
-    """Pictures that have arrived and are not taken yet, oldest first; the oldest give way."""
+    """Pictures that have arrived and are not taken yet, oldest first; the oldest are dropped."""
 
     def __init__(self, limit_bytes: int) -> None:
         """Holds none; `limit_bytes`: of all their pixels together, one picture always fits."""
@@ -153,7 +153,7 @@ class WaitingPictures:
         """The oldest.
 
         Raises:
-            IndexError: there is none.
+            IndexError: it is empty.
         """
         image = self._images.popleft()
         self._bytes -= len(image.data)
@@ -242,7 +242,7 @@ class Observer:
             limit_s: longest wait, in wall-clock time [s].
 
         Raises:
-            WorldStandsError: there is none within the limit.
+            WorldStandsError: none comes within the limit.
         """
         give_up = time.monotonic() + limit_s
         while True:
@@ -292,7 +292,7 @@ def place_of(model: str, wait_s: float = 0.0) -> Place:
         wait_s: how long it may take to come, in wall-clock time [s].
 
     Raises:
-        EvalError: there is none of that name, it is nowhere, or no simulator.
+        EvalError: no model has that name, it is nowhere, or no simulator.
     """
     give_up = time.monotonic() + wait_s
     while True:

@@ -45,7 +45,7 @@ def main(arguments: list[str] | None = None) -> int:
     """Take the picture.
 
     Returns:
-        0: it is written; 1: it is not, and why has been told.
+        0: it is written; 1: it is not, and the reason has been reported.
     """
     parser = argparse.ArgumentParser(prog="overview", description=__doc__)
     what = parser.add_mutually_exclusive_group(required=True)
@@ -122,7 +122,7 @@ def _held(nodes: int) -> Held:
 
 
 def what_to_show(models: Sequence[Sphere]) -> list[Sphere]:
-    """Robots; what moves where there are none; else the scenery. Not what was lost in space.
+    """Robots; without any, what moves; else the scenery. Not what was lost in space.
 
     Raises:
         EvalError: the world is empty.
@@ -131,8 +131,8 @@ def what_to_show(models: Sequence[Sphere]) -> list[Sphere]:
         raise EvalError("the world is empty: there is nothing to be seen")
     robots = [model for model in models if model.moves and model.has_joints]
     shown = robots or [model for model in models if model.moves] or list(models)
-    middle = np.median([model.centre for model in shown], axis=0)
-    near = [model for model in shown if math.dist(model.centre, middle) <= _LOST_M]
+    middle = np.median([model.center for model in shown], axis=0)
+    near = [model for model in shown if math.dist(model.center, middle) <= _LOST_M]
     return near or shown
 
 
@@ -145,7 +145,7 @@ def _take(lens: Lens, held: Held | None, at_s: float | None, out: Path) -> float
     step = None if held is None else held.step_once
     shown = what_to_show(models_in_the_world())
     if not shown[0].moves:
-        middle = np.mean([sphere.centre for sphere in shown], axis=0)
+        middle = np.mean([sphere.center for sphere in shown], axis=0)
         shown = features(tuple(middle.tolist()), step) or shown
     stands = [frame(shown, lens, math.radians(yaw), math.radians(down)) for yaw, down in _SIDES]
     stand = best_of(stands, lens, shown, step)

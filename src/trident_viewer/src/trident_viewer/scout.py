@@ -28,7 +28,7 @@ _MAP_FOV_RAD = math.radians(70.0)
 _HEIGHTS_M = (15.0, 60.0, 200.0)  # of maps: near ones show walls, far ones all there is
 _FAR_M = 2000.0
 _LIMIT_S = 300.0
-_MOST_STEPS = 20
+_MAX_STEPS = 20
 _CONNECT_S = 0.2
 _DEPTH_BYTES = 4  # of a pixel, a float32
 
@@ -42,7 +42,7 @@ def best_of(
         stands: by preference, one or more.
         lens: of the picture that is to be taken.
         spheres: what is to be seen.
-        step: lets the world go on by a step; None: it runs.
+        step: advances the world by a step; None: it runs.
 
     Raises:
         EvalError: the simulator refuses the cameras, or sends no pictures.
@@ -132,10 +132,10 @@ class _Scouts:
 
     def depths(self, step: Callable[[], None] | None) -> list[Depth]:
         """A depth image of each camera, shape (height, width) [m]."""
-        for _ in range(_MOST_STEPS if step else 1):
+        for _ in range(_MAX_STEPS if step else 1):
             if step:
                 step()
-            limit_s = _LIMIT_S / _MOST_STEPS if step else _LIMIT_S
+            limit_s = _LIMIT_S / _MAX_STEPS if step else _LIMIT_S
             with self._arrived:
                 if self._arrived.wait_for(self._is_complete, limit_s):
                     return [self._depths[index] for index in range(len(self._stands))]

@@ -23,14 +23,14 @@ class Visual:
         T_base_shape: pose in the root link, joints at zero, shape (4, 4) [m].
         scale: of a mesh; else the extent along x, y, z [m].
         resource: URI of a mesh; else "".
-        colour: red, green, blue, alpha; None: that of the mesh.
+        color: red, green, blue, alpha; None: that of the mesh.
     """
 
     kind: str
     T_base_shape: Array
     scale: tuple[float, float, float]
     resource: str = ""
-    colour: tuple[float, float, float, float] | None = None
+    color: tuple[float, float, float, float] | None = None
 
 
 def visuals_of(urdf: str) -> list[Visual]:
@@ -42,13 +42,13 @@ def visuals_of(urdf: str) -> list[Visual]:
     try:
         robot = ElementTree.fromstring(urdf)
         places = _link_poses(robot)
-        colours = {
-            material.get("name"): _colour(material)
+        colors = {
+            material.get("name"): _color(material)
             for material in robot.iter("material")
             if material.find("color") is not None
         }
         return [
-            _visual(visual, places[link.get("name", "")], colours)
+            _visual(visual, places[link.get("name", "")], colors)
             for link in robot.findall("link")
             for visual in link.findall("visual")
         ]
@@ -103,19 +103,19 @@ def _origin(element: ElementTree.Element) -> Array:
 def _visual(
     visual: ElementTree.Element,
     T_base_link: Array,
-    colours: dict[str | None, tuple[float, float, float, float]],
+    colors: dict[str | None, tuple[float, float, float, float]],
 ) -> Visual:
     geometry = visual.find("geometry")
     if geometry is None or not len(geometry):
         raise ValueError("a visual has no geometry")
     shape = geometry[0]
     material = visual.find("material")
-    colour = None if material is None else colours.get(material.get("name"))
+    color = None if material is None else colors.get(material.get("name"))
     pose = T_base_link @ _origin(visual)
     if shape.tag == MESH:
         scale = _numbers(shape.get("scale", "1 1 1"))
-        return Visual(MESH, pose, scale, shape.get("filename", ""), colour)
-    return Visual(shape.tag, pose, _extent(shape), colour=colour)
+        return Visual(MESH, pose, scale, shape.get("filename", ""), color)
+    return Visual(shape.tag, pose, _extent(shape), color=color)
 
 
 def _extent(shape: ElementTree.Element) -> tuple[float, float, float]:
@@ -127,7 +127,7 @@ def _extent(shape: ElementTree.Element) -> tuple[float, float, float]:
     return width, width, float(shape.get("length", "nan")) if shape.tag == CYLINDER else width
 
 
-def _colour(material: ElementTree.Element) -> tuple[float, float, float, float]:
+def _color(material: ElementTree.Element) -> tuple[float, float, float, float]:
     element = material.find("color")
     words = (element.get("rgba") if element is not None else None) or "0.5 0.5 0.5 1"
     red, green, blue, alpha = (float(word) for word in words.split())

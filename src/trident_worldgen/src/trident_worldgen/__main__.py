@@ -32,7 +32,7 @@ def main(arguments: list[str] | None = None) -> int:
     """Write a world and what belongs to it.
 
     Returns:
-        0: written; 2: not, and why has been told.
+        0: written; 2: not, and the reason has been reported.
     """
     parser = argparse.ArgumentParser(prog="trident worldgen", description=__doc__)
     parser.add_argument("kind", choices=sorted(_KINDS))

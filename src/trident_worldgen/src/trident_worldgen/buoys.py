@@ -9,9 +9,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from trident_worldgen.checks import require, require_seed
-from trident_worldgen.sdf import Colour, Files, StaticModel, world_text
+from trident_worldgen.sdf import Color, Files, StaticModel, world_text
 
-_BED = Colour((0.1, 0.25, 0.35))
+_BED = Color((0.1, 0.25, 0.35))
 _VESSEL = "package://trident_bringup/config/vessels/channel_buoy.yaml"
 _HULL_KG = 413.485  # that and the rest of the inertial: as the vessel's file has it
 _SLACK = 1.15  # length of a mooring per depth
@@ -26,18 +26,18 @@ class Buoy:
         x: of its anchor [m, world].
         y: of its anchor [m, world].
         depth: of the ground below the still water [m].
-        colour: red, green, blue, each 0 to 1.
+        color: red, green, blue, each 0 to 1.
     """
 
     name: str
     x: float
     y: float
     depth: float
-    colour: Colour
+    color: Color
 
     def text(self) -> str:
         """As a model of a world."""
-        look = self.colour.text()
+        look = self.color.text()
         return f"""
     <model name="{self.name}">
       <pose>{self.x:g} {self.y:g} 0 0 0 0</pose>
@@ -104,7 +104,7 @@ class RegattaConfig:
     """Sizes of a course of buoys [m].
 
     Attributes:
-        seed: decides by how much the marks lie beside their places.
+        seed: decides by how much the marks lie off their places.
         leg: from the start to the windward mark.
         gate: width of the start and of the gate.
         depth: of the water.
@@ -124,13 +124,13 @@ class RegattaConfig:
 
 
 def course_of(config: RegattaConfig) -> list[Buoy]:
-    """The marks in the order in which they are met: start, windward, wing, gate, finish.
+    """The marks in the order in which they are passed: start, windward, wing, gate, finish.
 
     Waves and wind come from the east: the first leg leads against them.
     """
     leg, half = config.leg, config.gate / 2
     red, green, yellow = RED, GREEN, YELLOW
-    marks: Sequence[tuple[str, float, float, Colour]] = (
+    marks: Sequence[tuple[str, float, float, Color]] = (
         ("start_port", 0.0, half, red),
         ("start_starboard", 0.0, -half, green),
         ("windward", leg, 0.0, yellow),
@@ -142,11 +142,11 @@ def course_of(config: RegattaConfig) -> list[Buoy]:
     # A mark lies where its anchor was dropped, within 2 % of the leg; a turn per mark by the seed.
     turn = (config.seed * 2.399963) % (2.0 * math.pi)
     buoys = []
-    for index, (name, x, y, colour) in enumerate(marks):
-        off = 0.02 * leg if colour is yellow else 0.0
+    for index, (name, x, y, color) in enumerate(marks):
+        off = 0.02 * leg if color is yellow else 0.0
         angle = turn + 2.0 * index
         x, y = x + off * math.cos(angle), y + off * math.sin(angle)
-        buoys.append(Buoy(name, round(x, 2), round(y, 2), config.depth, colour))
+        buoys.append(Buoy(name, round(x, 2), round(y, 2), config.depth, color))
     return buoys
 
 
@@ -173,7 +173,7 @@ def regatta(config: RegattaConfig | None = None) -> Files:
     return {"regatta.world": text}
 
 
-RED = Colour((0.75, 0.08, 0.06))
+RED = Color((0.75, 0.08, 0.06))
 SKY = (0.62, 0.76, 0.9)
-GREEN = Colour((0.05, 0.5, 0.15))
-YELLOW = Colour((0.95, 0.8, 0.1))
+GREEN = Color((0.05, 0.5, 0.15))
+YELLOW = Color((0.95, 0.8, 0.1))

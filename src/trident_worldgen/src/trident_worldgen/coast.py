@@ -14,7 +14,7 @@ from trident_worldgen.checks import require, require_count, require_seed
 from trident_worldgen.coast_parts import MODEL_CONFIG, MODEL_SDF, harbour, road
 from trident_worldgen.noise import Field, grain
 from trident_worldgen.placing import free_place
-from trident_worldgen.sdf import Colour, Files, StaticModel, world_text
+from trident_worldgen.sdf import Color, Files, StaticModel, world_text
 from trident_worldgen.shapes import cone, rock
 from trident_worldgen.terrain import Terrain, terrain_of
 
@@ -31,10 +31,10 @@ QUAY_Y_M = 25.0
 _FOLDER = "models/coast_parts"
 _URI = "model://coast_parts"
 _SAMPLES = 129
-_GROUND = Colour((0.46, 0.45, 0.3))
-_BARK = Colour((0.36, 0.25, 0.16))
-_NEEDLES = Colour((0.1, 0.3, 0.16))
-_STONE = Colour((0.45, 0.44, 0.42))
+_GROUND = Color((0.46, 0.45, 0.3))
+_BARK = Color((0.36, 0.25, 0.16))
+_NEEDLES = Color((0.1, 0.3, 0.16))
+_STONE = Color((0.45, 0.44, 0.42))
 _OCTAVES = ((4, 1.0), (9, 0.4), (23, 0.1))
 _TRIES = 60
 _EDGE_M = 4.0
@@ -137,9 +137,7 @@ def fairway(ground: Terrain) -> list[Buoy]:
         ("buoy_west", -60.0, -90.0, YELLOW),
         ("buoy_east", 110.0, -90.0, YELLOW),
     ]
-    return [
-        Buoy(name, x, y, round(-ground.height(x, y), 2), colour) for name, x, y, colour in places
-    ]
+    return [Buoy(name, x, y, round(-ground.height(x, y), 2), color) for name, x, y, color in places]
 
 
 def _shore_y(config: CoastConfig, x: Field) -> Field:
@@ -163,9 +161,9 @@ def _outside(
     x: Field, y: Field, x_range: tuple[float, float], y_range: tuple[float, float]
 ) -> Field:
     """Distance to a rectangle [m]; 0 within."""
-    beside = np.maximum(np.maximum(x_range[0] - x, x - x_range[1]), 0.0)
+    across = np.maximum(np.maximum(x_range[0] - x, x - x_range[1]), 0.0)
     along = np.maximum(np.maximum(y_range[0] - y, y - y_range[1]), 0.0)
-    return np.asarray(np.hypot(beside, along))
+    return np.asarray(np.hypot(across, along))
 
 
 def _levelled(ground: Field, level: float, distance: Field, near: float, far: float) -> Field:

@@ -4,16 +4,16 @@
 
 from __future__ import annotations
 
-from trident_worldgen.sdf import Colour, StaticModel
+from trident_worldgen.sdf import Color, StaticModel
 
-_ASPHALT = Colour((0.2, 0.2, 0.21))
-_PAINT = Colour((0.9, 0.9, 0.85))
-_CONCRETE = Colour((0.62, 0.61, 0.58))
-_BRICK = Colour((0.55, 0.22, 0.15))
-_STEEL = Colour((0.85, 0.55, 0.1))
-_WHITE = Colour((0.92, 0.92, 0.9))
-_RED = Colour((0.75, 0.08, 0.06))
-_CARGO = (Colour((0.1, 0.25, 0.5)), Colour((0.6, 0.15, 0.1)), Colour((0.15, 0.4, 0.2)))
+_ASPHALT = Color((0.2, 0.2, 0.21))
+_PAINT = Color((0.9, 0.9, 0.85))
+_CONCRETE = Color((0.62, 0.61, 0.58))
+_BRICK = Color((0.55, 0.22, 0.15))
+_STEEL = Color((0.85, 0.55, 0.1))
+_WHITE = Color((0.92, 0.92, 0.9))
+_RED = Color((0.75, 0.08, 0.06))
+_CARGO = (Color((0.1, 0.25, 0.5)), Color((0.6, 0.15, 0.1)), Color((0.15, 0.4, 0.2)))
 
 _THICK_M = 0.02  # of asphalt and paint, which are only seen: wheels roll on the ground
 _ROAD_Y_M = 50.0
@@ -31,8 +31,8 @@ def road(land: StaticModel, level: float) -> None:
     land.box("road", (270.0, 7.0, _THICK_M), (0.0, _ROAD_Y_M, top), _ASPHALT, solid=False)
     land.box("branch", (6.0, 13.5, _THICK_M), (30.0, 39.75, top), _ASPHALT, solid=False)
     for index in range(33):
-        centre = (-128.0 + 8.0 * index, _ROAD_Y_M, top + _THICK_M)
-        land.box(f"dash{index}", (3.0, 0.15, _THICK_M), centre, _PAINT, solid=False)
+        center = (-128.0 + 8.0 * index, _ROAD_Y_M, top + _THICK_M)
+        land.box(f"dash{index}", (3.0, 0.15, _THICK_M), center, _PAINT, solid=False)
     for index, x in enumerate(range(-120, 121, 30)):
         post = (float(x), _ROAD_Y_M + 5.0, level + 0.5)
         land.box(f"post{index}", (0.15, 0.15, 1.0), post, _PAINT)
@@ -67,8 +67,8 @@ def _buildings(quays: StaticModel, level: float, front_y: float) -> None:
     quays.box("shed", (22.0, 9.0, 5.5), (0.0, front_y + 15.0, level + 2.75), _BRICK)
     for index in range(6):
         x, storey = 48.0 + 7.0 * (index % 3), index // 3
-        centre = (x, front_y + 14.0, level + 1.3 + 2.6 * storey)
-        quays.box(f"container{index}", (6.06, 2.44, 2.59), centre, _CARGO[(index + storey) % 3])
+        center = (x, front_y + 14.0, level + 1.3 + 2.6 * storey)
+        quays.box(f"container{index}", (6.06, 2.44, 2.59), center, _CARGO[(index + storey) % 3])
     foot = (66.0, front_y + 4.0)
     quays.box("crane_tower", (1.6, 1.6, 12.0), (*foot, level + 6.0), _STEEL)
     quays.box("crane_arm", (1.0, 18.0, 1.0), (foot[0], foot[1] - 5.0, level + 12.5), _STEEL)

@@ -11,17 +11,17 @@ import numpy as np
 
 from trident_worldgen.checks import require, require_count, require_seed
 from trident_worldgen.placing import Range, free_place
-from trident_worldgen.sdf import Colour, Files, StaticModel, world_text
+from trident_worldgen.sdf import Color, Files, StaticModel, world_text
 from trident_worldgen.shapes import cone, rock
 from trident_worldgen.terrain import Terrain, hills
 
 _FOLDER = "models/forest_parts"
 _URI = "model://forest_parts"
-_BARK = Colour((0.36, 0.25, 0.16))
-_NEEDLES = Colour((0.1, 0.3, 0.16))
-_LEAVES = Colour((0.28, 0.45, 0.14))
-_STONE = Colour((0.45, 0.44, 0.42))
-_GRASS = Colour((0.33, 0.4, 0.2))
+_BARK = Color((0.36, 0.25, 0.16))
+_NEEDLES = Color((0.1, 0.3, 0.16))
+_LEAVES = Color((0.28, 0.45, 0.14))
+_STONE = Color((0.45, 0.44, 0.42))
+_GRASS = Color((0.33, 0.4, 0.2))
 _ROOTS_M = 0.2  # how deep trunks stand in the ground, so that slopes show no gap
 _EDGE_M = 1.0  # kept free along the border
 _ROCK_GAP_M = 0.8
@@ -157,8 +157,8 @@ def _tree(
     crown = float(random.uniform(0.8, 1.25)) * plant.height / 5.0
     bare = float(random.uniform(0.2, 0.35)) * plant.height  # below the crown
     trunk = bare + (0.1 if is_spruce else 0.3 * crown) + _ROOTS_M
-    centre = (x, y, foot - _ROOTS_M + trunk / 2)
-    model.cylinder(f"{name}_trunk", plant.radius, trunk, centre, _BARK)
+    center = (x, y, foot - _ROOTS_M + trunk / 2)
+    model.cylinder(f"{name}_trunk", plant.radius, trunk, center, _BARK)
     if is_spruce:
         scale = (crown, crown, plant.height - bare)
         origin = (x, y, foot + bare)

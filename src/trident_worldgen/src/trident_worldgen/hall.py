@@ -91,8 +91,8 @@ def hall(config: HallConfig | None = None) -> Files:
     return files
 
 
-def _picture(name: str, colour: tuple[float, float, float]) -> Picture:
-    return Picture(f"{_URI}/{name}.png", colour)
+def _picture(name: str, color: tuple[float, float, float]) -> Picture:
+    return Picture(f"{_URI}/{name}.png", color)
 
 
 def _floor(model: StaticModel, config: HallConfig) -> None:
@@ -102,12 +102,12 @@ def _floor(model: StaticModel, config: HallConfig) -> None:
     size = (config.length / columns, config.width / rows, 0.004)
     for i in range(columns):
         for j in range(rows):
-            centre = (
+            center = (
                 -config.length / 2 + (i + 0.5) * size[0],
                 -config.width / 2 + (j + 0.5) * size[1],
                 0.0,
             )
-            model.box(f"floor_{i}_{j}", size, centre, look, solid=False)
+            model.box(f"floor_{i}_{j}", size, center, look, solid=False)
 
 
 def _walls(model: StaticModel, config: HallConfig) -> None:
@@ -156,8 +156,8 @@ def _pillars(model: StaticModel, config: HallConfig) -> None:
     size = (_PILLAR_M, _PILLAR_M, config.height)
     for i, sx in enumerate((-1, 1)):
         for j, sy in enumerate((-1, 1)):
-            centre = (sx * config.length / 4, sy * config.width / 4, config.height / 2)
-            model.box(f"pillar_{i}_{j}", size, centre, look)
+            center = (sx * config.length / 4, sy * config.width / 4, config.height / 2)
+            model.box(f"pillar_{i}_{j}", size, center, look)
 
 
 def _crates(model: StaticModel, config: HallConfig, random: np.random.Generator) -> None:
@@ -179,19 +179,19 @@ def _crates(model: StaticModel, config: HallConfig, random: np.random.Generator)
         yaw = float(random.uniform(0.0, math.pi / 2))
         for level in range(int(random.integers(1, 3))):
             size = (_CRATE_M, _CRATE_M, _CRATE_M)
-            centre = (x, y, (level + 0.5) * _CRATE_M)
-            model.box(f"crate{index}_{level}", size, centre, look, yaw=yaw + 0.3 * level)
+            center = (x, y, (level + 0.5) * _CRATE_M)
+            model.box(f"crate{index}_{level}", size, center, look, yaw=yaw + 0.3 * level)
 
 
-def _png(pixels: Pixels, colours: int) -> bytes:
-    """A small file: few colours."""
-    image = Image.fromarray(pixels, "RGB").quantize(colours, dither=Image.Dither.NONE)
+def _png(pixels: Pixels, colors: int) -> bytes:
+    """A small file: few colors."""
+    image = Image.fromarray(pixels, "RGB").quantize(colors, dither=Image.Dither.NONE)
     return png(image.convert("RGB"))
 
 
-def _tinted(shade: npt.NDArray[np.float64], colour: tuple[float, float, float]) -> Pixels:
-    """Shades [0, 1], shape (h, w), of one colour."""
-    rgb = shade[:, :, None] * np.asarray(colour)
+def _tinted(shade: npt.NDArray[np.float64], color: tuple[float, float, float]) -> Pixels:
+    """Shades [0, 1], shape (h, w), of one color."""
+    rgb = shade[:, :, None] * np.asarray(color)
     return np.round(255.0 * rgb.clip(0.0, 1.0)).astype(np.uint8)
 
 
@@ -238,13 +238,13 @@ def _bricks(random: np.random.Generator) -> Pixels:
 
 
 def _poster(random: np.random.Generator) -> Pixels:
-    """Discs and bars in strong colours on a ground of its own: corners to be told apart by."""
+    """Discs and bars in strong colors on a ground of its own: with distinct corners."""
     n = _POSTER_PIXELS
     y, x = np.mgrid[:n, :n]
     pixels = np.empty((n, n, 3), np.uint8)
     pixels[:] = random.integers(120, 256, 3)
     for _ in range(14):
-        colour = random.integers(0, 256, 3)
+        color = random.integers(0, 256, 3)
         u, v = random.uniform(0.0, n, 2)
         if random.integers(0, 2):
             inside = (x - u) ** 2 + (y - v) ** 2 < random.uniform(0.04, 0.16) ** 2 * n**2
@@ -253,8 +253,8 @@ def _poster(random: np.random.Generator) -> Pixels:
             a = (x - u) * math.cos(angle) + (y - v) * math.sin(angle)
             b = (y - v) * math.cos(angle) - (x - u) * math.sin(angle)
             inside = (np.abs(a) < 0.25 * n) & (np.abs(b) < random.uniform(0.02, 0.07) * n)
-        pixels[inside] = colour
-    # An arrow up in the upper left corner: pictures can be upside down, this one tells.
+        pixels[inside] = color
+    # An arrow up in the upper left corner: pictures can be upside down, this one shows it.
     up = (y > 8) & (y < 30) & (np.abs(x - 20) < (y - 8) * 0.6)
     pixels[up] = (0, 0, 0)
     return pixels

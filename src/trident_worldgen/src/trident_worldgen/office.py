@@ -68,7 +68,7 @@ class Room:
 
     Attributes:
         x: from and to, between the walls' middles [m].
-        y: likewise.
+        y: as x [m].
         door_x: middle of the door [m].
         door_north: whether the door is in the wall at the larger y.
         is_last: whether no other room follows along x.
@@ -157,12 +157,12 @@ def _front_wall(model: StaticModel, name: str, room: Room, config: OfficeConfig)
     t, z = config.wall, config.height
     at = room.y[1] if room.door_north else room.y[0]
     begin, end = room.door_x - config.door / 2, room.door_x + config.door / 2
-    # The ends meet the walls across.
+    # The ends touch the walls across.
     for side, low, high in (("a", room.x[0] - t / 2, begin), ("b", end, room.x[1] + t / 2)):
         model.box(f"{name}_{side}", (high - low, t, z), ((low + high) / 2, at, z / 2), WALL)
     above = z - _LINTEL_M
-    centre = (room.door_x, at, _LINTEL_M + above / 2)
-    model.box(f"{name}_lintel", (config.door, t, above), centre, FRAME)
+    center = (room.door_x, at, _LINTEL_M + above / 2)
+    model.box(f"{name}_lintel", (config.door, t, above), center, FRAME)
 
 
 def _other_walls(model: StaticModel, name: str, room: Room, config: OfficeConfig) -> None:
@@ -196,8 +196,8 @@ def _furnish(
         place = _free_place(room, 0.55, taken, config, random)
         if place is not None:
             size = _CABINET if random.integers(0, 2) else (_CABINET[1], _CABINET[0], _CABINET[2])
-            centre = (*place, size[2] / 2)
-            model.box(f"{name}_cabinet{number}", size, centre, CABINET)
+            center = (*place, size[2] / 2)
+            model.box(f"{name}_cabinet{number}", size, center, CABINET)
 
 
 def _free_place(
@@ -207,7 +207,7 @@ def _free_place(
     config: OfficeConfig,
     random: np.random.Generator,
 ) -> tuple[float, float] | None:
-    """A disc within the room that leaves a way around it; None: there is hardly one."""
+    """A disc within the room that leaves a path around it; None: there is hardly any space."""
     inset = config.wall / 2 + radius + 0.05
 
     def is_free(x: float, y: float) -> bool:
@@ -229,8 +229,8 @@ def _desk(model: StaticModel, name: str, place: tuple[float, float], yaw: float)
     model.box(f"{name}_top", (length, depth, top), (x, y, height - top / 2), WOOD, yaw=yaw)
     for side, sign in (("left", 1), ("right", -1)):
         along = sign * (length - top) / 2
-        centre = (x + c * along, y + s * along, (height - top) / 2)
-        model.box(f"{name}_{side}", (top, depth, height - top), centre, WOOD, yaw=yaw)
+        center = (x + c * along, y + s * along, (height - top) / 2)
+        model.box(f"{name}_{side}", (top, depth, height - top), center, WOOD, yaw=yaw)
     ahead = depth / 2 + 0.15
-    centre = (x - s * ahead, y + c * ahead, _CHAIR_HEIGHT / 2)
-    model.cylinder(f"{name}_chair", _CHAIR_RADIUS, _CHAIR_HEIGHT, centre, CHAIR)
+    center = (x - s * ahead, y + c * ahead, _CHAIR_HEIGHT / 2)
+    model.cylinder(f"{name}_chair", _CHAIR_RADIUS, _CHAIR_HEIGHT, center, CHAIR)

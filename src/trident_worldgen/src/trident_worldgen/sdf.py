@@ -40,33 +40,33 @@ class Material:
 
 @dataclass(frozen=True)
 class Picture:
-    """A picture on each face of a box, and the colour where pictures are not shown."""
+    """A picture on each face of a box, and the color where pictures are not shown."""
 
     uri: str
-    colour: tuple[float, float, float]
+    color: tuple[float, float, float]
 
     def text(self) -> str:
         """As an element of a visual."""
-        colour = f"{_numbers(self.colour)} 1"
+        color = f"{_numbers(self.color)} 1"
         return (
-            f"<material><ambient>{colour}</ambient><diffuse>{colour}</diffuse>"
+            f"<material><ambient>{color}</ambient><diffuse>{color}</diffuse>"
             f"<pbr><metal><albedo_map>{self.uri}</albedo_map></metal></pbr></material>"
         )
 
 
 @dataclass(frozen=True)
-class Colour:
+class Color:
     """Red, green, blue, each 0 to 1."""
 
     rgb: tuple[float, float, float]
 
     def text(self) -> str:
         """As an element of a visual."""
-        colour = f"{_numbers(self.rgb)} 1"
-        return f"<material><ambient>{colour}</ambient><diffuse>{colour}</diffuse></material>"
+        color = f"{_numbers(self.rgb)} 1"
+        return f"<material><ambient>{color}</ambient><diffuse>{color}</diffuse></material>"
 
 
-Look = Material | Picture | Colour
+Appearance = Material | Picture | Color
 
 
 @dataclass
@@ -80,30 +80,30 @@ class StaticModel:
         self,
         name: str,
         size: Point,
-        centre: Point,
-        material: Look,
+        center: Point,
+        material: Appearance,
         *,
         yaw: float = 0.0,
         solid: bool = True,
     ) -> None:
-        """Add a box: size and centre [m], yaw [rad]; one that is not solid is only seen."""
+        """Add a box: size and center [m], yaw [rad]; one that is not solid is only seen."""
         geometry = f"<box><size>{_numbers(size)}</size></box>"
-        self._add(name, geometry, centre, yaw, material, solid)
+        self._add(name, geometry, center, yaw, material, solid)
 
     def cylinder(
-        self, name: str, radius: float, length: float, centre: Point, material: Look
+        self, name: str, radius: float, length: float, center: Point, material: Appearance
     ) -> None:
-        """Add an upright cylinder: radius, length and centre [m]."""
+        """Add an upright cylinder: radius, length and center [m]."""
         geometry = (
             f"<cylinder><radius>{_number(radius)}</radius>"
             f"<length>{_number(length)}</length></cylinder>"
         )
-        self._add(name, geometry, centre, 0.0, material, True)
+        self._add(name, geometry, center, 0.0, material, True)
 
-    def sphere(self, name: str, radius: float, centre: Point, material: Look) -> None:
-        """Add a sphere: radius and centre [m]."""
+    def sphere(self, name: str, radius: float, center: Point, material: Appearance) -> None:
+        """Add a sphere: radius and center [m]."""
         geometry = f"<sphere><radius>{_number(radius)}</radius></sphere>"
-        self._add(name, geometry, centre, 0.0, material, True)
+        self._add(name, geometry, center, 0.0, material, True)
 
     def mesh(
         self,
@@ -111,7 +111,7 @@ class StaticModel:
         uri: str,
         scale: Point,
         origin: Point,
-        material: Look,
+        material: Appearance,
         *,
         yaw: float = 0.0,
     ) -> None:
@@ -119,7 +119,7 @@ class StaticModel:
         geometry = f"<mesh><uri>{uri}</uri><scale>{_numbers(scale)}</scale></mesh>"
         self._add(name, geometry, origin, yaw, material, True)
 
-    def heightmap(self, name: str, uri: str, size: Point, pos: Point, material: Look) -> None:
+    def heightmap(self, name: str, uri: str, size: Point, pos: Point, material: Appearance) -> None:
         """Add a terrain from a picture: extent along x and y, height of its brightest pixel [m].
 
         Args:
@@ -139,12 +139,12 @@ class StaticModel:
         self,
         name: str,
         geometry: str,
-        centre: Point,
+        center: Point,
         yaw: float,
-        material: Look,
+        material: Appearance,
         solid: bool,
     ) -> None:
-        pose = f"<pose>{_numbers(centre)} 0 0 {_number(yaw)}</pose>"
+        pose = f"<pose>{_numbers(center)} 0 0 {_number(yaw)}</pose>"
         shape = f"{pose}<geometry>{geometry}</geometry>"
         if solid:
             self.parts.append(f'        <collision name="{name}">{shape}</collision>')

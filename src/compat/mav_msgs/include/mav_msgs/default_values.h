@@ -8,7 +8,7 @@ namespace mav_msgs {
 
 const double kZurichLatitude = 0.8267;  ///< [rad]
 const double kZurichHeight = 405.94;    ///< [m]
-/// Gravity where a vehicle is assumed to fly unless told otherwise [m/s^2].
+/// Gravity where a vehicle is assumed to fly unless configured otherwise [m/s^2].
 const double kGravity = MagnitudeOfGravity(kZurichHeight, kZurichLatitude);
 
 }  // namespace mav_msgs

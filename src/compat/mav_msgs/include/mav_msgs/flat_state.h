@@ -44,7 +44,7 @@ inline void EigenMavStateFromEigenTrajectoryPoint(
   const Eigen::Vector3d z_dot = (jerk - thrust_dot * z) / thrust;
   *angular_velocity_body << -z_dot.dot(y), z_dot.dot(x), yaw_rate * z.z();
 
-  // z'' = w' x z + w x z' follows from the snap in the same way.
+  // z'' = w' x z + w x z' follows from the snap by the same steps.
   const Eigen::Vector3d w = R * *angular_velocity_body;
   const Eigen::Vector3d across = (snap - 2.0 * thrust_dot * z_dot) / thrust - w.cross(z_dot);
   *angular_acceleration_body << -across.dot(y), across.dot(x), yaw_acceleration * z.z();

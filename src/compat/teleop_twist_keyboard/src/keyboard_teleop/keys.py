@@ -107,7 +107,7 @@ class Driver:
 
     @property
     def moves(self) -> bool:
-        """Whether the robot is told to move."""
+        """Whether the robot is commanded to move."""
         return any(self._direction)
 
     def describe(self) -> str:

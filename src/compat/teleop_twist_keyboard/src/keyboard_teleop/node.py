@@ -75,7 +75,7 @@ def _drive(driver: Driver, keys: Keys, publisher: _Publisher, timeout_s: float) 
 
 
 def main() -> int:
-    """Run until Ctrl-C or the end of the input. Gives back the exit code."""
+    """Run until Ctrl-C or the end of the input. Returns the exit code."""
     rospy.init_node("teleop_twist_keyboard", disable_signals=True)
     try:
         driver = Driver(

@@ -5,7 +5,7 @@
 An expansion is a function of the call (arguments, working directory, interpreter, encodings), of
 the code that is imported, of the bytes of the files that it reads, and of what `$(find)`, `$(env)`
 and `$(optenv)` stand for. All of these are kept with its output, and it is used again only after
-each has been looked up anew and found equal; files are compared byte by byte. What depends on more
+each has been looked up again and found equal; files are compared byte by byte. What depends on more
 is never kept: globs, other substitutions such as `$(eval)` and `$(anon)`, expressions that may lead
 out of xacro's sandbox. Neither is one that says anything on stderr, nor one that fails.
 """
@@ -26,10 +26,10 @@ if TYPE_CHECKING:
     from types import ModuleType
     from typing import IO, Any
 
-# The version whose ways to the outside are those that Recorder watches.
+# The version whose accesses to the outside are those that Recorder watches.
 _LIBRARY_VERSION = "1.13.3"
 _IMPORTED = ("trident_xacro", "xacro", "roslaunch", "rosgraph", "rospkg", "yaml")
-_KEPT_AT_MOST = 200
+_MAX_KEPT = 200
 
 
 def describe_call() -> dict[str, Any]:
@@ -187,7 +187,7 @@ class Recorder:
 
 
 class _NamedBytes(io.BytesIO):
-    """Bytes of a file, whose name a parser may tell."""
+    """Bytes of a file, whose name a parser may report."""
 
     def __init__(self, name: str, content: bytes) -> None:
         super().__init__(content)
@@ -222,5 +222,5 @@ def _write(path: str, data: bytes) -> None:
 def _forget_oldest(folder: str) -> None:
     with os.scandir(folder) as entries:
         by_age = sorted((entry.stat().st_mtime_ns, entry.path) for entry in entries)
-    for _, path in by_age[:-_KEPT_AT_MOST]:
+    for _, path in by_age[:-_MAX_KEPT]:
         os.unlink(path)

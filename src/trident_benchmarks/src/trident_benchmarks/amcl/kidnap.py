@@ -30,7 +30,7 @@ SETTLE_S = 10.0  # before the robot is carried off for the first time
 APART_S = 27.0  # from one time to the next
 _LIDAR_Z_M = 0.115
 _CLEAR_M = 0.45  # about a place where the robot is put down
-_OTHER_PLACE_AT_MOST = 0.8  # of the score there, for a place that is unique in the map
+_MAX_OTHER_PLACE = 0.8  # of the score there, for a place that is unique in the map
 
 
 @dataclass(frozen=True)
@@ -121,7 +121,7 @@ class Office:
             rows = np.column_stack((np.full(len(places), 3.0), places))
             answers = self.replay(rows.tobytes())
             shares = np.array([float(answer[1]) for answer in answers])
-            found += list(places[shares < _OTHER_PLACE_AT_MOST])
+            found += list(places[shares < _MAX_OTHER_PLACE])
             if len(found) >= count:
                 return np.array(found[:count])
         raise EvalError(f"{self.world_file}: only {len(found)} unique places, {count} are wanted")
@@ -166,7 +166,7 @@ def judge(recording: Recording, poses: Floats, seed: int) -> list[Trial]:
 
 
 def _first_held(times: Floats, is_right: npt.NDArray[np.bool_]) -> int | None:
-    """The first sample from which all are right for HELD_S; None: there is none."""
+    """The first sample from which all are right for HELD_S; None if there is no such sample."""
     for first in np.flatnonzero(is_right):
         held = (times >= times[first]) & (times <= times[first] + HELD_S)
         if is_right[held].all() and times[-1] >= times[first] + HELD_S - 0.3:

@@ -86,7 +86,7 @@ def summarize(trials: Sequence[kidnap.Trial]) -> dict[str, Any]:
 
 
 def markdown_table(updates: dict[str, float], kidnaps: dict[str, Any]) -> str:
-    """Both measurements, with navigation's figures beside ours."""
+    """Both measurements, with navigation's figures next to ours."""
     lines = ["| CPU time, 60 beams | ms | navigation's amcl |", "| --- | ---: | ---: |"]
     for key, title in _TITLES.items():
         lines.append(f"| {title} | {updates[key]:.2f} | {NAVIGATION_MS.get(key, '')} |")

@@ -31,12 +31,12 @@ class CheckedBuffer(tf2_ros.Buffer):  # type: ignore[misc]
         super().__init__(*arguments)
 
     def set_transform(self, transform: TransformStamped, authority: str) -> None:
-        """Keep it, unless it is none."""
+        """Keep it, unless it is illegal."""
         if self._is_sound(transform):
             super().set_transform(transform, authority)
 
     def set_transform_static(self, transform: TransformStamped, authority: str) -> None:
-        """Keep it for all times, unless it is none."""
+        """Keep it for all times, unless it is illegal."""
         if self._is_sound(transform):
             super().set_transform_static(transform, authority)
 

@@ -39,13 +39,13 @@ class Noise:
 
     Attributes:
         range_m, range_share: the spread of a range is the larger one of both [m, share].
-        way, turn: odometry's scale errors [share]; their signs are the seed's.
+        distance, turn: odometry's scale errors [share]; their signs are the seed's.
         yaw_walk: random walk of the heading [rad per root of a metre].
     """
 
     range_m: float = 0.01
     range_share: float = 0.01
-    way: float = 0.02
+    distance: float = 0.02
     turn: float = 0.02
     yaw_walk: float = math.radians(0.5)
 
@@ -67,7 +67,7 @@ class Sweep:
 
     Attributes:
         stamp: of the first beam [s].
-        ranges: with noise; infinite where nothing was met [m], shape (n,).
+        ranges: with noise; infinite where nothing was hit [m], shape (n,).
         begin, end: odometry's poses (x, y, yaw) at the first beam and after the last one.
     """
 
@@ -106,7 +106,7 @@ class Pilot(Protocol):
     def command(
         self, time_s: float, pose: Floats, scan: LaserScanSample | None
     ) -> tuple[float, float] | None:
-        """Speed [m/s] and turn rate [rad/s], or None to go on as before.
+        """Speed [m/s] and turn rate [rad/s], or None to continue as before.
 
         Args:
             time_s: now [s].
@@ -180,7 +180,7 @@ class Odometry:
     def __init__(self, noise: Noise, seed: int) -> None:
         self._random = np.random.default_rng((seed, 2))
         signs = self._random.choice([-1.0, 1.0], 2)
-        self._way, self._turn = 1.0 + signs * (noise.way, noise.turn)
+        self._distance_scale, self._turn = 1.0 + signs * (noise.distance, noise.turn)
         self._walk = noise.yaw_walk
         self._last: Floats | None = None
         self._pose = np.zeros(3)
@@ -192,7 +192,8 @@ class Odometry:
         if self._last is not None:
             x, y, turn = relative(self._last, pose)
             walk = self._walk * math.sqrt(math.hypot(x, y)) * self._random.standard_normal()
-            step = np.array([self._way * x, self._way * y, self._turn * turn + walk])
+            scale = self._distance_scale
+            step = np.array([scale * x, scale * y, self._turn * turn + walk])
             self._pose = compose(self._pose, step)
         self._last = pose
         self.times.append(time_s)
@@ -276,9 +277,9 @@ def _recording(
     at_begin, at_end = odometry.at(begin), odometry.at(begin + took)
     for i, scan in enumerate(taken):
         ranges = scan.ranges.astype(float)
-        is_met = np.isfinite(ranges)
-        spread = np.maximum(noise.range_m, noise.range_share * ranges[is_met])
-        ranges[is_met] += spread * random.standard_normal(len(spread))
+        is_hit = np.isfinite(ranges)
+        spread = np.maximum(noise.range_m, noise.range_share * ranges[is_hit])
+        ranges[is_hit] += spread * random.standard_normal(len(spread))
         sweeps.append(Sweep(scan.stamp, ranges, at_begin[i], at_end[i]))
     scan = taken[0]
     lidar = Lidar(

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""A way for a robot through every room of a world, planned on the world's true map."""
+"""A path for a robot through every room of a world, planned on the world's true map."""
 
 from __future__ import annotations
 
@@ -23,14 +23,14 @@ Floats = npt.NDArray[np.float64]
 Ints = npt.NDArray[np.int64]
 
 _COARSE = 2  # cells of the map along the side of one of the planner
-_CLEAR_M = 0.3  # about the robot's centre
-_ROOMY_M = 0.7  # clearance beyond which more is not sought
+_CLEAR_M = 0.3  # about the robot's center
+_ROOMY_M = 0.7  # clearance beyond which more is not preferred
 _TIGHT_COST = 4.0  # of a metre without any clearance beyond the needed one
-_STRAIGHT_M = 0.08  # by which the way may be cut
+_STRAIGHT_M = 0.08  # by which the path may be cut
 
 
 class Roads:
-    """Free places of a map and the ways between them."""
+    """Free places of a map and the paths between them."""
 
     def __init__(self, grid: OccupancyMap) -> None:
         """Take from a true map where a robot has room.
@@ -51,7 +51,7 @@ class Roads:
             raise EvalError(f"the map has no place with {_CLEAR_M} m of room")
         cells = np.column_stack((columns, rows))
         self.places = cells * side + grid.resolution / 2 + np.array(grid.origin)
-        self._graph = _neighbours(clear, rows, columns, side)
+        self._graph = _neighbors(clear, rows, columns, side)
 
     def tour(self, seed: int, apart_m: float, most: int | None = None) -> Floats:
         """Waypoints that lead by every free place within some distance, and back to the begin.
@@ -66,21 +66,21 @@ class Roads:
         """
         random = np.random.default_rng((seed, 4))
         stops = self._scattered(int(random.integers(len(self.places))), apart_m)
-        here, way = stops[0], [stops[0]]
+        here, path = stops[0], [stops[0]]
         left = set(stops[1:])
         for _ in range(len(left) if most is None else most):
             length, before = dijkstra(self._graph, indices=here, return_predecessors=True)
             reached = [stop for stop in left if np.isfinite(length[stop])]
             if not reached:
                 break
-            # Not always the nearest one, so that seeds go different ways.
+            # Not always the nearest one, so that seeds take different paths.
             nearest = sorted(reached, key=lambda stop: float(length[stop]))[:2]
             here = int(random.choice(nearest))
             left.discard(here)
-            way += _path(before, way[-1], here)
+            path += _path(before, path[-1], here)
         _, before = dijkstra(self._graph, indices=here, return_predecessors=True)
-        way += _path(before, here, stops[0])
-        return straightened(self.places[way])
+        path += _path(before, here, stops[0])
+        return straightened(self.places[path])
 
     def _scattered(self, first: int, apart_m: float) -> list[int]:
         """Farthest points, one after the other, of what can be reached from the first one."""
@@ -96,7 +96,7 @@ class Roads:
             stops.append(farthest)
 
 
-def _neighbours(clear: Floats, rows: Ints, columns: Ints, side: float) -> csr_array:
+def _neighbors(clear: Floats, rows: Ints, columns: Ints, side: float) -> csr_array:
     """Costs between the eight neighbours of each place: metres, more where it is tight."""
     number = np.full(clear.shape, -1)
     number[rows, columns] = np.arange(len(rows))
@@ -119,15 +119,15 @@ def _neighbours(clear: Floats, rows: Ints, columns: Ints, side: float) -> csr_ar
 
 def _path(before: npt.NDArray[np.int32], begin: int, end: int) -> list[int]:
     """From behind `begin` up to `end`."""
-    way = []
+    path = []
     while end != begin:
-        way.append(end)
+        path.append(end)
         end = int(before[end])
-    return way[::-1]
+    return path[::-1]
 
 
 def straightened(points: Floats, tolerance_m: float = _STRAIGHT_M) -> Floats:
-    """Fewer points of a way that no part is farther from than a tolerance.
+    """Fewer points of a path that no part is farther from than a tolerance.
 
     D. Douglas and T. Peucker, "Algorithms for the reduction of the number of points required to
     represent a digitized line or its caricature", Cartographica 10, 1973.

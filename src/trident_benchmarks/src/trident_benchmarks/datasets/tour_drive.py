@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""Drives a robot in lockstep: the world goes on from odometry to odometry as each is answered.
+"""Drives a robot in lockstep: the world steps from odometry to odometry as each is answered.
 
 The launch file declares it in /gazebo/answers. What is waited for in between, a node that starts or
 a transform, stops the world and not the clock on the wall, so that the drive is the same to the bit
@@ -36,14 +36,14 @@ Check = Callable[[], None]
 class LockstepDriver:
     """Odometry in, Twists out."""
 
-    def __init__(self, check: Check, may_go_on: Callable[[], bool]) -> None:
+    def __init__(self, check: Check, may_step: Callable[[], bool]) -> None:
         """Advertise and subscribe.
 
         Args:
             check: raises what ends a wait.
-            may_go_on: whether the world may pass the odometry that was heard last.
+            may_step: whether the world may pass the odometry that was heard last.
         """
-        self._check, self._may_go_on = check, may_go_on
+        self._check, self._may_step = check, may_step
         # No SimpleQueue: its get() with a timeout waits for ever after a signal whose handler
         # takes longer than that, as rospy's does (CPython 3.11).
         self._heard: queue.Queue[Odometry] = queue.Queue()
@@ -89,7 +89,7 @@ class LockstepDriver:
             place, q = odometry.pose.pose.position, odometry.pose.pose.orientation
             yaw = math.atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z))
             velocity = follower.command(stamp, (place.x, place.y, yaw))
-            self.wait(self._may_go_on, "the transforms of the scans")
+            self.wait(self._may_step, "the transforms of the scans")
             self._answer(velocity)
             if stamp - begin > limit_s:
                 break
@@ -97,7 +97,7 @@ class LockstepDriver:
         return follower.is_done
 
     def wait(self, condition: Callable[[], bool], what: str) -> None:
-        """Return when it holds; the world stands meanwhile. Who is waited for is told."""
+        """Return when it holds; the world stands meanwhile. Logs what it waits for."""
         reported = time.monotonic()
         while not condition():
             self._check()
@@ -109,7 +109,7 @@ class LockstepDriver:
     def _wait_until_it_stands(self) -> None:
         """Return when the world has come to the next odometry, where it waits for an answer.
 
-        Until then it moves, and what is started or asked meanwhile would meet it where chance says.
+        Until then it moves, and what is started or asked meanwhile would find it where chance says.
         """
         self._open = self._next()
 

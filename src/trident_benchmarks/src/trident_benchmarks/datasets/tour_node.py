@@ -50,7 +50,7 @@ _FAILURES = (rospy.ROSException, rospy.ServiceException, tf2_ros.TransformExcept
 
 
 class TourError(RuntimeError):
-    """The tour cannot go on; the text says why."""
+    """The tour cannot continue; the text says why."""
 
 
 def scan_stamp_problem(stamp: rospy.Time, now: rospy.Time) -> str:

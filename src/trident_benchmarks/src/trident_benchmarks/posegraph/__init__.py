@@ -1,3 +1,3 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""Pose-graph optimisation beside GTSAM."""
+"""Pose-graph optimisation compared with GTSAM."""

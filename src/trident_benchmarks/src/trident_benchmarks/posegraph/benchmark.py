@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""`./trident bench posegraph`: pose-graph optimisation beside GTSAM."""
+"""`./trident bench posegraph`: pose-graph optimisation compared with GTSAM."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""Pose graphs of the literature: chi2 and CPU time beside those of GTSAM, measured by turns.
+"""Pose graphs of the literature: chi2 and CPU time next to those of GTSAM, measured by turns.
 
 Every run is a process of its own on one core; the time is that of initialisation and optimiser,
 from the file's own start. GTSAM is optional: without it its columns stay empty. It comes by
@@ -37,7 +37,7 @@ TOLERANCE = 1e-3  #: relative, of chi2
 GTSAM_METHODS = ("gn", "lm", "chordal")
 #: Vertex by vertex, as a robot adds them; of these at most this part of iSAM2's time.
 INCREMENTAL = "isam2"
-MOST_OF_ISAM2 = 0.5
+MAX_RATIO_TO_ISAM2 = 0.5
 GROWING = ("intel", "M3500", "sphere2500")
 _LIMIT_S = 600.0
 
@@ -129,7 +129,7 @@ def measure_growing(file: Path, runs: int, python: str | None) -> dict[str, Any]
         return row | {"share": None, "is_good": True}
     share = row["ours"]["cpu_s"] / other["cpu_s"]
     is_equal = row["ours"]["chi2"] <= other["chi2"] * (1.0 + TOLERANCE)
-    return row | {"share": share, "is_good": is_equal and share <= MOST_OF_ISAM2}
+    return row | {"share": share, "is_good": is_equal and share <= MAX_RATIO_TO_ISAM2}
 
 
 def growing_table(rows: list[dict[str, Any]]) -> str:
@@ -218,7 +218,7 @@ def chosen_files(given: list[Path]) -> list[Path]:
     """The files to be measured.
 
     Raises:
-        EvalError: there are none.
+        EvalError: the folder has none.
     """
     if given:
         return given

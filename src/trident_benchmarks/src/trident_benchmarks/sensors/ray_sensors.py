@@ -194,7 +194,7 @@ def world_text() -> str:
 
 
 def robot_text(name: str, sensor: str) -> str:
-    """A box that slides as it is told, with a sensor on a mast."""
+    """A box that slides as commanded, with a sensor on a mast."""
     box = "<geometry><box><size>0.4 0.3 0.2</size></box></geometry>"
     return (
         "<sdf version='1.6'><model name='robot'><link name='base'><pose>0 0 0.1 0 0 0</pose>"

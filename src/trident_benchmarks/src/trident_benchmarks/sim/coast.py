@@ -74,7 +74,7 @@ CASES = (
 
 
 def chosen(names: Sequence[str]) -> list[Case]:
-    """The cases of these names; all if there are none.
+    """The cases of these names; all without names.
 
     Raises:
         EvalError: an unknown name.
@@ -102,7 +102,8 @@ def is_sound(row: dict[str, Any]) -> bool:
 def measure(case: Case, runs: int, quick: bool, threads: int = 2) -> dict[str, Any]:
     """One row: the median of its runs, and whether all ended in one state.
 
-    Beside the runs two short ones with one thread and with `threads` are compared to the bit.
+    In addition to the runs two short ones with one thread and with `threads` are compared to the
+    bit.
 
     Raises:
         EvalError: the world cannot be made, or a sensor says nothing.
@@ -155,7 +156,7 @@ def _run(case: Case, sim_s: float, threads: int) -> dict[str, Any]:
 
 
 def make_world(case: Case, threads: int) -> Any:
-    """The world with its platforms, each on its way.
+    """The world with its platforms, each underway.
 
     Raises:
         EvalError: a description or the world is missing or bad.
@@ -204,8 +205,8 @@ def line(row: dict[str, Any]) -> str:
     """A row in a few words."""
     if "error" in row:
         return f"{row['mode']}: failed: {row['error']}"
-    told = f"{row['mode']}: rtf {number_text(row['rtf'])} (asked for {row['least_rtf']:g})"
-    return told + ("" if is_sound(row) else ", states DIFFER between runs or thread counts")
+    text = f"{row['mode']}: rtf {number_text(row['rtf'])} (asked for {row['least_rtf']:g})"
+    return text + ("" if is_sound(row) else ", states DIFFER between runs or thread counts")
 
 
 def markdown_table(rows: Sequence[dict[str, Any]]) -> str:

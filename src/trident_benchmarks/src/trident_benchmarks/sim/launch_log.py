@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""What the output of roslaunch and of ./trident run tells about a launch."""
+"""What the output of roslaunch and of ./trident run reports about a launch."""
 
 from __future__ import annotations
 

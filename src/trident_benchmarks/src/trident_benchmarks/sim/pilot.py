@@ -111,9 +111,9 @@ class Pilot:
         )
 
     def largest_offset_m(self) -> float:
-        """The largest distance of a vehicle from the place that it is told to keep [m]."""
-        told = [(*place(i), HOVER_HEIGHT_M) for i in range(self._n)]
-        return max(map(math.dist, told, self.positions()))
+        """The largest distance of a vehicle from the place that it is commanded to keep [m]."""
+        commanded = [(*place(i), HOVER_HEIGHT_M) for i in range(self._n)]
+        return max(map(math.dist, commanded, self.positions()))
 
 
 def take_sample(server: int, controllers: Sequence[int], master: Sequence[int]) -> Sample:
@@ -150,7 +150,7 @@ def fly(options: argparse.Namespace) -> dict[str, Any]:
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Prints the result as one line of JSON; 1 when there is none."""
+    """Prints the result as one line of JSON; 1 without a result."""
     parser = argparse.ArgumentParser(prog="trident_benchmarks.sim.pilot", description=__doc__)
     parser.add_argument("--window", type=float, required=True, help="simulated [s]")
     parser.add_argument("--dt", type=float, required=True, help="step size [s]")

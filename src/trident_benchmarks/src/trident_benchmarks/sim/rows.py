@@ -125,7 +125,7 @@ def check_hover(result: Mapping[str, Any]) -> None:
     """A simulator that loses its vehicles is not measured.
 
     Raises:
-        EvalError: at the end of the run a vehicle is not where it was told to hover.
+        EvalError: at the end of the run a vehicle is not where it was commanded to hover.
     """
     offset_m = result.get("largest_offset_m")
     if offset_m is not None and not offset_m <= MAX_OFFSET_M:

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""CARMEN logs with odometry that errs, a laser that is told to be elsewhere, or worse scans."""
+"""CARMEN logs with odometry that errs, a laser that is configured elsewhere, or worse scans."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from trident_eval.core.errors import EvalError
 from trident_eval.core.tracks import Array
 from trident_eval.slam.trajectory import Trajectory
 
-#: What a SICK reports where it meets nothing [m].
+#: What a SICK reports where it hits nothing [m].
 NOTHING = 81.83
 _MESSAGE = "FLASER"
 _POSES = 6  # numbers: the laser's pose and the base's
@@ -27,10 +27,10 @@ class Change:
     """What is done to a log; the defaults leave it as it is.
 
     Attributes:
-        scale: of odometry's ways.
+        scale: of odometry's distances.
         turn: of its turns.
-        drift: turn that odometry tells although there is none [rad per metre ahead].
-        laser: pose that is told wrongly, of the told laser in the true laser's frame:
+        drift: false turn that odometry reports [rad per metre ahead].
+        laser: error of the mount, the nominal laser's pose in the true laser's frame:
             x, y [m], yaw [rad].
         every_beam, every_scan: of so many one is kept.
         farthest: returns beyond it are lost [m].
@@ -57,16 +57,16 @@ def _numbers(T: Array) -> tuple[float, float, float]:
     return float(T[0, 2]), float(T[1, 2]), float(np.arctan2(T[1, 0], T[0, 0]))
 
 
-def _motion(told: Array, change: Change) -> Array:
-    """A motion between two scans (3, 3) as odometry that errs tells it.
+def _motion(odometry_motion: Array, change: Change) -> Array:
+    """A motion between two scans (3, 3) as odometry that errs reports it.
 
-    Way, turn and drift belong to the arc that leads there, so that it does not matter how finely
-    the log is sampled.
+    Distance, turn and drift belong to the arc that leads there, so that it does not matter how
+    finely the log is sampled.
     """
-    x, y, yaw = _numbers(told)
+    x, y, yaw = _numbers(odometry_motion)
     half = 0.5 * yaw
-    stretch = half / np.tan(half) if abs(half) > 1e-6 else 1.0
-    ahead, aside = stretch * x + half * y, stretch * y - half * x
+    scale_of_arc = half / np.tan(half) if abs(half) > 1e-6 else 1.0
+    ahead, aside = scale_of_arc * x + half * y, scale_of_arc * y - half * x
     turned = change.turn * yaw + change.drift * ahead
     ahead, aside = change.scale * ahead, change.scale * aside
     sine = np.sin(turned) / turned if abs(turned) > 1e-6 else 1.0
@@ -100,7 +100,7 @@ def write_changed(path: Path, change: Change, out: Path) -> Array:
 
     Returns:
         T_told_base_true, shape (3, 3): where the base is in the frame of what SLAM will take for
-        it, because the laser is told to be elsewhere.
+        it, because the laser is configured elsewhere.
 
     Raises:
         EvalError: the log cannot be read or has no FLASER message.
@@ -122,8 +122,8 @@ def write_changed(path: Path, change: Change, out: Path) -> Array:
             seen = np.where(ranges > change.farthest, NOTHING, ranges)
             is_return = seen < NOTHING - 1.0
             seen = np.where(is_return, seen + dice.normal(0.0, change.noise, len(seen)), seen)
-            told = odometry @ T_base_laser @ offset
-            poses = [f"{value:.6f}" for T in (told, odometry) for value in _numbers(T)]
+            odometry_motion = odometry @ T_base_laser @ offset
+            poses = [f"{value:.6f}" for T in (odometry_motion, odometry) for value in _numbers(T)]
             shown = [f"{max(value, 0.0):.3f}" for value in seen[:: change.every_beam]]
             file.write(" ".join([_MESSAGE, str(len(shown)), *shown, *poses, *rest]) + "\n")
     if T_base_laser is None:
@@ -131,9 +131,9 @@ def write_changed(path: Path, change: Change, out: Path) -> Array:
     return np.asarray(T_base_laser @ offset @ np.linalg.inv(T_base_laser))
 
 
-def as_true_base(trajectory: Trajectory, T_told_true: Array) -> Trajectory:
+def as_true_base(trajectory: Trajectory, T_nominal_true: Array) -> Trajectory:
     """Where the base was in truth, of poses of what SLAM took for it; (3, 3) of write_changed."""
-    x, y, turn = _numbers(T_told_true)
+    x, y, turn = _numbers(T_nominal_true)
     yaw = trajectory.yaw
     c, s = np.cos(yaw), np.sin(yaw)
     return Trajectory.planar(

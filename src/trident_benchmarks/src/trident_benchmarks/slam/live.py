@@ -87,7 +87,7 @@ def _slam_live(words: list[str]) -> dict[str, Any]:
 
 
 def _over_ros(plan: Plan, log: Path, out: Path, first: int) -> dict[str, Any]:
-    """The node goes on with the session that the core built."""
+    """The node continues the session that the core built."""
     with Processes() as processes:
         processes.start_master()
         node = processes.start(
@@ -143,6 +143,6 @@ def table(row: dict[str, Any]) -> str:
     return "\n".join(lines)
 
 
-def is_met(row: dict[str, Any]) -> bool:
+def is_satisfied(row: dict[str, Any]) -> bool:
     """Whether no scan waited longer than the limit."""
     return bool(np.max([row["core"]["wait"]["max_ms"], row["node"]["max_ms"]]) <= LIMIT_MS)

@@ -29,7 +29,7 @@ class Drive:
 
     Attributes:
         blocks: blocks of rooms along each side; corridors run between and around them.
-        step: way from scan to scan [m].
+        step: distance from scan to scan [m].
         seed: of niches, odometry and noise.
         range_sigma: noise of a range [m].
     """
@@ -109,15 +109,15 @@ def poses(drive: Drive) -> Array:
     result = []
     yaw = 0.0
     for at, to in pairwise(corners):
-        way = to - at
-        length = float(np.linalg.norm(way))
-        heading = math.atan2(way[1], way[0])
+        along = to - at
+        length = float(np.linalg.norm(along))
+        heading = math.atan2(along[1], along[0])
         turn = math.remainder(heading - yaw, 2.0 * math.pi)
         turns = max(1, round(abs(turn) / 0.12))
         result += [[*at, yaw + turn * i / turns] for i in range(turns)]
         yaw = heading
         steps = round(length / drive.step)
-        result += [[*(at + way * i / steps), yaw] for i in range(steps)]
+        result += [[*(at + along * i / steps), yaw] for i in range(steps)]
     return np.array(result)
 
 
@@ -138,14 +138,15 @@ def samples(drive: Drive) -> Iterator[Sample]:
 
 def _near(segments: Array, place: Array) -> Array:
     """The segments that come within the scanner's range of a square about a place."""
-    way = segments[:, 1] - segments[:, 0]
-    part = np.einsum("ij,ij->i", place - segments[:, 0], way) / np.einsum("ij,ij->i", way, way)
-    nearest = segments[:, 0] + np.clip(part, 0.0, 1.0)[:, None] * way
+    along = segments[:, 1] - segments[:, 0]
+    squared = np.einsum("ij,ij->i", along, along)
+    part = np.einsum("ij,ij->i", place - segments[:, 0], along) / squared
+    nearest = segments[:, 0] + np.clip(part, 0.0, 1.0)[:, None] * along
     return segments[np.linalg.norm(nearest - place, axis=1) < RANGE_MAX + _BUCKET]
 
 
 def cast(segments: Array, pose: Array) -> Array:
-    """True ranges [m] of a full turn of beams, infinite where nothing is met."""
+    """True ranges [m] of a full turn of beams, infinite where nothing is hit."""
     angles = pose[2] + np.linspace(-math.pi, math.pi, BEAMS, endpoint=False)
     direction = np.stack([np.cos(angles), np.sin(angles)]).astype(np.float32)
     edge = (segments[:, 1] - segments[:, 0]).astype(np.float32)
@@ -162,11 +163,11 @@ def cast(segments: Array, pose: Array) -> Array:
 
 
 def _odometry(truth: Array, rng: np.random.Generator) -> Array:
-    ways = np.linalg.norm(np.diff(truth[:, :2], axis=0), axis=1)
+    distances = np.linalg.norm(np.diff(truth[:, :2], axis=0), axis=1)
     turns = np.remainder(np.diff(truth[:, 2]) + math.pi, 2.0 * math.pi) - math.pi
-    turns = 1.01 * turns + rng.normal(0.0, math.radians(0.5), len(ways)) * np.sqrt(ways)
+    turns = 1.01 * turns + rng.normal(0.0, math.radians(0.5), len(distances)) * np.sqrt(distances)
     yaw = np.concatenate([[0.0], np.cumsum(turns)])
-    steps = 1.01 * ways[:, None] * np.stack([np.cos(yaw[:-1]), np.sin(yaw[:-1])], axis=1)
+    steps = 1.01 * distances[:, None] * np.stack([np.cos(yaw[:-1]), np.sin(yaw[:-1])], axis=1)
     return np.column_stack([np.concatenate([np.zeros((1, 2)), np.cumsum(steps, axis=0)]), yaw])
 
 

@@ -30,7 +30,7 @@ def waits(
 
     Args:
         sent: stamp [ns], time of publication [s] and odometry of each scan, in order.
-        poses: T_map_base that the node told, by stamp.
+        poses: T_map_base that the node published, by stamp.
         corrections: map -> odom as it was heard, and when [s].
 
     Returns:

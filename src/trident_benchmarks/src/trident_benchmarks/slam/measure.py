@@ -67,7 +67,7 @@ def _bench_live(options: argparse.Namespace) -> int:
     row = live.measure(plan, say)
     print(live.table(row))
     _write_rows(options.out, [row])
-    return MEASURED if live.is_met(row) else MISSED
+    return MEASURED if live.is_satisfied(row) else MISSED
 
 
 def _write_rows(out: Path | None, rows: list[dict[str, Any]]) -> None:

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""The SLAM benchmark: public logs, our methods, and the figures of other systems beside them."""
+"""The SLAM benchmark: public logs, our methods, and the figures of other systems next to them."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from trident_eval.slam import evaluation
 from trident_eval.slam.offline import LANDMARK_METHOD, Run, run_log
 
 DATA = "TRIDENT_DATA"
-#: What is measured beside the default method; ekf_slam by the landmarks of Victoria Park.
+#: What is measured in addition to the default method; ekf_slam by the landmarks of Victoria Park.
 OTHER_METHODS = ("particle_slam_2d", "hector_slam_2d", "odometry", LANDMARK_METHOD)
 #: Those that are measured once more without odometry (`--no-odometry`).
 BY_SCANS_ALONE = (DEFAULT_METHOD, "hector_slam_2d")
@@ -96,7 +96,7 @@ def logs_of(folder: Path) -> dict[str, Path]:
     """All CARMEN logs of a folder by their names without endings.
 
     Raises:
-        EvalError: there is none.
+        EvalError: none was found.
     """
     logs = {}
     for path in sorted(folder.iterdir()):
@@ -112,7 +112,7 @@ def plan(folder: Path, methods: Sequence[str], runs: int, quick: bool) -> list[P
     """The rows.
 
     Args:
-        folder: of the logs; `landmark/victoria_park.txt` is sought beside it.
+        folder: of the logs; `landmark/victoria_park.txt` is searched for next to it.
         methods: which; none: the default one, and unless `quick` the others, each once.
         runs: of the methods that were named, or of the default one.
         quick: only logs that have relations.

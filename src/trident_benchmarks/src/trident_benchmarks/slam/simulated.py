@@ -46,7 +46,7 @@ _ROBOT_HEIGHTS_M = (0.03, _LIDAR_Z_M, 0.2)
 
 @dataclass(frozen=True)
 class Building:
-    """A world, ways through it and its true map.
+    """A world, paths through it and its true map.
 
     Attributes:
         world_file: SDF.
@@ -75,7 +75,7 @@ class Loops:
 
 
 def building(name: str, folder: Path) -> Building:
-    """Cut a world and look for ways through it.
+    """Cut a world and look for paths through it.
 
     Args:
         name: of a file in worlds/, or a file.
@@ -127,7 +127,7 @@ def drive_along(world_file: Path, waypoints: Array, seed: int, speed: float = 0.
 
 
 def write_carmen(recording: Recording, path: Path) -> None:
-    """A drive as a CARMEN log, which also tells how long a sweep takes."""
+    """A drive as a CARMEN log, which also contains how long a sweep takes."""
     lidar = recording.lidar
     lines = [f"PARAM laser_range_min {lidar.range_min:.6g}"]
     lines += [f"PARAM laser_time_increment {lidar.time_increment:.9g}"]
@@ -235,8 +235,8 @@ def measure(building: Building, seed: int, folder: Path) -> dict[str, Any]:
     Raises:
         EvalError: a drive or a program fails.
     """
-    way = building.roads.tour(seed, _APART_M)
-    numbers, final = map_drive(drive_along(building.world_file, way, seed), folder)
+    tour = building.roads.tour(seed, _APART_M)
+    numbers, final = map_drive(drive_along(building.world_file, tour, seed), folder)
     T = final.T_truth_map
     flat = np.eye(3)
     flat[:2, :2], flat[:2, 2] = T[:2, :2], T[:2, 3]

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""`./trident bench vessels`: vessels and sea beside theory and references."""
+"""`./trident bench vessels`: vessels and sea compared with theory and references."""
 
 from __future__ import annotations
 

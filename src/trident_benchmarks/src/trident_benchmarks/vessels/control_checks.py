@@ -95,15 +95,16 @@ def guidance_check() -> Check:
         panel.measured.append(Curve(label, track[:, 0], track[:, 2]))
     time = track[:, 0]
     # There the bow is turned by asin(0.5 / 1.5), as far as a point 10 m ahead on the line turns it.
-    beside = 10.0 * np.tan(np.arcsin(0.5 / 1.5))
-    panel.reference.append(Curve("10 m tan(asin(0.5 / 1.5))", time, np.full_like(time, beside)))
+    cross_track = 10.0 * np.tan(np.arcsin(0.5 / 1.5))
+    reference = np.full_like(time, cross_track)
+    panel.reference.append(Curve("10 m tan(asin(0.5 / 1.5))", time, reference))
     panel.bands.append((time, np.full_like(time, -0.5), np.full_like(time, 0.5)))
     late = time > 180.0
     held = float(np.max(np.abs(tracks["with integral"][late, 2])))
     drifted = float(np.mean(tracks["without"][late, 2]))
     figures = [
         Figure("farthest off the line in the last minute", held, 0.0, 0.5, "m"),
-        Figure("off the line without integral", drifted, float(beside), 0.2, "m"),
+        Figure("off the line without integral", drifted, float(cross_track), 0.2, "m"),
     ]
     return Check("The Otter holds a line at 1.5 m/s through the water", [panel], figures)
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""Boats under way: speed, turning, zig-zag, current, energy, random commands."""
+"""Boats in motion: speed, turning, zig-zag, current, energy, random commands."""
 
 from __future__ import annotations
 

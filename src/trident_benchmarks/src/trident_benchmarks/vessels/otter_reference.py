@@ -82,7 +82,7 @@ class Otter:
         )
 
     def _stiffness(self) -> Array:
-        """Heave, roll and pitch stiffness about the centre of flotation."""
+        """Heave, roll and pitch stiffness about the center of flotation."""
         volume = self.mass / DENSITY
         cw, b, length = self.waterplane_coefficient, self.pontoon_beam, self.length
         plane = 2 * cw * length * b

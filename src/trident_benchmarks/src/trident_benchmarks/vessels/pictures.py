@@ -9,8 +9,8 @@ from typing import Any
 
 from trident_benchmarks.vessels.check import Check, Panel
 
-# Okabe and Ito's colours, told apart by colour-blind readers too.
-_COLOURS = ("#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#56B4E9")
+# Okabe and Ito's colors, which color-blind readers distinguish too.
+_COLORS = ("#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#56B4E9")
 _LEGAL = "#D9E8D0"
 _STYLE: dict[str, Any] = {
     "savefig.dpi": 110,
@@ -50,9 +50,9 @@ def _draw_panel(axes: Any, panel: Panel) -> None:
     for i, (x, lower, upper) in enumerate(panel.bands):
         label = "legal" if i == 0 else None
         axes.fill_between(x, lower, upper, color=_LEGAL, linewidth=0.0, label=label)
-    for colour, curve in zip(_COLOURS, panel.measured, strict=False):
+    for color, curve in zip(_COLORS, panel.measured, strict=False):
         line, marker = ("none", "o") if curve.dots else ("-", None)
-        axes.plot(curve.x, curve.y, color=colour, linestyle=line, marker=marker, label=curve.label)
+        axes.plot(curve.x, curve.y, color=color, linestyle=line, marker=marker, label=curve.label)
     for style, curve in zip(("--", ":", "-.", (0, (1, 3))), panel.reference, strict=False):
         axes.plot(curve.x, curve.y, color="black", linestyle=style, lw=1.0, label=curve.label)
     axes.set(title=panel.title, xlabel=panel.x_label, ylabel=panel.y_label)

@@ -51,7 +51,7 @@ class Barge:
         """Added mass and inertia equal to its own, as Jensen's closed forms have it.
 
         Args:
-            z_cg: of the centre of gravity above the waterline [m].
+            z_cg: of the center of gravity above the waterline [m].
             sections: that the hull is cut into.
         """
         long = self.mass * self.length**2 / 12.0
@@ -95,7 +95,7 @@ def center_of_gravity(vessel: Vessel) -> Array:
 
 
 def inertia_tensor(vessel: Vessel) -> Array:
-    """About the centre of gravity, x forward, y left, z up [kg m^2], shape (3, 3)."""
+    """About the center of gravity, x forward, y left, z up [kg m^2], shape (3, 3)."""
     inertia: Array = np.diag(np.array(vessel["inertia"], dtype=float))
     xy, xz, yz = vessel.get("products_of_inertia", [0.0, 0.0, 0.0])
     inertia += np.array([[0.0, xy, xz], [xy, 0.0, yz], [xz, yz, 0.0]])

@@ -26,10 +26,10 @@ namespace trident::control {
 /// places are in the frame of the odometry. Answers each odometry message with one
 /// `command/motor_speed` (mav_msgs/Actuators) of the same stamp, all commands of
 /// ThrustAllocation::topics(), which keeps lockstep with the simulator, and publishes each on its
-/// own topic for whoever listens: thrusters as std_msgs/Float32, rudders as Float64. A stamped path
+/// own topic for any listener: thrusters as std_msgs/Float32, rudders as Float64. A stamped path
 /// or pose is confirmed on `command/accepted_setpoint`, as by the controllers of multirotors.
-/// `cross_track_error` [m] tells of the path. What was wrong with a command is logged once and
-/// counted on /diagnostics.
+/// `cross_track_error` [m] is the distance from the path. What was wrong with a command is logged
+/// once and counted on /diagnostics.
 class VesselControllerNode : public RunningNode {
  public:
   VesselControllerNode(ros::NodeHandle& node, const VesselModel& model,
@@ -38,7 +38,7 @@ class VesselControllerNode : public RunningNode {
   void spin_once(std::chrono::milliseconds limit) override;
 
  private:
-  struct Trouble {
+  struct Problem {
     bool is_error = false;
     std::uint64_t count = 0;
     std::string newest;
@@ -56,8 +56,8 @@ class VesselControllerNode : public RunningNode {
   VesselController controller_;
   std::mutex mutex_;
   SimTime now_;                              // under mutex_, of the last odometry
-  std::map<std::string, Trouble> troubles_;  // under mutex_
-  SimTime told_at_{-1'000'000'000};
+  std::map<std::string, Problem> problems_;  // under mutex_
+  SimTime published_at_{-1'000'000'000};
 
   ros_utils::InlineCallbackQueue queue_;
   MotorCommandPublisher motors_;

@@ -31,14 +31,14 @@ struct ScanInputParams {
 };
 
 /// Subscribes `scan`, holds each back until tf reaches from the odometry's frame to the robot at
-/// the scan's time, and hands them over in the order in which they came. Says in `troubles` which
+/// the scan's time, and hands them over in the order in which they came. Says in `problems` which
 /// transform is missing or late, and by how much. A jump of stamps back by more than
 /// `bag_loop_jump` clears what was known of time and calls `on_new_time`.
 class ScanInput {
  public:
   using Handler = std::function<void(const PlacedScan&)>;
   ScanInput(ros::NodeHandle& node, const ScanInputParams& params,
-            ros_utils::DiagnosticCounter& troubles, Handler on_scan,
+            ros_utils::DiagnosticCounter& problems, Handler on_scan,
             std::function<void()> on_new_time);
 
   /// The robot's pose in the odometry's frame; the newest for time zero. Throws tf2's exceptions.
@@ -49,11 +49,11 @@ class ScanInput {
   struct Waiting {
     sensor_msgs::LaserScanConstPtr message;
     ros::WallTime since;
-    bool is_told;  ///< that its transform is missing
+    bool is_reported;  ///< that its transform is missing
   };
   struct Laser {
     SE2 T_base_laser;
-    bool is_upside_down;  ///< its beams run the other way
+    bool is_upside_down;  ///< its beams run in the other direction
   };
   void receive(const sensor_msgs::LaserScanConstPtr& message);
   void hand_out();
@@ -64,7 +64,7 @@ class ScanInput {
   SE2 looked_up(const std::string& target, const std::string& source, const ros::Time& stamp) const;
 
   ScanInputParams params_;
-  ros_utils::DiagnosticCounter& troubles_;
+  ros_utils::DiagnosticCounter& problems_;
   Handler on_scan_;
   std::function<void()> on_new_time_;
   tf2_ros::Buffer buffer_;

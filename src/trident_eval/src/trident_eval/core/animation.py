@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from trident_eval.core.errors import EvalError
-from trident_eval.core.plots import MANY, colour, outline_of
+from trident_eval.core.plots import MANY, color, outline_of
 from trident_eval.core.scene import Scene
 from trident_eval.core.tracks import Array
 
@@ -20,7 +20,7 @@ FRAMES_PER_S = 12.5  # GIF counts in hundredths of a second
 _LONGEST_S = 14.0
 _WIDTH_INCH, _HEIGHTS_INCH = 7.2, (3.6, 7.2)
 _DPI = 100
-_COLOURS_OF_GIF = 96
+_COLORS_OF_GIF = 96
 _NEARLY_WHITE = 240
 _TRAIL_S = 6.0
 
@@ -61,7 +61,7 @@ def animate(scene: Scene, path: Path, progress: Callable[[int, int], None] | Non
     Args:
         scene: what to show.
         path: of the GIF file.
-        progress: is told how many frames of how many are drawn.
+        progress: called with the numbers of frames drawn and in all.
 
     Returns:
         The file.
@@ -83,7 +83,7 @@ def animate(scene: Scene, path: Path, progress: Callable[[int, int], None] | Non
             if progress:
                 progress(count, len(frames.index))
     # One palette for all frames, so that nothing that stands still flickers.
-    palette = _with_white(images[len(images) // 2].quantize(_COLOURS_OF_GIF))
+    palette = _with_white(images[len(images) // 2].quantize(_COLORS_OF_GIF))
     reduced = [image.quantize(palette=palette, dither=Image.Dither.NONE) for image in images]
     period_ms = round(1000.0 / FRAMES_PER_S)
     durations = [period_ms] * (len(reduced) - 1) + [1500]  # the end stays for a while
@@ -95,9 +95,9 @@ def animate(scene: Scene, path: Path, progress: Callable[[int, int], None] | Non
 
 def _with_white(image: Any) -> Any:
     """The image, with what is nearly white in its palette white: Pillow's matching is coarse."""
-    colours = np.array(image.getpalette()).reshape(-1, 3)
-    colours[colours.min(axis=1) > _NEARLY_WHITE] = 255
-    image.putpalette(colours.ravel().tolist())
+    colors = np.array(image.getpalette()).reshape(-1, 3)
+    colors[colors.min(axis=1) > _NEARLY_WHITE] = 255
+    image.putpalette(colors.ravel().tolist())
     return image
 
 
@@ -139,13 +139,11 @@ class _PlanView:
         style: dict[str, Any] = {"animated": True}
         labels = names if len(names) <= MANY else []
         return {
-            "trails": [
-                axes.plot([], [], color=colour(i), linewidth=2.0, **style)[0] for i in count
-            ],
+            "trails": [axes.plot([], [], color=color(i), linewidth=2.0, **style)[0] for i in count],
             "outline": axes.plot([], [], color="#777777", linewidth=1.0, **style)[0],
             "commands": axes.plot([], [], "o", mfc="none", mec="#222222", ms=9, **style)[0],
             "vehicles": [
-                axes.plot([], [], "o", color=colour(i), markersize=6, **style)[0] for i in count
+                axes.plot([], [], "o", color=color(i), markersize=6, **style)[0] for i in count
             ],
             "names": [
                 axes.annotate(name, (0, 0), (6, 6), textcoords="offset points", fontsize=8, **style)

@@ -9,7 +9,7 @@ import os
 import sys
 from collections.abc import Callable
 
-_READER_GONE = 141  # as a shell tells of a program that SIGPIPE ended
+_READER_GONE = 141  # as a shell reports a program that SIGPIPE ended
 _INTERRUPTED = 130
 _UNUSABLE = 2
 

@@ -52,9 +52,9 @@ def add_faults(verdict: Verdict, faults: list[Fault], notes: list[str]) -> None:
     Args:
         verdict: of the run, so far.
         faults: that happened.
-        notes: what else is to be told, and no reason against the run.
+        notes: what else is to be reported, and no reason against the run.
     """
     reasons = [f"{fault.node} {fault.cause}" for fault in faults if fault.is_fatal]
     verdict.reasons[:0] = reasons
-    told = [f"{fault.node} {fault.cause}" for fault in faults if not fault.is_fatal]
-    verdict.numbers["notes"] = [*verdict.numbers.get("notes", []), *told, *notes]
+    survived = [f"{fault.node} {fault.cause}" for fault in faults if not fault.is_fatal]
+    verdict.numbers["notes"] = [*verdict.numbers.get("notes", []), *survived, *notes]

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""What the vehicles of a run were told: reads their flight records (trident_base.flight_record)."""
+"""What a run's vehicles were commanded: reads flight records (trident_base.flight_record)."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ class Command:
         command_s: when each row is commanded [s], shape (rows commanded,).
         arrival_s: when each row is (to be) reached [s], shape (rows reached,).
         steady_offset: hover error that was subtracted [m], shape (N, 3); None in mode `time`.
-        errors: what went wrong, as the nodes tell it.
+        errors: what went wrong, as the nodes report it.
     """
 
     names: list[str]
@@ -71,7 +71,7 @@ def read_command(folder: Path) -> Command | Refusal | None:
         folder: of the run.
 
     Returns:
-        The command; a refusal if a vehicle has not been told to fly; None without any record.
+        The command; a refusal if a vehicle has not been commanded; None without any record.
 
     Raises:
         EvalError: a record that is unreadable, incomplete, or at odds with the others.
@@ -80,7 +80,7 @@ def read_command(folder: Path) -> Command | Refusal | None:
     if not files:
         return None
     records = [_read_record(path) for path in files]
-    # What a leader was told itself is not what its followers are judged by.
+    # The commands to a leader itself are not what its followers are judged by.
     records = [record for record in records if record.get("mode") == FOLLOW] or records
     # A refusing node may know of no vehicle but its own.
     named = [name for record in records for name in (*record["vehicles"], record["vehicle"])]

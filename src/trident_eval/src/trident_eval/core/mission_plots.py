@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""Pictures of missions: where platforms were to go and went, and how far beside their ways."""
+"""Pictures of missions: where platforms were to go and went, and how far off their paths."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from trident_eval.core.missions import Mission, follow
-from trident_eval.core.plots import colour, saved_figures
+from trident_eval.core.plots import color, saved_figures
 from trident_eval.core.tracks import Tracks
 
 _DASHES = {"uav": (0, (1, 2)), "ugv": (0, (5, 2)), "usv": (0, (5, 2, 1, 2))}
@@ -36,10 +36,10 @@ def _draw(tracks: Tracks, missions: list[Mission], title: str) -> Any:
     figure.suptitle(f"{title}: missions")
     plan, error = figure.subplots(1, 2, width_ratios=(1.0, 1.3))
     for index, mission in enumerate(missions):
-        _draw_plan(plan, tracks, mission, colour(index))
+        _draw_plan(plan, tracks, mission, color(index))
         outcome = follow(tracks, mission)
-        error.plot(outcome.time, outcome.error, color=colour(index), label=mission.name)
-        error.axhline(mission.limit_m, color=colour(index), linewidth=0.7, linestyle=(0, (2, 3)))
+        error.plot(outcome.time, outcome.error, color=color(index), label=mission.name)
+        error.axhline(mission.limit_m, color=color(index), linewidth=0.7, linestyle=(0, (2, 3)))
     plan.set(xlabel="x east [m]", ylabel="y north [m]", aspect="equal", title="plan view")
     plan.margins(0.06)
     error.set(xlabel="simulated time [s]", ylabel="distance to the way [m]", ylim=(0.0, None))
@@ -52,7 +52,7 @@ def _draw(tracks: Tracks, missions: list[Mission], title: str) -> Any:
 def _draw_plan(plan: Any, tracks: Tracks, mission: Mission, shade: str) -> None:
     x, y, _ = tracks.select([mission.name]).position[:, 0].T
     plan.plot(x, y, color=shade)
-    way = mission.path
-    plan.plot(way[:, 0], way[:, 1], color="black", linewidth=0.8, linestyle=_DASHES[mission.kind])
+    path = mission.path
+    plan.plot(path[:, 0], path[:, 1], color="black", linewidth=0.8, linestyle=_DASHES[mission.kind])
     plan.plot(*mission.places.T[:2], linestyle="", marker="o", markersize=4, color=shade)
-    plan.plot(*way[0, :2], linestyle="", marker="s", markersize=6, color=shade)
+    plan.plot(*path[0, :2], linestyle="", marker="s", markersize=6, color=shade)

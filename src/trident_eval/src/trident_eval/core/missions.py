@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""Whether platforms of any kind have met the places of their missions."""
+"""Whether platforms of any kind have reached the places of their missions."""
 
 from __future__ import annotations
 
@@ -29,8 +29,8 @@ class Mission:
         name: of its model.
         kind: `uav`, `ugv` or `usv`.
         start: where it starts [m, world], shape (3,).
-        places: to be met one after the other [m, world], shape (n, d); d is 2 but for a UAV: 3.
-        reach_m: a place is met this near.
+        places: to be reached one after the other [m, world], shape (n, d); d is 2 but for a UAV: 3.
+        reach_m: a place is reached this near.
         limit_m: of the tracking error.
     """
 
@@ -53,8 +53,8 @@ class Outcome:
 
     Attributes:
         mission: which.
-        reached: how many of its places were met, in their order.
-        done_s: when the last of all was met; None: it was not.
+        reached: how many of its places were reached, in their order.
+        done_s: when the last of all was reached; None: it was not.
         error: distance to the leg that was to be followed until then [m], shape (m,).
         time: of these [s], shape (m,).
     """

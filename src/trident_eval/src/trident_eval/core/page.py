@@ -13,7 +13,7 @@ from typing import Any
 
 from trident_eval.core.provenance import Provenance
 from trident_eval.core.report import Row, verdict_rows
-from trident_eval.core.vehicles import Flown
+from trident_eval.core.vehicles import FlightLog
 
 PAGE_STYLE = """
 body{font:15px/1.5 system-ui,sans-serif;color:#222;max-width:1080px;margin:2em auto;padding:0 1em}
@@ -51,17 +51,17 @@ class Report:
         flown: of each vehicle.
         pictures: image files, animations first.
         provenance: where it comes from.
-        complaints: warnings and errors of the launch.
+        warnings: warnings and errors of the launch.
         drawn_with: versions of what has made the pictures.
     """
 
     title: str
     about: str = ""
     verdict: dict[str, Any] | None = None
-    flown: Sequence[Flown] = ()
+    flown: Sequence[FlightLog] = ()
     pictures: Sequence[Path] = ()
     provenance: Provenance = field(default_factory=Provenance)
-    complaints: Sequence[str] = ()
+    warnings: Sequence[str] = ()
     drawn_with: dict[str, str] = field(default_factory=dict)
 
 
@@ -73,7 +73,7 @@ def page(report: Report) -> str:
         f"<title>{html.escape(report.title)}</title><style>{PAGE_STYLE}</style>",
         f"<h1>{html.escape(report.title)}</h1><p class='about'>{html.escape(report.about)}</p>",
         *_verdict(report.verdict),
-        *_complaints(report.complaints),
+        *_warnings(report.warnings),
         *_flown(report.flown),
         *(_figure(picture) for picture in report.pictures),
         *_repeat(report),
@@ -101,18 +101,18 @@ def _verdict(verdict: dict[str, Any] | None) -> Iterable[str]:
 def _verdict_row(row: Row) -> str:
     kept = {True: "<span class='good'>✓</span>", False: "<span class='bad'>✗</span>"}
     label, value, limit = (html.escape(cell) for cell in (row.label, row.value, row.limit))
-    if row.is_met is None:
+    if row.is_satisfied is None:
         return f"<tr><td>{label}<td colspan='2'>{value}"
-    return f"<tr><td>{label}<td>{value}<td class='limit'>{limit} {kept[row.is_met]}"
+    return f"<tr><td>{label}<td>{value}<td class='limit'>{limit} {kept[row.is_satisfied]}"
 
 
-def _complaints(complaints: Sequence[str]) -> Iterable[str]:
-    if complaints:
-        lines = html.escape("\n".join(complaints))
-        yield _folded(f"{len(complaints)} warnings and errors", f"<pre>{lines}</pre>")
+def _warnings(warnings: Sequence[str]) -> Iterable[str]:
+    if warnings:
+        lines = html.escape("\n".join(warnings))
+        yield _folded(f"{len(warnings)} warnings and errors", f"<pre>{lines}</pre>")
 
 
-def _flown(flown: Sequence[Flown]) -> Iterable[str]:
+def _flown(flown: Sequence[FlightLog]) -> Iterable[str]:
     if not flown:
         return
     yield "<h2>Vehicles</h2>"

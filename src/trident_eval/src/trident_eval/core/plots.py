@@ -14,12 +14,12 @@ import numpy as np
 from trident_eval.core.scene import Scene
 from trident_eval.core.tracks import Array
 
-# Okabe and Ito's colours, told apart by colour-blind readers too.
-_COLOURS = ("#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#56B4E9", "#8C6D00", "#555555")
+# Okabe and Ito's colors, which color-blind readers distinguish too.
+_COLORS = ("#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#56B4E9", "#8C6D00", "#555555")
 _LIMIT = "#B00020"
 _OUTSIDE = "#F0F0F0"
 _SNAPSHOTS, _SNAPSHOTS_OF_MANY = 7, 3
-# More are not told apart by eight colours, nor read as a ring of neighbours.
+# More are not distinguished by eight colors, nor read as a ring of neighbours.
 MANY = 12
 _STYLE: dict[str, Any] = {
     "figure.dpi": 110,
@@ -95,8 +95,8 @@ def _draw_paths(scene: Scene) -> Any:
     plan = figure.add_subplot(grid[1])
     for index, name in enumerate(scene.tracks.names):
         x, y, z = scene.tracks.position[:, index].T
-        space.plot(x, y, z, color=colour(index))
-        plan.plot(x, y, color=colour(index), label=label(scene, name))
+        space.plot(x, y, z, color=color(index))
+        plan.plot(x, y, color=color(index), label=label(scene, name))
         if scene.commanded is not None:
             cx, cy, _ = scene.commanded[:, index].T
             plan.plot(cx, cy, color="black", linewidth=0.6, linestyle=(0, (4, 3)), zorder=3)
@@ -155,7 +155,7 @@ def _mark_formations(scene: Scene, space: Any, plan: Any) -> None:
 def outline_of(points: Array) -> Array:
     """A line that shows the shape of some points, shape (N, 3) -> (K, 3).
 
-    Few are joined with their neighbours around the centre (along the line if they are on one), of
+    Few are joined with their neighbours around the center (along the line if they are on one), of
     many it is the convex hull in plan; closed.
     """
     flat = points[:, :2] - points[:, :2].mean(axis=0)
@@ -191,7 +191,7 @@ def _draw_height(scene: Scene) -> Any:
     figure, axes = _time_figure(scene, "height", "z in the world [m]")
     for index, name in enumerate(scene.tracks.names):
         z = scene.tracks.position[:, index, 2]
-        axes.plot(scene.tracks.time, z, color=colour(index), label=label(scene, name))
+        axes.plot(scene.tracks.time, z, color=color(index), label=label(scene, name))
     axes.set_ylim(bottom=min(0.0, axes.get_ylim()[0]))
     _finish(axes)
     return figure
@@ -202,7 +202,7 @@ def _draw_formation_error(scene: Scene) -> Any:
     if error is None:
         return None
     figure, axes = _time_figure(scene, "formation error", "RMS after rigid alignment [m]")
-    axes.plot(scene.tracks.time, error, color=_COLOURS[0], label="all vehicles")
+    axes.plot(scene.tracks.time, error, color=_COLORS[0], label="all vehicles")
     if scene.formation_limit_m is not None:
         _limit(axes, scene.formation_limit_m, f"limit of the mean {scene.formation_limit_m:g} m")
     _fit(axes, scene, error, scene.formation_limit_m)
@@ -215,7 +215,7 @@ def _draw_separation(scene: Scene) -> Any:
     if separation is None:
         return None
     figure, axes = _time_figure(scene, "smallest separation", "distance of the closest pair [m]")
-    axes.plot(scene.tracks.time, separation, color=_COLOURS[2], label="flown")
+    axes.plot(scene.tracks.time, separation, color=_COLORS[2], label="flown")
     if scene.file_separation_m is not None:
         label = f"minimum of the file {scene.file_separation_m:.3f} m"
         axes.axhline(scene.file_separation_m, color="#777777", linestyle=":", label=label)
@@ -233,7 +233,7 @@ def _draw_tracking_error(scene: Scene) -> Any:
     figure, axes = _time_figure(scene, "tracking error", "distance to the command [m]")
     for index, name in enumerate(scene.tracks.names):
         values = error[:, index]
-        axes.plot(scene.tracks.time, values, color=colour(index), label=label(scene, name))
+        axes.plot(scene.tracks.time, values, color=color(index), label=label(scene, name))
     _fit(axes, scene, error, None)
     _finish(axes)
     return figure
@@ -277,9 +277,9 @@ def _legend_below(axes: Any, offset: float) -> None:
         axes.legend(loc="upper center", bbox_to_anchor=(0.5, offset), ncols=8, fontsize=9)
 
 
-def colour(index: int) -> str:
+def color(index: int) -> str:
     """Colour of a vehicle, in the order of the scene."""
-    return _COLOURS[index % len(_COLOURS)]
+    return _COLORS[index % len(_COLORS)]
 
 
 def label(scene: Scene, name: str) -> str:

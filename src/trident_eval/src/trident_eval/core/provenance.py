@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""What a run came from: the files that `./trident run` keeps beside its results."""
+"""What a run came from: the files that `./trident run` keeps next to its results."""
 
 from __future__ import annotations
 

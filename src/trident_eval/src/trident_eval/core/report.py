@@ -20,7 +20,7 @@ _ROWS = (
     ("state hash", "state_hash", ""),
 )
 _BELOW = {"formation_rms_m": "formation_rms_limit_m"}
-_AT_LEAST = {"min_separation_m": "min_separation_limit_m"}
+_MIN_LIMITS = {"min_separation_m": "min_separation_limit_m"}
 
 
 @dataclass(frozen=True)
@@ -31,13 +31,13 @@ class Row:
         label: what it is.
         value: with its unit.
         limit: what it is held against; "" where nothing is, or the value says it.
-        is_met: whether the value is as it must be; None where any value is.
+        is_satisfied: whether the value is as it must be; None where any value is.
     """
 
     label: str
     value: str
     limit: str = ""
-    is_met: bool | None = None
+    is_satisfied: bool | None = None
 
 
 def verdict_rows(verdict: dict[str, Any]) -> list[Row]:
@@ -65,10 +65,10 @@ def _platform_row(name: str, numbers: dict[str, Any]) -> Row:
     rms, limit = numbers["tracking_rms_m"], numbers["tracking_limit_m"]
     places = f"{numbers['waypoints_reached']} of {numbers['waypoints']} waypoints"
     done = f" in {numbers['done_s']:.1f} s" if numbers["done_s"] is not None else ""
-    is_met = numbers["done_s"] is not None and rms is not None and rms <= limit
+    is_satisfied = numbers["done_s"] is not None and rms is not None and rms <= limit
     error = "unknown" if rms is None else _text(rms, "m")
     value = f"{places}{done}, tracking RMS {error}"
-    return Row(name, value, f"all, at most {_text(limit, 'm')}", is_met)
+    return Row(name, value, f"all, at most {_text(limit, 'm')}", is_satisfied)
 
 
 def table(verdict: dict[str, Any]) -> str:
@@ -96,12 +96,12 @@ def _row(verdict: dict[str, Any], label: str, key: str, unit: str) -> Row:
         return Row(label, text)
     if key in _BELOW:
         return Row(label, text, f"below {_text(limit, unit)}", value is not None and value < limit)
-    is_met = value is not None and value >= limit
-    return Row(label, text, f"at least {_text(limit, unit)}", is_met)
+    is_satisfied = value is not None and value >= limit
+    return Row(label, text, f"at least {_text(limit, unit)}", is_satisfied)
 
 
 def _limit(verdict: dict[str, Any], key: str) -> Any:
-    name = _BELOW.get(key) or _AT_LEAST.get(key)
+    name = _BELOW.get(key) or _MIN_LIMITS.get(key)
     return verdict.get(name) if name else None
 
 

@@ -14,7 +14,7 @@ from trident_eval.core.tracks import Array
 
 
 @dataclass(frozen=True)
-class Flown:
+class FlightLog:
     """One vehicle's flight.
 
     Attributes:
@@ -34,7 +34,7 @@ class Flown:
     tracking_max_m: float | None
 
 
-def flights(scene: Scene) -> list[Flown]:
+def flights(scene: Scene) -> list[FlightLog]:
     """Every vehicle that has moved through at least two states, in the order of the scene."""
     error = _counted_error(scene)
     found = []
@@ -48,7 +48,7 @@ def flights(scene: Scene) -> list[Flown]:
         own = np.array([]) if error is None else error[:, index]
         own = own[np.isfinite(own)]
         found.append(
-            Flown(
+            FlightLog(
                 name,
                 path_m=float(steps.sum()),
                 highest_m=float(position[present, 2].max()),

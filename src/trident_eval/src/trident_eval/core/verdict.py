@@ -85,7 +85,7 @@ def judge(tracks: Tracks, command: Command | Refusal | None, run: dict[str, Any]
 
     Args:
         tracks: where the vehicles were.
-        command: what they were told, if it is known.
+        command: what they were commanded, if it is known.
         run: the simulator's run.json; may be empty.
 
     Returns:
@@ -108,7 +108,7 @@ def judge(tracks: Tracks, command: Command | Refusal | None, run: dict[str, Any]
     }
     for key in ("rtf", "state_hash", "sim_s", "wall_s", "end_reason", "seed", "steps"):
         numbers[key] = run.get(key)
-    verdict = Verdict(numbers, _complaints_about_states(tracks.select(names)))
+    verdict = Verdict(numbers, _faults_of_states(tracks.select(names)))
     if command:
         verdict.reasons += command.errors
     if isinstance(command, Command):
@@ -217,19 +217,19 @@ def _closest_pair(tracks: Tracks) -> str:
     return f" ({tracks.names[i[closest]]} and {tracks.names[j[closest]]})"
 
 
-def _complaints_about_states(tracks: Tracks) -> list[str]:
-    complaints = []
+def _faults_of_states(tracks: Tracks) -> list[str]:
+    warnings = []
     for name, position in zip(tracks.names, tracks.position.swapaxes(0, 1), strict=True):
         present = np.isfinite(position).all(axis=1)
         if not present.any():
-            complaints.append(f"{name}: no states")
+            warnings.append(f"{name}: no states")
         elif not present[-1]:
             last = tracks.time[present][-1]
-            complaints.append(f"{name}: no finite state after {last:.2f} s")
+            warnings.append(f"{name}: no finite state after {last:.2f} s")
         elif np.nanmin(position[:, 2]) < LOWEST_Z_M:
             lowest = np.nanmin(position[:, 2])
-            complaints.append(f"{name}: below the ground (z {lowest:.2f} m)")
-    return complaints
+            warnings.append(f"{name}: below the ground (z {lowest:.2f} m)")
+    return warnings
 
 
 def _text(value: float | None) -> str:

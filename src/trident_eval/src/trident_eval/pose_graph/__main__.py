@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""Optimise a pose graph of a g2o file, tell how it went, and draw it before and after."""
+"""Optimise a pose graph of a g2o file, report how it went, and draw it before and after."""
 
 from __future__ import annotations
 

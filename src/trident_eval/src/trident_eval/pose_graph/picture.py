@@ -36,13 +36,13 @@ def draw(panels: list[tuple[str, Layout]], outliers: list[list[int]], file: Path
     figure.savefig(file, dpi=110, metadata={"Software": None})
 
 
-def _draw_graph(axes: Any, layout: Layout, colour: str, outliers: list[list[int]]) -> None:
+def _draw_graph(axes: Any, layout: Layout, color: str, outliers: list[list[int]]) -> None:
     follows = layout.edges[:, 1] - layout.edges[:, 0] == 1
     rejected = {(a, b) for a, b in outliers}
     kept = np.array([tuple(edge) not in rejected for edge in layout.edges], dtype=bool)
-    chain = _ODOMETRY if colour == _AFTER else colour
+    chain = _ODOMETRY if color == _AFTER else color
     for label, edges, shade, width, alpha in (
-        ("other edges", layout.edges[~follows & kept], colour, 0.5, 0.45),
+        ("other edges", layout.edges[~follows & kept], color, 0.5, 0.45),
         ("from one vertex to the next", layout.edges[follows & kept], chain, 0.7, 0.9),
         ("rejected", layout.edges[~kept], _OUTLIER, 0.7, 0.5),
     ):

@@ -27,7 +27,7 @@ def executable() -> str:
 
 
 def optimize(file: Path, options: Sequence[str], prefix: Sequence[str] = ()) -> dict[str, Any]:
-    """Optimises a g2o file; ``prefix`` stands before the command. Returns what the program tells.
+    """Optimises a g2o file; ``prefix`` stands before the command. Returns what the program prints.
 
     Its warnings go to stderr.
 

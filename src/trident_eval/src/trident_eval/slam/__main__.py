@@ -65,7 +65,7 @@ def _slam(options: argparse.Namespace) -> int:
         width, height = offline.map_size(map_file)
         print(
             f"{map_file}: {width} x {height} cells: too many to be drawn and judged, at most"
-            f" {offline.MOST_CELLS}; the map is there",
+            f" {offline.MAX_CELLS}; the map is there",
             file=sys.stderr,
         )
         map_file = None

@@ -66,7 +66,7 @@ def absolute_errors(estimate: Trajectory, truth: Trajectory, group: str = "SE2")
         group: of motions to align by: "SE2" (x, y, yaw), "SE3", or "none".
 
     Raises:
-        EvalError: no common stamps, or a group that is none of these.
+        EvalError: no common stamps, or an unknown group.
     """
     if group not in ("SE2", "SE3", "none"):
         raise EvalError(f"alignment {group!r} is not legal; legal: SE2, SE3, none")

@@ -109,7 +109,7 @@ def evaluate(task: Task) -> Evaluation:
 
 
 def _place_of_map(found: Evaluation) -> Array | None:
-    """Where the map lies in the true frame, as the trajectories tell it."""
+    """Where the map lies in the true frame, by the trajectories."""
     if not found.absolute:
         return None
     T = next(iter(found.absolute.values())).T_truth_map

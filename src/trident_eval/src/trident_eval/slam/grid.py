@@ -17,7 +17,7 @@ from trident_eval.core.tracks import Array
 
 UNKNOWN, FREE, OCCUPIED = -1, 0, 100
 Cells = NDArray[np.int8]
-_LEAST_NEIGHBOURS = 3  #: of a Gaussian through cells
+_MIN_NEIGHBORS = 3  #: of a Gaussian through cells
 
 
 @dataclass(frozen=True)
@@ -34,7 +34,7 @@ class Grid:
     resolution: float
     origin: Array
 
-    def centres(self, value: int) -> Array:
+    def centers(self, value: int) -> Array:
         """Centres of the cells that have this value, in the map's frame [m], shape (N, 2)."""
         rows, columns = np.nonzero(self.cells == value)
         local = self.resolution * (np.column_stack([columns, rows]) + 0.5)
@@ -108,8 +108,8 @@ def mean_map_entropy(grid: Grid, radius_m: float = 0.3) -> float:
     """
     from scipy.spatial import cKDTree
 
-    cells = grid.centres(OCCUPIED)
-    if len(cells) < _LEAST_NEIGHBOURS:
+    cells = grid.centers(OCCUPIED)
+    if len(cells) < _MIN_NEIGHBORS:
         return float("nan")
     pairs = cKDTree(cells).sparse_distance_matrix(cKDTree(cells), radius_m, output_type="ndarray")
     # A cell itself is its own neighbour, at a distance of zero.
@@ -122,7 +122,7 @@ def mean_map_entropy(grid: Grid, radius_m: float = 0.3) -> float:
     within = grid.resolution**2 / 12.0  # variance of a square
     determinant = (xx - mean_x**2 + within) * (yy - mean_y**2 + within)
     determinant -= (xy - mean_x * mean_y) ** 2
-    is_known = counts >= _LEAST_NEIGHBOURS
+    is_known = counts >= _MIN_NEIGHBORS
     if not is_known.any():
         return float("nan")
     return float(np.mean(0.5 * np.log((2.0 * np.pi * np.e) ** 2 * determinant[is_known])))

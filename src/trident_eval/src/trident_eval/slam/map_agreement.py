@@ -50,10 +50,10 @@ class Agreement:
 
 
 def surfaces(grid: Grid) -> Array:
-    """Centres of occupied cells beside free ones [m], shape (N, 2): what a lidar can see."""
-    beside_free = binary_dilation(grid.cells == FREE, np.ones((3, 3), bool))
-    visible = np.where((grid.cells == OCCUPIED) & beside_free, OCCUPIED, FREE).astype(np.int8)
-    return Grid(visible, grid.resolution, grid.origin).centres(OCCUPIED)
+    """Centres of occupied cells next to free ones [m], shape (N, 2): what a lidar can see."""
+    next_to_free = binary_dilation(grid.cells == FREE, np.ones((3, 3), bool))
+    visible = np.where((grid.cells == OCCUPIED) & next_to_free, OCCUPIED, FREE).astype(np.int8)
+    return Grid(visible, grid.resolution, grid.origin).centers(OCCUPIED)
 
 
 def agreement(
@@ -71,13 +71,13 @@ def agreement(
     Raises:
         EvalError: one of them has nothing occupied, or they do not overlap.
     """
-    walls, true_walls = grid.centres(OCCUPIED), surfaces(truth)
+    walls, true_walls = grid.centers(OCCUPIED), surfaces(truth)
     if not len(walls) or not len(true_walls):
         raise EvalError(f"the {'map' if not len(walls) else 'true map'} has no occupied cell")
     T = fitted(walls, true_walls, np.eye(3) if T_truth_map is None else T_truth_map)
     placed = walls @ T[:2, :2].T + T[:2, 2]
     wall_error, _ = cKDTree(true_walls).query(placed)
-    seen = np.concatenate([grid.centres(FREE), walls]) @ T[:2, :2].T + T[:2, 2]
+    seen = np.concatenate([grid.centers(FREE), walls]) @ T[:2, :2].T + T[:2, 2]
     near, _ = cKDTree(seen).query(true_walls)
     near_truth = true_walls[near <= tolerance_m]
     if not len(near_truth):

@@ -24,7 +24,7 @@ _BAR = 30
 _PGM = re.compile(rb"P5\s+(?:#[^\n]*\n\s*)*(\d+)\s+(\d+)\s+\d+\s")
 _PGM_HEAD = 4096
 #: Of a map that is drawn and judged: 350 m by 350 m at 5 cm. Each takes some ten bytes then.
-MOST_CELLS = 50_000_000
+MAX_CELLS = 50_000_000
 _SHOWN_LINES = 5
 
 
@@ -145,10 +145,10 @@ def bar(percent: int, scans: int) -> str:
 
 
 def map_size(map_yaml: Path) -> tuple[int, int]:
-    """Width and height of the map beside a YAML file [cells].
+    """Width and height of the map next to a YAML file [cells].
 
     Raises:
-        EvalError: there is none, or it has no cell.
+        EvalError: it does not exist, or has no cell.
     """
     file = map_yaml.with_suffix(".pgm")
     try:
@@ -171,11 +171,11 @@ def map_size(map_yaml: Path) -> tuple[int, int]:
 def is_drawable(map_yaml: Path) -> bool:
     """Whether the map is small enough to be drawn and judged; errors as `map_size`."""
     width, height = map_size(map_yaml)
-    return width * height <= MOST_CELLS
+    return width * height <= MAX_CELLS
 
 
 def write_png(map_yaml: Path) -> Path:
-    """Write map.png beside map.pgm and return its path."""
+    """Write map.png next to map.pgm and return its path."""
     from PIL import Image
 
     target = map_yaml.with_suffix(".png")

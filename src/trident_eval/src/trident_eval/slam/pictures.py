@@ -24,7 +24,7 @@ CAPTIONS = {
     "truth": "The trajectory after the rigid motion that fits best, and its error along the way.",
     "map_agreement": "The map over the true surfaces: blue within the tolerance, red beyond it.",
 }
-_COLOURS = ("#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#56B4E9")
+_COLORS = ("#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#56B4E9")
 _TRUTH, _GOOD, _BAD = "#999999", "#0072B2", "#B00020"
 _ABOVE: dict[str, Any] = {"loc": "lower center", "bbox_to_anchor": (0.5, 1.0)}  # of a legend
 _MAX_ROOM_M = 30.0  # beyond it, thin rays through a window would make the rest small
@@ -71,9 +71,9 @@ def show_grid(axes: Any, grid: Grid) -> None:
 def _draw_map(found: Evaluation) -> Any:
     figure = _figure(9.0, 8.0)
     axes = figure.add_subplot()
-    coloured = list(zip(_COLOURS, found.trajectories.items(), strict=False))
-    for colour, (name, trajectory) in reversed(coloured):
-        axes.plot(*trajectory.p[:, :2].T, color=colour, linewidth=0.7, label=name)
+    colored = list(zip(_COLORS, found.trajectories.items(), strict=False))
+    for color, (name, trajectory) in reversed(colored):
+        axes.plot(*trajectory.p[:, :2].T, color=color, linewidth=0.7, label=name)
     if found.grid is not None:
         show_grid(axes, found.grid)
         if found.trajectories:
@@ -96,13 +96,11 @@ def _draw_relations(found: Evaluation) -> Any:
     figure = _figure(10.0, 4.2)
     for place, unit in ((1, "m"), (2, "deg")):
         axes = figure.add_subplot(1, 2, place)
-        for colour, (name, errors) in zip(_COLOURS, found.relations.items(), strict=False):
+        for color, (name, errors) in zip(_COLORS, found.relations.items(), strict=False):
             values = errors.translation_m if unit == "m" else np.degrees(errors.rotation_rad)
             ordered = np.maximum(np.sort(values), 1e-6)  # for the logarithm
             share = np.arange(1, len(ordered) + 1) / len(ordered)
-            axes.plot(
-                ordered, share, color=colour, label=f"{name}: mean {values.mean():.4g} {unit}"
-            )
+            axes.plot(ordered, share, color=color, label=f"{name}: mean {values.mean():.4g} {unit}")
         axes.set_xscale("log")
         axes.set(
             xlabel=f"{'translation' if unit == 'm' else 'rotation'} error [{unit}]",
@@ -116,15 +114,15 @@ def _draw_relations(found: Evaluation) -> Any:
 def _draw_truth(found: Evaluation) -> Any:
     figure = _figure(11.0, 5.0)
     plan, error = figure.subplots(1, 2, width_ratios=(1.1, 1.0))
-    for colour, (name, errors) in zip(_COLOURS, found.absolute.items(), strict=False):
+    for color, (name, errors) in zip(_COLORS, found.absolute.items(), strict=False):
         if not plan.lines:
             plan.plot(*errors.truth.p[:, :2].T, color=_TRUTH, linewidth=3, label="truth")
-        plan.plot(*errors.aligned.p[:, :2].T, color=colour, linewidth=1, label=name)
+        plan.plot(*errors.aligned.p[:, :2].T, color=color, linewidth=1, label=name)
         rmse = np.sqrt(np.mean(errors.translation_m**2))
         error.plot(
             errors.stamp - errors.stamp[0],
             100 * errors.translation_m,
-            color=colour,
+            color=color,
             linewidth=0.9,
             label=f"{name}: RMSE {100 * rmse:.2f} cm",
         )
@@ -142,7 +140,7 @@ def _draw_agreement(found: Evaluation) -> Any:
     figure = _fitting_figure(surfaces(found.true_grid))
     axes = figure.add_subplot()
     T = found.agreement.T_truth_map
-    walls = found.grid.centres(OCCUPIED) @ T[:2, :2].T + T[:2, 2]
+    walls = found.grid.centers(OCCUPIED) @ T[:2, :2].T + T[:2, 2]
     is_good = found.agreement.wall_error_m <= found.agreement.tolerance_m
     axes.plot(*surfaces(found.true_grid).T, "s", color="#CCCCCC", markersize=2.5, label="truth")
     axes.plot(*walls[is_good].T, ".", color=_GOOD, markersize=1.5, label="map")

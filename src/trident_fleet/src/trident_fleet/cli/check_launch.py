@@ -55,7 +55,7 @@ def main() -> int:
     """Check a launch file.
 
     Returns:
-        0: its formations can be flown; 1: they cannot, and why is told.
+        0: its formations can be flown; 1: they cannot, and the reason is reported.
     """
     try:
         for settings in formations(json.load(sys.stdin)):

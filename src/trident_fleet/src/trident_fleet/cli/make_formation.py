@@ -26,7 +26,7 @@ def main(arguments: list[str] | None = None) -> int:
     """Make a formation.
 
     Returns:
-        0: written; 1: it cannot be flown or written, and why is told.
+        0: written; 1: it cannot be flown or written, and the reason is reported.
     """
     options = _parser().parse_args(arguments)
     try:
@@ -94,7 +94,7 @@ def _head_of(path: Path) -> list[str]:
 def _summary(performance: Performance) -> str:
     rows, vehicles = performance.rows.shape[:2]
     least = min_separation(performance.rows)
-    lines = [f"{vehicles} vehicles, {rows} rows, smallest separation {_metres(least)}"]
+    lines = [f"{vehicles} vehicles, {rows} rows, smallest separation {_in_meters(least)}"]
     return "\n".join(lines + [f"  {_describe(result)}" for result in performance.steps])
 
 
@@ -102,16 +102,16 @@ def _describe(result: StepResult) -> str:
     first, last = result.rows
     step = result.step
     new = step.pattern.kind if step.pattern else "same shape"
-    text = f"{step.where}: {new}, rows {first + 1} to {last + 1}, {_metres(result.separation_m)}"
+    text = f"{step.where}: {new}, rows {first + 1} to {last + 1}, {_in_meters(result.separation_m)}"
     transition = result.transition
     if transition is None:
         return text
     if len(transition.waves) > 1:
         return f"{text}, in {len(transition.waves)} waves: all at once they would come too close"
-    return f"{text}, all at once ({_metres(transition.guaranteed_m)} guaranteed)"
+    return f"{text}, all at once ({_in_meters(transition.guaranteed_m)} guaranteed)"
 
 
-def _metres(value: float) -> str:
+def _in_meters(value: float) -> str:
     return f"{value:.3f} m" if math.isfinite(value) else "(one vehicle)"
 
 

@@ -15,7 +15,7 @@ from trident_fleet.core.choreography import perform
 from trident_fleet.core.choreography_file import parse_words
 from trident_fleet.core.config import PlanConfig
 from trident_fleet.core.errors import FormationError
-from trident_fleet.core.fleet_launch import MOST_VEHICLES, Fleet, fleet_launch, spawn_grid
+from trident_fleet.core.fleet_launch import MAX_VEHICLES, Fleet, fleet_launch, spawn_grid
 from trident_fleet.core.formation_file import FormationSource, flying_rows, read_formation
 from trident_fleet.core.position_file import write_positions
 from trident_fleet.core.quintic import Array
@@ -30,12 +30,12 @@ def main(arguments: list[str] | None = None) -> int:
     """Make a launch file.
 
     Returns:
-        0: written; 1: it cannot be, and why is told.
+        0: written; 1: it cannot be, and the reason is reported.
     """
     options = _parser().parse_args(arguments)
     try:
-        if not 1 <= options.uavs <= MOST_VEHICLES:
-            raise FormationError(f"--uavs: {options.uavs}; legal: 1 to {MOST_VEHICLES}")
+        if not 1 <= options.uavs <= MAX_VEHICLES:
+            raise FormationError(f"--uavs: {options.uavs}; legal: 1 to {MAX_VEHICLES}")
         out = options.out or Path(f"fleet_{options.uavs}.launch")
         source = _source(options, out)
         rows = flying_rows(read_formation(source), options.uavs)

@@ -16,7 +16,7 @@ import numpy.typing as npt
 from trident_fleet.core.quintic import Array
 from trident_fleet.core.separation import min_separation
 
-# Costs are told apart down to this [m^2]: rounding errors must not decide between equal ways.
+# Costs are distinguished down to this [m^2]: rounding must not decide between equal distances.
 _RESOLUTION_M2 = 1e-6
 
 

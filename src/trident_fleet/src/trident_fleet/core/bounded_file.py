@@ -24,7 +24,7 @@ def read_bounded(path: Path, most_bytes: int = LARGEST_BYTES) -> bytes:
     size = path.stat().st_size
     if size <= most_bytes:
         with path.open("rb") as stream:
-            content = stream.read(most_bytes + 1)  # a pipe tells no size
+            content = stream.read(most_bytes + 1)  # a pipe reports no size
         size = max(size, len(content))
     if size > most_bytes:
         raise FormationError(f"{path}: more than {most_bytes} bytes; legal: at most so many")

@@ -22,10 +22,10 @@ from trident_fleet.core.transition import (
     plan_transition,
 )
 
-MOST_VEHICLES = 500
+MAX_VEHICLES = 500
 # Between two rows the flight bends: turns are cut into pieces that are nearly straight.
-_MOST_TURN_PER_ROW_DEG = 4.0
-_MOST_TURN_DEG = 3600.0
+_MAX_TURN_PER_ROW_DEG = 4.0
+_MAX_TURN_DEG = 3600.0
 _STEEPEST_BLEND = 1.5
 _SLACK_M = 1e-6
 
@@ -36,9 +36,9 @@ class Step:
 
     Attributes:
         pattern: to change into, each vehicle straight to its place; None: the shape stays.
-        translate_m: way of the centre [m, world].
-        rotate_deg: turn about the vertical axis through the centre, counter-clockwise [deg].
-        rescale: factor of all distances from the centre.
+        translate_m: translation of the center [m, world].
+        rotate_deg: turn about the vertical axis through the center, counter-clockwise [deg].
+        rescale: factor of all distances from the center.
         where: the step's place in its file, for messages.
     """
 
@@ -51,9 +51,9 @@ class Step:
     def validate(self) -> None:
         """Raise FormationError on the first field with an illegal value."""
         _check_vector("translate_m", self.translate_m)
-        if not abs(self.rotate_deg) <= _MOST_TURN_DEG:
+        if not abs(self.rotate_deg) <= _MAX_TURN_DEG:
             raise FormationError(
-                f"rotate_deg: {self.rotate_deg}; legal: -{_MOST_TURN_DEG:g} to {_MOST_TURN_DEG:g}"
+                f"rotate_deg: {self.rotate_deg}; legal: -{_MAX_TURN_DEG:g} to {_MAX_TURN_DEG:g}"
             )
         if not 0.01 <= self.rescale <= 100.0:
             raise FormationError(f"rescale: {self.rescale}; legal: 0.01 to 100")
@@ -72,10 +72,10 @@ class Choreography:
         vehicles: how many.
         begin: the first pattern.
         steps: what happens then.
-        position_m: of the centre at the beginning [m, world].
+        position_m: of the center at the beginning [m, world].
         heading_deg: of the formation at the beginning [deg, world, counter-clockwise from x].
         min_separation_m: that any two vehicles keep at every instant [m].
-        row_spacing_m: longest way of a vehicle between two rows [m].
+        row_spacing_m: longest distance of a vehicle between two rows [m].
     """
 
     vehicles: int
@@ -88,8 +88,8 @@ class Choreography:
 
     def validate(self) -> None:
         """Raise FormationError on the first field with an illegal value."""
-        if not 1 <= self.vehicles <= MOST_VEHICLES:
-            raise FormationError(f"vehicles: {self.vehicles}; legal: 1 to {MOST_VEHICLES}")
+        if not 1 <= self.vehicles <= MAX_VEHICLES:
+            raise FormationError(f"vehicles: {self.vehicles}; legal: 1 to {MAX_VEHICLES}")
         for name, least, most in (("min_separation_m", 0.0, 100.0), ("row_spacing_m", 0.01, 10.0)):
             value = getattr(self, name)
             if not least <= value <= most:
@@ -138,13 +138,13 @@ class Performance:
 class _Stage:
     """Where the formation is while its rows are made."""
 
-    centre: Array
+    center: Array
     heading_deg: float
     shape: Array  # p_formation of each vehicle, (N, 3)
     rows: list[Array] = field(default_factory=list)
 
     def positions(self) -> Array:
-        return self.centre + _turned(self.shape, self.heading_deg)
+        return self.center + _turned(self.shape, self.heading_deg)
 
 
 def perform(choreography: Choreography) -> Performance:
@@ -156,7 +156,7 @@ def perform(choreography: Choreography) -> Performance:
     """
     choreography.validate()
     stage = _Stage(
-        centre=np.array(choreography.position_m, dtype=np.float64),
+        center=np.array(choreography.position_m, dtype=np.float64),
         heading_deg=choreography.heading_deg,
         shape=places(choreography.begin, choreography.vehicles),
     )
@@ -174,15 +174,15 @@ def perform(choreography: Choreography) -> Performance:
 
 
 def _move(stage: _Stage, step: Step, choreography: Choreography) -> Transition | None:
-    centre = stage.centre + np.array(step.translate_m)
+    center = stage.center + np.array(step.translate_m)
     heading_deg = stage.heading_deg + step.rotate_deg
     if step.pattern is None:
         _move_shape(stage, step, choreography.row_spacing_m)
-        stage.centre, stage.heading_deg = centre, heading_deg
+        stage.center, stage.heading_deg = center, heading_deg
         stage.shape = step.rescale * stage.shape
         return None
     shape = places(step.pattern, choreography.vehicles)
-    targets = centre + _turned(shape, heading_deg)
+    targets = center + _turned(shape, heading_deg)
     try:
         transition = plan_transition(stage.positions(), targets, choreography.min_separation_m)
     except FormationError as error:
@@ -191,22 +191,22 @@ def _move(stage: _Stage, step: Step, choreography: Choreography) -> Transition |
     for begin, end in itertools.pairwise(corners):
         count = _row_count(_longest(end - begin), choreography.row_spacing_m)
         stage.rows += [begin + part * (end - begin) for part in _blend(count)]
-    stage.centre, stage.heading_deg = centre, heading_deg
+    stage.center, stage.heading_deg = center, heading_deg
     stage.shape = shape[list(transition.place)]
     return transition
 
 
 def _move_shape(stage: _Stage, step: Step, row_spacing_m: float) -> None:
     """Rows of a step that keeps the shape, up to its size."""
-    way = np.array(step.translate_m)
+    translation = np.array(step.translate_m)
     size = _longest(stage.shape) * max(1.0, step.rescale)
     arc = size * math.radians(abs(step.rotate_deg)) + size * abs(step.rescale - 1.0)
-    turns = math.ceil(_STEEPEST_BLEND * abs(step.rotate_deg) / _MOST_TURN_PER_ROW_DEG)
-    count = max(_row_count(float(np.linalg.norm(way)) + arc, row_spacing_m), turns)
+    turns = math.ceil(_STEEPEST_BLEND * abs(step.rotate_deg) / _MAX_TURN_PER_ROW_DEG)
+    count = max(_row_count(float(np.linalg.norm(translation)) + arc, row_spacing_m), turns)
     for part in _blend(count):
         shape = (1.0 + part * (step.rescale - 1.0)) * stage.shape
         turned = _turned(shape, stage.heading_deg + part * step.rotate_deg)
-        stage.rows.append(stage.centre + part * way + turned)
+        stage.rows.append(stage.center + part * translation + turned)
 
 
 def _check_step(flown: Array, step: Step, required_m: float) -> None:
@@ -223,8 +223,8 @@ def _check_vector(name: str, value: Vector) -> None:
         raise FormationError(f"{name}: {list(value)}; legal: each at most {FARTHEST_M:g} m")
 
 
-def _row_count(way_m: float, row_spacing_m: float) -> int:
-    return max(1, math.ceil(_STEEPEST_BLEND * way_m / row_spacing_m - _SLACK_M))
+def _row_count(length_m: float, row_spacing_m: float) -> int:
+    return max(1, math.ceil(_STEEPEST_BLEND * length_m / row_spacing_m - _SLACK_M))
 
 
 def _blend(count: int) -> Array:

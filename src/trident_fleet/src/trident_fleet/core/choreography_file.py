@@ -117,8 +117,8 @@ def _step_of_word(word: str, number: int, spacing_m: float) -> Step:
     if name == "rescale" and len(numbers) == 1:
         return Step(rescale=numbers[0], where=where)
     if name == "translate" and len(numbers) == 3:
-        way: Vector = (numbers[0], numbers[1], numbers[2])
-        return Step(translate_m=way, where=where)
+        translation: Vector = (numbers[0], numbers[1], numbers[2])
+        return Step(translate_m=translation, where=where)
     raise FormationError(
         f"'{word}'; legal: {', '.join(KINDS)}, translate:X,Y,Z, rotate:DEGREES, rescale:FACTOR"
     )

@@ -46,7 +46,7 @@ class PlanConfig:
         hold_first_s: hover at the first row [s].
         hold_last_s: hover at the last row [s].
         climb_m: height of the vertical climb above the highest spawn position [m].
-        min_separation_m: wanted between any two vehicles on the way to the first row [m]; less
+        min_separation_m: wanted between any two vehicles while they fly to the first row [m]; less
             where the spawn positions or the first row themselves are closer.
         yaw_rad: heading of all vehicles [rad, world].
     """

@@ -11,7 +11,7 @@ from trident_fleet.core.gate import FormationGate, Phase
 from trident_fleet.core.quintic import Array
 from trident_fleet.core.schedule import FeedConfig, PlannedFeed, encode_period, period_times
 
-_MOST_OVERTAKEN = 6000  # messages whose time is over, and that a world in lockstep still gets
+_MAX_OVERTAKEN = 6000  # messages whose time is over, and that a world in lockstep still gets
 
 Batch = list[bytes]
 """One message per fed vehicle, all with the same stamp."""
@@ -20,9 +20,10 @@ Batch = list[bytes]
 class TimeFeeder:
     """Sends a plan, so far ahead of the clock that the world need not wait.
 
-    In lockstep every message is sent once, in order, for no world that waits for them is far ahead;
-    where one is (it has been told that the flight is over, or its clock is wrong), nothing of the
-    way there is. Otherwise those that the clock has overtaken are left out, and nothing is early.
+    In lockstep every message is sent once, in order, because a world that waits for them is never
+    far ahead; if it is (the end of the flight was announced, or its clock is wrong), the messages
+    between are not sent. Otherwise those that the clock has overtaken are left out, and none is
+    sent early.
     """
 
     def __init__(self, feed: PlannedFeed, lookahead: int, is_lockstep: bool) -> None:
@@ -43,7 +44,7 @@ class TimeFeeder:
         current = self._feed.index_at(now_ns)
         if self._is_lockstep:
             current = max(current, 0)
-        if not self._is_lockstep or current - self._next > _MOST_OVERTAKEN:
+        if not self._is_lockstep or current - self._next > _MAX_OVERTAKEN:
             self._next = max(self._next, current)
         due = range(self._next, current + self._lookahead + 1)
         self._next = max(self._next, due.stop)

@@ -19,7 +19,7 @@ from trident_fleet.core.errors import FormationError
 from trident_fleet.core.patterns import Pattern, places
 from trident_fleet.core.quintic import Array
 
-MOST_VEHICLES = 100
+MAX_VEHICLES = 100
 NAMESPACE_TOKEN = "VEHICLE_NAMESPACE"
 
 _SPAWN_Z_M = 0.1
@@ -81,8 +81,8 @@ def spawn_grid(first_row: Array, spacing_m: float) -> Array:
         FormationError: an illegal spacing.
     """
     grid = places(Pattern("grid", spacing_m), len(first_row))
-    centre = first_row.mean(axis=0)
-    grid += [centre[0], centre[1], _SPAWN_Z_M]
+    center = first_row.mean(axis=0)
+    grid += [center[0], center[1], _SPAWN_Z_M]
     return np.round(grid[assign(first_row, grid)], 3) + 0.0
 
 
@@ -97,8 +97,8 @@ def fleet_launch(template: str, fleet: Fleet) -> str:
         FormationError: too many vehicles, or a template without the parts that are replaced.
     """
     count = len(fleet.spawn)
-    if not 1 <= count <= MOST_VEHICLES:
-        raise FormationError(f"uavs: {count}; legal: 1 to {MOST_VEHICLES}")
+    if not 1 <= count <= MAX_VEHICLES:
+        raise FormationError(f"uavs: {count}; legal: 1 to {MAX_VEHICLES}")
     head, begin, rest = template.partition(_BEGIN)
     _, end, tail = rest.partition(_END)
     if not begin or not end:

@@ -28,12 +28,13 @@ class FollowConfig:
     Attributes:
         offsets: of each follower from the leader [m], shape (N, 3), in `frame`.
         frame: `heading`: x ahead of the leader, y to its left, turning with it; `world`.
-        assign: whether followers take the places that make the least way, not those in order.
+        assign: whether followers take the places that minimize the distance, not those in order.
         lowest_m: height of the lowest place, however low the leader is [m, world].
-        min_separation_m: of any two, the leader included, at the places and on the way [m].
+        min_separation_m: of any two, the leader included, at the places and while flying there [m].
         end_when_still_s: the flight ends when the leader has not moved for so long [s]; 0: never.
-        give_up_s: hover without a way to the places after which a flight that ends at all ends [s].
-        plan: take-off and limits of the way to the places.
+        give_up_s: hover without a free path to the places after which a flight that ends at all
+            ends [s].
+        plan: take-off and limits of the flight to the places.
         reference: how the leader is kept up with.
         feed: period and spacing of set-points.
     """

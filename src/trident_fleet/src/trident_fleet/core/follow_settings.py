@@ -23,7 +23,7 @@ from trident_fleet.core.settings import (
     names_of,
 )
 
-#: Before the names of the limits (`v_max` ...) of the way to the places.
+#: Before the names of the limits (`v_max` ...) of the flight to the places.
 TRANSIT = "transit_"
 LEADER_TIMEOUT_S = 2.0
 #: What a leader-follower flight has no use for, or makes itself of other parameters.

@@ -27,7 +27,7 @@ _SHORTEST_JOIN_S = 3.0
 _RETRY_S = 1.0
 _UNHURRIED = 1.5  # longer than the limits ask for
 _LIFTS = (0.0, 1.0, -1.0, 2.0, 4.0)
-_OVER_M = 0.2  # more than the separation, above or below a leader that is in the way
+_OVER_M = 0.2  # more than the separation, above or below a leader that blocks the path
 
 
 class Phase(enum.Enum):
@@ -115,7 +115,7 @@ class Followers:
         """Commands of one period.
 
         Args:
-            leader: its state, with stamps since the first set-point; None as long as there is none.
+            leader: its state, with stamps since the first set-point; None before the first one.
             elapsed_ns: instant that the state is of, since the first set-point [ns].
             window_ns: begin of the period to command [ns]; periods follow each other.
         """
@@ -159,7 +159,7 @@ class Followers:
         try:
             self._blend = self._plan_join(drift, now_s)
         except FormationError as error:
-            # The leader moves on: there may be a way in a moment.
+            # The leader moves on: a path may be free in a moment.
             self.problem = str(error)
             self._next_try_s = now_s + _RETRY_S
         else:
@@ -167,16 +167,16 @@ class Followers:
             self.phase = Phase.JOIN
 
     def _plan_join(self, drift: Drift, now_s: float) -> _Blend:
-        """Everybody's way: from the hover to its place, as a growing share of the place's motion.
+        """Paths from the hovers to the places, each with a growing share of its place's motion.
 
-        Two that go at once keep a straight relative way however the leader moves, so it is enough
-        that the separation is held as if the leader stood still.
+        Two that move at once keep a straight relative path however the leader moves, so it is
+        enough that the separation is held as if the leader stood still.
         """
         goal = self._places(drift).position[0]
         if self.config.assign:
             place = assign(self._hover, goal)
             self._offsets, goal = self._offsets[place], goal[place]
-        lift_m, waves = self._free_way(goal, drift.place[0, :3])
+        lift_m, waves = self._free_path(goal, drift.place[0, :3])
         begin, duration = np.full(len(goal), now_s), np.full(len(goal), _SHORTEST_JOIN_S)
         for wave in waves:
             movers = [vehicle for vehicle in wave if vehicle < len(goal)]
@@ -190,12 +190,12 @@ class Followers:
         return _Blend(begin, duration, lift_m, descent_s, full_turns)
 
     def _leg_s(self, start: Array, end: Array) -> float:
-        """Time for a way [s]; what the place moves on meanwhile is flown on top."""
+        """Time for a path [s]; what the place moves on meanwhile is flown on top."""
         leg_s = leg_duration(start, end, self.config.plan.limits)
         return max(_SHORTEST_JOIN_S, _UNHURRIED * leg_s)
 
-    def _free_way(self, goal: Array, leader: Array) -> tuple[float, Waves]:
-        """The straight way if it is free of the leader, else one above or below it."""
+    def _free_path(self, goal: Array, leader: Array) -> tuple[float, Waves]:
+        """The straight path if it is free of the leader, else one above or below it."""
         own, least = leader[None], self.config.min_separation_m
         start = np.concatenate([self._hover, own])
         required = min(least, min_separation(start[None]))
@@ -264,7 +264,7 @@ class Followers:
 
 
 def _share(part: Array, order: int) -> Array:
-    """Minimum-jerk share 0..1 of a way and its derivatives by the part 0..1 of the time."""
+    """Minimum-jerk share 0..1 of a path and its derivatives by the part 0..1 of the time."""
     u = np.clip(part, 0.0, 1.0)
     polynomials = (
         u**3 * (10.0 + u * (6.0 * u - 15.0)),

@@ -60,7 +60,7 @@ class FormationGate:
             gate_config: radius, timeout, waits.
 
         Raises:
-            FormationError: bad configuration or rows, or no free way to the first row.
+            FormationError: bad configuration or rows, or no free path to the first row.
         """
         plan_config.validate()
         gate_config.validate()

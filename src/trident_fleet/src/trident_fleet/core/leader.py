@@ -22,14 +22,14 @@ _LARGEST = 1e8  # [m], [m/s], [rad], [rad/s]
 
 @dataclass(frozen=True)
 class Measurement:
-    """What a message tells of a leader.
+    """What a message reports of a leader.
 
     Attributes:
         stamp_ns: when [ns].
         position: p_world [m], shape (3,).
         yaw_rad: heading of its x axis [rad, world].
-        velocity: v_world [m/s], shape (3,); None where the message does not tell.
-        yaw_rate: [rad/s]; None where the message does not tell.
+        velocity: v_world [m/s], shape (3,); None where the message does not contain it.
+        yaw_rate: [rad/s]; None where the message does not contain it.
     """
 
     stamp_ns: int
@@ -40,14 +40,14 @@ class Measurement:
 
     @property
     def is_finite(self) -> bool:
-        """Whether all that is told are numbers of something that moves: none beyond 1e8."""
+        """Whether all values are plausible numbers of a vehicle: none beyond 1e8."""
         velocity = np.zeros(3) if self.velocity is None else self.velocity
-        told = np.array([*self.position, *velocity, self.yaw_rad, self.yaw_rate or 0.0])
-        return bool((np.abs(told) <= _LARGEST).all())
+        numbers = np.array([*self.position, *velocity, self.yaw_rad, self.yaw_rate or 0.0])
+        return bool((np.abs(numbers) <= _LARGEST).all())
 
 
 Decoder = Callable[[], Measurement | None]
-"""What a message tells of the leader; None: nothing."""
+"""What a message reports of the leader; None: nothing."""
 
 
 @dataclass(frozen=True)
@@ -99,7 +99,7 @@ class LeaderTrack:
         """The state by the measurement that counts; None before the first one.
 
         Instants are asked for in order. A message without finite numbers counts for nothing. What a
-        measurement does not tell is its difference from the one that counted before.
+        measurement does not contain is its difference from the one that counted before.
         """
         past = []
         while self._ahead and self._ahead[0][0] <= time_ns:

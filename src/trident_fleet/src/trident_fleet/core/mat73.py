@@ -33,7 +33,7 @@ def read_variables(path: Path, wanted: str) -> list[Variable]:
 
     Args:
         path: the file.
-        wanted: the variable whose values are read; those of the others are None.
+        wanted: the variable whose values are read; the others have None as values.
 
     Returns:
         All variables; `wanted` with values in MATLAB's shape if it is a full, real, numeric matrix.

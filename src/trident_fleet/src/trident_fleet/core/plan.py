@@ -58,7 +58,7 @@ def plan_formation(rows: Array, spawn: Array, config: PlanConfig) -> FormationPl
         The plan; the same inputs give the same plan to the bit.
 
     Raises:
-        FormationError: a row too far away or below the ground, or no free way to the first row.
+        FormationError: a row too far away or below the ground, or no free path to the first row.
     """
     config.validate()
     lead = plan_take_off(rows, spawn, config)

@@ -40,7 +40,7 @@ def write_positions(path: Path, rows: Array, comments: list[str]) -> None:
 
 
 def reading_args(path: Path, rows: Array) -> dict[str, str]:
-    """Arguments beside `formation_file` that a reader needs for a file of `write_positions`."""
+    """Arguments that a reader of `write_positions`' file needs in addition to `formation_file`."""
     vehicles = rows.shape[1]
     try:
         if read_formation(FormationSource(str(path), uavs=vehicles)).shape == rows.shape:

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""What one vehicle was told to do, as a JSON file from which the command can be computed again."""
+"""What one vehicle was commanded, as a JSON file from which the command can be computed again."""
 
 from __future__ import annotations
 

@@ -72,7 +72,7 @@ class Reference:
         self._state: _Triple | None = None
 
     def advance(self, leader: LeaderState, start_ns: int, point_ns: int, count: int) -> Drift:
-        """The motion at `start_ns` and `count - 1` times `point_ns` later; the next call goes on.
+        """The motion at `start_ns` and `count - 1` times `point_ns` later; the next call continues.
 
         Args:
             leader: its newest state.

@@ -79,7 +79,7 @@ class PlannedFeed:
         return (time_ns - self._start_ns) // self._config.period_ns
 
     def messages(self, index: int) -> list[bytes]:
-        """Message `index` >= 0 of each vehicle; after the plan's end the last hover goes on."""
+        """Message `index` >= 0 of each vehicle; after the plan's end the last hover continues."""
         stamp = self.stamp_ns(index)
         last = min(index, self._count - 1)
         return [encode_message(stamp, block[last]) for block in self._blocks]

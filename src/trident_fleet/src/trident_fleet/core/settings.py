@@ -117,7 +117,7 @@ def fleet_around(prefix: str, index: int, count: int) -> list[Vehicle]:
     return [_vehicle(f"{match[1]}{first + i}/", i) for i in range(count)]
 
 
-def seat_of_sequence(seq: int, vehicles_in_file: int, uavs: int) -> tuple[int, int]:
+def vehicle_of_line(seq: int, vehicles_in_file: int, uavs: int) -> tuple[int, int]:
     """What a vehicle's first line in the file says: its index and the row it begins with.
 
     Lines are interleaved vehicle by vehicle, so a vehicle that starts at line `seq` (from 0)

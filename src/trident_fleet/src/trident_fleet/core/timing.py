@@ -14,11 +14,11 @@ MIN_STEP_S = 0.02
 _SWEEPS = 600
 _REFINEMENTS = 24
 _GAIN = 0.12
-_LEAST_RATIO = 0.05
+_MIN_RATIO = 0.05
 _WIDEST = 8.0
 _REFINED_WIDTH = 1.5
 _SAMPLES_PER_STEP = 5
-_LEAST_STRETCH = 1e-3
+_MIN_SCALE = 1e-3
 _FINAL_SAMPLES = 17
 _MARGIN = 1.0 + 1e-3
 
@@ -29,7 +29,7 @@ def fly_through(rows: Array, limits: FlightLimits) -> QuinticPath:
     All vehicles pass row i at the same knot time t_i. The steps between knots are relaxed until
     speed, acceleration and jerk of the busiest vehicle come close to the limits everywhere; a cubic
     spline with quintic ends (zero acceleration at rest) goes through the knots, and a last uniform
-    stretch makes the limits hold.
+    scaling of time makes the limits hold.
 
     Args:
         rows: p_world of each row and vehicle [m], shape (T, N, 3), T >= 2.
@@ -39,7 +39,7 @@ def fly_through(rows: Array, limits: FlightLimits) -> QuinticPath:
         Knots 0..T-1, one per row, from time 0.
     """
     path = _refine(rows, _relax(rows, limits), limits)
-    return path.stretched(max(excess(path, limits), _LEAST_STRETCH) * _MARGIN)
+    return path.stretched(max(excess(path, limits), _MIN_SCALE) * _MARGIN)
 
 
 def excess(path: QuinticPath, limits: FlightLimits) -> float:
@@ -84,23 +84,23 @@ def _first_guess(chord: Array, limits: FlightLimits) -> Array:
     """Full speed, but no faster than jerk and acceleration allow from rest and to rest."""
     longest = _norms(chord)
     steps = np.maximum(longest / limits.v_max, MIN_STEP_S)
-    way = np.concatenate([[0.0], np.cumsum(longest)])
-    steps = np.maximum(steps, np.diff(_time_from_rest(way, limits)))
-    from_end = np.diff(_time_from_rest((way[-1] - way)[::-1], limits))[::-1]
+    distance = np.concatenate([[0.0], np.cumsum(longest)])
+    steps = np.maximum(steps, np.diff(_time_from_rest(distance, limits)))
+    from_end = np.diff(_time_from_rest((distance[-1] - distance)[::-1], limits))[::-1]
     return np.asarray(np.maximum(steps, from_end))
 
 
-def _time_from_rest(way: Array, limits: FlightLimits) -> Array:
-    cubic = np.cbrt(6.0 * way / limits.j_max)
-    square = np.sqrt(2.0 * way / limits.a_max) + 0.5 * limits.a_max / limits.j_max
-    return np.where(way > 0.0, np.maximum(cubic, square), 0.0)
+def _time_from_rest(distance: Array, limits: FlightLimits) -> Array:
+    cubic = np.cbrt(6.0 * distance / limits.j_max)
+    square = np.sqrt(2.0 * distance / limits.a_max) + 0.5 * limits.a_max / limits.j_max
+    return np.where(distance > 0.0, np.maximum(cubic, square), 0.0)
 
 
 def _corrected(steps: Array, ratio: Array, width: float) -> Array:
     """Steps times ratio^gain, the exponent smoothed by a Gaussian of `width` steps."""
     radius = int(np.ceil(3.0 * width))
     kernel = np.exp(-0.5 * (np.arange(-radius, radius + 1) / width) ** 2)
-    change = _GAIN * np.log(np.maximum(ratio, _LEAST_RATIO))
+    change = _GAIN * np.log(np.maximum(ratio, _MIN_RATIO))
     smooth = np.convolve(np.pad(change, radius, mode="edge"), kernel / kernel.sum(), "valid")
     return np.asarray(np.maximum(steps * np.exp(smooth), MIN_STEP_S))
 
@@ -135,7 +135,7 @@ def _excess_of_path(path: QuinticPath, limits: FlightLimits, samples: int) -> Ar
 
 
 def _combined(speed: Array, acceleration: Array, jerk: Array, limits: FlightLimits) -> Array:
-    """Stretch in time that brings speed [m/s], acceleration [m/s^2] and jerk [m/s^3] in limits."""
+    """Scaling of time that brings speed [m/s], acceleration [m/s^2] and jerk [m/s^3] in limits."""
     ratios = [
         speed / limits.v_max,
         np.sqrt(acceleration / limits.a_max),

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""Collision-free way from any spawn positions to the first row of a formation."""
+"""Collision-free paths from any spawn positions to the first row of a formation."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from trident_fleet.core.errors import FormationError
 from trident_fleet.core.quintic import Array, QuinticPath, rest_to_rest
 from trident_fleet.core.separation import min_separation, pair_separations, pairs
 
-# Peaks of the minimum-jerk profile over unit way and unit time.
+# Peaks of the minimum-jerk profile over unit distance and unit time.
 _PEAK_SPEED = 1.875
 _PEAK_ACCELERATION = 10.0 / np.sqrt(3.0)
 _PEAK_JERK = 60.0
@@ -22,10 +22,11 @@ _SHORTEST_LEG_S = 1.0
 
 
 def transit_points(spawn: Array, goal: Array, config: PlanConfig) -> Array:
-    """Points of the way that all vehicles fly in step, from rest to rest.
+    """Points of the paths that all vehicles fly in step, from rest to rest.
 
     First all climb together; then they go straight, if every pair stays far enough apart; else the
-    pairs that would meet fly on different layers: climb to the layer, cross, and change height over
+    pairs that would collide fly on different layers: climb to the layer, cross, and change height
+        over
     the goal. Layers are ordered by the height of the goals, so nobody passes through anybody.
 
     Args:
@@ -68,11 +69,11 @@ def transit_path(points: Array, limits: FlightLimits) -> QuinticPath:
 
 def leg_duration(start: Array, end: Array, limits: FlightLimits) -> float:
     """Time of a minimum-jerk leg [s], both of shape (N, 3) [m], as short as the limits allow."""
-    way = float(np.sqrt(((end - start) ** 2).sum(axis=-1)).max())
+    distance = float(np.sqrt(((end - start) ** 2).sum(axis=-1)).max())
     return max(
-        _PEAK_SPEED * way / limits.v_max,
-        (_PEAK_ACCELERATION * way / limits.a_max) ** (1 / 2),
-        (_PEAK_JERK * way / limits.j_max) ** (1 / 3),
+        _PEAK_SPEED * distance / limits.v_max,
+        (_PEAK_ACCELERATION * distance / limits.a_max) ** (1 / 2),
+        (_PEAK_JERK * distance / limits.j_max) ** (1 / 3),
         _SHORTEST_LEG_S,
     )
 
@@ -101,17 +102,17 @@ def _layered(spawn: Array, goal: Array, required: float, config: PlanConfig) -> 
 
 
 def _levels(spawn: Array, goal: Array, required: float) -> Array:
-    """Layer number of each vehicle: above every lower-bound vehicle whose ground track it meets."""
+    """Layer number of each vehicle: above every lower-bound vehicle with a conflicting track."""
     count = len(spawn)
     tracks = np.stack([spawn, goal])
     tracks[..., 2] = 0.0
-    meets = np.zeros((count, count), dtype=bool)
+    conflicts = np.zeros((count, count), dtype=bool)
     i, j = pairs(count)
-    meets[i, j] = meets[j, i] = pair_separations(tracks) < required - _SLACK_M
+    conflicts[i, j] = conflicts[j, i] = pair_separations(tracks) < required - _SLACK_M
     level = np.zeros(count)
     order = sorted(range(count), key=lambda vehicle: (goal[vehicle, 2], vehicle))
     for position, vehicle in enumerate(order):
-        below = [level[other] for other in order[:position] if meets[vehicle, other]]
+        below = [level[other] for other in order[:position] if conflicts[vehicle, other]]
         level[vehicle] = max(below, default=-1.0) + 1.0
     return level
 

@@ -31,7 +31,7 @@ class Transition:
         goal: of the same vehicles [m], shape (N, 3).
         place: the place that each vehicle has got, shape (N,).
         waves: who moves when.
-        separation_m: smallest distance of any two on the way [m].
+        separation_m: smallest distance of any two on their paths [m].
         guaranteed_m: what theory promises for a single wave [m].
     """
 
@@ -43,7 +43,7 @@ class Transition:
     guaranteed_m: float
 
     def points(self) -> Array:
-        """Corners of the way, shape (waves + 1, N, 3) [m, world]."""
+        """Corners of the paths, shape (waves + 1, N, 3) [m, world]."""
         return _corners(self.start, self.goal, self.waves)
 
 
@@ -78,7 +78,7 @@ def plan_transition(start: Array, places: Array, required_m: float) -> Transitio
 
 
 def schedule_waves(start: Array, goal: Array, required_m: float) -> Waves:
-    """Who moves when on straight ways that are given: all at once, or the fewest waves found.
+    """Who moves when on given straight paths: all at once, or the fewest waves found.
 
     Args:
         start: p_world of the vehicles [m], shape (N, 3).

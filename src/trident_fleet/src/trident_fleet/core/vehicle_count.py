@@ -6,7 +6,7 @@ Rows that interleave N vehicles come back to the same vehicle every N rows. D(N)
 distance between rows that lie N apart, is then a vehicle's largest step, and small, while rows
 N - 1 and N + 1 apart belong to different vehicles. So N shows as a dip of D. Multiples of N are
 dips, too, which is why the smallest counts. A lone vehicle has no row on one side of the dip: D(1)
-is a dip if D grows from there, as it does along a smooth way.
+is a dip if D grows from there, as it does along a smooth path.
 
 How far vehicles stay from each other says nothing here: read with a wrong number, the same rows may
 well stay farther apart.
@@ -21,12 +21,12 @@ import numpy.typing as npt
 
 from trident_fleet.core.errors import FormationError
 
-MOST_INFERRED = 100  # vehicles, as many as a fleet may have
+MAX_INFERRED = 100  # vehicles, as many as a fleet may have
 _DIP = 0.5
 _DEEP_DIP = 0.25  # a grid of vehicles, a row of them after the other, has 0.5
 _FEW = 4  # rows
 _LONE_GROWTH = 0.7  # D(1) / D(2): 0.5 on a straight line, 1 for rows without order
-_LONE_BEND = 0.5  # of two steps, by one; the way around a ring of up to twelve vehicles has more
+_LONE_BEND = 0.5  # of two steps, by one; the path around a ring of up to twelve vehicles has more
 _BEND = 1.05  # to and fro among vehicles; six rows in a round have 1
 _RIVAL = 1.0 / 3.0  # so much deeper a dip of a larger number makes it as likely
 _LISTED = 8
@@ -46,14 +46,15 @@ def infer_vehicles(rows: Rows, uavs: int, where: str) -> int:
         N, the smallest number with which every vehicle moves in small steps.
 
     Raises:
-        FormationError: the rows fit several numbers, and `uavs` is none of them; or none fits.
+        FormationError: the rows fit several numbers, and `uavs` is not among them; or no number
+            fits.
     """
     if len(rows) == 1:
         return 1
     # Differences of huge numbers stay finite then, and ratios are what counts.
     largest = float(np.abs(rows).max())
     rows = rows / largest if largest > 0.0 else rows
-    divisors = [n for n in range(1, min(len(rows), MOST_INFERRED) + 1) if len(rows) % n == 0]
+    divisors = [n for n in range(1, min(len(rows), MAX_INFERRED) + 1) if len(rows) % n == 0]
     continuous = {n: _largest_step(rows, n) for n in divisors if _is_dip(rows, n)}
     if not continuous:
         _check_whole(rows, where)
@@ -65,7 +66,7 @@ def infer_vehicles(rows: Rows, uavs: int, where: str) -> int:
         reason = "all stand still"
     elif rivals:
         reason = "they come back to where they were"
-    elif len(rows) <= MOST_INFERRED and not _is_more_than_one_row(rows, smallest):
+    elif len(rows) <= MAX_INFERRED and not _is_more_than_one_row(rows, smallest):
         reason = "vehicles on their way, or one row of vehicles"
     if not reason:
         return smallest
@@ -75,7 +76,7 @@ def infer_vehicles(rows: Rows, uavs: int, where: str) -> int:
 
 def _check_whole(rows: Rows, where: str) -> None:
     """Refuse rows of which some are missing: they are continuous, but do not divide."""
-    lags = range(2, min(len(rows) // _FEW, MOST_INFERRED) + 1)
+    lags = range(2, min(len(rows) // _FEW, MAX_INFERRED) + 1)
     vehicles = next((lag for lag in lags if _dip(rows, lag) <= _DEEP_DIP), 0)
     if vehicles:
         raise FormationError(
@@ -85,7 +86,7 @@ def _check_whole(rows: Rows, where: str) -> None:
 
 
 def _smallest(rows: Rows, steps: dict[int, float], uavs: int) -> tuple[int, list[int]]:
-    """The smallest number that is no way among vehicles, and larger ones that are as likely."""
+    """The smallest number that is not one vehicle's path, and larger ones that are as likely."""
     for n in steps:
         rivals = [other for other in steps if other > n and steps[other] < _RIVAL * steps[n]]
         if not (rivals and _is_refuted(rows, n, uavs)):
@@ -124,7 +125,7 @@ def _is_more_than_one_row(rows: Rows, lag: int) -> bool:
 
 
 def _bend(rows: Rows, lag: int) -> float:
-    """How sharp the corners are on the ways of `lag` vehicles: 0 none, 2 straight back."""
+    """How sharp the corners are on the paths of `lag` vehicles: 0 none, 2 straight back."""
     if len(rows) <= 2 * lag:
         return 0.0
     change = rows[2 * lag :] - 2.0 * rows[lag:-lag] + rows[: -2 * lag]

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""The two ways to fly a formation, wired to clock, states and set-point topics."""
+"""The two modes of flying a formation, wired to clock, states and set-point topics."""
 
 from __future__ import annotations
 
@@ -27,10 +27,10 @@ from trident_fleet.core.record import Origin, gate_record, plan_record
 from trident_fleet.core.schedule import PlannedFeed
 from trident_fleet.core.settings import FleetSettings, Vehicle
 from trident_fleet.nodes.setpoint_topic import SetpointTopic
-from trident_fleet.nodes.world_link import WorldLink
+from trident_fleet.nodes.world_link import SimulatorClient
 
 _STANDS_S = 1.0
-_STANDS_MOST_S = 16.0
+_MAX_STANDING_S = 16.0
 
 
 @dataclass(frozen=True)
@@ -51,7 +51,7 @@ class FlightContext:
     vehicles: list[Vehicle]
     fed: list[Vehicle]
     topics: list[SetpointTopic]
-    link: WorldLink
+    link: SimulatorClient
     record: Callable[[dict[str, Any]], None]
     restart: Callable[[], None]
 
@@ -61,7 +61,7 @@ class FlightContext:
         return [vehicle.index for vehicle in self.fed]
 
     def restart_if_reset(self, newest_ns: int, now_ns: int) -> bool:
-        """Tell of simulated time that has gone back, and have the flight start over.
+        """Report simulated time that has gone back, and have the flight start over.
 
         Args:
             newest_ns: time that was known so far [ns].
@@ -93,14 +93,14 @@ class FlightContext:
 
 
 class Standstill:
-    """Tells, ever more seldom, that simulated time has stood still for a second of wall time.
+    """Logs, ever more seldom, that simulated time has stood still for a second of wall time.
 
     A confirmation of a set-point that gets lost, as those of the first ones may while everybody
     still connects, would leave world and sources waiting for each other. Set-points that come again
     change nothing, so that the wall clock decides nothing here.
     """
 
-    def __init__(self, link: WorldLink) -> None:
+    def __init__(self, link: SimulatorClient) -> None:
         """Begin to watch; without lockstep nobody waits."""
         self._is_lockstep = link.is_lockstep
         self._time_ns = -1
@@ -115,7 +115,7 @@ class Standstill:
         if not self._is_lockstep or now - self._since < self._wait_s:
             return False
         self._since = now
-        self._wait_s = min(2.0 * self._wait_s, _STANDS_MOST_S)
+        self._wait_s = min(2.0 * self._wait_s, _MAX_STANDING_S)
         return True
 
 
@@ -182,7 +182,7 @@ class TimeFlight:
             context.record(plan_record(plan, vehicle.index, origin))
 
     def begin(self) -> list[rospy.Subscriber]:
-        """Send the first set-points and go on with the clock."""
+        """Send the first set-points and continue with the clock."""
         self._context.link.close_states()
         if self._context.link.is_lockstep:
             self._context.link.enroll(self._end_ns)
@@ -206,7 +206,7 @@ class TimeFlight:
             self._send_due()
 
     def _send_due(self) -> None:
-        """Under the lock: whoever waits for it must not come with an old time."""
+        """Under the lock: a thread that waits for it must not bring an old time."""
         self._context.send(self._feeder.due(self._now_ns))
 
 
@@ -229,7 +229,7 @@ class GateFlight:
         self._is_over = False
 
     def begin(self) -> list[rospy.Subscriber]:
-        """Send the first set-points and go on with each state."""
+        """Send the first set-points and continue with each state."""
         self._write_records()
         subscribers = self._context.link.on_state(self._on_state)
         self._context.link.wait_for_publisher(subscribers)

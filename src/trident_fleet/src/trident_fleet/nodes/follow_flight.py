@@ -75,7 +75,7 @@ class FollowFlight:
         self._next = 0  # period to command next
         self._heard_at = self._reported = time.monotonic()
         self._is_silent = False
-        self._told = ""
+        self._reported_problem = ""
         rospy.on_shutdown(self._leave)
 
     @property
@@ -83,7 +83,7 @@ class FollowFlight:
         return self._topic.is_simulated and self._context.link.is_lockstep and not self._is_silent
 
     def begin(self) -> list[rospy.Subscriber]:
-        """Send the first set-points and go on with clock and leader."""
+        """Send the first set-points and continue with clock and leader."""
         clock = self._context.link.on_clock(self._on_clock)
         self._context.link.wait_for_publisher([clock])
         if self._waits_for_leader:
@@ -95,7 +95,7 @@ class FollowFlight:
                 self._send_period(None, 0)
             self._has_begun = True
             self._heard_at = time.monotonic()
-            self._go_on()
+            self._continue()
         return [clock]
 
     def watch(self) -> None:
@@ -106,7 +106,7 @@ class FollowFlight:
             is_due = self._now_ns >= self._boundary_ns()
             if self._waits_for_leader and is_due:
                 self._look_at_silence()
-            self._go_on()
+            self._continue()
         if self._standstill.is_due(self._now_ns):
             self._context.repeat()
 
@@ -171,7 +171,7 @@ class FollowFlight:
             if self._is_silent:
                 self._is_silent = False
                 rospy.loginfo("%s is heard again", self._topic.name)
-            self._go_on()
+            self._continue()
 
     def _on_clock(self, now_ns: int) -> None:
         with self._lock:
@@ -182,7 +182,7 @@ class FollowFlight:
                 self.close()
                 return
             self._now_ns = max(now_ns, self._now_ns)
-            self._go_on()
+            self._continue()
 
     def _ahead_ns(self, time_ns: int) -> int:
         """How far a time is ahead of what is commanded [ns]; a world in lockstep waits for that."""
@@ -192,7 +192,7 @@ class FollowFlight:
         """Simulated time of the leader's state that the next period is commanded by [ns]."""
         return self._start_ns + (self._next - self._lead) * self._period_ns
 
-    def _go_on(self) -> None:
+    def _continue(self) -> None:
         """Command all periods whose leader state is known."""
         while self._has_begun:
             elapsed_ns = self._boundary_ns() - self._start_ns
@@ -212,9 +212,9 @@ class FollowFlight:
         window_ns = self._next * self._period_ns
         slots = self._followers.step(leader, elapsed_ns, window_ns)
         self._next += 1
-        self._tell_problem()
+        self._report_problem()
         if (self._followers.phase is Phase.DONE) != self._has_end:
-            self._tell_end(self._start_ns + elapsed_ns + 3 * self._period_ns)
+            self._announce_end(self._start_ns + elapsed_ns + 3 * self._period_ns)
         # Without lockstep, what the clock has overtaken is not worth sending.
         if self._context.link.is_lockstep or self._boundary_ns() > self._now_ns:
             self._context.send([self._encoded(slots, self._start_ns + window_ns)])
@@ -228,19 +228,19 @@ class FollowFlight:
             for index in range(len(self._context.fed))
         ]
 
-    def _tell_problem(self) -> None:
+    def _report_problem(self) -> None:
         """Why the followers cannot join their leader, once; it changes with every state."""
         problem = self._followers.problem
-        if bool(problem) != bool(self._told):
+        if bool(problem) != bool(self._reported_problem):
             if problem:
                 rospy.logwarn("%s; they hover until there is a way", problem)
-            self._told = self._log.error = problem
+            self._reported_problem = self._log.error = problem
 
-    def _tell_end(self, end_ns: int) -> None:
+    def _announce_end(self, end_ns: int) -> None:
         """Let the run end when the leader stands; take that back when it was only a pause.
 
-        The leader may move on before the run ends, so that the world goes on to wait for what the
-        followers are commanded: a set-point that nobody waits for comes by chance.
+        The leader may move on before the run ends, so that the world continues to wait for the
+        followers' commands: a set-point that nobody waits for comes by chance.
         """
         self._has_end = not self._has_end
         if self._has_end:

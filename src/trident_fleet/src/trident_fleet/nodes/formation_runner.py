@@ -15,7 +15,7 @@ from trident_fleet.core.record import Origin, refusal_record, write_record
 from trident_fleet.core.settings import FleetSettings, Vehicle
 from trident_fleet.nodes.flights import FlightContext, FlightMaker
 from trident_fleet.nodes.setpoint_topic import SetpointTopic
-from trident_fleet.nodes.world_link import WorldLink
+from trident_fleet.nodes.world_link import SimulatorClient
 
 _WATCH_S = 0.2
 
@@ -47,7 +47,7 @@ class FormationRunner:
             vehicles=vehicles,
             fed=fed,
             topics=[SetpointTopic(vehicle.prefix, settings.lookahead + 2) for vehicle in fed],
-            link=WorldLink(vehicles, fed, settings),
+            link=SimulatorClient(vehicles, fed, settings),
             record=lambda record: keep_record(record, out_dir),
             restart=self._wake.set,
         )
@@ -117,7 +117,7 @@ def refuse(
     origin = Origin(settings.source, [vehicle.name for vehicle in fed])
     for index in range(len(fed)):
         keep_record(refusal_record(error, index, origin), out_dir)
-    link = WorldLink(fed, fed, settings)
+    link = SimulatorClient(fed, fed, settings)
     if link.wait_for_simulator():
         link.withdraw()
 

@@ -24,10 +24,10 @@ from trident_ros import Refusals, stamp_problem
 FLEET_STATE = SIMULATOR + "/fleet_state"
 
 Reader = Callable[[Any, str], Measurement | None]
-"""Takes a message and the leader's name; None if the message does not tell of it."""
+"""Takes a message and the leader's name; None if the message does not contain it."""
 
 MessageCallback = Callable[[int, Decoder], None]
-"""Takes the stamp of a message [ns], and how to find out what it tells of the leader."""
+"""Takes a message's stamp [ns], and a function that returns what it reports of the leader."""
 
 # Sequence number, seconds and nanoseconds of a header, which all these messages begin with.
 _STAMP = struct.Struct("<III")
@@ -105,7 +105,7 @@ class LeaderTopic:
         return bool(problem)
 
     def refuse(self, problem: str) -> None:
-        """Tell of a message that is not used, and count it."""
+        """Report a message that is not used, and count it."""
         if self._refusals is None:
             self._refusals = Refusals()
         self._refusals.note("leader refused", f"{self.name} refused: {problem}")

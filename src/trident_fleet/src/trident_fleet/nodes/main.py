@@ -21,7 +21,7 @@ from trident_fleet.core.settings import (
     fleet_of_names,
     names_of,
     read_settings,
-    seat_of_sequence,
+    vehicle_of_line,
 )
 from trident_fleet.nodes.flights import formation_flight
 from trident_fleet.nodes.formation_runner import FormationRunner, refuse
@@ -57,11 +57,11 @@ def main_one(guard: bool = False) -> int:
             raise FormationError(f"seq: {seq!r}; legal: a whole number, 0 or more")
         positions = read_formation(settings.source)
         uavs = settings.source.uavs or positions.shape[1]
-        index, row = seat_of_sequence(seq, positions.shape[1], uavs)
+        index, row = vehicle_of_line(seq, positions.shape[1], uavs)
         vehicles = fleet_around(prefix, index, uavs)
         return vehicles, [vehicles[index]], flying_rows(positions, uavs, row)
 
-    # All processes read the same file: its error is told once.
+    # All processes read the same file: its error is reported once.
     return _run(lineup, [own], guard, is_spokesman=seq in (0, None))
 
 

@@ -15,7 +15,7 @@ import rospy
 from trident_ros import warn_of_unknown_parameters
 
 COMMON_NAMESPACE = "/formation"
-#: What the nodes of a fleet read beside the settings of a flight.
+#: What the nodes of a fleet read in addition to the settings of a flight.
 NODE_PARAMETERS = frozenset({"UAV", "seq", "vehicles", "vehicle", "waypoints", "out_dir"})
 DEFAULT_FORMATION = "config/formations/hexagon_translate_rotate.txt"
 

@@ -21,7 +21,7 @@ Publish = Callable[[rospy.AnyMsg], None]
 class SetpointTopic(rospy.SubscribeListener):  # type: ignore[misc]
     """Publishes serialised set-points; who connects late gets those that still matter.
 
-    The simulator is served last: when it learns that a set-point is there and goes on, the
+    The simulator is served last: when it learns that a set-point is there and steps, the
     controllers already have it.
     """
 
@@ -125,7 +125,7 @@ class SetpointTopic(rospy.SubscribeListener):  # type: ignore[misc]
         try:
             self._publisher.publish(_raw(message))
         except rospy.ROSException:
-            # Topics close when rospy begins to shut down, before is_shutdown() tells of it.
+            # Topics close when rospy begins to shut down, before is_shutdown() reports it.
             if not rospy.core.is_shutdown_requested():
                 raise
 

@@ -47,7 +47,7 @@ def rows_from(start: Array, yaw_rad: float, places: Array) -> Array:
 
 
 def along_lines(places: Array, spacing_m: float) -> Array:
-    """The same way with more places on its straight lines, so that a smooth flight keeps to them.
+    """The same path with more places on its straight lines, so that a smooth flight keeps to them.
 
     Args:
         places: shape (n, 3) [m].
@@ -84,8 +84,8 @@ def waypoint_flight(places: Array) -> FlightMaker:
     """Flights of one vehicle through places, shape (n, 3), counted from its start."""
 
     def make(context: FlightContext, spawn: Array, start_ns: int) -> Flight:
-        way = along_lines(places, _SPACING_M)
-        rows = rows_from(spawn[0], context.settings.plan.yaw_rad, way)
+        path = along_lines(places, _SPACING_M)
+        rows = rows_from(spawn[0], context.settings.plan.yaw_rad, path)
         return formation_flight(rows)(context, spawn, start_ns)
 
     return make

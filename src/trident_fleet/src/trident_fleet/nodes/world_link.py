@@ -39,7 +39,7 @@ ClockCallback = Callable[[int], None]
 
 
 @dataclass(frozen=True)
-class Spawned:
+class SpawnState:
     """Where the vehicles stood when the last one was there.
 
     Attributes:
@@ -51,7 +51,7 @@ class Spawned:
     position: Array
 
 
-class WorldLink:
+class SimulatorClient:
     """One node's line to the simulator.
 
     Attributes:
@@ -79,11 +79,11 @@ class WorldLink:
         self.is_lockstep = False
 
     def enroll(self, end_ns: int = 0, waits_beyond_end: bool = False) -> int:
-        """Enrol this node's vehicles in the lockstep, or tell when it ends.
+        """Enrol this node's vehicles in the lockstep, or announce when it ends.
 
         Args:
             end_ns: last instant at which the world has to wait [ns]; 0: not known yet.
-            waits_beyond_end: the run may end at `end_ns`; while it goes on because of others, the
+            waits_beyond_end: the run may end at `end_ns`; while it continues because of others, the
                 world waits for this node.
 
         Returns:
@@ -108,7 +108,7 @@ class WorldLink:
     def withdraw(self) -> None:
         """Be there, so that a world that waits for all sources can start, but feed nothing.
 
-        Errors are told and no more: there is nothing left to save.
+        Errors are only logged: there is nothing left to save.
         """
         if self.is_lockstep:
             try:
@@ -142,7 +142,7 @@ class WorldLink:
             time.sleep(_POLL_S)
         return False
 
-    def wait_for_spawn(self) -> Spawned | None:
+    def wait_for_spawn(self) -> SpawnState | None:
         """Wait until all vehicles are in the world.
 
         The subscription of the fleet's states stays open until `close_states`: the simulator
@@ -172,7 +172,7 @@ class WorldLink:
             missing = [name for name in names if name not in found]
             if not missing:
                 is_done.append(True)
-                return Spawned(stamp_ns[0], np.array([found[name] for name in names]))
+                return SpawnState(stamp_ns[0], np.array([found[name] for name in names]))
             now = time.monotonic()
             if len(found) > known:
                 known, asked = len(found), now
@@ -201,18 +201,18 @@ class WorldLink:
     def wait_for_publisher(self, subscribers: list[rospy.Subscriber]) -> None:
         """Wait until these are connected: the first set-point may let the world run away.
 
-        In lockstep without a limit, for the world stands meanwhile; else the flight goes on after
-        it. Both are told.
+        In lockstep without a limit, for the world stands meanwhile; else the flight continues
+        after it. Both are logged.
         """
         limit_s = self._settings.connect_wait_s
-        told = time.monotonic()
+        logged_s = time.monotonic()
         for subscriber in subscribers:
             while not subscriber.get_num_connections() and not rospy.is_shutdown():
-                if time.monotonic() - told > limit_s:
+                if time.monotonic() - logged_s > limit_s:
                     rospy.logwarn("%s: nobody publishes it yet", subscriber.resolved_name)
                     if not self.is_lockstep:
                         return
-                    told = time.monotonic()
+                    logged_s = time.monotonic()
                 time.sleep(_POLL_S)
 
     def on_clock(self, callback: ClockCallback) -> rospy.Subscriber:
@@ -273,9 +273,10 @@ class WorldLink:
         return bool(problem)
 
     def _time_problem(self, stamp: rospy.Time) -> str:
-        """Of simulated time; a jump ahead, through which a flight would be commanded, is none.
+        """What is wrong with a stamp of simulated time, if anything.
 
-        Unless time goes on from there.
+        A jump ahead, through which a flight would be commanded, does not count unless time
+        continues from there.
         """
         problem = stamp_problem(stamp)
         if problem:
@@ -301,7 +302,7 @@ class WorldLink:
 
 
 def wait_for_service(name: str) -> None:
-    """Return when a service is there, however long that takes; who is waited for is told.
+    """Return when a service is there, however long that takes; logs what it waits for.
 
     Raises:
         rospy.ROSInterruptException: the node is shut down.
@@ -319,7 +320,7 @@ def wait_for_service(name: str) -> None:
 
 
 def _positions_by_name(names: list[str], poses: list[Pose]) -> dict[str, Array]:
-    """A place that is none counts as not told."""
+    """Positions by name; an illegal position counts as a missing one."""
     return {
         name: np.array([pose.position.x, pose.position.y, pose.position.z])
         for name, pose in zip(names, poses, strict=True)

@@ -35,7 +35,7 @@ def numbers(name: str, given: Any, count: int) -> list[float]:
 
 
 def from_start(start: Sequence[float], places: Sequence[Sequence[float]]) -> _Floats:
-    """Places ahead and left of a start as places of the frame that the start is told in.
+    """Places ahead and left of a start as places of the frame that the start is given in.
 
     Args:
         start: x, y [m] and yaw [rad].

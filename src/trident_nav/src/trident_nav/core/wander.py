@@ -15,8 +15,8 @@ from trident_nav.core.velocity import Velocity
 
 _Floats = npt.NDArray[np.float64]
 
-_TURN_AT_LEAST_RAD = 0.5
-_TURN_AT_MOST_RAD = 1.8
+_MIN_TURN_RAD = 0.5
+_MAX_TURN_RAD = 1.8
 _DRIFT = 0.25  # of the turning rate, while driving
 
 
@@ -86,10 +86,10 @@ class Wander:
 
     def _free_ahead(self, angles: _Floats, ranges: _Floats) -> float:
         """How far the robot could go straight on [m]."""
-        met = (ranges > 0.0) & np.isfinite(ranges)
-        x, y = ranges[met] * np.cos(angles[met]), ranges[met] * np.sin(angles[met])
-        is_in_way = (x > 0.0) & (np.abs(y) < self._config.half_width)
-        return float(x[is_in_way].min(initial=math.inf))
+        hit = (ranges > 0.0) & np.isfinite(ranges)
+        x, y = ranges[hit] * np.cos(angles[hit]), ranges[hit] * np.sin(angles[hit])
+        is_ahead = (x > 0.0) & (np.abs(y) < self._config.half_width)
+        return float(x[is_ahead].min(initial=math.inf))
 
     def _begin_turn(self, time_s: float, angles: _Floats, ranges: _Floats) -> None:
         reach = 4.0 * self._config.slow_distance
@@ -97,7 +97,7 @@ class Wander:
         side = np.sin(angles)[ranges > 0.0]
         balance = float(np.sum(known * np.sign(side)))
         sign = math.copysign(1.0, balance) if balance else 1.0
-        angle = self._random.uniform(_TURN_AT_LEAST_RAD, _TURN_AT_MOST_RAD)
+        angle = self._random.uniform(_MIN_TURN_RAD, _MAX_TURN_RAD)
         self._turn = sign * self._config.turn_rate
         self._turn_until_s = time_s + float(angle) / self._config.turn_rate
 

@@ -84,14 +84,14 @@ class WaypointFollower:
 
     @property
     def next_waypoint(self) -> int:
-        """Index of the waypoint that the robot is on its way to."""
+        """Index of the waypoint that the robot drives to."""
         return self._corner % len(self._path)
 
     def command(self, time_s: float, pose: tuple[float, float, float]) -> Velocity:
         """The velocity to drive with from a pose on.
 
         Args:
-            time_s: of the pose [s]; an earlier one than last time begins anew.
+            time_s: of the pose [s]; an earlier one than last time starts again.
             pose: x, y [m] and heading [rad] in the frame of the waypoints.
         """
         if self._last is not None and time_s < self._last[0]:
@@ -116,7 +116,7 @@ class WaypointFollower:
         return Velocity(speed, turn)
 
     def _pass_corners(self, place: _Floats) -> None:
-        """Corners that are near, or beside the robot, lie behind it."""
+        """Corners that are near, or abreast of the robot, lie behind it."""
         for _ in range(len(self._path)):
             begin, end = self._line()
             is_last = not self._config.loop and self._corner == len(self._path) - 1
@@ -137,7 +137,7 @@ class WaypointFollower:
         return self._begin, self._path[self._corner % len(self._path)]
 
     def _target(self, place: _Floats) -> _Floats:
-        """The point on the line that is one lookahead ahead of the robot's place beside it."""
+        """The point on the line that is one lookahead ahead of the robot's projection onto it."""
         begin, end = self._line()
         along = end - begin
         length = float(np.linalg.norm(along))

@@ -3,7 +3,7 @@
 """The frames that the platforms of a run share: world -> <ns>/map -> <ns>/odom.
 
 Every namespace with `mission/start` ([x, y, z, yaw], where its platform stands in the world [m,
-rad]) is one. Its map is the world. Its odom is the map, too, where odometry tells of the world;
+rad]) is one. Its map is the world. Its odom is the map, too, where odometry is that of the world;
 of a ground vehicle (`mission/kind` ugv) counts from its start. With `~earth` there is a frame above
 the world, earth-centred (ECEF): `~latitude`, `~longitude` [deg], `~height` [m] are the world's
 origin.

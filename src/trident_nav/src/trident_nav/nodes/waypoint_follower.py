@@ -3,8 +3,8 @@
 """Drives a robot from waypoint to waypoint: `odom` in, `cmd_vel` out.
 
 Parameters: `~waypoints`, a list of [x, y] [m] in the frame of `odom`, or `~waypoints_file`, a YAML
-file with such a list, or one with `waypoints` in it; `~answers_always`: whether it goes on to
-command rest when it is done, for a world that waits for the answer to each odometry; the others:
+file with such a list, or one with `waypoints` in it; `~answers_always`: whether it continues
+to command rest when it is done, for a world that waits for the answer to each odometry; the others:
 see FollowerConfig. `path` (nav_msgs/Path) and `~done` (std_msgs/Bool) are latched.
 """
 
@@ -66,7 +66,7 @@ class FollowerNode:
         velocity = self._follower.command(time_s, (position.x, position.y, yaw))
         is_done = self._follower.is_done
         if is_done and self._was_done and not self._answers_always:
-            return  # whoever drives next is not to be stopped
+            return  # the next driver is not to be stopped
         try:
             self._velocity.publish(twist(velocity))
             if is_done != self._was_done:

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""Tells a guidance its path once: `path` (nav_msgs/Path), latched.
+"""Sends a guidance its path once: `path` (nav_msgs/Path), latched.
 
 Parameters: `~waypoints`, a list of [x, y]: ahead and left of the start [m]; `~start`, [x, y, yaw]
 of it in the frame `~frame` [m, rad]; `~vehicle`, by whose name it enrols in a simulator's lockstep:
@@ -53,7 +53,7 @@ def path_message() -> Path:
     return message
 
 
-def enrol(vehicle: str) -> rospy.Time | None:
+def enroll(vehicle: str) -> rospy.Time | None:
     """Have a simulator's lockstep wait for the path.
 
     Returns:
@@ -66,13 +66,13 @@ def enrol(vehicle: str) -> rospy.Time | None:
     source = {"node": rospy.get_name(), "vehicles": [vehicle], "period": period, "enroll": True}
     try:
         answer = ask(**source)
-        if not enrolment_problem(answer):
+        if not enrollment_problem(answer):
             # One set-point is all that there will be.
             answer = ask(end_time=answer.start_time + period, **source)
     except (rospy.ROSException, rospy.ServiceException) as error:
         rospy.logwarn("waypoint_path: %s: %s", _ENROLL, error)
         return None
-    problem = enrolment_problem(answer)
+    problem = enrollment_problem(answer)
     if problem:
         rospy.logwarn("waypoint_path: %s: %s", _ENROLL, problem)
         return None
@@ -80,7 +80,7 @@ def enrol(vehicle: str) -> rospy.Time | None:
     return start
 
 
-def enrolment_problem(answer: EnrollSourceResponse) -> str:
+def enrollment_problem(answer: EnrollSourceResponse) -> str:
     """Why a path does not count from this answer's time on, or ""."""
     if not answer.success:
         return f"refused: {quoted(answer.message)}"
@@ -125,7 +125,7 @@ def main() -> int:
         rospy.logfatal("waypoint_path: %s", error)
         return 1
     publisher = rospy.Publisher("path", Path, queue_size=1, latch=True)
-    start = enrol(vehicle) if vehicle else None
+    start = enroll(vehicle) if vehicle else None
     if start is not None:
         path.header.stamp = start
     publisher.publish(path)

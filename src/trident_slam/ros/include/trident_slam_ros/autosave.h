@@ -20,10 +20,10 @@ class Autosave {
   /// throw Error.
   using Snapshot = std::function<Write()>;
   /// Hears of problems, in any thread.
-  using Tell = std::function<void(const std::string& problem)>;
+  using OnProblem = std::function<void(const std::string& problem)>;
 
   /// Saves nothing when `file` is empty or `interval` [s] is 0.
-  Autosave(std::string file, double interval, Snapshot snapshot, Tell tell);
+  Autosave(std::string file, double interval, Snapshot snapshot, OnProblem on_problem);
 
   /// To be called before the algorithm gets a scan. One that would be farther than the interval
   /// from what is on the disk waits until the session that is being written is there.
@@ -40,7 +40,7 @@ class Autosave {
   std::string file_;
   double interval_;
   Snapshot snapshot_;
-  Tell tell_;
+  OnProblem on_problem_;
   ros::Time last_scan_;
   ros::Time last_saved_;  ///< the newest scan in the session that was begun last
   ros::Time safe_until_;  ///< the newest scan in the session that is on the disk

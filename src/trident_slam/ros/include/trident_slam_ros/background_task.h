@@ -26,7 +26,7 @@ class BackgroundTask {
   void wait() const {
     if (running_.valid()) running_.wait();
   }
-  /// Waits for what is under way. `work` must not throw.
+  /// Waits for the work that is running. `work` must not throw.
   void start(std::function<void()> work) {
     wait();
     running_ = std::async(std::launch::async, [work = std::move(work)] {

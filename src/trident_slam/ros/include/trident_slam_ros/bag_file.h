@@ -16,9 +16,9 @@
 namespace trident::slam {
 
 /// A rosbag (format 2.0) read record by record. It needs no index, so that recordings that were
-/// never closed are read; what is damaged is left out and told with its offset, and what is whole
-/// beside it is used. rosbag_storage believes every length and offset in a file, and crashes.
-/// Source of the format: http://wiki.ros.org/Bags/Format/2.0
+/// never closed are read; what is damaged is left out and reported with its offset, and what is
+/// whole next to it is used. rosbag_storage believes every length and offset in a file, and
+/// crashes. Source of the format: http://wiki.ros.org/Bags/Format/2.0
 class BagFile {
  public:
   struct Connection {

@@ -11,7 +11,7 @@
 #include <mutex>
 #include <string>
 
-#include "trident_slam/slam_2d_abilities.h"
+#include "trident_slam/slam_2d_capabilities.h"
 #include "trident_slam_ros/slam_node.h"
 
 namespace trident::slam {

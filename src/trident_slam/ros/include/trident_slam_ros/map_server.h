@@ -19,12 +19,12 @@ namespace trident::slam {
 /// service dynamic_map.
 class MapServer {
  public:
-  using Tell = std::function<void(const std::string& problem)>;
+  using OnProblem = std::function<void(const std::string& problem)>;
 
-  /// `own`: serves dynamic_map, which may take long. `tell` is called with problems, in any
+  /// `own`: serves dynamic_map, which may take long. `on_problem` is called with problems, in any
   /// thread. `slam` must outlive it.
   MapServer(ros::NodeHandle node, ros::NodeHandle own, const SlamNodeOptions& options,
-            GuardedSlam& slam, Tell tell);
+            GuardedSlam& slam, OnProblem on_problem);
 
   /// Begins to draw and publish the map if it is due at `now` and none is being drawn.
   void publish_if_due(const ros::Time& now);
@@ -37,7 +37,7 @@ class MapServer {
 
   std::string frame_;
   GuardedSlam& slam_;
-  Tell tell_;
+  OnProblem on_problem_;
   MapPublisher publisher_;
   BackgroundTask task_;
   ros::ServiceServer service_;

@@ -8,7 +8,7 @@
 namespace trident::slam {
 
 /// main() of the node `name`: initialises ROS and calls `run`, which returns when the node has
-/// ended. Returns the exit code: 1 after an exception, which one line on stderr tells.
+/// ended. Returns the exit code: 1 after an exception, which is reported in one line on stderr.
 int run_program(int argc, char** argv, const std::string& name, const std::function<void()>& run);
 
 }  // namespace trident::slam

@@ -17,13 +17,13 @@
 
 namespace trident::slam {
 
-/// The planar scan in a message. A laser that hangs upside down turns its beams the other way
-/// round. Throws Error naming the field, its value and what is legal.
+/// The planar scan in a message. A laser that hangs upside down reverses the order of its
+/// beams. Throws Error naming the field, its value and what is legal.
 LaserScan to_laser_scan(const sensor_msgs::LaserScan& message,
                         const geometry_msgs::Transform& T_base_laser);
 
 struct ScanIntakeOptions {
-  std::string odom_frame = "odom";  ///< empty: there is none, poses of odometry are the identity
+  std::string odom_frame = "odom";  ///< empty: no odometry, its poses are the identity
   std::string base_frame = "base_footprint";
   double transform_timeout = 0.2;  ///< [s] that a transform may come after its scan
   bool waits_for_all = false;      ///< true: a scan waits as long as its transform may still come
@@ -34,20 +34,21 @@ struct ScanIntakeOptions {
 
 /// Scans wait here until the transforms of their stamps are known, in the order in which they
 /// came. A transform that is missing is never replaced: its scan is left out, and `problems` says
-/// which transform is late and by how much. No clock: how late is told by the newest scan. A sweep
-/// whose turning rates are missing is used without them, and that is told of.
+/// which transform is late and by how much. No clock: how late is judged by the newest scan. A
+/// sweep whose turning rates are missing is used without them, and that is reported.
 class ScanIntake {
  public:
   ScanIntake(const ScanIntakeOptions& options, const tf2::BufferCore& transforms)
       : options_(options), transforms_(transforms) {}
 
-  /// Whether a scan can never be used, whatever transforms come: it is left out, and told of.
+  /// Whether a scan can never be used, whatever transforms come: it is left out and reported.
   /// `now`: of the clock; zero: not known.
   bool is_refused(const sensor_msgs::LaserScan& message, const ros::Time& now = {});
   void add(const sensor_msgs::LaserScanConstPtr& message);
   /// Leaves out what waits and is newer than this.
   void leave_out_after(const ros::Time& stamp, const std::string& why);
-  /// The turning rate of a gyro that may sit on the robot in any way, if its transform is known.
+  /// The turning rate of a gyro, which may be mounted in any orientation, if its transform is
+  /// known.
   void add(const sensor_msgs::Imu& message);
   /// All scans from the front whose transforms are known.
   std::vector<ScanRecord> take();
@@ -72,13 +73,13 @@ class ScanIntake {
   std::vector<std::pair<std::string, std::string>> needed(
       const sensor_msgs::LaserScan& message) const;
   bool may_still_come(const sensor_msgs::LaserScan& message) const;
-  /// False while rates may still come; else the record has its rate, or it is told why not.
+  /// False while rates may still come; else the record has its rate, or the reason is reported.
   bool has_settled_gyro(ScanRecord& record);
   std::string why_missing(const sensor_msgs::LaserScan& message) const;
   std::string lateness(const std::string& target, const std::string& source,
                        const ros::Time& stamp) const;
   std::string why_no_gyro(const LaserScan& scan) const;
-  void tell(const std::string& problem);
+  void add_problem(const std::string& problem);
   void leave_out(const sensor_msgs::LaserScan& message, const std::string& why);
 
   ScanIntakeOptions options_;

@@ -13,7 +13,7 @@
 
 namespace trident::slam {
 
-/// Scans on their way from the thread that receives them to the one that feeds the algorithm.
+/// Scans between the thread that receives them and the one that feeds the algorithm.
 class ScanQueue {
  public:
   /// `keeps_all`: every scan waits its turn; else a newer scan replaces those that wait.

@@ -11,9 +11,9 @@
 
 namespace trident::slam {
 
-/// Tells a bag that begins again from a single scan whose stamp lies. A scan from far before the
-/// newest is held back until a second one agrees with it; one that was far ahead is known for what
-/// it was when scans go on from before it. No clock.
+/// Distinguishes a bag that begins again from a single scan with a wrong stamp. A scan from far
+/// before the newest is held back until a second one agrees with it; one that was far ahead is
+/// recognized when later scans continue from before it. No clock.
 class ScanStamps {
  public:
   /// `threshold` [s]: by less than this any scan may be older than the newest.

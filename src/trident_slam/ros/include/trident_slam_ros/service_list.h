@@ -10,15 +10,15 @@
 #include <vector>
 
 #include "trident_base/error.h"
-#include "trident_slam_ros/telling_service.h"
+#include "trident_slam_ros/error_reporting_service.h"
 
 namespace trident::slam {
 
-/// Services of a node that throw: a request that cannot be met fails; the caller and the log learn
-/// why.
+/// Services of a node that throw: a request that cannot be executed fails; the caller and the log
+/// learn why.
 class ServiceList {
  public:
-  /// `count`: is told of each request that fails.
+  /// `count`: called for each request that fails.
   explicit ServiceList(
       const ros::NodeHandle& handle,
       std::function<void(const std::string&)> count = [](const std::string&) {})
@@ -31,7 +31,7 @@ class ServiceList {
       ROS_ERROR("%s: %s", name.c_str(), text.c_str());
       count_(name + ": " + text);
     };
-    ros::AdvertiseServiceOptions options = telling_service<Service>(name, answer, failed);
+    ros::AdvertiseServiceOptions options = error_reporting_service<Service>(name, answer, failed);
     servers_.push_back(handle_.advertiseService(options));
   }
 

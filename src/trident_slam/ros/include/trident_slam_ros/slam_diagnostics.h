@@ -14,11 +14,11 @@
 #include "trident_base/mutex.h"
 #include "trident_slam/scan_source.h"
 #include "trident_slam/slam_2d.h"
-#include "trident_slam/slam_2d_abilities.h"
+#include "trident_slam/slam_2d_capabilities.h"
 
 namespace trident::slam {
 
-/// What /diagnostics says of scans on their way to the algorithm.
+/// What /diagnostics reports of scans before they reach the algorithm.
 struct ScanCounts {
   std::size_t received = 0;                ///< All, usable or not.
   std::size_t waiting_for_transforms = 0;  ///< Now.

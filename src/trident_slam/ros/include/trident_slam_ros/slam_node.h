@@ -72,7 +72,7 @@ class SlamNode {
   /// Throws Error when it cannot be written.
   void save_map(const std::string& stem);
   /// Logs a problem, each kind now and then, and counts it in /diagnostics.
-  void tell(const std::string& problem) { diagnostics_.report(problem); }
+  void report(const std::string& problem) { diagnostics_.report(problem); }
   /// Counts a problem in /diagnostics.
   void count_problem(const std::string& text) { diagnostics_.count(text); }
   /// After a new map or pose: map -> odom is known again with the next scan.

@@ -77,8 +77,8 @@ class KeyframeGraph {
   /// What became of the keyframes when some were taken out.
   struct Removal {
     std::vector<int> kept;             ///< the old numbers of those that are left, in order
-    std::vector<int> stand_in;         ///< new number of each old one, or of the one beside it
-    std::vector<SE2> T_stand_in_base;  ///< where each old one was beside its stand-in
+    std::vector<int> stand_in;         ///< new number of each old one, or of the one next to it
+    std::vector<SE2> T_stand_in_base;  ///< where each old one was relative to its stand-in
   };
   /// Takes out keyframes; the edges to them go to the next keyframe along the path. One at least
   /// must be left.

@@ -34,9 +34,9 @@ class PoseGraphBackend {
   void apply_finished_search();
   /// Waits for all searches that were asked for and applies them.
   void finish_searches();
-  /// Waits for the search that is under way and applies it.
+  /// Waits for the running search and applies its outcome.
   void finish_running_search();
-  /// A search is under way, or its outcome has not been applied.
+  /// A search is running, or its outcome has not been applied.
   bool is_busy() const { return worker_.is_busy(); }
   /// Optimizes the graph again, at once or in the background.
   void realign(Realign realign);

@@ -93,8 +93,8 @@ class ScanPruner::View {
     const Eigen::Vector2d p = T_view_map_ * p_map;
     const std::size_t d = direction_of(p);
     double range_hit = std::numeric_limits<double>::infinity();
-    for (const std::size_t beside : {kViewDirections - 1, 0, 1}) {
-      const std::size_t i = (d + beside) % kViewDirections;
+    for (const std::size_t offset : {kViewDirections - 1, 0, 1}) {
+      const std::size_t i = (d + offset) % kViewDirections;
       if (farthest_[i] <= 0.0) return false;
       range_hit = std::min(range_hit, nearest_[i]);
     }
@@ -102,7 +102,7 @@ class ScanPruner::View {
   }
 
  private:
-  double margin(double range) const { return options_.margin + options_.margin_per_metre * range; }
+  double margin(double range) const { return options_.margin + options_.margin_per_meter * range; }
   static std::size_t direction_of(const Eigen::Vector2d& p) {
     const auto d =
         static_cast<int>((std::atan2(p.y(), p.x()) + kPi) * (kViewDirections / (2.0 * kPi)));

@@ -9,7 +9,7 @@ namespace {
 
 ScanTrackerOptions tracker_options(const GraphSlamOptions& options) {
   ScanTrackerOptions result;
-  result.noise.distance_per_metre = options.odometry_distance_noise;
+  result.noise.distance_per_meter = options.odometry_distance_noise;
   result.noise.yaw_per_radian = options.odometry_heading_noise;
   result.noise.other = options.front_end.odometry_noise;
   result.tracking = options.front_end.tracking;

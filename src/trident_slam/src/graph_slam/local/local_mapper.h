@@ -33,7 +33,7 @@ class LocalMapper {
 
   /// The motion since the last scan: by calibrated odometry, or as the scans let expect it.
   Motion predict(std::int64_t stamp_ns, const SE2& T_odom_base);
-  /// Finds the scan's pose in the map. Where the scans tell the motion, `motion` becomes theirs.
+  /// Finds the scan's pose in the map. Where scans replace odometry, `motion` becomes theirs.
   MatchResult match(const std::shared_ptr<const PointScan>& points, const SE2& T_base_laser,
                     Motion* motion);
   /// Moves by the prediction alone.

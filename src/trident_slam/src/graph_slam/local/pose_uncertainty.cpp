@@ -12,7 +12,7 @@ namespace {
 /// What the points say of the directions that they show; of an open one they say nothing.
 Eigen::Matrix3d shown_information(const MatchResult& match, double mean_range) {
   const double range = std::max(mean_range, 0.1);
-  const Eigen::Vector3d scale(1.0, 1.0, 1.0 / range);  // yaw in metres at the points
+  const Eigen::Vector3d scale(1.0, 1.0, 1.0 / range);  // yaw in meters at the points
   const Eigen::Matrix3d scaled = scale.asDiagonal() * match.information * scale.asDiagonal();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scaled);
   Eigen::Vector3d values = solver.eigenvalues().cwiseMax(0.0);

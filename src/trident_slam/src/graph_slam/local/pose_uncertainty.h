@@ -9,13 +9,14 @@
 
 namespace trident::slam {
 
-/// The covariance of a pose whose motion scans alone tell. Where the surroundings leave a direction
-/// open, every step along it adds its own uncertainty, until a place is seen that does not.
+/// The covariance of a pose whose motion is measured by scans alone. Where the surroundings leave a
+/// direction open, every step along it adds its own uncertainty, until a place is seen that does
+/// not.
 class PoseUncertainty {
  public:
-  /// A scan at `match`, after a step as the scans told it.
+  /// A scan at `match`, after a step as measured by scans.
   void add(const ScanStep& step, const MatchResult& match, double mean_range);
-  /// Odometry tells the motion, and the covariance is that of the match.
+  /// The motion comes from odometry, and the covariance is that of the match.
   void set(const Eigen::Matrix3d& covariance) { covariance_ = covariance; }
 
   /// Of (x [m], y [m], yaw [rad]) in the map.

@@ -10,8 +10,8 @@
 
 namespace trident::slam {
 
-/// The last few scans of a robot that localises itself: where the map knows nothing of what it
-/// sees, it goes on from these. The map has no part in them.
+/// The last few scans of a robot that localises itself: where the map does not contain what it
+/// sees, it continues from these. The map has no part in them.
 class RecentScans {
  public:
   /// At most `size` scans, none farther from the newest than `reach` [m]; 0: none at all.

@@ -42,7 +42,7 @@ class ScanArchive {
   SE2 pose(std::size_t i, const KeyframeGraph& graph) const;
 
   /// After keyframes were taken out. Scans without ranges whose keyframe has gone are forgotten;
-  /// others stay where they were, beside its stand-in.
+  /// others stay where they were, relative to its stand-in.
   void follow(const KeyframeGraph::Removal& removal);
 
   void save(BinaryWriter* writer) const;

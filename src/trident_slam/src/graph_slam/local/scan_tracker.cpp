@@ -52,15 +52,15 @@ void ScanTracker::coast(const OdometryMotion::Step& step) {
 }
 
 ScanTracker::Guess ScanTracker::guess(const OdometryMotion::Step& step) {
-  const double metres = step.T_before_now.p.norm();
+  const double meters = step.T_before_now.p.norm();
   const double radians = std::abs(step.T_before_now.angle);
   const bool has_problem = !step.problem.empty();
   const OdometryNoiseOptions& noise = options_.noise.other;
   Guess guess;
   guess.s_p =
-      options_.noise.distance_sigma(metres, radians) + (has_problem ? noise.problem_distance : 0.0);
-  guess.s_yaw = options_.noise.yaw_sigma(metres, radians) + (has_problem ? noise.problem_yaw : 0.0);
-  if (step.is_stale) {  // it may go on as before
+      options_.noise.distance_sigma(meters, radians) + (has_problem ? noise.problem_distance : 0.0);
+  guess.s_yaw = options_.noise.yaw_sigma(meters, radians) + (has_problem ? noise.problem_yaw : 0.0);
+  if (step.is_stale) {  // it may continue as before
     guess.s_p += T_before_now_.p.norm();
     guess.s_yaw += std::abs(T_before_now_.angle);
   }

@@ -16,17 +16,17 @@ namespace trident::slam {
 
 /// How uncertain odometry is taken to be, per motion between two scans (standard deviations).
 struct OdometryNoise {
-  double distance_per_metre = 0.15;  ///< wrong scale of the distance
+  double distance_per_meter = 0.15;  ///< wrong scale of the distance
   double yaw_per_radian = 0.15;      ///< wrong scale of the rotation
   OdometryNoiseOptions other;        ///< what does not scale with its own kind of motion
 
   /// Of the position [m] after a motion.
-  double distance_sigma(double metres, double radians) const {
-    return other.distance_floor + distance_per_metre * metres + other.distance_per_radian * radians;
+  double distance_sigma(double meters, double radians) const {
+    return other.distance_floor + distance_per_meter * meters + other.distance_per_radian * radians;
   }
   /// Of the heading [rad] after a motion.
-  double yaw_sigma(double metres, double radians) const {
-    return other.yaw_floor + yaw_per_radian * radians + other.yaw_per_metre * metres;
+  double yaw_sigma(double meters, double radians) const {
+    return other.yaw_floor + yaw_per_radian * radians + other.yaw_per_meter * meters;
   }
 };
 
@@ -52,8 +52,8 @@ class ScanTracker {
   MatchResult track(const PointScan& scan, const OdometryMotion::Step& step);
   /// Takes the place of matching against the surfaces' lines.
   void set_refine(RefinePose refine) { refine_ = std::move(refine); }
-  /// Of the motions that are told from now on, as a fraction of their distance.
-  void set_distance_noise(double per_metre) { options_.noise.distance_per_metre = per_metre; }
+  /// Of the motions that are reported from now on, as a fraction of their distance.
+  void set_distance_noise(double per_meter) { options_.noise.distance_per_meter = per_meter; }
   /// Moves without a scan.
   void coast(const OdometryMotion::Step& step);
   /// Adds a scan to the surfaces, of which `owner` says to which part of the map it belongs.
@@ -114,8 +114,8 @@ class ScanTracker {
   int changes_ = 0;  ///< scans inserted
   int hits_changes_ = 0;
   SE2 T_map_base_;
-  SE2 T_reported_base_;  ///< motion by scans since odometry told a new pose
-  SE2 T_before_now_;     ///< the last motion that a scan told of
+  SE2 T_reported_base_;  ///< motion by scans since odometry reported a new pose
+  SE2 T_before_now_;     ///< the last motion that a scan showed
 };
 
 }  // namespace trident::slam

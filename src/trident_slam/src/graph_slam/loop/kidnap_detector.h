@@ -12,8 +12,8 @@
 namespace trident::slam {
 
 /// Notices that a robot in a known map is not where it is believed to be, and finds it. A scan
-/// tells against a pose by points where keyframes about it saw free space; points where they saw
-/// nothing do not count, as a map need not be complete. A place elsewhere is followed beside the
+/// contradicts a pose by points where keyframes about it saw free space; points where they saw
+/// nothing do not count, as a map need not be complete. A pose elsewhere is tracked alongside the
 /// believed one for some distance before it is believed instead: rooms look alike, paths through
 /// them less so.
 class KidnapDetector {

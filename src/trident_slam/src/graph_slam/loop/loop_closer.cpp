@@ -41,8 +41,8 @@ GraphEdge loop_edge(const KeyframeGraph& graph, const LoopCandidate& candidate,
 
 SearchWindow LoopCloser::window_after(double path_length) const {
   const LoopSearchOptions& search = options_.search;
-  return {std::min(search.window + search.window_per_metre * path_length, options_.search_distance),
-          std::min(search.window_yaw + search.window_yaw_per_metre * path_length,
+  return {std::min(search.window + search.window_per_meter * path_length, options_.search_distance),
+          std::min(search.window_yaw + search.window_yaw_per_meter * path_length,
                    search.max_window_yaw)};
 }
 
@@ -128,8 +128,8 @@ bool LoopCloser::is_consistent(const KeyframeGraph& graph, const LoopCandidate& 
   const SE2 expected = T_between(graph, a.older, b.older).inverse() * a.T_older_newer *
                        T_between(graph, a.newer, b.newer);
   const SE2 error = b.T_older_newer.inverse() * expected;
-  return error.p.norm() < limits.max_error + limits.error_per_metre * path_length &&
-         std::abs(error.angle) < limits.max_error_yaw + limits.error_yaw_per_metre * path_length;
+  return error.p.norm() < limits.max_error + limits.error_per_meter * path_length &&
+         std::abs(error.angle) < limits.max_error_yaw + limits.error_yaw_per_meter * path_length;
 }
 
 std::vector<std::size_t> LoopCloser::consistent_group(const KeyframeGraph& graph,

@@ -41,9 +41,9 @@ class LoopWorker {
   /// What is asked for here is begun by the next `start`.
   void ask(int submap) { waiting_.submaps.push_back(submap); }
   void ask(Realign realign) { waiting_.realign = std::max(waiting_.realign, realign); }
-  /// Begins in the background what was asked for, unless something is under way there.
+  /// Begins in the background what was asked for, unless something is running there.
   void start(const KeyframeGraph& graph, double surfel_cell);
-  /// Something is under way or its outcome has not been taken.
+  /// Something is running or its outcome has not been taken.
   bool is_busy() const { return running_.valid(); }
   /// The outcome of a search in the background that has ended.
   std::optional<LoopOutcome> take();

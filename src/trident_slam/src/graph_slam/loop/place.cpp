@@ -66,7 +66,7 @@ bool Place::is_seen_free(const Eigen::Vector2d& p_place) const {
     const double range = p.norm();
     const double range_hit = static_cast<double>(view.nearest[direction_of(p)]);
     if (range_hit > 0.0 &&
-        range < range_hit - options_.margin - options_.margin_per_metre * range_hit)
+        range < range_hit - options_.margin - options_.margin_per_meter * range_hit)
       return true;
   }
   return false;

@@ -32,7 +32,7 @@ std::string digest_of(const std::string& bytes) {
   return sha.hex_digest();
 }
 
-/// A file that is on the disk, not only on its way there, after `keep`.
+/// A file that is on the disk, not only in the system's buffers, after `keep`.
 class NewFile {
  public:
   explicit NewFile(std::string path)

@@ -12,11 +12,13 @@ Fixtures for pytest are in `trident.testing.pytest_plugin`; other test runners u
     ros.shutdown()
 """
 
+import warnings
+
 from trident.testing.gazebo import Gazebo
 from trident.testing.launch import Launch
 from trident.testing.master import PYTHON, Ros, RosProcesses
 from trident.testing.models import box_sdf, pose, vehicle_urdf
-from trident.testing.programs import Process, complaints, package, program
+from trident.testing.programs import Process, logged_problems, package, program
 from trident.testing.simulation import SERVICES, Simulation, State
 from trident.testing.topics import Pilot, Recorder, pilot_of, recorder
 from trident.testing.waiting import LIMIT_S, eventually, output_of
@@ -35,8 +37,8 @@ __all__ = [
     "Simulation",
     "State",
     "box_sdf",
-    "complaints",
     "eventually",
+    "logged_problems",
     "output_of",
     "package",
     "pilot_of",
@@ -45,3 +47,15 @@ __all__ = [
     "recorder",
     "vehicle_urdf",
 ]
+
+_RENAMED = {"complaints": "logged_problems"}
+
+
+def __getattr__(name: str) -> object:
+    """What has another name now; the old name warns."""
+    if name in _RENAMED:
+        new_name = _RENAMED[name]
+        text = f"{__name__}.{name} is {__name__}.{new_name} now"
+        warnings.warn(text, FutureWarning, stacklevel=2)
+        return globals()[new_name]
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -78,7 +78,7 @@ class Launch(Simulation):
         error: BaseException | None,
         trace: TracebackType | None,
     ) -> None:
-        """End it; what was not clean about its end is told unless something else is wrong."""
+        """End it; reports what was not clean about its end unless something else is wrong."""
         unclean = self.end()
         assert kind is not None or not unclean, "\n".join([*unclean, self.log[-3000:]])
 

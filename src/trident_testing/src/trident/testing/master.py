@@ -177,7 +177,7 @@ class Ros(RosProcesses):
         self._forget_dead_nodes()
 
     def _forget_dead_nodes(self) -> None:
-        """Unregister what a kill -9 left behind, so that no test meets another one's nodes."""
+        """Unregister what a kill -9 left behind, so that no test finds another one's nodes."""
         publishers, subscribers, services = self.master.getSystemState(CALLER)[2]
         groups = (publishers, subscribers, services)
         names = {node for group in groups for _, nodes in group for node in nodes}

@@ -17,7 +17,7 @@ from pathlib import Path
 
 from trident.testing.waiting import LIMIT_S, eventually
 
-_COMPLAINT = re.compile(r"\[ ?(WARN|ERROR|FATAL)\]|Traceback \(most recent call last\)")
+_PROBLEM = re.compile(r"\[ ?(WARN|ERROR|FATAL)\]|Traceback \(most recent call last\)")
 
 
 @cache
@@ -25,7 +25,7 @@ def package(name: str) -> Path:
     """Source folder of a package.
 
     Raises:
-        AssertionError: there is none on ROS_PACKAGE_PATH.
+        AssertionError: it is not on ROS_PACKAGE_PATH.
     """
     found = subprocess.run(["rospack", "find", name], capture_output=True, text=True, check=False)
     assert found.returncode == 0, f"there is no package {name}: {found.stderr.strip()}"
@@ -128,6 +128,6 @@ class Process:
         eventually(lambda: text in self.log, f"'{text}' in the log of {self.command}", limit_s)
 
 
-def complaints(log: str) -> list[str]:
+def logged_problems(log: str) -> list[str]:
     """Warnings, errors and tracebacks of a log, one line each."""
-    return [line for line in log.splitlines() if _COMPLAINT.search(line)]
+    return [line for line in log.splitlines() if _PROBLEM.search(line)]

@@ -108,7 +108,7 @@ class Simulation:
         Args:
             ros: the master it is under.
             process: the server, or the roslaunch around it.
-            out_dir: where it was told to leave its results, if it was.
+            out_dir: where it leaves its results, if a folder was given.
         """
         self.ros = ros
         self.process = process

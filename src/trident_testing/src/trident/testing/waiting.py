@@ -37,7 +37,7 @@ def output_of(process: subprocess.Popen[str], limit_s: float = LIMIT_S) -> str:
     """What a process has written to its pipe when it has ended; limit as of `eventually`.
 
     Raises:
-        AssertionError: it has not ended in time; it is killed, and its output told.
+        AssertionError: it has not ended in time; it is killed, and its output shown.
     """
     patience = Patience()
     while True:

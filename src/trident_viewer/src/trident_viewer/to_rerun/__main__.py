@@ -112,7 +112,8 @@ def main(arguments: list[str] | None = None) -> int:
     """Run to the end.
 
     Returns:
-        0: what there was is shown; 1: it cannot be, and why has been told; 130: interrupted.
+        0: what there was is shown; 1: it cannot be, and the reason has been reported; 130:
+        interrupted.
     """
     options = _parser().parse_args(rospy.myargv(arguments or sys.argv)[1:])
     try:
@@ -132,8 +133,8 @@ def main(arguments: list[str] | None = None) -> int:
         code = _INTERRUPTED
     recorder.close()
     where = f"{options.out}: " if options.out else ""
-    told = f"{where}{stream.seconds:.3f} s of simulated time, {len(stream.entities)} entities"
-    print(told, flush=True)
+    text = f"{where}{stream.seconds:.3f} s of simulated time, {len(stream.entities)} entities"
+    print(text, flush=True)
     return code
 
 

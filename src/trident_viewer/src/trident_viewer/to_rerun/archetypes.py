@@ -13,14 +13,14 @@ from trident_eval.core.errors import EvalError
 
 from trident_viewer.to_rerun.clouds import cloud_points, scan_points
 
-_SCAN_COLOUR = (220, 60, 40)
-_CLOUD_COLOUR = (120, 170, 220)
-_PATH_COLOUR = (40, 160, 60)
-_TRAIL_COLOUR = (240, 150, 40)
+_SCAN_COLOR = (220, 60, 40)
+_CLOUD_COLOR = (120, 170, 220)
+_PATH_COLOR = (40, 160, 60)
+_TRAIL_COLOR = (240, 150, 40)
 _POINT_M = 0.015
 _LINE_M = 0.01
 _IMAGE_PLANE_M = 0.5  # how far before a camera its picture stands
-_COLOUR_MODELS = {
+_COLOR_MODELS = {
     "rgb8": (rr.ColorModel.RGB, 3),
     "bgr8": (rr.ColorModel.BGR, 3),
     "rgba8": (rr.ColorModel.RGBA, 4),
@@ -54,8 +54,8 @@ def of_transform(transform: Any) -> rr.Transform3D:
 
 def of_scan(scan: Any) -> rr.Points3D:
     """A sensor_msgs/LaserScan."""
-    points, colours = scan_points(scan)
-    return rr.Points3D(points, colors=_SCAN_COLOUR if colours is None else colours, radii=_POINT_M)
+    points, colors = scan_points(scan)
+    return rr.Points3D(points, colors=_SCAN_COLOR if colors is None else colors, radii=_POINT_M)
 
 
 def of_cloud(cloud: Any) -> rr.Points3D:
@@ -64,18 +64,18 @@ def of_cloud(cloud: Any) -> rr.Points3D:
     Raises:
         EvalError: it has no x, y, z.
     """
-    points, colours = cloud_points(cloud)
-    return rr.Points3D(points, colors=_CLOUD_COLOUR if colours is None else colours, radii=_POINT_M)
+    points, colors = cloud_points(cloud)
+    return rr.Points3D(points, colors=_CLOUD_COLOR if colors is None else colors, radii=_POINT_M)
 
 
 def of_image(image: Any) -> rr.Image | rr.DepthImage | rr.SegmentationImage:
-    """A sensor_msgs/Image: colour; depth (32FC1 [m], 16UC1 [mm]); labels (mono16).
+    """A sensor_msgs/Image: color; depth (32FC1 [m], 16UC1 [mm]); labels (mono16).
 
     Raises:
         EvalError: another encoding, or fewer bytes than it says.
     """
-    if image.encoding in _COLOUR_MODELS:
-        model, channels = _COLOUR_MODELS[image.encoding]
+    if image.encoding in _COLOR_MODELS:
+        model, channels = _COLOR_MODELS[image.encoding]
         return rr.Image(
             bytes=_pixels(image, "u1", channels).tobytes(),
             width=image.width,
@@ -89,7 +89,7 @@ def of_image(image: Any) -> rr.Image | rr.DepthImage | rr.SegmentationImage:
         return rr.DepthImage(_pixels(image, "u2", 1)[..., 0], meter=1000.0)
     if image.encoding == "mono16":
         return rr.SegmentationImage(_pixels(image, "u2", 1)[..., 0])
-    legal = ", ".join([*_COLOUR_MODELS, "32FC1", "16UC1", "mono16"])
+    legal = ", ".join([*_COLOR_MODELS, "32FC1", "16UC1", "mono16"])
     raise EvalError(f"image of encoding '{image.encoding}', legal: {legal}")
 
 
@@ -170,16 +170,16 @@ def _rotated(q_xyzw: Vector, points: Vector) -> Vector:
 def of_path(path: Any) -> rr.LineStrips3D:
     """A nav_msgs/Path."""
     places = [pose.pose.position for pose in path.poses]
-    return _line(np.array([[p.x, p.y, p.z] for p in places]).reshape(-1, 3), _PATH_COLOUR)
+    return _line(np.array([[p.x, p.y, p.z] for p in places]).reshape(-1, 3), _PATH_COLOR)
 
 
 def of_trail(places: Vector) -> rr.LineStrips3D:
     """Where something has been [m], shape (N, 3)."""
-    return _line(places, _TRAIL_COLOUR)
+    return _line(places, _TRAIL_COLOR)
 
 
-def _line(places: Vector, colour: tuple[int, int, int]) -> rr.LineStrips3D:
-    return rr.LineStrips3D([places] if len(places) > 1 else [], colors=colour, radii=_LINE_M)
+def _line(places: Vector, color: tuple[int, int, int]) -> rr.LineStrips3D:
+    return rr.LineStrips3D([places] if len(places) > 1 else [], colors=color, radii=_LINE_M)
 
 
 def of_boxes(message: Any) -> rr.Boxes2D:

@@ -12,15 +12,15 @@ import numpy.typing as npt
 from trident_eval.core.errors import EvalError
 
 Points = npt.NDArray[np.float32]
-Colours = npt.NDArray[np.uint8]
+Colors = npt.NDArray[np.uint8]
 
 # By the numbers of sensor_msgs/PointField.
 _TYPES = {1: "i1", 2: "u1", 3: "i2", 4: "u2", 5: "i4", 6: "u4", 7: "f4", 8: "f8"}
 _MAP = (255.0 * mpl.colormaps["viridis"](np.linspace(0.0, 1.0, 256))[:, :3]).astype(np.uint8)
 
 
-def shaded(values: npt.NDArray[Any]) -> Colours | None:
-    """Colours from the least to the greatest value.
+def shaded(values: npt.NDArray[Any]) -> Colors | None:
+    """Colors from the least to the greatest value.
 
     Args:
         values: shape (N,).
@@ -38,12 +38,12 @@ def shaded(values: npt.NDArray[Any]) -> Colours | None:
     return _MAP[np.round(255.0 * share).astype(np.uint8)]
 
 
-def scan_points(scan: Any) -> tuple[Points, Colours | None]:
+def scan_points(scan: Any) -> tuple[Points, Colors | None]:
     """Where the beams of a sensor_msgs/LaserScan ended.
 
     Returns:
         Points in the frame of the scan [m], shape (N, 3): those within its least and greatest
-        range; their colours by intensity, shape (N, 3), if it has any.
+        range; their colors by intensity, shape (N, 3), if it has any.
     """
     ranges = np.asarray(scan.ranges, np.float64)
     angles = scan.angle_min + scan.angle_increment * np.arange(len(ranges))
@@ -52,16 +52,16 @@ def scan_points(scan: Any) -> tuple[Points, Colours | None]:
     r, a = ranges[hit], angles[hit]
     points = np.stack([r * np.cos(a), r * np.sin(a), np.zeros_like(r)], axis=1)
     intensities = np.asarray(scan.intensities, np.float64)
-    colours = shaded(intensities[hit]) if len(intensities) == len(ranges) else None
-    return points.astype(np.float32), colours
+    colors = shaded(intensities[hit]) if len(intensities) == len(ranges) else None
+    return points.astype(np.float32), colors
 
 
-def cloud_points(cloud: Any) -> tuple[Points, Colours | None]:
+def cloud_points(cloud: Any) -> tuple[Points, Colors | None]:
     """The points of a sensor_msgs/PointCloud2.
 
     Returns:
         Points in the frame of the cloud [m], shape (N, 3), without those that are not finite;
-        their colours, shape (N, 3), by the field rgb or rgba, or else by intensity.
+        their colors, shape (N, 3), by the field rgb or rgba, or else by intensity.
 
     Raises:
         EvalError: it has no x, y, z, or is shorter than it says.
@@ -72,10 +72,10 @@ def cloud_points(cloud: Any) -> tuple[Points, Colours | None]:
         raise EvalError(f"cloud of fields {', '.join(names) or 'none'}, legal: x, y, z and others")
     points = np.stack([records[name] for name in ("x", "y", "z")], axis=1).astype(np.float32)
     finite = np.isfinite(points).all(axis=1)
-    return points[finite], _colours(records[finite])
+    return points[finite], _colors(records[finite])
 
 
-def _colours(records: npt.NDArray[Any]) -> Colours | None:
+def _colors(records: npt.NDArray[Any]) -> Colors | None:
     names = records.dtype.names or ()
     for name in ("rgb", "rgba"):
         if name in names:  # 0x00RRGGBB, in the bits of a float for historical reasons

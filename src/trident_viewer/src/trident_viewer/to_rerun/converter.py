@@ -105,7 +105,7 @@ class Converter:
         return [*self._known_transforms(now_s), *self._functions[kind](topic, message, now_s)]
 
     def _is_settled(self, now_s: float) -> bool:
-        """Whether frames are where they will stay, as far as can be told."""
+        """Whether frames are where they will stay, as far as is known."""
         assert self._begin_s is not None
         changed_s = self.frames.changed_s
         last_s = self._begin_s if changed_s is None else max(changed_s, self._begin_s)
@@ -118,7 +118,7 @@ class Converter:
         return [*self._root(path[0]), Item((*path, *parts), stamp_s, content)]
 
     def _root(self, name: str) -> list[Item]:
-        """What tells, once, which way is up."""
+        """The view coordinates, once: which axis is up."""
         if name in self._roots:
             return []
         self._roots.add(name)
@@ -170,10 +170,10 @@ class Converter:
 
     def _transforms(self, topic: str, message: Any, now_s: float) -> list[Item]:
         is_static = topic.endswith("static")
-        for told in message.transforms:
-            self.frames.add(told.header.frame_id, told.child_frame_id, now_s)
-            stamp_s = None if is_static else told.header.stamp.to_sec()
-            self._edges[plain(told.child_frame_id)] = _Edge(stamp_s, told.transform)
+        for transform in message.transforms:
+            self.frames.add(transform.header.frame_id, transform.child_frame_id, now_s)
+            stamp_s = None if is_static else transform.header.stamp.to_sec()
+            self._edges[plain(transform.child_frame_id)] = _Edge(stamp_s, transform.transform)
         return self._known_transforms(now_s)
 
     def _known_transforms(self, now_s: float) -> list[Item]:

@@ -13,7 +13,7 @@ def plain(frame: str) -> str:
 
 
 class FrameTree:
-    """Who is whose parent, as transforms tell it."""
+    """Who is whose parent, by transforms."""
 
     def __init__(self) -> None:
         """No frame is known."""

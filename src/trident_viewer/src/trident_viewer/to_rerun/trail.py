@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 _FIRST_STEP_M = 0.05
-_MOST = 512
+_MAX_PLACES = 512
 
 
 class Trail:
@@ -27,7 +27,7 @@ class Trail:
         ):
             return False
         self._places.append(place)
-        if len(self._places) > _MOST:
+        if len(self._places) > _MAX_PLACES:
             self._places = self._places[::2]
             self._step_m *= 2.0
         return True

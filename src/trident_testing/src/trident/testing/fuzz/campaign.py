@@ -21,7 +21,7 @@ from trident.testing.fuzz.generator import Generator, serialized
 from trident.testing.fuzz.target import Target
 from trident.testing.waiting import eventually
 
-_LARGEST_CHECKED = 4_000_000  # bytes of a message that is searched for numbers that are none
+_LARGEST_CHECKED = 4_000_000  # bytes of a message that is searched for numbers that are not finite
 _CONNECTION_LIMIT_S = 20.0
 _CALL_LIMIT_S = 60.0  # wall time within which a service answers
 _REMEMBERED = 12

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""Numbers in messages that are none."""
+"""Numbers in messages that are not finite."""
 
 from __future__ import annotations
 

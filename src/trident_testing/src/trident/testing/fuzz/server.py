@@ -22,7 +22,7 @@ class HostileServer:
 
     Attributes:
         answered: calls by service.
-        problems: numbers in requests that are none, in words.
+        problems: numbers in requests that are not finite, in words.
     """
 
     def __init__(

@@ -74,7 +74,7 @@ HUGE_FEW_LENGTH = 300
 
 
 def whole_numbers(kind: str) -> tuple[int, ...]:
-    """Those at the ends of an integer type's range, and beside zero."""
+    """Those at the ends of an integer type's range, and next to zero."""
     bits, is_signed = _INT_BITS[kind]
     least = -(2 ** (bits - 1)) if is_signed else 0
     most = 2 ** (bits - 1) - 1 if is_signed else 2**bits - 1

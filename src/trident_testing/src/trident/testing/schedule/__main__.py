@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""A campaign of disturbed runs that can be stopped at any time, and goes on where it was."""
+"""A campaign of disturbed runs that can be stopped at any time, and continues where it was."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ def _run(
         plan = StopPlan(long_s=(2.5,), long_most=1) if options.small else StopPlan()
         result = run(name, scenario, seed, folder, plan)
         _append(options.out, result.line())
-        _tell(result)
+        _print_result(result)
         is_other = bool(wanted) and result.state_hash not in wanted
         if options.keep and (is_other or not (result.passed and result.repeatable)):
             shutil.copytree(folder, options.keep / f"{name}-{seed}", dirs_exist_ok=True)
@@ -78,7 +78,7 @@ def _run(
     return found
 
 
-def _tell(result: Result) -> None:
+def _print_result(result: Result) -> None:
     says = "PASS" if result.passed else "FAIL"
     long = [f"{name} {seconds:g} s" for name, seconds in result.stops if seconds >= 1.0]
     print(
@@ -112,8 +112,8 @@ def _summary(done: list[dict[str, Any]]) -> int:
         bad = [one["seed"] for one in runs if not (one["passed"] and one["repeatable"])]
         good = len(hashes) == 1 and not bad and "" not in hashes
         is_good = is_good and good
-        told = ", ".join(f"{key[:8] or 'none'} x {count}" for key, count in hashes.most_common())
-        print(f"{name}: {len(runs)} runs, hashes {told}; not good: {bad or 'none'}")
+        counted = ", ".join(f"{key[:8] or 'none'} x {count}" for key, count in hashes.most_common())
+        print(f"{name}: {len(runs)} runs, hashes {counted}; not good: {bad or 'none'}")
     return 0 if is_good else 1
 
 

@@ -20,7 +20,7 @@ from trident.testing.schedule.scenarios import Scenario
 from trident.testing.schedule.stopping import Stopper, StopPlan
 
 _INJECTED = Path(__file__).parent / "injected"
-_STANDS_MOST_S = 240.0  # wall time without any progress that a run is given up after
+_MAX_STANDING_S = 240.0  # wall time without any progress that a run is given up after
 _POLL_S = 0.1
 
 
@@ -63,7 +63,7 @@ def run(
     Args:
         name: of the scenario.
         scenario: what is launched.
-        seed: of all disturbances; 0: there are none.
+        seed: of all disturbances; 0: without any.
         folder: is made for its results and logs.
         plan: of the stops; None: as usual.
     """
@@ -120,21 +120,21 @@ def _free_port() -> int:
 
 
 def _wait(process: Process, folder: Path, result: Result) -> None:
-    """Until it has ended, or nothing has gone on for too long."""
+    """Until it has ended, or nothing has changed for too long."""
     last: Any = None
     since = time.monotonic()
     while process.running:
         now = _progress(folder)
         if now != last:
             last, since = now, time.monotonic()
-        if time.monotonic() - since > _STANDS_MOST_S:
-            result.reasons.append(f"hangs: no progress for {_STANDS_MOST_S:g} s: {last}")
+        if time.monotonic() - since > _MAX_STANDING_S:
+            result.reasons.append(f"hangs: no progress for {_MAX_STANDING_S:g} s: {last}")
             return
         time.sleep(_POLL_S)
 
 
 def _progress(folder: Path) -> Any:
-    """Simulated time and what is waited for, as the simulator tells them; not how long."""
+    """Simulated time and what is waited for, as the simulator reports them; not how long."""
     try:
         line = (folder / "progress.jsonl").read_text(encoding="utf-8").splitlines()[-1]
         report = json.loads(line)

@@ -24,7 +24,7 @@ class Scenario:
     Attributes:
         launch: its file.
         arguments: of the launch file, given a folder for files that they name.
-        is_judged: whether it goes on for long enough to be judged; else it must come to its end.
+        is_judged: whether it lasts long enough to be judged; else it must come to its end.
     """
 
     launch: str
@@ -64,7 +64,7 @@ def _coast(duration_s: float, *counts: str) -> Callable[[Path], list[str]]:
 
 
 def _tour(folder: Path) -> list[str]:
-    """A short way there and back, mapped and then driven again in the map."""
+    """A short path there and back, mapped and then driven again in the map."""
     path = folder / "short_tour.yaml"
     text = "start: [0.0, 0.0, 0.0]\nwaypoints: [[1.5, 0.0], [1.5, -1.0], [0.3, -0.3]]\n"
     path.write_text(text + "lidar_height: 0.15\n", encoding="utf-8")

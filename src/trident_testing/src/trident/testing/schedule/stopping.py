@@ -67,7 +67,7 @@ class Stopper:
         return self
 
     def __exit__(self, *_: object) -> None:
-        """End; what is stopped goes on."""
+        """End; what is stopped continues."""
         self._over.set()
         self._thread.join()
 

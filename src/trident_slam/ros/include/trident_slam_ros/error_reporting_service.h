@@ -35,14 +35,14 @@ inline ros::SerializedMessage failed_answer(const std::string& text) {
 
 /// Answers a service; an Error's text reaches the caller.
 template <class Service>
-class TellingService : public ros::ServiceCallbackHelper {
+class ErrorReportingService : public ros::ServiceCallbackHelper {
  public:
   using Request = typename Service::Request;
   using Response = typename Service::Response;
   using Answer = std::function<void(Request&, Response&)>;
 
-  /// `failed` is told of each request that fails.
-  TellingService(Answer answer, std::function<void(const std::string&)> failed)
+  /// `failed` is called for each request that fails.
+  ErrorReportingService(Answer answer, std::function<void(const std::string&)> failed)
       : answer_(std::move(answer)), failed_(std::move(failed)) {}
 
   bool call(ros::ServiceCallbackHelperCallParams& params) override {
@@ -68,9 +68,9 @@ class TellingService : public ros::ServiceCallbackHelper {
 
 /// What advertises such a service.
 template <class Service>
-ros::AdvertiseServiceOptions telling_service(const std::string& name,
-                                             typename TellingService<Service>::Answer answer,
-                                             std::function<void(const std::string&)> failed) {
+ros::AdvertiseServiceOptions error_reporting_service(
+    const std::string& name, typename ErrorReportingService<Service>::Answer answer,
+    std::function<void(const std::string&)> failed) {
   ros::AdvertiseServiceOptions options;
   options.service = name;
   options.md5sum = ros::service_traits::MD5Sum<Service>::value();
@@ -78,7 +78,7 @@ ros::AdvertiseServiceOptions telling_service(const std::string& name,
   options.req_datatype = ros::message_traits::DataType<typename Service::Request>::value();
   options.res_datatype = ros::message_traits::DataType<typename Service::Response>::value();
   options.helper =
-      boost::make_shared<TellingService<Service>>(std::move(answer), std::move(failed));
+      boost::make_shared<ErrorReportingService<Service>>(std::move(answer), std::move(failed));
   return options;
 }
 

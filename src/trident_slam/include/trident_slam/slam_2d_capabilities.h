@@ -22,21 +22,21 @@ namespace trident::slam {
 /// a given pose; at a given pose, and from then on the map does not change.
 enum class SessionStart { kSessionEnd, kFirstNode, kGivenPose, kLocalize };
 
-/// A map that can be kept in a file and gone on with.
+/// A map that can be kept in a file and continued.
 class Slam2dSession {
  public:
   virtual ~Slam2dSession() = default;
   /// The file is never seen half written. Throws Error when it cannot be written.
   virtual void save_session(const std::string& file) const = 0;
   /// The same in two steps: this call is quick, what it returns writes the session as it is now, in
-  /// any thread, while scans go on.
+  /// any thread, while scans arrive.
   virtual std::function<void(const std::string&)> session_snapshot() const = 0;
   /// `T_map_base`: the given pose, not read for other starts. Throws Error when the file is damaged
-  /// or of an unknown version, or no map can go on from that pose; the map is then as before.
+  /// or of an unknown version, or no map can continue from that pose; the map is then as before.
   virtual void load_session(const std::string& file, SessionStart start, const SE2& T_map_base) = 0;
 };
 
-/// A map that is made while scans go on.
+/// A map that is made while scans arrive.
 class Slam2dMapSnapshot {
  public:
   virtual ~Slam2dMapSnapshot() = default;
@@ -44,15 +44,15 @@ class Slam2dMapSnapshot {
   virtual std::function<OccupancyGrid()> map_snapshot() const = 0;
 };
 
-/// A robot that can be told where it is.
-class Slam2dPlaced {
+/// A robot whose pose can be set from outside.
+class PoseInitializable {
  public:
-  virtual ~Slam2dPlaced() = default;
+  virtual ~PoseInitializable() = default;
   /// The base at the next scan, roughly.
   virtual void set_pose(const SE2& T_map_base) = 0;
 };
 
-/// A robot that is sought in a map with the help of its last scans.
+/// A robot that is searched for in a map with the help of its last scans.
 class Slam2dLocalizing {
  public:
   virtual ~Slam2dLocalizing() = default;
@@ -114,16 +114,16 @@ class Slam2dGraph {
 };
 
 /// A graph that a user may correct.
-class Slam2dEditable {
+class GraphEditable {
  public:
-  virtual ~Slam2dEditable() = default;
+  virtual ~GraphEditable() = default;
   /// What a node saw, in its own frame [m]. Throws Error for an unknown node.
   virtual std::vector<Eigen::Vector2f> node_points(int node) const = 0;
   /// Ties nodes to what lies where they were moved. Returns those that did not fit there: they
   /// stay. Throws Error for an unknown node.
   virtual std::vector<int> move_nodes(const std::map<int, SE2>& T_map_base) = 0;
   /// Matches all scans that see the same surfaces with each other and optimises the whole graph, as
-  /// `Slam2d::finish` does; in the background where the algorithm works there while scans go on.
+  /// `Slam2d::finish` does; in the background where the algorithm works there while scans arrive.
   virtual void realign() = 0;
 };
 

@@ -12,7 +12,7 @@
 #include <string>
 
 #include "conformance/scan_world.h"
-#include "trident_slam/slam_2d_abilities.h"
+#include "trident_slam/slam_2d_capabilities.h"
 #include "trident_slam/slam_2d_factory.h"
 
 namespace trident::slam {
@@ -63,7 +63,7 @@ class GraphSlamOfAFile : public testing::Test {
   std::unique_ptr<Slam2d> slam_ = make("graph_slam_2d", GRAPH_SLAM_CONFIG);
 };
 
-TEST_F(GraphSlamOfAFile, GoesOnInASessionWhereItIsAskedTo) {
+TEST_F(GraphSlamOfAFile, ContinuesInASessionWhereItIsAskedTo) {
   able<Slam2dSession>(*slam_).save_session(file_);
   const std::map<SessionStart, std::size_t> steps = {{SessionStart::kSessionEnd, kMapped},
                                                      {SessionStart::kFirstNode, 0},
@@ -90,15 +90,15 @@ TEST_F(GraphSlamOfAFile, DoesNotChangeTheMapOfASessionInWhichItLocalizes) {
 }
 
 TEST_F(GraphSlamOfAFile, TakesAnInitialPoseAndAMovedNode) {
-  able<Slam2dPlaced>(*slam_).set_pose(truth(10));
+  able<PoseInitializable>(*slam_).set_pose(truth(10));
   EXPECT_LT(error(add(*slam_, 10), 10), kNear);
   const GraphView2d before = able<Slam2dGraph>(*slam_).graph_view();
   const int newest = static_cast<int>(before.nodes.size()) - 1;
   const std::map<int, SE2> moved = {
       {newest, before.nodes.back() * SE2::from_xy_yaw(0.1, 0.05, 0.02)}};
-  EXPECT_TRUE(able<Slam2dEditable>(*slam_).move_nodes(moved).empty());
-  able<Slam2dEditable>(*slam_).realign();
-  EXPECT_FALSE(able<Slam2dEditable>(*slam_).node_points(newest).empty());
+  EXPECT_TRUE(able<GraphEditable>(*slam_).move_nodes(moved).empty());
+  able<GraphEditable>(*slam_).realign();
+  EXPECT_FALSE(able<GraphEditable>(*slam_).node_points(newest).empty());
   const GraphView2d after = able<Slam2dGraph>(*slam_).graph_view();
   EXPECT_LT((after.nodes.back().p - before.nodes.back().p).norm(), kNear);
 }
@@ -106,7 +106,7 @@ TEST_F(GraphSlamOfAFile, TakesAnInitialPoseAndAMovedNode) {
 TEST(HectorSlamByName, TakesAnInitialPose) {
   const std::unique_ptr<Slam2d> slam = make("hector_slam_2d");
   for (std::size_t k = 0; k < kMapped; ++k) add(*slam, k);
-  dynamic_cast<Slam2dPlaced&>(*slam).set_pose(truth(10));
+  dynamic_cast<PoseInitializable&>(*slam).set_pose(truth(10));
   EXPECT_LT(error(add(*slam, 10), 10), 2.0 * kNear);
 }
 
