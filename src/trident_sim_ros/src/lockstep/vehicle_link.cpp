@@ -205,7 +205,7 @@ void VehicleLink::send_state(SimTime stamp, WallTime now) {
   }
   send(state);
   in_flight_ = std::move(state);
-  // Those that time zero was held for are connected both ways.
+  // Those that time zero was held for are connected in both directions.
   if (answered_reader_ == 0) answered_reader_ = newest_reader_;
 }
 
