@@ -63,70 +63,103 @@ const std::map<std::string, TrustStrategy> kStrategies{
 constexpr char kIncremental[] = "--incremental";
 constexpr char kStrict[] = "--strict";
 
+using Take = std::function<void(const std::string&)>;
+/// What takes the value of each option, by its name.
+using Takers = std::map<std::string, Take>;
+
+void add_search_takers(Settings& settings, Takers& takers) {
+  PoseGraphOptions& options = settings.options;
+  takers["--init"] = [&](auto& text) { options.start = choice("--init", text, kStarts); };
+  takers["--strategy"] = [&](auto& text) {
+    options.strategy = choice("--strategy", text, kStrategies);
+  };
+  takers["--robust"] = [&](auto& text) {
+    options.is_graduated = text == "gnc";
+    if (text != "gnc") settings.kernel = robust_kernel_from_name(text);
+  };
+  takers["--scale"] = [&](auto& text) { options.graduated_scale = number("--scale", text); };
+  takers["--iterations"] = [&](auto& text) {
+    options.max_iterations = static_cast<int>(number("--iterations", text));
+  };
+  takers["--tolerance"] = [&](auto& text) {
+    options.relative_tolerance = number("--tolerance", text);
+  };
+}
+
+void add_ceres_takers(CeresOptions& ceres, Takers& takers) {
+  const auto keep_in = [](std::string& field) {
+    return [&field](const std::string& text) { field = text; };
+  };
+  takers["--ceres_linear_solver"] = keep_in(ceres.linear_solver);
+  takers["--ceres_preconditioner"] = keep_in(ceres.preconditioner);
+  takers["--ceres_trust_strategy"] = keep_in(ceres.trust_strategy);
+  takers["--ceres_dogleg_type"] = keep_in(ceres.dogleg_type);
+  takers["--ceres_loss_function"] = keep_in(ceres.loss_function);
+}
+
+Takers takers_of(Settings& settings) {
+  Takers takers;
+  takers["--out"] = [&](auto& text) { settings.out = text; };
+  takers["--before"] = [&](auto& text) { settings.before = text; };
+  takers["--solver"] = [&](auto& text) {
+    settings.is_ceres = choice<bool>("--solver", text, {{"trident", false}, {"ceres", true}});
+  };
+  add_search_takers(settings, takers);
+  add_ceres_takers(settings.ceres, takers);
+  return takers;
+}
+
+std::vector<std::string> names_of(const Takers& takers) {
+  std::vector<std::string> names;
+  names.reserve(takers.size() + 2);
+  for (const auto& [name, take] : takers) names.push_back(name);
+  names.emplace_back(kIncremental);
+  names.emplace_back(kStrict);
+  return names;
+}
+
+/// Throws Error for options that exclude each other.
+void check_combination(const Settings& settings) {
+  const bool is_graduated = settings.options.is_graduated;
+  const bool is_plain =
+      !settings.is_ceres && !is_graduated && settings.kernel == RobustKernel::kNone;
+  if (settings.is_incremental && !is_plain) {
+    throw Error("--incremental needs --solver trident and no --robust");
+  }
+  if (settings.is_ceres && is_graduated) throw Error("--robust gnc needs --solver trident");
+}
+
+void parse_options(int argc, char** argv, const Takers& takers, Settings& settings) {
+  for (int k = 2; k < argc; ++k) {
+    const std::string name = argv[k];
+    if (name == kStrict || name == kIncremental) {
+      (name == kStrict ? settings.is_strict : settings.is_incremental) = true;
+      continue;
+    }
+    const auto found = takers.find(name);
+    if (found == takers.end()) {
+      throw Error("unknown option " + unknown_name_text(name, names_of(takers)));
+    }
+    if (++k == argc) throw Error(name + " needs a value");
+    found->second(argv[k]);
+  }
+}
+
 Settings parse(int argc, char** argv) {
   Settings settings;
   settings.options.start = PoseGraphStart::kAuto;
   settings.options.tries_both_starts = true;
-  PoseGraphOptions& options = settings.options;
-  CeresOptions& ceres = settings.ceres;
-  using Take = std::function<void(const std::string&)>;
-  const std::map<std::string, Take> takers{
-      {"--out", [&](auto& text) { settings.out = text; }},
-      {"--before", [&](auto& text) { settings.before = text; }},
-      {"--init", [&](auto& text) { options.start = choice("--init", text, kStarts); }},
-      {"--strategy",
-       [&](auto& text) { options.strategy = choice("--strategy", text, kStrategies); }},
-      {"--robust",
-       [&](auto& text) {
-         options.is_graduated = text == "gnc";
-         if (text != "gnc") settings.kernel = robust_kernel_from_name(text);
-       }},
-      {"--scale", [&](auto& text) { options.graduated_scale = number("--scale", text); }},
-      {"--iterations",
-       [&](auto& text) {
-         options.max_iterations = static_cast<int>(number("--iterations", text));
-       }},
-      {"--tolerance",
-       [&](auto& text) { options.relative_tolerance = number("--tolerance", text); }},
-      {"--solver",
-       [&](auto& text) {
-         settings.is_ceres = choice<bool>("--solver", text, {{"trident", false}, {"ceres", true}});
-       }},
-      {"--ceres_linear_solver", [&](auto& text) { ceres.linear_solver = text; }},
-      {"--ceres_preconditioner", [&](auto& text) { ceres.preconditioner = text; }},
-      {"--ceres_trust_strategy", [&](auto& text) { ceres.trust_strategy = text; }},
-      {"--ceres_dogleg_type", [&](auto& text) { ceres.dogleg_type = text; }},
-      {"--ceres_loss_function", [&](auto& text) { ceres.loss_function = text; }},
-  };
-  std::vector<std::string> known;
-  known.reserve(takers.size() + 2);
-  for (const auto& [name, take] : takers) known.push_back(name);
-  known.emplace_back(kIncremental);
-  known.emplace_back(kStrict);
-  if (argc < 2)
-    throw Error("usage: pose_graph FILE.g2o [OPTION VALUE ...]; options: " + join(known));
+  const Takers takers = takers_of(settings);
+  if (argc < 2) {
+    throw Error("usage: pose_graph FILE.g2o [OPTION VALUE ...]; options: " +
+                join(names_of(takers)));
+  }
   settings.file = argv[1];
-  for (int k = 2; k < argc; k += 2) {
-    const bool is_strict = argv[k] == std::string(kStrict);
-    if (is_strict || argv[k] == std::string(kIncremental)) {
-      (is_strict ? settings.is_strict : settings.is_incremental) = true;
-      --k;  // it has no value
-      continue;
-    }
-    const auto found = takers.find(argv[k]);
-    if (found == takers.end()) throw Error("unknown option " + unknown_name_text(argv[k], known));
-    if (k + 1 == argc) throw Error(std::string(argv[k]) + " needs a value");
-    found->second(argv[k + 1]);
-  }
-  ceres.start = options.start;
-  ceres.max_iterations = options.max_iterations;
-  ceres.relative_tolerance = options.relative_tolerance;
-  const bool is_plain =
-      !settings.is_ceres && !options.is_graduated && settings.kernel == RobustKernel::kNone;
-  if (settings.is_incremental && !is_plain) {
-    throw Error("--incremental needs --solver trident and no --robust");
-  }
-  if (settings.is_ceres && options.is_graduated) throw Error("--robust gnc needs --solver trident");
+  parse_options(argc, argv, takers, settings);
+  settings.ceres.start = settings.options.start;
+  settings.ceres.max_iterations = settings.options.max_iterations;
+  settings.ceres.relative_tolerance = settings.options.relative_tolerance;
+  check_combination(settings);
   return settings;
 }
 
