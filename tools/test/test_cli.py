@@ -98,14 +98,19 @@ def test_unknown_options_of_test_go_to_ctest() -> None:
     assert (options.pattern, options.rest) == ("fleet", ["--repeat", "until-fail:3"])
 
 
+@pytest.mark.parametrize(("words", "sanitizer"), [([], "address"), (["thread"], "thread")])
 def test_sanitizers_are_a_build_of_their_own(
-    monkeypatch: pytest.MonkeyPatch, clone: Workspace, capsys: pytest.CaptureFixture[str]
+    words: list[str],
+    sanitizer: str,
+    monkeypatch: pytest.MonkeyPatch,
+    clone: Workspace,
+    capsys: pytest.CaptureFixture[str],
 ) -> None:
     monkeypatch.setattr(Workspace, "of_this_file", staticmethod(lambda: clone))
     monkeypatch.setattr(cli, "provision", lambda *_args: None)
-    assert cli.main(["test", "--sanitize", "--dry-run"]) == 0
+    assert cli.main(["test", "--dry-run", "--sanitize", *words]) == 0
     output = capsys.readouterr().out
-    assert "-DTRIDENT_SANITIZE=ON" in output
+    assert f"-DTRIDENT_SANITIZE={sanitizer}" in output
     assert "core_tests" in output
 
 

@@ -20,7 +20,7 @@ from trident_tool.needed_packages import targets_of_launch
 from trident_tool.provision import provision
 from trident_tool.recording import Recording
 from trident_tool.running import run_launch_file
-from trident_tool.sanitizing import run_sanitized
+from trident_tool.sanitizing import SANITIZERS, run_sanitized
 from trident_tool.screenshot import Size
 from trident_tool.shell import shell
 from trident_tool.testing import run_tests
@@ -79,7 +79,7 @@ def _cmd_build(workspace: Workspace, runner: Runner, options: argparse.Namespace
 
 def _cmd_test(workspace: Workspace, runner: Runner, options: argparse.Namespace) -> int:
     if options.sanitize:
-        return run_sanitized(workspace, runner)
+        return run_sanitized(workspace, runner, options.sanitize)
     return run_tests(workspace, runner, options.pattern, options.jobs, options.rest)
 
 
@@ -159,8 +159,10 @@ def _add_workspace_commands(add: Callable[[str, Handler, str], argparse.Argument
     sub.add_argument("-j", "--jobs", type=int, help="tests at a time")
     sub.add_argument(
         "--sanitize",
-        action="store_true",
-        help="the cores' unit tests instead, built with AddressSanitizer and UBSan",
+        nargs="?",
+        const="address",
+        choices=tuple(SANITIZERS),
+        help="the cores' unit tests instead, built with a sanitizer; default: address",
     )
 
     sub = add("lint", _cmd_lint, "run the static checks alone")

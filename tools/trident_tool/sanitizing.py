@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""The cores' unit tests once more, under AddressSanitizer and UndefinedBehaviorSanitizer."""
+"""The cores' unit tests once more, under sanitizers of memory or of threads."""
 
 from __future__ import annotations
 
@@ -11,16 +11,28 @@ from trident_tool.building import clean_environment, configure_command, default_
 from trident_tool.workspace import Runner, TridentError, Workspace, hide_from_crawlers, say
 
 TARGET = "core_tests"
-SUPPRESSIONS = Path(__file__).resolve().parents[1] / "leak_suppressions.txt"
+_TOOLS = Path(__file__).resolve().parents[1]
+LEAK_SUPPRESSIONS = _TOOLS / "leak_suppressions.txt"
+RACE_SUPPRESSIONS = _TOOLS / "race_suppressions.txt"
+#: What each choice builds with.
+SANITIZERS = {
+    "address": "AddressSanitizer and UndefinedBehaviorSanitizer",
+    "thread": "ThreadSanitizer",
+}
 
 
-def sanitized_build(workspace: Workspace) -> Path:
+def sanitized_build(workspace: Workspace, sanitizer: str = "address") -> Path:
     """Build folder of the sanitized programs."""
-    return workspace.build / "sanitized"
+    return workspace.build / ("sanitized" if sanitizer == "address" else f"sanitized_{sanitizer}")
 
 
-def run_sanitized(workspace: Workspace, runner: Runner) -> int:
+def run_sanitized(workspace: Workspace, runner: Runner, sanitizer: str = "address") -> int:
     """Builds the target ``core_tests`` with sanitizers and runs its programs.
+
+    Args:
+        workspace: whose tests they are.
+        runner: runs the commands.
+        sanitizer: a key of SANITIZERS.
 
     Returns:
         0 when every program passes.
@@ -28,14 +40,14 @@ def run_sanitized(workspace: Workspace, runner: Runner) -> int:
     Raises:
         TridentError: a build step fails.
     """
-    folder = sanitized_build(workspace)
+    folder = sanitized_build(workspace, sanitizer)
     env = clean_environment()
     command = configure_command(workspace)
     command[command.index("-B") + 1] = str(folder)
     if not runner.dry_run:
         hide_from_crawlers(folder)
     if not (folder / "build.ninja").is_file():
-        runner.check([*command, "-DTRIDENT_SANITIZE=ON"], what="configuring", env=env)
+        runner.check([*command, f"-DTRIDENT_SANITIZE={sanitizer}"], what="configuring", env=env)
     ninja = ["ninja", "-C", str(folder), f"-j{default_jobs()}", TARGET]
     runner.check(ninja, what="building", env=env)
     env |= _options()
@@ -44,7 +56,7 @@ def run_sanitized(workspace: Workspace, runner: Runner) -> int:
     if failed:
         say(f"failed under the sanitizers: {', '.join(failed)}")
         return 1
-    say(f"{len(programs)} programs passed under AddressSanitizer and UndefinedBehaviorSanitizer")
+    say(f"{len(programs)} programs passed under {SANITIZERS[sanitizer]}")
     return 0
 
 
@@ -52,7 +64,8 @@ def _options() -> dict[str, str]:
     return {
         "ASAN_OPTIONS": "detect_leaks=1:strict_string_checks=1:detect_stack_use_after_return=1",
         "UBSAN_OPTIONS": "print_stacktrace=1",
-        "LSAN_OPTIONS": f"suppressions={SUPPRESSIONS}:print_suppressions=0",
+        "LSAN_OPTIONS": f"suppressions={LEAK_SUPPRESSIONS}:print_suppressions=0",
+        "TSAN_OPTIONS": f"suppressions={RACE_SUPPRESSIONS}:halt_on_error=1:second_deadlock_stack=1",
         "ROS_PACKAGE_PATH": os.environ.get("ROS_PACKAGE_PATH", ""),
     }
 
