@@ -30,6 +30,7 @@ from harness import (
     program,
     recorder,
 )
+from mav_msgs.msg import Actuators
 from nav_msgs.msg import Odometry
 from std_msgs.msg import Bool
 
@@ -332,6 +333,33 @@ def test_policy_wait_stands_still_until_a_new_controller_comes(start_gazebo: Sta
         stands_at = waits_for_one(gazebo, "UAV1")
         gazebo.controller("UAV1")
         gazebo.until(stands_at + 0.5)
+
+
+def test_a_new_controller_whose_first_answer_is_lost_is_asked_again(
+    start_gazebo: StartGazebo,
+) -> None:
+    """It reads the odometry before the world reads its commands: what it says then is not heard."""
+    gazebo, controllers = start_pair(start_gazebo, real_time_factor=2.0, lockstep_policy="wait")
+    heard: list[int] = []
+
+    def answer(state: Odometry) -> None:
+        heard.append(state.header.stamp.to_nsec())
+        if heard.count(heard[0]) > 1:
+            commands.publish(Actuators(header=state.header, angular_velocities=[545.0] * 6))
+
+    with pilot_of(*VEHICLES) as pilot:
+        hover(gazebo, pilot)
+        controllers["UAV1"].stop(signal.SIGKILL)
+        gazebo.process.eventually_logs("the controller of UAV1 has disconnected; the world waits")
+        stands_at = gazebo.time()
+        commands = rospy.Publisher("/UAV1/command/motor_speed", Actuators, queue_size=10)
+        odometry = rospy.Subscriber("/UAV1/odometry_sensor1/odometry", Odometry, answer)
+        try:
+            gazebo.until(stands_at + 0.5)
+        finally:
+            odometry.unregister()
+            commands.unregister()
+        assert heard.count(heard[0]) > 1
 
 
 def test_policy_wait_continues_with_a_controller_that_was_only_stopped(

@@ -174,13 +174,14 @@ def test_below_nohup_a_hangup_ends_nothing(family: Family) -> None:
 
 
 def test_several_are_asked_to_end_at_once(tmp_path: Path) -> None:
-    # Each reports when it is interrupted, and ends when the other has reported that, too.
+    # Each ends when both have been interrupted: the one that is asked first must not end before it
+    # has seen that the other was asked, nor the other before it was asked itself.
     script = (
         "import pathlib, signal, sys, time\n"
         "here, other = (pathlib.Path(sys.argv[1], name) for name in sys.argv[2:])\n"
         "signal.signal(signal.SIGINT, lambda *_: here.with_suffix('.asked').touch())\n"
         "here.touch()\n"
-        "while not other.with_suffix('.asked').exists():\n"
+        "while not all(one.with_suffix('.asked').exists() for one in (here, other)):\n"
         "    time.sleep(0.01)\n"
         "here.with_suffix('.done').touch()\n"
     )

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 
 #include "models.h"
 #include "test_world.h"
@@ -38,6 +39,39 @@ TEST_P(Sliding, DistanceIsSpeedSquaredOverTwoMuG) {
   EXPECT_NEAR(slide(with_mu(GetParam()), with_mu(100.0)), expected, 0.02 * expected + 0.003);
 }
 INSTANTIATE_TEST_SUITE_P(Mu, Sliding, testing::Values(0.1, 0.2, 0.5, 0.9));
+
+/// Where a box stops that slides and spins, to the bit. `disturb` runs in mid-slide.
+Eigen::Vector3d end_of_slide(
+    TestWorld& world, Model& model, const std::function<void()>& disturb = [] {}) {
+  world->step(50);
+  world->set_model_twist(model, {2, 0.3, 0}, {0, 0, 4});
+  world->step(100);
+  disturb();
+  world->step(400);
+  return model.T_world_model().p;
+}
+
+TEST(Friction, AModelThatComesElsewhereChangesNoBitOfASlide) {
+  const auto run = [](bool disturbed) {
+    TestWorld world(world_spec(0.002));
+    world.add(make_ground(with_mu(0.3)));
+    Model& model = world.add(make_body("m", BoxShape{{0.4, 0.4, 0.3}}, at(0, 0, 0.15), 1.0, {}));
+    return end_of_slide(world, model, [&] {
+      // Its name is before the other's, so that the bodies get other numbers.
+      if (disturbed) world.add(make_body("a", BoxShape{{0.4, 0.4, 0.1}}, at(9, 9, 0.05), 1.0, {}));
+    });
+  };
+  EXPECT_EQ(run(true), run(false));
+}
+
+TEST(Friction, AResetForgetsTheContactsOfTheLastStep) {
+  TestWorld world(world_spec(0.002));
+  world.add(make_ground(with_mu(0.3)));
+  Model& model = world.add(make_body("m", BoxShape{{0.4, 0.4, 0.3}}, at(0, 0, 0.15), 1.0, {}));
+  const Eigen::Vector3d first = end_of_slide(world, model);
+  world->reset();
+  EXPECT_EQ(end_of_slide(world, model), first);
+}
 
 TEST(Friction, TheSlipperierSurfaceDecides) {
   EXPECT_NEAR(slide(with_mu(0.2), with_mu(100.0)), slide(with_mu(100.0), with_mu(0.2)), 1e-6);

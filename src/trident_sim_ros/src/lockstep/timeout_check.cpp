@@ -53,7 +53,7 @@ void TimeoutCheck::check_vehicle(VehicleLink& vehicle, WallTime now) {
   const SimTime time = hub_.next_time;
   const std::string who = "the controller of " + vehicle.name();
   // A node that began to read its odometry after the state was sent has not received it.
-  if (vehicle.send_again_to_new_readers()) {
+  if (vehicle.send_again_to_new_readers(now)) {
     losses_.repeatability().spoil(who, time, "was started again");
   }
   vehicle.waiting.since = now - waited;

@@ -17,6 +17,10 @@
 namespace trident::sim {
 namespace {
 
+/// A controller that has come back is asked this often until it answers: it reads the odometry
+/// before this process reads its commands, and what it publishes in between is lost [ns].
+constexpr WallTime kAskAgainPeriod = 100'000'000;
+
 /// Stamp of a serialised message that begins with a header; zero when it is too short.
 SimTime header_stamp(const std::uint8_t* bytes, std::size_t size) {
   std::uint32_t fields[3] = {0, 0, 0};  // seq, sec, nsec
@@ -155,6 +159,7 @@ void VehicleLink::on_command(const mav_msgs::Actuators& message) {
     hub_.events.push_back(name_ + ": controller enrolled at state " +
                           std::to_string(command.stamp.seconds()) + " s; the world waits for it");
   }
+  if (answer == LockstepVehicle::Answer::kExpected) answered_reader_ = newest_reader_;
   waiting.end();
   inbox_.push_back(command);
   send_next();
@@ -200,26 +205,50 @@ void VehicleLink::send_state(SimTime stamp, WallTime now) {
   }
   send(state);
   in_flight_ = std::move(state);
+  // Those that time zero was held for are connected in both directions.
+  if (answered_reader_ == 0) answered_reader_ = newest_reader_;
 }
 
-bool VehicleLink::send_again_to_new_readers() {
-  int newest = newest_reader_;
-  bool is_controller = false;
+bool VehicleLink::send_again_to_new_readers(WallTime now) {
+  const int sent_to = newest_reader_;
+  bool is_controller_back = false;
+  for (const ros_utils::TopicPeer& reader : all_odometry_readers()) {
+    if (reader.connection <= sent_to) continue;
+    newest_reader_ = std::max(newest_reader_, reader.connection);
+    is_controller_back = is_controller_back || controllers_.count(reader.node) > 0;
+  }
+  if (newest_reader_ > sent_to) {
+    send_in_flight(sent_to, now);
+    readers_when_sent_ = odometry_readers();
+  } else if (now - asked_at_ > kAskAgainPeriod && has_unproven_controller()) {
+    send_in_flight(answered_reader_, now);
+  }
+  return is_controller_back;
+}
+
+/// Whether a node that writes commands reads the odometry by a connection over which it has not
+/// answered yet.
+bool VehicleLink::has_unproven_controller() const {
+  const std::vector<std::string> writers = ros_utils::topic_writers("/" + port_->name());
+  const auto readers = all_odometry_readers();
+  return std::any_of(readers.begin(), readers.end(), [&](const ros_utils::TopicPeer& reader) {
+    return reader.connection > answered_reader_ &&
+           std::find(writers.begin(), writers.end(), reader.node) != writers.end();
+  });
+}
+
+void VehicleLink::send_in_flight(int after, WallTime now) {
+  for (const auto& [index, message] : in_flight_.messages) direct_[index]->send(*message, after);
+  asked_at_ = now;
+}
+
+std::vector<ros_utils::TopicPeer> VehicleLink::all_odometry_readers() const {
+  std::vector<ros_utils::TopicPeer> readers;
   for (const OutputBinding* binding : odometry_) {
-    for (const ros_utils::TopicPeer& reader :
-         ros_utils::topic_readers(binding->publisher().getTopic())) {
-      if (reader.connection <= newest_reader_) continue;
-      newest = std::max(newest, reader.connection);
-      is_controller = is_controller || controllers_.count(reader.node) > 0;
-    }
+    const auto found = ros_utils::topic_readers(binding->publisher().getTopic());
+    readers.insert(readers.end(), found.begin(), found.end());
   }
-  if (newest == newest_reader_) return false;
-  for (const auto& [index, message] : in_flight_.messages) {
-    direct_[index]->send(*message, newest_reader_);
-  }
-  newest_reader_ = newest;
-  readers_when_sent_ = odometry_readers();
-  return is_controller;
+  return readers;
 }
 
 void VehicleLink::learn_controllers() {
@@ -233,11 +262,8 @@ void VehicleLink::learn_controllers() {
 bool VehicleLink::has_lost_controller() const {
   // In a nodelet manager all are one process.
   if (controllers_.empty()) return odometry_readers() < readers_when_sent_;
-  for (const OutputBinding* binding : odometry_) {
-    for (const ros_utils::TopicPeer& reader :
-         ros_utils::topic_readers(binding->publisher().getTopic())) {
-      if (controllers_.count(reader.node) > 0) return false;
-    }
+  for (const ros_utils::TopicPeer& reader : all_odometry_readers()) {
+    if (controllers_.count(reader.node) > 0) return false;
   }
   return true;
 }

@@ -19,6 +19,7 @@
 #include "trident_ros/direct_inbox.h"
 #include "trident_ros/direct_publication.h"
 #include "trident_ros/inline_callback_queue.h"
+#include "trident_ros/topic_peers.h"
 #include "trident_sim/lockstep.h"
 #include "trident_sim/samples.h"
 
@@ -94,9 +95,9 @@ class VehicleLink {
   void clear() TRIDENT_REQUIRES(hub_.mutex);
   /// Announces to readers of the odometry that time is back at zero: a state at rest, stamped zero.
   void announce_reset() TRIDENT_REQUIRES(hub_.mutex);
-  /// Sends the state in flight to those who have begun to read since. True: a controller that came
-  /// back is among them.
-  bool send_again_to_new_readers() TRIDENT_REQUIRES(hub_.mutex);
+  /// Sends the state in flight to those who have begun to read since, and again and again to a
+  /// controller that came back, until it answers. True: one that came back just now.
+  bool send_again_to_new_readers(WallTime now) TRIDENT_REQUIRES(hub_.mutex);
   /// Stops waiting for the controller; what was in line for it is dropped.
   void release() TRIDENT_REQUIRES(hub_.mutex);
 
@@ -118,6 +119,9 @@ class VehicleLink {
   void note_outsider(SimTime stamp) TRIDENT_REQUIRES(hub_.mutex);
   void note_enrollment(SimTime stamp) TRIDENT_REQUIRES(hub_.mutex);
   void learn_controllers() TRIDENT_REQUIRES(hub_.mutex);
+  void send_in_flight(int after, WallTime now) TRIDENT_REQUIRES(hub_.mutex);
+  bool has_unproven_controller() const TRIDENT_REQUIRES(hub_.mutex);
+  std::vector<ros_utils::TopicPeer> all_odometry_readers() const;
 
   std::string name_, prefix_;
   ros::NodeHandle& node_;
@@ -133,6 +137,9 @@ class VehicleLink {
   std::uint32_t readers_when_sent_ TRIDENT_GUARDED_BY(hub_.mutex) = 0;
   int newest_reader_ TRIDENT_GUARDED_BY(hub_.mutex) =
       0;  ///< connection that the last state went to
+  int answered_reader_ TRIDENT_GUARDED_BY(hub_.mutex) =
+      0;  ///< newest_reader_ when an answer came last: newer ones have not proven to be heard
+  WallTime asked_at_ TRIDENT_GUARDED_BY(hub_.mutex) = 0;  ///< when the state was sent again
   std::set<std::string> controllers_
       TRIDENT_GUARDED_BY(hub_.mutex);  ///< nodes that have given commands
   std::uint64_t newest_link_ TRIDENT_GUARDED_BY(hub_.mutex) = 0;  ///< when these were found

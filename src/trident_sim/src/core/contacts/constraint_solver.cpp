@@ -78,12 +78,14 @@ void ConstraintSolver::begin_step(std::size_t bodies) {
   if (has_joints_) dJointGroupEmpty(joints_);
   has_joints_ = false;
   touches_.clear();
+  next_in_memory_ = 0;
   islands_.reset(bodies);
 }
 
 void ConstraintSolver::add(const Touch& touch) {
   touches_.push_back(touch);
   touches_.back().mu = {touch.ode.surface.mu, touch.ode.surface.mu2};
+  recall(touches_.back());
   islands_.add_rows(touch.a->number, kRowsPerContact);
   if (touch.b != nullptr) islands_.join(touch.a->number, touch.b->number);
 }
@@ -91,7 +93,7 @@ void ConstraintSolver::add(const Touch& touch) {
 void ConstraintSolver::solve(const std::vector<Body*>& bodies, const std::vector<Joint*>& joints,
                              double dt_s) {
   gather(bodies, joints);
-  if (held_.empty()) return;
+  if (held_.empty()) return forget();
   dWorldSetCFM(world_, joints.empty() ? spec_.cfm : std::max(spec_.cfm, kLeastJointCfm));
   for (Joint* joint : joints) prepare_ode_joint(*joint, spec_.erp, dt_s);
   for (Joint* joint : joints) apply_efforts(*joint, dt_s);
@@ -99,12 +101,16 @@ void ConstraintSolver::solve(const std::vector<Body*>& bodies, const std::vector
   active_.assign(bodies.size(), 1);
   is_solved_twice_.assign(bodies.size(), 0);
   friction_.resize(bodies.size());
+  is_warm_.resize(bodies.size());
   solve_pass(Pass::kPose, dt_s);
-  if (choose_bounded()) {
+  const bool any_bounded = choose_bounded();
+  keep_normals(Pass::kPose);
+  if (any_bounded) {
     poses_.resize(held_.size());
     for (std::size_t i = 0; i < held_.size(); ++i) poses_[i] = ode_pose(*held_[i]);
     put_back_active();
     solve_pass(Pass::kVelocity, dt_s);
+    keep_normals(Pass::kVelocity);
   }
   finish(dt_s);
 }
@@ -143,6 +149,7 @@ bool ConstraintSolver::is_large(std::size_t island) {
 }
 
 void ConstraintSolver::solve_pass(Pass pass, double dt_s) {
+  choose_warm(pass);
   make_joints(pass, false);
   solve_large(dt_s);
   solve_small(dt_s);
@@ -237,19 +244,20 @@ void ConstraintSolver::solve_one_by_one(double dt_s) {
   }
 }
 
-/// `limits_known`: friction is limited by the normal forces of the last round, else by those that
-/// the solver makes out.
+/// `limits_known`: friction is limited by the normal forces of the last round, else by those of the
+/// last step where they are known, else by those that the solver makes out.
 void ConstraintSolver::make_joints(Pass pass, bool limits_known) {
   if (has_joints_) dJointGroupEmpty(joints_);
   has_joints_ = false;
   for (Touch& touch : touches_) {
-    if (!active_[island_of(touch)]) continue;
+    const std::size_t island = island_of(touch);
+    if (!active_[island]) continue;
     touch.ode.geom.depth = touch.depth_m[static_cast<std::size_t>(pass)];
     dSurfaceParameters& surface = touch.ode.surface;
     surface.mode |= dContactApprox1;
     surface.mu = touch.mu[0];
     surface.mu2 = touch.mu[1];
-    if (limits_known) {
+    if (limits_known || is_warm_[island]) {
       const double normal = touch.limiting_normal_n;
       surface.mode &= ~dContactApprox1;
       surface.mu = normal > 0.0 ? touch.mu[0] * normal : 0.0;
@@ -272,6 +280,7 @@ void ConstraintSolver::finish(double dt_s) {
     }
     apply_velocity_decay(body, dt_s);
   }
+  remember();
 }
 
 }  // namespace trident::sim

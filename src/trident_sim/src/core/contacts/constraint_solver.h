@@ -11,6 +11,7 @@
 #include "ode_stepper.h"
 #include "trident_sim/model.h"
 #include "trident_sim/model_spec.h"
+#include "trident_sim/state_archive.h"
 
 namespace trident::sim {
 
@@ -30,6 +31,18 @@ struct Touch {
   double normal_n = 0.0;           ///< normal force of the last round
   double limiting_normal_n = 0.0;  ///< from which the next one works out the limits of friction
   double change_n = 0.0;           ///< by which normal_n was off the one that limited it
+  /// By Pass: normal force in the last step, then in this one; NaN: unknown.
+  std::array<double, 2> known_normal_n;
+  std::size_t index = 0;  ///< among the contacts of the two bodies
+};
+
+/// The normal forces of a contact, which the next step's friction is limited by at first.
+struct ContactMemory {
+  std::size_t a = 0, b = 0;  ///< numbers of the bodies; b: kWorld where it is part of the world
+  std::size_t index = 0;     ///< among the contacts of the two
+  std::array<double, 2> normal_n{};  ///< by Pass
+
+  static constexpr std::size_t kWorld = static_cast<std::size_t>(-1);
 };
 
 /// Solves bodies that touch or are jointed with ODE, island by island, as Gazebo's ODE does: twice
@@ -39,7 +52,8 @@ struct Touch {
 ///
 /// Small islands are solved exactly (ODE's Dantzig solver). That one limits friction by the normal
 /// forces that there would be without friction; it is asked again until they are those that there
-/// are.
+/// are. Contacts that were there in the last step begin with its normal forces: a robot that rolls
+/// or skids is solved once then.
 class ConstraintSolver {
  public:
   explicit ConstraintSolver(dWorldID world);
@@ -53,6 +67,12 @@ class ConstraintSolver {
   void add(const Touch& touch);
   /// Steps those of `bodies` that are in contact or on a joint. Their numbers are their places.
   void solve(const std::vector<Body*>& bodies, const std::vector<Joint*>& joints, double dt_s);
+  /// What is kept from step to step; forget() makes the next step independent of the last one.
+  void state(StateArchive& archive);
+  void forget() { memory_.clear(); }
+  /// Has what is kept follow its bodies to other numbers; those of `before` need not exist any
+  /// more.
+  void renumber(const std::vector<Body*>& before, const std::vector<Body*>& now);
   /// Of the last step, with the forces that go with the velocities.
   const std::vector<Touch>& touches() const { return touches_; }
 
@@ -78,6 +98,10 @@ class ConstraintSolver {
   void refine_friction(Pass pass, double dt_s);
   bool measure_friction();
   void relax_friction(bool first);
+  void recall(Touch& touch);
+  void remember();
+  void choose_warm(Pass pass);
+  void keep_normals(Pass pass);
   void make_joints(Pass pass, bool limits_known);
   void finish(double dt_s);
 
@@ -100,7 +124,11 @@ class ConstraintSolver {
   std::vector<char> active_;  ///< whether the next solution is for it
   std::vector<char> is_solved_twice_;
   std::vector<Friction> friction_;
-  bool has_joints_ = false;  ///< of contacts
+  std::vector<char> is_warm_;  ///< whether all normal forces of the last step are known
+
+  std::vector<ContactMemory> memory_;  ///< of the last step, in the order of its contacts
+  std::size_t next_in_memory_ = 0;     ///< where the next contact is looked for first
+  bool has_joints_ = false;            ///< of contacts
 };
 
 }  // namespace trident::sim

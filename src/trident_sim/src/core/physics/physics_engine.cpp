@@ -49,6 +49,7 @@ void PhysicsEngine::configure(const PhysicsSpec& spec) {
 }
 
 void PhysicsEngine::set_models(const std::vector<Model*>& models) {
+  const std::vector<Body*> before = std::move(bodies_);
   bodies_.clear();
   ode_joints_.clear();
   spun_joints_.clear();
@@ -85,6 +86,7 @@ void PhysicsEngine::set_models(const std::vector<Model*>& models) {
     spun_carriers_.back().last = i + 1;
   }
   for (std::size_t i = 0; i < bodies_.size(); ++i) bodies_[i]->number = i;
+  solver_->renumber(before, bodies_);
   centres_.resize(bodies_.size());
   order_.resize(bodies_.size());
   std::iota(order_.begin(), order_.end(), std::size_t{0});
@@ -95,6 +97,13 @@ void PhysicsEngine::push_state(Model& model) {
 }
 
 void PhysicsEngine::push_state(Body& body) { push(body); }
+
+void PhysicsEngine::forget_contacts() { solver_->forget(); }
+
+void PhysicsEngine::state(StateArchive& archive) {
+  archive(order_);
+  solver_->state(archive);
+}
 
 void PhysicsEngine::step(double dt_s) {
   load_rotors(dt_s);

@@ -47,6 +47,8 @@ class PhysicsEngine {
   void set_models(const std::vector<Model*>& models);
 
   void step(double dt_s);
+  /// The next step does not depend on the contacts of the last one.
+  void forget_contacts();
   /// Copies poses and velocities of the bodies of `model` into ODE, after they were set by hand.
   void push_state(Model& model);
   void push_state(Body& body);
@@ -60,7 +62,7 @@ class PhysicsEngine {
   /// The deepest one of a model that can move, with the world or another model, as they stand now.
   std::optional<Overlap> deepest_overlap(const Model& model);
   /// What the next step's result depends on besides the bodies and joints.
-  void state(StateArchive& archive) { archive(order_); }
+  void state(StateArchive& archive);
 
  private:
   /// A body with rotors: spun_joints_[first] to spun_joints_[last - 1].

@@ -423,6 +423,7 @@ void World::reset_models() {
     for (const auto& plugin : model->plugins) plugin->reset();
   }
   for (const auto& plugin : world_plugins_) plugin->reset();
+  engine_->forget_contacts();
   rebuild_schedule();
 }
 

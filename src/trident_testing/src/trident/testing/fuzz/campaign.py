@@ -144,8 +144,7 @@ class Campaign:
         }
         self._caller = ThreadPoolExecutor(1)
         try:
-            for topic, publisher in publishers.items():
-                eventually(lambda p=publisher: self._is_connected(p), topic, _CONNECTION_LIMIT_S)  # type: ignore[misc]
+            self._connect(publishers)
             for number in range(self._options.first, self._options.first + self._options.messages):
                 if not self._send(number, publishers, proxies):
                     break
@@ -166,6 +165,18 @@ class Campaign:
         self._check_memory(memory)
         self._findings.seconds = time.monotonic() - begin
         return self._findings
+
+    def _connect(self, publishers: dict[str, rospy.Publisher]) -> None:
+        """Wait for the node on every topic; drop those that it has closed meanwhile."""
+        for topic, publisher in list(publishers.items()):
+
+            def is_settled(topic: str = topic, publisher: rospy.Publisher = publisher) -> bool:
+                return self._is_connected(publisher) or topic not in self._target.subscriptions()
+
+            eventually(is_settled, topic, _CONNECTION_LIMIT_S)
+            if not self._is_connected(publisher):
+                publishers.pop(topic).unregister()
+                self._topics.remove(topic)
 
     def _is_connected(self, publisher: rospy.Publisher) -> bool:
         assert self._target.is_alive, f"{self._target.name} has ended"
