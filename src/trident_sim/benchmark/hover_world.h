@@ -10,9 +10,9 @@
 
 namespace trident::sim {
 
-/// A world with vehicles on a grid of 2 m, each told to hover 1 m above the ground at its place.
-/// The controllers are plugins with the node's timing and arithmetic, so the flight is, bit for
-/// bit, that of the same vehicles with controller nodes in lockstep.
+/// A world with vehicles on a grid of 2 m, each commanded to hover 1 m above the ground at its
+/// place. The controllers are plugins with the node's timing and arithmetic, so the flight is, bit
+/// for bit, that of the same vehicles with controller nodes in lockstep.
 class HoverWorld {
  public:
   /// Throws Error.
@@ -23,7 +23,7 @@ class HoverWorld {
   void take_off(double z_m);
   /// The lowest vehicle's height [m].
   double lowest_z_m() const;
-  /// The largest distance of a vehicle from the place it is told to keep [m].
+  /// The largest distance of a vehicle from the place it is commanded to keep [m].
   double largest_offset_m() const;
   void step_seconds(double seconds);
 

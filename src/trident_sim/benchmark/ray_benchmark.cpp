@@ -77,7 +77,7 @@ Rate measure_cast(const RayScene& scene, const std::vector<Ray>& rays, const Ray
   });
 }
 
-/// Shadow rays: from what the rays met to a lamp.
+/// Shadow rays: from what the rays hit to a lamp.
 Rate measure_shadows(const RayScene& scene, const std::vector<Ray>& rays) {
   const Eigen::Vector3d lamp(3.0, 4.0, 10.0);
   std::vector<RayHit> hits(rays.size());

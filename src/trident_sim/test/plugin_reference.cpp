@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Prints what each plugin asks of its SDF element, a line per element, separated by tabs: file name
 // of the plugin, name, kind, default, least and largest legal value, whether it is required. It
-// makes each plugin once in each way that asks for other elements, and keeps what it asks for;
+// makes each plugin once in each form that asks for other elements, and keeps what it asks for;
 // docs/reference/plugins.md is written from this.
 #include <cstdio>
 #include <exception>
@@ -20,7 +20,7 @@ namespace {
 
 using Reference = std::map<std::string, ParamQueries>;
 
-/// Adds what a plugin has asked for; of two queries for one element the one that tells more counts.
+/// Adds what a plugin has asked for; of two queries for one element the one that says more counts.
 void keep(const std::string& filename, const PluginParams& params, Reference& reference) {
   for (const auto& [name, query] : params.queries()) {
     ParamQuery& known = reference[filename][name];
@@ -102,7 +102,7 @@ int main() {
   for (const trident::sim::ReferenceCase& plugin : trident::sim::reference_cases()) {
     try {
       trident::sim::make(plugin, recorded);
-    } catch (const trident::Error&) {  // told, and what was asked for is kept
+    } catch (const trident::Error&) {  // reported, and what was asked for is kept
     }
   }
   trident::sim::print(reference);

@@ -14,7 +14,7 @@ struct ReferenceCase {
   PluginSpec plugin;
   std::optional<SensorSpec> sensor = std::nullopt;  ///< that it belongs to
   bool is_of_world = false;
-  bool needs_vehicle = false;  ///< it stands beside the plugins of the quadrotor
+  bool needs_vehicle = false;  ///< it is put with the plugins of the quadrotor
 };
 
 /// All that ship, some of them several times: with each choice that makes them ask for elements

@@ -14,7 +14,7 @@ namespace trident::sim {
 // Flights of Gazebo 11 with RotorS, recorded for comparison. They are not part of the repository.
 
 /// The folder with the recordings: $TRIDENT_DATA/../golden, or the sibling `shared` of the
-/// repository; "" when there is none.
+/// repository; "" if neither exists.
 std::string golden_folder();
 std::string golden_hint();
 

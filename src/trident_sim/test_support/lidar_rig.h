@@ -27,7 +27,7 @@ SensorSpec make_lidar(const LidarOptions& options);
 /// A small body that carries the lidar, weightless; its frame is r/link, its port r/scan.
 ModelSpec robot_with(const LidarOptions& options, const SE3& T_world_model = {});
 
-/// A square room of half width `half_m` around the origin, 2 m high or as told.
+/// A square room of half width `half_m` around the origin, 2 m high or as given.
 void add_walls(TestWorld& world, double half_m, double height_m = 2.0);
 /// How far away its wall is from the middle.
 double wall_range(double half_m, double angle);

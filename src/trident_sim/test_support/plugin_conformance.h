@@ -11,7 +11,7 @@
 
 namespace trident::sim {
 
-/// What every plugin owes its user. A plugin of this package is tested by its example (case_of());
+/// What every plugin must do. A plugin of this package is tested by its example (case_of());
 /// the test of another one is one of these and one call.
 struct PluginCase {
   std::string filename;
@@ -28,8 +28,8 @@ PluginCase case_of(const std::string& filename, const PluginExample& example);
 
 /// Expects, of the plugin alone on the links of make_quad(): it constructs; refuses a missing
 /// required element and a bad number with the element's name; runs; after a reset gives the outputs
-/// of its first run; goes on from a snapshot as it did; and takes its ports with it when its model
-/// is deleted.
+/// of its first run; continues from a snapshot as it did; and takes its ports with it when its
+/// model is deleted.
 void expect_plugin_conforms(const PluginCase& plugin,
                             void (*register_plugins)(PluginRegistry&) = nullptr);
 

@@ -27,7 +27,7 @@ WorldSpec weightless(double dt_s = 0.001);
 
 WorldOptions with_timing(LoopTiming timing);
 
-/// A world of plain specs with all built-in plugins, which keeps what it is told.
+/// A world of plain specs with all built-in plugins, which keeps its reports.
 class TestWorld {
  public:
   explicit TestWorld(const WorldSpec& spec = world_spec(), WorldOptions options = {},
@@ -36,7 +36,7 @@ class TestWorld {
   World& operator*() { return world_; }
   World* operator->() { return &world_; }
 
-  /// Spawns and gives back the model.
+  /// Spawns and returns the model.
   Model& add(ModelSpec spec) { return world_.spawn(std::move(spec), ""); }
   /// Reports that contain `fragment`.
   std::size_t told(Severity severity, const std::string& fragment) const;
@@ -49,7 +49,7 @@ class TestWorld {
   World world_;
 };
 
-/// Runs `action`, which must throw Error, and gives back its text; "" and a failure otherwise.
+/// Runs `action`, which must throw Error, and returns its text; "" and a failure otherwise.
 template <class Action>
 std::string error_of(Action&& action) {
   try {

@@ -13,7 +13,7 @@ struct AxisParams {
   std::optional<double> cfm;                 ///< of the motor
   std::optional<double> stop_erp, stop_cfm;  ///< of the limits
   std::optional<double> fudge_factor;        ///< of a motor that pushes off a limit, [0, 1]
-  std::optional<double> motor_effort;        ///< the most that the motor gives; 0: there is none
+  std::optional<double> motor_effort;        ///< the most that the motor gives; 0: no motor
   std::optional<double> motor_velocity;      ///< what it drives at
 };
 

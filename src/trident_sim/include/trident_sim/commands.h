@@ -45,7 +45,7 @@ struct DriveCommand {
   double left = 0.0, right = 0.0;  ///< [-1, 1]
 };
 
-/// Of joints or thrusters by name, as sensor_msgs/JointState; what is not told is empty.
+/// Of joints or thrusters by name, as sensor_msgs/JointState; what is not given is empty.
 struct JointCommand {
   SimTime stamp;
   std::vector<std::string> names;

@@ -21,20 +21,20 @@ struct Diagnostic {
   std::string subject;  ///< whom it is about: "model 'm'", "model 'm' plugin 'p'"
   std::string kind;     ///< e.g. "velocity command refused"
   std::string message;
-  /// E.g. the value that was met and the legal range.
+  /// E.g. the value that was found and the legal range.
   std::vector<std::pair<std::string, std::string>> values{};
 
   std::string name() const { return subject + ": " + kind; }
 };
 
-/// What is known of a name: the newest of it, and how often it was met.
+/// What is known of a name: the newest of it, and how often it occurred.
 struct DiagnosticEntry {
   Diagnostic newest;
   std::uint64_t count = 0;
   SimTime first, last;
 };
 
-/// Diagnostics by name. One that is met again is counted, so that what happens in every step stays
+/// Diagnostics by name. One that occurs again is counted, so that what happens in every step stays
 /// one entry.
 class Diagnostics {
  public:

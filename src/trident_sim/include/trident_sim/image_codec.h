@@ -26,7 +26,7 @@ struct PictureCompression {
 
 /// Of compressed_depth_image_transport: depths in metres are sent as their inverse in 16 bits,
 ///   A / depth + B with A = q (q + 1), B = 1 - A / max,
-/// those in millimetres as they are; 0 is none, as is what is beyond `max_m`.
+/// those in millimetres as they are; 0 means no depth, as does what is beyond `max_m`.
 struct DepthCompression {
   double max_m = 10.0, quantization = 100.0;
   int png_level = 1;  ///< 1 to 9

@@ -29,7 +29,7 @@ class Pid {
  public:
   explicit Pid(const PidGains& gains) : gains_(gains) {}
   const PidGains& gains() const { return gains_; }
-  /// Gives back the effort for an error that changes at `error_rate`, after `dt_s`.
+  /// Returns the effort for an error that changes at `error_rate`, after `dt_s`.
   double update(double error, double error_rate, double dt_s);
   void reset() { integral_effort_ = 0.0; }
   void state(StateArchive& archive) { archive(integral_effort_); }

@@ -49,7 +49,7 @@ class LockstepVehicle {
   SimTime first_sent() const { return sent_count_ == 0 ? SimTime{-1} : first_sent_; }
   /// True when every state stamped up to `stamp` has its answer (or nobody is waited for).
   bool answered_up_to(SimTime stamp) const;
-  /// Wall time for which the oldest state has been without an answer, 0 when there is none.
+  /// Wall time for which the oldest state has been without an answer, 0 if no state waits.
   WallTime waiting_for(WallTime now) const;
 
  private:
@@ -62,7 +62,7 @@ class LockstepVehicle {
   WallTime sent_at_ = 0;
   std::deque<SimTime> waiting_;  ///< front: sent when in_flight_, the rest in line
   /// The latest stamps [ns], for recognising an answer; of older ones only the first is kept, for a
-  /// controller that meets a world which runs far ahead of it.
+  /// controller that joins a world which runs far ahead of it.
   std::array<std::int64_t, kRemembered> sent_{};
   std::size_t sent_count_ = 0;
   SimTime first_sent_;
@@ -75,7 +75,7 @@ class SetpointSources {
   struct Source {
     std::vector<std::string> vehicles;
     SimTime period, start, end;  ///< end 0: not known yet
-    /// While the run goes on beyond `end`, because of others, the world waits for this source.
+    /// While the run continues beyond `end`, because of others, the world waits for this source.
     bool waits_beyond_end = false;
   };
 

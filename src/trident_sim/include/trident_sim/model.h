@@ -71,13 +71,13 @@ struct JointMotor {
   double effort_limit = 0.0;  ///< [N m] or [N]
 };
 
-/// A joint as users know it: rigid (no degree of freedom), held by ODE, or a spun rotor, which is
+/// A joint as users know it: rigid (no degree of freedom), held by ODE, or a rotor joint, which is
 /// kept as a scalar rate on its carrier (see docs/explanation/physics.md).
 struct Joint {
   JointSpec spec;
   Link* parent = nullptr;  ///< nullptr: the world
   Link* child = nullptr;
-  std::shared_ptr<OdeJoint> ode;  ///< the engine's; nullptr: rigid or spun
+  std::shared_ptr<OdeJoint> ode;  ///< the engine's; nullptr: rigid or rotor joint
   std::vector<Body*> held;        ///< bodies that its constraints act on, ODE joints only
   Body* reference = nullptr;      ///< of a gearbox; nullptr: the world
   Body* shaft = nullptr;          ///< of a gearbox
@@ -86,20 +86,22 @@ struct Joint {
   std::optional<JointMotor> motor;
 
   bool spun = false;
-  Eigen::Vector3d axis_body = Eigen::Vector3d::UnitZ();  ///< of the carrier's body, spun only
-  /// Where the rotor's own axis points, which lags behind axis_body as in Gazebo; spun only
+  Eigen::Vector3d axis_body =
+      Eigen::Vector3d::UnitZ();  ///< of the carrier's body, rotor joint only
+  /// Where the rotor's own axis points, which lags behind axis_body as in Gazebo; rotor joint only
   Eigen::Vector3d rotor_axis_body = Eigen::Vector3d::UnitZ();
-  double transverse_inertia = 0.0;  ///< [kg m^2], mean, spun only
-  double axial_inertia = 0.0;       ///< [kg m^2], spun only
+  double transverse_inertia = 0.0;  ///< [kg m^2], mean, rotor joint only
+  double axial_inertia = 0.0;       ///< [kg m^2], rotor joint only
   double spun_position = 0.0;       ///< [rad]
   double spun_velocity = 0.0;       ///< [rad/s]
 
-  /// Axes that can be read and driven; none of a rigid joint, a ball and a spun rotor's neighbours.
+  /// Axes that can be read and driven; none of a rigid joint, a ball and a rotor joint's
+  /// neighbours.
   std::size_t axis_count() const;
   /// [rad] or [m]. An angle counts turns. 0 for an axis that the joint does not have.
   double position(std::size_t axis = 0) const;
   double velocity(std::size_t axis = 0) const;  ///< [rad/s] or [m/s]
-  /// Sets the rate; on a spun joint this is how a motor drives its rotor.
+  /// Sets the rate; on a rotor joint this is how a motor drives its rotor.
   void set_velocity(double rate);
   /// Adds to what drives the axis in the next step [N m] or [N].
   void add_effort(double effort, std::size_t axis = 0) { axes[axis].force += effort; }
@@ -118,7 +120,7 @@ class Model {
   ModelSpec spec;  ///< without the plugins' parameters, which nothing needs after construction
   SE3 T_world_model_initial;
   bool is_static = false;
-  std::uint64_t spawn_number = 0;  ///< tells models of one name apart that came one after another
+  std::uint64_t spawn_number = 0;  ///< distinguishes successive models of one name
 
   std::vector<std::unique_ptr<Body>> bodies;
   std::vector<std::unique_ptr<Link>> links;

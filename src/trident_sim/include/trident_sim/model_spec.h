@@ -84,7 +84,7 @@ struct VisualSpec {
   double transparency = 0.0;  ///< 1: invisible
   bool casts_shadows = true;
   std::uint32_t visibility_flags = 0xffffffff;
-  std::optional<double> laser_retro;  ///< how strongly a lidar sees it; else its colour tells
+  std::optional<double> laser_retro;  ///< how strongly a lidar sees it; else by its colour
 };
 
 struct PluginSpec {
@@ -160,7 +160,7 @@ struct JointSpec : AxisSpec {
 /// What a load does with an element that it cannot use.
 enum class OddElements {
   kRefuse,   ///< the load fails
-  kLeaveOut  ///< the rest is loaded; what was left out or changed is told
+  kLeaveOut  ///< the rest is loaded; what was left out or changed is reported
 };
 
 struct ModelSpec {
@@ -186,7 +186,7 @@ struct PhysicsSpec {
   /// then both faster and better. 0: never (`<trident:exact_solver_rows>` of `<physics>`).
   int exact_solver_rows = 150;
   int iterations = 50;
-  int precon_iterations = 0;  ///< kept for whoever asks; ODE has no preconditioning
+  int precon_iterations = 0;  ///< kept for queries; ODE has no preconditioning
   double sor = 1.3;
   double cfm = 0.0, erp = 0.2;
   double contact_max_correcting_vel = 100.0;

@@ -32,7 +32,7 @@ struct Limits {
 
 /// What a plugin has asked for of one element, whether the file has it or not.
 struct ParamQuery {
-  /// From what tells least of an element to what tells most.
+  /// From what says least about an element to what says most.
   enum class Kind { kElement, kText, kNumber, kInteger, kFlag, kVector };
   Kind kind = Kind::kElement;
   std::string fallback;  ///< as a file would say it; empty for elements and required ones
@@ -74,7 +74,7 @@ class PluginParams {
  private:
   std::optional<std::string> raw(std::string_view key) const;
   ParamQuery& query(std::string_view key) const;
-  /// Keeps the query if it tells more of the element than those before it.
+  /// Keeps the query if it says more about the element than those before it.
   void note(std::string_view key, ParamQuery::Kind kind, const std::string& fallback,
             Limits limits = {}) const;
   double read_number(std::string_view key, double fallback, Limits limits) const;

@@ -25,7 +25,7 @@ struct StepInfo {
   SimTime begin, end, dt;
   double dt_s = 0.0;
   /// Number of the step since the models were reset. Noise and sample rates count by it, so that
-  /// they begin anew with every reset.
+  /// they start again with every reset.
   std::uint64_t sample = 0;
 };
 

@@ -7,11 +7,11 @@
 namespace trident::sim {
 
 /// The files of a model's collisions, read before it is put into a world: reading takes as long as
-/// hundreds of steps. What is not taken while this object lives is given back. May be made in any
+/// hundreds of steps. What is not taken while this object lives is freed. May be made in any
 /// thread.
 class PreparedMeshes {
  public:
-  /// Files that cannot be read are left to World::spawn(), which tells of them.
+  /// Files that cannot be read are left to World::spawn(), which reports them.
   explicit PreparedMeshes(const ModelSpec& spec);
   ~PreparedMeshes();
   PreparedMeshes(const PreparedMeshes&) = delete;

@@ -25,21 +25,21 @@ struct RayPacket;
 struct SurfaceLook;
 struct SurfacePoint;
 
-/// What rays meet: collision shapes (`ray` sensors) or visual shapes (`gpu_ray`, cameras).
+/// What rays hit: collision shapes (`ray` sensors) or visual shapes (`gpu_ray`, cameras).
 enum class RayGeometry { kCollision, kVisual };
 
 struct Ray {
   Eigen::Vector3d p_world_origin = Eigen::Vector3d::Zero();
   Eigen::Vector3d direction_world = Eigen::Vector3d::UnitX();  ///< of unit length
-  double t_min_m = 0.0;                                        ///< what is nearer is not met
+  double t_min_m = 0.0;                                        ///< what is nearer is not hit
   double t_max_m = std::numeric_limits<double>::infinity();
 };
 
-/// The first surface that a ray meets.
+/// The first surface that a ray hits.
 struct RayHit {
   static constexpr std::uint32_t kNothing = 0xffffffff;
 
-  double distance_m = std::numeric_limits<double>::infinity();  ///< infinite: nothing met
+  double distance_m = std::numeric_limits<double>::infinity();  ///< infinite: nothing hit
   /// Of unit length, against the ray. Of a visual mesh with normals of its own those, interpolated.
   Eigen::Vector3d normal_world = Eigen::Vector3d::Zero();
   std::uint32_t shape = kNothing;     ///< index into RayScene::shapes()
@@ -66,8 +66,8 @@ struct RayShape {
   std::uint32_t model_id = 0;            ///< number of the model, in name order
   std::uint32_t link_id = 0;             ///< number of the link, model by model
   const Model* model_address = nullptr;  ///< to compare with, alive or not
-  const Link* link_address = nullptr;    ///< likewise
-  std::optional<double> laser_retro;     ///< where its collision or visual tells it
+  const Link* link_address = nullptr;    ///< to compare with, alive or not
+  std::optional<double> laser_retro;     ///< where its collision or visual has one
 };
 
 /// What a sensor has to cast within a step, deferred to the end of the phase, so that threads share
@@ -89,11 +89,11 @@ class RayJob {
 
 /// The world as rays see it, by Embree. What never moves lies in one scene, which is committed
 /// again when a part of it comes, goes or moves; every moving link has a scene of its own, which is
-/// instanced. Embree counts in float and only tells which surface is met; where, and how it leans,
-/// is then worked out in double from the shape itself: ranges to boxes, spheres, cylinders,
+/// instanced. Embree counts in float and only reports which surface is hit; where, and how it
+/// leans, is then worked out in double from the shape itself: ranges to boxes, spheres, cylinders,
 /// capsules and planes are exact also far from the origin.
 ///
-/// Planes are infinite and met from both sides, like all surfaces. Visuals with transparency 1 or
+/// Planes are infinite and hit from both sides, like all surfaces. Visuals with transparency 1 or
 /// alpha 0 are not there. A visual mesh that cannot be read is reported once and left out.
 class RayScene {
  public:
@@ -118,7 +118,7 @@ class RayScene {
   /// whose rays all stay above it need not call refresh_surface(), which costs.
   double surface_ceiling_m();
 
-  /// Casts each ray; hits.size() >= rays.size(). A ray with a component that is not finite meets
+  /// Casts each ray; hits.size() >= rays.size(). A ray with a component that is not finite hits
   /// nothing. Any number of threads may cast at the same time. Rays are cast in packets of
   /// kPacket: a result does not depend on threads as long as work is divided between packets.
   void cast(Span<const Ray> rays, Span<RayHit> hits, const RayFilter& filter = {}) const;
@@ -135,27 +135,27 @@ class RayScene {
   /// Has refresh() read the pictures of the materials from now on, of visual scenes. Cameras need
   /// them, lidars do not. A picture that cannot be read is reported once; only PNG can.
   void use_textures();
-  /// Colour of what was met, red, green, blue in [0, 1]: its picture's where it has one that was
-  /// read, else its material's diffuse. Black: nothing was met, or the scene is not visual.
+  /// Colour of what was hit, red, green, blue in [0, 1]: its picture's where it has one that was
+  /// read, else its material's diffuse. Black: nothing was hit, or the scene is not visual.
   Eigen::Vector3d albedo(const RayHit& hit) const;
-  /// How strongly a lidar sees what was met: the shape's `<laser_retro>`; else, of a visual, 100
-  /// times the luminance of its material's diffuse colour, of a collision 0. 0: nothing was met.
+  /// How strongly a lidar sees what was hit: the shape's `<laser_retro>`; else, of a visual, 100
+  /// times the luminance of its material's diffuse colour, of a collision 0. 0: nothing was hit.
   double intensity(const RayHit& hit) const;
 
-  // For pictures, whose neighbouring rays meet the same surfaces: see rays/ray_packet.h.
+  // For pictures, whose neighbouring rays hit the same surfaces: see rays/ray_packet.h.
 
-  /// What each ray of a packet meets first, in float.
+  /// What each ray of a packet hits first, in float.
   void meet(const RayPacket& rays, PacketHits& hits, std::uint32_t mask = 0xffffffff) const;
   /// Which rays of a packet anything that casts shadows lies on, bit by bit.
   std::uint32_t shaded(const RayPacket& rays, std::uint32_t mask = 0xffffffff) const;
-  /// What the surface is like that a ray of a packet met.
+  /// What the surface is like that a ray of a packet hit.
   SurfaceLook look(std::uint32_t shape, std::uint32_t primitive) const;
-  /// Likewise, at the point of it that a ray meets near distance `t`.
+  /// The same at the point that a ray hits near distance `t`.
   SurfacePoint look_at(std::uint32_t shape, std::uint32_t primitive, const Ray& ray,
                        double t) const;
 
-  /// The analytic surface, which meet() leaves out; nullptr where refresh_surface() was not called,
-  /// or none exists.
+  /// The analytic surface, which intersect() leaves out; nullptr where refresh_surface() was not
+  /// called, or none exists.
   const AnalyticSurface* surface() const;
   /// RayHit::shape of the analytic surface; RayHit::kNothing where none exists.
   std::uint32_t surface_shape() const;

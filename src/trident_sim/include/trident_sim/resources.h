@@ -22,7 +22,7 @@ class Resources {
   /// Takes the environment's search paths; `extra_folders` come first.
   explicit Resources(std::vector<std::string> extra_folders = {});
 
-  /// The existing file or folder that `uri` means, or "" when there is none.
+  /// The existing file or folder that `uri` means, or "" if it does not exist.
   /// `base_folder`: where the naming file lies, for relative paths.
   std::string find(std::string_view uri, std::string_view base_folder = "") const;
   /// Folders searched, for error messages.

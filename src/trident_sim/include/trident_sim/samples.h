@@ -99,7 +99,7 @@ struct LaserScanSample {
   std::string frame;
   double angle_min_rad = 0.0, angle_max_rad = 0.0, angle_increment_rad = 0.0;
   double time_increment_s = 0.0;  ///< between beams; 0: all at once
-  double scan_time_s = 0.0;       ///< between scans; 0: not told
+  double scan_time_s = 0.0;       ///< between scans; 0: not known
   double range_min_m = 0.0, range_max_m = 0.0;
   std::vector<float> ranges;  ///< [m]; +inf: nothing in range, -inf: too near (REP 117)
   std::vector<float> intensities;
@@ -155,7 +155,7 @@ struct __attribute__((packed)) LidarPoint {
   float time = 0.0F;       ///< of the beam, since the stamp [s]
 };
 static_assert(sizeof(LidarPoint) == 22, "PointCloud2's field table tells these offsets");
-/// Returns of one scan in the order in which their beams were cast; beams that met nothing in range
+/// Returns of one scan in the order in which their beams were cast; beams that hit nothing in range
 /// are left out.
 struct LidarCloudSample {
   SimTime stamp;  ///< of the first beam, whether it came back or not
@@ -176,7 +176,7 @@ struct RangeSample {
   bool is_infrared = false;  ///< else ultrasound
   double field_of_view_rad = 0.0;
   double range_min_m = 0.0, range_max_m = 0.0;
-  double range_m = 0.0;  ///< the largest range: nothing met
+  double range_m = 0.0;  ///< the largest range: nothing hit
 };
 /// Where two collisions touch: a point, normal, wrench and depth for each contact, all in frame.
 struct TouchSample {
@@ -230,7 +230,7 @@ struct JointStateSample {
   std::string frame;
   std::vector<std::string> names;
   std::vector<double> positions;   ///< [rad] or [m]
-  std::vector<double> velocities;  ///< [rad/s] or [m/s]; empty: not told
+  std::vector<double> velocities;  ///< [rad/s] or [m/s]; empty: not known
 };
 struct ScalarSample {
   SimTime stamp;

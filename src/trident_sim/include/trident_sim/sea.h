@@ -15,7 +15,7 @@ class World;
 
 /// The sea of a world: water that waves move, and its flow besides (src/marine). Both are pure
 /// functions of place and time, so that it does not matter who asks, how often and in which order.
-/// A command may change the sea as a step begins: ask water() and current() anew in every step.
+/// A command may change the sea as a step begins: ask water() and current() again in every step.
 class Sea {
  public:
   virtual ~Sea() = default;
@@ -34,7 +34,7 @@ class Air {
   virtual ~Air() = default;
   /// With its gusts of this step [m/s], world frame.
   virtual Eigen::Vector3d wind(const Eigen::Vector3d& p_world) const = 0;
-  /// Whether there is a wind at all. Where there is none vessels do not feel the air, so that their
+  /// Whether there is a wind at all. Without wind vessels do not feel the air, so that their
   /// paths in a current are those in still water.
   virtual bool blows() const { return true; }
   virtual std::string state_text() const { return ""; }

@@ -11,7 +11,7 @@
 namespace trident::sim {
 
 /// Takes copies of what changes from step to step, or puts them back: one function of an object
-/// serves both ways, so that they cannot differ.
+/// serves both directions, so that they cannot differ.
 ///
 ///   void state(StateArchive& archive) override { archive(filtered_, reference_, count_); }
 ///

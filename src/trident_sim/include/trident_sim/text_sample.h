@@ -32,7 +32,7 @@ struct NumberSample {
 struct WindReadingSample {
   SimTime stamp;
   std::string frame;
-  bool is_true = false;  ///< else as the sensor feels it on its way
+  bool is_true = false;  ///< else as the sensor feels it while it moves
   double speed_m_s = 0.0;
   double angle_rad = 0.0;  ///< where it comes from, from the frame's x clockwise, [0, 2 pi)
 };

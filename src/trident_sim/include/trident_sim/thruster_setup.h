@@ -11,7 +11,7 @@
 namespace trident::sim {
 
 /// How a thruster of uuv_simulator stands, and how it makes a thrust of its state: what the
-/// services of that name tell.
+/// services of that name return.
 struct ThrusterSetup {
   SimTime stamp;
   bool is_on = true;                      ///< else its input is taken for 0
@@ -23,7 +23,7 @@ struct ThrusterSetup {
   std::vector<double> inputs, outputs;  ///< LinearInterp's table [N]
 };
 
-/// What is to be different from the next step on; what is not told stays. Efficiencies outside of
+/// What is to be different from the next step on; what is not given stays. Efficiencies outside of
 /// [0, 1] are not taken.
 struct ThrusterChange {
   SimTime stamp;  ///< not looked at

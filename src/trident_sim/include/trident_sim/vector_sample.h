@@ -9,7 +9,7 @@
 
 namespace trident::sim {
 
-/// A vector in frame, of a quantity that the port's plugin tells (geometry_msgs/Vector3Stamped).
+/// A vector in frame, of a quantity that the port's plugin names (geometry_msgs/Vector3Stamped).
 struct VectorSample {
   SimTime stamp;
   std::string frame;

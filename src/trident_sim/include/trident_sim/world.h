@@ -40,7 +40,7 @@ enum class LoopTiming {
   kDirect
 };
 
-/// Where the world tells of trouble that does not stop it. One call per event.
+/// Where the world reports problems that do not stop it. One call per event.
 using ReportSink = std::function<void(Severity, const std::string&)>;
 
 struct WorldOptions {
@@ -51,7 +51,7 @@ struct WorldOptions {
   std::function<std::string(const std::string& robot_namespace)> tf_prefix{};
   /// Threads that share the work of lidars and cameras, 1 to 256. Results do not depend on it.
   std::size_t sensor_threads = 1;
-  /// Where the first of what diagnostics() keeps is told; none: to `report`.
+  /// Where the first of what diagnostics() keeps is reported; none: to `report`.
   ReportSink diagnosed{};
   /// What is done with models, collisions and plugins that cannot be made.
   OddElements odd_elements = OddElements::kRefuse;
@@ -85,7 +85,7 @@ class World {
   void step(std::uint64_t n = 1);
 
   /// Poses, velocities, joints, drives and plugins, with their filters and noise, as spawned, and
-  /// no forces applied from outside; time and the number of the step go on.
+  /// no forces applied from outside; time and the number of the step continue.
   void reset_models();
   /// reset_models() and time zero.
   void reset();
@@ -129,13 +129,13 @@ class World {
                       const Eigen::Vector3d& w_world);
 
   /// Mass, centre of mass, inertia and weight of a link, from the next step on; what it is part of
-  /// goes on moving as it does. Snapshots from before fit no more. Throws Error when mass or a
+  /// continues to move as it does. Snapshots from before fit no more. Throws Error when mass or a
   /// principal inertia is not > 0.
   void set_link_inertial(Link& link, const Inertial& inertial, bool gravity);
   /// Throws Error, and changes nothing, for a value out of range, or a joint without such an axis.
   void set_axis_params(Joint& joint, std::size_t axis, const AxisParams& params);
   /// Turns or shifts joints of `model` to positions, with all that hangs on their children; of a
-  /// universal joint the first axis. Gives back the joints that were stopped by a limit. Throws
+  /// universal joint the first axis. Returns the joints that were stopped by a limit. Throws
   /// Error, and moves nothing, for a joint that is unknown, has no position or closes a loop.
   std::vector<std::string> set_joint_positions(
       Model& model, const std::vector<std::pair<std::string, double>>& positions);
@@ -162,7 +162,7 @@ class World {
   /// it is removed or replaced, or the joint's model goes. Throws Error as JointDrive does.
   JointDrive& add_drive(Joint& joint, const DriveSpec& spec, std::size_t axis = 0);
   JointDrive* find_drive(const Joint& joint, std::size_t axis = 0) const;
-  /// Nothing happens when there is none.
+  /// Without such a drive nothing happens.
   void remove_drive(const Joint& joint, std::size_t axis = 0);
 
   /// Contacts of the last step of collisions that are watched (Geom::watchers), two by two in an
@@ -178,11 +178,11 @@ class World {
   PortBoard& ports() { return ports_; }
   const PortBoard& ports() const { return ports_; }
   void report(Severity severity, const std::string& text) const;
-  /// Counts it among diagnostics(), and tells the first of its name.
+  /// Counts it among diagnostics(), and reports the first of its name.
   void diagnose(Diagnostic diagnostic);
-  /// The same without telling: of what its cause is told anyway. Returns whether it is the first.
+  /// The same without a report: for what is reported by its cause. Returns whether it is the first.
   bool note(Diagnostic diagnostic);
-  /// What was met since the world began, those of deleted models left out. Not part of its state.
+  /// What occurred since the world began, those of deleted models left out. Not part of its state.
   const Diagnostics& diagnostics() const { return diagnostics_; }
 
   /// What was left out or changed in the files of this world and its models, a sentence each.

@@ -10,7 +10,7 @@ namespace trident::sim {
 
 /// Radial (k) and tangential (t) distortion as ROS' "plumb_bob" has it: where a point at x, y of
 /// the plane z = 1 appears,
-///   x' = x (1 + k1 r^2 + k2 r^4 + k3 r^6) + 2 t1 x y + t2 (r^2 + 2 x^2), and y' likewise
+///   x' = x (1 + k1 r^2 + k2 r^4 + k3 r^6) + 2 t1 x y + t2 (r^2 + 2 x^2), and y' by symmetry
 /// (Brown 1966; OpenCV calls t1, t2 p1, p2).
 struct Distortion {
   double k1 = 0.0, k2 = 0.0, k3 = 0.0, t1 = 0.0, t2 = 0.0;
@@ -27,8 +27,8 @@ struct Distortion {
 /// (0, 0), as in sensor_msgs/CameraInfo; so the middle of the picture is at ((w - 1) / 2,
 /// (h - 1) / 2). Optical frame: x right, y down, z ahead.
 ///
-/// Pictures are always drawn through the very numbers that CameraInfo tells. The plugins of
-/// gazebo_plugins tell ((w + 1) / 2, (h + 1) / 2), so their pictures are shifted by one pixel
+/// Pictures are always drawn through the very numbers that CameraInfo contains. The plugins of
+/// gazebo_plugins publish ((w + 1) / 2, (h + 1) / 2), so their pictures are shifted by one pixel
 /// against ours; in Gazebo the picture is not, and disagrees with its CameraInfo.
 struct CameraModel {
   int width = 0, height = 0;

@@ -40,7 +40,7 @@ struct CameraRenderer::Frame {
   float pixel_angle;          ///< about that which a pixel spans in the middle of the picture [rad]
 };
 
-/// What the rays of one tile meet, and the surfaces that those before it met.
+/// What the rays of one tile hit, and the surfaces that those before it hit.
 struct CameraRenderer::Seen {
   SurfaceCache surfaces;
   RayPacket rays;
@@ -223,7 +223,7 @@ void CameraRenderer::see_water(const Frame& frame, Seen& seen) const {
   }
 }
 
-/// Notes what a lane meets. False: that is a surface from behind, beyond which the ray begins now.
+/// Notes what a lane hits. False: that is a surface from behind, beyond which the ray begins now.
 bool CameraRenderer::describe(const Frame& frame, std::size_t lane, bool with_look,
                               Seen& seen) const {
   RayPacket& rays = seen.rays;

@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t kLanes = kPacketLanes;
 constexpr float kFar = 1e6F;
 
-/// Which way a lamp is and how strongly it shines, lane by lane.
+/// The direction of a lamp and how strongly it shines, lane by lane.
 struct Incidence {
   alignas(64) PacketFloats l_x, l_y, l_z;  ///< unit, towards the lamp
   alignas(64) PacketFloats distance;       ///< [m]

@@ -12,7 +12,7 @@ namespace trident::sim {
 
 using PacketColor = std::array<PacketFloats, 3>;  ///< red, green, blue; [0, 1] is what is shown
 
-/// What the rays of a packet meet, as light falls on it.
+/// What the rays of a packet hit, as light falls on it.
 struct LitPoints {
   alignas(64) PacketFloats p_x, p_y, p_z;  ///< in the world [m]
   alignas(64) PacketFloats n_x, n_y, n_z;  ///< unit normal, towards who looks
@@ -33,7 +33,7 @@ class Lighting {
  private:
   struct Lamp {
     LightType type;
-    Eigen::Vector3f p_world, direction_world;  ///< where it is, which way it shines
+    Eigen::Vector3f p_world, direction_world;  ///< where it is, in which direction it shines
     Eigen::Vector3f color;
     bool casts_shadows;
     float range_m, constant, linear, quadratic;  ///< of its attenuation

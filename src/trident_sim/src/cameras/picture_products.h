@@ -48,7 +48,7 @@ class Labels {
   std::vector<std::string> names_;
 };
 
-/// As 16 bits a pixel; labels beyond 65535 are told as that.
+/// As 16 bits a pixel; labels beyond 65535 are written as that.
 void write_labels(const std::vector<std::uint32_t>& shapes, const Labels& labels,
                   std::vector<std::uint8_t>& data);
 void write_boxes(const std::vector<std::uint32_t>& shapes, int width, const Labels& labels,

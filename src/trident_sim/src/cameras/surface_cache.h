@@ -22,7 +22,7 @@ struct SeenSurface {
   bool is_turned_away() const { return gap_m >= 0.0; }
 };
 
-/// Surfaces of one picture, looked up as its rays meet them: neighbouring pixels meet the same.
+/// Surfaces of one picture, looked up as its rays hit them: neighbouring pixels hit the same.
 class SurfaceCache {
  public:
   SurfaceCache() : slots_(kSlots) {}

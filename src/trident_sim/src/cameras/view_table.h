@@ -11,17 +11,18 @@
 namespace trident::sim {
 
 /// Directions of a picture's pixels, in tiles of 4 x 4 that are cast as one packet: tile by tile in
-/// rows from the upper left, lanes likewise.
+/// rows from the upper left; so are lanes within a tile.
 class ViewTable {
  public:
   static constexpr int kSide = 4;
   struct Tile {
-    /// Where the ray of each lane meets the plane z = 1 of the optical frame. Lanes beyond the edge
+    /// Where the ray of each lane hits the plane z = 1 of the optical frame. Lanes beyond the edge
     /// of the picture are copies of the last pixel within.
     alignas(64) PacketFloats x, y;
   };
 
-  /// Throws Error that begins with `owner` when the distortion does not tell where a pixel looks.
+  /// Throws Error that begins with `owner` when the distortion does not determine where a pixel
+  /// looks.
   ViewTable(const CameraModel& model, const std::string& owner);
 
   /// Of a pixel in its tile.

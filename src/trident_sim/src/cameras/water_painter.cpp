@@ -30,7 +30,7 @@ float fresnel_of(float cosine) { return kMirror + (1.0F - kMirror) * to_the_fift
 
 }  // namespace
 
-/// Where a ray meets the surface, and how that leans there.
+/// Where a ray hits the surface, and how that leans there.
 struct WaterPainter::Facet {
   bool is_met = false;
   Eigen::Vector3f p, normal, to_eye;

@@ -10,18 +10,18 @@
 
 namespace trident::sim {
 
-/// What the rays of a packet meet of the water.
+/// What the rays of a packet hit of the water.
 struct WaterView {
   Eigen::Vector3d p_world_camera;
   alignas(64) PacketFloats d_x, d_y, d_z;      ///< directions, of any length
   std::array<WaterMeeting, kPacketLanes> met;  ///< along them
   alignas(64)
       PacketFloats behind;  ///< distance to what lies beyond or in the water; infinite: deep
-  bool is_needed = false;   ///< any lane meets water or begins in it
+  bool is_needed = false;   ///< any lane hits water or begins in it
 };
 
 /// The colour of the sea. From above: the sky's reflection by Fresnel's law, with what the slopes
-/// that a pixel does not tell apart make of it (Bruneton, Neyret and Holzschuch 2010); lamps of
+/// that a pixel does not resolve make of it (Bruneton, Neyret and Holzschuch 2010); lamps of
 /// type directional as they glitter on slopes that are normal about the mean one (Cox and Munk
 /// 1954); and what comes out of the water, the colour of deep water in which what lies below fades
 /// (Beer and Lambert; rays are not bent). The sky is the scene's background, darker and bluer

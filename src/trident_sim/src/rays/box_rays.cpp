@@ -43,7 +43,7 @@ struct RayLanes {
 template <unsigned kLanes>
 struct Origins {
   Lanes<kLanes> x, y, z;
-  Lanes<kLanes> slack_m;  ///< by which roundings may displace a ray where it meets the box
+  Lanes<kLanes> slack_m;  ///< by which roundings may displace a ray where it hits the box
 
   Origins(const Eigen::Vector3d& p, const RayLanes& rays) {
     // In two floats, lest it is rounded: two boxes far from the origin must still lie side by side.
@@ -114,7 +114,7 @@ class Crossing {
     for (unsigned i = 0; i < kLanes; ++i) any |= met_[i];
     return any != 0;
   }
-  /// Puts in what a ray that meets the box makes of a number that Embree keeps.
+  /// Puts in what a ray that hits the box makes of a number that Embree keeps.
   template <class Value>
   void keep(const Lanes<kLanes, Value>& values, Value* kept) const {
     for (unsigned i = 0; i < kLanes; ++i) kept[i] = chosen(met_[i], values[i], kept[i]);

@@ -8,11 +8,11 @@
 
 namespace trident::sim {
 
-// A box as one primitive of Embree's, met by its three pairs of faces at once: less than half the
-// time that its twelve triangles take. Two boxes side by side leave no slit for a ray.
+// A box as one primitive of Embree's, intersected by its three pairs of faces at once: less than
+// half the time that its twelve triangles take. Two boxes side by side leave no slit for a ray.
 
-/// Embree's callbacks for a box in its scene. The face met is primitive 2 f, of the faces f -x, +x,
-/// -y, +y, -z, +z; a ray that begins inside meets the face by which it leaves.
+/// Embree's callbacks for a box in its scene. The face hit is primitive 2 f, of the faces f -x, +x,
+/// -y, +y, -z, +z; a ray that begins inside hits the face by which it leaves.
 void intersect_box(const TracedShape& box, const RTCIntersectFunctionNArguments& asked);
 void occlude_box(const TracedShape& box, const RTCOccludedFunctionNArguments& asked);
 

@@ -23,7 +23,7 @@ bool counts(const TracedShape& shape, const RTCIntersectContext* embree) {
   return shape.seen_by(*context.filter) && (shape.casts_shadows || !context.shadows_only);
 }
 
-/// Asked for each triangle that a ray is about to meet.
+/// Asked for each triangle that a ray is about to hit.
 void filter_triangles(const RTCFilterFunctionNArguments* args) {
   if (counts(shape_of(args->geometryUserPtr), args->context)) return;
   std::fill_n(args->valid, args->N, 0);
@@ -60,7 +60,7 @@ bool may_meet(const TracedShape& shape, const Eigen::Vector3d& origin,
          to_middle.cross(direction).squaredNorm() <= reach * reach * squared;
 }
 
-/// Where ray `i` of a packet meets a round shape, in the scene that the shape lies in.
+/// Where ray `i` of a packet hits a round shape, in the scene that the shape lies in.
 std::optional<double> meets_round(const TracedShape& shape, RTCRayN* ray, unsigned n, unsigned i) {
   const Eigen::Vector3d origin(RTCRayN_org_x(ray, n, i), RTCRayN_org_y(ray, n, i),
                                RTCRayN_org_z(ray, n, i));

@@ -47,8 +47,8 @@ EmbreeDevice make_device();
 enum class SceneUse { kFixed, kMoving };
 EmbreeScene make_scene(RTCDevice device, SceneUse use);
 
-/// How Embree meets the boxes of a scene. As a shape of ours a box takes less than half the time
-/// of its twelve triangles for a lidar's beams.
+/// How Embree intersects the boxes of a scene. As a shape of ours a box takes less than half the
+/// time of its twelve triangles for a lidar's beams.
 enum class BoxForm { kOwn, kTriangles };
 
 /// Adds a shape to a scene, at R_scene_shape and p_scene_shape; `shape` must outlive it. Its number

@@ -12,7 +12,7 @@
 namespace trident::sim {
 
 /// Scenes that move as a whole, one per moving link. While they are few, rays are taken into each
-/// that they may meet; what is more than a few lies as instances in a scene of Embree's, the commit
+/// that they may hit; what is more than a few lies as instances in a scene of Embree's, the commit
 /// of which, each time something has moved, costs more than rays that need to look at a few boxes.
 class MovingParts {
  public:
@@ -26,7 +26,7 @@ class MovingParts {
   /// To be called once parts came or were placed, before rays are cast.
   void commit(RTCDevice device);
 
-  /// As rtcIntersect16; hit.instID tells the part. The context's flags are set.
+  /// As rtcIntersect16; hit.instID is the part. The context's flags are set.
   void intersect(const Lanes& valid, RTCRayHit16& rays, CastContext& context) const;
   /// As rtcOccluded16.
   void occlude(const Lanes& valid, RTCRay16& rays, CastContext& context) const;

@@ -63,7 +63,7 @@ bool all_leave(const PacketBounds& bounds, const Rays& rays) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const float low = bounds.low[axis], high = bounds.high[axis];
     const float *const o = origin[axis], *const d = direction[axis];
-    int above = forward, below = forward;  // -1: of some ray it cannot be told
+    int above = forward, below = forward;  // -1: of some ray it is not known
     for (std::size_t i = 0; i < kLanes; ++i) {
       above |= (o[i] > high ? 0 : -1) | (d[i] >= 0.0F ? 0 : -1);
       below |= (o[i] < low ? 0 : -1) | (d[i] <= 0.0F ? 0 : -1);
@@ -73,7 +73,7 @@ bool all_leave(const PacketBounds& bounds, const Rays& rays) {
   return false;
 }
 
-/// Takes from `valid` the lanes whose rays miss the box for certain, and tells whether any is left.
+/// Takes from `valid` the lanes whose rays miss the box for certain; returns whether any is left.
 /// Most rays miss the few things that move, and Embree takes those through its tree one by one.
 template <class Rays>
 bool keep_lanes_that_meet(const PacketBounds& bounds, const Rays& rays, const PacketSlopes& slopes,

@@ -14,8 +14,8 @@ struct PictureFile {
   std::vector<std::uint8_t> rgba;
 };
 
-/// Reads a PNG or a JPEG, told by how it begins, not by its name. Throws Error that names the file
-/// and why it cannot be read: no such file, damaged, or more than 16384 pixels a side.
+/// Reads a PNG or a JPEG, recognized by how it begins, not by its name. Throws Error that names the
+/// file and why it cannot be read: no such file, damaged, or more than 16384 pixels a side.
 PictureFile read_picture(const std::string& file);
 
 }  // namespace trident::sim

@@ -12,7 +12,7 @@ namespace {
 
 constexpr char kElement[] = "trident:max_rays";
 constexpr double kMostRays = 2e7, kMostAllowed = 1e9;
-/// Of directions, hits, what is measured and what is told, at most.
+/// Of directions, hits, what is measured and what is published, at most.
 constexpr double kBytesPerRay = 200.0;
 constexpr double kGibibyte = 1073741824.0;
 

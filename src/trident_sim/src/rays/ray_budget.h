@@ -8,7 +8,7 @@
 
 namespace trident::sim {
 
-/// Beams of a lidar or pixels of a camera, as files tell them.
+/// Beams of a lidar or pixels of a camera, as files define them.
 struct RayCount {
   double columns = 1.0, rows = 1.0;
   const char* what = "beams";
@@ -17,7 +17,7 @@ struct RayCount {
 };
 
 /// Throws Error, before anything is allocated, for a sensor that casts more rays than its element
-/// `<trident:max_rays>` allows (2e7 unless told, 1e9 at most), or whose buffers would take more
+/// `<trident:max_rays>` allows (2e7 by default, 1e9 at most), or whose buffers would take more
 /// than half of the machine's memory. `sensor`: the element `<sensor>`.
 void check_ray_count(const RayCount& count, const ParamNode& sensor, const std::string& owner);
 

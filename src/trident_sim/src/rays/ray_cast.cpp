@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-// Casting packets of rays, and what is told of the surfaces that they meet.
+// Casting packets of rays, and what is known of the surfaces that they hit.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -36,7 +36,7 @@ Extent extent_of(const float* lanes) {
   return {values.minCoeff(), values.maxCoeff()};
 }
 
-/// Rays that go about the same way through about the same place are best cast as one.
+/// Rays of about the same direction through about the same place are best cast as one.
 bool coherent(const RTCRay16& rays) {
   constexpr float kMaxSpread = 0.8F;  ///< of directions, about [rad]; of origins [m]
   float turn = 0.0F, shift = 0.0F;
@@ -90,7 +90,7 @@ bool fill_other_lanes(Rays& packet, const std::array<int, kLanes>& valid, const 
 
 }  // namespace
 
-/// The nearest plane that the ray meets, and its distance in `t`; nullptr: none.
+/// The nearest plane that the ray hits, and its distance in `t`; nullptr: none.
 const TracedShape* RayScene::Content::nearest_plane(const Ray& ray, const RayFilter& filter,
                                                     bool shadows_only, double& t) const {
   const TracedShape* nearest = nullptr;
@@ -123,7 +123,7 @@ void RayScene::Content::add_look(const Ray& ray, const TracedShape& shape, std::
   if (!smooth.isZero(0.0)) hit.normal_world = shape.R_world_shape * smooth;
 }
 
-/// What is met at a distance that Embree or a plane found, measured again in double.
+/// What is hit at a distance that Embree or a plane found, measured again in double.
 RayHit RayScene::Content::describe(const Ray& ray, const TracedShape& shape,
                                    std::uint32_t primitive, double t) const {
   RayHit hit;
@@ -164,7 +164,7 @@ void RayScene::Content::cast_packet(const Ray* rays, RayHit* hits, std::size_t c
   if (!fill_other_lanes(packet.embree.ray, packet.valid, rays)) return;
   CastContext context = make_context(filter, false, some_cast_no_shadow_);
   if (fixed_ != nullptr) {
-    // It is the triangles that Embree meets faster so.
+    // It is the triangles that Embree intersects faster so.
     if (fixed_has_triangles_ && coherent(packet.embree.ray))
       context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
     rtcIntersect16(packet.valid.data(), fixed_.get(), &context.embree, &packet.embree);

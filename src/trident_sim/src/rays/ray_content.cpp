@@ -10,7 +10,7 @@
 namespace trident::sim {
 namespace {
 
-/// As pictures meet them boxes are triangles: in some worlds the others take them four times as
+/// For pictures boxes are triangles: in some worlds the others take them four times as
 /// long.
 BoxForm box_form(RayGeometry geometry) {
   return geometry == RayGeometry::kVisual ? BoxForm::kTriangles : BoxForm::kOwn;

@@ -25,7 +25,7 @@ struct TracedLink {
   SE3 T_world_link;
   bool moves = false;
   std::vector<std::unique_ptr<TracedShape>> shapes;
-  EmbreeScene scene;  ///< of a moving link: of its shapes but planes; nullptr: there are none
+  EmbreeScene scene;  ///< of a moving link: of its shapes but planes; nullptr without any
   std::optional<std::size_t> part;  ///< number of that among what moves
 };
 
@@ -35,7 +35,7 @@ struct TracedModel {
   std::vector<TracedLink> links;
 };
 
-/// A plane where it lies now. Planes are met without Embree, which knows nothing infinite.
+/// A plane where it lies now. Planes are intersected without Embree, which knows nothing infinite.
 struct PlacedPlane {
   const TracedShape* shape;
   FlatSurface surface;

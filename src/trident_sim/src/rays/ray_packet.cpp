@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-// Packets as pictures cast them: Embree and planes in float, the exact surface for whoever asks.
+// Packets as pictures cast them: Embree and planes in float, the exact surface on request.
 #include "ray_packet.h"
 
 #include <algorithm>

@@ -25,7 +25,7 @@ struct RayPacket {
   alignas(64) std::array<int, kPacketLanes> valid;  ///< -1: counts, 0: does not
 };
 
-/// What the rays of a packet meet. Lanes that did not count are as if they met nothing.
+/// What the rays of a packet hit. Lanes that did not count are as if they hit nothing.
 struct PacketHits {
   alignas(64) PacketFloats t;
   alignas(64) std::array<std::uint32_t, kPacketLanes> shape;  ///< RayHit::kNothing: nothing
@@ -34,8 +34,8 @@ struct PacketHits {
 
 /// What holds of a whole surface, a triangle, a box's face or a round shape.
 struct SurfaceLook {
-  bool is_flat = false;    ///< else what follows up to the texture is told by look_at() only
-  bool is_smooth = false;  ///< flat, but its normal, for light, is told by look_at()
+  bool is_flat = false;    ///< else what follows up to the texture is given by look_at() only
+  bool is_smooth = false;  ///< flat, but its normal, for light, is given by look_at()
   Eigen::Vector3d normal_world = Eigen::Vector3d::Zero();  ///< outward
   double offset_m = 0.0;                                   ///< normal . p of its points
   /// Texture coordinates of a point of it: slope * p_world + base

@@ -35,8 +35,8 @@ struct FlatSurface {
 
 enum class SurfaceKind { kBox, kSphere, kCylinder, kCapsule, kPlane, kMesh };
 
-/// One collision or visual as rays know it. Meshes are met by Embree as triangles, planes by nobody
-/// but us, boxes as BoxForm tells, the others by the functions below.
+/// One collision or visual as rays know it. Meshes are intersected by Embree as triangles, planes
+/// by RayScene, boxes as BoxForm says, the others by the functions below.
 struct TracedShape {
   SurfaceKind kind = SurfaceKind::kBox;
   Eigen::Vector3d half_size = Eigen::Vector3d::Zero();  ///< of a box [m]
@@ -55,7 +55,7 @@ struct TracedShape {
   std::string name;
   const VisualSpec* visual = nullptr;         ///< of visuals; lives as long as the model
   const Model* model = nullptr;               ///< never looked into: it may be gone
-  const Link* link = nullptr;                 ///< likewise
+  const Link* link = nullptr;                 ///< never looked into: it may be gone
   std::uint32_t index = 0;                    ///< into RayScene::shapes()
   std::uint32_t material = RayHit::kNothing;  ///< into RayScene::materials()
   bool has_mesh_materials = false;            ///< `material` is the first of the mesh's own
@@ -80,7 +80,7 @@ struct TracedShape {
 /// A shape of its kind and sizes, unplaced. `mesh`: of a mesh or heightmap.
 TracedShape make_traced_shape(const Shape& shape, std::shared_ptr<const TriangleMesh> mesh);
 
-/// First distance in [t_min, t_max] at which the ray meets the surface of a round shape.
+/// First distance in [t_min, t_max] at which the ray hits the surface of a round shape.
 std::optional<double> first_meeting(const TracedShape& shape, const LocalRay& ray);
 /// Outward normal of a round shape in its own frame, at a point of its surface.
 Eigen::Vector3d round_normal(const TracedShape& shape, const Eigen::Vector3d& p);

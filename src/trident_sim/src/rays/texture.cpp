@@ -75,7 +75,7 @@ Texture read_texture(const std::string& file) {
 }
 
 Eigen::Vector3f Texture::at(const Eigen::Vector2f& uv, float width_px) const {
-  constexpr float kFarOff = 1e6F;  // beyond, float does not tell pixels apart
+  constexpr float kFarOff = 1e6F;  // beyond, float does not resolve pixels
   if (!(uv.cwiseAbs().maxCoeff() < kFarOff)) return Eigen::Vector3f::Zero();
   const Level& level = levels[level_for(width_px, levels.size())];
   // One turn of the picture first, lest pixels overflow.

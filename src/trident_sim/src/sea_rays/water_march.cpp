@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-// How a ray finds the water: through squares of cells whose bounds it may meet, down to the cell
-// whose surface it meets, where that is the root of a quadratic.
+// How a ray finds the water: through squares of cells whose bounds it may intersect, down to the
+// cell whose surface it hits, where that is the root of a quadratic.
 #include <algorithm>
 #include <cmath>
 
@@ -125,7 +125,7 @@ WaterMeeting WaterSurface::meet(const Ray& ray, double t_max) const {
   return meeting;
 }
 
-/// The first meeting within [t0, t1], which lies in squares of a level: 0 are cells, above them
+/// The first hit within [t0, t1], which lies in squares of a level: 0 are cells, above them
 /// those that have bounds.
 template <std::size_t kLevel>
 WaterSurface::Found WaterSurface::walk(const Path& path, double t0, double t1) const {
@@ -189,7 +189,7 @@ bool WaterSurface::may_meet(const Path& path, std::size_t level, std::int64_t ro
 }
 
 /// Within a cell a ray's height above the surface is a quadratic of the distance. What is on the
-/// other side already as it comes in met the surface on the border.
+/// other side already as it comes in hit the surface on the border.
 WaterSurface::Found WaterSurface::meet_cell(const Path& path, std::int64_t row, std::int64_t column,
                                             double t0, double t1) const {
   Found found;

@@ -14,7 +14,7 @@
 
 namespace trident::sim {
 
-/// Where a ray meets the water.
+/// Where a ray hits the water.
 struct WaterMeeting {
   double t = std::numeric_limits<double>::infinity();  ///< along the ray; infinite: nowhere
   bool begins_below = false;                           ///< the ray begins under water
@@ -23,15 +23,15 @@ struct WaterMeeting {
   Eigen::Vector2d slope = Eigen::Vector2d::Zero();  ///< else that of the surface there
 };
 
-/// Distances between which a ray from above meets the water for certain, if it gets there.
+/// Distances between which a ray from above hits the water for certain, if it gets there.
 struct WaterReach {
   double first, last;
 };
 
-/// The surface of a world's sea as rays meet it: heights of a periodic tile about who looks,
+/// The surface of a world's sea as rays hit it: heights of a periodic tile about who looks,
 /// between which they are bilinear; farther away than far_m() the still level, with the slopes of
 /// the tile. Nothing is worked out before follow() is called, and one tile per period of the waves
-/// after that (WaterPattern says how true it is). What is met is a pure function of the sea, the
+/// after that (WaterPattern says how true it is). What is hit is a pure function of the sea, the
 /// time and the place that was given to follow(). Any number of threads may ask at the same time.
 class WaterSurface final : public AnalyticSurface {
  public:
@@ -50,7 +50,7 @@ class WaterSurface final : public AnalyticSurface {
 
   /// Infinite: it leads away.
   WaterReach reach(const Ray& ray) const;
-  /// No steeper does it meet the water: the cosine to the surface's normal. The first is of any
+  /// No steeper does it hit the water: the cosine to the surface's normal. The first is of any
   /// water, the second costs more, is of this reach and no greater.
   double cos_most(const Ray& ray) const { return cos_most(ray, steepest_fading_); }
   double cos_most(const Ray& ray, const WaterReach& reach) const {
@@ -88,7 +88,7 @@ class WaterSurface final : public AnalyticSurface {
   struct Patch {
     double h, h_u, h_v, h_uv;
   };
-  /// What a ray meets first, square by square.
+  /// What a ray hits first, square by square.
   struct Found {
     double t = std::numeric_limits<double>::infinity();
     double along = 0.0, across = 0.0;  ///< slope per cell there
@@ -150,7 +150,7 @@ class WaterSurface final : public AnalyticSurface {
   double steepest_fading_ = 0.0;                     ///< or anywhere
 };
 
-/// The water that a scene's analytic surface is; nullptr: it is none.
+/// The water that a scene's analytic surface is; nullptr: it is not water.
 const WaterSurface* as_water(const AnalyticSurface* surface);
 std::shared_ptr<const WaterSurface> as_water(const std::shared_ptr<const AnalyticSurface>& surface);
 

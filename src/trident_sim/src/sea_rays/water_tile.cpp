@@ -100,7 +100,7 @@ void WaterTile::find_bounds() {
 
 /// Between nodes, and between both ends, slopes are means of those that nodes have.
 void WaterTile::find_steepest() {
-  // Lanes, as a single greatest would be sought one by one.
+  // Lanes, as a single greatest would be searched for one by one.
   constexpr std::size_t kLanes = 16;
   const std::size_t floats = 2 * n_;
   const auto widen = [](std::array<float, kLanes>& greatest, const float* a, const float* b) {
@@ -157,7 +157,7 @@ void WaterTileMaker::transform_ways(const Moment& moment) {
 }
 
 /// Gerstner's heights at the nodes: those of the particles that are there now, whose places of rest
-/// are sought as WaveField does, in as many steps as the tile is worth.
+/// are searched for as WaveField does, in as many steps as the tile is worth.
 void WaterTileMaker::bend(std::size_t end, WaterTile& tile) const {
   constexpr int kSteps = 4;
   const std::size_t n = pattern_.n;

@@ -32,7 +32,7 @@ class WaterTile {
     }
   };
 
-  /// To be made anew.
+  /// To be made again.
   void begin(const Key& key, std::uint64_t serial) {
     key_ = key;
     serial_ = serial;

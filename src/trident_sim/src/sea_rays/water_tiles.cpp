@@ -163,7 +163,7 @@ WaterShores WaterTiles::make_shores(const WaveField& waves, const WaterTile::Key
       const double v = apart_m * static_cast<double>(made.first_column * kPoints + j);
       const auto shore = static_cast<std::size_t>(
           waves.shore(u * pattern_->axis + v * pattern_->across, levels_m[0], levels_m[1]));
-      // One on a border counts for all that meet there.
+      // One on a border counts for all that join there.
       for (const std::int64_t row : {(i - 1) / kPoints, i / kPoints}) {
         for (const std::int64_t column : {(j - 1) / kPoints, j / kPoints}) {
           if (row >= kSide || column >= kSide) continue;

@@ -43,8 +43,8 @@ struct WaterShores {
 };
 
 /// The waves of a world's sea laid onto tiles, for all that look at it: each tile is made once,
-/// whoever asks first, and one per period of the waves after that. Only one thread may ask; what it
-/// is given stays as it is.
+/// for the first that asks, and one per period of the waves after that. Only one thread may ask;
+/// what it is given stays as it is.
 class WaterTiles {
  public:
   /// `world` must outlive it.
@@ -53,7 +53,7 @@ class WaterTiles {
 
   /// As it is now; nullptr: the world has none.
   std::shared_ptr<const Sea> find_sea();
-  /// Lays the waves anew if others are given than the last time.
+  /// Lays the waves again if others are given than the last time.
   void follow(const WaveField& waves);
 
   /// Makes the tiles about these places that are not there yet, side by side.
@@ -61,7 +61,7 @@ class WaterTiles {
 
   // Of the waves that were given last.
 
-  /// nullptr: there are none.
+  /// nullptr: no waves.
   const std::shared_ptr<const WaterPattern>& pattern() const { return pattern_; }
   /// Sum of their amplitudes.
   double amplitudes_m() const { return amplitudes_m_; }
@@ -91,7 +91,7 @@ class WaterTiles {
   std::vector<std::unique_ptr<WaterTileMaker>> makers_;  ///< by worker; nullptr: not needed yet
   std::vector<WaterTile*> missing_;
   std::vector<std::shared_ptr<WaterTile>> tiles_;  ///< the one that was asked for last is the last
-  std::vector<std::shared_ptr<const WaterShores>> shores_;  ///< likewise
+  std::vector<std::shared_ptr<const WaterShores>> shores_;  ///< as above
   std::uint64_t tiles_made_ = 0;
 };
 

@@ -11,11 +11,11 @@
 
 namespace trident::sim {
 
-/// A number that may be set while the world runs; the newest legal one counts. Others are told
+/// A number that may be set while the world runs; the newest legal one counts. Others are reported
 /// once, and the last good one stays.
 class NumberInput {
  public:
-  /// `unit` is told with a number that is refused.
+  /// `unit` is printed with a number that is refused.
   NumberInput(const PluginContext& context, const std::string& topic, const char* unit,
               const Limits& limits);
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-// What can be told to a camera while it runs, and what its lens says.
+// What can be set on a camera while it runs, and what its lens says.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -61,7 +61,7 @@ TEST_P(ProjectionCase, ThingsAppearWhereCameraInfoSaysSo) {
     squares += error.squaredNorm();
     sum += error;
   }
-  // A ball of a dozen pixels tells its middle to about a tenth; all of them together better.
+  // A ball of a dozen pixels gives its middle to about a tenth; all of them together better.
   EXPECT_LT(sum.norm() / static_cast<double>(points.size()), 0.1);
   EXPECT_LT(std::sqrt(squares / static_cast<double>(points.size())), 0.12);
 }

@@ -13,7 +13,7 @@
 namespace trident::sim {
 namespace {
 
-/// Distance at which a ray from the origin meets a level box; infinite: it does not.
+/// Distance at which a ray from the origin hits a level box; infinite: it does not.
 double meets(const Eigen::Vector3d& d, const Eigen::Vector3d& centre, const Eigen::Vector3d& size) {
   const Eigen::Array3d low = (centre - 0.5 * size).array() / d.array();
   const Eigen::Array3d high = (centre + 0.5 * size).array() / d.array();

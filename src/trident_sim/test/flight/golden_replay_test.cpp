@@ -13,7 +13,7 @@ namespace {
 /// Six recorded flights in which no answer came late.
 class GoldenReplay : public testing::TestWithParam<int> {};
 
-/// The recorded answers, given back with their stamps and no controller. Without feedback small
+/// The recorded answers, replayed with their stamps and no controller. Without feedback small
 /// differences grow, so not for ever.
 TEST_P(GoldenReplay, RecordedCommandsLeadToTheRecordedMotion) {
   TRIDENT_NEEDS_GOLDEN();

@@ -20,7 +20,7 @@ DrydenParams breeze() {
 }
 
 TEST(DrydenGusts, FiguresAreThoseOfTheSpecification) {
-  // At 1000 ft the three intensities and lengths meet (0.177 + 0.823 = 1).
+  // At 1000 ft the three intensities and lengths coincide (0.177 + 0.823 = 1).
   DrydenParams params = breeze();
   params.altitude = 304.8;
   EXPECT_NEAR(params.intensities()[0], 0.8, 1e-6);

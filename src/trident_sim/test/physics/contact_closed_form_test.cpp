@@ -61,7 +61,7 @@ TEST_P(ClosedForm, ABoxSlidesForSpeedSquaredOverTwoMuG) {
   world_->set_model_twist(box, {speed, 0, 0}, {0, 0, 0});
   run(2.0);
   const double expected = speed * speed / (2 * kMu * kGravity);
-  // A step's travel is the least that a step can tell.
+  // A step's travel is the least that a step can resolve.
   EXPECT_NEAR(box.T_world_model().p.x() - start, expected, speed * GetParam().dt_s);
   EXPECT_NEAR(box.T_world_model().p.y(), 0.0, 1e-3);
 }
@@ -96,7 +96,7 @@ TEST_P(ClosedForm, ABallReboundsToRestitutionSquaredOfItsHeight) {
     world_->step();
     top = std::max(top, ball.T_world_model().p.z() - 0.1);
   }
-  // The step in which it hits is a step too long or too short: v dt either way.
+  // The step in which it hits is a step too long or too short: +-v dt.
   EXPECT_NEAR(top, restitution * restitution * drop, 4.5 * GetParam().dt_s);
 }
 

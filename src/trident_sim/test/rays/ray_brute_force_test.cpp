@@ -20,7 +20,7 @@ struct PlacedBox {
   SE3 T_world_box;
 };
 
-/// Where a ray meets the hull of a box grown by `margin`, by slabs.
+/// Where a ray hits the hull of a box grown by `margin`, by slabs.
 double slab_range(const PlacedBox& box, const Ray& ray, double margin) {
   const SE3 T_box_world = box.T_world_box.inverse();
   const Eigen::Vector3d o = T_box_world * ray.p_world_origin;
@@ -55,7 +55,8 @@ std::vector<PlacedBox> add_boxes(TestWorld& world, int count, const std::string&
   return boxes;
 }
 
-/// Packets of rays from anywhere to anywhere, and as many from one place about the same way.
+/// Packets of rays from anywhere to anywhere, and as many from one place in about the same
+/// direction.
 std::vector<Ray> random_rays(std::size_t count, const std::string& seed) {
   Draw draw(seed);
   std::vector<Ray> rays;
@@ -70,7 +71,8 @@ std::vector<Ray> random_rays(std::size_t count, const std::string& seed) {
   return rays;
 }
 
-/// How many boxes; half of them can move. A few that do are met one by one, more as instances.
+/// How many boxes; half of them can move. A few that do are intersected one by one, more as
+/// instances.
 class AmongBoxes : public testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(ManyRays, AmongBoxes, testing::Values(14, 60));
 

@@ -134,7 +134,7 @@ class Mutator {
     const std::size_t end = text.find(ends[1], begin + 1);
     if (end != std::string::npos) text.replace(begin + 1, end - begin - 1, any_value());
   }
-  // A stretch from one tag to another.
+  // A segment from one tag to another.
   std::pair<std::size_t, std::size_t> stretch(const std::string& text) {
     const std::size_t begin = text.find('<', below(text.size()));
     if (begin == std::string::npos) return {0, 0};
@@ -206,7 +206,7 @@ TEST(MutatedInput, IsLoadedOrRefusedWithAnError) {
   }
   std::printf("%llu mutations: %llu loaded, %llu refused\n", static_cast<unsigned long long>(count),
               static_cast<unsigned long long>(loaded), static_cast<unsigned long long>(refused));
-  // Both ways are taken, or the mutations test nothing.
+  // Both branches are taken, or the mutations test nothing.
   EXPECT_GT(loaded, count / 20);
   EXPECT_GT(refused, count / 20);
 }

@@ -32,7 +32,7 @@ WorldSpec load(const std::string& xml, OddElements odd, const Resources& resourc
       xml, "odd.world", resources, [](const auto&) {}, odd);
 }
 
-/// Loads it both ways: strictly it must throw, else one odd element is told, and given back.
+/// Loads it in both modes: strictly it must throw, else one odd element is reported; returns it.
 std::string odd_element_of(const std::string& xml, WorldSpec* spec = nullptr,
                            const Resources& resources = Resources()) {
   error_of([&] { load(xml, OddElements::kRefuse, resources); });

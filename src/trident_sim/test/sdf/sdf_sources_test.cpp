@@ -79,7 +79,7 @@ TEST_F(SdfSourcesTest, IncludesInEachOtherHaveALimit) {
   const ModelSpec model = load("m0", OddElements::kLeaveOut);
   EXPECT_EQ(model.odd_elements.size(), 1u);
   EXPECT_GT(model.links.size(), 20u);
-  // A chain met before, from a shallower place, counts in full.
+  // A chain seen before, from a shallower place, counts in full.
   EXPECT_NO_THROW(load("m20", OddElements::kRefuse));
 }
 

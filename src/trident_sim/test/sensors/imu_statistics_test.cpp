@@ -42,7 +42,7 @@ PluginSpec rotors_imu() {
                       {"accelerometerTurnOnBiasSigma", "0"}});
 }
 
-/// The same densities as SDF tells them: white noise by the spread of one sample, a bias by its
+/// The same densities as SDF expresses them: white noise by the spread of one sample, a bias by its
 /// spread in the long run and its correlation time.
 ParamNode sdf_noise(const std::string& name, const Densities& densities) {
   constexpr double kCorrelationTime = 1e4;

@@ -45,7 +45,7 @@ TEST(RangeFinder, TellsTheNearestOfItsRays) {
   EXPECT_EQ(range.value.field_of_view_rad, 0.4);
   EXPECT_EQ(range.value.range_min_m, 0.05);
   EXPECT_EQ(range.value.range_max_m, 4.0);
-  // A post that only the outermost beams meet.
+  // A post that only the outermost beams hit.
   world.add(make_static("post", BoxShape{{0.2, 0.2, 9.0}}, at(2.1, 0.42, 0)));
   world->step(100);
   EXPECT_NEAR(range.value.range_m, 2.0 / std::cos(0.2), 1e-6);

@@ -58,7 +58,7 @@ TEST(AckermannDrive, TheWheelsStandAtTheirAngles) {
   }
 }
 
-/// Upstream's: angular.z turns the same way ahead and back.
+/// Upstream's: angular.z turns in the same direction ahead and back.
 TEST(AckermannDrive, BackwardsItTurnsTheWayThatItIsTold) {
   CarWorld car;
   car.command(-0.5, 0.4);
@@ -88,7 +88,7 @@ TEST(AckermannDrive, ItReachesItsSpeedAlongARamp) {
   EXPECT_NEAR(car.truth().p.y(), 0.0, 1e-3);
 }
 
-/// The base is 0.2 m ahead of the axle: it is told where that is, and its sideways velocity.
+/// The base is 0.2 m ahead of the axle: odometry is that of the base, with its sideways velocity.
 TEST(AckermannDrive, TheEncodersTellTheWayOfTheBase) {
   CarWorld car(with({{"odometry_source", "encoder"}, {"acceleration", "1"}}));
   for (const double steering : {0.4, -0.3, 0.0}) {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-// Long ways, terminal speeds and drift by slip of carts, against closed forms.
+// Long paths, terminal speeds and drift by slip of carts, against closed forms.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ CartOptions plugin_with(ParamList params, double mu = 1.0) {
   return options;
 }
 
-/// One side of a square and the corner after it, by what the odometry tells.
+/// One side of a square and the corner after it, by what the odometry reports.
 void drive_side(CartWorld& cart, double side_m, double yaw_rad) {
   const Eigen::Vector2d start = cart.told().p;
   for (double left = side_m; left > 1e-3; left = side_m - (cart.told().p - start).norm()) {
@@ -40,7 +40,7 @@ void drive_side(CartWorld& cart, double side_m, double yaw_rad) {
   cart.run(0.5);
 }
 
-/// Four sides of 100 m: what the encoders tell stays within a thousandth of the 400 m driven.
+/// Four sides of 100 m: what the encoders report stays within a thousandth of the 400 m driven.
 TEST(DiffDrive, ASquareWithSidesOfAHundredMetresClosesWithinATenthOfAPercent) {
   CartWorld cart(plugin_with({{"odometrySource", "encoder"}, {"wheelAcceleration", "1"}}), 0.002);
   double worst = 0.0;
@@ -66,8 +66,8 @@ double speed_after(const ModelSpec& spec, double seconds) {
   return model.bodies[0]->velocity().x();
 }
 
-/// Torque T of each of four wheels against damping b of each joint: r T / b at the end, and on the
-/// way 1 - exp(-t / tau) of it, tau = (m + 4 I / r^2) / (4 b / r^2).
+/// Torque T of each of four wheels against damping b of each joint: r T / b at the end, and before
+/// that 1 - exp(-t / tau) of it, tau = (m + 4 I / r^2) / (4 b / r^2).
 TEST(SkidSteer, WheelTorqueAgainstDampingOfTheJointsIsATerminalSpeed) {
   const double torque = 0.2, damping = 0.01;
   CartOptions options = plugin_with({{"torque", "0.2"}, {"updateRate", "0"}});

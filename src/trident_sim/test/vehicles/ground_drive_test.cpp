@@ -33,7 +33,7 @@ CartOptions four_wheels(double mu) {
   return options;
 }
 
-/// Drives by what the odometry tells, as a user would.
+/// Drives by what the odometry reports, as a user would.
 void go_ahead(CartWorld& cart, double distance_m) {
   const Eigen::Vector2d start = cart.told().p;
   cart.command(1.0, 0.0);
@@ -192,7 +192,7 @@ TEST(DiffDrive, OdometryOfEncodersStartsAtItsOrigin) {
   EXPECT_NEAR(cart.odometry->value.w_child.z(), 0.3, 1e-3);
 }
 
-/// Separation and diameter that do not fit scale turn and way.
+/// Separation and diameter that do not fit scale turn and distance.
 TEST(DiffDrive, AWrongGeometryShowsAsItsRatio) {
   CartWorld narrow(rover_with(encoders({{"wheelSeparation", "0.36"}, {"wheelAcceleration", "1"}})));
   narrow.command(0.0, 0.5);

@@ -24,7 +24,7 @@ OutPort<OdometrySample>& listen(TestWorld& world) {
   return *port;
 }
 
-/// Steps and gives back the numbers of the steps in which something was sent.
+/// Steps and returns the numbers of the steps in which something was sent.
 std::vector<std::uint64_t> sent_in(TestWorld& world, OutPort<OdometrySample>& port, int steps) {
   std::vector<std::uint64_t> sent;
   for (int i = 0; i < steps; ++i) {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-// The tile of the sea: how true it is, that it repeats, and where rays meet it.
+// The tile of the sea: how true it is, that it repeats, and where rays hit it.
 #include "sea_rays/water_surface.h"
 
 #include <gtest/gtest.h>
@@ -223,7 +223,7 @@ TEST(WaterSurface, IsMetWhereSmallStepsMeetIt) {
       continue;
     }
     ++met;
-    // A crest that a step jumps over is met earlier.
+    // A crest that a step jumps over is hit earlier.
     EXPECT_LT(meeting.t, expected + 1e-6) << i;
     const Eigen::Vector3d at = p + meeting.t * ray.direction_world;
     EXPECT_NEAR(at.z(), water.height_m(at.head<2>()), 1e-9) << i;

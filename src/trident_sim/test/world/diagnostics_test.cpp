@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-// What a world keeps of trouble that does not stop it.
+// What a world keeps of problems that do not stop it.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -37,7 +37,7 @@ class Reset : public testing::TestWithParam<LoopTiming> {
     imu_->add_listener();
   }
 
-  /// Commands, steps, and gives back all that was measured; stamps since the first step.
+  /// Commands, steps, and returns all that was measured; stamps since the first step.
   std::vector<double> fly() {
     const SimTime begin = world_->time();
     std::vector<double> record;

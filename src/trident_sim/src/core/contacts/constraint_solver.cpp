@@ -69,7 +69,8 @@ void ConstraintSolver::configure(const PhysicsSpec& spec) {
   spec_ = spec;
   dWorldSetERP(world_, spec.erp);
   dWorldSetQuickStepW(world_, spec.sor);
-  // Each contact is told its depth so that these two, which ODE has once for the world, do nothing.
+  // Each contact is given its depth so that these two, which ODE has once for the world, do
+  // nothing.
   dWorldSetContactSurfaceLayer(world_, 0.0);
   dWorldSetContactMaxCorrectingVel(world_, dInfinity);
 }
@@ -132,7 +133,7 @@ void ConstraintSolver::gather(const std::vector<EngineBody*>& bodies,
   }
 }
 
-/// Leaves those islands active in which a velocity is to be bounded; false if there are none.
+/// Leaves those islands active in which a velocity is to be bounded; false without any.
 bool ConstraintSolver::choose_bounded() {
   std::fill(active_.begin(), active_.end(), 0);
   bool any = false;
@@ -197,7 +198,7 @@ void ConstraintSolver::solve_small(double dt_s) {
 
 bool ConstraintSolver::solve_iteratively(int iterations, double dt_s) {
   dWorldSetQuickStepNumIterations(world_, iterations);
-  dRandSetSeed(0);  // the iterative solver shuffles its rows: the same way in every step
+  dRandSetSeed(0);  // the iterative solver shuffles its rows: in the same order in every step
   const bool solved = stepper_.run(dWorldQuickStep, dt_s);
   disable_all();  // the next island is solved alone
   return solved;

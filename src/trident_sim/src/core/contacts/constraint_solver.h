@@ -20,7 +20,7 @@ enum class Pass { kPose = 0, kVelocity = 1 };
 
 /// A contact of this step, of which each pass makes an ODE joint.
 struct Touch {
-  dContact ode;  ///< as dCollide found it, with the pair's surface; then as each pass is told
+  dContact ode;  ///< as dCollide found it, with the pair's surface; then as each pass needs it
   EngineBody* a = nullptr;
   EngineBody* b = nullptr;        ///< nullptr: part of the world
   std::array<double, 2> depth_m;  ///< by Pass: what it puts right of the depth that was found

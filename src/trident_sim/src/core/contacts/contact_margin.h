@@ -10,7 +10,7 @@
 namespace trident::sim {
 
 /// By how much ODE's shape of something that moves is larger all round [m], so that what lies on
-/// something is found in each step, though it touches by less than a double can tell, and what
+/// something is found in each step, though it touches by less than a double resolves, and what
 /// comes slowly before it is inside. Shapes that cannot grow, meshes above all, have none.
 double contact_margin(const Shape& shape);
 

@@ -8,7 +8,7 @@ namespace trident::sim {
 namespace {
 
 /// Several contacts under one body hold it more often than it can move, which the exact solver
-/// needs a little softness to tell apart: 1e10 N/m at a step of 10 ms, and 1e-8 m/s of creep per
+/// needs a little softness to distinguish: 1e10 N/m at a step of 10 ms, and 1e-8 m/s of creep per
 /// newton.
 constexpr double kLeastNormalCfm = 1e-8;
 constexpr double kLeastSlip = 1e-8;

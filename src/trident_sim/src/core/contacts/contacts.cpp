@@ -12,7 +12,7 @@
 namespace trident::sim {
 namespace {
 
-/// At which a body that was put into something is pushed out, where its surface does not tell. At
+/// At which a body that was put into something is pushed out, where its surface does not say. At
 /// the world's speed limit, 100 m/s where nothing else is said, a robot spawned in a wall would be
 /// shot into the sky.
 constexpr double kEmergingSpeed = 0.5;
@@ -33,7 +33,7 @@ Eigen::Vector3d friction_direction(const EngineGeom& geom, const EngineBody* bod
   return body == nullptr ? fdir1 : Eigen::Vector3d(body->R_world_body * fdir1);
 }
 
-/// Whether a contact gives back a part of the speed that it is met with.
+/// Whether a contact restores a part of the speed of the impact.
 bool bounces(const Touch& touch) {
   const dSurfaceParameters& surface = touch.ode.surface;
   if (!(surface.bounce > 0.0)) return false;
@@ -206,11 +206,11 @@ void PhysicsEngine::collide_geoms(EngineGeom& a, EngineBody* body_a, EngineGeom&
 }
 
 /// What is to be put right of a pair's depth, more slowly while one of the two was put into the
-/// other, or is on its way out since.
+/// other, or moves out of it since.
 Correction PhysicsEngine::correct(const EngineGeom& a, EngineBody* body_a, const EngineGeom& b,
                                   EngineBody* body_b, double deepest_m, double dt_s) {
   Correction pair = combine_corrections(a.surface, body_b == nullptr ? nullptr : &b.surface, spec_);
-  // Nothing tells shapes without a margin from such that do not touch but their being inside.
+  // Shapes without a margin are known to touch only by their being inside.
   if (!(a.margin_m + b.margin_m > 0.0)) pair.min_depth_m = std::max(pair.min_depth_m, kSunkMesh_m);
   if (!body_a->placed && (body_b == nullptr || !body_b->placed)) return pair;
   if (deepest_m - pair.min_depth_m <= kEmergingSpeed * dt_s) return pair;
@@ -226,7 +226,7 @@ void PhysicsEngine::tell_contacts() {
     const dReal* const force = solver_->touches()[watched.touch].feedback.f1;
     Contact contact = watched.contact;
     contact.force_world = {force[0], force[1], force[2]};
-    if (contact.depth_m < 0.0 && contact.force_world.isZero(0.0)) continue;  // a gap is none
+    if (contact.depth_m < 0.0 && contact.force_world.isZero(0.0)) continue;  // a gap is no contact
     contact.depth_m = std::max(0.0, contact.depth_m);
     told_.push_back(contact);
   }

@@ -77,7 +77,7 @@ void ConstraintSolver::refine_friction(Pass pass, double dt_s) {
   }
 }
 
-/// Leaves those islands active in which friction is off; false if there are none.
+/// Leaves those islands active in which friction is off; false without any.
 bool ConstraintSolver::measure_friction() {
   for (Touch& touch : touches_) {
     const std::size_t island = island_of(touch);

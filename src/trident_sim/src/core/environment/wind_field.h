@@ -30,7 +30,7 @@ struct WindGrid {
 /// Wind at a point [m/s, world frame]: linear along z in the four columns around it, then along x,
 /// then along y. A column that the point lies below or above is continued along its outermost cell,
 /// so that the wind does not jump where the terrain rises. Nothing outside of the grid, whose
-/// borders belong to it: beside it, below the bottom of all four columns, or above all their tops.
+/// borders belong to it: next to it, below the bottom of all four columns, or above all their tops.
 std::optional<Eigen::Vector3d> wind_at(const WindGrid& grid, const Eigen::Vector3d& p_world);
 
 /// Reads RotorS' text format: the fields min_x min_y n_x n_y res_x res_y vertical_spacing_factors

@@ -36,7 +36,7 @@ void prepare(const MeshShape& shape) {
     const std::lock_guard<std::mutex> lock(store().mutex);
     store().meshes.emplace(key_of(shape), std::move(mesh));
   } catch (const Error&) {
-    return;  // whoever builds the collision reads it again, and knows its name
+    return;  // the builder of the collision reads it again, and knows its name
   }
 }
 

@@ -21,7 +21,7 @@ std::map<std::string, OgreMaterial> parse_ogre_script(const std::string& text,
 /// The scripts that one document names; each is read once.
 class OgreScripts {
  public:
-  /// A material of a script, or of the "*.material" of a folder; nullptr: there is none of that
+  /// A material of a script, or of the "*.material" of a folder; nullptr: no material has that
   /// name. A script that cannot be read is one warning.
   const OgreMaterial* find(const std::string& path, const std::string& name,
                            const WarningSink& warn);

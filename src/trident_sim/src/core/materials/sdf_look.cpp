@@ -51,7 +51,7 @@ ScriptPaths find_script_paths(const sdf::ElementPtr& script, const ConvertContex
   return paths;
 }
 
-/// A script's picture lies in one of the folders named beside it, beside the script, in the folder
+/// A script's picture lies in one of the folders named with it, next to the script, in the folder
 /// "textures" next to that of the scripts, or among those of GAZEBO_RESOURCE_PATH.
 std::string find_script_texture(const std::string& name, const ScriptPaths& paths,
                                 const ConvertContext& context) {
@@ -92,7 +92,7 @@ void set_texture(const std::string& name, const std::string& file, const Look& l
           context);
 }
 
-/// A script's material stands for its colours; colours beside it count where it is unknown. One
+/// A script's material stands for its colours; colours given with it count where it is unknown. One
 /// that a script on disk has comes before Gazebo's of the same name.
 void read_script(const Look& look, const ConvertContext& context, Material& material) {
   const sdf::ElementPtr& element = look.element;

@@ -6,7 +6,7 @@
 
 namespace trident::sim {
 
-/// -w x (I w + h) in the world frame: h is the momentum of the spun rotors.
+/// -w x (I w + h) in the world frame: h is the momentum of the rotor joints.
 inline Eigen::Vector3d gyroscopic_torque(const EngineBody& body) {
   const Eigen::Vector3d w = body.R_world_body.transpose() * body.w_world;
   return body.R_world_body * -w.cross(body.inertia * w + body.rotor_momentum);

@@ -15,8 +15,8 @@ struct HeightImage {
   std::vector<float> brightness;  ///< row by row, 0 (black) to 1 (white)
 };
 
-/// Reads a PNG (8 or 16 bit; colours are turned grey) or a PGM (P2 or P5, up to 65535). What the
-/// file is, its first bytes tell. Throws Error with the file's name.
+/// Reads a PNG (8 or 16 bit; colours are turned grey) or a PGM (P2 or P5, up to 65535). The first
+/// bytes decide what the file is. Throws Error with the file's name.
 HeightImage read_height_image(const std::string& file);
 
 /// The same, with heights [m] instead of brightness: black is at 0, the brightest pixel at size.z.

@@ -15,7 +15,7 @@
 namespace trident::sim {
 namespace {
 
-/// Which links move as one: disjoint sets joined by rigid and spun joints. The last element stands
+/// Which links move as one: disjoint sets joined by rigid and rotor joints. The last element stands
 /// for the world.
 class LinkGroups {
  public:

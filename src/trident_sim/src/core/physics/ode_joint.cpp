@@ -65,7 +65,7 @@ dJointID make_motor(dWorldID world, const Body& shaft, const Body* other, int ax
 
 void make_gearbox(Joint& joint, dWorldID world) {
   joint.ode = own(make_motor(world, *joint.shaft, joint.reference, 2));
-  // The last holds nothing; it only tells that the two are joined and do not collide.
+  // The last holds nothing; it only says that the two are joined and do not collide.
   joint.ode->more = {make_motor(world, *joint.shaft, body_of(joint.parent), 1),
                      make_motor(world, *joint.shaft, joint.child->body, 1),
                      make_motor(world, *joint.child->body, body_of(joint.parent), 0)};

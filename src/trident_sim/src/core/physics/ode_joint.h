@@ -12,8 +12,8 @@ void make_ode_joint(const Model& model, Joint& joint, dWorldID world);
 void destroy_ode_joint(Joint& joint);
 
 /// The body that a gearbox turns in its reference, so light that it is not felt. ODE couples only
-/// equal rates about one axis; a shaft that meets the two axes at chosen angles makes any ratio of
-/// them, as two bevel gears would.
+/// equal rates about one axis; a shaft that intersects the two axes at chosen angles makes any
+/// ratio of them, as two bevel gears would.
 std::unique_ptr<Body> make_shaft(const Model& model, const Joint& joint, dWorldID world);
 
 /// Prepares for the next step, with the ODE bodies in place: what couples a screw's turn to its

@@ -165,7 +165,7 @@ void PhysicsEngine::load_rotors(double dt_s) {
 
 void PhysicsEngine::advance_rotors(double dt_s) {
   // Nothing turns a rotor about its axis within a step, so it keeps its rate in space and the
-  // carrier's own turning shows in the joint rate; its motor sets the rate anew in the next step.
+  // carrier's own turning shows in the joint rate; its motor sets the rate again in the next step.
   for (const SpunCarrier& carrier : spun_carriers_) {
     const EngineBody& body = *carrier.body;
     const Eigen::Vector3d w_body = body.R_world_body.transpose() * body.w_world;

@@ -29,7 +29,7 @@ class PhysicsEngine {
  public:
   /// Receives what the user should know, a line each.
   using Report = std::function<void(const std::string&)>;
-  /// `rotor_axes_lag`: the axes of spun rotors lag behind their carriers as in Gazebo.
+  /// `rotor_axes_lag`: the axes of rotor joints lag behind their carriers as in Gazebo.
   PhysicsEngine(const PhysicsSpec& spec, bool rotor_axes_lag, Report report);
   ~PhysicsEngine();
   PhysicsEngine(const PhysicsEngine&) = delete;
@@ -37,7 +37,7 @@ class PhysicsEngine {
 
   void configure(const PhysicsSpec& spec);
 
-  /// Runs what makes a collision, and decides whether an Error of it goes on.
+  /// Runs what makes a collision, and decides whether an Error of it is rethrown.
   using Guard = std::function<void(const std::function<void()>& make)>;
   /// Makes the bodies, geometries and joints of `model` from its spec, at the initial pose.
   /// `spun_joints`: names of the joints whose rotors are kept as scalars.

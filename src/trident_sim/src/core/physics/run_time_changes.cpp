@@ -108,7 +108,7 @@ OdeAxis ode_axis(const Joint& joint, std::size_t axis) {
 }
 
 void set_limits(const Joint& joint, const OdeAxis& ode, const AxisSpec& spec) {
-  // Limits of more than half a turn are counted, and set anew in every step.
+  // Limits of more than half a turn are counted, and set again in every step.
   const double reach = joint.spec.type == JointType::kRevolute ? kPi : dInfinity;
   ode.set(joint.ode->id, dParamLoStop + ode.group, spec.lower > -reach ? spec.lower : -dInfinity);
   ode.set(joint.ode->id, dParamHiStop + ode.group, spec.upper < reach ? spec.upper : dInfinity);

@@ -9,10 +9,10 @@
 
 namespace trident::sim {
 
-/// Tells at which steps a sensor of some rate measures. Sample k is due at k / rate after the last
-/// reset, k >= 1, and taken by the first step that ends there or later: on time when the period is
-/// a whole number of steps, else up to a step late, without drift. A rate of zero, or above one
-/// sample per step, means every step.
+/// Decides at which steps a sensor of some rate measures. Sample k is due at k / rate after the
+/// last reset, k >= 1, and taken by the first step that ends there or later: on time when the
+/// period is a whole number of steps, else up to a step late, without drift. A rate of zero, or
+/// above one sample per step, means every step.
 class SampleClock {
  public:
   explicit SampleClock(double rate_hz) : rate_hz_(rate_hz) {}

@@ -6,12 +6,12 @@
 
 namespace trident::sim {
 
-/// How often a refusal is told that comes again and again: the first ten times, then each time that
-/// their number has doubled. A user who tries things out reads of each mistake, a publisher gone
-/// mad fills no log.
+/// How often a refusal is reported that comes again and again: the first ten times, then each time
+/// that their number has doubled. A user who tries things out reads of each mistake, a publisher
+/// gone mad fills no log.
 class SeldomTold {
  public:
-  /// Counts one more; whether it is to be told.
+  /// Counts one more; returns whether it is to be reported.
   bool is_due() {
     ++count_;
     return count_ <= kAlways || (count_ & (count_ - 1)) == 0;

@@ -10,8 +10,9 @@
 
 namespace trident::sim {
 
-/// The files of shapes that are not found: each is told once, with its first place and the number
-/// of places. A collision without its file is an odd element; a visual alone is only told.
+/// The files of shapes that are not found: each is reported once, with its first place and the
+/// number of places. A collision without its file is an odd element; a visual alone is only
+/// reported.
 class MissingFiles {
  public:
   MissingFiles(OddList& odd, const WarningSink& warn) : odd_(odd), warn_(warn) {}
@@ -19,7 +20,7 @@ class MissingFiles {
   /// `file`: kind and URI; `text`: place and what is missing there, for its first use.
   void add_collision(const std::string& file, const std::string& text, const std::string& searched);
   void add_visual(const std::string& file, const std::string& text);
-  /// Tells of all, after the last.
+  /// Reports all, after the last.
   void close();
 
  private:

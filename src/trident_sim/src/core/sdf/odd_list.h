@@ -14,7 +14,7 @@ namespace trident::sim {
 struct OddList {
   OddElements policy = OddElements::kRefuse;
   std::vector<std::string> texts{};
-  /// Further elements that lack what one of `texts` tells of.
+  /// Further elements that lack what one of `texts` names.
   std::vector<std::string> repeats{};
   /// What libsdformat says of a repaired document: many sentences for one element, without a place.
   std::vector<std::string> vague{};

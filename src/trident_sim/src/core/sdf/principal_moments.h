@@ -9,7 +9,7 @@ namespace trident::sim {
 
 /// What is wrong with the principal moments of a positive definite inertia [kg m^2], or "": of a
 /// body none is larger than the sum of the others. Published vehicles, whose moments were measured
-/// or estimated one by one, are beyond it by up to 21 %; what is told of is beyond 50 %, which no
+/// or estimated one by one, are beyond it by up to 21 %; what is reported is beyond 50 %, which no
 /// measurement explains, but a slipped digit or a unit does.
 std::string uneven_moments(const Eigen::Matrix3d& inertia);
 

@@ -142,7 +142,7 @@ Surface convert_surface(const sdf::Collision& collision, const std::string& what
     surface.kd_ns_m = value_or(ode, {"kd"}, surface.kd_ns_m);
     surface.min_depth_m = number_if_given(ode, "min_depth", what).value_or(surface.min_depth_m);
     surface.max_vel_m_s = number_if_given(ode, "max_vel", what).value_or(surface.max_vel_m_s);
-    // Gazebo's way to ask for the world's, which bounds them all.
+    // This asks for the world's in Gazebo, which bounds them all.
     if (surface.max_vel_m_s < 0.0) surface.max_vel_m_s = std::numeric_limits<double>::infinity();
   }
   return surface;

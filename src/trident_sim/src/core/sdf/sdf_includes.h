@@ -18,7 +18,7 @@ using UriFinder = std::function<std::string(const std::string&)>;
 /// What the `<include>`s of a document bring in, read here because libsdformat clones the whole
 /// specification, 40 ms, for each of them. All of them, of worlds and of models in each other, or
 /// none: where one says more than <uri>, <name>, <pose>, <static> and <plugin>s, or its file is not
-/// read without an error, libsdformat does it all and tells of all errors.
+/// read without an error, libsdformat does it all and reports all errors.
 class PlainIncludes {
  public:
   PlainIncludes(const std::string& text, const UriFinder& find);

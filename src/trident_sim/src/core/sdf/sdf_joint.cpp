@@ -11,7 +11,7 @@ namespace trident::sim {
 namespace {
 
 constexpr double kTurn = 6.283185307179586;
-/// SDF's way to say that there is no limit.
+/// In SDF this means that there is no limit.
 constexpr double kNoLimit = 1e16;
 
 void check_dynamics(const AxisSpec& spec, const std::string& what) {

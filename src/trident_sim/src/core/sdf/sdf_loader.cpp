@@ -197,7 +197,7 @@ sdf::Root load_or_repair(SdfSources& sources, const std::string& label, OddList&
   try {
     read = read_document(sources, find);
     return load_strictly(read, find, label, warn);
-  } catch (const sdf::Exception&) {  // told by what follows, or again
+  } catch (const sdf::Exception&) {  // reported by what follows, or again
   } catch (const Error&) {
   }
   if (sources.repair_text() || read.document == nullptr) read = read_document(sources, find);

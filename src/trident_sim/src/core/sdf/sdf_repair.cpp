@@ -28,7 +28,7 @@ std::string text_of(const std::string& element) {
   return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
 }
 
-/// The names on the way to an element, from `/sdf/world[@name="w"]/scene/sky`.
+/// The names on the path to an element, from `/sdf/world[@name="w"]/scene/sky`.
 std::vector<std::string> names_on(const std::string& xml_path) {
   std::vector<std::string> names;
   int depth = 0;
@@ -135,7 +135,7 @@ std::string place_of(const sdf::ElementPtr& element, const SdfSources& sources) 
   return place;
 }
 
-/// Whether an include of the model, or of a model in it, has been told to be left out.
+/// Whether an include of the model, or of a model in it, has been reported as left out.
 bool has_lost_include(const sdf::ElementPtr& model, const SdfSources& sources) {
   if (sources.has_lost_include(place_of(model, sources))) return true;
   for (auto child = model->GetFirstElement(); child; child = child->GetNextElement()) {

@@ -33,9 +33,9 @@ class SdfSources {
  public:
   using Find = std::function<std::string(const std::string& uri)>;
 
-  /// `searched`: where `find` looks, for messages. An include that is not found is told to `warn`
-  /// where odd elements are refused: it leaves a hole in the world, not a broken file. Throws Error
-  /// when the document itself is beyond the limits.
+  /// `searched`: where `find` looks, for messages. An include that is not found is reported to
+  /// `warn` where odd elements are refused: it leaves a hole in the world, not a broken file.
+  /// Throws Error when the document itself is beyond the limits.
   SdfSources(std::string text, const std::string& label, Find find, std::string searched,
              OddList& odd, const WarningSink& warn);
   ~SdfSources();

@@ -8,7 +8,7 @@ namespace trident::sim {
 
 /// Blanks an element `<name …>` that begins in a line (from 1) of well-formed XML, with all that is
 /// in it, after `skipped` of that name in that line; the lines keep their numbers. Returns what was
-/// there, "" when there is none.
+/// there, "" without such an element.
 std::string cut_element(std::string& xml, int line, const std::string& name, int skipped = 0);
 
 /// Blanks XML declarations that something stands before, such as a licence: tinyxml2 refuses what

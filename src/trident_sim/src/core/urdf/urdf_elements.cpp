@@ -14,7 +14,7 @@ using tinyxml2::XMLElement;
 using Names = std::set<std::string>;
 
 // Among them what others than a simulator read, as Gazebo leaves it to them: transmissions of
-// ros_control (whose plugin is told of), mimic, safety and calibration of joints.
+// ros_control (whose plugin is reported), mimic, safety and calibration of joints.
 const Names kInRobot{"link", "joint", "material", "gazebo", "transmission"};
 const Names kInLink{"inertial", "visual", "collision"};
 const Names kInJoint{"origin",     "parent",   "child", "axis",

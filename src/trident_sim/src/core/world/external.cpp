@@ -77,7 +77,7 @@ void World::remove_drive(const Joint& joint, std::size_t axis) {
 void World::restore_drives(const std::vector<JointDrive>& drives) {
   std::vector<std::unique_ptr<JointDrive>> restored;
   for (const JointDrive& then : drives) {
-    // Whoever holds a drive keeps it: it stays the same object.
+    // A holder of a drive keeps it: it stays the same object.
     const auto same = std::find_if(drives_.begin(), drives_.end(), [&then](const auto& now) {
       return now != nullptr && &now->joint() == &then.joint() && now->axis() == then.axis();
     });

@@ -88,7 +88,7 @@ std::unique_ptr<Plugin> World::create_plugin(const PluginSpec& spec, const Plugi
   return plugin;
 }
 
-/// Once in the world, or a fleet would tell it a hundred times.
+/// Once in the world, or a fleet would report it a hundred times.
 void World::tell_unread(const PluginSpec& spec, const PluginParams& params) {
   // Of a link that libsdformat has joined to another; it writes the offsets itself.
   const bool is_lumped = params.has("ignition::corrected_offsets");

@@ -16,7 +16,7 @@ namespace {
 constexpr double kLongFall_m = 100.0;
 const SimTime kFloorPeriod = SimTime::from_seconds(1.0);
 
-/// Whether the model has gone down by that much since it was spawned, and goes on.
+/// Whether the model has gone down by that much since it was spawned, and continues to.
 bool falls(const Model& model) {
   const Link* const link = model.canonical_link();
   if (model.is_static || link == nullptr || link->body == nullptr) return false;

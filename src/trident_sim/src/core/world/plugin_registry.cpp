@@ -23,7 +23,7 @@ void* open_now(const std::string& path) {
   return dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
 }
 
-/// One that lacks a symbol can be ours, too: opening it lazily tells.
+/// One that lacks a symbol can be ours, too: opening it lazily shows that.
 bool is_ours(const std::string& path) {
   void* library = open_now(path);
   if (library == nullptr) library = dlopen(path.c_str(), RTLD_LAZY | RTLD_LOCAL);

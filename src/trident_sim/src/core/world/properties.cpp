@@ -75,7 +75,7 @@ std::set<Body*> hanging_on(const Model& model, const Joint& cut, Body* root, con
   return moved;
 }
 
-/// How `to` moves in the world when its axis goes on by `change`.
+/// How `to` moves in the world when its axis moves by `change`.
 SE3 motion(const Joint& joint, double change) {
   const JointAxis& axis = joint.axes[0];
   const Eigen::Vector3d along = axis.axis_world();

@@ -11,7 +11,7 @@
 namespace trident::sim {
 namespace {
 
-/// The first entry that only one of two sorted lists has, told as news about the second.
+/// The first entry that only one of two sorted lists has, expressed as a change of the second.
 std::string difference(const std::vector<std::string>& then, const std::vector<std::string>& now) {
   for (const std::string& entry : then) {
     if (!std::binary_search(now.begin(), now.end(), entry)) return entry + " is gone";
@@ -37,8 +37,8 @@ std::vector<std::string> World::inventory() const {
   return entries;
 }
 
-/// Everything but the drives, which may come and go. The order is that of names, and the same both
-/// ways.
+/// Everything but the drives, which may come and go. The order is that of names, and the same in
+/// both directions.
 void World::state(StateArchive& archive) {
   archive(time_, dt_, step_count_, reset_step_, physics_, wrenches_, efforts_);
   for (const auto& [name, model] : models_) {

@@ -71,7 +71,7 @@ class Current {
   /// How fast the flow changes for who moves through it with `v_world` [m/s^2].
   Eigen::Vector3d rate(const Eigen::Vector3d& p_world, const Eigen::Vector3d& v_world,
                        double time_s) const;
-  /// Adds the flow at CO to the water that a hull meets.
+  /// Adds the flow at CO to the water that flows against a hull.
   void add_to(const SE3& T_world_co, const Eigen::Vector3d& v_world, double time_s,
               HullWater* water) const;
 

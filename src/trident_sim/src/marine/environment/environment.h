@@ -38,7 +38,7 @@ class Environment : public Sea {
 
  private:
   /// Waves' lengths are those of water as deep as the sea is in the mean, unless a depth is given:
-  /// a length that changed from place to place would want phases that add up along the way.
+  /// a length that changed from place to place would want phases that add up along the path.
   static WaveParams waves_over(const EnvironmentParams& params, const Seabed* seabed) {
     constexpr double kLeast_m = 0.1;
     WaveParams waves = params.waves;

@@ -71,13 +71,13 @@ class Seabed {
  public:
   explicit Seabed(std::vector<GroundGrid> grids);
 
-  /// z of the ground; beside all grids that at the nearest one's edge.
+  /// z of the ground; outside of all grids that at the nearest one's edge.
   double height_m(const Eigen::Vector2d& p_world) const;
   /// Below z = 0; negative on land.
   double depth_m(const Eigen::Vector2d& p_world) const { return -height_m(p_world); }
-  /// Likewise; `enough` or more where the ground about the place is known to lie that deep.
+  /// The same; `enough` or more where the ground about the place is known to lie that deep.
   double depth_m(const Eigen::Vector2d& p_world, double enough) const;
-  /// Mean over the points that lie below `level_m`, of their depth below it; 0: there are none.
+  /// Mean over the points that lie below `level_m`, of their depth below it; 0 without any.
   double mean_depth_m(double level_m) const;
 
  private:

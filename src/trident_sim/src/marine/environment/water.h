@@ -20,7 +20,7 @@ struct WaterColumn {
   std::array<WaterMotion, 2> motion;                ///< at the two depths that were asked for
 };
 
-/// Water as a hull meets it. Implementations are pure functions of place and time, so that it does
+/// Water as a hull feels it. Implementations are pure functions of place and time, so that it does
 /// not matter who asks, how often and in which order.
 class Water {
  public:

@@ -20,10 +20,10 @@ using DepthFunction = std::function<double(const Eigen::Vector2d& p_world, doubl
 ///   eta = sum a cos(theta), theta = k d . p - omega t + phase,
 ///   velocity = sum a omega (d cosh(k(z+h)) cos(theta), sinh(k(z+h)) sin(theta)) / sinh(k h),
 /// in deep water exp(k z) for both quotients. Gerstner's particles move on the same ellipses about
-/// their places of rest, which are sought for a given place. The amplitude grows as 1 - exp(-t/tau)
-/// and fades (smoothstep) where the ground is nearer than `shore_depth`; with a ground and without
-/// a shore_depth where it is nearer than twice the significant height, at which waves begin to
-/// break.
+/// their places of rest, which are found for a given place. The amplitude grows as 1 -
+/// exp(-t/tau) and fades (smoothstep) where the ground is nearer than `shore_depth`; with a ground
+/// and without a shore_depth where it is nearer than twice the significant height, at which waves
+/// begin to break.
 class WaveField : public Water {
  public:
   /// Throws Error for values that are not legal.
@@ -52,7 +52,7 @@ class WaveField : public Water {
 
   /// Factor of all amplitudes at a place and time, in [0, 1].
   double strength(const Eigen::Vector2d& p_world, double time_s) const;
-  /// Likewise, where no ground is near.
+  /// The same where no ground is near.
   double open_strength(double time_s) const;
   /// What the ground does to waves at a place: nothing (kOpen), or it leaves none (kDry), with the
   /// still surface anywhere between two heights.
@@ -65,7 +65,7 @@ class WaveField : public Water {
   /// Eight waves; the last block is filled up with waves of no height.
   struct Block {
     WaveLanes amplitude, omega, phase, k, direction_x, direction_y;
-    WaveLanes gerstner;  ///< amplitude of a particle's way along the wave
+    WaveLanes gerstner;  ///< amplitude of a particle's displacement along the wave
     WaveLanes bed;       ///< 1 / (1 - exp(-2 k depth)), 1 in deep water
   };
   struct Decay {

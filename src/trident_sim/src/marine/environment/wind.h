@@ -59,7 +59,7 @@ class Wind {
   Eigen::Vector3d velocity(const Eigen::Vector3d& p_world) const;
   void step();
   void reset();
-  /// Goes on with another's gusts, scaled to its own strength, so that a change does not jump.
+  /// Continues another's gusts, scaled to its own strength, so that a change does not jump.
   void go_on_from(const Wind& other);
 
   template <class Archive>

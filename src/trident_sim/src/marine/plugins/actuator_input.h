@@ -19,7 +19,7 @@ class ActuatorInput {
   /// `topic` is then where its caller has the numbers from.
   enum class Source { kTopic, kSingleTopic, kStampedTopic, kCaller };
 
-  /// `what` is what diagnostics call it, `unit` is told with the numbers.
+  /// `what` is what diagnostics call it, `unit` is printed with the numbers.
   ActuatorInput(const PluginContext& context, const std::string& topic, std::string what,
                 std::string unit, const Limits& limits, Source source);
 

@@ -53,7 +53,7 @@ FreeThruster read_thruster(const PluginContext& context, const PluginParams& par
 }
 
 /// libfreefloating_gazebo_control.so, as usv_sim_lsa's boats have it: thrusts [N] by name from
-/// <robotNamespace>/thruster_command (JointState; efforts, or positions where there are none) on
+/// <robotNamespace>/thruster_command (JointState; efforts, or positions without them) on
 /// the model's thrusters, and <robotNamespace>/state, the pose of the model in the world with its
 /// velocities in its own axes. One command scales all thrusters down to the strongest's limit.
 class FreeFloatingControl : public Plugin {

@@ -12,7 +12,7 @@ namespace {
 
 /// libtrident_propeller.so: what is seen of a thruster of libtrident_vessel.so. It turns the joint
 /// <jointName>, whose child is a picture without a body of its own, by the thrust T of <thruster>:
-/// at <maxRate> sqrt(T / <maxThrust>), and tells its angle on <robotNamespace>/joint_states.
+/// at <maxRate> sqrt(T / <maxThrust>), and publishes its angle on <robotNamespace>/joint_states.
 class Propeller : public Plugin {
  public:
   explicit Propeller(const PluginContext& context)

@@ -40,7 +40,7 @@ EnvironmentParams read_freefloating(const PluginContext& context) {
 ///
 /// While the world runs it takes changes on the topics environment/tide, waves, current and wind,
 /// each the keys to change as YAML, and environment/water_level [m]. A change acts in the step
-/// that begins next; one that is not legal is refused whole. environment/state tells what is.
+/// that begins next; one that is not legal is refused whole. environment/state publishes what is.
 class SeaPlugin : public Plugin {
  public:
   enum class HasAir { kYes, kNo };
@@ -66,7 +66,7 @@ class SeaPlugin : public Plugin {
     tell_state();
   }
 
-  /// First of all in a step, so that everybody meets the same sea.
+  /// First of all in a step, so that everybody reads the same sea.
   std::vector<Phase> phases() const override { return {Phase::kSense}; }
 
   void pre_step(Phase, World&, const StepInfo& info) override {
@@ -107,7 +107,7 @@ class SeaPlugin : public Plugin {
 
  private:
   struct Refused {
-    std::string newest;  ///< is told once, however often it comes
+    std::string newest;  ///< is reported once, however often it comes
     SeldomTold telling;
   };
   struct Input {

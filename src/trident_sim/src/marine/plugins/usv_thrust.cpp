@@ -121,7 +121,7 @@ class UsvThruster {
   }
 
   /// As VRX spins it: with up to 2 N m, from a tenth of the command on. It is only looked at, so
-  /// that one whose joint has no damping is not spun up for ever.
+  /// that one whose joint has no damping is not accelerated for ever.
   void spin_propeller() {
     constexpr double kLeastPart = 0.1, kTorque = 2.0, kFastest = 100.0;
     const double part = thruster_.command_value() / thruster_.params().max_command;

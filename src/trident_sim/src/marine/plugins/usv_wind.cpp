@@ -57,7 +57,7 @@ WindObject read_object(const PluginParams& params) {
 /// libusv_gazebo_wind_plugin.so, a world's plugin: VRX' wind towards <wind_direction> [deg] with
 /// <wind_mean_velocity> [m/s] and first-order gusts of the standard deviation
 /// <var_wind_gain_constants> [m/s] and the time constant <var_wind_time_constants> [s] on the links
-/// of each <wind_obj> (name, link_name, coeff_vector), told at <update_rate> [Hz] on
+/// of each <wind_obj> (name, link_name, coeff_vector), published at <update_rate> [Hz] on
 /// <topic_wind_speed> [m/s] and <topic_wind_direction> [deg]. It pushes by the apparent wind; VRX
 /// takes the wind over ground, as <legacy_vrx> true does. <random_seed> 0 is the world's seed.
 /// Where no environment gives the world's wind it is this one, for aircraft and anemometers too.

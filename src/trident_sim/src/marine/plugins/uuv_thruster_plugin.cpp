@@ -100,7 +100,7 @@ UuvThruster read_thruster(const PluginParams& params) {
   return UuvThruster(thruster);
 }
 
-/// As services tell it.
+/// As services return it.
 ThrusterSetup read_setup(const PluginParams& params) {
   ThrusterSetup setup;
   setup.thrust_efficiency = params.number("thrust_efficiency", 1.0, {0.0, 1.0});

@@ -23,9 +23,9 @@ class ThrusterOnTopics {
   bool turns() const { return angle_.has_value(); }
   void command(World& world, const StepInfo& info, double value);
   void command_angle(World& world, double angle_rad);
-  /// Takes the commands that came on topics and goes on by a step.
+  /// Takes the commands that came on topics and advances by a step.
   void step(World& world, const StepInfo& info);
-  /// In place of a message: `part` of the largest command either way, [-1, 1].
+  /// In place of a message: `part` of the largest command of either sign, [-1, 1].
   void command_part(double part, const StepInfo& info);
   const Thruster& thruster() const { return thruster_; }
   void publish(SimTime stamp);

@@ -54,7 +54,7 @@ class VesselBody {
   Afloat meet(World& world, const StepInfo& info);
   /// Pushes the body by the water, the wind and what the vessel's actuators do, about CO, body
   /// axes. What others have put on the body in this step so far is felt with added mass; what comes
-  /// later, contacts and joints meet its own mass alone.
+  /// later, contacts and joints act on its own mass alone.
   void push(const World& world, const StepInfo& info, const Afloat& now,
             const Vector6d& tau_actuators);
 

@@ -15,7 +15,7 @@ struct FoilCoefficients {
   double lift = 0.0, drag = 0.0;
 };
 
-/// `attack` in [-pi, pi]; a foil that is met from behind works like one met from ahead.
+/// `attack` in [-pi, pi]; a foil in a flow from behind works like one in a flow from ahead.
 FoilCoefficients foil(const RudderParams& params, double attack) {
   if (std::abs(attack) > 0.5 * kPi) attack -= std::copysign(kPi, attack);
   const double ratio = params.aspect_ratio;

@@ -20,7 +20,7 @@ namespace trident::sim {
 /// Added mass is therefore solved for together with the rigid body's (never fed back as a force of
 /// a past acceleration), and the engine is handed the wrench by which its own M_RB reaches the same
 /// acceleration. What the engine adds within the step is not in that wrench: contacts and joints
-/// meet M_RB alone.
+/// act on M_RB alone.
 ///
 /// `acceleration` is the inertial one in body axes, a = nu_dot + (w x v, 0): it and the terms of
 /// M_RB in it depend on the angular velocity only, so that a uniform current carries every path

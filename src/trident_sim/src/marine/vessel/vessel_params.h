@@ -101,7 +101,7 @@ struct VesselParams {
     ar.field("thrusters", thrusters, "propellers");
     ar.field("rudders", rudders, "behind the hull");
   }
-  /// Throws Error: a diagonal beside its matrix, two thrusters of one name.
+  /// Throws Error: a diagonal in addition to its matrix, two thrusters of one name.
   void validate() const;
 
   /// In FLU, whatever `axes` says.

@@ -15,9 +15,9 @@ namespace trident::sim {
 namespace {
 
 /// libtrident_anemometer.so: the air's velocity in the sensor's frame on <topicName> (wind), and
-/// beside it, on <topicName>_reading, speed and where it comes from, as NMEA 0183's MWV tells them.
-/// <reference> apparent (default): as the sensor feels it on its way; true: over ground. The noise
-/// is white, <gaussianNoise> [m/s] in each axis, and <bias> (three numbers) is added. On a
+/// on <topicName>_reading its speed and where it comes from, as in NMEA 0183's MWV.
+/// <reference> apparent (default): as the sensor feels it while it moves; true: over ground. The
+/// noise is white, <gaussianNoise> [m/s] in each axis, and <bias> (three numbers) is added. On a
 /// <sensor>, or with <linkName> and <updateRate> in a model. The air is that of the world's
 /// environment or VRX' wind; without either it stands still.
 class Anemometer : public MeasuringPlugin {

@@ -14,7 +14,7 @@
 
 namespace trident::sim {
 
-/// What one camera of a sensor is and tells.
+/// What one camera of a sensor is and publishes.
 struct CameraSetup {
   CameraSpec spec;
   CameraModel model;
@@ -27,7 +27,7 @@ struct CameraSetup {
   DepthNoise depth_noise;
   DepthFormat depth_format = DepthFormat::kMetres;
   LabelKind label_kind = LabelKind::kModel;
-  /// Full names of ports; "": not told.
+  /// Full names of ports; "": not published.
   struct Topics {
     std::string image, info, depth, depth_info, cloud, labels, boxes;
   } topics;

@@ -17,7 +17,7 @@ namespace trident::sim {
 /// `<triggerTopicName>` (image_trigger), at the end of the next step.
 enum class Shutter { kRate, kTrigger };
 
-/// The sensor that a camera's plugin belongs to; throws Error where there is none.
+/// The sensor that a camera's plugin belongs to; throws Error if there is no such sensor.
 const SensorSpec& required_sensor(const PluginContext& context);
 
 /// "<robotNamespace>/<cameraName>/<topic>"; an absolute topic stands alone.
@@ -47,7 +47,7 @@ class CameraSensor : public MeasuringPlugin {
   NumberInput angle_, rate_;
   std::optional<RequestInput<TriggerCommand>> trigger_;
   std::vector<std::unique_ptr<CameraOutputs>> cameras_;
-  std::optional<double> drawn_angle_;  ///< what the cameras were told; follows from `angle_`
+  std::optional<double> drawn_angle_;  ///< what the cameras were set to; follows from `angle_`
   std::uint64_t number_ = 0;           ///< of pictures that were due since the last reset
 };
 

@@ -39,7 +39,7 @@ double number_or(const PluginParams& params, const char* key, double fallback) {
 /// Where the middle of the picture is taken to be.
 enum class Centre { kPixelMiddle, kGazebo };
 
-/// `<intrinsics>` as they are told, or what the angle of view means.
+/// `<intrinsics>` as they are given, or what the angle of view means.
 CameraModel read_lens(const CameraSpec& spec, Centre centre) {
   CameraModel model =
       CameraModel::from_angle_of_view(spec.width, spec.height, spec.angle_of_view_rad);
@@ -200,7 +200,7 @@ LabelKind read_label_kind(const PluginParams& params) {
   return is_second_choice(params, "labels", "model", "link") ? LabelKind::kLink : LabelKind::kModel;
 }
 
-/// Ours: all that a camera can tell, with the true middle of the picture.
+/// Ours: all that a camera can publish, with the true middle of the picture.
 std::unique_ptr<Plugin> make_own_camera(const PluginContext& context) {
   const PluginParams& params = context.params;
   CameraSetup setup = read_setup(context, only_camera(context), Centre::kPixelMiddle);

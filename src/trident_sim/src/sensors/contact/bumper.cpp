@@ -45,8 +45,8 @@ std::vector<Geom*> find_geometries(const PluginContext& context) {
 
 /// libgazebo_ros_bumper.so: what the collisions of a contact sensor touch, at the sensor's rate and
 /// also while they touch nothing. <bumperTopicName> (bumper_states), <frameName> (world), which is
-/// only told: positions, normals and wrenches are those of the world, as upstream. Collision 1 is
-/// the sensor's own; torques are about its body's centre of mass.
+/// only published: positions, normals and wrenches are those of the world, as upstream. Collision 1
+/// is the sensor's own; torques are about its body's centre of mass.
 class Bumper : public Plugin {
  public:
   explicit Bumper(const PluginContext& context)
@@ -60,7 +60,7 @@ class Bumper : public Plugin {
   }
 
   std::vector<Phase> phases() const override { return {Phase::kSense, Phase::kPost}; }
-  /// Before the step that is to be told of, so that nobody pays for contacts that nobody reads.
+  /// Before the step that is to be published, so that nobody pays for contacts that nobody reads.
   void pre_step(Phase, World&, const StepInfo& info) override {
     const bool is_watching = states_->wanted() && clock_.is_due(info);
     if (is_watching == is_watching_) return;
@@ -87,7 +87,7 @@ class Bumper : public Plugin {
     return std::find(geoms_.begin(), geoms_.end(), geom) != geoms_.end();
   }
 
-  /// `sign`: -1 when the contact tells the force on the other one.
+  /// `sign`: -1 when the contact holds the force on the other one.
   void add(const Contact& contact, const Geom& own, const Geom& other, double sign,
            const Eigen::Vector3d& p_world_centre) {
     std::vector<TouchSample>& touches = states_->value.touches;

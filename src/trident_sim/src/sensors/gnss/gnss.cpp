@@ -72,9 +72,9 @@ double geoid_separation_m(const PluginContext& context) {
   }
 }
 
-/// libtrident_gnss.so: a receiver with RTK, as position fixes and, beside each, how good it is.
+/// libtrident_gnss.so: a receiver with RTK, as position fixes and, with each, how good it is.
 /// With four satellites it has a single fix, with <rtkSatellites> in view for <floatTime> and
-/// <fixedTime> [s] on end a float and a fixed one; without four it tells none, and no position.
+/// <fixedTime> [s] on end a float and a fixed one; without four it reports none, and no position.
 /// Errors are white, of spreads that depend on the fix: <singleHorizontalStdDev>,
 /// <singleVerticalStdDev>, <float...>, <fixed...> [m]. <satellites> (12) are in view, or with
 /// <skyView> those of them that no collision hides. <fixTopic> (fix), <statusTopic> (gnss_status),

@@ -145,7 +145,7 @@ class GazeboImu : public MeasuringPlugin {
   OutHandle<ImuSample> imu_;
 };
 
-/// "<topic>/calibrate", and what `<serviceName>` says beside it.
+/// "<topic>/calibrate", and what `<serviceName>` names in addition.
 std::vector<std::string> services_of(const PluginParams& params, const std::string& topic) {
   std::vector<std::string> services{topic + "/calibrate"};
   const std::string named = params.text("serviceName", "");

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-// Sensors under the names of hector_gazebo_plugins; their IMU is beside gazebo_ros'.
+// Sensors under the names of hector_gazebo_plugins; their IMU is next to gazebo_ros'.
 #include <GeographicLib/LocalCartesian.hpp>
 #include <algorithm>
 #include <cmath>
@@ -240,7 +240,7 @@ class HectorBaro : public HectorSensor {
 
 /// libhector_gazebo_ros_sonar.so, of a ray sensor: `<topicName>` (sonar), `<frameId>`
 /// (/sonar_link),
-/// `<updateRate>` (10); the nearest range, the largest where nothing is met. The sensor's own
+/// `<updateRate>` (10); the nearest range, the largest where nothing is hit. The sensor's own
 /// `<noise>` counts as well as the plugin's.
 class HectorSonar : public MeasuringPlugin {
  public:

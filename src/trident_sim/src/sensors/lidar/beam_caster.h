@@ -17,12 +17,12 @@
 
 namespace trident::sim {
 
-/// `ray` sensors meet collisions, `gpu_ray` and `gpu_lidar` sensors visuals.
+/// `ray` sensors hit collisions, `gpu_ray` and `gpu_lidar` sensors visuals.
 inline RayGeometry geometry_of(const SensorSpec& sensor) {
   return sensor.type.rfind("gpu", 0) == 0 ? RayGeometry::kVisual : RayGeometry::kCollision;
 }
 
-/// Beams and what they met, in memory that is kept from cast to cast.
+/// Beams and what they hit, in memory that is kept from cast to cast.
 struct BeamBatch {
   std::vector<Ray> rays;
   std::vector<RayHit> hits;
@@ -59,7 +59,7 @@ class BeamCaster {
     water_ = as_water(scene_.refresh_surface(p_world_sensor));
   }
   void cast() { cast(own_); }
-  /// What the sensor notices of what a beam met, or of the water before that; `scan` and `channel`
+  /// What the sensor notices of what a beam hit, or of the water before that; `scan` and `channel`
   /// are for random numbers.
   RayHit hit(std::size_t beam, std::uint64_t scan, std::uint32_t channel) const {
     return hit(own_, beam, scan, channel);

@@ -15,7 +15,7 @@ namespace {
 
 /// libgazebo_ros_block_laser.so: a point per beam, ring by ring. <topicName>, <frameName>,
 /// <updateRate>, and <gaussianNoise> [m], which upstream adds to x, y and z, each its own; the
-/// sensor's noise is that of the range. A beam that meets nothing has its point at the largest
+/// sensor's noise is that of the range. A beam that hits nothing has its point at the largest
 /// range, without noise, as upstream. <hokuyoMinIntensity> is read and does nothing, as upstream.
 class BlockLaser : public MeasuringPlugin {
  public:

@@ -112,7 +112,7 @@ class LaserScanner : public MeasuringPlugin {
       }
       cast(*due);
       if (!due->is_complete) continue;
-      // One that is faster than the step tells all its scans.
+      // One that is faster than the step sends all its scans.
       is_first ? scan_->forget_earlier() : scan_->set_aside();
       is_first = false;
       publish(turn_.stamp(*due));

@@ -32,7 +32,7 @@ std::vector<double> read_numbers(const PluginParams& params, const char* key) {
   return numbers;
 }
 
-/// Of each ring [rad]: those that are told, or as many as the sensor has, evenly spread.
+/// Of each ring [rad]: those that are given, or as many as the sensor has, evenly spread.
 std::vector<double> read_elevations(const BeamFan& fan, const PluginParams& params) {
   std::vector<double> elevations = read_numbers(params, "elevations");
   if (elevations.empty()) {

@@ -61,11 +61,11 @@ struct PatternRequest {
 /// The pattern that `<pattern>` names, of ours:
 /// - "rings" (default): the `<scan>` of the sensor; rings by elevation, all turning about z.
 ///   `<elevations>` [rad], rising, stand in for an even spread of them; the beams of a column are
-///   cast `<beamPeriod>` [s] apart (0) in the order of rings that `<firingOrder>` tells (rising).
+///   cast `<beamPeriod>` [s] apart (0) in the order of rings in `<firingOrder>` (rising).
 ///   Columns follow each other as the sensor turns, one turn a scan, and a beam's azimuth is that
 ///   of its own time.
 /// - "rosette": two wedge prisms that turn at `<prism1Rpm>` (7294) and `<prism2Rpm>` (-4664) bend
-///   the beam by half the cone's angle each; `<horizontal>` tells how many points a scan has and,
+///   the beam by half the cone's angle each; `<horizontal>` sets how many points a scan has and,
 ///   as its angles, -/+ half the cone. Phases run on from scan to scan, so that no scan repeats
 ///   another.
 /// Throws Error that names element, value and legal range.

@@ -250,7 +250,7 @@ class PointLidar : public MeasuringPlugin, public RayJob {
   OutHandle<LidarCloudSample> cloud_;
   SE3 T_world_sensor_;                            ///< now
   std::vector<Cast> casts_;                       ///< of this step
-  std::vector<Block> blocks_;                     ///< likewise
+  std::vector<Block> blocks_;                     ///< of this step
   std::vector<LidarPoint> points_;                ///< of the scan in progress
   std::vector<std::vector<LidarPoint>> returns_;  ///< by block
 };

@@ -15,9 +15,9 @@ namespace trident::sim {
 namespace {
 
 /// libgazebo_ros_range.so: the nearest range of a bundle of rays. <topicName>, <frameName>, <fov>
-/// [rad], which is only told, <radiation> (ultrasound or infrared), <gaussianNoise> [m] besides the
-/// sensor's own, <updateRate>. Where nothing is met it tells the largest range, without noise, as
-/// upstream.
+/// [rad], which is only published, <radiation> (ultrasound or infrared), <gaussianNoise> [m]
+/// besides the sensor's own, <updateRate>. Where nothing is hit it reports the largest range,
+/// without noise, as upstream.
 class RangeFinder : public MeasuringPlugin {
  public:
   explicit RangeFinder(const PluginContext& context)

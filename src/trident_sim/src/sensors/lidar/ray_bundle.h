@@ -17,7 +17,7 @@ namespace trident::sim {
 class RayBundle {
  public:
   /// Throws Error as read_lidar_spec() does, and for a plugin outside of a ray sensor.
-  /// `water`: what it gets back from the sea unless the plugin's <water_returns> tells.
+  /// `water`: what it gets back from the sea unless the plugin has <water_returns>.
   explicit RayBundle(const PluginContext& context, WaterReturns water = WaterReturns::kAuto);
 
   const LidarSpec& spec() const { return spec_; }
@@ -29,7 +29,7 @@ class RayBundle {
 
   /// `scan` is its number since the last reset.
   void cast(std::uint64_t scan);
-  /// Infinite: nothing met in range [m].
+  /// Infinite: nothing hit in range [m].
   double range_m(std::size_t beam) const { return hit(beam).distance_m; }
   double intensity(std::size_t beam) const { return caster_.intensity(hit(beam)); }
 
@@ -47,7 +47,7 @@ class RayBundle {
   std::uint64_t scan_ = 0;
 };
 
-/// The topic that `<topicName>` tells. Throws Error where it is told but empty.
+/// The topic that `<topicName>` names. Throws Error where it is given but empty.
 std::string sensor_topic(const PluginParams& params, const std::string& fallback);
 
 }  // namespace trident::sim

@@ -17,7 +17,7 @@ namespace trident::sim {
 /// velocity and rate.
 class SensorTrack {
  public:
-  /// To be called once a step with the newest pose; the first time there is none before it.
+  /// To be called once a step with the newest pose; the first time there is no earlier one.
   void follow(const SE3& T_world_sensor) {
     T_world_begin_ = has_pose_ ? T_world_end_ : T_world_sensor;
     T_world_end_ = T_world_sensor;

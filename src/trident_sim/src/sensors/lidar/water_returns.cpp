@@ -47,8 +47,8 @@ RayHit WaterSight::see(const RayScene& scene, const WaterSurface& water, const R
     const double limit = behind.met() ? behind.distance_m : ray.t_max_m;
     const WaterReach reach = water.reach(ray);
     if (!(reach.first <= limit)) return behind;
-    // Of most beams that come down to the water chance tells that nothing comes back, wherever that
-    // is: they need not be followed to the very place.
+    // For most beams that come down to the water chance decides that nothing comes back, wherever
+    // that is: they need not be followed to the very place.
     if (reach.last <= limit && returns_ != WaterReturns::kOn) {
       if (returns_ == WaterReturns::kOff) return {};
       const double chance = stream_.uniform(scan, channel);

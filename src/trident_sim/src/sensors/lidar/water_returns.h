@@ -36,14 +36,14 @@ WaterReturns read_water_returns(const PluginParams& params, WaterReturns fallbac
 /// patch below it, some 15 degrees around, and one on a boat the water within few metres.
 double water_return_probability(double cos_incidence, double distance_m);
 
-/// Decides beam by beam whether what it met is told, in a scene that sees water.
+/// Decides beam by beam whether what it hit is reported, in a scene that sees water.
 class WaterSight {
  public:
   /// `sensor_name` names its random numbers.
   WaterSight(WaterReturns returns, std::uint64_t seed, const std::string& sensor_name)
       : returns_(returns), stream_(seed, sensor_name + "/water") {}
 
-  /// What the sensor notices of `behind`, which a beam of unit direction has met in `scene` without
+  /// What the sensor notices of `behind`, which a beam of unit direction has hit in `scene` without
   /// the water; `scan` and `channel` are those of the beam. Under water, `auto` sees nothing, as
   /// water swallows light of 905 nm within decimetres; `on` and `off` see what is there, as through
   /// clear water.

@@ -132,7 +132,7 @@ void read_joints(const Elements& elements, const PluginContext& context, Ackerma
   }
 }
 
-/// Tells of a length in the file that is not that of the joints, which counts, as upstream.
+/// Reports a length in the file that is not that of the joints, which counts, as upstream.
 void compare(const Elements& elements, const PluginContext& context, const std::string& name,
              double actual) {
   const double told = elements.number(name, actual, kLength);

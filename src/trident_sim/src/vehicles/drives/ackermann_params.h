@@ -24,7 +24,7 @@ struct AckermannSpec {
   double steering_wheel_ratio = 1.0;  ///< steering of the wheels per turn of the steering wheel
   bool turn_is_yaw_rate = false;      ///< angular.z is a yaw rate, else the steering angle
 
-  /// As efforts, upstream's way; none: ODE's motors, which need no tuning
+  /// As efforts, as upstream; none: ODE's motors, which need no tuning
   std::array<std::optional<PidGains>, 2> steering_gains;
   std::optional<PidGains> speed_gains;
   double drive_torque = 0.0, steering_torque = 0.0;  ///< limits of the motors of one wheel [N m]

@@ -173,7 +173,7 @@ DifferentialSpec read_common(const PluginContext& context, FramePrefix from, dou
 double side_of(const Joint& joint) { return joint.spec.T_model_joint.p.y(); }
 
 /// In <legacyMode> leftJoint is the one on the right. Upstream takes that for granted where the
-/// element is missing; here the places of the wheels tell.
+/// element is missing; here the places of the wheels decide.
 bool sides_are_swapped(const PluginContext& context, const Joint& left, const Joint& right) {
   if (context.params.has("legacyMode")) return context.params.flag("legacyMode", true);
   const bool swapped = side_of(left) < side_of(right);
@@ -184,9 +184,9 @@ bool sides_are_swapped(const PluginContext& context, const Joint& left, const Jo
   return swapped;
 }
 
-/// libgazebo_ros_diff_drive.so. Beside upstream's elements there is <encoderErrorPerMeter>
+/// libgazebo_ros_diff_drive.so. In addition to upstream's elements there is <encoderErrorPerMeter>
 /// [m^2/m]: the variance of a wheel's travel, from which the covariance of the encoders' odometry
-/// grows; 0, as upstream, tells upstream's constants.
+/// grows; 0, as upstream, reports upstream's constants.
 DifferentialSpec read_diff_drive(const PluginContext& context) {
   const PluginParams& params = context.params;
   DifferentialSpec spec = read_common(context, FramePrefix::kTfPrefixOrNamespace, 0.34);

@@ -18,7 +18,8 @@ struct BaseState {
   SE3 T_odom_base;
   Eigen::Vector3d v_base = Eigen::Vector3d::Zero(), w_base = Eigen::Vector3d::Zero();
 };
-/// Of a model in the world. As upstream tells it: velocity along x and y of the heading, yaw rate.
+/// Of a model in the world. As upstream reports it: velocity along x and y of the heading, yaw
+/// rate.
 BaseState base_state_in_world(const Model& model);
 
 /// The topic of the odometry and the transform odom -> base.

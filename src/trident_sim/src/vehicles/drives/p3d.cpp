@@ -15,12 +15,11 @@ SE3 read_offset(const PluginParams& params) {
 }
 
 /// libgazebo_ros_p3d.so: the true pose of a link, with the velocities of its origin in the axes of
-/// the frame, as upstream tells them, or with <twistFrame> child, ours, in those of the link, as
-/// nav_msgs/Odometry wants them. <bodyName>, <topicName>,
-/// <frameName> (world, map or a link of the model), <xyzOffset>, <rpyOffset>, <gaussianNoise> of
-/// the velocities, <updateRate> (0: every step). Ours: <tfFrameName>, the parent of a transform
-/// that tells the pose, too; the odometry then names the same frames, which are prefixed by the
-/// namespace where there is no tf_prefix.
+/// the frame, as upstream publishes them, or with <twistFrame> child, ours, in those of the link,
+/// as nav_msgs/Odometry wants them. <bodyName>, <topicName>, <frameName> (world, map or a link of
+/// the model), <xyzOffset>, <rpyOffset>, <gaussianNoise> of the velocities, <updateRate> (0: every
+/// step). Ours: <tfFrameName>, the parent of a transform with the pose, too; the odometry then
+/// names the same frames, which are prefixed by the namespace where there is no tf_prefix.
 class P3d : public Plugin {
  public:
   explicit P3d(const PluginContext& context)

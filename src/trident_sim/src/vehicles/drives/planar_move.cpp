@@ -10,7 +10,7 @@
 namespace trident::sim {
 namespace {
 
-/// libgazebo_ros_planar_move.so: moves a model in the plane as it is told, whatever its wheels do.
+/// libgazebo_ros_planar_move.so: moves a model in the plane as commanded, whatever its wheels do.
 /// Walls still stop it, and it still falls: only its velocities along the ground and about the
 /// vertical are set, in every step. <commandTopic>, <odometryTopic>, <odometryFrame>,
 /// <robotBaseFrame>, <odometryRate> 20, <cmdTimeout> [s] after which it stands (< 0: never).

@@ -9,8 +9,8 @@
 
 namespace trident::sim {
 
-// What vehicles are told, and what becomes of it where it cannot be done. Both kinds of trouble are
-// counted in World::diagnostics().
+// Commands of vehicles, and what becomes of those that cannot be executed. Both kinds of problems
+// are counted in World::diagnostics().
 
 /// The newest velocity command that is a number. Others are refused and the last good one stays.
 class VelocityInput {
@@ -36,7 +36,7 @@ class VelocityInput {
   bool is_new_ = false;
 };
 
-/// A number that a vehicle is told and that may be at most +-limit.
+/// A number in a command that may be at most +-limit.
 class CommandLimit {
  public:
   struct Texts {

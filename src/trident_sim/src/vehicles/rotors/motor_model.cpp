@@ -10,7 +10,7 @@
 namespace trident::sim {
 namespace {
 
-constexpr double kFastestCommand = 1e6;  ///< [rad/s], either way
+constexpr double kFastestCommand = 1e6;  ///< [rad/s], of either sign
 
 /// One rotor with its motor: thrust, drag torque, H-force and rolling moment from the present speed
 /// (Martin and Salaun 2010), then a first-order lag of the speed towards the command.

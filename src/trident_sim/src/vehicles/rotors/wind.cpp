@@ -12,8 +12,8 @@
 namespace trident::sim {
 namespace {
 
-/// `size`: of what blows that way. Published vehicles give the gust that they do not have no
-/// direction.
+/// `size`: of what blows in that direction. Published vehicles give the gust that they do not have
+/// no direction.
 Eigen::Vector3d read_direction(const PluginParams& params, const char* key,
                                const Eigen::Vector3d& fallback, double size) {
   const Eigen::Vector3d direction = params.vector3(key, fallback);
@@ -109,7 +109,7 @@ class WindPlugin : public Plugin {
     } else if (is_worlds) {
       speed_->value.v_world = around_.air()->wind(link_.T_world_link().p);
     }
-    // A constant wind is told once, so that whoever writes to the port later is heard.
+    // A constant wind is written once, so that a later writer to the port is heard.
     if (field_ || is_worlds || to_rotors_->count() == 0) to_rotors_->write(speed_->value);
     if (speed_->wanted()) speed_->publish();
   }
