@@ -81,7 +81,7 @@ void HoverWorld::spawn_vehicle(int index, const std::string& urdf,
   control::TimedSetpoint hover;
   hover.point.p_world = {T_world_model.p.x(), T_world_model.p.y(), kHoverHeight_m};
   setpoint->write({SimTime{}, {hover}});
-  p_world_told_[ns] = hover.point.p_world;
+  p_world_goal_[ns] = hover.point.p_world;
 }
 
 void HoverWorld::step_seconds(double seconds) {
@@ -99,7 +99,7 @@ void HoverWorld::take_off(double z_m) {
 
 double HoverWorld::lowest_z_m() const {
   double lowest = std::numeric_limits<double>::infinity();
-  for (const auto& [name, told] : p_world_told_) {
+  for (const auto& [name, p_goal] : p_world_goal_) {
     lowest = std::min(lowest, world_->find_model(name)->T_world_model().p.z());
   }
   return lowest;
@@ -107,8 +107,8 @@ double HoverWorld::lowest_z_m() const {
 
 double HoverWorld::largest_offset_m() const {
   double largest = 0.0;
-  for (const auto& [name, told] : p_world_told_) {
-    largest = std::max(largest, (world_->find_model(name)->T_world_model().p - told).norm());
+  for (const auto& [name, p_goal] : p_world_goal_) {
+    largest = std::max(largest, (world_->find_model(name)->T_world_model().p - p_goal).norm());
   }
   return largest;
 }

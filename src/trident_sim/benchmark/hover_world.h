@@ -33,7 +33,7 @@ class HoverWorld {
   Resources resources_;
   PluginRegistry registry_;
   std::unique_ptr<World> world_;
-  std::map<std::string, Eigen::Vector3d> p_world_told_;
+  std::map<std::string, Eigen::Vector3d> p_world_goal_;
 };
 
 }  // namespace trident::sim

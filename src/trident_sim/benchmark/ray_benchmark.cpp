@@ -49,31 +49,31 @@ std::vector<Ray> make_rings() {
 
 struct Rate {
   double mrays_per_s = 0.0;
-  double met_share = 0.0;
+  double hit_share = 0.0;
 };
 
 template <class Call>
 Rate measure(std::size_t rays, Call&& call) {
-  std::size_t met = call();
+  std::size_t hit_count = call();
   std::uint64_t rounds = 0;
   const double begin = thread_cpu_s();
   double spent_s = 0.0;
   while (spent_s < kMinCpuSeconds) {
-    for (int i = 0; i < 10; ++i) met = call();
+    for (int i = 0; i < 10; ++i) hit_count = call();
     rounds += 10;
     spent_s = thread_cpu_s() - begin;
   }
   return {static_cast<double>(rounds * rays) / spent_s / 1e6,
-          static_cast<double>(met) / static_cast<double>(rays)};
+          static_cast<double>(hit_count) / static_cast<double>(rays)};
 }
 
 Rate measure_cast(const RayScene& scene, const std::vector<Ray>& rays, const RayFilter& filter) {
   std::vector<RayHit> hits(rays.size());
   return measure(rays.size(), [&] {
     scene.cast(rays, hits, filter);
-    std::size_t met = 0;
-    for (const RayHit& hit : hits) met += hit.met() ? 1 : 0;
-    return met;
+    std::size_t hit_count = 0;
+    for (const RayHit& hit : hits) hit_count += hit.is_hit() ? 1 : 0;
+    return hit_count;
   });
 }
 
@@ -84,7 +84,7 @@ Rate measure_shadows(const RayScene& scene, const std::vector<Ray>& rays) {
   scene.cast(rays, hits);
   std::vector<Ray> to_lamp;
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    if (!hits[i].met()) continue;
+    if (!hits[i].is_hit()) continue;
     const Eigen::Vector3d p = rays[i].p_world_origin + hits[i].distance_m * rays[i].direction_world;
     const double distance = (lamp - p).norm();
     to_lamp.push_back({p, (lamp - p) / distance, 1e-3, distance});
@@ -92,15 +92,15 @@ Rate measure_shadows(const RayScene& scene, const std::vector<Ray>& rays) {
   const std::unique_ptr<bool[]> dark(new bool[to_lamp.size()]);
   return measure(to_lamp.size(), [&] {
     scene.occluded(to_lamp, {dark.get(), to_lamp.size()});
-    std::size_t met = 0;
-    for (std::size_t i = 0; i < to_lamp.size(); ++i) met += dark[i] ? 1 : 0;
-    return met;
+    std::size_t hit_count = 0;
+    for (std::size_t i = 0; i < to_lamp.size(); ++i) hit_count += dark[i] ? 1 : 0;
+    return hit_count;
   });
 }
 
 void print(const char* name, const Rate& rate) {
   std::printf("\"%s\": {\"mrays_per_s_core\": %.2f, \"met_share\": %.3f}, ", name, rate.mrays_per_s,
-              rate.met_share);
+              rate.hit_share);
 }
 
 double refresh_us(World& world, RayScene& scene, bool moving) {

@@ -35,7 +35,7 @@ class CarWorld {
   void command(double v, double w);
   void run(double seconds);
   SE2 truth() const { return SE2::projected(model->T_world_model()); }
-  SE2 told() const { return SE2::projected(odometry->value.T_parent_child); }
+  SE2 reported_pose() const { return SE2::projected(odometry->value.T_parent_child); }
   /// Where the middle of the rear axle is.
   Eigen::Vector2d axle() const;
   /// Angles of the left and the right front wheel.

@@ -38,7 +38,7 @@ class CartWorld {
   void run(double seconds);
   SE2 truth() const { return SE2::projected(model->T_world_model()); }
   /// As the drive reported it last.
-  SE2 told() const { return SE2::projected(odometry->value.T_parent_child); }
+  SE2 reported_pose() const { return SE2::projected(odometry->value.T_parent_child); }
   /// Velocity along the heading [m/s].
   double speed() const;
 

@@ -62,11 +62,11 @@ ModelSpec robot_with(const LidarOptions& options, const SE3& T_world_model) {
 }
 
 void add_walls(TestWorld& world, double half_m, double height_m) {
-  const double thick = 0.2, centre = half_m + thick / 2.0, length = 2.0 * half_m + 2.0 * thick;
-  world.add(make_static("east", BoxShape{{thick, length, height_m}}, at(centre, 0, 0)));
-  world.add(make_static("west", BoxShape{{thick, length, height_m}}, at(-centre, 0, 0)));
-  world.add(make_static("north", BoxShape{{length, thick, height_m}}, at(0, centre, 0)));
-  world.add(make_static("south", BoxShape{{length, thick, height_m}}, at(0, -centre, 0)));
+  const double thick = 0.2, center = half_m + thick / 2.0, length = 2.0 * half_m + 2.0 * thick;
+  world.add(make_static("east", BoxShape{{thick, length, height_m}}, at(center, 0, 0)));
+  world.add(make_static("west", BoxShape{{thick, length, height_m}}, at(-center, 0, 0)));
+  world.add(make_static("north", BoxShape{{length, thick, height_m}}, at(0, center, 0)));
+  world.add(make_static("south", BoxShape{{length, thick, height_m}}, at(0, -center, 0)));
 }
 
 double wall_range(double half_m, double angle) {

@@ -36,7 +36,7 @@ WorldOptions TestWorld::listening(WorldOptions options) {
   return options;
 }
 
-std::size_t TestWorld::told(Severity severity, const std::string& fragment) const {
+std::size_t TestWorld::report_count(Severity severity, const std::string& fragment) const {
   return static_cast<std::size_t>(
       std::count_if(reports.begin(), reports.end(), [&](const Report& report) {
         return report.severity == severity && report.text.find(fragment) != std::string::npos;

@@ -39,7 +39,7 @@ class TestWorld {
   /// Spawns and returns the model.
   Model& add(ModelSpec spec) { return world_.spawn(std::move(spec), ""); }
   /// Reports that contain `fragment`.
-  std::size_t told(Severity severity, const std::string& fragment) const;
+  std::size_t report_count(Severity severity, const std::string& fragment) const;
 
   PluginRegistry registry;
   std::vector<Report> reports;

@@ -75,7 +75,7 @@ py::tuple cast_rays(Session& session, const py::object& origins, const py::objec
   for (py::ssize_t i = 0; i < count; ++i) {
     const RayHit& hit = hits[static_cast<std::size_t>(i)];
     distances(i) = hit.distance_m;
-    shapes(i) = hit.met() ? static_cast<std::int64_t>(hit.shape) : -1;
+    shapes(i) = hit.is_hit() ? static_cast<std::int64_t>(hit.shape) : -1;
     for (py::ssize_t k = 0; k < 3; ++k) normals(i, k) = hit.normal_world[k];
   }
   return py::make_tuple(distance, normal, shape);

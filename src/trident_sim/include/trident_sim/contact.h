@@ -17,8 +17,8 @@ struct Contact {
   Eigen::Vector3d force_world = Eigen::Vector3d::Zero();   ///< on geometry 1, friction included [N]
   /// Where geometry 1 and 2 are pushed about: the centres of mass of their bodies, and the middle
   /// of a geometry that is part of the world.
-  Eigen::Vector3d p_world_centre1 = Eigen::Vector3d::Zero();
-  Eigen::Vector3d p_world_centre2 = Eigen::Vector3d::Zero();
+  Eigen::Vector3d p_world_center1 = Eigen::Vector3d::Zero();
+  Eigen::Vector3d p_world_center2 = Eigen::Vector3d::Zero();
 };
 
 }  // namespace trident::sim

@@ -38,7 +38,7 @@ class LockstepVehicle {
   SimTime next_to_send(WallTime now);
 
   /// The world has seen that a controller is connected and waits for it from the first state on.
-  void enrol() { enrolled_ = true; }
+  void enroll() { enrolled_ = true; }
   /// The controller is gone, or too slow: states flow freely again.
   void release();
   /// Time was set back or the states in flight are void.
@@ -80,8 +80,8 @@ class SetpointSources {
   };
 
   /// Throws Error for a period that is not positive or a source without vehicles. `now`: sim time.
-  SimTime enrol(const std::string& node, const std::vector<std::string>& vehicles, SimTime period,
-                SimTime end, SimTime now, bool waits_beyond_end = false);
+  SimTime enroll(const std::string& node, const std::vector<std::string>& vehicles, SimTime period,
+                 SimTime end, SimTime now, bool waits_beyond_end = false);
   void release(const std::string& node);
   void clear() { sources_.clear(), covered_.clear(), replaced_.clear(); }
 

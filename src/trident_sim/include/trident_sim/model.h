@@ -85,15 +85,15 @@ struct Joint {
   /// On the axis of a revolute or prismatic joint, in place of its dry friction
   std::optional<JointMotor> motor;
 
-  bool spun = false;
+  bool is_rotor = false;
   Eigen::Vector3d axis_body =
       Eigen::Vector3d::UnitZ();  ///< of the carrier's body, rotor joint only
   /// Where the rotor's own axis points, which lags behind axis_body as in Gazebo; rotor joint only
   Eigen::Vector3d rotor_axis_body = Eigen::Vector3d::UnitZ();
   double transverse_inertia = 0.0;  ///< [kg m^2], mean, rotor joint only
   double axial_inertia = 0.0;       ///< [kg m^2], rotor joint only
-  double spun_position = 0.0;       ///< [rad]
-  double spun_velocity = 0.0;       ///< [rad/s]
+  double rotor_position = 0.0;      ///< [rad]
+  double rotor_velocity = 0.0;      ///< [rad/s]
 
   /// Axes that can be read and driven; none of a rigid joint, a ball and a rotor joint's
   /// neighbours.

@@ -30,7 +30,7 @@ struct PluginExample {
 struct PluginFactory {
   std::function<std::unique_ptr<Plugin>(const PluginContext&)> create;
   /// Name of the joint whose child this plugin spins as a rotor (see Model), or "".
-  std::function<std::string(const PluginParams&)> spun_joint;
+  std::function<std::string(const PluginParams&)> rotor_joint;
   /// Of a plugin that the conformance suite runs.
   std::optional<PluginExample> example = std::nullopt;
 };

@@ -66,11 +66,11 @@ class OutPort : public PortBase {
   void publish() { ++count_; }
 
   /// Of a sensor that is faster than the step: what was published in the same step before `value`,
-  /// oldest first. Its plugin calls forget_earlier() before the first sample of a step and
-  /// set_aside() before it overwrites one by the next.
+  /// oldest first. Its plugin calls clear_buffered() before the first sample of a step and
+  /// buffer_sample() before it overwrites one by the next.
   Span<const T> earlier() const { return {earlier_.data(), earlier_count_}; }
-  void forget_earlier() { earlier_count_ = 0; }
-  void set_aside() {
+  void clear_buffered() { earlier_count_ = 0; }
+  void buffer_sample() {
     if (earlier_count_ == earlier_.size()) earlier_.emplace_back();
     earlier_[earlier_count_++] = value;
   }

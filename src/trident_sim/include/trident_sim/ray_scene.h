@@ -48,7 +48,7 @@ struct RayHit {
   /// hull of a round shape, metres on a plane, the file's own on a mesh.
   Eigen::Vector2f uv = Eigen::Vector2f::Zero();
 
-  bool met() const { return shape != kNothing; }
+  bool is_hit() const { return shape != kNothing; }
 };
 
 /// Which shapes a cast does not see. One for all its rays, as they come from one sensor.
@@ -145,7 +145,7 @@ class RayScene {
   // For pictures, whose neighbouring rays hit the same surfaces: see rays/ray_packet.h.
 
   /// What each ray of a packet hits first, in float.
-  void meet(const RayPacket& rays, PacketHits& hits, std::uint32_t mask = 0xffffffff) const;
+  void intersect(const RayPacket& rays, PacketHits& hits, std::uint32_t mask = 0xffffffff) const;
   /// Which rays of a packet anything that casts shadows lies on, bit by bit.
   std::uint32_t shaded(const RayPacket& rays, std::uint32_t mask = 0xffffffff) const;
   /// What the surface is like that a ray of a packet hit.

@@ -34,8 +34,8 @@ struct ThrusterChange {
 inline bool is_efficiency(double value) { return value >= 0.0 && value <= 1.0; }
 
 inline void apply(const ThrusterChange& change, ThrusterSetup* setup) {
-  const auto take = [](const std::optional<double>& told, double* value) {
-    if (told && is_efficiency(*told)) *value = *told;
+  const auto take = [](const std::optional<double>& given, double* value) {
+    if (given && is_efficiency(*given)) *value = *given;
   };
   if (change.is_on) setup->is_on = *change.is_on;
   take(change.thrust_efficiency, &setup->thrust_efficiency);

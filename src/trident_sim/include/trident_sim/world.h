@@ -220,11 +220,11 @@ class World {
   };
   std::unique_ptr<Plugin> create_plugin(const PluginSpec& spec, const PluginPlace& place,
                                         const std::string& owner);
-  void tell_unread(const PluginSpec& spec, const PluginParams& params);
-  void tell_overlap(const Model& model);
-  void tell_odd(const std::string& text);
+  void report_unread(const PluginSpec& spec, const PluginParams& params);
+  void report_overlap(const Model& model);
+  void report_odd(const std::string& text);
   void leave_out_if_odd(const std::function<void()>& load);
-  void tell_missing_floor();
+  void report_missing_floor();
   void drop_references(const Model& model);
   void restore_drives(const std::vector<JointDrive>& drives);
   std::vector<std::string> inventory() const;
@@ -240,9 +240,9 @@ class World {
   WorldOptions options_;
   WorkerPool workers_;
   Diagnostics diagnostics_;
-  std::set<std::string> told_elements_;  ///< of plugins, that none of them reads
+  std::set<std::string> reported_elements_;  ///< of plugins, that none of them reads
   std::vector<std::string> odd_elements_;
-  SimTime next_floor_look_;  ///< see tell_missing_floor()
+  SimTime next_floor_look_;  ///< see report_missing_floor()
   PortBoard ports_;
   std::unique_ptr<PhysicsEngine> engine_;
   std::map<std::string, std::unique_ptr<Model>> models_;

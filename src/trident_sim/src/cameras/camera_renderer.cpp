@@ -146,7 +146,7 @@ void CameraRenderer::render_tile(const Frame& frame, int column, int row, Seen& 
 /// Casts the rays of a tile, again from behind a surface that is seen from behind.
 void CameraRenderer::see(const Frame& frame, const ViewTable::Tile& tile, bool with_look,
                          Seen& seen) const {
-  constexpr int kMostBehindOneAnother = 32;
+  constexpr int kMaxBehindOneAnother = 32;
   RayPacket& rays = seen.rays;
   rays.origin_x.fill(static_cast<float>(frame.p_world_camera.x()));
   rays.origin_y.fill(static_cast<float>(frame.p_world_camera.y()));
@@ -160,9 +160,9 @@ void CameraRenderer::see(const Frame& frame, const ViewTable::Tile& tile, bool w
   rays.t_min.fill(static_cast<float>(spec_.near_m));
   rays.t_max.fill(static_cast<float>(spec_.far_m));
   rays.valid.fill(-1);
-  frame.scene.meet(rays, seen.hits);
+  frame.scene.intersect(rays, seen.hits);
   seen.points.valid.fill(0);
-  for (int round = 0; round < kMostBehindOneAnother; ++round) {
+  for (int round = 0; round < kMaxBehindOneAnother; ++round) {
     bool is_done = true;
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
       if (rays.valid[lane] == 0) continue;
@@ -171,7 +171,7 @@ void CameraRenderer::see(const Frame& frame, const ViewTable::Tile& tile, bool w
     }
     if (is_done) return;
     PacketHits again;
-    frame.scene.meet(rays, again);
+    frame.scene.intersect(rays, again);
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
       if (rays.valid[lane] == 0) continue;
       seen.hits.t[lane] = again.t[lane];
@@ -202,7 +202,7 @@ void CameraRenderer::see_water(const Frame& frame, Seen& seen) const {
     // Most lanes end above all waves.
     const auto rising = static_cast<double>(rays.direction_z[lane]);
     if (above_m > 0.0 && (rising >= 0.0 || above_m > -rising * behind)) {
-      view.met[lane] = {};
+      view.water_hits[lane] = {};
       view.behind[lane] = static_cast<float>(behind);
       continue;
     }
@@ -210,15 +210,16 @@ void CameraRenderer::see_water(const Frame& frame, Seen& seen) const {
     ray.p_world_origin = frame.p_world_camera;
     ray.direction_world = {rays.direction_x[lane], rays.direction_y[lane], rays.direction_z[lane]};
     ray.t_min_m = spec_.near_m;
-    WaterMeeting& met = view.met[lane];
-    met = frame.water->meet(ray, behind);
+    WaterHit& water_hit = view.water_hits[lane];
+    water_hit = frame.water->find_hit(ray, behind);
     view.behind[lane] = static_cast<float>(behind);
-    const bool is_met = std::isfinite(met.t);
-    view.is_needed = view.is_needed || is_met || met.begins_below;
-    if (!is_met) continue;
-    if (behind - met.t > WaterPainter::kMurk_m || met.begins_below) seen.points.valid[lane] = 0;
-    const bool is_near = met.t <= spec_.far_m;
-    seen.depths[lane] = is_near ? met.t : kInfinity;
+    const bool is_hit = std::isfinite(water_hit.t);
+    view.is_needed = view.is_needed || is_hit || water_hit.begins_below;
+    if (!is_hit) continue;
+    if (behind - water_hit.t > WaterPainter::kMurk_m || water_hit.begins_below)
+      seen.points.valid[lane] = 0;
+    const bool is_near = water_hit.t <= spec_.far_m;
+    seen.depths[lane] = is_near ? water_hit.t : kInfinity;
     seen.hits.shape[lane] = is_near ? frame.scene.surface_shape() : Picture::kNothing;
   }
 }
@@ -278,7 +279,7 @@ bool CameraRenderer::describe(const Frame& frame, std::size_t lane, bool with_lo
   const float width_m =
       static_cast<float>(t) * frame.pixel_angle / std::sqrt(std::max(aslant, 1e-3F));
   const Eigen::Vector3f albedo =
-      surface.look.texture->at(uv.cast<float>(), width_m * surface.texels_per_metre);
+      surface.look.texture->at(uv.cast<float>(), width_m * surface.texels_per_meter);
   set_lane(points.ambient, lane, albedo);
   set_lane(points.diffuse, lane, albedo);
   return true;

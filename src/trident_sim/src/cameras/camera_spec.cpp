@@ -12,8 +12,8 @@
 namespace trident::sim {
 namespace {
 
-constexpr double kMostPixels = 16384;  ///< a side
-constexpr double kFarthest = 1e6;      ///< [m]
+constexpr double kMaxPixels = 16384;  ///< a side
+constexpr double kFarthest = 1e6;     ///< [m]
 
 const ParamNode& child_or_empty(const ParamNode& node, const char* name) {
   static const ParamNode empty;
@@ -114,12 +114,12 @@ CameraSpec read_camera(const ParamNode& element, const ParamNode& sensor,
   const std::string whose = owner + " <camera>";
   const PluginParams params(element, whose);
   camera.T_sensor_camera = read_pose(params);
-  camera.angle_of_view_rad = params.number("horizontal_fov", camera.angle_of_view_rad,
-                                           {kLeastAngleOfView, kLargestAngleOfView});
+  camera.angle_of_view_rad =
+      params.number("horizontal_fov", camera.angle_of_view_rad, {kMinAngleOfView, kMaxAngleOfView});
   const PluginParams image(child_or_empty(element, "image"), whose + " <image>");
   check_pixels(image, sensor, whose);
-  camera.width = image.integer("width", camera.width, {1.0, kMostPixels});
-  camera.height = image.integer("height", camera.height, {1.0, kMostPixels});
+  camera.width = image.integer("width", camera.width, {1.0, kMaxPixels});
+  camera.height = image.integer("height", camera.height, {1.0, kMaxPixels});
   camera.format = read_format(image);
   const PluginParams clip(child_or_empty(element, "clip"), whose + " <clip>");
   camera.near_m = clip.number("near", camera.near_m, {0.0, kFarthest});

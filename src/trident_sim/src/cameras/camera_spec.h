@@ -19,7 +19,7 @@ const char* encoding_name(PixelFormat format);
 int channel_count(PixelFormat format);
 
 /// Legal angles of view along a row [rad].
-constexpr double kLeastAngleOfView = 0.01, kLargestAngleOfView = 3.14;
+constexpr double kMinAngleOfView = 0.01, kMaxAngleOfView = 3.14;
 
 /// `<lens><intrinsics>`, which stands in for the angle of view: CameraInfo's K [pixels].
 struct Intrinsics {

@@ -29,10 +29,10 @@ Quantiles make_quantiles() {
     upper[i] = quantile(0.5 + (static_cast<double>(i) + 0.5) / kQuantiles);
     squares += upper[i] * upper[i];
   }
-  const double stretch = std::sqrt(static_cast<double>(upper.size()) / squares);
+  const double scale = std::sqrt(static_cast<double>(upper.size()) / squares);
   Quantiles quantiles;
   for (std::size_t i = 0; i < upper.size(); ++i) {
-    quantiles[2 * i] = static_cast<float>(stretch * upper[i]);
+    quantiles[2 * i] = static_cast<float>(scale * upper[i]);
     quantiles[2 * i + 1] = -quantiles[2 * i];
   }
   return quantiles;

@@ -21,16 +21,16 @@ std::uint32_t color_of(const std::vector<std::uint8_t>& colors, PixelFormat form
   return format == PixelFormat::kRgb8 ? packed(c[0], c[1], c[2]) : packed(c[2], c[1], c[0]);
 }
 
-std::uint16_t to_millimetres(float depth_m) {
-  const long millimetres = std::lround(1000.0 * static_cast<double>(depth_m));
-  return millimetres > 65535 ? 0 : static_cast<std::uint16_t>(millimetres);
+std::uint16_t to_millimeters(float depth_m) {
+  const long millimeters = std::lround(1000.0 * static_cast<double>(depth_m));
+  return millimeters > 65535 ? 0 : static_cast<std::uint16_t>(millimeters);
 }
 
 }  // namespace
 
 void write_depths(const std::vector<float>& depths, const DepthRange& range, DepthFormat format,
                   std::vector<std::uint8_t>& data) {
-  if (format == DepthFormat::kMetres) {
+  if (format == DepthFormat::kMeters) {
     data.resize(depths.size() * sizeof(float));
     for (std::size_t i = 0; i < depths.size(); ++i) {
       const float depth = range.holds(depths[i]) ? depths[i] : range.beyond;
@@ -40,7 +40,7 @@ void write_depths(const std::vector<float>& depths, const DepthRange& range, Dep
   }
   data.resize(depths.size() * sizeof(std::uint16_t));
   for (std::size_t i = 0; i < depths.size(); ++i) {
-    const std::uint16_t depth = range.holds(depths[i]) ? to_millimetres(depths[i]) : 0;
+    const std::uint16_t depth = range.holds(depths[i]) ? to_millimeters(depths[i]) : 0;
     std::memcpy(&data[i * sizeof(depth)], &depth, sizeof(depth));
   }
 }

@@ -22,7 +22,7 @@ struct DepthRange {
   }
 };
 
-enum class DepthFormat { kMetres, kMillimetres };  ///< 32FC1; 16UC1, where 0 is "none"
+enum class DepthFormat { kMeters, kMillimeters };  ///< 32FC1; 16UC1, where 0 is "none"
 
 void write_depths(const std::vector<float>& depths, const DepthRange& range, DepthFormat format,
                   std::vector<std::uint8_t>& data);

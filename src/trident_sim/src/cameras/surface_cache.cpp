@@ -24,7 +24,7 @@ void SurfaceCache::fill(Slot& slot, std::uint32_t shape, std::uint32_t primitive
   if (surface.look.texture != nullptr) {
     const Texture::Level& picture = surface.look.texture->levels.front();
     const Eigen::Vector2d size(picture.columns, picture.rows);
-    surface.texels_per_metre =
+    surface.texels_per_meter =
         static_cast<float>((size.asDiagonal() * surface.look.uv_slope).rowwise().norm().maxCoeff());
   }
   const Material& material = scene_->materials()[surface.look.material];

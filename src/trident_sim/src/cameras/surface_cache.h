@@ -16,7 +16,7 @@ struct SeenSurface {
   double gap_m = 0.0;            ///< of a flat surface, from the camera, along its normal
   Eigen::Vector3f normal_world;  ///< of a flat surface, towards the camera
   Eigen::Vector3f ambient, diffuse, emissive;
-  float texels_per_metre = 0.0F;  ///< of a flat surface with a texture
+  float texels_per_meter = 0.0F;  ///< of a flat surface with a texture
 
   /// Of a flat surface: it is seen from behind.
   bool is_turned_away() const { return gap_m >= 0.0; }

@@ -32,7 +32,7 @@ float fresnel_of(float cosine) { return kMirror + (1.0F - kMirror) * to_the_fift
 
 /// Where a ray hits the surface, and how that leans there.
 struct WaterPainter::Facet {
-  bool is_met = false;
+  bool is_hit = false;
   Eigen::Vector3f p, normal, to_eye;
   Eigen::Vector2f slope;
   float spread;  ///< mean square of slopes about this one
@@ -68,9 +68,9 @@ Eigen::Vector3f WaterPainter::sky(float up) const {
 
 WaterPainter::Facet WaterPainter::facet_of(const WaterView& view, std::size_t lane) const {
   Facet facet;
-  const double t = view.met[lane].t;
-  facet.is_met = std::isfinite(t);
-  if (!facet.is_met) return facet;
+  const double t = view.water_hits[lane].t;
+  facet.is_hit = std::isfinite(t);
+  if (!facet.is_hit) return facet;
   const Eigen::Vector3f d(view.d_x[lane], view.d_y[lane], view.d_z[lane]);
   const Eigen::Vector3d p = view.p_world_camera + t * d.cast<double>();
   const float length = d.norm();
@@ -94,9 +94,9 @@ WaterPainter::Facet WaterPainter::facet_of(const WaterView& view, std::size_t la
   return facet;
 }
 
-Eigen::Vector3f WaterPainter::through_water(const Eigen::Vector3f& color, float way_m) const {
-  if (way_m > kClear_m) return deep_;
-  const Eigen::Array3f left = (-way_m * kExtinction.array()).exp();
+Eigen::Vector3f WaterPainter::through_water(const Eigen::Vector3f& color, float path_m) const {
+  if (path_m > kClear_m) return deep_;
+  const Eigen::Array3f left = (-path_m * kExtinction.array()).exp();
   return (left * color.array() + (1.0F - left) * deep_.array()).matrix();
 }
 
@@ -128,7 +128,7 @@ void WaterPainter::add_glitter(const Sun& sun, const std::array<Facet, kPacketLa
   for (std::size_t i = 0; i < kPacketLanes; ++i) {
     const Facet& facet = facets[i];
     to_sun.origin_x[i] = to_sun.origin_y[i] = to_sun.origin_z[i] = 0.0F;
-    if (!facet.is_met) continue;
+    if (!facet.is_hit) continue;
     const Eigen::Vector3f half = (sun.to_sun + facet.to_eye).normalized();
     const Eigen::Vector2f slope = -half.head<2>() / std::max(half.z(), 1e-3F);
     const float rare = (slope - facet.slope).squaredNorm() / facet.spread;
@@ -164,18 +164,19 @@ void WaterPainter::add_glitter(const Sun& sun, const std::array<Facet, kPacketLa
 void WaterPainter::paint(const WaterView& view, PacketColor& color) const {
   std::array<Facet, kPacketLanes> glittering;
   for (std::size_t i = 0; i < kPacketLanes; ++i) {
-    const WaterMeeting& met = view.met[i];
+    const WaterHit& water_hit = view.water_hits[i];
     const Facet facet = facet_of(view, i);
-    if (!facet.is_met && !met.begins_below) continue;
+    if (!facet.is_hit && !water_hit.begins_below) continue;
     const float length = Eigen::Vector3f(view.d_x[i], view.d_y[i], view.d_z[i]).norm();
     const Eigen::Vector3f behind(color[0][i], color[1][i], color[2][i]);
     Eigen::Vector3f seen;
-    if (met.begins_below) {
-      const auto way_m = length * (facet.is_met ? static_cast<float>(met.t) : view.behind[i]);
-      seen = through_water(facet.is_met ? from_below(facet) : behind, way_m);
+    if (water_hit.begins_below) {
+      const auto path_m =
+          length * (facet.is_hit ? static_cast<float>(water_hit.t) : view.behind[i]);
+      seen = through_water(facet.is_hit ? from_below(facet) : behind, path_m);
     } else {
-      const float way_m = length * (view.behind[i] - static_cast<float>(met.t));
-      seen = from_above(facet, through_water(behind, way_m));
+      const float path_m = length * (view.behind[i] - static_cast<float>(water_hit.t));
+      seen = from_above(facet, through_water(behind, path_m));
       glittering[i] = facet;
     }
     for (std::size_t k = 0; k < 3; ++k) color[k][i] = seen[static_cast<Eigen::Index>(k)];

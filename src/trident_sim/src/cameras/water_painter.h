@@ -13,8 +13,8 @@ namespace trident::sim {
 /// What the rays of a packet hit of the water.
 struct WaterView {
   Eigen::Vector3d p_world_camera;
-  alignas(64) PacketFloats d_x, d_y, d_z;      ///< directions, of any length
-  std::array<WaterMeeting, kPacketLanes> met;  ///< along them
+  alignas(64) PacketFloats d_x, d_y, d_z;         ///< directions, of any length
+  std::array<WaterHit, kPacketLanes> water_hits;  ///< along them
   alignas(64)
       PacketFloats behind;  ///< distance to what lies beyond or in the water; infinite: deep
   bool is_needed = false;   ///< any lane hits water or begins in it
@@ -46,7 +46,7 @@ class WaterPainter {
   Facet facet_of(const WaterView& view, std::size_t lane) const;
   Eigen::Vector3f from_above(const Facet& facet, const Eigen::Vector3f& body) const;
   Eigen::Vector3f from_below(const Facet& facet) const;
-  Eigen::Vector3f through_water(const Eigen::Vector3f& color, float way_m) const;
+  Eigen::Vector3f through_water(const Eigen::Vector3f& color, float path_m) const;
   void add_glitter(const Sun& sun, const std::array<Facet, kPacketLanes>& facets,
                    PacketColor& color) const;
 

@@ -104,24 +104,24 @@ class Crossing {
       t_[i] = chosen(from_outside_[i], enter_[i], leave_[i]);
     }
     for (unsigned i = 0; i < kLanes; ++i) {
-      met_[i] = valid[i] & (enter_[i] <= leave_[i] ? -1 : 0) & (t_[i] >= rays.t_min[i] ? -1 : 0) &
+      hit_[i] = valid[i] & (enter_[i] <= leave_[i] ? -1 : 0) & (t_[i] >= rays.t_min[i] ? -1 : 0) &
                 (t_[i] <= rays.t_max[i] ? -1 : 0);
     }
   }
 
-  bool any_met() const {
+  bool any_hit() const {
     int any = 0;
-    for (unsigned i = 0; i < kLanes; ++i) any |= met_[i];
+    for (unsigned i = 0; i < kLanes; ++i) any |= hit_[i];
     return any != 0;
   }
   /// Puts in what a ray that hits the box makes of a number that Embree keeps.
   template <class Value>
   void keep(const Lanes<kLanes, Value>& values, Value* kept) const {
-    for (unsigned i = 0; i < kLanes; ++i) kept[i] = chosen(met_[i], values[i], kept[i]);
+    for (unsigned i = 0; i < kLanes; ++i) kept[i] = chosen(hit_[i], values[i], kept[i]);
   }
   template <class Value>
   void keep(Value value, Value* kept) const {
-    for (unsigned i = 0; i < kLanes; ++i) kept[i] = chosen(met_[i], value, kept[i]);
+    for (unsigned i = 0; i < kLanes; ++i) kept[i] = chosen(hit_[i], value, kept[i]);
   }
   const Lanes<kLanes>& t() const { return t_; }
 
@@ -145,14 +145,14 @@ class Crossing {
  private:
   std::array<Slab<kLanes>, 3> slabs_;
   Lanes<kLanes> enter_, leave_, t_;
-  Lanes<kLanes, int> from_outside_, met_;  ///< -1, or 0
+  Lanes<kLanes, int> from_outside_, hit_;  ///< -1, or 0
 };
 
 template <unsigned kLanes>
 void intersect(const TracedShape& box, const RTCIntersectFunctionNArguments& asked) {
   const RayLanes rays(RTCRayHitN_RayN(asked.rayhit, kLanes), kLanes);
   const Crossing<kLanes> crossing(box, rays, asked.valid);
-  if (!crossing.any_met()) return;
+  if (!crossing.any_hit()) return;
   RTCHitN* const hits = RTCRayHitN_HitN(asked.rayhit, kLanes);
   crossing.keep(crossing.t(), rays.t_max);
   crossing.keep(crossing.primitives(), &RTCHitN_primID(hits, kLanes, 0));
@@ -164,7 +164,7 @@ template <unsigned kLanes>
 void occlude(const TracedShape& box, const RTCOccludedFunctionNArguments& asked) {
   const RayLanes rays(asked.ray, kLanes);
   const Crossing<kLanes> crossing(box, rays, asked.valid);
-  if (crossing.any_met()) crossing.keep(-std::numeric_limits<float>::infinity(), rays.t_max);
+  if (crossing.any_hit()) crossing.keep(-std::numeric_limits<float>::infinity(), rays.t_max);
 }
 
 }  // namespace

@@ -49,8 +49,8 @@ void bound(const RTCBoundsFunctionArguments* args) {
 
 /// Whether a ray, whose direction may be of any length, comes near the ball around a round shape.
 /// Embree asks of every ray for a shape that is alone in its scene, and most rays miss it.
-bool may_meet(const TracedShape& shape, const Eigen::Vector3d& origin,
-              const Eigen::Vector3d& direction, double t_min, double t_max) {
+bool may_hit(const TracedShape& shape, const Eigen::Vector3d& origin,
+             const Eigen::Vector3d& direction, double t_min, double t_max) {
   const Eigen::Vector3d to_middle = shape.p_scene_shape - origin;
   const double squared = direction.squaredNorm();
   const double length = std::sqrt(squared), along = to_middle.dot(direction) / length;
@@ -61,16 +61,17 @@ bool may_meet(const TracedShape& shape, const Eigen::Vector3d& origin,
 }
 
 /// Where ray `i` of a packet hits a round shape, in the scene that the shape lies in.
-std::optional<double> meets_round(const TracedShape& shape, RTCRayN* ray, unsigned n, unsigned i) {
+std::optional<double> distance_to_round(const TracedShape& shape, RTCRayN* ray, unsigned n,
+                                        unsigned i) {
   const Eigen::Vector3d origin(RTCRayN_org_x(ray, n, i), RTCRayN_org_y(ray, n, i),
                                RTCRayN_org_z(ray, n, i));
   const Eigen::Vector3d direction(RTCRayN_dir_x(ray, n, i), RTCRayN_dir_y(ray, n, i),
                                   RTCRayN_dir_z(ray, n, i));
   const double t_min = RTCRayN_tnear(ray, n, i), t_max = RTCRayN_tfar(ray, n, i);
-  if (!may_meet(shape, origin, direction, t_min, t_max)) return std::nullopt;
+  if (!may_hit(shape, origin, direction, t_min, t_max)) return std::nullopt;
   const auto& R = shape.R_scene_shape;
-  return first_meeting(shape, {R.transpose() * (origin - shape.p_scene_shape),
-                               R.transpose() * direction, t_min, t_max});
+  return first_intersection(shape, {R.transpose() * (origin - shape.p_scene_shape),
+                                    R.transpose() * direction, t_min, t_max});
 }
 
 void intersect_round(const RTCIntersectFunctionNArguments* args) {
@@ -81,7 +82,7 @@ void intersect_round(const RTCIntersectFunctionNArguments* args) {
   RTCHitN* const hit = RTCRayHitN_HitN(args->rayhit, n);
   for (unsigned i = 0; i < n; ++i) {
     if (args->valid[i] == 0) continue;
-    const auto distance = meets_round(shape, ray, n, i);
+    const auto distance = distance_to_round(shape, ray, n, i);
     if (!distance) continue;
     RTCRayN_tfar(ray, n, i) = static_cast<float>(*distance);
     RTCHitN_geomID(hit, n, i) = args->geomID;
@@ -94,7 +95,7 @@ void occlude_round(const RTCOccludedFunctionNArguments* args) {
   const TracedShape& shape = shape_of(args->geometryUserPtr);
   if (!counts(shape, args->context)) return;
   for (unsigned i = 0; i < args->N; ++i) {
-    if (args->valid[i] == 0 || !meets_round(shape, args->ray, args->N, i)) continue;
+    if (args->valid[i] == 0 || !distance_to_round(shape, args->ray, args->N, i)) continue;
     RTCRayN_tfar(args->ray, args->N, i) = -std::numeric_limits<float>::infinity();
   }
 }

@@ -100,7 +100,7 @@ void MovingParts::intersect(const Lanes& valid, RTCRayHit16& rays, CastContext& 
   if (parts_.empty() || all_leave(bounds_, rays.ray)) return;
   alignas(64) Lanes near = valid;
   const PacketSlopes slopes(rays.ray);
-  if (!keep_lanes_that_meet(bounds_, rays.ray, slopes, near)) return;
+  if (!keep_lanes_that_hit(bounds_, rays.ray, slopes, near)) return;
   context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
   if (scene_ != nullptr) {
     rtcIntersect16(near.data(), scene_.get(), &context.embree, &rays);
@@ -110,7 +110,7 @@ void MovingParts::intersect(const Lanes& valid, RTCRayHit16& rays, CastContext& 
   for (std::size_t number = 0; number < parts_.size(); ++number) {
     const Part& part = parts_[number];
     alignas(64) Lanes lanes = near;
-    if (!keep_lanes_that_meet(part.bounds_world, rays.ray, slopes, lanes)) continue;
+    if (!keep_lanes_that_hit(part.bounds_world, rays.ray, slopes, lanes)) continue;
     turn_into(part, rays.ray, local.ray);
     std::fill_n(local.hit.geomID, kLanes, RTC_INVALID_GEOMETRY_ID);
     rtcIntersect16(lanes.data(), part.scene, &context.embree, &local);
@@ -128,7 +128,7 @@ void MovingParts::occlude(const Lanes& valid, RTCRay16& rays, CastContext& conte
   if (parts_.empty() || all_leave(bounds_, rays)) return;
   alignas(64) Lanes near = valid;
   const PacketSlopes slopes(rays);
-  if (!keep_lanes_that_meet(bounds_, rays, slopes, near)) return;
+  if (!keep_lanes_that_hit(bounds_, rays, slopes, near)) return;
   if (scene_ != nullptr) {
     rtcOccluded16(near.data(), scene_.get(), &context.embree, &rays);
     return;
@@ -136,7 +136,7 @@ void MovingParts::occlude(const Lanes& valid, RTCRay16& rays, CastContext& conte
   alignas(64) RTCRay16 local;
   for (const Part& part : parts_) {
     alignas(64) Lanes lanes = near;
-    if (!keep_lanes_that_meet(part.bounds_world, rays, slopes, lanes)) continue;
+    if (!keep_lanes_that_hit(part.bounds_world, rays, slopes, lanes)) continue;
     turn_into(part, rays, local);
     rtcOccluded16(lanes.data(), part.scene, &context.embree, &local);
     for (std::size_t i = 0; i < kLanes; ++i) {

@@ -76,8 +76,8 @@ bool all_leave(const PacketBounds& bounds, const Rays& rays) {
 /// Takes from `valid` the lanes whose rays miss the box for certain; returns whether any is left.
 /// Most rays miss the few things that move, and Embree takes those through its tree one by one.
 template <class Rays>
-bool keep_lanes_that_meet(const PacketBounds& bounds, const Rays& rays, const PacketSlopes& slopes,
-                          std::array<int, RayScene::kPacket>& valid) {
+bool keep_lanes_that_hit(const PacketBounds& bounds, const Rays& rays, const PacketSlopes& slopes,
+                         std::array<int, RayScene::kPacket>& valid) {
   const std::array<const float*, 3> origin = {rays.org_x, rays.org_y, rays.org_z};
   constexpr std::size_t kLanes = RayScene::kPacket;
   alignas(64) std::array<float, kLanes> enter, leave;

@@ -11,7 +11,7 @@ namespace trident::sim {
 namespace {
 
 constexpr char kElement[] = "trident:max_rays";
-constexpr double kMostRays = 2e7, kMostAllowed = 1e9;
+constexpr double kMaxRays = 2e7, kMaxAllowed = 1e9;
 /// Of directions, hits, what is measured and what is published, at most.
 constexpr double kBytesPerRay = 200.0;
 constexpr double kGibibyte = 1073741824.0;
@@ -30,7 +30,7 @@ std::string gibibytes(double bytes) {
 }  // namespace
 
 void check_ray_count(const RayCount& count, const ParamNode& sensor, const std::string& owner) {
-  const double most = PluginParams(sensor, owner).number(kElement, kMostRays, {1.0, kMostAllowed});
+  const double most = PluginParams(sensor, owner).number(kElement, kMaxRays, {1.0, kMaxAllowed});
   const std::string asked = owner + ": " + number_text(count.columns) + " x " +
                             number_text(count.rows) + " " + count.what;
   if (!(count.rays() <= most)) {

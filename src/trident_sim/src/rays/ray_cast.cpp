@@ -105,7 +105,7 @@ const TracedShape* RayScene::Content::nearest_plane(const Ray& ray, const RayFil
   return nearest;
 }
 
-const TracedShape& RayScene::Content::shape_met(std::uint32_t instance,
+const TracedShape& RayScene::Content::shape_hit(std::uint32_t instance,
                                                 std::uint32_t geometry_number) const {
   return instance == RTC_INVALID_GEOMETRY_ID ? *fixed_shapes_[geometry_number]
                                              : *part_shapes_[instance][geometry_number];
@@ -131,7 +131,7 @@ RayHit RayScene::Content::describe(const Ray& ray, const TracedShape& shape,
   hit.distance_m = t;
   if (shape.is_round()) {
     const LocalRay local = shape.to_local(ray);
-    hit.distance_m = first_meeting(shape, local).value_or(t);
+    hit.distance_m = first_intersection(shape, local).value_or(t);
     hit.normal_world = shape.R_world_shape * round_normal(shape, local.at(hit.distance_m));
   } else {
     const FlatSurface surface = flat_surface(shape, primitive);
@@ -150,9 +150,9 @@ void RayScene::Content::cast_packet(const Ray* rays, RayHit* hits, std::size_t c
   Packet packet;
   std::array<const TracedShape*, kLanes> planes{};
   std::array<double, kLanes> limits{};
-  RTCHit16& met = packet.embree.hit;
-  std::fill_n(met.geomID, kLanes, RTC_INVALID_GEOMETRY_ID);
-  std::fill_n(met.instID[0], kLanes, RTC_INVALID_GEOMETRY_ID);
+  RTCHit16& embree_hit = packet.embree.hit;
+  std::fill_n(embree_hit.geomID, kLanes, RTC_INVALID_GEOMETRY_ID);
+  std::fill_n(embree_hit.instID[0], kLanes, RTC_INVALID_GEOMETRY_ID);
   set_common(packet.embree.ray, filter.mask);
   for (std::size_t lane = 0; lane < count; ++lane) {
     hits[lane] = {};
@@ -172,9 +172,9 @@ void RayScene::Content::cast_packet(const Ray* rays, RayHit* hits, std::size_t c
   moving_.intersect(packet.valid, packet.embree, context);
   for (std::size_t lane = 0; lane < count; ++lane) {
     const Ray& ray = rays[lane];
-    if (met.geomID[lane] != RTC_INVALID_GEOMETRY_ID) {
-      const TracedShape& shape = shape_met(met.instID[0][lane], met.geomID[lane]);
-      hits[lane] = describe(ray, shape, met.primID[lane], packet.embree.ray.tfar[lane]);
+    if (embree_hit.geomID[lane] != RTC_INVALID_GEOMETRY_ID) {
+      const TracedShape& shape = shape_hit(embree_hit.instID[0][lane], embree_hit.geomID[lane]);
+      hits[lane] = describe(ray, shape, embree_hit.primID[lane], packet.embree.ray.tfar[lane]);
       if (hits[lane].distance_m <= limits[lane]) continue;
       hits[lane] = {};
     }

@@ -61,7 +61,7 @@ class RayScene::Content {
   void occlude_packet(const Ray* rays, bool* result, std::size_t count,
                       const RayFilter& filter) const;
 
-  void meet_packet(const RayPacket& rays, PacketHits& hits, std::uint32_t mask) const;
+  void intersect_packet(const RayPacket& rays, PacketHits& hits, std::uint32_t mask) const;
   std::uint32_t shaded_lanes(const RayPacket& rays, std::uint32_t mask) const;
   SurfaceLook look(std::uint32_t shape, std::uint32_t primitive) const;
   SurfacePoint look_at(std::uint32_t shape, std::uint32_t primitive, const Ray& ray,
@@ -97,7 +97,7 @@ class RayScene::Content {
   // Casting: ray_cast.cpp
   const TracedShape* nearest_plane(const Ray& ray, const RayFilter& filter, bool shadows_only,
                                    double& t) const;
-  const TracedShape& shape_met(std::uint32_t instance, std::uint32_t geometry_number) const;
+  const TracedShape& shape_hit(std::uint32_t instance, std::uint32_t geometry_number) const;
   void add_look(const Ray& ray, const TracedShape& shape, std::uint32_t primitive,
                 RayHit& hit) const;
   RayHit describe(const Ray& ray, const TracedShape& shape, std::uint32_t primitive,

@@ -59,8 +59,8 @@ Eigen::Vector3d RayScene::Content::albedo(const RayHit& hit) const {
 }
 
 double RayScene::Content::intensity(const RayHit& hit) const {
-  if (!hit.met()) return 0.0;
-  if (const auto& told = shapes_[hit.shape].laser_retro) return *told;
+  if (!hit.is_hit()) return 0.0;
+  if (const auto& retro = shapes_[hit.shape].laser_retro) return *retro;
   if (hit.material >= materials_.size()) return 0.0;
   constexpr double kRed = 0.2126, kGreen = 0.7152, kBlue = 0.0722;  // ITU-R BT.709
   const Eigen::Vector4d& color = materials_[hit.material].diffuse;

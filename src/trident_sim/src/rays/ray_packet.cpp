@@ -68,8 +68,8 @@ PacketFloats plane_distances(const FlatSurface& plane, const RayPacket& rays) {
 
 }  // namespace
 
-void RayScene::Content::meet_packet(const RayPacket& rays, PacketHits& hits,
-                                    std::uint32_t mask) const {
+void RayScene::Content::intersect_packet(const RayPacket& rays, PacketHits& hits,
+                                         std::uint32_t mask) const {
   hits.t = rays.t_max;
   hits.shape.fill(RayHit::kNothing);
   hits.primitive.fill(0);
@@ -98,7 +98,7 @@ void RayScene::Content::meet_packet(const RayPacket& rays, PacketHits& hits,
   for (std::size_t i = 0; i < kLanes; ++i) {
     if (rays.valid[i] == 0 || embree.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) continue;
     hits.t[i] = embree.ray.tfar[i];
-    hits.shape[i] = shape_met(embree.hit.instID[0][i], embree.hit.geomID[i]).index;
+    hits.shape[i] = shape_hit(embree.hit.instID[0][i], embree.hit.geomID[i]).index;
     hits.primitive[i] = embree.hit.primID[i];
   }
 }
@@ -175,7 +175,7 @@ SurfacePoint RayScene::Content::look_at(std::uint32_t shape_index, std::uint32_t
   SurfacePoint point;
   point.t = t;
   if (shape.is_round()) {
-    point.t = first_meeting(shape, local).value_or(t);
+    point.t = first_intersection(shape, local).value_or(t);
     point.normal_world = shape.R_world_shape * round_normal(shape, local.at(point.t));
   } else {
     const FlatSurface surface = flat_surface(shape, primitive);

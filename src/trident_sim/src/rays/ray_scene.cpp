@@ -71,8 +71,8 @@ void RayScene::use_textures() { content_->use_textures(); }
 
 Eigen::Vector3d RayScene::albedo(const RayHit& hit) const { return content_->albedo(hit); }
 
-void RayScene::meet(const RayPacket& rays, PacketHits& hits, std::uint32_t mask) const {
-  content_->meet_packet(rays, hits, mask);
+void RayScene::intersect(const RayPacket& rays, PacketHits& hits, std::uint32_t mask) const {
+  content_->intersect_packet(rays, hits, mask);
 }
 
 std::uint32_t RayScene::shaded(const RayPacket& rays, std::uint32_t mask) const {

@@ -39,9 +39,9 @@ class Nearest {
   double best_ = std::numeric_limits<double>::quiet_NaN();
 };
 
-void offer_sphere(const LocalRay& ray, double radius, double centre_z, Nearest& nearest,
+void offer_sphere(const LocalRay& ray, double radius, double center_z, Nearest& nearest,
                   double from_z, double to_z) {
-  const Eigen::Vector3d o = ray.origin - Eigen::Vector3d(0.0, 0.0, centre_z);
+  const Eigen::Vector3d o = ray.origin - Eigen::Vector3d(0.0, 0.0, center_z);
   // From the point nearest to the centre, lest far origins cost digits.
   const double a = ray.direction.squaredNorm(), middle = -o.dot(ray.direction) / a;
   const Eigen::Vector3d m = o + middle * ray.direction;
@@ -110,7 +110,7 @@ TracedShape make_traced_shape(const Shape& shape, std::shared_ptr<const Triangle
   return made;
 }
 
-std::optional<double> first_meeting(const TracedShape& shape, const LocalRay& ray) {
+std::optional<double> first_intersection(const TracedShape& shape, const LocalRay& ray) {
   constexpr double kEverywhere = std::numeric_limits<double>::infinity();
   const double r = shape.radius_m, h = shape.half_length_m;
   Nearest nearest(ray);
@@ -139,9 +139,9 @@ Eigen::Vector3d round_normal(const TracedShape& shape, const Eigen::Vector3d& p)
   if (shape.kind == SurfaceKind::kCapsule) {
     return (p - Eigen::Vector3d(0.0, 0.0, std::min(h, std::max(-h, p.z())))).normalized();
   }
-  const double beside = p.head<2>().norm();
-  if (std::abs(p.z()) - h > beside - r) return {0.0, 0.0, std::copysign(1.0, p.z())};
-  return {p.x() / beside, p.y() / beside, 0.0};
+  const double radial = p.head<2>().norm();
+  if (std::abs(p.z()) - h > radial - r) return {0.0, 0.0, std::copysign(1.0, p.z())};
+  return {p.x() / radial, p.y() / radial, 0.0};
 }
 
 Eigen::Vector3d round_bounds(const TracedShape& shape) {

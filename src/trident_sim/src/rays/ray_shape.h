@@ -81,7 +81,7 @@ struct TracedShape {
 TracedShape make_traced_shape(const Shape& shape, std::shared_ptr<const TriangleMesh> mesh);
 
 /// First distance in [t_min, t_max] at which the ray hits the surface of a round shape.
-std::optional<double> first_meeting(const TracedShape& shape, const LocalRay& ray);
+std::optional<double> first_intersection(const TracedShape& shape, const LocalRay& ray);
 /// Outward normal of a round shape in its own frame, at a point of its surface.
 Eigen::Vector3d round_normal(const TracedShape& shape, const Eigen::Vector3d& p);
 

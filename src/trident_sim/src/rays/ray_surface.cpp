@@ -51,7 +51,7 @@ void RayScene::Content::add_surface(const AnalyticSurface& surface, Span<const R
   for (std::size_t i = 0; i < rays.size(); ++i) {
     Ray ray = rays[i];
     RayHit& hit = hits[i];
-    const double limit = hit.met() ? hit.distance_m : ray.t_max_m;
+    const double limit = hit.is_hit() ? hit.distance_m : ray.t_max_m;
     if (!std::isfinite(ray.p_world_origin.sum() + ray.direction_world.sum())) continue;
     if (!(ray.t_min_m <= ray.t_max_m)) continue;
     ray.t_min_m = 0.0;

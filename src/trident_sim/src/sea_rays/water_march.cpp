@@ -13,11 +13,11 @@ namespace {
 constexpr double kNowhere = std::numeric_limits<double>::infinity();
 
 /// The distances between which a ray is between two heights.
-struct Stretch {
+struct Interval {
   double first, last;
 };
-Stretch between_heights(double z, double dz, double low, double high, double t_min, double t_max) {
-  if (dz == 0.0) return z >= low && z <= high ? Stretch{t_min, t_max} : Stretch{t_max, t_min};
+Interval between_heights(double z, double dz, double low, double high, double t_min, double t_max) {
+  if (dz == 0.0) return z >= low && z <= high ? Interval{t_min, t_max} : Interval{t_max, t_min};
   const double a = (low - z) / dz, b = (high - z) / dz;
   return {std::max(t_min, std::min(a, b)), std::min(t_max, std::max(a, b))};
 }
@@ -81,48 +81,48 @@ bool WaterSurface::is_open_between(const Ray& ray, const WaterReach& reach) cons
          shores_->of_square(row1, column1) == WaveField::Shore::kOpen;
 }
 
-WaterMeeting WaterSurface::meet(const Ray& ray, double t_max) const {
-  WaterMeeting meeting;
+WaterHit WaterSurface::find_hit(const Ray& ray, double t_max) const {
+  WaterHit hit;
   const double t_min = ray.t_min_m;
   const double z = ray.p_world_origin.z() - level_m_, dz = ray.direction_world.z();
   const double begin_z = z + t_min * dz;
   double plane_from = t_min;
   if (tile_ == nullptr || begin_z > high_m_ || begin_z < low_m_) {
-    meeting.begins_below = begin_z < (tile_ == nullptr ? 0.0 : low_m_);
-    const double end_z = meeting.begins_below ? low_m_ : high_m_;
+    hit.begins_below = begin_z < (tile_ == nullptr ? 0.0 : low_m_);
+    const double end_z = hit.begins_below ? low_m_ : high_m_;
     // The commonest of all: it leads away.
-    if (meeting.begins_below ? dz <= 0.0 : dz >= 0.0) return meeting;
-    if ((end_z - z) / dz > t_max) return meeting;
+    if (hit.begins_below ? dz <= 0.0 : dz >= 0.0) return hit;
+    if ((end_z - z) / dz > t_max) return hit;
   }
   if (tile_ != nullptr) {
     Path path = path_of(ray);
     if (begin_z <= high_m_ && begin_z >= low_m_) {
-      meeting.begins_below =
-          begin_z < cell_height(path.u + t_min * path.du, path.v + t_min * path.dv);
+      hit.begins_below = begin_z < cell_height(path.u + t_min * path.du, path.v + t_min * path.dv);
     }
-    path.side = meeting.begins_below ? -1.0 : 1.0;
+    path.side = hit.begins_below ? -1.0 : 1.0;
     path.fades = fades_;
     const double t_far = far_m_ / std::max(ray.direction_world.head<2>().norm(), 1e-300);
-    const Stretch stretch = between_heights(z, dz, low_m_, high_m_, t_min, std::min(t_max, t_far));
-    if (stretch.first <= stretch.last) {
-      const Found found = walk<WaterTile::kBoundSides.size()>(path, stretch.first, stretch.last);
-      if (found.is_met()) {
-        meeting.t = found.t;
-        meeting.slope =
+    const Interval interval =
+        between_heights(z, dz, low_m_, high_m_, t_min, std::min(t_max, t_far));
+    if (interval.first <= interval.last) {
+      const Found found = walk<WaterTile::kBoundSides.size()>(path, interval.first, interval.last);
+      if (found.is_hit()) {
+        hit.t = found.t;
+        hit.slope =
             (found.along * pattern_->axis + found.across * pattern_->across) / pattern_->cell_m;
-        return meeting;
+        return hit;
       }
     }
-    if (t_far >= t_max) return meeting;
+    if (t_far >= t_max) return hit;
     plane_from = std::max(t_min, t_far);
   }
-  const bool leads_there = meeting.begins_below ? dz > 0.0 : dz < 0.0;
-  if (!leads_there) return meeting;
+  const bool leads_there = hit.begins_below ? dz > 0.0 : dz < 0.0;
+  if (!leads_there) return hit;
   const double t = std::max(-z / dz, plane_from);
-  if (t > t_max) return meeting;
-  meeting.t = t;
-  meeting.is_far = tile_ != nullptr;
-  return meeting;
+  if (t > t_max) return hit;
+  hit.t = t;
+  hit.is_far = tile_ != nullptr;
+  return hit;
 }
 
 /// The first hit within [t0, t1], which lies in squares of a level: 0 are cells, above them
@@ -140,44 +140,45 @@ WaterSurface::Found WaterSurface::walk(const Path& path, double t0, double t1) c
     const double t_column = path.dv != 0.0 ? (next_column - path.v) * path.per_dv : kNowhere;
     const double leave = std::min(t_row, t_column);
     const double end = std::max(t, std::min(leave, t1));
-    const Found found = meet_square<kLevel>(path, row, column, t, end);
-    if (found.is_met() || !(leave < t1)) return found;
+    const Found found = intersect_square<kLevel>(path, row, column, t, end);
+    if (found.is_hit() || !(leave < t1)) return found;
     (t_row < t_column ? row : column) += t_row < t_column ? row_step : column_step;
     t = end;
   }
 }
 
 template <std::size_t kLevel>
-WaterSurface::Found WaterSurface::meet_square(const Path& path, std::int64_t row,
-                                              std::int64_t column, double t0, double t1) const {
+WaterSurface::Found WaterSurface::intersect_square(const Path& path, std::int64_t row,
+                                                   std::int64_t column, double t0,
+                                                   double t1) const {
   if constexpr (kLevel == 0) {
-    return meet_cell(path, row, column, t0, t1);
+    return intersect_cell(path, row, column, t0, t1);
   } else {
     constexpr std::int64_t kSide = WaterTile::kBoundSides[kLevel - 1];
     if (kSide == WaterShores::kCells && path.fades) {
       const WaveField::Shore ground = shore(row * kSide, column * kSide);
-      if (ground == WaveField::Shore::kDry) return meet_level(path, t0, t1);
+      if (ground == WaveField::Shore::kDry) return intersect_level(path, t0, t1);
       if (ground == WaveField::Shore::kOpen) {
         Path even = path;
         even.fades = false;
-        return may_meet(even, kLevel, row, column, t0, t1) ? walk<kLevel - 1>(even, t0, t1)
-                                                           : Found{};
+        return may_hit(even, kLevel, row, column, t0, t1) ? walk<kLevel - 1>(even, t0, t1)
+                                                          : Found{};
       }
     }
-    return may_meet(path, kLevel, row, column, t0, t1) ? walk<kLevel - 1>(path, t0, t1) : Found{};
+    return may_hit(path, kLevel, row, column, t0, t1) ? walk<kLevel - 1>(path, t0, t1) : Found{};
   }
 }
 
 /// Where there are no waves.
-WaterSurface::Found WaterSurface::meet_level(const Path& path, double t0, double t1) {
+WaterSurface::Found WaterSurface::intersect_level(const Path& path, double t0, double t1) {
   Found found;
   const double t = path.side * (path.z + t0 * path.dz) <= 0.0 ? t0 : -path.z / path.dz;
   if (t >= t0 && t <= t1) found.t = t;
   return found;
 }
 
-bool WaterSurface::may_meet(const Path& path, std::size_t level, std::int64_t row,
-                            std::int64_t column, double t0, double t1) const {
+bool WaterSurface::may_hit(const Path& path, std::size_t level, std::int64_t row,
+                           std::int64_t column, double t0, double t1) const {
   const WaterTile::Bounds& bounds = tile_->bounds(level - 1, row, column);
   // What fades may be anything down to zero; a trace is for rounding.
   const double slack = 1e-5 * (high_m_ - low_m_);
@@ -190,8 +191,8 @@ bool WaterSurface::may_meet(const Path& path, std::size_t level, std::int64_t ro
 
 /// Within a cell a ray's height above the surface is a quadratic of the distance. What is on the
 /// other side already as it comes in hit the surface on the border.
-WaterSurface::Found WaterSurface::meet_cell(const Path& path, std::int64_t row, std::int64_t column,
-                                            double t0, double t1) const {
+WaterSurface::Found WaterSurface::intersect_cell(const Path& path, std::int64_t row,
+                                                 std::int64_t column, double t0, double t1) const {
   Found found;
   const std::array<double, 4> corners = corners_of(row, column);
   if (stays_clear(path, corners, t0, t1)) return found;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kTurn = 2.0 * kPi;
 constexpr double kWavesOnTile = 8.0;
-constexpr std::size_t kFewestNodes = 256, kMostNodes = 512;
+constexpr std::size_t kMinNodes = 256, kMaxNodes = 512;
 constexpr double kCellsPerWave = 1.8;  ///< of the shortest, which are the lowest, too
 /// (omega period)^2 / 8 is the error of the interpolation in time.
 constexpr double kPhaseStep = 0.4;
@@ -42,7 +42,7 @@ Scales scales_of(const std::vector<WaveComponent>& waves) {
 }
 
 std::size_t nodes_for(double cells, std::size_t most) {
-  std::size_t n = kFewestNodes;
+  std::size_t n = kMinNodes;
   while (n < most && static_cast<double>(n) < cells) n *= 2;
   return n;
 }
@@ -74,7 +74,7 @@ WaterPattern make_water_pattern(const WaveField& field) {
   pattern.across = {-pattern.axis.y(), pattern.axis.x()};
   pattern.length_m = kWavesOnTile * kTurn / scales.highest->k;
   const double cells = kCellsPerWave * pattern.length_m * scales.longest_k / kTurn;
-  pattern.n = nodes_for(cells, pattern.is_gerstner ? kFewestNodes : kMostNodes);
+  pattern.n = nodes_for(cells, pattern.is_gerstner ? kMinNodes : kMaxNodes);
   pattern.cell_m = pattern.length_m / static_cast<double>(pattern.n);
   pattern.period_s = kPhaseStep / scales.omega_rms;
   pattern.anchor_step_m = pattern.length_m / kAnchorsOnTile;
@@ -82,7 +82,7 @@ WaterPattern make_water_pattern(const WaveField& field) {
   for (const WaveComponent& wave : field.components()) {
     FoldedWave folded = fold(wave, pattern);
     // As WaveField has it: crests must not cross.
-    folded.particle_way_m = std::min(wave.amplitude_m, params.steepness / (wave.k * waves));
+    folded.particle_amplitude_m = std::min(wave.amplitude_m, params.steepness / (wave.k * waves));
     const int most = static_cast<int>(pattern.n / 2) - 1;
     // What is shorter than two cells cannot be held.
     if (std::abs(folded.row) > most || std::abs(folded.column) > most) continue;

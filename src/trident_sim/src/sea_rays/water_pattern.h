@@ -12,11 +12,11 @@ namespace trident::sim {
 
 /// One wave of a sea, folded onto the wave numbers that a periodic tile can hold.
 struct FoldedWave {
-  WaveComponent wave;      ///< as the sea has it
-  double particle_way_m;   ///< Gerstner: amplitude of a particle's displacement along the wave
-  Eigen::Vector2d k_tile;  ///< what it was folded to [1/m], in the world
-  Eigen::Vector2d along;   ///< its direction in the tile's axes
-  int row, column;         ///< the same as a whole number of waves on the tile, along its axes
+  WaveComponent wave;           ///< as the sea has it
+  double particle_amplitude_m;  ///< Gerstner: amplitude of a particle's displacement along the wave
+  Eigen::Vector2d k_tile;       ///< what it was folded to [1/m], in the world
+  Eigen::Vector2d along;        ///< its direction in the tile's axes
+  int row, column;              ///< the same as a whole number of waves on the tile, along its axes
 
   /// Phase at the world's origin of the folded wave, which has the true phase at `p_world_anchor`.
   double phase(const Eigen::Vector2d& p_world_anchor, double time_s) const {

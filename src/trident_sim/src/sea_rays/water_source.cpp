@@ -81,12 +81,12 @@ std::shared_ptr<const WaterSurface> as_water(
 }
 
 AnalyticHit WaterSurface::intersect(const Ray& ray, double t_max) const {
-  const WaterMeeting met = meet(ray, t_max);
-  if (std::isinf(met.t)) return {};
-  const Eigen::Vector3d p = ray.p_world_origin + met.t * ray.direction_world;
-  const Eigen::Vector2d slope = met.is_far ? this->slope(p.head<2>()) : met.slope;
+  const WaterHit hit = find_hit(ray, t_max);
+  if (std::isinf(hit.t)) return {};
+  const Eigen::Vector3d p = ray.p_world_origin + hit.t * ray.direction_world;
+  const Eigen::Vector2d slope = hit.is_far ? this->slope(p.head<2>()) : hit.slope;
   const Eigen::Vector3d up = Eigen::Vector3d(-slope.x(), -slope.y(), 1.0).normalized();
-  return {met.t, met.begins_below ? Eigen::Vector3d(-up) : up};
+  return {hit.t, hit.begins_below ? Eigen::Vector3d(-up) : up};
 }
 
 }  // namespace trident::sim

@@ -15,7 +15,7 @@
 namespace trident::sim {
 
 /// Where a ray hits the water.
-struct WaterMeeting {
+struct WaterHit {
   double t = std::numeric_limits<double>::infinity();  ///< along the ray; infinite: nowhere
   bool begins_below = false;                           ///< the ray begins under water
   bool is_far =
@@ -45,7 +45,7 @@ class WaterSurface final : public AnalyticSurface {
 
   AnalyticHit intersect(const Ray& ray, double t_max) const override;
   /// The same with what a picture of the water needs.
-  WaterMeeting meet(const Ray& ray, double t_max) const;
+  WaterHit find_hit(const Ray& ray, double t_max) const;
   // Of a ray that begins above all waves, with a direction of unit length, without following it.
 
   /// Infinite: it leads away.
@@ -92,7 +92,7 @@ class WaterSurface final : public AnalyticSurface {
   struct Found {
     double t = std::numeric_limits<double>::infinity();
     double along = 0.0, across = 0.0;  ///< slope per cell there
-    bool is_met() const { return t < std::numeric_limits<double>::infinity(); }
+    bool is_hit() const { return t < std::numeric_limits<double>::infinity(); }
   };
   void find_tile(const Eigen::Vector2d& p_world_viewer);
   /// Heights of the tile there, of rows and columns 00, 10, 01, 11.
@@ -124,13 +124,13 @@ class WaterSurface final : public AnalyticSurface {
   template <std::size_t kLevel>
   Found walk(const Path& path, double t0, double t1) const;
   template <std::size_t kLevel>
-  Found meet_square(const Path& path, std::int64_t row, std::int64_t column, double t0,
-                    double t1) const;
-  bool may_meet(const Path& path, std::size_t level, std::int64_t row, std::int64_t column,
-                double t0, double t1) const;
-  static Found meet_level(const Path& path, double t0, double t1);
-  Found meet_cell(const Path& path, std::int64_t row, std::int64_t column, double t0,
-                  double t1) const;
+  Found intersect_square(const Path& path, std::int64_t row, std::int64_t column, double t0,
+                         double t1) const;
+  bool may_hit(const Path& path, std::size_t level, std::int64_t row, std::int64_t column,
+               double t0, double t1) const;
+  static Found intersect_level(const Path& path, double t0, double t1);
+  Found intersect_cell(const Path& path, std::int64_t row, std::int64_t column, double t0,
+                       double t1) const;
   bool stays_clear(const Path& path, const std::array<double, 4>& corners, double t0,
                    double t1) const;
 

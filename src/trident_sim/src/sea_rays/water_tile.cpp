@@ -129,7 +129,7 @@ WaterTileMaker::WaterTileMaker(const WaterPattern& pattern)
     : pattern_(pattern),
       transform_(pattern.n),
       elevations_(pattern.n),
-      ways_(pattern.is_gerstner ? pattern.n : 0) {}
+      displacements_(pattern.is_gerstner ? pattern.n : 0) {}
 
 void WaterTileMaker::transform_elevations(const std::array<Moment, 2>& ends) {
   clear(elevations_);
@@ -144,16 +144,16 @@ void WaterTileMaker::transform_elevations(const std::array<Moment, 2>& ends) {
   transform_(elevations_);
 }
 
-void WaterTileMaker::transform_ways(const Moment& moment) {
-  clear(ways_);
+void WaterTileMaker::transform_displacements(const Moment& moment) {
+  clear(displacements_);
   for (const FoldedWave& wave : pattern_.waves) {
     // sin(theta) = Re(-i exp(i theta))
     const Complex sine =
         Complex(0.0, -1.0) *
-        std::polar(wave.particle_way_m, wave.phase(moment.p_world_anchor, moment.time_s));
-    add_pair(wave, wave.along.x() * sine, wave.along.y() * sine, ways_);
+        std::polar(wave.particle_amplitude_m, wave.phase(moment.p_world_anchor, moment.time_s));
+    add_pair(wave, wave.along.x() * sine, wave.along.y() * sine, displacements_);
   }
-  transform_(ways_);
+  transform_(displacements_);
 }
 
 /// Gerstner's heights at the nodes: those of the particles that are there now, whose places of rest
@@ -166,11 +166,12 @@ void WaterTileMaker::bend(std::size_t end, WaterTile& tile) const {
   for (std::size_t row = 0; row < n; ++row) {
     for (std::size_t column = 0; column < n; ++column) {
       const auto u = static_cast<float>(row), v = static_cast<float>(column);
-      float along = ways_.re[row * n + column], across = ways_.im[row * n + column];
+      float along = displacements_.re[row * n + column],
+            across = displacements_.im[row * n + column];
       for (int step = 1; step < kSteps; ++step) {
         const Between rest(u + per_m * along, v + per_m * across, n);
-        along = rest.of(ways_.re);
-        across = rest.of(ways_.im);
+        along = rest.of(displacements_.re);
+        across = rest.of(displacements_.im);
       }
       tile.ends_[row * n + column][end] =
           Between(u + per_m * along, v + per_m * across, n).of(heights);
@@ -191,7 +192,7 @@ void WaterTileMaker::make(WaterTile& tile) {
   transform_elevations(ends);
   if (pattern_.is_gerstner) {
     for (std::size_t end = 0; end < ends.size(); ++end) {
-      transform_ways(ends[end]);
+      transform_displacements(ends[end]);
       bend(end, tile);
     }
   } else {

@@ -90,13 +90,13 @@ class WaterTileMaker {
     double time_s;
   };
   void transform_elevations(const std::array<Moment, 2>& ends);
-  void transform_ways(const Moment& moment);
+  void transform_displacements(const Moment& moment);
   void bend(std::size_t end, WaterTile& tile) const;
 
   WaterPattern pattern_;
   WaterTransform transform_;
-  ComplexGrid elevations_;  ///< at the beginning of the period, and as imaginary part at its end
-  ComplexGrid ways_;        ///< Gerstner: of particles, along the rows, and across them
+  ComplexGrid elevations_;     ///< at the beginning of the period, and as imaginary part at its end
+  ComplexGrid displacements_;  ///< Gerstner: of particles, along the rows, and across them
 };
 
 }  // namespace trident::sim

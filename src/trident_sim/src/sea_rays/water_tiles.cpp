@@ -13,7 +13,7 @@ namespace {
 
 /// For sensors that are far from each other; the most: for more of them than are kept from period
 /// to period.
-constexpr std::size_t kTilesKept = 32, kMostTiles = 96;
+constexpr std::size_t kTilesKept = 32, kMaxTiles = 96;
 constexpr std::size_t kShoresKept = 32;
 
 bool same(const WaveComponent& a, const WaveComponent& b) {
@@ -116,7 +116,7 @@ WaterTileMaker& WaterTiles::maker(std::size_t worker) {
 /// may look at in every step, only when they are many.
 std::shared_ptr<WaterTile> WaterTiles::take_room(std::int64_t period) {
   const bool is_all_in_use =
-      tiles_.size() < kMostTiles && !tiles_.empty() && tiles_.front()->key().period == period;
+      tiles_.size() < kMaxTiles && !tiles_.empty() && tiles_.front()->key().period == period;
   if (tiles_.size() < kTilesKept || is_all_in_use) return std::make_shared<WaterTile>();
   std::shared_ptr<WaterTile> oldest = std::move(tiles_.front());
   tiles_.erase(tiles_.begin());

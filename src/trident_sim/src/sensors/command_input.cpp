@@ -20,7 +20,7 @@ void NumberInput::poll(const World& world) {
   const bool is_good = number >= limits_.lo && number <= limits_.hi;
   if (is_good) {
     value_ = number;
-  } else if (!is_refused_ && telling_.is_due()) {
+  } else if (!is_refused_ && throttle_.is_due()) {
     std::ostringstream text;
     text << what_ << ": " << number << " " << unit_ << " is refused, legal: " << limits_.lo
          << " to " << limits_.hi << "; the last good one stays";

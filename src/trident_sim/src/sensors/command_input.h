@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/plugins/plugin_util.h"
-#include "core/plugins/seldom_told.h"
+#include "core/plugins/report_throttle.h"
 #include "trident_sim/commands.h"
 
 namespace trident::sim {
@@ -34,7 +34,7 @@ class NumberInput {
   std::optional<double> value_;
   std::uint64_t seen_ = 0;
   bool is_refused_ = false;
-  SeldomTold telling_;
+  ReportThrottle throttle_;
 };
 
 /// Something that may be asked for while the world runs: TriggerCommand or ServiceCommand.

@@ -38,7 +38,7 @@ double width_px(const ImageSample& image) {
   return first < 0 ? 0.0 : last - first + 1;
 }
 
-TEST(CameraControl, TheAngleOfViewCanBeSetAndIsTold) {
+TEST(CameraControl, TheAngleOfViewCanBeSetAndIsReported) {
   TestWorld world(dark_world());
   world.add(make_visual("plate", BoxShape{{0.1, 1, 1}}, at(4.05, 0, 0), glowing(1, 1, 1)));
   world.add(robot_with_camera(gazebo_camera()));
@@ -91,7 +91,7 @@ TEST(CameraControl, BadNumbersAreRefusedWithOneWarning) {
       set(world, bad.topic, bad.value);
       world->step(100);
     }
-    EXPECT_EQ(world.told(Severity::kWarning, bad.text), 1u) << bad.text;
+    EXPECT_EQ(world.report_count(Severity::kWarning, bad.text), 1u) << bad.text;
     EXPECT_EQ(world.reports.size(), 1u);
     EXPECT_EQ(info.count(), 10u);
     EXPECT_NEAR(info.value.K[0], 80.0 / std::tan(0.6), 1e-9);
@@ -109,7 +109,7 @@ TEST(CameraControl, AnAngleTooWideForTheDistortionIsRefused) {
   world->step(100);
   set(world, "set_hfov", 3.0);
   world->step(300);
-  EXPECT_EQ(world.told(Severity::kWarning, "the distortion is too strong"), 1u);
+  EXPECT_EQ(world.report_count(Severity::kWarning, "the distortion is too strong"), 1u);
   EXPECT_NEAR(info.value.K[0], 80.0 / std::tan(0.4), 1e-9);
 }
 
@@ -161,7 +161,7 @@ ParamNode lens_of(const std::string& child, const ParamList& numbers) {
   return {"lens", "", {}, {node}};
 }
 
-TEST(CameraLens, IntrinsicsAndProjectionAreToldAsTheyAreGiven) {
+TEST(CameraLens, IntrinsicsAndProjectionArePublishedAsTheyAreGiven) {
   TestWorld world(weightless());
   CameraOptions options = gazebo_camera();
   const ParamList k{{"fx", "150"}, {"fy", "140"}, {"cx", "81"}, {"cy", "59"}, {"s", "3"}};

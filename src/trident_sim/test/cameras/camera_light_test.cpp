@@ -30,7 +30,7 @@ LightSpec sun(const Eigen::Vector3d& direction) {
   return light;
 }
 
-TEST(CameraLight, ColoursAreAmbientPlusWhatFallsOnTheSurface) {
+TEST(CameraLight, ColorsAreAmbientPlusWhatFallsOnTheSurface) {
   WorldSpec spec = weightless();
   spec.scene.ambient = {0.5, 0.5, 0.2, 1};
   spec.lights = {sun({1, 0, -1})};

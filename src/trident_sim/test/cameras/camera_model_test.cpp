@@ -72,7 +72,7 @@ TEST(ViewTable, RefusesADistortionThatFoldsThePicture) {
 TEST(PixelNoise, IsNormalAndOfItsKeyAlone) {
   constexpr std::uint64_t kPackets = 40000;
   const PixelNoise noise(12345), other(12346);
-  double sum = 0.0, squares = 0.0, fourth = 0.0, beside = 0.0, between = 0.0;
+  double sum = 0.0, squares = 0.0, fourth = 0.0, adjacent = 0.0, between = 0.0;
   for (std::uint64_t packet = 0; packet < kPackets; ++packet) {
     const PacketFloats values = noise.normals(packet), others = other.normals(packet);
     for (std::size_t i = 0; i < kPacketLanes; ++i) {
@@ -80,7 +80,7 @@ TEST(PixelNoise, IsNormalAndOfItsKeyAlone) {
       sum += x;
       squares += x * x;
       fourth += x * x * x * x;
-      beside += x * static_cast<double>(values[(i + 1) % kPacketLanes]);
+      adjacent += x * static_cast<double>(values[(i + 1) % kPacketLanes]);
       between += x * static_cast<double>(others[i]);
     }
   }
@@ -88,7 +88,7 @@ TEST(PixelNoise, IsNormalAndOfItsKeyAlone) {
   EXPECT_NEAR(sum / n, 0.0, five_sigma);
   EXPECT_NEAR(squares / n, 1.0, five_sigma * std::sqrt(2.0));
   EXPECT_NEAR(fourth / n, 3.0, 0.06) << "nothing beyond 3.7 sigma costs a little";
-  EXPECT_NEAR(beside / n, 0.0, five_sigma);
+  EXPECT_NEAR(adjacent / n, 0.0, five_sigma);
   EXPECT_NEAR(between / n, 0.0, five_sigma);
   EXPECT_EQ(noise.normals(7), PixelNoise(12345).normals(7));
 }

@@ -110,7 +110,7 @@ TEST(CameraPicture, DepthIsThatOfTheSurfaceAlongTheAxis) {
   world->step(100);
   EXPECT_EQ(image.value.encoding, "32FC1");
   // The wall's near face: normal (-cos 0.4, -sin 0.4, 0).
-  const Eigen::Vector3d normal(std::cos(0.4), std::sin(0.4), 0.0), centre(3, 0.4, 0.2);
+  const Eigen::Vector3d normal(std::cos(0.4), std::sin(0.4), 0.0), center(3, 0.4, 0.2);
   const double wall = normal.x() * 6.0 - 0.1;
   int on_ball = 0, near_rim = 0;
   for (int row = 0; row < 120; ++row) {
@@ -118,8 +118,8 @@ TEST(CameraPicture, DepthIsThatOfTheSurfaceAlongTheAxis) {
       const Eigen::Vector3d d(1.0, -(column - info.value.K[2]) / info.value.K[0],
                               -(row - info.value.K[5]) / info.value.K[4]);
       double expected = wall / normal.dot(d);
-      const double a = d.squaredNorm(), b = d.dot(centre);
-      const double root = b * b - a * (centre.squaredNorm() - 0.25);
+      const double a = d.squaredNorm(), b = d.dot(center);
+      const double root = b * b - a * (center.squaredNorm() - 0.25);
       near_rim += std::abs(root) < 1e-5 ? 1 : 0;
       if (std::abs(root) < 1e-5) continue;
       if (root > 0.0) expected = (b - std::sqrt(root)) / a;
@@ -235,7 +235,7 @@ TEST(CameraPicture, ATextureFromAfarIsItsMean) {
   }
 }
 
-TEST(CameraPicture, ATextureThatCannotBeReadIsToldOnce) {
+TEST(CameraPicture, ATextureThatCannotBeReadIsReportedOnce) {
   TestWorld world(weightless());
   Material material;
   material.is_given = true;
@@ -246,7 +246,7 @@ TEST(CameraPicture, ATextureThatCannotBeReadIsToldOnce) {
   auto& image = listen_to<ImageSample>(world, "r/eye/image_raw");
   world->step(300);
   EXPECT_EQ(image.count(), 3u);
-  EXPECT_EQ(world.told(Severity::kWarning, "/nowhere/wall.png"), 1u);
+  EXPECT_EQ(world.report_count(Severity::kWarning, "/nowhere/wall.png"), 1u);
 }
 
 TEST(CameraPicture, FormatsAreTheSamePicture) {

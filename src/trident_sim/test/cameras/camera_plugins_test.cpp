@@ -148,12 +148,12 @@ TEST(CameraPlugins, BadInputIsRefusedWithOneClearError) {
   }
 }
 
-TEST(CameraPlugins, AFocalLengthThatContradictsTheAngleOfViewIsTold) {
+TEST(CameraPlugins, AFocalLengthThatContradictsTheAngleOfViewIsReported) {
   TestWorld world(weightless());
   CameraOptions options;
   options.params = {{"focalLength", "200"}};
   world.add(robot_with_camera(options));
-  EXPECT_EQ(world.told(Severity::kWarning, "<focalLength> is 200"), 1u);
+  EXPECT_EQ(world.report_count(Severity::kWarning, "<focalLength> is 200"), 1u);
 }
 
 }  // namespace

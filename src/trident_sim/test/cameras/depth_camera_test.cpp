@@ -53,7 +53,7 @@ TEST(KinectPlugin, HasTheNamesAndTheLimitsOfGazeboPlugins) {
   EXPECT_GT(unseen, 1000);
 }
 
-TEST(KinectPlugin, MillimetresOnRequest) {
+TEST(KinectPlugin, MillimetersOnRequest) {
   TestWorld world(weightless());
   world.add(make_visual("wall", BoxShape{{1, 5, 1}}, at(2.7344, 0, 0)));
   CameraOptions options;
@@ -64,11 +64,11 @@ TEST(KinectPlugin, MillimetresOnRequest) {
   world->step(100);
   EXPECT_EQ(depth.value.encoding, "16UC1");
   EXPECT_EQ(depth.value.bytes_per_row, 320u);
-  const auto millimetres = [&](std::size_t i) {
+  const auto millimeters = [&](std::size_t i) {
     return depth.value.data[2 * i] + 256 * depth.value.data[2 * i + 1];
   };
-  EXPECT_EQ(millimetres(60 * 160 + 80), 2234);
-  EXPECT_EQ(millimetres(0), 0) << "nothing is there";
+  EXPECT_EQ(millimeters(60 * 160 + 80), 2234);
+  EXPECT_EQ(millimeters(0), 0) << "nothing is there";
 }
 
 TEST(DepthCameraPlugin, HasTheNamesOfGazeboPlugins) {
@@ -133,7 +133,7 @@ TEST(NoisyDepthPlugin, SpreadsAsTheModelsOfRealCamerasSay) {
   EXPECT_TRUE(std::isnan(measured_wall(3.0, {{"depthNoiseMaxDist", "2.5"}}).first));
 }
 
-TEST(MulticameraPlugin, ThePairSeesWithTheBaselineThatItTells) {
+TEST(MulticameraPlugin, ThePairSeesWithTheBaselineThatItPublishes) {
   TestWorld world(dark_world());
   world.add(make_visual("ball", SphereShape{0.03}, at(2.0, 0.1, 0.05), glowing(1, 1, 1)));
   CameraOptions options;

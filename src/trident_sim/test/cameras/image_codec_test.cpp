@@ -64,7 +64,7 @@ int worst_error(const PictureFile& picture) {
   return worst;
 }
 
-TEST(ImageCodec, ColoursArriveWhateverTheirOrder) {
+TEST(ImageCodec, ColorsArriveWhateverTheirOrder) {
   for (const char* encoding : {"rgb8", "bgr8"}) {
     for (const bool as_png : {false, true}) {
       CompressedPicture out;
@@ -79,7 +79,7 @@ TEST(ImageCodec, ColoursArriveWhateverTheirOrder) {
   }
 }
 
-TEST(ImageCodec, GreyStaysGrey) {
+TEST(ImageCodec, GrayStaysGray) {
   CompressedPicture out;
   compress_picture(make_picture("mono8"), {}, out);
   EXPECT_EQ(out.format, "mono8; jpeg compressed ");
@@ -93,7 +93,7 @@ TEST(ImageCodec, QualityCounts) {
   EXPECT_LT(coarse.data.size(), fine.data.size());
 }
 
-TEST(ImageCodec, WhatCannotBeWrittenIsTold) {
+TEST(ImageCodec, WhatCannotBeWrittenIsReported) {
   ImageSample empty;
   empty.encoding = "rgb8";
   CompressedPicture out;
@@ -144,7 +144,7 @@ ImageSample make_depths(const std::string& encoding, const std::vector<Depth>& d
   return image;
 }
 
-TEST(ImageCodec, DepthsInMetresArriveWithinTheirStep) {
+TEST(ImageCodec, DepthsInMetersArriveWithinTheirStep) {
   const std::vector<float> depths{0.5F,
                                   1.0F,
                                   3.3F,
@@ -171,7 +171,7 @@ TEST(ImageCodec, DepthsInMetresArriveWithinTheirStep) {
   EXPECT_EQ(inverse[7], 65535u) << "nearer than can be told";
 }
 
-TEST(ImageCodec, DepthsInMillimetresArriveExactly) {
+TEST(ImageCodec, DepthsInMillimetersArriveExactly) {
   CompressedPicture out;
   compress_depth(make_depths<std::uint16_t>("16UC1", {0, 512, 9999, 10001}), {10.0, 100.0, 1}, out);
   EXPECT_EQ(out.format, "16UC1; compressedDepth png");

@@ -14,9 +14,10 @@ namespace trident::sim {
 namespace {
 
 /// Distance at which a ray from the origin hits a level box; infinite: it does not.
-double meets(const Eigen::Vector3d& d, const Eigen::Vector3d& centre, const Eigen::Vector3d& size) {
-  const Eigen::Array3d low = (centre - 0.5 * size).array() / d.array();
-  const Eigen::Array3d high = (centre + 0.5 * size).array() / d.array();
+double hit_distance(const Eigen::Vector3d& d, const Eigen::Vector3d& center,
+                    const Eigen::Vector3d& size) {
+  const Eigen::Array3d low = (center - 0.5 * size).array() / d.array();
+  const Eigen::Array3d high = (center + 0.5 * size).array() / d.array();
   const double enter = low.min(high).maxCoeff(), leave = low.max(high).minCoeff();
   return enter <= leave ? enter : std::numeric_limits<double>::infinity();
 }
@@ -45,8 +46,8 @@ TEST(SegmentationCamera, LabelsAndBoxesAreExact) {
     for (std::uint32_t column = 0; column < 160; ++column) {
       const Eigen::Vector3d d(1.0, -(column - info.value.K[2]) / info.value.K[0],
                               -(row - info.value.K[5]) / info.value.K[4]);
-      const double big = meets(d, things[0].first, things[0].second);
-      const double small = meets(d, things[1].first, things[1].second);
+      const double big = hit_distance(d, things[0].first, things[0].second);
+      const double small = hit_distance(d, things[1].first, things[1].second);
       const std::size_t pixel = 2 * (std::size_t{row} * 160 + column);
       const int label = image.value.data[pixel] + 256 * image.value.data[pixel + 1];
       if (std::isinf(big) && std::isinf(small)) {
@@ -63,14 +64,14 @@ TEST(SegmentationCamera, LabelsAndBoxesAreExact) {
     }
   }
   for (std::size_t i = 0; i < 2; ++i) {
-    const BoundingBoxesSample::Box &told = boxes.value.boxes[i], &right = expected[i];
-    EXPECT_EQ(told.name, names[i]);
-    EXPECT_EQ(told.label, labels[i]);
-    EXPECT_EQ(told.pixels, right.pixels);
-    EXPECT_EQ(told.x_min, right.x_min);
-    EXPECT_EQ(told.x_max, right.x_max);
-    EXPECT_EQ(told.y_min, right.y_min);
-    EXPECT_EQ(told.y_max, right.y_max);
+    const BoundingBoxesSample::Box &box = boxes.value.boxes[i], &right = expected[i];
+    EXPECT_EQ(box.name, names[i]);
+    EXPECT_EQ(box.label, labels[i]);
+    EXPECT_EQ(box.pixels, right.pixels);
+    EXPECT_EQ(box.x_min, right.x_min);
+    EXPECT_EQ(box.x_max, right.x_max);
+    EXPECT_EQ(box.y_min, right.y_min);
+    EXPECT_EQ(box.y_max, right.y_max);
   }
 }
 

@@ -107,7 +107,7 @@ TEST(CommandTiming, ADuplicateChangesNothing) {
 
 class BadCommand : public testing::TestWithParam<double> {};
 
-TEST_P(BadCommand, IsToldOnceAndTheLastGoodOneStays) {
+TEST_P(BadCommand, IsReportedOnceAndTheLastGoodOneStays) {
   QuadWorld quad, good;
   for (QuadWorld* one : {&quad, &good}) one->command_all(300.0);
   for (int i = 0; i < 20; ++i) {
@@ -116,15 +116,15 @@ TEST_P(BadCommand, IsToldOnceAndTheLastGoodOneStays) {
     quad.command({300, 300, GetParam(), 300});
   }
   EXPECT_EQ(quad->state_hash(), good->state_hash());
-  EXPECT_EQ(quad.world.told(Severity::kError, "motor command 2 is"), 1u);
-  EXPECT_EQ(quad.world.told(Severity::kError, "must be finite"), 1u);
+  EXPECT_EQ(quad.world.report_count(Severity::kError, "motor command 2 is"), 1u);
+  EXPECT_EQ(quad.world.report_count(Severity::kError, "must be finite"), 1u);
 }
 INSTANTIATE_TEST_SUITE_P(Values, BadCommand,
                          testing::Values(std::numeric_limits<double>::quiet_NaN(),
                                          std::numeric_limits<double>::infinity(),
                                          -std::numeric_limits<double>::infinity()));
 
-TEST(CommandTiming, ABadCommandIsToldAgainAfterAGoodOne) {
+TEST(CommandTiming, ABadCommandIsReportedAgainAfterAGoodOne) {
   QuadWorld quad;
   for (int i = 0; i < 2; ++i) {
     quad.command_all(std::nan(""));
@@ -132,7 +132,7 @@ TEST(CommandTiming, ABadCommandIsToldAgainAfterAGoodOne) {
     quad.command_all(100.0);
     quad->step();
   }
-  EXPECT_EQ(quad.world.told(Severity::kError, "must be finite"), 2u);
+  EXPECT_EQ(quad.world.report_count(Severity::kError, "must be finite"), 2u);
 }
 
 TEST(CommandTiming, ABadCommandStraightToTheMotorsIsRefusedToo) {
@@ -144,10 +144,10 @@ TEST(CommandTiming, ABadCommandStraightToTheMotorsIsRefusedToo) {
   quad->ports().find_in<ActuatorCommand>("quad/gazebo/command/motor_speed")->write(bad);
   quad->step(5);
   EXPECT_TRUE(quad.body().velocity().allFinite());
-  EXPECT_GE(quad.world.told(Severity::kError, "must be finite"), 1u);
+  EXPECT_GE(quad.world.report_count(Severity::kError, "must be finite"), 1u);
 }
 
-TEST(CommandTiming, ACommandForFewerMotorsMovesThoseAndIsTold) {
+TEST(CommandTiming, ACommandForFewerMotorsMovesThoseAndIsReported) {
   QuadWorld quad;
   quad.command_all(300.0);
   quad->step(100);
@@ -155,7 +155,8 @@ TEST(CommandTiming, ACommandForFewerMotorsMovesThoseAndIsTold) {
   quad->step(100);
   EXPECT_NEAR(std::abs(quad.rotor(0)), 500.0, 10.0);
   EXPECT_NEAR(std::abs(quad.rotor(2)), 300.0, 10.0);
-  EXPECT_EQ(quad.world.told(Severity::kError, "motor 3 is not in a command of 2 speeds"), 1u);
+  EXPECT_EQ(quad.world.report_count(Severity::kError, "motor 3 is not in a command of 2 speeds"),
+            1u);
 }
 
 TEST(CommandTiming, WhatTheMotorsGetIsShown) {

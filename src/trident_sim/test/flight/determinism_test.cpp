@@ -150,7 +150,7 @@ TEST_P(Determinism, StepsMayBeTakenOneByOneOrTogether) {
 }
 INSTANTIATE_TEST_SUITE_P(Solvers, Determinism, testing::Values("quick", "world"));
 
-TEST(ResetModels, LeavesTimeGoingOn) {
+TEST(ResetModels, LeavesTimeRunning) {
   QuadWorld quad;
   quad.command_all(600.0);
   quad->step(50);

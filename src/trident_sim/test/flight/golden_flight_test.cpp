@@ -30,7 +30,7 @@ void PrintTo(const Case& one, std::ostream* out) { *out << one.name; }
 
 class GoldenFlight : public testing::TestWithParam<Case> {};
 
-TEST_P(GoldenFlight, FireflyStaysWithinTwoMillimetresOfGazebo) {
+TEST_P(GoldenFlight, FireflyStaysWithinTwoMillimetersOfGazebo) {
   TRIDENT_NEEDS_GOLDEN();
   const Case& wanted = GetParam();
   GoldenWorld world(golden_folder() + "/params/basic.world");
@@ -141,7 +141,7 @@ class GoldenSix : public testing::Test {
   std::vector<Vehicle> vehicles_;
 };
 
-TEST_F(GoldenSix, EveryFireflyStaysWithinTwoMillimetresOfGazebo) {
+TEST_F(GoldenSix, EveryFireflyStaysWithinTwoMillimetersOfGazebo) {
   expect_near("hover");
   expect_near("translate");
 }

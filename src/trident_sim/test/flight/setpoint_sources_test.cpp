@@ -12,7 +12,7 @@ SimTime ms(std::int64_t milliseconds) { return {milliseconds * 1'000'000}; }
 
 SetpointSources with_source(SimTime end = {0}, SimTime now = {0}) {
   SetpointSources sources;
-  sources.enrol("leader", {"UAV1", "UAV2"}, ms(100), end, now);
+  sources.enroll("leader", {"UAV1", "UAV2"}, ms(100), end, now);
   return sources;
 }
 
@@ -52,7 +52,7 @@ TEST(SetpointSources, AnOldSetpointThatReplacesTheLaterOnesUncovers) {
   EXPECT_EQ(sources.missing("leader", ms(600)), std::vector<std::string>{"UAV2"});
 }
 
-TEST(SetpointSources, WhatWasReplacedIsToldOnceAndForgottenOnce) {
+TEST(SetpointSources, WhatWasReplacedIsReportedOnceAndForgottenOnce) {
   SetpointSources sources = with_source();
   EXPECT_FALSE(sources.on_setpoint("UAV1", ms(800), true));
   EXPECT_FALSE(sources.forget_replacements());
@@ -66,21 +66,21 @@ TEST(SetpointSources, WhatWasReplacedIsToldOnceAndForgottenOnce) {
 
 TEST(SetpointSources, WaitsBeyondTheEndOfASourceThatSaysSo) {
   SetpointSources sources;
-  sources.enrol("leader", {"UAV1"}, ms(100), ms(1000), {0});
-  sources.enrol("followers", {"UAV2"}, ms(100), ms(500), {0}, true);
+  sources.enroll("leader", {"UAV1"}, ms(100), ms(1000), {0});
+  sources.enroll("followers", {"UAV2"}, ms(100), ms(500), {0}, true);
   sources.on_setpoint("UAV1", ms(600));
   sources.on_setpoint("UAV2", ms(500));
   EXPECT_EQ(sources.end(), ms(1000)) << "the run ends with the last source";
   ASSERT_NE(sources.blocking(ms(600)), nullptr);
   EXPECT_EQ(*sources.blocking(ms(600)), "followers");
-  sources.enrol("followers", {"UAV2"}, ms(100), ms(500), {0});
+  sources.enroll("followers", {"UAV2"}, ms(100), ms(500), {0});
   EXPECT_EQ(sources.blocking(ms(600)), nullptr) << "it does not say so any more";
 }
 
 TEST(SetpointSources, TheEndOfASourceIsTakenBack) {
   SetpointSources sources = with_source(ms(500));
   EXPECT_EQ(sources.end(), ms(500));
-  sources.enrol("leader", {"UAV1", "UAV2"}, ms(100), {0}, ms(400));
+  sources.enroll("leader", {"UAV1", "UAV2"}, ms(100), {0}, ms(400));
   EXPECT_EQ(sources.end(), ms(0));
   EXPECT_NE(sources.blocking(ms(600)), nullptr);
 }
@@ -94,10 +94,10 @@ TEST(SetpointSources, AnOldSetpointDoesNotUncover) {
 
 TEST(SetpointSources, StartsAtTheNextMultipleOfItsPeriodAfterNow) {
   SetpointSources sources;
-  EXPECT_EQ(sources.enrol("leader", {"UAV1"}, ms(100), {0}, ms(130)), ms(200));
+  EXPECT_EQ(sources.enroll("leader", {"UAV1"}, ms(100), {0}, ms(130)), ms(200));
   EXPECT_EQ(sources.blocking(ms(199)), nullptr);
   EXPECT_NE(sources.blocking(ms(200)), nullptr);
-  EXPECT_EQ(sources.enrol("other", {"UAV2"}, ms(100), {0}, ms(200)), ms(300));
+  EXPECT_EQ(sources.enroll("other", {"UAV2"}, ms(100), {0}, ms(200)), ms(300));
 }
 
 TEST(SetpointSources, DoesNotBlockFromItsEndOn) {
@@ -110,21 +110,21 @@ TEST(SetpointSources, DoesNotBlockFromItsEndOn) {
 
 TEST(SetpointSources, TheEndIsTheLatestAndUnknownWhileOneIsUnknown) {
   SetpointSources sources = with_source(ms(200));
-  sources.enrol("other", {"UAV3"}, ms(100), {0}, ms(0));
+  sources.enroll("other", {"UAV3"}, ms(100), {0}, ms(0));
   EXPECT_EQ(sources.end(), ms(0));
-  sources.enrol("other", {"UAV3"}, ms(100), ms(500), ms(0));
+  sources.enroll("other", {"UAV3"}, ms(100), ms(500), ms(0));
   EXPECT_EQ(sources.end(), ms(500));
 }
 
 TEST(SetpointSources, EnrollingAgainOnlyMovesTheEnd) {
   SetpointSources sources = with_source({0}, ms(130));
-  EXPECT_EQ(sources.enrol("leader", {"UAV1", "UAV2"}, ms(100), ms(900), ms(550)), ms(200));
+  EXPECT_EQ(sources.enroll("leader", {"UAV1", "UAV2"}, ms(100), ms(900), ms(550)), ms(200));
   EXPECT_EQ(sources.end(), ms(900));
 }
 
 TEST(SetpointSources, SourcesBlockInNameOrder) {
   SetpointSources sources = with_source();
-  sources.enrol("alpha", {"UAV3"}, ms(50), {0}, ms(0));
+  sources.enroll("alpha", {"UAV3"}, ms(50), {0}, ms(0));
   EXPECT_EQ(*sources.blocking(ms(100)), "alpha");
   sources.on_setpoint("UAV3", ms(100));
   EXPECT_EQ(*sources.blocking(ms(100)), "leader");
@@ -141,15 +141,16 @@ TEST(SetpointSources, ClearForgetsWhatWasCovered) {
   for (const char* name : {"UAV1", "UAV2"}) sources.on_setpoint(name, ms(300));
   sources.clear();
   EXPECT_TRUE(sources.all().empty());
-  sources.enrol("leader", {"UAV1", "UAV2"}, ms(100), {0}, ms(0));
+  sources.enroll("leader", {"UAV1", "UAV2"}, ms(100), {0}, ms(0));
   EXPECT_NE(sources.blocking(ms(100)), nullptr);
 }
 
 TEST(SetpointSources, RefusesNonsense) {
   SetpointSources sources;
-  EXPECT_TRUE(contains(error_of([&] { sources.enrol("n", {"UAV1"}, ms(0), {0}, {0}); }), "period"));
   EXPECT_TRUE(
-      contains(error_of([&] { sources.enrol("n", {}, ms(100), {0}, {0}); }), "no vehicles"));
+      contains(error_of([&] { sources.enroll("n", {"UAV1"}, ms(0), {0}, {0}); }), "period"));
+  EXPECT_TRUE(
+      contains(error_of([&] { sources.enroll("n", {}, ms(100), {0}, {0}); }), "no vehicles"));
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ class ControlledBoat {
       : ControlledBoat(shipped_vessel(vessel), shipped_model(vessel), control, environment, seed) {}
 
   void set_wind(const Eigen::Vector3d& v_world) { wind_world_ = v_world; }
-  control::CommandVerdict tell(const control::VesselCommand& command) {
+  control::CommandVerdict command(const control::VesselCommand& command) {
     return controller_.push({}, command);
   }
   void place(double x, double y, double heading) {

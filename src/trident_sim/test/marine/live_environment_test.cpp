@@ -28,7 +28,7 @@ void say(World& world, const std::string& section, const std::string& yaml) {
   port->write({world.time(), yaml});
 }
 
-std::string told(World& world) {
+std::string published_state(World& world) {
   return world.ports().find_out<EnvironmentSample>("environment/state")->value.yaml;
 }
 
@@ -38,11 +38,11 @@ double elevation(World& world, double time_s) {
 
 TEST(LiveEnvironment, StateReadsBackAsItself) {
   TestWorld world(ocean({sea_with_wind()}));
-  const auto params = load_yaml_string<EnvironmentParams>(told(*world), "state");
+  const auto params = load_yaml_string<EnvironmentParams>(published_state(*world), "state");
   EXPECT_EQ(params.waves.significant_height, 0.4);
   EXPECT_TRUE(std::isinf(params.waves.depth));
   EXPECT_EQ(params.wind.gusts, GustKind::kDryden);
-  EXPECT_EQ(to_yaml(params), told(*world));
+  EXPECT_EQ(to_yaml(params), published_state(*world));
 }
 
 TEST(LiveEnvironment, ChangesActInTheNextStepAndKeepTheRest) {
@@ -57,9 +57,9 @@ TEST(LiveEnvironment, ChangesActInTheNextStepAndKeepTheRest) {
   // The same waves, twice as high, on a higher level.
   EXPECT_NEAR(elevation(*world, 5.0), 0.25 + 2.0 * before, 1e-9);
   EXPECT_NEAR(find_sea(*world)->current().velocity({0, 0, 0}, 0.0).x(), 0.3, 1e-12);
-  EXPECT_TRUE(contains(told(*world), "water_level: 0.25\n"));
-  EXPECT_TRUE(contains(told(*world), "significant_height: 0.8\n"));
-  EXPECT_TRUE(contains(told(*world), "components: 24\n"));
+  EXPECT_TRUE(contains(published_state(*world), "water_level: 0.25\n"));
+  EXPECT_TRUE(contains(published_state(*world), "significant_height: 0.8\n"));
+  EXPECT_TRUE(contains(published_state(*world), "components: 24\n"));
 }
 
 TEST(LiveEnvironment, SeveralChangesOfOneStepAddUp) {
@@ -79,18 +79,20 @@ class BadChanges : public testing::TestWithParam<BadChange> {};
 TEST_P(BadChanges, AreRefusedOnceAndNothingChanges) {
   TestWorld world(ocean({sea_with_wind()}));
   world->step();
-  const std::string state = told(*world);
+  const std::string state = published_state(*world);
   const std::size_t before = world.reports.size();
   const double height = elevation(*world, 7.0);
   for (int i = 0; i < 3; ++i) {
     say(*world, GetParam().section, GetParam().yaml);
     world->step();
   }
-  EXPECT_EQ(told(*world), state);
+  EXPECT_EQ(published_state(*world), state);
   EXPECT_EQ(elevation(*world, 7.0), height);
   EXPECT_EQ(world.reports.size(), before + 1);
-  EXPECT_EQ(world.told(Severity::kError, GetParam().error), 1U) << world.reports.back().text;
-  EXPECT_EQ(world.told(Severity::kError, std::string("environment/") + GetParam().section), 1U);
+  EXPECT_EQ(world.report_count(Severity::kError, GetParam().error), 1U)
+      << world.reports.back().text;
+  EXPECT_EQ(world.report_count(Severity::kError, std::string("environment/") + GetParam().section),
+            1U);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -107,7 +109,7 @@ INSTANTIATE_TEST_SUITE_P(
                     BadChange{"wind", "gusts: howling", "howling"},
                     BadChange{"tide", "period: 0", "period"}));
 
-TEST(LiveEnvironment, ManyDifferentBadChangesAreSeldomTold) {
+TEST(LiveEnvironment, ManyDifferentBadChangesAreSeldomReported) {
   TestWorld world(ocean({sea_with_wind()}));
   for (int i = 0; i < 1000; ++i) {
     if (i % 2 == 0) say(*world, "tide", "{}");
@@ -116,7 +118,7 @@ TEST(LiveEnvironment, ManyDifferentBadChangesAreSeldomTold) {
     if (i % 100 == 0) world->reset();
   }
   // The first ten, then as their number doubles: 16, 32 ... 512.
-  EXPECT_EQ(world.told(Severity::kError, "environment/tide"), 16U);
+  EXPECT_EQ(world.report_count(Severity::kError, "environment/tide"), 16U);
 }
 
 TEST(LiveEnvironment, BadLevelsAreRefused) {
@@ -125,20 +127,20 @@ TEST(LiveEnvironment, BadLevelsAreRefused) {
     command(*world, "environment/water_level", level);
     world->step();
   }
-  EXPECT_EQ(world.told(Severity::kError, "environment/water_level is"), 2U);
-  EXPECT_TRUE(contains(told(*world), "water_level: 0\n"));
+  EXPECT_EQ(world.report_count(Severity::kError, "environment/water_level is"), 2U);
+  EXPECT_TRUE(contains(published_state(*world), "water_level: 0\n"));
 }
 
 TEST(LiveEnvironment, ResetBringsBackTheFile) {
   TestWorld world(ocean({sea_with_wind()}));
-  const std::string file = told(*world), hash = world->state_hash();
+  const std::string file = published_state(*world), hash = world->state_hash();
   const double height = elevation(*world, 5.0);
   say(*world, "waves", "significant_height: 0.9");
   say(*world, "wind", "speed: 12");
   world->step(50);
-  EXPECT_NE(told(*world), file);
+  EXPECT_NE(published_state(*world), file);
   world->reset();
-  EXPECT_EQ(told(*world), file);
+  EXPECT_EQ(published_state(*world), file);
   EXPECT_EQ(elevation(*world, 5.0), height);
   EXPECT_EQ(world->state_hash(), hash);
 }
@@ -192,7 +194,7 @@ TEST(LiveEnvironment, IsPartOfTheHash) {
   EXPECT_EQ(hash("wind", "speed: -6.5"), plain);
 }
 
-TEST(LiveEnvironment, GoesOnFromASnapshotAndRepeats) {
+TEST(LiveEnvironment, ContinuesFromASnapshotAndRepeats) {
   TestWorld world(ocean({sea_with_wind()}));
   world.add(make_boat("wamv"));
   world->step(20);
@@ -210,7 +212,7 @@ TEST(LiveEnvironment, GoesOnFromASnapshotAndRepeats) {
   EXPECT_EQ(run(), first);
 }
 
-TEST(LiveEnvironment, GustsGoOnWhenTheWindChanges) {
+TEST(LiveEnvironment, GustsContinueWhenTheWindChanges) {
   TestWorld world(ocean({sea_with_wind()}));
   world->step(500);
   const Eigen::Vector3d gust = find_air(*world)->wind({0, 0, 0}) - Eigen::Vector3d(6, 0, 0);

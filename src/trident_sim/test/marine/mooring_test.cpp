@@ -24,7 +24,7 @@ ModelSpec moored(double height, ParamList more = {}) {
 
 double height(TestWorld& world) { return world->find_model("buoy")->T_world_model().p.z(); }
 
-TEST(Mooring, ALineStretchesByTheWeightOverItsStiffness) {
+TEST(Mooring, ALineLengthensByTheWeightOverItsStiffness) {
   TestWorld world(ocean());
   world.add(moored(-1.9));
   world->step(10000);

@@ -52,7 +52,7 @@ TEST(Thruster, GlfIsVrxCurve) {
   }
 }
 
-TEST(Thruster, QuadraticHasACoefficientEitherWay) {
+TEST(Thruster, QuadraticHasACoefficientInEitherDirection) {
   ThrusterParams params = params_of(ThrustMapping::kQuadratic);
   params.min_command = -100.0;
   params.max_command = 100.0;

@@ -169,7 +169,7 @@ TEST(UsvThrust, AnglesTurnTheEnginesAndTheBoat) {
   EXPECT_LT(boat.T_world_model().rpy().z(), -0.2);
 }
 
-TEST(UsvThrust, GoesOnFromASnapshot) {
+TEST(UsvThrust, ContinuesFromASnapshot) {
   TestWorld world(ocean());
   world.add(make_vrx_wamv_with_engines());
   const auto run = [&] {

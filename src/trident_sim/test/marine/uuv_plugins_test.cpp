@@ -167,13 +167,15 @@ TEST(UuvPlugins, InputsThatAreNotLegalAreRefusedOrCut) {
     command(*world, topic, value);
     world->step(100);
   }
-  std::string told;
+  std::string reported;
   for (const auto& [name, entry] : world->diagnostics().entries()) {
-    told += entry.newest.message + "\n";
+    reported += entry.newest.message + "\n";
   }
-  EXPECT_TRUE(contains(told, topic + ": nan is refused, the last good one stays; legal is [-1, 1]"))
-      << told;
-  EXPECT_TRUE(contains(told, topic + ": 3 is cut to the nearest; legal is [-1, 1]")) << told;
+  EXPECT_TRUE(
+      contains(reported, topic + ": nan is refused, the last good one stays; legal is [-1, 1]"))
+      << reported;
+  EXPECT_TRUE(contains(reported, topic + ": 3 is cut to the nearest; legal is [-1, 1]"))
+      << reported;
 }
 
 TEST(UuvPlugins, AThrusterIsSwitchedOffAndWeakened) {

@@ -25,7 +25,7 @@ Held hold_line(double integral_gain) {
   control.guidance.integral_gain = integral_gain;
   control.speed.reference = control::SpeedReference::kThroughWater;
   ControlledBoat boat("otter", control, uniform_current(0.5, 0.5 * kPi));
-  boat.tell(follow({{0.0, 0.0}, {1000.0, 0.0}}));
+  boat.command(follow({{0.0, 0.0}, {1000.0, 0.0}}));
   boat.run(180.0);
   Held held;
   constexpr int kSteps = 6000;
@@ -56,7 +56,7 @@ TEST(LineOfSightGuidance, WithoutIntegralTheCurrentSetsItAside) {
 TEST(LineOfSightGuidance, FinishesACourseOfWaypointsAndStaysThere) {
   ControlledBoat boat("otter", shipped_control("otter"), uniform_current(0.3, 1.0));
   const std::vector<Eigen::Vector2d> course = {{0, 0}, {60, 0}, {60, 40}, {0, 40}, {0, 10}};
-  boat.tell(follow(course));
+  boat.command(follow(course));
   std::vector<double> nearest(course.size(), 1e9);
   while (boat.controller().mode() != control::VesselMode::kStation && boat.time_s() < 300.0) {
     boat.step();
@@ -72,7 +72,7 @@ TEST(LineOfSightGuidance, FinishesACourseOfWaypointsAndStaysThere) {
 
 TEST(CourseController, HoldsACourseOverGroundInACurrent) {
   ControlledBoat boat("otter", shipped_control("otter"), uniform_current(0.5, 0.5 * kPi));
-  boat.tell(towards(Kind::kCourse, 0.3));
+  boat.command(towards(Kind::kCourse, 0.3));
   boat.run(60.0);
   const double x = boat.x(), y = boat.y();
   boat.run(60.0);
@@ -86,7 +86,7 @@ TEST(SpeedController, IsThroughTheWaterWithALogAndOverGroundWithout) {
   control.speed.reference = control::SpeedReference::kThroughWater;
   ControlledBoat logged("otter", control, uniform_current(0.4, 0.0));
   for (ControlledBoat* boat : {&over_ground, &logged}) {
-    boat->tell(towards(Kind::kHeading, 0.0));
+    boat->command(towards(Kind::kHeading, 0.0));
     for (int i = 0; i < 6000; ++i) {
       const SimTime now{10'000'000 * static_cast<std::int64_t>(i + 1)};
       boat->controller().set_log(now, boat->boat().nu()[0] - 0.4);
@@ -150,7 +150,7 @@ TEST(VesselController, CommandsOfALaterStampWaitAndAResetForgetsThem) {
             control::ControlStatus::invalid_state);
 }
 
-TEST(VesselController, AStampedPathThatComesAgainIsNotBegunAnew) {
+TEST(VesselController, AStampedPathThatComesAgainIsNotStartedAgain) {
   const auto place = [](double repeated_at, double stamp) {
     ControlledBoat boat("otter", shipped_control("otter"), uniform_current(0.3, 1.0));
     const control::VesselCommand path = follow({{5.0, 20.0}, {80.0, 20.0}});
@@ -175,7 +175,7 @@ class EveryControlledBoat : public testing::TestWithParam<const char*> {
 
 TEST_P(EveryControlledBoat, TurnsToAHeadingWithoutOvershoot) {
   ControlledBoat boat(GetParam(), control());
-  boat.tell(towards(Kind::kHeading, 2.0));
+  boat.command(towards(Kind::kHeading, 2.0));
   double highest = 0.0;
   for (int i = 0; i < 6000; ++i) {
     boat.step();
@@ -189,7 +189,7 @@ TEST_P(EveryControlledBoat, TurnsToAHeadingWithoutOvershoot) {
 TEST_P(EveryControlledBoat, FollowsVelocityCommandsAndStopsWithoutNewOnes) {
   ControlledBoat boat(GetParam(), control());
   for (int i = 0; i < 400; ++i) {
-    boat.tell(velocity(0.8, 0.15));
+    boat.command(velocity(0.8, 0.15));
     boat.run(0.1);
   }
   EXPECT_NEAR(boat.boat().nu()[0], 0.8, 0.05);
@@ -201,7 +201,7 @@ TEST_P(EveryControlledBoat, FollowsVelocityCommandsAndStopsWithoutNewOnes) {
 
 TEST_P(EveryControlledBoat, ComesToAStationFromAfar) {
   ControlledBoat boat(GetParam(), control(), uniform_current(0.15, 1.0));
-  boat.tell(keep(-30.0, 20.0, 0.5));
+  boat.command(keep(-30.0, 20.0, 0.5));
   boat.run(300.0);
   double farthest = 0.0;
   for (int i = 0; i < 6000; ++i) {
@@ -225,7 +225,7 @@ TEST(StationKeeping, HoldsAWamvWithXThrustersInWavesAndWind) {
   ControlledBoat boat("wamv_x", shipped_control("wamv"), sea);
   boat.set_wind({-2.5, 3.12, 0.0});
   boat.place(5.0, -3.0, 0.3);
-  boat.tell(keep(0.0, 0.0, 1.0));
+  boat.command(keep(0.0, 0.0, 1.0));
   boat.run(60.0);
   int within = 0;
   double worst_heading = 0.0;

@@ -56,8 +56,8 @@ class ControlledWorld {
   void run(double duration_s) { world_->step(static_cast<int>(duration_s / 0.01)); }
   World& world() { return *world_; }
   const std::vector<Report>& reports() const { return world_.reports; }
-  std::size_t told(Severity severity, const std::string& text) const {
-    return world_.told(severity, text);
+  std::size_t report_count(Severity severity, const std::string& text) const {
+    return world_.report_count(severity, text);
   }
   SE3 pose() const { return boat_->T_world_model(); }
 
@@ -70,7 +70,7 @@ TEST(VesselControllerPlugin, MovesTheBoatAsTheCoreWould) {
   ControlledWorld world;
   world.write("command/heading", ScalarSample{{}, 0.7});
   ControlledBoat core("otter", shipped_control("otter"));
-  core.tell(towards(control::VesselCommand::Kind::kHeading, 0.7));
+  core.command(towards(control::VesselCommand::Kind::kHeading, 0.7));
   world.run(30.0);
   core.run(30.0);
   EXPECT_NEAR(world.pose().rpy().z(), core.heading(), 0.01);
@@ -96,7 +96,7 @@ TEST_P(EveryTiming, FollowsAPathAndKeepsStation) {
 INSTANTIATE_TEST_SUITE_P(Timings, EveryTiming,
                          testing::Values(LoopTiming::kRotors, LoopTiming::kDirect));
 
-TEST(VesselControllerPlugin, BadCommandsAreToldOnceAndChangeNothing) {
+TEST(VesselControllerPlugin, BadCommandsAreReportedOnceAndChangeNothing) {
   ControlledWorld world;
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (int i = 0; i < 3; ++i) {
@@ -106,15 +106,16 @@ TEST(VesselControllerPlugin, BadCommandsAreToldOnceAndChangeNothing) {
     world.run(1.0);
   }
   EXPECT_LT(world.pose().p.head<2>().norm(), 0.05);
-  EXPECT_EQ(world.told(Severity::kError, "surge speed = nan m/s, legal is a number up to"), 1U);
-  EXPECT_EQ(world.told(Severity::kError, "0 waypoints, legal is 1 to 10000"), 1U);
-  EXPECT_EQ(world.told(Severity::kError, "heading = nan rad, legal is a number up to"), 1U);
+  EXPECT_EQ(world.report_count(Severity::kError, "surge speed = nan m/s, legal is a number up to"),
+            1U);
+  EXPECT_EQ(world.report_count(Severity::kError, "0 waypoints, legal is 1 to 10000"), 1U);
+  EXPECT_EQ(world.report_count(Severity::kError, "heading = nan rad, legal is a number up to"), 1U);
   world.write("cmd_vel", TwistCommand{{}, {9.0, 0, 0}, {0, 0, 1.0}});
   world.run(0.1);
-  EXPECT_EQ(
-      world.told(Severity::kWarning, "surge speed = 9 m/s is cut to 2.5, legal is [-0.8, 2.5] m/s"),
-      1U);
-  EXPECT_EQ(world.told(Severity::kWarning, "yaw rate = 1 rad/s is cut to 0.4"), 1U);
+  EXPECT_EQ(world.report_count(Severity::kWarning,
+                               "surge speed = 9 m/s is cut to 2.5, legal is [-0.8, 2.5] m/s"),
+            1U);
+  EXPECT_EQ(world.report_count(Severity::kWarning, "yaw rate = 1 rad/s is cut to 0.4"), 1U);
 }
 
 TEST(VesselPluginCommands, OfTheWrongNumberOrNotFiniteAreRefused) {
@@ -129,17 +130,17 @@ TEST(VesselPluginCommands, OfTheWrongNumberOrNotFiniteAreRefused) {
   command.angular_velocities.assign(std::vector<double>{50.0});
   port->write(command);
   world->step(10);
-  EXPECT_EQ(world.told(Severity::kError, "1 commands, legal is 2"), 1U);
+  EXPECT_EQ(world.report_count(Severity::kError, "1 commands, legal is 2"), 1U);
   command.angular_velocities.assign(
       std::vector<double>{std::numeric_limits<double>::infinity(), 500.0});
   port->write(command);
   world->step(10);
-  EXPECT_EQ(world.told(Severity::kError, "is refused, the last good one stays"), 1U);
-  EXPECT_EQ(world.told(Severity::kWarning, "is cut to the nearest"), 1U);
+  EXPECT_EQ(world.report_count(Severity::kError, "is refused, the last good one stays"), 1U);
+  EXPECT_EQ(world.report_count(Severity::kWarning, "is cut to the nearest"), 1U);
   EXPECT_GT(boat.T_world_model().rpy().z(), 0.0);  // by the right propeller alone
 }
 
-TEST(VesselControllerPlugin, GoesOnFromASnapshotAndRepeats) {
+TEST(VesselControllerPlugin, ContinuesFromASnapshotAndRepeats) {
   ControlledWorld world;
   world.write("command/path", PathCommand{{}, {{30, 0, 0}, {30, 25, 0}}});
   world.run(10.0);

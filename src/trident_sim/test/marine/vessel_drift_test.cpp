@@ -26,7 +26,7 @@ double distance_to_leg(const Eigen::Vector2d& p, const Eigen::Vector2d& a,
 
 /// Root mean square of the distance to the nearest leg, until the last waypoint's circle.
 double tracking_rms(ControlledBoat& boat, const Path& path) {
-  boat.tell(follow(path));
+  boat.command(follow(path));
   double sum = 0.0;
   int count = 0;
   while (boat.controller().mode() != control::VesselMode::kStation && boat.time_s() < 300.0) {
@@ -64,7 +64,7 @@ Eigen::Vector2d observed(const EnvironmentParams& sea, const std::vector<double>
   ControlledBoat boat("wamv", shipped_control("wamv"), sea);
   control::DriftObserver observer(shipped_model("wamv"), 5.0);
   for (const double heading : headings) {
-    boat.tell(towards(control::VesselCommand::Kind::kHeading, heading));
+    boat.command(towards(control::VesselCommand::Kind::kHeading, heading));
     for (int i = 0; i < 3000; ++i) {
       boat.step();
       const Vector6d nu = boat.boat().nu();

@@ -139,7 +139,7 @@ class Regatta {
   TestWorld world_;
 };
 
-TEST(VesselPlugin, RunsAreEqualToTheBitAndGoOnFromASnapshot) {
+TEST(VesselPlugin, RunsAreEqualToTheBitAndContinueFromASnapshot) {
   Regatta first, second;
   first.run(0, 1000);
   second.run(0, 410);
@@ -153,7 +153,7 @@ TEST(VesselPlugin, RunsAreEqualToTheBitAndGoOnFromASnapshot) {
   EXPECT_EQ(second.world().state_hash(), hash);
 }
 
-TEST(VesselPlugin, ResetBeginsAnew) {
+TEST(VesselPlugin, ResetStartsAgain) {
   Regatta boats;
   boats.run(0, 300);
   const std::string hash = boats.world().state_hash();
@@ -208,7 +208,7 @@ TEST(VesselPlugin, CommandsThatAreNotFiniteAreRefusedAndOthersClamped) {
   EXPECT_TRUE(contains(entries.at(subject + "refused").newest.message,
                        "is refused, the last good one stays; legal is [-101.74, 103.93]"));
   ASSERT_EQ(entries.count(subject + "clamped"), 1U);
-  EXPECT_EQ(world.told(Severity::kError, "nan is refused"), 1U);
+  EXPECT_EQ(world.report_count(Severity::kError, "nan is refused"), 1U);
 }
 
 TEST(VesselPlugin, ThrusterStopsWhenCommandsStopComing) {
@@ -225,14 +225,14 @@ TEST(VesselPlugin, ThrusterStopsWhenCommandsStopComing) {
   EXPECT_EQ(port->value.value, 0.0);
 }
 
-TEST(VesselPlugin, WorldWithoutSeaIsToldOnce) {
+TEST(VesselPlugin, WorldWithoutSeaIsReportedOnce) {
   TestWorld world(ocean());
   world.add(make_boat("otter", "a"));
   ModelSpec b = make_boat("otter", "b");
   b.T_world_model = at(5, 0, 0);
   world.add(std::move(b));
   world->step(10);
-  EXPECT_EQ(world.told(Severity::kWarning, "has no sea"), 1U);
+  EXPECT_EQ(world.report_count(Severity::kWarning, "has no sea"), 1U);
 }
 
 std::string refusal(const ModelSpec& spec) {

@@ -100,7 +100,7 @@ TEST(VrxWind, PushesByApparentWindOrAsVrxByWindOverGround) {
   EXPECT_NEAR(push("true"), 0.5 * 64.0, 1e-6);
 }
 
-TEST(VrxWind, TellsItsWindAndGustsHaveTheirSpread) {
+TEST(VrxWind, ReportsItsWindAndGustsHaveTheirSpread) {
   WorldSpec spec = weightless(0.1);
   spec.plugins = {vrx_wind({{"var_wind_gain_constants", "1.5"},
                             {"var_wind_time_constants", "2"},
@@ -146,7 +146,7 @@ TEST(VrxWind, BadInputIsRefused) {
   spec.links[0].name = "deck";
   world.add(spec);
   world->step(3);
-  EXPECT_EQ(world.told(Severity::kError, "<wind_obj> names link 'link'"), 1U);
+  EXPECT_EQ(world.report_count(Severity::kError, "<wind_obj> names link 'link'"), 1U);
 }
 
 /// A mast that turns and moves, with an anemometer.
@@ -186,7 +186,7 @@ TEST(Anemometer, MeasuresApparentWindInItsFrame) {
   EXPECT_NEAR(mast.reading->value.speed_m_s, std::sqrt(10.0), 1e-9);
 }
 
-TEST(Anemometer, TellsWhereTheWindComesFromClockwise) {
+TEST(Anemometer, ReportsWhereTheWindComesFromClockwise) {
   // The wind blows to +x; a bow that points to +x has it from astern, one that points to +y from
   // port, which is 270 degrees.
   for (const auto& [yaw, from] : {std::pair{0.0, 180.0}, {90.0, 270.0}, {-90.0, 90.0}}) {
@@ -199,7 +199,7 @@ TEST(Anemometer, TellsWhereTheWindComesFromClockwise) {
   }
 }
 
-TEST(Anemometer, NoiseHasItsSpreadWhoeverListens) {
+TEST(Anemometer, NoiseHasItsSpreadWithAnyListeners) {
   Mast mast(ParamList{{"gaussianNoise", "0.3"}, {"bias", "0.1 0 0"}}),
       other(ParamList{{"gaussianNoise", "0.3"}, {"bias", "0.1 0 0"}});
   other.reading->remove_listener();

@@ -73,7 +73,7 @@ TEST(Collision, BodiesOfOneModelPassThroughEachOtherUnlessItSelfCollides) {
   }
 }
 
-TEST(Collision, JointedNeighboursDoNotCollideEvenThen) {
+TEST(Collision, JointedNeighborsDoNotCollideEvenThen) {
   TestWorld world;
   ModelSpec spec = make_body("m", SphereShape{0.2}, {});
   spec.links.push_back(spec.links[0]);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kDt = 0.01, kRadius = 0.5;
 /// Deeper than what a body that was put into another one is moved out of it in a step [m/s].
-constexpr double kEmergingSpeed = 0.5, kShallow = 0.8 * kEmergingSpeed * kDt;
+constexpr double kDepenetrationSpeed = 0.5, kShallow = 0.8 * kDepenetrationSpeed * kDt;
 /// Softness of a contact: what a newton takes from the speed of being pushed out [m/s].
 constexpr double kSoftness = 1e-8;
 
@@ -88,7 +88,7 @@ TEST_P(MaxVel, IsTheSpeedThatRemainsOfPuttingADepthRight) {
   }
 }
 
-TEST_P(MaxVel, IsACentimetreASecondByDefault) {
+TEST_P(MaxVel, IsACentimeterASecondByDefault) {
   SunkenBall sunken(kShallow, {}, {}, spec_with(GetParam()));
   EXPECT_NEAR(sunken.speed_after_one_step(), 0.01, 1e-6);
 }
@@ -112,9 +112,9 @@ TEST_P(MaxVel, DoesNotBoundABounce) {
 TEST_P(MaxVel, WhatWasPutDeepIntoSomethingComesOutSlowly) {
   SunkenBall sunken(0.1, {}, {}, spec_with(GetParam()));
   double depth = 0.1;
-  while (depth > kEmergingSpeed * kDt) {
+  while (depth > kDepenetrationSpeed * kDt) {
     EXPECT_NEAR(sunken.speed_after_one_step(), 0.01, 1e-5);
-    depth -= kEmergingSpeed * kDt;
+    depth -= kDepenetrationSpeed * kDt;
     ASSERT_NEAR(sunken.depth(), depth, 1e-5);
   }
   EXPECT_NEAR(sunken.depth_at_rest(), 0.0, 1e-5);

@@ -123,7 +123,7 @@ TEST(Contact, ATiltedPlaneCarriesToo) {
   EXPECT_LT(box.bodies[0]->velocity().norm(), 5e-3);
 }
 
-TEST(Contact, RestitutionGivesBackItsPartOfTheSpeed) {
+TEST(Contact, RestitutionRestoresItsPartOfTheSpeed) {
   Surface bouncy;
   bouncy.restitution = 0.6;
   bouncy.bounce_threshold_m_s = 0.01;

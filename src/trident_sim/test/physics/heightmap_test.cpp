@@ -77,7 +77,7 @@ TEST(Heightmap, ItTurnsWithItsModel) {
   EXPECT_NEAR(rests_at(world, 0, 2), 0.0, 2e-3);
 }
 
-TEST(Heightmap, BesideItThereIsNothing) {
+TEST(Heightmap, NextToItThereIsNothing) {
   const ScratchFolder folder;
   TestWorld world;
   world.add(terrain(folder.write("a.pgm", ramp(3, 3)), {2, 2, 1}));
@@ -141,15 +141,15 @@ void write_png(const std::string& file, png_uint_32 format, const void* pixels) 
 TEST(HeightImage, PngAndPgmOfAnyDepthAreTheSame) {
   const ScratchFolder folder;
   const std::vector<float> expected{0.0F, 51 / 255.0F, 102 / 255.0F, 153 / 255.0F, 204 / 255.0F, 1};
-  const std::uint8_t grey[6] = {0, 51, 102, 153, 204, 255};
+  const std::uint8_t gray[6] = {0, 51, 102, 153, 204, 255};
   const std::uint16_t deep[6] = {0, 13107, 26214, 39321, 52428, 65535};
   std::uint8_t rgba[24];
-  for (int i = 0; i < 24; ++i) rgba[i] = i % 4 == 3 ? 255 : grey[i / 4];
-  write_png((folder.path() + "/8.png"), PNG_FORMAT_GRAY, grey);
+  for (int i = 0; i < 24; ++i) rgba[i] = i % 4 == 3 ? 255 : gray[i / 4];
+  write_png((folder.path() + "/8.png"), PNG_FORMAT_GRAY, gray);
   write_png((folder.path() + "/16.png"), PNG_FORMAT_LINEAR_Y, deep);
   write_png((folder.path() + "/rgba.png"), PNG_FORMAT_RGBA, rgba);
   folder.write("2.pgm", pgm(3, 2, {0, 51, 102, 153, 204, 255}));
-  folder.write("5.pgm", "P5 3 2 255\n" + std::string(grey, grey + 6));
+  folder.write("5.pgm", "P5 3 2 255\n" + std::string(gray, gray + 6));
   std::string two_bytes = "P5\n3 2\n65535\n";
   for (const std::uint16_t value : deep) {
     two_bytes += {static_cast<char>(value >> 8), static_cast<char>(value & 255)};
@@ -166,8 +166,8 @@ TEST(HeightImage, PngAndPgmOfAnyDepthAreTheSame) {
 
 TEST(HeightImage, BadFilesAreRefusedByName) {
   const ScratchFolder folder;
-  const std::uint8_t grey[6] = {};
-  write_png((folder.path() + "/whole.png"), PNG_FORMAT_GRAY, grey);
+  const std::uint8_t gray[6] = {};
+  write_png((folder.path() + "/whole.png"), PNG_FORMAT_GRAY, gray);
   std::string cut = read_file(folder.path() + "/whole.png");
   cut.resize(cut.size() - 20);
   const std::pair<std::string, std::string> cases[] = {

@@ -53,7 +53,7 @@ TEST(Inertia, TheInertialFrameCounts) {
   EXPECT_TRUE(near(body.inertia_tensor(), Eigen::Vector3d(0.1, 0.3, 0.2).asDiagonal(), 1e-12));
 }
 
-TEST(Inertia, ASpunRotorLoadsItsCarrierRoundAndWithoutItsAxis) {
+TEST(Inertia, ARotorJointLoadsItsCarrierRoundAndWithoutItsAxis) {
   QuadOptions options;
   TestWorld world;
   Model& quad = world.add(make_quad(options));

@@ -186,7 +186,7 @@ TEST(JointDrivePlugin, FollowsItsPort) {
   EXPECT_EQ(state->value.stamp, w.world->time());
 }
 
-TEST(JointDrivePlugin, ATargetThatIsNotFiniteIsToldOnceAndIgnored) {
+TEST(JointDrivePlugin, ATargetThatIsNotFiniteIsReportedOnceAndIgnored) {
   WheelWorld w(kPlugin);
   for (int i = 0; i < 3; ++i) {
     w.world->ports()
@@ -194,7 +194,7 @@ TEST(JointDrivePlugin, ATargetThatIsNotFiniteIsToldOnceAndIgnored) {
         ->write({{}, std::numeric_limits<double>::infinity()});
     w.world->step();
   }
-  EXPECT_EQ(w.world.told(Severity::kError, "target is inf, must be finite"), 1u);
+  EXPECT_EQ(w.world.report_count(Severity::kError, "target is inf, must be finite"), 1u);
   EXPECT_DOUBLE_EQ(w.world->find_drive(*w.joint)->target(), 0.0);
 }
 

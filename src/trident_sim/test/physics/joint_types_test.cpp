@@ -166,7 +166,7 @@ TEST(Spring, OneThatPullsBeyondAllBoundsStopsItsBodiesAndNotTheProgram) {
   spec.joints[0].spring_reference = -1e308;
   world.add(std::move(spec));
   world->step(10);
-  EXPECT_EQ(world.told(Severity::kWarning, "grows without bound"), 1u);
+  EXPECT_EQ(world.report_count(Severity::kWarning, "grows without bound"), 1u);
 }
 
 TEST(Revolute, AnEffortBeyondAllBoundsStopsItsBodiesAndNotTheProgram) {
@@ -176,7 +176,7 @@ TEST(Revolute, AnEffortBeyondAllBoundsStopsItsBodiesAndNotTheProgram) {
         make_on_world(JointType::kRevolute, {0, 0, 0}, {0, 0.6, 0.8}, {1e-9, 2e-9, 1e-9}));
     world->apply_effort({model.find_joint("j"), effort, SimTime{0}, SimTime{-1}});
     world->step(10);
-    EXPECT_EQ(world.told(Severity::kWarning, "grows without bound"), 1u) << effort;
+    EXPECT_EQ(world.report_count(Severity::kWarning, "grows without bound"), 1u) << effort;
     EXPECT_THROW(
         world->apply_effort({model.find_joint("j"), 1e3 * effort, SimTime{0}, SimTime{-1}}), Error);
   }

@@ -72,7 +72,7 @@ class RigidCase : public testing::TestWithParam<Setting> {
     world_->set_model_twist(spawned, v, w);
     return *spawned.bodies[0];
   }
-  bool goes_on(double end_s) { return world_->time() < SimTime::from_seconds(end_s); }
+  bool continues(double end_s) { return world_->time() < SimTime::from_seconds(end_s); }
 
   TestWorld world_{spec()};
 };
@@ -115,7 +115,7 @@ TEST_P(RigidCase, ABoxAboutToTipSlidesForCoulombsSum) {
     double x = 0.0, greatest_tilt = 0.0;
     for (double v = 2.0 - mu * kGravity * dt(); v > 0.0; v -= mu * kGravity * dt()) x += v * dt();
     const double end = world_->time().seconds() + 2.0 / (mu * kGravity) + 0.5;
-    while (goes_on(end)) {
+    while (continues(end)) {
       world_->step();
       greatest_tilt = std::max(greatest_tilt, tilt(body));
     }
@@ -128,9 +128,9 @@ TEST_P(RigidCase, ABoxAboutToTipSlidesForCoulombsSum) {
   }
 }
 
-TEST_P(RigidCase, ABallThatRollsGoesOn) {
+TEST_P(RigidCase, ABallThatRollsContinues) {
   const Body& body = add(ball("m", at(0, 0, kHalf)), {1, 0, 0}, {0, 10, 0});
-  while (goes_on(8.0)) {
+  while (continues(8.0)) {
     world_->step();
     ASSERT_NEAR(body.pose().p.x(), world_->time().seconds(), 1e-4);
     ASSERT_NEAR(body.pose().p.z(), kHalf, 1e-5);
@@ -140,7 +140,7 @@ TEST_P(RigidCase, ABallThatRollsGoesOn) {
 TEST_P(RigidCase, ABallThatSlidesIsSlowedUntilItRolls) {
   const Body& body = add(ball("m", at(0, 0, kHalf)), {1, 0, 0});
   double x = 0.0, v = 1.0, w = 0.0;
-  while (goes_on(8.0)) {
+  while (continues(8.0)) {
     // What friction takes from the speed, a ball's slip loses three and a half times.
     const double taken = std::min(kGravity * dt(), (v - kHalf * w) / 3.5);
     v -= taken;
@@ -155,7 +155,7 @@ TEST_P(RigidCase, ABallThatSlidesIsSlowedUntilItRolls) {
 TEST_P(RigidCase, ABoxThatFallsOnACornerComesToRestOnAFace) {
   const Body& body = add(box("m", SE3::from_xyz_rpy({3, 0, 1.1}, 0.3, 0.2, 0)));
   double before = energy(body);
-  while (goes_on(8.0)) {
+  while (continues(8.0)) {
     world_->step();
     EXPECT_LE(energy(body), before + 1e-6) << world_->time().seconds();
     before = energy(body);
@@ -170,7 +170,7 @@ TEST_P(RigidCase, ABrickThatTumblesComesToRestOnAFace) {
   const Body& body = add(brick("m", at(-20, 0, 30)), {1, 0, 0}, {0.1, 5, 0.1});
   const double start = energy(body);
   double lowest = start;
-  while (goes_on(8.0)) {
+  while (continues(8.0)) {
     world_->step();
     // The steps of its tumbling are explicit; what it turns at 17 rad/s it gains a little of.
     EXPECT_LE(energy(body), lowest + 0.006) << world_->time().seconds();

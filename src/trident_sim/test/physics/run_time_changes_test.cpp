@@ -119,7 +119,7 @@ TEST(LinkInertial, AFlyingQuadFeelsIt) {
   expect_same_links(*set.quad, *spawned.quad, 1e-9);
 }
 
-TEST(LinkInertial, ARotorsLeverFollowsTheCentreOfMass) {
+TEST(LinkInertial, ARotorsLeverFollowsTheCenterOfMass) {
   QuadWorld set;
   Link& base = *set.quad->find_link("base_link");
   Inertial inertial = base.inertial;
@@ -146,7 +146,7 @@ TEST(LinkInertial, GravityIsALinksOwn) {
   EXPECT_NEAR(model.find_link("hand")->body->velocity().z(), -9.8 * 0.01, 1e-12);
 }
 
-TEST(LinkInertial, WeightBesideTheCentreOfMassTurns) {
+TEST(LinkInertial, WeightOffTheCenterOfMassTurns) {
   TestWorld world;
   ModelSpec spec;
   spec.name = "dumbbell";

@@ -47,7 +47,7 @@ TEST(Solver, OverRelaxationChangesHowFastIterationsConverge) {
   EXPECT_GT(std::abs(sinking(iterative(5, 0.3)) - sinking(iterative(5, 1.3))), 1e-3);
 }
 
-TEST(Solver, QuickIsExactForSmallIslandsUnlessToldOtherwise) {
+TEST(Solver, QuickIsExactForSmallIslandsUnlessConfiguredOtherwise) {
   PhysicsSpec physics = iterative(2);
   physics.exact_solver_rows = 150;
   EXPECT_EQ(sinking(physics), sinking(world_spec().physics));

@@ -76,8 +76,8 @@ TEST(Mesh, AHeightmapTooLargeForTrianglesIsLeftOutOfWhatRaysSee) {
   world.add(make_visual("hills", HeightmapShape{file, {10, 10, 1}}, {}));
   const RayScene& scene = fresh_rays(world, RayGeometry::kVisual);
   EXPECT_TRUE(scene.shapes().empty());
-  EXPECT_EQ(world.told(Severity::kWarning,
-                       "'hills::link::visual': heightmap '" + file + "' has 2050 x 2050 samples"),
+  EXPECT_EQ(world.report_count(Severity::kWarning, "'hills::link::visual': heightmap '" + file +
+                                                       "' has 2050 x 2050 samples"),
             1u);
 }
 

@@ -65,7 +65,7 @@ TEST(PictureFile, AJpegIsReadWhateverItsName) {
   }
 }
 
-TEST(PictureFile, AGreyJpegIsGrey) {
+TEST(PictureFile, AGrayJpegIsGray) {
   const ScratchFolder folder;
   const std::string file = folder.path() + "/grey.jpg";
   write_jpeg(file, 32, 16, 1);

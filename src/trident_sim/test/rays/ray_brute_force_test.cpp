@@ -82,10 +82,10 @@ TEST_P(AmongBoxes, AHundredThousandRaysAgreeWithSlabs) {
   const RayScene& scene = fresh_rays(world);
   const std::vector<Ray> rays = random_rays(100000, "slabs");
   const std::vector<RayHit> hits = cast_all(scene, rays);
-  int met = 0, at_edges = 0;
+  int hit_count = 0, at_edges = 0;
   for (std::size_t i = 0; i < rays.size(); ++i) {
     const double exact = nearest_slab(boxes, rays[i], 0.0);
-    met += hits[i].met() ? 1 : 0;
+    hit_count += hits[i].is_hit() ? 1 : 0;
     if (exact == hits[i].distance_m || std::abs(exact - hits[i].distance_m) < 1e-9) continue;
     // Embree may err by a rounded float at an edge: then the box grown or shrunk by that agrees.
     ++at_edges;
@@ -97,7 +97,7 @@ TEST_P(AmongBoxes, AHundredThousandRaysAgreeWithSlabs) {
     ASSERT_TRUE(agrees(grown) || agrees(shrunk))
         << i << ": " << exact << ", not " << hits[i].distance_m;
   }
-  EXPECT_GT(met, 300 * GetParam());
+  EXPECT_GT(hit_count, 300 * GetParam());
   EXPECT_LT(at_edges, 10);
 }
 
@@ -122,7 +122,7 @@ TEST(ManyRays, NoneSlipsBetweenBoxesSideBySide) {
   }
 }
 
-TEST(ManyRays, FromWithinABoxMeetTheFaceInFrontOfThem) {
+TEST(ManyRays, FromWithinABoxHitTheFaceInFrontOfThem) {
   TestWorld world;
   const SE3 T_world_box{Eigen::Quaterniond(0.9, 0.1, -0.2, 0.3).normalized(), {5.0, -7.0, 1.0}};
   world.add(make_static("box", BoxShape{{2, 4, 6}}, T_world_box));
@@ -154,7 +154,7 @@ TEST_P(AmongBoxes, OcclusionAgreesWithCasting) {
   const std::unique_ptr<bool[]> dark(new bool[rays.size()]);
   scene.occluded(rays, {dark.get(), rays.size()});
   int different = 0;
-  for (std::size_t i = 0; i < rays.size(); ++i) different += hits[i].met() != dark[i] ? 1 : 0;
+  for (std::size_t i = 0; i < rays.size(); ++i) different += hits[i].is_hit() != dark[i] ? 1 : 0;
   EXPECT_LE(different, 2) << "but for rays that graze an edge";
 }
 
@@ -196,9 +196,9 @@ TEST(ManyRays, ARandomMeshAgreesWithBruteForce) {
   Draw draw("soup");
   Soup soup;
   for (int i = 0; i < 400; ++i) {
-    const Eigen::Vector3d centre = draw.point(5.0);
+    const Eigen::Vector3d center = draw.point(5.0);
     for (int c = 0; c < 3; ++c) {
-      const Eigen::Vector3f corner = (centre + draw.point(3.0)).cast<float>();
+      const Eigen::Vector3f corner = (center + draw.point(3.0)).cast<float>();
       soup.corners.push_back(corner.cast<double>());
     }
   }
@@ -212,14 +212,14 @@ TEST(ManyRays, ARandomMeshAgreesWithBruteForce) {
     const RayScene& scene = fresh_rays(world, RayGeometry::kVisual);
     const std::vector<Ray> rays = random_rays(10000, "at soup");
     const std::vector<RayHit> hits = cast_all(scene, rays);
-    int met = 0;
+    int hit_count = 0;
     for (std::size_t i = 0; i < rays.size(); ++i) {
-      met += hits[i].met() ? 1 : 0;
+      hit_count += hits[i].is_hit() ? 1 : 0;
       const double low = soup.range(rays[i], 1e-4), high = soup.range(rays[i], -1e-4);
       ASSERT_GE(hits[i].distance_m, low - 1e-5) << i;
       ASSERT_TRUE(hits[i].distance_m <= high + 1e-5) << i;
     }
-    EXPECT_GT(met, 1000);
+    EXPECT_GT(hit_count, 1000);
   }
 }
 

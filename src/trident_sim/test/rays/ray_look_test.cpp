@@ -23,7 +23,7 @@ testing::AssertionResult uv_is(const RayHit& hit, double u, double v) {
   return testing::AssertionFailure() << "uv " << hit.uv.transpose() << ", not " << u << " " << v;
 }
 
-TEST(RayLook, AVisualsMaterialIsTold) {
+TEST(RayLook, AVisualsMaterialIsReported) {
   TestWorld world;
   Material red;
   red.is_given = true;
@@ -59,12 +59,12 @@ TEST(RayLook, AMeshHasItsOwnMaterialsUnlessTheVisualGivesOne) {
   red.diffuse = {1, 0, 0, 1};
   world.add(make_visual("painted", mesh, at(0, 5, 0), red));
   const RayScene& scene = fresh_rays(world, RayGeometry::kVisual);
-  const auto colour = [&](double x, double y) -> Eigen::Vector3d {
+  const auto color = [&](double x, double y) -> Eigen::Vector3d {
     return scene.materials().at(look(scene, {x, y, 2}, -kZ).material).diffuse.head<3>();
   };
-  EXPECT_TRUE(is_near(colour(0.3, 0.2), {0, 1, 0}, 1e-6));
-  EXPECT_TRUE(is_near(colour(1.3, 0.7), {0, 0, 1}, 1e-6));
-  EXPECT_TRUE(is_near(colour(0.3, 5.2), {1, 0, 0}, 1e-6));
+  EXPECT_TRUE(is_near(color(0.3, 0.2), {0, 1, 0}, 1e-6));
+  EXPECT_TRUE(is_near(color(1.3, 0.7), {0, 0, 1}, 1e-6));
+  EXPECT_TRUE(is_near(color(0.3, 5.2), {1, 0, 0}, 1e-6));
 }
 
 TEST(RayLook, AMeshHasItsOwnTextureCoordinatesAndNormals) {
@@ -132,12 +132,12 @@ TEST(RayLook, APictureCoversABoxUpright) {
   const RayHit top_left = look(scene, {-5, 0.5, 0.5}, kX);
   EXPECT_TRUE(is_near(scene.albedo(top_left), Material().diffuse.head<3>(), 1e-12));
   scene.use_textures();
-  const auto colour = [&](double y, double z) { return scene.albedo(look(scene, {-5, y, z}, kX)); };
-  EXPECT_TRUE(is_near(colour(0.5, 0.5), {1, 0, 0}, 1e-6));
-  EXPECT_TRUE(is_near(colour(-0.5, 0.5), {0, 1, 0}, 1e-6));
-  EXPECT_TRUE(is_near(colour(0.5, -0.5), {0, 0, 1}, 1e-6));
-  EXPECT_TRUE(is_near(colour(-0.5, -0.5), {1, 1, 1}, 1e-6));
-  EXPECT_TRUE(is_near(colour(0.0, 0.5), {0.5, 0.5, 0}, 1e-6)) << "half way between";
+  const auto color = [&](double y, double z) { return scene.albedo(look(scene, {-5, y, z}, kX)); };
+  EXPECT_TRUE(is_near(color(0.5, 0.5), {1, 0, 0}, 1e-6));
+  EXPECT_TRUE(is_near(color(-0.5, 0.5), {0, 1, 0}, 1e-6));
+  EXPECT_TRUE(is_near(color(0.5, -0.5), {0, 0, 1}, 1e-6));
+  EXPECT_TRUE(is_near(color(-0.5, -0.5), {1, 1, 1}, 1e-6));
+  EXPECT_TRUE(is_near(color(0.0, 0.5), {0.5, 0.5, 0}, 1e-6)) << "half way between";
   EXPECT_TRUE(is_near(scene.albedo(look(scene, {-5, 5, 0}, kX)), {0, 0, 0}, 0.0));
 }
 
@@ -155,7 +155,7 @@ TEST(RayLook, APictureRepeatsOnAPlane) {
   }
 }
 
-TEST(RayLook, APictureThatCannotBeReadIsToldOfOnce) {
+TEST(RayLook, APictureThatCannotBeReadIsReportedOnce) {
   const ScratchFolder folder;
   const std::string file = folder.write("photo.jpg", "no PNG");
   TestWorld world;
@@ -165,7 +165,8 @@ TEST(RayLook, APictureThatCannotBeReadIsToldOfOnce) {
   scene.use_textures();
   world.add(make_visual("b", BoxShape{{1, 1, 1}}, at(-3, 0, 0), with_picture(file)));
   scene.refresh();
-  EXPECT_EQ(world.told(Severity::kWarning, "texture '" + file + "' cannot be read as a PNG"), 1u);
+  EXPECT_EQ(
+      world.report_count(Severity::kWarning, "texture '" + file + "' cannot be read as a PNG"), 1u);
   EXPECT_TRUE(is_near(scene.albedo(look(scene, {0, 0, 0}, -kX)), {0.7, 0.7, 0.7}, 1e-12));
 }
 

@@ -17,7 +17,7 @@ constexpr double kNoShape = std::numeric_limits<double>::infinity();
 const Eigen::Vector3d kForward = Eigen::Vector3d::UnitX(), kLeft = Eigen::Vector3d::UnitY(),
                       kUpward = Eigen::Vector3d::UnitZ();
 
-TEST(RayScene, InAnEmptyWorldNothingIsMet) {
+TEST(RayScene, InAnEmptyWorldNothingIsHit) {
   TestWorld world;
   const RayScene& scene = rays(*world, RayGeometry::kCollision);
   EXPECT_EQ(range(scene, {0, 0, 1}, -kUpward), kNoShape);
@@ -30,7 +30,7 @@ TEST(RayScene, InAnEmptyWorldNothingIsMet) {
   scene.cast({}, {});
 }
 
-TEST(RayScene, RaysThatAreNotFiniteMeetNothing) {
+TEST(RayScene, RaysThatAreNotFiniteHitNothing) {
   TestWorld world;
   world.add(make_ground());
   world.add(make_static("box", BoxShape{{1, 1, 1}}, at(0, 0, 0.5)));
@@ -42,7 +42,7 @@ TEST(RayScene, RaysThatAreNotFiniteMeetNothing) {
   rays[2].t_max_m = nan;
   rays[3].t_min_m = 10.0, rays[3].t_max_m = 1.0;
   const std::vector<RayHit> hits = cast_all(scene, rays);
-  for (int i = 0; i < 4; ++i) EXPECT_FALSE(hits[i].met()) << i;
+  for (int i = 0; i < 4; ++i) EXPECT_FALSE(hits[i].is_hit()) << i;
   EXPECT_NEAR(hits[4].distance_m, 2.0, 1e-12);
 }
 
@@ -62,7 +62,7 @@ TEST(RayScene, OnlySurfacesWithinTheLimitsCount) {
   EXPECT_EQ(between(5.6, kNoShape), kNoShape);
 }
 
-TEST(RayScene, MovedAndTurnedModelsAreMetWhereTheyAre) {
+TEST(RayScene, MovedAndTurnedModelsAreHitWhereTheyAre) {
   TestWorld world;
   Model& box = world.add(make_body("box", BoxShape{{2, 1, 1}}, at(5, 0, 0)));
   RayScene& scene = fresh_rays(world);
@@ -141,7 +141,7 @@ TEST(RayScene, ModelsComeAndGo) {
   }
 }
 
-TEST(RayScene, AModelThatTakesTheNameOfAnotherIsMet) {
+TEST(RayScene, AModelThatTakesTheNameOfAnotherIsHit) {
   TestWorld world;
   world.add(make_static("wall", BoxShape{{1, 1, 1}}, at(3, 0, 0)));
   RayScene& scene = fresh_rays(world);
@@ -151,7 +151,7 @@ TEST(RayScene, AModelThatTakesTheNameOfAnotherIsMet) {
   EXPECT_NEAR(range(scene, {0, 0, 0}, kForward), 6.5, 1e-12);
 }
 
-TEST(RayScene, HitsTellWhatWasMet) {
+TEST(RayScene, HitsSayWhatWasHit) {
   TestWorld world;
   world.add(make_static("a_wall", BoxShape{{1, 1, 1}}, at(3, 0, 0)));
   ModelSpec robot = make_body("robot", SphereShape{0.5}, at(-3, 0, 0));
@@ -250,7 +250,7 @@ TEST(RayScene, WhatIsTransparentIsNotSeen) {
   EXPECT_NEAR(range(fresh_rays(world, RayGeometry::kVisual), {0, 0, 0}, kForward), 5.5, 1e-12);
 }
 
-TEST(RayScene, OnlyWhatCastsShadowsIsInTheWayOfLight) {
+TEST(RayScene, OnlyWhatCastsShadowsBlocksLight) {
   for (const bool is_static : {true, false}) {
     TestWorld world;
     for (const bool casts : {false, true}) {
@@ -278,7 +278,7 @@ TEST(RayScene, OnlyWhatCastsShadowsIsInTheWayOfLight) {
   }
 }
 
-TEST(RayScene, AVisualMeshThatCannotBeReadIsToldOfOnce) {
+TEST(RayScene, AVisualMeshThatCannotBeReadIsReportedOnce) {
   const ScratchFolder folder;
   TestWorld world;
   const std::string file = folder.write("bad.obj", "this is no mesh\n");
@@ -287,7 +287,8 @@ TEST(RayScene, AVisualMeshThatCannotBeReadIsToldOfOnce) {
   RayScene& scene = fresh_rays(world, RayGeometry::kVisual);
   scene.refresh();
   EXPECT_NEAR(range(scene, {0, 0, 0}, kForward), 4.5, 1e-12);
-  EXPECT_EQ(world.told(Severity::kWarning, "visual 'broken::link::visual': mesh '" + file), 1u);
+  EXPECT_EQ(world.report_count(Severity::kWarning, "visual 'broken::link::visual': mesh '" + file),
+            1u);
 }
 
 }  // namespace

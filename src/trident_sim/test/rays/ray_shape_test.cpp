@@ -17,18 +17,18 @@ constexpr double kNoRefusal = std::numeric_limits<double>::infinity();
 const Eigen::Vector3d kAxisX = Eigen::Vector3d::UnitX(), kAxisY = Eigen::Vector3d::UnitY(),
                       kAxisZ = Eigen::Vector3d::UnitZ();
 
-TEST(RayShape, ABoxIsMetOnEachFaceFromOutsideAndFromWithin) {
+TEST(RayShape, ABoxIsHitOnEachFaceFromOutsideAndFromWithin) {
   TestWorld world;
   world.add(make_static("box", BoxShape{{2, 4, 6}}, at(1, 2, 3)));
   const RayScene& scene = fresh_rays(world);
-  const Eigen::Vector3d centre(1, 2, 3);
+  const Eigen::Vector3d center(1, 2, 3);
   for (int axis = 0; axis < 3; ++axis) {
     for (const double side : {-1.0, 1.0}) {
       const Eigen::Vector3d out = side * Eigen::Vector3d::Unit(axis);
-      const RayHit outside = cast_one(scene, ray_along(centre + 10.0 * out, -out));
+      const RayHit outside = cast_one(scene, ray_along(center + 10.0 * out, -out));
       EXPECT_NEAR(outside.distance_m, 10.0 - (axis + 1.0), 1e-12);
       EXPECT_TRUE(is_near(outside.normal_world, out, 1e-12));
-      const RayHit within = cast_one(scene, ray_along(centre, out));
+      const RayHit within = cast_one(scene, ray_along(center, out));
       EXPECT_NEAR(within.distance_m, axis + 1.0, 1e-12);
       EXPECT_TRUE(is_near(within.normal_world, -out, 1e-12));
     }
@@ -36,35 +36,35 @@ TEST(RayShape, ABoxIsMetOnEachFaceFromOutsideAndFromWithin) {
   EXPECT_EQ(range(scene, {10, 10, 10}, kAxisX), kNoRefusal);
 }
 
-TEST(RayShape, ASphereIsMetAsCloselyAsDoublesGoAlsoFarFromTheOrigin) {
+TEST(RayShape, ASphereIsHitAsCloselyAsDoublesGoAlsoFarFromTheOrigin) {
   TestWorld world;
-  const Eigen::Vector3d centre(280, -290, 15);
-  world.add(make_static("ball", SphereShape{0.7}, SE3{Eigen::Quaterniond::Identity(), centre}));
+  const Eigen::Vector3d center(280, -290, 15);
+  world.add(make_static("ball", SphereShape{0.7}, SE3{Eigen::Quaterniond::Identity(), center}));
   const RayScene& scene = fresh_rays(world);
   Draw draw("sphere");
   for (int i = 0; i < 1000; ++i) {
-    const Eigen::Vector3d p = centre + draw.uniform(1.0, 60.0) * draw.direction();
-    const Eigen::Vector3d aim = centre + 0.65 * draw.direction();
+    const Eigen::Vector3d p = center + draw.uniform(1.0, 60.0) * draw.direction();
+    const Eigen::Vector3d aim = center + 0.65 * draw.direction();
     const Eigen::Vector3d d = (aim - p).normalized();
-    const double along = (centre - p).dot(d);
-    const double beside = (centre - p - along * d).norm();
+    const double along = (center - p).dot(d);
+    const double off_axis = (center - p - along * d).norm();
     const RayHit hit = cast_one(scene, ray_along(p, d));
-    ASSERT_NEAR(hit.distance_m, along - std::sqrt(0.49 - beside * beside), 1e-9);
-    ASSERT_TRUE(is_near(hit.normal_world, (p + hit.distance_m * d - centre).normalized(), 1e-9));
+    ASSERT_NEAR(hit.distance_m, along - std::sqrt(0.49 - off_axis * off_axis), 1e-9);
+    ASSERT_TRUE(is_near(hit.normal_world, (p + hit.distance_m * d - center).normalized(), 1e-9));
   }
-  EXPECT_NEAR(range(scene, centre, {1, 1, 1}), 0.7, 1e-12);
-  EXPECT_EQ(range(scene, centre + 0.71 * kAxisZ, kAxisX), kNoRefusal);
+  EXPECT_NEAR(range(scene, center, {1, 1, 1}), 0.7, 1e-12);
+  EXPECT_EQ(range(scene, center + 0.71 * kAxisZ, kAxisX), kNoRefusal);
 }
 
 /// Rays of pictures are as long as their pixel lies off the axis.
-TEST(RayShape, PacketsMeetRoundShapesWhateverTheLengthOfTheirDirections) {
+TEST(RayShape, PacketsHitRoundShapesWhateverTheLengthOfTheirDirections) {
   TestWorld world;
   world.add(make_static("ball", SphereShape{1.0}, at(5, 0, 0)));
   world.add(make_static("post", CylinderShape{0.4, 3.0}, at(4, 3, 1)));
   world.add(make_static("pill", CapsuleShape{0.5, 1.0}, at(4, -3, -1)));
   const RayScene& scene = fresh_rays(world);
   Draw draw("packets");
-  std::size_t met = 0;
+  std::size_t hit_count = 0;
   for (int i = 0; i < 500; ++i) {
     RayPacket rays;
     rays.origin_x = rays.origin_y = rays.origin_z = {};
@@ -82,7 +82,7 @@ TEST(RayShape, PacketsMeetRoundShapesWhateverTheLengthOfTheirDirections) {
       same.push_back(ray_along(Eigen::Vector3d::Zero(), d));
     }
     PacketHits hits;
-    scene.meet(rays, hits);
+    scene.intersect(rays, hits);
     for (std::size_t lane = 0; lane < kPacketLanes; ++lane) {
       const Eigen::Vector3d d(rays.direction_x[lane], rays.direction_y[lane],
                               rays.direction_z[lane]);
@@ -90,10 +90,10 @@ TEST(RayShape, PacketsMeetRoundShapesWhateverTheLengthOfTheirDirections) {
       ASSERT_EQ(hits.shape[lane], alone.shape) << i << " " << lane;
       if (alone.shape == RayHit::kNothing) continue;
       ASSERT_NEAR(hits.t[lane] * d.norm(), alone.distance_m, 1e-3);
-      ++met;
+      ++hit_count;
     }
   }
-  EXPECT_GT(met, 1000u);
+  EXPECT_GT(hit_count, 1000u);
 }
 
 /// First distance at which `inside` changes, found by steps and bisection, without closed forms.
@@ -127,7 +127,7 @@ void expect_as_marched(const Shape& shape, bool is_static, Inside&& inside) {
   const RayScene& scene = fresh_rays(world);
   const SE3 T_shape_world = T.inverse();
   Draw draw("march");
-  int met = 0;
+  int hit_count = 0;
   for (int i = 0; i < 300; ++i) {
     const Ray ray = ray_along(draw.uniform(0.0, 3.0) * draw.direction(), draw.direction());
     const auto expected =
@@ -135,7 +135,7 @@ void expect_as_marched(const Shape& shape, bool is_static, Inside&& inside) {
     const RayHit hit = cast_one(scene, ray);
     // What is grazed for less than a step is not marched into.
     if (!expected) continue;
-    ++met;
+    ++hit_count;
     ASSERT_LE(hit.distance_m, *expected + 1e-8) << "ray " << i;
     if (hit.distance_m < *expected - 1e-8) {
       const double behind = hit.distance_m + 2e-3;
@@ -149,7 +149,7 @@ void expect_as_marched(const Shape& shape, bool is_static, Inside&& inside) {
               inside(T_shape_world * (p - step * hit.normal_world)));
     ASSERT_LT(hit.normal_world.dot(ray.direction_world), 0.0);
   }
-  EXPECT_GT(met, 50);
+  EXPECT_GT(hit_count, 50);
 }
 
 bool in_cylinder(const Eigen::Vector3d& p) {
@@ -163,7 +163,7 @@ bool in_box(const Eigen::Vector3d& p) {
   return (p.cwiseAbs() - Eigen::Vector3d(0.5, 0.4, 0.8)).maxCoeff() <= 0.0;
 }
 
-TEST(RayShape, TurnedShapesAreMetWhereMarchingMeetsThem) {
+TEST(RayShape, TurnedShapesAreHitWhereMarchingHitsThem) {
   for (const bool is_static : {true, false}) {
     expect_as_marched(CylinderShape{0.5, 1.6}, is_static, in_cylinder);
     expect_as_marched(CapsuleShape{0.5, 1.6}, is_static, in_capsule);
@@ -173,7 +173,7 @@ TEST(RayShape, TurnedShapesAreMetWhereMarchingMeetsThem) {
   }
 }
 
-TEST(RayShape, ACylinderIsMetOnTheWallTheLidsAndFromWithin) {
+TEST(RayShape, ACylinderIsHitOnTheWallTheLidsAndFromWithin) {
   TestWorld world;
   world.add(make_static("drum", CylinderShape{0.5, 2.0}, at(300, 0, 0)));
   const RayScene& scene = fresh_rays(world);
@@ -185,7 +185,7 @@ TEST(RayShape, ACylinderIsMetOnTheWallTheLidsAndFromWithin) {
   EXPECT_EQ(range(scene, {290, 0.501, 0}, kAxisX), kNoRefusal);
 }
 
-TEST(RayShape, APlaneIsInfiniteLeansAndIsMetFromBothSides) {
+TEST(RayShape, APlaneIsInfiniteLeansAndIsHitFromBothSides) {
   TestWorld world;
   world.add(make_static("slope", PlaneShape{{1, 0, 1}}, at(0, 0, 2)));
   const RayScene& scene = fresh_rays(world);
@@ -215,7 +215,7 @@ constexpr const char* kTetrahedron =
     "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
     "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
 
-TEST(RayShape, AMeshIsMetWithItsScale) {
+TEST(RayShape, AMeshIsHitWithItsScale) {
   const ScratchFolder folder;
   const std::string file = folder.write("tetrahedron.obj", kTetrahedron);
   TestWorld world;
@@ -230,7 +230,7 @@ TEST(RayShape, AMeshIsMetWithItsScale) {
       is_near(hit.normal_world, Eigen::Vector3d(1.0 / 2, 1.0 / 3, 1.0 / 4).normalized(), 1e-6));
 }
 
-TEST(RayShape, DegenerateTrianglesAreNotMetAndDoNoHarm) {
+TEST(RayShape, DegenerateTrianglesAreNotHitAndDoNoHarm) {
   const ScratchFolder folder;
   const std::string file = folder.write(
       "thin.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 0 0 0\nf 1 2 3\nf 1 1 2\nf 1 2 4\n");
@@ -239,7 +239,7 @@ TEST(RayShape, DegenerateTrianglesAreNotMetAndDoNoHarm) {
   const RayScene& scene = fresh_rays(world, RayGeometry::kVisual);
   EXPECT_NEAR(range(scene, {0.2, 0.2, 1}, -kAxisZ), 1.0, 1e-6);
   const RayHit edge_on = cast_one(scene, ray_along({1.5, -1, 0}, kAxisY));
-  EXPECT_TRUE(!edge_on.met() || edge_on.normal_world.allFinite());
+  EXPECT_TRUE(!edge_on.is_hit() || edge_on.normal_world.allFinite());
 }
 
 /// Height over (x, y) of a field of 5 x 4 samples of 4 m x 3 m, the triangles parted as ODE's.
@@ -252,7 +252,7 @@ double height_at(const std::vector<int>& samples, double x, double y) {
                       : h(1, 1) + (1 - u) * (h(1, 0) - h(1, 1)) + (1 - v) * (h(0, 1) - h(1, 1));
 }
 
-TEST(RayShape, AHeightmapIsMetWhereItsTrianglesLie) {
+TEST(RayShape, AHeightmapIsHitWhereItsTrianglesLie) {
   const ScratchFolder folder;
   Draw draw("heightmap");
   std::vector<int> samples;

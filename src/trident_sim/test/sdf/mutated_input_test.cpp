@@ -135,7 +135,7 @@ class Mutator {
     if (end != std::string::npos) text.replace(begin + 1, end - begin - 1, any_value());
   }
   // A segment from one tag to another.
-  std::pair<std::size_t, std::size_t> stretch(const std::string& text) {
+  std::pair<std::size_t, std::size_t> segment(const std::string& text) {
     const std::size_t begin = text.find('<', below(text.size()));
     if (begin == std::string::npos) return {0, 0};
     std::size_t end = begin;
@@ -145,7 +145,7 @@ class Mutator {
     return {begin, end == std::string::npos ? text.size() : end};
   }
   void change(std::string& text) {
-    const auto [begin, end] = stretch(text);
+    const auto [begin, end] = segment(text);
     switch (below(8)) {
       case 0:
         text[below(text.size())] = static_cast<char>(random_());

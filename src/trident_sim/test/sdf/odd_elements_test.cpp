@@ -123,7 +123,7 @@ TEST(OddElements, AJointWithoutAParentIsLeftOut) {
   EXPECT_EQ(world.models.size(), 1u);
 }
 
-TEST(OddElements, AnIncludeThatIsNotFoundIsLeftOutAndToldWithWhereItWasSearched) {
+TEST(OddElements, AnIncludeThatIsNotFoundIsLeftOutAndReportedWithWhereItWasSearched) {
   const std::string xml = in_world("<include><uri>model://nowhere</uri></include>" + ball("a"));
   const WorldSpec world = load(xml, OddElements::kLeaveOut);
   ASSERT_EQ(world.odd_elements.size(), 1u);
@@ -136,7 +136,7 @@ TEST(OddElements, AnIncludeThatIsNotFoundIsLeftOutAndToldWithWhereItWasSearched)
   EXPECT_TRUE(contains(warnings[0], "odd.world:2: <include> of 'model://nowhere' not found"));
 }
 
-TEST(OddElements, AModelOfOneIncludeThatIsNotFoundIsToldOnce) {
+TEST(OddElements, AModelOfOneIncludeThatIsNotFoundIsReportedOnce) {
   WorldSpec world;
   const std::string lost = "<include><uri>model://nowhere</uri></include>";
   std::string odd =
@@ -153,7 +153,7 @@ std::string mesh(const std::string& tag, const std::string& name, const std::str
          "</uri></mesh></geometry></" + tag + ">\n";
 }
 
-TEST(OddElements, AMissingMeshIsToldOnceWithItsFirstPlaceAndCountedEverywhere) {
+TEST(OddElements, AMissingMeshIsReportedOnceWithItsFirstPlaceAndCountedEverywhere) {
   const std::string uri = "model://gone/a.dae";
   std::vector<std::string> warnings;
   const WorldSpec spec = load_world_string(
@@ -174,16 +174,16 @@ TEST(OddElements, AMissingMeshIsToldOnceWithItsFirstPlaceAndCountedEverywhere) {
                           "odd.world:6: link 'l' visual 'w': mesh 'model://gone/look.dae' not "
                           "found; shown without it; used in 2 places"});
   PluginRegistry registry;
-  std::vector<std::string> told;
+  std::vector<std::string> reported;
   WorldOptions options;
   options.odd_elements = OddElements::kLeaveOut;
-  options.report = [&](Severity, const std::string& text) { told.push_back(text); };
+  options.report = [&](Severity, const std::string& text) { reported.push_back(text); };
   const World world(spec, Resources(), registry, options);
-  EXPECT_EQ(told, spec.odd_elements);
+  EXPECT_EQ(reported, spec.odd_elements);
   EXPECT_EQ(world.odd_elements().size(), 2u);
 }
 
-TEST(OddElements, OfAnIncludedFileAreToldWithThatFile) {
+TEST(OddElements, OfAnIncludedFileAreReportedWithThatFile) {
   const ScratchFolder folder;
   folder.write("crate/model.config",
                "<model><name>crate</name><sdf version='1.6'>model.sdf</sdf></model>");
@@ -247,7 +247,7 @@ TEST(OddElements, ASpawnedModelLoadsWithoutThem) {
   error_of([&] { strict->spawn(request); });
   EXPECT_EQ(lenient->spawn(request).links.size(), 2u);
   ASSERT_EQ(lenient->odd_elements().size(), 1u);
-  EXPECT_EQ(lenient.told(Severity::kWarning, "link 'sign' collision 'c'"), 1u);
+  EXPECT_EQ(lenient.report_count(Severity::kWarning, "link 'sign' collision 'c'"), 1u);
 }
 
 TEST(OddElements, APluginWithABadValueIsLeftOut) {
@@ -298,7 +298,7 @@ TEST(OddElements, AnInertiaThatCannotBeIsReplacedAloneAsInGazebo) {
   EXPECT_DOUBLE_EQ(inertial.T_link_com.p.z(), 3.0);
 }
 
-TEST(OddElements, MomentsOfInertiaThatNoBodyHasAreToldAndUsed) {
+TEST(OddElements, MomentsOfInertiaThatNoBodyHasAreReportedAndUsed) {
   WorldSpec world;
   const std::string odd = odd_element_of(model_of_mass("2", "15"), &world);
   EXPECT_EQ(odd,
@@ -409,32 +409,33 @@ TEST(OddElements, ALightDoorOnTwoHingesStaysOnThem) {
   const SE3 T_frame_door =
       model.links[0]->T_world_link().inverse() * model.links[1]->T_world_link();
   EXPECT_TRUE(is_near(T_frame_door.p, {0.3, 0.2, 0.5}, 0.01));
-  EXPECT_EQ(world.told(Severity::kWarning, "without bound"), 0u);
+  EXPECT_EQ(world.report_count(Severity::kWarning, "without bound"), 0u);
 }
 
 TEST(OddElements, ADoorThatNoSolverCanHoldStandsStillAndIsNamed) {
   TestWorld world(unlike_door(1e6, 1e-9));
   world->step(1000);
   EXPECT_TRUE(world->find_model("m")->links[1]->T_world_link().p.allFinite());
-  EXPECT_EQ(world.told(Severity::kWarning, "body 'm::door': its state grows without bound"), 1u);
+  EXPECT_EQ(world.report_count(Severity::kWarning, "body 'm::door': its state grows without bound"),
+            1u);
 }
 
-TEST(MissingFloor, IsToldOnceWhenSomethingHasFallenFar) {
+TEST(MissingFloor, IsReportedOnceWhenSomethingHasFallenFar) {
   TestWorld world;
   world.add(make_body("stone", SphereShape{0.1}, at(0, 0, 5)));
   world->step(400);  // 4 s: 78 m
-  EXPECT_EQ(world.told(Severity::kWarning, "fallen"), 0u);
+  EXPECT_EQ(world.report_count(Severity::kWarning, "fallen"), 0u);
   world->step(800);
-  EXPECT_EQ(world.told(Severity::kWarning, "model 'stone' has fallen 100 m"), 1u);
+  EXPECT_EQ(world.report_count(Severity::kWarning, "model 'stone' has fallen 100 m"), 1u);
   EXPECT_EQ(world->diagnostics().entries().count("world 'default': no floor"), 1u);
 }
 
-TEST(MissingFloor, IsNotToldWhereThereIsGround) {
+TEST(MissingFloor, IsNotReportedWhereThereIsGround) {
   TestWorld world(load(in_world(kGround), OddElements::kRefuse));
   ModelSpec stone = make_body("stone", SphereShape{0.1}, at(0, 0, -1));  // beneath it
   world.add(std::move(stone));
   world->step(2000);
-  EXPECT_EQ(world.told(Severity::kWarning, "fallen"), 0u);
+  EXPECT_EQ(world.report_count(Severity::kWarning, "fallen"), 0u);
 }
 
 }  // namespace

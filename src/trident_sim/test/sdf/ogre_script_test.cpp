@@ -47,7 +47,7 @@ bool is(const Eigen::Vector4d& color, double r, double g, double b, double a) {
   return color.isApprox(Eigen::Vector4d(r, g, b, a), 1e-12);
 }
 
-TEST(OgreScript, ColoursAndTheFirstTextureOfTheFirstPassCount) {
+TEST(OgreScript, ColorsAndTheFirstTextureOfTheFirstPassCount) {
   const auto materials = parse_ogre_script(kScript, "test.material");
   ASSERT_EQ(materials.size(), 3u);
   const OgreMaterial& base = materials.at("Mine/Base");
@@ -68,7 +68,7 @@ TEST(OgreScript, AChildHasWhatItsParentHas) {
   EXPECT_TRUE(is(of_gazebo.at("A").diffuse, 1.0, 0.5088, 0.0468, 1.0));
 }
 
-TEST(OgreScript, WithoutColoursIsWhite) {
+TEST(OgreScript, WithoutColorsIsWhite) {
   const OgreMaterial plain = parse_ogre_script(kScript, "test.material").at("Mine/Plain");
   EXPECT_TRUE(is(plain.diffuse, 1.0, 1.0, 1.0, 1.0));
   EXPECT_EQ(plain.texture, "");
@@ -160,7 +160,7 @@ TEST(OgreScript, OfMediaIsFoundBelowTheResourcePath) {
             folder.path() + "/media/materials/textures/bricks.jpg");
 }
 
-TEST(OgreScript, AMissingScriptIsOneWarningWithTheColourThatStandsForIt) {
+TEST(OgreScript, AMissingScriptIsOneWarningWithTheColorThatStandsForIt) {
   std::vector<std::string> warnings;
   const std::string lost = script("Mine/Base", {"model://nowhere/materials/scripts"});
   const auto visuals = visuals_of({lost, lost, lost}, warnings, {});
@@ -171,7 +171,7 @@ TEST(OgreScript, AMissingScriptIsOneWarningWithTheColourThatStandsForIt) {
   EXPECT_TRUE(is(visuals.at(2).material.diffuse, 0.7, 0.7, 0.7, 1.0));
 }
 
-TEST(OgreScript, AMissingPictureIsOneWarningWithTheColourThatStandsForIt) {
+TEST(OgreScript, AMissingPictureIsOneWarningWithTheColorThatStandsForIt) {
   const MaterialFolder folder;
   std::filesystem::remove(folder.path() + "/wall/materials/textures/bricks.jpg");
   std::vector<std::string> warnings;

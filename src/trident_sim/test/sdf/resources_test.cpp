@@ -50,7 +50,7 @@ TEST_F(ResourcesTest, TheNameOfAnySearchPathIsNoWarningInAnyOfThem) {
   }
 }
 
-TEST_F(ResourcesTest, OtherUnexpandedPartsAreToldBesideTheNameOfTheSearchPath) {
+TEST_F(ResourcesTest, OtherUnexpandedPartsAreReportedNextToTheNameOfTheSearchPath) {
   const ScopedEnvironment path("GAZEBO_MODEL_PATH", "${GAZEBO_MODEL_PATH}:${GAZEBO_MODEL_PATH}/a");
   const Resources resources;
   ASSERT_EQ(resources.warnings().size(), 1u);
@@ -58,7 +58,7 @@ TEST_F(ResourcesTest, OtherUnexpandedPartsAreToldBesideTheNameOfTheSearchPath) {
       contains(resources.warnings()[0], "GAZEBO_MODEL_PATH holds '${GAZEBO_MODEL_PATH}/a'"));
 }
 
-TEST_F(ResourcesTest, PartsThatNobodyHasExpandedAreToldOncePerVariable) {
+TEST_F(ResourcesTest, PartsThatNobodyHasExpandedAreReportedOncePerVariable) {
   const ScopedEnvironment path("GAZEBO_RESOURCE_PATH",
                                "${A}:" + folder_.path() + ":${HOME}/worlds:$B");
   const ScopedEnvironment plugins("GAZEBO_PLUGIN_PATH", "${HOME}/plugins:/opt/plugins");

@@ -21,7 +21,7 @@ std::string collision(const std::string& shape) {
                "</geometry></collision></link>");
 }
 
-TEST(SdfError, MalformedXmlIsToldWithItsLine) {
+TEST(SdfError, MalformedXmlIsReportedWithItsLine) {
   EXPECT_TRUE(contains(load_error("<sdf version='1.6'>\n<model name='m'>\n<link>\n</model></sdf>"),
                        "bad.sdf:3"));
   EXPECT_TRUE(contains(load_error(""), "bad.sdf"));
@@ -33,7 +33,7 @@ TEST(SdfError, AWrongRootIsNamed) {
   EXPECT_TRUE(contains(load_error("<sdf version='1.6'></sdf>"), "no <model>"));
 }
 
-TEST(SdfError, AVersionThatIsNoNumberIsToldWithItsLine) {
+TEST(SdfError, AVersionThatIsNoNumberIsReportedWithItsLine) {
   for (const char* version : {"", "one", "1", "1.6.2", "1.x", "model://no"}) {
     const std::string error =
         load_error("\n<sdf version='" + std::string(version) + "'><model name='m'/></sdf>");
@@ -121,8 +121,9 @@ TEST(ModelError, UnknownPluginsAreAWarningThatListsTheKnown) {
   spec.plugins.push_back(make_plugin("who", "libwho_is_this.so", {}));
   world.add(std::move(spec));
   EXPECT_NE(world->find_model("m"), nullptr);
-  EXPECT_EQ(world.told(Severity::kWarning, "model 'm': plugin 'who' (libwho_is_this.so)"), 1u);
-  EXPECT_EQ(world.told(Severity::kWarning, "rotors_gazebo_motor_model"), 1u);
+  EXPECT_EQ(world.report_count(Severity::kWarning, "model 'm': plugin 'who' (libwho_is_this.so)"),
+            1u);
+  EXPECT_EQ(world.report_count(Severity::kWarning, "rotors_gazebo_motor_model"), 1u);
 }
 
 TEST(ModelError, NamesAreUnique) {

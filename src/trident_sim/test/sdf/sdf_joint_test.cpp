@@ -52,13 +52,13 @@ TEST(SdfJoint, AUniversalJointHasTwoAxes) {
   EXPECT_TRUE(contains(load_error("universal", kAxis), "m.sdf: joint 'j': has no <axis2>"));
 }
 
-TEST(SdfJoint, TheOldThreadPitchIsInRadiansPerMetreAndLeftHanded) {
+TEST(SdfJoint, TheOldThreadPitchIsInRadiansPerMeterAndLeftHanded) {
   const JointSpec joint = load("screw", "<thread_pitch>-100</thread_pitch>" + kAxis);
   EXPECT_EQ(joint.type, JointType::kScrew);
   EXPECT_NEAR(joint.screw_pitch_m, kTurn / 100, 1e-12);
 }
 
-TEST(SdfJoint, TheNewThreadPitchIsInMetresPerTurnAndRightHanded) {
+TEST(SdfJoint, TheNewThreadPitchIsInMetersPerTurnAndRightHanded) {
   const JointSpec joint = load("screw", "<screw_thread_pitch>0.02</screw_thread_pitch>" + kAxis);
   EXPECT_DOUBLE_EQ(joint.screw_pitch_m, 0.02);
 }

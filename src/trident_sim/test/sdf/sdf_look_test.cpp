@@ -36,7 +36,7 @@ SensorSpec sensor_of(const std::string& content) {
   return load_looks(with_link(content)).models.at(0).links.at(0).sensors.at(0);
 }
 
-TEST(SdfLook, AVisualWithoutMaterialIsGrey) {
+TEST(SdfLook, AVisualWithoutMaterialIsGray) {
   const VisualSpec visual = visual_of("");
   EXPECT_FALSE(visual.material.is_given);
   EXPECT_EQ(visual.material.diffuse, Eigen::Vector4d(0.7, 0.7, 0.7, 1.0));
@@ -44,7 +44,7 @@ TEST(SdfLook, AVisualWithoutMaterialIsGrey) {
   EXPECT_EQ(visual.transparency, 0.0);
 }
 
-TEST(SdfLook, ColoursAreRead) {
+TEST(SdfLook, ColorsAreRead) {
   const VisualSpec visual = visual_of(
       "<transparency>0.25</transparency><cast_shadows>0</cast_shadows>"
       "<material><ambient>0.1 0.2 0.3 1</ambient><diffuse>0.4 0.5 0.6 1</diffuse>"
@@ -57,14 +57,14 @@ TEST(SdfLook, ColoursAreRead) {
   EXPECT_FALSE(visual.casts_shadows);
 }
 
-TEST(SdfLook, ScriptNamesOfGazeboAreColours) {
+TEST(SdfLook, ScriptNamesOfGazeboAreColors) {
   const VisualSpec visual =
       visual_of("<material><script><name>Gazebo/Orange</name></script></material>");
   EXPECT_EQ(visual.material.script, "Gazebo/Orange");
   EXPECT_TRUE(visual.material.diffuse.isApprox(Eigen::Vector4d(1.0, 0.5088, 0.0468, 1.0), 1e-6));
 }
 
-TEST(SdfLook, AnUnknownScriptIsOneWarningUnlessAColourIsGiven) {
+TEST(SdfLook, AnUnknownScriptIsOneWarningUnlessAColorIsGiven) {
   std::vector<std::string> warnings;
   visual_of("<material><script><name>Mine/Shiny</name></script></material>", &warnings);
   ASSERT_EQ(warnings.size(), 1u);
@@ -91,7 +91,7 @@ TEST(SdfLook, ATextureIsFoundOrMissedAloud) {
   EXPECT_TRUE(contains(warnings[0], "test.world:1: link 'l' visual 'v': texture 'wall.png' not "));
 }
 
-TEST(SdfLook, AMaterialScriptThatIsNotFoundIsToldWithItsLine) {
+TEST(SdfLook, AMaterialScriptThatIsNotFoundIsReportedWithItsLine) {
   std::vector<std::string> warnings;
   visual_of("\n<material><script><name>no_such_material</name></script></material>", &warnings);
   ASSERT_EQ(warnings.size(), 1u);

@@ -164,7 +164,7 @@ TEST_F(SdfInclude, FramesReferToIncludedModels) {
   ASSERT_EQ(world.models.size(), 1u);
 }
 
-TEST_F(SdfInclude, OneThatIsMissingIsToldOnceAndOthersAreThere) {
+TEST_F(SdfInclude, OneThatIsMissingIsReportedOnceAndOthersAreThere) {
   const WorldSpec world =
       load(std::string(kCrate) + "<include><uri>model://absent</uri></include>" + kSun);
   EXPECT_EQ(world.models.size(), 1u);

@@ -42,13 +42,14 @@ class SdfSourcesTest : public testing::Test {
   ScratchFolder folder_;
 };
 
-TEST_F(SdfSourcesTest, AModelThatIncludesItselfIsToldWithItsLine) {
+TEST_F(SdfSourcesTest, AModelThatIncludesItselfIsReportedWithItsLine) {
   write("snake", {"snake"});
-  const std::string told = file("snake") + ":2: <include> of 'model://snake' leads back to itself";
-  EXPECT_TRUE(contains(error_of([&] { load("snake", OddElements::kRefuse); }), told));
+  const std::string expected =
+      file("snake") + ":2: <include> of 'model://snake' leads back to itself";
+  EXPECT_TRUE(contains(error_of([&] { load("snake", OddElements::kRefuse); }), expected));
   const ModelSpec model = load("snake", OddElements::kLeaveOut);
   ASSERT_EQ(model.odd_elements.size(), 1u);
-  EXPECT_TRUE(contains(model.odd_elements[0], told));
+  EXPECT_TRUE(contains(model.odd_elements[0], expected));
   EXPECT_EQ(model.links.size(), 2u);
 }
 
@@ -61,7 +62,7 @@ TEST_F(SdfSourcesTest, SoAreModelsThatIncludeEachOther) {
   EXPECT_EQ(load("a", OddElements::kLeaveOut).links.size(), 4u);
 }
 
-TEST_F(SdfSourcesTest, AModelWhoseFileIsNotThereIsToldAsThat) {
+TEST_F(SdfSourcesTest, AModelWhoseFileIsNotThereIsReportedAsThat) {
   folder_.write("dock/model.config",
                 "<model><name>m</name><sdf version='1.6'>model.sdf</sdf></model>");
   const ModelSpec model = load("dock", OddElements::kLeaveOut);

@@ -124,7 +124,7 @@ TEST(Urdf, ElementsWithoutEffectAreNamedOnceWithTheirFirstLine) {
   EXPECT_EQ(loaded.warnings[2], "robot.urdf:8: <mu> in <gazebo> has no effect here");
 }
 
-TEST(Urdf, WhatIsForOthersThanASimulatorIsNotTold) {
+TEST(Urdf, WhatIsForOthersThanASimulatorIsNotReported) {
   const Loaded loaded = load_urdf(
       robot(link("base", inertial()) + link("wheel", inertial()) +
             joint("continuous", "base", "wheel",
@@ -143,7 +143,7 @@ TEST(Urdf, ARootThatAFixedChildGivesInertiaIsFine) {
 }
 
 struct BadInertial {
-  const char *mass, *ixx, *told;
+  const char *mass, *ixx, *message;
 };
 class UrdfInertial : public testing::TestWithParam<BadInertial> {};
 
@@ -154,7 +154,7 @@ TEST_P(UrdfInertial, IsRefusedWithFileLineLinkAndValue) {
                     joint("fixed", "base", "bad")));
   });
   EXPECT_TRUE(contains(error, "robot.urdf:4: link 'bad'"));
-  EXPECT_TRUE(contains(error, GetParam().told));
+  EXPECT_TRUE(contains(error, GetParam().message));
 }
 INSTANTIATE_TEST_SUITE_P(Bad, UrdfInertial,
                          testing::Values(BadInertial{"0", "0.1", "mass is 0 kg, must be > 0"},
@@ -180,7 +180,7 @@ TEST_P(UrdfInertial, IsOneOddElementAndTheRobotLoads) {
   ASSERT_EQ(loaded.model.odd_elements.size(), 1u);
   const std::string& odd = loaded.model.odd_elements[0];
   EXPECT_TRUE(contains(odd, "robot.urdf:4: link 'bad': "));
-  EXPECT_TRUE(contains(odd, GetParam().told));
+  EXPECT_TRUE(contains(odd, GetParam().message));
   EXPECT_TRUE(contains(odd, "is used, as in Gazebo") ||
               contains(odd, "; read as a link without <inertial>"));
   EXPECT_EQ(loaded.model.links.size(), 1u);
@@ -226,7 +226,7 @@ TEST(Urdf, APointMassOnAFixedJointIsLumpedAsOne) {
   EXPECT_NEAR(inertial.inertia_com(0, 0), 0.1 + 1.0 * 0.5 / 1.5, 1e-9);
 }
 
-TEST(Urdf, MomentsOfInertiaThatNoBodyHasAreToldWithTheirLine) {
+TEST(Urdf, MomentsOfInertiaThatNoBodyHasAreReportedWithTheirLine) {
   const std::string xml = robot(link("base", inertial()) + link("arm", inertial("1", "2.0")) +
                                 joint("continuous", "base", "arm", "<axis xyz='0 1 0'/>"));
   const std::string fault =
@@ -239,7 +239,7 @@ TEST(Urdf, MomentsOfInertiaThatNoBodyHasAreToldWithTheirLine) {
   EXPECT_DOUBLE_EQ(loaded.model.links.at(1).inertial.inertia_com(0, 0), 2.0);
 }
 
-TEST(Urdf, MomentsOfInertiaBesideOneAnotherByAMeasurementsErrorAreNotOdd) {
+TEST(Urdf, MomentsOfInertiaOffOneAnotherByAMeasurementsErrorAreNotOdd) {
   EXPECT_TRUE(load_urdf(robot(link("base", inertial("1", "0.25")))).warnings.empty());
 }
 

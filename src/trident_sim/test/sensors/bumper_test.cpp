@@ -68,7 +68,7 @@ TEST(Bumper, ABoxAtRestFeelsItsWeightAtItsCorners) {
   EXPECT_TRUE(is_near(torque, {0, 0, 0}, 1e-3)) << "about the centre of mass";
 }
 
-TEST(Bumper, TellsAtItsRateThatNothingTouches) {
+TEST(Bumper, ReportsAtItsRateThatNothingTouches) {
   TestWorld world(weightless());
   world.add(box_with(contact_sensor({collision_name()}, 50.0), at(0, 0, 1)));
   auto& bumps = listen(world);

@@ -56,7 +56,7 @@ Eigen::Vector3d error_enu(const GnssFixSample& fix) {
   return p - Eigen::Vector3d(10, 20, 2);
 }
 
-TEST(Gnss, ErrorsHaveTheSpreadThatIsToldOfEachFix) {
+TEST(Gnss, ErrorsHaveTheSpreadThatIsReportedForEachFix) {
   struct Case {
     ParamList params;
     FixType type;
@@ -110,7 +110,7 @@ TEST(Gnss, AFixGetsBetterWithTime) {
   EXPECT_EQ(heard.status->value.fix_type, FixType::kSingle);
 }
 
-TEST(Gnss, UnderARoofThereIsNoFixAndAllBeginsAnew) {
+TEST(Gnss, UnderARoofThereIsNoFixAndAllStartsAgain) {
   TestWorld world(on_earth());
   Model& rover =
       world.add(receiver({{"floatTime", "0.5"}, {"fixedTime", "1"}, {"skyView", "true"}}));
@@ -131,7 +131,7 @@ TEST(Gnss, UnderARoofThereIsNoFixAndAllBeginsAnew) {
   EXPECT_EQ(heard.status->value.fix_type, FixType::kFixed);
 }
 
-TEST(Gnss, TellsTheGeoidsSeparationWhereItsDataAre) {
+TEST(Gnss, ReportsTheGeoidsSeparationWhereItsDataAre) {
   if (find_egm96_grid().empty()) GTEST_SKIP() << "proj-data is not installed";
   TestWorld world(on_earth());
   world.add(receiver({{"geoidModel", "egm96-15"}}));

@@ -119,7 +119,7 @@ TEST(HectorMagnetic, DeclinationTurnsItFromTrueNorthEastwards) {
   EXPECT_TRUE(is_near(field.value.value, {0.5, std::sqrt(0.75), 0}, 1e-9)) << "east, north";
 }
 
-TEST(HectorBaro, TellsTheHeight) {
+TEST(HectorBaro, ReportsTheHeight) {
   TestWorld world(on_earth_heading());
   world.add(body_with("libhector_gazebo_ros_baro.so", {{"offset", "0 0 0.5"}}, at(1, 2, 7)));
   auto& height = listen<PointSample>(world, "a/pressure_height");
@@ -128,7 +128,7 @@ TEST(HectorBaro, TellsTheHeight) {
   EXPECT_EQ(height.value.stamp, world->time());
 }
 
-TEST(HectorSonar, TellsTheNearestRange) {
+TEST(HectorSonar, ReportsTheNearestRange) {
   TestWorld world(weightless());
   world.add(make_static("wall", BoxShape{{0.2, 20, 20}}, at(3.1, 0, 0)));
   LidarOptions options;

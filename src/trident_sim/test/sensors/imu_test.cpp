@@ -64,7 +64,7 @@ TEST(Imu, InFreeFallReadsNothing) {
   EXPECT_TRUE(is_near(imu.value.a_imu, {0, 0, 0}, 1e-9));
 }
 
-TEST(Imu, OffTheCentreOfASpinningBodyReadsTheCentripetalAcceleration) {
+TEST(Imu, OffTheCenterOfASpinningBodyReadsTheCentripetalAcceleration) {
   WorldSpec spec = world_spec(0.001);
   spec.physics.gravity.setZero();
   TestWorld world(spec);

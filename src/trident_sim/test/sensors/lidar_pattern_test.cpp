@@ -63,7 +63,7 @@ TEST(RingPattern, FiringOrderGivesTimesToRings) {
   EXPECT_EQ(pattern->beams()[2].time_s, 1e-6);
 }
 
-TEST(RingPattern, ElevationsCanBeTold) {
+TEST(RingPattern, ElevationsCanBeGiven) {
   const auto pattern = pattern_of(spec_of(10, 5.0, 3, 0.2), {{"elevations", "-0.4 0.0 0.1"}});
   const auto beams = directions(*pattern, 0, 0);
   EXPECT_NEAR(std::asin(beams[0].z()), -0.4, 1e-12);

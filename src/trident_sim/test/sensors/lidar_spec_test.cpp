@@ -52,7 +52,7 @@ TEST(LidarSpec, ResolutionMultipliesTheBeams) {
 }
 
 struct Refusal {
-  std::string ray, told;
+  std::string ray, message;
 };
 class RefusedLidar : public testing::TestWithParam<Refusal> {};
 
@@ -60,7 +60,7 @@ TEST_P(RefusedLidar, NamesElementValueAndRange) {
   const SensorSpec sensor = sensor_of(GetParam().ray);
   const std::string error = error_of([&] { read_lidar_spec(sensor, "sensor 'laser'"); });
   EXPECT_TRUE(contains(error, "sensor 'laser'")) << error;
-  EXPECT_TRUE(contains(error, GetParam().told)) << error;
+  EXPECT_TRUE(contains(error, GetParam().message)) << error;
 }
 INSTANTIATE_TEST_SUITE_P(
     All, RefusedLidar,

@@ -43,7 +43,7 @@ const char kGps[] = "librotors_gazebo_gps_plugin.so";
 const char kMagnetometer[] = "librotors_gazebo_magnetometer_plugin.so";
 const char kBarometer[] = "librotors_gazebo_pressure_plugin.so";
 
-TEST(Gps, MetresAreMetresOnTheEllipsoid) {
+TEST(Gps, MetersAreMetersOnTheEllipsoid) {
   TestWorld world(zurich());
   world.add(body_with(kGps, kExact, at(300, 400, 20)));
   auto& fix = listen<GnssFixSample>(world, "a/gps");

@@ -30,7 +30,7 @@ OutPort<Sample>& listen(TestWorld& world) {
   return *port;
 }
 
-TEST(RangeFinder, TellsTheNearestOfItsRays) {
+TEST(RangeFinder, ReportsTheNearestOfItsRays) {
   TestWorld world(weightless());
   LidarOptions options = cone("libgazebo_ros_range.so");
   options.params = {{"fov", "0.4"}, {"radiation", "infrared"}};
@@ -51,7 +51,7 @@ TEST(RangeFinder, TellsTheNearestOfItsRays) {
   EXPECT_NEAR(range.value.range_m, 2.0 / std::cos(0.2), 1e-6);
 }
 
-TEST(RangeFinder, TellsTheLargestRangeOfNothingAndIsNoisyElsewhere) {
+TEST(RangeFinder, ReportsTheLargestRangeOfNothingAndIsNoisyElsewhere) {
   TestWorld world(weightless());
   LidarOptions options = cone("libgazebo_ros_range.so");
   options.rate_hz = 1000.0;
@@ -118,7 +118,7 @@ TEST(BlockLaser, HasAPointPerBeam) {
   EXPECT_LE(on_wall, 9);
 }
 
-TEST(FastLidar, TellsAllItsScansInOrder) {
+TEST(FastLidar, ReportsAllItsScansInOrder) {
   TestWorld world(weightless(0.01));
   world.add(make_static("wall", BoxShape{{0.2, 9.0, 9.0}}, at(3.1, 0, 0)));
   LidarOptions options;
@@ -149,7 +149,7 @@ TEST(FastLidar, TellsAllItsScansInOrder) {
   EXPECT_NEAR(std::sqrt(squares / n), 0.01, 4.0 * 0.01 / std::sqrt(2.0 * n));
 }
 
-TEST(WheelEncoders, TellWholeTicksAndTheirRate) {
+TEST(WheelEncoders, ReportWholeTicksAndTheirRate) {
   TestWorld world(weightless(), with_timing(LoopTiming::kDirect));
   ModelSpec spec = make_on_world(JointType::kRevolute, {0, 0, 0}, {0, 0, 1});
   spec.plugins = {make_plugin("encoders", "libtrident_wheel_encoder.so",
@@ -165,10 +165,10 @@ TEST(WheelEncoders, TellWholeTicksAndTheirRate) {
   const double tick = 2.0 * kPi / 100.0;
   for (int sample = 0; sample < 30; ++sample) {
     world->step(100);
-    const double told = states->value.positions.at(0), angle = joint.position();
-    EXPECT_NEAR(std::remainder(told, tick), 0.0, 1e-9) << "whole ticks";
-    EXPECT_LE(told, angle + 1e-9);
-    EXPECT_GT(told, angle - tick - 1e-9);
+    const double reported = states->value.positions.at(0), angle = joint.position();
+    EXPECT_NEAR(std::remainder(reported, tick), 0.0, 1e-9) << "whole ticks";
+    EXPECT_LE(reported, angle + 1e-9);
+    EXPECT_GT(reported, angle - tick - 1e-9);
     EXPECT_NEAR(states->value.velocities.at(0), 2.0, 1.01 * tick / 0.1);
   }
   EXPECT_EQ(states->count(), 30u);

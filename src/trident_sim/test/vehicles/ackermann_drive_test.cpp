@@ -59,7 +59,7 @@ TEST(AckermannDrive, TheWheelsStandAtTheirAngles) {
 }
 
 /// Upstream's: angular.z turns in the same direction ahead and back.
-TEST(AckermannDrive, BackwardsItTurnsTheWayThatItIsTold) {
+TEST(AckermannDrive, BackwardsItTurnsInTheDirectionThatIsCommanded) {
   CarWorld car;
   car.command(-0.5, 0.4);
   car.run(2.0);
@@ -89,15 +89,15 @@ TEST(AckermannDrive, ItReachesItsSpeedAlongARamp) {
 }
 
 /// The base is 0.2 m ahead of the axle: odometry is that of the base, with its sideways velocity.
-TEST(AckermannDrive, TheEncodersTellTheWayOfTheBase) {
+TEST(AckermannDrive, TheEncodersMeasureTheMotionOfTheBase) {
   CarWorld car(with({{"odometry_source", "encoder"}, {"acceleration", "1"}}));
   for (const double steering : {0.4, -0.3, 0.0}) {
     car.command(0.6, steering);
     car.run(4.0);
   }
-  const double way = 0.6 * 12.0;
-  EXPECT_LT((car.told().p - car.truth().p).norm(), 0.01 * way);
-  EXPECT_NEAR(angle_difference(car.told().angle, car.truth().angle), 0.0, 0.03);
+  const double distance = 0.6 * 12.0;
+  EXPECT_LT((car.reported_pose().p - car.truth().p).norm(), 0.01 * distance);
+  EXPECT_NEAR(angle_difference(car.reported_pose().angle, car.truth().angle), 0.0, 0.03);
   car.command(0.6, 0.4);
   car.run(2.0);
   const double rate = 0.6 * std::tan(0.4) / 0.6;
@@ -106,13 +106,13 @@ TEST(AckermannDrive, TheEncodersTellTheWayOfTheBase) {
   EXPECT_NEAR(car.odometry->value.v_child.y(), 0.2 * rate, 0.005);
 }
 
-TEST(AckermannDrive, OnIceTheEncodersTellALongerWay) {
+TEST(AckermannDrive, OnIceTheEncodersReportALongerPath) {
   CarOptions options = with({{"odometry_source", "encoder"}, {"acceleration", "2"}});
   options.mu = 0.05;
   CarWorld car(options);
   car.command(2.0, 0.0);
   car.run(2.0);
-  EXPECT_GT(car.told().p.x(), 1.05 * car.truth().p.x());
+  EXPECT_GT(car.reported_pose().p.x(), 1.05 * car.truth().p.x());
 }
 
 TEST(AckermannDrive, TheEncodersCovarianceGrowsWhenAsked) {
@@ -122,14 +122,15 @@ TEST(AckermannDrive, TheEncodersCovarianceGrowsWhenAsked) {
                      {"encoder_turn_error_per_meter", "1e-3"}}));
   car.command(1.0, 0.0);
   car.run(4.0);
-  const double way = car.told().p.x();
+  const double distance = car.reported_pose().p.x();
   const Covariance6& covariance = car.odometry->value.pose_covariance;
-  EXPECT_NEAR(covariance[0], 1e-4 * way, 1e-6);
-  EXPECT_NEAR(covariance[35], 1e-3 * way, 1e-5);
+  EXPECT_NEAR(covariance[0], 1e-4 * distance, 1e-6);
+  EXPECT_NEAR(covariance[35], 1e-3 * distance, 1e-5);
   // The axle's, and that of the base ahead of it.
-  const double of_axle = 1e-3 * way * way * way / 3.0;
+  const double of_axle = 1e-3 * distance * distance * distance / 3.0;
   EXPECT_GT(covariance[7], of_axle);
-  EXPECT_NEAR(covariance[7], of_axle + 2 * 0.2 * 1e-3 * way * way / 2 + 0.04 * 1e-3 * way, 1e-4);
+  EXPECT_NEAR(covariance[7],
+              of_axle + 2 * 0.2 * 1e-3 * distance * distance / 2 + 0.04 * 1e-3 * distance, 1e-4);
 }
 
 TEST(AckermannDrive, UpstreamsGainsDriveItByEfforts) {
@@ -164,8 +165,8 @@ TEST(AckermannDrive, WhatItCannotDoIsCutAndCounted) {
   const DiagnosticEntry* steering = entry(car, "steering command clamped");
   ASSERT_NE(steering, nullptr);
   EXPECT_EQ(steering->newest.values[0].second, "0.900000 rad");
-  EXPECT_EQ(car.world.told(Severity::kWarning, "2.500000 times its limit"), 1u);
-  EXPECT_EQ(car.world.told(Severity::kWarning, "steering angle of 0.9"), 1u);
+  EXPECT_EQ(car.world.report_count(Severity::kWarning, "2.500000 times its limit"), 1u);
+  EXPECT_EQ(car.world.report_count(Severity::kWarning, "steering angle of 0.9"), 1u);
 }
 
 TEST(AckermannDrive, TheFastestWheelsJointLimitsTheSpeed) {
@@ -192,7 +193,7 @@ TEST(AckermannDrive, ACommandThatIsNotFiniteIsRefusedAndCounted) {
   ASSERT_NE(refused, nullptr);
   EXPECT_EQ(refused->count, 2u);
   EXPECT_EQ(refused->newest.severity, Severity::kError);
-  EXPECT_EQ(car.world.told(Severity::kError, "must be finite"), 1u);
+  EXPECT_EQ(car.world.report_count(Severity::kError, "must be finite"), 1u);
 }
 
 TEST(AckermannDrive, AStopOfTheJointBoundsTheSteering) {
@@ -214,7 +215,7 @@ TEST(AckermannDrive, ElementsMayBeSpelledAsInRos1AndTopicsAsInRos2) {
                        {"publishDistance", "1"}}));
   EXPECT_EQ(camel.odometry->value.parent_frame, "o");
   EXPECT_EQ(camel.odometry->value.child_frame, "b");
-  EXPECT_EQ(camel.world.told(Severity::kWarning, "have no effect"), 0u);
+  EXPECT_EQ(camel.world.report_count(Severity::kWarning, "have no effect"), 0u);
   auto* distance = camel.world->ports().find_out<ScalarSample>("distance");
   ASSERT_NE(distance, nullptr);
   distance->add_listener();
@@ -237,8 +238,8 @@ TEST(AckermannDrive, ElementsMayBeSpelledAsInRos1AndTopicsAsInRos2) {
 
 TEST(AckermannDrive, LengthsThatAreNotThoseOfTheWheelsAreNamed) {
   CarWorld car(with({{"wheel_base", "0.7"}, {"track_width", "0.4"}, {"wheel_radius", "0.1"}}));
-  EXPECT_EQ(car.world.told(Severity::kWarning, "<wheel_base> is 0.700000 m"), 1u);
-  EXPECT_EQ(car.world.told(Severity::kWarning, "track_width"), 0u);
+  EXPECT_EQ(car.world.report_count(Severity::kWarning, "<wheel_base> is 0.700000 m"), 1u);
+  EXPECT_EQ(car.world.report_count(Severity::kWarning, "track_width"), 0u);
 }
 
 TEST(AckermannDrive, BadValuesAreRefusedWithTheLegalOnes) {

@@ -47,7 +47,7 @@ TEST(DrivePlugins, AFixedJointCannotBeDriven) {
                        "<leftJoint> is 'left', expected a revolute or continuous joint"));
 }
 
-TEST(DrivePlugins, ACommandThatIsNotFiniteIsToldOnceAndTheLastOneStays) {
+TEST(DrivePlugins, ACommandThatIsNotFiniteIsReportedOnceAndTheLastOneStays) {
   CartWorld cart;
   cart.command(0.5, 0.0);
   cart.run(1.0);
@@ -58,7 +58,8 @@ TEST(DrivePlugins, ACommandThatIsNotFiniteIsToldOnceAndTheLastOneStays) {
     cart.run(0.5);
   }
   EXPECT_NEAR(cart.speed(), 0.5, 1e-3);
-  EXPECT_EQ(cart.world.told(Severity::kError, "must be finite; such commands are refused"), 1u);
+  EXPECT_EQ(cart.world.report_count(Severity::kError, "must be finite; such commands are refused"),
+            1u);
   cart.command(0.2, 0.0);
   cart.run(1.0);
   EXPECT_NEAR(cart.speed(), 0.2, 1e-3);
@@ -72,10 +73,10 @@ TEST(DrivePlugins, ASpeedBeyondTheWheelsLimitIsScaledWithItsTurn) {
   cart.run(3.0);
   EXPECT_NEAR(cart.speed(), 1.0 / 2.5, 0.005);
   EXPECT_NEAR(cart.model->canonical_link()->w_world().z(), 1.25 / 2.5, 0.01);
-  EXPECT_EQ(cart.world.told(Severity::kWarning, "2.500000 times its limit"), 1u);
+  EXPECT_EQ(cart.world.report_count(Severity::kWarning, "2.500000 times its limit"), 1u);
 }
 
-TEST(DrivePlugins, WithoutLegacyModeThePlacesOfTheWheelsTell) {
+TEST(DrivePlugins, WithoutLegacyModeThePlacesOfTheWheelsDecide) {
   for (const bool swapped : {false, true}) {
     CartOptions options = cart_with(
         {{"leftJoint", swapped ? "right" : "left"}, {"rightJoint", swapped ? "left" : "right"}});
@@ -87,7 +88,8 @@ TEST(DrivePlugins, WithoutLegacyModeThePlacesOfTheWheelsTell) {
     TestWorld world(world_spec(0.001));
     world.add(make_ground());
     Model& model = world.add(std::move(spec));
-    EXPECT_EQ(world.told(Severity::kWarning, swapped ? "taken as true" : "taken as false"), 1u);
+    EXPECT_EQ(world.report_count(Severity::kWarning, swapped ? "taken as true" : "taken as false"),
+              1u);
     world->ports().find_in<TwistCommand>("cmd_vel")->write({{}, {0, 0, 0}, {0, 0, 0.5}});
     world->step(1000);
     EXPECT_GT(model.canonical_link()->w_world().z(), 0.4);
@@ -106,7 +108,7 @@ TEST(DrivePlugins, FlagsSayWhatIsPublished) {
   EXPECT_NE(all.world->ports().find_out<JointStateSample>("joint_states"), nullptr);
 }
 
-TEST(DrivePlugins, JointStatesCountTurnsAndTellRates) {
+TEST(DrivePlugins, JointStatesCountTurnsAndReportRates) {
   CartWorld cart(cart_with({{"publishWheelJointState", "true"}, {"wheelAcceleration", "1"}}));
   auto* states = cart.world->ports().find_out<JointStateSample>("joint_states");
   ASSERT_NE(states, nullptr);
@@ -156,7 +158,7 @@ TEST(PlanarMove, OfTwoRobotsWithOneFrameTheFirstGivesItsTransform) {
     world.add(std::move(spec));
     world->ports().find_out<OdometrySample>(std::string(name) + "/odom")->add_listener();
   }
-  EXPECT_EQ(world.told(Severity::kWarning, "'base_footprint' has a transform already"), 1u);
+  EXPECT_EQ(world.report_count(Severity::kWarning, "'base_footprint' has a transform already"), 1u);
   world->step(100);
   for (const char* const topic : {"a/odom", "b/odom"}) {
     EXPECT_GT(world->ports().find_out<OdometrySample>(topic)->value.stamp.ns, 0) << topic;
@@ -195,7 +197,7 @@ TEST(PlanarMove, GoesSidewaysAndStopsAfterItsTimeout) {
   EXPECT_TRUE(is_near(model.T_world_model().p, stood, 1e-3));
 }
 
-TEST(P3d, TellsTheLinkInTheWorldOrAgainstAnother) {
+TEST(P3d, ReportsTheLinkInTheWorldOrAgainstAnother) {
   for (const char* frame : {"world", "chassis"}) {
     ModelSpec spec = make_cart();
     spec.plugins.push_back(

@@ -24,15 +24,15 @@ CartOptions plugin_with(ParamList params, double mu = 1.0) {
 
 /// One side of a square and the corner after it, by what the odometry reports.
 void drive_side(CartWorld& cart, double side_m, double yaw_rad) {
-  const Eigen::Vector2d start = cart.told().p;
-  for (double left = side_m; left > 1e-3; left = side_m - (cart.told().p - start).norm()) {
+  const Eigen::Vector2d start = cart.reported_pose().p;
+  for (double left = side_m; left > 1e-3; left = side_m - (cart.reported_pose().p - start).norm()) {
     cart.command(std::clamp(left, 0.02, 2.0), 0.0);
     cart.run(0.02);
   }
   cart.command(0.0, 0.0);
   cart.run(0.5);
   for (double error = 1.0; std::abs(error) > 1e-3;) {
-    error = angle_difference(yaw_rad, cart.told().angle);
+    error = angle_difference(yaw_rad, cart.reported_pose().angle);
     cart.command(0.0, std::copysign(std::clamp(2.0 * std::abs(error), 0.02, 1.0), error));
     cart.run(0.02);
   }
@@ -41,14 +41,14 @@ void drive_side(CartWorld& cart, double side_m, double yaw_rad) {
 }
 
 /// Four sides of 100 m: what the encoders report stays within a thousandth of the 400 m driven.
-TEST(DiffDrive, ASquareWithSidesOfAHundredMetresClosesWithinATenthOfAPercent) {
+TEST(DiffDrive, ASquareWithSidesOfAHundredMetersClosesWithinATenthOfAPercent) {
   CartWorld cart(plugin_with({{"odometrySource", "encoder"}, {"wheelAcceleration", "1"}}), 0.002);
   double worst = 0.0;
   for (int side = 1; side <= 4; ++side) {
     drive_side(cart, 100.0, side * 0.5 * kPi);
-    worst = std::max(worst, (cart.told().p - cart.truth().p).norm());
+    worst = std::max(worst, (cart.reported_pose().p - cart.truth().p).norm());
   }
-  EXPECT_LT(cart.told().p.norm(), 0.4) << "as the encoders tell";
+  EXPECT_LT(cart.reported_pose().p.norm(), 0.4) << "as the encoders report";
   EXPECT_LT(worst, 0.4) << "against where it is, at any corner";
   RecordProperty("error_mm", static_cast<int>(1000.0 * worst));
 }
@@ -113,7 +113,7 @@ struct TickOdometry {
 class Slalom : public testing::Test {
  protected:
   struct Result {
-    double drift_m, way_m, told_m;
+    double drift_m, distance_m, reported_m;
   };
   /// Jerks and turns for ten seconds, followed by ticks of the wheels.
   static Result drive(double mu) {
@@ -129,9 +129,9 @@ class Slalom : public testing::Test {
       const Eigen::Vector2d before = cart.truth().p;
       cart.run(0.02);
       ticks.update();
-      result.way_m += (cart.truth().p - before).norm();
+      result.distance_m += (cart.truth().p - before).norm();
     }
-    result.told_m = ticks.odometry.distance_m();
+    result.reported_m = ticks.odometry.distance_m();
     result.drift_m = (ticks.odometry.T_odom_base().p - cart.truth().p).norm();
     return result;
   }
@@ -139,15 +139,15 @@ class Slalom : public testing::Test {
 
 TEST_F(Slalom, WithGripTheTicksFollowTheCart) {
   const Result result = drive(1.0);
-  ASSERT_GT(result.way_m, 7.0);
-  EXPECT_LT(result.drift_m, 0.01 * result.way_m);
+  ASSERT_GT(result.distance_m, 7.0);
+  EXPECT_LT(result.drift_m, 0.01 * result.distance_m);
 }
 
 TEST_F(Slalom, OnIceTheyDriftBySlip) {
   const Result result = drive(0.05);
-  ASSERT_GT(result.way_m, 2.0);
-  EXPECT_GT(result.drift_m, 0.05 * result.way_m);
-  EXPECT_GT(result.told_m, 1.05 * result.way_m);
+  ASSERT_GT(result.distance_m, 2.0);
+  EXPECT_GT(result.drift_m, 0.05 * result.distance_m);
+  EXPECT_GT(result.reported_m, 1.05 * result.distance_m);
 }
 
 }  // namespace

@@ -35,11 +35,11 @@ CartOptions four_wheels(double mu) {
 
 /// Drives by what the odometry reports, as a user would.
 void go_ahead(CartWorld& cart, double distance_m) {
-  const Eigen::Vector2d start = cart.told().p;
+  const Eigen::Vector2d start = cart.reported_pose().p;
   cart.command(1.0, 0.0);
-  while ((cart.told().p - start).norm() < distance_m - 0.1) cart.run(0.01);
-  while ((cart.told().p - start).norm() < distance_m - 1e-3) {
-    cart.command(std::max(0.02, distance_m - (cart.told().p - start).norm()), 0.0);
+  while ((cart.reported_pose().p - start).norm() < distance_m - 0.1) cart.run(0.01);
+  while ((cart.reported_pose().p - start).norm() < distance_m - 1e-3) {
+    cart.command(std::max(0.02, distance_m - (cart.reported_pose().p - start).norm()), 0.0);
     cart.run(0.01);
   }
   cart.command(0.0, 0.0);
@@ -48,7 +48,7 @@ void go_ahead(CartWorld& cart, double distance_m) {
 
 void turn_to(CartWorld& cart, double yaw_rad) {
   for (double error = 1.0; std::abs(error) > 1e-3;) {
-    error = angle_difference(yaw_rad, cart.told().angle);
+    error = angle_difference(yaw_rad, cart.reported_pose().angle);
     cart.command(0.0, std::copysign(std::clamp(2.0 * std::abs(error), 0.02, 1.0), error));
     cart.run(0.01);
   }
@@ -56,35 +56,35 @@ void turn_to(CartWorld& cart, double yaw_rad) {
   cart.run(0.5);
 }
 
-TEST(DiffDrive, ASquareOfAHundredMetresClosesWithinATenthOfAPercent) {
+TEST(DiffDrive, ASquareOfAHundredMetersClosesWithinATenthOfAPercent) {
   CartWorld cart(rover_with(encoders({{"wheelAcceleration", "1"}})), 0.002);
   for (int side = 1; side <= 4; ++side) {
     go_ahead(cart, 25.0);
     turn_to(cart, side * 0.5 * kPi);
   }
-  const Eigen::Vector2d told = cart.told().p, true_end = cart.truth().p;
-  EXPECT_LT(told.norm(), 0.1) << "as the encoders tell";
-  EXPECT_LT((told - true_end).norm(), 0.1) << "against where it is";
-  RecordProperty("error_mm", static_cast<int>(1000.0 * (told - true_end).norm()));
-  EXPECT_LT(std::abs(angle_difference(cart.truth().angle, cart.told().angle)), 0.02);
+  const Eigen::Vector2d reported = cart.reported_pose().p, true_end = cart.truth().p;
+  EXPECT_LT(reported.norm(), 0.1) << "as the encoders tell";
+  EXPECT_LT((reported - true_end).norm(), 0.1) << "against where it is";
+  RecordProperty("error_mm", static_cast<int>(1000.0 * (reported - true_end).norm()));
+  EXPECT_LT(std::abs(angle_difference(cart.truth().angle, cart.reported_pose().angle)), 0.02);
 }
 
-TEST(DiffDrive, OnIceTheEncodersTellALongerWay) {
+TEST(DiffDrive, OnIceTheEncodersReportALongerPath) {
   CartWorld cart(rover_with(encoders({{"wheelAcceleration", "2"}}), 0.05));
   cart.command(2.0, 0.0);
   cart.run(2.0);
-  EXPECT_GT(cart.told().p.x(), 1.05 * cart.truth().p.x());
+  EXPECT_GT(cart.reported_pose().p.x(), 1.05 * cart.truth().p.x());
   EXPECT_GT(cart.truth().p.x(), 0.1);
 }
 
-TEST(DiffDrive, WithGripTheyTellTheWay) {
+TEST(DiffDrive, WithGripTheyReportTheDistance) {
   CartWorld cart(rover_with(encoders({{"wheelAcceleration", "2"}}), 1.0));
   cart.command(2.0, 0.0);
   cart.run(2.0);
-  EXPECT_NEAR(cart.told().p.x(), cart.truth().p.x(), 1e-3 * cart.truth().p.x());
+  EXPECT_NEAR(cart.reported_pose().p.x(), cart.truth().p.x(), 1e-3 * cart.truth().p.x());
 }
 
-TEST(DiffDrive, ItReachesTheSpeedThatItIsToldAndNoOther) {
+TEST(DiffDrive, ItReachesTheSpeedThatIsCommandedAndNoOther) {
   for (const double speed : {0.2, 1.0, -0.7}) {
     CartWorld cart;
     cart.command(speed, 0.0);
@@ -186,8 +186,8 @@ TEST(DiffDrive, OdometryOfEncodersStartsAtItsOrigin) {
   cart.run(4.0);
   const SE3 T_start = options.T_world_model;
   const SE2 moved = SE2::projected(T_start.inverse() * cart.model->T_world_model());
-  EXPECT_NEAR((cart.told().p - moved.p).norm(), 0.0, 0.01);
-  EXPECT_NEAR(cart.told().angle, moved.angle, 0.02);
+  EXPECT_NEAR((cart.reported_pose().p - moved.p).norm(), 0.0, 0.01);
+  EXPECT_NEAR(cart.reported_pose().angle, moved.angle, 0.02);
   EXPECT_NEAR(cart.odometry->value.v_child.x(), 0.5, 1e-3);
   EXPECT_NEAR(cart.odometry->value.w_child.z(), 0.3, 1e-3);
 }
@@ -197,11 +197,11 @@ TEST(DiffDrive, AWrongGeometryShowsAsItsRatio) {
   CartWorld narrow(rover_with(encoders({{"wheelSeparation", "0.36"}, {"wheelAcceleration", "1"}})));
   narrow.command(0.0, 0.5);
   narrow.run(4.0);
-  EXPECT_NEAR(narrow.told().angle / narrow.truth().angle, 0.4 / 0.36, 0.03);
+  EXPECT_NEAR(narrow.reported_pose().angle / narrow.truth().angle, 0.4 / 0.36, 0.03);
   CartWorld small(rover_with(encoders({{"wheelDiameter", "0.19"}, {"wheelAcceleration", "1"}})));
   small.command(0.5, 0.0);
   small.run(4.0);
-  EXPECT_NEAR(small.told().p.x() / small.truth().p.x(), 0.19 / 0.2, 0.005);
+  EXPECT_NEAR(small.reported_pose().p.x() / small.truth().p.x(), 0.19 / 0.2, 0.005);
   EXPECT_NEAR(small.speed(), 0.5 * 0.2 / 0.19, 0.005);
 }
 
@@ -210,11 +210,11 @@ TEST(DiffDrive, ItsEncodersCovarianceGrowsWhenAsked) {
   cart.command(1.0, 0.0);
   cart.run(3.0);
   const Covariance6& covariance = cart.odometry->value.pose_covariance;
-  const double way = cart.told().p.x();
+  const double distance = cart.reported_pose().p.x();
   // Straight on: half the sum of two wheels along, their difference over the separation in turn.
-  EXPECT_NEAR(covariance[0], 0.5e-4 * way, 1e-6);
-  EXPECT_NEAR(covariance[35], 2e-4 * way / 0.16, 1e-5);
-  EXPECT_NEAR(covariance[7], 2e-4 / 0.16 * way * way * way / 3.0, 1e-4);
+  EXPECT_NEAR(covariance[0], 0.5e-4 * distance, 1e-6);
+  EXPECT_NEAR(covariance[35], 2e-4 * distance / 0.16, 1e-5);
+  EXPECT_NEAR(covariance[7], 2e-4 / 0.16 * distance * distance * distance / 3.0, 1e-4);
   EXPECT_EQ(covariance[14], 1e12);
 }
 

@@ -131,7 +131,7 @@ TEST(MotorModel, SlowdownScalesTheJointOnly) {
   EXPECT_NEAR(b->ports().find_out<ScalarSample>("quad/motor_speed/1")->value.value, 18.0, 1e-6);
 }
 
-TEST(MotorModel, TwoRotorsTurningTheSameWayHoldTheBodyGyroscopically) {
+TEST(MotorModel, TwoRotorsTurningInTheSameDirectionHoldTheBodyGyroscopically) {
   QuadWorld quad;
   quad.settle({0, 600, 0, 600});
   quad->set_model_twist(*quad.quad, Eigen::Vector3d::Zero(), {1, 0, 0});

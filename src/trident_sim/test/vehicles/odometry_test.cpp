@@ -48,7 +48,7 @@ TEST(Odometry, TwistIsInTheBodyFrame) {
   EXPECT_EQ(odometry.value.child_frame, "a/link");
 }
 
-TEST(Odometry, PositionIsThatOfTheCentreOfMassAndVelocityThatOfTheLink) {
+TEST(Odometry, PositionIsThatOfTheCenterOfMassAndVelocityThatOfTheLink) {
   TestWorld world;
   ModelSpec spec = body_with_odometry({});
   spec.links[0].inertial.T_link_com.p = {0.1, 0, 0};

@@ -52,7 +52,7 @@ TEST(RotorAxis, ComesBackWhenTheTurningEnds) {
   EXPECT_EQ(joint.rotor_axis_body, joint.axis_body);
 }
 
-TEST(RotorAxis, IsTheSameAloneAndBesideOthers) {
+TEST(RotorAxis, IsTheSameAloneAndNextToOthers) {
   const Eigen::Vector3d w_body(0.3, -1.2, 0.7);
   for (std::size_t count = 1; count <= 5; ++count) {
     std::vector<Joint> together(count), alone(count);
@@ -61,10 +61,10 @@ TEST(RotorAxis, IsTheSameAloneAndBesideOthers) {
       const double tilt = 0.05 * static_cast<double>(i + 1);
       together[i].axis_body = Eigen::Vector3d(tilt, -2.0 * tilt, 1.0).normalized();
       together[i].rotor_axis_body = Eigen::Vector3d(-tilt, 0.5 * tilt, 1.0).normalized();
-      together[i].spun_velocity = i % 2 == 0 ? 61.0 : -43.0 - tilt;
+      together[i].rotor_velocity = i % 2 == 0 ? 61.0 : -43.0 - tilt;
       alone[i].axis_body = together[i].axis_body;
       alone[i].rotor_axis_body = together[i].rotor_axis_body;
-      alone[i].spun_velocity = together[i].spun_velocity;
+      alone[i].rotor_velocity = together[i].rotor_velocity;
       joints.push_back(&together[i]);
       Joint* const one = &alone[i];
       advance_rotor_axes({&one, 1}, w_body, 0.2, 0.01);

@@ -36,7 +36,7 @@ TEST(Wind, AGustWithoutForceNeedsNoDirection) {
   EXPECT_TRUE(contains(error_of([&] { drift(gusty, 1); }), "<windGustDirection> is '0 0 0'"));
 }
 
-TEST(Wind, ForcePushesAlongTheNormalisedDirection) {
+TEST(Wind, ForcePushesAlongTheNormalizedDirection) {
   EXPECT_TRUE(is_near(drift({{"windForceMean", "3"}, {"windDirection", "0 2 0"}}, 10),
                       {0, 3.0 / 2.0 * 10 * kStep_s, 0}, 1e-12));
 }
@@ -53,7 +53,7 @@ TEST(Wind, GustLastsFromStartForItsDuration) {
   EXPECT_TRUE(is_near(drift(gust, 50), {0, 0, 4.0 / 2.0 * 0.2}, 1e-12));
 }
 
-TEST(Wind, ForceOffTheCentreTurns) {
+TEST(Wind, ForceOffTheCenterTurns) {
   TestWorld world;
   Model& body = world.add(body_in_wind({{"windForceMean", "3"}, {"xyzOffset", "0 0.1 0"}}));
   world->step();

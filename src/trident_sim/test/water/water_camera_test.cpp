@@ -122,7 +122,7 @@ TEST(WaterCamera, ABottomShowsThroughShallowWaterOnly) {
   EXPECT_GT(deep[2], deep[0]) << "deep water is blue";
 }
 
-TEST(WaterCamera, UnderWaterSeesThroughItsColour) {
+TEST(WaterCamera, UnderWaterSeesThroughItsColor) {
   TestWorld world(sunny_sea(jonswap("0.3", "4")));
   world.add(make_visual("near", BoxShape{{0.2, 2, 2}}, at(1.5, 1.1, -4), glowing(1, 1, 1)));
   world.add(make_visual("far", BoxShape{{0.2, 9, 9}}, at(20, -5, -4), glowing(1, 1, 1)));

@@ -163,7 +163,7 @@ TEST(WaterReturns, AreThoseOfBeamsThatAreFollowedToTheWater) {
   const RandomStream chance(5, "lidar/water");
   constexpr std::uint32_t kChannel = 7, kOther = 1234;
   Draw draw("beams");
-  int told = 0, lost = 0;
+  int reported = 0, lost = 0;
   for (std::uint64_t scan = 0; scan < 20000; ++scan) {
     Ray ray{{draw.uniform(-9, 9), draw.uniform(-9, 9), draw.uniform(0.2, 6.0)}, draw.direction()};
     ray.t_max_m = 100.0;
@@ -178,15 +178,15 @@ TEST(WaterReturns, AreThoseOfBeamsThatAreFollowedToTheWater) {
     if (expected.shape == scene.surface_shape()) {
       const double p = water_return_probability(-expected.normal_world.dot(ray.direction_world),
                                                 expected.distance_m);
-      const bool is_told = chance.uniform(scan, kChannel) < p;
-      ++(is_told ? told : lost);
-      if (!is_told) expected = {};
+      const bool is_reported = chance.uniform(scan, kChannel) < p;
+      ++(is_reported ? reported : lost);
+      if (!is_reported) expected = {};
     }
     const RayHit seen = sight.see(scene, *water, ray, behind, scan, kChannel);
     ASSERT_EQ(seen.shape, expected.shape) << scan;
     ASSERT_EQ(seen.distance_m, expected.distance_m) << scan;
   }
-  EXPECT_GT(told, 500);
+  EXPECT_GT(reported, 500);
   EXPECT_GT(lost, 500);
 }
 

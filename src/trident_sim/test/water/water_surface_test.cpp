@@ -21,7 +21,7 @@ Eigen::Vector2d within(Draw& draw, double half_m) {
 }
 
 /// Where a ray comes through the surface, by small steps and bisection.
-double meeting_by_steps(const WaterSurface& water, const Ray& ray, double t_max) {
+double hit_by_steps(const WaterSurface& water, const Ray& ray, double t_max) {
   constexpr double kStep = 0.004;
   const auto gap = [&](double t) {
     const Eigen::Vector3d p = ray.p_world_origin + t * ray.direction_world;
@@ -66,7 +66,7 @@ TEST(WaterTransform, IsTheSumOfAllWaves) {
   }
 }
 
-TEST(WaterSurface, OfStillWaterIsMetAtItsLevel) {
+TEST(WaterSurface, OfStillWaterIsHitAtItsLevel) {
   TestWorld world(sea_spec({{"spectrum", "none"}}, "0.7"));
   Draw draw("still");
   RayScene& scene = scene_on_water(world, {0, 0, 2});
@@ -76,7 +76,7 @@ TEST(WaterSurface, OfStillWaterIsMetAtItsLevel) {
     const RayHit hit = cast_one(scene, ray);
     const double expected = (0.7 - p.z()) / ray.direction_world.z();
     if (expected < 0.0) {
-      EXPECT_FALSE(hit.met());
+      EXPECT_FALSE(hit.is_hit());
       continue;
     }
     ASSERT_NEAR(hit.distance_m, expected, 1e-9 * (1.0 + expected));
@@ -200,14 +200,14 @@ TEST(WaterSurface, RepeatsAndIsTheSeeds) {
   EXPECT_GT(difference, 0.05);
 }
 
-TEST(WaterSurface, IsMetWhereSmallStepsMeetIt) {
+TEST(WaterSurface, IsHitWhereSmallStepsHitIt) {
   TestWorld world(sea_spec(jonswap("1.5", "4"), "0.3"));
   world->step(33);
   const Eigen::Vector3d middle(40.0, -70.0, 0.0);
   WaterSurface water(*world);
   ASSERT_TRUE(water.follow(middle));
   Draw draw("march");
-  int met = 0;
+  int hit_count = 0;
   for (int i = 0; i < 400; ++i) {
     // Above, within and below the waves; steep and grazing.
     const Eigen::Vector3d p = middle + draw.point(3.0);
@@ -215,26 +215,26 @@ TEST(WaterSurface, IsMetWhereSmallStepsMeetIt) {
     if (i % 2 == 0) d.z() *= 0.1;
     if (i % 20 == 0) d.x() = 0.0;
     const Ray ray{p, d.normalized()};
-    const WaterMeeting meeting = water.meet(ray, 40.0);
-    EXPECT_EQ(meeting.begins_below, p.z() < water.height_m(p.head<2>()));
-    const double expected = meeting_by_steps(water, ray, 40.0);
-    if (expected == kNowhere || meeting.t == kNowhere) {
-      EXPECT_EQ(meeting.t, expected) << i;
+    const WaterHit water_hit = water.find_hit(ray, 40.0);
+    EXPECT_EQ(water_hit.begins_below, p.z() < water.height_m(p.head<2>()));
+    const double expected = hit_by_steps(water, ray, 40.0);
+    if (expected == kNowhere || water_hit.t == kNowhere) {
+      EXPECT_EQ(water_hit.t, expected) << i;
       continue;
     }
-    ++met;
+    ++hit_count;
     // A crest that a step jumps over is hit earlier.
-    EXPECT_LT(meeting.t, expected + 1e-6) << i;
-    const Eigen::Vector3d at = p + meeting.t * ray.direction_world;
+    EXPECT_LT(water_hit.t, expected + 1e-6) << i;
+    const Eigen::Vector3d at = p + water_hit.t * ray.direction_world;
     EXPECT_NEAR(at.z(), water.height_m(at.head<2>()), 1e-9) << i;
-    if (meeting.t < expected - 1e-6) {
-      EXPECT_LT(std::abs(p.z() + (meeting.t + 0.002) * ray.direction_world.z() -
+    if (water_hit.t < expected - 1e-6) {
+      EXPECT_LT(std::abs(p.z() + (water_hit.t + 0.002) * ray.direction_world.z() -
                          water.height_m((at + 0.002 * ray.direction_world).head<2>())),
                 1e-4)
           << i;
     }
   }
-  EXPECT_GT(met, 150);
+  EXPECT_GT(hit_count, 150);
 }
 
 TEST(WaterSurface, IsGrazedOrMissed) {
@@ -243,15 +243,15 @@ TEST(WaterSurface, IsGrazedOrMissed) {
   ASSERT_TRUE(water.follow({0, 0, 1}));
   const Eigen::Vector2d along = water.pattern().axis;
   const Ray level{{0, 0, water.highest_m() + 1e-4}, {along.x(), along.y(), 0.0}};
-  EXPECT_EQ(water.meet(level, kNowhere).t, kNowhere);
+  EXPECT_EQ(water.find_hit(level, kNowhere).t, kNowhere);
   Ray lower = level;
   // From a trough's side through the air below the crest, level with the highest node less 5 mm.
   lower.p_world_origin.z() = 0.4 - 0.005;
   lower.p_world_origin.head<2>() = 0.5 * (water.pattern().length_m / 8.0) * along;
-  const double t = water.meet(lower, 1000.0).t;
+  const double t = water.find_hit(lower, 1000.0).t;
   EXPECT_GT(t, 0.0);
   EXPECT_LT(t, water.pattern().length_m / 8.0);
-  EXPECT_NEAR(t, meeting_by_steps(water, lower, 30.0), 1e-6);
+  EXPECT_NEAR(t, hit_by_steps(water, lower, 30.0), 1e-6);
 }
 
 TEST(WaterSurface, FarAwayIsALevelWithSlopes) {
@@ -263,7 +263,7 @@ TEST(WaterSurface, FarAwayIsALevelWithSlopes) {
     const Eigen::Vector3d d =
         Eigen::Vector3d(std::cos(azimuth), std::sin(azimuth), -0.003).normalized();
     const RayHit hit = cast_one(scene, {{0, 0, 10.5}, d});
-    ASSERT_TRUE(hit.met());
+    ASSERT_TRUE(hit.is_hit());
     level += std::abs((10.5 + hit.distance_m * d.z()) - 0.5) < 1e-6 ? 1 : 0;
     sloped += hit.normal_world.head<2>().norm() > 0.01 ? 1 : 0;
   }
@@ -342,7 +342,7 @@ TEST(WaterSurface, FadesTowardsTheShoreAsTheWavesDo) {
     const Eigen::Vector2d p = Eigen::Vector2d(-10, 0) + within(draw, 1.5);
     EXPECT_NEAR(water.height_m(p), truth.elevation_m(p, 0.0), 0.02);
     const Ray ray{{p.x(), p.y(), 1.0}, Eigen::Vector3d(0.9, 0.1, -0.2).normalized()};
-    const double t = water.meet(ray, kNowhere).t, expected = meeting_by_steps(water, ray, 40.0);
+    const double t = water.find_hit(ray, kNowhere).t, expected = hit_by_steps(water, ray, 40.0);
     EXPECT_NEAR(t, expected, 0.01);
   }
   // Rays find it as well where they know all of a square to be open, or dry.
@@ -351,17 +351,17 @@ TEST(WaterSurface, FadesTowardsTheShoreAsTheWavesDo) {
     const Eigen::Vector2d p = within(draw, i % 2 == 0 ? 150.0 : 20.0);
     const Ray ray{{p.x(), p.y(), 3.0},
                   Eigen::Vector3d(0.6, 0.5, draw.uniform(-1.0, -0.2)).normalized()};
-    const WaterMeeting meeting = water.meet(ray, kNowhere);
-    const Eigen::Vector3d met = ray.p_world_origin + meeting.t * ray.direction_world;
+    const WaterHit water_hit = water.find_hit(ray, kNowhere);
+    const Eigen::Vector3d p_hit = ray.p_world_origin + water_hit.t * ray.direction_world;
     const WaterReach reach = water.reach(ray);
-    EXPECT_LE(reach.first, meeting.t);
-    EXPECT_GE(reach.last, meeting.t);
-    const double cosine = -water.normal(met.head<2>()).dot(ray.direction_world);
+    EXPECT_LE(reach.first, water_hit.t);
+    EXPECT_GE(reach.last, water_hit.t);
+    const double cosine = -water.normal(p_hit.head<2>()).dot(ray.direction_world);
     EXPECT_LE(cosine, water.cos_most(ray, reach) + 1e-9);
     EXPECT_LE(water.cos_most(ray, reach), water.cos_most(ray));
-    EXPECT_NEAR(met.z(), water.height_m(met.head<2>()), 1e-6) << met.transpose();
-    const double strength = truth.strength(met.head<2>(), 0.0);
-    EXPECT_EQ(water.strength(met.head<2>()), strength);
+    EXPECT_NEAR(p_hit.z(), water.height_m(p_hit.head<2>()), 1e-6) << p_hit.transpose();
+    const double strength = truth.strength(p_hit.head<2>(), 0.0);
+    EXPECT_EQ(water.strength(p_hit.head<2>()), strength);
     ++(strength == 1.0 ? open : strength == 0.0 ? dry : fading);
   }
   EXPECT_GT(std::min({open, dry, fading}), 20);

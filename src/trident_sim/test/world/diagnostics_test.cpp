@@ -21,7 +21,7 @@ const DiagnosticEntry* find(World& world, const std::string& name) {
   return it == entries.end() ? nullptr : &it->second;
 }
 
-TEST(Diagnostics, OneThatIsMetAgainIsCountedAndTheNewestIsKept) {
+TEST(Diagnostics, OneThatOccursAgainIsCountedAndTheNewestIsKept) {
   Diagnostics diagnostics;
   EXPECT_TRUE(diagnostics.add(make("model 'a'", "k", "1"), SimTime{5}));
   EXPECT_FALSE(diagnostics.add(make("model 'a'", "k", "2"), SimTime{9}));
@@ -76,14 +76,14 @@ TEST(Diagnostics, EveryRefusedCommandCounts) {
 }
 
 TEST(Diagnostics, WhereThereIsASinkOfTheirOwnTheyGoThere) {
-  std::vector<std::string> told;
+  std::vector<std::string> reported;
   WorldOptions options;
-  options.diagnosed = [&told](Severity, const std::string& text) { told.push_back(text); };
+  options.diagnosed = [&reported](Severity, const std::string& text) { reported.push_back(text); };
   TestWorld world(world_spec(), options);
   world->diagnose(make("model 'a'", "k", "1"));
   world->diagnose(make("model 'a'", "k", "2"));
   world->note(make("model 'b'", "k", "2"));
-  EXPECT_EQ(told, std::vector<std::string>{"model 'a': is 1"});
+  EXPECT_EQ(reported, std::vector<std::string>{"model 'a': is 1"});
   EXPECT_TRUE(world.reports.empty());
   EXPECT_EQ(world->diagnostics().entries().size(), 2u);
 }
@@ -97,8 +97,8 @@ TEST(IgnoredElements, AreNamedOnceForAFleet) {
     spec.name = name;
     world.add(std::move(spec));
   }
-  EXPECT_EQ(world.told(Severity::kWarning, "<wheelSeperation>, <color>"), 1u);
-  EXPECT_EQ(world.told(Severity::kWarning, "have no effect"), 1u);
+  EXPECT_EQ(world.report_count(Severity::kWarning, "<wheelSeperation>, <color>"), 1u);
+  EXPECT_EQ(world.report_count(Severity::kWarning, "have no effect"), 1u);
   EXPECT_NE(find(*world, "model 'a' plugin 'drive': elements without effect"), nullptr);
 }
 
@@ -111,8 +111,12 @@ TEST(UnknownPlugins, AreNamedOnceOfEachModel) {
                     make_plugin("light", "libno_such_light.so", {})};
     world.add(std::move(spec));
   }
-  EXPECT_EQ(world.told(Severity::kWarning, "model 'a': plugin 'light' (libno_such_light.so)"), 1u);
-  EXPECT_EQ(world.told(Severity::kWarning, "model 'b': plugin 'light' (libno_such_light.so)"), 1u);
+  EXPECT_EQ(
+      world.report_count(Severity::kWarning, "model 'a': plugin 'light' (libno_such_light.so)"),
+      1u);
+  EXPECT_EQ(
+      world.report_count(Severity::kWarning, "model 'b': plugin 'light' (libno_such_light.so)"),
+      1u);
 }
 
 TEST(IgnoredElements, NoneOfACompletePluginIs) {
@@ -136,7 +140,7 @@ TEST(SpawnedInside, AWallIsNamedWithTheDepth) {
   EXPECT_TRUE(contains(entry->newest.message, "'cart::"));
   EXPECT_EQ(entry->newest.values[2].first, "depth_m");
   EXPECT_NEAR(std::stod(entry->newest.values[2].second), 0.05, 0.03);
-  EXPECT_EQ(world.told(Severity::kWarning, "was spawned with"), 1u);
+  EXPECT_EQ(world.report_count(Severity::kWarning, "was spawned with"), 1u);
 }
 
 TEST(SpawnedInside, AnotherModelCountsAndThoseThatTouchDoNot) {
@@ -146,15 +150,15 @@ TEST(SpawnedInside, AnotherModelCountsAndThoseThatTouchDoNot) {
   world.add(make_body("on_top", BoxShape{{0.4, 0.4, 0.4}}, at(0, 0, 0.595)));
   EXPECT_TRUE(world.reports.empty());
   world.add(make_body("inside", BoxShape{{0.2, 0.2, 0.2}}, at(0.1, 0, 0.4)));
-  EXPECT_EQ(world.told(Severity::kWarning, "model 'inside'"), 1u);
-  EXPECT_EQ(world.told(Severity::kWarning, "was spawned with"), 1u);
+  EXPECT_EQ(world.report_count(Severity::kWarning, "model 'inside'"), 1u);
+  EXPECT_EQ(world.report_count(Severity::kWarning, "was spawned with"), 1u);
 }
 
 TEST(SpawnedInside, AWorldIsLookedAtWhenItIsComplete) {
   WorldSpec spec = world_spec(0.001);
   spec.models = {make_body("box", BoxShape{{0.4, 0.4, 0.4}}, at(0, 0, 0.3)), make_wall()};
   TestWorld world(spec);
-  EXPECT_EQ(world.told(Severity::kWarning, "model 'box'"), 1u);
+  EXPECT_EQ(world.report_count(Severity::kWarning, "model 'box'"), 1u);
 }
 
 /// It is pushed out at the world's speed at most, and then drives as ever.

@@ -26,7 +26,7 @@ TEST(Lockstep, StatesFlowFreelyBeforeAnAnswer) {
   EXPECT_EQ(vehicle.waiting_for(100), 0);
 }
 
-TEST(Lockstep, TheFirstAnswerToAStateEnrols) {
+TEST(Lockstep, TheFirstAnswerToAStateEnrolls) {
   LockstepVehicle vehicle;
   vehicle.on_state(step(1), 0);
   vehicle.on_state(step(2), 0);
@@ -34,7 +34,7 @@ TEST(Lockstep, TheFirstAnswerToAStateEnrols) {
   EXPECT_TRUE(vehicle.enrolled());
 }
 
-TEST(Lockstep, AForeignStampDoesNotEnrol) {
+TEST(Lockstep, AForeignStampDoesNotEnroll) {
   LockstepVehicle vehicle;
   vehicle.on_state(step(1), 0);
   EXPECT_EQ(vehicle.on_answer({123}, 0), Answer::kForeign);
@@ -116,7 +116,7 @@ TEST(Lockstep, AReleasedControllerIsNotWaitedForAndRejoinsByAnswering) {
 
 TEST(Lockstep, AConnectedControllerIsWaitedForFromTheFirstState) {
   LockstepVehicle vehicle;
-  vehicle.enrol();
+  vehicle.enroll();
   EXPECT_TRUE(vehicle.on_state(step(1), 0));
   EXPECT_FALSE(vehicle.on_state(step(2), 0));
   EXPECT_FALSE(vehicle.answered_up_to(step(1)));

@@ -35,7 +35,7 @@ TEST(PortBoard, AnInputHasOneType) {
   EXPECT_EQ(board.find_in<WindSample>("in"), nullptr);
 }
 
-TEST(PortBoard, VersionTellsOfEveryChange) {
+TEST(PortBoard, VersionCountsEveryChange) {
   PortBoard board;
   const auto start = board.version();
   auto* port = board.advertise<ScalarSample>("out", PortRank::kState);

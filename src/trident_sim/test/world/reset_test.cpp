@@ -68,7 +68,7 @@ class Reset : public testing::TestWithParam<LoopTiming> {
   OutPort<ImuSample>* imu_;
 };
 
-TEST_P(Reset, OfModelsRepeatsTheFlightAndItsNoiseWhileTimeGoesOn) {
+TEST_P(Reset, OfModelsRepeatsTheFlightAndItsNoiseWhileTimeContinues) {
   std::vector<double> first = fly();
   world_->step(31);  // not a multiple of the odometry's divisor
   world_->reset_models();

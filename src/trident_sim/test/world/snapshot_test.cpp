@@ -127,7 +127,7 @@ class SnapshotOf : public testing::TestWithParam<Case> {
   static constexpr std::uint64_t kSteps = 200;
 };
 
-TEST_P(SnapshotOf, GoesOnAsIfItHadNotStopped) {
+TEST_P(SnapshotOf, ContinuesAsIfItHadNotStopped) {
   Flight straight(GetParam());
   straight->step(2 * kSteps);
   const std::string expected = straight.everything();
@@ -156,7 +156,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"joints", move_joints, LoopTiming::kDirect, "world"}),
     [](const auto& info) { return std::string(info.param.name); });
 
-TEST(SnapshotOfFireflies, FlyingWithTheirControllersGoOnAsIfTheyHadNotStopped) {
+TEST(SnapshotOfFireflies, FlyingWithTheirControllersContinueAsIfTheyHadNotStopped) {
   TRIDENT_NEEDS_GOLDEN();
   GoldenWorld world(golden_folder() + "/params/basic.world");
   for (const char* name : {"UAV1", "UAV2"}) {

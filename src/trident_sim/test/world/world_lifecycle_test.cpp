@@ -41,7 +41,7 @@ TEST(WorldLifecycle, AThousandSpawnsAndDeletionsLeaveNothing) {
   EXPECT_TRUE(world.reports.empty());
 }
 
-TEST(WorldLifecycle, DeletionInContactLetsTheOthersGoOn) {
+TEST(WorldLifecycle, DeletionInContactLetsTheOthersContinue) {
   TestWorld world;
   world.add(make_ground());
   world.add(make_body("below", BoxShape{{0.2, 0.2, 0.2}}, at(0, 0, 0.1)));

@@ -117,7 +117,7 @@ TEST(Wrench, WithoutEndActsUntilCleared) {
   EXPECT_NEAR(model.bodies[0]->velocity().x(), 0.3, 1e-12);
 }
 
-TEST(Wrench, OffTheCentreItTurns) {
+TEST(Wrench, OffTheCenterItTurns) {
   TestWorld world;
   ModelSpec spec = make_body("m", SphereShape{0.1}, {});
   spec.links[0].gravity = false;

@@ -121,7 +121,7 @@ SimTime LockstepGate::enroll_source(const std::string& node,
   if (is_new && losses_.repeatability().running()) {
     losses_.repeatability().spoil("set-point source " + node, now, "enrolled while time ran");
   }
-  const SimTime start = hub_.sources.enrol(node, vehicles, period, end, now, waits_beyond_end);
+  const SimTime start = hub_.sources.enroll(node, vehicles, period, end, now, waits_beyond_end);
   if (is_new) {
     hub_.events.push_back("set-point source " + node + " enrolled for " + join(vehicles) +
                           " from t = " + seconds_text(start.seconds()));

@@ -88,7 +88,7 @@ void StartGate::release(const World& world) {
   for (const auto& [name, vehicle] : vehicles_.links()) {
     vehicle->assert_hub_is_locked();
     // A controller of an unknown kind may not answer each state; it enrols by its first answer.
-    if (options_.wait_for_spawned.empty() || is_to_be_controlled(name)) vehicle->lockstep.enrol();
+    if (options_.wait_for_spawned.empty() || is_to_be_controlled(name)) vehicle->lockstep.enroll();
     vehicle->close_confirming();
     if (hub.sources.feeds(vehicle->name()) && !vehicle->confirms_setpoints()) {
       repeatability_.spoil("the controller of " + vehicle->name(), world.time(),

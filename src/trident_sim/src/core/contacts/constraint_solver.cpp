@@ -20,11 +20,11 @@ constexpr int kFallbackIterations = 500;
 
 /// What ODE takes by itself for every constraint. Without any the exact solver has no solution for
 /// joints in a closed loop, and ODE ends the process.
-constexpr double kLeastJointCfm = 1e-10;
+constexpr double kMinJointCfm = 1e-10;
 
 /// Accelerations that nothing survives [m/s^2], [rad/s^2]. ODE ends the program when a rotation
 /// overflows; below these it does not, and the body is frozen after the step.
-constexpr double kDeadlyAcceleration = 1e14;
+constexpr double kMaxAcceleration = 1e14;
 
 bool is_constrained(const EngineBody& body) { return body.joint_count > 0 || body.in_contact; }
 
@@ -36,9 +36,9 @@ Eigen::Vector3d bounded(const Eigen::Vector3d& v, double limit) {
 /// Hands the forces of this step to ODE.
 void load(const EngineBody& body) {
   const double smallest_inertia = body.inertia.diagonal().minCoeff();
-  const Eigen::Vector3d force = bounded(body.force, kDeadlyAcceleration * body.mass_kg);
+  const Eigen::Vector3d force = bounded(body.force, kMaxAcceleration * body.mass_kg);
   const Eigen::Vector3d torque =
-      bounded(body.torque + gyroscopic_torque(body), kDeadlyAcceleration * smallest_inertia);
+      bounded(body.torque + gyroscopic_torque(body), kMaxAcceleration * smallest_inertia);
   dBodySetForce(body.ode, force.x(), force.y(), force.z());
   dBodySetTorque(body.ode, torque.x(), torque.y(), torque.z());
 }
@@ -95,7 +95,7 @@ void ConstraintSolver::solve(const std::vector<EngineBody*>& bodies,
                              const std::vector<Joint*>& joints, double dt_s) {
   gather(bodies, joints);
   if (held_.empty()) return forget();
-  dWorldSetCFM(world_, joints.empty() ? spec_.cfm : std::max(spec_.cfm, kLeastJointCfm));
+  dWorldSetCFM(world_, joints.empty() ? spec_.cfm : std::max(spec_.cfm, kMinJointCfm));
   for (Joint* joint : joints) prepare_ode_joint(*joint, spec_.erp, dt_s);
   for (Joint* joint : joints) apply_efforts(*joint, dt_s);
   for (const EngineBody* body : held_) load(*body);

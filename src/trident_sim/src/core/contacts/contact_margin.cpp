@@ -10,7 +10,7 @@ namespace {
 
 /// What falls for two steps of 10 ms comes 3 mm, for two of 1 ms 0.03 mm. A small shape stays what
 /// it is: a part of its least extent.
-constexpr double kMargin = 1e-3, kMostPart = 0.01;
+constexpr double kMargin = 1e-3, kMaxPart = 0.01;
 
 double least_extent(const BoxShape& box) { return box.size.minCoeff(); }
 double least_extent(const SphereShape& sphere) { return 2.0 * sphere.radius; }
@@ -66,8 +66,8 @@ Eigen::Vector3d nearest_of_shape_in_world(const EngineGeom& geom, const Eigen::V
   if (!(geom.margin_m > 0.0)) return p_world;
   using Rows = Eigen::Matrix<double, 3, 4, Eigen::RowMajor>;
   const Eigen::Matrix3d R = Eigen::Map<const Rows>(dGeomGetRotation(geom.id)).leftCols<3>();
-  const Eigen::Vector3d centre = Eigen::Map<const Eigen::Vector3d>(dGeomGetPosition(geom.id));
-  return centre + R * nearest_of_shape(geom, R.transpose() * (p_world - centre));
+  const Eigen::Vector3d center = Eigen::Map<const Eigen::Vector3d>(dGeomGetPosition(geom.id));
+  return center + R * nearest_of_shape(geom, R.transpose() * (p_world - center));
 }
 
 }  // namespace
@@ -75,7 +75,7 @@ Eigen::Vector3d nearest_of_shape_in_world(const EngineGeom& geom, const Eigen::V
 double contact_margin(const Shape& shape) {
   const double extent =
       std::visit([](const auto& one_shape) { return least_extent(one_shape); }, shape);
-  return std::min(kMargin, kMostPart * extent);
+  return std::min(kMargin, kMaxPart * extent);
 }
 
 void take_margins_off(dContactGeom& found, const EngineGeom& a, const EngineGeom& b) {

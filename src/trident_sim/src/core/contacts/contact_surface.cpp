@@ -10,8 +10,8 @@ namespace {
 /// Several contacts under one body hold it more often than it can move, which the exact solver
 /// needs a little softness to distinguish: 1e10 N/m at a step of 10 ms, and 1e-8 m/s of creep per
 /// newton.
-constexpr double kLeastNormalCfm = 1e-8;
-constexpr double kLeastSlip = 1e-8;
+constexpr double kMinNormalCfm = 1e-8;
+constexpr double kMinSlip = 1e-8;
 
 /// At which the pose is put right [m/s]; finite, as it is multiplied.
 constexpr double kBeyondAnySpeed = 1e9;
@@ -26,12 +26,12 @@ dSurfaceParameters combine_surfaces(const Surface& a, const Surface& b, double d
                  dContactApprox1 | dContactSlip1 | dContactSlip2;
   surface.mu = std::min(a.mu, b.mu);
   surface.mu2 = std::min(a.mu2, b.mu2);
-  surface.slip1 = std::max(kLeastSlip, std::min(a.slip1, b.slip1));
-  surface.slip2 = std::max(kLeastSlip, std::min(a.slip2, b.slip2));
+  surface.slip1 = std::max(kMinSlip, std::min(a.slip1, b.slip1));
+  surface.slip2 = std::max(kMinSlip, std::min(a.slip2, b.slip2));
   surface.bounce = std::min(a.restitution, b.restitution);
   surface.bounce_vel = std::min(a.bounce_threshold_m_s, b.bounce_threshold_m_s);
   surface.soft_erp = dt_s * kp / (dt_s * kp + kd);
-  surface.soft_cfm = std::max(kLeastNormalCfm, 1.0 / (dt_s * kp + kd));
+  surface.soft_cfm = std::max(kMinNormalCfm, 1.0 / (dt_s * kp + kd));
   return surface;
 }
 

@@ -15,7 +15,7 @@ namespace {
 /// At which a body that was put into something is pushed out, where its surface does not say. At
 /// the world's speed limit, 100 m/s where nothing else is said, a robot spawned in a wall would be
 /// shot into the sky.
-constexpr double kEmergingSpeed = 0.5;
+constexpr double kDepenetrationSpeed = 0.5;
 
 /// To which a mesh on the ground or on a mesh stays inside [m].
 constexpr double kSunkMesh_m = 5e-4;
@@ -69,7 +69,7 @@ void lay_friction(dContact& contact, const Eigen::Vector3d& direction) {
 }
 
 /// Of a geometry that is part of the world the middle of its box; a plane's has no end.
-Eigen::Vector3d centre_of(const EngineGeom& geom, const EngineBody* body) {
+Eigen::Vector3d center_of(const EngineGeom& geom, const EngineBody* body) {
   if (body != nullptr) return body->T_world_body.p;
   dReal box[6];
   dGeomGetAABB(geom.id, box);
@@ -86,8 +86,8 @@ Contact contact_of(const EngineGeom& a, const EngineBody* body_a, const EngineGe
   contact.depth_m = found.depth;
   contact.p_world = {found.pos[0], found.pos[1], found.pos[2]};
   contact.normal_world = {found.normal[0], found.normal[1], found.normal[2]};
-  contact.p_world_centre1 = centre_of(a, body_a);
-  contact.p_world_centre2 = centre_of(b, body_b);
+  contact.p_world_center1 = center_of(a, body_a);
+  contact.p_world_center2 = center_of(b, body_b);
   return contact;
 }
 
@@ -98,8 +98,8 @@ void PhysicsEngine::find_contacts(double dt_s) {
   watched_.clear();
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     EngineBody& body = *bodies_[i];
-    centres_[i] = body.T_world_body.p + body.R_world_body * body.bound_centre;
-    if (body.bound_radius_m > 0.0 && !body.frozen) collide_with_static(body, centres_[i], dt_s);
+    centers_[i] = body.T_world_body.p + body.R_world_body * body.bound_center;
+    if (body.bound_radius_m > 0.0 && !body.frozen) collide_with_static(body, centers_[i], dt_s);
   }
   sweep_bodies(dt_s);
   release_placed();
@@ -110,17 +110,17 @@ void PhysicsEngine::release_placed() {
   for (std::size_t first = 0, end = 0; first < bodies_.size(); first = end) {
     bool any = false;
     for (; end < bodies_.size() && bodies_[end]->owner == bodies_[first]->owner; ++end) {
-      any = any || bodies_[end]->emerging;
+      any = any || bodies_[end]->depenetrating;
     }
     for (std::size_t i = first; i < end; ++i) {
       bodies_[i]->placed = bodies_[i]->placed && any;
-      bodies_[i]->emerging = false;
+      bodies_[i]->depenetrating = false;
     }
   }
 }
 
 void PhysicsEngine::sweep_bodies(double dt_s) {
-  const auto low = [this](std::size_t i) { return centres_[i].x() - bodies_[i]->bound_radius_m; };
+  const auto low = [this](std::size_t i) { return centers_[i].x() - bodies_[i]->bound_radius_m; };
   // Insertion sort: the order hardly changes from step to step.
   for (std::size_t k = 1; k < order_.size(); ++k) {
     const std::size_t moved = order_[k];
@@ -130,25 +130,25 @@ void PhysicsEngine::sweep_bodies(double dt_s) {
   }
   for (std::size_t k = 0; k < order_.size(); ++k) {
     const std::size_t i = order_[k];
-    const double high = centres_[i].x() + bodies_[i]->bound_radius_m;
+    const double high = centers_[i].x() + bodies_[i]->bound_radius_m;
     for (std::size_t m = k + 1; m < order_.size() && low(order_[m]) <= high; ++m) {
       const std::size_t j = order_[m];
       const double reach = bodies_[i]->bound_radius_m + bodies_[j]->bound_radius_m;
-      if ((centres_[i] - centres_[j]).squaredNorm() > reach * reach) continue;
+      if ((centers_[i] - centers_[j]).squaredNorm() > reach * reach) continue;
       collide_bodies(*bodies_[std::min(i, j)], *bodies_[std::max(i, j)], dt_s);
     }
   }
 }
 
-void PhysicsEngine::collide_with_static(EngineBody& body, const Eigen::Vector3d& centre,
+void PhysicsEngine::collide_with_static(EngineBody& body, const Eigen::Vector3d& center,
                                         double dt_s) {
   bool pushed = false;
   for (const StaticGeom& other : statics_) {
     if (other.is_plane) {
-      if (other.normal.dot(centre) - other.offset > body.bound_radius_m) continue;
+      if (other.normal.dot(center) - other.offset > body.bound_radius_m) continue;
     } else {
-      const Eigen::Vector3d nearest = centre.cwiseMax(other.lo).cwiseMin(other.hi);
-      if ((nearest - centre).squaredNorm() > body.bound_radius_m * body.bound_radius_m) continue;
+      const Eigen::Vector3d nearest = center.cwiseMax(other.lo).cwiseMin(other.hi);
+      if ((nearest - center).squaredNorm() > body.bound_radius_m * body.bound_radius_m) continue;
     }
     if (!pushed) push(body);
     pushed = true;
@@ -213,22 +213,22 @@ Correction PhysicsEngine::correct(const EngineGeom& a, EngineBody* body_a, const
   // Shapes without a margin are known to touch only by their being inside.
   if (!(a.margin_m + b.margin_m > 0.0)) pair.min_depth_m = std::max(pair.min_depth_m, kSunkMesh_m);
   if (!body_a->placed && (body_b == nullptr || !body_b->placed)) return pair;
-  if (deepest_m - pair.min_depth_m <= kEmergingSpeed * dt_s) return pair;
-  body_a->emerging = true;
-  if (body_b != nullptr) body_b->emerging = true;
-  pair.most_m_s = kEmergingSpeed;
+  if (deepest_m - pair.min_depth_m <= kDepenetrationSpeed * dt_s) return pair;
+  body_a->depenetrating = true;
+  if (body_b != nullptr) body_b->depenetrating = true;
+  pair.most_m_s = kDepenetrationSpeed;
   return pair;
 }
 
-void PhysicsEngine::tell_contacts() {
-  told_.clear();
+void PhysicsEngine::report_contacts() {
+  reported_contacts_.clear();
   for (const Watched& watched : watched_) {
     const dReal* const force = solver_->touches()[watched.touch].feedback.f1;
     Contact contact = watched.contact;
     contact.force_world = {force[0], force[1], force[2]};
     if (contact.depth_m < 0.0 && contact.force_world.isZero(0.0)) continue;  // a gap is no contact
     contact.depth_m = std::max(0.0, contact.depth_m);
-    told_.push_back(contact);
+    reported_contacts_.push_back(contact);
   }
 }
 

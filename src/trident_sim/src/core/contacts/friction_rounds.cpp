@@ -14,7 +14,7 @@ namespace {
 constexpr double kTolerance = 1e-3;
 
 /// A box that slides and is about to tip takes three; some that jam have no solution.
-constexpr int kMostRounds = 12;
+constexpr int kMaxRounds = 12;
 
 /// Two rows of a contact that slip less than this stick [m/s].
 constexpr double kSticking = 1e-7;
@@ -69,7 +69,7 @@ double error_of_normal(const Touch& touch) {
 }  // namespace
 
 void ConstraintSolver::refine_friction(Pass pass, double dt_s) {
-  for (int round = 0; round < kMostRounds && measure_friction(); ++round) {
+  for (int round = 0; round < kMaxRounds && measure_friction(); ++round) {
     relax_friction(round == 0);
     put_back_active();
     make_joints(pass, true);
@@ -105,7 +105,7 @@ bool ConstraintSolver::measure_friction() {
 /// The next limits: those of the normal forces that were found, then on the line through the last
 /// two rounds (Aitken's relaxation, see U. Kuettler, W. Wall, Comput. Mech. 43, 2008, eq. 44).
 void ConstraintSolver::relax_friction(bool first) {
-  constexpr double kLeast = 0.1, kMost = 10.0;
+  constexpr double kMinRelaxation = 0.1, kMaxRelaxation = 10.0;
   for (const std::size_t island : island_) {
     friction_[island].toward = friction_[island].squared_change = 0.0;
     if (first) friction_[island].relaxation = 1.0;
@@ -123,7 +123,8 @@ void ConstraintSolver::relax_friction(bool first) {
     Friction& friction = friction_[island_[i]];
     if (friction.toward == 0.0 || !(friction.squared_change > 0.0)) continue;
     friction.relaxation =
-        std::clamp(-friction.relaxation * friction.toward / friction.squared_change, kLeast, kMost);
+        std::clamp(-friction.relaxation * friction.toward / friction.squared_change, kMinRelaxation,
+                   kMaxRelaxation);
   }
   for (Touch& touch : touches_) {
     const double relaxation = friction_[island_of(touch)].relaxation;

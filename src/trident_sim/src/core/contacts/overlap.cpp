@@ -8,14 +8,14 @@
 namespace trident::sim {
 namespace {
 
-Eigen::Vector3d bound_centre_world(const EngineBody& body) {
-  return body.T_world_body.p + body.R_world_body * body.bound_centre;
+Eigen::Vector3d bound_center_world(const EngineBody& body) {
+  return body.T_world_body.p + body.R_world_body * body.bound_center;
 }
 
-bool bounds_meet(const EngineBody& a, const EngineBody& b) {
+bool bounds_overlap(const EngineBody& a, const EngineBody& b) {
   if (a.bound_radius_m <= 0.0 || b.bound_radius_m <= 0.0) return false;
   const double reach = a.bound_radius_m + b.bound_radius_m;
-  return (bound_centre_world(a) - bound_centre_world(b)).squaredNorm() <= reach * reach;
+  return (bound_center_world(a) - bound_center_world(b)).squaredNorm() <= reach * reach;
 }
 
 }  // namespace
@@ -44,7 +44,7 @@ std::optional<PhysicsEngine::Overlap> PhysicsEngine::deepest_overlap(const Model
       for (const EngineGeom& own : body->geoms) measure_overlap(own, *other.geom, deepest);
     }
     for (const EngineBody* other : bodies_) {
-      if (other->owner == body->owner || !bounds_meet(*body, *other)) continue;
+      if (other->owner == body->owner || !bounds_overlap(*body, *other)) continue;
       push(*other);
       for (const EngineGeom& own : body->geoms) {
         for (const EngineGeom& theirs : other->geoms) measure_overlap(own, theirs, deepest);

@@ -17,7 +17,7 @@ namespace trident::sim {
 namespace {
 
 constexpr std::string_view kBlanks = " \t\r\n\v\f";
-constexpr double kMostColumns = 1e6;  ///< along one axis
+constexpr double kMaxColumns = 1e6;  ///< along one axis
 
 const std::vector<std::string>& field_names() {
   static const std::vector<std::string> names{
@@ -58,8 +58,8 @@ class FieldFile {
   }
   std::size_t count(const std::string& name) const {
     const double value = number(name);
-    if (value != std::floor(value) || value < 2.0 || value > kMostColumns) {
-      refuse(name, value, "a whole number in [2, " + number_text(kMostColumns) + "]");
+    if (value != std::floor(value) || value < 2.0 || value > kMaxColumns) {
+      refuse(name, value, "a whole number in [2, " + number_text(kMaxColumns) + "]");
     }
     return static_cast<std::size_t>(value);
   }

@@ -78,8 +78,8 @@ WallTime LockstepVehicle::waiting_for(WallTime now) const {
   return enrolled_ && in_flight_ ? now - sent_at_ : 0;
 }
 
-SimTime SetpointSources::enrol(const std::string& node, const std::vector<std::string>& vehicles,
-                               SimTime period, SimTime end, SimTime now, bool waits_beyond_end) {
+SimTime SetpointSources::enroll(const std::string& node, const std::vector<std::string>& vehicles,
+                                SimTime period, SimTime end, SimTime now, bool waits_beyond_end) {
   if (period.ns <= 0) {
     throw Error("set-point source '" + node + "': period is " + std::to_string(period.seconds()) +
                 " s, must be > 0");

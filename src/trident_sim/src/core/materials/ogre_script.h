@@ -27,14 +27,14 @@ class OgreScripts {
                            const WarningSink& warn);
   /// True the first time it is asked for `key`, so that many visuals of one mistake are one
   /// warning.
-  bool is_news(const std::string& key) { return told_.insert(key).second; }
+  bool is_first(const std::string& key) { return warned_.insert(key).second; }
 
  private:
   using Materials = std::map<std::string, OgreMaterial>;
   const Materials& read(const std::string& file, const WarningSink& warn);
 
   std::map<std::string, Materials> files_;
-  std::set<std::string> told_;
+  std::set<std::string> warned_;
 };
 
 }  // namespace trident::sim

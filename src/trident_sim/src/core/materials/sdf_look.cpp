@@ -85,7 +85,7 @@ void warn_of(const Look& look, const std::string& fault, const ConvertContext& c
 void set_texture(const std::string& name, const std::string& file, const Look& look,
                  const ConvertContext& context, Material& material) {
   material.texture_file = file;
-  if (!file.empty() || !context.scripts->is_news("texture " + name)) return;
+  if (!file.empty() || !context.scripts->is_first("texture " + name)) return;
   warn_of(look,
           "texture '" + name + "' not found; shown without it, in the colour " +
               color_text(material.diffuse),
@@ -118,7 +118,7 @@ void read_script(const Look& look, const ConvertContext& context, Material& mate
   }
   const bool has_color = element->HasElement("diffuse");
   if (has_color && paths.missing.empty()) return;
-  if (!context.scripts->is_news("script " + material.script)) return;
+  if (!context.scripts->is_first("script " + material.script)) return;
   const std::string where = paths.missing.empty() ? "is not known by its name"
                                                   : "not found, nor is '" + paths.missing[0] + "'";
   warn_of(look,

@@ -20,9 +20,9 @@ Eigen::Matrix3d link_inertia(const LinkSpec& link) {
 /// A rotor seen from its carrier: free about its axis, so that inertia does not load the carrier,
 /// and round, because it turns many times in the time in which the carrier moves.
 Eigen::Matrix3d part_inertia(const BodyPart& part) {
-  if (part.spun_axis == nullptr) return link_inertia(*part.link);
+  if (part.rotor_axis == nullptr) return link_inertia(*part.link);
   const Eigen::Matrix3d inertia = link_inertia(*part.link);
-  const Eigen::Vector3d& axis = *part.spun_axis;
+  const Eigen::Vector3d& axis = *part.rotor_axis;
   const double transverse = 0.5 * (inertia.trace() - axis.dot(inertia * axis));
   return transverse * (Eigen::Matrix3d::Identity() - axis * axis.transpose());
 }
@@ -58,8 +58,8 @@ CompositeInertia compose_inertia(const std::vector<BodyPart>& parts) {
   return result;
 }
 
-RotorInertia rotor_inertia(const LinkSpec& link, const Eigen::Vector3d& spun_axis) {
-  const double axial = spun_axis.dot(link_inertia(link) * spun_axis);
+RotorInertia rotor_inertia(const LinkSpec& link, const Eigen::Vector3d& rotor_axis) {
+  const double axial = rotor_axis.dot(link_inertia(link) * rotor_axis);
   return {axial, 0.5 * (link.inertial.inertia_com.trace() - axial)};
 }
 

@@ -9,11 +9,11 @@
 
 namespace trident::sim {
 
-/// A link of a body. `spun_axis`: the axis, model frame, about which a motor turns it as a rotor;
+/// A link of a body. `rotor_axis`: the axis, model frame, about which a motor turns it as a rotor;
 /// nullptr when none does.
 struct BodyPart {
   const LinkSpec* link;
-  const Eigen::Vector3d* spun_axis;
+  const Eigen::Vector3d* rotor_axis;
 };
 
 /// Links that move as one, in the frame of their model.
@@ -32,7 +32,7 @@ CompositeInertia compose_inertia(const std::vector<BodyPart>& parts);
 struct RotorInertia {
   double axial, transverse;
 };
-RotorInertia rotor_inertia(const LinkSpec& link, const Eigen::Vector3d& spun_axis);
+RotorInertia rotor_inertia(const LinkSpec& link, const Eigen::Vector3d& rotor_axis);
 
 /// Gives `body`, whose axes are turned by R_model_body, and its ODE body the inertia.
 void set_inertia(EngineBody& body, const CompositeInertia& inertia,

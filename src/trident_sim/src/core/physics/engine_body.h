@@ -52,14 +52,14 @@ struct EngineBody final : Body {
 
   dBodyID ode = nullptr;
   std::vector<EngineGeom> geoms;
-  Eigen::Vector3d bound_centre = Eigen::Vector3d::Zero();  ///< body frame
+  Eigen::Vector3d bound_center = Eigen::Vector3d::Zero();  ///< body frame
   double bound_radius_m = 0.0;                             ///< 0: nothing to collide with
   int joint_count = 0;     ///< ODE joints that last longer than a step
   std::size_t number = 0;  ///< in the order of the engine
   /// Put somewhere by hand, and not free of what it was put into since: it is pushed out slowly
   bool placed = true;
-  bool emerging = false;  ///< this step
-  bool frozen = false;    ///< its state grew without bound: it stands until a reset
+  bool depenetrating = false;  ///< this step
+  bool frozen = false;         ///< its state grew without bound: it stands until a reset
   bool self_collide = false;
   const void* owner = nullptr;  ///< bodies of one model do not collide unless self_collide
 

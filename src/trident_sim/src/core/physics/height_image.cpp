@@ -18,8 +18,8 @@ constexpr PixelImageLimits kLimits{2, 8193, 8193L * 8193L};
 float brightness(const PixelImage& image, const std::uint16_t* pixel) {
   const auto white = static_cast<float>(image.white);
   if (image.channels < 3) return static_cast<float>(pixel[0]) / white;
-  const int grey = 6968 * pixel[0] + 23434 * pixel[1] + 2366 * pixel[2];  // < 2^31
-  return static_cast<float>(grey) / 32768.0F / white;
+  const int gray = 6968 * pixel[0] + 23434 * pixel[1] + 2366 * pixel[2];  // < 2^31
+  return static_cast<float>(gray) / 32768.0F / white;
 }
 
 }  // namespace

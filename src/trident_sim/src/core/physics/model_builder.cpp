@@ -42,12 +42,12 @@ class LinkGroups {
 
 class Builder {
  public:
-  Builder(Model& model, const std::vector<std::string>& spun, dWorldID world,
+  Builder(Model& model, const std::vector<std::string>& rotor_joints, dWorldID world,
           const PhysicsEngine::Guard& guard)
       : model_(model),
         spec_(model.spec),
         guard_(guard),
-        spun_(spun.begin(), spun.end()),
+        rotor_names_(rotor_joints.begin(), rotor_joints.end()),
         world_(world),
         groups_(spec_.links.size()) {}
 
@@ -84,7 +84,7 @@ class Builder {
     for (const JointSpec& joint : spec_.joints) {
       const std::size_t parent = link_index(joint.parent, joint.name);
       const std::size_t child = link_index(joint.child, joint.name);
-      if (joint.rigid() || is_spun(joint.name)) groups_.join(parent, child);
+      if (joint.rigid() || is_rotor(joint.name)) groups_.join(parent, child);
     }
     if (model_.is_static) {
       for (std::size_t i = 0; i < spec_.links.size(); ++i) groups_.join(i, groups_.world());
@@ -102,18 +102,18 @@ class Builder {
     }
   }
 
-  bool is_spun(const std::string& joint) const { return spun_.count(joint) != 0; }
+  bool is_rotor(const std::string& joint) const { return rotor_names_.count(joint) != 0; }
 
-  const JointSpec* spun_joint_of(const std::string& child) const {
+  const JointSpec* rotor_joint_of(const std::string& child) const {
     for (const JointSpec& joint : spec_.joints) {
-      if (joint.child == child && is_spun(joint.name)) return &joint;
+      if (joint.child == child && is_rotor(joint.name)) return &joint;
     }
     return nullptr;
   }
 
   BodyPart part(std::size_t i) const {
-    const JointSpec* spun = spun_joint_of(spec_.links[i].name);
-    return {&spec_.links[i], spun == nullptr ? nullptr : &spun->axis_model};
+    const JointSpec* rotor = rotor_joint_of(spec_.links[i].name);
+    return {&spec_.links[i], rotor == nullptr ? nullptr : &rotor->axis_model};
   }
 
   void make_bodies() {
@@ -216,11 +216,11 @@ class Builder {
                          Eigen::Vector3d(aabb[1], aabb[3], aabb[5]));
       all.extend(boxes.back());
     }
-    body.bound_centre = all.center();
+    body.bound_center = all.center();
     for (const auto& box : boxes) {
-      const Eigen::Vector3d reach = (box.max() - body.bound_centre)
+      const Eigen::Vector3d reach = (box.max() - body.bound_center)
                                         .cwiseAbs()
-                                        .cwiseMax((box.min() - body.bound_centre).cwiseAbs());
+                                        .cwiseMax((box.min() - body.bound_center).cwiseAbs());
       body.bound_radius_m = std::max(body.bound_radius_m, reach.norm());
     }
   }
@@ -231,8 +231,8 @@ class Builder {
       joint->spec = spec;
       joint->parent = model_.find_link(spec.parent);
       joint->child = model_.find_link(spec.child);
-      if (is_spun(spec.name)) {
-        make_spun(*joint);
+      if (is_rotor(spec.name)) {
+        make_rotor(*joint);
       } else if (!spec.rigid() && joint->child->body != body_of(joint->parent)) {
         pending_.push_back(joint.get());
       }
@@ -264,8 +264,8 @@ class Builder {
     return link == nullptr ? nullptr : engine_body(link->body);
   }
 
-  void make_spun(Joint& joint) const {
-    joint.spun = true;
+  void make_rotor(Joint& joint) const {
+    joint.is_rotor = true;
     const LinkSpec& spec = spec_.links[index_.at(joint.spec.child)];
     const RotorInertia inertia = rotor_inertia(spec, joint.spec.axis_model);
     joint.axial_inertia = inertia.axial;
@@ -280,7 +280,7 @@ class Builder {
   Model& model_;
   const ModelSpec& spec_;
   const PhysicsEngine::Guard& guard_;
-  std::set<std::string> spun_;
+  std::set<std::string> rotor_names_;
   dWorldID world_;
   LinkGroups groups_;
   std::map<std::string, std::size_t> index_;
@@ -289,10 +289,10 @@ class Builder {
 
 }  // namespace
 
-void PhysicsEngine::build(Model& model, const std::vector<std::string>& spun_joints,
+void PhysicsEngine::build(Model& model, const std::vector<std::string>& rotor_joints,
                           const Guard& guard) {
   try {
-    Builder(model, spun_joints, world_, guard).run();
+    Builder(model, rotor_joints, world_, guard).run();
   } catch (...) {
     destroy(model);
     throw;

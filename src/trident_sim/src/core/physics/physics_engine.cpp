@@ -52,15 +52,15 @@ void PhysicsEngine::set_models(const std::vector<Model*>& models) {
   const std::vector<EngineBody*> before = std::move(bodies_);
   bodies_.clear();
   ode_joints_.clear();
-  spun_joints_.clear();
-  spun_carriers_.clear();
+  rotor_joints_.clear();
+  rotor_carriers_.clear();
   statics_.clear();
-  told_.clear();
+  reported_contacts_.clear();
   for (Model* model : models) {
     for (const auto& body : model->bodies) bodies_.push_back(engine_body(body.get()));
     for (const auto& joint : model->joints) {
       if (joint->ode != nullptr) ode_joints_.push_back(joint.get());
-      if (joint->spun && joint->child->body != nullptr) spun_joints_.push_back(joint.get());
+      if (joint->is_rotor && joint->child->body != nullptr) rotor_joints_.push_back(joint.get());
     }
     if (model->static_geoms == nullptr) continue;
     for (EngineGeom& geom : model->static_geoms->geoms) {
@@ -79,16 +79,16 @@ void PhysicsEngine::set_models(const std::vector<Model*>& models) {
       statics_.push_back(entry);
     }
   }
-  for (std::size_t i = 0; i < spun_joints_.size(); ++i) {
-    EngineBody* body = engine_body(spun_joints_[i]->child->body);
-    if (spun_carriers_.empty() || spun_carriers_.back().body != body) {
-      spun_carriers_.push_back({body, i, i});
+  for (std::size_t i = 0; i < rotor_joints_.size(); ++i) {
+    EngineBody* body = engine_body(rotor_joints_[i]->child->body);
+    if (rotor_carriers_.empty() || rotor_carriers_.back().body != body) {
+      rotor_carriers_.push_back({body, i, i});
     }
-    spun_carriers_.back().last = i + 1;
+    rotor_carriers_.back().last = i + 1;
   }
   for (std::size_t i = 0; i < bodies_.size(); ++i) bodies_[i]->number = i;
   solver_->renumber(before, bodies_);
-  centres_.resize(bodies_.size());
+  centers_.resize(bodies_.size());
   order_.resize(bodies_.size());
   std::iota(order_.begin(), order_.end(), std::size_t{0});
 }
@@ -125,7 +125,7 @@ void PhysicsEngine::step(double dt_s) {
     }
   }
   if (constrained) solver_->solve(bodies_, ode_joints_, dt_s);
-  if (!watched_.empty() || !told_.empty()) tell_contacts();
+  if (!watched_.empty() || !reported_contacts_.empty()) report_contacts();
   for (Joint* joint : ode_joints_) joint->count_turns();
   advance_rotors(dt_s);
   for (EngineBody* body : bodies_) {
@@ -150,13 +150,13 @@ void PhysicsEngine::freeze(EngineBody& body) {
 }
 
 void PhysicsEngine::load_rotors(double dt_s) {
-  for (const SpunCarrier& carrier : spun_carriers_) {
+  for (const RotorCarrier& carrier : rotor_carriers_) {
     EngineBody& body = *carrier.body;
     body.rotor_momentum.setZero();
     Eigen::Vector3d reaction = Eigen::Vector3d::Zero();
     for (std::size_t i = carrier.first; i < carrier.last; ++i) {
-      const Joint& joint = *spun_joints_[i];
-      body.rotor_momentum += joint.axial_inertia * joint.spun_velocity * joint.axis_body;
+      const Joint& joint = *rotor_joints_[i];
+      body.rotor_momentum += joint.axial_inertia * joint.rotor_velocity * joint.axis_body;
       if (rotor_axes_lag_) reaction += rotor_axis_reaction(joint, spec_.erp, dt_s);
     }
     if (rotor_axes_lag_) body.torque += body.R_world_body * reaction;
@@ -166,17 +166,17 @@ void PhysicsEngine::load_rotors(double dt_s) {
 void PhysicsEngine::advance_rotors(double dt_s) {
   // Nothing turns a rotor about its axis within a step, so it keeps its rate in space and the
   // carrier's own turning shows in the joint rate; its motor sets the rate again in the next step.
-  for (const SpunCarrier& carrier : spun_carriers_) {
+  for (const RotorCarrier& carrier : rotor_carriers_) {
     const EngineBody& body = *carrier.body;
     const Eigen::Vector3d w_body = body.R_world_body.transpose() * body.w_world;
     const Eigen::Vector3d dw_body = body.R_world_body.transpose() * (body.w_world - body.w_before);
     for (std::size_t i = carrier.first; i < carrier.last; ++i) {
-      Joint& joint = *spun_joints_[i];
-      joint.spun_position += dt_s * joint.spun_velocity;
-      joint.spun_velocity -= joint.axis_body.dot(dw_body);
+      Joint& joint = *rotor_joints_[i];
+      joint.rotor_position += dt_s * joint.rotor_velocity;
+      joint.rotor_velocity -= joint.axis_body.dot(dw_body);
     }
     if (!rotor_axes_lag_) continue;
-    advance_rotor_axes({&spun_joints_[carrier.first], carrier.last - carrier.first}, w_body,
+    advance_rotor_axes({&rotor_joints_[carrier.first], carrier.last - carrier.first}, w_body,
                        spec_.erp, dt_s);
   }
 }

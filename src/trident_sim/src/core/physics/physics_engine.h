@@ -40,8 +40,8 @@ class PhysicsEngine {
   /// Runs what makes a collision, and decides whether an Error of it is rethrown.
   using Guard = std::function<void(const std::function<void()>& make)>;
   /// Makes the bodies, geometries and joints of `model` from its spec, at the initial pose.
-  /// `spun_joints`: names of the joints whose rotors are kept as scalars.
-  void build(Model& model, const std::vector<std::string>& spun_joints, const Guard& guard);
+  /// `rotor_joints`: names of the joints whose rotors are kept as scalars.
+  void build(Model& model, const std::vector<std::string>& rotor_joints, const Guard& guard);
   void destroy(Model& model);
   /// Takes over the list of models, in the order in which they are to be stepped.
   void set_models(const std::vector<Model*>& models);
@@ -53,7 +53,7 @@ class PhysicsEngine {
   void push_state(Model& model);
   void push_state(Body& body);
   /// Of the last step, of the geometries that are watched.
-  const std::vector<Contact>& contacts() const { return told_; }
+  const std::vector<Contact>& contacts() const { return reported_contacts_; }
   /// How far a collision is inside another one. Names are those of geometries.
   struct Overlap {
     std::string own, other;
@@ -65,8 +65,8 @@ class PhysicsEngine {
   void state(StateArchive& archive);
 
  private:
-  /// A body with rotors: spun_joints_[first] to spun_joints_[last - 1].
-  struct SpunCarrier {
+  /// A body with rotors: rotor_joints_[first] to rotor_joints_[last - 1].
+  struct RotorCarrier {
     EngineBody* body;
     std::size_t first, last;
   };
@@ -87,11 +87,11 @@ class PhysicsEngine {
   void release_placed();
   Correction correct(const EngineGeom& a, EngineBody* body_a, const EngineGeom& b,
                      EngineBody* body_b, double deepest_m, double dt_s);
-  void collide_with_static(EngineBody& body, const Eigen::Vector3d& centre, double dt_s);
+  void collide_with_static(EngineBody& body, const Eigen::Vector3d& center, double dt_s);
   void collide_bodies(EngineBody& a, EngineBody& b, double dt_s);
   void collide_geoms(EngineGeom& a, EngineBody* body_a, EngineGeom& b, EngineBody* body_b,
                      double dt_s);
-  void tell_contacts();
+  void report_contacts();
   void advance_rotors(double dt_s);
 
   Report report_;
@@ -101,10 +101,10 @@ class PhysicsEngine {
   dWorldID world_;
   std::unique_ptr<ConstraintSolver> solver_;
   std::vector<EngineBody*> bodies_;
-  std::vector<Eigen::Vector3d> centres_;  ///< of the bounding spheres, world frame
+  std::vector<Eigen::Vector3d> centers_;  ///< of the bounding spheres, world frame
   std::vector<std::size_t> order_;        ///< bodies by the low end of their x interval
-  std::vector<Joint*> ode_joints_, spun_joints_;
-  std::vector<SpunCarrier> spun_carriers_;
+  std::vector<Joint*> ode_joints_, rotor_joints_;
+  std::vector<RotorCarrier> rotor_carriers_;
   std::vector<StaticGeom> statics_;
   std::vector<dContact> contact_buffer_;
   /// A watched contact of this step, and its place among the solver's.
@@ -113,7 +113,7 @@ class PhysicsEngine {
     std::size_t touch;
   };
   std::vector<Watched> watched_;
-  std::vector<Contact> told_;
+  std::vector<Contact> reported_contacts_;
 };
 
 }  // namespace trident::sim

@@ -40,7 +40,7 @@ PairVector step_turned(const PairVector& half, const PairVector& v) {
 void advance_pair(Joint& a, Joint& b, const Eigen::Vector3d& w_body, double erp, double dt_s) {
   const PairVector axis(a.rotor_axis_body, b.rotor_axis_body), hinge(a.axis_body, b.axis_body);
   const PairVector w_carrier(w_body, w_body);
-  const Pair spin(a.spun_velocity, b.spun_velocity);
+  const Pair spin(a.rotor_velocity, b.rotor_velocity);
   const PairVector w_rotor =
       w_carrier + spin * axis + Pair::Constant(erp / dt_s) * axis.cross(hinge);
   PairVector turned = step_turned(Pair::Constant(0.5 * dt_s) * w_rotor, axis);

@@ -17,9 +17,9 @@ namespace {
 
 constexpr int kSecondAxisGroup = 0x100;  ///< of ODE's parameters: those of the second axis
 
-const Joint* spun_joint_of(const Model& model, const Link& link) {
+const Joint* rotor_joint_of(const Model& model, const Link& link) {
   for (const auto& joint : model.joints) {
-    if (joint->spun && joint->child == &link) return joint.get();
+    if (joint->is_rotor && joint->child == &link) return joint.get();
   }
   return nullptr;
 }
@@ -43,7 +43,7 @@ void move_origin(Model& model, EngineBody& body, const Eigen::Vector3d& shift_bo
   move(body.T_world_body, body.v_world, body.w_world);
   move(body.T_before, body.v_before, body.w_before);
   body.T_world_body_initial.p += body.T_world_body_initial.R * shift_body;
-  body.bound_centre -= shift_body;
+  body.bound_center -= shift_body;
   for (const auto& link : model.links) {
     if (link->body == &body) link->T_body_link.p -= shift_body;
   }
@@ -138,8 +138,8 @@ void recompose(Model& model, EngineBody& body) {
   const std::vector<std::size_t> links = members(model, body);
   std::vector<BodyPart> parts;
   for (const std::size_t i : links) {
-    const Joint* spun = spun_joint_of(model, *model.links[i]);
-    parts.push_back({&model.spec.links[i], spun == nullptr ? nullptr : &spun->spec.axis_model});
+    const Joint* rotor = rotor_joint_of(model, *model.links[i]);
+    parts.push_back({&model.spec.links[i], rotor == nullptr ? nullptr : &rotor->spec.axis_model});
   }
   const CompositeInertia inertia = compose_inertia(parts);
   const Eigen::Quaterniond& R_model_body = model.spec.links[links.front()].T_model_link.R;
@@ -148,7 +148,7 @@ void recompose(Model& model, EngineBody& body) {
   set_inertia(body, inertia, R_model_body);
   place_as_spawned(model);
   for (const auto& joint : model.joints) {
-    if (joint->spun && joint->child->body == &body) {
+    if (joint->is_rotor && joint->child->body == &body) {
       const auto at = std::find_if(links.begin(), links.end(), [&](std::size_t i) {
         return model.links[i].get() == joint->child;
       });
@@ -163,11 +163,12 @@ void recompose(Model& model, EngineBody& body) {
 }
 
 void set_axis_params(Joint& joint, std::size_t axis, const AxisParams& params) {
-  if (joint.spun || axis >= joint.axis_count()) {
+  if (joint.is_rotor || axis >= joint.axis_count()) {
     throw Error("joint [" + joint.spec.name + "] " +
-                (joint.spun ? "is a rotor that a motor model drives: it has no properties to set"
-                            : "has " + std::to_string(joint.axis_count()) +
-                                  " axes, none numbered " + std::to_string(axis)));
+                (joint.is_rotor
+                     ? "is a rotor that a motor model drives: it has no properties to set"
+                     : "has " + std::to_string(joint.axis_count()) + " axes, none numbered " +
+                           std::to_string(axis)));
   }
   AxisSpec& spec = joint.axes[axis].spec;
   check(joint, spec, params);

@@ -8,10 +8,10 @@
 namespace trident::sim {
 
 std::string uneven_moments(const Eigen::Matrix3d& inertia) {
-  constexpr double kMost = 1.5;
+  constexpr double kMaxRatio = 1.5;
   const Eigen::Vector3d moments =  // in ascending order
       Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia, Eigen::EigenvaluesOnly).eigenvalues();
-  if (moments[2] <= kMost * (moments[0] + moments[1])) return "";
+  if (moments[2] <= kMaxRatio * (moments[0] + moments[1])) return "";
   std::ostringstream text;
   text << "principal moments of inertia are " << moments[0] << ", " << moments[1] << " and "
        << moments[2] << " kg m^2; of a body none is larger than the sum of the other two";

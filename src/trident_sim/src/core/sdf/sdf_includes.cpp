@@ -41,12 +41,12 @@ bool is_plain_part(const XMLElement& part) {
 }
 
 bool is_plain(const XMLElement& include) {
-  std::set<std::string> met;
+  std::set<std::string> seen;
   for (auto* part = include.FirstChildElement(); part; part = part->NextSiblingElement()) {
     if (part->Value() == std::string("plugin")) continue;
-    if (!is_plain_part(*part) || !met.insert(part->Value()).second) return false;
+    if (!is_plain_part(*part) || !seen.insert(part->Value()).second) return false;
   }
-  return met.count("uri") > 0 && include.FirstAttribute() == nullptr;
+  return seen.count("uri") > 0 && include.FirstAttribute() == nullptr;
 }
 
 /// As libsdformat does it.

@@ -107,11 +107,11 @@ void note_or_warn(const sdf::Errors& errors, const std::string& label, const War
                   OddList& odd) {
   for (const sdf::Error& error : errors) {
     const std::string text = describe(error, label);
-    const bool is_news = std::count(odd.texts.begin(), odd.texts.end(), text) == 0 &&
-                         error.Message() != "Failed to load a world.";
+    const bool is_new = std::count(odd.texts.begin(), odd.texts.end(), text) == 0 &&
+                        error.Message() != "Failed to load a world.";
     if (is_tolerable(error)) {
       warn(text);
-    } else if (is_news && !is_checked_elsewhere(error)) {
+    } else if (is_new && !is_checked_elsewhere(error)) {
       odd.vague.push_back(text);
     }
   }

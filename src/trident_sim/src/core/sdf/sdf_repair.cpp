@@ -15,7 +15,7 @@
 namespace trident::sim {
 namespace {
 
-constexpr int kMostCuts = 100;
+constexpr int kMaxCuts = 100;
 
 std::string text_of(const std::string& element) {
   tinyxml2::XMLDocument document;
@@ -146,7 +146,7 @@ bool has_lost_include(const sdf::ElementPtr& model, const SdfSources& sources) {
 
 void rename_doubles(const sdf::ElementPtr& parent, const SdfSources& sources,
                     std::vector<std::string>& odd) {
-  std::set<std::pair<std::string, std::string>> met;
+  std::set<std::pair<std::string, std::string>> seen;
   Names taken;
   for (auto child = parent->GetFirstElement(); child; child = child->GetNextElement()) {
     if (is_named_part(child->GetName())) taken.insert(child->Get<std::string>("name"));
@@ -154,7 +154,7 @@ void rename_doubles(const sdf::ElementPtr& parent, const SdfSources& sources,
   for (auto child = parent->GetFirstElement(); child; child = child->GetNextElement()) {
     if (!is_named_part(child->GetName())) continue;
     const auto name = child->Get<std::string>("name");
-    if (met.emplace(child->GetName(), name).second) continue;
+    if (seen.emplace(child->GetName(), name).second) continue;
     const std::string own = free_name(name, taken);
     taken.insert(own);
     child->GetAttribute("name")->SetFromString(own);
@@ -175,7 +175,7 @@ void leave_out_unreadable(std::string& text, const std::string& label,
     const bool is_root = failure.name.empty() || failure.name == "sdf" || failure.name == "world" ||
                          (failure.name == "model" && names_on(failure.xml_path).size() == 2);
     const std::string cut = is_root ? "" : cut_element(text, failure.line, failure.name);
-    if (cut.empty() || cuts == kMostCuts) {
+    if (cut.empty() || cuts == kMaxCuts) {
       std::string why = label + ": libsdformat cannot read it: ";
       why += errors.empty() ? "it is no SDF" : errors.front().Message();
       throw Error(why);

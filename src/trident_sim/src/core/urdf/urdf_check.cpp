@@ -188,8 +188,8 @@ std::set<std::string> carried_inertia(const std::vector<JointEnds>& joints,
   return result;
 }
 
-void tell_lost_links(const tinyxml2::XMLElement& robot, const LinkMasses& masses,
-                     const std::string& label, const WarningSink& warn) {
+void report_lost_links(const tinyxml2::XMLElement& robot, const LinkMasses& masses,
+                       const std::string& label, const WarningSink& warn) {
   const std::vector<JointEnds> joints = read_joints(robot);
   const std::set<std::string> carried = carried_inertia(joints, masses.with);
   const std::set<std::string> frames = mere_frames(joints, masses.with);
@@ -212,7 +212,7 @@ void check_urdf(std::string& xml, const std::string& label, const WarningSink& w
   }
   const auto* robot = document.FirstChildElement("robot");
   if (robot == nullptr) throw Error(label + ": URDF has no <robot> element");
-  tell_ignored_elements(*robot, label, warn);
+  report_ignored_elements(*robot, label, warn);
   LinkMasses masses(label, odd);
   for (auto* link = robot->FirstChildElement("link"); link != nullptr;
        link = link->NextSiblingElement("link")) {
@@ -222,7 +222,7 @@ void check_urdf(std::string& xml, const std::string& label, const WarningSink& w
     masses.look_at(*link);
   }
   masses.cut_unusable(xml);
-  tell_lost_links(*robot, masses, label, warn);
+  report_lost_links(*robot, masses, label, warn);
 }
 
 }  // namespace trident::sim

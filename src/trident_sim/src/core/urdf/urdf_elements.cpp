@@ -74,7 +74,7 @@ class Ignored {
       if (counts_[what]++ == 0) order_.emplace_back(what, child->GetLineNum());
     }
   }
-  void tell(const std::string& label, const WarningSink& warn) const {
+  void report(const std::string& label, const WarningSink& warn) const {
     for (const auto& [what, line] : order_) {
       const int count = counts_.at(what);
       std::string text = label + ":" + std::to_string(line) + ": ";
@@ -98,14 +98,14 @@ void look_at_all(const XMLElement& robot, const char* name, const Names& known, 
 
 }  // namespace
 
-void tell_ignored_elements(const XMLElement& robot, const std::string& label,
-                           const WarningSink& warn) {
+void report_ignored_elements(const XMLElement& robot, const std::string& label,
+                             const WarningSink& warn) {
   Ignored ignored;
   ignored.look_at(robot, kInRobot, "<robot>");
   look_at_all(robot, "link", kInLink, ignored);
   look_at_all(robot, "joint", kInJoint, ignored);
   look_at_all(robot, "gazebo", kInGazebo, ignored);
-  ignored.tell(label, warn);
+  ignored.report(label, warn);
 }
 
 }  // namespace trident::sim

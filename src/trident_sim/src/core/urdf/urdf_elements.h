@@ -12,7 +12,7 @@ namespace trident::sim {
 
 /// Warns of every kind of element of a URDF that has no effect here, once, with the line of its
 /// first and how often it is there.
-void tell_ignored_elements(const tinyxml2::XMLElement& robot, const std::string& label,
-                           const WarningSink& warn);
+void report_ignored_elements(const tinyxml2::XMLElement& robot, const std::string& label,
+                             const WarningSink& warn);
 
 }  // namespace trident::sim

@@ -115,7 +115,7 @@ std::string World::state_hash() const {
       for (int i = 0; i < 3; ++i) hash.update_double(body->angular_velocity()[i]);
     }
     for (const auto& joint : model->joints) {
-      if (joint->spun) hash.update_double(joint->spun_velocity);
+      if (joint->is_rotor) hash.update_double(joint->rotor_velocity);
     }
   }
   if (const auto sea = find_sea(*this)) hash.update_string(sea->state_text());

@@ -93,25 +93,25 @@ void JointAxis::push(double effort) const {
 }
 
 std::size_t Joint::axis_count() const {
-  if (spun) return 1;
+  if (is_rotor) return 1;
   if (ode == nullptr || spec.type == JointType::kBall) return 0;
   return spec.type == JointType::kUniversal || spec.type == JointType::kGearbox ? 2 : 1;
 }
 
 double Joint::position(std::size_t axis) const {
-  if (spun) return spun_position;
+  if (is_rotor) return rotor_position;
   return axis < axis_count() ? measure(*this, axis) : 0.0;
 }
 
 double Joint::velocity(std::size_t axis) const {
-  if (spun) return spun_velocity;
+  if (is_rotor) return rotor_velocity;
   if (axis >= axis_count()) return 0.0;
   return axes[axis].linear ? axes[axis].length_rate() : axes[axis].angle_rate();
 }
 
 void Joint::set_velocity(double rate) {
-  if (spun) {
-    spun_velocity = rate;
+  if (is_rotor) {
+    rotor_velocity = rate;
     return;
   }
   if (axis_count() != 1 || axes[0].to == nullptr) return;
@@ -132,15 +132,15 @@ void Joint::count_turns() {
 }
 
 void Joint::reset() {
-  spun_position = 0.0;
-  spun_velocity = 0.0;
+  rotor_position = 0.0;
+  rotor_velocity = 0.0;
   rotor_axis_body = axis_body;
   if (motor) motor->rate = 0.0;
   for (JointAxis& axis : axes) axis.turned = axis.force = 0.0;
 }
 
 void Joint::state(StateArchive& archive) {
-  archive(spun_position, spun_velocity, rotor_axis_body, motor);
+  archive(rotor_position, rotor_velocity, rotor_axis_body, motor);
   for (JointAxis& axis : axes) archive(axis.turned, axis.force);
 }
 

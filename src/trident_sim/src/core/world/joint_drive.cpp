@@ -15,7 +15,7 @@ std::string name_of(const Joint& joint, std::size_t axis) {
 }
 
 void check_axis(const Joint& joint, std::size_t axis) {
-  if (joint.spun) {
+  if (joint.is_rotor) {
     throw Error(name_of(joint, axis) + ": the joint is a rotor that a motor model turns");
   }
   if (axis >= joint.axis_count()) {

@@ -17,15 +17,16 @@ std::unique_ptr<Model> World::build_model(ModelSpec spec, const std::string& rob
   std::vector<PluginSpec> plugins = std::move(spec.plugins);
   spec.plugins.clear();
   model->spec = std::move(spec);
-  std::vector<std::string> spun;
+  std::vector<std::string> rotor_joints;
   for (const PluginSpec& plugin : plugins) {
     const PluginFactory* factory = registry_.find_or_load(plugin.filename, resources_);
-    if (factory == nullptr || !factory->spun_joint) continue;
+    if (factory == nullptr || !factory->rotor_joint) continue;
     const PluginParams params(plugin.params,
                               "model '" + model->name + "' plugin '" + plugin.name + "'");
-    if (std::string joint = factory->spun_joint(params); !joint.empty()) spun.push_back(joint);
+    if (std::string joint = factory->rotor_joint(params); !joint.empty())
+      rotor_joints.push_back(joint);
   }
-  engine_->build(*model, spun,
+  engine_->build(*model, rotor_joints,
                  [this](const std::function<void()>& make) { leave_out_if_odd(make); });
   try {
     create_plugins(*model, plugins);
@@ -69,7 +70,7 @@ std::unique_ptr<Plugin> World::create_plugin(const PluginSpec& spec, const Plugi
   const PluginFactory* factory = registry_.find_or_load(spec.filename, resources_);
   if (factory == nullptr) {
     // Once of an owner: a course of buoys has one in each buoy.
-    if (!told_elements_.insert(owner + " " + spec.filename).second) return nullptr;
+    if (!reported_elements_.insert(owner + " " + spec.filename).second) return nullptr;
     std::string known;
     for (const std::string& name : registry_.names()) known += (known.empty() ? "" : ", ") + name;
     report(Severity::kWarning, owner + ": plugin '" + spec.name + "' (" + spec.filename +
@@ -84,20 +85,20 @@ std::unique_ptr<Plugin> World::create_plugin(const PluginSpec& spec, const Plugi
   std::string name = (model ? model->name : name_) + "::";
   if (place.sensor != nullptr) name += place.link->name + "::" + place.sensor->name + "::";
   auto plugin = factory->create({*this, model, reader, name + spec.name, place.link, place.sensor});
-  if (plugin != nullptr) tell_unread(spec, reader);
+  if (plugin != nullptr) report_unread(spec, reader);
   return plugin;
 }
 
 /// Once in the world, or a fleet would report it a hundred times.
-void World::tell_unread(const PluginSpec& spec, const PluginParams& params) {
+void World::report_unread(const PluginSpec& spec, const PluginParams& params) {
   // Of a link that libsdformat has joined to another; it writes the offsets itself.
   const bool is_lumped = params.has("ignition::corrected_offsets");
   std::string list;
   std::size_t count = 0;
   for (const std::string& element : params.unread()) {
     const bool is_offset = element == "xyzOffset" || element == "rpyOffset";
-    if (is_of_no_account(spec.filename, element) || (is_offset && is_lumped)) continue;
-    if (!told_elements_.insert(spec.filename + " " + element).second) continue;
+    if (is_ignored_element(spec.filename, element) || (is_offset && is_lumped)) continue;
+    if (!reported_elements_.insert(spec.filename + " " + element).second) continue;
     list.append(list.empty() ? "<" : ", <").append(element).append(">");
     ++count;
   }

@@ -26,7 +26,7 @@ bool falls(const Model& model) {
 
 }  // namespace
 
-void World::tell_odd(const std::string& text) {
+void World::report_odd(const std::string& text) {
   odd_elements_.push_back(text);
   report(Severity::kWarning, text);
 }
@@ -36,12 +36,12 @@ void World::leave_out_if_odd(const std::function<void()>& load) {
     load();
   } catch (const Error& error) {
     if (options_.odd_elements == OddElements::kRefuse) throw;
-    tell_odd(std::string(error.what()) + "; left out");
+    report_odd(std::string(error.what()) + "; left out");
   }
 }
 
 /// Once in the world, and not where anything could stop a fall: ground, a wall, or the sea.
-void World::tell_missing_floor() {
+void World::report_missing_floor() {
   next_floor_look_ = time_ + kFloorPeriod;
   const bool has_floor = ports_.find(kSeaPort, PortDirection::kOut) != nullptr ||
                          std::any_of(models_.begin(), models_.end(), [](const auto& entry) {

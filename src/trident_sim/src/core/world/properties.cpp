@@ -122,8 +122,8 @@ Joint& movable(const Model& model, const std::string& name) {
 }
 
 void move_joint(Model& model, Joint& joint, double position) {
-  if (joint.spun) {
-    joint.spun_position = position;
+  if (joint.is_rotor) {
+    joint.rotor_position = position;
     return;
   }
   JointAxis& axis = joint.axes[0];
@@ -169,10 +169,10 @@ std::vector<std::string> World::set_joint_positions(
       throw Error("position of joint [" + name + "] is not finite, or beyond 1e7");
     }
     const double target =
-        joint.spun ? position
-                   : std::clamp(position, joint.axes[0].spec.lower, joint.axes[0].spec.upper);
+        joint.is_rotor ? position
+                       : std::clamp(position, joint.axes[0].spec.lower, joint.axes[0].spec.upper);
     if (target != position) clamped.push_back(name);
-    if (!joint.spun) {
+    if (!joint.is_rotor) {
       const JointAxis& axis = joint.axes[0];
       hanging_on(model, joint, axis.to != nullptr ? axis.to : axis.from,
                  axis.to != nullptr ? axis.from : axis.to);

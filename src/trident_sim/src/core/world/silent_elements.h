@@ -8,7 +8,7 @@ namespace trident::sim {
 
 /// Whether no report is needed that a plugin does not read an element: it means nothing here,
 /// or Gazebo's plugin of that name does not read it either though published vehicles have it.
-inline bool is_of_no_account(const std::string& filename, const std::string& element) {
+inline bool is_ignored_element(const std::string& filename, const std::string& element) {
   // Every plugin here is always on, logs go to one place, libsdformat marks what it has changed,
   // and a namespace is given to all.
   if (element == "robotNamespace" || element == "alwaysOn" || element == "rosDebugLevel" ||

@@ -25,17 +25,17 @@ World::World(const WorldSpec& spec, const Resources& resources, PluginRegistry& 
       workers_(options_.sensor_threads) {
   std::vector<std::string> odd;
   validate(physics_, options_.odd_elements == OddElements::kRefuse ? nullptr : &odd);
-  for (const std::string& text : odd) tell_odd(text);
+  for (const std::string& text : odd) report_odd(text);
   engine_ = std::make_unique<PhysicsEngine>(
       physics_, options_.timing == LoopTiming::kRotors,
       [this](const std::string& text) { report(Severity::kWarning, text); });
   dt_ = SimTime::from_seconds(physics_.max_step_size_s);
-  for (const std::string& text : spec.odd_elements) tell_odd(text);
+  for (const std::string& text : spec.odd_elements) report_odd(text);
   odd_elements_.insert(odd_elements_.end(), spec.odd_repeats.begin(), spec.odd_repeats.end());
   for (const ModelSpec& model : spec.models) {
     leave_out_if_odd([&] { add_model(model, ""); });
   }
-  for (const auto& [name, model] : models_) tell_overlap(*model);
+  for (const auto& [name, model] : models_) report_overlap(*model);
   for (const PluginSpec& plugin : spec.plugins) {
     leave_out_if_odd([&] {
       auto made = create_plugin(plugin, {}, "world '" + name_ + "'");
@@ -84,10 +84,10 @@ Model& World::spawn(const SpawnRequest& request) {
 
 Model& World::spawn(ModelSpec spec, const std::string& robot_namespace) {
   const std::vector<std::string> odd = std::move(spec.odd_elements);
-  for (const std::string& text : odd) tell_odd(text);
+  for (const std::string& text : odd) report_odd(text);
   odd_elements_.insert(odd_elements_.end(), spec.odd_repeats.begin(), spec.odd_repeats.end());
   Model& model = add_model(std::move(spec), robot_namespace);
-  tell_overlap(model);
+  report_overlap(model);
   return model;
 }
 
@@ -111,7 +111,7 @@ Model& World::add_model(ModelSpec spec, const std::string& robot_namespace) {
   return result;
 }
 
-void World::tell_overlap(const Model& model) {
+void World::report_overlap(const Model& model) {
   const auto overlap = engine_->deepest_overlap(model);
   if (!overlap || overlap->depth_m <= kDeepContact_m) return;
   const std::string depth = std::to_string(overlap->depth_m);

@@ -80,7 +80,7 @@ void World::finish_step(const StepInfo& info) {
     plugin->post_step(*this, info);
   }
   extensions_.end_phase(Phase::kPost);
-  if (time_ >= next_floor_look_) tell_missing_floor();
+  if (time_ >= next_floor_look_) report_missing_floor();
 }
 
 void World::step(std::uint64_t n) {

@@ -40,10 +40,10 @@ class Environment : public Sea {
   /// Waves' lengths are those of water as deep as the sea is in the mean, unless a depth is given:
   /// a length that changed from place to place would want phases that add up along the path.
   static WaveParams waves_over(const EnvironmentParams& params, const Seabed* seabed) {
-    constexpr double kLeast_m = 0.1;
+    constexpr double kMinDepth_m = 0.1;
     WaveParams waves = params.waves;
     if (seabed != nullptr && std::isinf(waves.depth)) {
-      waves.depth = std::max(kLeast_m, seabed->mean_depth_m(params.water_level));
+      waves.depth = std::max(kMinDepth_m, seabed->mean_depth_m(params.water_level));
     }
     return waves;
   }

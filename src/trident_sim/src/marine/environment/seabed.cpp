@@ -18,7 +18,7 @@
 namespace trident::sim {
 namespace {
 
-constexpr double kMostPoints = 5e7;
+constexpr double kMaxPoints = 5e7;
 
 std::string lower_case(std::string text) {
   for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -37,9 +37,9 @@ class AsciiGridReader {
     GroundGrid grid;
     grid.columns = static_cast<int>(required("ncols", 2.0, 1e6, true));
     grid.rows = static_cast<int>(required("nrows", 2.0, 1e6, true));
-    if (static_cast<double>(grid.columns) * grid.rows > kMostPoints) {
+    if (static_cast<double>(grid.columns) * grid.rows > kMaxPoints) {
       refuse("ncols x nrows = " + number_text(grid.columns) + " x " + number_text(grid.rows),
-             "at most " + number_text(kMostPoints) + " cells");
+             "at most " + number_text(kMaxPoints) + " cells");
     }
     const double cell = required("cellsize", 1e-6, 1e6, false);
     grid.cell = {cell, cell};
@@ -206,7 +206,7 @@ double Seabed::depth_m(const Eigen::Vector2d& p_world, double enough) const {
 double Seabed::height_m(const Eigen::Vector2d& p_world) const {
   if (grids_.size() == 1) return grids_[0].height_m(grids_[0].place(p_world));
   double highest = -std::numeric_limits<double>::infinity();
-  double nearest = std::numeric_limits<double>::infinity(), beside = 0.0;
+  double nearest = std::numeric_limits<double>::infinity(), at_edge = 0.0;
   for (const GroundGrid& grid : grids_) {
     const Eigen::Vector2d place = grid.place(p_world);
     if (grid.contains(place)) {
@@ -218,9 +218,9 @@ double Seabed::height_m(const Eigen::Vector2d& p_world) const {
     const double away = (place - edge).cwiseProduct(grid.cell).squaredNorm();
     if (away >= nearest) continue;
     nearest = away;
-    beside = grid.height_m(edge);
+    at_edge = grid.height_m(edge);
   }
-  return std::isfinite(highest) ? highest : beside;
+  return std::isfinite(highest) ? highest : at_edge;
 }
 
 double Seabed::mean_depth_m(double level_m) const {

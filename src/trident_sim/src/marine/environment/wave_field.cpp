@@ -109,9 +109,9 @@ Eigen::Vector2d WaveField::place_of_rest(const Eigen::Vector2d& p_world, double 
   for (int i = 0; i < kMaxSteps; ++i) {
     WaveLanes x = WaveLanes::Zero(), y = WaveLanes::Zero();
     for (const Block& block : blocks_) {
-      const WaveLanes way = block.gerstner * sine_cosine(theta(block, rest, time_s)).sine;
-      x += way * block.direction_x;
-      y += way * block.direction_y;
+      const WaveLanes displacement = block.gerstner * sine_cosine(theta(block, rest, time_s)).sine;
+      x += displacement * block.direction_x;
+      y += displacement * block.direction_y;
     }
     const Eigen::Vector2d next = p_world + strength * Eigen::Vector2d(x.sum(), y.sum());
     const bool done = (next - rest).squaredNorm() < 1e-16;

@@ -58,9 +58,9 @@ void Wind::reset() {
   now_ = gust();
 }
 
-void Wind::go_on_from(const Wind& other) {
-  first_order_.go_on_from(other.first_order_);
-  dryden_.go_on_from(other.dryden_);
+void Wind::continue_from(const Wind& other) {
+  first_order_.continue_from(other.first_order_);
+  dryden_.continue_from(other.dryden_);
   now_ = gust();
 }
 

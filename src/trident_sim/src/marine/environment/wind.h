@@ -60,7 +60,7 @@ class Wind {
   void step();
   void reset();
   /// Continues another's gusts, scaled to its own strength, so that a change does not jump.
-  void go_on_from(const Wind& other);
+  void continue_from(const Wind& other);
 
   template <class Archive>
   void state(Archive& archive) {

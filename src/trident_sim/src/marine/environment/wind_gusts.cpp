@@ -11,13 +11,13 @@
 namespace trident::sim {
 namespace {
 
-constexpr double kFootPerMetre = 1.0 / 0.3048;
+constexpr double kFootPerMeter = 1.0 / 0.3048;
 /// Air that stands still still passes: no turbulence then, but a filter wants a rate.
 constexpr double kLowestAirspeed = 0.1;
 constexpr std::uint32_t kFirstOrderChannel = 10;
 
 /// The denominator of MIL-F-8785C's low-altitude formulas.
-double height_term(double altitude_m) { return 0.177 + 0.000823 * altitude_m * kFootPerMetre; }
+double height_term(double altitude_m) { return 0.177 + 0.000823 * altitude_m * kFootPerMeter; }
 
 /// Transition over t of x' = A x, A = [-a, 0; a, -a]: two first-order lags in a row.
 Eigen::Matrix2d two_lags(double a, double t) {
@@ -104,7 +104,7 @@ void DrydenGusts::step() {
   up_ = up_filter_.transition * up_ + up_filter_.noise_root * Eigen::Vector2d(normal(3), normal(4));
 }
 
-void DrydenGusts::go_on_from(const DrydenGusts& other) {
+void DrydenGusts::continue_from(const DrydenGusts& other) {
   index_ = other.index_;
   along_ = other.along_;
   left_ = other.left_;
@@ -138,7 +138,7 @@ void FirstOrderGusts::step() {
            std::sqrt(1.0 - decay_ * decay_) * stream_.normal(index_, kFirstOrderChannel);
 }
 
-void FirstOrderGusts::go_on_from(const FirstOrderGusts& other) {
+void FirstOrderGusts::continue_from(const FirstOrderGusts& other) {
   index_ = other.index_;
   value_ = other.value_;
 }

@@ -45,7 +45,7 @@ class DrydenGusts {
   Eigen::Vector3d gust() const;
 
   /// Takes over another's samples so far; its own intensities and lengths stay.
-  void go_on_from(const DrydenGusts& other);
+  void continue_from(const DrydenGusts& other);
 
   template <class Archive>
   void state(Archive& archive) {
@@ -87,7 +87,7 @@ class FirstOrderGusts {
   void step();
   void reset();
   double gust() const { return deviation_ * value_; }  ///< [m/s]
-  void go_on_from(const FirstOrderGusts& other);
+  void continue_from(const FirstOrderGusts& other);
 
   template <class Archive>
   void state(Archive& archive) {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "core/plugins/seldom_told.h"
+#include "core/plugins/report_throttle.h"
 #include "environment_reader.h"
 #include "live_surroundings.h"
 #include "terrain_depth.h"
@@ -63,7 +63,7 @@ class SeaPlugin : public Plugin {
     if (has_air == HasAir::kYes) advertise_air(context);
     level_ = subscribe<ScalarSample>(context, "environment/water_level");
     state_ = advertise<EnvironmentSample>(context, "environment/state", PortRank::kState);
-    tell_state();
+    publish_state();
   }
 
   /// First of all in a step, so that everybody reads the same sea.
@@ -95,7 +95,7 @@ class SeaPlugin : public Plugin {
       now_ = file_;
       live_->environment = make_environment(now_);
       live_->blowing = make_wind(now_.wind);
-      tell_state();
+      publish_state();
     }
     live_->blowing.reset();
   }
@@ -108,7 +108,7 @@ class SeaPlugin : public Plugin {
  private:
   struct Refused {
     std::string newest;  ///< is reported once, however often it comes
-    SeldomTold telling;
+    ReportThrottle throttle;
   };
   struct Input {
     std::string section;
@@ -125,7 +125,7 @@ class SeaPlugin : public Plugin {
   }
   void set_wind(const WindParams& params) {
     Wind wind = make_wind(params);
-    wind.go_on_from(live_->blowing);
+    wind.continue_from(live_->blowing);
     live_->blowing = wind;
   }
 
@@ -187,7 +187,7 @@ class SeaPlugin : public Plugin {
                             }) ||
                     has_changed;
     }
-    if (has_changed) tell_state();
+    if (has_changed) publish_state();
   }
 
   static void overlay(const std::string& section, const std::string& topic, const std::string& text,
@@ -218,7 +218,7 @@ class SeaPlugin : public Plugin {
       const std::string label = starts_with(error.what(), topic) ? "" : topic + ": ";
       const std::string what = label + error.what() + "; the sea stays as it was";
       world_.note({Severity::kError, owner_, topic + " refused", what, {{"value", given}}});
-      if (what != refused->newest && refused->telling.is_due()) {
+      if (what != refused->newest && refused->throttle.is_due()) {
         world_.report(Severity::kError, owner_ + ": " + what);
       }
       refused->newest = what;
@@ -226,7 +226,7 @@ class SeaPlugin : public Plugin {
     }
   }
 
-  void tell_state() {
+  void publish_state() {
     live_->text = to_yaml(now_);
     state_->value = {world_.time(), live_->text};
     state_->publish();

@@ -100,7 +100,7 @@ class UsvDynamics : public Plugin, public Floating {
 
   std::vector<Phase> phases() const override { return {Phase::kActuate}; }
   void pre_step(Phase, World& world, const StepInfo& info) override {
-    body_.push(world, info, body_.meet(world, info), Vector6d::Zero());
+    body_.push(world, info, body_.sense(world, info), Vector6d::Zero());
   }
   void body_frames_moved() override { body_.body_frames_moved(); }
   void check_afloat(const Sea& sea) const override { body_.check_afloat(sea); }

@@ -123,9 +123,9 @@ class UsvThruster {
   /// As VRX spins it: with up to 2 N m, from a tenth of the command on. It is only looked at, so
   /// that one whose joint has no damping is not accelerated for ever.
   void spin_propeller() {
-    constexpr double kLeastPart = 0.1, kTorque = 2.0, kFastest = 100.0;
+    constexpr double kMinPart = 0.1, kTorque = 2.0, kFastest = 100.0;
     const double part = thruster_.command_value() / thruster_.params().max_command;
-    if (propeller_->axis_count() == 0 || std::abs(part) <= kLeastPart) return;
+    if (propeller_->axis_count() == 0 || std::abs(part) <= kMinPart) return;
     const double rate = propeller_->velocity();
     if (std::abs(rate) > kFastest && rate * part > 0.0) return;
     propeller_->add_effort(kTorque * part);

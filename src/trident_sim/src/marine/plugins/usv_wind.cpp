@@ -84,8 +84,8 @@ class UsvWind : public Plugin {
                                ": an environment gives the world's wind already; this one "
                                "blows on its <wind_obj> alone");
     }
-    speed_ = tell_on(context, "topic_wind_speed", "/vrx/debug/wind/speed");
-    direction_ = tell_on(context, "topic_wind_direction", "/vrx/debug/wind/direction");
+    speed_ = advertise_on(context, "topic_wind_speed", "/vrx/debug/wind/speed");
+    direction_ = advertise_on(context, "topic_wind_direction", "/vrx/debug/wind/direction");
   }
 
   std::vector<Phase> phases() const override { return {Phase::kSense, Phase::kActuate}; }
@@ -95,21 +95,21 @@ class UsvWind : public Plugin {
     if (info.dt_s != dt_s_) change_step(world, info.dt_s);
     air_->gusts.step();
     if (!clock_.is_due(info)) return;
-    tell(speed_, info.end, air_->speed_m_s());
-    tell(direction_, info.end, direction_deg_);
+    write(speed_, info.end, air_->speed_m_s());
+    write(direction_, info.end, direction_deg_);
   }
 
   void reset() override { air_->gusts.reset(); }
   void state(StateArchive& archive) override { air_->gusts.state(archive); }
 
  private:
-  static OutHandle<NumberSample> tell_on(const PluginContext& context, const char* key,
-                                         const char* fallback) {
+  static OutHandle<NumberSample> advertise_on(const PluginContext& context, const char* key,
+                                              const char* fallback) {
     return advertise<NumberSample>(context,
                                    scoped_topic(context.params, context.params.text(key, fallback)),
                                    PortRank::kState);
   }
-  static void tell(OutHandle<NumberSample>& port, SimTime stamp, double value) {
+  static void write(OutHandle<NumberSample>& port, SimTime stamp, double value) {
     if (!port->wanted()) return;
     port->value = {stamp, value};
     port->publish();
@@ -131,7 +131,7 @@ class UsvWind : public Plugin {
   void change_step(const World&, double dt_s) {
     dt_s_ = dt_s;
     FirstOrderGusts gusts(gust_, dt_s_, seed_, name_);
-    gusts.go_on_from(air_->gusts);
+    gusts.continue_from(air_->gusts);
     air_->gusts = gusts;
   }
 

@@ -214,7 +214,7 @@ class UuvLink {
       : UuvLink(context, params, named_link(context, params, node), density) {}
 
   void step(World& world, const StepInfo& info) {
-    Afloat now = body_.meet(world, info);
+    Afloat now = body_.sense(world, info);
     const SE3 T_world_link = link_.T_world_link();
     double surface = 0.0;
     if (const auto sea = find_sea(world)) {

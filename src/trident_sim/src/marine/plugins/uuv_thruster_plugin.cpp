@@ -162,14 +162,15 @@ class UuvThrusterPlugin : public Plugin {
         wrench_(advertise<WrenchSample>(
             context, named_topic(context, "thrustWrenchTopic", "thrust_wrench"), PortRank::kState)),
         changes_(subscribe<ThrusterChange>(context, own_topic(context, "setup"))),
-        told_(advertise<ThrusterSetup>(context, own_topic(context, "setup"), PortRank::kState)),
+        setup_port_(
+            advertise<ThrusterSetup>(context, own_topic(context, "setup"), PortRank::kState)),
         is_on_(advertise<FlagSample>(context, own_topic(context, "is_on"), PortRank::kState)),
         thrust_efficiency_(advertise<NumberSample>(context, own_topic(context, "thrust_efficiency"),
                                                    PortRank::kState)),
         state_efficiency_(advertise<NumberSample>(
             context, own_topic(context, "dynamic_state_efficiency"), PortRank::kState)) {
     const PluginParams& params = context.params;
-    told_->value = setup_now_ = setup_;
+    setup_port_->value = setup_now_ = setup_;
     limits_.lo = params.number("thrustMin", kAny.lo, kAny);
     limits_.hi = params.number("thrustMax", kAny.hi, {limits_.lo, kAny.hi});
     if (params.has("jointName")) joint_ = &required_joint(context, "jointName");
@@ -189,7 +190,7 @@ class UuvThrusterPlugin : public Plugin {
     const SE3 T_world_link = link_.T_world_link();
     const Eigen::Vector3d force = T_world_link.R * Eigen::Vector3d(thrust, 0.0, 0.0);
     link_.body->add_force_at(force, T_world_link * link_.inertial.T_link_com.p);
-    if (joint_ != nullptr && joint_->spun) joint_->set_velocity(state);
+    if (joint_ != nullptr && joint_->is_rotor) joint_->set_velocity(state);
     publish(info.end, thrust);
   }
 
@@ -200,7 +201,7 @@ class UuvThrusterPlugin : public Plugin {
     changes_->clear();
     changes_seen_ = 0;
     setup_now_ = setup_;
-    tell_setup();
+    publish_setup();
   }
   void state(StateArchive& archive) override {
     thruster_.state(archive);
@@ -220,26 +221,26 @@ class UuvThrusterPlugin : public Plugin {
     for (changes_seen_ = std::max(changes_seen_, changes_->oldest());
          changes_seen_ < changes_->count(); ++changes_seen_) {
       apply(changes_->at(changes_seen_), &setup_now_);
-      tell_setup();
+      publish_setup();
     }
   }
-  void tell_setup() {
-    told_->value = setup_now_;
-    told_->publish();
+  void publish_setup() {
+    setup_port_->value = setup_now_;
+    setup_port_->publish();
   }
 
   template <class Handle, class Value>
-  static void tell(const Handle& port, SimTime stamp, Value value) {
+  static void write(const Handle& port, SimTime stamp, Value value) {
     if (!port->wanted()) return;
     port->value = {stamp, value};
     port->publish();
   }
 
   void publish(SimTime stamp, double thrust) {
-    tell(is_on_, stamp, setup_now_.is_on);
-    tell(thrust_efficiency_, stamp, setup_now_.thrust_efficiency);
-    tell(state_efficiency_, stamp, setup_now_.dynamic_state_efficiency);
-    tell(thrust_, stamp, thrust);
+    write(is_on_, stamp, setup_now_.is_on);
+    write(thrust_efficiency_, stamp, setup_now_.thrust_efficiency);
+    write(state_efficiency_, stamp, setup_now_.dynamic_state_efficiency);
+    write(thrust_, stamp, thrust);
     if (wrench_->wanted()) {
       wrench_->value.stamp = stamp;
       wrench_->value.force = {thrust, 0.0, 0.0};
@@ -258,7 +259,7 @@ class UuvThrusterPlugin : public Plugin {
   OutHandle<StampedNumber> thrust_;
   OutHandle<WrenchSample> wrench_;
   InHandle<ThrusterChange> changes_;
-  OutHandle<ThrusterSetup> told_;
+  OutHandle<ThrusterSetup> setup_port_;
   OutHandle<FlagSample> is_on_;
   OutHandle<NumberSample> thrust_efficiency_, state_efficiency_;
   std::uint64_t changes_seen_ = 0;

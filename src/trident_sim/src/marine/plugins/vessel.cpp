@@ -40,7 +40,7 @@ class Vessel : public Plugin, public Floating {
   std::vector<Phase> phases() const override { return {Phase::kActuate}; }
 
   void pre_step(Phase, World& world, const StepInfo& info) override {
-    const Afloat now = body_.meet(world, info);
+    const Afloat now = body_.sense(world, info);
     if (commands_) take_commands(world, info);
     Vector6d tau = Vector6d::Zero();
     if (drive_) take_drive(world, info);

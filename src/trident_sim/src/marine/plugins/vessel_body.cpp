@@ -108,8 +108,8 @@ void VesselBody::body_frames_moved() {
 
 void VesselBody::look_around(World& world) {
   around_.look(world);
-  if (around_.sea() != nullptr || is_told_) return;
-  is_told_ = true;
+  if (around_.sea() != nullptr || is_reported_) return;
+  is_reported_ = true;
   world.diagnose({Severity::kWarning, "world '" + world.name() + "'", "no sea",
                   "has no sea, so that vessels float in still water at z = 0; the world's plugin "
                   "libtrident_sea.so gives it one"});
@@ -146,7 +146,7 @@ Vector6d VesselBody::wind_on_hull(const Afloat& now) const {
   return wind_wrench(vessel_.wind, now.T_world_co.R.conjugate() * wind - now.nu.head<3>());
 }
 
-Afloat VesselBody::meet(World& world, const StepInfo& info) {
+Afloat VesselBody::sense(World& world, const StepInfo& info) {
   look_around(world);
   if (gravity_of(world) != gravity_) {
     gravity_ = gravity_of(world);

@@ -51,7 +51,7 @@ class VesselBody {
   /// shallower, now, than the draft below any section of the hull.
   void check_afloat(const Sea& sea) const;
 
-  Afloat meet(World& world, const StepInfo& info);
+  Afloat sense(World& world, const StepInfo& info);
   /// Pushes the body by the water, the wind and what the vessel's actuators do, about CO, body
   /// axes. What others have put on the body in this step so far is felt with added mass; what comes
   /// later, contacts and joints act on its own mass alone.
@@ -84,7 +84,7 @@ class VesselBody {
   Hull hull_;
   const World& world_;
   Surroundings around_;
-  bool is_told_ = false;
+  bool is_reported_ = false;
 };
 
 /// A link's body about CO as a vessel's file would have it, FLU.

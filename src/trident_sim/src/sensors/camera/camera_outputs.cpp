@@ -72,10 +72,10 @@ CameraOutputs::CameraOutputs(const PluginContext& context, const CameraSetup& se
   cloud_ = advertise_if_named<ImageCloudSample>(context, topics.cloud, setup.frame);
   labels_ = advertise_if_named<ImageSample>(context, topics.labels, setup.frame);
   boxes_ = advertise_if_named<BoundingBoxesSample>(context, topics.boxes, setup.frame);
-  const bool in_metres = setup.depth_format == DepthFormat::kMetres;
+  const bool in_meters = setup.depth_format == DepthFormat::kMeters;
   describe_image(setup.model, encoding_name(setup.spec.format), channel_count(setup.spec.format),
                  image_);
-  describe_image(setup.model, in_metres ? "32FC1" : "16UC1", in_metres ? 4 : 2, depth_);
+  describe_image(setup.model, in_meters ? "32FC1" : "16UC1", in_meters ? 4 : 2, depth_);
   describe_image(setup.model, "mono16", 2, labels_);
   describe_camera(setup, info_);
   describe_camera(setup, depth_info_);

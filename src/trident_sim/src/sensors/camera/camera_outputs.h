@@ -25,7 +25,7 @@ struct CameraSetup {
   std::string frame;
   DepthRange depth_range;
   DepthNoise depth_noise;
-  DepthFormat depth_format = DepthFormat::kMetres;
+  DepthFormat depth_format = DepthFormat::kMeters;
   LabelKind label_kind = LabelKind::kModel;
   /// Full names of ports; "": not published.
   struct Topics {

@@ -39,7 +39,7 @@ CameraSensor::CameraSensor(const PluginContext& context, const std::string& came
       T_link_sensor_(required_sensor(context).T_link_sensor),
       rate_hz_(rate_of(context)),
       angle_(context, camera_topic(context.params, camera, "set_hfov"), "rad",
-             {kLeastAngleOfView, kLargestAngleOfView}),
+             {kMinAngleOfView, kMaxAngleOfView}),
       rate_(context, camera_topic(context.params, camera, "set_update_rate"), "Hz",
             {0.0, kFastest}) {
   if (shutter == Shutter::kTrigger) {

@@ -37,10 +37,10 @@ double number_or(const PluginParams& params, const char* key, double fallback) {
 }
 
 /// Where the middle of the picture is taken to be.
-enum class Centre { kPixelMiddle, kGazebo };
+enum class Center { kPixelMiddle, kGazebo };
 
 /// `<intrinsics>` as they are given, or what the angle of view means.
-CameraModel read_lens(const CameraSpec& spec, Centre centre) {
+CameraModel read_lens(const CameraSpec& spec, Center center) {
   CameraModel model =
       CameraModel::from_angle_of_view(spec.width, spec.height, spec.angle_of_view_rad);
   if (spec.intrinsics) {
@@ -50,19 +50,19 @@ CameraModel read_lens(const CameraSpec& spec, Centre centre) {
     model.cx = k.cx;
     model.cy = k.cy;
     model.skew = k.s;
-  } else if (centre == Centre::kGazebo) {
+  } else if (center == Center::kGazebo) {
     model.cx += 1.0;
     model.cy += 1.0;
   }
   return model;
 }
 
-CameraSetup read_setup(const PluginContext& context, const CameraSpec& spec, Centre centre) {
+CameraSetup read_setup(const PluginContext& context, const CameraSpec& spec, Center center) {
   const PluginParams& params = context.params;
   CameraSetup setup;
   setup.owner = params.owner();
   setup.spec = spec;
-  setup.model = read_lens(spec, centre);
+  setup.model = read_lens(spec, center);
   setup.projection = spec.projection;
   CameraModel& model = setup.model;
   const double focal = number_or(params, "focalLength", model.fx);
@@ -85,7 +85,7 @@ CameraSetup read_setup(const PluginContext& context, const CameraSpec& spec, Cen
 CameraSetup read_gazebo_setup(const PluginContext& context, const CameraSpec& spec,
                               const std::string& camera, const char* image, const char* info) {
   const PluginParams& params = context.params;
-  CameraSetup setup = read_setup(context, spec, Centre::kGazebo);
+  CameraSetup setup = read_setup(context, spec, Center::kGazebo);
   setup.frame = resolved_frame(context, params.text("frameName", "/world"), FramePrefix::kTfPrefix);
   const auto topic = [&](const char* key, const char* fallback) {
     return camera_topic(params, camera, params.text(key, fallback));
@@ -132,7 +132,7 @@ std::unique_ptr<Plugin> make_depth_camera(const PluginContext& context, const ch
     params.refuse("pointCloudCutoff", params.text("pointCloudCutoff", "0.4"),
                   "less than <pointCloudCutoffMax>, " + params.text("pointCloudCutoffMax", "5.0"));
   }
-  if (params.flag("useDepth16UC1Format", false)) setup.depth_format = DepthFormat::kMillimetres;
+  if (params.flag("useDepth16UC1Format", false)) setup.depth_format = DepthFormat::kMillimeters;
   return std::make_unique<CameraSensor>(context, camera, std::vector<CameraSetup>{setup});
 }
 
@@ -203,7 +203,7 @@ LabelKind read_label_kind(const PluginParams& params) {
 /// Ours: all that a camera can publish, with the true middle of the picture.
 std::unique_ptr<Plugin> make_own_camera(const PluginContext& context) {
   const PluginParams& params = context.params;
-  CameraSetup setup = read_setup(context, only_camera(context), Centre::kPixelMiddle);
+  CameraSetup setup = read_setup(context, only_camera(context), Center::kPixelMiddle);
   setup.frame = resolved_frame(context, params.text("frameName", context.link->name),
                                FramePrefix::kTfPrefixOrNamespace);
   const std::string camera = params.text("cameraName", context.sensor->name);
@@ -217,7 +217,7 @@ std::unique_ptr<Plugin> make_own_camera(const PluginContext& context) {
                   topic("pointCloudTopicName", "points"),
                   topic("labelImageTopicName", "segmentation/image_raw"),
                   topic("boundingBoxesTopicName", "segmentation/boxes")};
-  if (params.flag("useDepth16UC1Format", false)) setup.depth_format = DepthFormat::kMillimetres;
+  if (params.flag("useDepth16UC1Format", false)) setup.depth_format = DepthFormat::kMillimeters;
   setup.label_kind = read_label_kind(params);
   setup.depth_noise = read_depth_noise(params, setup.model, "none");
   return std::make_unique<CameraSensor>(context, camera, std::vector<CameraSetup>{setup});

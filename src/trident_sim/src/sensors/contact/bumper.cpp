@@ -74,9 +74,9 @@ class Bumper : public Plugin {
     value.touches.clear();
     for (const Contact& contact : world.contacts()) {
       if (is_own(contact.geom1)) {
-        add(contact, *contact.geom1, *contact.geom2, 1.0, contact.p_world_centre1);
+        add(contact, *contact.geom1, *contact.geom2, 1.0, contact.p_world_center1);
       } else if (is_own(contact.geom2)) {
-        add(contact, *contact.geom2, *contact.geom1, -1.0, contact.p_world_centre2);
+        add(contact, *contact.geom2, *contact.geom1, -1.0, contact.p_world_center2);
       }
     }
     states_->publish();
@@ -89,7 +89,7 @@ class Bumper : public Plugin {
 
   /// `sign`: -1 when the contact holds the force on the other one.
   void add(const Contact& contact, const Geom& own, const Geom& other, double sign,
-           const Eigen::Vector3d& p_world_centre) {
+           const Eigen::Vector3d& p_world_center) {
     std::vector<TouchSample>& touches = states_->value.touches;
     const auto is_pair = [&](const TouchSample& touch) {
       return touch.collision1 == own.scoped_name() && touch.collision2 == other.scoped_name();
@@ -105,7 +105,7 @@ class Bumper : public Plugin {
     touch->positions.push_back(contact.p_world);
     touch->normals.emplace_back(sign * contact.normal_world);
     touch->forces.push_back(force);
-    touch->torques.emplace_back((contact.p_world - p_world_centre).cross(force));
+    touch->torques.emplace_back((contact.p_world - p_world_center).cross(force));
     touch->depths.push_back(contact.depth_m);
   }
 

@@ -17,8 +17,8 @@ namespace trident::sim {
 namespace {
 
 constexpr std::streamoff kHeaderBytes = 40;
-constexpr std::int32_t kMostNodes = 100'000;  ///< a side
-constexpr float kNoValue = -88.8888F;         ///< of nodes without a height
+constexpr std::int32_t kMaxNodes = 100'000;  ///< a side
+constexpr float kNoValue = -88.8888F;        ///< of nodes without a height
 
 class GtxFile {
  public:
@@ -31,7 +31,7 @@ class GtxFile {
     columns_ = number<std::int32_t>();
     const bool is_sane = stream_.good() && std::isfinite(south_) && std::isfinite(west_) &&
                          step_latitude_ > 0.0 && step_longitude_ > 0.0 && rows_ > 1 &&
-                         columns_ > 1 && rows_ <= kMostNodes && columns_ <= kMostNodes;
+                         columns_ > 1 && rows_ <= kMaxNodes && columns_ <= kMaxNodes;
     if (!is_sane) refuse();
   }
 

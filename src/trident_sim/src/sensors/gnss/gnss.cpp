@@ -21,7 +21,7 @@ namespace {
 
 using FixType = GnssStatusSample::FixType;
 
-constexpr int kLeastForFix = 4;    ///< satellites
+constexpr int kMinForFix = 4;      ///< satellites
 constexpr double kMaskDeg = 10.0;  ///< nothing lower is used
 
 /// What errors a kind of fix has [m].
@@ -56,17 +56,17 @@ std::vector<Eigen::Vector3d> make_sky(int satellites, const RandomStream& stream
 /// NaN. A model that a user asks for must be there.
 double geoid_separation_m(const PluginContext& context) {
   const SphericalCoordinates& origin = context.world.spherical();
-  const bool is_told = context.params.has("geoidModel");
+  const bool is_given = context.params.has("geoidModel");
   const std::string model = context.params.text("geoidModel", "egm96-5");
   try {
     return GeographicLib::Geoid(model)(origin.latitude_deg, origin.longitude_deg);
   } catch (const std::exception& error) {
     const std::string grid = find_egm96_grid();
-    if (!grid.empty() && (!is_told || model == "egm96-15")) {
+    if (!grid.empty() && (!is_given || model == "egm96-15")) {
       return geoid_height_m(grid, origin.latitude_deg, origin.longitude_deg)
           .value_or(std::numeric_limits<double>::quiet_NaN());
     }
-    if (is_told)
+    if (is_given)
       context.params.refuse("geoidModel", model, std::string("data on disk: ") + error.what());
     return std::numeric_limits<double>::quiet_NaN();
   }
@@ -143,12 +143,12 @@ class Gnss : public MeasuringPlugin {
     scene.refresh();
     scene.cast({rays_.data(), rays_.size()}, {hits_.data(), hits_.size()}, others);
     return static_cast<int>(
-        std::count_if(hits_.begin(), hits_.end(), [](const RayHit& hit) { return !hit.met(); }));
+        std::count_if(hits_.begin(), hits_.end(), [](const RayHit& hit) { return !hit.is_hit(); }));
   }
 
   FixType find_type(int satellites, const StepInfo& info) {
     if (!has_rtk_ || satellites < rtk_satellites_) good_since_ = info.sample;
-    if (satellites < kLeastForFix) return FixType::kNone;
+    if (satellites < kMinForFix) return FixType::kNone;
     if (!has_rtk_ || satellites < rtk_satellites_) return FixType::kSingle;
     const double good_s = static_cast<double>(info.sample - good_since_) * info.dt_s;
     if (good_s < float_time_s_) return FixType::kSingle;

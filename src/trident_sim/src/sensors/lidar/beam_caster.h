@@ -83,8 +83,8 @@ class BeamCaster {
   RayHit hit(const BeamBatch& batch, std::size_t beam, std::uint64_t scan,
              std::uint32_t channel) const {
     const Ray& ray = batch.rays[beam];
-    const RayHit& met = batch.hits[beam];
-    return water_ == nullptr ? met : sight_.see(scene_, *water_, ray, met, scan, channel);
+    const RayHit& hit = batch.hits[beam];
+    return water_ == nullptr ? hit : sight_.see(scene_, *water_, ray, hit, scan, channel);
   }
 
  private:

@@ -113,7 +113,7 @@ class LaserScanner : public MeasuringPlugin {
       cast(*due);
       if (!due->is_complete) continue;
       // One that is faster than the step sends all its scans.
-      is_first ? scan_->forget_earlier() : scan_->set_aside();
+      is_first ? scan_->clear_buffered() : scan_->buffer_sample();
       is_first = false;
       publish(turn_.stamp(*due));
     }

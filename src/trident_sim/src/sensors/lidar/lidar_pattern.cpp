@@ -53,17 +53,17 @@ std::vector<double> read_elevations(const BeamFan& fan, const PluginParams& para
 std::vector<std::size_t> read_firing_order(std::size_t rings, const PluginParams& params) {
   std::vector<std::size_t> order(rings);
   std::iota(order.begin(), order.end(), std::size_t{0});
-  const std::vector<double> told = read_numbers(params, "firingOrder");
-  if (told.empty()) return order;
+  const std::vector<double> given = read_numbers(params, "firingOrder");
+  if (given.empty()) return order;
   const bool is_permutation =
-      told.size() == rings &&
-      std::is_permutation(told.begin(), told.end(), order.begin(),
+      given.size() == rings &&
+      std::is_permutation(given.begin(), given.end(), order.begin(),
                           [](double a, std::size_t b) { return a == static_cast<double>(b); });
   if (!is_permutation) {
     params.refuse("firingOrder", params.text("firingOrder", ""),
                   "each ring once, 0 to " + std::to_string(rings - 1));
   }
-  std::transform(told.begin(), told.end(), order.begin(),
+  std::transform(given.begin(), given.end(), order.begin(),
                  [](double ring) { return static_cast<std::size_t>(ring); });
   return order;
 }
@@ -74,7 +74,7 @@ class RingPattern : public LidarPattern {
   RingPattern(const BeamFan& fan, const std::vector<double>& elevations, double column_period_s,
               std::vector<Beam> beams)
       : LidarPattern(static_cast<std::size_t>(fan.beams), column_period_s, std::move(beams),
-                     Neighbours::kAcrossColumns) {
+                     Neighbors::kAcrossColumns) {
     const double spin = column_period_s > 0.0 ? fan.increment_rad() / column_period_s : 0.0;
     for (std::size_t i = 0; i < elevations.size(); ++i) {
       const double azimuth = spin * this->beams()[i].time_s, level = std::cos(elevations[i]);
@@ -113,7 +113,7 @@ class RosettePattern : public LidarPattern {
   RosettePattern(std::size_t points, double scan_period_s, const Prisms& prisms, bool is_rolling)
       : LidarPattern(points / kGroup, is_rolling ? column_period_s(scan_period_s, points) : 0.0,
                      group(is_rolling ? scan_period_s / static_cast<double>(points) : 0.0),
-                     Neighbours::kWithinColumn),
+                     Neighbors::kWithinColumn),
         prisms_(prisms),
         scan_period_s_(scan_period_s) {
     for (std::size_t i = 0; i < points; ++i) {
@@ -216,12 +216,12 @@ std::unique_ptr<LidarPattern> make_rosette(const PatternRequest& request,
 }  // namespace
 
 LidarPattern::LidarPattern(std::size_t columns, double column_period_s, std::vector<Beam> beams,
-                           Neighbours neighbours)
+                           Neighbors neighbors)
     : columns_(columns),
       column_period_s_(column_period_s),
       beams_(std::move(beams)),
       firing_order_(beams_.size()),
-      neighbours_(neighbours) {
+      neighbors_(neighbors) {
   std::iota(firing_order_.begin(), firing_order_.end(), std::size_t{0});
   std::stable_sort(
       firing_order_.begin(), firing_order_.end(),

@@ -33,22 +33,22 @@ class LidarPattern {
   /// Indices of the beams of a column in the order in which they are cast.
   const std::vector<std::size_t>& firing_order() const { return firing_order_; }
   /// Which beams lie close together: the same one of columns in a row, or those of a column.
-  enum class Neighbours { kAcrossColumns, kWithinColumn };
-  Neighbours neighbours() const { return neighbours_; }
+  enum class Neighbors { kAcrossColumns, kWithinColumn };
+  Neighbors neighbors() const { return neighbors_; }
 
   /// Directions of the beams of a column in the sensor's frame, of unit length.
   virtual void aim(std::uint64_t scan, std::size_t column, Eigen::Vector3d* directions) const = 0;
 
  protected:
   LidarPattern(std::size_t columns, double column_period_s, std::vector<Beam> beams,
-               Neighbours neighbours);
+               Neighbors neighbors);
 
  private:
   std::size_t columns_;
   double column_period_s_;
   std::vector<Beam> beams_;
   std::vector<std::size_t> firing_order_;
-  Neighbours neighbours_;
+  Neighbors neighbors_;
 };
 
 /// What a pattern is made from. Of a snapshot all beams are cast at once.

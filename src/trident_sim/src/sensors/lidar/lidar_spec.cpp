@@ -12,9 +12,9 @@
 namespace trident::sim {
 namespace {
 
-constexpr double kMostSamples = 1e9;
-constexpr double kFarthest = 1e6;     ///< [m]
-constexpr double kMostTurned = 13.0;  ///< [rad], files round two pi up
+constexpr double kMaxSamples = 1e9;
+constexpr double kFarthest = 1e6;    ///< [m]
+constexpr double kMaxTurned = 13.0;  ///< [rad], files round two pi up
 
 const ParamNode& child_or_empty(const ParamNode& node, const char* name) {
   static const ParamNode empty;
@@ -26,7 +26,7 @@ const ParamNode& child_or_empty(const ParamNode& node, const char* name) {
 /// cast here.
 double read_beams(const ParamNode& scan, const char* name, const std::string& owner) {
   const PluginParams params(child_or_empty(scan, name), owner + " <" + name + ">");
-  const int samples = params.integer("samples", 1, {1.0, kMostSamples});
+  const int samples = params.integer("samples", 1, {1.0, kMaxSamples});
   return std::max(1.0, std::round(samples * params.number("resolution", 1.0, {1e-6, 1e3})));
 }
 
@@ -34,8 +34,8 @@ BeamFan read_fan(const ParamNode& scan, const char* name, const std::string& own
   const PluginParams params(child_or_empty(scan, name), owner + " <" + name + ">");
   BeamFan fan;
   fan.beams = static_cast<int>(read_beams(scan, name, owner));
-  fan.min_rad = params.number("min_angle", 0.0, {-kMostTurned, kMostTurned});
-  fan.max_rad = params.number("max_angle", 0.0, {-kMostTurned, kMostTurned});
+  fan.min_rad = params.number("min_angle", 0.0, {-kMaxTurned, kMaxTurned});
+  fan.max_rad = params.number("max_angle", 0.0, {-kMaxTurned, kMaxTurned});
   if (fan.beams > 1 && !(fan.max_rad >= fan.min_rad)) {
     params.refuse("max_angle", params.text("max_angle", "0"),
                   "at least <min_angle>, " + params.text("min_angle", "0"));

@@ -195,7 +195,7 @@ class PointLidar : public MeasuringPlugin, public RayJob {
 
   /// Of a beam of the i-th column of a block: neighbours go in one packet.
   std::size_t place(const Block& block, std::size_t beam, std::size_t i) const {
-    return pattern_->neighbours() == LidarPattern::Neighbours::kAcrossColumns
+    return pattern_->neighbors() == LidarPattern::Neighbors::kAcrossColumns
                ? beam * block.columns + i
                : i * pattern_->beams().size() + beam;
   }

@@ -44,7 +44,7 @@ double water_return_probability(double cos_incidence, double distance_m) {
 RayHit WaterSight::see(const RayScene& scene, const WaterSurface& water, const Ray& ray,
                        const RayHit& behind, std::uint64_t scan, std::uint32_t channel) const {
   if (ray.p_world_origin.z() > water.highest_m()) {
-    const double limit = behind.met() ? behind.distance_m : ray.t_max_m;
+    const double limit = behind.is_hit() ? behind.distance_m : ray.t_max_m;
     const WaterReach reach = water.reach(ray);
     if (!(reach.first <= limit)) return behind;
     // For most beams that come down to the water chance decides that nothing comes back, wherever
@@ -62,12 +62,12 @@ RayHit WaterSight::see(const RayScene& scene, const WaterSurface& water, const R
   }
   RayHit hit = behind;
   scene.add_surface(water, {&ray, 1}, {&hit, 1});
-  return tells(water, scene.surface_shape(), ray, hit, scan, channel) ? hit : RayHit{};
+  return reports(water, scene.surface_shape(), ray, hit, scan, channel) ? hit : RayHit{};
 }
 
-bool WaterSight::tells(const WaterSurface& water, std::uint32_t water_shape, const Ray& ray,
-                       const RayHit& hit, std::uint64_t scan, std::uint32_t channel) const {
-  if (!hit.met()) return true;
+bool WaterSight::reports(const WaterSurface& water, std::uint32_t water_shape, const Ray& ray,
+                         const RayHit& hit, std::uint64_t scan, std::uint32_t channel) const {
+  if (!hit.is_hit()) return true;
   const bool is_water = hit.shape == water_shape;
   if (returns_ != WaterReturns::kAuto) return !is_water || returns_ == WaterReturns::kOn;
   if (!is_water) {

@@ -51,8 +51,8 @@ class WaterSight {
              std::uint64_t scan, std::uint32_t channel) const;
 
  private:
-  bool tells(const WaterSurface& water, std::uint32_t water_shape, const Ray& ray,
-             const RayHit& hit, std::uint64_t scan, std::uint32_t channel) const;
+  bool reports(const WaterSurface& water, std::uint32_t water_shape, const Ray& ray,
+               const RayHit& hit, std::uint64_t scan, std::uint32_t channel) const;
 
   WaterReturns returns_;
   RandomStream stream_;

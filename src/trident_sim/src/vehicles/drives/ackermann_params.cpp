@@ -135,15 +135,15 @@ void read_joints(const Elements& elements, const PluginContext& context, Ackerma
 /// Reports a length in the file that is not that of the joints, which counts, as upstream.
 void compare(const Elements& elements, const PluginContext& context, const std::string& name,
              double actual) {
-  const double told = elements.number(name, actual, kLength);
-  if (std::abs(told - actual) <= 0.01 * actual) return;
+  const double given = elements.number(name, actual, kLength);
+  if (std::abs(given - actual) <= 0.01 * actual) return;
   context.world.diagnose({Severity::kWarning,
                           context.params.owner(),
                           elements.key(name) + " differs",
-                          "<" + elements.key(name) + "> is " + std::to_string(told) +
+                          "<" + elements.key(name) + "> is " + std::to_string(given) +
                               " m, but the wheels' joints are " + std::to_string(actual) +
                               " m apart, which counts",
-                          {{"value", std::to_string(told)}, {"used", std::to_string(actual)}}});
+                          {{"value", std::to_string(given)}, {"used", std::to_string(actual)}}});
 }
 
 void read_geometry(const Elements& elements, const PluginContext& context, AckermannSpec& spec) {
@@ -182,14 +182,14 @@ void read_steering(const Elements& elements, const PluginContext& context, Acker
   }
   const double possible = spec.geometry.steering_of_inner(inner);
   if (spec.max_steer_rad > possible + 1e-6) {
-    const std::string told = std::to_string(spec.max_steer_rad), used = std::to_string(possible);
+    const std::string given = std::to_string(spec.max_steer_rad), used = std::to_string(possible);
     context.world.diagnose({Severity::kWarning,
                             context.params.owner(),
                             "max_steer clamped",
-                            "<" + elements.key("max_steer") + "> is " + told +
+                            "<" + elements.key("max_steer") + "> is " + given +
                                 " rad, but the limit of the inner " +
                                 "wheel's steering joint allows " + used + " rad, which counts",
-                            {{"value", told}, {"legal", "(0, " + used + "] rad"}}});
+                            {{"value", given}, {"legal", "(0, " + used + "] rad"}}});
     spec.max_steer_rad = possible;
   }
   const double of_wheel = elements.number("max_steering_angle", 7.85, {1e-6, 1e3});

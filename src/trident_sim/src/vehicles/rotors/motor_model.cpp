@@ -83,17 +83,17 @@ class MotorModel : public Plugin {
     command_seen_ = command_->count();
     const SmallVector& speeds = command_->at(command_seen_ - 1).angular_velocities;
     if (motor_number_ >= speeds.size) {
-      tell_once(world, "is not in a command of " + std::to_string(speeds.size) + " speeds");
+      report_once(world, "is not in a command of " + std::to_string(speeds.size) + " speeds");
     } else if (!(std::abs(speeds.data[motor_number_]) <= kFastestCommand)) {
-      tell_once(world, "is commanded " + std::to_string(speeds.data[motor_number_]) +
-                           " rad/s, must be finite, up to 1e6");
+      report_once(world, "is commanded " + std::to_string(speeds.data[motor_number_]) +
+                             " rad/s, must be finite, up to 1e6");
     } else {
       reference_ = std::min(speeds.data[motor_number_], max_speed_);
       refused_ = false;
     }
   }
 
-  void tell_once(World& world, const std::string& what) {
+  void report_once(World& world, const std::string& what) {
     if (!refused_) {
       world.report(Severity::kError, name_ + ": motor " + std::to_string(motor_number_) + " " +
                                          what + "; it keeps its last one");
@@ -104,7 +104,7 @@ class MotorModel : public Plugin {
   void apply_forces() {
     Body& body = *link_.body;
     const Eigen::Matrix3d& R = body.rotation();
-    const double speed = (joint_.spun ? joint_.spun_velocity : joint_.velocity()) * slowdown_;
+    const double speed = (joint_.is_rotor ? joint_.rotor_velocity : joint_.velocity()) * slowdown_;
     const double thrust = direction_ * std::abs(speed) * speed * motor_constant_;
     const Eigen::Vector3d axis = R * joint_.rotor_axis_body;
     // Thrust acts along the rotor link's z, which leans with the rotor's axis.
@@ -136,8 +136,8 @@ class MotorModel : public Plugin {
     const double decay = reference_ > filtered_ ? decay_up_ : decay_down_;
     filtered_ = decay * filtered_ + (1.0 - decay) * reference_;
     const double rate = direction_ * filtered_ / slowdown_;
-    if (joint_.spun) {
-      joint_.spun_velocity = rate;
+    if (joint_.is_rotor) {
+      joint_.rotor_velocity = rate;
     } else {
       joint_.set_velocity(rate);
     }

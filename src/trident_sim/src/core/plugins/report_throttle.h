@@ -9,7 +9,7 @@ namespace trident::sim {
 /// How often a refusal is reported that comes again and again: the first ten times, then each time
 /// that their number has doubled. A user who tries things out reads of each mistake, a publisher
 /// gone mad fills no log.
-class SeldomTold {
+class ReportThrottle {
  public:
   /// Counts one more; returns whether it is to be reported.
   bool is_due() {
