@@ -2,9 +2,12 @@
 # SPDX-License-Identifier: Apache-2.0
 # The rooms core and costmap. One line per layer: its folder, which holds a source of the same name.
 set(trident_nav_layers
+  denoise_layer
   inflation_layer
   obstacle_layer
+  range_sensor_layer
   static_layer
+  voxel_layer
 )
 set(layer_sources)
 set(layer_declarations)
@@ -55,10 +58,13 @@ if(CATKIN_ENABLE_TESTING)
   target_link_libraries(trident_nav_core_test trident_nav_costmap gtest_main)
   catkin_add_gtest(trident_nav_costmap_test
     test/costmap/costmap_test.cpp
+    test/costmap/denoise_layer_test.cpp
     test/costmap/distance_tracker_test.cpp
     test/costmap/inflation_layer_test.cpp
     test/costmap/obstacle_layer_test.cpp
+    test/costmap/range_sensor_layer_test.cpp
     test/costmap/static_layer_test.cpp
+    test/costmap/voxel_layer_test.cpp
   )
   target_include_directories(trident_nav_costmap_test PRIVATE src test)
   target_link_libraries(trident_nav_costmap_test trident_nav_costmap gtest_main)

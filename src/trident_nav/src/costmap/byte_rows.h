@@ -4,6 +4,7 @@
 /// SSE2 or NEON.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 
@@ -29,6 +30,25 @@ inline Bytes smaller(const Bytes& a, const Bytes& b) { return a < b ? a : b; }
 inline Bytes maximum_of_known(const Bytes& a, const Bytes& b) {
   const Bytes one = all_bytes(1);  // 255 + 1 wraps to 0
   return larger(a + one, b + one) - one;
+}
+
+inline bool any_bit(const Bytes& bytes) {
+  std::uint64_t parts[2];
+  std::memcpy(parts, &bytes, sizeof parts);
+  return (parts[0] | parts[1]) != 0;
+}
+
+/// Copies up to sixteen cells; false when they were equal already.
+inline bool replace_block(const std::uint8_t* from, int count, std::uint8_t* to) {
+  if (count == 16) {
+    const Bytes value = load_bytes(from);
+    if (!any_bit(value ^ load_bytes(to))) return false;
+    store_bytes(to, value);
+    return true;
+  }
+  if (std::memcmp(from, to, static_cast<std::size_t>(count)) == 0) return false;
+  std::memcpy(to, from, static_cast<std::size_t>(count));
+  return true;
 }
 
 /// to[i] = operation(to[i], from[i]) for `count` cells.

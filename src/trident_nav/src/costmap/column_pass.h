@@ -11,16 +11,20 @@
 
 namespace trident::nav {
 
+/// 255 where a cost is that of a seed, else 0: lethal is 254 and unknown 255.
+inline Bytes seeds_among(const Bytes& cost, bool is_unknown_seed) {
+  const Bytes last = all_bytes(is_unknown_seed ? 255 : 254);
+  return static_cast<Bytes>((cost >= all_bytes(254)) & (cost <= last));
+}
+
 /// Rows to the nearest seed at or below each cell of a row: 0 where `cost` is a seed, else one more
 /// than in the row below (`before`), and at most `none`.
 inline void advance_rows(const std::uint8_t* cost, const std::uint8_t* before, std::uint8_t none,
                          bool is_unknown_seed, int count, std::uint8_t* rows) {
-  // Lethal is 254 and unknown 255: seeds are the costs in [254, last].
-  const Bytes last = all_bytes(is_unknown_seed ? 255 : 254), lethal = all_bytes(254);
   std::memcpy(rows, before, static_cast<std::size_t>(count));
   combine_row(cost, count, rows, [&](const Bytes& down, const Bytes& value) {
-    const Bytes is_seed = (value >= lethal) & (value <= last);
-    return smaller(down + all_bytes(1), all_bytes(none)) & ~is_seed;
+    const Bytes one_more = smaller(down + all_bytes(1), all_bytes(none));
+    return one_more & ~seeds_among(value, is_unknown_seed);
   });
 }
 
@@ -34,9 +38,7 @@ inline bool all_equal(const std::uint8_t* values, int count, std::uint8_t value)
   Bytes differs{};
   int i = 0;
   for (; i + 16 <= count; i += 16) differs |= load_bytes(values + i) ^ all_bytes(value);
-  std::uint64_t parts[2];
-  std::memcpy(parts, &differs, sizeof parts);
-  if ((parts[0] | parts[1]) != 0) return false;
+  if (any_bit(differs)) return false;
   for (; i < count; ++i) {
     if (values[i] != value) return false;
   }

@@ -90,9 +90,17 @@ bool DistanceTracker::collect_toggles(const std::uint8_t* cost, const BlockSet& 
 
 void DistanceTracker::collect_span(const std::uint8_t* cost, int y, int x0, int x1) {
   const std::size_t row = geometry_.index({0, y});
-  for (int x = x0; x < x1; ++x) {
-    const std::size_t cell = row + static_cast<std::size_t>(x);
-    if (is_seed(cost[cell]) != (rows_[cell] == 0)) toggles_.push_back({x, y});
+  const bool unknown = seeds_ == Seeds::kLethalOrUnknown;
+  for (int x = x0; x < x1; x += kBlock) {
+    const std::size_t first = row + static_cast<std::size_t>(x);
+    if (x + kBlock <= x1) {
+      const Bytes was_seed = static_cast<Bytes>(load_bytes(rows_.data() + first) == Bytes{});
+      if (!any_bit(seeds_among(load_bytes(cost + first), unknown) ^ was_seed)) continue;
+    }
+    for (int i = x; i < std::min(x + kBlock, x1); ++i) {
+      const std::size_t cell = row + static_cast<std::size_t>(i);
+      if (is_seed(cost[cell]) != (rows_[cell] == 0)) toggles_.push_back({i, y});
+    }
   }
 }
 

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <utility>
 
+#include "byte_rows.h"
 #include "trident_base/error.h"
 
 namespace trident::nav {
@@ -44,8 +45,9 @@ bool LayerStack::enabled_changed() const {
 }
 
 void LayerStack::arrange_stages() {
+  std::vector<Stage> old;
+  std::swap(old, stages_);
   enabled_.clear();
-  stages_.clear();
   stages_.emplace_back();  // without layers it spreads the background
   for (const auto& layer : layers_) {
     enabled_.push_back(layer->is_enabled());
@@ -57,8 +59,15 @@ void LayerStack::arrange_stages() {
       stages_.back().cells.push_back(cells);
     }
   }
+  for (std::size_t i = 0; i < std::min(stages_.size(), old.size()); ++i) {
+    std::swap(stages_[i].output, old[i].output);  // large enough already
+  }
+  resize_stages();
+}
+
+void LayerStack::resize_stages() {
   for (Stage& stage : stages_) {
-    stage.output.assign(geometry_.size(), background_);
+    stage.output.resize(geometry_.size());
     stage.changed.resize(geometry_.width, geometry_.height);
   }
   is_everything_new_ = true;
@@ -67,13 +76,9 @@ void LayerStack::arrange_stages() {
 void LayerStack::resize(const GridGeometry& geometry) {
   geometry_ = geometry;
   for (const auto& layer : layers_) layer->resize(geometry);
-  for (Stage& stage : stages_) {
-    stage.output.resize(geometry.size());
-    stage.changed.resize(geometry.width, geometry.height);
-  }
+  resize_stages();
   before_.resize(geometry.width, geometry.height);
   row_.resize(static_cast<std::size_t>(geometry.width));
-  is_everything_new_ = true;
 }
 
 void LayerStack::update(const CostmapInput& input) {
@@ -122,11 +127,9 @@ void LayerStack::combine_span(const std::uint8_t* below, int y, int x0, int x1, 
   for (const CellLayer* layer : stage.cells) layer->combine(y, x0, x1, row_.data());
   std::uint8_t* output = stage.output.data() + first;
   for (int x = x0; x < x1; x += BlockSet::kCells) {
-    const int offset = x - x0;
-    const auto cells = static_cast<std::size_t>(std::min(BlockSet::kCells, x1 - x));
-    if (std::memcmp(output + offset, row_.data() + offset, cells) != 0) stage.changed.insert(x, y);
+    const int cells = std::min(BlockSet::kCells, x1 - x);
+    if (replace_block(row_.data() + (x - x0), cells, output + (x - x0))) stage.changed.insert(x, y);
   }
-  std::memcpy(output, row_.data(), count);
 }
 
 const std::uint8_t* LayerStack::master() const { return stages_.back().output.data(); }

@@ -91,6 +91,12 @@ class BeamLayer : public CellLayer {
 
   virtual void clear_beams(const Observation& observation, const Reach& reach) = 0;
   virtual void mark_ends(const Observation& observation, const Reach& reach, double now_s) = 0;
+  /// Notes what else than its cost a cell has whose mark is kept, and restores it: `index` counts
+  /// the kept cells of an update.
+  virtual void keep_cell(std::size_t /*cell*/) {}
+  virtual void restore_cell(std::size_t cell, std::size_t /*index*/, double now_s) {
+    mark(cell, now_s);
+  }
   /// Forgets, or knows to be free, what is kept of cells besides their costs.
   virtual void forget_cells(int /*y*/, int /*x0*/, int /*x1*/) {}
   virtual void free_cells(int /*y*/, int /*x0*/, int /*x1*/) {}

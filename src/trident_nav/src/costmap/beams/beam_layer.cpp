@@ -103,7 +103,7 @@ void BeamLayer::apply_data(double now_s) {
       mark_ends(stored.observation, reach_of(source.params()), now_s);
     }
   });
-  for (const std::size_t cell : kept_) mark(cell, now_s);
+  for (std::size_t i = 0; i < kept_.size(); ++i) restore_cell(kept_[i], i, now_s);
   for (BeamSource& source : sources_) source.set_fresh(false);
   is_all_fresh_ = false;
 }
@@ -129,7 +129,9 @@ void BeamLayer::keep_around(const Point2& p) {
     for (int x = center.x - 1; x <= center.x + 1; ++x) {
       if (!geometry().contains({x, y})) continue;
       const std::size_t cell = geometry().index({x, y});
-      if (costs_.cells()[cell] == kLethalCost) kept_.push_back(cell);
+      if (costs_.cells()[cell] != kLethalCost) continue;
+      kept_.push_back(cell);
+      keep_cell(cell);
     }
   }
 }

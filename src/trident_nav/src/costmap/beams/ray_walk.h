@@ -20,13 +20,20 @@ struct RayPart {
   bool empty() const { return !(t0 <= t1); }
   /// Shortens the part to where low <= from + t step <= high.
   void clip(double from, double step, double low, double high) {
+    const double to = from + step;
+    if (from >= low && from <= high && to >= low && to <= high) return;
     if (step == 0.0) {
-      if (from < low || from > high) t1 = -1.0;
+      t1 = -1.0;
       return;
     }
     const double a = (low - from) / step, b = (high - from) / step;
     t0 = std::max(t0, std::min(a, b));
     t1 = std::min(t1, std::max(a, b));
+  }
+  /// Shortens the part to lengths along the ground from low to high, of the whole ray's `length`.
+  void clip_length(double length, double low, double high) {
+    if (low > 0.0) t0 = std::max(t0, length > 0.0 ? low / length : 1.0 + low);
+    if (length > high) t1 = std::min(t1, high / length);
   }
   /// Shortens the part to a grid of so many cells.
   void clip_to(int width, int height) {
@@ -35,6 +42,13 @@ struct RayPart {
     clip(y, dy, kInside, height - kInside);
   }
 };
+
+/// The largest whole number that is not above a value of moderate size: std::floor is a call
+/// without SSE 4.1.
+inline std::int64_t fast_floor(double value) {
+  const auto truncated = static_cast<std::int64_t>(value);
+  return truncated - (value < static_cast<double>(truncated) ? 1 : 0);
+}
 
 /// Calls visit(index) for the cells along a part of a ray that lies in the grid, from its begin to
 /// its end: one for each column where the ray is rather horizontal, for each row where it is rather
@@ -46,12 +60,11 @@ void walk_cells(const RayPart& ray, int width, bool is_open, Visit&& visit) {
   const double along = is_flat ? ray.x : ray.y, across = is_flat ? ray.y : ray.x;
   const double d_along = is_flat ? ray.dx : ray.dy, d_across = is_flat ? ray.dy : ray.dx;
   const double first = along + ray.t0 * d_along, last = along + ray.t1 * d_along;
-  const auto begin = static_cast<std::int64_t>(std::floor(first));
-  const auto end = static_cast<std::int64_t>(std::floor(last));
+  const auto begin = fast_floor(first);
+  const auto end = fast_floor(last);
   const std::int64_t stride_along = is_flat ? 1 : width, stride_across = is_flat ? width : 1;
   const auto cell = [&](std::int64_t a, double c) {
-    return static_cast<std::size_t>(a * stride_along +
-                                    static_cast<std::int64_t>(std::floor(c)) * stride_across);
+    return static_cast<std::size_t>(a * stride_along + fast_floor(c) * stride_across);
   };
   if (begin != end || !is_open) visit(cell(begin, across + ray.t0 * d_across));
   if (begin == end) return;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <utility>
 
 #include "../byte_rows.h"
@@ -94,18 +93,15 @@ void InflationLayer::process(const std::uint8_t* below, std::uint8_t* above, Blo
 
 void InflationLayer::take(const DistanceSpan& span) {
   const std::size_t first = geometry_.index({span.x0, span.y});
-  const auto count = static_cast<std::size_t>(span.x1 - span.x0);
   const std::uint8_t* costs = below_ + first;
   if (span.square != nullptr) {
     inflate(span, costs, row_.data());
     costs = row_.data();
   }
   std::uint8_t* above = above_ + first;
-  for (std::size_t i = 0; i < count; i += BlockSet::kCells) {
-    const std::size_t cells = std::min<std::size_t>(BlockSet::kCells, count - i);
-    if (std::memcmp(above + i, costs + i, cells) == 0) continue;
-    std::memcpy(above + i, costs + i, cells);
-    changed_above_.insert(span.x0 + static_cast<int>(i), span.y);
+  for (int i = 0; i < span.x1 - span.x0; i += BlockSet::kCells) {
+    const int cells = std::min(BlockSet::kCells, span.x1 - span.x0 - i);
+    if (replace_block(costs + i, cells, above + i)) changed_above_.insert(span.x0 + i, span.y);
   }
 }
 

@@ -21,10 +21,10 @@ void ObstacleLayer::clear_beams(const Observation& observation, const Reach& rea
 void ObstacleLayer::clear_beam(const BeamGroup& group, const BeamEnd& end, const Reach& reach) {
   const GridGeometry& grid = geometry();
   const double dx = static_cast<double>(end.p.x()), dy = static_cast<double>(end.p.y());
-  const double length = std::hypot(dx, dy), per_cell = 1.0 / grid.resolution;
+  const double length = std::sqrt(dx * dx + dy * dy), per_cell = 1.0 / grid.resolution;
   RayPart ray{(group.origin.x() - grid.origin_x) * per_cell,
               (group.origin.y() - grid.origin_y) * per_cell, dx * per_cell, dy * per_cell};
-  ray.clip(0.0, length, reach.clear_from_m, reach.clear_to_m);
+  ray.clip_length(length, reach.clear_from_m, reach.clear_to_m);
   ray.clip(group.origin.z(), static_cast<double>(end.p.z()), reach.low_m, reach.high_m);
   // An end within the heights of obstacles is one, whatever its distance.
   const bool ends_on_obstacle = end.is_hit && reach.is_marking && ray.t1 == 1.0;
