@@ -28,6 +28,7 @@ add_library(trident_nav_costmap
   src/costmap/costmap.cpp
   src/costmap/costmap_params.cpp
   src/costmap/distance_tracker.cpp
+  src/costmap/footprint_checker.cpp
   src/costmap/layer_factory.cpp
   src/costmap/layer_stack.cpp
   src/costmap/observation.cpp
@@ -60,6 +61,7 @@ if(CATKIN_ENABLE_TESTING)
     test/costmap/costmap_test.cpp
     test/costmap/denoise_layer_test.cpp
     test/costmap/distance_tracker_test.cpp
+    test/costmap/footprint_checker_test.cpp
     test/costmap/inflation_layer_test.cpp
     test/costmap/obstacle_layer_test.cpp
     test/costmap/range_sensor_layer_test.cpp

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 namespace trident::nav {
 namespace {
@@ -15,6 +14,18 @@ constexpr double kOverlap = 1e-7;
 
 int first_cell(double from) { return static_cast<int>(std::floor(from + kOverlap)); }
 int end_cell(double to) { return static_cast<int>(std::ceil(to - kOverlap)); }
+
+bool is_convex(const std::vector<Point2>& corners) {
+  bool has_left = false, has_right = false;
+  const std::size_t n = corners.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const Point2 &a = corners[i], &b = corners[(i + 1) % n], &c = corners[(i + 2) % n];
+    const double turn = (b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x);
+    has_left |= turn > 0.0;
+    has_right |= turn < 0.0;
+  }
+  return !(has_left && has_right);
+}
 
 }  // namespace
 
@@ -30,8 +41,47 @@ const std::vector<CellRun>& ShapeCells::polygon(const GridGeometry& grid,
     most = std::max(most, corners_.back().y);
   }
   if (corners.empty()) return runs_;
-  for (int y = first_cell(least); y < end_cell(most); ++y) add_row(y);
+  const int first = first_cell(least), end = end_cell(most);
+  if (is_convex(corners_)) {
+    add_convex(first, end);
+  } else {
+    for (int y = first; y < end; ++y) add_row(y);
+  }
   return runs_;
+}
+
+/// The cells of a row of a convex polygon are those between the outermost parts of its edges.
+void ShapeCells::add_convex(int first, int end) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  intervals_.assign(static_cast<std::size_t>(std::max(end - first, 0)), {kInfinity, -kInfinity});
+  for (std::size_t i = 0; i < corners_.size(); ++i) {
+    const Point2 &a = corners_[i], &b = corners_[i + 1 < corners_.size() ? i + 1 : 0];
+    const Point2 &low = a.y < b.y ? a : b, &high = a.y < b.y ? b : a;
+    const int last = std::min(end_cell(high.y), end);
+    for (int y = std::max(first_cell(low.y), first); y < last; ++y) {
+      const Interval part = part_in_row(y, low, high);
+      Interval& row = intervals_[static_cast<std::size_t>(y - first)];
+      row.from = std::min(row.from, part.from);
+      row.to = std::max(row.to, part.to);
+    }
+  }
+  for (int y = first; y < end; ++y) {
+    const Interval& row = intervals_[static_cast<std::size_t>(y - first)];
+    if (row.from > row.to) continue;
+    const int x0 = first_cell(row.from), x1 = end_cell(row.to);
+    if (x0 < x1) runs_.push_back({y, x0, x1});
+  }
+}
+
+/// How far an edge, from its lower to its higher end, reaches within a row; from > to: not at all.
+ShapeCells::Interval ShapeCells::part_in_row(int y, const Point2& low, const Point2& high) {
+  const double bottom = std::max(low.y, y + kOverlap), top = std::min(high.y, y + 1 - kOverlap);
+  if (bottom > top) return {1.0, 0.0};
+  const double rise = high.y - low.y;
+  if (rise <= 0.0) return {std::min(low.x, high.x), std::max(low.x, high.x)};
+  const double slope = (high.x - low.x) / rise;
+  const double from = low.x + (bottom - low.y) * slope, to = low.x + (top - low.y) * slope;
+  return {std::min(from, to), std::max(from, to)};
 }
 
 /// A cell that a polygon overlaps has a part of an edge, or lies in the polygon with its center.
@@ -47,18 +97,11 @@ void ShapeCells::add_row(int y) {
 
 void ShapeCells::add_edge(int y, const Point2& a, const Point2& b) {
   const Point2 &low = a.y < b.y ? a : b, &high = a.y < b.y ? b : a;
-  const double bottom = std::max(low.y, y + kOverlap), top = std::min(high.y, y + 1 - kOverlap);
-  if (bottom > top) return;
-  const double rise = high.y - low.y;
-  const double slope = rise > 0.0 ? (high.x - low.x) / rise : 0.0;
-  double from = low.x + (bottom - low.y) * slope, to = low.x + (top - low.y) * slope;
-  if (rise <= 0.0) to = high.x;
-  if (from > to) std::swap(from, to);
-  intervals_.push_back({from, to});
+  const Interval part = part_in_row(y, low, high);
+  if (part.from <= part.to) intervals_.push_back(part);
   const double middle = y + 0.5;
-  if ((low.y > middle) != (high.y > middle)) {
-    crossings_.push_back(low.x + (middle - low.y) * slope);
-  }
+  if ((low.y > middle) == (high.y > middle)) return;
+  crossings_.push_back(low.x + (middle - low.y) * (high.x - low.x) / (high.y - low.y));
 }
 
 void ShapeCells::add_inside() {

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint16_t kNoSeed = 65535;
 // Quotients such as 0.55 / 0.05 may come out just below the whole number that is meant.
-constexpr double kRounding = 1e-6;
+constexpr double kCutRounding = 1e-6;
 
 constexpr int kBlock = BlockSet::kCells;
 
@@ -46,10 +46,10 @@ void DistanceTracker::resize(const GridGeometry& geometry) {
 void DistanceTracker::fill_tables() {
   const double resolution = geometry_.resolution > 0.0 ? geometry_.resolution : 1.0;
   const double cells =
-      std::clamp(wanted_distance_m_ / resolution, 1.0, static_cast<double>(kMaxReach)) + kRounding;
+      std::clamp(wanted_distance_m_ / resolution, 1.0, static_cast<double>(kMaxReach)) + kCutRounding;
   reach_ = static_cast<int>(cells);
   beyond_ = static_cast<int>(cells * cells) + 1;
-  max_distance_m_ = static_cast<float>((cells - kRounding) * resolution);
+  max_distance_m_ = static_cast<float>((cells - kCutRounding) * resolution);
   table_m_.resize(static_cast<std::size_t>(beyond_) + 1);
   for (int square = 0; square < beyond_; ++square) {
     table_m_[static_cast<std::size_t>(square)] =

@@ -35,6 +35,8 @@ class ShapeCells {
     double from, to;
   };
 
+  static Interval part_in_row(int y, const Point2& low, const Point2& high);
+  void add_convex(int first, int end);
   void add_row(int y);
   void add_edge(int y, const Point2& a, const Point2& b);
   void add_inside();

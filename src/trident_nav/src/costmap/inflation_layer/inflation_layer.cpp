@@ -12,7 +12,7 @@ namespace trident::nav {
 namespace {
 
 // Distances of whole cells that should equal a radius may differ from it by rounding [m].
-constexpr double kRounding = 1e-9;
+constexpr double kRadiusRounding = 1e-9;
 
 DistanceTracker::Seeds seeds_of(const InflationLayerParams& params) {
   return params.inflate_around_unknown ? DistanceTracker::Seeds::kLethalOrUnknown
@@ -77,7 +77,7 @@ void InflationLayer::prepare() {
 
 std::uint8_t InflationLayer::cost_at(double distance_m) const {
   if (distance_m == 0.0) return kLethalCost;
-  if (distance_m > params_.inflation_radius + kRounding) return kFreeCost;
+  if (distance_m > params_.inflation_radius + kRadiusRounding) return kFreeCost;
   if (distance_m <= inscribed_radius_) return kInscribedCost;
   const double factor = std::exp(-params_.cost_scaling_factor * (distance_m - inscribed_radius_));
   return static_cast<std::uint8_t>((kInscribedCost - 1) * factor);
