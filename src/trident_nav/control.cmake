@@ -1,0 +1,36 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+# The room `control`: controllers, without ROS.
+add_library(trident_nav_control
+  src/control/braking_guard.cpp
+  src/control/builtin_laws.cpp
+  src/control/footprint_checker.cpp
+  src/control/goal_arrival.cpp
+  src/control/guarded_controller.cpp
+  src/control/motion.cpp
+  src/control/path_tracker.cpp
+  src/control/progress_monitor.cpp
+  src/control/pure_pursuit/pure_pursuit_law.cpp
+  src/control/robot_state.cpp
+  src/control/steering.cpp
+)
+target_compile_features(trident_nav_control PUBLIC cxx_std_17)
+target_compile_options(trident_nav_control PRIVATE -Wall -Wextra -ffp-contract=off)
+target_include_directories(trident_nav_control PUBLIC include)
+target_link_libraries(trident_nav_control PUBLIC trident_base trident_maps Eigen3::Eigen)
+trident_precompile_headers(trident_nav_control)
+install(TARGETS trident_nav_control
+  ARCHIVE DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION}
+  LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION}
+)
+
+if(CATKIN_ENABLE_TESTING)
+  catkin_add_gtest(trident_nav_control_test
+    test/control/grid_world.cpp
+    test/control/scene.cpp
+    test/control/scenes_test.cpp
+  )
+  target_include_directories(trident_nav_control_test PRIVATE test src)
+  target_link_libraries(trident_nav_control_test trident_nav_control gtest_main)
+  trident_precompile_headers(trident_nav_control_test <gtest/gtest.h>)
+endif()

@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "trident_nav/control/braking_guard.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "trident_nav/control/motion.h"
+
+namespace trident::nav {
+namespace {
+
+// The velocity that the base has after `duration_s` if it changes at its limits toward `target`.
+Twist2 approached(const MotionLimits& limits, const Twist2& twist, const Twist2& target,
+                  double duration_s) {
+  constexpr double kUnlimited = 1e9;
+  MotionLimits rates = limits;
+  rates.vx_max = rates.vy_max = rates.wz_max = kUnlimited;
+  rates.vx_min = -kUnlimited;
+  return reachable_window(rates, twist, duration_s).clamp(target);
+}
+
+double outer_speed(const Footprint& footprint, const Twist2& twist) {
+  return std::hypot(twist.vx, twist.vy) + footprint.circumscribed_radius * std::fabs(twist.wz);
+}
+
+}  // namespace
+
+int occupied_cells_within(const Footprint& footprint, const CostGrid& grid, const Pose2& pose) {
+  const double radius = footprint.circumscribed_radius;
+  const Cell first = grid.geometry.cell(pose.x - radius, pose.y - radius);
+  const Cell last = grid.geometry.cell(pose.x + radius, pose.y + radius);
+  const double c = std::cos(pose.yaw);
+  const double s = std::sin(pose.yaw);
+  int count = 0;
+  for (int y = std::max(first.y, 0); y <= std::min(last.y, grid.geometry.height - 1); ++y) {
+    for (int x = std::max(first.x, 0); x <= std::min(last.x, grid.geometry.width - 1); ++x) {
+      if (grid.at({x, y}) != kLethalCost) continue;
+      const Point2 center = grid.geometry.center({x, y});
+      const double dx = center.x - pose.x;
+      const double dy = center.y - pose.y;
+      const Point2 in_base{c * dx + s * dy, c * dy - s * dx};
+      const bool is_in = footprint.points.empty() ? std::hypot(dx, dy) <= radius
+                                                  : contains(footprint.points, in_base);
+      count += is_in ? 1 : 0;
+    }
+  }
+  return count;
+}
+
+BrakingGuard::BrakingGuard(const MotionLimits& limits, const FootprintChecker& checker,
+                           double period_s)
+    : limits_(limits), checker_(checker), period_s_(period_s) {}
+
+double BrakingGuard::step_duration(const Twist2& twist, const CostGrid& grid) const {
+  // No point of the footprint moves by more than half a cell.
+  const double speed = outer_speed(checker_.footprint(), twist);
+  const double half_cell = 0.5 * grid.geometry.resolution;
+  const double duration_s = speed > 0.0 ? half_cell / speed : period_s_;
+  return std::clamp(duration_s, 1e-3, period_s_);
+}
+
+std::optional<int> BrakingGuard::hit_track(const Pose2& pose, double after_s, double speed,
+                                           const Tracks& tracks) const {
+  // A robot that stands does nobody harm.
+  constexpr double kHarmless = 0.02;  // [m/s]
+  if (speed < kHarmless) return std::nullopt;
+  for (const Track& track : tracks) {
+    const Point2 p = track.position_at(after_s);
+    const double reach = checker_.footprint().circumscribed_radius + track.radius_m;
+    if (distance(p.x, p.y, pose.x, pose.y) <= reach) return track.id;
+  }
+  return std::nullopt;
+}
+
+std::optional<Contact> BrakingGuard::first_contact(const RobotState& state, const Twist2& command,
+                                                   const CostGrid& grid,
+                                                   const Tracks& tracks) const {
+  Pose2 pose = state.pose;
+  Twist2 twist = state.twist;
+  bool is_leaving = !checker_.is_free(grid, pose);
+  const int depth =
+      is_leaving ? occupied_cells_within(checker_.footprint(), grid, pose) : 0;
+  const double end_s = period_s_ + braking_time(limits_, command) + braking_time(limits_, twist);
+  for (double t = 0.0; t < end_s;) {
+    const bool is_commanded = t < period_s_;
+    Twist2 faster = command;
+    if (outer_speed(checker_.footprint(), twist) > outer_speed(checker_.footprint(), command)) {
+      faster = twist;
+    }
+    double dt = step_duration(is_commanded ? faster : twist, grid);
+    if (is_commanded) dt = std::min(dt, std::max(period_s_ - t, 1e-6));
+    twist = is_commanded ? approached(limits_, twist, command, dt) : braked(limits_, twist, dt);
+    pose = integrate(pose, twist, dt);
+    t += dt;
+    const double speed = outer_speed(checker_.footprint(), twist);
+    if (!is_commanded && speed == 0.0) break;
+    if (const auto id = hit_track(pose, t, speed, tracks)) return Contact{pose, t, *id};
+    if (checker_.is_free(grid, pose)) {
+      is_leaving = false;
+    } else if (!is_leaving ||
+               occupied_cells_within(checker_.footprint(), grid, pose) > depth) {
+      return Contact{pose, t, -1};
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace trident::nav

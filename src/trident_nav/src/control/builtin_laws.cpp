@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "laws.h"
+
+namespace trident::nav {
+
+ControlLawRegistry builtin_control_laws() {
+  ControlLawRegistry registry("controller");
+  add_pure_pursuit(registry);
+  return registry;
+}
+
+}  // namespace trident::nav
