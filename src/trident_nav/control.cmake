@@ -8,6 +8,22 @@ add_library(trident_nav_control
   src/control/goal_arrival.cpp
   src/control/guarded_controller.cpp
   src/control/motion.cpp
+  src/control/mppi/control_plan.cpp
+  src/control/mppi/critic.cpp
+  src/control/mppi/critic_scene.cpp
+  src/control/mppi/deliberate_samples.cpp
+  src/control/mppi/goal_critics.cpp
+  src/control/mppi/lanes.cpp
+  src/control/mppi/motion_critics.cpp
+  src/control/mppi/mppi_law.cpp
+  src/control/mppi/mppi_model.cpp
+  src/control/mppi/mppi_optimizer.cpp
+  src/control/mppi/noise_table.cpp
+  src/control/mppi/obstacle_critics.cpp
+  src/control/mppi/obstacle_survey.cpp
+  src/control/mppi/path_critics.cpp
+  src/control/mppi/rollout.cpp
+  src/control/mppi/track_critic.cpp
   src/control/path_tracker.cpp
   src/control/progress_monitor.cpp
   src/control/pure_pursuit/pure_pursuit_law.cpp
@@ -15,10 +31,22 @@ add_library(trident_nav_control
   src/control/steering.cpp
 )
 target_compile_features(trident_nav_control PUBLIC cxx_std_17)
-target_compile_options(trident_nav_control PRIVATE -Wall -Wextra -ffp-contract=off)
+target_compile_options(trident_nav_control PRIVATE -Wall -Wextra -ffp-contract=off -fno-math-errno -fno-trapping-math)
 target_include_directories(trident_nav_control PUBLIC include)
 target_link_libraries(trident_nav_control PUBLIC trident_base trident_maps Eigen3::Eigen)
 trident_precompile_headers(trident_nav_control)
+# Loops over lanes: turned into vector instructions, which keep the value of every operation.
+set_source_files_properties(
+  src/control/mppi/critic.cpp
+  src/control/mppi/goal_critics.cpp
+  src/control/mppi/motion_critics.cpp
+  src/control/mppi/mppi_optimizer.cpp
+  src/control/mppi/obstacle_critics.cpp
+  src/control/mppi/obstacle_survey.cpp
+  src/control/mppi/path_critics.cpp
+  src/control/mppi/rollout.cpp
+  src/control/mppi/track_critic.cpp
+  PROPERTIES COMPILE_OPTIONS -O3 SKIP_UNITY_BUILD_INCLUSION ON)
 install(TARGETS trident_nav_control
   ARCHIVE DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION}
   LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION}
