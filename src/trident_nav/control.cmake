@@ -55,6 +55,8 @@ install(TARGETS trident_nav_control
 if(CATKIN_ENABLE_TESTING)
   catkin_add_gtest(trident_nav_control_test
     test/control/grid_world.cpp
+    test/control/arrival_test.cpp
+    test/control/mppi_test.cpp
     test/control/scene.cpp
     test/control/scenes_test.cpp
   )
@@ -62,3 +64,11 @@ if(CATKIN_ENABLE_TESTING)
   target_link_libraries(trident_nav_control_test trident_nav_control gtest_main)
   trident_precompile_headers(trident_nav_control_test <gtest/gtest.h>)
 endif()
+
+# --- benchmark program --------------------------------------------------------------------------
+add_executable(control_bench benchmark/control_bench.cpp test/control/grid_world.cpp test/control/scene.cpp)
+target_include_directories(control_bench PRIVATE test)
+target_compile_options(control_bench PRIVATE -Wall -Wextra)
+target_link_libraries(control_bench trident_nav_control)
+set_target_properties(control_bench PROPERTIES
+  RUNTIME_OUTPUT_DIRECTORY ${CATKIN_DEVEL_PREFIX}/${CATKIN_PACKAGE_BIN_DESTINATION})

@@ -33,6 +33,12 @@ Point2 lookahead_point(const LocalPath& path, const Pose2& pose, double radius_m
   return before;
 }
 
+double distance_left(const Situation& situation) {
+  const Pose2& pose = situation.state.pose;
+  const Pose2& end = situation.path.poses.back();
+  return std::max(situation.path.remaining_m, distance(pose.x, pose.y, end.x, end.y));
+}
+
 bool is_arc_clear(const Situation& situation, double sign, double curvature, double length_m) {
   const double reach = 1.0 + situation.checker.footprint().circumscribed_radius *
                                  std::fabs(curvature);

@@ -12,6 +12,9 @@ Point2 to_base(const Pose2& pose, const Point2& point);
 /// Where the path ahead leaves a circle about the robot; its end if it does not [m].
 Point2 lookahead_point(const LocalPath& path, const Pose2& pose, double radius_m);
 
+/// How far the robot has yet to drive: along the path, and no less than straight to its end [m].
+double distance_left(const Situation& situation);
+
 /// Whether an arc from where the robot is touches nothing: `sign` 1 forward, -1 backward;
 /// `curvature` of the motion in the base's axes [1/m]; up to an arc length [m].
 bool is_arc_clear(const Situation& situation, double sign, double curvature, double length_m);

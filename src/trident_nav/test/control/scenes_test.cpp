@@ -63,5 +63,18 @@ INSTANTIATE_TEST_SUITE_P(Laws, DrivesScene,
                                             ::testing::ValuesIn(kScenes)),
                          case_name);
 
+constexpr NamedRobot kCars[] = {{"car", car}};
+// Pure pursuit of a path that no car can drive misses the heading that was wanted.
+constexpr NamedScene kWideScenes[] = {{"straight", straight_scene}};
+INSTANTIATE_TEST_SUITE_P(Cars, DrivesScene,
+                         ::testing::Combine(::testing::Values("regulated_pure_pursuit"),
+                                            ::testing::ValuesIn(kCars),
+                                            ::testing::ValuesIn(kWideScenes)),
+                         case_name);
+INSTANTIATE_TEST_SUITE_P(CarsThatSample, DrivesScene,
+                         ::testing::Combine(::testing::Values("mppi"), ::testing::ValuesIn(kCars),
+                                            ::testing::ValuesIn(kScenes)),
+                         case_name);
+
 }  // namespace
 }  // namespace trident::nav::testing

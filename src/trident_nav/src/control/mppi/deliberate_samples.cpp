@@ -13,10 +13,6 @@ namespace {
 // A path that leads off by more is first turned to on the spot [rad].
 constexpr double kTurnFirst = 0.6;
 
-bool can_turn(const MppiModel& model) {
-  return model.motion == MppiMotion::kDiffDrive || model.motion == MppiMotion::kOmni;
-}
-
 // Pure pursuit of points by a robot that is simulated along.
 class Pursuit {
  public:
@@ -53,7 +49,7 @@ class Pursuit {
     const double along = sign * (c * dx + s * dy);
     const double across = sign * (c * dy - s * dx);
     const double off = std::atan2(across, along);
-    if (can_turn(model_) && std::fabs(off) > kTurnFirst) {
+    if (model_.can_turn() && std::fabs(off) > kTurnFirst) {
       const double wz = stopping_speed(std::fabs(off), model_.limits.alpha_max, model_.dt_s);
       return {0.0, 0.0, std::copysign(std::min(wz, model_.limits.wz_max), off)};
     }

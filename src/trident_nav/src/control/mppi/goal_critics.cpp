@@ -37,12 +37,15 @@ class GoalCritic final : public MppiCritic {
   double threshold_m_;
 };
 
-// Next to the goal: the mean error of the heading.
+// Next to the goal: the mean error of the heading. A robot that turns on the spot need not look
+// where it will in the end as long as it must drive.
 class GoalAngleCritic final : public MppiCritic {
  public:
   GoalAngleCritic(const ThresholdCriticParams& params, const MppiModel& model)
       : MppiCritic(params),
-        threshold_m_(params.threshold_to_consider.value_or(2.0 * model.circumscribed_radius)) {}
+        threshold_m_(params.threshold_to_consider.value_or(
+            model.motion == MppiMotion::kDiffDrive ? model.goal_tolerance_m
+                                                   : 2.0 * model.circumscribed_radius)) {}
 
   bool is_active(const CriticScene& scene) const override {
     return scene.reaches_goal && scene.goal_distance_m < threshold_m_;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "../laws.h"
+#include "../steering.h"
 #include "critic_scene.h"
 #include "deliberate_samples.h"
 #include "mppi_optimizer.h"
@@ -94,11 +95,8 @@ Twist2 MppiLaw::command_of(const Situation& situation, const RolloutStart& start
   Twist2 twist = plan_at(plan_, start.twist, model_.dt_s, model_.period_s);
   if (!situation.path.reaches_goal) return twist;
   // Whatever the plan hopes for, the robot must be able to stop at the goal.
-  const double goal_m =
-      distance(situation.state.pose.x, situation.state.pose.y, situation.goal.x, situation.goal.y);
   const double stop =
-      stopping_speed(std::max(goal_m, situation.path.remaining_m), model_.limits.decel_max,
-                     model_.period_s);
+      stopping_speed(distance_left(situation), model_.limits.decel_max, model_.period_s);
   const double speed = std::hypot(twist.vx, twist.vy);
   if (speed <= stop || speed == 0.0) return twist;
   const double kept = stop / speed;

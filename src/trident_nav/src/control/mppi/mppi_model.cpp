@@ -97,6 +97,7 @@ MppiModel make_mppi_model(const MppiParams& params, const ControlSetup& setup) {
   model.distance_scale = kTunedLength / model.length_m;
   model.inscribed_radius = setup.footprint.inscribed_radius;
   model.circumscribed_radius = setup.footprint.circumscribed_radius;
+  model.goal_tolerance_m = setup.tolerance.xy_goal_tolerance;
   model.cover = cover_footprint(setup.footprint);
   return model;
 }

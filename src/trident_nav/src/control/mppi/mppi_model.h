@@ -30,8 +30,11 @@ struct MppiModel {
   /// 1.4 m.
   double distance_scale = 1.0;
   double inscribed_radius = 0.0, circumscribed_radius = 0.0;
+  double goal_tolerance_m = 0.0;  ///< Of the position.
   std::vector<CoverCircle> cover;  ///< Circles whose union contains the footprint.
 
+  /// Turns on the spot, so that a heading can be reached after a position.
+  bool can_turn() const { return motion == MppiMotion::kDiffDrive || motion == MppiMotion::kOmni; }
   double horizon_s() const { return dt_s * steps; }
 };
 

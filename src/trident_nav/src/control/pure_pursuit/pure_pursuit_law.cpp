@@ -135,12 +135,12 @@ double PurePursuitLaw::regulated_speed(const Situation& situation, const Carrot&
     speed = std::min(speed, desired * std::clamp(share, 0.0, 1.0));
   }
   speed = std::max(speed, std::min(desired, params_.regulated_linear_scaling_min_speed));
-  if (situation.path.remaining_m < params_.approach_velocity_scaling_dist) {
-    speed *= situation.path.remaining_m / params_.approach_velocity_scaling_dist;
+  const double left_m = distance_left(situation);
+  if (left_m < params_.approach_velocity_scaling_dist) {
+    speed *= left_m / params_.approach_velocity_scaling_dist;
     speed = std::max(speed, std::min(desired, params_.min_approach_linear_velocity));
   }
-  const double stop = stopping_speed(situation.path.remaining_m, setup_.limits.decel_max,
-                                     setup_.period_s);
+  const double stop = stopping_speed(left_m, setup_.limits.decel_max, setup_.period_s);
   // What the turn rate allows on this arc.
   return std::min({speed, stop, setup_.limits.wz_max * radius_m});
 }
