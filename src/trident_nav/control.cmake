@@ -4,6 +4,11 @@
 add_library(trident_nav_control
   src/control/braking_guard.cpp
   src/control/builtin_laws.cpp
+  src/control/dwa/dwa_law.cpp
+  src/control/dwa/map_grid.cpp
+  src/control/dwa/trajectory_critics.cpp
+  src/control/dwa/trajectory_search.cpp
+  src/control/dwa/velocity_samples.cpp
   src/control/footprint_checker.cpp
   src/control/goal_arrival.cpp
   src/control/guarded_controller.cpp

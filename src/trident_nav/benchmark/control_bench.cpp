@@ -35,6 +35,7 @@ constexpr Row kRows[] = {
     {"mppi 2000x56", "mppi", "{batch_size: 2000}", 1},
     {"mppi 2000x56, 2 threads", "mppi", "{batch_size: 2000}", 2},
     {"mppi 1000x56", "mppi", "{batch_size: 1000}", 1},
+    {"dwa 20x40", "dwa", "{vx_samples: 20, vth_samples: 40, max_vel_x: 0.55, max_vel_theta: 1.0}", 1},
     {"regulated pure pursuit", "regulated_pure_pursuit", "{}", 1},
 };
 
@@ -76,7 +77,7 @@ Times measure(const Row& row, int rounds) {
   for (int i = 0; i < rounds; ++i) {
     const std::size_t reach = path.size() * 2 / 3;
     state.pose = path[static_cast<std::size_t>(i) * 7 % reach];
-    state.twist = {1.0, 0.0, 0.0};
+    state.twist = {0.5, 0.0, 0.0};
     state.time_s += setup.period_s;
     const double cpu_ms = clock_ms(CLOCK_PROCESS_CPUTIME_ID);
     const double wall_ms = clock_ms(CLOCK_MONOTONIC);

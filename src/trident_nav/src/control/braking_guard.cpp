@@ -52,12 +52,22 @@ BrakingGuard::BrakingGuard(const MotionLimits& limits, const FootprintChecker& c
                            double period_s)
     : limits_(limits), checker_(checker), period_s_(period_s) {}
 
-double BrakingGuard::step_duration(const Twist2& twist, const CostGrid& grid) const {
-  // No point of the footprint moves by more than half a cell.
-  const double speed = outer_speed(checker_.footprint(), twist);
-  const double half_cell = 0.5 * grid.geometry.resolution;
-  const double duration_s = speed > 0.0 ? half_cell / speed : period_s_;
-  return std::clamp(duration_s, 1e-3, period_s_);
+double BrakingGuard::step_duration(const Pose2& pose, double speed, const CostGrid& grid) const {
+  // No point of the footprint moves by more than a twentieth of a cell where an obstacle may be
+  // near, so that no corner slips through between two poses; and not beyond what is free for sure.
+  constexpr double kFine = 0.05;
+  constexpr double kSqrt2 = 1.41421356237309505;
+  double step_m = kFine * grid.geometry.resolution;
+  const Cell cell = grid.geometry.cell(pose.x, pose.y);
+  if (grid.distance_m != nullptr && grid.geometry.contains(cell)) {
+    const double d = static_cast<double>(grid.distance_m[grid.geometry.index(cell)]);
+    const double free_m = d - checker_.footprint().circumscribed_radius -
+                          kSqrt2 * grid.geometry.resolution;
+    step_m = std::max(step_m, free_m);
+  }
+  constexpr double kCoarse = 0.25;  // of a period, for the integration
+  return speed > 0.0 ? std::clamp(step_m / speed, 1e-5, kCoarse * period_s_)
+                     : kCoarse * period_s_;
 }
 
 std::optional<int> BrakingGuard::hit_track(const Pose2& pose, double after_s, double speed,
@@ -73,28 +83,31 @@ std::optional<int> BrakingGuard::hit_track(const Pose2& pose, double after_s, do
   return std::nullopt;
 }
 
+double BrakingGuard::advance(const Twist2& command, const CostGrid& grid, double t, Pose2* pose,
+                             Twist2* twist) const {
+  const bool is_commanded = t < period_s_;
+  const double present = outer_speed(checker_.footprint(), *twist);
+  const double speed =
+      is_commanded ? std::max(present, outer_speed(checker_.footprint(), command)) : present;
+  double dt = step_duration(*pose, speed, grid);
+  if (is_commanded) dt = std::min(dt, std::max(period_s_ - t, 1e-6));
+  *twist = is_commanded ? approached(limits_, *twist, command, dt) : braked(limits_, *twist, dt);
+  *pose = integrate(*pose, *twist, dt);
+  return dt;
+}
+
 std::optional<Contact> BrakingGuard::first_contact(const RobotState& state, const Twist2& command,
                                                    const CostGrid& grid,
                                                    const Tracks& tracks) const {
   Pose2 pose = state.pose;
   Twist2 twist = state.twist;
   bool is_leaving = !checker_.is_free(grid, pose);
-  const int depth =
-      is_leaving ? occupied_cells_within(checker_.footprint(), grid, pose) : 0;
+  const int depth = is_leaving ? occupied_cells_within(checker_.footprint(), grid, pose) : 0;
   const double end_s = period_s_ + braking_time(limits_, command) + braking_time(limits_, twist);
-  for (double t = 0.0; t < end_s;) {
-    const bool is_commanded = t < period_s_;
-    Twist2 faster = command;
-    if (outer_speed(checker_.footprint(), twist) > outer_speed(checker_.footprint(), command)) {
-      faster = twist;
-    }
-    double dt = step_duration(is_commanded ? faster : twist, grid);
-    if (is_commanded) dt = std::min(dt, std::max(period_s_ - t, 1e-6));
-    twist = is_commanded ? approached(limits_, twist, command, dt) : braked(limits_, twist, dt);
-    pose = integrate(pose, twist, dt);
-    t += dt;
+  double t = 0.0;
+  while (t < end_s) {
+    t += advance(command, grid, t, &pose, &twist);
     const double speed = outer_speed(checker_.footprint(), twist);
-    if (!is_commanded && speed == 0.0) break;
     if (const auto id = hit_track(pose, t, speed, tracks)) return Contact{pose, t, *id};
     if (checker_.is_free(grid, pose)) {
       is_leaving = false;
@@ -102,6 +115,7 @@ std::optional<Contact> BrakingGuard::first_contact(const RobotState& state, cons
                occupied_cells_within(checker_.footprint(), grid, pose) > depth) {
       return Contact{pose, t, -1};
     }
+    if (t >= period_s_ && speed == 0.0) break;
   }
   return std::nullopt;
 }

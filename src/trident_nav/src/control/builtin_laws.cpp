@@ -6,6 +6,7 @@ namespace trident::nav {
 
 ControlLawRegistry builtin_control_laws() {
   ControlLawRegistry registry("controller");
+  add_dwa(registry);
   add_mppi(registry);
   add_pure_pursuit(registry);
   return registry;

@@ -7,6 +7,7 @@
 namespace trident::nav {
 
 // One line per source that registers control laws, here and in builtin_laws.cpp.
+void add_dwa(ControlLawRegistry& registry);
 void add_mppi(ControlLawRegistry& registry);
 void add_pure_pursuit(ControlLawRegistry& registry);
 

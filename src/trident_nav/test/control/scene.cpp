@@ -61,18 +61,18 @@ Scene straight_scene(const Footprint& footprint) {
   GridWorld world = walled(20.0 * r + 1.0, wide + 0.2);
   const double y = 0.5 * wide + 0.1;
   return finished("straight", std::move(world), footprint, {2.0 * r, y, 0.0},
-                  {18.0 * r + 1.0, y, 0.0});
+                  {15.0 * r + 0.8, y, 0.0});
 }
 
 Scene corner_scene(const Footprint& footprint) {
   const double r = footprint.circumscribed_radius;
   const double wide = std::max(3.5 * r, 0.6);
-  const double size = wide + 8.0 * r + 0.2;
+  const double size = wide + 10.0 * r + 0.4;
   GridWorld world = walled(size, size);
   world.fill({0.1, wide + 0.1, size - wide - 0.1, size});
   const double middle = 0.5 * wide + 0.1;
   return finished("corner", std::move(world), footprint, {2.0 * r, middle, 0.0},
-                  {size - middle, size - 2.0 * r, 0.5 * kPi});
+                  {size - middle, size - 4.0 * r - 0.2, 0.5 * kPi});
 }
 
 Scene doorway_scene(const Footprint& footprint) {
@@ -83,7 +83,7 @@ Scene doorway_scene(const Footprint& footprint) {
   world.fill({size - 0.05, 0.0, size + 0.05, 0.6 * size - 0.5 * door});
   world.fill({size - 0.05, 0.6 * size + 0.5 * door, size + 0.05, size});
   return finished("doorway", std::move(world), footprint, {3.0 * r, 0.25 * size, 0.0},
-                  {2.0 * size - 3.0 * r, 0.25 * size, 0.0});
+                  {2.0 * size - 4.0 * r - 0.1, 0.25 * size, 0.0});
 }
 
 Scene dead_end_scene(const Footprint& footprint) {
@@ -96,7 +96,7 @@ Scene dead_end_scene(const Footprint& footprint) {
   world.fill({0.0, 0.0, deep, y - 0.5 * wide});
   world.fill({0.0, y + 0.5 * wide, deep, 100.0});
   return finished("dead end", std::move(world), footprint, {0.1 + 1.6 * r, y, kPi},
-                  {size - 3.0 * r, y, 0.0});
+                  {size - 4.0 * r - 0.1, y, 0.0});
 }
 
 Scene goal_behind_scene(const Footprint& footprint) {

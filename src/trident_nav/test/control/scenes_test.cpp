@@ -58,7 +58,7 @@ std::string case_name(const ::testing::TestParamInfo<Case>& info) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Laws, DrivesScene,
-                         ::testing::Combine(::testing::Values("regulated_pure_pursuit", "mppi"),
+                         ::testing::Combine(::testing::Values("dwa", "regulated_pure_pursuit", "mppi"),
                                             ::testing::ValuesIn(kTurning),
                                             ::testing::ValuesIn(kScenes)),
                          case_name);

@@ -34,7 +34,9 @@ class BrakingGuard {
  private:
   std::optional<int> hit_track(const Pose2& pose, double after_s, double speed,
                                const Tracks& tracks) const;
-  double step_duration(const Twist2& twist, const CostGrid& grid) const;
+  double step_duration(const Pose2& pose, double speed, const CostGrid& grid) const;
+  double advance(const Twist2& command, const CostGrid& grid, double t, Pose2* pose,
+                 Twist2* twist) const;
 
   MotionLimits limits_;
   const FootprintChecker& checker_;
