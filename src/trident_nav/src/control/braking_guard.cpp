@@ -49,21 +49,29 @@ int occupied_cells_within(const Footprint& footprint, const CostGrid& grid, cons
 }
 
 BrakingGuard::BrakingGuard(const MotionLimits& limits, const FootprintChecker& checker,
-                           double period_s)
-    : limits_(limits), checker_(checker), period_s_(period_s) {}
+                           const FootprintChecker& padded_checker, double period_s)
+    : limits_(limits),
+      checker_(checker),
+      padded_checker_(padded_checker),
+      period_s_(period_s) {}
+
+// 0: room to spare; 1: none; beyond: in contact, the deeper the more.
+int BrakingGuard::tightness(const CostGrid& grid, const Pose2& pose) const {
+  if (padded_checker_.is_free(grid, pose)) return 0;
+  if (checker_.is_free(grid, pose)) return 1;
+  return 2 + occupied_cells_within(checker_.footprint(), grid, pose);
+}
 
 double BrakingGuard::step_duration(const Pose2& pose, double speed, const CostGrid& grid) const {
-  // No point of the footprint moves by more than a twentieth of a cell where an obstacle may be
-  // near, so that no corner slips through between two poses; and not beyond what is free for sure.
-  constexpr double kFine = 0.05;
+  // No point of the footprint moves by more than the padding where an obstacle may be near, so
+  // that no corner slips through between two poses; and not beyond what is free for sure.
   constexpr double kSqrt2 = 1.41421356237309505;
-  double step_m = kFine * grid.geometry.resolution;
+  const double padded_m = padded_checker_.footprint().circumscribed_radius;
+  double step_m = std::max(padded_m - checker_.footprint().circumscribed_radius, 1e-3);
   const Cell cell = grid.geometry.cell(pose.x, pose.y);
   if (grid.distance_m != nullptr && grid.geometry.contains(cell)) {
     const double d = static_cast<double>(grid.distance_m[grid.geometry.index(cell)]);
-    const double free_m = d - checker_.footprint().circumscribed_radius -
-                          kSqrt2 * grid.geometry.resolution;
-    step_m = std::max(step_m, free_m);
+    step_m = std::max(step_m, d - padded_m - kSqrt2 * grid.geometry.resolution);
   }
   constexpr double kCoarse = 0.25;  // of a period, for the integration
   return speed > 0.0 ? std::clamp(step_m / speed, 1e-5, kCoarse * period_s_)
@@ -101,20 +109,16 @@ std::optional<Contact> BrakingGuard::first_contact(const RobotState& state, cons
                                                    const Tracks& tracks) const {
   Pose2 pose = state.pose;
   Twist2 twist = state.twist;
-  bool is_leaving = !checker_.is_free(grid, pose);
-  const int depth = is_leaving ? occupied_cells_within(checker_.footprint(), grid, pose) : 0;
+  int allowed = tightness(grid, pose);
   const double end_s = period_s_ + braking_time(limits_, command) + braking_time(limits_, twist);
   double t = 0.0;
   while (t < end_s) {
     t += advance(command, grid, t, &pose, &twist);
     const double speed = outer_speed(checker_.footprint(), twist);
     if (const auto id = hit_track(pose, t, speed, tracks)) return Contact{pose, t, *id};
-    if (checker_.is_free(grid, pose)) {
-      is_leaving = false;
-    } else if (!is_leaving ||
-               occupied_cells_within(checker_.footprint(), grid, pose) > depth) {
-      return Contact{pose, t, -1};
-    }
+    const int tight = tightness(grid, pose);
+    if (tight > allowed) return Contact{pose, t, -1};
+    allowed = tight;
     if (t >= period_s_ && speed == 0.0) break;
   }
   return std::nullopt;

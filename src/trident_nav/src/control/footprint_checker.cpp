@@ -132,7 +132,36 @@ void check_polygon(const std::vector<Point2>& points) {
   }
 }
 
+// Where the two edges at a corner of a counter-clockwise polygon intersect once they are moved.
+Point2 moved_corner(const Point2& before, const Point2& corner, const Point2& after,
+                    double padding_m) {
+  const double ax = corner.x - before.x;
+  const double ay = corner.y - before.y;
+  const double bx = after.x - corner.x;
+  const double by = after.y - corner.y;
+  const double a = std::hypot(ax, ay);
+  const double b = std::hypot(bx, by);
+  // Outward normals.
+  const Point2 n{ay / a, -ax / a};
+  const Point2 m{by / b, -bx / b};
+  const double scale = padding_m / std::max(1.0 + n.x * m.x + n.y * m.y, 0.2);
+  return {corner.x + scale * (n.x + m.x), corner.y + scale * (n.y + m.y)};
+}
+
 }  // namespace
+
+Footprint padded(const Footprint& footprint, double padding_m) {
+  if (footprint.points.empty()) {
+    return make_circle_footprint(footprint.circumscribed_radius + padding_m);
+  }
+  std::vector<Point2> points;
+  const std::size_t n = footprint.points.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    points.push_back(moved_corner(footprint.points[(i + n - 1) % n], footprint.points[i],
+                                  footprint.points[(i + 1) % n], padding_m));
+  }
+  return make_polygon_footprint(std::move(points));
+}
 
 bool contains(const std::vector<Point2>& polygon, const Point2& point) {
   bool is_inside = false;

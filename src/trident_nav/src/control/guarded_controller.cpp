@@ -16,6 +16,12 @@ namespace {
 // Of the path, what the robot may advance in a call: as far as this many of its radii.
 constexpr double kAdvanceRadii = 4.0;
 
+// What is kept free around the footprint: what a base's controller and the commands' discrete times
+// make of a trajectory.
+double padding_m(const Footprint& footprint) {
+  return 0.002 + 0.01 * footprint.circumscribed_radius;
+}
+
 std::string text(const char* format, double a, double b = 0.0, double c = 0.0) {
   char buffer[200];
   const int length = std::snprintf(buffer, sizeof buffer, format, a, b, c);
@@ -77,8 +83,9 @@ GuardedController::GuardedController(const ControlSetup& setup, std::unique_ptr<
       checker_(checker != nullptr ? std::move(checker)
                                   : std::make_shared<PolygonFootprintChecker>(setup.footprint,
                                                                               setup.unknown)),
+      padded_checker_(padded(setup.footprint, padding_m(setup.footprint)), setup.unknown),
       law_(std::move(law)),
-      guard_(setup.limits, *checker_, setup.period_s),
+      guard_(setup.limits, *checker_, padded_checker_, setup.period_s),
       arrival_(setup.tolerance, setup.can_turn_on_spot()),
       tracker_(kAdvanceRadii * setup.footprint.circumscribed_radius) {}
 
@@ -113,7 +120,10 @@ Proposal GuardedController::propose(const RobotState& state, const Path& path,
                                     const TwistWindow& window) {
   const LocalPath local =
       tracker_.update(path, state.pose, grid.geometry.resolution, law_->path_length_m());
-  const Situation situation{state, local, path.back(), grid, tracks, *checker_, window};
+  // The law, too, leaves what the guard wants, unless the robot has less.
+  const bool has_room = padded_checker_.is_free(grid, state.pose);
+  const FootprintChecker& checker = has_room ? padded_checker_ : *checker_;
+  const Situation situation{state, local, path.back(), grid, tracks, checker, window};
   return law_->propose(situation);
 }
 

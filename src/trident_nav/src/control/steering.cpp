@@ -39,15 +39,21 @@ double distance_left(const Situation& situation) {
   return std::max(situation.path.remaining_m, distance(pose.x, pose.y, end.x, end.y));
 }
 
-bool is_arc_clear(const Situation& situation, double sign, double curvature, double length_m) {
-  const double reach = 1.0 + situation.checker.footprint().circumscribed_radius *
-                                 std::fabs(curvature);
+bool is_arc_clear(const Situation& situation, double sign, double curvature, double length_m,
+                  double margin_m) {
+  const Footprint& footprint = situation.checker.footprint();
+  const auto room_m = [&](const Pose2& pose) {
+    return clearance_m(situation.grid, pose, footprint, 1.0);
+  };
+  const double kept_m = std::min(margin_m, room_m(situation.state.pose));
+  const double reach = 1.0 + footprint.circumscribed_radius * std::fabs(curvature);
   const double step_m = 0.5 * situation.grid.geometry.resolution / reach;
   const int steps = 1 + static_cast<int>(std::min(length_m / step_m, 1e4));
   const Twist2 unit{sign, 0.0, curvature};
   for (int i = 1; i <= steps; ++i) {
     const Pose2 pose = integrate(situation.state.pose, unit, length_m * i / steps);
     if (!situation.checker.is_free(situation.grid, pose)) return false;
+    if (margin_m > 0.0 && room_m(pose) < kept_m) return false;
   }
   return true;
 }
@@ -55,6 +61,27 @@ bool is_arc_clear(const Situation& situation, double sign, double curvature, dou
 double turning_rate(const MotionLimits& limits, double angle, double period_s) {
   const double wz = stopping_speed(std::fabs(angle), limits.alpha_max, period_s);
   return std::copysign(std::min(wz, limits.wz_max), angle);
+}
+
+std::optional<Twist2> straight_to_goal(const Situation& situation, const ControlSetup& setup,
+                                       double within_m) {
+  const Pose2& pose = situation.state.pose;
+  const double left_m = distance_left(situation);
+  if (!setup.can_turn_on_spot() || !situation.path.reaches_goal || left_m > within_m) {
+    return std::nullopt;
+  }
+  const Point2 goal = to_base(pose, {situation.goal.x, situation.goal.y});
+  const double bearing = std::atan2(goal.y, goal.x);
+  const double straight_m = std::hypot(goal.x, goal.y);
+  // Once it drives, small errors are steered away.
+  constexpr double kAligned = 0.15;  // [rad]
+  const Twist2 turn{0.0, 0.0, turning_rate(setup.limits, bearing, setup.period_s)};
+  if (std::fabs(bearing) > kAligned) return turn;
+  const double curvature = 2.0 * goal.y / std::max(straight_m * straight_m, 1e-6);
+  if (!is_arc_clear(situation, 1.0, curvature, straight_m)) return std::nullopt;
+  const double v = std::min(stopping_speed(straight_m, setup.limits.decel_max, setup.period_s),
+                            setup.limits.vx_max);
+  return Twist2{v, 0.0, v * curvature};
 }
 
 double clearance_m(const CostGrid& grid, const Pose2& pose, const Footprint& footprint,

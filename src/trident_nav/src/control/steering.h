@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+
 #include "trident_nav/control/control_law.h"
 
 namespace trident::nav {
@@ -17,10 +19,17 @@ double distance_left(const Situation& situation);
 
 /// Whether an arc from where the robot is touches nothing: `sign` 1 forward, -1 backward;
 /// `curvature` of the motion in the base's axes [1/m]; up to an arc length [m].
-bool is_arc_clear(const Situation& situation, double sign, double curvature, double length_m);
+/// `margin_m` more than the inscribed circle is kept free, too, where the robot has that now.
+bool is_arc_clear(const Situation& situation, double sign, double curvature, double length_m,
+                  double margin_m = 0.0);
 
 /// The turn rate toward a heading that is `angle` away, which brakes in time [rad/s].
 double turning_rate(const MotionLimits& limits, double angle, double period_s);
+
+/// Straight to the goal for a robot that turns on the spot, where it is nearer than `within_m` and
+/// nothing is between: a turn toward it, then no faster than it can stop. Nothing elsewhere.
+std::optional<Twist2> straight_to_goal(const Situation& situation, const ControlSetup& setup,
+                                       double within_m);
 
 /// Distance from the inscribed circle to the nearest obstacle, at least 0 [m]: of the distance
 /// field, or else from the inflation's cost with its scaling factor [1/m].

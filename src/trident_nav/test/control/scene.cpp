@@ -42,7 +42,7 @@ void judge_acceleration(const MotionLimits& limits, const Twist2& from, const Tw
 // One period of the plant: velocities follow the command at the limits. False: contact.
 bool advance(const ControlSetup& setup, const PolygonFootprintChecker& body, const CostGrid& grid,
              const Twist2& command, RobotState* state) {
-  constexpr int kSubsteps = 10;
+  constexpr int kSubsteps = 50;
   const double dt = setup.period_s / kSubsteps;
   for (int i = 0; i < kSubsteps; ++i) {
     state->twist = reachable_window(setup.limits, state->twist, dt).clamp(command);

@@ -23,15 +23,18 @@ struct Contact {
 /// stands still: the braking that was checked is always left.
 class BrakingGuard {
  public:
-  /// The checker must outlive the guard. `period_s`: until the next command.
-  BrakingGuard(const MotionLimits& limits, const FootprintChecker& checker, double period_s);
+  /// The checkers must outlive the guard; that of the padded footprint makes up for how a base
+  /// follows commands. `period_s`: until the next command.
+  BrakingGuard(const MotionLimits& limits, const FootprintChecker& checker,
+               const FootprintChecker& padded_checker, double period_s);
 
   /// The first contact on the braking trajectory of a command; nothing if there is none. A robot
-  /// that is in contact already may do what takes it away from there.
+  /// that is in contact already, or within the padding, may do what leads no deeper.
   std::optional<Contact> first_contact(const RobotState& state, const Twist2& command,
                                        const CostGrid& grid, const Tracks& tracks) const;
 
  private:
+  int tightness(const CostGrid& grid, const Pose2& pose) const;
   std::optional<int> hit_track(const Pose2& pose, double after_s, double speed,
                                const Tracks& tracks) const;
   double step_duration(const Pose2& pose, double speed, const CostGrid& grid) const;
@@ -40,6 +43,7 @@ class BrakingGuard {
 
   MotionLimits limits_;
   const FootprintChecker& checker_;
+  const FootprintChecker& padded_checker_;
   double period_s_;
 };
 

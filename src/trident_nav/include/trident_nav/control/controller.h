@@ -51,6 +51,7 @@ class GuardedController final : public Controller {
 
   ControlSetup setup_;
   std::shared_ptr<const FootprintChecker> checker_;
+  PolygonFootprintChecker padded_checker_;
   std::unique_ptr<ControlLaw> law_;
   BrakingGuard guard_;
   GoalArrival arrival_;

@@ -50,6 +50,9 @@ class PolygonFootprintChecker final : public FootprintChecker {
 /// the base's origin inside.
 Footprint make_polygon_footprint(std::vector<Point2> points);
 
+/// A footprint whose edges are moved outwards by `padding_m`.
+Footprint padded(const Footprint& footprint, double padding_m);
+
 /// True for a point inside of a polygon.
 bool contains(const std::vector<Point2>& polygon, const Point2& point);
 

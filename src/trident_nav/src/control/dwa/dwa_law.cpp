@@ -14,7 +14,7 @@ namespace trident::nav {
 namespace {
 
 /// The dynamic window approach: of the velocities that can be reached, the one whose trajectory
-/// scores best. Fox, Burgard, Thrun, "The dynamic window approach to collision avoidance", RAM 4
+/// scores best; close to the goal, straight to it. Fox, Burgard, Thrun, "The dynamic window approach to collision avoidance", RAM 4
 /// (1997); scored as ROS' dwa_local_planner does.
 class DwaLaw final : public ControlLaw {
  public:
@@ -31,6 +31,11 @@ class DwaLaw final : public ControlLaw {
   }
 
   Proposal propose(const Situation& situation) override {
+    const double near_m = std::max(params_.forward_point_distance,
+                                   2.0 * setup_.tolerance.xy_goal_tolerance);
+    if (const auto twist = straight_to_goal(situation, setup_, near_m)) {
+      return {*twist, Failure::kNone, ""};
+    }
     const auto chosen = search_.best(samples(situation), situation, critics_);
     if (!chosen) {
       return {{}, Failure::kBlocked, "Each velocity that can be reached leads to contact."};
@@ -46,8 +51,7 @@ class DwaLaw final : public ControlLaw {
   static ControlSetup with_limits(ControlSetup setup, const DwaParams& params) {
     MotionLimits& limits = setup.limits;
     limits.vx_max = std::min(limits.vx_max, params.max_vel_x.value_or(limits.vx_max));
-    limits.vx_min = std::max(limits.vx_min, params.min_vel_x.value_or(limits.vx_min));
-    limits.vx_min = std::min(limits.vx_min, 0.0);
+    limits.vx_min = std::clamp(params.min_vel_x, limits.vx_min, 0.0);
     limits.vy_max = std::min(limits.vy_max, params.max_vel_y.value_or(limits.vy_max));
     limits.wz_max = std::min(limits.wz_max, params.max_vel_theta.value_or(limits.wz_max));
     limits.ax_max = std::min(limits.ax_max, params.acc_lim_x.value_or(limits.ax_max));
@@ -57,6 +61,12 @@ class DwaLaw final : public ControlLaw {
     return setup;
   }
 
+  // A robot that neither drives nor turns as fast gets nowhere; but not faster than it can be yet.
+  static double slowest(double wanted, double limit, double reachable) {
+    constexpr double kShare = 0.25;
+    return std::min({wanted, kShare * limit, reachable});
+  }
+
   std::vector<Twist2> samples(const Situation& situation) const {
     const double duration_s = params_.use_dwa ? setup_.period_s : params_.sim_time;
     TwistWindow window = reachable_window(setup_.limits, situation.state.twist, duration_s);
@@ -64,12 +74,14 @@ class DwaLaw final : public ControlLaw {
     const double stop = stopping_speed(distance_left(situation), setup_.limits.decel_max,
                                        setup_.period_s);
     window.hi.vx = std::max(std::min(window.hi.vx, stop), window.lo.vx);
-    const VelocitySampling sampling{params_.vx_samples,
-                                    setup_.limits.vy_max > 0.0 ? params_.vy_samples : 1,
-                                    params_.vth_samples,
-                                    std::min(params_.min_vel_trans.value_or(0.0), stop),
-                                    params_.max_vel_trans.value_or(0.0),
-                                    std::min(params_.min_vel_theta.value_or(0.0), window.hi.wz)};
+    const VelocitySampling sampling{
+        params_.vx_samples,
+        setup_.limits.vy_max > 0.0 ? params_.vy_samples : 1,
+        params_.vth_samples,
+        slowest(params_.min_vel_trans, setup_.limits.vx_max, std::min(window.hi.vx, stop)),
+        params_.max_vel_trans.value_or(0.0),
+        slowest(params_.min_vel_theta, setup_.limits.wz_max,
+                std::max(window.hi.wz, -window.lo.wz))};
     return sample_velocities(window, sampling);
   }
 

@@ -11,14 +11,17 @@ namespace trident::nav {
 /// Names and defaults of dwa_local_planner/DWAPlannerROS; speeds and accelerations without a value
 /// are those of the robot's limits.
 struct DwaParams {
-  std::optional<double> max_vel_trans, min_vel_trans, max_vel_x, min_vel_x, max_vel_y, min_vel_y;
-  std::optional<double> max_vel_theta, min_vel_theta;
+  std::optional<double> max_vel_trans, max_vel_x, max_vel_y, min_vel_y, max_vel_theta;
+  double min_vel_x = 0.0;
+  double min_vel_trans = 0.1;
+  double min_vel_theta = 0.4;
   std::optional<double> acc_lim_x, acc_lim_y, acc_lim_theta, acc_lim_trans;
   double sim_time = 1.7;
   double sim_granularity = 0.025;
   double angular_sim_granularity = 0.1;
-  double path_distance_bias = 0.6;
-  double goal_distance_bias = 0.8;
+  // As upstream documents them; those of its code leave costs alone to decide.
+  double path_distance_bias = 32.0;
+  double goal_distance_bias = 24.0;
   double occdist_scale = 0.01;
   double twirling_scale = 0.0;
   double stop_time_buffer = 0.2;

@@ -67,10 +67,18 @@ void TrajectorySearch::roll(const std::vector<Twist2>& samples, std::size_t firs
   survey.survey(&rollouts_);
 }
 
+int TrajectorySearch::last_step(const Twist2& twist, double goal_distance_m) const {
+  const double step_m = std::hypot(twist.vx, twist.vy) * model_.dt_s;
+  const double steps = step_m > 0.0 ? std::ceil(goal_distance_m / step_m) : model_.steps;
+  return std::clamp(static_cast<int>(std::min(steps, 1e6)) - 1, 0, model_.steps - 1);
+}
+
 std::optional<double> TrajectorySearch::score(const DwaScene& scene, const Candidate& candidate,
                                               const TrajectoryCritics& critics,
                                               double best) const {
-  double total = 0.0;
+  // Of equals, the one that turns less.
+  constexpr double kTieBreak = 1e-4;
+  double total = kTieBreak * std::fabs(candidate.twist.wz);
   for (const auto& critic : critics) {
     if (critic->scale() == 0.0) continue;
     const double value = critic->score(scene, candidate);
@@ -88,7 +96,7 @@ std::optional<Twist2> TrajectorySearch::best(const std::vector<Twist2>& samples,
   const CostGrid grid = distances_.of(situation.grid);
   const DwaScene scene = make_scene(situation);
   for (const auto& critic : critics) critic->prepare(scene);
-  const ObstacleSurvey survey(model_, situation.checker, grid, situation.state.pose, {true, 2});
+  const ObstacleSurvey survey(model_, situation.checker, grid, situation.state.pose, {true, 1});
   std::optional<Twist2> chosen;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t first = 0; first < samples.size(); first += kLanes) {
@@ -97,7 +105,7 @@ std::optional<Twist2> TrajectorySearch::best(const std::vector<Twist2>& samples,
     for (std::size_t k = 0; k < count; ++k) {
       if (rollouts_.contact_step[k] < model_.steps) continue;
       const Candidate candidate{samples[first + k], &rollouts_, static_cast<int>(k),
-                                model_.steps - 1};
+                                last_step(samples[first + k], scene.goal_distance_m)};
       if (const auto total = score(scene, candidate, critics, least)) {
         least = *total;
         chosen = candidate.twist;

@@ -27,7 +27,6 @@ class TrajectorySearch {
   /// The sample of the least score; nothing if each is in contact or forbidden.
   std::optional<Twist2> best(const std::vector<Twist2>& samples, const Situation& situation,
                              const TrajectoryCritics& critics);
-  void reset() {}
   double dt_s() const { return model_.dt_s; }
   /// How far from the robot trajectories get, with `margin_m` ahead of the base [m].
   double reach_m(double margin_m) const;
@@ -36,6 +35,8 @@ class TrajectorySearch {
   DwaScene make_scene(const Situation& situation) const;
   void roll(const std::vector<Twist2>& samples, std::size_t first, const Situation& situation,
             const ObstacleSurvey& survey);
+  /// The step at which a candidate has driven as far as the goal is; its last one if it does not.
+  int last_step(const Twist2& twist, double goal_distance_m) const;
   std::optional<double> score(const DwaScene& scene, const Candidate& candidate,
                               const TrajectoryCritics& critics, double best) const;
 

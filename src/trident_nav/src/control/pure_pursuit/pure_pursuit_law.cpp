@@ -42,9 +42,11 @@ class PurePursuitLaw final : public ControlLaw {
  private:
   double lookahead_m(double speed) const;
   Carrot carrot_at(const Situation& situation, double lookahead_m) const;
-  bool is_arc_free(const Situation& situation, const Carrot& carrot) const;
+  bool is_arc_free(const Situation& situation, const Carrot& carrot, double margin_m) const;
+  bool must_turn(const Carrot& carrot) const;
   std::optional<Carrot> free_carrot(const Situation& situation) const;
-  std::optional<Twist2> turn_on_spot(const Situation& situation, const Carrot& carrot);
+  std::optional<Twist2> turn_on_spot(const Situation& situation, const Carrot& carrot,
+                                     double begin_angle);
   double regulated_speed(const Situation& situation, const Carrot& carrot) const;
   double curvature_for_speed(const Situation& situation, const Carrot& carrot) const;
 
@@ -69,41 +71,49 @@ Carrot PurePursuitLaw::carrot_at(const Situation& situation, double lookahead_m)
   return carrot;
 }
 
-bool PurePursuitLaw::is_arc_free(const Situation& situation, const Carrot& carrot) const {
+bool PurePursuitLaw::is_arc_free(const Situation& situation, const Carrot& carrot,
+                                 double margin_m) const {
   if (!params_.use_collision_detection) return true;
   const double sign = carrot.in_base.x < 0.0 ? -1.0 : 1.0;
   const double speed =
       std::max(std::fabs(situation.state.twist.vx), params_.regulated_linear_scaling_min_speed);
   const double reach_m = std::min(
       carrot.distance_m, speed * params_.max_allowed_time_to_collision_up_to_carrot);
-  return is_arc_clear(situation, sign, sign * carrot.curvature, reach_m);
+  return is_arc_clear(situation, sign, sign * carrot.curvature, reach_m, margin_m);
+}
+
+bool PurePursuitLaw::must_turn(const Carrot& carrot) const {
+  if (!params_.use_rotate_to_heading || !setup_.can_turn_on_spot()) return false;
+  const double angle = std::fabs(std::atan2(carrot.in_base.y, carrot.in_base.x));
+  return angle > params_.rotate_to_heading_min_angle;
 }
 
 std::optional<Carrot> PurePursuitLaw::free_carrot(const Situation& situation) const {
   constexpr double kShrink = 0.8;
-  double length_m = lookahead_m(situation.state.twist.vx);
-  const double shortest_m = std::min(setup_.footprint.circumscribed_radius, length_m);
-  while (true) {
-    const Carrot carrot = carrot_at(situation, length_m);
-    const bool turns = params_.use_rotate_to_heading && setup_.can_turn_on_spot();
-    const double angle = std::fabs(std::atan2(carrot.in_base.y, carrot.in_base.x));
-    if (turns && angle > params_.rotate_to_heading_min_angle) return carrot;
-    if (is_arc_free(situation, carrot)) return carrot;
-    if (length_m <= shortest_m) return std::nullopt;
-    length_m = std::max(kShrink * length_m, shortest_m);
+  const double longest_m = lookahead_m(situation.state.twist.vx);
+  const double shortest_m = std::min(setup_.footprint.circumscribed_radius, longest_m);
+  // With a cell of room to spare if that can be had.
+  for (const double margin_m : {situation.grid.geometry.resolution, 0.0}) {
+    double length_m = longest_m;
+    while (true) {
+      const Carrot carrot = carrot_at(situation, length_m);
+      if (must_turn(carrot) || is_arc_free(situation, carrot, margin_m)) return carrot;
+      if (length_m <= shortest_m) break;
+      length_m = std::max(kShrink * length_m, shortest_m);
+    }
   }
+  return std::nullopt;
 }
 
 std::optional<Twist2> PurePursuitLaw::turn_on_spot(const Situation& situation,
-                                                   const Carrot& carrot) {
+                                                   const Carrot& carrot, double begin_angle) {
   if (!params_.use_rotate_to_heading || !setup_.can_turn_on_spot()) return std::nullopt;
   const bool reverses = params_.allow_reversing && situation.path.is_reverse;
   const double toward = reverses ? std::atan2(-carrot.in_base.y, -carrot.in_base.x)
                                  : std::atan2(carrot.in_base.y, carrot.in_base.x);
   // A turn once begun ends well within the angle that began it.
   constexpr double kEnd = 0.25;
-  const double begin = params_.rotate_to_heading_min_angle;
-  is_turning_ = std::fabs(toward) > (is_turning_ ? kEnd * begin : begin);
+  is_turning_ = std::fabs(toward) > (is_turning_ ? kEnd * begin_angle : begin_angle);
   if (!is_turning_) return std::nullopt;
   MotionLimits limits = setup_.limits;
   limits.wz_max = std::min(limits.wz_max,
@@ -148,11 +158,14 @@ double PurePursuitLaw::regulated_speed(const Situation& situation, const Carrot&
 Proposal PurePursuitLaw::propose(const Situation& situation) {
   const std::optional<Carrot> carrot = free_carrot(situation);
   if (!carrot) {
-    const Carrot blocked = carrot_at(situation, params_.min_lookahead_dist);
-    if (const auto turn = turn_on_spot(situation, blocked)) return {*turn, Failure::kNone, ""};
+    constexpr double kAligned = 0.1;  // with what is next on the path [rad]
+    const Carrot blocked = carrot_at(situation, setup_.footprint.circumscribed_radius);
+    const auto aligning = turn_on_spot(situation, blocked, kAligned);
+    if (aligning) return {*aligning, Failure::kNone, ""};
     return {{}, Failure::kBlocked, "The arc to the lookahead point is blocked by an obstacle."};
   }
-  if (const auto turn = turn_on_spot(situation, *carrot)) return {*turn, Failure::kNone, ""};
+  const auto turn = turn_on_spot(situation, *carrot, params_.rotate_to_heading_min_angle);
+  if (turn) return {*turn, Failure::kNone, ""};
   const bool is_behind = std::fabs(std::atan2(carrot->in_base.y, carrot->in_base.x)) > 0.5 * kPi;
   const bool reverses = setup_.limits.vx_min < 0.0 && is_behind &&
                         (params_.allow_reversing || !setup_.can_turn_on_spot());
