@@ -9,7 +9,6 @@ add_library(trident_nav_control
   src/control/dwa/trajectory_critics.cpp
   src/control/dwa/trajectory_search.cpp
   src/control/dwa/velocity_samples.cpp
-  src/control/footprint_checker.cpp
   src/control/goal_arrival.cpp
   src/control/guarded_controller.cpp
   src/control/motion.cpp
@@ -38,7 +37,7 @@ add_library(trident_nav_control
 target_compile_features(trident_nav_control PUBLIC cxx_std_17)
 target_compile_options(trident_nav_control PRIVATE -Wall -Wextra -ffp-contract=off -fno-math-errno -fno-trapping-math)
 target_include_directories(trident_nav_control PUBLIC include)
-target_link_libraries(trident_nav_control PUBLIC trident_base trident_maps Eigen3::Eigen)
+target_link_libraries(trident_nav_control PUBLIC trident_nav_core trident_maps)
 trident_precompile_headers(trident_nav_control)
 # Loops over lanes: turned into vector instructions, which keep the value of every operation.
 set_source_files_properties(

@@ -20,15 +20,12 @@ endforeach()
 configure_file(src/costmap/builtin_layers.cpp.in ${CMAKE_CURRENT_BINARY_DIR}/builtin_layers.cpp @ONLY)
 
 add_library(trident_nav_costmap
-  src/core/footprint.cpp
-  src/core/shape_cells.cpp
   src/costmap/beams/beam_layer.cpp
   src/costmap/beams/beam_source.cpp
   src/costmap/block_set.cpp
   src/costmap/costmap.cpp
   src/costmap/costmap_params.cpp
   src/costmap/distance_tracker.cpp
-  src/costmap/footprint_checker.cpp
   src/costmap/layer_factory.cpp
   src/costmap/layer_stack.cpp
   src/costmap/observation.cpp
@@ -40,7 +37,7 @@ add_library(trident_nav_costmap
 target_compile_features(trident_nav_costmap PUBLIC cxx_std_17)
 target_compile_options(trident_nav_costmap PRIVATE -Wall -Wextra -ffp-contract=off)
 target_include_directories(trident_nav_costmap PUBLIC include PRIVATE src)
-target_link_libraries(trident_nav_costmap PUBLIC trident_base Eigen3::Eigen)
+target_link_libraries(trident_nav_costmap PUBLIC trident_nav_core)
 trident_precompile_headers(trident_nav_costmap)
 install(TARGETS trident_nav_costmap
   ARCHIVE DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION}

@@ -24,6 +24,18 @@ double outer_speed(const Footprint& footprint, const Twist2& twist) {
   return std::hypot(twist.vx, twist.vy) + footprint.circumscribed_radius * std::fabs(twist.wz);
 }
 
+// Whether a polygon has a point inside.
+bool contains(const std::vector<Point2>& polygon, const Point2& point) {
+  bool is_inside = false;
+  for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+    const Point2& a = polygon[i];
+    const Point2& b = polygon[j];
+    if ((a.y > point.y) == (b.y > point.y)) continue;
+    if (point.x < a.x + (b.x - a.x) * (point.y - a.y) / (b.y - a.y)) is_inside = !is_inside;
+  }
+  return is_inside;
+}
+
 }  // namespace
 
 int occupied_cells_within(const Footprint& footprint, const CostGrid& grid, const Pose2& pose) {
@@ -104,7 +116,7 @@ double BrakingGuard::advance(const Twist2& command, const CostGrid& grid, double
   return dt;
 }
 
-std::optional<Contact> BrakingGuard::first_contact(const RobotState& state, const Twist2& command,
+std::optional<ContactAhead> BrakingGuard::first_contact(const RobotState& state, const Twist2& command,
                                                    const CostGrid& grid,
                                                    const Tracks& tracks) const {
   Pose2 pose = state.pose;
@@ -115,9 +127,9 @@ std::optional<Contact> BrakingGuard::first_contact(const RobotState& state, cons
   while (t < end_s) {
     t += advance(command, grid, t, &pose, &twist);
     const double speed = outer_speed(checker_.footprint(), twist);
-    if (const auto id = hit_track(pose, t, speed, tracks)) return Contact{pose, t, *id};
+    if (const auto id = hit_track(pose, t, speed, tracks)) return ContactAhead{pose, t, *id};
     const int tight = tightness(grid, pose);
-    if (tight > allowed) return Contact{pose, t, -1};
+    if (tight > allowed) return ContactAhead{pose, t, -1};
     allowed = tight;
     if (t >= period_s_ && speed == 0.0) break;
   }

@@ -8,6 +8,7 @@
 #include "steering.h"
 #include "trident_base/angle.h"
 #include "trident_base/error.h"
+#include "trident_nav/core/footprint.h"
 #include "trident_nav/control/controller.h"
 
 namespace trident::nav {
@@ -47,7 +48,7 @@ std::string problem_of(const RobotState& state, const Path& path, const CostGrid
   return path.empty() ? "The path has no poses." : "";
 }
 
-std::string describe(const Contact& contact) {
+std::string describe(const ContactAhead& contact) {
   std::string where =
       text("at (%.2f, %.2f), %.2f s ahead.", contact.pose.x, contact.pose.y, contact.after_s);
   if (contact.track_id < 0) return "The braking trajectory touches an obstacle " + where;
@@ -81,9 +82,9 @@ GuardedController::GuardedController(const ControlSetup& setup, std::unique_ptr<
                                      std::shared_ptr<const FootprintChecker> checker)
     : setup_((setup.validate(), setup)),
       checker_(checker != nullptr ? std::move(checker)
-                                  : std::make_shared<PolygonFootprintChecker>(setup.footprint,
+                                  : std::make_shared<FootprintChecker>(setup.footprint,
                                                                               setup.unknown)),
-      padded_checker_(padded(setup.footprint, padding_m(setup.footprint)), setup.unknown),
+      padded_checker_(grown_footprint(setup.footprint, padding_m(setup.footprint)), setup.unknown),
       law_(std::move(law)),
       guard_(setup.limits, *checker_, padded_checker_, setup.period_s),
       arrival_(setup.tolerance, setup.can_turn_on_spot()),

@@ -155,6 +155,19 @@ class PolygonText {
   std::size_t at_ = 0;
 };
 
+/// Where the two edges at a corner of a counter-clockwise polygon intersect once they are moved.
+Point2 moved_corner(const Point2& before, const Point2& corner, const Point2& after,
+                    double distance) {
+  const double ax = corner.x - before.x, ay = corner.y - before.y;
+  const double bx = after.x - corner.x, by = after.y - corner.y;
+  const double a = std::hypot(ax, ay), b = std::hypot(bx, by);
+  // Outward normals.
+  const Point2 n{ay / a, -ax / a}, m{by / b, -bx / b};
+  constexpr double kSharpest = 0.2;
+  const double scale = distance / std::max(1.0 + n.x * m.x + n.y * m.y, kSharpest);
+  return {corner.x + scale * (n.x + m.x), corner.y + scale * (n.y + m.y)};
+}
+
 }  // namespace
 
 Footprint polygon_footprint(std::vector<Point2> points) {
@@ -195,6 +208,17 @@ Footprint padded_footprint(const Footprint& footprint, double padding) {
     p.y += sign(p.y) * padding;
   }
   return polygon_footprint(std::move(points));
+}
+
+Footprint grown_footprint(const Footprint& footprint, double distance) {
+  if (footprint.points.empty()) return circle_footprint(footprint.circumscribed_radius + distance);
+  const std::vector<Point2>& points = footprint.points;
+  const std::size_t n = points.size();
+  std::vector<Point2> moved;
+  for (std::size_t i = 0; i < n; ++i) {
+    moved.push_back(moved_corner(points[(i + n - 1) % n], points[i], points[(i + 1) % n], distance));
+  }
+  return polygon_footprint(std::move(moved));
 }
 
 std::vector<Point2> footprint_corners(const Footprint& footprint, const Pose2& pose) {

@@ -40,7 +40,7 @@ void judge_acceleration(const MotionLimits& limits, const Twist2& from, const Tw
 }
 
 // One period of the plant: velocities follow the command at the limits. False: contact.
-bool advance(const ControlSetup& setup, const PolygonFootprintChecker& body, const CostGrid& grid,
+bool advance(const ControlSetup& setup, const FootprintChecker& body, const CostGrid& grid,
              const Twist2& command, RobotState* state) {
   constexpr int kSubsteps = 50;
   const double dt = setup.period_s / kSubsteps;
@@ -112,7 +112,7 @@ Drive drive(Controller& controller, const ControlSetup& setup, const Scene& scen
             const Path& path) {
   Drive result;
   const CostGrid grid = scene.world.grid();
-  const PolygonFootprintChecker body(setup.footprint);
+  const FootprintChecker body(setup.footprint);
   const Path plan = path.empty() ? plan_on(grid, scene.start, scene.goal,
                                            setup.footprint.inscribed_radius)
                                  : path;
@@ -141,7 +141,7 @@ Drive drive(Controller& controller, const ControlSetup& setup, const Scene& scen
 ControlSetup burger() {
   ControlSetup setup;
   setup.limits = {0.22, -0.22, 0.0, 2.75, 2.5, 2.5, 0.0, 3.2, 0.0};
-  setup.footprint = make_circle_footprint(0.105);
+  setup.footprint = circle_footprint(0.105);
   setup.tolerance.xy_goal_tolerance = 0.05;
   setup.tolerance.yaw_goal_tolerance = 0.17;
   return setup;
@@ -151,7 +151,7 @@ ControlSetup jackal() {
   ControlSetup setup;
   setup.limits = {2.0, -0.5, 0.0, 4.0, 4.0, 4.0, 0.0, 8.0, 0.0};
   setup.footprint =
-      make_polygon_footprint({{-0.21, -0.165}, {0.21, -0.165}, {0.21, 0.165}, {-0.21, 0.165}});
+      polygon_footprint({{-0.21, -0.165}, {0.21, -0.165}, {0.21, 0.165}, {-0.21, 0.165}});
   return setup;
 }
 
@@ -159,7 +159,7 @@ ControlSetup car() {
   ControlSetup setup;
   setup.limits = {1.0, -0.5, 0.0, 2.0, 1.5, 2.0, 0.0, 4.0, 0.5};
   setup.footprint =
-      make_polygon_footprint({{-0.1, -0.15}, {0.4, -0.15}, {0.4, 0.15}, {-0.1, 0.15}});
+      polygon_footprint({{-0.1, -0.15}, {0.4, -0.15}, {0.4, 0.15}, {-0.1, 0.15}});
   return setup;
 }
 
@@ -167,7 +167,7 @@ ControlSetup omni_robot() {
   ControlSetup setup;
   setup.limits = {0.6, -0.6, 0.6, 1.5, 1.5, 1.5, 1.5, 3.0, 0.0};
   setup.footprint =
-      make_polygon_footprint({{-0.2, -0.2}, {0.2, -0.2}, {0.2, 0.2}, {-0.2, 0.2}});
+      polygon_footprint({{-0.2, -0.2}, {0.2, -0.2}, {0.2, 0.2}, {-0.2, 0.2}});
   return setup;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-#include "trident_nav/costmap/footprint_checker.h"
+#include "trident_nav/core/footprint_checker.h"
 
 #include <algorithm>
 #include <string>
@@ -50,7 +50,8 @@ class FootprintCheckerTest : public ::testing::TestWithParam<const char*> {
 TEST_P(FootprintCheckerTest, EveryWayTellsWhatTheCellsTell) {
   const Costmap costmap = costmap_of(scattered_map(25), footprint());
   const CostGrid grid = costmap.grid();
-  FootprintChecker checker(grid, footprint());
+  const FootprintChecker checker(footprint());
+  const FootprintChecker careful(footprint(), UnknownCells::kOccupied);
   ShapeCells shape;
   TestRandom random(8);
   int contacts = 0;
@@ -72,18 +73,19 @@ TEST_P(FootprintCheckerTest, EveryWayTellsWhatTheCellsTell) {
       }
     }
     const bool has_center = grid.geometry.contains(grid.geometry.cell(pose.x, pose.y));
-    ASSERT_EQ(checker.is_in_contact(pose), is_lethal || !has_center)
+    ASSERT_EQ(checker.is_free(grid, pose), !is_lethal)
         << pose.x << ' ' << pose.y << ' ' << pose.yaw;
+    ASSERT_EQ(careful.is_free(grid, pose), !is_lethal && !is_unknown && !is_outside);
     const Contact expected = !has_center  ? Contact::kOutside
                              : is_lethal  ? Contact::kLethal
                              : is_outside ? Contact::kOutside
                              : is_unknown ? Contact::kUnknown
                                           : Contact::kFree;
-    ASSERT_EQ(checker.contact(pose), expected);
+    ASSERT_EQ(checker.contact(grid, pose), expected);
     const int cost = is_lethal || is_outside || !has_center ? kLethalCost
                      : is_unknown                           ? kUnknownCost
                                                             : highest;
-    ASSERT_EQ(checker.cost(pose), cost);
+    ASSERT_EQ(checker.cost(grid, pose), cost);
     contacts += is_lethal ? 1 : 0;
   }
   EXPECT_GT(contacts, 200);
@@ -107,13 +109,14 @@ TEST(FootprintCheckerTest, ARobotPassesADoorThatIsWiderByOneCell) {
   }
   const Footprint robot = polygon_footprint({{0.205, 0.15}, {-0.205, 0.15}, {-0.205, -0.15}, {0.205, -0.15}});
   const Costmap costmap = costmap_of(map, robot);
-  FootprintChecker checker(costmap.grid(), robot);
+  const CostGrid grid = costmap.grid();
+  const FootprintChecker checker(robot);
   for (double x = 0.5; x < 2.5; x += 0.01) {
-    EXPECT_FALSE(checker.is_in_contact({x, 24.5 * 0.05, 0.0})) << x;
-    EXPECT_FALSE(checker.is_in_contact({x, 24.5 * 0.05, 1.5707963267948966})) << x;
+    EXPECT_TRUE(checker.is_free(grid, {x, 24.5 * 0.05, 0.0})) << x;
+    EXPECT_TRUE(checker.is_free(grid, {x, 24.5 * 0.05, 1.5707963267948966})) << x;
   }
-  EXPECT_TRUE(checker.is_in_contact({30.5 * 0.05, 24.5 * 0.05, 0.9}));
-  EXPECT_TRUE(checker.is_in_contact({30.5 * 0.05, 24.5 * 0.05 + 0.08, 0.0}));
+  EXPECT_FALSE(checker.is_free(grid, {30.5 * 0.05, 24.5 * 0.05, 0.9}));
+  EXPECT_FALSE(checker.is_free(grid, {30.5 * 0.05, 24.5 * 0.05 + 0.08, 0.0}));
 }
 
 }  // namespace

@@ -5,14 +5,14 @@
 #include <optional>
 #include <string>
 
-#include "trident_nav/control/footprint_checker.h"
+#include "trident_nav/core/footprint_checker.h"
 #include "trident_nav/control/robot_state.h"
 #include "trident_nav/core/outcome.h"
 
 namespace trident::nav {
 
 /// A pose on a trajectory at which the robot is in contact.
-struct Contact {
+struct ContactAhead {
   Pose2 pose;
   double after_s = 0.0;
   int track_id = -1;  ///< Of the moving obstacle; -1: a cell of the grid.
@@ -30,7 +30,7 @@ class BrakingGuard {
 
   /// The first contact on the braking trajectory of a command; nothing if there is none. A robot
   /// that is in contact already, or within the padding, may do what leads no deeper.
-  std::optional<Contact> first_contact(const RobotState& state, const Twist2& command,
+  std::optional<ContactAhead> first_contact(const RobotState& state, const Twist2& command,
                                        const CostGrid& grid, const Tracks& tracks) const;
 
  private:

@@ -9,7 +9,7 @@
 
 #include "trident_base/config_node.h"
 #include "trident_base/registry.h"
-#include "trident_nav/control/footprint_checker.h"
+#include "trident_nav/core/footprint_checker.h"
 #include "trident_nav/control/goal_arrival.h"
 #include "trident_nav/control/motion.h"
 #include "trident_nav/control/path_tracker.h"

@@ -34,7 +34,7 @@ class Controller {
 /// goal's heading, acceleration limits and the guard.
 class GuardedController final : public Controller {
  public:
-  /// `checker` nullptr: a PolygonFootprintChecker of the setup. Throws Error.
+  /// `checker` nullptr: a FootprintChecker of the setup. Throws Error.
   GuardedController(const ControlSetup& setup, std::unique_ptr<ControlLaw> law,
                     std::shared_ptr<const FootprintChecker> checker = nullptr);
 
@@ -51,7 +51,7 @@ class GuardedController final : public Controller {
 
   ControlSetup setup_;
   std::shared_ptr<const FootprintChecker> checker_;
-  PolygonFootprintChecker padded_checker_;
+  FootprintChecker padded_checker_;
   std::unique_ptr<ControlLaw> law_;
   BrakingGuard guard_;
   GoalArrival arrival_;

@@ -29,6 +29,10 @@ std::vector<Point2> parse_polygon(const std::string& text);
 /// Throws Error as polygon_footprint() does, which a negative padding can cause.
 Footprint padded_footprint(const Footprint& footprint, double padding);
 
+/// A footprint whose edges are moved outwards by `distance` >= 0 [m]; at sharp corners a little
+/// less. Throws Error as polygon_footprint() does.
+Footprint grown_footprint(const Footprint& footprint, double distance);
+
 /// The corners of a footprint at a pose; a circle gives a polygon of 16 corners on it, as
 /// costmap_2d publishes it.
 std::vector<Point2> footprint_corners(const Footprint& footprint, const Pose2& pose);

@@ -6,7 +6,7 @@
 
 #include "mppi_model.h"
 #include "rollout.h"
-#include "trident_nav/control/footprint_checker.h"
+#include "trident_nav/core/footprint_checker.h"
 #include "trident_nav/core/cost_grid.h"
 
 namespace trident::nav {
