@@ -23,6 +23,7 @@ add_library(trident_nav_costmap
   src/costmap/beams/beam_layer.cpp
   src/costmap/beams/beam_source.cpp
   src/costmap/block_set.cpp
+  src/costmap/config/costmap_config.cpp
   src/costmap/costmap.cpp
   src/costmap/costmap_params.cpp
   src/costmap/distance_tracker.cpp
@@ -55,13 +56,18 @@ if(CATKIN_ENABLE_TESTING)
   )
   target_link_libraries(trident_nav_core_test trident_nav_costmap gtest_main)
   catkin_add_gtest(trident_nav_costmap_test
+    test/costmap/block_set_test.cpp
+    test/costmap/costmap_config_test.cpp
     test/costmap/costmap_test.cpp
     test/costmap/denoise_layer_test.cpp
     test/costmap/distance_tracker_test.cpp
     test/costmap/footprint_checker_test.cpp
     test/costmap/inflation_layer_test.cpp
+    test/costmap/layer_conformance_test.cpp
+    test/costmap/observation_test.cpp
     test/costmap/obstacle_layer_test.cpp
     test/costmap/range_sensor_layer_test.cpp
+    test/costmap/source_age_test.cpp
     test/costmap/static_layer_test.cpp
     test/costmap/voxel_layer_test.cpp
   )

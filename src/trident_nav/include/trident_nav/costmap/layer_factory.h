@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <functional>
+#include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +15,69 @@
 #include "trident_nav/costmap/layer.h"
 
 namespace trident::nav {
+
+namespace layer_detail {
+
+/// The archive that lists the names of a struct's fields.
+class FieldNames {
+ public:
+  template <class... Args>
+  void field(const char* name, Args&&... /*args*/) {
+    names.emplace_back(name);
+  }
+  template <class... Args>
+  void required(const char* name, Args&&... /*args*/) {
+    names.emplace_back(name);
+  }
+  std::vector<std::string> names;
+};
+
+/// The archive that turns 1 and 0 into true and false where a struct has a flag: roslaunch and
+/// rosparam write both.
+class FlagReader {
+ public:
+  explicit FlagReader(ConfigNode& map) : map_(map) {}
+  template <class T, class... Args>
+  void field(const char* name, const T& value, Args&&... /*args*/) {
+    for (std::size_t i = 0; i < map_.keys.size(); ++i) {
+      if (map_.keys[i] == name) read(map_.items[i], value);
+    }
+  }
+  template <class T, class... Args>
+  void required(const char* name, const T& value, Args&&... /*args*/) {
+    field(name, value);
+  }
+
+ private:
+  static void read(ConfigNode& node, bool /*flag*/) {
+    if (node.kind != ConfigNode::Kind::kScalar || node.quoted) return;
+    if (node.scalar == "1") node.scalar = "true";
+    if (node.scalar == "0") node.scalar = "false";
+  }
+  static void read(ConfigNode& node, const std::optional<bool>& /*flag*/) { read(node, false); }
+  template <class T>
+  static void read(ConfigNode& node, const std::map<std::string, T>& /*value*/) {
+    for (ConfigNode& item : node.items) {
+      FlagReader below(item);
+      T value{};
+      value.visit(below);
+    }
+  }
+  template <class T>
+  static void read(ConfigNode& /*node*/, const T& /*value*/) {}
+
+  ConfigNode& map_;
+};
+
+template <class Params>
+std::vector<std::string> field_names() {
+  FieldNames archive;
+  Params params;
+  params.visit(archive);
+  return archive.names;
+}
+
+}  // namespace layer_detail
 
 /// What a layer is made from.
 struct LayerSetup {
@@ -25,8 +91,12 @@ struct LayerSetup {
 
   /// The parameters as a struct with visit(). Throws ConfigError naming source, key, value, range.
   template <class Params>
-  Params params(Params result = Params{}) const {
-    config_detail::ConfigReader::read_struct(config, source, path, result);
+  Params params() const {
+    Params result{};
+    ConfigNode own = config;
+    layer_detail::FlagReader flags(own);
+    result.visit(flags);
+    config_detail::ConfigReader::read_struct(own, source, path, result);
     return result;
   }
 };
@@ -50,32 +120,6 @@ std::string plugin_class(const std::string& plugin_name);
 /// name, ConfigError for parameters that are not legal.
 std::unique_ptr<Layer> make_layer(const Registry<LayerType>& registry,
                                   const std::string& plugin_name, const LayerSetup& setup);
-
-namespace layer_detail {
-
-/// The archive that lists the names of a struct's fields.
-class FieldNames {
- public:
-  template <class... Args>
-  void field(const char* name, Args&&... /*args*/) {
-    names.emplace_back(name);
-  }
-  template <class... Args>
-  void required(const char* name, Args&&... /*args*/) {
-    names.emplace_back(name);
-  }
-  std::vector<std::string> names;
-};
-
-template <class Params>
-std::vector<std::string> field_names() {
-  FieldNames archive;
-  Params params;
-  params.visit(archive);
-  return archive.names;
-}
-
-}  // namespace layer_detail
 
 /// Ends the source of a layer: `Type` is made from (LayerSetup) and has `Type::Params`.
 #define TRIDENT_COSTMAP_LAYER(function, name, Type)                             \
