@@ -9,6 +9,7 @@ add_library(trident_nav_control
   src/control/dwa/trajectory_critics.cpp
   src/control/dwa/trajectory_search.cpp
   src/control/dwa/velocity_samples.cpp
+  src/control/escape.cpp
   src/control/goal_arrival.cpp
   src/control/guarded_controller.cpp
   src/control/motion.cpp

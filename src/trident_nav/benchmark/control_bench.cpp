@@ -35,7 +35,8 @@ constexpr Row kRows[] = {
     {"mppi 2000x56", "mppi", "{batch_size: 2000}", 1},
     {"mppi 2000x56, 2 threads", "mppi", "{batch_size: 2000}", 2},
     {"mppi 1000x56", "mppi", "{batch_size: 1000}", 1},
-    {"dwa 20x40", "dwa", "{vx_samples: 20, vth_samples: 40, max_vel_x: 0.55, max_vel_theta: 1.0}", 1},
+    {"dwa 20x40", "dwa", "{vx_samples: 20, vth_samples: 40, max_vel_x: 0.55, max_vel_theta: 1.0}",
+     1},
     {"regulated pure pursuit", "regulated_pure_pursuit", "{}", 1},
 };
 
@@ -67,8 +68,8 @@ struct Times {
 Times measure(const Row& row, int rounds) {
   ControlSetup setup = trident::nav::testing::jackal();
   setup.threads = row.threads;
-  const auto controller = trident::nav::make_controller(
-      row.law, setup, trident::parse_yaml(row.params, "benchmark"));
+  const auto controller =
+      trident::nav::make_controller(row.law, setup, trident::parse_yaml(row.params, "benchmark"));
   const GridWorld world = pillars();
   const Path path = trident::nav::testing::plan_on(world.grid(), {0.5, 0.4, 0.5}, {5.5, 5.4, 0.8},
                                                    setup.footprint.inscribed_radius);

@@ -62,10 +62,7 @@ int occupied_cells_within(const Footprint& footprint, const CostGrid& grid, cons
 
 BrakingGuard::BrakingGuard(const MotionLimits& limits, const FootprintChecker& checker,
                            const FootprintChecker& padded_checker, double period_s)
-    : limits_(limits),
-      checker_(checker),
-      padded_checker_(padded_checker),
-      period_s_(period_s) {}
+    : limits_(limits), checker_(checker), padded_checker_(padded_checker), period_s_(period_s) {}
 
 // 0: room to spare; 1: none; beyond: in contact, the deeper the more.
 int BrakingGuard::tightness(const CostGrid& grid, const Pose2& pose) const {
@@ -86,8 +83,7 @@ double BrakingGuard::step_duration(const Pose2& pose, double speed, const CostGr
     step_m = std::max(step_m, d - padded_m - kSqrt2 * grid.geometry.resolution);
   }
   constexpr double kCoarse = 0.25;  // of a period, for the integration
-  return speed > 0.0 ? std::clamp(step_m / speed, 1e-5, kCoarse * period_s_)
-                     : kCoarse * period_s_;
+  return speed > 0.0 ? std::clamp(step_m / speed, 1e-5, kCoarse * period_s_) : kCoarse * period_s_;
 }
 
 std::optional<int> BrakingGuard::hit_track(const Pose2& pose, double after_s, double speed,

@@ -32,8 +32,7 @@ bool GoalArrival::starts_turn(double distance_m, const Twist2& twist) const {
   return is_receding || std::hypot(twist.vx, twist.vy) < kProgress;
 }
 
-bool GoalArrival::is_within_fallback(const RobotState& state, double distance_m,
-                                     double yaw_error) {
+bool GoalArrival::is_within_fallback(const RobotState& state, double distance_m, double yaw_error) {
   if (distance_m < nearest_m_ - kProgress) {
     nearest_m_ = distance_m;
     nearest_time_s_ = state.time_s;
@@ -61,8 +60,8 @@ ArrivalPhase GoalArrival::update(const RobotState& state, const Pose2& goal) {
     phase_ = ArrivalPhase::kTurn;
   }
   if (phase_ == ArrivalPhase::kTurn && !is_at_position) phase_ = ArrivalPhase::kApproach;
-  const bool has_arrived = can_turn_ ? phase_ == ArrivalPhase::kTurn || is_fallback
-                                     : is_at_position;
+  const bool has_arrived =
+      can_turn_ ? phase_ == ArrivalPhase::kTurn || is_fallback : is_at_position;
   if (has_arrived && is_at_heading && is_stopped(state.twist)) return ArrivalPhase::kReached;
   return phase_;
 }

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <limits>
 
+#include "escape.h"
 #include "steering.h"
 #include "trident_base/angle.h"
 #include "trident_base/error.h"
@@ -40,8 +41,8 @@ std::string problem_of(const RobotState& state, const Path& path, const CostGrid
     return "The robot's state is not finite.";
   }
   if (grid.cost == nullptr || grid.geometry.size() == 0) return "The costmap is empty.";
-  const auto bad = std::find_if_not(path.begin(), path.end(),
-                                    [](const Pose2& pose) { return is_finite(pose); });
+  const auto bad =
+      std::find_if_not(path.begin(), path.end(), [](const Pose2& pose) { return is_finite(pose); });
   if (bad != path.end()) {
     return text("Pose %.0f of the path is not finite.", static_cast<double>(bad - path.begin()));
   }
@@ -81,9 +82,9 @@ void ControlSetup::validate() const {
 GuardedController::GuardedController(const ControlSetup& setup, std::unique_ptr<ControlLaw> law,
                                      std::shared_ptr<const FootprintChecker> checker)
     : setup_((setup.validate(), setup)),
-      checker_(checker != nullptr ? std::move(checker)
-                                  : std::make_shared<FootprintChecker>(setup.footprint,
-                                                                              setup.unknown)),
+      checker_(checker != nullptr
+                   ? std::move(checker)
+                   : std::make_shared<FootprintChecker>(setup.footprint, setup.unknown)),
       padded_checker_(grown_footprint(setup.footprint, padding_m(setup.footprint)), setup.unknown),
       law_(std::move(law)),
       guard_(setup.limits, *checker_, padded_checker_, setup.period_s),
@@ -94,6 +95,7 @@ void GuardedController::reset() {
   law_->reset();
   arrival_.reset();
   tracker_.reset();
+  blocked_calls_ = 0;
 }
 
 Proposal GuardedController::turn_to_goal(const RobotState& state, double goal_yaw,
@@ -116,9 +118,8 @@ Proposal GuardedController::turn_to_goal(const RobotState& state, double goal_ya
   return {{}, Failure::kBlocked, "The turn to the goal's heading is blocked in both directions."};
 }
 
-Proposal GuardedController::propose(const RobotState& state, const Path& path,
-                                    const CostGrid& grid, const Tracks& tracks,
-                                    const TwistWindow& window) {
+Proposal GuardedController::propose(const RobotState& state, const Path& path, const CostGrid& grid,
+                                    const Tracks& tracks, const TwistWindow& window) {
   const LocalPath local =
       tracker_.update(path, state.pose, grid.geometry.resolution, law_->path_length_m());
   // The law, too, leaves what the guard wants, unless the robot has less.
@@ -141,9 +142,21 @@ CommandOutcome GuardedController::guarded(const RobotState& state, Proposal prop
   if (outcome.failure == Failure::kNone) {
     outcome.twist = admissible_twist(setup_.limits, window, proposal.twist);
     const auto contact = guard_.first_contact(state, outcome.twist, grid, tracks);
-    if (!contact) return outcome;
+    if (!contact) {
+      blocked_calls_ = 0;
+      return outcome;
+    }
     outcome.failure = Failure::kBlocked;
     outcome.reason = describe(*contact);
+  }
+  // A robot that is held in a tight place first makes room, so that the law has other commands.
+  constexpr int kPatience = 4;
+  if (outcome.failure == Failure::kBlocked && ++blocked_calls_ > kPatience) {
+    if (const auto escape = escape_twist(setup_, guard_, state, grid, tracks)) {
+      outcome.twist = *escape;
+      outcome.failure = Failure::kNone;
+      return outcome;
+    }
   }
   outcome.twist = braked(setup_.limits, state.twist, setup_.period_s);
   return outcome;

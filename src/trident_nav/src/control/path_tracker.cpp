@@ -72,8 +72,8 @@ void PathTracker::find_cusps() {
   for (std::size_t i = 1; i + 1 < path_.size(); ++i) {
     const double turn = std::fabs(
         wrap_angle(direction(path_[i], path_[i + 1]) - direction(path_[i - 1], path_[i])));
-    const bool changes_gear = has_headings_ && is_backward(path_[i - 1], path_[i]) !=
-                                                   is_backward(path_[i], path_[i + 1]);
+    const bool changes_gear =
+        has_headings_ && is_backward(path_[i - 1], path_[i]) != is_backward(path_[i], path_[i + 1]);
     if (changes_gear && turn > 0.5 * kPi) cusps_m_.push_back(arcs_m_[i]);
   }
 }
@@ -110,8 +110,7 @@ void PathTracker::project(const Pose2& pose) {
       const double length_m = arcs_m_[i + 1] - arcs_m_[i];
       const double along_m =
           ((pose.x - a.x) * (b.x - a.x) + (pose.y - a.y) * (b.y - a.y)) / length_m;
-      const double arc_m =
-          std::clamp(arcs_m_[i] + std::clamp(along_m, 0.0, length_m), lo_m, hi_m);
+      const double arc_m = std::clamp(arcs_m_[i] + std::clamp(along_m, 0.0, length_m), lo_m, hi_m);
       const double t = (arc_m - arcs_m_[i]) / length_m;
       const double d = distance(pose.x, pose.y, a.x + t * (b.x - a.x), a.y + t * (b.y - a.y));
       if (d < best.distance_m) best = {arc_m, d};

@@ -48,8 +48,7 @@ TEST_P(ArrivesNearby, WithAnyHeadingAndWithoutOvershoot) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Laws, ArrivesNearby,
-                         ::testing::Values("regulated_pure_pursuit", "mppi"),
+INSTANTIATE_TEST_SUITE_P(Laws, ArrivesNearby, ::testing::Values("regulated_pure_pursuit", "mppi"),
                          [](const auto& info) { return std::string(info.param); });
 
 }  // namespace

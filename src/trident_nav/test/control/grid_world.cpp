@@ -20,8 +20,8 @@ Path backtracked(const GridGeometry& geometry, const std::vector<int>& parent, s
   const auto width = static_cast<std::size_t>(geometry.width);
   for (auto i = static_cast<int>(end); i >= 0; i = parent[static_cast<std::size_t>(i)]) {
     const auto index = static_cast<std::size_t>(i);
-    const Point2 p = geometry.center(
-        {static_cast<int>(index % width), static_cast<int>(index / width)});
+    const Point2 p =
+        geometry.center({static_cast<int>(index % width), static_cast<int>(index / width)});
     path.push_back({p.x, p.y, 0.0});
   }
   std::reverse(path.begin(), path.end());
@@ -100,8 +100,7 @@ CostGrid GridWorld::grid() const {
   return {geometry_, cost_.data(), distance_m_.data(), kMaxDistance, revision_};
 }
 
-Path plan_on(const CostGrid& grid, const Pose2& start, const Pose2& goal,
-             double inscribed_radius) {
+Path plan_on(const CostGrid& grid, const Pose2& start, const Pose2& goal, double inscribed_radius) {
   using Entry = std::pair<double, std::size_t>;
   const GridGeometry& geometry = grid.geometry;
   std::vector<double> best(geometry.size(), std::numeric_limits<double>::infinity());
@@ -126,7 +125,8 @@ Path plan_on(const CostGrid& grid, const Pose2& start, const Pose2& goal,
         const std::size_t i = geometry.index(next);
         const double d = static_cast<double>(grid.distance_m[i]);
         if (d < least_m) continue;
-        const double step = std::hypot(dx, dy) * (1.0 + std::exp(-6.0 * (d - inscribed_radius)) * 4.0);
+        const double step =
+            std::hypot(dx, dy) * (1.0 + std::exp(-6.0 * (d - inscribed_radius)) * 4.0);
         if (best[index] + step >= best[i]) continue;
         best[i] = best[index] + step;
         parent[i] = static_cast<int>(index);

@@ -29,9 +29,7 @@ Drive corner_drive(int threads) {
   return drive(*controller, setup, corner_scene(setup.footprint));
 }
 
-TEST(Mppi, TwoThreadsGiveTheBitsOfOne) {
-  EXPECT_TRUE(are_equal(corner_drive(1), corner_drive(2)));
-}
+TEST(Mppi, TwoThreadsGiveTheBitsOfOne) { EXPECT_TRUE(are_equal(corner_drive(1), corner_drive(2))); }
 
 TEST(Mppi, ProcessorsWithoutAvx2GiveTheSameBits) {
   const Drive wide = corner_drive(1);
@@ -56,7 +54,8 @@ TEST(MppiModel, TheFootprintsCoverContainsEachOfItsPoints) {
     const auto cover = cover_footprint(setup.footprint);
     for (const Point2& p : setup.footprint.points) {
       const bool is_in = std::any_of(cover.begin(), cover.end(), [&](const CoverCircle& circle) {
-        return std::hypot(p.x - static_cast<double>(circle.x), p.y - static_cast<double>(circle.y)) <=
+        return std::hypot(p.x - static_cast<double>(circle.x),
+                          p.y - static_cast<double>(circle.y)) <=
                static_cast<double>(circle.radius) + 1e-6;
       });
       EXPECT_TRUE(is_in) << p.x << " " << p.y;

@@ -10,8 +10,6 @@
 namespace trident::nav::testing {
 namespace {
 
-
-
 GridWorld walled(double width_m, double height_m) {
   GridWorld world(width_m, height_m);
   constexpr double kWall = 0.1;
@@ -30,7 +28,9 @@ Scene finished(std::string name, GridWorld world, const Footprint& footprint, co
 
 void judge_acceleration(const MotionLimits& limits, const Twist2& from, const Twist2& to,
                         double period_s, Drive* result) {
-  const auto ratio = [&](double change, double rate) { return std::fabs(change) / (rate * period_s); };
+  const auto ratio = [&](double change, double rate) {
+    return std::fabs(change) / (rate * period_s);
+  };
   double worst = ratio(to.vx - from.vx, std::max(limits.ax_max, limits.decel_max));
   if (limits.vy_max > 0.0) worst = std::max(worst, ratio(to.vy - from.vy, limits.ay_max));
   if (limits.min_turning_radius <= 0.0) {
@@ -113,9 +113,9 @@ Drive drive(Controller& controller, const ControlSetup& setup, const Scene& scen
   Drive result;
   const CostGrid grid = scene.world.grid();
   const FootprintChecker body(setup.footprint);
-  const Path plan = path.empty() ? plan_on(grid, scene.start, scene.goal,
-                                           setup.footprint.inscribed_radius)
-                                 : path;
+  const Path plan = path.empty()
+                        ? plan_on(grid, scene.start, scene.goal, setup.footprint.inscribed_radius)
+                        : path;
   RobotState state{scene.start, {}, 0.0};
   Twist2 last;
   while (state.time_s < limit_s && !result.is_reached && !result.has_contact) {
@@ -132,8 +132,7 @@ Drive drive(Controller& controller, const ControlSetup& setup, const Scene& scen
     result.has_contact = !advance(setup, body, grid, outcome.twist, &state);
   }
   result.time_s = state.time_s;
-  result.position_error_m =
-      distance(state.pose.x, state.pose.y, plan.back().x, plan.back().y);
+  result.position_error_m = distance(state.pose.x, state.pose.y, plan.back().x, plan.back().y);
   result.heading_error_rad = std::fabs(wrap_angle(state.pose.yaw - plan.back().yaw));
   return result;
 }
@@ -166,8 +165,7 @@ ControlSetup car() {
 ControlSetup omni_robot() {
   ControlSetup setup;
   setup.limits = {0.6, -0.6, 0.6, 1.5, 1.5, 1.5, 1.5, 3.0, 0.0};
-  setup.footprint =
-      polygon_footprint({{-0.2, -0.2}, {0.2, -0.2}, {0.2, 0.2}, {-0.2, 0.2}});
+  setup.footprint = polygon_footprint({{-0.2, -0.2}, {0.2, -0.2}, {0.2, 0.2}, {-0.2, 0.2}});
   return setup;
 }
 

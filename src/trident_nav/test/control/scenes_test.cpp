@@ -41,7 +41,8 @@ TEST_P(DrivesScene, ToTheGoalFreeOfContactWithinItsLimits) {
   EXPECT_LE(result.max_acceleration_ratio, 1.0 + 1e-9);
   if (std::getenv("SCENE_TIMES") != nullptr) {
     std::printf("%s %s %s: %.2f s, %d failures %s\n", law, robot.name, named_scene.name,
-                result.is_reached ? result.time_s : -result.time_s, result.failures, result.last_reason.c_str());
+                result.is_reached ? result.time_s : -result.time_s, result.failures,
+                result.last_reason.c_str());
   }
 }
 
@@ -57,11 +58,11 @@ std::string case_name(const ::testing::TestParamInfo<Case>& info) {
          std::get<2>(info.param).name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Laws, DrivesScene,
-                         ::testing::Combine(::testing::Values("dwa", "regulated_pure_pursuit", "mppi"),
-                                            ::testing::ValuesIn(kTurning),
-                                            ::testing::ValuesIn(kScenes)),
-                         case_name);
+INSTANTIATE_TEST_SUITE_P(
+    Laws, DrivesScene,
+    ::testing::Combine(::testing::Values("dwa", "regulated_pure_pursuit", "mppi"),
+                       ::testing::ValuesIn(kTurning), ::testing::ValuesIn(kScenes)),
+    case_name);
 
 constexpr NamedRobot kCars[] = {{"car", car}};
 // Pure pursuit of a path that no car can drive misses the heading that was wanted.

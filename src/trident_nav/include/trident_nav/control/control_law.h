@@ -28,9 +28,7 @@ struct ControlSetup {
   std::uint64_t seed = 1;
   int threads = 1;
 
-  bool can_turn_on_spot() const {
-    return limits.min_turning_radius <= 0.0 && limits.wz_max > 0.0;
-  }
+  bool can_turn_on_spot() const { return limits.min_turning_radius <= 0.0 && limits.wz_max > 0.0; }
   /// Throws Error naming field, value and range.
   void validate() const;
 };

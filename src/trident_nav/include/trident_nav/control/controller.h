@@ -56,6 +56,7 @@ class GuardedController final : public Controller {
   BrakingGuard guard_;
   GoalArrival arrival_;
   PathTracker tracker_;
+  int blocked_calls_ = 0;  ///< In a row.
 };
 
 /// A guarded controller with the law of that name in `builtin_control_laws()`. `label` names the

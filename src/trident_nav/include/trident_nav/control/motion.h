@@ -25,7 +25,8 @@ TwistWindow reachable_window(const MotionLimits& limits, const Twist2& twist, do
 /// The twist nearest to the one wanted that is in the window and respects the least turning
 /// radius. If the turn rate is what limits, the forward speed shrinks with it, so that the
 /// curvature stays.
-Twist2 admissible_twist(const MotionLimits& limits, const TwistWindow& window, const Twist2& wanted);
+Twist2 admissible_twist(const MotionLimits& limits, const TwistWindow& window,
+                        const Twist2& wanted);
 
 /// The twist after `duration_s` of the hardest braking.
 Twist2 braked(const MotionLimits& limits, const Twist2& twist, double duration_s);

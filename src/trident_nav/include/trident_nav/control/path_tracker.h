@@ -14,12 +14,12 @@ namespace trident::nav {
 struct LocalPath {
   std::vector<Pose2> poses;  ///< At least one.
   double spacing_m = 0.0;
-  double remaining_m = 0.0;     ///< Arc length from the first point to the path's end.
-  double deviation_m = 0.0;     ///< Of the robot from the path.
-  bool reaches_goal = false;    ///< The last point is the path's end.
-  bool ends_at_cusp = false;    ///< The last point is where the direction of travel is reversed.
-  bool is_reverse = false;      ///< The path's own headings want this part driven backwards.
-  bool has_headings = false;    ///< The path has headings of its own that fit its direction.
+  double remaining_m = 0.0;      ///< Arc length from the first point to the path's end.
+  double deviation_m = 0.0;      ///< Of the robot from the path.
+  bool reaches_goal = false;     ///< The last point is the path's end.
+  bool ends_at_cusp = false;     ///< The last point is where the direction of travel is reversed.
+  bool is_reverse = false;       ///< The path's own headings want this part driven backwards.
+  bool has_headings = false;     ///< The path has headings of its own that fit its direction.
   std::vector<double> headings;  ///< The path's own ones at the points, if it has any [rad].
 
   double length_m() const { return spacing_m * static_cast<double>(poses.size() - 1); }

@@ -14,8 +14,8 @@ namespace trident::nav {
 namespace {
 
 /// The dynamic window approach: of the velocities that can be reached, the one whose trajectory
-/// scores best; close to the goal, straight to it. Fox, Burgard, Thrun, "The dynamic window approach to collision avoidance", RAM 4
-/// (1997); scored as ROS' dwa_local_planner does.
+/// scores best; close to the goal, straight to it. Fox, Burgard, Thrun, "The dynamic window
+/// approach to collision avoidance", RAM 4 (1997); scored as ROS' dwa_local_planner does.
 class DwaLaw final : public ControlLaw {
  public:
   DwaLaw(const ControlSetup& setup, const DwaParams& params)
@@ -31,8 +31,8 @@ class DwaLaw final : public ControlLaw {
   }
 
   Proposal propose(const Situation& situation) override {
-    const double near_m = std::max(params_.forward_point_distance,
-                                   2.0 * setup_.tolerance.xy_goal_tolerance);
+    const double near_m =
+        std::max(params_.forward_point_distance, 2.0 * setup_.tolerance.xy_goal_tolerance);
     if (const auto twist = straight_to_goal(situation, setup_, near_m)) {
       return {*twist, Failure::kNone, ""};
     }
@@ -71,8 +71,8 @@ class DwaLaw final : public ControlLaw {
     const double duration_s = params_.use_dwa ? setup_.period_s : params_.sim_time;
     TwistWindow window = reachable_window(setup_.limits, situation.state.twist, duration_s);
     // Nothing faster than what can still stop at the goal.
-    const double stop = stopping_speed(distance_left(situation), setup_.limits.decel_max,
-                                       setup_.period_s);
+    const double stop =
+        stopping_speed(distance_left(situation), setup_.limits.decel_max, setup_.period_s);
     window.hi.vx = std::max(std::min(window.hi.vx, stop), window.lo.vx);
     const VelocitySampling sampling{
         params_.vx_samples,

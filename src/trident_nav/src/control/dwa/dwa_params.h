@@ -92,9 +92,10 @@ struct DwaParams {
              "from which the footprint would grow; the guard replaces it [m/s]");
     ar.field("max_scaling_factor", max_scaling_factor, Range::non_negative(),
              "of the footprint; the guard replaces it");
-    ar.field("cheat_factor", cheat_factor, Range::non_negative(),
-             "times forward_point_distance from the goal, and within the tolerance, the point ahead "
-             "is silent");
+    ar.field(
+        "cheat_factor", cheat_factor, Range::non_negative(),
+        "times forward_point_distance from the goal, and within the tolerance, the point ahead "
+        "is silent");
     ar.field("sum_scores", sum_scores, "scores of all poses, not of the last one");
   }
 };

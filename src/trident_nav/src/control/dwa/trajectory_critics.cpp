@@ -123,8 +123,8 @@ class OscillationCritic final : public TrajectoryCritic {
   double score(const DwaScene& /*scene*/, const Candidate& candidate) const override {
     const Twist2& twist = candidate.twist;
     const bool turns_on_spot = std::fabs(twist.vx) < 1e-6 && std::fabs(twist.vy) < 1e-6;
-    const bool is_back = x_.forbids(twist.vx) || y_.forbids(twist.vy) ||
-                         (turns_on_spot && theta_.forbids(twist.wz));
+    const bool is_back =
+        x_.forbids(twist.vx) || y_.forbids(twist.vy) || (turns_on_spot && theta_.forbids(twist.wz));
     return is_back ? -1.0 : 0.0;
   }
 

@@ -13,7 +13,7 @@ namespace {
 
 MppiModel search_model(const ControlSetup& setup, const SearchParams& params) {
   MppiModel model;
-  model.motion = setup.limits.vy_max > 0.0 ? MppiMotion::kOmni
+  model.motion = setup.limits.vy_max > 0.0               ? MppiMotion::kOmni
                  : setup.limits.min_turning_radius > 0.0 ? MppiMotion::kAckermann
                                                          : MppiMotion::kDiffDrive;
   model.limits = setup.limits;
@@ -74,8 +74,7 @@ int TrajectorySearch::last_step(const Twist2& twist, double goal_distance_m) con
 }
 
 std::optional<double> TrajectorySearch::score(const DwaScene& scene, const Candidate& candidate,
-                                              const TrajectoryCritics& critics,
-                                              double best) const {
+                                              const TrajectoryCritics& critics, double best) const {
   // Of equals, the one that turns less.
   constexpr double kTieBreak = 1e-4;
   double total = kTieBreak * std::fabs(candidate.twist.wz);

@@ -29,8 +29,7 @@ bool is_allowed(const Twist2& twist, const VelocitySampling& sampling) {
 
 }  // namespace
 
-std::vector<Twist2> sample_velocities(const TwistWindow& window,
-                                      const VelocitySampling& sampling) {
+std::vector<Twist2> sample_velocities(const TwistWindow& window, const VelocitySampling& sampling) {
   std::vector<Twist2> samples;
   for (const double vx : evenly(window.lo.vx, window.hi.vx, sampling.vx_samples)) {
     for (const double vy : evenly(window.lo.vy, window.hi.vy, sampling.vy_samples)) {

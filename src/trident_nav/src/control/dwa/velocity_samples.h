@@ -13,9 +13,9 @@ struct VelocitySampling {
   int vx_samples = 20;
   int vy_samples = 1;
   int vth_samples = 20;
-  double min_speed = 0.0;        ///< Of a moving robot, with min_turn_rate [m/s].
-  double max_speed = 0.0;        ///< In the plane; 0: no limit [m/s].
-  double min_turn_rate = 0.0;    ///< Of a turn on the spot [rad/s].
+  double min_speed = 0.0;      ///< Of a moving robot, with min_turn_rate [m/s].
+  double max_speed = 0.0;      ///< In the plane; 0: no limit [m/s].
+  double min_turn_rate = 0.0;  ///< Of a turn on the spot [rad/s].
 };
 
 /// The products of evenly spaced velocities between the window's ends, and zero where that is

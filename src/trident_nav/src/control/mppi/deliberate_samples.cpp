@@ -79,8 +79,7 @@ ControlPlan constant(const MppiModel& model, const Twist2& twist) {
 std::vector<Point2> path_points(const CriticScene& scene) {
   std::vector<Point2> points;
   for (std::size_t i = 0; i < scene.path_x.size(); ++i) {
-    points.push_back(
-        {static_cast<double>(scene.path_x[i]), static_cast<double>(scene.path_y[i])});
+    points.push_back({static_cast<double>(scene.path_x[i]), static_cast<double>(scene.path_y[i])});
   }
   return points;
 }
@@ -91,8 +90,7 @@ ControlPlan arc_sample(const MppiModel& model, int index) {
   constexpr double kTurns[] = {0.0, 0.25, -0.25, 0.6, -0.6, 1.0, -1.0};
   const int turn = index % 7;
   const int speed = (index / 7) % 3;
-  const Twist2 twist{kSpeeds[speed] * model.limits.vx_max, 0.0,
-                     kTurns[turn] * model.limits.wz_max};
+  const Twist2 twist{kSpeeds[speed] * model.limits.vx_max, 0.0, kTurns[turn] * model.limits.wz_max};
   return constant(model, twist);
 }
 

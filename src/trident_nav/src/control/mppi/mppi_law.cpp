@@ -113,7 +113,8 @@ Proposal MppiLaw::propose(const Situation& situation) {
   const double contact_s = model_.dt_s * (rated.contact_step + 1);
   if (rated.contact_step < model_.steps &&
       contact_s <= model_.period_s + braking_time(model_.limits, start.twist)) {
-    return {{}, Failure::kBlocked, "Every sampled trajectory is in contact within the braking time."};
+    return {
+        {}, Failure::kBlocked, "Every sampled trajectory is in contact within the braking time."};
   }
   return {command_of(situation, start), Failure::kNone, ""};
 }

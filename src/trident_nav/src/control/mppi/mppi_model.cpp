@@ -19,8 +19,9 @@ constexpr double kTunedLength = 1.4;
 double horizon_s(const MotionLimits& limits, const Footprint& footprint) {
   const double braking_s = limits.vx_max / limits.decel_max;
   const double passing_s = kRadiiAhead * footprint.circumscribed_radius / limits.vx_max;
-  const double turning_s =
-      limits.min_turning_radius > 0.0 ? 0.0 : kPi / limits.wz_max + limits.wz_max / limits.alpha_max;
+  const double turning_s = limits.min_turning_radius > 0.0
+                               ? 0.0
+                               : kPi / limits.wz_max + limits.wz_max / limits.alpha_max;
   return braking_s + std::max(passing_s, turning_s);
 }
 
@@ -34,9 +35,9 @@ MotionLimits merged(const MppiParams& params, const MotionLimits& robot) {
   limits.decel_max = std::min(robot.decel_max, -params.ax_min.value_or(-robot.decel_max));
   limits.ay_max = std::min(robot.ay_max, params.ay_max.value_or(robot.ay_max));
   limits.alpha_max = std::min(robot.alpha_max, params.az_max.value_or(robot.alpha_max));
-  limits.min_turning_radius = std::max(
-      robot.min_turning_radius,
-      params.AckermannConstraints.min_turning_r.value_or(robot.min_turning_radius));
+  limits.min_turning_radius =
+      std::max(robot.min_turning_radius,
+               params.AckermannConstraints.min_turning_r.value_or(robot.min_turning_radius));
   return limits;
 }
 
@@ -72,8 +73,7 @@ std::vector<CoverCircle> cover_footprint(const Footprint& footprint) {
     const double x = is_long ? lo.x + along : 0.5 * (lo.x + hi.x);
     const double y = is_long ? 0.5 * (lo.y + hi.y) : lo.y + along;
     const double radius = std::hypot(0.5 * length / count, 0.5 * width);
-    cover.push_back(
-        {static_cast<float>(x), static_cast<float>(y), static_cast<float>(radius)});
+    cover.push_back({static_cast<float>(x), static_cast<float>(y), static_cast<float>(radius)});
   }
   return cover;
 }
@@ -87,8 +87,7 @@ MppiModel make_mppi_model(const MppiParams& params, const ControlSetup& setup) {
   model.dt_s = params.model_dt.value_or(horizon_s(model.limits, setup.footprint) / model.steps);
   model.period_s = setup.period_s;
   const double range = model.limits.vx_max - model.limits.vx_min;
-  model.vx_std =
-      params.vx_std.value_or(noise_std(range, model.limits.ax_max, model.horizon_s()));
+  model.vx_std = params.vx_std.value_or(noise_std(range, model.limits.ax_max, model.horizon_s()));
   model.vy_std = params.vy_std.value_or(
       noise_std(2.0 * model.limits.vy_max, model.limits.ay_max, model.horizon_s()));
   model.wz_std = params.wz_std.value_or(

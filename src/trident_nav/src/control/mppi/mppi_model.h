@@ -30,7 +30,7 @@ struct MppiModel {
   /// 1.4 m.
   double distance_scale = 1.0;
   double inscribed_radius = 0.0, circumscribed_radius = 0.0;
-  double goal_tolerance_m = 0.0;  ///< Of the position.
+  double goal_tolerance_m = 0.0;   ///< Of the position.
   std::vector<CoverCircle> cover;  ///< Circles whose union contains the footprint.
 
   /// Turns on the spot, so that a heading can be reached after a position.

@@ -162,8 +162,8 @@ RatedPlan MppiOptimizer::optimize(const ControlPlan& plan, const Rollouts& delib
     keep(block, rollouts);
   });
   Rollouts& rollouts = workers_.front();
-  const auto best = static_cast<std::size_t>(
-      std::min_element(costs_.begin(), costs_.end()) - costs_.begin());
+  const auto best =
+      static_cast<std::size_t>(std::min_element(costs_.begin(), costs_.end()) - costs_.begin());
   const ControlPlan candidates[] = {mean(weights()), kept_sample(best)};
   for (int lane = 0; lane < kLanes; ++lane) write_lane(candidates[lane % 2], lane, &rollouts);
   roll_out(model_, start, &rollouts);

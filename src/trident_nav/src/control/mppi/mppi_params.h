@@ -14,10 +14,9 @@ namespace trident::nav {
 
 enum class MppiMotion { kDiffDrive, kOmni, kAckermann, kVessel };
 constexpr auto enum_names(MppiMotion) {
-  return std::array{EnumName{MppiMotion::kDiffDrive, "DiffDrive"},
-                    EnumName{MppiMotion::kOmni, "Omni"},
-                    EnumName{MppiMotion::kAckermann, "Ackermann"},
-                    EnumName{MppiMotion::kVessel, "Vessel"}};
+  return std::array{
+      EnumName{MppiMotion::kDiffDrive, "DiffDrive"}, EnumName{MppiMotion::kOmni, "Omni"},
+      EnumName{MppiMotion::kAckermann, "Ackermann"}, EnumName{MppiMotion::kVessel, "Vessel"}};
 }
 
 /// What all critics have.
@@ -214,8 +213,8 @@ struct MppiParams {
   bool visualize = false;
   std::optional<double> prune_distance;
   double transform_tolerance = 0.1;
-  std::vector<std::string> critics{"ConstraintCritic", "ObstaclesCritic",    "GoalCritic",
-                                   "GoalAngleCritic",  "PathAlignCritic",    "PathFollowCritic",
+  std::vector<std::string> critics{"ConstraintCritic", "ObstaclesCritic",     "GoalCritic",
+                                   "GoalAngleCritic",  "PathAlignCritic",     "PathFollowCritic",
                                    "PathAngleCritic",  "PreferForwardCritic", "TrackCritic"};
   CriticParams ConstraintCritic{true, 1, 4.0};
   CostCriticParams CostCritic;

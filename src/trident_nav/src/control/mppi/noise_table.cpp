@@ -58,7 +58,8 @@ void NoiseTable::advance() {
 const float* NoiseTable::of(int block, Axis axis) const {
   if (values_[axis].empty()) return nullptr;
   const auto shift = stream_.bits(round_, 8) % static_cast<std::uint64_t>(blocks_);
-  const auto row = (static_cast<std::uint64_t>(block) + shift) % static_cast<std::uint64_t>(blocks_);
+  const auto row =
+      (static_cast<std::uint64_t>(block) + shift) % static_cast<std::uint64_t>(blocks_);
   return values_[axis].data() + row * static_cast<std::uint64_t>(steps_) * kLanes;
 }
 

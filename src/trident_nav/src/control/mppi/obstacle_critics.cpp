@@ -12,8 +12,7 @@ void add_contacts(const Rollouts& rollouts, float contact_cost, float* cost) {
   for (int i = 0; i < kLanes; ++i) {
     const int contact = rollouts.contact_step[static_cast<std::size_t>(i)];
     if (contact >= rollouts.steps) continue;
-    const float early =
-        1.0F - static_cast<float>(contact) / static_cast<float>(rollouts.steps);
+    const float early = 1.0F - static_cast<float>(contact) / static_cast<float>(rollouts.steps);
     cost[i] += contact_cost * (1.0F + early);
   }
 }
@@ -29,8 +28,8 @@ class ObstaclesCritic final : public MppiCritic {
         contact_(static_cast<float>(params.collision_cost)),
         margin_m_(static_cast<float>(
             params.collision_margin_distance.value_or(0.5 * model.inscribed_radius))),
-        reach_m_(static_cast<float>(
-            params.inflation_radius.value_or(2.0 * model.inscribed_radius))),
+        reach_m_(
+            static_cast<float>(params.inflation_radius.value_or(2.0 * model.inscribed_radius))),
         near_goal_m_(params.near_goal_distance.value_or(model.circumscribed_radius)) {}
 
  private:

@@ -26,8 +26,7 @@ CellMap cell_map(const GridGeometry& geometry, const Pose2& origin) {
 
 // Index of the cell of each lane's circle; -1 outside of the grid.
 TRIDENT_INLINE void find_cells(const CellMap& map, const CoverCircle& circle, const float* x,
-                               const float* y, const float* cosine, const float* sine,
-                               int* cells) {
+                               const float* y, const float* cosine, const float* sine, int* cells) {
   for (int i = 0; i < kLanes; ++i) {
     const float px = x[i] + cosine[i] * circle.x - sine[i] * circle.y;
     const float py = y[i] + sine[i] * circle.x + cosine[i] * circle.y;
@@ -45,8 +44,8 @@ ObstacleSurvey::ObstacleSurvey(const MppiModel& model, const FootprintChecker& c
                                const CostGrid& grid, const Pose2& origin, SurveyOptions options)
     : model_(model), checker_(checker), grid_(grid), origin_(origin), options_(options) {
   const auto inscribed = static_cast<float>(model.inscribed_radius);
-  cover_ = options.considers_footprint ? model.cover
-                                       : std::vector<CoverCircle>{{0.0F, 0.0F, inscribed}};
+  cover_ =
+      options.considers_footprint ? model.cover : std::vector<CoverCircle>{{0.0F, 0.0F, inscribed}};
 }
 
 void ObstacleSurvey::clear_by_cover(const Rollouts& rollouts, int step, float* clearance) const {
@@ -71,9 +70,9 @@ void ObstacleSurvey::clear_by_cover(const Rollouts& rollouts, int step, float* c
 
 bool ObstacleSurvey::is_free(const Rollouts& rollouts, int step, int lane) const {
   const int i = step * kLanes + lane;
-  return checker_.is_free(
-      grid_, {origin_.x + static_cast<double>(rollouts.x[i]),
-              origin_.y + static_cast<double>(rollouts.y[i]), static_cast<double>(rollouts.yaw[i])});
+  return checker_.is_free(grid_, {origin_.x + static_cast<double>(rollouts.x[i]),
+                                  origin_.y + static_cast<double>(rollouts.y[i]),
+                                  static_cast<double>(rollouts.yaw[i])});
 }
 
 void ObstacleSurvey::check_exactly(int step, const float* clearance, Rollouts* rollouts) const {
@@ -82,8 +81,8 @@ void ObstacleSurvey::check_exactly(int step, const float* clearance, Rollouts* r
   for (int lane = 0; lane < kLanes; ++lane) {
     int& contact = rollouts->contact_step[lane];
     if (clearance[lane] > unclear || contact < rollouts->steps) continue;
-    const bool is_hit = options_.considers_footprint ? !is_free(*rollouts, step, lane)
-                                                     : clearance[lane] <= 0.0F;
+    const bool is_hit =
+        options_.considers_footprint ? !is_free(*rollouts, step, lane) : clearance[lane] <= 0.0F;
     if (is_hit) contact = step;
   }
 }

@@ -18,8 +18,7 @@ class PathAlignCritic final : public MppiCritic {
   PathAlignCritic(const PathAlignParams& params, const MppiModel& model)
       : MppiCritic(params),
         params_(params),
-        threshold_m_(
-            params.threshold_to_consider.value_or(2.0 * model.circumscribed_radius)) {}
+        threshold_m_(params.threshold_to_consider.value_or(2.0 * model.circumscribed_radius)) {}
 
   bool is_active(const CriticScene& scene) const override {
     return is_far(scene, threshold_m_) && scene.furthest >= params_.offset_from_furthest &&
@@ -121,8 +120,7 @@ class PathAngleCritic final : public MppiCritic {
   PathAngleCritic(const PathAngleParams& params, const MppiModel& model)
       : MppiCritic(params),
         params_(params),
-        threshold_m_(
-            params.threshold_to_consider.value_or(2.0 * model.circumscribed_radius)) {}
+        threshold_m_(params.threshold_to_consider.value_or(2.0 * model.circumscribed_radius)) {}
 
   bool is_active(const CriticScene& scene) const override {
     if (!is_far(scene, threshold_m_)) return false;

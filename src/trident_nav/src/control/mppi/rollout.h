@@ -13,12 +13,12 @@ namespace trident::nav {
 /// the robot is, in the costmap's axes [m]; velocities in the base's axes.
 struct Rollouts {
   int steps = 0;
-  std::vector<float> vx, vy, wz;       ///< In: what is wanted. Out: what the limits allow.
-  std::vector<float> x, y;             ///< [m]
-  std::vector<float> cosine, sine;     ///< Of the heading.
-  std::vector<float> yaw;              ///< Not wrapped [rad].
-  std::vector<float> clearance;        ///< From the footprint's cover to obstacles [m].
-  std::vector<int> contact_step;       ///< First step in contact of each lane; steps: none.
+  std::vector<float> vx, vy, wz;    ///< In: what is wanted. Out: what the limits allow.
+  std::vector<float> x, y;          ///< [m]
+  std::vector<float> cosine, sine;  ///< Of the heading.
+  std::vector<float> yaw;           ///< Not wrapped [rad].
+  std::vector<float> clearance;     ///< From the footprint's cover to obstacles [m].
+  std::vector<int> contact_step;    ///< First step in contact of each lane; steps: none.
 
   explicit Rollouts(int steps_);
   float* at(std::vector<float>& values, int step) { return values.data() + step * kLanes; }

@@ -15,7 +15,6 @@
 namespace trident::nav {
 namespace {
 
-
 // A point to steer for and the arc that leads there.
 struct Carrot {
   Point2 in_base;  // [m]
@@ -77,8 +76,8 @@ bool PurePursuitLaw::is_arc_free(const Situation& situation, const Carrot& carro
   const double sign = carrot.in_base.x < 0.0 ? -1.0 : 1.0;
   const double speed =
       std::max(std::fabs(situation.state.twist.vx), params_.regulated_linear_scaling_min_speed);
-  const double reach_m = std::min(
-      carrot.distance_m, speed * params_.max_allowed_time_to_collision_up_to_carrot);
+  const double reach_m =
+      std::min(carrot.distance_m, speed * params_.max_allowed_time_to_collision_up_to_carrot);
   return is_arc_clear(situation, sign, sign * carrot.curvature, reach_m, margin_m);
 }
 
@@ -105,8 +104,8 @@ std::optional<Carrot> PurePursuitLaw::free_carrot(const Situation& situation) co
   return std::nullopt;
 }
 
-std::optional<Twist2> PurePursuitLaw::turn_on_spot(const Situation& situation,
-                                                   const Carrot& carrot, double begin_angle) {
+std::optional<Twist2> PurePursuitLaw::turn_on_spot(const Situation& situation, const Carrot& carrot,
+                                                   double begin_angle) {
   if (!params_.use_rotate_to_heading || !setup_.can_turn_on_spot()) return std::nullopt;
   const bool reverses = params_.allow_reversing && situation.path.is_reverse;
   const double toward = reverses ? std::atan2(-carrot.in_base.y, -carrot.in_base.x)
@@ -116,22 +115,21 @@ std::optional<Twist2> PurePursuitLaw::turn_on_spot(const Situation& situation,
   is_turning_ = std::fabs(toward) > (is_turning_ ? kEnd * begin_angle : begin_angle);
   if (!is_turning_) return std::nullopt;
   MotionLimits limits = setup_.limits;
-  limits.wz_max = std::min(limits.wz_max,
-                           params_.rotate_to_heading_angular_vel.value_or(limits.wz_max));
-  limits.alpha_max = std::min(limits.alpha_max,
-                              params_.max_angular_accel.value_or(limits.alpha_max));
+  limits.wz_max =
+      std::min(limits.wz_max, params_.rotate_to_heading_angular_vel.value_or(limits.wz_max));
+  limits.alpha_max =
+      std::min(limits.alpha_max, params_.max_angular_accel.value_or(limits.alpha_max));
   return Twist2{0.0, 0.0, turning_rate(limits, toward, setup_.period_s)};
 }
 
-double PurePursuitLaw::curvature_for_speed(const Situation& situation,
-                                           const Carrot& carrot) const {
+double PurePursuitLaw::curvature_for_speed(const Situation& situation, const Carrot& carrot) const {
   if (!params_.use_fixed_curvature_lookahead) return carrot.curvature;
   return carrot_at(situation, params_.curvature_lookahead_dist).curvature;
 }
 
 double PurePursuitLaw::regulated_speed(const Situation& situation, const Carrot& carrot) const {
-  const double desired = std::min(params_.desired_linear_vel.value_or(setup_.limits.vx_max),
-                                  setup_.limits.vx_max);
+  const double desired =
+      std::min(params_.desired_linear_vel.value_or(setup_.limits.vx_max), setup_.limits.vx_max);
   double speed = desired;
   const double curvature = std::fabs(curvature_for_speed(situation, carrot));
   const double radius_m = 1.0 / std::max(curvature, 1e-9);

@@ -83,8 +83,7 @@ struct PurePursuitParams {
              "of turns on the spot; default: the robot's limit [rad/s^2]");
     ar.field("use_rotate_to_heading", use_rotate_to_heading,
              "turn on the spot where the path leads off by more than the angle below");
-    ar.field("rotate_to_heading_min_angle", rotate_to_heading_min_angle, Range{0.0, 3.15},
-             "[rad]");
+    ar.field("rotate_to_heading_min_angle", rotate_to_heading_min_angle, Range{0.0, 3.15}, "[rad]");
     ar.field("allow_reversing", allow_reversing,
              "parts of the path whose headings oppose it are driven backwards");
   }
