@@ -134,7 +134,7 @@ void RobotWorld::scan() {
   for (int i = 0; i < kBeams; ++i) scan.ranges.push_back(static_cast<float>(range(scan.angle(i))));
   SE3 pose;
   pose.p = {state_.pose.x, state_.pose.y, 0.1};
-  pose.q = Eigen::Quaterniond(Eigen::AngleAxisd(state_.pose.yaw, Eigen::Vector3d::UnitZ()));
+  pose.R = Eigen::Quaterniond(Eigen::AngleAxisd(state_.pose.yaw, Eigen::Vector3d::UnitZ()));
   for (Costmap* costmap : {global_.get(), local_.get()}) {
     Observation observation = observe_scan(scan, {&pose, 1}, true);
     observation.stamp_s = now_s();
