@@ -42,7 +42,7 @@ void put(ConfigNode* map, const std::string& key, ConfigNode value) {
 /// Calls make() until it finds no key that it does not know; each is left out with a warning.
 template <class Make>
 auto make_leniently(ConfigNode config, const std::string& name_space, Warnings* warnings,
-                    const Make& make) {
+                    const Make& make, const std::string& silent_key = "") {
   for (;;) {
     try {
       return make(config);
@@ -50,6 +50,7 @@ auto make_leniently(ConfigNode config, const std::string& name_space, Warnings* 
       const std::string what = error.what();
       const bool is_unknown = what.find("unknown key") != std::string::npos;
       if (!is_unknown || !take(&config, error.key())) throw;
+      if (error.key() == silent_key) continue;
       const auto list = what.find(" Known keys:");
       const auto guess = what.find("id you mean");
       warnings->push_back("parameter " + name_space + "/" + error.key() + " has no effect" +
@@ -168,7 +169,7 @@ ControllerConfig read_controller_config(const ConfigNode* node, const std::strin
   result.setup.tolerance.trans_stopped_velocity = params.trans_stopped_vel;
   result.setup.tolerance.rot_stopped_velocity = params.theta_stopped_vel;
   result.odom_topic = params.odom_topic;
-  // The law has its own least speed forward; that of turns is checked against the greatest there.
+  // A law may have a least speed forward of its own.
   if (motion.find("min_vel_x") != nullptr) put(&result.law, "min_vel_x", *motion.find("min_vel_x"));
   return result;
 }
@@ -176,10 +177,10 @@ ControllerConfig read_controller_config(const ConfigNode* node, const std::strin
 std::unique_ptr<Controller> make_local_planner(const std::string& plugin,
                                                const ControllerConfig& config,
                                                const std::string& name_space, Warnings* warnings) {
-  builtin_control_laws().get(plugin);
-  return make_leniently(config.law, name_space, warnings, [&](const ConfigNode& law) {
+  const auto make = [&](const ConfigNode& law) {
     return make_controller(plugin, config.setup, law, name_space);
-  });
+  };
+  return make_leniently(config.law, name_space, warnings, make, "min_vel_x");
 }
 
 std::vector<NamedRecovery> make_recoveries(const MoveBaseParams& params, const RecoverySetup& setup,

@@ -58,6 +58,7 @@ class Rotate : public Recovery {
 
  private:
   static constexpr double kReached = 0.03;  // [rad]
+  static constexpr double kMargin = 0.05;   // [rad]
   static constexpr double kPatience_s = 3.0;
 
   /// Plans the turn. False: there is none.
@@ -72,7 +73,10 @@ class Rotate : public Recovery {
     }
     constexpr double kWorthwhile = 0.1;
     if (left + right < kWorthwhile) return false;
-    targets_ = left <= right ? std::vector<double>{left, -right} : std::vector<double>{-right, left};
+    // Where the footprint is not free all around, a little is left at the ends.
+    const double to_left = std::max(left - kMargin, 0.0), to_right = -std::max(right - kMargin, 0.0);
+    targets_ = left <= right ? std::vector<double>{to_left, to_right}
+                             : std::vector<double>{to_right, to_left};
     return true;
   }
 
@@ -111,8 +115,8 @@ class Rotate : public Recovery {
 
   double rate(double angle) const {
     const double fastest =
-        std::min(setup_.limits.wz_max, std::sqrt(2.0 * setup_.limits.alpha_max * std::fabs(angle)));
-    return std::copysign(std::min(fastest, std::fabs(angle) / setup_.period_s), angle);
+        stopping_speed(std::fabs(angle), setup_.limits.alpha_max, setup_.period_s);
+    return std::copysign(std::min(fastest, setup_.limits.wz_max), angle);
   }
 
   RecoveryStep ended(const TwistWindow& window) const {
