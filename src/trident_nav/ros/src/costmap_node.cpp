@@ -14,12 +14,6 @@
 namespace trident::nav {
 namespace {
 
-Registry<LayerType> layer_types() {
-  Registry<LayerType> registry("costmap layer");
-  register_builtin_layers(registry);
-  return registry;
-}
-
 CellBox joined(const CellBox& a, const CellBox& b) {
   if (a.empty()) return b;
   if (b.empty()) return a;
@@ -28,11 +22,17 @@ CellBox joined(const CellBox& a, const CellBox& b) {
 
 }  // namespace
 
+Registry<LayerType> builtin_layer_types() {
+  Registry<LayerType> registry("costmap layer");
+  register_builtin_layers(registry);
+  return registry;
+}
+
 CostmapNode::CostmapNode(const ros::NodeHandle& node, const CostmapConfig& config,
                          const tf2::BufferCore& buffer, ros_utils::Refusals& refusals)
     : node_(node),
       buffer_(buffer),
-      costmap_(std::make_unique<Costmap>(config.params, make_layers(config, layer_types()))),
+      costmap_(std::make_unique<Costmap>(config.params, make_layers(config, builtin_layer_types()))),
       frame_(frame_name(config.params.global_frame)),
       base_frame_(frame_name(config.params.robot_base_frame)),
       inputs_(root_, *costmap_, buffer, refusals) {

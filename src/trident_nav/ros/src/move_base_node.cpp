@@ -20,12 +20,6 @@ namespace {
 
 constexpr double kComplaintPeriod_s = 5.0;
 
-Registry<LayerType> layer_types() {
-  Registry<LayerType> registry("costmap layer");
-  register_builtin_layers(registry);
-  return registry;
-}
-
 CostmapConfig costmap_config(const ConfigNode& tree, const std::string& node_name,
                              const std::string& name, Warnings* warnings) {
   ConfigNode none;
@@ -34,7 +28,7 @@ CostmapConfig costmap_config(const ConfigNode& tree, const std::string& node_nam
   CostmapConfigSource source;
   source.path = node_name + "/" + name;
   source.above = &tree;
-  CostmapConfig config = read_costmap_config(own != nullptr ? *own : none, source, layer_types());
+  CostmapConfig config = read_costmap_config(own != nullptr ? *own : none, source, builtin_layer_types());
   warnings->insert(warnings->end(), config.warnings.begin(), config.warnings.end());
   return config;
 }

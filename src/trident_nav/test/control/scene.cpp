@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "trident_base/angle.h"
+#include "trident_nav/core/footprint.h"
 
 namespace trident::nav::testing {
 namespace {

@@ -18,6 +18,9 @@
 
 namespace trident::nav {
 
+/// The layers of this package.
+Registry<LayerType> builtin_layer_types();
+
 /// A costmap with costmap_2d's topics: `costmap`, `costmap_updates`, `footprint`. Its owner calls
 /// update() at whatever times; it is published at its own rate.
 class CostmapNode {
