@@ -20,6 +20,7 @@ _PLATFORM = [f"{name}:=0" for name in ("x", "y", "z", "yaw")] + [
 REQUIRED_ARGS = {
     "uav.launch": ["namespace:=UAV1"],
     "localization.launch": ["map_file:=map.yaml"],
+    "navigation.launch": ["map_file:=map.yaml"],
     **{
         f"coast_{kind}.launch": [
             f"ns:={kind}1",

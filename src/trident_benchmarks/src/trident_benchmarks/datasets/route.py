@@ -117,6 +117,31 @@ def _neighbors(clear: Floats, rows: Ints, columns: Ints, side: float) -> csr_arr
     return csr_array((np.tile(c, 2), (np.concatenate((a, b)), np.concatenate((b, a)))), shape=size)
 
 
+def grid_graph(rows: Ints, columns: Ints, shape: tuple[int, ...], side: float) -> csr_array:
+    """Distances between the eight neighbours of each place.
+
+    Args:
+        rows: of the places in a grid.
+        columns: of the places.
+        shape: rows and columns of the grid.
+        side: of its cells [m].
+    """
+    number = np.full(shape, -1)
+    number[rows, columns] = np.arange(len(rows))
+    begin, end, cost = [], [], []
+    for dy, dx in ((0, 1), (1, 0), (1, 1), (1, -1)):
+        y, x = rows + dy, columns + dx
+        a = np.flatnonzero((y < shape[0]) & (x >= 0) & (x < shape[1]))
+        b = number[y[a], x[a]]
+        a, b = a[b >= 0], b[b >= 0]
+        begin.append(a)
+        end.append(b)
+        cost.append(np.full(len(a), side * np.hypot(dx, dy)))
+    a, b, c = np.concatenate(begin), np.concatenate(end), np.concatenate(cost)
+    size = (len(rows), len(rows))
+    return csr_array((np.tile(c, 2), (np.concatenate((a, b)), np.concatenate((b, a)))), shape=size)
+
+
 def _path(before: npt.NDArray[np.int32], begin: int, end: int) -> list[int]:
     """From behind `begin` up to `end`."""
     path = []

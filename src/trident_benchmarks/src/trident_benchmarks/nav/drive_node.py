@@ -1,0 +1,260 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""Sends a robot to random goals with the action of move_base and judges it by the truth.
+
+It cuts the true map of the world, spawns the robot, and starts navigation.launch as a user would.
+Parameters: `~world`, `~robot`, `~goals`, `~seed`, `~robot_config` (YAML with the footprint and the
+limits), `~map_file` (empty: the true map), `~start` [x, y, yaw], `~lidar_height` [m], `~out_dir`.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import subprocess
+import threading
+import warnings
+import xmlrpc.client
+from pathlib import Path
+
+import actionlib
+import numpy as np
+import rosnode
+import rospy
+import yaml
+from actionlib_msgs.msg import GoalStatus
+from move_base_msgs.msg import MoveBaseAction, MoveBaseGoal, RecoveryStatus
+from nav_msgs.msg import Odometry
+from trident_eval.core.errors import EvalError
+from trident_eval.ros_paths import package_folder
+
+from trident_benchmarks.datasets.tour_node import stop
+from trident_benchmarks.nav.goals import Places, Pose, Tried, Verdict, lower_bound_s
+from trident_benchmarks.procfs import process_cpu_s
+
+RECORD = "navigation.json"
+_LEAST_M = 1.0  # way to a goal
+_SPARE_M = 0.1  # beyond the circumscribed circle that a goal has
+_SLOWEST = 10.0  # times the lower bound
+_LEAST_LIMIT_S = 60.0  # simulated time for a goal
+_START_LIMIT_S = 120.0  # simulated time until move_base is there
+_NODE = "/move_base"
+
+
+class Robot:
+    """What navigation.launch is told of a robot."""
+
+    def __init__(self, file: Path) -> None:
+        """Read a file of config/nav/robots.
+
+        Raises:
+            EvalError: footprint or limits are missing.
+        """
+        tree = yaml.safe_load(file.read_text(encoding="utf-8"))
+        limits = next((v for v in tree.values() if isinstance(v, dict) and "max_vel_x" in v), None)
+        if limits is None:
+            raise EvalError(f"{file}: max_vel_x is missing, legal: in the map of a local planner")
+        self.speed = float(limits["max_vel_x"])
+        self.turning_rate = float(limits["max_vel_theta"])
+        self.tolerance_m = float(limits.get("xy_goal_tolerance", 0.1))
+        self.tolerance_rad = float(limits.get("yaw_goal_tolerance", 0.1))
+        costmap = tree.get("local_costmap", {})
+        self.inscribed_m, self.circumscribed_m = _radii(costmap, file)
+
+
+def _radii(costmap: dict[str, object], file: Path) -> tuple[float, float]:
+    if "robot_radius" in costmap:
+        radius = float(str(costmap["robot_radius"]))
+        return radius, radius
+    if "footprint" not in costmap:
+        raise EvalError(f"{file}: local_costmap has neither footprint nor robot_radius")
+    corners = np.array(costmap["footprint"], dtype=float)
+    following = np.roll(corners, -1, axis=0)
+    edges = following - corners
+    along = np.clip(-np.sum(corners * edges, axis=1) / np.sum(edges**2, axis=1), 0.0, 1.0)
+    nearest = np.linalg.norm(corners + along[:, None] * edges, axis=1)
+    return float(nearest.min()), float(np.linalg.norm(corners, axis=1).max())
+
+
+class Truth:
+    """Where the robot is, and how near to obstacles it came since the last goal."""
+
+    def __init__(self, places: Places) -> None:
+        """Listen to the ground truth."""
+        self._places = places
+        self._lock = threading.Lock()
+        self._pose: Pose | None = None
+        self._nearest_m = math.inf
+        rospy.Subscriber("ground_truth/odom", Odometry, self._receive)
+
+    def _receive(self, message: Odometry) -> None:
+        place, q = message.pose.pose.position, message.pose.pose.orientation
+        yaw = math.atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y**2 + q.z**2))
+        with self._lock:
+            self._pose = (place.x, place.y, yaw)
+            self._nearest_m = min(self._nearest_m, self._places.clearance(place.x, place.y))
+
+    def pose(self) -> Pose | None:
+        """The newest one."""
+        with self._lock:
+            return self._pose
+
+    def take_nearest(self) -> float:
+        """The least distance to an obstacle since the last call [m]."""
+        with self._lock:
+            nearest, self._nearest_m = self._nearest_m, math.inf
+            return nearest
+
+
+class Drive:
+    """The node."""
+
+    def __init__(self) -> None:
+        """Read the parameters, cut the map, and listen."""
+        self._out = Path(str(rospy.get_param("~out_dir", "")) or "navigation").resolve()
+        self._out.mkdir(parents=True, exist_ok=True)
+        self._robot = Robot(Path(str(rospy.get_param("~robot_config"))))
+        self._random = np.random.default_rng((int(rospy.get_param("~seed", 0)), 7))
+        self._children: list[subprocess.Popen[bytes]] = []
+        self._verdict = Verdict()
+        places = self._cut_map(str(rospy.get_param("~world")))
+        self._places = places
+        self._truth = Truth(places)
+        rospy.Subscriber("move_base/recovery_status", RecoveryStatus, self._on_recovery)
+
+    def run(self) -> bool:
+        """Drive to all goals.
+
+        Returns:
+            Whether all were reached without contact.
+        """
+        try:
+            client = self._start()
+            begin_s, begin_cpu_s = rospy.get_time(), self._cpu_s()
+            for _ in range(int(rospy.get_param("~goals", 20))):
+                self._drive_to_one(client)
+            elapsed_s = rospy.get_time() - begin_s
+            self._verdict.cpu_s_per_s = (self._cpu_s() - begin_cpu_s) / elapsed_s
+        finally:
+            for child in reversed(self._children):
+                stop(child)
+        return self._judge()
+
+    def _cut_map(self, world: str) -> Places:
+        from trident_sim.occupancy import MapConfig, occupancy_map
+
+        from trident_sim import SimulationWarning, World
+
+        file = package_folder("trident_bringup") / "worlds" / f"{world}.world"
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", SimulationWarning)
+            height = float(rospy.get_param("~lidar_height", 0.15))
+            grid = occupancy_map(World(file), MapConfig(heights=(height,)))
+        grid.save(self._out / "true_map.pgm")
+        return Places(grid, self._robot.inscribed_m, self._robot.circumscribed_m + _SPARE_M)
+
+    def _start(self) -> actionlib.SimpleActionClient:
+        x, y, yaw = (float(value) for value in rospy.get_param("~start", [0.0, 0.0, 0.0]))
+        robot = rospy.get_param("~robot", "my_nav_robot")
+        self._roslaunch("ground_robot.launch", robot=robot, x=x, y=y, yaw=yaw)
+        self._roslaunch(
+            "navigation.launch",
+            map_file=str(rospy.get_param("~map_file", "")) or self._out / "true_map.yaml",
+            robot_config=rospy.get_param("~robot_config"),
+            initial_pose_x=x,
+            initial_pose_y=y,
+            initial_pose_a=yaw,
+        )
+        client = actionlib.SimpleActionClient("move_base", MoveBaseAction)
+        if not client.wait_for_server(rospy.Duration.from_sec(_START_LIMIT_S)):
+            raise EvalError("move_base has not come")
+        while self._truth.pose() is None and not rospy.is_shutdown():
+            rospy.sleep(0.1)
+        return client
+
+    def _drive_to_one(self, client: actionlib.SimpleActionClient) -> None:
+        start = self._truth.pose()
+        assert start is not None
+        goal, length_m = self._places.goal(self._random, start, _LEAST_M)
+        bound_s = lower_bound_s(length_m, start, goal, self._robot.speed, self._robot.turning_rate)
+        self._truth.take_nearest()
+        begin_s = rospy.get_time()
+        client.send_goal(_message(goal))
+        limit_s = max(_SLOWEST * bound_s, _LEAST_LIMIT_S)
+        if not client.wait_for_result(rospy.Duration.from_sec(limit_s)):
+            client.cancel_goal()
+        time_s = rospy.get_time() - begin_s
+        end = self._truth.pose() or start
+        position_error_m = math.dist(end[:2], goal[:2])
+        heading_error_rad = abs(math.remainder(end[2] - goal[2], 2.0 * math.pi))
+        tried = Tried(
+            goal=goal,
+            is_reached=client.get_state() == GoalStatus.SUCCEEDED,
+            text=client.get_goal_status_text(),
+            time_s=time_s,
+            bound_s=bound_s,
+            position_error_m=position_error_m,
+            heading_error_rad=heading_error_rad,
+            nearest_m=self._truth.take_nearest(),
+        )
+        self._verdict.tried.append(tried)
+        rospy.loginfo(
+            "goal (%.2f, %.2f, %.2f): %s %.1f s (bound %.1f s), off by %.3f m and %.3f rad",
+            *goal,
+            tried.text or "no result",
+            time_s,
+            bound_s,
+            position_error_m,
+            heading_error_rad,
+        )
+
+    def _judge(self) -> bool:
+        path = self._out / RECORD
+        path.write_text(json.dumps(self._verdict.record(), indent=2) + "\n", encoding="utf-8")
+        for line in self._verdict.lines(self._robot.inscribed_m):
+            rospy.loginfo("verdict: %s", line)
+        return all(
+            one.is_reached and one.nearest_m >= self._robot.inscribed_m
+            for one in self._verdict.tried
+        )
+
+    def _cpu_s(self) -> float:
+        """Of the program move_base; NaN while it does not answer."""
+        api = rosnode.get_api_uri(rospy.get_master(), _NODE)
+        try:
+            _, _, pid = xmlrpc.client.ServerProxy(api).getPid("/navigate")
+            return process_cpu_s(int(pid))
+        except (OSError, EvalError):
+            return math.nan
+
+    def _on_recovery(self, _message: RecoveryStatus) -> None:
+        self._verdict.recoveries += 1
+
+    def _roslaunch(self, file: str, **arguments: object) -> None:
+        words = [f"{name}:={value}" for name, value in arguments.items()]
+        command = ["roslaunch", "--disable-title", "trident_bringup", file, *words]
+        self._children.append(subprocess.Popen(command, start_new_session=True))
+
+
+def _message(goal: Pose) -> MoveBaseGoal:
+    message = MoveBaseGoal()
+    message.target_pose.header.frame_id = "map"
+    message.target_pose.pose.position.x = goal[0]
+    message.target_pose.pose.position.y = goal[1]
+    message.target_pose.pose.orientation.z = math.sin(goal[2] / 2.0)
+    message.target_pose.pose.orientation.w = math.cos(goal[2] / 2.0)
+    return message
+
+
+def main() -> int:
+    """Run the drive.
+
+    Returns:
+        Exit code: 1 unless all goals were reached without contact.
+    """
+    rospy.init_node("navigate")
+    try:
+        return 0 if Drive().run() else 1
+    except EvalError as error:
+        rospy.logerr("navigate: %s", error)
+        return 1

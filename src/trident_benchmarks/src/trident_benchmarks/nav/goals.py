@@ -1,0 +1,143 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""Random goals in the free places of a world, and what a drive to each is judged by."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import asdict, dataclass, field
+from typing import TYPE_CHECKING
+
+import numpy as np
+import numpy.typing as npt
+from scipy import ndimage
+from scipy.sparse.csgraph import dijkstra
+from trident_eval.core.errors import EvalError
+
+from trident_benchmarks.datasets.route import grid_graph
+
+if TYPE_CHECKING:
+    from trident_sim.occupancy import OccupancyMap
+
+Floats = npt.NDArray[np.float64]
+Pose = tuple[float, float, float]  # x, y [m, world], yaw [rad]
+
+
+class Places:
+    """Where a robot of a size has room in a true map."""
+
+    def __init__(self, grid: OccupancyMap, inscribed_m: float, circumscribed_m: float) -> None:
+        """Find them.
+
+        Args:
+            grid: cut at the heights of the robot.
+            inscribed_m: radius of what fits wherever the robot passes.
+            circumscribed_m: radius of what must be free about a goal.
+
+        Raises:
+            EvalError: there is no such place.
+        """
+        from trident_sim.occupancy import FREE
+
+        self._grid = grid
+        self._clear_m = ndimage.distance_transform_edt(grid.cells == FREE) * grid.resolution
+        rows, columns = np.nonzero(self._clear_m > inscribed_m)
+        if not len(rows):
+            raise EvalError(f"the map has no place with {inscribed_m:g} m of room")
+        self._points = np.column_stack((columns, rows)) * grid.resolution + np.array(grid.origin)
+        self._roomy = np.flatnonzero(self._clear_m[rows, columns] > circumscribed_m)
+        self._graph = grid_graph(rows, columns, self._clear_m.shape, grid.resolution)
+
+    def clearance(self, x: float, y: float) -> float:
+        """From a point to the nearest obstacle, to within a cell [m]; 0 outside of the map."""
+        column = round((x - self._grid.origin[0]) / self._grid.resolution)
+        row = round((y - self._grid.origin[1]) / self._grid.resolution)
+        rows, columns = self._clear_m.shape
+        if not (0 <= row < rows and 0 <= column < columns):
+            return 0.0
+        return float(self._clear_m[row, column])
+
+    def lengths_from(self, x: float, y: float) -> Floats:
+        """The shortest paths from near a point to each place [m], infinite where there is none."""
+        nearest = int(np.argmin(np.linalg.norm(self._points - (x, y), axis=1)))
+        return np.asarray(dijkstra(self._graph, indices=nearest), dtype=float)
+
+    def goal(self, random: np.random.Generator, start: Pose, least_m: float) -> tuple[Pose, float]:
+        """A random goal that can be reached, and the shortest path to it.
+
+        Args:
+            random: of the choice.
+            start: where the robot is.
+            least_m: of the path [m].
+
+        Returns:
+            The goal, and the length of the path [m].
+
+        Raises:
+            EvalError: no place is that far away.
+        """
+        length = self.lengths_from(start[0], start[1])[self._roomy]
+        choice = np.flatnonzero(np.isfinite(length) & (length >= least_m))
+        if not len(choice):
+            raise EvalError(f"no free place can be reached that is {least_m:g} m away")
+        chosen = int(random.choice(choice))
+        x, y = self._points[self._roomy[chosen]]
+        yaw = float(random.uniform(-math.pi, math.pi))
+        return (float(x), float(y), yaw), float(length[chosen])
+
+
+@dataclass(frozen=True)
+class Tried:
+    """One goal and what came of it."""
+
+    goal: Pose
+    is_reached: bool
+    text: str
+    time_s: float
+    bound_s: float
+    position_error_m: float
+    heading_error_rad: float
+    nearest_m: float  # of the robot's center to obstacles
+
+
+@dataclass
+class Verdict:
+    """Of all goals."""
+
+    tried: list[Tried] = field(default_factory=list)
+    recoveries: int = 0
+    cpu_s_per_s: float = math.nan
+
+    def record(self) -> dict[str, object]:
+        """As JSON has it."""
+        return {
+            "goals": [asdict(one) for one in self.tried],
+            "reached": sum(one.is_reached for one in self.tried),
+            "recoveries": self.recoveries,
+            "cpu_s_per_s": self.cpu_s_per_s,
+        }
+
+    def lines(self, inscribed_m: float) -> list[str]:
+        """As words.
+
+        Args:
+            inscribed_m: nearer than this the robot's center cannot be without contact.
+        """
+        reached = [one for one in self.tried if one.is_reached]
+        ratios = [one.time_s / one.bound_s for one in reached if one.bound_s > 0.0]
+        nearest = min((one.nearest_m for one in self.tried), default=math.nan)
+        contacts = sum(one.nearest_m < inscribed_m for one in self.tried)
+        return [
+            f"reached {len(reached)} of {len(self.tried)} goals",
+            f"contacts {contacts}, nearest approach of the center {nearest:.2f} m",
+            f"time over the lower bound: median {np.median(ratios) if ratios else math.nan:.2f}",
+            f"recoveries {self.recoveries}, CPU {self.cpu_s_per_s:.3f} s per simulated second",
+        ]
+
+
+def lower_bound_s(
+    length_m: float, start: Pose, goal: Pose, speed: float, turning_rate: float
+) -> float:
+    """The shortest path at full speed, and the turn between the two headings."""
+    turn = abs(math.remainder(goal[2] - start[2], 2.0 * math.pi))
+    return max(length_m / speed, turn / turning_rate)

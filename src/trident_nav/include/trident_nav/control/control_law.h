@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "trident_base/config_node.h"
+#include "trident_base/registry.h"
+#include "trident_nav/core/footprint_checker.h"
+#include "trident_nav/control/goal_arrival.h"
+#include "trident_nav/control/motion.h"
+#include "trident_nav/control/path_tracker.h"
+#include "trident_nav/control/robot_state.h"
+#include "trident_nav/core/outcome.h"
+
+namespace trident::nav {
+
+/// What a control law is made for.
+struct ControlSetup {
+  MotionLimits limits;
+  Footprint footprint;
+  double period_s = 0.05;  ///< Between commands.
+  GoalTolerance tolerance;
+  UnknownCells unknown = UnknownCells::kFree;
+  std::uint64_t seed = 1;
+  int threads = 1;
+
+  bool can_turn_on_spot() const { return limits.min_turning_radius <= 0.0 && limits.wz_max > 0.0; }
+  /// Throws Error naming field, value and range.
+  void validate() const;
+};
+
+/// All that a law may look at for one command. What is referred to lives as long as the call.
+struct Situation {
+  const RobotState& state;
+  const LocalPath& path;
+  const Pose2& goal;
+  const CostGrid& grid;
+  const Tracks& tracks;
+  const FootprintChecker& checker;
+  const TwistWindow& window;  ///< What can be reached within a period.
+};
+
+/// What a law wants, or why it wants nothing.
+struct Proposal {
+  Twist2 twist;
+  Failure failure = Failure::kNone;
+  std::string reason;
+};
+
+/// A way to follow a path. The caller, a GuardedController, has checked its input, cuts the path,
+/// judges the arrival, turns to the goal's heading, holds accelerations and guards against contact.
+class ControlLaw {
+ public:
+  ControlLaw() = default;
+  ControlLaw(const ControlLaw&) = delete;
+  ControlLaw& operator=(const ControlLaw&) = delete;
+  virtual ~ControlLaw() = default;
+
+  /// How much of the path ahead it wants to see [m].
+  virtual double path_length_m() const = 0;
+  virtual Proposal propose(const Situation& situation) = 0;
+  /// Called after `propose` with what is really sent.
+  virtual void on_sent(const Twist2& /*twist*/) {}
+  /// Forgets everything: the next call belongs to another goal.
+  virtual void reset() = 0;
+};
+
+/// Makes a law from its parameters, of which those absent have their defaults. Throws ConfigError.
+using ControlLawFactory = std::function<std::unique_ptr<ControlLaw>(
+    const ControlSetup& setup, const ConfigNode& params, const std::string& label)>;
+using ControlLawRegistry = Registry<ControlLawFactory>;
+
+/// All laws of this package under their short names and those that ROS users know.
+ControlLawRegistry builtin_control_laws();
+
+}  // namespace trident::nav

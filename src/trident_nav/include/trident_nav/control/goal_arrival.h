@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "trident_base/config_types.h"
+#include "trident_nav/control/robot_state.h"
+#include "trident_nav/core/outcome.h"
+
+namespace trident::nav {
+
+/// When a robot is where it was sent. Names and defaults of Nav2's goal checkers.
+struct GoalTolerance {
+  double xy_goal_tolerance = 0.25;
+  double yaw_goal_tolerance = 0.25;
+  bool stateful = true;
+  double trans_stopped_velocity = 0.25;
+  double rot_stopped_velocity = 0.25;
+  /// Where the robot cannot get nearer for `fallback_time`, this many times both tolerances do.
+  double fallback_factor = 2.0;
+  double fallback_time = 5.0;
+
+  template <class Archive>
+  void visit(Archive& ar) {
+    ar.field("xy_goal_tolerance", xy_goal_tolerance, Range::positive(), "of the position [m]");
+    ar.field("yaw_goal_tolerance", yaw_goal_tolerance, Range::positive(), "of the heading [rad]");
+    ar.field("stateful", stateful, "a position once reached stays so while the robot turns");
+    ar.field("trans_stopped_velocity", trans_stopped_velocity, Range::positive(),
+             "a slower robot stands [m/s]");
+    ar.field("rot_stopped_velocity", rot_stopped_velocity, Range::positive(),
+             "a slower turn is none [rad/s]");
+    ar.field("fallback_factor", fallback_factor, Range::at_least(1.0),
+             "on both tolerances where the robot gets no nearer");
+    ar.field("fallback_time", fallback_time, Range::positive(), "without getting nearer [s]");
+  }
+};
+
+enum class ArrivalPhase {
+  kApproach,  ///< Drive to the position.
+  kTurn,      ///< The position is reached; turn to the heading.
+  kReached,   ///< Position and heading are within tolerance, and the robot stands.
+};
+
+/// Judges position and heading together, with hysteresis: the turn begins well within the tolerance
+/// of the position, or where the robot gets no nearer within it, and ends as a new approach only
+/// once that tolerance is left.
+class GoalArrival {
+ public:
+  /// `can_turn`: the robot can turn on the spot.
+  GoalArrival(const GoalTolerance& tolerance, bool can_turn)
+      : tolerance_(tolerance), can_turn_(can_turn) {}
+
+  ArrivalPhase update(const RobotState& state, const Pose2& goal);
+  void reset() { *this = GoalArrival(tolerance_, can_turn_); }
+
+  const GoalTolerance& tolerance() const { return tolerance_; }
+
+ private:
+  bool is_stopped(const Twist2& twist) const;
+  bool is_within_fallback(const RobotState& state, double distance_m, double yaw_error);
+  bool starts_turn(double distance_m, const Twist2& twist) const;
+
+  GoalTolerance tolerance_;
+  bool can_turn_;
+  ArrivalPhase phase_ = ArrivalPhase::kApproach;
+  Pose2 goal_;
+  bool has_goal_ = false;
+  double nearest_m_ = 0.0;       ///< Least distance to the goal so far.
+  double nearest_time_s_ = 0.0;  ///< When that last fell.
+};
+
+}  // namespace trident::nav

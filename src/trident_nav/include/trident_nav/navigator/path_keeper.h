@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+
+#include "trident_nav/core/geometry.h"
+#include "trident_nav/navigator/navigator_params.h"
+#include "trident_nav/navigator/navigator_world.h"
+
+namespace trident::nav {
+
+/// Holds the path that is followed. A new one replaces it only where the old one is blocked or
+/// left, or costs more by `path_hysteresis`, and not before `commit_time` is over: a robot between
+/// two ways that are about as good goes one of them.
+class PathKeeper {
+ public:
+  explicit PathKeeper(const NavigatorParams& params)
+      : hysteresis_(params.path_hysteresis), commit_s_(params.commit_time) {}
+
+  void clear();
+  bool has_path() const { return !path_.empty(); }
+  const Path& path() const { return path_; }
+  /// The part of the path from just behind the robot on.
+  Path remaining() const;
+
+  /// Moves on along the path to the pose nearest to the robot.
+  void advance(const Pose2& robot);
+  /// Takes a new path if it is to be followed. `left_m`: farther than this from the old path, the
+  /// robot has left it. Returns true when the path was taken.
+  bool offer(Path path, double now_s, const Pose2& robot, double left_m, NavigatorWorld& world);
+
+ private:
+  bool keeps_old(const Path& path, double now_s, const Pose2& robot, double left_m,
+                 NavigatorWorld& world) const;
+
+  double hysteresis_;
+  double commit_s_;
+  Path path_;
+  std::size_t nearest_ = 0;  // index of the pose nearest to the robot
+  double taken_s_ = 0.0;
+};
+
+}  // namespace trident::nav

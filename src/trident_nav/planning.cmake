@@ -1,0 +1,65 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+# The room of the planners. A new planner is a header, a source that registers it, and a line here.
+set(trident_nav_planners
+  carrot_planner
+  global_planner
+  navfn_planner
+  theta_star_planner
+)
+set(trident_nav_planning_sources
+  src/planning/footprint_contact.cpp
+  src/planning/grid_route.cpp
+  src/planning/line_cost.cpp
+  src/planning/path_points.cpp
+  src/planning/plan_request.cpp
+  src/planning/planner_registry.cpp
+  src/planning/potential.cpp
+  src/planning/potential_repair.cpp
+  src/planning/theta_search.cpp
+)
+set(declarations)
+set(calls)
+foreach(planner ${trident_nav_planners})
+  list(APPEND trident_nav_planning_sources src/planning/${planner}.cpp)
+  string(APPEND declarations "void add_${planner}(Registry<PlannerFactory>& registry);\n")
+  string(APPEND calls "  add_${planner}(registry);\n")
+endforeach()
+configure_file(src/planning/builtin_planners.cpp.in
+               ${CMAKE_CURRENT_BINARY_DIR}/builtin_planners.cpp @ONLY)
+list(APPEND trident_nav_planning_sources ${CMAKE_CURRENT_BINARY_DIR}/builtin_planners.cpp)
+
+add_library(trident_nav_planning ${trident_nav_planning_sources})
+target_compile_features(trident_nav_planning PUBLIC cxx_std_17)
+target_compile_options(trident_nav_planning PRIVATE -Wall -Wextra -ffp-contract=off)
+target_include_directories(trident_nav_planning PUBLIC include PRIVATE src src/planning)
+target_link_libraries(trident_nav_planning PUBLIC trident_base trident_maps)
+trident_precompile_headers(trident_nav_planning)
+install(TARGETS trident_nav_planning
+  ARCHIVE DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION}
+  LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION}
+)
+
+# --- benchmark program --------------------------------------------------------------------------
+add_executable(nav_planning_bench benchmark/planning_bench.cpp benchmark/bench_maps.cpp)
+target_include_directories(nav_planning_bench PRIVATE src benchmark)
+target_link_libraries(nav_planning_bench trident_nav_planning)
+set_target_properties(nav_planning_bench PROPERTIES
+  RUNTIME_OUTPUT_DIRECTORY ${CATKIN_DEVEL_PREFIX}/${CATKIN_PACKAGE_BIN_DESTINATION})
+install(TARGETS nav_planning_bench RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
+
+if(CATKIN_ENABLE_TESTING)
+  catkin_add_gtest(trident_nav_planning_test
+    test/planning/footprint_contact_test.cpp
+    test/planning/grid_planners_test.cpp
+    test/planning/line_cost_test.cpp
+    test/planning/movingai_test.cpp
+    test/planning/planner_conformance_test.cpp
+    test/planning/potential_test.cpp
+    test/planning/reference_search.cpp
+    benchmark/bench_maps.cpp
+  )
+  target_include_directories(trident_nav_planning_test PRIVATE test src benchmark)
+  target_link_libraries(trident_nav_planning_test trident_nav_planning gtest_main)
+  trident_precompile_headers(trident_nav_planning_test <gtest/gtest.h>)
+endif()

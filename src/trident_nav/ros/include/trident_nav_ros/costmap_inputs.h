@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <ros/ros.h>
+#include <sensor_msgs/LaserScan.h>
+#include <tf2/buffer_core.h>
+
+#include <deque>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "trident_nav/costmap/beam_layer.h"
+#include "trident_nav/costmap/costmap.h"
+#include "trident_nav/costmap/static_layer.h"
+#include "trident_ros/refusals.h"
+
+namespace trident::nav {
+
+/// Subscribes what the layers of a costmap want and hands it over, each message as soon as tf knows
+/// where its sensor was. Callbacks come from any thread; apply() from the one that updates.
+class CostmapInputs {
+ public:
+  /// `costmap`, `buffer` and `refusals` outlive it. Topics are names of `node`.
+  CostmapInputs(ros::NodeHandle& node, Costmap& costmap, const tf2::BufferCore& buffer,
+                ros_utils::Refusals& refusals);
+
+  /// Hands over what has come, but for what tf does not reach yet. The costmap is locked.
+  void apply();
+  bool has_news();
+
+ private:
+  /// Makes an observation of a message; nothing: it was refused. Throws tf2's exceptions.
+  using Observe = std::function<std::optional<Observation>()>;
+  struct Pending {
+    BeamSource* source;
+    Observe observe;
+    ros::WallTime since;
+  };
+
+  void subscribe_map(ros::NodeHandle& node, StaticLayer& layer);
+  void subscribe_beams(ros::NodeHandle& node, BeamLayer& layer);
+  void add(BeamSource& source, Observe observe);
+  void apply_pending(Pending& pending, std::deque<Pending>* waiting);
+  std::optional<Observation> observe(const sensor_msgs::LaserScan& scan,
+                                     const BeamSourceParams& params);
+  SE3 sensor_pose(const std::string& frame, const BeamSourceParams& params,
+                  const ros::Time& stamp) const;
+
+  Costmap& costmap_;
+  const tf2::BufferCore& buffer_;
+  ros_utils::Refusals& refusals_;
+  std::string frame_;
+  std::mutex mutex_;  // guards what follows
+  std::deque<Pending> pending_;
+  std::vector<std::function<void()>> maps_;
+  std::vector<ros::Subscriber> subscribers_;
+};
+
+}  // namespace trident::nav

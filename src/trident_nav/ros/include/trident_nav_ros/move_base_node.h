@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <actionlib/server/simple_action_server.h>
+#include <geometry_msgs/PoseStamped.h>
+#include <move_base_msgs/MoveBaseAction.h>
+#include <nav_msgs/GetPlan.h>
+#include <nav_msgs/Odometry.h>
+#include <ros/ros.h>
+#include <std_srvs/Empty.h>
+#include <tf2_ros/buffer.h>
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "trident_nav/navigator/navigator.h"
+#include "trident_nav_ros/costmap_node.h"
+#include "trident_nav_ros/move_base_params.h"
+#include "trident_nav_ros/planning_thread.h"
+#include "trident_ros/node_params.h"
+#include "trident_ros/refusals.h"
+#include "trident_ros/transform_input.h"
+
+namespace trident::nav {
+
+/// The node move_base: its action, topics and services about a Navigator with two costmaps.
+class MoveBaseNode {
+ public:
+  /// Throws Error for parameters that are not legal.
+  MoveBaseNode(ros::NodeHandle& node, const ros::NodeHandle& private_node);
+  ~MoveBaseNode();
+
+  /// Controls until the node is to end. Callbacks need threads of their own.
+  void run();
+
+ private:
+  using Action = actionlib::SimpleActionServer<move_base_msgs::MoveBaseAction>;
+  struct Parts;  // what is made of parameters
+
+  static std::unique_ptr<Parts> make_parts(const ros::NodeHandle& private_node,
+                                           const tf2::BufferCore& buffer,
+                                           ros_utils::Refusals& refusals);
+  void serve(ros::NodeHandle& node, ros::NodeHandle private_node);
+  void update_global();
+  void cycle();
+  void take_goals(double now_s);
+  bool place_goal(double now_s, std::string* problem);
+  std::optional<NavigatorInput> sense(double now_s, std::string* problem);
+  void act(const NavigatorInput& input, const NavigatorOutput& output);
+  void stand(double now_s, const std::string& why);
+  void send(const Twist2& twist);
+  void end_goal(NavigatorStatus status, const std::string& text);
+  void note_recovery(const RecoveryNote& note, const NavigatorInput& input);
+  void publish_path(double now_s);
+  void on_odometry(const nav_msgs::Odometry& message);
+  bool make_plan(nav_msgs::GetPlan::Request& request, nav_msgs::GetPlan::Response& response);
+  bool clear_costmaps(std_srvs::Empty::Request& request, std_srvs::Empty::Response& response);
+
+  tf2_ros::Buffer buffer_;
+  ros_utils::Refusals refusals_;
+  ros_utils::TransformInput transforms_;
+  std::unique_ptr<Parts> parts_;
+  std::unique_ptr<Action> action_;
+
+  /// Publishers, subscribers and services.
+  struct Links {
+    ros::Publisher command, current_goal, action_goal, recovery, global_path, local_path;
+    ros::Subscriber simple_goal, odometry;
+    ros::ServiceServer make_plan, clear_costmaps;
+  };
+  Links links_;
+
+  std::mutex odometry_mutex_;
+  Twist2 measured_;
+  std::optional<geometry_msgs::PoseStamped> unplaced_goal_;
+  bool is_driving_ = false;  // the last command was not zero
+  double complained_s_ = -1e9;
+  std::atomic<bool> is_ending_{false};
+  std::thread global_thread_;
+};
+
+/// The program of the package move_base.
+int move_base_main(int argc, char** argv);
+
+}  // namespace trident::nav

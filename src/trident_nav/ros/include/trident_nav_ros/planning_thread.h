@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "trident_nav/costmap/source_age.h"
+#include "trident_nav/navigator/costmap_world.h"
+#include "trident_nav/planning/planner.h"
+#include "trident_nav_ros/costmap_node.h"
+
+namespace trident::nav {
+
+/// A world whose plans are made in a thread of their own, each on the global costmap as it then is.
+class PlanningThread : public NavigatorWorld {
+ public:
+  /// What is referred to outlives it.
+  PlanningThread(CostmapNode& global, CostmapNode& local, Planner& planner,
+                 const MotionLimits& limits);
+  ~PlanningThread() override;
+
+  /// A plan at once, in the calling thread.
+  PlanOutcome plan_now(const Pose2& start, const Pose2& goal);
+  void set_robot(const Pose2& in_global, const Pose2& in_local) {
+    robot_global_ = in_global;
+    robot_local_ = in_local;
+  }
+  /// Odometry came, stamped so [s].
+  void note_odometry(double stamp_s);
+  void set_odometry_topic(const std::string& topic) { odom_topic_ = topic; }
+
+  void request_plan(const Pose2& start, const Pose2& goal) override;
+  std::optional<PlanOutcome> take_plan() override;
+  void cancel_plan() override;
+  double path_cost(const Path& path, std::size_t first) override;
+  void forget(const ClearedArea& area) override;
+  /// The local costmap must be locked by the caller, as in obstacle_text() and forget().
+  std::vector<StaleSource> stale_sources(double now_s) override;
+  std::string obstacle_text(const Pose2& robot_local) override;
+
+ private:
+  struct Request {
+    Pose2 start, goal;
+  };
+  void run();
+
+  CostmapNode& global_;
+  CostmapNode& local_;
+  Planner& planner_;
+  MotionLimits limits_;
+  Pose2 robot_global_, robot_local_;  // of the thread that steps the navigator
+  std::string odom_topic_;
+
+  std::mutex planner_mutex_;  // guards planner_
+  CancelFlag cancel_{false};
+  std::mutex mutex_;  // guards what follows
+  std::condition_variable changed_;
+  std::optional<Request> request_;
+  std::optional<PlanOutcome> outcome_;
+  SourceAge odometry_;
+  bool is_ending_ = false;
+  std::thread thread_;
+};
+
+}  // namespace trident::nav

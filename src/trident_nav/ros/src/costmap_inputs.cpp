@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "trident_nav_ros/costmap_inputs.h"
+
+#include <map_msgs/OccupancyGridUpdate.h>
+#include <nav_msgs/OccupancyGrid.h>
+#include <sensor_msgs/PointCloud.h>
+#include <sensor_msgs/PointCloud2.h>
+#include <sensor_msgs/point_cloud2_iterator.h>
+#include <tf2/exceptions.h>
+
+#include <utility>
+
+#include "trident_base/error.h"
+#include "trident_maps_ros/map_messages.h"
+#include "trident_nav_ros/frames.h"
+
+namespace trident::nav {
+namespace {
+
+constexpr double kLongestWait_s = 1.0;  // for a transform
+constexpr std::size_t kMostPending = 50;
+
+LaserScan to_scan(const sensor_msgs::LaserScan& message) {
+  LaserScan scan;
+  scan.stamp_ns = static_cast<std::int64_t>(message.header.stamp.toNSec());
+  scan.angle_min = static_cast<double>(message.angle_min);
+  scan.angle_increment = static_cast<double>(message.angle_increment);
+  scan.time_increment = static_cast<double>(message.time_increment);
+  scan.range_min = static_cast<double>(message.range_min);
+  scan.range_max = static_cast<double>(message.range_max);
+  scan.ranges = message.ranges;
+  return scan;
+}
+
+std::vector<Eigen::Vector3f> points_of(const sensor_msgs::PointCloud2& cloud) {
+  std::vector<Eigen::Vector3f> points;
+  points.reserve(static_cast<std::size_t>(cloud.width) * cloud.height);
+  sensor_msgs::PointCloud2ConstIterator<float> x(cloud, "x"), y(cloud, "y"), z(cloud, "z");
+  for (; x != x.end(); ++x, ++y, ++z) points.emplace_back(*x, *y, *z);
+  return points;
+}
+
+std::vector<Eigen::Vector3f> points_of(const sensor_msgs::PointCloud& cloud) {
+  std::vector<Eigen::Vector3f> points;
+  for (const geometry_msgs::Point32& p : cloud.points) points.emplace_back(p.x, p.y, p.z);
+  return points;
+}
+
+}  // namespace
+
+CostmapInputs::CostmapInputs(ros::NodeHandle& node, Costmap& costmap,
+                             const tf2::BufferCore& buffer, ros_utils::Refusals& refusals)
+    : costmap_(costmap),
+      buffer_(buffer),
+      refusals_(refusals),
+      frame_(frame_name(costmap.params().global_frame)) {
+  for (const auto& layer : costmap.layers()) {
+    if (auto* map = dynamic_cast<StaticLayer*>(layer.get())) subscribe_map(node, *map);
+    if (auto* beams = dynamic_cast<BeamLayer*>(layer.get())) subscribe_beams(node, *beams);
+  }
+}
+
+void CostmapInputs::subscribe_map(ros::NodeHandle& node, StaticLayer& layer) {
+  const auto later = [this](std::function<void()> work) {
+    const std::lock_guard lock(mutex_);
+    maps_.push_back(std::move(work));
+  };
+  const std::string topic = layer.params().map_topic;
+  subscribers_.push_back(node.subscribe<nav_msgs::OccupancyGrid>(
+      topic, 1, [&layer, later](const nav_msgs::OccupancyGridConstPtr& message) {
+        later([&layer, message] { layer.set_map(maps::from_map_message(*message)); });
+      }));
+  if (!layer.params().subscribe_to_updates) return;
+  subscribers_.push_back(node.subscribe<map_msgs::OccupancyGridUpdate>(
+      topic + "_updates", 10, [&layer, later](const map_msgs::OccupancyGridUpdateConstPtr& part) {
+        later([&layer, part] {
+          const CellBox box{part->x, part->y, part->x + static_cast<int>(part->width),
+                            part->y + static_cast<int>(part->height)};
+          layer.update_map(box, part->data);
+        });
+      }));
+}
+
+void CostmapInputs::subscribe_beams(ros::NodeHandle& node, BeamLayer& layer) {
+  constexpr int kQueue = 10;
+  for (BeamSource& source : layer.sources()) {
+    const auto on_cloud = [this, &source](const auto& cloud) {
+      add(source, [this, &source, cloud]() -> std::optional<Observation> {
+        const ros::Time& stamp = cloud->header.stamp;
+        const SE3 pose = sensor_pose(cloud->header.frame_id, source.params(), stamp);
+        return observe_points(stamp.toSec(), points_of(*cloud), pose);
+      });
+    };
+    switch (source.params().data_type) {
+      case BeamDataType::kLaserScan:
+        subscribers_.push_back(node.subscribe<sensor_msgs::LaserScan>(
+            source.topic(), kQueue, [this, &source](const sensor_msgs::LaserScanConstPtr& scan) {
+              add(source, [this, &source, scan] { return observe(*scan, source.params()); });
+            }));
+        break;
+      case BeamDataType::kPointCloud2:
+        subscribers_.push_back(node.subscribe<sensor_msgs::PointCloud2>(
+            source.topic(), kQueue,
+            [on_cloud](const sensor_msgs::PointCloud2ConstPtr& cloud) { on_cloud(cloud); }));
+        break;
+      case BeamDataType::kPointCloud:
+        subscribers_.push_back(node.subscribe<sensor_msgs::PointCloud>(
+            source.topic(), kQueue,
+            [on_cloud](const sensor_msgs::PointCloudConstPtr& cloud) { on_cloud(cloud); }));
+        break;
+    }
+  }
+}
+
+void CostmapInputs::add(BeamSource& source, Observe observe) {
+  const std::lock_guard lock(mutex_);
+  if (pending_.size() >= kMostPending) pending_.pop_front();
+  pending_.push_back({&source, std::move(observe), ros::WallTime::now()});
+}
+
+bool CostmapInputs::has_news() {
+  const std::lock_guard lock(mutex_);
+  return !pending_.empty() || !maps_.empty();
+}
+
+SE3 CostmapInputs::sensor_pose(const std::string& frame, const BeamSourceParams& params,
+                               const ros::Time& stamp) const {
+  const std::string& sensor = params.sensor_frame.empty() ? frame : params.sensor_frame;
+  return to_se3(buffer_.lookupTransform(frame_, frame_name(sensor), stamp).transform);
+}
+
+/// The beams of a scan that takes long get the poses at its begin and end.
+std::optional<Observation> CostmapInputs::observe(const sensor_msgs::LaserScan& message,
+                                                  const BeamSourceParams& params) {
+  const LaserScan scan = to_scan(message);
+  const std::string fault = scan_fault(scan);
+  if (!fault.empty()) throw Error(fault);
+  const ros::Time begin = message.header.stamp;
+  std::vector<SE3> poses{sensor_pose(message.header.frame_id, params, begin)};
+  const double duration_s = scan.time_increment * static_cast<double>(scan.size() - 1);
+  if (duration_s > 0.0) {
+    poses.push_back(sensor_pose(message.header.frame_id, params, begin + ros::Duration(duration_s)));
+  }
+  return observe_scan(scan, poses, params.inf_is_valid);
+}
+
+void CostmapInputs::apply_pending(Pending& pending, std::deque<Pending>* waiting) {
+  const BeamSource& source = *pending.source;
+  try {
+    if (auto observation = pending.observe()) pending.source->add(std::move(*observation));
+  } catch (const tf2::TransformException& error) {
+    if ((ros::WallTime::now() - pending.since).toSec() < kLongestWait_s) {
+      waiting->push_back(std::move(pending));
+      return;
+    }
+    refusals_.note("transform", "data of " + source.name() + " (topic " + source.topic() +
+                                    ") are not used: " + error.what());
+  } catch (const std::exception& error) {
+    refusals_.note("data", "data of " + source.name() + " (topic " + source.topic() +
+                               ") are not used: " + error.what());
+  }
+}
+
+void CostmapInputs::apply() {
+  std::deque<Pending> pending, waiting;
+  std::vector<std::function<void()>> maps;
+  {
+    const std::lock_guard lock(mutex_);
+    pending.swap(pending_);
+    maps.swap(maps_);
+  }
+  for (const auto& set_map : maps) {
+    try {
+      set_map();
+    } catch (const Error& error) {
+      refusals_.note("map", std::string("a map is not used: ") + error.what());
+    }
+  }
+  for (Pending& one : pending) apply_pending(one, &waiting);
+  const std::lock_guard lock(mutex_);
+  pending_.insert(pending_.begin(), std::make_move_iterator(waiting.begin()),
+                  std::make_move_iterator(waiting.end()));
+}
+
+}  // namespace trident::nav

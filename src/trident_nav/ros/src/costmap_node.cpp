@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "trident_nav_ros/costmap_node.h"
+
+#include <map_msgs/OccupancyGridUpdate.h>
+#include <nav_msgs/OccupancyGrid.h>
+
+#include <algorithm>
+
+#include "trident_nav/core/footprint.h"
+#include "trident_nav/costmap/published_cost.h"
+#include "trident_nav_ros/frames.h"
+
+namespace trident::nav {
+namespace {
+
+CellBox joined(const CellBox& a, const CellBox& b) {
+  if (a.empty()) return b;
+  if (b.empty()) return a;
+  return {std::min(a.x0, b.x0), std::min(a.y0, b.y0), std::max(a.x1, b.x1), std::max(a.y1, b.y1)};
+}
+
+}  // namespace
+
+Registry<LayerType> builtin_layer_types() {
+  Registry<LayerType> registry("costmap layer");
+  register_builtin_layers(registry);
+  return registry;
+}
+
+CostmapNode::CostmapNode(const ros::NodeHandle& node, const CostmapConfig& config,
+                         const tf2::BufferCore& buffer, ros_utils::Refusals& refusals)
+    : node_(node),
+      buffer_(buffer),
+      costmap_(std::make_unique<Costmap>(config.params, make_layers(config, builtin_layer_types()))),
+      frame_(frame_name(config.params.global_frame)),
+      base_frame_(frame_name(config.params.robot_base_frame)),
+      inputs_(root_, *costmap_, buffer, refusals) {
+  all_ = node_.advertise<nav_msgs::OccupancyGrid>("costmap", 1, true);
+  parts_ = node_.advertise<map_msgs::OccupancyGridUpdate>("costmap_updates", 1);
+  footprint_ = node_.advertise<geometry_msgs::PolygonStamped>("footprint", 1);
+}
+
+double CostmapNode::update_period_s() const {
+  const double rate = costmap_->params().update_frequency;
+  return rate > 0.0 ? 1.0 / rate : 0.2;
+}
+
+std::optional<Pose2> CostmapNode::robot(double now_s, std::string* problem) const {
+  return newest_pose(buffer_, frame_, base_frame_, now_s, costmap_->params().transform_tolerance,
+                     problem);
+}
+
+void CostmapNode::update(double now_s) {
+  std::string problem;
+  const std::optional<Pose2> pose = robot(now_s, &problem);
+  if (!pose) return;
+  const std::lock_guard lock(mutex_);
+  inputs_.apply();
+  costmap_->update({now_s, *pose});
+  is_all_unpublished_ |= costmap_->has_moved();
+  if (!is_all_unpublished_) unpublished_ = joined(unpublished_, costmap_->changed().bounds());
+  const double rate = costmap_->params().publish_frequency;
+  const bool is_time_back = now_s < published_s_;
+  if (rate > 0.0 && (is_time_back || (now_s - published_s_) * rate >= 1.0 - 1e-6)) {
+    publish(now_s, *pose);
+  }
+}
+
+std::string CostmapNode::missing() {
+  const std::lock_guard lock(mutex_);
+  for (const auto& layer : costmap_->layers()) {
+    const auto* map = dynamic_cast<const StaticLayer*>(layer.get());
+    if (map != nullptr && map->is_enabled() && !map->has_map()) {
+      return "no map has come on topic " + map->params().map_topic + " for layer " + map->name();
+    }
+  }
+  return "";
+}
+
+void CostmapNode::publish(double now_s, const Pose2& robot) {
+  published_s_ = now_s;
+  publish_footprint(now_s, robot);
+  if (is_all_unpublished_ || costmap_->params().always_send_full_costmap) {
+    publish_all(now_s);
+  } else if (!unpublished_.empty()) {
+    publish_part(now_s, unpublished_);
+  }
+  is_all_unpublished_ = false;
+  unpublished_ = {};
+}
+
+void CostmapNode::publish_all(double now_s) {
+  const CostGrid grid = costmap_->grid();
+  nav_msgs::OccupancyGrid message;
+  message.header.stamp.fromSec(now_s);
+  message.header.frame_id = frame_;
+  message.info.resolution = static_cast<float>(grid.geometry.resolution);
+  message.info.width = static_cast<std::uint32_t>(grid.geometry.width);
+  message.info.height = static_cast<std::uint32_t>(grid.geometry.height);
+  message.info.origin = to_message({grid.geometry.origin_x, grid.geometry.origin_y, 0.0});
+  message.data.resize(grid.geometry.size());
+  std::transform(grid.cost, grid.cost + grid.geometry.size(), message.data.begin(), published_cost);
+  all_.publish(message);
+}
+
+void CostmapNode::publish_part(double now_s, const CellBox& box) {
+  const CostGrid grid = costmap_->grid();
+  map_msgs::OccupancyGridUpdate message;
+  message.header.stamp.fromSec(now_s);
+  message.header.frame_id = frame_;
+  message.x = box.x0;
+  message.y = box.y0;
+  message.width = static_cast<std::uint32_t>(box.x1 - box.x0);
+  message.height = static_cast<std::uint32_t>(box.y1 - box.y0);
+  for (int y = box.y0; y < box.y1; ++y) {
+    for (int x = box.x0; x < box.x1; ++x) {
+      message.data.push_back(published_cost(grid.at(Cell{x, y})));
+    }
+  }
+  parts_.publish(message);
+}
+
+void CostmapNode::publish_footprint(double now_s, const Pose2& robot) {
+  geometry_msgs::PolygonStamped message;
+  message.header.stamp.fromSec(now_s);
+  message.header.frame_id = frame_;
+  for (const Point2& p : footprint_corners(costmap_->footprint(), robot)) {
+    geometry_msgs::Point32 point;
+    point.x = static_cast<float>(p.x);
+    point.y = static_cast<float>(p.y);
+    message.polygon.points.push_back(point);
+  }
+  footprint_.publish(message);
+}
+
+}  // namespace trident::nav

@@ -1,0 +1,398 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "trident_nav_ros/move_base_node.h"
+
+#include <geometry_msgs/Twist.h>
+#include <move_base_msgs/RecoveryStatus.h>
+#include <nav_msgs/Path.h>
+#include <tf2/exceptions.h>
+#include <tf2_geometry_msgs/tf2_geometry_msgs.h>
+
+#include <cmath>
+#include <utility>
+
+#include "trident_base/error.h"
+#include "trident_nav/costmap/costmap_config.h"
+#include "trident_nav_ros/frames.h"
+
+namespace trident::nav {
+namespace {
+
+constexpr double kComplaintPeriod_s = 5.0;
+
+CostmapConfig costmap_config(const ConfigNode& tree, const std::string& node_name,
+                             const std::string& name, Warnings* warnings) {
+  ConfigNode none;
+  none.kind = ConfigNode::Kind::kMap;
+  const ConfigNode* const own = tree.find(name);
+  CostmapConfigSource source;
+  source.path = node_name + "/" + name;
+  source.above = &tree;
+  CostmapConfig config = read_costmap_config(own != nullptr ? *own : none, source, builtin_layer_types());
+  warnings->insert(warnings->end(), config.warnings.begin(), config.warnings.end());
+  return config;
+}
+
+bool is_orientation(const geometry_msgs::Quaternion& q) {
+  const double square = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
+  constexpr double kTolerance = 0.1;
+  if (!std::isfinite(square) || std::fabs(square - 1.0) > kTolerance) return false;
+  const double up = 1.0 - 2.0 * (q.x * q.x + q.y * q.y) / square;  // of the turned z axis
+  return up > 1.0 - 1e-3;
+}
+
+bool is_finite_point(const geometry_msgs::Point& p) {
+  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
+nav_msgs::Path path_message(const Path& path, const std::string& frame, double now_s) {
+  nav_msgs::Path message;
+  message.header.frame_id = frame;
+  message.header.stamp.fromSec(now_s);
+  for (const Pose2& pose : path) {
+    geometry_msgs::PoseStamped stamped;
+    stamped.header = message.header;
+    stamped.pose = to_message(pose);
+    message.poses.push_back(std::move(stamped));
+  }
+  return message;
+}
+
+}  // namespace
+
+struct MoveBaseNode::Parts {
+  MoveBaseParams params;
+  std::string planner_space, controller_space, odom_topic;
+  std::unique_ptr<CostmapNode> global, local;
+  std::unique_ptr<Planner> planner;
+  std::unique_ptr<Controller> controller;
+  std::unique_ptr<PlanningThread> world;
+  std::unique_ptr<Navigator> navigator;
+};
+
+std::unique_ptr<MoveBaseNode::Parts> MoveBaseNode::make_parts(const ros::NodeHandle& private_node,
+                                                              const tf2::BufferCore& buffer,
+                                                              ros_utils::Refusals& refusals) {
+  ros_utils::NodeParams node_params(private_node);
+  auto parts = std::make_unique<Parts>();
+  Warnings warnings;
+  parts->params = node_params.read<MoveBaseParams>();
+  parts->planner_space = plugin_namespace(parts->params.base_global_planner);
+  parts->controller_space = plugin_namespace(parts->params.base_local_planner);
+
+  XmlRpc::XmlRpcValue value;
+  private_node.getParam(private_node.getNamespace(), value);
+  ConfigNode tree = ros_utils::to_config_node(value);
+  tree.kind = ConfigNode::Kind::kMap;
+  const std::string name = private_node.getNamespace();
+  std::vector<std::string> spaces = {"global_costmap", "local_costmap", parts->planner_space,
+                                     parts->controller_space};
+
+  parts->global = std::make_unique<CostmapNode>(
+      ros::NodeHandle(private_node, "global_costmap"),
+      costmap_config(tree, name, "global_costmap", &warnings), buffer, refusals);
+  parts->local = std::make_unique<CostmapNode>(
+      ros::NodeHandle(private_node, "local_costmap"),
+      costmap_config(tree, name, "local_costmap", &warnings), buffer, refusals);
+  parts->planner = make_planner(parts->params.base_global_planner, tree.find(parts->planner_space),
+                                name + "/" + parts->planner_space, &warnings);
+
+  const std::string control_name = name + "/" + parts->controller_space;
+  ControllerConfig control =
+      read_controller_config(tree.find(parts->controller_space), control_name, &warnings);
+  control.setup.footprint = parts->local->costmap().footprint();
+  control.setup.period_s = 1.0 / parts->params.controller_frequency;
+  parts->odom_topic = control.odom_topic;
+  parts->controller = make_local_planner(parts->params.base_local_planner, control, control_name,
+                                         &warnings);
+  const MotionLimits& limits = control.setup.limits;
+  parts->world = std::make_unique<PlanningThread>(*parts->global, *parts->local, *parts->planner,
+                                                  limits);
+  parts->world->set_odometry_topic(control.odom_topic);
+  NavigatorParts navigator{parts->params, limits, control.setup.footprint, {}};
+  navigator.recoveries = make_recoveries(
+      parts->params, {limits, control.setup.footprint, control.setup.period_s}, tree, &warnings);
+  for (const NamedRecovery& recovery : navigator.recoveries) spaces.push_back(recovery.name);
+  parts->navigator =
+      std::make_unique<Navigator>(std::move(navigator), *parts->world, *parts->controller);
+
+  node_params.accept(spaces);
+  for (std::string& warning : warnings) node_params.add_warning(std::move(warning));
+  node_params.log_warnings();
+  return parts;
+}
+
+MoveBaseNode::MoveBaseNode(ros::NodeHandle& node, const ros::NodeHandle& private_node)
+    : refusals_(node),
+      transforms_(buffer_,
+                  [this](const std::string& problem) { refusals_.note("transform", problem); }),
+      parts_(make_parts(private_node, buffer_, refusals_)) {
+  serve(node, private_node);
+  global_thread_ = std::thread([this] { update_global(); });
+}
+
+MoveBaseNode::~MoveBaseNode() {
+  is_ending_ = true;
+  global_thread_.join();
+  if (action_) action_->shutdown();
+}
+
+void MoveBaseNode::serve(ros::NodeHandle& node, ros::NodeHandle private_node) {
+  links_.command = node.advertise<geometry_msgs::Twist>("cmd_vel", 1);
+  links_.current_goal = private_node.advertise<geometry_msgs::PoseStamped>("current_goal", 1, true);
+  links_.global_path = private_node.advertise<nav_msgs::Path>(parts_->planner_space + "/plan", 1);
+  links_.local_path =
+      private_node.advertise<nav_msgs::Path>(parts_->controller_space + "/global_plan", 1);
+  links_.action_goal = node.advertise<move_base_msgs::MoveBaseActionGoal>("move_base/goal", 1);
+  links_.recovery =
+      node.advertise<move_base_msgs::RecoveryStatus>("move_base/recovery_status", 1, true);
+  links_.simple_goal = node.subscribe<geometry_msgs::PoseStamped>(
+      "move_base_simple/goal", 1, [this](const geometry_msgs::PoseStampedConstPtr& message) {
+        move_base_msgs::MoveBaseActionGoal goal;
+        goal.header.stamp = ros::Time::now();
+        goal.goal.target_pose = *message;
+        links_.action_goal.publish(goal);
+      });
+  links_.odometry = node.subscribe<nav_msgs::Odometry>(
+      parts_->odom_topic, 5,
+      [this](const nav_msgs::OdometryConstPtr& message) { on_odometry(*message); });
+  links_.make_plan = private_node.advertiseService("make_plan", &MoveBaseNode::make_plan, this);
+  links_.clear_costmaps =
+      private_node.advertiseService("clear_costmaps", &MoveBaseNode::clear_costmaps, this);
+  action_ = std::make_unique<Action>(node, "move_base", false);
+  action_->start();
+}
+
+void MoveBaseNode::on_odometry(const nav_msgs::Odometry& message) {
+  const geometry_msgs::Twist& twist = message.twist.twist;
+  const Twist2 measured{twist.linear.x, twist.linear.y, twist.angular.z};
+  if (!std::isfinite(measured.vx) || !std::isfinite(measured.vy) || !std::isfinite(measured.wz)) {
+    refusals_.note("odometry", "the velocity of " + parts_->odom_topic + " is not finite");
+    return;
+  }
+  parts_->world->note_odometry(message.header.stamp.toSec());
+  const std::lock_guard lock(odometry_mutex_);
+  measured_ = measured;
+}
+
+void MoveBaseNode::update_global() {
+  ros::WallRate poll(200.0);
+  double updated_s = -1.0;
+  while (!is_ending_ && ros::ok()) {
+    const double now_s = ros::Time::now().toSec();
+    if (now_s < updated_s || now_s - updated_s >= parts_->global->update_period_s() - 1e-6) {
+      parts_->global->update(now_s);
+      updated_s = now_s;
+    }
+    poll.sleep();
+  }
+}
+
+void MoveBaseNode::run() {
+  ros::Rate rate(parts_->params.controller_frequency);
+  while (ros::ok()) {
+    cycle();
+    rate.sleep();
+  }
+  send({});
+}
+
+void MoveBaseNode::cycle() {
+  const double now_s = ros::Time::now().toSec();
+  parts_->local->update(now_s);
+  take_goals(now_s);
+  if (!action_->isActive()) return;
+  std::string problem;
+  if (unplaced_goal_ && !place_goal(now_s, &problem)) return stand(now_s, problem);
+  const std::optional<NavigatorInput> sensed = sense(now_s, &problem);
+  if (!sensed) return stand(now_s, problem);
+  parts_->world->set_robot(sensed->robot_global, sensed->state.pose);
+  const auto lock = parts_->local->lock();
+  NavigatorInput input = *sensed;
+  input.local = parts_->local->costmap().grid();
+  act(input, parts_->navigator->step(input));
+}
+
+void MoveBaseNode::take_goals(double now_s) {
+  if (action_->isNewGoalAvailable()) {
+    const auto goal = action_->acceptNewGoal();
+    const geometry_msgs::PoseStamped& target = goal->target_pose;
+    if (!is_orientation(target.pose.orientation)) {
+      end_goal(NavigatorStatus::kAborted,
+               "Aborting on goal because it was sent with an invalid quaternion");
+      return;
+    }
+    if (!is_finite_point(target.pose.position)) {
+      end_goal(NavigatorStatus::kAborted, "Aborting on goal because its position is not finite");
+      return;
+    }
+    parts_->navigator->cancel();
+    unplaced_goal_ = target;
+    complained_s_ = now_s;
+  } else if (action_->isPreemptRequested()) {
+    parts_->navigator->cancel();
+    unplaced_goal_.reset();
+    send({});
+    action_->setPreempted();
+  }
+}
+
+/// Gives the goal to the navigator as soon as its pose in the global costmap is known.
+bool MoveBaseNode::place_goal(double now_s, std::string* problem) {
+  *problem = parts_->global->missing();
+  if (!problem->empty()) return false;
+  const std::string& frame = parts_->global->frame();
+  const std::string from = frame_name(unplaced_goal_->header.frame_id);
+  std::optional<Pose2> T_global_from = Pose2{};
+  if (from.empty()) {
+    *problem = "the goal has no frame";
+    end_goal(NavigatorStatus::kAborted, "Aborting on goal because it has no frame");
+    return false;
+  }
+  if (from != frame) {
+    T_global_from = newest_pose(buffer_, frame, from, now_s, INFINITY, problem);
+    if (!T_global_from) return false;
+  }
+  const Pose2 goal = placed_in(*T_global_from, to_pose2(unplaced_goal_->pose));
+  unplaced_goal_.reset();
+  parts_->navigator->set_goal(goal, now_s);
+  geometry_msgs::PoseStamped message;
+  message.header.frame_id = frame;
+  message.header.stamp.fromSec(now_s);
+  message.pose = to_message(goal);
+  links_.current_goal.publish(message);
+  return true;
+}
+
+std::optional<NavigatorInput> MoveBaseNode::sense(double now_s, std::string* problem) {
+  NavigatorInput input;
+  input.now_s = now_s;
+  const std::optional<Pose2> local = parts_->local->robot(now_s, problem);
+  if (!local) return std::nullopt;
+  const std::optional<Pose2> T_global_local =
+      newest_pose(buffer_, parts_->global->frame(), parts_->local->frame(), now_s, INFINITY, problem);
+  if (!T_global_local) return std::nullopt;
+  input.state.pose = *local;
+  input.state.time_s = now_s;
+  input.robot_global = placed_in(*T_global_local, *local);
+  const std::lock_guard lock(odometry_mutex_);
+  input.state.twist = measured_;
+  return input;
+}
+
+void MoveBaseNode::stand(double now_s, const std::string& why) {
+  if (is_driving_) send({});
+  if (now_s >= complained_s_ && now_s - complained_s_ < kComplaintPeriod_s) return;
+  complained_s_ = now_s;
+  ROS_WARN("The robot waits: %s.", why.c_str());
+}
+
+void MoveBaseNode::send(const Twist2& twist) {
+  geometry_msgs::Twist message;
+  message.linear.x = twist.vx;
+  message.linear.y = twist.vy;
+  message.angular.z = twist.wz;
+  links_.command.publish(message);
+  is_driving_ = twist.vx != 0.0 || twist.vy != 0.0 || twist.wz != 0.0;
+}
+
+void MoveBaseNode::act(const NavigatorInput& input, const NavigatorOutput& output) {
+  move_base_msgs::MoveBaseFeedback feedback;
+  feedback.base_position.header.frame_id = parts_->global->frame();
+  feedback.base_position.header.stamp.fromSec(input.now_s);
+  feedback.base_position.pose = to_message(input.robot_global);
+  action_->publishFeedback(feedback);
+  if (output.has_new_path) publish_path(input.now_s);
+  if (output.recovery) note_recovery(*output.recovery, input);
+  if (output.status != NavigatorStatus::kActive) {
+    end_goal(output.status, output.text);
+    return;
+  }
+  send(output.twist);
+  if (output.waiting.empty()) return;
+  if (input.now_s - complained_s_ < kComplaintPeriod_s && input.now_s >= complained_s_) return;
+  complained_s_ = input.now_s;
+  ROS_WARN("%s", output.waiting.c_str());
+}
+
+void MoveBaseNode::end_goal(NavigatorStatus status, const std::string& text) {
+  send({});
+  unplaced_goal_.reset();
+  parts_->navigator->cancel();
+  if (status == NavigatorStatus::kSucceeded) {
+    action_->setSucceeded(move_base_msgs::MoveBaseResult(), text);
+    return;
+  }
+  ROS_ERROR("%s", text.c_str());
+  action_->setAborted(move_base_msgs::MoveBaseResult(), text);
+}
+
+void MoveBaseNode::note_recovery(const RecoveryNote& note, const NavigatorInput& input) {
+  ROS_WARN("Recovery %zu of %zu, %s: %s", note.index + 1, note.count, note.name.c_str(),
+           note.cause.c_str());
+  move_base_msgs::RecoveryStatus message;
+  message.pose_stamped.header.frame_id = parts_->global->frame();
+  message.pose_stamped.header.stamp.fromSec(input.now_s);
+  message.pose_stamped.pose = to_message(input.robot_global);
+  message.current_recovery_number = static_cast<std::uint16_t>(note.index);
+  message.total_number_of_recoveries = static_cast<std::uint16_t>(note.count);
+  message.recovery_behavior_name = note.name;
+  links_.recovery.publish(message);
+}
+
+void MoveBaseNode::publish_path(double now_s) {
+  const nav_msgs::Path message =
+      path_message(parts_->navigator->path(), parts_->global->frame(), now_s);
+  links_.global_path.publish(message);
+  links_.local_path.publish(message);
+}
+
+bool MoveBaseNode::make_plan(nav_msgs::GetPlan::Request& request,
+                             nav_msgs::GetPlan::Response& response) {
+  const double now_s = ros::Time::now().toSec();
+  const std::string& frame = parts_->global->frame();
+  std::string problem;
+  const auto place = [&](const geometry_msgs::PoseStamped& pose) -> std::optional<Pose2> {
+    const std::string from = frame_name(pose.header.frame_id);
+    const auto T_global_from = newest_pose(buffer_, frame, from, now_s, INFINITY, &problem);
+    if (!T_global_from) return std::nullopt;
+    return placed_in(*T_global_from, to_pose2(pose.pose));
+  };
+  const bool starts_here = request.start.header.frame_id.empty();
+  const auto start = starts_here ? parts_->global->robot(now_s, &problem) : place(request.start);
+  const auto goal = place(request.goal);
+  if (!start || !goal) {
+    ROS_ERROR("make_plan: %s", problem.c_str());
+    return false;
+  }
+  const PlanOutcome outcome = parts_->world->plan_now(*start, *goal);
+  if (outcome.failure != Failure::kNone) ROS_WARN("make_plan: %s", outcome.reason.c_str());
+  response.plan = path_message(outcome.path, frame, now_s);
+  return true;
+}
+
+bool MoveBaseNode::clear_costmaps(std_srvs::Empty::Request& /*request*/,
+                                  std_srvs::Empty::Response& /*response*/) {
+  for (CostmapNode* costmap : {parts_->local.get(), parts_->global.get()}) {
+    const auto lock = costmap->lock();
+    forget_area(costmap->costmap(), {}, {0.0, Layer::Side::kOutside, AffectedMaps::kBoth, {}});
+  }
+  return true;
+}
+
+int move_base_main(int argc, char** argv) {
+  ros::init(argc, argv, "move_base");
+  ros::NodeHandle node, private_node("~");
+  ros::AsyncSpinner spinner(2);
+  try {
+    spinner.start();
+    MoveBaseNode move_base(node, private_node);
+    move_base.run();
+  } catch (const Error& error) {
+    ROS_FATAL("%s", error.what());
+    return 1;
+  }
+  return 0;
+}
+
+}  // namespace trident::nav

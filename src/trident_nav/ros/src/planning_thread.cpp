@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "trident_nav_ros/planning_thread.h"
+
+#include <utility>
+
+namespace trident::nav {
+namespace {
+
+constexpr double kObstacleReach_m = 2.0;
+
+}  // namespace
+
+PlanningThread::PlanningThread(CostmapNode& global, CostmapNode& local, Planner& planner,
+                               const MotionLimits& limits)
+    : global_(global), local_(local), planner_(planner), limits_(limits), thread_([this] { run(); }) {}
+
+PlanningThread::~PlanningThread() {
+  {
+    const std::lock_guard lock(mutex_);
+    is_ending_ = true;
+    cancel_ = true;
+  }
+  changed_.notify_all();
+  thread_.join();
+}
+
+PlanOutcome PlanningThread::plan_now(const Pose2& start, const Pose2& goal) {
+  const std::lock_guard planning(planner_mutex_);
+  const auto lock = global_.lock();
+  const CancelFlag never{false};
+  const Costmap& costmap = global_.costmap();
+  return planner_.plan(costmap.grid(), costmap.footprint(), start, goal, limits_, never);
+}
+
+void PlanningThread::run() {
+  std::unique_lock lock(mutex_);
+  while (!is_ending_) {
+    if (!request_) {
+      changed_.wait(lock);
+      continue;
+    }
+    const Request request = *std::exchange(request_, std::nullopt);
+    cancel_ = false;
+    lock.unlock();
+    PlanOutcome outcome;
+    {
+      const std::lock_guard planning(planner_mutex_);
+      const auto costs = global_.lock();
+      const Costmap& costmap = global_.costmap();
+      outcome = planner_.plan(costmap.grid(), costmap.footprint(), request.start, request.goal,
+                              limits_, cancel_);
+    }
+    lock.lock();
+    if (!cancel_) outcome_ = std::move(outcome);
+  }
+}
+
+void PlanningThread::request_plan(const Pose2& start, const Pose2& goal) {
+  {
+    const std::lock_guard lock(mutex_);
+    outcome_.reset();
+    request_ = Request{start, goal};
+    cancel_ = true;  // of the one under way
+  }
+  changed_.notify_all();
+}
+
+std::optional<PlanOutcome> PlanningThread::take_plan() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(outcome_, std::nullopt);
+}
+
+void PlanningThread::cancel_plan() {
+  const std::lock_guard lock(mutex_);
+  request_.reset();
+  outcome_.reset();
+  cancel_ = true;
+}
+
+double PlanningThread::path_cost(const Path& path, std::size_t first) {
+  const auto lock = global_.lock();
+  return path_cost_on(global_.costmap().grid(), path, first);
+}
+
+void PlanningThread::forget(const ClearedArea& area) {
+  if (area.maps != AffectedMaps::kGlobal) forget_area(local_.costmap(), robot_local_, area);
+  if (area.maps == AffectedMaps::kLocal) return;
+  const auto lock = global_.lock();
+  forget_area(global_.costmap(), robot_global_, area);
+}
+
+void PlanningThread::note_odometry(double stamp_s) {
+  const std::lock_guard lock(mutex_);
+  odometry_.note(stamp_s);
+}
+
+std::vector<StaleSource> PlanningThread::stale_sources(double now_s) {
+  std::vector<StaleSource> stale = local_.costmap().stale_sources(now_s);
+  const std::lock_guard lock(mutex_);
+  if (!odometry_.has_data() || odometry_.is_stale(now_s)) {
+    stale.push_back({"local planner", "odometry", odom_topic_, odometry_.age_s(now_s),
+                     odometry_.limit_s()});
+  }
+  return stale;
+}
+
+std::string PlanningThread::obstacle_text(const Pose2& robot_local) {
+  return nearest_obstacle_text(local_.costmap(), robot_local, kObstacleReach_m);
+}
+
+}  // namespace trident::nav

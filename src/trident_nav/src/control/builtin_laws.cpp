@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "laws.h"
+
+namespace trident::nav {
+
+ControlLawRegistry builtin_control_laws() {
+  ControlLawRegistry registry("controller");
+  add_dwa(registry);
+  add_mppi(registry);
+  add_pure_pursuit(registry);
+  return registry;
+}
+
+}  // namespace trident::nav

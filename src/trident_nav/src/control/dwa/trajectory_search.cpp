@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "trajectory_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "../steering.h"
+
+namespace trident::nav {
+namespace {
+
+MppiModel search_model(const ControlSetup& setup, const SearchParams& params) {
+  MppiModel model;
+  model.motion = setup.limits.vy_max > 0.0               ? MppiMotion::kOmni
+                 : setup.limits.min_turning_radius > 0.0 ? MppiMotion::kAckermann
+                                                         : MppiMotion::kDiffDrive;
+  model.limits = setup.limits;
+  if (!params.accelerates) {
+    constexpr double kAtOnce = 1e6;
+    model.limits.ax_max = model.limits.decel_max = kAtOnce;
+    model.limits.ay_max = model.limits.alpha_max = kAtOnce;
+  }
+  const double along = setup.limits.vx_max * params.sim_time_s / params.granularity_m;
+  const double turned = setup.limits.wz_max * params.sim_time_s / params.angular_granularity;
+  model.steps = std::clamp(static_cast<int>(std::ceil(std::max(along, turned))), 2, 200);
+  model.dt_s = params.sim_time_s / model.steps;
+  model.inscribed_radius = setup.footprint.inscribed_radius;
+  model.circumscribed_radius = setup.footprint.circumscribed_radius;
+  model.cover = cover_footprint(setup.footprint);
+  return model;
+}
+
+}  // namespace
+
+TrajectorySearch::TrajectorySearch(const ControlSetup& setup, const SearchParams& params)
+    : model_(search_model(setup, params)), rollouts_(model_.steps) {}
+
+double TrajectorySearch::reach_m(double margin_m) const {
+  return model_.limits.vx_max * model_.horizon_s() + margin_m;
+}
+
+DwaScene TrajectorySearch::make_scene(const Situation& situation) const {
+  DwaScene scene{situation, situation.grid.geometry.resolution, {}, {}, distance_left(situation)};
+  const Point2 center{situation.state.pose.x, situation.state.pose.y};
+  // Beyond what trajectories reach distances go around obstacles.
+  const double radius_m = reach_m(4.0 * model_.circumscribed_radius);
+  scene.path_grid.resize(situation.grid, center, radius_m);
+  scene.goal_grid.resize(situation.grid, center, radius_m);
+  scene.path_grid.measure_from_path(situation.grid, situation.path.poses);
+  scene.goal_grid.measure_from_end(situation.grid, situation.path.poses);
+  return scene;
+}
+
+void TrajectorySearch::roll(const std::vector<Twist2>& samples, std::size_t first,
+                            const Situation& situation, const ObstacleSurvey& survey) {
+  for (int lane = 0; lane < kLanes; ++lane) {
+    const std::size_t i = std::min(first + static_cast<std::size_t>(lane), samples.size() - 1);
+    for (int step = 0; step < model_.steps; ++step) {
+      rollouts_.at(rollouts_.vx, step)[lane] = static_cast<float>(samples[i].vx);
+      rollouts_.at(rollouts_.vy, step)[lane] = static_cast<float>(samples[i].vy);
+      rollouts_.at(rollouts_.wz, step)[lane] = static_cast<float>(samples[i].wz);
+    }
+  }
+  roll_out(model_, {situation.state.pose.yaw, situation.state.twist}, &rollouts_);
+  survey.survey(&rollouts_);
+}
+
+int TrajectorySearch::last_step(const Twist2& twist, double goal_distance_m) const {
+  const double step_m = std::hypot(twist.vx, twist.vy) * model_.dt_s;
+  const double steps = step_m > 0.0 ? std::ceil(goal_distance_m / step_m) : model_.steps;
+  return std::clamp(static_cast<int>(std::min(steps, 1e6)) - 1, 0, model_.steps - 1);
+}
+
+std::optional<double> TrajectorySearch::score(const DwaScene& scene, const Candidate& candidate,
+                                              const TrajectoryCritics& critics, double best) const {
+  // Of equals, the one that turns less.
+  constexpr double kTieBreak = 1e-4;
+  double total = kTieBreak * std::fabs(candidate.twist.wz);
+  for (const auto& critic : critics) {
+    if (critic->scale() == 0.0) continue;
+    const double value = critic->score(scene, candidate);
+    if (value < 0.0) return std::nullopt;
+    total += critic->scale() * value;
+    if (total >= best) return std::nullopt;  // it cannot become the best one
+  }
+  return total;
+}
+
+std::optional<Twist2> TrajectorySearch::best(const std::vector<Twist2>& samples,
+                                             const Situation& situation,
+                                             const TrajectoryCritics& critics) {
+  if (samples.empty()) return std::nullopt;
+  const CostGrid grid = distances_.of(situation.grid);
+  const DwaScene scene = make_scene(situation);
+  for (const auto& critic : critics) critic->prepare(scene);
+  const ObstacleSurvey survey(model_, situation.checker, grid, situation.state.pose, {true, 1});
+  std::optional<Twist2> chosen;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t first = 0; first < samples.size(); first += kLanes) {
+    roll(samples, first, situation, survey);
+    const auto count = std::min<std::size_t>(kLanes, samples.size() - first);
+    for (std::size_t k = 0; k < count; ++k) {
+      if (rollouts_.contact_step[k] < model_.steps) continue;
+      const Candidate candidate{samples[first + k], &rollouts_, static_cast<int>(k),
+                                last_step(samples[first + k], scene.goal_distance_m)};
+      if (const auto total = score(scene, candidate, critics, least)) {
+        least = *total;
+        chosen = candidate.twist;
+      }
+    }
+  }
+  if (chosen) {
+    for (const auto& critic : critics) critic->on_chosen(scene, *chosen);
+  }
+  return chosen;
+}
+
+}  // namespace trident::nav

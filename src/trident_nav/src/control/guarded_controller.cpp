@@ -1,0 +1,202 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "escape.h"
+#include "steering.h"
+#include "trident_base/angle.h"
+#include "trident_base/error.h"
+#include "trident_nav/core/footprint.h"
+#include "trident_nav/control/controller.h"
+
+namespace trident::nav {
+namespace {
+
+// Of the path, what the robot may advance in a call: as far as this many of its radii.
+constexpr double kAdvanceRadii = 4.0;
+
+// What is kept free around the footprint: what a base's controller and the commands' discrete times
+// make of a trajectory.
+double padding_m(const Footprint& footprint) {
+  return 0.002 + 0.01 * footprint.circumscribed_radius;
+}
+
+std::string text(const char* format, double a, double b = 0.0, double c = 0.0) {
+  char buffer[200];
+  const int length = std::snprintf(buffer, sizeof buffer, format, a, b, c);
+  return {buffer, static_cast<std::size_t>(std::max(length, 0))};
+}
+
+void require_positive(const char* field, double value) {
+  if (!(value > 0.0)) {
+    throw Error(std::string("limits: ") + field + " is " + text("%g", value) + " (> 0)");
+  }
+}
+
+std::string problem_of(const RobotState& state, const Path& path, const CostGrid& grid) {
+  if (!is_finite(state.pose) || !is_finite(state.twist) || !std::isfinite(state.time_s)) {
+    return "The robot's state is not finite.";
+  }
+  if (grid.cost == nullptr || grid.geometry.size() == 0) return "The costmap is empty.";
+  const auto bad =
+      std::find_if_not(path.begin(), path.end(), [](const Pose2& pose) { return is_finite(pose); });
+  if (bad != path.end()) {
+    return text("Pose %.0f of the path is not finite.", static_cast<double>(bad - path.begin()));
+  }
+  return path.empty() ? "The path has no poses." : "";
+}
+
+std::string describe(const ContactAhead& contact) {
+  std::string where =
+      text("at (%.2f, %.2f), %.2f s ahead.", contact.pose.x, contact.pose.y, contact.after_s);
+  if (contact.track_id < 0) return "The braking trajectory touches an obstacle " + where;
+  return "The braking trajectory touches moving obstacle " + std::to_string(contact.track_id) +
+         " " + where;
+}
+
+}  // namespace
+
+void ControlSetup::validate() const {
+  require_positive("vx_max", limits.vx_max);
+  require_positive("ax_max", limits.ax_max);
+  require_positive("decel_max", limits.decel_max);
+  require_positive("alpha_max", limits.alpha_max);
+  require_positive("wz_max", limits.wz_max);
+  if (limits.vy_max > 0.0) require_positive("ay_max", limits.ay_max);
+  if (!(limits.vx_min <= 0.0)) {
+    throw Error("limits: vx_min is " + text("%g", limits.vx_min) + " (<= 0: how fast backwards)");
+  }
+  if (!(limits.min_turning_radius >= 0.0)) {
+    throw Error("limits: min_turning_radius is " + text("%g", limits.min_turning_radius) +
+                " (>= 0)");
+  }
+  if (!(period_s > 0.0) || !std::isfinite(period_s)) {
+    throw Error("control period: " + text("%g", period_s) + " s (> 0)");
+  }
+  if (!(footprint.circumscribed_radius > 0.0)) throw Error("footprint: it is missing");
+}
+
+GuardedController::GuardedController(const ControlSetup& setup, std::unique_ptr<ControlLaw> law,
+                                     std::shared_ptr<const FootprintChecker> checker)
+    : setup_((setup.validate(), setup)),
+      checker_(checker != nullptr
+                   ? std::move(checker)
+                   : std::make_shared<FootprintChecker>(setup.footprint, setup.unknown)),
+      padded_checker_(grown_footprint(setup.footprint, padding_m(setup.footprint)), setup.unknown),
+      law_(std::move(law)),
+      guard_(setup.limits, *checker_, padded_checker_, setup.period_s),
+      arrival_(setup.tolerance, setup.can_turn_on_spot()),
+      tracker_(kAdvanceRadii * setup.footprint.circumscribed_radius) {}
+
+void GuardedController::reset() {
+  law_->reset();
+  arrival_.reset();
+  tracker_.reset();
+  blocked_calls_ = 0;
+}
+
+Proposal GuardedController::turn_to_goal(const RobotState& state, double goal_yaw,
+                                         const CostGrid& grid) {
+  const double near = wrap_angle(goal_yaw - state.pose.yaw);
+  const auto rate = [&](double angle) {
+    return Twist2{0.0, 0.0, turning_rate(setup_.limits, angle, setup_.period_s)};
+  };
+  const auto is_free = [&](double angle) {
+    const int steps = 1 + static_cast<int>(std::fabs(angle) / 0.05);
+    for (int i = 1; i <= steps; ++i) {
+      const double yaw = wrap_angle(state.pose.yaw + angle * i / steps);
+      if (!checker_->is_free(grid, {state.pose.x, state.pose.y, yaw})) return false;
+    }
+    return true;
+  };
+  if (is_free(near)) return {rate(near), Failure::kNone, ""};
+  const double far = near - std::copysign(2.0 * kPi, near);
+  if (is_free(far)) return {rate(far), Failure::kNone, ""};
+  return {{}, Failure::kBlocked, "The turn to the goal's heading is blocked in both directions."};
+}
+
+Proposal GuardedController::propose(const RobotState& state, const Path& path, const CostGrid& grid,
+                                    const Tracks& tracks, const TwistWindow& window) {
+  const LocalPath local =
+      tracker_.update(path, state.pose, grid.geometry.resolution, law_->path_length_m());
+  // The law, too, leaves what the guard wants, unless the robot has less.
+  const bool has_room = padded_checker_.is_free(grid, state.pose);
+  const FootprintChecker& checker = has_room ? padded_checker_ : *checker_;
+  const Situation situation{state, local, path.back(), grid, tracks, checker, window};
+  return law_->propose(situation);
+}
+
+CommandOutcome GuardedController::guarded(const RobotState& state, Proposal proposal,
+                                          const TwistWindow& window, const CostGrid& grid,
+                                          const Tracks& tracks) {
+  CommandOutcome outcome;
+  outcome.failure = proposal.failure;
+  outcome.reason = std::move(proposal.reason);
+  if (outcome.failure == Failure::kNone && !is_finite(proposal.twist)) {
+    outcome.failure = Failure::kInvalidInput;
+    outcome.reason = "The control law's command is not finite.";
+  }
+  if (outcome.failure == Failure::kNone) {
+    outcome.twist = admissible_twist(setup_.limits, window, proposal.twist);
+    const auto contact = guard_.first_contact(state, outcome.twist, grid, tracks);
+    if (!contact) {
+      blocked_calls_ = 0;
+      return outcome;
+    }
+    outcome.failure = Failure::kBlocked;
+    outcome.reason = describe(*contact);
+  }
+  // A robot that is held in a tight place first makes room, so that the law has other commands.
+  constexpr int kPatience = 4;
+  if (outcome.failure == Failure::kBlocked && ++blocked_calls_ > kPatience) {
+    if (const auto escape = escape_twist(setup_, guard_, state, grid, tracks)) {
+      outcome.twist = *escape;
+      outcome.failure = Failure::kNone;
+      return outcome;
+    }
+  }
+  outcome.twist = braked(setup_.limits, state.twist, setup_.period_s);
+  return outcome;
+}
+
+CommandOutcome GuardedController::command(const RobotState& state, const Path& path,
+                                          const CostGrid& grid, const Tracks& tracks) {
+  CommandOutcome outcome;
+  outcome.reason = problem_of(state, path, grid);
+  if (!outcome.reason.empty()) {
+    outcome.failure = path.empty() ? Failure::kInvalidPath : Failure::kInvalidInput;
+    if (is_finite(state.twist)) {
+      outcome.twist = braked(setup_.limits, state.twist, setup_.period_s);
+    }
+    return outcome;
+  }
+  const TwistWindow window = reachable_window(setup_.limits, state.twist, setup_.period_s);
+  const ArrivalPhase phase = arrival_.update(state, path.back());
+  if (phase == ArrivalPhase::kReached) {
+    outcome.twist = braked(setup_.limits, state.twist, setup_.period_s);
+    outcome.goal_reached = true;
+    return outcome;
+  }
+  const bool turns = phase == ArrivalPhase::kTurn;
+  Proposal proposal = turns ? turn_to_goal(state, path.back().yaw, grid)
+                            : propose(state, path, grid, tracks, window);
+  outcome = guarded(state, std::move(proposal), window, grid, tracks);
+  if (!turns) law_->on_sent(outcome.twist);
+  return outcome;
+}
+
+std::unique_ptr<Controller> make_controller(const std::string& law, const ControlSetup& setup,
+                                            const ConfigNode& params, const std::string& label,
+                                            std::shared_ptr<const FootprintChecker> checker) {
+  setup.validate();
+  const ControlLawRegistry registry = builtin_control_laws();
+  ConfigNode given = params;
+  if (given.kind == ConfigNode::Kind::kNull) given.kind = ConfigNode::Kind::kMap;
+  return std::make_unique<GuardedController>(setup, registry.get(law)(setup, given, label),
+                                             std::move(checker));
+}
+
+}  // namespace trident::nav

@@ -1,0 +1,277 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "trident_nav/navigator/navigator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include "trident_base/string_util.h"
+#include "trident_nav/control/motion.h"
+
+namespace trident::nav {
+namespace {
+
+// After a recovery the costmaps and the planner have this long before the next one begins.
+constexpr double kGrace_s = 1.0;
+// Where no command is found, new paths are asked for at least so often [Hz].
+constexpr double kReplanRate = 2.0;
+constexpr double kTrailSpacing_m = 0.05;
+constexpr double kTrailTurn = 0.2;  // [rad]
+constexpr std::size_t kTrailPoses = 400;
+// A robot that moves farther in a period was put somewhere else.
+constexpr double kJump_m = 1.0;
+
+std::string place_text(const Pose2& pose) {
+  char text[64];
+  std::snprintf(text, sizeof text, "(%.2f, %.2f)", pose.x, pose.y);
+  return text;
+}
+
+/// `pose` is given in the axes of `frame`.
+Pose2 placed(const Pose2& frame, const Pose2& pose) {
+  const Point2 p = transform(frame, {pose.x, pose.y});
+  return {p.x, p.y, wrap_angle(frame.yaw + pose.yaw)};
+}
+
+Pose2 inverse(const Pose2& pose) {
+  const double c = std::cos(pose.yaw), s = std::sin(pose.yaw);
+  return {-c * pose.x - s * pose.y, s * pose.x - c * pose.y, -pose.yaw};
+}
+
+std::string joined_texts(const std::vector<StaleSource>& sources) {
+  std::vector<std::string> texts;
+  for (const StaleSource& source : sources) texts.push_back(source.text());
+  return join(texts, "; ");
+}
+
+}  // namespace
+
+Navigator::Navigator(NavigatorParts parts, NavigatorWorld& world, Controller& controller)
+    : parts_(std::move(parts)), world_(world), controller_(controller), keeper_(parts_.params) {}
+
+void Navigator::forget_progress(double now_s) {
+  since_ = Patience{};
+  since_.plan_s = since_.command_s = since_.motion_s = since_.step_s = now_s;
+  since_.request_s = -1e9;
+}
+
+void Navigator::set_goal(const Pose2& goal, double now_s) {
+  world_.cancel_plan();
+  controller_.reset();
+  keeper_.clear();
+  forget_progress(now_s);
+  goal_ = goal;
+  next_recovery_ = 0;
+  cause_.clear();
+  since_.motion_from = trail_.empty() ? Pose2{} : trail_.back();
+  phase_ = Phase::kPlanning;
+}
+
+void Navigator::cancel() {
+  world_.cancel_plan();
+  controller_.reset();
+  keeper_.clear();
+  phase_ = Phase::kIdle;
+}
+
+Twist2 Navigator::braking(const NavigatorInput& input) const {
+  return braked(parts_.limits, input.state.twist, 1.0 / parts_.params.controller_frequency);
+}
+
+/// Keeps the trail, and notes whether the robot gets anywhere: only that makes the recoveries begin
+/// anew.
+void Navigator::note_motion(const NavigatorInput& input) {
+  const Pose2& pose = input.state.pose;
+  if (!trail_.empty()) {
+    const Pose2& last = trail_.back();
+    const double moved_m = distance(last.x, last.y, pose.x, pose.y);
+    if (moved_m > kJump_m) trail_.clear();
+    const bool is_same = moved_m < kTrailSpacing_m &&
+                         std::fabs(wrap_angle(pose.yaw - last.yaw)) < kTrailTurn;
+    if (is_same && !trail_.empty()) return;
+  }
+  if (trail_.size() >= kTrailPoses) trail_.erase(trail_.begin(), trail_.begin() + kTrailPoses / 2);
+  trail_.push_back(pose);
+  const double away_m = distance(since_.motion_from.x, since_.motion_from.y, pose.x, pose.y);
+  if (away_m < parts_.params.oscillation_distance) return;
+  since_.motion_from = pose;
+  since_.motion_s = input.now_s;
+  if (phase_ == Phase::kControlling) next_recovery_ = 0;
+}
+
+bool Navigator::waits_for_sources(const NavigatorInput& input, NavigatorOutput* output) {
+  const std::vector<StaleSource> stale = world_.stale_sources(input.now_s);
+  if (stale.empty()) return false;
+  const double waited_s = std::max(input.now_s - since_.step_s, 0.0);
+  for (double* since : {&since_.plan_s, &since_.command_s, &since_.motion_s}) *since += waited_s;
+  output->waiting = "The robot stands until data come: " + joined_texts(stale) + ".";
+  return true;
+}
+
+NavigatorOutput Navigator::step(const NavigatorInput& input) {
+  NavigatorOutput output;
+  note_motion(input);
+  if (phase_ == Phase::kIdle) return output;
+  output.status = NavigatorStatus::kActive;
+  output.twist = braking(input);
+  if (!waits_for_sources(input, &output)) {
+    if (phase_ == Phase::kRecovering) {
+      recover(input, &output);
+    } else {
+      plan(input, &output);
+      if (phase_ == Phase::kControlling) control(input, &output);
+    }
+  }
+  since_.step_s = input.now_s;
+  return output;
+}
+
+void Navigator::plan(const NavigatorInput& input, NavigatorOutput* output) {
+  const double rate = parts_.params.planner_frequency;
+  const double waited_s = input.now_s - since_.request_s;
+  const bool is_due = phase_ == Phase::kPlanning
+                          ? waited_s * std::max(rate, kReplanRate) >= 1.0
+                          : rate > 0.0 && waited_s * rate >= 1.0 - 1e-9;
+  if (!since_.has_request && is_due) {
+    world_.request_plan(input.robot_global, goal_);
+    since_.request_s = input.now_s;
+    since_.has_request = true;
+  }
+  if (since_.has_request) take_plan(input, output);
+}
+
+void Navigator::take_plan(const NavigatorInput& input, NavigatorOutput* output) {
+  std::optional<PlanOutcome> outcome = world_.take_plan();
+  if (!outcome) return;
+  since_.has_request = false;
+  if (outcome->failure != Failure::kNone || outcome->path.empty()) {
+    refuse_plan(input, *outcome, output);
+    return;
+  }
+  since_.plan_s = input.now_s;
+  since_.failed_plans = 0;
+  const double left_m =
+      std::max(parts_.footprint.circumscribed_radius, 2.0 * input.local.geometry.resolution);
+  output->has_new_path =
+      keeper_.offer(std::move(outcome->path), input.now_s, input.robot_global, left_m, world_);
+  if (phase_ != Phase::kPlanning) return;
+  phase_ = Phase::kControlling;
+}
+
+/// While an old path is followed, a failed plan changes nothing.
+void Navigator::refuse_plan(const NavigatorInput& input, const PlanOutcome& outcome,
+                            NavigatorOutput* output) {
+  ++since_.failed_plans;
+  if (phase_ != Phase::kPlanning) return;
+  cause_ = outcome.reason;
+  const NavigatorParams& params = parts_.params;
+  const bool is_over = input.now_s - since_.plan_s >= params.planner_patience;
+  const bool is_tried =
+      params.max_planning_retries >= 0 && since_.failed_plans > params.max_planning_retries;
+  if (!is_over && !is_tried) return;
+  cause_ += is_tried ? " max_planning_retries of " + std::to_string(params.max_planning_retries) +
+                           " is used up."
+                     : " planner_patience of " + number_text(params.planner_patience) +
+                           " s is over.";
+  begin_recovery(Trigger::kPlanning, input, output);
+}
+
+Path Navigator::local_path(const NavigatorInput& input) const {
+  const Pose2 T_local_global = placed(input.state.pose, inverse(input.robot_global));
+  Path path = keeper_.remaining();
+  for (Pose2& pose : path) pose = placed(T_local_global, pose);
+  return path;
+}
+
+void Navigator::control(const NavigatorInput& input, NavigatorOutput* output) {
+  const NavigatorParams& params = parts_.params;
+  keeper_.advance(input.robot_global);
+  if (params.oscillation_timeout > 0.0 &&
+      input.now_s - since_.motion_s > params.oscillation_timeout) {
+    cause_ = "Within oscillation_timeout of " + number_text(params.oscillation_timeout) +
+             " s the robot got less than oscillation_distance of " +
+             number_text(params.oscillation_distance) + " m away from " +
+             place_text(since_.motion_from) + ".";
+    begin_recovery(Trigger::kOscillation, input, output);
+    return;
+  }
+  CommandOutcome outcome =
+      controller_.command(input.state, local_path(input), input.local, input.tracks);
+  output->twist = outcome.twist;
+  if (outcome.goal_reached) {
+    finish(NavigatorStatus::kSucceeded, "Goal reached.", output);
+  } else if (outcome.failure == Failure::kNone) {
+    since_.command_s = input.now_s;
+  } else {
+    miss_command(input, outcome, output);
+  }
+}
+
+void Navigator::miss_command(const NavigatorInput& input, const CommandOutcome& outcome,
+                             NavigatorOutput* output) {
+  cause_ = outcome.reason;
+  if (input.now_s - since_.command_s >= parts_.params.controller_patience) {
+    const std::string obstacle = world_.obstacle_text(input.state.pose);
+    cause_ += (obstacle.empty() ? "" : " " + obstacle) + " controller_patience of " +
+              number_text(parts_.params.controller_patience) + " s is over.";
+    begin_recovery(Trigger::kControlling, input, output);
+  } else if (!since_.has_request && (input.now_s - since_.request_s) * kReplanRate >= 1.0) {
+    world_.request_plan(input.robot_global, goal_);
+    since_.request_s = input.now_s;
+    since_.has_request = true;
+  }
+}
+
+void Navigator::begin_recovery(Trigger trigger, const NavigatorInput& input,
+                               NavigatorOutput* output) {
+  trigger_ = trigger;
+  output->twist = braking(input);
+  world_.cancel_plan();
+  since_.has_request = false;
+  if (!parts_.params.recovery_behavior_enabled || next_recovery_ >= parts_.recoveries.size()) {
+    const char* sentence =
+        trigger == Trigger::kPlanning      ? "Failed to find a valid plan."
+        : trigger == Trigger::kControlling ? "Failed to find a valid control."
+                                           : "Robot is oscillating.";
+    finish(NavigatorStatus::kAborted,
+           std::string(sentence) + " Even after executing recovery behaviors. " + cause_, output);
+    return;
+  }
+  NamedRecovery& next = parts_.recoveries[next_recovery_];
+  next.recovery->start();
+  phase_ = Phase::kRecovering;
+  output->recovery = {next.name, next_recovery_, parts_.recoveries.size(), cause_};
+}
+
+void Navigator::recover(const NavigatorInput& input, NavigatorOutput* output) {
+  NamedRecovery& current = parts_.recoveries[next_recovery_];
+  const RecoveryStep step = current.recovery->step(
+      {input.now_s, input.state, input.local, input.tracks, trail_, world_, controller_});
+  if (!step.is_done) {
+    output->twist = step.twist;
+    return;
+  }
+  ++next_recovery_;
+  phase_ = Phase::kPlanning;
+  keeper_.clear();
+  controller_.reset();
+  const NavigatorParams& params = parts_.params;
+  since_.plan_s = std::max(since_.plan_s, input.now_s + kGrace_s - params.planner_patience);
+  since_.command_s = std::max(since_.command_s, input.now_s + kGrace_s - params.controller_patience);
+  since_.motion_s = input.now_s;
+  since_.motion_from = input.state.pose;
+  since_.failed_plans = 0;
+}
+
+void Navigator::finish(NavigatorStatus status, std::string text, NavigatorOutput* output) {
+  output->status = status;
+  output->text = std::move(text);
+  keeper_.clear();
+  controller_.reset();
+  world_.cancel_plan();
+  phase_ = Phase::kIdle;
+}
+
+}  // namespace trident::nav

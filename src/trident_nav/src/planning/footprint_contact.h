@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "trident_nav/core/cost_grid.h"
+
+namespace trident::nav {
+
+/// Whether a footprint covers a part of a lethal cell, exactly: the polygon's inside and border
+/// against the cells' squares. A footprint without points is a circle, which is in contact where
+/// the costmap's inflation says so (a cost of at least 253 at its center).
+///
+/// Where the distance field is far from any obstacle one look-up decides; else the polygon is cut
+/// into rows of cells, which are compared with a bitmap. Made once per change of the costs.
+class FootprintContact {
+ public:
+  enum class Unknown { kFree, kBlocked };
+
+  FootprintContact() = default;
+  FootprintContact(const CostGrid& grid, const Footprint& footprint, Unknown unknown);
+
+  /// True also where the footprint reaches over the grid's border.
+  bool in_contact(const Pose2& pose) const;
+  /// How far the pose can move in any direction, turning included, and surely be free [m]: the
+  /// distance that is left around the circumscribed circle. 0: look closer.
+  double margin(const Pose2& pose) const;
+  /// From now on the cells under the footprint at this pose are free: the robot stands there, so
+  /// that what is marked there is no obstacle.
+  void ignore_under(const Pose2& pose);
+  const Footprint& footprint() const { return footprint_; }
+
+ private:
+  /// Cells [from, to] of one row.
+  struct Span {
+    int from = 0;
+    int to = -1;
+  };
+
+  template <class Visit>
+  bool any_span(const Pose2& pose, Visit&& visit) const;
+  bool row_blocked(int y, Span span) const;
+  bool circle_in_contact(const Pose2& pose) const;
+
+  CostGrid grid_;
+  Footprint footprint_;
+  bool unknown_blocks_ = false;
+  int words_ = 0;
+  std::vector<std::uint64_t> blocked_;  ///< One bit per cell, rows of `words_`.
+};
+
+/// The footprint of a robot whose parameters give none: a circle of the inscribed radius, without
+/// points, stays as it is; otherwise the points are made counter-clockwise and the radii computed.
+Footprint completed(Footprint footprint);
+
+}  // namespace trident::nav

@@ -1,0 +1,298 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "trident_nav/navigator/navigator.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "navigator/robot_world.h"
+#include "trident_nav/core/footprint.h"
+
+namespace trident::nav {
+namespace {
+
+using testing::RobotWorld;
+using testing::Wall;
+
+/// Answers as it is told.
+class ScriptedWorld : public NavigatorWorld {
+ public:
+  void request_plan(const Pose2& start, const Pose2& goal) override {
+    ++requests;
+    if (plan_failure.empty()) {
+      outcome = PlanOutcome{{start, goal}, Failure::kNone, "", 1.0};
+    } else {
+      outcome = PlanOutcome{{}, Failure::kNoPath, plan_failure, 0.0};
+    }
+  }
+  std::optional<PlanOutcome> take_plan() override { return std::exchange(outcome, std::nullopt); }
+  void cancel_plan() override { outcome.reset(); }
+  double path_cost(const Path& path, std::size_t) override {
+    return distance(path.front().x, path.front().y, path.back().x, path.back().y);
+  }
+  void forget(const ClearedArea& area) override { forgotten.push_back(area); }
+  std::vector<StaleSource> stale_sources(double) override { return stale; }
+  std::string obstacle_text(const Pose2&) override { return "A box is in the way."; }
+
+  std::string plan_failure;
+  std::optional<PlanOutcome> outcome;
+  std::vector<ClearedArea> forgotten;
+  std::vector<StaleSource> stale;
+  int requests = 0;
+};
+
+class ScriptedController : public Controller {
+ public:
+  CommandOutcome command(const RobotState&, const Path&, const CostGrid&, const Tracks&) override {
+    return outcome;
+  }
+  void reset() override {}
+  CommandOutcome outcome{{0.3, 0.0, 0.0}, Failure::kNone, "", false};
+};
+
+class ScriptedNavigator : public ::testing::Test {
+ protected:
+  ScriptedNavigator() {
+    parts_.limits = {0.5, 0.0, 0.0, 1.0, 1.0, 1.0, 0.0, 2.0, 0.0};
+    parts_.footprint = circle_footprint(0.2);
+    parts_.params.controller_frequency = 10.0;
+    costs_.assign(100 * 100, kFreeCost);
+  }
+
+  Navigator make(std::vector<NamedRecovery> recoveries = {}) {
+    parts_.recoveries = std::move(recoveries);
+    return {std::move(parts_), world_, controller_};
+  }
+  std::vector<NamedRecovery> clearings(int count) {
+    std::vector<NamedRecovery> result;
+    for (int i = 0; i < count; ++i) {
+      result.push_back({"clear_" + std::to_string(i),
+                        builtin_recoveries().get("clear_costmap_recovery/ClearCostmapRecovery")(
+                            {}, parse_yaml("{}", "test"), "test")});
+    }
+    return result;
+  }
+  /// Steps until the goal has an outcome, at most so long.
+  NavigatorOutput run(Navigator& navigator, double limit_s) {
+    NavigatorOutput output;
+    for (const double end_s = input_.now_s + limit_s; input_.now_s < end_s;) {
+      output = step(navigator);
+      if (output.status != NavigatorStatus::kActive) break;
+    }
+    return output;
+  }
+  NavigatorOutput step(Navigator& navigator) {
+    input_.local.geometry = {100, 100, 0.05, 0.0, 0.0};
+    input_.local.cost = costs_.data();
+    const NavigatorOutput output = navigator.step(input_);
+    if (output.recovery) recoveries_.push_back(*output.recovery);
+    input_.now_s += 0.1;
+    input_.state.time_s = input_.now_s;
+    return output;
+  }
+
+  NavigatorParts parts_;
+  ScriptedWorld world_;
+  ScriptedController controller_;
+  NavigatorInput input_;
+  std::vector<std::uint8_t> costs_;
+  std::vector<RecoveryNote> recoveries_;
+};
+
+TEST_F(ScriptedNavigator, SaysNothingWithoutAGoal) {
+  Navigator navigator = make();
+  const NavigatorOutput output = step(navigator);
+  EXPECT_EQ(output.status, NavigatorStatus::kIdle);
+  EXPECT_EQ(world_.requests, 0);
+}
+
+TEST_F(ScriptedNavigator, CommandsInTheStepAfterTheGoalAndEndsWithUpstreamsSentence) {
+  Navigator navigator = make();
+  navigator.set_goal({2.0, 2.0, 0.0}, 0.0);
+  const NavigatorOutput first = step(navigator);
+  EXPECT_EQ(first.status, NavigatorStatus::kActive);
+  EXPECT_TRUE(first.has_new_path);
+  EXPECT_DOUBLE_EQ(first.twist.vx, 0.3);
+  controller_.outcome.goal_reached = true;
+  const NavigatorOutput last = step(navigator);
+  EXPECT_EQ(last.status, NavigatorStatus::kSucceeded);
+  EXPECT_EQ(last.text, "Goal reached.");
+  EXPECT_FALSE(navigator.is_active());
+}
+
+TEST_F(ScriptedNavigator, WithoutAPlanTriesEachRecoveryOnceAndSaysWhy) {
+  world_.plan_failure = "The goal (9.00, 9.00) is walled in.";
+  Navigator navigator = make(clearings(2));
+  navigator.set_goal({9.0, 9.0, 0.0}, 0.0);
+  const NavigatorOutput output = run(navigator, 60.0);
+  EXPECT_EQ(output.status, NavigatorStatus::kAborted);
+  EXPECT_EQ(output.text,
+            "Failed to find a valid plan. Even after executing recovery behaviors. The goal (9.00, "
+            "9.00) is walled in. planner_patience of 5 s is over.");
+  ASSERT_EQ(recoveries_.size(), 2U);
+  EXPECT_EQ(recoveries_[1].name, "clear_1");
+  EXPECT_EQ(recoveries_[1].index, 1U);
+  EXPECT_EQ(world_.forgotten.size(), 2U);
+  EXPECT_GT(input_.now_s, 5.0);
+  EXPECT_LT(input_.now_s, 9.0);
+}
+
+TEST_F(ScriptedNavigator, CountsPlansWhereRetriesAreLimited) {
+  world_.plan_failure = "No way.";
+  parts_.params.max_planning_retries = 2;
+  Navigator navigator = make();
+  navigator.set_goal({}, 0.0);
+  const NavigatorOutput output = run(navigator, 4.0);
+  EXPECT_EQ(output.status, NavigatorStatus::kAborted);
+  EXPECT_EQ(world_.requests, 3);
+  EXPECT_NE(output.text.find("max_planning_retries of 2"), std::string::npos) << output.text;
+}
+
+TEST_F(ScriptedNavigator, WithoutACommandBrakesReplansAndSaysWhatIsInTheWay) {
+  parts_.params.controller_patience = 3.0;
+  controller_.outcome = {{}, Failure::kBlocked, "Every trajectory is in contact.", false};
+  Navigator navigator = make(clearings(1));
+  navigator.set_goal({2.0, 0.0, 0.0}, 0.0);
+  const NavigatorOutput output = run(navigator, 20.0);
+  EXPECT_EQ(output.text,
+            "Failed to find a valid control. Even after executing recovery behaviors. Every "
+            "trajectory is in contact. A box is in the way. controller_patience of 3 s is over.");
+  EXPECT_EQ(recoveries_.size(), 1U);
+  EXPECT_GE(world_.requests, 6);
+}
+
+TEST_F(ScriptedNavigator, ARobotThatGetsNowhereOscillates) {
+  parts_.params.oscillation_timeout = 4.0;
+  Navigator navigator = make();
+  navigator.set_goal({2.0, 0.0, 0.0}, 0.0);
+  const NavigatorOutput output = run(navigator, 20.0);
+  EXPECT_EQ(output.status, NavigatorStatus::kAborted);
+  EXPECT_EQ(output.text.rfind("Robot is oscillating. Even after executing recovery behaviors. "
+                              "Within oscillation_timeout of 4 s", 0), 0U)
+      << output.text;
+}
+
+TEST_F(ScriptedNavigator, NoPatienceRunsOutWhileASourceIsSilent) {
+  parts_.params.oscillation_timeout = 4.0;
+  Navigator navigator = make();
+  navigator.set_goal({2.0, 0.0, 0.0}, 0.0);
+  step(navigator);
+  world_.stale = {{"obstacle_layer", "scan", "/scan", 0.6, 0.3}};
+  input_.state.twist = {0.3, 0.0, 0.0};
+  const NavigatorOutput output = run(navigator, 60.0);
+  EXPECT_EQ(output.status, NavigatorStatus::kActive);
+  EXPECT_NEAR(output.twist.vx, 0.2, 1e-9);  // the hardest braking
+  EXPECT_NE(output.waiting.find("/scan"), std::string::npos);
+  world_.stale.clear();
+  EXPECT_DOUBLE_EQ(step(navigator).twist.vx, 0.3);
+}
+
+TEST_F(ScriptedNavigator, RecoveriesBeginAnewOnlyOnceTheRobotGotSomewhere) {
+  parts_.params.controller_patience = 1.0;
+  Navigator navigator = make(clearings(1));
+  navigator.set_goal({4.0, 0.0, 0.0}, 0.0);
+  controller_.outcome.failure = Failure::kBlocked;
+  while (recoveries_.empty()) step(navigator);
+  controller_.outcome.failure = Failure::kNone;
+  for (int i = 0; i < 10; ++i) {
+    input_.state.pose.x += 0.1;
+    input_.robot_global.x += 0.1;
+    step(navigator);
+  }
+  controller_.outcome.failure = Failure::kBlocked;
+  const NavigatorOutput output = run(navigator, 20.0);
+  EXPECT_EQ(output.status, NavigatorStatus::kAborted);
+  EXPECT_EQ(recoveries_.size(), 2U);
+}
+
+TEST_F(ScriptedNavigator, ACanceledGoalLeavesTheRobotToOthers) {
+  Navigator navigator = make();
+  navigator.set_goal({2.0, 2.0, 0.0}, 0.0);
+  step(navigator);
+  navigator.cancel();
+  EXPECT_EQ(step(navigator).status, NavigatorStatus::kIdle);
+  EXPECT_TRUE(navigator.path().empty());
+}
+
+TEST(PathKeeper, KeepsAFreePathAgainstOneThatIsHardlyBetter) {
+  ScriptedWorld world;
+  NavigatorParams params;
+  PathKeeper keeper(params);
+  const Pose2 robot{0.0, 0.0, 0.0};
+  const Path old = {{0, 0, 0}, {2, 1, 0}, {10, 0, 0}};
+  EXPECT_TRUE(keeper.offer(old, 0.0, robot, 0.2, world));
+  EXPECT_FALSE(keeper.offer({{0.9, 0, 0}, {10, 0, 0}}, 10.0, robot, 0.2, world));
+  EXPECT_FALSE(keeper.offer({{5, 0, 0}, {10, 0, 0}}, 1.0, robot, 0.2, world));  // committed
+  EXPECT_TRUE(keeper.offer({{5, 0, 0}, {10, 0, 0}}, 10.0, robot, 0.2, world));  // half the cost
+  EXPECT_TRUE(keeper.offer(old, 10.5, {0.0, 5.0, 0.0}, 0.2, world));            // it was left
+}
+
+RobotWorld::Setup office() {
+  RobotWorld::Setup setup;
+  setup.start = {0.6, 2.0, 0.0};
+  setup.mapped = {{3.0, 0.0, 3.1, 2.6}};
+  return setup;
+}
+
+TEST(Navigator, DrivesAroundAWall) {
+  RobotWorld world(office());
+  world.navigator().set_goal({5.2, 1.0, -1.57}, 0.0);
+  const NavigatorOutput output = world.drive(60.0);
+  EXPECT_EQ(output.text, "Goal reached.");
+  EXPECT_FALSE(world.has_touched());
+  EXPECT_LT(distance(world.state().pose.x, world.state().pose.y, 5.2, 1.0), 0.1);
+  EXPECT_LT(std::fabs(wrap_angle(world.state().pose.yaw + 1.57)), 0.1);
+  EXPECT_TRUE(world.recoveries().empty());
+}
+
+TEST(Navigator, FindsTheOtherWayWhereTheMapIsWrong) {
+  RobotWorld::Setup setup = office();
+  setup.mapped = {{3.0, 0.6, 3.1, 3.4}};
+  setup.unmapped = {{3.0, 3.3, 3.1, 4.0}};
+  setup.params.planner_frequency = 2.0;
+  setup.start.y = 2.6;
+  RobotWorld world(setup);
+  world.navigator().set_goal({5.2, 2.6, 0.0}, 0.0);
+  const NavigatorOutput output = world.drive(90.0);
+  EXPECT_EQ(output.text, "Goal reached.");
+  EXPECT_FALSE(world.has_touched());
+}
+
+TEST(Navigator, StandsWhileTheLidarIsSilentAndGoesOnByItself) {
+  RobotWorld world(office());
+  world.navigator().set_goal({5.2, 1.0, 0.0}, 0.0);
+  while (world.now_s() < 4.0) world.step();
+  ASSERT_GT(world.state().twist.vx, 0.2);
+  world.set_lidar_on(false);
+  const Pose2 before = world.state().pose;
+  while (world.now_s() < 12.0) world.step();
+  EXPECT_NEAR(world.state().twist.vx, 0.0, 1e-9);
+  // The limit of 0.3 s, a period of it at most, and the braking way from 0.5 m/s.
+  EXPECT_LT(distance(before.x, before.y, world.state().pose.x, world.state().pose.y),
+            0.5 * 0.45 + 0.5 * 0.5 / 2.0);
+  EXPECT_NE(world.waiting().find("scan"), std::string::npos) << world.waiting();
+  world.set_lidar_on(true);
+  EXPECT_EQ(world.drive(60.0).text, "Goal reached.");
+  EXPECT_FALSE(world.has_touched());
+}
+
+TEST(Navigator, GivesUpAWalledInGoalAndNamesIt) {
+  RobotWorld::Setup setup = office();
+  setup.mapped = {{3.0, 0.0, 3.1, 4.0}};
+  RobotWorld world(setup);
+  world.navigator().set_goal({5.2, 1.0, 0.0}, 0.0);
+  const NavigatorOutput output = world.drive(120.0);
+  EXPECT_EQ(output.status, NavigatorStatus::kAborted);
+  EXPECT_EQ(output.text.rfind(
+                "Failed to find a valid plan. Even after executing recovery behaviors. ", 0), 0U);
+  EXPECT_GT(output.text.size(), 100U) << output.text;
+  const std::vector<std::string> all = {"conservative_reset", "rotate_recovery", "aggressive_reset",
+                                        "retreat"};
+  EXPECT_EQ(world.recoveries(), all);
+  EXPECT_FALSE(world.has_touched());
+}
+
+}  // namespace
+}  // namespace trident::nav
