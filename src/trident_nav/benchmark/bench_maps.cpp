@@ -55,7 +55,7 @@ void frame(BenchMap& map) {
   fill(map, w - 2, 0, w, h, kLethalCost);
 }
 
-int cells(double metres) { return static_cast<int>(std::lround(metres / kResolution)); }
+int cells(double length_m) { return static_cast<int>(std::lround(length_m / kResolution)); }
 
 /// One room: its walls, two doors, and some furniture.
 void add_room(BenchMap& map, Draw& draw, int x0, int y0, int x1, int y1) {

@@ -112,9 +112,9 @@ double BrakingGuard::advance(const Twist2& command, const CostGrid& grid, double
   return dt;
 }
 
-std::optional<ContactAhead> BrakingGuard::first_contact(const RobotState& state, const Twist2& command,
-                                                   const CostGrid& grid,
-                                                   const Tracks& tracks) const {
+std::optional<ContactAhead> BrakingGuard::first_contact(const RobotState& state,
+                                                        const Twist2& command, const CostGrid& grid,
+                                                        const Tracks& tracks) const {
   Pose2 pose = state.pose;
   Twist2 twist = state.twist;
   int allowed = tightness(grid, pose);

@@ -9,8 +9,8 @@
 #include "steering.h"
 #include "trident_base/angle.h"
 #include "trident_base/error.h"
-#include "trident_nav/core/footprint.h"
 #include "trident_nav/control/controller.h"
+#include "trident_nav/core/footprint.h"
 
 namespace trident::nav {
 namespace {

@@ -8,7 +8,7 @@
 namespace trident::nav {
 namespace {
 
-constexpr double kStill = 1e-9;  // a velocity below is none [m/s, rad/s]
+constexpr double kStill = 1e-9;  // a velocity below counts as zero [m/s, rad/s]
 
 // The greatest velocity after `duration_s` from `v`: braking as long as it is negative.
 double highest(double v, double acceleration, double deceleration, double duration_s) {

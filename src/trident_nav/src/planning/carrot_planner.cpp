@@ -38,7 +38,7 @@ std::optional<Pose2> carrot(const Line& line, const FootprintContact& contact, d
   return std::nullopt;
 }
 
-/// The first place on the way to the carrot at which the footprint is in contact.
+/// The first place on the line to the carrot at which the footprint is in contact.
 std::optional<Pose2> obstacle(const Line& line, const FootprintContact& contact, const Pose2& end) {
   const double length = distance(line.start.x, line.start.y, end.x, end.y);
   for (double at = line.step; at < length; at += line.step) {

@@ -35,8 +35,8 @@ class GridWorld {
   std::uint64_t revision_ = 0;
 };
 
-/// The cheapest path for the inscribed circle on the grid's cells, smoothed; empty if there is
-/// none. Its last pose is the goal.
+/// The cheapest path for the inscribed circle on the grid's cells, smoothed; empty if
+/// nothing leads to the goal. Its last pose is the goal.
 Path plan_on(const CostGrid& grid, const Pose2& start, const Pose2& goal, double inscribed_radius);
 
 }  // namespace trident::nav::testing

@@ -158,8 +158,7 @@ ControlSetup jackal() {
 ControlSetup car() {
   ControlSetup setup;
   setup.limits = {1.0, -0.5, 0.0, 2.0, 1.5, 2.0, 0.0, 4.0, 0.5};
-  setup.footprint =
-      polygon_footprint({{-0.1, -0.15}, {0.4, -0.15}, {0.4, 0.15}, {-0.1, 0.15}});
+  setup.footprint = polygon_footprint({{-0.1, -0.15}, {0.4, -0.15}, {0.4, 0.15}, {-0.1, 0.15}});
   return setup;
 }
 

@@ -16,7 +16,7 @@ namespace {
 using testing::RobotWorld;
 using testing::Wall;
 
-/// Answers as it is told.
+/// Answers as it is scripted.
 class ScriptedWorld : public NavigatorWorld {
  public:
   void request_plan(const Pose2& start, const Pose2& goal) override {
@@ -150,7 +150,7 @@ TEST_F(ScriptedNavigator, CountsPlansWhereRetriesAreLimited) {
   EXPECT_NE(output.text.find("max_planning_retries of 2"), std::string::npos) << output.text;
 }
 
-TEST_F(ScriptedNavigator, WithoutACommandBrakesReplansAndSaysWhatIsInTheWay) {
+TEST_F(ScriptedNavigator, WithoutACommandBrakesReplansAndSaysWhatBlocksIt) {
   parts_.params.controller_patience = 3.0;
   controller_.outcome = {{}, Failure::kBlocked, "Every trajectory is in contact.", false};
   Navigator navigator = make(clearings(1));
@@ -170,7 +170,9 @@ TEST_F(ScriptedNavigator, ARobotThatGetsNowhereOscillates) {
   const NavigatorOutput output = run(navigator, 20.0);
   EXPECT_EQ(output.status, NavigatorStatus::kAborted);
   EXPECT_EQ(output.text.rfind("Robot is oscillating. Even after executing recovery behaviors. "
-                              "Within oscillation_timeout of 4 s", 0), 0U)
+                              "Within oscillation_timeout of 4 s",
+                              0),
+            0U)
       << output.text;
 }
 
@@ -189,7 +191,7 @@ TEST_F(ScriptedNavigator, NoPatienceRunsOutWhileASourceIsSilent) {
   EXPECT_DOUBLE_EQ(step(navigator).twist.vx, 0.3);
 }
 
-TEST_F(ScriptedNavigator, RecoveriesBeginAnewOnlyOnceTheRobotGotSomewhere) {
+TEST_F(ScriptedNavigator, RecoveriesBeginAgainOnlyOnceTheRobotGotSomewhere) {
   parts_.params.controller_patience = 1.0;
   Navigator navigator = make(clearings(1));
   navigator.set_goal({4.0, 0.0, 0.0}, 0.0);
@@ -247,7 +249,7 @@ TEST(Navigator, DrivesAroundAWall) {
   EXPECT_TRUE(world.recoveries().empty());
 }
 
-TEST(Navigator, FindsTheOtherWayWhereTheMapIsWrong) {
+TEST(Navigator, FindsTheOtherRouteWhereTheMapIsWrong) {
   RobotWorld::Setup setup = office();
   setup.mapped = {{3.0, 0.6, 3.1, 3.4}};
   setup.unmapped = {{3.0, 3.3, 3.1, 4.0}};
@@ -260,7 +262,7 @@ TEST(Navigator, FindsTheOtherWayWhereTheMapIsWrong) {
   EXPECT_FALSE(world.has_touched());
 }
 
-TEST(Navigator, StandsWhileTheLidarIsSilentAndGoesOnByItself) {
+TEST(Navigator, StandsWhileTheLidarIsSilentAndContinuesByItself) {
   RobotWorld world(office());
   world.navigator().set_goal({5.2, 1.0, 0.0}, 0.0);
   while (world.now_s() < 4.0) world.step();
@@ -269,7 +271,7 @@ TEST(Navigator, StandsWhileTheLidarIsSilentAndGoesOnByItself) {
   const Pose2 before = world.state().pose;
   while (world.now_s() < 12.0) world.step();
   EXPECT_NEAR(world.state().twist.vx, 0.0, 1e-9);
-  // The limit of 0.3 s, a period of it at most, and the braking way from 0.5 m/s.
+  // The limit of 0.3 s, a period of it at most, and the braking distance from 0.5 m/s.
   EXPECT_LT(distance(before.x, before.y, world.state().pose.x, world.state().pose.y),
             0.5 * 0.45 + 0.5 * 0.5 / 2.0);
   EXPECT_NE(world.waiting().find("scan"), std::string::npos) << world.waiting();
@@ -286,7 +288,8 @@ TEST(Navigator, GivesUpAWalledInGoalAndNamesIt) {
   const NavigatorOutput output = world.drive(120.0);
   EXPECT_EQ(output.status, NavigatorStatus::kAborted);
   EXPECT_EQ(output.text.rfind(
-                "Failed to find a valid plan. Even after executing recovery behaviors. ", 0), 0U);
+                "Failed to find a valid plan. Even after executing recovery behaviors. ", 0),
+            0U);
   EXPECT_GT(output.text.size(), 100U) << output.text;
   const std::vector<std::string> all = {"conservative_reset", "rotate_recovery", "aggressive_reset",
                                         "retreat"};

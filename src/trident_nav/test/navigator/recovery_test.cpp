@@ -49,10 +49,11 @@ class RecoveryTest : public ::testing::Test {
     recovery.start();
     turned_ = least_ = most_ = 0.0;
     for (int i = 0; i < 1000; ++i) {
-      const RecoveryStep step = recovery.step(
-          {state_.time_s, state_, grid_, {}, trail_, world_, *controller_});
+      const RecoveryStep step =
+          recovery.step({state_.time_s, state_, grid_, {}, trail_, world_, *controller_});
       if (step.is_done) return step.note;
-      state_.twist = reachable_window(setup_.limits, state_.twist, setup_.period_s).clamp(step.twist);
+      state_.twist =
+          reachable_window(setup_.limits, state_.twist, setup_.period_s).clamp(step.twist);
       state_.pose = integrate(state_.pose, state_.twist, setup_.period_s);
       state_.time_s += setup_.period_s;
       turned_ += state_.twist.wz * setup_.period_s;
@@ -114,7 +115,7 @@ TEST_F(RecoveryTest, GoesBackAlongTheTrail) {
   EXPECT_GT(state_.pose.x, -0.8);
 }
 
-TEST_F(RecoveryTest, ClearsWhatItIsTold) {
+TEST_F(RecoveryTest, ClearsWhatItShould) {
   const auto clear = make("clear_costmap_recovery/ClearCostmapRecovery",
                           "{reset_distance: 1.5, affected_maps: local, layer_names: [sonar]}");
   EXPECT_NE(run(*clear).find("1.5 m"), std::string::npos);

@@ -33,7 +33,7 @@ from trident_benchmarks.nav.goals import Places, Pose, Tried, Verdict, lower_bou
 from trident_benchmarks.procfs import process_cpu_s
 
 RECORD = "navigation.json"
-_LEAST_M = 1.0  # way to a goal
+_MIN_DISTANCE_M = 1.0  # straight to a goal
 _SPARE_M = 0.1  # beyond the circumscribed circle that a goal has
 _SLOWEST = 10.0  # times the lower bound
 _LEAST_LIMIT_S = 60.0  # simulated time for a goal
@@ -42,7 +42,7 @@ _NODE = "/move_base"
 
 
 class Robot:
-    """What navigation.launch is told of a robot."""
+    """What navigation.launch needs to know of a robot."""
 
     def __init__(self, file: Path) -> None:
         """Read a file of config/nav/robots.
@@ -175,7 +175,7 @@ class Drive:
     def _drive_to_one(self, client: actionlib.SimpleActionClient) -> None:
         start = self._truth.pose()
         assert start is not None
-        goal, length_m = self._places.goal(self._random, start, _LEAST_M)
+        goal, length_m = self._places.goal(self._random, start, _MIN_DISTANCE_M)
         bound_s = lower_bound_s(length_m, start, goal, self._robot.speed, self._robot.turning_rate)
         self._truth.take_nearest()
         begin_s = rospy.get_time()

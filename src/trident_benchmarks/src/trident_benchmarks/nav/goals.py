@@ -58,7 +58,7 @@ class Places:
         return float(self._clear_m[row, column])
 
     def lengths_from(self, x: float, y: float) -> Floats:
-        """The shortest paths from near a point to each place [m], infinite where there is none."""
+        """The shortest paths from near a point to each place [m], infinite where no path leads."""
         nearest = int(np.argmin(np.linalg.norm(self._points - (x, y), axis=1)))
         return np.asarray(dijkstra(self._graph, indices=nearest), dtype=float)
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "trident_nav/core/footprint_checker.h"
 #include "trident_nav/control/robot_state.h"
+#include "trident_nav/core/footprint_checker.h"
 #include "trident_nav/core/outcome.h"
 
 namespace trident::nav {
@@ -28,10 +28,10 @@ class BrakingGuard {
   BrakingGuard(const MotionLimits& limits, const FootprintChecker& checker,
                const FootprintChecker& padded_checker, double period_s);
 
-  /// The first contact on the braking trajectory of a command; nothing if there is none. A robot
+  /// The first contact on the braking trajectory of a command; nothing if it is free. A robot
   /// that is in contact already, or within the padding, may do what leads no deeper.
   std::optional<ContactAhead> first_contact(const RobotState& state, const Twist2& command,
-                                       const CostGrid& grid, const Tracks& tracks) const;
+                                            const CostGrid& grid, const Tracks& tracks) const;
 
  private:
   int tightness(const CostGrid& grid, const Pose2& pose) const;

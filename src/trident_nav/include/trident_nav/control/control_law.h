@@ -9,11 +9,11 @@
 
 #include "trident_base/config_node.h"
 #include "trident_base/registry.h"
-#include "trident_nav/core/footprint_checker.h"
 #include "trident_nav/control/goal_arrival.h"
 #include "trident_nav/control/motion.h"
 #include "trident_nav/control/path_tracker.h"
 #include "trident_nav/control/robot_state.h"
+#include "trident_nav/core/footprint_checker.h"
 #include "trident_nav/core/outcome.h"
 
 namespace trident::nav {
@@ -51,8 +51,9 @@ struct Proposal {
   std::string reason;
 };
 
-/// A way to follow a path. The caller, a GuardedController, has checked its input, cuts the path,
-/// judges the arrival, turns to the goal's heading, holds accelerations and guards against contact.
+/// A method to follow a path. The caller, a GuardedController, has checked its input, cuts the
+/// path, judges the arrival, turns to the goal's heading, holds accelerations and guards against
+/// contact.
 class ControlLaw {
  public:
   ControlLaw() = default;

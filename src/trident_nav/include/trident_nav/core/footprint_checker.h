@@ -11,7 +11,7 @@
 
 namespace trident::nav {
 
-/// What a footprint at a pose meets, from the best to the worst.
+/// What a footprint at a pose touches, from the best to the worst.
 enum class Contact {
   kFree,
   kUnknown,  ///< It lies on unknown cells, but on no lethal one.
@@ -25,8 +25,9 @@ enum class UnknownCells { kFree, kOccupied };
 /// Checks poses of a footprint against costmaps, exactly: a footprint touches a cell that its
 /// inside overlaps, those in its middle included. Most poses need one look-up of the distance field
 /// (footprints are free of lethal cells farther away than their circumscribed radius, and not free
-/// of those nearer than the inscribed one); others a few more, for discs that together cover it; what
-/// is still open then is told by the cells. Calls change nothing and may come from several threads.
+/// of those nearer than the inscribed one); others a few more, for discs that together cover it;
+/// what is still open then is decided by the cells. Calls change nothing and may come from several
+/// threads.
 class FootprintChecker {
  public:
   explicit FootprintChecker(const Footprint& footprint, UnknownCells unknown = UnknownCells::kFree);
@@ -36,14 +37,14 @@ class FootprintChecker {
   /// True when the footprint overlaps no occupied cell, by far the fastest where unknown cells are
   /// free. Cells outside of the grid count as unknown ones.
   bool is_free(const CostGrid& grid, const Pose2& pose) const;
-  /// The worst that the footprint meets; kOutside where its center is outside of the grid.
+  /// The worst that the footprint touches; kOutside where its center is outside of the grid.
   Contact contact(const CostGrid& grid, const Pose2& pose) const;
-  /// The highest cost of the cells under the footprint where unknown counts as lower than lethal and
-  /// higher than all others; kLethalCost outside of the grid, too.
+  /// The highest cost of the cells under the footprint where unknown counts as lower than lethal
+  /// and higher than all others; kLethalCost outside of the grid, too.
   std::uint8_t cost(const CostGrid& grid, const Pose2& pose) const;
 
  private:
-  /// What the distance field tells about a pose.
+  /// What the distance field says about a pose.
   enum class Verdict { kFree, kLethal, kOpen };
   Verdict look_up(const CostGrid& grid, const Pose2& pose) const;
   void cover_footprint();

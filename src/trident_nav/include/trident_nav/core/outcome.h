@@ -43,7 +43,7 @@ enum class Failure {
 /// A flag that another thread sets to end a computation early; it is polled at least every 10 ms.
 using CancelFlag = std::atomic<bool>;
 
-/// A path or the reason why there is none.
+/// A path or the reason for its absence.
 struct PlanOutcome {
   Path path;
   Failure failure = Failure::kNone;
@@ -52,7 +52,7 @@ struct PlanOutcome {
   double cost = 0.0;   ///< Of the path, in the planner's own units.
 };
 
-/// A command or the reason why there is none; `twist` is then the hardest admissible braking.
+/// A command or the reason for its absence; `twist` is then the hardest admissible braking.
 struct CommandOutcome {
   Twist2 twist;
   Failure failure = Failure::kNone;

@@ -19,7 +19,7 @@ double path_cost_on(const CostGrid& grid, const Path& path, std::size_t first);
 void forget_area(Costmap& costmap, const Pose2& robot, const ClearedArea& area);
 
 /// The layers that hold a lethal cost in a cell, with the topics of their sources:
-/// "obstacle_layer (scan)"; empty when there is none.
+/// "obstacle_layer (scan)"; empty when nothing is found.
 std::string lethal_layers_text(const Costmap& costmap, Cell cell);
 
 /// The obstacle nearest to a robot within `reach_m`, see NavigatorWorld::obstacle_text().

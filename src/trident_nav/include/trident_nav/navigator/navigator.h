@@ -18,9 +18,9 @@ namespace trident::nav {
 /// What a navigator gets for one period.
 struct NavigatorInput {
   double now_s = 0.0;
-  Pose2 robot_global;   ///< In the frame of goals and paths.
-  RobotState state;     ///< In the local costmap's frame, at the same time.
-  CostGrid local;       ///< The newest local costmap.
+  Pose2 robot_global;  ///< In the frame of goals and paths.
+  RobotState state;    ///< In the local costmap's frame, at the same time.
+  CostGrid local;      ///< The newest local costmap.
   Tracks tracks;
 };
 
@@ -53,10 +53,10 @@ struct NavigatorParts {
   std::vector<NamedRecovery> recoveries;
 };
 
-/// move_base's way to a goal: plan, follow, and where that fails for too long, one recovery after
-/// the other, then the next plan. One call of step() per controller period, on any clock that does
-/// not go back; the world plans when it likes. Stale sources stop the robot, which goes on by
-/// itself when they are back, and no patience runs out meanwhile. Not thread-safe.
+/// move_base's procedure for a goal: plan, follow, and where that fails for too long, one recovery
+/// after the other, then the next plan. One call of step() per controller period, on any clock that
+/// does not go back; the world plans when it likes. Stale sources stop the robot, which continues
+/// by itself when they are back, and no patience runs out meanwhile. Not thread-safe.
 class Navigator {
  public:
   /// `world` and `controller` outlive the navigator.
@@ -82,7 +82,8 @@ class Navigator {
   bool waits_for_sources(const NavigatorInput& input, NavigatorOutput* output);
   void plan(const NavigatorInput& input, NavigatorOutput* output);
   void take_plan(const NavigatorInput& input, NavigatorOutput* output);
-  void refuse_plan(const NavigatorInput& input, const PlanOutcome& outcome, NavigatorOutput* output);
+  void refuse_plan(const NavigatorInput& input, const PlanOutcome& outcome,
+                   NavigatorOutput* output);
   void control(const NavigatorInput& input, NavigatorOutput* output);
   void miss_command(const NavigatorInput& input, const CommandOutcome& outcome,
                     NavigatorOutput* output);

@@ -6,7 +6,7 @@
 
 namespace trident::nav {
 
-/// How a navigator goes on when something fails: names and defaults of move_base.
+/// How a navigator continues when something fails: names and defaults of move_base.
 struct NavigatorParams {
   double planner_frequency = 0.0;
   double controller_frequency = 20.0;

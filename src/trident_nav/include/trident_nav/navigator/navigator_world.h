@@ -33,7 +33,7 @@ class NavigatorWorld {
   virtual ~NavigatorWorld() = default;
 
   /// Begins to plan from the robot to a goal in the global costmap's frame; may end later. A
-  /// request while another is under way replaces it.
+  /// request while another is in progress replaces it.
   virtual void request_plan(const Pose2& start, const Pose2& goal) = 0;
   /// The outcome of the latest request, once.
   virtual std::optional<PlanOutcome> take_plan() = 0;

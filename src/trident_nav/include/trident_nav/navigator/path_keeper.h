@@ -12,7 +12,7 @@ namespace trident::nav {
 
 /// Holds the path that is followed. A new one replaces it only where the old one is blocked or
 /// left, or costs more by `path_hysteresis`, and not before `commit_time` is over: a robot between
-/// two ways that are about as good goes one of them.
+/// two routes that are about as good takes one of them.
 class PathKeeper {
  public:
   explicit PathKeeper(const NavigatorParams& params)

@@ -38,7 +38,7 @@ class CostmapNode {
   /// While locked.
   Costmap& costmap() { return *costmap_; }
 
-  /// The newest pose of the robot; else a sentence says why there is none.
+  /// The newest pose of the robot; else a sentence says why it is unknown.
   std::optional<Pose2> robot(double now_s, std::string* problem) const;
   /// Takes in what has come, and publishes what is due.
   void update(double now_s);

@@ -12,7 +12,7 @@ namespace trident::nav {
 /// Velocities at the ends of the horizon's steps.
 using ControlPlan = std::vector<Twist2>;
 
-/// A plan as it goes on after `elapsed_s`; its last velocity is held.
+/// A plan as it continues after `elapsed_s`; its last velocity is held.
 ControlPlan shifted(const ControlPlan& plan, double dt_s, double elapsed_s);
 
 /// The velocity of a plan after `after_s`, if it is `start` now.

@@ -31,8 +31,8 @@ ControlPlan pursue(const MppiModel& model, const std::vector<Point2>& points,
                    const RolloutStart& start, double speed, double lookahead_m);
 
 /// Plans that noise would find late or not at all, for the lanes of one block: the last one, a
-/// stop, turns on the spot both ways, back along the own trail, along the path at several speeds
-/// and lookaheads, and arcs.
+/// stop, turns on the spot in both directions, back along the own trail, along the path at several
+/// speeds and lookaheads, and arcs.
 void write_deliberate_samples(const MppiModel& model, const CriticScene& scene,
                               const RolloutStart& start, const ControlPlan& last_plan,
                               const Trail& trail, Rollouts* rollouts);

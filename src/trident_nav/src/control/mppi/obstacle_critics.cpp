@@ -17,8 +17,9 @@ void add_contacts(const Rollouts& rollouts, float contact_cost, float* cost) {
   }
 }
 
-// Nearness to obstacles along the trajectory, by the distance field. It counts by the way driven
-// near them, not by the time: neither waiting in front of a gap nor racing through it is cheaper.
+// Nearness to obstacles along the trajectory, by the distance field. It counts by the distance
+// driven near them, not by the time: neither waiting in front of a gap nor racing through it is
+// cheaper.
 class ObstaclesCritic final : public MppiCritic {
  public:
   ObstaclesCritic(const ObstaclesParams& params, const MppiModel& model)

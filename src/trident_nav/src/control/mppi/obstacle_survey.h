@@ -6,8 +6,8 @@
 
 #include "mppi_model.h"
 #include "rollout.h"
-#include "trident_nav/core/footprint_checker.h"
 #include "trident_nav/core/cost_grid.h"
+#include "trident_nav/core/footprint_checker.h"
 
 namespace trident::nav {
 
