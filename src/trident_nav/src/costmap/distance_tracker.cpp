@@ -37,7 +37,8 @@ void DistanceTracker::resize(const GridGeometry& geometry) {
   distance_m_.assign(geometry.size(), max_distance_m_);
   near_.resize(geometry.width, geometry.height);
   stale_.resize(geometry.width, geometry.height);
-  is_near_.assign(static_cast<std::size_t>(geometry.width / kBlock + 1), 0);
+  const int blocks = geometry.width / kBlock + 1;
+  is_near_.assign(static_cast<std::size_t>(blocks), 0);
   const auto longest = static_cast<std::size_t>(round_up(geometry.width));
   squares_.assign(longest + static_cast<std::size_t>(2 * reach_), kNoSeed);
   result_.assign(longest, 0);

@@ -42,6 +42,7 @@ Pose2 inverse(const Pose2& pose) {
 
 std::string joined_texts(const std::vector<StaleSource>& sources) {
   std::vector<std::string> texts;
+  texts.reserve(sources.size());
   for (const StaleSource& source : sources) texts.push_back(source.text());
   return join(texts, "; ");
 }

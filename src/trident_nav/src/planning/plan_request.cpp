@@ -155,6 +155,7 @@ std::vector<Cell> cells_near(const CostGrid& grid, const StepCosts& costs, const
   std::stable_sort(found.begin(), found.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<Cell> cells;
+  cells.reserve(found.size());
   for (const auto& entry : found) cells.push_back(entry.second);
   return cells;
 }

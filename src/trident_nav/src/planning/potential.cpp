@@ -55,7 +55,8 @@ std::uint32_t Potential::value(Cell c) const {
   if (!ready_ || !geometry_.contains(c)) return kUnreached;
   const int x = c.x + 1;
   const int y = c.y + 1;
-  const auto tile = static_cast<std::size_t>((y / kTile) * tiles_x_ + x / kTile);
+  const int number = (y / kTile) * tiles_x_ + x / kTile;
+  const auto tile = static_cast<std::size_t>(number);
   return tiles_[tile] == TileState::kUnused ? kUnreached : value_[index(x, y)];
 }
 
@@ -136,7 +137,8 @@ std::uint8_t Potential::source_cost(int x, int y) const {
 }
 
 void Potential::fill_tile(int tile_x, int tile_y) {
-  TileState& tile = tiles_[static_cast<std::size_t>(tile_y * tiles_x_ + tile_x)];
+  const int number = tile_y * tiles_x_ + tile_x;
+  TileState& tile = tiles_[static_cast<std::size_t>(number)];
   if (tile != TileState::kUnused) return;
   tile = TileState::kFilled;
   const int x0 = tile_x * kTile;
@@ -158,7 +160,8 @@ void Potential::fill_tile(int tile_x, int tile_y) {
 void Potential::surround(int x, int y) {
   const int tile_x = x / kTile;
   const int tile_y = y / kTile;
-  TileState& tile = tiles_[static_cast<std::size_t>(tile_y * tiles_x_ + tile_x)];
+  const int number = tile_y * tiles_x_ + tile_x;
+  TileState& tile = tiles_[static_cast<std::size_t>(number)];
   if (tile == TileState::kSurrounded) return;
   for (int ty = std::max(0, tile_y - 1); ty <= std::min(tiles_y_ - 1, tile_y + 1); ++ty) {
     for (int tx = std::max(0, tile_x - 1); tx <= std::min(tiles_x_ - 1, tile_x + 1); ++tx) {

@@ -34,7 +34,8 @@ bool Potential::repair() {
 void Potential::find_changes(std::vector<Packed>& changed) {
   for (int ty = 0; ty < tiles_y_; ++ty) {
     for (int tx = 0; tx < tiles_x_; ++tx) {
-      if (tiles_[static_cast<std::size_t>(ty * tiles_x_ + tx)] == TileState::kUnused) continue;
+      const int number = ty * tiles_x_ + tx;
+      if (tiles_[static_cast<std::size_t>(number)] == TileState::kUnused) continue;
       for (int y = ty * kTile; y < (ty + 1) * kTile; ++y) compare_row(tx * kTile, y, changed);
     }
   }

@@ -55,7 +55,8 @@ void MapGrid::spread(const CostGrid& grid) {
     const bool is_inside[] = {column > 0, column + 1 < width_, row > 0, row + 1 < height_};
     for (int k = 0; k < 4; ++k) {
       if (!is_inside[k]) continue;
-      const auto j = static_cast<std::size_t>(i + steps[k]);
+      const int neighbor = i + steps[k];
+      const auto j = static_cast<std::size_t>(neighbor);
       if (distance_[j] <= next) continue;
       const Cell cell{first_.x + static_cast<int>(j) % width_,
                       first_.y + static_cast<int>(j) / width_};
@@ -71,7 +72,8 @@ float MapGrid::at(double x, double y) const {
   const int column = cell.x - first_.x;
   const int row = cell.y - first_.y;
   if (column < 0 || row < 0 || column >= width_ || row >= height_) return unreachable();
-  return distance_[static_cast<std::size_t>(row * width_ + column)];
+  const int index = row * width_ + column;
+  return distance_[static_cast<std::size_t>(index)];
 }
 
 }  // namespace trident::nav

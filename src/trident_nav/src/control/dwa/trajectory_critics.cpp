@@ -32,7 +32,8 @@ class GridCritic final : public TrajectoryCritic {
  private:
   double at_step(const DwaScene& scene, const Candidate& candidate, int step) const {
     const Pose2 pose = candidate.pose(scene.situation.state.pose, step);
-    const auto i = static_cast<std::size_t>(step * kLanes + candidate.lane);
+    const int index = step * kLanes + candidate.lane;
+    const auto i = static_cast<std::size_t>(index);
     // A point that is ahead of the goal would pull back.
     const double ahead_m = std::min(forward_point_m_, 0.5 * scene.goal_distance_m);
     const double x = pose.x + ahead_m * static_cast<double>(candidate.rollouts->cosine[i]);
@@ -214,7 +215,8 @@ class HeadingCritic final : public TrajectoryCritic {
 }  // namespace
 
 Pose2 Candidate::pose(const Pose2& origin, int step) const {
-  const auto i = static_cast<std::size_t>(step * kLanes + lane);
+  const int index = step * kLanes + lane;
+  const auto i = static_cast<std::size_t>(index);
   return {origin.x + static_cast<double>(rollouts->x[i]),
           origin.y + static_cast<double>(rollouts->y[i]), static_cast<double>(rollouts->yaw[i])};
 }

@@ -14,6 +14,12 @@
 namespace trident::nav {
 namespace {
 
+std::string key_path(const std::string& path, const std::string& key) {
+  std::string result = path;
+  result += '/';
+  return result += key;
+}
+
 enum class Form { kPlugins, kOld, kNav2 };
 
 /// The parameters within `ros__parameters`, at most two maps deep; otherwise the map itself.
@@ -299,7 +305,7 @@ class CostmapConfigReader {
     for (const std::string& key : keys) {
       const ConfigNode* node = config.find(key);
       if (node->kind != ConfigNode::Kind::kMap) continue;
-      warn(path + "/" + key, "has no effect: observation_sources does not name it");
+      warn(key_path(path, key), "has no effect: observation_sources does not name it");
       take_key(config, key);
     }
   }
@@ -345,12 +351,12 @@ class CostmapConfigReader {
       const auto entry = std::find_if(ignored.begin(), ignored.end(),
                                       [&](const IgnoredKey& other) { return key == other.key; });
       if (entry != ignored.end()) {
-        warn(path + "/" + key, std::string("has no effect: ") + entry->why);
+        warn(key_path(path, key), std::string("has no effect: ") + entry->why);
         continue;
       }
       const std::string nearest = closest_match(key, known);
-      warn(path + "/" + key, "is not known and has no effect" +
-                                 (nearest.empty() ? "" : "; did you mean " + nearest + "?"));
+      warn(key_path(path, key), "is not known and has no effect" +
+                                    (nearest.empty() ? "" : "; did you mean " + nearest + "?"));
     }
   }
 
