@@ -29,7 +29,7 @@ bool is_between(const Point2& p, const Point2& a, const Point2& b) {
 }
 
 /// True when two segments have a point in common.
-bool segments_meet(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
+bool segments_intersect(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
   const double c_side = cross(a, b, c), d_side = cross(a, b, d);
   const double a_side = cross(c, d, a), b_side = cross(c, d, b);
   if (((c_side > 0) != (d_side > 0)) && ((a_side > 0) != (b_side > 0)) && c_side != 0 &&
@@ -84,9 +84,9 @@ void require_simple(const std::vector<Point2>& points) {
     for (std::size_t j = i + 2; j < n; ++j) {
       if (i == 0 && j == n - 1) continue;  // neighbors share a corner
       const Point2 &a = points[i], &b = points[i + 1], &c = points[j], &d = points[(j + 1) % n];
-      if (segments_meet(a, b, c, d)) {
+      if (segments_intersect(a, b, c, d)) {
         throw Error("the footprint's edge from " + corner_text(a) + " to " + corner_text(b) +
-                    " meets that from " + corner_text(c) + " to " + corner_text(d) +
+                    " touches that from " + corner_text(c) + " to " + corner_text(d) +
                     "; edges must not cross");
       }
     }

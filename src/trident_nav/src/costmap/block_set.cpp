@@ -32,9 +32,10 @@ void BlockSet::clear() {
 }
 
 void BlockSet::insert_span(int y, int x0, int x1) {
-  const int first = std::max(x0, 0) / kCells;
-  const int end = (std::min(x1, width_) + kCells - 1) / kCells;
-  if (first >= end) return;
+  x0 = std::max(x0, 0);
+  x1 = std::min(x1, width_);
+  if (x0 >= x1) return;
+  const int first = x0 / kCells, end = (x1 + kCells - 1) / kCells;
   touch(y);
   for (int word = first / 64; word * 64 < end; ++word) {
     const int base = word * 64;

@@ -11,7 +11,7 @@
 namespace trident::nav {
 namespace {
 
-constexpr double kMostCells = 1 << 30;
+constexpr double kMaxCells = 1 << 30;
 
 /// Whole cells in a length; a quotient that rounding left just below a whole number is that one.
 int cells_in(double length_m, double resolution) {
@@ -22,7 +22,7 @@ int cells_in(double length_m, double resolution) {
 
 void CostmapParams::validate() const {
   const double columns = width / resolution + 1e-6, rows = height / resolution + 1e-6;
-  if (columns < 1.0 || rows < 1.0 || std::floor(columns) * std::floor(rows) > kMostCells) {
+  if (columns < 1.0 || rows < 1.0 || std::floor(columns) * std::floor(rows) > kMaxCells) {
     throw Error("width " + number_text(width) + " m and height " + number_text(height) +
                 " m at resolution " + number_text(resolution) +
                 " m make a grid of no cell, or of more than 2^30; both must be at least one cell");

@@ -46,7 +46,8 @@ void DistanceTracker::resize(const GridGeometry& geometry) {
 void DistanceTracker::fill_tables() {
   const double resolution = geometry_.resolution > 0.0 ? geometry_.resolution : 1.0;
   const double cells =
-      std::clamp(wanted_distance_m_ / resolution, 1.0, static_cast<double>(kMaxReach)) + kCutRounding;
+      std::clamp(wanted_distance_m_ / resolution, 1.0, static_cast<double>(kMaxReach)) +
+      kCutRounding;
   reach_ = static_cast<int>(cells);
   beyond_ = static_cast<int>(cells * cells) + 1;
   max_distance_m_ = static_cast<float>((cells - kCutRounding) * resolution);

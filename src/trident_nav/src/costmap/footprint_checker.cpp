@@ -13,7 +13,7 @@ namespace {
 constexpr double kTableRounding = 1e-5;
 // Side of the squares that cover a footprint, in inscribed radii, and how many are worth a look.
 constexpr double kSquare = 0.8;
-constexpr std::size_t kMostDiscs = 24;
+constexpr std::size_t kMaxDiscs = 24;
 
 /// Costs in the order in which they are worse.
 int severity(std::uint8_t cost) {
@@ -42,7 +42,7 @@ void FootprintChecker::cover_footprint() {
     for (int x = run.x0; x < run.x1; ++x) discs_.push_back(squares.center({x, run.y}));
   }
   disc_radius_m_ = 0.5 * std::sqrt(2.0) * side;
-  if (discs_.size() > kMostDiscs) discs_.clear();
+  if (discs_.size() > kMaxDiscs) discs_.clear();
 }
 
 bool FootprintChecker::is_cover_free(const Pose2& pose) const {
@@ -62,8 +62,9 @@ double FootprintChecker::distance_at_least(const Point2& p) const {
   return std::max(distance - std::hypot(p.x - center.x, p.y - center.y) - kTableRounding, 0.0);
 }
 
-/// The distance d to a lethal cell's center is known from the center of the pose's cell, which lies
-/// `off` beside the pose. A point of the lethal cell lies as far as half a diagonal from its center.
+/// The distance d to a lethal cell's center is known from the center of the pose's cell, which is
+/// `off` away from the pose. A point of the lethal cell lies as far as half a diagonal from its
+/// center.
 FootprintChecker::Verdict FootprintChecker::look_up(const Pose2& pose) const {
   const GridGeometry& grid = grid_.geometry;
   const Cell cell = grid.cell(pose.x, pose.y);

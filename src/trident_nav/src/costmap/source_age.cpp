@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kIntervals = 15;  // so many that a lost message or a burst moves no median
 constexpr double kPeriods = 3.0;
-constexpr double kLeastLimit = 0.3;       // [s]
+constexpr double kMinLimit = 0.3;         // [s]
 constexpr double kUnmeasuredLimit = 1.0;  // [s]: while the second data are awaited
 
 }  // namespace
@@ -39,7 +39,7 @@ double SourceAge::limit_s() const {
   if (limits_.expected_period_s > 0.0) return limits_.expected_period_s;
   if (limits_.max_age_s == 0.0) return std::numeric_limits<double>::infinity();
   if (intervals_s_.empty()) return kUnmeasuredLimit;
-  return std::max(kPeriods * period_s(), kLeastLimit);
+  return std::max(kPeriods * period_s(), kMinLimit);
 }
 
 double SourceAge::age_s(double now_s) const {

@@ -178,8 +178,9 @@ TEST(CostmapConfigTest, TheOldFormsVoxels) {
 }
 
 TEST(CostmapConfigTest, TypingErrorsAreWarningsWithTheNearestName) {
-  Loaded loaded("updat_frequency: 3\nrolling: 1\nobstacle_layer: {observation_sources: s, "
-                "max_obstacle_heigth: 1.0, s: {topics: /a}, t: {topic: /b}}");
+  Loaded loaded(
+      "updat_frequency: 3\nrolling: 1\nobstacle_layer: {observation_sources: s, "
+      "max_obstacle_heigth: 1.0, s: {topics: /a}, t: {topic: /b}}");
   const std::string costmap = "/move_base/costmap/";
   EXPECT_EQ(loaded.config.warnings,
             (Names{costmap + "rolling is taken as rolling_window",

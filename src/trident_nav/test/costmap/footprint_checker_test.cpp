@@ -33,7 +33,8 @@ OccupancyGrid scattered_map(int obstacles) {
   map.resolution = 0.05;
   map.cells.assign(map.index(0, 60), 0);
   TestRandom random(4);
-  for (int k = 0; k < obstacles; ++k) map.cells[map.index(random.below(60), random.below(60))] = 100;
+  for (int k = 0; k < obstacles; ++k)
+    map.cells[map.index(random.below(60), random.below(60))] = 100;
   for (int k = 0; k < 10; ++k) map.cells[map.index(random.below(60), random.below(60))] = -1;
   return map;
 }
@@ -47,7 +48,7 @@ class FootprintCheckerTest : public ::testing::TestWithParam<const char*> {
   }
 };
 
-TEST_P(FootprintCheckerTest, EveryWayTellsWhatTheCellsTell) {
+TEST_P(FootprintCheckerTest, EveryAnswerIsThatOfTheCells) {
   const Costmap costmap = costmap_of(scattered_map(25), footprint());
   const CostGrid grid = costmap.grid();
   FootprintChecker checker(grid, footprint());
@@ -105,7 +106,8 @@ TEST(FootprintCheckerTest, ARobotPassesADoorThatIsWiderByOneCell) {
   for (int y = 0; y < 60; ++y) {
     if (y < 20 || y >= 29) map.cells[map.index(30, y)] = 100;
   }
-  const Footprint robot = polygon_footprint({{0.205, 0.15}, {-0.205, 0.15}, {-0.205, -0.15}, {0.205, -0.15}});
+  const Footprint robot =
+      polygon_footprint({{0.205, 0.15}, {-0.205, 0.15}, {-0.205, -0.15}, {0.205, -0.15}});
   const Costmap costmap = costmap_of(map, robot);
   FootprintChecker checker(costmap.grid(), robot);
   for (double x = 0.5; x < 2.5; x += 0.01) {

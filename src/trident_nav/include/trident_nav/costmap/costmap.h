@@ -16,7 +16,7 @@
 namespace trident::nav {
 
 /// Layers, their master costs, and the exact distance from each cell to the nearest lethal one.
-/// Not thread-safe: whoever owns it locks it against its readers.
+/// Not thread-safe: its owner locks it against its readers.
 class Costmap {
  public:
   /// `layers` from the lowest to the highest. Throws Error when the parameters are not legal or two

@@ -31,10 +31,11 @@ struct CostmapConfig {
 
 /// Where a configuration comes from.
 struct CostmapConfigSource {
-  std::string label = "parameter";      ///< How errors call it: a file's name, "parameter".
-  std::string path;                     ///< Name of the costmap: "/move_base/global_costmap".
-  const ConfigNode* above = nullptr;    ///< The map that has the costmap's, where costmap_2d looks
-                                        ///< for footprint, robot_radius and ranges, too; nullptr: none.
+  std::string label = "parameter";  ///< How errors call it: a file's name, "parameter".
+  std::string path;                 ///< Name of the costmap: "/move_base/global_costmap".
+  const ConfigNode* above =
+      nullptr;  ///< The map that has the costmap's, where costmap_2d looks
+                ///< for footprint, robot_radius and ranges, too; nullptr: none.
 };
 
 /// Reads a costmap's configuration, a map, in any of three forms:

@@ -36,7 +36,7 @@ class DistanceSink {
 /// Saito and Toriwaki 1994). A seed that comes or goes changes this in its own column alone, at
 /// most `reach` cells up and down; then only the runs of rows within `reach` columns of such a
 /// change get new distances, min over dx of dx^2 + rows(x + dx)^2. So an update costs as much as
-/// what changed, and is exact: whole numbers all the way, equal to a computation from nothing.
+/// what changed, and is exact: whole numbers throughout, equal to a computation from nothing.
 class DistanceTracker {
  public:
   enum class Seeds { kLethal, kLethalOrUnknown };
@@ -44,7 +44,7 @@ class DistanceTracker {
   /// The most cells that a distance can reach.
   static constexpr int kMaxReach = 254;
 
-  /// Distances beyond `max_distance_m` are not told apart. A cut of more than kMaxReach cells is
+  /// Distances beyond `max_distance_m` all count as that. A cut of more than kMaxReach cells is
   /// taken as that many.
   explicit DistanceTracker(double max_distance_m, Seeds seeds = Seeds::kLethal);
 

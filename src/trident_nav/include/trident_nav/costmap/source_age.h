@@ -22,7 +22,7 @@ class SourceAge {
   explicit SourceAge(SourceAgeLimits limits = {}) : limits_(limits) {}
 
   /// Takes note of data that were measured at a time [s]. Older ones than the last mean that time
-  /// was set back: the period is measured anew.
+  /// was set back: the period is measured again.
   void note(double stamp_s);
 
   bool has_data() const { return has_data_; }

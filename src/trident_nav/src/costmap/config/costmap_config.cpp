@@ -30,9 +30,9 @@ const ConfigNode& ros_parameters(const ConfigNode& config) {
 Form form_of(const ConfigNode& config) {
   const ConfigNode* plugins = config.find("plugins");
   if (plugins == nullptr) return Form::kOld;
-  const bool has_maps = std::any_of(
-      plugins->items.begin(), plugins->items.end(),
-      [](const ConfigNode& item) { return item.kind == ConfigNode::Kind::kMap; });
+  const bool has_maps =
+      std::any_of(plugins->items.begin(), plugins->items.end(),
+                  [](const ConfigNode& item) { return item.kind == ConfigNode::Kind::kMap; });
   return has_maps || plugins->items.empty() ? Form::kPlugins : Form::kNav2;
 }
 
@@ -72,9 +72,15 @@ class CostmapConfigReader {
     inherit_costmap_keys();
     note_source_defaults();
     switch (form_) {
-      case Form::kPlugins: read_plugins(); break;
-      case Form::kOld: read_old(); break;
-      case Form::kNav2: read_nav2(); break;
+      case Form::kPlugins:
+        read_plugins();
+        break;
+      case Form::kOld:
+        read_old();
+        break;
+      case Form::kNav2:
+        read_nav2();
+        break;
     }
     for (LayerSpec& spec : result_.layers) finish_layer(spec);
     read_params();
@@ -224,9 +230,9 @@ class CostmapConfigReader {
     config_detail::expect_map({source_.label, Range::any(), ""}, spec.setup.config,
                               spec.setup.path);
     if (registry_.find(plugin_class(plugin)) == nullptr) {
-      throw ConfigError(source_.label, line, spec.setup.path,
-                        "no layer plugin is called '" + plugin + "'; known: " +
-                            join(registry_.names()));
+      throw ConfigError(
+          source_.label, line, spec.setup.path,
+          "no layer plugin is called '" + plugin + "'; known: " + join(registry_.names()));
     }
     result_.layers.push_back(std::move(spec));
   }
@@ -264,8 +270,8 @@ class CostmapConfigReader {
       ConfigNode source = take_key(config, name).value_or(empty_map());
       config_detail::expect_map({source_.label, Range::any(), ""}, source,
                                 spec.setup.path + "/" + name);
-      set_key(sources, name, finished_source(std::move(source), defaults,
-                                             spec.setup.path + "/" + name));
+      set_key(sources, name,
+              finished_source(std::move(source), defaults, spec.setup.path + "/" + name));
     }
     warn_of_unlisted(config, spec.setup.path);
     set_key(config, "sources", std::move(sources));
@@ -284,8 +290,7 @@ class CostmapConfigReader {
     if (form_ == Form::kNav2 && source.find("data_type") == nullptr) {
       set_key(source, "data_type", text_node("LaserScan", true));
     }
-    remove_unknown(source, layer_detail::field_names<BeamSourceParams>(), kIgnoredSourceKeys,
-                   path);
+    remove_unknown(source, layer_detail::field_names<BeamSourceParams>(), kIgnoredSourceKeys, path);
     return source;
   }
   /// Maps that look like sources, but that observation_sources does not name.
@@ -309,8 +314,7 @@ class CostmapConfigReader {
                    source_.path);
     layer_detail::FlagReader flags(costmap_);
     result_.params.visit(flags);
-    config_detail::ConfigReader::read_struct(costmap_, source_.label, source_.path,
-                                             result_.params);
+    config_detail::ConfigReader::read_struct(costmap_, source_.label, source_.path, result_.params);
   }
 
   void warn_of_unused_layers() {

@@ -80,9 +80,9 @@ inline constexpr std::array<const char*, 4> kOldStaticKeys{
 /// Parameters of a Nav2 costmap that its static layers read.
 inline constexpr std::array<const char*, 4> kNav2StaticKeys{
     {"track_unknown_space", "lethal_cost_threshold", "trinary_costmap", "unknown_cost_value"}};
-inline constexpr std::array<const char*, 6> kOldVoxelKeys{
-    {"origin_z", "z_resolution", "z_voxels", "mark_threshold", "unknown_threshold",
-     "publish_voxel_map"}};
+inline constexpr std::array<const char*, 6> kOldVoxelKeys{{"origin_z", "z_resolution", "z_voxels",
+                                                           "mark_threshold", "unknown_threshold",
+                                                           "publish_voxel_map"}};
 inline constexpr std::array<const char*, 5> kOldObstacleKeys{
     {"observation_sources", "max_obstacle_height", "combination_method",
      "footprint_clearing_enabled", "decay_time"}};

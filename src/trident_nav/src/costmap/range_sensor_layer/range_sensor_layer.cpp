@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kScale = kLethalCost;  // a probability of 1
 constexpr std::uint8_t kHalf = 127;
-constexpr std::uint8_t kLeast = 1, kMost = 253;
+constexpr std::uint8_t kMin = 1, kMax = 253;
 constexpr std::uint8_t kTarget = 233;  // what the measured point is taken as before the rule
 constexpr double kConeLength = 1.2;    // of the measured range: what lies behind is considered
 
@@ -164,7 +164,7 @@ double RangeSensorLayer::occupancy_of(const Cone& cone, double distance, double 
 
 void RangeSensorLayer::set_probability(std::size_t cell, double probability) {
   const auto value = static_cast<std::uint8_t>(
-      std::clamp(probability * kScale, static_cast<double>(kLeast), static_cast<double>(kMost)));
+      std::clamp(probability * kScale, static_cast<double>(kMin), static_cast<double>(kMax)));
   std::uint8_t& old = probability_.cells()[cell];
   if (old == value) return;
   old = value;
