@@ -86,7 +86,7 @@ void require_simple(const std::vector<Point2>& points) {
       const Point2 &a = points[i], &b = points[i + 1], &c = points[j], &d = points[(j + 1) % n];
       if (segments_intersect(a, b, c, d)) {
         throw Error("the footprint's edge from " + corner_text(a) + " to " + corner_text(b) +
-                    " meets that from " + corner_text(c) + " to " + corner_text(d) +
+                    " touches that from " + corner_text(c) + " to " + corner_text(d) +
                     "; edges must not cross");
       }
     }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trident_nav/costmap/costmap.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -118,6 +119,20 @@ CostGrid Costmap::grid() const {
   grid.max_distance_m = is_of_layer ? source->max_distance_m() : distances_.max_distance_m();
   grid.revision = revision_;
   return grid;
+}
+
+std::vector<std::string> Costmap::forget(const Point2& center, double side_m, Layer::Side side,
+                                         const std::vector<std::string>& names) {
+  const Cell low = geometry_.cell(center.x - 0.5 * side_m, center.y - 0.5 * side_m);
+  const Cell high = geometry_.cell(center.x + 0.5 * side_m, center.y + 0.5 * side_m);
+  std::vector<std::string> asked;
+  for (const auto& layer : stack_.layers()) {
+    const bool is_named = std::find(names.begin(), names.end(), layer->name()) != names.end();
+    if (!names.empty() && !is_named) continue;
+    layer->forget({low.x, low.y, high.x + 1, high.y + 1}, side);
+    asked.push_back(layer->name());
+  }
+  return asked;
 }
 
 std::vector<StaleSource> Costmap::stale_sources(double now_s) const {

@@ -22,7 +22,7 @@ LaserAxes axes_of(const Eigen::Quaterniond& R, const Eigen::Vector3d& p) {
   return {p, matrix.col(0), matrix.col(1)};
 }
 
-/// `fraction` in [0, 1] of the path through the poses.
+/// `fraction` in [0, 1]: from the first pose to the last.
 LaserAxes axes_between(Span<const SE3> poses, double fraction) {
   const double place = fraction * static_cast<double>(poses.size() - 1);
   const std::size_t i = std::min(static_cast<std::size_t>(place), poses.size() - 2);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-/// Small costmaps for tests, and what they should hold, computed slowly.
+/// Small costmaps for tests, and what they should hold, computed cell by cell.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -10,6 +10,7 @@
 #include "trident_base/error.h"
 #include "trident_nav/costmap/inflation_layer.h"
 #include "trident_nav/costmap/obstacle_layer.h"
+#include "trident_nav/costmap/published_cost.h"
 #include "trident_nav/costmap/static_layer.h"
 
 namespace trident::nav {
@@ -193,6 +194,26 @@ TEST(CostmapTest, MarksSurviveAMapThatGrows) {
   EXPECT_EQ(costmap.grid().at(1.9, 1.5), kFreeCost);
 }
 
+TEST(CostmapTest, ForgettingRemovesWhatIsStaleAndKeepsWhatIsSeen) {
+  Costmap costmap = rolling_costmap(false);
+  costmap.update({});
+  add_points(costmap, {0.0, 0.0, 0.2}, {{1.25, 0.05}, {0.05, 2.05}}, 0.0);
+  costmap.update({});
+  add_points(costmap, {0.0, 0.0, 0.2}, {{-1.05, 0.05}}, 0.1);
+  costmap.update({0.1, {}});
+  EXPECT_EQ(costmap.forget({0.0, 0.0}, 3.0, Layer::Side::kOutside, {"obstacles"}),
+            std::vector<std::string>{"obstacles"});
+  costmap.update({0.2, {}});
+  EXPECT_EQ(costmap.grid().at(1.25, 0.05), kLethalCost);
+  EXPECT_NE(costmap.grid().at(0.05, 2.05), kLethalCost);
+  costmap.forget({0.0, 0.0}, 3.0, Layer::Side::kInside);
+  costmap.update({0.3, {}});
+  EXPECT_NE(costmap.grid().at(1.25, 0.05), kLethalCost);
+  EXPECT_EQ(costmap.grid().at(-1.05, 0.05), kLethalCost);
+  expect_distances(costmap.grid());
+  EXPECT_TRUE(costmap.forget({0.0, 0.0}, 3.0, Layer::Side::kInside, {"obstacle_layer"}).empty());
+}
+
 TEST(CostmapTest, ParametersThatCannotBeAreRefused) {
   CostmapParams params = params_of(1.0, 2.0);
   EXPECT_THROW(Costmap(params, {}), Error);
@@ -203,6 +224,14 @@ TEST(CostmapTest, ParametersThatCannotBeAreRefused) {
   twice.push_back(layer("StaticLayer", "a"));
   twice.push_back(layer("StaticLayer", "a"));
   EXPECT_THROW(Costmap(params_of(1.0, 0.1), std::move(twice)), Error);
+}
+
+TEST(CostmapTest, CostsAsTheyArePublished) {
+  const std::vector<int> costs{0, 1, 128, 252, 253, 254, 255};
+  const std::vector<int> expected{0, 1, 50, 98, 99, 100, -1};
+  for (std::size_t i = 0; i < costs.size(); ++i) {
+    EXPECT_EQ(published_cost(static_cast<std::uint8_t>(costs[i])), expected[i]);
+  }
 }
 
 TEST(CostmapTest, AnUnknownPluginListsTheKnownOnes) {

@@ -41,7 +41,7 @@ TEST_P(DistanceTrackerTest, AfterAnyChangesDistancesAreThoseOfAllSeeds) {
   for (int round = 0; round < 30; ++round) {
     BlockSet changed(grid.width, grid.height);
     if (round == 0) changed.insert_all();
-    // Rounds with many changes compute from nothing, the others by columns.
+    // Rounds with many changes compute all columns, the others those that change.
     const int changes = round % 7 == 3 ? 200 : 1 + round % 5;
     for (int k = 0; k < changes; ++k) {
       const Cell cell{static_cast<int>(random.uniform() * grid.width),

@@ -108,7 +108,7 @@ class LayerConformanceTest : public ::testing::TestWithParam<LayerCase> {
   }
 };
 
-TEST_P(LayerConformanceTest, ChangesGiveWhatAFullUpdateGives) {
+TEST_P(LayerConformanceTest, ChangesGiveWhatAFullComputationGives) {
   for (const bool is_rolling : {false, true}) {
     TestRandom random_a(6), random_b(6);
     Costmap kept = costmap(is_rolling), renewed = costmap(is_rolling);
@@ -186,7 +186,7 @@ TEST_P(LayerConformanceTest, ForgettingAllAndFeedingNothingLeavesNoTrace) {
   EXPECT_EQ(costs(map), std::vector<std::uint8_t>(45 * 40, kFreeCost));
 }
 
-TEST_P(LayerConformanceTest, OneCellAndNoDataAreNoError) {
+TEST_P(LayerConformanceTest, OneCellAndNoDataAreLegal) {
   std::vector<std::unique_ptr<Layer>> layers;
   layers.push_back(
       make_layer(builtin_layers(), GetParam().plugin, layer_setup("tested", GetParam().yaml)));

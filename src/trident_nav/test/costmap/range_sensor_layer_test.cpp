@@ -48,7 +48,7 @@ TEST_F(RangeSensorLayerTest, TheArcIsMarkedAndTheConeBeforeItCleared) {
   EXPECT_EQ(cost(2.05, 2.05), 254);
   EXPECT_EQ(cost(1.55, 2.05), 0);
   EXPECT_EQ(cost(1.55, 2.05, 100), 100);  // free replaces nothing but unknown
-  EXPECT_EQ(cost(1.55, 2.55), 255);       // next to the cone
+  EXPECT_EQ(cost(1.55, 2.55), 255);       // outside of the cone
   EXPECT_EQ(cost(2.35, 2.05), 255);       // behind the arc
 }
 

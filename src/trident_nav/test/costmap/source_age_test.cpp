@@ -33,7 +33,7 @@ TEST(SourceAgeTest, ALostMessageOrABurstChangesNoLimit) {
 TEST(SourceAgeTest, WhatTheUserSaysComesFirst) {
   EXPECT_EQ(after(SourceAge({0.5, -1.0}), 0.05, 10).limit_s(), 0.5);
   EXPECT_EQ(after(SourceAge({0.5, 2.0}), 0.05, 10).limit_s(), 2.0);
-  // as costmap_2d: nothing is ever stale without expected_update_rate.
+  // As in costmap_2d, nothing is ever stale without expected_update_rate.
   const SourceAge upstream = after(SourceAge({0.0, 0.0}), 0.05, 10);
   EXPECT_TRUE(std::isinf(upstream.limit_s()));
   EXPECT_FALSE(upstream.is_stale(1e9));
@@ -50,7 +50,7 @@ TEST(SourceAgeTest, NothingYetIsStaleAndOneMessageHasASecond) {
   EXPECT_TRUE(age.is_stale(6.1));
 }
 
-TEST(SourceAgeTest, TimeThatIsSetBackBeginsAgain) {
+TEST(SourceAgeTest, AfterTimeWasSetBackThePeriodIsMeasuredAgain) {
   SourceAge age = after(SourceAge(), 0.2, 10);
   EXPECT_TRUE(age.is_stale(0.0));  // the newest data lie far in the future
   age.note(0.0);

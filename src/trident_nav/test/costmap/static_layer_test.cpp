@@ -67,7 +67,7 @@ TEST(StaticLayerTest, ATurnedMapFillsTheBoxAroundIt) {
   EXPECT_EQ(row, (Plane{254, 0, 0}));
 }
 
-TEST(StaticLayerTest, AWindowNextToTheMapKeepsWhatIsBelow) {
+TEST(StaticLayerTest, OutsideOfTheMapAWindowKeepsWhatIsBelow) {
   auto layer = new_layer<StaticLayer>();
   layer->set_map(map_of({"#?"}));
   for (const double origin : {-1.0, -1.25}) {  // by whole cells, and sampled

@@ -60,7 +60,7 @@ struct BeamLayerParams {
 /// A layer that beams mark and clear. Each update, beams of new data clear first, then the ends of
 /// all data in use are marked. A beam clears as far as its height is within that of obstacles,
 /// wherever it ends; not the cell that it ends in, if that is an obstacle. What is seen beyond
-/// obstacle_range does not mark, but it keeps the marks that are there and next to them.
+/// obstacle_range does not mark, but it keeps the marks of its cell and the neighbors.
 class BeamLayer : public CellLayer {
  public:
   BeamLayer(const LayerSetup& setup, const BeamLayerParams& params);

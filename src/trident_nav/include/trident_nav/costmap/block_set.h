@@ -85,7 +85,7 @@ class BlockSet {
     if (y < first_row_) first_row_ = y;
     if (y >= end_row_) end_row_ = y + 1;
   }
-  /// The first block from `block` on that is in the set (or is not); blocks_ when nothing is found.
+  /// The first block from `block` on that is in the set (or is not); blocks_ without one.
   int next(int y, int block, bool present) const;
 
   int width_ = 0, height_ = 0;

@@ -44,7 +44,7 @@ class DistanceTracker {
   /// The most cells that a distance can reach.
   static constexpr int kMaxReach = 254;
 
-  /// Distances beyond `max_distance_m` are not distinguished. A cut of more than kMaxReach cells is
+  /// Distances beyond `max_distance_m` all count as that. A cut of more than kMaxReach cells is
   /// taken as that many.
   explicit DistanceTracker(double max_distance_m, Seeds seeds = Seeds::kLethal);
 

@@ -97,7 +97,7 @@ class DistanceSource {
   /// Distances [m], cut at max_distance_m(); nullptr when they are not those to lethal cells.
   virtual const float* distance_m() const = 0;
   virtual float max_distance_m() const = 0;
-  /// Distances up to this are to be distinguished [m].
+  /// Distances up to this are to be exact [m].
   virtual void require_distance(double distance_m) = 0;
 };
 

@@ -17,8 +17,8 @@ inline std::optional<Cell> whole_cell_offset(const GridGeometry& from, const Gri
   if (from.resolution != to.resolution || from.resolution <= 0.0) return std::nullopt;
   const double x = (to.origin_x - from.origin_x) / from.resolution;
   const double y = (to.origin_y - from.origin_y) / from.resolution;
-  constexpr double kRounding = 1e-3, kMax = 1e9;  // [cells]
-  if (!(std::abs(x) < kMax && std::abs(y) < kMax)) return std::nullopt;
+  constexpr double kRounding = 1e-3, kMaxCells = 1e9;  // [cells]
+  if (!(std::abs(x) < kMaxCells && std::abs(y) < kMaxCells)) return std::nullopt;
   const Cell offset{static_cast<int>(std::lround(x)), static_cast<int>(std::lround(y))};
   if (std::abs(x - offset.x) > kRounding || std::abs(y - offset.y) > kRounding) {
     return std::nullopt;

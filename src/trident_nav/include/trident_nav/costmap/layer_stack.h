@@ -12,8 +12,8 @@
 namespace trident::nav {
 
 /// Layers from the lowest to the highest and the costs that they make together. Neighboring layers
-/// of cells are combined in one pass over what changed in any of them; what that changes continues
-/// to the next layer of areas, and so on up to the master costs.
+/// of cells are combined in one pass over what changed in any of them; what that changes is the
+/// input of the next layer of areas, and so on up to the master costs.
 class LayerStack {
  public:
   /// `background`: the cost of a cell that no layer says anything of.

@@ -16,7 +16,7 @@ namespace trident::nav {
 /// Where a beam ends, from where it began, in the axes of the costmap's frame [m].
 struct BeamEnd {
   Eigen::Vector3f p = Eigen::Vector3f::Zero();
-  /// False: nothing was hit up to here, and perhaps not beyond.
+  /// False: there is nothing up to here, and perhaps not beyond.
   bool is_hit = true;
 };
 
@@ -42,7 +42,7 @@ std::string scan_fault(const LaserScan& scan);
 /// The beams of a scan. `T_costmap_laser` are the laser's poses at equal distances in time from the
 /// first beam to the last (one: it stood still): each beam gets the pose between its neighbors.
 /// Ranges outside of [range_min, range_max) and those that are no number are left out; those that
-/// are infinite, or just too large, do not with `inf_is_valid`: nothing was hit up to range_max.
+/// are infinite, or just too large, do not with `inf_is_valid`: there is nothing up to range_max.
 /// Throws Error with scan_fault(), or when there is no pose.
 Observation observe_scan(const LaserScan& scan, Span<const SE3> T_costmap_laser, bool inf_is_valid);
 

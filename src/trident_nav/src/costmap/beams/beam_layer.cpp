@@ -108,7 +108,7 @@ void BeamLayer::apply_data(double now_s) {
   is_all_fresh_ = false;
 }
 
-/// Ends of beams that are too far away to mark keep the marks of their cells and of the neighbors.
+/// Ends of beams that are too far away to mark keep the marks of their cells and the neighbors.
 void BeamLayer::find_kept_marks(const Observation& observation, const Reach& reach) {
   for (const BeamGroup& group : observation.groups) {
     for (std::size_t i = group.first; i < group.first + group.count; ++i) {
