@@ -18,8 +18,8 @@
 namespace trident::nav {
 namespace {
 
-constexpr double kLongestWait_s = 1.0;  // for a transform
-constexpr std::size_t kMostPending = 50;
+constexpr double kMaxWait_s = 1.0;  // for a transform
+constexpr std::size_t kMaxPending = 50;
 
 LaserScan to_scan(const sensor_msgs::LaserScan& message) {
   LaserScan scan;
@@ -49,8 +49,8 @@ std::vector<Eigen::Vector3f> points_of(const sensor_msgs::PointCloud& cloud) {
 
 }  // namespace
 
-CostmapInputs::CostmapInputs(ros::NodeHandle& node, Costmap& costmap,
-                             const tf2::BufferCore& buffer, ros_utils::Refusals& refusals)
+CostmapInputs::CostmapInputs(ros::NodeHandle& node, Costmap& costmap, const tf2::BufferCore& buffer,
+                             ros_utils::Refusals& refusals)
     : costmap_(costmap),
       buffer_(buffer),
       refusals_(refusals),
@@ -115,7 +115,7 @@ void CostmapInputs::subscribe_beams(ros::NodeHandle& node, BeamLayer& layer) {
 
 void CostmapInputs::add(BeamSource& source, Observe observe) {
   const std::lock_guard lock(mutex_);
-  if (pending_.size() >= kMostPending) pending_.pop_front();
+  if (pending_.size() >= kMaxPending) pending_.pop_front();
   pending_.push_back({&source, std::move(observe), ros::WallTime::now()});
 }
 
@@ -140,7 +140,8 @@ std::optional<Observation> CostmapInputs::observe(const sensor_msgs::LaserScan& 
   std::vector<SE3> poses{sensor_pose(message.header.frame_id, params, begin)};
   const double duration_s = scan.time_increment * static_cast<double>(scan.size() - 1);
   if (duration_s > 0.0) {
-    poses.push_back(sensor_pose(message.header.frame_id, params, begin + ros::Duration(duration_s)));
+    poses.push_back(
+        sensor_pose(message.header.frame_id, params, begin + ros::Duration(duration_s)));
   }
   return observe_scan(scan, poses, params.inf_is_valid);
 }
@@ -150,7 +151,7 @@ void CostmapInputs::apply_pending(Pending& pending, std::deque<Pending>* waiting
   try {
     if (auto observation = pending.observe()) pending.source->add(std::move(*observation));
   } catch (const tf2::TransformException& error) {
-    if ((ros::WallTime::now() - pending.since).toSec() < kLongestWait_s) {
+    if ((ros::WallTime::now() - pending.since).toSec() < kMaxWait_s) {
       waiting->push_back(std::move(pending));
       return;
     }

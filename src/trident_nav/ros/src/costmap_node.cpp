@@ -32,7 +32,8 @@ CostmapNode::CostmapNode(const ros::NodeHandle& node, const CostmapConfig& confi
                          const tf2::BufferCore& buffer, ros_utils::Refusals& refusals)
     : node_(node),
       buffer_(buffer),
-      costmap_(std::make_unique<Costmap>(config.params, make_layers(config, builtin_layer_types()))),
+      costmap_(
+          std::make_unique<Costmap>(config.params, make_layers(config, builtin_layer_types()))),
       frame_(frame_name(config.params.global_frame)),
       base_frame_(frame_name(config.params.robot_base_frame)),
       inputs_(root_, *costmap_, buffer, refusals) {

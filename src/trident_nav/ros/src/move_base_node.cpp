@@ -18,7 +18,7 @@
 namespace trident::nav {
 namespace {
 
-constexpr double kComplaintPeriod_s = 5.0;
+constexpr double kWarningPeriod_s = 5.0;
 
 CostmapConfig costmap_config(const ConfigNode& tree, const std::string& node_name,
                              const std::string& name, Warnings* warnings) {
@@ -28,7 +28,8 @@ CostmapConfig costmap_config(const ConfigNode& tree, const std::string& node_nam
   CostmapConfigSource source;
   source.path = node_name + "/" + name;
   source.above = &tree;
-  CostmapConfig config = read_costmap_config(own != nullptr ? *own : none, source, builtin_layer_types());
+  CostmapConfig config =
+      read_costmap_config(own != nullptr ? *own : none, source, builtin_layer_types());
   warnings->insert(warnings->end(), config.warnings.begin(), config.warnings.end());
   return config;
 }
@@ -103,11 +104,11 @@ std::unique_ptr<MoveBaseNode::Parts> MoveBaseNode::make_parts(const ros::NodeHan
   control.setup.footprint = parts->local->costmap().footprint();
   control.setup.period_s = 1.0 / parts->params.controller_frequency;
   parts->odom_topic = control.odom_topic;
-  parts->controller = make_local_planner(parts->params.base_local_planner, control, control_name,
-                                         &warnings);
+  parts->controller =
+      make_local_planner(parts->params.base_local_planner, control, control_name, &warnings);
   const MotionLimits& limits = control.setup.limits;
-  parts->world = std::make_unique<PlanningThread>(*parts->global, *parts->local, *parts->planner,
-                                                  limits);
+  parts->world =
+      std::make_unique<PlanningThread>(*parts->global, *parts->local, *parts->planner, limits);
   parts->world->set_odometry_topic(control.odom_topic);
   NavigatorParts navigator{parts->params, limits, control.setup.footprint, {}};
   navigator.recoveries = make_recoveries(
@@ -228,7 +229,7 @@ void MoveBaseNode::take_goals(double now_s) {
     }
     parts_->navigator->cancel();
     unplaced_goal_ = target;
-    complained_s_ = now_s;
+    warned_s_ = now_s;
   } else if (action_->isPreemptRequested()) {
     parts_->navigator->cancel();
     unplaced_goal_.reset();
@@ -269,8 +270,8 @@ std::optional<NavigatorInput> MoveBaseNode::sense(double now_s, std::string* pro
   input.now_s = now_s;
   const std::optional<Pose2> local = parts_->local->robot(now_s, problem);
   if (!local) return std::nullopt;
-  const std::optional<Pose2> T_global_local =
-      newest_pose(buffer_, parts_->global->frame(), parts_->local->frame(), now_s, INFINITY, problem);
+  const std::optional<Pose2> T_global_local = newest_pose(
+      buffer_, parts_->global->frame(), parts_->local->frame(), now_s, INFINITY, problem);
   if (!T_global_local) return std::nullopt;
   input.state.pose = *local;
   input.state.time_s = now_s;
@@ -282,8 +283,8 @@ std::optional<NavigatorInput> MoveBaseNode::sense(double now_s, std::string* pro
 
 void MoveBaseNode::stand(double now_s, const std::string& why) {
   if (is_driving_) send({});
-  if (now_s >= complained_s_ && now_s - complained_s_ < kComplaintPeriod_s) return;
-  complained_s_ = now_s;
+  if (now_s >= warned_s_ && now_s - warned_s_ < kWarningPeriod_s) return;
+  warned_s_ = now_s;
   ROS_WARN("The robot waits: %s.", why.c_str());
 }
 
@@ -310,8 +311,8 @@ void MoveBaseNode::act(const NavigatorInput& input, const NavigatorOutput& outpu
   }
   send(output.twist);
   if (output.waiting.empty()) return;
-  if (input.now_s - complained_s_ < kComplaintPeriod_s && input.now_s >= complained_s_) return;
-  complained_s_ = input.now_s;
+  if (input.now_s - warned_s_ < kWarningPeriod_s && input.now_s >= warned_s_) return;
+  warned_s_ = input.now_s;
   ROS_WARN("%s", output.waiting.c_str());
 }
 

@@ -53,10 +53,9 @@ auto make_leniently(ConfigNode config, const std::string& name_space, Warnings* 
       if (error.key() == silent_key) continue;
       const auto list = what.find(" Known keys:");
       const auto guess = what.find("id you mean");
-      warnings->push_back("parameter " + name_space + "/" + error.key() + " has no effect" +
-                          (guess == std::string::npos
-                               ? "."
-                               : "; d" + what.substr(guess, list - guess)));
+      warnings->push_back(
+          "parameter " + name_space + "/" + error.key() + " has no effect" +
+          (guess == std::string::npos ? "." : "; d" + what.substr(guess, list - guess)));
     }
   }
 }
@@ -66,12 +65,18 @@ struct Renamed {
   const char* new_name;
 };
 constexpr std::array kRenamed = {
-    Renamed{"max_rot_vel", "max_vel_theta"},        Renamed{"max_vel_rot", "max_vel_theta"},
-    Renamed{"max_rotational_vel", "max_vel_theta"}, Renamed{"min_rot_vel", "min_vel_theta"},
-    Renamed{"min_vel_rot", "min_vel_theta"},        Renamed{"max_trans_vel", "max_vel_trans"},
-    Renamed{"min_trans_vel", "min_vel_trans"},      Renamed{"acc_limit_trans", "acc_lim_trans"},
-    Renamed{"acc_lim_th", "acc_lim_theta"},         Renamed{"rot_stopped_vel", "theta_stopped_vel"},
-    Renamed{"pdist_scale", "path_distance_bias"},   Renamed{"gdist_scale", "goal_distance_bias"},
+    Renamed{"max_rot_vel", "max_vel_theta"},
+    Renamed{"max_vel_rot", "max_vel_theta"},
+    Renamed{"max_rotational_vel", "max_vel_theta"},
+    Renamed{"min_rot_vel", "min_vel_theta"},
+    Renamed{"min_vel_rot", "min_vel_theta"},
+    Renamed{"max_trans_vel", "max_vel_trans"},
+    Renamed{"min_trans_vel", "min_vel_trans"},
+    Renamed{"acc_limit_trans", "acc_lim_trans"},
+    Renamed{"acc_lim_th", "acc_lim_theta"},
+    Renamed{"rot_stopped_vel", "theta_stopped_vel"},
+    Renamed{"pdist_scale", "path_distance_bias"},
+    Renamed{"gdist_scale", "goal_distance_bias"},
     Renamed{"min_in_place_rotational_vel", "min_in_place_vel_theta"},
 };
 
@@ -124,18 +129,20 @@ const std::vector<std::string>& motion_names() {
 }
 
 MotionLimits limits_of(const MotionParams& p) {
-  return {p.max_vel_x, std::min(p.min_vel_x, 0.0), p.max_vel_y,     p.max_vel_theta,      p.acc_lim_x,
-          p.acc_lim_x, p.acc_lim_y,                p.acc_lim_theta, p.min_turning_radius};
+  return {p.max_vel_x,         std::min(p.min_vel_x, 0.0),
+          p.max_vel_y,         p.max_vel_theta,
+          p.acc_lim_x,         p.acc_lim_x,
+          p.acc_lim_y,         p.acc_lim_theta,
+          p.min_turning_radius};
 }
 
 NamedRecovery make_recovery(const RecoveryChoice& choice, const RecoverySetup& setup,
                             ConfigNode config, const std::string& name_space, Warnings* warnings) {
   const RecoveryRegistry registry = builtin_recoveries();
   const RecoveryFactory& factory = registry.get(choice.type);
-  return {choice.name, make_leniently(std::move(config), name_space, warnings,
-                                      [&](const ConfigNode& node) {
-                                        return factory(setup, node, name_space);
-                                      })};
+  return {choice.name,
+          make_leniently(std::move(config), name_space, warnings,
+                         [&](const ConfigNode& node) { return factory(setup, node, name_space); })};
 }
 
 }  // namespace
@@ -206,8 +213,8 @@ std::vector<NamedRecovery> make_recoveries(const MoveBaseParams& params, const R
         (is_aggressive || choice.name == "conservative_reset")) {
       ConfigNode side;
       side.kind = ConfigNode::Kind::kScalar;
-      side.scalar = number_text(is_aggressive
-                                    ? kAggressiveRadii * setup.footprint.circumscribed_radius
+      side.scalar =
+          number_text(is_aggressive ? kAggressiveRadii * setup.footprint.circumscribed_radius
                                     : params.conservative_reset_dist);
       put(&config, "reset_distance", std::move(side));
     }

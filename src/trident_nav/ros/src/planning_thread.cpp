@@ -13,7 +13,9 @@ constexpr double kObstacleReach_m = 2.0;
 
 PlanningThread::PlanningThread(CostmapNode& global, CostmapNode& local, Planner& planner,
                                const MotionLimits& limits)
-    : global_(global), local_(local), planner_(planner), limits_(limits), thread_([this] { run(); }) {}
+    : global_(global), local_(local), planner_(planner), limits_(limits), thread_([this] {
+        run();
+      }) {}
 
 PlanningThread::~PlanningThread() {
   {
@@ -99,8 +101,8 @@ std::vector<StaleSource> PlanningThread::stale_sources(double now_s) {
   std::vector<StaleSource> stale = local_.costmap().stale_sources(now_s);
   const std::lock_guard lock(mutex_);
   if (!odometry_.has_data() || odometry_.is_stale(now_s)) {
-    stale.push_back({"local planner", "odometry", odom_topic_, odometry_.age_s(now_s),
-                     odometry_.limit_s()});
+    stale.push_back(
+        {"local planner", "odometry", odom_topic_, odometry_.age_s(now_s), odometry_.limit_s()});
   }
   return stale;
 }

@@ -216,7 +216,8 @@ Footprint grown_footprint(const Footprint& footprint, double distance) {
   const std::size_t n = points.size();
   std::vector<Point2> moved;
   for (std::size_t i = 0; i < n; ++i) {
-    moved.push_back(moved_corner(points[(i + n - 1) % n], points[i], points[(i + 1) % n], distance));
+    moved.push_back(
+        moved_corner(points[(i + n - 1) % n], points[i], points[(i + 1) % n], distance));
   }
   return polygon_footprint(std::move(moved));
 }

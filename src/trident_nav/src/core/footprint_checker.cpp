@@ -14,7 +14,7 @@ constexpr double kSqrtHalf = 0.70710678118654752;
 constexpr double kTableRounding = 1e-5;
 // Side of the squares that cover a footprint, in inscribed radii, and how many are worth a look.
 constexpr double kSquare = 0.8;
-constexpr std::size_t kMostDiscs = 24;
+constexpr std::size_t kMaxDiscs = 24;
 
 /// Costs in the order in which they are worse.
 int severity(std::uint8_t cost) {
@@ -48,7 +48,7 @@ void FootprintChecker::cover_footprint() {
   if (footprint_.points.empty()) return;
   const double reach = footprint_.circumscribed_radius;
   const double side = kSquare * footprint_.inscribed_radius;
-  if (!(side > 0.0) || reach > side * static_cast<double>(kMostDiscs)) return;
+  if (!(side > 0.0) || reach > side * static_cast<double>(kMaxDiscs)) return;
   const int count = static_cast<int>(std::ceil(2.0 * reach / side)) + 1;
   const GridGeometry squares{count, count, side, -0.5 * count * side, -0.5 * count * side};
   ShapeCells shape;
@@ -56,7 +56,7 @@ void FootprintChecker::cover_footprint() {
     for (int x = run.x0; x < run.x1; ++x) discs_.push_back(squares.center({x, run.y}));
   }
   disc_radius_m_ = kSqrtHalf * side;
-  if (discs_.size() > kMostDiscs) discs_.clear();
+  if (discs_.size() > kMaxDiscs) discs_.clear();
 }
 
 bool FootprintChecker::is_cover_free(const CostGrid& grid, const Pose2& pose) const {
@@ -78,7 +78,8 @@ double distance_at_least(const CostGrid& grid, const Point2& p) {
 }
 
 /// The distance d to a lethal cell's center is known from the center of the pose's cell, which lies
-/// `off` beside the pose. A point of the lethal cell lies as far as half a diagonal from its center.
+/// `off` beside the pose. A point of the lethal cell lies as far as half a diagonal from its
+/// center.
 FootprintChecker::Verdict FootprintChecker::look_up(const CostGrid& grid, const Pose2& pose) const {
   const Cell cell = grid.geometry.cell(pose.x, pose.y);
   if (!grid.geometry.contains(cell) || grid.distance_m == nullptr) return Verdict::kOpen;

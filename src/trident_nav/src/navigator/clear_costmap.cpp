@@ -49,9 +49,10 @@ class ClearCostmap : public Recovery {
     situation.world.forget({params_.reset_distance,
                             inside ? Layer::Side::kInside : Layer::Side::kOutside,
                             params_.affected_maps, params_.layer_names});
-    return {{}, true, std::string("What was sensed ") + (inside ? "within" : "outside of") +
-                          " a square of " + number_text(params_.reset_distance) +
-                          " m about the robot was forgotten."};
+    return {{},
+            true,
+            std::string("What was sensed ") + (inside ? "within" : "outside of") + " a square of " +
+                number_text(params_.reset_distance) + " m about the robot was forgotten."};
   }
 
  private:

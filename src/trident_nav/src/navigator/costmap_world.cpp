@@ -64,14 +64,14 @@ std::optional<Cell> nearest_lethal(const CostGrid& grid, const Pose2& robot, dou
 }  // namespace
 
 double path_cost_on(const CostGrid& grid, const Path& path, std::size_t first) {
-  constexpr double kMostBelowInscribed = 252.0;
+  constexpr double kMaxBelowInscribed = 252.0;
   double total = 0.0;
   for (std::size_t i = first + 1; i < path.size(); ++i) {
     const int cost = grid.at(path[i].x, path[i].y);
     if (cost == kInscribedCost || cost == kLethalCost) {
       return std::numeric_limits<double>::infinity();
     }
-    const double weight = cost == kUnknownCost ? 1.0 : 1.0 + cost / kMostBelowInscribed;
+    const double weight = cost == kUnknownCost ? 1.0 : 1.0 + cost / kMaxBelowInscribed;
     total += weight * distance(path[i - 1].x, path[i - 1].y, path[i].x, path[i].y);
   }
   return total;
@@ -101,8 +101,9 @@ std::string nearest_obstacle_text(const Costmap& costmap, const Pose2& robot, do
   if (!cell) return "";
   const Point2 p = grid.geometry.center(*cell);
   char text[160];
-  std::snprintf(text, sizeof text, "The nearest obstacle is at (%.2f, %.2f) in %s, %.2f m away", p.x,
-                p.y, costmap.params().global_frame.c_str(), distance(p.x, p.y, robot.x, robot.y));
+  std::snprintf(text, sizeof text, "The nearest obstacle is at (%.2f, %.2f) in %s, %.2f m away",
+                p.x, p.y, costmap.params().global_frame.c_str(),
+                distance(p.x, p.y, robot.x, robot.y));
   const std::string layers = lethal_layers_text(costmap, *cell);
   return std::string(text) + (layers.empty() ? "." : ", in layer " + layers + ".");
 }

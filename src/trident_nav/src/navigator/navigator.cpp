@@ -88,8 +88,8 @@ void Navigator::note_motion(const NavigatorInput& input) {
     const Pose2& last = trail_.back();
     const double moved_m = distance(last.x, last.y, pose.x, pose.y);
     if (moved_m > kJump_m) trail_.clear();
-    const bool is_same = moved_m < kTrailSpacing_m &&
-                         std::fabs(wrap_angle(pose.yaw - last.yaw)) < kTrailTurn;
+    const bool is_same =
+        moved_m < kTrailSpacing_m && std::fabs(wrap_angle(pose.yaw - last.yaw)) < kTrailTurn;
     if (is_same && !trail_.empty()) return;
   }
   if (trail_.size() >= kTrailPoses) trail_.erase(trail_.begin(), trail_.begin() + kTrailPoses / 2);
@@ -131,9 +131,8 @@ NavigatorOutput Navigator::step(const NavigatorInput& input) {
 void Navigator::plan(const NavigatorInput& input, NavigatorOutput* output) {
   const double rate = parts_.params.planner_frequency;
   const double waited_s = input.now_s - since_.request_s;
-  const bool is_due = phase_ == Phase::kPlanning
-                          ? waited_s * std::max(rate, kReplanRate) >= 1.0
-                          : rate > 0.0 && waited_s * rate >= 1.0 - 1e-9;
+  const bool is_due = phase_ == Phase::kPlanning ? waited_s * std::max(rate, kReplanRate) >= 1.0
+                                                 : rate > 0.0 && waited_s * rate >= 1.0 - 1e-9;
   if (!since_.has_request && is_due) {
     world_.request_plan(input.robot_global, goal_);
     since_.request_s = input.now_s;
@@ -171,10 +170,10 @@ void Navigator::refuse_plan(const NavigatorInput& input, const PlanOutcome& outc
   const bool is_tried =
       params.max_planning_retries >= 0 && since_.failed_plans > params.max_planning_retries;
   if (!is_over && !is_tried) return;
-  cause_ += is_tried ? " max_planning_retries of " + std::to_string(params.max_planning_retries) +
-                           " is used up."
-                     : " planner_patience of " + number_text(params.planner_patience) +
-                           " s is over.";
+  cause_ += is_tried
+                ? " max_planning_retries of " + std::to_string(params.max_planning_retries) +
+                      " is used up."
+                : " planner_patience of " + number_text(params.planner_patience) + " s is over.";
   begin_recovery(Trigger::kPlanning, input, output);
 }
 
@@ -231,10 +230,9 @@ void Navigator::begin_recovery(Trigger trigger, const NavigatorInput& input,
   world_.cancel_plan();
   since_.has_request = false;
   if (!parts_.params.recovery_behavior_enabled || next_recovery_ >= parts_.recoveries.size()) {
-    const char* sentence =
-        trigger == Trigger::kPlanning      ? "Failed to find a valid plan."
-        : trigger == Trigger::kControlling ? "Failed to find a valid control."
-                                           : "Robot is oscillating.";
+    const char* sentence = trigger == Trigger::kPlanning      ? "Failed to find a valid plan."
+                           : trigger == Trigger::kControlling ? "Failed to find a valid control."
+                                                              : "Robot is oscillating.";
     finish(NavigatorStatus::kAborted,
            std::string(sentence) + " Even after executing recovery behaviors. " + cause_, output);
     return;
@@ -259,7 +257,8 @@ void Navigator::recover(const NavigatorInput& input, NavigatorOutput* output) {
   controller_.reset();
   const NavigatorParams& params = parts_.params;
   since_.plan_s = std::max(since_.plan_s, input.now_s + kGrace_s - params.planner_patience);
-  since_.command_s = std::max(since_.command_s, input.now_s + kGrace_s - params.controller_patience);
+  since_.command_s =
+      std::max(since_.command_s, input.now_s + kGrace_s - params.controller_patience);
   since_.motion_s = input.now_s;
   since_.motion_from = input.state.pose;
   since_.failed_plans = 0;

@@ -37,14 +37,14 @@ class Retreat : public Recovery {
     const CommandOutcome outcome =
         situation.controller.command(situation.state, path_, situation.local, situation.tracks);
     if (outcome.goal_reached) return {outcome.twist, true, "The robot went back along its trail."};
-    if (outcome.failure != Failure::kNone && ++failures_ > kMostFailures) {
+    if (outcome.failure != Failure::kNone && ++failures_ > kMaxFailures) {
       return {outcome.twist, true, "The way back is blocked. " + outcome.reason};
     }
     return {outcome.twist, false, ""};
   }
 
  private:
-  static constexpr int kMostFailures = 20;
+  static constexpr int kMaxFailures = 20;
 
   void begin(const RecoverySituation& situation) {
     failures_ = 0;

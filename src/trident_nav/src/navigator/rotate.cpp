@@ -74,7 +74,8 @@ class Rotate : public Recovery {
     constexpr double kWorthwhile = 0.1;
     if (left + right < kWorthwhile) return false;
     // Where the footprint is not free all around, a little is left at the ends.
-    const double to_left = std::max(left - kMargin, 0.0), to_right = -std::max(right - kMargin, 0.0);
+    const double to_left = std::max(left - kMargin, 0.0),
+                 to_right = -std::max(right - kMargin, 0.0);
     targets_ = left <= right ? std::vector<double>{to_left, to_right}
                              : std::vector<double>{to_right, to_left};
     return true;
@@ -121,7 +122,8 @@ class Rotate : public Recovery {
 
   RecoveryStep ended(const TwistWindow& window) const {
     char text[80];
-    std::snprintf(text, sizeof text, "The robot has turned on the spot, last to %.2f rad.", turned_);
+    std::snprintf(text, sizeof text, "The robot has turned on the spot, last to %.2f rad.",
+                  turned_);
     return {window.clamp({}), true, text};
   }
 
@@ -137,11 +139,11 @@ class Rotate : public Recovery {
 }  // namespace
 
 void add_rotate(RecoveryRegistry& registry) {
-  registry.add("rotate_recovery/RotateRecovery", [](const RecoverySetup& setup,
-                                                    const ConfigNode& parameters,
-                                                    const std::string& source) {
-    return std::make_unique<Rotate>(setup, load_config_node<RotateParams>(parameters, source));
-  });
+  registry.add(
+      "rotate_recovery/RotateRecovery",
+      [](const RecoverySetup& setup, const ConfigNode& parameters, const std::string& source) {
+        return std::make_unique<Rotate>(setup, load_config_node<RotateParams>(parameters, source));
+      });
 }
 
 }  // namespace trident::nav

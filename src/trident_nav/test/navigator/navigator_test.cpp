@@ -170,7 +170,9 @@ TEST_F(ScriptedNavigator, ARobotThatGetsNowhereOscillates) {
   const NavigatorOutput output = run(navigator, 20.0);
   EXPECT_EQ(output.status, NavigatorStatus::kAborted);
   EXPECT_EQ(output.text.rfind("Robot is oscillating. Even after executing recovery behaviors. "
-                              "Within oscillation_timeout of 4 s", 0), 0U)
+                              "Within oscillation_timeout of 4 s",
+                              0),
+            0U)
       << output.text;
 }
 
@@ -189,7 +191,7 @@ TEST_F(ScriptedNavigator, NoPatienceRunsOutWhileASourceIsSilent) {
   EXPECT_DOUBLE_EQ(step(navigator).twist.vx, 0.3);
 }
 
-TEST_F(ScriptedNavigator, RecoveriesBeginAnewOnlyOnceTheRobotGotSomewhere) {
+TEST_F(ScriptedNavigator, RecoveriesBeginAgainOnlyOnceTheRobotGotSomewhere) {
   parts_.params.controller_patience = 1.0;
   Navigator navigator = make(clearings(1));
   navigator.set_goal({4.0, 0.0, 0.0}, 0.0);
@@ -286,7 +288,8 @@ TEST(Navigator, GivesUpAWalledInGoalAndNamesIt) {
   const NavigatorOutput output = world.drive(120.0);
   EXPECT_EQ(output.status, NavigatorStatus::kAborted);
   EXPECT_EQ(output.text.rfind(
-                "Failed to find a valid plan. Even after executing recovery behaviors. ", 0), 0U);
+                "Failed to find a valid plan. Even after executing recovery behaviors. ", 0),
+            0U);
   EXPECT_GT(output.text.size(), 100U) << output.text;
   const std::vector<std::string> all = {"conservative_reset", "rotate_recovery", "aggressive_reset",
                                         "retreat"};

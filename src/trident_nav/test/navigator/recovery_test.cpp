@@ -49,10 +49,11 @@ class RecoveryTest : public ::testing::Test {
     recovery.start();
     turned_ = least_ = most_ = 0.0;
     for (int i = 0; i < 1000; ++i) {
-      const RecoveryStep step = recovery.step(
-          {state_.time_s, state_, grid_, {}, trail_, world_, *controller_});
+      const RecoveryStep step =
+          recovery.step({state_.time_s, state_, grid_, {}, trail_, world_, *controller_});
       if (step.is_done) return step.note;
-      state_.twist = reachable_window(setup_.limits, state_.twist, setup_.period_s).clamp(step.twist);
+      state_.twist =
+          reachable_window(setup_.limits, state_.twist, setup_.period_s).clamp(step.twist);
       state_.pose = integrate(state_.pose, state_.twist, setup_.period_s);
       state_.time_s += setup_.period_s;
       turned_ += state_.twist.wz * setup_.period_s;

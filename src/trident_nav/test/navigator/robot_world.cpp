@@ -39,7 +39,8 @@ std::vector<std::unique_ptr<Layer>> layers(const OccupancyGrid* map, const std::
   }
   result.push_back(layer("ObstacleLayer", "obstacle_layer",
                          "{sources: {scan: {data_type: LaserScan, clearing: true, "
-                         "inf_is_valid: true" + keys + "}}}"));
+                         "inf_is_valid: true" +
+                             keys + "}}}"));
   result.push_back(layer("InflationLayer", "inflation_layer",
                          "{inflation_radius: 0.4, cost_scaling_factor: 6.0}"));
   return result;

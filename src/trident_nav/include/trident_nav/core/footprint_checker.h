@@ -25,8 +25,9 @@ enum class UnknownCells { kFree, kOccupied };
 /// Checks poses of a footprint against costmaps, exactly: a footprint touches a cell that its
 /// inside overlaps, those in its middle included. Most poses need one look-up of the distance field
 /// (footprints are free of lethal cells farther away than their circumscribed radius, and not free
-/// of those nearer than the inscribed one); others a few more, for discs that together cover it; what
-/// is still open then is told by the cells. Calls change nothing and may come from several threads.
+/// of those nearer than the inscribed one); others a few more, for discs that together cover it;
+/// what is still open then is told by the cells. Calls change nothing and may come from several
+/// threads.
 class FootprintChecker {
  public:
   explicit FootprintChecker(const Footprint& footprint, UnknownCells unknown = UnknownCells::kFree);
@@ -38,8 +39,8 @@ class FootprintChecker {
   bool is_free(const CostGrid& grid, const Pose2& pose) const;
   /// The worst that the footprint meets; kOutside where its center is outside of the grid.
   Contact contact(const CostGrid& grid, const Pose2& pose) const;
-  /// The highest cost of the cells under the footprint where unknown counts as lower than lethal and
-  /// higher than all others; kLethalCost outside of the grid, too.
+  /// The highest cost of the cells under the footprint where unknown counts as lower than lethal
+  /// and higher than all others; kLethalCost outside of the grid, too.
   std::uint8_t cost(const CostGrid& grid, const Pose2& pose) const;
 
  private:

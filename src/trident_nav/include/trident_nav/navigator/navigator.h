@@ -18,9 +18,9 @@ namespace trident::nav {
 /// What a navigator gets for one period.
 struct NavigatorInput {
   double now_s = 0.0;
-  Pose2 robot_global;   ///< In the frame of goals and paths.
-  RobotState state;     ///< In the local costmap's frame, at the same time.
-  CostGrid local;       ///< The newest local costmap.
+  Pose2 robot_global;  ///< In the frame of goals and paths.
+  RobotState state;    ///< In the local costmap's frame, at the same time.
+  CostGrid local;      ///< The newest local costmap.
   Tracks tracks;
 };
 
@@ -82,7 +82,8 @@ class Navigator {
   bool waits_for_sources(const NavigatorInput& input, NavigatorOutput* output);
   void plan(const NavigatorInput& input, NavigatorOutput* output);
   void take_plan(const NavigatorInput& input, NavigatorOutput* output);
-  void refuse_plan(const NavigatorInput& input, const PlanOutcome& outcome, NavigatorOutput* output);
+  void refuse_plan(const NavigatorInput& input, const PlanOutcome& outcome,
+                   NavigatorOutput* output);
   void control(const NavigatorInput& input, NavigatorOutput* output);
   void miss_command(const NavigatorInput& input, const CommandOutcome& outcome,
                     NavigatorOutput* output);

@@ -79,7 +79,7 @@ class MoveBaseNode {
   Twist2 measured_;
   std::optional<geometry_msgs::PoseStamped> unplaced_goal_;
   bool is_driving_ = false;  // the last command was not zero
-  double complained_s_ = -1e9;
+  double warned_s_ = -1e9;
   std::atomic<bool> is_ending_{false};
   std::thread global_thread_;
 };
