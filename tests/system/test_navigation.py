@@ -39,7 +39,9 @@ def room_map(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def navigation(ros: Ros, room_map: Path) -> Process:
-    return ros.launch(["roslaunch", "trident_bringup", "navigation.launch", f"map_file:={room_map}"])
+    return ros.launch(
+        ["roslaunch", "trident_bringup", "navigation.launch", f"map_file:={room_map}"]
+    )
 
 
 def goal_at(x: float, y: float, yaw: float) -> MoveBaseGoal:
