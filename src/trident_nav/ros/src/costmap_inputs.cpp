@@ -151,7 +151,7 @@ void CostmapInputs::apply_pending(Pending& pending, std::deque<Pending>* waiting
   try {
     if (auto observation = pending.observe()) pending.source->add(std::move(*observation));
   } catch (const tf2::TransformException& error) {
-    if ((ros::WallTime::now() - pending.since).toSec() < kLongestWait_s) {
+    if ((ros::WallTime::now() - pending.since).toSec() < kMaxWait_s) {
       waiting->push_back(std::move(pending));
       return;
     }
