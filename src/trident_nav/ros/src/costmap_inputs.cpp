@@ -18,7 +18,7 @@
 namespace trident::nav {
 namespace {
 
-constexpr double kLongestWait_s = 1.0;  // for a transform
+constexpr double kMaxWait_s = 1.0;  // for a transform
 constexpr std::size_t kMaxPending = 50;
 
 LaserScan to_scan(const sensor_msgs::LaserScan& message) {
