@@ -34,6 +34,8 @@ SEED = int(os.environ.get("TRIDENT_FUZZ_SEED", "1"))
 MAX_PROBLEMS = 300
 _ROOM_M = (4.0, 3.0)  # half of its sides
 _BEAMS = 180
+#: Of 5 cm: the room, and half a meter about it.
+MAP_CELLS = (180, 140)
 _PROGRAM = re.compile(r"/lib/([^/]+/[^/]+)$")
 
 #: "package/program" of what has been treated in the test that runs.
@@ -104,6 +106,18 @@ def withstands(
     assert "Traceback" not in process.log
     sane()
     assert process.stop(signal.SIGINT) == 0, process.log[-3000:]
+
+
+def endures(
+    target: Target, count: int, step: Callable[[], None] | None = None, batch: int = 20
+) -> None:
+    """It lives through so many messages."""
+    note_treated(target)
+    settings = CampaignOptions(messages=count, seed=SEED, batch=batch)
+    found = Campaign(target, settings, None, step).run()
+    print(target.name, found.text())
+    assert not found.problems, found.text()
+    assert sum(found.sent.values()) == count
 
 
 class Asked:

@@ -9,36 +9,16 @@ from pathlib import Path
 import pytest
 import rospy
 from geometry_msgs.msg import PoseWithCovarianceStamped
-from hostile import Robot, room_scan, started, transform, withstands
+from hostile import MAP_CELLS, Robot, room_scan, started, transform, withstands
 from nav_msgs.srv import GetMap, LoadMapRequest, SetMapRequest
 from std_srvs.srv import Empty
 from tf2_msgs.msg import TFMessage
 from trident.testing import LIMIT_S, Ros, program, recorder
 
-_CELLS = (180, 140)  # of 5 cm: the room, and half a metre about it
-
-
-@pytest.fixture
-def map_file(tmp_path: Path) -> Path:
-    """A map of the room that the robot drives in."""
-    columns, rows = _CELLS
-    pixels = bytearray([205] * (columns * rows))
-    for row in range(10, rows - 10):
-        for column in range(10, columns - 10):
-            is_wall = row in (10, rows - 11) or column in (10, columns - 11)
-            pixels[row * columns + column] = 0 if is_wall else 254
-    (tmp_path / "room.pgm").write_bytes(b"P5 %d %d 255\n" % _CELLS + bytes(pixels))
-    file = tmp_path / "room.yaml"
-    file.write_text(
-        "image: room.pgm\nresolution: 0.05\norigin: [-4.5, -3.5, 0]\n"
-        "negate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n"
-    )
-    return file
-
 
 def still_serves() -> None:
     rospy.wait_for_service("/static_map", LIMIT_S)
-    assert rospy.ServiceProxy("/static_map", GetMap)().map.info.width == _CELLS[0]
+    assert rospy.ServiceProxy("/static_map", GetMap)().map.info.width == MAP_CELLS[0]
 
 
 @pytest.mark.fuzzes("map_server/map_server")

@@ -11,11 +11,19 @@ from pathlib import Path
 import pytest
 import rospy
 from geometry_msgs.msg import Point, Pose, Quaternion, Twist
-from hostile import MESSAGES, SEED, Asked, messages, note_treated, odometry, started, withstands
+from hostile import (
+    MESSAGES,
+    Asked,
+    endures,
+    messages,
+    odometry,
+    started,
+    withstands,
+)
 from nav_msgs.msg import Odometry
 from sensor_msgs.msg import Image
 from trident.testing import Gazebo, Ros, box_sdf, eventually, program, recorder
-from trident.testing.fuzz import Campaign, CampaignOptions, Target
+from trident.testing.fuzz import Target
 from visualization_msgs.msg import MarkerArray
 
 from trident_msgs.msg import FleetState
@@ -62,16 +70,6 @@ def is_heard(target: Target, kind: type, count: int) -> bool:
 def hears_its_camera(target: Target) -> bool:
     """Whether a viewer has done with cameras that look for a place."""
     return any(topic.startswith("/observer_") for topic in target.subscriptions())
-
-
-def endures(target: Target, count: int, step: Callable[[], None] | None = None) -> None:
-    """It lives through so many messages."""
-    note_treated(target)
-    settings = CampaignOptions(messages=count, seed=SEED, batch=BATCH)
-    found = Campaign(target, settings, None, step).run()
-    print(target.name, found.text())
-    assert not found.problems, found.text()
-    assert sum(found.sent.values()) == count
 
 
 def film(ros: Ros, step: Callable[[], None], out: Path) -> None:

@@ -1,0 +1,102 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""move_base and the drive that judges it under hostile messages."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+import rospy
+import yaml
+from geometry_msgs.msg import PoseStamped
+from hostile import Robot, endures, messages, odometry, room_scan, started, transform, withstands
+from move_base_msgs.msg import MoveBaseActionGoal
+from nav_msgs.msg import Odometry
+from nav_msgs.srv import GetPlan, GetPlanRequest
+from tf2_msgs.msg import TFMessage
+from trident.testing import LIMIT_S, Ros, eventually, package, program
+from trident.testing.fuzz import Target
+
+CONFIG = package("trident_bringup") / "config" / "nav"
+
+
+def parameters() -> dict[str, Any]:
+    """What navigation.launch gives move_base."""
+    result: dict[str, Any] = {}
+    for file in ("move_base.yaml", "costmaps.yaml", "robots/my_nav_robot.yaml"):
+        for key, value in yaml.safe_load((CONFIG / file).read_text(encoding="utf-8")).items():
+            old = result.get(key)
+            result[key] = {**old, **value} if isinstance(old, dict) else value
+    return result
+
+
+def place(x: float, y: float) -> PoseStamped:
+    message = PoseStamped()
+    message.header.frame_id = "map"
+    message.pose.position.x, message.pose.position.y, message.pose.orientation.w = x, y, 1.0
+    return message
+
+
+@pytest.mark.fuzzes("move_base/move_base")
+def test_move_base(ros: Ros, map_file: Path) -> None:
+    started(ros, "/maps", [program("map_server", "map_server"), str(map_file), "__name:=maps"])
+    ros.set_param("/move_base", parameters())
+    process = started(ros, "/move_base", [program("move_base", "move_base"), "__name:=move_base"])
+    driver = Robot("base_footprint").connected()
+    frames = rospy.Publisher("/tf", TFMessage, queue_size=100, tcp_nodelay=True)
+    odometries = rospy.Publisher("/odom", Odometry, queue_size=10, tcp_nodelay=True)
+    for topic in (frames, odometries):
+        eventually(lambda t=topic: t.get_num_connections() > 0, topic.name)  # type: ignore[misc]
+
+    def step() -> None:
+        frames.publish(TFMessage([transform("map", "odom")]))
+        odometries.publish(odometry())
+        driver.step()
+
+    request = GetPlanRequest(start=place(-1.0, -1.0), goal=place(1.5, 1.0), tolerance=0.2)
+
+    def still_plans() -> None:
+        rospy.wait_for_service("/move_base/make_plan", LIMIT_S)
+        ask = rospy.ServiceProxy("/move_base/make_plan", GetPlan)
+
+        def has_plan() -> bool:
+            step()
+            try:
+                return len(ask(request).plan.poses) > 1
+            except rospy.ServiceException:
+                return False
+
+        eventually(has_plan, "a plan")
+
+    goal = MoveBaseActionGoal()
+    goal.goal.target_pose = place(1.0, 1.0)
+    examples = {
+        "/scan": room_scan(),
+        "/tf": TFMessage([transform("odom", "base_footprint")]),
+        "/odom": odometry(),
+        "/move_base/goal": goal,
+        "/move_base_simple/goal": place(1.0, 1.0),
+        "/move_base/make_plan": request,
+    }
+    withstands(process, "/move_base", still_plans, examples, step, batch=40)
+    for topic in (frames, odometries):
+        topic.unregister()
+    driver.close()
+
+
+@pytest.mark.fuzzes("trident_benchmarks/navigate.py")
+def test_a_drive_to_goals_waits_on(ros: Ros, tmp_path: Path) -> None:
+    """There is no simulator: it hears where its robot is said to be, and waits for move_base."""
+    robot = str(CONFIG / "robots" / "my_nav_robot.yaml")
+    ros.set_param("/drive", {"world": "room", "robot_config": robot, "out_dir": str(tmp_path)})
+    command = [program("trident_benchmarks", "navigate.py"), "__name:=drive"]
+    process = started(ros, "/drive", command)
+    target = Target("/drive")
+    eventually(lambda: "/move_base/recovery_status" in target.subscriptions(), "its subscriptions")
+    endures(target, messages(10))
+    process.eventually_logs("process[robot_state_publisher")  # its child takes an interrupt
+    assert process.stop(limit_s=60.0) != 0, process.log[-3000:]  # it has reached no goal
+    own = process.log.split("Traceback")
+    assert len(own) == 1, own[1][:3000]
