@@ -16,6 +16,7 @@ import threading
 import warnings
 import xmlrpc.client
 from pathlib import Path
+from typing import Any
 
 import actionlib
 import numpy as np
@@ -222,8 +223,8 @@ class Drive:
         """Of the program move_base; NaN while it does not answer."""
         api = rosnode.get_api_uri(rospy.get_master(), _NODE)
         try:
-            _, _, pid = xmlrpc.client.ServerProxy(api).getPid("/navigate")
-            return process_cpu_s(int(pid))
+            node: Any = xmlrpc.client.ServerProxy(api)
+            return process_cpu_s(int(node.getPid("/navigate")[2]))
         except (OSError, EvalError):
             return math.nan
 
