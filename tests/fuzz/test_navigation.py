@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -19,6 +20,8 @@ from tf2_msgs.msg import TFMessage
 from trident.testing import LIMIT_S, Ros, eventually, package, program
 from trident.testing.fuzz import Target
 
+#: For two roslaunch and what they start, one after the other.
+START_LIMIT_S = 3 * LIMIT_S
 CONFIG = package("trident_bringup") / "config" / "nav"
 
 
@@ -96,7 +99,14 @@ def test_a_drive_to_goals_waits_on(ros: Ros, tmp_path: Path) -> None:
     target = Target("/drive")
     eventually(lambda: "/move_base/recovery_status" in target.subscriptions(), "its subscriptions")
     endures(target, messages(10))
-    process.eventually_logs("process[robot_state_publisher")  # its child takes an interrupt
+    # What it has started takes an interrupt as soon as one node of it is there.
+    is_there = partial(ros.master.lookupNode, "/fuzz", "/robot_state_publisher")
+
+    def has_started() -> bool:
+        assert process.running and "RLException" not in process.log, process.log[-3000:]
+        return bool(is_there()[0] == 1)
+
+    eventually(has_started, "the nodes of the drive", START_LIMIT_S)
     assert process.stop(limit_s=60.0) != 0, process.log[-3000:]  # it has reached no goal
     own = process.log.split("Traceback")
     assert len(own) == 1, own[1][:3000]

@@ -14,6 +14,8 @@
 #include "trident_base/error.h"
 #include "trident_maps_ros/map_messages.h"
 #include "trident_nav_ros/frames.h"
+#include "trident_nav_ros/input_checks.h"
+#include "trident_ros/message_checks.h"
 
 namespace trident::nav {
 namespace {
@@ -34,6 +36,8 @@ LaserScan to_scan(const sensor_msgs::LaserScan& message) {
 }
 
 std::vector<Eigen::Vector3f> points_of(const sensor_msgs::PointCloud2& cloud) {
+  const std::string problem = cloud_problem(cloud);
+  if (!problem.empty()) throw Error(problem);
   std::vector<Eigen::Vector3f> points;
   points.reserve(static_cast<std::size_t>(cloud.width) * cloud.height);
   sensor_msgs::PointCloud2ConstIterator<float> x(cloud, "x"), y(cloud, "y"), z(cloud, "z");
@@ -45,6 +49,10 @@ std::vector<Eigen::Vector3f> points_of(const sensor_msgs::PointCloud& cloud) {
   std::vector<Eigen::Vector3f> points;
   for (const geometry_msgs::Point32& p : cloud.points) points.emplace_back(p.x, p.y, p.z);
   return points;
+}
+
+std::string unused(const BeamSource& source) {
+  return "data of " + source.name() + " (topic " + source.topic() + ") are not used: ";
 }
 
 }  // namespace
@@ -86,6 +94,7 @@ void CostmapInputs::subscribe_beams(ros::NodeHandle& node, BeamLayer& layer) {
   constexpr int kQueue = 10;
   for (BeamSource& source : layer.sources()) {
     const auto on_cloud = [this, &source](const auto& cloud) {
+      if (is_refused(source, cloud->header.stamp)) return;
       add(source, [this, &source, cloud]() -> std::optional<Observation> {
         const ros::Time& stamp = cloud->header.stamp;
         const SE3 pose = sensor_pose(cloud->header.frame_id, source.params(), stamp);
@@ -96,6 +105,7 @@ void CostmapInputs::subscribe_beams(ros::NodeHandle& node, BeamLayer& layer) {
       case BeamDataType::kLaserScan:
         subscribers_.push_back(node.subscribe<sensor_msgs::LaserScan>(
             source.topic(), kQueue, [this, &source](const sensor_msgs::LaserScanConstPtr& scan) {
+              if (is_refused(source, scan->header.stamp)) return;
               add(source, [this, &source, scan] { return observe(*scan, source.params()); });
             }));
         break;
@@ -111,6 +121,14 @@ void CostmapInputs::subscribe_beams(ros::NodeHandle& node, BeamLayer& layer) {
         break;
     }
   }
+}
+
+/// Notes data whose stamp nothing can be computed with.
+bool CostmapInputs::is_refused(const BeamSource& source, const ros::Time& stamp) {
+  const std::string problem = ros_utils::stamp_problem(stamp, ros::Time::now());
+  if (problem.empty()) return false;
+  refusals_.note("data", unused(source) + problem);
+  return true;
 }
 
 void CostmapInputs::add(BeamSource& source, Observe observe) {
@@ -133,9 +151,9 @@ SE3 CostmapInputs::sensor_pose(const std::string& frame, const BeamSourceParams&
 /// The beams of a scan that takes long get the poses at its begin and end.
 std::optional<Observation> CostmapInputs::observe(const sensor_msgs::LaserScan& message,
                                                   const BeamSourceParams& params) {
+  const std::string problem = beams_problem(message);
+  if (!problem.empty()) throw Error(problem);
   const LaserScan scan = to_scan(message);
-  const std::string fault = scan_fault(scan);
-  if (!fault.empty()) throw Error(fault);
   const ros::Time begin = message.header.stamp;
   std::vector<SE3> poses{sensor_pose(message.header.frame_id, params, begin)};
   const double duration_s = scan.time_increment * static_cast<double>(scan.size() - 1);
@@ -155,11 +173,9 @@ void CostmapInputs::apply_pending(Pending& pending, std::deque<Pending>* waiting
       waiting->push_back(std::move(pending));
       return;
     }
-    refusals_.note("transform", "data of " + source.name() + " (topic " + source.topic() +
-                                    ") are not used: " + error.what());
+    refusals_.note("transform", unused(source) + error.what());
   } catch (const std::exception& error) {
-    refusals_.note("data", "data of " + source.name() + " (topic " + source.topic() +
-                               ") are not used: " + error.what());
+    refusals_.note("data", unused(source) + error.what());
   }
 }
 

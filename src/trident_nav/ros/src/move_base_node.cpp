@@ -14,6 +14,7 @@
 #include "trident_base/error.h"
 #include "trident_nav/costmap/costmap_config.h"
 #include "trident_nav_ros/frames.h"
+#include "trident_nav_ros/input_checks.h"
 
 namespace trident::nav {
 namespace {
@@ -32,18 +33,6 @@ CostmapConfig costmap_config(const ConfigNode& tree, const std::string& node_nam
       read_costmap_config(own != nullptr ? *own : none, source, builtin_layer_types());
   warnings->insert(warnings->end(), config.warnings.begin(), config.warnings.end());
   return config;
-}
-
-bool is_orientation(const geometry_msgs::Quaternion& q) {
-  const double square = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
-  constexpr double kTolerance = 0.1;
-  if (!std::isfinite(square) || std::fabs(square - 1.0) > kTolerance) return false;
-  const double up = 1.0 - 2.0 * (q.x * q.x + q.y * q.y) / square;  // of the turned z axis
-  return up > 1.0 - 1e-3;
-}
-
-bool is_finite_point(const geometry_msgs::Point& p) {
-  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
 }
 
 nav_msgs::Path path_message(const Path& path, const std::string& frame, double now_s) {
@@ -135,7 +124,6 @@ MoveBaseNode::MoveBaseNode(ros::NodeHandle& node, const ros::NodeHandle& private
 MoveBaseNode::~MoveBaseNode() {
   is_ending_ = true;
   global_thread_.join();
-  if (action_) action_->shutdown();
 }
 
 void MoveBaseNode::serve(ros::NodeHandle& node, ros::NodeHandle private_node) {
@@ -148,32 +136,40 @@ void MoveBaseNode::serve(ros::NodeHandle& node, ros::NodeHandle private_node) {
   links_.recovery =
       node.advertise<move_base_msgs::RecoveryStatus>("move_base/recovery_status", 1, true);
   links_.simple_goal = node.subscribe<geometry_msgs::PoseStamped>(
-      "move_base_simple/goal", 1, [this](const geometry_msgs::PoseStampedConstPtr& message) {
-        move_base_msgs::MoveBaseActionGoal goal;
-        goal.header.stamp = ros::Time::now();
-        goal.goal.target_pose = *message;
-        links_.action_goal.publish(goal);
-      });
+      "move_base_simple/goal", 1,
+      [this](const geometry_msgs::PoseStampedConstPtr& message) { on_simple_goal(*message); });
   links_.odometry = node.subscribe<nav_msgs::Odometry>(
       parts_->odom_topic, 5,
       [this](const nav_msgs::OdometryConstPtr& message) { on_odometry(*message); });
   links_.make_plan = private_node.advertiseService("make_plan", &MoveBaseNode::make_plan, this);
   links_.clear_costmaps =
       private_node.advertiseService("clear_costmaps", &MoveBaseNode::clear_costmaps, this);
-  action_ = std::make_unique<Action>(node, "move_base", false);
-  action_->start();
+  goals_ = std::make_unique<GoalTopics>(node, "move_base");
+  goals_->start();
+}
+
+void MoveBaseNode::on_simple_goal(const geometry_msgs::PoseStamped& message) {
+  const std::string problem = goal_problem(message.pose);
+  if (!problem.empty()) {
+    refusals_.note("goal", "the goal on move_base_simple/goal is refused: " + problem);
+    return;
+  }
+  move_base_msgs::MoveBaseActionGoal goal;
+  goal.header.stamp = ros::Time::now();
+  goal.goal.target_pose = message;
+  links_.action_goal.publish(goal);
 }
 
 void MoveBaseNode::on_odometry(const nav_msgs::Odometry& message) {
-  const geometry_msgs::Twist& twist = message.twist.twist;
-  const Twist2 measured{twist.linear.x, twist.linear.y, twist.angular.z};
-  if (!std::isfinite(measured.vx) || !std::isfinite(measured.vy) || !std::isfinite(measured.wz)) {
-    refusals_.note("odometry", "the velocity of " + parts_->odom_topic + " is not finite");
+  const std::string problem = odometry_problem(message, ros::Time::now());
+  if (!problem.empty()) {
+    refusals_.note("odometry", "odometry on " + parts_->odom_topic + " is not used: " + problem);
     return;
   }
   parts_->world->note_odometry(message.header.stamp.toSec());
+  const geometry_msgs::Twist& twist = message.twist.twist;
   const std::lock_guard lock(odometry_mutex_);
-  measured_ = measured;
+  measured_ = {twist.linear.x, twist.linear.y, twist.angular.z};
 }
 
 void MoveBaseNode::update_global() {
@@ -202,7 +198,7 @@ void MoveBaseNode::cycle() {
   const double now_s = ros::Time::now().toSec();
   parts_->local->update(now_s);
   take_goals(now_s);
-  if (!action_->isActive()) return;
+  if (!goals_->is_active()) return;
   std::string problem;
   if (unplaced_goal_ && !place_goal(now_s, &problem)) return stand(now_s, problem);
   const std::optional<NavigatorInput> sensed = sense(now_s, &problem);
@@ -215,26 +211,23 @@ void MoveBaseNode::cycle() {
 }
 
 void MoveBaseNode::take_goals(double now_s) {
-  if (action_->isNewGoalAvailable()) {
-    const auto goal = action_->acceptNewGoal();
-    const geometry_msgs::PoseStamped& target = goal->target_pose;
-    if (!is_orientation(target.pose.orientation)) {
+  if (const auto goal = goals_->take_new()) {
+    const std::string problem = goal_problem(goal->target_pose.pose);
+    if (!problem.empty()) {
+      const bool is_turn = problem.find("orientation") == 0;
       end_goal(NavigatorStatus::kAborted,
-               "Aborting on goal because it was sent with an invalid quaternion");
-      return;
-    }
-    if (!is_finite_point(target.pose.position)) {
-      end_goal(NavigatorStatus::kAborted, "Aborting on goal because its position is not finite");
+               std::string("Aborting on goal because it was sent with an invalid ") +
+                   (is_turn ? "quaternion" : "position") + ": " + problem + ".");
       return;
     }
     parts_->navigator->cancel();
-    unplaced_goal_ = target;
+    unplaced_goal_ = goal->target_pose;
     warned_s_ = now_s;
-  } else if (action_->isPreemptRequested()) {
+  } else if (goals_->is_cancel_requested()) {
     parts_->navigator->cancel();
     unplaced_goal_.reset();
     send({});
-    action_->setPreempted();
+    goals_->cancel();
   }
 }
 
@@ -302,7 +295,7 @@ void MoveBaseNode::act(const NavigatorInput& input, const NavigatorOutput& outpu
   feedback.base_position.header.frame_id = parts_->global->frame();
   feedback.base_position.header.stamp.fromSec(input.now_s);
   feedback.base_position.pose = to_message(input.robot_global);
-  action_->publishFeedback(feedback);
+  goals_->publish_feedback(feedback);
   if (output.has_new_path) publish_path(input.now_s);
   if (output.recovery) note_recovery(*output.recovery, input);
   if (output.status != NavigatorStatus::kActive) {
@@ -321,11 +314,11 @@ void MoveBaseNode::end_goal(NavigatorStatus status, const std::string& text) {
   unplaced_goal_.reset();
   parts_->navigator->cancel();
   if (status == NavigatorStatus::kSucceeded) {
-    action_->setSucceeded(move_base_msgs::MoveBaseResult(), text);
+    goals_->succeed(text);
     return;
   }
   ROS_ERROR("%s", text.c_str());
-  action_->setAborted(move_base_msgs::MoveBaseResult(), text);
+  goals_->abort(text);
 }
 
 void MoveBaseNode::note_recovery(const RecoveryNote& note, const NavigatorInput& input) {
@@ -354,6 +347,8 @@ bool MoveBaseNode::make_plan(nav_msgs::GetPlan::Request& request,
   const std::string& frame = parts_->global->frame();
   std::string problem;
   const auto place = [&](const geometry_msgs::PoseStamped& pose) -> std::optional<Pose2> {
+    problem = goal_problem(pose.pose);
+    if (!problem.empty()) return std::nullopt;
     const std::string from = frame_name(pose.header.frame_id);
     const auto T_global_from = newest_pose(buffer_, frame, from, now_s, INFINITY, &problem);
     if (!T_global_from) return std::nullopt;
@@ -361,9 +356,9 @@ bool MoveBaseNode::make_plan(nav_msgs::GetPlan::Request& request,
   };
   const bool starts_here = request.start.header.frame_id.empty();
   const auto start = starts_here ? parts_->global->robot(now_s, &problem) : place(request.start);
-  const auto goal = place(request.goal);
-  if (!start || !goal) {
-    ROS_ERROR("make_plan: %s", problem.c_str());
+  const auto goal = start ? place(request.goal) : std::nullopt;
+  if (!goal) {
+    ROS_ERROR("make_plan, %s: %s", start ? "goal" : "start", problem.c_str());
     return false;
   }
   const PlanOutcome outcome = parts_->world->plan_now(*start, *goal);

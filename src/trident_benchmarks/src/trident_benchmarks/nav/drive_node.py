@@ -20,7 +20,7 @@ from typing import Any
 
 import actionlib
 import numpy as np
-import rosnode
+import rosgraph
 import rospy
 import yaml
 from actionlib_msgs.msg import GoalStatus
@@ -40,6 +40,8 @@ _SLOWEST = 10.0  # times the lower bound
 _LEAST_LIMIT_S = 60.0  # simulated time for a goal
 _START_LIMIT_S = 120.0  # simulated time until move_base is there
 _NODE = "/move_base"
+_FARTHEST_M = 1e8  # of a legal position
+_LENGTH_TOLERANCE = 0.01  # of a quaternion's length
 
 
 class Robot:
@@ -77,6 +79,16 @@ def _radii(costmap: dict[str, object], file: Path) -> tuple[float, float]:
     return float(nearest.min()), float(np.linalg.norm(corners, axis=1).max())
 
 
+def plane_pose(message: Odometry) -> Pose | None:
+    """Where a robot is on the ground; None: the message has no such pose."""
+    place, q = message.pose.pose.position, message.pose.pose.orientation
+    length = math.hypot(q.x, q.y, q.z, q.w)
+    if not (math.hypot(place.x, place.y) < _FARTHEST_M and abs(length - 1.0) < _LENGTH_TOLERANCE):
+        return None
+    yaw = math.atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y**2 + q.z**2))
+    return place.x, place.y, yaw
+
+
 class Truth:
     """Where the robot is, and how near to obstacles it came since the last goal."""
 
@@ -89,11 +101,13 @@ class Truth:
         rospy.Subscriber("ground_truth/odom", Odometry, self._receive)
 
     def _receive(self, message: Odometry) -> None:
-        place, q = message.pose.pose.position, message.pose.pose.orientation
-        yaw = math.atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y**2 + q.z**2))
+        pose = plane_pose(message)
+        if pose is None:
+            rospy.logwarn_throttle(5.0, "navigate: the ground truth has a pose that is not finite")
+            return
         with self._lock:
-            self._pose = (place.x, place.y, yaw)
-            self._nearest_m = min(self._nearest_m, self._places.clearance(place.x, place.y))
+            self._pose = pose
+            self._nearest_m = min(self._nearest_m, self._places.clearance(*pose[:2]))
 
     def pose(self) -> Pose | None:
         """The newest one."""
@@ -221,11 +235,11 @@ class Drive:
 
     def _cpu_s(self) -> float:
         """Of the program move_base; NaN while it does not answer."""
-        api = rosnode.get_api_uri(rospy.get_master(), _NODE)
         try:
+            api = rosgraph.Master(rospy.get_name()).lookupNode(_NODE)
             node: Any = xmlrpc.client.ServerProxy(api)
-            return process_cpu_s(int(node.getPid("/navigate")[2]))
-        except (OSError, EvalError):
+            return process_cpu_s(int(node.getPid(rospy.get_name())[2]))
+        except (OSError, EvalError, rosgraph.MasterException):
             return math.nan
 
     def _on_recovery(self, _message: RecoveryStatus) -> None:

@@ -43,6 +43,7 @@ class CostmapInputs {
 
   void subscribe_map(ros::NodeHandle& node, StaticLayer& layer);
   void subscribe_beams(ros::NodeHandle& node, BeamLayer& layer);
+  bool is_refused(const BeamSource& source, const ros::Time& stamp);
   void add(BeamSource& source, Observe observe);
   void apply_pending(Pending& pending, std::deque<Pending>* waiting);
   std::optional<Observation> observe(const sensor_msgs::LaserScan& scan,

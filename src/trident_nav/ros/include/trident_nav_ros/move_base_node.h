@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <actionlib/server/simple_action_server.h>
 #include <geometry_msgs/PoseStamped.h>
-#include <move_base_msgs/MoveBaseAction.h>
 #include <nav_msgs/GetPlan.h>
 #include <nav_msgs/Odometry.h>
 #include <ros/ros.h>
@@ -20,6 +18,7 @@
 
 #include "trident_nav/navigator/navigator.h"
 #include "trident_nav_ros/costmap_node.h"
+#include "trident_nav_ros/goal_server.h"
 #include "trident_nav_ros/move_base_params.h"
 #include "trident_nav_ros/planning_thread.h"
 #include "trident_ros/node_params.h"
@@ -39,7 +38,6 @@ class MoveBaseNode {
   void run();
 
  private:
-  using Action = actionlib::SimpleActionServer<move_base_msgs::MoveBaseAction>;
   struct Parts;  // what is made of parameters
 
   static std::unique_ptr<Parts> make_parts(const ros::NodeHandle& private_node,
@@ -57,6 +55,7 @@ class MoveBaseNode {
   void end_goal(NavigatorStatus status, const std::string& text);
   void note_recovery(const RecoveryNote& note, const NavigatorInput& input);
   void publish_path(double now_s);
+  void on_simple_goal(const geometry_msgs::PoseStamped& message);
   void on_odometry(const nav_msgs::Odometry& message);
   bool make_plan(nav_msgs::GetPlan::Request& request, nav_msgs::GetPlan::Response& response);
   bool clear_costmaps(std_srvs::Empty::Request& request, std_srvs::Empty::Response& response);
@@ -65,7 +64,7 @@ class MoveBaseNode {
   ros_utils::Refusals refusals_;
   ros_utils::TransformInput transforms_;
   std::unique_ptr<Parts> parts_;
-  std::unique_ptr<Action> action_;
+  std::unique_ptr<GoalTopics> goals_;
 
   /// Publishers, subscribers and services.
   struct Links {
