@@ -12,6 +12,7 @@ add_library(trident_nav_control
   src/control/escape.cpp
   src/control/goal_arrival.cpp
   src/control/guarded_controller.cpp
+  src/control/last_command.cpp
   src/control/motion.cpp
   src/control/mppi/control_plan.cpp
   src/control/mppi/critic.cpp

@@ -14,8 +14,8 @@ import yaml
 from geometry_msgs.msg import PoseStamped
 from hostile import Robot, endures, messages, odometry, room_scan, started, transform, withstands
 from move_base_msgs.msg import MoveBaseActionGoal
-from nav_msgs.msg import Odometry
-from nav_msgs.srv import GetPlan, GetPlanRequest
+from nav_msgs.msg import OccupancyGrid, Odometry
+from nav_msgs.srv import GetMap, GetPlan, GetPlanRequest
 from tf2_msgs.msg import TFMessage
 from trident.testing import LIMIT_S, Ros, eventually, package, program
 from trident.testing.fuzz import Target
@@ -58,11 +58,16 @@ def test_move_base(ros: Ros, map_file: Path) -> None:
         odometries.publish(odometry())
         driver.step()
 
+    rospy.wait_for_service("/static_map", LIMIT_S)
+    whole = rospy.ServiceProxy("/static_map", GetMap)().map
+    maps = rospy.Publisher("/map", OccupancyGrid, queue_size=1)
+    eventually(lambda: maps.get_num_connections() > 0, maps.name)
     request = GetPlanRequest(start=place(-1.0, -1.0), goal=place(1.5, 1.0), tolerance=0.2)
 
     def still_plans() -> None:
         rospy.wait_for_service("/move_base/make_plan", LIMIT_S)
         ask = rospy.ServiceProxy("/move_base/make_plan", GetPlan)
+        maps.publish(whole)  # hostile ones have been legal, too
 
         def has_plan() -> bool:
             step()
@@ -84,7 +89,7 @@ def test_move_base(ros: Ros, map_file: Path) -> None:
         "/move_base/make_plan": request,
     }
     withstands(process, "/move_base", still_plans, examples, step, batch=40)
-    for topic in (frames, odometries):
+    for topic in (frames, odometries, maps):
         topic.unregister()
     driver.close()
 
@@ -92,6 +97,7 @@ def test_move_base(ros: Ros, map_file: Path) -> None:
 @pytest.mark.fuzzes("trident_benchmarks/navigate.py")
 def test_a_drive_to_goals_waits_on(ros: Ros, tmp_path: Path) -> None:
     """There is no simulator: it hears where its robot is said to be, and waits for move_base."""
+    ros.set_param("/run_id", "fuzz")  # as an outer roslaunch does: the inner ones share it
     robot = str(CONFIG / "robots" / "my_nav_robot.yaml")
     ros.set_param("/drive", {"world": "room", "robot_config": robot, "out_dir": str(tmp_path)})
     command = [program("trident_benchmarks", "navigate.py"), "__name:=drive"]

@@ -89,12 +89,14 @@ GuardedController::GuardedController(const ControlSetup& setup, std::unique_ptr<
       law_(std::move(law)),
       guard_(setup.limits, *checker_, padded_checker_, setup.period_s),
       arrival_(setup.tolerance, setup.can_turn_on_spot()),
-      tracker_(kAdvanceRadii * setup.footprint.circumscribed_radius) {}
+      tracker_(kAdvanceRadii * setup.footprint.circumscribed_radius),
+      last_command_(setup.limits, setup.period_s) {}
 
 void GuardedController::reset() {
   law_->reset();
   arrival_.reset();
   tracker_.reset();
+  last_command_.forget();
   blocked_calls_ = 0;
 }
 
@@ -166,24 +168,35 @@ CommandOutcome GuardedController::command(const RobotState& state, const Path& p
                                           const CostGrid& grid, const Tracks& tracks) {
   CommandOutcome outcome;
   outcome.reason = problem_of(state, path, grid);
-  if (!outcome.reason.empty()) {
+  if (outcome.reason.empty()) {
+    outcome = commanded(state, path, grid, tracks);
+  } else {
     outcome.failure = path.empty() ? Failure::kInvalidPath : Failure::kInvalidInput;
     if (is_finite(state.twist)) {
-      outcome.twist = braked(setup_.limits, state.twist, setup_.period_s);
+      outcome.twist = braked(setup_.limits, last_command_.motion(state), setup_.period_s);
     }
-    return outcome;
   }
-  const TwistWindow window = reachable_window(setup_.limits, state.twist, setup_.period_s);
-  const ArrivalPhase phase = arrival_.update(state, path.back());
+  last_command_.note(outcome.twist, state.time_s);
+  return outcome;
+}
+
+/// `measured` is legal, and so are path and grid.
+CommandOutcome GuardedController::commanded(const RobotState& measured, const Path& path,
+                                            const CostGrid& grid, const Tracks& tracks) {
+  RobotState state = measured;
+  state.twist = last_command_.motion(measured);
+  const ArrivalPhase phase = arrival_.update(measured, path.back());
   if (phase == ArrivalPhase::kReached) {
+    CommandOutcome outcome;
     outcome.twist = braked(setup_.limits, state.twist, setup_.period_s);
     outcome.goal_reached = true;
     return outcome;
   }
+  const TwistWindow window = reachable_window(setup_.limits, state.twist, setup_.period_s);
   const bool turns = phase == ArrivalPhase::kTurn;
   Proposal proposal = turns ? turn_to_goal(state, path.back().yaw, grid)
                             : propose(state, path, grid, tracks, window);
-  outcome = guarded(state, std::move(proposal), window, grid, tracks);
+  CommandOutcome outcome = guarded(state, std::move(proposal), window, grid, tracks);
   if (!turns) law_->on_sent(outcome.twist);
   return outcome;
 }

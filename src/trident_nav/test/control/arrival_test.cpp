@@ -8,6 +8,7 @@
 #include "control/scene.h"
 #include "trident_base/angle.h"
 #include "trident_base/random_stream.h"
+#include "trident_nav/control/last_command.h"
 
 namespace trident::nav::testing {
 namespace {
@@ -50,6 +51,43 @@ TEST_P(ArrivesNearby, WithAnyHeadingAndWithoutOvershoot) {
 
 INSTANTIATE_TEST_SUITE_P(Laws, ArrivesNearby, ::testing::Values("regulated_pure_pursuit", "mppi"),
                          [](const auto& info) { return std::string(info.param); });
+
+class DrivesByLateOdometry : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(DrivesByLateOdometry, NearlyAsFastAsByThatOfNow) {
+  const ControlSetup setup = burger();
+  const Scene scene = straight_scene(setup.footprint);
+  const auto time_s = [&](std::size_t late_periods) {
+    const auto controller = make_controller(GetParam(), setup);
+    const Drive result = drive(*controller, setup, scene, 60.0, {}, late_periods);
+    EXPECT_TRUE(result.is_reached) << late_periods << ": " << result.last_reason;
+    EXPECT_FALSE(result.has_contact);
+    EXPECT_LE(result.max_acceleration_ratio, 1.0 + 1e-9) << late_periods;
+    return result.time_s;
+  };
+  EXPECT_LE(time_s(4), 1.15 * time_s(0));
+}
+
+INSTANTIATE_TEST_SUITE_P(Laws, DrivesByLateOdometry,
+                         ::testing::Values("dwa", "regulated_pure_pursuit", "mppi"),
+                         [](const auto& info) { return std::string(info.param); });
+
+TEST(LastCommand, CountsAsFarAsTheBaseCanHaveFollowedIt) {
+  MotionLimits limits;
+  limits.vx_max = 1.0;
+  limits.ax_max = limits.decel_max = 1.0;
+  LastCommand last(limits, 0.05);
+  RobotState measured;
+  measured.twist.vx = 0.1;
+  EXPECT_EQ(last.motion(measured).vx, 0.1);
+  last.note({0.2, 0.0, 0.0}, 0.0);
+  measured.time_s = 0.05;
+  EXPECT_EQ(last.motion(measured).vx, 0.2);
+  last.note({1.0, 0.0, 0.0}, 0.05);
+  EXPECT_DOUBLE_EQ(last.motion(measured).vx, 0.1 + LastCommand::kMaxDelay_s);
+  measured.time_s = 1.0;
+  EXPECT_EQ(last.motion(measured).vx, 0.1);
+}
 
 }  // namespace
 }  // namespace trident::nav::testing

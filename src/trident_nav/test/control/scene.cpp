@@ -110,7 +110,7 @@ Scene goal_behind_scene(const Footprint& footprint) {
 }
 
 Drive drive(Controller& controller, const ControlSetup& setup, const Scene& scene, double limit_s,
-            const Path& path) {
+            const Path& path, std::size_t late_periods) {
   Drive result;
   const CostGrid grid = scene.world.grid();
   const FootprintChecker body(setup.footprint);
@@ -119,8 +119,12 @@ Drive drive(Controller& controller, const ControlSetup& setup, const Scene& scen
                         : path;
   RobotState state{scene.start, {}, 0.0};
   Twist2 last;
+  std::vector<Twist2> twists;
   while (state.time_s < limit_s && !result.is_reached && !result.has_contact) {
-    const CommandOutcome outcome = controller.command(state, plan, grid, {});
+    twists.push_back(state.twist);
+    RobotState measured = state;
+    measured.twist = twists[twists.size() - 1 - std::min(late_periods, twists.size() - 1)];
+    const CommandOutcome outcome = controller.command(measured, plan, grid, {});
     judge_acceleration(setup.limits, last, outcome.twist, setup.period_s, &result);
     last = outcome.twist;
     result.is_reached = outcome.goal_reached;

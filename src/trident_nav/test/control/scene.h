@@ -40,9 +40,9 @@ struct Drive {
 };
 
 /// Drives a scene with a robot that follows commands at its limits of acceleration, exactly. Stops
-/// at contact, arrival or the time limit.
+/// at contact, arrival or the time limit. `late_periods`: by which its odometry lags behind.
 Drive drive(Controller& controller, const ControlSetup& setup, const Scene& scene,
-            double limit_s = 60.0, const Path& path = {});
+            double limit_s = 60.0, const Path& path = {}, std::size_t late_periods = 0);
 
 /// Robots with limits and footprints like those that users have.
 ControlSetup burger();

@@ -8,6 +8,7 @@
 #include "trident_nav/control/braking_guard.h"
 #include "trident_nav/control/control_law.h"
 #include "trident_nav/control/goal_arrival.h"
+#include "trident_nav/control/last_command.h"
 #include "trident_nav/control/path_tracker.h"
 #include "trident_nav/control/robot_state.h"
 #include "trident_nav/core/outcome.h"
@@ -43,6 +44,8 @@ class GuardedController final : public Controller {
   void reset() override;
 
  private:
+  CommandOutcome commanded(const RobotState& state, const Path& path, const CostGrid& grid,
+                           const Tracks& tracks);
   Proposal propose(const RobotState& state, const Path& path, const CostGrid& grid,
                    const Tracks& tracks, const TwistWindow& window);
   Proposal turn_to_goal(const RobotState& state, double goal_yaw, const CostGrid& grid);
@@ -56,6 +59,7 @@ class GuardedController final : public Controller {
   BrakingGuard guard_;
   GoalArrival arrival_;
   PathTracker tracker_;
+  LastCommand last_command_;
   int blocked_calls_ = 0;  ///< In a row.
 };
 
