@@ -40,22 +40,27 @@ class Places:
         from trident_sim.occupancy import FREE
 
         self._grid = grid
-        self._clear_m = ndimage.distance_transform_edt(grid.cells == FREE) * grid.resolution
+        cells, self._obstacles = ndimage.distance_transform_edt(
+            grid.cells == FREE, return_indices=True
+        )
+        self._clear_m = cells * grid.resolution
         rows, columns = np.nonzero(self._clear_m > inscribed_m)
         if not len(rows):
             raise EvalError(f"the map has no place with {inscribed_m:g} m of room")
-        self._points = np.column_stack((columns, rows)) * grid.resolution + np.array(grid.origin)
+        self._points = (np.column_stack((columns, rows)) + 0.5) * grid.resolution + grid.origin
         self._roomy = np.flatnonzero(self._clear_m[rows, columns] > circumscribed_m)
         self._graph = grid_graph(rows, columns, self._clear_m.shape, grid.resolution)
 
     def clearance(self, x: float, y: float) -> float:
-        """From a point to the nearest obstacle, to within a cell [m]; 0 outside of the map."""
-        column = round((x - self._grid.origin[0]) / self._grid.resolution)
-        row = round((y - self._grid.origin[1]) / self._grid.resolution)
+        """From a point to the nearest cell that is not free [m]; 0 in such a cell and outside."""
+        at = (np.array([x, y]) - self._grid.origin) / self._grid.resolution
+        column, row = (math.floor(value) for value in at)
         rows, columns = self._clear_m.shape
         if not (0 <= row < rows and 0 <= column < columns):
             return 0.0
-        return float(self._clear_m[row, column])
+        lowest = self._obstacles[::-1, row, column]  # column and row of that cell
+        beside = at - np.clip(at, lowest, lowest + 1.0)
+        return float(np.hypot(*beside)) * self._grid.resolution
 
     def lengths_from(self, x: float, y: float) -> Floats:
         """The shortest paths from near a point to each place [m], infinite where no path leads."""
