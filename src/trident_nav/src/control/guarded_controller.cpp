@@ -164,8 +164,11 @@ CommandOutcome GuardedController::guarded(const RobotState& state, Proposal prop
   return outcome;
 }
 
-CommandOutcome GuardedController::command(const RobotState& state, const Path& path,
+CommandOutcome GuardedController::command(const RobotState& measured, const Path& path,
                                           const CostGrid& grid, const Tracks& tracks) {
+  RobotState state = measured;
+  // What odometry says of a motion that the base does not have is noise.
+  if (setup_.limits.vy_max <= 0.0 && std::isfinite(state.twist.vy)) state.twist.vy = 0.0;
   CommandOutcome outcome;
   outcome.reason = problem_of(state, path, grid);
   if (outcome.reason.empty()) {

@@ -99,7 +99,9 @@ Twist2 braked(const MotionLimits& limits, const Twist2& twist, double duration_s
 
 double braking_time(const MotionLimits& limits, const Twist2& twist) {
   double time_s = std::fabs(twist.vx) > kStill ? std::fabs(twist.vx) / limits.decel_max : 0.0;
-  if (std::fabs(twist.vy) > kStill) time_s = std::max(time_s, std::fabs(twist.vy) / limits.ay_max);
+  if (std::fabs(twist.vy) > kStill && limits.ay_max > 0.0) {
+    time_s = std::max(time_s, std::fabs(twist.vy) / limits.ay_max);
+  }
   if (std::fabs(twist.wz) > kStill) {
     time_s = std::max(time_s, std::fabs(twist.wz) / limits.alpha_max);
   }

@@ -89,5 +89,29 @@ TEST(LastCommand, CountsAsFarAsTheBaseCanHaveFollowedIt) {
   EXPECT_EQ(last.motion(measured).vx, 0.1);
 }
 
+class IgnoresSidewaysNoise : public ::testing::TestWithParam<const char*> {};
+
+// Files of users have an acc_lim_y of 0 for such robots.
+TEST_P(IgnoresSidewaysNoise, OfABaseThatCannotDriveSideways) {
+  ControlSetup setup = burger();
+  setup.limits.ay_max = 0.0;
+  const Scene scene = straight_scene(setup.footprint);
+  const CostGrid grid = scene.world.grid();
+  const Path path = plan_on(grid, scene.start, scene.goal, setup.footprint.inscribed_radius);
+  const auto command = [&](double vy) {
+    const RobotState state{scene.start, {0.0, vy, 0.0}, 0.0};
+    return make_controller(GetParam(), setup)->command(state, path, grid, {}).twist;
+  };
+  const Twist2 quiet = command(0.0);
+  const Twist2 noisy = command(-1e-3);
+  EXPECT_GT(quiet.vx, 0.0);
+  EXPECT_EQ(noisy.vx, quiet.vx);
+  EXPECT_EQ(noisy.wz, quiet.wz);
+}
+
+INSTANTIATE_TEST_SUITE_P(Laws, IgnoresSidewaysNoise,
+                         ::testing::Values("dwa", "regulated_pure_pursuit", "mppi"),
+                         [](const auto& info) { return std::string(info.param); });
+
 }  // namespace
 }  // namespace trident::nav::testing

@@ -31,7 +31,7 @@ Twist2 admissible_twist(const MotionLimits& limits, const TwistWindow& window,
 /// The twist after `duration_s` of the hardest braking.
 Twist2 braked(const MotionLimits& limits, const Twist2& twist, double duration_s);
 
-/// The time the hardest braking takes [s].
+/// The time the hardest braking takes [s]; nothing brakes sideways where `ay_max` is 0.
 double braking_time(const MotionLimits& limits, const Twist2& twist);
 
 /// The greatest speed from which a stop within `distance` is possible when braking sets in
