@@ -173,7 +173,10 @@ void CostmapInputs::apply_pending(Pending& pending, std::deque<Pending>* waiting
       waiting->push_back(std::move(pending));
       return;
     }
-    refusals_.note("transform", unused(source) + error.what());
+    // Those of before the first transforms: nothing is wrong.
+    const bool is_early = dynamic_cast<const tf2::ExtrapolationException*>(&error) != nullptr &&
+                          !source.age().has_data();
+    if (!is_early) refusals_.note("transform", unused(source) + error.what());
   } catch (const std::exception& error) {
     refusals_.note("data", unused(source) + error.what());
   }
