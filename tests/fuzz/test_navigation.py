@@ -109,7 +109,8 @@ def test_a_drive_to_goals_waits_on(ros: Ros, tmp_path: Path) -> None:
     is_there = partial(ros.master.lookupNode, "/fuzz", "/robot_state_publisher")
 
     def has_started() -> bool:
-        assert process.running and "RLException" not in process.log, process.log[-3000:]
+        assert process.running, process.log[-3000:]
+        assert "RLException" not in process.log, process.log[-3000:]
         return bool(is_there()[0] == 1)
 
     eventually(has_started, "the nodes of the drive", START_LIMIT_S)

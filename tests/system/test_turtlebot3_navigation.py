@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""turtlebot3_navigation drives turtlebot3_gazebo's Burger, and names of upstream's packages are found."""
+"""turtlebot3_navigation drives turtlebot3_gazebo's Burger; upstream's packages are found."""
 
 from __future__ import annotations
 
@@ -44,12 +44,14 @@ def pillars_map(tmp_path: Path) -> Path:
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", SimulationWarning)
         world = World(Path(package("turtlebot3_gazebo")) / "worlds/turtlebot3_world.world")
-        occupancy_map(world, MapConfig(heights=(LIDAR_Z_M,), start=START)).save(tmp_path / "map.pgm")
+        occupancy_map(world, MapConfig(heights=(LIDAR_Z_M,), start=START)).save(
+            tmp_path / "map.pgm"
+        )
     return tmp_path / "map.yaml"
 
 
 def pose_estimate() -> PoseWithCovarianceStamped:
-    """As a click in rviz tells it."""
+    """As a click in rviz sends it."""
     message = PoseWithCovarianceStamped()
     message.header.frame_id = "map"
     message.pose.pose.position.x, message.pose.pose.position.y = START

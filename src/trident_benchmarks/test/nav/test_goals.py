@@ -9,7 +9,7 @@ import math
 import numpy as np
 import pytest
 
-rospy = pytest.importorskip("rospy", reason="the workspace is not sourced")
+pytest.importorskip("rospy", reason="the workspace is not sourced")
 
 from nav_msgs.msg import Odometry
 from trident_benchmarks.nav.drive_node import plane_pose

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint32_t kQueueSize = 50;
 constexpr double kStatusPeriod_s = 0.2;
-constexpr double kStatusTimeout_s = 5.0;  // for which the end of a goal is told
+constexpr double kStatusTimeout_s = 5.0;  // for which the end of a goal is reported
 const char* const kReplaced = "This goal was replaced by a newer one.";
 
 }  // namespace
@@ -31,8 +31,7 @@ void GoalServer::receive(const move_base_msgs::MoveBaseActionGoalConstPtr& messa
 }
 
 void GoalServer::receive_cancel(const actionlib_msgs::GoalIDConstPtr& id) {
-  cancelCallback(
-      boost::make_shared<actionlib_msgs::GoalID>(within_time(*id, ros::Time::now())));
+  cancelCallback(boost::make_shared<actionlib_msgs::GoalID>(within_time(*id, ros::Time::now())));
 }
 
 void GoalServer::note_goal(GoalHandle goal) {

@@ -13,12 +13,12 @@ namespace trident::nav {
 namespace {
 
 constexpr double kLengthTolerance = 0.05;
-constexpr double kLeastUp = 1.0 - 1e-3;  // z of the turned z axis
+constexpr double kMinUp = 1.0 - 1e-3;  // z of the turned z axis
 
 std::string tilt_problem(const geometry_msgs::Quaternion& q) {
   const double square = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
   const double up = 1.0 - 2.0 * (q.x * q.x + q.y * q.y) / square;
-  if (up > kLeastUp) return "";
+  if (up > kMinUp) return "";
   return "orientation has x = " + number_text(q.x) + ", y = " + number_text(q.y) +
          ", legal: 0, a turn about the z axis";
 }

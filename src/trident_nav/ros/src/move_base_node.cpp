@@ -358,11 +358,13 @@ bool MoveBaseNode::make_plan(nav_msgs::GetPlan::Request& request,
   const auto start = starts_here ? parts_->global->robot(now_s, &problem) : place(request.start);
   const auto goal = start ? place(request.goal) : std::nullopt;
   if (!goal) {
-    refusals_.note("make_plan", std::string("make_plan, ") + (start ? "goal: " : "start: ") + problem);
+    refusals_.note("make_plan",
+                   std::string("make_plan, ") + (start ? "goal: " : "start: ") + problem);
     return false;
   }
   const PlanOutcome outcome = parts_->world->plan_now(*start, *goal);
-  if (outcome.failure != Failure::kNone) refusals_.note("make_plan", "make_plan: " + outcome.reason);
+  if (outcome.failure != Failure::kNone)
+    refusals_.note("make_plan", "make_plan: " + outcome.reason);
   response.plan = path_message(outcome.path, frame, now_s);
   return true;
 }

@@ -23,8 +23,7 @@ TEST(InputChecksTest, GoalsNameTheFieldThatIsNotLegal) {
   EXPECT_EQ(goal_problem(upright()), "");
   geometry_msgs::Pose pose = upright();
   pose.position.y = -INFINITY;
-  EXPECT_EQ(goal_problem(pose),
-            "position is (0, -inf, 0) m, legal: finite, up to +-1e+08 m");
+  EXPECT_EQ(goal_problem(pose), "position is (0, -inf, 0) m, legal: finite, up to +-1e+08 m");
   pose = upright();
   pose.orientation.w = 0.0;
   EXPECT_EQ(goal_problem(pose), "orientation is a quaternion of length 0, legal: 1");
@@ -36,7 +35,7 @@ TEST(InputChecksTest, GoalsNameTheFieldThatIsNotLegal) {
   EXPECT_NE(goal_problem(pose).find("legal: 0, a turn about the z axis"), std::string::npos);
 }
 
-TEST(InputChecksTest, GoalsMayBeTurnedAnyWayAboutTheZAxis) {
+TEST(InputChecksTest, GoalsMayHaveAnyHeading) {
   for (double half = -3.0; half < 3.0; half += 0.1) {
     geometry_msgs::Pose pose;
     pose.orientation.z = 1.01 * std::sin(half);  // as typed with two digits

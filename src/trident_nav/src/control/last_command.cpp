@@ -7,7 +7,7 @@
 namespace trident::nav {
 namespace {
 
-constexpr double kMaxPeriods = 3.0;  // an older command is of no account: others may have come since
+constexpr double kMaxPeriods = 3.0;  // an older command is ignored: others may have come since
 
 }  // namespace
 

@@ -59,8 +59,8 @@ class Places:
         if not (0 <= row < rows and 0 <= column < columns):
             return 0.0
         lowest = self._obstacles[::-1, row, column]  # column and row of that cell
-        beside = at - np.clip(at, lowest, lowest + 1.0)
-        return float(np.hypot(*beside)) * self._grid.resolution
+        offset = at - np.clip(at, lowest, lowest + 1.0)
+        return float(np.hypot(*offset)) * self._grid.resolution
 
     def lengths_from(self, x: float, y: float) -> Floats:
         """The shortest paths from near a point to each place [m], infinite where no path leads."""

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "trident_nav/control/robot_state.h"
 #include "trident_nav/control/motion.h"
+#include "trident_nav/control/robot_state.h"
 
 namespace trident::nav {
 
-/// What a base has been told, and so how it is about to move. Odometry tells of the past: a window
-/// about the measured velocity alone lets a command grow once per delay of the base instead of once
-/// per period, and never from a standstill that friction holds.
+/// The newest command of a base, and so how it is about to move. Odometry reports the past: a
+/// window about the measured velocity alone lets a command grow once per delay of the base instead
+/// of once per period, and never from a standstill that friction holds.
 class LastCommand {
  public:
   /// `period_s`: between commands.

@@ -16,7 +16,7 @@
 
 namespace trident::nav {
 
-/// Largest legal speed that odometry tells [m/s] or [rad/s].
+/// Largest legal speed that odometry reports [m/s] or [rad/s].
 inline constexpr double kFastest = 1e4;
 
 /// Of a pose that a robot on the ground can take: finite, turned about the z axis alone.
