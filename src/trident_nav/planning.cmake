@@ -5,17 +5,27 @@ set(trident_nav_planners
   carrot_planner
   global_planner
   navfn_planner
+  smac_hybrid_planner
   theta_star_planner
 )
 set(trident_nav_planning_sources
+  src/planning/curve_checker.cpp
   src/planning/footprint_contact.cpp
+  src/planning/goal_probe.cpp
   src/planning/grid_route.cpp
   src/planning/line_cost.cpp
+  src/planning/motion_curve.cpp
+  src/planning/motion_set.cpp
+  src/planning/obstacle_heuristic.cpp
   src/planning/path_points.cpp
+  src/planning/path_shortcuts.cpp
   src/planning/plan_request.cpp
   src/planning/planner_registry.cpp
+  src/planning/pose_route.cpp
+  src/planning/pose_search.cpp
   src/planning/potential.cpp
   src/planning/potential_repair.cpp
+  src/planning/smac_options.cpp
   src/planning/theta_search.cpp
 )
 set(declarations)
@@ -33,7 +43,7 @@ add_library(trident_nav_planning ${trident_nav_planning_sources})
 target_compile_features(trident_nav_planning PUBLIC cxx_std_17)
 target_compile_options(trident_nav_planning PRIVATE -Wall -Wextra -ffp-contract=off)
 target_include_directories(trident_nav_planning PUBLIC include PRIVATE src src/planning)
-target_link_libraries(trident_nav_planning PUBLIC trident_base trident_maps)
+target_link_libraries(trident_nav_planning PUBLIC trident_nav_core trident_base trident_maps)
 trident_precompile_headers(trident_nav_planning)
 install(TARGETS trident_nav_planning
   ARCHIVE DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION}
@@ -53,6 +63,7 @@ if(CATKIN_ENABLE_TESTING)
     test/planning/footprint_contact_test.cpp
     test/planning/grid_planners_test.cpp
     test/planning/line_cost_test.cpp
+    test/planning/motion_curve_test.cpp
     test/planning/movingai_test.cpp
     test/planning/planner_conformance_test.cpp
     test/planning/potential_test.cpp

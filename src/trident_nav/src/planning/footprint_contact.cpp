@@ -94,7 +94,10 @@ double FootprintContact::margin(const Pose2& pose) const {
 bool FootprintContact::circle_in_contact(const Pose2& pose) const {
   const std::uint8_t cost = grid_.at(pose.x, pose.y);
   if (!grid_.geometry.contains(grid_.geometry.cell(pose.x, pose.y))) return true;
-  return cost == kUnknownCost ? unknown_blocks_ : cost >= kInscribedCost;
+  if (cost == kUnknownCost) return unknown_blocks_;
+  if (cost < kInscribedCost || !ignores_) return cost >= kInscribedCost;
+  const double reach = footprint_.inscribed_radius * (cost == kLethalCost ? 1.0 : 2.0);
+  return distance(pose.x, pose.y, ignored_.x, ignored_.y) > reach;
 }
 
 bool FootprintContact::in_contact(const Pose2& pose) const {
@@ -146,6 +149,8 @@ bool FootprintContact::row_blocked(int y, Span span) const {
 }
 
 void FootprintContact::ignore_under(const Pose2& pose) {
+  ignores_ = true;
+  ignored_ = pose;
   if (footprint_.points.empty()) return;
   any_span(pose, [this](int y, Span span) {
     const GridGeometry& g = grid_.geometry;

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "goal_probe.h"
+#include "motion_set.h"
+#include "obstacle_heuristic.h"
+#include "path_shortcuts.h"
+#include "pose_search.h"
+#include "step_costs.h"
+#include "trident_nav/core/cost_grid.h"
+#include "trident_nav/core/outcome.h"
+
+namespace trident::nav {
+
+/// What a planner over poses is made of; lengths in cells but for the tolerance.
+struct PoseRouteOptions {
+  TravelCosts costs;
+  PoseSearchOptions search;
+  ObstacleHeuristic::Options heuristic;
+  std::optional<ShortcutOptions> shortcuts;  ///< Absent: paths stay as they were found.
+  double tolerance_m = 0.25;
+};
+
+/// Plans over poses with one set of motions on grids of one resolution: checks the request, leaves
+/// a blocked start, finds a free goal within the tolerance, searches and smooths.
+class PoseRoute {
+ public:
+  PoseRoute(MotionSet motions, const PoseRouteOptions& options);
+
+  PlanOutcome plan(const CostGrid& grid, const Footprint& footprint, const Pose2& start,
+                   const Pose2& goal, const CancelFlag& cancel);
+  /// Poses that the last search came to.
+  std::size_t iterations() const { return search_.iterations(); }
+
+ private:
+  /// One request on its way to a path.
+  struct Request {
+    CostGrid grid;
+    Pose2 start, goal;          ///< In the grid's frame [m].
+    Pose2 end;                  ///< The goal, or the one that stands for it.
+    const CancelFlag& cancel;
+    PlanOutcome outcome;
+    PoseSearch::Query query;
+  };
+
+  Footprint checked_footprint(const Footprint& footprint, double resolution) const;
+  bool leave_start(Request& request, FootprintContact& contact, double reach_m) const;
+  bool find_goal(Request& request, const FootprintContact& contact, const CurveChecker& checker);
+  std::vector<Pose2> free_goals(const Request& request, const FootprintContact& contact) const;
+  bool aim(Request& request, const Pose2& goal);
+  void search(Request& request, const CurveChecker& checker);
+  void use(Request& request, TravelPath path, const CurveChecker& checker) const;
+  void use_nearest(Request& request, PoseSearch::Result result, const CurveChecker& checker) const;
+
+  MotionSet motions_;
+  PoseRouteOptions options_;
+  StepCosts open_cells_;  ///< Which cells the base may be in.
+  ObstacleHeuristic heuristic_;
+  PoseSearch search_;
+  GoalProbe probe_;
+};
+
+}  // namespace trident::nav
