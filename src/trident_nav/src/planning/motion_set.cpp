@@ -117,4 +117,30 @@ MotionSet arc_motions(const ArcMotions& options) {
   return set;
 }
 
+MotionSet reversed(const MotionSet& motions) {
+  std::vector<double> headings;
+  for (std::size_t i = 0; i < motions.heading_count(); ++i) headings.push_back(motions.heading(i));
+  std::vector<Primitive> sorted = motions.primitives();
+  std::stable_sort(sorted.begin(), sorted.end(), [](const Primitive& a, const Primitive& b) {
+    return a.end_heading < b.end_heading;
+  });
+  MotionSet result(std::move(headings));
+  for (Primitive p : sorted) {
+    const Pose2* poses = motions.poses(p);
+    const Pose2& end = poses[p.pose_count - 1];
+    std::vector<Pose2> backwards;
+    for (std::uint32_t i = p.pose_count - 1; i > 0; --i) {
+      const Pose2& pose = poses[i - 1];
+      backwards.push_back({pose.x - end.x, pose.y - end.y, pose.yaw - end.yaw});
+    }
+    backwards.push_back({-end.x, -end.y, -end.yaw});
+    p.dx = -p.dx;
+    p.dy = -p.dy;
+    std::swap(p.start_heading, p.end_heading);
+    result.add(p, backwards);
+  }
+  result.finish();
+  return result;
+}
+
 }  // namespace trident::nav

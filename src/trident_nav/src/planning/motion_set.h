@@ -74,4 +74,8 @@ struct ArcMotions {
 /// and Shepp. All leave their cell: their chord is not shorter than its diagonal.
 MotionSet arc_motions(const ArcMotions& options);
 
+/// The same motions, driven from their ends to their starts: a search with them goes from a goal to
+/// where it can be reached from.
+MotionSet reversed(const MotionSet& motions);
+
 }  // namespace trident::nav

@@ -156,4 +156,23 @@ bool ObstacleHeuristic::reach(Cell cell, const CancelFlag& cancel) {
   return true;
 }
 
+Cell ObstacleHeuristic::descend(Cell from, float value) {
+  std::size_t i = block_of(from.x, from.y);
+  const auto north = static_cast<std::ptrdiff_t>(stride_);
+  while (static_cast<float>(value_[i]) > value * kScale) {
+    std::size_t best = i;
+    for (const std::ptrdiff_t row : {-north, std::ptrdiff_t{0}, north}) {
+      for (const std::ptrdiff_t column : {-1, 0, 1}) {
+        const std::size_t j = i + static_cast<std::size_t>(row + column);
+        if (value_[j] < value_[best]) best = j;
+      }
+    }
+    if (best == i) break;
+    i = best;
+  }
+  const int x = (static_cast<int>(i % stride_) - 1) << halving_;
+  const int y = (static_cast<int>(i / stride_) - 1) << halving_;
+  return {x, y};
+}
+
 }  // namespace trident::nav

@@ -36,6 +36,9 @@ class ObstacleHeuristic {
   void aim(const CostGrid& grid, Cell goal);
   /// Searches until the value at a cell is known; false when canceled before.
   bool reach(Cell cell, const CancelFlag& cancel);
+  /// The first cell along the steepest descent from a cell whose value is known and finite at which
+  /// the cost is `value` or less.
+  Cell descend(Cell from, float value);
   /// The cost from a cell of the grid [lengths of cells].
   float at(int x, int y) {
     const std::size_t i = block_of(x, y);

@@ -3,6 +3,7 @@
 #include "pose_route.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <utility>
@@ -13,6 +14,16 @@
 
 namespace trident::nav {
 namespace {
+
+/// Poses that the first search comes to, that from the goal, and that between both.
+constexpr std::int64_t kFirstIterations = 3000;
+constexpr std::int64_t kApproachIterations = 50000;
+constexpr std::int64_t kJoinIterations = 50000;
+/// An approach begins where so much is left to the goal [lengths of cells]. Not so near that it
+/// has no room to turn, not so far that its search is long.
+constexpr float kApproachCost = 80.0F;
+/// How near to that place it has to come [cells].
+constexpr double kGateRadius = 2.5;
 
 std::string number_text(double value, const char* unit) {
   char text[32];
@@ -40,6 +51,26 @@ std::string off_text(const Pose2& end, const Pose2& goal) {
          number_text(std::abs(wrap_angle(end.yaw - goal.yaw)), "rad") + " from it.";
 }
 
+/// Backwards from the goal: to a place, at any heading.
+PoseSearchOptions approach_options(PoseSearchOptions options) {
+  options.curve_window = 0.0;
+  options.max_expansion_length = 0.0;
+  return options;
+}
+
+/// A path the other way round.
+TravelPath turned_round(const TravelPath& path) {
+  TravelPath result;
+  for (std::size_t i = path.points.size(); i-- > 0;) {
+    TravelPath::Point point = path.points[i];
+    const TravelPath::Point& motion = path.points[std::min(i + 1, path.points.size() - 1)];
+    point.turns = motion.turns;
+    point.reverses = motion.reverses;
+    result.points.push_back(point);
+  }
+  return result;
+}
+
 StepCosts open_cells(bool crosses_unknown) {
   StepCosts cells;
   for (std::size_t c = 0; c < kInscribedCost; ++c) cells.step[c] = 1.0F;
@@ -51,10 +82,13 @@ StepCosts open_cells(bool crosses_unknown) {
 
 PoseRoute::PoseRoute(MotionSet motions, const PoseRouteOptions& options)
     : motions_(std::move(motions)),
+      reversed_(reversed(motions_)),
       options_(options),
       open_cells_(open_cells(options.heuristic.crosses_unknown)),
       heuristic_(options.heuristic),
+      gate_heuristic_(options.heuristic),
       search_(motions_, options.costs, options.search),
+      approach_search_(reversed_, options.costs, approach_options(options.search)),
       probe_(motions_) {}
 
 PlanOutcome PoseRoute::plan(const CostGrid& grid, const Footprint& footprint, const Pose2& start,
@@ -66,7 +100,7 @@ PlanOutcome PoseRoute::plan(const CostGrid& grid, const Footprint& footprint, co
   } catch (const Error& error) {
     return failed(Failure::kInvalidInput, std::string("The footprint: ") + error.what());
   }
-  Request request{grid, start, goal, goal, cancel, {}, {}};
+  Request request{grid, start, goal, goal, cancel, {}, {}, {}};
   FootprintContact contact(grid, robot,
                            options_.heuristic.crosses_unknown ? FootprintContact::Unknown::kFree
                                                               : FootprintContact::Unknown::kBlocked);
@@ -104,6 +138,7 @@ bool PoseRoute::leave_start(Request& request, FootprintContact& contact, double 
              " of it.");
     return false;
   }
+  request.exit = escape.back();
   query.exit = {escape.back().x + 0.5, escape.back().y + 0.5, 0.0};
   query.exit_reach = escape.size() > 1 ? reach_m / g.resolution : 0.0;
   return true;
@@ -121,9 +156,7 @@ bool PoseRoute::find_goal(Request& request, const FootprintContact& contact,
     is_first = false;
     if (aim(request, goal)) {
       request.end = goal;
-      if (!probe_.can_enter(checker, request.query.goal)) {
-        request.query.stop_within = std::max(options_.tolerance_m / g.resolution, 1e-9);
-      }
+      if (!probe_.can_enter(checker, request.query.goal)) accept_near(request);
       return true;
     }
     if (request.outcome.failure == Failure::kCanceled) return false;
@@ -139,6 +172,12 @@ bool PoseRoute::find_goal(Request& request, const FootprintContact& contact,
          "No path leads to the goal " + place + ": obstacles cut it off from the start.");
   }
   return false;
+}
+
+// The goal's heading cannot be driven to: any pose within the tolerance will do.
+void PoseRoute::accept_near(Request& request) const {
+  const double cells = options_.tolerance_m / request.grid.geometry.resolution;
+  request.query.stop_within = std::max(cells, 1e-9);
 }
 
 // The goal, and those within the tolerance with its heading, by distance, that are free.
@@ -163,7 +202,7 @@ bool PoseRoute::aim(Request& request, const Pose2& goal) {
   PoseSearch::Query& query = request.query;
   query.goal = to_cells(g, goal);
   heuristic_.aim(request.grid, g.cell(goal.x, goal.y));
-  const Cell exit{static_cast<int>(query.exit.x), static_cast<int>(query.exit.y)};
+  const Cell exit = request.exit;
   if (!heuristic_.reach(exit, request.cancel)) {
     fail(request.outcome, Failure::kCanceled, "Planning was canceled.");
     return false;
@@ -175,12 +214,12 @@ bool PoseRoute::aim(Request& request, const Pose2& goal) {
 void PoseRoute::search(Request& request, const CurveChecker& checker) {
   request.query.checker = &checker;
   request.query.heuristic = &heuristic_;
-  const PoseSearch::Result result = search_.search(request.grid, request.query, request.cancel);
+  TravelPath path;
+  const PoseSearch::Result result = run(request, path);
   if (result == PoseSearch::Result::kCanceled) {
     fail(request.outcome, Failure::kCanceled, "Planning was canceled.");
   } else if (result == PoseSearch::Result::kFound) {
-    request.outcome.cost = search_.cost();
-    use(request, search_.path(), checker);
+    use(request, std::move(path), checker);
     Pose2& last = request.outcome.path.back();
     last = request.end;
     if (distance(last.x, last.y, request.goal.x, request.goal.y) > 0.0) {
@@ -189,6 +228,75 @@ void PoseRoute::search(Request& request, const CurveChecker& checker) {
   } else {
     use_nearest(request, result, checker);
   }
+}
+
+// A short search; when that does not come to the goal, one to where an approach begins that has been
+// found from the goal; then one without limits.
+PoseSearch::Result PoseRoute::run(Request& request, TravelPath& path) {
+  PoseSearch::Query& query = request.query;
+  query.deadline =
+      std::chrono::steady_clock::now() +
+      std::chrono::microseconds(static_cast<std::int64_t>(options_.max_time_s * 1e6));
+  query.max_iterations = kFirstIterations;
+  if (options_.max_iterations >= 0) {
+    query.max_iterations = std::min(query.max_iterations, options_.max_iterations);
+  }
+  PoseSearch::Result result = search_.search(request.grid, query, request.cancel);
+  iterations_ = search_.iterations();
+  if (result == PoseSearch::Result::kTooManyIterations && query.stop_within <= 0.0) {
+    const std::optional<TravelPath> approach = find_approach(request);
+    if (approach && join_approach(request, *approach, path)) return PoseSearch::Result::kFound;
+  }
+  if (result == PoseSearch::Result::kTooManyIterations) {
+    query.max_iterations = options_.max_iterations;
+    result = search_.search(request.grid, query, request.cancel);
+    iterations_ += search_.iterations();
+  }
+  if (result != PoseSearch::Result::kFound) return result;
+  path = search_.path();
+  request.outcome.cost = search_.cost();
+  return result;
+}
+
+// A path to the goal from a place some way before it on the way from the start.
+std::optional<TravelPath> PoseRoute::find_approach(Request& request) {
+  if (request.query.exit_cost < 2.0 * kApproachCost) return std::nullopt;
+  const Cell gate = heuristic_.descend(request.exit, kApproachCost);
+  gate_heuristic_.aim(request.grid, gate);
+  PoseSearch::Query query;
+  query.checker = request.query.checker;
+  query.heuristic = &gate_heuristic_;
+  query.start = request.query.goal;
+  query.start_heading = static_cast<unsigned>(reversed_.nearest_heading(query.start.yaw));
+  query.offset = query.start.yaw - reversed_.heading(query.start_heading);
+  query.goal = {gate.x + 0.5, gate.y + 0.5, 0.0};
+  query.stop_within = kGateRadius;
+  query.max_iterations = kApproachIterations;
+  query.deadline = request.query.deadline;
+  const PoseSearch::Result result = approach_search_.search(request.grid, query, request.cancel);
+  iterations_ += approach_search_.iterations();
+  if (approach_search_.nearest_distance() >= kGateRadius) {
+    if (result == PoseSearch::Result::kNoPath) accept_near(request);
+    return std::nullopt;
+  }
+  return turned_round(approach_search_.nearest_path());
+}
+
+bool PoseRoute::join_approach(Request& request, const TravelPath& approach, TravelPath& path) {
+  PoseSearch::Query query = request.query;
+  query.heuristic = &gate_heuristic_;
+  query.goal = approach.points.front().pose;
+  query.max_iterations = kJoinIterations;
+  if (!gate_heuristic_.reach(request.exit, request.cancel)) return false;
+  query.exit_cost =
+      std::max(1e-6, static_cast<double>(gate_heuristic_.at(request.exit.x, request.exit.y)));
+  const PoseSearch::Result result = search_.search(request.grid, query, request.cancel);
+  iterations_ += search_.iterations();
+  if (result != PoseSearch::Result::kFound) return false;
+  path = search_.path();
+  path.points.insert(path.points.end(), approach.points.begin() + 1, approach.points.end());
+  request.outcome.cost = search_.cost() + approach_search_.nearest_cost();
+  return true;
 }
 
 void PoseRoute::use(Request& request, TravelPath path, const CurveChecker& checker) const {
@@ -217,11 +325,11 @@ void PoseRoute::use_nearest(Request& request, PoseSearch::Result result,
   if (result == PoseSearch::Result::kTimeout) {
     fail(request.outcome, Failure::kTimeout,
          "No path to the goal " + place + " was found within max_planning_time of " +
-             number_text(options_.search.max_time_s, "s") + ".");
+             number_text(options_.max_time_s, "s") + ".");
   } else if (result == PoseSearch::Result::kTooManyIterations) {
     fail(request.outcome, Failure::kTimeout,
          "No path to the goal " + place + " was found within max_iterations of " +
-             std::to_string(options_.search.max_iterations) + ".");
+             std::to_string(options_.max_iterations) + ".");
   } else {
     fail(request.outcome, Failure::kNoPath,
          "No path leads to the goal " + place +

@@ -24,6 +24,8 @@ struct PoseRouteOptions {
   ObstacleHeuristic::Options heuristic;
   std::optional<ShortcutOptions> shortcuts;  ///< Absent: paths stay as they were found.
   double tolerance_m = 0.25;
+  std::int64_t max_iterations = 1000000;  ///< Of the last search; negative: no limit.
+  double max_time_s = 2.0;
 };
 
 /// Plans over poses with one set of motions on grids of one resolution: checks the request, leaves
@@ -34,8 +36,8 @@ class PoseRoute {
 
   PlanOutcome plan(const CostGrid& grid, const Footprint& footprint, const Pose2& start,
                    const Pose2& goal, const CancelFlag& cancel);
-  /// Poses that the last search came to.
-  std::size_t iterations() const { return search_.iterations(); }
+  /// Poses that the searches of the last plan came to.
+  std::size_t iterations() const { return iterations_; }
 
  private:
   /// One request on its way to a path.
@@ -46,23 +48,30 @@ class PoseRoute {
     const CancelFlag& cancel;
     PlanOutcome outcome;
     PoseSearch::Query query;
+    Cell exit;                  ///< Where blocked cells at the start are left; else its own.
   };
 
   Footprint checked_footprint(const Footprint& footprint, double resolution) const;
   bool leave_start(Request& request, FootprintContact& contact, double reach_m) const;
   bool find_goal(Request& request, const FootprintContact& contact, const CurveChecker& checker);
   std::vector<Pose2> free_goals(const Request& request, const FootprintContact& contact) const;
+  void accept_near(Request& request) const;
   bool aim(Request& request, const Pose2& goal);
   void search(Request& request, const CurveChecker& checker);
+  PoseSearch::Result run(Request& request, TravelPath& path);
+  std::optional<TravelPath> find_approach(Request& request);
+  bool join_approach(Request& request, const TravelPath& approach, TravelPath& path);
   void use(Request& request, TravelPath path, const CurveChecker& checker) const;
   void use_nearest(Request& request, PoseSearch::Result result, const CurveChecker& checker) const;
 
-  MotionSet motions_;
+  MotionSet motions_, reversed_;
   PoseRouteOptions options_;
   StepCosts open_cells_;  ///< Which cells the base may be in.
   ObstacleHeuristic heuristic_;
-  PoseSearch search_;
+  ObstacleHeuristic gate_heuristic_;  ///< To where approaches begin.
+  PoseSearch search_, approach_search_;
   GoalProbe probe_;
+  std::size_t iterations_ = 0;
 };
 
 }  // namespace trident::nav

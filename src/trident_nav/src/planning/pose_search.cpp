@@ -42,13 +42,11 @@ void PoseSearch::begin(const CostGrid& grid, const Query& query) {
   until_expansion_ = 0;
   best_cost_ = std::numeric_limits<float>::infinity();
   nearest_distance_ = std::numeric_limits<double>::infinity();
-  deadline_ = std::chrono::steady_clock::now() +
-              std::chrono::microseconds(static_cast<std::int64_t>(options_.max_time_s * 1e6));
 }
 
 void PoseSearch::add_start() {
   const Cell cell = cell_of(query_.start.x, query_.start.y);
-  base_key_ = static_cast<std::uint64_t>(0.8F * kKeysPerCell * estimate(cell.x, cell.y));
+  base_key_ = static_cast<std::uint64_t>(0.8F * kKeysPerCell * options_.estimate_weight * estimate(cell.x, cell.y));
   queue_.reset(base_key_, 0);
   closed_.insert(cell.x, cell.y, query_.start_heading);
   add_node({query_.start.x, query_.start.y, 0.0F, 0,
@@ -71,9 +69,9 @@ PoseSearch::Result PoseSearch::run(const CancelFlag& cancel) {
 std::optional<PoseSearch::Result> PoseSearch::interrupted(const CancelFlag& cancel) const {
   if (cancel.load(std::memory_order_relaxed)) return Result::kCanceled;
   if (std::isfinite(best_cost_)) return std::nullopt;
-  if (std::chrono::steady_clock::now() > deadline_) return Result::kTimeout;
-  if (options_.max_iterations < 0) return std::nullopt;
-  if (static_cast<std::int64_t>(iterations_) < options_.max_iterations) return std::nullopt;
+  if (std::chrono::steady_clock::now() > query_.deadline) return Result::kTimeout;
+  if (query_.max_iterations < 0) return std::nullopt;
+  if (static_cast<std::int64_t>(iterations_) < query_.max_iterations) return std::nullopt;
   return Result::kTooManyIterations;
 }
 
@@ -115,7 +113,7 @@ bool PoseSearch::is_deferred(const Candidate& candidate, const Node& node) {
   }
   const float direct = curve_estimate(node);
   if (direct <= around) return false;
-  const std::uint64_t key = key_of(candidate.g + direct);
+  const std::uint64_t key = key_of(candidate.g + options_.estimate_weight * direct);
   if (key <= queue_.lower_bound()) return false;
   queue_.push(key, {candidate.parent, candidate.g, candidate.primitive, true});
   return true;
@@ -149,9 +147,8 @@ void PoseSearch::expand(std::uint32_t index) {
     if (closed_.contains(cell.x, cell.y, p.end_heading)) continue;
     const float rest = estimate(cell.x, cell.y);
     const float g = from.g + motion_cost(from, p, grid_.at(cell));
-    const float f = g + rest;
-    if (!(f < best_cost_)) continue;
-    queue_.push(key_of(f), {index, g, static_cast<std::uint16_t>(i), false});
+    if (!(g + rest < best_cost_)) continue;
+    queue_.push(key_of(g + options_.estimate_weight * rest), {index, g, static_cast<std::uint16_t>(i), false});
   }
 }
 

@@ -24,14 +24,15 @@ struct PoseSearchOptions {
   MotionModel model = MotionModel::kDubins;  ///< Of the curves to the goal.
   double radius = 8.0;                       ///< Of these curves.
   double curve_window = 200.0;  ///< Within this of the goal the length of the curve to it counts.
+  /// Factor of the estimates: what is left to the goal beyond them, most of all a turn at the goal,
+  /// is searched for near the goal only. Paths cost at most this factor more than they must.
+  float estimate_weight = 1.25F;
   double expansion_ratio = 3.5;
   double max_expansion_length = 60.0;
   int max_expansion_cost = 200;
   bool overrides_max_cost = false;  ///< Near the goal any cost will do.
-  std::int64_t max_iterations = 1000000;  ///< Negative: no limit.
   int max_on_approach_iterations = 1000;
   int check_interval = 256;  ///< Iterations between looks at the cancel flag and the clock.
-  double max_time_s = 2.0;
 };
 
 /// A* over poses that a set of motions leads to, cells by headings (Dolgov, Thrun, Montemerlo,
@@ -53,6 +54,8 @@ class PoseSearch {
     double exit_cost = 0.0;      ///< From cells that the heuristic cannot reach, where > 0.
     Pose2 exit;                  ///< Where they are left for.
     double exit_reach = 0.0;     ///< How far they may lie from the start.
+    std::int64_t max_iterations = -1;  ///< Negative: no limit.
+    std::chrono::steady_clock::time_point deadline;
     double stop_within = 0.0;    ///< The first pose this near to the goal ends the search.
   };
 
@@ -64,6 +67,7 @@ class PoseSearch {
   double cost() const { return best_cost_; }
   /// The path to the pose nearest to the goal that the last search came to.
   TravelPath nearest_path() const { return trace(nearest_node_, false); }
+  double nearest_cost() const { return static_cast<double>(nodes_[nearest_node_].g); }
   double nearest_distance() const { return nearest_distance_; }
   std::size_t iterations() const { return iterations_; }
 
@@ -90,7 +94,7 @@ class PoseSearch {
   void begin(const CostGrid& grid, const Query& query);
   Result run(const CancelFlag& cancel);
   std::optional<Result> interrupted(const CancelFlag& cancel) const;
-  bool is_done(std::size_t since_found) const;
+  bool is_done(std::size_t found_at) const;
   bool take(const Candidate& candidate);
   bool is_deferred(const Candidate& candidate, const Node& node);
   void add_start();
@@ -116,7 +120,6 @@ class PoseSearch {
   BucketQueue<Candidate> queue_;
   double cos_ = 1.0, sin_ = 0.0;
   std::uint64_t base_key_ = 0;
-  std::chrono::steady_clock::time_point deadline_;
   std::size_t iterations_ = 0;
   int until_expansion_ = 0;
   std::uint32_t best_node_ = 0, nearest_node_ = 0;

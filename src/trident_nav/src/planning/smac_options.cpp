@@ -17,10 +17,8 @@ PoseSearchOptions search_options(const SmacPoseParams& params, double resolution
   search.max_expansion_length = params.analytic_expansion_max_length / resolution;
   search.max_expansion_cost = params.analytic_expansion_max_cost;
   search.overrides_max_cost = params.analytic_expansion_max_cost_override;
-  search.max_iterations = params.max_iterations == 0 ? -1 : params.max_iterations;
   search.max_on_approach_iterations = params.max_on_approach_iterations;
   search.check_interval = std::min(params.terminal_checking_interval, kMaxCheckInterval);
-  search.max_time_s = params.max_planning_time;
   return search;
 }
 
@@ -42,6 +40,8 @@ PoseRouteOptions pose_route_options(const SmacPoseParams& params, MotionModel mo
   options.heuristic.halves = halves;
   options.heuristic.keeps_changed = params.cache_obstacle_heuristic;
   options.tolerance_m = params.tolerance;
+  options.max_iterations = params.max_iterations == 0 ? -1 : params.max_iterations;
+  options.max_time_s = params.max_planning_time;
   if (params.smooth_path) {
     ShortcutOptions shortcuts;
     shortcuts.model = model;
