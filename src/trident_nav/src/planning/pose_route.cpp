@@ -18,12 +18,15 @@ namespace {
 /// Poses that the first search comes to, that from the goal, and that between both.
 constexpr std::int64_t kFirstIterations = 3000;
 constexpr std::int64_t kApproachIterations = 50000;
-constexpr std::int64_t kJoinIterations = 50000;
+constexpr std::int64_t kJoinIterations = 30000;
 /// An approach begins where so much is left to the goal [lengths of cells]. Not so near that it
 /// has no room to turn, not so far that its search is long.
 constexpr float kApproachCost = 80.0F;
 /// How near to that place it has to come [cells].
 constexpr double kGateRadius = 2.5;
+/// How many headings to either side stand for one that cannot be driven to, and at how many places.
+constexpr int kTurns = 8;
+constexpr std::size_t kTurnedPlaces = 5;
 
 std::string number_text(double value, const char* unit) {
   char text[32];
@@ -144,34 +147,45 @@ bool PoseRoute::leave_start(Request& request, FootprintContact& contact, double 
   return true;
 }
 
+// The first of the poses within the tolerance that the start is connected with and that can be
+// entered.
 bool PoseRoute::find_goal(Request& request, const FootprintContact& contact,
                           const CurveChecker& checker) {
   const std::vector<Pose2> goals = free_goals(request, contact);
   const GridGeometry& g = request.grid.geometry;
-  bool is_first = true;
+  bool can_enter = false;
+  std::optional<Cell> cut_off;
   for (const Pose2& goal : goals) {
     const Cell cell = g.cell(goal.x, goal.y);
-    // What earlier goals cannot be reached from cannot be reached from their surroundings.
-    if (!is_first && std::isfinite(heuristic_.at(cell.x, cell.y))) continue;
-    is_first = false;
-    if (aim(request, goal)) {
-      request.end = goal;
-      if (!probe_.can_enter(checker, request.query.goal)) accept_near(request);
-      return true;
-    }
+    // What one goal cannot be reached from cannot be reached from its surroundings.
+    if (cut_off && (cell == *cut_off || std::isfinite(heuristic_.at(cell.x, cell.y)))) continue;
+    request.end = goal;
+    request.query.goal = to_cells(g, goal);
+    if (!probe_.can_enter(checker, request.query.goal)) continue;
+    can_enter = true;
+    if (aim(request, goal)) return true;
     if (request.outcome.failure == Failure::kCanceled) return false;
+    cut_off = cell;
   }
+  explain_goal(request, goals.empty(), can_enter);
+  return false;
+}
+
+void PoseRoute::explain_goal(Request& request, bool is_occupied, bool can_enter) const {
   const std::string place = place_text(request.goal.x, request.goal.y);
-  if (goals.empty()) {
+  const std::string within = " within the tolerance of " + number_text(options_.tolerance_m, "m");
+  if (is_occupied) {
     fail(request.outcome, Failure::kGoalOccupied,
-         "The footprint is in contact at the goal " + place +
-             ", and no free place is within the tolerance of " +
-             number_text(options_.tolerance_m, "m") + ".");
+         "The footprint is in contact at the goal " + place + ", and no free place is" + within +
+             ".");
+  } else if (!can_enter) {
+    fail(request.outcome, Failure::kNoPath,
+         "No path leads to the goal " + place + " with its heading, nor to a pose" + within +
+             ": obstacles leave no room to come to it.");
   } else {
     fail(request.outcome, Failure::kNoPath,
          "No path leads to the goal " + place + ": obstacles cut it off from the start.");
   }
-  return false;
 }
 
 // The goal's heading cannot be driven to: any pose within the tolerance will do.
@@ -180,18 +194,30 @@ void PoseRoute::accept_near(Request& request) const {
   request.query.stop_within = std::max(cells, 1e-9);
 }
 
-// The goal, and those within the tolerance with its heading, by distance, that are free.
+// The goal and poses within the tolerance that are free: first with its heading, by distance, then
+// with others at the nearest places.
 std::vector<Pose2> PoseRoute::free_goals(const Request& request,
                                          const FootprintContact& contact) const {
-  std::vector<Pose2> goals;
-  if (!contact.in_contact(request.goal)) goals.push_back(request.goal);
+  std::vector<Pose2> goals, places{request.goal};
   for (const Cell c : cells_near(request.grid, open_cells_, request.goal, options_.tolerance_m)) {
     const Point2 center = request.grid.geometry.center(c);
-    const Pose2 pose{center.x, center.y, request.goal.yaw};
-    if (distance(center.x, center.y, request.goal.x, request.goal.y) > options_.tolerance_m) {
-      continue;
+    const double off = distance(center.x, center.y, request.goal.x, request.goal.y);
+    if (off <= options_.tolerance_m && off > 0.0) {
+      places.push_back({center.x, center.y, request.goal.yaw});
     }
+  }
+  const auto add = [&](Pose2 pose, double turn) {
+    pose.yaw = wrap_angle(pose.yaw + turn);
     if (!contact.in_contact(pose)) goals.push_back(pose);
+  };
+  for (const Pose2& place : places) add(place, 0.0);
+  if (options_.tolerance_m <= 0.0) return goals;
+  if (places.size() > kTurnedPlaces) places.resize(kTurnedPlaces);
+  for (int k = 1; k <= kTurns; ++k) {
+    for (const Pose2& place : places) {
+      add(place, kPi * k / kTurns);
+      if (k < kTurns) add(place, -kPi * k / kTurns);
+    }
   }
   return goals;
 }
@@ -249,6 +275,7 @@ PoseSearch::Result PoseRoute::run(Request& request, TravelPath& path) {
   }
   if (result == PoseSearch::Result::kTooManyIterations) {
     query.max_iterations = options_.max_iterations;
+    if (query.stop_within > 0.0) query.max_iterations = kJoinIterations;
     result = search_.search(request.grid, query, request.cancel);
     iterations_ += search_.iterations();
   }
@@ -332,8 +359,9 @@ void PoseRoute::use_nearest(Request& request, PoseSearch::Result result,
              std::to_string(options_.max_iterations) + ".");
   } else {
     fail(request.outcome, Failure::kNoPath,
-         "No path leads to the goal " + place +
-             " and its heading: the robot's turns do not fit between the obstacles.");
+         "No path leads from the start " + place_text(request.start.x, request.start.y) +
+             " and its heading to the goal " + place +
+             ": the robot's turns do not fit between the obstacles.");
   }
 }
 

@@ -55,6 +55,7 @@ class PoseRoute {
   bool leave_start(Request& request, FootprintContact& contact, double reach_m) const;
   bool find_goal(Request& request, const FootprintContact& contact, const CurveChecker& checker);
   std::vector<Pose2> free_goals(const Request& request, const FootprintContact& contact) const;
+  void explain_goal(Request& request, bool is_occupied, bool can_enter) const;
   void accept_near(Request& request) const;
   bool aim(Request& request, const Pose2& goal);
   void search(Request& request, const CurveChecker& checker);
