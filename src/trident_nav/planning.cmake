@@ -5,6 +5,7 @@ set(trident_nav_planners
   carrot_planner
   global_planner
   navfn_planner
+  smac_2d_planner
   smac_hybrid_planner
   theta_star_planner
 )
@@ -68,9 +69,17 @@ if(CATKIN_ENABLE_TESTING)
     test/planning/planner_conformance_test.cpp
     test/planning/potential_test.cpp
     test/planning/reference_search.cpp
+    test/planning/smac_planners_test.cpp
     benchmark/bench_maps.cpp
   )
   target_include_directories(trident_nav_planning_test PRIVATE test src benchmark)
   target_link_libraries(trident_nav_planning_test trident_nav_planning gtest_main)
+  # Lengths of curves are compared with OMPL's where that is installed.
+  find_package(ompl QUIET)
+  if(OMPL_FOUND)
+    target_compile_definitions(trident_nav_planning_test PRIVATE TRIDENT_TEST_OMPL)
+    target_include_directories(trident_nav_planning_test SYSTEM PRIVATE ${OMPL_INCLUDE_DIRS})
+    target_link_libraries(trident_nav_planning_test ${OMPL_LIBRARIES})
+  endif()
   trident_precompile_headers(trident_nav_planning_test <gtest/gtest.h>)
 endif()

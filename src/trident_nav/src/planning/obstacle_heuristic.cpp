@@ -10,14 +10,15 @@
 namespace trident::nav {
 namespace {
 
-/// Steps of blocks: not looked at yet; closed, or the rim around the grid.
-constexpr std::uint32_t kNotMeasured = 0;
+/// The step of closed blocks, and of the rim around the grid.
 constexpr std::uint32_t kClosedStep = 0xFFFFFFFFU;
 /// Of the buckets: not wider than the cheapest step, so that what leaves the queue is final.
 constexpr unsigned kBucketShift = 7;
 /// A goal in closed blocks is entered from open ones this many blocks away.
 constexpr int kEntry = 4;
 constexpr int kCancelInterval = 4096;
+/// Blocks that are measured together.
+constexpr int kRun = 16;
 
 /// Times sqrt 2, in whole numbers.
 std::uint32_t diagonal(std::uint32_t step) {
@@ -86,12 +87,25 @@ void ObstacleHeuristic::seed() {
   }
 }
 
-std::uint32_t ObstacleHeuristic::step_of(std::size_t block) {
-  std::uint32_t& step = step_[block];
-  if (step == kNotMeasured) {
-    step = measure(static_cast<int>(block % stride_) - 1, static_cast<int>(block / stride_) - 1);
+// Measures a block and those next to it in its row.
+void ObstacleHeuristic::measure_from(std::size_t block) {
+  const int by = static_cast<int>(block / stride_) - 1;
+  const int first = (static_cast<int>(block % stride_) - 1) / kRun * kRun;
+  std::uint32_t* steps = &step_[static_cast<std::size_t>(by + 1) * stride_ + 1];
+  const bool is_whole = halving_ == 1 && 2 * by + 1 < grid_.geometry.height;
+  const std::uint8_t* low = &seen_[grid_.geometry.index({0, by << halving_})];
+  const std::uint8_t* high = is_whole ? low + grid_.geometry.width : low;
+  for (int bx = first; bx < std::min(columns_, first + kRun); ++bx) {
+    if (!is_whole || 2 * bx + 1 >= grid_.geometry.width) {
+      steps[bx] = measure(bx, by);
+      continue;
+    }
+    const std::uint32_t costs[] = {cell_cost_[low[2 * bx]], cell_cost_[low[2 * bx + 1]],
+                                   cell_cost_[high[2 * bx]], cell_cost_[high[2 * bx + 1]]};
+    const std::uint32_t sum = costs[0] + costs[1] + costs[2] + costs[3];
+    const int open = (costs[0] != 0) + (costs[1] != 0) + (costs[2] != 0) + (costs[3] != 0);
+    steps[bx] = open == 4 ? sum / 2 : open == 0 ? kClosedStep : 2 * sum / static_cast<std::uint32_t>(open);
   }
-  return step;
 }
 
 std::uint32_t ObstacleHeuristic::measure(int bx, int by) const {

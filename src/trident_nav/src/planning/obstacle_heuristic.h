@@ -48,6 +48,7 @@ class ObstacleHeuristic {
 
  private:
   static constexpr std::uint32_t kOpen = std::numeric_limits<std::uint32_t>::max();
+  static constexpr std::uint32_t kNotMeasured = 0;  ///< Of steps.
   static constexpr std::uint32_t kScale = 256;  ///< Values per length of a cell.
 
   std::size_t block_of(int x, int y) const {
@@ -57,7 +58,11 @@ class ObstacleHeuristic {
   bool is_kept(const CostGrid& grid, Cell goal) const;
   void allocate();
   void seed();
-  std::uint32_t step_of(std::size_t block);
+  std::uint32_t step_of(std::size_t block) {
+    if (step_[block] == kNotMeasured) measure_from(block);
+    return step_[block];
+  }
+  void measure_from(std::size_t block);
   std::uint32_t measure(int bx, int by) const;
   void offer(std::size_t block, std::uint32_t value);
   void extend(std::size_t block);

@@ -248,7 +248,8 @@ void PoseRoute::search(Request& request, const CurveChecker& checker) {
     use(request, std::move(path), checker);
     Pose2& last = request.outcome.path.back();
     last = request.end;
-    if (distance(last.x, last.y, request.goal.x, request.goal.y) > 0.0) {
+    if (last.x != request.goal.x || last.y != request.goal.y ||
+        std::abs(wrap_angle(last.yaw - request.goal.yaw)) > 1e-9) {
       comment(request.outcome, "The goal cannot be reached; " + off_text(last, request.goal));
     }
   } else {
