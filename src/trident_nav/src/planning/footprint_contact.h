@@ -42,11 +42,13 @@ class FootprintContact {
   template <class Visit>
   bool any_span(const Pose2& pose, Visit&& visit) const;
   bool row_blocked(int y, Span span) const;
+  bool convex_in_contact(const Pose2& pose) const;
   bool circle_in_contact(const Pose2& pose) const;
 
   CostGrid grid_;
   Footprint footprint_;
   bool unknown_blocks_ = false;
+  bool is_convex_ = false;
   int words_ = 0;
   bool ignores_ = false;
   Pose2 ignored_;                       ///< Of a circle.
