@@ -7,6 +7,7 @@ set(trident_nav_planners
   navfn_planner
   smac_2d_planner
   smac_hybrid_planner
+  smac_lattice_planner
   theta_star_planner
 )
 set(trident_nav_planning_sources
@@ -14,6 +15,8 @@ set(trident_nav_planning_sources
   src/planning/footprint_contact.cpp
   src/planning/goal_probe.cpp
   src/planning/grid_route.cpp
+  src/planning/lattice_file.cpp
+  src/planning/lattice_set.cpp
   src/planning/line_cost.cpp
   src/planning/motion_curve.cpp
   src/planning/motion_set.cpp
