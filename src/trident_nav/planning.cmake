@@ -62,10 +62,23 @@ set_target_properties(nav_planning_bench PROPERTIES
   RUNTIME_OUTPUT_DIRECTORY ${CATKIN_DEVEL_PREFIX}/${CATKIN_PACKAGE_BIN_DESTINATION})
 install(TARGETS nav_planning_bench RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
 
+# --- programs behind `./trident plan` and `./trident lattice` -----------------------------------
+add_executable(nav_plan programs/nav_plan.cpp)
+target_link_libraries(nav_plan trident_nav_planning trident_nav_costmap trident_maps)
+add_executable(nav_lattice programs/nav_lattice.cpp)
+target_include_directories(nav_lattice PRIVATE src src/planning)
+target_link_libraries(nav_lattice trident_nav_planning)
+foreach(program nav_plan nav_lattice)
+  set_target_properties(${program} PROPERTIES
+    RUNTIME_OUTPUT_DIRECTORY ${CATKIN_DEVEL_PREFIX}/${CATKIN_PACKAGE_BIN_DESTINATION})
+  install(TARGETS ${program} RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
+endforeach()
+
 if(CATKIN_ENABLE_TESTING)
   catkin_add_gtest(trident_nav_planning_test
     test/planning/footprint_contact_test.cpp
     test/planning/grid_planners_test.cpp
+    test/planning/lattice_set_test.cpp
     test/planning/line_cost_test.cpp
     test/planning/motion_curve_test.cpp
     test/planning/movingai_test.cpp
