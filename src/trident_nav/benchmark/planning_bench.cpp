@@ -30,12 +30,8 @@ using trident::nav::PlanOutcome;
 using trident::nav::Pose2;
 
 struct Options {
-  std::map<std::string, std::string> values{{"map", "office"},
-                                            {"size", "632"},
-                                            {"queries", "200"},
-                                            {"seed", "1"},
-                                            {"least", "5"},
-                                            {"planner", ""},
+  std::map<std::string, std::string> values{{"map", "office"}, {"size", "632"}, {"queries", "200"},
+                                            {"seed", "1"},     {"least", "5"},  {"planner", ""},
                                             {"params", "{}"}};
   int number(const char* name) const { return std::atoi(values.at(name).c_str()); }
 };

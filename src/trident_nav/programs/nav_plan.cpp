@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // nav_plan MAP.yaml X,Y,YAW X,Y,YAW [--planner NAME] [--params YAML] [--costmap YAML]
-// [--turning-radius M] [--grid FILE.pgm]: plans on a map and prints the outcome as JSON; --grid gets
-// the costmap's bytes, row 0 at the bottom. Exits with 0 when there is a path, with 1 when there is
-// none, with 2 when the input is wrong.
+// [--turning-radius M] [--grid FILE.pgm]: plans on a map and prints the outcome as JSON; --grid
+// gets the costmap's bytes, row 0 at the bottom. Exits with 0 when there is a path, with 1 when
+// there is not, with 2 when the input is wrong.
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -28,8 +28,8 @@
 namespace {
 
 using trident::Error;
-using trident::nav::Costmap;
 using trident::nav::CostGrid;
+using trident::nav::Costmap;
 using trident::nav::PlanOutcome;
 using trident::nav::Pose2;
 
@@ -137,8 +137,8 @@ int run(const Arguments& arguments) {
   limits.min_turning_radius = std::atof(arguments.options.at("turning-radius").c_str());
   const trident::nav::CancelFlag cancel{false};
   const auto before = std::chrono::steady_clock::now();
-  const PlanOutcome outcome = planner->plan(grid, costmap.footprint(), arguments.start,
-                                            arguments.goal, limits, cancel);
+  const PlanOutcome outcome =
+      planner->plan(grid, costmap.footprint(), arguments.start, arguments.goal, limits, cancel);
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - before;
   std::cout << to_json(outcome, grid, costmap.footprint(), time.count()) << "\n";
   return outcome.failure == trident::nav::Failure::kNone ? 0 : 1;

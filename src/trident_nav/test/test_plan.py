@@ -10,10 +10,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 from PIL import Image
+
 from trident_nav import lattice, plan
 
 
-@pytest.fixture()
+@pytest.fixture
 def room(tmp_path: Path) -> Path:
     """A map of 6 x 4 m with a wall that leaves 1 m at its upper end; the origin is the middle."""
     pixels = np.full((80, 120), 254, dtype=np.uint8)

@@ -34,8 +34,8 @@ bool CurveChecker::is_free(const Pose2& from, const Pose2* poses, std::size_t co
   // From the end backwards: it is the likeliest to be in contact.
   for (std::size_t i = count; i > 0;) {
     const Pose2& p = poses[--i];
-    const Pose2 pose = to_metric({from.x + cos * p.x - sin * p.y, from.y + sin * p.x + cos * p.y,
-                                  from.yaw + p.yaw});
+    const Pose2 pose = to_metric(
+        {from.x + cos * p.x - sin * p.y, from.y + sin * p.x + cos * p.y, from.yaw + p.yaw});
     const double margin = contact_.margin(pose) / resolution;
     if (margin <= 0.0 && contact_.in_contact(pose)) return false;
     const double margin2 = margin * margin;
@@ -63,22 +63,20 @@ double CurveChecker::cost(const MotionCurve& curve, const Pose2& from, int max_c
   double sum = 0.0;
   const bool inside =
       walk(curve, from, 1.0, [&](const Pose2& pose, const CurveSegment& segment, double step) {
-        const Cell cell{static_cast<int>(std::floor(pose.x)),
-                        static_cast<int>(std::floor(pose.y))};
+        const Cell cell{static_cast<int>(std::floor(pose.x)), static_cast<int>(std::floor(pose.y))};
         if (!grid_.geometry.contains(cell)) return false;
         const std::uint8_t cost = grid_.at(cell);
         if (cost > max_cost && cost != kUnknownCost) return false;
-        sum += step * static_cast<double>(costs_.factor[cost] *
-                                          costs_.direction(segment.turn != 0,
-                                                           segment.length < 0.0));
+        sum +=
+            step * static_cast<double>(costs_.factor[cost] *
+                                       costs_.direction(segment.turn != 0, segment.length < 0.0));
         return true;
       });
   return inside ? sum : std::numeric_limits<double>::infinity();
 }
 
 double CurveChecker::cost(const Pose2& from, const TravelPath::Point& to) const {
-  const Cell cell{static_cast<int>(std::floor(to.pose.x)),
-                  static_cast<int>(std::floor(to.pose.y))};
+  const Cell cell{static_cast<int>(std::floor(to.pose.x)), static_cast<int>(std::floor(to.pose.y))};
   if (!grid_.geometry.contains(cell)) return std::numeric_limits<double>::infinity();
   return distance(from.x, from.y, to.pose.x, to.pose.y) *
          static_cast<double>(costs_.factor[grid_.at(cell)] *

@@ -16,8 +16,8 @@ namespace trident::nav {
 /// A path as the robot travels it.
 struct TravelPath {
   struct Point {
-    Pose2 pose;             ///< In cells.
-    bool turns = false;     ///< How the robot comes to the pose.
+    Pose2 pose;          ///< In cells.
+    bool turns = false;  ///< How the robot comes to the pose.
     bool reverses = false;
   };
   std::vector<Point> points;

@@ -2,13 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "goal_probe.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace trident::nav {
 namespace {
 
-/// So many poses from which the goal can be reached are enough.
-constexpr int kEnough = 400;
+/// Poses from which the goal can be reached are enough when their motions, end to end, are as long
+/// as this many cells, and when there are so many.
+constexpr double kEnoughCells = 800.0;
+constexpr double kMinPoses = 40.0;
 
 }  // namespace
 
@@ -26,8 +29,9 @@ bool GoalProbe::can_enter(const CurveChecker& checker, const Pose2& goal) {
   sin_ = std::sin(offset_);
   seen_.reset(checker.grid().geometry, motions_.heading_count());
   open_.assign(1, {goal.x, goal.y, static_cast<std::uint16_t>(heading)});
+  const double enough = std::max(kMinPoses, kEnoughCells / std::max(1.0, motions_.longest()));
   for (int count = 0; !open_.empty(); ++count) {
-    if (count >= kEnough) return true;
+    if (count >= enough) return true;
     const Node node = open_.back();
     open_.pop_back();
     expand(checker, node);

@@ -109,7 +109,11 @@ Json parse_json(const std::string& text, const std::string& label) {
   try {
     return Json::parse(text);
   } catch (const Json::parse_error& error) {
-    const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size())), '\n');
+    const auto line =
+        1 +
+        std::count(text.begin(),
+                   text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size())),
+                   '\n');
     throw Error(label + ":" + std::to_string(line) + ": is not JSON");
   }
 }
@@ -120,8 +124,8 @@ LatticeSet parse_lattice(const std::string& text, const std::string& label) {
   const Json json = parse_json(text, label);
   const LatticeField root(json, label);
   LatticeSet set;
-  read_metadata(LatticeField(root.get("lattice_metadata", "an object"), label + ": lattice_metadata"),
-                set);
+  read_metadata(
+      LatticeField(root.get("lattice_metadata", "an object"), label + ": lattice_metadata"), set);
   int number = 0;
   for (const Json& primitive : root.list("primitives")) {
     const std::string place = label + ": primitives[" + std::to_string(number++) + "]";

@@ -184,8 +184,8 @@ std::vector<Pose2> dense_poses(const LatticeTrajectory& t, double start_yaw, dou
   Pose2 last{0.0, 0.0, start_yaw};
   for (const Pose2& next : t.poses) {
     const double turn = wrap_angle(next.yaw - last.yaw);
-    const double way_m = distance(last.x, last.y, next.x, next.y);
-    const double sweep_m = way_m > 0.0 ? way_m : std::abs(turn) * reach_m;
+    const double length_m = distance(last.x, last.y, next.x, next.y);
+    const double sweep_m = length_m > 0.0 ? length_m : std::abs(turn) * reach_m;
     const int parts = static_cast<int>(std::ceil(sweep_m / spacing_m - 1e-9));
     for (int i = 1; i <= parts; ++i) {
       const double share = static_cast<double>(i) / parts;

@@ -57,11 +57,11 @@ LatticeSet make_lattice(const LatticeOptions& options);
 
 /// Costs of a lattice's motions.
 struct LatticeCosts {
-  float turning = 1.05F;    ///< Factor of arcs.
-  float change = 0.0F;      ///< Added to it where the side of turning changes.
-  float reversing = 2.0F;   ///< Factor of backward motion.
-  float rotation = 5.0F;    ///< Of a turn on the spot, in lengths of cells.
-  bool reverses = false;    ///< Each motion also backwards.
+  float turning = 1.05F;   ///< Factor of arcs.
+  float change = 0.0F;     ///< Added to it where the side of turning changes.
+  float reversing = 2.0F;  ///< Factor of backward motion.
+  float rotation = 5.0F;   ///< Of a turn on the spot, in lengths of cells.
+  bool reverses = false;   ///< Each motion also backwards.
 };
 
 /// The motions of a set for a search, with poses at most `spacing_m` apart.

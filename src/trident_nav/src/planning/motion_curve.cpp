@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kNothing = 1e-9;
 
-/// In [0, 2 pi); what rounding made a full turn is none.
+/// In [0, 2 pi); what rounding made a full turn is 0.
 double full_turn(double angle) {
   const double turns = angle - 2.0 * kPi * std::floor(angle / (2.0 * kPi));
   return turns > 2.0 * kPi - kNothing ? 0.0 : turns;

@@ -60,9 +60,9 @@ inline MotionCurve motion_curve(MotionModel model, const Pose2& from, const Pose
 }
 
 /// How many radii a shortest curve may be longer than the straight line between its ends. Dubins:
-/// Savla, Frazzoli, Bullo, IEEE Trans. Automatic Control 53, 2008 (2.658 pi). Reeds and Shepp: a turn
-/// on the spot, there along the line and another turn, forwards or backwards, take less than pi
-/// each.
+/// Savla, Frazzoli, Bullo, IEEE Trans. Automatic Control 53, 2008 (2.658 pi). Reeds and Shepp: a
+/// turn on the spot, there along the line and another turn, forwards or backwards, take less than
+/// pi each.
 constexpr double max_excess(MotionModel model) {
   return model == MotionModel::kDubins ? 2.658 * kPi : 2.0 * kPi;
 }

@@ -17,7 +17,7 @@ int steps_of_turn(const ArcMotions& options) {
 }
 
 std::vector<Pose2> sample_poses(const Pose2& start, const CurveSegment& segment, double radius,
-                          double spacing) {
+                                double spacing) {
   const double length = radius * std::abs(segment.length);
   const int count = std::max(1, static_cast<int>(std::ceil(length / spacing)));
   std::vector<Pose2> poses;
@@ -67,8 +67,8 @@ class ArcBuilder {
     p.factor = gear_factor * (k == 0 ? 1.0F : options_.turning);
     p.change = k == 0 ? 0.0F : gear_factor * options_.change;
     p.start_heading = static_cast<std::uint16_t>(heading);
-    p.end_heading = static_cast<std::uint16_t>((heading + k + options_.headings) %
-                                               options_.headings);
+    p.end_heading =
+        static_cast<std::uint16_t>((heading + k + options_.headings) % options_.headings);
     set.add(p, poses);
   }
 

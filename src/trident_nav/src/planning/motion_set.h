@@ -61,11 +61,11 @@ class MotionSet {
 /// What arcs a set is made of.
 struct ArcMotions {
   MotionModel model = MotionModel::kDubins;
-  double radius = 8.0;      ///< Of the tightest arc [cells].
-  int headings = 72;        ///< Number of headings, evenly spaced.
+  double radius = 8.0;        ///< Of the tightest arc [cells].
+  int headings = 72;          ///< Number of headings, evenly spaced.
   bool interpolates = false;  ///< Also the wider arcs to the headings in between.
   double pose_spacing = 0.2;  ///< Between the poses of a motion, at most [cells].
-  float turning = 1.0F;     ///< Factors of costs.
+  float turning = 1.0F;       ///< Factors of costs.
   float change = 0.0F;
   float reversing = 1.0F;
 };

@@ -80,8 +80,8 @@ void ObstacleHeuristic::seed() {
   const double per_block = cell_cost_[kInscribedCost - 1] * static_cast<double>(1U << halving_);
   for (int y = std::max(0, cy - reach); y <= std::min(rows_ - 1, cy + reach); ++y) {
     for (int x = std::max(0, cx - reach); x <= std::min(columns_ - 1, cx + reach); ++x) {
-      const std::size_t i = static_cast<std::size_t>(y + 1) * stride_ +
-                            static_cast<std::size_t>(x + 1);
+      const std::size_t i =
+          static_cast<std::size_t>(y + 1) * stride_ + static_cast<std::size_t>(x + 1);
       offer(i, static_cast<std::uint32_t>(per_block * std::hypot(x - cx, y - cy)));
     }
   }
@@ -104,7 +104,9 @@ void ObstacleHeuristic::measure_from(std::size_t block) {
                                    cell_cost_[high[2 * bx]], cell_cost_[high[2 * bx + 1]]};
     const std::uint32_t sum = costs[0] + costs[1] + costs[2] + costs[3];
     const int open = (costs[0] != 0) + (costs[1] != 0) + (costs[2] != 0) + (costs[3] != 0);
-    steps[bx] = open == 4 ? sum / 2 : open == 0 ? kClosedStep : 2 * sum / static_cast<std::uint32_t>(open);
+    steps[bx] = open == 4   ? sum / 2
+                : open == 0 ? kClosedStep
+                            : 2 * sum / static_cast<std::uint32_t>(open);
   }
 }
 
@@ -151,7 +153,8 @@ bool ObstacleHeuristic::advance_once() {
   for (const std::ptrdiff_t d : {north + east, north - east, -north + east, -north - east}) {
     const std::size_t j = i + static_cast<std::size_t>(d);
     const std::uint32_t cost = step_of(j);
-    if (cost != kClosedStep) offer(j, value + diagonal(step == kClosedStep ? cost : (cost + step) / 2));
+    if (cost != kClosedStep)
+      offer(j, value + diagonal(step == kClosedStep ? cost : (cost + step) / 2));
   }
   return true;
 }

@@ -25,7 +25,7 @@ class ObstacleHeuristic {
   struct Options {
     TravelCosts costs;
     bool crosses_unknown = true;
-    bool halves = true;         ///< Blocks of 2 x 2 cells.
+    bool halves = true;          ///< Blocks of 2 x 2 cells.
     bool keeps_changed = false;  ///< The values stay when the costs change, but not the goal.
   };
   static constexpr float kUnreachable = std::numeric_limits<float>::infinity();
@@ -49,7 +49,7 @@ class ObstacleHeuristic {
  private:
   static constexpr std::uint32_t kOpen = std::numeric_limits<std::uint32_t>::max();
   static constexpr std::uint32_t kNotMeasured = 0;  ///< Of steps.
-  static constexpr std::uint32_t kScale = 256;  ///< Values per length of a cell.
+  static constexpr std::uint32_t kScale = 256;      ///< Values per length of a cell.
 
   std::size_t block_of(int x, int y) const {
     return static_cast<std::size_t>((y >> halving_) + 1) * stride_ +

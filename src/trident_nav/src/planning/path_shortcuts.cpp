@@ -55,8 +55,8 @@ class Pass {
     const double rest = std::min(options_.longest, length_.back() - length_[at]);
     for (double reach = rest; reach >= kStride; reach /= 2.0) {
       const auto found = std::lower_bound(length_.begin(), length_.end(), length_[at] + reach);
-      const auto to = std::min(static_cast<std::size_t>(found - length_.begin()),
-                               path_.points.size() - 1);
+      const auto to =
+          std::min(static_cast<std::size_t>(found - length_.begin()), path_.points.size() - 1);
       if (--tries < 0) return false;
       if (!replace(at, to)) continue;
       at = to;

@@ -13,9 +13,9 @@ struct ShortcutOptions {
   MotionModel model = MotionModel::kDubins;
   double radius = 8.0;
   int passes = 3;
-  int max_tries = 1000;   ///< Curves that are looked at.
+  int max_tries = 1000;     ///< Curves that are looked at.
   double min_gain = 1e-10;  ///< Of the cost, for a curve to be taken.
-  double longest = 120.0;  ///< Of the parts that one curve replaces.
+  double longest = 120.0;   ///< Of the parts that one curve replaces.
 };
 
 /// Replaces parts of a path by shortest curves where these are free of contact and cost no more:

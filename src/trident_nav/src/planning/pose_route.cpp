@@ -61,7 +61,7 @@ PoseSearchOptions approach_options(PoseSearchOptions options) {
   return options;
 }
 
-/// A path the other way round.
+/// A path from its end to its start.
 TravelPath turned_round(const TravelPath& path) {
   TravelPath result;
   for (std::size_t i = path.points.size(); i-- > 0;) {
@@ -105,8 +105,9 @@ PlanOutcome PoseRoute::plan(const CostGrid& grid, const Footprint& footprint, co
   }
   Request request{grid, start, goal, goal, cancel, {}, {}, {}};
   FootprintContact contact(grid, robot,
-                           options_.heuristic.crosses_unknown ? FootprintContact::Unknown::kFree
-                                                              : FootprintContact::Unknown::kBlocked);
+                           options_.heuristic.crosses_unknown
+                               ? FootprintContact::Unknown::kFree
+                               : FootprintContact::Unknown::kBlocked);
   const CurveChecker checker(grid, contact, options_.costs);
   if (leave_start(request, contact, escape_reach(footprint)) &&
       find_goal(request, contact, checker)) {
@@ -257,13 +258,12 @@ void PoseRoute::search(Request& request, const CurveChecker& checker) {
   }
 }
 
-// A short search; when that does not come to the goal, one to where an approach begins that has been
-// found from the goal; then one without limits.
+// A short search; when that does not come to the goal, one to where an approach begins that has
+// been found from the goal; then one without limits.
 PoseSearch::Result PoseRoute::run(Request& request, TravelPath& path) {
   PoseSearch::Query& query = request.query;
-  query.deadline =
-      std::chrono::steady_clock::now() +
-      std::chrono::microseconds(static_cast<std::int64_t>(options_.max_time_s * 1e6));
+  query.deadline = std::chrono::steady_clock::now() +
+                   std::chrono::microseconds(static_cast<std::int64_t>(options_.max_time_s * 1e6));
   query.max_iterations = kFirstIterations;
   if (options_.max_iterations >= 0) {
     query.max_iterations = std::min(query.max_iterations, options_.max_iterations);
@@ -286,7 +286,7 @@ PoseSearch::Result PoseRoute::run(Request& request, TravelPath& path) {
   return result;
 }
 
-// A path to the goal from a place some way before it on the way from the start.
+// A path to the goal from a place some distance before it, seen from the start.
 std::optional<TravelPath> PoseRoute::find_approach(Request& request) {
   if (request.query.exit_cost < 2.0 * kApproachCost) return std::nullopt;
   const Cell gate = heuristic_.descend(request.exit, kApproachCost);

@@ -40,15 +40,15 @@ class PoseRoute {
   std::size_t iterations() const { return iterations_; }
 
  private:
-  /// One request on its way to a path.
+  /// One request, and what is known of it.
   struct Request {
     CostGrid grid;
-    Pose2 start, goal;          ///< In the grid's frame [m].
-    Pose2 end;                  ///< The goal, or the one that stands for it.
+    Pose2 start, goal;  ///< In the grid's frame [m].
+    Pose2 end;          ///< The goal, or the one that stands for it.
     const CancelFlag& cancel;
     PlanOutcome outcome;
     PoseSearch::Query query;
-    Cell exit;                  ///< Where blocked cells at the start are left; else its own.
+    Cell exit;  ///< Where blocked cells at the start are left; else its own.
   };
 
   Footprint checked_footprint(const Footprint& footprint, double resolution) const;

@@ -46,7 +46,8 @@ void PoseSearch::begin(const CostGrid& grid, const Query& query) {
 
 void PoseSearch::add_start() {
   const Cell cell = cell_of(query_.start.x, query_.start.y);
-  base_key_ = static_cast<std::uint64_t>(0.8F * kKeysPerCell * options_.estimate_weight * estimate(cell.x, cell.y));
+  base_key_ = static_cast<std::uint64_t>(0.8F * kKeysPerCell * options_.estimate_weight *
+                                         estimate(cell.x, cell.y));
   queue_.reset(base_key_, 0);
   closed_.insert(cell.x, cell.y, query_.start_heading);
   add_node({query_.start.x, query_.start.y, 0.0F, 0,
@@ -87,13 +88,13 @@ bool PoseSearch::take(const Candidate& candidate) {
   const Node& from = nodes_[candidate.parent];
   const Primitive& p = motions_.primitives()[candidate.primitive];
   const Offset& end = ends_[candidate.primitive];
-  const Node node{from.x + end.x,   from.y + end.y, candidate.g, candidate.parent,
-                  p.end_heading, candidate.primitive};
+  const Node node{from.x + end.x,   from.y + end.y, candidate.g,
+                  candidate.parent, p.end_heading,  candidate.primitive};
   const Cell cell = cell_of(node.x, node.y);
   if (closed_.contains(cell.x, cell.y, node.heading)) return false;
   if (!candidate.has_curve && is_deferred(candidate, node)) return false;
-  if (!query_.checker->is_free({from.x, from.y, pose_of(from).yaw}, motions_.poses(p),
-                               p.pose_count, cos_, sin_)) {
+  if (!query_.checker->is_free({from.x, from.y, pose_of(from).yaw}, motions_.poses(p), p.pose_count,
+                               cos_, sin_)) {
     return false;
   }
   closed_.insert(cell.x, cell.y, node.heading);
@@ -148,7 +149,8 @@ void PoseSearch::expand(std::uint32_t index) {
     const float rest = estimate(cell.x, cell.y);
     const float g = from.g + motion_cost(from, p, grid_.at(cell));
     if (!(g + rest < best_cost_)) continue;
-    queue_.push(key_of(g + options_.estimate_weight * rest), {index, g, static_cast<std::uint16_t>(i), false});
+    queue_.push(key_of(g + options_.estimate_weight * rest),
+                {index, g, static_cast<std::uint16_t>(i), false});
   }
 }
 
@@ -166,10 +168,10 @@ void PoseSearch::try_goal(std::uint32_t index) {
   const Pose2 from = pose_of(node);
   const MotionCurve curve = motion_curve(options_.model, from, query_.goal, options_.radius);
   if (curve.length() > options_.max_expansion_length) return;
-  const bool is_near = distance(from.x, from.y, query_.goal.x, query_.goal.y) <
-                       6.283185307 * options_.radius;
-  const int max_cost = options_.overrides_max_cost && is_near ? kLethalCost
-                                                              : options_.max_expansion_cost;
+  const bool is_near =
+      distance(from.x, from.y, query_.goal.x, query_.goal.y) < 6.283185307 * options_.radius;
+  const int max_cost =
+      options_.overrides_max_cost && is_near ? kLethalCost : options_.max_expansion_cost;
   const double rest = query_.checker->cost(curve, from, max_cost);
   if (!(node.g + rest < static_cast<double>(best_cost_))) return;
   if (!query_.checker->is_free(curve, from)) return;
@@ -225,8 +227,8 @@ void PoseSearch::append_motion(const Node& from, const Primitive& p, TravelPath&
     const bool is_end = i + 1 == p.pose_count;
     if (!is_end && distance(last.x, last.y, poses[i + 1].x, poses[i + 1].y) <= 1.0) continue;
     last = poses[i];
-    const Pose2 pose{from.x + cos_ * last.x - sin_ * last.y,
-                     from.y + sin_ * last.x + cos_ * last.y, yaw + last.yaw};
+    const Pose2 pose{from.x + cos_ * last.x - sin_ * last.y, from.y + sin_ * last.x + cos_ * last.y,
+                     yaw + last.yaw};
     path.points.push_back({pose, p.turn != 0, p.reverses});
   }
 }

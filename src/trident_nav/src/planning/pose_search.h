@@ -49,14 +49,14 @@ class PoseSearch {
     const CurveChecker* checker = nullptr;
     ObstacleHeuristic* heuristic = nullptr;
     Pose2 start, goal;
-    double offset = 0.0;        ///< The start's heading less that of `start_heading` in the set.
+    double offset = 0.0;         ///< The start's heading less that of `start_heading` in the set.
     unsigned start_heading = 0;  ///< In the set.
     double exit_cost = 0.0;      ///< From cells that the heuristic cannot reach, where > 0.
     Pose2 exit;                  ///< Where they are left for.
     double exit_reach = 0.0;     ///< How far they may lie from the start.
     std::int64_t max_iterations = -1;  ///< Negative: no limit.
     std::chrono::steady_clock::time_point deadline;
-    double stop_within = 0.0;    ///< The first pose this near to the goal ends the search.
+    double stop_within = 0.0;  ///< The first pose this near to the goal ends the search.
   };
 
   PoseSearch(const MotionSet& motions, const TravelCosts& costs, const PoseSearchOptions& options);

@@ -58,9 +58,9 @@ PlanOutcome SmacLatticePlanner::prepare(const CostGrid& grid, const MotionLimits
   }
   if (std::abs(set_->resolution_m - resolution) > 1e-3 * resolution) {
     return failed(Failure::kInvalidInput,
-                  params_.lattice_filepath + ": lattice_metadata.grid_resolution: " +
-                      std::to_string(set_->resolution_m) + ", legal: that of the costmap, " +
-                      std::to_string(resolution) + " m.");
+                  params_.lattice_filepath +
+                      ": lattice_metadata.grid_resolution: " + std::to_string(set_->resolution_m) +
+                      ", legal: that of the costmap, " + std::to_string(resolution) + " m.");
   }
   if (set_->turning_radius_m < limits.min_turning_radius - 1e-9 && set_->motion_model != "omni") {
     return failed(Failure::kInvalidInput,

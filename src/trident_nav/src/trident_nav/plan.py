@@ -33,7 +33,7 @@ class Plan:
 
     Attributes:
         found: there is a path.
-        reason: why there is none, or a comment.
+        reason: why it was not found, or a comment.
         path: poses x, y [m], yaw [rad], shape (n, 3).
         footprint: corners [m] in the base's axes, shape (k, 2).
         costs: the costmap, row 0 on top, shape (rows, columns).
@@ -217,7 +217,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def main(words: Sequence[str] | None = None) -> int:
-    """Returns 0 when there is a path, 1 when there is none, 2 for wrong input."""
+    """Returns 0 when there is a path, 1 when it was not found, 2 for wrong input."""
     given = sys.argv[1:] if words is None else list(words)
     # A pose that begins with a minus is no option: argparse takes words with blanks as they are.
     given = [f" {word}" if _POSE.fullmatch(word) else word for word in given]

@@ -139,9 +139,9 @@ TEST(LatticeMotions, AreDenseAndLeadWhereTheyShould) {
       last = poses[i];
     }
     EXPECT_EQ(last.x, p.dx);
-    EXPECT_NEAR(wrap_angle(motions.heading(p.start_heading) + last.yaw -
-                           motions.heading(p.end_heading)),
-                0.0, 1e-9);
+    EXPECT_NEAR(
+        wrap_angle(motions.heading(p.start_heading) + last.yaw - motions.heading(p.end_heading)),
+        0.0, 1e-9);
     backwards += p.reverses ? 1 : 0;
     const double yaw = motions.heading(p.start_heading);
     const double ahead = poses[0].x * std::cos(yaw) + poses[0].y * std::sin(yaw);
@@ -165,9 +165,8 @@ TEST(SmacLatticePlanner, ALatticeOfAnotherResolutionIsRefused) {
   TestGrid grid(100, 100, kFreeCost, 0.05);
   Footprint footprint;
   footprint.inscribed_radius = footprint.circumscribed_radius = 0.2;
-  const PlanOutcome outcome =
-      planner->plan(grid.view(), footprint, {1.0, 1.0, 0.0}, {4.0, 4.0, 0.0}, MotionLimits{},
-                    testing::kRunning);
+  const PlanOutcome outcome = planner->plan(grid.view(), footprint, {1.0, 1.0, 0.0},
+                                            {4.0, 4.0, 0.0}, MotionLimits{}, testing::kRunning);
   EXPECT_EQ(outcome.failure, Failure::kInvalidInput);
   EXPECT_NE(outcome.reason.find(path + ": lattice_metadata.grid_resolution: 0.1"),
             std::string::npos)

@@ -19,8 +19,7 @@ namespace {
 Pose2 end_of(const MotionCurve& curve, const Pose2& from) {
   Pose2 pose = from;
   for (int i = 0; i < curve.size(); ++i) {
-    pose =
-        pose_along(pose, curve[i], curve.radius(), curve.radius() * std::abs(curve[i].length));
+    pose = pose_along(pose, curve[i], curve.radius(), curve.radius() * std::abs(curve[i].length));
   }
   return pose;
 }

@@ -10,7 +10,9 @@
 #include "planning/footprint_contact.h"
 #include "planning/motion_curve.h"
 #include "planning/path_points.h"
+#include "planning/pose_route.h"
 #include "planning/reference_search.h"
+#include "planning/smac_options.h"
 #include "trident_base/random_stream.h"
 #include "trident_nav/planning/planner_registry.h"
 #include "trident_nav/planning/smac_2d_planner.h"
@@ -209,6 +211,20 @@ TEST(SmacHybridPlanner, FewIterationsEndWithAReason) {
   EXPECT_NE(outcome.reason.find("max_iterations"), std::string::npos) << outcome.reason;
 }
 
+TEST(SmacHybridPlanner, ACanceledSearchComesToFewPoses) {
+  const auto map = bench::office_map(300, 300, 5);
+  const PoseRouteOptions options =
+      pose_route_options(SmacHybridParams{}, MotionModel::kDubins, 0.05, 0.4, false, true);
+  PoseRoute route(arc_motions(ArcMotions{}), options);
+  // The first plan leaves the heuristic of this goal, so that the second is canceled in the search.
+  const Pose2 start{1.0, 1.0, 0.0}, goal{14.0, 14.0, 2.0};
+  EXPECT_EQ(route.plan(map.view(), car(), start, goal, kRunning).failure, Failure::kNone);
+  EXPECT_GT(route.iterations(), 100U);
+  const CancelFlag canceled{true};
+  EXPECT_EQ(route.plan(map.view(), car(), start, goal, canceled).failure, Failure::kCanceled);
+  EXPECT_LE(route.iterations(), 1U);
+}
+
 TEST(SmacHybridPlanner, ChangedCostsAreSeen) {
   TestGrid grid(200, 200, kFreeCost, 0.05);
   for (int y = 0; y < 190; ++y) grid(100, y) = kLethalCost;
@@ -242,11 +258,12 @@ TEST(Smac2dPlanner, CostIsThatOfDijkstrasAlgorithm) {
 
 TEST(SmacPlanners, ParametersAreUpstreamsAndChecked) {
   const auto make = [](const char* text) {
-    return builtin_planners().get("nav2_smac_planner/SmacPlannerHybrid")(
-        parse_yaml(text, "x.yaml"), "x.yaml");
+    return builtin_planners().get("nav2_smac_planner/SmacPlannerHybrid")(parse_yaml(text, "x.yaml"),
+                                                                         "x.yaml");
   };
-  EXPECT_NO_THROW(make(
-      "{motion_model_for_search: REEDS_SHEPP, minimum_turning_radius: 0.5, smoother: {w_data: 0.1}}"));
+  EXPECT_NO_THROW(
+      make("{motion_model_for_search: REEDS_SHEPP, minimum_turning_radius: 0.5, smoother: {w_data: "
+           "0.1}}"));
   EXPECT_THROW(make("{motion_model_for_search: OMNI}"), ConfigError);
   EXPECT_THROW(make("{minimum_turning_radius: 0.0}"), ConfigError);
   EXPECT_DOUBLE_EQ(Smac2dParams{}.tolerance, 0.125);

@@ -34,8 +34,8 @@ struct SmacLatticeParams : SmacPoseParams {
   }
 };
 
-/// Paths of a control set's motions, from the start's exact pose to the goal's: the set is turned so
-/// that one of its headings is the start's, and the path ends with a shortest curve of the set's
+/// Paths of a control set's motions, from the start's exact pose to the goal's: the set is turned
+/// so that one of its headings is the start's, and the path ends with a shortest curve of the set's
 /// turning radius.
 class SmacLatticePlanner : public Planner {
  public:

@@ -89,8 +89,9 @@ struct SmacPoseParams : SmacParams {
     visit_costs(ar);
     ar.field("smooth_path", smooth_path, "whether paths are smoothed");
     ar.field("smoother", smoother, "how paths are smoothed");
-    ar.field("analytic_expansion_ratio", analytic_expansion_ratio, Range::positive(),
-             "curves to the goal are tried at every n-th pose, n the distance left in cells by this");
+    ar.field(
+        "analytic_expansion_ratio", analytic_expansion_ratio, Range::positive(),
+        "curves to the goal are tried at every n-th pose, n the distance left in cells by this");
     ar.field("analytic_expansion_max_length", analytic_expansion_max_length, Range::positive(),
              "no curve to the goal is longer [m]");
     ar.field("analytic_expansion_max_cost", analytic_expansion_max_cost, Range{0, 255},
