@@ -214,6 +214,35 @@ Primitive primitive_of(const LatticeTrajectory& t, const LatticeCosts& costs, do
   return p;
 }
 
+struct LatticeMotion {
+  Primitive primitive;
+  std::vector<Pose2> poses;
+};
+
+MotionSet sorted_set(const std::vector<double>& headings, std::vector<LatticeMotion>& motions) {
+  std::stable_sort(motions.begin(), motions.end(),
+                   [](const LatticeMotion& a, const LatticeMotion& b) {
+                     return a.primitive.start_heading < b.primitive.start_heading;
+                   });
+  MotionSet result(headings);
+  for (const LatticeMotion& m : motions) result.add(m.primitive, m.poses);
+  result.finish();
+  return result;
+}
+
+/// Adds all motions but turns on the spot, driven backwards.
+void add_backwards(const MotionSet& forwards, const LatticeCosts& costs,
+                   std::vector<LatticeMotion>& motions) {
+  const MotionSet backwards = reversed(forwards);
+  for (Primitive p : backwards.primitives()) {
+    if (p.dx == 0.0 && p.dy == 0.0) continue;
+    const Pose2* poses = backwards.poses(p);
+    p.reverses = true;
+    p.factor *= costs.reversing;
+    motions.push_back({p, {poses, poses + p.pose_count}});
+  }
+}
+
 }  // namespace
 
 LatticeSet make_lattice(const LatticeOptions& options) {
@@ -235,44 +264,23 @@ LatticeSet make_lattice(const LatticeOptions& options) {
 
 MotionSet lattice_motions(const LatticeSet& set, const LatticeCosts& costs, double spacing_m) {
   std::vector<double> headings;
+  headings.reserve(set.heading_angles.size());
   for (const double angle : set.heading_angles) headings.push_back(wrap_angle(angle));
-  struct Motion {
-    Primitive primitive;
-    std::vector<Pose2> poses;
-  };
-  std::vector<Motion> motions;
+  std::vector<LatticeMotion> motions;
   for (const LatticeTrajectory& t : set.trajectories) {
     const double start_yaw = headings[static_cast<std::size_t>(t.start_angle_index)];
-    Motion motion{primitive_of(t, costs, set.resolution_m),
-                  dense_poses(t, start_yaw, set.resolution_m, spacing_m, set.turning_radius_m)};
+    LatticeMotion motion{
+        primitive_of(t, costs, set.resolution_m),
+        dense_poses(t, start_yaw, set.resolution_m, spacing_m, set.turning_radius_m)};
     if (motion.poses.empty()) continue;
     motion.primitive.dx = motion.poses.back().x;
     motion.primitive.dy = motion.poses.back().y;
     motions.push_back(std::move(motion));
   }
-  if (costs.reverses) {
-    MotionSet forwards(headings);
-    std::stable_sort(motions.begin(), motions.end(), [](const Motion& a, const Motion& b) {
-      return a.primitive.start_heading < b.primitive.start_heading;
-    });
-    for (const Motion& m : motions) forwards.add(m.primitive, m.poses);
-    forwards.finish();
-    const MotionSet backwards = reversed(forwards);
-    for (Primitive p : backwards.primitives()) {
-      if (p.dx == 0.0 && p.dy == 0.0) continue;
-      const Pose2* poses = backwards.poses(p);
-      p.reverses = true;
-      p.factor *= costs.reversing;
-      motions.push_back({p, {poses, poses + p.pose_count}});
-    }
-  }
-  std::stable_sort(motions.begin(), motions.end(), [](const Motion& a, const Motion& b) {
-    return a.primitive.start_heading < b.primitive.start_heading;
-  });
-  MotionSet result(std::move(headings));
-  for (const Motion& m : motions) result.add(m.primitive, m.poses);
-  result.finish();
-  return result;
+  const MotionSet forwards = sorted_set(headings, motions);
+  if (!costs.reverses) return forwards;
+  add_backwards(forwards, costs, motions);
+  return sorted_set(headings, motions);
 }
 
 }  // namespace trident::nav

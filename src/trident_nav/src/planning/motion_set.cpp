@@ -107,6 +107,7 @@ std::size_t MotionSet::nearest_heading(double yaw) const {
 
 MotionSet arc_motions(const ArcMotions& options) {
   std::vector<double> headings;
+  headings.reserve(static_cast<std::size_t>(options.headings));
   for (int i = 0; i < options.headings; ++i) {
     headings.push_back(wrap_angle(2.0 * kPi * i / options.headings));
   }
