@@ -26,6 +26,7 @@ set(trident_nav_planning_sources
   src/planning/plan_request.cpp
   src/planning/planner_registry.cpp
   src/planning/pose_route.cpp
+  src/planning/pose_route_search.cpp
   src/planning/pose_search.cpp
   src/planning/potential.cpp
   src/planning/potential_repair.cpp
