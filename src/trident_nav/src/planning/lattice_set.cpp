@@ -277,7 +277,7 @@ MotionSet lattice_motions(const LatticeSet& set, const LatticeCosts& costs, doub
     motion.primitive.dy = motion.poses.back().y;
     motions.push_back(std::move(motion));
   }
-  const MotionSet forwards = sorted_set(headings, motions);
+  MotionSet forwards = sorted_set(headings, motions);
   if (!costs.reverses) return forwards;
   add_backwards(forwards, costs, motions);
   return sorted_set(headings, motions);
