@@ -5,17 +5,32 @@ set(trident_nav_planners
   carrot_planner
   global_planner
   navfn_planner
+  smac_2d_planner
+  smac_hybrid_planner
+  smac_lattice_planner
   theta_star_planner
 )
 set(trident_nav_planning_sources
+  src/planning/curve_checker.cpp
   src/planning/footprint_contact.cpp
+  src/planning/goal_probe.cpp
   src/planning/grid_route.cpp
+  src/planning/lattice_file.cpp
+  src/planning/lattice_set.cpp
   src/planning/line_cost.cpp
+  src/planning/motion_curve.cpp
+  src/planning/motion_set.cpp
+  src/planning/obstacle_heuristic.cpp
   src/planning/path_points.cpp
+  src/planning/path_shortcuts.cpp
   src/planning/plan_request.cpp
   src/planning/planner_registry.cpp
+  src/planning/pose_route.cpp
+  src/planning/pose_route_search.cpp
+  src/planning/pose_search.cpp
   src/planning/potential.cpp
   src/planning/potential_repair.cpp
+  src/planning/smac_options.cpp
   src/planning/theta_search.cpp
 )
 set(declarations)
@@ -33,7 +48,7 @@ add_library(trident_nav_planning ${trident_nav_planning_sources})
 target_compile_features(trident_nav_planning PUBLIC cxx_std_17)
 target_compile_options(trident_nav_planning PRIVATE -Wall -Wextra -ffp-contract=off)
 target_include_directories(trident_nav_planning PUBLIC include PRIVATE src src/planning)
-target_link_libraries(trident_nav_planning PUBLIC trident_base trident_maps)
+target_link_libraries(trident_nav_planning PUBLIC trident_nav_core trident_base trident_maps)
 trident_precompile_headers(trident_nav_planning)
 install(TARGETS trident_nav_planning
   ARCHIVE DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION}
@@ -48,18 +63,40 @@ set_target_properties(nav_planning_bench PROPERTIES
   RUNTIME_OUTPUT_DIRECTORY ${CATKIN_DEVEL_PREFIX}/${CATKIN_PACKAGE_BIN_DESTINATION})
 install(TARGETS nav_planning_bench RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
 
+# --- programs behind `./trident plan` and `./trident lattice` -----------------------------------
+add_executable(nav_plan programs/nav_plan.cpp)
+target_link_libraries(nav_plan trident_nav_planning trident_nav_costmap trident_maps)
+add_executable(nav_lattice programs/nav_lattice.cpp)
+target_include_directories(nav_lattice PRIVATE src src/planning)
+target_link_libraries(nav_lattice trident_nav_planning)
+foreach(program nav_plan nav_lattice)
+  set_target_properties(${program} PROPERTIES
+    RUNTIME_OUTPUT_DIRECTORY ${CATKIN_DEVEL_PREFIX}/${CATKIN_PACKAGE_BIN_DESTINATION})
+  install(TARGETS ${program} RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
+endforeach()
+
 if(CATKIN_ENABLE_TESTING)
   catkin_add_gtest(trident_nav_planning_test
     test/planning/footprint_contact_test.cpp
     test/planning/grid_planners_test.cpp
+    test/planning/lattice_set_test.cpp
     test/planning/line_cost_test.cpp
+    test/planning/motion_curve_test.cpp
     test/planning/movingai_test.cpp
     test/planning/planner_conformance_test.cpp
     test/planning/potential_test.cpp
     test/planning/reference_search.cpp
+    test/planning/smac_planners_test.cpp
     benchmark/bench_maps.cpp
   )
   target_include_directories(trident_nav_planning_test PRIVATE test src benchmark)
   target_link_libraries(trident_nav_planning_test trident_nav_planning gtest_main)
+  # Lengths of curves are compared with OMPL's where that is installed.
+  find_package(ompl QUIET)
+  if(OMPL_FOUND)
+    target_compile_definitions(trident_nav_planning_test PRIVATE TRIDENT_TEST_OMPL)
+    target_include_directories(trident_nav_planning_test SYSTEM PRIVATE ${OMPL_INCLUDE_DIRS})
+    target_link_libraries(trident_nav_planning_test ${OMPL_LIBRARIES})
+  endif()
   trident_precompile_headers(trident_nav_planning_test <gtest/gtest.h>)
 endif()

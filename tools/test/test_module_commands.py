@@ -43,6 +43,11 @@ def _nothing_is_built(clone: Workspace, monkeypatch: pytest.MonkeyPatch) -> None
         ),
         ("worldgen office --seed 4 --out w", "trident_worldgen office --seed 4 --out w"),
         ("worldgen hall --length 12.5", "trident_worldgen hall --length 12.5"),
+        (
+            "plan m.yaml -1,2,0 3,-4,1.5 --planner navfn/NavfnROS --out p.png",
+            "trident_nav.plan m.yaml -1,2,0 3,-4,1.5 --planner navfn/NavfnROS --out p.png",
+        ),
+        ("lattice --model omni --out a.json", "trident_nav.lattice --model omni --out a.json"),
     ],
 )
 def test_what_is_given_is_passed_on(

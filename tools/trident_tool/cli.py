@@ -16,6 +16,7 @@ from trident_tool.building import build, is_built, make_configured
 from trident_tool.evaluation import add_evaluation_commands
 from trident_tool.formation import add_formation_commands
 from trident_tool.lint import CHECKS, run_checks
+from trident_tool.navigation import add_navigation_commands
 from trident_tool.needed_packages import targets_of_launch
 from trident_tool.provision import provision
 from trident_tool.recording import Recording
@@ -54,6 +55,8 @@ COMMANDS = (
     "posegraph",
     "worldmap",
     "worldgen",
+    "plan",
+    "lattice",
     "shell",
     "help",
 )
@@ -141,6 +144,7 @@ def make_parser() -> argparse.ArgumentParser:
     add_formation_commands(add)
     add_evaluation_commands(add)
     add_world_commands(add)
+    add_navigation_commands(add)
     commands.add_parser("help", help="show this text")
     return parser
 

@@ -13,6 +13,8 @@ namespace {
 constexpr double kSqrt2 = 1.41421356237309504880;
 /// Touching is not covering: polygons are taken smaller by this [cells].
 constexpr double kTouch = 1e-9;
+/// Convex footprints over more rows of cells take the slower path.
+constexpr int kMaxRows = 128;
 
 /// A polygon in cells of the grid.
 struct CellPolygon {
@@ -59,6 +61,57 @@ void crossings(const CellPolygon& polygon, double y, std::vector<double>& xs) {
   std::sort(xs.begin(), xs.end());
 }
 
+/// Whether all corners turn to the same side.
+bool is_convex(const Footprint& footprint) {
+  const std::vector<Point2>& p = footprint.points;
+  bool left = false, right = false;
+  for (std::size_t i = 0, n = p.size(); i < n; ++i) {
+    const Point2 &a = p[i], &b = p[(i + 1) % n], &c = p[(i + 2) % n];
+    const double turn = (b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x);
+    left |= turn > 0.0;
+    right |= turn < 0.0;
+  }
+  return left != right;
+}
+
+/// What a convex polygon covers of each row of cells.
+class ConvexRows {
+ public:
+  explicit ConvexRows(const CellPolygon& polygon)
+      : first_(static_cast<int>(std::floor(polygon.low_y + kTouch))),
+        last_(static_cast<int>(std::ceil(polygon.high_y - kTouch)) - 1) {
+    for (int i = 0; i <= last_ - first_; ++i) {
+      low_[i] = std::numeric_limits<double>::infinity();
+      high_[i] = -low_[i];
+    }
+    for (std::size_t i = 0, n = polygon.points.size(); i < n; ++i) {
+      add(polygon.points[i], polygon.points[i + 1 < n ? i + 1 : 0]);
+    }
+  }
+  int first() const { return first_; }
+  int last() const { return last_; }
+  double low(int y) const { return low_[y - first_]; }
+  double high(int y) const { return high_[y - first_]; }
+
+ private:
+  void add(const Point2& a, const Point2& b) {
+    const Point2& down = a.y < b.y ? a : b;
+    const Point2& up = a.y < b.y ? b : a;
+    const int from = std::max(first_, static_cast<int>(std::floor(down.y + kTouch)));
+    const int to = std::min(last_, static_cast<int>(std::ceil(up.y - kTouch)) - 1);
+    const double slope = up.y > down.y ? (up.x - down.x) / (up.y - down.y) : 0.0;
+    for (int y = from; y <= to; ++y) {
+      const double x0 = y + kTouch <= down.y ? down.x : down.x + slope * (y + kTouch - down.y);
+      const double x1 = y + 1 - kTouch >= up.y ? up.x : down.x + slope * (y + 1 - kTouch - down.y);
+      low_[y - first_] = std::min({low_[y - first_], x0, x1});
+      high_[y - first_] = std::max({high_[y - first_], x0, x1});
+    }
+  }
+
+  int first_, last_;
+  std::array<double, kMaxRows> low_, high_;
+};
+
 }  // namespace
 
 FootprintContact::FootprintContact(const CostGrid& grid, const Footprint& footprint,
@@ -68,6 +121,8 @@ FootprintContact::FootprintContact(const CostGrid& grid, const Footprint& footpr
       unknown_blocks_(unknown == Unknown::kBlocked),
       words_((grid.geometry.width + 63) / 64) {
   if (footprint_.points.empty()) return;
+  is_convex_ = is_convex(footprint_) &&
+               2.0 * footprint_.circumscribed_radius < (kMaxRows - 2) * grid.geometry.resolution;
   blocked_.assign(static_cast<std::size_t>(words_) * grid.geometry.height, 0);
   for (int y = 0; y < grid.geometry.height; ++y) {
     const std::uint8_t* row = grid.cost + grid.geometry.index({0, y});
@@ -94,12 +149,16 @@ double FootprintContact::margin(const Pose2& pose) const {
 bool FootprintContact::circle_in_contact(const Pose2& pose) const {
   const std::uint8_t cost = grid_.at(pose.x, pose.y);
   if (!grid_.geometry.contains(grid_.geometry.cell(pose.x, pose.y))) return true;
-  return cost == kUnknownCost ? unknown_blocks_ : cost >= kInscribedCost;
+  if (cost == kUnknownCost) return unknown_blocks_;
+  if (cost < kInscribedCost || !ignores_) return cost >= kInscribedCost;
+  const double reach = footprint_.inscribed_radius * (cost == kLethalCost ? 1.0 : 2.0);
+  return distance(pose.x, pose.y, ignored_.x, ignored_.y) > reach;
 }
 
 bool FootprintContact::in_contact(const Pose2& pose) const {
   if (footprint_.points.empty()) return circle_in_contact(pose);
   if (margin(pose) > 0.0) return false;
+  if (is_convex_) return convex_in_contact(pose);
   return any_span(pose, [this](int y, Span span) { return row_blocked(y, span); });
 }
 
@@ -130,6 +189,18 @@ bool FootprintContact::any_span(const Pose2& pose, Visit&& visit) const {
   return false;
 }
 
+bool FootprintContact::convex_in_contact(const Pose2& pose) const {
+  static thread_local CellPolygon polygon;
+  place(grid_.geometry, footprint_, pose, polygon);
+  const ConvexRows rows(polygon);
+  for (int y = rows.first(); y <= rows.last(); ++y) {
+    const int from = static_cast<int>(std::floor(rows.low(y) + kTouch));
+    const int to = static_cast<int>(std::ceil(rows.high(y) - kTouch)) - 1;
+    if (row_blocked(y, {from, std::max(from, to)})) return true;
+  }
+  return false;
+}
+
 bool FootprintContact::row_blocked(int y, Span span) const {
   const GridGeometry& g = grid_.geometry;
   if (y < 0 || y >= g.height || span.from < 0 || span.to >= g.width) return true;
@@ -146,6 +217,8 @@ bool FootprintContact::row_blocked(int y, Span span) const {
 }
 
 void FootprintContact::ignore_under(const Pose2& pose) {
+  ignores_ = true;
+  ignored_ = pose;
   if (footprint_.points.empty()) return;
   any_span(pose, [this](int y, Span span) {
     const GridGeometry& g = grid_.geometry;

@@ -28,7 +28,7 @@ class FootprintContact {
   /// distance that is left around the circumscribed circle. 0: look closer.
   double margin(const Pose2& pose) const;
   /// From now on the cells under the footprint at this pose are free: the robot stands there, so
-  /// that what is marked there is no obstacle.
+  /// that what is marked there is no obstacle. For a circle those at 253 within two radii, too.
   void ignore_under(const Pose2& pose);
   const Footprint& footprint() const { return footprint_; }
 
@@ -42,12 +42,16 @@ class FootprintContact {
   template <class Visit>
   bool any_span(const Pose2& pose, Visit&& visit) const;
   bool row_blocked(int y, Span span) const;
+  bool convex_in_contact(const Pose2& pose) const;
   bool circle_in_contact(const Pose2& pose) const;
 
   CostGrid grid_;
   Footprint footprint_;
   bool unknown_blocks_ = false;
+  bool is_convex_ = false;
   int words_ = 0;
+  bool ignores_ = false;
+  Pose2 ignored_;                       ///< Of a circle.
   std::vector<std::uint64_t> blocked_;  ///< One bit per cell, rows of `words_`.
 };
 

@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// nav_plan MAP.yaml X,Y,YAW X,Y,YAW [--planner NAME] [--params YAML] [--costmap YAML]
+// [--turning-radius M] [--grid FILE.pgm]: plans on a map and prints the outcome as JSON; --grid
+// gets the costmap's bytes, row 0 at the bottom. Exits with 0 when there is a path, with 1 when
+// there is not, with 2 when the input is wrong.
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "trident_base/error.h"
+#include "trident_base/yaml_config.h"
+#include "trident_maps/map_file.h"
+#include "trident_nav/core/footprint.h"
+#include "trident_nav/costmap/costmap.h"
+#include "trident_nav/costmap/costmap_config.h"
+#include "trident_nav/costmap/layer_factory.h"
+#include "trident_nav/costmap/static_layer.h"
+#include "trident_nav/planning/planner_registry.h"
+
+namespace {
+
+using trident::Error;
+using trident::nav::CostGrid;
+using trident::nav::Costmap;
+using trident::nav::PlanOutcome;
+using trident::nav::Pose2;
+
+struct Arguments {
+  std::string map;
+  Pose2 start, goal;
+  std::map<std::string, std::string> options{
+      {"planner", "nav2_smac_planner/SmacPlannerHybrid"},
+      {"params", "{}"},
+      {"costmap",
+       "{plugins: [{name: static, type: costmap_2d::StaticLayer}, {name: inflation, type: "
+       "costmap_2d::InflationLayer}]}"},
+      {"turning-radius", "0"},
+      {"grid", ""}};
+};
+
+Pose2 parse_pose(const std::string& text) {
+  Pose2 pose;
+  int used = 0;
+  const int count = std::sscanf(text.c_str(), "%lf,%lf,%lf%n", &pose.x, &pose.y, &pose.yaw, &used);
+  if (count != 3 || static_cast<std::size_t>(used) != text.size()) {
+    throw Error("pose: " + text + ", legal: X,Y,YAW [m, rad]");
+  }
+  return pose;
+}
+
+Arguments parse_arguments(int argc, char** argv) {
+  Arguments result;
+  if (argc < 4 || argc % 2 != 0) {
+    throw Error("legal: nav_plan MAP.yaml X,Y,YAW X,Y,YAW [--OPTION VALUE ...]");
+  }
+  result.map = argv[1];
+  result.start = parse_pose(argv[2]);
+  result.goal = parse_pose(argv[3]);
+  for (int i = 4; i < argc; i += 2) {
+    const std::string word = argv[i];
+    const auto found = result.options.find(word.substr(word.find_first_not_of('-')));
+    if (word.rfind("--", 0) != 0 || found == result.options.end()) {
+      throw Error(word + ": legal: --planner, --params, --costmap, --turning-radius, --grid");
+    }
+    found->second = argv[i + 1];
+  }
+  return result;
+}
+
+Costmap make_costmap(const Arguments& arguments) {
+  trident::Registry<trident::nav::LayerType> layers("costmap layer");
+  trident::nav::register_builtin_layers(layers);
+  trident::nav::CostmapConfigSource source;
+  source.label = "--costmap";
+  source.path = "/costmap";
+  const auto config = trident::nav::read_costmap_config(
+      trident::parse_yaml(arguments.options.at("costmap"), "--costmap"), source, layers);
+  for (const std::string& warning : config.warnings) std::cerr << warning << "\n";
+  Costmap costmap(config.params, trident::nav::make_layers(config, layers));
+  const auto map = trident::maps::load_map(arguments.map);
+  bool has_map = false;
+  for (const auto& layer : costmap.layers()) {
+    auto* fixed = dynamic_cast<trident::nav::StaticLayer*>(layer.get());
+    if (fixed == nullptr) continue;
+    fixed->set_map(map);
+    has_map = true;
+  }
+  if (!has_map) throw Error("--costmap: plugins: legal: a list with a StaticLayer");
+  costmap.update({0.0, arguments.start});
+  return costmap;
+}
+
+void write_grid(const CostGrid& grid, const std::string& path) {
+  std::ofstream file(path, std::ios::binary);
+  file << "P5\n" << grid.geometry.width << " " << grid.geometry.height << "\n255\n";
+  for (int y = grid.geometry.height; y-- > 0;) {
+    const auto* row = reinterpret_cast<const char*>(grid.cost + grid.geometry.index({0, y}));
+    file.write(row, grid.geometry.width);
+  }
+  if (!file.flush()) throw Error(path + ": cannot be written");
+}
+
+nlohmann::json to_json(const PlanOutcome& outcome, const CostGrid& grid,
+                       const trident::nav::Footprint& footprint, double time_s) {
+  nlohmann::json json;
+  json["found"] = outcome.failure == trident::nav::Failure::kNone;
+  json["reason"] = outcome.reason;
+  json["cost"] = outcome.cost;
+  json["time_s"] = time_s;
+  json["resolution_m"] = grid.geometry.resolution;
+  json["origin_m"] = {grid.geometry.origin_x, grid.geometry.origin_y};
+  json["path"] = nlohmann::json::array();
+  for (const Pose2& p : outcome.path) json["path"].push_back({p.x, p.y, p.yaw});
+  json["footprint"] = nlohmann::json::array();
+  for (const auto& p : trident::nav::footprint_corners(footprint, {})) {
+    json["footprint"].push_back({p.x, p.y});
+  }
+  return json;
+}
+
+int run(const Arguments& arguments) {
+  const std::string name = trident::nav::planner_name(arguments.options.at("planner"));
+  const auto planner = trident::nav::builtin_planners().get(name)(
+      trident::parse_yaml(arguments.options.at("params"), "--params"), "--params");
+  const Costmap costmap = make_costmap(arguments);
+  const CostGrid grid = costmap.grid();
+  if (!arguments.options.at("grid").empty()) write_grid(grid, arguments.options.at("grid"));
+  trident::nav::MotionLimits limits;
+  limits.min_turning_radius = std::atof(arguments.options.at("turning-radius").c_str());
+  const trident::nav::CancelFlag cancel{false};
+  const auto before = std::chrono::steady_clock::now();
+  const PlanOutcome outcome =
+      planner->plan(grid, costmap.footprint(), arguments.start, arguments.goal, limits, cancel);
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - before;
+  std::cout << to_json(outcome, grid, costmap.footprint(), time.count()) << "\n";
+  return outcome.failure == trident::nav::Failure::kNone ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(parse_arguments(argc, argv));
+  } catch (const std::exception& error) {
+    std::cerr << "nav_plan: " << error.what() << "\n";
+    return 2;
+  }
+}
