@@ -34,6 +34,7 @@ add_library(trident_nav_control
   src/control/pure_pursuit/pure_pursuit_law.cpp
   src/control/robot_state.cpp
   src/control/steering.cpp
+  src/control/trajectory_planner/trajectory_planner_law.cpp
 )
 target_compile_features(trident_nav_control PUBLIC cxx_std_17)
 target_compile_options(trident_nav_control PRIVATE -Wall -Wextra -ffp-contract=off -fno-math-errno -fno-trapping-math)

@@ -9,6 +9,7 @@ ControlLawRegistry builtin_control_laws() {
   add_dwa(registry);
   add_mppi(registry);
   add_pure_pursuit(registry);
+  add_trajectory_planner(registry);
   return registry;
 }
 

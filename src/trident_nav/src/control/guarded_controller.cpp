@@ -49,6 +49,13 @@ std::string problem_of(const RobotState& state, const Path& path, const CostGrid
   return path.empty() ? "The path has no poses." : "";
 }
 
+ControlSetup granted(ControlSetup setup, const ControlLaw& law) {
+  setup.validate();
+  setup.limits = law.limits(setup.limits);
+  setup.validate();
+  return setup;
+}
+
 std::string describe(const ContactAhead& contact) {
   std::string where =
       text("at (%.2f, %.2f), %.2f s ahead.", contact.pose.x, contact.pose.y, contact.after_s);
@@ -81,14 +88,14 @@ void ControlSetup::validate() const {
 
 GuardedController::GuardedController(const ControlSetup& setup, std::unique_ptr<ControlLaw> law,
                                      std::shared_ptr<const FootprintChecker> checker)
-    : setup_((setup.validate(), setup)),
+    : setup_(granted(setup, *law)),
       checker_(checker != nullptr
                    ? std::move(checker)
                    : std::make_shared<FootprintChecker>(setup.footprint, setup.unknown)),
       padded_checker_(grown_footprint(setup.footprint, padding_m(setup.footprint)), setup.unknown),
       law_(std::move(law)),
-      guard_(setup.limits, *checker_, padded_checker_, setup.period_s),
-      arrival_(setup.tolerance, setup.can_turn_on_spot()),
+      guard_(setup_.limits, *checker_, padded_checker_, setup.period_s),
+      arrival_(setup.tolerance, setup_.can_turn_on_spot()),
       tracker_(kAdvanceRadii * setup.footprint.circumscribed_radius) {}
 
 void GuardedController::reset() {

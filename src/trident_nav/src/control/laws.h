@@ -10,5 +10,6 @@ namespace trident::nav {
 void add_dwa(ControlLawRegistry& registry);
 void add_mppi(ControlLawRegistry& registry);
 void add_pure_pursuit(ControlLawRegistry& registry);
+void add_trajectory_planner(ControlLawRegistry& registry);
 
 }  // namespace trident::nav

@@ -42,9 +42,9 @@ class Costmap {
   Layer* layer(const std::string& name) const { return stack_.find(name); }
   const std::vector<std::unique_ptr<Layer>>& layers() const { return stack_.layers(); }
 
-  /// Has layers forget what they sensed inside, or outside, of a square about a point: all layers, or
-  /// those with the given names. The next update puts back what their sources see at the time, so
-  /// that what vanishes is what is stale. Returns the names of the layers that were asked.
+  /// Has layers forget what they sensed inside, or outside, of a square about a point: all layers,
+  /// or those with the given names. The next update puts back what their sources see at the time,
+  /// so that what vanishes is what is stale. Returns the names of the layers that were asked.
   std::vector<std::string> forget(const Point2& center, double side_m, Layer::Side side,
                                   const std::vector<std::string>& names = {});
 

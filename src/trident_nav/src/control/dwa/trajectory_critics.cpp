@@ -11,8 +11,9 @@ namespace {
 class GridCritic final : public TrajectoryCritic {
  public:
   GridCritic(GridKind kind, double scale, double forward_point_m, double silent_within_m,
-             Aggregation aggregation)
+             Aggregation aggregation, GridUnit unit)
       : TrajectoryCritic(scale),
+        unit_(unit),
         kind_(kind),
         forward_point_m_(forward_point_m),
         silent_within_m_(silent_within_m),
@@ -20,6 +21,12 @@ class GridCritic final : public TrajectoryCritic {
 
   double score(const DwaScene& scene, const Candidate& candidate) const override {
     if (is_silent(scene)) return 0.0;
+    const double unit = unit_ == GridUnit::kMeters ? scene.resolution : 1.0;
+    return unit * aggregated(scene, candidate);
+  }
+
+ private:
+  double aggregated(const DwaScene& scene, const Candidate& candidate) const {
     if (aggregation_ == Aggregation::kLast) return at_step(scene, candidate, candidate.last);
     double total = aggregation_ == Aggregation::kSum ? 0.0 : 1.0;
     for (int step = 0; step <= candidate.last; ++step) {
@@ -29,7 +36,6 @@ class GridCritic final : public TrajectoryCritic {
     return total;
   }
 
- private:
   double at_step(const DwaScene& scene, const Candidate& candidate, int step) const {
     const Pose2 pose = candidate.pose(scene.situation.state.pose, step);
     const int index = step * kLanes + candidate.lane;
@@ -50,6 +56,7 @@ class GridCritic final : public TrajectoryCritic {
 
   static constexpr double kStraightCells = 6.0;
 
+  GridUnit unit_;
   GridKind kind_;
   double forward_point_m_, silent_within_m_;
   Aggregation aggregation_;
@@ -200,15 +207,29 @@ class MovingObstacleCritic final : public TrajectoryCritic {
 
 class HeadingCritic final : public TrajectoryCritic {
  public:
-  using TrajectoryCritic::TrajectoryCritic;
+  HeadingCritic(double scale, int step) : TrajectoryCritic(scale), step_(step) {}
   double score(const DwaScene& scene, const Candidate& candidate) const override {
-    const Pose2 end = candidate.pose(scene.situation.state.pose, candidate.last);
+    const Pose2 end = candidate.pose(scene.situation.state.pose, std::min(step_, candidate.last));
     const auto nearer = [&](const Pose2& a, const Pose2& b) {
       return distance(a.x, a.y, end.x, end.y) < distance(b.x, b.y, end.x, end.y);
     };
     const Path& path = scene.situation.path.poses;
     const Pose2& nearest = *std::min_element(path.begin(), path.end(), nearer);
     return std::fabs(wrap_angle(nearest.yaw - end.yaw));
+  }
+
+ private:
+  int step_;
+};
+
+class AttractorCritic final : public TrajectoryCritic {
+ public:
+  using TrajectoryCritic::TrajectoryCritic;
+  double score(const DwaScene& scene, const Candidate& candidate) const override {
+    const Pose2 end = candidate.pose(scene.situation.state.pose, candidate.last);
+    const Pose2& goal = scene.situation.path.poses.back();
+    const double d = distance(end.x, end.y, goal.x, goal.y);
+    return d * d;
   }
 };
 
@@ -223,8 +244,9 @@ Pose2 Candidate::pose(const Pose2& origin, int step) const {
 
 std::unique_ptr<TrajectoryCritic> make_grid_critic(GridKind kind, double scale,
                                                    double forward_point_m, double silent_within_m,
-                                                   Aggregation aggregation) {
-  return std::make_unique<GridCritic>(kind, scale, forward_point_m, silent_within_m, aggregation);
+                                                   Aggregation aggregation, GridUnit unit) {
+  return std::make_unique<GridCritic>(kind, scale, forward_point_m, silent_within_m, aggregation,
+                                      unit);
 }
 
 std::unique_ptr<TrajectoryCritic> make_obstacle_critic(double scale, Aggregation aggregation) {
@@ -249,8 +271,12 @@ std::unique_ptr<TrajectoryCritic> make_moving_obstacle_critic(double scale, doub
   return std::make_unique<MovingObstacleCritic>(scale, dt_s);
 }
 
-std::unique_ptr<TrajectoryCritic> make_heading_critic(double scale) {
-  return std::make_unique<HeadingCritic>(scale);
+std::unique_ptr<TrajectoryCritic> make_heading_critic(double scale, int step) {
+  return std::make_unique<HeadingCritic>(scale, step);
+}
+
+std::unique_ptr<TrajectoryCritic> make_attractor_critic(double scale) {
+  return std::make_unique<AttractorCritic>(scale);
 }
 
 }  // namespace trident::nav

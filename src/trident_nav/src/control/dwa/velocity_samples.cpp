@@ -29,16 +29,21 @@ bool is_allowed(const Twist2& twist, const VelocitySampling& sampling) {
 
 }  // namespace
 
-std::vector<Twist2> sample_velocities(const TwistWindow& window, const VelocitySampling& sampling) {
-  std::vector<Twist2> samples;
+void append_velocities(const TwistWindow& window, const VelocitySampling& sampling,
+                       std::vector<Twist2>* samples) {
   for (const double vx : evenly(window.lo.vx, window.hi.vx, sampling.vx_samples)) {
     for (const double vy : evenly(window.lo.vy, window.hi.vy, sampling.vy_samples)) {
       for (const double wz : evenly(window.lo.wz, window.hi.wz, sampling.vth_samples)) {
         const Twist2 twist{vx, vy, wz};
-        if (is_allowed(twist, sampling)) samples.push_back(twist);
+        if (is_allowed(twist, sampling)) samples->push_back(twist);
       }
     }
   }
+}
+
+std::vector<Twist2> sample_velocities(const TwistWindow& window, const VelocitySampling& sampling) {
+  std::vector<Twist2> samples;
+  append_velocities(window, sampling, &samples);
   return samples;
 }
 
