@@ -4,13 +4,18 @@
 add_library(trident_nav_control
   src/control/braking_guard.cpp
   src/control/builtin_laws.cpp
+  src/control/config_split.cpp
   src/control/dwa/dwa_law.cpp
   src/control/dwa/map_grid.cpp
   src/control/dwa/trajectory_critics.cpp
   src/control/dwa/trajectory_search.cpp
   src/control/dwa/velocity_samples.cpp
+  src/control/dwb/dwb_critics.cpp
+  src/control/dwb/dwb_law.cpp
   src/control/escape.cpp
   src/control/goal_arrival.cpp
+  src/control/graceful/graceful_law.cpp
+  src/control/graceful/smooth_law.cpp
   src/control/guarded_controller.cpp
   src/control/motion.cpp
   src/control/mppi/control_plan.cpp
@@ -33,6 +38,7 @@ add_library(trident_nav_control
   src/control/progress_monitor.cpp
   src/control/pure_pursuit/pure_pursuit_law.cpp
   src/control/robot_state.cpp
+  src/control/rotation_shim/rotation_shim_law.cpp
   src/control/steering.cpp
   src/control/trajectory_planner/trajectory_planner_law.cpp
 )

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <limits>
 
+#include "config_split.h"
 #include "escape.h"
 #include "steering.h"
 #include "trident_base/angle.h"
@@ -200,8 +201,7 @@ std::unique_ptr<Controller> make_controller(const std::string& law, const Contro
                                             std::shared_ptr<const FootprintChecker> checker) {
   setup.validate();
   const ControlLawRegistry registry = builtin_control_laws();
-  ConfigNode given = params;
-  if (given.kind == ConfigNode::Kind::kNull) given.kind = ConfigNode::Kind::kMap;
+  const ConfigNode given = expand_dotted_keys(params, label);
   return std::make_unique<GuardedController>(setup, registry.get(law)(setup, given, label),
                                              std::move(checker));
 }

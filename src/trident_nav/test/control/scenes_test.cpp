@@ -58,12 +58,12 @@ std::string case_name(const ::testing::TestParamInfo<Case>& info) {
          std::get<2>(info.param).name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Laws, DrivesScene,
-                         ::testing::Combine(::testing::Values("dwa", "trajectory_planner",
-                                                              "regulated_pure_pursuit", "mppi"),
-                                            ::testing::ValuesIn(kTurning),
-                                            ::testing::ValuesIn(kScenes)),
-                         case_name);
+INSTANTIATE_TEST_SUITE_P(
+    Laws, DrivesScene,
+    ::testing::Combine(::testing::Values("dwa", "trajectory_planner", "regulated_pure_pursuit",
+                                         "rotation_shim", "graceful", "dwb", "mppi"),
+                       ::testing::ValuesIn(kTurning), ::testing::ValuesIn(kScenes)),
+    case_name);
 
 constexpr NamedRobot kCars[] = {{"car", car}};
 // Pure pursuit of a path that no car can drive misses the heading that was wanted.

@@ -71,6 +71,8 @@ std::unique_ptr<TrajectoryCritic> make_grid_critic(GridKind kind, double scale,
 /// The greatest cost at the base's center along the trajectory; contacts are forbidden before
 /// critics are asked.
 std::unique_ptr<TrajectoryCritic> make_obstacle_critic(double scale, Aggregation aggregation);
+/// The same for the greatest cost under the footprint.
+std::unique_ptr<TrajectoryCritic> make_footprint_critic(double scale, Aggregation aggregation);
 /// The turn rate.
 std::unique_ptr<TrajectoryCritic> make_twirling_critic(double scale);
 /// Driving backwards, sideways or nearly on the spot.
@@ -82,6 +84,7 @@ std::unique_ptr<TrajectoryCritic> make_prefer_forward_critic(double scale,
 /// Forbids a change of sign of a velocity until the robot has moved.
 struct OscillationLimits {
   double reset_distance_m = 0.05, reset_angle = 0.2, reset_time_s = -1.0;
+  double x_only_threshold = 1e-6;  ///< A faster robot may turn as it likes [m/s].
 };
 std::unique_ptr<TrajectoryCritic> make_oscillation_critic(double scale,
                                                           const OscillationLimits& limits);

@@ -64,8 +64,8 @@ class GridCritic final : public TrajectoryCritic {
 
 class ObstacleCritic final : public TrajectoryCritic {
  public:
-  ObstacleCritic(double scale, Aggregation aggregation)
-      : TrajectoryCritic(scale), aggregation_(aggregation) {}
+  ObstacleCritic(double scale, Aggregation aggregation, bool has_footprint)
+      : TrajectoryCritic(scale), aggregation_(aggregation), has_footprint_(has_footprint) {}
 
   double score(const DwaScene& scene, const Candidate& candidate) const override {
     // Distances say nothing that costs do not, but the costs are what users scale.
@@ -73,7 +73,7 @@ class ObstacleCritic final : public TrajectoryCritic {
     double total = 0.0;
     for (int step = candidate.last; step >= 0; step -= kStride) {
       const Pose2 pose = candidate.pose(scene.situation.state.pose, step);
-      const std::uint8_t cost = scene.situation.grid.at(pose.x, pose.y);
+      const std::uint8_t cost = cost_at(scene.situation, pose);
       const double value = cost == kUnknownCost ? 0.0 : static_cast<double>(cost);
       total = aggregation_ == Aggregation::kSum ? total + value : std::max(total, value);
     }
@@ -81,7 +81,13 @@ class ObstacleCritic final : public TrajectoryCritic {
   }
 
  private:
+  std::uint8_t cost_at(const Situation& situation, const Pose2& pose) const {
+    if (has_footprint_) return situation.checker.cost(situation.grid, pose);
+    return situation.grid.at(pose.x, pose.y);
+  }
+
   Aggregation aggregation_;
+  bool has_footprint_;
 };
 
 class TwirlingTrajectoryCritic final : public TrajectoryCritic {
@@ -153,7 +159,7 @@ class OscillationCritic final : public TrajectoryCritic {
   void on_chosen(const DwaScene& /*scene*/, const Twist2& twist) override {
     x_.update(twist.vx);
     y_.update(twist.vy);
-    if (std::fabs(twist.vx) < 1e-6) theta_.update(twist.wz);
+    if (std::fabs(twist.vx) <= limits_.x_only_threshold) theta_.update(twist.wz);
   }
 
   void reset() override {
@@ -250,7 +256,11 @@ std::unique_ptr<TrajectoryCritic> make_grid_critic(GridKind kind, double scale,
 }
 
 std::unique_ptr<TrajectoryCritic> make_obstacle_critic(double scale, Aggregation aggregation) {
-  return std::make_unique<ObstacleCritic>(scale, aggregation);
+  return std::make_unique<ObstacleCritic>(scale, aggregation, false);
+}
+
+std::unique_ptr<TrajectoryCritic> make_footprint_critic(double scale, Aggregation aggregation) {
+  return std::make_unique<ObstacleCritic>(scale, aggregation, true);
 }
 
 std::unique_ptr<TrajectoryCritic> make_twirling_critic(double scale) {
