@@ -40,6 +40,8 @@ add_library(trident_nav_control
   src/control/robot_state.cpp
   src/control/rotation_shim/rotation_shim_law.cpp
   src/control/steering.cpp
+  src/control/tracking/obstacle_tracker.cpp
+  src/control/tracking/scan_clusters.cpp
   src/control/trajectory_planner/trajectory_planner_law.cpp
 )
 target_compile_features(trident_nav_control PUBLIC cxx_std_17)
@@ -68,9 +70,12 @@ if(CATKIN_ENABLE_TESTING)
   catkin_add_gtest(trident_nav_control_test
     test/control/grid_world.cpp
     test/control/arrival_test.cpp
+    test/control/controller_conformance_test.cpp
+    test/control/laws_test.cpp
     test/control/mppi_test.cpp
     test/control/scene.cpp
     test/control/scenes_test.cpp
+    test/control/tracking_test.cpp
   )
   target_include_directories(trident_nav_control_test PRIVATE test src)
   target_link_libraries(trident_nav_control_test trident_nav_control gtest_main)

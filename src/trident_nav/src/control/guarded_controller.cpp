@@ -74,6 +74,9 @@ void ControlSetup::validate() const {
   require_positive("alpha_max", limits.alpha_max);
   require_positive("wz_max", limits.wz_max);
   if (limits.vy_max > 0.0) require_positive("ay_max", limits.ay_max);
+  if (!(limits.vy_max >= 0.0)) {
+    throw Error("limits: vy_max is " + text("%g", limits.vy_max) + " (>= 0)");
+  }
   if (!(limits.vx_min <= 0.0)) {
     throw Error("limits: vx_min is " + text("%g", limits.vx_min) + " (<= 0: how fast backwards)");
   }

@@ -35,7 +35,10 @@ MppiModel search_model(const ControlSetup& setup, const SearchParams& params) {
 }  // namespace
 
 TrajectorySearch::TrajectorySearch(const ControlSetup& setup, const SearchParams& params)
-    : model_(search_model(setup, params)), rollouts_(model_.steps) {}
+    : model_(search_model(setup, params)),
+      rollouts_(model_.steps),
+      path_grid_(setup.unknown),
+      goal_grid_(setup.unknown) {}
 
 double TrajectorySearch::reach_m(double margin_m) const {
   return model_.limits.vx_max * model_.horizon_s() + margin_m;

@@ -159,6 +159,9 @@ Params read(const ConfigNode& node, const std::string& label, const std::string&
   return params;
 }
 
+// Nav2's of the scales of grids, whose unit is a meter.
+constexpr double kGridShare = 0.5;
+
 // Scales of Nav2's bringup file, where a user gives no other.
 DwbCriticFactory grid_critic(GridKind kind, double scale) {
   return [=](const DwbCriticSetup& /*setup*/, const ConfigNode& node, const std::string& label,
@@ -166,7 +169,8 @@ DwbCriticFactory grid_critic(GridKind kind, double scale) {
     GridParams params;
     params.scale = scale;
     params = read(node, label, name, params);
-    return make_grid_critic(kind, params.scale, 0.0, 0.0, params.aggregation_type);
+    return make_grid_critic(kind, kGridShare * params.scale, 0.0, 0.0, params.aggregation_type,
+                            GridUnit::kMeters);
   };
 }
 
@@ -179,7 +183,8 @@ DwbCriticFactory align_critic(GridKind kind, double scale) {
     const double ahead_m = params.forward_point_distance;
     // Next to the goal a point ahead of the base is beyond it.
     const double silent_m = std::min(ahead_m, setup.tolerance.xy_goal_tolerance);
-    return make_grid_critic(kind, params.scale, ahead_m, silent_m, params.aggregation_type);
+    return make_grid_critic(kind, kGridShare * params.scale, ahead_m, silent_m,
+                            params.aggregation_type, GridUnit::kMeters);
   };
 }
 

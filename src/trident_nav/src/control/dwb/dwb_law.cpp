@@ -95,13 +95,17 @@ void DwbLaw::sample(const Situation& situation) {
   const double stop =
       stopping_speed(distance_left(situation), setup_.limits.decel_max, setup_.period_s);
   window.hi.vx = std::max(std::min(window.hi.vx, stop), window.lo.vx);
+  // To stand is often a local minimum of the scores, and gets the robot nowhere.
+  constexpr double kShare = 0.1;
+  const double slowest = std::max(params_.min_speed_xy, kShare * setup_.limits.vx_max);
+  const double slowest_turn = std::max(params_.min_speed_theta, kShare * setup_.limits.wz_max);
   samples_.clear();
-  append_velocities(window,
-                    {params_.vx_samples, setup_.limits.vy_max > 0.0 ? params_.vy_samples : 1,
-                     params_.vtheta_samples, std::min(params_.min_speed_xy, window.hi.vx),
-                     params_.max_speed_xy.value_or(0.0),
-                     std::min(params_.min_speed_theta, std::max(window.hi.wz, -window.lo.wz))},
-                    &samples_);
+  append_velocities(
+      window,
+      {params_.vx_samples, setup_.limits.vy_max > 0.0 ? params_.vy_samples : 1,
+       params_.vtheta_samples, std::min(slowest, window.hi.vx), params_.max_speed_xy.value_or(0.0),
+       std::min(slowest_turn, std::max(window.hi.wz, -window.lo.wz))},
+      &samples_);
 }
 
 Proposal DwbLaw::propose(const Situation& situation) {

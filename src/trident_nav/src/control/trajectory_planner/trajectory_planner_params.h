@@ -69,7 +69,7 @@ struct TrajectoryPlannerParams {
     ar.field("acc_lim_theta", acc_lim_theta, Range::positive(), "[rad/s^2]");
     ar.field("max_vel_x", max_vel_x, Range::positive(), "[m/s]");
     ar.field("min_vel_x", min_vel_x, Range::non_negative(),
-             "slower than this the robot does not drive forward, but on short ways [m/s]");
+             "slower than this the robot does not drive forward, unless it must stop soon [m/s]");
     ar.field("max_vel_theta", max_vel_theta, Range::positive(), "[rad/s]");
     ar.field("min_vel_theta", min_vel_theta, Range{-1e9, 0.0, false, true},
              "the fastest turn to the right [rad/s]");
