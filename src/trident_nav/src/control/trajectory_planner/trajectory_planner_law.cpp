@@ -8,6 +8,7 @@
 #include "../laws.h"
 #include "../steering.h"
 #include "trajectory_planner_params.h"
+#include "trident_base/angle.h"
 #include "trident_base/yaml_config.h"
 
 namespace trident::nav {
@@ -35,6 +36,7 @@ class TrajectoryPlannerLaw final : public ControlLaw {
   void reset() override {
     for (const auto& critic : critics_) critic->reset();
     is_escaping_ = false;
+    dead_end_.reset();
   }
 
  private:
@@ -44,6 +46,7 @@ class TrajectoryPlannerLaw final : public ControlLaw {
   void collect_turns(const TwistWindow& window);
   void collect_sideways();
   void update_escape(const RobotState& state);
+  bool leads_back(const RobotState& state, const Twist2& twist) const;
   std::optional<Twist2> turn(const DwaScene& scene, double worst_score);
   std::optional<Twist2> choose(const DwaScene& scene);
 
@@ -53,8 +56,8 @@ class TrajectoryPlannerLaw final : public ControlLaw {
   TrajectoryCritics critics_;
   TrajectoryCritics turn_critics_;  ///< That choose between turns on the spot.
   std::vector<Twist2> samples_;
-  bool is_escaping_ = false;
-  Pose2 escaped_from_;
+  bool is_escaping_ = false;       ///< Not far enough yet to drive forward.
+  std::optional<Pose2> dead_end_;  ///< Where only backwards was possible, until it is left.
 };
 
 MotionLimits TrajectoryPlannerLaw::limits(const MotionLimits& robot) const {
@@ -145,12 +148,21 @@ void TrajectoryPlannerLaw::collect_sideways() {
 }
 
 void TrajectoryPlannerLaw::update_escape(const RobotState& state) {
-  const Pose2& from = escaped_from_;
-  const double moved_m = distance(state.pose.x, state.pose.y, from.x, from.y);
-  const double turned = std::fabs(wrap_angle(state.pose.yaw - from.yaw));
-  if (moved_m > params_.escape_reset_dist || turned > params_.escape_reset_theta) {
-    is_escaping_ = false;
-  }
+  is_escaping_ = false;
+  if (!dead_end_) return;
+  constexpr double kLeftRadii = 8.0;
+  const double left_m = kLeftRadii * setup_.footprint.circumscribed_radius;
+  const double moved_m = distance(state.pose.x, state.pose.y, dead_end_->x, dead_end_->y);
+  const double turned = std::fabs(wrap_angle(state.pose.yaw - dead_end_->yaw));
+  is_escaping_ = moved_m <= params_.escape_reset_dist && turned <= params_.escape_reset_theta;
+  if (moved_m > left_m || turned > 0.5 * kPi) dead_end_.reset();
+}
+
+bool TrajectoryPlannerLaw::leads_back(const RobotState& state, const Twist2& twist) const {
+  if (!dead_end_) return false;
+  const Pose2 end = integrate(state.pose, twist, params_.sim_time);
+  return distance(end.x, end.y, dead_end_->x, dead_end_->y) <
+         distance(state.pose.x, state.pose.y, dead_end_->x, dead_end_->y);
 }
 
 std::optional<Twist2> TrajectoryPlannerLaw::turn(const DwaScene& scene, double worst_score) {
@@ -168,6 +180,7 @@ std::optional<Twist2> TrajectoryPlannerLaw::choose(const DwaScene& scene) {
   if (!is_escaping_) {
     collect_drives(scene.situation);
     drive = search_.best(samples_, scene, critics_);
+    if (drive && leads_back(scene.situation.state, drive->twist)) drive.reset();
   }
   constexpr double kAny = 1e300;
   if (const auto turning = turn(scene, drive ? drive->score : kAny)) return turning;
@@ -194,8 +207,7 @@ Proposal TrajectoryPlannerLaw::propose(const Situation& situation) {
   if (params_.escape_vel == 0.0) {
     return {{}, Failure::kBlocked, "Each velocity that can be reached leads to contact."};
   }
-  if (!is_escaping_) escaped_from_ = situation.state.pose;
-  is_escaping_ = true;
+  if (!dead_end_) dead_end_ = situation.state.pose;
   for (const auto& critic : critics_) critic->reset();
   return {{params_.escape_vel, 0.0, 0.0}, Failure::kNone, ""};
 }
