@@ -4,13 +4,18 @@
 add_library(trident_nav_control
   src/control/braking_guard.cpp
   src/control/builtin_laws.cpp
+  src/control/config_split.cpp
   src/control/dwa/dwa_law.cpp
   src/control/dwa/map_grid.cpp
   src/control/dwa/trajectory_critics.cpp
   src/control/dwa/trajectory_search.cpp
   src/control/dwa/velocity_samples.cpp
+  src/control/dwb/dwb_critics.cpp
+  src/control/dwb/dwb_law.cpp
   src/control/escape.cpp
   src/control/goal_arrival.cpp
+  src/control/graceful/graceful_law.cpp
+  src/control/graceful/smooth_law.cpp
   src/control/guarded_controller.cpp
   src/control/last_command.cpp
   src/control/motion.cpp
@@ -34,7 +39,11 @@ add_library(trident_nav_control
   src/control/progress_monitor.cpp
   src/control/pure_pursuit/pure_pursuit_law.cpp
   src/control/robot_state.cpp
+  src/control/rotation_shim/rotation_shim_law.cpp
   src/control/steering.cpp
+  src/control/tracking/obstacle_tracker.cpp
+  src/control/tracking/scan_clusters.cpp
+  src/control/trajectory_planner/trajectory_planner_law.cpp
 )
 target_compile_features(trident_nav_control PUBLIC cxx_std_17)
 target_compile_options(trident_nav_control PRIVATE -Wall -Wextra -ffp-contract=off -fno-math-errno -fno-trapping-math)
@@ -62,9 +71,12 @@ if(CATKIN_ENABLE_TESTING)
   catkin_add_gtest(trident_nav_control_test
     test/control/grid_world.cpp
     test/control/arrival_test.cpp
+    test/control/controller_conformance_test.cpp
+    test/control/laws_test.cpp
     test/control/mppi_test.cpp
     test/control/scene.cpp
     test/control/scenes_test.cpp
+    test/control/tracking_test.cpp
   )
   target_include_directories(trident_nav_control_test PRIVATE test src)
   target_link_libraries(trident_nav_control_test trident_nav_control gtest_main)

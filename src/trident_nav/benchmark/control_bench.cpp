@@ -37,6 +37,10 @@ constexpr Row kRows[] = {
     {"mppi 1000x56", "mppi", "{batch_size: 1000}", 1},
     {"dwa 20x40", "dwa", "{vx_samples: 20, vth_samples: 40, max_vel_x: 0.55, max_vel_theta: 1.0}",
      1},
+    {"trajectory planner 20x20", "trajectory_planner", "{max_vel_x: 0.55, max_vel_theta: 1.0}", 1},
+    {"dwb 20x20", "dwb", "{max_vel_x: 0.55, max_vel_theta: 1.0, linear_granularity: 0.05}", 1},
+    {"graceful", "graceful", "{}", 1},
+    {"rotation shim", "rotation_shim", "{}", 1},
     {"regulated pure pursuit", "regulated_pure_pursuit", "{}", 1},
 };
 

@@ -107,8 +107,12 @@ double BrakingGuard::advance(const Twist2& command, const CostGrid& grid, double
       is_commanded ? std::max(present, outer_speed(checker_.footprint(), command)) : present;
   double dt = step_duration(*pose, speed, grid);
   if (is_commanded) dt = std::min(dt, std::max(period_s_ - t, 1e-6));
+  const Twist2 before = *twist;
   *twist = is_commanded ? approached(limits_, *twist, command, dt) : braked(limits_, *twist, dt);
-  *pose = integrate(*pose, *twist, dt);
+  // The mean velocity: the one at the end would make the braking distance too short.
+  const Twist2 mean{0.5 * (before.vx + twist->vx), 0.5 * (before.vy + twist->vy),
+                    0.5 * (before.wz + twist->wz)};
+  *pose = integrate(*pose, mean, dt);
   return dt;
 }
 

@@ -7,8 +7,12 @@ namespace trident::nav {
 ControlLawRegistry builtin_control_laws() {
   ControlLawRegistry registry("controller");
   add_dwa(registry);
+  add_dwb(registry);
+  add_graceful(registry);
   add_mppi(registry);
   add_pure_pursuit(registry);
+  add_rotation_shim(registry);
+  add_trajectory_planner(registry);
   return registry;
 }
 

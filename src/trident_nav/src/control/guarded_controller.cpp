@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <limits>
 
+#include "config_split.h"
 #include "escape.h"
 #include "steering.h"
 #include "trident_base/angle.h"
@@ -49,6 +50,13 @@ std::string problem_of(const RobotState& state, const Path& path, const CostGrid
   return path.empty() ? "The path has no poses." : "";
 }
 
+ControlSetup granted(ControlSetup setup, const ControlLaw& law) {
+  setup.validate();
+  setup.limits = law.limits(setup.limits);
+  setup.validate();
+  return setup;
+}
+
 std::string describe(const ContactAhead& contact) {
   std::string where =
       text("at (%.2f, %.2f), %.2f s ahead.", contact.pose.x, contact.pose.y, contact.after_s);
@@ -66,6 +74,9 @@ void ControlSetup::validate() const {
   require_positive("alpha_max", limits.alpha_max);
   require_positive("wz_max", limits.wz_max);
   if (limits.vy_max > 0.0) require_positive("ay_max", limits.ay_max);
+  if (!(limits.vy_max >= 0.0)) {
+    throw Error("limits: vy_max is " + text("%g", limits.vy_max) + " (>= 0)");
+  }
   if (!(limits.vx_min <= 0.0)) {
     throw Error("limits: vx_min is " + text("%g", limits.vx_min) + " (<= 0: how fast backwards)");
   }
@@ -81,16 +92,16 @@ void ControlSetup::validate() const {
 
 GuardedController::GuardedController(const ControlSetup& setup, std::unique_ptr<ControlLaw> law,
                                      std::shared_ptr<const FootprintChecker> checker)
-    : setup_((setup.validate(), setup)),
+    : setup_(granted(setup, *law)),
       checker_(checker != nullptr
                    ? std::move(checker)
                    : std::make_shared<FootprintChecker>(setup.footprint, setup.unknown)),
       padded_checker_(grown_footprint(setup.footprint, padding_m(setup.footprint)), setup.unknown),
       law_(std::move(law)),
-      guard_(setup.limits, *checker_, padded_checker_, setup.period_s),
-      arrival_(setup.tolerance, setup.can_turn_on_spot()),
+      guard_(setup_.limits, *checker_, padded_checker_, setup.period_s),
+      arrival_(setup.tolerance, setup_.can_turn_on_spot()),
       tracker_(kAdvanceRadii * setup.footprint.circumscribed_radius),
-      last_command_(setup.limits, setup.period_s) {}
+      last_command_(setup_.limits, setup.period_s) {}
 
 void GuardedController::reset() {
   law_->reset();
@@ -209,8 +220,7 @@ std::unique_ptr<Controller> make_controller(const std::string& law, const Contro
                                             std::shared_ptr<const FootprintChecker> checker) {
   setup.validate();
   const ControlLawRegistry registry = builtin_control_laws();
-  ConfigNode given = params;
-  if (given.kind == ConfigNode::Kind::kNull) given.kind = ConfigNode::Kind::kMap;
+  const ConfigNode given = expand_dotted_keys(params, label);
   return std::make_unique<GuardedController>(setup, registry.get(law)(setup, given, label),
                                              std::move(checker));
 }

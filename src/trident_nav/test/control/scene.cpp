@@ -40,21 +40,21 @@ void judge_acceleration(const MotionLimits& limits, const Twist2& from, const Tw
   result->max_acceleration_ratio = std::max(result->max_acceleration_ratio, worst);
 }
 
-// One period of the plant: velocities follow the command at the limits. False: contact.
-bool advance(const ControlSetup& setup, const FootprintChecker& body, const CostGrid& grid,
-             const Twist2& command, RobotState* state) {
+}  // namespace
+
+bool follow_command(const ControlSetup& setup, const FootprintChecker& body, const CostGrid& grid,
+                    const Twist2& command, RobotState* state) {
   constexpr int kSubsteps = 50;
   const double dt = setup.period_s / kSubsteps;
+  bool is_free = true;
   for (int i = 0; i < kSubsteps; ++i) {
     state->twist = reachable_window(setup.limits, state->twist, dt).clamp(command);
     state->pose = integrate(state->pose, state->twist, dt);
-    if (!body.is_free(grid, state->pose)) return false;
+    is_free = is_free && body.is_free(grid, state->pose);
   }
   state->time_s += setup.period_s;
-  return true;
+  return is_free;
 }
-
-}  // namespace
 
 Scene straight_scene(const Footprint& footprint) {
   const double r = footprint.circumscribed_radius;
@@ -134,7 +134,7 @@ Drive drive(Controller& controller, const ControlSetup& setup, const Scene& scen
     }
     result.commands.push_back(outcome.twist);
     result.track.push_back(state.pose);
-    result.has_contact = !advance(setup, body, grid, outcome.twist, &state);
+    result.has_contact = !follow_command(setup, body, grid, outcome.twist, &state);
   }
   result.time_s = state.time_s;
   result.position_error_m = distance(state.pose.x, state.pose.y, plan.back().x, plan.back().y);

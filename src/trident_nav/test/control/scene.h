@@ -39,6 +39,10 @@ struct Drive {
   std::vector<Twist2> commands;
 };
 
+/// One period of a plant whose velocities follow the command at the limits. False: contact.
+bool follow_command(const ControlSetup& setup, const FootprintChecker& body, const CostGrid& grid,
+                    const Twist2& command, RobotState* state);
+
 /// Drives a scene with a robot that follows commands at its limits of acceleration, exactly. Stops
 /// at contact, arrival or the time limit. `late_periods`: by which its odometry lags behind.
 Drive drive(Controller& controller, const ControlSetup& setup, const Scene& scene,

@@ -60,7 +60,8 @@ std::string case_name(const ::testing::TestParamInfo<Case>& info) {
 
 INSTANTIATE_TEST_SUITE_P(
     Laws, DrivesScene,
-    ::testing::Combine(::testing::Values("dwa", "regulated_pure_pursuit", "mppi"),
+    ::testing::Combine(::testing::Values("dwa", "trajectory_planner", "regulated_pure_pursuit",
+                                         "rotation_shim", "graceful", "dwb", "mppi"),
                        ::testing::ValuesIn(kTurning), ::testing::ValuesIn(kScenes)),
     case_name);
 

@@ -61,6 +61,9 @@ class ControlLaw {
   ControlLaw& operator=(const ControlLaw&) = delete;
   virtual ~ControlLaw() = default;
 
+  /// The limits of what it may send, for a robot with these: they are wider where a parameter of
+  /// the law says that the robot can do more, as an escape backwards does.
+  virtual MotionLimits limits(const MotionLimits& robot) const { return robot; }
   /// How much of the path ahead it wants to see [m].
   virtual double path_length_m() const = 0;
   virtual Proposal propose(const Situation& situation) = 0;

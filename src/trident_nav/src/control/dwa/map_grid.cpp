@@ -60,7 +60,10 @@ void MapGrid::spread(const CostGrid& grid) {
       if (distance_[j] <= next) continue;
       const Cell cell{first_.x + static_cast<int>(j) % width_,
                       first_.y + static_cast<int>(j) / width_};
-      if (grid.at(cell) >= kInscribedCost) continue;
+      const std::uint8_t cost = grid.at(cell);
+      const bool is_open =
+          cost < kInscribedCost || (cost == kUnknownCost && unknown_ == UnknownCells::kFree);
+      if (!is_open) continue;
       distance_[j] = next;
       front_.push_back(static_cast<int>(j));
     }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "trident_nav/core/cost_grid.h"
+#include "trident_nav/core/footprint_checker.h"
 
 namespace trident::nav {
 
@@ -12,6 +13,8 @@ namespace trident::nav {
 /// the four neighbors.
 class MapGrid {
  public:
+  explicit MapGrid(UnknownCells unknown) : unknown_(unknown) {}
+
   /// The cells within `radius_m` of a point, cut by the grid. Throws nothing.
   void resize(const CostGrid& grid, const Point2& center, double radius_m);
   /// Distances from the cells of a path, all of them.
@@ -27,6 +30,7 @@ class MapGrid {
   void spread(const CostGrid& grid);
   bool seed(double x, double y);
 
+  UnknownCells unknown_;
   GridGeometry geometry_;
   Cell first_;  ///< Of the part.
   int width_ = 0;

@@ -28,8 +28,8 @@ struct Candidate {
 struct DwaScene {
   const Situation& situation;
   double resolution = 0.0;
-  MapGrid path_grid;  ///< Distances from the path ahead.
-  MapGrid goal_grid;  ///< Distances from the end of the path ahead, where it is within reach.
+  const MapGrid& path_grid;  ///< Distances from the path ahead.
+  const MapGrid& goal_grid;  ///< Distances from the end of the path ahead, where it is in reach.
   double goal_distance_m = 0.0;
 };
 
@@ -59,14 +59,20 @@ using TrajectoryCritics = std::vector<std::unique_ptr<TrajectoryCritic>>;
 /// Which of the two grids a critic reads.
 enum class GridKind { kPath, kGoal };
 
-/// The distance of a point ahead of the base (0: the base itself) in one of the grids, in cells.
-/// Silent where the goal is nearer than `silent_within_m`.
+/// In what distances of the grids are scored.
+enum class GridUnit { kCells, kMeters };
+
+/// The distance of a point ahead of the base (0: the base itself) in one of the grids. Silent where
+/// the goal is nearer than `silent_within_m`.
 std::unique_ptr<TrajectoryCritic> make_grid_critic(GridKind kind, double scale,
                                                    double forward_point_m, double silent_within_m,
-                                                   Aggregation aggregation);
+                                                   Aggregation aggregation,
+                                                   GridUnit unit = GridUnit::kCells);
 /// The greatest cost at the base's center along the trajectory; contacts are forbidden before
 /// critics are asked.
 std::unique_ptr<TrajectoryCritic> make_obstacle_critic(double scale, Aggregation aggregation);
+/// The same for the greatest cost under the footprint.
+std::unique_ptr<TrajectoryCritic> make_footprint_critic(double scale, Aggregation aggregation);
 /// The turn rate.
 std::unique_ptr<TrajectoryCritic> make_twirling_critic(double scale);
 /// Driving backwards, sideways or nearly on the spot.
@@ -78,12 +84,16 @@ std::unique_ptr<TrajectoryCritic> make_prefer_forward_critic(double scale,
 /// Forbids a change of sign of a velocity until the robot has moved.
 struct OscillationLimits {
   double reset_distance_m = 0.05, reset_angle = 0.2, reset_time_s = -1.0;
+  double x_only_threshold = 1e-6;  ///< A faster robot may turn as it likes [m/s].
 };
 std::unique_ptr<TrajectoryCritic> make_oscillation_critic(double scale,
                                                           const OscillationLimits& limits);
 /// Moving obstacles where they will be.
 std::unique_ptr<TrajectoryCritic> make_moving_obstacle_critic(double scale, double dt_s);
-/// The end's error of heading from the direction of the path there.
-std::unique_ptr<TrajectoryCritic> make_heading_critic(double scale);
+/// The error of heading from the direction of the path that is nearest, after so many steps (or at
+/// the end, if that comes earlier) [rad].
+std::unique_ptr<TrajectoryCritic> make_heading_critic(double scale, int step);
+/// The squared straight distance from the end to the path's end [m^2].
+std::unique_ptr<TrajectoryCritic> make_attractor_critic(double scale);
 
 }  // namespace trident::nav

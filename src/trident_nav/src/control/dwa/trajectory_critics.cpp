@@ -11,8 +11,9 @@ namespace {
 class GridCritic final : public TrajectoryCritic {
  public:
   GridCritic(GridKind kind, double scale, double forward_point_m, double silent_within_m,
-             Aggregation aggregation)
+             Aggregation aggregation, GridUnit unit)
       : TrajectoryCritic(scale),
+        unit_(unit),
         kind_(kind),
         forward_point_m_(forward_point_m),
         silent_within_m_(silent_within_m),
@@ -20,6 +21,12 @@ class GridCritic final : public TrajectoryCritic {
 
   double score(const DwaScene& scene, const Candidate& candidate) const override {
     if (is_silent(scene)) return 0.0;
+    const double unit = unit_ == GridUnit::kMeters ? scene.resolution : 1.0;
+    return unit * aggregated(scene, candidate);
+  }
+
+ private:
+  double aggregated(const DwaScene& scene, const Candidate& candidate) const {
     if (aggregation_ == Aggregation::kLast) return at_step(scene, candidate, candidate.last);
     double total = aggregation_ == Aggregation::kSum ? 0.0 : 1.0;
     for (int step = 0; step <= candidate.last; ++step) {
@@ -29,7 +36,6 @@ class GridCritic final : public TrajectoryCritic {
     return total;
   }
 
- private:
   double at_step(const DwaScene& scene, const Candidate& candidate, int step) const {
     const Pose2 pose = candidate.pose(scene.situation.state.pose, step);
     const int index = step * kLanes + candidate.lane;
@@ -50,6 +56,7 @@ class GridCritic final : public TrajectoryCritic {
 
   static constexpr double kStraightCells = 6.0;
 
+  GridUnit unit_;
   GridKind kind_;
   double forward_point_m_, silent_within_m_;
   Aggregation aggregation_;
@@ -57,8 +64,8 @@ class GridCritic final : public TrajectoryCritic {
 
 class ObstacleCritic final : public TrajectoryCritic {
  public:
-  ObstacleCritic(double scale, Aggregation aggregation)
-      : TrajectoryCritic(scale), aggregation_(aggregation) {}
+  ObstacleCritic(double scale, Aggregation aggregation, bool has_footprint)
+      : TrajectoryCritic(scale), aggregation_(aggregation), has_footprint_(has_footprint) {}
 
   double score(const DwaScene& scene, const Candidate& candidate) const override {
     // Distances say nothing that costs do not, but the costs are what users scale.
@@ -66,7 +73,7 @@ class ObstacleCritic final : public TrajectoryCritic {
     double total = 0.0;
     for (int step = candidate.last; step >= 0; step -= kStride) {
       const Pose2 pose = candidate.pose(scene.situation.state.pose, step);
-      const std::uint8_t cost = scene.situation.grid.at(pose.x, pose.y);
+      const std::uint8_t cost = cost_at(scene.situation, pose);
       const double value = cost == kUnknownCost ? 0.0 : static_cast<double>(cost);
       total = aggregation_ == Aggregation::kSum ? total + value : std::max(total, value);
     }
@@ -74,7 +81,13 @@ class ObstacleCritic final : public TrajectoryCritic {
   }
 
  private:
+  std::uint8_t cost_at(const Situation& situation, const Pose2& pose) const {
+    if (has_footprint_) return situation.checker.cost(situation.grid, pose);
+    return situation.grid.at(pose.x, pose.y);
+  }
+
   Aggregation aggregation_;
+  bool has_footprint_;
 };
 
 class TwirlingTrajectoryCritic final : public TrajectoryCritic {
@@ -146,7 +159,7 @@ class OscillationCritic final : public TrajectoryCritic {
   void on_chosen(const DwaScene& /*scene*/, const Twist2& twist) override {
     x_.update(twist.vx);
     y_.update(twist.vy);
-    if (std::fabs(twist.vx) < 1e-6) theta_.update(twist.wz);
+    if (std::fabs(twist.vx) <= limits_.x_only_threshold) theta_.update(twist.wz);
   }
 
   void reset() override {
@@ -200,15 +213,29 @@ class MovingObstacleCritic final : public TrajectoryCritic {
 
 class HeadingCritic final : public TrajectoryCritic {
  public:
-  using TrajectoryCritic::TrajectoryCritic;
+  HeadingCritic(double scale, int step) : TrajectoryCritic(scale), step_(step) {}
   double score(const DwaScene& scene, const Candidate& candidate) const override {
-    const Pose2 end = candidate.pose(scene.situation.state.pose, candidate.last);
+    const Pose2 end = candidate.pose(scene.situation.state.pose, std::min(step_, candidate.last));
     const auto nearer = [&](const Pose2& a, const Pose2& b) {
       return distance(a.x, a.y, end.x, end.y) < distance(b.x, b.y, end.x, end.y);
     };
     const Path& path = scene.situation.path.poses;
     const Pose2& nearest = *std::min_element(path.begin(), path.end(), nearer);
     return std::fabs(wrap_angle(nearest.yaw - end.yaw));
+  }
+
+ private:
+  int step_;
+};
+
+class AttractorCritic final : public TrajectoryCritic {
+ public:
+  using TrajectoryCritic::TrajectoryCritic;
+  double score(const DwaScene& scene, const Candidate& candidate) const override {
+    const Pose2 end = candidate.pose(scene.situation.state.pose, candidate.last);
+    const Pose2& goal = scene.situation.path.poses.back();
+    const double d = distance(end.x, end.y, goal.x, goal.y);
+    return d * d;
   }
 };
 
@@ -223,12 +250,17 @@ Pose2 Candidate::pose(const Pose2& origin, int step) const {
 
 std::unique_ptr<TrajectoryCritic> make_grid_critic(GridKind kind, double scale,
                                                    double forward_point_m, double silent_within_m,
-                                                   Aggregation aggregation) {
-  return std::make_unique<GridCritic>(kind, scale, forward_point_m, silent_within_m, aggregation);
+                                                   Aggregation aggregation, GridUnit unit) {
+  return std::make_unique<GridCritic>(kind, scale, forward_point_m, silent_within_m, aggregation,
+                                      unit);
 }
 
 std::unique_ptr<TrajectoryCritic> make_obstacle_critic(double scale, Aggregation aggregation) {
-  return std::make_unique<ObstacleCritic>(scale, aggregation);
+  return std::make_unique<ObstacleCritic>(scale, aggregation, false);
+}
+
+std::unique_ptr<TrajectoryCritic> make_footprint_critic(double scale, Aggregation aggregation) {
+  return std::make_unique<ObstacleCritic>(scale, aggregation, true);
 }
 
 std::unique_ptr<TrajectoryCritic> make_twirling_critic(double scale) {
@@ -249,8 +281,12 @@ std::unique_ptr<TrajectoryCritic> make_moving_obstacle_critic(double scale, doub
   return std::make_unique<MovingObstacleCritic>(scale, dt_s);
 }
 
-std::unique_ptr<TrajectoryCritic> make_heading_critic(double scale) {
-  return std::make_unique<HeadingCritic>(scale);
+std::unique_ptr<TrajectoryCritic> make_heading_critic(double scale, int step) {
+  return std::make_unique<HeadingCritic>(scale, step);
+}
+
+std::unique_ptr<TrajectoryCritic> make_attractor_critic(double scale) {
+  return std::make_unique<AttractorCritic>(scale);
 }
 
 }  // namespace trident::nav

@@ -35,22 +35,25 @@ MppiModel search_model(const ControlSetup& setup, const SearchParams& params) {
 }  // namespace
 
 TrajectorySearch::TrajectorySearch(const ControlSetup& setup, const SearchParams& params)
-    : model_(search_model(setup, params)), rollouts_(model_.steps) {}
+    : model_(search_model(setup, params)),
+      rollouts_(model_.steps),
+      path_grid_(setup.unknown),
+      goal_grid_(setup.unknown) {}
 
 double TrajectorySearch::reach_m(double margin_m) const {
   return model_.limits.vx_max * model_.horizon_s() + margin_m;
 }
 
-DwaScene TrajectorySearch::make_scene(const Situation& situation) const {
-  DwaScene scene{situation, situation.grid.geometry.resolution, {}, {}, distance_left(situation)};
+DwaScene TrajectorySearch::begin(const Situation& situation) {
   const Point2 center{situation.state.pose.x, situation.state.pose.y};
   // Beyond what trajectories reach distances go around obstacles.
   const double radius_m = reach_m(4.0 * model_.circumscribed_radius);
-  scene.path_grid.resize(situation.grid, center, radius_m);
-  scene.goal_grid.resize(situation.grid, center, radius_m);
-  scene.path_grid.measure_from_path(situation.grid, situation.path.poses);
-  scene.goal_grid.measure_from_end(situation.grid, situation.path.poses);
-  return scene;
+  path_grid_.resize(situation.grid, center, radius_m);
+  goal_grid_.resize(situation.grid, center, radius_m);
+  path_grid_.measure_from_path(situation.grid, situation.path.poses);
+  goal_grid_.measure_from_end(situation.grid, situation.path.poses);
+  return {situation, situation.grid.geometry.resolution, path_grid_, goal_grid_,
+          distance_left(situation)};
 }
 
 void TrajectorySearch::roll(const std::vector<Twist2>& samples, std::size_t first,
@@ -88,15 +91,15 @@ std::optional<double> TrajectorySearch::score(const DwaScene& scene, const Candi
   return total;
 }
 
-std::optional<Twist2> TrajectorySearch::best(const std::vector<Twist2>& samples,
-                                             const Situation& situation,
-                                             const TrajectoryCritics& critics) {
+std::optional<RatedTwist> TrajectorySearch::best(const std::vector<Twist2>& samples,
+                                                 const DwaScene& scene,
+                                                 const TrajectoryCritics& critics) {
   if (samples.empty()) return std::nullopt;
+  const Situation& situation = scene.situation;
   const CostGrid grid = distances_.of(situation.grid);
-  const DwaScene scene = make_scene(situation);
   for (const auto& critic : critics) critic->prepare(scene);
   const ObstacleSurvey survey(model_, situation.checker, grid, situation.state.pose, {true, 1});
-  std::optional<Twist2> chosen;
+  std::optional<RatedTwist> chosen;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t first = 0; first < samples.size(); first += kLanes) {
     roll(samples, first, situation, survey);
@@ -107,14 +110,21 @@ std::optional<Twist2> TrajectorySearch::best(const std::vector<Twist2>& samples,
                                 last_step(samples[first + k], scene.goal_distance_m)};
       if (const auto total = score(scene, candidate, critics, least)) {
         least = *total;
-        chosen = candidate.twist;
+        chosen = RatedTwist{candidate.twist, least};
       }
     }
   }
-  if (chosen) {
-    for (const auto& critic : critics) critic->on_chosen(scene, *chosen);
-  }
   return chosen;
+}
+
+std::optional<Twist2> TrajectorySearch::best(const std::vector<Twist2>& samples,
+                                             const Situation& situation,
+                                             const TrajectoryCritics& critics) {
+  const DwaScene scene = begin(situation);
+  const auto chosen = best(samples, scene, critics);
+  if (!chosen) return std::nullopt;
+  for (const auto& critic : critics) critic->on_chosen(scene, chosen->twist);
+  return chosen->twist;
 }
 
 }  // namespace trident::nav

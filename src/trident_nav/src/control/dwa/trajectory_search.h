@@ -19,20 +19,32 @@ struct SearchParams {
   bool accelerates = false;  ///< Velocities are reached within the trajectory, not at its begin.
 };
 
+/// A velocity and what its trajectory scores.
+struct RatedTwist {
+  Twist2 twist;
+  double score = 0.0;
+};
+
 /// Scores constant velocities by the trajectories that they lead to.
 class TrajectorySearch {
  public:
   TrajectorySearch(const ControlSetup& setup, const SearchParams& params);
 
+  /// Measures the distances that critics look up, once for all searches of a command. The situation
+  /// must live until the last of them.
+  DwaScene begin(const Situation& situation);
   /// The sample of the least score; nothing if each is in contact or forbidden.
+  std::optional<RatedTwist> best(const std::vector<Twist2>& samples, const DwaScene& scene,
+                                 const TrajectoryCritics& critics);
+  /// begin() and best(), and the critics are notified of what was chosen.
   std::optional<Twist2> best(const std::vector<Twist2>& samples, const Situation& situation,
                              const TrajectoryCritics& critics);
+
   double dt_s() const { return model_.dt_s; }
   /// How far from the robot trajectories get, with `margin_m` ahead of the base [m].
   double reach_m(double margin_m) const;
 
  private:
-  DwaScene make_scene(const Situation& situation) const;
   void roll(const std::vector<Twist2>& samples, std::size_t first, const Situation& situation,
             const ObstacleSurvey& survey);
   /// The step at which a candidate has driven as far as the goal is; its last one if it does not.
@@ -43,6 +55,7 @@ class TrajectorySearch {
   MppiModel model_;
   Rollouts rollouts_;
   GridWithDistances distances_;
+  MapGrid path_grid_, goal_grid_;
 };
 
 }  // namespace trident::nav

@@ -29,16 +29,24 @@ bool is_allowed(const Twist2& twist, const VelocitySampling& sampling) {
 
 }  // namespace
 
-std::vector<Twist2> sample_velocities(const TwistWindow& window, const VelocitySampling& sampling) {
-  std::vector<Twist2> samples;
-  for (const double vx : evenly(window.lo.vx, window.hi.vx, sampling.vx_samples)) {
-    for (const double vy : evenly(window.lo.vy, window.hi.vy, sampling.vy_samples)) {
-      for (const double wz : evenly(window.lo.wz, window.hi.wz, sampling.vth_samples)) {
+void append_velocities(const TwistWindow& window, const VelocitySampling& sampling,
+                       std::vector<Twist2>* samples) {
+  const auto all_vx = evenly(window.lo.vx, window.hi.vx, sampling.vx_samples);
+  const auto all_vy = evenly(window.lo.vy, window.hi.vy, sampling.vy_samples);
+  const auto all_wz = evenly(window.lo.wz, window.hi.wz, sampling.vth_samples);
+  for (const double vx : all_vx) {
+    for (const double vy : all_vy) {
+      for (const double wz : all_wz) {
         const Twist2 twist{vx, vy, wz};
-        if (is_allowed(twist, sampling)) samples.push_back(twist);
+        if (is_allowed(twist, sampling)) samples->push_back(twist);
       }
     }
   }
+}
+
+std::vector<Twist2> sample_velocities(const TwistWindow& window, const VelocitySampling& sampling) {
+  std::vector<Twist2> samples;
+  append_velocities(window, sampling, &samples);
   return samples;
 }
 

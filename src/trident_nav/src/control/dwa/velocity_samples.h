@@ -21,5 +21,8 @@ struct VelocitySampling {
 /// The products of evenly spaced velocities between the window's ends, and zero where that is
 /// between them; without those that are too slow or too fast.
 std::vector<Twist2> sample_velocities(const TwistWindow& window, const VelocitySampling& sampling);
+/// The same, behind what `samples` has.
+void append_velocities(const TwistWindow& window, const VelocitySampling& sampling,
+                       std::vector<Twist2>* samples);
 
 }  // namespace trident::nav

@@ -35,6 +35,7 @@ class MppiLaw final : public ControlLaw {
   void reset() override {
     plan_.assign(static_cast<std::size_t>(model_.steps), Twist2{});
     trail_.clear();
+    optimizer_.rewind_noise();
     sent_ = {};
     last_time_s_ = 0.0;
     has_time_ = false;

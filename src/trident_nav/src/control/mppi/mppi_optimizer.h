@@ -39,6 +39,7 @@ class MppiOptimizer {
   /// The costs of the last call, and the noise for the next one.
   const std::vector<float>& costs() const { return costs_; }
   void advance_noise() { noise_.advance(); }
+  void rewind_noise() { noise_.rewind(); }
 
  private:
   void sample(int block, const ControlPlan& plan, Rollouts* rollouts) const;

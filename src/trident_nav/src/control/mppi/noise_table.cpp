@@ -55,6 +55,11 @@ void NoiseTable::advance() {
   if (regenerates_) generate(round_);
 }
 
+void NoiseTable::rewind() {
+  if (regenerates_ && round_ != 0) generate(0);
+  round_ = 0;
+}
+
 const float* NoiseTable::of(int block, Axis axis) const {
   if (values_[axis].empty()) return nullptr;
   const auto shift = stream_.bits(round_, 8) % static_cast<std::uint64_t>(blocks_);

@@ -22,6 +22,8 @@ class NoiseTable {
 
   /// Chooses other noise for the next command; each call of the same count gives the same.
   void advance();
+  /// As it was when it was made.
+  void rewind();
   /// Noise of a block of trajectories, [step][lane], up to its `sign`; nullptr for an axis that
   /// does not move.
   const float* of(int block, Axis axis) const;

@@ -1,0 +1,227 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+
+#include "../dwa/trajectory_search.h"
+#include "../dwa/velocity_samples.h"
+#include "../laws.h"
+#include "../steering.h"
+#include "trajectory_planner_params.h"
+#include "trident_base/angle.h"
+#include "trident_base/yaml_config.h"
+
+namespace trident::nav {
+namespace {
+
+/// Trajectory rollout: forward velocities first, turns on the spot where those are no worse, and
+/// where neither is free of contact, sideways and then slowly backwards, until the robot has left
+/// the place. Gerkey and Konolige, "Planning and control in unstructured terrain", ICRA workshop on
+/// path planning on costmaps (2008); scored as ROS' base_local_planner does.
+class TrajectoryPlannerLaw final : public ControlLaw {
+ public:
+  TrajectoryPlannerLaw(const ControlSetup& setup, const TrajectoryPlannerParams& params)
+      : params_(params),
+        setup_(with_limits(setup)),
+        search_(setup_, {params.sim_time, params.sim_granularity,
+                         params.angular_sim_granularity.value_or(params.sim_granularity), true}) {
+    add_critics();
+  }
+
+  MotionLimits limits(const MotionLimits& robot) const override;
+  double path_length_m() const override {
+    return search_.reach_m(params_.heading_lookahead + 4.0 * setup_.footprint.circumscribed_radius);
+  }
+  Proposal propose(const Situation& situation) override;
+  void reset() override {
+    for (const auto& critic : critics_) critic->reset();
+    is_escaping_ = false;
+    dead_end_.reset();
+  }
+
+ private:
+  ControlSetup with_limits(ControlSetup setup) const;
+  void add_critics();
+  void collect_drives(const Situation& situation);
+  void collect_turns(const TwistWindow& window);
+  void collect_sideways();
+  void update_escape(const RobotState& state);
+  bool leads_back(const RobotState& state, const Twist2& twist) const;
+  std::optional<Twist2> turn(const DwaScene& scene, double worst_score);
+  std::optional<Twist2> choose(const DwaScene& scene);
+
+  TrajectoryPlannerParams params_;
+  ControlSetup setup_;
+  TrajectorySearch search_;
+  TrajectoryCritics critics_;
+  TrajectoryCritics turn_critics_;  ///< That choose between turns on the spot.
+  std::vector<Twist2> samples_;
+  bool is_escaping_ = false;       ///< Not far enough yet to drive forward.
+  std::optional<Pose2> dead_end_;  ///< Where only backwards was possible, until it is left.
+};
+
+MotionLimits TrajectoryPlannerLaw::limits(const MotionLimits& robot) const {
+  MotionLimits limits = robot;
+  limits.vx_min = std::min(limits.vx_min, params_.escape_vel);
+  if (!params_.holonomic_robot.value_or(false) || limits.vy_max > 0.0) return limits;
+  for (const double vy : params_.y_vels) limits.vy_max = std::max(limits.vy_max, std::fabs(vy));
+  limits.ay_max = params_.acc_lim_y.value_or(limits.ax_max);
+  return limits;
+}
+
+ControlSetup TrajectoryPlannerLaw::with_limits(ControlSetup setup) const {
+  MotionLimits& limited = setup.limits;
+  const auto cap = [](const std::optional<double>& param, double* limit) {
+    *limit = std::min(*limit, param.value_or(*limit));
+  };
+  limited = limits(limited);
+  cap(params_.max_vel_x, &limited.vx_max);
+  cap(params_.max_vel_theta, &limited.wz_max);
+  cap(params_.acc_lim_x, &limited.ax_max);
+  cap(params_.acc_lim_x, &limited.decel_max);
+  cap(params_.acc_lim_y, &limited.ay_max);
+  cap(params_.acc_lim_theta, &limited.alpha_max);
+  return setup;
+}
+
+void TrajectoryPlannerLaw::add_critics() {
+  const GridUnit unit = params_.meter_scoring ? GridUnit::kMeters : GridUnit::kCells;
+  const double path = params_.path_distance_bias;
+  const double goal = params_.goal_distance_bias;
+  constexpr Aggregation kLast = Aggregation::kLast;
+  critics_.push_back(make_oscillation_critic(
+      1.0, {params_.oscillation_reset_dist, params_.escape_reset_theta, -1.0}));
+  critics_.push_back(make_moving_obstacle_critic(params_.moving_obstacle_scale, search_.dt_s()));
+  critics_.push_back(make_obstacle_critic(params_.occdist_scale, kLast));
+  if (params_.simple_attractor) {
+    critics_.push_back(make_attractor_critic(goal));
+  } else {
+    critics_.push_back(make_grid_critic(GridKind::kPath, path, 0.0, 0.0, kLast, unit));
+    critics_.push_back(make_grid_critic(GridKind::kGoal, goal, 0.0, 0.0, kLast, unit));
+  }
+  if (params_.heading_scoring) {
+    constexpr double kHeadingScale = 0.3;  // upstream's
+    const double step = std::ceil(params_.heading_scoring_timestep / search_.dt_s());
+    critics_.push_back(make_heading_critic(kHeadingScale, static_cast<int>(step)));
+  }
+  turn_critics_.push_back(make_grid_critic(GridKind::kGoal, 1.0, params_.heading_lookahead, 0.0,
+                                           kLast, GridUnit::kCells));
+  turn_critics_.push_back(make_grid_critic(GridKind::kPath, 1.0, params_.heading_lookahead, 0.0,
+                                           kLast, GridUnit::kCells));
+}
+
+void TrajectoryPlannerLaw::collect_drives(const Situation& situation) {
+  const double duration_s = params_.dwa ? setup_.period_s : params_.sim_time;
+  TwistWindow window = reachable_window(setup_.limits, situation.state.twist, duration_s);
+  const double stop =
+      stopping_speed(distance_left(situation), setup_.limits.decel_max, setup_.period_s);
+  const double slowest = std::min(params_.min_vel_x, stop);
+  // Nothing faster than what can still stop at the goal, and nothing slower than what moves it.
+  window.hi.vx = std::max(std::min(window.hi.vx, stop), slowest);
+  window.lo.vx = std::clamp(window.lo.vx, slowest, window.hi.vx);
+  window.lo.wz =
+      std::max(window.lo.wz, std::min(params_.min_vel_theta.value_or(window.lo.wz), window.hi.wz));
+  window.lo.vy = window.hi.vy = 0.0;
+  samples_.clear();
+  append_velocities(window, {params_.vx_samples, 1, params_.vtheta_samples, 0.0, 0.0, 0.0},
+                    &samples_);
+}
+
+void TrajectoryPlannerLaw::collect_turns(const TwistWindow& window) {
+  samples_.clear();
+  const int count = std::max(params_.vtheta_samples, 2);
+  const double least = std::min(params_.min_in_place_vel_theta, setup_.limits.wz_max);
+  for (int i = 0; i < count; ++i) {
+    const double wz = window.lo.wz + (window.hi.wz - window.lo.wz) * i / (count - 1);
+    if (wz != 0.0)
+      samples_.push_back({0.0, 0.0, std::copysign(std::max(std::fabs(wz), least), wz)});
+  }
+}
+
+void TrajectoryPlannerLaw::collect_sideways() {
+  constexpr double kForward = 0.1;  // upstream's [m/s]
+  samples_.clear();
+  for (const double vy : params_.y_vels) {
+    samples_.push_back({0.0, vy, 0.0});
+    samples_.push_back({std::min(kForward, setup_.limits.vx_max), vy, 0.0});
+  }
+}
+
+void TrajectoryPlannerLaw::update_escape(const RobotState& state) {
+  is_escaping_ = false;
+  if (!dead_end_) return;
+  constexpr double kLeftRadii = 8.0;
+  const double left_m = kLeftRadii * setup_.footprint.circumscribed_radius;
+  const double moved_m = distance(state.pose.x, state.pose.y, dead_end_->x, dead_end_->y);
+  const double turned = std::fabs(wrap_angle(state.pose.yaw - dead_end_->yaw));
+  is_escaping_ = moved_m <= params_.escape_reset_dist && turned <= params_.escape_reset_theta;
+  if (moved_m > left_m || turned > 0.5 * kPi) dead_end_.reset();
+}
+
+bool TrajectoryPlannerLaw::leads_back(const RobotState& state, const Twist2& twist) const {
+  if (!dead_end_) return false;
+  const Pose2 end = integrate(state.pose, twist, params_.sim_time);
+  return distance(end.x, end.y, dead_end_->x, dead_end_->y) <
+         distance(state.pose.x, state.pose.y, dead_end_->x, dead_end_->y);
+}
+
+std::optional<Twist2> TrajectoryPlannerLaw::turn(const DwaScene& scene, double worst_score) {
+  if (!setup_.can_turn_on_spot()) return std::nullopt;
+  collect_turns(reachable_window(setup_.limits, scene.situation.state.twist,
+                                 params_.dwa ? setup_.period_s : params_.sim_time));
+  const auto any = search_.best(samples_, scene, critics_);
+  if (!any || any->score > worst_score) return std::nullopt;
+  const auto chosen = search_.best(samples_, scene, turn_critics_);
+  return chosen ? chosen->twist : any->twist;
+}
+
+std::optional<Twist2> TrajectoryPlannerLaw::choose(const DwaScene& scene) {
+  std::optional<RatedTwist> drive;
+  if (!is_escaping_) {
+    collect_drives(scene.situation);
+    drive = search_.best(samples_, scene, critics_);
+    if (drive && leads_back(scene.situation.state, drive->twist)) drive.reset();
+  }
+  constexpr double kAny = 1e300;
+  if (const auto turning = turn(scene, drive ? drive->score : kAny)) return turning;
+  if (drive) return drive->twist;
+  if (setup_.limits.vy_max > 0.0) {
+    collect_sideways();
+    if (const auto sideways = search_.best(samples_, scene, critics_)) return sideways->twist;
+  }
+  return std::nullopt;
+}
+
+Proposal TrajectoryPlannerLaw::propose(const Situation& situation) {
+  const double near_m =
+      std::max(params_.heading_lookahead, 2.0 * setup_.tolerance.xy_goal_tolerance);
+  if (const auto twist = straight_to_goal(situation, setup_, near_m)) {
+    return {*twist, Failure::kNone, ""};
+  }
+  update_escape(situation.state);
+  const DwaScene scene = search_.begin(situation);
+  if (const auto chosen = choose(scene)) {
+    for (const auto& critic : critics_) critic->on_chosen(scene, *chosen);
+    return {*chosen, Failure::kNone, ""};
+  }
+  if (params_.escape_vel == 0.0) {
+    return {{}, Failure::kBlocked, "Each velocity that can be reached leads to contact."};
+  }
+  if (!dead_end_) dead_end_ = situation.state.pose;
+  for (const auto& critic : critics_) critic->reset();
+  return {{params_.escape_vel, 0.0, 0.0}, Failure::kNone, ""};
+}
+
+}  // namespace
+
+void add_trajectory_planner(ControlLawRegistry& registry) {
+  const ControlLawFactory factory = [](const ControlSetup& setup, const ConfigNode& params,
+                                       const std::string& label) {
+    return std::make_unique<TrajectoryPlannerLaw>(
+        setup, load_config_node<TrajectoryPlannerParams>(params, label));
+  };
+  registry.add("trajectory_planner", factory);
+  registry.add("base_local_planner/TrajectoryPlannerROS", factory);
+}
+
+}  // namespace trident::nav
