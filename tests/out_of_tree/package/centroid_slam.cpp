@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-// A scan matcher and a SLAM method in addition to those of trident_slam, by public headers alone. Drives
-// 0.5 m through a round room and prints the names of the methods, then where either method ends.
+// A scan matcher and a SLAM method in addition to those of trident_slam, by public headers alone.
+// Drives 0.5 m through a round room and prints the names of the methods, then where either method
+// ends.
 #include <trident_slam/point_scan.h>
 #include <trident_slam/scan_matcher.h>
 #include <trident_slam/slam_2d_factory.h>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-/// How a sample type of an output port becomes a topic: one OutputTopicRegistrar, beside the
+/// How a sample type of an output port becomes a topic: one OutputTopicRegistrar, next to the
 /// sample's `convert()`. A plugin library outside of this package may hold one, too.
 #pragma once
 
@@ -106,8 +106,8 @@ class TopicAdvertiser {
   std::atomic<bool> has_changed_{true};
 };
 
-/// A port whose samples `convert(const Sample&, Message&)`, found next to the sample, makes messages
-/// of. The message is reused from call to call.
+/// A port whose samples `convert(const Sample&, Message&)`, found next to the sample, makes
+/// messages of. The message is reused from call to call.
 template <class Sample, class Message>
 class OutputTopic : public OutputBinding {
  public:
@@ -176,8 +176,8 @@ class OutputTopics {
   std::map<std::type_index, Entry> entries_;
 };
 
-/// As a static object next to convert(const Sample&, Message&): output ports of this sample type are
-/// published as this message.
+/// As a static object next to convert(const Sample&, Message&): output ports of this sample type
+/// are published as this message.
 template <class Sample, class Message>
 struct OutputTopicRegistrar {
   explicit OutputTopicRegistrar(const OutputTopicOptions& options = {}) {
