@@ -36,7 +36,7 @@ def test_a_killed_controller_is_named_the_other_flies_on_and_a_new_one_is_enroll
         hover(gazebo, pilot)
         controllers["UAV1"].stop(signal.SIGKILL)
         gazebo.process.eventually_logs("the controller of UAV1 has disconnected")
-        assert "the world goes on without it" in gazebo.log
+        assert "the world continues without it" in gazebo.log
         after = gazebo.time()
         gazebo.until(after + 2.0)
         assert hovers(gazebo, "UAV2")

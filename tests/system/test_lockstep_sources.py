@@ -91,7 +91,7 @@ def test_a_source_that_falls_silent_is_named_and_released(
         gazebo.until(1.0)
     line = next(line for line in logged_problems(gazebo.log) if "/silent" in line)
     assert "UAV1" in line
-    assert "the world goes on without it" in line
+    assert "the world continues without it" in line
 
 
 @pytest.mark.parametrize("fields", [{"period": rospy.Duration(0)}, {"vehicles": []}])
