@@ -118,7 +118,7 @@ def configure(workspace: Workspace, runner: Runner) -> None:
     stamp = workspace.build / _STAMP
     key = configure_key(workspace)
     if _configured_elsewhere(workspace):
-        say("build/ was made at another place, starting afresh")
+        say("build/ was made at another place, building from scratch")
         if not runner.dry_run:
             shutil.rmtree(workspace.build)
             hide_from_crawlers(workspace.build)

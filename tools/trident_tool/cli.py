@@ -169,7 +169,7 @@ def _add_workspace_commands(add: Callable[[str, Handler, str], argparse.Argument
     sub.add_argument(
         "checks", nargs="*", metavar="CHECK", help=f"of {', '.join(CHECKS)}; default: all"
     )
-    sub.add_argument("--fix", action="store_true", help="mend layout and what ruff can mend")
+    sub.add_argument("--fix", action="store_true", help="fix the layout and what ruff can fix")
 
 
 def _add_running_commands(add: Callable[[str, Handler, str], argparse.ArgumentParser]) -> None:

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""Compares identifiers and comments with the terms of the field: see tools/words.yaml."""
+"""Compares identifiers, comments and texts with the terms of the field: see tools/words.yaml."""
 
 from __future__ import annotations
 
@@ -21,17 +21,18 @@ IDENTIFIERS, PROSE = "identifiers", "prose"
 
 _CPP_TOKEN = re.compile(
     r"""(?P<prose>//[^\n]*(?:\n[ \t]*//[^\n]*)*|/\*.*?\*/)
-      | R"(?P<mark>[^(\s]*)\(.*?\)(?P=mark)" | "(?:\\.|[^"\\\n])*" | '(?:\\.|[^'\\\n])+'
+      | (?P<quoted>R"(?P<mark>[^(\s]*)\(.*?\)(?P=mark)" | "(?:\\.|[^"\\\n])*") | '(?:\\.|[^'\\\n])+'
       | \d[\w.']* | (?P<identifiers>[A-Za-z_]\w*)""",
     re.VERBOSE | re.DOTALL,
 )
 _PYTHON_TOKEN = re.compile(
     r'''(?P<prose>\#[^\n]*(?:\n[ \t]*\#[^\n]*)*|(?:(?<=\n)|\A)[ \t]*r?""".*?""")
-      | """.*?""" | \'\'\'.*?\'\'\' | "(?:\\.|[^"\\\n])*" | '(?:\\.|[^'\\\n])*'
+      | (?P<quoted>""".*?""" | \'\'\'.*?\'\'\' | "(?:\\.|[^"\\\n])*" | '(?:\\.|[^'\\\n])*')
       | \d[\w.]* | (?P<identifiers>[A-Za-z_]\w*)''',
     re.VERBOSE | re.DOTALL,
 )
 _COMMENT_MARK = re.compile(r"^[ \t]*(?://+<?|\*|#)", re.MULTILINE)
+_ESCAPE = re.compile(r"\\.", re.DOTALL)
 _PART = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+")
 
 
@@ -84,16 +85,18 @@ def _read_word(path: Path, name: str, entry: Mapping[str, object]) -> Word:
 
 
 def tokens(text: str, python: bool) -> Iterator[tuple[int, str, str]]:
-    """Offset, scope and text of the identifiers and comments of a source.
+    """Offset, scope and text of the identifiers, comments and quoted texts of a source.
 
     Identifiers are given in parts: ``kMaxRange`` and ``k_max_range`` as ``k max range``. In
     comments and docstrings the marks at the beginnings of lines are blanked, so that a phrase is
-    found across lines.
+    found across lines; in quoted texts the escapes are. A quoted text without a space is left out.
     """
     for match in (_PYTHON_TOKEN if python else _CPP_TOKEN).finditer(text):
         if match[PROSE]:
             prose = _COMMENT_MARK.sub(lambda mark: " " * len(mark[0]), match[PROSE])
             yield match.start(), PROSE, prose
+        elif match["quoted"] and " " in match["quoted"]:
+            yield match.start(), PROSE, _ESCAPE.sub("  ", match["quoted"])
         elif match[IDENTIFIERS]:
             yield match.start(), IDENTIFIERS, " ".join(_PART.findall(match[IDENTIFIERS]))
 

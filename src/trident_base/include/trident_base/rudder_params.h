@@ -31,7 +31,7 @@ struct RudderParams {
     ar.field("drag_coefficient", drag_coefficient, Range::non_negative(),
              "at zero angle of attack");
     ar.field("stall_angle", stall_angle, Range{0.0, 1.5, true}, "of attack [rad]");
-    ar.field("max_angle", max_angle, Range{0.0, 1.6, true}, "either way [rad]");
+    ar.field("max_angle", max_angle, Range{0.0, 1.6, true}, "to either side [rad]");
     ar.field("angle_rate", angle_rate, Range::positive(), "of the machine [rad/s]");
   }
 

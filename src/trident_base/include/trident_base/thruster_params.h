@@ -57,7 +57,7 @@ struct ThrusterParams {
              "mapping quadratic: K of K n|n|, n < 0");
     ar.field("table_commands", table_commands, "mapping table: rising");
     ar.field("table_forces", table_forces, "mapping table: thrust at each of them [N]");
-    ar.field("max_angle", max_angle, Range{0.0, 3.2}, "azimuth either way; 0: fixed [rad]");
+    ar.field("max_angle", max_angle, Range{0.0, 3.2}, "azimuth to either side; 0: fixed [rad]");
     ar.field("angle_rate", angle_rate, Range::positive(), "of the azimuth [rad/s]");
   }
   /// Throws Error: a table that does not rise or is not of one length, a mapping without figures.

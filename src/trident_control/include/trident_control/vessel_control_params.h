@@ -51,7 +51,7 @@ struct SpeedParams {
   template <class Archive>
   void visit(Archive& ar) {
     ar.field("reference", reference,
-             "through_water wants a speed log; without one the vessel's drag alone tells the "
+             "through_water needs a speed log; without one only the vessel's drag determines the "
              "thrust");
     ar.field("cruise", cruise, Range{0.0, 30.0, true}, "until another is commanded [m/s]");
     ar.field("max", max, Range{0.0, 30.0, true}, "higher ones are cut [m/s]");
@@ -104,7 +104,7 @@ struct GuidanceParams {
     ar.field("drift_time_constant", drift_time_constant, Range::positive(),
              "over which the drift across the bow is averaged [s]");
     ar.field("course_gain", course_gain, Range{0.0, 3.0},
-             "by which the bow leads the way through the water into a turn; 0: no lead");
+             "by which the bow leads the course through the water into a turn; 0: no lead");
     ar.field("acceptance_radius", acceptance_radius, Range::positive(),
              "of a waypoint's circle [m]");
     ar.field("slowest_turn", slowest_turn, Range{0.0, 1.0},

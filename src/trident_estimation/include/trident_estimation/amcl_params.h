@@ -50,7 +50,7 @@ struct LaserModelParams {
     ar.field("laser_max_range", laser_max_range, Range::at_least(-1.0),
              "farther returns are not used; -1: the scan's own limit [m]");
     ar.field("laser_max_beams", laser_max_beams, Range{2.0, 100000.0}, "of a scan that are used");
-    ar.field("laser_z_hit", laser_z_hit, probability, "share of beams that meet the map");
+    ar.field("laser_z_hit", laser_z_hit, probability, "share of beams that hit the map");
     ar.field("laser_z_short", laser_z_short, probability, "that something unmapped stops");
     ar.field("laser_z_max", laser_z_max, probability, "without a return");
     ar.field("laser_z_rand", laser_z_rand, probability, "unexplained");
@@ -120,7 +120,7 @@ struct AmclParams {
     ar.field("kld_err", kld_err, Range{0.0, 1.0, true},
              "Kullback-Leibler distance to the true distribution that is let pass");
     ar.field("kld_z", kld_z, Range::positive(), "upper quantile of the standard normal for that");
-    ar.field("update_min_d", update_min_d, Range::non_negative(), "way between updates [m]");
+    ar.field("update_min_d", update_min_d, Range::non_negative(), "distance between updates [m]");
     ar.field("update_min_a", update_min_a, Range::non_negative(), "turn between updates [rad]");
     ar.field("resample_interval", resample_interval, Range{1.0, 1e6}, "updates per resampling");
     ar.field("recovery_alpha_slow", recovery_alpha_slow, Range{0.0, 1.0},
@@ -136,7 +136,7 @@ struct AmclParams {
     ar.field("recovery_patience", recovery_patience, Range{1.0, 1e6},
              "updates in a row below that, before it is looked for");
     ar.field("max_odom_jump", max_odom_jump, Range::positive().or_infinite(),
-             "way from one scan to the next beyond which odometry was reset [m]");
+             "distance from one scan to the next beyond which odometry was reset [m]");
     ar.field("seed", seed, "of all random numbers");
     laser.visit(ar);
     motion.visit(ar);

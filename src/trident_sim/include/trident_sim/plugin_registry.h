@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "trident_sim/model_spec.h"
@@ -34,6 +35,13 @@ struct PluginFactory {
   /// Of a plugin that the conformance suite runs.
   std::optional<PluginExample> example = std::nullopt;
 };
+
+/// Factory of a plugin class that is constructed from its context alone.
+template <class PluginClass>
+PluginFactory factory_of(std::function<std::string(const PluginParams&)> rotor_joint = {}) {
+  return {[](const PluginContext& context) { return std::make_unique<PluginClass>(context); },
+          std::move(rotor_joint)};
+}
 
 /// Plugin file name -> factory. Lookup ignores folders, a leading
 /// "lib" and a trailing ".so", so "librotors_gazebo_motor_model.so" and "rotors_gazebo_motor_model"

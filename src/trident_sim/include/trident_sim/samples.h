@@ -154,7 +154,7 @@ struct __attribute__((packed)) LidarPoint {
   std::uint16_t ring = 0;  ///< 0: the lowest
   float time = 0.0F;       ///< of the beam, since the stamp [s]
 };
-static_assert(sizeof(LidarPoint) == 22, "PointCloud2's field table tells these offsets");
+static_assert(sizeof(LidarPoint) == 22, "PointCloud2's field table has these offsets");
 /// Returns of one scan in the order in which their beams were cast; beams that hit nothing in range
 /// are left out.
 struct LidarCloudSample {

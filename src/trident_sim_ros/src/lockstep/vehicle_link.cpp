@@ -107,7 +107,7 @@ void VehicleLink::on_setpoint(SimTime stamp, bool is_confirmation, bool replaces
   note_outsider(stamp);
   if (stamp.ns == 0) return;
   if (hub_.sources.on_setpoint(name_, stamp, replaces) && hub_.repeatability.running()) {
-    hub_.repeatability.spoil("whoever commands " + name_, hub_.next_time,
+    hub_.repeatability.spoil("a publisher of commands to " + name_, hub_.next_time,
                              "has replaced set-points of its source");
   }
   hub_.notify_if_ready();
@@ -124,7 +124,7 @@ void VehicleLink::close_confirming() {
 void VehicleLink::note_outsider(SimTime stamp) {
   if (!hub_.repeatability.running() || stamp >= hub_.next_time) return;
   if (stamp.ns > 0 && hub_.sources.feeds(name_)) return;
-  hub_.repeatability.spoil("whoever commands " + name_, hub_.next_time,
+  hub_.repeatability.spoil("a publisher of commands to " + name_, hub_.next_time,
                            "gives set-points outside of the lockstep");
 }
 

@@ -32,7 +32,7 @@ struct HectorSlamParams {
     archive.field("update_factor_free", update_factor_free, Range{0.0, 0.5, true, true},
                   "probability that a cell which a beam passed is occupied");
     archive.field("update_factor_occupied", update_factor_occupied, Range{0.5, 1.0, true, true},
-                  "likewise of a cell where one ended");
+                  "probability that a cell in which a beam ended is occupied");
     archive.field("map_update_distance_thresh", map_update_distance_thresh, Range::non_negative(),
                   "travelled since the last update of the map [m]");
     archive.field("map_update_angle_thresh", map_update_angle_thresh, Range::non_negative(),

@@ -40,7 +40,7 @@ struct ParticleSlamParams {
     archive.field("angularUpdate", angularUpdate, Range::non_negative(), "turned between [rad]");
     archive.field("temporalUpdate", temporalUpdate, "or that long after; negative: never [s]");
     archive.field("resampleThreshold", resampleThreshold, Range{0.0, 1.0},
-                  "effective share of the particles below which they are drawn anew");
+                  "effective share of the particles below which they are resampled");
     archive.field("srr", srr, Range::non_negative(), "translation's error by translation [m/m]");
     archive.field("srt", srt, Range::non_negative(), "translation's error by rotation [m/rad]");
     archive.field("str", str, Range::non_negative(), "rotation's error by translation [rad/m]");

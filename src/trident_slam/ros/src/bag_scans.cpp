@@ -194,7 +194,8 @@ class BagScans::Impl {
       set_fixed(odom, base);
     }
     if (frames.count(laser) == 0 && laser != base) {
-      problems_.add(path_ + ": /tf does not tell where " + laser + " is: taken for " + base);
+      problems_.add(path_ + ": /tf has no transform to " + laser + ": its frame is taken to be " +
+                    base);
       set_fixed(base, laser);
     }
     return uses_tf;

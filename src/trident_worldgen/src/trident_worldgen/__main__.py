@@ -54,7 +54,7 @@ def main(arguments: list[str] | None = None) -> int:
         print(f"worldgen: {error}", file=sys.stderr)
         return 2
     world = next(file for file in files if file.suffix == ".world")
-    print(f"{world}" + (f" and {len(files) - 1} files beside it" if len(files) > 1 else ""))
+    print(f"{world}" + (f" and {len(files) - 1} files next to it" if len(files) > 1 else ""))
     return 0
 
 

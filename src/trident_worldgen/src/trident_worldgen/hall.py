@@ -13,6 +13,7 @@ from PIL import Image
 
 from trident_worldgen.checks import require, require_count, require_seed
 from trident_worldgen.noise import grain, png
+from trident_worldgen.parts import model_config
 from trident_worldgen.placing import free_place
 from trident_worldgen.sdf import Files, Picture, StaticModel, world_text
 
@@ -68,7 +69,9 @@ def hall(config: HallConfig | None = None) -> Files:
     random = np.random.default_rng([config.seed, 0x4A11])
     model = StaticModel("hall")
     files: Files = {
-        "models/hall_pictures/model.config": _MODEL_CONFIG,
+        "models/hall_pictures/model.config": model_config(
+            "hall_pictures", "The pictures of the hall."
+        ),
         "models/hall_pictures/model.sdf": _MODEL_SDF,
         f"{_FOLDER}/floor.png": _png(_tiles(random), 32),
         f"{_FOLDER}/wall.png": _png(_plaster(random), 16),
@@ -260,17 +263,6 @@ def _poster(random: np.random.Generator) -> Pixels:
     return pixels
 
 
-_MODEL_CONFIG = """<?xml version="1.0"?>
-<!-- SPDX-FileCopyrightText: 2026 The Trident authors -->
-<!-- SPDX-License-Identifier: Apache-2.0 -->
-<model>
-  <name>hall_pictures</name>
-  <version>1.0</version>
-  <sdf version="1.6">model.sdf</sdf>
-  <author><name>The Trident authors</name></author>
-  <description>The pictures of the hall.</description>
-</model>
-"""
 _MODEL_SDF = """<?xml version="1.0"?>
 <!-- SPDX-FileCopyrightText: 2026 The Trident authors -->
 <!-- SPDX-License-Identifier: Apache-2.0 -->

@@ -34,8 +34,8 @@ _CAPTIONS = {
     "height": "Height of each vehicle above the ground plane of the world.",
     "formation_error": "Error of the shape, after the rigid motion that fits it best.",
     "separation": "Distance of the closest two vehicles.",
-    "tracking_error": "Distance of each vehicle to where it was told to be.",
-    "animation": "Plan view in time; hollow circles: where the vehicles were told to be.",
+    "tracking_error": "Distance of each vehicle to its set-point.",
+    "animation": "Plan view in time; hollow circles: the vehicles' set-points.",
 }
 _MIME = {".png": "image/png", ".gif": "image/gif"}
 

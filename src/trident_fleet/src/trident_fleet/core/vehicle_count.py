@@ -67,7 +67,7 @@ def infer_vehicles(rows: Rows, uavs: int, where: str) -> int:
     elif rivals:
         reason = "they come back to where they were"
     elif len(rows) <= MAX_INFERRED and not _is_more_than_one_row(rows, smallest):
-        reason = "vehicles on their way, or one row of vehicles"
+        reason = "vehicles in flight, or one row of vehicles"
     if not reason:
         return smallest
     one_row = [n for n in divisors if n == len(rows) and n not in continuous]

@@ -82,7 +82,7 @@ double convert_pitch(const sdf::Joint& from, const std::string& what) {
   const double pitch_m = is_metric ? value : -kTurn / value;
   if (std::abs(pitch_m) >= 1e-6 && std::abs(pitch_m) <= 1e3) return pitch_m;
   throw Error(what + ": <" + name + "> is " + std::to_string(value) +
-              ", must be a travel of 1e-6 to 1e3 m per turn, either way");
+              ", must be a travel of 1e-6 to 1e3 m per turn, of either sign");
 }
 
 void convert_gearbox(const sdf::Joint& from, const std::string& prefix, const std::string& what,
@@ -92,7 +92,7 @@ void convert_gearbox(const sdf::Joint& from, const std::string& prefix, const st
   const double size = std::abs(joint.gearbox_ratio);
   if (!(size >= 1e-3 && size <= 1e3)) {
     throw Error(what + ": <gearbox_ratio> is " + std::to_string(joint.gearbox_ratio) +
-                ", must be 1e-3 to 1e3, either way");
+                ", must be 1e-3 to 1e3, of either sign");
   }
   const auto body = value_or(element, {"gearbox_reference_body"}, std::string());
   if (body.empty()) throw Error(what + ": has no <gearbox_reference_body>, legal: a link or world");

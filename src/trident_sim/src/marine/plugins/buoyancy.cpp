@@ -157,9 +157,8 @@ class BuoyancyPlugin : public Plugin {
   Surroundings around_;
 };
 
-const PluginRegistrar kBuoyancyGazeboPlugin(
-    "libbuoyancy_gazebo_plugin.so",
-    {[](const PluginContext& context) { return std::make_unique<BuoyancyPlugin>(context); }, {}});
+const PluginRegistrar kBuoyancyGazeboPlugin("libbuoyancy_gazebo_plugin.so",
+                                            factory_of<BuoyancyPlugin>());
 
 }  // namespace
 }  // namespace trident::sim

@@ -248,37 +248,26 @@ class SeaPlugin : public Plugin {
   OutHandle<WindSample> wind_speed_;
 };
 
-PluginFactory sea_factory() {
-  return {[](const PluginContext& context) {
-            return std::make_unique<SeaPlugin>(context, read_environment(context),
-                                               SeaPlugin::HasAir::kYes);
-          },
-          {}};
+std::unique_ptr<Plugin> make_sea(const PluginContext& context) {
+  return std::make_unique<SeaPlugin>(context, read_environment(context), SeaPlugin::HasAir::kYes);
 }
 
-PluginFactory vrx_wave_field_factory() {
-  return {[](const PluginContext& context) {
-            return std::make_unique<SeaPlugin>(context, read_vrx_waves(context),
-                                               SeaPlugin::HasAir::kNo);
-          },
-          {}};
+std::unique_ptr<Plugin> make_vrx_wave_field(const PluginContext& context) {
+  return std::make_unique<SeaPlugin>(context, read_vrx_waves(context), SeaPlugin::HasAir::kNo);
 }
 
-PluginFactory freefloating_fluid_factory() {
-  return {[](const PluginContext& context) {
-            return std::make_unique<SeaPlugin>(context, read_freefloating(context),
-                                               SeaPlugin::HasAir::kNo);
-          },
-          {}};
+std::unique_ptr<Plugin> make_freefloating_fluid(const PluginContext& context) {
+  return std::make_unique<SeaPlugin>(context, read_freefloating(context), SeaPlugin::HasAir::kNo);
 }
 
-const PluginRegistrar kTridentSea("libtrident_sea.so", sea_factory());
-const PluginRegistrar kTridentEnvironment("libtrident_environment.so", sea_factory());
-const PluginRegistrar kWavefieldModelPlugin("libWavefieldModelPlugin.so", vrx_wave_field_factory());
+const PluginRegistrar kTridentSea("libtrident_sea.so", {make_sea, {}});
+const PluginRegistrar kTridentEnvironment("libtrident_environment.so", {make_sea, {}});
+const PluginRegistrar kWavefieldModelPlugin("libWavefieldModelPlugin.so",
+                                            {make_vrx_wave_field, {}});
 const PluginRegistrar kOldWavefieldModelPlugin("libwavefield_model_plugin.so",
-                                               vrx_wave_field_factory());
+                                               {make_vrx_wave_field, {}});
 const PluginRegistrar kFreefloatingGazeboFluid("libfreefloating_gazebo_fluid.so",
-                                               freefloating_fluid_factory());
+                                               {make_freefloating_fluid, {}});
 
 }  // namespace
 

@@ -324,12 +324,8 @@ class UuvObject : public Plugin {
   std::vector<std::unique_ptr<UuvLink>> links_;
 };
 
-PluginFactory uuv_object_factory() {
-  return {[](const PluginContext& context) { return std::make_unique<UuvObject>(context); }, {}};
-}
-
 const PluginRegistrar kUuvUnderwaterObjectRosPlugin("libuuv_underwater_object_ros_plugin.so",
-                                                    uuv_object_factory());
+                                                    factory_of<UuvObject>());
 
 }  // namespace
 

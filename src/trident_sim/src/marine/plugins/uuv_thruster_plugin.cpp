@@ -265,13 +265,10 @@ class UuvThrusterPlugin : public Plugin {
   std::uint64_t changes_seen_ = 0;
 };
 
-PluginFactory uuv_thruster_factory() {
-  return {[](const PluginContext& context) { return std::make_unique<UuvThrusterPlugin>(context); },
-          [](const PluginParams& params) { return params.text("jointName", ""); }};
-}
+std::string thruster_joint(const PluginParams& params) { return params.text("jointName", ""); }
 
 const PluginRegistrar kUuvThrusterRosPlugin("libuuv_thruster_ros_plugin.so",
-                                            uuv_thruster_factory());
+                                            factory_of<UuvThrusterPlugin>(thruster_joint));
 
 }  // namespace
 

@@ -76,12 +76,8 @@ class Anemometer : public MeasuringPlugin {
   OutHandle<WindReadingSample> reading_;
 };
 
-PluginFactory anemometer_factory() {
-  return {[](const PluginContext& context) { return std::make_unique<Anemometer>(context); }, {}};
-}
-
 const PluginRegistrar kTridentAnemometer(
-    "libtrident_anemometer.so", anemometer_factory(),
+    "libtrident_anemometer.so", factory_of<Anemometer>(),
     PluginExample{"<linkName>base_link</linkName><gaussianNoise>0.1</gaussianNoise>",
                   {"linkName"},
                   {"gaussianNoise", "bias", "updateRate"}});

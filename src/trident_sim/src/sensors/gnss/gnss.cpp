@@ -199,12 +199,8 @@ class Gnss : public MeasuringPlugin {
   std::uint64_t good_since_ = 0;  ///< number of the step since when the view is good enough for RTK
 };
 
-PluginFactory gnss_factory() {
-  return {[](const PluginContext& context) { return std::make_unique<Gnss>(context); }, {}};
-}
-
 const PluginRegistrar kTridentGnss(
-    "libtrident_gnss.so", gnss_factory(),
+    "libtrident_gnss.so", factory_of<Gnss>(),
     PluginExample{"<floatTime>0.1</floatTime><fixedTime>0.3</fixedTime>",
                   {},
                   {"satellites", "rtkSatellites", "floatTime", "fixedTime",

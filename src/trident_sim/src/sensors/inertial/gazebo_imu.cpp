@@ -226,23 +226,19 @@ std::unique_ptr<Plugin> make_hector_imu(const PluginContext& context) {
       noises);
 }
 
-PluginFactory gazebo_imu_factory() { return {make_model_imu, {}}; }
-PluginFactory gazebo_imu_sensor_factory() { return {make_sensor_imu, {}}; }
-PluginFactory hector_imu_factory() { return {make_hector_imu, {}}; }
-
 const PluginRegistrar kGazeboRosImu(
-    "libgazebo_ros_imu.so", gazebo_imu_factory(),
+    "libgazebo_ros_imu.so", {make_model_imu, {}},
     PluginExample{"<bodyName>base_link</bodyName><gaussianNoise>0.1</gaussianNoise>",
                   {"bodyName"},
                   {"gaussianNoise", "updateRate", "xyzOffset", "rpyOffset"}});
 const PluginRegistrar kGazeboRosImuSensor(
-    "libgazebo_ros_imu_sensor.so", gazebo_imu_sensor_factory(),
+    "libgazebo_ros_imu_sensor.so", {make_sensor_imu, {}},
     PluginExample{"<frameName>imu</frameName><gaussianNoise>0.1</gaussianNoise>",
                   {"frameName"},
                   {"gaussianNoise", "updateRateHZ", "xyzOffset", "rpyOffset"},
                   R"(<sensor name="example" type="imu"><update_rate>50</update_rate></sensor>)"});
 const PluginRegistrar kHectorGazeboRosImu(
-    "libhector_gazebo_ros_imu.so", hector_imu_factory(),
+    "libhector_gazebo_ros_imu.so", {make_hector_imu, {}},
     PluginExample{"<bodyName>base_link</bodyName><rateDrift>0.01 0.02 0.03</rateDrift>"
                   "<accelGaussianNoise>0.1</accelGaussianNoise>",
                   {},

@@ -178,7 +178,7 @@ void read_steering(const Elements& elements, const PluginContext& context, Acker
   }
   if (inner < 1e-3) {
     context.params.refuse(elements.key("left_steering_joint"), spec.steering[0]->spec.name,
-                          "joints that can turn both ways");
+                          "joints that can turn to both sides");
   }
   const double possible = spec.geometry.steering_of_inner(inner);
   if (spec.max_steer_rad > possible + 1e-6) {

@@ -106,11 +106,7 @@ class P3d : public Plugin {
   OutHandle<FrameSample> frame_;
 };
 
-PluginFactory p3d_factory() {
-  return {[](const PluginContext& context) { return std::make_unique<P3d>(context); }, {}};
-}
-
-const PluginRegistrar kGazeboRosP3d("libgazebo_ros_p3d.so", p3d_factory(),
+const PluginRegistrar kGazeboRosP3d("libgazebo_ros_p3d.so", factory_of<P3d>(),
                                     PluginExample{
                                         "<bodyName>base_link</bodyName><topicName>truth</topicName>"
                                         "<gaussianNoise>0.1</gaussianNoise>",

@@ -192,12 +192,8 @@ class Odometry : public MeasuringPlugin {
   OutHandle<FrameSample> frame_;
 };
 
-PluginFactory odometry_factory() {
-  return {[](const PluginContext& context) { return std::make_unique<Odometry>(context); }, {}};
-}
-
 const PluginRegistrar kRotorsGazeboOdometryPlugin(
-    "librotors_gazebo_odometry_plugin.so", odometry_factory(),
+    "librotors_gazebo_odometry_plugin.so", factory_of<Odometry>(),
     PluginExample{"<linkName>base_link</linkName><measurementDelay>2</measurementDelay>"
                   "<noiseNormalPosition>0.1 0.1 0.1</noiseNormalPosition>",
                   {"linkName"},
