@@ -27,14 +27,14 @@ _SPELLED_SUFFIXES = _CPP_SUFFIXES | {
 def source_files(root: Path) -> Iterator[Path]:
     """Every file of the clone that is not generated, in a fixed order; links are not followed."""
     for folder, subfolders, files in os.walk(root):
-        subfolders[:] = sorted(
-            name
-            for name in subfolders
-            if name not in _SKIPPED_FOLDERS
-            and not name.startswith(".")
-            and not Path(folder, name).is_symlink()
-        )
+        subfolders[:] = sorted(name for name in subfolders if _is_walked(Path(folder, name)))
         yield from (Path(folder, name) for name in sorted(files))
+
+
+def _is_walked(folder: Path) -> bool:
+    if folder.name in _SKIPPED_FOLDERS or folder.name.startswith("."):
+        return False
+    return not folder.is_symlink()
 
 
 def is_python(path: Path) -> bool:

@@ -107,6 +107,12 @@ def run_environment(
     return result
 
 
+def _is_strict(text: str) -> bool:
+    if text.lower() not in ("true", "false", "1", "0"):
+        raise TridentError(f"strict is {text!r}, legal: true or false")
+    return text.lower() in ("true", "1")
+
+
 def plan_run(
     workspace: Workspace, words: Sequence[str], env: Mapping[str, str], is_built: bool = True
 ) -> Run:
@@ -129,11 +135,8 @@ def plan_run(
     check_real_time_factor(real_time_factor)
     if _RTF_ARG not in declared.settable:
         args.pop(_RTF_ARG, None)  # the simulator reads it from the environment
-    strict = args.get(_STRICT_ARG)
-    if strict is not None:
-        if strict.lower() not in ("true", "false", "1", "0"):
-            raise TridentError(f"strict is {strict!r}, legal: true or false")
-        env = {**env, "TRIDENT_STRICT": "1" if strict.lower() in ("true", "1") else "0"}
+    if _STRICT_ARG in args:
+        env = {**env, "TRIDENT_STRICT": "1" if _is_strict(args[_STRICT_ARG]) else "0"}
         if _STRICT_ARG not in declared.settable:
             args.pop(_STRICT_ARG)
     check_args(launch_file, declared, args)

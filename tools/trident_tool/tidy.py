@@ -58,6 +58,19 @@ class CompileCommand:
         return dirs
 
 
+def _flags(words: Sequence[str]) -> list[str]:
+    """A compiler's flags without itself, and without -o and -c and what follows these."""
+    start = next((i for i, word in enumerate(words) if word.startswith("-")), len(words))
+    flags: list[str] = []
+    skip = False
+    for word in words[start:]:
+        if skip or word in ("-o", "-c"):
+            skip = not skip
+        else:
+            flags.append(word)
+    return flags
+
+
 def parse_compile_commands(text: str) -> list[CompileCommand]:
     """Translation units of a compile_commands.json.
 
@@ -69,15 +82,7 @@ def parse_compile_commands(text: str) -> list[CompileCommand]:
     for entry in json.loads(text):
         source = Path(entry["directory"], entry["file"]).resolve()
         words = entry["arguments"] if "arguments" in entry else shlex.split(entry["command"])
-        start = next((i for i, word in enumerate(words) if word.startswith("-")), len(words))
-        flags: list[str] = []
-        skip = False
-        for word in words[start:]:
-            if skip or word in ("-o", "-c"):
-                skip = not skip
-            else:
-                flags.append(word)
-        kept = _without_precompiled_headers(flags)
+        kept = _without_precompiled_headers(_flags(words))
         units += [CompileCommand(each, kept) for each in _joined_sources(source)]
     return units
 
@@ -293,20 +298,16 @@ def _check_all(
     return found
 
 
-def run_clang_tidy(workspace: Workspace, runner: Runner) -> int:
-    """Checks every core file whose result is not known yet; returns 1 if any has findings.
+def _read_units(database: Path, root: Path) -> list[CompileCommand]:
+    """The core files of a compile_commands.json that are still there."""
+    units = core_units(parse_compile_commands(database.read_text(encoding="utf-8")), root)
+    return [unit for unit in units if unit.source.is_file()]
 
-    Raises:
-        TridentError: the workspace is not configured.
-    """
-    database = workspace.build / "compile_commands.json"
-    if runner.dry_run:
-        return runner.run(["clang-tidy", "--quiet", "-p", workspace.build, "src/*/src/**.cpp"])
-    if not database.is_file():
-        raise TridentError(f"{database} does not exist: run ./trident build")
-    units = core_units(parse_compile_commands(database.read_text(encoding="utf-8")), workspace.root)
-    units = [unit for unit in units if unit.source.is_file()]
-    folder = cache_folder(base_environment())
+
+def _load_results(
+    units: Sequence[CompileCommand], folder: Path, workspace: Workspace
+) -> tuple[dict[Path, Result], dict[Path, tuple[CompileCommand, Path]]]:
+    """Results that are known already, and the other units, with where theirs are to be kept."""
     settings = _settings(workspace)
     scanner = IncludeScanner(workspace.root)
     kept: dict[Path, Result] = {}
@@ -318,6 +319,23 @@ def run_clang_tidy(workspace: Workspace, runner: Runner) -> int:
             open_units[unit.source] = (unit, folder / key)
         else:
             kept[unit.source] = result
+    return kept, open_units
+
+
+def run_clang_tidy(workspace: Workspace, runner: Runner) -> int:
+    """Checks every core file whose result is not known yet; returns 1 if any has findings.
+
+    Raises:
+        TridentError: the workspace is not configured.
+    """
+    database = workspace.build / "compile_commands.json"
+    if runner.dry_run:
+        return runner.run(["clang-tidy", "--quiet", "-p", workspace.build, "src/*/src/**.cpp"])
+    if not database.is_file():
+        raise TridentError(f"{database} does not exist: run ./trident build")
+    units = _read_units(database, workspace.root)
+    folder = cache_folder(base_environment())
+    kept, open_units = _load_results(units, folder, workspace)
     print(f"clang-tidy: {len(units)} core files, {len(kept)} known, {len(open_units)} to check")
     kept |= _check_all(units, open_units, folder, workspace)
     bad = [source for source in sorted(kept) if kept[source].code != 0]
