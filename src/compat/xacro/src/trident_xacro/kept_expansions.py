@@ -86,6 +86,13 @@ def look_up(call: dict[str, Any], find_package: Callable[[str], str]) -> str | N
     return None
 
 
+def _imported_code() -> list[str]:
+    """Files of those modules that are loaded and belong to an expansion."""
+    modules = [module for name, module in sys.modules.items() if name.split(".")[0] in _IMPORTED]
+    files = [getattr(module, "__file__", None) for module in modules]
+    return [file for file in files if file]
+
+
 class Recorder:
     """Watches the library during an expansion, and keeps it if it may be kept."""
 
@@ -135,14 +142,9 @@ class Recorder:
         """Keeps the output of an expansion that has succeeded."""
         if not self._may_be_kept:
             return
-        code = [
-            module.__file__
-            for name, module in sys.modules.items()
-            if name.split(".")[0] in _IMPORTED and getattr(module, "__file__", None)
-        ]
         kept = {
             "call": self._call,
-            "code": {path: _signature(path) for path in [*code, __file__] if path},
+            "code": {path: _signature(path) for path in [*_imported_code(), __file__]},
             "origins": {name: _origin(name) for name in _IMPORTED},
             "files": self._files,
             "packages": self._packages,

@@ -129,14 +129,18 @@ def measure(case: Case, runs: int, quick: bool, threads: int = 2) -> dict[str, A
     }
 
 
-def _run(case: Case, sim_s: float, threads: int) -> dict[str, Any]:
-    world = make_world(case, threads)
-    ports = [
-        world.ports[f"{name}/{topic}"]
+def _port_names(case: Case) -> list[str]:
+    return [
+        f"{name}/{topic}"
         for kind, name in case.names
         for group in case.groups
         for topic in group[kind]
     ]
+
+
+def _run(case: Case, sim_s: float, threads: int) -> dict[str, Any]:
+    world = make_world(case, threads)
+    ports = [world.ports[name] for name in _port_names(case)]
     for port in ports:
         port.subscribe()
     world.step(round(_WARM_UP_S / world.dt))

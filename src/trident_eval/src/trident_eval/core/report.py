@@ -75,14 +75,15 @@ def table(verdict: dict[str, Any]) -> str:
     """The verdict as aligned lines of text."""
     rows = verdict_rows(verdict)
     width = max(len(row.label) for row in rows)
-    lines = []
-    for row in rows:
-        limit = f"  (limit: {row.limit})" if row.limit else ""
-        lines.append(f"  {row.label:<{width}}  {row.value}{limit}")
+    lines = [f"  {row.label:<{width}}  {_shown(row)}" for row in rows]
     lines.append(f"  {'verdict':<{width}}  {'PASS' if verdict['pass'] else 'FAIL'}")
     lines += [f"    - {reason}" for reason in verdict["reasons"]]
     lines += [f"    ({note})" for note in verdict.get("notes") or []]
     return "\n".join(lines)
+
+
+def _shown(row: Row) -> str:
+    return f"{row.value}  (limit: {row.limit})" if row.limit else row.value
 
 
 def _row(verdict: dict[str, Any], label: str, key: str, unit: str) -> Row:
