@@ -82,6 +82,12 @@ class OccupancyMap:
             raise Error(f"{path}: cannot be written: {error.strerror}") from error
 
 
+def _check_finite(field: str, values: Sequence[float]) -> None:
+    for value in values:
+        if not math.isfinite(value):
+            raise Error(f"{field}: {value:g} m, legal: finite")
+
+
 @dataclass(frozen=True)
 class MapConfig:
     """What of a world becomes a map.
@@ -106,12 +112,8 @@ class MapConfig:
             raise Error(f"resolution: {self.resolution:g} m, legal: 0.001 to 10 m")
         if not self.heights:
             raise Error("heights: none, legal: at least one")
-        for height in self.heights:
-            if not math.isfinite(height):
-                raise Error(f"heights: {height:g} m, legal: finite")
-        for value in self.start:
-            if not math.isfinite(value):
-                raise Error(f"start: {value:g} m, legal: finite")
+        _check_finite("heights", self.heights)
+        _check_finite("start", self.start)
         if not self.resolution <= self.reach < math.inf:
             raise Error(f"reach: {self.reach:g} m, legal: {self.resolution:g} m or more")
         if not 0.0 <= self.margin < math.inf:

@@ -66,13 +66,14 @@ def _path_of(call: dict[str, Any]) -> str:
 
 
 def _is_current(kept: dict[str, Any], find_package: Callable[[str], str]) -> bool:
-    return (
-        all(os.environ.get(name) == value for name, value in kept["environment"].items())
-        and all(_signature(path) == value for path, value in kept["code"].items())
-        and all(_origin(name) == value for name, value in kept["origins"].items())
-        and all(_read(path) == value for path, value in kept["files"].items())
-        and all(find_package(name) == value for name, value in kept["packages"].items())
+    checks: tuple[tuple[Callable[[str], Any], str], ...] = (
+        (os.environ.get, "environment"),
+        (_signature, "code"),
+        (_origin, "origins"),
+        (_read, "files"),
+        (find_package, "packages"),
     )
+    return all(now(name) == was for now, key in checks for name, was in kept[key].items())
 
 
 def look_up(call: dict[str, Any], find_package: Callable[[str], str]) -> str | None:

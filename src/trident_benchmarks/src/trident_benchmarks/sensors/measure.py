@@ -37,13 +37,17 @@ def measure(options: argparse.Namespace) -> int:
     if options.out:
         say(f"written: {options.out}")
     else:
-        print(ray_sensors.markdown_table(document["rows"]))
-        if together:
-            print(f"\n{coast.markdown_table([together])}")
-        print(f"\n{caption(document)}")
+        _print(document, together)
     if together and not coast.is_sound(together):
         return FAILED
     return FAILED if any("error" in row for row in document["rows"]) else MEASURED
+
+
+def _print(document: dict[str, Any], together: dict[str, Any] | None) -> None:
+    print(ray_sensors.markdown_table(document["rows"]))
+    if together:
+        print(f"\n{coast.markdown_table([together])}")
+    print(f"\n{caption(document)}")
 
 
 def _cases(modes: Sequence[str]) -> list[ray_sensors.Case]:

@@ -80,22 +80,25 @@ def plan_rows(quick: bool, modes: Sequence[str] = (), runs: int | None = None) -
         known = [*_SIZES, *_LAUNCHES]
         raise EvalError(f"mode {unknown[0]!r} is unknown; legal: {', '.join(known)}")
     count = runs or (1 if quick else 3)
-    sized = [(mode, n) for mode, n in _sized_rows(quick) if not modes or mode in modes]
-    launched = [(mode, 6) for mode in _launched_modes(quick, modes)]
-    return [Plan(mode, n, count, window_s(n, quick)) for mode, n in sized + launched]
+    rows = [*_sized_rows(quick, modes), *_launched_rows(quick, modes)]
+    return [Plan(mode, n, count, window_s(n, quick)) for mode, n in rows]
 
 
-def _sized_rows(quick: bool) -> list[tuple[str, int]]:
+def _chosen(known: Iterable[str], modes: Sequence[str]) -> list[str]:
+    return [mode for mode in known if not modes or mode in modes]
+
+
+def _sized_rows(quick: bool, modes: Sequence[str]) -> list[tuple[str, int]]:
     """Mode and number of vehicles of the rows that are measured with several numbers."""
-    rows = [(mode, n) for mode, sizes in _SIZES.items() for n in sizes]
+    rows = [(mode, n) for mode in _chosen(_SIZES, modes) for n in _SIZES[mode]]
     return [(mode, n) for mode, n in rows if n <= 6] if quick else rows
 
 
-def _launched_modes(quick: bool, modes: Sequence[str]) -> list[str]:
-    """Launch files to be measured; in haste only those that are named."""
-    if not modes:
-        return [] if quick else list(_LAUNCHES)
-    return [mode for mode in _LAUNCHES if mode in modes]
+def _launched_rows(quick: bool, modes: Sequence[str]) -> list[tuple[str, int]]:
+    """The same of launch files; in haste only of those that are named."""
+    if quick and not modes:
+        return []
+    return [(mode, 6) for mode in _chosen(_LAUNCHES, modes)]
 
 
 def window_s(n: int, quick: bool) -> float:

@@ -35,13 +35,13 @@ def main(arguments: list[str] | None = None) -> int:
     except BrokenPipeError:
         raise
     except OSError as error:  # a full disk does not say which file it was
-        where = error.filename or _out_of(options)
+        where = _place_of(error, options)
         print(f"trident: {where}: {error.strerror}", file=sys.stderr)
         return UNUSABLE
 
 
-def _out_of(options: argparse.Namespace) -> Path | str:
-    return getattr(options, "out", None) or "what was to be written"
+def _place_of(error: OSError, options: argparse.Namespace) -> Path | str:
+    return error.filename or getattr(options, "out", None) or "what was to be written"
 
 
 def _parser() -> argparse.ArgumentParser:

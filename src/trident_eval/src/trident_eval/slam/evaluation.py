@@ -92,14 +92,9 @@ def evaluate(task: Task) -> Evaluation:
     """
     found = Evaluation()
     for name, path in task.trajectories.items():
-        trajectory = read_tum(path)
-        found.trajectories[name] = trajectory
+        found.trajectories[name] = read_tum(path)
         try:
-            if task.relations:
-                found.relations[name] = relation_errors(trajectory, read_relations(task.relations))
-            if task.truth:
-                truth = read_tum(task.truth)
-                found.absolute[name] = absolute_errors(trajectory, truth, task.group)
+            _judge_trajectory(found, name, task)
         except EvalError as error:
             raise EvalError(f"{path}: {error}") from error
     if task.map:
@@ -107,6 +102,15 @@ def evaluate(task: Task) -> Evaluation:
     if task.true_map:
         _compare_maps(found, task.true_map)
     return found
+
+
+def _judge_trajectory(found: Evaluation, name: str, task: Task) -> None:
+    trajectory = found.trajectories[name]
+    if task.relations:
+        found.relations[name] = relation_errors(trajectory, read_relations(task.relations))
+    if task.truth:
+        truth = read_tum(task.truth)
+        found.absolute[name] = absolute_errors(trajectory, truth, task.group)
 
 
 def _compare_maps(found: Evaluation, true_map: Path) -> None:

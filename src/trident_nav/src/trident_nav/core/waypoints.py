@@ -172,13 +172,17 @@ def _array(waypoints: Sequence[Sequence[float]]) -> _Floats:
         raise NavError(f"waypoints: {waypoints!r}; legal: a list of [x, y]") from error
 
 
+def _check_finite(path: _Floats) -> None:
+    for index, point in enumerate(path):
+        if not np.isfinite(point).all():
+            raise NavError(f"waypoints[{index}]: {point.tolist()}; legal: finite numbers")
+
+
 def _checked(waypoints: Sequence[Sequence[float]], loop: bool) -> _Floats:
     path = _array(waypoints)
     if path.ndim != 2 or path.shape[1] != 2 or len(path) == 0:
         raise NavError(f"waypoints: shape {path.shape}; legal: (n, 2), n 1 or more")
-    for index, point in enumerate(path):
-        if not np.isfinite(point).all():
-            raise NavError(f"waypoints[{index}]: {point.tolist()}; legal: finite numbers")
+    _check_finite(path)
     if loop and len(path) < 2:
         raise NavError("waypoints: 1 of them; legal: 2 or more where they form a loop")
     return path

@@ -58,9 +58,7 @@ class FollowerNode:
         if problem:
             self._refusals.note("odometry refused", f"odometry refused: {problem}")
             return
-        if odometry.header.frame_id != self._path_frame:
-            self._path_frame = odometry.header.frame_id
-            self._path.publish(self._path_message())
+        self._show_path_in(odometry.header.frame_id)
         position, q = odometry.pose.pose.position, odometry.pose.pose.orientation
         yaw = math.atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z))
         time_s = odometry.header.stamp.to_sec()
@@ -69,6 +67,12 @@ class FollowerNode:
         if is_done and self._was_done and not self._answers_always:
             return  # the next driver is not to be stopped
         self._publish(velocity, is_done)
+
+    def _show_path_in(self, frame: str) -> None:
+        """Publishes the path again if odometry is in another frame than before."""
+        if frame != self._path_frame:
+            self._path_frame = frame
+            self._path.publish(self._path_message())
 
     def _publish(self, velocity: Velocity, is_done: bool) -> None:
         try:
