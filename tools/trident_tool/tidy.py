@@ -275,6 +275,18 @@ def _batch_name(batch: Iterable[CompileCommand], root: Path) -> str:
     return f"batch-{hashlib.sha256(names.encode()).hexdigest()}"
 
 
+def _open_batches(
+    units: Sequence[CompileCommand],
+    open_units: Mapping[Path, tuple[CompileCommand, Path]],
+    root: Path,
+) -> Iterator[tuple[str, list[tuple[CompileCommand, Path]]]]:
+    """Name of each batch with something to be checked, and what that is."""
+    for batch in batches(units, _UNITS_IN_A_BATCH):
+        missing = [open_units[unit.source] for unit in batch if unit.source in open_units]
+        if missing:
+            yield _batch_name(batch, root), missing
+
+
 def _check_all(
     units: Sequence[CompileCommand],
     open_units: Mapping[Path, tuple[CompileCommand, Path]],
@@ -285,12 +297,10 @@ def _check_all(
     env = base_environment()
     found: dict[Path, Result] = {}
     with ThreadPoolExecutor(max_workers=len(os.sched_getaffinity(0))) as pool:
-        futures = []
-        for batch in batches(units, _UNITS_IN_A_BATCH):
-            missing = [open_units[unit.source] for unit in batch if unit.source in open_units]
-            if missing:
-                lock = folder / _batch_name(batch, workspace.root)
-                futures.append(pool.submit(_check_once, lock, missing, workspace, env))
+        futures = [
+            pool.submit(_check_once, folder / name, missing, workspace, env)
+            for name, missing in _open_batches(units, open_units, workspace.root)
+        ]
         for future in as_completed(futures):
             found |= future.result()
             names = ", ".join(sorted(source.name for source in future.result()))
