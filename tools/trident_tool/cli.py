@@ -18,13 +18,13 @@ from trident_tool.formation import add_formation_commands
 from trident_tool.lint import CHECKS, run_checks
 from trident_tool.needed_packages import targets_of_launch
 from trident_tool.provision import provision
-from trident_tool.recording import Recording
 from trident_tool.running import run_launch_file
 from trident_tool.sanitizing import SANITIZERS, run_sanitized
-from trident_tool.screenshot import Size
 from trident_tool.shell import shell
 from trident_tool.testing import run_tests
-from trident_tool.viewing import ViewOptions, view
+from trident_tool.view.recording import Recording
+from trident_tool.view.screenshot import Size
+from trident_tool.view.viewing import ViewOptions, view
 from trident_tool.workspace import Runner, TridentError, Workspace, say
 from trident_tool.worlds import add_world_commands
 

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
 
-from trident_tool.launch_plan import LaunchPlan
+from trident_tool.launch.launch_plan import LaunchPlan
 from trident_tool.progress import Tail, strip_ansi
 
 FAULTS_FILE = "faults.json"

@@ -12,8 +12,8 @@ from typing import Any
 
 from trident_tool.building import package_manifests
 from trident_tool.environment import ros_environment
-from trident_tool.launch_plan import load_facts
-from trident_tool.launchfile import find_launch_file, parse_request
+from trident_tool.launch.launch_plan import load_facts
+from trident_tool.launch.launchfile import find_launch_file, parse_request
 from trident_tool.workspace import TridentError, Workspace
 
 #: What `./trident run` itself uses to check and to judge a run; their Python needs no build.

@@ -17,10 +17,20 @@ from pathlib import Path
 
 from trident_tool.environment import ros_environment
 from trident_tool.faults import Fault, FaultWatch, save_faults
-from trident_tool.formation_check import check_formations
-from trident_tool.launch_facts import save_launch, save_parameters
-from trident_tool.launch_plan import LaunchPlan, check_plan, check_real_time_factor, load_plan
-from trident_tool.launchfile import check_args, declared_args, find_launch_file, parse_request
+from trident_tool.launch.formation_check import check_formations
+from trident_tool.launch.launch_facts import save_launch, save_parameters
+from trident_tool.launch.launch_plan import (
+    LaunchPlan,
+    check_plan,
+    check_real_time_factor,
+    load_plan,
+)
+from trident_tool.launch.launchfile import (
+    check_args,
+    declared_args,
+    find_launch_file,
+    parse_request,
+)
 from trident_tool.modules import module_command
 from trident_tool.processes import Supervised, ends_by_exception, supervised
 from trident_tool.progress import ProgressView, last_warnings, required_node_failed

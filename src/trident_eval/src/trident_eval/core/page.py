@@ -169,7 +169,7 @@ def _repeat(report: Report) -> Iterable[str]:
 
 
 def _to_compare(run: dict[str, Any]) -> Iterable[str]:
-    """What tells whether a repeated run was the same."""
+    """What to compare a repeated run with."""
     labels = (("seed", "seed"), ("steps", "steps"), ("state hash", "state_hash"))
     facts = [(label, str(run[key])) for label, key in labels if key in run]
     if not facts:

@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from trident_tool.screenshot import Size
+from trident_tool.view.screenshot import Size
 from trident_tool.workspace import TridentError, Workspace
 
 _LATE_S = 60  # a launch takes a while until the model is there

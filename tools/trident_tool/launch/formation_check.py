@@ -8,7 +8,7 @@ import json
 import subprocess
 from collections.abc import Mapping
 
-from trident_tool.launch_plan import LaunchPlan
+from trident_tool.launch.launch_plan import LaunchPlan
 from trident_tool.workspace import TridentError, say
 
 _MODULE = "trident_fleet.cli.check_launch"

@@ -100,7 +100,7 @@ def _one_line(error: object) -> str:
 
 
 def _without_traceback(text: str) -> str:
-    """The lines of ``text`` in one, but for that which tells where a traceback is."""
+    """The lines of ``text`` in one, without that which names a traceback."""
     lines = [line.strip() for line in text.splitlines()]
     kept = " ".join(line for line in lines if line and not line.startswith("The traceback"))
     return re.sub(r"\s+", " ", kept)

@@ -12,8 +12,8 @@ import xml.etree.ElementTree as ET
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
-from trident_tool.markdown import MAX_COLUMNS
-from trident_tool.plugin_reference import plugins_page
+from trident_tool.lints.markdown import MAX_COLUMNS
+from trident_tool.lints.plugin_reference import plugins_page
 from trident_tool.workspace import base_environment
 
 _HEAD = """<!-- SPDX-FileCopyrightText: 2026 The Trident authors -->

@@ -13,21 +13,26 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from trident_tool.environment import ros_environment
-from trident_tool.formation_check import check_formations
-from trident_tool.launch_feed import (
+from trident_tool.launch.formation_check import check_formations
+from trident_tool.launch.launch_feed import (
     DESCRIPTION,
     STATE_PUBLISHER,
     lacks_state_publisher,
     nodes_of,
     wait_for_param,
 )
-from trident_tool.launch_plan import load_plan
-from trident_tool.launchfile import check_args, declared_args, find_launch_file, parse_request
+from trident_tool.launch.launch_plan import load_plan
+from trident_tool.launch.launchfile import (
+    check_args,
+    declared_args,
+    find_launch_file,
+    parse_request,
+)
 from trident_tool.processes import ends_by_exception, foreground, started
-from trident_tool.recording import Recording
 from trident_tool.running import free_port
-from trident_tool.screenshot import Size, resized, screenshot
 from trident_tool.shell import running_master, wait_for_master
+from trident_tool.view.recording import Recording
+from trident_tool.view.screenshot import Size, resized, screenshot
 from trident_tool.workspace import Runner, TridentError, Workspace, base_environment, say
 
 _TRIES = 3

@@ -25,7 +25,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from trident_tool.tidy_batches import batch_source, batches
+from trident_tool.lints.tidy_batches import batch_source, batches
 from trident_tool.workspace import Runner, TridentError, Workspace, base_environment
 
 _INCLUDE = re.compile(rb'^[ \t]*#[ \t]*include[ \t]*[<"]([^>"]+)[>"]', re.MULTILINE)
