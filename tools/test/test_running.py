@@ -11,7 +11,6 @@ from datetime import datetime
 from pathlib import Path
 
 import pytest
-from trident_tool.framebuffer import Image, read_xwd, write_png
 from trident_tool.progress import (
     ProgressView,
     Tail,
@@ -33,6 +32,7 @@ from trident_tool.running import (
     why_failed,
 )
 from trident_tool.shell import running_master
+from trident_tool.view.framebuffer import Image, read_xwd, write_png
 from trident_tool.workspace import TridentError, Workspace
 
 DIED = """\

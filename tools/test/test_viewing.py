@@ -3,9 +3,15 @@
 from pathlib import Path
 
 import pytest
-from trident_tool import screenshot
-from trident_tool.screenshot import Size, resized
-from trident_tool.viewing import ViewOptions, pick_config, source_command, view, view_environment
+from trident_tool.view import screenshot
+from trident_tool.view.screenshot import Size, resized
+from trident_tool.view.viewing import (
+    ViewOptions,
+    pick_config,
+    source_command,
+    view,
+    view_environment,
+)
 from trident_tool.workspace import Runner, TridentError, Workspace
 
 

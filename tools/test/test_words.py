@@ -7,7 +7,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from trident_tool import words
+from trident_tool.lints import words
 from trident_tool.workspace import TridentError
 
 _TABLE = """

@@ -12,7 +12,7 @@ from pathlib import Path
 from urllib.parse import urlsplit
 
 from trident_tool.environment import ros_environment
-from trident_tool.launch_facts import LAUNCH_FILE
+from trident_tool.launch.launch_facts import LAUNCH_FILE
 from trident_tool.workspace import Runner, TridentError, Workspace, say
 
 _MASTER_LIMIT_S = 300.0  # the end of roscore is noticed at once

@@ -177,13 +177,23 @@ def _crates(model: StaticModel, config: HallConfig, random: np.random.Generator)
         place = free_place(random, x_range, y_range, is_free, _TRIES)
         if place is None:
             continue
-        x, y = place
         taken.append(place)
-        yaw = float(random.uniform(0.0, math.pi / 2))
-        for level in range(int(random.integers(1, 3))):
-            size = (_CRATE_M, _CRATE_M, _CRATE_M)
-            center = (x, y, (level + 0.5) * _CRATE_M)
-            model.box(f"crate{index}_{level}", size, center, look, yaw=yaw + 0.3 * level)
+        _stack(model, f"crate{index}", place, look, random)
+
+
+def _stack(
+    model: StaticModel,
+    name: str,
+    place: tuple[float, float],
+    look: Picture,
+    random: np.random.Generator,
+) -> None:
+    """One crate or two, the upper one turned a little."""
+    yaw = float(random.uniform(0.0, math.pi / 2))
+    for level in range(int(random.integers(1, 3))):
+        size = (_CRATE_M, _CRATE_M, _CRATE_M)
+        center = (*place, (level + 0.5) * _CRATE_M)
+        model.box(f"{name}_{level}", size, center, look, yaw=yaw + 0.3 * level)
 
 
 def _png(pixels: Pixels, colors: int) -> bytes:

@@ -101,18 +101,26 @@ def tokens(text: str, python: bool) -> Iterator[tuple[int, str, str]]:
             yield match.start(), IDENTIFIERS, " ".join(_PART.findall(match[IDENTIFIERS]))
 
 
+class _Finder:
+    """Finds the words of one scope, all in one pass."""
+
+    def __init__(self, words: Iterable[Word], scope: str) -> None:
+        self._words = [word for word in words if scope in word.scopes]
+        self._any_form = re.compile("|".join(w.forms.pattern for w in self._words), re.IGNORECASE)
+
+    def find(self, token: str) -> Iterator[tuple[Word, re.Match[str]]]:
+        for match in self._any_form.finditer(token):
+            yield next(word for word in self._words if word.forms.fullmatch(match[0])), match
+
+
 def find_places(path: Path, text: str, words: Iterable[Word]) -> Iterator[Place]:
     """Every occurrence of the words in one source, in order."""
     listed = list(words)
-    any_form = {
-        scope: re.compile("|".join(w.forms.pattern for w in listed if scope in w.scopes), re.I)
-        for scope in (IDENTIFIERS, PROSE)
-    }
-    for start, scope, token in tokens(text, path.suffix != ".h" and path.suffix != ".cpp"):
-        for match in any_form[scope].finditer(token):
+    finders = {scope: _Finder(listed, scope) for scope in (IDENTIFIERS, PROSE)}
+    for start, scope, token in tokens(text, path.suffix not in (".h", ".cpp")):
+        for word, match in finders[scope].find(token):
             offset = start + (match.start() if scope == PROSE else 0)
             line = text.count("\n", 0, offset) + 1
-            word = next(w for w in listed if scope in w.scopes and w.forms.fullmatch(match[0]))
             yield Place(path, line, word, match[0])
 
 
@@ -135,10 +143,14 @@ def compare(places: Iterable[Place], baseline: Baseline) -> Iterator[str]:
         allowed = baseline.get(folder, {}).get(name, 0)
         if len(listed) > allowed:
             yield from _excess(folder, allowed, listed)
-    for folder, allowances in baseline.items():
-        for name in allowances:
-            if (folder, name) not in found:
-                yield f"{BASELINE}: {folder} has no {name!r} any more: remove it (--fix does)"
+    for folder, name in _allowed(baseline):
+        if (folder, name) not in found:
+            yield f"{BASELINE}: {folder} has no {name!r} any more: remove it (--fix does)"
+
+
+def _allowed(baseline: Baseline) -> Iterator[tuple[str, str]]:
+    """Every folder with each of its words that a baseline allows there."""
+    return ((folder, name) for folder, allowances in baseline.items() for name in allowances)
 
 
 def _excess(folder: str, allowed: int, places: list[Place]) -> Iterator[str]:
