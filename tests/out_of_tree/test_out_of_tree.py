@@ -96,7 +96,7 @@ def test_method_and_matcher_stand_with_those_of_the_package(workspace: Workspace
     names, centroid, odometry = output.splitlines()
     assert {"centroid", "graph_slam_2d", "odometry"} <= set(names.split())
     assert float(odometry.split()[1]) == pytest.approx(0.5)
-    # The mean of points at equal angles is not the room's center: half of the distance is what it sees.
+    # The mean of points at equal angles is not the room's center: it sees half of the distance.
     assert 0.2 < float(centroid.split()[1]) < 0.6
 
 
