@@ -40,8 +40,11 @@ struct PluginFactory {
 /// are one name.
 class PluginRegistry {
  public:
+  /// Throws Error when the name is taken.
   void add(const std::string& filename, PluginFactory factory);
+  /// nullptr when it is not registered. Valid as long as the registry: nothing is ever removed.
   const PluginFactory* find(const std::string& filename) const;
+  /// In alphabetical order, without folder, "lib" and ".so".
   std::vector<std::string> names() const;
 
   /// find(), and for a name that is not there yet the shared object of that name, from the plugin
@@ -62,7 +65,9 @@ class PluginRegistry {
 /// order in which registrars run does not matter.
 class PluginRegistrar {
  public:
+  /// Only notes the factory: a name that is taken shows in register_builtin_plugins().
   PluginRegistrar(const char* filename, PluginFactory factory);
+  /// The same with what the conformance suite runs the plugin with.
   PluginRegistrar(const char* filename, PluginFactory factory, PluginExample example);
 };
 
