@@ -82,6 +82,7 @@ class PortHandle {
   PortHandle(PortBoard& board, P* port) : board_(&board), port_(port) {}
   /// `other` owns nothing afterwards.
   PortHandle(PortHandle&& other) noexcept { *this = std::move(other); }
+  /// Exchanges what both own; `other` releases it when it dies.
   PortHandle& operator=(PortHandle&& other) noexcept {
     std::swap(board_, other.board_);
     std::swap(port_, other.port_);
@@ -102,6 +103,7 @@ class PortHandle {
 
 template <class T>
 using OutHandle = PortHandle<OutPort<T>>;
+/// Made by advertise() in a plugin's constructor.
 template <class T>
 using InHandle = PortHandle<InPort<T>>;
 

@@ -28,6 +28,7 @@ struct PluginExample {
 
 /// How a plugin is made from its SDF element.
 struct PluginFactory {
+  /// Throws Error for bad parameters. May return nullptr: then the element has no effect.
   std::function<std::unique_ptr<Plugin>(const PluginContext&)> create;
   /// Name of the joint whose child this plugin spins as a rotor (see Model), or "".
   std::function<std::string(const PluginParams&)> rotor_joint;

@@ -36,14 +36,14 @@ struct SmallVector {
 
 /// Commanded rotor speeds [rad/s]. `stamp` is that of the odometry it answers; 0: unstamped.
 struct ActuatorCommand {
-  SimTime stamp;
+  SimTime stamp;  ///< of the odometry that it answers; 0: unstamped
   SmallVector angular_velocities;  ///< by motor number
 };
 
 /// Wanted velocity of a vehicle in its own frame (ROS' cmd_vel). It acts from the next step on;
 /// `stamp` is not looked at.
 struct TwistCommand {
-  SimTime stamp;
+  SimTime stamp;  ///< not looked at
   Eigen::Vector3d v_base = Eigen::Vector3d::Zero();  ///< [m/s]
   Eigen::Vector3d w_base = Eigen::Vector3d::Zero();  ///< [rad/s]
 };
