@@ -101,9 +101,10 @@ class PortHandle {
   P* port_ = nullptr;
 };
 
+/// Made by advertise() in a plugin's constructor.
 template <class T>
 using OutHandle = PortHandle<OutPort<T>>;
-/// Made by advertise() in a plugin's constructor.
+/// Made by subscribe() in a plugin's constructor.
 template <class T>
 using InHandle = PortHandle<InPort<T>>;
 
