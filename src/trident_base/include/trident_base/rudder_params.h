@@ -22,6 +22,7 @@ struct RudderParams {
   double max_angle = 0.6;  ///< [rad]
   double angle_rate = 0.5;  ///< [rad/s]
 
+  /// Names each field with its range and meaning.
   template <class Archive>
   void visit(Archive& ar) {
     ar.required("name", name, "as its topics call it");

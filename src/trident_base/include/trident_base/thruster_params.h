@@ -12,6 +12,7 @@ namespace trident {
 
 /// How a command becomes a thrust; see thrust_at() in thruster_curve.h.
 enum class ThrustMapping { kLinear, kGlf, kQuadratic, kTable };
+/// Names of the mappings in YAML.
 constexpr auto enum_names(ThrustMapping) {
   return std::array{
       EnumName{ThrustMapping::kLinear, "linear"}, EnumName{ThrustMapping::kGlf, "glf"},
@@ -37,6 +38,7 @@ struct ThrusterParams {
   double max_angle = 0.0;  ///< [rad]
   double angle_rate = 1.0;  ///< [rad/s]
 
+  /// Names each field with its range and meaning.
   template <class Archive>
   void visit(Archive& ar) {
     ar.required("name", name, "as its topics call it");
