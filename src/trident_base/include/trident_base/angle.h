@@ -6,7 +6,7 @@
 
 namespace trident {
 
-inline constexpr double kPi = 3.14159265358979323846;
+inline constexpr double kPi = 3.14159265358979323846;  ///< C++17 has no std::numbers::pi
 
 /// For the edges of the system: angles are radians everywhere else.
 constexpr double deg_to_rad(double angle_deg) { return angle_deg * (kPi / 180.0); }

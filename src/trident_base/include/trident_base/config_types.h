@@ -63,6 +63,7 @@ struct EnumName {
   Enum value;  ///< an enumerator
   const char* name;  ///< as files spell it
 };
+/// EnumName{Timing::kDirect, "direct"} names its enum by itself.
 template <class Enum>
 EnumName(Enum, const char*) -> EnumName<Enum>;
 

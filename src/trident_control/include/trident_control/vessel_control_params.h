@@ -18,6 +18,7 @@ struct HeadingParams {
   double max_rate = 0.4;  ///< [rad/s]
   double max_acceleration = 0.3;  ///< [rad/s^2]
 
+  /// Names each field with its range and meaning.
   template <class Archive>
   void visit(Archive& ar) {
     ar.field("natural_frequency", natural_frequency, Range{0.0, 10.0, true},
@@ -50,6 +51,7 @@ struct SpeedParams {
   double max_acceleration = 0.3;  ///< [m/s^2]
   double log_timeout = 1.0;  ///< [s]
 
+  /// Names each field with its range and meaning.
   template <class Archive>
   void visit(Archive& ar) {
     ar.field("reference", reference,
@@ -71,6 +73,7 @@ struct CourseParams {
   double crab_time_constant = 5.0;  ///< [s]
   double min_speed = 0.3;  ///< [m/s]
 
+  /// Names each field with its range and meaning.
   template <class Archive>
   void visit(Archive& ar) {
     ar.field("crab_time_constant", crab_time_constant, Range::positive(),
@@ -99,6 +102,7 @@ struct GuidanceParams {
   double slowest_turn = 0.3;  ///< in [0, 1]
   PathEnd at_end = PathEnd::kKeepStation;  ///< after the last waypoint
 
+  /// Names each field with its range and meaning.
   template <class Archive>
   void visit(Archive& ar) {
     ar.field("lookahead", lookahead, Range::positive(), "along the line [m]");
@@ -139,6 +143,7 @@ struct StationParams {
   double suspension = 5.0;  ///< [m]
   double suspension_rate = 0.05;  ///< [1/s]
 
+  /// Names each field with its range and meaning.
   template <class Archive>
   void visit(Archive& ar) {
     ar.field(
@@ -164,6 +169,7 @@ struct StationParams {
 struct VelocityParams {
   double timeout = 0.5;  ///< [s]
 
+  /// Names each field with its range and meaning.
   template <class Archive>
   void visit(Archive& ar) {
     ar.field("timeout", timeout, Range::non_negative(),
@@ -177,6 +183,7 @@ struct AllocationParams {
   double sway_weight = 1.0;  ///< of a sideways force that is not given
   double yaw_weight = 100.0;  ///< of a moment that is not given
 
+  /// Names each field with its range and meaning.
   template <class Archive>
   void visit(Archive& ar) {
     ar.field("surge_weight", surge_weight, Range{1e-3, 1e3}, "of a force that is not given");
@@ -195,6 +202,7 @@ struct VesselControlParams {
   VelocityParams cmd_vel;  ///< when a vessel without new commands stops
   AllocationParams allocation;  ///< of forces to thrusters and rudders
 
+  /// Names each field with its range and meaning.
   template <class Archive>
   void visit(Archive& ar) {
     ar.field("heading", heading, "autopilot");

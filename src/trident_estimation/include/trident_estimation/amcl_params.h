@@ -12,6 +12,7 @@ namespace trident::estimation {
 /// The models of "Probabilistic Robotics": 6.3 (beam), 6.4 (likelihood field), and the product over
 /// beams of the latter.
 enum class LaserModel { kBeam, kLikelihoodField, kLikelihoodFieldProb };
+/// Names of the models in YAML and parameters, those of amcl.
 constexpr auto enum_names(LaserModel) {
   return std::array{EnumName{LaserModel::kBeam, "beam"},
                     EnumName{LaserModel::kLikelihoodField, "likelihood_field"},
@@ -20,6 +21,7 @@ constexpr auto enum_names(LaserModel) {
 
 /// Drive, and whether alphas are read as the book has them (corrected) or as amcl always did.
 enum class OdomModel { kDiff, kOmni, kDiffCorrected, kOmniCorrected };
+/// Names of the models in YAML and parameters, those of amcl.
 constexpr auto enum_names(OdomModel) {
   return std::array{EnumName{OdomModel::kDiff, "diff"}, EnumName{OdomModel::kOmni, "omni"},
                     EnumName{OdomModel::kDiffCorrected, "diff-corrected"},
@@ -45,6 +47,7 @@ struct LaserModelParams {
   double beam_skip_threshold = 0.3;  ///< in [0, 1]
   double beam_skip_error_threshold = 0.9;  ///< in [0, 1]
 
+  /// Names each field with its range and meaning.
   template <class Archive>
   void visit(Archive& ar) {
     const Range probability{0.0, 1.0};
@@ -85,6 +88,7 @@ struct MotionModelParams {
   double odom_alpha4 = 0.2;  ///< translation from rotation
   double odom_alpha5 = 0.2;  ///< strafing from translation
 
+  /// Names each field with its range and meaning.
   template <class Archive>
   void visit(Archive& ar) {
     ar.field("odom_model_type", odom_model_type, "drive, and how alphas are read");
@@ -116,9 +120,10 @@ struct AmclParams {
   int recovery_patience = 2;  ///< updates in a row below that, before it is looked for
   double max_odom_jump = 3.0;  ///< [m]
   std::uint64_t seed = 0;  ///< of all random numbers
-  LaserModelParams laser;
-  MotionModelParams motion;
+  LaserModelParams laser;  ///< the parameters laser_*
+  MotionModelParams motion;  ///< the parameters odom_*
 
+  /// Names each field with its range and meaning.
   template <class Archive>
   void visit(Archive& ar) {
     ar.field("min_particles", min_particles, Range{1.0, 1e6}, "");

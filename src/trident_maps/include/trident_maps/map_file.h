@@ -20,6 +20,7 @@ namespace trident::maps {
 ///            are unknown;
 ///   raw      the pixel's value (0 ... 255) itself, unknown above 100.
 enum class MapMode { kTrinary, kScale, kRaw };
+/// Names of the modes in YAML, those of map_server.
 constexpr auto enum_names(MapMode) {
   return std::array{EnumName{MapMode::kTrinary, "trinary"}, EnumName{MapMode::kScale, "scale"},
                     EnumName{MapMode::kRaw, "raw"}};
@@ -35,6 +36,7 @@ struct MapFile {
   int negate = 0;  ///< 1: white is occupied
   MapMode mode = MapMode::kTrinary;  ///< how brightness becomes occupancy
 
+  /// Names each field with its range and meaning.
   template <class Archive>
   void visit(Archive& ar) {
     ar.required("image", image, "file of the picture, .pgm or .png");
@@ -54,8 +56,9 @@ class MapFileError : public Error {
  public:
   /// What is wrong decides how a caller answers (nav_msgs/LoadMap has a code for each).
   enum class Kind { kNoSuchFile, kBadMetadata, kBadImage };
+  /// `text` is complete, see above.
   MapFileError(Kind kind, const std::string& text) : Error(text), kind_(kind) {}
-  Kind kind() const { return kind_; }
+  Kind kind() const { return kind_; }  ///< decides the code of an answer
 
  private:
   Kind kind_;

@@ -21,7 +21,7 @@ struct Diagnostic {
   Severity severity = Severity::kWarning;  ///< the level in ROS' diagnostics
   std::string subject;  ///< whom it is about: "model 'm'", "model 'm' plugin 'p'"
   std::string kind;     ///< e.g. "velocity command refused"
-  std::string message;
+  std::string message;  ///< a sentence without the subject, which comes before it in a report
   /// E.g. the value that was found and the legal range.
   std::vector<std::pair<std::string, std::string>> values{};
 

@@ -72,7 +72,7 @@ struct Surface {
 struct CollisionSpec {
   std::string name;  ///< unique within its link
   SE3 T_link_shape;  ///< pose of the shape's own frame
-  Shape shape;
+  Shape shape;  ///< about its own frame; what touches
   Surface surface;  ///< how contacts of it behave
   /// `<laser_retro>`: how strongly a lidar sees it
   std::optional<double> laser_retro = std::nullopt;
@@ -93,7 +93,7 @@ struct Material {
 struct VisualSpec {
   std::string name;  ///< unique within its link
   SE3 T_link_shape;  ///< pose of the shape's own frame
-  Shape shape;
+  Shape shape;  ///< about its own frame; what is seen
   Material material;  ///< of the whole shape
   double transparency = 0.0;  ///< 1: invisible
   bool casts_shadows = true;  ///< `<cast_shadows>`

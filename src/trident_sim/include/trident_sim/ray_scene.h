@@ -33,7 +33,7 @@ struct Ray {
   Eigen::Vector3d p_world_origin = Eigen::Vector3d::Zero();  ///< [m]
   Eigen::Vector3d direction_world = Eigen::Vector3d::UnitX();  ///< of unit length
   double t_min_m = 0.0;                                        ///< what is nearer is not hit
-  double t_max_m = std::numeric_limits<double>::infinity();
+  double t_max_m = std::numeric_limits<double>::infinity();  ///< what is farther is not hit
 };
 
 /// The first surface that a ray hits.
@@ -178,7 +178,7 @@ class RayScene {
 
   /// How often what never moves, and the moving links' places, were committed.
   struct Commits {
-    std::uint64_t fixed = 0, moving = 0;
+    std::uint64_t fixed = 0, moving = 0;  ///< counts
   };
   /// Since the scene was made; tests see by it that what stands still costs nothing.
   Commits commits() const;

@@ -218,7 +218,7 @@ class World {
 
   /// Where plugins leave samples and find commands; how a middleware reads and writes them, too.
   PortBoard& ports() { return ports_; }
-  const PortBoard& ports() const { return ports_; }
+  const PortBoard& ports() const { return ports_; }  ///< to look only
   /// Hands a text to WorldOptions::report as it is. For what a user should see each time it occurs;
   /// what may occur in every step goes to diagnose().
   void report(Severity severity, const std::string& text) const;

@@ -188,6 +188,8 @@ class OutputTopics {
 /// are published as this message.
 template <class Sample, class Message>
 struct OutputTopicRegistrar {
+  /// Throws std::logic_error, which ends the program as it starts, when the sample type has a
+  /// topic.
   explicit OutputTopicRegistrar(const OutputTopicOptions& options = {}) {
     const auto make = [](TopicAdvertiser& advertiser, PortBase& port,
                          const OutputTopicOptions& topic) -> std::unique_ptr<OutputBinding> {

@@ -15,6 +15,7 @@ namespace trident::slam {
 /// `lifelong` continues a map and removes scans that newer ones have replaced.
 enum class SlamMode { kMapping, kLocalization, kLifelong };
 
+/// Names of the modes in YAML and parameters.
 constexpr auto enum_names(SlamMode /*tag*/) {
   return std::array{EnumName<SlamMode>{SlamMode::kMapping, "mapping"},
                     EnumName<SlamMode>{SlamMode::kLocalization, "localization"},
@@ -34,6 +35,7 @@ struct LifelongOptions {
   double constraint_multiplier = 0.05;  ///< fraction of the score that each edge beyond two returns
   double nearby_penalty = 0.001;  ///< in [0, 1]
 
+  /// Names each field with its range and meaning.
   template <class Archive>
   void visit(Archive& ar) {
     ar.field("lifelong_search_use_tree", search_use_tree,
@@ -91,10 +93,11 @@ struct GraphSlamOptions {
   bool calibrate_odometry = true;
   bool deskew = true;  ///< put each beam where the robot was when it was measured
 
-  LifelongOptions lifelong;
+  LifelongOptions lifelong;  ///< counts in kLifelong only
   FrontEndOptions front_end;  ///< tracking and localization in detail
   BackEndOptions back_end;  ///< pose graph, loops, pruning and editing in detail
 
+  /// Names each field with its range and meaning.
   template <class Archive>
   void visit(Archive& ar) {
     ar.field("mode", mode, "mapping | localization | lifelong");

@@ -30,6 +30,7 @@ struct ParticleSlamParams {
   int lskip = 0;                   ///< beams left out between two that are matched
   std::uint64_t seed = 1;  ///< of the particles' draws
 
+  /// Names each field with its range and meaning.
   template <class Archive>
   void visit(Archive& archive) {
     archive.field("particles", particles, Range{1, 10000}, "hypotheses of path and map");
@@ -61,6 +62,7 @@ struct ParticleSlamParams {
 /// common.
 class ParticleSlam2d : public Slam2d, public Slam2dOdometryUse {
  public:
+  /// Throws Error for parameters out of range.
   explicit ParticleSlam2d(const ParticleSlamParams& params = {});
   ~ParticleSlam2d() override;
 

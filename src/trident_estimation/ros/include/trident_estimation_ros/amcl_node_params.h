@@ -11,7 +11,7 @@ namespace trident::estimation {
 
 /// The private parameters of the node, under amcl's names. What `Amcl` itself needs is in `filter`.
 struct AmclNodeParams {
-  AmclParams filter;
+  AmclParams filter;  ///< what the filter itself needs
   std::string odom_frame_id = "odom";  ///< frame of odometry
   std::string base_frame_id = "base_link";  ///< frame of the robot
   std::string global_frame_id = "map";  ///< frame of the map

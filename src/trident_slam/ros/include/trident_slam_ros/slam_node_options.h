@@ -27,8 +27,8 @@ struct SlamNodeOptions {
   std::string base_frame = "base_footprint";  ///< frame of the robot
   std::string scan_topic = "scan";  ///< topic of sensor_msgs/LaserScan
   std::string imu_topic;  ///< of sensor_msgs/Imu: its turning rate deskews sweeps; empty: none
-  std::string map_topic = "map";
-  std::string pose_topic = "pose";
+  std::string map_topic = "map";  ///< below the node's namespace
+  std::string pose_topic = "pose";  ///< below the node's namespace and its private one
   bool uses_mount = true;    ///< false: the laser is taken to sit at the base frame
   int scan_queue_size = 10;  ///< of the subscriber, in asynchronous mode
   bool is_sync = false;      ///< true: every scan is used; false: the newest one, never a queue
@@ -43,7 +43,7 @@ struct SlamNodeOptions {
   double position_covariance_scale = 1.0;  ///< factor of the published variances of x and y
   double yaw_covariance_scale = 1.0;  ///< factor of the published variance of yaw
   double bag_loop_threshold = 1.0;  ///< [s]
-  BagLoop bag_loop = BagLoop::kIgnore;
+  BagLoop bag_loop = BagLoop::kIgnore;  ///< see docs/howto/slam.md
   std::string autosave_file;       ///< session file; empty: none
   double autosave_interval = 0.0;  ///< [s] of scans that a crash loses at most; 0: no autosave
 

@@ -39,7 +39,7 @@ struct ToolboxParams {
 
 /// Choices of Ceres, read where it is the solver.
 struct CeresParams {
-  CeresOptions options;  ///< None, HuberLoss, CauchyLoss
+  CeresOptions options;  ///< as given to make_ceres_solver()
 
   /// Lists the fields for the parameter reader and the reference.
   template <class Archive>
