@@ -39,6 +39,7 @@ inline OutputTopicOptions display_topic() { return {OutputTopicOptions{}.queue_s
 /// An output port and its topic.
 class OutputBinding {
  public:
+  /// `port` must outlive the binding. What it holds already is not published as new.
   explicit OutputBinding(PortBase& port) : port_(&port), seen_(port.count()) {}
   virtual ~OutputBinding() = default;
   OutputBinding(const OutputBinding&) = delete;
@@ -49,14 +50,16 @@ class OutputBinding {
   /// Converts the present value into a message that may wait to be sent; nullptr when the topic
   /// takes no single messages.
   virtual std::unique_ptr<ros_utils::DirectMessage> message() = 0;
+  /// Of the topic now; the port is wanted while it is > 0.
   virtual std::uint32_t subscribers() const = 0;
+  /// Valid as long as the binding.
   virtual const ros::Publisher& publisher() const = 0;
   /// Joint states: of use to displays only.
   virtual bool is_for_display() const { return false; }
   /// Who subscribes later gets the newest value, so that every value is sent.
   virtual bool is_latched() const { return false; }
 
-  PortBase& port() const { return *port_; }
+  PortBase& port() const { return *port_; }  ///< as constructed
   /// Sets whether the port has a listener.
   void set_wanted(bool wanted) {
     if (wanted == wanted_) return;
@@ -67,7 +70,7 @@ class OutputBinding {
       port_->remove_listener();
     }
   }
-  bool wanted() const { return wanted_; }
+  bool wanted() const { return wanted_; }  ///< as last set
   bool is_late = false;  ///< a value was not published yet, for the wall rate of displays
   /// True once per new value.
   bool take_fresh() {
@@ -85,8 +88,11 @@ class OutputBinding {
 /// Advertises topics and notes when a subscriber comes or goes.
 class TopicAdvertiser {
  public:
+  /// `node` must outlive it; its namespace is that of the topics.
   explicit TopicAdvertiser(ros::NodeHandle& node) : node_(node) {}
 
+  /// The queue and the latch are those of `topic_options`; connections are noted by the network's
+  /// thread, see take_change().
   template <class Message>
   ros::Publisher advertise(const std::string& topic, const OutputTopicOptions& topic_options = {}) {
     const auto note = [this](const ros::SingleSubscriberPublisher&) { has_changed_ = true; };
@@ -111,6 +117,7 @@ class TopicAdvertiser {
 template <class Sample, class Message>
 class OutputTopic : public OutputBinding {
  public:
+  /// Advertises at once. A latched port that has a value already publishes it.
   OutputTopic(TopicAdvertiser& advertiser, OutPort<Sample>& port, const OutputTopicOptions& options)
       : OutputBinding(port),
         port_(port),
@@ -147,6 +154,7 @@ class OutputTopic : public OutputBinding {
 /// The sample types that have a topic.
 class OutputTopics {
  public:
+  /// Makes the binding of a port whose type is known to fit.
   using MakeFunction = std::unique_ptr<OutputBinding> (*)(TopicAdvertiser&, PortBase&,
                                                           const OutputTopicOptions&);
 
@@ -180,6 +188,8 @@ class OutputTopics {
 /// are published as this message.
 template <class Sample, class Message>
 struct OutputTopicRegistrar {
+  /// Throws std::logic_error, which ends the program as it starts, when the sample type has a
+  /// topic.
   explicit OutputTopicRegistrar(const OutputTopicOptions& options = {}) {
     const auto make = [](TopicAdvertiser& advertiser, PortBase& port,
                          const OutputTopicOptions& topic) -> std::unique_ptr<OutputBinding> {
