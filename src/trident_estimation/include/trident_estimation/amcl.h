@@ -87,6 +87,8 @@ class Amcl {
   void make_guide();
   std::size_t chosen(double u) const;
   void push_random_pose(ParticleSet& particles, std::uint64_t number);
+  void draw(double share_of_random, std::uint64_t number);
+  bool is_search_due();
   void recover(const ScanBeams& beams, AmclStep& step);
   void inject(const std::vector<maps::PoseHypothesis>& hypotheses, const ScanBeams& beams);
   void update_estimate();

@@ -99,6 +99,17 @@ void convert_gearbox(const sdf::Joint& from, const std::string& prefix, const st
   joint.gearbox_reference_body = body == "world" ? body : prefix + body;
 }
 
+void convert_ends(const sdf::Joint& from, const std::string& prefix, const std::string& what,
+                  JointSpec& joint) {
+  std::string parent, child;
+  if (!from.ResolveParentLink(parent).empty() || !from.ResolveChildLink(child).empty()) {
+    throw Error(what + ": parent '" + from.ParentLinkName() + "' or child '" +
+                from.ChildLinkName() + "' is not a link of the model");
+  }
+  joint.parent = parent == "world" ? parent : prefix + parent;
+  joint.child = prefix + child;
+}
+
 JointType convert_type(sdf::JointType type, const std::string& what) {
   switch (type) {
     case sdf::JointType::FIXED:
@@ -131,13 +142,7 @@ JointSpec convert_joint(const sdf::Joint& from, const std::string& prefix, const
   joint.name = prefix + from.Name();
   const std::string what = context.label + ": joint '" + joint.name + "'";
   joint.type = convert_type(from.Type(), what);
-  std::string parent, child;
-  if (!from.ResolveParentLink(parent).empty() || !from.ResolveChildLink(child).empty()) {
-    throw Error(what + ": parent '" + from.ParentLinkName() + "' or child '" +
-                from.ChildLinkName() + "' is not a link of the model");
-  }
-  joint.parent = parent == "world" ? parent : prefix + parent;
-  joint.child = prefix + child;
+  convert_ends(from, prefix, what, joint);
   joint.T_model_joint = T_root_model * resolve(from.SemanticPose(), "__model__", what);
   if (joint.type != JointType::kFixed && joint.type != JointType::kBall) {
     convert_axes(from, what, T_root_model.R, joint);

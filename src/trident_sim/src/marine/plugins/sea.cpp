@@ -157,7 +157,8 @@ class SeaPlugin : public Plugin {
     }
   }
 
-  void take_commands() {
+  /// Both return whether the environment has changed.
+  bool take_section_commands() {
     bool has_changed = false;
     for (Input& input : inputs_) {
       for (input.seen = std::max(input.seen, input.port->oldest());
@@ -172,6 +173,11 @@ class SeaPlugin : public Plugin {
                       has_changed;
       }
     }
+    return has_changed;
+  }
+
+  bool take_level_commands() {
+    bool has_changed = false;
     for (level_seen_ = std::max(level_seen_, level_->oldest()); level_seen_ < level_->count();
          ++level_seen_) {
       const double level = level_->at(level_seen_).value;
@@ -187,7 +193,13 @@ class SeaPlugin : public Plugin {
                             }) ||
                     has_changed;
     }
-    if (has_changed) publish_state();
+    return has_changed;
+  }
+
+  void take_commands() {
+    const bool has_new_section = take_section_commands();
+    const bool has_new_level = take_level_commands();
+    if (has_new_section || has_new_level) publish_state();
   }
 
   static void overlay(const std::string& section, const std::string& topic, const std::string& text,

@@ -65,6 +65,18 @@ void read_dynamics(const PluginParams& params, UuvThrusterParams* thruster) {
   }
 }
 
+void check_conversion_table(const PluginParams& params, const UuvThrusterParams& thruster) {
+  if (thruster.inputs.size() != thruster.outputs.size()) {
+    params.refuse("outputValues", std::to_string(thruster.outputs.size()) + " numbers",
+                  std::to_string(thruster.inputs.size()) + ", as <inputValues> has");
+  }
+  for (std::size_t i = 1; i < thruster.inputs.size(); ++i) {
+    if (thruster.inputs[i] <= thruster.inputs[i - 1]) {
+      params.refuse("inputValues", number_text(thruster.inputs[i]), "numbers that rise");
+    }
+  }
+}
+
 void read_conversion(const PluginParams& params, UuvThrusterParams* thruster) {
   thruster->conversion = read_type<UuvConversion>(params);
   switch (thruster->conversion) {
@@ -80,15 +92,7 @@ void read_conversion(const PluginParams& params, UuvThrusterParams* thruster) {
     case UuvConversion::kLinearInterp:
       thruster->inputs = required_numbers(params, "inputValues");
       thruster->outputs = required_numbers(params, "outputValues");
-      if (thruster->inputs.size() != thruster->outputs.size()) {
-        params.refuse("outputValues", std::to_string(thruster->outputs.size()) + " numbers",
-                      std::to_string(thruster->inputs.size()) + ", as <inputValues> has");
-      }
-      for (std::size_t i = 1; i < thruster->inputs.size(); ++i) {
-        if (thruster->inputs[i] <= thruster->inputs[i - 1]) {
-          params.refuse("inputValues", number_text(thruster->inputs[i]), "numbers that rise");
-        }
-      }
+      check_conversion_table(params, *thruster);
       break;
   }
 }

@@ -146,10 +146,13 @@ class Gnss : public MeasuringPlugin {
         std::count_if(hits_.begin(), hits_.end(), [](const RayHit& hit) { return !hit.is_hit(); }));
   }
 
+  bool is_enough_for_rtk(int satellites) const { return has_rtk_ && satellites >= rtk_satellites_; }
+
   FixType find_type(int satellites, const StepInfo& info) {
-    if (!has_rtk_ || satellites < rtk_satellites_) good_since_ = info.sample;
+    const bool may_use_rtk = is_enough_for_rtk(satellites);
+    if (!may_use_rtk) good_since_ = info.sample;
     if (satellites < kMinForFix) return FixType::kNone;
-    if (!has_rtk_ || satellites < rtk_satellites_) return FixType::kSingle;
+    if (!may_use_rtk) return FixType::kSingle;
     const double good_s = static_cast<double>(info.sample - good_since_) * info.dt_s;
     if (good_s < float_time_s_) return FixType::kSingle;
     return good_s < fixed_time_s_ ? FixType::kFloat : FixType::kFixed;

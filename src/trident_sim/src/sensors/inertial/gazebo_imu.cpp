@@ -195,6 +195,20 @@ std::unique_ptr<Plugin> make_sensor_imu(const PluginContext& context) {
       noises);
 }
 
+void set_stddev(double stddev, ImuNoises& noises) {
+  for (Triad* const triad : {&noises.gyro, &noises.accel}) {
+    for (AxisNoise& noise : *triad) noise.stddev = stddev;
+  }
+}
+
+/// What a mounting that is off by `rpy` does to the means that are not given, as upstream.
+void add_mounting(const Eigen::Vector3d& rpy, ImuNoises& noises) {
+  constexpr double kGravity = 9.8065;  // upstream's
+  if (noises.accel[1].mean == 0.0) noises.accel[1].mean = -rpy.x() * kGravity;
+  if (noises.accel[0].mean == 0.0) noises.accel[0].mean = rpy.y() * kGravity;
+  if (noises.heading.mean == 0.0) noises.heading.mean = rpy.z();
+}
+
 /// hector_gazebo_plugins': `<rpyOffset>` is what its mounting does to the force and the heading, as
 /// upstream. Unlike upstream's, the spread of a drift does not depend on the step, and an error of
 /// the force does not tilt the orientation.
@@ -208,16 +222,9 @@ std::unique_ptr<Plugin> make_hector_imu(const PluginContext& context) {
   noises.gyro = read_hector_noises(params, "rate");
   noises.accel = read_hector_noises(params, "accel");
   noises.heading = read_hector_noises(params, "heading")[0];
-  if (const double common = read_common_noise(params); common != 0.0) {
-    for (Triad* const triad : {&noises.gyro, &noises.accel}) {
-      for (AxisNoise& noise : *triad) noise.stddev = common;
-    }
-  }
-  const Eigen::Vector3d rpy = params.vector3("rpyOffset", Eigen::Vector3d::Zero());
-  constexpr double kGravity = 9.8065;  // upstream's
-  if (noises.accel[1].mean == 0.0) noises.accel[1].mean = -rpy.x() * kGravity;
-  if (noises.accel[0].mean == 0.0) noises.accel[0].mean = rpy.y() * kGravity;
-  if (noises.heading.mean == 0.0) noises.heading.mean = rpy.z();
+  const double common = read_common_noise(params);
+  if (common != 0.0) set_stddev(common, noises);
+  add_mounting(params.vector3("rpyOffset", Eigen::Vector3d::Zero()), noises);
   const std::string topic = params.text("topicName", "imu");
   return std::make_unique<GazeboImu>(
       context,

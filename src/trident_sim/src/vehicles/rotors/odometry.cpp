@@ -76,6 +76,10 @@ class Odometry : public MeasuringPlugin {
       sample(info, scratch_);
       delayed_.push_back({info.sample + delay_steps_, scratch_});
     }
+    send_delayed(info);
+  }
+
+  void send_delayed(const StepInfo& info) {
     // What became due while nobody listened is of no use to who listens now.
     while (!delayed_.empty() && delayed_.front().first < info.sample) delayed_.pop_front();
     if (delayed_.empty() || delayed_.front().first > info.sample) return;
