@@ -30,7 +30,7 @@ from trident_tool.launch.launchfile import (
 )
 from trident_tool.processes import ends_by_exception, foreground, started
 from trident_tool.running import free_port
-from trident_tool.shell import running_master, wait_for_master
+from trident_tool.shell import running_master, simulator_master, wait_for_master
 from trident_tool.view.recording import Recording
 from trident_tool.view.screenshot import Size, resized, screenshot
 from trident_tool.workspace import Runner, TridentError, Workspace, base_environment, say
@@ -247,13 +247,19 @@ def _show(
 def _find_or_start_master(
     stack: contextlib.ExitStack, workspace: Workspace, env: dict[str, str], is_own: bool
 ) -> str:
-    """URI of the master of the run in progress; of a new one without any, or if ``is_own``."""
-    uri = None if is_own else running_master(workspace)
-    if uri is None:
-        port = free_port()
-        uri = f"http://localhost:{port}"
-        core = stack.enter_context(started(["roscore", "-p", str(port)], _at(env, uri)))
-        wait_for_master(uri, core)
+    """URI of a new master if ``is_own``, else of that with the simulator that is running."""
+    if not is_own:
+        uri = running_master(workspace) or simulator_master()
+        if uri is None:
+            raise TridentError(
+                "no simulator is running: neither a ./trident run nor one at ROS_MASTER_URI;"
+                " legal: ./trident view FILE.launch, or start one first"
+            )
+        return uri
+    uri = f"http://localhost:{free_port()}"
+    port = uri.rpartition(":")[2]
+    core = stack.enter_context(started(["roscore", "-p", port], _at(env, uri)))
+    wait_for_master(uri, core)
     return uri
 
 

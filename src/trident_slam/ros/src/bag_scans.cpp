@@ -48,6 +48,7 @@ geometry_msgs::TransformStamped as_transform(const nav_msgs::Odometry& message) 
   return without_slashes(transform);
 }
 
+/// The wanted topic, else the usual one, else the only one of `topics`, which are all of `type`.
 std::string chosen_topic(const std::string& wanted, const std::string& usual, const Topics& topics,
                          const std::string& type) {
   const auto has = [&topics](const std::string& name) {
@@ -59,7 +60,10 @@ std::string chosen_topic(const std::string& wanted, const std::string& usual, co
   }
   if (!wanted.empty()) return wanted;
   if (has(usual)) return usual;
-  if (topics.size() > 1) throw Error("several topics of " + type + ": " + join(topics));
+  if (topics.size() > 1) {
+    throw Error("several topics of " + type + ": " + join(topics) +
+                "; give one (program: --scan or --odom)");
+  }
   return topics.empty() ? "" : topics.front();
 }
 
