@@ -107,7 +107,7 @@ def flown() -> Flight:
 
 
 def test_followers_hold_their_places_around_a_moving_leader(flown: Flight) -> None:
-    assert len(flown.position) > 250, "they join in time to follow for most of the way"
+    assert len(flown.position) > 250, "they join in time to follow along most of the path"
     distance = np.linalg.norm(np.diff(flown.position[:, 0], axis=0), axis=1).sum()
     assert distance > 15.0, "the leader moves meanwhile"
     error = np.linalg.norm(flown.position[:, 1:] - flown.ideal, axis=-1)

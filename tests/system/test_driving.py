@@ -29,7 +29,7 @@ def test_a_robot_wanders(launch: Start) -> None:
     run = launch(
         "trident_bringup", "robot_in_room.launch", drive="wander", real_time_factor=4
     ).spawned(ROBOT)
-    eventually(lambda: has_gone(run, 1.0), "a metre of way")
+    eventually(lambda: has_gone(run, 1.0), "a metre of path")
     assert abs(run.position(ROBOT)[2]) < 0.05
 
 

@@ -1,67 +1,34 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""Lockstep over ROS: equal hashes with any listeners, and what happens when a part dies."""
+"""Lockstep over ROS: the start, equal hashes with any listeners, and inputs from outside."""
 
 from __future__ import annotations
 
 import csv
-import signal
-import time
 from collections.abc import Callable
 from contextlib import ExitStack
-from pathlib import Path
 from typing import Any
 
 import pytest
-import rospy
 from diagnostic_msgs.msg import DiagnosticArray
 from gazebo_msgs.msg import ModelState, ModelStates
-from geometry_msgs.msg import PoseStamped, Twist
+from geometry_msgs.msg import Twist
 from harness import (
     Gazebo,
     Pilot,
-    Process,
     Ros,
     eventually,
     fresh_folder,
     logged_problems,
     pilot_of,
     pose,
-    program,
     recorder,
 )
-from mav_msgs.msg import Actuators
+from lockstep_pair import ROUTE, VEHICLES, Y_OF, StartGazebo, send_route, start_pair
 from nav_msgs.msg import Odometry
 from std_msgs.msg import Bool
 
-VEHICLES = ("UAV1", "UAV2")
 END_S = 6.0
-# Stamp [s] and target [m] of each set-point, y relative to where the vehicle stands.
-ROUTE = ((0.01, 0.0, 0.0, 1.0), (2.5, 1.0, 0.3, 1.5), (4.0, 0.5, -0.3, 1.2))
-Y_OF = {"UAV1": 2.0, "UAV2": 0.0}
-StartGazebo = Callable[..., Gazebo]
-
-
-def start_pair(start_gazebo: StartGazebo, **params: Any) -> tuple[Gazebo, dict[str, Process]]:
-    """A paused server with two fireflies and their controllers."""
-    gazebo = start_gazebo(wait_for=len(VEHICLES), **params)
-    for name in VEHICLES:
-        gazebo.spawn(name, at=pose(0.0, Y_OF[name], 0.1))
-    return gazebo, {name: gazebo.controller(name) for name in VEHICLES}
-
-
-def hover(gazebo: Gazebo, pilot: Pilot, z: float = 1.0) -> None:
-    """Has both at ``z`` above where they started; the world runs afterwards."""
-    for name in VEHICLES:
-        pilot.send(name, 0.0, Y_OF[name], z, 0.01)
-    gazebo.ask("unpause_physics")
-    gazebo.until(4.0)
-    for name in VEHICLES:
-        assert gazebo.position(name) == pytest.approx((0.0, Y_OF[name], z + 0.04), abs=0.05)
-
-
-def hovers(gazebo: Gazebo, name: str, z: float = 1.0) -> bool:
-    return gazebo.position(name) == pytest.approx((0.0, Y_OF[name], z + 0.04), abs=0.05)
 
 
 def fly(
@@ -78,9 +45,7 @@ def fly(
     )
     with ExitStack() as stack:
         pilot = stack.enter_context(pilot_of(*VEHICLES))
-        for stamp, x, y, z in ROUTE:
-            for name in VEHICLES:
-                pilot.send(name, x, Y_OF[name] + y, z, stamp)
+        send_route(pilot)
         if listen is not None:
             listen(stack)
         gazebo.ask("unpause_physics")
@@ -151,87 +116,6 @@ def test_equal_hashes_with_any_listeners_and_at_any_speed(
     assert len(set(states.values())) == 1
 
 
-def test_set_points_sent_in_time_give_the_flight_of_set_points_sent_ahead(
-    ros: Ros, start_gazebo: StartGazebo
-) -> None:
-    period = 0.5
-    plan = [(max(0.01, k * period), 0.1 * k, 1.0 + 0.05 * k) for k in range(8)]
-    hashes = []
-    for fed in (False, True):
-        gazebo = start_gazebo(
-            wait_for=1, out_dir=fresh_folder(ros.folder / f"fed-{fed}"), end_time=len(plan) * period
-        )
-        gazebo.spawn("UAV1")
-        gazebo.controller("UAV1")
-        with pilot_of("UAV1") as pilot:
-            if fed:
-                feed(gazebo, pilot, plan, period)
-            else:
-                for stamp, x, z in plan:
-                    pilot.send("UAV1", x, 0.0, z, stamp)
-                gazebo.ask("unpause_physics")
-            hashes.append(gazebo.ended()["state_hash"])
-        ros.clean()
-    assert hashes[0] == hashes[1]
-
-
-def feed(
-    gazebo: Gazebo, pilot: Pilot, plan: list[tuple[float, float, float]], period: float
-) -> None:
-    """Enrols as a source, and sends each set-point only when the world stands and waits for it."""
-    first, *others = plan
-    pilot.send("UAV1", first[1], 0.0, first[2], first[0])
-    enrolled = gazebo.ask(
-        "enroll_source",
-        node="/feeder",
-        vehicles=["UAV1"],
-        period=rospy.Duration(period),
-        end_time=rospy.Time(period * len(plan)),
-        enroll=True,
-    )
-    assert enrolled.start_time.to_sec() in (0.0, period)
-    gazebo.ask("unpause_physics")
-    for stamp, x, z in others:
-        stands_at = pytest.approx(stamp - 0.01, abs=1e-9)
-        eventually(lambda at=stands_at: gazebo.time() == at, f"the world waits for {stamp} s")
-        assert [gazebo.time() for _ in range(5)] == [stands_at] * 5
-        pilot.send("UAV1", x, 0.0, z, stamp)
-
-
-def test_a_source_that_falls_silent_is_named_and_released(
-    ros: Ros, start_gazebo: StartGazebo
-) -> None:
-    gazebo = start_gazebo(wait_for=1, lockstep_timeout=0.1, lockstep_policy="free_run")
-    gazebo.spawn("UAV1")
-    gazebo.controller("UAV1")
-    with pilot_of("UAV1") as pilot:
-        pilot.send("UAV1", 0.0, 0.0, 1.0, 0.01)
-        gazebo.ask(
-            "enroll_source",
-            node="/silent",
-            vehicles=["UAV1"],
-            period=rospy.Duration(0.2),
-            enroll=True,
-        )
-        gazebo.ask("unpause_physics")
-        gazebo.process.eventually_logs("set-point source /silent has sent nothing for")
-        gazebo.until(1.0)
-    line = next(line for line in logged_problems(gazebo.log) if "/silent" in line)
-    assert "UAV1" in line
-    assert "the world goes on without it" in line
-
-
-@pytest.mark.parametrize("fields", [{"period": rospy.Duration(0)}, {"vehicles": []}])
-def test_a_source_without_period_or_vehicles_is_reported(
-    gazebo: Gazebo, fields: dict[str, Any]
-) -> None:
-    request = {"node": "/odd", "vehicles": ["UAV1"], "period": rospy.Duration(0.1), "enroll": True}
-    response = gazebo.call("enroll_source", **{**request, **fields})
-    # A period of zero stands for the default.
-    assert response.success == ("period" in fields)
-    assert response.success or "/odd" in response.message
-
-
 def test_time_zero_is_held_until_all_that_was_declared_is_there(
     ros: Ros, start_gazebo: StartGazebo
 ) -> None:
@@ -255,268 +139,6 @@ def test_time_zero_is_held_until_all_that_was_declared_is_there(
         gazebo.controller("UAV2")
         gazebo.until(0.5)
         eventually(lambda: says("in lockstep"), "lockstep in the diagnostics")
-
-
-def test_a_killed_controller_is_named_the_other_flies_on_and_a_new_one_is_enrolled(
-    start_gazebo: StartGazebo,
-) -> None:
-    gazebo, controllers = start_pair(start_gazebo, real_time_factor=2.0)
-    with pilot_of(*VEHICLES) as pilot, recorder("/diagnostics", DiagnosticArray) as diagnostics:
-        hover(gazebo, pilot)
-        controllers["UAV1"].stop(signal.SIGKILL)
-        gazebo.process.eventually_logs("the controller of UAV1 has disconnected")
-        assert "the world goes on without it" in gazebo.log
-        after = gazebo.time()
-        gazebo.until(after + 2.0)
-        assert hovers(gazebo, "UAV2")
-        eventually(
-            lambda: any(
-                "controller of UAV1 has disconnected" in status.message and status.level == 1
-                for message in diagnostics.messages
-                for status in message.status
-            ),
-            "the loss in /diagnostics",
-        )
-        enrolled = gazebo.log.count("UAV1: controller enrolled")
-        gazebo.controller("UAV1")
-        eventually(
-            lambda: gazebo.log.count("UAV1: controller enrolled") > enrolled, "the new enrolment"
-        )
-        gazebo.ask("pause_physics")
-        start = ModelState("UAV1", pose(0.0, Y_OF["UAV1"], 1.0), Twist(), "world")
-        gazebo.ask("set_model_state", model_state=start)
-        pilot.send("UAV1", 0.0, Y_OF["UAV1"], 1.0, gazebo.time())
-        gazebo.ask("unpause_physics")
-        gazebo.until(gazebo.time() + 4.0)
-        assert hovers(gazebo, "UAV1")
-        assert hovers(gazebo, "UAV2")
-    losses = [line for line in logged_problems(gazebo.log) if "controller of" in line]
-    assert len(losses) == 1, losses
-
-
-def test_a_stopped_controller_is_timed_out_by_name_and_comes_back(
-    start_gazebo: StartGazebo,
-) -> None:
-    gazebo, controllers = start_pair(start_gazebo, real_time_factor=2.0, lockstep_timeout=0.5)
-    with pilot_of(*VEHICLES) as pilot:
-        hover(gazebo, pilot)
-        controllers["UAV2"].send(signal.SIGSTOP)
-        gazebo.process.eventually_logs("the controller of UAV2 has not answered for 0.5")
-        gazebo.until(gazebo.time() + 1.0)
-        assert hovers(gazebo, "UAV1")
-        enrolled = gazebo.log.count("UAV2: controller enrolled")
-        controllers["UAV2"].send(signal.SIGCONT)
-        eventually(
-            lambda: gazebo.log.count("UAV2: controller enrolled") > enrolled, "the new enrolment"
-        )
-        gazebo.until(gazebo.time() + 4.0)
-        assert hovers(gazebo, "UAV1")
-
-
-def waits_for_one(gazebo: Gazebo, name: str) -> float:
-    """Time at which the world stands still [s], with a few words about one lost controller."""
-    stands_at = gazebo.time()
-    assert [gazebo.time() for _ in range(200)] == [stands_at] * 200
-    warnings = [line for line in logged_problems(gazebo.log) if name in line]
-    assert len(warnings) <= 3, f"{len(warnings)} warnings about one loss"
-    return stands_at
-
-
-def test_policy_wait_stands_still_until_a_new_controller_comes(start_gazebo: StartGazebo) -> None:
-    gazebo, controllers = start_pair(
-        start_gazebo, real_time_factor=2.0, lockstep_policy="wait", lockstep_timeout=0.3
-    )
-    with pilot_of(*VEHICLES) as pilot:
-        hover(gazebo, pilot)
-        controllers["UAV1"].stop(signal.SIGKILL)
-        gazebo.process.eventually_logs("the controller of UAV1 has disconnected; the world waits")
-        stands_at = waits_for_one(gazebo, "UAV1")
-        gazebo.controller("UAV1")
-        gazebo.until(stands_at + 0.5)
-
-
-def test_a_new_controller_whose_first_answer_is_lost_is_asked_again(
-    start_gazebo: StartGazebo,
-) -> None:
-    """It reads the odometry before the world reads its commands: what it says then is not heard."""
-    gazebo, controllers = start_pair(start_gazebo, real_time_factor=2.0, lockstep_policy="wait")
-    heard: list[int] = []
-
-    def answer(state: Odometry) -> None:
-        heard.append(state.header.stamp.to_nsec())
-        if heard.count(heard[0]) > 1:
-            commands.publish(Actuators(header=state.header, angular_velocities=[545.0] * 6))
-
-    with pilot_of(*VEHICLES) as pilot:
-        hover(gazebo, pilot)
-        controllers["UAV1"].stop(signal.SIGKILL)
-        gazebo.process.eventually_logs("the controller of UAV1 has disconnected; the world waits")
-        stands_at = gazebo.time()
-        commands = rospy.Publisher("/UAV1/command/motor_speed", Actuators, queue_size=10)
-        odometry = rospy.Subscriber("/UAV1/odometry_sensor1/odometry", Odometry, answer)
-        try:
-            gazebo.until(stands_at + 0.5)
-        finally:
-            odometry.unregister()
-            commands.unregister()
-        assert heard.count(heard[0]) > 1
-
-
-def test_policy_wait_continues_with_a_controller_that_was_only_stopped(
-    start_gazebo: StartGazebo,
-) -> None:
-    gazebo, controllers = start_pair(
-        start_gazebo, real_time_factor=2.0, lockstep_policy="wait", lockstep_timeout=0.3
-    )
-    with pilot_of(*VEHICLES) as pilot:
-        hover(gazebo, pilot)
-        controllers["UAV1"].send(signal.SIGSTOP)
-        gazebo.process.eventually_logs("the controller of UAV1 has not answered for 0.3")
-        stands_at = waits_for_one(gazebo, "UAV1")
-        controllers["UAV1"].send(signal.SIGCONT)
-        gazebo.until(stands_at + 4.0)
-        assert hovers(gazebo, "UAV1"), "nothing was lost"
-
-
-def stopped_for(gazebo: Gazebo, process: Process, seconds: float, at_s: float) -> None:
-    """Stops a process when the world gets there, for so long."""
-    gazebo.until(at_s)
-    process.send(signal.SIGSTOP)
-    began = time.monotonic()
-    # As long as the world says: what the wall clock decides is what is looked at here.
-    eventually(lambda: time.monotonic() - began > seconds, "the time to be over")
-    process.send(signal.SIGCONT)
-
-
-def test_as_fast_as_possible_one_that_lives_is_waited_for_and_named(
-    ros: Ros, start_gazebo: StartGazebo
-) -> None:
-    hashes = {}
-    for stops in (0, 2):
-        out_dir = fresh_folder(ros.folder / f"stopped-{stops}")
-        gazebo, controllers = start_pair(
-            start_gazebo, out_dir=out_dir, end_time=30.0, lockstep_timeout=0.3
-        )
-        with pilot_of(*VEHICLES) as pilot, recorder("/diagnostics", DiagnosticArray) as heard:
-            for stamp, x, y, z in ROUTE:
-                for name in VEHICLES:
-                    pilot.send(name, x, Y_OF[name] + y, z, stamp)
-            gazebo.ask("unpause_physics")
-            for index in range(stops):
-                stopped_for(gazebo, controllers["UAV2"], 2.5, 0.5 + 2.0 * index)
-            results = gazebo.ended()
-        assert results["repeatable"] is True, results
-        hashes[stops] = results["state_hash"]
-        reported = [status.message for array in heard.messages for status in array.status]
-        named = [text for text in reported if "waiting for the controller of UAV2" in text]
-        states = (Path(out_dir) / "progress.jsonl").read_text("utf-8")
-        if stops:
-            assert named, "the diagnostics name whom"
-            assert "waiting for the controller of UAV2" in states, "and so does the progress"
-            assert "the controller of UAV2 has not answered for 0.3" in gazebo.log
-        ros.clean()
-    assert hashes[0] == hashes[2]
-
-
-def test_where_the_policy_continues_the_run_says_who_when_and_why(
-    ros: Ros, start_gazebo: StartGazebo
-) -> None:
-    out_dir = fresh_folder(ros.folder / "goes-on")
-    gazebo, controllers = start_pair(
-        start_gazebo,
-        out_dir=out_dir,
-        end_time=60.0,
-        lockstep_timeout=0.3,
-        lockstep_policy="free_run",
-    )
-    with pilot_of(*VEHICLES) as pilot:
-        for name in VEHICLES:
-            pilot.send(name, 0.0, Y_OF[name], 1.0, 0.01)
-        gazebo.ask("unpause_physics")
-        gazebo.until(0.5)
-        controllers["UAV1"].send(signal.SIGSTOP)
-        gazebo.process.eventually_logs("not repeatable: the controller of UAV1")
-        controllers["UAV1"].send(signal.SIGCONT)
-        results = gazebo.ended()
-    assert results["repeatable"] is False
-    note = results["not_repeatable"][0]
-    assert note["who"] == "the controller of UAV1"
-    assert note["t"] >= 0.5
-    assert note["why"] == "has not answered in time"
-
-
-def test_one_that_died_ends_a_run_that_waits_with_an_error(
-    ros: Ros, start_gazebo: StartGazebo
-) -> None:
-    out_dir = fresh_folder(ros.folder / "died")
-    gazebo, controllers = start_pair(
-        start_gazebo, out_dir=out_dir, end_time=1000.0, restart_patience=0.5
-    )
-    with pilot_of(*VEHICLES) as pilot:
-        for name in VEHICLES:
-            pilot.send(name, 0.0, Y_OF[name], 1.0, 0.01)
-        gazebo.ask("unpause_physics")
-        gazebo.until(0.5)
-        controllers["UAV2"].stop(signal.SIGKILL)
-        assert gazebo.process.wait() == 1, "an error"
-    results = gazebo.results()
-    assert results["end_reason"] == "error"
-    assert "the controller of UAV2 has died at t = " in results["error"]
-    assert results["error"] in gazebo.log
-
-
-def test_a_source_that_died_ends_a_run_that_waits_and_a_stopped_one_does_not(
-    ros: Ros, start_gazebo: StartGazebo
-) -> None:
-    out_dir = fresh_folder(ros.folder / "source-died")
-    gazebo = start_gazebo(
-        wait_for=1,
-        wait_for_sources=1,
-        out_dir=out_dir,
-        end_time=1000.0,
-        lockstep_timeout=0.03,
-        restart_patience=0.5,
-    )
-    gazebo.spawn("UAV1")
-    gazebo.controller("UAV1")
-    words = ["_vehicle:=UAV1", "_waypoints:=[[0, 0, 1], [1, 0, 1], [0, 0, 1]]"]
-    source = ros.launch([program("trident_fleet", "waypoint_flight.py"), *words], "source")
-    gazebo.ask("unpause_physics")
-    gazebo.until(0.3)
-    source.send(signal.SIGSTOP)
-    gazebo.process.eventually_logs("set-point source /waypoint_flight has sent nothing for UAV1")
-    stands_at = gazebo.time()
-    source.send(signal.SIGCONT)
-    gazebo.until(stands_at + 0.2)
-    source.stop(signal.SIGKILL)
-    assert gazebo.process.wait() == 1
-    assert "set-point source /waypoint_flight has died" in gazebo.results()["error"]
-
-
-def test_a_set_point_counts_when_the_controller_has_it_not_when_it_is_sent(
-    start_gazebo: StartGazebo,
-) -> None:
-    """The source is there first, so that the simulator has seen set-points that nobody has."""
-    gazebo = start_gazebo(paused=False, wait_for=1, wait_for_sources=1)
-    gazebo.spawn("UAV1")
-    period = rospy.Duration(0.1)
-    gazebo.ask("enroll_source", node="/early", vehicles=["UAV1"], period=period, enroll=True)
-    publisher = rospy.Publisher("/UAV1/command/pose", PoseStamped, queue_size=10, latch=False)
-    try:
-        eventually(lambda: publisher.get_num_connections() == 1, "the simulator listens")
-        message = PoseStamped(pose=pose(0.0, 0.0, 1.0))
-        message.header.stamp = rospy.Time.from_sec(0.3)
-        publisher.publish(message)
-        gazebo.controller("UAV1")
-        eventually(lambda: gazebo.time() > 0.0, "all parts are there")
-        gazebo.process.eventually_logs("time runs")
-        eventually(lambda: gazebo.time() == pytest.approx(0.09), "the world waits")
-        assert [gazebo.time() for _ in range(50)] == [pytest.approx(0.09)] * 50
-        eventually(lambda: publisher.get_num_connections() == 2, "the controller listens")
-        publisher.publish(message)
-        gazebo.until(0.2)
-    finally:
-        publisher.unregister()
 
 
 def test_what_acts_on_a_running_world_from_outside_is_named(
@@ -543,36 +165,6 @@ def test_what_acts_on_a_running_world_from_outside_is_named(
     assert found["the spawning of UAV1"] == "called outside of the lockstep"
     assert "/gazebo/set_model_state" in found
     assert found["the end of the run"] == "interrupted as time ran"
-
-
-def test_policy_pause_pauses_and_can_be_unpaused(start_gazebo: StartGazebo) -> None:
-    gazebo, controllers = start_pair(start_gazebo, real_time_factor=2.0, lockstep_policy="pause")
-    with pilot_of(*VEHICLES) as pilot:
-        hover(gazebo, pilot)
-        controllers["UAV1"].stop(signal.SIGKILL)
-        gazebo.process.eventually_logs(
-            "the controller of UAV1 has disconnected; the world is paused"
-        )
-        eventually(lambda: bool(gazebo.ask("get_physics_properties").pause), "the pause")
-        stands_at = gazebo.time()
-        gazebo.ask("unpause_physics")
-        gazebo.until(stands_at + 1.0)
-        assert hovers(gazebo, "UAV2")
-
-
-def test_controllers_answer_a_simulator_that_was_killed_and_started_again(
-    ros: Ros, start_gazebo: StartGazebo
-) -> None:
-    gazebo, controllers = start_pair(start_gazebo)
-    with pilot_of(*VEHICLES) as pilot:
-        hover(gazebo, pilot)
-        gazebo.process.stop(signal.SIGKILL)
-        again = start_gazebo(wait_for=len(VEHICLES))
-        for name in VEHICLES:
-            again.spawn(name, at=pose(0.0, Y_OF[name], 0.1))
-        hover(again, pilot, 1.5)
-        assert all(process.running for process in controllers.values())
-        assert not logged_problems(again.log), again.log
 
 
 @pytest.mark.parametrize("sent", ["ahead", "in time"])

@@ -163,5 +163,5 @@ def test_random_calls_neither_crash_nor_leak_nor_chatter(
     gazebo.ask("reset_simulation")
     refresh(gazebo)
     begin = gazebo.time()
-    eventually(lambda: gazebo.time() > begin, "the world goes on")
+    eventually(lambda: gazebo.time() > begin, "the world continues")
     assert all(controller.running for controller in controllers)

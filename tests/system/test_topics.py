@@ -297,7 +297,7 @@ def test_a_command_that_is_not_finite_is_reported_once_and_the_last_one_stays(
     eventually(lambda: steady(300.0), "the motors follow")
     for bad in (math.nan, math.inf, -math.inf):
         publisher.publish(Actuators(angular_velocities=[300.0, bad, 200.0, 200.0, 200.0, 200.0]))
-    eventually(lambda: gazebo.step(1) > 0.0 and "motor command 1 is" in gazebo.log, "the complaint")
+    eventually(lambda: gazebo.step(1) > 0.0 and "motor command 1 is" in gazebo.log, "the warning")
     assert steady(300.0), "the last good command stays"
     publisher.publish(Actuators(angular_velocities=[250.0] * 6))
     eventually(lambda: steady(250.0), "the next good command acts")

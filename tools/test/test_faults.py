@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 from trident_tool.faults import Fault, FaultWatch, describe_exit, save_faults
-from trident_tool.launch_plan import LaunchNode, LaunchPlan
+from trident_tool.launch.launch_plan import LaunchNode, LaunchPlan
 
 PLAN = LaunchPlan(
     (

@@ -48,7 +48,7 @@ def test_a_module_of_the_workspace_says_nothing(tmp_path: Path, after_s: float) 
 
 
 def test_other_errors_of_a_module_are_reported(tmp_path: Path) -> None:
-    (tmp_path / "bad_module.py").write_text("raise ValueError('told')\n")
+    (tmp_path / "bad_module.py").write_text("raise ValueError('reported')\n")
     done = subprocess.run(
         module_command("bad_module"),
         env={**os.environ, "PYTHONPATH": str(tmp_path)},
@@ -57,7 +57,7 @@ def test_other_errors_of_a_module_are_reported(tmp_path: Path) -> None:
         check=False,
     )
     assert done.returncode == 1
-    assert "ValueError: told" in done.stderr
+    assert "ValueError: reported" in done.stderr
 
 
 def test_a_module_gets_its_words_and_runs_as_by_m(tmp_path: Path) -> None:

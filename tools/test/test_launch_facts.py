@@ -10,7 +10,7 @@ from typing import Any
 from xmlrpc.server import SimpleXMLRPCServer
 
 import pytest
-from trident_tool.launch_facts import (
+from trident_tool.launch.launch_facts import (
     command_line,
     library_versions,
     save_launch,

@@ -7,7 +7,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from trident_tool.launch_feed import lacks_state_publisher, nodes_of
+from trident_tool.launch.launch_feed import lacks_state_publisher, nodes_of
 from trident_tool.workspace import TridentError
 
 CALL = ["roslaunch", "--disable-title", "a.launch", "x:=1"]

@@ -4,7 +4,7 @@ import os
 from pathlib import Path
 
 import pytest
-from trident_tool.launch_plan import (
+from trident_tool.launch.launch_plan import (
     LaunchNode,
     LaunchPlan,
     check_plan,

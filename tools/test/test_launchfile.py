@@ -3,7 +3,7 @@
 from pathlib import Path
 
 import pytest
-from trident_tool.launchfile import (
+from trident_tool.launch.launchfile import (
     DeclaredArgs,
     LaunchRequest,
     check_args,

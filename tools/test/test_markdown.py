@@ -7,7 +7,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from trident_tool.markdown import anchors, problems, wrapped
+from trident_tool.lints.markdown import anchors, problems, wrapped
 
 LONG = "word " * 40
 

@@ -10,9 +10,9 @@ from pathlib import Path
 
 import pytest
 from trident_tool.processes import foreground
-from trident_tool.recording import Recording
-from trident_tool.screenshot import Size
-from trident_tool.viewing import ViewOptions, view, viewer_command
+from trident_tool.view.recording import Recording
+from trident_tool.view.screenshot import Size
+from trident_tool.view.viewing import ViewOptions, view, viewer_command
 from trident_tool.workspace import Runner, TridentError, Workspace
 
 

@@ -9,8 +9,8 @@ from pathlib import Path
 
 import pytest
 import yaml
-from trident_tool.plugin_reference import parse_listing, plugins_page
-from trident_tool.reference import arguments_without_doc, check_reference, launch_page
+from trident_tool.lints.plugin_reference import parse_listing, plugins_page
+from trident_tool.lints.reference import arguments_without_doc, check_reference, launch_page
 
 LISTING = """\
 push

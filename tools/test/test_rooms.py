@@ -7,9 +7,9 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from trident_tool.headers import header_units, public_headers
-from trident_tool.rooms import TABLE, check_rooms, read_house, violations
-from trident_tool.tidy import CompileCommand, IncludeScanner
+from trident_tool.lints.headers import header_units, public_headers
+from trident_tool.lints.rooms import TABLE, check_rooms, read_house, violations
+from trident_tool.lints.tidy import CompileCommand, IncludeScanner
 
 _MANIFEST = "<package><name>{name}</name>{depends}</package>"
 

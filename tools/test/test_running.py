@@ -6,12 +6,13 @@ import signal
 import socket
 import struct
 import sys
+import threading
 import zlib
 from datetime import datetime
 from pathlib import Path
+from xmlrpc.server import SimpleXMLRPCServer
 
 import pytest
-from trident_tool.framebuffer import Image, read_xwd, write_png
 from trident_tool.progress import (
     ProgressView,
     Tail,
@@ -32,7 +33,8 @@ from trident_tool.running import (
     run_environment,
     why_failed,
 )
-from trident_tool.shell import running_master
+from trident_tool.shell import running_master, simulator_master
+from trident_tool.view.framebuffer import Image, read_xwd, write_png
 from trident_tool.workspace import TridentError, Workspace
 
 DIED = """\
@@ -186,6 +188,30 @@ def test_the_master_of_a_run_is_found_only_while_it_listens(clone: Workspace) ->
         (folder / "launch.json").write_text(json.dumps({"ros_master_uri": uri}), encoding="utf-8")
         assert running_master(clone) == uri
     assert running_master(clone) is None
+
+
+def test_the_master_of_a_simulator_is_that_of_the_environment(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    services = {"/gazebo/get_world_properties": "rosrpc://localhost:1"}
+
+    def lookup(_caller: str, name: str) -> tuple[int, str, str]:
+        return (1, "", services[name]) if name in services else (-1, "unknown", "")
+
+    with SimpleXMLRPCServer(("localhost", 0), logRequests=False) as master:
+        master.register_function(lookup, "lookupService")
+        thread = threading.Thread(target=master.serve_forever)
+        thread.start()
+        uri = f"http://localhost:{master.server_address[1]}"
+        monkeypatch.setenv("ROS_MASTER_URI", uri)
+        try:
+            assert simulator_master() == uri
+            services.clear()
+            assert simulator_master() is None
+        finally:
+            master.shutdown()
+            thread.join()
+    assert simulator_master() is None
 
 
 @pytest.mark.parametrize(

@@ -8,9 +8,9 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from trident_tool import tidy
 from trident_tool.lint import is_python, python_files, run_checks, source_files
-from trident_tool.tidy import (
+from trident_tool.lints import tidy
+from trident_tool.lints.tidy import (
     CompileCommand,
     IncludeScanner,
     Result,
@@ -21,7 +21,7 @@ from trident_tool.tidy import (
     parse_compile_commands,
     store_result,
 )
-from trident_tool.tidy_batches import batches
+from trident_tool.lints.tidy_batches import batches
 from trident_tool.workspace import Runner, TridentError, Workspace
 
 

@@ -3,9 +3,15 @@
 from pathlib import Path
 
 import pytest
-from trident_tool import screenshot
-from trident_tool.screenshot import Size, resized
-from trident_tool.viewing import ViewOptions, pick_config, source_command, view, view_environment
+from trident_tool.view import screenshot
+from trident_tool.view.screenshot import Size, resized
+from trident_tool.view.viewing import (
+    ViewOptions,
+    pick_config,
+    source_command,
+    view,
+    view_environment,
+)
 from trident_tool.workspace import Runner, TridentError, Workspace
 
 
@@ -71,7 +77,7 @@ def test_a_picture_without_a_request_is_taken_in_the_world(
     view(clone, Runner(dry_run=True), ViewOptions(screenshot=picture))
     output = capsys.readouterr().out
     assert f"overview.py --out {picture} --size 1600x1000" in output
-    assert "--hold" not in output, "a run in progress goes on"
+    assert "--hold" not in output, "a run in progress continues"
     view(clone, Runner(dry_run=True), ViewOptions(("fly.launch",), "fleet", screenshot=picture))
     assert "rviz" in capsys.readouterr().out
     bag = tmp_path / "a.bag"

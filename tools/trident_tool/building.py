@@ -115,18 +115,13 @@ def _configured_elsewhere(workspace: Workspace) -> bool:
 
 def configure(workspace: Workspace, runner: Runner) -> None:
     """Runs cmake if the workspace is not configured, has moved, or has other packages."""
-    stamp = workspace.build / _STAMP
     key = configure_key(workspace)
     if _configured_elsewhere(workspace):
-        say("build/ was made at another place, starting afresh")
+        say("build/ was made at another place, building from scratch")
         if not runner.dry_run:
             shutil.rmtree(workspace.build)
             hide_from_crawlers(workspace.build)
-    if (
-        (workspace.build / "build.ninja").is_file()
-        and stamp.is_file()
-        and stamp.read_text(encoding="utf-8") == key
-    ):
+    if _is_configured(workspace, key):
         return
     command = configure_command(workspace)
     if runner.dry_run:
@@ -141,7 +136,14 @@ def configure(workspace: Workspace, runner: Runner) -> None:
     if code != 0:
         sys.stderr.write(errors_of_cmake(log.read_text(encoding="utf-8", errors="replace")))
         raise TridentError(f"configuring failed (exit code {code}); all of it is in {log}")
-    stamp.write_text(key, encoding="utf-8")
+    (workspace.build / _STAMP).write_text(key, encoding="utf-8")
+
+
+def _is_configured(workspace: Workspace, key: str) -> bool:
+    """Whether build/ was configured with just this ``configure_key``."""
+    stamp = workspace.build / _STAMP
+    is_complete = (workspace.build / "build.ninja").is_file() and stamp.is_file()
+    return is_complete and stamp.read_text(encoding="utf-8") == key
 
 
 def errors_of_cmake(output: str) -> str:
@@ -157,16 +159,20 @@ def source_key(workspace: Workspace, targets: Sequence[str]) -> str:
     Debian's package state stands for the libraries and headers outside the clone.
     """
     digest = hashlib.sha256("\0".join([configure_key(workspace), *targets]).encode())
-    paths = [workspace.root / "CMakeLists.txt", Path("/var/lib/dpkg/status")]
-    for top in ("cmake", "src", "tests"):
-        for folder, subfolders, files in os.walk(workspace.root / top):
-            subfolders[:] = sorted(name for name in subfolders if name != "__pycache__")
-            paths += [Path(folder, name) for name in sorted(files)]
-    for path in paths:
+    outside = Path("/var/lib/dpkg/status")
+    for path in (workspace.root / "CMakeLists.txt", outside, *_sources(workspace.root)):
         with contextlib.suppress(FileNotFoundError):  # an editor's file that has just gone
             state = path.lstat()
             digest.update(f"{path}\0{state.st_size}\0{state.st_mtime_ns}\0".encode())
     return digest.hexdigest()
+
+
+def _sources(root: Path) -> Iterator[Path]:
+    """Every file that a build may read, in a fixed order."""
+    for top in ("cmake", "src", "tests"):
+        for folder, subfolders, files in os.walk(root / top):
+            subfolders[:] = sorted(name for name in subfolders if name != "__pycache__")
+            yield from (Path(folder, name) for name in sorted(files))
 
 
 def _is_built(workspace: Workspace, key: str) -> bool:

@@ -19,13 +19,13 @@ from trident_tool.lint import CHECKS, run_checks
 from trident_tool.navigation import add_navigation_commands
 from trident_tool.needed_packages import targets_of_launch
 from trident_tool.provision import provision
-from trident_tool.recording import Recording
 from trident_tool.running import run_launch_file
 from trident_tool.sanitizing import SANITIZERS, run_sanitized
-from trident_tool.screenshot import Size
 from trident_tool.shell import shell
 from trident_tool.testing import run_tests
-from trident_tool.viewing import ViewOptions, view
+from trident_tool.view.recording import Recording
+from trident_tool.view.screenshot import Size
+from trident_tool.view.viewing import ViewOptions, view
 from trident_tool.workspace import Runner, TridentError, Workspace, say
 from trident_tool.worlds import add_world_commands
 
@@ -173,7 +173,7 @@ def _add_workspace_commands(add: Callable[[str, Handler, str], argparse.Argument
     sub.add_argument(
         "checks", nargs="*", metavar="CHECK", help=f"of {', '.join(CHECKS)}; default: all"
     )
-    sub.add_argument("--fix", action="store_true", help="mend layout and what ruff can mend")
+    sub.add_argument("--fix", action="store_true", help="fix the layout and what ruff can fix")
 
 
 def _add_running_commands(add: Callable[[str, Handler, str], argparse.ArgumentParser]) -> None:
@@ -233,24 +233,31 @@ def _size(text: str) -> Size:
         raise argparse.ArgumentTypeError(str(error)) from error
 
 
+def _check_command(parser: argparse.ArgumentParser, argv: Sequence[str]) -> None:
+    """Exits with a hint if the first word is neither an option nor a command."""
+    first = argv[0] if argv else "help"
+    if first.startswith("-") or first in COMMANDS:
+        return
+    close = difflib.get_close_matches(first, COMMANDS, n=1)
+    hint = f"did you mean {close[0]!r}?" if close else f"there are {', '.join(COMMANDS)}"
+    parser.exit(2, f"trident: there is no command {first!r}; {hint}\n")
+
+
 def parse_command_line(argv: Sequence[str]) -> argparse.Namespace:
     """Options of a command line; what test hands to ctest is in ``rest``.
 
     Exits with 0 for help and with 2 for a wrong command line.
     """
     parser = make_parser()
-    if argv and argv[0] == "--dry-run":
+    if list(argv[:1]) == ["--dry-run"]:
         argv = [*argv[1:], *argv[:1]]  # it may stand before the command, too
-    first = argv[0] if argv else "help"
-    if not first.startswith("-") and first not in COMMANDS:
-        close = difflib.get_close_matches(first, COMMANDS, n=1)
-        hint = f"did you mean {close[0]!r}?" if close else f"there are {', '.join(COMMANDS)}"
-        parser.exit(2, f"trident: there is no command {first!r}; {hint}\n")
+    _check_command(parser, argv)
     options, rest = parser.parse_known_args(argv)
     if options.name in (None, "help"):
         parser.print_help()
         parser.exit(0)
-    if rest and options.name != "test" and not getattr(options, "passes_on", False):
+    passes_on = options.name == "test" or getattr(options, "passes_on", False)
+    if rest and not passes_on:
         parser.error(f"{options.name}: unknown option {rest[0]!r}")
     options.rest, options.argv = rest, list(argv)
     return options
@@ -274,9 +281,16 @@ def main(argv: Sequence[str]) -> int:
     except BrokenPipeError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 141
-    except OSError as error:  # a full disk, a folder that may not be written
-        if error.filename is None and error.errno != errno.ENOSPC:
+    except OSError as error:
+        problem = _disk_problem(error)
+        if problem is None:
             raise
-        where = f"{error.filename}: " if error.filename is not None else ""
-        print(f"trident: {where}{error.strerror}", file=sys.stderr)
+        print(f"trident: {problem}", file=sys.stderr)
         return 1
+
+
+def _disk_problem(error: OSError) -> str | None:
+    """What is wrong with a file or the disk (full, may not be written); None: it is neither."""
+    if error.filename is not None:
+        return f"{error.filename}: {error.strerror}"
+    return error.strerror if error.errno == errno.ENOSPC else None

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
 
-from trident_tool.launch_plan import LaunchPlan
+from trident_tool.launch.launch_plan import LaunchPlan
 from trident_tool.progress import Tail, strip_ansi
 
 FAULTS_FILE = "faults.json"
@@ -64,14 +64,18 @@ def describe_exit(code: int, out_of_memory: bool = False) -> str:
         out_of_memory: whether the kernel has killed something for lack of memory meanwhile.
     """
     number = -code if code < 0 else code - 128 if 128 < code < 160 else 0
-    if number:
-        try:
-            name = signal.Signals(number).name
-        except ValueError:
-            name = f"signal {number}"
-        lack = " (the machine was out of memory)" if out_of_memory and name == "SIGKILL" else ""
-        return f"was killed by {name}{lack}"
-    return f"has died with exit code {code}"
+    if not number:
+        return f"has died with exit code {code}"
+    name = _signal_name(number)
+    lack = " (the machine was out of memory)" if out_of_memory and name == "SIGKILL" else ""
+    return f"was killed by {name}{lack}"
+
+
+def _signal_name(number: int) -> str:
+    try:
+        return signal.Signals(number).name
+    except ValueError:
+        return f"signal {number}"
 
 
 def oom_kills() -> int:
@@ -120,15 +124,19 @@ class FaultWatch:
             self._is_over = True
 
     def _died(self, process: str, code: int) -> None:
-        node = self.plan.of_process(process)
-        if code == 0 or (node is not None and node.respawn):
+        if code == 0:
             return
-        name = node.name if node is not None else "/" + process.rpartition("-")[0]
-        is_onlooker = node is not None and (node.package, node.type) in _ONLOOKERS
         cause = describe_exit(code, oom_kills() > self._oom_kills)
-        if node is not None and node.spawns is not None:
+        node = self.plan.of_process(process)
+        if node is None:
+            self.faults.append(Fault("/" + process.rpartition("-")[0], cause, True))
+            return
+        if node.respawn:
+            return
+        if node.spawns is not None:
             cause += f": model {node.spawns} is not in the world"
-        self.faults.append(Fault(name, cause, not is_onlooker))
+        is_onlooker = (node.package, node.type) in _ONLOOKERS
+        self.faults.append(Fault(node.name, cause, not is_onlooker))
 
 
 def save_faults(folder: Path, faults: Sequence[Fault]) -> None:

@@ -8,12 +8,12 @@ import os
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
-from trident_tool.headers import run_headers
-from trident_tool.markdown import check_pages
-from trident_tool.rooms import check_rooms
-from trident_tool.thread_safety import run_thread_safety
-from trident_tool.tidy import run_clang_tidy
-from trident_tool.words import check_words
+from trident_tool.lints.headers import run_headers
+from trident_tool.lints.markdown import check_pages
+from trident_tool.lints.rooms import check_rooms
+from trident_tool.lints.thread_safety import run_thread_safety
+from trident_tool.lints.tidy import run_clang_tidy
+from trident_tool.lints.words import check_words
 from trident_tool.workspace import Runner, TridentError, Workspace, base_environment
 
 _SKIPPED_FOLDERS = {"build", "out", "third_party", "__pycache__", "node_modules"}
@@ -27,14 +27,14 @@ _SPELLED_SUFFIXES = _CPP_SUFFIXES | {
 def source_files(root: Path) -> Iterator[Path]:
     """Every file of the clone that is not generated, in a fixed order; links are not followed."""
     for folder, subfolders, files in os.walk(root):
-        subfolders[:] = sorted(
-            name
-            for name in subfolders
-            if name not in _SKIPPED_FOLDERS
-            and not name.startswith(".")
-            and not Path(folder, name).is_symlink()
-        )
+        subfolders[:] = sorted(name for name in subfolders if _is_walked(Path(folder, name)))
         yield from (Path(folder, name) for name in sorted(files))
+
+
+def _is_walked(folder: Path) -> bool:
+    if folder.name in _SKIPPED_FOLDERS or folder.name.startswith("."):
+        return False
+    return not folder.is_symlink()
 
 
 def is_python(path: Path) -> bool:
@@ -139,7 +139,7 @@ def _rooms(workspace: Workspace, runner: Runner, fix: bool) -> int:
 def _reference(workspace: Workspace, runner: Runner, fix: bool) -> int:
     # The parser's module names the checks of this one in its help.
     from trident_tool.cli import make_parser
-    from trident_tool.reference import check_reference
+    from trident_tool.lints.reference import check_reference
 
     if runner.dry_run:
         print("compare docs/reference with launch files, commands and plugins")

@@ -12,8 +12,8 @@ from typing import Any
 
 from trident_tool.building import package_manifests
 from trident_tool.environment import ros_environment
-from trident_tool.launch_plan import load_facts
-from trident_tool.launchfile import find_launch_file, parse_request
+from trident_tool.launch.launch_plan import load_facts
+from trident_tool.launch.launchfile import find_launch_file, parse_request
 from trident_tool.workspace import TridentError, Workspace
 
 #: What `./trident run` itself uses to check and to judge a run; their Python needs no build.
@@ -82,16 +82,28 @@ def needed_packages(
     known = (name in packages or has_installed(name) for name in started)
     if started & _START_OTHERS or not all(known):
         return None
-    words = [word for node in facts["nodes"] for word in node["args"].split()]
-    # A nodelet is named PACKAGE/TYPE, a command of rosrun or roslaunch by its package.
-    started |= {word.partition("/")[0] for word in words}
+    started |= _named_in_args(facts)
     needed = _with_all_they_run_with(started | set(_OF_THE_TOOL), packages)
     if needed & _START_OTHERS:
         return None
     if _SIMULATOR in needed:
-        plugins = {name for name, one in packages.items() if _SIMULATOR in one.builds_with}
-        needed |= _with_all_they_run_with(plugins - {_PYTHON_MODULE}, packages)
+        needed |= _with_all_they_run_with(_plugin_packages(packages), packages)
     return needed | (set(facts["found"]) & set(packages))
+
+
+def _named_in_args(facts: Mapping[str, Any]) -> set[str]:
+    """What the arguments of nodes may mean by a package.
+
+    A nodelet is named PACKAGE/TYPE, a command of rosrun or roslaunch by its package.
+    """
+    words = [word for node in facts["nodes"] for word in node["args"].split()]
+    return {word.partition("/")[0] for word in words}
+
+
+def _plugin_packages(packages: Mapping[str, Package]) -> set[str]:
+    """Packages of the workspace with plugins of the simulator."""
+    plugins = {name for name, one in packages.items() if _SIMULATOR in one.builds_with}
+    return plugins - {_PYTHON_MODULE}
 
 
 def _with_all_they_run_with(names: set[str], packages: Mapping[str, Package]) -> set[str]:

@@ -58,14 +58,7 @@ def progress_line(report: dict[str, Any], width: int = 100) -> str:
     """
     sim_s = float(report.get("sim_s") or 0.0)
     end_s = float(report.get("end_s") or 0.0)
-    parts = []
-    if end_s > 0.0:
-        share = min(1.0, sim_s / end_s)
-        filled = round(share * 20)
-        parts.append(f"[{'#' * filled}{'.' * (20 - filled)}] {share:4.0%}")
-        parts.append(f"{sim_s:.1f}/{end_s:.1f} s simulated")
-    else:
-        parts.append(f"{sim_s:.1f} s simulated")
+    parts = [_simulated(sim_s, end_s)]
     if report.get("rtf") is not None:
         parts.append(f"x{float(report['rtf']):.1f} real time")
     if report.get("vehicles") is not None:
@@ -73,6 +66,16 @@ def progress_line(report: dict[str, Any], width: int = 100) -> str:
     if report.get("state"):
         parts.append(str(report["state"]))
     return "  ".join(parts)[:width]
+
+
+def _simulated(sim_s: float, end_s: float) -> str:
+    """How far it is, with a bar if the end is known [s]."""
+    if end_s <= 0.0:
+        return f"{sim_s:.1f} s simulated"
+    share = min(1.0, sim_s / end_s)
+    filled = round(share * 20)
+    bar = f"[{'#' * filled}{'.' * (20 - filled)}]"
+    return f"{bar} {share:4.0%}  {sim_s:.1f}/{end_s:.1f} s simulated"
 
 
 def parse_report(line: str) -> dict[str, Any] | None:
@@ -98,13 +101,8 @@ def required_node_failed(log: str) -> str | None:
 
 def last_warnings(folder: Path, count: int = 15) -> list[str]:
     """The last error lines of the logs below ``folder``, newest log last, each said once."""
-    logs = [
-        path
-        for path in folder.rglob("*.log")
-        if not path.is_symlink() and not path.name.startswith(("rosout", "roslaunch-", "master"))
-    ]
     found: dict[str, str] = {}
-    for path in sorted(logs, key=lambda path: path.stat().st_mtime):
+    for path in _logs_of_nodes(folder):
         text = strip_ansi(path.read_text(encoding="utf-8", errors="replace")).splitlines()
         bad = [line.strip(" =") for line in text if _ERROR_LINE.search(line)]
         for line in bad[-5:]:
@@ -112,6 +110,16 @@ def last_warnings(folder: Path, count: int = 15) -> list[str]:
             message = re.split(r"\]:? |: ", line)[-1]
             found.setdefault(message, f"{path.name}: {line}")
     return list(found.values())[-count:]
+
+
+def _logs_of_nodes(folder: Path) -> list[Path]:
+    """Logs below ``folder``, newest last, without those of ROS itself."""
+    logs = [
+        path
+        for path in folder.rglob("*.log")
+        if not path.is_symlink() and not path.name.startswith(("rosout", "roslaunch-", "master"))
+    ]
+    return sorted(logs, key=lambda path: path.stat().st_mtime)
 
 
 @dataclass
@@ -135,8 +143,11 @@ class ProgressView:
         reports = [parse_report(line) for line in self._progress.lines()]
         newest = next((report for report in reversed(reports) if report is not None), None)
         if newest is not None:
-            columns = shutil.get_terminal_size().columns if self.stream.isatty() else 200
-            self._show(progress_line(newest, columns - 1))
+            self._show(progress_line(newest, self._columns() - 1))
+
+    def _columns(self) -> int:
+        """Width of the terminal; of a file, enough for all."""
+        return shutil.get_terminal_size().columns if self.stream.isatty() else 200
 
     def close(self) -> None:
         """Shows the rest and leaves the terminal on a fresh line."""
@@ -163,10 +174,12 @@ class ProgressView:
         self._warnings[key] = self._warnings.get(key, 0) + 1
         if self._warnings[key] > 1 or len(self._warnings) > _MAX_SHOWN:
             return
-        clear = "\r\x1b[K" if self.stream.isatty() else ""
-        self.stream.write(f"{clear}{line}\n")
+        lines = [line]
         if len(self._warnings) == _MAX_SHOWN:
-            self.stream.write(f"more is in {self.run_folder / 'roslaunch.log'}\n")
-        if self.stream.isatty() and self._last_shown:
-            self.stream.write(self._last_shown)
+            lines.append(f"more is in {self.run_folder / 'roslaunch.log'}")
+        self._write_above_the_bar("".join(f"{line}\n" for line in lines))
+
+    def _write_above_the_bar(self, text: str) -> None:
+        clear, bar = ("\r\x1b[K", self._last_shown) if self.stream.isatty() else ("", "")
+        self.stream.write(clear + text + bar)
         self.stream.flush()

@@ -17,10 +17,20 @@ from pathlib import Path
 
 from trident_tool.environment import ros_environment
 from trident_tool.faults import Fault, FaultWatch, save_faults
-from trident_tool.formation_check import check_formations
-from trident_tool.launch_facts import save_launch, save_parameters
-from trident_tool.launch_plan import LaunchPlan, check_plan, check_real_time_factor, load_plan
-from trident_tool.launchfile import check_args, declared_args, find_launch_file, parse_request
+from trident_tool.launch.formation_check import check_formations
+from trident_tool.launch.launch_facts import save_launch, save_parameters
+from trident_tool.launch.launch_plan import (
+    LaunchPlan,
+    check_plan,
+    check_real_time_factor,
+    load_plan,
+)
+from trident_tool.launch.launchfile import (
+    check_args,
+    declared_args,
+    find_launch_file,
+    parse_request,
+)
 from trident_tool.modules import module_command
 from trident_tool.processes import Supervised, ends_by_exception, supervised
 from trident_tool.progress import ProgressView, last_warnings, required_node_failed
@@ -107,6 +117,12 @@ def run_environment(
     return result
 
 
+def _is_strict(text: str) -> bool:
+    if text.lower() not in ("true", "false", "1", "0"):
+        raise TridentError(f"strict is {text!r}, legal: true or false")
+    return text.lower() in ("true", "1")
+
+
 def plan_run(
     workspace: Workspace, words: Sequence[str], env: Mapping[str, str], is_built: bool = True
 ) -> Run:
@@ -129,11 +145,8 @@ def plan_run(
     check_real_time_factor(real_time_factor)
     if _RTF_ARG not in declared.settable:
         args.pop(_RTF_ARG, None)  # the simulator reads it from the environment
-    strict = args.get(_STRICT_ARG)
-    if strict is not None:
-        if strict.lower() not in ("true", "false", "1", "0"):
-            raise TridentError(f"strict is {strict!r}, legal: true or false")
-        env = {**env, "TRIDENT_STRICT": "1" if strict.lower() in ("true", "1") else "0"}
+    if _STRICT_ARG in args:
+        env = {**env, "TRIDENT_STRICT": "1" if _is_strict(args[_STRICT_ARG]) else "0"}
         if _STRICT_ARG not in declared.settable:
             args.pop(_STRICT_ARG)
     check_args(launch_file, declared, args)

@@ -26,6 +26,21 @@ def sanitized_build(workspace: Workspace, sanitizer: str = "address") -> Path:
     return workspace.build / ("sanitized" if sanitizer == "address" else f"sanitized_{sanitizer}")
 
 
+def _build(workspace: Workspace, runner: Runner, sanitizer: str) -> Path:
+    """The build folder, with the tests in it."""
+    folder = sanitized_build(workspace, sanitizer)
+    env = clean_environment()
+    command = configure_command(workspace)
+    command[command.index("-B") + 1] = str(folder)
+    if not runner.dry_run:
+        hide_from_crawlers(folder)
+    if not (folder / "build.ninja").is_file():
+        runner.check([*command, f"-DTRIDENT_SANITIZE={sanitizer}"], what="configuring", env=env)
+    ninja = ["ninja", "-C", str(folder), f"-j{default_jobs()}", TARGET]
+    runner.check(ninja, what="building", env=env)
+    return folder
+
+
 def run_sanitized(workspace: Workspace, runner: Runner, sanitizer: str = "address") -> int:
     """Builds the target ``core_tests`` with sanitizers and runs its programs.
 
@@ -40,17 +55,8 @@ def run_sanitized(workspace: Workspace, runner: Runner, sanitizer: str = "addres
     Raises:
         TridentError: a build step fails.
     """
-    folder = sanitized_build(workspace, sanitizer)
-    env = clean_environment()
-    command = configure_command(workspace)
-    command[command.index("-B") + 1] = str(folder)
-    if not runner.dry_run:
-        hide_from_crawlers(folder)
-    if not (folder / "build.ninja").is_file():
-        runner.check([*command, f"-DTRIDENT_SANITIZE={sanitizer}"], what="configuring", env=env)
-    ninja = ["ninja", "-C", str(folder), f"-j{default_jobs()}", TARGET]
-    runner.check(ninja, what="building", env=env)
-    env |= _options()
+    folder = _build(workspace, runner, sanitizer)
+    env = clean_environment() | _options()
     programs = [] if runner.dry_run else _programs(folder)
     failed = [path.name for path in programs if runner.run([path, "--gtest_brief=1"], env=env)]
     if failed:

@@ -5,14 +5,17 @@
 from __future__ import annotations
 
 import json
+import os
 import socket
 import subprocess
 import time
+import xmlrpc.client
 from pathlib import Path
+from typing import Any
 from urllib.parse import urlsplit
 
 from trident_tool.environment import ros_environment
-from trident_tool.launch_facts import LAUNCH_FILE
+from trident_tool.launch.launch_facts import LAUNCH_FILE
 from trident_tool.workspace import Runner, TridentError, Workspace, say
 
 _MASTER_LIMIT_S = 300.0  # the end of roscore is noticed at once
@@ -57,6 +60,19 @@ def running_master(workspace: Workspace) -> str | None:
     except (OSError, ValueError, KeyError):
         return None
     return uri if master_answers(uri) else None
+
+
+def simulator_master() -> str | None:
+    """ROS_MASTER_URI of the environment if a simulator is registered with that master."""
+    uri = os.environ.get("ROS_MASTER_URI") or "http://localhost:11311"
+    if not master_answers(uri):
+        return None
+    master: Any = xmlrpc.client.ServerProxy(uri)
+    try:
+        code, _, _ = master.lookupService("/trident", "/gazebo/get_world_properties")
+    except (OSError, xmlrpc.client.Error):
+        return None
+    return uri if code == 1 else None
 
 
 def shell(workspace: Workspace, runner: Runner, command: str | None = None) -> int:

@@ -33,6 +33,24 @@ std::string counted(std::size_t count, const std::string& noun) {
   return std::to_string(count) + ' ' + noun + (count == 1 ? "" : "s");
 }
 
+std::string shortened(const std::string& text) {
+  return text.size() > kMaxShownBytes ? text.substr(0, kMaxShownBytes) + "..." : text;
+}
+
+/// Devices are endless, and nobody writes so much by hand.
+void refuse_device_and_large_file(const std::string& path) {
+  struct stat about {};
+  if (stat(path.c_str(), &about) != 0) return;
+  if (S_ISCHR(about.st_mode) || S_ISBLK(about.st_mode)) {
+    throw ConfigError(path, 0, "", "is a device, legal: a file of YAML");
+  }
+  if (S_ISREG(about.st_mode) && about.st_size > kLargestFile) {
+    throw ConfigError(path, 0, "",
+                      "has " + std::to_string(about.st_size) + " bytes, legal: at most " +
+                          std::to_string(kLargestFile));
+  }
+}
+
 }  // namespace
 
 ConfigError::ConfigError(std::string file, int line, std::string key, const std::string& problem)
@@ -59,24 +77,12 @@ std::string ConfigNode::describe() const {
     case Kind::kScalar:
       break;
   }
-  const std::string shown =
-      scalar.size() > kMaxShownBytes ? scalar.substr(0, kMaxShownBytes) + "..." : scalar;
+  const std::string shown = shortened(scalar);
   return quoted ? "the text '" + shown + '\'' : shown;
 }
 
 std::string read_config_file(const std::string& path) {
-  struct stat about {};
-  // Devices are endless, and nobody writes so much by hand.
-  if (stat(path.c_str(), &about) == 0) {
-    if (S_ISCHR(about.st_mode) || S_ISBLK(about.st_mode)) {
-      throw ConfigError(path, 0, "", "is a device, legal: a file of YAML");
-    }
-    if (S_ISREG(about.st_mode) && about.st_size > kLargestFile) {
-      throw ConfigError(path, 0, "",
-                        "has " + std::to_string(about.st_size) + " bytes, legal: at most " +
-                            std::to_string(kLargestFile));
-    }
-  }
+  refuse_device_and_large_file(path);
   errno = 0;
   std::ifstream stream(path, std::ios::binary);
   std::ostringstream text;

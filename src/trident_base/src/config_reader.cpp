@@ -38,6 +38,13 @@ std::string_view without_dot(std::string_view text) {
   return is_one_of(text, kWords) ? text.substr(1) : text;
 }
 
+/// Takes a sign off the front of `text`; true: it was a minus.
+bool take_sign(std::string_view& text) {
+  const bool is_negative = starts_with(text, "-");
+  if (is_negative || starts_with(text, "+")) text.remove_prefix(1);
+  return is_negative;
+}
+
 struct ParsedDouble {
   bool is_number;
   bool fits;
@@ -45,8 +52,7 @@ struct ParsedDouble {
 };
 
 ParsedDouble parse_double(std::string_view text) {
-  const bool is_negative = starts_with(text, "-");
-  if (is_negative || starts_with(text, "+")) text.remove_prefix(1);
+  const bool is_negative = take_sign(text);
   text = without_dot(text);
   double value = 0.0;
   const char* end = text.data() + text.size();
@@ -54,6 +60,30 @@ ParsedDouble parse_double(std::string_view text) {
   const bool is_number = !starts_with(text, "-") && !text.empty() && result.ptr == end &&
                          result.ec != std::errc::invalid_argument;
   return {is_number, result.ec != std::errc::result_out_of_range, is_negative ? -value : value};
+}
+
+struct ParsedWhole {
+  bool is_whole;
+  bool fits;
+  WholeNumber number;
+};
+
+/// Decimal, or hexadecimal behind 0x.
+ParsedWhole parse_whole(std::string_view text) {
+  WholeNumber number{take_sign(text), 0};
+  const bool is_hex = starts_with(text, "0x");
+  if (is_hex) text.remove_prefix(2);
+  const char* end = text.data() + text.size();
+  const auto result = std::from_chars(text.data(), end, number.magnitude, is_hex ? 16 : 10);
+  const bool is_whole =
+      !text.empty() && result.ptr == end && result.ec != std::errc::invalid_argument;
+  return {is_whole, result.ec == std::errc(), number};
+}
+
+bool is_within(const WholeNumber& number, long long lowest, unsigned long long highest) {
+  // |lowest| without overflow, for lowest <= 0.
+  const unsigned long long most_negative = 0 - static_cast<unsigned long long>(lowest);
+  return number.magnitude <= (number.is_negative ? most_negative : highest);
 }
 
 // The limits as text: those of the type, narrowed by the field's range.
@@ -144,29 +174,16 @@ std::size_t read_choice(const ValueContext& context, const ConfigNode& node,
 WholeNumber read_whole_number(const ValueContext& context, const ConfigNode& node,
                               const std::string& path, long long lowest,
                               unsigned long long highest) {
-  std::string_view text = node.scalar;
-  const bool is_negative = starts_with(text, "-");
-  if (is_negative || starts_with(text, "+")) text.remove_prefix(1);
-  const bool is_hex = starts_with(text, "0x");
-  if (is_hex) text.remove_prefix(2);
-
-  unsigned long long magnitude = 0;
-  const char* end = text.data() + text.size();
-  const auto result = std::from_chars(text.data(), end, magnitude, is_hex ? 16 : 10);
-  const bool is_whole = is_plain_scalar(node) && !text.empty() && result.ptr == end &&
-                        result.ec != std::errc::invalid_argument;
+  const auto [is_whole, fits, number] = parse_whole(node.scalar);
   const std::string legal = whole_legal(context, lowest, highest);
-  if (!is_whole) fail_type(context, node, path, "a whole number " + legal);
-
-  // |lowest| without overflow, for lowest <= 0.
-  const unsigned long long most_negative = 0 - static_cast<unsigned long long>(lowest);
-  const bool fits =
-      result.ec == std::errc() && (is_negative ? magnitude <= most_negative : magnitude <= highest);
-  const double value = static_cast<double>(magnitude) * (is_negative ? -1.0 : 1.0);
-  if (!fits || !context.range.contains(value)) {
+  if (!is_plain_scalar(node) || !is_whole) {
+    fail_type(context, node, path, "a whole number " + legal);
+  }
+  const double value = static_cast<double>(number.magnitude) * (number.is_negative ? -1.0 : 1.0);
+  if (!fits || !is_within(number, lowest, highest) || !context.range.contains(value)) {
     fail_range(context, node, path, "a whole number " + legal);
   }
-  return {is_negative, magnitude};
+  return number;
 }
 
 std::string unit_of(const char* doc) {

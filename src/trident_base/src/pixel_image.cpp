@@ -75,6 +75,23 @@ bool read_rows(PngReader& reader) {
   return true;
 }
 
+/// The picture whose rows have been read.
+PixelImage image_of(const PngReader& reader, long width, long height) {
+  const bool is_wide = png_get_bit_depth(reader.png, reader.info) == 16;
+  PixelImage image;
+  image.width = static_cast<int>(width);
+  image.height = static_cast<int>(height);
+  image.channels = png_get_channels(reader.png, reader.info);
+  image.white = is_wide ? 65535 : 255;
+  image.samples.resize(static_cast<std::size_t>(width * height * image.channels));
+  const png_byte* bytes = reader.bytes.data();
+  for (std::size_t i = 0; i < image.samples.size(); ++i) {
+    image.samples[i] = is_wide ? static_cast<std::uint16_t>(256 * bytes[2 * i] + bytes[2 * i + 1])
+                               : std::uint16_t{bytes[i]};
+  }
+  return image;
+}
+
 PixelImage read_png(const std::string& path, const PixelImageLimits& limits) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> in(std::fopen(path.c_str(), "rb"),
                                                            std::fclose);
@@ -84,25 +101,13 @@ PixelImage read_png(const std::string& path, const PixelImageLimits& limits) {
   const auto width = static_cast<long>(png_get_image_width(reader.png, reader.info));
   const auto height = static_cast<long>(png_get_image_height(reader.png, reader.info));
   check_size(path, width, height, limits);
-  const bool is_wide = png_get_bit_depth(reader.png, reader.info) == 16;
   const std::size_t stride = png_get_rowbytes(reader.png, reader.info);
   reader.bytes.resize(stride * static_cast<std::size_t>(height));
   for (std::size_t row = 0; row < static_cast<std::size_t>(height); ++row) {
     reader.row_starts.push_back(reader.bytes.data() + row * stride);
   }
   if (!read_rows(reader)) refuse(path, "is a bad PNG: " + reader.error);
-  PixelImage image;
-  image.width = static_cast<int>(width);
-  image.height = static_cast<int>(height);
-  image.channels = png_get_channels(reader.png, reader.info);
-  image.white = is_wide ? 65535 : 255;
-  image.samples.resize(static_cast<std::size_t>(width * height * image.channels));
-  for (std::size_t i = 0; i < image.samples.size(); ++i) {
-    const png_byte* bytes = reader.bytes.data();
-    image.samples[i] = is_wide ? static_cast<std::uint16_t>(256 * bytes[2 * i] + bytes[2 * i + 1])
-                               : std::uint16_t{bytes[i]};
-  }
-  return image;
+  return image_of(reader, width, height);
 }
 
 /// The next number of a PGM, behind white space and comments; -1 if there is no number.
@@ -162,6 +167,14 @@ std::size_t bytes_left(std::istream& in) {
   return static_cast<std::size_t>(end - here);
 }
 
+/// How many pixels of a PGM the rest of the file can hold. A white space precedes the pixels; plain
+/// ones take two characters each.
+std::size_t most_pixels_left(std::istream& in, bool is_binary, long white) {
+  const std::size_t left = std::max<std::size_t>(1, bytes_left(in));
+  if (!is_binary) return left / 2;
+  return (left - 1) / (white < 256 ? 1 : 2);
+}
+
 PixelImage read_pgm(const std::string& path, std::istream& in, bool is_binary,
                     const PixelImageLimits& limits) {
   const long width = next_number(in), height = next_number(in), white = next_number(in);
@@ -175,9 +188,7 @@ PixelImage read_pgm(const std::string& path, std::istream& in, bool is_binary,
   image.height = static_cast<int>(height);
   image.white = static_cast<int>(white);
   // A header that promises more than the file holds is refused before memory is allocated for it.
-  // A white space precedes the pixels; plain ones take two characters each.
-  const std::size_t left = std::max<std::size_t>(1, bytes_left(in));
-  const std::size_t most = is_binary ? (left - 1) / (white < 256 ? 1 : 2) : left / 2;
+  const std::size_t most = most_pixels_left(in, is_binary, white);
   if (most < static_cast<std::size_t>(width * height)) refuse_short(path, image, most);
   image.samples.resize(static_cast<std::size_t>(width * height));
   if (is_binary) {

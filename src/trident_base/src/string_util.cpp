@@ -54,6 +54,15 @@ std::optional<double> number_from_text(const std::string& text) {
   return std::nullopt;
 }
 
+namespace {
+
+/// Whether the last two letters of the prefixes, of `i` and `j` letters, have changed places.
+bool ends_in_swap(const std::string& s, std::size_t i, const std::string& t, std::size_t j) {
+  return i > 1 && j > 1 && s[i - 1] == t[j - 2] && s[i - 2] == t[j - 1];
+}
+
+}  // namespace
+
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   const std::string s = lower_case(a);
   const std::string t = lower_case(b);
@@ -67,8 +76,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     for (std::size_t j = 1; j <= t.size(); ++j) {
       const std::size_t replaced = previous[j - 1] + (s[i - 1] == t[j - 1] ? 0 : 1);
       row[j] = std::min({previous[j] + 1, row[j - 1] + 1, replaced});
-      const bool is_swap = i > 1 && j > 1 && s[i - 1] == t[j - 2] && s[i - 2] == t[j - 1];
-      if (is_swap) row[j] = std::min(row[j], before[j - 2] + 1);
+      if (ends_in_swap(s, i, t, j)) row[j] = std::min(row[j], before[j - 2] + 1);
     }
   }
   return row[t.size()];

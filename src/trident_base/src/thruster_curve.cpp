@@ -55,6 +55,28 @@ double inverse_interpolated(const std::vector<double>& x, const std::vector<doub
   throw Error("thruster '" + params.name + "': " + problem);
 }
 
+void check_coefficients(const ThrusterParams& params) {
+  if (params.coefficient_forward > 0.0 && params.coefficient_reverse > 0.0) return;
+  refuse(params, "mapping quadratic needs coefficient_forward = " +
+                     number_text(params.coefficient_forward) + " and coefficient_reverse = " +
+                     number_text(params.coefficient_reverse) + ", legal is > 0");
+}
+
+void check_table(const ThrusterParams& params) {
+  const std::vector<double>& commands = params.table_commands;
+  if (commands.size() != params.table_forces.size() || commands.size() < 2) {
+    refuse(params, "table_commands has " + std::to_string(commands.size()) +
+                       " numbers, table_forces " + std::to_string(params.table_forces.size()) +
+                       ", legal is the same number of both, at least 2");
+  }
+  for (std::size_t i = 1; i < commands.size(); ++i) {
+    if (commands[i] <= commands[i - 1]) {
+      refuse(params, "table_commands[" + std::to_string(i) + "] = " + number_text(commands[i]) +
+                         " must be above the one before, " + number_text(commands[i - 1]));
+    }
+  }
+}
+
 /// The state of a thrust that the curve takes between its ends, the dead band left out.
 double state_for(const ThrusterParams& params, double thrust_n) {
   if (thrust_n == 0.0) return 0.0;
@@ -80,25 +102,8 @@ double state_for(const ThrusterParams& params, double thrust_n) {
 }  // namespace
 
 void ThrusterParams::validate() const {
-  if (mapping == ThrustMapping::kQuadratic &&
-      !(coefficient_forward > 0.0 && coefficient_reverse > 0.0)) {
-    refuse(*this,
-           "mapping quadratic needs coefficient_forward = " + number_text(coefficient_forward) +
-               " and coefficient_reverse = " + number_text(coefficient_reverse) + ", legal is > 0");
-  }
-  if (mapping != ThrustMapping::kTable) return;
-  if (table_commands.size() != table_forces.size() || table_commands.size() < 2) {
-    refuse(*this, "table_commands has " + std::to_string(table_commands.size()) +
-                      " numbers, table_forces " + std::to_string(table_forces.size()) +
-                      ", legal is the same number of both, at least 2");
-  }
-  for (std::size_t i = 1; i < table_commands.size(); ++i) {
-    if (table_commands[i] <= table_commands[i - 1]) {
-      refuse(*this, "table_commands[" + std::to_string(i) +
-                        "] = " + number_text(table_commands[i]) +
-                        " must be above the one before, " + number_text(table_commands[i - 1]));
-    }
-  }
+  if (mapping == ThrustMapping::kQuadratic) check_coefficients(*this);
+  if (mapping == ThrustMapping::kTable) check_table(*this);
 }
 
 double vrx_glf_thrust(double command) {

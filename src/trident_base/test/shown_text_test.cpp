@@ -14,8 +14,8 @@ namespace {
 
 TEST(ShownText, LongWordsAreCutAndTheRestStays) {
   const std::string word(100000, 'x');
-  EXPECT_EQ(with_short_words("f.txt:3: '" + word + "' is none; legal: a number"),
-            "f.txt:3: '" + std::string(199, 'x') + "... is none; legal: a number");
+  EXPECT_EQ(with_short_words("f.txt:3: '" + word + "' is not a number; legal: a number"),
+            "f.txt:3: '" + std::string(199, 'x') + "... is not a number; legal: a number");
 }
 
 TEST(ShownText, ShortWordsAndPathsStay) {

@@ -3,6 +3,8 @@
 #include <yaml-cpp/yaml.h>
 
 #include <cmath>
+#include <map>
+#include <string>
 
 #include "trident_base/error.h"
 #include "trident_control_sim/lee_plugin.h"
@@ -81,17 +83,16 @@ class LeeYaml {
   }
 
   void rotor(const YAML::Node& node, const std::string& key, RotorConfig& rotor) {
+    static const std::map<std::string, double RotorConfig::*> kNumbers = {
+        {"angle", &RotorConfig::angle},
+        {"arm_length", &RotorConfig::arm_length},
+        {"rotor_force_constant", &RotorConfig::force_constant},
+        {"rotor_moment_constant", &RotorConfig::moment_constant}};
     for (const auto& entry : node) {
       const std::string name = entry.first.as<std::string>();
       const double value = number(entry.second, key + "/" + name);
-      if (name == "angle") {
-        rotor.angle = value;
-      } else if (name == "arm_length") {
-        rotor.arm_length = value;
-      } else if (name == "rotor_force_constant") {
-        rotor.force_constant = value;
-      } else if (name == "rotor_moment_constant") {
-        rotor.moment_constant = value;
+      if (const auto found = kNumbers.find(name); found != kNumbers.end()) {
+        rotor.*found->second = value;
       } else if (name == "direction") {
         rotor.direction = value > 0.0 ? 1 : -1;
       } else {
@@ -102,14 +103,13 @@ class LeeYaml {
   }
 
   void read_entry(const std::string& key, const YAML::Node& node) {
-    if (key == "position_gain") {
-      vector(node, key, params_.gains.position);
-    } else if (key == "velocity_gain") {
-      vector(node, key, params_.gains.velocity);
-    } else if (key == "attitude_gain") {
-      vector(node, key, params_.gains.attitude);
-    } else if (key == "angular_rate_gain") {
-      vector(node, key, params_.gains.angular_rate);
+    static const std::map<std::string, Eigen::Vector3d LeeGains::*> kGains = {
+        {"position_gain", &LeeGains::position},
+        {"velocity_gain", &LeeGains::velocity},
+        {"attitude_gain", &LeeGains::attitude},
+        {"angular_rate_gain", &LeeGains::angular_rate}};
+    if (const auto found = kGains.find(key); found != kGains.end()) {
+      vector(node, key, params_.gains.*found->second);
     } else if (key == "mass") {
       params_.vehicle.mass = number(node, key);
     } else if (key == "inertia") {

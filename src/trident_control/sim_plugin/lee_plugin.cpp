@@ -110,9 +110,7 @@ class LeePlugin : public sim::Plugin {
 }  // namespace
 
 void register_control_plugins(sim::PluginRegistry& registry) {
-  registry.add(
-      "libtrident_lee_position_controller.so",
-      {[](const sim::PluginContext& context) { return std::make_unique<LeePlugin>(context); }, {}});
+  registry.add("libtrident_lee_position_controller.so", sim::factory_of<LeePlugin>());
   registry.add("libtrident_vessel_controller.so", vessel_controller_factory());
 }
 

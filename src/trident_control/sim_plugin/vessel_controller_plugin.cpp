@@ -207,11 +207,6 @@ class VesselControllerPlugin : public sim::Plugin {
 
 }  // namespace
 
-sim::PluginFactory vessel_controller_factory() {
-  return {[](const sim::PluginContext& context) {
-            return std::make_unique<VesselControllerPlugin>(context);
-          },
-          {}};
-}
+sim::PluginFactory vessel_controller_factory() { return sim::factory_of<VesselControllerPlugin>(); }
 
 }  // namespace trident::control

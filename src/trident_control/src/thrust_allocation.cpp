@@ -30,6 +30,13 @@ Eigen::Index rank(const Columns& B) {
   return pivoted.rank();
 }
 
+/// A rudder has one force, a thruster too; one that turns has a second, aside.
+std::size_t count_forces(const VesselModel& model) {
+  return model.rudders.size() + model.thrusters.size() +
+         static_cast<std::size_t>(
+             std::count_if(model.thrusters.begin(), model.thrusters.end(), turns));
+}
+
 double most(const ThrusterParams& thruster) {
   return std::max(0.0, thrust_at(thruster, thruster.max_command));
 }
@@ -60,10 +67,8 @@ void ThrustAllocation::Problem::add(const Eigen::Vector2d& force, const Eigen::V
 
 ThrustAllocation::ThrustAllocation(const VesselModel& model, const AllocationParams& params)
     : model_(model), weights_(params.surge_weight, params.sway_weight, params.yaw_weight) {
-  std::size_t variables = model.rudders.size();
   for (const ThrusterParams& thruster : model.thrusters) {
     topics_.push_back("thrusters/" + thruster.name + "_thrust_cmd");
-    variables += turns(thruster) ? 2 : 1;
   }
   for (const ThrusterParams& thruster : model.thrusters) {
     if (turns(thruster)) topics_.push_back("thrusters/" + thruster.name + "_thrust_angle");
@@ -71,6 +76,7 @@ ThrustAllocation::ThrustAllocation(const VesselModel& model, const AllocationPar
   for (const RudderParams& rudder : model.rudders) {
     topics_.push_back("rudders/" + rudder.name + "_angle");
   }
+  const std::size_t variables = count_forces(model);
   if (variables > static_cast<std::size_t>(kMaxVariables)) {
     throw Error("vessel '" + model.name + "': " + std::to_string(variables) +
                 " forces of thrusters and rudders, legal, to be controlled, is at most " +
@@ -147,9 +153,7 @@ double ThrustAllocation::pointing(const ThrusterParams& thruster, double angle_n
 
 void ThrustAllocation::steer(const PlanarForce& wanted, double u, double dt_s) {
   const auto& thrusters = model_.thrusters;
-  int variables = static_cast<int>(model_.rudders.size());
-  for (const ThrusterParams& thruster : thrusters) variables += turns(thruster) ? 2 : 1;
-  problem_.resize(variables);
+  problem_.resize(static_cast<int>(count_forces(model_)));
   for (const ThrusterParams& thruster : thrusters) {
     const double full = largest(thruster);
     const bool is_free = turns(thruster);

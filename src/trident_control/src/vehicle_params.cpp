@@ -34,6 +34,12 @@ void require_positive(const std::string& field, double value) {
   if (!(std::isfinite(value) && value > 0.0)) refuse(field, text_of(value), "a finite number > 0");
 }
 
+void require_not_negative(const std::string& field, double value) {
+  if (!(std::isfinite(value) && value >= 0.0)) {
+    refuse(field, text_of(value), "a finite number >= 0");
+  }
+}
+
 void validate_inertia(const Eigen::Matrix3d& inertia) {
   std::ostringstream text;
   text << "[xx " << inertia(0, 0) << ", xy " << inertia(0, 1) << ", xz " << inertia(0, 2) << ", yy "
@@ -50,10 +56,7 @@ void validate_rotor(const RotorConfig& rotor, std::size_t index) {
   if (!std::isfinite(rotor.angle)) refuse(prefix + "angle", text_of(rotor.angle), "finite [rad]");
   require_positive(prefix + "arm_length", rotor.arm_length);
   require_positive(prefix + "rotor_force_constant", rotor.force_constant);
-  if (!(std::isfinite(rotor.moment_constant) && rotor.moment_constant >= 0.0)) {
-    refuse(prefix + "rotor_moment_constant", text_of(rotor.moment_constant),
-           "a finite number >= 0");
-  }
+  require_not_negative(prefix + "rotor_moment_constant", rotor.moment_constant);
   if (rotor.direction != 1 && rotor.direction != -1) {
     refuse(prefix + "direction", std::to_string(rotor.direction), "1 (ccw) or -1 (cw)");
   }

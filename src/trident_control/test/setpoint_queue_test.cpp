@@ -264,7 +264,7 @@ TEST_F(SetpointQueueTest, a_message_that_comes_again_is_known_before_and_after_a
   EXPECT_TRUE(is_repetition(at(2.0), 2)) << "a state has";
   EXPECT_FALSE(is_repetition(at(2.0), 3)) << "another plan";
   EXPECT_FALSE(is_repetition(kNoStamp, 3));
-  EXPECT_FALSE(is_repetition(kNoStamp, 3)) << "without a stamp each counts anew";
+  EXPECT_FALSE(is_repetition(kNoStamp, 3)) << "without a stamp each is a new set-point";
   EXPECT_FALSE(is_repetition(at(2.0), 3)) << "what has no stamp took its place";
 }
 

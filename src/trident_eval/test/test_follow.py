@@ -109,10 +109,10 @@ def test_a_follower_that_lags_fails(following: Following) -> None:
 
 
 def test_followers_that_never_joined_are_reported(following: Following, tmp_path: Path) -> None:
-    for record in FollowLog(NAMES[0], NAMES[1:], START_NS, error="no way").records({}):
+    for record in FollowLog(NAMES[0], NAMES[1:], START_NS, error="no path").records({}):
         write_record(tmp_path, record)
     assert isinstance(read_command(tmp_path), Refusal)
-    assert following.verdict().reasons == ["no way"]
+    assert following.verdict().reasons == ["no path"]
 
 
 def test_the_picture_shows_the_places(following: Following) -> None:

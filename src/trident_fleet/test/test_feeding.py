@@ -105,7 +105,7 @@ def test_a_clock_of_another_century_draws_no_message_of_the_time_between(feed: P
     ahead = 20_000
     stamps = [stamp_of(first) for first, _ in feeder.due(START_NS + ahead * PERIOD_NS)]
     assert stamps == [START_NS + (ahead + number) * PERIOD_NS for number in range(6)]
-    assert len(feeder.due(START_NS + (ahead + 1) * PERIOD_NS)) == 1, "it goes on from there"
+    assert len(feeder.due(START_NS + (ahead + 1) * PERIOD_NS)) == 1, "it continues from there"
 
 
 def test_without_lockstep_nothing_is_early_and_nothing_is_stale(feed: PlannedFeed) -> None:

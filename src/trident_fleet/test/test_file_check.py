@@ -19,7 +19,7 @@ from trident_fleet.core.settings import FleetSettings
 
 REPO = Path(__file__).resolve().parents[3]
 MAIN_JOB = REPO / "launch" / "multi_uav_simulation.launch"
-LOADER = REPO / "tools" / "trident_tool" / "load_launch.py"
+LOADER = REPO / "tools" / "trident_tool" / "launch" / "load_launch.py"
 Checked = Callable[[list[str]], tuple[int, str, str]]
 
 

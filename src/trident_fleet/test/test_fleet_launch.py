@@ -108,7 +108,7 @@ def test_take_off_from_the_grid_crosses_nobodys_path(count: int, kind: str, x: f
     spawn = spawn_grid(first_row, 1.6)
     assert (spawn[:, 2] == 0.1).all()
     points = transit_points(spawn, first_row, PlanConfig())
-    assert len(points) == 3, "a climb and a straight way, on no layers"
+    assert len(points) == 3, "a climb and a straight path, without layers"
     assert min_separation(points) >= 1.0
 
 

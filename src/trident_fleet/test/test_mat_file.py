@@ -63,6 +63,7 @@ def test_fewer_steps_than_vehicles_need_their_number() -> None:
     ("matrix", "request_", "what"),
     [
         (np.zeros((5, 4)), LayoutRequest(), "5x4 fits no layout"),
+        (np.zeros((600, 18)), LayoutRequest(), "reshape(M', 3, []) is 3x3600"),
         (np.zeros((5, 4, 6)), LayoutRequest(), "5x4x6 fits no layout"),
         (np.zeros((2, 3, 4, 5)), LayoutRequest(), "2x3x4x5 fits no layout"),
         (np.zeros((3, 5, 20)), LayoutRequest(vehicles_in_file=6), "with N = vehicles_in_file = 6"),

@@ -132,5 +132,5 @@ def test_a_file_that_is_too_large_is_refused_by_its_size(tmp_path: Path) -> None
 
 def test_long_words_of_bad_input_are_cut_and_paths_are_not() -> None:
     path = f"/a/{'d' * 250}/f.txt:"
-    error = FormationError(f"{path} '{'x' * 100000}' is none")
-    assert str(error) == f"{path} '{'x' * 199}... is none"
+    error = FormationError(f"{path} '{'x' * 100000}' is not a number")
+    assert str(error) == f"{path} '{'x' * 199}... is not a number"

@@ -45,7 +45,7 @@ def test_a_smooth_flight_keeps_to_the_lines() -> None:
         assert min(away) < 0.3
 
 
-@pytest.mark.parametrize("bad", [None, [], [[1, 2]], [[1, 2, math.inf]], "way", [[1, 2, "x"]]])
+@pytest.mark.parametrize("bad", [None, [], [[1, 2]], [[1, 2, math.inf]], "path", [[1, 2, "x"]]])
 def test_bad_places_are_refused(bad: Any) -> None:
     with pytest.raises(FormationError, match="legal: a list of one or more"):
         read_places(bad)

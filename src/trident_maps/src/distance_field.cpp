@@ -55,6 +55,22 @@ class LineTransform {
   std::vector<double> from_;
 };
 
+bool is_obstacle(std::int8_t cell, DistanceField::Obstacles obstacles) {
+  if (cell == OccupancyGrid::kOccupied) return true;
+  return obstacles == DistanceField::Obstacles::kOccupiedOrUnknown && cell != OccupancyGrid::kFree;
+}
+
+/// Sets the distances of obstacles to zero; `padded` as `DistanceField` has it.
+void mark_obstacles(const OccupancyGrid& grid, DistanceField::Obstacles obstacles,
+                    std::size_t stride, std::vector<float>& padded) {
+  for (int row = 0; row < grid.height; ++row) {
+    for (int column = 0; column < grid.width; ++column) {
+      if (!is_obstacle(grid.cells[grid.index(column, row)], obstacles)) continue;
+      padded[static_cast<std::size_t>(row + 1) * stride + column + 1] = 0.0F;
+    }
+  }
+}
+
 }  // namespace
 
 DistanceField::DistanceField(const OccupancyGrid& grid, double max_distance, Obstacles obstacles)
@@ -67,15 +83,7 @@ DistanceField::DistanceField(const OccupancyGrid& grid, double max_distance, Obs
   const auto far = static_cast<float>(most * most);
   const auto stride = static_cast<std::size_t>(this->stride());
   padded_.assign(stride * static_cast<std::size_t>(height_ + 2), far);
-  for (int row = 0; row < height_; ++row) {
-    for (int column = 0; column < width_; ++column) {
-      const std::int8_t cell = grid.cells[grid.index(column, row)];
-      const bool is_obstacle =
-          cell == OccupancyGrid::kOccupied ||
-          (obstacles == Obstacles::kOccupiedOrUnknown && cell != OccupancyGrid::kFree);
-      if (is_obstacle) padded_[static_cast<std::size_t>(row + 1) * stride + column + 1] = 0.0F;
-    }
-  }
+  mark_obstacles(grid, obstacles, stride, padded_);
   LineTransform transform(std::max(width_, height_));
   for (int column = 1; column <= width_; ++column) {
     transform.run(&padded_[stride + static_cast<std::size_t>(column)], height_,

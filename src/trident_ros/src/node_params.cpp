@@ -196,6 +196,16 @@ std::vector<UnknownParam> NodeParams::unknown() const {
   return notes.unknown;
 }
 
+namespace {
+
+std::string warning_of(const UnknownParam& param, const std::string& name_space) {
+  std::string text = "parameter " + name_space + '/' + param.name + " is unknown, not used";
+  if (!param.nearest.empty()) text += "; did you mean " + param.nearest + '?';
+  return text;
+}
+
+}  // namespace
+
 std::vector<std::string> NodeParams::warnings() const {
   std::vector<std::string> sentences = added_warnings_;
   std::vector<std::string> idle;
@@ -204,9 +214,7 @@ std::vector<std::string> NodeParams::warnings() const {
   }
   if (!idle.empty()) sentences.push_back("parameters without effect here: " + join(idle));
   for (const UnknownParam& param : unknown()) {
-    std::string text = "parameter " + name_space_ + '/' + param.name + " is unknown, not used";
-    if (!param.nearest.empty()) text += "; did you mean " + param.nearest + '?';
-    sentences.push_back(std::move(text));
+    sentences.push_back(warning_of(param, name_space_));
   }
   return sentences;
 }

@@ -74,6 +74,18 @@ bool holds(const fs::path& process, const std::string& link) {
   return false;
 }
 
+/// The process that holds the file behind `link` open; 0: none that can be looked into.
+pid_t find_holder(const std::string& link) {
+  std::error_code error;
+  for (fs::directory_iterator it("/proc", error), end; !error && it != end; it.increment(error)) {
+    const std::string name = it->path().filename().string();
+    const bool is_process =
+        std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
+    if (is_process && holds(it->path(), link)) return std::atoi(name.c_str());
+  }
+  return 0;
+}
+
 }  // namespace
 
 pid_t peer_process(int descriptor) {
@@ -85,15 +97,7 @@ pid_t peer_process(int descriptor) {
   const char* table = here.ss_family == AF_INET6 ? "/proc/net/tcp6" : "/proc/net/tcp";
   const std::string inode = find_inode(table, in_proc_form(there), in_proc_form(here));
   if (inode.empty() || inode == "0") return 0;
-  const std::string link = "socket:[" + inode + "]";
-  std::error_code error;
-  for (fs::directory_iterator it("/proc", error), end; !error && it != end; it.increment(error)) {
-    const std::string name = it->path().filename().string();
-    const bool is_process =
-        std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
-    if (is_process && holds(it->path(), link)) return std::atoi(name.c_str());
-  }
-  return 0;
+  return find_holder("socket:[" + inode + "]");
 }
 
 }  // namespace trident::ros_utils

@@ -101,7 +101,7 @@ void bind_rays(py::module_& module) {
              py::arg("max_distance"), py::arg("visual"),
              "Distances, normals and shape indices; see World.cast_rays.");
   module.def("ray_shapes", &ray_shapes, py::arg("session"), py::arg("visual"),
-             "(model, link, name) of each shape that rays can meet.");
+             "(model, link, name) of each shape that rays can hit.");
 }
 
 }  // namespace trident::sim

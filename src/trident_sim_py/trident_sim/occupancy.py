@@ -82,6 +82,12 @@ class OccupancyMap:
             raise Error(f"{path}: cannot be written: {error.strerror}") from error
 
 
+def _check_finite(field: str, values: Sequence[float]) -> None:
+    for value in values:
+        if not math.isfinite(value):
+            raise Error(f"{field}: {value:g} m, legal: finite")
+
+
 @dataclass(frozen=True)
 class MapConfig:
     """What of a world becomes a map.
@@ -102,19 +108,15 @@ class MapConfig:
 
     def validate(self) -> None:
         """Raises Error naming the field, its value and what is legal."""
-        if not (math.isfinite(self.resolution) and 1e-3 <= self.resolution <= 10.0):
+        if not 1e-3 <= self.resolution <= 10.0:
             raise Error(f"resolution: {self.resolution:g} m, legal: 0.001 to 10 m")
         if not self.heights:
             raise Error("heights: none, legal: at least one")
-        for height in self.heights:
-            if not math.isfinite(height):
-                raise Error(f"heights: {height:g} m, legal: finite")
-        for value in self.start:
-            if not math.isfinite(value):
-                raise Error(f"start: {value:g} m, legal: finite")
-        if not (math.isfinite(self.reach) and self.reach >= self.resolution):
+        _check_finite("heights", self.heights)
+        _check_finite("start", self.start)
+        if not self.resolution <= self.reach < math.inf:
             raise Error(f"reach: {self.reach:g} m, legal: {self.resolution:g} m or more")
-        if not (math.isfinite(self.margin) and self.margin >= 0.0):
+        if not 0.0 <= self.margin < math.inf:
             raise Error(f"margin: {self.margin:g} m, legal: 0 or more")
 
 
@@ -219,24 +221,33 @@ def paired(line: _Ints, shape: _Ints, place: _Floats) -> tuple[_Ints, _Ints, _Fl
     return line[is_entry], shape[is_entry], place[is_entry], end[is_entry]
 
 
+def _corners(
+    along: Sequence[_Spans], start: tuple[float, float]
+) -> tuple[list[float], list[float]]:
+    """The least and the largest x and y [m] of all spans and the start."""
+    lowest, highest = list(start), list(start)
+    for axis, spans in enumerate(along):
+        if not spans.line.size:
+            continue
+        for place, low, high in (
+            (axis, spans.begin, spans.end),
+            (1 - axis, spans.line, spans.line),
+        ):
+            lowest[place] = min(lowest[place], float(low.min()))
+            highest[place] = max(highest[place], float(high.max()))
+    return lowest, highest
+
+
 def _extent(
     along: Sequence[_Spans], config: MapConfig
 ) -> tuple[tuple[float, float], tuple[int, int]]:
     """Corner [m] and shape (rows, columns) of the grid around all spans and the start."""
-    lowest, highest = list(config.start), list(config.start)
     if not any(spans.line.size for spans in along):
         heights = ", ".join(f"{height:g}" for height in config.heights)
         raise Error(
             f"no obstacle within {config.reach:g} m of the start at a height of {heights} m"
         )
-    for axis, spans in enumerate(along):
-        if spans.line.size:
-            for place, low, high in (
-                (axis, spans.begin, spans.end),
-                (1 - axis, spans.line, spans.line),
-            ):
-                lowest[place] = min(lowest[place], float(low.min()))
-                highest[place] = max(highest[place], float(high.max()))
+    lowest, highest = _corners(along, config.start)
     resolution = config.resolution
     corner = [math.floor((low - config.margin) / resolution) for low in lowest]
     other = [math.ceil((high + config.margin) / resolution) for high in highest]

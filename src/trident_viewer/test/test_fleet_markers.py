@@ -115,4 +115,4 @@ def test_a_vehicle_that_goes_while_its_marker_is_made_does_not_end_the_node(
     parameters["/A/robot_description"] = URDF
     fleet.add(state(2.0, A=(0.0, 0.0, 1.0)))
     shapes = by_name(fleet.markers())["A/shape"]
-    assert shapes[-1].type == Marker.MESH_RESOURCE, "what came back is described anew"
+    assert shapes[-1].type == Marker.MESH_RESOURCE, "what came back is described again"

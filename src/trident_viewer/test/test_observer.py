@@ -66,7 +66,7 @@ def test_pictures_wait_until_their_bytes_are_too_many() -> None:
     assert [waiting.take().height for _ in range(1000)] == list(range(1000)), "however many"
     for number in range(4):
         waiting.put(Image(height=number, data=bytes(40)))
-    assert [waiting.take().height for _ in range(len(waiting))] == [2, 3], "the oldest give way"
+    assert [waiting.take().height for _ in range(len(waiting))] == [2, 3], "the oldest are dropped"
     waiting.put(Image(height=7, data=bytes(1000)))
     assert waiting.take().height == 7, "one always fits"
     waiting.put(Image(data=bytes(60)))

@@ -104,7 +104,7 @@ def test_transforms_wait_until_the_frames_are_known() -> None:
     found = {item.path: item.stamp_s for item in items}
     assert found[("odom", "base", "lidar")] is None, "static"
     assert found[("odom", "base")] == pytest.approx(1.45)
-    assert found[("odom",)] is None, "which way is up"
+    assert found[("odom",)] is None, "the up direction"
 
 
 def test_a_tree_that_gets_another_root_is_shown_again_below_it() -> None:

@@ -170,7 +170,7 @@ def test_command_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> Non
     assert main(words) == 0
     assert capsys.readouterr().out.strip() == str(tmp_path / "office.world")
     assert main(["hall", "--out", str(tmp_path)]) == 0
-    assert "files beside it" in capsys.readouterr().out
+    assert "files next to it" in capsys.readouterr().out
     assert main([*words[:4], "3", "--out", str(tmp_path)]) == 2
     assert "length: 3 m, legal" in capsys.readouterr().err
     assert main(["coast", "--length", "200", "--out", str(tmp_path)]) == 2

@@ -163,7 +163,7 @@ def test_it_finds_the_robot_and_says_what_is_wrong(ros: Ros, tmp_path: Path) -> 
 
         assert count_of("transform late") == "1", "a scan that waits is counted once"
         robot.publish(5.0)
-        eventually(reports(diagnostics.messages, "went back by"), "the jump back of time told")
+        eventually(reports(diagnostics.messages, "went back by"), "a warning of the time jump")
         robot.message.ranges = [math.nan] * 180
         robot.now_s = 6.0
 
@@ -173,7 +173,7 @@ def test_it_finds_the_robot_and_says_what_is_wrong(ros: Ros, tmp_path: Path) -> 
             force()
             return reports(diagnostics.messages, "no return within its limits")()
 
-        eventually(is_reported, "the scan without a return told")
+        eventually(is_reported, "a warning of the scan without returns")
     robot.close()
 
 

@@ -70,25 +70,41 @@ std::string read_all(std::istream& in) {
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
-std::string model_xml(const SpawnOptions& options) {
-  const std::string& name = options.source_name;
+std::string read_standard_input() {
+  std::string xml = read_all(std::cin);
+  if (xml.empty()) throw std::runtime_error("there is no text on standard input");
+  return xml;
+}
+
+std::string read_file(const std::string& name) {
+  std::ifstream file(name);
+  if (!file) throw std::runtime_error("file '" + name + "' does not exist or cannot be read");
+  std::string xml = read_all(file);
+  if (xml.empty()) throw std::runtime_error("file '" + name + "' is empty");
+  return xml;
+}
+
+std::string read_param(const std::string& name) {
+  const std::string resolved = ros::names::resolve(name);
   std::string xml;
-  if (options.source == ModelSource::database) return trident::sim::database_model_sdf(name);
-  if (options.source == ModelSource::standard_input) {
-    xml = read_all(std::cin);
-    if (xml.empty()) throw std::runtime_error("there is no text on standard input");
-  } else if (options.source == ModelSource::file) {
-    std::ifstream file(name);
-    if (!file) throw std::runtime_error("file '" + name + "' does not exist or cannot be read");
-    xml = read_all(file);
-    if (xml.empty()) throw std::runtime_error("file '" + name + "' is empty");
-  } else {
-    const std::string resolved = ros::names::resolve(name);
-    if (!ros::param::get(resolved, xml)) {
-      throw std::runtime_error("parameter '" + resolved + "' is not set, or is not a string");
-    }
-    if (xml.empty()) throw std::runtime_error("parameter '" + resolved + "' is empty");
+  if (!ros::param::get(resolved, xml)) {
+    throw std::runtime_error("parameter '" + resolved + "' is not set, or is not a string");
   }
+  if (xml.empty()) throw std::runtime_error("parameter '" + resolved + "' is empty");
+  return xml;
+}
+
+std::string read_source(const SpawnOptions& options) {
+  if (options.source == ModelSource::standard_input) return read_standard_input();
+  if (options.source == ModelSource::file) return read_file(options.source_name);
+  return read_param(options.source_name);
+}
+
+std::string model_xml(const SpawnOptions& options) {
+  if (options.source == ModelSource::database) {
+    return trident::sim::database_model_sdf(options.source_name);
+  }
+  std::string xml = read_source(options);
   return options.package_to_model ? trident::sim::meshes_from_package_to_model(xml) : xml;
 }
 

@@ -177,7 +177,7 @@ class HectorMapping {
       const SE2 T_map_base = maps::from_pose_message(pose);
       node_.with_slam([&T_map_base](Slam2d& slam) {
         auto* placed = dynamic_cast<PoseInitializable*>(&slam);
-        if (placed == nullptr) throw Error("this method cannot be told where the robot is");
+        if (placed == nullptr) throw Error("this method does not accept an initial pose");
         placed->set_pose(T_map_base);
       });
       return true;

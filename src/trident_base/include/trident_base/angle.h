@@ -6,9 +6,11 @@
 
 namespace trident {
 
-inline constexpr double kPi = 3.14159265358979323846;
+inline constexpr double kPi = 3.14159265358979323846;  ///< C++17 has no std::numbers::pi
 
+/// For the edges of the system: angles are radians everywhere else.
 constexpr double deg_to_rad(double angle_deg) { return angle_deg * (kPi / 180.0); }
+/// The inverse of deg_to_rad(). Neither wraps: 720 degrees are 4 pi.
 constexpr double rad_to_deg(double angle) { return angle * (180.0 / kPi); }
 
 /// The same angle in (-pi, pi] [rad].

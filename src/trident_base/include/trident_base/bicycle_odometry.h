@@ -13,8 +13,8 @@ namespace trident {
 /// bicycle of the same wheelbase: tan(steering) = wheelbase / radius of the middle of the rear
 /// axle, positive to the left.
 struct AckermannGeometry {
-  double wheelbase_m = 1.0;
-  double front_track_m = 0.5, rear_track_m = 0.5;
+  double wheelbase_m = 1.0;  ///< between the axles, > 0
+  double front_track_m = 0.5, rear_track_m = 0.5;  ///< between the wheels of an axle, > 0
 
   /// Angles of the left and the right front wheel.
   Eigen::Vector2d wheel_angles(double steering_rad) const;
@@ -28,9 +28,10 @@ struct AckermannGeometry {
 /// Throws Error when a length is not > 0.
 void validate(const AckermannGeometry& geometry);
 
+/// Lengths of the car and the errors of its encoders.
 struct BicycleOdometryParams {
-  double wheelbase_m = 1.0;
-  double wheel_radius_m = 0.1;
+  double wheelbase_m = 1.0;  ///< between the axles, > 0
+  double wheel_radius_m = 0.1;  ///< of the rear wheels, > 0
   /// Variance of the travel for each metre that is travelled [m^2/m]. 0: no error.
   double travel_variance_m = 0.0;
   /// Variance of the heading for each metre that is travelled [rad^2/m]. 0: no error.
@@ -49,12 +50,13 @@ class BicycleOdometry {
   /// The rear wheels have turned by so much (their mean, positive forwards) since the last call, at
   /// this steering.
   void update(double rear_rad, double steering_rad);
+  /// Pose and covariance as constructed: the axle is at the origin again.
   void reset();
 
-  const SE2& T_odom_axle() const { return T_odom_axle_; }
+  const SE2& T_odom_axle() const { return T_odom_axle_; }  ///< of the middle of the rear axle
   /// Of (x, y, yaw) in the frame in which the axle started [m^2, m rad, rad^2].
   const Eigen::Matrix3d& covariance() const { return covariance_; }
-  const BicycleOdometryParams& params() const { return params_; }
+  const BicycleOdometryParams& params() const { return params_; }  ///< as constructed
 
  private:
   BicycleOdometryParams params_;

@@ -12,13 +12,14 @@ namespace trident::config_detail {
 
 /// One row of a reference table.
 struct DocumentRow {
-  std::string key;
-  std::string type;
-  std::string default_value;
-  std::string legal;
-  std::string doc;
+  std::string key;  ///< path from the top, "rotors[].force_constant"
+  std::string type;  ///< in words: "list of 3 number"
+  std::string default_value;  ///< as YAML, or "**required**"
+  std::string legal;  ///< of each number or the choices; "": whatever the type allows
+  std::string doc;  ///< the text that the field has in visit()
 };
 
+/// The rows under a heading row; without rows the heading alone.
 std::string markdown_table(const std::vector<DocumentRow>& rows);
 
 /// What a type contributes to a table: its name, its legal values, the text of a value, and the
@@ -29,22 +30,27 @@ struct Describe;
 /// The archive that lists a struct's fields instead of filling them.
 class ConfigDocumenter {
  public:
+  /// `path`: of the struct, "" at the top. Appends to `rows`, which must outlive it.
   ConfigDocumenter(std::string path, std::vector<DocumentRow>* rows)
       : path_(std::move(path)), rows_(rows) {}
 
+  /// A row for the field; its value is the default.
   template <class T>
   void field(const char* name, const T& value, const char* doc = "") {
     add(name, value, Describe<T>::legal(), Describe<T>::text(value), doc);
   }
+  /// The same with a range in place of the type's own.
   template <class T>
   void field(const char* name, const T& value, Range range, const char* doc = "") {
     static_assert(range_applies_v<T>, "a Range is for numbers and for lists and maps of numbers");
     add(name, value, range.text(), Describe<T>::text(value), doc);
   }
+  /// A row without a default.
   template <class T>
   void required(const char* name, const T& value, const char* doc = "") {
     add(name, value, Describe<T>::legal(), "**required**", doc);
   }
+  /// The same with a range.
   template <class T>
   void required(const char* name, const T& value, Range range, const char* doc = "") {
     static_assert(range_applies_v<T>, "a Range is for numbers and for lists and maps of numbers");
@@ -70,6 +76,7 @@ struct DescribeLeaf {
   static void below(const std::string&, const T&, std::vector<DocumentRow>*) {}
 };
 
+/// Truth values, as YAML 1.2 writes them.
 template <>
 struct Describe<bool> : DescribeLeaf {
   static std::string type() { return "bool"; }
@@ -77,6 +84,7 @@ struct Describe<bool> : DescribeLeaf {
   static std::string text(bool value) { return value ? "true" : "false"; }
 };
 
+/// Texts, in double quotes.
 template <>
 struct Describe<std::string> : DescribeLeaf {
   static std::string type() { return "text"; }
@@ -84,6 +92,7 @@ struct Describe<std::string> : DescribeLeaf {
   static std::string text(const std::string& value) { return '"' + value + '"'; }
 };
 
+/// Whole numbers by the limits of their type, others by "a finite number".
 template <class T>
 struct Describe<T, std::enable_if_t<is_number_v<T>>> : DescribeLeaf {
   static std::string type() { return std::is_integral_v<T> ? "whole number" : "number"; }
@@ -104,6 +113,7 @@ struct Describe<T, std::enable_if_t<is_number_v<T>>> : DescribeLeaf {
   }
 };
 
+/// Enums by the names that their enum_names() lists.
 template <class T>
 struct Describe<T, std::enable_if_t<is_named_enum_v<T>>> : DescribeLeaf {
   static std::string type() { return "choice"; }
@@ -116,6 +126,7 @@ struct Describe<T, std::enable_if_t<is_named_enum_v<T>>> : DescribeLeaf {
   }
 };
 
+/// Structs: a row of their own without a value, and below it one for each of their fields.
 template <class T>
 struct Describe<T, std::enable_if_t<is_visitable_v<T>>> {
   static std::string type() { return "map"; }
@@ -128,6 +139,7 @@ struct Describe<T, std::enable_if_t<is_visitable_v<T>>> {
   }
 };
 
+/// What may be missing: as the value itself, "none" by default.
 template <class T>
 struct Describe<std::optional<T>> {
   static std::string type() { return Describe<T>::type(); }
@@ -157,14 +169,17 @@ struct DescribeList {
   }
 };
 
+/// Lists of any length.
 template <class T>
 struct Describe<std::vector<T>> : DescribeList<std::vector<T>, T> {};
 
+/// Lists of exactly N items.
 template <class T, std::size_t N>
 struct Describe<std::array<T, N>> : DescribeList<std::array<T, N>, T> {
   static std::string type() { return "list of " + std::to_string(N) + ' ' + Describe<T>::type(); }
 };
 
+/// Vectors: lists of N numbers, or of any length where N is Eigen::Dynamic.
 template <int N>
 struct Describe<Eigen::Matrix<double, N, 1>> : DescribeList<Eigen::Matrix<double, N, 1>, double> {
   static std::string type() {

@@ -17,8 +17,8 @@ class ConfigError : public Error {
   /// `line` counts from 1; 0 when the source has no lines (a parameter server).
   ConfigError(std::string file, int line, std::string key, const std::string& problem);
 
-  const std::string& file() const { return file_; }
-  int line() const { return line_; }
+  const std::string& file() const { return file_; }  ///< as `what()` names it
+  int line() const { return line_; }  ///< from 1; 0: the source has no lines
   /// Path of the key, e.g. "rotors[2].force_constant"; empty for the document itself.
   const std::string& key() const { return key_; }
 
@@ -31,10 +31,11 @@ class ConfigError : public Error {
 /// One value of a configuration before it has a type: what YAML text says, with its line. Other
 /// sources (the ROS parameter server) build the same tree and get the same checks.
 struct ConfigNode {
+  /// What YAML's syntax alone shows; a scalar's type is decided by the field that reads it.
   enum class Kind { kNull, kScalar, kSequence, kMap };
 
-  Kind kind = Kind::kNull;
-  int line = 0;
+  Kind kind = Kind::kNull;  ///< decides which of the members below count
+  int line = 0;  ///< where it begins, from 1; 0: the source has no lines
   std::string scalar;             ///< Text of a kScalar.
   bool quoted = false;            ///< A quoted scalar is text, never a number or a truth value.
   std::vector<ConfigNode> items;  ///< Items of a kSequence; values of a kMap.

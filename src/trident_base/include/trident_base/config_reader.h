@@ -15,42 +15,55 @@ namespace trident::config_detail {
 
 /// What a value reader must know to explain an error.
 struct ValueContext {
-  const std::string& file;
-  Range range;
+  const std::string& file;  ///< for ConfigError::file()
+  Range range;  ///< of the field that the value belongs to
   std::string unit;  ///< "N s^2", taken from the "[…]" that ends a field's doc; may be empty.
 };
 
+/// Throws ConfigError: the value is not what was `expected`.
 [[noreturn]] void fail_type(const ValueContext& context, const ConfigNode& node,
                             const std::string& path, const std::string& expected);
+/// Throws ConfigError: the value is of the right type and not `legal`.
 [[noreturn]] void fail_range(const ValueContext& context, const ConfigNode& node,
                              const std::string& path, const std::string& legal);
 
+/// true or false, also as True or TRUE, without quotes; throws ConfigError for anything else.
 bool read_bool(const ValueContext&, const ConfigNode&, const std::string& path);
+/// A number within the field's range; throws ConfigError for another one and for NaN.
 double read_double(const ValueContext&, const ConfigNode&, const std::string& path);
+/// The text of a scalar; throws ConfigError for a list, a map or nothing.
 const std::string& read_string(const ValueContext&, const ConfigNode&, const std::string& path);
+/// Throws ConfigError unless the node is a list of that size; kAnySize: of any.
 const ConfigNode& expect_sequence(const ValueContext&, const ConfigNode&, const std::string& path,
                                   int size_or_any);
+/// Throws ConfigError unless the node is a map.
 const ConfigNode& expect_map(const ValueContext&, const ConfigNode&, const std::string& path);
+/// Index of the name that the scalar is; throws ConfigError with the nearest name for another one.
 std::size_t read_choice(const ValueContext&, const ConfigNode&, const std::string& path,
                         const std::vector<std::string>& names);
 
 /// Whole numbers, exactly: `is_negative` and `magnitude` of the text; range checks both the field's
 /// range and [lowest, highest] of the type.
 struct WholeNumber {
-  bool is_negative;
-  unsigned long long magnitude;
+  bool is_negative;  ///< the text begins with "-"
+  unsigned long long magnitude;  ///< absolute value
 };
+/// Throws ConfigError for a text with a fraction or an exponent, too.
 WholeNumber read_whole_number(const ValueContext&, const ConfigNode&, const std::string& path,
                               long long lowest, unsigned long long highest);
 
+/// What stands in the brackets that end `doc`; "" when it does not end in "]".
 std::string unit_of(const char* doc);
+/// "parent.key"; "parent/key" below an absolute ROS name; "key" at the top.
 std::string child_path(const std::string& parent, const std::string& key);
+/// "parent[index]", counted from 0.
 inline std::string item_path(const std::string& parent, std::size_t index) {
   return parent + '[' + std::to_string(index) + ']';
 }
 
-inline constexpr int kAnySize = -1;
+inline constexpr int kAnySize = -1;  ///< see expect_sequence()
 
+/// The names of an enum in the order of its table.
 template <class T>
 std::vector<std::string> enum_name_list() {
   std::vector<std::string> names;
@@ -62,12 +75,15 @@ std::vector<std::string> enum_name_list() {
 /// keys, missing keys, a failed validate().
 class ConfigReader {
  public:
+  /// Throws ConfigError unless `node` is a map. `node` and `file` must outlive the reader.
   ConfigReader(const ConfigNode& node, const std::string& file, std::string path);
 
+  /// Replaces `value` when the map has the key. Throws ConfigError for a value that does not fit.
   template <class T>
   void field(const char* name, T& value, const char* doc = "") {
     if (const ConfigNode* child = take(name)) read_child(*child, name, value, Range::any(), doc);
   }
+  /// The same, with the numbers in it limited to a range.
   template <class T>
   void field(const char* name, T& value, Range range, const char* doc = "") {
     static_assert(range_applies_v<T>, "a Range is for numbers and for lists and maps of numbers");
@@ -79,12 +95,15 @@ class ConfigReader {
     field(name, value, doc);
     note_required(name, doc, "");
   }
+  /// The same with a range.
   template <class T>
   void required(const char* name, T& value, Range range, const char* doc = "") {
     field(name, value, range, doc);
     note_required(name, doc, range.text());
   }
 
+  /// Fills a struct through its visit() and then calls its validate(), if it has one; an Error from
+  /// there becomes a ConfigError with file, line and path.
   template <class T>
   static void read_struct(const ConfigNode& node, const std::string& file, const std::string& path,
                           T& value) {

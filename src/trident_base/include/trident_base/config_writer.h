@@ -12,8 +12,10 @@ namespace config_detail {
 /// The archive that writes a struct as YAML: maps of numbers, words, texts and lists of these.
 class ConfigWriter {
  public:
+  /// `indent` stands before each line: that of the map that is written.
   explicit ConfigWriter(std::string indent = "") : indent_(std::move(indent)) {}
 
+  /// Appends the key and its value. The texts of fields and their ranges are not written.
   template <class T>
   void field(const char* name, const T& value, const char* = "") {
     add(name, value);
@@ -30,7 +32,7 @@ class ConfigWriter {
   void required(const char* name, const T& value, Range, const char* = "") {
     add(name, value);
   }
-  const std::string& text() const { return text_; }
+  const std::string& text() const { return text_; }  ///< complete lines
 
  private:
   template <class T>

@@ -8,9 +8,10 @@
 
 namespace trident {
 
+/// Lengths of the base and the errors of its encoders.
 struct DiffDriveOdometryParams {
-  double wheel_separation_m = 0.34;
-  double wheel_radius_m = 0.075;
+  double wheel_separation_m = 0.34;  ///< between the middles of the wheels, > 0
+  double wheel_radius_m = 0.075;  ///< > 0
   /// Variance of the travel of one wheel for each metre that it rolls [m^2/m]. 0: no error.
   double travel_variance_m = 0.0;
 };
@@ -27,10 +28,11 @@ void validate(const DiffDriveOdometryParams& params);
 /// usual sum (Siegwart, Nourbakhsh, Scaramuzza, Introduction to Autonomous Mobile Robots, 2011,
 /// eq. 5.7) takes the arc's length for the chord's.
 struct WheelArc {
+  /// Travels are positive forwards; `separation_m` > 0 is not checked here.
   WheelArc(double left_m, double right_m, double separation_m);
 
-  double turn_rad = 0.0;
-  double chord_m = 0.0;
+  double turn_rad = 0.0;  ///< positive to the left
+  double chord_m = 0.0;  ///< straight from beginning to end, negative backwards
 
   /// Pose of the base afterwards, when it was T_odom_base before. The angle is kept in (-pi, pi].
   SE2 applied_to(const SE2& T_odom_base) const;
@@ -54,14 +56,15 @@ class DiffDriveOdometry {
 
   /// The wheels have turned by so much since the last call, positive forwards.
   void update(double left_rad, double right_rad);
+  /// Pose, covariance and path as constructed: the base is at the origin again.
   void reset();
 
-  const SE2& T_odom_base() const { return T_odom_base_; }
+  const SE2& T_odom_base() const { return T_odom_base_; }  ///< of the middle between the wheels
   /// Of (x, y, yaw) in the frame in which the base started [m^2, m rad, rad^2].
   const Eigen::Matrix3d& covariance() const { return covariance_; }
   /// Path of the middle between the wheels, backwards counted as such [m].
   double distance_m() const { return distance_m_; }
-  const DiffDriveOdometryParams& params() const { return params_; }
+  const DiffDriveOdometryParams& params() const { return params_; }  ///< as constructed
 
  private:
   DiffDriveOdometryParams params_;

@@ -27,7 +27,8 @@ struct LaserScan {
   SE2 T_base_laser;           ///< where the laser sits on the robot
   std::vector<float> ranges;  ///< [m]
 
-  std::size_t size() const { return ranges.size(); }
+  std::size_t size() const { return ranges.size(); }  ///< beams, returns or not
+  /// Direction of a beam in the laser's frame [rad], not wrapped.
   double angle(std::size_t beam) const {
     return angle_min + static_cast<double>(beam) * angle_increment;
   }

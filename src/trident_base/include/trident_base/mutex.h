@@ -36,8 +36,9 @@ namespace trident {
 /// std::mutex with marks.
 class TRIDENT_CAPABILITY Mutex {
  public:
+  /// Blocks; not to be locked again by its holder.
   void lock() TRIDENT_ACQUIRE() { mutex_.lock(); }
-  void unlock() TRIDENT_RELEASE() { mutex_.unlock(); }
+  void unlock() TRIDENT_RELEASE() { mutex_.unlock(); }  ///< by the thread that locked it
 
  private:
   std::mutex mutex_;
@@ -47,11 +48,13 @@ class TRIDENT_CAPABILITY Mutex {
 /// releases it and takes it again at once, such as one that steps a world, starves nobody.
 class TRIDENT_CAPABILITY FairMutex {
  public:
+  /// Blocks until all who came before have had it.
   void lock() TRIDENT_ACQUIRE() {
     std::unique_lock<std::mutex> lock(mutex_);
     const std::uint64_t ticket = next_ticket_++;
     turn_.wait(lock, [&] { return ticket == now_serving_; });
   }
+  /// Hands it to the one who has waited longest.
   void unlock() TRIDENT_RELEASE() {
     {
       const std::lock_guard<std::mutex> lock(mutex_);
@@ -76,6 +79,7 @@ class TRIDENT_CAPABILITY FairMutex {
 template <class AnyMutex>
 class TRIDENT_SCOPED_CAPABILITY Lock {
  public:
+  /// Blocks until the mutex is held.
   explicit Lock(AnyMutex& mutex) TRIDENT_ACQUIRE(mutex) : mutex_(mutex) { mutex_.lock(); }
   ~Lock() TRIDENT_RELEASE() { mutex_.unlock(); }
   Lock(const Lock&) = delete;
@@ -90,6 +94,7 @@ class TRIDENT_SCOPED_CAPABILITY Lock {
 template <class AnyMutex>
 class TRIDENT_SCOPED_CAPABILITY Unlock {
  public:
+  /// The calling thread holds the mutex.
   explicit Unlock(AnyMutex& mutex) TRIDENT_RELEASE(mutex) : mutex_(mutex) { mutex_.unlock(); }
   ~Unlock() TRIDENT_RELEASE() { mutex_.lock(); }
   Unlock(const Unlock&) = delete;

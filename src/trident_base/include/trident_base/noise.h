@@ -18,9 +18,10 @@ namespace trident {
 
 /// Discrete Gaussian noise, in the unit of the measurement (SDF's <noise type="gaussian">).
 struct GaussianNoise {
-  double mean = 0.0;
-  double stddev = 0.0;
+  double mean = 0.0;  ///< a constant bias
+  double stddev = 0.0;  ///< >= 0; 0: no noise, the mean alone
 
+  /// mean + stddev n, with n the stream's standard normal at (index, channel).
   double sample(const RandomStream& stream, std::uint64_t index, std::uint32_t channel) const;
 };
 
@@ -28,8 +29,10 @@ struct GaussianNoise {
 /// those of the beams of a scan are. A number is a function of sample and channel alone.
 class NormalRow {
  public:
+  /// Keeps a copy of `stream`; `index` is that of the sample, of the scan for one.
   NormalRow(const RandomStream& stream, std::uint64_t index) : stream_(stream), index_(index) {}
 
+  /// The standard normal of a channel. Four successive channels cost one evaluation.
   float at(std::uint32_t channel) {
     if (channel / 4 != block_) {
       block_ = channel / 4;
@@ -48,34 +51,38 @@ class NormalRow {
 /// Continuous white noise: `density` [unit/sqrt(Hz)], sampled with period dt [s] it has the
 /// standard deviation density / sqrt(dt).
 struct WhiteNoise {
-  double density = 0.0;
+  double density = 0.0;  ///< >= 0
 
+  /// density / sqrt(dt) times a standard normal; `dt` > 0 [s] is not checked.
   double sample(const RandomStream& stream, std::uint64_t index, std::uint32_t channel,
                 double dt) const;
 };
 
 /// Uniform noise in [lower, upper), in the unit of the measurement.
 struct UniformNoise {
-  double lower = 0.0;
-  double upper = 0.0;
+  double lower = 0.0;  ///< included
+  double upper = 0.0;  ///< excluded; equal to `lower`: a constant
 
+  /// The stream's uniform number at (index, channel), scaled.
   double sample(const RandomStream& stream, std::uint64_t index, std::uint32_t channel) const;
 };
 
 /// `GaussianNoise` per axis.
 struct GaussianNoise3 {
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  Eigen::Vector3d stddev = Eigen::Vector3d::Zero();
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();  ///< per axis
+  Eigen::Vector3d stddev = Eigen::Vector3d::Zero();  ///< per axis, >= 0
 
+  /// Independent axes, of the channels `channel` to `channel` + 2.
   Eigen::Vector3d sample(const RandomStream& stream, std::uint64_t index,
                          std::uint32_t channel) const;
 };
 
 /// `UniformNoise` per axis.
 struct UniformNoise3 {
-  Eigen::Vector3d lower = Eigen::Vector3d::Zero();
-  Eigen::Vector3d upper = Eigen::Vector3d::Zero();
+  Eigen::Vector3d lower = Eigen::Vector3d::Zero();  ///< per axis, included
+  Eigen::Vector3d upper = Eigen::Vector3d::Zero();  ///< per axis, excluded
 
+  /// Independent axes, of the channels `channel` to `channel` + 2.
   Eigen::Vector3d sample(const RandomStream& stream, std::uint64_t index,
                          std::uint32_t channel) const;
 };
@@ -96,6 +103,7 @@ struct GaussMarkovParams {
 /// turn-on.
 class GaussMarkov {
  public:
+  /// Above any channel that a sensor numbers itself.
   static constexpr std::uint32_t kTurnOnChannelOffset = 0x10000;
 
   /// Throws Error when a parameter or dt [s] is outside its legal range.
@@ -145,6 +153,7 @@ class ImuNoise {
   /// [m/s^2], both in the sensor's frame.
   void add(std::uint64_t index, Eigen::Vector3d* w_sensor, Eigen::Vector3d* f_sensor);
 
+  /// All biases start again; the next index is to be 0, else they are replayed up to it.
   void reset();
 
  private:

@@ -15,9 +15,9 @@ namespace trident {
 /// `cells[row * width + column]` and covers [column, column + 1) x [row, row + 1) cells from the
 /// origin, x along the columns.
 struct OccupancyGrid {
-  static constexpr std::int8_t kUnknown = -1;
-  static constexpr std::int8_t kFree = 0;
-  static constexpr std::int8_t kOccupied = 100;
+  static constexpr std::int8_t kUnknown = -1;  ///< never seen
+  static constexpr std::int8_t kFree = 0;  ///< occupancy 0 %
+  static constexpr std::int8_t kOccupied = 100;  ///< occupancy 100 %
 
   int width = 0;                   ///< cells along x
   int height = 0;                  ///< cells along y
@@ -25,9 +25,10 @@ struct OccupancyGrid {
   SE2 T_map_origin;                ///< the outer corner of cell (0, 0), x along the columns
   std::vector<std::int8_t> cells;  ///< occupancy [%], -1 unknown
 
-  bool contains(int column, int row) const {
+  bool contains(int column, int row) const {  ///< whether the cell exists
     return column >= 0 && row >= 0 && column < width && row < height;
   }
+  /// Index into `cells` of a cell that contains() is true for; not checked.
   std::size_t index(int column, int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
            static_cast<std::size_t>(column);

@@ -13,15 +13,16 @@ namespace trident {
 /// A symmetric foil that turns about body z. Positive angles turn the bow to port (positive yaw) in
 /// forward motion: the trailing edge goes to port.
 struct RudderParams {
-  std::string name;
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();
-  double area = 0.0;
-  double aspect_ratio = 1.5;
-  double drag_coefficient = 0.02;
-  double stall_angle = 0.4;
-  double max_angle = 0.6;
-  double angle_rate = 0.5;
+  std::string name;  ///< as its topics call it
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< [m]
+  double area = 0.0;  ///< [m^2]
+  double aspect_ratio = 1.5;  ///< span^2 / area
+  double drag_coefficient = 0.02;  ///< at zero angle of attack
+  double stall_angle = 0.4;  ///< [rad]
+  double max_angle = 0.6;  ///< [rad]
+  double angle_rate = 0.5;  ///< [rad/s]
 
+  /// Names each field with its range and meaning.
   template <class Archive>
   void visit(Archive& ar) {
     ar.required("name", name, "as its topics call it");
@@ -31,7 +32,7 @@ struct RudderParams {
     ar.field("drag_coefficient", drag_coefficient, Range::non_negative(),
              "at zero angle of attack");
     ar.field("stall_angle", stall_angle, Range{0.0, 1.5, true}, "of attack [rad]");
-    ar.field("max_angle", max_angle, Range{0.0, 1.6, true}, "either way [rad]");
+    ar.field("max_angle", max_angle, Range{0.0, 1.6, true}, "to either side [rad]");
     ar.field("angle_rate", angle_rate, Range::positive(), "of the machine [rad/s]");
   }
 

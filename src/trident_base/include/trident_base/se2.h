@@ -12,21 +12,25 @@ namespace trident {
 /// every operation here; `p` is the origin of b in a [m]. Tangent vectors are (vx [m], vy [m], w
 /// [rad]).
 struct SE2 {
-  using Tangent = Eigen::Vector3d;
-  using Adjoint = Eigen::Matrix3d;
+  using Tangent = Eigen::Vector3d;  ///< (vx [m], vy [m], w [rad])
+  using Adjoint = Eigen::Matrix3d;  ///< see adjoint()
 
-  double angle = 0.0;
-  Eigen::Vector2d p = Eigen::Vector2d::Zero();
+  double angle = 0.0;  ///< of b's x axis in a [rad]
+  Eigen::Vector2d p = Eigen::Vector2d::Zero();  ///< origin of b in a [m]
 
-  static SE2 identity() { return {}; }
+  static SE2 identity() { return {}; }  ///< frames a and b are one
+  /// Wraps `yaw` [rad] into (-pi, pi].
   static SE2 from_xy_yaw(double x, double y, double yaw);
   /// The pose after moving with the constant body twist `tangent` for unit time.
   static SE2 exp(const Tangent& tangent);
   /// The planar part of T: x, y and yaw (the heading of the body's x axis).
   static SE2 projected(const SE3& T);
 
+  /// T_a_b * T_b_c = T_a_c.
   SE2 operator*(const SE2& other) const;
+  /// Coordinates in b to coordinates in a [m].
   Eigen::Vector2d operator*(const Eigen::Vector2d& point) const;
+  /// T_b_a.
   SE2 inverse() const;
 
   /// Inverse of `exp`, with w in (-pi, pi].

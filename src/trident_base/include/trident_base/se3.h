@@ -13,13 +13,14 @@ using Matrix6d = Eigen::Matrix<double, 6, 6>;
 /// p_b). `R` is a unit quaternion, `p` the origin of b in a [m]. Tangent vectors are (v [m], w
 /// [rad]): the translational part first.
 struct SE3 {
-  using Tangent = Vector6d;
-  using Adjoint = Matrix6d;
+  using Tangent = Vector6d;  ///< (v [m], w [rad])
+  using Adjoint = Matrix6d;  ///< see adjoint()
 
+  /// R_a_b, of unit length; products drift, so callers normalize.
   Eigen::Quaterniond R = Eigen::Quaterniond::Identity();
-  Eigen::Vector3d p = Eigen::Vector3d::Zero();
+  Eigen::Vector3d p = Eigen::Vector3d::Zero();  ///< origin of b in a [m]
 
-  static SE3 identity() { return {}; }
+  static SE3 identity() { return {}; }  ///< frames a and b are one
   /// Fixed-axis roll, pitch, yaw [rad] as URDF and SDF use them: R = Rz(yaw) Ry(pitch) Rx(roll).
   static SE3 from_xyz_rpy(const Eigen::Vector3d& p, double roll, double pitch, double yaw) {
     using Eigen::AngleAxisd;
@@ -32,8 +33,11 @@ struct SE3 {
   /// The pose after moving with the constant body twist `tangent` for unit time.
   static SE3 exp(const Tangent& tangent);
 
+  /// T_a_b * T_b_c = T_a_c. The quaternion is not normalized.
   SE3 operator*(const SE3& other) const { return {R * other.R, p + R * other.p}; }
+  /// Coordinates in b to coordinates in a [m].
   Eigen::Vector3d operator*(const Eigen::Vector3d& point) const { return p + R * point; }
+  /// T_b_a; of a quaternion that is not of unit length it is not the inverse.
   SE3 inverse() const {
     const Eigen::Quaterniond Ri = R.conjugate();
     return {Ri, -(Ri * p)};

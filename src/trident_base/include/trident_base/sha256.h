@@ -13,11 +13,13 @@ namespace trident {
 /// machine.
 class Sha256 {
  public:
-  Sha256();
+  Sha256();  ///< of no bytes yet
   ~Sha256();
+  /// What was moved from can only be destroyed or assigned to.
   Sha256(Sha256&&) noexcept;
   Sha256& operator=(Sha256&&) noexcept;
 
+  /// Appends `size` bytes; how they are cut into calls does not matter.
   void update(const void* data, std::size_t size);
   /// The eight bytes of the IEEE-754 binary64, least significant first. -0.0 and 0.0 differ.
   void update_double(double value);

@@ -35,6 +35,7 @@ class Span {
   using iterator = T*;
 
   constexpr Span() = default;
+  /// The `size` values from `data` on; `data` may be nullptr when size is 0.
   constexpr Span(T* data, std::size_t size) : data_(data), size_(size) {}
 
   /// Views a whole std::vector, std::array, C array, string or other span. Like a pointer it may
@@ -44,18 +45,19 @@ class Span {
   template <class Values, class = EnableFor<const Values>>
   constexpr Span(const Values& values) : Span(std::data(values), std::size(values)) {}
 
-  constexpr T* data() const { return data_; }
-  constexpr std::size_t size() const { return size_; }
-  constexpr bool empty() const { return size_ == 0; }
-  constexpr T* begin() const { return data_; }
-  constexpr T* end() const { return data_ + size_; }
+  constexpr T* data() const { return data_; }  ///< of the first value; may be nullptr when empty
+  constexpr std::size_t size() const { return size_; }  ///< number of values, not bytes
+  constexpr bool empty() const { return size_ == 0; }  ///< front() and back() need a value
+  constexpr T* begin() const { return data_; }  ///< for range-based loops and algorithms
+  constexpr T* end() const { return data_ + size_; }  ///< behind the last value
 
+  /// index < size().
   constexpr T& operator[](std::size_t index) const {
     assert(index < size_);
     return data_[index];
   }
-  constexpr T& front() const { return (*this)[0]; }
-  constexpr T& back() const { return (*this)[size_ - 1]; }
+  constexpr T& front() const { return (*this)[0]; }  ///< of a span that is not empty
+  constexpr T& back() const { return (*this)[size_ - 1]; }  ///< of a span that is not empty
 
   /// The first `count` values; count <= size().
   constexpr Span first(std::size_t count) const {

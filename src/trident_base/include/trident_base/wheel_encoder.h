@@ -23,7 +23,7 @@ class WheelEncoder {
     }
   }
 
-  std::int64_t ticks_per_turn() const { return ticks_per_turn_; }
+  std::int64_t ticks_per_turn() const { return ticks_per_turn_; }  ///< as constructed
   /// Of an angle that counts turns [rad].
   std::int64_t ticks(double angle) const {
     const double turns = angle / (2.0 * kPi);

@@ -20,7 +20,7 @@ class WorkerPool {
   WorkerPool(const WorkerPool&) = delete;
   WorkerPool& operator=(const WorkerPool&) = delete;
 
-  std::size_t threads() const { return threads_; }
+  std::size_t threads() const { return threads_; }  ///< the caller's among them
 
   /// work(part, worker) for each part in [0, parts), and comes back when all are done. `worker` is
   /// in [0, threads()) and belongs to one thread at a time: it chooses memory to work in. Rethrows

@@ -67,6 +67,10 @@ def require(
         raise error(f"{name}: {value:g}{after}, legal: {lowest:g} to {highest:g}{after}")
 
 
+def _is_legal(value: float, may_be_zero: bool) -> bool:
+    return math.isfinite(value) and (value >= 0 if may_be_zero else value > 0)
+
+
 def require_positive(
     config: Any, allow_zero: Iterable[str] = (), error: type[ValueError] = ParamError
 ) -> None:
@@ -76,7 +80,7 @@ def require_positive(
         if not isinstance(value, int | float) or isinstance(value, bool):
             continue
         may_be_zero = item.name in allow_zero
-        if not math.isfinite(value) or value < 0 or (value == 0 and not may_be_zero):
+        if not _is_legal(value, may_be_zero):
             bound = "0 or more" if may_be_zero else "greater than 0"
             raise error(f"{item.name}: {value}; legal: finite, {bound}")
 

@@ -7,6 +7,7 @@ from __future__ import annotations
 import argparse
 import signal
 import sys
+from pathlib import Path
 from types import FrameType
 
 from trident_eval.core.errors import EvalError
@@ -53,9 +54,13 @@ def main(arguments: list[str] | None = None) -> int:
     except BrokenPipeError:
         raise
     except OSError as error:  # a full disk does not say which file it was
-        where = error.filename or getattr(options, "out", None) or "what was to be written"
+        where = _place_of(error, options)
         say(f"trident bench: {where}: {error.strerror}")
         return UNUSABLE
+
+
+def _place_of(error: OSError, options: argparse.Namespace) -> Path | str:
+    return error.filename or getattr(options, "out", None) or "what was to be written"
 
 
 if __name__ == "__main__":

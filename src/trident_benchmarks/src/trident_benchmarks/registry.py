@@ -54,6 +54,6 @@ BENCHMARKS = (
     Benchmark("amcl", "amcl.benchmark", "measure localisation in a known map"),
     Benchmark("vessels", "vessels.benchmark", "check vessels and sea"),
     Benchmark("slam", "slam.benchmark", "measure SLAM on the public logs, or in a simulated world"),
-    Benchmark("posegraph", "posegraph.benchmark", "measure pose-graph optimisation beside GTSAM"),
+    Benchmark("posegraph", "posegraph.benchmark", "compare pose-graph optimisation with GTSAM"),
     Benchmark("table", "sim.saved_table", "the Markdown table of a saved benchmark"),
 )

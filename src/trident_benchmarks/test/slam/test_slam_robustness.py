@@ -92,11 +92,11 @@ def test_twenty_combinations_and_what_is_missed_is_said() -> None:
     good = {"translation_mean_m": 0.013, "of_plain": 1.0}
     bad = {"translation_mean_m": 0.158, "of_plain": 12.2}
     rows = [
-        {"log": "intel", "change": "way+ turn+ drift+", "final": bad, "causal": bad},
+        {"log": "intel", "change": "distance+ turn+ drift+", "final": bad, "causal": bad},
         {"log": "intel", "change": "3 cm of noise", "final": good, "causal": bad},
         {"log": "intel", "change": "laser x", "final": good, "causal": good},
     ]
     assert robustness.reasons(rows) == [
-        "intel, way+ turn+ drift+: final 0.1580 m is 12.20 times the plain one, limit 1.3",
+        "intel, distance+ turn+ drift+: final 0.1580 m is 12.20 times the plain one, limit 1.3",
         "intel, 3 cm of noise: causal 0.1580 m is 12.20 times the plain one, limit 3.0",
     ]

@@ -52,7 +52,7 @@ def test_limits_are_strict_and_named() -> None:
     missed = simulated.reasons([row(final=bad), row(false_loops=2), row(localization=bad)])
     assert missed == [
         "seed 3: final: RMSE 0.050 m, limit 0.05 m",
-        "seed 3: 2 false loops, must be none",
+        "seed 3: 2 false loops, must be 0",
         "seed 3: localization: RMSE 0.050 m, limit 0.05 m",
     ]
     assert simulated.reasons([row(final={"ate_rmse_m": math.nan, "ate_max_m": 0})])

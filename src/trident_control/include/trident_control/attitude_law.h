@@ -21,6 +21,7 @@ struct AttitudeQuirks {
   double max_rotor_speed = 838.0;  ///< [rad/s], read only when unlimited_rotor_speed is false
 };
 
+/// Gains of the attitude errors about the body axes. Defaults: RotorS' for the Firefly.
 struct AttitudeGains {
   Eigen::Vector3d attitude{3.0, 3.0, 0.035};        ///< [N m/rad]
   Eigen::Vector3d angular_rate{0.52, 0.52, 0.025};  ///< [N m s/rad]
@@ -36,9 +37,11 @@ struct AttitudeGains {
 /// 2010, eq. 10, 11, 16. Copyable, immutable, allocates only while it is constructed.
 class AttitudeLaw {
  public:
+  /// Throws trident::Error naming the field, value and legal range.
   AttitudeLaw(const VehicleParams& vehicle, const AttitudeGains& gains,
               const AttitudeQuirks& quirks);
 
+  /// Of the vehicle that it was made for.
   std::size_t rotor_count() const { return static_cast<std::size_t>(to_squared_speeds_.rows()); }
 
   /// Inputs must be finite. `thrust` along body z [N]; `rotor_speeds` [rad/s], exactly

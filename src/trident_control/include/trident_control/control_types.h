@@ -33,16 +33,18 @@ struct AttitudeCommand {
 
 /// Outcome of one control step. On anything but `ok` the output span has not been written.
 enum class ControlStatus {
-  ok,
+  ok,  ///< the output has been written
   invalid_state,      ///< a number that is not usable, or a quaternion that is not a rotation
   invalid_reference,  ///< a number that is not usable
   wrong_rotor_count,  ///< the output span is not as long as the vehicle has rotors
 };
 
-/// True when every number is finite and the quaternion's norm is 1 within 5 %.
-/// Whether all numbers are usable: finite, and none beyond 1e8.
+/// Whether all numbers are usable: finite, and none beyond 1e8; the quaternion's norm is 1 within
+/// 5 %.
 bool is_valid(const OdometryState& state);
+/// Whether all numbers are finite, and none is beyond 1e8.
 bool is_valid(const TrajectoryPoint& point);
+/// The same for a command.
 bool is_valid(const AttitudeCommand& command);
 
 /// Heading of a rotation: the angle that a z-y-x Euler decomposition gives last [rad, -pi..pi].

@@ -19,6 +19,7 @@ class DriftObserver {
   DriftObserver(const VesselModel& model, double time_constant)
       : model_(model), time_constant_(time_constant) {}
 
+  /// No drift is known.
   void reset();
   /// `sway_force`: what the thrusters gave since the last state [N].
   void update(const VesselState& state, double sway_force, double dt_s);

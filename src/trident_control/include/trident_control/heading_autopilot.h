@@ -14,6 +14,7 @@ namespace trident::control {
 ///   N = m (a_d + 2 zeta w_n (r_d - r) + w_n^2 (psi_d - psi)) + drag(r_d) + integral.
 class HeadingAutopilot {
  public:
+  /// The gains follow from the model's mass and drag in yaw; both are copied.
   HeadingAutopilot(const HeadingParams& params, const VesselModel& model);
 
   /// Begins from how the vessel moves now.

@@ -16,13 +16,15 @@ struct LeeGains : AttitudeGains {
   Eigen::Vector3d position{6.0, 6.0, 6.0};  ///< [N/m]
   Eigen::Vector3d velocity{4.7, 4.7, 4.7};  ///< [N s/m]
 
+  /// Throws trident::Error naming the gain, its value and the legal range.
   void validate() const;
 };
 
+/// What LeePositionController is made from.
 struct LeeParams {
-  LeeGains gains;
-  VehicleParams vehicle;
-  AttitudeQuirks quirks;
+  LeeGains gains;  ///< not yet divided by the mass
+  VehicleParams vehicle;  ///< mass, inertia and rotors that it reckons with
+  AttitudeQuirks quirks;  ///< where it keeps RotorS' departures from the paper
 };
 
 /// Geometric position controller as RotorS flies it.
@@ -38,6 +40,7 @@ class LeePositionController {
   /// Throws trident::Error naming the field, value and legal range.
   explicit LeePositionController(const LeeParams& params);
 
+  /// Length of compute()'s output.
   std::size_t rotor_count() const { return attitude_law_.rotor_count(); }
 
   /// `rotor_speeds`: rotor_count() values [rad/s, >= 0], untouched unless the result is ok.

@@ -18,6 +18,7 @@ namespace trident::control {
 /// of that, each the part across it, is kept as a vector, from which the next leg begins.
 class LineOfSight {
  public:
+  /// Has no path before start().
   explicit LineOfSight(const GuidanceParams& params) : params_(params) {}
 
   /// Follows the waypoints [m] from where the vessel is now; one in whose circle it is already
@@ -28,6 +29,7 @@ class LineOfSight {
   double update(const Eigen::Vector2d& p_world, const Eigen::Vector2d& drift_world, double speed,
                 double dt_s);
 
+  /// Whether the last waypoint's circle was reached; true before start(), too.
   bool is_finished() const { return leg_ + 1 >= points_.size(); }
   /// Distance to the left of the present leg [m].
   double cross_track_m() const { return cross_track_m_; }
@@ -35,7 +37,7 @@ class LineOfSight {
   const Eigen::Vector2d& goal() const { return points_.back(); }
   /// The leg's direction [rad].
   double direction() const { return direction_; }
-  std::size_t leg() const { return leg_; }
+  std::size_t leg() const { return leg_; }  ///< index of the waypoint that it begins at
 
  private:
   void enter(std::size_t leg);

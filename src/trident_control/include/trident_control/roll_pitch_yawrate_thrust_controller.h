@@ -9,10 +9,11 @@
 
 namespace trident::control {
 
+/// What RollPitchYawrateThrustController is made from.
 struct RollPitchYawrateThrustParams {
-  AttitudeGains gains;
-  VehicleParams vehicle;
-  AttitudeQuirks quirks;
+  AttitudeGains gains;  ///< of attitude and angular rate
+  VehicleParams vehicle;  ///< inertia and rotors that it reckons with
+  AttitudeQuirks quirks;  ///< where it keeps RotorS' departures from the paper
 };
 
 /// Holds commanded roll and pitch at the vehicle's present heading, turns at the commanded yaw
@@ -23,6 +24,7 @@ class RollPitchYawrateThrustController {
   /// Throws trident::Error naming the field, value and legal range.
   explicit RollPitchYawrateThrustController(const RollPitchYawrateThrustParams& params);
 
+  /// Length of compute()'s output.
   std::size_t rotor_count() const { return attitude_law_.rotor_count(); }
 
   /// `rotor_speeds`: rotor_count() values [rad/s, >= 0], untouched unless the result is ok.

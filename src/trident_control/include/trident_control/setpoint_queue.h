@@ -16,10 +16,11 @@ namespace trident::control {
 
 /// One point of a set-point message, `time_from_start` after the message's start.
 struct TimedSetpoint {
-  SimTime time_from_start;
-  TrajectoryPoint point;
+  SimTime time_from_start;  ///< >= 0, and not before the point ahead of it
+  TrajectoryPoint point;  ///< holds until the next point takes effect
 };
 
+/// Where a queue follows RotorS, and which stamps it believes.
 struct SetpointQueueParams {
   /// RotorS applies the first point at the message's start whatever its time_from_start says, and
   /// spaces the others by differences. False: every point waits for its own time_from_start.
@@ -33,8 +34,9 @@ struct SetpointQueueParams {
   bool keep_setpoint_over_reset = false;
 };
 
+/// Why push() took or refused a message.
 enum class SetpointResult {
-  accepted,
+  accepted,  ///< or known already, see SetpointQueue::repeats()
   empty,            ///< no points
   non_finite,       ///< a point with a NaN or an infinity
   unordered,        ///< time_from_start decreases, or is negative
@@ -57,8 +59,9 @@ enum class SetpointResult {
 /// before allocates.
 class SetpointQueue {
  public:
-  static constexpr std::size_t kMaxPoints = 65536;
+  static constexpr std::size_t kMaxPoints = 65536;  ///< of one message
 
+  /// Empty: advance() returns nullptr until a message has taken effect.
   explicit SetpointQueue(const SetpointQueueParams& params = {});
 
   /// `stamp` zero = no stamp. Refused messages change nothing.

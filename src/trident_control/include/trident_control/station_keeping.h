@@ -14,11 +14,14 @@ namespace trident::control {
 /// integral is kept in the world's axes, where wind and current are steady.
 class PlaceHold {
  public:
+  /// The gains follow from the model's mass and damping; both are copied.
   PlaceHold(const StationParams& params, const VesselModel& model);
 
+  /// Forgets the integral: wind and current are learnt again.
   void reset();
   /// Surge and sway force [N].
   Eigen::Vector2d hold(const VesselState& state, const Eigen::Vector2d& place_world, double dt_s);
+  /// What the actuators gave of the last force, surge and sway [N]; the integral continues from it.
   void settle(const Eigen::Vector2d& given);
 
  private:
@@ -35,15 +38,18 @@ class PlaceHold {
 /// 2001). Its heading is the weather's choice.
 class WeatherVane {
  public:
+  /// What autopilot and speed controller are to follow.
   struct Setpoint {
     double heading = 0.0;  ///< [rad]
     double speed = 0.0;    ///< [m/s]
   };
 
+  /// start() must come before update().
   explicit WeatherVane(const StationParams& params) : params_(params) {}
 
   /// Hangs it where it would be at the place if it continued straight to there.
   void start(const VesselState& state, const Eigen::Vector2d& place_world);
+  /// Moves the point towards where the vessel would be on station, and returns how to look at it.
   Setpoint update(const VesselState& state, const Eigen::Vector2d& place_world, double dt_s);
   /// Where the vessel hangs.
   const Eigen::Vector2d& suspension() const { return point_; }

@@ -15,8 +15,10 @@ namespace trident::control {
 ///   X = m (a_d + (u_d - u) / T) + drag(u_d) + integral.
 class SurgeSpeedController {
  public:
+  /// The gains follow from the model's mass and drag in surge; both are copied.
   SurgeSpeedController(const SpeedParams& params, const VesselModel& model);
 
+  /// The reference begins at `speed` [m/s], without an integral.
   void reset(double speed);
   /// Force [N] that leads to `target` [m/s]. `measured`: the surge speed of the kind that the
   /// parameters name; without one the feed-forward stands alone.

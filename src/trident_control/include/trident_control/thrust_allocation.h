@@ -23,6 +23,7 @@ namespace trident::control {
 /// Commands come from the inverse of each thruster's curve. Nothing is allocated on the heap.
 class ThrustAllocation {
  public:
+  /// Forces that the quadratic program can have; sizes its matrices on the stack.
   static constexpr int kMaxVariables = 24;
 
   /// Throws Error for a vessel with more actuators than that (a thruster that turns counts twice).
@@ -36,12 +37,14 @@ class ThrustAllocation {
   /// Works out the commands that give `wanted` at the surge speed `u` [m/s], and returns what of it
   /// the limits allow. What a propeller's curve and dead band leave out of that is not in it.
   PlanarForce allocate(const PlanarForce& wanted, double u, double dt_s);
+  /// Of the last allocate(), in the order of topics(). Valid as long as the object.
   Span<const double> commands() const { return commands_; }
   /// All commands zero.
   void rest();
 
   /// Whether surge, sway and yaw can be pushed one by one: by turning thrusters, or without.
   bool can_push_everywhere() const { return rank_ == 3; }
+  /// The same without waiting for a thruster to turn.
   bool can_push_everywhere_at_once() const { return rank_of_fixed_ == 3; }
 
  private:

@@ -27,8 +27,10 @@ struct VehicleParams {
   double gravity = 9.81;  ///< [m/s^2], along -z of the world
   Eigen::Matrix3d inertia =
       Eigen::Vector3d(0.0347563, 0.0458929, 0.0977).asDiagonal();  ///< [kg m^2], body
+  /// In the order of the motor speeds; 4 to kMaxRotors.
   std::vector<RotorConfig> rotors = firefly_rotors();
 
+  /// Six rotors, as RotorS' firefly.yaml has them.
   static std::vector<RotorConfig> firefly_rotors();
 
   /// Throws trident::Error naming the field, its value and the legal range.

@@ -11,13 +11,14 @@ namespace trident::control {
 
 /// Gains follow from the vessel's mass and damping and from these rates.
 struct HeadingParams {
-  double natural_frequency = 1.0;
-  double damping_ratio = 1.0;
-  double integral_time = 20.0;
-  double reference_frequency = 1.0;
-  double max_rate = 0.4;
-  double max_acceleration = 0.3;
+  double natural_frequency = 1.0;  ///< [rad/s]
+  double damping_ratio = 1.0;  ///< of the closed loop
+  double integral_time = 20.0;  ///< [s]
+  double reference_frequency = 1.0;  ///< [rad/s]
+  double max_rate = 0.4;  ///< [rad/s]
+  double max_acceleration = 0.3;  ///< [rad/s^2]
 
+  /// Names each field with its range and meaning.
   template <class Archive>
   void visit(Archive& ar) {
     ar.field("natural_frequency", natural_frequency, Range{0.0, 10.0, true},
@@ -38,20 +39,23 @@ constexpr auto enum_names(SpeedReference) {
                     EnumName{SpeedReference::kThroughWater, "through_water"}};
 }
 
+/// Of the surge speed controller.
 struct SpeedParams {
+  /// What the surge speed is measured against; kThroughWater takes a speed log.
   SpeedReference reference = SpeedReference::kOverGround;
-  double cruise = 1.0;
-  double max = 2.0;
-  double max_reverse = 0.5;
-  double time_constant = 2.0;
-  double integral_time = 10.0;
-  double max_acceleration = 0.3;
-  double log_timeout = 1.0;
+  double cruise = 1.0;  ///< [m/s]
+  double max = 2.0;  ///< [m/s]
+  double max_reverse = 0.5;  ///< [m/s]
+  double time_constant = 2.0;  ///< [s]
+  double integral_time = 10.0;  ///< [s]
+  double max_acceleration = 0.3;  ///< [m/s^2]
+  double log_timeout = 1.0;  ///< [s]
 
+  /// Names each field with its range and meaning.
   template <class Archive>
   void visit(Archive& ar) {
     ar.field("reference", reference,
-             "through_water wants a speed log; without one the vessel's drag alone tells the "
+             "through_water needs a speed log; without one only the vessel's drag determines the "
              "thrust");
     ar.field("cruise", cruise, Range{0.0, 30.0, true}, "until another is commanded [m/s]");
     ar.field("max", max, Range{0.0, 30.0, true}, "higher ones are cut [m/s]");
@@ -64,10 +68,12 @@ struct SpeedParams {
   void validate() const;
 };
 
+/// Of steering a course over ground, for which the heading leads by the crab angle.
 struct CourseParams {
-  double crab_time_constant = 5.0;
-  double min_speed = 0.3;
+  double crab_time_constant = 5.0;  ///< [s]
+  double min_speed = 0.3;  ///< [m/s]
 
+  /// Names each field with its range and meaning.
   template <class Archive>
   void visit(Archive& ar) {
     ar.field("crab_time_constant", crab_time_constant, Range::positive(),
@@ -84,16 +90,19 @@ constexpr auto enum_names(PathEnd) {
                     EnumName{PathEnd::kKeepStation, "keep_station"}};
 }
 
+/// Of line-of-sight guidance along waypoints; see LineOfSight for the law.
 struct GuidanceParams {
-  double lookahead = 10.0;
-  double integral_gain = 1.0;
-  double max_crab_angle = 1.0;
-  double drift_time_constant = 5.0;
+  double lookahead = 10.0;  ///< [m]
+  double integral_gain = 1.0;  ///< [1/s]
+  double max_crab_angle = 1.0;  ///< [rad]
+  double drift_time_constant = 5.0;  ///< [s]
+  /// By how much the bow leads the way through the water into a turn; 0: not at all.
   double course_gain = 1.0;
-  double acceptance_radius = 5.0;
-  double slowest_turn = 0.3;
-  PathEnd at_end = PathEnd::kKeepStation;
+  double acceptance_radius = 5.0;  ///< [m]
+  double slowest_turn = 0.3;  ///< in [0, 1]
+  PathEnd at_end = PathEnd::kKeepStation;  ///< after the last waypoint
 
+  /// Names each field with its range and meaning.
   template <class Archive>
   void visit(Archive& ar) {
     ar.field("lookahead", lookahead, Range::positive(), "along the line [m]");
@@ -104,7 +113,7 @@ struct GuidanceParams {
     ar.field("drift_time_constant", drift_time_constant, Range::positive(),
              "over which the drift across the bow is averaged [s]");
     ar.field("course_gain", course_gain, Range{0.0, 3.0},
-             "by which the bow leads the way through the water into a turn; 0: no lead");
+             "by which the bow leads the course through the water into a turn; 0: no lead");
     ar.field("acceptance_radius", acceptance_radius, Range::positive(),
              "of a waypoint's circle [m]");
     ar.field("slowest_turn", slowest_turn, Range{0.0, 1.0},
@@ -121,17 +130,20 @@ constexpr auto enum_names(StationBehavior) {
                     EnumName{StationBehavior::kWeatherVane, "weather_vane"}};
 }
 
+/// Of keeping a station; see PlaceHold and WeatherVane for the laws.
 struct StationParams {
+  /// Whether place and heading are held, or the place alone.
   StationBehavior behavior = StationBehavior::kAutomatic;
-  double natural_frequency = 0.3;
-  double damping_ratio = 0.9;
-  double integral_time = 30.0;
-  double max_speed = 0.5;
-  double approach_radius = 10.0;
-  double wave_frequency = 0.0;
-  double suspension = 5.0;
-  double suspension_rate = 0.05;
+  double natural_frequency = 0.3;  ///< [rad/s]
+  double damping_ratio = 0.9;  ///< of the closed loop
+  double integral_time = 30.0;  ///< [s]
+  double max_speed = 0.5;  ///< [m/s]
+  double approach_radius = 10.0;  ///< [m]
+  double wave_frequency = 0.0;  ///< [rad/s]
+  double suspension = 5.0;  ///< [m]
+  double suspension_rate = 0.05;  ///< [1/s]
 
+  /// Names each field with its range and meaning.
   template <class Archive>
   void visit(Archive& ar) {
     ar.field(
@@ -153,9 +165,11 @@ struct StationParams {
   }
 };
 
+/// Of velocity commands (cmd_vel).
 struct VelocityParams {
-  double timeout = 0.5;
+  double timeout = 0.5;  ///< [s]
 
+  /// Names each field with its range and meaning.
   template <class Archive>
   void visit(Archive& ar) {
     ar.field("timeout", timeout, Range::non_negative(),
@@ -165,10 +179,11 @@ struct VelocityParams {
 
 /// What counts when the thrusters cannot give everything.
 struct AllocationParams {
-  double surge_weight = 1.0;
-  double sway_weight = 1.0;
-  double yaw_weight = 100.0;
+  double surge_weight = 1.0;  ///< of a forward force that is not given
+  double sway_weight = 1.0;  ///< of a sideways force that is not given
+  double yaw_weight = 100.0;  ///< of a moment that is not given
 
+  /// Names each field with its range and meaning.
   template <class Archive>
   void visit(Archive& ar) {
     ar.field("surge_weight", surge_weight, Range{1e-3, 1e3}, "of a force that is not given");
@@ -179,14 +194,15 @@ struct AllocationParams {
 
 /// A config/controllers/*.yaml.
 struct VesselControlParams {
-  HeadingParams heading;
-  SpeedParams speed;
-  CourseParams course;
-  GuidanceParams guidance;
-  StationParams station;
-  VelocityParams cmd_vel;
-  AllocationParams allocation;
+  HeadingParams heading;  ///< of the autopilot and its reference model
+  SpeedParams speed;  ///< of the surge speed controller
+  CourseParams course;  ///< how a course over ground becomes a heading
+  GuidanceParams guidance;  ///< along waypoints by line of sight
+  StationParams station;  ///< of station keeping, by pose or as a weather vane
+  VelocityParams cmd_vel;  ///< when a vessel without new commands stops
+  AllocationParams allocation;  ///< of forces to thrusters and rudders
 
+  /// Names each field with its range and meaning.
   template <class Archive>
   void visit(Archive& ar) {
     ar.field("heading", heading, "autopilot");

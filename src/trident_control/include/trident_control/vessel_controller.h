@@ -21,6 +21,7 @@ namespace trident::control {
 
 /// A command to a vessel. Angles from x towards y of the odometry's frame.
 struct VesselCommand {
+  /// Which of the fields below count, in which meaning.
   enum class Kind {
     kVelocity,  ///< speed [m/s] and rate [rad/s]
     kHeading,   ///< angle [rad]
@@ -29,10 +30,11 @@ struct VesselCommand {
     kPath,      ///< waypoints [m]
     kStation    ///< waypoints[0] [m], and the heading `angle` [rad] of vessels that can choose
   };
-  Kind kind = Kind::kVelocity;
-  double speed = 0.0, rate = 0.0, angle = 0.0;
-  std::vector<Eigen::Vector2d> waypoints;
+  Kind kind = Kind::kVelocity;  ///< see Kind
+  double speed = 0.0, rate = 0.0, angle = 0.0;  ///< [m/s], [rad/s], [rad]
+  std::vector<Eigen::Vector2d> waypoints;  ///< in the odometry's frame [m]
 
+  /// To the bit, so that a command that is sent again is recognized.
   bool operator==(const VesselCommand& other) const;
 };
 
@@ -42,7 +44,9 @@ struct CommandVerdict {
   std::string clamped;  ///< what was cut to which limit
 };
 
+/// What the newest command asks for; kIdle: nothing.
 enum class VesselMode { kIdle, kVelocity, kHeading, kCourse, kPath, kStation };
+/// "idle", "velocity", "heading", "course", "path" or "station".
 const char* name_of(VesselMode mode);
 
 /// A vessel's controllers behind one another: the newest command decides the mode; that sets
@@ -62,18 +66,21 @@ class VesselController {
   /// Works out commands() for a state. Zeros until something is commanded. When time runs back
   /// everything is forgotten. On anything but ok nothing has changed.
   ControlStatus update(SimTime stamp, const OdometryState& odometry);
+  /// Idle, as constructed. Commands without a stamp that still wait are kept: they came after the last
+  /// state, and belong to the new time.
   void reset();
 
   /// In the order of topics(); see ThrustAllocation.
   Span<const double> commands() const { return allocation_.commands(); }
+  /// See ThrustAllocation::topics().
   const std::vector<std::string>& topics() const { return allocation_.topics(); }
 
-  VesselMode mode() const { return mode_; }
+  VesselMode mode() const { return mode_; }  ///< after the last update()
   /// Distance to the left of the path [m]; 0 without one.
   double cross_track_m() const { return mode_ == VesselMode::kPath ? path_.cross_track_m() : 0.0; }
   /// What was asked of the thrusters last, and what they give.
   const PlanarForce& asked() const { return asked_; }
-  const PlanarForce& given() const { return given_; }
+  const PlanarForce& given() const { return given_; }  ///< see asked()
 
  private:
   struct Pending {

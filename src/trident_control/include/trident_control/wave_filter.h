@@ -16,7 +16,8 @@ class WaveFilter {
   /// 0: the state passes as it is.
   explicit WaveFilter(double frequency) : frequency_(frequency) {}
 
-  void reset() { is_started_ = false; }
+  void reset() { is_started_ = false; }  ///< the next state passes as it is
+  /// The state without motion near the waves' frequency. `dt_s`: since the state before.
   VesselState filter(const VesselState& state, double dt_s);
 
  private:

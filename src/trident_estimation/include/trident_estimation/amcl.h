@@ -25,15 +25,15 @@ struct PoseEstimate {
   SE2 T_map_base;  ///< mean of the heaviest cluster of particles
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of (x [m], y [m], yaw [rad]) in map
   double cluster_weight = 0.0;                           ///< share of the belief in that cluster
-  std::size_t clusters = 0;
-  std::size_t particles = 0;
+  std::size_t clusters = 0;  ///< groups of particles that hang together
+  std::size_t particles = 0;  ///< in all of them
   double agreement = 0.0;  ///< share of the last scan's beams that the map explains from there
 };
 
 /// What a scan led to.
 struct AmclStep {
   bool is_updated = false;  ///< false: the robot has not moved enough
-  bool is_resampled = false;
+  bool is_resampled = false;  ///< every resample_interval updates
   bool is_searched = false;    ///< the scan was looked for in the whole map
   std::size_t hypotheses = 0;  ///< places in the whole map that got particles because of this scan
   std::string problem;         ///< empty, or one line on what was wrong with the input
@@ -70,10 +70,12 @@ class Amcl {
   /// Odometry starts again: the next scan is used without motion since the last one.
   void forget_odometry();
 
+  /// After the last update(), set_pose() or set_anywhere().
   const PoseEstimate& estimate() const { return estimate_; }
-  std::size_t particle_count() const { return particles_.size(); }
+  std::size_t particle_count() const { return particles_.size(); }  ///< follows KLD-sampling
   /// A particle's pose in the map, and its weight.
   SE2 particle(std::size_t i) const { return T_map_origin_ * particles_.pose(i); }
+  /// All of them sum up to one.
   double weight(std::size_t i) const { return particles_.weight[i]; }
 
  private:
@@ -85,6 +87,8 @@ class Amcl {
   void make_guide();
   std::size_t chosen(double u) const;
   void push_random_pose(ParticleSet& particles, std::uint64_t number);
+  void draw(double share_of_random, std::uint64_t number);
+  bool is_search_due();
   void recover(const ScanBeams& beams, AmclStep& step);
   void inject(const std::vector<maps::PoseHypothesis>& hypotheses, const ScanBeams& beams);
   void update_estimate();

@@ -15,12 +15,13 @@ namespace trident::estimation {
 
 /// The beams of one scan that the filter uses.
 struct ScanBeams {
-  SE2 T_base_laser;
+  SE2 T_base_laser;  ///< as in the scan
   double range_max = 0.0;     ///< of the scan and `laser_max_range` [m]
   std::vector<double> angle;  ///< in the laser's frame [rad]
   std::vector<double> range;  ///< [m]; range_max: no return
   maps::ScanPoints points;    ///< of those that are returns
 
+  /// Whether beam i hit something in range.
   bool is_return(std::size_t i) const { return range[i] < range_max; }
 };
 
@@ -34,6 +35,7 @@ ScanBeams select_beams(const LaserScan& scan, const LaserModelParams& params,
 /// Weighs particles by how well a map explains a scan from each.
 class LaserModel2d {
  public:
+  /// Computes the distance field, or two of them for the beam model; `grid` is not kept.
   LaserModel2d(const OccupancyGrid& grid, const LaserModelParams& params);
 
   /// Multiplies the weights, without normalising them. Returns the mean likelihood over the
@@ -42,6 +44,7 @@ class LaserModel2d {
   /// scan.
   double weigh(const ScanBeams& beams, ParticleSet& particles);
 
+  /// Distances to occupied cells, up to laser_likelihood_max_dist.
   const maps::DistanceField& field() const { return field_; }
 
  private:

@@ -15,6 +15,7 @@ namespace trident::estimation {
 /// Moves particles as odometry says, each with errors of its own.
 class MotionModel {
  public:
+  /// Equal seeds and steps give equal errors, whatever was drawn before.
   MotionModel(const MotionModelParams& params, std::uint64_t seed);
 
   /// `T_old_new`: the robot's motion by odometry. `step` numbers the calls: errors are a function

@@ -16,11 +16,13 @@ namespace trident::estimation {
 struct ParticleSet {
   std::vector<float> x, y;  ///< [m]
   std::vector<float> yaw;   ///< [rad]
-  std::vector<double> weight;
+  std::vector<double> weight;  ///< not normalized while it is worked on
 
-  std::size_t size() const { return x.size(); }
-  void clear();
+  std::size_t size() const { return x.size(); }  ///< particles
+  void clear();  ///< keeps the memory
+  /// Makes room for so many particles, so that none is moved while they are added.
   void reserve(std::size_t count);
+  /// Adds a pose without a weight: set_equal_weights() gives all of them one.
   void push_back(float px, float py, float heading) {
     x.push_back(px);
     y.push_back(py);
@@ -32,15 +34,16 @@ struct ParticleSet {
   double normalize();
   /// 1 / sum w^2: how many particles count.
   double effective_count() const;
+  /// Of particle i, in the frame that the particles are in.
   SE2 pose(std::size_t i) const;
 };
 
 /// One group of particles that hang together.
 struct PoseCluster {
-  double weight = 0.0;
+  double weight = 0.0;  ///< sum over its particles
   SE2 T_grid_base;                                       ///< weighted mean
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of (x [m], y [m], yaw [rad])
-  std::size_t count = 0;
+  std::size_t count = 0;  ///< its particles
 };
 
 /// Counts the cells of pose space, 0.5 m x 0.5 m x 10 degrees, in which particles lie; for the
@@ -52,7 +55,7 @@ class PoseHistogram {
   void reset(std::size_t most_particles);
   /// Returns the index of the particle's cell; those of new cells count up from zero.
   std::uint32_t insert(float x, float y, float yaw);
-  std::size_t cell_count() const { return keys_.size(); }
+  std::size_t cell_count() const { return keys_.size(); }  ///< cells with a particle in them
 
   /// Groups of particles whose cells touch, those of the largest weight first. Fills the histogram
   /// with the particles.

@@ -104,7 +104,7 @@ void ScanInput::receive(const sensor_msgs::LaserScanConstPtr& message) {
   const double back = (last_stamp_ - stamp).toSec();
   if (back > params_.bag_loop_jump) {
     problems_.note("time went back", "stamps of scans went back by " + fixed(back) +
-                                         " s: taken for a bag that begins anew");
+                                         " s: taken for a bag that starts again");
     waiting_.clear();
     transforms_.clear();
     on_new_time_();

@@ -261,6 +261,16 @@ std::size_t Amcl::chosen(double u) const {
   return i;
 }
 
+/// Adds one particle to the next set: a random pose, or one of those that there are, by weight.
+void Amcl::draw(double share_of_random, std::uint64_t number) {
+  if (share_of_random > 0.0 && random_.uniform(number, kFresh) < share_of_random) {
+    push_random_pose(next_, number);
+    return;
+  }
+  const std::size_t parent = chosen(to_unit(random_.bits(number, kChoice)));
+  next_.push_back(particles_.x[parent], particles_.y[parent], particles_.yaw[parent]);
+}
+
 /// KLD-sampling: draws until the cells of pose space that are hit ask for no more.
 void Amcl::resample() {
   if (params_.selective_resampling &&
@@ -276,13 +286,7 @@ void Amcl::resample() {
   next_.clear();
   std::size_t wanted = most, cells = 0;
   for (std::uint64_t i = 0; next_.size() < wanted; ++i) {
-    const std::uint64_t number = (draws_ << 32) | i;
-    if (share > 0.0 && random_.uniform(number, kFresh) < share) {
-      push_random_pose(next_, number);
-    } else {
-      const std::size_t parent = chosen(to_unit(random_.bits(number, kChoice)));
-      next_.push_back(particles_.x[parent], particles_.y[parent], particles_.yaw[parent]);
-    }
+    draw(share, (draws_ << 32) | i);
     histogram_.insert(next_.x.back(), next_.y.back(), next_.yaw.back());
     if (histogram_.cell_count() == cells) continue;
     cells = histogram_.cell_count();
@@ -294,16 +298,20 @@ void Amcl::resample() {
   if (share > 0.0) slow_ = fast_ = 0.0;
 }
 
+/// Counts the updates in a row whose estimate does not explain the scan.
+bool Amcl::is_search_due() {
+  const bool is_explained = estimate_.agreement >= params_.recovery_agreement;
+  disagreements_ = is_explained ? 0 : disagreements_ + 1;
+  if (is_explained) patience_ = params_.recovery_patience;
+  return is_anywhere_ || disagreements_ >= patience_;
+}
+
 /// Looks for the scan in the whole map where the estimate does not explain it; less and less often
 /// where no place explains it better, as among crowds or on an old map.
 void Amcl::recover(const ScanBeams& beams, AmclStep& step) {
   const SE2 T_grid_base = T_map_origin_.inverse() * estimate_.T_map_base;
   estimate_.agreement = maps::scan_agreement(laser_.field(), beams.points, T_grid_base);
-  if (!matcher_) return;
-  const bool is_explained = estimate_.agreement >= params_.recovery_agreement;
-  disagreements_ = is_explained ? 0 : disagreements_ + 1;
-  if (is_explained) patience_ = params_.recovery_patience;
-  if (!is_anywhere_ && disagreements_ < patience_) return;
+  if (!matcher_ || !is_search_due()) return;
   step.is_searched = true;
   std::vector<maps::PoseHypothesis> hypotheses = matcher_->match(thinned(beams.points));
   const double least = is_anywhere_ ? 0.0 : estimate_.agreement + kClearlyBetter;

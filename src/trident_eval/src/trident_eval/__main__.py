@@ -89,11 +89,16 @@ def _verdict(options: argparse.Namespace) -> int:
     (folder / "verdict.json").write_text(text + "\n", encoding="utf-8")
     print(table(numbers), flush=True)  # pictures take longer than the verdict
     if not options.no_pictures:
-        try:
-            write_report(scene, numbers, folder, folder)
-        except EvalError as error:
-            print(f"trident_eval: no report: {error}", file=sys.stderr)
+        _try_to_report(scene, numbers, folder)
     return PASSED if verdict.passed else FAILED
+
+
+def _try_to_report(scene: Scene | None, numbers: dict[str, Any], folder: Path) -> None:
+    """The report of a run; what hinders it says nothing about the run."""
+    try:
+        write_report(scene, numbers, folder, folder)
+    except EvalError as error:
+        print(f"trident_eval: no report: {error}", file=sys.stderr)
 
 
 def _recover(options: argparse.Namespace) -> int:
@@ -151,6 +156,16 @@ def _judge_folder(folder: Path) -> tuple[Scene, Verdict]:
     return Scene(title, tracks), verdict
 
 
+def _draw(scene: Scene, source: Path, folder: Path) -> list[Path]:
+    """The pictures of a scene in the order of the report; an animation is shown, not made."""
+    pictures = draw_all(scene, folder)
+    if source.is_dir() and (missions := read_missions(source)):
+        pictures = draw_missions(scene.tracks, missions, scene.title, folder) + pictures
+    if (folder / ANIMATION).is_file():
+        pictures.insert(0, folder / ANIMATION)
+    return pictures
+
+
 def write_report(
     scene: Scene | None, numbers: dict[str, Any] | None, source: Path, folder: Path
 ) -> list[Path]:
@@ -168,11 +183,7 @@ def write_report(
     Raises:
         EvalError: a file of the run is not what it should be.
     """
-    pictures = draw_all(scene, folder) if scene else []
-    if scene and source.is_dir() and (missions := read_missions(source)):
-        pictures = draw_missions(scene.tracks, missions, scene.title, folder) + pictures
-    if scene and (folder / ANIMATION).is_file():
-        pictures.insert(0, folder / ANIMATION)
+    pictures = _draw(scene, source, folder) if scene else []
     provenance = read_provenance(source) if source.is_dir() else Provenance()
     report = Report(
         title=source.resolve().name,

@@ -70,10 +70,19 @@ def _read_unindexed(path: Path) -> Scene:
             return _read_open_bag(bag, path)
 
 
+def _command_topics(topics: list[str]) -> dict[str, str]:
+    """Vehicle of each topic of commands."""
+    return {topic: match["name"] for topic in topics if (match := _COMMAND.match(topic))}
+
+
+def _add_odometry(samples: Samples, message: Any) -> None:
+    position = message.pose.pose.position
+    samples.append((message.header.stamp.to_sec(), position.x, position.y, position.z))
+
+
 def _read_open_bag(bag: Any, path: Path) -> Scene:
     topics = list(bag.get_type_and_topic_info().topics)
-    odometry = _odometry_topics(topics)
-    commands = {topic: match["name"] for topic in topics if (match := _COMMAND.match(topic))}
+    odometry, commands = _odometry_topics(topics), _command_topics(topics)
     if not odometry:
         raise EvalError(
             f"{path}: no odometry; topics: {', '.join(topics) or 'none'}; legal:"
@@ -87,9 +96,7 @@ def _read_open_bag(bag: Any, path: Path) -> Scene:
     for count, (topic, message, _) in enumerate(bag.read_messages(topics=wanted)):
         _show_progress(count, total)
         if topic in odometry:
-            position = message.pose.pose.position
-            stamp = message.header.stamp.to_sec()
-            measured[odometry[topic]].append((stamp, position.x, position.y, position.z))
+            _add_odometry(measured[odometry[topic]], message)
         elif topic == _FLEET:
             _add_fleet(fleet, message)
         else:

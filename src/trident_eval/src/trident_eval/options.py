@@ -60,7 +60,7 @@ def add_evaluate(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--map", type=Path, metavar="FILE.yaml", help="default: the folder's")
     parser.add_argument("--true-map", type=Path, metavar="FILE.yaml", help="to judge it by")
-    parser.add_argument("--out", type=Path, metavar="DIR", help="default: beside the trajectory")
+    parser.add_argument("--out", type=Path, metavar="DIR", help="default: the trajectory's folder")
     parser.add_argument("--no-pictures", action="store_true", help="only evaluation.json")
 
 

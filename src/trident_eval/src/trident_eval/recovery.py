@@ -102,17 +102,24 @@ def _messages(stream: BinaryIO) -> Iterator[tuple[dict[str, Any], tuple[int, int
             stream.seek(length, 1)
             continue
         # A chunk that was being written ends with the file.
-        inside = _unpacked(fields, stream.read(length or -1))
-        while (inner := _read_header(inside)) is not None:
-            inner_fields, inner_length = inner
-            data = inside.read(inner_length)
-            if len(data) < inner_length:
-                break
-            if inner_fields.get(b"op") == _OP_CONNECTION:
-                connections[inner_fields[b"conn"]] = _connection(inner_fields, data)
-            elif inner_fields.get(b"op") == _OP_MESSAGE and inner_fields[b"conn"] in connections:
-                seconds, nanoseconds = _STAMP.unpack(inner_fields[b"time"])
-                yield connections[inner_fields[b"conn"]], (seconds, nanoseconds), data
+        chunk = _unpacked(fields, stream.read(length or -1))
+        yield from _messages_of_chunk(chunk, connections)
+
+
+def _messages_of_chunk(
+    chunk: BinaryIO, connections: dict[bytes, dict[str, Any]]
+) -> Iterator[tuple[dict[str, Any], tuple[int, int], bytes]]:
+    """The same of one chunk, whose connections are added to those that are known."""
+    while (record := _read_header(chunk)) is not None:
+        fields, length = record
+        data = chunk.read(length)
+        if len(data) < length:
+            break
+        if fields.get(b"op") == _OP_CONNECTION:
+            connections[fields[b"conn"]] = _connection(fields, data)
+        elif fields.get(b"op") == _OP_MESSAGE and fields[b"conn"] in connections:
+            seconds, nanoseconds = _STAMP.unpack(fields[b"time"])
+            yield connections[fields[b"conn"]], (seconds, nanoseconds), data
 
 
 def _unpacked(fields: Fields, data: bytes) -> io.BytesIO:

@@ -16,6 +16,7 @@ namespace trident::maps {
 /// however far from the map's origin the grid lies.
 class DistanceField {
  public:
+  /// Which cells distances are measured to: for beams unknown cells stop, too.
   enum class Obstacles { kOccupied, kOccupiedOrUnknown };
 
   /// Distances between centres of cells, exact (Felzenszwalb, Huttenlocher, 2012), cut to
@@ -23,15 +24,15 @@ class DistanceField {
   DistanceField(const OccupancyGrid& grid, double max_distance,
                 Obstacles obstacles = Obstacles::kOccupied);
 
-  int width() const { return width_; }
-  int height() const { return height_; }
-  double resolution() const { return resolution_; }
-  double max_distance() const { return max_distance_; }
+  int width() const { return width_; }  ///< cells, without the border
+  int height() const { return height_; }  ///< cells, without the border
+  double resolution() const { return resolution_; }  ///< side of a cell [m]
+  double max_distance() const { return max_distance_; }  ///< what distances are cut to [m]
 
   /// Distances [m] in rows of `stride()` cells with one more cell all around the map, which holds
   /// `max_distance`: cell (column, row) is at (row + 1) * stride + column + 1.
   const std::vector<float>& padded() const { return padded_; }
-  int stride() const { return width_ + 2; }
+  int stride() const { return width_ + 2; }  ///< of padded() [cells]
 
   /// The distance at a point in the grid frame [m].
   float at(float x, float y) const;
@@ -49,7 +50,7 @@ class DistanceField {
 
 /// The ends of a scan's beams in the robot's frame, and where they began.
 struct ScanPoints {
-  Eigen::Vector2d p_base_laser = Eigen::Vector2d::Zero();
+  Eigen::Vector2d p_base_laser = Eigen::Vector2d::Zero();  ///< [m]
   std::vector<Eigen::Vector2f> p_base;  ///< ends of beams [m]
 };
 

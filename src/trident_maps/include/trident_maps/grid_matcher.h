@@ -14,11 +14,12 @@ namespace trident::maps {
 
 /// A place where a scan could have been taken.
 struct PoseHypothesis {
-  SE2 T_map_base;
+  SE2 T_map_base;  ///< refined, on a free cell
   double score = 0.0;      ///< mean likelihood of the beams' ends, 0 ... 1
   double agreement = 0.0;  ///< scan_agreement() there
 };
 
+/// Resolution of the search, and which of its results are returned.
 struct GridMatcherParams {
   double cell = 0.1;                  ///< of the search; at least the map's own [m]
   double sigma = 0.15;                ///< of a beam's end about the map [m]
@@ -36,6 +37,7 @@ struct GridMatcherParams {
 /// pose on the search's lattice is the first that is found, and distinct others follow in order.
 class GridMatcher {
  public:
+  /// Builds the pyramid; `grid` is not kept.
   explicit GridMatcher(const OccupancyGrid& grid, const GridMatcherParams& params = {});
 
   /// Poses on free cells, refined, those that agree best first; empty without points. `points` are

@@ -20,6 +20,7 @@ namespace trident::maps {
 ///            are unknown;
 ///   raw      the pixel's value (0 ... 255) itself, unknown above 100.
 enum class MapMode { kTrinary, kScale, kRaw };
+/// Names of the modes in YAML, those of map_server.
 constexpr auto enum_names(MapMode) {
   return std::array{EnumName{MapMode::kTrinary, "trinary"}, EnumName{MapMode::kScale, "scale"},
                     EnumName{MapMode::kRaw, "raw"}};
@@ -30,11 +31,12 @@ struct MapFile {
   std::string image;                                 ///< path, relative to the YAML file's folder
   double resolution = 0.05;                          ///< side of a cell [m]
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< x [m], y [m], yaw [rad] of cell (0, 0)
-  double occupied_thresh = 0.65;
-  double free_thresh = 0.196;
-  int negate = 0;
-  MapMode mode = MapMode::kTrinary;
+  double occupied_thresh = 0.65;  ///< in [0, 1]
+  double free_thresh = 0.196;  ///< in [0, 1]
+  int negate = 0;  ///< 1: white is occupied
+  MapMode mode = MapMode::kTrinary;  ///< how brightness becomes occupancy
 
+  /// Names each field with its range and meaning.
   template <class Archive>
   void visit(Archive& ar) {
     ar.required("image", image, "file of the picture, .pgm or .png");
@@ -54,8 +56,9 @@ class MapFileError : public Error {
  public:
   /// What is wrong decides how a caller answers (nav_msgs/LoadMap has a code for each).
   enum class Kind { kNoSuchFile, kBadMetadata, kBadImage };
+  /// `text` is complete, see above.
   MapFileError(Kind kind, const std::string& text) : Error(text), kind_(kind) {}
-  Kind kind() const { return kind_; }
+  Kind kind() const { return kind_; }  ///< decides the code of an answer
 
  private:
   Kind kind_;

@@ -53,21 +53,29 @@ nav_msgs::OccupancyGrid to_map_message(const OccupancyGrid& grid, const std_msgs
   return message;
 }
 
-OccupancyGrid from_map_message(const nav_msgs::OccupancyGrid& message) {
+namespace {
+
+void check_size(const nav_msgs::OccupancyGrid& message) {
   const std::uint64_t width = message.info.width, height = message.info.height;
   if (width == 0 || height == 0 || width > std::numeric_limits<int>::max() / height ||
       message.data.size() != width * height) {
     throw Error("map: " + std::to_string(message.data.size()) + " cells, legal: width x height, " +
                 std::to_string(width) + " x " + std::to_string(height) + ", at least 1 x 1");
   }
+}
+
+}  // namespace
+
+OccupancyGrid from_map_message(const nav_msgs::OccupancyGrid& message) {
+  check_size(message);
   const auto resolution = static_cast<double>(message.info.resolution);
   if (!(resolution >= kFinest && resolution <= kCoarsest)) {
     throw Error("map: resolution " + number_text(resolution) +
                 " m, legal: " + number_text(kFinest) + " to " + number_text(kCoarsest) + " m");
   }
   OccupancyGrid grid;
-  grid.width = static_cast<int>(width);
-  grid.height = static_cast<int>(height);
+  grid.width = static_cast<int>(message.info.width);
+  grid.height = static_cast<int>(message.info.height);
   // A float on the wire: 0.05 is meant, not 0.0500000007.
   grid.resolution = std::round(resolution * 1e6) / 1e6;
   grid.T_map_origin = from_pose_message(message.info.origin);

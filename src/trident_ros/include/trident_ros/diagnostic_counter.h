@@ -13,6 +13,7 @@ namespace trident::ros_utils {
 /// Counts problems by kind: each kind is logged once and counted in /diagnostics. Thread-safe.
 class DiagnosticCounter {
  public:
+  /// `text` replaces the one of its kind before; `kind` should come from a small set.
   void note(const std::string& kind, const std::string& text);
   /// Each kind as a warning named "`node`: kind" with its newest text and its count.
   void add_to(diagnostic_msgs::DiagnosticArray& array, const std::string& node) const;
@@ -26,6 +27,7 @@ class DiagnosticCounter {
   std::map<std::string, Entry> entries_;
 };
 
+/// One row of a DiagnosticStatus.
 diagnostic_msgs::KeyValue key_value(const std::string& key, const std::string& value);
 
 }  // namespace trident::ros_utils

@@ -32,7 +32,7 @@ class DirectSubscription {
   DirectSubscription(const DirectSubscription&) = delete;
   DirectSubscription& operator=(const DirectSubscription&) = delete;
 
-  std::uint32_t publishers() const { return subscriber_.getNumPublishers(); }
+  std::uint32_t publishers() const { return subscriber_.getNumPublishers(); }  ///< connected now
   /// Processes at the other ends of the connections that the inbox reads itself, as far as
   /// peer_process() finds them.
   std::vector<pid_t> processes() const;

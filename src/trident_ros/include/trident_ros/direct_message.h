@@ -27,6 +27,7 @@ class DirectMessage {
   virtual Span<const std::uint8_t> frame(std::uint32_t sequence) = 0;
   /// Subscribers may keep it, so it does not change any more.
   virtual boost::shared_ptr<void const> object() = 0;
+  /// Of the message object; subscribers in this process that want it get the object itself.
   virtual const std::type_info& type() const = 0;
 };
 
@@ -34,6 +35,7 @@ class DirectMessage {
 template <class Message>
 class ObjectMessage : public DirectMessage {
  public:
+  /// Shares the message, which must not change any more.
   explicit ObjectMessage(boost::shared_ptr<Message const> message) : message_(std::move(message)) {}
 
   Span<const std::uint8_t> frame(std::uint32_t sequence) override {

@@ -22,6 +22,7 @@ namespace trident::ros_utils {
 /// type, before send() returns. Nothing else may publish on the topic, and calls must not overlap.
 class DirectPublication {
  public:
+  /// `publisher` has advertised the topic, and must not publish on it itself from now on.
   explicit DirectPublication(const ros::Publisher& publisher);
 
   /// Number to put into the next message's header.seq.

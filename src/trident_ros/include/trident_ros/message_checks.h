@@ -32,11 +32,14 @@ inline constexpr double kLongestSweepS = 60.0;
 std::string stamp_problem(const ros::Time& stamp, const ros::Time& now);
 /// `name`: of the field, for the text.
 std::string number_problem(double value, double most, const std::string& name);
+/// Finite, and no coordinate beyond kFarthestM [m]. `name`: of the field, for the text.
 std::string point_problem(double x, double y, double z, const std::string& name);
 /// Of length 1 within a tolerance.
 std::string rotation_problem(const geometry_msgs::Quaternion& q, const std::string& name,
                              double tolerance = 0.01);
+/// point_problem() and rotation_problem() of both parts.
 std::string pose_problem(const geometry_msgs::Pose& pose);
+/// The same; both frames have names, and different ones.
 std::string transform_problem(const geometry_msgs::TransformStamped& transform);
 /// Angles, ranges' limits and times; single ranges may be anything. A time_increment of NaN, from
 /// drivers that know of none, counts as 0.

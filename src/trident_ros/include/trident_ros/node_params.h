@@ -38,15 +38,17 @@ namespace params_detail {
 
 /// What one look through a tree has found.
 struct ParamNotes {
-  std::vector<AbsentParam> absent;
-  std::vector<UnknownParam> unknown;
+  std::vector<AbsentParam> absent;  ///< keep their defaults
+  std::vector<UnknownParam> unknown;  ///< no field has their names
 };
 
+/// "parent/name", or "name" at the top.
 std::string join_names(const std::string& parent, const std::string& name);
 /// roslaunch and rosparam also write 1 and 0 for true and false.
 void accept_numeric_flag(ConfigNode& node);
 /// Removes the keys of a map that are not among `known`, and returns them.
 std::vector<std::string> remove_unknown(ConfigNode& map, const std::vector<std::string>& known);
+/// Adds them to `notes`, each with the nearest known name.
 void note_unknown(const std::string& path, const std::vector<std::string>& unknown,
                   const std::vector<std::string>& known, ParamNotes& notes);
 
@@ -60,6 +62,7 @@ class ParamScan {
   ParamScan(ConfigNode& map, std::string path, ParamNotes& notes)
       : map_(map), path_(std::move(path)), notes_(notes) {}
 
+  /// Compares one field with the map; values are read later, by ConfigReader.
   template <class T>
   void field(const char* name, const T& value, const char* /*doc*/ = "") {
     scan_field(name, value, true);
@@ -68,6 +71,7 @@ class ParamScan {
   void field(const char* name, const T& value, Range /*range*/, const char* /*doc*/ = "") {
     scan_field(name, value, true);
   }
+  /// As field(), but a missing one is not noted: the reader refuses it.
   template <class T>
   void required(const char* name, const T& value, const char* /*doc*/ = "") {
     scan_field(name, value, false);
@@ -159,6 +163,7 @@ std::vector<std::string> param_names() {
 /// read from them; a parameter that none of them has is reported by warnings(). Not thread-safe.
 class NodeParams {
  public:
+  /// Fetches all parameters of the node's private namespace; none: the tree is empty.
   explicit NodeParams(const ros::NodeHandle& private_node);
   /// `name_space`: absolute name of the node, for messages.
   NodeParams(const XmlRpc::XmlRpcValue& parameters, std::string name_space);
@@ -204,7 +209,7 @@ class NodeParams {
   /// Logs these sentences as warnings.
   void log_warnings() const;
 
-  const std::string& name_space() const { return name_space_; }
+  const std::string& name_space() const { return name_space_; }  ///< of the node, absolute
   /// How error texts call their source: "parameter".
   static const std::string& label();
 

@@ -24,7 +24,7 @@ class ProcessCores {
   ProcessCores(const ProcessCores&) = delete;
   ProcessCores& operator=(const ProcessCores&) = delete;
 
-  std::size_t count() const { return cores_.size(); }
+  std::size_t count() const { return cores_.size(); }  ///< cores that this process may use
 
   /// A node of roscpp has five threads and, with timers, six. One that has more works on several
   /// cores by design.

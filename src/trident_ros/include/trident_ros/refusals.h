@@ -17,8 +17,10 @@ namespace trident::ros_utils {
 /// each. From any thread.
 class Refusals {
  public:
+  /// Advertises /diagnostics.
   explicit Refusals(ros::NodeHandle& node);
 
+  /// Counts a refusal and logs it if its kind is due. `text`: what was refused and why.
   void note(const std::string& kind, const std::string& text);
 
  private:

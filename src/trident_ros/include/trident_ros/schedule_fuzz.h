@@ -12,9 +12,10 @@ namespace trident::ros_utils {
 void delay_hand_over(const char* place);
 
 namespace schedule_fuzz {
-extern const bool is_active;
+extern const bool is_active;  ///< whether TRIDENT_SCHEDULE_FUZZ was set as the program began
 }
 
+/// `place` names the hand-over for the seed; a constant text.
 inline void hand_over(const char* place) {
   if (schedule_fuzz::is_active) delay_hand_over(place);
 }

@@ -17,8 +17,10 @@ namespace trident::ros_utils {
 /// reads.
 class RawSubscriptionHelper : public ros::SubscriptionCallbackHelper {
  public:
+  /// The bytes are valid during the call only.
   using Handler = std::function<void(Span<const std::uint8_t>)>;
 
+  /// `handler` is called in the thread that receives.
   explicit RawSubscriptionHelper(Handler handler) : handler_(std::move(handler)) {}
 
   /// Returns no message, so that roscpp does not call call().
@@ -40,8 +42,10 @@ class RawSubscriptionHelper : public ros::SubscriptionCallbackHelper {
 template <class Message>
 class ObjectSubscriptionHelper : public RawSubscriptionHelper {
  public:
+  /// Gets the publisher's own object.
   using ObjectHandler = std::function<void(const boost::shared_ptr<Message const>&)>;
 
+  /// `on_bytes`: for publishers in other processes; `on_object`: for those in this one.
   ObjectSubscriptionHelper(Handler on_bytes, ObjectHandler on_object)
       : RawSubscriptionHelper(std::move(on_bytes)), on_object_(std::move(on_object)) {}
 

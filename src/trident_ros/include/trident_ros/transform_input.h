@@ -20,6 +20,7 @@ namespace trident::ros_utils {
 /// single one stamped far ahead would make it refuse all that follow. No clock, no threads.
 class TransformGate {
  public:
+  /// `buffer` must outlive it; nothing else may write to it.
   explicit TransformGate(tf2::BufferCore& buffer) : buffer_(buffer) {}
 
   /// Empty, or why the transform is refused. `now`: of the clock; zero: not known yet.
@@ -51,6 +52,7 @@ class TransformInput {
   /// Called for each refused transform, in the thread of this object.
   using OnRefusal = std::function<void(const std::string& problem)>;
 
+  /// Subscribes at once. `buffer` must outlive it; `on_refusal` must be safe in another thread.
   TransformInput(tf2::BufferCore& buffer, OnRefusal on_refusal);
   ~TransformInput();
   TransformInput(const TransformInput&) = delete;

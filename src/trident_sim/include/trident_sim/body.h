@@ -18,6 +18,7 @@ class Geom {
   /// Has World::contacts() list the contacts of this shape, for as long as more watchers were added
   /// than removed.
   void add_watcher() { ++watchers; }
+  /// To be called once for each add_watcher().
   void remove_watcher() { --watchers; }
 
  protected:
@@ -57,6 +58,7 @@ class Body {
   /// velocity() and angular_velocity() at the beginning of the last step: accelerations are
   /// differences over a step.
   const Eigen::Vector3d& previous_velocity() const { return v_before; }
+  /// See previous_velocity(), world frame [rad/s].
   const Eigen::Vector3d& previous_angular_velocity() const { return w_before; }
 
   double mass() const { return mass_kg; }  ///< [kg]
@@ -66,6 +68,7 @@ class Body {
   const Eigen::Matrix3d& inverse_inertia_tensor() const { return inertia_inverse; }
   /// Mass of the links that gravity pulls [kg], and where it pulls them, body frame [m].
   double weight_mass() const { return weight_kg; }
+  /// See weight_mass().
   const Eigen::Vector3d& weight_point() const { return p_weight; }
   /// Whether it moves with its velocity, whatever force acts on it.
   bool is_kinematic() const { return kinematic; }
@@ -84,6 +87,7 @@ class Body {
   /// Sums of what was applied for the next step so far, world frame, torque about the center of
   /// mass.
   const Eigen::Vector3d& applied_force() const { return force; }
+  /// See applied_force() [N m].
   const Eigen::Vector3d& applied_torque() const { return torque; }
 
  protected:

@@ -27,11 +27,13 @@ void validate(const PidGains& gains, const std::string& what);
 /// up.
 class Pid {
  public:
+  /// The gains are not checked here; see validate().
   explicit Pid(const PidGains& gains) : gains_(gains) {}
-  const PidGains& gains() const { return gains_; }
+  const PidGains& gains() const { return gains_; }  ///< as given
   /// Returns the effort for an error that changes at `error_rate`, after `dt_s`.
   double update(double error, double error_rate, double dt_s);
-  void reset() { integral_effort_ = 0.0; }
+  void reset() { integral_effort_ = 0.0; }  ///< forgets the integral
+  /// Saves or restores the integral.
   void state(StateArchive& archive) { archive(integral_effort_); }
 
  private:
@@ -39,15 +41,17 @@ class Pid {
   double integral_effort_ = 0.0;
 };
 
+/// What the target of a drive is.
 enum class DriveMode {
   kEffort,    ///< the target is the effort; no gains
   kVelocity,  ///< the target is a rate [rad/s] or [m/s]
   kPosition   ///< the target is a position [rad] or [m]; the d term works on the joint's own rate
 };
 
+/// How an axis is driven.
 struct DriveSpec {
-  DriveMode mode = DriveMode::kPosition;
-  PidGains gains;
+  DriveMode mode = DriveMode::kPosition;  ///< fixed for the drive's life
+  PidGains gains;  ///< of kEffort only output_limit counts
   double target = 0.0;  ///< at first, and after a reset
 };
 
@@ -59,16 +63,20 @@ class JointDrive {
   /// Throws Error when the joint has no such axis or is a rotor, or when a value is out of range.
   JointDrive(Joint& joint, std::size_t axis, const DriveSpec& spec);
 
-  const Joint& joint() const { return *joint_; }
-  std::size_t axis() const { return axis_; }
+  const Joint& joint() const { return *joint_; }  ///< outlives the drive
+  std::size_t axis() const { return axis_; }  ///< 0 or 1
+  /// As given; its target is where reset() returns to.
   const DriveSpec& spec() const { return spec_; }
-  double target() const { return target_; }
+  double target() const { return target_; }  ///< effort, rate or position, by spec().mode
   /// Throws Error for a target that is not finite.
   void set_target(double target);
   double effort() const { return effort_; }  ///< asked for in the last step
 
+  /// Computes the effort of a step and adds it to the axis. Called by World once per step.
   void apply(double dt_s);
+  /// Back to the first target, without an integral or a last error.
   void reset();
+  /// Saves or restores target, integral and last error.
   void state(StateArchive& archive);
 
  private:

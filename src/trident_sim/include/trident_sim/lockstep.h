@@ -25,6 +25,7 @@ using WallTime = std::int64_t;
 /// answered.
 class LockstepVehicle {
  public:
+  /// What an answer is to the world.
   enum class Answer {
     kForeign,   ///< not the stamp of a state that was sent; the controller runs free
     kEnrolled,  ///< the first answer: from now on the world waits for this controller
@@ -33,6 +34,7 @@ class LockstepVehicle {
 
   /// A state with this stamp was made. True: send it now; false: keep it until next_to_send().
   bool on_state(SimTime stamp, WallTime now);
+  /// A controller has answered the state with this stamp.
   Answer on_answer(SimTime stamp, WallTime now);
   /// After an answer: the stamp of the state to send next, or nothing (ns < 0).
   SimTime next_to_send(WallTime now);
@@ -44,7 +46,7 @@ class LockstepVehicle {
   /// Time was set back or the states in flight are void.
   void clear();
 
-  bool enrolled() const { return enrolled_; }
+  bool enrolled() const { return enrolled_; }  ///< whether the world waits for its controller
   /// The first state that was ever sent, or since clear(); ns < 0: none was.
   SimTime first_sent() const { return sent_count_ == 0 ? SimTime{-1} : first_sent_; }
   /// True when every state stamped up to `stamp` has its answer (or nobody is waited for).
@@ -72,8 +74,9 @@ class LockstepVehicle {
 /// period before each of its vehicles has a set-point that covers it.
 class SetpointSources {
  public:
+  /// A node that gives set-points, and the span of simulated time over which it does.
   struct Source {
-    std::vector<std::string> vehicles;
+    std::vector<std::string> vehicles;  ///< that it gives set-points to, at least one
     SimTime period, start, end;  ///< end 0: not known yet
     /// While the run continues beyond `end`, because of others, the world waits for this source.
     bool waits_beyond_end = false;
@@ -82,7 +85,9 @@ class SetpointSources {
   /// Throws Error for a period that is not positive or a source without vehicles. `now`: sim time.
   SimTime enroll(const std::string& node, const std::vector<std::string>& vehicles, SimTime period,
                  SimTime end, SimTime now, bool waits_beyond_end = false);
+  /// The node is gone or too slow: the world no longer waits for it. Unknown names are ignored.
   void release(const std::string& node);
+  /// No sources, and no set-points seen.
   void clear() { sources_.clear(), covered_.clear(), replaced_.clear(); }
 
   /// A set-point for `vehicle` stamped `stamp` has reached the one that uses it. `replaces`: it
@@ -102,8 +107,8 @@ class SetpointSources {
 
   /// The latest end of all sources; ns 0 while one has none or there are no sources.
   SimTime end() const;
-  const std::map<std::string, Source>& all() const { return sources_; }
-  std::map<std::string, Source>& all() { return sources_; }
+  const std::map<std::string, Source>& all() const { return sources_; }  ///< by node name
+  std::map<std::string, Source>& all() { return sources_; }  ///< to change ends
 
  private:
   bool covers(const Source& source, SimTime time) const;

@@ -10,9 +10,9 @@ namespace trident::sim {
 
 /// What no body of a world does. One that does is taken for one whose state grows without bound,
 /// and ODE ends the program where a rotation overflows: nobody may ask for it.
-inline constexpr double kFarthestBodyM = 1e7;
-inline constexpr double kFastestMS = 1e5;
-inline constexpr double kFastestTurnRadS = 1e4;
+inline constexpr double kFarthestBodyM = 1e7;  ///< from the origin, per coordinate
+inline constexpr double kFastestMS = 1e5;  ///< per component
+inline constexpr double kFastestTurnRadS = 1e4;  ///< per component
 /// Of a force [N], a torque [N m], or an effort of a joint.
 inline constexpr double kStrongest = 1e15;
 
@@ -25,6 +25,7 @@ inline bool is_place(const SE3& T_world_body) {
   const double length = T_world_body.R.norm();
   return is_within(T_world_body.p, kFarthestBodyM) && length >= 1e-6 && length <= 1e6;
 }
+/// What a body can move with: no component is NaN, beyond kFastestMS or beyond kFastestTurnRadS.
 inline bool is_motion(const Eigen::Vector3d& v_world, const Eigen::Vector3d& w_world) {
   return is_within(v_world, kFastestMS) && is_within(w_world, kFastestTurnRadS);
 }

@@ -22,8 +22,8 @@ struct SensorSpec;
 /// One step leads from the state at `begin` to the state at `end` = begin + dt.
 struct StepInfo {
   std::uint64_t step = 0;  ///< number of the step since time zero, the first is 1
-  SimTime begin, end, dt;
-  double dt_s = 0.0;
+  SimTime begin, end, dt;  ///< end = begin + dt
+  double dt_s = 0.0;  ///< dt as PhysicsSpec has it, without rounding to nanoseconds
   /// Number of the step since the models were reset. Noise and sample rates count by it, so that
   /// they start again with every reset.
   std::uint64_t sample = 0;
@@ -38,10 +38,11 @@ enum class Phase {
   kPost      ///< post_step: measure the state at `end`
 };
 
-/// What a plugin is given when it is made; the references outlive the plugin.
+/// What a plugin is given when it is made. World, model, link and sensor outlive the plugin.
 struct PluginContext {
-  World& world;
+  World& world;  ///< for its ports, files, seed and timing; the model is not in it yet
   Model* model;  ///< nullptr for a world plugin
+  /// The content of the `<plugin>` element. Valid while the plugin is constructed, not afterwards.
   const PluginParams& params;
   std::string name;      ///< "model::plugin", the name of its random stream
   Link* link = nullptr;  ///< of a sensor's plugin: what the sensor sits on; else nullptr
@@ -55,8 +56,12 @@ struct PluginContext {
 class Plugin {
  public:
   virtual ~Plugin() = default;
+  /// When it wants to be called. Asked for whenever models come or go; must not change.
   virtual std::vector<Phase> phases() const = 0;
+  /// Called in each of the phases kSense, kControl and kActuate that phases() names. The world's
+  /// time is still info.begin.
   virtual void pre_step(Phase /*phase*/, World& /*world*/, const StepInfo& /*info*/) {}
+  /// Called in phase kPost, when the world's time is info.end. It may measure but not act.
   virtual void post_step(const World& /*world*/, const StepInfo& /*info*/) {}
   /// Back to the state after construction (filters, biases, sample counters).
   virtual void reset() {}
@@ -71,9 +76,13 @@ class Plugin {
 template <class P>
 class PortHandle {
  public:
+  /// Owns nothing.
   PortHandle() = default;
+  /// Takes over the duty to release `port`; `board` must outlive the handle.
   PortHandle(PortBoard& board, P* port) : board_(&board), port_(port) {}
+  /// `other` owns nothing afterwards.
   PortHandle(PortHandle&& other) noexcept { *this = std::move(other); }
+  /// Exchanges what both own; `other` releases it when it dies.
   PortHandle& operator=(PortHandle&& other) noexcept {
     std::swap(board_, other.board_);
     std::swap(port_, other.port_);
@@ -82,17 +91,20 @@ class PortHandle {
   ~PortHandle() {
     if (port_ != nullptr) board_->release(port_);
   }
+  /// Precondition: it owns a port.
   P* operator->() const { return port_; }
-  P* get() const { return port_; }
-  explicit operator bool() const { return port_ != nullptr; }
+  P* get() const { return port_; }  ///< nullptr when it owns nothing
+  explicit operator bool() const { return port_ != nullptr; }  ///< whether it owns a port
 
  private:
   PortBoard* board_ = nullptr;
   P* port_ = nullptr;
 };
 
+/// Made by advertise() in a plugin's constructor.
 template <class T>
 using OutHandle = PortHandle<OutPort<T>>;
+/// Made by subscribe() in a plugin's constructor.
 template <class T>
 using InHandle = PortHandle<InPort<T>>;
 

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "trident_sim/model_spec.h"
@@ -28,6 +29,7 @@ struct PluginExample {
 
 /// How a plugin is made from its SDF element.
 struct PluginFactory {
+  /// Throws Error for bad parameters. May return nullptr: then the element has no effect.
   std::function<std::unique_ptr<Plugin>(const PluginContext&)> create;
   /// Name of the joint whose child this plugin spins as a rotor (see Model), or "".
   std::function<std::string(const PluginParams&)> rotor_joint;
@@ -35,13 +37,23 @@ struct PluginFactory {
   std::optional<PluginExample> example = std::nullopt;
 };
 
+/// Factory of a plugin class that is constructed from its context alone.
+template <class PluginClass>
+PluginFactory factory_of(std::function<std::string(const PluginParams&)> rotor_joint = {}) {
+  return {[](const PluginContext& context) { return std::make_unique<PluginClass>(context); },
+          std::move(rotor_joint)};
+}
+
 /// Plugin file name -> factory. Lookup ignores folders, a leading
 /// "lib" and a trailing ".so", so "librotors_gazebo_motor_model.so" and "rotors_gazebo_motor_model"
 /// are one name.
 class PluginRegistry {
  public:
+  /// Throws Error when the name is taken.
   void add(const std::string& filename, PluginFactory factory);
+  /// nullptr when it is not registered. Valid as long as the registry: nothing is ever removed.
   const PluginFactory* find(const std::string& filename) const;
+  /// In alphabetical order, without folder, "lib" and ".so".
   std::vector<std::string> names() const;
 
   /// find(), and for a name that is not there yet the shared object of that name, from the plugin
@@ -62,7 +74,9 @@ class PluginRegistry {
 /// order in which registrars run does not matter.
 class PluginRegistrar {
  public:
+  /// Only notes the factory: a name that is taken shows in register_builtin_plugins().
   PluginRegistrar(const char* filename, PluginFactory factory);
+  /// The same with what the conformance suite runs the plugin with.
   PluginRegistrar(const char* filename, PluginFactory factory, PluginExample example);
 };
 

@@ -28,16 +28,17 @@ struct SurfacePoint;
 /// What rays hit: collision shapes (`ray` sensors) or visual shapes (`gpu_ray`, cameras).
 enum class RayGeometry { kCollision, kVisual };
 
+/// A half-line, or a part of one, along which something is looked for.
 struct Ray {
-  Eigen::Vector3d p_world_origin = Eigen::Vector3d::Zero();
+  Eigen::Vector3d p_world_origin = Eigen::Vector3d::Zero();  ///< [m]
   Eigen::Vector3d direction_world = Eigen::Vector3d::UnitX();  ///< of unit length
   double t_min_m = 0.0;                                        ///< what is nearer is not hit
-  double t_max_m = std::numeric_limits<double>::infinity();
+  double t_max_m = std::numeric_limits<double>::infinity();  ///< what is farther is not hit
 };
 
 /// The first surface that a ray hits.
 struct RayHit {
-  static constexpr std::uint32_t kNothing = 0xffffffff;
+  static constexpr std::uint32_t kNothing = 0xffffffff;  ///< no index
 
   double distance_m = std::numeric_limits<double>::infinity();  ///< infinite: nothing hit
   /// Of unit length, against the ray. Of a visual mesh with normals of its own those, interpolated.
@@ -48,15 +49,17 @@ struct RayHit {
   /// hull of a round shape, metres on a plane, the file's own on a mesh.
   Eigen::Vector2f uv = Eigen::Vector2f::Zero();
 
+  /// Whether distance, normal and indices are valid.
   bool is_hit() const { return shape != kNothing; }
 };
 
 /// Which shapes a cast does not see. One for all its rays, as they come from one sensor.
 struct RayFilter {
   std::uint32_t mask = 0xffffffff;  ///< seen is what has a bit of it in <visibility_flags>
-  const Link* exclude_link = nullptr;
-  const Model* exclude_model = nullptr;
+  const Link* exclude_link = nullptr;  ///< whose shapes are not seen; nullptr: none
+  const Model* exclude_model = nullptr;  ///< whose shapes are not seen; nullptr: none
 
+  /// Whether shapes must be looked at one by one.
   bool excludes() const { return exclude_link != nullptr || exclude_model != nullptr; }
 };
 
@@ -160,20 +163,24 @@ class RayScene {
   /// RayHit::shape of the analytic surface; RayHit::kNothing where none exists.
   std::uint32_t surface_shape() const;
 
-  RayGeometry geometry() const;
+  RayGeometry geometry() const;  ///< as constructed
+  /// What RayHit::shape counts in. Valid until the next refresh().
   const std::vector<RayShape>& shapes() const;
+  /// What RayHit::material counts in; of a collision scene empty. Valid until the next refresh().
   const std::vector<Material>& materials() const;
 
   /// Defers a job to the end of the phase of the step that the world is in.
   void defer(RayJob& job) { deferred_.push_back(&job); }
   /// The jobs that were deferred since drop_deferred(), in that order.
   const std::vector<RayJob*>& deferred() const { return deferred_; }
+  /// Forgets jobs that were done, or whose step ended with an error.
   void drop_deferred() { deferred_.clear(); }
 
   /// How often what never moves, and the moving links' places, were committed.
   struct Commits {
-    std::uint64_t fixed = 0, moving = 0;
+    std::uint64_t fixed = 0, moving = 0;  ///< counts
   };
+  /// Since the scene was made; tests see by it that what stands still costs nothing.
   Commits commits() const;
 
  private:

@@ -18,6 +18,8 @@ using WarningSink = std::function<void(const std::string&)>;
 /// from any thread, but go one at a time.
 WorldSpec load_world_file(const std::string& path, const Resources& resources,
                           const WarningSink& warn, OddElements odd = OddElements::kRefuse);
+/// The same of a text; `label` names it in errors, and relative paths are looked for as Resources
+/// does without a base folder.
 WorldSpec load_world_string(const std::string& xml, const std::string& label,
                             const Resources& resources, const WarningSink& warn,
                             OddElements odd = OddElements::kRefuse);

@@ -19,13 +19,13 @@ class World;
 class Sea {
  public:
   virtual ~Sea() = default;
-  virtual const Water& water() const = 0;
-  virtual const Current& current() const = 0;
+  virtual const Water& water() const = 0;  ///< surface and its motion; valid within the step
+  virtual const Current& current() const = 0;  ///< flow of the water; valid within the step
   /// Of the still water above the ground there, by the tide at that time; negative on land,
   /// infinite where no ground is known [m].
   virtual double depth_m(const Eigen::Vector2d& p_world, double time_s) const = 0;
   /// What the sea is like now, for World::state_hash().
-  virtual std::string state_text() const { return ""; }
+  virtual std::string state_text() const { return ""; }  ///< as Sea::state_text()
 };
 
 /// The air of a world, which moves vessels and aircraft.
@@ -43,25 +43,27 @@ class Air {
 /// How the plugin that makes a world's sea hands it to those that float: on the output port
 /// kSeaPort, which is no topic. A world has one sea.
 struct SeaSample {
-  std::shared_ptr<const Sea> sea;
+  std::shared_ptr<const Sea> sea;  ///< lives as long as its plugin, or whoever holds it
 };
-constexpr const char* kSeaPort = "world/sea";
+constexpr const char* kSeaPort = "world/sea";  ///< name of the port that carries a SeaSample
 /// The same of the air.
 struct AirSample {
-  std::shared_ptr<const Air> air;
+  std::shared_ptr<const Air> air;  ///< lives as long as its plugin, or whoever holds it
 };
-constexpr const char* kAirPort = "world/air";
+constexpr const char* kAirPort = "world/air";  ///< name of the port that carries an AirSample
 
 /// nullptr: the world has none.
 std::shared_ptr<const Sea> find_sea(const World& world);
+/// nullptr: no plugin makes wind, and the air stands still.
 std::shared_ptr<const Air> find_air(const World& world);
 
 /// A world's sea and air, looked for again whenever plugins came or went.
 class Surroundings {
  public:
+  /// To be called at the beginning of each step. Costs a comparison unless ports came or went.
   void look(const World& world);
-  const Sea* sea() const { return sea_.get(); }
-  const Air* air() const { return air_.get(); }
+  const Sea* sea() const { return sea_.get(); }  ///< nullptr: the world has none
+  const Air* air() const { return air_.get(); }  ///< nullptr: the world has none
 
  private:
   std::shared_ptr<const Sea> sea_;

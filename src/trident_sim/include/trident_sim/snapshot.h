@@ -18,7 +18,8 @@ namespace trident::sim {
 /// any number of restores, as long as the models of the world are the same ones.
 class Snapshot {
  public:
-  SimTime time() const { return content_->time; }
+  SimTime time() const { return content_->time; }  ///< of the state that was saved
+  /// Of the state that was saved.
   std::uint64_t step_count() const { return content_->step_count; }
 
  private:

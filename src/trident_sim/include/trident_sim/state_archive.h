@@ -18,11 +18,15 @@ namespace trident::sim {
 /// Any type that can be copied will do. Pointers are copied as such.
 class StateArchive {
  public:
-  using Store = std::vector<std::any>;
+  using Store = std::vector<std::any>;  ///< copies of all fields, in the order of the calls
 
+  /// An archive that appends copies to `to`, which must outlive it.
   static StateArchive saving(Store& to) { return {&to, nullptr}; }
+  /// An archive that puts the copies back in their order. Throws Error where a field is of another
+  /// type than the one that was saved in its place.
   static StateArchive restoring(const Store& from) { return {nullptr, &from}; }
 
+  /// Saves or restores each field in order.
   template <class... Fields>
   void operator()(Fields&... fields) {
     (exchange(fields), ...);

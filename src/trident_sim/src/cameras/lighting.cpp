@@ -48,6 +48,22 @@ RayPacket shadow_rays(const LitPoints& points, const Incidence& light) {
   return rays;
 }
 
+void darken(std::uint32_t shaded_lanes, Incidence& light) {
+  for (std::size_t i = 0; i < kLanes; ++i) {
+    if ((shaded_lanes >> i & 1U) != 0) light.strength[i] = 0.0F;
+  }
+}
+
+void add_diffuse(const Eigen::Vector3f& lamp_color, const LitPoints& points, const Incidence& light,
+                 PacketColor& color) {
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    const float of_lamp = lamp_color[static_cast<Eigen::Index>(channel)];
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      color[channel][i] += of_lamp * light.strength[i] * points.diffuse[channel][i];
+    }
+  }
+}
+
 }  // namespace
 
 void Lighting::add_lights(const World& world) {
@@ -110,16 +126,8 @@ void Lighting::add(const Lamp& lamp, const LitPoints& points, PacketColor& color
   const bool is_dark =
       std::all_of(rays.valid.begin(), rays.valid.end(), [](int v) { return v == 0; });
   if (is_dark) return;
-  const std::uint32_t shaded = lamp.casts_shadows ? scene_->shaded(rays) : 0U;
-  for (std::size_t i = 0; i < kLanes; ++i) {
-    if ((shaded >> i & 1U) != 0) light.strength[i] = 0.0F;
-  }
-  for (std::size_t channel = 0; channel < 3; ++channel) {
-    const float lamp_color = lamp.color[static_cast<Eigen::Index>(channel)];
-    for (std::size_t i = 0; i < kLanes; ++i) {
-      color[channel][i] += lamp_color * light.strength[i] * points.diffuse[channel][i];
-    }
-  }
+  if (lamp.casts_shadows) darken(scene_->shaded(rays), light);
+  add_diffuse(lamp.color, points, light, color);
 }
 
 void Lighting::shade(const LitPoints& points, PacketColor& color) const {

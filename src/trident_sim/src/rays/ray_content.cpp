@@ -56,9 +56,8 @@ void RayScene::Content::note_change(const TracedModel& traced) {
   }
 }
 
-void RayScene::Content::follow_models() {
-  if (seen_models_ == world_.models_version()) return;
-  seen_models_ = world_.models_version();
+/// Another one of the same name counts as gone, too.
+void RayScene::Content::forget_gone_models() {
   for (auto it = models_.begin(); it != models_.end();) {
     const Model* const alive = world_.find_model(it->first);
     if (alive != nullptr && alive->spawn_number == it->second.spawn_number) {
@@ -68,6 +67,12 @@ void RayScene::Content::follow_models() {
     note_change(it->second);
     it = models_.erase(it);
   }
+}
+
+void RayScene::Content::follow_models() {
+  if (seen_models_ == world_.models_version()) return;
+  seen_models_ = world_.models_version();
+  forget_gone_models();
   if (models_.size() == world_.models().size()) return;
   for (const auto& [name, model] : world_.models()) {
     if (models_.count(name) == 0) note_change(models_.emplace(name, trace(*model)).first->second);

@@ -74,6 +74,7 @@ class RayScene::Content {
 
  private:
   // Following the world: ray_content.cpp, materials: ray_look.cpp
+  void forget_gone_models();
   void follow_models();
   void follow_links();
   void note_change(const TracedModel& traced);

@@ -38,13 +38,16 @@ bool RayScenes::collect_jobs() {
   return !jobs_.empty();
 }
 
+void RayScenes::prepare_surface() {
+  if (surface_source_ == nullptr) return;
+  p_world_viewers_.clear();
+  for (const RayJob* const job : jobs_) p_world_viewers_.push_back(job->viewer());
+  surface_source_->prepare(p_world_viewers_, world_.workers());
+}
+
 void RayScenes::end_phase(Phase /*phase*/) {
   if (!collect_jobs()) return;
-  if (surface_source_ != nullptr) {
-    p_world_viewers_.clear();
-    for (const RayJob* const job : jobs_) p_world_viewers_.push_back(job->viewer());
-    surface_source_->prepare(p_world_viewers_, world_.workers());
-  }
+  prepare_surface();
   parts_.clear();
   for (RayJob* const job : jobs_) {
     const std::size_t count = job->begin();

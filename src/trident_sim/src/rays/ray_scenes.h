@@ -28,6 +28,7 @@ class RayScenes : public StepExtension {
 
  private:
   bool collect_jobs();
+  void prepare_surface();
 
   World& world_;
   std::shared_ptr<AnalyticSurfaceSource> surface_source_;  ///< nullptr: none is registered

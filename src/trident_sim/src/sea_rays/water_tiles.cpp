@@ -32,14 +32,17 @@ std::shared_ptr<const Sea> WaterTiles::find_sea() {
   return port_ != nullptr ? port_->value.sea : nullptr;
 }
 
-void WaterTiles::follow(const WaveField& waves) {
+bool WaterTiles::has_laid(const WaveField& waves) const {
   const std::vector<WaveComponent>& now = waves.components();
-  if (std::equal(now.begin(), now.end(), seen_waves_.begin(), seen_waves_.end(), same) &&
-      seen_params_.model == waves.params().model &&
-      seen_params_.steepness == waves.params().steepness &&
-      seen_params_.shore_depth == waves.params().shore_depth) {
-    return;
-  }
+  return std::equal(now.begin(), now.end(), seen_waves_.begin(), seen_waves_.end(), same) &&
+         seen_params_.model == waves.params().model &&
+         seen_params_.steepness == waves.params().steepness &&
+         seen_params_.shore_depth == waves.params().shore_depth;
+}
+
+void WaterTiles::follow(const WaveField& waves) {
+  if (has_laid(waves)) return;
+  const std::vector<WaveComponent>& now = waves.components();
   seen_params_ = waves.params();
   seen_waves_ = now;
   amplitudes_m_ = 0.0;
@@ -67,14 +70,8 @@ std::shared_ptr<const WaterTile> WaterTiles::tile(const Eigen::Vector2d& p_world
   return tiles_.back();
 }
 
-void WaterTiles::prepare(const std::vector<Eigen::Vector2d>& places, WorkerPool& workers) {
-  const std::shared_ptr<const Sea> sea = find_sea();
-  const auto* const waves =
-      sea != nullptr ? dynamic_cast<const WaveField*>(&sea->water()) : nullptr;
-  if (waves == nullptr) return;
-  follow(*waves);
-  const double time_s = world_.time().seconds();
-  if (pattern_ == nullptr || !(waves->open_strength(time_s) > 0.0)) return;
+/// Makes room for the tiles that are not there yet, and lists them as missing.
+void WaterTiles::begin_missing(const std::vector<Eigen::Vector2d>& places, double time_s) {
   missing_.clear();
   for (const Eigen::Vector2d& place : places) {
     // What is too much at a time is made when it is asked for.
@@ -85,6 +82,17 @@ void WaterTiles::prepare(const std::vector<Eigen::Vector2d>& places, WorkerPool&
     tiles_.back()->begin(key, ++tiles_made_);
     missing_.push_back(tiles_.back().get());
   }
+}
+
+void WaterTiles::prepare(const std::vector<Eigen::Vector2d>& places, WorkerPool& workers) {
+  const std::shared_ptr<const Sea> sea = find_sea();
+  if (sea == nullptr) return;
+  const auto* const waves = dynamic_cast<const WaveField*>(&sea->water());
+  if (waves == nullptr) return;
+  follow(*waves);
+  const double time_s = world_.time().seconds();
+  if (pattern_ == nullptr || !(waves->open_strength(time_s) > 0.0)) return;
+  begin_missing(places, time_s);
   for (std::size_t worker = 0; worker < workers.threads() && !missing_.empty(); ++worker) {
     maker(worker);
   }

@@ -78,6 +78,8 @@ class WaterTiles {
   WaterTile::Key key_near(const Eigen::Vector2d& p_world, double time_s) const;
   bool knows(const WaterTile::Key& key) const;
   WaterTileMaker& maker(std::size_t worker);
+  bool has_laid(const WaveField& waves) const;
+  void begin_missing(const std::vector<Eigen::Vector2d>& places, double time_s);
   WaterShores make_shores(const WaveField& waves, const WaterTile::Key& key, std::int64_t level,
                           std::array<double, 2> levels_m) const;
 

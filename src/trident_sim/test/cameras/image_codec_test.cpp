@@ -168,7 +168,7 @@ TEST(ImageCodec, DepthsInMetersArriveWithinTheirStep) {
     EXPECT_NEAR(back, depths[i], 1.1F * depths[i] * depths[i] / ab[0]) << depths[i];
   }
   for (const std::size_t none : {4u, 5u, 6u}) EXPECT_EQ(inverse[none], 0u) << depths[none];
-  EXPECT_EQ(inverse[7], 65535u) << "nearer than can be told";
+  EXPECT_EQ(inverse[7], 65535u) << "nearer than can be encoded";
 }
 
 TEST(ImageCodec, DepthsInMillimetersArriveExactly) {

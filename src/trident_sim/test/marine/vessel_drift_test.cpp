@@ -76,7 +76,7 @@ Eigen::Vector2d observed(const EnvironmentParams& sea, const std::vector<double>
 
 TEST(DriftObserver, LearnsWhatIsAcrossTheBowAndKeepsItOnAnotherHeading) {
   const Eigen::Vector2d straight = observed(uniform_current(0.5, 0.6), {0.0});
-  EXPECT_NEAR(straight.x(), 0.0, 0.02) << "along the bow nothing tells it";
+  EXPECT_NEAR(straight.x(), 0.0, 0.02) << "along the bow it is not observable";
   EXPECT_NEAR(straight.y(), 0.5 * std::sin(0.6), 0.02);
   const Eigen::Vector2d turned = observed(uniform_current(0.5, 0.6), {0.0, 0.5 * kPi});
   EXPECT_NEAR(turned.x(), 0.5 * std::cos(0.6), 0.05);

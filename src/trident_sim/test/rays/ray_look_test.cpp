@@ -137,7 +137,7 @@ TEST(RayLook, APictureCoversABoxUpright) {
   EXPECT_TRUE(is_near(color(-0.5, 0.5), {0, 1, 0}, 1e-6));
   EXPECT_TRUE(is_near(color(0.5, -0.5), {0, 0, 1}, 1e-6));
   EXPECT_TRUE(is_near(color(-0.5, -0.5), {1, 1, 1}, 1e-6));
-  EXPECT_TRUE(is_near(color(0.0, 0.5), {0.5, 0.5, 0}, 1e-6)) << "half way between";
+  EXPECT_TRUE(is_near(color(0.0, 0.5), {0.5, 0.5, 0}, 1e-6)) << "midway between";
   EXPECT_TRUE(is_near(scene.albedo(look(scene, {-5, 5, 0}, kX)), {0, 0, 0}, 0.0));
 }
 

@@ -150,7 +150,7 @@ TEST(HectorSonar, ReportsTheNearestRange) {
   EXPECT_EQ(range.value.frame, "sonar_link");
   world->set_model_pose(robot, at(-5, 0, 0));
   world->step(100);
-  EXPECT_EQ(range.value.range_m, 4.0) << "nothing is met, without error";
+  EXPECT_EQ(range.value.range_m, 4.0) << "nothing is hit: the maximum, without noise";
 }
 
 }  // namespace

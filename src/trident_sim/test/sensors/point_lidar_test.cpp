@@ -176,7 +176,7 @@ TEST(PointLidar, ANoisyCloudOfAMovingRobotLiesOnTheWallsWithinItsNoise) {
   options.stddev_m = 0.03;
   const MovingRobot::Errors errors = MovingRobot(options).errors(true);
   EXPECT_LT(errors.rms, 0.03)
-      << "walls are met at a slant, so that less of the noise is across them";
+      << "walls are hit at a slant, so that less of the noise is across them";
   EXPECT_GT(errors.rms, 0.02);
   EXPECT_NEAR(errors.mean, 0.0, 4.0 * 0.03 / std::sqrt(16.0 * 1808.0));
 }
@@ -267,7 +267,7 @@ TEST(PointLidar, IsTheSameForEverySubscriberAndAfterSnapshotAndReset) {
   EXPECT_TRUE(same(late_cloud.value.points, expected)) << "who came late";
   early->restore_snapshot(snapshot);
   early->step(150);
-  EXPECT_TRUE(same(cloud.value.points, expected)) << "after a snapshot amid a scan";
+  EXPECT_TRUE(same(cloud.value.points, expected)) << "after a snapshot in the middle of a scan";
   early->reset();
   early->set_model_twist(*early->find_model("robot"), {0.1, 0, 0}, {0, 0, 1.0});
   early->step(600);

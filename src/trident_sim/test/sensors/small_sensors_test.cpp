@@ -111,7 +111,7 @@ TEST(BlockLaser, HasAPointPerBeam) {
     if (std::abs(p.x() - 3.0) < 1e-5) {
       ++on_wall;
     } else {
-      EXPECT_NEAR(p.norm(), 4.0, 1e-5) << "the largest range where nothing is met";
+      EXPECT_NEAR(p.norm(), 4.0, 1e-5) << "the largest range where nothing is hit";
     }
   }
   EXPECT_GE(on_wall, 6);

@@ -258,7 +258,7 @@ TEST(AckermannDrive, BadValuesAreRefusedWithTheLegalOnes) {
       "the joint on the left"));
   CarOptions stiff;
   stiff.steering_stop_rad = 1e-4;
-  EXPECT_TRUE(contains(refusal(stiff), "joints that can turn both ways"));
+  EXPECT_TRUE(contains(refusal(stiff), "joints that can turn to both sides"));
   CarOptions universal;
   universal.universal = true;
   EXPECT_TRUE(contains(refusal(universal), "<left_steering_pid_gain> is '', expected gains"));

@@ -63,7 +63,7 @@ TEST(DiffDrive, ASquareOfAHundredMetersClosesWithinATenthOfAPercent) {
     turn_to(cart, side * 0.5 * kPi);
   }
   const Eigen::Vector2d reported = cart.reported_pose().p, true_end = cart.truth().p;
-  EXPECT_LT(reported.norm(), 0.1) << "as the encoders tell";
+  EXPECT_LT(reported.norm(), 0.1) << "according to the encoders";
   EXPECT_LT((reported - true_end).norm(), 0.1) << "against where it is";
   RecordProperty("error_mm", static_cast<int>(1000.0 * (reported - true_end).norm()));
   EXPECT_LT(std::abs(angle_difference(cart.truth().angle, cart.reported_pose().angle)), 0.02);

@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "conversions.h"
+#include "trident_sim_ros/output_topic.h"
 
 namespace trident::sim {
 namespace {
@@ -80,4 +81,13 @@ void convert(const BoundingBoxesSample& sample, trident_msgs::BoundingBoxes& mes
   }
 }
 
+namespace {
+
+const OutputTopicRegistrar<ImageSample, sensor_msgs::Image> kImageTopic(large_topic());
+const OutputTopicRegistrar<CameraInfoSample, sensor_msgs::CameraInfo> kCameraInfoTopic;
+const OutputTopicRegistrar<ImageCloudSample, sensor_msgs::PointCloud2> kImageCloudTopic(
+    large_topic());
+const OutputTopicRegistrar<BoundingBoxesSample, trident_msgs::BoundingBoxes> kBoundingBoxesTopic;
+
+}  // namespace
 }  // namespace trident::sim

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "trident_base/shown_text.h"
+#include "trident_sim_ros/output_topic.h"
 
 namespace trident::sim {
 
@@ -203,4 +204,29 @@ void convert(const VectorSample& sample, geometry_msgs::Vector3Stamped& message)
   message.vector = to_vector(sample.value);
 }
 
+namespace {
+
+const OutputTopicRegistrar<OdometrySample, nav_msgs::Odometry> kOdometryTopic;
+const OutputTopicRegistrar<PoseSample, geometry_msgs::Pose> kPoseTopic;
+const OutputTopicRegistrar<PoseWithCovarianceSample, geometry_msgs::PoseWithCovarianceStamped>
+    kPoseWithCovarianceTopic;
+const OutputTopicRegistrar<PointSample, geometry_msgs::PointStamped> kPointTopic;
+const OutputTopicRegistrar<TransformSample, geometry_msgs::TransformStamped> kTransformTopic;
+const OutputTopicRegistrar<ImuSample, sensor_msgs::Imu> kImuTopic;
+const OutputTopicRegistrar<LaserScanSample, sensor_msgs::LaserScan> kLaserScanTopic;
+const OutputTopicRegistrar<FluidPressureSample, sensor_msgs::FluidPressure> kFluidPressureTopic;
+const OutputTopicRegistrar<MagneticFieldSample, sensor_msgs::MagneticField> kMagneticFieldTopic;
+const OutputTopicRegistrar<GnssFixSample, sensor_msgs::NavSatFix> kGnssFixTopic;
+const OutputTopicRegistrar<TwistSample, geometry_msgs::TwistStamped> kTwistTopic;
+const OutputTopicRegistrar<ActuatorState, mav_msgs::Actuators> kActuatorStateTopic;
+const OutputTopicRegistrar<JointStateSample, sensor_msgs::JointState> kJointStateTopic(
+    display_topic());
+const OutputTopicRegistrar<ScalarSample, std_msgs::Float32> kScalarTopic;
+const OutputTopicRegistrar<StampedNumber, uuv_gazebo_ros_plugins_msgs::FloatStamped>
+    kStampedNumberTopic;
+const OutputTopicRegistrar<WindSample, rotors_comm::WindSpeed> kWindTopic;
+const OutputTopicRegistrar<WrenchSample, geometry_msgs::WrenchStamped> kWrenchTopic;
+const OutputTopicRegistrar<VectorSample, geometry_msgs::Vector3Stamped> kVectorTopic;
+
+}  // namespace
 }  // namespace trident::sim

@@ -3,6 +3,7 @@
 #include "environment_conversions.h"
 
 #include "conversions.h"
+#include "trident_sim_ros/output_topic.h"
 
 namespace trident::sim {
 
@@ -30,4 +31,13 @@ void convert(const FlagSample& sample, std_msgs::Bool& message) {
   message.data = sample.value ? 1 : 0;
 }
 
+namespace {
+
+const OutputTopicRegistrar<EnvironmentSample, trident_msgs::EnvironmentState> kEnvironmentTopic(
+    latched_topic());
+const OutputTopicRegistrar<WindReadingSample, trident_msgs::WindReading> kWindReadingTopic;
+const OutputTopicRegistrar<NumberSample, std_msgs::Float64> kNumberTopic;
+const OutputTopicRegistrar<FlagSample, std_msgs::Bool> kFlagTopic;
+
+}  // namespace
 }  // namespace trident::sim

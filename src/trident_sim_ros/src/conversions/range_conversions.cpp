@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "conversions.h"
+#include "trident_sim_ros/output_topic.h"
 
 namespace trident::sim {
 namespace {
@@ -106,4 +107,14 @@ void convert(const GnssStatusSample& sample, trident_msgs::GnssStatus& message) 
   message.geoid_separation = sample.geoid_separation_m;
 }
 
+namespace {
+
+const OutputTopicRegistrar<LidarCloudSample, sensor_msgs::PointCloud2> kLidarCloudTopic(
+    large_topic());
+const OutputTopicRegistrar<PointListSample, sensor_msgs::PointCloud> kPointListTopic;
+const OutputTopicRegistrar<RangeSample, sensor_msgs::Range> kRangeTopic;
+const OutputTopicRegistrar<ContactsSample, gazebo_msgs::ContactsState> kContactsTopic;
+const OutputTopicRegistrar<GnssStatusSample, trident_msgs::GnssStatus> kGnssStatusTopic;
+
+}  // namespace
 }  // namespace trident::sim

@@ -75,7 +75,7 @@ void LossWatch::wait_on(const Silence& silence, Waiting& waiting, WallTime now,
 void LossWatch::report_silence(const Silence& silence, const std::string& why) {
   const char* what = rules_.policy == LossPolicy::kWait    ? "the world waits"
                      : rules_.policy == LossPolicy::kPause ? "the world is paused"
-                                                           : "the world goes on without it";
+                                                           : "the world continues without it";
   report_(Severity::kWarning, silence.who + " " + why + "; " + what);
 }
 

@@ -21,6 +21,19 @@ namespace {
 /// before this process reads its commands, and what it publishes in between is lost [ns].
 constexpr WallTime kAskAgainPeriod = 100'000'000;
 
+/// False for a torn message, which has nothing to say; its type roscpp has checked.
+template <class Message>
+bool read(const std::uint8_t* bytes, std::size_t size, Message& message) {
+  try {
+    ros::serialization::IStream stream(const_cast<std::uint8_t*>(bytes),
+                                       static_cast<std::uint32_t>(size));
+    ros::serialization::deserialize(stream, message);
+  } catch (const ros::serialization::StreamOverrunException&) {
+    return false;
+  }
+  return true;
+}
+
 /// Stamp of a serialised message that begins with a header; zero when it is too short.
 SimTime header_stamp(const std::uint8_t* bytes, std::size_t size) {
   std::uint32_t fields[3] = {0, 0, 0};  // seq, sec, nsec
@@ -75,13 +88,7 @@ void VehicleLink::watch_setpoints() {
 
 void VehicleLink::on_confirmation(const std::uint8_t* bytes, std::size_t size) {
   std_msgs::Header header;
-  try {
-    ros::serialization::IStream stream(const_cast<std::uint8_t*>(bytes),
-                                       static_cast<std::uint32_t>(size));
-    ros::serialization::deserialize(stream, header);
-  } catch (const ros::serialization::StreamOverrunException&) {
-    return;
-  }
+  if (!read(bytes, size, header)) return;
   // Sources guard their trajectories and send them again; a pose from elsewhere they do not see.
   const std::string& topic = header.frame_id;
   const bool replaces = topic.find("command/trajectory") != std::string::npos;
@@ -100,7 +107,7 @@ void VehicleLink::on_setpoint(SimTime stamp, bool is_confirmation, bool replaces
   note_outsider(stamp);
   if (stamp.ns == 0) return;
   if (hub_.sources.on_setpoint(name_, stamp, replaces) && hub_.repeatability.running()) {
-    hub_.repeatability.spoil("whoever commands " + name_, hub_.next_time,
+    hub_.repeatability.spoil("a publisher of commands to " + name_, hub_.next_time,
                              "has replaced set-points of its source");
   }
   hub_.notify_if_ready();
@@ -117,7 +124,7 @@ void VehicleLink::close_confirming() {
 void VehicleLink::note_outsider(SimTime stamp) {
   if (!hub_.repeatability.running() || stamp >= hub_.next_time) return;
   if (stamp.ns > 0 && hub_.sources.feeds(name_)) return;
-  hub_.repeatability.spoil("whoever commands " + name_, hub_.next_time,
+  hub_.repeatability.spoil("a publisher of commands to " + name_, hub_.next_time,
                            "gives set-points outside of the lockstep");
 }
 
@@ -131,14 +138,7 @@ VehicleLink::~VehicleLink() {
 
 // The stepping thread holds the hub's mutex as it reads.
 void VehicleLink::on_command(Span<const std::uint8_t> bytes) {
-  try {
-    ros::serialization::IStream stream(const_cast<std::uint8_t*>(bytes.data()),
-                                       static_cast<std::uint32_t>(bytes.size()));
-    ros::serialization::deserialize(stream, message_);
-  } catch (const ros::serialization::StreamOverrunException&) {
-    return;  // roscpp checked the type; a torn message has nothing to say
-  }
-  on_command(message_);
+  if (read(bytes.data(), bytes.size(), message_)) on_command(message_);
 }
 
 void VehicleLink::on_command(const mav_msgs::Actuators& message) {
@@ -151,7 +151,7 @@ void VehicleLink::on_command(const mav_msgs::Actuators& message) {
   const auto answer = lockstep.on_answer(command.stamp, wall_now());
   if (answer == LockstepVehicle::Answer::kForeign && lockstep.enrolled()) return;
   if (answer == LockstepVehicle::Answer::kForeign && hub_.repeatability.running()) {
-    hub_.repeatability.spoil(join(ros_utils::topic_writers("/" + port_->name())), hub_.next_time,
+    hub_.repeatability.spoil(join(command_writers()), hub_.next_time,
                              "writes /" + port_->name() + " outside of the lockstep");
   }
   if (answer == LockstepVehicle::Answer::kEnrolled) {
@@ -229,7 +229,7 @@ bool VehicleLink::send_again_to_new_readers(WallTime now) {
 /// Whether a node that writes commands reads the odometry by a connection over which it has not
 /// answered yet.
 bool VehicleLink::has_unproven_controller() const {
-  const std::vector<std::string> writers = ros_utils::topic_writers("/" + port_->name());
+  const std::vector<std::string> writers = command_writers();
   const auto readers = all_odometry_readers();
   return std::any_of(readers.begin(), readers.end(), [&](const ros_utils::TopicPeer& reader) {
     return reader.connection > answered_reader_ &&
@@ -255,8 +255,7 @@ void VehicleLink::learn_controllers() {
   const std::uint64_t newest = hub_.commands.newest_link();
   if (newest == newest_link_) return;
   newest_link_ = newest;
-  for (const std::string& node : ros_utils::topic_writers("/" + port_->name()))
-    controllers_.insert(node);
+  for (const std::string& node : command_writers()) controllers_.insert(node);
 }
 
 bool VehicleLink::has_lost_controller() const {
@@ -283,14 +282,18 @@ void VehicleLink::announce_reset() {
 
 bool VehicleLink::has_controller() const {
   if (odometry_readers() == 0) return false;
-  const std::string commands = "/" + port_->name(), confirmations = "/" + confirmation_topic();
-  const auto all_send = [&](const std::string& topic) {
-    const std::vector<std::string> nodes = ros_utils::topic_writers(topic);
+  const auto all_send = [&](const std::vector<std::string>& nodes, const std::string& topic) {
     return std::all_of(nodes.begin(), nodes.end(),
                        [&](const std::string& node) { return hub_.probe.sends(node, topic); });
   };
-  return !ros_utils::topic_writers(commands).empty() && all_send(commands) &&
-         all_send(confirmations);
+  const std::string confirmations = "/" + confirmation_topic();
+  const std::vector<std::string> writers = command_writers();
+  return !writers.empty() && all_send(writers, "/" + port_->name()) &&
+         all_send(ros_utils::topic_writers(confirmations), confirmations);
+}
+
+std::vector<std::string> VehicleLink::command_writers() const {
+  return ros_utils::topic_writers("/" + port_->name());
 }
 
 bool VehicleLink::hears_confirmations() const {

@@ -120,6 +120,8 @@ class VehicleLink {
   void note_enrollment(SimTime stamp) TRIDENT_REQUIRES(hub_.mutex);
   void learn_controllers() TRIDENT_REQUIRES(hub_.mutex);
   void send_in_flight(int after, WallTime now) TRIDENT_REQUIRES(hub_.mutex);
+  /// The nodes that publish motor speeds to this vehicle.
+  std::vector<std::string> command_writers() const;
   bool has_unproven_controller() const TRIDENT_REQUIRES(hub_.mutex);
   std::vector<ros_utils::TopicPeer> all_odometry_readers() const;
 

@@ -11,8 +11,6 @@
 namespace trident::sim {
 namespace {
 
-constexpr std::uint32_t kQueue = 10;
-
 template <class Number>
 void read_number(const std::string& name, Number low, Number high, Number& value) {
   Number given = value;
@@ -53,7 +51,7 @@ class CompressedBinding : public OutputBinding {
       : OutputBinding(port),
         port_(port),
         topic_("/" + port.name() + "/" + compressed_name(port.value)),
-        publisher_(advertiser.advertise<sensor_msgs::CompressedImage>(topic_, kQueue)) {}
+        publisher_(advertiser.advertise<sensor_msgs::CompressedImage>(topic_, large_topic())) {}
 
   void publish() override {
     if (!has_read_parameters_) read_parameters();

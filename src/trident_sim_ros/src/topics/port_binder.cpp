@@ -4,65 +4,14 @@
 
 #include <algorithm>
 
-#include "conversions/camera_conversions.h"
 #include "conversions/conversions.h"
-#include "conversions/environment_conversions.h"
-#include "conversions/range_conversions.h"
 #include "image_transport.h"
 #include "trident_ros/schedule_fuzz.h"
 
 namespace trident::sim {
 namespace {
 
-// Deep: a recorder that falls behind for a moment must not lose anything.
-constexpr std::uint32_t kPublisherQueue = 1000;
-// Of samples of megabytes, of which a deep queue would fill the memory.
-constexpr std::uint32_t kPictureQueue = 10;
-template <class Sample>
-constexpr std::uint32_t kQueueOf =
-    std::is_same_v<Sample, ImageSample> || std::is_same_v<Sample, ImageCloudSample> ||
-            std::is_same_v<Sample, LidarCloudSample>
-        ? kPictureQueue
-        : kPublisherQueue;
-/// Of what changes seldom.
-template <class Sample>
-constexpr bool kIsLatched = std::is_same_v<Sample, EnvironmentSample>;
 constexpr auto kDisplayPeriod = std::chrono::milliseconds(40);
-
-template <class Sample, class OutputMessage>
-class TypedBinding : public OutputBinding {
- public:
-  TypedBinding(TopicAdvertiser& advertiser, OutPort<Sample>& port)
-      : OutputBinding(port),
-        port_(port),
-        publisher_(advertiser.advertise<OutputMessage>("/" + port.name(), kQueueOf<Sample>,
-                                                       kIsLatched<Sample>)) {
-    if (kIsLatched<Sample> && port.count() > 0) publisher_.publish(converted(port.value));
-  }
-
-  void publish() override {
-    for (const Sample& sample : port_.earlier()) publisher_.publish(converted(sample));
-    publisher_.publish(converted(port_.value));
-  }
-  std::unique_ptr<ros_utils::DirectMessage> message() override {
-    return std::make_unique<ros_utils::ObjectMessage<OutputMessage>>(converted(port_.value));
-  }
-  std::uint32_t subscribers() const override { return publisher_.getNumSubscribers(); }
-  const ros::Publisher& publisher() const override { return publisher_; }
-  bool is_for_display() const override { return std::is_same_v<Sample, JointStateSample>; }
-  bool is_latched() const override { return kIsLatched<Sample>; }
-
- private:
-  boost::shared_ptr<OutputMessage> converted(const Sample& sample) {
-    const auto message = pool_.take();
-    convert(sample, *message);
-    return message;
-  }
-
-  OutPort<Sample>& port_;
-  ros::Publisher publisher_;
-  ros_utils::MessagePool<OutputMessage> pool_;
-};
 
 /// A transform: collected, and published with all others of the step as one message.
 class FrameBinding : public OutputBinding {
@@ -84,64 +33,10 @@ class FrameBinding : public OutputBinding {
   tf2_msgs::TFMessage& message_;
 };
 
-template <class Sample, class OutputMessage>
-std::unique_ptr<OutputBinding> try_bind(TopicAdvertiser& advertiser, PortBase& port) {
-  auto* typed = dynamic_cast<OutPort<Sample>*>(&port);
-  if (typed == nullptr) return nullptr;
-  return std::make_unique<TypedBinding<Sample, OutputMessage>>(advertiser, *typed);
-}
-
-using OutputBindFunction = std::unique_ptr<OutputBinding> (*)(TopicAdvertiser&, PortBase&);
-constexpr OutputBindFunction kOutputBindFunctions[] = {
-    try_bind<OdometrySample, nav_msgs::Odometry>,
-    try_bind<PoseSample, geometry_msgs::Pose>,
-    try_bind<PoseWithCovarianceSample, geometry_msgs::PoseWithCovarianceStamped>,
-    try_bind<PointSample, geometry_msgs::PointStamped>,
-    try_bind<TransformSample, geometry_msgs::TransformStamped>,
-    try_bind<ImuSample, sensor_msgs::Imu>,
-    try_bind<LaserScanSample, sensor_msgs::LaserScan>,
-    try_bind<ImageSample, sensor_msgs::Image>,
-    try_bind<CameraInfoSample, sensor_msgs::CameraInfo>,
-    try_bind<ImageCloudSample, sensor_msgs::PointCloud2>,
-    try_bind<BoundingBoxesSample, trident_msgs::BoundingBoxes>,
-    try_bind<LidarCloudSample, sensor_msgs::PointCloud2>,
-    try_bind<PointListSample, sensor_msgs::PointCloud>,
-    try_bind<RangeSample, sensor_msgs::Range>,
-    try_bind<GnssStatusSample, trident_msgs::GnssStatus>,
-    try_bind<ContactsSample, gazebo_msgs::ContactsState>,
-    try_bind<FluidPressureSample, sensor_msgs::FluidPressure>,
-    try_bind<MagneticFieldSample, sensor_msgs::MagneticField>,
-    try_bind<GnssFixSample, sensor_msgs::NavSatFix>,
-    try_bind<TwistSample, geometry_msgs::TwistStamped>,
-    try_bind<ActuatorState, mav_msgs::Actuators>,
-    try_bind<JointStateSample, sensor_msgs::JointState>,
-    try_bind<ScalarSample, std_msgs::Float32>,
-    try_bind<StampedNumber, uuv_gazebo_ros_plugins_msgs::FloatStamped>,
-    try_bind<WindSample, rotors_comm::WindSpeed>,
-    try_bind<WrenchSample, geometry_msgs::WrenchStamped>,
-    try_bind<VectorSample, geometry_msgs::Vector3Stamped>,
-    try_bind<EnvironmentSample, trident_msgs::EnvironmentState>,
-    try_bind<WindReadingSample, trident_msgs::WindReading>,
-    try_bind<NumberSample, std_msgs::Float64>,
-    try_bind<FlagSample, std_msgs::Bool>,
-};
-
 }  // namespace
 
-void OutputBinding::set_wanted(bool wanted) {
-  if (wanted == wanted_) return;
-  wanted_ = wanted;
-  if (wanted) {
-    port_->add_listener();
-  } else {
-    port_->remove_listener();
-  }
-}
-
 PortBinder::PortBinder(ros::NodeHandle& node, PortBoard& board)
-    : board_(board),
-      advertiser_(node),
-      tf_(advertiser_.advertise<tf2_msgs::TFMessage>("/tf", kPublisherQueue)) {}
+    : board_(board), advertiser_(node), tf_(advertiser_.advertise<tf2_msgs::TFMessage>("/tf")) {}
 
 void PortBinder::sync() {
   if (board_.version() == version_) return;
@@ -156,9 +51,7 @@ void PortBinder::sync() {
     if (auto* frame = dynamic_cast<OutPort<FrameSample>*>(&port)) {
       binding = std::make_unique<FrameBinding>(*frame, tf_, tf_message_);
     }
-    for (const OutputBindFunction bind : kOutputBindFunctions) {
-      if (!binding) binding = bind(advertiser_, port);
-    }
+    if (!binding) binding = OutputTopics::instance().bind(advertiser_, port);
     if (binding) entries_.emplace(port.name(), Entry{port.name(), std::move(binding), false});
     if (auto* image = dynamic_cast<OutPort<ImageSample>*>(&port)) {
       entries_.emplace(port.name() + "/" + compressed_name(image->value),

@@ -5,81 +5,16 @@
 #include <ros/ros.h>
 #include <tf2_msgs/TFMessage.h>
 
-#include <atomic>
 #include <chrono>
 #include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "trident_ros/direct_message.h"
-#include "trident_ros/inline_callback_queue.h"
 #include "trident_sim/port.h"
+#include "trident_sim_ros/output_topic.h"
 
 namespace trident::sim {
-
-/// An output port and its topic.
-class OutputBinding {
- public:
-  explicit OutputBinding(PortBase& port) : port_(&port), seen_(port.count()) {}
-  virtual ~OutputBinding() = default;
-  OutputBinding(const OutputBinding&) = delete;
-  OutputBinding& operator=(const OutputBinding&) = delete;
-
-  /// Converts the present value and publishes it.
-  virtual void publish() = 0;
-  /// Converts the present value into a message that may wait to be sent; nullptr when the topic
-  /// takes no single messages.
-  virtual std::unique_ptr<ros_utils::DirectMessage> message() = 0;
-  virtual std::uint32_t subscribers() const = 0;
-  virtual const ros::Publisher& publisher() const = 0;
-  /// Joint states: of use to displays only.
-  virtual bool is_for_display() const { return false; }
-  /// Who subscribes later gets the newest value, so that every value is sent.
-  virtual bool is_latched() const { return false; }
-
-  PortBase& port() const { return *port_; }
-  /// Sets whether the port has a listener.
-  void set_wanted(bool wanted);
-  bool wanted() const { return wanted_; }
-  bool is_late = false;  ///< a value was not published yet, for the wall rate of displays
-  /// True once per new value.
-  bool take_fresh() {
-    if (port_->count() == seen_) return false;
-    seen_ = port_->count();
-    return true;
-  }
-
- private:
-  PortBase* port_;
-  std::uint64_t seen_;
-  bool wanted_ = false;
-};
-
-/// Advertises topics and notes when a subscriber comes or goes.
-class TopicAdvertiser {
- public:
-  explicit TopicAdvertiser(ros::NodeHandle& node) : node_(node) {}
-
-  template <class Message>
-  ros::Publisher advertise(const std::string& topic, std::uint32_t queue_size,
-                           bool is_latched = false) {
-    const auto note = [this](const ros::SingleSubscriberPublisher&) { has_changed_ = true; };
-    ros::AdvertiseOptions options;
-    options.init<Message>(topic, queue_size, note, note);
-    options.callback_queue = &queue_;
-    options.latch = is_latched;
-    has_changed_ = true;
-    return node_.advertise(options);
-  }
-  /// True once after a change.
-  bool take_change() { return has_changed_.exchange(false); }
-
- private:
-  ros::NodeHandle& node_;
-  ros_utils::InlineCallbackQueue queue_;
-  std::atomic<bool> has_changed_{true};
-};
 
 /// Keeps one topic per output port of a board, of images a compressed one too, and the frame tree
 /// on /tf.

@@ -31,6 +31,7 @@ namespace trident::slam {
 /// be read is counted and named in `problems`, and reading continues.
 class CarmenLog : public ScanSource {
  public:
+  /// Which of the robot's lasers is read: a log of two is read twice.
   enum class Laser { kFront, kRear };
 
   /// "-" is the standard input. Throws Error when the file cannot be opened.

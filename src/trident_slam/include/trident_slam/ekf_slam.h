@@ -17,6 +17,8 @@ struct PointObservation {
   Eigen::Matrix2d covariance = 0.04 * Eigen::Matrix2d::Identity();  ///< of p_base [m^2]
 };
 
+/// Gates, noise of the odometry's systematic errors and life of a landmark. A landmark that is in
+/// view (`view_range`, `view_half_angle`) and is not seen counts as missed.
 struct EkfSlamParams {
   double match_probability = 0.999;   ///< share of true pairs that the gate lets pass
   double new_probability = 0.999999;  ///< what lies outside this of every landmark is a new one
@@ -32,6 +34,7 @@ struct EkfSlamParams {
   double view_range = 25.0;           ///< [m] within which a landmark should be seen
   double view_half_angle = 1.2;       ///< [rad] from straight ahead, see above
 
+  /// Names each field with its range and meaning.
   template <class Archive>
   void visit(Archive& archive) {
     archive.field("match_probability", match_probability, Range{0.0, 1.0, true, true},
@@ -84,11 +87,12 @@ class EkfSlam {
   static constexpr int kRobotStates = 5;  ///< x, y, yaw; yaw scale error, yaw drift [rad/m]
   static constexpr int kAmbiguous = -1;   ///< neither a known landmark nor surely a new one
 
+  /// A landmark as it is known now.
   struct Landmark {
     int id = 0;  ///< never used again
-    Eigen::Vector2d p_map = Eigen::Vector2d::Zero();
-    Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
-    int sightings = 0;
+    Eigen::Vector2d p_map = Eigen::Vector2d::Zero();  ///< [m]
+    Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();  ///< of p_map [m^2]
+    int sightings = 0;  ///< observations that were paired with it
   };
 
   /// Throws Error for parameters out of range.
@@ -106,9 +110,13 @@ class EkfSlam {
   void observe_known(const std::vector<PointObservation>& observations,
                      const std::vector<int>& ids);
 
+  /// Mean of the robot's pose; the first one is the identity.
   SE2 T_map_base() const;
+  /// Of (x [m], y [m], yaw [rad]) in map.
   Eigen::Matrix3d pose_covariance() const { return covariance_.topLeftCorner<3, 3>(); }
+  /// All that are known, in the order in which they were first seen.
   std::vector<Landmark> landmarks() const;
+  /// The cost of an update grows with its square.
   std::size_t landmark_count() const { return tracks_.size(); }
 
  private:

@@ -20,6 +20,7 @@ struct PostParams {
   double max_range = 10.0;    ///< [m]
   double range_sigma = 0.02;  ///< [m] of one beam
 
+  /// Names each field with its range and meaning.
   template <class Archive>
   void visit(Archive& archive) {
     archive.field("max_diameter", max_diameter, Range::positive(), "[m]");
@@ -31,21 +32,24 @@ struct PostParams {
   }
 };
 
+/// Parameters of ekf_slam_2d.
 struct EkfSlam2dParams {
   double resolution = 0.05;               ///< of the map [m]
   double odometry_distance_sigma = 0.05;  ///< of the distance travelled, as a share of it
   double odometry_slip_sigma = 0.02;      ///< across, as a share of the distance travelled
   double odometry_turn_sigma = 0.05;      ///< of the angle turned, as a share of it
   double odometry_drift_sigma = 0.02;     ///< [rad/m] of yaw over the distance travelled
-  PostParams posts;
-  EkfSlamParams filter;
+  PostParams posts;  ///< what in a scan is a landmark
+  EkfSlamParams filter;  ///< with the defaults below
 
+  /// Posts stand closer than trees, and a laser sees them all around.
   EkfSlam2dParams() {
     filter.new_distance = 0.6;
     filter.view_range = 8.0;
     filter.view_half_angle = 3.14;
   }
 
+  /// Names each field with its range and meaning.
   template <class Archive>
   void visit(Archive& archive) {
     archive.field("resolution", resolution, Range{0.005, 1.0}, "of the map [m]");
@@ -67,6 +71,7 @@ struct EkfSlam2dParams {
 /// are those given when the scans came.
 class EkfSlam2d : public Slam2d {
  public:
+  /// Throws Error for parameters out of range.
   explicit EkfSlam2d(const EkfSlam2dParams& params = {});
   ~EkfSlam2d() override;
 
@@ -74,6 +79,7 @@ class EkfSlam2d : public Slam2d {
   std::vector<StampedPose2d> trajectory() const override;
   /// All scans at their poses.
   OccupancyGrid map() const override;
+  /// See EkfSlam::landmarks().
   std::vector<EkfSlam::Landmark> landmarks() const;
 
  private:

@@ -51,9 +51,11 @@ class GraphSlam2d : public Slam2d,
 
   /// Paused, scans are placed in the map but do not become part of it.
   void set_paused(bool is_paused);
+  /// See set_paused().
   bool is_paused() const;
   /// Forgets everything; the next scan is at `map_start_pose`.
   void clear();
+  /// From the next scan on; the map stays.
   void set_mode(SlamMode mode);
 
   void save_session(const std::string& path) const override;

@@ -9,15 +9,16 @@ namespace trident::slam {
 /// Edges of the pose graph that tracking adds: to the previous keyframe, and to an older submap
 /// whose surfaces a scan was matched with.
 struct KeyframeEdgeOptions {
-  double sigma = 0.01;
-  double sigma_yaw = 0.005;
-  double gap_variance = 1.0;
-  double gap_variance_yaw = 0.1;
-  double revisit_fraction = 0.25;
+  double sigma = 0.01;  ///< [m]
+  double sigma_yaw = 0.005;  ///< [rad]
+  double gap_variance = 1.0;  ///< [m^2]
+  double gap_variance_yaw = 0.1;  ///< [rad^2]
+  double revisit_fraction = 0.25;  ///< in [0, 1]
+  /// Preceding submaps that count as the current surroundings, not as a revisited place.
   int own_submaps = 3;
-  double revisit_sigma = 0.03;
-  double revisit_sigma_yaw = 0.01;
-  int deactivation_period = 5;
+  double revisit_sigma = 0.03;  ///< [m]
+  double revisit_sigma_yaw = 0.01;  ///< [rad]
+  int deactivation_period = 5;  ///< keyframes after which drifted submaps are searched for again
 
   /// Names each field with its range and meaning.
   template <class Archive>
@@ -45,19 +46,19 @@ struct KeyframeEdgeOptions {
 /// Candidates for loops, and the window that branch and bound searches (W. Hess et al., ICRA 2016).
 /// The window grows with the path length through the graph, as drift does.
 struct LoopSearchOptions {
-  int max_candidates = 4;
-  double place_reach = 8.0;
-  double min_path_fraction = 0.4;
-  double window = 0.5;
-  double window_per_meter = 0.03;
-  double window_yaw = 0.1;
-  double window_yaw_per_meter = 0.004;
-  double max_window_yaw = 1.0;
-  double resolution = 0.1;
-  int levels = 7;
-  int max_points = 300;
-  double min_response = 0.35;
-  double surfel_cell = 0.1;
+  int max_candidates = 4;  ///< places that are compared with each submap
+  double place_reach = 8.0;  ///< [m]
+  double min_path_fraction = 0.4;  ///< in [0, 1]
+  double window = 0.5;  ///< [m]
+  double window_per_meter = 0.03;  ///< [m/m]
+  double window_yaw = 0.1;  ///< [rad]
+  double window_yaw_per_meter = 0.004;  ///< [rad/m]
+  double max_window_yaw = 1.0;  ///< [rad]
+  double resolution = 0.1;  ///< [m]
+  int levels = 7;  ///< levels of the pyramid
+  int max_points = 300;  ///< points of the submap that are used
+  double min_response = 0.35;  ///< in [0, 1]
+  double surfel_cell = 0.1;  ///< [m]
 
   /// Names each field with its range and meaning.
   template <class Archive>
@@ -91,21 +92,21 @@ struct LoopSearchOptions {
 /// consistent with others (J. Mangelson et al., "Pairwise consistent measurement set maximization
 /// for robust multi-robot map merging", ICRA 2018).
 struct LoopVerificationOptions {
-  double min_overlap = 0.35;
-  double search_gain = 0.05;
-  double min_residual = 0.5;
-  double max_path = 80.0;
-  double max_error = 0.2;
-  double error_per_meter = 0.01;
-  double max_error_yaw = 0.03;
-  double error_yaw_per_meter = 0.001;
-  int min_group = 2;
-  double long_path = 150.0;
-  int min_group_long = 3;
-  double information = 1e3;
-  double information_yaw = 1e4;
-  double max_residual = 0.3;
-  double max_residual_yaw = 0.1;
+  double min_overlap = 0.35;  ///< in [0, 1]
+  double search_gain = 0.05;  ///< in [0, 1]
+  double min_residual = 0.5;  ///< [m]
+  double max_path = 80.0;  ///< [m]
+  double max_error = 0.2;  ///< [m]
+  double error_per_meter = 0.01;  ///< [m/m]
+  double max_error_yaw = 0.03;  ///< [rad]
+  double error_yaw_per_meter = 0.001;  ///< [rad/m]
+  int min_group = 2;  ///< candidates that must be consistent with each other
+  double long_path = 150.0;  ///< [m]
+  int min_group_long = 3;  ///< as min_group, beyond long_path
+  double information = 1e3;  ///< [1/m^2]
+  double information_yaw = 1e4;  ///< [1/rad^2]
+  double max_residual = 0.3;  ///< [m]
+  double max_residual_yaw = 0.1;  ///< [rad]
 
   /// Names each field with its range and meaning.
   template <class Archive>
@@ -144,9 +145,9 @@ struct LoopVerificationOptions {
 /// What a scan shows to be free or occupied, for the verification of loops and hypotheses and for
 /// pruning.
 struct FreeSpaceOptions {
-  double margin = 0.3;
-  double margin_per_meter = 0.03;
-  double on_surface = 0.15;
+  double margin = 0.3;  ///< [m]
+  double margin_per_meter = 0.03;  ///< in [0, 1]
+  double on_surface = 0.15;  ///< [m]
 
   /// Names each field with its range and meaning.
   template <class Archive>
@@ -163,8 +164,8 @@ struct FreeSpaceOptions {
 /// The optimization of the pose graph. Cauchy's kernel holds for edges to revisited places, which
 /// are not verified.
 struct GraphOptimizationOptions {
-  double kernel = 3.0;
-  int max_iterations = 20;
+  double kernel = 3.0;  ///< [standard deviations]
+  int max_iterations = 20;  ///< Gauss-Newton steps
 
   /// Names each field with its range and meaning.
   template <class Archive>
@@ -178,18 +179,19 @@ struct GraphOptimizationOptions {
 /// system of all pairs is solved.
 /// F. Lu and E. Milios, "Globally consistent range scan alignment", Autonomous Robots 4, 1997.
 struct AlignmentOptions {
-  double reach = 4.0;
-  int partners = 4;
-  int predecessors = 4;
-  double min_inliers = 0.4;
-  double max_change = 0.5;
-  double max_change_yaw = 0.2;
-  double surfel_cell = 0.1;
-  int max_points = 360;
-  double converged = 1e-3;
+  double reach = 4.0;  ///< [m]
+  int partners = 4;  ///< matched with each keyframe, besides its predecessors
+  int predecessors = 4;  ///< keyframes before it that a keyframe is always matched with
+  double min_inliers = 0.4;  ///< in [0, 1]
+  double max_change = 0.5;  ///< [m]
+  double max_change_yaw = 0.2;  ///< [rad]
+  double surfel_cell = 0.1;  ///< [m]
+  int max_points = 360;  ///< points of each scan that are used
+  double converged = 1e-3;  ///< [m]
+  /// Fraction of a match's information that counts, as errors of neighboring beams are correlated.
   double information_fraction = 0.1;
-  double settled = 0.3;
-  int max_passes = 3;
+  double settled = 0.3;  ///< [m]
+  int max_passes = 3;  ///< how often at most
 
   /// Names each field with its range and meaning.
   template <class Archive>
@@ -221,12 +223,12 @@ struct AlignmentOptions {
 
 /// The match of every archived scan with the final map (`keep_scans`).
 struct FinalMatchOptions {
-  int max_points = 120;
-  int min_points = 200;
-  int search_rings = 2;
-  double converged = 1e-3;
-  double sigma = 0.01;
-  double sigma_yaw = 0.005;
+  int max_points = 120;  ///< of a larger scan that are used
+  int min_points = 200;  ///< up to so many points of a scan all are used, against noise
+  int search_rings = 2;  ///< cells about a point in which its surface is searched for
+  double converged = 1e-3;  ///< [m]
+  double sigma = 0.01;  ///< [m]
+  double sigma_yaw = 0.005;  ///< [rad]
 
   /// Names each field with its range and meaning.
   template <class Archive>
@@ -245,8 +247,9 @@ struct FinalMatchOptions {
 
 /// `mode: lifelong` beyond the scores of slam_toolbox (`lifelong_*`).
 struct PruningOptions {
-  double min_path = 20.0;
-  double min_seen = 0.9;
+  double min_path = 20.0;  ///< [m]
+  double min_seen = 0.9;  ///< in [0, 1]
+  /// Removed or thinned scans after which graph and surfaces are rebuilt.
   int batch = 20;
 
   /// Names each field with its range and meaning.
@@ -263,11 +266,11 @@ struct PruningOptions {
 
 /// Maps that a user corrects by hand, and maps that are joined.
 struct MapEditOptions {
-  double reach = 3.0;
-  double path_length = 20.0;
-  double min_inliers = 0.4;
-  double join_information = 1.0;
-  double join_information_yaw = 100.0;
+  double reach = 3.0;  ///< [m]
+  double path_length = 20.0;  ///< [m]
+  double min_inliers = 0.4;  ///< in [0, 1]
+  double join_information = 1.0;  ///< [1/m^2]
+  double join_information_yaw = 100.0;  ///< [1/rad^2]
 
   /// Names each field with its range and meaning.
   template <class Archive>
@@ -289,15 +292,15 @@ struct MapEditOptions {
 /// No experiment is on record for single values: docs/benchmarks.md holds what `./trident bench
 /// slam` measures with these defaults on public logs.
 struct BackEndOptions {
-  KeyframeEdgeOptions keyframe_edges;
-  LoopSearchOptions loop_search;
-  LoopVerificationOptions loop_verification;
-  FreeSpaceOptions free_space;
-  GraphOptimizationOptions optimization;
-  AlignmentOptions alignment;
-  FinalMatchOptions final_match;
-  PruningOptions pruning;
-  MapEditOptions editing;
+  KeyframeEdgeOptions keyframe_edges;  ///< uncertainty of the edges that tracking adds
+  LoopSearchOptions loop_search;  ///< candidates for loops and the window of their search
+  LoopVerificationOptions loop_verification;  ///< which loops are accepted
+  FreeSpaceOptions free_space;  ///< what a scan shows to be free
+  GraphOptimizationOptions optimization;  ///< optimization of the pose graph
+  AlignmentOptions alignment;  ///< all pairs of scans that see the same surfaces, at the end
+  FinalMatchOptions final_match;  ///< match of every archived scan with the final map
+  PruningOptions pruning;  ///< lifelong mode beyond slam_toolbox' scores
+  MapEditOptions editing;  ///< corrections by hand and joined maps
 
   /// Names each group.
   template <class Archive>

@@ -24,6 +24,7 @@ struct HectorSlamParams {
   bool use_odometry = true;                 ///< as the start of each match; false: the scans alone
   bool map_with_known_poses = false;        ///< odometry is believed, nothing is matched
 
+  /// Names each field with its range and meaning.
   template <class Archive>
   void visit(Archive& archive) {
     archive.field("map_resolution", map_resolution, Range{0.005, 1.0}, "of the finest level [m]");
@@ -32,7 +33,7 @@ struct HectorSlamParams {
     archive.field("update_factor_free", update_factor_free, Range{0.0, 0.5, true, true},
                   "probability that a cell which a beam passed is occupied");
     archive.field("update_factor_occupied", update_factor_occupied, Range{0.5, 1.0, true, true},
-                  "likewise of a cell where one ended");
+                  "probability that a cell in which a beam ended is occupied");
     archive.field("map_update_distance_thresh", map_update_distance_thresh, Range::non_negative(),
                   "travelled since the last update of the map [m]");
     archive.field("map_update_angle_thresh", map_update_angle_thresh, Range::non_negative(),
@@ -53,6 +54,7 @@ struct HectorSlamParams {
 /// closes a loop: final poses are those given when the scans came.
 class HectorSlam2d : public Slam2d, public PoseInitializable, public Slam2dOdometryUse {
  public:
+  /// Throws Error for parameters out of range.
   explicit HectorSlam2d(const HectorSlamParams& params = {});
   ~HectorSlam2d() override;
 

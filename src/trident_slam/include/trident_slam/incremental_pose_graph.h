@@ -9,6 +9,7 @@
 
 namespace trident::slam {
 
+/// When whole optimizations are made, and how far each goes.
 struct IncrementalOptions {
   /// The graph is optimised when what was added since disagrees with it by more than this part of
   /// its chi2, >= 0, ...
@@ -33,7 +34,9 @@ class IncrementalPoseGraph {
  public:
   using Edge = typename PoseGraph<Group>::Edge;
 
+  /// Empty. Throws Error as IncrementalOptions::validate() does.
   explicit IncrementalPoseGraph(const IncrementalOptions& options = {});
+  /// What was moved from can only be destroyed or assigned to.
   IncrementalPoseGraph(IncrementalPoseGraph&&) noexcept;
   IncrementalPoseGraph& operator=(IncrementalPoseGraph&&) noexcept;
   ~IncrementalPoseGraph();
@@ -45,6 +48,7 @@ class IncrementalPoseGraph {
   /// To the optimum, within the optimiser's tolerance.
   void finish();
 
+  /// With poses that are good now; at their optimum after finish().
   const PoseGraph<Group>& graph() const { return graph_; }
   /// Whole optimisations so far.
   int optimizations() const { return optimizations_; }

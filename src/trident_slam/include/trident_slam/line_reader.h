@@ -25,7 +25,7 @@ class LineReader {
   /// False at the end. `line` has no line feed and is valid until the next call.
   bool next(std::string_view& line);
 
-  const std::string& path() const { return path_; }
+  const std::string& path() const { return path_; }  ///< as given, for errors
   /// Of the last line, from 1.
   std::size_t line_number() const { return line_number_; }
   /// True when the last line ended with the file and not with a line feed.

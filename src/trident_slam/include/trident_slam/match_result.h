@@ -17,13 +17,14 @@ struct Degeneracy {
   /// The direction that is known least: (x, y, yaw at the points' mean distance), unit length.
   Eigen::Vector3d weakest = Eigen::Vector3d::UnitX();
 
-  static constexpr double kDegenerateRatio = 0.02;
+  static constexpr double kDegenerateRatio = 0.02;  ///< below it a direction counts as open
+  /// Whether `weakest` must come from elsewhere.
   bool is_degenerate() const { return ratio < kDegenerateRatio; }
 };
 
 /// What is known of a pose beforehand.
 struct PosePrior {
-  SE2 T_ref_base;
+  SE2 T_ref_base;  ///< mean
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< of (x, y, yaw) in the ref's frame
   bool is_firm = false;  ///< not doubted, however far the points lead away from it
   /// Measured by something other than scans (wheels): along directions that the points leave open
@@ -33,16 +34,16 @@ struct PosePrior {
 
 /// Where a scan lies in a reference's frame.
 struct MatchResult {
-  SE2 T_ref_base;
+  SE2 T_ref_base;  ///< of the base at the scan's stamp
   /// Of (x [m], y [m], yaw [rad]) in the reference's frame, from the points alone.
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
   /// Inverse of the information with whatever prior was given.
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();
-  Degeneracy degeneracy;
+  Degeneracy degeneracy;  ///< of `information`
   double inlier_fraction = 0.0;  ///< of the points, those that lie on the reference's surfaces
   double rms = 0.0;              ///< of those points' distances to the surfaces [m]
-  int iterations = 0;
-  bool is_converged = false;
+  int iterations = 0;  ///< Gauss-Newton steps
+  bool is_converged = false;  ///< the last step was small; else the steps ran out
 };
 
 /// `mean_range`: of the points about the base [m].

@@ -14,9 +14,10 @@
 
 namespace trident::slam {
 
+/// A command line of an offline program after it was read.
 struct OfflineCommand {
-  std::string log_file;
-  std::string method;
+  std::string log_file;  ///< "-": the standard input
+  std::string method;  ///< a name of register_builtin_slam_2d()
   std::string config_file;                    ///< empty: the method's defaults
   std::string out_dir;                        ///< is made
   std::string session;                        ///< file to continue; empty: a new map
@@ -27,6 +28,7 @@ struct OfflineCommand {
   std::map<std::string, std::string> source;  ///< what the source takes: name without dashes, value
 };
 
+/// Opens the log of a command. Throws Error when it cannot be opened.
 using OpenSource = std::function<std::unique_ptr<ScanSource>(const OfflineCommand&)>;
 
 /// main() of a program that runs a log through an algorithm: reads the command line, shows

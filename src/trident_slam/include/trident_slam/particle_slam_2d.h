@@ -14,7 +14,7 @@ namespace trident::slam {
 
 /// Names and meanings are those of slam_gmapping.
 struct ParticleSlamParams {
-  int particles = 30;
+  int particles = 30;  ///< hypotheses of path and map
   double delta = 0.05;             ///< resolution of the maps [m]
   double maxUrange = 30.0;         ///< returns beyond it are not used [m]
   double linearUpdate = 0.5;       ///< travelled between two scans that update the maps [m]
@@ -28,8 +28,9 @@ struct ParticleSlamParams {
   double ogain = 3.0;              ///< evens out the weights: beams are not independent
   double minimumScore = 0.0;       ///< beams that must fit to believe a match
   int lskip = 0;                   ///< beams left out between two that are matched
-  std::uint64_t seed = 1;
+  std::uint64_t seed = 1;  ///< of the particles' draws
 
+  /// Names each field with its range and meaning.
   template <class Archive>
   void visit(Archive& archive) {
     archive.field("particles", particles, Range{1, 10000}, "hypotheses of path and map");
@@ -40,7 +41,7 @@ struct ParticleSlamParams {
     archive.field("angularUpdate", angularUpdate, Range::non_negative(), "turned between [rad]");
     archive.field("temporalUpdate", temporalUpdate, "or that long after; negative: never [s]");
     archive.field("resampleThreshold", resampleThreshold, Range{0.0, 1.0},
-                  "effective share of the particles below which they are drawn anew");
+                  "effective share of the particles below which they are resampled");
     archive.field("srr", srr, Range::non_negative(), "translation's error by translation [m/m]");
     archive.field("srt", srt, Range::non_negative(), "translation's error by rotation [m/rad]");
     archive.field("str", str, Range::non_negative(), "rotation's error by translation [rad/m]");
@@ -61,6 +62,7 @@ struct ParticleSlamParams {
 /// common.
 class ParticleSlam2d : public Slam2d, public Slam2dOdometryUse {
  public:
+  /// Throws Error for parameters out of range.
   explicit ParticleSlam2d(const ParticleSlamParams& params = {});
   ~ParticleSlam2d() override;
 

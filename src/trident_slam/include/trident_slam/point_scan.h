@@ -15,6 +15,7 @@ struct SurfacePoint {
   Eigen::Vector2f p = Eigen::Vector2f::Zero();       ///< [m]
   Eigen::Vector2f normal = Eigen::Vector2f::Zero();  ///< length 1 or 0
 
+  /// False: too few neighbors for one.
   bool has_normal() const { return normal.x() != 0.0F || normal.y() != 0.0F; }
 };
 

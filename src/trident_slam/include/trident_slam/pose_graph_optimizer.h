@@ -20,9 +20,10 @@ enum class PoseGraphStart {
   kAuto,     ///< from whichever of these costs least
 };
 
+/// How PoseGraphOptimizer steps, starts and ends.
 struct PoseGraphOptions {
-  TrustStrategy strategy = TrustStrategy::kDogleg;
-  PoseGraphStart start = PoseGraphStart::kGraph;
+  TrustStrategy strategy = TrustStrategy::kDogleg;  ///< how steps are kept where the cost falls
+  PoseGraphStart start = PoseGraphStart::kGraph;  ///< see PoseGraphStart
   int max_iterations = 100;  ///< >= 1
   /// Converged when a step promises less than this part of the cost, > 0.
   double relative_tolerance = 1e-6;
@@ -50,15 +51,16 @@ constexpr double default_outlier_scale() {
   return PoseGraph<Group>::kDimension == 3 ? 4.033 : 4.739;
 }
 
+/// What an optimization did to the graph.
 struct PoseGraphReport {
   double chi2_before = 0.0;  ///< of the graph's poses, sum of e' Omega e without kernels
   double chi2_start = 0.0;   ///< after the start was chosen
-  double chi2_after = 0.0;
+  double chi2_after = 0.0;  ///< of the poses that the graph has now
   double cost_before = 0.0;  ///< with kernels
-  double cost_after = 0.0;
+  double cost_after = 0.0;   ///< with kernels, of those poses
   int iterations = 0;  ///< linear systems solved, rejected steps included
-  bool has_converged = false;
-  bool is_start_chordal = false;
+  bool has_converged = false;  ///< false: the iterations ran out
+  bool is_start_chordal = false;  ///< averaged rotations were the start that led here
   /// Where the search from the graph's own poses ended that was given up for one from averaged
   /// rotations; 0: none was.
   double chi2_given_up = 0.0;
@@ -75,6 +77,7 @@ class PoseGraphSolver {
   PoseGraphSolver(const PoseGraphSolver&) = delete;
   PoseGraphSolver& operator=(const PoseGraphSolver&) = delete;
   virtual ~PoseGraphSolver() = default;
+  /// Moves the vertices that are not fixed. Edges, kernels and structure stay.
   virtual PoseGraphReport optimize(PoseGraph<Group>& graph) = 0;
 };
 
@@ -89,6 +92,7 @@ class PoseGraphOptimizer : public PoseGraphSolver<Group> {
  public:
   using Covariance = typename PoseGraph<Group>::Information;
 
+  /// Throws Error as PoseGraphOptions::validate() does.
   explicit PoseGraphOptimizer(const PoseGraphOptions& options = {});
   ~PoseGraphOptimizer() override;
 

@@ -15,8 +15,8 @@ namespace trident::slam {
 
 /// A scan of a reference, and where its base was.
 struct PlacedPoints {
-  SE2 T_ref_base;
-  PointScan scan;
+  SE2 T_ref_base;  ///< at the scan's stamp
+  PointScan scan;  ///< in that base's frame
 };
 
 /// What a matcher answers. In addition to what MatchResult holds:
@@ -46,6 +46,7 @@ class ScanMatcher {
   void set_reference(const std::vector<PlacedPoints>& scans);
   /// Adds a scan to the reference.
   void add_to_reference(const SE2& T_ref_base, const PointScan& scan);
+  /// Nothing can be matched until there is a reference again.
   void clear_reference();
 
   /// `guess`: where to begin; `prior`: what is known of the pose, nothing by default. A guess or a
@@ -53,7 +54,7 @@ class ScanMatcher {
   /// in `problem`.
   ScanMatch match(const PointScan& scan, const SE2& guess, const PosePrior& prior = {}) const;
 
-  static constexpr std::size_t kMinPoints = 5;
+  static constexpr std::size_t kMinPoints = 5;  ///< fewer fix no pose
 
  private:
   /// The base class has seen to it that all is finite, and that there is enough of it.
@@ -66,11 +67,12 @@ class ScanMatcher {
   bool has_reference_ = false;
 };
 
+/// What all matchers of the registry can be made with.
 struct ScanMatcherOptions {
   /// Of `correlative` and `hybrid`: how far from the guess the pose is searched for without a
   /// prior [m], [rad].
   double search_distance = 0.5;
-  double search_heading = 0.35;
+  double search_heading = 0.35;  ///< [rad], see search_distance
   double search_resolution = 0.05;  ///< [m]
 };
 

@@ -13,7 +13,7 @@ namespace trident::slam {
 
 /// One scan with the odometry that was logged with it.
 struct ScanRecord {
-  LaserScan scan;
+  LaserScan scan;  ///< with readings at the range limit made infinite
   SE2 T_odom_base;  ///< at the scan's stamp
 };
 
@@ -24,14 +24,15 @@ void forget_readings_at_limit(LaserScan& scan);
 /// What was wrong with a log: all are counted, the first few are kept as text with file and line.
 class LogProblems {
  public:
-  static constexpr std::size_t kKept = 10;
+  static constexpr std::size_t kKept = 10;  ///< texts
 
+  /// Counts it; `text` is kept while fewer than kKept are.
   void add(std::string text) {
     ++count_;
     if (texts_.size() < kKept) texts_.push_back(std::move(text));
   }
-  std::size_t count() const { return count_; }
-  const std::vector<std::string>& texts() const { return texts_; }
+  std::size_t count() const { return count_; }  ///< all, kept or not
+  const std::vector<std::string>& texts() const { return texts_; }  ///< the first kKept
 
  private:
   std::size_t count_ = 0;
@@ -48,6 +49,7 @@ class ScanSource {
 
   /// False at the end of the log. A bad record is reported in `problems` and passed over.
   virtual bool next(ScanRecord& record) = 0;
+  /// Of the records read so far.
   virtual const LogProblems& problems() const = 0;
   /// Part of the log that is read, 0 .. 1; 0 where its length is unknown.
   virtual double progress() const = 0;

@@ -23,15 +23,15 @@ struct ScanPose2d {
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();  ///< of (x [m], y [m], yaw [rad])
   bool is_used = true;  ///< false: the scan had no usable return, the pose is odometry's
   std::string problem;  ///< empty, or one line on what was wrong with the scan
-  MotionBy motion_by = MotionBy::kOdometry;
+  MotionBy motion_by = MotionBy::kOdometry;  ///< source of the motion since the scan before
   /// By scans alone: they leave a direction open (a corridor), along which the covariance grows.
   bool is_open = false;
 };
 
 /// The pose of one scan, in the order in which scans came.
 struct StampedPose2d {
-  std::int64_t stamp_ns = 0;
-  SE2 T_map_base;
+  std::int64_t stamp_ns = 0;  ///< that of the scan, as it came
+  SE2 T_map_base;  ///< as known when it was asked for
 };
 
 /// One algorithm of simultaneous localisation and mapping with a planar laser scanner. No clock, no

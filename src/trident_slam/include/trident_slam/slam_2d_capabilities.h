@@ -71,7 +71,7 @@ class Slam2dOdometryUse {
 /// What was found out about the robot while it drove.
 struct CalibrationEstimate {
   const char* name = "";  ///< distance_scale, turn_scale, yaw_drift [rad/m], laser_x [m] ...
-  double value = 0.0;
+  double value = 0.0;  ///< mean, in the unit that the name implies
   double sigma = 0.0;        ///< standard deviation
   bool is_observed = false;  ///< false: the motions so far do not show it
 };
@@ -86,19 +86,20 @@ class Slam2dCalibrated {
 
 /// The nodes of a pose graph (the base when a keyframe was seen) and its edges, to be looked at.
 struct GraphView2d {
+  /// A measurement between two nodes.
   struct Edge {
-    int from = 0;
-    int to = 0;
+    int from = 0;  ///< index of a node
+    int to = 0;  ///< index of a node
     bool is_loop = false;  ///< not between successive nodes
   };
-  std::vector<SE2> nodes;
-  std::vector<Edge> edges;
+  std::vector<SE2> nodes;  ///< T_map_base
+  std::vector<Edge> edges;  ///< in the order in which they were added
 };
 
 /// A place that was seen again, as it was measured when that was believed.
 struct GraphLoop2d {
   std::size_t older = 0;  ///< scan, as `Slam2d::trajectory` counts them
-  std::size_t newer = 0;
+  std::size_t newer = 0;  ///< counted as `older`
   SE2 T_older_newer;      ///< between the base at these scans
   bool is_found = false;  ///< by the search for loops; false: the surfaces were never lost
 };
@@ -107,7 +108,9 @@ struct GraphLoop2d {
 class Slam2dGraph {
  public:
   virtual ~Slam2dGraph() = default;
+  /// A copy of the graph as it is now.
   virtual GraphView2d graph_view() const = 0;
+  /// All that are believed now, in the order in which they were found.
   virtual std::vector<GraphLoop2d> loops() const = 0;
   /// Writes the graph in g2o's format. Throws Error when the file cannot be written.
   virtual void save_g2o(const std::string& file) const = 0;

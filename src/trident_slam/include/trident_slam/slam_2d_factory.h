@@ -64,11 +64,13 @@ namespace factory_detail {
 
 /// An archive that lists the names of a struct's fields.
 struct FieldNames {
-  std::vector<std::string> names;
+  std::vector<std::string> names;  ///< in the order of visit()
+  /// Takes the name alone, whatever follows it.
   template <class... Rest>
   void field(const char* name, const Rest&... /*rest*/) {
     names.emplace_back(name);
   }
+  /// As field().
   template <class... Rest>
   void required(const char* name, const Rest&... /*rest*/) {
     names.emplace_back(name);

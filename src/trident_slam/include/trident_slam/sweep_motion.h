@@ -26,12 +26,13 @@ class YawRates {
   /// A rate that is not finite or above 100 rad/s, or not younger than the one before, is left out:
   /// false. A stamp that goes back by more than a second (a bag that is played again) starts again.
   bool add(std::int64_t stamp_ns, double yaw_rate);
-  void clear() { samples_.clear(); }
+  void clear() { samples_.clear(); }  ///< no rates are known
 
   /// Mean over a time, rates between samples interpolated. Nothing where the samples do not reach
   /// from its beginning to its end, or leave a gap of more than 0.1 s in it. A sample suffices
   /// for a time of no length.
   std::optional<double> mean(std::int64_t from_ns, std::int64_t to_ns) const;
+  /// Stamp of the newest rate; nothing before the first one.
   std::optional<std::int64_t> newest_ns() const;
 
  private:

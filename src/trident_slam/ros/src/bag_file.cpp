@@ -125,7 +125,7 @@ void BagFile::walk() {
     const bool is_index = record >= index_begin_ || last_op_ == kIndexData;
     if (at == file_size_ && index_begin_ != 0 && index_begin_ < file_size_ && is_index) return;
     leave_out(record, at < file_size_
-                          ? "no whole record; it goes on at offset " + std::to_string(at)
+                          ? "no whole record; reading continues at offset " + std::to_string(at)
                           : "no whole record, and nothing behind it");
   }
 }
@@ -306,7 +306,7 @@ BagFile::Span BagFile::data_of(const Message& message) {
 }
 
 void BagFile::leave_out(std::uint64_t at, const std::string& what) {
-  if (damage_.size() == kMaxReported) damage_.push_back("more damage is not told");
+  if (damage_.size() == kMaxReported) damage_.push_back("more damage is not reported");
   if (damage_.size() < kMaxReported) {
     damage_.push_back("damaged at offset " + std::to_string(at) + ": " + what);
   }

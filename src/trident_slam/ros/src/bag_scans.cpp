@@ -48,6 +48,7 @@ geometry_msgs::TransformStamped as_transform(const nav_msgs::Odometry& message) 
   return without_slashes(transform);
 }
 
+/// The wanted topic, else the usual one, else the only one of `topics`, which are all of `type`.
 std::string chosen_topic(const std::string& wanted, const std::string& usual, const Topics& topics,
                          const std::string& type) {
   const auto has = [&topics](const std::string& name) {
@@ -59,7 +60,10 @@ std::string chosen_topic(const std::string& wanted, const std::string& usual, co
   }
   if (!wanted.empty()) return wanted;
   if (has(usual)) return usual;
-  if (topics.size() > 1) throw Error("several topics of " + type + ": " + join(topics));
+  if (topics.size() > 1) {
+    throw Error("several topics of " + type + ": " + join(topics) +
+                "; give one (program: --scan or --odom)");
+  }
   return topics.empty() ? "" : topics.front();
 }
 
@@ -194,7 +198,8 @@ class BagScans::Impl {
       set_fixed(odom, base);
     }
     if (frames.count(laser) == 0 && laser != base) {
-      problems_.add(path_ + ": /tf does not tell where " + laser + " is: taken for " + base);
+      problems_.add(path_ + ": /tf has no transform to " + laser + ": its frame is taken to be " +
+                    base);
       set_fixed(base, laser);
     }
     return uses_tf;

@@ -165,7 +165,7 @@ class Toolbox {
     try {
       const SE2 T_map_base = maps::from_pose_message(message.pose.pose);
       node_.with_slam([&T_map_base](Slam2d& slam) {
-        able<PoseInitializable>(slam, "be told where the robot is").set_pose(T_map_base);
+        able<PoseInitializable>(slam, "accept an initial pose").set_pose(T_map_base);
       });
     } catch (const Error& error) {
       node_.report(std::string("initialpose: ") + error.what());

@@ -44,16 +44,19 @@ def models_in_the_world() -> list[Sphere]:
     try:
         rospy.wait_for_service("/gazebo/get_world_properties", _SERVICE_LIMIT_S)
         with _Simulator() as simulator:
-            names = simulator.world().model_names
-            if len(names) > _MAX_MODELS:
-                raise EvalError(f"{len(names)} models in the world, legal: up to {_MAX_MODELS}")
-            features = [name for name in names if not _NO_FEATURE.fullmatch(name.lower())]
-            found = [_sphere(simulator, name) for name in features]
+            found = _spheres(simulator)
     except (rospy.ROSException, rospy.ServiceException) as error:
         raise EvalError(f"no simulator: {error}") from error
-    return sorted(
-        (s for s in found if s is not None), key=lambda s: (not s.has_joints, not s.moves)
-    )
+    return sorted(found, key=lambda s: (not s.has_joints, not s.moves))
+
+
+def _spheres(simulator: _Simulator) -> list[Sphere]:
+    names = simulator.world().model_names
+    if len(names) > _MAX_MODELS:
+        raise EvalError(f"{len(names)} models in the world, legal: up to {_MAX_MODELS}")
+    features = [name for name in names if not _NO_FEATURE.fullmatch(name.lower())]
+    found = [_sphere(simulator, name) for name in features]
+    return [sphere for sphere in found if sphere is not None]
 
 
 class _Simulator:

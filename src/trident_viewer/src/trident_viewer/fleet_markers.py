@@ -64,10 +64,7 @@ class FleetMarkers:
                 self._paths.pop(gone)
                 self._gone.add(gone)
             for name, pose in zip(state.name, state.pose, strict=True):
-                path = self._paths.setdefault(name, [])
-                if not path or _distance(path[-1], pose.position) >= _PATH_STEP_M:
-                    path.append(pose.position)
-                    del path[:-_LONGEST_PATH]
+                _extend(self._paths.setdefault(name, []), pose.position)
 
     def markers(self) -> Any:
         """MarkerArray of the newest state; None if there is nothing new."""
@@ -99,6 +96,13 @@ class FleetMarkers:
         ]
 
 
+def _extend(path: list[Any], position: Any) -> None:
+    """Adds a point, once the vehicle has gone a step; the oldest ones go."""
+    if not path or _distance(path[-1], position) >= _PATH_STEP_M:
+        path.append(position)
+        del path[:-_LONGEST_PATH]
+
+
 def state_problem(state: Any) -> str:
     """What is wrong with a trident_msgs/FleetState, or ""."""
     problem = stamp_problem(state.header.stamp)
@@ -107,12 +111,17 @@ def state_problem(state: Any) -> str:
     if len(state.name) != len(state.pose):
         return f"{len(state.name)} names and {len(state.pose)} poses, legal: equally many"
     for name, pose in zip(state.name, state.pose, strict=True):
-        if not name.isprintable() or len(name) > _LONGEST_NAME:
-            return f"a vehicle's name is '{quoted(name)}', legal: up to {_LONGEST_NAME} letters"
-        problem = pose_problem(pose)
+        problem = _vehicle_problem(name, pose)
         if problem:
-            return f"{quoted(name)}: {problem}"
+            return problem
     return ""
+
+
+def _vehicle_problem(name: str, pose: Any) -> str:
+    if not name.isprintable() or len(name) > _LONGEST_NAME:
+        return f"a vehicle's name is '{quoted(name)}', legal: up to {_LONGEST_NAME} letters"
+    problem = pose_problem(pose)
+    return f"{quoted(name)}: {problem}" if problem else ""
 
 
 def _describe(name: str) -> list[Visual]:

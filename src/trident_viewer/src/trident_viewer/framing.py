@@ -199,18 +199,27 @@ def place_labels(
     """
     taken: list[tuple[int, int, int, int]] = []
     places: list[tuple[int, int] | None] = []
-    for (column, row), (width, height) in zip(anchors, sizes, strict=True):
-        if not (0 <= column < lens.width and 0 <= row < lens.height):
-            places.append(None)
-            continue
-        left = min(max(round(column - width / 2), 0), lens.width - width)
-        top = max(round(row) - height, 0)
-        while top >= 0 and any(_overlap((left, top, width, height), box) for box in taken):
-            top -= max(height // 2, 1)
-        places.append((left, top) if top >= 0 else None)
-        if top >= 0:
-            taken.append((left, top, width, height))
+    for (column, row), size in zip(anchors, sizes, strict=True):
+        is_seen = 0 <= column < lens.width and 0 <= row < lens.height
+        place = _free_place((column, row), size, lens, taken) if is_seen else None
+        places.append(place)
+        if place is not None:
+            taken.append((*place, *size))
     return places
+
+
+def _free_place(
+    anchor: tuple[float, float],
+    size: tuple[int, int],
+    lens: Lens,
+    taken: Sequence[tuple[int, int, int, int]],
+) -> tuple[int, int] | None:
+    (column, row), (width, height) = anchor, size
+    left = min(max(round(column - width / 2), 0), lens.width - width)
+    top = max(round(row) - height, 0)
+    while top >= 0 and any(_overlap((left, top, width, height), box) for box in taken):
+        top -= max(height // 2, 1)
+    return (left, top) if top >= 0 else None
 
 
 def _overlap(a: tuple[int, int, int, int], b: tuple[int, int, int, int]) -> bool:

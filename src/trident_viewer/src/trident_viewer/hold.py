@@ -130,7 +130,7 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument(
         "--viewer",
         action="store_true",
-        help="first wait for an rviz, which then sees the way there",
+        help="first wait for an rviz, which then sees the steps until then",
     )
     parser.add_argument(
         "--nodes",

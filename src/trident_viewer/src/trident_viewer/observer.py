@@ -135,7 +135,7 @@ def _check(options: argparse.Namespace) -> None:
         raise EvalError(f"--count {options.count}, legal: 1 or more")
     for name in ("every", "seconds", "limit"):
         value = getattr(options, name)
-        if not (math.isfinite(value) and value > 0.0):
+        if not 0.0 < value < math.inf:
             raise EvalError(f"--{name} {value:g} s, legal: more than 0")
 
 

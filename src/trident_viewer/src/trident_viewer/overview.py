@@ -129,8 +129,9 @@ def what_to_show(models: Sequence[Sphere]) -> list[Sphere]:
     """
     if not models:
         raise EvalError("the world is empty: there is nothing to be seen")
-    robots = [model for model in models if model.moves and model.has_joints]
-    shown = robots or [model for model in models if model.moves] or list(models)
+    moving = [model for model in models if model.moves]
+    robots = [model for model in moving if model.has_joints]
+    shown = robots or moving or list(models)
     middle = np.median([model.center for model in shown], axis=0)
     near = [model for model in shown if math.dist(model.center, middle) <= _LOST_M]
     return near or shown

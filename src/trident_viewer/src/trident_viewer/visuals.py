@@ -69,13 +69,19 @@ def rotation(roll: float, pitch: float, yaw: float) -> Array:
     )
 
 
-def _link_poses(robot: ElementTree.Element) -> dict[str, Array]:
-    """T_base_link of every link, joints at zero."""
+def _parents(robot: ElementTree.Element) -> dict[str, tuple[str, Array]]:
+    """Parent and T_parent_child of every link that has one, joints at zero."""
     up = {}
     for joint in robot.findall("joint"):
         parent, child = joint.find("parent"), joint.find("child")
         if parent is not None and child is not None:
             up[child.get("link", "")] = (parent.get("link", ""), _origin(joint))
+    return up
+
+
+def _link_poses(robot: ElementTree.Element) -> dict[str, Array]:
+    """T_base_link of every link, joints at zero."""
+    up = _parents(robot)
     poses = {}
     for link in robot.findall("link"):
         name = link.get("name", "")

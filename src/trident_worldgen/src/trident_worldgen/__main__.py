@@ -28,22 +28,31 @@ _KINDS: dict[str, tuple[type[Any], Callable[[Any], Files]]] = {
 }
 
 
-def main(arguments: list[str] | None = None) -> int:
-    """Write a world and what belongs to it.
-
-    Returns:
-        0: written; 2: not, and the reason has been reported.
-    """
+def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(prog="trident worldgen", description=__doc__)
     parser.add_argument("kind", choices=sorted(_KINDS))
     parser.add_argument("--seed", type=int, default=1, help="default 1")
     parser.add_argument("--length", type=float, metavar="M", help="along x")
     parser.add_argument("--width", type=float, metavar="M", help="along y")
     parser.add_argument("--out", type=Path, default=Path(), metavar="FOLDER", help="default: here")
-    options = parser.parse_args(arguments)
-    make_config, make = _KINDS[options.kind]
+    return parser
+
+
+def _sizes(options: argparse.Namespace) -> dict[str, float]:
+    """Those that were given, by name [m]."""
     given = {name: getattr(options, name) for name in ("length", "width")}
-    sizes = {name: value for name, value in given.items() if value is not None}
+    return {name: value for name, value in given.items() if value is not None}
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Write a world and what belongs to it.
+
+    Returns:
+        0: written; 2: not, and the reason has been reported.
+    """
+    options = _parser().parse_args(arguments)
+    make_config, make = _KINDS[options.kind]
+    sizes = _sizes(options)
     fields = {field.name for field in dataclasses.fields(make_config)}
     for name in sizes.keys() - fields:
         print(f"worldgen: --{name}: a {options.kind} has no such size", file=sys.stderr)
@@ -54,7 +63,7 @@ def main(arguments: list[str] | None = None) -> int:
         print(f"worldgen: {error}", file=sys.stderr)
         return 2
     world = next(file for file in files if file.suffix == ".world")
-    print(f"{world}" + (f" and {len(files) - 1} files beside it" if len(files) > 1 else ""))
+    print(f"{world}" + (f" and {len(files) - 1} files next to it" if len(files) > 1 else ""))
     return 0
 
 

@@ -11,8 +11,9 @@ import numpy as np
 
 from trident_worldgen.buoys import GREEN, RED, SKY, YELLOW, Buoy, place_text, sea_text
 from trident_worldgen.checks import require, require_count, require_seed
-from trident_worldgen.coast_parts import MODEL_CONFIG, MODEL_SDF, harbour, road
+from trident_worldgen.coast_parts import harbour, road
 from trident_worldgen.noise import Field, grain
+from trident_worldgen.parts import model_config, rock_model
 from trident_worldgen.placing import free_place
 from trident_worldgen.sdf import Color, Files, StaticModel, world_text
 from trident_worldgen.shapes import cone, rock
@@ -97,8 +98,8 @@ def coast(config: CoastConfig | None = None) -> Files:
             sky=SKY,
             more=more,
         ),
-        f"{_FOLDER}/model.config": MODEL_CONFIG,
-        f"{_FOLDER}/model.sdf": MODEL_SDF,
+        f"{_FOLDER}/model.config": model_config("coast_parts", "Terrain and meshes of the coast."),
+        f"{_FOLDER}/model.sdf": rock_model("coast_parts", "coast.world"),
         f"{_FOLDER}/terrain.png": ground.picture(),
         f"{_FOLDER}/meshes/cone.obj": cone(),
         f"{_FOLDER}/meshes/rock.obj": rock(_random(config, 0x50C4)),

@@ -72,35 +72,3 @@ def _buildings(quays: StaticModel, level: float, front_y: float) -> None:
     foot = (66.0, front_y + 4.0)
     quays.box("crane_tower", (1.6, 1.6, 12.0), (*foot, level + 6.0), _STEEL)
     quays.box("crane_arm", (1.0, 18.0, 1.0), (foot[0], foot[1] - 5.0, level + 12.5), _STEEL)
-
-
-MODEL_CONFIG = """<?xml version="1.0"?>
-<!-- SPDX-FileCopyrightText: 2026 The Trident authors -->
-<!-- SPDX-License-Identifier: Apache-2.0 -->
-<model>
-  <name>coast_parts</name>
-  <version>1.0</version>
-  <sdf version="1.6">model.sdf</sdf>
-  <author><name>The Trident authors</name></author>
-  <description>Terrain and meshes of the coast.</description>
-</model>
-"""
-MODEL_SDF = """<?xml version="1.0"?>
-<!-- SPDX-FileCopyrightText: 2026 The Trident authors -->
-<!-- SPDX-License-Identifier: Apache-2.0 -->
-<!-- Holds what coast.world is made of; a rock of its own. -->
-<sdf version="1.6">
-  <model name="coast_parts">
-    <static>true</static>
-    <link name="link">
-      <collision name="rock">
-        <geometry><mesh><uri>model://coast_parts/meshes/rock.obj</uri></mesh></geometry>
-      </collision>
-      <visual name="rock_visual">
-        <geometry><mesh><uri>model://coast_parts/meshes/rock.obj</uri></mesh></geometry>
-        <material><diffuse>0.45 0.44 0.42 1</diffuse></material>
-      </visual>
-    </link>
-  </model>
-</sdf>
-"""

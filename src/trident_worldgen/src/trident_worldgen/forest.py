@@ -10,6 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from trident_worldgen.checks import require, require_count, require_seed
+from trident_worldgen.parts import model_config, rock_model
 from trident_worldgen.placing import Range, free_place
 from trident_worldgen.sdf import Color, Files, StaticModel, world_text
 from trident_worldgen.shapes import cone, rock
@@ -105,8 +106,10 @@ def forest(config: ForestConfig | None = None) -> Files:
     )
     return {
         "forest.world": world_text(comment, [model], ground=False),
-        f"{_FOLDER}/model.config": _MODEL_CONFIG,
-        f"{_FOLDER}/model.sdf": _MODEL_SDF,
+        f"{_FOLDER}/model.config": model_config(
+            "forest_parts", "Terrain and meshes of the forest."
+        ),
+        f"{_FOLDER}/model.sdf": rock_model("forest_parts", "forest.world"),
         f"{_FOLDER}/terrain.png": ground.picture(),
         f"{_FOLDER}/meshes/cone.obj": cone(),
         f"{_FOLDER}/meshes/rock.obj": rock(_random(config, 0x50C4)),
@@ -176,35 +179,3 @@ def _rock(
     origin = (plant.x, plant.y, ground.height(plant.x, plant.y) + 0.2 * flat * plant.radius)
     scale = (plant.radius, plant.radius, flat * plant.radius)
     model.mesh(name, f"{_URI}/meshes/rock.obj", scale, origin, _STONE, yaw=yaw)
-
-
-_MODEL_CONFIG = """<?xml version="1.0"?>
-<!-- SPDX-FileCopyrightText: 2026 The Trident authors -->
-<!-- SPDX-License-Identifier: Apache-2.0 -->
-<model>
-  <name>forest_parts</name>
-  <version>1.0</version>
-  <sdf version="1.6">model.sdf</sdf>
-  <author><name>The Trident authors</name></author>
-  <description>Terrain and meshes of the forest.</description>
-</model>
-"""
-_MODEL_SDF = """<?xml version="1.0"?>
-<!-- SPDX-FileCopyrightText: 2026 The Trident authors -->
-<!-- SPDX-License-Identifier: Apache-2.0 -->
-<!-- Holds what forest.world is made of; a rock of its own. -->
-<sdf version="1.6">
-  <model name="forest_parts">
-    <static>true</static>
-    <link name="link">
-      <collision name="rock">
-        <geometry><mesh><uri>model://forest_parts/meshes/rock.obj</uri></mesh></geometry>
-      </collision>
-      <visual name="rock_visual">
-        <geometry><mesh><uri>model://forest_parts/meshes/rock.obj</uri></mesh></geometry>
-        <material><diffuse>0.45 0.44 0.42 1</diffuse></material>
-      </visual>
-    </link>
-  </model>
-</sdf>
-"""

@@ -13,6 +13,7 @@ from PIL import Image
 
 from trident_worldgen.checks import require, require_count, require_seed
 from trident_worldgen.noise import grain, png
+from trident_worldgen.parts import model_config
 from trident_worldgen.placing import free_place
 from trident_worldgen.sdf import Files, Picture, StaticModel, world_text
 
@@ -68,7 +69,9 @@ def hall(config: HallConfig | None = None) -> Files:
     random = np.random.default_rng([config.seed, 0x4A11])
     model = StaticModel("hall")
     files: Files = {
-        "models/hall_pictures/model.config": _MODEL_CONFIG,
+        "models/hall_pictures/model.config": model_config(
+            "hall_pictures", "The pictures of the hall."
+        ),
         "models/hall_pictures/model.sdf": _MODEL_SDF,
         f"{_FOLDER}/floor.png": _png(_tiles(random), 32),
         f"{_FOLDER}/wall.png": _png(_plaster(random), 16),
@@ -174,13 +177,23 @@ def _crates(model: StaticModel, config: HallConfig, random: np.random.Generator)
         place = free_place(random, x_range, y_range, is_free, _TRIES)
         if place is None:
             continue
-        x, y = place
         taken.append(place)
-        yaw = float(random.uniform(0.0, math.pi / 2))
-        for level in range(int(random.integers(1, 3))):
-            size = (_CRATE_M, _CRATE_M, _CRATE_M)
-            center = (x, y, (level + 0.5) * _CRATE_M)
-            model.box(f"crate{index}_{level}", size, center, look, yaw=yaw + 0.3 * level)
+        _stack(model, f"crate{index}", place, look, random)
+
+
+def _stack(
+    model: StaticModel,
+    name: str,
+    place: tuple[float, float],
+    look: Picture,
+    random: np.random.Generator,
+) -> None:
+    """One crate or two, the upper one turned a little."""
+    yaw = float(random.uniform(0.0, math.pi / 2))
+    for level in range(int(random.integers(1, 3))):
+        size = (_CRATE_M, _CRATE_M, _CRATE_M)
+        center = (*place, (level + 0.5) * _CRATE_M)
+        model.box(f"{name}_{level}", size, center, look, yaw=yaw + 0.3 * level)
 
 
 def _png(pixels: Pixels, colors: int) -> bytes:
@@ -260,17 +273,6 @@ def _poster(random: np.random.Generator) -> Pixels:
     return pixels
 
 
-_MODEL_CONFIG = """<?xml version="1.0"?>
-<!-- SPDX-FileCopyrightText: 2026 The Trident authors -->
-<!-- SPDX-License-Identifier: Apache-2.0 -->
-<model>
-  <name>hall_pictures</name>
-  <version>1.0</version>
-  <sdf version="1.6">model.sdf</sdf>
-  <author><name>The Trident authors</name></author>
-  <description>The pictures of the hall.</description>
-</model>
-"""
 _MODEL_SDF = """<?xml version="1.0"?>
 <!-- SPDX-FileCopyrightText: 2026 The Trident authors -->
 <!-- SPDX-License-Identifier: Apache-2.0 -->

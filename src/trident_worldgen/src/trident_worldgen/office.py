@@ -195,9 +195,15 @@ def _furnish(
     for number in range(int(random.integers(1, 3))):
         place = _free_place(room, 0.55, taken, config, random)
         if place is not None:
-            size = _CABINET if random.integers(0, 2) else (_CABINET[1], _CABINET[0], _CABINET[2])
-            center = (*place, size[2] / 2)
-            model.box(f"{name}_cabinet{number}", size, center, CABINET)
+            _cabinet(model, f"{name}_cabinet{number}", place, random)
+
+
+def _cabinet(
+    model: StaticModel, name: str, place: tuple[float, float], random: np.random.Generator
+) -> None:
+    """Along x or y, by chance."""
+    size = _CABINET if random.integers(0, 2) else (_CABINET[1], _CABINET[0], _CABINET[2])
+    model.box(name, size, (*place, size[2] / 2), CABINET)
 
 
 def _free_place(

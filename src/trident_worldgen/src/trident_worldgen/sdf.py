@@ -10,7 +10,7 @@ from pathlib import Path
 
 from trident_sim import Error
 
-_LICENCE = (
+LICENCE = (
     "<!-- SPDX-FileCopyrightText: 2026 The Trident authors -->\n"
     "<!-- SPDX-License-Identifier: Apache-2.0 -->\n"
 )
@@ -190,7 +190,7 @@ def world_text(
     body = "\n".join(model.text() for model in models) + more
     plane = _GROUND_PLANE if ground else ""
     return f"""<?xml version="1.0"?>
-{_LICENCE}<!-- {comment} -->
+{LICENCE}<!-- {comment} -->
 <sdf version="1.6">
   <world name="{name}">
 {plane}    <include>

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from itertools import combinations
 
 import numpy as np
 import numpy.typing as npt
@@ -37,19 +38,23 @@ def rock(random: np.random.Generator) -> str:
     return _obj(vertices * radii[:, None], triangles)
 
 
-def _ball() -> tuple[Vertices, list[Triangle]]:
-    """An icosahedron whose 20 sides are divided into 4 each: 42 vertices at radius 1."""
+def _icosahedron_points() -> list[Vertices]:
+    """Its 12 vertices at radius 1, each of shape (3,)."""
     golden = (1.0 + math.sqrt(5.0)) / 2.0
     corners = [(s, t * golden, 0.0) for s in (-1.0, 1.0) for t in (-1.0, 1.0)]
     points = [np.roll(corner, shift) for shift in range(3) for corner in corners]
-    points = [point / np.linalg.norm(point) for point in points]
-    sides = [
-        (a, b, c)
-        for a in range(12)
-        for b in range(a + 1, 12)
-        for c in range(b + 1, 12)
-        if max(math.dist(points[i], points[j]) for i, j in ((a, b), (b, c), (c, a))) < 1.1
-    ]
+    return [point / np.linalg.norm(point) for point in points]
+
+
+def _are_neighbors(points: list[Vertices], side: Triangle) -> bool:
+    """Whether each two of three vertices of an icosahedron share an edge, 1.05 long."""
+    return all(math.dist(points[i], points[j]) < 1.1 for i, j in combinations(side, 2))
+
+
+def _ball() -> tuple[Vertices, list[Triangle]]:
+    """An icosahedron whose 20 sides are divided into 4 each: 42 vertices at radius 1."""
+    points = _icosahedron_points()
+    sides = [side for side in combinations(range(12), 3) if _are_neighbors(points, side)]
     middles: dict[tuple[int, int], int] = {}
 
     def middle(i: int, j: int) -> int:

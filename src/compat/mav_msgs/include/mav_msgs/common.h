@@ -18,8 +18,9 @@
 /// Quaternions are Hamilton and rotate from the second frame of their name to the first.
 namespace mav_msgs {
 
+/// Within which a matrix counts as a rotation or as skew-symmetric.
 const double kSmallValueCheck = 1e-6;
-const double kNumNanosecondsPerSecond = 1e9;
+const double kNumNanosecondsPerSecond = 1e9;  ///< a double, so that quotients keep fractions
 
 /// Gravity [m/s^2] at a height [m] and latitude [rad]: the 1967 international gravity formula
 /// with the free-air correction.
@@ -29,10 +30,12 @@ inline double MagnitudeOfGravity(const double height, const double latitude_radi
   return 9.780327 * (1.0 + 0.0053024 * s1 * s1 - 0.0000058 * s2 * s2 - 3.155e-7 * height);
 }
 
+/// In the order x, y, z; nothing is checked.
 inline Eigen::Vector3d vector3FromMsg(const geometry_msgs::Vector3& msg) {
   return {msg.x, msg.y, msg.z};
 }
 
+/// The same of a point.
 inline Eigen::Vector3d vector3FromPointMsg(const geometry_msgs::Point& msg) {
   return {msg.x, msg.y, msg.z};
 }
@@ -44,6 +47,7 @@ inline Eigen::Quaterniond quaternionFromMsg(const geometry_msgs::Quaternion& msg
   return q.normalized();
 }
 
+/// `msg` must not be nullptr, here and below.
 inline void vectorEigenToMsg(const Eigen::Vector3d& eigen, geometry_msgs::Vector3* msg) {
   assert(msg != nullptr);
   msg->x = eigen.x();
@@ -51,6 +55,7 @@ inline void vectorEigenToMsg(const Eigen::Vector3d& eigen, geometry_msgs::Vector
   msg->z = eigen.z();
 }
 
+/// The same into a point.
 inline void pointEigenToMsg(const Eigen::Vector3d& eigen, geometry_msgs::Point* msg) {
   assert(msg != nullptr);
   msg->x = eigen.x();
@@ -58,6 +63,7 @@ inline void pointEigenToMsg(const Eigen::Vector3d& eigen, geometry_msgs::Point* 
   msg->z = eigen.z();
 }
 
+/// As it is, without normalizing it.
 inline void quaternionEigenToMsg(const Eigen::Quaterniond& eigen, geometry_msgs::Quaternion* msg) {
   assert(msg != nullptr);
   msg->w = eigen.w();
@@ -72,6 +78,7 @@ inline double yawFromQuaternion(const Eigen::Quaterniond& q) {
                     1.0 - 2.0 * (q.y() * q.y() + q.z() * q.z()));
 }
 
+/// A rotation by `yaw` [rad] about z.
 inline Eigen::Quaterniond quaternionFromYaw(double yaw) {
   return Eigen::Quaterniond(Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()));
 }
@@ -88,10 +95,12 @@ inline void getEulerAnglesFromQuaternion(const Eigen::Quaternion<double>& q,
   euler_angles->z() = yawFromQuaternion(q);
 }
 
+/// The same into a message.
 inline void setQuaternionMsgFromYaw(double yaw, geometry_msgs::Quaternion* msg) {
   quaternionEigenToMsg(quaternionFromYaw(yaw), msg);
 }
 
+/// `yaw_rate` [rad/s] about z; x and y become zero.
 inline void setAngularVelocityMsgFromYawRate(double yaw_rate, geometry_msgs::Vector3* msg) {
   vectorEigenToMsg(yaw_rate * Eigen::Vector3d::UnitZ(), msg);
 }
@@ -188,10 +197,12 @@ inline void getSquaredRotorSpeedsFromAllocationAndState(
   *rotor_rates_squared = allocation_inv * wrench;
 }
 
+/// Exact up to 2^53 ns, about 104 days; epochs are rounded.
 inline double nanosecondsToSeconds(int64_t nanoseconds) {
   return static_cast<double>(nanoseconds) / kNumNanosecondsPerSecond;
 }
 
+/// Cuts fractions of a nanosecond off towards zero, as upstream does.
 inline int64_t secondsToNanoseconds(double seconds) {
   return static_cast<int64_t>(seconds * kNumNanosecondsPerSecond);
 }

@@ -39,6 +39,7 @@ inline void clearDerivatives(EigenTrajectoryPoint* point) {
 
 }  // namespace internal
 
+/// Quaternions are normalized as quaternionFromMsg() does, here and below.
 inline void eigenAttitudeThrustFromMsg(const AttitudeThrust& msg,
                                        EigenAttitudeThrust* attitude_thrust) {
   assert(attitude_thrust != nullptr);
@@ -46,6 +47,7 @@ inline void eigenAttitudeThrustFromMsg(const AttitudeThrust& msg,
   attitude_thrust->thrust = vector3FromMsg(msg.thrust);
 }
 
+/// Vectors get the lengths of the message's arrays.
 inline void eigenActuatorsFromMsg(const Actuators& msg, EigenActuators* actuators) {
   assert(actuators != nullptr);
   actuators->angles = internal::vectorFromArray(msg.angles);
@@ -53,18 +55,21 @@ inline void eigenActuatorsFromMsg(const Actuators& msg, EigenActuators* actuator
   actuators->normalized = internal::vectorFromArray(msg.normalized);
 }
 
+/// Nothing is checked.
 inline void eigenRateThrustFromMsg(const RateThrust& msg, EigenRateThrust* rate_thrust) {
   assert(rate_thrust != nullptr);
   rate_thrust->angular_rates = vector3FromMsg(msg.angular_rates);
   rate_thrust->thrust = vector3FromMsg(msg.thrust);
 }
 
+/// Nothing is checked.
 inline void eigenTorqueThrustFromMsg(const TorqueThrust& msg, EigenTorqueThrust* torque_thrust) {
   assert(torque_thrust != nullptr);
   torque_thrust->torque = vector3FromMsg(msg.torque);
   torque_thrust->thrust = vector3FromMsg(msg.thrust);
 }
 
+/// Nothing is checked.
 inline void eigenRollPitchYawrateThrustFromMsg(
     const RollPitchYawrateThrust& msg, EigenRollPitchYawrateThrust* roll_pitch_yawrate_thrust) {
   assert(roll_pitch_yawrate_thrust != nullptr);
@@ -72,6 +77,7 @@ inline void eigenRollPitchYawrateThrustFromMsg(
       EigenRollPitchYawrateThrust(msg.roll, msg.pitch, msg.yaw_rate, vector3FromMsg(msg.thrust));
 }
 
+/// Frames are not looked at: the pose is taken for one in the world, the twist for one in the body.
 inline void eigenOdometryFromMsg(const nav_msgs::Odometry& msg, EigenOdometry* odometry) {
   assert(odometry != nullptr);
   using RowMajor6 = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
@@ -84,6 +90,7 @@ inline void eigenOdometryFromMsg(const nav_msgs::Odometry& msg, EigenOdometry* o
   odometry->twist_covariance_ = Eigen::Map<const RowMajor6>(msg.twist.covariance.data());
 }
 
+/// A point at rest; time_from_start_ns is left as it is.
 inline void eigenTrajectoryPointFromTransformMsg(const geometry_msgs::TransformStamped& msg,
                                                  EigenTrajectoryPoint* trajectory_point) {
   assert(trajectory_point != nullptr);
@@ -102,6 +109,7 @@ inline void eigenTrajectoryPointFromPoseMsg(const geometry_msgs::Pose& msg,
   trajectory_point->orientation_W_B = quaternionFromMsg(msg.orientation);
 }
 
+/// A point at rest; time_from_start_ns is left as it is.
 inline void eigenTrajectoryPointFromPoseMsg(const geometry_msgs::PoseStamped& msg,
                                             EigenTrajectoryPoint* trajectory_point) {
   eigenTrajectoryPointFromPoseMsg(msg.pose, trajectory_point);
@@ -148,11 +156,13 @@ void pointsFromMsg(const trajectory_msgs::MultiDOFJointTrajectory& msg, Containe
 
 }  // namespace internal
 
+/// Replaces the trajectory; a point without a transform becomes a default one.
 inline void eigenTrajectoryPointVectorFromMsg(const trajectory_msgs::MultiDOFJointTrajectory& msg,
                                               EigenTrajectoryPointVector* trajectory) {
   internal::pointsFromMsg(msg, trajectory);
 }
 
+/// The same into a deque.
 inline void eigenTrajectoryPointDequeFromMsg(const trajectory_msgs::MultiDOFJointTrajectory& msg,
                                              EigenTrajectoryPointDeque* trajectory) {
   internal::pointsFromMsg(msg, trajectory);

@@ -29,6 +29,7 @@ inline std::vector<double> arrayFromVector(const Eigen::VectorXd& values) {
 
 }  // namespace internal
 
+/// Arrays get the lengths of the vectors.
 inline void msgActuatorsFromEigen(const EigenActuators& actuators, Actuators* msg) {
   assert(msg != nullptr);
   msg->angles = internal::arrayFromVector(actuators.angles);
@@ -36,6 +37,7 @@ inline void msgActuatorsFromEigen(const EigenActuators& actuators, Actuators* ms
   msg->normalized = internal::arrayFromVector(actuators.normalized);
 }
 
+/// The quaternion is written as it is, here and below.
 inline void msgAttitudeThrustFromEigen(const EigenAttitudeThrust& attitude_thrust,
                                        AttitudeThrust* msg) {
   assert(msg != nullptr);
@@ -43,18 +45,21 @@ inline void msgAttitudeThrustFromEigen(const EigenAttitudeThrust& attitude_thrus
   vectorEigenToMsg(attitude_thrust.thrust, &msg->thrust);
 }
 
+/// Nothing is checked.
 inline void msgRateThrustFromEigen(const EigenRateThrust& rate_thrust, RateThrust* msg) {
   assert(msg != nullptr);
   vectorEigenToMsg(rate_thrust.angular_rates, &msg->angular_rates);
   vectorEigenToMsg(rate_thrust.thrust, &msg->thrust);
 }
 
+/// Nothing is checked.
 inline void msgTorqueThrustFromEigen(const EigenTorqueThrust& torque_thrust, TorqueThrust* msg) {
   assert(msg != nullptr);
   vectorEigenToMsg(torque_thrust.torque, &msg->torque);
   vectorEigenToMsg(torque_thrust.thrust, &msg->thrust);
 }
 
+/// Nothing is checked.
 inline void msgRollPitchYawrateThrustFromEigen(
     const EigenRollPitchYawrateThrust& roll_pitch_yawrate_thrust, RollPitchYawrateThrust* msg) {
   assert(msg != nullptr);
@@ -87,6 +92,7 @@ inline void msgPoseStampedFromEigenTrajectoryPoint(const EigenTrajectoryPoint& t
   quaternionEigenToMsg(trajectory_point.orientation_W_B, &msg->pose.orientation);
 }
 
+/// One transform, velocity and acceleration. The message has no place for jerk and snap.
 inline void msgMultiDofJointTrajectoryPointFromEigen(
     const EigenTrajectoryPoint& trajectory_point,
     trajectory_msgs::MultiDOFJointTrajectoryPoint* msg) {
@@ -123,34 +129,41 @@ void msgFromPoints(const Container& trajectory, const std::string& link_name,
 
 }  // namespace internal
 
+/// Replaces joint names and points. An empty trajectory is an error in the log, and changes
+/// nothing.
 inline void msgMultiDofJointTrajectoryFromEigen(const EigenTrajectoryPointVector& trajectory,
                                                 const std::string& link_name,
                                                 trajectory_msgs::MultiDOFJointTrajectory* msg) {
   internal::msgFromPoints(trajectory, link_name, msg);
 }
 
+/// The same for the joint "base_link".
 inline void msgMultiDofJointTrajectoryFromEigen(const EigenTrajectoryPointVector& trajectory,
                                                 trajectory_msgs::MultiDOFJointTrajectory* msg) {
   internal::msgFromPoints(trajectory, "base_link", msg);
 }
 
+/// The same of a deque.
 inline void msgMultiDofJointTrajectoryFromEigen(const EigenTrajectoryPointDeque& trajectory,
                                                 const std::string& link_name,
                                                 trajectory_msgs::MultiDOFJointTrajectory* msg) {
   internal::msgFromPoints(trajectory, link_name, msg);
 }
 
+/// The same of a deque for the joint "base_link".
 inline void msgMultiDofJointTrajectoryFromEigen(const EigenTrajectoryPointDeque& trajectory,
                                                 trajectory_msgs::MultiDOFJointTrajectory* msg) {
   internal::msgFromPoints(trajectory, "base_link", msg);
 }
 
+/// A trajectory of one point.
 inline void msgMultiDofJointTrajectoryFromEigen(const EigenTrajectoryPoint& trajectory_point,
                                                 const std::string& link_name,
                                                 trajectory_msgs::MultiDOFJointTrajectory* msg) {
   internal::msgFromPoints(EigenTrajectoryPointVector{trajectory_point}, link_name, msg);
 }
 
+/// A trajectory of one point for the joint "base_link".
 inline void msgMultiDofJointTrajectoryFromEigen(const EigenTrajectoryPoint& trajectory_point,
                                                 trajectory_msgs::MultiDOFJointTrajectory* msg) {
   msgMultiDofJointTrajectoryFromEigen(trajectory_point, "base_link", msg);

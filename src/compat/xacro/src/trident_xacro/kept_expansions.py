@@ -66,13 +66,14 @@ def _path_of(call: dict[str, Any]) -> str:
 
 
 def _is_current(kept: dict[str, Any], find_package: Callable[[str], str]) -> bool:
-    return (
-        all(os.environ.get(name) == value for name, value in kept["environment"].items())
-        and all(_signature(path) == value for path, value in kept["code"].items())
-        and all(_origin(name) == value for name, value in kept["origins"].items())
-        and all(_read(path) == value for path, value in kept["files"].items())
-        and all(find_package(name) == value for name, value in kept["packages"].items())
+    checks: tuple[tuple[Callable[[str], Any], str], ...] = (
+        (os.environ.get, "environment"),
+        (_signature, "code"),
+        (_origin, "origins"),
+        (_read, "files"),
+        (find_package, "packages"),
     )
+    return all(now(name) == was for now, key in checks for name, was in kept[key].items())
 
 
 def look_up(call: dict[str, Any], find_package: Callable[[str], str]) -> str | None:
@@ -84,6 +85,13 @@ def look_up(call: dict[str, Any], find_package: Callable[[str], str]) -> str | N
     except Exception:  # nothing kept, damaged, or a file or package is gone: expand
         return None
     return None
+
+
+def _imported_code() -> list[str]:
+    """Files of those modules that are loaded and belong to an expansion."""
+    modules = [module for name, module in sys.modules.items() if name.split(".")[0] in _IMPORTED]
+    files = [getattr(module, "__file__", None) for module in modules]
+    return [file for file in files if file]
 
 
 class Recorder:
@@ -135,14 +143,9 @@ class Recorder:
         """Keeps the output of an expansion that has succeeded."""
         if not self._may_be_kept:
             return
-        code = [
-            module.__file__
-            for name, module in sys.modules.items()
-            if name.split(".")[0] in _IMPORTED and getattr(module, "__file__", None)
-        ]
         kept = {
             "call": self._call,
-            "code": {path: _signature(path) for path in [*code, __file__] if path},
+            "code": {path: _signature(path) for path in [*_imported_code(), __file__]},
             "origins": {name: _origin(name) for name in _IMPORTED},
             "files": self._files,
             "packages": self._packages,

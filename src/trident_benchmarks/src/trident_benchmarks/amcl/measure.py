@@ -78,11 +78,15 @@ def summarize(trials: Sequence[kidnap.Trial]) -> dict[str, Any]:
         "trials": len(trials),
         "recovered": len(recovered),
         "recovered_share": len(recovered) / len(trials),
-        "recovered_s_median": float(np.median(times)) if times else None,
-        "recovered_s_max": max(times) if times else None,
-        "error_m_median": float(np.median([t.error_m for t in recovered])) if recovered else None,
+        "recovered_s_median": _median(times),
+        "recovered_s_max": max(times, default=None),
+        "error_m_median": _median([trial.error_m for trial in recovered]),
         "lost": [f"seed {t.seed} at {t.carried_s:g} s" for t in trials if not t.is_recovered],
     }
+
+
+def _median(values: Sequence[float]) -> float | None:
+    return float(np.median(values)) if values else None
 
 
 def markdown_table(updates: dict[str, float], kidnaps: dict[str, Any]) -> str:

@@ -15,7 +15,7 @@ import os
 import statistics
 import subprocess
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -78,6 +78,22 @@ def run_gtsam(python: str, file: Path, method: str) -> dict[str, Any]:
     return result
 
 
+def _by_turns(
+    contestants: dict[str, Callable[[], dict[str, Any]]], runs: int
+) -> dict[str, list[dict[str, Any]]]:
+    """Results of each contestant; one that has failed is not called again."""
+    results: dict[str, list[dict[str, Any]]] = {name: [] for name in contestants}
+    for _ in range(runs):
+        for name, run in contestants.items():
+            if not _has_failed(results[name]):
+                results[name].append(run())
+    return results
+
+
+def _has_failed(results: Iterable[dict[str, Any]]) -> bool:
+    return any("error" in result for result in results)
+
+
 def measure_file(file: Path, runs: int, python: str | None) -> dict[str, Any]:
     """The row of one file: all contestants by turns, medians of their times.
 
@@ -89,11 +105,7 @@ def measure_file(file: Path, runs: int, python: str | None) -> dict[str, Any]:
     }
     for method in GTSAM_METHODS if python else ():
         contestants[method] = partial(run_gtsam, str(python), file, method)
-    results: dict[str, list[dict[str, Any]]] = {name: [] for name in contestants}
-    for _ in range(runs):
-        for name, run in contestants.items():
-            if not any("error" in result for result in results[name]):
-                results[name].append(run())
+    results = _by_turns(contestants, runs)
     name = file.name.removesuffix(".gz").removesuffix(".g2o")
     ours = results.pop("ours")
     row: dict[str, Any] = {
@@ -117,19 +129,24 @@ def measure_growing(file: Path, runs: int, python: str | None) -> dict[str, Any]
     theirs: list[dict[str, Any]] = []
     for _ in range(runs):
         ours.append(optimize(file, ["--incremental"], one_core()))
-        if python and not any("error" in result for result in theirs):
+        if python and not _has_failed(theirs):
             theirs.append(run_gtsam(python, file, INCREMENTAL))
     row: dict[str, Any] = {
         "name": file.name.removesuffix(".gz").removesuffix(".g2o"),
         "ours": summary(ours),
         INCREMENTAL: summary(theirs) if theirs else None,
     }
+    return row | _growing_judgement(row)
+
+
+def _growing_judgement(row: dict[str, Any]) -> dict[str, Any]:
+    """Our share of the other's time, and whether that and chi2 are good."""
     other = row[INCREMENTAL]
     if other is None or "error" in other:
-        return row | {"share": None, "is_good": True}
+        return {"share": None, "is_good": True}
     share = row["ours"]["cpu_s"] / other["cpu_s"]
     is_equal = row["ours"]["chi2"] <= other["chi2"] * (1.0 + TOLERANCE)
-    return row | {"share": share, "is_good": is_equal and share <= MAX_RATIO_TO_ISAM2}
+    return {"share": share, "is_good": is_equal and share <= MAX_RATIO_TO_ISAM2}
 
 
 def growing_table(rows: list[dict[str, Any]]) -> str:
@@ -243,15 +260,13 @@ def measure(options: argparse.Namespace) -> int:
     python = gtsam_python(options.gtsam_python)
     if python is None:
         print("GTSAM is not installed: .venv/bin/pip install -r tools/requirements-bench.txt")
+    runs = 1 if options.quick else max(1, options.runs)
     rows = []
     for file in files:
-        rows.append(measure_file(file, 1 if options.quick else max(1, options.runs), python))
+        rows.append(measure_file(file, runs, python))
         print(f"{rows[-1]['name']}: done", file=sys.stderr, flush=True)
-    growing = [
-        measure_growing(file, 1 if options.quick else max(1, options.runs), python)
-        for file in files
-        if options.files or file.name.partition(".")[0] in GROWING
-    ]
+    grown = files if options.files else [file for file in files if _is_grown(file)]
+    growing = [measure_growing(file, runs, python) for file in grown]
     print(table(rows))
     print(growing_table(growing))
     print(
@@ -262,5 +277,13 @@ def measure(options: argparse.Namespace) -> int:
         options.out.write_text(
             json.dumps({"rows": rows, "growing": growing}, indent=1) + "\n", encoding="utf-8"
         )
-    is_good = all(row["is_chi2_best"] and (row["speed_up"] or 1.0) >= 1.0 for row in rows)
-    return 0 if is_good and all(row["is_good"] for row in growing) else 1
+    return 0 if all(map(_is_good, rows)) and all(row["is_good"] for row in growing) else 1
+
+
+def _is_grown(file: Path) -> bool:
+    """Whether its vertices are added one after the other, too."""
+    return file.name.partition(".")[0] in GROWING
+
+
+def _is_good(row: dict[str, Any]) -> bool:
+    return bool(row["is_chi2_best"]) and (row["speed_up"] or 1.0) >= 1.0

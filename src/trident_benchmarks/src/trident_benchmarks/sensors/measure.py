@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import argparse
+from collections.abc import Sequence
 from typing import Any
 
 from trident_eval.core.errors import EvalError
@@ -28,10 +29,7 @@ _TOGETHER = coast.CASES[0]
 
 def measure(options: argparse.Namespace) -> int:
     """All rows that were asked for; the exit code."""
-    cases = [case for case in ray_sensors.CASES if not options.mode or case.name in options.mode]
-    known = [*(case.name for case in ray_sensors.CASES), _TOGETHER.name]
-    if unknown := sorted(set(options.mode) - set(known)):
-        raise EvalError(f"mode {unknown[0]!r} is unknown; legal: {', '.join(known)}")
+    cases = _cases(options.mode)
     check_folder(options.out)
     document = new_document() | {"gazebo": ray_sensors.GAZEBO, "rows": []}
     measure_cases(ray_sensors, cases, options, document)
@@ -39,13 +37,25 @@ def measure(options: argparse.Namespace) -> int:
     if options.out:
         say(f"written: {options.out}")
     else:
-        print(ray_sensors.markdown_table(document["rows"]))
-        if together:
-            print(f"\n{coast.markdown_table([together])}")
-        print(f"\n{caption(document)}")
-    is_sound = not together or coast.is_sound(together)
-    failed = any("error" in row for row in document["rows"])
-    return FAILED if failed or not is_sound else MEASURED
+        _print(document, together)
+    if together and not coast.is_sound(together):
+        return FAILED
+    return FAILED if any("error" in row for row in document["rows"]) else MEASURED
+
+
+def _print(document: dict[str, Any], together: dict[str, Any] | None) -> None:
+    print(ray_sensors.markdown_table(document["rows"]))
+    if together:
+        print(f"\n{coast.markdown_table([together])}")
+    print(f"\n{caption(document)}")
+
+
+def _cases(modes: Sequence[str]) -> list[ray_sensors.Case]:
+    """Those of the given modes; of none: all."""
+    known = [*(case.name for case in ray_sensors.CASES), _TOGETHER.name]
+    if unknown := sorted(set(modes) - set(known)):
+        raise EvalError(f"mode {unknown[0]!r} is unknown; legal: {', '.join(known)}")
+    return [case for case in ray_sensors.CASES if not modes or case.name in modes]
 
 
 def _measure_together(options: argparse.Namespace, document: dict[str, Any]) -> dict[str, Any]:

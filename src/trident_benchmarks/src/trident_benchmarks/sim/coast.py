@@ -129,8 +129,8 @@ def measure(case: Case, runs: int, quick: bool, threads: int = 2) -> dict[str, A
     }
 
 
-def _run(case: Case, sim_s: float, threads: int) -> dict[str, Any]:
-    world = make_world(case, threads)
+def _subscribed(world: Any, case: Case) -> list[Any]:
+    """Ports of all sensors that are listened to."""
     ports = [
         world.ports[f"{name}/{topic}"]
         for kind, name in case.names
@@ -139,6 +139,12 @@ def _run(case: Case, sim_s: float, threads: int) -> dict[str, Any]:
     ]
     for port in ports:
         port.subscribe()
+    return ports
+
+
+def _run(case: Case, sim_s: float, threads: int) -> dict[str, Any]:
+    world = make_world(case, threads)
+    ports = _subscribed(world, case)
     world.step(round(_WARM_UP_S / world.dt))
     before = [port.count for port in ports]
     steps = round(sim_s / world.dt)

@@ -92,11 +92,15 @@ def measure(options: argparse.Namespace) -> int:
         write_document(options.out, document)  # what has been measured is kept, whatever comes
     document["same_flight"] = {str(n): same for n, same in same_flight(document["rows"]).items()}
     write_document(options.out, document)
+    _show(document, options)
+    return FAILED if any("error" in row for row in document["rows"]) else MEASURED
+
+
+def _show(document: dict[str, Any], options: argparse.Namespace) -> None:
     if options.out:
         say(f"written: {options.out}")
     if options.markdown or not options.out:
         print_tables(document, options.profile)
-    return FAILED if any("error" in row for row in document["rows"]) else MEASURED
 
 
 def _coast(options: argparse.Namespace) -> int:

@@ -56,6 +56,14 @@ class Plan:
     window_s: float
 
 
+_SIZES = {
+    "in_process": (1, 6, 24, 100),
+    "lockstep_nodelet": (1, 6, 24),
+    "lockstep_external": (1, 6, 24),
+}
+_LAUNCHES = ("startup", "main_job", "tutorial_full")
+
+
 def plan_rows(quick: bool, modes: Sequence[str] = (), runs: int | None = None) -> list[Plan]:
     """The rows of a benchmark, in the order in which they are measured.
 
@@ -67,25 +75,30 @@ def plan_rows(quick: bool, modes: Sequence[str] = (), runs: int | None = None) -
     Raises:
         EvalError: a mode is unknown.
     """
-    sizes = {
-        "in_process": (1, 6, 24, 100),
-        "lockstep_nodelet": (1, 6, 24),
-        "lockstep_external": (1, 6, 24),
-    }
-    launches = ("startup", "main_job", "tutorial_full")
-    unknown = sorted(set(modes) - {*sizes, *launches})
+    unknown = sorted(set(modes) - {*_SIZES, *_LAUNCHES})
     if unknown:
-        raise EvalError(f"mode {unknown[0]!r} is unknown; legal: {', '.join([*sizes, *launches])}")
+        known = [*_SIZES, *_LAUNCHES]
+        raise EvalError(f"mode {unknown[0]!r} is unknown; legal: {', '.join(known)}")
     count = runs or (1 if quick else 3)
-    plans = [
-        Plan(mode, n, count, window_s(n, quick))
-        for mode, ns in sizes.items()
-        for n in ns
-        if not (quick and n > 6)
-    ]
-    if not quick or modes:
-        plans += [Plan(mode, 6, count, window_s(6, quick)) for mode in launches]
-    return [plan for plan in plans if not modes or plan.mode in modes]
+    rows = [*_sized_rows(quick, modes), *_launched_rows(quick, modes)]
+    return [Plan(mode, n, count, window_s(n, quick)) for mode, n in rows]
+
+
+def _chosen(known: Iterable[str], modes: Sequence[str]) -> list[str]:
+    return [mode for mode in known if not modes or mode in modes]
+
+
+def _sized_rows(quick: bool, modes: Sequence[str]) -> list[tuple[str, int]]:
+    """Mode and number of vehicles of the rows that are measured with several numbers."""
+    rows = [(mode, n) for mode in _chosen(_SIZES, modes) for n in _SIZES[mode]]
+    return [(mode, n) for mode, n in rows if n <= 6] if quick else rows
+
+
+def _launched_rows(quick: bool, modes: Sequence[str]) -> list[tuple[str, int]]:
+    """The same of launch files; in haste only of those that are named."""
+    if quick and not modes:
+        return []
+    return [(mode, 6) for mode in _chosen(_LAUNCHES, modes)]
 
 
 def window_s(n: int, quick: bool) -> float:
@@ -93,6 +106,12 @@ def window_s(n: int, quick: bool) -> float:
     if quick:
         return 60.0
     return 300.0 if n <= 6 else 120.0
+
+
+def _median(key: str, results: Sequence[Mapping[str, Any]]) -> float | None:
+    """Of a measure; None if a result is without it."""
+    values = [result[key] for result in results if result.get(key) is not None]
+    return statistics.median(values) if len(values) == len(results) else None
 
 
 def summarize(plan: Plan, results: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
@@ -105,8 +124,7 @@ def summarize(plan: Plan, results: Sequence[Mapping[str, Any]]) -> dict[str, Any
         raise EvalError(f"{plan.mode}, n = {plan.n}: there is no result to summarize")
     row: dict[str, Any] = {"mode": plan.mode, "n": plan.n}
     for key in MEASURES:
-        values = [result[key] for result in results if result.get(key) is not None]
-        row[key] = statistics.median(values) if len(values) == len(results) else None
+        row[key] = _median(key, results)
     row["rtf_all"] = [result.get("rtf") for result in results]
     hashes = [result["state_hash"] for result in results if result.get("state_hash")]
     row["state_hash"] = hashes[0] if len(set(hashes)) == 1 else None
@@ -174,13 +192,16 @@ def markdown_table(rows: Iterable[Mapping[str, Any]]) -> str:
         "|" + "|".join(" --- " if key == "mode" else " ---: " for key, _ in _COLUMNS) + "|",
     ]
     for row in rows:
-        if "error" in row:
-            cells = [str(row["mode"]), str(row["n"]), f"failed: {row['error']}"]
-            cells += [""] * (len(_COLUMNS) - len(cells))
-        else:
-            cells = [number_text(row.get(key)) for key, _ in _COLUMNS]
-        lines.append("| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |")
+        cells = (cell.replace("|", "\\|") for cell in _cells(row))
+        lines.append("| " + " | ".join(cells) + " |")
     return "\n".join(lines)
+
+
+def _cells(row: Mapping[str, Any]) -> list[str]:
+    if "error" not in row:
+        return [number_text(row.get(key)) for key, _ in _COLUMNS]
+    cells = [str(row["mode"]), str(row["n"]), f"failed: {row['error']}"]
+    return cells + [""] * (len(_COLUMNS) - len(cells))
 
 
 def profile_table(rows: Iterable[Mapping[str, Any]]) -> str:

@@ -95,6 +95,14 @@ def _scans(path: Path) -> Iterator[tuple[Array, Array, Array, list[str]]]:
             yield values[:count], pose_matrix(*laser), pose_matrix(*base), words[2 + values.size :]
 
 
+def _seen(ranges: Array, change: Change, dice: np.random.Generator) -> list[str]:
+    """The beams that are kept, as far as the changed laser sees, with its noise."""
+    seen = np.where(ranges > change.farthest, NOTHING, ranges)
+    is_return = seen < NOTHING - 1.0
+    seen = np.where(is_return, seen + dice.normal(0.0, change.noise, len(seen)), seen)
+    return [f"{max(value, 0.0):.3f}" for value in seen[:: change.every_beam]]
+
+
 def write_changed(path: Path, change: Change, out: Path) -> Array:
     """Write the FLASER messages of a log, changed; the same change gives the same bytes.
 
@@ -119,12 +127,9 @@ def write_changed(path: Path, change: Change, out: Path) -> Array:
             before = base
             if number % change.every_scan != 0:
                 continue
-            seen = np.where(ranges > change.farthest, NOTHING, ranges)
-            is_return = seen < NOTHING - 1.0
-            seen = np.where(is_return, seen + dice.normal(0.0, change.noise, len(seen)), seen)
+            shown = _seen(ranges, change, dice)
             odometry_motion = odometry @ T_base_laser @ offset
             poses = [f"{value:.6f}" for T in (odometry_motion, odometry) for value in _numbers(T)]
-            shown = [f"{max(value, 0.0):.3f}" for value in seen[:: change.every_beam]]
             file.write(" ".join([_MESSAGE, str(len(shown)), *shown, *poses, *rest]) + "\n")
     if T_base_laser is None:
         raise EvalError(f"{path}: has no {_MESSAGE} message; legal: a CARMEN log of one laser")

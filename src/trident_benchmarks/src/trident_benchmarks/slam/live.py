@@ -132,8 +132,8 @@ def table(row: dict[str, Any]) -> str:
         "",
         f"Whole graph optimised {core['realigned']} times meanwhile, {core['loops_after']} loops; "
         f"the last pose is {core['last_error_m']:.2f} m from the truth; "
-        f"memory {core['rss_idle_mb']:.0f} MB, {core['rss_live_mb']:.0f} MB with all of that under "
-        f"way; node {row['node']['node_rss_mb']:.0f} MB.",
+        f"memory {core['rss_idle_mb']:.0f} MB, {core['rss_live_mb']:.0f} MB with all of that "
+        f"running; node {row['node']['node_rss_mb']:.0f} MB.",
     ]
     if hour := row.get("hour"):
         lines.append(

@@ -95,17 +95,23 @@ def _block(low: Array, high: Array, rng: np.random.Generator) -> Array:
     return np.array(corners)
 
 
-def poses(drive: Drive) -> Array:
-    """True poses along all rows of corridors and then all columns, shape (n, 3)."""
-    count = drive.blocks + 1
-    rows = [(x, y) for y in range(count) for x in ((0, drive.blocks)[:: 1 if y % 2 == 0 else -1])]
+def _crossings(blocks: int) -> list[tuple[int, int]]:
+    """Where the drive turns: number of the corridor along y and of that along x."""
+    count = blocks + 1
+    rows = [(x, y) for y in range(count) for x in ((0, blocks)[:: 1 if y % 2 == 0 else -1])]
     columns = []
     from_left = rows[-1][0] == 0
     for index, x in enumerate(range(count) if from_left else reversed(range(count))):
-        ends = (drive.blocks, 0) if index % 2 == 0 else (0, drive.blocks)
+        ends = (blocks, 0) if index % 2 == 0 else (0, blocks)
         columns += [(x, y) for y in ends]
+    return rows + columns[1:]
+
+
+def poses(drive: Drive) -> Array:
+    """True poses along all rows of corridors and then all columns, shape (n, 3)."""
     at_corridors = corridors(drive)
-    corners = np.array([(at_corridors[x, 0], at_corridors[y, 1]) for x, y in rows + columns[1:]])
+    crossings = _crossings(drive.blocks)
+    corners = np.array([(at_corridors[x, 0], at_corridors[y, 1]) for x, y in crossings])
     result = []
     yaw = 0.0
     for at, to in pairwise(corners):

@@ -31,6 +31,10 @@ def measure(options: argparse.Namespace) -> int:
         return MEASURED
     if options.robustness:
         return _bench_robustness(folder, options)
+    return _bench_public_logs(folder, options)
+
+
+def _bench_public_logs(folder: Path, options: argparse.Namespace) -> int:
     runs = options.runs or (1 if options.quick else 5)
     rows = []
     for one in public_logs.plan(folder, options.method, runs, options.quick):

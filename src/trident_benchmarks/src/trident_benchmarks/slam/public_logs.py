@@ -108,6 +108,24 @@ def logs_of(folder: Path) -> dict[str, Path]:
     return logs
 
 
+def _plans_with_odometry(
+    log: Path, name: str, relations: Path | None, counts: dict[str, int]
+) -> list[Plan]:
+    return [
+        Plan(log, name, relations, method, count)
+        for method, count in counts.items()
+        if method != LANDMARK_METHOD
+    ]
+
+
+def _plans_by_scans_alone(folder: Path) -> list[Plan]:
+    return [
+        Plan(log, name, _relations_of(folder, name), method, 1, has_odometry=False)
+        for name, log in logs_of(folder).items()
+        for method in BY_SCANS_ALONE
+    ]
+
+
 def plan(folder: Path, methods: Sequence[str], runs: int, quick: bool) -> list[Plan]:
     """The rows.
 
@@ -124,18 +142,9 @@ def plan(folder: Path, methods: Sequence[str], runs: int, quick: bool) -> list[P
     for name, log in logs_of(folder).items():
         known = _relations_of(folder, name)
         if known or not quick:
-            plans += [
-                Plan(log, name, known, method, count)
-                for method, count in counts.items()
-                if method != LANDMARK_METHOD
-            ]
+            plans += _plans_with_odometry(log, name, known, counts)
     if not methods and not quick:
-        plans += [
-            Plan(log, name, relations, method, 1, has_odometry=False)
-            for name, log in logs_of(folder).items()
-            for relations in [_relations_of(folder, name)]
-            for method in BY_SCANS_ALONE
-        ]
+        plans += _plans_by_scans_alone(folder)
     landmarks = folder.parent / _LANDMARK_LOG
     if LANDMARK_METHOD in counts and landmarks.is_file():
         name = landmarks.name.removesuffix(".txt")

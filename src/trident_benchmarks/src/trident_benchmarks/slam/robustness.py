@@ -41,7 +41,7 @@ def _odometry_changes() -> dict[str, Change]:
     signs = {1: "+", -1: "-", 0: ""}
 
     def name(scale: int, turn: int, drift: int) -> str:
-        parts = zip(("way", "turn", "drift"), (scale, turn, drift), strict=True)
+        parts = zip(("distance", "turn", "drift"), (scale, turn, drift), strict=True)
         return " ".join(part + signs[sign] for part, sign in parts if sign)
 
     chosen = [(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1)]
@@ -50,9 +50,9 @@ def _odometry_changes() -> dict[str, Change]:
     changes |= {"laser x": _signed(0, 0, 0, (0.10, 0.0, 0.0))}
     changes |= {"laser y": _signed(0, 0, 0, (0.0, 0.05, 0.0))}
     changes |= {"laser yaw": _signed(0, 0, 0, (0.0, 0.0, 0.05))}
-    changes |= {"way+ turn+ drift+ laser": _signed(1, 1, 1, _LASER)}
-    changes |= {"way- turn- drift- laser": _signed(-1, -1, -1, _MIRRORED)}
-    return changes | {"way+ turn- drift+ laser": _signed(1, -1, 1, _LASER)}
+    changes |= {"distance+ turn+ drift+ laser": _signed(1, 1, 1, _LASER)}
+    changes |= {"distance- turn- drift- laser": _signed(-1, -1, -1, _MIRRORED)}
+    return changes | {"distance+ turn- drift+ laser": _signed(1, -1, 1, _LASER)}
 
 
 #: 5 % of distance and turn, 0.03 rad/m, a laser 10 cm, 5 cm and 0.05 rad off its nominal mount.
@@ -64,7 +64,7 @@ SCAN_CHANGES = {
     "half of the scans": Change(every_scan=2),
 }
 #: Of --quick: all errors at once, and the worse scans.
-QUICK = (PLAIN, "way+ turn+ drift+", "way- turn- drift- laser", *SCAN_CHANGES)
+QUICK = (PLAIN, "distance+ turn+ drift+", "distance- turn- drift- laser", *SCAN_CHANGES)
 
 
 def measure(
@@ -93,7 +93,7 @@ def measure(
             say(_line(_cells(rows[-1])))
     if not rows:
         raise EvalError(
-            f"{folder}: no log has relations; legal: NAME.relations beside NAME.clf.bz2"
+            f"{folder}: no log has relations; legal: NAME.relations next to NAME.clf.bz2"
         )
     return rows
 

@@ -282,7 +282,7 @@ def reasons(rows: Sequence[dict[str, Any]]) -> list[str]:
             if not error < ATE_LIMIT_M:
                 found.append(f"{_seed(row)}: {part}: RMSE {error:.3f} m, limit {ATE_LIMIT_M} m")
         if row["false_loops"]:
-            found.append(f"{_seed(row)}: {row['false_loops']} false loops, must be none")
+            found.append(f"{_seed(row)}: {row['false_loops']} false loops, must be 0")
     return found
 
 
@@ -300,7 +300,7 @@ def line(row: dict[str, Any]) -> str:
 
 
 _COLUMNS: tuple[tuple[str, Callable[[dict[str, Any]], float], str], ...] = (
-    ("way [m]", lambda row: row["way_m"], ".0f"),
+    ("path [m]", lambda row: row["way_m"], ".0f"),
     ("loops", lambda row: row["loops"], ".0f"),
     ("reused", lambda row: row["reused"], ".0f"),
     ("false", lambda row: row["false_loops"], ".0f"),

@@ -7,6 +7,7 @@ from __future__ import annotations
 import argparse
 import sys
 from collections.abc import Callable
+from pathlib import Path
 
 from trident_benchmarks.vessels import control_checks, hull_checks, legacy_check, motion_checks
 from trident_benchmarks.vessels.check import Check
@@ -42,11 +43,15 @@ def measure(options: argparse.Namespace) -> int:
             continue
         check = CHECKS[name]()
         passed = passed and check.passed
-        print(f"{name}: {check.title}")
-        for figure in check.figures:
-            print(f"  {figure.text()}")
-        sys.stdout.flush()
-        if options.out:
-            options.out.mkdir(parents=True, exist_ok=True)
-            draw(check, options.out / f"{name}.png")
+        _show(name, check, options.out)
     return 0 if passed else 1
+
+
+def _show(name: str, check: Check, folder: Path | None) -> None:
+    print(f"{name}: {check.title}")
+    for figure in check.figures:
+        print(f"  {figure.text()}")
+    sys.stdout.flush()
+    if folder:
+        folder.mkdir(parents=True, exist_ok=True)
+        draw(check, folder / f"{name}.png")

@@ -32,19 +32,25 @@ def _speed_at(vessel: Vessel, thrust: float) -> float:
     return float((-c + np.sqrt(c * c + 4 * q * thrust)) / (2 * q) if q > 0 else thrust / c)
 
 
+def _terminal_speeds(vessel: Vessel) -> tuple[list[float], list[float]]:
+    """Thrusts [N] from rest on, and the speed that the vessel reaches with each [m/s]."""
+    thrusts, speeds = [0.0], [0.0]
+    for part in (0.3, 0.6, 0.9):
+        trial = Trial(vessel)
+        trial.command({key: part * value for key, value in _full_ahead(vessel).items()})
+        trial.world.step(6000)
+        thrusts.append(trial.thrust([each["name"] for each in vessel["thrusters"]]))
+        speeds.append(float(np.linalg.norm(trial.boat.linear_velocity)))
+    return thrusts, speeds
+
+
 def speed_check() -> Check:
     """Terminal speed of every vessel over its thrust."""
     panel = Panel("Terminal speed", "thrust [N]", "speed ahead [m/s]")
     figures = []
     for name in SHIPPED:
         vessel = shipped_vessel(name)
-        thrusts, speeds = [0.0], [0.0]
-        for part in (0.3, 0.6, 0.9):
-            trial = Trial(vessel)
-            trial.command({key: part * value for key, value in _full_ahead(vessel).items()})
-            trial.world.step(6000)
-            thrusts.append(trial.thrust([each["name"] for each in vessel["thrusters"]]))
-            speeds.append(float(np.linalg.norm(trial.boat.linear_velocity)))
+        thrusts, speeds = _terminal_speeds(vessel)
         x = np.linspace(0.0, thrusts[-1], 100)
         curve = np.array([_speed_at(vessel, value) for value in x])
         panel.measured.append(Curve(name, np.array(thrusts), np.array(speeds), dots=True))

@@ -69,9 +69,9 @@ struct MultirotorParams {
   AxisGains angular_rate_gain{AttitudeGains{}.angular_rate};  ///< [N m s/rad]
   double mass = VehicleParams{}.mass;                         ///< [kg]
   double gravity = VehicleParams{}.gravity;                   ///< [m/s^2]
-  InertiaParams inertia;
+  InertiaParams inertia;  ///< about the center of mass, in body axes
   std::map<std::string, RotorParams> rotors = firefly_rotors();  ///< By number: 0, 1, 2 ...
-  AttitudeQuirks quirks;
+  AttitudeQuirks quirks;  ///< where the law keeps RotorS' departures from the paper
 
   /// Lists the fields for the parameter reader and the reference.
   template <class Archive>
@@ -107,7 +107,7 @@ struct LeeNodeParams {
   AxisGains position_gain{LeeGains{}.position};  ///< [N/m]
   AxisGains velocity_gain{LeeGains{}.velocity};  ///< [N s/m]
   MultirotorParams multirotor;
-  SetpointQueueParams setpoints;
+  SetpointQueueParams setpoints;  ///< how stamped set-points are anchored in time
 
   /// Lists the fields for the parameter reader and the reference.
   template <class Archive>

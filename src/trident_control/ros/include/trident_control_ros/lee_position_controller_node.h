@@ -31,6 +31,7 @@ namespace trident::control {
 /// socket thread.
 class LeePositionControllerNode : public RunningNode {
  public:
+  /// Subscribes and advertises below `node`'s namespace. Throws Error as the controller does.
   LeePositionControllerNode(ros::NodeHandle& node, const LeeParams& params,
                             const SetpointQueueParams& queue_params,
                             OdometryThread thread = OdometryThread::kCaller);

@@ -22,8 +22,8 @@ namespace trident::control {
 
 /// What a controller reads of a nav_msgs/Odometry.
 struct StampedOdometry {
-  ros::Time stamp;
-  OdometryState state;
+  ros::Time stamp;  ///< of the state; the answer carries it
+  OdometryState state;  ///< not checked; see is_valid()
 };
 
 /// Why a controller refuses a state; ends a sentence.
@@ -35,14 +35,18 @@ inline constexpr const char* kInvalidStateText =
 /// "what stamped s refused: why".
 std::string refusal_text(const std::string& what, const ros::Time& stamp, const std::string& why);
 
+/// Exact: both count nanoseconds.
 SimTime to_sim_time(const ros::Time& time);
+/// Exact, negative durations included.
 SimTime to_sim_time(const ros::Duration& duration);
 
 /// Reads a serialised nav_msgs/Odometry; nullopt when the bytes end too early.
 std::optional<StampedOdometry> parse_odometry(Span<const std::uint8_t> bytes);
 
+/// The same of a message object. Covariances and frames are ignored.
 StampedOdometry to_stamped_odometry(const nav_msgs::Odometry& message);
 
+/// At rest at the pose's position, with its yaw.
 TrajectoryPoint to_trajectory_point(const geometry_msgs::Pose& pose);
 
 /// Missing velocities or accelerations are zero. nullopt when there is no transform. Only the first
@@ -55,6 +59,7 @@ std::optional<TrajectoryPoint> to_trajectory_point(
 std::optional<std::size_t> to_setpoints(const trajectory_msgs::MultiDOFJointTrajectory& message,
                                         std::vector<TimedSetpoint>& out);
 
+/// Of the thrust vector only the part along body z counts.
 AttitudeCommand to_attitude_command(const mav_msgs::RollPitchYawrateThrust& message);
 
 }  // namespace trident::control

@@ -18,6 +18,7 @@ namespace trident::control {
 /// message, in which only sequence number, stamp and speeds change; to this one an object.
 class MotorCommandPublisher {
  public:
+  /// Advertises the motor speeds below `node`'s namespace; every message has `rotor_count` of them.
   MotorCommandPublisher(ros::NodeHandle& node, std::size_t rotor_count);
 
   /// Where the next command is to be written [rad/s].

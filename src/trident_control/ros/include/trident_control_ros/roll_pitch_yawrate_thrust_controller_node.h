@@ -25,6 +25,7 @@ namespace trident::control {
 /// thread of its publisher; commands on roscpp's socket thread.
 class RollPitchYawrateThrustControllerNode : public RunningNode {
  public:
+  /// Subscribes and advertises below `node`'s namespace. Throws Error as the controller does.
   RollPitchYawrateThrustControllerNode(ros::NodeHandle& node,
                                        const RollPitchYawrateThrustParams& params,
                                        OdometryThread thread = OdometryThread::kCaller);

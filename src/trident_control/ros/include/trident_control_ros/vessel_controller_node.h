@@ -32,6 +32,7 @@ namespace trident::control {
 /// once and counted on /diagnostics.
 class VesselControllerNode : public RunningNode {
  public:
+  /// Subscribes and advertises below `node`'s namespace. Throws Error as VesselController does.
   VesselControllerNode(ros::NodeHandle& node, const VesselModel& model,
                        const VesselControlParams& params);
   ~VesselControllerNode() override;

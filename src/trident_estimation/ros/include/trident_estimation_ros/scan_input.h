@@ -19,14 +19,15 @@ namespace trident::estimation {
 
 /// A scan with what tf knew about it.
 struct PlacedScan {
-  LaserScan scan;
+  LaserScan scan;  ///< with the laser's mount from tf
   ros::Time stamp;  ///< of the first beam
   SE2 T_odom_base;  ///< then
   SE2 T_start_end;  ///< the robot's motion while the scan was taken
 };
 
+/// Frames that a scan is placed in.
 struct ScanInputParams {
-  std::string odom_frame_id, base_frame_id;
+  std::string odom_frame_id, base_frame_id;  ///< parent and child of odometry's transform
   double bag_loop_jump = 1.0;  ///< [s]
 };
 
@@ -36,14 +37,15 @@ struct ScanInputParams {
 /// `bag_loop_jump` clears what was known of time and calls `on_new_time`.
 class ScanInput {
  public:
-  using Handler = std::function<void(const PlacedScan&)>;
+  using Handler = std::function<void(const PlacedScan&)>;  ///< called in the thread that spins
+  /// Subscribes at once. `problems` must outlive it.
   ScanInput(ros::NodeHandle& node, const ScanInputParams& params,
             ros_utils::DiagnosticCounter& problems, Handler on_scan,
             std::function<void()> on_new_time);
 
   /// The robot's pose in the odometry's frame; the newest for time zero. Throws tf2's exceptions.
   SE2 T_odom_base(const ros::Time& stamp) const;
-  std::uint64_t received() const { return received_; }
+  std::uint64_t received() const { return received_; }  ///< scans, used or not
 
  private:
   struct Waiting {

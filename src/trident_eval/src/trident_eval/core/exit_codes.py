@@ -33,9 +33,16 @@ def exit_code_of(main: Callable[[], int]) -> int:
     except KeyboardInterrupt:
         return _INTERRUPTED
     except OSError as error:
-        if error.filename is None and error.errno not in (errno.ENOSPC, errno.EDQUOT):
+        problem = _disk_problem(error)
+        if problem is None:
             raise
-        where = f"{error.filename}: " if error.filename is not None else ""
-        print(f"trident: {where}{error.strerror}", file=sys.stderr)
+        print(f"trident: {problem}", file=sys.stderr)
         return _UNUSABLE
     return code
+
+
+def _disk_problem(error: OSError) -> str | None:
+    """What is wrong with a file or the disk (full, may not be written); None: it is neither."""
+    if error.filename is not None:
+        return f"{error.filename}: {error.strerror}"
+    return error.strerror if error.errno in (errno.ENOSPC, errno.EDQUOT) else None

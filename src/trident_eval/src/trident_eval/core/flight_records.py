@@ -76,23 +76,13 @@ def read_command(folder: Path) -> Command | Refusal | None:
     Raises:
         EvalError: a record that is unreadable, incomplete, or at odds with the others.
     """
-    files = sorted(folder.glob(PATTERN))
-    if not files:
+    records = _read_records(folder)
+    if not records:
         return None
-    records = [_read_record(path) for path in files]
-    # The commands to a leader itself are not what its followers are judged by.
-    records = [record for record in records if record.get("mode") == FOLLOW] or records
-    # A refusing node may know of no vehicle but its own.
-    named = [name for record in records for name in (*record["vehicles"], record["vehicle"])]
-    names = list(dict.fromkeys(named))
+    names, errors = _vehicles(records), _errors(records)
     by_name = {record["vehicle"]: record for record in records}
-    errors = list(dict.fromkeys(record["error"] for record in records if record.get("error")))
-    flying = [name for name in names if "rows" in by_name.get(name, {})]
-    if len(flying) != len(names):
-        silent = [name for name in names if name not in by_name]
-        if silent:
-            errors.append(f"no record of {', '.join(silent)}")
-        return Refusal(names, errors)
+    if any("rows" not in by_name.get(name, {}) for name in names):
+        return _refusal(names, by_name, errors)
     try:
         return _combine(names, [by_name[name] for name in names], errors)
     except (KeyError, TypeError, ValueError, IndexError) as error:
@@ -100,6 +90,28 @@ def read_command(folder: Path) -> Command | Refusal | None:
             f"{folder}/{PATTERN}: not what a formation node writes"
             f" ({type(error).__name__}: {error}); legal: records of one run"
         ) from error
+
+
+def _read_records(folder: Path) -> list[dict[str, Any]]:
+    """Those that count: commands to a leader itself are not what its followers are judged by."""
+    records = [_read_record(path) for path in sorted(folder.glob(PATTERN))]
+    return [record for record in records if record.get("mode") == FOLLOW] or records
+
+
+def _vehicles(records: list[dict[str, Any]]) -> list[str]:
+    """All vehicles once, in their order; a refusing node may know of none but its own."""
+    named = [name for record in records for name in (*record["vehicles"], record["vehicle"])]
+    return list(dict.fromkeys(named))
+
+
+def _errors(records: list[dict[str, Any]]) -> list[str]:
+    return list(dict.fromkeys(record["error"] for record in records if record.get("error")))
+
+
+def _refusal(names: list[str], by_name: dict[str, Any], errors: list[str]) -> Refusal:
+    silent = [name for name in names if name not in by_name]
+    missing = [f"no record of {', '.join(silent)}"] if silent else []
+    return Refusal(names, errors + missing)
 
 
 def _read_record(path: Path) -> dict[str, Any]:
@@ -112,20 +124,25 @@ def _read_record(path: Path) -> dict[str, Any]:
     return record
 
 
+def _gate_times(records: list[dict[str, Any]], start: float) -> tuple[Array, Array]:
+    """When rows were commanded, and when reached, in simulated time [s]."""
+    command = start + np.array(records[0]["command_time_s"], dtype=np.float64)
+    # All processes decide alike; a record written earlier than the others knows less.
+    reached = min(len(record["arrival_time_s"]) for record in records)
+    return command, start + np.array(records[0]["arrival_time_s"][:reached], dtype=np.float64)
+
+
 def _combine(names: list[str], records: list[dict[str, Any]], errors: list[str]) -> Command:
     first = records[0]
     start = float(first["start_time_s"])
     rows = np.stack([np.array(record["rows"], dtype=np.float64) for record in records], axis=1)
+    offset: Array | None = None
     if first["mode"] == GATE:
-        command = start + np.array(first["command_time_s"], dtype=np.float64)
-        # All processes decide alike; a record written earlier than the others knows less.
-        reached = min(len(record["arrival_time_s"]) for record in records)
-        arrival = start + np.array(first["arrival_time_s"][:reached], dtype=np.float64)
+        command, arrival = _gate_times(records, start)
         offset = np.array([record["steady_offset_m"] for record in records], dtype=np.float64)
         hover_end = float(arrival[0]) if len(arrival) else np.inf
     else:
         command = arrival = start + np.array(first["row_time_s"], dtype=np.float64)
-        offset = None
         hover_end = float(arrival[0])
     if first["mode"] == FOLLOW:
         # Nobody hovers: places move on from the beginning.

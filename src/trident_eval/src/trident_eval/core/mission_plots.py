@@ -42,7 +42,7 @@ def _draw(tracks: Tracks, missions: list[Mission], title: str) -> Any:
         error.axhline(mission.limit_m, color=color(index), linewidth=0.7, linestyle=(0, (2, 3)))
     plan.set(xlabel="x east [m]", ylabel="y north [m]", aspect="equal", title="plan view")
     plan.margins(0.06)
-    error.set(xlabel="simulated time [s]", ylabel="distance to the way [m]", ylim=(0.0, None))
+    error.set(xlabel="simulated time [s]", ylabel="distance to the path [m]", ylim=(0.0, None))
     error.set_title("until the last place; dotted: limit of the RMS")
     figure.legend(*error.get_legend_handles_labels(), loc="lower center", ncols=9)
     figure.get_layout_engine().set(rect=(0.0, 0.06, 1.0, 0.94))

@@ -34,8 +34,8 @@ _CAPTIONS = {
     "height": "Height of each vehicle above the ground plane of the world.",
     "formation_error": "Error of the shape, after the rigid motion that fits it best.",
     "separation": "Distance of the closest two vehicles.",
-    "tracking_error": "Distance of each vehicle to where it was told to be.",
-    "animation": "Plan view in time; hollow circles: where the vehicles were told to be.",
+    "tracking_error": "Distance of each vehicle to its set-point.",
+    "animation": "Plan view in time; hollow circles: the vehicles' set-points.",
 }
 _MIME = {".png": "image/png", ".gif": "image/gif"}
 
@@ -83,17 +83,24 @@ def page(report: Report) -> str:
     return "\n".join(parts) + "\n"
 
 
+def _items(texts: Iterable[str]) -> str:
+    return "".join(f"<li>{html.escape(text)}" for text in texts)
+
+
+def _facts(known: dict[str, Any], labels: Iterable[tuple[str, str]]) -> list[tuple[str, str]]:
+    """Rows of what is known: each label with the value of its key, where that is not empty."""
+    return [(label, str(known[key])) for label, key in labels if known.get(key)]
+
+
 def _verdict(verdict: dict[str, Any] | None) -> Iterable[str]:
     if verdict is None:
         return
     word = "pass" if verdict["pass"] else "fail"
     yield f"<p class='verdict {word}'>{word.upper()}</p>"
     if verdict["reasons"]:
-        reasons = "".join(f"<li>{html.escape(reason)}" for reason in verdict["reasons"])
-        yield f"<ul class='bad'>{reasons}</ul>"
+        yield f"<ul class='bad'>{_items(verdict['reasons'])}</ul>"
     if verdict.get("notes"):
-        notes = "".join(f"<li>{html.escape(note)}" for note in verdict["notes"])
-        yield f"<ul>{notes}</ul>"
+        yield f"<ul>{_items(verdict['notes'])}</ul>"
     rows = "".join(_verdict_row(row) for row in verdict_rows(verdict))
     yield f"<table><tr><th><th>value<th>limit<th>{rows}</table>"
 
@@ -158,36 +165,37 @@ def _repeat(report: Report) -> Iterable[str]:
     if untracked:
         names = html.escape(", ".join(untracked[:20]) + (" …" if len(untracked) > 20 else ""))
         yield f"<p class='bad'>Files that were not in git, and are not in the patch: {names}</p>"
-    facts = [
-        (name, str(report.provenance.run[key]))
-        for name, key in (("seed", "seed"), ("steps", "steps"), ("state hash", "state_hash"))
-        if key in report.provenance.run
-    ]
-    if facts and report.provenance.run.get("repeatable") is not False:
-        yield "<p>It is the same run, to the bit, if these come out again:</p>"
-        yield _table(facts)
-    elif facts:
+    yield from _to_compare(report.provenance.run)
+
+
+def _to_compare(run: dict[str, Any]) -> Iterable[str]:
+    """What to compare a repeated run with."""
+    labels = (("seed", "seed"), ("steps", "steps"), ("state hash", "state_hash"))
+    facts = [(label, str(run[key])) for label, key in labels if key in run]
+    if not facts:
+        return
+    if run.get("repeatable") is False:
         yield "<p class='bad'>It is not repeatable to the bit; the verdict says who, when, why.</p>"
+        return
+    yield "<p>It is the same run, to the bit, if these come out again:</p>"
+    yield _table(facts)
 
 
 def _went_in(provenance: Provenance) -> Iterable[str]:
     launch = provenance.launch
-    facts = [
-        (name, str(launch[key]))
-        for name, key in (
-            ("launch file", "launch_file"),
-            ("started", "started"),
-            ("real-time factor asked for", "real_time_factor"),
-            ("ROS_PACKAGE_PATH", "ros_package_path"),
-        )
-        if launch.get(key)
-    ]
+    labels = (
+        ("launch file", "launch_file"),
+        ("started", "started"),
+        ("real-time factor asked for", "real_time_factor"),
+        ("ROS_PACKAGE_PATH", "ros_package_path"),
+    )
+    facts = _facts(launch, labels)
     facts += [(f"{name}:=", str(value)) for name, value in launch.get("args", {}).items()]
     if facts or provenance.parameters or provenance.files:
         yield "<h2>What went in</h2>"
         yield _table(facts)
     if provenance.files:
-        rows = [(path, digest) for path, digest in sorted(provenance.files.items())]
+        rows = sorted(provenance.files.items())
         yield _folded(f"{len(rows)} files and their SHA-256", _table(rows))
     if provenance.parameters:
         rows = provenance.flat_parameters()
@@ -196,11 +204,7 @@ def _went_in(provenance: Provenance) -> Iterable[str]:
 
 def _versions(report: Report) -> Iterable[str]:
     launch = report.provenance.launch
-    shown = [
-        (name, str(launch[key]))
-        for name, key in (("Trident", "version"), ("commit", "commit"))
-        if launch.get(key)
-    ]
+    shown = _facts(launch, (("Trident", "version"), ("commit", "commit")))
     machine = launch.get("machine", {})
     shown += [
         (name, machine[name]) for name in ("debian", "kernel", "cpu", "cores") if name in machine

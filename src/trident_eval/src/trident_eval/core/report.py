@@ -75,23 +75,30 @@ def table(verdict: dict[str, Any]) -> str:
     """The verdict as aligned lines of text."""
     rows = verdict_rows(verdict)
     width = max(len(row.label) for row in rows)
-    lines = []
-    for row in rows:
-        limit = f"  (limit: {row.limit})" if row.limit else ""
-        lines.append(f"  {row.label:<{width}}  {row.value}{limit}")
+    lines = [f"  {row.label:<{width}}  {_shown(row)}" for row in rows]
     lines.append(f"  {'verdict':<{width}}  {'PASS' if verdict['pass'] else 'FAIL'}")
     lines += [f"    - {reason}" for reason in verdict["reasons"]]
     lines += [f"    ({note})" for note in verdict.get("notes") or []]
     return "\n".join(lines)
 
 
+def _shown(row: Row) -> str:
+    return f"{row.value}  (limit: {row.limit})" if row.limit else row.value
+
+
+def _value_text(verdict: dict[str, Any], key: str, unit: str) -> str:
+    value = verdict.get(key)
+    text = "unknown" if value is None else _text(value, unit)
+    if key == "state_hash" and verdict.get("repeatable") is False:
+        return f"{text} (not repeatable)"
+    return text
+
+
 def _row(verdict: dict[str, Any], label: str, key: str, unit: str) -> Row:
     value, limit = verdict.get(key), _limit(verdict, key)
     if key == "rows_flown":
         return Row(label, f"{value} of {verdict.get('rows')}", "", value == verdict.get("rows"))
-    text = "unknown" if value is None else _text(value, unit)
-    if key == "state_hash" and verdict.get("repeatable") is False:
-        text += " (not repeatable)"
+    text = _value_text(verdict, key, unit)
     if limit is None:
         return Row(label, text)
     if key in _BELOW:

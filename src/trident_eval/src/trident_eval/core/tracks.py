@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import csv
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -47,6 +48,19 @@ class Tracks:
         return Tracks(self.names, self.time[inside], self.position[inside])
 
 
+def _whole_lines(stream: Iterable[str]) -> Iterator[str]:
+    return (line for line in stream if line.endswith(("\n", "\r")))
+
+
+def _reader(path: Path, stream: Iterable[str]) -> csv.DictReader[str]:
+    """The rows, whose columns have been checked."""
+    reader = csv.DictReader(_whole_lines(stream))
+    missing = [name for name in _NEEDED if name not in (reader.fieldnames or [])]
+    if missing:
+        raise EvalError(f"{path}:1: no column {', '.join(missing)}; legal: t,name,x,y,z,...")
+    return reader
+
+
 def read_states(path: Path) -> Tracks:
     """Read a `states.csv`: columns t, name, x, y, z and any others, one line per vehicle and time.
 
@@ -60,12 +74,7 @@ def read_states(path: Path) -> Tracks:
     positions: list[list[float]] = []
     try:
         with path.open(newline="", encoding="utf-8") as stream:
-            reader = csv.DictReader(line for line in stream if line.endswith(("\n", "\r")))
-            missing = [name for name in _NEEDED if name not in (reader.fieldnames or [])]
-            if missing:
-                raise EvalError(
-                    f"{path}:1: no column {', '.join(missing)}; legal: t,name,x,y,z,..."
-                )
+            reader = _reader(path, stream)
             for row in reader:
                 stamp, x, y, z = _numbers(row, f"{path}:{reader.line_num}")
                 stamps.append(stamp)

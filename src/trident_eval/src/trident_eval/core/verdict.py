@@ -202,11 +202,19 @@ def _judge_formation(tracks: Tracks, command: Command, verdict: Verdict) -> None
         verdict.reasons.append(f"{result.rows_flown} of {total} rows flown by all vehicles")
     if result.formation_rms_m is None or result.formation_rms_m >= limit:
         verdict.reasons.append(f"formation RMS {_text(result.formation_rms_m)}, limit {limit:g} m")
-    if least is not None and (result.min_separation_m is None or result.min_separation_m < least):
-        verdict.reasons.append(
-            f"minimum separation {_text(result.min_separation_m)}, limit {least:.3f} m"
-            f"{_closest_pair(tracks.between(result.start_s or 0.0, result.end_s))}"
-        )
+    if least is not None:
+        _judge_separation(tracks, result, least, verdict)
+
+
+def _judge_separation(
+    tracks: Tracks, result: FormationScore, least: float, verdict: Verdict
+) -> None:
+    if result.min_separation_m is not None and result.min_separation_m >= least:
+        return
+    verdict.reasons.append(
+        f"minimum separation {_text(result.min_separation_m)}, limit {least:.3f} m"
+        f"{_closest_pair(tracks.between(result.start_s or 0.0, result.end_s))}"
+    )
 
 
 def _closest_pair(tracks: Tracks) -> str:

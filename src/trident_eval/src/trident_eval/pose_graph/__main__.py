@@ -61,6 +61,14 @@ def _title_after(report: dict[str, Any]) -> str:
     return f"after: robust cost {report['cost_after']:.6g}"
 
 
+def _solver_words(options: argparse.Namespace) -> list[str]:
+    words = ["--strict"] if options.strict else []
+    for name in SOLVER_OPTIONS:
+        if (value := getattr(options, name)) is not None:
+            words += [f"--{name}", str(value)]
+    return words
+
+
 def run(options: argparse.Namespace, rest: list[str]) -> int:
     """Optimises, prints, draws.
 
@@ -70,10 +78,7 @@ def run(options: argparse.Namespace, rest: list[str]) -> int:
     Raises:
         EvalError: bad input.
     """
-    words = [*rest, *(["--strict"] if options.strict else [])]
-    for name in SOLVER_OPTIONS:
-        if (value := getattr(options, name)) is not None:
-            words += [f"--{name}", str(value)]
+    words = [*rest, *_solver_words(options)]
     name = options.file.name.removesuffix(".gz").removesuffix(".g2o")
     picture = options.picture or Path(f"{name}.png")
     with tempfile.TemporaryDirectory() as folder:

@@ -37,27 +37,36 @@ class Layout:
         return np.asarray(self.positions[rows])
 
 
+def _read_text(file: Path) -> str:
+    """Text of a file, which may be gzipped."""
+    try:
+        data = file.read_bytes()
+        plain = gzip.decompress(data) if data[:2] == b"\x1f\x8b" else data
+    except (OSError, EOFError) as error:
+        raise EvalError(f"{file}: cannot be read: {error}") from error
+    return plain.decode("ascii", "replace")
+
+
+def _parse(text: str) -> tuple[dict[int, list[float]], list[tuple[int, int]]]:
+    """Positions of vertices by their numbers, and the pairs that edges join."""
+    positions: dict[int, list[float]] = {}
+    edges: list[tuple[int, int]] = []
+    for line in text.splitlines():
+        kind, *words = line.split() or [""]
+        if kind in _SIZES:
+            positions[int(words[0])] = [float(word) for word in words[1 : 1 + _SIZES[kind]]]
+        elif kind.startswith("EDGE_"):
+            edges.append((int(words[0]), int(words[1])))
+    return positions, edges
+
+
 def read_layout(file: Path) -> Layout:
     """Reads a file that ``trident_slam/pose_graph`` wrote.
 
     Raises:
         EvalError: the file cannot be read, or has no vertices.
     """
-    try:
-        data = file.read_bytes()
-        text = (gzip.decompress(data) if data[:2] == b"\x1f\x8b" else data).decode(
-            "ascii", "replace"
-        )
-    except (OSError, EOFError) as error:
-        raise EvalError(f"{file}: cannot be read: {error}") from error
-    positions: dict[int, list[float]] = {}
-    edges: list[tuple[int, int]] = []
-    for line in text.splitlines():
-        words = line.split()
-        if words and words[0] in _SIZES:
-            positions[int(words[1])] = [float(word) for word in words[2 : 2 + _SIZES[words[0]]]]
-        elif words and words[0].startswith("EDGE_"):
-            edges.append((int(words[1]), int(words[2])))
+    positions, edges = _parse(_read_text(file))
     if not positions:
         raise EvalError(f"{file}: has no vertices")
     ids = sorted(positions)

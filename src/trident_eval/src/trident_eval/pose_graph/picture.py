@@ -37,10 +37,21 @@ def draw(panels: list[tuple[str, Layout]], outliers: list[list[int]], file: Path
 
 
 def _draw_graph(axes: Any, layout: Layout, color: str, outliers: list[list[int]]) -> None:
+    chain = _ODOMETRY if color == _AFTER else color
+    _draw_edges(axes, layout, color, chain, outliers)
+    # Few vertices are lost among their lines; the first is where the others are seen from.
+    size = 9.0 if len(layout.ids) <= _FEW else 0.0
+    axes.scatter(*layout.positions.T, s=size, color=chain, linewidths=0)
+    axes.scatter(*layout.positions[:1].T, s=18, color=_FIRST, linewidths=0, label="first vertex")
+    _set_frame(axes, layout)
+
+
+def _draw_edges(
+    axes: Any, layout: Layout, color: str, chain: str, outliers: list[list[int]]
+) -> None:
     follows = layout.edges[:, 1] - layout.edges[:, 0] == 1
     rejected = {(a, b) for a, b in outliers}
     kept = np.array([tuple(edge) not in rejected for edge in layout.edges], dtype=bool)
-    chain = _ODOMETRY if color == _AFTER else color
     for label, edges, shade, width, alpha in (
         ("other edges", layout.edges[~follows & kept], color, 0.5, 0.45),
         ("from one vertex to the next", layout.edges[follows & kept], chain, 0.7, 0.9),
@@ -50,10 +61,9 @@ def _draw_graph(axes: Any, layout: Layout, color: str, outliers: list[list[int]]
             named = f"{label} ({len(edges)})"
             _add_lines(axes, layout, edges, color=shade, linewidth=width, alpha=alpha, label=named)
             axes.collections[-1].set_zorder(1.9 if shade == _OUTLIER else 2.0)  # beneath the graph
-    # Few vertices are lost among their lines; the first is where the others are seen from.
-    size = 9.0 if len(layout.ids) <= _FEW else 0.0
-    axes.scatter(*layout.positions.T, s=size, color=chain, linewidths=0)
-    axes.scatter(*layout.positions[:1].T, s=18, color=_FIRST, linewidths=0, label="first vertex")
+
+
+def _set_frame(axes: Any, layout: Layout) -> None:
     low, high = layout.positions.min(axis=0), layout.positions.max(axis=0)
     margin = 0.03 * float((high - low).max()) + 1e-9
     axes.set(xlim=(low[0] - margin, high[0] + margin), ylim=(low[1] - margin, high[1] + margin))

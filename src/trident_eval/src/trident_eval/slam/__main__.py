@@ -35,9 +35,13 @@ def main(arguments: list[str] | None = None) -> int:
     except BrokenPipeError:
         raise
     except OSError as error:  # a full disk does not say which file it was
-        where = error.filename or getattr(options, "out", None) or "what was to be written"
+        where = _place_of(error, options)
         print(f"trident: {where}: {error.strerror}", file=sys.stderr)
         return UNUSABLE
+
+
+def _place_of(error: OSError, options: argparse.Namespace) -> Path | str:
+    return error.filename or getattr(options, "out", None) or "what was to be written"
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -60,19 +64,11 @@ def _slam(options: argparse.Namespace) -> int:
     calibration = offline.calibration_text(timing)
     if calibration:
         print(calibration)
-    map_file = None if options.method == offline.LANDMARK_METHOD else out / "map.yaml"
-    if map_file and not offline.is_drawable(map_file):
-        width, height = offline.map_size(map_file)
-        print(
-            f"{map_file}: {width} x {height} cells: too many to be drawn and judged, at most"
-            f" {offline.MAX_CELLS}; the map is there",
-            file=sys.stderr,
-        )
+    if options.method == offline.LANDMARK_METHOD:
         map_file = None
-    elif map_file:
-        offline.write_png(map_file)
-    else:
         print(f"associations as in the log: {timing['association_share']:.1%}")
+    else:
+        map_file = _drawn(out / "map.yaml")
     paths = {"final": out / "trajectory.tum", "causal": out / "causal.tum"}
     task = evaluation.Task(paths, options.relations, options.truth, map=map_file)
     found = evaluation.evaluate(task)
@@ -82,15 +78,37 @@ def _slam(options: argparse.Namespace) -> int:
     return DONE
 
 
+def _drawn(map_file: Path) -> Path | None:
+    """The map, once it is drawn; None if it is too large for that."""
+    if offline.is_drawable(map_file):
+        offline.write_png(map_file)
+        return map_file
+    width, height = offline.map_size(map_file)
+    print(
+        f"{map_file}: {width} x {height} cells: too many to be drawn and judged, at most"
+        f" {offline.MAX_CELLS}; the map is there",
+        file=sys.stderr,
+    )
+    return None
+
+
+def _trajectories_in(folder: Path) -> dict[str, Path]:
+    names = {"final": "trajectory.tum", "causal": "causal.tum"}
+    paths = {name: folder / file for name, file in names.items() if (folder / file).is_file()}
+    if not paths:
+        raise EvalError(f"{folder}: has no trajectory.tum; legal: what `./trident slam` writes")
+    return paths
+
+
+def _map_in(folder: Path) -> Path | None:
+    map_file = folder / "map.yaml"
+    return map_file if map_file.is_file() else None
+
+
 def _evaluate(options: argparse.Namespace) -> int:
     source: Path = options.source
     if source.is_dir():
-        names = {"final": "trajectory.tum", "causal": "causal.tum"}
-        paths = {name: source / file for name, file in names.items() if (source / file).is_file()}
-        if not paths:
-            raise EvalError(f"{source}: has no trajectory.tum; legal: what `./trident slam` writes")
-        map_file = options.map or (source / "map.yaml")
-        map_file = map_file if options.map or map_file.is_file() else None
+        paths, map_file = _trajectories_in(source), options.map or _map_in(source)
         folder = options.out or source
     else:
         paths, map_file = {source.stem: source}, options.map

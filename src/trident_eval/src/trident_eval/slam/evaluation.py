@@ -68,12 +68,16 @@ class Evaluation:
         if self.agreement is not None:
             numbers["map"] = self.agreement.summary()
         elif self.grid is not None:
-            found = {
-                "wall_thickness_m": wall_thickness(self.grid),
-                "mean_map_entropy_nat": mean_map_entropy(self.grid),
-            }
-            numbers["map"] = {key: None if np.isnan(v) else v for key, v in found.items()}
+            numbers["map"] = _of_map_alone(self.grid)
         return numbers
+
+
+def _of_map_alone(grid: Grid) -> dict[str, float | None]:
+    found = {
+        "wall_thickness_m": wall_thickness(grid),
+        "mean_map_entropy_nat": mean_map_entropy(grid),
+    }
+    return {key: None if np.isnan(value) else value for key, value in found.items()}
 
 
 def _length(trajectory: Trajectory) -> float:
@@ -88,24 +92,32 @@ def evaluate(task: Task) -> Evaluation:
     """
     found = Evaluation()
     for name, path in task.trajectories.items():
-        trajectory = read_tum(path)
-        found.trajectories[name] = trajectory
+        found.trajectories[name] = read_tum(path)
         try:
-            if task.relations:
-                found.relations[name] = relation_errors(trajectory, read_relations(task.relations))
-            if task.truth:
-                truth = read_tum(task.truth)
-                found.absolute[name] = absolute_errors(trajectory, truth, task.group)
+            _judge_trajectory(found, name, task)
         except EvalError as error:
             raise EvalError(f"{path}: {error}") from error
     if task.map:
         found.grid = read_grid(task.map)
     if task.true_map:
-        if found.grid is None:
-            raise EvalError("a true map needs a map to compare it with (--map)")
-        found.true_grid = read_grid(task.true_map)
-        found.agreement = agreement(found.grid, found.true_grid, _place_of_map(found))
+        _compare_maps(found, task.true_map)
     return found
+
+
+def _judge_trajectory(found: Evaluation, name: str, task: Task) -> None:
+    trajectory = found.trajectories[name]
+    if task.relations:
+        found.relations[name] = relation_errors(trajectory, read_relations(task.relations))
+    if task.truth:
+        truth = read_tum(task.truth)
+        found.absolute[name] = absolute_errors(trajectory, truth, task.group)
+
+
+def _compare_maps(found: Evaluation, true_map: Path) -> None:
+    if found.grid is None:
+        raise EvalError("a true map needs a map to compare it with (--map)")
+    found.true_grid = read_grid(true_map)
+    found.agreement = agreement(found.grid, found.true_grid, _place_of_map(found))
 
 
 def _place_of_map(found: Evaluation) -> Array | None:

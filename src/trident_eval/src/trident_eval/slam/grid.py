@@ -65,13 +65,17 @@ def _read_about(path: Path) -> dict[str, Any]:
         raise EvalError(f"{path}: {error}; legal: the YAML file of a map") from error
     if not isinstance(about, dict) or not {"image", "resolution", "origin"} <= about.keys():
         raise EvalError(f"{path}: needs image, resolution and origin; legal: as map_saver writes")
-    try:
-        is_legal = float(about["resolution"]) > 0 and np.shape(about["origin"]) == (3,)
-    except (TypeError, ValueError):
-        is_legal = False
-    if not is_legal:
+    if not _has_place(about):
         raise EvalError(f"{path}: resolution above 0 m and origin [x, y, yaw] are needed")
     return about
+
+
+def _has_place(about: dict[str, Any]) -> bool:
+    """Whether size and place of the cells are numbers that can be."""
+    try:
+        return float(about["resolution"]) > 0 and np.shape(about["origin"]) == (3,)
+    except (TypeError, ValueError):
+        return False
 
 
 def _read_image(path: Path) -> Array:

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 CAPTIONS = {
     "map": "The map and the path of the base; black: occupied, white: free, grey: unknown.",
     "relations": "Share of the hand-checked relations that are kept within an error.",
-    "truth": "The trajectory after the rigid motion that fits best, and its error along the way.",
+    "truth": "The trajectory after the rigid motion that fits best, and its error along the path.",
     "map_agreement": "The map over the true surfaces: blue within the tolerance, red beyond it.",
 }
 _COLORS = ("#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#56B4E9")

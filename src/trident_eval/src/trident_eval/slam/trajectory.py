@@ -63,13 +63,7 @@ def read_numbers(path: Path, columns: int, meaning: str) -> Array:
         EvalError: unreadable, empty, or a row that is not `columns` finite numbers.
     """
     rows = []
-    if path.exists() and not path.is_file():
-        raise EvalError(f"{path}: no file; legal: {meaning}")
-    try:
-        lines = path.read_text(encoding="utf-8").splitlines()
-    except (OSError, UnicodeDecodeError) as error:
-        raise EvalError(f"{path}: {error}; legal: {meaning}") from error
-    for number, line in enumerate(lines, start=1):
+    for number, line in enumerate(_read_lines(path, meaning), start=1):
         words = line.partition("#")[0].replace(",", " ").split()
         if not words:
             continue
@@ -83,6 +77,15 @@ def read_numbers(path: Path, columns: int, meaning: str) -> Array:
     if not rows:
         raise EvalError(f"{path}: has no row; legal: {meaning}")
     return np.array(rows)
+
+
+def _read_lines(path: Path, meaning: str) -> list[str]:
+    if path.exists() and not path.is_file():
+        raise EvalError(f"{path}: no file; legal: {meaning}")
+    try:
+        return path.read_text(encoding="utf-8").splitlines()
+    except (OSError, UnicodeDecodeError) as error:
+        raise EvalError(f"{path}: {error}; legal: {meaning}") from error
 
 
 def read_tum(path: Path) -> Trajectory:

@@ -52,15 +52,18 @@ def _parser() -> argparse.ArgumentParser:
     return parser
 
 
+def _choreography_of_file(words: list[str], options: argparse.Namespace) -> Choreography:
+    if len(words) > 1:
+        raise FormationError(f"'{words[1]}' after {words[0]}; legal: its steps are in the file")
+    if options.spacing is not None:
+        raise FormationError("--spacing: not with a file; legal: spacing_m of its patterns")
+    return read_choreography(Path(words[0]))
+
+
 def _choreography(options: argparse.Namespace) -> Choreography:
     words: list[str] = options.words
-    is_file = words[0].endswith(_YAML)
-    if is_file and len(words) > 1:
-        raise FormationError(f"'{words[1]}' after {words[0]}; legal: its steps are in the file")
-    if is_file:
-        if options.spacing is not None:
-            raise FormationError("--spacing: not with a file; legal: spacing_m of its patterns")
-        choreography = read_choreography(Path(words[0]))
+    if words[0].endswith(_YAML):
+        choreography = _choreography_of_file(words, options)
     else:
         spacing_m = 1.5 if options.spacing is None else options.spacing
         choreography = parse_words(words, _LAUNCHED_VEHICLES, spacing_m)

@@ -98,10 +98,14 @@ class Choreography:
         if not math.isfinite(self.heading_deg):
             raise FormationError(f"heading_deg: {self.heading_deg}; legal: finite")
         for step in self.steps:
-            try:
-                step.validate()
-            except FormationError as error:
-                raise FormationError(f"{step.where}: {error}") from error
+            _validate_step(step)
+
+
+def _validate_step(step: Step) -> None:
+    try:
+        step.validate()
+    except FormationError as error:
+        raise FormationError(f"{step.where}: {error}") from error
 
 
 @dataclass(frozen=True)

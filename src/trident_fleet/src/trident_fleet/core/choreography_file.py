@@ -9,7 +9,6 @@ from pathlib import Path
 
 from trident_fleet.core.choreography import Choreography, Step
 from trident_fleet.core.errors import FormationError
-from trident_fleet.core.formation_file import Vector
 from trident_fleet.core.patterns import KINDS, Pattern
 from trident_fleet.core.strict_yaml import Section, load
 
@@ -64,6 +63,17 @@ def parse_words(words: list[str], vehicles: int, spacing_m: float) -> Choreograp
     return Choreography(vehicles, Pattern(words[0], spacing_m), tuple(steps))
 
 
+def _with_own_keys(pattern: Pattern, section: Section) -> Pattern:
+    """The pattern with what is asked for its kind only."""
+    if pattern.kind == "circle":
+        return replace(pattern, radius_m=section.number("radius_m", pattern.radius_m))
+    if pattern.kind == "wedge":
+        return replace(pattern, opening_deg=section.number("opening_deg", pattern.opening_deg))
+    if pattern.kind == "grid":
+        return replace(pattern, columns=section.integer("columns", pattern.columns))
+    return pattern
+
+
 def _pattern(section: Section, besides: tuple[str, ...] = ()) -> Pattern:
     """A pattern; keys that are named in `besides` are read by the caller."""
     kind = section.text("pattern", "")
@@ -71,12 +81,7 @@ def _pattern(section: Section, besides: tuple[str, ...] = ()) -> Pattern:
         raise FormationError(f"{section.where}: pattern: '{kind}'; legal: {', '.join(KINDS)}")
     pattern = Pattern(kind)
     pattern = replace(pattern, spacing_m=section.number("spacing_m", pattern.spacing_m))
-    if kind == "circle":
-        pattern = replace(pattern, radius_m=section.number("radius_m", pattern.radius_m))
-    elif kind == "wedge":
-        pattern = replace(pattern, opening_deg=section.number("opening_deg", pattern.opening_deg))
-    elif kind == "grid":
-        pattern = replace(pattern, columns=section.integer("columns", pattern.columns))
+    pattern = _with_own_keys(pattern, section)
     for name in besides:
         section.skip(name)
     section.finish()
@@ -111,14 +116,13 @@ def _step_of_word(word: str, number: int, spacing_m: float) -> Step:
     if word in KINDS:
         return Step(pattern=Pattern(word, spacing_m), where=where)
     name, _, value = word.partition(":")
-    numbers = _numbers(value)
-    if name == "rotate" and len(numbers) == 1:
-        return Step(rotate_deg=numbers[0], where=where)
-    if name == "rescale" and len(numbers) == 1:
-        return Step(rescale=numbers[0], where=where)
-    if name == "translate" and len(numbers) == 3:
-        translation: Vector = (numbers[0], numbers[1], numbers[2])
-        return Step(translate_m=translation, where=where)
+    match name, _numbers(value):
+        case "rotate", [degrees]:
+            return Step(rotate_deg=degrees, where=where)
+        case "rescale", [factor]:
+            return Step(rescale=factor, where=where)
+        case "translate", [x, y, z]:
+            return Step(translate_m=(x, y, z), where=where)
     raise FormationError(
         f"'{word}'; legal: {', '.join(KINDS)}, translate:X,Y,Z, rotate:DEGREES, rescale:FACTOR"
     )

@@ -86,6 +86,15 @@ def spawn_grid(first_row: Array, spacing_m: float) -> Array:
     return np.round(grid[assign(first_row, grid)], 3) + 0.0
 
 
+def _around_vehicles(template: str) -> tuple[str, str]:
+    """What stands before and behind the part with the vehicles."""
+    head, begin, rest = template.partition(_BEGIN)
+    _, end, tail = rest.partition(_END)
+    if not begin or not end:
+        raise FormationError(f"launch template: no '{(begin and _END.strip()) or _BEGIN.strip()}'")
+    return head, tail
+
+
 def fleet_launch(template: str, fleet: Fleet) -> str:
     """Write the launch file.
 
@@ -99,10 +108,7 @@ def fleet_launch(template: str, fleet: Fleet) -> str:
     count = len(fleet.spawn)
     if not 1 <= count <= MAX_VEHICLES:
         raise FormationError(f"uavs: {count}; legal: 1 to {MAX_VEHICLES}")
-    head, begin, rest = template.partition(_BEGIN)
-    _, end, tail = rest.partition(_END)
-    if not begin or not end:
-        raise FormationError(f"launch template: no '{(begin and _END.strip()) or _BEGIN.strip()}'")
+    head, tail = _around_vehicles(template)
     head = _with_title(head, count)
     for name, value in (
         ("formation_file", fleet.formation_file),

@@ -34,7 +34,7 @@ class Phase(enum.Enum):
     """Where the flight is."""
 
     TAKE_OFF = "take-off"
-    JOIN = "on the way to the places"
+    JOIN = "flying to the places"
     FOLLOW = "following"
     DONE = "done"  # unless the leader moves on
 

@@ -54,12 +54,15 @@ class FormationSource:
             value = getattr(self, name)
             if value < 0:
                 raise FormationError(f"{name}: {value}; legal: 0 or more")
-        for axis, factor in zip("xyz", self.scale, strict=True):
-            if not math.isfinite(factor) or factor == 0.0:
-                raise FormationError(f"scale_{axis}: {factor}; legal: finite, not 0")
+        self._check_scale()
         for axis, shift in zip("xyz", self.offset, strict=True):
             if not math.isfinite(shift):
                 raise FormationError(f"offset_{axis}: {shift}; legal: finite")
+
+    def _check_scale(self) -> None:
+        for axis, factor in zip("xyz", self.scale, strict=True):
+            if not math.isfinite(factor) or factor == 0.0:
+                raise FormationError(f"scale_{axis}: {factor}; legal: finite, not 0")
 
 
 def read_formation(source: FormationSource) -> npt.NDArray[np.float64]:

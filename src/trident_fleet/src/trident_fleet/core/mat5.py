@@ -163,10 +163,16 @@ def _read_matrix(element: _Element, order: str) -> Variable:
     if number < _FIRST_NUMERIC or number not in _CLASSES or is_complex:
         return Variable(name, f"complex {kind}" if is_complex else kind, None)
     values = _numbers(_next(parts, "values", element), order).astype(np.float64)
-    sizes = [int(size) for size in shape]
+    return Variable(name, kind, _shaped(values, [int(size) for size in shape], name))
+
+
+def _shaped(
+    values: npt.NDArray[np.float64], sizes: list[int], name: str
+) -> npt.NDArray[np.float64]:
+    """The matrix of values that stand column by column."""
     if len(sizes) < 2 or min(sizes) < 0 or _product(sizes) != len(values):
         raise MatError(f"matrix '{name}': {len(values)} values for dimensions {sizes}")
-    return Variable(name, kind, values.reshape(sizes, order="F"))
+    return values.reshape(sizes, order="F")
 
 
 def _next(parts: Iterator[_Element], what: str, matrix: _Element) -> _Element:

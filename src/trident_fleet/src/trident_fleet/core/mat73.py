@@ -53,12 +53,16 @@ def read_variables(path: Path, wanted: str) -> list[Variable]:
     return variables
 
 
-def _ask_child(path: Path, wanted: str) -> bytes:
+def _run_child(path: Path, wanted: str) -> subprocess.CompletedProcess[bytes]:
     command = [sys.executable or "/usr/bin/python3", "-I", str(_CHILD), str(path.resolve()), wanted]
     try:
-        done = subprocess.run(command, capture_output=True, timeout=_LIMIT_S, check=False)
+        return subprocess.run(command, capture_output=True, timeout=_LIMIT_S, check=False)
     except subprocess.TimeoutExpired as error:
         raise MatError(f"HDF5: the library had not read it after {_LIMIT_S:g} s") from error
+
+
+def _ask_child(path: Path, wanted: str) -> bytes:
+    done = _run_child(path, wanted)
     if done.returncode == -signal.SIGXCPU:
         raise MatError("HDF5: the library had not read it after 20 s of CPU time")
     if done.returncode < 0:

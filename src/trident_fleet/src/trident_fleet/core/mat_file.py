@@ -90,14 +90,23 @@ def _apply_layout(
     if matrix.ndim == 2:
         rows = matrix if layout == "TNx3" else matrix.T
         return deinterleave(rows, request.vehicles_in_file, request.uavs, where)
-    vehicles = request.vehicles_in_file
     positions = np.transpose(matrix, [axes.index(axis) for axis in ("T", "N", "3")])
+    _check_count(positions, matrix, layout, request.vehicles_in_file, where)
+    return np.ascontiguousarray(positions)
+
+
+def _check_count(
+    positions: npt.NDArray[np.float64],
+    matrix: npt.NDArray[np.float64],
+    layout: str,
+    vehicles: int,
+    where: str,
+) -> None:
     if vehicles and positions.shape[1] != vehicles:
         raise FormationError(
             f"{where}: {_shape_text(matrix.shape)} read as {layout} holds {positions.shape[1]}"
             f" vehicles, but vehicles_in_file is {vehicles}; legal: equal, or 0 to take the file's"
         )
-    return np.ascontiguousarray(positions)
 
 
 def deinterleave(
@@ -135,24 +144,27 @@ def _infer_layout(shape: tuple[int, ...], vehicles: int, where: str) -> str:
             f" {', '.join(fitting)} (T steps, N vehicles, 3 axes)"
         )
     wanted = f" with N = vehicles_in_file = {vehicles}" if vehicles and len(shape) == 3 else ""
+    is_wide = len(shape) == 2 and shape[1] % 3 == 0
+    hint = f"; has it a row for each moment? reshape(M', 3, []) is 3x{shape[0] * shape[-1] // 3}"
     raise FormationError(
         f"{where}: {_shape_text(shape)} fits no layout{wanted}; legal: {', '.join(LAYOUTS)}"
+        f"{hint if is_wide else ''}"
     )
 
 
 def _fitting_layouts(shape: tuple[int, ...], vehicles: int) -> list[str]:
     if len(shape) == 2:
         return [name for name in LAYOUTS_2D if shape[name.split("x").index("3")] == 3]
-    if len(shape) != 3:
-        return []
-    fitting = []
-    for name in LAYOUTS_3D:
-        size = dict(zip(name.split("x"), shape, strict=True))
-        # Without a given N a formation has more steps than vehicles.
-        right_count = size["N"] == vehicles if vehicles else size["N"] <= size["T"]
-        if size["3"] == 3 and right_count:
-            fitting.append(name)
-    return fitting
+    if len(shape) == 3:
+        return [name for name in LAYOUTS_3D if _fits(name, shape, vehicles)]
+    return []
+
+
+def _fits(layout: str, shape: tuple[int, ...], vehicles: int) -> bool:
+    size = dict(zip(layout.split("x"), shape, strict=True))
+    # Without a given N a formation has more steps than vehicles.
+    right_count = size["N"] == vehicles if vehicles else size["N"] <= size["T"]
+    return size["3"] == 3 and right_count
 
 
 def _load_variable(path: Path) -> npt.NDArray[np.float64]:

@@ -72,10 +72,10 @@ class Section:
     def vector(self, name: str, default: tuple[float, float, float]) -> tuple[float, float, float]:
         """Three finite numbers."""
         value = self._value(name, list(default))
-        numbers = [v for v in value if type(v) in (int, float)] if isinstance(value, list) else []
-        if len(numbers) != 3 or len(value) != 3 or not all(map(math.isfinite, numbers)):
+        numbers = three_numbers(value)
+        if numbers is None:
             raise self.error(name, f"{value!r}; legal: three finite numbers, e.g. [1, 0, 0.5]")
-        return float(numbers[0]), float(numbers[1]), float(numbers[2])
+        return numbers
 
     def section(self, name: str) -> Section:
         """The mapping under a key that has to be there."""
@@ -125,9 +125,16 @@ def load(path: Path) -> Section:
     Raises:
         FormationError: unreadable, not YAML, or no mapping.
     """
+    node = _compose(path)
+    if node is None:
+        raise FormationError(f"{path}: empty; legal: lines of `key: value`")
+    return Section(node, path)
+
+
+def _compose(path: Path) -> yaml.Node | None:
     try:
         text = read_bounded(path, LARGEST_YAML_BYTES).decode("utf-8")
-        node = yaml.compose(text, Loader=yaml.SafeLoader)
+        return yaml.compose(text, Loader=yaml.SafeLoader)
     except (OSError, UnicodeDecodeError) as error:
         reason = getattr(error, "strerror", None) or error
         raise FormationError(f"{path}: {reason}; legal: a readable YAML file") from error
@@ -137,6 +144,12 @@ def load(path: Path) -> Section:
         raise FormationError(f"{path}{line}: {error.problem}; legal: YAML") from error
     except yaml.YAMLError as error:
         raise FormationError(f"{path}: {str(error).splitlines()[0]}; legal: YAML") from error
-    if node is None:
-        raise FormationError(f"{path}: empty; legal: lines of `key: value`")
-    return Section(node, path)
+
+
+def three_numbers(value: object) -> tuple[float, float, float] | None:
+    """A list of three finite numbers; None for anything else."""
+    if not isinstance(value, list) or len(value) != 3:
+        return None
+    if not all(type(number) in (int, float) and math.isfinite(number) for number in value):
+        return None
+    return float(value[0]), float(value[1]), float(value[2])

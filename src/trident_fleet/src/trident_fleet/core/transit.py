@@ -51,7 +51,7 @@ def transit_points(spawn: Array, goal: Array, config: PlanConfig) -> Array:
         i, j = (int(index[np.argmin(pair_separations(layered))]) for index in pairs(len(spawn)))
         raise FormationError(
             f"spawn positions of vehicles {i + 1} and {j + 1}: they would come within"
-            f" {reached:.2f} m on the way to the first row; legal: {required:.2f} m or more"
+            f" {reached:.2f} m while flying to the first row; legal: {required:.2f} m or more"
         )
     return layered
 
@@ -63,7 +63,7 @@ def transit_path(points: Array, limits: FlightLimits) -> QuinticPath:
         leg = rest_to_rest(start, end, leg_duration(start, end, limits))
         path = leg if path is None else path.then(leg)
     if path is None:
-        raise AssertionError("a way has two points or more")
+        raise AssertionError("a path has two points or more")
     return path
 
 

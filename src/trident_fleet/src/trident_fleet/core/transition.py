@@ -147,24 +147,31 @@ def _waves(start: Array, goal: Array, required_m: float, order: list[int]) -> Wa
     """Waves that take along whom they can, in the given order; none if somebody is left over."""
     place, left, waves = start.copy(), list(order), []
     while left:
-        target = place.copy()
-        wave: list[int] = []
-        grown = True
-        while grown:
-            grown = False
-            for vehicle in [v for v in left if v not in wave]:
-                target[vehicle] = goal[vehicle]
-                if _separation_of(vehicle, place, target) >= required_m - _SLACK_M:
-                    wave.append(vehicle)
-                    grown = True
-                else:
-                    target[vehicle] = place[vehicle]
+        wave, place = _next_wave(place, goal, required_m, left)
         if not wave:
             return ()
         waves.append(tuple(sorted(wave)))
         left = [vehicle for vehicle in left if vehicle not in wave]
-        place = target
     return tuple(waves)
+
+
+def _next_wave(
+    place: Array, goal: Array, required_m: float, left: list[int]
+) -> tuple[list[int], Array]:
+    """All those of `left` that can go together, and where everybody is then."""
+    target = place.copy()
+    wave: list[int] = []
+    grown = True
+    while grown:
+        grown = False
+        for vehicle in [v for v in left if v not in wave]:
+            target[vehicle] = goal[vehicle]
+            if _separation_of(vehicle, place, target) >= required_m - _SLACK_M:
+                wave.append(vehicle)
+                grown = True
+            else:
+                target[vehicle] = place[vehicle]
+    return wave, target
 
 
 def _separation_of(vehicle: int, place: Array, target: Array) -> float:

@@ -51,27 +51,41 @@ def infer_vehicles(rows: Rows, uavs: int, where: str) -> int:
     """
     if len(rows) == 1:
         return 1
-    # Differences of huge numbers stay finite then, and ratios are what counts.
-    largest = float(np.abs(rows).max())
-    rows = rows / largest if largest > 0.0 else rows
-    divisors = [n for n in range(1, min(len(rows), MAX_INFERRED) + 1) if len(rows) % n == 0]
+    rows = _scaled(rows)
+    divisors = _divisors(len(rows))
     continuous = {n: _largest_step(rows, n) for n in divisors if _is_dip(rows, n)}
     if not continuous:
         _check_whole(rows, where)
         possible = [n for n in divisors if n >= uavs]
         return _decided(divisors, possible, uavs, "the rows move in no small steps", where)
     smallest, rivals = _smallest(rows, continuous, uavs)
-    reason = ""
-    if continuous[smallest] == 0.0:
-        reason = "all stand still"
-    elif rivals:
-        reason = "they come back to where they were"
-    elif len(rows) <= MAX_INFERRED and not _is_more_than_one_row(rows, smallest):
-        reason = "vehicles on their way, or one row of vehicles"
-    if not reason:
+    doubt = _doubt(rows, smallest, continuous[smallest], rivals)
+    if not doubt:
         return smallest
-    one_row = [n for n in divisors if n == len(rows) and n not in continuous]
-    return _decided([*continuous, *one_row], [], uavs, reason, where)
+    one_row = set(divisors) & {len(rows)} - set(continuous)
+    return _decided([*continuous, *one_row], [], uavs, doubt, where)
+
+
+def _scaled(rows: Rows) -> Rows:
+    """Differences of huge numbers stay finite then, and ratios are what counts."""
+    largest = float(np.abs(rows).max())
+    return rows / largest if largest > 0.0 else rows
+
+
+def _divisors(count: int) -> list[int]:
+    """Numbers of vehicles that may share so many rows."""
+    return [n for n in range(1, min(count, MAX_INFERRED) + 1) if count % n == 0]
+
+
+def _doubt(rows: Rows, vehicles: int, step: float, rivals: list[int]) -> str:
+    """Why the smallest number may be another one, or ""; `step`: the largest with it."""
+    if step == 0.0:
+        return "all stand still"
+    if rivals:
+        return "they come back to where they were"
+    if len(rows) <= MAX_INFERRED and not _is_more_than_one_row(rows, vehicles):
+        return "vehicles in flight, or one row of vehicles"
+    return ""
 
 
 def _check_whole(rows: Rows, where: str) -> None:

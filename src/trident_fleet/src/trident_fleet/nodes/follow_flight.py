@@ -233,7 +233,7 @@ class FollowFlight:
         problem = self._followers.problem
         if bool(problem) != bool(self._reported_problem):
             if problem:
-                rospy.logwarn("%s; they hover until there is a way", problem)
+                rospy.logwarn("%s; they hover until there is a path", problem)
             self._reported_problem = self._log.error = problem
 
     def _announce_end(self, end_ns: int) -> None:

@@ -86,15 +86,20 @@ class FormationRunner:
         context = self._context
         for topic in context.topics:
             topic.forget()
-            limit_s = context.settings.connect_wait_s
-            while not topic.wait_for_controller(limit_s) and not rospy.is_shutdown():
-                rospy.logwarn("%s: no controller listens yet", topic.topic)
-                # In lockstep the world stands meanwhile, so that there is no hurry; a controller
-                # of another name, or within the simulator, is heard of as a listener.
-                if topic.has_listener or not context.link.is_lockstep:
-                    break
+            self._wait_for_controller(topic)
             if context.settings.guard:
                 topic.guard()
+
+    def _wait_for_controller(self, topic: SetpointTopic) -> None:
+        context = self._context
+        while not topic.wait_for_controller(context.settings.connect_wait_s):
+            if rospy.is_shutdown():
+                return
+            rospy.logwarn("%s: no controller listens yet", topic.topic)
+            # In lockstep the world stands meanwhile, so that there is no hurry; a controller
+            # of another name, or within the simulator, is heard of as a listener.
+            if topic.has_listener or not context.link.is_lockstep:
+                return
 
     def _next_period_ns(self) -> int:
         """Without lockstep: the first whole period from now on."""

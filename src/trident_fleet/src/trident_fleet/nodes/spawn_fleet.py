@@ -4,7 +4,6 @@
 
 from __future__ import annotations
 
-import math
 import time
 from contextlib import closing
 from typing import Any
@@ -14,6 +13,7 @@ from gazebo_msgs.srv import SpawnModel
 from geometry_msgs.msg import Point, Pose, Quaternion
 
 from trident_fleet.core.errors import FormationError
+from trident_fleet.core.strict_yaml import three_numbers
 from trident_fleet.nodes.params import get_param
 
 _SERVICE = "/gazebo/spawn_urdf_model"
@@ -58,15 +58,19 @@ def read_positions(given: Any, uavs: Any) -> Positions:
         raise FormationError(f"positions: {given!r}; legal: name: [x, y, z] for each vehicle")
     positions: Positions = {}
     for name in sorted(given, key=lambda name: (len(name), name)):
-        value = given[name]
-        numbers = [v for v in value if type(v) in (int, float)] if isinstance(value, list) else []
-        if len(numbers) != 3 or len(value) != 3 or not all(map(math.isfinite, numbers)):
+        position = three_numbers(given[name])
+        if position is None:
+            value = given[name]
             raise FormationError(f"positions/{name}: {value!r}; legal: [x, y, z], finite numbers")
-        positions[name] = (float(numbers[0]), float(numbers[1]), float(numbers[2]))
-    count = len(positions) if uavs in (None, 0) else uavs
-    if not isinstance(count, int) or not 1 <= count <= len(positions):
-        raise FormationError(f"uavs: {uavs!r}; legal: 1 to {len(positions)}")
-    return dict(list(positions.items())[:count])
+        positions[name] = position
+    return dict(list(positions.items())[: _read_count(uavs, len(positions))])
+
+
+def _read_count(uavs: Any, known: int) -> int:
+    count = known if uavs in (None, 0) else uavs
+    if not isinstance(count, int) or not 1 <= count <= known:
+        raise FormationError(f"uavs: {uavs!r}; legal: 1 to {known}")
+    return count
 
 
 def _text(name: str) -> str:

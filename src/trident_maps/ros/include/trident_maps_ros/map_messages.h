@@ -10,6 +10,7 @@
 
 namespace trident::maps {
 
+/// At height 0, turned about z.
 geometry_msgs::Pose to_pose_message(const SE2& T_parent_child);
 
 /// The heading of the body's x axis; throws Error when a number is not finite or the quaternion is

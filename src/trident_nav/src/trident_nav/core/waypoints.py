@@ -165,16 +165,24 @@ class WaypointFollower:
         return max(-self._config.turn_rate, min(self._config.turn_rate, rate))
 
 
-def _checked(waypoints: Sequence[Sequence[float]], loop: bool) -> _Floats:
+def _array(waypoints: Sequence[Sequence[float]]) -> _Floats:
     try:
-        path = np.array(waypoints, dtype=float)
+        return np.array(waypoints, dtype=float)
     except (TypeError, ValueError) as error:
         raise NavError(f"waypoints: {waypoints!r}; legal: a list of [x, y]") from error
-    if path.ndim != 2 or path.shape[1] != 2 or len(path) == 0:
-        raise NavError(f"waypoints: shape {path.shape}; legal: (n, 2), n 1 or more")
+
+
+def _check_finite(path: _Floats) -> None:
     for index, point in enumerate(path):
         if not np.isfinite(point).all():
             raise NavError(f"waypoints[{index}]: {point.tolist()}; legal: finite numbers")
+
+
+def _checked(waypoints: Sequence[Sequence[float]], loop: bool) -> _Floats:
+    path = _array(waypoints)
+    if path.ndim != 2 or path.shape[1] != 2 or len(path) == 0:
+        raise NavError(f"waypoints: shape {path.shape}; legal: (n, 2), n 1 or more")
+    _check_finite(path)
     if loop and len(path) < 2:
         raise NavError("waypoints: 1 of them; legal: 2 or more where they form a loop")
     return path

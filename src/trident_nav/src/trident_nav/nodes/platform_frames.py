@@ -71,6 +71,18 @@ def earth_frame() -> TransformStamped:
 _ORIGIN = {"latitude": 63.4389, "longitude": 10.399, "height": 0.0}
 
 
+def _all_frames() -> list[TransformStamped]:
+    """Frames of all missions that have a start, and of the earth if it is wanted."""
+    frames = []
+    for name, values in sorted(rospy.get_param("/").items()):
+        mission = values.get("mission") if isinstance(values, dict) else None
+        if isinstance(mission, dict) and "start" in mission:
+            frames += frames_of(name, mission)
+    if rospy.get_param("~earth", False):
+        frames.append(earth_frame())
+    return frames
+
+
 def main() -> int:
     """Run until the node is shut down.
 
@@ -79,14 +91,8 @@ def main() -> int:
     """
     rospy.init_node("platform_frames")
     warn_of_unknown_parameters((*_ORIGIN, "earth"))
-    frames = []
     try:
-        for name, values in sorted(rospy.get_param("/").items()):
-            mission = values.get("mission") if isinstance(values, dict) else None
-            if isinstance(mission, dict) and "start" in mission:
-                frames += frames_of(name, mission)
-        if rospy.get_param("~earth", False):
-            frames.append(earth_frame())
+        frames = _all_frames()
     except NavError as error:
         rospy.logfatal("platform_frames: %s", error)
         return 1

@@ -22,6 +22,7 @@ from std_msgs.msg import Bool
 from trident_base.params import unknown
 
 from trident_nav.core.errors import NavError
+from trident_nav.core.velocity import Velocity
 from trident_nav.core.waypoints import FollowerConfig, WaypointFollower
 from trident_nav.nodes.params import read_config, twist
 from trident_ros import MISSION_PARAMETERS, Refusals, pose_problem, stamp_problem
@@ -57,9 +58,7 @@ class FollowerNode:
         if problem:
             self._refusals.note("odometry refused", f"odometry refused: {problem}")
             return
-        if odometry.header.frame_id != self._path_frame:
-            self._path_frame = odometry.header.frame_id
-            self._path.publish(self._path_message())
+        self._show_path_in(odometry.header.frame_id)
         position, q = odometry.pose.pose.position, odometry.pose.pose.orientation
         yaw = math.atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z))
         time_s = odometry.header.stamp.to_sec()
@@ -67,6 +66,15 @@ class FollowerNode:
         is_done = self._follower.is_done
         if is_done and self._was_done and not self._answers_always:
             return  # the next driver is not to be stopped
+        self._publish(velocity, is_done)
+
+    def _show_path_in(self, frame: str) -> None:
+        """Publishes the path again if odometry is in another frame than before."""
+        if frame != self._path_frame:
+            self._path_frame = frame
+            self._path.publish(self._path_message())
+
+    def _publish(self, velocity: Velocity, is_done: bool) -> None:
         try:
             self._velocity.publish(twist(velocity))
             if is_done != self._was_done:
@@ -108,17 +116,21 @@ def read_waypoints() -> list[list[float]]:
         raise NavError(f"~waypoints: {points!r}, legal: a list of [x, y]") from error
 
 
-def _read_file(path: FilePath) -> Any:
+def _read_yaml(path: FilePath) -> Any:
     if path.exists() and not path.is_file():
         raise NavError(f"{path}: no file; legal: a YAML file")
     try:
-        found = yaml.safe_load(path.read_text(encoding="utf-8"))
+        return yaml.safe_load(path.read_text(encoding="utf-8"))
     except OSError as error:
         raise NavError(f"{path}: cannot be read: {error.strerror}") from error
     except (yaml.YAMLError, UnicodeDecodeError) as error:
         line = getattr(getattr(error, "problem_mark", None), "line", None)
         where = f"{path}:{line + 1}" if line is not None else str(path)
         raise NavError(f"{where}: not a YAML file") from error
+
+
+def _read_file(path: FilePath) -> Any:
+    found = _read_yaml(path)
     if isinstance(found, dict):
         for text in unknown(map(str, found), ["waypoints"]):
             raise NavError(f"{path}: {text}; legal: waypoints")

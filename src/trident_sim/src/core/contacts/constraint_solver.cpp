@@ -246,6 +246,24 @@ void ConstraintSolver::solve_one_by_one(double dt_s) {
   }
 }
 
+namespace {
+
+/// `is_limit_known`: friction is limited by `limiting_normal_n`, else by the normal force that the
+/// solver makes out.
+void set_friction(Touch& touch, bool is_limit_known) {
+  dSurfaceParameters& surface = touch.ode.surface;
+  surface.mode |= dContactApprox1;
+  surface.mu = touch.mu[0];
+  surface.mu2 = touch.mu[1];
+  if (!is_limit_known) return;
+  const double normal = touch.limiting_normal_n;
+  surface.mode &= ~dContactApprox1;
+  surface.mu = normal > 0.0 ? touch.mu[0] * normal : 0.0;
+  surface.mu2 = normal > 0.0 ? touch.mu[1] * normal : 0.0;
+}
+
+}  // namespace
+
 /// `limits_known`: friction is limited by the normal forces of the last round, else by those of the
 /// last step where they are known, else by those that the solver makes out.
 void ConstraintSolver::make_joints(Pass pass, bool limits_known) {
@@ -255,16 +273,7 @@ void ConstraintSolver::make_joints(Pass pass, bool limits_known) {
     const std::size_t island = island_of(touch);
     if (!active_[island]) continue;
     touch.ode.geom.depth = touch.depth_m[static_cast<std::size_t>(pass)];
-    dSurfaceParameters& surface = touch.ode.surface;
-    surface.mode |= dContactApprox1;
-    surface.mu = touch.mu[0];
-    surface.mu2 = touch.mu[1];
-    if (limits_known || is_warm_[island]) {
-      const double normal = touch.limiting_normal_n;
-      surface.mode &= ~dContactApprox1;
-      surface.mu = normal > 0.0 ? touch.mu[0] * normal : 0.0;
-      surface.mu2 = normal > 0.0 ? touch.mu[1] * normal : 0.0;
-    }
+    set_friction(touch, limits_known || is_warm_[island]);
     const dJointID joint = dJointCreateContact(world_, joints_, &touch.ode);
     dJointAttach(joint, touch.a->ode, touch.b != nullptr ? touch.b->ode : nullptr);
     dJointSetFeedback(joint, &touch.feedback);

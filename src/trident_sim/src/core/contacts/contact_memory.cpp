@@ -21,14 +21,23 @@ bool is_of(const ContactMemory& memory, const Touch& touch) {
   return memory.a == number_of(touch.a) && memory.b == number_of(touch.b);
 }
 
+bool is_same_pair(const Touch& one, const Touch& other) {
+  return number_of(one.a) == number_of(other.a) && number_of(one.b) == number_of(other.b);
+}
+
+std::unordered_map<const EngineBody*, std::size_t> places_in(
+    const std::vector<EngineBody*>& bodies) {
+  std::unordered_map<const EngineBody*, std::size_t> places;
+  for (std::size_t i = 0; i < bodies.size(); ++i) places[bodies[i]] = i;
+  return places;
+}
+
 }  // namespace
 
 /// Contacts come in nearly the same order in every step: each is looked for behind the last one.
 void ConstraintSolver::recall(Touch& touch) {
   touch.known_normal_n = {kUnknown, kUnknown};
-  const bool is_first = touches_.size() < 2 ||
-                        number_of(touches_[touches_.size() - 2].a) != number_of(touch.a) ||
-                        number_of(touches_[touches_.size() - 2].b) != number_of(touch.b);
+  const bool is_first = touches_.size() < 2 || !is_same_pair(touches_[touches_.size() - 2], touch);
   touch.index = is_first ? 0 : touches_[touches_.size() - 2].index + 1;
   for (std::size_t i = 0; i < memory_.size(); ++i) {
     const std::size_t at = (next_in_memory_ + i) % memory_.size();
@@ -73,8 +82,7 @@ void ConstraintSolver::state(StateArchive& archive) { archive(memory_); }
 
 void ConstraintSolver::renumber(const std::vector<EngineBody*>& before,
                                 const std::vector<EngineBody*>& now) {
-  std::unordered_map<const EngineBody*, std::size_t> numbers;
-  for (std::size_t i = 0; i < now.size(); ++i) numbers[now[i]] = i;
+  const std::unordered_map<const EngineBody*, std::size_t> numbers = places_in(now);
   const auto follow = [&](std::size_t& number) {
     if (number == ContactMemory::kWorld) return true;
     const auto found = numbers.find(before[number]);

@@ -91,7 +91,21 @@ Contact contact_of(const EngineGeom& a, const EngineBody* body_a, const EngineGe
   return contact;
 }
 
+bool may_collide(const EngineBody& a, const EngineBody& b) {
+  if (a.owner == b.owner && !a.self_collide) return false;
+  if (a.frozen || b.frozen) return false;
+  return dAreConnectedExcluding(a.ode, b.ode, dJointTypeContact) == 0;
+}
+
 }  // namespace
+
+/// Whether a sphere reaches the geometry, or the box around it.
+bool PhysicsEngine::reaches(const Eigen::Vector3d& center, double radius_m,
+                            const StaticGeom& geom) {
+  if (geom.is_plane) return !(geom.normal.dot(center) - geom.offset > radius_m);
+  const Eigen::Vector3d nearest = center.cwiseMax(geom.lo).cwiseMin(geom.hi);
+  return !((nearest - center).squaredNorm() > radius_m * radius_m);
+}
 
 void PhysicsEngine::find_contacts(double dt_s) {
   solver_->begin_step(bodies_.size());
@@ -119,19 +133,26 @@ void PhysicsEngine::release_placed() {
   }
 }
 
-void PhysicsEngine::sweep_bodies(double dt_s) {
-  const auto low = [this](std::size_t i) { return centers_[i].x() - bodies_[i]->bound_radius_m; };
-  // Insertion sort: the order hardly changes from step to step.
+double PhysicsEngine::low_x(std::size_t body) const {
+  return centers_[body].x() - bodies_[body]->bound_radius_m;
+}
+
+/// Insertion sort: the order hardly changes from step to step.
+void PhysicsEngine::sort_bodies() {
   for (std::size_t k = 1; k < order_.size(); ++k) {
     const std::size_t moved = order_[k];
     std::size_t at = k;
-    for (; at > 0 && low(order_[at - 1]) > low(moved); --at) order_[at] = order_[at - 1];
+    for (; at > 0 && low_x(order_[at - 1]) > low_x(moved); --at) order_[at] = order_[at - 1];
     order_[at] = moved;
   }
+}
+
+void PhysicsEngine::sweep_bodies(double dt_s) {
+  sort_bodies();
   for (std::size_t k = 0; k < order_.size(); ++k) {
     const std::size_t i = order_[k];
     const double high = centers_[i].x() + bodies_[i]->bound_radius_m;
-    for (std::size_t m = k + 1; m < order_.size() && low(order_[m]) <= high; ++m) {
+    for (std::size_t m = k + 1; m < order_.size() && low_x(order_[m]) <= high; ++m) {
       const std::size_t j = order_[m];
       const double reach = bodies_[i]->bound_radius_m + bodies_[j]->bound_radius_m;
       if ((centers_[i] - centers_[j]).squaredNorm() > reach * reach) continue;
@@ -144,12 +165,7 @@ void PhysicsEngine::collide_with_static(EngineBody& body, const Eigen::Vector3d&
                                         double dt_s) {
   bool pushed = false;
   for (const StaticGeom& other : statics_) {
-    if (other.is_plane) {
-      if (other.normal.dot(center) - other.offset > body.bound_radius_m) continue;
-    } else {
-      const Eigen::Vector3d nearest = center.cwiseMax(other.lo).cwiseMin(other.hi);
-      if ((nearest - center).squaredNorm() > body.bound_radius_m * body.bound_radius_m) continue;
-    }
+    if (!reaches(center, body.bound_radius_m, other)) continue;
     if (!pushed) push(body);
     pushed = true;
     for (EngineGeom& geom : body.geoms) collide_geoms(geom, &body, *other.geom, nullptr, dt_s);
@@ -157,9 +173,7 @@ void PhysicsEngine::collide_with_static(EngineBody& body, const Eigen::Vector3d&
 }
 
 void PhysicsEngine::collide_bodies(EngineBody& a, EngineBody& b, double dt_s) {
-  if (a.owner == b.owner && !a.self_collide) return;
-  if (a.frozen || b.frozen) return;
-  if (dAreConnectedExcluding(a.ode, b.ode, dJointTypeContact)) return;
+  if (!may_collide(a, b)) return;
   push(a);
   push(b);
   for (EngineGeom& geom_a : a.geoms) {

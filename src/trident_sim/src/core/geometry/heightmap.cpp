@@ -12,6 +12,23 @@ constexpr std::size_t kMaxSamples = std::size_t{2049} * 2049;
 
 }  // namespace
 
+namespace {
+
+/// Two triangles for each square of samples, whose rows follow each other.
+std::vector<std::uint32_t> triangles_between(std::uint32_t columns, std::uint32_t rows) {
+  std::vector<std::uint32_t> indices;
+  indices.reserve(std::size_t{6} * (columns - 1) * (rows - 1));
+  for (std::uint32_t row = 0; row + 1 < rows; ++row) {
+    for (std::uint32_t column = 0; column + 1 < columns; ++column) {
+      const std::uint32_t a = row * columns + column, b = a + 1, c = a + columns, d = c + 1;
+      indices.insert(indices.end(), {a, c, b, d, b, c});
+    }
+  }
+  return indices;
+}
+
+}  // namespace
+
 TriangleMesh read_heightmap(const HeightmapShape& shape, MeshDetail detail) {
   const HeightImage image = read_heights(shape);
   if (image.brightness.size() > kMaxSamples) {
@@ -35,13 +52,7 @@ TriangleMesh read_heightmap(const HeightmapShape& shape, MeshDetail detail) {
       mesh.uvs.push_back(static_cast<float>(1.0 - down));
     }
   }
-  mesh.indices.reserve(std::size_t{6} * (columns - 1) * (rows - 1));
-  for (std::uint32_t row = 0; row + 1 < rows; ++row) {
-    for (std::uint32_t column = 0; column + 1 < columns; ++column) {
-      const std::uint32_t a = row * columns + column, b = a + 1, c = a + columns, d = c + 1;
-      mesh.indices.insert(mesh.indices.end(), {a, c, b, d, b, c});
-    }
-  }
+  mesh.indices = triangles_between(columns, rows);
   return mesh;
 }
 

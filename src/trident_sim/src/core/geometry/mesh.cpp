@@ -49,20 +49,26 @@ class MeshReader {
     }
   }
 
+  /// Zero where the file gives none, or none that can be used.
+  Eigen::Vector3d normal_of(const aiMesh& part, unsigned vertex,
+                            const aiMatrix3x3& to_normal) const {
+    if (!part.HasNormals()) return Eigen::Vector3d::Zero();
+    const aiVector3D n = to_normal * part.mNormals[vertex];
+    Eigen::Vector3d normal =
+        Eigen::Vector3d(n.x, n.y, n.z).cwiseQuotient(shape_.scale).normalized();
+    if (!normal.allFinite()) normal.setZero();
+    return normal;
+  }
+
   /// Normals go with the inverse transpose of what moves the points.
   void add_look(const aiMesh& part, const aiMatrix4x4& T_root_node) {
     const aiMatrix3x3 to_normal = aiMatrix3x3(T_root_node).Inverse().Transpose();
     for (unsigned v = 0; v < part.mNumVertices; ++v) {
-      Eigen::Vector3d normal = Eigen::Vector3d::Zero();
-      if (part.HasNormals()) {
-        const aiVector3D n = to_normal * part.mNormals[v];
-        normal = Eigen::Vector3d(n.x, n.y, n.z).cwiseQuotient(shape_.scale).normalized();
-        if (!normal.allFinite()) normal.setZero();
-      }
+      const Eigen::Vector3d normal = normal_of(part, v, to_normal);
       for (int i = 0; i < 3; ++i) mesh_.normals.push_back(static_cast<float>(normal[i]));
-      const bool mapped = part.HasTextureCoords(0);
-      mesh_.uvs.push_back(mapped ? part.mTextureCoords[0][v].x : 0.0F);
-      mesh_.uvs.push_back(mapped ? part.mTextureCoords[0][v].y : 0.0F);
+      const aiVector3D uv = part.HasTextureCoords(0) ? part.mTextureCoords[0][v] : aiVector3D();
+      mesh_.uvs.push_back(uv.x);
+      mesh_.uvs.push_back(uv.y);
     }
     has_normals_ = has_normals_ || part.HasNormals();
     has_uvs_ = has_uvs_ || part.HasTextureCoords(0);

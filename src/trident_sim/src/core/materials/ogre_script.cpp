@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <sstream>
 #include <vector>
 
@@ -47,30 +48,49 @@ class Tokenizer {
  private:
   void add(std::string text) { tokens_.push_back({std::move(text), line_}); }
   bool starts(const char* with) const { return text_.compare(at_, 2, with) == 0; }
+  static bool is_mark(char c) { return c == '\n' || c == '{' || c == '}'; }
+  static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+
+  void skip_block_comment() {
+    const std::size_t end = std::min(text_.find("*/", at_ + 2), text_.size());
+    line_ += static_cast<int>(std::count(text_.begin() + static_cast<std::ptrdiff_t>(at_),
+                                         text_.begin() + static_cast<std::ptrdiff_t>(end), '\n'));
+    at_ = std::min(end + 2, text_.size());
+  }
+
+  void take_mark(char c) {
+    add(std::string(1, c));
+    if (c == '\n') ++line_;
+    ++at_;
+  }
+
+  /// Up to the closing quotation mark, or the end of the line.
+  void take_quoted() {
+    const std::size_t end = std::min(text_.find_first_of("\"\n", at_ + 1), text_.size());
+    add(text_.substr(at_ + 1, end - at_ - 1));
+    at_ = end < text_.size() && text_[end] == '"' ? end + 1 : end;
+  }
+
+  void take_word() {
+    const std::size_t end = std::min(text_.find_first_of(" \t\r\n{}\"", at_), text_.size());
+    add(text_.substr(at_, end - at_));
+    at_ = end;
+  }
 
   void take() {
     const char c = text_[at_];
     if (starts("//")) {
       at_ = std::min(text_.find('\n', at_), text_.size());
     } else if (starts("/*")) {
-      const std::size_t end = std::min(text_.find("*/", at_ + 2), text_.size());
-      line_ += static_cast<int>(std::count(text_.begin() + static_cast<std::ptrdiff_t>(at_),
-                                           text_.begin() + static_cast<std::ptrdiff_t>(end), '\n'));
-      at_ = std::min(end + 2, text_.size());
-    } else if (c == '\n' || c == '{' || c == '}') {
-      add(std::string(1, c));
-      if (c == '\n') ++line_;
-      ++at_;
+      skip_block_comment();
+    } else if (is_mark(c)) {
+      take_mark(c);
     } else if (c == '"') {
-      const std::size_t end = std::min(text_.find_first_of("\"\n", at_ + 1), text_.size());
-      add(text_.substr(at_ + 1, end - at_ - 1));
-      at_ = end < text_.size() && text_[end] == '"' ? end + 1 : end;
-    } else if (c == ' ' || c == '\t' || c == '\r') {
+      take_quoted();
+    } else if (is_blank(c)) {
       ++at_;
     } else {
-      const std::size_t end = std::min(text_.find_first_of(" \t\r\n{}\"", at_), text_.size());
-      add(text_.substr(at_, end - at_));
-      at_ = end;
+      take_word();
     }
   }
 
@@ -97,6 +117,7 @@ class Parser {
     throw Error(label_ + ":" + std::to_string(line) + ": " + what);
   }
   bool sees(const char* text) const { return at_ < tokens_.size() && tokens_[at_].text == text; }
+  bool sees_mark() const { return sees("\n") || sees("{") || sees("}"); }
   void skip_lines() {
     while (sees("\n")) ++at_;
   }
@@ -114,7 +135,7 @@ class Parser {
   Statement read_statement(int depth) {
     Statement statement;
     statement.line = tokens_[at_].line;
-    while (at_ < tokens_.size() && !sees("\n") && !sees("{") && !sees("}")) {
+    while (at_ < tokens_.size() && !sees_mark()) {
       statement.words.push_back(tokens_[at_++].text);
     }
     skip_lines();
@@ -133,23 +154,31 @@ class Parser {
 
 /// Colours of three or four numbers; the fourth of `specular` may be its shininess, as the fourth
 /// or fifth number; what is not a number is not a colour.
+/// The words behind the first, all of them numbers; else nothing.
+std::optional<std::vector<double>> numbers_of(const Statement& statement) {
+  std::vector<double> numbers;
+  for (std::size_t i = 1; i < statement.words.size(); ++i) {
+    std::istringstream word(statement.words[i]);
+    double value = 0.0;
+    if (!(word >> value) || !word.eof()) return std::nullopt;
+    numbers.push_back(value);
+  }
+  return numbers;
+}
+
 void read_color(const Statement& pass, const char* name, const std::string& label,
                 Eigen::Vector4d& color) {
   const Statement* const statement = pass.find(name);
   if (statement == nullptr) return;
-  std::vector<double> numbers;
-  for (std::size_t i = 1; i < statement->words.size(); ++i) {
-    std::istringstream word(statement->words[i]);
-    double value = 0.0;
-    if (!(word >> value) || !word.eof()) return;
-    numbers.push_back(value);
-  }
-  if (numbers.size() < 3) {
+  const std::optional<std::vector<double>> numbers = numbers_of(*statement);
+  if (!numbers) return;
+  const std::vector<double>& rgba = *numbers;
+  if (rgba.size() < 3) {
     throw Error(label + ":" + std::to_string(statement->line) + ": '" + name + "' has " +
-                std::to_string(numbers.size()) + " numbers, must have red, green and blue");
+                std::to_string(rgba.size()) + " numbers, must have red, green and blue");
   }
-  const bool has_alpha = numbers.size() > (std::string(name) == "specular" ? 4U : 3U);
-  color = Eigen::Vector4d(numbers[0], numbers[1], numbers[2], has_alpha ? numbers[3] : 1.0);
+  const bool has_alpha = rgba.size() > (std::string(name) == "specular" ? 4U : 3U);
+  color = Eigen::Vector4d(rgba[0], rgba[1], rgba[2], has_alpha ? rgba[3] : 1.0);
   color = color.cwiseMax(0.0).cwiseMin(1.0);
 }
 
@@ -178,6 +207,14 @@ std::pair<std::string, std::string> names_of(const Statement& statement) {
   return {name, parent};
 }
 
+/// What a material begins as: its parent, of the same script or one of Gazebo's.
+OgreMaterial inherited(const std::string& parent,
+                       const std::map<std::string, OgreMaterial>& script) {
+  if (const auto above = script.find(parent); above != script.end()) return above->second;
+  const OgreMaterial* const known = find_ogre_material(parent);
+  return known != nullptr ? *known : OgreMaterial();
+}
+
 std::vector<std::string> scripts_in(const std::string& path) {
   std::error_code ignored;
   const auto is_script = [](const fs::path& file) { return file.extension() == ".material"; };
@@ -198,12 +235,7 @@ std::map<std::string, OgreMaterial> parse_ogre_script(const std::string& text,
   for (const Statement& statement : Parser(Tokenizer(text).run(), label).run()) {
     if (!statement.is("material")) continue;
     const auto [name, parent] = names_of(statement);
-    OgreMaterial material;
-    if (const auto above = materials.find(parent); above != materials.end()) {
-      material = above->second;
-    } else if (const OgreMaterial* const known = find_ogre_material(parent)) {
-      material = *known;
-    }
+    OgreMaterial material = inherited(parent, materials);
     const Statement* const technique = statement.find("technique");
     const Statement* const pass = technique != nullptr ? technique->find("pass") : nullptr;
     if (pass != nullptr) read_pass(*pass, label, material);

@@ -92,6 +92,29 @@ void set_texture(const std::string& name, const std::string& file, const Look& l
           context);
 }
 
+/// The material of this name in the first script on disk that has it, or none.
+const OgreMaterial* find_on_disk(const std::string& name, const ScriptPaths& paths,
+                                 const ConvertContext& context) {
+  for (const std::string& path : paths.found) {
+    if (const auto* const own = context.scripts->find(path, name, context.warn)) return own;
+  }
+  return nullptr;
+}
+
+/// Once of each name; colours given with the script stand in for a missing file without a word.
+void warn_of_unknown(const Look& look, const ScriptPaths& paths, const ConvertContext& context,
+                     const Material& material) {
+  const bool has_color = look.element->HasElement("diffuse");
+  if (has_color && paths.missing.empty()) return;
+  if (!context.scripts->is_first("script " + material.script)) return;
+  const std::string where = paths.missing.empty() ? "is not known by its name"
+                                                  : "not found, nor is '" + paths.missing[0] + "'";
+  warn_of(look,
+          "material script '" + material.script + "' " + where + "; shown in " +
+              (has_color ? "the colour " : "grey ") + color_text(material.diffuse),
+          context);
+}
+
 /// A script's material stands for its colours; colours given with it count where it is unknown. One
 /// that a script on disk has comes before Gazebo's of the same name.
 void read_script(const Look& look, const ConvertContext& context, Material& material) {
@@ -99,9 +122,7 @@ void read_script(const Look& look, const ConvertContext& context, Material& mate
   material.script = value_or(element, {"script", "name"}, std::string());
   if (material.script.empty() || material.script == "__default__") return;
   const ScriptPaths paths = find_script_paths(element->GetElement("script"), context);
-  for (const std::string& path : paths.found) {
-    const OgreMaterial* const own = context.scripts->find(path, material.script, context.warn);
-    if (own == nullptr) continue;
+  if (const OgreMaterial* const own = find_on_disk(material.script, paths, context)) {
     material.ambient = own->ambient;
     material.diffuse = own->diffuse;
     material.specular = own->specular;
@@ -116,15 +137,7 @@ void read_script(const Look& look, const ConvertContext& context, Material& mate
     material.diffuse = known->diffuse;
     return;
   }
-  const bool has_color = element->HasElement("diffuse");
-  if (has_color && paths.missing.empty()) return;
-  if (!context.scripts->is_first("script " + material.script)) return;
-  const std::string where = paths.missing.empty() ? "is not known by its name"
-                                                  : "not found, nor is '" + paths.missing[0] + "'";
-  warn_of(look,
-          "material script '" + material.script + "' " + where + "; shown in " +
-              (has_color ? "the colour " : "grey ") + color_text(material.diffuse),
-          context);
+  warn_of_unknown(look, paths, context, material);
 }
 
 void read_texture(const Look& look, const ConvertContext& context, Material& material) {

@@ -225,19 +225,22 @@ class Builder {
     }
   }
 
-  void make_joints() {
-    for (const JointSpec& spec : spec_.joints) {
-      auto joint = std::make_unique<Joint>();
-      joint->spec = spec;
-      joint->parent = model_.find_link(spec.parent);
-      joint->child = model_.find_link(spec.child);
-      if (is_rotor(spec.name)) {
-        make_rotor(*joint);
-      } else if (!spec.rigid() && joint->child->body != body_of(joint->parent)) {
-        pending_.push_back(joint.get());
-      }
-      model_.joints.push_back(std::move(joint));
+  /// Those of ODE wait until all bodies stand where they belong.
+  void make_joint(const JointSpec& spec) {
+    auto joint = std::make_unique<Joint>();
+    joint->spec = spec;
+    joint->parent = model_.find_link(spec.parent);
+    joint->child = model_.find_link(spec.child);
+    if (is_rotor(spec.name)) {
+      make_rotor(*joint);
+    } else if (!spec.rigid() && joint->child->body != body_of(joint->parent)) {
+      pending_.push_back(joint.get());
     }
+    model_.joints.push_back(std::move(joint));
+  }
+
+  void make_joints() {
+    for (const JointSpec& spec : spec_.joints) make_joint(spec);
     place_as_spawned(model_);
     for (Joint* joint : pending_) {
       if (joint->spec.type == JointType::kGearbox) add_shaft(*joint);
@@ -287,6 +290,11 @@ class Builder {
   std::vector<Joint*> pending_;
 };
 
+void destroy_geoms(std::vector<EngineGeom>& geoms) {
+  for (EngineGeom& geom : geoms) destroy_geom(geom);
+  geoms.clear();
+}
+
 }  // namespace
 
 void PhysicsEngine::build(Model& model, const std::vector<std::string>& rotor_joints,
@@ -303,13 +311,12 @@ void PhysicsEngine::destroy(Model& model) {
   for (const auto& joint : model.joints) destroy_ode_joint(*joint);
   for (const auto& body : model.bodies) {
     EngineBody& own = engine_body(*body);
-    for (EngineGeom& geom : own.geoms) destroy_geom(geom);
-    own.geoms.clear();
+    destroy_geoms(own.geoms);
     if (own.ode != nullptr) dBodyDestroy(own.ode);
     own.ode = nullptr;
   }
   if (model.static_geoms == nullptr) return;
-  for (EngineGeom& geom : model.static_geoms->geoms) destroy_geom(geom);
+  destroy_geoms(model.static_geoms->geoms);
   model.static_geoms.reset();
 }
 

@@ -48,6 +48,40 @@ void PhysicsEngine::configure(const PhysicsSpec& spec) {
   contact_buffer_.resize(static_cast<std::size_t>(std::clamp(spec.max_contacts, 1, kMaxContacts)));
 }
 
+PhysicsEngine::StaticGeom PhysicsEngine::as_static(EngineGeom& geom) {
+  StaticGeom entry{&geom, dGeomGetClass(geom.id) == dPlaneClass, {}, {}, {}, 0.0};
+  if (entry.is_plane) {
+    dVector4 plane;
+    dGeomPlaneGetParams(geom.id, plane);
+    entry.normal = {plane[0], plane[1], plane[2]};
+    entry.offset = plane[3];
+  } else {
+    dReal aabb[6];
+    dGeomGetAABB(geom.id, aabb);
+    entry.lo = {aabb[0], aabb[2], aabb[4]};
+    entry.hi = {aabb[1], aabb[3], aabb[5]};
+  }
+  return entry;
+}
+
+void PhysicsEngine::list_joints(const Model& model) {
+  for (const auto& joint : model.joints) {
+    if (joint->ode != nullptr) ode_joints_.push_back(joint.get());
+    if (joint->is_rotor && joint->child->body != nullptr) rotor_joints_.push_back(joint.get());
+  }
+}
+
+/// Rotors of one body follow each other.
+void PhysicsEngine::list_rotor_carriers() {
+  for (std::size_t i = 0; i < rotor_joints_.size(); ++i) {
+    EngineBody* body = engine_body(rotor_joints_[i]->child->body);
+    if (rotor_carriers_.empty() || rotor_carriers_.back().body != body) {
+      rotor_carriers_.push_back({body, i, i});
+    }
+    rotor_carriers_.back().last = i + 1;
+  }
+}
+
 void PhysicsEngine::set_models(const std::vector<Model*>& models) {
   const std::vector<EngineBody*> before = std::move(bodies_);
   bodies_.clear();
@@ -58,34 +92,11 @@ void PhysicsEngine::set_models(const std::vector<Model*>& models) {
   reported_contacts_.clear();
   for (Model* model : models) {
     for (const auto& body : model->bodies) bodies_.push_back(engine_body(body.get()));
-    for (const auto& joint : model->joints) {
-      if (joint->ode != nullptr) ode_joints_.push_back(joint.get());
-      if (joint->is_rotor && joint->child->body != nullptr) rotor_joints_.push_back(joint.get());
-    }
+    list_joints(*model);
     if (model->static_geoms == nullptr) continue;
-    for (EngineGeom& geom : model->static_geoms->geoms) {
-      StaticGeom entry{&geom, dGeomGetClass(geom.id) == dPlaneClass, {}, {}, {}, 0.0};
-      if (entry.is_plane) {
-        dVector4 plane;
-        dGeomPlaneGetParams(geom.id, plane);
-        entry.normal = {plane[0], plane[1], plane[2]};
-        entry.offset = plane[3];
-      } else {
-        dReal aabb[6];
-        dGeomGetAABB(geom.id, aabb);
-        entry.lo = {aabb[0], aabb[2], aabb[4]};
-        entry.hi = {aabb[1], aabb[3], aabb[5]};
-      }
-      statics_.push_back(entry);
-    }
+    for (EngineGeom& geom : model->static_geoms->geoms) statics_.push_back(as_static(geom));
   }
-  for (std::size_t i = 0; i < rotor_joints_.size(); ++i) {
-    EngineBody* body = engine_body(rotor_joints_[i]->child->body);
-    if (rotor_carriers_.empty() || rotor_carriers_.back().body != body) {
-      rotor_carriers_.push_back({body, i, i});
-    }
-    rotor_carriers_.back().last = i + 1;
-  }
+  list_rotor_carriers();
   for (std::size_t i = 0; i < bodies_.size(); ++i) bodies_[i]->number = i;
   solver_->renumber(before, bodies_);
   centers_.resize(bodies_.size());
@@ -106,8 +117,7 @@ void PhysicsEngine::state(StateArchive& archive) {
   solver_->state(archive);
 }
 
-void PhysicsEngine::step(double dt_s) {
-  load_rotors(dt_s);
+void PhysicsEngine::begin_step() {
   for (EngineBody* body : bodies_) {
     body->in_contact = false;
     body->T_before = body->T_world_body;
@@ -115,24 +125,39 @@ void PhysicsEngine::step(double dt_s) {
     body->w_before = body->w_world;
     pull_down(*body, gravity_);
   }
-  find_contacts(dt_s);
-  bool constrained = false;
+}
+
+/// Returns whether there are others, which are for the solver.
+bool PhysicsEngine::integrate_free_bodies(double dt_s) {
+  bool any_constrained = false;
   for (EngineBody* body : bodies_) {
     if (is_constrained(*body)) {
-      constrained = true;
+      any_constrained = true;
     } else if (!body->frozen) {
       integrate_free_body(*body, dt_s);
     }
   }
-  if (constrained) solver_->solve(bodies_, ode_joints_, dt_s);
-  if (!watched_.empty() || !reported_contacts_.empty()) report_contacts();
-  for (Joint* joint : ode_joints_) joint->count_turns();
-  advance_rotors(dt_s);
+  return any_constrained;
+}
+
+void PhysicsEngine::end_step() {
   for (EngineBody* body : bodies_) {
     body->force.setZero();
     body->torque.setZero();
     if (is_diverged(*body)) freeze(*body);
   }
+}
+
+void PhysicsEngine::step(double dt_s) {
+  load_rotors(dt_s);
+  begin_step();
+  find_contacts(dt_s);
+  const bool any_constrained = integrate_free_bodies(dt_s);
+  if (any_constrained) solver_->solve(bodies_, ode_joints_, dt_s);
+  if (!watched_.empty() || !reported_contacts_.empty()) report_contacts();
+  for (Joint* joint : ode_joints_) joint->count_turns();
+  advance_rotors(dt_s);
+  end_step();
 }
 
 void PhysicsEngine::freeze(EngineBody& body) {

@@ -83,6 +83,15 @@ class PhysicsEngine {
                        std::optional<Overlap>& deepest);
   void load_rotors(double dt_s);
   void find_contacts(double dt_s);
+  static StaticGeom as_static(EngineGeom& geom);
+  static bool reaches(const Eigen::Vector3d& center, double radius_m, const StaticGeom& geom);
+  void list_joints(const Model& model);
+  void list_rotor_carriers();
+  void begin_step();
+  bool integrate_free_bodies(double dt_s);
+  void end_step();
+  double low_x(std::size_t body) const;
+  void sort_bodies();
   void sweep_bodies(double dt_s);
   void release_placed();
   Correction correct(const EngineGeom& a, EngineBody* body_a, const EngineGeom& b,

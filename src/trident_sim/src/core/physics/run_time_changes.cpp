@@ -33,6 +33,15 @@ std::vector<std::size_t> members(const Model& model, const EngineBody& body) {
   return result;
 }
 
+std::vector<BodyPart> parts_of(const Model& model, const std::vector<std::size_t>& links) {
+  std::vector<BodyPart> parts;
+  for (const std::size_t i : links) {
+    const Joint* rotor = rotor_joint_of(model, *model.links[i]);
+    parts.push_back({&model.spec.links[i], rotor == nullptr ? nullptr : &rotor->spec.axis_model});
+  }
+  return parts;
+}
+
 /// Moves the origin of the body's frame, whatever is fixed to it staying where it is.
 void move_origin(Model& model, EngineBody& body, const Eigen::Vector3d& shift_body) {
   const auto move = [&](SE3& T, Eigen::Vector3d& v, const Eigen::Vector3d& w) {
@@ -136,12 +145,7 @@ void set_in_ode(Joint& joint, const OdeAxis& ode, const AxisSpec& spec, const Ax
 
 void recompose(Model& model, EngineBody& body) {
   const std::vector<std::size_t> links = members(model, body);
-  std::vector<BodyPart> parts;
-  for (const std::size_t i : links) {
-    const Joint* rotor = rotor_joint_of(model, *model.links[i]);
-    parts.push_back({&model.spec.links[i], rotor == nullptr ? nullptr : &rotor->spec.axis_model});
-  }
-  const CompositeInertia inertia = compose_inertia(parts);
+  const CompositeInertia inertia = compose_inertia(parts_of(model, links));
   const Eigen::Quaterniond& R_model_body = model.spec.links[links.front()].T_model_link.R;
   const SE3 T_model_body = model.T_world_model_initial.inverse() * body.T_world_body_initial;
   move_origin(model, body, R_model_body.conjugate() * (inertia.p_model_com - T_model_body.p));
@@ -162,14 +166,23 @@ void recompose(Model& model, EngineBody& body) {
   }
 }
 
-void set_axis_params(Joint& joint, std::size_t axis, const AxisParams& params) {
-  if (joint.is_rotor || axis >= joint.axis_count()) {
-    throw Error("joint [" + joint.spec.name + "] " +
-                (joint.is_rotor
-                     ? "is a rotor that a motor model drives: it has no properties to set"
-                     : "has " + std::to_string(joint.axis_count()) + " axes, none numbered " +
-                           std::to_string(axis)));
+namespace {
+
+void require_axis(const Joint& joint, std::size_t axis) {
+  const std::string who = "joint [" + joint.spec.name + "] ";
+  if (joint.is_rotor) {
+    throw Error(who + "is a rotor that a motor model drives: it has no properties to set");
   }
+  if (axis >= joint.axis_count()) {
+    throw Error(who + "has " + std::to_string(joint.axis_count()) + " axes, none numbered " +
+                std::to_string(axis));
+  }
+}
+
+}  // namespace
+
+void set_axis_params(Joint& joint, std::size_t axis, const AxisParams& params) {
+  require_axis(joint, axis);
   AxisSpec& spec = joint.axes[axis].spec;
   check(joint, spec, params);
   const bool in_ode = needs_ode(params);

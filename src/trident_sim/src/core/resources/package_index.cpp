@@ -54,6 +54,18 @@ std::string with_prefix(std::string value, const std::string& folder) {
   return value;
 }
 
+/// Of the elements named `package` in an <export>, in their order; backquotes would run a program.
+void append_exported(const XMLElement& list, const std::string& package,
+                     const std::string& attribute, const std::string& folder,
+                     std::vector<std::string>& values) {
+  for (auto* element = list.FirstChildElement(package.c_str()); element != nullptr;
+       element = element->NextSiblingElement(package.c_str())) {
+    const char* const value = element->Attribute(attribute.c_str());
+    if (value == nullptr || std::string(value).find('`') != std::string::npos) continue;
+    values.push_back(with_prefix(value, folder));
+  }
+}
+
 }  // namespace
 
 std::string PackageIndex::find(std::string_view package) const {
@@ -72,27 +84,27 @@ const std::vector<std::string>& PackageIndex::exports(const std::string& package
   return entry->second;
 }
 
+void PackageIndex::append_exports(const Package& known, const std::string& package,
+                                  const std::string& attribute, std::vector<std::string>& values) {
+  tinyxml2::XMLDocument document;
+  if (document.Parse(known.manifest.c_str(), known.manifest.size()) != tinyxml2::XML_SUCCESS) {
+    return;
+  }
+  const XMLElement* const root = document.FirstChildElement("package");
+  if (root == nullptr || (known.name != package && !depends_on(*root, package))) return;
+  for (auto* list = root->FirstChildElement("export"); list != nullptr;
+       list = list->NextSiblingElement("export")) {
+    append_exported(*list, package, attribute, known.folder, values);
+  }
+}
+
 std::vector<std::string> PackageIndex::read_exports(const std::string& package,
                                                     const std::string& attribute) const {
   std::vector<std::string> values;
   for (const Package& known : packages()) {
     // Most manifests need not be parsed.
     if (known.manifest.find("<" + package) == std::string::npos) continue;
-    tinyxml2::XMLDocument document;
-    if (document.Parse(known.manifest.c_str(), known.manifest.size()) != tinyxml2::XML_SUCCESS) {
-      continue;
-    }
-    const XMLElement* const root = document.FirstChildElement("package");
-    if (root == nullptr || (known.name != package && !depends_on(*root, package))) continue;
-    for (auto* list = root->FirstChildElement("export"); list != nullptr;
-         list = list->NextSiblingElement("export")) {
-      for (auto* element = list->FirstChildElement(package.c_str()); element != nullptr;
-           element = element->NextSiblingElement(package.c_str())) {
-        const char* const value = element->Attribute(attribute.c_str());
-        if (value == nullptr || std::string(value).find('`') != std::string::npos) continue;
-        values.push_back(with_prefix(value, known.folder));
-      }
-    }
+    append_exports(known, package, attribute, values);
   }
   return values;
 }

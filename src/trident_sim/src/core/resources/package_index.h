@@ -37,6 +37,8 @@ class PackageIndex {
   const std::vector<Package>& packages() const;
   void crawl(const std::string& folder, int depth) const;
   void add(const std::string& folder) const;
+  static void append_exports(const Package& known, const std::string& package,
+                             const std::string& attribute, std::vector<std::string>& values);
   std::vector<std::string> read_exports(const std::string& package,
                                         const std::string& attribute) const;
 

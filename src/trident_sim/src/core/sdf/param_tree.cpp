@@ -3,6 +3,7 @@
 #include "trident_sim/param_tree.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <sstream>
 
@@ -142,8 +143,11 @@ bool PluginParams::flag(std::string_view key, bool fallback) const {
   note(key, ParamQuery::Kind::kFlag, fallback ? "true" : "false");
   const auto text = raw(key);
   if (!text) return fallback;
-  if (*text == "1" || *text == "true" || *text == "True" || *text == "TRUE") return true;
-  if (*text == "0" || *text == "false" || *text == "False" || *text == "FALSE") return false;
+  const auto is_one_of = [&text](const std::array<std::string_view, 4>& words) {
+    return std::find(words.begin(), words.end(), *text) != words.end();
+  };
+  if (is_one_of({"1", "true", "True", "TRUE"})) return true;
+  if (is_one_of({"0", "false", "False", "FALSE"})) return false;
   refuse(key, *text, "true or false");
 }
 

@@ -93,26 +93,44 @@ std::optional<Shape> convert_shape(const sdf::Geometry& geometry, const ShapeOwn
 /// Of a shape [m]: as far as bodies may go. Contacts of larger ones overflow.
 constexpr double kLargest = 1e7;
 
-void check_positive(const Shape& shape, const std::string& what, const ConvertContext& context) {
-  const auto check = [&](const char* field, double value) {
-    if (!(value > 0.0) || !(value <= kLargest)) {
-      throw Error(context.label + ": " + what + ": " + field + " is " + std::to_string(value) +
-                  " m, must be finite, > 0 and at most 1e7");
-    }
-  };
-  if (const auto* box = std::get_if<BoxShape>(&shape)) {
-    for (int i = 0; i < 3; ++i) check("box size", box->size[i]);
-  } else if (const auto* sphere = std::get_if<SphereShape>(&shape)) {
-    check("sphere radius", sphere->radius);
-  } else if (const auto* cylinder = std::get_if<CylinderShape>(&shape)) {
-    check("cylinder radius", cylinder->radius);
-    check("cylinder length", cylinder->length);
-  } else if (const auto* capsule = std::get_if<CapsuleShape>(&shape)) {
-    check("capsule radius", capsule->radius);
-    check("capsule length", capsule->length);
-  } else if (const auto* heightmap = std::get_if<HeightmapShape>(&shape)) {
-    for (int i = 0; i < 3; ++i) check("heightmap size", heightmap->size[i]);
+/// Refuses lengths of a shape that are not positive; a visitor of `Shape`.
+class LengthCheck {
+ public:
+  LengthCheck(const std::string& what, const ConvertContext& context)
+      : what_(what), context_(context) {}
+
+  void operator()(const BoxShape& box) const { check("box size", box.size); }
+  void operator()(const SphereShape& sphere) const { check("sphere radius", sphere.radius); }
+  void operator()(const CylinderShape& cylinder) const {
+    check("cylinder radius", cylinder.radius);
+    check("cylinder length", cylinder.length);
   }
+  void operator()(const CapsuleShape& capsule) const {
+    check("capsule radius", capsule.radius);
+    check("capsule length", capsule.length);
+  }
+  void operator()(const HeightmapShape& heightmap) const {
+    check("heightmap size", heightmap.size);
+  }
+  void operator()(const PlaneShape& /*endless*/) const {}
+  void operator()(const MeshShape& /*has a scale only*/) const {}
+
+ private:
+  void check(const char* field, double value) const {
+    if (value > 0.0 && value <= kLargest) return;
+    throw Error(context_.label + ": " + what_ + ": " + field + " is " + std::to_string(value) +
+                " m, must be finite, > 0 and at most 1e7");
+  }
+  void check(const char* field, const Eigen::Vector3d& size) const {
+    for (const double length : size) check(field, length);
+  }
+
+  const std::string& what_;
+  const ConvertContext& context_;
+};
+
+void check_positive(const Shape& shape, const std::string& what, const ConvertContext& context) {
+  std::visit(LengthCheck(what, context), shape);
 }
 
 /// Where the shape is in its collision or visual: only a heightmap says so.
@@ -315,6 +333,17 @@ void append_model(const sdf::Model& from, const std::string& prefix, const SE3& 
   }
 }
 
+namespace {
+
+void require_step(const PhysicsSpec& spec, const std::string& label, OddElements policy) {
+  if (policy != OddElements::kRefuse) return;  // the world takes its default
+  if (spec.max_step_size_s > 0.0 && spec.max_step_size_s <= 1.0) return;
+  throw Error(label + ": <max_step_size> is " + std::to_string(spec.max_step_size_s) +
+              " s, must be in (0, 1]");
+}
+
+}  // namespace
+
 PhysicsSpec convert_physics(const sdf::World& world, const std::string& label, OddElements policy) {
   PhysicsSpec spec;
   spec.gravity = to_eigen(world.Gravity());
@@ -329,11 +358,7 @@ PhysicsSpec convert_physics(const sdf::World& world, const std::string& label, O
   if (element->HasElement("gravity")) {
     spec.gravity = to_eigen(element->Get<ignition::math::Vector3d>("gravity"));
   }
-  const bool has_step = spec.max_step_size_s > 0.0 && spec.max_step_size_s <= 1.0;
-  if (!has_step && policy == OddElements::kRefuse) {  // else the world takes its default
-    throw Error(label + ": <max_step_size> is " + std::to_string(spec.max_step_size_s) +
-                " s, must be in (0, 1]");
-  }
+  require_step(spec, label, policy);
   spec.exact_solver_rows = value_or(element, {"trident:exact_solver_rows"}, spec.exact_solver_rows);
   const auto ode = descend(element, {"ode"});
   spec.solver = value_or(ode, {"solver", "type"}, spec.solver);

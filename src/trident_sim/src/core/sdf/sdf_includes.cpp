@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <set>
 
 #include "sdf_schema.h"
 
@@ -29,13 +30,17 @@ bool holds_include(const XMLElement& parent) {
   return false;
 }
 
+bool is_empty_frame(const tinyxml2::XMLAttribute& attribute) {
+  return attribute.Name() == std::string("frame") && *attribute.Value() == '\0';
+}
+
 /// A <pose> may have the empty `frame` of older versions.
 bool is_plain_part(const XMLElement& part) {
+  static const std::set<std::string> kPlain = {"uri", "name", "pose", "static"};
   const std::string tag = part.Value();
-  if (tag != "uri" && tag != "name" && tag != "pose" && tag != "static") return false;
+  if (kPlain.count(tag) == 0) return false;
   for (auto* attribute = part.FirstAttribute(); attribute; attribute = attribute->Next()) {
-    const bool is_empty = *attribute->Value() == '\0';
-    if (tag != "pose" || !is_empty || attribute->Name() != std::string("frame")) return false;
+    if (tag != "pose" || !is_empty_frame(*attribute)) return false;
   }
   return part.GetText() != nullptr && part.FirstChildElement() == nullptr;
 }
@@ -50,6 +55,14 @@ bool is_plain(const XMLElement& include) {
 }
 
 /// As libsdformat does it.
+/// A pose given with an include is one in the frame that holds it.
+void set_pose(const sdf::ElementPtr& pose, const char* text) {
+  for (const char* attribute : {"relative_to", "degrees", "rotation_format"}) {
+    if (const sdf::ParamPtr param = pose->GetAttribute(attribute)) param->Reset();
+  }
+  pose->GetValue()->SetFromString(text);
+}
+
 void take_parts(const XMLElement& include, const sdf::ElementPtr& element) {
   const std::string kind = element->GetName();
   if (const auto* name = include.FirstChildElement("name")) {
@@ -57,11 +70,7 @@ void take_parts(const XMLElement& include, const sdf::ElementPtr& element) {
     element->SetXmlPath("/sdf/" + kind + "[@name=\"" + name->GetText() + "\"]");
   }
   if (const auto* given = include.FirstChildElement("pose")) {
-    const sdf::ElementPtr pose = element->GetElement("pose");
-    for (const char* attribute : {"relative_to", "degrees", "rotation_format"}) {
-      if (const sdf::ParamPtr param = pose->GetAttribute(attribute)) param->Reset();
-    }
-    pose->GetValue()->SetFromString(given->GetText());
+    set_pose(element->GetElement("pose"), given->GetText());
   }
   const auto* is_static = include.FirstChildElement("static");
   if (is_static != nullptr && kind == "model") {
@@ -135,17 +144,28 @@ bool PlainIncludes::read_all(const XMLElement& parent, const UriFinder& find) {
   return true;
 }
 
+namespace {
+
+/// The one entity that the file holds, if it may be included and libsdformat has no fault to find.
+sdf::ElementPtr read_single_entity(const std::string& path, const UriFinder& find) {
+  sdf::Errors errors;
+  const sdf::SDFPtr document = read_sdf_file(path, find, errors);
+  if (document == nullptr || !errors.empty()) return nullptr;
+  const sdf::ElementPtr element = document->Root()->GetFirstElement();
+  if (!element || element->GetNextElement()) return nullptr;
+  const bool may_be_included = is_entity(element->GetName()) && element->GetName() != "world";
+  return may_be_included ? element : nullptr;
+}
+
+}  // namespace
+
 bool PlainIncludes::read(const XMLElement& include, const UriFinder& find) {
   if (!is_plain(include)) return false;
   const std::string uri = include.FirstChildElement("uri")->GetText();
   const std::string path = model_file(find(uri));
   if (path.empty()) return false;
-  sdf::Errors errors;
-  const sdf::SDFPtr document = read_sdf_file(path, find, errors);
-  if (document == nullptr || !errors.empty()) return false;
-  const sdf::ElementPtr element = document->Root()->GetFirstElement();
-  if (!element || element->GetNextElement()) return false;
-  if (!is_entity(element->GetName()) || element->GetName() == "world") return false;
+  const sdf::ElementPtr element = read_single_entity(path, find);
+  if (!element) return false;
   take_parts(include, element);
   if (!take_plugins(include, element)) return false;
   elements_[&include] = element;

@@ -82,7 +82,7 @@ double convert_pitch(const sdf::Joint& from, const std::string& what) {
   const double pitch_m = is_metric ? value : -kTurn / value;
   if (std::abs(pitch_m) >= 1e-6 && std::abs(pitch_m) <= 1e3) return pitch_m;
   throw Error(what + ": <" + name + "> is " + std::to_string(value) +
-              ", must be a travel of 1e-6 to 1e3 m per turn, either way");
+              ", must be a travel of 1e-6 to 1e3 m per turn, of either sign");
 }
 
 void convert_gearbox(const sdf::Joint& from, const std::string& prefix, const std::string& what,
@@ -92,11 +92,22 @@ void convert_gearbox(const sdf::Joint& from, const std::string& prefix, const st
   const double size = std::abs(joint.gearbox_ratio);
   if (!(size >= 1e-3 && size <= 1e3)) {
     throw Error(what + ": <gearbox_ratio> is " + std::to_string(joint.gearbox_ratio) +
-                ", must be 1e-3 to 1e3, either way");
+                ", must be 1e-3 to 1e3, of either sign");
   }
   const auto body = value_or(element, {"gearbox_reference_body"}, std::string());
   if (body.empty()) throw Error(what + ": has no <gearbox_reference_body>, legal: a link or world");
   joint.gearbox_reference_body = body == "world" ? body : prefix + body;
+}
+
+void convert_ends(const sdf::Joint& from, const std::string& prefix, const std::string& what,
+                  JointSpec& joint) {
+  std::string parent, child;
+  if (!from.ResolveParentLink(parent).empty() || !from.ResolveChildLink(child).empty()) {
+    throw Error(what + ": parent '" + from.ParentLinkName() + "' or child '" +
+                from.ChildLinkName() + "' is not a link of the model");
+  }
+  joint.parent = parent == "world" ? parent : prefix + parent;
+  joint.child = prefix + child;
 }
 
 JointType convert_type(sdf::JointType type, const std::string& what) {
@@ -131,13 +142,7 @@ JointSpec convert_joint(const sdf::Joint& from, const std::string& prefix, const
   joint.name = prefix + from.Name();
   const std::string what = context.label + ": joint '" + joint.name + "'";
   joint.type = convert_type(from.Type(), what);
-  std::string parent, child;
-  if (!from.ResolveParentLink(parent).empty() || !from.ResolveChildLink(child).empty()) {
-    throw Error(what + ": parent '" + from.ParentLinkName() + "' or child '" +
-                from.ChildLinkName() + "' is not a link of the model");
-  }
-  joint.parent = parent == "world" ? parent : prefix + parent;
-  joint.child = prefix + child;
+  convert_ends(from, prefix, what, joint);
   joint.T_model_joint = T_root_model * resolve(from.SemanticPose(), "__model__", what);
   if (joint.type != JointType::kFixed && joint.type != JointType::kBall) {
     convert_axes(from, what, T_root_model.R, joint);

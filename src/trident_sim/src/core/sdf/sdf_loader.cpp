@@ -60,19 +60,20 @@ bool is_checked_elsewhere(const sdf::Error& error) {
   return error.Code() == sdf::ErrorCode::LINK_INERTIA_INVALID;
 }
 
+/// "__default__" is what libsdformat writes where the file says nothing.
+bool is_given(const std::string& text) { return !text.empty() && text != "__default__"; }
+
 /// Gazebo knows its materials by name alone; libsdformat refuses a script without its file.
 void complete_material_scripts(const sdf::ElementPtr& element) {
   for (auto child = element->GetFirstElement(); child; child = child->GetNextElement()) {
     if (child->GetName() == "material" && child->HasElement("script")) {
       const auto script = child->GetElement("script");
-      const auto name = script->Get<std::string>("name", "").first;
-      if (name.empty() || name == "__default__") {
+      if (!is_given(script->Get<std::string>("name", "").first)) {
         child->RemoveChild(script);  // it names no material
         continue;
       }
       const auto uri = script->GetElement("uri");
-      const auto text = uri->Get<std::string>();
-      if (text.empty() || text == "__default__") uri->Set(std::string("gazebo.material"));
+      if (!is_given(uri->Get<std::string>())) uri->Set(std::string("gazebo.material"));
     }
     complete_material_scripts(child);
   }
@@ -301,6 +302,17 @@ WorldSpec load_world_string(const std::string& xml, const std::string& label,
   return load_world(xml, label, "", resources, warn, odd);
 }
 
+namespace {
+
+/// The model of the document, or the only one of its only world; nullptr: there is none.
+const sdf::Model* find_single_model(const sdf::Root& root) {
+  if (root.Model() != nullptr) return root.Model();
+  const bool is_world_of_one = root.WorldCount() == 1 && root.WorldByIndex(0)->ModelCount() == 1;
+  return is_world_of_one ? root.WorldByIndex(0)->ModelByIndex(0) : nullptr;
+}
+
+}  // namespace
+
 ModelSpec load_model_string(const std::string& xml, const std::string& label,
                             const Resources& resources, const WarningSink& warn,
                             OddElements policy) {
@@ -320,10 +332,7 @@ ModelSpec load_model_string(const std::string& xml, const std::string& label,
   const auto find = [&](const std::string& uri) { return resources.find(uri); };
   SdfSources sources(text, label, find, resources.searched(), odd, warn);
   const sdf::Root root = load_root(sources, label, odd, warn);
-  const sdf::Model* model = root.Model();
-  if (model == nullptr && root.WorldCount() == 1 && root.WorldByIndex(0)->ModelCount() == 1) {
-    model = root.WorldByIndex(0)->ModelByIndex(0);
-  }
+  const sdf::Model* const model = find_single_model(root);
   if (model == nullptr) throw Error(label + ": holds no <model>");
   const auto original = [&](const std::string& path) { return sources.original(path); };
   const std::size_t before = odd.texts.size();

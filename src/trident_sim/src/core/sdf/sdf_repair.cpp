@@ -144,13 +144,18 @@ bool has_lost_include(const sdf::ElementPtr& model, const SdfSources& sources) {
   return false;
 }
 
+Names names_of_parts(const sdf::ElementPtr& parent) {
+  Names names;
+  for (auto child = parent->GetFirstElement(); child; child = child->GetNextElement()) {
+    if (is_named_part(child->GetName())) names.insert(child->Get<std::string>("name"));
+  }
+  return names;
+}
+
 void rename_doubles(const sdf::ElementPtr& parent, const SdfSources& sources,
                     std::vector<std::string>& odd) {
   std::set<std::pair<std::string, std::string>> seen;
-  Names taken;
-  for (auto child = parent->GetFirstElement(); child; child = child->GetNextElement()) {
-    if (is_named_part(child->GetName())) taken.insert(child->Get<std::string>("name"));
-  }
+  Names taken = names_of_parts(parent);
   for (auto child = parent->GetFirstElement(); child; child = child->GetNextElement()) {
     if (!is_named_part(child->GetName())) continue;
     const auto name = child->Get<std::string>("name");
@@ -167,14 +172,23 @@ void rename_doubles(const sdf::ElementPtr& parent, const SdfSources& sources,
 
 }  // namespace
 
+namespace {
+
+/// Whether nothing is left when the part that failed is cut.
+bool is_whole_document(const Failure& failure) {
+  const bool is_root = failure.name.empty() || failure.name == "sdf" || failure.name == "world";
+  return is_root || (failure.name == "model" && names_on(failure.xml_path).size() == 2);
+}
+
+}  // namespace
+
 void leave_out_unreadable(std::string& text, const std::string& label,
                           std::vector<std::string>& odd) {
   sdf::Errors errors;
   for (int cuts = 0; !is_readable(text, errors); ++cuts) {
     const Failure failure = find_failure(errors);
-    const bool is_root = failure.name.empty() || failure.name == "sdf" || failure.name == "world" ||
-                         (failure.name == "model" && names_on(failure.xml_path).size() == 2);
-    const std::string cut = is_root ? "" : cut_element(text, failure.line, failure.name);
+    const std::string cut =
+        is_whole_document(failure) ? "" : cut_element(text, failure.line, failure.name);
     if (cut.empty() || cuts == kMaxCuts) {
       std::string why = label + ": libsdformat cannot read it: ";
       why += errors.empty() ? "it is no SDF" : errors.front().Message();

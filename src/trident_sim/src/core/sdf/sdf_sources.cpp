@@ -88,6 +88,15 @@ std::string SdfSources::original(const std::string& path) const {
   return path;
 }
 
+namespace {
+
+/// A plugin's elements mean what the plugin takes them for.
+bool is_include(const XMLElement& element, const XMLElement& parent) {
+  return element.Name() == std::string("include") && parent.Name() != std::string("plugin");
+}
+
+}  // namespace
+
 SdfSources::Size SdfSources::visit(std::string& text, const std::string& label, int depth) {
   Size size{0, text.size()};
   if (size.bytes > limits_.bytes) return size;
@@ -101,13 +110,28 @@ SdfSources::Size SdfSources::visit(std::string& text, const std::string& label, 
   return size;
 }
 
+/// Says so of an include in `parent`, and notes that the model lacks something.
+void SdfSources::leave_out(const XMLElement& parent, const std::string& label, int line,
+                           const std::string& fault) {
+  if (parent.Name() == std::string("model")) {
+    lossy_models_.insert(label + ":" + number(static_cast<std::uint64_t>(parent.GetLineNum())));
+  }
+  std::string where = label;
+  where.append(":").append(std::to_string(line)).append(": <include>").append(fault);
+  if (fault.find(kNotFound) != std::string::npos && odd_.policy == OddElements::kRefuse) {
+    warn_(where);
+  } else {
+    odd_.add(where);
+  }
+}
+
 void SdfSources::visit_includes(const XMLElement& parent, const std::string& label, int depth,
                                 Size& size, std::vector<Include>& cut) {
   ++size.elements;
   int line = 0, stay = 0;
   for (auto* child = parent.FirstChildElement(); child != nullptr;
        child = child->NextSiblingElement()) {
-    if (child->Name() != std::string("include") || parent.Name() == std::string("plugin")) {
+    if (!is_include(*child, parent)) {
       visit_includes(*child, label, depth, size, cut);
       continue;
     }
@@ -120,16 +144,7 @@ void SdfSources::visit_includes(const XMLElement& parent, const std::string& lab
       continue;
     }
     cut.push_back({line, stay});
-    if (parent.Name() == std::string("model")) {
-      lossy_models_.insert(label + ":" + number(static_cast<std::uint64_t>(parent.GetLineNum())));
-    }
-    std::string where = label;
-    where.append(":").append(std::to_string(line)).append(": <include>").append(fault);
-    if (fault.find(kNotFound) != std::string::npos && odd_.policy == OddElements::kRefuse) {
-      warn_(where);
-    } else {
-      odd_.add(where);
-    }
+    leave_out(parent, label, line, fault);
   }
 }
 

@@ -71,6 +71,8 @@ class SdfSources {
     int before;  ///< includes in that line that stay
   };
   Size visit(std::string& text, const std::string& label, int depth);
+  void leave_out(const tinyxml2::XMLElement& parent, const std::string& label, int line,
+                 const std::string& fault);
   void visit_includes(const tinyxml2::XMLElement& parent, const std::string& label, int depth,
                       Size& size, std::vector<Include>& cut);
   /// Why an include cannot be followed, or ""; adds its size.

@@ -156,13 +156,9 @@ std::vector<JointEnds> read_joints(const tinyxml2::XMLElement& robot) {
 
 /// Links without inertia that are mere frames of what a fixed joint joins them to: nothing that
 /// moves hangs on them.
-std::set<std::string> mere_frames(const std::vector<JointEnds>& joints,
-                                  const std::set<std::string>& with_inertia) {
-  std::set<std::string> frames, holders;
-  for (const JointEnds& joint : joints) {
-    if (joint.fixed && with_inertia.count(joint.child) == 0) frames.insert(joint.child);
-    if (!joint.fixed) holders.insert(joint.parent);
-  }
+/// What holds a frame that holds something holds it, too.
+void add_holders_of_frames(const std::vector<JointEnds>& joints,
+                           const std::set<std::string>& frames, std::set<std::string>& holders) {
   for (bool grown = true; grown;) {
     grown = false;
     for (const JointEnds& joint : joints) {
@@ -170,6 +166,16 @@ std::set<std::string> mere_frames(const std::vector<JointEnds>& joints,
       if (holders.insert(joint.parent).second) grown = true;
     }
   }
+}
+
+std::set<std::string> mere_frames(const std::vector<JointEnds>& joints,
+                                  const std::set<std::string>& with_inertia) {
+  std::set<std::string> frames, holders;
+  for (const JointEnds& joint : joints) {
+    if (joint.fixed && with_inertia.count(joint.child) == 0) frames.insert(joint.child);
+    if (!joint.fixed) holders.insert(joint.parent);
+  }
+  add_holders_of_frames(joints, frames, holders);
   for (const std::string& holder : holders) frames.erase(holder);
   return frames;
 }

@@ -102,21 +102,33 @@ void World::apply_external(const StepInfo& info) {
   }
 }
 
+namespace {
+
+void add_numbers(const double* first, int count, Sha256& hash) {
+  for (int i = 0; i < count; ++i) hash.update_double(first[i]);
+}
+
+void add_state(const Model& model, Sha256& hash) {
+  for (const auto& body : model.bodies) {
+    const SE3& T = body->pose();
+    add_numbers(T.p.data(), 3, hash);
+    add_numbers(T.R.coeffs().data(), 4, hash);
+    add_numbers(body->velocity().data(), 3, hash);
+    add_numbers(body->angular_velocity().data(), 3, hash);
+  }
+  for (const auto& joint : model.joints) {
+    if (joint->is_rotor) hash.update_double(joint->rotor_velocity);
+  }
+}
+
+}  // namespace
+
 std::string World::state_hash() const {
   Sha256 hash;
   hash.update_double(static_cast<double>(step_count_));
   for (const auto& [name, model] : models_) {
     hash.update_string(name);
-    for (const auto& body : model->bodies) {
-      const SE3& T = body->pose();
-      for (int i = 0; i < 3; ++i) hash.update_double(T.p[i]);
-      for (int i = 0; i < 4; ++i) hash.update_double(T.R.coeffs()[i]);
-      for (int i = 0; i < 3; ++i) hash.update_double(body->velocity()[i]);
-      for (int i = 0; i < 3; ++i) hash.update_double(body->angular_velocity()[i]);
-    }
-    for (const auto& joint : model->joints) {
-      if (joint->is_rotor) hash.update_double(joint->rotor_velocity);
-    }
+    add_state(*model, hash);
   }
   if (const auto sea = find_sea(*this)) hash.update_string(sea->state_text());
   if (const auto air = find_air(*this)) hash.update_string(air->state_text());

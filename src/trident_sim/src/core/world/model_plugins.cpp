@@ -4,6 +4,7 @@
 #include "core/physics/physics_engine.h"
 #include "silent_elements.h"
 #include "trident_base/error.h"
+#include "trident_base/string_util.h"
 #include "trident_sim/world.h"
 
 namespace trident::sim {
@@ -64,6 +65,17 @@ void World::create_sensor(Model& model, const LinkSpec& link, SensorSpec& sensor
   sensor.params = {};
 }
 
+namespace {
+
+/// What a plugin's name begins with: "MODEL::" or "WORLD::", in a sensor "MODEL::LINK::SENSOR::".
+std::string scope_of(const Model* model, const Link* link, const SensorSpec* sensor,
+                     const std::string& world) {
+  const std::string outer = (model != nullptr ? model->name : world) + "::";
+  return sensor == nullptr ? outer : outer + link->name + "::" + sensor->name + "::";
+}
+
+}  // namespace
+
 std::unique_ptr<Plugin> World::create_plugin(const PluginSpec& spec, const PluginPlace& place,
                                              const std::string& owner) {
   Model* const model = place.model;
@@ -71,8 +83,7 @@ std::unique_ptr<Plugin> World::create_plugin(const PluginSpec& spec, const Plugi
   if (factory == nullptr) {
     // Once of an owner: a course of buoys has one in each buoy.
     if (!reported_elements_.insert(owner + " " + spec.filename).second) return nullptr;
-    std::string known;
-    for (const std::string& name : registry_.names()) known += (known.empty() ? "" : ", ") + name;
+    const std::string known = join(registry_.names());
     report(Severity::kWarning, owner + ": plugin '" + spec.name + "' (" + spec.filename +
                                    ") is unknown and is left out; known: " + known);
     return nullptr;
@@ -82,8 +93,7 @@ std::unique_ptr<Plugin> World::create_plugin(const PluginSpec& spec, const Plugi
     params.children.push_back({"robotNamespace", model->robot_namespace, {}, {}});
   }
   const PluginParams reader(params, owner + " plugin '" + spec.name + "'");
-  std::string name = (model ? model->name : name_) + "::";
-  if (place.sensor != nullptr) name += place.link->name + "::" + place.sensor->name + "::";
+  const std::string name = scope_of(model, place.link, place.sensor, name_);
   auto plugin = factory->create({*this, model, reader, name + spec.name, place.link, place.sensor});
   if (plugin != nullptr) report_unread(spec, reader);
   return plugin;

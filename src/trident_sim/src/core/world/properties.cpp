@@ -137,6 +137,21 @@ void move_joint(Model& model, Joint& joint, double position) {
   axis.turned = position;
 }
 
+/// Refuses a joint of a closed loop.
+void require_open_chain(const Model& model, const Joint& joint) {
+  if (joint.is_rotor) return;
+  const JointAxis& axis = joint.axes[0];
+  const bool is_to_moved = axis.to != nullptr;
+  hanging_on(model, joint, is_to_moved ? axis.to : axis.from, is_to_moved ? axis.from : axis.to);
+}
+
+/// A rotor turns without end.
+double within_limits(const Joint& joint, double position) {
+  if (joint.is_rotor) return position;
+  const AxisSpec& spec = joint.axes[0].spec;
+  return std::clamp(position, spec.lower, spec.upper);
+}
+
 }  // namespace
 
 void World::set_link_inertial(Link& link, const Inertial& inertial, bool gravity) {
@@ -168,15 +183,9 @@ std::vector<std::string> World::set_joint_positions(
     if (!(std::abs(position) <= kFarthestBodyM)) {
       throw Error("position of joint [" + name + "] is not finite, or beyond 1e7");
     }
-    const double target =
-        joint.is_rotor ? position
-                       : std::clamp(position, joint.axes[0].spec.lower, joint.axes[0].spec.upper);
+    const double target = within_limits(joint, position);
     if (target != position) clamped.push_back(name);
-    if (!joint.is_rotor) {
-      const JointAxis& axis = joint.axes[0];
-      hanging_on(model, joint, axis.to != nullptr ? axis.to : axis.from,
-                 axis.to != nullptr ? axis.from : axis.to);
-    }
+    require_open_chain(model, joint);
     targets.emplace_back(&joint, target);
   }
   for (const auto& [joint, target] : targets) move_joint(model, *joint, target);

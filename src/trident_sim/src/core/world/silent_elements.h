@@ -2,19 +2,28 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <iterator>
 #include <string>
 
 namespace trident::sim {
 
 /// Whether no report is needed that a plugin does not read an element: it means nothing here,
 /// or Gazebo's plugin of that name does not read it either though published vehicles have it.
+/// Of any plugin: every plugin here is always on, logs go to one place, libsdformat marks what it
+/// has changed, and a namespace is given to all.
+inline bool is_ignored_everywhere(const std::string& element) {
+  return element == "robotNamespace" || element == "alwaysOn" || element == "rosDebugLevel" ||
+         element.find("::") != std::string::npos;
+}
+
+/// Whether `filename` names the library of `plugin`, with or without what a file's name adds.
+inline bool is_library_of(const std::string& filename, const std::string& plugin) {
+  return filename == plugin || filename == "lib" + plugin + ".so";
+}
+
 inline bool is_ignored_element(const std::string& filename, const std::string& element) {
-  // Every plugin here is always on, logs go to one place, libsdformat marks what it has changed,
-  // and a namespace is given to all.
-  if (element == "robotNamespace" || element == "alwaysOn" || element == "rosDebugLevel" ||
-      element.find("::") != std::string::npos) {
-    return true;
-  }
+  if (is_ignored_everywhere(element)) return true;
   struct Ignored {
     const char *plugin, *element;
   };
@@ -38,11 +47,9 @@ inline bool is_ignored_element(const std::string& filename, const std::string& e
       element.rfind(kDistortion, 0) == 0) {
     return true;
   }
-  for (const Ignored& ignored : kIgnored) {
-    const std::string file = std::string("lib") + ignored.plugin + ".so";
-    if (element == ignored.element && (filename == file || filename == ignored.plugin)) return true;
-  }
-  return false;
+  return std::any_of(std::begin(kIgnored), std::end(kIgnored), [&](const Ignored& ignored) {
+    return element == ignored.element && is_library_of(filename, ignored.plugin);
+  });
 }
 
 }  // namespace trident::sim

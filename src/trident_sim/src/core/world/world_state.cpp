@@ -21,6 +21,14 @@ void place(EngineBody& body, const SE3& T_world_body, const Eigen::Vector3d& v_w
   body.frozen = false;
 }
 
+void place_as_at_start(Model& model) {
+  for (const auto& joint : model.joints) joint->reset();
+  for (const auto& body : model.bodies) {
+    place(engine_body(*body), engine_body(*body).T_world_body_initial, Eigen::Vector3d::Zero(),
+          Eigen::Vector3d::Zero());
+  }
+}
+
 }  // namespace
 
 void World::reset_models() {
@@ -29,11 +37,7 @@ void World::reset_models() {
   efforts_.clear();
   for (const auto& drive : drives_) drive->reset();
   for (auto& [name, model] : models_) {
-    for (const auto& joint : model->joints) joint->reset();
-    for (const auto& body : model->bodies) {
-      place(engine_body(*body), engine_body(*body).T_world_body_initial, Eigen::Vector3d::Zero(),
-            Eigen::Vector3d::Zero());
-    }
+    place_as_at_start(*model);
     engine_->push_state(*model);
     for (const auto& plugin : model->plugins) plugin->reset();
   }

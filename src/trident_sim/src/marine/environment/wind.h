@@ -35,7 +35,7 @@ struct WindParams {
   void visit(Archive& ar) {
     ar.field("speed", speed, Range{0.0, 60.0}, "mean [m/s]");
     ar.field("direction", direction, Range{-6.3, 6.3}, "it blows to, from x towards y [rad]");
-    ar.field("file", file, "static field in RotorS' format; beside it the mean blows");
+    ar.field("file", file, "static field in RotorS' format; outside of it the mean blows");
     ar.field("gusts", gusts, "on top of it");
     ar.field("gust_deviation", gust_deviation, Range{0.0, 30.0},
              "first_order: standard deviation along the wind [m/s]");

@@ -21,17 +21,19 @@ PluginParams required_element(const PluginParams& params, const char* key) {
   return {*node, params.owner() + " <" + key + ">"};
 }
 
+FloatingShape read_box(const PluginParams& geometry) {
+  const PluginParams box = required_element(geometry, "box");
+  box.required_text("size");
+  const Eigen::Vector3d size = box.vector3("size", Eigen::Vector3d::Zero());
+  if (!(size.minCoeff() >= kShapeLengths.lo && size.maxCoeff() <= kShapeLengths.hi)) {
+    box.refuse("size", box.text("size", ""), "three lengths of 1e-6 to 1e6 m");
+  }
+  return FloatingShape::box(size);
+}
+
 FloatingShape read_floating_shape(const PluginParams& params) {
   const PluginParams geometry = required_element(params, "geometry");
-  if (geometry.has("box")) {
-    const PluginParams box = required_element(geometry, "box");
-    box.required_text("size");
-    const Eigen::Vector3d size = box.vector3("size", Eigen::Vector3d::Zero());
-    if (!(size.minCoeff() >= kShapeLengths.lo && size.maxCoeff() <= kShapeLengths.hi)) {
-      box.refuse("size", box.text("size", ""), "three lengths of 1e-6 to 1e6 m");
-    }
-    return FloatingShape::box(size);
-  }
+  if (geometry.has("box")) return read_box(geometry);
   const bool is_cylinder = geometry.has("cylinder");
   if (!is_cylinder && !geometry.has("sphere")) {
     params.refuse("geometry", "", "a <box>, <cylinder> or <sphere>");
@@ -157,9 +159,8 @@ class BuoyancyPlugin : public Plugin {
   Surroundings around_;
 };
 
-const PluginRegistrar kBuoyancyGazeboPlugin(
-    "libbuoyancy_gazebo_plugin.so",
-    {[](const PluginContext& context) { return std::make_unique<BuoyancyPlugin>(context); }, {}});
+const PluginRegistrar kBuoyancyGazeboPlugin("libbuoyancy_gazebo_plugin.so",
+                                            factory_of<BuoyancyPlugin>());
 
 }  // namespace
 }  // namespace trident::sim

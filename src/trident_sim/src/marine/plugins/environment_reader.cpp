@@ -15,21 +15,27 @@ namespace {
 constexpr const char* kSections[] = {"tide", "waves", "current", "wind", "bathymetry"};
 
 /// Element `key` and what is below it as the YAML that an environment file would have there.
+/// The text of a child of <key>; refuses what would mean something else in YAML than in XML.
+std::string yaml_value(const PluginParams& params, const std::string& key, const ParamNode& child) {
+  std::istringstream words(child.text);
+  std::string value, word;
+  while (words >> word) value.append(value.empty() ? "" : " ").append(word);
+  if (child.name == "file" && value.find_first_of("\"\\") == std::string::npos) {
+    return '"' + value + '"';  // a URI has a colon
+  }
+  if (value.find_first_of(":#&*!|>'\"%@`") != std::string::npos) {
+    params.refuse(key + "> <" + child.name, value, "a number, a word or a list [x, y]");
+  }
+  return value;
+}
+
 std::string yaml_of(const PluginParams& params, const std::string& key) {
   const ParamNode* const node = params.node(key);
   if (node == nullptr || node->children.empty()) return "";
   std::string yaml = key + ":\n";
   for (const ParamNode& child : node->children) {
-    std::istringstream words(child.text);
-    std::string line, word;
-    while (words >> word) line.append(line.empty() ? "" : " ").append(word);
-    // What would mean something else in YAML than in XML.
-    if (child.name == "file" && line.find_first_of("\"\\") == std::string::npos) {
-      line.insert(0, 1, '"').push_back('"');  // a URI has a colon
-    } else if (line.find_first_of(":#&*!|>'\"%@`") != std::string::npos) {
-      params.refuse(key + "> <" + child.name, line, "a number, a word or a list [x, y]");
-    }
-    yaml.append("  ").append(child.name).append(": ").append(line).append("\n");
+    const std::string value = yaml_value(params, key, child);
+    yaml.append("  ").append(child.name).append(": ").append(value).append("\n");
   }
   return yaml;
 }
@@ -58,25 +64,38 @@ double read_angle(const PluginParams& params, const std::string& key) {
 
 }  // namespace
 
+namespace {
+
+/// From the file that <environment> names, or from `inline_yaml`; by default where there is
+/// neither.
+EnvironmentParams load_environment(const PluginContext& context, const std::string& inline_yaml) {
+  const PluginParams& params = context.params;
+  EnvironmentParams environment;
+  std::string folder;
+  if (params.has("environment")) {
+    const std::string path = params.required_text("environment");
+    if (!inline_yaml.empty()) {
+      params.refuse("environment", path, "to stand alone, without <waves>, <current> ...");
+    }
+    const std::string file = existing_file(context, "environment", path);
+    folder = std::filesystem::path(file).parent_path().string();
+    environment = load_yaml<EnvironmentParams>(file);
+  } else if (!inline_yaml.empty()) {
+    environment = load_yaml_string<EnvironmentParams>(inline_yaml, "<waves>, <current> ...");
+  }
+  find_files(context.world.resources(), folder, &environment);
+  return environment;
+}
+
+}  // namespace
+
 EnvironmentParams read_environment(const PluginContext& context) {
   const PluginParams& params = context.params;
   std::string inline_yaml;
   for (const char* section : kSections) inline_yaml += yaml_of(params, section);
   EnvironmentParams environment;
-  std::string folder;
   try {
-    if (params.has("environment")) {
-      const std::string path = params.required_text("environment");
-      if (!inline_yaml.empty()) {
-        params.refuse("environment", path, "to stand alone, without <waves>, <current> ...");
-      }
-      const std::string file = existing_file(context, "environment", path);
-      folder = std::filesystem::path(file).parent_path().string();
-      environment = load_yaml<EnvironmentParams>(file);
-    } else if (!inline_yaml.empty()) {
-      environment = load_yaml_string<EnvironmentParams>(inline_yaml, "<waves>, <current> ...");
-    }
-    find_files(context.world.resources(), folder, &environment);
+    environment = load_environment(context, inline_yaml);
   } catch (const ConfigError& error) {
     throw Error(params.owner() + ": " + error.what());
   } catch (const Error& error) {

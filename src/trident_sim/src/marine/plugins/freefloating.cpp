@@ -179,14 +179,8 @@ class FreeFloatingControl : public Plugin {
   std::uint64_t seen_ = 0;
 };
 
-PluginFactory freefloating_control_factory() {
-  return {
-      [](const PluginContext& context) { return std::make_unique<FreeFloatingControl>(context); },
-      {}};
-}
-
 const PluginRegistrar kFreefloatingGazeboControl("libfreefloating_gazebo_control.so",
-                                                 freefloating_control_factory());
+                                                 factory_of<FreeFloatingControl>());
 
 }  // namespace
 

@@ -45,11 +45,7 @@ class Mooring : public Plugin {
   double length_m_ = 0.0, stiffness_ = 0.0, damping_ = 0.0;
 };
 
-PluginFactory mooring_factory() {
-  return {[](const PluginContext& context) { return std::make_unique<Mooring>(context); }, {}};
-}
-
-const PluginRegistrar kTridentMooring("libtrident_mooring.so", mooring_factory());
+const PluginRegistrar kTridentMooring("libtrident_mooring.so", factory_of<Mooring>());
 
 }  // namespace
 

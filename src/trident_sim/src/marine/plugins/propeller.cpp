@@ -50,13 +50,10 @@ class Propeller : public Plugin {
   const OutPort<ScalarSample>* asked_ = nullptr;  ///< to be compared only
 };
 
-PluginFactory propeller_factory() {
-  return {[](const PluginContext& context) { return std::make_unique<Propeller>(context); },
-          [](const PluginParams& params) { return params.text("jointName", ""); }};
-}
+std::string propeller_joint(const PluginParams& params) { return params.text("jointName", ""); }
 
 const PluginRegistrar kTridentPropeller(
-    "libtrident_propeller.so", propeller_factory(),
+    "libtrident_propeller.so", factory_of<Propeller>(propeller_joint),
     PluginExample{"<jointName>rotor_1_joint</jointName><thruster>left</thruster>",
                   {"jointName", "thruster"},
                   {"maxRate", "maxThrust", "updateRate"}});

@@ -157,7 +157,8 @@ class SeaPlugin : public Plugin {
     }
   }
 
-  void take_commands() {
+  /// Both return whether the environment has changed.
+  bool take_section_commands() {
     bool has_changed = false;
     for (Input& input : inputs_) {
       for (input.seen = std::max(input.seen, input.port->oldest());
@@ -172,6 +173,11 @@ class SeaPlugin : public Plugin {
                       has_changed;
       }
     }
+    return has_changed;
+  }
+
+  bool take_level_commands() {
+    bool has_changed = false;
     for (level_seen_ = std::max(level_seen_, level_->oldest()); level_seen_ < level_->count();
          ++level_seen_) {
       const double level = level_->at(level_seen_).value;
@@ -187,7 +193,13 @@ class SeaPlugin : public Plugin {
                             }) ||
                     has_changed;
     }
-    if (has_changed) publish_state();
+    return has_changed;
+  }
+
+  void take_commands() {
+    const bool has_new_section = take_section_commands();
+    const bool has_new_level = take_level_commands();
+    if (has_new_section || has_new_level) publish_state();
   }
 
   static void overlay(const std::string& section, const std::string& topic, const std::string& text,
@@ -248,37 +260,26 @@ class SeaPlugin : public Plugin {
   OutHandle<WindSample> wind_speed_;
 };
 
-PluginFactory sea_factory() {
-  return {[](const PluginContext& context) {
-            return std::make_unique<SeaPlugin>(context, read_environment(context),
-                                               SeaPlugin::HasAir::kYes);
-          },
-          {}};
+std::unique_ptr<Plugin> make_sea(const PluginContext& context) {
+  return std::make_unique<SeaPlugin>(context, read_environment(context), SeaPlugin::HasAir::kYes);
 }
 
-PluginFactory vrx_wave_field_factory() {
-  return {[](const PluginContext& context) {
-            return std::make_unique<SeaPlugin>(context, read_vrx_waves(context),
-                                               SeaPlugin::HasAir::kNo);
-          },
-          {}};
+std::unique_ptr<Plugin> make_vrx_wave_field(const PluginContext& context) {
+  return std::make_unique<SeaPlugin>(context, read_vrx_waves(context), SeaPlugin::HasAir::kNo);
 }
 
-PluginFactory freefloating_fluid_factory() {
-  return {[](const PluginContext& context) {
-            return std::make_unique<SeaPlugin>(context, read_freefloating(context),
-                                               SeaPlugin::HasAir::kNo);
-          },
-          {}};
+std::unique_ptr<Plugin> make_freefloating_fluid(const PluginContext& context) {
+  return std::make_unique<SeaPlugin>(context, read_freefloating(context), SeaPlugin::HasAir::kNo);
 }
 
-const PluginRegistrar kTridentSea("libtrident_sea.so", sea_factory());
-const PluginRegistrar kTridentEnvironment("libtrident_environment.so", sea_factory());
-const PluginRegistrar kWavefieldModelPlugin("libWavefieldModelPlugin.so", vrx_wave_field_factory());
+const PluginRegistrar kTridentSea("libtrident_sea.so", {make_sea, {}});
+const PluginRegistrar kTridentEnvironment("libtrident_environment.so", {make_sea, {}});
+const PluginRegistrar kWavefieldModelPlugin("libWavefieldModelPlugin.so",
+                                            {make_vrx_wave_field, {}});
 const PluginRegistrar kOldWavefieldModelPlugin("libwavefield_model_plugin.so",
-                                               vrx_wave_field_factory());
+                                               {make_vrx_wave_field, {}});
 const PluginRegistrar kFreefloatingGazeboFluid("libfreefloating_gazebo_fluid.so",
-                                               freefloating_fluid_factory());
+                                               {make_freefloating_fluid, {}});
 
 }  // namespace
 

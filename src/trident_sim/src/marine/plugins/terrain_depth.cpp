@@ -45,23 +45,28 @@ void add_heightmaps(const Model& model, std::vector<GroundGrid>* grids) {
   }
 }
 
+/// Of the static models, or of the one named `wanted`.
+std::vector<GroundGrid> terrain_grids(const World& world, const std::string& wanted) {
+  std::vector<GroundGrid> grids;
+  for (const auto& [name, model] : world.models()) {
+    if (!model->is_static || (!wanted.empty() && name != wanted)) continue;
+    add_heightmaps(*model, &grids);
+  }
+  return grids;
+}
+
 }  // namespace
 
 std::shared_ptr<const Seabed> make_seabed(const BathymetryParams& params, const World& world) {
   if (params.kind == BathymetryKind::kNone) return nullptr;
-  std::vector<GroundGrid> grids;
   if (params.kind == BathymetryKind::kFile) {
-    grids.push_back(read_ascii_grid(params));
-  } else {
-    for (const auto& [name, model] : world.models()) {
-      if (!model->is_static || (!params.model.empty() && name != params.model)) continue;
-      add_heightmaps(*model, &grids);
-    }
-    if (grids.empty()) {
-      throw Error("<bathymetry> <kind> is 'terrain', expected a static model" +
-                  (params.model.empty() ? "" : " '" + params.model + "'") +
-                  " with the collision of a heightmap in the world's file");
-    }
+    return std::make_shared<const Seabed>(std::vector<GroundGrid>{read_ascii_grid(params)});
+  }
+  std::vector<GroundGrid> grids = terrain_grids(world, params.model);
+  if (grids.empty()) {
+    throw Error("<bathymetry> <kind> is 'terrain', expected a static model" +
+                (params.model.empty() ? "" : " '" + params.model + "'") +
+                " with the collision of a heightmap in the world's file");
   }
   return std::make_shared<const Seabed>(std::move(grids));
 }

@@ -116,12 +116,8 @@ class UsvDynamics : public Plugin, public Floating {
   VesselBody body_;
 };
 
-PluginFactory usv_dynamics_factory() {
-  return {[](const PluginContext& context) { return std::make_unique<UsvDynamics>(context); }, {}};
-}
-
 const PluginRegistrar kUsvGazeboDynamicsPlugin("libusv_gazebo_dynamics_plugin.so",
-                                               usv_dynamics_factory());
+                                               factory_of<UsvDynamics>());
 
 }  // namespace
 

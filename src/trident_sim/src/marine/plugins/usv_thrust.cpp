@@ -197,12 +197,8 @@ class UsvThrust : public Plugin {
   std::optional<JointStates> joints_;
 };
 
-PluginFactory usv_thrust_factory() {
-  return {[](const PluginContext& context) { return std::make_unique<UsvThrust>(context); }, {}};
-}
-
 const PluginRegistrar kUsvGazeboThrustPlugin("libusv_gazebo_thrust_plugin.so",
-                                             usv_thrust_factory());
+                                             factory_of<UsvThrust>());
 
 }  // namespace
 

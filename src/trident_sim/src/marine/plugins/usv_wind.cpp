@@ -176,11 +176,7 @@ class UsvWind : public Plugin {
   OutHandle<NumberSample> speed_, direction_;
 };
 
-PluginFactory usv_wind_factory() {
-  return {[](const PluginContext& context) { return std::make_unique<UsvWind>(context); }, {}};
-}
-
-const PluginRegistrar kUsvGazeboWindPlugin("libusv_gazebo_wind_plugin.so", usv_wind_factory());
+const PluginRegistrar kUsvGazeboWindPlugin("libusv_gazebo_wind_plugin.so", factory_of<UsvWind>());
 
 }  // namespace
 

@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -71,6 +73,26 @@ ObjectShape sphere(const PluginParams& params, double density) {
   return shape;
 }
 
+/// A drag coefficient, up to a slenderness.
+struct DragStep {
+  double last_slenderness, coefficient;
+};
+
+template <std::size_t N>
+double drag_coefficient(const std::array<DragStep, N>& steps, double slenderness) {
+  const auto found = std::find_if(steps.begin(), steps.end() - 1, [=](const DragStep& step) {
+    return slenderness <= step.last_slenderness;
+  });
+  return found->coefficient;
+}
+
+// Of a circular face and of a side, as upstream's table has them.
+constexpr double kEndless = std::numeric_limits<double>::infinity();
+constexpr std::array<DragStep, 4> kFaceDrag = {
+    {{1.0, 0.91}, {2.0, 0.85}, {4.0, 0.87}, {kEndless, 0.99}}};
+constexpr std::array<DragStep, 5> kSideDrag = {
+    {{1.0, 0.63}, {2.0, 0.68}, {5.0, 0.74}, {10.0, 0.82}, {kEndless, 0.98}}};
+
 ObjectShape cylinder(const PluginParams& params, double density) {
   const double r = params.number("radius", 0.1, kLength);
   const double length = params.number("length", 1.0, kLength);
@@ -78,20 +100,19 @@ ObjectShape cylinder(const PluginParams& params, double density) {
   const std::size_t along = std::string("ijk").find(axis);
   if (axis.size() != 1 || along == std::string::npos) params.refuse("axis", axis, "i, j or k");
   const double slender = length / (2.0 * r), face = kPi * r * r;
-  // Of a circular face and of a side, by slenderness, as upstream's table has them.
-  const double cd_face = slender <= 1 ? 0.91 : slender <= 2 ? 0.85 : slender <= 4 ? 0.87 : 0.99;
-  const double cd_side = slender <= 1    ? 0.63
-                         : slender <= 2  ? 0.68
-                         : slender <= 5  ? 0.74
-                         : slender <= 10 ? 0.82
-                                         : 0.98;
+  const double cd_face = drag_coefficient(kFaceDrag, slender);
+  const double cd_side = drag_coefficient(kSideDrag, slender);
   ObjectShape shape;
   for (std::size_t i = 0; i < 3; ++i) {
     const auto row = static_cast<Eigen::Index>(i);
-    shape.added_mass[row] = density * face * (i == along ? 1.0 : length);
-    shape.added_mass[row + 3] = i == along ? 0.0 : density * face * std::pow(length, 3) / 12.0;
-    shape.quadratic[row] =
-        i == along ? 0.5 * cd_face * face * density : 0.5 * cd_side * r * length * density;
+    if (i == along) {
+      shape.added_mass[row] = density * face;
+      shape.quadratic[row] = 0.5 * cd_face * face * density;
+    } else {
+      shape.added_mass[row] = density * face * length;
+      shape.added_mass[row + 3] = density * face * std::pow(length, 3) / 12.0;
+      shape.quadratic[row] = 0.5 * cd_side * r * length * density;
+    }
   }
   return shape;
 }
@@ -113,6 +134,14 @@ ObjectShape read_shape(const PluginParams& model, double density) {
   if (type == "box") return box(model, density);
   // Upstream's spheroid warns that it is not to be used.
   model.refuse("type", type, "fossen, sphere, cylinder or box");
+}
+
+void refuse_forward_damping(const PluginParams& model) {
+  for (const double number : numbers(model, "linear_damping_forward_speed", {6, 36})) {
+    if (number == 0.0) continue;
+    model.refuse("linear_damping_forward_speed", number_text(number),
+                 "0: damping that grows with the speed ahead is not offered");
+  }
 }
 
 VesselParams read_hydrodynamics(const PluginParams& model, const std::string& name,
@@ -141,12 +170,7 @@ VesselParams read_hydrodynamics(const PluginParams& model, const std::string& na
     if (shape.quadratic[i] != 0.0) quadratic(i, i) = scale * shape.quadratic[i];
   }
   vessel.quadratic_damping_matrix = rows_of(quadratic);
-  for (const double number : numbers(model, "linear_damping_forward_speed", {6, 36})) {
-    if (number != 0.0) {
-      model.refuse("linear_damping_forward_speed", number_text(number),
-                   "0: damping that grows with the speed ahead is not offered");
-    }
-  }
+  refuse_forward_damping(model);
   return in_flu(vessel);
 }
 
@@ -324,12 +348,8 @@ class UuvObject : public Plugin {
   std::vector<std::unique_ptr<UuvLink>> links_;
 };
 
-PluginFactory uuv_object_factory() {
-  return {[](const PluginContext& context) { return std::make_unique<UuvObject>(context); }, {}};
-}
-
 const PluginRegistrar kUuvUnderwaterObjectRosPlugin("libuuv_underwater_object_ros_plugin.so",
-                                                    uuv_object_factory());
+                                                    factory_of<UuvObject>());
 
 }  // namespace
 

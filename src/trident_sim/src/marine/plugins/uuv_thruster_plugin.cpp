@@ -65,6 +65,18 @@ void read_dynamics(const PluginParams& params, UuvThrusterParams* thruster) {
   }
 }
 
+void check_conversion_table(const PluginParams& params, const UuvThrusterParams& thruster) {
+  if (thruster.inputs.size() != thruster.outputs.size()) {
+    params.refuse("outputValues", std::to_string(thruster.outputs.size()) + " numbers",
+                  std::to_string(thruster.inputs.size()) + ", as <inputValues> has");
+  }
+  for (std::size_t i = 1; i < thruster.inputs.size(); ++i) {
+    if (thruster.inputs[i] <= thruster.inputs[i - 1]) {
+      params.refuse("inputValues", number_text(thruster.inputs[i]), "numbers that rise");
+    }
+  }
+}
+
 void read_conversion(const PluginParams& params, UuvThrusterParams* thruster) {
   thruster->conversion = read_type<UuvConversion>(params);
   switch (thruster->conversion) {
@@ -80,15 +92,7 @@ void read_conversion(const PluginParams& params, UuvThrusterParams* thruster) {
     case UuvConversion::kLinearInterp:
       thruster->inputs = required_numbers(params, "inputValues");
       thruster->outputs = required_numbers(params, "outputValues");
-      if (thruster->inputs.size() != thruster->outputs.size()) {
-        params.refuse("outputValues", std::to_string(thruster->outputs.size()) + " numbers",
-                      std::to_string(thruster->inputs.size()) + ", as <inputValues> has");
-      }
-      for (std::size_t i = 1; i < thruster->inputs.size(); ++i) {
-        if (thruster->inputs[i] <= thruster->inputs[i - 1]) {
-          params.refuse("inputValues", number_text(thruster->inputs[i]), "numbers that rise");
-        }
-      }
+      check_conversion_table(params, *thruster);
       break;
   }
 }
@@ -265,13 +269,10 @@ class UuvThrusterPlugin : public Plugin {
   std::uint64_t changes_seen_ = 0;
 };
 
-PluginFactory uuv_thruster_factory() {
-  return {[](const PluginContext& context) { return std::make_unique<UuvThrusterPlugin>(context); },
-          [](const PluginParams& params) { return params.text("jointName", ""); }};
-}
+std::string thruster_joint(const PluginParams& params) { return params.text("jointName", ""); }
 
 const PluginRegistrar kUuvThrusterRosPlugin("libuuv_thruster_ros_plugin.so",
-                                            uuv_thruster_factory());
+                                            factory_of<UuvThrusterPlugin>(thruster_joint));
 
 }  // namespace
 

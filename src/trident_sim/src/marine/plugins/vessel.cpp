@@ -166,11 +166,7 @@ class Vessel : public Plugin, public Floating {
   std::optional<DriveInput> drive_;
 };
 
-PluginFactory vessel_factory() {
-  return {[](const PluginContext& context) { return std::make_unique<Vessel>(context); }, {}};
-}
-
-const PluginRegistrar kTridentVessel("libtrident_vessel.so", vessel_factory());
+const PluginRegistrar kTridentVessel("libtrident_vessel.so", factory_of<Vessel>());
 
 }  // namespace
 

@@ -60,12 +60,8 @@ class AirPressure : public MeasuringPlugin {
   OutHandle<FluidPressureSample> pressure_;
 };
 
-PluginFactory air_pressure_factory() {
-  return {[](const PluginContext& context) { return std::make_unique<AirPressure>(context); }, {}};
-}
-
 const PluginRegistrar kRotorsGazeboPressurePlugin(
-    "librotors_gazebo_pressure_plugin.so", air_pressure_factory(),
+    "librotors_gazebo_pressure_plugin.so", factory_of<AirPressure>(),
     PluginExample{"<linkName>base_link</linkName><pressureVariance>4</pressureVariance>",
                   {"linkName"},
                   {"referenceAltitude", "pressureVariance"}});

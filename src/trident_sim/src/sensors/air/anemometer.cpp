@@ -45,15 +45,22 @@ class Anemometer : public MeasuringPlugin {
   }
 
  protected:
+  bool is_wanted() const { return velocity_->wanted() || reading_->wanted(); }
+
+  /// Of the air, past the sensor unless it tells the true wind; world frame.
+  Eigen::Vector3d wind_at(const Eigen::Vector3d& p_world) const {
+    Eigen::Vector3d wind = Eigen::Vector3d::Zero();
+    if (around_.air() != nullptr) wind = around_.air()->wind(p_world);
+    if (!is_true_) wind -= link_.v_world_at(p_world);
+    return wind;
+  }
+
   void measure(const World& world, const StepInfo& info) override {
     around_.look(world);
-    if (!clock_.is_due(info) || !(velocity_->wanted() || reading_->wanted())) return;
+    if (!clock_.is_due(info) || !is_wanted()) return;
     const SE3 T_world_sensor = link_.T_world_link() * T_link_sensor_;
-    Eigen::Vector3d wind = Eigen::Vector3d::Zero();
-    if (around_.air() != nullptr) wind = around_.air()->wind(T_world_sensor.p);
-    if (!is_true_) wind -= link_.v_world_at(T_world_sensor.p);
-    const Eigen::Vector3d measured =
-        T_world_sensor.R.conjugate() * wind + noise_.sample(stream_, clock_.count_at(info), 0);
+    const Eigen::Vector3d measured = T_world_sensor.R.conjugate() * wind_at(T_world_sensor.p) +
+                                     noise_.sample(stream_, clock_.count_at(info), 0);
     velocity_->value.stamp = reading_->value.stamp = info.end;
     velocity_->value.value = measured;
     reading_->value.speed_m_s = std::hypot(measured.x(), measured.y());
@@ -76,12 +83,8 @@ class Anemometer : public MeasuringPlugin {
   OutHandle<WindReadingSample> reading_;
 };
 
-PluginFactory anemometer_factory() {
-  return {[](const PluginContext& context) { return std::make_unique<Anemometer>(context); }, {}};
-}
-
 const PluginRegistrar kTridentAnemometer(
-    "libtrident_anemometer.so", anemometer_factory(),
+    "libtrident_anemometer.so", factory_of<Anemometer>(),
     PluginExample{"<linkName>base_link</linkName><gaussianNoise>0.1</gaussianNoise>",
                   {"linkName"},
                   {"gaussianNoise", "bias", "updateRate"}});

@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "camera_sensor.h"
@@ -223,81 +224,54 @@ std::unique_ptr<Plugin> make_own_camera(const PluginContext& context) {
   return std::make_unique<CameraSensor>(context, camera, std::vector<CameraSetup>{setup});
 }
 
-PluginFactory gazebo_camera_factory(Shutter shutter) {
+PluginFactory gazebo_camera(Shutter shutter) {
   return {[shutter](const PluginContext& context) { return make_camera(context, shutter); }, {}};
 }
 
-PluginFactory gazebo_depth_camera_factory() {
-  return {[](const PluginContext& context) {
-            return make_depth_camera(context, "image_raw", "camera_info");
-          },
+PluginFactory gazebo_depth_camera(const char* image, const char* info) {
+  return {[=](const PluginContext& context) { return make_depth_camera(context, image, info); },
           {}};
 }
 
-PluginFactory gazebo_kinect_factory() {
-  return {[](const PluginContext& context) {
-            return make_depth_camera(context, "ir/image_raw", "ir/camera_info");
-          },
-          {}};
-}
-
-PluginFactory gazebo_multicamera_factory(Shutter shutter) {
+PluginFactory gazebo_multicamera(Shutter shutter) {
   return {[shutter](const PluginContext& context) { return make_multicamera(context, shutter); },
           {}};
 }
-PluginFactory noisy_depth_camera_factory() { return {make_noisy_depth_camera, {}}; }
-PluginFactory camera_factory() { return {make_own_camera, {}}; }
 
-const PluginRegistrar kGazeboRosCamera(
-    "libgazebo_ros_camera.so", gazebo_camera_factory(Shutter::kRate),
-    PluginExample{"<cameraName>eye</cameraName><updateRate>50</updateRate>",
-                  {},
-                  {"updateRate", "focalLength", "Cx", "CxPrime", "distortionK1", "distortionT2"},
-                  kExampleCamera});
-const PluginRegistrar kGazeboRosTriggeredCamera(
-    "libgazebo_ros_triggered_camera.so", gazebo_camera_factory(Shutter::kTrigger),
-    PluginExample{"<cameraName>eye</cameraName><updateRate>50</updateRate>",
-                  {},
-                  {"updateRate", "focalLength", "Cx", "CxPrime", "distortionK1", "distortionT2"},
-                  kExampleCamera});
-const PluginRegistrar kGazeboRosDepthCamera(
-    "libgazebo_ros_depth_camera.so", gazebo_depth_camera_factory(),
-    PluginExample{"<cameraName>eye</cameraName><updateRate>50</updateRate>",
-                  {},
-                  {"updateRate", "focalLength", "Cx", "CxPrime", "distortionK1", "distortionT2",
-                   "hackBaseline", "pointCloudCutoff"},
-                  kExampleCamera});
-const PluginRegistrar kGazeboRosOpenniKinect(
-    "libgazebo_ros_openni_kinect.so", gazebo_kinect_factory(),
-    PluginExample{"<cameraName>eye</cameraName><updateRate>50</updateRate>",
-                  {},
-                  {"updateRate", "focalLength", "Cx", "CxPrime", "distortionK1", "distortionT2",
-                   "hackBaseline", "pointCloudCutoff"},
-                  kExampleCamera});
-const PluginRegistrar kGazeboRosMulticamera(
-    "libgazebo_ros_multicamera.so", gazebo_multicamera_factory(Shutter::kRate),
-    PluginExample{"<cameraName>eye</cameraName><updateRate>50</updateRate>",
-                  {},
-                  {"updateRate", "focalLength", "Cx", "CxPrime", "distortionK1", "distortionT2"},
-                  kExampleCamera});
-const PluginRegistrar kGazeboRosTriggeredMulticamera(
-    "libgazebo_ros_triggered_multicamera.so", gazebo_multicamera_factory(Shutter::kTrigger),
-    PluginExample{"<cameraName>eye</cameraName><updateRate>50</updateRate>",
-                  {},
-                  {"updateRate", "focalLength", "Cx", "CxPrime", "distortionK1", "distortionT2"},
-                  kExampleCamera});
+PluginExample camera_example(std::vector<std::string> numbers) {
+  return {"<cameraName>eye</cameraName><updateRate>50</updateRate>",
+          {},
+          std::move(numbers),
+          kExampleCamera};
+}
+
+/// Of a camera that takes the elements of the lens; `more` are further elements that are numbers.
+PluginExample lens_example(const std::vector<std::string>& more = {}) {
+  std::vector<std::string> numbers = {"updateRate", "focalLength",  "Cx",
+                                      "CxPrime",    "distortionK1", "distortionT2"};
+  numbers.insert(numbers.end(), more.begin(), more.end());
+  return camera_example(std::move(numbers));
+}
+
+const PluginRegistrar kGazeboRosCamera("libgazebo_ros_camera.so", gazebo_camera(Shutter::kRate),
+                                       lens_example());
+const PluginRegistrar kGazeboRosTriggeredCamera("libgazebo_ros_triggered_camera.so",
+                                                gazebo_camera(Shutter::kTrigger), lens_example());
+const PluginRegistrar kGazeboRosDepthCamera("libgazebo_ros_depth_camera.so",
+                                            gazebo_depth_camera("image_raw", "camera_info"),
+                                            lens_example({"hackBaseline", "pointCloudCutoff"}));
+const PluginRegistrar kGazeboRosOpenniKinect("libgazebo_ros_openni_kinect.so",
+                                             gazebo_depth_camera("ir/image_raw", "ir/camera_info"),
+                                             lens_example({"hackBaseline", "pointCloudCutoff"}));
+const PluginRegistrar kGazeboRosMulticamera("libgazebo_ros_multicamera.so",
+                                            gazebo_multicamera(Shutter::kRate), lens_example());
+const PluginRegistrar kGazeboRosTriggeredMulticamera("libgazebo_ros_triggered_multicamera.so",
+                                                     gazebo_multicamera(Shutter::kTrigger),
+                                                     lens_example());
 const PluginRegistrar kRotorsGazeboNoisydepthPlugin(
-    "librotors_gazebo_noisydepth_plugin.so", noisy_depth_camera_factory(),
-    PluginExample{"<cameraName>eye</cameraName><updateRate>50</updateRate>",
-                  {},
-                  {"updateRate", "depthNoiseMinDist", "baseline", "D435MaxStdev"},
-                  kExampleCamera});
-const PluginRegistrar kTridentCamera(
-    "libtrident_camera.so", camera_factory(),
-    PluginExample{"<cameraName>eye</cameraName><updateRate>50</updateRate>",
-                  {},
-                  {"updateRate", "focalLength", "Cx", "CxPrime", "distortionK1", "distortionT2"},
-                  kExampleCamera});
+    "librotors_gazebo_noisydepth_plugin.so", {make_noisy_depth_camera, {}},
+    camera_example({"updateRate", "depthNoiseMinDist", "baseline", "D435MaxStdev"}));
+const PluginRegistrar kTridentCamera("libtrident_camera.so", {make_own_camera, {}}, lens_example());
 
 }  // namespace
 

@@ -115,14 +115,10 @@ class Bumper : public Plugin {
   OutHandle<ContactsSample> states_;
 };
 
-PluginFactory bumper_factory() {
-  return {[](const PluginContext& context) { return std::make_unique<Bumper>(context); }, {}};
-}
-
 constexpr const char* kExampleSensor =
     R"(<sensor name="example" type="contact"><update_rate>50</update_rate>
     <contact><collision>collision</collision></contact></sensor>)";
-const PluginRegistrar kGazeboRosBumper("libgazebo_ros_bumper.so", bumper_factory(),
+const PluginRegistrar kGazeboRosBumper("libgazebo_ros_bumper.so", factory_of<Bumper>(),
                                        PluginExample{"", {}, {}, kExampleSensor});
 
 }  // namespace

@@ -65,13 +65,8 @@ class WheelEncoders : public MeasuringPlugin {
   OutHandle<JointStateSample> states_;
 };
 
-PluginFactory wheel_encoder_factory() {
-  return {[](const PluginContext& context) { return std::make_unique<WheelEncoders>(context); },
-          {}};
-}
-
 const PluginRegistrar kTridentWheelEncoder(
-    "libtrident_wheel_encoder.so", wheel_encoder_factory(),
+    "libtrident_wheel_encoder.so", factory_of<WheelEncoders>(),
     PluginExample{"<jointName>rotor_0_joint, rotor_1_joint</jointName>",
                   {"jointName"},
                   {"ticksPerTurn", "updateRate"}});

@@ -146,10 +146,13 @@ class Gnss : public MeasuringPlugin {
         std::count_if(hits_.begin(), hits_.end(), [](const RayHit& hit) { return !hit.is_hit(); }));
   }
 
+  bool is_enough_for_rtk(int satellites) const { return has_rtk_ && satellites >= rtk_satellites_; }
+
   FixType find_type(int satellites, const StepInfo& info) {
-    if (!has_rtk_ || satellites < rtk_satellites_) good_since_ = info.sample;
+    const bool may_use_rtk = is_enough_for_rtk(satellites);
+    if (!may_use_rtk) good_since_ = info.sample;
     if (satellites < kMinForFix) return FixType::kNone;
-    if (!has_rtk_ || satellites < rtk_satellites_) return FixType::kSingle;
+    if (!may_use_rtk) return FixType::kSingle;
     const double good_s = static_cast<double>(info.sample - good_since_) * info.dt_s;
     if (good_s < float_time_s_) return FixType::kSingle;
     return good_s < fixed_time_s_ ? FixType::kFloat : FixType::kFixed;
@@ -199,12 +202,8 @@ class Gnss : public MeasuringPlugin {
   std::uint64_t good_since_ = 0;  ///< number of the step since when the view is good enough for RTK
 };
 
-PluginFactory gnss_factory() {
-  return {[](const PluginContext& context) { return std::make_unique<Gnss>(context); }, {}};
-}
-
 const PluginRegistrar kTridentGnss(
-    "libtrident_gnss.so", gnss_factory(),
+    "libtrident_gnss.so", factory_of<Gnss>(),
     PluginExample{"<floatTime>0.1</floatTime><fixedTime>0.3</fixedTime>",
                   {},
                   {"satellites", "rtkSatellites", "floatTime", "fixedTime",

@@ -88,12 +88,8 @@ class Gps : public MeasuringPlugin {
   OutHandle<TwistSample> speed_;
 };
 
-PluginFactory gps_factory() {
-  return {[](const PluginContext& context) { return std::make_unique<Gps>(context); }, {}};
-}
-
 const PluginRegistrar kRotorsGazeboGpsPlugin(
-    "librotors_gazebo_gps_plugin.so", gps_factory(),
+    "librotors_gazebo_gps_plugin.so", factory_of<Gps>(),
     PluginExample{"",
                   {},
                   {"horPosStdDev", "verPosStdDev", "horVelStdDev", "verVelStdDev"},

@@ -195,6 +195,20 @@ std::unique_ptr<Plugin> make_sensor_imu(const PluginContext& context) {
       noises);
 }
 
+void set_stddev(double stddev, ImuNoises& noises) {
+  for (Triad* const triad : {&noises.gyro, &noises.accel}) {
+    for (AxisNoise& noise : *triad) noise.stddev = stddev;
+  }
+}
+
+/// What a mounting that is off by `rpy` does to the means that are not given, as upstream.
+void add_mounting(const Eigen::Vector3d& rpy, ImuNoises& noises) {
+  constexpr double kGravity = 9.8065;  // upstream's
+  if (noises.accel[1].mean == 0.0) noises.accel[1].mean = -rpy.x() * kGravity;
+  if (noises.accel[0].mean == 0.0) noises.accel[0].mean = rpy.y() * kGravity;
+  if (noises.heading.mean == 0.0) noises.heading.mean = rpy.z();
+}
+
 /// hector_gazebo_plugins': `<rpyOffset>` is what its mounting does to the force and the heading, as
 /// upstream. Unlike upstream's, the spread of a drift does not depend on the step, and an error of
 /// the force does not tilt the orientation.
@@ -208,16 +222,9 @@ std::unique_ptr<Plugin> make_hector_imu(const PluginContext& context) {
   noises.gyro = read_hector_noises(params, "rate");
   noises.accel = read_hector_noises(params, "accel");
   noises.heading = read_hector_noises(params, "heading")[0];
-  if (const double common = read_common_noise(params); common != 0.0) {
-    for (Triad* const triad : {&noises.gyro, &noises.accel}) {
-      for (AxisNoise& noise : *triad) noise.stddev = common;
-    }
-  }
-  const Eigen::Vector3d rpy = params.vector3("rpyOffset", Eigen::Vector3d::Zero());
-  constexpr double kGravity = 9.8065;  // upstream's
-  if (noises.accel[1].mean == 0.0) noises.accel[1].mean = -rpy.x() * kGravity;
-  if (noises.accel[0].mean == 0.0) noises.accel[0].mean = rpy.y() * kGravity;
-  if (noises.heading.mean == 0.0) noises.heading.mean = rpy.z();
+  const double common = read_common_noise(params);
+  if (common != 0.0) set_stddev(common, noises);
+  add_mounting(params.vector3("rpyOffset", Eigen::Vector3d::Zero()), noises);
   const std::string topic = params.text("topicName", "imu");
   return std::make_unique<GazeboImu>(
       context,
@@ -226,23 +233,19 @@ std::unique_ptr<Plugin> make_hector_imu(const PluginContext& context) {
       noises);
 }
 
-PluginFactory gazebo_imu_factory() { return {make_model_imu, {}}; }
-PluginFactory gazebo_imu_sensor_factory() { return {make_sensor_imu, {}}; }
-PluginFactory hector_imu_factory() { return {make_hector_imu, {}}; }
-
 const PluginRegistrar kGazeboRosImu(
-    "libgazebo_ros_imu.so", gazebo_imu_factory(),
+    "libgazebo_ros_imu.so", {make_model_imu, {}},
     PluginExample{"<bodyName>base_link</bodyName><gaussianNoise>0.1</gaussianNoise>",
                   {"bodyName"},
                   {"gaussianNoise", "updateRate", "xyzOffset", "rpyOffset"}});
 const PluginRegistrar kGazeboRosImuSensor(
-    "libgazebo_ros_imu_sensor.so", gazebo_imu_sensor_factory(),
+    "libgazebo_ros_imu_sensor.so", {make_sensor_imu, {}},
     PluginExample{"<frameName>imu</frameName><gaussianNoise>0.1</gaussianNoise>",
                   {"frameName"},
                   {"gaussianNoise", "updateRateHZ", "xyzOffset", "rpyOffset"},
                   R"(<sensor name="example" type="imu"><update_rate>50</update_rate></sensor>)"});
 const PluginRegistrar kHectorGazeboRosImu(
-    "libhector_gazebo_ros_imu.so", hector_imu_factory(),
+    "libhector_gazebo_ros_imu.so", {make_hector_imu, {}},
     PluginExample{"<bodyName>base_link</bodyName><rateDrift>0.01 0.02 0.03</rateDrift>"
                   "<accelGaussianNoise>0.1</accelGaussianNoise>",
                   {},

@@ -296,17 +296,7 @@ class HectorSonar : public MeasuringPlugin {
   OutHandle<RangeSample> range_;
 };
 
-template <class Sensor>
-PluginFactory factory_of() {
-  return {[](const PluginContext& context) { return std::make_unique<Sensor>(context); }, {}};
-}
-
-PluginFactory hector_gps_factory() { return factory_of<HectorGps>(); }
-PluginFactory hector_magnetic_factory() { return factory_of<HectorMagnetic>(); }
-PluginFactory hector_baro_factory() { return factory_of<HectorBaro>(); }
-PluginFactory hector_sonar_factory() { return factory_of<HectorSonar>(); }
-
-const PluginRegistrar kHectorGazeboRosGps("libhector_gazebo_ros_gps.so", hector_gps_factory(),
+const PluginRegistrar kHectorGazeboRosGps("libhector_gazebo_ros_gps.so", factory_of<HectorGps>(),
                                           PluginExample{
                                               "<updateRate>50</updateRate><drift>5 5 5</drift>"
                                               "<velocityGaussianNoise>0.1</velocityGaussianNoise>",
@@ -314,17 +304,17 @@ const PluginRegistrar kHectorGazeboRosGps("libhector_gazebo_ros_gps.so", hector_
                                               {"referenceLatitude", "referenceHeading",
                                                "gaussianNoise", "drift", "velocityOffset"}});
 const PluginRegistrar kHectorGazeboRosMagnetic(
-    "libhector_gazebo_ros_magnetic.so", hector_magnetic_factory(),
+    "libhector_gazebo_ros_magnetic.so", factory_of<HectorMagnetic>(),
     PluginExample{"<gaussianNoise>1e-3 1e-3 1e-3</gaussianNoise>",
                   {},
                   {"magnitude", "declination", "inclination", "referenceHeading", "offset"}});
 const PluginRegistrar kHectorGazeboRosBaro(
-    "libhector_gazebo_ros_baro.so", hector_baro_factory(),
+    "libhector_gazebo_ros_baro.so", factory_of<HectorBaro>(),
     PluginExample{"<drift>0.1</drift><gaussianNoise>0.5</gaussianNoise>",
                   {},
                   {"updateRate", "driftFrequency"}});
 const PluginRegistrar kHectorGazeboRosSonar(
-    "libhector_gazebo_ros_sonar.so", hector_sonar_factory(),
+    "libhector_gazebo_ros_sonar.so", factory_of<HectorSonar>(),
     PluginExample{"<gaussianNoise>0.01</gaussianNoise><updateRate>50</updateRate>",
                   {},
                   {"gaussianNoise", "drift", "updateRate"},

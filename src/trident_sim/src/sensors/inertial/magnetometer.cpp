@@ -62,12 +62,8 @@ class Magnetometer : public MeasuringPlugin {
   OutHandle<MagneticFieldSample> magnetic_;
 };
 
-PluginFactory magnetometer_factory() {
-  return {[](const PluginContext& context) { return std::make_unique<Magnetometer>(context); }, {}};
-}
-
 const PluginRegistrar kRotorsGazeboMagnetometerPlugin(
-    "librotors_gazebo_magnetometer_plugin.so", magnetometer_factory(),
+    "librotors_gazebo_magnetometer_plugin.so", factory_of<Magnetometer>(),
     PluginExample{
         "<linkName>base_link</linkName><noiseNormal>1e-7 1e-7 1e-7</noiseNormal>",
         {"linkName"},

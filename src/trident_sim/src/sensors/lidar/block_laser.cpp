@@ -68,11 +68,7 @@ class BlockLaser : public MeasuringPlugin {
   OutHandle<PointListSample> points_;
 };
 
-PluginFactory block_laser_factory() {
-  return {[](const PluginContext& context) { return std::make_unique<BlockLaser>(context); }, {}};
-}
-
-const PluginRegistrar kGazeboRosBlockLaser("libgazebo_ros_block_laser.so", block_laser_factory(),
+const PluginRegistrar kGazeboRosBlockLaser("libgazebo_ros_block_laser.so", factory_of<BlockLaser>(),
                                            PluginExample{"<gaussianNoise>0.01</gaussianNoise>",
                                                          {},
                                                          {"gaussianNoise", "updateRate"},

@@ -179,18 +179,15 @@ PluginFactory laser_scanner(const char* default_topic, bool is_rolling) {
           {}};
 }
 
-PluginFactory gazebo_laser_factory() { return laser_scanner("/world", false); }
-PluginFactory lidar_factory() { return laser_scanner("scan", true); }
+PluginExample lidar_example(const char* elements) { return {elements, {}, {}, kExampleLidar}; }
 
-const PluginRegistrar kGazeboRosLaser("libgazebo_ros_laser.so", gazebo_laser_factory(),
-                                      PluginExample{
-                                          "<topicName>scan</topicName>", {}, {}, kExampleLidar});
-const PluginRegistrar kGazeboRosGpuLaser("libgazebo_ros_gpu_laser.so", gazebo_laser_factory(),
-                                         PluginExample{
-                                             "<topicName>scan</topicName>", {}, {}, kExampleLidar});
-const PluginRegistrar kTridentLidar("libtrident_lidar.so", lidar_factory(),
-                                    PluginExample{
-                                        "<rolling>true</rolling>", {}, {}, kExampleLidar});
+const PluginRegistrar kGazeboRosLaser("libgazebo_ros_laser.so", laser_scanner("/world", false),
+                                      lidar_example("<topicName>scan</topicName>"));
+const PluginRegistrar kGazeboRosGpuLaser("libgazebo_ros_gpu_laser.so",
+                                         laser_scanner("/world", false),
+                                         lidar_example("<topicName>scan</topicName>"));
+const PluginRegistrar kTridentLidar("libtrident_lidar.so", laser_scanner("scan", true),
+                                    lidar_example("<rolling>true</rolling>"));
 
 }  // namespace
 

@@ -187,8 +187,7 @@ std::unique_ptr<LidarPattern> make_rings(const PatternRequest& request,
   return std::make_unique<RingPattern>(fan, elevations, column_s, std::move(beams));
 }
 
-std::unique_ptr<LidarPattern> make_rosette(const PatternRequest& request,
-                                           const PluginParams& params) {
+void check_rosette_fan(const PatternRequest& request, const PluginParams& params) {
   const BeamFan& fan = request.spec.horizontal;
   if (request.spec.vertical.beams != 1 || fan.max_rad != -fan.min_rad || !(fan.max_rad > 0.0) ||
       fan.max_rad > 1.5) {
@@ -196,6 +195,12 @@ std::unique_ptr<LidarPattern> make_rosette(const PatternRequest& request,
                 ": a rosette needs <horizontal> angles of -a and a, a in (0, 1.5] rad, and no "
                 "<vertical> <samples>");
   }
+}
+
+std::unique_ptr<LidarPattern> make_rosette(const PatternRequest& request,
+                                           const PluginParams& params) {
+  check_rosette_fan(request, params);
+  const BeamFan& fan = request.spec.horizontal;
   const auto points = static_cast<std::size_t>(fan.beams);
   if (points % RosettePattern::kGroup != 0) {
     throw Error(params.owner() + ": a rosette has " + std::to_string(points) +

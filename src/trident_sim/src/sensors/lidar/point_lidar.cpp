@@ -262,24 +262,18 @@ PluginFactory point_lidar(const char* default_topic, bool is_rolling) {
           {}};
 }
 
-PluginFactory velodyne_laser_factory() { return point_lidar("/world", false); }
-PluginFactory point_lidar_factory() { return point_lidar("points", true); }
+PluginExample velodyne_example() {
+  return {"<topicName>points</topicName>",
+          {},
+          {"min_range", "max_range", "min_intensity", "gaussianNoise"},
+          kExampleLidar};
+}
 
 const PluginRegistrar kGazeboRosVelodyneLaser("libgazebo_ros_velodyne_laser.so",
-                                              velodyne_laser_factory(),
-                                              PluginExample{"<topicName>points</topicName>",
-                                                            {},
-                                                            {"min_range", "max_range",
-                                                             "min_intensity", "gaussianNoise"},
-                                                            kExampleLidar});
+                                              point_lidar("/world", false), velodyne_example());
 const PluginRegistrar kGazeboRosVelodyneGpuLaser("libgazebo_ros_velodyne_gpu_laser.so",
-                                                 velodyne_laser_factory(),
-                                                 PluginExample{"<topicName>points</topicName>",
-                                                               {},
-                                                               {"min_range", "max_range",
-                                                                "min_intensity", "gaussianNoise"},
-                                                               kExampleLidar});
-const PluginRegistrar kTridentLidar3d("libtrident_lidar3d.so", point_lidar_factory(),
+                                                 point_lidar("/world", false), velodyne_example());
+const PluginRegistrar kTridentLidar3d("libtrident_lidar3d.so", point_lidar("points", true),
                                       PluginExample{"<gaussianNoise>0.01</gaussianNoise>",
                                                     {},
                                                     {"min_range", "max_range", "min_intensity",

@@ -69,11 +69,7 @@ class RangeFinder : public MeasuringPlugin {
   OutHandle<RangeSample> range_;
 };
 
-PluginFactory range_factory() {
-  return {[](const PluginContext& context) { return std::make_unique<RangeFinder>(context); }, {}};
-}
-
-const PluginRegistrar kGazeboRosRange("libgazebo_ros_range.so", range_factory(),
+const PluginRegistrar kGazeboRosRange("libgazebo_ros_range.so", factory_of<RangeFinder>(),
                                       PluginExample{"<gaussianNoise>0.01</gaussianNoise>",
                                                     {},
                                                     {"gaussianNoise", "fov", "updateRate"},

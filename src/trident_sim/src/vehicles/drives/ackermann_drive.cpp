@@ -284,15 +284,12 @@ class AckermannDrive : public Plugin {
   bool is_due_ = false;
 };
 
-PluginFactory ackermann_drive_factory() {
-  return {[](const PluginContext& context) {
-            return std::make_unique<AckermannDrive>(context, read_ackermann(context));
-          },
-          {}};
+std::unique_ptr<Plugin> make_ackermann_drive(const PluginContext& context) {
+  return std::make_unique<AckermannDrive>(context, read_ackermann(context));
 }
 
 const PluginRegistrar kGazeboRosAckermannDrive(
-    "libgazebo_ros_ackermann_drive.so", ackermann_drive_factory(),
+    "libgazebo_ros_ackermann_drive.so", {make_ackermann_drive, {}},
     PluginExample{
         "<front_left_joint>rotor_1_joint</front_left_joint>"
         "<front_right_joint>rotor_0_joint</front_right_joint>"

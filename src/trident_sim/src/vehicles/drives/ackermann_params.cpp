@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "trident_base/angle.h"
+#include "trident_base/string_util.h"
 
 namespace trident::sim {
 namespace {
@@ -55,20 +56,28 @@ class Elements {
     return gains;
   }
 
+  struct Remapping {
+    std::string topic, space;
+  };
+
+  /// What an element of <ros> makes of the topic `name`.
+  static void apply(const ParamNode& element, const std::string& name, Remapping& remapping) {
+    std::istringstream words(element.text);
+    std::string text;
+    words >> text;
+    if (element.name == "namespace") remapping.space = text;
+    const bool is_rule = element.name == "remapping" || element.name == "argument";
+    const std::string rule = name + ":=";
+    if (is_rule && starts_with(text, rule)) remapping.topic = text.substr(rule.size());
+  }
+
   /// Topic `name`, or what <ros><remapping>name:=other</remapping></ros> makes of it.
   std::string topic(const std::string& element, const std::string& name) const {
-    std::string chosen = params_.text(key(element), name), space;
+    Remapping remapping{params_.text(key(element), name), ""};
     if (const ParamNode* ros = params_.node("ros")) {
-      for (const ParamNode& child : ros->children) {
-        std::istringstream words(child.text);
-        std::string text;
-        words >> text;
-        if (child.name == "namespace") space = text;
-        const bool is_rule = child.name == "remapping" || child.name == "argument";
-        const std::string rule = name + ":=";
-        if (is_rule && text.compare(0, rule.size(), rule) == 0) chosen = text.substr(rule.size());
-      }
+      for (const ParamNode& child : ros->children) apply(child, name, remapping);
     }
+    const auto& [chosen, space] = remapping;
     const bool is_absolute = !chosen.empty() && chosen.front() == '/';
     if (space.empty() || is_absolute) return scoped_topic(params_, chosen);
     return scoped_topic(params_, space + "/" + chosen);
@@ -106,6 +115,21 @@ double radius_of(const Model& model, const std::string& link_name) {
   return 0.0;
 }
 
+/// A steered joint turns, by a motor or, of a universal joint, by a controller with gains.
+void check_steering(const Elements& elements, const PluginContext& context, const std::string& name,
+                    const Joint& joint, bool has_gains) {
+  const bool has_motor = joint.spec.type == JointType::kRevolute;
+  const bool has_axis = has_motor || joint.spec.type == JointType::kUniversal;
+  if (joint.ode == nullptr || !has_axis) {
+    context.params.refuse(elements.key(name + "_joint"), joint.spec.name,
+                          "a revolute or universal joint that can turn");
+  }
+  if (!has_motor && !has_gains) {
+    context.params.refuse(elements.key(name + "_pid_gain"), "",
+                          "gains, because joint '" + joint.spec.name + "' is universal");
+  }
+}
+
 void read_joints(const Elements& elements, const PluginContext& context, AckermannSpec& spec) {
   spec.front = {&elements.joint("front_left_joint"), &elements.joint("front_right_joint")};
   spec.rear = {&elements.motor("rear_left_joint"), &elements.motor("rear_right_joint")};
@@ -114,17 +138,8 @@ void read_joints(const Elements& elements, const PluginContext& context, Ackerma
   for (const std::size_t side : {0u, 1u}) {
     const std::string name = std::string(names[side]) + "_steering";
     spec.steering_gains[side] = elements.gains(name);
-    const Joint& joint = *spec.steering[side];
-    const bool has_motor = joint.spec.type == JointType::kRevolute;
-    const bool has_axis = has_motor || joint.spec.type == JointType::kUniversal;
-    if (joint.ode == nullptr || !has_axis) {
-      context.params.refuse(elements.key(name + "_joint"), joint.spec.name,
-                            "a revolute or universal joint that can turn");
-    }
-    if (!has_motor && !spec.steering_gains[side]) {
-      context.params.refuse(elements.key(name + "_pid_gain"), "",
-                            "gains, because joint '" + joint.spec.name + "' is universal");
-    }
+    check_steering(elements, context, name, *spec.steering[side],
+                   spec.steering_gains[side].has_value());
   }
   // Upstream warns of a missing one; here it is one more element that may be left out.
   if (context.params.has(elements.key("steering_wheel_joint"))) {
@@ -178,7 +193,7 @@ void read_steering(const Elements& elements, const PluginContext& context, Acker
   }
   if (inner < 1e-3) {
     context.params.refuse(elements.key("left_steering_joint"), spec.steering[0]->spec.name,
-                          "joints that can turn both ways");
+                          "joints that can turn to both sides");
   }
   const double possible = spec.geometry.steering_of_inner(inner);
   if (spec.max_steer_rad > possible + 1e-6) {

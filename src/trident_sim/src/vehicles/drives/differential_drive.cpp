@@ -245,29 +245,20 @@ DifferentialSpec read_kobuki(const PluginContext& context) {
   return spec;
 }
 
-PluginFactory diff_drive_factory() {
-  return {[](const PluginContext& context) {
-            return std::make_unique<DifferentialDrive>(context, read_diff_drive(context));
-          },
-          {}};
+std::unique_ptr<Plugin> make_diff_drive(const PluginContext& context) {
+  return std::make_unique<DifferentialDrive>(context, read_diff_drive(context));
 }
 
-PluginFactory kobuki_factory() {
-  return {[](const PluginContext& context) {
-            return std::make_unique<DifferentialDrive>(context, read_kobuki(context));
-          },
-          {}};
+std::unique_ptr<Plugin> make_kobuki(const PluginContext& context) {
+  return std::make_unique<DifferentialDrive>(context, read_kobuki(context));
 }
 
-PluginFactory skid_steer_drive_factory() {
-  return {[](const PluginContext& context) {
-            return std::make_unique<DifferentialDrive>(context, read_skid_steer(context));
-          },
-          {}};
+std::unique_ptr<Plugin> make_skid_steer_drive(const PluginContext& context) {
+  return std::make_unique<DifferentialDrive>(context, read_skid_steer(context));
 }
 
 const PluginRegistrar kGazeboRosDiffDrive(
-    "libgazebo_ros_diff_drive.so", diff_drive_factory(),
+    "libgazebo_ros_diff_drive.so", {make_diff_drive, {}},
     PluginExample{"<leftJoint>rotor_1_joint</leftJoint><rightJoint>rotor_3_joint</rightJoint>"
                   "<odometrySource>encoder</odometrySource>"
                   "<publishWheelJointState>true</publishWheelJointState>"
@@ -276,14 +267,14 @@ const PluginRegistrar kGazeboRosDiffDrive(
                   {"wheelSeparation", "wheelDiameter", "wheelAcceleration", "wheelTorque",
                    "updateRate", "encoderErrorPerMeter"}});
 const PluginRegistrar kGazeboRosKobuki(
-    "libgazebo_ros_kobuki.so", kobuki_factory(),
+    "libgazebo_ros_kobuki.so", {make_kobuki, {}},
     PluginExample{
         "<left_wheel_joint_name>rotor_1_joint</left_wheel_joint_name>"
         "<right_wheel_joint_name>rotor_3_joint</right_wheel_joint_name><publish_tf>1</publish_tf>",
         {},
         {"wheel_separation", "wheel_diameter", "torque", "velocity_command_timeout"}});
 const PluginRegistrar kGazeboRosSkidSteerDrive(
-    "libgazebo_ros_skid_steer_drive.so", skid_steer_drive_factory(),
+    "libgazebo_ros_skid_steer_drive.so", {make_skid_steer_drive, {}},
     PluginExample{"<leftFrontJoint>rotor_0_joint</leftFrontJoint>"
                   "<leftRearJoint>rotor_1_joint</leftRearJoint>"
                   "<rightFrontJoint>rotor_2_joint</rightFrontJoint>"

@@ -27,14 +27,8 @@ class JointStatePublisher : public Plugin {
   JointStates states_;
 };
 
-PluginFactory joint_state_publisher_factory() {
-  return {
-      [](const PluginContext& context) { return std::make_unique<JointStatePublisher>(context); },
-      {}};
-}
-
 const PluginRegistrar kGazeboRosJointStatePublisher(
-    "libgazebo_ros_joint_state_publisher.so", joint_state_publisher_factory(),
+    "libgazebo_ros_joint_state_publisher.so", factory_of<JointStatePublisher>(),
     PluginExample{
         "<jointName>rotor_0_joint, rotor_1_joint</jointName>", {"jointName"}, {"updateRate"}});
 

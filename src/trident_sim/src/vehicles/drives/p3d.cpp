@@ -14,6 +14,15 @@ SE3 read_offset(const PluginParams& params) {
   return SE3::from_xyz_rpy(p, rpy.x(), rpy.y(), rpy.z());
 }
 
+/// The link that <frameName> means; nullptr: the world.
+const Link* find_reference(const PluginContext& context, const std::string& frame) {
+  const std::string bare = frame.substr(frame.find_first_not_of('/') == 1 ? 1 : 0);
+  if (bare == "world" || bare == "map") return nullptr;
+  const Link* const link = context.model->find_link(bare);
+  if (link == nullptr) context.params.refuse("frameName", frame, "world, map or a link");
+  return link;
+}
+
 /// libgazebo_ros_p3d.so: the true pose of a link, with the velocities of its origin in the axes of
 /// the frame, as upstream publishes them, or with <twistFrame> child, ours, in those of the link,
 /// as nav_msgs/Odometry wants them. <bodyName>, <topicName>, <frameName> (world, map or a link of
@@ -30,11 +39,7 @@ class P3d : public Plugin {
         ticker_(context.params.number("updateRate", 0.0, {0.0, 1e9})) {
     const PluginParams& params = context.params;
     const std::string frame = params.text("frameName", "world");
-    const std::string bare = frame.substr(frame.find_first_not_of('/') == 1 ? 1 : 0);
-    if (bare != "world" && bare != "map") {
-      reference_ = context.model->find_link(bare);
-      if (reference_ == nullptr) params.refuse("frameName", frame, "world, map or a link");
-    }
+    reference_ = find_reference(context, frame);
     const std::string twist = params.text("twistFrame", "parent");
     if (twist != "parent" && twist != "child") {
       params.refuse("twistFrame", twist, "parent, child");
@@ -60,7 +65,7 @@ class P3d : public Plugin {
   std::vector<Phase> phases() const override { return {Phase::kPost}; }
 
   void post_step(const World&, const StepInfo& info) override {
-    if (!ticker_.tick(info) || !(odometry_->wanted() || (frame_ && frame_->wanted()))) return;
+    if (!ticker_.tick(info) || !is_wanted()) return;
     OdometrySample& value = odometry_->value;
     const SE3 T_world_frame = reference_ == nullptr ? SE3() : reference_->T_world_link();
     const Eigen::Quaterniond R_frame_world = T_world_frame.R.conjugate();
@@ -78,16 +83,21 @@ class P3d : public Plugin {
     value.v_child = R_twist_world * v + disturbance(info, 0);
     value.w_child = R_twist_world * w + disturbance(info, 3);
     odometry_->publish();
-    if (!frame_) return;
-    frame_->value.stamp = value.stamp;
-    frame_->value.T_parent_child = value.T_parent_child;
-    frame_->publish();
+    if (frame_) publish_frame(value);
   }
 
   void reset() override { ticker_.reset(); }
   void state(StateArchive& archive) override { ticker_.state(archive); }
 
  private:
+  bool is_wanted() const { return odometry_->wanted() || (frame_ && frame_->wanted()); }
+
+  void publish_frame(const OdometrySample& odometry) {
+    frame_->value.stamp = odometry.stamp;
+    frame_->value.T_parent_child = odometry.T_parent_child;
+    frame_->publish();
+  }
+
   Eigen::Vector3d disturbance(const StepInfo& info, std::uint32_t channel) const {
     if (noise_ == 0.0) return Eigen::Vector3d::Zero();
     return noise_ * Eigen::Vector3d(stream_.normal(info.sample, channel),
@@ -106,11 +116,7 @@ class P3d : public Plugin {
   OutHandle<FrameSample> frame_;
 };
 
-PluginFactory p3d_factory() {
-  return {[](const PluginContext& context) { return std::make_unique<P3d>(context); }, {}};
-}
-
-const PluginRegistrar kGazeboRosP3d("libgazebo_ros_p3d.so", p3d_factory(),
+const PluginRegistrar kGazeboRosP3d("libgazebo_ros_p3d.so", factory_of<P3d>(),
                                     PluginExample{
                                         "<bodyName>base_link</bodyName><topicName>truth</topicName>"
                                         "<gaussianNoise>0.1</gaussianNoise>",

@@ -68,11 +68,7 @@ class PlanarMove : public Plugin {
   OdometryOutput output_;
 };
 
-PluginFactory planar_move_factory() {
-  return {[](const PluginContext& context) { return std::make_unique<PlanarMove>(context); }, {}};
-}
-
-const PluginRegistrar kGazeboRosPlanarMove("libgazebo_ros_planar_move.so", planar_move_factory(),
+const PluginRegistrar kGazeboRosPlanarMove("libgazebo_ros_planar_move.so", factory_of<PlanarMove>(),
                                            PluginExample{"<odometryRate>100</odometryRate>",
                                                          {},
                                                          {"odometryRate", "cmdTimeout"}});

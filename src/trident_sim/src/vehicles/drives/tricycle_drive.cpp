@@ -128,13 +128,8 @@ class TricycleDrive : public Plugin {
   bool is_due_ = false;
 };
 
-PluginFactory tricycle_drive_factory() {
-  return {[](const PluginContext& context) { return std::make_unique<TricycleDrive>(context); },
-          {}};
-}
-
 const PluginRegistrar kGazeboRosTricycleDrive(
-    "libgazebo_ros_tricycle_drive.so", tricycle_drive_factory(),
+    "libgazebo_ros_tricycle_drive.so", factory_of<TricycleDrive>(),
     PluginExample{
         "<steeringJoint>rotor_0_joint</steeringJoint>"
         "<actuatedWheelJoint>rotor_2_joint</actuatedWheelJoint>"

@@ -62,11 +62,7 @@ class Follow : public Plugin {
   Eigen::Vector3d shifted_ = Eigen::Vector3d::Zero();  ///< a static model, since it was spawned
 };
 
-PluginFactory follow_factory() {
-  return {[](const PluginContext& context) { return std::make_unique<Follow>(context); }, {}};
-}
-
-const PluginRegistrar kTridentFollow("libtrident_follow.so", follow_factory());
+const PluginRegistrar kTridentFollow("libtrident_follow.so", factory_of<Follow>());
 
 }  // namespace
 

@@ -115,13 +115,8 @@ class JointDrivePlugin : public Plugin {
   OutHandle<ScalarSample> state_;
 };
 
-PluginFactory joint_drive_factory() {
-  return {[](const PluginContext& context) { return std::make_unique<JointDrivePlugin>(context); },
-          {}};
-}
-
 const PluginRegistrar kTridentJointDrive(
-    "libtrident_joint_drive.so", joint_drive_factory(),
+    "libtrident_joint_drive.so", factory_of<JointDrivePlugin>(),
     PluginExample{
         "<jointName>rotor_1_joint</jointName><mode>position</mode><target>0.3</target><p>2e-3</p>"
         "<i>1e-3</i><d>1e-4</d>",

@@ -79,14 +79,8 @@ class ControllerInterface : public Plugin {
   OutHandle<ActuatorState> out_;
 };
 
-PluginFactory controller_interface_factory() {
-  return {
-      [](const PluginContext& context) { return std::make_unique<ControllerInterface>(context); },
-      {}};
-}
-
 const PluginRegistrar kRotorsGazeboControllerInterface(
-    "librotors_gazebo_controller_interface.so", controller_interface_factory(),
+    "librotors_gazebo_controller_interface.so", factory_of<ControllerInterface>(),
     PluginExample{"<linkName>base_link</linkName>", {}, {}});
 
 }  // namespace

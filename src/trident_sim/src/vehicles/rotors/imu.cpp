@@ -87,12 +87,8 @@ class Imu : public MeasuringPlugin {
   OutHandle<ImuSample> imu_;
 };
 
-PluginFactory imu_factory() {
-  return {[](const PluginContext& context) { return std::make_unique<Imu>(context); }, {}};
-}
-
 const PluginRegistrar kRotorsGazeboImuPlugin(
-    "librotors_gazebo_imu_plugin.so", imu_factory(),
+    "librotors_gazebo_imu_plugin.so", factory_of<Imu>(),
     PluginExample{
         "<linkName>base_link</linkName>",
         {"linkName"},

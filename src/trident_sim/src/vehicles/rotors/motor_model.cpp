@@ -164,16 +164,13 @@ class MotorModel : public Plugin {
   std::string name_;
 };
 
-PluginFactory motor_model_factory() {
-  return {[](const PluginContext& context) { return std::make_unique<MotorModel>(context); },
-          [](const PluginParams& params) {
-            return params.text("motorType", "velocity") == "velocity" ? params.text("jointName", "")
-                                                                      : std::string();
-          }};
+std::string velocity_controlled_joint(const PluginParams& params) {
+  return params.text("motorType", "velocity") == "velocity" ? params.text("jointName", "")
+                                                            : std::string();
 }
 
 const PluginRegistrar kRotorsGazeboMotorModel(
-    "librotors_gazebo_motor_model.so", motor_model_factory(),
+    "librotors_gazebo_motor_model.so", factory_of<MotorModel>(velocity_controlled_joint),
     PluginExample{
         "<jointName>rotor_1_joint</jointName><linkName>rotor_1</linkName>"
         "<turningDirection>ccw</turningDirection><motorNumber>1</motorNumber>"

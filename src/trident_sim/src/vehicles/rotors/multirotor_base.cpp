@@ -76,13 +76,8 @@ class MultirotorBase : public MeasuringPlugin {
   OutHandle<JointStateSample> joint_states_;
 };
 
-PluginFactory multirotor_base_factory() {
-  return {[](const PluginContext& context) { return std::make_unique<MultirotorBase>(context); },
-          {}};
-}
-
 const PluginRegistrar kRotorsGazeboMultirotorBasePlugin(
-    "librotors_gazebo_multirotor_base_plugin.so", multirotor_base_factory(),
+    "librotors_gazebo_multirotor_base_plugin.so", factory_of<MultirotorBase>(),
     PluginExample{"<linkName>base_link</linkName>", {"linkName"}, {"rotorVelocitySlowdownSim"}});
 
 }  // namespace

@@ -76,6 +76,10 @@ class Odometry : public MeasuringPlugin {
       sample(info, scratch_);
       delayed_.push_back({info.sample + delay_steps_, scratch_});
     }
+    send_delayed(info);
+  }
+
+  void send_delayed(const StepInfo& info) {
     // What became due while nobody listened is of no use to who listens now.
     while (!delayed_.empty() && delayed_.front().first < info.sample) delayed_.pop_front();
     if (delayed_.empty() || delayed_.front().first > info.sample) return;
@@ -192,12 +196,8 @@ class Odometry : public MeasuringPlugin {
   OutHandle<FrameSample> frame_;
 };
 
-PluginFactory odometry_factory() {
-  return {[](const PluginContext& context) { return std::make_unique<Odometry>(context); }, {}};
-}
-
 const PluginRegistrar kRotorsGazeboOdometryPlugin(
-    "librotors_gazebo_odometry_plugin.so", odometry_factory(),
+    "librotors_gazebo_odometry_plugin.so", factory_of<Odometry>(),
     PluginExample{"<linkName>base_link</linkName><measurementDelay>2</measurementDelay>"
                   "<noiseNormalPosition>0.1 0.1 0.1</noiseNormalPosition>",
                   {"linkName"},

@@ -126,12 +126,8 @@ class WindPlugin : public Plugin {
   InHandle<WindSample> to_rotors_;
 };
 
-PluginFactory wind_factory() {
-  return {[](const PluginContext& context) { return std::make_unique<WindPlugin>(context); }, {}};
-}
-
 const PluginRegistrar kRotorsGazeboWindPlugin(
-    "librotors_gazebo_wind_plugin.so", wind_factory(),
+    "librotors_gazebo_wind_plugin.so", factory_of<WindPlugin>(),
     PluginExample{"<linkName>base_link</linkName><windForceMean>2</windForceMean>"
                   "<windGustStart>0.05</windGustStart><windGustDuration>0.05</windGustDuration>"
                   "<windGustForceMean>3</windGustForceMean>",

@@ -19,10 +19,12 @@ class BackgroundTask {
   BackgroundTask(const BackgroundTask&) = delete;
   BackgroundTask& operator=(const BackgroundTask&) = delete;
 
+  /// Whether start() would have to wait.
   bool is_busy() const {
     return running_.valid() &&
            running_.wait_for(std::chrono::seconds(0)) != std::future_status::ready;
   }
+  /// Returns when nothing runs any more.
   void wait() const {
     if (running_.valid()) running_.wait();
   }

@@ -21,16 +21,18 @@ namespace trident::slam {
 /// crashes. Source of the format: http://wiki.ros.org/Bags/Format/2.0
 class BagFile {
  public:
+  /// A publisher of one topic, as it was recorded; a topic may have several.
   struct Connection {
-    std::uint32_t id = 0;
-    std::string topic;
-    std::string type;
-    std::string md5;
+    std::uint32_t id = 0;  ///< in the file
+    std::string topic;  ///< resolved name
+    std::string type;  ///< "package/Message"
+    std::string md5;  ///< of the message's definition, 32 hexadecimal digits
   };
+  /// Where a message lies; its data are read by instantiate().
   struct Message {
     ros::Time time;  ///< when it was recorded
-    std::size_t connection = 0;
-    std::size_t chunk = 0;
+    std::size_t connection = 0;  ///< index into connections()
+    std::size_t chunk = 0;  ///< number of the chunk, in file order
     std::size_t begin = 0;  ///< of its data within the chunk [byte]
     std::size_t size = 0;   ///< [byte]
   };
@@ -38,12 +40,14 @@ class BagFile {
   /// Throws Error when it cannot be opened, is no bag of format 2.0, or is encrypted.
   explicit BagFile(std::string path);
 
+  /// Of whole records, in the order in which they were found.
   const std::vector<Connection>& connections() const { return connections_; }
   /// What was left out, a sentence each, with its offset in the file.
   const std::vector<std::string>& damage() const { return damage_; }
   /// Messages of some topics by the time of their recording; of equal times as they lie in the
   /// file.
   std::vector<Message> messages(const std::vector<std::string>& topics) const;
+  /// The topic that a message of this bag was recorded on.
   const std::string& topic(const Message& message) const {
     return connections_[message.connection].topic;
   }

@@ -13,6 +13,7 @@ namespace trident::slam {
 /// have. One at a time.
 class CrashRescue {
  public:
+  /// Installs the handlers of these signals.
   explicit CrashRescue(std::function<void()> save);
   ~CrashRescue();
   CrashRescue(const CrashRescue&) = delete;

@@ -14,7 +14,7 @@ struct GmappingParams {
     options.transform_publish_period = 0.05;
   }
 
-  SlamNodeOptions options;
+  SlamNodeOptions options;  ///< those that slam_gmapping has, too
 
   /// Lists the fields for the parameter reader and the reference.
   template <class Archive>

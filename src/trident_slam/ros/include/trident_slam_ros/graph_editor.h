@@ -29,12 +29,14 @@ visualization_msgs::InteractiveMarker movable_marker(const std::string& name,
 /// scan_visualization, in the frame of that name). `apply` ties what was moved to what lies there.
 class GraphEditor {
  public:
+  /// Advertises below `own`, the private namespace; interactive mode is off. `node` must outlive
+  /// it.
   GraphEditor(const ros::NodeHandle& own, SlamNode& node, std::string map_frame);
 
   /// Begins or ends interactive mode; what was moved is forgotten. Throws Error when the method has
   /// no graph that can be changed.
   void toggle();
-  bool is_on() const { return is_on_; }
+  bool is_on() const { return is_on_; }  ///< interactive mode
   /// Puts the markers back.
   void clear();
   /// Applies the moves, closes loops and optimises. Throws Error when nothing of what was moved

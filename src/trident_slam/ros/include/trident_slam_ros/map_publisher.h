@@ -20,15 +20,18 @@ std::optional<map_msgs::OccupancyGridUpdate> changed_part(const nav_msgs::Occupa
 /// `topic`_updates: who has the newest whole map and the newest update has the newest map.
 class MapPublisher {
  public:
+  /// How often something is published while somebody listens.
   struct Periods {
     double whole = 5.0;    ///< between two whole maps [s]
     double changes = 1.0;  ///< between what is published at all [s]; 0: whole maps alone
   };
 
+  /// Advertises the three topics below `handle`'s namespace.
   MapPublisher(ros::NodeHandle& handle, const std::string& topic, const Periods& periods);
 
   /// Whether something should be published at `now` (any clock) for those who listen.
   bool is_due(const ros::Time& now) const;
+  /// Publishes the whole map or, between whole ones, what has changed.
   void publish(const nav_msgs::OccupancyGrid& map, const ros::Time& now);
 
  private:

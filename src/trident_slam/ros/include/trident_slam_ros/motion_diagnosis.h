@@ -14,6 +14,7 @@ struct MotionDiagnosis {
   std::string open;       ///< "none", or the direction that scans leave open, and how far
   std::string warning;    ///< empty, or what a user should know
 };
+/// Texts for /diagnostics; no state, so that it can be called for any scan.
 MotionDiagnosis diagnose_motion(const ScanPose2d& pose);
 
 }  // namespace trident::slam

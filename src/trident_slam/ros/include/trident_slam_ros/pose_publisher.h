@@ -17,6 +17,7 @@ namespace trident::slam {
 /// the node and in its private one.
 class PosePublisher {
  public:
+  /// Advertises in both namespaces: that of `node` and `own`, the private one.
   PosePublisher(ros::NodeHandle node, ros::NodeHandle own, const SlamNodeOptions& options);
 
   /// The pose that a scan led to.

@@ -22,9 +22,10 @@ namespace trident::slam {
 LaserScan to_laser_scan(const sensor_msgs::LaserScan& message,
                         const geometry_msgs::Transform& T_base_laser);
 
+/// Which transforms a scan needs, and how long it waits for them.
 struct ScanIntakeOptions {
   std::string odom_frame = "odom";  ///< empty: no odometry, its poses are the identity
-  std::string base_frame = "base_footprint";
+  std::string base_frame = "base_footprint";  ///< whose poses the algorithm is given
   double transform_timeout = 0.2;  ///< [s] that a transform may come after its scan
   bool waits_for_all = false;      ///< true: a scan waits as long as its transform may still come
   bool uses_mount = true;          ///< false: the laser is taken to sit at the base frame
@@ -38,12 +39,14 @@ struct ScanIntakeOptions {
 /// sweep whose turning rates are missing is used without them, and that is reported.
 class ScanIntake {
  public:
+  /// `transforms` must outlive it; it is filled by the caller.
   ScanIntake(const ScanIntakeOptions& options, const tf2::BufferCore& transforms)
       : options_(options), transforms_(transforms) {}
 
   /// Whether a scan can never be used, whatever transforms come: it is left out and reported.
   /// `now`: of the clock; zero: not known.
   bool is_refused(const sensor_msgs::LaserScan& message, const ros::Time& now = {});
+  /// Appends a scan. Where too many wait, the oldest is left out and reported.
   void add(const sensor_msgs::LaserScanConstPtr& message);
   /// Leaves out what waits and is newer than this.
   void leave_out_after(const ros::Time& stamp, const std::string& why);
@@ -58,10 +61,12 @@ class ScanIntake {
   /// After time went back: forgets what waits.
   void clear();
 
-  std::size_t received() const { return received_; }
-  std::size_t waiting() const { return waiting_.size(); }
-  std::size_t left_out() const { return left_out_; }
+  std::size_t received() const { return received_; }  ///< scans that were added
+  std::size_t waiting() const { return waiting_.size(); }  ///< scans, now
+  std::size_t left_out() const { return left_out_; }  ///< scans, all of them in problems()
+  /// Scans used without the turning rates asked for.
   std::size_t without_gyro() const { return without_gyro_; }
+  /// Since the beginning; clear() keeps them.
   const LogProblems& problems() const { return problems_; }
   /// The last problem's text.
   const std::string& last_problem() const { return last_problem_; }

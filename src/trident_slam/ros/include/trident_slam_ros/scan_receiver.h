@@ -35,7 +35,7 @@ class ScanReceiver {
   void stop();
   /// Paused, scans are passed over. Callable from any thread.
   void set_paused(bool is_paused) { is_paused_ = is_paused; }
-  bool is_paused() const { return is_paused_; }
+  bool is_paused() const { return is_paused_; }  ///< callable from any thread
   /// Scans are used even if time went back, since the map is a new one. Callable from any thread.
   void end_bag_loop() { bag_loop_.is_active = false; }
   /// The counts of scans, for the thread that spins.

@@ -19,6 +19,7 @@ class ScanStamps {
   /// `threshold` [s]: by less than this any scan may be older than the newest.
   explicit ScanStamps(double threshold) : threshold_(threshold) {}
 
+  /// What a scan led to. `scans` is empty while a scan is held back.
   struct Step {
     std::vector<sensor_msgs::LaserScanConstPtr> scans;  ///< to be taken now, in order
     std::optional<ros::Duration> went_back;             ///< time did, before these scans

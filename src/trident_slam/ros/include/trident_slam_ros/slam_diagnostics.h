@@ -34,6 +34,7 @@ struct ScanCounts {
 /// Callable from any thread.
 class SlamDiagnostics {
  public:
+  /// Advertises /diagnostics. Nothing is published before start().
   explicit SlamDiagnostics(ros::NodeHandle node);
 
   /// Publishes every second of wall time, in the thread that spins, with what `counts` returns. A

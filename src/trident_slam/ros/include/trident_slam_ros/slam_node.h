@@ -38,6 +38,8 @@ class SlamNode {
   /// Called in the algorithm's thread after each scan.
   using OnScan = std::function<void(const ScanRecord&, const ScanPose2d&)>;
 
+  /// Makes the algorithm and advertises; scans come once run() is called. Throws Error as `make`
+  /// does.
   SlamNode(const ros::NodeHandle& private_handle, const SlamNodeOptions& options, MakeSlam make);
   ~SlamNode();
   SlamNode(const SlamNode&) = delete;
@@ -47,6 +49,7 @@ class SlamNode {
   /// has then been saved (see rescue()).
   void run();
 
+  /// To be set before run().
   void on_scan(OnScan call) { on_scan_ = std::move(call); }
   /// For services and timers that may take long: their calls come one after the other in a thread
   /// of its own.
@@ -61,12 +64,14 @@ class SlamNode {
   void reset();
   /// Throws Error when the algorithm keeps no sessions or the file cannot be written.
   void save_session(const std::string& file) { slam_.session_snapshot()(file); }
+  /// Paused, scans are passed over. Callable from any thread.
   void set_paused(bool is_paused) { receiver_.set_paused(is_paused); }
-  bool is_paused() const { return receiver_.is_paused(); }
+  bool is_paused() const { return receiver_.is_paused(); }  ///< callable from any thread
   /// Held, scans wait: all of them in synchronous mode, else the newest.
   void set_held(bool is_held) { scans_.set_held(is_held); }
   /// Forgets the scans that wait.
   void clear_queue() { scans_.clear(); }
+  /// The map as the service dynamic_map returns it.
   nav_msgs::OccupancyGrid map_message() { return map_.message(); }
   /// As map_saver writes it. In synchronous mode it is the map that the offline runner ends with.
   /// Throws Error when it cannot be written.

@@ -42,7 +42,7 @@ class SlamMethod {
   SlamMethod(ros_utils::NodeParams& params, const std::string& usual,
              const std::vector<ParameterAlias>& aliases = {});
 
-  const std::string& name() const { return name_; }
+  const std::string& name() const { return name_; }  ///< of the registry
   /// The configuration comes from a YAML file.
   bool has_file() const { return !file_.empty(); }
   /// Sets a parameter, of whatever source; does nothing when the method has no such parameter.

@@ -18,6 +18,7 @@ namespace trident::slam {
 /// `transform_publish_period` with a new stamp. Does nothing when that is 0.
 class TransformPublisher {
  public:
+  /// Publishes nothing before the first set().
   TransformPublisher(ros::NodeHandle node, const SlamNodeOptions& options);
 
   /// Publishes a new correction of odometry at once. Callable from any thread.

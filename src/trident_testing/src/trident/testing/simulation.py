@@ -237,7 +237,7 @@ class Simulation:
 
     def results(self) -> dict[str, Any]:
         """What run.json says of a simulator that has ended: `state_hash`, `steps`, `sim_s`."""
-        assert self.out_dir is not None, "it was not told to leave its results anywhere"
+        assert self.out_dir is not None, "it was started without a folder for its results"
         path = self.out_dir / "run.json"
         assert path.is_file(), f"{path} is not there: has it ended?\n{self.log}"
         results: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))

@@ -80,11 +80,15 @@ class Stream:
         for topic, kind in found:
             if kind == "sensor_msgs/CameraInfo":
                 self._converter.know_camera(topic)
+        if has_clock:
+            self._subscribe_to_new(found)
+        return True
+
+    def _subscribe_to_new(self, found: list[tuple[str, str]]) -> None:
         for topic, kind in found:
             is_wanted = kind in self._converter.types and self._topics.search(topic)
-            if is_wanted and topic not in self._subscribers and self._had_clock:
+            if is_wanted and topic not in self._subscribers:
                 self._subscribe(topic, kind)
-        return True
 
     def _subscribe(self, topic: str, kind: str) -> None:
         def take(message: Any) -> None:

@@ -87,16 +87,6 @@ def _colors(records: npt.NDArray[Any]) -> Colors | None:
 
 def _records(cloud: Any) -> npt.NDArray[Any]:
     """One record a point, shape (height * width,); padding at the ends of rows is skipped."""
-    order = ">" if cloud.is_bigendian else "<"
-    fields = [field for field in cloud.fields if field.datatype in _TYPES and field.count == 1]
-    dtype = np.dtype(
-        {
-            "names": [field.name for field in fields],
-            "formats": [order + _TYPES[field.datatype] for field in fields],
-            "offsets": [field.offset for field in fields],
-            "itemsize": cloud.point_step,
-        }
-    )
     data = np.frombuffer(cloud.data, np.uint8)
     if len(data) < cloud.height * cloud.row_step or cloud.row_step < cloud.width * cloud.point_step:
         raise EvalError(
@@ -105,4 +95,22 @@ def _records(cloud: Any) -> npt.NDArray[Any]:
         )
     rows = data[: cloud.height * cloud.row_step].reshape(cloud.height, cloud.row_step)
     packed = np.ascontiguousarray(rows[:, : cloud.width * cloud.point_step])
-    return packed.reshape(-1).view(dtype)
+    return packed.reshape(-1).view(_record_type(cloud))
+
+
+def _record_type(cloud: Any) -> np.dtype[Any]:
+    """The fields of a point that are single numbers."""
+    order = ">" if cloud.is_bigendian else "<"
+    fields = [field for field in cloud.fields if _is_number(field)]
+    return np.dtype(
+        {
+            "names": [field.name for field in fields],
+            "formats": [order + _TYPES[field.datatype] for field in fields],
+            "offsets": [field.offset for field in fields],
+            "itemsize": cloud.point_step,
+        }
+    )
+
+
+def _is_number(field: Any) -> bool:
+    return field.datatype in _TYPES and field.count == 1

@@ -25,6 +25,13 @@ _LARGEST_CHECKED = 4_000_000  # bytes of a message that is searched for numbers 
 _CONNECTION_LIMIT_S = 20.0
 _CALL_LIMIT_S = 60.0  # wall time within which a service answers
 _REMEMBERED = 12
+# What a service proxy raises: a refusal by the node, or a connection that is lost.
+_CALL_ERRORS = (
+    rospy.ServiceException,
+    rospy.ROSException,
+    rospy.exceptions.ROSInternalException,
+    OSError,
+)
 
 
 @dataclass(frozen=True)
@@ -138,15 +145,12 @@ class Campaign:
         begin, memory = time.monotonic(), self._target.memory_mib
         listeners = self._listen()
         publishers = {topic: _publisher(topic, kind) for topic, kind in self._kinds.items()}
-        proxies = {
-            name: rospy.ServiceProxy(name, kind, persistent=True)
-            for name, kind in self._services.items()
-        }
+        self._proxies = {name: self._proxy(name) for name in self._service_names}
         self._caller = ThreadPoolExecutor(1)
         try:
             self._connect(publishers)
             for number in range(self._options.first, self._options.first + self._options.messages):
-                if not self._send(number, publishers, proxies):
+                if not self._send(number, publishers):
                     break
                 if number % self._options.batch == 0:
                     if self._meanwhile is not None:
@@ -159,7 +163,7 @@ class Campaign:
         finally:
             for link in [*listeners, *publishers.values()]:
                 link.unregister()
-            for proxy in proxies.values():
+            for proxy in self._proxies.values():
                 proxy.close()
             self._caller.shutdown(wait=False)
         self._check_memory(memory)
@@ -202,19 +206,17 @@ class Campaign:
     def _after(self) -> str:
         return "after " + ", ".join(self._last)
 
-    def _send(
-        self,
-        number: int,
-        publishers: Mapping[str, rospy.Publisher],
-        proxies: Mapping[str, rospy.ServiceProxy],
-    ) -> bool:
+    def _proxy(self, name: str) -> rospy.ServiceProxy:
+        return rospy.ServiceProxy(name, self._services[name], persistent=True)
+
+    def _send(self, number: int, publishers: Mapping[str, rospy.Publisher]) -> bool:
         """False: the node has died, or hangs."""
         random = self._generator.begin(number)
         is_call = not self._topics or random.random() < self._options.service_share
         if is_call and self._service_names:
             name = random.choice(self._service_names)
             request = self._made(name, self._services[name]._request_class)
-            return self._call(number, name, proxies[name], request)
+            return self._call(number, name, request)
         topic = random.choice(self._topics)
         message = self._made(topic, self._kinds[topic])
         self._note(number, topic)
@@ -234,10 +236,10 @@ class Campaign:
         self._findings.sent[name] += 1
         self._last.append(f"{number} {name}")
 
-    def _call(self, number: int, name: str, proxy: rospy.ServiceProxy, request: Any) -> bool:
+    def _call(self, number: int, name: str, request: Any) -> bool:
         self._note(number, name)
         try:
-            response = self._caller.submit(self._ask, name, proxy, request).result(_CALL_LIMIT_S)
+            response = self._caller.submit(self._ask, name, request).result(_CALL_LIMIT_S)
         except OutOfTime:
             self._findings.add(f"{name} gave no answer within {_CALL_LIMIT_S:g} s; {self._after()}")
             return False
@@ -248,13 +250,14 @@ class Campaign:
             self._findings.add(f"answer of {name}: {problem}; {self._after()}")
         return self._check_life()
 
-    def _ask(self, name: str, proxy: rospy.ServiceProxy, request: Any) -> Any:
+    def _ask(self, name: str, request: Any) -> Any:
+        """The response; None if the node refuses the call or the connection is lost."""
         try:
-            return proxy(request)
-        except rospy.ServiceException:
-            return None
-        except (rospy.ROSException, rospy.exceptions.ROSInternalException, OSError):
-            proxy.close()  # the connection is lost
+            return self._proxies[name](request)
+        except _CALL_ERRORS:
+            # A persistent proxy keeps a transport that is closed: the next call needs a new one.
+            self._proxies[name].close()
+            self._proxies[name] = self._proxy(name)
             return None
 
     def _check_life(self) -> bool:

@@ -38,7 +38,7 @@ def main(arguments: list[str] | None = None) -> int:
                 wanted = {one["state_hash"] for one in done if one["scenario"] == name}
                 done.append(_run(name, scenarios[name], seed, wanted, options))
     except KeyboardInterrupt:
-        print("schedule: stopped; the same call goes on", file=sys.stderr)
+        print("schedule: stopped; the same call continues", file=sys.stderr)
     return _summary(done)
 
 

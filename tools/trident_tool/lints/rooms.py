@@ -46,15 +46,19 @@ def read_house(root: Path) -> House:
     """The packages of a clone and its table of rooms."""
     house = House()
     for manifest in sorted(root.glob("src/**/package.xml")):
-        tree = ET.parse(manifest).getroot()
-        depends = {(item.text or "").strip() for item in tree if "depend" in item.tag}
-        name = (tree.findtext("name") or "").strip()
-        house.packages[manifest.parent.relative_to(root)] = name, depends
+        house.packages[manifest.parent.relative_to(root)] = _read_manifest(manifest)
     table: Mapping[str, Mapping[str, list[str]]] = yaml.safe_load(
         (root / TABLE).read_text(encoding="utf-8")
     )
     house.rooms = {Path(folder): dict(rooms) for folder, rooms in table.items()}
     return house
+
+
+def _read_manifest(manifest: Path) -> tuple[str, set[str]]:
+    """A package's name, and those of the packages it depends on."""
+    tree = ET.parse(manifest).getroot()
+    depends = {(item.text or "").strip() for item in tree if "depend" in item.tag}
+    return (tree.findtext("name") or "").strip(), depends
 
 
 def _candidates(source: Path, include: str, files: Mapping[str, list[Path]]) -> list[Path]:
@@ -91,14 +95,18 @@ def violations(root: Path, sources: Iterable[Path], house: House) -> Iterator[st
     for source in listed:
         text = (root / source).read_text(encoding="utf-8")
         for match in _INCLUDE.finditer(text):
-            package = house.package_of(source)
-            found = _candidates(source, match.group(1), files)
-            same = [path for path in found if house.package_of(path) == package]
-            target = next(iter(same or found), None)
+            target = _target(house, source, _candidates(source, match.group(1), files))
             problem = target and _problem(house, source, target)
             if problem:
                 line = text.count("\n", 0, match.start()) + 1
                 yield f"{source}:{line}: includes {match.group(1)}: {problem}"
+
+
+def _target(house: House, source: Path, found: list[Path]) -> Path | None:
+    """That of the files an include may mean which it means: one of its own package, if any."""
+    package = house.package_of(source)
+    same = [path for path in found if house.package_of(path) == package]
+    return next(iter(same or found), None)
 
 
 def _problem(house: House, source: Path, target: Path) -> str:
@@ -107,9 +115,14 @@ def _problem(house: House, source: Path, target: Path) -> str:
     package, other = house.package_of(source), house.package_of(target)
     if package is None or other is None:
         return ""
-    if package != other:
-        name, depends = house.packages[other][0], house.packages[package][1]
-        return "" if name in depends else f"{package}/package.xml does not depend on {name}"
+    if package == other:
+        return _room_problem(house, source, target)
+    name, depends = house.packages[other][0], house.packages[package][1]
+    return "" if name in depends else f"{package}/package.xml does not depend on {name}"
+
+
+def _room_problem(house: House, source: Path, target: Path) -> str:
+    """What is wrong with an include inside a package, or ""."""
     room, target_room = house.room_of(source), house.room_of(target)
     if room is None or target_room is None or room == target_room or room[0] != target_room[0]:
         return ""

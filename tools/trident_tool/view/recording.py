@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from trident_tool.screenshot import Size
+from trident_tool.view.screenshot import Size
 from trident_tool.workspace import TridentError, Workspace
 
 _LATE_S = 60  # a launch takes a while until the model is there
@@ -42,19 +42,22 @@ class Recording:
         """Raises TridentError for options that do not go together, or a file that cannot be."""
         if self.film is not None and self.rerun:
             raise TridentError("--film and --rerun: one at a time")
-        if self.follow is not None and self.film is None:
-            raise TridentError("--follow goes with --film only")
-        if self.out is not None and not self.rerun:
-            raise TridentError("--out goes with --rerun only")
-        if self.seconds is not None:
-            if not self.is_wanted:
-                raise TridentError("--seconds goes with --film or --rerun only")
-            if not (math.isfinite(self.seconds) and self.seconds > 0.0):
-                raise TridentError(f"--seconds {self.seconds:g}, legal: more than 0")
+        self._check_companions()
+        _check_duration(self.seconds)
         _check_file("--film", self.film, ".mp4")
         _check_file("--out", self.out, ".rrd")
         if self.rerun and self.out is None and not has_display:
             raise TridentError("no DISPLAY for the rerun viewer: record with --out FILE.rrd")
+
+    def _check_companions(self) -> None:
+        has_film = self.film is not None
+        for name, value, is_legal, others in (
+            ("--follow", self.follow, has_film, "--film"),
+            ("--out", self.out, self.rerun, "--rerun"),
+            ("--seconds", self.seconds, self.is_wanted, "--film or --rerun"),
+        ):
+            if value is not None and not is_legal:
+                raise TridentError(f"{name} goes with {others} only")
 
     def command(self, workspace: Workspace, size: Size | None, env: Mapping[str, str]) -> list[str]:
         """The node that makes it.
@@ -66,14 +69,22 @@ class Recording:
         """
         words = [] if self.seconds is None else ["--seconds", f"{self.seconds:g}"]
         if self.film is not None:
-            words += ["--out", str(self.film), "--wait", str(_LATE_S)]
-            words += ["--size", f"{size.width}x{size.height}"] if size is not None else []
-            words += ["--follow", self.follow] if self.follow is not None else []
-            return ["rosrun", "trident_viewer", "observer.py", *words]
+            return ["rosrun", "trident_viewer", "observer.py", *words, *self._film_words(size)]
         words += ["--out", str(self.out)] if self.out is not None else []
         words += ["--viewer"] if env.get("DISPLAY") else []
         # Of .venv: rerun is no package of Debian's.
         return [str(workspace.venv_python), "-m", "trident_viewer.to_rerun", *words]
+
+    def _film_words(self, size: Size | None) -> list[str]:
+        words = ["--out", str(self.film), "--wait", str(_LATE_S)]
+        words += ["--size", f"{size.width}x{size.height}"] if size is not None else []
+        words += ["--follow", self.follow] if self.follow is not None else []
+        return words
+
+
+def _check_duration(seconds: float | None) -> None:
+    if seconds is not None and not 0.0 < seconds < math.inf:
+        raise TridentError(f"--seconds {seconds:g}, legal: more than 0")
 
 
 def _check_file(option: str, file: Path | None, suffix: str) -> None:

@@ -14,9 +14,9 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from trident_tool.framebuffer import Image, read_xwd, write_png
 from trident_tool.processes import started
 from trident_tool.supervisor import end_with_parent
+from trident_tool.view.framebuffer import Image, read_xwd, write_png
 from trident_tool.workspace import TridentError
 
 _POLL_S = 0.5

@@ -13,7 +13,7 @@ import sys
 from collections.abc import Iterable
 from pathlib import Path
 
-from trident_tool.tidy import (
+from trident_tool.lints.tidy import (
     CompileCommand,
     IncludeScanner,
     Result,

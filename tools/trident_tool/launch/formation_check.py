@@ -8,7 +8,7 @@ import json
 import subprocess
 from collections.abc import Mapping
 
-from trident_tool.launch_plan import LaunchPlan
+from trident_tool.launch.launch_plan import LaunchPlan
 from trident_tool.workspace import TridentError, say
 
 _MODULE = "trident_fleet.cli.check_launch"
@@ -25,13 +25,12 @@ def check_formations(plan: LaunchPlan, env: Mapping[str, str]) -> None:
     Raises:
         TridentError: a formation cannot be flown; says why.
     """
-    nodes = [node for node in plan.nodes if node.package == _PACKAGE]
+    nodes = _formation_nodes(plan)
     if not nodes:
         return
-    described = [{"name": node.name, "package": node.package, "type": node.type} for node in nodes]
     done = subprocess.run(
         ["/usr/bin/python3", "-m", _MODULE],
-        input=json.dumps({"nodes": described, "params": dict(plan.params)}),
+        input=json.dumps({"nodes": nodes, "params": dict(plan.params)}),
         env=dict(env),
         capture_output=True,
         text=True,
@@ -41,3 +40,11 @@ def check_formations(plan: LaunchPlan, env: Mapping[str, str]) -> None:
         say(line)
     if done.returncode != 0:
         raise TridentError(done.stderr.strip() or f"{_MODULE}: exit code {done.returncode}")
+
+
+def _formation_nodes(plan: LaunchPlan) -> list[dict[str, str]]:
+    return [
+        {"name": node.name, "package": node.package, "type": node.type}
+        for node in plan.nodes
+        if node.package == _PACKAGE
+    ]

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -35,17 +36,20 @@ class Element:
     def legal(self) -> str:
         """The legal values in words; empty for any text."""
         words = {"flag": "true, false", "vector": "three numbers", "element": "elements"}
-        if self.kind not in ("number", "integer"):
-            return words.get(self.kind, "")
-        least = f"{self.least:g}" if self.least > -_HUGE else ""
-        largest = f"{self.largest:g}" if self.largest < _HUGE else ""
-        if least and largest:
-            bounds = f"{least} to {largest}"
-        elif least or largest:
-            bounds = f">= {least}" if least else f"<= {largest}"
-        else:
-            bounds = "any number" if self.kind == "number" else "any"
-        return f"whole, {bounds}" if self.kind == "integer" else bounds
+        if self.kind == "integer":
+            return f"whole, {self._bounds() or 'any'}"
+        if self.kind == "number":
+            return self._bounds() or "any number"
+        return words.get(self.kind, "")
+
+    def _bounds(self) -> str:
+        """The range of a number; empty for one without bounds."""
+        has_least, has_largest = self.least > -_HUGE, self.largest < _HUGE
+        if has_least and has_largest:
+            return f"{self.least:g} to {self.largest:g}"
+        if has_least:
+            return f">= {self.least:g}"
+        return f"<= {self.largest:g}" if has_largest else ""
 
     @property
     def shown_default(self) -> str:
@@ -101,21 +105,33 @@ def _section(entry: dict[str, Any], listing: Listing, common: dict[str, str]) ->
 
 def _problems(groups: list[dict[str, Any]], listing: Listing, common: dict[str, str]) -> list[str]:
     """Where what is written and what plugins ask for differ."""
-    found = []
     entries = [entry for group in groups for entry in group["plugins"]]
-    written = [name for entry in entries for name in entry["names"]]
-    found += [
-        f"plugin {name} is not in plugins.yaml" for name in sorted(set(listing) - set(written))
-    ]
-    found += [f"plugins.yaml: there is no plugin {name}" for name in written if name not in listing]
+    found = [*_name_problems([name for entry in entries for name in entry["names"]], listing)]
     for entry in entries:
-        asked = {key for name in entry["names"] for key in listing.get(name, {})}
-        own = entry.get("elements", {})
-        title = entry["names"][0]
-        unknown = sorted(asked - set(own) - set(common))
-        found += [f"plugins.yaml: {title} has no text for <{key}>" for key in unknown]
-        found += [f"plugins.yaml: {title} asks for no <{key}>" for key in own if key not in asked]
+        found += _element_problems(entry, listing, common)
     return found
+
+
+def _name_problems(written: list[str], listing: Listing) -> Iterator[str]:
+    for name in sorted(set(listing) - set(written)):
+        yield f"plugin {name} is not in plugins.yaml"
+    for name in written:
+        if name not in listing:
+            yield f"plugins.yaml: there is no plugin {name}"
+
+
+def _element_problems(
+    entry: dict[str, Any], listing: Listing, common: dict[str, str]
+) -> Iterator[str]:
+    """Where the elements of one plugin (of several names, perhaps) differ."""
+    asked = {key for name in entry["names"] for key in listing.get(name, {})}
+    own = entry.get("elements", {})
+    title = entry["names"][0]
+    for key in sorted(asked - set(own) - set(common)):
+        yield f"plugins.yaml: {title} has no text for <{key}>"
+    for key in own:
+        if key not in asked:
+            yield f"plugins.yaml: {title} asks for no <{key}>"
 
 
 def plugins_page(text: str, descriptions: Path, problems: list[str]) -> str:

@@ -47,6 +47,12 @@ def parse_request(words: Sequence[str]) -> LaunchRequest:
     if not 1 <= len(names) <= 2:
         found = " ".join(names) if names else "nothing"
         raise TridentError(f"run needs [PACKAGE] FILE.launch [name:=value …], found {found}")
+    args = _assigned(words)
+    return LaunchRequest(names[-1], names[0] if len(names) == 2 else None, args)
+
+
+def _assigned(words: Sequence[str]) -> dict[str, str]:
+    """Values of those words that are ``name:=value``, by name."""
     args: dict[str, str] = {}
     for word in words:
         name, separator, value = word.partition(":=")
@@ -57,7 +63,7 @@ def parse_request(words: Sequence[str]) -> LaunchRequest:
                 f"argument {word!r}: its name is {'given twice' if name else 'empty'}"
             )
         args[name] = value
-    return LaunchRequest(names[-1], names[0] if len(names) == 2 else None, args)
+    return args
 
 
 def _closest(name: str, candidates: Sequence[str]) -> str:
@@ -80,24 +86,30 @@ def find_launch_file(workspace: Workspace, request: LaunchRequest, env: Mapping[
     Raises:
         TridentError: no such file, or more than one.
     """
-    if request.package is None and Path(request.file).is_file():
-        return Path(request.file).resolve()
-    if request.package is None:
-        top, where = workspace.launch, str(workspace.launch)
-    else:
+    if request.package is not None:
         top = _package_folder(request.package, env)
-        where = f"package {request.package} ({top})"
-    for direct in (top / request.file, top / "launch" / request.file):
-        if direct.is_file():
-            return direct
-    found = sorted(path for path in top.rglob(Path(request.file).name) if path.is_file())
+        return _find_below(top, request.file, f"package {request.package} ({top})")
+    if Path(request.file).is_file():
+        return Path(request.file).resolve()
+    return _find_below(workspace.launch, request.file, str(workspace.launch))
+
+
+def _find_below(top: Path, file: str, where: str) -> Path:
+    """The launch file at ``top``, in its launch/, or else the only one of its name below."""
+    found = _launch_files(top, file)
     if len(found) == 1:
         return found[0]
     if found:
-        raise TridentError(f"{request.file} is ambiguous: {', '.join(map(str, found))}")
-    known = sorted(path.name for path in top.rglob("*.launch"))
-    hint = _closest(request.file, known)
-    raise TridentError(f"there is no launch file {request.file!r} in {where}{hint}")
+        raise TridentError(f"{file} is ambiguous: {', '.join(map(str, found))}")
+    hint = _closest(file, sorted(path.name for path in top.rglob("*.launch")))
+    raise TridentError(f"there is no launch file {file!r} in {where}{hint}")
+
+
+def _launch_files(top: Path, file: str) -> list[Path]:
+    for direct in (top / file, top / "launch" / file):
+        if direct.is_file():
+            return [direct]
+    return sorted(path for path in top.rglob(Path(file).name) if path.is_file())
 
 
 def _own_elements(element: ElementTree.Element) -> Iterator[ElementTree.Element]:
@@ -108,19 +120,23 @@ def _own_elements(element: ElementTree.Element) -> Iterator[ElementTree.Element]
             yield from _own_elements(child)
 
 
+def _root_of(launch_file: Path) -> ElementTree.Element:
+    try:
+        return ElementTree.parse(launch_file).getroot()
+    except ElementTree.ParseError as error:
+        line, column = error.position
+        raise TridentError(
+            f"{launch_file}:{line}:{column}: not well-formed XML ({error.msg})"
+        ) from None
+
+
 def declared_args(launch_file: Path) -> DeclaredArgs:
     """Arguments of a launch file.
 
     Raises:
         TridentError: the file is not well-formed; names file, line and column.
     """
-    try:
-        root = ElementTree.parse(launch_file).getroot()
-    except ElementTree.ParseError as error:
-        line, column = error.position
-        raise TridentError(
-            f"{launch_file}:{line}:{column}: not well-formed XML ({error.msg})"
-        ) from None
+    root = _root_of(launch_file)
     groups: dict[str, set[str]] = {"default": set(), "value": set(), "none": set()}
     for element in _own_elements(root):
         if element.tag == "arg" and "name" in element.attrib:

@@ -48,8 +48,20 @@ def load(file: str, arguments: Sequence[str]) -> dict[str, Any]:
         ValueError: roslaunch does not take it; says why.
     """
     found = _watch_packages()
+    config = _config_of(file, arguments)
+    if config.config_errors:
+        raise ValueError(_one_line("; ".join(config.config_errors)))
+    return {
+        "nodes": [_node(node) for node in config.nodes],
+        "found": sorted(found),
+        "params": {name: _plain(param.value) for name, param in config.params.items()},
+    }
+
+
+def _config_of(file: str, arguments: Sequence[str]) -> Any:
+    """What roslaunch makes of a launch file; its own errors become ValueError."""
     try:
-        config = roslaunch.config.load_config_default(
+        return roslaunch.config.load_config_default(
             [(file, list(arguments))], None, loader=_Loader(), assign_machines=False
         )
     except RecursionError:
@@ -58,13 +70,6 @@ def load(file: str, arguments: Sequence[str]) -> dict[str, Any]:
         raise ValueError(f"there is no package {error.args[0]!r}") from error
     except (roslaunch.core.RLException, ValueError, OSError) as error:
         raise ValueError(_one_line(error)) from error
-    if config.config_errors:
-        raise ValueError(_one_line("; ".join(config.config_errors)))
-    return {
-        "nodes": [_node(node) for node in config.nodes],
-        "found": sorted(found),
-        "params": {name: _plain(param.value) for name, param in config.params.items()},
-    }
 
 
 def _watch_packages() -> set[str]:
@@ -87,13 +92,18 @@ def _watch_packages() -> set[str]:
 
 def _one_line(error: object) -> str:
     """An error of roslaunch without its repetitions and line ends; the innermost file is kept."""
-    lines = [line.strip() for line in str(error).splitlines()]
-    text = " ".join(line for line in lines if line and not line.startswith("The traceback"))
-    *outer, reason = re.sub(r"\s+", " ", text).split("while processing ")
+    *outer, reason = _without_traceback(str(error)).split("while processing ")
     if "maximum recursion depth" in reason:
         return _TOO_DEEP
     text = ("in " if outer else "") + reason.replace("Invalid roslaunch XML syntax: ", "")
     return text if len(text) <= _LONGEST else text[:_LONGEST] + " …"
+
+
+def _without_traceback(text: str) -> str:
+    """The lines of ``text`` in one, without that which names a traceback."""
+    lines = [line.strip() for line in text.splitlines()]
+    kept = " ".join(line for line in lines if line and not line.startswith("The traceback"))
+    return re.sub(r"\s+", " ", kept)
 
 
 def _node(node: Any) -> dict[str, Any]:

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""Compares identifiers and comments with the terms of the field: see tools/words.yaml."""
+"""Compares identifiers, comments and texts with the terms of the field: see tools/words.yaml."""
 
 from __future__ import annotations
 
@@ -21,17 +21,18 @@ IDENTIFIERS, PROSE = "identifiers", "prose"
 
 _CPP_TOKEN = re.compile(
     r"""(?P<prose>//[^\n]*(?:\n[ \t]*//[^\n]*)*|/\*.*?\*/)
-      | R"(?P<mark>[^(\s]*)\(.*?\)(?P=mark)" | "(?:\\.|[^"\\\n])*" | '(?:\\.|[^'\\\n])+'
+      | (?P<quoted>R"(?P<mark>[^(\s]*)\(.*?\)(?P=mark)" | "(?:\\.|[^"\\\n])*") | '(?:\\.|[^'\\\n])+'
       | \d[\w.']* | (?P<identifiers>[A-Za-z_]\w*)""",
     re.VERBOSE | re.DOTALL,
 )
 _PYTHON_TOKEN = re.compile(
     r'''(?P<prose>\#[^\n]*(?:\n[ \t]*\#[^\n]*)*|(?:(?<=\n)|\A)[ \t]*r?""".*?""")
-      | """.*?""" | \'\'\'.*?\'\'\' | "(?:\\.|[^"\\\n])*" | '(?:\\.|[^'\\\n])*'
+      | (?P<quoted>""".*?""" | \'\'\'.*?\'\'\' | "(?:\\.|[^"\\\n])*" | '(?:\\.|[^'\\\n])*')
       | \d[\w.]* | (?P<identifiers>[A-Za-z_]\w*)''',
     re.VERBOSE | re.DOTALL,
 )
 _COMMENT_MARK = re.compile(r"^[ \t]*(?://+<?|\*|#)", re.MULTILINE)
+_ESCAPE = re.compile(r"\\.", re.DOTALL)
 _PART = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+")
 
 
@@ -84,32 +85,42 @@ def _read_word(path: Path, name: str, entry: Mapping[str, object]) -> Word:
 
 
 def tokens(text: str, python: bool) -> Iterator[tuple[int, str, str]]:
-    """Offset, scope and text of the identifiers and comments of a source.
+    """Offset, scope and text of the identifiers, comments and quoted texts of a source.
 
     Identifiers are given in parts: ``kMaxRange`` and ``k_max_range`` as ``k max range``. In
     comments and docstrings the marks at the beginnings of lines are blanked, so that a phrase is
-    found across lines.
+    found across lines; in quoted texts the escapes are. A quoted text without a space is left out.
     """
     for match in (_PYTHON_TOKEN if python else _CPP_TOKEN).finditer(text):
         if match[PROSE]:
             prose = _COMMENT_MARK.sub(lambda mark: " " * len(mark[0]), match[PROSE])
             yield match.start(), PROSE, prose
+        elif match["quoted"] and " " in match["quoted"]:
+            yield match.start(), PROSE, _ESCAPE.sub("  ", match["quoted"])
         elif match[IDENTIFIERS]:
             yield match.start(), IDENTIFIERS, " ".join(_PART.findall(match[IDENTIFIERS]))
+
+
+class _Finder:
+    """Finds the words of one scope, all in one pass."""
+
+    def __init__(self, words: Iterable[Word], scope: str) -> None:
+        self._words = [word for word in words if scope in word.scopes]
+        self._any_form = re.compile("|".join(w.forms.pattern for w in self._words), re.IGNORECASE)
+
+    def find(self, token: str) -> Iterator[tuple[Word, re.Match[str]]]:
+        for match in self._any_form.finditer(token):
+            yield next(word for word in self._words if word.forms.fullmatch(match[0])), match
 
 
 def find_places(path: Path, text: str, words: Iterable[Word]) -> Iterator[Place]:
     """Every occurrence of the words in one source, in order."""
     listed = list(words)
-    any_form = {
-        scope: re.compile("|".join(w.forms.pattern for w in listed if scope in w.scopes), re.I)
-        for scope in (IDENTIFIERS, PROSE)
-    }
-    for start, scope, token in tokens(text, path.suffix != ".h" and path.suffix != ".cpp"):
-        for match in any_form[scope].finditer(token):
+    finders = {scope: _Finder(listed, scope) for scope in (IDENTIFIERS, PROSE)}
+    for start, scope, token in tokens(text, path.suffix not in (".h", ".cpp")):
+        for word, match in finders[scope].find(token):
             offset = start + (match.start() if scope == PROSE else 0)
             line = text.count("\n", 0, offset) + 1
-            word = next(w for w in listed if scope in w.scopes and w.forms.fullmatch(match[0]))
             yield Place(path, line, word, match[0])
 
 
@@ -132,10 +143,14 @@ def compare(places: Iterable[Place], baseline: Baseline) -> Iterator[str]:
         allowed = baseline.get(folder, {}).get(name, 0)
         if len(listed) > allowed:
             yield from _excess(folder, allowed, listed)
-    for folder, allowances in baseline.items():
-        for name in allowances:
-            if (folder, name) not in found:
-                yield f"{BASELINE}: {folder} has no {name!r} any more: remove it (--fix does)"
+    for folder, name in _allowed(baseline):
+        if (folder, name) not in found:
+            yield f"{BASELINE}: {folder} has no {name!r} any more: remove it (--fix does)"
+
+
+def _allowed(baseline: Baseline) -> Iterator[tuple[str, str]]:
+    """Every folder with each of its words that a baseline allows there."""
+    return ((folder, name) for folder, allowances in baseline.items() for name in allowances)
 
 
 def _excess(folder: str, allowed: int, places: list[Place]) -> Iterator[str]:

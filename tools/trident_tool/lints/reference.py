@@ -12,8 +12,8 @@ import xml.etree.ElementTree as ET
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
-from trident_tool.markdown import MAX_COLUMNS
-from trident_tool.plugin_reference import plugins_page
+from trident_tool.lints.markdown import MAX_COLUMNS
+from trident_tool.lints.plugin_reference import plugins_page
 from trident_tool.workspace import base_environment
 
 _HEAD = """<!-- SPDX-FileCopyrightText: 2026 The Trident authors -->
@@ -103,14 +103,22 @@ def launch_page(root: Path) -> str:
 
 def _option(action: argparse.Action) -> str:
     names = ", ".join(f"`{name}`" for name in action.option_strings)
-    value = action.metavar or (action.dest.upper() if action.nargs != 0 else "")
-    if isinstance(value, tuple):
-        value = " ".join(value)
-    if action.choices and not action.metavar:
-        value = " | ".join(map(str, action.choices))
+    value = _value_of(action)
     shown = f"{names} `{value}`" if names and value else names or f"`{value}`"
-    text = action.help or ""
-    return _item(f"{shown}: {text % {'default': action.default}}" if text else shown)
+    if not action.help:
+        return _item(shown)
+    return _item(f"{shown}: {action.help % {'default': action.default}}")
+
+
+def _value_of(action: argparse.Action) -> str:
+    """What stands for the value of an option; empty for one that takes none."""
+    if isinstance(action.metavar, tuple):
+        return " ".join(action.metavar)
+    if action.metavar:
+        return action.metavar
+    if action.choices:
+        return " | ".join(map(str, action.choices))
+    return action.dest.upper() if action.nargs != 0 else ""
 
 
 def _commands_of(parser: argparse.ArgumentParser, name: str) -> Iterator[str]:
@@ -157,6 +165,10 @@ def plugin_listing(root: Path) -> str | None:
     return run.stdout
 
 
+def _holds(page: Path, text: str) -> bool:
+    return page.exists() and page.read_text(encoding="utf-8") == text
+
+
 def check_reference(root: Path, parser: argparse.ArgumentParser, fix: bool) -> int:
     """Compares the pages with what the code says, or writes them; returns 1 if one differs."""
     problems = arguments_without_doc(root)
@@ -178,7 +190,7 @@ def check_reference(root: Path, parser: argparse.ArgumentParser, fix: bool) -> i
         text = make()
         if fix:
             page.write_text(text, encoding="utf-8")
-        elif not page.exists() or page.read_text(encoding="utf-8") != text:
+        elif not _holds(page, text):
             problems.append(f"{page.relative_to(root)}: differs from the code; --fix writes it")
     for problem in problems:
         print(problem)

@@ -13,21 +13,26 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from trident_tool.environment import ros_environment
-from trident_tool.formation_check import check_formations
-from trident_tool.launch_feed import (
+from trident_tool.launch.formation_check import check_formations
+from trident_tool.launch.launch_feed import (
     DESCRIPTION,
     STATE_PUBLISHER,
     lacks_state_publisher,
     nodes_of,
     wait_for_param,
 )
-from trident_tool.launch_plan import load_plan
-from trident_tool.launchfile import check_args, declared_args, find_launch_file, parse_request
+from trident_tool.launch.launch_plan import load_plan
+from trident_tool.launch.launchfile import (
+    check_args,
+    declared_args,
+    find_launch_file,
+    parse_request,
+)
 from trident_tool.processes import ends_by_exception, foreground, started
-from trident_tool.recording import Recording
 from trident_tool.running import free_port
-from trident_tool.screenshot import Size, resized, screenshot
-from trident_tool.shell import running_master, wait_for_master
+from trident_tool.shell import running_master, simulator_master, wait_for_master
+from trident_tool.view.recording import Recording
+from trident_tool.view.screenshot import Size, resized, screenshot
 from trident_tool.workspace import Runner, TridentError, Workspace, base_environment, say
 
 _TRIES = 3
@@ -127,15 +132,10 @@ def source_command(
     if not words:
         return None
     source = Path(words[0])
-    if source.suffix == ".bag" or source.suffix in (".world", ".sdf"):
+    if source.suffix in (".bag", ".world", ".sdf"):
         if len(words) > 1:
             raise TridentError(f"view shows one thing at a time, found also {words[1]}")
-        if not source.exists():
-            raise TridentError(f"{source} does not exist")
-        if source.suffix == ".bag":
-            return ["rosbag", "play", "--clock", "--quiet", str(source)]
-        world = f"world_name:={source.resolve()}"
-        return ["roslaunch", "gazebo_ros", "empty_world.launch", "gui:=false", world]
+        return _play_command(source)
     if not any(word.endswith(".launch") for word in words[:2]):
         raise TridentError(f"{source}: view shows a .bag, a .world, an .sdf or a .launch file")
     request = parse_request(words)
@@ -143,6 +143,16 @@ def source_command(
     check_args(file, declared_args(file), request.args)
     given = [f"{name}:={value}" for name, value in request.args.items()]
     return ["roslaunch", "--disable-title", str(file), *given]
+
+
+def _play_command(source: Path) -> list[str]:
+    """The command that plays a bag, or simulates a world."""
+    if not source.exists():
+        raise TridentError(f"{source} does not exist")
+    if source.suffix == ".bag":
+        return ["rosbag", "play", "--clock", "--quiet", str(source)]
+    world = f"world_name:={source.resolve()}"
+    return ["roslaunch", "gazebo_ros", "empty_world.launch", "gui:=false", world]
 
 
 def viewer_command(workspace: Workspace, options: ViewOptions, env: Mapping[str, str]) -> list[str]:
@@ -192,77 +202,147 @@ def view(workspace: Workspace, runner: Runner, options: ViewOptions) -> int:
     """
     options.validate(bool(os.environ.get("DISPLAY")) or runner.dry_run)
     env = base_environment() if runner.dry_run else ros_environment(workspace)
-    feed = source_command(workspace, options.words, env)
-    if options.at_s is not None and not is_launch_file(feed or []):
+    feed = source_command(workspace, options.words, env) or []
+    if options.at_s is not None and not is_launch_file(feed):
         raise TridentError("--at goes with a launch file only")
     command = viewer_command(workspace, options, env)
     if runner.dry_run:
-        helpers = [] if options.recording.is_wanted or options.is_overview else [_MARKERS]
-        for words in [feed, *helpers, command]:
-            runner.run(words or ["true"])
-        return 0
+        return _show_commands(runner, options, feed, command)
     env.setdefault("ROS_HOSTNAME", "localhost")
-    if feed and is_launch_file(feed):
+    if is_launch_file(feed):
         args = dict(word.split(":=", 1) for word in feed[3:])
         check_formations(load_plan(Path(feed[2]), args, env), env)
     return _show(workspace, runner, options, feed, command, env)
+
+
+def _show_commands(
+    runner: Runner, options: ViewOptions, feed: list[str], command: list[str]
+) -> int:
+    helpers = [] if options.recording.is_wanted or options.is_overview else [_MARKERS]
+    for words in [feed or ["true"], *helpers, command]:
+        runner.run(words)
+    return 0
 
 
 def _show(
     workspace: Workspace,
     runner: Runner,
     options: ViewOptions,
-    feed: list[str] | None,
+    feed: list[str],
     command: list[str],
     env: dict[str, str],
 ) -> int:
     with ends_by_exception(), contextlib.ExitStack() as stack:
-        uri = None if feed else running_master(workspace)
-        if uri is None:
-            port = free_port()
-            uri = f"http://localhost:{port}"
-            core = stack.enter_context(started(["roscore", "-p", str(port)], _at(env, uri)))
-            wait_for_master(uri, core)
-        env = _at(env, uri)
-        source: subprocess.Popen[bytes] | None = None
-        nodes: list[str] = []
+        uri = _find_or_start_master(stack, workspace, env, is_own=bool(feed))
+        scene = _Scene(runner, options, stack, _at(env, uri))
         if feed:
-            feed_env = view_environment(env)
-            runner.run(["rosparam", "set", "use_sim_time", "true"], env=env)
-            # Asked before it starts: from then on the simulated time runs.
-            nodes = nodes_of(feed, feed_env) if is_launch_file(feed) else []
-            is_unplaced = bool(nodes) and lacks_state_publisher(feed, nodes, feed_env)
-            source = stack.enter_context(started(feed, feed_env))
-            if is_unplaced and wait_for_param(uri, DESCRIPTION, source):
-                stack.enter_context(started(STATE_PUBLISHER, env))
+            scene.start_feed(feed, uri)
         if options.is_overview:
-            return foreground([*command, "--nodes", str(len(nodes))], env, source)
+            return foreground([*command, "--nodes", str(scene.nodes)], scene.env, scene.source)
         if options.recording.is_wanted:
-            return foreground(command, env, source)
-        stack.enter_context(started(_MARKERS, env))
-        if source is not None and options.config is None and options.is_of_a_world:
-            stack.enter_context(started(_STREAM, env))
-        last_steps: subprocess.Popen[bytes] | None = None
-        if options.at_s is not None:
-            _hold(runner, max(options.at_s - options.live_s, 0.0), len(nodes), env)
-            if options.live_s:
-                hold = ["rosrun", "trident_viewer", "hold_at.py", "--viewer", str(options.at_s)]
-                last_steps = stack.enter_context(started(hold, env))
-        if source is not None and source.poll() not in (None, 0):
-            raise TridentError(f"{' '.join(feed or [])} ended with exit code {source.returncode}")
-        if options.screenshot is None:
-            return runner.run(command, env=env)
+            return foreground(command, scene.env, scene.source)
+        return scene.show_in_rviz(command)
+
+
+def _find_or_start_master(
+    stack: contextlib.ExitStack, workspace: Workspace, env: dict[str, str], is_own: bool
+) -> str:
+    """URI of a new master if ``is_own``, else of that with the simulator that is running."""
+    if not is_own:
+        uri = running_master(workspace) or simulator_master()
+        if uri is None:
+            raise TridentError(
+                "no simulator is running: neither a ./trident run nor one at ROS_MASTER_URI;"
+                " legal: ./trident view FILE.launch, or start one first"
+            )
+        return uri
+    uri = f"http://localhost:{free_port()}"
+    port = uri.rpartition(":")[2]
+    core = stack.enter_context(started(["roscore", "-p", port], _at(env, uri)))
+    wait_for_master(uri, core)
+    return uri
+
+
+@dataclass
+class _Scene:
+    """What is running to be looked at.
+
+    Attributes:
+        runner: runs commands that end.
+        options: what is to be seen.
+        stack: ends all that was started.
+        env: environment, with the master in it.
+        feed: what is started for it; empty: the run in progress is looked at.
+        source: the process of the feed.
+        nodes: how many nodes the feed starts.
+    """
+
+    runner: Runner
+    options: ViewOptions
+    stack: contextlib.ExitStack
+    env: dict[str, str]
+    feed: Sequence[str] = ()
+    source: subprocess.Popen[bytes] | None = None
+    nodes: int = 0
+
+    def start_feed(self, feed: Sequence[str], uri: str) -> None:
+        """Starts what is looked at, and what says where its links are if it does not itself."""
+        env = view_environment(self.env)
+        self.runner.run(["rosparam", "set", "use_sim_time", "true"], env=self.env)
+        # Asked before it starts: from then on the simulated time runs.
+        nodes = nodes_of(feed, env) if is_launch_file(feed) else []
+        is_unplaced = bool(nodes) and lacks_state_publisher(feed, nodes, env)
+        self.feed, self.nodes = feed, len(nodes)
+        self.source = self._start(feed, env)
+        if is_unplaced and wait_for_param(uri, DESCRIPTION, self.source):
+            self._start(STATE_PUBLISHER, self.env)
+
+    def show_in_rviz(self, command: list[str]) -> int:
+        """Opens rviz, or has it take a screenshot; returns its exit code."""
+        self._start(_MARKERS, self.env)
+        if self._is_of_a_world():
+            self._start(_STREAM, self.env)
+        last_steps = self._hold()
+        if self.source is not None and self.source.poll() not in (None, 0):
+            code = self.source.returncode
+            raise TridentError(f"{' '.join(self.feed)} ended with exit code {code}")
+        if self.options.screenshot is None:
+            return self.runner.run(command, env=self.env)
+        self._take_screenshot(command, self.options.screenshot, last_steps)
+        return 0
+
+    def _is_of_a_world(self) -> bool:
+        """Whether a camera in the world has something to add to rviz's own configuration."""
+        options = self.options
+        return self.source is not None and options.config is None and options.is_of_a_world
+
+    def _hold(self) -> subprocess.Popen[bytes] | None:
+        """Holds the simulation where it is to be seen; the process that has yet to get it there."""
+        at_s, live_s = self.options.at_s, self.options.live_s
+        if at_s is None:
+            return None
+        _hold(self.runner, max(at_s - live_s, 0.0), self.nodes, self.env)
+        if not live_s:
+            return None
+        hold = ["rosrun", "trident_viewer", "hold_at.py", "--viewer", str(at_s)]
+        return self._start(hold, self.env)
+
+    def _take_screenshot(
+        self, command: list[str], target: Path, last_steps: subprocess.Popen[bytes] | None
+    ) -> None:
         _take_picture(
             command,
-            env,
-            options.screenshot,
-            options.size or Size(),
+            self.env,
+            target,
+            self.options.size or Size(),
             lambda: last_steps is None or last_steps.poll() is not None,
             # What went by in front of a viewer that crashed does not come again.
             1 if last_steps else _TRIES,
         )
-        say(f"wrote {options.screenshot}")
-    return 0
+        say(f"wrote {target}")
+
+    def _start(self, command: Sequence[str], env: Mapping[str, str]) -> subprocess.Popen[bytes]:
+        return self.stack.enter_context(started(command, env))
 
 
 def _take_picture(

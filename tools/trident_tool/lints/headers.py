@@ -14,7 +14,7 @@ from concurrent.futures import ThreadPoolExecutor
 from os import sched_getaffinity
 from pathlib import Path
 
-from trident_tool.tidy import (
+from trident_tool.lints.tidy import (
     CompileCommand,
     IncludeScanner,
     Result,

@@ -29,15 +29,18 @@ class Image:
 
     def cropped(self) -> Image:
         """This picture without the black rows and columns around it; as it is if all is black."""
-        stride = 3 * self.width
-        rows = [self.rgb[row * stride : (row + 1) * stride] for row in range(self.height)]
+        rows = self._rows()
         bright_rows = [index for index, row in enumerate(rows) if any(row)]
         if not bright_rows:
             return self
         rows = rows[bright_rows[0] : bright_rows[-1] + 1]
-        left = min(len(row) - len(row.lstrip(b"\0")) for row in rows if any(row)) // 3
+        left = min(len(row) - len(row.lstrip(b"\0")) for row in rows) // 3
         right = -(-max(len(row.rstrip(b"\0")) for row in rows) // 3)
         return Image(right - left, len(rows), b"".join(row[3 * left : 3 * right] for row in rows))
+
+    def _rows(self) -> list[bytes]:
+        stride = 3 * self.width
+        return [self.rgb[row * stride : (row + 1) * stride] for row in range(self.height)]
 
 
 def read_xwd(data: bytes) -> Image:
@@ -46,28 +49,34 @@ def read_xwd(data: bytes) -> Image:
     Raises:
         TridentError: the data is something else or cut short.
     """
-    if len(data) < _HEADER.size:
-        raise TridentError(f"not an X window dump: {len(data)} bytes, need at least {_HEADER.size}")
-    fields = _HEADER.unpack_from(data)
-    header_bytes, version, width, height = fields[0], fields[1], fields[4], fields[5]
-    little_endian, bits_per_pixel, row_bytes, colors = (
-        fields[7] == 0,
-        fields[11],
-        fields[12],
-        fields[19],
-    )
-    if version != 7 or bits_per_pixel != 32:
-        raise TridentError(f"X window dump of version {version}, {bits_per_pixel} bits: need 7, 32")
+    fields = _header_fields(data)
+    header_bytes, width, height = fields[0], fields[4], fields[5]
+    little_endian, row_bytes, colors = fields[7] == 0, fields[12], fields[19]
     start = header_bytes + colors * _COLOR_BYTES
     if len(data) < start + row_bytes * height:
         raise TridentError("the X window dump is cut short")
     offsets = (2, 1, 0) if little_endian else (1, 2, 3)
-    rgb = bytearray(3 * width * height)
-    for row in range(height):
-        pixels = data[start + row * row_bytes : start + row * row_bytes + 4 * width]
-        for channel, offset in enumerate(offsets):
-            rgb[3 * width * row + channel : 3 * width * (row + 1) : 3] = pixels[offset::4]
-    return Image(width, height, bytes(rgb))
+    begins = range(start, start + row_bytes * height, row_bytes)
+    rows = [_rgb(data[begin : begin + 4 * width], width, offsets) for begin in begins]
+    return Image(width, height, b"".join(rows))
+
+
+def _header_fields(data: bytes) -> tuple[int, ...]:
+    if len(data) < _HEADER.size:
+        raise TridentError(f"not an X window dump: {len(data)} bytes, need at least {_HEADER.size}")
+    fields: tuple[int, ...] = _HEADER.unpack_from(data)
+    version, bits_per_pixel = fields[1], fields[11]
+    if version != 7 or bits_per_pixel != 32:
+        raise TridentError(f"X window dump of version {version}, {bits_per_pixel} bits: need 7, 32")
+    return fields
+
+
+def _rgb(pixels: bytes, width: int, offsets: tuple[int, int, int]) -> bytes:
+    """A row of 4 bytes a pixel in 3 bytes each; ``offsets``: where red, green and blue are."""
+    rgb = bytearray(3 * width)
+    for channel, offset in enumerate(offsets):
+        rgb[channel::3] = pixels[offset::4]
+    return bytes(rgb)
 
 
 def write_png(image: Image, target: Path) -> None:

@@ -51,18 +51,20 @@ def problems(path: Path, root: Path) -> list[str]:
     """
     text = path.read_text(encoding="utf-8")
     name = path.relative_to(root)
-    found = []
-    for number, line in enumerate(text.splitlines(), start=1):
-        for target in _LINK.findall(line):
-            problem = _link_problem(path, target, text)
-            if problem:
-                found.append(f"{name}:{number}: {problem}")
+    found = [f"{name}:{number}: {problem}" for number, problem in _bad_links(path, text)]
     for number, line in prose_lines(text):
-        if len(line) > MAX_COLUMNS and " " in line.strip() and not line.lstrip().startswith("!["):
+        if _is_too_long(line):
             found.append(f"{name}:{number}: {len(line)} columns, legal: up to {MAX_COLUMNS}")
     for number, cell in _long_cells(text):
         found.append(f"{name}:{number}: a table cell of {cell} characters, legal: up to {MAX_CELL}")
     return found
+
+
+def _is_too_long(line: str) -> bool:
+    """Whether it could be wrapped; a picture and a single word cannot."""
+    if len(line) <= MAX_COLUMNS:
+        return False
+    return " " in line.strip() and not line.lstrip().startswith("![")
 
 
 def _long_cells(text: str) -> Iterator[tuple[int, int]]:
@@ -78,6 +80,14 @@ def _long_cells(text: str) -> Iterator[tuple[int, int]]:
                 yield number, len(cell.strip())
 
 
+def _bad_links(page: Path, text: str) -> Iterator[tuple[int, str]]:
+    """Line of each link that leads nowhere, and why."""
+    for number, line in enumerate(text.splitlines(), start=1):
+        for target in _LINK.findall(line):
+            if problem := _link_problem(page, target, text):
+                yield number, problem
+
+
 def _link_problem(page: Path, target: str, text: str) -> str:
     """Why a link leads nowhere, or ""."""
     if target.startswith(_OUTSIDE):
@@ -86,11 +96,11 @@ def _link_problem(page: Path, target: str, text: str) -> str:
     linked = page.parent / file if file else page
     if not linked.exists():
         return f"link to '{target}': there is no {file}"
-    if anchor and linked.suffix == ".md":
-        known = anchors(text if not file else linked.read_text(encoding="utf-8"))
-        if anchor not in known:
-            return f"link to '{target}': no heading has this anchor"
-    return ""
+    if not anchor or linked.suffix != ".md":
+        return ""
+    if anchor in anchors(linked.read_text(encoding="utf-8") if file else text):
+        return ""
+    return f"link to '{target}': no heading has this anchor"
 
 
 def wrapped(text: str) -> str:

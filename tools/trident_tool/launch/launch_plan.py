@@ -8,7 +8,7 @@ import json
 import shlex
 import subprocess
 import xmlrpc.client
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -73,12 +73,7 @@ class LaunchNode:
         """Name of the model that it puts into the world, or None."""
         if self.package != _SIMULATOR or self.type not in _SPAWNERS:
             return None
-        for word, following in zip(self.args, (*self.args[1:], ""), strict=True):
-            if word == "-model":
-                return following or None
-            if word.startswith("-model="):
-                return word.removeprefix("-model=") or None
-        return None
+        return _value_of("-model", self.args)
 
     def resolve(self, topic: str) -> str:
         """Full name of a topic of this node, after its remappings."""
@@ -203,12 +198,7 @@ def check_plan(plan: LaunchPlan, env: Mapping[str, str]) -> None:
     program = _program(env)
     if program is None:
         return
-    prefix = node.name + "/"
-    options = {
-        name.removeprefix(prefix): value
-        for name, value in plan.params.items()
-        if name.startswith(prefix)
-    }
+    options = _private_params(plan, node.name)
     done = subprocess.run(
         [program, "--check", *node.args],
         input=xmlrpc.client.dumps((_nested(options),), allow_none=True),
@@ -218,8 +208,33 @@ def check_plan(plan: LaunchPlan, env: Mapping[str, str]) -> None:
         check=False,
     )
     if done.returncode == 1:
-        lines = [line for line in done.stderr.splitlines() if "[FATAL]" in line]
-        raise TridentError(lines[-1].partition("gzserver: ")[2] if lines else done.stderr.strip())
+        raise TridentError(_reason(done.stderr))
+
+
+def _reason(log: str) -> str:
+    """Why the simulator has refused to start."""
+    lines = [line for line in log.splitlines() if "[FATAL]" in line]
+    return lines[-1].partition("gzserver: ")[2] if lines else log.strip()
+
+
+def _value_of(option: str, words: Sequence[str]) -> str | None:
+    """What follows ``option``, as the next word or behind ``=``; None: nothing."""
+    for word, following in zip(words, (*words[1:], ""), strict=True):
+        if word == option:
+            return following or None
+        if word.startswith(f"{option}="):
+            return word.removeprefix(f"{option}=") or None
+    return None
+
+
+def _private_params(plan: LaunchPlan, node: str) -> dict[str, Any]:
+    """Parameters of a node, by their names below it."""
+    prefix = node + "/"
+    return {
+        name.removeprefix(prefix): value
+        for name, value in plan.params.items()
+        if name.startswith(prefix)
+    }
 
 
 def _program(env: Mapping[str, str]) -> str | None:

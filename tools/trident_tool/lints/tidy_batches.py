@@ -14,7 +14,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from trident_tool.tidy import CompileCommand
+    from trident_tool.lints.tidy import CompileCommand
 
 
 def batches(units: Iterable[CompileCommand], limit: int) -> list[list[CompileCommand]]:

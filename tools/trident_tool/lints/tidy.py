@@ -25,7 +25,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from trident_tool.tidy_batches import batch_source, batches
+from trident_tool.lints.tidy_batches import batch_source, batches
 from trident_tool.workspace import Runner, TridentError, Workspace, base_environment
 
 _INCLUDE = re.compile(rb'^[ \t]*#[ \t]*include[ \t]*[<"]([^>"]+)[>"]', re.MULTILINE)
@@ -58,6 +58,19 @@ class CompileCommand:
         return dirs
 
 
+def _flags(words: Sequence[str]) -> list[str]:
+    """A compiler's flags without itself, and without -o and -c and what follows these."""
+    start = next((i for i, word in enumerate(words) if word.startswith("-")), len(words))
+    flags: list[str] = []
+    skip = False
+    for word in words[start:]:
+        if skip or word in ("-o", "-c"):
+            skip = not skip
+        else:
+            flags.append(word)
+    return flags
+
+
 def parse_compile_commands(text: str) -> list[CompileCommand]:
     """Translation units of a compile_commands.json.
 
@@ -69,15 +82,7 @@ def parse_compile_commands(text: str) -> list[CompileCommand]:
     for entry in json.loads(text):
         source = Path(entry["directory"], entry["file"]).resolve()
         words = entry["arguments"] if "arguments" in entry else shlex.split(entry["command"])
-        start = next((i for i, word in enumerate(words) if word.startswith("-")), len(words))
-        flags: list[str] = []
-        skip = False
-        for word in words[start:]:
-            if skip or word in ("-o", "-c"):
-                skip = not skip
-            else:
-                flags.append(word)
-        kept = _without_precompiled_headers(flags)
+        kept = _without_precompiled_headers(_flags(words))
         units += [CompileCommand(each, kept) for each in _joined_sources(source)]
     return units
 
@@ -270,6 +275,18 @@ def _batch_name(batch: Iterable[CompileCommand], root: Path) -> str:
     return f"batch-{hashlib.sha256(names.encode()).hexdigest()}"
 
 
+def _open_batches(
+    units: Sequence[CompileCommand],
+    open_units: Mapping[Path, tuple[CompileCommand, Path]],
+    root: Path,
+) -> Iterator[tuple[str, list[tuple[CompileCommand, Path]]]]:
+    """Name of each batch with something to be checked, and what that is."""
+    for batch in batches(units, _UNITS_IN_A_BATCH):
+        missing = [open_units[unit.source] for unit in batch if unit.source in open_units]
+        if missing:
+            yield _batch_name(batch, root), missing
+
+
 def _check_all(
     units: Sequence[CompileCommand],
     open_units: Mapping[Path, tuple[CompileCommand, Path]],
@@ -280,17 +297,39 @@ def _check_all(
     env = base_environment()
     found: dict[Path, Result] = {}
     with ThreadPoolExecutor(max_workers=len(os.sched_getaffinity(0))) as pool:
-        futures = []
-        for batch in batches(units, _UNITS_IN_A_BATCH):
-            missing = [open_units[unit.source] for unit in batch if unit.source in open_units]
-            if missing:
-                lock = folder / _batch_name(batch, workspace.root)
-                futures.append(pool.submit(_check_once, lock, missing, workspace, env))
+        futures = [
+            pool.submit(_check_once, folder / name, missing, workspace, env)
+            for name, missing in _open_batches(units, open_units, workspace.root)
+        ]
         for future in as_completed(futures):
             found |= future.result()
             names = ", ".join(sorted(source.name for source in future.result()))
             print(f"[{len(found)}/{len(open_units)}] {names}", flush=True)
     return found
+
+
+def _read_units(database: Path, root: Path) -> list[CompileCommand]:
+    """The core files of a compile_commands.json that are still there."""
+    units = core_units(parse_compile_commands(database.read_text(encoding="utf-8")), root)
+    return [unit for unit in units if unit.source.is_file()]
+
+
+def _load_results(
+    units: Sequence[CompileCommand], folder: Path, workspace: Workspace
+) -> tuple[dict[Path, Result], dict[Path, tuple[CompileCommand, Path]]]:
+    """Results that are known already, and the other units, with where theirs are to be kept."""
+    settings = _settings(workspace)
+    scanner = IncludeScanner(workspace.root)
+    kept: dict[Path, Result] = {}
+    open_units: dict[Path, tuple[CompileCommand, Path]] = {}
+    for unit in units:
+        key = cache_key(unit, scanner.reached(unit), workspace.root, settings)
+        result = load_result(folder / key)
+        if result is None:
+            open_units[unit.source] = (unit, folder / key)
+        else:
+            kept[unit.source] = result
+    return kept, open_units
 
 
 def run_clang_tidy(workspace: Workspace, runner: Runner) -> int:
@@ -304,20 +343,9 @@ def run_clang_tidy(workspace: Workspace, runner: Runner) -> int:
         return runner.run(["clang-tidy", "--quiet", "-p", workspace.build, "src/*/src/**.cpp"])
     if not database.is_file():
         raise TridentError(f"{database} does not exist: run ./trident build")
-    units = core_units(parse_compile_commands(database.read_text(encoding="utf-8")), workspace.root)
-    units = [unit for unit in units if unit.source.is_file()]
+    units = _read_units(database, workspace.root)
     folder = cache_folder(base_environment())
-    settings = _settings(workspace)
-    scanner = IncludeScanner(workspace.root)
-    kept: dict[Path, Result] = {}
-    open_units: dict[Path, tuple[CompileCommand, Path]] = {}
-    for unit in units:
-        key = cache_key(unit, scanner.reached(unit), workspace.root, settings)
-        result = load_result(folder / key)
-        if result is None:
-            open_units[unit.source] = (unit, folder / key)
-        else:
-            kept[unit.source] = result
+    kept, open_units = _load_results(units, folder, workspace)
     print(f"clang-tidy: {len(units)} core files, {len(kept)} known, {len(open_units)} to check")
     kept |= _check_all(units, open_units, folder, workspace)
     bad = [source for source in sorted(kept) if kept[source].code != 0]
