@@ -69,7 +69,7 @@ TEST(Ports, TwoPluginsOfOneTopicRefuseTheModelAndLeaveNoTrace) {
   quad.plugins.push_back(quad.plugins.back());
   std::size_t before = 0, after = 0;
   world->ports().for_each([&](const PortBase&) { ++before; });
-  EXPECT_TRUE(contains(error_of([&] { world.add(quad); }), "already taken"));
+  EXPECT_TRUE(contains(error_of([&] { world.add(quad); }), "model 'quad' plugin"));
   world->ports().for_each([&](const PortBase&) { ++after; });
   EXPECT_EQ(before, after);
   EXPECT_EQ(world->find_model("quad"), nullptr);

@@ -74,6 +74,18 @@ std::string scope_of(const Model* model, const Link* link, const SensorSpec* sen
   return sensor == nullptr ? outer : outer + link->name + "::" + sensor->name + "::";
 }
 
+/// Errors say whose they are, those of a port that is taken, too.
+std::unique_ptr<Plugin> create_named(const PluginFactory& factory, const PluginContext& context,
+                                     const std::string& owner) {
+  try {
+    return factory.create(context);
+  } catch (const Error& error) {
+    const std::string text = error.what();
+    if (text.find(owner) != std::string::npos) throw;
+    throw Error(owner + ": " + text);
+  }
+}
+
 }  // namespace
 
 std::unique_ptr<Plugin> World::create_plugin(const PluginSpec& spec, const PluginPlace& place,
@@ -94,7 +106,8 @@ std::unique_ptr<Plugin> World::create_plugin(const PluginSpec& spec, const Plugi
   }
   const PluginParams reader(params, owner + " plugin '" + spec.name + "'");
   const std::string name = scope_of(model, place.link, place.sensor, name_);
-  auto plugin = factory->create({*this, model, reader, name + spec.name, place.link, place.sensor});
+  const PluginContext context{*this, model, reader, name + spec.name, place.link, place.sensor};
+  auto plugin = create_named(*factory, context, owner + " plugin '" + spec.name + "'");
   if (plugin != nullptr) report_unread(spec, reader);
   return plugin;
 }
