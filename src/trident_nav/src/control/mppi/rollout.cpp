@@ -12,14 +12,15 @@ struct StepLimits {
   float vx_min, vx_max, vx_gain, vx_loss;  // gain: of |v| by acceleration; loss: by braking
   float vy_max, vy_step, wz_max, wz_step;
   float curvature_max;
+  float free_turn;  // what a robot that stands may turn at
   float dt;
 };
 
 StepLimits step_limits(const MppiModel& model) {
   const MotionLimits& limits = model.limits;
   const double dt = model.dt_s;
-  constexpr double kAnyCurvature = 1e9;
   const double radius = limits.min_turning_radius;
+  constexpr double kAnyTurn = 1e9;  // [rad/s]
   const bool is_car = model.motion == MppiMotion::kAckermann && radius > 0.0;
   return {static_cast<float>(limits.vx_min),
           static_cast<float>(limits.vx_max),
@@ -29,7 +30,8 @@ StepLimits step_limits(const MppiModel& model) {
           static_cast<float>(limits.ay_max * dt),
           static_cast<float>(limits.wz_max),
           static_cast<float>(limits.alpha_max * dt),
-          static_cast<float>(is_car ? 1.0 / radius : kAnyCurvature),
+          static_cast<float>(is_car ? 1.0 / radius : 0.0),
+          static_cast<float>(is_car ? 0.0 : kAnyTurn),
           static_cast<float>(dt)};
 }
 
@@ -72,7 +74,7 @@ TRIDENT_INLINE void constrain(const StepLimits& limits, State& state, float* vx,
     const float w = state.wz[i];
     const float wanted = clamped(wz[i], -limits.wz_max, limits.wz_max);
     const float reached = clamped(wanted, w - limits.wz_step, w + limits.wz_step);
-    const float most = absolute(state.vx[i]) * limits.curvature_max;
+    const float most = absolute(state.vx[i]) * limits.curvature_max + limits.free_turn;
     state.wz[i] = clamped(reached, -most, most);
     wz[i] = state.wz[i];
   }

@@ -47,7 +47,7 @@ class TrajectoryPlannerLaw final : public ControlLaw {
   void collect_sideways();
   void update_escape(const RobotState& state);
   bool leads_back(const RobotState& state, const Twist2& twist) const;
-  std::optional<Twist2> turn(const DwaScene& scene, double worst_score);
+  std::optional<Twist2> turn(const DwaScene& scene, const std::optional<RatedTwist>& drive);
   std::optional<Twist2> choose(const DwaScene& scene);
 
   TrajectoryPlannerParams params_;
@@ -165,14 +165,20 @@ bool TrajectoryPlannerLaw::leads_back(const RobotState& state, const Twist2& twi
          distance(state.pose.x, state.pose.y, dead_end_->x, dead_end_->y);
 }
 
-std::optional<Twist2> TrajectoryPlannerLaw::turn(const DwaScene& scene, double worst_score) {
+std::optional<Twist2> TrajectoryPlannerLaw::turn(const DwaScene& scene,
+                                                 const std::optional<RatedTwist>& drive) {
   if (!setup_.can_turn_on_spot()) return std::nullopt;
   collect_turns(reachable_window(setup_.limits, scene.situation.state.twist,
                                  params_.dwa ? setup_.period_s : params_.sim_time));
   const auto any = search_.best(samples_, scene, critics_);
-  if (!any || any->score > worst_score) return std::nullopt;
+  if (!any || (drive && any->score > drive->score)) return std::nullopt;
   const auto chosen = search_.best(samples_, scene, turn_critics_);
-  return chosen ? chosen->twist : any->twist;
+  if (!chosen) return any->twist;
+  // A turn that does not improve the heading is made only where the robot cannot drive.
+  samples_.assign(1, Twist2{});
+  const auto standing = search_.best(samples_, scene, turn_critics_);
+  if (drive && standing && chosen->score >= standing->score) return std::nullopt;
+  return chosen->twist;
 }
 
 std::optional<Twist2> TrajectoryPlannerLaw::choose(const DwaScene& scene) {
@@ -182,8 +188,7 @@ std::optional<Twist2> TrajectoryPlannerLaw::choose(const DwaScene& scene) {
     drive = search_.best(samples_, scene, critics_);
     if (drive && leads_back(scene.situation.state, drive->twist)) drive.reset();
   }
-  constexpr double kAny = 1e300;
-  if (const auto turning = turn(scene, drive ? drive->score : kAny)) return turning;
+  if (const auto turning = turn(scene, drive)) return turning;
   if (drive) return drive->twist;
   if (setup_.limits.vy_max > 0.0) {
     collect_sideways();
