@@ -29,6 +29,9 @@ std::string numbers(const Eigen::Vector3d& v) {
 
 }  // namespace
 
+/// Follows the world in order of cost: models by a version number, links by their poses; what
+/// nothing has changed is not committed again. Indices of shapes change only when models come or
+/// go.
 void RayScene::Content::refresh() {
   if (device_ == nullptr) device_ = make_device();
   surface_.reset();
@@ -56,6 +59,7 @@ void RayScene::Content::note_change(const TracedModel& traced) {
   }
 }
 
+/// A name that was deleted and spawned again is another model, which its spawn number shows.
 void RayScene::Content::follow_models() {
   if (seen_models_ == world_.models_version()) return;
   seen_models_ = world_.models_version();
@@ -115,6 +119,8 @@ void RayScene::Content::add_shapes(const Model& model, const LinkSpec& spec, Tra
   }
 }
 
+/// A file that physics has read may still be unreadable as a picture or visual mesh: sensors then
+/// do without that shape, and the world continues.
 std::unique_ptr<TracedShape> RayScene::Content::trace_shape(const Shape& shape,
                                                             const std::string& what) {
   try {
@@ -144,6 +150,8 @@ std::shared_ptr<const TriangleMesh> RayScene::Content::find_mesh(const Shape& sh
   return read;
 }
 
+/// Shapes of a moving link are attached in the link's frame, since its scene is instanced; those of
+/// a static one in the world's. Normals and exact distances are always worked out in the world.
 void RayScene::Content::set_places(TracedLink& link) {
   for (const auto& shape : link.shapes) {
     const SE3 T_world_shape = link.T_world_link * shape->T_link_shape;
@@ -155,6 +163,7 @@ void RayScene::Content::set_places(TracedLink& link) {
   }
 }
 
+/// Planes are infinite, which Embree has no primitive for: they are intersected analytically.
 void RayScene::Content::make_part(TracedLink& link) {
   for (const auto& shape : link.shapes) {
     if (shape->kind == SurfaceKind::kPlane) continue;
@@ -206,6 +215,7 @@ void RayScene::Content::number() {
   number_surface(model_id, link_id);
 }
 
+/// One scene for all that stands still; it is built again only when a part of it changed.
 void RayScene::Content::commit_fixed() {
   fixed_.reset();
   fixed_shapes_.clear();
