@@ -142,6 +142,7 @@ bool GridMatcher::may_be_free(int level, int column, int row) const {
                       static_cast<std::size_t>(column + pad_)] != 0;
 }
 
+/// The coarsest level of every heading; steps cover the map without gaps or overlaps.
 std::vector<GridMatcher::Node> GridMatcher::first_nodes(
     const std::vector<Rotation>& rotations) const {
   std::vector<Node> nodes;
