@@ -171,6 +171,7 @@ std::size_t read_choice(const ValueContext& context, const ConfigNode& node,
                         or_suggestion(node.scalar, names));
 }
 
+/// Digits are read exactly, as a double holds 64-bit numbers only up to 2^53.
 WholeNumber read_whole_number(const ValueContext& context, const ConfigNode& node,
                               const std::string& path, long long lowest,
                               unsigned long long highest) {
@@ -216,6 +217,7 @@ void ConfigReader::note_required(const char* name, const char* doc, const std::s
   missing_.push_back({child_path(path_, name), std::move(problem)});
 }
 
+/// Unknown keys first: a key that is missing is often one that was misspelled.
 void ConfigReader::finish() const {
   for (std::size_t i = 0; i < node_.keys.size(); ++i) {
     const std::string& key = node_.keys[i];

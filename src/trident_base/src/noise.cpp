@@ -40,6 +40,7 @@ double exact_step_stddev(const GaussMarkovParams& params, double dt) {
 
 }  // namespace
 
+/// Without noise no random number is drawn: it costs more than the rest of a sample.
 double GaussianNoise::sample(const RandomStream& stream, std::uint64_t index,
                              std::uint32_t channel) const {
   return stddev == 0.0 ? mean : mean + stddev * stream.normal(index, channel);
@@ -55,6 +56,7 @@ double UniformNoise::sample(const RandomStream& stream, std::uint64_t index,
   return lower == upper ? lower : lower + (upper - lower) * stream.uniform(index, channel);
 }
 
+/// One channel per axis: axes are independent, and setting one to zero does not change the others.
 Eigen::Vector3d GaussianNoise3::sample(const RandomStream& stream, std::uint64_t index,
                                        std::uint32_t channel) const {
   Eigen::Vector3d result;

@@ -68,6 +68,8 @@ void WeatherVane::start(const VesselState& state, const Eigen::Vector2d& place_w
   point_ = place_world + params_.suspension * (is_there ? ahead : to_place.normalized());
 }
 
+/// The vessel is drawn to the circle about the point (speed by the distance beyond it) while it
+/// looks at the point, and the point follows the error of the station slowly.
 WeatherVane::Setpoint WeatherVane::update(const VesselState& state,
                                           const Eigen::Vector2d& place_world, double dt_s) {
   const Eigen::Vector2d to_point = point_ - state.p_world;

@@ -57,6 +57,7 @@ void ThrustAllocation::Problem::resize(int variables) {
   size = 0;
 }
 
+/// A column of B: the force of a unit variable, and its moment about z.
 void ThrustAllocation::Problem::add(const Eigen::Vector2d& force, const Eigen::Vector3d& position,
                                     double least, double most) {
   B.col(size) << force, position.x() * force.y() - position.y() * force.x();
@@ -65,6 +66,8 @@ void ThrustAllocation::Problem::add(const Eigen::Vector2d& force, const Eigen::V
   ++size;
 }
 
+/// Topics first, as commands are laid out in their order; memory for the largest program is part of
+/// the object.
 ThrustAllocation::ThrustAllocation(const VesselModel& model, const AllocationParams& params)
     : model_(model), weights_(params.surge_weight, params.sway_weight, params.yaw_weight) {
   for (const ThrusterParams& thruster : model.thrusters) {

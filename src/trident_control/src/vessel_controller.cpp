@@ -17,6 +17,8 @@ constexpr std::size_t kMaxPending = 256;
 /// A gap in the states counts as no more than this [s].
 constexpr double kLongestStep = 0.5;
 
+/// Velocity in the axes of the heading, not of the body: a hull that rolls or pitches does not turn
+/// its speed into the water.
 VesselState planar_state(const OdometryState& odometry) {
   const Eigen::Vector3d v_world = odometry.R_world_body * odometry.v_body;
   VesselState state;
@@ -29,6 +31,7 @@ VesselState planar_state(const OdometryState& odometry) {
   return state;
 }
 
+/// Automatic: a pose is held only where thrusters push sideways without being turned first.
 bool can_hold_pose(StationBehavior behavior, const ThrustAllocation& allocation,
                    const std::string& vessel) {
   if (behavior == StationBehavior::kPose && !allocation.can_push_everywhere()) {
@@ -115,6 +118,9 @@ void VesselController::set_log(SimTime stamp, double u_water) {
   log_stamp_ = stamp;
 }
 
+/// One state: commands that are due set the mode, the mode sets heading and speed or a force, these
+/// become forces, and the allocation turns those into commands. The step is bounded, as states may
+/// be missing: an integral must not jump.
 ControlStatus VesselController::update(SimTime stamp, const OdometryState& odometry) {
   if (!is_valid(odometry)) return ControlStatus::invalid_state;
   if (last_stamp_ && stamp < *last_stamp_) reset();
@@ -132,6 +138,8 @@ ControlStatus VesselController::update(SimTime stamp, const OdometryState& odome
   return ControlStatus::ok;
 }
 
+/// In order of time. The same stamped command again has no effect, however often a latched topic or
+/// a patient sender repeats it.
 void VesselController::apply_due(SimTime stamp, const VesselState& state) {
   while (!pending_.empty() && pending_.front().stamp <= stamp) {
     const Pending due = std::move(pending_.front());
@@ -142,6 +150,7 @@ void VesselController::apply_due(SimTime stamp, const VesselState& state) {
   }
 }
 
+/// References continue from how the vessel moves, so that a change of mode makes no bump.
 void VesselController::enter(VesselMode mode, const VesselState& state) {
   if (mode_ == VesselMode::kIdle) autopilot_.reset(state);
   if (!is_speed_held_ || mode_ == VesselMode::kIdle) speed_controller_.reset(state.u);
@@ -183,6 +192,7 @@ void VesselController::apply(SimTime stamp, const VesselCommand& command,
   }
 }
 
+/// A station that is only moved keeps filters and integrals: wind and current are the same there.
 void VesselController::keep_station(const Eigen::Vector2d& place, double heading,
                                     const VesselState& state) {
   const bool is_new = mode_ != VesselMode::kStation;
@@ -197,6 +207,7 @@ bool VesselController::has_log(SimTime stamp) const {
   return log_ && (stamp - log_stamp_).seconds() <= params_.speed.log_timeout;
 }
 
+/// Nothing where a speed log is wanted and none is fresh: the feed-forward stands alone then.
 std::optional<double> VesselController::measured_speed(SimTime stamp,
                                                        const VesselState& state) const {
   if (params_.speed.reference == SpeedReference::kOverGround) return state.u;
@@ -204,6 +215,8 @@ std::optional<double> VesselController::measured_speed(SimTime stamp,
   return log_;
 }
 
+/// The integrals continue from what the actuators gave, not from what was asked (back-calculation):
+/// a saturated thruster does not wind them up.
 void VesselController::actuate(const Setpoint& setpoint, SimTime stamp, const VesselState& state,
                                double dt_s) {
   asked_[2] = setpoint.rate ? autopilot_.turn(state, *setpoint.rate, dt_s)

@@ -20,6 +20,8 @@ double WaveFilter::Notch::step(double x, double decay, double angle) {
   return x - 2.0 * (1.0 - kNotchDamping) * (first - second);
 }
 
+/// Position, heading and velocities are filtered alike. The heading counts turns meanwhile, as a
+/// filter would take a wrap for a motion.
 VesselState WaveFilter::filter(const VesselState& state, double dt_s) {
   if (frequency_ <= 0.0) return state;
   if (!is_started_) heading_ = state.heading;

@@ -52,6 +52,9 @@ GridMatcher::GridMatcher(const OccupancyGrid& grid, const GridMatcherParams& par
   build_levels(grid);
 }
 
+/// The likelihood of the finest level is a Gaussian of the distance to the nearest obstacle
+/// (likelihood field, "Probabilistic Robotics", 6.4) in 8 bits, so that sums over a scan are
+/// integers.
 void GridMatcher::build_levels(const OccupancyGrid& grid) {
   const auto size = static_cast<std::size_t>(stride_) * static_cast<std::size_t>(rows_ + pad_);
   Level finest{std::vector<std::uint8_t>(size, 0), std::vector<std::uint8_t>(size, 0)};
@@ -116,6 +119,8 @@ std::vector<GridMatcher::Rotation> GridMatcher::rotations(const ScanPoints& poin
   return result;
 }
 
+/// Upper bound of the score of all translations of a node: each beam's end takes the maximum over
+/// the cells that it can reach (Hess et al. 2016).
 int GridMatcher::bound(const Rotation& rotation, int level, int column, int row) const {
   const std::uint8_t* cells = levels_[static_cast<std::size_t>(level)].likelihood.data();
   const auto width = static_cast<unsigned>(stride_), height = static_cast<unsigned>(rows_ + pad_);
@@ -129,6 +134,7 @@ int GridMatcher::bound(const Rotation& rotation, int level, int column, int row)
   return sum;
 }
 
+/// Prunes poses in walls or in unknown space, where no robot is.
 bool GridMatcher::may_be_free(int level, int column, int row) const {
   if (column >= columns_ || row >= rows_) return false;
   return levels_[static_cast<std::size_t>(level)]
@@ -136,6 +142,7 @@ bool GridMatcher::may_be_free(int level, int column, int row) const {
                       static_cast<std::size_t>(column + pad_)] != 0;
 }
 
+/// The coarsest level of every heading; steps cover the map without gaps or overlaps.
 std::vector<GridMatcher::Node> GridMatcher::first_nodes(
     const std::vector<Rotation>& rotations) const {
   std::vector<Node> nodes;

@@ -76,6 +76,7 @@ void bind_twist(py::module_& module) {
           "In the vehicle's frame [rad/s], shape (3,).");
 }
 
+/// Copies: the array may be changed or freed by Python before the command acts.
 PathCommand make_path(const py::object& positions, double stamp) {
   const NumpyArray array = to_array(positions, "positions", 2);
   if (array.shape(1) != 3) {
@@ -127,6 +128,7 @@ class TrajectoryFields {
     check_columns(array, what);
     return keep(array, what);
   }
+  // One number stands for all points.
   const double* scalars(const py::object& value, const char* what) {
     if (value.is_none()) return nullptr;
     if (!py::isinstance<py::float_>(value) && !py::isinstance<py::int_>(value)) {
@@ -157,6 +159,8 @@ class TrajectoryFields {
   std::vector<NumpyArray> kept_;
 };
 
+/// What is not given is zero, as in a trajectory message without velocities; times may be left out
+/// for a single point only.
 control::TrajectorySample make_trajectory(const py::object& positions, const py::object& times,
                                           const py::object& velocities,
                                           const py::object& accelerations, const py::object& yaw,

@@ -29,6 +29,7 @@ py::array_t<Scalar> to_rows(const std::vector<Eigen::Matrix<Scalar, 3, 1>>& poin
   return result;
 }
 
+// Samples are values: properties return copies, which stay as they are while the world steps on.
 void bind_odometry(py::module_& module) {
   auto odometry = stamped<OdometrySample>(
       module, "OdometrySample",
@@ -148,6 +149,7 @@ void bind_laser_scan(py::module_& module) {
           "Shape (n,), float32.");
 }
 
+/// One copy of the packed points, whose layout numpy's structured type repeats.
 py::array_t<LidarPoint> to_structured(const std::vector<LidarPoint>& points) {
   return py::array_t<LidarPoint>(static_cast<py::ssize_t>(points.size()), points.data());
 }
@@ -186,6 +188,7 @@ void bind_ranges(py::module_& module) {
       .def_readonly("range", &RangeSample::range_m, "[m]; the largest range: nothing hit.");
 }
 
+// Contacts are computed in the world frame, whatever the message's header says.
 void bind_contacts(py::module_& module) {
   py::class_<TouchSample> touch(module, "TouchSample", "Contacts of two collisions.");
   touch.attr("__module__") = "trident_sim";

@@ -33,6 +33,8 @@ std::string known_names(const Map& names) {
 
 }  // namespace
 
+/// Steps run without the GIL, so that another Python thread could reach the world meanwhile. It
+/// gets an error instead of a race.
 class Session::Busy {
  public:
   explicit Busy(Session& session) : session_(session) {
@@ -48,6 +50,7 @@ class Session::Busy {
   Session& session_;
 };
 
+/// A text that begins with "<" is a world, anything else the path of one.
 Session::Session(const SessionOptions& options) : resources_(options.folders) {
   const LoopTiming timing = parse_timing(options.timing);
   register_builtin_plugins(registry_);
@@ -119,6 +122,8 @@ void Session::remove(const std::string& name) {
   prune();
 }
 
+/// In portions, between which Ctrl-C is looked for: a signal handler of Python runs only with the
+/// GIL.
 void Session::step(std::uint64_t n) {
   const Busy busy(*this);
   while (n > 0) {
@@ -166,6 +171,7 @@ void Session::subscribe(const std::string& name, bool wanted) {
 
 bool Session::subscribed(const std::string& name) { return subscribed_.count(name) > 0; }
 
+/// An input keeps `depth` values; one more in the same step would overwrite the first unseen.
 void Session::count_write(const PortBase& port, std::uint64_t depth) {
   Writes& writes = writes_[port.name()];
   if (writes.step != world_->step_count()) writes = {world_->step_count(), 0};
@@ -176,6 +182,8 @@ void Session::count_write(const PortBase& port, std::uint64_t depth) {
   ++writes.count;
 }
 
+/// A port that went with its model and came again with another one is a new port: listeners are not
+/// carried over.
 void Session::prune() {
   for (auto it = subscribed_.begin(); it != subscribed_.end();) {
     const bool is_there = find_port(it->first, PortDirection::kOut) == it->second;

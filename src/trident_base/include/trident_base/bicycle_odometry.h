@@ -13,7 +13,7 @@ namespace trident {
 /// bicycle of the same wheelbase: tan(steering) = wheelbase / radius of the middle of the rear
 /// axle, positive to the left.
 struct AckermannGeometry {
-  double wheelbase_m = 1.0;  ///< between the axles, > 0
+  double wheelbase_m = 1.0;                        ///< between the axles, > 0
   double front_track_m = 0.5, rear_track_m = 0.5;  ///< between the wheels of an axle, > 0
 
   /// Angles of the left and the right front wheel.
@@ -30,7 +30,7 @@ void validate(const AckermannGeometry& geometry);
 
 /// Lengths of the car and the errors of its encoders.
 struct BicycleOdometryParams {
-  double wheelbase_m = 1.0;  ///< between the axles, > 0
+  double wheelbase_m = 1.0;     ///< between the axles, > 0
   double wheel_radius_m = 0.1;  ///< of the rear wheels, > 0
   /// Variance of the travel for each metre that is travelled [m^2/m]. 0: no error.
   double travel_variance_m = 0.0;

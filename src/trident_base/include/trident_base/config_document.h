@@ -12,11 +12,11 @@ namespace trident::config_detail {
 
 /// One row of a reference table.
 struct DocumentRow {
-  std::string key;  ///< path from the top, "rotors[].force_constant"
-  std::string type;  ///< in words: "list of 3 number"
+  std::string key;            ///< path from the top, "rotors[].force_constant"
+  std::string type;           ///< in words: "list of 3 number"
   std::string default_value;  ///< as YAML, or "**required**"
-  std::string legal;  ///< of each number or the choices; "": whatever the type allows
-  std::string doc;  ///< the text that the field has in visit()
+  std::string legal;          ///< of each number or the choices; "": whatever the type allows
+  std::string doc;            ///< the text that the field has in visit()
 };
 
 /// The rows under a heading row; without rows the heading alone.

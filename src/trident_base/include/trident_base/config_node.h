@@ -18,7 +18,7 @@ class ConfigError : public Error {
   ConfigError(std::string file, int line, std::string key, const std::string& problem);
 
   const std::string& file() const { return file_; }  ///< as `what()` names it
-  int line() const { return line_; }  ///< from 1; 0: the source has no lines
+  int line() const { return line_; }                 ///< from 1; 0: the source has no lines
   /// Path of the key, e.g. "rotors[2].force_constant"; empty for the document itself.
   const std::string& key() const { return key_; }
 
@@ -34,8 +34,8 @@ struct ConfigNode {
   /// What YAML's syntax alone shows; a scalar's type is decided by the field that reads it.
   enum class Kind { kNull, kScalar, kSequence, kMap };
 
-  Kind kind = Kind::kNull;  ///< decides which of the members below count
-  int line = 0;  ///< where it begins, from 1; 0: the source has no lines
+  Kind kind = Kind::kNull;        ///< decides which of the members below count
+  int line = 0;                   ///< where it begins, from 1; 0: the source has no lines
   std::string scalar;             ///< Text of a kScalar.
   bool quoted = false;            ///< A quoted scalar is text, never a number or a truth value.
   std::vector<ConfigNode> items;  ///< Items of a kSequence; values of a kMap.

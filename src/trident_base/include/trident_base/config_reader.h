@@ -16,7 +16,7 @@ namespace trident::config_detail {
 /// What a value reader must know to explain an error.
 struct ValueContext {
   const std::string& file;  ///< for ConfigError::file()
-  Range range;  ///< of the field that the value belongs to
+  Range range;              ///< of the field that the value belongs to
   std::string unit;  ///< "N s^2", taken from the "[…]" that ends a field's doc; may be empty.
 };
 
@@ -45,7 +45,7 @@ std::size_t read_choice(const ValueContext&, const ConfigNode&, const std::strin
 /// Whole numbers, exactly: `is_negative` and `magnitude` of the text; range checks both the field's
 /// range and [lowest, highest] of the type.
 struct WholeNumber {
-  bool is_negative;  ///< the text begins with "-"
+  bool is_negative;              ///< the text begins with "-"
   unsigned long long magnitude;  ///< absolute value
 };
 /// Throws ConfigError for a text with a fraction or an exponent, too.

@@ -20,12 +20,12 @@ namespace trident {
 /// value only where `or_infinite()` was asked for.
 struct Range {
   double lo = -std::numeric_limits<double>::infinity();  ///< -inf: no lower end
-  double hi = std::numeric_limits<double>::infinity();  ///< +inf: no upper end
-  bool lo_open = false;  ///< lo itself is not legal.
-  bool hi_open = false;  ///< hi itself is not legal.
+  double hi = std::numeric_limits<double>::infinity();   ///< +inf: no upper end
+  bool lo_open = false;                                  ///< lo itself is not legal.
+  bool hi_open = false;                                  ///< hi itself is not legal.
   bool infinite = false;  ///< whether +-inf is legal where the ends allow it
 
-  static constexpr Range any() { return {}; }  ///< all finite numbers
+  static constexpr Range any() { return {}; }                  ///< all finite numbers
   static constexpr Range at_least(double lo) { return {lo}; }  ///< [lo, inf)
   /// (-inf, hi].
   static constexpr Range at_most(double hi) {
@@ -60,7 +60,7 @@ struct Range {
 ///   }
 template <class Enum>
 struct EnumName {
-  Enum value;  ///< an enumerator
+  Enum value;        ///< an enumerator
   const char* name;  ///< as files spell it
 };
 /// EnumName{Timing::kDirect, "direct"} names its enum by itself.

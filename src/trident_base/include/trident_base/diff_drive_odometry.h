@@ -11,7 +11,7 @@ namespace trident {
 /// Lengths of the base and the errors of its encoders.
 struct DiffDriveOdometryParams {
   double wheel_separation_m = 0.34;  ///< between the middles of the wheels, > 0
-  double wheel_radius_m = 0.075;  ///< > 0
+  double wheel_radius_m = 0.075;     ///< > 0
   /// Variance of the travel of one wheel for each metre that it rolls [m^2/m]. 0: no error.
   double travel_variance_m = 0.0;
 };
@@ -32,7 +32,7 @@ struct WheelArc {
   WheelArc(double left_m, double right_m, double separation_m);
 
   double turn_rad = 0.0;  ///< positive to the left
-  double chord_m = 0.0;  ///< straight from beginning to end, negative backwards
+  double chord_m = 0.0;   ///< straight from beginning to end, negative backwards
 
   /// Pose of the base afterwards, when it was T_odom_base before. The angle is kept in (-pi, pi].
   SE2 applied_to(const SE2& T_odom_base) const;

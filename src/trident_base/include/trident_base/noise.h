@@ -18,7 +18,7 @@ namespace trident {
 
 /// Discrete Gaussian noise, in the unit of the measurement (SDF's <noise type="gaussian">).
 struct GaussianNoise {
-  double mean = 0.0;  ///< a constant bias
+  double mean = 0.0;    ///< a constant bias
   double stddev = 0.0;  ///< >= 0; 0: no noise, the mean alone
 
   /// mean + stddev n, with n the stream's standard normal at (index, channel).
@@ -69,7 +69,7 @@ struct UniformNoise {
 
 /// `GaussianNoise` per axis.
 struct GaussianNoise3 {
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();  ///< per axis
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();    ///< per axis
   Eigen::Vector3d stddev = Eigen::Vector3d::Zero();  ///< per axis, >= 0
 
   /// Independent axes, of the channels `channel` to `channel` + 2.

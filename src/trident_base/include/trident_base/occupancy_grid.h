@@ -15,8 +15,8 @@ namespace trident {
 /// `cells[row * width + column]` and covers [column, column + 1) x [row, row + 1) cells from the
 /// origin, x along the columns.
 struct OccupancyGrid {
-  static constexpr std::int8_t kUnknown = -1;  ///< never seen
-  static constexpr std::int8_t kFree = 0;  ///< occupancy 0 %
+  static constexpr std::int8_t kUnknown = -1;    ///< never seen
+  static constexpr std::int8_t kFree = 0;        ///< occupancy 0 %
   static constexpr std::int8_t kOccupied = 100;  ///< occupancy 100 %
 
   int width = 0;                   ///< cells along x

@@ -12,9 +12,9 @@ namespace trident {
 
 /// A picture as its file has it: 1 grey, 2 grey and alpha, 3 RGB or 4 RGB and alpha; row 0 on top.
 struct PixelImage {
-  int width = 0;  ///< columns
-  int height = 0;  ///< rows
-  int channels = 1;  ///< samples of a pixel, 1 to 4
+  int width = 0;                       ///< columns
+  int height = 0;                      ///< rows
+  int channels = 1;                    ///< samples of a pixel, 1 to 4
   int white = 255;                     ///< the brightest sample
   std::vector<std::uint16_t> samples;  ///< height x width x channels
 
@@ -25,8 +25,8 @@ struct PixelImage {
 /// How large a picture may be. 1 km x 1 km at 5 cm are 4e8 cells; pictures beyond that are mistakes
 /// in the header.
 struct PixelImageLimits {
-  long least_side = 1;  ///< of width and height
-  long most_side = 400'000'000;  ///< of width and height
+  long least_side = 1;             ///< of width and height
+  long most_side = 400'000'000;    ///< of width and height
   long most_pixels = 400'000'000;  ///< width times height
 };
 

@@ -13,14 +13,14 @@ namespace trident {
 /// A symmetric foil that turns about body z. Positive angles turn the bow to port (positive yaw) in
 /// forward motion: the trailing edge goes to port.
 struct RudderParams {
-  std::string name;  ///< as its topics call it
+  std::string name;                                    ///< as its topics call it
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< [m]
-  double area = 0.0;  ///< [m^2]
-  double aspect_ratio = 1.5;  ///< span^2 / area
-  double drag_coefficient = 0.02;  ///< at zero angle of attack
-  double stall_angle = 0.4;  ///< [rad]
-  double max_angle = 0.6;  ///< [rad]
-  double angle_rate = 0.5;  ///< [rad/s]
+  double area = 0.0;                                   ///< [m^2]
+  double aspect_ratio = 1.5;                           ///< span^2 / area
+  double drag_coefficient = 0.02;                      ///< at zero angle of attack
+  double stall_angle = 0.4;                            ///< [rad]
+  double max_angle = 0.6;                              ///< [rad]
+  double angle_rate = 0.5;                             ///< [rad/s]
 
   /// Names each field with its range and meaning.
   template <class Archive>

@@ -15,7 +15,7 @@ struct SE2 {
   using Tangent = Eigen::Vector3d;  ///< (vx [m], vy [m], w [rad])
   using Adjoint = Eigen::Matrix3d;  ///< see adjoint()
 
-  double angle = 0.0;  ///< of b's x axis in a [rad]
+  double angle = 0.0;                           ///< of b's x axis in a [rad]
   Eigen::Vector2d p = Eigen::Vector2d::Zero();  ///< origin of b in a [m]
 
   static SE2 identity() { return {}; }  ///< frames a and b are one

@@ -47,16 +47,16 @@ class Span {
 
   constexpr T* data() const { return data_; }  ///< of the first value; may be nullptr when empty
   constexpr std::size_t size() const { return size_; }  ///< number of values, not bytes
-  constexpr bool empty() const { return size_ == 0; }  ///< front() and back() need a value
-  constexpr T* begin() const { return data_; }  ///< for range-based loops and algorithms
-  constexpr T* end() const { return data_ + size_; }  ///< behind the last value
+  constexpr bool empty() const { return size_ == 0; }   ///< front() and back() need a value
+  constexpr T* begin() const { return data_; }          ///< for range-based loops and algorithms
+  constexpr T* end() const { return data_ + size_; }    ///< behind the last value
 
   /// index < size().
   constexpr T& operator[](std::size_t index) const {
     assert(index < size_);
     return data_[index];
   }
-  constexpr T& front() const { return (*this)[0]; }  ///< of a span that is not empty
+  constexpr T& front() const { return (*this)[0]; }         ///< of a span that is not empty
   constexpr T& back() const { return (*this)[size_ - 1]; }  ///< of a span that is not empty
 
   /// The first `count` values; count <= size().

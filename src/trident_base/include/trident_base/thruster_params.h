@@ -21,22 +21,22 @@ constexpr auto enum_names(ThrustMapping) {
 
 /// A propeller. Fixed when `max_angle` is 0, else it turns about body z.
 struct ThrusterParams {
-  std::string name;  ///< as its topics call it
+  std::string name;                                    ///< as its topics call it
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< [m]
-  double yaw = 0.0;  ///< [rad]
-  ThrustMapping mapping = ThrustMapping::kLinear;  ///< from command to thrust
-  double min_command = -1.0;  ///< lower ones are cut
-  double max_command = 1.0;  ///< higher ones are cut
-  double dead_band = 0.0;  ///< smaller commands do nothing
-  double time_constant = 0.0;  ///< [s]
-  double max_force_forward = 250.0;  ///< [N]
-  double max_force_reverse = 100.0;  ///< [N]
-  double coefficient_forward = 0.0;  ///< mapping quadratic: K of K n|n|, n > 0
-  double coefficient_reverse = 0.0;  ///< mapping quadratic: K of K n|n|, n < 0
-  std::vector<double> table_commands;  ///< mapping table: rising
-  std::vector<double> table_forces;  ///< [N]
-  double max_angle = 0.0;  ///< [rad]
-  double angle_rate = 1.0;  ///< [rad/s]
+  double yaw = 0.0;                                    ///< [rad]
+  ThrustMapping mapping = ThrustMapping::kLinear;      ///< from command to thrust
+  double min_command = -1.0;                           ///< lower ones are cut
+  double max_command = 1.0;                            ///< higher ones are cut
+  double dead_band = 0.0;                              ///< smaller commands do nothing
+  double time_constant = 0.0;                          ///< [s]
+  double max_force_forward = 250.0;                    ///< [N]
+  double max_force_reverse = 100.0;                    ///< [N]
+  double coefficient_forward = 0.0;                    ///< mapping quadratic: K of K n|n|, n > 0
+  double coefficient_reverse = 0.0;                    ///< mapping quadratic: K of K n|n|, n < 0
+  std::vector<double> table_commands;                  ///< mapping table: rising
+  std::vector<double> table_forces;                    ///< [N]
+  double max_angle = 0.0;                              ///< [rad]
+  double angle_rate = 1.0;                             ///< [rad/s]
 
   /// Names each field with its range and meaning.
   template <class Archive>

@@ -33,7 +33,7 @@ struct AttitudeCommand {
 
 /// Outcome of one control step. On anything but `ok` the output span has not been written.
 enum class ControlStatus {
-  ok,  ///< the output has been written
+  ok,                 ///< the output has been written
   invalid_state,      ///< a number that is not usable, or a quaternion that is not a rotation
   invalid_reference,  ///< a number that is not usable
   wrong_rotor_count,  ///< the output span is not as long as the vehicle has rotors

@@ -22,7 +22,7 @@ struct LeeGains : AttitudeGains {
 
 /// What LeePositionController is made from.
 struct LeeParams {
-  LeeGains gains;  ///< not yet divided by the mass
+  LeeGains gains;         ///< not yet divided by the mass
   VehicleParams vehicle;  ///< mass, inertia and rotors that it reckons with
   AttitudeQuirks quirks;  ///< where it keeps RotorS' departures from the paper
 };

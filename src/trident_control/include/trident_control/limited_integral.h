@@ -14,7 +14,7 @@ class LimitedIntegral {
     if (is_short && gain_error * shortfall > 0.0) return;
     value_ += gain_error * dt_s;
   }
-  double value() const { return value_; }  ///< within the limits
+  double value() const { return value_; }             ///< within the limits
   void reset(double value = 0.0) { value_ = value; }  ///< continues from `value`
 
  private:

@@ -11,7 +11,7 @@ namespace trident::control {
 
 /// What RollPitchYawrateThrustController is made from.
 struct RollPitchYawrateThrustParams {
-  AttitudeGains gains;  ///< of attitude and angular rate
+  AttitudeGains gains;    ///< of attitude and angular rate
   VehicleParams vehicle;  ///< inertia and rotors that it reckons with
   AttitudeQuirks quirks;  ///< where it keeps RotorS' departures from the paper
 };

@@ -17,7 +17,7 @@ namespace trident::control {
 /// One point of a set-point message, `time_from_start` after the message's start.
 struct TimedSetpoint {
   SimTime time_from_start;  ///< >= 0, and not before the point ahead of it
-  TrajectoryPoint point;  ///< holds until the next point takes effect
+  TrajectoryPoint point;    ///< holds until the next point takes effect
 };
 
 /// Where a queue follows RotorS, and which stamps it believes.
@@ -36,7 +36,7 @@ struct SetpointQueueParams {
 
 /// Why push() took or refused a message.
 enum class SetpointResult {
-  accepted,  ///< or known already, see SetpointQueue::repeats()
+  accepted,         ///< or known already, see SetpointQueue::repeats()
   empty,            ///< no points
   non_finite,       ///< a point with a NaN or an infinity
   unordered,        ///< time_from_start decreases, or is negative

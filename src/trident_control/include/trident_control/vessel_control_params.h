@@ -11,12 +11,12 @@ namespace trident::control {
 
 /// Gains follow from the vessel's mass and damping and from these rates.
 struct HeadingParams {
-  double natural_frequency = 1.0;  ///< [rad/s]
-  double damping_ratio = 1.0;  ///< of the closed loop
-  double integral_time = 20.0;  ///< [s]
+  double natural_frequency = 1.0;    ///< [rad/s]
+  double damping_ratio = 1.0;        ///< of the closed loop
+  double integral_time = 20.0;       ///< [s]
   double reference_frequency = 1.0;  ///< [rad/s]
-  double max_rate = 0.4;  ///< [rad/s]
-  double max_acceleration = 0.3;  ///< [rad/s^2]
+  double max_rate = 0.4;             ///< [rad/s]
+  double max_acceleration = 0.3;     ///< [rad/s^2]
 
   /// Names each field with its range and meaning.
   template <class Archive>
@@ -43,13 +43,13 @@ constexpr auto enum_names(SpeedReference) {
 struct SpeedParams {
   /// What the surge speed is measured against; kThroughWater takes a speed log.
   SpeedReference reference = SpeedReference::kOverGround;
-  double cruise = 1.0;  ///< [m/s]
-  double max = 2.0;  ///< [m/s]
-  double max_reverse = 0.5;  ///< [m/s]
-  double time_constant = 2.0;  ///< [s]
-  double integral_time = 10.0;  ///< [s]
+  double cruise = 1.0;            ///< [m/s]
+  double max = 2.0;               ///< [m/s]
+  double max_reverse = 0.5;       ///< [m/s]
+  double time_constant = 2.0;     ///< [s]
+  double integral_time = 10.0;    ///< [s]
   double max_acceleration = 0.3;  ///< [m/s^2]
-  double log_timeout = 1.0;  ///< [s]
+  double log_timeout = 1.0;       ///< [s]
 
   /// Names each field with its range and meaning.
   template <class Archive>
@@ -71,7 +71,7 @@ struct SpeedParams {
 /// Of steering a course over ground, for which the heading leads by the crab angle.
 struct CourseParams {
   double crab_time_constant = 5.0;  ///< [s]
-  double min_speed = 0.3;  ///< [m/s]
+  double min_speed = 0.3;           ///< [m/s]
 
   /// Names each field with its range and meaning.
   template <class Archive>
@@ -92,14 +92,14 @@ constexpr auto enum_names(PathEnd) {
 
 /// Of line-of-sight guidance along waypoints; see LineOfSight for the law.
 struct GuidanceParams {
-  double lookahead = 10.0;  ///< [m]
-  double integral_gain = 1.0;  ///< [1/s]
-  double max_crab_angle = 1.0;  ///< [rad]
+  double lookahead = 10.0;           ///< [m]
+  double integral_gain = 1.0;        ///< [1/s]
+  double max_crab_angle = 1.0;       ///< [rad]
   double drift_time_constant = 5.0;  ///< [s]
-  /// By how much the bow leads the way through the water into a turn; 0: not at all.
+  /// By how much the bow leads the course through the water into a turn; 0: not at all.
   double course_gain = 1.0;
-  double acceptance_radius = 5.0;  ///< [m]
-  double slowest_turn = 0.3;  ///< in [0, 1]
+  double acceptance_radius = 5.0;          ///< [m]
+  double slowest_turn = 0.3;               ///< in [0, 1]
   PathEnd at_end = PathEnd::kKeepStation;  ///< after the last waypoint
 
   /// Names each field with its range and meaning.
@@ -135,13 +135,13 @@ struct StationParams {
   /// Whether place and heading are held, or the place alone.
   StationBehavior behavior = StationBehavior::kAutomatic;
   double natural_frequency = 0.3;  ///< [rad/s]
-  double damping_ratio = 0.9;  ///< of the closed loop
-  double integral_time = 30.0;  ///< [s]
-  double max_speed = 0.5;  ///< [m/s]
-  double approach_radius = 10.0;  ///< [m]
-  double wave_frequency = 0.0;  ///< [rad/s]
-  double suspension = 5.0;  ///< [m]
-  double suspension_rate = 0.05;  ///< [1/s]
+  double damping_ratio = 0.9;      ///< of the closed loop
+  double integral_time = 30.0;     ///< [s]
+  double max_speed = 0.5;          ///< [m/s]
+  double approach_radius = 10.0;   ///< [m]
+  double wave_frequency = 0.0;     ///< [rad/s]
+  double suspension = 5.0;         ///< [m]
+  double suspension_rate = 0.05;   ///< [1/s]
 
   /// Names each field with its range and meaning.
   template <class Archive>
@@ -180,7 +180,7 @@ struct VelocityParams {
 /// What counts when the thrusters cannot give everything.
 struct AllocationParams {
   double surge_weight = 1.0;  ///< of a forward force that is not given
-  double sway_weight = 1.0;  ///< of a sideways force that is not given
+  double sway_weight = 1.0;   ///< of a sideways force that is not given
   double yaw_weight = 100.0;  ///< of a moment that is not given
 
   /// Names each field with its range and meaning.
@@ -194,12 +194,12 @@ struct AllocationParams {
 
 /// A config/controllers/*.yaml.
 struct VesselControlParams {
-  HeadingParams heading;  ///< of the autopilot and its reference model
-  SpeedParams speed;  ///< of the surge speed controller
-  CourseParams course;  ///< how a course over ground becomes a heading
-  GuidanceParams guidance;  ///< along waypoints by line of sight
-  StationParams station;  ///< of station keeping, by pose or as a weather vane
-  VelocityParams cmd_vel;  ///< when a vessel without new commands stops
+  HeadingParams heading;        ///< of the autopilot and its reference model
+  SpeedParams speed;            ///< of the surge speed controller
+  CourseParams course;          ///< how a course over ground becomes a heading
+  GuidanceParams guidance;      ///< along waypoints by line of sight
+  StationParams station;        ///< of station keeping, by pose or as a weather vane
+  VelocityParams cmd_vel;       ///< when a vessel without new commands stops
   AllocationParams allocation;  ///< of forces to thrusters and rudders
 
   /// Names each field with its range and meaning.

@@ -30,9 +30,9 @@ struct VesselCommand {
     kPath,      ///< waypoints [m]
     kStation    ///< waypoints[0] [m], and the heading `angle` [rad] of vessels that can choose
   };
-  Kind kind = Kind::kVelocity;  ///< see Kind
+  Kind kind = Kind::kVelocity;                  ///< see Kind
   double speed = 0.0, rate = 0.0, angle = 0.0;  ///< [m/s], [rad/s], [rad]
-  std::vector<Eigen::Vector2d> waypoints;  ///< in the odometry's frame [m]
+  std::vector<Eigen::Vector2d> waypoints;       ///< in the odometry's frame [m]
 
   /// To the bit, so that a command that is sent again is recognized.
   bool operator==(const VesselCommand& other) const;
@@ -66,8 +66,8 @@ class VesselController {
   /// Works out commands() for a state. Zeros until something is commanded. When time runs back
   /// everything is forgotten. On anything but ok nothing has changed.
   ControlStatus update(SimTime stamp, const OdometryState& odometry);
-  /// Idle, as constructed. Commands without a stamp that still wait are kept: they came after the last
-  /// state, and belong to the new time.
+  /// Idle, as constructed. Commands without a stamp that still wait are kept: they came after the
+  /// last state, and belong to the new time.
   void reset();
 
   /// In the order of topics(); see ThrustAllocation.

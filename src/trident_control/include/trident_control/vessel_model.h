@@ -25,13 +25,13 @@ struct VesselState {
 /// What a controller wants to know of a vessel: surge, sway and yaw without their coupling, and
 /// the actuators, in axes FLU.
 struct VesselModel {
-  std::string name;  ///< as in the file; names the vessel in errors
-  Eigen::Vector3d mass = Eigen::Vector3d::Ones();               ///< with added mass, about CO
+  std::string name;                                ///< as in the file; names the vessel in errors
+  Eigen::Vector3d mass = Eigen::Vector3d::Ones();  ///< with added mass, about CO
   Eigen::Vector3d linear_damping = Eigen::Vector3d::Zero();     ///< [N s/m, N m s]
   Eigen::Vector3d quadratic_damping = Eigen::Vector3d::Zero();  ///< [N s^2/m^2, N m s^2]
   double water_density = 1025.0;                                ///< [kg/m^3]
-  std::vector<ThrusterParams> thrusters;  ///< at least one; positions from CO
-  std::vector<RudderParams> rudders;  ///< may be empty
+  std::vector<ThrusterParams> thrusters;                        ///< at least one; positions from CO
+  std::vector<RudderParams> rudders;                            ///< may be empty
 
   /// The force that keeps up the velocity `nu` of one axis (0 surge, 1 sway, 2 yaw) in still water.
   double drag(int axis, double nu) const {

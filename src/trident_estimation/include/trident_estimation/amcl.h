@@ -25,15 +25,15 @@ struct PoseEstimate {
   SE2 T_map_base;  ///< mean of the heaviest cluster of particles
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of (x [m], y [m], yaw [rad]) in map
   double cluster_weight = 0.0;                           ///< share of the belief in that cluster
-  std::size_t clusters = 0;  ///< groups of particles that hang together
-  std::size_t particles = 0;  ///< in all of them
+  std::size_t clusters = 0;                              ///< groups of particles that hang together
+  std::size_t particles = 0;                             ///< in all of them
   double agreement = 0.0;  ///< share of the last scan's beams that the map explains from there
 };
 
 /// What a scan led to.
 struct AmclStep {
-  bool is_updated = false;  ///< false: the robot has not moved enough
-  bool is_resampled = false;  ///< every resample_interval updates
+  bool is_updated = false;     ///< false: the robot has not moved enough
+  bool is_resampled = false;   ///< every resample_interval updates
   bool is_searched = false;    ///< the scan was looked for in the whole map
   std::size_t hypotheses = 0;  ///< places in the whole map that got particles because of this scan
   std::string problem;         ///< empty, or one line on what was wrong with the input

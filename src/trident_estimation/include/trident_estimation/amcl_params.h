@@ -31,20 +31,20 @@ constexpr auto enum_names(OdomModel) {
 /// How a beam's range is explained (Thrun, Burgard, Fox, "Probabilistic Robotics", 6.3 and 6.4).
 struct LaserModelParams {
   LaserModel laser_model_type = LaserModel::kLikelihoodField;  ///< how a range is explained
-  double laser_min_range = -1.0;  ///< [m]
-  double laser_max_range = -1.0;  ///< [m]
-  int laser_max_beams = 30;  ///< of a scan that are used
-  double laser_z_hit = 0.95;  ///< in [0, 1]
-  double laser_z_short = 0.1;  ///< in [0, 1]
-  double laser_z_max = 0.05;  ///< in [0, 1]
-  double laser_z_rand = 0.05;  ///< in [0, 1]
-  double laser_sigma_hit = 0.2;  ///< [m]
-  double laser_lambda_short = 0.1;  ///< [1/m]
-  double laser_likelihood_max_dist = 2.0;  ///< [m]
+  double laser_min_range = -1.0;                               ///< [m]
+  double laser_max_range = -1.0;                               ///< [m]
+  int laser_max_beams = 30;                                    ///< of a scan that are used
+  double laser_z_hit = 0.95;                                   ///< in [0, 1]
+  double laser_z_short = 0.1;                                  ///< in [0, 1]
+  double laser_z_max = 0.05;                                   ///< in [0, 1]
+  double laser_z_rand = 0.05;                                  ///< in [0, 1]
+  double laser_sigma_hit = 0.2;                                ///< [m]
+  double laser_lambda_short = 0.1;                             ///< [1/m]
+  double laser_likelihood_max_dist = 2.0;                      ///< [m]
   /// kLikelihoodFieldProb: leave out beams that most particles cannot explain.
   bool do_beamskip = false;
-  double beam_skip_distance = 0.5;  ///< [m]
-  double beam_skip_threshold = 0.3;  ///< in [0, 1]
+  double beam_skip_distance = 0.5;         ///< [m]
+  double beam_skip_threshold = 0.3;        ///< in [0, 1]
   double beam_skip_error_threshold = 0.9;  ///< in [0, 1]
 
   /// Names each field with its range and meaning.
@@ -82,11 +82,11 @@ struct LaserModelParams {
 /// variances for standard deviations, as the original package does, for files tuned with them.
 struct MotionModelParams {
   OdomModel odom_model_type = OdomModel::kDiff;  ///< drive, and how alphas are read
-  double odom_alpha1 = 0.2;  ///< rotation from rotation
-  double odom_alpha2 = 0.2;  ///< rotation from translation
-  double odom_alpha3 = 0.2;  ///< translation from translation
-  double odom_alpha4 = 0.2;  ///< translation from rotation
-  double odom_alpha5 = 0.2;  ///< strafing from translation
+  double odom_alpha1 = 0.2;                      ///< rotation from rotation
+  double odom_alpha2 = 0.2;                      ///< rotation from translation
+  double odom_alpha3 = 0.2;                      ///< translation from translation
+  double odom_alpha4 = 0.2;                      ///< translation from rotation
+  double odom_alpha5 = 0.2;                      ///< strafing from translation
 
   /// Names each field with its range and meaning.
   template <class Archive>
@@ -105,23 +105,23 @@ struct MotionModelParams {
 struct AmclParams {
   /// Between these KLD-sampling chooses the number of particles.
   int min_particles = 100;
-  int max_particles = 5000;  ///< also the number after a global localization
-  double kld_err = 0.01;  ///< in [0, 1]
-  double kld_z = 0.99;  ///< upper quantile of the standard normal, see kld_sample_size()
+  int max_particles = 5000;   ///< also the number after a global localization
+  double kld_err = 0.01;      ///< in [0, 1]
+  double kld_z = 0.99;        ///< upper quantile of the standard normal, see kld_sample_size()
   double update_min_d = 0.2;  ///< [m]
   double update_min_a = 0.52359877559829887;  ///< [rad]
-  int resample_interval = 2;  ///< updates per resampling
-  double recovery_alpha_slow = 0.001;  ///< in [0, 1]
-  double recovery_alpha_fast = 0.1;  ///< in [0, 1]
-  bool selective_resampling = false;  ///< only where fewer than half of the particles count
+  int resample_interval = 2;                  ///< updates per resampling
+  double recovery_alpha_slow = 0.001;         ///< in [0, 1]
+  double recovery_alpha_fast = 0.1;           ///< in [0, 1]
+  bool selective_resampling = false;          ///< only where fewer than half of the particles count
   /// Look for a lost robot in the whole map, see Amcl.
   bool recover_by_matching = true;
   double recovery_agreement = 0.7;  ///< in [0, 1]
-  int recovery_patience = 2;  ///< updates in a row below that, before it is looked for
-  double max_odom_jump = 3.0;  ///< [m]
-  std::uint64_t seed = 0;  ///< of all random numbers
-  LaserModelParams laser;  ///< the parameters laser_*
-  MotionModelParams motion;  ///< the parameters odom_*
+  int recovery_patience = 2;        ///< updates in a row below that, before it is looked for
+  double max_odom_jump = 3.0;       ///< [m]
+  std::uint64_t seed = 0;           ///< of all random numbers
+  LaserModelParams laser;           ///< the parameters laser_*
+  MotionModelParams motion;         ///< the parameters odom_*
 
   /// Names each field with its range and meaning.
   template <class Archive>

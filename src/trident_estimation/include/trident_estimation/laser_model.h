@@ -15,7 +15,7 @@ namespace trident::estimation {
 
 /// The beams of one scan that the filter uses.
 struct ScanBeams {
-  SE2 T_base_laser;  ///< as in the scan
+  SE2 T_base_laser;           ///< as in the scan
   double range_max = 0.0;     ///< of the scan and `laser_max_range` [m]
   std::vector<double> angle;  ///< in the laser's frame [rad]
   std::vector<double> range;  ///< [m]; range_max: no return

@@ -14,12 +14,12 @@ namespace trident::estimation {
 /// Weighted poses, one array per coordinate so that loops over them vectorise. Poses are in the
 /// grid frame (see DistanceField); yaw in [-pi, pi]. Weights sum to one.
 struct ParticleSet {
-  std::vector<float> x, y;  ///< [m]
-  std::vector<float> yaw;   ///< [rad]
+  std::vector<float> x, y;     ///< [m]
+  std::vector<float> yaw;      ///< [rad]
   std::vector<double> weight;  ///< not normalized while it is worked on
 
   std::size_t size() const { return x.size(); }  ///< particles
-  void clear();  ///< keeps the memory
+  void clear();                                  ///< keeps the memory
   /// Makes room for so many particles, so that none is moved while they are added.
   void reserve(std::size_t count);
   /// Adds a pose without a weight: set_equal_weights() gives all of them one.
@@ -40,10 +40,10 @@ struct ParticleSet {
 
 /// One group of particles that hang together.
 struct PoseCluster {
-  double weight = 0.0;  ///< sum over its particles
+  double weight = 0.0;                                   ///< sum over its particles
   SE2 T_grid_base;                                       ///< weighted mean
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of (x [m], y [m], yaw [rad])
-  std::size_t count = 0;  ///< its particles
+  std::size_t count = 0;                                 ///< its particles
 };
 
 /// Counts the cells of pose space, 0.5 m x 0.5 m x 10 degrees, in which particles lie; for the

@@ -12,6 +12,8 @@
 namespace trident::estimation {
 namespace {
 
+// The bins of amcl's kd-tree: 0.5 m x 0.5 m x 10 degrees. The number of particles that KLD-sampling
+// asks for depends on them, so that other bins would need other values of kld_err.
 constexpr float kCellsPerM = 2.0F;
 constexpr int kHeadings = 36;
 constexpr float kHeadingsPerRad = static_cast<float>(kHeadings / (2.0 * kPi));
@@ -23,6 +25,7 @@ std::uint64_t key_of(std::int64_t column, std::int64_t row, std::int64_t heading
          (static_cast<std::uint64_t>(row + kOffset) << 8) | static_cast<std::uint64_t>(heading);
 }
 
+/// std::floor() of a float, without its call: this runs once per particle and axis.
 int floored(float value) {
   const int towards_zero = static_cast<int>(value);
   return towards_zero - (static_cast<float>(towards_zero) > value ? 1 : 0);
@@ -57,6 +60,7 @@ double ParticleSet::normalize() {
   return sum;
 }
 
+/// Kish's effective sample size.
 double ParticleSet::effective_count() const {
   double squares = 0.0;
   for (const double w : weight) squares += w * w;
@@ -127,6 +131,8 @@ void PoseHistogram::reset(std::size_t most_particles) {
 /// The slot that holds the key, or the empty one where it belongs.
 std::uint32_t* PoseHistogram::slot_of(std::uint64_t key) {
   const std::size_t mask = table_.size() - 1;
+  // Fibonacci hashing: the multiplier is 2^64 divided by the golden ratio; high bits mix best. At
+  // most half of the slots are taken, so that linear probing ends soon.
   std::size_t at = (key * 0x9E3779B97F4A7C15ULL) >> 20;
   while (true) {
     std::uint32_t& slot = table_[at & mask];
@@ -172,6 +178,8 @@ std::vector<std::uint32_t> PoseHistogram::join_neighbors() {
   return parent;
 }
 
+/// Heading's mean and variance are circular (Mardia and Jupp, Directional Statistics, 2000): a
+/// cluster about +-pi would average to 0 otherwise.
 std::vector<PoseCluster> PoseHistogram::clusters(const ParticleSet& particles) {
   reset(particles.size());
   if (particles.size() == 0) return {};
@@ -198,6 +206,8 @@ std::vector<PoseCluster> PoseHistogram::clusters(const ParticleSet& particles) {
   return result;
 }
 
+/// The Wilson-Hilferty approximation of the chi-square quantile with k degrees of freedom, scaled
+/// by 1 / (2 kld_err). One cell has no spread to measure and no bound follows from it.
 std::size_t kld_sample_size(std::size_t cells, double kld_err, double kld_z) {
   if (cells <= 1) return std::numeric_limits<std::size_t>::max();
   const double k = static_cast<double>(cells) - 1.0;

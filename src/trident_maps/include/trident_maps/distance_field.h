@@ -24,9 +24,9 @@ class DistanceField {
   DistanceField(const OccupancyGrid& grid, double max_distance,
                 Obstacles obstacles = Obstacles::kOccupied);
 
-  int width() const { return width_; }  ///< cells, without the border
-  int height() const { return height_; }  ///< cells, without the border
-  double resolution() const { return resolution_; }  ///< side of a cell [m]
+  int width() const { return width_; }                   ///< cells, without the border
+  int height() const { return height_; }                 ///< cells, without the border
+  double resolution() const { return resolution_; }      ///< side of a cell [m]
   double max_distance() const { return max_distance_; }  ///< what distances are cut to [m]
 
   /// Distances [m] in rows of `stride()` cells with one more cell all around the map, which holds
@@ -51,7 +51,7 @@ class DistanceField {
 /// The ends of a scan's beams in the robot's frame, and where they began.
 struct ScanPoints {
   Eigen::Vector2d p_base_laser = Eigen::Vector2d::Zero();  ///< [m]
-  std::vector<Eigen::Vector2f> p_base;  ///< ends of beams [m]
+  std::vector<Eigen::Vector2f> p_base;                     ///< ends of beams [m]
 };
 
 /// The fraction of the beams, 0 ... 1, that the map explains from a pose: the beam is free to

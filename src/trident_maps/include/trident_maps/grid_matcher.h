@@ -14,7 +14,7 @@ namespace trident::maps {
 
 /// A place where a scan could have been taken.
 struct PoseHypothesis {
-  SE2 T_map_base;  ///< refined, on a free cell
+  SE2 T_map_base;          ///< refined, on a free cell
   double score = 0.0;      ///< mean likelihood of the beams' ends, 0 ... 1
   double agreement = 0.0;  ///< scan_agreement() there
 };

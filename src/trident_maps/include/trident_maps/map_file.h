@@ -31,10 +31,10 @@ struct MapFile {
   std::string image;                                 ///< path, relative to the YAML file's folder
   double resolution = 0.05;                          ///< side of a cell [m]
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< x [m], y [m], yaw [rad] of cell (0, 0)
-  double occupied_thresh = 0.65;  ///< in [0, 1]
-  double free_thresh = 0.196;  ///< in [0, 1]
-  int negate = 0;  ///< 1: white is occupied
-  MapMode mode = MapMode::kTrinary;  ///< how brightness becomes occupancy
+  double occupied_thresh = 0.65;                     ///< in [0, 1]
+  double free_thresh = 0.196;                        ///< in [0, 1]
+  int negate = 0;                                    ///< 1: white is occupied
+  MapMode mode = MapMode::kTrinary;                  ///< how brightness becomes occupancy
 
   /// Names each field with its range and meaning.
   template <class Archive>

@@ -38,7 +38,7 @@ namespace params_detail {
 
 /// What one look through a tree has found.
 struct ParamNotes {
-  std::vector<AbsentParam> absent;  ///< keep their defaults
+  std::vector<AbsentParam> absent;    ///< keep their defaults
   std::vector<UnknownParam> unknown;  ///< no field has their names
 };
 

@@ -10,7 +10,7 @@ struct Geom;
 
 /// A point in which two collisions touched in the last step; world frame.
 struct Contact {
-  const Geom *geom1 = nullptr, *geom2 = nullptr;  ///< neither is nullptr in World::contacts()
+  const Geom *geom1 = nullptr, *geom2 = nullptr;      ///< neither is nullptr in World::contacts()
   Eigen::Vector3d p_world = Eigen::Vector3d::Zero();  ///< [m]
   Eigen::Vector3d normal_world = Eigen::Vector3d::Zero();  ///< of unit length, into geometry 1
   double depth_m = 0.0;                                    ///< how far one is within the other

@@ -31,9 +31,9 @@ struct Diagnostic {
 
 /// What is known of a name: the newest of it, and how often it occurred.
 struct DiagnosticEntry {
-  Diagnostic newest;  ///< with the message and values of the last occurrence
+  Diagnostic newest;        ///< with the message and values of the last occurrence
   std::uint64_t count = 0;  ///< occurrences since the world began
-  SimTime first, last;  ///< simulated time of the first and the newest occurrence
+  SimTime first, last;      ///< simulated time of the first and the newest occurrence
 };
 
 /// Diagnostics by name. One that occurs again is counted, so that what happens in every step stays

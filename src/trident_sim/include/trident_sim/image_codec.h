@@ -31,7 +31,7 @@ struct PictureCompression {
 /// those in millimetres as they are; 0 means no depth, as does what is beyond `max_m`.
 struct DepthCompression {
   double max_m = 10.0, quantization = 100.0;  ///< of the formula above; q in 1/m
-  int png_level = 1;  ///< 1 to 9
+  int png_level = 1;                          ///< 1 to 9
 };
 
 /// Whether depths, "32FC1" or "16UC1", which compress_depth() takes; other encodings are for

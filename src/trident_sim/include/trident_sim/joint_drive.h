@@ -51,8 +51,8 @@ enum class DriveMode {
 /// How an axis is driven.
 struct DriveSpec {
   DriveMode mode = DriveMode::kPosition;  ///< fixed for the drive's life
-  PidGains gains;  ///< of kEffort only output_limit counts
-  double target = 0.0;  ///< at first, and after a reset
+  PidGains gains;                         ///< of kEffort only output_limit counts
+  double target = 0.0;                    ///< at first, and after a reset
 };
 
 /// Drives one axis of a joint towards a target. The world applies its drives in every step, after
@@ -64,7 +64,7 @@ class JointDrive {
   JointDrive(Joint& joint, std::size_t axis, const DriveSpec& spec);
 
   const Joint& joint() const { return *joint_; }  ///< outlives the drive
-  std::size_t axis() const { return axis_; }  ///< 0 or 1
+  std::size_t axis() const { return axis_; }      ///< 0 or 1
   /// As given; its target is where reset() returns to.
   const DriveSpec& spec() const { return spec_; }
   double target() const { return target_; }  ///< effort, rate or position, by spec().mode

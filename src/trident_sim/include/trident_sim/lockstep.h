@@ -77,7 +77,7 @@ class SetpointSources {
   /// A node that gives set-points, and the span of simulated time over which it does.
   struct Source {
     std::vector<std::string> vehicles;  ///< that it gives set-points to, at least one
-    SimTime period, start, end;  ///< end 0: not known yet
+    SimTime period, start, end;         ///< end 0: not known yet
     /// While the run continues beyond `end`, because of others, the world waits for this source.
     bool waits_beyond_end = false;
   };
@@ -108,7 +108,7 @@ class SetpointSources {
   /// The latest end of all sources; ns 0 while one has none or there are no sources.
   SimTime end() const;
   const std::map<std::string, Source>& all() const { return sources_; }  ///< by node name
-  std::map<std::string, Source>& all() { return sources_; }  ///< to change ends
+  std::map<std::string, Source>& all() { return sources_; }              ///< to change ends
 
  private:
   bool covers(const Source& source, SimTime time) const;

@@ -20,11 +20,11 @@ struct StaticGeoms;
 
 /// A link as users know it. Several links may share a body.
 struct Link {
-  std::string name;  ///< unique within its model
+  std::string name;      ///< unique within its model
   Body* body = nullptr;  ///< nullptr: part of a static model
   SE3 T_body_link;       ///< for a static link: T_world_link
-  Inertial inertial;  ///< of this link alone, not of the whole body
-  bool gravity = true;  ///< whether gravity pulls it
+  Inertial inertial;     ///< of this link alone, not of the whole body
+  bool gravity = true;   ///< whether gravity pulls it
 
   SE3 T_world_link() const { return body ? body->pose() * T_body_link : T_body_link; }  ///< now
   /// Of this link's own mass [m]
@@ -42,7 +42,7 @@ struct Link {
 /// One axis of a joint at run time: `to` moves against `from`, about the axis or along it. A body
 /// that is nullptr stands for the world.
 struct JointAxis {
-  AxisSpec spec;  ///< as in the file, with what set_axis_params() changed since
+  AxisSpec spec;        ///< as in the file, with what set_axis_params() changed since
   bool linear = false;  ///< a length along the axis; else an angle about it
   /// Parent's and child's bodies, but for a gearbox, whose axes run from its reference body.
   Body *from = nullptr, *to = nullptr;
@@ -62,9 +62,9 @@ struct JointAxis {
   /// Direction of the axis now, of unit length.
   Eigen::Vector3d axis_world() const;
   /// Position and rate of an angle or a length as they are measured, without turns.
-  double angle() const;  ///< in (-pi, pi]
-  double angle_rate() const;  ///< [rad/s]
-  double length() const;  ///< between the anchors, along the axis [m]
+  double angle() const;        ///< in (-pi, pi]
+  double angle_rate() const;   ///< [rad/s]
+  double length() const;       ///< between the anchors, along the axis [m]
   double length_rate() const;  ///< [m/s]
   /// Turn of `to` against `from` since zero, in the axes of `from`.
   Eigen::Quaterniond turn() const;
@@ -82,9 +82,9 @@ struct JointMotor {
 /// A joint as users know it: rigid (no degree of freedom), held by ODE, or a rotor joint, which is
 /// kept as a scalar rate on its carrier (see docs/explanation/physics.md).
 struct Joint {
-  JointSpec spec;  ///< as in the file; limits and friction in use are those of `axes`
+  JointSpec spec;          ///< as in the file; limits and friction in use are those of `axes`
   Link* parent = nullptr;  ///< nullptr: the world
-  Link* child = nullptr;  ///< never nullptr once the model is built
+  Link* child = nullptr;   ///< never nullptr once the model is built
   std::shared_ptr<OdeJoint> ode;  ///< the engine's; nullptr: rigid or rotor joint
   std::vector<Body*> held;        ///< bodies that its constraints act on, ODE joints only
   Body* reference = nullptr;      ///< of a gearbox; nullptr: the world
@@ -124,17 +124,17 @@ struct Joint {
 /// One spawned model: its links, joints, bodies and plugins.
 class Model {
  public:
-  std::string name;  ///< unique in its world
+  std::string name;             ///< unique in its world
   std::string robot_namespace;  ///< as given by the spawn request; "": none
   ModelSpec spec;  ///< without the plugins' parameters, which nothing needs after construction
-  SE3 T_world_model_initial;  ///< where it was spawned, and where a reset puts it
-  bool is_static = false;  ///< its links have no bodies, and it cannot be moved
+  SE3 T_world_model_initial;       ///< where it was spawned, and where a reset puts it
+  bool is_static = false;          ///< its links have no bodies, and it cannot be moved
   std::uint64_t spawn_number = 0;  ///< distinguishes successive models of one name
 
-  std::vector<std::unique_ptr<Body>> bodies;  ///< links that are fixed to each other share one
-  std::vector<std::unique_ptr<Link>> links;  ///< in file order
-  std::vector<std::unique_ptr<Joint>> joints;  ///< in file order
-  std::shared_ptr<StaticGeoms> static_geoms;  ///< the engine's; nullptr: none
+  std::vector<std::unique_ptr<Body>> bodies;     ///< links that are fixed to each other share one
+  std::vector<std::unique_ptr<Link>> links;      ///< in file order
+  std::vector<std::unique_ptr<Joint>> joints;    ///< in file order
+  std::shared_ptr<StaticGeoms> static_geoms;     ///< the engine's; nullptr: none
   std::vector<std::unique_ptr<Plugin>> plugins;  ///< its own, then those of its sensors
 
   /// nullptr when it has no such link; `link_name` is without the model's name.

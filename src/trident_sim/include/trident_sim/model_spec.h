@@ -40,7 +40,7 @@ struct PlaneShape {
 };
 /// Triangles from a file (COLLADA, STL, OBJ).
 struct MeshShape {
-  std::string file;  ///< resolved path
+  std::string file;       ///< resolved path
   Eigen::Vector3d scale;  ///< per axis of the file, before T_link_shape
 };
 /// Terrain from a picture of heights, about its origin in x and y.
@@ -72,8 +72,8 @@ struct Surface {
 struct CollisionSpec {
   std::string name;  ///< unique within its link
   SE3 T_link_shape;  ///< pose of the shape's own frame
-  Shape shape;  ///< about its own frame; what touches
-  Surface surface;  ///< how contacts of it behave
+  Shape shape;       ///< about its own frame; what touches
+  Surface surface;   ///< how contacts of it behave
   /// `<laser_retro>`: how strongly a lidar sees it
   std::optional<double> laser_retro = std::nullopt;
 };
@@ -91,12 +91,12 @@ struct Material {
 
 /// A `<visual>` of a link: what cameras and gpu_ray lidars see of it.
 struct VisualSpec {
-  std::string name;  ///< unique within its link
-  SE3 T_link_shape;  ///< pose of the shape's own frame
-  Shape shape;  ///< about its own frame; what is seen
-  Material material;  ///< of the whole shape
-  double transparency = 0.0;  ///< 1: invisible
-  bool casts_shadows = true;  ///< `<cast_shadows>`
+  std::string name;                             ///< unique within its link
+  SE3 T_link_shape;                             ///< pose of the shape's own frame
+  Shape shape;                                  ///< about its own frame; what is seen
+  Material material;                            ///< of the whole shape
+  double transparency = 0.0;                    ///< 1: invisible
+  bool casts_shadows = true;                    ///< `<cast_shadows>`
   std::uint32_t visibility_flags = 0xffffffff;  ///< a camera sees it when its mask shares a bit
   std::optional<double> laser_retro;  ///< how strongly a lidar sees it; else by its colour
 };
@@ -104,38 +104,38 @@ struct VisualSpec {
 /// A `<plugin>` of a world, model or sensor, before it is made.
 struct PluginSpec {
   std::string name, filename;  ///< as in the file; PluginRegistry knows filename's forms
-  ParamNode params;  ///< the whole element
+  ParamNode params;            ///< the whole element
 };
 
 /// A `<sensor>` of a link. What it does is up to its plugins, as in gazebo_ros.
 struct SensorSpec {
-  std::string name, type;  ///< type as in the file: "ray", "gpu_ray", "camera", ...
-  SE3 T_link_sensor;  ///< its x axis looks ahead
+  std::string name, type;       ///< type as in the file: "ray", "gpu_ray", "camera", ...
+  SE3 T_link_sensor;            ///< its x axis looks ahead
   double update_rate_hz = 0.0;  ///< 0: every step
   bool always_on = false, visualize = false;  ///< as in the file; neither changes what is simulated
-  ParamNode params;  ///< the whole element but its plugins; empty once they are made
+  ParamNode params;                 ///< the whole element but its plugins; empty once they are made
   std::vector<PluginSpec> plugins;  ///< in file order; moved out when they are made
 };
 
 /// Mass and its distribution in one link.
 struct Inertial {
   double mass_kg = 1.0;  ///< > 0
-  SE3 T_link_com;  ///< origin at the centre of mass, axes of `inertia`
+  SE3 T_link_com;        ///< origin at the centre of mass, axes of `inertia`
   Eigen::Matrix3d inertia_com = Eigen::Matrix3d::Identity();  ///< [kg m^2] about the centre of mass
 };
 
 /// A `<link>` of a model.
 struct LinkSpec {
-  std::string name;  ///< unique within its model
-  SE3 T_model_link;  ///< at zero of all joints
-  Inertial inertial;  ///< of the link alone
-  bool gravity = true;  ///< `<gravity>`
+  std::string name;        ///< unique within its model
+  SE3 T_model_link;        ///< at zero of all joints
+  Inertial inertial;       ///< of the link alone
+  bool gravity = true;     ///< `<gravity>`
   bool kinematic = false;  ///< moves with its velocity, whatever force acts on it
   /// Of the velocities [1/s]; of a body its first link's.
   double linear_damping = 0.0, angular_damping = 0.0;
   std::vector<CollisionSpec> collisions;  ///< in file order
-  std::vector<VisualSpec> visuals;  ///< in file order
-  std::vector<SensorSpec> sensors;  ///< in file order
+  std::vector<VisualSpec> visuals;        ///< in file order
+  std::vector<SensorSpec> sensors;        ///< in file order
 };
 
 /// What a joint lets its child do: nothing, turn about an axis, shift along it, turn about a point,
@@ -145,7 +145,7 @@ enum class JointType { kFixed, kRevolute, kPrismatic, kBall, kUniversal, kScrew,
 
 /// What one axis of a joint allows and resists.
 struct AxisSpec {
-  Eigen::Vector3d axis_model = Eigen::Vector3d::UnitZ();  ///< of unit length, in the model's axes
+  Eigen::Vector3d axis_model = Eigen::Vector3d::UnitZ();    ///< of unit length, in the model's axes
   double lower = -std::numeric_limits<double>::infinity();  ///< [rad] or [m]
   /// Not below `lower`; infinite: no limit.
   double upper = std::numeric_limits<double>::infinity();
@@ -160,12 +160,12 @@ struct AxisSpec {
 
 /// A joint, and its first axis. A screw's axis is its angle.
 struct JointSpec : AxisSpec {
-  std::string name;  ///< unique within its model
+  std::string name;                    ///< unique within its model
   JointType type = JointType::kFixed;  ///< which axes count follows from it
-  std::string parent, child;  ///< names of links; parent "world": the world
-  SE3 T_model_joint;  ///< its origin is the anchor
-  AxisSpec axis2;              ///< of universal and gearbox joints
-  double screw_pitch_m = 0.0;  ///< travel per turn; positive: a right-handed thread
+  std::string parent, child;           ///< names of links; parent "world": the world
+  SE3 T_model_joint;                   ///< its origin is the anchor
+  AxisSpec axis2;                      ///< of universal and gearbox joints
+  double screw_pitch_m = 0.0;          ///< travel per turn; positive: a right-handed thread
   /// Of the angles against the reference body: child's about axis2 = -ratio times parent's about
   /// the first axis.
   double gearbox_ratio = 1.0;
@@ -187,12 +187,12 @@ enum class OddElements {
 
 /// A `<model>` or a URDF `<robot>`, with nested models already merged into it.
 struct ModelSpec {
-  std::string name;  ///< unique in a world; never empty
-  SE3 T_world_model;  ///< as spawned
-  bool is_static = false;  ///< none of its links ever moves
-  bool self_collide = false;  ///< links without a joint between them can touch each other
-  std::vector<LinkSpec> links;  ///< the first carries the model frame
-  std::vector<JointSpec> joints;  ///< in file order
+  std::string name;                 ///< unique in a world; never empty
+  SE3 T_world_model;                ///< as spawned
+  bool is_static = false;           ///< none of its links ever moves
+  bool self_collide = false;        ///< links without a joint between them can touch each other
+  std::vector<LinkSpec> links;      ///< the first carries the model frame
+  std::vector<JointSpec> joints;    ///< in file order
   std::vector<PluginSpec> plugins;  ///< of the model itself; those of sensors are with their links
   std::vector<std::string> odd_elements{};  ///< that were left out or changed, a sentence each
   std::vector<std::string> odd_repeats{};   ///< more of the same: counted, not reported
@@ -201,7 +201,7 @@ struct ModelSpec {
 /// `<physics>` and `<gravity>` with Gazebo's defaults.
 struct PhysicsSpec {
   double max_step_size_s = 0.001;  ///< the length of every step
-  double real_time_factor = 1.0;  ///< as in the file; the step size and the rate below pace a run
+  double real_time_factor = 1.0;   ///< as in the file; the step size and the rate below pace a run
   /// Wanted steps per wall second; 0: as fast as possible.
   double real_time_update_rate_hz = 1000.0;
   Eigen::Vector3d gravity{0.0, 0.0, -9.8};  ///< world frame [m/s^2]
@@ -209,14 +209,14 @@ struct PhysicsSpec {
   /// With "quick", islands of bodies with up to so many constraint rows are solved exactly: it is
   /// then both faster and better. 0: never (`<trident:exact_solver_rows>` of `<physics>`).
   int exact_solver_rows = 150;
-  int iterations = 50;  ///< of "quick" per step
+  int iterations = 50;        ///< of "quick" per step
   int precon_iterations = 0;  ///< kept for queries; ODE has no preconditioning
-  double sor = 1.3;  ///< successive over-relaxation of "quick", in (0, 2)
+  double sor = 1.3;           ///< successive over-relaxation of "quick", in (0, 2)
   /// ODE's constraint force mixing, and part of an error put right per step.
   double cfm = 0.0, erp = 0.2;
   double contact_max_correcting_vel = 100.0;  ///< at most pushed apart at this [m/s]
   double contact_surface_layer = 0.001;  ///< kept for queries; the engine has no such layer [m]
-  int max_contacts = 20;  ///< per pair of collisions
+  int max_contacts = 20;                 ///< per pair of collisions
 };
 
 /// Where the world's origin lies on the WGS84 ellipsoid.
@@ -230,9 +230,9 @@ enum class LightType { kDirectional, kPoint, kSpot };
 
 /// A `<light>` of the world.
 struct LightSpec {
-  std::string name;  ///< of the file; "" is legal
+  std::string name;                    ///< of the file; "" is legal
   LightType type = LightType::kPoint;  ///< decides which of the fields below count
-  SE3 T_world_light;  ///< of a directional light only the rotation counts
+  SE3 T_world_light;                   ///< of a directional light only the rotation counts
   Eigen::Vector3d direction_light{0.0, 0.0, -1.0};  ///< in the light's frame, of unit length
   /// Red, green, blue, alpha in [0, 1]
   Eigen::Vector4d diffuse{1.0, 1.0, 1.0, 1.0}, specular{0.1, 0.1, 0.1, 1.0};
@@ -253,13 +253,13 @@ struct SceneSpec {
 
 /// A world file after it was read and checked.
 struct WorldSpec {
-  std::string name = "default";  ///< of the `<world>` element
-  PhysicsSpec physics;  ///< checked by World, not by the reader
-  SphericalCoordinates spherical;  ///< all zero where the file has none
-  std::vector<ModelSpec> models;  ///< in file order, includes resolved
-  std::vector<LightSpec> lights;  ///< of the world itself, in file order
-  SceneSpec scene;  ///< what cameras see where nothing is
-  std::vector<PluginSpec> plugins;  ///< of the world itself, in file order
+  std::string name = "default";             ///< of the `<world>` element
+  PhysicsSpec physics;                      ///< checked by World, not by the reader
+  SphericalCoordinates spherical;           ///< all zero where the file has none
+  std::vector<ModelSpec> models;            ///< in file order, includes resolved
+  std::vector<LightSpec> lights;            ///< of the world itself, in file order
+  SceneSpec scene;                          ///< what cameras see where nothing is
+  std::vector<PluginSpec> plugins;          ///< of the world itself, in file order
   std::vector<std::string> odd_elements{};  ///< that were left out or changed, a sentence each
   std::vector<std::string> odd_repeats{};   ///< more of the same: counted, not reported
 };

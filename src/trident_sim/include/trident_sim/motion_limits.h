@@ -10,8 +10,8 @@ namespace trident::sim {
 
 /// What no body of a world does. One that does is taken for one whose state grows without bound,
 /// and ODE ends the program where a rotation overflows: nobody may ask for it.
-inline constexpr double kFarthestBodyM = 1e7;  ///< from the origin, per coordinate
-inline constexpr double kFastestMS = 1e5;  ///< per component
+inline constexpr double kFarthestBodyM = 1e7;    ///< from the origin, per coordinate
+inline constexpr double kFastestMS = 1e5;        ///< per component
 inline constexpr double kFastestTurnRadS = 1e4;  ///< per component
 /// Of a force [N], a torque [N m], or an effort of a joint.
 inline constexpr double kStrongest = 1e15;

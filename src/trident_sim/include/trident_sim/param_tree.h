@@ -21,14 +21,14 @@ struct ParamNode {
   std::vector<std::pair<std::string, std::string>> attributes;  ///< in file order
   std::vector<ParamNode> children;  ///< in file order, repeated names included
 
-  /// The first child of that name; nullptr when there is none.
+  /// The first child of that name; nullptr when it has no such child.
   const ParamNode* find(std::string_view child_name) const;
 };
 
 /// Legal values of a number, both ends included.
 struct Limits {
   double lo = -std::numeric_limits<double>::infinity();  ///< infinite: no limit
-  double hi = std::numeric_limits<double>::infinity();  ///< infinite: no limit
+  double hi = std::numeric_limits<double>::infinity();   ///< infinite: no limit
 };
 
 /// What a plugin has asked for of one element, whether the file has it or not.
@@ -36,9 +36,9 @@ struct ParamQuery {
   /// From what says least about an element to what says most.
   enum class Kind { kElement, kText, kNumber, kInteger, kFlag, kVector };
   Kind kind = Kind::kElement;  ///< the one that says most of those asked for
-  std::string fallback;  ///< as a file would say it; empty for elements and required ones
-  Limits limits;         ///< of a number
-  bool is_required = false;  ///< without it the model is refused
+  std::string fallback;        ///< as a file would say it; empty for elements and required ones
+  Limits limits;               ///< of a number
+  bool is_required = false;    ///< without it the model is refused
 };
 
 /// By name; what is below an element has the element's name and a slash before its own.

@@ -23,7 +23,7 @@ struct SensorSpec;
 struct StepInfo {
   std::uint64_t step = 0;  ///< number of the step since time zero, the first is 1
   SimTime begin, end, dt;  ///< end = begin + dt
-  double dt_s = 0.0;  ///< dt as PhysicsSpec has it, without rounding to nanoseconds
+  double dt_s = 0.0;       ///< dt as PhysicsSpec has it, without rounding to nanoseconds
   /// Number of the step since the models were reset. Noise and sample rates count by it, so that
   /// they start again with every reset.
   std::uint64_t sample = 0;
@@ -93,7 +93,7 @@ class PortHandle {
   }
   /// Precondition: it owns a port.
   P* operator->() const { return port_; }
-  P* get() const { return port_; }  ///< nullptr when it owns nothing
+  P* get() const { return port_; }                             ///< nullptr when it owns nothing
   explicit operator bool() const { return port_ != nullptr; }  ///< whether it owns a port
 
  private:

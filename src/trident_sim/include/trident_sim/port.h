@@ -34,9 +34,9 @@ class PortBase {
   PortBase(const PortBase&) = delete;
   PortBase& operator=(const PortBase&) = delete;
 
-  const std::string& name() const { return name_; }  ///< full name, without a leading slash
+  const std::string& name() const { return name_; }       ///< full name, without a leading slash
   PortDirection direction() const { return direction_; }  ///< fixed
-  PortRank rank() const { return rank_; }  ///< of an output; that of an input is ignored
+  PortRank rank() const { return rank_; }         ///< of an output; that of an input is ignored
   std::type_index type() const { return type_; }  ///< typeid of the sample
   /// Values so far; a reader that keeps it knows what is new
   std::uint64_t count() const { return count_; }

@@ -30,10 +30,10 @@ enum class RayGeometry { kCollision, kVisual };
 
 /// A half-line, or a part of one, along which something is looked for.
 struct Ray {
-  Eigen::Vector3d p_world_origin = Eigen::Vector3d::Zero();  ///< [m]
+  Eigen::Vector3d p_world_origin = Eigen::Vector3d::Zero();    ///< [m]
   Eigen::Vector3d direction_world = Eigen::Vector3d::UnitX();  ///< of unit length
   double t_min_m = 0.0;                                        ///< what is nearer is not hit
-  double t_max_m = std::numeric_limits<double>::infinity();  ///< what is farther is not hit
+  double t_max_m = std::numeric_limits<double>::infinity();    ///< what is farther is not hit
 };
 
 /// The first surface that a ray hits.
@@ -55,8 +55,8 @@ struct RayHit {
 
 /// Which shapes a cast does not see. One for all its rays, as they come from one sensor.
 struct RayFilter {
-  std::uint32_t mask = 0xffffffff;  ///< seen is what has a bit of it in <visibility_flags>
-  const Link* exclude_link = nullptr;  ///< whose shapes are not seen; nullptr: none
+  std::uint32_t mask = 0xffffffff;       ///< seen is what has a bit of it in <visibility_flags>
+  const Link* exclude_link = nullptr;    ///< whose shapes are not seen; nullptr: none
   const Model* exclude_model = nullptr;  ///< whose shapes are not seen; nullptr: none
 
   /// Whether shapes must be looked at one by one.

@@ -19,7 +19,7 @@ class World;
 class Sea {
  public:
   virtual ~Sea() = default;
-  virtual const Water& water() const = 0;  ///< surface and its motion; valid within the step
+  virtual const Water& water() const = 0;      ///< surface and its motion; valid within the step
   virtual const Current& current() const = 0;  ///< flow of the water; valid within the step
   /// Of the still water above the ground there, by the tide at that time; negative on land,
   /// infinite where no ground is known [m].
@@ -43,12 +43,12 @@ class Air {
 /// How the plugin that makes a world's sea hands it to those that float: on the output port
 /// kSeaPort, which is no topic. A world has one sea.
 struct SeaSample {
-  std::shared_ptr<const Sea> sea;  ///< lives as long as its plugin, or whoever holds it
+  std::shared_ptr<const Sea> sea;  ///< lives as long as its plugin, or its last holder
 };
 constexpr const char* kSeaPort = "world/sea";  ///< name of the port that carries a SeaSample
 /// The same of the air.
 struct AirSample {
-  std::shared_ptr<const Air> air;  ///< lives as long as its plugin, or whoever holds it
+  std::shared_ptr<const Air> air;  ///< lives as long as its plugin, or its last holder
 };
 constexpr const char* kAirPort = "world/air";  ///< name of the port that carries an AirSample
 

@@ -11,8 +11,8 @@ namespace trident::sim {
 
 /// A vector in frame, of a quantity that the port's plugin names (geometry_msgs/Vector3Stamped).
 struct VectorSample {
-  SimTime stamp;  ///< of the state that was measured
-  std::string frame;  ///< whose axes the vector is expressed in
+  SimTime stamp;                                    ///< of the state that was measured
+  std::string frame;                                ///< whose axes the vector is expressed in
   Eigen::Vector3d value = Eigen::Vector3d::Zero();  ///< in the unit that the plugin documents
 };
 

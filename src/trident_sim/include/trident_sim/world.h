@@ -66,7 +66,7 @@ struct SpawnRequest {
   std::string xml;              ///< SDF or URDF text
   std::string label;            ///< names the source in errors; "": the model's name
   std::string robot_namespace;  ///< given to plugins that have no <robotNamespace>
-  SE3 T_world_model;  ///< replaces the pose in the file; q need not be normalized
+  SE3 T_world_model;            ///< replaces the pose in the file; q need not be normalized
 };
 
 /// The simulated world: models, physics, plugins, ports and time. Not thread-safe: one thread at a
@@ -176,7 +176,7 @@ class World {
   /// A wrench on a body from `start` for `duration` (negative: until cleared). Frames: world axes,
   /// applied at `p_link` of the link.
   struct AppliedWrench {
-    Link* link;  ///< not nullptr, and not static
+    Link* link;                                         ///< not nullptr, and not static
     Eigen::Vector3d force_world, torque_world, p_link;  ///< [N], [N m], and [m] in the link's frame
     SimTime start, duration;  ///< acts in every step that ends after `start`; start 0: at once
   };
@@ -187,10 +187,10 @@ class World {
   void clear_wrenches(const Link& link);
   /// A torque or force along an axis of a joint, over the same span of time as a wrench.
   struct AppliedEffort {
-    Joint* joint;  ///< not nullptr
-    double effort;  ///< [N m] or [N]
+    Joint* joint;             ///< not nullptr
+    double effort;            ///< [N m] or [N]
     SimTime start, duration;  ///< duration negative: until cleared
-    std::size_t axis = 0;  ///< of a universal joint or gearbox, 0 or 1
+    std::size_t axis = 0;     ///< of a universal joint or gearbox, 0 or 1
   };
   /// Throws Error for an axis that the joint does not have, or an effort that is not finite or
   /// beyond 1e15.

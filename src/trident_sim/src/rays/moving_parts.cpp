@@ -51,6 +51,7 @@ std::size_t MovingParts::add(RTCScene scene, const SE3& T_world_link) {
   return parts_.size() - 1;
 }
 
+/// Keeps the inverse pose in single precision, in which rays are turned into the link's frame.
 void MovingParts::set_place(Part& part, const SE3& T_world_link) {
   const Eigen::Matrix3d R = T_world_link.R.toRotationMatrix();
   part.bounds_world = turned(part.bounds_link, R, T_world_link.p);
@@ -66,6 +67,8 @@ void MovingParts::place(std::size_t part, const SE3& T_world_link) {
   }
 }
 
+/// Up to kFew parts are tested one by one, by their boxes; more are instanced in a scene of their
+/// own, whose tree is built again whenever one has moved.
 void MovingParts::commit(RTCDevice device) {
   if (parts_.empty()) return;
   bounds_ = parts_.front().bounds_world;
@@ -80,6 +83,7 @@ void MovingParts::commit(RTCDevice device) {
   rtcCommitScene(scene_.get());
 }
 
+/// Sixteen rays at once, component by component, so that the compiler vectorizes it.
 void MovingParts::turn_into(const Part& part, const RTCRay16& rays, RTCRay16& turned) {
   turned = rays;
   const Eigen::Matrix3f& R = part.R_link_world;
@@ -96,6 +100,7 @@ void MovingParts::turn_into(const Part& part, const RTCRay16& rays, RTCRay16& tu
   }
 }
 
+/// Each part shortens the rays that hit it (tfar), so that what lies behind is not found later.
 void MovingParts::intersect(const Lanes& valid, RTCRayHit16& rays, CastContext& context) const {
   if (parts_.empty() || all_leave(bounds_, rays.ray)) return;
   alignas(64) Lanes near = valid;
@@ -124,6 +129,8 @@ void MovingParts::intersect(const Lanes& valid, RTCRayHit16& rays, CastContext& 
   }
 }
 
+/// A shadow ray needs any hit: lanes that have one are left out of the parts that follow. Embree
+/// marks it by tfar = -infinity.
 void MovingParts::occlude(const Lanes& valid, RTCRay16& rays, CastContext& context) const {
   if (parts_.empty() || all_leave(bounds_, rays)) return;
   alignas(64) Lanes near = valid;

@@ -29,6 +29,9 @@ std::string numbers(const Eigen::Vector3d& v) {
 
 }  // namespace
 
+/// Follows the world in order of cost: models by a version number, links by their poses; what
+/// nothing has changed is not committed again. Indices of shapes change only when models come or
+/// go.
 void RayScene::Content::refresh() {
   if (device_ == nullptr) device_ = make_device();
   surface_.reset();
@@ -120,6 +123,8 @@ void RayScene::Content::add_shapes(const Model& model, const LinkSpec& spec, Tra
   }
 }
 
+/// A file that physics has read may still be unreadable as a picture or visual mesh: sensors then
+/// do without that shape, and the world continues.
 std::unique_ptr<TracedShape> RayScene::Content::trace_shape(const Shape& shape,
                                                             const std::string& what) {
   try {
@@ -149,6 +154,8 @@ std::shared_ptr<const TriangleMesh> RayScene::Content::find_mesh(const Shape& sh
   return read;
 }
 
+/// Shapes of a moving link are attached in the link's frame, since its scene is instanced; those of
+/// a static one in the world's. Normals and exact distances are always worked out in the world.
 void RayScene::Content::set_places(TracedLink& link) {
   for (const auto& shape : link.shapes) {
     const SE3 T_world_shape = link.T_world_link * shape->T_link_shape;
@@ -160,6 +167,7 @@ void RayScene::Content::set_places(TracedLink& link) {
   }
 }
 
+/// Planes are infinite, which Embree has no primitive for: they are intersected analytically.
 void RayScene::Content::make_part(TracedLink& link) {
   for (const auto& shape : link.shapes) {
     if (shape->kind == SurfaceKind::kPlane) continue;
@@ -211,6 +219,7 @@ void RayScene::Content::number() {
   number_surface(model_id, link_id);
 }
 
+/// One scene for all that stands still; it is built again only when a part of it changed.
 void RayScene::Content::commit_fixed() {
   fixed_.reset();
   fixed_shapes_.clear();

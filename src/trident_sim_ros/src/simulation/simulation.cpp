@@ -33,6 +33,9 @@ std::string find_tf_prefix(const std::string& robot_namespace) {
 
 }  // namespace
 
+/// The order matters: /gazebo/ready is latched as false before anything slow, plugins are
+/// registered before the world asks for them, and the binder sees the ports that the world's models
+/// have made.
 Simulation::Simulation(ros::NodeHandle& node, const ServerOptions& options)
     : node_(node),
       options_(options),
@@ -102,12 +105,15 @@ void Simulation::fail(const std::string& error) {
   report(Severity::kError, error);
 }
 
+/// A service that changes the world while time runs makes the run depend on when it was called.
 void Simulation::note_change(const std::string& who) {
   if (repeatability_.running()) {
     repeatability_.spoil(one_line(who), world_->time(), "called outside of the lockstep");
   }
 }
 
+/// Ports come and go with models: topics, inputs, the gate and the answers follow in this order, as
+/// each builds on what the one before has bound.
 void Simulation::sync_topics() {
   binder_->sync();
   inputs_->sync();
@@ -116,6 +122,8 @@ void Simulation::sync_topics() {
   binder_->scan_subscribers();
 }
 
+/// The stepping thread. It holds the world for one step at a time; services take their turn between
+/// steps, by a FairMutex, so that a world as fast as possible does not starve them.
 std::string Simulation::run() {
   {
     const Lock lock(mutex_);
@@ -141,6 +149,9 @@ std::string Simulation::run() {
   return end_reason_;
 }
 
+/// One turn: housekeeping by the wall clock, then a step if the run is not paused, is on pace, has
+/// the answers that it waits for, and every controller in lockstep has answered. False: the run has
+/// ended.
 bool Simulation::run_once() {
   ros_utils::hand_over("stepping thread takes the world");
   const Lock lock(mutex_);
@@ -199,6 +210,7 @@ bool Simulation::answers_allow_step() {
   return false;  // the world may have changed meanwhile
 }
 
+/// Several conditions may hold at once; the last one checked names the end.
 bool Simulation::finished() {
   const SimTime now = world_->time();
   if (options_.end_on_finish) {
@@ -214,11 +226,15 @@ bool Simulation::finished() {
   return !end_reason_.empty();
 }
 
+/// From here on wall time and simulated time are compared: a pause or a change of speed leaves no
+/// debt to be caught up with.
 void Simulation::restart_pace() {
   pace_wall_ = Clock::now();
   pace_sim_ = world_->time();
 }
 
+/// Waits at most 5 ms at a time, so that services and the end of the process are not held up by a
+/// slow world.
 bool Simulation::pace_allows() {
   if (real_time_factor_ <= 0.0) return true;
   const double due_s = (world_->time() + world_->dt() - pace_sim_).seconds() / real_time_factor_;
@@ -229,11 +245,14 @@ bool Simulation::pace_allows() {
   return false;
 }
 
+/// Releases the world meanwhile; the thread takes its place in the queue again afterwards.
 void Simulation::wait(microseconds time) {
   const Unlock unlocked(mutex_);
   std::this_thread::sleep_for(std::max(time, microseconds(1)));
 }
 
+/// What a controller answers goes out before what only displays or recorders need: transforms and
+/// odometry, then the states that the lockstep waits for, then all other samples.
 void Simulation::make_step() {
   if (!stepped_once_) {
     stepped_once_ = true;
@@ -254,6 +273,7 @@ void Simulation::make_step() {
   files_->record(*world_);
 }
 
+/// What need not happen in every step, by the wall clock: looking for subscribers takes locks of roscpp.
 void Simulation::run_housekeeping() {
   const auto now = Clock::now();
   next_scan_ = now + kScanPeriod;
@@ -283,6 +303,7 @@ void Simulation::log_notes() {
   }
 }
 
+/// True once: what comes or goes afterwards is reported, but not taken back.
 void Simulation::announce_readiness() {
   if (!missing_for_start().empty()) return;
   is_ready_ = true;
@@ -311,6 +332,7 @@ void Simulation::publish_diagnostics() {
   diagnostics_.publish(*world_, notes);
 }
 
+/// With time zero a run begins again, with its files and its record of what was not repeatable.
 void Simulation::reset(bool with_time) {
   if (with_time) {
     world_->reset();
@@ -338,6 +360,7 @@ void Simulation::set_max_update_rate_hz(double rate) {
   restart_pace();
 }
 
+/// Called by a service thread, which waits for the stepping thread: only that one steps the world.
 SimTime Simulation::step(std::uint64_t n) {
   const Lock lock(mutex_);
   if (ended_) throw Error("the run has ended");

@@ -89,8 +89,8 @@ class EkfSlam {
 
   /// A landmark as it is known now.
   struct Landmark {
-    int id = 0;  ///< never used again
-    Eigen::Vector2d p_map = Eigen::Vector2d::Zero();  ///< [m]
+    int id = 0;                                            ///< never used again
+    Eigen::Vector2d p_map = Eigen::Vector2d::Zero();       ///< [m]
     Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();  ///< of p_map [m^2]
     int sightings = 0;  ///< observations that were paired with it
   };

@@ -39,8 +39,8 @@ struct EkfSlam2dParams {
   double odometry_slip_sigma = 0.02;      ///< across, as a share of the distance travelled
   double odometry_turn_sigma = 0.05;      ///< of the angle turned, as a share of it
   double odometry_drift_sigma = 0.02;     ///< [rad/m] of yaw over the distance travelled
-  PostParams posts;  ///< what in a scan is a landmark
-  EkfSlamParams filter;  ///< with the defaults below
+  PostParams posts;                       ///< what in a scan is a landmark
+  EkfSlamParams filter;                   ///< with the defaults below
 
   /// Posts stand closer than trees, and a laser sees them all around.
   EkfSlam2dParams() {

@@ -9,14 +9,14 @@ namespace trident::slam {
 /// Edges of the pose graph that tracking adds: to the previous keyframe, and to an older submap
 /// whose surfaces a scan was matched with.
 struct KeyframeEdgeOptions {
-  double sigma = 0.01;  ///< [m]
-  double sigma_yaw = 0.005;  ///< [rad]
-  double gap_variance = 1.0;  ///< [m^2]
-  double gap_variance_yaw = 0.1;  ///< [rad^2]
+  double sigma = 0.01;             ///< [m]
+  double sigma_yaw = 0.005;        ///< [rad]
+  double gap_variance = 1.0;       ///< [m^2]
+  double gap_variance_yaw = 0.1;   ///< [rad^2]
   double revisit_fraction = 0.25;  ///< in [0, 1]
   /// Preceding submaps that count as the current surroundings, not as a revisited place.
   int own_submaps = 3;
-  double revisit_sigma = 0.03;  ///< [m]
+  double revisit_sigma = 0.03;      ///< [m]
   double revisit_sigma_yaw = 0.01;  ///< [rad]
   int deactivation_period = 5;  ///< keyframes after which drifted submaps are searched for again
 
@@ -46,19 +46,19 @@ struct KeyframeEdgeOptions {
 /// Candidates for loops, and the window that branch and bound searches (W. Hess et al., ICRA 2016).
 /// The window grows with the path length through the graph, as drift does.
 struct LoopSearchOptions {
-  int max_candidates = 4;  ///< places that are compared with each submap
-  double place_reach = 8.0;  ///< [m]
-  double min_path_fraction = 0.4;  ///< in [0, 1]
-  double window = 0.5;  ///< [m]
-  double window_per_meter = 0.03;  ///< [m/m]
-  double window_yaw = 0.1;  ///< [rad]
+  int max_candidates = 4;               ///< places that are compared with each submap
+  double place_reach = 8.0;             ///< [m]
+  double min_path_fraction = 0.4;       ///< in [0, 1]
+  double window = 0.5;                  ///< [m]
+  double window_per_meter = 0.03;       ///< [m/m]
+  double window_yaw = 0.1;              ///< [rad]
   double window_yaw_per_meter = 0.004;  ///< [rad/m]
-  double max_window_yaw = 1.0;  ///< [rad]
-  double resolution = 0.1;  ///< [m]
-  int levels = 7;  ///< levels of the pyramid
-  int max_points = 300;  ///< points of the submap that are used
-  double min_response = 0.35;  ///< in [0, 1]
-  double surfel_cell = 0.1;  ///< [m]
+  double max_window_yaw = 1.0;          ///< [rad]
+  double resolution = 0.1;              ///< [m]
+  int levels = 7;                       ///< levels of the pyramid
+  int max_points = 300;                 ///< points of the submap that are used
+  double min_response = 0.35;           ///< in [0, 1]
+  double surfel_cell = 0.1;             ///< [m]
 
   /// Names each field with its range and meaning.
   template <class Archive>
@@ -92,21 +92,21 @@ struct LoopSearchOptions {
 /// consistent with others (J. Mangelson et al., "Pairwise consistent measurement set maximization
 /// for robust multi-robot map merging", ICRA 2018).
 struct LoopVerificationOptions {
-  double min_overlap = 0.35;  ///< in [0, 1]
-  double search_gain = 0.05;  ///< in [0, 1]
-  double min_residual = 0.5;  ///< [m]
-  double max_path = 80.0;  ///< [m]
-  double max_error = 0.2;  ///< [m]
-  double error_per_meter = 0.01;  ///< [m/m]
-  double max_error_yaw = 0.03;  ///< [rad]
+  double min_overlap = 0.35;           ///< in [0, 1]
+  double search_gain = 0.05;           ///< in [0, 1]
+  double min_residual = 0.5;           ///< [m]
+  double max_path = 80.0;              ///< [m]
+  double max_error = 0.2;              ///< [m]
+  double error_per_meter = 0.01;       ///< [m/m]
+  double max_error_yaw = 0.03;         ///< [rad]
   double error_yaw_per_meter = 0.001;  ///< [rad/m]
-  int min_group = 2;  ///< candidates that must be consistent with each other
-  double long_path = 150.0;  ///< [m]
-  int min_group_long = 3;  ///< as min_group, beyond long_path
-  double information = 1e3;  ///< [1/m^2]
-  double information_yaw = 1e4;  ///< [1/rad^2]
-  double max_residual = 0.3;  ///< [m]
-  double max_residual_yaw = 0.1;  ///< [rad]
+  int min_group = 2;                   ///< candidates that must be consistent with each other
+  double long_path = 150.0;            ///< [m]
+  int min_group_long = 3;              ///< as min_group, beyond long_path
+  double information = 1e3;            ///< [1/m^2]
+  double information_yaw = 1e4;        ///< [1/rad^2]
+  double max_residual = 0.3;           ///< [m]
+  double max_residual_yaw = 0.1;       ///< [rad]
 
   /// Names each field with its range and meaning.
   template <class Archive>
@@ -145,9 +145,9 @@ struct LoopVerificationOptions {
 /// What a scan shows to be free or occupied, for the verification of loops and hypotheses and for
 /// pruning.
 struct FreeSpaceOptions {
-  double margin = 0.3;  ///< [m]
+  double margin = 0.3;             ///< [m]
   double margin_per_meter = 0.03;  ///< in [0, 1]
-  double on_surface = 0.15;  ///< [m]
+  double on_surface = 0.15;        ///< [m]
 
   /// Names each field with its range and meaning.
   template <class Archive>
@@ -164,7 +164,7 @@ struct FreeSpaceOptions {
 /// The optimization of the pose graph. Cauchy's kernel holds for edges to revisited places, which
 /// are not verified.
 struct GraphOptimizationOptions {
-  double kernel = 3.0;  ///< [standard deviations]
+  double kernel = 3.0;      ///< [standard deviations]
   int max_iterations = 20;  ///< Gauss-Newton steps
 
   /// Names each field with its range and meaning.
@@ -179,19 +179,19 @@ struct GraphOptimizationOptions {
 /// system of all pairs is solved.
 /// F. Lu and E. Milios, "Globally consistent range scan alignment", Autonomous Robots 4, 1997.
 struct AlignmentOptions {
-  double reach = 4.0;  ///< [m]
-  int partners = 4;  ///< matched with each keyframe, besides its predecessors
-  int predecessors = 4;  ///< keyframes before it that a keyframe is always matched with
-  double min_inliers = 0.4;  ///< in [0, 1]
-  double max_change = 0.5;  ///< [m]
+  double reach = 4.0;           ///< [m]
+  int partners = 4;             ///< matched with each keyframe, besides its predecessors
+  int predecessors = 4;         ///< keyframes before it that a keyframe is always matched with
+  double min_inliers = 0.4;     ///< in [0, 1]
+  double max_change = 0.5;      ///< [m]
   double max_change_yaw = 0.2;  ///< [rad]
-  double surfel_cell = 0.1;  ///< [m]
-  int max_points = 360;  ///< points of each scan that are used
-  double converged = 1e-3;  ///< [m]
+  double surfel_cell = 0.1;     ///< [m]
+  int max_points = 360;         ///< points of each scan that are used
+  double converged = 1e-3;      ///< [m]
   /// Fraction of a match's information that counts, as errors of neighboring beams are correlated.
   double information_fraction = 0.1;
   double settled = 0.3;  ///< [m]
-  int max_passes = 3;  ///< how often at most
+  int max_passes = 3;    ///< how often at most
 
   /// Names each field with its range and meaning.
   template <class Archive>
@@ -223,11 +223,11 @@ struct AlignmentOptions {
 
 /// The match of every archived scan with the final map (`keep_scans`).
 struct FinalMatchOptions {
-  int max_points = 120;  ///< of a larger scan that are used
-  int min_points = 200;  ///< up to so many points of a scan all are used, against noise
-  int search_rings = 2;  ///< cells about a point in which its surface is searched for
-  double converged = 1e-3;  ///< [m]
-  double sigma = 0.01;  ///< [m]
+  int max_points = 120;      ///< of a larger scan that are used
+  int min_points = 200;      ///< up to so many points of a scan all are used, against noise
+  int search_rings = 2;      ///< cells about a point in which its surface is searched for
+  double converged = 1e-3;   ///< [m]
+  double sigma = 0.01;       ///< [m]
   double sigma_yaw = 0.005;  ///< [rad]
 
   /// Names each field with its range and meaning.
@@ -248,7 +248,7 @@ struct FinalMatchOptions {
 /// `mode: lifelong` beyond the scores of slam_toolbox (`lifelong_*`).
 struct PruningOptions {
   double min_path = 20.0;  ///< [m]
-  double min_seen = 0.9;  ///< in [0, 1]
+  double min_seen = 0.9;   ///< in [0, 1]
   /// Removed or thinned scans after which graph and surfaces are rebuilt.
   int batch = 20;
 
@@ -266,10 +266,10 @@ struct PruningOptions {
 
 /// Maps that a user corrects by hand, and maps that are joined.
 struct MapEditOptions {
-  double reach = 3.0;  ///< [m]
-  double path_length = 20.0;  ///< [m]
-  double min_inliers = 0.4;  ///< in [0, 1]
-  double join_information = 1.0;  ///< [1/m^2]
+  double reach = 3.0;                   ///< [m]
+  double path_length = 20.0;            ///< [m]
+  double min_inliers = 0.4;             ///< in [0, 1]
+  double join_information = 1.0;        ///< [1/m^2]
   double join_information_yaw = 100.0;  ///< [1/rad^2]
 
   /// Names each field with its range and meaning.
@@ -293,14 +293,14 @@ struct MapEditOptions {
 /// slam` measures with these defaults on public logs.
 struct BackEndOptions {
   KeyframeEdgeOptions keyframe_edges;  ///< uncertainty of the edges that tracking adds
-  LoopSearchOptions loop_search;  ///< candidates for loops and the window of their search
+  LoopSearchOptions loop_search;       ///< candidates for loops and the window of their search
   LoopVerificationOptions loop_verification;  ///< which loops are accepted
-  FreeSpaceOptions free_space;  ///< what a scan shows to be free
-  GraphOptimizationOptions optimization;  ///< optimization of the pose graph
-  AlignmentOptions alignment;  ///< all pairs of scans that see the same surfaces, at the end
+  FreeSpaceOptions free_space;                ///< what a scan shows to be free
+  GraphOptimizationOptions optimization;      ///< optimization of the pose graph
+  AlignmentOptions alignment;     ///< all pairs of scans that see the same surfaces, at the end
   FinalMatchOptions final_match;  ///< match of every archived scan with the final map
-  PruningOptions pruning;  ///< lifelong mode beyond slam_toolbox' scores
-  MapEditOptions editing;  ///< corrections by hand and joined maps
+  PruningOptions pruning;         ///< lifelong mode beyond slam_toolbox' scores
+  MapEditOptions editing;         ///< corrections by hand and joined maps
 
   /// Names each group.
   template <class Archive>

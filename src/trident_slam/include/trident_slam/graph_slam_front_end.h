@@ -11,12 +11,12 @@ namespace trident::slam {
 /// plus fractions of distance and rotation, is that of S. Thrun et al., "Probabilistic Robotics",
 /// 2005, section 5.4.
 struct OdometryNoiseOptions {
-  double distance_floor = 0.01;  ///< [m]
+  double distance_floor = 0.01;       ///< [m]
   double distance_per_radian = 0.05;  ///< [m/rad]
-  double yaw_floor = 0.005;  ///< [rad]
-  double yaw_per_meter = 0.03;  ///< [rad/m]
-  double problem_distance = 0.5;  ///< [m]
-  double problem_yaw = 0.25;  ///< [rad]
+  double yaw_floor = 0.005;           ///< [rad]
+  double yaw_per_meter = 0.03;        ///< [rad/m]
+  double problem_distance = 0.5;      ///< [m]
+  double problem_yaw = 0.25;          ///< [rad]
 
   /// Names each field with its range and meaning.
   template <class Archive>
@@ -38,19 +38,19 @@ struct OdometryNoiseOptions {
 /// window instead. A match is scored by its inlier fraction minus `prior_weight` d / (d +
 /// `max_squared_deviation`), d being its squared Mahalanobis distance from the prediction.
 struct TrackingOptions {
-  double surfel_cell = 0.1;  ///< [m]
-  double min_inliers = 0.6;  ///< in [0, 1]
+  double surfel_cell = 0.1;           ///< [m]
+  double min_inliers = 0.6;           ///< in [0, 1]
   double min_inliers_by_scans = 0.8;  ///< in [0, 1]
-  double lost_inliers = 0.5;  ///< in [0, 1]
-  double search_motion = 0.3;  ///< [m]
-  double search_turn = 0.3;  ///< [rad]
-  double prior_sigmas = 3.0;  ///< [standard deviations]
-  double search_gain = 0.05;  ///< in [0, 1]
-  double prior_weight = 0.35;  ///< in [0, 1]
+  double lost_inliers = 0.5;          ///< in [0, 1]
+  double search_motion = 0.3;         ///< [m]
+  double search_turn = 0.3;           ///< [rad]
+  double prior_sigmas = 3.0;          ///< [standard deviations]
+  double search_gain = 0.05;          ///< in [0, 1]
+  double prior_weight = 0.35;         ///< in [0, 1]
   /// Squared deviation from the prediction at which half of `prior_weight` counts.
   double max_squared_deviation = 9.0;
-  double min_lost_inliers = 0.7;  ///< in [0, 1]
-  double inconsistent_inliers = 0.8;  ///< in [0, 1]
+  double min_lost_inliers = 0.7;           ///< in [0, 1]
+  double inconsistent_inliers = 0.8;       ///< in [0, 1]
   double min_inconsistent_inliers = 0.95;  ///< in [0, 1]
 
   /// Names each field with its range and meaning.
@@ -89,19 +89,19 @@ struct TrackingOptions {
 /// E. Olson, "Real-time correlative scan matching", ICRA 2009; W. Hess et al., "Real-time loop
 /// closure in 2D LIDAR SLAM", ICRA 2016 (branch and bound).
 struct TrackingSearchOptions {
-  double resolution = 0.05;  ///< [m]
-  int levels = 4;  ///< levels of the pyramid
-  int max_points = 200;  ///< points of a scan that are used
-  double min_response = 0.2;  ///< in [0, 1]
-  double reach = 12.0;  ///< [m]
-  double max_distance = 3.0;  ///< [m]
-  int max_changes = 5;  ///< the pyramid is rebuilt after so many keyframes
-  double near_window = 0.2;  ///< [m]
-  double near_window_yaw = 0.05;  ///< [rad]
-  double window_sigmas = 3.0;  ///< standard deviations of the position that are added to it
+  double resolution = 0.05;        ///< [m]
+  int levels = 4;                  ///< levels of the pyramid
+  int max_points = 200;            ///< points of a scan that are used
+  double min_response = 0.2;       ///< in [0, 1]
+  double reach = 12.0;             ///< [m]
+  double max_distance = 3.0;       ///< [m]
+  int max_changes = 5;             ///< the pyramid is rebuilt after so many keyframes
+  double near_window = 0.2;        ///< [m]
+  double near_window_yaw = 0.05;   ///< [rad]
+  double window_sigmas = 3.0;      ///< standard deviations of the position that are added to it
   double window_sigmas_yaw = 2.0;  ///< standard deviations of the heading that are added to it
-  double wide_window = 1.0;  ///< [m]
-  double wide_window_yaw = 0.8;  ///< [rad]
+  double wide_window = 1.0;        ///< [m]
+  double wide_window_yaw = 0.8;    ///< [rad]
 
   /// Names each field with its range and meaning.
   template <class Archive>
@@ -133,8 +133,8 @@ struct TrackingSearchOptions {
 /// From which matches the errors of odometry are learnt. Model: A. Censi et al., "Simultaneous
 /// calibration of odometry and sensor parameters for mobile robots", T-RO 29(2), 2013.
 struct CalibrationOptions {
-  double min_inliers = 0.6;  ///< in [0, 1]
-  double min_sigma = 0.005;  ///< [m]
+  double min_inliers = 0.6;      ///< in [0, 1]
+  double min_sigma = 0.005;      ///< [m]
   double min_sigma_yaw = 0.002;  ///< [rad]
   /// Fraction of the odometry noise that is left after calibration.
   double corrected_fraction = 1.0 / 3.0;
@@ -155,8 +155,8 @@ struct CalibrationOptions {
 /// Scans whose beams are measured one after the other. A scan is matched with a predicted velocity;
 /// the next odometry pose corrects it.
 struct DeskewOptions {
-  double max_gap = 1.0;  ///< [s]
-  double max_error = 0.002;  ///< [m], [rad]
+  double max_gap = 1.0;         ///< [s]
+  double max_error = 0.002;     ///< [m], [rad]
   double information = 1100.0;  ///< [1/m^2], [1/rad^2]
 
   /// Names each field with its range and meaning.
@@ -175,12 +175,12 @@ struct DeskewOptions {
 
 /// The reference of a `scan_matcher` other than point_to_line: the keyframes about the robot.
 struct MatcherReferenceOptions {
-  double reach = 8.0;  ///< [m]
-  int max_keyframes = 40;  ///< of those, the nearest so many
-  double max_distance = 2.0;  ///< [m]
-  double max_correction = 2.0;  ///< [m]
+  double reach = 8.0;               ///< [m]
+  int max_keyframes = 40;           ///< of those, the nearest so many
+  double max_distance = 2.0;        ///< [m]
+  double max_correction = 2.0;      ///< [m]
   double max_correction_yaw = 1.0;  ///< [rad]
-  double resolution = 0.05;  ///< [m]
+  double resolution = 0.05;         ///< [m]
 
   /// Names each field with its range and meaning.
   template <class Archive>
@@ -199,9 +199,9 @@ struct MatcherReferenceOptions {
 
 /// The search for one scan in the whole map by branch and bound (W. Hess et al., ICRA 2016).
 struct RelocalizationOptions {
-  double resolution = 0.1;  ///< [m]
-  int levels = 8;  ///< levels of the pyramid
-  int max_points = 150;  ///< points of a scan that are used
+  double resolution = 0.1;    ///< [m]
+  int levels = 8;             ///< levels of the pyramid
+  int max_points = 150;       ///< points of a scan that are used
   double min_response = 0.4;  ///< fraction of the points that must hit surfaces
 
   /// Names each field with its range and meaning.
@@ -220,21 +220,21 @@ struct RelocalizationOptions {
 /// hypothesis is tracked alongside the first one, as rooms look alike and paths through them do
 /// less.
 struct LocalizationOptions {
-  double min_inliers = 0.75;  ///< in [0, 1]
-  double min_fit = 0.75;  ///< in [0, 1]
-  int poor_scans = 5;  ///< successive poor scans that start a search in the whole map
-  double good_inliers = 0.9;  ///< in [0, 1]
-  double min_response = 0.55;  ///< fraction of the points that must hit surfaces in that search
-  double lead = 0.15;  ///< in [0, 1]
+  double min_inliers = 0.75;    ///< in [0, 1]
+  double min_fit = 0.75;        ///< in [0, 1]
+  int poor_scans = 5;           ///< successive poor scans that start a search in the whole map
+  double good_inliers = 0.9;    ///< in [0, 1]
+  double min_response = 0.55;   ///< fraction of the points that must hit surfaces in that search
+  double lead = 0.15;           ///< in [0, 1]
   double trial_distance = 2.0;  ///< [m]
-  int trial_scans = 10;  ///< scans over which it must
-  int scans_to_lead = 4;  ///< after so many scans without that lead it is dropped
-  double same_place = 0.5;  ///< [m]
-  double same_heading = 0.3;  ///< [rad]
+  int trial_scans = 10;         ///< scans over which it must
+  int scans_to_lead = 4;        ///< after so many scans without that lead it is dropped
+  double same_place = 0.5;      ///< [m]
+  double same_heading = 0.3;    ///< [rad]
   double prior_information = 400.0;  ///< [1/m^2], [1/rad^2]
-  int witnesses = 20;  ///< nearest keyframes that show what is free about a pose
-  double witness_reach = 6.0;  ///< [m]
-  double min_overlap = 0.3;  ///< in [0, 1]
+  int witnesses = 20;                ///< nearest keyframes that show what is free about a pose
+  double witness_reach = 6.0;        ///< [m]
+  double min_overlap = 0.3;          ///< in [0, 1]
 
   /// Names each field with its range and meaning.
   template <class Archive>
@@ -277,14 +277,14 @@ struct LocalizationOptions {
 struct FrontEndOptions {
   /// How far odometry is trusted between two scans.
   OdometryNoiseOptions odometry_noise;
-  TrackingOptions tracking;  ///< when a match with the local map is accepted
+  TrackingOptions tracking;               ///< when a match with the local map is accepted
   TrackingSearchOptions tracking_search;  ///< correlative search about the predicted pose
-  CalibrationOptions calibration;  ///< learning of the odometry errors
-  DeskewOptions deskewing;  ///< scans whose beams are measured one after the other
+  CalibrationOptions calibration;         ///< learning of the odometry errors
+  DeskewOptions deskewing;                ///< scans whose beams are measured one after the other
   /// For matchers other than point_to_line.
   MatcherReferenceOptions matcher_reference;
   RelocalizationOptions relocalization;  ///< search for a scan in the whole map
-  LocalizationOptions localization;  ///< detection of a kidnapped robot in `mode: localization`
+  LocalizationOptions localization;      ///< detection of a kidnapped robot in `mode: localization`
 
   /// Names each group.
   template <class Archive>

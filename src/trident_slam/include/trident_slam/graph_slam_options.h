@@ -27,13 +27,13 @@ constexpr auto enum_names(SlamMode /*tag*/) {
 struct LifelongOptions {
   /// Compare all older scans near to a new one; false: those that edges lead to.
   bool search_use_tree = true;
-  double minimum_score = 0.1;  ///< in [0, 1]
-  double iou_match = 0.85;  ///< in [0, 1]
+  double minimum_score = 0.1;       ///< in [0, 1]
+  double iou_match = 0.85;          ///< in [0, 1]
   double node_removal_score = 0.1;  ///< in [0, 1]
   /// What a newer scan that shows all of an older one takes from its score.
   double overlap_score_scale = 0.5;
   double constraint_multiplier = 0.05;  ///< fraction of the score that each edge beyond two returns
-  double nearby_penalty = 0.001;  ///< in [0, 1]
+  double nearby_penalty = 0.001;        ///< in [0, 1]
 
   /// Names each field with its range and meaning.
   template <class Archive>
@@ -57,45 +57,45 @@ struct LifelongOptions {
 
 /// Parameters of graph_slam_2d. A name that slam_toolbox has, too, means the same.
 struct GraphSlamOptions {
-  SlamMode mode = SlamMode::kMapping;  ///< mapping | localization | lifelong
+  SlamMode mode = SlamMode::kMapping;                      ///< mapping | localization | lifelong
   std::array<double, 3> map_start_pose = {0.0, 0.0, 0.0};  ///< [m], [rad]
-  double resolution = 0.05;  ///< [m]
-  double min_laser_range = 0.05;  ///< [m]
-  double max_laser_range = 30.0;  ///< [m]
-  bool use_scan_matching = true;  ///< false: odometry alone
+  double resolution = 0.05;                                ///< [m]
+  double min_laser_range = 0.05;                           ///< [m]
+  double max_laser_range = 30.0;                           ///< [m]
+  bool use_scan_matching = true;                           ///< false: odometry alone
   /// The default matcher works on the surfaces of the whole map.
   static constexpr char kLinesOfTheMap[] = "point_to_line";
   /// A name of register_builtin_scan_matchers().
   std::string scan_matcher = kLinesOfTheMap;
   double minimum_travel_distance = 0.3;  ///< [m]
-  double minimum_travel_heading = 0.3;  ///< [rad]
+  double minimum_travel_heading = 0.3;   ///< [rad]
   /// In kLocalization, recent scans that are matched with where the map ends.
   int scan_buffer_size = 10;
   double scan_buffer_maximum_scan_distance = 10.0;  ///< [m]
 
-  bool do_loop_closing = true;  ///< look for places that were seen long ago
+  bool do_loop_closing = true;                 ///< look for places that were seen long ago
   double loop_search_maximum_distance = 15.0;  ///< [m]
   /// Of the points that both places can see, the fraction that must agree.
   double loop_match_minimum_response_fine = 0.75;
   int loop_match_minimum_chain_size = 10;  ///< successive keyframes that are compared as one
-  double reuse_distance = 60.0;  ///< [m]
-  bool is_asynchronous = false;  ///< close loops in a thread of their own
+  double reuse_distance = 60.0;            ///< [m]
+  bool is_asynchronous = false;            ///< close loops in a thread of their own
   /// Keep all ranges, so that the end can match each scan with the final map.
   bool keep_scans = true;
 
   /// False: the motion between scans is measured by the scans alone.
   bool use_odometry = true;
   double odometry_distance_noise = 0.15;  ///< standard deviation of a distance, as a fraction of it
-  double odometry_heading_noise = 0.15;  ///< standard deviation of a rotation, as a fraction of it
-  double odometry_jump_distance = 3.0;  ///< [m]
-  double odometry_jump_heading = 2.5;  ///< [rad]
+  double odometry_heading_noise = 0.15;   ///< standard deviation of a rotation, as a fraction of it
+  double odometry_jump_distance = 3.0;    ///< [m]
+  double odometry_jump_heading = 2.5;     ///< [rad]
   /// Predict poses with the errors of odometry corrected that were learnt while driving.
   bool calibrate_odometry = true;
   bool deskew = true;  ///< put each beam where the robot was when it was measured
 
-  LifelongOptions lifelong;  ///< counts in kLifelong only
+  LifelongOptions lifelong;   ///< counts in kLifelong only
   FrontEndOptions front_end;  ///< tracking and localization in detail
-  BackEndOptions back_end;  ///< pose graph, loops, pruning and editing in detail
+  BackEndOptions back_end;    ///< pose graph, loops, pruning and editing in detail
 
   /// Names each field with its range and meaning.
   template <class Archive>

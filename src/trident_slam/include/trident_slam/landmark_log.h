@@ -13,10 +13,10 @@ namespace trident::slam {
 
 /// One pose of a landmark log: how the robot came there and what it saw there.
 struct LandmarkLogStep {
-  int pose_id = 0;  ///< as in the file
+  int pose_id = 0;                                       ///< as in the file
   SE2 T_before_now;                                      ///< from the step before; identity first
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of (x, y, yaw) of that motion
-  std::vector<PointObservation> observations;  ///< made at the end of the step
+  std::vector<PointObservation> observations;            ///< made at the end of the step
   std::vector<int> ids;  ///< the file's answer to which landmark each was
 };
 
@@ -30,9 +30,9 @@ std::vector<LandmarkLogStep> read_landmark_log(const std::string& file);
 /// How well the filter's data association agrees with the file's.
 struct AssociationScore {
   int observations = 0;  ///< in the log
-  int unused = 0;   ///< ambiguous to the filter
+  int unused = 0;        ///< ambiguous to the filter
   int correct = 0;  ///< its landmark is the one that its true landmark is mostly seen as, and back
-  int true_landmarks = 0;  ///< that the file has
+  int true_landmarks = 0;   ///< that the file has
   int found_landmarks = 0;  ///< of the filter, seen in this log
 
   /// Of the observations that the filter used; 0 when it used none.

@@ -24,7 +24,7 @@ struct Degeneracy {
 
 /// What is known of a pose beforehand.
 struct PosePrior {
-  SE2 T_ref_base;  ///< mean
+  SE2 T_ref_base;                                         ///< mean
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< of (x, y, yaw) in the ref's frame
   bool is_firm = false;  ///< not doubted, however far the points lead away from it
   /// Measured by something other than scans (wheels): along directions that the points leave open
@@ -39,11 +39,11 @@ struct MatchResult {
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
   /// Inverse of the information with whatever prior was given.
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();
-  Degeneracy degeneracy;  ///< of `information`
+  Degeneracy degeneracy;         ///< of `information`
   double inlier_fraction = 0.0;  ///< of the points, those that lie on the reference's surfaces
   double rms = 0.0;              ///< of those points' distances to the surfaces [m]
-  int iterations = 0;  ///< Gauss-Newton steps
-  bool is_converged = false;  ///< the last step was small; else the steps ran out
+  int iterations = 0;            ///< Gauss-Newton steps
+  bool is_converged = false;     ///< the last step was small; else the steps ran out
 };
 
 /// `mean_range`: of the points about the base [m].

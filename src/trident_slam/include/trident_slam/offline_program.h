@@ -16,8 +16,8 @@ namespace trident::slam {
 
 /// A command line of an offline program after it was read.
 struct OfflineCommand {
-  std::string log_file;  ///< "-": the standard input
-  std::string method;  ///< a name of register_builtin_slam_2d()
+  std::string log_file;                       ///< "-": the standard input
+  std::string method;                         ///< a name of register_builtin_slam_2d()
   std::string config_file;                    ///< empty: the method's defaults
   std::string out_dir;                        ///< is made
   std::string session;                        ///< file to continue; empty: a new map

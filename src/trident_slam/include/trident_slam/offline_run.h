@@ -16,14 +16,14 @@ namespace trident::slam {
 
 /// What became of the scans of a log.
 struct OfflineResult {
-  std::size_t scans = 0;  ///< all, used or not
-  std::size_t unused_scans = 0;  ///< no usable return: the pose is odometry's
-  std::size_t stamps_back = 0;   ///< stamps before the one of the scan before
-  std::size_t stamp_jumps = 0;   ///< more than ten seconds after it
-  std::string stamp_problem;     ///< empty, or which, as one line
-  std::size_t slowest_scan = 0;  ///< that cost the most, from 1
+  std::size_t scans = 0;            ///< all, used or not
+  std::size_t unused_scans = 0;     ///< no usable return: the pose is odometry's
+  std::size_t stamps_back = 0;      ///< stamps before the one of the scan before
+  std::size_t stamp_jumps = 0;      ///< more than ten seconds after it
+  std::string stamp_problem;        ///< empty, or which, as one line
+  std::size_t slowest_scan = 0;     ///< that cost the most, from 1
   double slowest_scan_cpu_s = 0.0;  ///< of that scan, all threads of the process [s]
-  LogProblems scan_problems;                              ///< what the algorithm said about scans
+  LogProblems scan_problems;        ///< what the algorithm said about scans
   std::vector<CalibrationEstimate> odometry_calibration;  ///< empty where nothing is estimated
 };
 

@@ -14,7 +14,7 @@ namespace trident::slam {
 
 /// Names and meanings are those of slam_gmapping.
 struct ParticleSlamParams {
-  int particles = 30;  ///< hypotheses of path and map
+  int particles = 30;              ///< hypotheses of path and map
   double delta = 0.05;             ///< resolution of the maps [m]
   double maxUrange = 30.0;         ///< returns beyond it are not used [m]
   double linearUpdate = 0.5;       ///< travelled between two scans that update the maps [m]
@@ -28,7 +28,7 @@ struct ParticleSlamParams {
   double ogain = 3.0;              ///< evens out the weights: beams are not independent
   double minimumScore = 0.0;       ///< beams that must fit to believe a match
   int lskip = 0;                   ///< beams left out between two that are matched
-  std::uint64_t seed = 1;  ///< of the particles' draws
+  std::uint64_t seed = 1;          ///< of the particles' draws
 
   /// Names each field with its range and meaning.
   template <class Archive>

@@ -31,7 +31,7 @@ std::string robust_kernel_name(RobustKernel kernel);
 
 /// rho(s) of a kernel with scale c, and its derivative, the weight of the edge.
 struct RobustValue {
-  double cost = 0.0;  ///< rho(s)
+  double cost = 0.0;    ///< rho(s)
   double weight = 1.0;  ///< d rho / d s, in [0, 1]
 };
 /// `squared_error`: s = e' Omega e >= 0; `scale`: c > 0, not read for kNone.
@@ -48,20 +48,20 @@ class PoseGraph {
 
   /// One pose of the graph.
   struct Vertex {
-    int id = 0;  ///< the caller's; unique in the graph
-    Group T_map_vertex;  ///< its start before, its optimum after an optimization
+    int id = 0;             ///< the caller's; unique in the graph
+    Group T_map_vertex;     ///< its start before, its optimum after an optimization
     bool is_fixed = false;  ///< see set_fixed()
   };
 
   /// The error is log(T_from_to^-1 * T_map_from^-1 * T_map_to), in the order of Group::Tangent.
   struct Edge {
-    int from = 0;  ///< id of a vertex
-    int to = 0;  ///< id of another vertex
-    Group T_from_to;  ///< as measured
+    int from = 0;                                       ///< id of a vertex
+    int to = 0;                                         ///< id of another vertex
+    Group T_from_to;                                    ///< as measured
     Information information = Information::Identity();  ///< Omega, of the error above
-    RobustKernel kernel = RobustKernel::kNone;  ///< kNone: a plain square
-    double kernel_scale = 1.0;  ///< [standard deviations]
-    bool is_trusted = false;    ///< odometry: graduated non-convexity never doubts it
+    RobustKernel kernel = RobustKernel::kNone;          ///< kNone: a plain square
+    double kernel_scale = 1.0;                          ///< [standard deviations]
+    bool is_trusted = false;  ///< odometry: graduated non-convexity never doubts it
   };
 
   /// Throws Error when the id is taken or the pose is not finite.
@@ -88,7 +88,7 @@ class PoseGraph {
   void set_trusted(std::size_t edge, bool is_trusted) { edges_[edge].is_trusted = is_trusted; }
 
   const std::vector<Vertex>& vertices() const { return vertices_; }  ///< in the order of insertion
-  const std::vector<Edge>& edges() const { return edges_; }  ///< in the order of insertion
+  const std::vector<Edge>& edges() const { return edges_; }          ///< in the order of insertion
   /// Position of a vertex in `vertices()`. Throws Error if there is no such vertex.
   std::size_t index(int id) const;
   /// For optimizers: by position in vertices(), without checks.

@@ -18,7 +18,7 @@ struct CeresOptions {
   /// None, HuberLoss (0.7 standard deviations) or CauchyLoss (0.2): of edges without a kernel.
   std::string loss_function = "None";
   PoseGraphStart start = PoseGraphStart::kGraph;  ///< where Ceres begins
-  int max_iterations = 100;          ///< >= 1
+  int max_iterations = 100;                       ///< >= 1
   double relative_tolerance = 1e-6;  ///< least decrease of the cost, as a part of it, > 0
 
   /// Throws Error naming field, value and what is known.

@@ -23,8 +23,8 @@ enum class PoseGraphStart {
 /// How PoseGraphOptimizer steps, starts and ends.
 struct PoseGraphOptions {
   TrustStrategy strategy = TrustStrategy::kDogleg;  ///< how steps are kept where the cost falls
-  PoseGraphStart start = PoseGraphStart::kGraph;  ///< see PoseGraphStart
-  int max_iterations = 100;  ///< >= 1
+  PoseGraphStart start = PoseGraphStart::kGraph;    ///< see PoseGraphStart
+  int max_iterations = 100;                         ///< >= 1
   /// Converged when a step promises less than this part of the cost, > 0.
   double relative_tolerance = 1e-6;
   /// ... or less than this, >= 0.
@@ -53,13 +53,13 @@ constexpr double default_outlier_scale() {
 
 /// What an optimization did to the graph.
 struct PoseGraphReport {
-  double chi2_before = 0.0;  ///< of the graph's poses, sum of e' Omega e without kernels
-  double chi2_start = 0.0;   ///< after the start was chosen
-  double chi2_after = 0.0;  ///< of the poses that the graph has now
-  double cost_before = 0.0;  ///< with kernels
-  double cost_after = 0.0;   ///< with kernels, of those poses
-  int iterations = 0;  ///< linear systems solved, rejected steps included
-  bool has_converged = false;  ///< false: the iterations ran out
+  double chi2_before = 0.0;       ///< of the graph's poses, sum of e' Omega e without kernels
+  double chi2_start = 0.0;        ///< after the start was chosen
+  double chi2_after = 0.0;        ///< of the poses that the graph has now
+  double cost_before = 0.0;       ///< with kernels
+  double cost_after = 0.0;        ///< with kernels, of those poses
+  int iterations = 0;             ///< linear systems solved, rejected steps included
+  bool has_converged = false;     ///< false: the iterations ran out
   bool is_start_chordal = false;  ///< averaged rotations were the start that led here
   /// Where the search from the graph's own poses ended that was given up for one from averaged
   /// rotations; 0: none was.

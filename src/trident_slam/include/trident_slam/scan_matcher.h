@@ -72,7 +72,7 @@ struct ScanMatcherOptions {
   /// Of `correlative` and `hybrid`: how far from the guess the pose is searched for without a
   /// prior [m], [rad].
   double search_distance = 0.5;
-  double search_heading = 0.35;  ///< [rad], see search_distance
+  double search_heading = 0.35;     ///< [rad], see search_distance
   double search_resolution = 0.05;  ///< [m]
 };
 

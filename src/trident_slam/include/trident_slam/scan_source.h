@@ -13,7 +13,7 @@ namespace trident::slam {
 
 /// One scan with the odometry that was logged with it.
 struct ScanRecord {
-  LaserScan scan;  ///< with readings at the range limit made infinite
+  LaserScan scan;   ///< with readings at the range limit made infinite
   SE2 T_odom_base;  ///< at the scan's stamp
 };
 
@@ -31,7 +31,7 @@ class LogProblems {
     ++count_;
     if (texts_.size() < kKept) texts_.push_back(std::move(text));
   }
-  std::size_t count() const { return count_; }  ///< all, kept or not
+  std::size_t count() const { return count_; }                      ///< all, kept or not
   const std::vector<std::string>& texts() const { return texts_; }  ///< the first kKept
 
  private:

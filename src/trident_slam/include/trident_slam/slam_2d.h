@@ -31,7 +31,7 @@ struct ScanPose2d {
 /// The pose of one scan, in the order in which scans came.
 struct StampedPose2d {
   std::int64_t stamp_ns = 0;  ///< that of the scan, as it came
-  SE2 T_map_base;  ///< as known when it was asked for
+  SE2 T_map_base;             ///< as known when it was asked for
 };
 
 /// One algorithm of simultaneous localisation and mapping with a planar laser scanner. No clock, no

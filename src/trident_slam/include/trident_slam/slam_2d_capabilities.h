@@ -70,8 +70,8 @@ class Slam2dOdometryUse {
 
 /// What was found out about the robot while it drove.
 struct CalibrationEstimate {
-  const char* name = "";  ///< distance_scale, turn_scale, yaw_drift [rad/m], laser_x [m] ...
-  double value = 0.0;  ///< mean, in the unit that the name implies
+  const char* name = "";     ///< distance_scale, turn_scale, yaw_drift [rad/m], laser_x [m] ...
+  double value = 0.0;        ///< mean, in the unit that the name implies
   double sigma = 0.0;        ///< standard deviation
   bool is_observed = false;  ///< false: the motions so far do not show it
 };
@@ -88,11 +88,11 @@ class Slam2dCalibrated {
 struct GraphView2d {
   /// A measurement between two nodes.
   struct Edge {
-    int from = 0;  ///< index of a node
-    int to = 0;  ///< index of a node
+    int from = 0;          ///< index of a node
+    int to = 0;            ///< index of a node
     bool is_loop = false;  ///< not between successive nodes
   };
-  std::vector<SE2> nodes;  ///< T_map_base
+  std::vector<SE2> nodes;   ///< T_map_base
   std::vector<Edge> edges;  ///< in the order in which they were added
 };
 

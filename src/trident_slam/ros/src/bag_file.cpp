@@ -17,6 +17,7 @@ namespace trident::slam {
 namespace {
 
 constexpr char kMagic[] = "#ROSBAG V2.0\n";
+// Larger sizes than these are damage, and are not allocated.
 constexpr std::size_t kMagicSize = sizeof(kMagic) - 1;
 constexpr std::size_t kLargestHeader = std::size_t{1} << 20;
 constexpr std::size_t kLargestChunk = std::size_t{1} << 30;
@@ -34,6 +35,7 @@ enum Op : std::uint8_t {
   kConnection = 7
 };
 
+/// A little-endian number that need not be aligned; the format's numbers are all of this kind.
 std::uint32_t u32(const char* from) {
   std::uint32_t value = 0;
   std::memcpy(&value, from, sizeof(value));
@@ -49,6 +51,7 @@ bool number(const std::map<std::string, std::string>& fields, const char* name,
   return true;
 }
 
+/// The kind of a record, or -1 where its header does not have one.
 int op_of(const std::map<std::string, std::string>& fields) {
   const auto found = fields.find("op");
   return found != fields.end() && found->second.size() == 1
@@ -61,6 +64,7 @@ std::string text(const std::map<std::string, std::string>& fields, const char* n
   return found == fields.end() ? "" : found->second;
 }
 
+/// A stream that ends early yields what it has up to there: messages before the damage are used.
 bool decompress_bzip2(std::string& stored, std::string& into) {
   bz_stream stream{};
   if (BZ2_bzDecompressInit(&stream, 0, 0) != BZ_OK) throw Error("out of memory");

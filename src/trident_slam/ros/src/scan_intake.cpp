@@ -22,12 +22,14 @@ constexpr double kMountResolution = 1e-5;  // [m], [rad]: logs give mounts to th
 constexpr double kGyroPatience = 1.0;    // [s]
 constexpr double kMinUprightness = 0.9;  // cosine of the tilt that a planar laser may have
 
+/// Rounded, a mount from tf equals that of the same recording as a log.
 double rounded(double value) { return std::round(value / kMountResolution) * kMountResolution; }
 
 Eigen::Matrix3d rotation(const geometry_msgs::Quaternion& q) {
   return Eigen::Quaterniond(q.w, q.x, q.y, q.z).toRotationMatrix();
 }
 
+/// The heading is that of the x axis: it stays defined for any roll and pitch below 90 degrees.
 SE2 planar(const geometry_msgs::Transform& T) {
   const Eigen::Vector3d x_axis = rotation(T.rotation).col(0);
   return SE2::from_xy_yaw(T.translation.x, T.translation.y, std::atan2(x_axis.y(), x_axis.x()));
@@ -47,6 +49,7 @@ void check(const sensor_msgs::LaserScan& message) {
 
 }  // namespace
 
+/// Upside down, the laser's z points down, and its angles count the other way round.
 LaserScan to_laser_scan(const sensor_msgs::LaserScan& message,
                         const geometry_msgs::Transform& T_base_laser) {
   check(message);
@@ -101,6 +104,7 @@ void ScanIntake::add(const sensor_msgs::LaserScanConstPtr& message) {
   waiting_.pop_front();
 }
 
+/// The rate about the base's vertical is the third row of R_base_imu times the measured rate.
 void ScanIntake::add(const sensor_msgs::Imu& message) {
   const std::string& imu = message.header.frame_id;
   imu_problem_ = ros_utils::stamp_problem(message.header.stamp, ros::Time());
@@ -122,6 +126,7 @@ void ScanIntake::add(const sensor_msgs::Imu& message) {
   rates_.add(static_cast<std::int64_t>(message.header.stamp.toNSec()), rate);
 }
 
+/// From the front only, so that scans leave in the order in which they came.
 std::vector<ScanRecord> ScanIntake::take() {
   std::vector<ScanRecord> records;
   while (!waiting_.empty()) {
@@ -174,6 +179,7 @@ std::vector<std::pair<std::string, std::string>> ScanIntake::needed(
   return transforms;
 }
 
+/// All transforms at the scan's own stamp; none is extrapolated.
 bool ScanIntake::resolve(const sensor_msgs::LaserScan& message, ScanRecord& record) {
   const ros::Time& stamp = message.header.stamp;
   const std::string& laser = laser_frame(message);
@@ -189,6 +195,8 @@ bool ScanIntake::resolve(const sensor_msgs::LaserScan& message, ScanRecord& reco
   return true;
 }
 
+/// A sweep is complete once the rates reach its end. It is not held up for ever by an IMU that has
+/// failed: after the patience it goes without, and that is counted.
 bool ScanIntake::has_settled_gyro(ScanRecord& record) {
   LaserScan& scan = record.scan;
   const double duration = sweep_duration(scan);
@@ -243,6 +251,8 @@ std::string ScanIntake::why_missing(const sensor_msgs::LaserScan& message) const
   return why;
 }
 
+/// What a user can act on: which transform, whether it is late, too old or unknown, and by how
+/// much.
 std::string ScanIntake::lateness(const std::string& target, const std::string& source,
                                  const ros::Time& stamp) const {
   const std::string name = "transform " + target + " -> " + ros_utils::quoted(source);

@@ -53,6 +53,9 @@ EkfSlam::EkfSlam(EkfSlamParams params)
 
 SE2 EkfSlam::T_map_base() const { return SE2::from_xy_yaw(state_[0], state_[1], state_[2]); }
 
+/// The filter's time update, x' = f(x, u), P' = F P F' + Q. F differs from the identity in the rows
+/// of the robot only, so that rows and columns of P are multiplied in place: linear in the number
+/// of landmarks instead of quadratic.
 void EkfSlam::predict(const SE2& T_before_now, const Eigen::Matrix3d& covariance) {
   if (!T_before_now.p.allFinite() || !std::isfinite(T_before_now.angle) ||
       !covariance.allFinite()) {
@@ -67,7 +70,9 @@ void EkfSlam::predict(const SE2& T_before_now, const Eigen::Matrix3d& covariance
   covariance_.topRows<kRobotStates>() = (motion.F * covariance_.topRows<kRobotStates>()).eval();
   covariance_.leftCols<kRobotStates>() =
       (covariance_.leftCols<kRobotStates>() * motion.F.transpose()).eval();
+  // The motion's covariance is given in the frame before it; P is in the map's.
   covariance_.topLeftCorner<3, 3>() += R * covariance * R.transpose();
+  // Both systematic errors walk with the distance, not with time: a robot at rest learns nothing.
   covariance_(3, 3) += distance * params_.yaw_scale_walk * params_.yaw_scale_walk;
   covariance_(4, 4) += distance * params_.curvature_walk * params_.curvature_walk;
 }
@@ -77,11 +82,14 @@ Eigen::Matrix2d EkfSlam::noise(const PointObservation& observation) const {
   return params_.observation_sigma * params_.observation_sigma * Eigen::Matrix2d::Identity();
 }
 
+/// A covariance that has no Cholesky factor is not one of a measurement.
 bool EkfSlam::is_usable(const PointObservation& observation) const {
   return observation.p_base.allFinite() && noise(observation).allFinite() &&
          noise(observation).llt().info() == Eigen::Success;
 }
 
+/// Innovation and its squared Mahalanobis distance d2 = v' S^-1 v with S = H P H' + R (Neira and
+/// Tardos 2001).
 LandmarkPair EkfSlam::pair(const PointObservation& observation, std::size_t observed,
                            std::size_t landmark) const {
   const Sight sight = see(state_.head<3>(), state_.segment<2>(index(landmark)));
@@ -95,6 +103,8 @@ LandmarkPair EkfSlam::pair(const PointObservation& observation, std::size_t obse
   return result;
 }
 
+/// Covariance of the innovations of two pairs, without noise: H_a P H_b'. Only the 5 x 5 part of P
+/// that both Jacobians touch is read.
 Eigen::Matrix2d EkfSlam::cross_covariance(const LandmarkPair& a, const LandmarkPair& b) const {
   Eigen::Matrix<double, 5, 5> P;
   const Eigen::Index i = index(a.landmark);
@@ -131,6 +141,8 @@ bool EkfSlam::is_new(const PointObservation& observation) const {
   return true;
 }
 
+/// Associates first and corrects afterwards with all pairs at once: pairs are jointly compatible
+/// only under one common linearization.
 std::vector<int> EkfSlam::observe(const std::vector<PointObservation>& observations) {
   std::vector<int> ids(observations.size(), kAmbiguous);
   const std::vector<std::vector<LandmarkPair>> candidates = compatible_pairs(observations);
@@ -147,6 +159,7 @@ std::vector<int> EkfSlam::observe(const std::vector<PointObservation>& observati
     ids[p.observed] = tracks_[p.landmark].id;
     was_seen[p.landmark] = true;
   }
+  // New landmarks are placed from the corrected pose.
   correct(pairs, observations);
   for (std::size_t i = 0; i < observations.size(); ++i) {
     if (ids[i] != kAmbiguous || !is_usable(observations[i]) || !is_new(observations[i])) continue;
@@ -179,6 +192,8 @@ void EkfSlam::observe_known(const std::vector<PointObservation>& observations,
   }
 }
 
+/// Measurement update with all pairs as one stacked measurement. P H' is built from the columns
+/// that each H touches, which keeps the cost at O(n m) besides the final O(n^2 m).
 void EkfSlam::correct(const std::vector<LandmarkPair>& pairs,
                       const std::vector<PointObservation>& observations) {
   if (pairs.empty()) return;
@@ -210,6 +225,8 @@ void EkfSlam::correct(const std::vector<LandmarkPair>& pairs,
   covariance_.noalias() -= W.transpose() * W;
 }
 
+/// Appends a landmark with the cross covariances of the pose that it was seen from (Smith, Self,
+/// Cheeseman 1990): P_ln = G P_pose,n, P_ll = G P_pose G' + G_z R G_z'.
 void EkfSlam::add(const PointObservation& observation, int id) {
   const Eigen::Index n = state_.size();
   const PlacedLandmark placed = place(state_.head<3>(), observation.p_base);
@@ -224,12 +241,15 @@ void EkfSlam::add(const PointObservation& observation, int id) {
   tracks_.push_back({id, 1, 0});
 }
 
+/// By the mean alone: near the edge of the view a miss counts as little as a sighting would.
 bool EkfSlam::should_be_seen(std::size_t landmark) const {
   const Eigen::Vector2d p_base = see(state_.head<3>(), state_.segment<2>(index(landmark))).p_base;
   return p_base.norm() < params_.view_range &&
          std::abs(std::atan2(p_base.y(), p_base.x())) < params_.view_half_angle;
 }
 
+/// Backwards, since forget() moves the landmarks behind. Confirmed ones stay, however often they
+/// are missed.
 void EkfSlam::count_misses(const std::vector<bool>& was_seen) {
   for (std::size_t landmark = was_seen.size(); landmark-- > 0;) {
     Track& track = tracks_[landmark];
@@ -238,6 +258,8 @@ void EkfSlam::count_misses(const std::vector<bool>& was_seen) {
   }
 }
 
+/// Marginalizes a landmark out of the filter: of mean and covariance its rows and columns are
+/// dropped.
 void EkfSlam::forget(std::size_t landmark) {
   const Eigen::Index at = index(landmark);
   const Eigen::Index behind = state_.size() - at - 2;

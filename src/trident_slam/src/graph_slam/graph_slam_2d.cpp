@@ -23,6 +23,7 @@ struct LiveMap {
   KeyframeMap map;
 };
 
+/// Poses that a user gives are checked against where the map is.
 Eigen::AlignedBox2d extent_of(const KeyframeGraph& graph) {
   Eigen::AlignedBox2d box;
   for (int i = 0; i < graph.size(); ++i) box.extend(graph.pose(i).p);
@@ -106,6 +107,7 @@ void GraphSlam2d::save_session(const std::string& path) const {
   write_session(impl_->mapper->session(), path);
 }
 
+/// Read and checked as a whole before the present map is replaced: an error leaves that as it was.
 void GraphSlam2d::load_session(const std::string& path, const std::optional<SE2>& T_map_base) {
   BinaryReader reader = read_session_file(path);
   Session session{KeyframeGraph(1, impl_->solver), {}, {}, 0.0};
@@ -121,6 +123,8 @@ void GraphSlam2d::load_session(const std::string& path, SessionStart start, cons
   if (start == SessionStart::kFirstNode && nodes() > 0) set_pose(impl_->mapper->graph().pose(0));
 }
 
+/// The graph is copied, its scans are shared. The map that is kept between calls is drawn under its
+/// own lock, in whichever thread runs the result.
 std::function<OccupancyGrid()> GraphSlam2d::map_snapshot() const {
   return [graph = impl_->mapper->graph(), live_map = impl_->live_map] {
     const std::lock_guard<std::mutex> lock(live_map->mutex);
@@ -199,6 +203,7 @@ GraphView2d GraphSlam2d::graph_view() const {
   return view;
 }
 
+/// Keyframes are numbered among the scans that trajectory() lists.
 std::vector<GraphLoop2d> GraphSlam2d::loops() const {
   const std::vector<std::size_t> scans = impl_->mapper->scans_of_keyframes();
   std::vector<GraphLoop2d> loops;
@@ -217,6 +222,7 @@ int GraphSlam2d::loops_closed() const {
   }));
 }
 
+/// With what the poses come from: after finish() all pairs of scans, before it the graph's edges.
 void GraphSlam2d::save_g2o(const std::string& path) const {
   const KeyframeGraph& graph = impl_->mapper->graph();
   PoseGraph2d poses;

@@ -65,6 +65,7 @@ std::string usage() {
          "Writes trajectory.tum, causal.tum, map.pgm, map.yaml and timing.json into DIR.\n";
 }
 
+/// %n tells how far sscanf has read: "1,2,3x" is an error, not 3.
 SE2 read_start(const std::string& text) {
   double x = 0.0;
   double y = 0.0;
@@ -77,6 +78,7 @@ SE2 read_start(const std::string& text) {
   return SE2::from_xy_yaw(x, y, yaw);
 }
 
+/// By hand, as options of the source are not known here but passed in.
 OfflineCommand parse(int argc, char** argv, const std::vector<std::string>& source_options) {
   OfflineCommand options;
   for (int i = 1; i < argc; ++i) {
@@ -177,6 +179,7 @@ void write_timing(const OfflineCommand& options, const OfflineResult& result,
   if (!file) throw Error(path + ": cannot be written");
 }
 
+/// The first few in full and the number of all: a log with a million bad lines is one screen.
 void print_problems(const char* what, const LogProblems& problems) {
   for (const std::string& text : problems.texts()) std::cerr << "warning: " << text << '\n';
   if (problems.count() > problems.texts().size()) {
@@ -184,6 +187,7 @@ void print_problems(const char* what, const LogProblems& problems) {
   }
 }
 
+/// Checked before the log is opened: an hour of work must not end in an option that does not fit.
 Slam2dSession* with_sessions(Slam2d* slam, const OfflineCommand& options) {
   auto* able = dynamic_cast<Slam2dSession*>(slam);
   const bool is_wanted = !options.session.empty() || !options.kept_session.empty();
@@ -214,6 +218,7 @@ void leave_odometry(Slam2d* slam, const std::string& method) {
   able->set_uses_odometry(false);
 }
 
+/// What the log has shown is printed also when the run fails, since it often is the reason.
 void run(const OfflineCommand& options, const OpenSource& open) {
   const Slam2dFactory method = builtin_slam_2d().get(options.method);
   const std::unique_ptr<Slam2d> slam = method(Slam2dSetup(options.config_file));

@@ -52,11 +52,13 @@ void add_scaled(double* to, const double* from, double factor, std::ptrdiff_t si
   for (std::ptrdiff_t k = 0; k < size; ++k) to[k] += factor * from[k];
 }
 
+/// Rows of a supernode's panel in scalars: its own columns and the rows below them.
 template <int kSize>
 std::ptrdiff_t scalar_rows(const Supernode& node) {
   return kSize * static_cast<std::ptrdiff_t>(node.rows.size());
 }
 
+/// Rows of its update matrix, those below its columns.
 template <int kSize>
 std::ptrdiff_t update_rows(const Supernode& node) {
   return kSize * (static_cast<std::ptrdiff_t>(node.rows.size()) - node.columns);
@@ -69,6 +71,8 @@ BlockCholesky<kSize>::BlockCholesky(std::shared_ptr<const BlockSymbolic> symboli
   reset(std::move(symbolic));
 }
 
+// An update matrix lives from the moment when its supernode is eliminated until its parent has
+// added it. In postorder the storage of few of them is enough, and FirstFit finds who can share.
 template <int kSize>
 void BlockCholesky<kSize>::reset(std::shared_ptr<const BlockSymbolic> symbolic) {
   symbolic_ = std::move(symbolic);
@@ -92,6 +96,7 @@ void BlockCholesky<kSize>::reset(std::shared_ptr<const BlockSymbolic> symbolic) 
   permuted_.resize(static_cast<std::size_t>(kSize) * symbolic_->size());
 }
 
+// Copies the entries of the matrix into the panel, which is dense within the supernode's pattern.
 template <int kSize>
 void BlockCholesky<kSize>::assemble(std::size_t s, const BlockMatrix<kSize>& matrix) {
   const Supernode& node = symbolic_->supernodes()[s];
@@ -113,6 +118,8 @@ void BlockCholesky<kSize>::assemble(std::size_t s, const BlockMatrix<kSize>& mat
   }
 }
 
+// The extend-add of the multifrontal method (Duff and Reid 1983): the child's update matrix is
+// scattered over the parent's panel and the parent's own update matrix.
 template <int kSize>
 void BlockCholesky<kSize>::add_child(std::size_t parent, std::size_t child) {
   const Supernode& above = symbolic_->supernodes()[parent];
@@ -142,6 +149,8 @@ void BlockCholesky<kSize>::add_child(std::size_t parent, std::size_t child) {
   }
 }
 
+// In postorder a supernode's children are complete when it is assembled. False: a pivot is not
+// positive, so the matrix is not positive definite.
 template <int kSize>
 bool BlockCholesky<kSize>::factorize(const BlockMatrix<kSize>& matrix) {
   const std::vector<Supernode>& nodes = symbolic_->supernodes();
@@ -163,6 +172,7 @@ bool BlockCholesky<kSize>::factorize(const BlockMatrix<kSize>& matrix) {
   return true;
 }
 
+// The panels' diagonals hold reciprocals, so that both substitutions multiply instead of dividing.
 template <int kSize>
 void BlockCholesky<kSize>::forward(const Supernode& node, const double* panel, double* x) {
   const std::ptrdiff_t below = update_rows<kSize>(node);
@@ -199,6 +209,7 @@ void BlockCholesky<kSize>::backward(const Supernode& node, const double* panel, 
   }
 }
 
+// x = P' L^-T L^-1 P b; P is the fill-reducing order of the variables.
 template <int kSize>
 void BlockCholesky<kSize>::solve(Eigen::VectorXd& vector) {
   const std::vector<Supernode>& nodes = symbolic_->supernodes();
@@ -218,6 +229,7 @@ void BlockCholesky<kSize>::solve(Eigen::VectorXd& vector) {
   }
 }
 
+// L^-1 P e of a variable's columns e: the marginal covariance is the product of this with itself.
 template <int kSize>
 typename BlockCholesky<kSize>::Columns BlockCholesky<kSize>::half_solve(int variable) {
   Columns result = Columns::Zero(kSize * symbolic_->size(), kSize);

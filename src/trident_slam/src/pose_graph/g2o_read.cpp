@@ -25,6 +25,7 @@ namespace {
 
 using Graph = std::variant<std::monostate, PoseGraph2d, PoseGraph3d>;
 
+/// zlib reads plain files, too; what a file is follows from its first bytes.
 std::string read_whole(const std::string& file) {
   check_no_device(file, "a g2o file");
   const std::unique_ptr<gzFile_s, int (*)(gzFile)> in(gzopen(file.c_str(), "rb"), gzclose);
@@ -100,6 +101,7 @@ struct Parts {
   bool is_empty() const { return vertices.empty() && edges.empty(); }
 };
 
+/// Line by line in one pass; what needs all vertices (edges, FIX) is resolved at the end.
 class Reader {
  public:
   Reader(const std::string& file, IndefiniteInformation indefinite)
@@ -180,6 +182,7 @@ class Reader {
     const double least = read_information(line, waiting.edge.information);
     if (least < 0.0) take_indefinite(line, least);
     line.end();
+    // Edges between successive ids are taken for odometry.
     waiting.edge.is_trusted = waiting.edge.to - waiting.edge.from == 1;
     parts.edges.push_back(waiting);
   }

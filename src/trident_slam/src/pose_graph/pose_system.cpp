@@ -30,6 +30,8 @@ class DisjointSets {
 
 }  // namespace
 
+// A connected part without a fixed vertex has a gauge freedom that makes the system singular: its
+// first vertex is held.
 template <class Group>
 void PoseSystem<Group>::choose_unknowns(const PoseGraph<Group>& graph) {
   const auto& vertices = graph.vertices();
@@ -75,6 +77,7 @@ void PoseSystem<Group>::add_edges(const PoseGraph<Group>& graph) {
   }
 }
 
+// Several edges between two vertices share one block of the Hessian.
 template <class Group>
 void PoseSystem<Group>::add_pair(Edge& edge) {
   const int from = unknown_of_vertex_[edge.from];
@@ -101,6 +104,8 @@ void PoseSystem<Group>::build_structure(const PoseGraph<Group>& graph) {
   structure_version_ = graph.structure_version();
 }
 
+// The elimination order is the costly part of the structure and depends on it alone: while no
+// vertex or edge comes or goes, only numbers are taken over.
 template <class Group>
 void PoseSystem<Group>::load(const PoseGraph<Group>& graph) {
   if (symbolic_ == nullptr || structure_version_ != graph.structure_version()) {
@@ -163,6 +168,8 @@ double PoseSystem<Group>::squared_error(const Edge& edge, const Poses& at) const
   return error.dot(edge.information * error);
 }
 
+// A rejected edge costs what an outlier costs at most under Geman and McClure's kernel, so that
+// costs before and after compare.
 template <class Group>
 RobustValue PoseSystem<Group>::robust_value(const Edge& edge, double squared_error) {
   if (edge.is_rejected) return {edge.kernel_scale * edge.kernel_scale, 0.0};
@@ -180,6 +187,9 @@ typename PoseSystem<Group>::Cost PoseSystem<Group>::cost(const Poses& at) const 
   return cost;
 }
 
+// Gauss-Newton with the weight of the robust kernel (iteratively reweighted least squares): H += J'
+// w Omega J, g += J' w Omega e. The Jacobian by the pose `from` is that by `to` times minus the
+// adjoint of T_to_from, so that one logarithm's Jacobian serves both.
 template <class Group>
 void PoseSystem<Group>::add_edge_terms(const Edge& edge, const Poses& at,
                                        BlockMatrix<kDimension>& H, Eigen::VectorXd& g) const {
@@ -218,6 +228,7 @@ void PoseSystem<Group>::linearize(const Poses& at, BlockMatrix<kDimension>& H,
   for (const Edge& edge : edges_) add_edge_terms(edge, at, H, g);
 }
 
+// Steps are tangents on the right: T_map_vertex * exp(step).
 template <class Group>
 void PoseSystem<Group>::move(const Poses& from, const Eigen::VectorXd& step, Poses& to) const {
   to = from;

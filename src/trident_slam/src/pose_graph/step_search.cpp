@@ -21,6 +21,8 @@ template <class Group>
 StepSearch<Group>::StepSearch(const PoseGraphOptions& options, PoseSystem<Group>& system)
     : options_(options), system_(system), cholesky_(system.symbolic()) {}
 
+/// Minimizes the robust cost by the chosen strategy until a step promises next to nothing,
+/// iterations run out, or no step lowers the cost.
 template <class Group>
 bool StepSearch<Group>::run() {
   if (system_.unknowns() == 0) return true;
@@ -33,6 +35,7 @@ bool StepSearch<Group>::run() {
   return false;
 }
 
+/// Gauss-Newton takes its step even where that raises the cost; that it has done so lets the other start be tried.
 template <class Group>
 typename StepSearch<Group>::Outcome StepSearch<Group>::iterate() {
   if (options_.strategy == TrustStrategy::kLevenbergMarquardt) return iterate_damped();
@@ -49,6 +52,10 @@ typename StepSearch<Group>::Outcome StepSearch<Group>::iterate() {
   return is_negligible(promised) ? Outcome::kConverged : Outcome::kMoved;
 }
 
+/// Levenberg-Marquardt with Nielsen's update of the damping (H. B. Nielsen, Damping parameter in
+/// Marquardt's method, 1999): it shrinks with the ratio of actual and promised decrease, and grows
+/// by doubling factors. A negligible damping is forgotten, so that the last steps are
+/// Gauss-Newton's.
 template <class Group>
 typename StepSearch<Group>::Outcome StepSearch<Group>::iterate_damped() {
   while (iterations_ < options_.max_iterations && lambda_ < kMaxLambda) {
@@ -71,6 +78,8 @@ typename StepSearch<Group>::Outcome StepSearch<Group>::iterate_damped() {
   return Outcome::kStuck;
 }
 
+/// Powell's dogleg within a trust region, whose radius starts at the first Gauss-Newton step. The
+/// system is factorized once per linearization, however often the radius shrinks.
 template <class Group>
 typename StepSearch<Group>::Outcome StepSearch<Group>::iterate_dogleg() {
   const double newton_length = length(newton_);
@@ -97,6 +106,7 @@ typename StepSearch<Group>::Outcome StepSearch<Group>::iterate_dogleg() {
   }
 }
 
+/// Damping multiplies the diagonal (Marquardt's scaling), so that it does not depend on units.
 template <class Group>
 bool StepSearch<Group>::solve(double lambda) {
   ++iterations_;
@@ -112,6 +122,8 @@ bool StepSearch<Group>::solve(double lambda) {
   return newton_.allFinite();
 }
 
+/// A system that is singular within rounding, such as one with a vertex of zero information, gets
+/// the least damping that makes it positive definite.
 template <class Group>
 bool StepSearch<Group>::solve_somehow() {
   if (solve(0.0)) return true;
@@ -121,6 +133,7 @@ bool StepSearch<Group>::solve_somehow() {
   return false;
 }
 
+/// Scaled by the Hessian's diagonal, as steps have parts in metres and in radians.
 template <class Group>
 double StepSearch<Group>::length(const Eigen::VectorXd& step) const {
   double sum = 0.0;
@@ -131,6 +144,7 @@ double StepSearch<Group>::length(const Eigen::VectorXd& step) const {
   return std::sqrt(sum);
 }
 
+/// s' H s, from the blocks of one triangle.
 template <class Group>
 double StepSearch<Group>::curvature(const Eigen::VectorXd& step) const {
   const auto part = [&step](int k) { return step.template segment<kDimension>(kDimension * k); };
@@ -157,11 +171,13 @@ Eigen::VectorXd StepSearch<Group>::dogleg_step(const Eigen::VectorXd& downhill) 
   return downhill + t * to_newton;
 }
 
+/// Decrease of the quadratic model: -(2 g's + s'H s), the cost being the whole square without 1/2.
 template <class Group>
 double StepSearch<Group>::promised_by(const Eigen::VectorXd& step) const {
   return -2.0 * g_.dot(step) - curvature(step);
 }
 
+/// Keeps the step if the robust cost does not rise; NaN counts as a rise.
 template <class Group>
 bool StepSearch<Group>::try_step(const Eigen::VectorXd& step) {
   system_.move(system_.poses, step, trial_);

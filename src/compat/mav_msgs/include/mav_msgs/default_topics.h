@@ -7,17 +7,17 @@ namespace mav_msgs {
 namespace default_topics {
 
 // Measurements.
-static constexpr char IMU[] = "imu";  ///< sensor_msgs/Imu
+static constexpr char IMU[] = "imu";                        ///< sensor_msgs/Imu
 static constexpr char MOTOR_MEASUREMENT[] = "motor_speed";  ///< mav_msgs/Actuators
 static constexpr char MAGNETIC_FIELD[] = "magnetic_field";  ///< sensor_msgs/MagneticField
-static constexpr char GPS[] = "gps";  ///< sensor_msgs/NavSatFix
+static constexpr char GPS[] = "gps";                        ///< sensor_msgs/NavSatFix
 static constexpr char RC[] = "rc";
 static constexpr char STATUS[] = "status";
 static constexpr char AIR_SPEED[] = "air_speed";
 static constexpr char GROUND_SPEED[] = "ground_speed";
 
 // Commands.
-static constexpr char COMMAND_ACTUATORS[] = "command/motor_speed";  ///< mav_msgs/Actuators
+static constexpr char COMMAND_ACTUATORS[] = "command/motor_speed";    ///< mav_msgs/Actuators
 static constexpr char COMMAND_RATE_THRUST[] = "command/rate_thrust";  ///< mav_msgs/RateThrust
 static constexpr char COMMAND_ROLL_PITCH_YAWRATE_THRUST[] = "command/roll_pitch_yawrate_thrust";
 /// Mav_msgs/AttitudeThrust.
@@ -31,8 +31,8 @@ static constexpr char POSE[] = "pose";  ///< geometry_msgs/PoseStamped
 /// Geometry_msgs/PoseWithCovarianceStamped.
 static constexpr char POSE_WITH_COVARIANCE[] = "pose_with_covariance";
 static constexpr char TRANSFORM[] = "transform";  ///< geometry_msgs/TransformStamped
-static constexpr char ODOMETRY[] = "odometry";  ///< nav_msgs/Odometry
-static constexpr char POSITION[] = "position";  ///< geometry_msgs/PointStamped
+static constexpr char ODOMETRY[] = "odometry";    ///< nav_msgs/Odometry
+static constexpr char POSITION[] = "position";    ///< geometry_msgs/PointStamped
 
 // Simulation only.
 static constexpr char WRENCH[] = "wrench";

@@ -29,7 +29,7 @@ struct EigenAttitudeThrust {
 
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
   Eigen::Quaterniond attitude = Eigen::Quaterniond::Identity();  ///< R_world_body
-  Eigen::Vector3d thrust = Eigen::Vector3d::Zero();  ///< [N], body
+  Eigen::Vector3d thrust = Eigen::Vector3d::Zero();              ///< [N], body
 };
 
 /// mav_msgs/Actuators; each vector has one entry per actuator, or none.
@@ -116,12 +116,12 @@ class EigenMavState {
     return out.str();
   }
 
-  Eigen::Vector3d position_W = Eigen::Vector3d::Zero();  ///< of the body's origin [m]
-  Eigen::Vector3d velocity_W = Eigen::Vector3d::Zero();  ///< [m/s]
+  Eigen::Vector3d position_W = Eigen::Vector3d::Zero();      ///< of the body's origin [m]
+  Eigen::Vector3d velocity_W = Eigen::Vector3d::Zero();      ///< [m/s]
   Eigen::Vector3d acceleration_B = Eigen::Vector3d::Zero();  ///< specific force [m/s^2]
   Eigen::Quaterniond orientation_W_B = Eigen::Quaterniond::Identity();  ///< R_world_body
-  Eigen::Vector3d angular_velocity_B = Eigen::Vector3d::Zero();  ///< [rad/s]
-  Eigen::Vector3d angular_acceleration_B = Eigen::Vector3d::Zero();  ///< [rad/s^2]
+  Eigen::Vector3d angular_velocity_B = Eigen::Vector3d::Zero();         ///< [rad/s]
+  Eigen::Vector3d angular_acceleration_B = Eigen::Vector3d::Zero();     ///< [rad/s^2]
 };
 
 /// One point of a reference trajectory.
@@ -160,22 +160,22 @@ struct EigenTrajectoryPoint {
                              _degrees_of_freedom) {}
 
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
-  int64_t timestamp_ns = -1;  ///< since the epoch; negative: unknown
-  int64_t time_from_start_ns = 0;  ///< of the trajectory
-  Eigen::Vector3d position_W = Eigen::Vector3d::Zero();  ///< [m]
-  Eigen::Vector3d velocity_W = Eigen::Vector3d::Zero();  ///< [m/s]
+  int64_t timestamp_ns = -1;                                 ///< since the epoch; negative: unknown
+  int64_t time_from_start_ns = 0;                            ///< of the trajectory
+  Eigen::Vector3d position_W = Eigen::Vector3d::Zero();      ///< [m]
+  Eigen::Vector3d velocity_W = Eigen::Vector3d::Zero();      ///< [m/s]
   Eigen::Vector3d acceleration_W = Eigen::Vector3d::Zero();  ///< without gravity [m/s^2]
-  Eigen::Vector3d jerk_W = Eigen::Vector3d::Zero();  ///< [m/s^3]
-  Eigen::Vector3d snap_W = Eigen::Vector3d::Zero();  ///< [m/s^4]
+  Eigen::Vector3d jerk_W = Eigen::Vector3d::Zero();          ///< [m/s^3]
+  Eigen::Vector3d snap_W = Eigen::Vector3d::Zero();          ///< [m/s^4]
   /// Of DOF4 only the yaw counts.
   Eigen::Quaterniond orientation_W_B = Eigen::Quaterniond::Identity();
-  Eigen::Vector3d angular_velocity_W = Eigen::Vector3d::Zero();  ///< [rad/s]
+  Eigen::Vector3d angular_velocity_W = Eigen::Vector3d::Zero();      ///< [rad/s]
   Eigen::Vector3d angular_acceleration_W = Eigen::Vector3d::Zero();  ///< [rad/s^2]
   MavActuation degrees_of_freedom = MavActuation::DOF4;  ///< what of the point a vehicle can follow
 
   double getYaw() const { return yawFromQuaternion(orientation_W_B); }  ///< [rad]
-  double getYawRate() const { return angular_velocity_W.z(); }  ///< [rad/s]
-  double getYawAcc() const { return angular_acceleration_W.z(); }  ///< [rad/s^2]
+  double getYawRate() const { return angular_velocity_W.z(); }          ///< [rad/s]
+  double getYawAcc() const { return angular_acceleration_W.z(); }       ///< [rad/s^2]
   /// The setters leave no roll, no pitch and no rotation about x and y.
   void setFromYaw(double yaw) { orientation_W_B = quaternionFromYaw(yaw); }
   void setFromYawRate(double yaw_rate) { angular_velocity_W << 0.0, 0.0, yaw_rate; }  ///< [rad/s]
@@ -220,11 +220,11 @@ struct EigenOdometry {
         angular_velocity_B(_angular_velocity) {}
 
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
-  int64_t timestamp_ns = -1;  ///< since the epoch; negative: unknown
+  int64_t timestamp_ns = -1;                             ///< since the epoch; negative: unknown
   Eigen::Vector3d position_W = Eigen::Vector3d::Zero();  ///< [m]
   Eigen::Quaterniond orientation_W_B = Eigen::Quaterniond::Identity();  ///< R_world_body
-  Eigen::Vector3d velocity_B = Eigen::Vector3d::Zero();  ///< [m/s]
-  Eigen::Vector3d angular_velocity_B = Eigen::Vector3d::Zero();  ///< [rad/s]
+  Eigen::Vector3d velocity_B = Eigen::Vector3d::Zero();                 ///< [m/s]
+  Eigen::Vector3d angular_velocity_B = Eigen::Vector3d::Zero();         ///< [rad/s]
   /// Position, then rotation [m^2, rad^2]
   Eigen::Matrix<double, 6, 6> pose_covariance_ = Eigen::Matrix<double, 6, 6>::Zero();
   /// Linear, then angular.

@@ -22,7 +22,7 @@ namespace trident::control {
 
 /// What a controller reads of a nav_msgs/Odometry.
 struct StampedOdometry {
-  ros::Time stamp;  ///< of the state; the answer carries it
+  ros::Time stamp;      ///< of the state; the answer carries it
   OdometryState state;  ///< not checked; see is_valid()
 };
 

@@ -11,20 +11,21 @@ namespace trident::estimation {
 
 /// The private parameters of the node, under amcl's names. What `Amcl` itself needs is in `filter`.
 struct AmclNodeParams {
-  AmclParams filter;  ///< what the filter itself needs
-  std::string odom_frame_id = "odom";  ///< frame of odometry
+  AmclParams filter;                        ///< what the filter itself needs
+  std::string odom_frame_id = "odom";       ///< frame of odometry
   std::string base_frame_id = "base_link";  ///< frame of the robot
-  std::string global_frame_id = "map";  ///< frame of the map
-  double transform_tolerance = 0.1;  ///< [s]
-  bool tf_broadcast = true;  ///< whether map -> odom is published
-  bool use_map_topic = false;  ///< map from the topic, not the service static_map
-  bool first_map_only = false;  ///< use_map_topic: pass over later maps
+  std::string global_frame_id = "map";      ///< frame of the map
+  double transform_tolerance = 0.1;         ///< [s]
+  bool tf_broadcast = true;                 ///< whether map -> odom is published
+  bool use_map_topic = false;               ///< map from the topic, not the service static_map
+  bool first_map_only = false;              ///< use_map_topic: pass over later maps
   double initial_pose_x = 0.0, initial_pose_y = 0.0, initial_pose_a = 0.0;  ///< [m]
-  double initial_cov_xx = 0.25, initial_cov_yy = 0.25, initial_cov_aa = 0.068538919;  ///< [m^2], [rad^2]
-  double save_pose_rate = 0.5;  ///< [Hz]
-  double gui_publish_rate = -1.0;  ///< [Hz]
+  double initial_cov_xx = 0.25, initial_cov_yy = 0.25,
+         initial_cov_aa = 0.068538919;  ///< [m^2], [rad^2]
+  double save_pose_rate = 0.5;          ///< [Hz]
+  double gui_publish_rate = -1.0;       ///< [Hz]
   double std_warn_level_x = 0.2, std_warn_level_y = 0.2, std_warn_level_yaw = 0.1;  ///< [m]
-  double bag_loop_jump = 1.0;  ///< [s]
+  double bag_loop_jump = 1.0;                                                       ///< [s]
   bool start_anywhere = false;  ///< as if global_localization were called when there is a map
 
   /// Lists the fields for the parameter reader and the reference.

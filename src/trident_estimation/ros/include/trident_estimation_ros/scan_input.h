@@ -19,7 +19,7 @@ namespace trident::estimation {
 
 /// A scan with what tf knew about it.
 struct PlacedScan {
-  LaserScan scan;  ///< with the laser's mount from tf
+  LaserScan scan;   ///< with the laser's mount from tf
   ros::Time stamp;  ///< of the first beam
   SE2 T_odom_base;  ///< then
   SE2 T_start_end;  ///< the robot's motion while the scan was taken
@@ -28,7 +28,7 @@ struct PlacedScan {
 /// Frames that a scan is placed in.
 struct ScanInputParams {
   std::string odom_frame_id, base_frame_id;  ///< parent and child of odometry's transform
-  double bag_loop_jump = 1.0;  ///< [s]
+  double bag_loop_jump = 1.0;                ///< [s]
 };
 
 /// Subscribes `scan`, holds each back until tf reaches from the odometry's frame to the robot at

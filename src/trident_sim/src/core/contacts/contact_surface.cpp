@@ -18,6 +18,9 @@ constexpr double kBeyondAnySpeed = 1e9;
 
 }  // namespace
 
+/// Two materials in contact: springs in series and dampers side by side, and of everything else the
+/// smaller value. ODE's parameters of an implicit spring and damper over a step dt are erp = dt k /
+/// (dt k + d) and cfm = 1 / (dt k + d) (ODE manual, section 3.8.2).
 dSurfaceParameters combine_surfaces(const Surface& a, const Surface& b, double dt_s) {
   dSurfaceParameters surface{};
   const double kp = 1.0 / (1.0 / a.kp_n_m + 1.0 / b.kp_n_m);
@@ -35,6 +38,8 @@ dSurfaceParameters combine_surfaces(const Surface& a, const Surface& b, double d
   return surface;
 }
 
+/// How deep a contact may stay and how fast it is pushed out. The world's correcting velocity
+/// bounds both bodies' own.
 Correction combine_corrections(const Surface& a, const Surface* b, const PhysicsSpec& world) {
   Correction pair{a.min_depth_m, a.max_vel_m_s, kBeyondAnySpeed};
   if (b != nullptr) {

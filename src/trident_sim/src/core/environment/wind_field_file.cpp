@@ -19,6 +19,7 @@ namespace {
 constexpr std::string_view kBlanks = " \t\r\n\v\f";
 constexpr double kMaxColumns = 1e6;  ///< along one axis
 
+/// Those of the files that rotors_gazebo_wind_plugin reads, in their order.
 const std::vector<std::string>& field_names() {
   static const std::vector<std::string> names{
       "min_x",    "min_y", "n_x", "n_y", "res_x", "res_y", "vertical_spacing_factors",
@@ -26,6 +27,7 @@ const std::vector<std::string>& field_names() {
   return names;
 }
 
+/// std::from_chars, which no locale changes; it knows no plus sign.
 std::optional<double> parse_number(std::string_view word) {
   if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
   double value = 0.0;
@@ -108,6 +110,8 @@ class FieldFile {
     if (find(name).values.size() != size) refuse_size(name, size_text);
   }
 
+  // Words end at blanks; one that ends with a colon opens a field, all others are its numbers.
+  // Lines only count for errors.
   void parse(std::string_view text) {
     std::size_t line = 1;
     auto field = fields_.end();
@@ -151,6 +155,7 @@ class FieldFile {
   std::map<std::string, Field> fields_;
 };
 
+/// Factors are heights between the ground (0) and the top (1) of a column, in rising order.
 void check_spacing(const FieldFile& file) {
   const std::string name = "vertical_spacing_factors";
   const std::vector<double>& factors = file.list(name);
@@ -175,6 +180,7 @@ void check_heights(const FieldFile& file, const WindGrid& grid) {
 
 }  // namespace
 
+/// Each count is checked before the lists that depend on it, so that an error names its cause.
 WindGrid read_wind_grid(const std::string& path) {
   const FieldFile file(path);
   WindGrid grid;

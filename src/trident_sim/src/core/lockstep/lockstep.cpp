@@ -14,6 +14,7 @@ void LockstepVehicle::remember(SimTime stamp) {
   ++sent_count_;
 }
 
+/// Of the last kRemembered stamps each is known; before those any stamp since the first one counts.
 bool LockstepVehicle::was_sent(SimTime stamp) const {
   if (sent_count_ > kRemembered) {
     const SimTime oldest{sent_[sent_count_ % kRemembered]};
@@ -36,6 +37,7 @@ bool LockstepVehicle::on_state(SimTime stamp, WallTime now) {
   return true;
 }
 
+/// A later stamp answers the oldest state, too: its controller has skipped that one.
 LockstepVehicle::Answer LockstepVehicle::on_answer(SimTime stamp, WallTime now) {
   if (!was_sent(stamp)) return Answer::kForeign;
   if (!enrolled_) {
@@ -70,6 +72,7 @@ void LockstepVehicle::clear() {
   sent_count_ = 0;
 }
 
+/// States are answered in order, so that the oldest one waiting decides.
 bool LockstepVehicle::answered_up_to(SimTime stamp) const {
   return !enrolled_ || waiting_.empty() || waiting_.front() > stamp;
 }
@@ -78,6 +81,8 @@ WallTime LockstepVehicle::waiting_for(WallTime now) const {
   return enrolled_ && in_flight_ ? now - sent_at_ : 0;
 }
 
+/// A node that enrolls again with the same period and vehicles keeps its start: a call repeated
+/// after a lost response changes nothing.
 SimTime SetpointSources::enroll(const std::string& node, const std::vector<std::string>& vehicles,
                                 SimTime period, SimTime end, SimTime now, bool waits_beyond_end) {
   if (period.ns <= 0) {
@@ -132,6 +137,7 @@ bool SetpointSources::is_covered(const std::string& vehicle, SimTime due) const 
   return covered != covered_.end() && covered->second >= due;
 }
 
+/// Set-points are due at multiples of the period, whenever the source enrolled.
 bool SetpointSources::covers(const Source& source, SimTime time) const {
   const bool has_ended = source.end.ns > 0 && time >= source.end && !source.waits_beyond_end;
   if (time < source.start || has_ended) return true;

@@ -12,6 +12,7 @@ namespace {
 /// Cosine of the angle that the axes of a universal joint may miss a right angle by.
 constexpr double kSquare = 1e-3;
 
+/// Inverse mass: zero for what forces do not move, the world and kinematic bodies.
 double mobility_of(const Body* body) {
   return body == nullptr || body->is_kinematic() ? 0.0 : 1.0 / body->mass();
 }
@@ -52,6 +53,7 @@ void lay_axis(JointAxis& axis, Body* from, Body* to, bool of_to, const Eigen::Ve
   axis.inertia = mobility > 0.0 ? 1.0 / mobility : 0.0;
 }
 
+/// A gearbox' axes run from the reference body, those of all other joints from the parent.
 void lay_axes(Joint& joint, const Placed& placed) {
   Body* child = joint.child->body;
   Body* parent = joint.parent == nullptr ? nullptr : joint.parent->body;
@@ -94,6 +96,7 @@ void place_as_spawned(const Model& model) {
   }
 }
 
+/// In the pose of the spawn: ODE takes the present place of both bodies for the joint's zero.
 void anchor_joint(const Model& model, Joint& joint) {
   const Eigen::Quaterniond& R = model.T_world_model_initial.R;
   const Placed placed{model.T_world_model_initial * joint.spec.T_model_joint.p,

@@ -40,6 +40,8 @@ class LinkGroups {
   std::vector<std::size_t> parent_;
 };
 
+/// Makes a model's bodies, shapes and joints from its spec. The order of run() matters: which links
+/// share a body follows from the joints, so joints are read before bodies and made after them.
 class Builder {
  public:
   Builder(Model& model, const std::vector<std::string>& rotor_joints, dWorldID world,
@@ -61,6 +63,7 @@ class Builder {
   }
 
  private:
+  // The world is one more group behind the links, so that a link fixed to it becomes static.
   std::size_t link_index(const std::string& name, const std::string& joint) const {
     if (name == "world") return groups_.world();
     const auto it = index_.find(name);
@@ -80,6 +83,8 @@ class Builder {
     }
   }
 
+  // A rotor joint joins its links, too: the rotor is kept as a scalar rate on its carrier's body
+  // (docs/explanation/physics.md), whose mass then includes the rotor's.
   void group_links() {
     for (const JointSpec& joint : spec_.joints) {
       const std::size_t parent = link_index(joint.parent, joint.name);
@@ -91,6 +96,7 @@ class Builder {
     }
   }
 
+  // Until attach_link() puts a link on a body, T_body_link is T_world_link: that of a static link.
   void make_links() {
     for (const LinkSpec& spec : spec_.links) {
       auto link = std::make_unique<Link>();
@@ -116,6 +122,7 @@ class Builder {
     return {&spec_.links[i], rotor == nullptr ? nullptr : &rotor->axis_model};
   }
 
+  // std::map: bodies come in the order of their first links, which the solver's results depend on.
   void make_bodies() {
     std::map<std::size_t, std::vector<std::size_t>> members;
     for (std::size_t i = 0; i < spec_.links.size(); ++i) members[groups_.find(i)].push_back(i);
@@ -126,6 +133,8 @@ class Builder {
     }
   }
 
+  // The origin is the composite center of mass, as ODE requires, the axes are those of the first
+  // link.
   std::unique_ptr<EngineBody> make_body(std::size_t leader, const std::vector<std::size_t>& links) {
     auto body = std::make_unique<EngineBody>();
     const LinkSpec& first = spec_.links[leader];
@@ -137,6 +146,7 @@ class Builder {
     body->T_world_body =
         model_.T_world_model_initial * SE3{first.T_model_link.R, inertia.p_model_com};
     body->set_orientation(body->T_world_body.R);
+    // Of links that are fixed to each other only the first one's switches count.
     body->T_world_body_initial = body->T_world_body;
     body->kinematic = first.kinematic;
     body->linear_damping = first.linear_damping;
@@ -148,6 +158,8 @@ class Builder {
     return body;
   }
 
+  // ODE's copy of a body sleeps until the constraint solver enables it with its island: free bodies
+  // are moved by the engine itself, which also applies gravity.
   void make_ode_body(EngineBody& body) {
     body.ode = dBodyCreate(world_);
     dBodySetGyroscopicMode(body.ode, 0);  // the engine adds that torque, rotors included

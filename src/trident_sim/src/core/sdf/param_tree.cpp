@@ -42,12 +42,15 @@ const ParamNode* ParamNode::find(std::string_view child_name) const {
   return nullptr;
 }
 
+/// The text of an element that exists; asking for it counts as reading it.
 std::optional<std::string> PluginParams::raw(std::string_view key) const {
   const ParamNode* found = node(key);
   if (found == nullptr) return std::nullopt;
   return trimmed(found->text);
 }
 
+/// Errors of the new reader name the outer element, too; of "name[i]" the queries are those of
+/// "name", as all of its elements have the same content.
 PluginParams PluginParams::below(std::string_view key) const {
   static const ParamNode kNothing{};
   const ParamNode* const element = node(key);
@@ -80,6 +83,7 @@ const ParamNode* PluginParams::node(std::string_view key) const {
   return nullptr;
 }
 
+/// Repeated elements are named once: what matters is that nothing reads them.
 std::vector<std::string> PluginParams::unread() const {
   std::vector<std::string> names;
   for (const ParamNode& child : root_->children) {
@@ -117,6 +121,7 @@ double PluginParams::number(std::string_view key, double fallback, Limits limits
   return read_number(key, fallback, limits);
 }
 
+/// NaN and infinities are refused whatever the limits: none of the simulator's numbers may be one.
 double PluginParams::read_number(std::string_view key, double fallback, Limits limits) const {
   const auto text = raw(key);
   if (!text) return fallback;
@@ -125,6 +130,7 @@ double PluginParams::read_number(std::string_view key, double fallback, Limits l
   return *value;
 }
 
+/// Through a double, as files write whole numbers as "8.0", too.
 int PluginParams::integer(std::string_view key, int fallback, Limits limits) const {
   note(key, ParamQuery::Kind::kInteger, std::to_string(fallback), limits);
   const double value = read_number(key, fallback, limits);

@@ -139,6 +139,7 @@ SE3 shape_offset(const sdf::Geometry& geometry) {
   return {Eigen::Quaterniond::Identity(), to_eigen(geometry.HeightmapShape()->Position())};
 }
 
+/// Elements that are absent keep Surface's defaults.
 Surface convert_surface(const sdf::Collision& collision, const std::string& what) {
   Surface surface;
   if (const sdf::Surface* from = collision.Surface()) {
@@ -173,6 +174,7 @@ struct PrincipalRange {
   double least, most;
 };
 
+/// By eigenvalues, as products of inertia may make a tensor with positive diagonal indefinite.
 PrincipalRange principal_inertia(const Eigen::Matrix3d& inertia) {
   const Eigen::Vector3d principal =
       Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia, Eigen::EigenvaluesOnly).eigenvalues();
@@ -238,6 +240,7 @@ void note_inertial(const sdf::Link& link, const std::string& fault, const std::s
                               instead);
 }
 
+/// A collision whose shape is left out is no error: it was reported where the shape was read.
 void convert_collision(const sdf::Collision& collision, const std::string& link_name,
                        const std::string& what, const ConvertContext& context, LinkSpec& link) {
   const std::string name = what + " collision '" + collision.Name() + "'";
@@ -268,6 +271,7 @@ void convert_visual(const sdf::Visual& visual, const std::string& link_name,
   link.visuals.push_back(std::move(result));
 }
 
+/// A static model's links have no use for masses, which files often leave out or get wrong.
 LinkSpec convert_link(const sdf::Link& from, const std::string& prefix, const SE3& T_root_model,
                       bool is_static, const ConvertContext& context) {
   LinkSpec link;
@@ -344,6 +348,7 @@ void require_step(const PhysicsSpec& spec, const std::string& label, OddElements
 
 }  // namespace
 
+/// Read from the elements: libsdformat's own class has no solver, constraints or extension.
 PhysicsSpec convert_physics(const sdf::World& world, const std::string& label, OddElements policy) {
   PhysicsSpec spec;
   spec.gravity = to_eigen(world.Gravity());
@@ -387,6 +392,8 @@ SphericalCoordinates convert_spherical(const sdf::World& world) {
 
 }  // namespace
 
+/// Poses of SDF 1.7 and later may be relative to other frames; links and joints are resolved to the
+/// outermost model.
 ModelSpec convert_model(const sdf::Model& from, const ConvertContext& context) {
   ModelSpec spec;
   spec.name = from.Name();
@@ -400,6 +407,7 @@ ModelSpec convert_model(const sdf::Model& from, const ConvertContext& context) {
   return spec;
 }
 
+/// A part that cannot be converted is refused or left out by itself: the rest of the world is kept.
 WorldSpec convert_world(const sdf::World& from, const ConvertContext& context) {
   WorldSpec spec;
   spec.name = from.Name();

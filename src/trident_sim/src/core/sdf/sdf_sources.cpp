@@ -41,6 +41,8 @@ std::string number(std::uint64_t value) { return std::to_string(value); }
 
 }  // namespace
 
+/// Includes are followed before libsdformat sees the text: a file that includes itself, or expands to
+/// too much, is refused by name.
 SdfSources::SdfSources(std::string text, const std::string& label, Find find, std::string searched,
                        OddList& odd, const WarningSink& warn)
     : text_(std::move(text)),
@@ -62,6 +64,7 @@ SdfSources::~SdfSources() {
   if (!folder_.empty()) fs::remove_all(folder_, ignored);
 }
 
+/// Once per URI: a search goes over all folders of the paths.
 const SdfSources::Found& SdfSources::look_up(const std::string& uri) const {
   const auto [entry, is_new] = found_.try_emplace(uri);
   Found& found = entry->second;
@@ -97,6 +100,7 @@ bool is_include(const XMLElement& element, const XMLElement& parent) {
 
 }  // namespace
 
+/// A text that is no XML is left to libsdformat, whose message names the place.
 SdfSources::Size SdfSources::visit(std::string& text, const std::string& label, int depth) {
   Size size{0, text.size()};
   if (size.bytes > limits_.bytes) return size;
@@ -125,6 +129,8 @@ void SdfSources::leave_out(const XMLElement& parent, const std::string& label, i
   }
 }
 
+/// An include is named by its line and how many that stay are before it in that line: tinyxml2
+/// knows no columns.
 void SdfSources::visit_includes(const XMLElement& parent, const std::string& label, int depth,
                                 Size& size, std::vector<Include>& cut) {
   ++size.elements;
@@ -166,6 +172,7 @@ std::string SdfSources::open(const std::string& path, int depth, File& file) {
   return "";
 }
 
+/// Counts elements and bytes as often as a file is included, as expanding it would.
 std::string SdfSources::follow(const std::string& uri, int depth, Size& size) {
   const std::string what = " of '" + uri + "'";
   const std::string path = look_up(uri).file;
@@ -196,6 +203,8 @@ std::string SdfSources::follow(const std::string& uri, int depth, Size& size) {
   return "";
 }
 
+/// libsdformat reads included files by their names, so that a changed text needs a file of its own.
+/// The files live as long as the sources.
 void SdfSources::save_copy(File& file) {
   if (folder_.empty()) {
     std::string pattern = (fs::temp_directory_path() / "trident_sdf_XXXXXX").string();
@@ -208,6 +217,7 @@ void SdfSources::save_copy(File& file) {
   std::ofstream(file.copy, std::ios::binary) << file.text;
 }
 
+/// Names with "::" that libsdformat cannot resolve are read with "__" in a second attempt.
 void SdfSources::repair(std::string& text, const std::string& label) {
   try {
     leave_out_unreadable(text, label, odd_.texts);

@@ -13,8 +13,10 @@
 namespace trident::sim {
 namespace {
 
+/// The step that contains the start has the whole force: steps are not divided.
 bool active(SimTime start, const StepInfo& info) { return start < info.end; }
 
+/// A span that ends within a step still acts in that step.
 bool finished(SimTime start, SimTime duration, const StepInfo& info) {
   return duration.ns >= 0 && start + duration <= info.begin;
 }
@@ -55,6 +57,7 @@ void World::clear_efforts(const Joint& joint) {
   drop_if(efforts_, [&joint](const AppliedEffort& e) { return e.joint == &joint; });
 }
 
+/// Made before the old one is removed, so that bad values leave that in place.
 JointDrive& World::add_drive(Joint& joint, const DriveSpec& spec, std::size_t axis) {
   auto drive = std::make_unique<JointDrive>(joint, axis, spec);
   remove_drive(joint, axis);
@@ -74,6 +77,7 @@ void World::remove_drive(const Joint& joint, std::size_t axis) {
           [&](const auto& drive) { return &drive->joint() == &joint && drive->axis() == axis; });
 }
 
+/// Drives may have come and gone since the snapshot, so that they are copied instead of exchanged.
 void World::restore_drives(const std::vector<JointDrive>& drives) {
   std::vector<std::unique_ptr<JointDrive>> restored;
   for (const JointDrive& then : drives) {
@@ -88,6 +92,7 @@ void World::restore_drives(const std::vector<JointDrive>& drives) {
   drives_ = std::move(restored);
 }
 
+/// In the order in which they were applied: sums of floating-point numbers depend on it.
 void World::apply_external(const StepInfo& info) {
   drop_if(wrenches_, [&](const auto& w) { return finished(w.start, w.duration, info); });
   drop_if(efforts_, [&](const auto& e) { return finished(e.start, e.duration, info); });
@@ -123,6 +128,8 @@ void add_state(const Model& model, Sha256& hash) {
 
 }  // namespace
 
+/// Only what two runs must have in common: names, poses, velocities, rotors, sea and air. Two equal
+/// hashes are the evidence that a run was repeated to the bit.
 std::string World::state_hash() const {
   Sha256 hash;
   hash.update_double(static_cast<double>(step_count_));

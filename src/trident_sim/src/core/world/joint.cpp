@@ -24,6 +24,7 @@ Eigen::Vector3d v_of(const Body* body, const Eigen::Vector3d& p_world) {
   return body == nullptr ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : body->velocity_at(p_world);
 }
 
+/// The part of a rotation about an axis (swing-twist decomposition), in (-pi, pi].
 double angle_about(const Eigen::Quaterniond& turn, const Eigen::Vector3d& axis) {
   const double angle = 2.0 * std::atan2(turn.vec().dot(axis), turn.w());
   return angle - kTurn * std::round(angle / kTurn);
@@ -43,6 +44,8 @@ double universal_angle(const Joint& joint, std::size_t axis) {
   return -std::atan2(second.dot(first.cross(moved)), first.dot(moved));
 }
 
+/// Of an angle the turn nearest to the last one: exact as long as a step turns less than half a
+/// revolution.
 double measure(const Joint& joint, std::size_t axis) {
   const JointAxis& of = joint.axes[axis];
   if (of.linear) return of.length();
@@ -78,6 +81,8 @@ double JointAxis::length_rate() const {
   return (v_of(to, p_world) - v_of(from, p_world)).dot(axis_world());
 }
 
+/// Equal and opposite, so that a drive adds no momentum to the pair. A force acts at the child's
+/// anchor on both bodies.
 void JointAxis::push(double effort) const {
   const Eigen::Vector3d along = effort * axis_world();
   const Eigen::Vector3d p_world = pose_of(to) * p_to_anchor;
@@ -109,6 +114,7 @@ double Joint::velocity(std::size_t axis) const {
   return axes[axis].linear ? axes[axis].length_rate() : axes[axis].angle_rate();
 }
 
+/// Changes the child alone. An angular rate turns it about the anchor, which keeps its velocity.
 void Joint::set_velocity(double rate) {
   if (is_rotor) {
     rotor_velocity = rate;

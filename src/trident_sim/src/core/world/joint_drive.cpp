@@ -64,6 +64,8 @@ void JointDrive::set_target(double target) {
   target_ = target;
 }
 
+/// Towards a position the d term damps the joint's own rate, so that a new target makes no kick;
+/// towards a velocity it acts on the change of the error, of which the first step knows none.
 double JointDrive::wanted_effort(double dt_s) {
   const double limit = spec_.gains.output_limit;
   if (spec_.mode == DriveMode::kEffort) return std::clamp(target_, -limit, limit);

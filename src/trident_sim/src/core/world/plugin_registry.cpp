@@ -94,6 +94,7 @@ const PluginFactory* PluginRegistry::find_or_load(const std::string& filename,
   return nullptr;
 }
 
+/// All symbols are resolved at once, so that one that is missing fails the load and not the run.
 void PluginRegistry::load_shared_object(const std::string& path) {
   void* library = open_now(path);
   if (library == nullptr)

@@ -18,6 +18,7 @@ namespace {
 constexpr double kHeaviest_kg = 1e12;
 constexpr double kTurn = 6.283185307179586;
 
+/// Principal moments instead of the diagonal: products of inertia can make a tensor indefinite.
 void validate(const Link& link, const Inertial& inertial) {
   const auto refuse = [&link](const std::string& why) {
     throw Error("link [" + link.name + "]: " + why);
@@ -95,6 +96,8 @@ Eigen::Vector3d v_at(const Body* body, const Eigen::Vector3d& p_world) {
 }
 
 /// Moves a body, whose motion against `base` moves along.
+/// Its motion relative to the base turns along; what the base itself does is added for the new
+/// place.
 void carry(EngineBody& body, const Body* base, const SE3& T_move) {
   const Eigen::Vector3d p = body.T_world_body.p;
   const Eigen::Vector3d w_base =
@@ -154,6 +157,8 @@ double within_limits(const Joint& joint, double position) {
 
 }  // namespace
 
+/// Bodies of several links are composed again. A new spawn number makes older snapshots unfit,
+/// since they hold velocities of other centers of mass.
 void World::set_link_inertial(Link& link, const Inertial& inertial, bool gravity) {
   validate(link, inertial);
   Model& model = *model_of(models_, link);
@@ -174,6 +179,7 @@ void World::set_axis_params(Joint& joint, std::size_t axis, const AxisParams& pa
   trident::sim::set_axis_params(joint, axis, params);
 }
 
+/// First all checks, then all moves: an error in the last joint must leave the first where it was.
 std::vector<std::string> World::set_joint_positions(
     Model& model, const std::vector<std::pair<std::string, double>>& positions) {
   std::vector<std::pair<Joint*, double>> targets;

@@ -45,6 +45,8 @@ World::World(const WorldSpec& spec, const Resources& resources, PluginRegistry& 
   rebuild_schedule();
 }
 
+/// Plugins hold references to bodies, ports and each other's samples: those of the world go first,
+/// as they may reach into any model.
 World::~World() {
   world_plugins_.clear();
   for (auto& [name, model] : models_) {
@@ -57,6 +59,8 @@ void World::report(Severity severity, const std::string& text) const {
   if (options_.report) options_.report(severity, text);
 }
 
+/// Reported once by name, counted always: a robot that is refused a command in every step would
+/// fill a log otherwise.
 void World::diagnose(Diagnostic diagnostic) {
   const Severity severity = diagnostic.severity;
   const std::string text = diagnostic.subject + ": " + diagnostic.message;
@@ -91,6 +95,8 @@ Model& World::spawn(ModelSpec spec, const std::string& robot_namespace) {
   return model;
 }
 
+/// Nothing of the world has changed until the model is complete: build_model() throws, or returns a
+/// model that only needs to be listed.
 Model& World::add_model(ModelSpec spec, const std::string& robot_namespace) {
   if (spec.name.empty()) throw Error("a model needs a name");
   if (models_.count(spec.name) != 0) {
@@ -126,6 +132,7 @@ void World::report_overlap(const Model& model) {
              {"legal", "<= " + std::to_string(kDeepContact_m) + " m"}}});
 }
 
+/// What the world holds by address must not outlive the links and joints of the model.
 void World::drop_references(const Model& model) {
   const auto of_model = [&model](const Link* link) {
     return std::any_of(model.links.begin(), model.links.end(),
@@ -148,6 +155,7 @@ void World::remove(const std::string& name) {
   rebuild_schedule();
 }
 
+/// Checked as a copy, so that a value out of range leaves everything as it was.
 void World::set_physics(const PhysicsSpec& physics) {
   PhysicsSpec checked = physics;
   validate(checked);

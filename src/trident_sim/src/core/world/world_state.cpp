@@ -31,6 +31,8 @@ void place_as_at_start(Model& model) {
 
 }  // namespace
 
+/// Time continues, but samples count from here (StepInfo::sample): noise and rates repeat exactly
+/// after every reset.
 void World::reset_models() {
   reset_step_ = step_count_;
   wrenches_.clear();
@@ -52,6 +54,7 @@ void World::reset() {
   reset_models();
 }
 
+/// All bodies move by one rigid transform, so that joints keep their positions.
 void World::set_model_pose(Model& model, const SE3& T_world_model) {
   if (!is_place(T_world_model)) {
     throw Error("model '" + model.name +
@@ -68,6 +71,7 @@ void World::set_model_pose(Model& model, const SE3& T_world_model) {
   engine_->push_state(model);
 }
 
+/// The twist of a rigid body: each center of mass moves by v + w x r.
 void World::set_model_twist(Model& model, const Eigen::Vector3d& v_world,
                             const Eigen::Vector3d& w_world) {
   if (!is_motion(v_world, w_world)) {

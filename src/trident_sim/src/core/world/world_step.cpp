@@ -37,6 +37,8 @@ void timed(double* seconds, const Work& work) {
 
 }  // namespace
 
+/// Which plugins run in a phase is worked out when models come or go, not in every step. World
+/// plugins come first: models find the wind and the sea of this step.
 void World::rebuild_schedule() {
   for (auto& phase : schedule_) phase.clear();
   const auto add = [this](Plugin* plugin) {

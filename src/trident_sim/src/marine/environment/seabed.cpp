@@ -18,6 +18,7 @@
 namespace trident::sim {
 namespace {
 
+// 200 MB of heights: more is a header that does not belong to its values.
 constexpr double kMaxPoints = 5e7;
 
 std::string lower_case(std::string text) {
@@ -160,6 +161,8 @@ GroundGrid read_ascii_grid(const BathymetryParams& params) {
   return AsciiGridReader(params).read(params);
 }
 
+/// Bilinear between the four points about the place. Beyond the edge it continues at the edge's
+/// height, so that no cliff stands where the survey ends.
 double GroundGrid::height_m(const Eigen::Vector2d& place) const {
   const double x = std::clamp(place.x(), 0.0, columns - 1.0);
   const double y = std::clamp(place.y(), 0.0, rows - 1.0);
@@ -174,6 +177,8 @@ double GroundGrid::height_m(const Eigen::Vector2d& place) const {
   return below + wy * (above - below);
 }
 
+/// Of one grid the highest point of each block of cells is kept: most questions are whether the
+/// water is deep enough to ignore the ground, and a block's maximum answers them.
 Seabed::Seabed(std::vector<GroundGrid> grids) : grids_(std::move(grids)) {
   if (grids_.size() != 1) return;
   const GroundGrid& grid = grids_[0];
@@ -203,6 +208,7 @@ double Seabed::depth_m(const Eigen::Vector2d& p_world, double enough) const {
   return depth >= enough ? depth : -grid.height_m(place);
 }
 
+/// Where grids overlap the higher one counts; outside of all of them the nearest edge.
 double Seabed::height_m(const Eigen::Vector2d& p_world) const {
   if (grids_.size() == 1) return grids_[0].height_m(grids_[0].place(p_world));
   double highest = -std::numeric_limits<double>::infinity();
@@ -223,6 +229,7 @@ double Seabed::height_m(const Eigen::Vector2d& p_world) const {
   return std::isfinite(highest) ? highest : at_edge;
 }
 
+/// Over the points below the level only: land has no depth.
 double Seabed::mean_depth_m(double level_m) const {
   double sum = 0.0;
   std::size_t count = 0;

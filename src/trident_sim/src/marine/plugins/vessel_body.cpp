@@ -33,6 +33,8 @@ Vector6d turned(const Eigen::Matrix3d& R, const Vector6d& v) {
 
 }  // namespace
 
+/// Mass, center of gravity and inertia of the body that the link is part of, about CO and in its
+/// axes. The tensor is made symmetric again after the rotation, which rounding disturbs.
 RigidBody rigid_body_of(const Link& link, const SE3& T_link_co) {
   const SE3 T_co_body = (link.T_body_link * T_link_co).inverse();
   const Eigen::Matrix3d R = T_co_body.R.toRotationMatrix();
@@ -68,6 +70,8 @@ VesselBody::VesselBody(const PluginContext& context, Link& link, const VesselPar
   if (const auto sea = find_sea(world_)) check_afloat(*sea);
 }
 
+/// A model file and a vessel file both state the mass. Where they differ the vessel would move by
+/// one and float by the other, so that a difference is refused.
 void VesselBody::check_inertial() const {
   const RigidBody is = rigid_body_of(link_, place_.T_link_co), wanted = vessel_.rigid_body();
   if (std::abs(is.mass_kg - wanted.mass_kg) > kTolerance * wanted.mass_kg) {
@@ -90,6 +94,7 @@ void VesselBody::check_inertial() const {
   }
 }
 
+/// The dynamics follow the link's present mass, which a service may have set.
 void VesselBody::body_frames_moved() {
   T_body_co_ = link_.T_body_link * place_.T_link_co;
   const RigidBody body = rigid_body_of(link_, place_.T_link_co);
@@ -115,6 +120,8 @@ void VesselBody::look_around(World& world) {
                   "libtrident_sea.so gives it one"});
 }
 
+/// At the place where it is spawned, each section of the hull by its own draft: a bow on the beach
+/// is reported at once, not as a contact later.
 void VesselBody::check_afloat(const Sea& sea) const {
   const SE3 T_world_co = link_.body->pose() * T_body_co_;
   const double time_s = world_.time().seconds();
@@ -139,6 +146,7 @@ void VesselBody::check_afloat(const Sea& sea) const {
               " m deep there, legal is >= " + number_text(least) + " m, its draft");
 }
 
+/// By the wind relative to the hull, in its axes.
 Vector6d VesselBody::wind_on_hull(const Afloat& now) const {
   const Air* const air = around_.air();
   if (air == nullptr || !air->blows() || vessel_.wind.isZero()) return Vector6d::Zero();
@@ -146,6 +154,8 @@ Vector6d VesselBody::wind_on_hull(const Afloat& now) const {
   return wind_wrench(vessel_.wind, now.T_world_co.R.conjugate() * wind - now.nu.head<3>());
 }
 
+/// Everything at the beginning of the step, in which forces act. Gravity may be set while the world
+/// runs; buoyancy then changes with it.
 Afloat VesselBody::sense(World& world, const StepInfo& info) {
   look_around(world);
   if (gravity_of(world) != gravity_) {
@@ -170,6 +180,9 @@ Afloat VesselBody::sense(World& world, const StepInfo& info) {
   return now;
 }
 
+/// The engine integrates a rigid body without added mass. engine_wrench() is the force that gives
+/// this body the acceleration which Fossen's equation, (M_RB + M_A) nu' + ... = tau, has; what the
+/// engine applies by itself (weight, forces of others) is handed in and taken out again.
 void VesselBody::push(const World& world, const StepInfo& info, const Afloat& now,
                       const Vector6d& tau_actuators) {
   const Vector6d tau = tau_actuators + wind_on_hull(now);
@@ -209,6 +222,7 @@ void VesselBody::push_legacy(const StepInfo& info, const Afloat& now, const Vect
   body.apply_torque(wrench.tail<3>());
 }
 
+/// The engine takes forces at the center of mass, in world axes.
 void VesselBody::add_about_cg(const Afloat& now, const Vector6d& wrench) {
   const Vector6d at_cg =
       turned(now.T_world_co.R.toRotationMatrix(),

@@ -27,6 +27,8 @@ struct VectorNoise {
   Eigen::Vector3d variance() const { return normal_stddev.cwiseAbs2(); }
 };
 
+/// RotorS' elements: a Gaussian and a uniform part are added; only the Gaussian's variance is in
+/// the published covariance, as there.
 VectorNoise read_noise(const PluginParams& params, const std::string& what, std::uint32_t channel) {
   VectorNoise noise{params.vector3("noiseNormal" + what, Eigen::Vector3d::Zero()),
                     params.vector3("noiseUniform" + what, Eigen::Vector3d::Zero()), channel};
@@ -63,6 +65,7 @@ class Odometry : public MeasuringPlugin {
   void state(StateArchive& archive) override { archive(delayed_); }
 
  protected:
+  // The delay counts in steps of the model's own samples, which restart with a reset.
   void measure(const World&, const StepInfo& info) override {
     if (!anyone_listens()) return;
     const bool is_due = info.sample % divisor_ == 0;
@@ -129,11 +132,14 @@ class Odometry : public MeasuringPlugin {
     }
   }
 
+  // Ports are counted one by one: which topics exist does not change what is computed.
   bool anyone_listens() const {
     return odometry_->wanted() || pose_->wanted() || pose_with_covariance_->wanted() ||
            point_->wanted() || transform_->wanted() || (frame_ && frame_->wanted());
   }
 
+  // The position is the centre of mass', the velocity the link origin's, as RotorS reads both from
+  // Gazebo.
   void sample(const StepInfo& info, OdometrySample& out) const {
     out.stamp = info.end + unknown_delay_;
     const SE3 T_world_link = link_.T_world_link();
@@ -144,6 +150,7 @@ class Odometry : public MeasuringPlugin {
     if (!position_.zero()) out.T_parent_child.p += position_.sample(stream_, info.sample);
     if (!rotation_.zero()) {
       const Eigen::Vector3d half = 0.5 * rotation_.sample(stream_, info.sample);
+      // First order of the exponential map: noise of a rotation vector, in the body's frame.
       const Eigen::Quaterniond small(1.0, half.x(), half.y(), half.z());
       out.T_parent_child.R = (out.T_parent_child.R * small).normalized();
     }

@@ -24,17 +24,17 @@ class BagFile {
   /// A publisher of one topic, as it was recorded; a topic may have several.
   struct Connection {
     std::uint32_t id = 0;  ///< in the file
-    std::string topic;  ///< resolved name
-    std::string type;  ///< "package/Message"
-    std::string md5;  ///< of the message's definition, 32 hexadecimal digits
+    std::string topic;     ///< resolved name
+    std::string type;      ///< "package/Message"
+    std::string md5;       ///< of the message's definition, 32 hexadecimal digits
   };
   /// Where a message lies; its data are read by instantiate().
   struct Message {
-    ros::Time time;  ///< when it was recorded
+    ros::Time time;              ///< when it was recorded
     std::size_t connection = 0;  ///< index into connections()
-    std::size_t chunk = 0;  ///< number of the chunk, in file order
-    std::size_t begin = 0;  ///< of its data within the chunk [byte]
-    std::size_t size = 0;   ///< [byte]
+    std::size_t chunk = 0;       ///< number of the chunk, in file order
+    std::size_t begin = 0;       ///< of its data within the chunk [byte]
+    std::size_t size = 0;        ///< [byte]
   };
 
   /// Throws Error when it cannot be opened, is no bag of format 2.0, or is encrypted.

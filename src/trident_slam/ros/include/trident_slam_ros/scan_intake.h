@@ -24,9 +24,9 @@ LaserScan to_laser_scan(const sensor_msgs::LaserScan& message,
 
 /// Which transforms a scan needs, and how long it waits for them.
 struct ScanIntakeOptions {
-  std::string odom_frame = "odom";  ///< empty: no odometry, its poses are the identity
+  std::string odom_frame = "odom";            ///< empty: no odometry, its poses are the identity
   std::string base_frame = "base_footprint";  ///< whose poses the algorithm is given
-  double transform_timeout = 0.2;  ///< [s] that a transform may come after its scan
+  double transform_timeout = 0.2;             ///< [s] that a transform may come after its scan
   bool waits_for_all = false;      ///< true: a scan waits as long as its transform may still come
   bool uses_mount = true;          ///< false: the laser is taken to sit at the base frame
   bool uses_gyro = false;          ///< a sweep waits for the turning rates until its end, too
@@ -61,9 +61,9 @@ class ScanIntake {
   /// After time went back: forgets what waits.
   void clear();
 
-  std::size_t received() const { return received_; }  ///< scans that were added
+  std::size_t received() const { return received_; }       ///< scans that were added
   std::size_t waiting() const { return waiting_.size(); }  ///< scans, now
-  std::size_t left_out() const { return left_out_; }  ///< scans, all of them in problems()
+  std::size_t left_out() const { return left_out_; }       ///< scans, all of them in problems()
   /// Scans used without the turning rates asked for.
   std::size_t without_gyro() const { return without_gyro_; }
   /// Since the beginning; clear() keeps them.

@@ -22,17 +22,17 @@ constexpr auto enum_names(BagLoop /*tag*/) {
 /// What every SLAM node can be set to. The fields of visit() are private parameters; the others
 /// depend on the program, or have another parameter in each.
 struct SlamNodeOptions {
-  std::string map_frame = "map";  ///< frame of the map
+  std::string map_frame = "map";    ///< frame of the map
   std::string odom_frame = "odom";  ///< empty: poses by scans alone, and map -> base is published
   std::string base_frame = "base_footprint";  ///< frame of the robot
-  std::string scan_topic = "scan";  ///< topic of sensor_msgs/LaserScan
+  std::string scan_topic = "scan";            ///< topic of sensor_msgs/LaserScan
   std::string imu_topic;  ///< of sensor_msgs/Imu: its turning rate deskews sweeps; empty: none
-  std::string map_topic = "map";  ///< below the node's namespace
+  std::string map_topic = "map";    ///< below the node's namespace
   std::string pose_topic = "pose";  ///< below the node's namespace and its private one
-  bool uses_mount = true;    ///< false: the laser is taken to sit at the base frame
-  int scan_queue_size = 10;  ///< of the subscriber, in asynchronous mode
-  bool is_sync = false;      ///< true: every scan is used; false: the newest one, never a queue
-  int throttle_scans = 1;    ///< one scan of so many is used
+  bool uses_mount = true;           ///< false: the laser is taken to sit at the base frame
+  int scan_queue_size = 10;         ///< of the subscriber, in asynchronous mode
+  bool is_sync = false;    ///< true: every scan is used; false: the newest one, never a queue
+  int throttle_scans = 1;  ///< one scan of so many is used
   double transform_publish_period = 0.02;  ///< [s]; 0: map -> odom is not published
   double transform_timeout = 0.2;          ///< [s]
   double tf_buffer_duration = 30.0;        ///< [s]
@@ -41,10 +41,10 @@ struct SlamNodeOptions {
   double minimum_time_interval = 0.0;      ///< [s] between two scans that are used
   double tf_delay = -1.0;  ///< [s] by which map -> odom is ahead; negative: transform_timeout
   double position_covariance_scale = 1.0;  ///< factor of the published variances of x and y
-  double yaw_covariance_scale = 1.0;  ///< factor of the published variance of yaw
-  double bag_loop_threshold = 1.0;  ///< [s]
-  BagLoop bag_loop = BagLoop::kIgnore;  ///< see docs/howto/slam.md
-  std::string autosave_file;       ///< session file; empty: none
+  double yaw_covariance_scale = 1.0;       ///< factor of the published variance of yaw
+  double bag_loop_threshold = 1.0;         ///< [s]
+  BagLoop bag_loop = BagLoop::kIgnore;     ///< see docs/howto/slam.md
+  std::string autosave_file;               ///< session file; empty: none
   double autosave_interval = 0.0;  ///< [s] of scans that a crash loses at most; 0: no autosave
 
   /// Lists the fields for the parameter reader and the reference.

@@ -11,6 +11,6 @@ enum class ToolboxMode { kSync, kAsync, kLocalization, kLifelong };
 // Each returns the exit code: 1 for parameters that cannot be used, with one line that says why.
 int run_slam_toolbox(int argc, char** argv, ToolboxMode mode);
 int run_merge_maps(int argc, char** argv);  ///< joins session files by hand in RViz
-int run_gmapping(int argc, char** argv);  ///< particle_slam_2d as slam_gmapping
+int run_gmapping(int argc, char** argv);    ///< particle_slam_2d as slam_gmapping
 
 }  // namespace trident::slam

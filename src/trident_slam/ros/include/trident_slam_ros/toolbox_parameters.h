@@ -14,13 +14,13 @@ namespace trident::slam {
 
 /// Private parameters of slam_toolbox' nodes beyond SlamNodeOptions and those of the method.
 struct ToolboxParams {
-  std::string solver_plugin = "trident";  ///< trident, or solver_plugins::CeresSolver
-  std::string map_file_name;  ///< session to continue, without its ending
+  std::string solver_plugin = "trident";                ///< trident, or solver_plugins::CeresSolver
+  std::string map_file_name;                            ///< session to continue, without its ending
   std::optional<std::array<double, 3>> map_start_pose;  ///< x [m], y [m], yaw [rad]
   std::optional<bool> map_start_at_dock;                ///< default: where there is no start pose
-  std::string map_name = "map";  ///< topic of the map
-  bool debug_logging = false;  ///< log debug messages, too
-  bool enable_interactive_mode = true;  ///< nodes may be moved in RViz
+  std::string map_name = "map";                         ///< topic of the map
+  bool debug_logging = false;                           ///< log debug messages, too
+  bool enable_interactive_mode = true;                  ///< nodes may be moved in RViz
 
   /// Lists the fields for the parameter reader and the reference.
   template <class Archive>

@@ -17,6 +17,8 @@ int KeyframeGraph::add(const Keyframe& keyframe) {
   return size() - 1;
 }
 
+/// Dijkstra over submaps: along the path by the distance that was travelled, over any other edge by
+/// a metre. How far two submaps may have drifted apart grows with this length.
 std::vector<double> KeyframeGraph::distances_from(int submap) const {
   const std::size_t count = static_cast<std::size_t>(submaps());
   std::vector<std::vector<std::pair<int, double>>> neighbors(count);
@@ -67,6 +69,9 @@ void KeyframeGraph::set_scan(int i, std::shared_ptr<const PointScan> scan) {
   keyframes_[static_cast<std::size_t>(i)].scan = std::move(scan);
 }
 
+/// Edges of a removed keyframe are tied to the nearest one that stays, by their distance in time:
+/// the graph stays connected, and the information moves along by the adjoint of the transform
+/// between both.
 KeyframeGraph::Removal KeyframeGraph::remove(const std::vector<char>& is_removed) {
   Removal result;
   const std::vector<Keyframe> before = std::exchange(keyframes_, {});
@@ -109,6 +114,7 @@ KeyframeGraph::Removal KeyframeGraph::remove(const std::vector<char>& is_removed
   return result;
 }
 
+/// Scans are stored as points with normals, as they are used.
 void KeyframeGraph::save(BinaryWriter* writer) const {
   writer->put<std::int32_t>(submap_size_);
   writer->put<std::uint64_t>(keyframes_.size());
@@ -135,6 +141,7 @@ void KeyframeGraph::save(BinaryWriter* writer) const {
   }
 }
 
+/// What a damaged file says of sizes and indices is checked before memory is taken or read.
 void KeyframeGraph::load(BinaryReader* reader) {
   submap_size_ = reader->get<std::int32_t>();
   if (submap_size_ < 1) reader->fail();
@@ -165,6 +172,8 @@ void KeyframeGraph::load(BinaryReader* reader) {
   }
 }
 
+/// The first keyframe is the map's frame and stays. Only edges to revisited places get a robust
+/// kernel: those are not verified, as loops are.
 void KeyframeGraph::optimize(const GraphOptimizationOptions& options) {
   if (size() < 2) return;
   PoseGraph2d graph;
