@@ -25,6 +25,7 @@ _PGM = re.compile(rb"P5\s+(?:#[^\n]*\n\s*)*(\d+)\s+(\d+)\s+\d+\s")
 _PGM_HEAD = 4096
 #: Of a map that is drawn and judged: 350 m by 350 m at 5 cm. Each takes some ten bytes then.
 MAX_CELLS = 50_000_000
+_ERROR = "slam_offline: "  # what an error of the program begins with
 _SHOWN_LINES = 5
 
 
@@ -127,7 +128,7 @@ def _follow(stream: IO[str], show: bool) -> list[str]:
         found = _PROGRESS.match(line)
         if found is None:
             said.append(line.rstrip())
-            if show:
+            if show and not line.startswith(_ERROR):  # an error is the caller's to say
                 print(("\n" if is_bar_shown else "") + line.rstrip(), file=sys.stderr)
                 is_bar_shown = False
         elif show and sys.stderr.isatty():
@@ -135,7 +136,7 @@ def _follow(stream: IO[str], show: bool) -> list[str]:
             is_bar_shown = True
     if is_bar_shown:
         print(file=sys.stderr)
-    return [line.removeprefix("slam_offline: ") for line in said]
+    return [line.removeprefix(_ERROR) for line in said]
 
 
 def bar(percent: int, scans: int) -> str:
