@@ -234,11 +234,15 @@ void Amcl::note_mean_weight(double mean_weight) {
   fast_ += fast_ == 0.0 ? mean_weight : params_.recovery_alpha_fast * (mean_weight - fast_);
 }
 
+/// Random particles are drawn while recent scans fit worse than they do in the long run.
 double Amcl::random_share() const {
   if (params_.recovery_alpha_slow == 0.0 || params_.recovery_alpha_fast == 0.0) return 0.0;
   return slow_ > 0.0 ? std::max(0.0, 1.0 - fast_ / slow_) : 0.0;
 }
 
+/// Indexed search (Chen and Asau, On generating random variates from an empirical distribution,
+/// 1974): the guide says where the running sum of weights passes each slice of [0, 1), so that a
+/// draw need not begin at the first particle.
 void Amcl::make_guide() {
   const std::size_t count = particles_.size();
   cumulative_.resize(count);

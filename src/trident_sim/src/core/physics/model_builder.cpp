@@ -237,6 +237,7 @@ class Builder {
     }
   }
 
+  // Joints between links of one body are not made: a rigid joint holds them together already.
   void make_joints() {
     for (const JointSpec& spec : spec_.joints) {
       auto joint = std::make_unique<Joint>();
@@ -276,6 +277,7 @@ class Builder {
     return link == nullptr ? nullptr : engine_body(link->body);
   }
 
+  // A rotor on a static link has inertias to be driven against, but no body to push.
   void make_rotor(Joint& joint) const {
     joint.is_rotor = true;
     const LinkSpec& spec = spec_.links[index_.at(joint.spec.child)];
