@@ -117,6 +117,8 @@ Amcl::Amcl(const AmclParams& params, const OccupancyGrid& map)
 
 Amcl::~Amcl() = default;
 
+/// Gaussian about the pose, by a square root of the covariance, which may be singular: a heading
+/// that is known exactly is legal.
 void Amcl::set_pose(const SE2& T_map_base, const Eigen::Matrix3d& covariance) {
   if (!is_finite(T_map_base))
     throw Error("pose: (" + number_text(T_map_base.p.x()) + ", " + number_text(T_map_base.p.y()) +
@@ -199,6 +201,9 @@ void Amcl::forget_odometry() {
   T_odom_seen_.reset();
 }
 
+/// One step of Monte Carlo localization: move by odometry, weigh by the scan, estimate, search if
+/// the scan disagrees, resample. The estimate is taken before resampling, whose draws only add
+/// noise.
 AmclStep Amcl::update(const LaserScan& scan, const SE2& T_odom_base, const SE2& T_start_end) {
   AmclStep step;
   step.problem = problem_of(scan, T_odom_base);

@@ -41,8 +41,8 @@ std::string number(std::uint64_t value) { return std::to_string(value); }
 
 }  // namespace
 
-/// Includes are followed before libsdformat sees the text: a file that includes itself, or expands to
-/// too much, is refused by name.
+/// Includes are followed before libsdformat sees the text: a file that includes itself, or expands
+/// to too much, is refused by name.
 SdfSources::SdfSources(std::string text, const std::string& label, Find find, std::string searched,
                        OddList& odd, const WarningSink& warn)
     : text_(std::move(text)),
