@@ -73,6 +73,8 @@ void mark_obstacles(const OccupancyGrid& grid, DistanceField::Obstacles obstacle
 
 }  // namespace
 
+/// Squared Euclidean distances by two passes of one-dimensional transforms, columns and then rows:
+/// linear in the number of cells. The border of far cells lets at() clamp instead of checking.
 DistanceField::DistanceField(const OccupancyGrid& grid, double max_distance, Obstacles obstacles)
     : width_(grid.width),
       height_(grid.height),

@@ -117,6 +117,8 @@ Amcl::Amcl(const AmclParams& params, const OccupancyGrid& map)
 
 Amcl::~Amcl() = default;
 
+/// Gaussian about the pose, by a square root of the covariance, which may be singular: a heading
+/// that is known exactly is legal.
 void Amcl::set_pose(const SE2& T_map_base, const Eigen::Matrix3d& covariance) {
   if (!is_finite(T_map_base))
     throw Error("pose: (" + number_text(T_map_base.p.x()) + ", " + number_text(T_map_base.p.y()) +
@@ -199,6 +201,9 @@ void Amcl::forget_odometry() {
   T_odom_seen_.reset();
 }
 
+/// One step of Monte Carlo localization: move by odometry, weigh by the scan, estimate, search if
+/// the scan disagrees, resample. The estimate is taken before resampling, whose draws only add
+/// noise.
 AmclStep Amcl::update(const LaserScan& scan, const SE2& T_odom_base, const SE2& T_start_end) {
   AmclStep step;
   step.problem = problem_of(scan, T_odom_base);
@@ -234,11 +239,15 @@ void Amcl::note_mean_weight(double mean_weight) {
   fast_ += fast_ == 0.0 ? mean_weight : params_.recovery_alpha_fast * (mean_weight - fast_);
 }
 
+/// Random particles are drawn while recent scans fit worse than they do in the long run.
 double Amcl::random_share() const {
   if (params_.recovery_alpha_slow == 0.0 || params_.recovery_alpha_fast == 0.0) return 0.0;
   return slow_ > 0.0 ? std::max(0.0, 1.0 - fast_ / slow_) : 0.0;
 }
 
+/// Indexed search (Chen and Asau, On generating random variates from an empirical distribution,
+/// 1974): the guide says where the running sum of weights passes each slice of [0, 1), so that a
+/// draw need not begin at the first particle.
 void Amcl::make_guide() {
   const std::size_t count = particles_.size();
   cumulative_.resize(count);

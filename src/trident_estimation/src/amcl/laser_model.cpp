@@ -52,6 +52,8 @@ double cube(double x) { return x * x * x; }
 
 }  // namespace
 
+/// Evenly over the whole scan, first and last beam included as amcl does. A return that deskewing
+/// moves to the range limit is kept below it, as the limit stands for no return.
 ScanBeams select_beams(const LaserScan& scan, const LaserModelParams& params,
                        const SE2& T_start_end) {
   ScanBeams beams;
@@ -84,6 +86,8 @@ ScanBeams select_beams(const LaserScan& scan, const LaserModelParams& params,
   return beams;
 }
 
+/// The beam model casts rays, which unknown space stops, too; the likelihood field looks at ends
+/// only.
 LaserModel2d::LaserModel2d(const OccupancyGrid& grid, const LaserModelParams& params)
     : params_(params), field_(grid, params.laser_likelihood_max_dist) {
   if (params.laser_model_type != LaserModel::kBeam) return;

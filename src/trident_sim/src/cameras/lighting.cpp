@@ -86,6 +86,8 @@ void Lighting::add_lights(const World& world) {
   }
 }
 
+/// OGRE's attenuation, 1 / (c + l d + q d^2) and nothing beyond the range; a spot fades between its
+/// inner and its outer cone by the power `falloff` of the cosine's share.
 float Lighting::strength(const Lamp& lamp, float distance, const Eigen::Vector3f& to_lamp) {
   if (distance > lamp.range_m) return 0.0F;
   const float faded = lamp.constant + distance * (lamp.linear + distance * lamp.quadratic);

@@ -273,7 +273,8 @@ void Simulation::make_step() {
   files_->record(*world_);
 }
 
-/// What need not happen in every step, by the wall clock: looking for subscribers takes locks of roscpp.
+/// What need not happen in every step, by the wall clock: looking for subscribers takes locks of
+/// roscpp.
 void Simulation::run_housekeeping() {
   const auto now = Clock::now();
   next_scan_ = now + kScanPeriod;

@@ -49,7 +49,7 @@ void check(const sensor_msgs::LaserScan& message) {
 
 }  // namespace
 
-/// Upside down, the laser's z points down, and its angles count the other way round.
+/// Upside down, the laser's z points down, and its angles count in the other direction.
 LaserScan to_laser_scan(const sensor_msgs::LaserScan& message,
                         const geometry_msgs::Transform& T_base_laser) {
   check(message);

@@ -28,6 +28,8 @@ constexpr int kFineIterations = 6;
 
 class HectorSlam2d::Impl {
  public:
+  // All levels are filled with every scan, instead of deriving coarse ones from the finest: coarse
+  // cells then see whole beams, as in the paper.
   explicit Impl(const HectorSlamParams& params)
       : params_(params),
         update_filter_({params.map_update_distance_thresh, params.map_update_angle_thresh}),
@@ -73,6 +75,9 @@ class HectorSlam2d::Impl {
   OccupancyGrid map() const { return levels_.front().occupancy(); }
 
  private:
+  // Deskewed by the predicted motion, matched from the coarsest level to the finest, and added to
+  // the map only after the robot has moved: a robot at rest would make its own view ever more
+  // certain.
   Eigen::Matrix3d use(const LaserScan& scan, MotionSource::Step* motion) {
     PointScanOptions options;
     options.min_range = params_.laser_min_dist;

@@ -65,7 +65,7 @@ std::string usage() {
          "Writes trajectory.tum, causal.tum, map.pgm, map.yaml and timing.json into DIR.\n";
 }
 
-/// %n tells how far sscanf has read: "1,2,3x" is an error, not 3.
+/// %n is how far sscanf has read: "1,2,3x" is an error.
 SE2 read_start(const std::string& text) {
   double x = 0.0;
   double y = 0.0;

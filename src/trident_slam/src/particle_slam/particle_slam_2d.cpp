@@ -24,6 +24,7 @@ constexpr double kBeamsThatCount = 100.0;  ///< independent ones in a scan, for 
 constexpr double kWeightGain =
     0.1;  ///< and for the weight, divided by ogain: maps share errors, too
 
+/// A hypothesis. Copying its map is cheap: tiles that did not change are shared.
 struct Particle {
   explicit Particle(const ProbabilityGrid& map) : map(map) {}
   ProbabilityGrid map;
@@ -57,6 +58,8 @@ class ParticleSlam2d::Impl {
         particles_(static_cast<std::size_t>(params.particles),
                    Particle(ProbabilityGrid(params.delta, kPassed, kEnded))) {}
 
+  // Between updates of the maps all particles move alike, by one tracker: only updates cost by
+  // particle.
   ScanPose2d add_scan(const LaserScan& scan, const SE2& T_odom_base) {
     ScanPose2d result = tracker_.add_scan(scan, T_odom_base);
     const SE2 T_before_now = tracked_.inverse() * result.T_map_base;
@@ -70,6 +73,7 @@ class ParticleSlam2d::Impl {
     return result;
   }
 
+  // The path of the best particle is read backwards through the tree of keyframes.
   std::vector<StampedPose2d> trajectory() const {
     std::vector<StampedPose2d> poses;
     std::vector<SE2> path(static_cast<std::size_t>(updates_));
@@ -90,6 +94,7 @@ class ParticleSlam2d::Impl {
   void set_uses_odometry(bool uses_odometry) { tracker_.set_uses_odometry(uses_odometry); }
   OccupancyGrid map() const { return best().map.occupancy(); }
 
+  // 0 when one particle has all weight, ln n when all weigh the same.
   double entropy() const {
     double sum = 0.0;
     for (const double w : weights()) sum -= w > 0.0 ? w * std::log(w) : 0.0;
@@ -126,6 +131,8 @@ class ParticleSlam2d::Impl {
     since_update_ = {};
   }
 
+  // A tracker that had a problem may have lost the pose, which the particles' spread must find
+  // again.
   bool is_update_due(std::int64_t stamp_ns) const {
     const double seconds = 1e-9 * static_cast<double>(stamp_ns - update_stamp_ns_);
     return since_update_.is_lost ||
@@ -142,6 +149,8 @@ class ParticleSlam2d::Impl {
     return points;
   }
 
+  // Neighboring beams have errors in common, so that a scan counts as a limited number of
+  // independent ones.
   void update(const PointScan& whole) {
     const PointScan points = thinned(whole);
     const auto beams = static_cast<double>(points.points.size());

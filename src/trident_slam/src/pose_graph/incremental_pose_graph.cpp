@@ -110,6 +110,8 @@ IncrementalPoseGraph<Group>& IncrementalPoseGraph<Group>::operator=(
 template <class Group>
 IncrementalPoseGraph<Group>::~IncrementalPoseGraph() = default;
 
+// The vertex is placed where its last edge from the vertex before leads; how far all its edges
+// disagree with that is what has come together until the next optimization.
 template <class Group>
 void IncrementalPoseGraph<Group>::add(int id, const Group& T_map_vertex,
                                       const std::vector<Edge>& edges) {
@@ -135,6 +137,7 @@ void IncrementalPoseGraph<Group>::finish() {
   ++optimizations_;
 }
 
+// A full step may overshoot where a loop bends the graph far: bounded steps take over then.
 template <class Group>
 void IncrementalPoseGraph<Group>::optimize() {
   if (solver_->improve(graph_, options_.steps)) {

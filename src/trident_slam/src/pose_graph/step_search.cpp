@@ -35,7 +35,8 @@ bool StepSearch<Group>::run() {
   return false;
 }
 
-/// Gauss-Newton takes its step even where that raises the cost; that it has done so lets the other start be tried.
+/// Gauss-Newton takes its step even where that raises the cost; that it has done so lets the other
+/// start be tried.
 template <class Group>
 typename StepSearch<Group>::Outcome StepSearch<Group>::iterate() {
   if (options_.strategy == TrustStrategy::kLevenbergMarquardt) return iterate_damped();

@@ -20,7 +20,7 @@ constexpr double kBeyondAnySpeed = 1e9;
 
 /// Two materials in contact: springs in series and dampers side by side, and of everything else the
 /// smaller value. ODE's parameters of an implicit spring and damper over a step dt are erp = dt k /
-/// (dt k + d) and cfm = 1 / (dt k + d) (ODE manual, section 3.8.2).
+/// (dt k + d) and cfm = 1 / (dt k + d) (ODE's manual on ERP and CFM).
 dSurfaceParameters combine_surfaces(const Surface& a, const Surface& b, double dt_s) {
   dSurfaceParameters surface{};
   const double kp = 1.0 / (1.0 / a.kp_n_m + 1.0 / b.kp_n_m);

@@ -153,6 +153,7 @@ const std::string* SetpointSources::blocking(SimTime time) const {
   return nullptr;
 }
 
+/// For messages: blocking() has found that something is missing.
 std::vector<std::string> SetpointSources::missing(const std::string& node, SimTime time) const {
   std::vector<std::string> result;
   const Source& source = sources_.at(node);

@@ -237,6 +237,7 @@ class Builder {
     }
   }
 
+  /// Joints between links of one body are not made: a rigid joint holds them together already.
   /// Those of ODE wait until all bodies stand where they belong.
   void make_joint(const JointSpec& spec) {
     auto joint = std::make_unique<Joint>();

@@ -157,6 +157,7 @@ bool PluginParams::flag(std::string_view key, bool fallback) const {
   refuse(key, *text, "true or false");
 }
 
+/// Word by word, so that a fourth number is an error and not ignored.
 Eigen::Vector3d PluginParams::vector3(std::string_view key, const Eigen::Vector3d& fallback) const {
   note(key, ParamQuery::Kind::kVector,
        number_text(fallback.x()) + " " + number_text(fallback.y()) + " " +

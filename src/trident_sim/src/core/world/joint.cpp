@@ -133,6 +133,7 @@ void Joint::set_velocity(double rate) {
   if (spec.type == JointType::kScrew) body.v_world += spec.screw_pitch_m / kTurn * change;
 }
 
+/// After each step and not when asked for: a joint that nobody reads counts its turns, too.
 void Joint::count_turns() {
   for (std::size_t i = 0; i < axis_count(); ++i) axes[i].turned = measure(*this, i);
 }

@@ -62,6 +62,7 @@ std::string PluginRegistry::key(const std::string& filename) {
   return name;
 }
 
+/// Under the name without folder, "lib" and ".so": all forms of a file name are one plugin.
 void PluginRegistry::add(const std::string& filename, PluginFactory factory) {
   if (!factories_.emplace(key(filename), std::move(factory)).second) {
     throw Error("plugin '" + filename + "' is registered twice");
@@ -79,6 +80,7 @@ std::vector<std::string> PluginRegistry::names() const {
   return result;
 }
 
+/// Known names first: a file on the path cannot replace a plugin that ships with the simulator.
 const PluginFactory* PluginRegistry::find_or_load(const std::string& filename,
                                                   const Resources& resources) {
   if (const PluginFactory* known = find(filename)) return known;
@@ -94,6 +96,7 @@ const PluginFactory* PluginRegistry::find_or_load(const std::string& filename,
   return nullptr;
 }
 
+/// All symbols are resolved at once, so that one that is missing fails the load and not the run.
 /// All symbols are resolved at once, so that one that is missing fails the load and not the run.
 void PluginRegistry::load_shared_object(const std::string& path) {
   void* library = open_now(path);

@@ -24,6 +24,7 @@ std::string difference(const std::vector<std::string>& then, const std::vector<s
 
 }  // namespace
 
+/// What must be the same for a snapshot to fit: models by name and spawn number, ports by name.
 std::vector<std::string> World::inventory() const {
   std::vector<std::string> entries;
   for (const auto& [name, model] : models_) {

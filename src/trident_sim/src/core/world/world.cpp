@@ -74,6 +74,7 @@ void World::diagnose(Diagnostic diagnostic) {
 
 bool World::note(Diagnostic diagnostic) { return diagnostics_.add(std::move(diagnostic), time_); }
 
+/// The name and pose of the request take the place of the file's.
 Model& World::spawn(const SpawnRequest& request) {
   const std::string label = !request.label.empty()  ? request.label
                             : !request.name.empty() ? "model '" + request.name + "'"
@@ -169,6 +170,7 @@ Model* World::find_model(const std::string& name) const {
   return it == models_.end() ? nullptr : it->second.get();
 }
 
+/// A name without a model must be unique: the second link of that name makes it ambiguous.
 Link* World::find_link(const std::string& scoped_name) const {
   const auto split = scoped_name.find("::");
   if (split != std::string::npos) {
