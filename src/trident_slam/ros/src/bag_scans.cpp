@@ -48,23 +48,28 @@ geometry_msgs::TransformStamped as_transform(const nav_msgs::Odometry& message) 
   return without_slashes(transform);
 }
 
-/// The wanted topic, else the usual one, else the only one of `topics`, which are all of `type`.
-std::string chosen_topic(const std::string& wanted, const std::string& usual, const Topics& topics,
-                         const std::string& type) {
-  const auto has = [&topics](const std::string& name) {
-    return std::find(topics.begin(), topics.end(), name) != topics.end();
-  };
-  if (!wanted.empty() && !has(wanted)) {
-    throw Error("no topic " + wanted + " of " + type +
-                "; there are: " + (topics.empty() ? "none" : join(topics)));
-  }
-  if (!wanted.empty()) return wanted;
-  if (has(usual)) return usual;
+bool has(const Topics& topics, const std::string& name) {
+  return std::find(topics.begin(), topics.end(), name) != topics.end();
+}
+
+/// The topic of the usual name, or the only one; "": there is none.
+std::string obvious_topic(const std::string& usual, const Topics& topics, const std::string& type) {
+  if (has(topics, usual)) return usual;
   if (topics.size() > 1) {
     throw Error("several topics of " + type + ": " + join(topics) +
                 "; give one (program: --scan or --odom)");
   }
   return topics.empty() ? "" : topics.front();
+}
+
+std::string chosen_topic(const std::string& wanted, const std::string& usual, const Topics& topics,
+                         const std::string& type) {
+  if (wanted.empty()) return obvious_topic(usual, topics, type);
+  if (!has(topics, wanted)) {
+    throw Error("no topic " + wanted + " of " + type +
+                "; there are: " + (topics.empty() ? "none" : join(topics)));
+  }
+  return wanted;
 }
 
 // A topic that several nodes have published has a connection for each.
@@ -112,32 +117,41 @@ class BagScans::Impl {
   }
 
  private:
-  void choose(const BagScansOptions& options) {
-    Topics scans;
-    Topics odometry;
-    Topics imus;
+  Topics topics_of(const std::string& type) const {
+    Topics topics;
     for (const BagFile::Connection& connection : bag_->connections()) {
-      if (connection.type == "sensor_msgs/LaserScan") add_once(scans, connection.topic);
-      if (connection.type == "nav_msgs/Odometry") add_once(odometry, connection.topic);
-      if (connection.type == "sensor_msgs/Imu") add_once(imus, connection.topic);
+      if (connection.type == type) add_once(topics, connection.topic);
     }
-    scan_topic_ = chosen_topic(options.scan_topic, "/scan", scans, "sensor_msgs/LaserScan");
+    return topics;
+  }
+
+  std::string choose_topic(const std::string& wanted, const std::string& usual,
+                           const std::string& type) const {
+    return chosen_topic(wanted, usual, topics_of(type), type);
+  }
+
+  Topics topics_to_read() const {
+    Topics topics = {scan_topic_, "/tf", "/tf_static"};
+    if (!imu_topic_.empty()) topics.push_back(imu_topic_);
+    if (!odom_topic_.empty()) topics.push_back(odom_topic_);
+    return topics;
+  }
+
+  void choose(const BagScansOptions& options) {
+    scan_topic_ = choose_topic(options.scan_topic, "/scan", "sensor_msgs/LaserScan");
     if (scan_topic_.empty()) {
       throw Error("has no topic of sensor_msgs/LaserScan" +
                   (bag_->damage().empty() ? "" : "; " + bag_->damage().front()));
     }
-    odom_topic_ = chosen_topic(options.odom_topic, "/odom", odometry, "nav_msgs/Odometry");
+    odom_topic_ = choose_topic(options.odom_topic, "/odom", "nav_msgs/Odometry");
     const bool uses_tf = look_at_frames(options);
     if (uses_tf && options.odom_topic.empty()) odom_topic_.clear();
     if (!options.imu_topic.empty()) {
-      imu_topic_ = chosen_topic(options.imu_topic, "", imus, "sensor_msgs/Imu");
+      imu_topic_ = choose_topic(options.imu_topic, "", "sensor_msgs/Imu");
     }
     intake_options_.uses_gyro = !imu_topic_.empty();
     intake_ = std::make_unique<ScanIntake>(intake_options_, transforms_);
-    Topics topics = {scan_topic_, "/tf", "/tf_static"};
-    if (!imu_topic_.empty()) topics.push_back(imu_topic_);
-    if (!odom_topic_.empty()) topics.push_back(odom_topic_);
-    view_ = bag_->messages(topics);
+    view_ = bag_->messages(topics_to_read());
   }
 
   // True when /tf itself has the odometry.

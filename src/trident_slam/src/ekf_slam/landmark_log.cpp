@@ -105,6 +105,17 @@ std::map<int, int> majority(const Counts& counts) {
   return result;
 }
 
+/// Observations of landmarks that are mostly found as one, which is mostly them.
+int count_mutual(const Counts& by_truth, const std::map<int, int>& mostly_seen_as,
+                 const std::map<int, int>& mostly_is) {
+  int correct = 0;
+  for (const auto& [key, count] : by_truth) {
+    const auto& [truth, found] = key;
+    if (mostly_seen_as.at(truth) == found && mostly_is.at(found) == truth) correct += count;
+  }
+  return correct;
+}
+
 }  // namespace
 
 std::vector<LandmarkLogStep> read_landmark_log(const std::string& file) {
@@ -146,11 +157,7 @@ AssociationScore score_association(const std::vector<LandmarkLogStep>& steps,
   }
   const std::map<int, int> mostly_seen_as = majority(by_truth);
   const std::map<int, int> mostly_is = majority(by_found);
-  for (const auto& [key, count] : by_truth) {
-    if (mostly_seen_as.at(key.first) == key.second && mostly_is.at(key.second) == key.first) {
-      score.correct += count;
-    }
-  }
+  score.correct = count_mutual(by_truth, mostly_seen_as, mostly_is);
   score.true_landmarks = static_cast<int>(mostly_seen_as.size());
   score.found_landmarks = static_cast<int>(mostly_is.size());
   return score;

@@ -62,6 +62,18 @@ double rounded_to_log(double value) {
   return std::round(value / kMountResolution) * kMountResolution;
 }
 
+std::string read_poses(Fields& fields, SE2& T_odom_laser, SE2& T_odom_base) {
+  if (!read_pose(fields, T_odom_laser)) return "the laser's pose is not three finite numbers";
+  if (!read_pose(fields, T_odom_base)) return "the base's pose is not three finite numbers";
+  return {};
+}
+
+/// What the log's parameters say, if they say something that can be.
+double range_max_of(const std::map<std::string, double, std::less<>>& params, bool is_front) {
+  const auto param = params.find(is_front ? "robot_front_laser_max" : "robot_rear_laser_max");
+  return param != params.end() && param->second > 0.0 ? param->second : kDefaultRangeMax;
+}
+
 // All messages end with "ipc_timestamp ipc_hostname logger_timestamp".
 std::string read_stamp(Fields& fields, ScanRecord& record) {
   if (!fields.stamp(record.scan.stamp_ns)) return "the timestamp is missing or not a number";
@@ -125,17 +137,14 @@ std::string CarmenLog::read_flaser(std::string_view rest, ScanRecord& record) {
   Fields fields(rest);
   if (std::string error = read_ranges(fields, record.scan.ranges); !error.empty()) return error;
   Poses poses;
-  if (!read_pose(fields, poses.T_odom_laser)) return "the laser's pose is not three finite numbers";
-  if (!read_pose(fields, poses.T_odom_base)) return "the base's pose is not three finite numbers";
+  std::string poses_error = read_poses(fields, poses.T_odom_laser, poses.T_odom_base);
+  if (!poses_error.empty()) return poses_error;
   if (std::string error = read_stamp(fields, record); !error.empty()) return error;
   if (std::string error = place_laser(poses, record); !error.empty()) return error;
   const BeamAngles angles = angles_of(record.scan.size());
   record.scan.angle_min = angles.angle_min;
   record.scan.angle_increment = angles.angle_increment;
-  const auto param =
-      params_.find(laser_ == Laser::kFront ? "robot_front_laser_max" : "robot_rear_laser_max");
-  complete(record,
-           param != params_.end() && param->second > 0.0 ? param->second : kDefaultRangeMax);
+  complete(record, range_max_of(params_, laser_ == Laser::kFront));
   return {};
 }
 
@@ -158,8 +167,8 @@ std::string CarmenLog::read_robotlaser(std::string_view rest, ScanRecord& record
     if (!fields.number(skipped)) return "a remission is missing or not a number";
   }
   Poses poses;
-  if (!read_pose(fields, poses.T_odom_laser)) return "the laser's pose is not three finite numbers";
-  if (!read_pose(fields, poses.T_odom_base)) return "the base's pose is not three finite numbers";
+  std::string poses_error = read_poses(fields, poses.T_odom_laser, poses.T_odom_base);
+  if (!poses_error.empty()) return poses_error;
   for (int i = 0; i < 5; ++i) {  // tv rv forward_safety_distance side_safety_distance turn_axis
     if (!fields.number(skipped)) return "velocities or safety distances are missing";
   }

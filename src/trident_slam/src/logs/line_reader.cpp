@@ -131,26 +131,29 @@ class Bzip2 : public ByteSource {
   bool is_between_streams_ = false;
 };
 
-std::unique_ptr<ByteSource> open_source(const std::string& path) {
-  if (path == "-") return std::make_unique<PlainOrGzip>(dup(STDIN_FILENO));
-  std::FILE* file = std::fopen(path.c_str(), "rb");
-  if (file == nullptr) throw Error(path + ": cannot be opened: " + strerror(errno));
-  struct stat about {};
-  fstat(fileno(file), &about);
-  if (S_ISDIR(about.st_mode)) {
-    std::fclose(file);
-    throw Error(path + ": is a folder, expected a log file");
-  }
-  // A device may be endless; a pipe ends with its writer.
-  if (!S_ISREG(about.st_mode) && !S_ISFIFO(about.st_mode)) {
-    std::fclose(file);
+/// A device may be endless; a pipe ends with its writer.
+void refuse_folder_and_device(const std::string& path, mode_t mode) {
+  if (S_ISDIR(mode)) throw Error(path + ": is a folder, expected a log file");
+  if (!S_ISREG(mode) && !S_ISFIFO(mode)) {
     throw Error(path + ": is a device, expected a log file");
   }
+}
+
+bool begins_as_bzip2(std::FILE* file) {
   char magic[3] = {};
-  const bool is_bzip2 =
-      std::fread(magic, 1, sizeof(magic), file) == 3 && std::memcmp(magic, "BZh", 3) == 0;
-  const int descriptor = dup(fileno(file));
-  std::fclose(file);
+  return std::fread(magic, 1, sizeof(magic), file) == 3 && std::memcmp(magic, "BZh", 3) == 0;
+}
+
+std::unique_ptr<ByteSource> open_source(const std::string& path) {
+  if (path == "-") return std::make_unique<PlainOrGzip>(dup(STDIN_FILENO));
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
+  if (file == nullptr) throw Error(path + ": cannot be opened: " + strerror(errno));
+  struct stat about {};
+  fstat(fileno(file.get()), &about);
+  refuse_folder_and_device(path, about.st_mode);
+  const bool is_bzip2 = begins_as_bzip2(file.get());
+  const int descriptor = dup(fileno(file.get()));
+  file.reset();  // before the descriptor goes back to the beginning: both share their place
   lseek(descriptor, 0, SEEK_SET);
   std::unique_ptr<ByteSource> source;
   if (is_bzip2) {

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -78,49 +79,63 @@ SE2 read_start(const std::string& text) {
   return SE2::from_xy_yaw(x, y, yaw);
 }
 
+void take_file(const std::string& word, OfflineCommand& options) {
+  if (!options.log_file.empty()) throw Error("one log at a time, got also " + word);
+  options.log_file = word;
+}
+
+/// False: `word` is no option that stands alone.
+bool take_flag(const std::string& word, OfflineCommand& options) {
+  if (word == "--progress") {
+    options.shows_scans = true;
+  } else if (word == "--no-odometry") {
+    options.uses_odometry = false;
+  } else {
+    return false;
+  }
+  return true;
+}
+
+void take_value(const std::string& word, const std::string& value,
+                const std::vector<std::string>& source_options, OfflineCommand& options) {
+  static const std::map<std::string, std::string OfflineCommand::*> kTexts = {
+      {"--method", &OfflineCommand::method},
+      {"--config", &OfflineCommand::config_file},
+      {"--out", &OfflineCommand::out_dir},
+      {"--session", &OfflineCommand::session},
+      {"--keep-session", &OfflineCommand::kept_session}};
+  if (word == "--odom-frame" && value.empty()) options.uses_odometry = false;
+  if (const auto text = kTexts.find(word); text != kTexts.end()) {
+    options.*text->second = value;
+  } else if (word == "--start") {
+    options.T_map_base = read_start(value);
+  } else if (std::find(source_options.begin(), source_options.end(), word) !=
+             source_options.end()) {
+    options.source[word.substr(2)] = value;
+  } else {
+    throw Error("unknown option " + word + "\n" + usage());
+  }
+}
+
+void require_complete(const OfflineCommand& options) {
+  if (options.log_file.empty() || options.method.empty() || options.out_dir.empty()) {
+    throw Error("FILE, --method and --out are needed\n" + usage());
+  }
+}
+
 /// By hand, as options of the source are not known here but passed in.
 OfflineCommand parse(int argc, char** argv, const std::vector<std::string>& source_options) {
   OfflineCommand options;
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
     if (word.size() < 2 || word[0] != '-') {
-      if (!options.log_file.empty()) throw Error("one log at a time, got also " + word);
-      options.log_file = word;
-      continue;
-    }
-    if (word == "--progress") {
-      options.shows_scans = true;
-      continue;
-    }
-    if (word == "--no-odometry") {
-      options.uses_odometry = false;
-      continue;
-    }
-    if (i + 1 >= argc) throw Error(word + ": a value must follow");
-    const std::string value = argv[++i];
-    if (word == "--odom-frame" && value.empty()) options.uses_odometry = false;
-    if (word == "--method") {
-      options.method = value;
-    } else if (word == "--config") {
-      options.config_file = value;
-    } else if (word == "--out") {
-      options.out_dir = value;
-    } else if (word == "--session") {
-      options.session = value;
-    } else if (word == "--start") {
-      options.T_map_base = read_start(value);
-    } else if (word == "--keep-session") {
-      options.kept_session = value;
-    } else if (std::find(source_options.begin(), source_options.end(), word) !=
-               source_options.end()) {
-      options.source[word.substr(2)] = value;
-    } else {
-      throw Error("unknown option " + word + "\n" + usage());
+      take_file(word, options);
+    } else if (!take_flag(word, options)) {
+      if (++i == argc) throw Error(word + ": a value must follow");
+      take_value(word, argv[i], source_options, options);
     }
   }
-  if (options.log_file.empty() || options.method.empty() || options.out_dir.empty()) {
-    throw Error("FILE, --method and --out are needed\n" + usage());
-  }
+  require_complete(options);
   return options;
 }
 

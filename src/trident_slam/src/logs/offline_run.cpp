@@ -76,6 +76,31 @@ void write_trajectory(const std::vector<StampedPose2d>& poses, const std::string
   file.close();
 }
 
+void note_scan(const ScanPose2d& pose, double cpu_s, OfflineResult& result) {
+  ++result.scans;
+  if (cpu_s > result.slowest_scan_cpu_s) {
+    result.slowest_scan_cpu_s = cpu_s;
+    result.slowest_scan = result.scans;
+  }
+  if (!pose.is_used) ++result.unused_scans;
+  if (!pose.problem.empty()) {
+    result.scan_problems.add("scan " + std::to_string(result.scans) + ": " + pose.problem);
+  }
+}
+
+/// Of the scans behind the first `known_before`; poses as they came where the method keeps none.
+void write_results(const Slam2d& slam, std::size_t known_before,
+                   const std::vector<StampedPose2d>& causal, const std::string& out_dir) {
+  std::vector<StampedPose2d> poses = slam.trajectory();
+  poses.erase(poses.begin(), poses.begin() + static_cast<std::ptrdiff_t>(known_before));
+  write_trajectory(poses.empty() ? causal : poses, out_dir + "/trajectory.tum");
+  maps::save_map(out_dir + "/map", slam.map());
+  if (const auto* graph = dynamic_cast<const Slam2dGraph*>(&slam)) {
+    graph->save_g2o(out_dir + "/graph.g2o");
+    write_loops(*graph, out_dir + "/loops.csv");
+  }
+}
+
 }  // namespace
 
 OfflineResult run_offline(ScanSource& source, Slam2d& slam, const std::string& out_dir,
@@ -91,18 +116,9 @@ OfflineResult run_offline(ScanSource& source, Slam2d& slam, const std::string& o
     if (begins) begins(result.scans + 1, record.scan.stamp_ns);
     const double cpu_before_s = process_cpu_s();
     const ScanPose2d pose = slam.add_scan(record.scan, record.T_odom_base);
-    const double cpu_s = process_cpu_s() - cpu_before_s;
-    if (cpu_s > result.slowest_scan_cpu_s) {
-      result.slowest_scan_cpu_s = cpu_s;
-      result.slowest_scan = result.scans + 1;
-    }
+    note_scan(pose, process_cpu_s() - cpu_before_s, result);
     causal.push_back({record.scan.stamp_ns, pose.T_map_base});
     causal_file.write(causal.back());
-    ++result.scans;
-    if (!pose.is_used) ++result.unused_scans;
-    if (!pose.problem.empty()) {
-      result.scan_problems.add("scan " + std::to_string(result.scans) + ": " + pose.problem);
-    }
     if (progress) progress(result.scans, source.progress());
   }
   causal_file.close();
@@ -111,14 +127,7 @@ OfflineResult run_offline(ScanSource& source, Slam2d& slam, const std::string& o
   result.stamp_problem = stamps.text();
   if (result.scans == 0) throw Error("the log has no scan that can be read");
   slam.finish();
-  std::vector<StampedPose2d> poses = slam.trajectory();
-  poses.erase(poses.begin(), poses.begin() + static_cast<std::ptrdiff_t>(known_before));
-  write_trajectory(poses.empty() ? causal : poses, out_dir + "/trajectory.tum");
-  maps::save_map(out_dir + "/map", slam.map());
-  if (const auto* graph = dynamic_cast<const Slam2dGraph*>(&slam)) {
-    graph->save_g2o(out_dir + "/graph.g2o");
-    write_loops(*graph, out_dir + "/loops.csv");
-  }
+  write_results(slam, known_before, causal, out_dir);
   if (const auto* calibrated = dynamic_cast<const Slam2dCalibrated*>(&slam)) {
     result.odometry_calibration = calibrated->odometry_calibration();
   }

@@ -25,6 +25,15 @@ std::size_t count_not_finite(const PointScan& scan) {
       [](const SurfacePoint& point) { return !point.p.allFinite() || !point.normal.allFinite(); }));
 }
 
+PointScan finite_part(const PointScan& scan) {
+  PointScan finite;
+  finite.origin = scan.origin;
+  for (const SurfacePoint& point : scan.points) {
+    if (point.p.allFinite() && point.normal.allFinite()) finite.points.push_back(point);
+  }
+  return finite;
+}
+
 Eigen::Matrix3d covariance_of(const PosePrior& prior) {
   const Eigen::Matrix3d unknown = kUnknown.cwiseAbs2().cwiseInverse().asDiagonal();
   if (!prior.information.allFinite()) return unknown.inverse();
@@ -40,18 +49,13 @@ void ScanMatcher::set_reference(const std::vector<PlacedPoints>& scans) {
 
 void ScanMatcher::add_to_reference(const SE2& T_ref_base, const PointScan& scan) {
   if (!is_finite(T_ref_base)) return;
-  if (count_not_finite(scan) == 0) {
-    if (scan.points.empty()) return;
-    add(T_ref_base, scan);
-    has_reference_ = true;
+  if (count_not_finite(scan) > 0) {
+    add_to_reference(T_ref_base, finite_part(scan));
     return;
   }
-  PointScan finite;
-  finite.origin = scan.origin;
-  for (const SurfacePoint& point : scan.points) {
-    if (point.p.allFinite() && point.normal.allFinite()) finite.points.push_back(point);
-  }
-  add_to_reference(T_ref_base, finite);
+  if (scan.points.empty()) return;
+  add(T_ref_base, scan);
+  has_reference_ = true;
 }
 
 void ScanMatcher::clear_reference() {

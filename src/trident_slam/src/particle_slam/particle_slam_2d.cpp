@@ -210,13 +210,9 @@ class ParticleSlam2d::Impl {
     return w;
   }
 
-  /// Systematic draws (Arulampalam et al. 2002) when the effective number of particles is low.
-  void resample_if_due() {
-    const std::vector<double> w = weights();
-    double sum_of_squares = 0.0;
-    for (const double value : w) sum_of_squares += value * value;
+  /// Systematic draws (Arulampalam et al. 2002), as many as there are particles.
+  std::vector<Particle> drawn_by(const std::vector<double>& w) const {
     const auto count = static_cast<double>(w.size());
-    if (1.0 / sum_of_squares >= params_.resampleThreshold * count) return;
     constexpr std::uint32_t kChannel = 0xFFFFFFF0;
     const double offset = stream_.uniform(static_cast<std::uint64_t>(updates_), kChannel);
     std::vector<Particle> drawn;
@@ -228,7 +224,17 @@ class ParticleSlam2d::Impl {
       }
     }
     while (drawn.size() < w.size()) drawn.push_back(particles_.back());
-    particles_ = std::move(drawn);
+    return drawn;
+  }
+
+  /// When the effective number of particles is low.
+  void resample_if_due() {
+    const std::vector<double> w = weights();
+    double sum_of_squares = 0.0;
+    for (const double value : w) sum_of_squares += value * value;
+    const auto count = static_cast<double>(w.size());
+    if (1.0 / sum_of_squares >= params_.resampleThreshold * count) return;
+    particles_ = drawn_by(w);
     for (Particle& particle : particles_) particle.log_weight = 0.0;
   }
 

@@ -176,45 +176,70 @@ BlockSymbolic::BlockSymbolic(int size, const Pairs& pairs) {
   add_entries(pairs);
 }
 
-void BlockSymbolic::add_supernodes(const std::vector<int>& counts, const std::vector<int>& parent) {
-  const int size = static_cast<int>(parent.size());
-  std::vector<int> children(size, 0);
+namespace {
+
+// Successive columns that are stored together.
+struct ColumnGroup {
+  int first, columns, rows;
+  double zeros;  // stored as if they were not
+};
+
+std::vector<int> child_counts(const std::vector<int>& parent) {
+  std::vector<int> children(parent.size(), 0);
   for (const int p : parent) {
     if (p != -1) ++children[p];
   }
-  struct Group {
-    int first, columns, rows;
-    double zeros;
-  };
-  std::vector<Group> groups;  // a stack, of which the last one may still grow
-  std::vector<Group> fundamental;
-  for (int column = 0; column < size; ++column) {
+  return children;
+}
+
+// Chains of the tree in which each column has the rows of the next one, and itself.
+std::vector<ColumnGroup> fundamental_groups(const std::vector<int>& counts,
+                                            const std::vector<int>& parent) {
+  const std::vector<int> children = child_counts(parent);
+  std::vector<ColumnGroup> groups;
+  for (int column = 0; column < static_cast<int>(parent.size()); ++column) {
     const bool extends_last = column > 0 && parent[column - 1] == column && children[column] == 1 &&
                               counts[column - 1] == counts[column] + 1;
     if (extends_last) {
-      ++fundamental.back().columns;
+      ++groups.back().columns;
     } else {
-      fundamental.push_back({column, 1, counts[column], 0.0});
+      groups.push_back({column, 1, counts[column], 0.0});
     }
   }
-  // From the last to the first: each is merged into its parent where that follows it at once.
-  for (auto it = fundamental.rbegin(); it != fundamental.rend(); ++it) {
-    const int last = it->first + it->columns - 1;
-    if (!groups.empty() && parent[last] != -1 &&
-        parent[last] < groups.back().first + groups.back().columns) {
-      Group& above = groups.back();
-      const int columns = it->columns + above.columns;
-      const double total = trapezoid(columns, it->columns + above.rows);
-      const double zeros = it->zeros + above.zeros + total - trapezoid(it->columns, it->rows) -
-                           trapezoid(above.columns, above.rows);
-      if (is_merge_worthwhile(columns, zeros, total)) {
-        above = {it->first, columns, it->columns + above.rows, zeros};
-        continue;
-      }
-    }
-    groups.push_back(*it);
+  return groups;
+}
+
+// False: it is not worth it, and nothing has changed.
+bool merge_if_worthwhile(const ColumnGroup& group, ColumnGroup& above) {
+  const int columns = group.columns + above.columns;
+  const double total = trapezoid(columns, group.columns + above.rows);
+  const double zeros = group.zeros + above.zeros + total - trapezoid(group.columns, group.rows) -
+                       trapezoid(above.columns, above.rows);
+  if (!is_merge_worthwhile(columns, zeros, total)) return false;
+  above = {group.first, columns, group.columns + above.rows, zeros};
+  return true;
+}
+
+// From the last to the first: each is merged into its parent where that follows it at once. The
+// first one of the columns comes last.
+std::vector<ColumnGroup> merged_groups(const std::vector<ColumnGroup>& groups,
+                                       const std::vector<int>& parent) {
+  std::vector<ColumnGroup> merged;  // a stack, of which the last one may still grow
+  for (auto it = groups.rbegin(); it != groups.rend(); ++it) {
+    const int above = parent[it->first + it->columns - 1];
+    const bool is_below_last =
+        !merged.empty() && above != -1 && above < merged.back().first + merged.back().columns;
+    if (is_below_last && merge_if_worthwhile(*it, merged.back())) continue;
+    merged.push_back(*it);
   }
-  supernode_of_.resize(size);
+  return merged;
+}
+
+}  // namespace
+
+void BlockSymbolic::add_supernodes(const std::vector<int>& counts, const std::vector<int>& parent) {
+  const std::vector<ColumnGroup> groups = merged_groups(fundamental_groups(counts, parent), parent);
+  supernode_of_.resize(parent.size());
   for (auto it = groups.rbegin(); it != groups.rend(); ++it) {
     const int index = static_cast<int>(supernodes_.size());
     std::fill_n(supernode_of_.begin() + it->first, it->columns, index);

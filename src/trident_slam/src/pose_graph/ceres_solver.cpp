@@ -195,6 +195,13 @@ class CeresSolver : public PoseGraphSolver<Group> {
   }
 
  private:
+  /// Ceres' problem becomes its owner.
+  template <class Edge>
+  static ceres::LossFunction* make_loss(const Edge& edge) {
+    if (edge.kernel == RobustKernel::kNone) return nullptr;
+    return new KernelLoss(edge.kernel, edge.kernel_scale);
+  }
+
   void solve(PoseGraphReport& report) {
     std::vector<std::array<double, Manifold::kAmbient>> values(system_.poses.size());
     ceres::Problem problem;
@@ -204,11 +211,8 @@ class CeresSolver : public PoseGraphSolver<Group> {
       if (system_.unknown(k) == -1) problem.SetParameterBlockConstant(values[k].data());
     }
     for (const auto& edge : system_.edges()) {
-      ceres::LossFunction* loss = edge.kernel == RobustKernel::kNone
-                                      ? nullptr
-                                      : new KernelLoss(edge.kernel, edge.kernel_scale);
-      problem.AddResidualBlock(new EdgeCost<Group>(edge.inverse_measured, edge.information), loss,
-                               values[edge.from].data(), values[edge.to].data());
+      problem.AddResidualBlock(new EdgeCost<Group>(edge.inverse_measured, edge.information),
+                               make_loss(edge), values[edge.from].data(), values[edge.to].data());
     }
     ceres::Solver::Summary summary;
     ceres::Solve(solver_options(options_), &problem, &summary);

@@ -220,24 +220,33 @@ class Reader {
     G2oLine({}, file_, number).fail(field, std::to_string(id), "the id of a vertex of this file");
   }
 
-  // Breadth first from the lowest id of each connected part.
+  template <class Group>
+  using Neighbors = std::map<int, std::vector<std::pair<int, Group>>>;
+
+  // Breadth first to all that is connected to the root, whose pose is known.
+  template <class Group>
+  static void spread_from(int root, const Neighbors<Group>& neighbors,
+                          std::map<int, Group>& poses) {
+    std::queue<int> waiting({root});
+    for (; !waiting.empty(); waiting.pop()) {
+      const Group T = poses.at(waiting.front());
+      for (const auto& [id, T_next] : neighbors.at(waiting.front())) {
+        if (poses.try_emplace(id, T * T_next).second) waiting.push(id);
+      }
+    }
+  }
+
+  // From the lowest id of each connected part.
   template <class Group>
   static void add_vertices_of_edges(const Parts<Group>& parts, PoseGraph<Group>& graph) {
-    std::map<int, std::vector<std::pair<int, Group>>> neighbors;
+    Neighbors<Group> neighbors;
     for (const auto& [edge, number] : parts.edges) {
       neighbors[edge.from].emplace_back(edge.to, edge.T_from_to);
       neighbors[edge.to].emplace_back(edge.from, edge.T_from_to.inverse());
     }
     std::map<int, Group> poses;
     for (const auto& [root, ignored] : neighbors) {
-      if (!poses.try_emplace(root, Group::identity()).second) continue;
-      std::queue<int> waiting({root});
-      for (; !waiting.empty(); waiting.pop()) {
-        const Group T = poses.at(waiting.front());
-        for (const auto& [id, T_next] : neighbors[waiting.front()]) {
-          if (poses.try_emplace(id, T * T_next).second) waiting.push(id);
-        }
-      }
+      if (poses.try_emplace(root, Group::identity()).second) spread_from(root, neighbors, poses);
     }
     for (const auto& [id, T] : poses) graph.add_vertex(id, T);
   }

@@ -19,6 +19,17 @@ void append(std::string& text, const SE3& T) {
   }
 }
 
+template <class Edge>
+void append_edge(std::string& text, const Edge& edge, const char* tag, int dimension) {
+  text += tag + std::to_string(edge.from) + ' ' + std::to_string(edge.to);
+  append(text, edge.T_from_to);
+  for (int row = 0; row < dimension; ++row) {
+    for (int column = row; column < dimension; ++column)
+      append(text, edge.information(row, column));
+  }
+  text += '\n';
+}
+
 void write_whole(const std::string& text, const std::string& file) {
   const char* mode = ends_with(file, ".gz") ? "wb" : "wbT";  // T: not compressed
   gzFile out = gzopen(file.c_str(), mode);
@@ -43,15 +54,8 @@ void write_g2o(const PoseGraph<Group>& graph, const std::string& file) {
     if (vertex.is_fixed) text += "FIX " + std::to_string(vertex.id) + '\n';
   }
   for (const auto& edge : graph.edges()) {
-    text += (is_plane ? "EDGE_SE2 " : "EDGE_SE3:QUAT ") + std::to_string(edge.from) + ' ' +
-            std::to_string(edge.to);
-    append(text, edge.T_from_to);
-    for (int row = 0; row < PoseGraph<Group>::kDimension; ++row) {
-      for (int column = row; column < PoseGraph<Group>::kDimension; ++column) {
-        append(text, edge.information(row, column));
-      }
-    }
-    text += '\n';
+    append_edge(text, edge, is_plane ? "EDGE_SE2 " : "EDGE_SE3:QUAT ",
+                PoseGraph<Group>::kDimension);
   }
   write_whole(text, file);
 }

@@ -193,16 +193,21 @@ PoseGraphReport optimize_as_it_grows(PoseGraph<Group>& graph) {
   return report;
 }
 
+/// Of the edges that are not trusted.
+template <class Group>
+void set_kernels(PoseGraph<Group>& graph, const Settings& settings) {
+  if (settings.kernel == RobustKernel::kNone) return;
+  const double scale = settings.options.graduated_scale;
+  for (std::size_t k = 0; k < graph.edges().size(); ++k) {
+    if (graph.edges()[k].is_trusted) continue;
+    graph.set_kernel(k, settings.kernel, scale > 0.0 ? scale : default_outlier_scale<Group>());
+  }
+}
+
 template <class Group>
 PoseGraphReport optimize(PoseGraph<Group>& graph, const Settings& settings) {
   if (settings.is_incremental) return optimize_as_it_grows(graph);
-  if (settings.kernel != RobustKernel::kNone) {
-    const double scale = settings.options.graduated_scale;
-    for (std::size_t k = 0; k < graph.edges().size(); ++k) {
-      if (graph.edges()[k].is_trusted) continue;
-      graph.set_kernel(k, settings.kernel, scale > 0.0 ? scale : default_outlier_scale<Group>());
-    }
-  }
+  set_kernels(graph, settings);
   if (settings.is_ceres) return make_ceres_solver<Group>(settings.ceres)->optimize(graph);
   return PoseGraphOptimizer<Group>(settings.options).optimize(graph);
 }

@@ -28,6 +28,16 @@ class DisjointSets {
   std::vector<int> parent_;
 };
 
+/// By vertex: whether a fixed vertex is of the part that it stands for.
+template <class Vertices>
+std::vector<bool> anchored_parts(const Vertices& vertices, DisjointSets& parts) {
+  std::vector<bool> is_anchored(vertices.size(), false);
+  for (std::size_t k = 0; k < vertices.size(); ++k) {
+    if (vertices[k].is_fixed) is_anchored[parts.find(static_cast<int>(k))] = true;
+  }
+  return is_anchored;
+}
+
 }  // namespace
 
 // A connected part without a fixed vertex has a gauge freedom that makes the system singular: its
@@ -37,10 +47,7 @@ void PoseSystem<Group>::choose_unknowns(const PoseGraph<Group>& graph) {
   const auto& vertices = graph.vertices();
   DisjointSets parts(vertices.size());
   for (const Edge& edge : edges_) parts.join(edge.from, edge.to);
-  std::vector<bool> is_anchored(vertices.size(), false);
-  for (std::size_t k = 0; k < vertices.size(); ++k) {
-    if (vertices[k].is_fixed) is_anchored[parts.find(static_cast<int>(k))] = true;
-  }
+  const std::vector<bool> is_anchored = anchored_parts(vertices, parts);
   unknown_of_vertex_.assign(vertices.size(), -1);
   vertex_of_unknown_.clear();
   for (std::size_t k = 0; k < vertices.size(); ++k) {

@@ -77,10 +77,18 @@ bool ScanCheck::is_believed(const Pattern& pattern) {
   return true;
 }
 
+namespace {
+
+bool is_placed(const LaserScan& scan) {
+  return std::isfinite(scan.angle_min) && std::isfinite(scan.angle_increment) &&
+         scan.angle_increment != 0.0 && std::isfinite(scan.T_base_laser.angle) &&
+         scan.T_base_laser.p.allFinite();
+}
+
+}  // namespace
+
 std::string ScanCheck::problem(const LaserScan& scan) {
-  if (!std::isfinite(scan.angle_min) || !std::isfinite(scan.angle_increment) ||
-      scan.angle_increment == 0.0 || !std::isfinite(scan.T_base_laser.angle) ||
-      !scan.T_base_laser.p.allFinite()) {
+  if (!is_placed(scan)) {
     return "angle_min " + number_text(scan.angle_min) + ", angle_increment " +
            number_text(scan.angle_increment) + " or the laser's place is not a usable number";
   }

@@ -16,11 +16,9 @@ struct Partner {
   double distance;
 };
 
-/// Keyframes with a lower number that lie near to keyframe i: the nearest one of every submap, and
-/// of those the nearest few.
-std::vector<int> partners_of(const KeyframeGraph& graph, int i, const AlignmentOptions& options) {
-  std::vector<int> result;
-  for (int j = std::max(0, i - options.predecessors); j < i; ++j) result.push_back(j);
+/// Of each submap the nearest keyframe to keyframe i within reach; its predecessors do not count.
+std::vector<Partner> nearest_of_submaps(const KeyframeGraph& graph, int i,
+                                        const AlignmentOptions& options) {
   std::vector<Partner> nearest;
   for (int s = 0; s <= graph.submap_of(i); ++s) {
     Partner best{-1, options.reach};
@@ -31,6 +29,15 @@ std::vector<int> partners_of(const KeyframeGraph& graph, int i, const AlignmentO
     }
     if (best.keyframe >= 0) nearest.push_back(best);
   }
+  return nearest;
+}
+
+/// Keyframes with a lower number that lie near to keyframe i: the nearest one of every submap, and
+/// of those the nearest few.
+std::vector<int> partners_of(const KeyframeGraph& graph, int i, const AlignmentOptions& options) {
+  std::vector<int> result;
+  for (int j = std::max(0, i - options.predecessors); j < i; ++j) result.push_back(j);
+  std::vector<Partner> nearest = nearest_of_submaps(graph, i, options);
   const auto end =
       nearest.begin() +
       std::min<std::ptrdiff_t>(options.partners, static_cast<std::ptrdiff_t>(nearest.size()));
@@ -47,14 +54,28 @@ Eigen::Matrix3d turned(const Eigen::Matrix3d& information, double angle) {
   return R.transpose() * information * R;
 }
 
+/// For each keyframe the later ones that it is a partner of.
+std::vector<std::vector<int>> later_partners(const KeyframeGraph& graph,
+                                             const AlignmentOptions& options) {
+  std::vector<std::vector<int>> later(static_cast<std::size_t>(graph.size()));
+  for (int i = 1; i < graph.size(); ++i) {
+    for (const int j : partners_of(graph, i, options)) later[j].push_back(i);
+  }
+  return later;
+}
+
+/// A match of few points, or one that leads far away.
+bool is_doubtful(const MatchResult& match, const SE2& guess, const AlignmentOptions& options) {
+  const SE2 change = guess.inverse() * match.T_ref_base;
+  return match.inlier_fraction < options.min_inliers || change.p.norm() > options.max_change ||
+         std::abs(change.angle) > options.max_change_yaw;
+}
+
 }  // namespace
 
 std::vector<GraphEdge> make_scan_pair_edges(const KeyframeGraph& graph,
                                             const AlignmentOptions& options) {
-  std::vector<std::vector<int>> matched_with(static_cast<std::size_t>(graph.size()));
-  for (int i = 1; i < graph.size(); ++i) {
-    for (const int j : partners_of(graph, i, options)) matched_with[j].push_back(i);
-  }
+  const std::vector<std::vector<int>> matched_with = later_partners(graph, options);
   std::vector<GraphEdge> edges;
   SurfelMap reference(options.surfel_cell);
   LineMatchOptions line;
@@ -68,10 +89,7 @@ std::vector<GraphEdge> make_scan_pair_edges(const KeyframeGraph& graph,
     for (const int i : matched_with[j]) {
       const SE2 guess = graph.pose(j).inverse() * graph.pose(i);
       const MatchResult match = match_lines(reference, *graph[i].scan, guess, {}, line);
-      const SE2 change = guess.inverse() * match.T_ref_base;
-      if (match.inlier_fraction < options.min_inliers) continue;
-      if (change.p.norm() > options.max_change || std::abs(change.angle) > options.max_change_yaw)
-        continue;
+      if (is_doubtful(match, guess, options)) continue;
       edges.push_back({j, i, match.T_ref_base, turned(match.information, match.T_ref_base.angle),
                        EdgeKind::kRevisit});
     }

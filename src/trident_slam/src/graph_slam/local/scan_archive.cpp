@@ -19,6 +19,34 @@ bool is_same_geometry(const LaserScan& a, const LaserScan& b) {
          a.T_base_laser.p == b.T_base_laser.p && a.T_base_laser.angle == b.T_base_laser.angle;
 }
 
+void get(BinaryReader* reader, LaserScan& geometry) {
+  const auto beams = reader->get<std::uint64_t>();
+  if (beams > 1'000'000) reader->fail();
+  geometry.ranges.assign(static_cast<std::size_t>(beams), 0.0F);
+  for (double* value : {&geometry.angle_min, &geometry.angle_increment, &geometry.time_increment,
+                        &geometry.range_min, &geometry.range_max}) {
+    *value = reader->get<double>();
+  }
+  geometry.T_base_laser = reader->get_pose();
+}
+
+void get(BinaryReader* reader, ScanArchive::Entry& entry) {
+  entry.stamp_ns = reader->get<std::int64_t>();
+  entry.keyframe = reader->get<std::int32_t>();
+  entry.T_keyframe_base = reader->get_pose();
+  entry.is_used = reader->get<std::uint8_t>() != 0;
+  entry.geometry = reader->get<std::uint32_t>();
+  entry.first_range = reader->get<std::uint64_t>();
+  for (int k = 0; k < 3; ++k) entry.twist(k) = reader->get<float>();
+}
+
+bool has_its_ranges(const ScanArchive::Entry& entry, const std::vector<LaserScan>& geometries,
+                    std::size_t ranges) {
+  if (!entry.has_ranges()) return true;
+  if (entry.geometry >= geometries.size() || entry.first_range > ranges) return false;
+  return ranges - entry.first_range >= geometries[entry.geometry].size();
+}
+
 }  // namespace
 
 void ScanArchive::add(const LaserScan& scan, const Entry& entry, double max_range) {
@@ -125,31 +153,12 @@ void ScanArchive::save(BinaryWriter* writer) const {
 
 void ScanArchive::load(BinaryReader* reader) {
   geometries_.resize(reader->get_count(9 * sizeof(double)));
-  for (LaserScan& scan : geometries_) {
-    const auto beams = reader->get<std::uint64_t>();
-    if (beams > 1'000'000) reader->fail();
-    scan.ranges.assign(static_cast<std::size_t>(beams), 0.0F);
-    for (double* value : {&scan.angle_min, &scan.angle_increment, &scan.time_increment,
-                          &scan.range_min, &scan.range_max}) {
-      *value = reader->get<double>();
-    }
-    scan.T_base_laser = reader->get_pose();
-  }
+  for (LaserScan& geometry : geometries_) get(reader, geometry);
   entries_.resize(reader->get_count(sizeof(double)));
-  for (Entry& entry : entries_) {
-    entry.stamp_ns = reader->get<std::int64_t>();
-    entry.keyframe = reader->get<std::int32_t>();
-    entry.T_keyframe_base = reader->get_pose();
-    entry.is_used = reader->get<std::uint8_t>() != 0;
-    entry.geometry = reader->get<std::uint32_t>();
-    entry.first_range = reader->get<std::uint64_t>();
-    for (int k = 0; k < 3; ++k) entry.twist(k) = reader->get<float>();
-  }
+  for (Entry& entry : entries_) get(reader, entry);
   ranges_ = reader->get_all<std::uint16_t>();
   for (const Entry& entry : entries_) {
-    if (!entry.has_ranges()) continue;
-    if (entry.geometry >= geometries_.size() || entry.first_range > ranges_.size()) reader->fail();
-    if (ranges_.size() - entry.first_range < geometries_[entry.geometry].size()) reader->fail();
+    if (!has_its_ranges(entry, geometries_, ranges_.size())) reader->fail();
   }
 }
 
