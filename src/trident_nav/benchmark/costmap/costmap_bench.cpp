@@ -123,7 +123,7 @@ void large_map(int rounds) {
       [&, i = 0]() mutable { map_layer->set_map(maps[i++ % 2]); });
   costmap.update(input);
   measure(
-      "4000x4000 all anew", rounds,
+      "4000x4000 all again", rounds,
       [&](int i) { costmap.layer("ObstacleLayer")->set_enabled(i % 2 == 0); },
       [&] { costmap.update(input); });
   costmap.layer("ObstacleLayer")->set_enabled(true);

@@ -32,13 +32,13 @@ class Retreat : public Recovery {
       if (path_.size() < 2) return {{}, true, "There is no trail to go back along."};
     }
     if (situation.now_s - begun_s_ > params_.patience) {
-      return {{}, true, "The way back along the trail took too long."};
+      return {{}, true, "Retreat along the trail took too long."};
     }
     const CommandOutcome outcome =
         situation.controller.command(situation.state, path_, situation.local, situation.tracks);
     if (outcome.goal_reached) return {outcome.twist, true, "The robot went back along its trail."};
     if (outcome.failure != Failure::kNone && ++failures_ > kMaxFailures) {
-      return {outcome.twist, true, "The way back is blocked. " + outcome.reason};
+      return {outcome.twist, true, "Retreat is blocked. " + outcome.reason};
     }
     return {outcome.twist, false, ""};
   }

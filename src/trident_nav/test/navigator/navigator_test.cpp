@@ -34,7 +34,7 @@ class ScriptedWorld : public NavigatorWorld {
   }
   void forget(const ClearedArea& area) override { forgotten.push_back(area); }
   std::vector<StaleSource> stale_sources(double) override { return stale; }
-  std::string obstacle_text(const Pose2&) override { return "A box is in the way."; }
+  std::string obstacle_text(const Pose2&) override { return "A box is ahead."; }
 
   std::string plan_failure;
   std::optional<PlanOutcome> outcome;
@@ -140,7 +140,7 @@ TEST_F(ScriptedNavigator, WithoutAPlanTriesEachRecoveryOnceAndSaysWhy) {
 }
 
 TEST_F(ScriptedNavigator, CountsPlansWhereRetriesAreLimited) {
-  world_.plan_failure = "No way.";
+  world_.plan_failure = "No path.";
   parts_.params.max_planning_retries = 2;
   Navigator navigator = make();
   navigator.set_goal({}, 0.0);
@@ -158,7 +158,7 @@ TEST_F(ScriptedNavigator, WithoutACommandBrakesReplansAndSaysWhatBlocksIt) {
   const NavigatorOutput output = run(navigator, 20.0);
   EXPECT_EQ(output.text,
             "Failed to find a valid control. Even after executing recovery behaviors. Every "
-            "trajectory is in contact. A box is in the way. controller_patience of 3 s is over.");
+            "trajectory is in contact. A box is ahead. controller_patience of 3 s is over.");
   EXPECT_EQ(recoveries_.size(), 1U);
   EXPECT_GE(world_.requests, 6);
 }

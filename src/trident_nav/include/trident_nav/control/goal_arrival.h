@@ -27,7 +27,7 @@ struct GoalTolerance {
     ar.field("trans_stopped_velocity", trans_stopped_velocity, Range::positive(),
              "a slower robot stands [m/s]");
     ar.field("rot_stopped_velocity", rot_stopped_velocity, Range::positive(),
-             "a slower turn is none [rad/s]");
+             "a slower turn counts as standing [rad/s]");
     ar.field("fallback_factor", fallback_factor, Range::at_least(1.0),
              "on both tolerances where the robot gets no nearer");
     ar.field("fallback_time", fallback_time, Range::positive(), "without getting nearer [s]");

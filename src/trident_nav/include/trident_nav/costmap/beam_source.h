@@ -48,7 +48,7 @@ struct BeamSourceParams {
     ar.field("data_type", data_type, "type of the messages");
     ar.field("min_obstacle_height", min_obstacle_height, "of what is marked [m]");
     ar.field("max_obstacle_height", max_obstacle_height, "of what is marked [m]");
-    ar.field("inf_is_valid", inf_is_valid, "beams that met nothing clear up to range_max");
+    ar.field("inf_is_valid", inf_is_valid, "beams that hit nothing clear up to range_max");
     ar.field("clearing", clearing, "beams clear what they pass");
     ar.field("marking", marking, "ends of beams are marked");
     ar.field("obstacle_range", obstacle_range, Range::non_negative(),

@@ -21,8 +21,9 @@ struct NavigatorParams {
 
   template <class Archive>
   void visit(Archive& ar) {
-    ar.field("planner_frequency", planner_frequency, Range::non_negative(),
-             "of new paths under way; 0: when there is a new goal, or the path is blocked [Hz]");
+    ar.field(
+        "planner_frequency", planner_frequency, Range::non_negative(),
+        "of new paths while driving; 0: when there is a new goal, or the path is blocked [Hz]");
     ar.field("controller_frequency", controller_frequency, Range::positive(), "of commands [Hz]");
     ar.field("planner_patience", planner_patience, Range::non_negative(),
              "how long a path is tried for before a recovery [s]");

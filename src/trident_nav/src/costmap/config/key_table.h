@@ -49,7 +49,7 @@ inline constexpr std::array<IgnoredKey, 6> kIgnoredLayerKeys{{
 }};
 
 inline constexpr std::array<IgnoredKey, 3> kIgnoredSourceKeys{{
-    {"add_max_range", "inf_is_valid says whether beams that met nothing clear"},
+    {"add_max_range", "inf_is_valid says whether beams that hit nothing clear"},
     {"transform_tolerance", "it is a parameter of the layer"},
     {"transport_type", "messages come as they are"},
 }};
