@@ -72,6 +72,7 @@ class ConfigDocumenter {
 
 /// A value without rows below it.
 struct DescribeLeaf {
+  /// Adds nothing.
   template <class T>
   static void below(const std::string&, const T&, std::vector<DocumentRow>*) {}
 };

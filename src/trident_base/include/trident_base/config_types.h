@@ -79,8 +79,7 @@ struct ArchiveProbe {
   void required(Args&&...) {}
 };
 
-// Eigen's matrices have a visit() of another meaning.
-/// Whether T is a struct with visit(archive).
+/// Whether T is a struct with visit(archive); Eigen's matrices have a visit() of another meaning.
 template <class T, class = void>
 inline constexpr bool is_visitable_v = false;
 template <class T>
@@ -116,7 +115,6 @@ template <class T>
 struct Element<std::vector<T>> : Element<T> {};
 template <class T, std::size_t N>
 struct Element<std::array<T, N>> : Element<T> {};
-/// Whether a field of type T may be given a Range.
 template <class T>
 struct Element<std::optional<T>> : Element<T> {};
 template <class T>
@@ -126,6 +124,7 @@ struct Element<Eigen::Matrix<double, N, 1>> {
   using Type = double;
 };
 
+/// Whether a field of type T may be given a Range.
 template <class T>
 inline constexpr bool range_applies_v = is_number_v<typename Element<T>::Type>;
 

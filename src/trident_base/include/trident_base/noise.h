@@ -130,7 +130,7 @@ class GaussMarkov {
 /// Noise of one three-axis inertial sensor.
 struct InertialNoiseParams {
   double noise_density = 0.0;  ///< White noise [unit/sqrt(Hz)].
-  GaussMarkovParams bias;
+  GaussMarkovParams bias;      ///< In the same unit.
 };
 
 /// Defaults: an ADIS16448 with doubled data-sheet densities, as RotorS ships it.

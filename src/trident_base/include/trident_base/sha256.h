@@ -17,7 +17,7 @@ class Sha256 {
   ~Sha256();
   /// What was moved from can only be destroyed or assigned to.
   Sha256(Sha256&&) noexcept;
-  Sha256& operator=(Sha256&&) noexcept;
+  Sha256& operator=(Sha256&&) noexcept;  ///< see the constructor
 
   /// Appends `size` bytes; how they are cut into calls does not matter.
   void update(const void* data, std::size_t size);

@@ -34,6 +34,7 @@ struct HeadingParams {
 
 /// What the surge speed is held against.
 enum class SpeedReference { kOverGround, kThroughWater };
+/// Names of the references in YAML.
 constexpr auto enum_names(SpeedReference) {
   return std::array{EnumName{SpeedReference::kOverGround, "over_ground"},
                     EnumName{SpeedReference::kThroughWater, "through_water"}};
@@ -65,6 +66,7 @@ struct SpeedParams {
     ar.field("max_acceleration", max_acceleration, Range::positive(), "[m/s^2]");
     ar.field("log_timeout", log_timeout, Range::positive(), "a log older than that is lost [s]");
   }
+  /// Throws Error naming field, value and what is legal.
   void validate() const;
 };
 
@@ -85,6 +87,7 @@ struct CourseParams {
 
 /// What follows the last waypoint.
 enum class PathEnd { kStop, kKeepStation };
+/// Names of the ends in YAML.
 constexpr auto enum_names(PathEnd) {
   return std::array{EnumName{PathEnd::kStop, "stop"},
                     EnumName{PathEnd::kKeepStation, "keep_station"}};
@@ -124,6 +127,7 @@ struct GuidanceParams {
 
 /// kAutomatic: kPose where thrusters push sideways without being turned first, else kWeatherVane.
 enum class StationBehavior { kAutomatic, kPose, kWeatherVane };
+/// Names of the behaviors in YAML.
 constexpr auto enum_names(StationBehavior) {
   return std::array{EnumName{StationBehavior::kAutomatic, "automatic"},
                     EnumName{StationBehavior::kPose, "pose"},

@@ -10,7 +10,7 @@ namespace trident::ros_utils {
 /// A node at the other end of a connection that is established.
 struct TopicPeer {
   int connection = 0;  ///< grows from connection to connection of this process
-  std::string node;
+  std::string node;    ///< absolute name
 };
 
 /// Who reads a topic that this process publishes. A reader that has ended is not among them.

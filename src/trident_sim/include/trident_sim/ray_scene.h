@@ -133,7 +133,7 @@ class RayScene {
   void add_surface(const AnalyticSurface& surface, Span<const Ray> rays, Span<RayHit> hits) const;
   /// Whether anything that casts shadows lies between t_min and t_max; faster than cast().
   void occluded(Span<const Ray> rays, Span<bool> result, const RayFilter& filter = {}) const;
-  static constexpr std::size_t kPacket = 16;
+  static constexpr std::size_t kPacket = 16;  ///< rays that Embree traces at once
 
   /// Has refresh() read the pictures of the materials from now on, of visual scenes. Cameras need
   /// them, lidars do not. A picture that cannot be read is reported once; only PNG can.

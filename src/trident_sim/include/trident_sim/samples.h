@@ -97,7 +97,7 @@ struct FrameSample : TransformSample {};
 struct ImuSample {
   SimTime stamp;      ///< of the state that was measured
   std::string frame;  ///< of the IMU
-  /// Without the noise of a heading sensor unless it has one.
+  /// With the noise of its heading sensor, if it has one.
   Eigen::Quaterniond R_world_imu = Eigen::Quaterniond::Identity();
   Eigen::Vector3d w_imu = Eigen::Vector3d::Zero();  ///< [rad/s]
   Eigen::Vector3d a_imu = Eigen::Vector3d::Zero();  ///< specific force [m/s^2]

@@ -38,7 +38,7 @@ class IncrementalPoseGraph {
   explicit IncrementalPoseGraph(const IncrementalOptions& options = {});
   /// What was moved from can only be destroyed or assigned to.
   IncrementalPoseGraph(IncrementalPoseGraph&&) noexcept;
-  IncrementalPoseGraph& operator=(IncrementalPoseGraph&&) noexcept;
+  IncrementalPoseGraph& operator=(IncrementalPoseGraph&&) noexcept;  ///< see above
   ~IncrementalPoseGraph();
 
   /// A vertex and its edges to vertices that are known; where the last edge from the vertex before

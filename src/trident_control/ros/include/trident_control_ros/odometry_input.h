@@ -27,6 +27,7 @@ class OdometryInput {
  public:
   using Handler = std::function<void(const StampedOdometry&)>;
 
+  /// Subscribes at once; `handler` is called in the thread that `thread` names.
   OdometryInput(ros::NodeHandle& node, OdometryThread thread, Handler handler);
   /// No handler runs afterwards.
   ~OdometryInput();

@@ -14,8 +14,8 @@ namespace trident::control {
 
 /// What command/trajectory carries. Stamp zero: takes effect at once.
 struct TrajectorySample {
-  SimTime stamp;
-  std::vector<TimedSetpoint> points;
+  SimTime stamp;                      ///< start of the trajectory, see SetpointQueue
+  std::vector<TimedSetpoint> points;  ///< in rising order of their times
 };
 
 /// Adds "libtrident_vessel_controller.so" (vessel_controller_plugin.h) and

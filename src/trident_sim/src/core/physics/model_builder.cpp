@@ -146,8 +146,8 @@ class Builder {
     body->T_world_body =
         model_.T_world_model_initial * SE3{first.T_model_link.R, inertia.p_model_com};
     body->set_orientation(body->T_world_body.R);
-    // Of links that are fixed to each other only the first one's switches count.
     body->T_world_body_initial = body->T_world_body;
+    // Of links that are fixed to each other only the first one's switches count.
     body->kinematic = first.kinematic;
     body->linear_damping = first.linear_damping;
     body->angular_damping = first.angular_damping;
