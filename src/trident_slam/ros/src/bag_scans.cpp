@@ -52,7 +52,7 @@ bool has(const Topics& topics, const std::string& name) {
   return std::find(topics.begin(), topics.end(), name) != topics.end();
 }
 
-/// The topic of the usual name, or the only one; "": there is none.
+/// The topic of the usual name, or the only one; "": the bag has no topic of the type.
 std::string obvious_topic(const std::string& usual, const Topics& topics, const std::string& type) {
   if (has(topics, usual)) return usual;
   if (topics.size() > 1) throw Error("several topics of " + type + ": " + join(topics));
