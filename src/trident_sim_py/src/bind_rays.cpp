@@ -47,6 +47,22 @@ NumpyArray rows_of_three(const py::object& value, const std::string& what) {
   return array;
 }
 
+py::tuple to_arrays(const std::vector<RayHit>& hits) {
+  const auto count = static_cast<py::ssize_t>(hits.size());
+  py::array_t<double> distance(count), normal({count, py::ssize_t{3}});
+  py::array_t<std::int64_t> shape(count);
+  auto distances = distance.mutable_unchecked<1>();
+  auto normals = normal.mutable_unchecked<2>();
+  auto shapes = shape.mutable_unchecked<1>();
+  for (py::ssize_t i = 0; i < count; ++i) {
+    const RayHit& hit = hits[static_cast<std::size_t>(i)];
+    distances(i) = hit.distance_m;
+    shapes(i) = hit.is_hit() ? static_cast<std::int64_t>(hit.shape) : -1;
+    for (py::ssize_t k = 0; k < 3; ++k) normals(i, k) = hit.normal_world[k];
+  }
+  return py::make_tuple(distance, normal, shape);
+}
+
 /// Distances, normals and indices of the shapes hit, one per ray.
 py::tuple cast_rays(Session& session, const py::object& origins, const py::object& directions,
                     double t_max, bool is_visual) {
@@ -66,19 +82,7 @@ py::tuple cast_rays(Session& session, const py::object& origins, const py::objec
   scene.refresh();
   if (!rays.empty()) scene.refresh_surface(rays.front().p_world_origin);
   scene.cast({rays.data(), rays.size()}, {hits.data(), hits.size()});
-  const auto count = static_cast<py::ssize_t>(rays.size());
-  py::array_t<double> distance(count), normal({count, py::ssize_t{3}});
-  py::array_t<std::int64_t> shape(count);
-  auto distances = distance.mutable_unchecked<1>();
-  auto normals = normal.mutable_unchecked<2>();
-  auto shapes = shape.mutable_unchecked<1>();
-  for (py::ssize_t i = 0; i < count; ++i) {
-    const RayHit& hit = hits[static_cast<std::size_t>(i)];
-    distances(i) = hit.distance_m;
-    shapes(i) = hit.is_hit() ? static_cast<std::int64_t>(hit.shape) : -1;
-    for (py::ssize_t k = 0; k < 3; ++k) normals(i, k) = hit.normal_world[k];
-  }
-  return py::make_tuple(distance, normal, shape);
+  return to_arrays(hits);
 }
 
 /// Model, link and name of each shape.

@@ -31,6 +31,18 @@ std::string known_names(const Map& names) {
   return text.empty() ? "none" : text;
 }
 
+/// Whether the text is itself a world, not the name of a file.
+bool is_xml(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  return first != std::string::npos && text[first] == '<';
+}
+
+WorldSpec load_world(const SessionOptions& options, const Resources& resources,
+                     const WarningSink& warn, OddElements odd) {
+  return is_xml(options.world) ? load_world_string(options.world, "world", resources, warn, odd)
+                               : load_world_file(options.world, resources, warn, odd);
+}
+
 }  // namespace
 
 /// Steps run without the GIL, so that another Python thread could reach the world meanwhile. It
@@ -63,11 +75,9 @@ Session::Session(const SessionOptions& options) : resources_(options.folders) {
   const py::gil_scoped_release unlocked;
   for (const std::string& warning : resources_.warnings()) warn(warning);
   for (const std::string& path : options.plugins) registry_.load_shared_object(path);
-  const bool is_text = options.world.find_first_not_of(" \t\r\n") != std::string::npos &&
-                       options.world[options.world.find_first_not_of(" \t\r\n")] == '<';
+
   const OddElements odd = options.strict ? OddElements::kRefuse : OddElements::kLeaveOut;
-  const WorldSpec spec = is_text ? load_world_string(options.world, "world", resources_, warn, odd)
-                                 : load_world_file(options.world, resources_, warn, odd);
+  const WorldSpec spec = load_world(options, resources_, warn, odd);
   world_ = std::make_unique<World>(
       spec, resources_, registry_,
       WorldOptions{options.seed, timing, report, {}, options.sensor_threads, {}, odd});

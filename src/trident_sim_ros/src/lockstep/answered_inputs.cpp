@@ -68,30 +68,33 @@ bool AnsweredInputs::has_lost_node(const Driver& driver) const {
   return true;
 }
 
-std::string AnsweredInputs::missing_for_start() {
-  std::string missing;
-  const auto add = [&](const std::string& what) {
-    missing += (missing.empty() ? "" : ", ") + what;
-  };
-  for (Driver& driver : drivers_) {
-    const std::string& state = driver.options.state;
-    const std::size_t before = missing.size();
-    if (board_.find(state, PortDirection::kOut) == nullptr) {
-      add("a model that publishes /" + state + " for " + driver.name);
-    } else if (outputs_.subscribers(state) == 0) {
-      add("a reader of /" + state + " for " + driver.name);
+std::vector<std::string> AnsweredInputs::missing_connections(const Driver& driver) const {
+  std::vector<std::string> missing;
+  const std::string& state = driver.options.state;
+  if (board_.find(state, PortDirection::kOut) == nullptr) {
+    missing.push_back("a model that publishes /" + state + " for " + driver.name);
+  } else if (outputs_.subscribers(state) == 0) {
+    missing.push_back("a reader of /" + state + " for " + driver.name);
+  }
+  for (const std::string& command : driver.options.commands) {
+    if (board_.find(command, PortDirection::kIn) == nullptr) {
+      missing.push_back("a model that reads /" + command + " for " + driver.name);
+    } else if (inputs_.publishers(command) == 0) {
+      missing.push_back("a publisher of /" + command);
     }
-    for (const std::string& command : driver.options.commands) {
-      if (board_.find(command, PortDirection::kIn) == nullptr) {
-        add("a model that reads /" + command + " for " + driver.name);
-      } else if (inputs_.publishers(command) == 0) {
-        add("a publisher of /" + command);
-      }
-    }
-    if (missing.size() > before) continue;
-    if (const std::string node = missing_node(driver); !node.empty()) add(node);
   }
   return missing;
+}
+
+std::string AnsweredInputs::missing_for_start() {
+  std::vector<std::string> missing;
+  for (Driver& driver : drivers_) {
+    const std::vector<std::string> connections = missing_connections(driver);
+    missing.insert(missing.end(), connections.begin(), connections.end());
+    if (!connections.empty()) continue;
+    if (std::string node = missing_node(driver); !node.empty()) missing.push_back(std::move(node));
+  }
+  return join(missing);
 }
 
 bool AnsweredInputs::is_due(const Driver& driver, SimTime begin) const {

@@ -63,6 +63,7 @@ class AnsweredInputs {
   bool is_due(const Driver& driver, SimTime begin) const;
   bool is_answered(const Driver& driver) const;
   void open(Driver& driver, SimTime now);
+  std::vector<std::string> missing_connections(const Driver& driver) const;
   std::string missing_node(Driver& driver);
   bool has_lost_node(const Driver& driver) const;
   void note_surplus(const std::string& command, std::uint64_t expected, SimTime time);

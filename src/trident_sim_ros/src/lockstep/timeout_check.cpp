@@ -17,6 +17,11 @@ constexpr WallTime kReplacementPatience = 1'000'000'000;  // [ns]
 void TimeoutCheck::check_at_start() {
   const WallTime now = wall_now();
   const Lock lock(hub_.mutex);
+  check_controllers_at_start(now);
+  check_sources_at_start(now);
+}
+
+void TimeoutCheck::check_controllers_at_start(WallTime now) {
   for (VehicleLink* vehicle : hub_.vehicles) {
     vehicle->assert_hub_is_locked();
     if (vehicle->has_controller()) {
@@ -28,6 +33,9 @@ void TimeoutCheck::check_at_start() {
                        vehicle->waiting, now);
     }
   }
+}
+
+void TimeoutCheck::check_sources_at_start(WallTime now) {
   for (auto& [node, source] : hub_.sources.all()) {
     Waiting& waiting = sources_[node];
     const bool is_gone = probe_.look(node) == NodeProbe::State::kGone;

@@ -31,6 +31,8 @@ class TimeoutCheck {
   void clear() { sources_.clear(); }
 
  private:
+  void check_controllers_at_start(WallTime now) TRIDENT_REQUIRES(hub_.mutex);
+  void check_sources_at_start(WallTime now) TRIDENT_REQUIRES(hub_.mutex);
   void check_vehicle(VehicleLink& vehicle, WallTime now) TRIDENT_REQUIRES(hub_.mutex);
   void check_source(SimTime time, WallTime now) TRIDENT_REQUIRES(hub_.mutex);
 

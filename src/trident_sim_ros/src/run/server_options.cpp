@@ -8,8 +8,10 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
+#include <map>
 #include <optional>
 #include <sstream>
+#include <string>
 #include <thread>
 #include <utility>
 
@@ -143,33 +145,64 @@ std::string port_name(const std::string& topic) {
   return topic.substr(std::min(topic.find_first_not_of('/'), topic.size()));
 }
 
+using Flags = std::map<std::string, void (*)(ServerOptions&)>;
+using Values = std::map<std::string, void (*)(const std::string& option, const std::string& value,
+                                              ServerOptions&)>;
+
+void pause(ServerOptions& options) { options.paused = true; }
+void ignore_flag(ServerOptions& /*options*/) {}
+
+const Flags& known_flags() {
+  static const Flags kFlags = {
+      {"-u", pause},
+      {"--pause", pause},
+      {"--verbose", [](ServerOptions& options) { options.verbose = true; }},
+      {"-r", ignore_flag},
+      {"--record", ignore_flag},
+      {"--lockstep", ignore_flag},
+      {"", ignore_flag},
+  };
+  return kFlags;
+}
+
+void require_ode(const std::string& /*option*/, const std::string& engine,
+                 ServerOptions& /*options*/) {
+  if (engine != "ode") throw Error("option -e is '" + engine + "', must be ode");
+}
+void ignore_value(const std::string& /*option*/, const std::string& /*value*/,
+                  ServerOptions& /*options*/) {}
+void set_seed(const std::string& option, const std::string& value, ServerOptions& options) {
+  options.seed = static_cast<std::uint64_t>(option_count(option, value, 0, kMaxCount));
+}
+void set_iterations(const std::string& option, const std::string& value, ServerOptions& options) {
+  options.iterations = static_cast<std::uint64_t>(option_count(option, value, 1, kMaxCount));
+}
+
+const Values& known_values() {
+  // gazebo_ros' own system plugins are built in.
+  static const Values kValues = {
+      {"-e", require_ode},
+      {"--physics", require_ode},
+      {"-s", ignore_value},
+      {"--server-plugin", ignore_value},
+      {"-g", ignore_value},
+      {"--gui-plugin", ignore_value},
+      {"--record_path", ignore_value},
+      {"--seed", set_seed},
+      {"--iters", set_iterations},
+  };
+  return kValues;
+}
+
 /// gzserver's command line, as far as it has a meaning here.
 void read_arguments(const std::vector<std::string>& arguments, ServerOptions& options) {
-  const auto value_of = [&](std::size_t& i) -> const std::string& {
-    if (i + 1 >= arguments.size()) throw Error("option " + arguments[i] + " needs a value");
-    return arguments[++i];
-  };
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string& argument = arguments[i];
-    if (argument == "-u" || argument == "--pause") {
-      options.paused = true;
-    } else if (argument == "--verbose") {
-      options.verbose = true;
-    } else if (argument == "-e" || argument == "--physics") {
-      if (const auto& engine = value_of(i); engine != "ode") {
-        throw Error("option -e is '" + engine + "', must be ode");
-      }
-    } else if (argument == "-s" || argument == "--server-plugin" || argument == "-g" ||
-               argument == "--gui-plugin" || argument == "--record_path") {
-      value_of(i);  // gazebo_ros' own system plugins are built in
-    } else if (argument == "--seed") {
-      options.seed = static_cast<std::uint64_t>(option_count(argument, value_of(i), 0, kMaxCount));
-    } else if (argument == "--iters") {
-      options.iterations =
-          static_cast<std::uint64_t>(option_count(argument, value_of(i), 1, kMaxCount));
-    } else if (argument == "-r" || argument == "--record" || argument == "--lockstep" ||
-               argument.empty()) {
-      continue;
+    if (const auto flag = known_flags().find(argument); flag != known_flags().end()) {
+      flag->second(options);
+    } else if (const auto taker = known_values().find(argument); taker != known_values().end()) {
+      if (++i == arguments.size()) throw Error("option " + argument + " needs a value");
+      taker->second(argument, arguments[i], options);
     } else if (argument[0] == '-') {
       throw Error(
           "option " + argument +

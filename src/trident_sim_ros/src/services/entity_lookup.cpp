@@ -25,13 +25,24 @@ Link& required_body(const World& world, const std::string& name) {
   return *link;
 }
 
-Joint& required_joint(const World& world, const std::string& name) {
+namespace {
+
+/// The joint that "model::joint" names; nullptr: it does not exist, or the name has another form.
+Joint* find_scoped_joint(const World& world, const std::string& name) {
   const auto split = name.find("::");
-  if (split != std::string::npos) {
-    const Model* model = world.find_model(name.substr(0, split));
-    Joint* joint = model == nullptr ? nullptr : model->find_joint(name.substr(split + 2));
-    if (joint != nullptr) return *joint;
-  }
+  if (split == std::string::npos) return nullptr;
+  const Model* model = world.find_model(name.substr(0, split));
+  return model == nullptr ? nullptr : model->find_joint(name.substr(split + 2));
+}
+
+bool is_world_frame(const std::string& name) {
+  return name.empty() || name == "world" || name == "map" || name == "/map";
+}
+
+}  // namespace
+
+Joint& required_joint(const World& world, const std::string& name) {
+  if (Joint* const joint = find_scoped_joint(world, name)) return *joint;
   Joint* found = nullptr;
   for (const auto& [model_name, model] : world.models()) {
     Joint* joint = model->find_joint(name);
@@ -46,7 +57,7 @@ Joint& required_joint(const World& world, const std::string& name) {
 }
 
 ReferenceFrame find_reference_frame(const World& world, const std::string& name) {
-  if (name.empty() || name == "world" || name == "map" || name == "/map") return {};
+  if (is_world_frame(name)) return {};
   const Model* model = world.find_model(name);
   const Link* link = model != nullptr ? model->canonical_link() : world.find_link(name);
   if (link == nullptr) {

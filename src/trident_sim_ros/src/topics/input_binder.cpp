@@ -228,21 +228,29 @@ void MessageBell::wait(std::chrono::milliseconds limit) {
   has_rung_ = false;
 }
 
-void InputBinder::sync() {
-  if (board_.version() == version_) return;
-  version_ = board_.version();
+void InputBinder::forget_gone_ports() {
   for (auto it = entries_.begin(); it != entries_.end();) {
     const PortBase* const now = board_.find(it->first, PortDirection::kIn);
     it = now == &it->second->port() ? std::next(it) : entries_.erase(it);
   }
+}
+
+/// nullptr: there is no topic or service of this type.
+std::unique_ptr<InputBinding> InputBinder::bind(PortBase& port) {
   const Surroundings around{node_, queue_, bell_, repeatability_};
+  for (const BindFunction bind_type : kBindFunctions) {
+    if (std::unique_ptr<InputBinding> binding = bind_type(around, port)) return binding;
+  }
+  return bind_thruster_services(node_, queue_, port, board_, repeatability_);
+}
+
+void InputBinder::sync() {
+  if (board_.version() == version_) return;
+  version_ = board_.version();
+  forget_gone_ports();
   board_.for_each([&](PortBase& port) {
     if (port.direction() != PortDirection::kIn || entries_.count(port.name()) > 0) return;
-    std::unique_ptr<InputBinding> binding;
-    for (const BindFunction bind : kBindFunctions) {
-      if (!binding) binding = bind(around, port);
-    }
-    if (!binding) binding = bind_thruster_services(node_, queue_, port, board_, repeatability_);
+    std::unique_ptr<InputBinding> binding = bind(port);
     if (binding) entries_.emplace(port.name(), std::move(binding));
   });
 }

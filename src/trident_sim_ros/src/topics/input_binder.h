@@ -77,6 +77,8 @@ class InputBinder {
   Repeatability& repeatability_;
   std::uint64_t version_ = 0;
   InputBinding* find(const std::string& port) const;
+  void forget_gone_ports();
+  std::unique_ptr<InputBinding> bind(PortBase& port);
 
   ros_utils::InlineCallbackQueue queue_;
   /// Outlives a message in progress.

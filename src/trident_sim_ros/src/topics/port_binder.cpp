@@ -38,20 +38,28 @@ class FrameBinding : public OutputBinding {
 PortBinder::PortBinder(ros::NodeHandle& node, PortBoard& board)
     : board_(board), advertiser_(node), tf_(advertiser_.advertise<tf2_msgs::TFMessage>("/tf")) {}
 
-void PortBinder::sync() {
-  if (board_.version() == version_) return;
-  version_ = board_.version();
+void PortBinder::forget_gone_ports() {
   for (auto it = entries_.begin(); it != entries_.end();) {
     PortBase* now = board_.find(it->second.port, PortDirection::kOut);
     it = now == &it->second.binding->port() ? std::next(it) : entries_.erase(it);
   }
+}
+
+/// nullptr: there is no topic of this type.
+std::unique_ptr<OutputBinding> PortBinder::bind(PortBase& port) {
+  if (auto* frame = dynamic_cast<OutPort<FrameSample>*>(&port)) {
+    return std::make_unique<FrameBinding>(*frame, tf_, tf_message_);
+  }
+  return OutputTopics::instance().bind(advertiser_, port);
+}
+
+void PortBinder::sync() {
+  if (board_.version() == version_) return;
+  version_ = board_.version();
+  forget_gone_ports();
   board_.for_each([this](PortBase& port) {
     if (port.direction() != PortDirection::kOut || entries_.count(port.name()) > 0) return;
-    std::unique_ptr<OutputBinding> binding;
-    if (auto* frame = dynamic_cast<OutPort<FrameSample>*>(&port)) {
-      binding = std::make_unique<FrameBinding>(*frame, tf_, tf_message_);
-    }
-    if (!binding) binding = OutputTopics::instance().bind(advertiser_, port);
+    std::unique_ptr<OutputBinding> binding = bind(port);
     if (binding) entries_.emplace(port.name(), Entry{port.name(), std::move(binding), false});
     if (auto* image = dynamic_cast<OutPort<ImageSample>*>(&port)) {
       entries_.emplace(port.name() + "/" + compressed_name(image->value),
@@ -81,15 +89,19 @@ std::vector<OutputBinding*> PortBinder::hold_back_odometry(const std::string& pr
   return result;
 }
 
+/// Odometry that the lockstep sends stays wanted: when its reader dies, the world must still have a
+/// state to wait for an answer to.
+bool PortBinder::is_needed(const Entry& entry) {
+  return entry.binding->subscribers() > 0 || entry.binding->is_latched() ||
+         (entry.held_back && entry.binding->wanted());
+}
+
 void PortBinder::scan_subscribers() {
   if (!advertiser_.take_change()) return;
   ros_utils::hand_over("subscription found");
   bool changed = false;
   for (auto& [name, entry] : entries_) {
-    // Odometry that the lockstep sends stays wanted: when its reader dies, the world must still
-    // have a state to wait for an answer to.
-    const bool wanted = entry.binding->subscribers() > 0 || entry.binding->is_latched() ||
-                        (entry.held_back && entry.binding->wanted());
+    const bool wanted = is_needed(entry);
     changed = changed || wanted != entry.binding->wanted();
     entry.binding->set_wanted(wanted);
   }

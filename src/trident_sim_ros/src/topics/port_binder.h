@@ -43,6 +43,9 @@ class PortBinder {
     std::unique_ptr<OutputBinding> binding;
     bool held_back = false;
   };
+  static bool is_needed(const Entry& entry);
+  void forget_gone_ports();
+  std::unique_ptr<OutputBinding> bind(PortBase& port);
   void rebuild_active();
   void send_frames();
   bool display_is_due(bool every_step);

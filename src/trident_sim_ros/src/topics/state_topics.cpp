@@ -38,18 +38,30 @@ StateTopics::StateTopics(ros::NodeHandle& node, double max_rate_hz, double clock
   fleet_ = node.advertise<trident_msgs::FleetState>("/gazebo/fleet_state", 100, true);
 }
 
+/// At the simulated rate that is asked for.
+bool StateTopics::is_clock_due(SimTime time) const {
+  return clock_period_.ns == 0 || clock_sent_.ns < 0 || time - clock_sent_ >= clock_period_;
+}
+
+/// By the wall rate of displays.
+bool StateTopics::may_send(Clock::time_point last, Clock::time_point now, bool every_step) const {
+  return every_step || now - last >= least_interval_;
+}
+
+void StateTopics::publish_states(const World& world) {
+  if (models_.getNumSubscribers() > 0) publish_models(world);
+  if (links_.getNumSubscribers() > 0) publish_links(world);
+}
+
 void StateTopics::publish(const World& world, bool every_step) {
   const auto now = Clock::now();
-  const bool clock_due =
-      clock_period_.ns == 0 || world.time() - clock_sent_ >= clock_period_ || clock_sent_.ns < 0;
-  if (clock_due && (every_step || now - last_clock_ >= least_interval_)) {
+  if (is_clock_due(world.time()) && may_send(last_clock_, now, every_step)) {
     last_clock_ = now;
     publish_clock(world.time());
   }
-  if (every_step || now - last_states_ >= least_interval_) {
+  if (may_send(last_states_, now, every_step)) {
     last_states_ = now;
-    if (models_.getNumSubscribers() > 0) publish_models(world);
-    if (links_.getNumSubscribers() > 0) publish_links(world);
+    publish_states(world);
   }
   if (world.time().ns % state_period_.ns == 0 && fleet_.getNumSubscribers() > 0)
     publish_fleet(world);

@@ -37,6 +37,9 @@ class StateTopics {
 
  private:
   using Clock = std::chrono::steady_clock;
+  bool is_clock_due(SimTime time) const;
+  bool may_send(Clock::time_point last, Clock::time_point now, bool every_step) const;
+  void publish_states(const World& world);
   void publish_fleet(const World& world);
   void publish_models(const World& world);
   void publish_links(const World& world);

@@ -304,7 +304,7 @@ WorldSpec load_world_string(const std::string& xml, const std::string& label,
 
 namespace {
 
-/// The model of the document, or the only one of its only world; nullptr: there is no model.
+/// The model of the document, or the only one of its only world; nullptr: the document has neither.
 const sdf::Model* find_single_model(const sdf::Root& root) {
   if (root.Model() != nullptr) return root.Model();
   const bool is_world_of_one = root.WorldCount() == 1 && root.WorldByIndex(0)->ModelCount() == 1;

@@ -47,7 +47,7 @@ class Anemometer : public MeasuringPlugin {
  protected:
   bool is_wanted() const { return velocity_->wanted() || reading_->wanted(); }
 
-  /// Of the air, past the sensor unless it reports the true wind; world frame.
+  /// Velocity of the air, relative to the sensor unless the true wind is measured; world frame.
   Eigen::Vector3d wind_at(const Eigen::Vector3d& p_world) const {
     Eigen::Vector3d wind = Eigen::Vector3d::Zero();
     if (around_.air() != nullptr) wind = around_.air()->wind(p_world);
