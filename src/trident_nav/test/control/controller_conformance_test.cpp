@@ -31,18 +31,6 @@ std::vector<std::string> law_names() {
   return names;
 }
 
-bool are_equal(const Twist2& a, const Twist2& b) {
-  return a.vx == b.vx && a.vy == b.vy && a.wz == b.wz;
-}
-
-bool are_equal(const Drive& a, const Drive& b) {
-  if (a.commands.size() != b.commands.size()) return false;
-  for (std::size_t i = 0; i < a.commands.size(); ++i) {
-    if (!are_equal(a.commands[i], b.commands[i])) return false;
-  }
-  return true;
-}
-
 GridWorld open_world() {
   GridWorld world(6.0, 4.0);
   world.fill({0.0, 0.0, 6.0, 0.1});

@@ -12,16 +12,6 @@
 namespace trident::nav::testing {
 namespace {
 
-bool are_equal(const Drive& a, const Drive& b) {
-  if (a.commands.size() != b.commands.size()) return false;
-  for (std::size_t i = 0; i < a.commands.size(); ++i) {
-    const Twist2& x = a.commands[i];
-    const Twist2& y = b.commands[i];
-    if (x.vx != y.vx || x.vy != y.vy || x.wz != y.wz) return false;
-  }
-  return true;
-}
-
 Drive corner_drive(int threads) {
   ControlSetup setup = jackal();
   setup.threads = threads;

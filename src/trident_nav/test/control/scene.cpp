@@ -173,4 +173,13 @@ ControlSetup omni_robot() {
   return setup;
 }
 
+bool are_equal(const Twist2& a, const Twist2& b) {
+  return a.vx == b.vx && a.vy == b.vy && a.wz == b.wz;
+}
+
+bool are_equal(const Drive& a, const Drive& b) {
+  return std::equal(a.commands.begin(), a.commands.end(), b.commands.begin(), b.commands.end(),
+                    [](const Twist2& x, const Twist2& y) { return are_equal(x, y); });
+}
+
 }  // namespace trident::nav::testing

@@ -39,6 +39,11 @@ struct Drive {
   std::vector<Twist2> commands;
 };
 
+/// Whether two commands are equal bit by bit.
+bool are_equal(const Twist2& a, const Twist2& b);
+/// Whether all commands of two drives are.
+bool are_equal(const Drive& a, const Drive& b);
+
 /// One period of a plant whose velocities follow the command at the limits. False: contact.
 bool follow_command(const ControlSetup& setup, const FootprintChecker& body, const CostGrid& grid,
                     const Twist2& command, RobotState* state);

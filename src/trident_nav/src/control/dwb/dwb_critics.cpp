@@ -50,8 +50,14 @@ struct GridParams : ScaleParams {
   }
 };
 
+/// Nav2's, or nearer for a small robot, in radii of its footprint: with a point farther ahead
+/// TurtleBot3's burger turns to and fro at a corner that the point has passed, with a nearer one
+/// Jackal does not leave a dead end (both in scenes_test.cpp).
+constexpr double kForwardPoint = 0.325;  // [m]
+constexpr double kForwardRadii = 1.25;
+
 struct AlignParams : GridParams {
-  double forward_point_distance = 0.325;
+  double forward_point_distance = kForwardPoint;
 
   template <class Archive>
   void visit(Archive& ar) {
@@ -179,6 +185,7 @@ DwbCriticFactory align_critic(GridKind kind, double scale) {
              const std::string& name) {
     AlignParams params;
     params.scale = scale;
+    params.forward_point_distance = std::min(kForwardPoint, kForwardRadii * setup.radius_m);
     params = read(node, label, name, params);
     const double ahead_m = params.forward_point_distance;
     // Next to the goal a point ahead of the base is beyond it.

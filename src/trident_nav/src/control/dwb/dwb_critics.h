@@ -17,6 +17,7 @@ struct DwbCriticSetup {
   GoalTolerance tolerance;
   double dt_s = 0.0;      ///< Between the points of trajectories.
   double sim_time = 0.0;  ///< Of trajectories [s].
+  double radius_m = 0.0;  ///< Of the circle that encloses the footprint [m].
 };
 
 /// Makes a critic from the map of its keys. `name` is what it is called in the list of critics; it

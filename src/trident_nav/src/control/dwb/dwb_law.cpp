@@ -37,7 +37,8 @@ class DwbLaw final : public ControlLaw {
         search_(setup_, search_params(params, setup_.limits)) {
     critics_.push_back(make_moving_obstacle_critic(params.moving_obstacle_scale, search_.dt_s()));
     const auto registry = dwb_critics();
-    const DwbCriticSetup critic_setup{setup_.tolerance, search_.dt_s(), params.sim_time};
+    const DwbCriticSetup critic_setup{setup_.tolerance, search_.dt_s(), params.sim_time,
+                                      setup_.footprint.circumscribed_radius};
     for (const std::string& name : params.critics) {
       const ConfigNode* given = critics.find(name);
       const ConfigNode node = given != nullptr ? *given : parse_yaml("{}", label);
