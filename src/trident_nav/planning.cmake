@@ -2,41 +2,42 @@
 # SPDX-License-Identifier: Apache-2.0
 # The room of the planners. A new planner is a header, a source that registers it, and a line here.
 set(trident_nav_planners
-  carrot_planner
-  global_planner
-  navfn_planner
-  smac_2d_planner
-  smac_hybrid_planner
-  smac_lattice_planner
-  theta_star_planner
+  grids/carrot_planner
+  grids/global_planner
+  grids/navfn_planner
+  grids/smac_2d_planner
+  poses/smac_hybrid_planner
+  poses/smac_lattice_planner
+  grids/theta_star_planner
 )
 set(trident_nav_planning_sources
-  src/planning/curve_checker.cpp
-  src/planning/footprint_contact.cpp
-  src/planning/goal_probe.cpp
-  src/planning/grid_route.cpp
-  src/planning/lattice_file.cpp
-  src/planning/lattice_set.cpp
-  src/planning/line_cost.cpp
-  src/planning/motion_curve.cpp
-  src/planning/motion_set.cpp
-  src/planning/obstacle_heuristic.cpp
-  src/planning/path_points.cpp
-  src/planning/path_shortcuts.cpp
+  src/planning/curves/curve_checker.cpp
+  src/planning/curves/footprint_contact.cpp
+  src/planning/poses/goal_probe.cpp
+  src/planning/grids/grid_route.cpp
+  src/planning/curves/lattice_file.cpp
+  src/planning/curves/lattice_set.cpp
+  src/planning/grids/line_cost.cpp
+  src/planning/curves/motion_curve.cpp
+  src/planning/curves/motion_set.cpp
+  src/planning/poses/obstacle_heuristic.cpp
+  src/planning/grids/path_points.cpp
+  src/planning/curves/path_shortcuts.cpp
   src/planning/plan_request.cpp
   src/planning/planner_registry.cpp
-  src/planning/pose_route.cpp
-  src/planning/pose_route_search.cpp
-  src/planning/pose_search.cpp
-  src/planning/potential.cpp
-  src/planning/potential_repair.cpp
-  src/planning/smac_options.cpp
-  src/planning/theta_search.cpp
+  src/planning/poses/pose_route.cpp
+  src/planning/poses/pose_route_search.cpp
+  src/planning/poses/pose_search.cpp
+  src/planning/grids/potential.cpp
+  src/planning/grids/potential_repair.cpp
+  src/planning/poses/smac_options.cpp
+  src/planning/grids/theta_search.cpp
 )
 set(declarations)
 set(calls)
-foreach(planner ${trident_nav_planners})
-  list(APPEND trident_nav_planning_sources src/planning/${planner}.cpp)
+foreach(source ${trident_nav_planners})
+  get_filename_component(planner ${source} NAME)
+  list(APPEND trident_nav_planning_sources src/planning/${source}.cpp)
   string(APPEND declarations "void add_${planner}(Registry<PlannerFactory>& registry);\n")
   string(APPEND calls "  add_${planner}(registry);\n")
 endforeach()
@@ -47,7 +48,7 @@ list(APPEND trident_nav_planning_sources ${CMAKE_CURRENT_BINARY_DIR}/builtin_pla
 add_library(trident_nav_planning ${trident_nav_planning_sources})
 target_compile_features(trident_nav_planning PUBLIC cxx_std_17)
 target_compile_options(trident_nav_planning PRIVATE -Wall -Wextra -ffp-contract=off)
-target_include_directories(trident_nav_planning PUBLIC include PRIVATE src src/planning)
+target_include_directories(trident_nav_planning PUBLIC include PRIVATE src)
 target_link_libraries(trident_nav_planning PUBLIC trident_nav_core trident_base trident_maps)
 trident_precompile_headers(trident_nav_planning)
 install(TARGETS trident_nav_planning
@@ -67,7 +68,7 @@ install(TARGETS nav_planning_bench RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DEST
 add_executable(nav_plan programs/nav_plan.cpp)
 target_link_libraries(nav_plan trident_nav_planning trident_nav_costmap trident_maps)
 add_executable(nav_lattice programs/nav_lattice.cpp)
-target_include_directories(nav_lattice PRIVATE src src/planning)
+target_include_directories(nav_lattice PRIVATE src)
 target_link_libraries(nav_lattice trident_nav_planning)
 foreach(program nav_plan nav_lattice)
   set_target_properties(${program} PROPERTIES

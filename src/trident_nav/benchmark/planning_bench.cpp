@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "bench_maps.h"
-#include "planning/footprint_contact.h"
-#include "planning/path_points.h"
+#include "planning/curves/footprint_contact.h"
+#include "planning/grids/path_points.h"
 #include "trident_base/random_stream.h"
 #include "trident_base/yaml_config.h"
 #include "trident_nav/planning/planner_registry.h"

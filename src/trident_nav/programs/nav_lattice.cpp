@@ -9,7 +9,7 @@
 #include <iostream>
 #include <string>
 
-#include "planning/lattice_set.h"
+#include "planning/curves/lattice_set.h"
 #include "trident_base/error.h"
 
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-#include "plan_request.h"
+#include "planning/plan_request.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <utility>
 
-#include "grid_directions.h"
+#include "planning/grids/grid_directions.h"
 
 namespace trident::nav {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "step_costs.h"
+#include "planning/grids/step_costs.h"
 #include "trident_nav/core/cost_grid.h"
 #include "trident_nav/core/outcome.h"
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-#include "planning/footprint_contact.h"
+#include "planning/curves/footprint_contact.h"
 
 #include <gtest/gtest.h>
 

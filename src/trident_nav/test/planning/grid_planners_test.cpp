@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "planning/path_points.h"
+#include "planning/grids/path_points.h"
 #include "planning/reference_search.h"
 #include "trident_base/error.h"
 #include "trident_nav/planning/carrot_planner.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-#include "planning/lattice_set.h"
+#include "planning/curves/lattice_set.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-#include "planning/line_cost.h"
+#include "planning/grids/line_cost.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "planning/path_points.h"
+#include "planning/grids/path_points.h"
 #include "planning/reference_search.h"
 
 namespace trident::nav {

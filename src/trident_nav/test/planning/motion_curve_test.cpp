@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-#include "planning/motion_curve.h"
+#include "planning/curves/motion_curve.h"
 
 #include <gtest/gtest.h>
 

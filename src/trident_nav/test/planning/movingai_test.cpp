@@ -9,8 +9,8 @@
 #include <string>
 
 #include "bench_maps.h"
-#include "planning/path_points.h"
-#include "planning/potential.h"
+#include "planning/grids/path_points.h"
+#include "planning/grids/potential.h"
 #include "planning/reference_search.h"
 #include "trident_nav/planning/theta_star_planner.h"
 

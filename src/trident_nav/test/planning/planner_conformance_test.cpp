@@ -10,7 +10,7 @@
 #include <string>
 
 #include "bench_maps.h"
-#include "planning/footprint_contact.h"
+#include "planning/curves/footprint_contact.h"
 #include "planning/reference_search.h"
 #include "trident_base/random_stream.h"
 #include "trident_nav/planning/planner_registry.h"

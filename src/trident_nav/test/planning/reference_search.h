@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "planning/step_costs.h"
+#include "planning/grids/step_costs.h"
 #include "trident_nav/core/cost_grid.h"
 #include "trident_nav/core/outcome.h"
 

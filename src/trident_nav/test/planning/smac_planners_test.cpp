@@ -7,12 +7,12 @@
 #include <string>
 
 #include "bench_maps.h"
-#include "planning/footprint_contact.h"
-#include "planning/motion_curve.h"
-#include "planning/path_points.h"
-#include "planning/pose_route.h"
+#include "planning/curves/footprint_contact.h"
+#include "planning/curves/motion_curve.h"
+#include "planning/grids/path_points.h"
+#include "planning/poses/pose_route.h"
+#include "planning/poses/smac_options.h"
 #include "planning/reference_search.h"
-#include "planning/smac_options.h"
 #include "trident_base/random_stream.h"
 #include "trident_nav/planning/planner_registry.h"
 #include "trident_nav/planning/smac_2d_planner.h"

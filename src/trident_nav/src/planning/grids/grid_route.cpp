@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "planning/grids/grid_route.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <utility>
+
+#include "planning/grids/line_cost.h"
+#include "planning/grids/path_points.h"
+#include "planning/plan_request.h"
+
+namespace trident::nav {
+namespace {
+
+std::string meters_text(double value) {
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.2f m", value);
+  return text;
+}
+
+std::string occupied_text(const char* name, const Pose2& pose, std::uint8_t cost, double within_m) {
+  const char* what = cost == kLethalCost      ? "an obstacle"
+                     : cost == kUnknownCost   ? "unknown space"
+                     : cost == kInscribedCost ? "the inscribed radius of an obstacle"
+                                              : "blocked space";
+  return std::string("The ") + name + " " + place_text(pose.x, pose.y) + " lies in " + what +
+         ", and no free place is within " + meters_text(within_m) + " of it.";
+}
+
+void fail(GridRouteResult& result, Failure failure, std::string reason) {
+  result.failure = failure;
+  result.reason = std::move(reason);
+}
+
+void comment(GridRouteResult& result, const std::string& text) {
+  result.reason += result.reason.empty() ? text : " " + text;
+}
+
+}  // namespace
+
+GridRoute::GridRoute(const GridRouteOptions& options)
+    : options_(options), potential_(options.costs, options.outline) {}
+
+GridRouteResult GridRoute::find(const CostGrid& grid, const Footprint& footprint,
+                                const Pose2& start, const Pose2& goal, const CancelFlag& cancel) {
+  GridRouteResult result;
+  if (const auto refusal = refused(grid, start, goal)) {
+    fail(result, refusal->failure, refusal->reason);
+    return result;
+  }
+  const Cell start_cell = grid.geometry.cell(start.x, start.y);
+  const double reach = escape_reach(footprint);
+  const std::vector<Cell> escape = escape_cells(grid, options_.costs, start_cell, reach);
+  if (escape.empty()) {
+    fail(result, Failure::kStartOccupied,
+         occupied_text("start", start, grid.at(start_cell), reach));
+    return result;
+  }
+  const auto reached = reach_goal(grid, goal, escape.back(), cancel, result);
+  if (!reached) return result;
+  result.cells = potential_.trace();
+  result.cost = potential_.at(escape.back());
+  lay_out(grid, start, goal, escape, result);
+  if (escape.size() > 1) {
+    const Point2 exit = grid.geometry.center(escape.back());
+    comment(result, "The start lies in blocked space; the path leaves it at " +
+                        place_text(exit.x, exit.y) + ".");
+  }
+  return result;
+}
+
+// The goal's cell, or the nearest in the tolerance from which the start can be reached.
+std::optional<Cell> GridRoute::reach_goal(const CostGrid& grid, const Pose2& goal, Cell start,
+                                          const CancelFlag& cancel, GridRouteResult& result) {
+  std::vector<Cell> cells = cells_near(grid, options_.costs, goal, options_.tolerance_m);
+  const Cell own = grid.geometry.cell(goal.x, goal.y);
+  const bool occupied = cells.empty() || !(cells.front() == own);
+  while (!cells.empty()) {
+    const Cell root = cells.front();
+    const auto outcome = potential_.search(grid, root, start, cancel);
+    if (outcome == Potential::Result::kCanceled) {
+      fail(result, Failure::kCanceled, "Planning was canceled.");
+      return std::nullopt;
+    }
+    if (outcome == Potential::Result::kFound) return root;
+    // What this search came to is cut off from the start as well.
+    cells.erase(std::remove_if(cells.begin(), cells.end(),
+                               [&](Cell c) { return c == root || potential_.reached(c); }),
+                cells.end());
+  }
+  if (occupied) {
+    fail(result, Failure::kGoalOccupied,
+         occupied_text("goal", goal, grid.at(own), options_.tolerance_m));
+  } else {
+    fail(result, Failure::kNoPath,
+         "No path leads to the goal " + place_text(goal.x, goal.y) +
+             ": obstacles cut it off from the start.");
+  }
+  return std::nullopt;
+}
+
+void GridRoute::lay_out(const CostGrid& grid, const Pose2& start, const Pose2& goal,
+                        const std::vector<Cell>& escape, GridRouteResult& result) const {
+  const GridGeometry& g = grid.geometry;
+  const bool escapes = escape.size() > 1;
+  std::vector<Point2> points;
+  if (!escapes) points.push_back({start.x, start.y});
+  for (const Cell c : result.cells) points.push_back(g.center(c));
+  const Cell last = result.cells.back();
+  if (last == g.cell(goal.x, goal.y)) {
+    points.push_back({goal.x, goal.y});
+  } else {
+    comment(result, "The goal cannot be reached; the path ends at " +
+                        place_text(points.back().x, points.back().y) + ", " +
+                        meters_text(distance(points.back().x, points.back().y, goal.x, goal.y)) +
+                        " from it.");
+  }
+  if (options_.taut) points = pull_taut(grid, options_.costs, points);
+  if (escapes) {
+    result.points.push_back({start.x, start.y});
+    for (std::size_t i = 1; i + 1 < escape.size(); ++i)
+      result.points.push_back(g.center(escape[i]));
+  }
+  result.first_free = result.points.size();
+  result.points.insert(result.points.end(), points.begin(), points.end());
+}
+
+PlanOutcome to_outcome(const GridRouteResult& result, const CostGrid& grid, const Pose2& goal) {
+  PlanOutcome outcome;
+  outcome.failure = result.failure;
+  outcome.reason = result.reason;
+  outcome.cost = result.cost;
+  if (result.failure != Failure::kNone) return outcome;
+  outcome.path = poses_along(result.points, grid.geometry.resolution, goal.yaw);
+  return outcome;
+}
+
+std::vector<float> all_values(const Potential& potential, const GridGeometry& geometry) {
+  std::vector<float> values;
+  values.reserve(geometry.size());
+  for (int y = 0; y < geometry.height; ++y) {
+    for (int x = 0; x < geometry.width; ++x) values.push_back(potential.at({x, y}));
+  }
+  return values;
+}
+
+}  // namespace trident::nav

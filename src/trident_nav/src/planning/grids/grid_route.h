@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "planning/grids/potential.h"
+#include "planning/grids/step_costs.h"
+#include "trident_nav/core/cost_grid.h"
+#include "trident_nav/core/outcome.h"
+
+namespace trident::nav {
+
+/// What a planner on the grid of cells is made of.
+struct GridRouteOptions {
+  StepCosts costs;
+  double tolerance_m = 0.0;  ///< A pose this close to the goal will do [m].
+  bool taut = true;          ///< Straight lines where they cost no more than the cells.
+  bool outline = false;      ///< Cells along the grid's border are blocked.
+};
+
+/// The points of a route over cells, before it gets headings.
+struct GridRouteResult {
+  std::vector<Point2> points;
+  std::size_t first_free =
+      0;                    ///< Of the points: the first that lies in a cell that is not blocked.
+  std::vector<Cell> cells;  ///< From the start, or the end of its escape, to the goal.
+  std::string reason;       ///< A comment on the success, or why there is no route.
+  Failure failure = Failure::kNone;
+  double cost = 0.0;  ///< Of the cells, in step costs.
+};
+
+/// Routes over the 8-neighbor graph of cells: checks the request, leaves a blocked start, tries
+/// goals in the tolerance by distance, searches, and pulls the result taut. Keeps the goal's
+/// potential for the next plan.
+class GridRoute {
+ public:
+  explicit GridRoute(const GridRouteOptions& options);
+
+  GridRouteResult find(const CostGrid& grid, const Footprint& footprint, const Pose2& start,
+                       const Pose2& goal, const CancelFlag& cancel);
+  const Potential& potential() const { return potential_; }
+
+ private:
+  std::optional<Cell> reach_goal(const CostGrid& grid, const Pose2& goal, Cell start,
+                                 const CancelFlag& cancel, GridRouteResult& result);
+  void lay_out(const CostGrid& grid, const Pose2& start, const Pose2& goal,
+               const std::vector<Cell>& escape, GridRouteResult& result) const;
+
+  GridRouteOptions options_;
+  Potential potential_;
+};
+
+/// A route as a planner's outcome: poses at the grid's resolution, headings along the path, the
+/// goal's at the end.
+PlanOutcome to_outcome(const GridRouteResult& result, const CostGrid& grid, const Pose2& goal);
+
+/// The potential of all cells in rows.
+std::vector<float> all_values(const Potential& potential, const GridGeometry& geometry);
+
+}  // namespace trident::nav

@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+// The searches of a plan over poses, one after the other.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "planning/poses/pose_route.h"
+
+namespace trident::nav {
+namespace {
+
+/// Poses that the first search comes to, that from the goal, and that between both.
+constexpr std::int64_t kFirstIterations = 3000;
+constexpr std::int64_t kApproachIterations = 50000;
+constexpr std::int64_t kJoinIterations = 30000;
+/// An approach begins where so much is left to the goal [lengths of cells]. Not so near that it
+/// has no room to turn, not so far that its search is long.
+constexpr float kApproachCost = 80.0F;
+/// How near to that place it has to come [cells].
+constexpr double kGateRadius = 2.5;
+/// A path from its end to its start.
+TravelPath turned_round(const TravelPath& path) {
+  TravelPath result;
+  for (std::size_t i = path.points.size(); i-- > 0;) {
+    TravelPath::Point point = path.points[i];
+    const TravelPath::Point& motion = path.points[std::min(i + 1, path.points.size() - 1)];
+    point.turns = motion.turns;
+    point.reverses = motion.reverses;
+    result.points.push_back(point);
+  }
+  return result;
+}
+
+}  // namespace
+
+// A short search; when that does not come to the goal, one to where an approach begins that has
+// been found from the goal; then one without limits.
+PoseSearch::Result PoseRoute::run(Request& request, TravelPath& path) {
+  PoseSearch::Query& query = request.query;
+  query.deadline = std::chrono::steady_clock::now() +
+                   std::chrono::microseconds(static_cast<std::int64_t>(options_.max_time_s * 1e6));
+  query.max_iterations = kFirstIterations;
+  if (options_.max_iterations >= 0) {
+    query.max_iterations = std::min(query.max_iterations, options_.max_iterations);
+  }
+  PoseSearch::Result result = search_.search(request.grid, query, request.cancel);
+  iterations_ = search_.iterations();
+  if (result == PoseSearch::Result::kTooManyIterations && query.stop_within <= 0.0) {
+    const std::optional<TravelPath> approach = find_approach(request);
+    if (approach && join_approach(request, *approach, path)) return PoseSearch::Result::kFound;
+  }
+  if (result == PoseSearch::Result::kTooManyIterations) {
+    query.max_iterations = options_.max_iterations;
+    if (query.stop_within > 0.0) query.max_iterations = kJoinIterations;
+    result = search_.search(request.grid, query, request.cancel);
+    iterations_ += search_.iterations();
+  }
+  if (result != PoseSearch::Result::kFound) return result;
+  path = search_.path();
+  request.outcome.cost = search_.cost();
+  return result;
+}
+
+// A path to the goal from a place some distance before it, seen from the start.
+std::optional<TravelPath> PoseRoute::find_approach(Request& request) {
+  if (request.query.exit_cost < 2.0 * kApproachCost) return std::nullopt;
+  const Cell gate = heuristic_.descend(request.exit, kApproachCost);
+  gate_heuristic_.aim(request.grid, gate);
+  PoseSearch::Query query;
+  query.checker = request.query.checker;
+  query.heuristic = &gate_heuristic_;
+  query.start = request.query.goal;
+  query.start_heading = static_cast<unsigned>(reversed_.nearest_heading(query.start.yaw));
+  query.offset = query.start.yaw - reversed_.heading(query.start_heading);
+  query.goal = {gate.x + 0.5, gate.y + 0.5, 0.0};
+  query.stop_within = kGateRadius;
+  query.max_iterations = kApproachIterations;
+  query.deadline = request.query.deadline;
+  const PoseSearch::Result result = approach_search_.search(request.grid, query, request.cancel);
+  iterations_ += approach_search_.iterations();
+  if (approach_search_.nearest_distance() >= kGateRadius) {
+    if (result == PoseSearch::Result::kNoPath) accept_near(request);
+    return std::nullopt;
+  }
+  return turned_round(approach_search_.nearest_path());
+}
+
+bool PoseRoute::join_approach(Request& request, const TravelPath& approach, TravelPath& path) {
+  PoseSearch::Query query = request.query;
+  query.heuristic = &gate_heuristic_;
+  query.goal = approach.points.front().pose;
+  query.max_iterations = kJoinIterations;
+  if (!gate_heuristic_.reach(request.exit, request.cancel)) return false;
+  query.exit_cost =
+      std::max(1e-6, static_cast<double>(gate_heuristic_.at(request.exit.x, request.exit.y)));
+  const PoseSearch::Result result = search_.search(request.grid, query, request.cancel);
+  iterations_ += search_.iterations();
+  if (result != PoseSearch::Result::kFound) return false;
+  path = search_.path();
+  path.points.insert(path.points.end(), approach.points.begin() + 1, approach.points.end());
+  request.outcome.cost = search_.cost() + approach_search_.nearest_cost();
+  return true;
+}
+
+}  // namespace trident::nav
