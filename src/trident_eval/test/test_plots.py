@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from trident_eval.core.plots import MANY, draw_all, label, outline_of
+from trident_eval.core.plots import LEVEL_M, MANY, draw_all, height_range, label, outline_of
 from trident_eval.core.scene import Scene
 from trident_eval.core.tracks import Array, Tracks
 
@@ -53,3 +53,12 @@ def test_pictures_of_few_and_many(tmp_path: Path, side: int) -> None:
     drawn = {path.stem for path in draw_all(scene, tmp_path)}
     assert drawn >= {"paths", "height", "tracking_error"}
     assert (label(scene, "UAV0") == "UAV0") == (side * side <= MANY)
+
+
+def test_a_robot_on_the_ground_has_no_height_to_be_drawn() -> None:
+    level = grid(3)
+    assert height_range(level) < LEVEL_M
+    level[0, 2] = np.nan
+    level[1, 2] += 0.5
+    assert height_range(level) == pytest.approx(0.5)
+    assert height_range(np.full((4, 3), np.nan)) == 0.0

@@ -21,6 +21,8 @@ _OUTSIDE = "#F0F0F0"
 _SNAPSHOTS, _SNAPSHOTS_OF_MANY = 7, 3
 # More are not distinguished by eight colors, nor read as a ring of neighbours.
 MANY = 12
+#: What moves less up and down than this stays level [m].
+LEVEL_M = 0.01
 _STYLE: dict[str, Any] = {
     "figure.dpi": 110,
     "savefig.dpi": 150,
@@ -88,27 +90,44 @@ def _new_figure(width: float, height: float) -> Any:
 
 
 def _draw_paths(scene: Scene) -> Any:
+    """A view in space and one from above; of robots on level ground the latter alone."""
     figure = _new_figure(11.5, 5.4)
     figure.suptitle(f"{scene.title}: paths")
-    grid = figure.add_gridspec(1, 2, width_ratios=(1.0, 1.15))
-    space = figure.add_subplot(grid[0], projection="3d")
-    plan = figure.add_subplot(grid[1])
-    for index, name in enumerate(scene.tracks.names):
-        x, y, z = scene.tracks.position[:, index].T
-        space.plot(x, y, z, color=color(index))
-        plan.plot(x, y, color=color(index), label=label(scene, name))
-        if scene.commanded is not None:
-            cx, cy, _ = scene.commanded[:, index].T
-            plan.plot(cx, cy, color="black", linewidth=0.6, linestyle=(0, (4, 3)), zorder=3)
-    _mark_formations(scene, space, plan)
-    if scene.commanded is not None:
-        plan.plot([], [], color="black", linewidth=0.6, linestyle=(0, (4, 3)), label="command")
-    _label_space(space, scene)
+    if height_range(scene.tracks.position) < LEVEL_M:
+        spaces, plan = [], figure.add_subplot()
+    else:
+        grid = figure.add_gridspec(1, 2, width_ratios=(1.0, 1.15))
+        spaces = [figure.add_subplot(grid[0], projection="3d")]
+        plan = figure.add_subplot(grid[1])
+    _draw_tracks(scene, spaces, plan)
+    _mark_formations(scene, spaces, plan)
+    for space in spaces:
+        _label_space(space, scene)
     plan.set(xlabel="x [m]", ylabel="y [m]", title="plan view", aspect="equal")
     plan.margins(0.06)
     figure.legend(*plan.get_legend_handles_labels(), loc="lower center", ncols=8, fontsize=9)
     figure.get_layout_engine().set(rect=(0.0, 0.07, 1.0, 0.93), wspace=0.1)
     return figure
+
+
+def height_range(position: Array) -> float:
+    """How far apart the highest and the lowest of positions (..., 3) are [m]; 0.0 without any."""
+    z = position[..., 2]
+    z = z[np.isfinite(z)]
+    return float(z.max() - z.min()) if len(z) else 0.0
+
+
+def _draw_tracks(scene: Scene, spaces: list[Any], plan: Any) -> None:
+    for index, name in enumerate(scene.tracks.names):
+        x, y, z = scene.tracks.position[:, index].T
+        for space in spaces:
+            space.plot(x, y, z, color=color(index))
+        plan.plot(x, y, color=color(index), label=label(scene, name))
+        if scene.commanded is not None:
+            cx, cy, _ = scene.commanded[:, index].T
+            plan.plot(cx, cy, color="black", linewidth=0.6, linestyle=(0, (4, 3)), zorder=3)
+    if scene.commanded is not None:
+        plan.plot([], [], color="black", linewidth=0.6, linestyle=(0, (4, 3)), label="command")
 
 
 def _label_space(space: Any, scene: Scene) -> None:
@@ -136,7 +155,7 @@ def _span(low: float, extent: float) -> tuple[float, float]:
     return low - 0.02 * extent, low + 1.02 * extent
 
 
-def _mark_formations(scene: Scene, space: Any, plan: Any) -> None:
+def _mark_formations(scene: Scene, spaces: list[Any], plan: Any) -> None:
     """The shape at some instants: a closed line around the vehicles, and a dot for each."""
     time = scene.tracks.time
     begin, end = scene.counted_s or (time[0], time[-1])
@@ -149,7 +168,8 @@ def _mark_formations(scene: Scene, space: Any, plan: Any) -> None:
         outline = outline_of(points)
         plan.plot(outline[:, 0], outline[:, 1], color="#777777", linewidth=0.9, zorder=4)
         plan.plot(points[:, 0], points[:, 1], "o", color="#333333", markersize=3.5, zorder=5)
-        space.plot(*outline.T, color="#777777", linewidth=0.9)
+        for space in spaces:
+            space.plot(*outline.T, color="#777777", linewidth=0.9)
 
 
 def outline_of(points: Array) -> Array:
@@ -192,7 +212,8 @@ def _draw_height(scene: Scene) -> Any:
     for index, name in enumerate(scene.tracks.names):
         z = scene.tracks.position[:, index, 2]
         axes.plot(scene.tracks.time, z, color=color(index), label=label(scene, name))
-    axes.set_ylim(bottom=min(0.0, axes.get_ylim()[0]))
+    low, high = axes.get_ylim()
+    axes.set_ylim(min(0.0, low), max(high, LEVEL_M))
     _finish(axes)
     return figure
 
