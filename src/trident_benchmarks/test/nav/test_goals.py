@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -13,7 +14,8 @@ pytest.importorskip("rospy", reason="the workspace is not sourced")
 
 from nav_msgs.msg import Odometry
 from trident_benchmarks.nav.drive_node import plane_pose
-from trident_benchmarks.nav.goals import Places
+from trident_benchmarks.nav.goals import Places, Tried
+from trident_benchmarks.nav.pictures import draw_drive
 from trident_sim.occupancy import FREE, OCCUPIED, OccupancyMap
 
 RESOLUTION_M = 0.05
@@ -55,3 +57,19 @@ def test_a_pose_that_is_none_is_not_taken() -> None:
     for value in (math.nan, math.inf, 1e300):
         message.pose.pose.position.y = value
         assert plane_pose(message) is None
+
+
+def test_a_drive_has_a_picture_with_the_map_the_track_and_the_goals(tmp_path: Path) -> None:
+    from matplotlib.image import imread
+
+    grid = OccupancyMap(np.full((80, 40), FREE, dtype=np.int8), RESOLUTION_M, (-1.0, -2.0))
+    reached = Tried((0.5, 1.0, 0.3), True, "Goal reached.", 3.0, 2.5, 0.01, 0.02, 0.5)
+    missed = Tried((-0.5, -1.0, 2.0), False, "", 60.0, 0.0, 1.0, 0.5, 0.5)
+    empty, full = tmp_path / "empty.png", tmp_path / "full.png"
+    draw_drive(empty, grid, [], [])
+    draw_drive(full, grid, [(0.0, 0.0, 0.0), (0.5, 1.0, 0.3)], [reached, missed])
+    blank, drawn = imread(empty), imread(full)
+    assert blank.shape == drawn.shape
+    red_to_blue = drawn[..., 0].astype(float) - drawn[..., 2]
+    assert (red_to_blue < -0.5).sum() > 50  # the track
+    assert (red_to_blue > 0.5).sum() > 20  # the goal that was not reached

@@ -31,9 +31,12 @@ from trident_eval.ros_paths import package_folder
 
 from trident_benchmarks.datasets.tour_node import stop
 from trident_benchmarks.nav.goals import Places, Pose, Tried, Verdict, lower_bound_s
+from trident_benchmarks.nav.pictures import draw_drive
 from trident_benchmarks.procfs import process_cpu_s
 
 RECORD = "navigation.json"
+PICTURE = "drive.png"
+_TRACK_STEP_M = 0.05  # between points of the track that is drawn
 _MIN_DISTANCE_M = 1.0  # straight to a goal
 _SPARE_M = 0.1  # beyond the circumscribed circle that a goal has
 _SLOWEST = 10.0  # times the lower bound
@@ -98,6 +101,7 @@ class Truth:
         self._lock = threading.Lock()
         self._pose: Pose | None = None
         self._nearest_m = math.inf
+        self._track: list[Pose] = []
         rospy.Subscriber("ground_truth/odom", Odometry, self._receive)
 
     def _receive(self, message: Odometry) -> None:
@@ -108,11 +112,18 @@ class Truth:
         with self._lock:
             self._pose = pose
             self._nearest_m = min(self._nearest_m, self._places.clearance(*pose[:2]))
+            if not self._track or math.dist(pose[:2], self._track[-1][:2]) >= _TRACK_STEP_M:
+                self._track.append(pose)
 
     def pose(self) -> Pose | None:
         """The newest one."""
         with self._lock:
             return self._pose
+
+    def track(self) -> list[Pose]:
+        """Where it has been, every few centimeters."""
+        with self._lock:
+            return list(self._track)
 
     def take_nearest(self) -> float:
         """The least distance to an obstacle since the last call [m]."""
@@ -166,6 +177,7 @@ class Drive:
             height = float(rospy.get_param("~lidar_height", 0.15))
             grid = occupancy_map(World(file), MapConfig(heights=(height,)))
         grid.save(self._out / "true_map.pgm")
+        self._grid = grid
         return Places(grid, self._robot.inscribed_m, self._robot.circumscribed_m + _SPARE_M)
 
     def _start(self) -> actionlib.SimpleActionClient:
@@ -226,6 +238,7 @@ class Drive:
     def _judge(self) -> bool:
         path = self._out / RECORD
         path.write_text(json.dumps(self._verdict.record(), indent=2) + "\n", encoding="utf-8")
+        draw_drive(self._out / PICTURE, self._grid, self._truth.track(), self._verdict.tried)
         for line in self._verdict.lines(self._robot.inscribed_m):
             rospy.loginfo("verdict: %s", line)
         return all(
