@@ -24,14 +24,15 @@ void TimeoutCheck::check_at_start() {
 void TimeoutCheck::check_controllers_at_start(WallTime now) {
   for (VehicleLink* vehicle : hub_.vehicles) {
     vehicle->assert_hub_is_locked();
-    if (vehicle->has_controller()) {
-      vehicle->had_controller = true;
+    vehicle->had_controller = vehicle->had_controller || vehicle->has_controller();
+    // A link that was found after the others, and is not known from both ends yet, is no loss.
+    if (!vehicle->had_controller || vehicle->is_connected()) {
       vehicle->waiting.end();
-    } else if (vehicle->had_controller) {
-      if (vehicle->waiting.since == 0) vehicle->waiting.since = now;
-      losses_.gives_up({"the controller of " + vehicle->name(), "", true, 1.0, {}},
-                       vehicle->waiting, now);
+      continue;
     }
+    if (vehicle->waiting.since == 0) vehicle->waiting.since = now;
+    losses_.gives_up({"the controller of " + vehicle->name(), "", true, 1.0, {}}, vehicle->waiting,
+                     now);
   }
 }
 

@@ -280,15 +280,18 @@ void VehicleLink::announce_reset() {
   send(state);
 }
 
+bool VehicleLink::is_connected() const {
+  return odometry_readers() > 0 && !command_writers().empty();
+}
+
 bool VehicleLink::has_controller() const {
-  if (odometry_readers() == 0) return false;
+  if (!is_connected()) return false;
   const auto all_send = [&](const std::vector<std::string>& nodes, const std::string& topic) {
     return std::all_of(nodes.begin(), nodes.end(),
                        [&](const std::string& node) { return hub_.probe.sends(node, topic); });
   };
   const std::string confirmations = "/" + confirmation_topic();
-  const std::vector<std::string> writers = command_writers();
-  return !writers.empty() && all_send(writers, "/" + port_->name()) &&
+  return all_send(command_writers(), "/" + port_->name()) &&
          all_send(ros_utils::topic_writers(confirmations), confirmations);
 }
 

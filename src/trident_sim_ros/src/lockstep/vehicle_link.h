@@ -73,8 +73,10 @@ class VehicleLink {
   void deliver() TRIDENT_REQUIRES(hub_.mutex);
   /// Sends or queues the odometry of the step that was just made.
   void send_state(SimTime stamp, WallTime now) TRIDENT_REQUIRES(hub_.mutex);
-  /// A node publishes commands and someone reads the odometry, and that node knows that its
-  /// commands, and its confirmations if any, go to this process.
+  /// A node publishes commands and someone reads the odometry, as far as this process knows.
+  bool is_connected() const;
+  /// The same, and that node knows that its commands, and its confirmations if any, go to this
+  /// process.
   bool has_controller() const;
   bool confirms_setpoints() const { return accepted_.getNumPublishers() > 0; }
   /// The same, and the connection is made.
