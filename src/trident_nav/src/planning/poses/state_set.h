@@ -54,8 +54,8 @@ class StateSet {
            static_cast<std::size_t>(x / kSide);
   }
   std::size_t word_of(int x, int y, unsigned heading) const {
-    const auto cell = static_cast<std::size_t>((y % kSide) * kSide + x % kSide);
-    return cell * words_ + heading / 64U;
+    const int cell = (y % kSide) * kSide + x % kSide;  // of the tile
+    return static_cast<std::size_t>(cell) * words_ + heading / 64U;
   }
   void forget() {
     for (const std::size_t t : used_) {
