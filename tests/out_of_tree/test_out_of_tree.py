@@ -26,8 +26,6 @@ WORLD = """<sdf version='1.6'><world name='survey'><gravity>0 0 0</gravity>
 filename='libradiation_counter.so'><linkName>hull</linkName><rateAt1m>400</rateAt1m></plugin></model>
 </world></sdf>"""
 
-pytestmark = pytest.mark.skipif(not TOPLEVEL.is_file(), reason=f"no catkin in {TOPLEVEL.parent}")
-
 
 @dataclass(frozen=True)
 class Workspace:

@@ -20,11 +20,11 @@ from trident_tool.lints.tidy import (
     Result,
     cache_folder,
     cache_key,
+    compile_commands,
     load_result,
-    parse_compile_commands,
     store_result,
 )
-from trident_tool.workspace import Runner, TridentError, Workspace, base_environment
+from trident_tool.workspace import Runner, Workspace, base_environment
 
 _COMPILER = "clang++-14"
 _MODE = ("-fsyntax-only", "-w", "-x", "c++")
@@ -87,15 +87,12 @@ def run_headers(workspace: Workspace, runner: Runner) -> int:
     Raises:
         TridentError: the workspace is not configured.
     """
-    database = workspace.build / "compile_commands.json"
     if runner.dry_run:
         return runner.run([_COMPILER, *_MODE, "src/**/include/**.h"])
-    if not database.is_file():
-        raise TridentError(f"{database} does not exist: run ./trident build")
     scanner = IncludeScanner(workspace.root)
     units = header_units(
         public_headers(workspace.root),
-        parse_compile_commands(database.read_text(encoding="utf-8")),
+        compile_commands(workspace),
         scanner,
     )
     with ThreadPoolExecutor(max_workers=len(sched_getaffinity(0))) as pool:

@@ -19,11 +19,11 @@ from trident_tool.lints.tidy import (
     Result,
     cache_folder,
     cache_key,
+    compile_commands,
     load_result,
-    parse_compile_commands,
     store_result,
 )
-from trident_tool.workspace import Runner, TridentError, Workspace, base_environment
+from trident_tool.workspace import Runner, Workspace, base_environment
 
 _MUTEX = "src/trident_base/include/trident_base/mutex.h"
 _COMPILER = "clang++-14"
@@ -72,13 +72,10 @@ def run_thread_safety(workspace: Workspace, runner: Runner) -> int:
     Raises:
         TridentError: the workspace is not configured.
     """
-    database = workspace.build / "compile_commands.json"
     if runner.dry_run:
         return runner.run([_COMPILER, *_FLAGS, "src/**.cpp"])
-    if not database.is_file():
-        raise TridentError(f"{database} does not exist: run ./trident build")
     units = marked_units(
-        parse_compile_commands(database.read_text(encoding="utf-8")),
+        compile_commands(workspace),
         IncludeScanner(workspace.root),
     )
     bad = 0

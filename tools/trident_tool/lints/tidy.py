@@ -71,6 +71,18 @@ def _flags(words: Sequence[str]) -> list[str]:
     return flags
 
 
+def compile_commands(workspace: Workspace) -> list[CompileCommand]:
+    """Translation units of the configured workspace.
+
+    Raises:
+        TridentError: it is not configured.
+    """
+    database = workspace.build / "compile_commands.json"
+    if not database.is_file():
+        raise TridentError(f"{database} does not exist: run ./trident build")
+    return parse_compile_commands(database.read_text(encoding="utf-8"))
+
+
 def parse_compile_commands(text: str) -> list[CompileCommand]:
     """Translation units of a compile_commands.json.
 
@@ -308,9 +320,9 @@ def _check_all(
     return found
 
 
-def _read_units(database: Path, root: Path) -> list[CompileCommand]:
-    """The core files of a compile_commands.json that are still there."""
-    units = core_units(parse_compile_commands(database.read_text(encoding="utf-8")), root)
+def _read_units(workspace: Workspace) -> list[CompileCommand]:
+    """The core files of the configured workspace that are still there."""
+    units = core_units(compile_commands(workspace), workspace.root)
     return [unit for unit in units if unit.source.is_file()]
 
 
@@ -338,12 +350,9 @@ def run_clang_tidy(workspace: Workspace, runner: Runner) -> int:
     Raises:
         TridentError: the workspace is not configured.
     """
-    database = workspace.build / "compile_commands.json"
     if runner.dry_run:
         return runner.run(["clang-tidy", "--quiet", "-p", workspace.build, "src/*/src/**.cpp"])
-    if not database.is_file():
-        raise TridentError(f"{database} does not exist: run ./trident build")
-    units = _read_units(database, workspace.root)
+    units = _read_units(workspace)
     folder = cache_folder(base_environment())
     kept, open_units = _load_results(units, folder, workspace)
     print(f"clang-tidy: {len(units)} core files, {len(kept)} known, {len(open_units)} to check")

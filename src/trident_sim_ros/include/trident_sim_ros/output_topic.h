@@ -10,7 +10,6 @@
 #include <cstdint>
 #include <map>
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <typeindex>
 
@@ -163,11 +162,10 @@ class OutputTopics {
     static OutputTopics topics;
     return topics;
   }
-  /// Throws std::logic_error if ports of this type have a topic already.
+  /// The first of a type stays: registrars run as a library is loaded, where an exception would end
+  /// the process, and a copy of a plugin's library brings the same type again.
   void add(std::type_index port_type, MakeFunction make, const OutputTopicOptions& options) {
-    if (!entries_.emplace(port_type, Entry{make, options}).second) {
-      throw std::logic_error(std::string(port_type.name()) + " has an output topic already");
-    }
+    entries_.emplace(port_type, Entry{make, options});
   }
   /// Returns nullptr for a port of another type.
   std::unique_ptr<OutputBinding> bind(TopicAdvertiser& advertiser, PortBase& port) const {
