@@ -99,11 +99,14 @@ def test_transforms_wait_until_the_frames_are_known() -> None:
     static = transform("base", "lidar", 0.0, 0.5)
     assert not converter.items("/tf_static", "tf2_msgs/TFMessage", static, 1.0)
     assert not tf(converter, 1.1, "odom", "base", 1.05)
-    assert not converter.items("/scan", "sensor_msgs/LaserScan", scan("lidar", 1.1), 1.2)
+    assert converter.has_to_wait("sensor_msgs/LaserScan", 1.2)
+    assert not converter.has_to_wait("gazebo_msgs/ModelStates", 1.2), "in no frame"
     items = tf(converter, 1.5, "odom", "base", 1.45)
+    assert not converter.has_to_wait("sensor_msgs/LaserScan", 1.5)
     found = {item.path: item.stamp_s for item in items}
     assert found[("odom", "base", "lidar")] is None, "static"
-    assert found[("odom", "base")] == pytest.approx(1.45)
+    stamps = [item.stamp_s for item in items if item.path == ("odom", "base")]
+    assert stamps == pytest.approx([1.05, 1.45]), "also the one that came before"
     assert found[("odom",)] is None, "the up direction"
 
 
@@ -259,6 +262,54 @@ def test_what_was_written_is_in_the_file(tmp_path: Path) -> None:
     assert rows("/log/gazebo", "Text") == [["m"]]
     times = recording.view(index="sim_time", contents="/odom/base").select().read_all()
     assert [t.value for t in times.column("sim_time")] == [2_250_000_000]
+
+
+class ListRecorder(Recorder):
+    """Keeps items in memory."""
+
+    def __init__(self) -> None:
+        super().__init__(file=None, viewer=False)
+        self.items: list[Item] = []
+
+    def log(self, item: Item) -> None:
+        self.items.append(item)
+
+    def stamps(self, *path: str) -> list[float | None]:
+        return [item.stamp_s for item in self.items if item.path == path]
+
+
+def scans_of(stream: node.Stream, times: list[float]) -> None:
+    for now_s in times:
+        stream.write(("/scan", "sensor_msgs/LaserScan", scan("lidar", now_s - 0.1), now_s))
+
+
+def tf_of(stream: node.Stream, parent: str, child: str, now_s: float) -> None:
+    message = transform(parent, child, now_s)
+    stream.write(("/tf", "tf2_msgs/TFMessage", message, now_s))
+
+
+def test_no_scan_is_lost_while_frames_come() -> None:
+    record = ListRecorder()
+    stream = node.Stream(record, re.compile(""))
+    tf_of(stream, "odom", "lidar", 1.0)
+    scans_of(stream, [1.1, 1.25])
+    tf_of(stream, "odom", "wheel", 1.3)
+    scans_of(stream, [1.35, 1.45])
+    assert record.stamps("odom", "lidar", "scan") == pytest.approx([1.0, 1.15])
+    scans_of(stream, [1.55])
+    assert record.stamps("odom", "lidar", "scan") == pytest.approx([1.0, 1.15, 1.25, 1.35, 1.45])
+
+
+def test_frames_that_never_settle_hold_scans_for_two_seconds_at_most() -> None:
+    record = ListRecorder()
+    stream = node.Stream(record, re.compile(""))
+    times = [1.0 + 0.1 * k for k in range(40)]
+    for k, now_s in enumerate(times):
+        tf_of(stream, "lidar", f"part{k}", now_s)
+        scans_of(stream, [now_s])
+    shown = record.stamps("lidar", "scan")
+    assert shown == pytest.approx([now_s - 0.1 for now_s in times[: len(shown)]])
+    assert len(shown) >= 20
 
 
 @pytest.mark.parametrize(

@@ -8,6 +8,7 @@ It subscribes to every topic whose type it understands, also to those that come 
 from __future__ import annotations
 
 import argparse
+import collections
 import math
 import queue
 import re
@@ -27,9 +28,10 @@ _POLL_S = 0.25
 _SOCKET_BYTES = 1 << 24  # as large as a picture
 _WAITING = 2000  # messages; a sender whose messages nobody takes drops them by itself
 _CLOCK = "/clock"
+_HELD_S = 2.0  # of simulated time; frames that grow for longer are shown as they are
 _INTERRUPTED = 130  # as a shell says it
 
-_Message = tuple[str, str, Any, float]  # topic, type, message, simulated time [s]
+Message = tuple[str, str, Any, float]  # topic, type, message, simulated time [s]
 
 
 class Stream:
@@ -40,10 +42,11 @@ class Stream:
         self._recorder = recorder
         self._topics = topics
         self._converter = Converter()
-        self._waiting: queue.Queue[_Message] = queue.Queue(_WAITING)
+        self._waiting: queue.Queue[Message] = queue.Queue(_WAITING)
         self._subscribers: dict[str, rospy.Subscriber] = {}
         self._had_clock = False
         self._refused: set[str] = set()
+        self._held: collections.deque[Message] = collections.deque()
         self._begin_s: float | None = None
         self.seconds = 0.0
         """Simulated time since the first message [s]."""
@@ -55,10 +58,11 @@ class Stream:
             try:
                 message = self._waiting.get(timeout=_POLL_S)
                 while self._is_before(seconds, message[-1]):
-                    self._write(*message)
+                    self.write(message)
                     message = self._waiting.get_nowait()
             except queue.Empty:
                 continue
+        self._show_held()
 
     def _is_before(self, seconds: float, now_s: float) -> bool:
         """Whether a message that came at now_s is within the recording; it counts the time."""
@@ -99,7 +103,22 @@ class Stream:
             topic, message_class, take, queue_size=None, buff_size=_SOCKET_BYTES
         )
 
-    def _write(self, topic: str, kind: str, message: Any, now_s: float) -> None:
+    def write(self, message: Message) -> None:
+        """Shows a message, or holds it until its frame has its place: none is left out."""
+        _, kind, _, now_s = message
+        has_to_wait = self._converter.has_to_wait(kind, now_s)
+        if has_to_wait and (not self._held or 0.0 <= now_s - self._held[0][-1] < _HELD_S):
+            self._held.append(message)
+            return
+        if has_to_wait or self._converter.is_settled(now_s):
+            self._show_held()
+        self._show(*message)
+
+    def _show_held(self) -> None:
+        while self._held:
+            self._show(*self._held.popleft())
+
+    def _show(self, topic: str, kind: str, message: Any, now_s: float) -> None:
         try:
             items = self._converter.items(topic, kind, message, now_s)
         except EvalError as error:

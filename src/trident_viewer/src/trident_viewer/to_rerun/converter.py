@@ -60,15 +60,12 @@ class Converter:
         self._trails: dict[str, Trail] = {}
         self._poses: dict[str, tuple[float, ...]] = {}
         self._poses_s: float | None = None
-        self._edges: dict[str, _Edge] = {}  # by child; not shown yet
+        self._edges: list[tuple[str, _Edge]] = []  # child and edge; not shown yet
         self._static: dict[str, _Edge] = {}
         self._placed_s: float | None = None
         self._roots: set[str] = set()
         self._begin_s: float | None = None
-        self._functions: dict[str, Callable[[str, Any, float], list[Item]]] = {
-            "tf2_msgs/TFMessage": self._transforms,
-            "gazebo_msgs/ModelStates": self._models,
-            "rosgraph_msgs/Log": self._log,
+        self._in_frames: dict[str, Callable[[str, Any, float], list[Item]]] = {
             "nav_msgs/Odometry": self._odometry,
             "sensor_msgs/CameraInfo": self._camera_info,
             "sensor_msgs/Image": self._in_camera(archetypes.of_image),
@@ -78,11 +75,24 @@ class Converter:
             "nav_msgs/OccupancyGrid": self._in_frame(archetypes.of_grid),
             "nav_msgs/Path": self._in_frame(archetypes.of_path),
         }
+        self._functions: dict[str, Callable[[str, Any, float], list[Item]]] = {
+            **self._in_frames,
+            "tf2_msgs/TFMessage": self._transforms,
+            "gazebo_msgs/ModelStates": self._models,
+            "rosgraph_msgs/Log": self._log,
+        }
 
     @property
     def types(self) -> frozenset[str]:
         """The types of messages that are understood."""
         return frozenset(self._functions)
+
+    def has_to_wait(self, kind: str, now_s: float) -> bool:
+        """Whether a message of that type is in a frame, and frames may still find a parent.
+
+        Shown at once it would stand at a path that it does not keep.
+        """
+        return kind in self._in_frames and not self.is_settled(now_s)
 
     def know_camera(self, info_topic: str) -> None:
         """Pictures in the namespace of this CameraInfo are that camera's."""
@@ -100,13 +110,12 @@ class Converter:
         Raises:
             EvalError: the message contradicts itself or is of a kind that cannot be shown.
         """
-        if self._begin_s is None or now_s < self._begin_s:
-            self._begin_s = now_s
         return [*self._known_transforms(now_s), *self._functions[kind](topic, message, now_s)]
 
-    def _is_settled(self, now_s: float) -> bool:
+    def is_settled(self, now_s: float) -> bool:
         """Whether frames are where they will stay, as far as is known."""
-        assert self._begin_s is not None
+        if self._begin_s is None or now_s < self._begin_s:
+            self._begin_s = now_s
         changed_s = self.frames.changed_s
         last_s = self._begin_s if changed_s is None else max(changed_s, self._begin_s)
         return now_s - last_s >= _SETTLE_S or now_s < last_s
@@ -127,9 +136,7 @@ class Converter:
     def _in_frame(self, convert: Callable[[Any], Any]) -> Callable[[str, Any, float], list[Item]]:
         """Of a message with a header: at its frame, named for its topic."""
 
-        def items(topic: str, message: Any, now_s: float) -> list[Item]:
-            if not self._is_settled(now_s):
-                return []
+        def items(topic: str, message: Any, _now_s: float) -> list[Item]:
             header = message.header
             stamp_s = header.stamp.to_sec()
             return self._placed(header.frame_id, (dotted(topic),), stamp_s, convert(message))
@@ -139,9 +146,7 @@ class Converter:
     def _in_camera(self, convert: Callable[[Any], Any]) -> Callable[[str, Any, float], list[Item]]:
         """Of a picture: below the camera whose namespace it is in."""
 
-        def items(topic: str, message: Any, now_s: float) -> list[Item]:
-            if not self._is_settled(now_s):
-                return []
+        def items(topic: str, message: Any, _now_s: float) -> list[Item]:
             parts = self._camera_path(topic)
             header = message.header
             return self._placed(header.frame_id, parts, header.stamp.to_sec(), convert(message))
@@ -155,9 +160,7 @@ class Converter:
         camera = name or topic.rpartition("/")[0]
         return (dotted(camera), dotted(topic[len(camera) :]))
 
-    def _camera_info(self, topic: str, info: Any, now_s: float) -> list[Item]:
-        if not self._is_settled(now_s):
-            return []
+    def _camera_info(self, topic: str, info: Any, _now_s: float) -> list[Item]:
         path = self.frames.path(info.header.frame_id)
         seen = (*info.K, info.width, info.height)
         key = "/".join((*path, topic))
@@ -173,18 +176,19 @@ class Converter:
         for transform in message.transforms:
             self.frames.add(transform.header.frame_id, transform.child_frame_id, now_s)
             stamp_s = None if is_static else transform.header.stamp.to_sec()
-            self._edges[plain(transform.child_frame_id)] = _Edge(stamp_s, transform.transform)
+            edge = _Edge(stamp_s, transform.transform)
+            self._edges.append((plain(transform.child_frame_id), edge))
         return self._known_transforms(now_s)
 
     def _known_transforms(self, now_s: float) -> list[Item]:
         """Those that have not been shown, or not where their frame is now."""
-        if not self._edges or not self._is_settled(now_s):
+        if not self._edges or not self.is_settled(now_s):
             return []
         items = []
         if self._placed_s != self.frames.changed_s:
             self._placed_s = self.frames.changed_s
-            self._edges = {**self._static, **self._edges}
-        for child, edge in self._edges.items():
+            self._edges = [*self._static.items(), *self._edges]
+        for child, edge in self._edges:
             if edge.stamp_s is None:
                 self._static[child] = edge
             items += self._placed(child, (), edge.stamp_s, archetypes.of_transform(edge.transform))
@@ -209,9 +213,7 @@ class Converter:
                 items.append(Item((WORLD, name, "name"), None, label))
         return items
 
-    def _odometry(self, topic: str, odometry: Any, now_s: float) -> list[Item]:
-        if not self._is_settled(now_s):
-            return []
+    def _odometry(self, topic: str, odometry: Any, _now_s: float) -> list[Item]:
         place = odometry.pose.pose.position
         trail = self._trails.setdefault(topic, Trail())
         if not trail.add(place.x, place.y, place.z):
