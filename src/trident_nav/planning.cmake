@@ -15,6 +15,8 @@ set(trident_nav_planning_sources
   src/planning/curves/footprint_contact.cpp
   src/planning/poses/goal_probe.cpp
   src/planning/grids/grid_route.cpp
+  src/planning/grids/jump_points.cpp
+  src/planning/grids/jump_scan.cpp
   src/planning/curves/lattice_file.cpp
   src/planning/curves/lattice_set.cpp
   src/planning/grids/line_cost.cpp
@@ -56,13 +58,16 @@ install(TARGETS trident_nav_planning
   LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION}
 )
 
-# --- benchmark program --------------------------------------------------------------------------
+# --- benchmark programs -------------------------------------------------------------------------
 add_executable(nav_planning_bench benchmark/planning_bench.cpp benchmark/bench_maps.cpp)
-target_include_directories(nav_planning_bench PRIVATE src benchmark)
-target_link_libraries(nav_planning_bench trident_nav_planning)
-set_target_properties(nav_planning_bench PROPERTIES
-  RUNTIME_OUTPUT_DIRECTORY ${CATKIN_DEVEL_PREFIX}/${CATKIN_PACKAGE_BIN_DESTINATION})
-install(TARGETS nav_planning_bench RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
+add_executable(nav_movingai_bench benchmark/movingai_bench.cpp benchmark/bench_maps.cpp)
+foreach(program nav_planning_bench nav_movingai_bench)
+  target_include_directories(${program} PRIVATE src benchmark)
+  target_link_libraries(${program} trident_nav_planning)
+  set_target_properties(${program} PROPERTIES
+    RUNTIME_OUTPUT_DIRECTORY ${CATKIN_DEVEL_PREFIX}/${CATKIN_PACKAGE_BIN_DESTINATION})
+  install(TARGETS ${program} RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
+endforeach()
 
 # --- programs behind `./trident plan` and `./trident lattice` -----------------------------------
 add_executable(nav_plan programs/nav_plan.cpp)
@@ -80,6 +85,7 @@ if(CATKIN_ENABLE_TESTING)
   catkin_add_gtest(trident_nav_planning_test
     test/planning/footprint_contact_test.cpp
     test/planning/grid_planners_test.cpp
+    test/planning/jump_points_test.cpp
     test/planning/lattice_set_test.cpp
     test/planning/line_cost_test.cpp
     test/planning/motion_curve_test.cpp

@@ -40,7 +40,9 @@ void comment(GridRouteResult& result, const std::string& text) {
 }  // namespace
 
 GridRoute::GridRoute(const GridRouteOptions& options)
-    : options_(options), potential_(options.costs, options.outline) {}
+    : options_(options),
+      potential_(options.costs, options.outline),
+      jumps_(options.costs, options.outline) {}
 
 GridRouteResult GridRoute::find(const CostGrid& grid, const Footprint& footprint,
                                 const Pose2& start, const Pose2& goal, const CancelFlag& cancel) {
@@ -59,8 +61,6 @@ GridRouteResult GridRoute::find(const CostGrid& grid, const Footprint& footprint
   }
   const auto reached = reach_goal(grid, goal, escape.back(), cancel, result);
   if (!reached) return result;
-  result.cells = potential_.trace();
-  result.cost = potential_.at(escape.back());
   lay_out(grid, start, goal, escape, result);
   if (escape.size() > 1) {
     const Point2 exit = grid.geometry.center(escape.back());
@@ -78,12 +78,12 @@ std::optional<Cell> GridRoute::reach_goal(const CostGrid& grid, const Pose2& goa
   const bool occupied = cells.empty() || !(cells.front() == own);
   while (!cells.empty()) {
     const Cell root = cells.front();
-    const auto outcome = potential_.search(grid, root, start, cancel);
-    if (outcome == Potential::Result::kCanceled) {
+    const auto outcome = search(grid, root, start, cancel, result);
+    if (outcome == SearchResult::kCanceled) {
       fail(result, Failure::kCanceled, "Planning was canceled.");
       return std::nullopt;
     }
-    if (outcome == Potential::Result::kFound) return root;
+    if (outcome == SearchResult::kFound) return root;
     // What this search came to is cut off from the start as well.
     cells.erase(std::remove_if(cells.begin(), cells.end(),
                                [&](Cell c) { return c == root || potential_.reached(c); }),
@@ -98,6 +98,26 @@ std::optional<Cell> GridRoute::reach_goal(const CostGrid& grid, const Pose2& goa
              ": obstacles cut it off from the start.");
   }
   return std::nullopt;
+}
+
+// The cells from the start to the goal and their cost. Without a path the search always starts at
+// the goal, and finds which other goals are cut off as well.
+SearchResult GridRoute::search(const CostGrid& grid, Cell goal, Cell start,
+                               const CancelFlag& cancel, GridRouteResult& result) {
+  if (options_.jumps && jumps_.read(grid)) {
+    const SearchResult outcome = jumps_.search(start, goal, cancel);
+    if (outcome == SearchResult::kFound) {
+      result.cells = jumps_.path();
+      result.cost = jumps_.cost();
+    }
+    if (outcome != SearchResult::kNoPath) return outcome;
+  }
+  const SearchResult outcome = potential_.search(grid, goal, start, cancel);
+  if (outcome == SearchResult::kFound) {
+    result.cells = potential_.trace();
+    result.cost = potential_.at(start);
+  }
+  return outcome;
 }
 
 void GridRoute::lay_out(const CostGrid& grid, const Pose2& start, const Pose2& goal,

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "planning/grids/jump_points.h"
 #include "planning/grids/potential.h"
 #include "planning/grids/step_costs.h"
 #include "trident_nav/core/cost_grid.h"
@@ -19,6 +20,8 @@ struct GridRouteOptions {
   double tolerance_m = 0.0;  ///< A pose this close to the goal will do [m].
   bool taut = true;          ///< Straight lines where they cost no more than the cells.
   bool outline = false;      ///< Cells along the grid's border are blocked.
+  /// Jump points where all free cells cost the same. The potential is not kept then.
+  bool jumps = false;
 };
 
 /// The points of a route over cells, before it gets headings.
@@ -34,7 +37,7 @@ struct GridRouteResult {
 
 /// Routes over the 8-neighbor graph of cells: checks the request, leaves a blocked start, tries
 /// goals in the tolerance by distance, searches, and pulls the result taut. Keeps the goal's
-/// potential for the next plan.
+/// potential for the next plan, unless it jumps.
 class GridRoute {
  public:
   explicit GridRoute(const GridRouteOptions& options);
@@ -46,11 +49,14 @@ class GridRoute {
  private:
   std::optional<Cell> reach_goal(const CostGrid& grid, const Pose2& goal, Cell start,
                                  const CancelFlag& cancel, GridRouteResult& result);
+  SearchResult search(const CostGrid& grid, Cell goal, Cell start, const CancelFlag& cancel,
+                      GridRouteResult& result);
   void lay_out(const CostGrid& grid, const Pose2& start, const Pose2& goal,
                const std::vector<Cell>& escape, GridRouteResult& result) const;
 
   GridRouteOptions options_;
   Potential potential_;
+  JumpPoints jumps_;
 };
 
 /// A route as a planner's outcome: poses at the grid's resolution, headings along the path, the

@@ -12,8 +12,6 @@
 namespace trident::nav {
 namespace {
 
-constexpr double kSqrt2 = 1.41421356237309504880;
-
 bool equal(const GridGeometry& a, const GridGeometry& b) {
   return a.width == b.width && a.height == b.height && a.resolution == b.resolution &&
          a.origin_x == b.origin_x && a.origin_y == b.origin_y;
@@ -122,10 +120,11 @@ void Potential::choose_scale(double coarser) {
     const double step = costs_.step[c] * scale_;
     const bool blocked = !(step < kLimit / 2.0);
     straight_[c] = blocked ? kBlockedStep : static_cast<std::uint32_t>(std::lround(step));
-    diagonal_[c] = blocked ? kBlockedStep : static_cast<std::uint32_t>(std::lround(step * kSqrt2));
+    diagonal_[c] =
+        blocked ? kBlockedStep : static_cast<std::uint32_t>(std::lround(step * kDiagonal));
   }
   least_straight_ = static_cast<std::uint32_t>(std::lround(least * scale_));
-  least_diagonal_ = static_cast<std::uint32_t>(std::lround(least * scale_ * kSqrt2));
+  least_diagonal_ = static_cast<std::uint32_t>(std::lround(least * scale_ * kDiagonal));
 }
 
 std::uint8_t Potential::source_cost(int x, int y) const {

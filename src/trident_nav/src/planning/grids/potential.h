@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "planning/grids/bucket_queue.h"
+#include "planning/grids/search_result.h"
 #include "planning/grids/step_costs.h"
 #include "trident_nav/core/cost_grid.h"
 #include "trident_nav/core/outcome.h"
@@ -29,7 +30,7 @@ namespace trident::nav {
 /// idea of D* Lite, Koenig and Likhachev 2002, with one value per cell and parent pointers).
 class Potential {
  public:
-  enum class Result { kFound, kNoPath, kCanceled };
+  using Result = SearchResult;
 
   /// `outline`: the cells along the border of the grid are blocked.
   explicit Potential(const StepCosts& costs, bool outline = false);

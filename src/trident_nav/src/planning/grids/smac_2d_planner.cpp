@@ -17,6 +17,7 @@ GridRouteOptions smac_2d_options(const Smac2dParams& params) {
     options.costs.step[kUnknownCost] = static_cast<float>(1.0 + params.cost_travel_multiplier);
   }
   options.tolerance_m = params.tolerance;
+  options.jumps = true;
   return options;
 }
 
