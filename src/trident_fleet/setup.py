@@ -11,6 +11,8 @@ setup(
             "trident_fleet",
             "trident_fleet.cli",
             "trident_fleet.core",
+            "trident_fleet.core.files",
+            "trident_fleet.core.follow",
             "trident_fleet.nodes",
         ],
         package_dir={"": "src"},

@@ -10,10 +10,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 from trident_fleet.core.config import PlanConfig
-from trident_fleet.core.follow_config import FollowConfig
-from trident_fleet.core.followers import Followers, Phase
-from trident_fleet.core.formation_file import FormationSource, read_formation
-from trident_fleet.core.leader import LeaderState, LeaderTrack, Measurement, yaw_of
+from trident_fleet.core.files.formation_file import FormationSource, read_formation
+from trident_fleet.core.follow.follow_config import FollowConfig
+from trident_fleet.core.follow.followers import Followers, Phase
+from trident_fleet.core.follow.leader import LeaderState, LeaderTrack, Measurement, yaw_of
 from trident_fleet.core.plan import FormationPlan, plan_formation
 from trident_fleet.core.quintic import Array, Motion
 from trident_fleet.core.separation import min_separation

@@ -77,22 +77,34 @@ void check_table(const ThrusterParams& params) {
   }
 }
 
+double linear_state_for(const ThrusterParams& params, double thrust_n) {
+  return thrust_n > 0.0 ? thrust_n / params.max_force_forward * params.max_command
+                        : thrust_n / params.max_force_reverse * -params.min_command;
+}
+
+/// The curve jumps at its dead band: what is less than the jump takes the first command beyond it.
+double glf_state_for(double thrust_n) {
+  const double first = thrust_n > 0.0 ? kGlfFirst : -kGlfFirst;
+  if (std::abs(thrust_n) <= std::abs(vrx_glf_thrust(first))) return first;
+  return (thrust_n > 0.0 ? kForward : kReverse).inverse(thrust_n);
+}
+
+/// Of F = k n |n|, with a coefficient k for each sense of rotation.
+double quadratic_state_for(const ThrusterParams& params, double thrust_n) {
+  return thrust_n > 0.0 ? std::sqrt(thrust_n / params.coefficient_forward)
+                        : -std::sqrt(-thrust_n / params.coefficient_reverse);
+}
+
 /// The state of a thrust that the curve takes between its ends, the dead band left out.
 double state_for(const ThrusterParams& params, double thrust_n) {
   if (thrust_n == 0.0) return 0.0;
-  const bool ahead = thrust_n > 0.0;
   switch (params.mapping) {
     case ThrustMapping::kLinear:
-      return ahead ? thrust_n / params.max_force_forward * params.max_command
-                   : thrust_n / params.max_force_reverse * -params.min_command;
-    case ThrustMapping::kGlf: {
-      const double least = vrx_glf_thrust(ahead ? kGlfFirst : -kGlfFirst);
-      if (std::abs(thrust_n) <= std::abs(least)) return ahead ? kGlfFirst : -kGlfFirst;
-      return (ahead ? kForward : kReverse).inverse(thrust_n);
-    }
+      return linear_state_for(params, thrust_n);
+    case ThrustMapping::kGlf:
+      return glf_state_for(thrust_n);
     case ThrustMapping::kQuadratic:
-      return ahead ? std::sqrt(thrust_n / params.coefficient_forward)
-                   : -std::sqrt(-thrust_n / params.coefficient_reverse);
+      return quadratic_state_for(params, thrust_n);
     case ThrustMapping::kTable:
       return inverse_interpolated(params.table_commands, params.table_forces, thrust_n);
   }

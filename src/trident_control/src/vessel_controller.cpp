@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "trident_base/angle.h"
 #include "trident_base/error.h"
@@ -45,21 +46,11 @@ bool can_hold_pose(StationBehavior behavior, const ThrustAllocation& allocation,
 }  // namespace
 
 const char* name_of(VesselMode mode) {
-  switch (mode) {
-    case VesselMode::kIdle:
-      return "idle";
-    case VesselMode::kVelocity:
-      return "velocity";
-    case VesselMode::kHeading:
-      return "heading";
-    case VesselMode::kCourse:
-      return "course";
-    case VesselMode::kPath:
-      return "path";
-    case VesselMode::kStation:
-      return "station";
-  }
-  return "";
+  static const std::map<VesselMode, const char*> kNames{
+      {VesselMode::kIdle, "idle"},       {VesselMode::kVelocity, "velocity"},
+      {VesselMode::kHeading, "heading"}, {VesselMode::kCourse, "course"},
+      {VesselMode::kPath, "path"},       {VesselMode::kStation, "station"}};
+  return kNames.at(mode);
 }
 
 VesselController::VesselController(const VesselModel& model, const VesselControlParams& params)

@@ -16,10 +16,10 @@ from trident_eval.core.flight_records import Command, Refusal, read_command
 from trident_eval.core.scene import formation_scene
 from trident_eval.core.tracks import read_states
 from trident_eval.core.verdict import Verdict, judge
-from trident_fleet.core.follow_config import FollowConfig
-from trident_fleet.core.follow_record import FollowLog
-from trident_fleet.core.followers import Followers
-from trident_fleet.core.leader import LeaderState
+from trident_fleet.core.follow.follow_config import FollowConfig
+from trident_fleet.core.follow.follow_record import FollowLog
+from trident_fleet.core.follow.followers import Followers
+from trident_fleet.core.follow.leader import LeaderState
 from trident_fleet.core.quintic import Array
 from trident_fleet.core.record import write_record
 

@@ -14,10 +14,10 @@ from trident_fleet.core.choreography import Choreography, Step, perform
 from trident_fleet.core.choreography_file import parse_words, read_choreography
 from trident_fleet.core.config import PlanConfig
 from trident_fleet.core.errors import FormationError
-from trident_fleet.core.formation_file import FormationSource, read_formation
+from trident_fleet.core.files.formation_file import FormationSource, read_formation
+from trident_fleet.core.files.position_file import reading_args, write_positions
 from trident_fleet.core.patterns import KINDS, Pattern, places
 from trident_fleet.core.plan import plan_formation
-from trident_fleet.core.position_file import reading_args, write_positions
 from trident_fleet.core.quintic import Array
 from trident_fleet.core.separation import min_separation
 

@@ -12,13 +12,13 @@ from typing import Any
 import numpy as np
 import pytest
 from trident_base.params import Recorded
-from trident_fleet.core import follow_settings
 from trident_fleet.core.choreography import Choreography, Step
 from trident_fleet.core.choreography_file import read_choreography
 from trident_fleet.core.errors import FormationError
-from trident_fleet.core.follow_config import FollowConfig
-from trident_fleet.core.follow_settings import read_follow_settings
-from trident_fleet.core.formation_file import FormationSource
+from trident_fleet.core.files.formation_file import FormationSource
+from trident_fleet.core.follow import follow_settings
+from trident_fleet.core.follow.follow_config import FollowConfig
+from trident_fleet.core.follow.follow_settings import read_follow_settings
 from trident_fleet.core.patterns import Pattern
 from trident_fleet.core.settings import FleetSettings, read_settings
 

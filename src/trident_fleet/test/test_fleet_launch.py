@@ -19,8 +19,8 @@ from trident_fleet.core.choreography import perform
 from trident_fleet.core.choreography_file import parse_words
 from trident_fleet.core.config import PlanConfig
 from trident_fleet.core.errors import FormationError
+from trident_fleet.core.files.formation_file import FormationSource, read_formation
 from trident_fleet.core.fleet_launch import NAMESPACE_TOKEN, Fleet, fleet_launch, spawn_grid
-from trident_fleet.core.formation_file import FormationSource, read_formation
 from trident_fleet.core.patterns import KINDS, Pattern, places
 from trident_fleet.core.separation import min_separation
 from trident_fleet.core.transit import transit_points
@@ -141,7 +141,7 @@ def test_without_a_formation_one_is_made(
 @pytest.mark.usefixtures("sourced")
 @pytest.mark.parametrize("suffix", ["txt", "mat"])
 def test_a_given_formation_is_checked_and_named(tmp_path: Path, suffix: str) -> None:
-    from trident_fleet.core.position_file import write_positions
+    from trident_fleet.core.files.position_file import write_positions
 
     (tmp_path / "sub").mkdir()
     file, out = tmp_path / f"given.{suffix}", tmp_path / "sub" / "f.launch"

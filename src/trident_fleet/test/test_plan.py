@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from trident_fleet.core.config import FlightLimits, GateConfig, PlanConfig
 from trident_fleet.core.errors import FormationError
-from trident_fleet.core.formation_file import FormationSource, read_formation
+from trident_fleet.core.files.formation_file import FormationSource, read_formation
 from trident_fleet.core.plan import plan_formation
 from trident_fleet.core.quintic import Array
 from trident_fleet.core.separation import min_separation

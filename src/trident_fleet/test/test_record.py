@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from trident_fleet.core.config import GateConfig, PlanConfig
 from trident_fleet.core.errors import FormationError
-from trident_fleet.core.formation_file import FormationSource
+from trident_fleet.core.files.formation_file import FormationSource
 from trident_fleet.core.gate import FormationGate
 from trident_fleet.core.plan import plan_formation
 from trident_fleet.core.quintic import QuinticPath

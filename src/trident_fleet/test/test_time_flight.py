@@ -16,7 +16,7 @@ import pytest
 pytest.importorskip("rospy", reason="ROS is not installed")
 pytest.importorskip("trident_msgs.srv", reason="trident_msgs is not built or sourced")
 
-from trident_fleet.core.formation_file import FormationSource
+from trident_fleet.core.files.formation_file import FormationSource
 from trident_fleet.core.schedule import FeedConfig
 from trident_fleet.core.settings import FleetSettings, fleet_of_names
 from trident_fleet.nodes import flights

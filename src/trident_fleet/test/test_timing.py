@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from trident_fleet.core.config import FlightLimits
-from trident_fleet.core.formation_file import FormationSource, read_formation
+from trident_fleet.core.files.formation_file import FormationSource, read_formation
 from trident_fleet.core.quintic import Array, QuinticPath
 from trident_fleet.core.timing import excess, fly_through
 

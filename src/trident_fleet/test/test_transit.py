@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from trident_fleet.core.config import FlightLimits, PlanConfig
 from trident_fleet.core.errors import FormationError
-from trident_fleet.core.formation_file import FormationSource, read_formation
+from trident_fleet.core.files.formation_file import FormationSource, read_formation
 from trident_fleet.core.quintic import Array
 from trident_fleet.core.separation import min_separation, pair_separations
 from trident_fleet.core.transit import transit_path, transit_points

@@ -56,19 +56,23 @@ double brightness(const PixelImage& image, const std::uint16_t* pixel, MapMode m
   return sum / colors * (255.0 / image.white);
 }
 
+/// Of a pixel between white (0) and black (1), in the modes trinary and scale of map_server.
+std::int8_t occupancy_of_darkness(double dark, bool is_transparent, const MapFile& file) {
+  if (dark > file.occupied_thresh) return OccupancyGrid::kOccupied;
+  if (dark < file.free_thresh) return OccupancyGrid::kFree;
+  if (file.mode == MapMode::kTrinary || is_transparent) return OccupancyGrid::kUnknown;
+  const double between = (dark - file.free_thresh) / (file.occupied_thresh - file.free_thresh);
+  return static_cast<std::int8_t>(1.0 + 98.0 * between);
+}
+
 std::int8_t occupancy(const PixelImage& image, const std::uint16_t* pixel, const MapFile& file) {
   double bright = brightness(image, pixel, file.mode);
   if (file.negate != 0) bright = 255.0 - bright;
   if (file.mode == MapMode::kRaw) {
     return bright > 100.0 ? OccupancyGrid::kUnknown : static_cast<std::int8_t>(bright);
   }
-  const double dark = (255.0 - bright) / 255.0;
-  if (dark > file.occupied_thresh) return OccupancyGrid::kOccupied;
-  if (dark < file.free_thresh) return OccupancyGrid::kFree;
-  const bool is_transparent = image.has_alpha() && pixel[image.channels - 1] == 0;
-  if (file.mode == MapMode::kTrinary || is_transparent) return OccupancyGrid::kUnknown;
-  const double between = (dark - file.free_thresh) / (file.occupied_thresh - file.free_thresh);
-  return static_cast<std::int8_t>(1.0 + 98.0 * between);
+  return occupancy_of_darkness((255.0 - bright) / 255.0,
+                               image.has_alpha() && pixel[image.channels - 1] == 0, file);
 }
 
 /// Written to a temporary file next to it, which is then renamed.

@@ -24,7 +24,7 @@ from pathlib import Path
 import numpy as np
 from trident_fleet.core.errors import FormationError
 from trident_fleet.core.feeders import end_of_plan_ns
-from trident_fleet.core.formation_file import FormationSource, flying_rows, read_formation
+from trident_fleet.core.files.formation_file import FormationSource, flying_rows, read_formation
 from trident_fleet.core.plan import FormationPlan, plan_formation
 from trident_fleet.core.settings import FleetSettings
 

@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
 
 #include "trident_maps/map_file.h"
 #include "trident_maps_ros/map_messages.h"
@@ -65,38 +66,44 @@ bool save_or_log(const SaverOptions& options, const OccupancyGrid& grid) {
   return true;
 }
 
+/// The message's grid; a message that is none is reported, and the next one waited for.
+std::optional<OccupancyGrid> grid_of(const nav_msgs::OccupancyGrid& message,
+                                     ros_utils::Refusals& refusals) {
+  try {
+    return from_map_message(message);
+  } catch (const Error& error) {
+    refusals.note("map refused", std::string("map refused, still waiting: ") + error.what());
+    return std::nullopt;
+  }
+}
+
+/// Waits for the first map that is one, and saves it. Returns the process' exit code.
+int save_first_map(const SaverOptions& options) {
+  ros::NodeHandle node;
+  ros_utils::Refusals refusals(node);
+  std::optional<int> result;  // of the map that has come
+  const boost::function<void(const nav_msgs::OccupancyGridConstPtr&)> save =
+      [&](const nav_msgs::OccupancyGridConstPtr& message) {
+        if (result) return;
+        const std::optional<OccupancyGrid> grid = grid_of(*message, refusals);
+        if (grid) result = save_or_log(options, *grid) ? 0 : 1;
+      };
+  const ros::Subscriber subscriber = node.subscribe<nav_msgs::OccupancyGrid>("map", 1, save);
+  ROS_INFO("waiting for a map on %s", subscriber.getTopic().c_str());
+  while (ros::ok() && !result) ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.1));
+  return result.value_or(1);
+}
+
 }  // namespace
 
 int map_saver_main(int argc, char** argv) {
   ros::init(argc, argv, "map_saver", ros::init_options::AnonymousName);
-  int result = -1;  // until a map has come
   try {
-    const SaverOptions options = parse_options(argc, argv);
-    ros::NodeHandle node;
-    ros_utils::Refusals refusals(node);
-    const boost::function<void(const nav_msgs::OccupancyGrid&)> save =
-        [&](const nav_msgs::OccupancyGrid& message) {
-          if (result >= 0) return;
-          OccupancyGrid grid;
-          try {
-            grid = from_map_message(message);
-          } catch (const Error& error) {
-            refusals.note("map refused",
-                          std::string("map refused, still waiting: ") + error.what());
-            return;
-          }
-          result = save_or_log(options, grid) ? 0 : 1;
-        };
-    const ros::Subscriber subscriber = node.subscribe<nav_msgs::OccupancyGrid>(
-        "map", 1, [&save](const nav_msgs::OccupancyGridConstPtr& message) { save(*message); });
-    ROS_INFO("waiting for a map on %s", subscriber.getTopic().c_str());
-    while (ros::ok() && result < 0)
-      ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.1));
+    return save_first_map(parse_options(argc, argv));
   } catch (const Error& error) {
     std::fprintf(stderr, "map_saver: %s\n", error.what());  // NOLINT: before there is a log
     return 2;
   }
-  return result < 0 ? 1 : result;
 }
 
 }  // namespace trident::maps

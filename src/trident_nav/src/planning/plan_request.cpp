@@ -94,6 +94,25 @@ std::vector<Cell> straight(Cell from, Cell to) {
   return cells;
 }
 
+bool has_cells(const CostGrid& grid) {
+  const GridGeometry& g = grid.geometry;
+  return g.width > 0 && g.height > 0 && g.resolution > 0.0 && grid.cost != nullptr;
+}
+
+/// A grid that no path can be searched in.
+std::optional<PlanOutcome> refused(const CostGrid& grid) {
+  const GridGeometry& g = grid.geometry;
+  if (!has_cells(grid)) {
+    return failed(Failure::kInvalidInput, "The costmap is empty: no map has arrived yet.");
+  }
+  if (g.width > kMaxSide || g.height > kMaxSide) {
+    return failed(Failure::kInvalidInput, "The costmap has " + std::to_string(g.width) + " x " +
+                                              std::to_string(g.height) +
+                                              " cells, legal: sides of up to 65000.");
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::string place_text(double x, double y) {
@@ -110,15 +129,8 @@ PlanOutcome failed(Failure failure, std::string reason) {
 }
 
 std::optional<PlanOutcome> refused(const CostGrid& grid, const Pose2& start, const Pose2& goal) {
+  if (auto result = refused(grid)) return result;
   const GridGeometry& g = grid.geometry;
-  if (g.width <= 0 || g.height <= 0 || !(g.resolution > 0.0) || grid.cost == nullptr) {
-    return failed(Failure::kInvalidInput, "The costmap is empty: no map has arrived yet.");
-  }
-  if (g.width > kMaxSide || g.height > kMaxSide) {
-    return failed(Failure::kInvalidInput, "The costmap has " + std::to_string(g.width) + " x " +
-                                              std::to_string(g.height) +
-                                              " cells, legal: sides of up to 65000.");
-  }
   if (!finite(start)) return failed(Failure::kInvalidInput, "The start pose is not finite.");
   if (!finite(goal)) return failed(Failure::kInvalidInput, "The goal pose is not finite.");
   if (auto result = outside(g, start, "start", Failure::kStartOutside)) return result;

@@ -34,8 +34,8 @@ std::string join(const std::vector<std::string>& words) {
   return text;
 }
 
-bool LossWatch::gives_up(const Silence& silence, Waiting& waiting, WallTime now) {
-  const WallTime waited = now - waiting.since;
+/// Remembers who has been waited for the longest, and since when the one at hand has gone.
+void LossWatch::note_wait(const Silence& silence, Waiting& waiting, WallTime now) {
   if (waited_for_.empty() || waiting.since < waited_since_) {
     waited_for_ = silence.who;
     waited_since_ = waiting.since;
@@ -45,6 +45,11 @@ bool LossWatch::gives_up(const Silence& silence, Waiting& waiting, WallTime now)
   } else if (waiting.gone_since == 0) {
     waiting.gone_since = now;
   }
+}
+
+bool LossWatch::gives_up(const Silence& silence, Waiting& waiting, WallTime now) {
+  const WallTime waited = now - waiting.since;
+  note_wait(silence, waiting, now);
   const bool is_gone = silence.is_gone && waited > kDisconnectedAfter;
   const bool is_silent = seconds(waited) >= silence.patience * rules_.timeout_s;
   if (!is_gone && !is_silent) return false;

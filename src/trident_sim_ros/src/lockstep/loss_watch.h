@@ -62,6 +62,7 @@ class LossWatch {
 
  private:
   void report_silence(const Silence& silence, const std::string& why);
+  void note_wait(const Silence& silence, Waiting& waiting, WallTime now);
   void wait_on(const Silence& silence, Waiting& waiting, WallTime now, const std::string& why);
 
   const LossRules& rules_;

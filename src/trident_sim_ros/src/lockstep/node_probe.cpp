@@ -13,6 +13,7 @@
 
 #include <cerrno>
 #include <chrono>
+#include <optional>
 #include <thread>
 
 namespace trident::sim {
@@ -50,6 +51,16 @@ bool refuses(const std::string& host, std::uint32_t port) {
   return is_refused;
 }
 
+/// Whether a value is a list of at least `size` elements.
+bool is_list(XmlRpc::XmlRpcValue& value, int size) {
+  return value.getType() == XmlRpc::XmlRpcValue::TypeArray && value.size() >= size;
+}
+
+std::string text(XmlRpc::XmlRpcValue& value) {
+  const bool is_text = value.getType() == XmlRpc::XmlRpcValue::TypeString;
+  return is_text ? static_cast<std::string>(value) : std::string();
+}
+
 enum class Lookup { kUnknown, kOdd, kFound };
 
 Lookup find_node(const std::string& node, std::string* host, std::uint32_t* port) {
@@ -70,26 +81,27 @@ bool is_alive(const std::string& node) {
   return found == Lookup::kOdd;
 }
 
+/// What a node says of its connections, each [id, peer, direction, transport, topic, ...]; nothing
+/// where it does not answer as the slave API of ROS wants.
+std::optional<XmlRpc::XmlRpcValue> bus_info(const std::string& host, std::uint32_t port) {
+  XmlRpc::XmlRpcClient client(host.c_str(), static_cast<int>(port), "/");
+  XmlRpc::XmlRpcValue request, response;
+  request[0] = ros::this_node::getName();
+  if (!client.execute("getBusInfo", request, response) || client.isFault()) return std::nullopt;
+  if (!is_list(response, 3) || !is_list(response[2], 0)) return std::nullopt;
+  return response[2];
+}
+
 /// Topics that a node sends to this one, by its own account.
 std::set<std::string> topics_from(const std::string& node) {
   std::string host;
   std::uint32_t port = 0;
   std::set<std::string> topics;
   if (find_node(node, &host, &port) != Lookup::kFound) return topics;
-  XmlRpc::XmlRpcClient client(host.c_str(), static_cast<int>(port), "/");
-  XmlRpc::XmlRpcValue request, response;
-  request[0] = ros::this_node::getName();
-  if (!client.execute("getBusInfo", request, response) || client.isFault()) return topics;
-  if (response.getType() != XmlRpc::XmlRpcValue::TypeArray || response.size() < 3) return topics;
-  XmlRpc::XmlRpcValue& links = response[2];  // [id, peer, direction, transport, topic, ...] each
-  if (links.getType() != XmlRpc::XmlRpcValue::TypeArray) return topics;
-  const auto text = [](XmlRpc::XmlRpcValue& value) {
-    const bool is_text = value.getType() == XmlRpc::XmlRpcValue::TypeString;
-    return is_text ? static_cast<std::string>(value) : std::string();
-  };
-  for (int i = 0; i < links.size(); ++i) {
-    XmlRpc::XmlRpcValue& link = links[i];
-    if (link.getType() != XmlRpc::XmlRpcValue::TypeArray || link.size() < 5) continue;
+  std::optional<XmlRpc::XmlRpcValue> links = bus_info(host, port);
+  for (int i = 0; links && i < links->size(); ++i) {
+    XmlRpc::XmlRpcValue& link = (*links)[i];
+    if (!is_list(link, 5)) continue;
     if (text(link[1]) != ros::this_node::getName() || text(link[2]) != "o") continue;
     topics.insert(text(link[4]));
   }

@@ -73,11 +73,11 @@ void TimeoutCheck::check_vehicle(VehicleLink& vehicle, WallTime now) {
 
 void TimeoutCheck::check_source(SimTime time, WallTime now) {
   const std::string* blocking = hub_.sources.blocking(time);
-  for (auto& [node, waiting] : sources_) {
-    if (blocking == nullptr || node != *blocking) waiting.end();
+  const std::string node = blocking == nullptr ? "" : *blocking;
+  for (auto& [name, waiting] : sources_) {
+    if (name != node) waiting.end();
   }
   if (blocking == nullptr) return;
-  const std::string node = *blocking;
   Waiting& waiting = sources_[node];
   if (waiting.since == 0) waiting.since = now;
   if (now - waiting.since > kReplacementPatience && hub_.sources.forget_replacements()) {

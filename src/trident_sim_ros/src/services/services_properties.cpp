@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "conversions/conversions.h"
 #include "services.h"
@@ -50,21 +51,15 @@ void set_link(Simulation& simulation, const SetLinkProperties::Request& request)
 }
 
 std::uint8_t joint_type(const Joint& joint) {
+  // The message has no screw and no gearbox: they turn, as a revolute joint does.
+  static const std::map<JointType, std::uint8_t> kKnown{
+      {JointType::kFixed, GetJointProperties::Response::FIXED},
+      {JointType::kPrismatic, GetJointProperties::Response::PRISMATIC},
+      {JointType::kBall, GetJointProperties::Response::BALL},
+      {JointType::kUniversal, GetJointProperties::Response::UNIVERSAL}};
+  const auto known = kKnown.find(joint.spec.type);
+  if (known != kKnown.end()) return known->second;
   const bool has_no_limits = std::isinf(joint.spec.lower) && std::isinf(joint.spec.upper);
-  switch (joint.spec.type) {
-    case JointType::kFixed:
-      return GetJointProperties::Response::FIXED;
-    case JointType::kPrismatic:
-      return GetJointProperties::Response::PRISMATIC;
-    case JointType::kBall:
-      return GetJointProperties::Response::BALL;
-    case JointType::kUniversal:
-      return GetJointProperties::Response::UNIVERSAL;
-    case JointType::kRevolute:
-    case JointType::kScrew:
-    case JointType::kGearbox:
-      break;
-  }
   return has_no_limits ? GetJointProperties::Response::CONTINUOUS
                        : GetJointProperties::Response::REVOLUTE;
 }

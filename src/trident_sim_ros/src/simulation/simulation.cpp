@@ -159,13 +159,7 @@ bool Simulation::run_once() {
   if (finished()) return false;
   const bool stepping = steps_wanted_ > 0;
   if ((paused_ && !stepping) || !start_allowed()) {
-    repeatability_.set_running(false);
-    gate_->check_losses_at_start();
-    restart_pace();
-    topics_->publish_clock(world_->time());
-    binder_->publish_held_display();
-    gate_->poll_while_paused();
-    wait(milliseconds(1));
+    stand();
     return true;
   }
   repeatability_.set_running(true);
@@ -181,11 +175,25 @@ bool Simulation::run_once() {
   is_flowing_ = true;
   if (stepping && --steps_wanted_ == 0) {
     repeatability_.set_running(false);
-    topics_->publish_clock(world_->time());
-    binder_->publish_held_display();
+    show_standing_world();
     stepped_.notify_all();
   }
   return true;
+}
+
+/// A turn without a step. Waiting costs no pace, and who reads the topics sees the latest state.
+void Simulation::stand() {
+  repeatability_.set_running(false);
+  gate_->check_losses_at_start();
+  restart_pace();
+  show_standing_world();
+  gate_->poll_while_paused();
+  wait(milliseconds(1));
+}
+
+void Simulation::show_standing_world() {
+  topics_->publish_clock(world_->time());
+  binder_->publish_held_display();
 }
 
 std::string Simulation::missing_for_start() {

@@ -111,6 +111,8 @@ class Simulation {
   void choose_policy() TRIDENT_REQUIRES(mutex_);
   void report(Severity severity, const std::string& text) TRIDENT_REQUIRES(mutex_);
   bool run_once();
+  void stand() TRIDENT_REQUIRES(mutex_);
+  void show_standing_world() TRIDENT_REQUIRES(mutex_);
   bool start_allowed() TRIDENT_REQUIRES(mutex_);
   std::string missing_for_start() TRIDENT_REQUIRES(mutex_);
   bool answers_allow_step() TRIDENT_REQUIRES(mutex_);

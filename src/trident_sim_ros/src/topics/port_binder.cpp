@@ -137,11 +137,16 @@ void PortBinder::publish_fresh(PortRank first, PortRank last, bool every_step) {
     const PortRank rank = binding->port().rank();
     if (rank < first || rank > last) continue;
     if (rank > PortRank::kTransform) send_frames();
-    if (!binding->take_fresh()) continue;
-    binding->is_late = binding->is_for_display() && !is_display_due;
-    if (!binding->is_late) binding->publish();
+    publish_if_fresh(*binding, is_display_due);
   }
   send_frames();
+}
+
+/// What is for a display only waits until one is due, or until the world stands.
+void PortBinder::publish_if_fresh(OutputBinding& binding, bool is_display_due) {
+  if (!binding.take_fresh()) return;
+  binding.is_late = binding.is_for_display() && !is_display_due;
+  if (!binding.is_late) binding.publish();
 }
 
 void PortBinder::publish_held_display() {

@@ -49,6 +49,7 @@ class PortBinder {
   void rebuild_active();
   void send_frames();
   bool display_is_due(bool every_step);
+  static void publish_if_fresh(OutputBinding& binding, bool is_display_due);
 
   PortBoard& board_;
   TopicAdvertiser advertiser_;

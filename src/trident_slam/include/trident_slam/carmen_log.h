@@ -53,7 +53,11 @@ class CarmenLog : public ScanSource {
   bool is_wanted(std::string_view message);
   std::string read_flaser(std::string_view rest, ScanRecord& record);
   std::string read_robotlaser(std::string_view rest, ScanRecord& record);
-  std::string place_laser(const Poses& poses, ScanRecord& record);
+  void count(std::string_view message);
+  void add_problem(const std::string& problem);
+  void place_laser(const Poses& poses, ScanRecord& record);
+  SE2 mount_of(const SE2& T_base_laser, bool is_one_pose) const;
+  void report_loose_laser(const SE2& moved);
   /// Where the laser sits ahead of the base, 0 without a word of it [m].
   double offset_of_params() const;
   void complete(ScanRecord& record, double range_max) const;

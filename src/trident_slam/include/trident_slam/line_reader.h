@@ -37,6 +37,7 @@ class LineReader {
 
  private:
   bool fill();
+  void check_length(std::size_t bytes) const;
 
   std::string path_;
   std::unique_ptr<ByteSource> source_;

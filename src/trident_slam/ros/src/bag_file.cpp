@@ -64,6 +64,17 @@ std::string text(const std::map<std::string, std::string>& fields, const char* n
   return found == fields.end() ? "" : found->second;
 }
 
+/// The length of a record's data. Some writers give the two kinds of index a wrong one; their
+/// number of entries is right.
+std::uint64_t data_size(int op, const std::map<std::string, std::string>& fields,
+                        std::uint32_t written) {
+  constexpr std::uint64_t kIndexEntry = 12, kChunkInfoEntry = 8;  // [byte]
+  std::uint32_t count = 0;
+  if (op != kIndexData && op != kChunkInfo) return written;
+  if (!number(fields, "count", count)) return written;
+  return count * (op == kIndexData ? kIndexEntry : kChunkInfoEntry);
+}
+
 /// A stream that ends early yields what it has up to there: messages before the damage are used.
 bool decompress_bzip2(std::string& stored, std::string& into) {
   bz_stream stream{};
@@ -136,46 +147,69 @@ void BagFile::walk() {
 
 /// Moves `at` behind a whole record; false if there is no such record.
 bool BagFile::take_record(std::uint64_t& at) {
+  Record record;
+  record.at = at;
+  if (!read_record(record) || !take(record)) return false;
+  last_op_ = record.op;
+  at = std::min(record.begin + record.size, file_size_);
+  return true;
+}
+
+/// A record is the length of its header, the header, the length of its data, and these. Only a
+/// chunk may reach beyond the end of the file: what it has up to there is used.
+bool BagFile::read_record(Record& record) {
   std::string word;
   std::string header;
-  if (!read_at(at, 4, word)) return false;
+  if (!read_at(record.at, 4, word)) return false;
   const std::uint32_t header_size = u32(word.data());
-  if (header_size > kLargestHeader || !read_at(at + 4, header_size, header)) return false;
-  Fields fields;
-  const std::uint64_t begin = at + 8 + header_size;
-  if (!parse_fields({header.data(), header.size()}, fields)) return false;
-  if (!read_at(begin - 4, 4, word)) return false;
-  std::uint64_t size = u32(word.data());
-  const int op = op_of(fields);
-  // Some writers give these two a wrong length; their number of entries is right.
-  std::uint32_t count = 0;
-  if (op == kIndexData && number(fields, "count", count)) size = std::uint64_t{12} * count;
-  if (op == kChunkInfo && number(fields, "count", count)) size = std::uint64_t{8} * count;
-  if (op < kMessageData || op > kConnection) return false;
-  if (op == kChunk) {
-    if (!take_chunk(at, fields, begin, size)) return false;
-  } else if (begin + size > file_size_) {
-    return false;
+  if (header_size > kLargestHeader || !read_at(record.at + 4, header_size, header)) return false;
+  record.begin = record.at + 8 + header_size;
+  if (!parse_fields({header.data(), header.size()}, record.fields)) return false;
+  if (!read_at(record.begin - 4, 4, word)) return false;
+  record.op = op_of(record.fields);
+  record.size = data_size(record.op, record.fields, u32(word.data()));
+  return record.op == kChunk || record.begin + record.size <= file_size_;
+}
+
+/// Takes over what a record says; false: it is no such record.
+bool BagFile::take(const Record& record) {
+  switch (record.op) {
+    case kBagHeader:
+      take_bag_header(record.fields);
+      return true;
+    case kChunk:
+      return take_chunk(record.at, record.fields, record.begin, record.size);
+    case kMessageData:
+      take_loose_message(record);
+      return true;
+    case kConnection:
+      return take_loose_connection(record);
+    default:
+      return record.op == kIndexData || record.op == kChunkInfo;
   }
-  if (op == kBagHeader && !text(fields, "encryptor").empty()) {
-    throw Error("is encrypted by " + text(fields, "encryptor") + ", legal: a plain rosbag");
+}
+
+void BagFile::take_bag_header(const Fields& fields) {
+  const std::string encryptor = text(fields, "encryptor");
+  if (!encryptor.empty()) {
+    throw Error("is encrypted by " + encryptor + ", legal: a plain rosbag");
   }
-  // A recording that was never closed ends with records that no chunk encloses yet.
-  if (op == kMessageData) {
-    chunks_.push_back({at, begin, size, size, "none"});
-    take_message(fields, chunks_.size() - 1, 0, size);
-  }
-  const std::string index = op == kBagHeader ? text(fields, "index_pos") : "";
+  const std::string index = text(fields, "index_pos");
   if (index.size() == sizeof(index_begin_)) {
     std::memcpy(&index_begin_, index.data(), sizeof(index_begin_));
   }
-  if (op == kConnection) {
-    std::string data;
-    if (size > kLargestHeader || !read_at(begin, size, data)) return false;
-    take_connection(fields, {data.data(), data.size()});
-  }
-  last_op_ = op;
-  at = std::min(begin + size, file_size_);
+}
+
+/// A recording that was never closed ends with records that no chunk encloses yet.
+void BagFile::take_loose_message(const Record& record) {
+  chunks_.push_back({record.at, record.begin, record.size, record.size, "none"});
+  take_message(record.fields, chunks_.size() - 1, 0, record.size);
+}
+
+bool BagFile::take_loose_connection(const Record& record) {
+  std::string data;
+  if (record.size > kLargestHeader || !read_at(record.begin, record.size, data)) return false;
+  take_connection(record.fields, {data.data(), data.size()});
   return true;
 }
 
@@ -207,26 +241,42 @@ bool BagFile::take_chunk(std::uint64_t record, const Fields& fields, std::uint64
 
 void BagFile::index_chunk(std::size_t number_of_chunk, Span content) {
   std::size_t at = 0;
-  while (content.size - at >= 4) {
-    const std::uint32_t header_size = u32(content.data + at);
-    if (header_size > content.size - at - 4 || content.size - at - 4 - header_size < 4) break;
-    Fields fields;
-    if (!parse_fields({content.data + at + 4, header_size}, fields)) break;
-    const std::size_t begin = at + 8 + header_size;
-    const std::uint32_t size = u32(content.data + begin - 4);
-    if (size > content.size - begin) break;
-    if (op_of(fields) == kConnection) {
-      take_connection(fields, {content.data + begin, size});
-    } else if (op_of(fields) != kMessageData ||
-               !take_message(fields, number_of_chunk, begin, size)) {
-      break;
-    }
-    at = begin + size;
+  while (index_record(number_of_chunk, content, at)) {
   }
   if (at != content.size && content.size == chunks_[number_of_chunk].size) {
     leave_out(chunks_[number_of_chunk].record,
               "the chunk's records from byte " + std::to_string(at) + " of " +
                   std::to_string(content.size) + " on are damaged");
+  }
+}
+
+/// Moves `at` behind the record of a chunk that begins there; false: none does.
+bool BagFile::index_record(std::size_t number_of_chunk, Span content, std::size_t& at) {
+  const std::size_t left = content.size - at;
+  if (left < 8) return false;
+  const std::uint32_t header_size = u32(content.data + at);
+  if (header_size > left - 8) return false;
+  Fields fields;
+  if (!parse_fields({content.data + at + 4, header_size}, fields)) return false;
+  const std::size_t begin = at + 8 + header_size;
+  const std::uint32_t size = u32(content.data + begin - 4);
+  if (size > content.size - begin) return false;
+  if (!index_data(number_of_chunk, fields, content, {begin, size})) return false;
+  at = begin + size;
+  return true;
+}
+
+/// Messages and connections alone lie within chunks.
+bool BagFile::index_data(std::size_t number_of_chunk, const Fields& fields, Span content,
+                         Part data) {
+  switch (op_of(fields)) {
+    case kConnection:
+      take_connection(fields, {content.data + data.begin, data.size});
+      return true;
+    case kMessageData:
+      return take_message(fields, number_of_chunk, data.begin, data.size);
+    default:
+      return false;
   }
 }
 

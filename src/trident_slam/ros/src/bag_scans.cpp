@@ -191,6 +191,20 @@ class BagScans::Impl {
   bool name_frames(const BagScansOptions& options, const std::set<std::string>& frames,
                    const std::string& laser, const nav_msgs::Odometry* odometry) {
     intake_options_.waits_for_all = true;
+    const bool uses_tf = name_usual_frames(options, frames);
+    if (!uses_tf && odometry != nullptr) name_frames_of(*odometry, options);
+    if (intake_options_.base_frame.empty()) intake_options_.base_frame = "base_link";
+    if (!options.uses_odometry) {
+      intake_options_.odom_frame.clear();
+    } else if (!uses_tf && odometry == nullptr) {
+      fix_odometry();
+    }
+    if (frames.count(laser) == 0) fix_laser(laser);
+    return uses_tf;
+  }
+
+  // What the user names, else what REP 105 names. True when /tf has both frames.
+  bool name_usual_frames(const BagScansOptions& options, const std::set<std::string>& frames) {
     std::string& odom = intake_options_.odom_frame;
     std::string& base = intake_options_.base_frame;
     odom = options.odom_frame.empty() ? "odom" : options.odom_frame;
@@ -198,25 +212,35 @@ class BagScans::Impl {
     for (const char* usual : {"base_footprint", "base_link"}) {
       if (base.empty() && frames.count(usual) != 0) base = usual;
     }
-    const bool uses_tf = frames.count(odom) != 0 && frames.count(base) != 0;
-    if (!uses_tf && odometry != nullptr) {
-      if (options.odom_frame.empty()) odom = without_slash(odometry->header.frame_id);
-      if (options.base_frame.empty()) base = without_slash(odometry->child_frame_id);
+    return frames.count(odom) != 0 && frames.count(base) != 0;
+  }
+
+  // Frames of the topic of odometry, where the user names none.
+  void name_frames_of(const nav_msgs::Odometry& odometry, const BagScansOptions& options) {
+    if (options.odom_frame.empty()) {
+      intake_options_.odom_frame = without_slash(odometry.header.frame_id);
     }
-    if (base.empty()) base = "base_link";
-    if (!options.uses_odometry) {
-      odom.clear();
-    } else if (!uses_tf && odometry == nullptr) {
-      problems_.add(path_ + ": has no odometry, neither " + odom + " -> " + base +
-                    " in /tf nor a topic of nav_msgs/Odometry: scans alone");
-      set_fixed(odom, base);
+    if (options.base_frame.empty()) {
+      intake_options_.base_frame = without_slash(odometry.child_frame_id);
     }
-    if (frames.count(laser) == 0 && laser != base) {
-      problems_.add(path_ + ": /tf has no transform to " + laser + ": its frame is taken to be " +
-                    base);
-      set_fixed(base, laser);
-    }
-    return uses_tf;
+  }
+
+  // The base stands still in the frame of an odometry that the bag does not have.
+  void fix_odometry() {
+    const std::string& odom = intake_options_.odom_frame;
+    const std::string& base = intake_options_.base_frame;
+    problems_.add(path_ + ": has no odometry, neither " + odom + " -> " + base +
+                  " in /tf nor a topic of nav_msgs/Odometry: scans alone");
+    set_fixed(odom, base);
+  }
+
+  // A laser that no transform leads to is at the base.
+  void fix_laser(const std::string& laser) {
+    const std::string& base = intake_options_.base_frame;
+    if (laser == base) return;
+    problems_.add(path_ + ": /tf has no transform to " + laser + ": its frame is taken to be " +
+                  base);
+    set_fixed(base, laser);
   }
 
   void set_fixed(const std::string& parent, const std::string& child) {
@@ -228,33 +252,49 @@ class BagScans::Impl {
   }
 
   void read_message() {
-    const BagFile::Message& message = view_[at_];
-    const std::string& topic = bag_->topic(message);
     try {
-      if (topic == scan_topic_) {
-        if (const auto scan = whole<sensor_msgs::LaserScan>(message)) {
-          scan->header.frame_id = without_slash(scan->header.frame_id);
-          intake_->add(scan);
-        }
-      } else if (topic == imu_topic_) {
-        if (const auto imu = whole<sensor_msgs::Imu>(message)) {
-          imu->header.frame_id = without_slash(imu->header.frame_id);
-          intake_->add(*imu);
-        }
-      } else if (topic == odom_topic_) {
-        if (const auto odometry = whole<nav_msgs::Odometry>(message)) {
-          transforms_.setTransform(as_transform(*odometry), kAuthority);
-        }
-      } else if (const auto transforms = whole<tf2_msgs::TFMessage>(message)) {
-        for (const auto& transform : transforms->transforms) {
-          transforms_.setTransform(without_slashes(transform), kAuthority, topic == "/tf_static");
-        }
-      }
+      take(view_[at_]);
     } catch (const Error& error) {
       problems_.add(path_ + ": " + error.what());
     }
     ++at_;
     for (ScanRecord& record : intake_->take()) ready_.push_back(std::move(record));
+  }
+
+  void take(const BagFile::Message& message) {
+    const std::string& topic = bag_->topic(message);
+    if (topic == scan_topic_) {
+      take_scan(message);
+    } else if (topic == imu_topic_) {
+      take_imu(message);
+    } else if (topic == odom_topic_) {
+      const auto odometry = whole<nav_msgs::Odometry>(message);
+      if (odometry) transforms_.setTransform(as_transform(*odometry), kAuthority);
+    } else {
+      take_transforms(message, topic == "/tf_static");
+    }
+  }
+
+  void take_scan(const BagFile::Message& message) {
+    const auto scan = whole<sensor_msgs::LaserScan>(message);
+    if (!scan) return;
+    scan->header.frame_id = without_slash(scan->header.frame_id);
+    intake_->add(scan);
+  }
+
+  void take_imu(const BagFile::Message& message) {
+    const auto imu = whole<sensor_msgs::Imu>(message);
+    if (!imu) return;
+    imu->header.frame_id = without_slash(imu->header.frame_id);
+    intake_->add(*imu);
+  }
+
+  void take_transforms(const BagFile::Message& message, bool are_static) {
+    const auto transforms = whole<tf2_msgs::TFMessage>(message);
+    if (!transforms) return;
+    for (const auto& transform : transforms->transforms) {
+      transforms_.setTransform(without_slashes(transform), kAuthority, are_static);
+    }
   }
 
   // Throws Error when the topic holds another type there, too.

@@ -163,12 +163,16 @@ void GraphEditor::apply() {
     if (moved.empty() || misfits.size() < moved.size()) editable(slam).realign();
   });
   if (is_on_) show_markers();
-  if (misfits.empty()) return;
+  if (!misfits.empty()) report_misfits(misfits, misfits.size() == moved.size());
+}
+
+/// Throws Error where none of the nodes fits, since nothing has changed then.
+void GraphEditor::report_misfits(const std::vector<int>& misfits, bool are_all) {
   std::vector<std::string> names;
   names.reserve(misfits.size());
   for (const int node : misfits) names.push_back(std::to_string(node));
   const std::string text = "node " + join(names) + ": nothing that it saw fits where it was moved";
-  if (misfits.size() == moved.size()) throw Error(text);
+  if (are_all) throw Error(text);
   ROS_WARN("%s", text.c_str());
 }
 

@@ -110,20 +110,25 @@ void ScanIntake::add(const sensor_msgs::Imu& message) {
   imu_problem_ = ros_utils::stamp_problem(message.header.stamp, ros::Time());
   if (!imu.empty() && imu.front() == '/') imu_problem_ = "frame_id begins with /";
   if (!imu_problem_.empty()) return;
-  Eigen::Matrix3d R_base_imu = Eigen::Matrix3d::Identity();
-  if (!imu.empty() && imu != options_.base_frame) {
-    if (!transforms_.canTransform(options_.base_frame, imu, ros::Time(0))) {
-      imu_problem_ = "transform " + options_.base_frame + " -> " + ros_utils::quoted(imu) +
-                     " is not known at all";
-      return;
-    }
-    const auto mount = transforms_.lookupTransform(options_.base_frame, imu, ros::Time(0));
-    R_base_imu = rotation(mount.transform.rotation);
-  }
+  const std::optional<Eigen::Matrix3d> R_base_imu = rotation_of_imu(imu);
+  if (!R_base_imu) return;
   const auto& w = message.angular_velocity;
-  const double rate = R_base_imu.row(2).dot(Eigen::Vector3d(w.x, w.y, w.z));
+  const double rate = R_base_imu->row(2).dot(Eigen::Vector3d(w.x, w.y, w.z));
   imu_problem_ = std::isfinite(rate) ? "" : "angular_velocity is not finite";
   rates_.add(static_cast<std::int64_t>(message.header.stamp.toNSec()), rate);
+}
+
+/// How an IMU is mounted, which does not change; nothing, and a problem, where no transform says
+/// so.
+std::optional<Eigen::Matrix3d> ScanIntake::rotation_of_imu(const std::string& imu) {
+  if (imu.empty() || imu == options_.base_frame) return Eigen::Matrix3d::Identity();
+  if (!transforms_.canTransform(options_.base_frame, imu, ros::Time(0))) {
+    imu_problem_ = "transform " + options_.base_frame + " -> " + ros_utils::quoted(imu) +
+                   " is not known at all";
+    return std::nullopt;
+  }
+  const auto mount = transforms_.lookupTransform(options_.base_frame, imu, ros::Time(0));
+  return rotation(mount.transform.rotation);
 }
 
 /// From the front only, so that scans leave in the order in which they came.
@@ -204,15 +209,18 @@ bool ScanIntake::has_settled_gyro(ScanRecord& record) {
   const std::int64_t end_ns = scan.stamp_ns + static_cast<std::int64_t>(1e9 * duration);
   scan.yaw_rate = rates_.mean(scan.stamp_ns, end_ns);
   if (scan.yaw_rate) return true;
-  const ros::Duration passed = waiting_.back()->header.stamp - waiting_.front()->header.stamp;
-  const double patience = options_.waits_for_all ? kGyroPatience : options_.transform_timeout;
-  if (!has_ended_ && rates_.newest_ns().value_or(0) < end_ns && passed.toSec() <= patience) {
-    return false;
-  }
+  if (may_rates_come(end_ns)) return false;
   ++without_gyro_;
   add_problem("scan of " + stamp_text(waiting_.front()->header.stamp) +
               " s has no gyro: " + why_no_gyro(scan));
   return true;
+}
+
+bool ScanIntake::may_rates_come(std::int64_t end_ns) const {
+  if (has_ended_ || rates_.newest_ns().value_or(0) >= end_ns) return false;
+  const ros::Duration passed = waiting_.back()->header.stamp - waiting_.front()->header.stamp;
+  const double patience = options_.waits_for_all ? kGyroPatience : options_.transform_timeout;
+  return passed.toSec() <= patience;
 }
 
 std::string ScanIntake::why_no_gyro(const LaserScan& scan) const {

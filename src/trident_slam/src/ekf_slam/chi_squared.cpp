@@ -61,20 +61,20 @@ double rough_quantile(double probability, double degrees) {
   return degrees * root * root * root;
 }
 
-}  // namespace
-
-double chi_squared_quantile(double probability, int degrees) {
-  if (!(probability > 0.0 && probability < 1.0) || degrees < 1) {
-    throw Error("chi-squared quantile of probability " + std::to_string(probability) + " and " +
-                std::to_string(degrees) + " degrees of freedom; legal: (0, 1) and 1 or more");
-  }
-  if (degrees == 2) return -2.0 * std::log1p(-probability);
+/// Where Newton's iteration begins; where the rough quantile is not positive, from the first term
+/// of the series of the lower tail, x^a / Gamma(a + 1).
+double start_of(double probability, int degrees) {
+  const double x = 0.5 * rough_quantile(probability, degrees);
+  if (x > 0.0) return x;
   const double a = 0.5 * degrees;
+  return std::exp((std::log(probability) + std::lgamma(a + 1.0)) / a);
+}
+
+/// The root of the tail's probability, between bounds that close in on it.
+double find_quantile(double probability, double a, double x) {
   const bool is_upper = probability > 0.5;
   double low = 0.0;
   double high = std::numeric_limits<double>::infinity();
-  double x = 0.5 * rough_quantile(probability, degrees);
-  if (!(x > 0.0)) x = std::exp((std::log(probability) + std::lgamma(a + 1.0)) / a);
   for (int step = 0; step < kMaxSteps; ++step) {
     const Tails tails = gamma_tails(a, x);
     const double miss = is_upper ? (1.0 - probability) - tails.above : tails.below - probability;
@@ -85,7 +85,19 @@ double chi_squared_quantile(double probability, int degrees) {
     x = next;
     if (is_there) break;
   }
-  return 2.0 * x;
+  return x;
+}
+
+}  // namespace
+
+double chi_squared_quantile(double probability, int degrees) {
+  if (!(probability > 0.0 && probability < 1.0) || degrees < 1) {
+    throw Error("chi-squared quantile of probability " + std::to_string(probability) + " and " +
+                std::to_string(degrees) + " degrees of freedom; legal: (0, 1) and 1 or more");
+  }
+  if (degrees == 2) return -2.0 * std::log1p(-probability);
+  const double start = start_of(probability, degrees);
+  return 2.0 * find_quantile(probability, 0.5 * degrees, start);
 }
 
 }  // namespace trident::slam

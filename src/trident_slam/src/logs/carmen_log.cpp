@@ -80,6 +80,38 @@ std::string read_stamp(Fields& fields, ScanRecord& record) {
   return {};
 }
 
+/// Skips `count` numbers; false: there are not as many.
+bool skip_numbers(Fields& fields, std::size_t count) {
+  double skipped = 0.0;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!fields.number(skipped)) return false;
+  }
+  return true;
+}
+
+/// The seven settings of ROBOTLASER: type start_angle field_of_view angular_resolution
+/// maximum_range accuracy remission_mode. Returns what is wrong with them.
+std::string read_settings(Fields& fields, LaserScan& scan, double& range_max) {
+  const bool are_numbers = skip_numbers(fields, 1) && fields.finite(scan.angle_min) &&
+                           skip_numbers(fields, 1) && fields.finite(scan.angle_increment) &&
+                           fields.finite(range_max) && skip_numbers(fields, 2);
+  if (!are_numbers) return "its seven settings are not numbers";
+  if (scan.angle_increment == 0.0) return "angular_resolution is 0 rad";
+  if (range_max <= 0.0) return "maximum_range " + number_text(range_max) + " m, legal: above 0";
+  return {};
+}
+
+std::string skip_remissions(Fields& fields) {
+  std::size_t count = 0;
+  if (!fields.count(count)) return "the number of remissions is missing or not a number";
+  return skip_numbers(fields, count) ? "" : "a remission is missing or not a number";
+}
+
+/// Skips tv rv forward_safety_distance side_safety_distance turn_axis.
+std::string skip_motion(Fields& fields) {
+  return skip_numbers(fields, 5) ? "" : "velocities or safety distances are missing";
+}
+
 }  // namespace
 
 CarmenLog::CarmenLog(std::string path, Laser laser) : reader_(std::move(path)), laser_(laser) {}
@@ -89,10 +121,7 @@ bool CarmenLog::next(ScanRecord& record) {
   while (reader_.next(line)) {
     if (read_line(line, record)) return true;
   }
-  if (!reader_.damage().empty()) {
-    problems_.add(reader_.path() + ":" + std::to_string(reader_.line_number()) + ": " +
-                  reader_.damage());
-  }
+  if (!reader_.damage().empty()) add_problem(reader_.damage());
   return false;
 }
 
@@ -101,21 +130,24 @@ bool CarmenLog::read_line(std::string_view line, ScanRecord& record) {
   const std::string_view message = fields.word();
   if (message.empty() || message.front() == '#') return false;
   const std::string_view rest = line.substr(message.data() + message.size() - line.data());
+  count(message);
+  if (message == "PARAM") read_param(rest);
+  if (!is_wanted(message)) return false;
+  const bool has_angles = starts_with(message, "ROBOTLASER");
+  const std::string error = has_angles ? read_robotlaser(rest, record) : read_flaser(rest, record);
+  if (error.empty()) return true;
+  add_problem(std::string(message) + ": " + error +
+              (reader_.is_last_line_open() ? " (truncated file)" : ""));
+  return false;
+}
+
+void CarmenLog::count(std::string_view message) {
   const auto counted = counts_.find(message);
   if (counted != counts_.end()) {
     ++counted->second;
   } else {
     counts_.emplace(message, 1);
   }
-  if (message == "PARAM") read_param(rest);
-  if (!is_wanted(message)) return false;
-  const bool has_angles = starts_with(message, "ROBOTLASER");
-  const std::string error = has_angles ? read_robotlaser(rest, record) : read_flaser(rest, record);
-  if (error.empty()) return true;
-  problems_.add(reader_.path() + ":" + std::to_string(reader_.line_number()) + ": " +
-                std::string(message) + ": " + error +
-                (reader_.is_last_line_open() ? " (truncated file)" : ""));
-  return false;
 }
 
 void CarmenLog::read_param(std::string_view rest) {
@@ -135,12 +167,12 @@ bool CarmenLog::is_wanted(std::string_view message) {
 
 std::string CarmenLog::read_flaser(std::string_view rest, ScanRecord& record) {
   Fields fields(rest);
-  if (std::string error = read_ranges(fields, record.scan.ranges); !error.empty()) return error;
   Poses poses;
-  std::string poses_error = read_poses(fields, poses.T_odom_laser, poses.T_odom_base);
-  if (!poses_error.empty()) return poses_error;
-  if (std::string error = read_stamp(fields, record); !error.empty()) return error;
-  if (std::string error = place_laser(poses, record); !error.empty()) return error;
+  std::string error = read_ranges(fields, record.scan.ranges);
+  if (error.empty()) error = read_poses(fields, poses.T_odom_laser, poses.T_odom_base);
+  if (error.empty()) error = read_stamp(fields, record);
+  if (!error.empty()) return error;
+  place_laser(poses, record);
   const BeamAngles angles = angles_of(record.scan.size());
   record.scan.angle_min = angles.angle_min;
   record.scan.angle_increment = angles.angle_increment;
@@ -150,30 +182,16 @@ std::string CarmenLog::read_flaser(std::string_view rest, ScanRecord& record) {
 
 std::string CarmenLog::read_robotlaser(std::string_view rest, ScanRecord& record) {
   Fields fields(rest);
-  double skipped = 0.0;
   double range_max = 0.0;
-  // type start_angle field_of_view angular_resolution maximum_range accuracy remission_mode
-  if (!fields.number(skipped) || !fields.finite(record.scan.angle_min) || !fields.number(skipped) ||
-      !fields.finite(record.scan.angle_increment) || !fields.finite(range_max) ||
-      !fields.number(skipped) || !fields.number(skipped)) {
-    return "its seven settings are not numbers";
-  }
-  if (record.scan.angle_increment == 0.0) return "angular_resolution is 0 rad";
-  if (range_max <= 0.0) return "maximum_range " + number_text(range_max) + " m, legal: above 0";
-  if (std::string error = read_ranges(fields, record.scan.ranges); !error.empty()) return error;
-  std::size_t remissions = 0;
-  if (!fields.count(remissions)) return "the number of remissions is missing or not a number";
-  for (std::size_t i = 0; i < remissions; ++i) {
-    if (!fields.number(skipped)) return "a remission is missing or not a number";
-  }
   Poses poses;
-  std::string poses_error = read_poses(fields, poses.T_odom_laser, poses.T_odom_base);
-  if (!poses_error.empty()) return poses_error;
-  for (int i = 0; i < 5; ++i) {  // tv rv forward_safety_distance side_safety_distance turn_axis
-    if (!fields.number(skipped)) return "velocities or safety distances are missing";
-  }
-  if (std::string error = read_stamp(fields, record); !error.empty()) return error;
-  if (std::string error = place_laser(poses, record); !error.empty()) return error;
+  std::string error = read_settings(fields, record.scan, range_max);
+  if (error.empty()) error = read_ranges(fields, record.scan.ranges);
+  if (error.empty()) error = skip_remissions(fields);
+  if (error.empty()) error = read_poses(fields, poses.T_odom_laser, poses.T_odom_base);
+  if (error.empty()) error = skip_motion(fields);
+  if (error.empty()) error = read_stamp(fields, record);
+  if (!error.empty()) return error;
+  place_laser(poses, record);
   complete(record, range_max);
   return {};
 }
@@ -181,32 +199,41 @@ std::string CarmenLog::read_robotlaser(std::string_view rest, ScanRecord& record
 // A mounted laser does not move: the first scan gives its pose. A log whose laser poses were
 // corrected by somebody's SLAM has other ones in every line; there the offset parameter counts, as
 // it does where the laser's pose is the base's.
-std::string CarmenLog::place_laser(const Poses& poses, ScanRecord& record) {
+void CarmenLog::place_laser(const Poses& poses, ScanRecord& record) {
   const SE2 T_base_laser = poses.T_odom_base.inverse() * poses.T_odom_laser;
   const bool is_one_pose = T_base_laser.p.isZero(0.0) && T_base_laser.angle == 0.0;
   if (!T_base_laser_) {
     is_one_pose_ = is_one_pose;
-    T_base_laser_ =
-        SE2::from_xy_yaw(rounded_to_log(T_base_laser.p.x()), rounded_to_log(T_base_laser.p.y()),
-                         rounded_to_log(T_base_laser.angle));
-    // Two equal poses may be one that was written twice: a parameter knows better.
-    const double offset = offset_of_params();
-    if (T_base_laser.p.norm() > kMaxMountDistance || (is_one_pose && offset != 0.0)) {
-      T_base_laser_ =
-          SE2::from_xy_yaw(offset, 0.0, laser_ == Laser::kFront ? 0.0 : 180.0 * kDegree);
-    }
+    T_base_laser_ = mount_of(T_base_laser, is_one_pose);
   }
-  const SE2 moved = T_base_laser_->inverse() * T_base_laser;
-  if (!has_reported_loose_laser_ && !(is_one_pose_ && is_one_pose) &&
-      (moved.p.norm() > kMaxMountShift || std::abs(moved.angle) > kMaxMountTurn)) {
-    has_reported_loose_laser_ = true;
-    problems_.add(reader_.path() + ":" + std::to_string(reader_.line_number()) +
-                  ": the laser moves on the base by " + number_text(moved.p.norm()) + " m, " +
-                  number_text(moved.angle) + " rad; its first place is kept");
-  }
+  if (!is_one_pose_ || !is_one_pose) report_loose_laser(T_base_laser_->inverse() * T_base_laser);
   record.T_odom_base = poses.T_odom_base;
   record.scan.T_base_laser = *T_base_laser_;
-  return {};
+}
+
+/// The pose of the laser on the base, from that of the first scan. Two equal poses may be one that
+/// was written twice: a parameter knows better.
+SE2 CarmenLog::mount_of(const SE2& T_base_laser, bool is_one_pose) const {
+  const double offset = offset_of_params();
+  if (T_base_laser.p.norm() > kMaxMountDistance || (is_one_pose && offset != 0.0)) {
+    return SE2::from_xy_yaw(offset, 0.0, laser_ == Laser::kFront ? 0.0 : 180.0 * kDegree);
+  }
+  return SE2::from_xy_yaw(rounded_to_log(T_base_laser.p.x()), rounded_to_log(T_base_laser.p.y()),
+                          rounded_to_log(T_base_laser.angle));
+}
+
+/// Once per log.
+void CarmenLog::report_loose_laser(const SE2& moved) {
+  const bool is_loose = moved.p.norm() > kMaxMountShift || std::abs(moved.angle) > kMaxMountTurn;
+  if (has_reported_loose_laser_ || !is_loose) return;
+  has_reported_loose_laser_ = true;
+  add_problem("the laser moves on the base by " + number_text(moved.p.norm()) + " m, " +
+              number_text(moved.angle) + " rad; its first place is kept");
+}
+
+/// Names the line that was read last.
+void CarmenLog::add_problem(const std::string& problem) {
+  problems_.add(reader_.path() + ":" + std::to_string(reader_.line_number()) + ": " + problem);
 }
 
 double CarmenLog::offset_of_params() const {

@@ -182,6 +182,13 @@ bool LineReader::fill() {
   return count > 0;
 }
 
+/// A file without line ends is no log, and would fill the memory.
+void LineReader::check_length(std::size_t bytes) const {
+  if (bytes <= kLongestLine) return;
+  throw Error(path_ + ":" + std::to_string(line_number_ + 1) + ": a line of more than " +
+              std::to_string(kLongestLine >> 20) + " MiB, expected a log file");
+}
+
 bool LineReader::next(std::string_view& line) {
   std::size_t searched = 0;
   while (true) {
@@ -192,10 +199,7 @@ bool LineReader::next(std::string_view& line) {
       break;
     }
     searched = buffer_.size() - begin_;
-    if (searched > kLongestLine) {
-      throw Error(path_ + ":" + std::to_string(line_number_ + 1) + ": a line of more than " +
-                  std::to_string(kLongestLine >> 20) + " MiB, expected a log file");
-    }
+    check_length(searched);
     if (fill()) continue;
     if (begin_ == buffer_.size()) return false;
     line = std::string_view(buffer_).substr(begin_);

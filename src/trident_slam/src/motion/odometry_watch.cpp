@@ -47,6 +47,20 @@ void OdometryWatch::Still::add(const SE2& reported, const SE2& seen, bool is_sho
   largest_turn = std::max(largest_turn, std::abs(seen_radians));
 }
 
+/// Scans that show more motion than the error of a mount or a drift explains, while odometry
+/// reports none, show that it is silent.
+void OdometryWatch::judge_silence(double path_length) {
+  const Patience& patience = is_patient() ? kPatient : kWary;
+  if (position_.scans >= patience.scans &&
+      position_.T_seen.p.norm() > patience.distance + kMountError * position_.largest_turn) {
+    position_.is_silent = true;
+  }
+  if (heading_.scans >= patience.scans &&
+      std::abs(heading_.seen_radians) > patience.heading + kDrift * path_length) {
+    heading_.is_silent = true;
+  }
+}
+
 void OdometryWatch::add(const SE2& T_reported, const SE2& T_seen, bool is_shown) {
   for (Still* still : {&position_, &heading_}) still->add(T_reported, T_seen, is_shown);
   reported_meters_ += T_reported.p.norm();
@@ -54,16 +68,8 @@ void OdometryWatch::add(const SE2& T_reported, const SE2& T_seen, bool is_shown)
   const bool was_silent = is_silent();
   if (position_.T_reported.p.norm() > kStill) position_.restart(true);
   if (std::abs(heading_.reported_radians) > kStill) heading_.restart(true);
-  const Patience& patience = is_patient() ? kPatient : kWary;
-  if (position_.scans >= patience.scans &&
-      position_.T_seen.p.norm() > patience.distance + kMountError * position_.largest_turn) {
-    position_.is_silent = true;
-  }
   const double path_length = heading_.reported_meters + heading_.T_seen.p.norm();
-  if (heading_.scans >= patience.scans &&
-      std::abs(heading_.seen_radians) > patience.heading + kDrift * path_length) {
-    heading_.is_silent = true;
-  }
+  judge_silence(path_length);
   if (!position_.is_silent && position_.largest_turn > kLongestTurn) position_.restart(false);
   if (!heading_.is_silent && path_length > kMaxPathLength) heading_.restart(false);
   if (!was_silent && is_silent()) reported_meters_ = reported_radians_ = 0.0;

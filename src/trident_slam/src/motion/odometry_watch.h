@@ -43,6 +43,7 @@ class OdometryWatch {
     void add(const SE2& reported, const SE2& seen, bool is_shown);
     void restart(bool has_reported);
   };
+  void judge_silence(double path_length);
   bool is_patient() const { return reported_meters_ + reported_radians_ > 0.5; }
 
   Still position_;

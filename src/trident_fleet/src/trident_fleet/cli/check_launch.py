@@ -16,7 +16,7 @@ from typing import Any
 
 from trident_fleet.core.errors import FormationError
 from trident_fleet.core.file_check import check_formation
-from trident_fleet.core.formation_file import FormationSource
+from trident_fleet.core.files.formation_file import FormationSource
 from trident_fleet.core.settings import FleetSettings, read_settings
 from trident_fleet.nodes.params import COMMON_NAMESPACE, default_formation_file, where_the_user_is
 

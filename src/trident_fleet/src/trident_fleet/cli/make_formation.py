@@ -15,7 +15,7 @@ from pathlib import Path
 from trident_fleet.core.choreography import Choreography, Performance, StepResult, perform
 from trident_fleet.core.choreography_file import parse_words, read_choreography
 from trident_fleet.core.errors import FormationError
-from trident_fleet.core.position_file import reading_args, write_positions
+from trident_fleet.core.files.position_file import reading_args, write_positions
 from trident_fleet.core.separation import min_separation
 
 _YAML = (".yaml", ".yml")

@@ -15,9 +15,9 @@ from trident_fleet.core.choreography import perform
 from trident_fleet.core.choreography_file import parse_words
 from trident_fleet.core.config import PlanConfig
 from trident_fleet.core.errors import FormationError
+from trident_fleet.core.files.formation_file import FormationSource, flying_rows, read_formation
+from trident_fleet.core.files.position_file import write_positions
 from trident_fleet.core.fleet_launch import MAX_VEHICLES, Fleet, fleet_launch, spawn_grid
-from trident_fleet.core.formation_file import FormationSource, flying_rows, read_formation
-from trident_fleet.core.position_file import write_positions
 from trident_fleet.core.quintic import Array
 from trident_fleet.core.transit import transit_points
 

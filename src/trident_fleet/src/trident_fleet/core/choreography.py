@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from trident_fleet.core.errors import FormationError
-from trident_fleet.core.formation_file import Vector
+from trident_fleet.core.files.formation_file import Vector
 from trident_fleet.core.patterns import FARTHEST_M, Pattern, places
 from trident_fleet.core.quintic import Array
 from trident_fleet.core.separation import min_separation

@@ -9,8 +9,8 @@ from pathlib import Path
 
 from trident_fleet.core.choreography import Choreography, Step
 from trident_fleet.core.errors import FormationError
+from trident_fleet.core.files.strict_yaml import Section, load
 from trident_fleet.core.patterns import KINDS, Pattern
-from trident_fleet.core.strict_yaml import Section, load
 
 _STEP_KEYS = ("reconfigure", "translate_m", "rotate_deg", "rescale")
 

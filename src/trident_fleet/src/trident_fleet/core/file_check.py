@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from trident_fleet.core.formation_file import flying_rows, read_formation
+from trident_fleet.core.files.formation_file import flying_rows, read_formation
 from trident_fleet.core.plan import check_reach
 from trident_fleet.core.quintic import Array
 from trident_fleet.core.separation import pair_separations, pairs

@@ -14,7 +14,7 @@ from typing import Any
 from trident_base.flight_record import FOLLOW, FORMAT, GATE, TIME, Knots, record_path
 
 from trident_fleet.core.errors import FormationError
-from trident_fleet.core.formation_file import FormationSource
+from trident_fleet.core.files.formation_file import FormationSource
 from trident_fleet.core.gate import FormationGate, Phase
 from trident_fleet.core.plan import FormationPlan
 from trident_fleet.core.quintic import QuinticPath

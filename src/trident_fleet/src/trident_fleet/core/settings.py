@@ -12,7 +12,7 @@ from trident_base.params import Getter, Params, named, read
 
 from trident_fleet.core.config import GateConfig, PlanConfig
 from trident_fleet.core.errors import FormationError
-from trident_fleet.core.formation_file import FormationSource
+from trident_fleet.core.files.formation_file import FormationSource
 from trident_fleet.core.schedule import FeedConfig
 
 MODES = ("time", "gate")

@@ -13,10 +13,10 @@ import rospy
 
 from trident_fleet.core.encoding import NS_PER_S, encode_message, encode_turning_points
 from trident_fleet.core.errors import FormationError
-from trident_fleet.core.follow_record import FollowLog
-from trident_fleet.core.follow_settings import FollowSettings
-from trident_fleet.core.followers import Followers, Phase, Slots
-from trident_fleet.core.leader import Decoder, LeaderState, LeaderTrack
+from trident_fleet.core.follow.follow_record import FollowLog
+from trident_fleet.core.follow.follow_settings import FollowSettings
+from trident_fleet.core.follow.followers import Followers, Phase, Slots
+from trident_fleet.core.follow.leader import Decoder, LeaderState, LeaderTrack
 from trident_fleet.core.quintic import Array
 from trident_fleet.nodes.flights import Flight, FlightContext, FlightMaker, Standstill
 from trident_fleet.nodes.leader_topic import LeaderTopic

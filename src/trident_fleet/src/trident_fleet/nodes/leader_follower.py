@@ -8,8 +8,8 @@ import rospy
 from trident_base.params import Recorded
 
 from trident_fleet.core.errors import FormationError
-from trident_fleet.core.follow_settings import read_follow_settings
-from trident_fleet.core.formation_file import FormationSource
+from trident_fleet.core.files.formation_file import FormationSource
+from trident_fleet.core.follow.follow_settings import read_follow_settings
 from trident_fleet.core.settings import FleetSettings, Vehicle, names_of
 from trident_fleet.nodes.follow_flight import follow_flight
 from trident_fleet.nodes.formation_runner import FormationRunner, refuse

@@ -16,7 +16,7 @@ from geometry_msgs.msg import Pose, Quaternion, Twist
 
 from trident_fleet.core.encoding import NS_PER_S
 from trident_fleet.core.errors import FormationError
-from trident_fleet.core.leader import Decoder, Measurement, rotate, yaw_of
+from trident_fleet.core.follow.leader import Decoder, Measurement, rotate, yaw_of
 from trident_fleet.core.quintic import Array
 from trident_fleet.nodes.world_link import SIMULATOR
 from trident_ros import Refusals, stamp_problem

@@ -12,7 +12,7 @@ from trident_base.params import Recorded
 
 from trident_fleet.core.errors import FormationError
 from trident_fleet.core.file_check import too_close
-from trident_fleet.core.formation_file import FormationSource, flying_rows, read_formation
+from trident_fleet.core.files.formation_file import FormationSource, flying_rows, read_formation
 from trident_fleet.core.quintic import Array
 from trident_fleet.core.settings import (
     FleetSettings,

@@ -13,7 +13,7 @@ from gazebo_msgs.srv import SpawnModel
 from geometry_msgs.msg import Point, Pose, Quaternion
 
 from trident_fleet.core.errors import FormationError
-from trident_fleet.core.strict_yaml import three_numbers
+from trident_fleet.core.files.strict_yaml import three_numbers
 from trident_fleet.nodes.params import get_param
 
 _SERVICE = "/gazebo/spawn_urdf_model"

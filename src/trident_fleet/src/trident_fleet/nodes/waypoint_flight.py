@@ -19,7 +19,7 @@ import rospy
 from trident_base.params import Recorded
 
 from trident_fleet.core.errors import FormationError
-from trident_fleet.core.formation_file import FormationSource
+from trident_fleet.core.files.formation_file import FormationSource
 from trident_fleet.core.quintic import Array
 from trident_fleet.core.settings import FleetSettings, Vehicle, read_settings
 from trident_fleet.nodes.flights import Flight, FlightContext, FlightMaker, formation_flight

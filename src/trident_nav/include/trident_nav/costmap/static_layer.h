@@ -81,6 +81,8 @@ class StaticLayer : public CellLayer {
   void place();
   void sample();
   void put_row(const std::uint8_t* from, int count, std::uint8_t* cost) const;
+  bool is_in_place(const OccupancyGrid& map) const;
+  bool is_inside(const CellBox& part) const;
   void replace_row(int y, int x0, int x1, const std::int8_t* occupancy);
 
   Params params_;

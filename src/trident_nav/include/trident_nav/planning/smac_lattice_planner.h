@@ -49,6 +49,7 @@ class SmacLatticePlanner : public Planner {
                    const CancelFlag& cancel) override;
 
  private:
+  void make_set(double resolution, double min_turning_radius);
   PlanOutcome prepare(const CostGrid& grid, const MotionLimits& limits);
 
   SmacLatticeParams params_;

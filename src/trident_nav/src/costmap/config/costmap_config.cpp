@@ -145,11 +145,7 @@ class CostmapConfigReader {
       copy_key("track_unknown_space", map.setup.config);
     }
     take_key(costmap_, "static_map");
-    const std::optional<ConfigNode> type = take_key(costmap_, "map_type");
-    const bool has_voxels = type && type->scalar == "voxel";
-    if (type && !has_voxels && type->scalar != "costmap") {
-      fail(*type, "map_type", "is '" + type->scalar + "'; costmap and voxel are legal");
-    }
+    const bool has_voxels = take_map_type() == "voxel";
     LayerSpec& obstacles = add_old_layer(
         "obstacle_layer", has_voxels ? "costmap_2d::VoxelLayer" : "costmap_2d::ObstacleLayer",
         kOldObstacleKeys);
@@ -160,6 +156,15 @@ class CostmapConfigReader {
       move_key(costmap_, obstacles.setup.config, name);
     }
     add_old_layer("inflation_layer", "costmap_2d::InflationLayer", kOldInflationKeys);
+  }
+  /// What the obstacle layer of before there were plugins is.
+  std::string take_map_type() {
+    const std::optional<ConfigNode> type = take_key(costmap_, "map_type");
+    if (!type) return "costmap";
+    if (type->scalar != "voxel" && type->scalar != "costmap") {
+      fail(*type, "map_type", "is '" + type->scalar + "'; costmap and voxel are legal");
+    }
+    return type->scalar;
   }
   void copy_key(const char* key, ConfigNode& to) const {
     const ConfigNode* value = costmap_.find(key);
@@ -176,30 +181,36 @@ class CostmapConfigReader {
 
   void read_nav2() {
     set_nav2_defaults();
-    std::vector<std::string> names{"static_layer", "obstacle_layer", "inflation_layer"};
-    if (const std::optional<ConfigNode> plugins = take_key(costmap_, "plugins")) {
-      names.clear();
-      for (const ConfigNode& item : plugins->items) names.push_back(item.scalar);
-    }
-    for (const std::string& name : names) {
-      ConfigNode config = take_key(costmap_, name).value_or(empty_map());
-      const std::optional<ConfigNode> plugin = take_key(config, "plugin");
-      const std::string known = default_nav2_plugin(name);
-      if (!plugin && known.empty()) fail(config, name, "has no plugin: it must say which it is");
-      const std::string type = plugin ? plugin->scalar : known;
-      if (plugin_class(type) == "StaticLayer") {
-        for (const char* key : kNav2StaticKeys) copy_key(key, config);
-      }
-      add_layer(name, type, std::move(config), 0);
-    }
+    for (const std::string& name : take_nav2_layers()) add_nav2_layer(name);
     for (const char* key : kNav2StaticKeys) {
       if (std::string(key) != "track_unknown_space") take_key(costmap_, key);
     }
-    if (const std::optional<ConfigNode> filters = take_key(costmap_, "filters")) {
-      for (const ConfigNode& item : filters->items) {
-        take_key(costmap_, item.scalar);
-        warn(path_of(item.scalar), "has no effect: there are no costmap filters yet");
-      }
+    const std::optional<ConfigNode> filters = take_key(costmap_, "filters");
+    if (filters) refuse_filters(*filters);
+  }
+  /// The names of the layers, by default those of nav2's costmap.
+  std::vector<std::string> take_nav2_layers() {
+    const std::optional<ConfigNode> plugins = take_key(costmap_, "plugins");
+    if (!plugins) return {"static_layer", "obstacle_layer", "inflation_layer"};
+    std::vector<std::string> names;
+    for (const ConfigNode& item : plugins->items) names.push_back(item.scalar);
+    return names;
+  }
+  /// A static layer takes the costmap's keys too, as nav2's does.
+  void add_nav2_layer(const std::string& name) {
+    ConfigNode config = take_key(costmap_, name).value_or(empty_map());
+    const std::optional<ConfigNode> plugin = take_key(config, "plugin");
+    const std::string type = plugin ? plugin->scalar : default_nav2_plugin(name);
+    if (!plugin && type.empty()) fail(config, name, "has no plugin: it must say which it is");
+    if (plugin_class(type) == "StaticLayer") {
+      for (const char* key : kNav2StaticKeys) copy_key(key, config);
+    }
+    add_layer(name, type, std::move(config), 0);
+  }
+  void refuse_filters(const ConfigNode& filters) {
+    for (const ConfigNode& item : filters.items) {
+      take_key(costmap_, item.scalar);
+      warn(path_of(item.scalar), "has no effect: there are no costmap filters yet");
     }
   }
   static std::string default_nav2_plugin(const std::string& name) {

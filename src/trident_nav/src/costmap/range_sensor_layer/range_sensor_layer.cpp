@@ -30,9 +30,20 @@ bool is_in_triangle(Cell o, Cell a, Cell b, Cell p, double widening) {
          turn * cross(o, a, p) >= least;
 }
 
+/// Whether a reading's field of view and ranges are those of a sensor; NaN is none.
+bool has_legal_limits(const RangeReading& reading) {
+  return reading.field_of_view > 0.0 && reading.min_range >= 0.0 &&
+         reading.max_range >= reading.min_range && std::isfinite(reading.max_range);
+}
+
+/// Whether the sensor knows one distance only, and says whether something is nearer.
+bool is_of_fixed_distance(const RangeReading& reading, RangeSensorType type) {
+  if (type != RangeSensorType::kAll) return type == RangeSensorType::kFixed;
+  return reading.min_range == reading.max_range;
+}
+
 std::string fault_of(const RangeReading& reading, bool is_fixed) {
-  if (!(reading.field_of_view > 0.0) || !(reading.min_range >= 0.0) ||
-      !(reading.max_range >= reading.min_range) || !std::isfinite(reading.max_range)) {
+  if (!has_legal_limits(reading)) {
     return "a range reading has field_of_view " + number_text(reading.field_of_view) +
            " rad, min_range " + number_text(reading.min_range) + " m, max_range " +
            number_text(reading.max_range) +
@@ -75,9 +86,7 @@ void RangeSensorLayer::set_params(const Params& params) {
 
 std::string RangeSensorLayer::add_reading(std::size_t topic, const RangeReading& reading) {
   if (topic < ages_.size()) ages_[topic].note(reading.stamp_s);
-  const bool is_fixed = params_.input_sensor_type == RangeSensorType::kFixed ||
-                        (params_.input_sensor_type == RangeSensorType::kAll &&
-                         reading.min_range == reading.max_range);
+  const bool is_fixed = is_of_fixed_distance(reading, params_.input_sensor_type);
   std::string fault = fault_of(reading, is_fixed);
   if (!fault.empty()) return fault;
   const bool is_nothing = is_fixed ? reading.range > 0.0 : reading.range >= reading.max_range;

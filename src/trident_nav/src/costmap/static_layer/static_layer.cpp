@@ -75,13 +75,17 @@ void StaticLayer::fill_table() {
   }
 }
 
+/// Whether a new map's cells lie where those of the present one do.
+bool StaticLayer::is_in_place(const OccupancyGrid& map) const {
+  if (!has_map() || map.width != map_.width || map.height != map_.height) return false;
+  const SE2 moved = T_map_grid_.inverse() * map.T_map_origin;
+  return map.resolution == map_.resolution && moved.p.isZero(0.0) && moved.angle == 0.0;
+}
+
 bool StaticLayer::set_map(const OccupancyGrid& map) {
   if (has_map() && params_.first_map_only) return false;
   require_valid(map);
-  const SE2 moved = T_map_grid_.inverse() * map.T_map_origin;
-  const bool is_same_place = has_map() && map.width == map_.width && map.height == map_.height &&
-                             map.resolution == map_.resolution && moved.p.isZero(0.0) &&
-                             moved.angle == 0.0;
+  const bool is_same_place = is_in_place(map);
   map_ = {map.width, map.height, map.resolution, 0.0, 0.0};
   T_map_grid_ = map.T_map_origin;
   if (!is_same_place) {
@@ -95,12 +99,16 @@ bool StaticLayer::set_map(const OccupancyGrid& map) {
   return true;
 }
 
+/// Whether a part that is not empty lies within the map.
+bool StaticLayer::is_inside(const CellBox& part) const {
+  return !part.empty() && part.x0 >= 0 && part.y0 >= 0 && part.x1 <= map_.width &&
+         part.y1 <= map_.height;
+}
+
 void StaticLayer::update_map(const CellBox& part, const std::vector<std::int8_t>& occupancy) {
-  const bool is_inside = part.x0 >= 0 && part.y0 >= 0 && part.x1 <= map_.width &&
-                         part.y1 <= map_.height && !part.empty();
   const auto width = static_cast<std::size_t>(std::max(part.x1 - part.x0, 0));
   const auto height = static_cast<std::size_t>(std::max(part.y1 - part.y0, 0));
-  if (!is_inside || occupancy.size() != width * height) {
+  if (!is_inside(part) || occupancy.size() != width * height) {
     throw Error("a map update of columns " + std::to_string(part.x0) + " to " +
                 std::to_string(part.x1) + ", rows " + std::to_string(part.y0) + " to " +
                 std::to_string(part.y1) + " with " + std::to_string(occupancy.size()) +

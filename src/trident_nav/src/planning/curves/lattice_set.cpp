@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "trident_base/error.h"
@@ -78,15 +79,7 @@ class LatticeBuilder {
   LatticeSet build() {
     const int count = static_cast<int>(steps_.size());
     for (int from = 0; from < count; ++from) {
-      for (int k = -kMaxTurnSteps; k <= kMaxTurnSteps; ++k) {
-        const int to = (from + k + count) % count;
-        if (k == 0) {
-          add_straight(from, from);
-        } else {
-          add_turn(from, to);
-        }
-        if (std::abs(k) == 1 && set_.motion_model != "ackermann") add_rotation(from, to);
-      }
+      for (int k = -kMaxTurnSteps; k <= kMaxTurnSteps; ++k) add_step(from, k, count);
       if (set_.motion_model == "omni") {
         add_straight(from, (from + count / 4) % count);
         add_straight(from, (from + 3 * count / 4) % count);
@@ -96,6 +89,16 @@ class LatticeBuilder {
   }
 
  private:
+  // From a heading to the one that is `k` steps of `count` to the left.
+  void add_step(int from, int k, int count) {
+    const int to = (from + k + count) % count;
+    if (k == 0) {
+      add_straight(from, from);
+    } else {
+      add_turn(from, to);
+    }
+    if (std::abs(k) == 1 && set_.motion_model != "ackermann") add_rotation(from, to);
+  }
   double yaw(int heading) const { return set_.heading_angles[static_cast<std::size_t>(heading)]; }
 
   // Along `direction` with the heading `from`.
@@ -243,12 +246,11 @@ void add_backwards(const MotionSet& forwards, const LatticeCosts& costs,
   }
 }
 
-}  // namespace
-
-LatticeSet make_lattice(const LatticeOptions& options) {
-  const std::string& model = options.motion_model;
-  if (model != "diff" && model != "ackermann" && model != "omni") {
-    throw Error("motion_model: " + model + ", legal: diff, ackermann, omni");
+/// Throws Error for options that no lattice can be made with.
+void validate(const LatticeOptions& options) {
+  static const std::set<std::string> kModels{"diff", "ackermann", "omni"};
+  if (kModels.count(options.motion_model) == 0) {
+    throw Error("motion_model: " + options.motion_model + ", legal: diff, ackermann, omni");
   }
   if (options.headings != 8 && options.headings != 16 && options.headings != 32) {
     throw Error("headings: " + std::to_string(options.headings) + ", legal: 8, 16, 32");
@@ -259,6 +261,12 @@ LatticeSet make_lattice(const LatticeOptions& options) {
     throw Error("radius: " + std::to_string(options.turning_radius_m) +
                 ", legal: 1 to 500 cells of the resolution [m]");
   }
+}
+
+}  // namespace
+
+LatticeSet make_lattice(const LatticeOptions& options) {
+  validate(options);
   return LatticeBuilder(options).build();
 }
 

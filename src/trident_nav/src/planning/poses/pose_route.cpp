@@ -172,11 +172,9 @@ void PoseRoute::accept_near(Request& request) const {
   request.query.stop_within = std::max(cells, 1e-9);
 }
 
-// The goal and poses within the tolerance that are free: first with its heading, by distance, then
-// with others at the nearest places.
-std::vector<Pose2> PoseRoute::free_goals(const Request& request,
-                                         const FootprintContact& contact) const {
-  std::vector<Pose2> goals, places{request.goal};
+// The goal and the middles of cells within the tolerance, by distance, with the goal's heading.
+std::vector<Pose2> PoseRoute::goal_places(const Request& request) const {
+  std::vector<Pose2> places{request.goal};
   for (const Cell c : cells_near(request.grid, open_cells_, request.goal, options_.tolerance_m)) {
     const Point2 center = request.grid.geometry.center(c);
     const double off = distance(center.x, center.y, request.goal.x, request.goal.y);
@@ -184,6 +182,14 @@ std::vector<Pose2> PoseRoute::free_goals(const Request& request,
       places.push_back({center.x, center.y, request.goal.yaw});
     }
   }
+  return places;
+}
+
+// The goal and poses within the tolerance that are free: first with its heading, by distance, then
+// with others at the nearest places.
+std::vector<Pose2> PoseRoute::free_goals(const Request& request,
+                                         const FootprintContact& contact) const {
+  std::vector<Pose2> goals, places = goal_places(request);
   const auto add = [&](Pose2 pose, double turn) {
     pose.yaw = wrap_angle(pose.yaw + turn);
     if (!contact.in_contact(pose)) goals.push_back(pose);

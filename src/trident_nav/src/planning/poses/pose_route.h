@@ -54,6 +54,7 @@ class PoseRoute {
   Footprint checked_footprint(const Footprint& footprint, double resolution) const;
   bool leave_start(Request& request, FootprintContact& contact, double reach_m) const;
   bool find_goal(Request& request, const FootprintContact& contact, const CurveChecker& checker);
+  std::vector<Pose2> goal_places(const Request& request) const;
   std::vector<Pose2> free_goals(const Request& request, const FootprintContact& contact) const;
   void explain_goal(Request& request, bool is_occupied, bool can_enter) const;
   void accept_near(Request& request) const;

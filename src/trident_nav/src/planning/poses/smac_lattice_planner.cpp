@@ -43,19 +43,23 @@ SmacLatticePlanner::SmacLatticePlanner(const SmacLatticeParams& params) : params
 
 SmacLatticePlanner::~SmacLatticePlanner() = default;
 
+// Without a file the set is made for the grid and the robot, unless the last one is for them.
+void SmacLatticePlanner::make_set(double resolution, double min_turning_radius) {
+  const bool is_made = set_ != nullptr && set_->resolution_m == resolution &&
+                       !(set_->turning_radius_m < min_turning_radius);
+  if (is_made) return;
+  LatticeOptions options;
+  options.resolution_m = resolution;
+  options.turning_radius_m =
+      std::clamp(std::max(kDefaultRadius, min_turning_radius), resolution, 500.0 * resolution);
+  set_ = std::make_unique<LatticeSet>(make_lattice(options));
+  route_.reset();
+}
+
 // Makes what is needed for a grid; a failure when the set does not fit it, or the robot.
 PlanOutcome SmacLatticePlanner::prepare(const CostGrid& grid, const MotionLimits& limits) {
   const double resolution = grid.geometry.resolution;
-  const bool is_made = params_.lattice_filepath.empty();
-  if (is_made && (set_ == nullptr || set_->resolution_m != resolution ||
-                  set_->turning_radius_m < limits.min_turning_radius)) {
-    LatticeOptions options;
-    options.resolution_m = resolution;
-    options.turning_radius_m = std::clamp(std::max(kDefaultRadius, limits.min_turning_radius),
-                                          resolution, 500.0 * resolution);
-    set_ = std::make_unique<LatticeSet>(make_lattice(options));
-    route_.reset();
-  }
+  if (params_.lattice_filepath.empty()) make_set(resolution, limits.min_turning_radius);
   if (std::abs(set_->resolution_m - resolution) > 1e-3 * resolution) {
     return failed(Failure::kInvalidInput,
                   params_.lattice_filepath +

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <functional>
+#include <initializer_list>
 #include <set>
 
 #include "package_index.h"
@@ -61,6 +63,43 @@ std::string find_among_media(const std::vector<std::string>& folders, std::strin
       const fs::path path = fs::path(folder) / media / rest;
       if (present(path)) return path.string();
     }
+  }
+  return "";
+}
+
+/// What is asked for, divided at "://"; without it there is no scheme.
+struct Uri {
+  explicit Uri(std::string_view uri) {
+    const auto end = uri.find("://");
+    if (end != std::string_view::npos) scheme = uri.substr(0, end);
+    rest = end == std::string_view::npos ? uri : uri.substr(end + 3);
+  }
+  bool is_absolute() const { return !rest.empty() && rest.front() == '/'; }
+  bool is_absolute_path() const { return scheme.empty() && is_absolute(); }
+  /// Media are named by a bare name or path, with file:// or nothing before it.
+  bool may_be_media() const {
+    return (scheme.empty() || scheme == "file") && !rest.empty() && !is_absolute();
+  }
+  /// libsdformat turns a URDF's package:// into model://, so either may mean a package.
+  bool may_be_in_package() const { return scheme == "package" || scheme == "model"; }
+
+  std::string_view scheme, rest;
+};
+
+std::string if_present(const fs::path& path) { return present(path) ? path.string() : ""; }
+
+/// As the file system has it: file:// from the root or the working folder, a plain path from the
+/// folder of the file that names it.
+std::string find_as_path(const Uri& uri, std::string_view base_folder) {
+  if (uri.scheme == "file") return if_present(uri.rest);
+  if (!uri.scheme.empty() || base_folder.empty()) return "";
+  return if_present(fs::path(base_folder) / uri.rest);
+}
+
+/// The first answer that is not empty; later searches are not made then.
+std::string first_found(std::initializer_list<std::function<std::string()>> searches) {
+  for (const auto& search : searches) {
+    if (std::string found = search(); !found.empty()) return found;
   }
   return "";
 }
@@ -128,31 +167,21 @@ std::string Resources::find_in_packages(std::string_view rest) const {
 }
 
 std::string Resources::find(std::string_view uri, std::string_view base_folder) const {
-  const auto scheme_end = uri.find("://");
-  const std::string_view scheme =
-      scheme_end == std::string_view::npos ? "" : uri.substr(0, scheme_end);
-  const std::string_view rest =
-      scheme_end == std::string_view::npos ? uri : uri.substr(scheme_end + 3);
-  if (scheme == "file" || (scheme.empty() && !rest.empty() && rest.front() == '/')) {
-    if (present(rest)) return std::string(rest);
-    if (scheme.empty()) return "";
-  }
-  if (scheme.empty() && !base_folder.empty() && present(fs::path(base_folder) / rest)) {
-    return (fs::path(base_folder) / rest).string();
-  }
-  if (std::string found = find_in(model_folders_, rest); !found.empty()) return found;
-  const std::vector<std::string> exported = exported_folders();
-  if (std::string found = find_in(exported, rest); !found.empty()) return found;
-  if ((scheme == "file" || scheme.empty()) && !rest.empty() && rest.front() != '/') {
-    if (std::string found = find_among_media(model_folders_, rest); !found.empty()) return found;
-    if (std::string found = find_among_media(exported, rest); !found.empty()) return found;
-  }
-  // libsdformat turns a URDF's package:// into model://, so either may mean a package.
-  if (scheme == "package" || scheme == "model") {
-    if (std::string found = find_in_packages(rest); !found.empty()) return found;
-  }
-  if (scheme.empty() && present(rest)) return std::string(rest);
-  return find_in(shipped_folders_, rest);
+  const Uri parts(uri);
+  const std::string_view rest = parts.rest;
+  if (parts.is_absolute_path()) return if_present(rest);
+  const std::string none;
+  // The user's own folders come first, what this project ships comes last.
+  return first_found({
+      [&] { return find_as_path(parts, base_folder); },
+      [&] { return find_in(model_folders_, rest); },
+      [&] { return find_in(exported_folders(), rest); },
+      [&] { return parts.may_be_media() ? find_among_media(model_folders_, rest) : none; },
+      [&] { return parts.may_be_media() ? find_among_media(exported_folders(), rest) : none; },
+      [&] { return parts.may_be_in_package() ? find_in_packages(rest) : none; },
+      [&] { return parts.scheme.empty() ? if_present(rest) : none; },
+      [&] { return find_in(shipped_folders_, rest); },
+  });
 }
 
 std::string Resources::searched() const {

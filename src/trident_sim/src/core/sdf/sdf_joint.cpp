@@ -3,6 +3,7 @@
 #include "sdf_joint.h"
 
 #include <limits>
+#include <map>
 
 #include "sdf_values.h"
 #include "trident_base/error.h"
@@ -111,27 +112,21 @@ void convert_ends(const sdf::Joint& from, const std::string& prefix, const std::
 }
 
 JointType convert_type(sdf::JointType type, const std::string& what) {
-  switch (type) {
-    case sdf::JointType::FIXED:
-      return JointType::kFixed;
-    case sdf::JointType::REVOLUTE:
-    case sdf::JointType::CONTINUOUS:
-      return JointType::kRevolute;
-    case sdf::JointType::PRISMATIC:
-      return JointType::kPrismatic;
-    case sdf::JointType::BALL:
-      return JointType::kBall;
-    case sdf::JointType::UNIVERSAL:
-      return JointType::kUniversal;
-    case sdf::JointType::SCREW:
-      return JointType::kScrew;
-    case sdf::JointType::GEARBOX:
-      return JointType::kGearbox;
-    default:
-      throw Error(what +
-                  ": type is not supported (legal: fixed, revolute, continuous, prismatic, "
-                  "ball, universal, screw, gearbox)");
-  }
+  // A continuous joint is a revolute one, whose limits sdformat has set to be infinite.
+  static const std::map<sdf::JointType, JointType> kKnown{
+      {sdf::JointType::FIXED, JointType::kFixed},
+      {sdf::JointType::REVOLUTE, JointType::kRevolute},
+      {sdf::JointType::CONTINUOUS, JointType::kRevolute},
+      {sdf::JointType::PRISMATIC, JointType::kPrismatic},
+      {sdf::JointType::BALL, JointType::kBall},
+      {sdf::JointType::UNIVERSAL, JointType::kUniversal},
+      {sdf::JointType::SCREW, JointType::kScrew},
+      {sdf::JointType::GEARBOX, JointType::kGearbox}};
+  const auto known = kKnown.find(type);
+  if (known != kKnown.end()) return known->second;
+  throw Error(what +
+              ": type is not supported (legal: fixed, revolute, continuous, prismatic, "
+              "ball, universal, screw, gearbox)");
 }
 
 }  // namespace

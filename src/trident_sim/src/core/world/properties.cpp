@@ -53,17 +53,21 @@ bool holds_world(const Joint& joint) {
   return joint.child->body == nullptr || joint.parent == nullptr || joint.parent->body == nullptr;
 }
 
+/// Whether a joint holds one of some bodies in place. A gearbox couples turns; it holds nothing.
+bool holds_any(const Joint& joint, const std::set<Body*>& bodies) {
+  if (joint.spec.type == JointType::kGearbox) return false;
+  return std::any_of(joint.held.begin(), joint.held.end(),
+                     [&bodies](Body* body) { return bodies.count(body) > 0; });
+}
+
 /// What hangs on `root` with `cut` taken away. Throws Error when that is the world or `other`.
 std::set<Body*> hanging_on(const Model& model, const Joint& cut, Body* root, const Body* other) {
   std::set<Body*> moved{root};
   for (bool grew = true; grew;) {
     grew = false;
     for (const auto& joint : model.joints) {
-      const auto is_moved = [&moved](Body* body) { return moved.count(body) > 0; };
       const auto& held = joint->held;
-      // A gearbox couples turns; it holds nothing in place.
-      if (joint.get() == &cut || joint->spec.type == JointType::kGearbox) continue;
-      if (std::none_of(held.begin(), held.end(), is_moved)) continue;
+      if (joint.get() == &cut || !holds_any(*joint, moved)) continue;
       if (holds_world(*joint) || std::count(held.begin(), held.end(), other) > 0) {
         throw Error("joint [" + cut.spec.name +
                     "] is part of a closed loop, which it cannot be moved without");

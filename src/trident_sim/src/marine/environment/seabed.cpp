@@ -117,22 +117,27 @@ class AsciiGridReader {
     return corner != header_.end() ? corner->second + 0.5 * cell : center->second;
   }
 
-  void read_values(const BathymetryParams& params, GroundGrid* grid) {
+  /// The next number; `what` says which it is.
+  double read_value(const std::string& what) {
     const auto no_data = header_.find("nodata_value");
+    const auto word = first_value_ ? std::exchange(first_value_, std::nullopt) : next_word();
+    if (!word) refuse("the file ends before " + what, "a number for every cell");
+    const double value = number(*word, what);
+    if (no_data != header_.end() && value == no_data->second) {
+      refuse(what + " has no data (" + *word + ")", "a height for every cell");
+    }
+    return value;
+  }
+
+  void read_values(const BathymetryParams& params, GroundGrid* grid) {
     const double sign = params.positive == VerticalSense::kUp ? 1.0 : -1.0;
     grid->z_m.resize(static_cast<std::size_t>(grid->columns) *
                      static_cast<std::size_t>(grid->rows));
     // Rows run from the top of the map down.
     for (int row = grid->rows - 1; row >= 0; --row) {
       for (int column = 0; column < grid->columns; ++column) {
-        const auto word = first_value_ ? std::exchange(first_value_, std::nullopt) : next_word();
-        const std::string what =
-            "row " + std::to_string(grid->rows - row) + " column " + std::to_string(column + 1);
-        if (!word) refuse("the file ends before " + what, "a number for every cell");
-        const double value = number(*word, what);
-        if (no_data != header_.end() && value == no_data->second) {
-          refuse(what + " has no data (" + *word + ")", "a height for every cell");
-        }
+        const double value = read_value("row " + std::to_string(grid->rows - row) + " column " +
+                                        std::to_string(column + 1));
         grid->z_m[static_cast<std::size_t>(row) * static_cast<std::size_t>(grid->columns) +
                   static_cast<std::size_t>(column)] =
             static_cast<float>(sign * value + params.offset.z());

@@ -29,10 +29,11 @@ class GtxFile {
     step_longitude_ = number<double>();
     rows_ = number<std::int32_t>();
     columns_ = number<std::int32_t>();
-    const bool is_sane = stream_.good() && std::isfinite(south_) && std::isfinite(west_) &&
-                         step_latitude_ > 0.0 && step_longitude_ > 0.0 && rows_ > 1 &&
-                         columns_ > 1 && rows_ <= kMaxNodes && columns_ <= kMaxNodes;
-    if (!is_sane) refuse();
+    const bool has_origin = std::isfinite(south_) && std::isfinite(west_);
+    const bool has_steps = step_latitude_ > 0.0 && step_longitude_ > 0.0;
+    const auto is_count = [](std::int32_t nodes) { return nodes > 1 && nodes <= kMaxNodes; };
+    if (!stream_.good() || !has_origin || !has_steps) refuse();
+    if (!is_count(rows_) || !is_count(columns_)) refuse();
   }
 
   std::optional<double> height_m(double latitude_deg, double longitude_deg) {

@@ -72,11 +72,32 @@ class BagFile {
     std::size_t size = 0;
   };
 
+  /// Where a record lies, and its header.
+  struct Record {
+    std::uint64_t at = 0;     ///< offset of the record
+    std::uint64_t begin = 0;  ///< offset of its data
+    std::uint64_t size = 0;   ///< of its data [byte]
+    int op = -1;              ///< what kind it is of
+    Fields fields;
+  };
+
   void walk();
   bool take_record(std::uint64_t& at);
+  bool read_record(Record& record);
+  bool take(const Record& record);
+  void take_bag_header(const Fields& fields);
+  void take_loose_message(const Record& record);
+  bool take_loose_connection(const Record& record);
   bool take_chunk(std::uint64_t record, const Fields& fields, std::uint64_t begin,
                   std::size_t stored);
-  void index_chunk(std::size_t number, Span content);
+  /// Bytes of a chunk's content.
+  struct Part {
+    std::size_t begin = 0;
+    std::size_t size = 0;
+  };
+  void index_chunk(std::size_t number_of_chunk, Span content);
+  bool index_record(std::size_t number_of_chunk, Span content, std::size_t& at);
+  bool index_data(std::size_t number_of_chunk, const Fields& fields, Span content, Part data);
   bool take_message(const Fields& fields, std::size_t chunk, std::size_t begin, std::size_t size);
   void take_connection(const Fields& fields, Span data);
   std::uint64_t next_chunk_after(std::uint64_t at);

@@ -10,6 +10,7 @@
 #include <map>
 #include <mutex>
 #include <string>
+#include <vector>
 
 #include "trident_slam/slam_2d_capabilities.h"
 #include "trident_slam_ros/slam_node.h"
@@ -47,6 +48,7 @@ class GraphEditor {
   void follow(const visualization_msgs::InteractiveMarkerFeedback& feedback);
   void show_scan(int node, const SE2& T_map_node);
   void show_markers();
+  static void report_misfits(const std::vector<int>& misfits, bool are_all);
 
   ros::NodeHandle own_;
   SlamNode& node_;

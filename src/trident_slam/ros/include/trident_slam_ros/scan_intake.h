@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <deque>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -80,6 +81,9 @@ class ScanIntake {
   bool may_still_come(const sensor_msgs::LaserScan& message) const;
   /// False while rates may still come; else the record has its rate, or the reason is reported.
   bool has_settled_gyro(ScanRecord& record);
+  std::optional<Eigen::Matrix3d> rotation_of_imu(const std::string& imu);
+  /// Whether the yaw rates up to a time are still worth waiting for.
+  bool may_rates_come(std::int64_t end_ns) const;
   std::string why_missing(const sensor_msgs::LaserScan& message) const;
   std::string lateness(const std::string& target, const std::string& source,
                        const ros::Time& stamp) const;

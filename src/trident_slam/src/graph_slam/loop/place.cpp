@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "trident_base/angle.h"
 
@@ -17,6 +18,15 @@ int direction_of(const Eigen::Vector2d& p) {
   const int direction =
       static_cast<int>((std::atan2(p.y(), p.x()) + kPi) * (kDirections / (2.0 * kPi)));
   return std::clamp(direction, 0, kDirections - 1);
+}
+
+/// How far a point is from the surface of a surfel, by its normal where it has one [m]; infinite
+/// without a surfel.
+double distance_to(const Surfel* surfel, const Eigen::Vector2f& p) {
+  if (surfel == nullptr) return std::numeric_limits<double>::infinity();
+  const Eigen::Vector2f offset = p - surfel->mean;
+  const bool has_normal = !surfel->normal.isZero(0.0F);
+  return static_cast<double>(has_normal ? std::abs(offset.dot(surfel->normal)) : offset.norm());
 }
 
 }  // namespace
@@ -80,12 +90,7 @@ Agreement Place::agreement(const SurfelMap& surfels, const PointScan& cloud,
   for (const SurfacePoint& point : cloud.points) {
     const Eigen::Vector2d p = R * point.p.cast<double>() + T_place_cloud.p;
     const Surfel* surfel = surfels.nearest(p.cast<float>(), R.cast<float>() * point.normal, 3);
-    const bool has_normal = surfel != nullptr && !surfel->normal.isZero(0.0F);
-    const Eigen::Vector2f offset = surfel == nullptr ? Eigen::Vector2f::Zero().eval()
-                                                     : (p.cast<float>() - surfel->mean).eval();
-    const double distance =
-        static_cast<double>(has_normal ? std::abs(offset.dot(surfel->normal)) : offset.norm());
-    if (surfel != nullptr && distance < options_.on_surface) {
+    if (distance_to(surfel, p.cast<float>()) < options_.on_surface) {
       ++on_surface;
     } else if (is_seen_free(p)) {
       ++in_free_space;

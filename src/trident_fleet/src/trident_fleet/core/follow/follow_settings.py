@@ -11,8 +11,8 @@ import numpy as np
 from trident_base.params import Getter, Params, read
 
 from trident_fleet.core.errors import FormationError
-from trident_fleet.core.follow_config import FollowConfig
-from trident_fleet.core.formation_file import FormationSource
+from trident_fleet.core.files.formation_file import FormationSource
+from trident_fleet.core.follow.follow_config import FollowConfig
 from trident_fleet.core.patterns import Pattern, places
 from trident_fleet.core.quintic import Array
 from trident_fleet.core.settings import (

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 from trident_fleet.core.errors import FormationError
-from trident_fleet.core.follow_settings import read_follow_settings
+from trident_fleet.core.follow.follow_settings import read_follow_settings
 
 GOOD: dict[str, Any] = {"followers": "UAV2, UAV3 UAV4"}
 S = math.sqrt(0.5)

@@ -12,9 +12,9 @@ from trident_base.params import named
 
 from trident_fleet.core.config import PlanConfig
 from trident_fleet.core.errors import FormationError
-from trident_fleet.core.leader import LeaderState
+from trident_fleet.core.follow.leader import LeaderState
+from trident_fleet.core.follow.reference import Drift, ReferenceConfig
 from trident_fleet.core.quintic import Array, Motion
-from trident_fleet.core.reference import Drift, ReferenceConfig
 from trident_fleet.core.schedule import FeedConfig
 from trident_fleet.core.transition import check_apart
 

@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 from trident_fleet.core.errors import FormationError
-from trident_fleet.core.text_file import read_text_rows
+from trident_fleet.core.files.text_file import read_text_rows
 
 finite = st.floats(allow_nan=False, allow_infinity=False, width=64)
 

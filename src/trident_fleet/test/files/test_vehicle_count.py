@@ -9,10 +9,10 @@ import pytest
 from trident_fleet.core.choreography import perform
 from trident_fleet.core.choreography_file import parse_words
 from trident_fleet.core.errors import FormationError
-from trident_fleet.core.formation_file import FormationSource, read_formation
+from trident_fleet.core.files.formation_file import FormationSource, read_formation
+from trident_fleet.core.files.text_file import read_text_rows
+from trident_fleet.core.files.vehicle_count import infer_vehicles
 from trident_fleet.core.quintic import Array
-from trident_fleet.core.text_file import read_text_rows
-from trident_fleet.core.vehicle_count import infer_vehicles
 
 TOURS = {
     "line": ["line", "translate:5,0,0"],

@@ -11,13 +11,13 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from trident_fleet.core.errors import FormationError
-from trident_fleet.core.follow_config import FollowConfig, attached, drift_of
-from trident_fleet.core.follow_record import FollowLog
-from trident_fleet.core.followers import Followers, Phase, Slots
-from trident_fleet.core.leader import LeaderState
+from trident_fleet.core.follow.follow_config import FollowConfig, attached, drift_of
+from trident_fleet.core.follow.follow_record import FollowLog
+from trident_fleet.core.follow.followers import Followers, Phase, Slots
+from trident_fleet.core.follow.leader import LeaderState
+from trident_fleet.core.follow.reference import Drift, Reference, ReferenceConfig
 from trident_fleet.core.patterns import Pattern, places
 from trident_fleet.core.quintic import Array
-from trident_fleet.core.reference import Drift, Reference, ReferenceConfig
 from trident_fleet.core.separation import min_separation
 
 PERIOD_NS, POINT_NS, POINTS = 100_000_000, 10_000_000, 10

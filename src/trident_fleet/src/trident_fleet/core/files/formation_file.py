@@ -12,15 +12,15 @@ import numpy as np
 import numpy.typing as npt
 from trident_base.params import named
 
-from trident_fleet.core.bounded_file import check_kind
 from trident_fleet.core.errors import FormationError
-from trident_fleet.core.mat_file import (
+from trident_fleet.core.files.bounded_file import check_kind
+from trident_fleet.core.files.mat_file import (
     LayoutRequest,
     deinterleave,
     is_mat_file,
     read_mat_positions,
 )
-from trident_fleet.core.text_file import read_text_rows
+from trident_fleet.core.files.text_file import read_text_rows
 
 Vector = tuple[float, float, float]
 

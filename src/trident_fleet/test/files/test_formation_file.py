@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from trident_fleet.core.errors import FormationError
-from trident_fleet.core.formation_file import FormationSource, flying_rows, read_formation
+from trident_fleet.core.files.formation_file import FormationSource, flying_rows, read_formation
 from trident_fleet.core.separation import min_separation
 
 TUTORIAL_SCALE = (1.0, 2.0, 0.5)

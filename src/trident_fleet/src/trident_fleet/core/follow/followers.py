@@ -13,10 +13,10 @@ import numpy as np
 from trident_fleet.core.assignment import assign
 from trident_fleet.core.encoding import NS_PER_S
 from trident_fleet.core.errors import FormationError
-from trident_fleet.core.follow_config import FollowConfig, attached, drift_of, raised
-from trident_fleet.core.leader import LeaderState
+from trident_fleet.core.follow.follow_config import FollowConfig, attached, drift_of, raised
+from trident_fleet.core.follow.leader import LeaderState
+from trident_fleet.core.follow.reference import Drift, Reference
 from trident_fleet.core.quintic import Array, Motion, hold
-from trident_fleet.core.reference import Drift, Reference
 from trident_fleet.core.schedule import period_times
 from trident_fleet.core.separation import min_separation
 from trident_fleet.core.transit import leg_duration, transit_path

@@ -9,7 +9,7 @@ from typing import Any
 
 from hypothesis import strategies as st
 from trident_fleet.core.errors import FormationError
-from trident_fleet.core.mat_file import LayoutRequest, read_mat_positions
+from trident_fleet.core.files.mat_file import LayoutRequest, read_mat_positions
 
 
 def check_damaged(path: Path, good: bytes, first: int, request: LayoutRequest, data: Any) -> None:

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from trident_fleet.core.leader import LeaderTrack, Measurement, rotate, wrapped, yaw_of
+from trident_fleet.core.follow.leader import LeaderTrack, Measurement, rotate, wrapped, yaw_of
 
 PERIOD_NS = 100_000_000
 

@@ -13,11 +13,11 @@ from damage import check_damaged
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from layouts import laid_out, positions
-from trident_fleet.core import mat73
 from trident_fleet.core.errors import FormationError
-from trident_fleet.core.formation_file import FormationSource, read_formation
-from trident_fleet.core.mat5 import MatError
-from trident_fleet.core.mat_file import LAYOUTS, LayoutRequest, read_mat_positions
+from trident_fleet.core.files import mat73
+from trident_fleet.core.files.formation_file import FormationSource, read_formation
+from trident_fleet.core.files.mat5 import MatError
+from trident_fleet.core.files.mat_file import LAYOUTS, LayoutRequest, read_mat_positions
 
 h5py = pytest.importorskip("h5py", reason="the Debian package python3-h5py is not installed")
 

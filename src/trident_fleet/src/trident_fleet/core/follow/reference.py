@@ -11,7 +11,7 @@ import numpy as np
 
 from trident_fleet.core.config import check_positive
 from trident_fleet.core.encoding import NS_PER_S
-from trident_fleet.core.leader import LeaderState, wrapped
+from trident_fleet.core.follow.leader import LeaderState, wrapped
 from trident_fleet.core.quintic import Array
 
 # A state is extrapolated with its acceleration no longer than this [s].

@@ -11,8 +11,8 @@ import numpy as np
 from trident_base.flight_record import FOLLOW, FORMAT
 
 from trident_fleet.core.encoding import NS_PER_S
-from trident_fleet.core.followers import Followers
-from trident_fleet.core.leader import LeaderState
+from trident_fleet.core.follow.followers import Followers
+from trident_fleet.core.follow.leader import LeaderState
 from trident_fleet.core.quintic import Array
 
 _ROW_S = 1.0

@@ -13,11 +13,11 @@ import pytest
 from trident_fleet.cli import check_launch
 from trident_fleet.core.errors import FormationError
 from trident_fleet.core.file_check import check_formation, closest
-from trident_fleet.core.formation_file import FormationSource
+from trident_fleet.core.files.formation_file import FormationSource
 from trident_fleet.core.separation import min_separation
 from trident_fleet.core.settings import FleetSettings
 
-REPO = Path(__file__).resolve().parents[3]
+REPO = Path(__file__).resolve().parents[4]
 MAIN_JOB = REPO / "launch" / "multi_uav_simulation.launch"
 LOADER = REPO / "tools" / "trident_tool" / "launch" / "load_launch.py"
 Checked = Callable[[list[str]], tuple[int, str, str]]

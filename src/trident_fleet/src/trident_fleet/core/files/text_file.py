@@ -11,8 +11,8 @@ from pathlib import Path
 import numpy as np
 import numpy.typing as npt
 
-from trident_fleet.core.bounded_file import read_bounded
 from trident_fleet.core.errors import FormationError
+from trident_fleet.core.files.bounded_file import read_bounded
 
 COLUMNS = ("index", "x", "y", "z")
 _NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eEdD][+-]?\d+)?\Z")

@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from layouts import laid_out, positions
 from scipy.io import savemat
 from trident_fleet.core.errors import FormationError
-from trident_fleet.core.mat_file import (
+from trident_fleet.core.files.mat_file import (
     LAYOUTS,
     LAYOUTS_3D,
     LayoutRequest,

@@ -19,7 +19,7 @@ from pathlib import Path
 
 import numpy as np
 
-from trident_fleet.core.mat5 import MatError, Variable
+from trident_fleet.core.files.mat5 import MatError, Variable
 
 MAGIC = b"MATLAB 7.3 MAT-file"
 HDF5_MAGIC = b"\x89HDF\r\n\x1a\n"

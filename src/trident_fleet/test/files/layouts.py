@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 import numpy as np
-from trident_fleet.core.mat_file import LAYOUTS_2D
+from trident_fleet.core.files.mat_file import LAYOUTS_2D
 
 
 def positions(steps: int, vehicles: int) -> np.ndarray:

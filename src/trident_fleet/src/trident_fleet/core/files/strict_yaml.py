@@ -11,8 +11,8 @@ from typing import Any
 import yaml
 from trident_base.params import nearest
 
-from trident_fleet.core.bounded_file import LARGEST_YAML_BYTES, read_bounded
 from trident_fleet.core.errors import FormationError
+from trident_fleet.core.files.bounded_file import LARGEST_YAML_BYTES, read_bounded
 
 
 class Section:

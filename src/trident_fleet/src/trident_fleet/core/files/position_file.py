@@ -10,8 +10,8 @@ from pathlib import Path
 import numpy as np
 
 from trident_fleet.core.errors import FormationError
-from trident_fleet.core.formation_file import FormationSource, read_formation
-from trident_fleet.core.mat_file import VARIABLE
+from trident_fleet.core.files.formation_file import FormationSource, read_formation
+from trident_fleet.core.files.mat_file import VARIABLE
 from trident_fleet.core.quintic import Array
 
 _MAT_LAYOUT = "3xNxT"

@@ -10,11 +10,11 @@ from pathlib import Path
 import numpy as np
 import numpy.typing as npt
 
-from trident_fleet.core import mat5, mat73
-from trident_fleet.core.bounded_file import read_bounded
 from trident_fleet.core.errors import FormationError
-from trident_fleet.core.mat5 import MatError, Variable
-from trident_fleet.core.vehicle_count import infer_vehicles
+from trident_fleet.core.files import mat5, mat73
+from trident_fleet.core.files.bounded_file import read_bounded
+from trident_fleet.core.files.mat5 import MatError, Variable
+from trident_fleet.core.files.vehicle_count import infer_vehicles
 
 VARIABLE = "vehicle_pos"
 LAYOUTS_2D = ("TNx3", "3xTN")
