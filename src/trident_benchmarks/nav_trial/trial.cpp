@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <deque>
 
 #include "navigation_stack.h"
 #include "simulated_robot.h"
@@ -42,6 +43,7 @@ class Trial {
 
   TrialResult run() {
     while (!is_over_ && robot_.time_s() < config_.settle_s + config_.time_limit_s) {
+      send_commands();
       robot_.step();
       if (auto scan = robot_.take_scan()) stack_.add_scan(*scan);
       judge();
@@ -92,7 +94,14 @@ class Trial {
     }
     if (output.status == nav::NavigatorStatus::kAborted) end(TrialEnd::kAborted, output.text);
     if (output.status == nav::NavigatorStatus::kSucceeded) end(TrialEnd::kReached, output.text);
-    if (has_goal_) robot_.command(output.twist);
+    if (has_goal_) commands_.push_back({now_s + config_.command_delay_s, output.twist});
+  }
+
+  void send_commands() {
+    while (!commands_.empty() && commands_.front().due_s <= robot_.time_s()) {
+      robot_.command(commands_.front().twist);
+      commands_.pop_front();
+    }
   }
 
   const TrialConfig& config_;
@@ -100,6 +109,11 @@ class Trial {
   NavigationStack stack_;
   nav::Pose2 goal_;  ///< In the world.
   TrialResult result_;
+  struct Command {
+    double due_s;
+    nav::Twist2 twist;
+  };
+  std::deque<Command> commands_;  ///< On their way to the base.
   double moved_s_ = -1.0;  ///< When it had moved; negative: not yet.
   bool has_goal_ = false, is_over_ = false;
 };

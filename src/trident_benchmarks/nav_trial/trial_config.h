@@ -47,6 +47,7 @@ struct TrialConfig {
   double moved_m = 0.1;
   double settle_s = 0.5;
   double odometry_rate_hz = 50.0;
+  double command_delay_s = 0.02;
   double track_step_m = 0.05;
   OdometryParams odometry;
 
@@ -70,6 +71,8 @@ struct TrialConfig {
     ar.field("moved_m", moved_m, Range::non_negative(), "from which the time counts [m]");
     ar.field("settle_s", settle_s, Range::non_negative(), "before the goal is given [s]");
     ar.field("odometry_rate_hz", odometry_rate_hz, Range::positive(), "[Hz]");
+    ar.field("command_delay_s", command_delay_s, Range{0.0, 1.0},
+             "from what a command is computed of to when the base has it [s]");
     ar.field("track_step_m", track_step_m, Range::positive(), "between points of the track [m]");
     ar.required("odometry", odometry, "of the robot");
   }
