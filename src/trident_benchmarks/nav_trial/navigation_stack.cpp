@@ -129,16 +129,15 @@ void NavigationStack::add_scan(const PlacedScan& placed) {
   }
 }
 
-nav::NavigatorOutput NavigationStack::cycle(double now_s, const nav::Pose2& robot,
-                                            const nav::Twist2& twist) {
+nav::NavigatorOutput NavigationStack::cycle(double now_s, const nav::RobotState& robot) {
   controlled_s_ = now_s;
-  global_.update(now_s, robot);
-  local_.update(now_s, robot);
-  world_->set_robot(robot, robot);
+  global_.update(now_s, robot.pose);
+  local_.update(now_s, robot.pose);
+  world_->set_robot(robot.pose, robot.pose);
   nav::NavigatorInput input;
   input.now_s = now_s;
-  input.robot_global = robot;
-  input.state = {robot, twist, now_s};
+  input.robot_global = robot.pose;
+  input.state = robot;
   input.local = local_.costmap->grid();
   return navigator_->step(input);
 }

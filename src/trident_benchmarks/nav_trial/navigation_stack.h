@@ -35,7 +35,8 @@ class NavigationStack {
   /// Gives a scan to all sources of both costmaps.
   void add_scan(const PlacedScan& placed);
   /// What the control thread does once per period: costmaps at their rates, then the navigator.
-  nav::NavigatorOutput cycle(double now_s, const nav::Pose2& robot, const nav::Twist2& twist);
+  /// `robot`: as odometry has it.
+  nav::NavigatorOutput cycle(double now_s, const nav::RobotState& robot);
 
  private:
   struct TimedCostmap {

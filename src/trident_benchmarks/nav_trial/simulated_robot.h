@@ -39,6 +39,8 @@ class SimulatedRobot {
   void command(const nav::Twist2& twist);
 
   const WheelOdometry& odometry() const { return odometry_; }
+  /// When odometry was last computed.
+  double odometry_time_s() const { return encoders_s_; }
   /// The newest scan, once.
   std::optional<PlacedScan> take_scan();
   /// Where the robot is in the world.

@@ -86,7 +86,8 @@ class Trial {
       has_goal_ = true;
     }
     const WheelOdometry& odometry = robot_.odometry();
-    const nav::NavigatorOutput output = stack_.cycle(now_s, odometry.pose(), odometry.twist());
+    const nav::NavigatorOutput output = stack_.cycle(
+        now_s, {odometry.pose(), odometry.twist(), robot_.odometry_time_s()});
     result_.navigation_cpu_s += thread_cpu_s() - begin_s;
     result_.top_speed_m_s = std::max(result_.top_speed_m_s, odometry.twist().vx);
     if (output.recovery) {

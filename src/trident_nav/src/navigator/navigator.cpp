@@ -47,6 +47,18 @@ std::string joined_texts(const std::vector<StaleSource>& sources) {
   return join(texts, "; ");
 }
 
+/// Where the robot is now, if it has gone on since its pose was measured as it did then.
+NavigatorInput at_present(NavigatorInput input) {
+  constexpr double kMaxAge_s = 0.3;  // nobody knows what it has done in longer times
+  const double age_s = input.now_s - input.state.time_s;
+  if (!(age_s > 0.0 && age_s <= kMaxAge_s)) return input;
+  const Pose2 moved = integrate({}, input.state.twist, age_s);
+  input.state.pose = placed(input.state.pose, moved);
+  input.robot_global = placed(input.robot_global, moved);
+  input.state.time_s = input.now_s;
+  return input;
+}
+
 }  // namespace
 
 Navigator::Navigator(NavigatorParts parts, NavigatorWorld& world, Controller& controller)
@@ -111,7 +123,8 @@ bool Navigator::waits_for_sources(const NavigatorInput& input, NavigatorOutput* 
   return true;
 }
 
-NavigatorOutput Navigator::step(const NavigatorInput& input) {
+NavigatorOutput Navigator::step(const NavigatorInput& given) {
+  const NavigatorInput input = at_present(given);
   NavigatorOutput output;
   note_motion(input);
   if (phase_ == Phase::kIdle) return output;

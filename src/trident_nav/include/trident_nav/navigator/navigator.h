@@ -19,7 +19,7 @@ namespace trident::nav {
 struct NavigatorInput {
   double now_s = 0.0;
   Pose2 robot_global;  ///< In the frame of goals and paths.
-  RobotState state;    ///< In the local costmap's frame, at the same time.
+  RobotState state;    ///< In the local costmap's frame, of the same time as `robot_global`.
   CostGrid local;      ///< The newest local costmap.
   Tracks tracks;
 };
@@ -71,7 +71,8 @@ class Navigator {
   /// The path that is followed, in the global costmap's frame; empty: none.
   const Path& path() const { return keeper_.path(); }
 
-  NavigatorOutput step(const NavigatorInput& input);
+  /// One period. A state that is older than `now_s` is taken to where the robot is by then.
+  NavigatorOutput step(const NavigatorInput& given);
 
  private:
   enum class Phase { kIdle, kPlanning, kControlling, kRecovering };
