@@ -80,6 +80,8 @@ class Navigator {
 
   void forget_progress(double now_s);
   void note_motion(const NavigatorInput& input);
+  void note_progress(const NavigatorInput& input);
+  double stuck_time_s() const;
   bool waits_for_sources(const NavigatorInput& input, NavigatorOutput* output);
   void plan(const NavigatorInput& input, NavigatorOutput* output);
   void take_plan(const NavigatorInput& input, NavigatorOutput* output);
@@ -104,6 +106,8 @@ class Navigator {
   /// Times and counts since which something is tried.
   struct Patience {
     double plan_s = 0.0, command_s = 0.0, motion_s = 0.0, request_s = 0.0, step_s = 0.0;
+    double progress_s = 0.0;
+    Pose2 progress_from;
     Pose2 motion_from;
     int failed_plans = 0;
     bool has_request = false;
@@ -112,6 +116,7 @@ class Navigator {
   Trigger trigger_ = Trigger::kPlanning;
   std::size_t next_recovery_ = 0;
   std::string cause_;
+  bool is_rerouted_ = false;  // the next path replaces the one that the robot is stuck on
 };
 
 }  // namespace trident::nav
