@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # The room `navigator`: from a goal to commands, without ROS.
 add_library(trident_nav_navigator
+  src/navigator/avoided_places.cpp
   src/navigator/builtin_recoveries.cpp
   src/navigator/clear_costmap.cpp
   src/navigator/costmap_world.cpp

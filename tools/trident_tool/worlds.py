@@ -36,7 +36,7 @@ def add_world_commands(add: Callable[[str, Handler, str], argparse.ArgumentParse
     sub.add_argument("--margin", type=float, metavar="M", help="around obstacles; default 0.5")
 
     sub = add("worldgen", _cmd_worldgen, "make a world from a seed")
-    sub.add_argument("kind", choices=["coast", "forest", "hall", "office", "regatta"])
+    sub.add_argument("kind", choices=["coast", "cylinders", "forest", "hall", "office", "regatta"])
     sub.add_argument("--seed", type=int, metavar="N", help="default 1, as those of worlds/")
     sub.add_argument("--length", type=float, metavar="M", help="along x")
     sub.add_argument("--width", type=float, metavar="M", help="along y")

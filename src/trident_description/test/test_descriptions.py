@@ -71,7 +71,7 @@ def test_bodies_can_exist(robot: str) -> None:
         assert max(xx, yy, zz) <= 0.5 * (xx + yy + zz)
 
 
-@pytest.mark.parametrize("robot", sorted(set(ROBOTS) - {"ackermann_car"}))
+@pytest.mark.parametrize("robot", sorted(set(ROBOTS) - {"ackermann_car", "jackal"}))
 def test_the_drive_fits_the_wheels(robot: str) -> None:
     model = expand(robot)
     left, right = origin(model, "wheel_left_joint"), origin(model, "wheel_right_joint")
@@ -99,6 +99,23 @@ def test_figures_of_the_navigation_robot() -> None:
     assert origin(model, "laser_link_joint")[2] == pytest.approx(0.06)
     assert origin(model, "camera_link_joint")[0] == pytest.approx(0.12)
     assert model.find("link[@name='camera_optical_frame']") is not None
+
+
+def test_figures_of_the_jackal() -> None:
+    model = expand("jackal")
+    box = model.find("link[@name='base_link']/collision/geometry/box")
+    assert numbers(box, "size") == [0.42, 0.31, 0.184]
+    for end, x in (("front", 0.131), ("rear", -0.131)):
+        for side, y in (("left", 0.187795), ("right", -0.187795)):
+            assert origin(model, f"{end}_{side}_wheel_joint") == pytest.approx([x, y, 0.0])
+    plugin = model.find(".//plugin[@filename='libgazebo_ros_skid_steer_drive.so']")
+    assert plugin is not None
+    assert float(plugin.findtext("wheelSeparation", "")) == pytest.approx(1.5 * 0.37559)
+    assert float(plugin.findtext("wheelDiameter", "")) == pytest.approx(0.196)
+    scan = model.find(".//sensor[@name='front_laser']/ray/scan/horizontal")
+    assert scan is not None
+    assert scan.findtext("samples") == "720"
+    assert origin(model, "base_joint")[2] == pytest.approx(0.098)
 
 
 def test_figures_of_the_car() -> None:

@@ -53,6 +53,7 @@ BENCHMARKS = (
     Benchmark("sensors", "sensors.benchmark", "measure lidars and cameras"),
     Benchmark("amcl", "amcl.benchmark", "measure localisation in a known map"),
     Benchmark("vessels", "vessels.benchmark", "check vessels and sea"),
+    Benchmark("nav", "nav.benchmark", "drive robots to goals in worlds that are hard to cross"),
     Benchmark("slam", "slam.benchmark", "measure SLAM on the public logs, or in a simulated world"),
     Benchmark("posegraph", "posegraph.benchmark", "compare pose-graph optimisation with GTSAM"),
     Benchmark("table", "sim.saved_table", "the Markdown table of a saved benchmark"),

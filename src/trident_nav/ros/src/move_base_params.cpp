@@ -97,6 +97,7 @@ struct MotionParams {
   double max_vel_x = 0.55, min_vel_x = 0.0, max_vel_y = 0.0, max_vel_theta = 1.0;
   double acc_lim_x = 2.5, acc_lim_y = 2.5, acc_lim_theta = 3.2;
   double min_turning_radius = 0.0;
+  double command_delay = 0.04;
   double xy_goal_tolerance = 0.1, yaw_goal_tolerance = 0.1;
   double trans_stopped_vel = 0.1, theta_stopped_vel = 0.1;
   std::string odom_topic = "odom";
@@ -111,6 +112,8 @@ struct MotionParams {
     ar.field("acc_lim_y", acc_lim_y, Range::non_negative(), "[m/s^2]");
     ar.field("acc_lim_theta", acc_lim_theta, Range::positive(), "[rad/s^2]");
     ar.field("min_turning_radius", min_turning_radius, Range::non_negative(), "[m]");
+    ar.field("command_delay", command_delay, Range{0.0, 1.0},
+             "from the data that a command is computed of to its effect [s]");
     ar.field("xy_goal_tolerance", xy_goal_tolerance, Range::positive(), "[m]");
     ar.field("yaw_goal_tolerance", yaw_goal_tolerance, Range::positive(), "[rad]");
     ar.field("trans_stopped_vel", trans_stopped_vel, Range::positive(), "[m/s]");
@@ -124,7 +127,7 @@ const std::vector<std::string>& motion_names() {
       "max_vel_x",         "min_vel_x",          "max_vel_y",         "max_vel_theta",
       "acc_lim_x",         "acc_lim_y",          "acc_lim_theta",     "min_turning_radius",
       "xy_goal_tolerance", "yaw_goal_tolerance", "trans_stopped_vel", "theta_stopped_vel",
-      "odom_topic"};
+      "odom_topic",        "command_delay"};
   return names;
 }
 
@@ -171,6 +174,7 @@ ControllerConfig read_controller_config(const ConfigNode* node, const std::strin
   }
   const auto params = load_config_node<MotionParams>(motion, name_space);
   result.setup.limits = limits_of(params);
+  result.setup.command_delay_s = params.command_delay;
   result.setup.tolerance.xy_goal_tolerance = params.xy_goal_tolerance;
   result.setup.tolerance.yaw_goal_tolerance = params.yaw_goal_tolerance;
   result.setup.tolerance.trans_stopped_velocity = params.trans_stopped_vel;

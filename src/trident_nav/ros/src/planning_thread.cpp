@@ -50,8 +50,8 @@ void PlanningThread::run() {
       const std::lock_guard planning(planner_mutex_);
       const auto costs = global_.lock();
       const Costmap& costmap = global_.costmap();
-      outcome = planner_.plan(costmap.grid(), costmap.footprint(), request.start, request.goal,
-                              limits_, cancel_);
+      outcome = avoided_.plan(planner_, costmap.grid(), costmap.footprint(), request.start,
+                              request.goal, limits_, cancel_);
     }
     lock.lock();
     if (!cancel_) outcome_ = std::move(outcome);
@@ -83,6 +83,13 @@ void PlanningThread::cancel_plan() {
 double PlanningThread::path_cost(const Path& path, std::size_t first) {
   const auto lock = global_.lock();
   return path_cost_on(global_.costmap().grid(), path, first);
+}
+
+void PlanningThread::avoid(const Path& ahead) {
+  const std::lock_guard planning(planner_mutex_);
+  const auto lock = global_.lock();
+  if (ahead.empty()) avoided_.clear();
+  avoided_.add(global_.costmap().grid(), global_.costmap().footprint(), ahead);
 }
 
 void PlanningThread::forget(const ClearedArea& area) {

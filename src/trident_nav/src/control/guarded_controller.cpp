@@ -84,6 +84,9 @@ void ControlSetup::validate() const {
     throw Error("limits: min_turning_radius is " + text("%g", limits.min_turning_radius) +
                 " (>= 0)");
   }
+  if (!(command_delay_s >= 0.0) || !std::isfinite(command_delay_s)) {
+    throw Error("control setup: command_delay_s is " + text("%g", command_delay_s) + " (>= 0)");
+  }
   if (!(period_s > 0.0) || !std::isfinite(period_s)) {
     throw Error("control period: " + text("%g", period_s) + " s (> 0)");
   }
@@ -206,6 +209,8 @@ CommandOutcome GuardedController::commanded(const RobotState& measured, const Pa
     outcome.goal_reached = true;
     return outcome;
   }
+  // Until a command acts, the base goes on as it does.
+  state.pose = integrate(state.pose, state.twist, setup_.command_delay_s);
   const TwistWindow window = reachable_window(setup_.limits, state.twist, setup_.period_s);
   const bool turns = phase == ArrivalPhase::kTurn;
   Proposal proposal = turns ? turn_to_goal(state, path.back().yaw, grid)

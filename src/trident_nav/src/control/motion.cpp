@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace trident::nav {
 namespace {
@@ -84,6 +85,11 @@ Twist2 admissible_twist(const MotionLimits& limits, const TwistWindow& window,
     twist.wz = std::clamp(twist.wz, -wz_max, wz_max);
   }
   return twist;
+}
+
+double turning_acceleration(const MotionLimits& limits) {
+  const bool is_limited = limits.vy_max <= 0.0 && limits.ay_max > 0.0;
+  return is_limited ? limits.ay_max : std::numeric_limits<double>::infinity();
 }
 
 Twist2 braked(const MotionLimits& limits, const Twist2& twist, double duration_s) {

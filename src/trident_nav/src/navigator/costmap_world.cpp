@@ -110,7 +110,8 @@ std::string nearest_obstacle_text(const Costmap& costmap, const Pose2& robot, do
 
 void CostmapWorld::request_plan(const Pose2& start, const Pose2& goal) {
   const CancelFlag never{false};
-  outcome_ = planner_.plan(global_.grid(), global_.footprint(), start, goal, limits_, never);
+  outcome_ = avoided_.plan(planner_, global_.grid(), global_.footprint(), start, goal, limits_,
+                           never);
 }
 
 std::optional<PlanOutcome> CostmapWorld::take_plan() {
@@ -119,6 +120,11 @@ std::optional<PlanOutcome> CostmapWorld::take_plan() {
 
 double CostmapWorld::path_cost(const Path& path, std::size_t first) {
   return path_cost_on(global_.grid(), path, first);
+}
+
+void CostmapWorld::avoid(const Path& ahead) {
+  if (ahead.empty()) avoided_.clear();
+  avoided_.add(global_.grid(), global_.footprint(), ahead);
 }
 
 void CostmapWorld::forget(const ClearedArea& area) {

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "trident_base/angle.h"
 #include "trident_base/string_util.h"
 #include "trident_nav/control/motion.h"
 
@@ -47,6 +48,18 @@ std::string joined_texts(const std::vector<StaleSource>& sources) {
   return join(texts, "; ");
 }
 
+/// Where the robot is now, if it has gone on since its pose was measured as it did then.
+NavigatorInput at_present(NavigatorInput input) {
+  constexpr double kMaxAge_s = 0.3;  // nobody knows what it has done in longer times
+  const double age_s = input.now_s - input.state.time_s;
+  if (!(age_s > 0.0 && age_s <= kMaxAge_s)) return input;
+  const Pose2 moved = integrate({}, input.state.twist, age_s);
+  input.state.pose = placed(input.state.pose, moved);
+  input.robot_global = placed(input.robot_global, moved);
+  input.state.time_s = input.now_s;
+  return input;
+}
+
 }  // namespace
 
 Navigator::Navigator(NavigatorParts parts, NavigatorWorld& world, Controller& controller)
@@ -54,12 +67,13 @@ Navigator::Navigator(NavigatorParts parts, NavigatorWorld& world, Controller& co
 
 void Navigator::forget_progress(double now_s) {
   since_ = Patience{};
-  since_.plan_s = since_.command_s = since_.motion_s = since_.step_s = now_s;
+  since_.plan_s = since_.command_s = since_.motion_s = since_.step_s = since_.progress_s = now_s;
   since_.request_s = -1e9;
 }
 
 void Navigator::set_goal(const Pose2& goal, double now_s) {
   world_.cancel_plan();
+  world_.avoid({});
   controller_.reset();
   keeper_.clear();
   forget_progress(now_s);
@@ -106,12 +120,13 @@ bool Navigator::waits_for_sources(const NavigatorInput& input, NavigatorOutput* 
   const std::vector<StaleSource> stale = world_.stale_sources(input.now_s);
   if (stale.empty()) return false;
   const double waited_s = std::max(input.now_s - since_.step_s, 0.0);
-  for (double* since : {&since_.plan_s, &since_.command_s, &since_.motion_s}) *since += waited_s;
+  for (double* since : {&since_.plan_s, &since_.command_s, &since_.motion_s, &since_.progress_s}) *since += waited_s;
   output->waiting = "The robot stands until data come: " + joined_texts(stale) + ".";
   return true;
 }
 
-NavigatorOutput Navigator::step(const NavigatorInput& input) {
+NavigatorOutput Navigator::step(const NavigatorInput& given) {
+  const NavigatorInput input = at_present(given);
   NavigatorOutput output;
   note_motion(input);
   if (phase_ == Phase::kIdle) return output;
@@ -154,6 +169,7 @@ void Navigator::take_plan(const NavigatorInput& input, NavigatorOutput* output) 
   since_.failed_plans = 0;
   const double left_m =
       std::max(parts_.footprint.circumscribed_radius, 2.0 * input.local.geometry.resolution);
+  if (std::exchange(is_rerouted_, false)) keeper_.clear();
   output->has_new_path =
       keeper_.offer(std::move(outcome->path), input.now_s, input.robot_global, left_m, world_);
   if (phase_ != Phase::kPlanning) return;
@@ -185,9 +201,42 @@ Path Navigator::local_path(const NavigatorInput& input) const {
   return path;
 }
 
+/// How long a robot may stay within its own circle before it counts as stuck: what a tenth of its
+/// speed takes to leave it, what turning around takes, and a little patience.
+double Navigator::stuck_time_s() const {
+  constexpr double kLeast_s = 2.0, kSlow = 0.1, kTurns = 1.5;
+  const MotionLimits& limits = parts_.limits;
+  const double leaving_s = parts_.footprint.circumscribed_radius / (kSlow * limits.vx_max);
+  const double turning_s = limits.wz_max > 0.0 ? kTurns * kPi / limits.wz_max : 0.0;
+  return std::max({kLeast_s, leaving_s, turning_s});
+}
+
+/// A robot that gets nowhere although its path leads on looks for another one long before a
+/// recovery begins.
+void Navigator::note_progress(const NavigatorInput& input) {
+  if (!keeper_.has_path()) return;
+  const double radius_m = parts_.footprint.circumscribed_radius;
+  const Pose2 &from = since_.progress_from, &pose = input.state.pose;
+  const Pose2& end = keeper_.path().back();
+  const bool is_near_end =
+      distance(end.x, end.y, input.robot_global.x, input.robot_global.y) < 2.0 * radius_m;
+  if (is_near_end || distance(from.x, from.y, pose.x, pose.y) > radius_m) {
+    since_.progress_from = pose;
+    since_.progress_s = input.now_s;
+  }
+  if (input.now_s - since_.progress_s < stuck_time_s()) return;
+  since_.progress_s = input.now_s;
+  world_.avoid(keeper_.remaining());
+  world_.request_plan(input.robot_global, goal_);
+  since_.request_s = input.now_s;
+  since_.has_request = true;
+  is_rerouted_ = true;
+}
+
 void Navigator::control(const NavigatorInput& input, NavigatorOutput* output) {
   const NavigatorParams& params = parts_.params;
   keeper_.advance(input.robot_global);
+  note_progress(input);
   if (params.oscillation_timeout > 0.0 &&
       input.now_s - since_.motion_s > params.oscillation_timeout) {
     cause_ = "Within oscillation_timeout of " + number_text(params.oscillation_timeout) +

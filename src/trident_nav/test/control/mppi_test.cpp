@@ -6,6 +6,7 @@
 
 #include "control/mppi/lanes.h"
 #include "control/mppi/mppi_model.h"
+#include "control/mppi/rollout.h"
 #include "control/scene.h"
 #include "trident_base/yaml_config.h"
 
@@ -51,6 +52,62 @@ TEST(MppiModel, TheFootprintsCoverContainsEachOfItsPoints) {
       EXPECT_TRUE(is_in) << p.x << " " << p.y;
     }
   }
+}
+
+MppiModel fast_model(double sideways_m_s2) {
+  ControlSetup setup = jackal();
+  setup.limits.vx_max = 2.0;
+  setup.limits.wz_max = 4.0;
+  setup.limits.ay_max = sideways_m_s2;
+  return make_mppi_model(MppiParams{}, setup);
+}
+
+TEST(MppiRollout, FastTurnsAreAsWideAsTheSidewaysAccelerationAllows) {
+  const MppiModel model = fast_model(1.5);
+  Rollouts rollouts(model.steps);
+  std::fill(rollouts.vx.begin(), rollouts.vx.end(), 2.0F);
+  std::fill(rollouts.wz.begin(), rollouts.wz.end(), 4.0F);
+  roll_out(model, {0.0, {2.0, 0.0, 0.0}}, &rollouts);
+  for (std::size_t i = 0; i < rollouts.vx.size(); ++i) {
+    EXPECT_LE(rollouts.vx[i] * rollouts.wz[i], 1.5F + 1e-4F);
+  }
+  EXPECT_NEAR(rollouts.at(rollouts.wz, model.steps - 1)[0], 0.75F, 1e-4F);
+}
+
+TEST(MppiRollout, WithoutThatLimitTurnsAreAsFastAsTheRobotTurns) {
+  const MppiModel model = fast_model(0.0);
+  Rollouts rollouts(model.steps);
+  std::fill(rollouts.vx.begin(), rollouts.vx.end(), 2.0F);
+  std::fill(rollouts.wz.begin(), rollouts.wz.end(), 4.0F);
+  roll_out(model, {0.0, {2.0, 0.0, 0.0}}, &rollouts);
+  EXPECT_NEAR(rollouts.at(rollouts.wz, model.steps - 1)[0], 4.0F, 1e-4F);
+}
+
+// Notes the state that it is asked with.
+class NotingLaw final : public ControlLaw {
+ public:
+  explicit NotingLaw(Pose2* seen) : seen_(seen) {}
+  double path_length_m() const override { return 1.0; }
+  Proposal propose(const Situation& situation) override {
+    *seen_ = situation.state.pose;
+    return {{1.0, 0.0, 0.0}, Failure::kNone, ""};
+  }
+  void reset() override {}
+
+ private:
+  Pose2* seen_;
+};
+
+TEST(GuardedController, CommandsAreForWhereTheRobotIsWhenTheyAct) {
+  ControlSetup setup = jackal();
+  setup.command_delay_s = 0.1;
+  Pose2 seen;
+  GuardedController controller(setup, std::make_unique<NotingLaw>(&seen));
+  const GridWorld world(10.0, 4.0);
+  controller.command({{1.0, 2.0, 0.0}, {0.5, 0.0, 0.0}, 1.0}, {{1.0, 2.0, 0.0}, {9.0, 2.0, 0.0}},
+                     world.grid(), {});
+  EXPECT_NEAR(seen.x, 1.05, 1e-9);
+  EXPECT_NEAR(seen.y, 2.0, 1e-9);
 }
 
 TEST(Lanes, TheAngleIsThatOfTheLibrary) {

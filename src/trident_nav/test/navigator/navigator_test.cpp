@@ -4,11 +4,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "navigator/robot_world.h"
+#include "trident_base/angle.h"
+#include "trident_maps/distance_field.h"
 #include "trident_nav/core/footprint.h"
+#include "trident_nav/navigator/avoided_places.h"
+#include "trident_nav/planning/planner_registry.h"
 
 namespace trident::nav {
 namespace {
@@ -32,6 +37,7 @@ class ScriptedWorld : public NavigatorWorld {
   double path_cost(const Path& path, std::size_t) override {
     return distance(path.front().x, path.front().y, path.back().x, path.back().y);
   }
+  void avoid(const Path& ahead) override { avoided += ahead.empty() ? 0 : 1; }
   void forget(const ClearedArea& area) override { forgotten.push_back(area); }
   std::vector<StaleSource> stale_sources(double) override { return stale; }
   std::string obstacle_text(const Pose2&) override { return "A box is ahead."; }
@@ -40,15 +46,18 @@ class ScriptedWorld : public NavigatorWorld {
   std::optional<PlanOutcome> outcome;
   std::vector<ClearedArea> forgotten;
   std::vector<StaleSource> stale;
-  int requests = 0;
+  int requests = 0, avoided = 0;
 };
 
 class ScriptedController : public Controller {
  public:
-  CommandOutcome command(const RobotState&, const Path&, const CostGrid&, const Tracks&) override {
+  CommandOutcome command(const RobotState& state, const Path&, const CostGrid&,
+                         const Tracks&) override {
+    seen = state;
     return outcome;
   }
   void reset() override {}
+  RobotState seen;
   CommandOutcome outcome{{0.3, 0.0, 0.0}, Failure::kNone, "", false};
 };
 
@@ -236,6 +245,100 @@ RobotWorld::Setup office() {
   setup.start = {0.6, 2.0, 0.0};
   setup.mapped = {{3.0, 0.0, 3.1, 2.6}};
   return setup;
+}
+
+TEST_F(ScriptedNavigator, ARobotThatGetsNowhereLooksForAnotherPath) {
+  Navigator navigator = make();
+  navigator.set_goal({3.0, 0.0, 0.0}, 0.0);
+  run(navigator, 3.0);  // turning around takes longer
+  EXPECT_EQ(world_.avoided, 0);
+  run(navigator, 3.0);
+  EXPECT_EQ(world_.avoided, 1);
+  EXPECT_TRUE(recoveries_.empty());
+}
+
+TEST_F(ScriptedNavigator, NextToTheGoalNothingIsAvoided) {
+  Navigator navigator = make();
+  navigator.set_goal({0.3, 0.0, 0.0}, 0.0);
+  run(navigator, 10.0);
+  EXPECT_EQ(world_.avoided, 0);
+}
+
+TEST_F(ScriptedNavigator, AnOldStateIsTakenToWhereTheRobotIsNow) {
+  Navigator navigator = make();
+  navigator.set_goal({3.0, 0.0, 0.0}, 0.0);
+  run(navigator, 0.3);
+  input_.state.pose = {1.0, 1.0, kPi / 2.0};
+  input_.state.twist = {0.5, 0.0, 0.0};
+  input_.state.time_s = input_.now_s - 0.2;
+  step(navigator);
+  EXPECT_NEAR(controller_.seen.pose.x, 1.0, 1e-9);
+  EXPECT_NEAR(controller_.seen.pose.y, 1.1, 1e-9);
+  EXPECT_EQ(controller_.seen.time_s, input_.now_s - 0.1);
+}
+
+/// Free ground with a wall across that has gaps.
+class WallWithGaps : public ::testing::Test {
+ protected:
+  void make(const std::vector<double>& gaps_m) {
+    OccupancyGrid map;
+    map.width = 120;
+    map.height = 80;
+    map.resolution = 0.05;
+    map.cells.assign(120 * 80, OccupancyGrid::kFree);
+    for (int y = 0; y < map.height; ++y) {
+      const double y_m = 0.05 * (y + 0.5);
+      const bool is_gap = std::any_of(gaps_m.begin(), gaps_m.end(), [&](double gap_m) {
+        return std::fabs(y_m - gap_m) < 0.35;
+      });
+      if (!is_gap) map.cells[static_cast<std::size_t>(y * 120 + 60)] = OccupancyGrid::kOccupied;
+    }
+    for (const std::int8_t cell : map.cells) {
+      costs_.push_back(cell == OccupancyGrid::kOccupied ? kLethalCost : kFreeCost);
+    }
+    const maps::DistanceField field(map, 2.0);
+    for (int y = 0; y < map.height; ++y) {
+      const auto row = field.padded().begin() + (y + 1) * field.stride() + 1;
+      distances_m_.insert(distances_m_.end(), row, row + map.width);
+    }
+    grid_ = {{120, 80, 0.05, 0.0, 0.0}, costs_.data(), distances_m_.data(), 2.0F, 1};
+  }
+  Path plan() {
+    const CancelFlag never{false};
+    return avoided_
+        .plan(*planner_, grid_, circle_footprint(0.2), {1.0, 1.0, 0.0}, {5.0, 1.0, 0.0},
+              {0.5, 0.0, 0.0, 1.0, 1.0, 1.0, 0.0, 2.0, 0.0}, never)
+        .path;
+  }
+  static double highest(const Path& path) {
+    double y = 0.0;
+    for (const Pose2& pose : path) y = std::max(y, pose.y);
+    return y;
+  }
+
+  std::unique_ptr<Planner> planner_ =
+      builtin_planners().get("navfn/NavfnROS")(parse_yaml("{}", "test"), "test");
+  AvoidedPlaces avoided_;
+  CostGrid grid_;
+  std::vector<std::uint8_t> costs_;
+  std::vector<float> distances_m_;
+};
+
+TEST_F(WallWithGaps, PlansLeadThroughTheOtherGapAfterTheRobotGotStuckInOne) {
+  make({1.0, 3.0});
+  const Path direct = plan();
+  EXPECT_LT(highest(direct), 1.5);
+  avoided_.add(grid_, circle_footprint(0.45), {direct.begin() + 30, direct.end()});
+  EXPECT_FALSE(avoided_.is_empty());
+  EXPECT_GT(highest(plan()), 2.5);
+}
+
+TEST_F(WallWithGaps, TheOnlyGapIsTriedAgain) {
+  make({1.0});
+  const Path direct = plan();
+  avoided_.add(grid_, circle_footprint(0.45), {direct.begin() + 30, direct.end()});
+  EXPECT_EQ(plan().size(), direct.size());
+  EXPECT_TRUE(avoided_.is_empty());
 }
 
 TEST(Navigator, DrivesAroundAWall) {

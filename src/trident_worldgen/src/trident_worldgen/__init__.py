@@ -4,6 +4,7 @@
 
 from trident_worldgen.buoys import RegattaConfig, regatta
 from trident_worldgen.coast import CoastConfig, coast
+from trident_worldgen.cylinders import CylindersConfig, cylinders
 from trident_worldgen.forest import ForestConfig, forest
 from trident_worldgen.hall import HallConfig, hall
 from trident_worldgen.office import OfficeConfig, office
@@ -11,12 +12,14 @@ from trident_worldgen.sdf import Files
 
 __all__ = [
     "CoastConfig",
+    "CylindersConfig",
     "Files",
     "ForestConfig",
     "HallConfig",
     "OfficeConfig",
     "RegattaConfig",
     "coast",
+    "cylinders",
     "forest",
     "hall",
     "office",

@@ -14,6 +14,7 @@ from typing import Any
 from trident_sim import Error
 from trident_worldgen.buoys import RegattaConfig, regatta
 from trident_worldgen.coast import CoastConfig, coast
+from trident_worldgen.cylinders import CylindersConfig, cylinders
 from trident_worldgen.forest import ForestConfig, forest
 from trident_worldgen.hall import HallConfig, hall
 from trident_worldgen.office import OfficeConfig, office
@@ -24,6 +25,7 @@ _KINDS: dict[str, tuple[type[Any], Callable[[Any], Files]]] = {
     "hall": (HallConfig, hall),
     "forest": (ForestConfig, forest),
     "coast": (CoastConfig, coast),
+    "cylinders": (CylindersConfig, cylinders),
     "regatta": (RegattaConfig, regatta),
 }
 

@@ -23,6 +23,8 @@ struct ControlSetup {
   MotionLimits limits;
   Footprint footprint;
   double period_s = 0.05;  ///< Between commands.
+  /// From what a command is computed of to when the base has it.
+  double command_delay_s = 0.0;
   GoalTolerance tolerance;
   UnknownCells unknown = UnknownCells::kFree;
   std::uint64_t seed = 1;

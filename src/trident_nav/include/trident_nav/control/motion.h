@@ -28,6 +28,11 @@ TwistWindow reachable_window(const MotionLimits& limits, const Twist2& twist, do
 Twist2 admissible_twist(const MotionLimits& limits, const TwistWindow& window,
                         const Twist2& wanted);
 
+/// What a turn may accelerate a robot sideways that cannot move sideways [m/s^2]: `ay_max`, as
+/// wheels that hold along do not hold across for free; infinite where that is 0, and for robots
+/// that can.
+double turning_acceleration(const MotionLimits& limits);
+
 /// The twist after `duration_s` of the hardest braking.
 Twist2 braked(const MotionLimits& limits, const Twist2& twist, double duration_s);
 

@@ -17,7 +17,7 @@ struct MotionLimits {
   double wz_max = 0.0;              ///< [rad/s]
   double ax_max = 0.0;              ///< [m/s^2]
   double decel_max = 0.0;           ///< Of braking along x [m/s^2].
-  double ay_max = 0.0;              ///< [m/s^2]
+  double ay_max = 0.0;  ///< Of turns, too, where it cannot move sideways; 0: no limit then [m/s^2].
   double alpha_max = 0.0;           ///< [rad/s^2]
   double min_turning_radius = 0.0;  ///< 0: it turns on the spot [m].
 };

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "trident_nav/costmap/costmap.h"
+#include "trident_nav/navigator/avoided_places.h"
 #include "trident_nav/navigator/navigator_world.h"
 #include "trident_nav/planning/planner.h"
 
@@ -42,6 +43,7 @@ class CostmapWorld : public NavigatorWorld {
   std::optional<PlanOutcome> take_plan() override;
   void cancel_plan() override { outcome_.reset(); }
   double path_cost(const Path& path, std::size_t first) override;
+  void avoid(const Path& ahead) override;
   void forget(const ClearedArea& area) override;
   std::vector<StaleSource> stale_sources(double now_s) override;
   std::string obstacle_text(const Pose2& robot_local) override;
@@ -51,6 +53,7 @@ class CostmapWorld : public NavigatorWorld {
   Costmap& local_;
   Planner& planner_;
   MotionLimits limits_;
+  AvoidedPlaces avoided_;
   Pose2 robot_global_, robot_local_;
   std::optional<PlanOutcome> outcome_;
 };

@@ -19,7 +19,7 @@ namespace trident::nav {
 struct NavigatorInput {
   double now_s = 0.0;
   Pose2 robot_global;  ///< In the frame of goals and paths.
-  RobotState state;    ///< In the local costmap's frame, at the same time.
+  RobotState state;    ///< In the local costmap's frame, of the same time as `robot_global`.
   CostGrid local;      ///< The newest local costmap.
   Tracks tracks;
 };
@@ -71,7 +71,8 @@ class Navigator {
   /// The path that is followed, in the global costmap's frame; empty: none.
   const Path& path() const { return keeper_.path(); }
 
-  NavigatorOutput step(const NavigatorInput& input);
+  /// One period. A state that is older than `now_s` is taken to where the robot is by then.
+  NavigatorOutput step(const NavigatorInput& given);
 
  private:
   enum class Phase { kIdle, kPlanning, kControlling, kRecovering };
@@ -79,6 +80,8 @@ class Navigator {
 
   void forget_progress(double now_s);
   void note_motion(const NavigatorInput& input);
+  void note_progress(const NavigatorInput& input);
+  double stuck_time_s() const;
   bool waits_for_sources(const NavigatorInput& input, NavigatorOutput* output);
   void plan(const NavigatorInput& input, NavigatorOutput* output);
   void take_plan(const NavigatorInput& input, NavigatorOutput* output);
@@ -103,6 +106,8 @@ class Navigator {
   /// Times and counts since which something is tried.
   struct Patience {
     double plan_s = 0.0, command_s = 0.0, motion_s = 0.0, request_s = 0.0, step_s = 0.0;
+    double progress_s = 0.0;
+    Pose2 progress_from;
     Pose2 motion_from;
     int failed_plans = 0;
     bool has_request = false;
@@ -111,6 +116,7 @@ class Navigator {
   Trigger trigger_ = Trigger::kPlanning;
   std::size_t next_recovery_ = 0;
   std::string cause_;
+  bool is_rerouted_ = false;  // the next path replaces the one that the robot is stuck on
 };
 
 }  // namespace trident::nav

@@ -42,6 +42,11 @@ class NavigatorWorld {
   /// where it is blocked. Poses before `first` do not count.
   virtual double path_cost(const Path& path, std::size_t first) = 0;
 
+  /// The robot got stuck on the path that begins at the first of these poses, in the global
+  /// costmap's frame: further plans lead around its tightest place where they can. No poses: all
+  /// such places are forgotten.
+  virtual void avoid(const Path& /*ahead*/) {}
+
   /// Lets layers forget what they sensed. The next updates bring back what is still seen, so that
   /// only what is stale goes.
   virtual void forget(const ClearedArea& area) = 0;

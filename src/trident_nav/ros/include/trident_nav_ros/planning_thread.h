@@ -40,6 +40,7 @@ class PlanningThread : public NavigatorWorld {
   std::optional<PlanOutcome> take_plan() override;
   void cancel_plan() override;
   double path_cost(const Path& path, std::size_t first) override;
+  void avoid(const Path& ahead) override;
   void forget(const ClearedArea& area) override;
   /// The local costmap must be locked by the caller, as in obstacle_text() and forget().
   std::vector<StaleSource> stale_sources(double now_s) override;
@@ -55,6 +56,7 @@ class PlanningThread : public NavigatorWorld {
   CostmapNode& local_;
   Planner& planner_;
   MotionLimits limits_;
+  AvoidedPlaces avoided_;  // guarded by planner_mutex_
   Pose2 robot_global_, robot_local_;  // of the thread that steps the navigator
   std::string odom_topic_;
 

@@ -129,6 +129,7 @@ struct ObstaclesParams : CriticParams {
   double critical_weight = 20.0;
   double collision_cost = 1e5;
   std::optional<double> collision_margin_distance;
+  double speed_margin = 0.05;
   std::optional<double> near_goal_distance;
   bool consider_footprint = true;
   std::optional<double> inflation_radius;
@@ -145,6 +146,8 @@ struct ObstaclesParams : CriticParams {
     ar.field("collision_cost", collision_cost, Range::positive(), "of a trajectory in contact");
     ar.field("collision_margin_distance", collision_margin_distance, Range::positive(),
              "default: half the inscribed radius [m]");
+    ar.field("speed_margin", speed_margin, Range::non_negative(),
+             "how much the margin grows with the speed [s]");
     ar.field("near_goal_distance", near_goal_distance, Range::non_negative(),
              "nearer, no repulsion; default: the circumscribed radius [m]");
     ar.field("consider_footprint", consider_footprint, "the polygon, not the inscribed circle");

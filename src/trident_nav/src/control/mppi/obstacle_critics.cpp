@@ -18,8 +18,8 @@ void add_contacts(const Rollouts& rollouts, float contact_cost, float* cost) {
 }
 
 // Nearness to obstacles along the trajectory, by the distance field. It counts by the distance
-// driven near them, not by the time: neither waiting in front of a gap nor racing through it is
-// cheaper.
+// driven near them, not by the time, so that waiting in front of a gap is not cheaper; and the faster
+// the robot, the more room it wants, as bases slide and react late.
 class ObstaclesCritic final : public MppiCritic {
  public:
   ObstaclesCritic(const ObstaclesParams& params, const MppiModel& model)
@@ -29,6 +29,7 @@ class ObstaclesCritic final : public MppiCritic {
         contact_(static_cast<float>(params.collision_cost)),
         margin_m_(static_cast<float>(
             params.collision_margin_distance.value_or(0.5 * model.inscribed_radius))),
+        speed_margin_s_(static_cast<float>(params.speed_margin)),
         reach_m_(
             static_cast<float>(params.inflation_radius.value_or(2.0 * model.inscribed_radius))),
         near_goal_m_(params.near_goal_distance.value_or(model.circumscribed_radius)) {}
@@ -48,15 +49,17 @@ class ObstaclesCritic final : public MppiCritic {
         const float* vx = rollouts.at(rollouts.vx, step);
         for (int i = 0; i < kLanes; ++i) {
           const float near = repulsion * greatest(reach_m_ - clearance[i], 0.0F);
-          const float close = critical * greatest(margin_m_ - clearance[i], 0.0F);
-          cost[i] += (near + close) * (0.1F + absolute(vx[i]) * per_speed);
+          const float speed = absolute(vx[i]);
+          const float margin = margin_m_ + speed_margin_s_ * speed;
+          const float close = critical * greatest(margin - clearance[i], 0.0F);
+          cost[i] += (near + close) * (0.1F + speed * per_speed);
         }
       }
     });
     add_contacts(rollouts, contact_, cost);
   }
 
-  float repulsion_, critical_, contact_, margin_m_, reach_m_;
+  float repulsion_, critical_, contact_, margin_m_, speed_margin_s_, reach_m_;
   double near_goal_m_;
 };
 

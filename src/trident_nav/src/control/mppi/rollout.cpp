@@ -7,10 +7,13 @@
 namespace trident::nav {
 namespace {
 
+constexpr float kSlow = 0.01F;  // nothing slides sideways below [m/s]
+
 // Limits of one step.
 struct StepLimits {
   float vx_min, vx_max, vx_gain, vx_loss;  // gain: of |v| by acceleration; loss: by braking
   float vy_max, vy_step, wz_max, wz_step;
+  float sideways_max;  // acceleration of a turn across the wheels
   float curvature_max;
   float free_turn;  // what a robot that stands may turn at
   float dt;
@@ -30,6 +33,7 @@ StepLimits step_limits(const MppiModel& model) {
           static_cast<float>(limits.ay_max * dt),
           static_cast<float>(limits.wz_max),
           static_cast<float>(limits.alpha_max * dt),
+          static_cast<float>(turning_acceleration(limits)),
           static_cast<float>(is_car ? 1.0 / radius : 0.0),
           static_cast<float>(is_car ? 0.0 : kAnyTurn),
           static_cast<float>(dt)};
@@ -72,7 +76,9 @@ TRIDENT_INLINE void constrain(const StepLimits& limits, State& state, float* vx,
   }
   for (int i = 0; i < kLanes; ++i) {
     const float w = state.wz[i];
-    const float wanted = clamped(wz[i], -limits.wz_max, limits.wz_max);
+    const float fast = limits.sideways_max / greatest(absolute(state.vx[i]), kSlow);
+    const float wz_max = least(limits.wz_max, fast);
+    const float wanted = clamped(wz[i], -wz_max, wz_max);
     const float reached = clamped(wanted, w - limits.wz_step, w + limits.wz_step);
     const float most = absolute(state.vx[i]) * limits.curvature_max + limits.free_turn;
     state.wz[i] = clamped(reached, -most, most);

@@ -1,0 +1,36 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""`./trident bench nav`: a robot drives to goals in worlds of one kind, in one process each."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from trident_benchmarks.options import positive
+
+#: Names of the suites; each is a module of this package with `measure(options)`.
+SUITES = ("barn",)
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    """Its options."""
+    parser.add_argument("--quick", action="store_true", help="six worlds, one seed each")
+    parser.add_argument("--suite", choices=SUITES, default=SUITES[0], help="default: barn")
+    parser.add_argument(
+        "--worlds", type=Path, metavar="DIR", help="other worlds; default: $TRIDENT_DATA/barn"
+    )
+    parser.add_argument("--seeds", type=positive, metavar="N", help="of each (10; --quick: 1)")
+    parser.add_argument("--jobs", type=positive, metavar="N", help="at a time; default: the cores")
+    parser.add_argument(
+        "--config", type=Path, action="append", default=[], help="parameters over the default ones"
+    )
+    parser.add_argument("--out", type=Path, metavar="FILE.json", help="where the rows go")
+    parser.add_argument("--picture", type=Path, metavar="FILE.png", help="worlds and tracks")
+
+
+def run(options: argparse.Namespace) -> int:
+    """Measure and print; the exit code."""
+    from trident_benchmarks.nav.suites import measure
+
+    return measure(options)

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "trident_nav/navigator/avoided_places.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace trident::nav {
+namespace {
+
+// Farther ahead than so many of its radii the robot cannot tell that it does not fit.
+constexpr double kRadiiAhead = 5.0;
+// Revisions of grids with places differ from those without.
+constexpr std::uint64_t kOwnRevisions = 1ULL << 63U;
+
+double room_at(const CostGrid& grid, const Pose2& pose) {
+  const Cell cell = grid.geometry.cell(pose.x, pose.y);
+  if (!grid.geometry.contains(cell)) return static_cast<double>(grid.max_distance_m);
+  return static_cast<double>(grid.distance_m[grid.geometry.index(cell)]);
+}
+
+}  // namespace
+
+void AvoidedPlaces::add(const CostGrid& grid, const Footprint& footprint, const Path& ahead) {
+  if (ahead.empty() || grid.distance_m == nullptr) return;
+  const double radius_m = footprint.circumscribed_radius;
+  double walked_m = 0.0, least_m = 2.0 * radius_m;
+  std::optional<Disc> tightest;
+  for (std::size_t i = 1; i < ahead.size() && walked_m < kRadiiAhead * radius_m; ++i) {
+    walked_m += distance(ahead[i - 1].x, ahead[i - 1].y, ahead[i].x, ahead[i].y);
+    const double room_m = room_at(grid, ahead[i]);
+    if (room_m >= least_m) continue;
+    least_m = room_m;
+    tightest = Disc{{ahead[i].x, ahead[i].y}, radius_m};
+  }
+  if (tightest) places_.push_back(*tightest);
+}
+
+/// What is within the robot's reach at the start stays as it is, so that it can leave.
+void AvoidedPlaces::block(const Disc& disc, const GridGeometry& geometry, const Pose2& start) {
+  const double r = disc.radius_m;
+  const Cell low = geometry.cell(disc.center.x - r, disc.center.y - r);
+  const Cell high = geometry.cell(disc.center.x + r, disc.center.y + r);
+  for (int y = std::max(low.y, 0); y <= std::min(high.y, geometry.height - 1); ++y) {
+    for (int x = std::max(low.x, 0); x <= std::min(high.x, geometry.width - 1); ++x) {
+      const Point2 p = geometry.center({x, y});
+      if (distance(p.x, p.y, disc.center.x, disc.center.y) > r) continue;
+      if (distance(p.x, p.y, start.x, start.y) < 0.5 * r) continue;
+      std::uint8_t& cost = cost_[geometry.index({x, y})];
+      if (cost < kInscribedCost) cost = kInscribedCost;
+    }
+  }
+}
+
+PlanOutcome AvoidedPlaces::plan(Planner& planner, const CostGrid& grid, const Footprint& footprint,
+                                const Pose2& start, const Pose2& goal, const MotionLimits& limits,
+                                const CancelFlag& cancel) {
+  if (places_.empty()) return planner.plan(grid, footprint, start, goal, limits, cancel);
+  cost_.assign(grid.cost, grid.cost + grid.geometry.size());
+  for (const Disc& disc : places_) block(disc, grid.geometry, start);
+  CostGrid around = grid;
+  around.cost = cost_.data();
+  around.revision = kOwnRevisions | ++revision_;
+  PlanOutcome outcome = planner.plan(around, footprint, start, goal, limits, cancel);
+  const bool is_blocked = outcome.path.empty() && outcome.failure != Failure::kCanceled;
+  if (!is_blocked) return outcome;
+  places_.clear();
+  return planner.plan(grid, footprint, start, goal, limits, cancel);
+}
+
+}  // namespace trident::nav
