@@ -26,9 +26,17 @@ ConfigField field_called(const std::string& name) {
 TEST(ConfigFields, ListsWhatHasASingleValueInTheOrderOfVisit) {
   std::vector<std::string> names;
   for (const ConfigField& field : config_fields<VehicleConfig>()) names.push_back(field.name);
-  const std::vector<std::string> expected = {
-      "name", "enable_logging",       "mass",            "scale",    "slots", "offset", "seed",
-      "timing", "spare/force_constant", "spare/direction", "max_range"};
+  const std::vector<std::string> expected = {"name",
+                                             "enable_logging",
+                                             "mass",
+                                             "scale",
+                                             "slots",
+                                             "offset",
+                                             "seed",
+                                             "timing",
+                                             "spare/force_constant",
+                                             "spare/direction",
+                                             "max_range"};
   EXPECT_EQ(names, expected);
 }
 
@@ -71,11 +79,12 @@ TEST(ConfigFields, TakesDefaultsOfAValue) {
 
 TEST(DescribedFactory, IsMadeOfALambdaAndTakesFields) {
   using Factory = DescribedFactory<std::unique_ptr<int>(int)>;
-  const Factory plain = [](int value) { return std::make_unique<int>(value); };
-  EXPECT_TRUE(plain.fields.empty());
-  const Factory described = plain.with_fields_of<VehicleConfig>();
-  EXPECT_EQ(*described(3), 3);
-  EXPECT_EQ(described.fields.size(), config_fields<VehicleConfig>().size());
+  Factory factory = [](int value) { return std::make_unique<int>(value); };
+  EXPECT_TRUE(factory.fields.empty());
+  factory.fields = config_fields<VehicleConfig>();
+  const Factory copy = factory;
+  EXPECT_EQ(*copy(3), 3);
+  EXPECT_FALSE(copy.fields.empty());
 }
 
 }  // namespace

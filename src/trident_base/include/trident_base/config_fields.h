@@ -80,8 +80,8 @@ class FieldLister {
   }
 
   template <class T>
-  static constexpr bool is_single_v = std::is_arithmetic_v<T> || is_named_enum_v<T> ||
-                                      std::is_same_v<T, std::string>;
+  static constexpr bool is_single_v =
+      std::is_arithmetic_v<T> || is_named_enum_v<T> || std::is_same_v<T, std::string>;
 
   template <class T>
   static ConfigField described(Range range) {
@@ -131,18 +131,11 @@ std::vector<ConfigField> config_fields(const T& defaults = T{}) {
   return fields;
 }
 
-/// A factory that knows which parameters it reads, where whoever registered it said so.
+/// A factory that knows which parameters it reads, where whoever registered it said so:
+/// `factory.fields = config_fields<Params>()`.
 template <class Signature>
 struct DescribedFactory : std::function<Signature> {
   using std::function<Signature>::function;
-
-  /// The factory itself, with the fields of a parameter struct.
-  template <class Params>
-  DescribedFactory with_fields_of() const {
-    DescribedFactory result = *this;
-    result.fields = config_fields<Params>();
-    return result;
-  }
 
   std::vector<ConfigField> fields;  ///< Empty: not known.
 };

@@ -6,10 +6,12 @@
 #include <ros/ros.h>
 #include <tf2/buffer_core.h>
 
+#include <atomic>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "trident_nav/costmap/costmap.h"
 #include "trident_nav/costmap/costmap_config.h"
@@ -31,7 +33,17 @@ class CostmapNode {
 
   const std::string& frame() const { return frame_; }
   const std::string& base_frame() const { return base_frame_; }
-  double update_period_s() const;
+  /// From any thread, and so is what changes parameters.
+  double update_period_s() const { return update_period_s_; }
+
+  /// The costmap's parameters that may be changed while it runs, with their values as defaults.
+  std::vector<ConfigField> live_fields();
+  /// Takes over those of them that a map has. Throws ConfigError, and changes nothing.
+  void change(const ConfigNode& values);
+  /// The layers as they were configured.
+  const std::vector<LayerSpec>& layer_specs() const { return layers_; }
+  /// Gives a layer all its parameters anew. Throws ConfigError, and changes nothing.
+  void change_layer(const std::string& name, const ConfigNode& values);
 
   /// Locks the costmap against updates.
   std::unique_lock<std::mutex> lock() { return std::unique_lock(mutex_); }
@@ -46,6 +58,7 @@ class CostmapNode {
   std::string missing();
 
  private:
+  void note_params(const CostmapParams& params);
   void publish(double now_s, const Pose2& robot);
   void publish_all(double now_s);
   void publish_part(double now_s, const CellBox& box);
@@ -55,7 +68,9 @@ class CostmapNode {
   const tf2::BufferCore& buffer_;
   std::unique_ptr<Costmap> costmap_;
   std::string frame_, base_frame_;
+  std::vector<LayerSpec> layers_;
   CostmapInputs inputs_;
+  std::atomic<double> update_period_s_{0.2}, transform_tolerance_s_{0.3};
   std::mutex mutex_;  // guards the costmap and what follows
   ros::Publisher all_, parts_, footprint_;
   CellBox unpublished_;

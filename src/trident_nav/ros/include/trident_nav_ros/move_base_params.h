@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "trident_base/config_fields.h"
 #include "trident_base/config_node.h"
 #include "trident_base/config_types.h"
 #include "trident_nav/control/control_law.h"
@@ -75,11 +76,17 @@ std::unique_ptr<Planner> make_planner(const std::string& plugin, const ConfigNod
 /// parameters have them; old names become new ones with a warning.
 struct ControllerConfig {
   ControlSetup setup;
+  ConfigNode given;  ///< All parameters, under their new names.
   ConfigNode law;
   std::string odom_topic = "odom";
 };
 ControllerConfig read_controller_config(const ConfigNode* node, const std::string& name_space,
                                         Warnings* warnings);
+
+/// The parameters of a planner's plugin that have a single value. Throws Error for an unknown one.
+std::vector<ConfigField> planner_fields(const std::string& plugin);
+/// Those of a local planner's plugin: what all have, then what its law has.
+std::vector<ConfigField> controller_fields(const std::string& plugin);
 
 /// The controller of a plugin's name. Throws as make_planner() does.
 std::unique_ptr<Controller> make_local_planner(const std::string& plugin,
