@@ -41,7 +41,7 @@ SERVERS = {
 
 
 class StandIn:
-    """A robot that does what it is told: odometry and its transform."""
+    """A robot that follows its commands: odometry and its transform."""
 
     def __init__(self) -> None:
         self.x = self.y = self.yaw = 0.0

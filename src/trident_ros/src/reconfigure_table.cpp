@@ -33,13 +33,13 @@ ConfigNode scalar_node(const std::string& text, bool is_quoted) {
   return node;
 }
 
-/// The place of a key; one past the end: there is none.
+/// The place of a key; one past the end where the map does not have it.
 std::size_t index_of(const ConfigNode& map, const std::string& key) {
   return static_cast<std::size_t>(std::find(map.keys.begin(), map.keys.end(), key) -
                                   map.keys.begin());
 }
 
-/// The value of a name with slashes; nullptr: there is none.
+/// The value of a name with slashes; nullptr where the map does not have it.
 const ConfigNode* find_value(const ConfigNode& map, const std::string& name) {
   const std::size_t slash = name.find('/');
   const ConfigNode* const value = map.find(name.substr(0, slash));

@@ -131,7 +131,7 @@ std::vector<ConfigField> config_fields(const T& defaults = T{}) {
   return fields;
 }
 
-/// A factory that knows which parameters it reads, where whoever registered it said so:
+/// A factory that knows which parameters it reads, where its registration says so:
 /// `factory.fields = config_fields<Params>()`.
 template <class Signature>
 struct DescribedFactory : std::function<Signature> {

@@ -114,7 +114,7 @@ void MoveBaseNode::run() {
   double frequency = parts_->navigator->params().controller_frequency;
   ros::Rate rate(frequency);
   while (ros::ok()) {
-    reconfiguration_->apply_to_navigator();
+    reconfiguration_->apply();
     if (frequency != parts_->navigator->params().controller_frequency) {
       frequency = parts_->navigator->params().controller_frequency;
       rate = ros::Rate(frequency);
@@ -138,6 +138,7 @@ void MoveBaseNode::cycle() {
   const auto lock = parts_->local->lock();
   NavigatorInput input = *sensed;
   input.local = parts_->local->costmap().grid();
+  input.tracks = parts_->moving->at(now_s);
   act(input, parts_->navigator->step(input));
 }
 

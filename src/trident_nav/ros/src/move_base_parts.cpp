@@ -45,6 +45,20 @@ void make_planner_of(MoveBaseParts* parts, Warnings* warnings) {
                    parts->node_name + "/" + space, warnings));
 }
 
+/// The local costmap's scans are those that are tracked, at the heights at which they mark.
+void make_moving_obstacles(MoveBaseParts* parts) {
+  parts->moving = std::make_unique<MovingObstacles>(parts->params.moving_obstacles);
+  MovingObstacles* const moving = parts->moving.get();
+  parts->local->set_scan_listener(
+      [moving](const BeamSource& source, const LaserScan& scan, Span<const SE3> poses) {
+        if (!moving->is_enabled()) return;
+        const HeightBand heights{source.params().min_obstacle_height,
+                                 source.params().max_obstacle_height};
+        moving->add_scan(source.name(), 1e-9 * static_cast<double>(scan.stamp_ns),
+                         scan_points(scan, poses, heights));
+      });
+}
+
 }  // namespace
 
 CostmapConfig costmap_config_of(const ConfigNode& tree, const std::string& node_name,
@@ -82,6 +96,7 @@ std::unique_ptr<MoveBaseParts> make_move_base_parts(const ros::NodeHandle& priva
   parts->controller_space = plugin_namespace(parts->params.base_local_planner);
   parts->global = make_costmap(private_node, "global_costmap", *parts, buffer, refusals, &warnings);
   parts->local = make_costmap(private_node, "local_costmap", *parts, buffer, refusals, &warnings);
+  make_moving_obstacles(parts.get());
   make_planner_of(parts.get(), &warnings);
   make_controller_of(parts.get(), &warnings);
   const ControlSetup& setup = parts->control.setup;

@@ -20,9 +20,10 @@ ConfigNode map_of(const ConfigNode* node) {
 ConfigNode only_fields(const ConfigNode& map, const std::vector<ConfigField>& fields) {
   ConfigNode result = map_of(nullptr);
   for (const ConfigField& field : fields) {
-    const ConfigNode* const value = map.find(field.name);
-    if (value == nullptr) continue;
-    result.keys.push_back(field.name);
+    const std::string key = field.name.substr(0, field.name.find('/'));
+    const ConfigNode* const value = map.find(key);
+    if (value == nullptr || result.find(key) != nullptr) continue;
+    result.keys.push_back(key);
     result.key_lines.push_back(0);
     result.items.push_back(*value);
   }
@@ -106,6 +107,7 @@ void Reconfiguration::change_node(const ConfigNode& values) {
   ControllerConfig control = control_;
   control.setup.period_s = 1.0 / params.controller_frequency;
   stage(params, control);
+  moving_.stage(std::make_unique<MovingObstacleParams>(params.moving_obstacles));
 }
 
 void Reconfiguration::change_planner(const ConfigNode& values) {
@@ -148,7 +150,8 @@ void Reconfiguration::stage(const MoveBaseParams& params, const ControllerConfig
   navigator_.stage(std::move(navigator));
 }
 
-void Reconfiguration::apply_to_navigator() {
+void Reconfiguration::apply() {
+  if (const auto moving = moving_.take()) parts_.moving->set_params(*moving);
   if (parts_.navigator->is_recovering()) return;
   if (auto parts = navigator_.take()) parts_.navigator->set_parts(std::move(*parts));
 }

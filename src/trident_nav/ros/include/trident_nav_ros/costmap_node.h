@@ -11,6 +11,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "trident_nav/costmap/costmap.h"
@@ -42,7 +43,7 @@ class CostmapNode {
   void change(const ConfigNode& values);
   /// The layers as they were configured.
   const std::vector<LayerSpec>& layer_specs() const { return layers_; }
-  /// Gives a layer all its parameters anew. Throws ConfigError, and changes nothing.
+  /// Gives a layer other values of all its parameters. Throws ConfigError, and changes nothing.
   void change_layer(const std::string& name, const ConfigNode& values);
 
   /// Locks the costmap against updates.
@@ -52,6 +53,11 @@ class CostmapNode {
 
   /// The newest pose of the robot; else a sentence says why it is unknown.
   std::optional<Pose2> robot(double now_s, std::string* problem) const;
+  /// See CostmapInputs; called by update(), with the costmap locked. To be set before its first
+  /// call.
+  void set_scan_listener(CostmapInputs::ScanListener listener) {
+    inputs_.set_scan_listener(std::move(listener));
+  }
   /// Takes in what has come, and publishes what is due.
   void update(double now_s);
   /// What is missing before the costmap can be used: a map; empty: nothing.

@@ -11,6 +11,7 @@
 #include "trident_base/config_types.h"
 #include "trident_nav/control/control_law.h"
 #include "trident_nav/control/controller.h"
+#include "trident_nav/control/moving_obstacles.h"
 #include "trident_nav/navigator/navigator_params.h"
 #include "trident_nav/navigator/recovery.h"
 #include "trident_nav/planning/planner.h"
@@ -40,6 +41,7 @@ struct MoveBaseParams : NavigatorParams {
   bool shutdown_costmaps = false;
   bool make_plan_clear_costmap = true;
   bool make_plan_add_unreachable_goal = true;
+  MovingObstacleParams moving_obstacles;
 
   template <class Archive>
   void visit(Archive& ar) {
@@ -58,6 +60,7 @@ struct MoveBaseParams : NavigatorParams {
              "accepted: planners leave occupied starts by themselves");
     ar.field("make_plan_add_unreachable_goal", make_plan_add_unreachable_goal,
              "accepted: a plan's last pose is what can be reached");
+    ar.field("moving_obstacles", moving_obstacles, "what is tracked");
   }
 };
 

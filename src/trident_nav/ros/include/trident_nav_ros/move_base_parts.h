@@ -28,6 +28,8 @@ struct MoveBaseParts {
   std::unique_ptr<CostmapNode> global, local;
   std::unique_ptr<StagedPlanner> planner;
   std::unique_ptr<StagedController> controller;
+  /// In the local costmap's frame; of the thread that updates that costmap.
+  std::unique_ptr<MovingObstacles> moving;
   std::unique_ptr<PlanningThread> world;
   std::unique_ptr<Navigator> navigator;
 };

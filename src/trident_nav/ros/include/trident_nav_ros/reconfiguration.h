@@ -16,7 +16,7 @@
 namespace trident::nav {
 
 /// Serves dynamic_reconfigure for move_base, its planner, its controller, both costmaps and their
-/// layers, below upstream's names. What is changed is made anew in the thread of the service and
+/// layers, below upstream's names. What is changed is made again in the thread of the service and
 /// taken over by the others when they next look: no part changes while it is used.
 class Reconfiguration {
  public:
@@ -24,9 +24,9 @@ class Reconfiguration {
   Reconfiguration(const ros::NodeHandle& private_node, MoveBaseParts& parts,
                   ros_utils::Refusals& refusals);
 
-  /// Gives the navigator what has changed, unless it is recovering; called by the thread that steps
-  /// it, between its steps.
-  void apply_to_navigator();
+  /// Gives the navigator, unless it is recovering, and what tracks moving obstacles the parameters
+  /// that have changed; called by the thread that steps them, between the steps.
+  void apply();
 
  private:
   void serve_node();
@@ -51,6 +51,7 @@ class Reconfiguration {
   MoveBaseParams params_ TRIDENT_GUARDED_BY(mutex_);     ///< The newest ones.
   ControllerConfig control_ TRIDENT_GUARDED_BY(mutex_);  ///< The newest one.
   Staged<NavigatorParts> navigator_;
+  Staged<MovingObstacleParams> moving_;
   std::vector<std::unique_ptr<ros_utils::ReconfigureServer>> servers_;
 };
 
