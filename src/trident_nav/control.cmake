@@ -41,6 +41,7 @@ add_library(trident_nav_control
   src/control/robot_state.cpp
   src/control/rotation_shim/rotation_shim_law.cpp
   src/control/steering.cpp
+  src/control/tracking/moving_obstacles.cpp
   src/control/tracking/obstacle_tracker.cpp
   src/control/tracking/scan_clusters.cpp
   src/control/trajectory_planner/trajectory_planner_law.cpp
@@ -73,6 +74,7 @@ if(CATKIN_ENABLE_TESTING)
     test/control/arrival_test.cpp
     test/control/controller_conformance_test.cpp
     test/control/laws_test.cpp
+    test/control/moving_obstacles_test.cpp
     test/control/mppi_test.cpp
     test/control/scene.cpp
     test/control/scenes_test.cpp

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""turtlebot3_navigation drives turtlebot3_gazebo's Burger; upstream's packages are found."""
+"""turtlebot3_navigation drives turtlebot3_gazebo's robots; upstream's packages are found."""
 
 from __future__ import annotations
 
@@ -22,8 +22,7 @@ from trident_sim.occupancy import MapConfig, occupancy_map
 from trident_sim import SimulationWarning, World
 
 Start = Callable[..., Launch]
-ROBOT = "turtlebot3_burger"
-LIDAR_Z_M = 0.18
+MODELS = {"burger": 0.182, "waffle": 0.132}  # heights of their lidars [m]
 START = (-2.0, -0.5)  # of turtlebot3_world.launch
 NAMES = (
     "base_local_planner",
@@ -38,13 +37,18 @@ NAMES = (
 )
 
 
+@pytest.fixture(params=MODELS)
+def model(request: pytest.FixtureRequest) -> str:
+    return str(request.param)
+
+
 @pytest.fixture
-def pillars_map(tmp_path: Path) -> Path:
-    """The true map of turtlebot3_world."""
+def pillars_map(tmp_path: Path, model: str) -> Path:
+    """The true map of turtlebot3_world, as the model's lidar sees it."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", SimulationWarning)
         world = World(Path(package("turtlebot3_gazebo")) / "worlds/turtlebot3_world.world")
-        occupancy_map(world, MapConfig(heights=(LIDAR_Z_M,), start=START)).save(
+        occupancy_map(world, MapConfig(heights=(MODELS[model],), start=START)).save(
             tmp_path / "map.pgm"
         )
     return tmp_path / "map.yaml"
@@ -61,21 +65,23 @@ def pose_estimate() -> PoseWithCovarianceStamped:
     return message
 
 
-def test_a_burger_reaches_a_goal_between_the_pillars(
-    launch: Start, ros: Ros, pillars_map: Path
+def test_a_turtlebot3_reaches_a_goal_between_the_pillars(
+    launch: Start, ros: Ros, pillars_map: Path, model: str
 ) -> None:
+    robot = f"turtlebot3_{model}"
     run = launch(
         "turtlebot3_gazebo",
         "turtlebot3_world.launch",
         gui=False,
         real_time_factor=2,  # more, and data are late
-        env={"TURTLEBOT3_MODEL": "burger"},
-    ).spawned(ROBOT)
+        env={"TURTLEBOT3_MODEL": model},
+    ).spawned(robot)
     nodes = ros.launch(
         [
             *("roslaunch", "turtlebot3_navigation", "turtlebot3_navigation.launch"),
             *(f"map_file:={pillars_map}", "open_rviz:=false", "move_forward_only:=true"),
-        ]
+        ],
+        TURTLEBOT3_MODEL=model,
     )
     client = actionlib.SimpleActionClient("move_base", MoveBaseAction)
     assert client.wait_for_server(rospy.Duration(60.0)), nodes.log
@@ -98,7 +104,7 @@ def test_a_burger_reaches_a_goal_between_the_pillars(
     client.send_goal(goal)
     assert client.wait_for_result(rospy.Duration(120.0)), nodes.log
     assert client.get_state() == GoalStatus.SUCCEEDED, nodes.log
-    assert math.dist(run.position(ROBOT)[:2], (0.55, 0.55)) < 0.05 + 0.15
+    assert math.dist(run.position(robot)[:2], (0.55, 0.55)) < 0.05 + 0.15
     assert rospy.get_param("/move_base/DWAPlannerROS/min_vel_x") == 0.0
     assert "has no effect" not in nodes.log
     assert "is now called" not in nodes.log

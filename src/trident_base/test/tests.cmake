@@ -16,6 +16,7 @@ catkin_add_gtest(trident_base_test
   test/bicycle_odometry_test.cpp
   test/config_document_test.cpp
   test/config_error_test.cpp
+  test/config_fields_test.cpp
   test/diff_drive_odometry_test.cpp
   test/gauss_markov_test.cpp
   test/noise_test.cpp

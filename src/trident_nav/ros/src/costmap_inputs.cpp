@@ -106,7 +106,7 @@ void CostmapInputs::subscribe_beams(ros::NodeHandle& node, BeamLayer& layer) {
         subscribers_.push_back(node.subscribe<sensor_msgs::LaserScan>(
             source.topic(), kQueue, [this, &source](const sensor_msgs::LaserScanConstPtr& scan) {
               if (is_refused(source, scan->header.stamp)) return;
-              add(source, [this, &source, scan] { return observe(*scan, source.params()); });
+              add(source, [this, &source, scan] { return observe(*scan, source); });
             }));
         break;
       case BeamDataType::kPointCloud2:
@@ -150,7 +150,8 @@ SE3 CostmapInputs::sensor_pose(const std::string& frame, const BeamSourceParams&
 
 /// The beams of a scan that takes long get the poses at its begin and end.
 std::optional<Observation> CostmapInputs::observe(const sensor_msgs::LaserScan& message,
-                                                  const BeamSourceParams& params) {
+                                                  const BeamSource& source) {
+  const BeamSourceParams& params = source.params();
   const std::string problem = beams_problem(message);
   if (!problem.empty()) throw Error(problem);
   const LaserScan scan = to_scan(message);
@@ -161,6 +162,7 @@ std::optional<Observation> CostmapInputs::observe(const sensor_msgs::LaserScan& 
     poses.push_back(
         sensor_pose(message.header.frame_id, params, begin + ros::Duration(duration_s)));
   }
+  if (on_scan_ && params.marking) on_scan_(source, scan, poses);
   return observe_scan(scan, poses, params.inf_is_valid);
 }
 

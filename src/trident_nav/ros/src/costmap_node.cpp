@@ -14,6 +14,11 @@
 namespace trident::nav {
 namespace {
 
+// Of a costmap's parameters, what is read at the start alone.
+constexpr const char* kFixedParams[] = {"global_frame",    "robot_base_frame",
+                                        "rolling_window",  "track_unknown_space",
+                                        "footprint_topic", "published_footprint_topic"};
+
 CellBox joined(const CellBox& a, const CellBox& b) {
   if (a.empty()) return b;
   if (b.empty()) return a;
@@ -36,20 +41,50 @@ CostmapNode::CostmapNode(const ros::NodeHandle& node, const CostmapConfig& confi
           std::make_unique<Costmap>(config.params, make_layers(config, builtin_layer_types()))),
       frame_(frame_name(config.params.global_frame)),
       base_frame_(frame_name(config.params.robot_base_frame)),
+      layers_(config.layers),
       inputs_(root_, *costmap_, buffer, refusals) {
+  note_params(config.params);
   all_ = node_.advertise<nav_msgs::OccupancyGrid>("costmap", 1, true);
   parts_ = node_.advertise<map_msgs::OccupancyGridUpdate>("costmap_updates", 1);
   footprint_ = node_.advertise<geometry_msgs::PolygonStamped>("footprint", 1);
 }
 
-double CostmapNode::update_period_s() const {
-  const double rate = costmap_->params().update_frequency;
-  return rate > 0.0 ? 1.0 / rate : 0.2;
+void CostmapNode::note_params(const CostmapParams& params) {
+  constexpr double kSlow_s = 0.2;
+  update_period_s_ = params.update_frequency > 0.0 ? 1.0 / params.update_frequency : kSlow_s;
+  transform_tolerance_s_ = params.transform_tolerance;
+}
+
+std::vector<ConfigField> CostmapNode::live_fields() {
+  const std::lock_guard lock(mutex_);
+  std::vector<ConfigField> fields = config_fields(costmap_->params());
+  const auto is_fixed = [](const ConfigField& field) {
+    return std::find(std::begin(kFixedParams), std::end(kFixedParams), field.name) !=
+           std::end(kFixedParams);
+  };
+  fields.erase(std::remove_if(fields.begin(), fields.end(), is_fixed), fields.end());
+  return fields;
+}
+
+void CostmapNode::change(const ConfigNode& values) {
+  const std::lock_guard lock(mutex_);
+  CostmapParams params = costmap_->params();
+  config_detail::ConfigReader::read_struct(values, "parameter", node_.getNamespace(), params);
+  costmap_->set_params(params);
+  note_params(params);
+}
+
+void CostmapNode::change_layer(const std::string& name, const ConfigNode& values) {
+  const std::lock_guard lock(mutex_);
+  const auto spec = std::find_if(layers_.begin(), layers_.end(),
+                                 [&](const LayerSpec& one) { return one.setup.name == name; });
+  LayerSetup setup = spec->setup;
+  setup.config = values;
+  builtin_layer_types().get(plugin_class(spec->plugin)).change(*costmap_->layer(name), setup);
 }
 
 std::optional<Pose2> CostmapNode::robot(double now_s, std::string* problem) const {
-  return newest_pose(buffer_, frame_, base_frame_, now_s, costmap_->params().transform_tolerance,
-                     problem);
+  return newest_pose(buffer_, frame_, base_frame_, now_s, transform_tolerance_s_, problem);
 }
 
 void CostmapNode::update(double now_s) {

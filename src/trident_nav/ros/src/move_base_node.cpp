@@ -12,7 +12,6 @@
 #include <utility>
 
 #include "trident_base/error.h"
-#include "trident_nav/costmap/costmap_config.h"
 #include "trident_nav_ros/frames.h"
 #include "trident_nav_ros/input_checks.h"
 
@@ -20,20 +19,6 @@ namespace trident::nav {
 namespace {
 
 constexpr double kWarningPeriod_s = 5.0;
-
-CostmapConfig costmap_config(const ConfigNode& tree, const std::string& node_name,
-                             const std::string& name, Warnings* warnings) {
-  ConfigNode none;
-  none.kind = ConfigNode::Kind::kMap;
-  const ConfigNode* const own = tree.find(name);
-  CostmapConfigSource source;
-  source.path = node_name + "/" + name;
-  source.above = &tree;
-  CostmapConfig config =
-      read_costmap_config(own != nullptr ? *own : none, source, builtin_layer_types());
-  warnings->insert(warnings->end(), config.warnings.begin(), config.warnings.end());
-  return config;
-}
 
 nav_msgs::Path path_message(const Path& path, const std::string& frame, double now_s) {
   nav_msgs::Path message;
@@ -50,73 +35,11 @@ nav_msgs::Path path_message(const Path& path, const std::string& frame, double n
 
 }  // namespace
 
-struct MoveBaseNode::Parts {
-  MoveBaseParams params;
-  std::string planner_space, controller_space, odom_topic;
-  std::unique_ptr<CostmapNode> global, local;
-  std::unique_ptr<Planner> planner;
-  std::unique_ptr<Controller> controller;
-  std::unique_ptr<PlanningThread> world;
-  std::unique_ptr<Navigator> navigator;
-};
-
-std::unique_ptr<MoveBaseNode::Parts> MoveBaseNode::make_parts(const ros::NodeHandle& private_node,
-                                                              const tf2::BufferCore& buffer,
-                                                              ros_utils::Refusals& refusals) {
-  ros_utils::NodeParams node_params(private_node);
-  auto parts = std::make_unique<Parts>();
-  Warnings warnings;
-  parts->params = node_params.read<MoveBaseParams>();
-  parts->planner_space = plugin_namespace(parts->params.base_global_planner);
-  parts->controller_space = plugin_namespace(parts->params.base_local_planner);
-
-  XmlRpc::XmlRpcValue value;
-  private_node.getParam(private_node.getNamespace(), value);
-  ConfigNode tree = ros_utils::to_config_node(value);
-  tree.kind = ConfigNode::Kind::kMap;
-  const std::string name = private_node.getNamespace();
-  std::vector<std::string> spaces = {"global_costmap", "local_costmap", parts->planner_space,
-                                     parts->controller_space};
-
-  parts->global = std::make_unique<CostmapNode>(
-      ros::NodeHandle(private_node, "global_costmap"),
-      costmap_config(tree, name, "global_costmap", &warnings), buffer, refusals);
-  parts->local = std::make_unique<CostmapNode>(
-      ros::NodeHandle(private_node, "local_costmap"),
-      costmap_config(tree, name, "local_costmap", &warnings), buffer, refusals);
-  parts->planner = make_planner(parts->params.base_global_planner, tree.find(parts->planner_space),
-                                name + "/" + parts->planner_space, &warnings);
-
-  const std::string control_name = name + "/" + parts->controller_space;
-  ControllerConfig control =
-      read_controller_config(tree.find(parts->controller_space), control_name, &warnings);
-  control.setup.footprint = parts->local->costmap().footprint();
-  control.setup.period_s = 1.0 / parts->params.controller_frequency;
-  parts->odom_topic = control.odom_topic;
-  parts->controller =
-      make_local_planner(parts->params.base_local_planner, control, control_name, &warnings);
-  const MotionLimits& limits = control.setup.limits;
-  parts->world =
-      std::make_unique<PlanningThread>(*parts->global, *parts->local, *parts->planner, limits);
-  parts->world->set_odometry_topic(control.odom_topic);
-  NavigatorParts navigator{parts->params, limits, control.setup.footprint, {}};
-  navigator.recoveries = make_recoveries(
-      parts->params, {limits, control.setup.footprint, control.setup.period_s}, tree, &warnings);
-  for (const NamedRecovery& recovery : navigator.recoveries) spaces.push_back(recovery.name);
-  parts->navigator =
-      std::make_unique<Navigator>(std::move(navigator), *parts->world, *parts->controller);
-
-  node_params.accept(spaces);
-  for (std::string& warning : warnings) node_params.add_warning(std::move(warning));
-  node_params.log_warnings();
-  return parts;
-}
-
 MoveBaseNode::MoveBaseNode(ros::NodeHandle& node, const ros::NodeHandle& private_node)
     : refusals_(node),
       transforms_(buffer_,
                   [this](const std::string& problem) { refusals_.note("transform", problem); }),
-      parts_(make_parts(private_node, buffer_, refusals_)) {
+      parts_(make_move_base_parts(private_node, buffer_, refusals_)) {
   serve(node, private_node);
   global_thread_ = std::thread([this] { update_global(); });
 }
@@ -139,13 +62,14 @@ void MoveBaseNode::serve(ros::NodeHandle& node, ros::NodeHandle private_node) {
       "move_base_simple/goal", 1,
       [this](const geometry_msgs::PoseStampedConstPtr& message) { on_simple_goal(*message); });
   links_.odometry = node.subscribe<nav_msgs::Odometry>(
-      parts_->odom_topic, 5,
+      parts_->control.odom_topic, 5,
       [this](const nav_msgs::OdometryConstPtr& message) { on_odometry(*message); });
   links_.make_plan = private_node.advertiseService("make_plan", &MoveBaseNode::make_plan, this);
   links_.clear_costmaps =
       private_node.advertiseService("clear_costmaps", &MoveBaseNode::clear_costmaps, this);
   goals_ = std::make_unique<GoalTopics>(node, "move_base");
   goals_->start();
+  reconfiguration_ = std::make_unique<Reconfiguration>(private_node, *parts_, refusals_);
 }
 
 void MoveBaseNode::on_simple_goal(const geometry_msgs::PoseStamped& message) {
@@ -163,7 +87,8 @@ void MoveBaseNode::on_simple_goal(const geometry_msgs::PoseStamped& message) {
 void MoveBaseNode::on_odometry(const nav_msgs::Odometry& message) {
   const std::string problem = odometry_problem(message, ros::Time::now());
   if (!problem.empty()) {
-    refusals_.note("odometry", "odometry on " + parts_->odom_topic + " is not used: " + problem);
+    refusals_.note("odometry",
+                   "odometry on " + parts_->control.odom_topic + " is not used: " + problem);
     return;
   }
   parts_->world->note_odometry(message.header.stamp.toSec());
@@ -186,8 +111,14 @@ void MoveBaseNode::update_global() {
 }
 
 void MoveBaseNode::run() {
-  ros::Rate rate(parts_->params.controller_frequency);
+  double frequency = parts_->navigator->params().controller_frequency;
+  ros::Rate rate(frequency);
   while (ros::ok()) {
+    reconfiguration_->apply();
+    if (frequency != parts_->navigator->params().controller_frequency) {
+      frequency = parts_->navigator->params().controller_frequency;
+      rate = ros::Rate(frequency);
+    }
     cycle();
     rate.sleep();
   }
@@ -207,6 +138,7 @@ void MoveBaseNode::cycle() {
   const auto lock = parts_->local->lock();
   NavigatorInput input = *sensed;
   input.local = parts_->local->costmap().grid();
+  input.tracks = parts_->moving->at(now_s);
   act(input, parts_->navigator->step(input));
 }
 

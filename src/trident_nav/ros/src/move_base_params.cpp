@@ -163,11 +163,31 @@ std::unique_ptr<Planner> make_planner(const std::string& plugin, const ConfigNod
                         [&](const ConfigNode& config) { return factory(config, name_space); });
 }
 
+std::vector<ConfigField> planner_fields(const std::string& plugin) {
+  return builtin_planners().get(planner_name(plugin)).fields;
+}
+
+std::vector<ConfigField> controller_fields(const std::string& plugin) {
+  std::vector<ConfigField> fields = config_fields<MotionParams>();
+  const std::vector<std::string>& shared = motion_names();
+  const ControlLawRegistry laws = builtin_control_laws();
+  for (const ConfigField& field : laws.get(plugin).fields) {
+    const bool is_shared = std::find(shared.begin(), shared.end(), field.name) != shared.end();
+    if (!is_shared) fields.push_back(field);
+  }
+  // What odometry comes on is subscribed at the start.
+  fields.erase(std::remove_if(fields.begin(), fields.end(),
+                              [](const ConfigField& one) { return one.name == "odom_topic"; }),
+               fields.end());
+  return fields;
+}
+
 ControllerConfig read_controller_config(const ConfigNode* node, const std::string& name_space,
                                         Warnings* warnings) {
   ControllerConfig result;
   result.law = node != nullptr ? *node : empty_map();
   rename_old(&result.law, name_space, warnings);
+  result.given = result.law;
   ConfigNode motion = empty_map();
   for (const std::string& name : motion_names()) {
     if (auto value = take(&result.law, name)) put(&motion, name, std::move(*value));

@@ -17,6 +17,11 @@ PlanningThread::PlanningThread(CostmapNode& global, CostmapNode& local, Planner&
         run();
       }) {}
 
+void PlanningThread::set_limits(const MotionLimits& limits) {
+  const std::lock_guard lock(planner_mutex_);
+  limits_ = limits;
+}
+
 PlanningThread::~PlanningThread() {
   {
     const std::lock_guard lock(mutex_);

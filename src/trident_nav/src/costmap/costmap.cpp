@@ -42,6 +42,13 @@ Costmap::Costmap(CostmapParams params, std::vector<std::unique_ptr<Layer>> layer
   distances_.resize(geometry_);
 }
 
+void Costmap::set_params(const CostmapParams& params) {
+  params.validate();
+  const Footprint footprint = params.padded_footprint();
+  params_ = params;
+  set_footprint(footprint);
+}
+
 void Costmap::set_footprint(const Footprint& footprint) {
   footprint_ = footprint;
   for (const auto& layer : stack_.layers()) layer->set_footprint(footprint);
@@ -91,7 +98,7 @@ void Costmap::update_distances() {
 
 GridGeometry Costmap::next_geometry(const Pose2& robot) const {
   if (params_.rolling_window) {
-    GridGeometry next = geometry_;
+    GridGeometry next = params_.geometry();
     const auto cells = [&](double center, double half, double origin) {
       return std::floor((center - half - origin) / next.resolution);
     };
@@ -106,7 +113,7 @@ GridGeometry Costmap::next_geometry(const Pose2& robot) const {
   for (const auto& layer : stack_.layers()) {
     if (const auto wanted = layer->wanted_geometry()) return *wanted;
   }
-  return geometry_;
+  return params_.geometry();
 }
 
 CostGrid Costmap::grid() const {

@@ -65,6 +65,12 @@ NavigatorInput at_present(NavigatorInput input) {
 Navigator::Navigator(NavigatorParts parts, NavigatorWorld& world, Controller& controller)
     : parts_(std::move(parts)), world_(world), controller_(controller), keeper_(parts_.params) {}
 
+void Navigator::set_parts(NavigatorParts parts) {
+  parts_ = std::move(parts);
+  keeper_.set_params(parts_.params);
+  next_recovery_ = std::min(next_recovery_, parts_.recoveries.size());
+}
+
 void Navigator::forget_progress(double now_s) {
   since_ = Patience{};
   since_.plan_s = since_.command_s = since_.motion_s = since_.step_s = since_.progress_s = now_s;

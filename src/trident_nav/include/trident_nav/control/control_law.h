@@ -3,10 +3,10 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <string>
 
+#include "trident_base/config_fields.h"
 #include "trident_base/config_node.h"
 #include "trident_base/registry.h"
 #include "trident_nav/control/goal_arrival.h"
@@ -76,7 +76,7 @@ class ControlLaw {
 };
 
 /// Makes a law from its parameters, of which those absent have their defaults. Throws ConfigError.
-using ControlLawFactory = std::function<std::unique_ptr<ControlLaw>(
+using ControlLawFactory = DescribedFactory<std::unique_ptr<ControlLaw>(
     const ControlSetup& setup, const ConfigNode& params, const std::string& label)>;
 using ControlLawRegistry = Registry<ControlLawFactory>;
 

@@ -63,6 +63,9 @@ struct BeamLayerParams {
 /// obstacle_range does not mark, but it keeps the marks of its cell and the neighbors.
 class BeamLayer : public CellLayer {
  public:
+  /// Read at the start alone.
+  static constexpr std::array kFixedKeys = {"track_unknown_space"};
+
   BeamLayer(const LayerSetup& setup, const BeamLayerParams& params);
 
   std::vector<BeamSource>& sources() { return sources_; }

@@ -24,6 +24,9 @@ class Costmap {
   Costmap(CostmapParams params, std::vector<std::unique_ptr<Layer>> layers);
 
   const CostmapParams& params() const { return params_; }
+  /// Takes other parameters from the next update on: the footprint, and the grid's size and place,
+  /// by which cells that remain keep what layers know of them. Throws Error, and changes nothing.
+  void set_params(const CostmapParams& params);
   const Footprint& footprint() const { return footprint_; }
   /// Replaces the footprint, as it is: without the padding of the parameters.
   void set_footprint(const Footprint& footprint);

@@ -2,14 +2,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
+#include "trident_base/config_fields.h"
 #include "trident_base/registry.h"
 #include "trident_base/yaml_config.h"
 #include "trident_nav/costmap/layer.h"
@@ -103,11 +108,45 @@ struct LayerSetup {
 
 using LayerFactory = std::function<std::unique_ptr<Layer>(const LayerSetup& setup)>;
 
-/// A type of layers with the names of its parameters (of nested ones the first part).
+/// A type of layers with the names of its parameters (of nested ones the first part), and those
+/// that may be changed while a costmap runs.
 struct LayerType {
   LayerFactory make;
   std::vector<std::string> parameters;
+  std::vector<ConfigField> live_fields;
+  /// Gives a layer of this type the parameters of a setup. Throws ConfigError, and changes nothing.
+  std::function<void(Layer& layer, const LayerSetup& setup)> change;
 };
+
+namespace layer_detail {
+
+template <class Type, class = void>
+struct FixedKeys {
+  static bool contains(const std::string& /*name*/) { return false; }
+};
+template <class Type>
+struct FixedKeys<Type, std::void_t<decltype(Type::kFixedKeys)>> {
+  static bool contains(const std::string& name) {
+    return std::find(std::begin(Type::kFixedKeys), std::end(Type::kFixedKeys), name) !=
+           std::end(Type::kFixedKeys);
+  }
+};
+
+template <class Type>
+LayerType layer_type() {
+  LayerType type;
+  type.make = [](const LayerSetup& setup) { return std::make_unique<Type>(setup); };
+  type.parameters = field_names<typename Type::Params>();
+  for (ConfigField& field : config_fields<typename Type::Params>()) {
+    if (!FixedKeys<Type>::contains(field.name)) type.live_fields.push_back(std::move(field));
+  }
+  type.change = [](Layer& layer, const LayerSetup& setup) {
+    dynamic_cast<Type&>(layer).set_params(setup.params<typename Type::Params>());
+  };
+  return type;
+}
+
+}  // namespace layer_detail
 
 /// Adds all layers that this library has, under their class names: "StaticLayer".
 void register_builtin_layers(Registry<LayerType>& registry);
@@ -121,13 +160,12 @@ std::string plugin_class(const std::string& plugin_name);
 std::unique_ptr<Layer> make_layer(const Registry<LayerType>& registry,
                                   const std::string& plugin_name, const LayerSetup& setup);
 
-/// Ends the source of a layer: `Type` is made from (LayerSetup) and has `Type::Params`.
-#define TRIDENT_COSTMAP_LAYER(function, name, Type)                             \
-  void add_##function(Registry<LayerType>& registry) {                          \
-    registry.add(name, {[](const LayerSetup& setup) -> std::unique_ptr<Layer> { \
-                          return std::make_unique<Type>(setup);                 \
-                        },                                                      \
-                        layer_detail::field_names<Type::Params>()});            \
+/// Ends the source of a layer: `Type` is made from (LayerSetup) and has `Type::Params` and
+/// `set_params`; if it has `Type::kFixedKeys`, an array of names, those are read at the start
+/// alone.
+#define TRIDENT_COSTMAP_LAYER(function, name, Type)       \
+  void add_##function(Registry<LayerType>& registry) {    \
+    registry.add(name, layer_detail::layer_type<Type>()); \
   }
 
 }  // namespace trident::nav

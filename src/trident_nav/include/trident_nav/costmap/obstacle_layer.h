@@ -14,6 +14,8 @@ class ObstacleLayer : public BeamLayer {
 
   explicit ObstacleLayer(const LayerSetup& setup);
 
+  void set_params(const Params& params) { set_beam_params(params); }
+
  private:
   void clear_beams(const Observation& observation, const Reach& reach) override;
   void clear_beam(const BeamGroup& group, const BeamEnd& end, const Reach& reach);

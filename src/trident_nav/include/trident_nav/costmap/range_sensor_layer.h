@@ -79,6 +79,9 @@ class RangeSensorLayer : public CellLayer {
  public:
   using Params = RangeSensorLayerParams;
 
+  /// Read at the start alone.
+  static constexpr std::array kFixedKeys = {"no_readings_timeout", "max_source_age"};
+
   explicit RangeSensorLayer(const LayerSetup& setup);
 
   const Params& params() const { return params_; }

@@ -53,9 +53,17 @@ class StaticLayer : public CellLayer {
  public:
   using Params = StaticLayerParams;
 
+  /// Read at the start alone: what subscribes to the map, and what the map's cells are made with.
+  static constexpr std::array kFixedKeys = {
+      "map_topic",           "first_map_only",        "subscribe_to_updates",
+      "track_unknown_space", "lethal_cost_threshold", "unknown_cost_value",
+      "trinary_costmap"};
+
   explicit StaticLayer(const LayerSetup& setup);
 
   const Params& params() const { return params_; }
+  /// Takes `enabled` and `use_maximum` over.
+  void set_params(const Params& params);
 
   /// Takes a map. Returns false when it is not used because of first_map_only. Throws Error when
   /// the map's numbers of cells do not fit its size or its resolution is not positive.

@@ -62,6 +62,12 @@ class Navigator {
   /// `world` and `controller` outlive the navigator.
   Navigator(NavigatorParts parts, NavigatorWorld& world, Controller& controller);
 
+  const NavigatorParams& params() const { return parts_.params; }
+  bool is_recovering() const { return phase_ == Phase::kRecovering; }
+  /// Drives with other parameters, limits and recoveries from the next step on, toward the same
+  /// goal; not while it is recovering.
+  void set_parts(NavigatorParts parts);
+
   /// Takes a goal in the global costmap's frame in place of any other.
   void set_goal(const Pose2& goal, double now_s);
   /// Forgets the goal; the robot is not commanded any more.

@@ -17,6 +17,10 @@ class PathKeeper {
  public:
   explicit PathKeeper(const NavigatorParams& params)
       : hysteresis_(params.path_hysteresis), commit_s_(params.commit_time) {}
+  void set_params(const NavigatorParams& params) {
+    hysteresis_ = params.path_hysteresis;
+    commit_s_ = params.commit_time;
+  }
 
   void clear();
   bool has_path() const { return !path_.empty(); }

@@ -4,10 +4,10 @@
 /// TRIDENT_NAV_PLANNER, and a line in the list of planners of planning.cmake.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <string>
 
+#include "trident_base/config_fields.h"
 #include "trident_base/registry.h"
 #include "trident_base/yaml_config.h"
 #include "trident_nav/planning/planner.h"
@@ -16,15 +16,18 @@ namespace trident::nav {
 
 /// Makes a planner from its parameters, a map; `source` names where they come from in errors.
 /// Throws ConfigError naming source, key, value and legal range.
-using PlannerFactory = std::function<std::unique_ptr<Planner>(const ConfigNode& parameters,
-                                                              const std::string& source)>;
+using PlannerFactory = DescribedFactory<std::unique_ptr<Planner>(const ConfigNode& parameters,
+                                                                 const std::string& source)>;
 
 /// The factory of a planner that is made from its parameters alone.
 template <class PlannerType, class Params>
 PlannerFactory planner_factory() {
-  return [](const ConfigNode& parameters, const std::string& source) -> std::unique_ptr<Planner> {
+  PlannerFactory factory = [](const ConfigNode& parameters,
+                              const std::string& source) -> std::unique_ptr<Planner> {
     return std::make_unique<PlannerType>(load_config_node<Params>(parameters, source));
   };
+  factory.fields = config_fields<Params>();
+  return factory;
 }
 
 /// Registers a planner under a name in the form `package/Class`. Stands in namespace trident::nav

@@ -11,6 +11,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "trident_nav/costmap/beam_layer.h"
@@ -27,6 +28,12 @@ class CostmapInputs {
   /// `costmap`, `buffer` and `refusals` outlive it. Topics are names of `node`.
   CostmapInputs(ros::NodeHandle& node, Costmap& costmap, const tf2::BufferCore& buffer,
                 ros_utils::Refusals& refusals);
+
+  /// Called in apply() with each scan of a source that marks, and the poses of its laser in the
+  /// costmap's frame at its begin and end (one: all beams are of one time).
+  using ScanListener = std::function<void(const BeamSource& source, const LaserScan& scan,
+                                          Span<const SE3> T_costmap_laser)>;
+  void set_scan_listener(ScanListener listener) { on_scan_ = std::move(listener); }
 
   /// Hands over what has come, but for what tf does not reach yet. The costmap is locked.
   void apply();
@@ -47,7 +54,7 @@ class CostmapInputs {
   void add(BeamSource& source, Observe observe);
   void apply_pending(Pending& pending, std::deque<Pending>* waiting);
   std::optional<Observation> observe(const sensor_msgs::LaserScan& scan,
-                                     const BeamSourceParams& params);
+                                     const BeamSource& source);
   SE3 sensor_pose(const std::string& frame, const BeamSourceParams& params,
                   const ros::Time& stamp) const;
 
@@ -55,6 +62,7 @@ class CostmapInputs {
   const tf2::BufferCore& buffer_;
   ros_utils::Refusals& refusals_;
   std::string frame_;
+  ScanListener on_scan_;
   std::mutex mutex_;  // guards what follows
   std::deque<Pending> pending_;
   std::vector<std::function<void()>> maps_;

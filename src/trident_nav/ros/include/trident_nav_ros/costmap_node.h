@@ -6,10 +6,13 @@
 #include <ros/ros.h>
 #include <tf2/buffer_core.h>
 
+#include <atomic>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "trident_nav/costmap/costmap.h"
 #include "trident_nav/costmap/costmap_config.h"
@@ -31,7 +34,17 @@ class CostmapNode {
 
   const std::string& frame() const { return frame_; }
   const std::string& base_frame() const { return base_frame_; }
-  double update_period_s() const;
+  /// From any thread, and so is what changes parameters.
+  double update_period_s() const { return update_period_s_; }
+
+  /// The costmap's parameters that may be changed while it runs, with their values as defaults.
+  std::vector<ConfigField> live_fields();
+  /// Takes over those of them that a map has. Throws ConfigError, and changes nothing.
+  void change(const ConfigNode& values);
+  /// The layers as they were configured.
+  const std::vector<LayerSpec>& layer_specs() const { return layers_; }
+  /// Gives a layer other values of all its parameters. Throws ConfigError, and changes nothing.
+  void change_layer(const std::string& name, const ConfigNode& values);
 
   /// Locks the costmap against updates.
   std::unique_lock<std::mutex> lock() { return std::unique_lock(mutex_); }
@@ -40,12 +53,18 @@ class CostmapNode {
 
   /// The newest pose of the robot; else a sentence says why it is unknown.
   std::optional<Pose2> robot(double now_s, std::string* problem) const;
+  /// See CostmapInputs; called by update(), with the costmap locked. To be set before its first
+  /// call.
+  void set_scan_listener(CostmapInputs::ScanListener listener) {
+    inputs_.set_scan_listener(std::move(listener));
+  }
   /// Takes in what has come, and publishes what is due.
   void update(double now_s);
   /// What is missing before the costmap can be used: a map; empty: nothing.
   std::string missing();
 
  private:
+  void note_params(const CostmapParams& params);
   void publish(double now_s, const Pose2& robot);
   void publish_all(double now_s);
   void publish_part(double now_s, const CellBox& box);
@@ -55,7 +74,9 @@ class CostmapNode {
   const tf2::BufferCore& buffer_;
   std::unique_ptr<Costmap> costmap_;
   std::string frame_, base_frame_;
+  std::vector<LayerSpec> layers_;
   CostmapInputs inputs_;
+  std::atomic<double> update_period_s_{0.2}, transform_tolerance_s_{0.3};
   std::mutex mutex_;  // guards the costmap and what follows
   ros::Publisher all_, parts_, footprint_;
   CellBox unpublished_;

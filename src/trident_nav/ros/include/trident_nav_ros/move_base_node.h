@@ -17,11 +17,9 @@
 #include <thread>
 
 #include "trident_nav/navigator/navigator.h"
-#include "trident_nav_ros/costmap_node.h"
 #include "trident_nav_ros/goal_server.h"
-#include "trident_nav_ros/move_base_params.h"
-#include "trident_nav_ros/planning_thread.h"
-#include "trident_ros/node_params.h"
+#include "trident_nav_ros/move_base_parts.h"
+#include "trident_nav_ros/reconfiguration.h"
 #include "trident_ros/refusals.h"
 #include "trident_ros/transform_input.h"
 
@@ -38,11 +36,6 @@ class MoveBaseNode {
   void run();
 
  private:
-  struct Parts;  // what is made of parameters
-
-  static std::unique_ptr<Parts> make_parts(const ros::NodeHandle& private_node,
-                                           const tf2::BufferCore& buffer,
-                                           ros_utils::Refusals& refusals);
   void serve(ros::NodeHandle& node, ros::NodeHandle private_node);
   void update_global();
   void cycle();
@@ -63,8 +56,9 @@ class MoveBaseNode {
   tf2_ros::Buffer buffer_;
   ros_utils::Refusals refusals_;
   ros_utils::TransformInput transforms_;
-  std::unique_ptr<Parts> parts_;
+  std::unique_ptr<MoveBaseParts> parts_;
   std::unique_ptr<GoalTopics> goals_;
+  std::unique_ptr<Reconfiguration> reconfiguration_;
 
   /// Publishers, subscribers and services.
   struct Links {

@@ -6,10 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "trident_base/config_fields.h"
 #include "trident_base/config_node.h"
 #include "trident_base/config_types.h"
 #include "trident_nav/control/control_law.h"
 #include "trident_nav/control/controller.h"
+#include "trident_nav/control/moving_obstacles.h"
 #include "trident_nav/navigator/navigator_params.h"
 #include "trident_nav/navigator/recovery.h"
 #include "trident_nav/planning/planner.h"
@@ -39,6 +41,7 @@ struct MoveBaseParams : NavigatorParams {
   bool shutdown_costmaps = false;
   bool make_plan_clear_costmap = true;
   bool make_plan_add_unreachable_goal = true;
+  MovingObstacleParams moving_obstacles;
 
   template <class Archive>
   void visit(Archive& ar) {
@@ -57,6 +60,7 @@ struct MoveBaseParams : NavigatorParams {
              "accepted: planners leave occupied starts by themselves");
     ar.field("make_plan_add_unreachable_goal", make_plan_add_unreachable_goal,
              "accepted: a plan's last pose is what can be reached");
+    ar.field("moving_obstacles", moving_obstacles, "what is tracked");
   }
 };
 
@@ -75,11 +79,17 @@ std::unique_ptr<Planner> make_planner(const std::string& plugin, const ConfigNod
 /// parameters have them; old names become new ones with a warning.
 struct ControllerConfig {
   ControlSetup setup;
+  ConfigNode given;  ///< All parameters, under their new names.
   ConfigNode law;
   std::string odom_topic = "odom";
 };
 ControllerConfig read_controller_config(const ConfigNode* node, const std::string& name_space,
                                         Warnings* warnings);
+
+/// The parameters of a planner's plugin that have a single value. Throws Error for an unknown one.
+std::vector<ConfigField> planner_fields(const std::string& plugin);
+/// Those of a local planner's plugin: what all have, then what its law has.
+std::vector<ConfigField> controller_fields(const std::string& plugin);
 
 /// The controller of a plugin's name. Throws as make_planner() does.
 std::unique_ptr<Controller> make_local_planner(const std::string& plugin,

@@ -34,6 +34,8 @@ class PlanningThread : public NavigatorWorld {
   }
   /// Odometry came, stamped so [s].
   void note_odometry(double stamp_s);
+  /// From the next plan on; from any thread.
+  void set_limits(const MotionLimits& limits);
   void set_odometry_topic(const std::string& topic) { odom_topic_ = topic; }
 
   void request_plan(const Pose2& start, const Pose2& goal) override;
@@ -55,12 +57,12 @@ class PlanningThread : public NavigatorWorld {
   CostmapNode& global_;
   CostmapNode& local_;
   Planner& planner_;
-  MotionLimits limits_;
-  AvoidedPlaces avoided_;  // guarded by planner_mutex_
   Pose2 robot_global_, robot_local_;  // of the thread that steps the navigator
   std::string odom_topic_;
 
-  std::mutex planner_mutex_;  // guards planner_
+  std::mutex planner_mutex_;  // guards planner_, limits_ and avoided_
+  MotionLimits limits_;
+  AvoidedPlaces avoided_;
   CancelFlag cancel_{false};
   std::mutex mutex_;  // guards what follows
   std::condition_variable changed_;

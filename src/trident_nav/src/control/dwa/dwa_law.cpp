@@ -116,10 +116,11 @@ class DwaLaw final : public ControlLaw {
 }  // namespace
 
 void add_dwa(ControlLawRegistry& registry) {
-  const ControlLawFactory factory = [](const ControlSetup& setup, const ConfigNode& params,
-                                       const std::string& label) {
+  ControlLawFactory factory = [](const ControlSetup& setup, const ConfigNode& params,
+                                 const std::string& label) {
     return std::make_unique<DwaLaw>(setup, load_config_node<DwaParams>(params, label));
   };
+  factory.fields = config_fields<DwaParams>();
   registry.add("dwa", factory);
   registry.add("dwa_local_planner/DWAPlannerROS", factory);
 }

@@ -125,8 +125,8 @@ Proposal DwbLaw::propose(const Situation& situation) {
 }  // namespace
 
 void add_dwb(ControlLawRegistry& registry) {
-  const ControlLawFactory factory = [](const ControlSetup& setup, const ConfigNode& given,
-                                       const std::string& label) {
+  ControlLawFactory factory = [](const ControlSetup& setup, const ConfigNode& given,
+                                 const std::string& label) {
     ConfigNode critics = given;
     const ConfigNode own = take_keys(&critics, {"critics"});
     const auto names = load_config_node<DwbParams>(own, label).critics;
@@ -135,6 +135,7 @@ void add_dwb(ControlLawRegistry& registry) {
     return std::make_unique<DwbLaw>(setup, load_config_node<DwbParams>(rest, label), critics,
                                     label);
   };
+  factory.fields = config_fields<DwbParams>();
   registry.add("dwb", factory);
   registry.add("dwb_core::DWBLocalPlanner", factory);
 }

@@ -188,10 +188,11 @@ void GracefulParams::validate() const {
 }
 
 void add_graceful(ControlLawRegistry& registry) {
-  const ControlLawFactory factory = [](const ControlSetup& setup, const ConfigNode& params,
-                                       const std::string& label) {
+  ControlLawFactory factory = [](const ControlSetup& setup, const ConfigNode& params,
+                                 const std::string& label) {
     return std::make_unique<GracefulLaw>(setup, load_config_node<GracefulParams>(params, label));
   };
+  factory.fields = config_fields<GracefulParams>();
   registry.add("graceful", factory);
   registry.add("nav2_graceful_controller::GracefulController", factory);
 }

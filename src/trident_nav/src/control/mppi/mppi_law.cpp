@@ -123,10 +123,11 @@ Proposal MppiLaw::propose(const Situation& situation) {
 }  // namespace
 
 void add_mppi(ControlLawRegistry& registry) {
-  const ControlLawFactory factory = [](const ControlSetup& setup, const ConfigNode& params,
-                                       const std::string& label) {
+  ControlLawFactory factory = [](const ControlSetup& setup, const ConfigNode& params,
+                                 const std::string& label) {
     return std::make_unique<MppiLaw>(setup, load_config_node<MppiParams>(params, label));
   };
+  factory.fields = config_fields<MppiParams>();
   registry.add("mppi", factory);
   registry.add("nav2_mppi_controller::MPPIController", factory);
 }

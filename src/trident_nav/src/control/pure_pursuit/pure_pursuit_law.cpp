@@ -183,11 +183,12 @@ void PurePursuitParams::validate() const {
 }
 
 void add_pure_pursuit(ControlLawRegistry& registry) {
-  const ControlLawFactory factory = [](const ControlSetup& setup, const ConfigNode& params,
-                                       const std::string& label) {
+  ControlLawFactory factory = [](const ControlSetup& setup, const ConfigNode& params,
+                                 const std::string& label) {
     return std::make_unique<PurePursuitLaw>(setup,
                                             load_config_node<PurePursuitParams>(params, label));
   };
+  factory.fields = config_fields<PurePursuitParams>();
   registry.add("regulated_pure_pursuit", factory);
   registry.add("nav2_regulated_pure_pursuit_controller::RegulatedPurePursuitController", factory);
 }

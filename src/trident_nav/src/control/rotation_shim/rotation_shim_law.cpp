@@ -149,8 +149,8 @@ void RotationShimParams::validate() const {
 }
 
 void add_rotation_shim(ControlLawRegistry& registry) {
-  const ControlLawFactory factory = [](const ControlSetup& setup, const ConfigNode& params,
-                                       const std::string& label) {
+  ControlLawFactory factory = [](const ControlSetup& setup, const ConfigNode& params,
+                                 const std::string& label) {
     ConfigNode rest = params;
     const ConfigNode own = take_keys(&rest, key_names<RotationShimParams>());
     const auto shim = load_config_node<RotationShimParams>(own, label);
@@ -162,6 +162,7 @@ void add_rotation_shim(ControlLawRegistry& registry) {
     auto primary = make_primary(name, setup, own, std::move(rest), label);
     return std::make_unique<RotationShimLaw>(setup, shim, std::move(primary));
   };
+  factory.fields = config_fields<RotationShimParams>();
   registry.add("rotation_shim", factory);
   registry.add("nav2_rotation_shim_controller::RotationShimController", factory);
 }

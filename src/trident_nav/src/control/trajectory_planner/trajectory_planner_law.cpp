@@ -220,11 +220,12 @@ Proposal TrajectoryPlannerLaw::propose(const Situation& situation) {
 }  // namespace
 
 void add_trajectory_planner(ControlLawRegistry& registry) {
-  const ControlLawFactory factory = [](const ControlSetup& setup, const ConfigNode& params,
-                                       const std::string& label) {
+  ControlLawFactory factory = [](const ControlSetup& setup, const ConfigNode& params,
+                                 const std::string& label) {
     return std::make_unique<TrajectoryPlannerLaw>(
         setup, load_config_node<TrajectoryPlannerParams>(params, label));
   };
+  factory.fields = config_fields<TrajectoryPlannerParams>();
   registry.add("trajectory_planner", factory);
   registry.add("base_local_planner/TrajectoryPlannerROS", factory);
 }

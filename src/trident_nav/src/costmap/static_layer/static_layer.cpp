@@ -82,6 +82,14 @@ bool StaticLayer::is_in_place(const OccupancyGrid& map) const {
   return map.resolution == map_.resolution && moved.p.isZero(0.0) && moved.angle == 0.0;
 }
 
+void StaticLayer::set_params(const Params& params) {
+  set_enabled(params.enabled);
+  params_.enabled = params.enabled;
+  if (params_.use_maximum == params.use_maximum) return;
+  params_.use_maximum = params.use_maximum;
+  changed_.insert_all();
+}
+
 bool StaticLayer::set_map(const OccupancyGrid& map) {
   if (has_map() && params_.first_map_only) return false;
   require_valid(map);
