@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-/// Prints how long updates of costmaps take: one line per case, "<name> <median> <99th percentile>"
-/// in ms of this thread's CPU time.
+/// Measures how long updates of costmaps take: a line of JSON per case with its name, the median,
+/// the mean and the 99th percentile of this thread's CPU time [ms].
 #include <time.h>
 
 #include <algorithm>
@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <functional>
 #include <memory>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -40,7 +41,11 @@ void measure(const std::string& name, int rounds, const std::function<void(int)>
   }
   std::sort(times.begin(), times.end());
   const std::size_t n = times.size();
-  std::printf("%-28s %8.3f %8.3f\n", name.c_str(), times[n / 2], times[n * 99 / 100]);
+  const double sum = std::accumulate(times.begin(), times.end(), 0.0);
+  std::printf(
+      "{\"name\": \"%s\", \"median_cpu_ms\": %.3f, \"mean_cpu_ms\": %.3f, \"p99_cpu_ms\": "
+      "%.3f}\n",
+      name.c_str(), times[n / 2], sum / static_cast<double>(n), times[n * 99 / 100]);
   std::fflush(stdout);
 }
 
@@ -202,7 +207,6 @@ void voxels(int rounds) {
 
 int main() {
   using namespace trident::nav;
-  std::printf("%-28s %8s %8s\n", "case", "median", "99 %");
   window("6x6 m window, 360 beams", 6.0, 360, 3.5, "ObstacleLayer",
          "obstacle_range: 2.5, raytrace_range: 3.0", 400);
   window("10x10 m window, 720 beams", 10.0, 720, 6.0, "ObstacleLayer",

@@ -10,7 +10,7 @@ from pathlib import Path
 from trident_benchmarks.options import positive
 
 #: Names of the suites; each is a module of this package with `measure(options)`.
-SUITES = ("barn",)
+SUITES = ("barn", "movingai", "speed")
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
@@ -18,7 +18,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--quick", action="store_true", help="six worlds, one seed each")
     parser.add_argument("--suite", choices=SUITES, default=SUITES[0], help="default: barn")
     parser.add_argument(
-        "--worlds", type=Path, metavar="DIR", help="other worlds; default: $TRIDENT_DATA/barn"
+        "--worlds", type=Path, metavar="DIR", help="other worlds; default: $TRIDENT_DATA/SUITE"
     )
     parser.add_argument("--seeds", type=positive, metavar="N", help="of each (10; --quick: 1)")
     parser.add_argument("--jobs", type=positive, metavar="N", help="at a time; default: the cores")
