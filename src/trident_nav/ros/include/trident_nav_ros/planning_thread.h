@@ -56,7 +56,7 @@ class PlanningThread : public NavigatorWorld {
   CostmapNode& local_;
   Planner& planner_;
   MotionLimits limits_;
-  AvoidedPlaces avoided_;  // guarded by planner_mutex_
+  AvoidedPlaces avoided_;             // guarded by planner_mutex_
   Pose2 robot_global_, robot_local_;  // of the thread that steps the navigator
   std::string odom_topic_;
 
