@@ -88,8 +88,8 @@ NavigationStack::NavigationStack(const ConfigNode& parameters)
       global_(make_costmap(parameters, "global_costmap")),
       local_(make_costmap(parameters, "local_costmap")) {
   const std::string planner = nav::plugin_namespace(params_.base_global_planner);
-  planner_ = nav::make_planner(params_.base_global_planner, parameters.find(planner), planner,
-                               &warnings_);
+  planner_ =
+      nav::make_planner(params_.base_global_planner, parameters.find(planner), planner, &warnings_);
   const std::string space = nav::plugin_namespace(params_.base_local_planner);
   nav::ControllerConfig control =
       nav::read_controller_config(parameters.find(space), space, &warnings_);
@@ -100,8 +100,8 @@ NavigationStack::NavigationStack(const ConfigNode& parameters)
   world_ = std::make_unique<nav::CostmapWorld>(*global_.costmap, *local_.costmap, *planner_,
                                                setup.limits);
   nav::NavigatorParts parts{params_, setup.limits, setup.footprint, {}};
-  parts.recoveries = nav::make_recoveries(
-      params_, {setup.limits, setup.footprint, setup.period_s}, parameters, &warnings_);
+  parts.recoveries = nav::make_recoveries(params_, {setup.limits, setup.footprint, setup.period_s},
+                                          parameters, &warnings_);
   navigator_ = std::make_unique<nav::Navigator>(std::move(parts), *world_, *controller_);
 }
 

@@ -11,9 +11,7 @@
 namespace trident::benchmarks {
 namespace {
 
-SE3 planar(double x, double y, double yaw) {
-  return SE3::from_xyz_rpy({x, y, 0.0}, 0.0, 0.0, yaw);
-}
+SE3 planar(double x, double y, double yaw) { return SE3::from_xyz_rpy({x, y, 0.0}, 0.0, 0.0, yaw); }
 
 double yaw_of(const SE3& T) {
   const Eigen::Vector3d ahead = T.R * Eigen::Vector3d::UnitX();

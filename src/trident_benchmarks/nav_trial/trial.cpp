@@ -32,7 +32,7 @@ nav::Pose2 pose_of(const std::array<double, 3>& values) {
   return {values[0], values[1], values[2]};
 }
 
-/// One run as it goes on.
+/// One run while it lasts.
 class Trial {
  public:
   Trial(const TrialConfig& config, const ConfigNode& parameters, std::uint64_t seed)
@@ -86,8 +86,8 @@ class Trial {
       has_goal_ = true;
     }
     const WheelOdometry& odometry = robot_.odometry();
-    const nav::NavigatorOutput output = stack_.cycle(
-        now_s, {odometry.pose(), odometry.twist(), robot_.odometry_time_s()});
+    const nav::NavigatorOutput output =
+        stack_.cycle(now_s, {odometry.pose(), odometry.twist(), robot_.odometry_time_s()});
     result_.navigation_cpu_s += thread_cpu_s() - begin_s;
     result_.top_speed_m_s = std::max(result_.top_speed_m_s, odometry.twist().vx);
     if (output.recovery) {
@@ -114,8 +114,8 @@ class Trial {
     double due_s;
     nav::Twist2 twist;
   };
-  std::deque<Command> commands_;  ///< On their way to the base.
-  double moved_s_ = -1.0;  ///< When it had moved; negative: not yet.
+  std::deque<Command> commands_;  ///< Not yet at the base.
+  double moved_s_ = -1.0;         ///< When it had moved; negative: not yet.
   bool has_goal_ = false, is_over_ = false;
 };
 

@@ -20,8 +20,8 @@ std::string name_of(TrialEnd end);
 /// What came of one run.
 struct TrialResult {
   TrialEnd end = TrialEnd::kTimeout;
-  double time_s = 0.0;  ///< Since the robot had moved by `moved_m`.
-  std::string text;     ///< What was touched, or why the goal was given up.
+  double time_s = 0.0;                  ///< Since the robot had moved by `moved_m`.
+  std::string text;                     ///< What was touched, or why the goal was given up.
   std::vector<std::string> recoveries;  ///< Names and causes.
   std::vector<nav::Pose2> track;        ///< By the truth, in the world.
   double odometry_error_m = 0.0;        ///< At the end.

@@ -28,7 +28,7 @@ struct OdometryParams {
     ar.field("radius_error", radius_error, Range::non_negative(),
              "spread of a side's true radius, a part of it");
     ar.field("gyro_bias", gyro_bias, Range::non_negative(),
-             "spread of what the gyro tells at rest [rad/s]");
+             "spread of the rate that it measures at rest [rad/s]");
   }
 };
 

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import csv
 import io
+import itertools
 import math
 
 import numpy as np
@@ -31,7 +32,7 @@ def test_the_path_leaves_the_clearance_that_is_promised(seed: int) -> None:
     assert tuple(path[-1]) == (-2.25, 13.0)
     for x, y in path[1:-1]:
         assert np.hypot(*(places[:, :2] - (x, y)).T).min() >= 0.3 - 1e-6
-    steps = [math.dist(a, b) for a, b in zip(path[1:-2], path[2:-1], strict=True)]
+    steps = [math.dist(a, b) for a, b in itertools.pairwise(path[1:-1])]
     assert max(steps) <= 0.15 * math.sqrt(2.0) + 2e-3
 
 
@@ -43,7 +44,8 @@ def test_the_field_is_closed_on_three_sides_and_dense() -> None:
     assert np.count_nonzero(np.isclose(places[:, 1], places[:, 1].min())) == 30
     within = (places[:, 1] > 5.1) & (np.abs(places[:, 0] + 2.25) < 2.0)
     assert np.count_nonzero(within) > 20
-    assert not np.any((places[:, 1] > 0.1) & (places[:, 1] < 5.1) & (np.abs(places[:, 0] + 2.25) < 2.0))
+    entry = (places[:, 1] > 0.1) & (places[:, 1] < 5.1) & (np.abs(places[:, 0] + 2.25) < 2.0)
+    assert not np.any(entry)
 
 
 def test_a_seed_decides_everything() -> None:
@@ -51,7 +53,7 @@ def test_a_seed_decides_everything() -> None:
     assert cylinders(CylindersConfig(seed=2)) != cylinders()
 
 
-def test_a_field_without_a_way_is_refused() -> None:
+def test_a_field_without_a_path_is_refused() -> None:
     config = CylindersConfig(least_fill=0.35, greatest_fill=0.35, clearance=0.5)
-    with pytest.raises(trident_sim.Error, match="no way through"):
+    with pytest.raises(trident_sim.Error, match="no path through"):
         cylinders(config)

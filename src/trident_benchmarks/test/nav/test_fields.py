@@ -47,9 +47,7 @@ def test_worlds_come_in_the_order_of_their_numbers(tmp_path: Path) -> None:
         ("x_m,y_m,radius_m\n1,2,nan\n", "obstacles.csv:2.*not finite"),
     ],
 )
-def test_a_table_that_is_none_is_named_with_its_line(
-    tmp_path: Path, text: str, what: str
-) -> None:
+def test_a_table_that_is_none_is_named_with_its_line(tmp_path: Path, text: str, what: str) -> None:
     write_field(tmp_path, 1, [])
     (tmp_path / "world_1.obstacles.csv").write_text(text)
     with pytest.raises(EvalError, match=what):
@@ -100,7 +98,7 @@ def drive(field: Field, config: Path | None = None, **changes: Any) -> Outcome:
 GATE = tuple((x, 5.0, 0.075) for x in (-3.9, -3.6, -3.3, -3.0, -2.4, -2.1, -1.8, -1.5, -1.2))
 
 
-def test_it_drives_around_what_stands_in_the_way() -> None:
+def test_it_drives_around_an_obstacle() -> None:
     row = tuple((-2.25 + 0.15 * i, 5.0, 0.075) for i in range(-4, 5))
     done = drive(Field(1, row, STRAIGHT))
     assert done.end == "reached", done

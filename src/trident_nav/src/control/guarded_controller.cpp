@@ -209,7 +209,7 @@ CommandOutcome GuardedController::commanded(const RobotState& measured, const Pa
     outcome.goal_reached = true;
     return outcome;
   }
-  // Until a command acts, the base goes on as it does.
+  // Until a command acts, the base continues as it moves.
   state.pose = integrate(state.pose, state.twist, setup_.command_delay_s);
   const TwistWindow window = reachable_window(setup_.limits, state.twist, setup_.period_s);
   const bool turns = phase == ArrivalPhase::kTurn;

@@ -9,7 +9,7 @@
 namespace trident::nav {
 namespace {
 
-// Farther ahead than so many of its radii the robot cannot tell that it does not fit.
+// A robot that does not fit is stopped no farther before a place than so many of its radii.
 constexpr double kRadiiAhead = 5.0;
 // Revisions of grids with places differ from those without.
 constexpr std::uint64_t kOwnRevisions = 1ULL << 63U;

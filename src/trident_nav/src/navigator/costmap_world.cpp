@@ -110,8 +110,8 @@ std::string nearest_obstacle_text(const Costmap& costmap, const Pose2& robot, do
 
 void CostmapWorld::request_plan(const Pose2& start, const Pose2& goal) {
   const CancelFlag never{false};
-  outcome_ = avoided_.plan(planner_, global_.grid(), global_.footprint(), start, goal, limits_,
-                           never);
+  outcome_ =
+      avoided_.plan(planner_, global_.grid(), global_.footprint(), start, goal, limits_, never);
 }
 
 std::optional<PlanOutcome> CostmapWorld::take_plan() {

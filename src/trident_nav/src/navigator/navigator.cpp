@@ -48,7 +48,7 @@ std::string joined_texts(const std::vector<StaleSource>& sources) {
   return join(texts, "; ");
 }
 
-/// Where the robot is now, if it has gone on since its pose was measured as it did then.
+/// Where the robot is now, if it has moved since its pose was measured as it did then.
 NavigatorInput at_present(NavigatorInput input) {
   constexpr double kMaxAge_s = 0.3;  // nobody knows what it has done in longer times
   const double age_s = input.now_s - input.state.time_s;
@@ -126,7 +126,8 @@ bool Navigator::waits_for_sources(const NavigatorInput& input, NavigatorOutput* 
   const std::vector<StaleSource> stale = world_.stale_sources(input.now_s);
   if (stale.empty()) return false;
   const double waited_s = std::max(input.now_s - since_.step_s, 0.0);
-  for (double* since : {&since_.plan_s, &since_.command_s, &since_.motion_s, &since_.progress_s}) *since += waited_s;
+  for (double* since : {&since_.plan_s, &since_.command_s, &since_.motion_s, &since_.progress_s})
+    *since += waited_s;
   output->waiting = "The robot stands until data come: " + joined_texts(stale) + ".";
   return true;
 }
@@ -210,11 +211,11 @@ Path Navigator::local_path(const NavigatorInput& input) const {
 /// How long a robot may stay within its own circle before it counts as stuck: what a tenth of its
 /// speed takes to leave it, what turning around takes, and a little patience.
 double Navigator::stuck_time_s() const {
-  constexpr double kLeast_s = 2.0, kSlow = 0.1, kTurns = 1.5;
+  constexpr double kMinimum_s = 2.0, kSlow = 0.1, kTurns = 1.5;
   const MotionLimits& limits = parts_.limits;
   const double leaving_s = parts_.footprint.circumscribed_radius / (kSlow * limits.vx_max);
   const double turning_s = limits.wz_max > 0.0 ? kTurns * kPi / limits.wz_max : 0.0;
-  return std::max({kLeast_s, leaving_s, turning_s});
+  return std::max({kMinimum_s, leaving_s, turning_s});
 }
 
 /// A robot that gets nowhere although its path leads on looks for another one long before a

@@ -288,9 +288,8 @@ class WallWithGaps : public ::testing::Test {
     map.cells.assign(120 * 80, OccupancyGrid::kFree);
     for (int y = 0; y < map.height; ++y) {
       const double y_m = 0.05 * (y + 0.5);
-      const bool is_gap = std::any_of(gaps_m.begin(), gaps_m.end(), [&](double gap_m) {
-        return std::fabs(y_m - gap_m) < 0.35;
-      });
+      const bool is_gap = std::any_of(gaps_m.begin(), gaps_m.end(),
+                                      [&](double gap_m) { return std::fabs(y_m - gap_m) < 0.35; });
       if (!is_gap) map.cells[static_cast<std::size_t>(y * 120 + 60)] = OccupancyGrid::kOccupied;
     }
     for (const std::int8_t cell : map.cells) {

@@ -15,8 +15,8 @@ import numpy.typing as npt
 from scipy import ndimage
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import dijkstra
-from trident_sim import Error
 
+from trident_sim import Error
 from trident_worldgen.checks import require, require_seed
 from trident_worldgen.sdf import Color, Files, StaticModel, world_text
 
@@ -74,7 +74,7 @@ def cylinders(config: CylindersConfig | None = None) -> Files:
         path = _path(filled, config.clearance)
         if path is not None:
             return _files(config, _places(filled), path)
-    raise Error(f"cylinders: {_TRIES} fields had no way through, legal: a lower fill or clearance")
+    raise Error(f"cylinders: {_TRIES} fields had no path through, legal: a lower fill or clearance")
 
 
 def _field(random: np.random.Generator, config: CylindersConfig) -> Cells:
@@ -83,7 +83,7 @@ def _field(random: np.random.Generator, config: CylindersConfig) -> Cells:
     filled = random.random((_ROWS, _COLUMNS)) < share
     kernel = np.array([[1, 1, 1], [1, 0, 1], [1, 1, 1]])
     for _ in range(int(random.integers(1, 4))):
-        # What lies left and right of the field counts as filled, what lies before and after as free.
+        # What lies left and right of the field counts as filled, before and after it as free.
         padded = np.pad(np.pad(filled, ((0, 0), (1, 1)), constant_values=True), ((1, 1), (0, 0)))
         count = ndimage.convolve(padded.astype(int), kernel, mode="constant")[1:-1, 1:-1]
         filled = (filled | (count >= _FILLS)) & (count > _CLEARS)
@@ -112,7 +112,7 @@ def _places(filled: Cells) -> list[Point]:
 
 
 def _path(filled: Cells, clearance_m: float) -> list[Point] | None:
-    """The shortest way from the start over cells with room to the goal; None: there is none."""
+    """The shortest path over cells with room from start to goal; None: no such path exists."""
     room_m = ndimage.distance_transform_edt(~_all_rows(filled)) * CELL_M - RADIUS_M
     rows, columns = np.nonzero(room_m[_ENTRY_ROWS:] >= clearance_m - 1e-9)
     places = [_middle(_ENTRY_ROWS + int(r), int(c)) for r, c in zip(rows, columns, strict=True)]

@@ -64,7 +64,7 @@ def find_fields(options: argparse.Namespace) -> list[Field]:
             say(f"SKIPPED: {DATA} names no folder with barn in it, and there is no --worlds")
             return []
         fields = read_fields(folder)
-    # Every so many-th, as numbers tell how hard a world is.
+    # Every so many-th: the higher the number, the harder the world.
     return fields[:: -(-len(fields) // _QUICK_WORLDS)] if options.quick else fields
 
 
@@ -83,7 +83,7 @@ def task_of(field: Field) -> Task:
 
 def row_of(fields: Sequence[Field], outcomes: Sequence[Sequence[Outcome]]) -> dict[str, Any]:
     """The means over worlds of the means over their runs; the time is that of all successes."""
-    worlds = [
+    worlds: list[dict[str, Any]] = [
         {
             "world": field.number,
             "metric": statistics.fmean(metric(field, o.is_success, o.time_s) for o in runs),
@@ -101,7 +101,7 @@ def row_of(fields: Sequence[Field], outcomes: Sequence[Sequence[Outcome]]) -> di
         "suite": "barn",
         "system": "this one",
         **{
-            key: statistics.fmean(world[key] for world in worlds)
+            key: statistics.fmean(float(world[key]) for world in worlds)
             for key in ("metric", "success", "collision")
         },
         "mean_time_s": statistics.fmean(times) if times else None,
@@ -142,7 +142,7 @@ def measure(options: argparse.Namespace) -> list[dict[str, Any]]:
         return []
     seeds = range(1, 1 + (options.seeds or (_QUICK_SEEDS if options.quick else _SEEDS)))
     trials = Trials(JACKAL, [*default_parameters(JACKAL), *options.config], options.jobs)
-    outcomes = trials.run([task_of(field) for field in fields], seeds, _tell)
+    outcomes = trials.run([task_of(field) for field in fields], seeds, _report)
     row = row_of(fields, outcomes)
     print(table([row, *RIVALS]))
     if options.picture is not None:
@@ -152,7 +152,7 @@ def measure(options: argparse.Namespace) -> list[dict[str, Any]]:
     return [row]
 
 
-def _tell(task: Task, runs: list[Outcome]) -> None:
+def _report(task: Task, runs: list[Outcome]) -> None:
     reached = [o.time_s for o in runs if o.is_success]
     mean = f", {statistics.fmean(reached):.1f} s" if reached else ""
     say(f"{task.name}: {len(reached)} of {len(runs)} reached{mean}")

@@ -22,7 +22,7 @@ GOAL_RADIUS_M = 1.0
 TIME_LIMIT_S = 100.0
 MOVED_M = 0.1  # from which on the time counts
 _SPEED = 2.0  # of the optimal time [m/s]
-_BEST, _WORST = 2.0, 8.0  # of optimal times, between which the metric tells a difference
+_BEST, _WORST = 2.0, 8.0  # of optimal times: the metric changes between them
 _OBSTACLES = re.compile(r"world_(\d+)\.obstacles\.csv")
 
 
@@ -105,7 +105,7 @@ def read_fields(folder: Path) -> list[Field]:
     """All worlds of a folder by their numbers.
 
     Raises:
-        EvalError: there are none, or one cannot be read.
+        EvalError: it has no worlds, or one cannot be read.
     """
     found = (_OBSTACLES.fullmatch(file.name) for file in folder.glob("world_*.obstacles.csv"))
     numbers = sorted(int(match[1]) for match in found if match)

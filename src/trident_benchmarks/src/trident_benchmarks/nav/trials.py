@@ -127,14 +127,14 @@ class Trials:
         self,
         tasks: Sequence[Task],
         seeds: Sequence[int],
-        tell: Callable[[Task, list[Outcome]], None],
+        report: Callable[[Task, list[Outcome]], None],
     ) -> list[list[Outcome]]:
         """All seeds of all tasks, in the order of the tasks.
 
         Args:
             tasks: what to drive.
             seeds: of each.
-            tell: called with each task that is done, in their order.
+            report: called with each task that is done, in their order.
 
         Raises:
             EvalError: a run could not be made.
@@ -151,7 +151,7 @@ class Trials:
                 try:
                     for task, future in zip(tasks, waiting, strict=True):
                         results.append(future.result())
-                        tell(task, results[-1])
+                        report(task, results[-1])
                 finally:
                     pool.shutdown(cancel_futures=True)
         return results
@@ -173,9 +173,7 @@ class Trials:
             raise EvalError(f"{task.name}: nav_trial ended with {done.returncode}: {last}")
         return [_outcome(json.loads(line)) for line in done.stdout.splitlines()]
 
-    def _trial(
-        self, folder: Path, world: Path, task: Task, seeds: Sequence[int]
-    ) -> dict[str, Any]:
+    def _trial(self, folder: Path, world: Path, task: Task, seeds: Sequence[int]) -> dict[str, Any]:
         robot = self._robot
         return {
             "world": str(world),

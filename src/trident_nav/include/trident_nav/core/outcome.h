@@ -11,12 +11,12 @@ namespace trident::nav {
 
 /// What the robot can do. Infinite where nothing limits it.
 struct MotionLimits {
-  double vx_max = 0.0;              ///< [m/s]
-  double vx_min = 0.0;              ///< Negative: it can drive backwards [m/s].
-  double vy_max = 0.0;              ///< 0: it cannot move sideways [m/s].
-  double wz_max = 0.0;              ///< [rad/s]
-  double ax_max = 0.0;              ///< [m/s^2]
-  double decel_max = 0.0;           ///< Of braking along x [m/s^2].
+  double vx_max = 0.0;     ///< [m/s]
+  double vx_min = 0.0;     ///< Negative: it can drive backwards [m/s].
+  double vy_max = 0.0;     ///< 0: it cannot move sideways [m/s].
+  double wz_max = 0.0;     ///< [rad/s]
+  double ax_max = 0.0;     ///< [m/s^2]
+  double decel_max = 0.0;  ///< Of braking along x [m/s^2].
   double ay_max = 0.0;  ///< Of turns, too, where it cannot move sideways; 0: no limit then [m/s^2].
   double alpha_max = 0.0;           ///< [rad/s^2]
   double min_turning_radius = 0.0;  ///< 0: it turns on the spot [m].

@@ -22,7 +22,7 @@ class AvoidedPlaces {
   void clear() { places_.clear(); }
   bool is_empty() const { return places_.empty(); }
 
-  /// A plan around all places, or where there is none, one through them, which forgets them.
+  /// A plan around all places; where that fails, one through them, which forgets them.
   PlanOutcome plan(Planner& planner, const CostGrid& grid, const Footprint& footprint,
                    const Pose2& start, const Pose2& goal, const MotionLimits& limits,
                    const CancelFlag& cancel);

@@ -60,8 +60,8 @@ class Pursuit {
             ? model_.limits.vx_max
             : stopping_speed(std::sqrt(square), model_.limits.decel_max, model_.dt_s);
     const double turn_limited = model_.limits.wz_max / std::max(std::fabs(curvature), 1e-6);
-    const double hold_limited = std::sqrt(turning_acceleration(model_.limits) /
-                                          std::max(std::fabs(curvature), 1e-6));
+    const double hold_limited =
+        std::sqrt(turning_acceleration(model_.limits) / std::max(std::fabs(curvature), 1e-6));
     const double v = std::min({std::fabs(speed_), stop, turn_limited, hold_limited});
     return {sign * v, 0.0, v * curvature};
   }

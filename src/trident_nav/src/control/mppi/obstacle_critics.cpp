@@ -18,8 +18,8 @@ void add_contacts(const Rollouts& rollouts, float contact_cost, float* cost) {
 }
 
 // Nearness to obstacles along the trajectory, by the distance field. It counts by the distance
-// driven near them, not by the time, so that waiting in front of a gap is not cheaper; and the faster
-// the robot, the more room it wants, as bases slide and react late.
+// driven near them, not by the time, so that waiting in front of a gap is not cheaper; and the
+// faster the robot, the more room it wants, as bases slide and react late.
 class ObstaclesCritic final : public MppiCritic {
  public:
   ObstaclesCritic(const ObstaclesParams& params, const MppiModel& model)
