@@ -42,6 +42,18 @@ add_library(trident_nav_control
   src/control/robot_state.cpp
   src/control/rotation_shim/rotation_shim_law.cpp
   src/control/steering.cpp
+  src/control/teb/footprint_distance.cpp
+  src/control/teb/normal_equations.cpp
+  src/control/teb/teb_band.cpp
+  src/control/teb/teb_guide.cpp
+  src/control/teb/teb_law.cpp
+  src/control/teb/teb_obstacles.cpp
+  src/control/teb/teb_optimizer.cpp
+  src/control/teb/teb_planner.cpp
+  src/control/teb/teb_problem.cpp
+  src/control/teb/teb_terms.cpp
+  src/control/teb/way_map.cpp
+  src/control/teb/way_search.cpp
   src/control/tracking/obstacle_tracker.cpp
   src/control/tracking/scan_clusters.cpp
   src/control/trajectory_planner/trajectory_planner_law.cpp
@@ -77,6 +89,8 @@ if(CATKIN_ENABLE_TESTING)
     test/control/mppi_test.cpp
     test/control/scene.cpp
     test/control/scenes_test.cpp
+    test/control/teb_scenes_test.cpp
+    test/control/teb_test.cpp
     test/control/tracking_test.cpp
     test/control/vessel_motion_test.cpp
   )
