@@ -20,27 +20,40 @@ add_library(trident_nav_control
   src/control/last_command.cpp
   src/control/motion.cpp
   src/control/mppi/control_plan.cpp
-  src/control/mppi/critic.cpp
-  src/control/mppi/critic_scene.cpp
+  src/control/mppi/critics/critic.cpp
+  src/control/mppi/critics/critic_scene.cpp
+  src/control/mppi/critics/goal_critics.cpp
+  src/control/mppi/critics/motion_critics.cpp
+  src/control/mppi/critics/obstacle_critics.cpp
+  src/control/mppi/critics/path_critics.cpp
+  src/control/mppi/critics/track_critic.cpp
   src/control/mppi/deliberate_samples.cpp
-  src/control/mppi/goal_critics.cpp
   src/control/mppi/lanes.cpp
-  src/control/mppi/motion_critics.cpp
   src/control/mppi/mppi_law.cpp
   src/control/mppi/mppi_model.cpp
   src/control/mppi/mppi_optimizer.cpp
   src/control/mppi/noise_table.cpp
-  src/control/mppi/obstacle_critics.cpp
   src/control/mppi/obstacle_survey.cpp
-  src/control/mppi/path_critics.cpp
   src/control/mppi/rollout.cpp
-  src/control/mppi/track_critic.cpp
+  src/control/mppi/vessel_motion.cpp
   src/control/path_tracker.cpp
   src/control/progress_monitor.cpp
   src/control/pure_pursuit/pure_pursuit_law.cpp
   src/control/robot_state.cpp
   src/control/rotation_shim/rotation_shim_law.cpp
   src/control/steering.cpp
+  src/control/teb/footprint_distance.cpp
+  src/control/teb/normal_equations.cpp
+  src/control/teb/teb_band.cpp
+  src/control/teb/teb_guide.cpp
+  src/control/teb/teb_law.cpp
+  src/control/teb/teb_obstacles.cpp
+  src/control/teb/teb_optimizer.cpp
+  src/control/teb/teb_planner.cpp
+  src/control/teb/teb_problem.cpp
+  src/control/teb/teb_terms.cpp
+  src/control/teb/way_map.cpp
+  src/control/teb/way_search.cpp
   src/control/tracking/moving_obstacles.cpp
   src/control/tracking/obstacle_tracker.cpp
   src/control/tracking/scan_clusters.cpp
@@ -49,19 +62,19 @@ add_library(trident_nav_control
 target_compile_features(trident_nav_control PUBLIC cxx_std_17)
 target_compile_options(trident_nav_control PRIVATE -Wall -Wextra -ffp-contract=off -fno-math-errno -fno-trapping-math)
 target_include_directories(trident_nav_control PUBLIC include)
-target_link_libraries(trident_nav_control PUBLIC trident_nav_core trident_maps)
+target_link_libraries(trident_nav_control PUBLIC trident_nav_core trident_maps PRIVATE trident_control)
 trident_precompile_headers(trident_nav_control)
 # Loops over lanes: turned into vector instructions, which keep the value of every operation.
 set_source_files_properties(
-  src/control/mppi/critic.cpp
-  src/control/mppi/goal_critics.cpp
-  src/control/mppi/motion_critics.cpp
+  src/control/mppi/critics/critic.cpp
+  src/control/mppi/critics/goal_critics.cpp
+  src/control/mppi/critics/motion_critics.cpp
+  src/control/mppi/critics/obstacle_critics.cpp
+  src/control/mppi/critics/path_critics.cpp
+  src/control/mppi/critics/track_critic.cpp
   src/control/mppi/mppi_optimizer.cpp
-  src/control/mppi/obstacle_critics.cpp
   src/control/mppi/obstacle_survey.cpp
-  src/control/mppi/path_critics.cpp
   src/control/mppi/rollout.cpp
-  src/control/mppi/track_critic.cpp
   PROPERTIES COMPILE_OPTIONS -O3 SKIP_UNITY_BUILD_INCLUSION ON)
 install(TARGETS trident_nav_control
   ARCHIVE DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION}
@@ -78,9 +91,14 @@ if(CATKIN_ENABLE_TESTING)
     test/control/mppi_test.cpp
     test/control/scene.cpp
     test/control/scenes_test.cpp
+    test/control/teb_scenes_test.cpp
+    test/control/teb_test.cpp
     test/control/tracking_test.cpp
+    test/control/vessel_motion_test.cpp
   )
   target_include_directories(trident_nav_control_test PRIVATE test src)
+  target_compile_definitions(trident_nav_control_test PRIVATE
+    TRIDENT_VESSELS="${CMAKE_CURRENT_SOURCE_DIR}/../../config/vessels/")
   target_link_libraries(trident_nav_control_test trident_nav_control gtest_main)
   trident_precompile_headers(trident_nav_control_test <gtest/gtest.h>)
 endif()

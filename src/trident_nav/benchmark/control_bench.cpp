@@ -39,6 +39,7 @@ constexpr Row kRows[] = {
      1},
     {"trajectory planner 20x20", "trajectory_planner", "{max_vel_x: 0.55, max_vel_theta: 1.0}", 1},
     {"dwb 20x20", "dwb", "{max_vel_x: 0.55, max_vel_theta: 1.0, linear_granularity: 0.05}", 1},
+    {"teb", "teb", "{}", 1},
     {"graceful", "graceful", "{}", 1},
     {"rotation shim", "rotation_shim", "{}", 1},
     {"regulated pure pursuit", "regulated_pure_pursuit", "{}", 1},

@@ -12,6 +12,7 @@ ControlLawRegistry builtin_control_laws() {
   add_mppi(registry);
   add_pure_pursuit(registry);
   add_rotation_shim(registry);
+  add_teb(registry);
   add_trajectory_planner(registry);
   return registry;
 }

@@ -13,6 +13,7 @@ void add_graceful(ControlLawRegistry& registry);
 void add_mppi(ControlLawRegistry& registry);
 void add_pure_pursuit(ControlLawRegistry& registry);
 void add_rotation_shim(ControlLawRegistry& registry);
+void add_teb(ControlLawRegistry& registry);
 void add_trajectory_planner(ControlLawRegistry& registry);
 
 }  // namespace trident::nav

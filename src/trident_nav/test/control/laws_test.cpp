@@ -227,7 +227,7 @@ TEST_P(PredictsWalkers, FromTheSamePlaceByTheirVelocity) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Laws, PredictsWalkers,
-                         ::testing::Values("dwa", "dwb", "mppi", "trajectory_planner"),
+                         ::testing::Values("dwa", "dwb", "mppi", "teb", "trajectory_planner"),
                          [](const auto& info) { return std::string(info.param); });
 
 }  // namespace

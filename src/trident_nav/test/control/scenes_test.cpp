@@ -61,7 +61,7 @@ std::string case_name(const ::testing::TestParamInfo<Case>& info) {
 INSTANTIATE_TEST_SUITE_P(
     Laws, DrivesScene,
     ::testing::Combine(::testing::Values("dwa", "trajectory_planner", "regulated_pure_pursuit",
-                                         "rotation_shim", "graceful", "dwb", "mppi"),
+                                         "rotation_shim", "graceful", "dwb", "mppi", "teb"),
                        ::testing::ValuesIn(kTurning), ::testing::ValuesIn(kScenes)),
     case_name);
 
@@ -74,7 +74,8 @@ INSTANTIATE_TEST_SUITE_P(Cars, DrivesScene,
                                             ::testing::ValuesIn(kWideScenes)),
                          case_name);
 INSTANTIATE_TEST_SUITE_P(CarsThatSample, DrivesScene,
-                         ::testing::Combine(::testing::Values("mppi"), ::testing::ValuesIn(kCars),
+                         ::testing::Combine(::testing::Values("mppi", "teb"),
+                                            ::testing::ValuesIn(kCars),
                                             ::testing::ValuesIn(kScenes)),
                          case_name);
 

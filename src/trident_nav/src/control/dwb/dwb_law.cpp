@@ -8,6 +8,7 @@
 #include "../dwa/trajectory_search.h"
 #include "../dwa/velocity_samples.h"
 #include "../laws.h"
+#include "../limit_params.h"
 #include "../steering.h"
 #include "dwb_critics.h"
 #include "dwb_params.h"
@@ -71,20 +72,17 @@ class DwbLaw final : public ControlLaw {
 
 ControlSetup DwbLaw::with_limits(ControlSetup setup, const DwbParams& params) {
   MotionLimits& limits = setup.limits;
-  const auto cap = [](const std::optional<double>& param, double* limit) {
-    *limit = std::min(*limit, std::fabs(param.value_or(*limit)));
-  };
   limits.vx_min = std::max(limits.vx_min, params.min_vel_x);
-  cap(params.max_vel_x, &limits.vx_max);
-  cap(params.max_vel_y, &limits.vy_max);
-  cap(params.min_vel_y, &limits.vy_max);
-  cap(params.max_vel_theta, &limits.wz_max);
-  cap(params.acc_lim_x, &limits.ax_max);
-  cap(params.decel_lim_x, &limits.decel_max);
-  cap(params.acc_lim_y, &limits.ay_max);
-  cap(params.decel_lim_y, &limits.ay_max);
-  cap(params.acc_lim_theta, &limits.alpha_max);
-  cap(params.decel_lim_theta, &limits.alpha_max);
+  cap_limit(params.max_vel_x, &limits.vx_max);
+  cap_limit(params.max_vel_y, &limits.vy_max);
+  cap_limit(params.min_vel_y, &limits.vy_max);
+  cap_limit(params.max_vel_theta, &limits.wz_max);
+  cap_limit(params.acc_lim_x, &limits.ax_max);
+  cap_limit(params.decel_lim_x, &limits.decel_max);
+  cap_limit(params.acc_lim_y, &limits.ay_max);
+  cap_limit(params.decel_lim_y, &limits.ay_max);
+  cap_limit(params.acc_lim_theta, &limits.alpha_max);
+  cap_limit(params.decel_lim_theta, &limits.alpha_max);
   return setup;
 }
 

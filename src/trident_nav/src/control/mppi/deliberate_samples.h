@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "control_plan.h"
-#include "critic.h"
+#include "critics/critic.h"
 
 namespace trident::nav {
 

@@ -5,7 +5,7 @@
 
 #include "../laws.h"
 #include "../steering.h"
-#include "critic_scene.h"
+#include "critics/critic_scene.h"
 #include "deliberate_samples.h"
 #include "mppi_optimizer.h"
 #include "trident_base/yaml_config.h"

@@ -82,6 +82,9 @@ MppiModel make_mppi_model(const MppiParams& params, const ControlSetup& setup) {
   MppiModel model;
   model.limits = merged(params, setup.limits);
   model.motion = params.motion_model.value_or(motion_of(model.limits));
+  if (model.motion == MppiMotion::kVessel) {
+    model.vessel = load_vessel_motion(params.VesselConstraints);
+  }
   model.blocks = 1 + (params.batch_size - 1) / kLanes;
   model.steps = params.time_steps;
   model.dt_s = params.model_dt.value_or(horizon_s(model.limits, setup.footprint) / model.steps);

@@ -20,7 +20,8 @@ struct CoverCircle {
 struct MppiModel {
   MppiMotion motion = MppiMotion::kDiffDrive;
   MotionLimits limits;
-  int blocks = 0;  ///< Of kLanes trajectories each.
+  VesselMotion vessel;  ///< Of the motion model Vessel.
+  int blocks = 0;       ///< Of kLanes trajectories each.
   int steps = 0;
   double dt_s = 0.0;
   double period_s = 0.0;
@@ -34,7 +35,10 @@ struct MppiModel {
   std::vector<CoverCircle> cover;  ///< Circles whose union contains the footprint.
 
   /// Turns on the spot, so that a heading can be reached after a position.
-  bool can_turn() const { return motion == MppiMotion::kDiffDrive || motion == MppiMotion::kOmni; }
+  bool can_turn() const {
+    const bool is_free = motion == MppiMotion::kDiffDrive || motion == MppiMotion::kOmni;
+    return is_free || (motion == MppiMotion::kVessel && limits.min_turning_radius <= 0.0);
+  }
   double horizon_s() const { return dt_s * steps; }
 };
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "control_plan.h"
-#include "critic.h"
+#include "critics/critic.h"
 #include "noise_table.h"
 #include "obstacle_survey.h"
 #include "trident_base/worker_pool.h"

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "trident_base/config_types.h"
+#include "vessel_motion.h"
 
 namespace trident::nav {
 
@@ -210,6 +211,7 @@ struct MppiParams {
   std::optional<double> vx_std, vy_std, wz_std;
   std::optional<MppiMotion> motion_model;
   AckermannParams AckermannConstraints;
+  VesselConstraintsParams VesselConstraints;
   int retry_attempt_limit = 1;
   bool regenerate_noises = false;
   bool open_loop = false;
@@ -266,6 +268,7 @@ struct MppiParams {
   void visit_limits(Archive& ar) {
     ar.field("motion_model", motion_model, "default: by the robot's limits");
     ar.field("AckermannConstraints", AckermannConstraints, "of the motion model Ackermann");
+    ar.field("VesselConstraints", VesselConstraints, "of the motion model Vessel");
     ar.field("vx_max", vx_max, Range::positive(), "default: the robot's limit [m/s]");
     ar.field("vx_min", vx_min, Range::at_most(0.0), "default: the robot's limit [m/s]");
     ar.field("vy_max", vy_max, Range::non_negative(), "default: the robot's limit [m/s]");

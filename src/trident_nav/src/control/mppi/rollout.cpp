@@ -24,7 +24,9 @@ StepLimits step_limits(const MppiModel& model) {
   const double dt = model.dt_s;
   const double radius = limits.min_turning_radius;
   constexpr double kAnyTurn = 1e9;  // [rad/s]
-  const bool is_car = model.motion == MppiMotion::kAckermann && radius > 0.0;
+  const bool turns_in_curves =
+      model.motion == MppiMotion::kAckermann || model.motion == MppiMotion::kVessel;
+  const bool is_car = turns_in_curves && radius > 0.0;
   return {static_cast<float>(limits.vx_min),
           static_cast<float>(limits.vx_max),
           static_cast<float>(limits.ax_max * dt),
@@ -86,6 +88,61 @@ TRIDENT_INLINE void constrain(const StepLimits& limits, State& state, float* vx,
   }
 }
 
+// What moves a vessel in a step.
+struct VesselStep {
+  float gain[3];  // dt / mass
+  float linear[3], quadratic[3];
+  float least[3], most[3];  // forces
+  float surge_mass;         // of the centrifugal force in sway
+  float current_x, current_y;
+};
+
+VesselStep vessel_step(const MppiModel& model) {
+  const VesselMotion& vessel = model.vessel;
+  VesselStep step{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    step.gain[k] = static_cast<float>(model.dt_s / vessel.mass[k]);
+    step.linear[k] = static_cast<float>(vessel.linear_damping[k]);
+    step.quadratic[k] = static_cast<float>(vessel.quadratic_damping[k]);
+    step.least[k] = static_cast<float>(vessel.force_min[k]);
+    step.most[k] = static_cast<float>(vessel.force_max[k]);
+  }
+  step.surge_mass = static_cast<float>(vessel.mass[0]);
+  step.current_x = static_cast<float>(vessel.current.x);
+  step.current_y = static_cast<float>(vessel.current.y);
+  return step;
+}
+
+// The velocity through water after a step, as near to the wanted one as the forces allow. Drag acts
+// on the velocity at the step's end, so that no step is too long for it.
+TRIDENT_INLINE float driven(const VesselStep& step, int axis, float v, float wanted, float load) {
+  const float damping =
+      1.0F + step.gain[axis] * (step.linear[axis] + step.quadratic[axis] * absolute(v));
+  const float lo = (v + step.gain[axis] * (step.least[axis] + load)) / damping;
+  const float hi = (v + step.gain[axis] * (step.most[axis] + load)) / damping;
+  return clamped(wanted, lo, hi);
+}
+
+// `before`: the velocities of the step before; those of the state are what is wanted now.
+TRIDENT_INLINE void drive_vessel(const VesselStep& step, const State& before, State& state,
+                                 float* vx, float* vy, float* wz) {
+  for (int i = 0; i < kLanes; ++i) {
+    const float c = state.cosine[i];
+    const float s = state.sine[i];
+    const float along = c * step.current_x + s * step.current_y;
+    const float across = c * step.current_y - s * step.current_x;
+    const float u = before.vx[i] - along;
+    // Water that flows past a turning hull pushes it outward.
+    const float outward = -step.surge_mass * u * before.wz[i];
+    state.vx[i] = driven(step, 0, u, state.vx[i] - along, 0.0F) + along;
+    state.vy[i] = driven(step, 1, before.vy[i] - across, state.vy[i] - across, outward) + across;
+    state.wz[i] = driven(step, 2, before.wz[i], state.wz[i], 0.0F);
+    vx[i] = state.vx[i];
+    vy[i] = state.vy[i];
+    wz[i] = state.wz[i];
+  }
+}
+
 // Exact on arcs but for the chord, whose length is that of the arc to the fourth order.
 TRIDENT_INLINE void integrate(const StepLimits& limits, State& state) {
   for (int i = 0; i < kLanes; ++i) {
@@ -123,10 +180,35 @@ Rollouts::Rollouts(int steps_) : steps(steps_), contact_step(kLanes, steps_) {
   }
 }
 
+namespace {
+
+void roll_out_vessel(const MppiModel& model, const StepLimits& limits, State& state,
+                     Rollouts* rollouts) {
+  const VesselStep vessel = vessel_step(model);
+  run_lanes([&]() TRIDENT_LANES {
+    for (int step = 0; step < rollouts->steps; ++step) {
+      float* vx = rollouts->at(rollouts->vx, step);
+      float* vy = rollouts->at(rollouts->vy, step);
+      float* wz = rollouts->at(rollouts->wz, step);
+      const State before = state;
+      constrain(limits, state, vx, vy, wz);
+      drive_vessel(vessel, before, state, vx, vy, wz);
+      integrate(limits, state);
+      store(state, step, *rollouts);
+    }
+  });
+}
+
+}  // namespace
+
 void roll_out(const MppiModel& model, const RolloutStart& start, Rollouts* rollouts) {
   const StepLimits limits = step_limits(model);
   State state;
   fill(start, &state);
+  if (model.motion == MppiMotion::kVessel) {
+    roll_out_vessel(model, limits, state, rollouts);
+    return;
+  }
   run_lanes([&]() TRIDENT_LANES {
     for (int step = 0; step < rollouts->steps; ++step) {
       constrain(limits, state, rollouts->at(rollouts->vx, step), rollouts->at(rollouts->vy, step),

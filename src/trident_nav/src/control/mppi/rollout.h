@@ -33,7 +33,8 @@ struct RolloutStart {
   Twist2 twist;
 };
 
-/// Holds the limits and the accelerations in what is wanted, and integrates.
+/// Holds the limits and the accelerations in what is wanted, and integrates. Of a vessel, what its
+/// thrusters, its drag and the current make of it: velocities over ground.
 void roll_out(const MppiModel& model, const RolloutStart& start, Rollouts* rollouts);
 
 }  // namespace trident::nav

@@ -6,6 +6,7 @@
 #include "../dwa/trajectory_search.h"
 #include "../dwa/velocity_samples.h"
 #include "../laws.h"
+#include "../limit_params.h"
 #include "../steering.h"
 #include "trajectory_planner_params.h"
 #include "trident_base/angle.h"
@@ -71,16 +72,13 @@ MotionLimits TrajectoryPlannerLaw::limits(const MotionLimits& robot) const {
 
 ControlSetup TrajectoryPlannerLaw::with_limits(ControlSetup setup) const {
   MotionLimits& limited = setup.limits;
-  const auto cap = [](const std::optional<double>& param, double* limit) {
-    *limit = std::min(*limit, param.value_or(*limit));
-  };
   limited = limits(limited);
-  cap(params_.max_vel_x, &limited.vx_max);
-  cap(params_.max_vel_theta, &limited.wz_max);
-  cap(params_.acc_lim_x, &limited.ax_max);
-  cap(params_.acc_lim_x, &limited.decel_max);
-  cap(params_.acc_lim_y, &limited.ay_max);
-  cap(params_.acc_lim_theta, &limited.alpha_max);
+  cap_limit(params_.max_vel_x, &limited.vx_max);
+  cap_limit(params_.max_vel_theta, &limited.wz_max);
+  cap_limit(params_.acc_lim_x, &limited.ax_max);
+  cap_limit(params_.acc_lim_x, &limited.decel_max);
+  cap_limit(params_.acc_lim_y, &limited.ay_max);
+  cap_limit(params_.acc_lim_theta, &limited.alpha_max);
   return setup;
 }
 

@@ -6,9 +6,9 @@
 #include <memory>
 #include <vector>
 
-#include "mppi_model.h"
-#include "mppi_params.h"
-#include "rollout.h"
+#include "../mppi_model.h"
+#include "../mppi_params.h"
+#include "../rollout.h"
 #include "trident_base/registry.h"
 #include "trident_nav/control/control_law.h"
 

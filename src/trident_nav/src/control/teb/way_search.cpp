@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "way_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace trident::nav {
+namespace {
+
+// Whether some obstacle was circled in part twice: its field is 2.
+bool is_loop(HSignature signature) {
+  constexpr HSignature kHighBits = 0xAAAAAAAAAAAAAAAAULL;
+  const HSignature high = signature & kHighBits;
+  const HSignature low = (signature << 1U) & kHighBits;
+  return (high & ~low) != 0;
+}
+
+// A lattice's corners are rounded off, where that stays free.
+void smooth(std::vector<Point2>* points) {
+  constexpr int kRounds = 3;
+  for (int round = 0; round < kRounds; ++round) {
+    for (std::size_t i = 1; i + 1 < points->size(); ++i) {
+      const Point2& a = (*points)[i - 1];
+      const Point2& b = (*points)[i + 1];
+      Point2& p = (*points)[i];
+      p = {0.5 * p.x + 0.25 * (a.x + b.x), 0.5 * p.y + 0.25 * (a.y + b.y)};
+    }
+  }
+}
+
+}  // namespace
+
+WaySearch::WaySearch(const WayMap& map, const Point2& from, const Point2& to)
+    : map_(map),
+      from_(from),
+      to_(to),
+      goal_(map.node_at(to)),
+      closed_(static_cast<std::size_t>(map.width_ * map.height_)) {
+  const int start = map.node_at(from);
+  push({start, map.crossed(from, map.point(start)), 0.0, -1});
+}
+
+void WaySearch::push(const State& state) {
+  const Point2 p = map_.point(state.node);
+  open_.push({state.length_m + distance(p.x, p.y, to_.x, to_.y), states_.size()});
+  states_.push_back(state);
+}
+
+/// False: the state is not the first of its class here, or enough classes have come by.
+bool WaySearch::close(const State& state, std::size_t count) {
+  std::vector<HSignature>& closed = closed_[static_cast<std::size_t>(state.node)];
+  if (closed.size() >= count) return false;
+  if (std::find(closed.begin(), closed.end(), state.signature) != closed.end()) return false;
+  closed.push_back(state.signature);
+  return true;
+}
+
+void WaySearch::expand(std::size_t index) {
+  const State from = states_[index];
+  const int x = from.node % map_.width_;
+  const int y = from.node / map_.width_;
+  const Point2 here = map_.point(from.node);
+  for (int k = 0; k < 9; ++k) {
+    const int nx = x + k % 3 - 1;
+    const int ny = y + k / 3 - 1;
+    if (k == 4 || nx < 0 || ny < 0 || nx >= map_.width_ || ny >= map_.height_) continue;
+    const int next = ny * map_.width_ + nx;
+    const bool is_blocked = map_.is_blocked_[static_cast<std::size_t>(next)] != 0;
+    if (is_blocked && next != goal_) continue;
+    const Point2 there = map_.point(next);
+    const HSignature signature = added(from.signature, map_.crossed(here, there));
+    if (is_loop(signature)) continue;
+    const double length_m = from.length_m + distance(here.x, here.y, there.x, there.y);
+    push({next, signature, length_m, static_cast<int>(index)});
+  }
+}
+
+Way WaySearch::way_to(std::size_t index) const {
+  Way way;
+  way.signature = added(states_[index].signature, map_.crossed(map_.point(goal_), to_));
+  way.length_m = states_[index].length_m;
+  way.points.push_back(to_);
+  // The nodes nearest to the ends are left out: the ends themselves stand for them.
+  for (int i = states_[index].parent; i >= 0; i = states_[static_cast<std::size_t>(i)].parent) {
+    const State& state = states_[static_cast<std::size_t>(i)];
+    if (state.parent >= 0) way.points.push_back(map_.point(state.node));
+  }
+  way.points.push_back(from_);
+  std::reverse(way.points.begin(), way.points.end());
+  smooth(&way.points);
+  return way;
+}
+
+std::vector<Way> WaySearch::run(std::size_t count, double max_ratio) {
+  constexpr std::size_t kMaxStates = 60000;
+  std::vector<Way> ways;
+  double longest_m = std::numeric_limits<double>::infinity();
+  while (!open_.empty() && ways.size() < count && states_.size() < kMaxStates) {
+    const auto [least_m, index] = open_.top();
+    open_.pop();
+    if (least_m > longest_m) break;
+    if (!close(states_[index], count)) continue;
+    if (states_[index].node != goal_) {
+      expand(index);
+      continue;
+    }
+    ways.push_back(way_to(index));
+    if (ways.size() == 1) longest_m = max_ratio * least_m;
+  }
+  return ways;
+}
+
+}  // namespace trident::nav
