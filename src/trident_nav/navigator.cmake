@@ -6,6 +6,7 @@ add_library(trident_nav_navigator
   src/navigator/builtin_recoveries.cpp
   src/navigator/clear_costmap.cpp
   src/navigator/costmap_world.cpp
+  src/navigator/move_slow.cpp
   src/navigator/navigator.cpp
   src/navigator/path_keeper.cpp
   src/navigator/retreat.cpp

@@ -4,7 +4,6 @@
 
 from __future__ import annotations
 
-import math
 import subprocess
 from collections.abc import Iterator
 from pathlib import Path
@@ -12,11 +11,11 @@ from pathlib import Path
 import dynamic_reconfigure.client
 import pytest
 import rospy
-from geometry_msgs.msg import TransformStamped, Twist
+from geometry_msgs.msg import Twist
 from harness import Process, Ros, eventually, recorder
 from move_base_msgs.msg import MoveBaseActionGoal
-from nav_msgs.msg import OccupancyGrid, Odometry
-from tf2_ros import TransformBroadcaster
+from nav_msgs.msg import OccupancyGrid
+from stand_in import StandIn
 
 LIMIT_S = 60.0
 PARAMETERS = """
@@ -38,42 +37,6 @@ SERVERS = {
     "/move_base/local_costmap": "width",
     "/move_base/local_costmap/inflation_layer": "cost_scaling_factor",
 }
-
-
-class StandIn:
-    """A robot that follows its commands: odometry and its transform."""
-
-    def __init__(self) -> None:
-        self.x = self.y = self.yaw = 0.0
-        self.twist = Twist()
-        self.odometry = rospy.Publisher("odom", Odometry, queue_size=5)
-        self.transforms = TransformBroadcaster()
-        self.commands = rospy.Subscriber("cmd_vel", Twist, self.obey)
-        self.timer = rospy.Timer(rospy.Duration(0.02), self.move)
-
-    def obey(self, twist: Twist) -> None:
-        self.twist = twist
-
-    def move(self, _event: object) -> None:
-        step_s = 0.02
-        self.x += self.twist.linear.x * math.cos(self.yaw) * step_s
-        self.y += self.twist.linear.x * math.sin(self.yaw) * step_s
-        self.yaw += self.twist.angular.z * step_s
-        transform = TransformStamped()
-        transform.header.stamp = rospy.Time.now()
-        transform.header.frame_id, transform.child_frame_id = "odom", "base_link"
-        transform.transform.translation.x, transform.transform.translation.y = self.x, self.y
-        transform.transform.rotation.z = math.sin(self.yaw / 2)
-        transform.transform.rotation.w = math.cos(self.yaw / 2)
-        self.transforms.sendTransform(transform)
-        odometry = Odometry(header=transform.header, child_frame_id="base_link")
-        odometry.twist.twist = self.twist
-        self.odometry.publish(odometry)
-
-    def close(self) -> None:
-        self.timer.shutdown()
-        self.commands.unregister()
-        self.odometry.unregister()
 
 
 @pytest.fixture

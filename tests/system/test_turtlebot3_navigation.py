@@ -31,9 +31,11 @@ NAMES = (
     "costmap_2d",
     "dwa_local_planner",
     "global_planner",
+    "move_slow_and_clear",
     "nav_core",
     "navfn",
     "rotate_recovery",
+    "voxel_grid",
 )
 
 

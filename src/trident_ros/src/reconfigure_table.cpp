@@ -127,6 +127,32 @@ std::string edit_method(const ConfigField& field, bool are_numbers) {
   return "{'enum_description': '', 'enum': [" + join(items) + "]}";
 }
 
+const char* type_name(const ConfigField& field, bool is_whole) {
+  if (field.kind == Kind::kBool) return "bool";
+  if (is_whole) return "int";
+  return field.kind == Kind::kNumber ? "double" : "str";
+}
+
+dynamic_reconfigure::ParamDescription described(const ConfigField& field, bool is_whole,
+                                                bool is_number_of_choice) {
+  dynamic_reconfigure::ParamDescription result;
+  result.name = field.name;
+  result.type = type_name(field, is_whole);
+  result.description = field.doc;
+  result.edit_method = edit_method(field, is_number_of_choice);
+  return result;
+}
+
+/// The value or the end of the range next to it, with a note; an end that is not legal itself is no
+/// value to fall back on.
+double nearest_legal(const ConfigField& field, double value, std::vector<std::string>* notes) {
+  const double legal = std::clamp(value, field.range.lo, field.range.hi);
+  if (legal == value || !field.range.contains(legal)) return value;
+  notes->push_back(field.name + " = " + number_text(value) + " has become " + number_text(legal) +
+                   ", legal: " + field.range.text());
+  return legal;
+}
+
 }  // namespace
 
 ReconfigureTable::ReconfigureTable(const std::vector<ConfigField>& fields, ConfigNode values)
@@ -203,12 +229,7 @@ dynamic_reconfigure::ConfigDescription ReconfigureTable::description() const {
     const ConfigField& field = entry.field;
     const bool is_whole = field.kind == Kind::kWhole || entry.is_number_of_choice;
     const bool has_ends = is_whole || field.kind == Kind::kNumber;
-    dynamic_reconfigure::ParamDescription one;
-    one.name = field.name;
-    one.type = field.kind == Kind::kBool ? "bool" : has_ends ? is_whole ? "int" : "double" : "str";
-    one.description = field.doc;
-    one.edit_method = edit_method(field, entry.is_number_of_choice);
-    group.parameters.push_back(one);
+    group.parameters.push_back(described(field, is_whole, entry.is_number_of_choice));
     put(entry, has_ends ? number_text(entry.lo) : "", &result.min);
     put(entry,
         has_ends                    ? number_text(entry.hi)
@@ -231,13 +252,7 @@ void ReconfigureTable::take_number(const std::string& name, double value, Config
   if (field.kind == Kind::kBool)
     return take_text(name, value != 0.0 ? "true" : "false", values, notes);
   if (std::isnan(value) && field.is_optional) return erase_value(values, name);
-  double legal = std::clamp(value, entry->lo, entry->hi);
-  // An end that is not legal itself is no value to fall back on.
-  if (legal != value && !field.range.contains(legal)) legal = value;
-  if (legal != value) {
-    notes->push_back(name + " = " + number_text(value) + " has become " + number_text(legal) +
-                     ", legal: " + field.range.text());
-  }
+  const double legal = nearest_legal(field, value, notes);
   const bool is_whole = field.kind == Kind::kWhole || entry->is_number_of_choice;
   set_value(values, name,
             scalar_node(is_whole ? std::to_string(whole(legal)) : number_text(legal), false));

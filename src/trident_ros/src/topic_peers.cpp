@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trident_ros/topic_peers.h"
 
+#include <ros/master.h>
 #include <ros/publisher_link.h>
+#include <ros/this_node.h>
 
 #include "roscpp_internals.h"
+#include "trident_base/string_util.h"
 
 namespace trident::ros_utils {
 
@@ -32,6 +35,26 @@ std::vector<std::string> topic_writers(const std::string& topic) {
     }
   }
   return result;
+}
+
+std::vector<std::string> topic_publishers(const std::string& topic) {
+  XmlRpc::XmlRpcValue request, response, state;
+  request[0] = ros::this_node::getName();
+  std::vector<std::string> result;
+  if (!ros::master::execute("getSystemState", request, response, state, false)) return result;
+  XmlRpc::XmlRpcValue& published = state[0];  // pairs of a topic and its publishers
+  for (int i = 0; i < published.size(); ++i) {
+    if (static_cast<std::string&>(published[i][0]) != topic) continue;
+    XmlRpc::XmlRpcValue& names = published[i][1];
+    for (int k = 0; k < names.size(); ++k) result.push_back(names[k]);
+  }
+  return result;
+}
+
+std::string rivals_text(const std::string& topic, const std::vector<std::string>& publishers) {
+  if (publishers.size() < 2) return "";
+  return topic + " has " + std::to_string(publishers.size()) + " publishers, " +
+         join(publishers, " and ") + ": the robot obeys each of them in turn.";
 }
 
 }  // namespace trident::ros_utils

@@ -95,7 +95,7 @@ void CostmapInputs::subscribe_beams(ros::NodeHandle& node, BeamLayer& layer) {
   for (BeamSource& source : layer.sources()) {
     const auto on_cloud = [this, &source](const auto& cloud) {
       if (is_refused(source, cloud->header.stamp)) return;
-      add(source, [this, &source, cloud]() -> std::optional<Observation> {
+      add(source, cloud->header.stamp, [this, &source, cloud]() -> std::optional<Observation> {
         const ros::Time& stamp = cloud->header.stamp;
         const SE3 pose = sensor_pose(cloud->header.frame_id, source.params(), stamp);
         return observe_points(stamp.toSec(), points_of(*cloud), pose);
@@ -106,7 +106,8 @@ void CostmapInputs::subscribe_beams(ros::NodeHandle& node, BeamLayer& layer) {
         subscribers_.push_back(node.subscribe<sensor_msgs::LaserScan>(
             source.topic(), kQueue, [this, &source](const sensor_msgs::LaserScanConstPtr& scan) {
               if (is_refused(source, scan->header.stamp)) return;
-              add(source, [this, &source, scan] { return observe(*scan, source); });
+              add(source, scan->header.stamp,
+                  [this, &source, scan] { return observe(*scan, source); });
             }));
         break;
       case BeamDataType::kPointCloud2:
@@ -131,10 +132,10 @@ bool CostmapInputs::is_refused(const BeamSource& source, const ros::Time& stamp)
   return true;
 }
 
-void CostmapInputs::add(BeamSource& source, Observe observe) {
+void CostmapInputs::add(BeamSource& source, const ros::Time& stamp, Observe observe) {
   const std::lock_guard lock(mutex_);
   if (pending_.size() >= kMaxPending) pending_.pop_front();
-  pending_.push_back({&source, std::move(observe), ros::WallTime::now()});
+  pending_.push_back({&source, std::move(observe), stamp.toSec(), ros::WallTime::now()});
 }
 
 bool CostmapInputs::has_news() {
@@ -175,9 +176,11 @@ void CostmapInputs::apply_pending(Pending& pending, std::deque<Pending>* waiting
       waiting->push_back(std::move(pending));
       return;
     }
-    // Those of before the first transforms: nothing is wrong.
-    const bool is_early = dynamic_cast<const tf2::ExtrapolationException*>(&error) != nullptr &&
-                          !source.age().has_data();
+    // Those of before the first transforms: nothing is wrong, and newer ones have come or will.
+    const bool is_superseded =
+        !source.age().has_data() || pending.stamp_s < source.age().newest_s();
+    const bool is_early =
+        dynamic_cast<const tf2::ExtrapolationException*>(&error) != nullptr && is_superseded;
     if (!is_early) refusals_.note("transform", unused(source) + error.what());
   } catch (const std::exception& error) {
     refusals_.note("data", unused(source) + error.what());

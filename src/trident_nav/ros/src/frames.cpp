@@ -5,6 +5,7 @@
 #include <tf2/exceptions.h>
 
 #include <cmath>
+#include <utility>
 
 #include "trident_base/string_util.h"
 
@@ -42,6 +43,19 @@ geometry_msgs::Pose to_message(const Pose2& pose) {
   message.position.y = pose.y;
   message.orientation.z = std::sin(0.5 * pose.yaw);
   message.orientation.w = std::cos(0.5 * pose.yaw);
+  return message;
+}
+
+nav_msgs::Path path_message(const Path& path, const std::string& frame, double now_s) {
+  nav_msgs::Path message;
+  message.header.frame_id = frame;
+  message.header.stamp.fromSec(now_s);
+  for (const Pose2& pose : path) {
+    geometry_msgs::PoseStamped stamped;
+    stamped.header = message.header;
+    stamped.pose = to_message(pose);
+    message.poses.push_back(std::move(stamped));
+  }
   return message;
 }
 

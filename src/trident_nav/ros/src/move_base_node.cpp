@@ -14,24 +14,12 @@
 #include "trident_base/error.h"
 #include "trident_nav_ros/frames.h"
 #include "trident_nav_ros/input_checks.h"
+#include "trident_ros/topic_peers.h"
 
 namespace trident::nav {
 namespace {
 
 constexpr double kWarningPeriod_s = 5.0;
-
-nav_msgs::Path path_message(const Path& path, const std::string& frame, double now_s) {
-  nav_msgs::Path message;
-  message.header.frame_id = frame;
-  message.header.stamp.fromSec(now_s);
-  for (const Pose2& pose : path) {
-    geometry_msgs::PoseStamped stamped;
-    stamped.header = message.header;
-    stamped.pose = to_message(pose);
-    message.poses.push_back(std::move(stamped));
-  }
-  return message;
-}
 
 }  // namespace
 
@@ -97,14 +85,28 @@ void MoveBaseNode::on_odometry(const nav_msgs::Odometry& message) {
   measured_ = {twist.linear.x, twist.linear.y, twist.angular.z};
 }
 
+/// While the robot drives, and once for each set of names.
+void MoveBaseNode::warn_of_rivals() {
+  if (!is_driving_) return;
+  const std::string topic = links_.command.getTopic();
+  const std::string text = ros_utils::rivals_text(topic, ros_utils::topic_publishers(topic));
+  if (!text.empty() && text != rivals_) ROS_WARN("%s", text.c_str());
+  rivals_ = text;
+}
+
 void MoveBaseNode::update_global() {
   ros::WallRate poll(200.0);
   double updated_s = -1.0;
+  ros::WallTime asked = ros::WallTime::now();
   while (!is_ending_ && ros::ok()) {
     const double now_s = ros::Time::now().toSec();
     if (now_s < updated_s || now_s - updated_s >= parts_->global->update_period_s() - 1e-6) {
       parts_->global->update(now_s);
       updated_s = now_s;
+    }
+    if ((ros::WallTime::now() - asked).toSec() > kWarningPeriod_s) {
+      asked = ros::WallTime::now();
+      warn_of_rivals();
     }
     poll.sleep();
   }

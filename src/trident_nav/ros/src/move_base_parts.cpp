@@ -11,14 +11,6 @@
 namespace trident::nav {
 namespace {
 
-ConfigNode parameters_below(const ros::NodeHandle& private_node) {
-  XmlRpc::XmlRpcValue value;
-  private_node.getParam(private_node.getNamespace(), value);
-  ConfigNode tree = ros_utils::to_config_node(value);
-  tree.kind = ConfigNode::Kind::kMap;
-  return tree;
-}
-
 std::unique_ptr<CostmapNode> make_costmap(const ros::NodeHandle& private_node,
                                           const std::string& name, const MoveBaseParts& parts,
                                           const tf2::BufferCore& buffer,
@@ -60,6 +52,14 @@ void make_moving_obstacles(MoveBaseParts* parts) {
 }
 
 }  // namespace
+
+ConfigNode parameters_below(const ros::NodeHandle& private_node) {
+  XmlRpc::XmlRpcValue value;
+  private_node.getParam(private_node.getNamespace(), value);
+  ConfigNode tree = ros_utils::to_config_node(value);
+  tree.kind = ConfigNode::Kind::kMap;
+  return tree;
+}
 
 CostmapConfig costmap_config_of(const ConfigNode& tree, const std::string& node_name,
                                 const std::string& name, Warnings* warnings) {

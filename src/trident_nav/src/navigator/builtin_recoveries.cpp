@@ -7,6 +7,7 @@ namespace trident::nav {
 RecoveryRegistry builtin_recoveries() {
   RecoveryRegistry registry("recovery behavior");
   add_clear_costmap(registry);
+  add_move_slow(registry);
   add_rotate(registry);
   add_retreat(registry);
   return registry;

@@ -85,6 +85,7 @@ void Navigator::set_goal(const Pose2& goal, double now_s) {
   forget_progress(now_s);
   goal_ = goal;
   next_recovery_ = 0;
+  slow_.reset();
   cause_.clear();
   since_.motion_from = trail_.empty() ? Pose2{} : trail_.back();
   phase_ = Phase::kPlanning;
@@ -145,10 +146,29 @@ NavigatorOutput Navigator::step(const NavigatorInput& given) {
     } else {
       plan(input, &output);
       if (phase_ == Phase::kControlling) control(input, &output);
+      slow_down(input, &output);
     }
   }
   since_.step_s = input.now_s;
   return output;
+}
+
+void Navigator::slow_down(const NavigatorInput& input, NavigatorOutput* output) {
+  if (!slow_) return;
+  const Pose2& pose = input.state.pose;
+  if (distance(pose.x, pose.y, slow_from_.x, slow_from_.y) >= slow_->distance_m) {
+    slow_.reset();
+  } else {
+    output->twist = slow_->limited(output->twist);
+  }
+}
+
+Twist2 SlowDrive::limited(const Twist2& twist) const {
+  const double speed = std::hypot(twist.vx, twist.vy);
+  double kept = 1.0;
+  if (speed > trans_max) kept = trans_max / speed;
+  if (std::fabs(twist.wz) > rot_max) kept = std::min(kept, rot_max / std::fabs(twist.wz));
+  return {kept * twist.vx, kept * twist.vy, kept * twist.wz};
 }
 
 void Navigator::plan(const NavigatorInput& input, NavigatorOutput* output) {
@@ -308,6 +328,8 @@ void Navigator::recover(const NavigatorInput& input, NavigatorOutput* output) {
     output->twist = step.twist;
     return;
   }
+  slow_ = step.slow;
+  slow_from_ = input.state.pose;
   ++next_recovery_;
   phase_ = Phase::kPlanning;
   keeper_.clear();

@@ -7,6 +7,7 @@
 namespace trident::nav {
 
 void add_clear_costmap(RecoveryRegistry& registry);
+void add_move_slow(RecoveryRegistry& registry);
 void add_rotate(RecoveryRegistry& registry);
 void add_retreat(RecoveryRegistry& registry);
 

@@ -52,8 +52,8 @@ LaserScan scan_at(double time_s, bool is_driving) {
     const double angle = scan.angle(i) + pose.rpy().z();
     const double c = std::cos(angle);
     const double wall = c > 0.0 ? (4.0 - pose.p.x()) / c : INFINITY;
-    const double range = std::min(
-        wall, range_to_walker(walker_at(at_s), {pose.p.x(), pose.p.y()}, angle));
+    const double range =
+        std::min(wall, range_to_walker(walker_at(at_s), {pose.p.x(), pose.p.y()}, angle));
     scan.ranges.push_back(static_cast<float>(range));
   }
   return scan;

@@ -125,6 +125,33 @@ TEST_F(RecoveryTest, ClearsWhatItShould) {
   EXPECT_EQ(world_.forgotten.layers, std::vector<std::string>{"sonar"});
 }
 
+TEST_F(RecoveryTest, ForgetsWhatIsCloseAndWantsToDriveSlowly) {
+  const auto slow = make("move_slow_and_clear/MoveSlowAndClear",
+                         "{clearing_distance: 0.75, limited_trans_speed: 0.1}");
+  slow->start();
+  const RecoveryStep step =
+      slow->step({state_.time_s, state_, grid_, {}, trail_, world_, *controller_});
+  EXPECT_TRUE(step.is_done);
+  EXPECT_EQ(world_.forgotten.side_m, 1.5);
+  EXPECT_EQ(world_.forgotten.side, Layer::Side::kInside);
+  ASSERT_TRUE(step.slow);
+  EXPECT_EQ(step.slow->trans_max, 0.1);
+  EXPECT_EQ(step.slow->rot_max, 0.45);
+  EXPECT_EQ(step.slow->distance_m, 0.3);
+}
+
+TEST(SlowDrive, KeepsTheCurvatureOfACommand) {
+  const SlowDrive slow{0.2, 0.5, 1.0};
+  const Twist2 fast = slow.limited({0.8, 0.0, 1.0});
+  EXPECT_DOUBLE_EQ(fast.vx, 0.2);
+  EXPECT_DOUBLE_EQ(fast.wz, 0.25);
+  const Twist2 turning = slow.limited({0.1, 0.0, -2.0});
+  EXPECT_DOUBLE_EQ(turning.vx, 0.025);
+  EXPECT_DOUBLE_EQ(turning.wz, -0.5);
+  const Twist2 gentle = slow.limited({0.1, 0.0, 0.2});
+  EXPECT_DOUBLE_EQ(gentle.vx, 0.1);
+}
+
 TEST_F(RecoveryTest, AnUnknownNameListsTheKnownOnes) {
   try {
     make("rotate_recovery/RotateRecovry");

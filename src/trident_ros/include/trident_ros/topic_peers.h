@@ -20,4 +20,12 @@ std::vector<TopicPeer> topic_readers(const std::string& topic);
 /// until the master hears of its end: roscpp tries to reconnect until then.
 std::vector<std::string> topic_writers(const std::string& topic);
 
+/// Nodes that have told the master that they write a topic, which may have any name; asks the
+/// master. Empty when it does not answer.
+std::vector<std::string> topic_publishers(const std::string& topic);
+
+/// A sentence that names all publishers of a topic of commands; empty unless there are at least
+/// two.
+std::string rivals_text(const std::string& topic, const std::vector<std::string>& publishers);
+
 }  // namespace trident::ros_utils

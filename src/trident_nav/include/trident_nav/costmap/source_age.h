@@ -26,6 +26,8 @@ class SourceAge {
   void note(double stamp_s);
 
   bool has_data() const { return has_data_; }
+  /// When the newest data were measured; 0 before the first [s].
+  double newest_s() const { return newest_s_; }
   /// The median of the latest intervals between data [s]; 0 before the second data.
   double period_s() const;
   /// The most that age_s() may be; infinite when nothing limits it [s].

@@ -98,6 +98,7 @@ class Navigator {
                     NavigatorOutput* output);
   void recover(const NavigatorInput& input, NavigatorOutput* output);
   void begin_recovery(Trigger trigger, const NavigatorInput& input, NavigatorOutput* output);
+  void slow_down(const NavigatorInput& input, NavigatorOutput* output);
   void finish(NavigatorStatus status, std::string text, NavigatorOutput* output);
   Path local_path(const NavigatorInput& input) const;
   Twist2 braking(const NavigatorInput& input) const;
@@ -121,6 +122,8 @@ class Navigator {
   Patience since_;
   Trigger trigger_ = Trigger::kPlanning;
   std::size_t next_recovery_ = 0;
+  std::optional<SlowDrive> slow_;  // since the robot was at slow_from_
+  Pose2 slow_from_;
   std::string cause_;
   bool is_rerouted_ = false;  // the next path replaces the one that the robot is stuck on
 };

@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "trident_base/registry.h"
@@ -27,11 +28,23 @@ struct RecoverySituation {
   Controller& controller;
 };
 
+/// Limits of commands until the robot is some way off.
+struct SlowDrive {
+  double trans_max = 0.0;   ///< [m/s]
+  double rot_max = 0.0;     ///< [rad/s]
+  double distance_m = 0.0;  ///< From where they begin.
+
+  /// The command within them, of the same curvature.
+  Twist2 limited(const Twist2& twist) const;
+};
+
 /// What a step of a recovery gives.
 struct RecoveryStep {
   Twist2 twist;
   bool is_done = false;
   std::string note;  ///< When done: what was achieved, or why nothing was.
+  /// When done: how the robot drives at first.
+  std::optional<SlowDrive> slow = std::nullopt;
 };
 
 class Recovery {

@@ -45,16 +45,16 @@ class CostmapInputs {
   struct Pending {
     BeamSource* source;
     Observe observe;
+    double stamp_s;
     ros::WallTime since;
   };
 
   void subscribe_map(ros::NodeHandle& node, StaticLayer& layer);
   void subscribe_beams(ros::NodeHandle& node, BeamLayer& layer);
   bool is_refused(const BeamSource& source, const ros::Time& stamp);
-  void add(BeamSource& source, Observe observe);
+  void add(BeamSource& source, const ros::Time& stamp, Observe observe);
   void apply_pending(Pending& pending, std::deque<Pending>* waiting);
-  std::optional<Observation> observe(const sensor_msgs::LaserScan& scan,
-                                     const BeamSource& source);
+  std::optional<Observation> observe(const sensor_msgs::LaserScan& scan, const BeamSource& source);
   SE3 sensor_pose(const std::string& frame, const BeamSourceParams& params,
                   const ros::Time& stamp) const;
 

@@ -4,6 +4,7 @@
 
 #include <geometry_msgs/Pose.h>
 #include <geometry_msgs/TransformStamped.h>
+#include <nav_msgs/Path.h>
 #include <tf2/buffer_core.h>
 
 #include <optional>
@@ -21,6 +22,8 @@ SE3 to_se3(const geometry_msgs::Transform& transform);
 Pose2 to_pose2(const geometry_msgs::Transform& transform);
 Pose2 to_pose2(const geometry_msgs::Pose& pose);
 geometry_msgs::Pose to_message(const Pose2& pose);
+/// A path whose poses are stamped as it is itself.
+nav_msgs::Path path_message(const Path& path, const std::string& frame, double now_s);
 /// `pose` is given in the axes of `frame`.
 Pose2 placed_in(const Pose2& frame, const Pose2& pose);
 

@@ -38,6 +38,7 @@ class MoveBaseNode {
  private:
   void serve(ros::NodeHandle& node, ros::NodeHandle private_node);
   void update_global();
+  void warn_of_rivals();
   void cycle();
   void take_goals(double now_s);
   bool place_goal(double now_s, std::string* problem);
@@ -71,7 +72,8 @@ class MoveBaseNode {
   std::mutex odometry_mutex_;
   Twist2 measured_;
   std::optional<geometry_msgs::PoseStamped> unplaced_goal_;
-  bool is_driving_ = false;  // the last command was not zero
+  std::atomic<bool> is_driving_{false};  // the last command was not zero
+  std::string rivals_;                   // named in the latest warning; of global_thread_
   double warned_s_ = -1e9;
   std::atomic<bool> is_ending_{false};
   std::thread global_thread_;

@@ -40,6 +40,9 @@ std::unique_ptr<MoveBaseParts> make_move_base_parts(const ros::NodeHandle& priva
                                                     const tf2::BufferCore& buffer,
                                                     ros_utils::Refusals& refusals);
 
+/// All parameters below the namespace of a node, a map.
+ConfigNode parameters_below(const ros::NodeHandle& private_node);
+
 /// The configuration of one of the costmaps from the node's parameters. Warnings are added.
 CostmapConfig costmap_config_of(const ConfigNode& tree, const std::string& node_name,
                                 const std::string& name, Warnings* warnings);

@@ -1,0 +1,9 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "navfn/MakeNavPlan.h"
+#include "trident_nav_ros/planner_node.h"
+
+int main(int argc, char** argv) {
+  return trident::nav::planner_main<navfn::MakeNavPlan>(argc, argv, "navfn_node", "navfn/NavfnROS",
+                                                        "navfn_planner");
+}
