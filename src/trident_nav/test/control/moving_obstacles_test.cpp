@@ -18,7 +18,7 @@ namespace {
 constexpr double kPeriod_s = 0.1;
 constexpr double kWalkerRadius_m = 0.25;
 
-/// A walker who crosses the way of the robot from the right, at 2 m before it.
+/// A walker who crosses before the robot from the right, at 2 m before it.
 Point2 walker_at(double time_s) { return {2.0, -1.5 + 1.0 * time_s}; }
 
 /// Where the laser is: it stands, or drives forward and turns.

@@ -20,7 +20,7 @@ std::vector<TopicPeer> topic_readers(const std::string& topic);
 /// until the master hears of its end: roscpp tries to reconnect until then.
 std::vector<std::string> topic_writers(const std::string& topic);
 
-/// Nodes that have told the master that they write a topic, which may have any name; asks the
+/// Nodes that write a topic of any name, as the master knows them; asks the
 /// master. Empty when it does not answer.
 std::vector<std::string> topic_publishers(const std::string& topic);
 

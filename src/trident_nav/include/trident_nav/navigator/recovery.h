@@ -28,7 +28,7 @@ struct RecoverySituation {
   Controller& controller;
 };
 
-/// Limits of commands until the robot is some way off.
+/// Limits of commands until the robot is some distance off.
 struct SlowDrive {
   double trans_max = 0.0;   ///< [m/s]
   double rot_max = 0.0;     ///< [rad/s]

@@ -36,7 +36,7 @@ ScanPoints scan_points(const LaserScan& scan, Span<const SE3> T_costmap_laser,
   ScanPoints points;
   points.sensor = {pose.p.x(), pose.p.y()};
   points.angle_increment = std::fabs(scan.angle_increment);
-  // One beam more would meet the first one, or pass it.
+  // One beam more would be at the first one, or pass it.
   points.is_full_turn = points.angle_increment * (static_cast<double>(beams) + 0.5) >= 2.0 * kPi;
   points.ends.assign(beams, {kNowhere, kNowhere});
   for (std::size_t i = 0; i < beams; ++i) {
