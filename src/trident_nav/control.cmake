@@ -43,6 +43,8 @@ add_library(trident_nav_control
   src/control/rotation_shim/rotation_shim_law.cpp
   src/control/steering.cpp
   src/control/teb/footprint_distance.cpp
+  src/control/teb/homotopy_map.cpp
+  src/control/teb/homotopy_search.cpp
   src/control/teb/normal_equations.cpp
   src/control/teb/teb_band.cpp
   src/control/teb/teb_guide.cpp
@@ -52,8 +54,6 @@ add_library(trident_nav_control
   src/control/teb/teb_planner.cpp
   src/control/teb/teb_problem.cpp
   src/control/teb/teb_terms.cpp
-  src/control/teb/way_map.cpp
-  src/control/teb/way_search.cpp
   src/control/tracking/moving_obstacles.cpp
   src/control/tracking/obstacle_tracker.cpp
   src/control/tracking/scan_clusters.cpp

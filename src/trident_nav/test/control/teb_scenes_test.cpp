@@ -48,7 +48,7 @@ TEST(TebDrives, BetweenTwoObstaclesThatTheFootprintFitsBetween) {
 TEST(TebDrives, ACarBacksIntoAParkingPlaceWithItsHeading) {
   const ControlSetup setup = car();  // 0.5 m long, turns about 0.5 m
   GridWorld world(6.0, 4.0);
-  // A place beside the lane, 0.6 m wide and 0.8 m deep, between two cars.
+  // A place next to the lane, 0.6 m wide and 0.8 m deep, between two cars.
   world.fill({1.4, 0.6, 2.4, 1.3});
   world.fill({3.0, 0.6, 4.0, 1.3});
   world.fill({1.4, 0.4, 4.0, 0.5});
@@ -71,20 +71,20 @@ TEST(TebDrives, ACarBacksIntoAParkingPlaceWithItsHeading) {
 }
 
 // What drives at a pillar in the middle of its path.
-struct TwoWays {
+struct TwoSides {
   ControlSetup setup = jackal();
   GridWorld world{8.0, 6.0};
   Path path;
 
-  TwoWays() {
+  TwoSides() {
     world.fill({3.3, 2.6, 4.1, 3.4});
     world.inflate(0.165, 0.6, 5.0);
     for (int i = 0; i <= 60; ++i) path.push_back({1.0 + 0.1 * i, 3.0, 0.0});
   }
 };
 
-TEST(TebDrives, BeforeTwoEqualWaysNoiseDoesNotMakeItChangeSides) {
-  TwoWays scene;
+TEST(TebDrives, BeforeTwoEqualPathsNoiseDoesNotMakeItChangeSides) {
+  TwoSides scene;
   const CostGrid grid = scene.world.grid();
   const FootprintChecker body(scene.setup.footprint);
   const TebModel model(TebParams{}, scene.setup);
@@ -113,7 +113,7 @@ TEST(TebDrives, BeforeTwoEqualWaysNoiseDoesNotMakeItChangeSides) {
 }
 
 TEST(TebDrives, AnObstacleOnThePathIsPassed) {
-  const TwoWays scene;
+  const TwoSides scene;
   const Scene there{"pillar", scene.world, scene.path.front(), scene.path.back()};
   const Drive result = drive(*make_teb(scene.setup), scene.setup, there, 30.0, scene.path);
   EXPECT_FALSE(result.has_contact);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-// The parts of the timed elastic band: slopes, the solver, bands, ways around obstacles.
+// The parts of the timed elastic band: slopes, the solver, bands, paths around obstacles.
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "control/scene.h"
+#include "control/teb/homotopy_map.h"
 #include "control/teb/normal_equations.h"
 #include "control/teb/teb_band.h"
 #include "control/teb/teb_problem.h"
 #include "control/teb/teb_terms.h"
-#include "control/teb/way_map.h"
 #include "trident_base/angle.h"
 #include "trident_base/random_stream.h"
 
@@ -218,10 +218,10 @@ TEST(TebBand, BeginsWhereTheRobotHasComeTo) {
   EXPECT_EQ(band.back().pose.x, 3.2);
 }
 
-TEST(WayMap, SignaturesTellTheSidesOfAnObstacleApartAndNothingElse) {
+TEST(HomotopyMap, SignaturesDistinguishTheSidesOfAnObstacleAndNothingElse) {
   GridWorld world(4.0, 4.0);
   world.fill({1.8, 1.8, 2.2, 2.2});
-  const WayMap map(world.grid(), {{0.0, 0.0}, {4.0, 4.0}}, 0.1, UnknownCells::kFree);
+  const HomotopyMap map(world.grid(), {{0.0, 0.0}, {4.0, 4.0}}, 0.1, UnknownCells::kFree);
   ASSERT_EQ(map.obstacles(), 1U);
   const HSignature above = map.signature({{0.5, 2.0}, {2.0, 3.0}, {3.5, 2.0}});
   const HSignature higher = map.signature({{0.5, 2.0}, {1.0, 3.0}, {2.5, 3.8}, {3.5, 2.0}});
@@ -229,27 +229,28 @@ TEST(WayMap, SignaturesTellTheSidesOfAnObstacleApartAndNothingElse) {
   EXPECT_EQ(above, higher);
   EXPECT_NE(above, below);
   EXPECT_EQ(map.signature({{0.5, 2.0}, {2.0, 1.0}, {3.5, 2.0}, {2.0, 3.0}, {0.5, 2.0}}),
-            added(below, 0));  // once around, less what the way back above does not cross
+            added(below, 0));  // once around, less what the return above does not cross
 }
 
-TEST(WayMap, FindsBothWaysAroundAPillarTheShorterOneFirstAndNoneThroughAGapThatIsTooNarrow) {
+TEST(HomotopyMap,
+     FindsAPathOnEitherSideOfAPillarTheShorterOneFirstAndNoneThroughAGapThatIsTooNarrow) {
   GridWorld world(6.0, 4.0);
   world.fill({2.8, 1.5, 3.2, 2.2});
-  world.fill({2.8, 2.3, 3.2, 2.8});  // 0.1 m beside the other: nothing fits between them
-  const WayMap map(world.grid(), {{0.0, 0.0}, {6.0, 4.0}}, 0.165, UnknownCells::kFree);
-  const std::vector<Way> ways = map.ways({1.0, 1.9}, {5.0, 1.9}, 4, 1.6);
+  world.fill({2.8, 2.3, 3.2, 2.8});  // 0.1 m from the other: nothing fits between them
+  const HomotopyMap map(world.grid(), {{0.0, 0.0}, {6.0, 4.0}}, 0.165, UnknownCells::kFree);
+  const std::vector<HomotopyPath> paths = map.paths({1.0, 1.9}, {5.0, 1.9}, 4, 1.6);
   ASSERT_EQ(map.obstacles(), 1U);
-  ASSERT_EQ(ways.size(), 2U);
-  EXPECT_LE(ways[0].length_m, ways[1].length_m);
-  EXPECT_NE(ways[0].signature, ways[1].signature);
-  for (const Way& way : ways) EXPECT_EQ(map.signature(way.points), way.signature);
+  ASSERT_EQ(paths.size(), 2U);
+  EXPECT_LE(paths[0].length_m, paths[1].length_m);
+  EXPECT_NE(paths[0].signature, paths[1].signature);
+  for (const HomotopyPath& path : paths) EXPECT_EQ(map.signature(path.points), path.signature);
 }
 
-TEST(WayMap, AGoalBehindAWallHasNoWay) {
+TEST(HomotopyMap, AGoalBehindAWallHasNoPath) {
   GridWorld world(4.0, 4.0);
   world.fill({2.0, 0.0, 2.1, 4.0});
-  const WayMap map(world.grid(), {{0.0, 0.0}, {4.0, 4.0}}, 0.1, UnknownCells::kFree);
-  EXPECT_TRUE(map.ways({1.0, 2.0}, {3.0, 2.0}, 4, 2.0).empty());
+  const HomotopyMap map(world.grid(), {{0.0, 0.0}, {4.0, 4.0}}, 0.1, UnknownCells::kFree);
+  EXPECT_TRUE(map.paths({1.0, 2.0}, {3.0, 2.0}, 4, 2.0).empty());
 }
 
 }  // namespace

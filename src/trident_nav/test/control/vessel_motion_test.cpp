@@ -82,7 +82,7 @@ TEST(VesselMotion, FullThrustEndsAtTheSpeedWhereDragIsAsGreat) {
   const double d = model.vessel.linear_damping[0];
   const double q = model.vessel.quadratic_damping[0];
   EXPECT_NEAR(d * u + q * u * u, model.vessel.force_max[0], 0.01 * model.vessel.force_max[0]);
-  // And no faster on the way there than the force accelerates the mass.
+  // And no faster before that than the force accelerates the mass.
   const auto first = static_cast<double>(rollouts.vx[0]);
   EXPECT_LE(first, model.vessel.force_max[0] / model.vessel.mass[0] * model.dt_s + 1e-6);
 }

@@ -55,7 +55,7 @@ SignedDistance FootprintDistance::to(const Point2& point) const {
     along = edge.along;
   }
   const double d = std::sqrt(nearest);
-  // On the rim the way out is square to the edge.
+  // On the rim the direction out is square to the edge.
   if (d < kOnRim) return {0.0, {along.y, -along.x}};
   const double sign = contains(point) ? -1.0 : 1.0;
   return {sign * d, {sign * off.x / d, sign * off.y / d}};

@@ -8,8 +8,6 @@
 namespace trident::nav {
 namespace {
 
-constexpr double kLeastDuration = 0.01;  // [s]
-
 double step_m(const TebNode& a, const TebNode& b) {
   return distance(a.pose.x, a.pose.y, b.pose.x, b.pose.y);
 }
@@ -75,7 +73,7 @@ void slow_down(const TebPace& pace, TebBand* band) {
     TebNode& node = (*band)[i];
     const double drive_s = step_m(node, (*band)[i + 1]) / pace.v;
     const double turn_s = std::fabs(turn_between(node, (*band)[i + 1])) / pace.wz;
-    node.dt_s = std::max({node.dt_s, drive_s, turn_s, kLeastDuration});
+    node.dt_s = std::max({node.dt_s, drive_s, turn_s, kMinTebDuration_s});
   }
 }
 

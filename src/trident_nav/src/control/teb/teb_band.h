@@ -20,6 +20,9 @@ struct TebNode {
 /// ROBOTIK 2012, equations (1) to (3). The first pose is the robot's, the last one the goal.
 using TebBand = std::vector<TebNode>;
 
+/// No duration of a band is shorter [s].
+constexpr double kMinTebDuration_s = 0.01;
+
 /// The speeds that first guesses of durations are made with.
 struct TebPace {
   double v = 0.0;   ///< [m/s]

@@ -9,8 +9,6 @@
 namespace trident::nav {
 namespace {
 
-constexpr double kLeastDuration = 0.01;  // between poses [s]
-
 // The first pose is where the robot is, the last one where it shall be; the last one's duration
 // means nothing.
 void fix_ends(std::size_t nodes, NormalEquations* equations) {
@@ -47,7 +45,7 @@ TebBand moved(const TebBand& band, const std::vector<double>& step) {
     node.pose.x += share * d[0];
     node.pose.y += share * d[1];
     node.pose.yaw = wrap_angle(node.pose.yaw + share * d[2]);
-    if (i + 1 < band.size()) node.dt_s = std::max(node.dt_s + share * d[3], kLeastDuration);
+    if (i + 1 < band.size()) node.dt_s = std::max(node.dt_s + share * d[3], kMinTebDuration_s);
   }
   return result;
 }

@@ -91,7 +91,7 @@ struct TebWeights {
 
 /// Names and defaults of teb_local_planner/TebLocalPlannerROS; speeds, accelerations and the
 /// turning radius without a value are those of the robot's limits. Keys whose meaning is "not
-/// needed here" are those of drawings and of what this implementation does in another way.
+/// needed here" are those of drawings and of what this implementation does in another path.
 struct TebParams {
   // The trajectory.
   std::string odom_topic = "odom", map_frame = "odom";
@@ -143,7 +143,7 @@ struct TebParams {
   bool enable_homotopy_class_planning = true, enable_multithreading = true;
   bool simple_exploration = false;
   int max_number_classes = 4, max_number_plans_in_current_class = 1;
-  // Upstream's 1 lets equal ways take turns.
+  // Upstream's 1 lets equal bands take turns.
   double selection_cost_hysteresis = 0.9, selection_prefer_initial_plan = 0.95;
   double selection_obst_cost_scale = 100.0, selection_viapoint_cost_scale = 1.0;
   bool selection_alternative_time_cost = false;
@@ -189,21 +189,21 @@ struct TebParams {
     ar.field("min_samples", min_samples, Range::at_least(3), "poses of a band");
     ar.field("max_samples", max_samples, Range::at_least(3), "poses of a band");
     ar.field("global_plan_overwrite_orientation", global_plan_overwrite_orientation,
-             "the path's headings on the way are its directions of travel");
+             "the path's headings before its end are its directions of travel");
     ar.field("allow_init_with_backwards_motion", allow_init_with_backwards_motion,
              "where the path leads behind the robot, the first guess drives there backwards");
     ar.field("global_plan_viapoint_sep", global_plan_viapoint_sep,
              "between points of the path that draw the band; negative: none do [m]");
-    ar.field("via_points_ordered", via_points_ordered, "the band meets them in order");
+    ar.field("via_points_ordered", via_points_ordered, "the band reaches them in order");
     ar.field("max_global_plan_lookahead_dist", max_global_plan_lookahead_dist, Range::positive(),
              "of the path that a band covers [m]");
     ar.field("global_plan_prune_distance", global_plan_prune_distance,
              "not needed here: what is passed is cut off [m]");
     ar.field("exact_arc_length", exact_arc_length, "speeds along arcs, not chords");
     ar.field("force_reinit_new_goal_dist", force_reinit_new_goal_dist, Range::positive(),
-             "a band whose end moves farther begins anew [m]");
+             "a band whose end moves farther is guessed again [m]");
     ar.field("force_reinit_new_goal_angular", force_reinit_new_goal_angular, Range::positive(),
-             "a band whose end turns farther begins anew [rad]");
+             "a band whose end turns farther is guessed again [rad]");
     ar.field("feasibility_check_no_poses", feasibility_check_no_poses,
              "poses that must be free of contact, and what is between them; negative: all");
     ar.field("feasibility_check_lookahead_distance", feasibility_check_lookahead_distance,
@@ -233,7 +233,7 @@ struct TebParams {
     ar.field("is_footprint_dynamic", is_footprint_dynamic,
              "not needed here: the newest footprint is used");
     ar.field("use_proportional_saturation", use_proportional_saturation,
-             "not needed here: curvatures are kept as limits are met");
+             "not needed here: curvatures are kept within the limits");
     ar.field("transform_tolerance", transform_tolerance, Range::non_negative(), "[s]");
     ar.field("footprint_model", footprint_model, "not needed here");
     ar.field("free_goal_vel", free_goal_vel, "the robot need not stop at the goal");
@@ -287,16 +287,16 @@ struct TebParams {
   template <class Archive>
   void visit_classes(Archive& ar) {
     ar.field("enable_homotopy_class_planning", enable_homotopy_class_planning,
-             "ways around obstacles on other sides are optimized, too");
+             "bands around obstacles on other sides are optimized, too");
     ar.field("enable_multithreading", enable_multithreading, "not needed here");
     ar.field("simple_exploration", simple_exploration, "not needed here");
     ar.field("max_number_classes", max_number_classes, Range{1, 32}, "bands that are optimized");
     ar.field("max_number_plans_in_current_class", max_number_plans_in_current_class,
              "not needed here: one");
     ar.field("roadmap_graph_no_samples", roadmap_graph_no_samples,
-             "not needed here: other ways are searched on a lattice");
+             "not needed here: other classes are searched on a lattice");
     ar.field("roadmap_graph_area_width", roadmap_graph_area_width, Range::positive(),
-             "in which other ways are searched [m]");
+             "in which other classes are searched [m]");
     ar.field("roadmap_graph_area_length_scale", roadmap_graph_area_length_scale, Range::positive(),
              "of the area's length to the distance of the goal");
     ar.field("h_signature_prescaler", h_signature_prescaler,
@@ -325,7 +325,7 @@ struct TebParams {
     ar.field("selection_dropping_probability", selection_dropping_probability,
              "not needed here: two runs are equal");
     ar.field("switching_blocking_period", switching_blocking_period, Range::non_negative(),
-             "without another change of the way [s]");
+             "without another change of the class [s]");
     ar.field("delete_detours_backwards", delete_detours_backwards,
              "bands that begin backwards are left out where another does not");
     ar.field("detours_orientation_tolerance", detours_orientation_tolerance, Range::positive(),

@@ -146,7 +146,7 @@ void TebPlanner::untangle(const TebGuide& guide, TebBand* band) const {
   *band = guess_band(model_, guide, guide.points);
 }
 
-void TebPlanner::explore(const TebGuide& guide, const WayMap& map, HSignature initial) {
+void TebPlanner::explore(const TebGuide& guide, const HomotopyMap& map, HSignature initial) {
   const TebParams& p = model_.params;
   add_band(guide, guide.points, initial);
   for (Candidate& candidate : candidates_) {
@@ -157,10 +157,10 @@ void TebPlanner::explore(const TebGuide& guide, const WayMap& map, HSignature in
   if (!p.enable_homotopy_class_planning || map.obstacles() == 0 || candidates_.size() >= most) {
     return;
   }
-  const std::vector<Way> ways = map.ways(guide.points.front(), guide.points.back(), most,
-                                         p.max_ratio_detours_duration_best_duration);
-  for (const Way& way : ways) {
-    if (candidates_.size() < most) add_band(guide, way.points, way.signature);
+  const std::vector<HomotopyPath> paths = map.paths(guide.points.front(), guide.points.back(), most,
+                                                    p.max_ratio_detours_duration_best_duration);
+  for (const HomotopyPath& path : paths) {
+    if (candidates_.size() < most) add_band(guide, path.points, path.signature);
   }
 }
 
@@ -178,7 +178,7 @@ void TebPlanner::optimize(const Situation& situation, const TebGuide& guide,
 
 /// Bands that have come to the same side of everything are one: the present one stays, or the
 /// cheapest.
-void TebPlanner::drop_doubles(const WayMap& map) {
+void TebPlanner::drop_doubles(const HomotopyMap& map) {
   std::vector<Candidate> kept;
   for (Candidate& candidate : candidates_) {
     candidate.signature = map.signature(points_of(candidate.band));
@@ -246,11 +246,11 @@ const TebBand* TebPlanner::plan(const Situation& situation, const CostGrid& grid
   const double now_s = situation.state.time_s;
   keep_bands(guide);
   const Footprint& footprint = situation.checker.footprint();
-  const WayMap map(grid, area_about(guide), footprint.inscribed_radius, unknown_);
+  const HomotopyMap map(grid, area_about(guide), footprint.inscribed_radius, unknown_);
   const FootprintDistance shape(footprint);
   // A second time from the path alone, where no band that was kept is of use.
-  const bool begins_anew = candidates_.empty();
-  for (int round = 0; round < (begins_anew ? 1 : 2); ++round) {
+  const bool is_fresh = candidates_.empty();
+  for (int round = 0; round < (is_fresh ? 1 : 2); ++round) {
     if (round > 0) candidates_.clear();
     for (Candidate& candidate : candidates_) {
       candidate.signature = map.signature(points_of(candidate.band));

@@ -6,9 +6,9 @@
 #include <optional>
 #include <vector>
 
+#include "homotopy_map.h"
 #include "teb_guide.h"
 #include "teb_problem.h"
-#include "way_map.h"
 
 namespace trident::nav {
 
@@ -24,8 +24,8 @@ class TebPlanner {
   /// `model` must outlive it.
   TebPlanner(const TebModel& model, UnknownCells unknown) : model_(model), unknown_(unknown) {}
 
-  /// The best band that is free of contact; nothing if there is none. `grid`: the situation's one,
-  /// with distances. The pointer holds until the next call.
+  /// The best band that is free of contact; nothing if all are in contact. `grid`: the situation's
+  /// one, with distances. The pointer holds until the next call.
   const TebBand* plan(const Situation& situation, const CostGrid& grid);
   void reset();
 
@@ -45,10 +45,10 @@ class TebPlanner {
   void add_band(const TebGuide& guide, const std::vector<Point2>& points, HSignature signature);
   bool is_known(HSignature signature) const;
   void untangle(const TebGuide& guide, TebBand* band) const;
-  void explore(const TebGuide& guide, const WayMap& map, HSignature initial);
+  void explore(const TebGuide& guide, const HomotopyMap& map, HSignature initial);
   void optimize(const Situation& situation, const TebGuide& guide, const FootprintDistance& shape,
                 const TebObstacles& obstacles);
-  void drop_doubles(const WayMap& map);
+  void drop_doubles(const HomotopyMap& map);
   void drop_detours();
   double weighed_cost(const Candidate& candidate, double now_s) const;
   Candidate* best(double now_s);

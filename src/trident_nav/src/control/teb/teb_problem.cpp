@@ -102,10 +102,10 @@ void TebProblem::bound(std::size_t node, const TebQuantity<kNodes>& quantity, do
 template <std::size_t kNodes>
 void TebProblem::limit(std::size_t node, const TebQuantity<kNodes>& quantity, double lo, double hi,
                        double weight) {
-  constexpr double kMostOfLimit = 0.1;
+  constexpr double kMaxShare = 0.1;
   const double epsilon = model_.params.penalty_epsilon;
-  bound(node, quantity, lo + std::min(epsilon, kMostOfLimit * std::fabs(lo)),
-        hi - std::min(epsilon, kMostOfLimit * std::fabs(hi)), weight);
+  bound(node, quantity, lo + std::min(epsilon, kMaxShare * std::fabs(lo)),
+        hi - std::min(epsilon, kMaxShare * std::fabs(hi)), weight);
 }
 
 double TebProblem::speed_limit(std::size_t node) const {

@@ -22,7 +22,7 @@ ArcFactor arc_factor(double half) {
   return {half / sine, (sine - half * std::cos(half)) / (sine * sine)};
 }
 
-void stretch_to_arc(double turn, TebQuantity<2>* along) {
+void lengthen_to_arc(double turn, TebQuantity<2>* along) {
   const ArcFactor factor = arc_factor(0.5 * turn);
   for (double& slope : along->slopes) slope *= factor.value;
   along->slopes[kYaw0] -= 0.5 * factor.slope * along->value;
@@ -46,7 +46,7 @@ SegmentMotion segment_motion(const TebNode& from, const TebNode& to, ArcLength l
   // Both headings turn the axes by half of their change.
   motion.along.slopes[kYaw0] = motion.along.slopes[kYaw1] = 0.5 * motion.across.value;
   motion.across.slopes[kYaw0] = motion.across.slopes[kYaw1] = -0.5 * motion.along.value;
-  if (length == ArcLength::kExact) stretch_to_arc(turn, &motion.along);
+  if (length == ArcLength::kExact) lengthen_to_arc(turn, &motion.along);
   return motion;
 }
 

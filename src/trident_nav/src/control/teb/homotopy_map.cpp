@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-#include "way_map.h"
+#include "homotopy_map.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "way_search.h"
+#include "homotopy_search.h"
 
 namespace trident::nav {
 namespace {
 
-constexpr int kMaxSide = 48;  // nodes: more tell no more ways apart
+constexpr int kMaxSide = 48;  // nodes: more distinguish no more classes
 constexpr HSignature kLowBits = 0x5555555555555555ULL;
 
 }  // namespace
@@ -21,8 +21,8 @@ HSignature added(HSignature a, HSignature b) {
   return low ^ ((a ^ b) & ~kLowBits);
 }
 
-WayMap::WayMap(const CostGrid& grid, const TebRegion& area, double inscribed_radius,
-               UnknownCells unknown) {
+HomotopyMap::HomotopyMap(const CostGrid& grid, const TebRegion& area, double inscribed_radius,
+                         UnknownCells unknown) {
   const double resolution = grid.geometry.resolution;
   const double side_m = std::max(area.hi.x - area.lo.x, area.hi.y - area.lo.y);
   step_m_ = std::max({resolution, 0.7 * inscribed_radius, side_m / kMaxSide});
@@ -33,21 +33,21 @@ WayMap::WayMap(const CostGrid& grid, const TebRegion& area, double inscribed_rad
   find_obstacles();
 }
 
-Point2 WayMap::point(int node) const {
+Point2 HomotopyMap::point(int node) const {
   return {origin_.x + step_m_ * (node % width_), origin_.y + step_m_ * (node / width_)};
 }
 
-int WayMap::node_at(const Point2& point) const {
+int HomotopyMap::node_at(const Point2& point) const {
   const int x = static_cast<int>(std::lround((point.x - origin_.x) / step_m_));
   const int y = static_cast<int>(std::lround((point.y - origin_.y) / step_m_));
   return std::clamp(y, 0, height_ - 1) * width_ + std::clamp(x, 0, width_ - 1);
 }
 
-bool WayMap::is_edge(int x, int y) const {
+bool HomotopyMap::is_edge(int x, int y) const {
   return x == 0 || y == 0 || x == width_ - 1 || y == height_ - 1;
 }
 
-void WayMap::block(const CostGrid& grid, double inscribed_radius, UnknownCells unknown) {
+void HomotopyMap::block(const CostGrid& grid, double inscribed_radius, UnknownCells unknown) {
   is_blocked_.assign(static_cast<std::size_t>(width_ * height_), 0);
   for (int node = 0; node < width_ * height_; ++node) {
     const Point2 p = point(node);
@@ -64,7 +64,7 @@ void WayMap::block(const CostGrid& grid, double inscribed_radius, UnknownCells u
 }
 
 /// Marks all blocked nodes that are connected with one. False: some lie on the edge.
-bool WayMap::flood(int seed, std::vector<std::uint8_t>* seen) const {
+bool HomotopyMap::flood(int seed, std::vector<std::uint8_t>* seen) const {
   std::vector<int> open{seed};
   (*seen)[static_cast<std::size_t>(seed)] = 1;
   bool is_inside = true;
@@ -86,19 +86,19 @@ bool WayMap::flood(int seed, std::vector<std::uint8_t>* seen) const {
   return is_inside;
 }
 
-void WayMap::find_obstacles() {
-  constexpr double kBesideNodes = 0.37;  // of a step
+void HomotopyMap::find_obstacles() {
+  constexpr double kOffNodes = 0.37;  // of a step
   std::vector<std::uint8_t> seen(is_blocked_.size(), 0);
   for (int node = 0; node < width_ * height_ && rays_.size() < kMaxRays; ++node) {
     const auto i = static_cast<std::size_t>(node);
     if (is_blocked_[i] == 0 || seen[i] != 0) continue;
     // The first node of an obstacle is of its lowest row: nothing of it is below.
     const Point2 p = point(node);
-    if (flood(node, &seen)) rays_.push_back({p.x + kBesideNodes * step_m_, p.y});
+    if (flood(node, &seen)) rays_.push_back({p.x + kOffNodes * step_m_, p.y});
   }
 }
 
-HSignature WayMap::crossed(const Point2& a, const Point2& b) const {
+HSignature HomotopyMap::crossed(const Point2& a, const Point2& b) const {
   HSignature sum = 0;
   for (std::size_t i = 0; i < rays_.size(); ++i) {
     const Ray& ray = rays_[i];
@@ -110,7 +110,7 @@ HSignature WayMap::crossed(const Point2& a, const Point2& b) const {
   return sum;
 }
 
-HSignature WayMap::signature(const std::vector<Point2>& line) const {
+HSignature HomotopyMap::signature(const std::vector<Point2>& line) const {
   HSignature sum = 0;
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
     sum = added(sum, crossed(line[i], line[i + 1]));
@@ -118,9 +118,9 @@ HSignature WayMap::signature(const std::vector<Point2>& line) const {
   return sum;
 }
 
-std::vector<Way> WayMap::ways(const Point2& from, const Point2& to, std::size_t count,
-                              double max_ratio) const {
-  return WaySearch(*this, from, to).run(count, max_ratio);
+std::vector<HomotopyPath> HomotopyMap::paths(const Point2& from, const Point2& to,
+                                             std::size_t count, double max_ratio) const {
+  return HomotopySearch(*this, from, to).run(count, max_ratio);
 }
 
 }  // namespace trident::nav

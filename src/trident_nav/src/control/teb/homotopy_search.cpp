@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-#include "way_search.h"
+#include "homotopy_search.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +33,7 @@ void smooth(std::vector<Point2>* points) {
 
 }  // namespace
 
-WaySearch::WaySearch(const WayMap& map, const Point2& from, const Point2& to)
+HomotopySearch::HomotopySearch(const HomotopyMap& map, const Point2& from, const Point2& to)
     : map_(map),
       from_(from),
       to_(to),
@@ -43,14 +43,14 @@ WaySearch::WaySearch(const WayMap& map, const Point2& from, const Point2& to)
   push({start, map.crossed(from, map.point(start)), 0.0, -1});
 }
 
-void WaySearch::push(const State& state) {
+void HomotopySearch::push(const State& state) {
   const Point2 p = map_.point(state.node);
   open_.push({state.length_m + distance(p.x, p.y, to_.x, to_.y), states_.size()});
   states_.push_back(state);
 }
 
 /// False: the state is not the first of its class here, or enough classes have come by.
-bool WaySearch::close(const State& state, std::size_t count) {
+bool HomotopySearch::close(const State& state, std::size_t count) {
   std::vector<HSignature>& closed = closed_[static_cast<std::size_t>(state.node)];
   if (closed.size() >= count) return false;
   if (std::find(closed.begin(), closed.end(), state.signature) != closed.end()) return false;
@@ -58,7 +58,7 @@ bool WaySearch::close(const State& state, std::size_t count) {
   return true;
 }
 
-void WaySearch::expand(std::size_t index) {
+void HomotopySearch::expand(std::size_t index) {
   const State from = states_[index];
   const int x = from.node % map_.width_;
   const int y = from.node / map_.width_;
@@ -78,27 +78,27 @@ void WaySearch::expand(std::size_t index) {
   }
 }
 
-Way WaySearch::way_to(std::size_t index) const {
-  Way way;
-  way.signature = added(states_[index].signature, map_.crossed(map_.point(goal_), to_));
-  way.length_m = states_[index].length_m;
-  way.points.push_back(to_);
+HomotopyPath HomotopySearch::path_to(std::size_t index) const {
+  HomotopyPath path;
+  path.signature = added(states_[index].signature, map_.crossed(map_.point(goal_), to_));
+  path.length_m = states_[index].length_m;
+  path.points.push_back(to_);
   // The nodes nearest to the ends are left out: the ends themselves stand for them.
   for (int i = states_[index].parent; i >= 0; i = states_[static_cast<std::size_t>(i)].parent) {
     const State& state = states_[static_cast<std::size_t>(i)];
-    if (state.parent >= 0) way.points.push_back(map_.point(state.node));
+    if (state.parent >= 0) path.points.push_back(map_.point(state.node));
   }
-  way.points.push_back(from_);
-  std::reverse(way.points.begin(), way.points.end());
-  smooth(&way.points);
-  return way;
+  path.points.push_back(from_);
+  std::reverse(path.points.begin(), path.points.end());
+  smooth(&path.points);
+  return path;
 }
 
-std::vector<Way> WaySearch::run(std::size_t count, double max_ratio) {
+std::vector<HomotopyPath> HomotopySearch::run(std::size_t count, double max_ratio) {
   constexpr std::size_t kMaxStates = 60000;
-  std::vector<Way> ways;
+  std::vector<HomotopyPath> paths;
   double longest_m = std::numeric_limits<double>::infinity();
-  while (!open_.empty() && ways.size() < count && states_.size() < kMaxStates) {
+  while (!open_.empty() && paths.size() < count && states_.size() < kMaxStates) {
     const auto [least_m, index] = open_.top();
     open_.pop();
     if (least_m > longest_m) break;
@@ -107,10 +107,10 @@ std::vector<Way> WaySearch::run(std::size_t count, double max_ratio) {
       expand(index);
       continue;
     }
-    ways.push_back(way_to(index));
-    if (ways.size() == 1) longest_m = max_ratio * least_m;
+    paths.push_back(path_to(index));
+    if (paths.size() == 1) longest_m = max_ratio * least_m;
   }
-  return ways;
+  return paths;
 }
 
 }  // namespace trident::nav

@@ -17,7 +17,7 @@ namespace trident::nav {
 using HSignature = std::uint64_t;
 
 /// A line to a goal, of its class the shortest one on the lattice.
-struct Way {
+struct HomotopyPath {
   std::vector<Point2> points;
   HSignature signature = 0;
   double length_m = 0.0;
@@ -27,18 +27,18 @@ struct Way {
 /// enter: gaps that it does not fit through separate none. Those that touch the edge cannot be
 /// walked around and do not count. Bhattacharya, Likhachev, Kumar, "Topological constraints in
 /// search-based robot path planning", Autonomous Robots 33 (2012), sections 3 and 4.
-class WayMap {
+class HomotopyMap {
  public:
   /// `grid` must have distances.
-  WayMap(const CostGrid& grid, const TebRegion& area, double inscribed_radius,
-         UnknownCells unknown);
+  HomotopyMap(const CostGrid& grid, const TebRegion& area, double inscribed_radius,
+              UnknownCells unknown);
 
   HSignature signature(const std::vector<Point2>& line) const;
 
-  /// The shortest ways to a goal, one of each class, the shortest first: up to `count` of them and
+  /// The shortest paths to a goal, one of each class, the shortest first: up to `count` of them and
   /// none longer than `max_ratio` times the first. Empty where nothing leads there.
-  std::vector<Way> ways(const Point2& from, const Point2& to, std::size_t count,
-                        double max_ratio) const;
+  std::vector<HomotopyPath> paths(const Point2& from, const Point2& to, std::size_t count,
+                                  double max_ratio) const;
 
   std::size_t obstacles() const { return rays_.size(); }
 
@@ -57,7 +57,7 @@ class WayMap {
   Point2 point(int node) const;
   int node_at(const Point2& point) const;
   bool is_edge(int x, int y) const;
-  friend class WaySearch;
+  friend class HomotopySearch;
 
   int width_ = 0, height_ = 0;
   double step_m_ = 0.0;

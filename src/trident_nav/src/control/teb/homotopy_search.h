@@ -7,17 +7,17 @@
 #include <utility>
 #include <vector>
 
-#include "way_map.h"
+#include "homotopy_map.h"
 
 namespace trident::nav {
 
 /// A* over pairs of a node and the signature of the line that leads to it, so that lines of several
 /// classes arrive one after another. `map` must outlive it.
-class WaySearch {
+class HomotopySearch {
  public:
-  WaySearch(const WayMap& map, const Point2& from, const Point2& to);
+  HomotopySearch(const HomotopyMap& map, const Point2& from, const Point2& to);
 
-  std::vector<Way> run(std::size_t count, double max_ratio);
+  std::vector<HomotopyPath> run(std::size_t count, double max_ratio);
 
  private:
   struct State {
@@ -31,9 +31,9 @@ class WaySearch {
   void push(const State& state);
   bool close(const State& state, std::size_t count);
   void expand(std::size_t index);
-  Way way_to(std::size_t index) const;
+  HomotopyPath path_to(std::size_t index) const;
 
-  const WayMap& map_;
+  const HomotopyMap& map_;
   Point2 from_, to_;
   int goal_;
   std::vector<State> states_;
