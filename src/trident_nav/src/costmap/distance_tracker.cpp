@@ -112,8 +112,8 @@ void DistanceTracker::collect_span(const std::uint8_t* cost, int y, int x0, int 
   }
 }
 
-/// One pass along the columns and one back: the distance along the column to the nearest seed on either
-/// side.
+/// One pass along the columns and one back: the distance along the column to the nearest seed on
+/// either side.
 void DistanceTracker::rebuild_columns(const std::uint8_t* cost) {
   const auto width = static_cast<std::size_t>(geometry_.width);
   const auto none = static_cast<std::uint8_t>(reach_ + 1);

@@ -39,8 +39,8 @@ double KidnapDetector::fit(const KeyframeGraph& graph, const SurfelMap& surfels,
   return agreement.overlap < options_.min_overlap ? match.inlier_fraction : agreement.ratio;
 }
 
-/// A pose elsewhere is on trial for some distance and scans while tracking continues; it is believed
-/// only if it fits over the whole trial, since a single scan fits in many places.
+/// A pose elsewhere is on trial for some distance and scans while tracking continues; it is
+/// believed only if it fits over the whole trial, since a single scan fits in many places.
 std::optional<MatchResult> KidnapDetector::check(const KeyframeGraph& graph,
                                                  const SurfelMap& surfels, const PointScan& scan,
                                                  const SE2& T_last_base, const MatchResult& own,
