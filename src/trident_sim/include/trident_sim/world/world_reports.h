@@ -37,7 +37,8 @@ class WorldReports {
   void report_odd(const std::string& text);
   /// Lists what was reported before.
   void add_odd_repeats(const std::vector<std::string>& texts);
-  /// Runs what may throw for an odd element; with OddElements::kLeaveOut its Error is reported instead.
+  /// Runs what may throw for an odd element; with OddElements::kLeaveOut its Error is reported
+  /// instead.
   void leave_out_if_odd(const std::function<void()>& load);
 
   Diagnostics diagnostics_;

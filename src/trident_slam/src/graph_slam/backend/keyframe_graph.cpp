@@ -18,8 +18,8 @@ namespace {
 /// A submap that can be reached, and how far away it is [m].
 using Step = std::pair<int, double>;
 
-/// Along the path a step is as long as the path that was driven; an edge that was matched is a short
-/// one, as it has no drift to speak of.
+/// Along the path a step is as long as the path that was driven; an edge that was matched is a
+/// short one, as it has no drift to speak of.
 std::vector<std::vector<Step>> steps_between_submaps(const KeyframeGraph& graph) {
   std::vector<std::vector<Step>> steps(static_cast<std::size_t>(graph.submaps()));
   for (std::size_t s = 1; s < steps.size(); ++s) {
