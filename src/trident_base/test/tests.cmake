@@ -14,9 +14,9 @@ endforeach()
 
 catkin_add_gtest(trident_base_test
   test/bicycle_odometry_test.cpp
-  test/config_document_test.cpp
-  test/config_error_test.cpp
-  test/config_fields_test.cpp
+  test/config/config_document_test.cpp
+  test/config/config_error_test.cpp
+  test/config/config_fields_test.cpp
   test/diff_drive_odometry_test.cpp
   test/gauss_markov_test.cpp
   test/noise_test.cpp
@@ -35,8 +35,8 @@ catkin_add_gtest(trident_base_test
   test/thruster_curve_test.cpp
   test/wheel_encoder_test.cpp
   test/worker_pool_test.cpp
-  test/yaml_config_test.cpp
-  test/yaml_tree_test.cpp
+  test/config/yaml_config_test.cpp
+  test/config/yaml_tree_test.cpp
   ${header_sources}
 )
 target_link_libraries(trident_base_test trident_base ${GTEST_MAIN_LIBRARIES})

@@ -66,7 +66,7 @@ class VesselControllerPlugin : public sim::Plugin {
       : VesselControllerPlugin(context, context.params.text("robotNamespace", "")) {}
 
   ~VesselControllerPlugin() override {
-    if (auto* still = world_.ports().find_out<sim::OdometrySample>(odometry_name_)) {
+    if (auto* still = world_.ports().find_out<sim::OdometrySample>(odometry_.name)) {
       still->remove_listener();
     }
   }
@@ -79,11 +79,11 @@ class VesselControllerPlugin : public sim::Plugin {
 
   void reset() override {
     controller_.reset();
-    odometry_seen_ = odometry_->count();
+    odometry_.seen = odometry_.port->count();
     each_inbox([](auto& inbox) { inbox.reset(); });
   }
   void state(sim::StateArchive& archive) override {
-    archive(controller_, odometry_seen_, answer_);
+    archive(controller_, odometry_.seen, answer_);
     each_inbox([&](auto& inbox) { inbox.state(archive); });
   }
 
@@ -101,10 +101,10 @@ class VesselControllerPlugin : public sim::Plugin {
         path_(context.world.ports(), join_namespace(ns, "command/path")),
         pose_(context.world.ports(), join_namespace(ns, "command/pose")) {
     sim::PortBoard& board = context.world.ports();
-    odometry_name_ = join_namespace(ns, context.params.text("odometryTopic", "odometry"));
-    odometry_ = board.find_out<sim::OdometrySample>(odometry_name_);
-    if (odometry_ == nullptr) {
-      context.params.refuse("odometryTopic", odometry_name_,
+    odometry_.name = join_namespace(ns, context.params.text("odometryTopic", "odometry"));
+    odometry_.port = board.find_out<sim::OdometrySample>(odometry_.name);
+    if (odometry_.port == nullptr) {
+      context.params.refuse("odometryTopic", odometry_.name,
                             "the topic of an odometry plugin before it");
     }
     const std::string topic =
@@ -114,7 +114,7 @@ class VesselControllerPlugin : public sim::Plugin {
                             "the <commandTopic> of a vessel's plugin before it");
     }
     command_ = {board, board.subscribe<sim::ActuatorCommand>(topic)};
-    odometry_->add_listener();
+    odometry_.port->add_listener();
   }
 
   template <class Action>
@@ -179,9 +179,9 @@ class VesselControllerPlugin : public sim::Plugin {
 
   void update() {
     take_commands();
-    if (odometry_->count() == odometry_seen_) return;
-    odometry_seen_ = odometry_->count();
-    const sim::OdometrySample& state = odometry_->value;
+    if (odometry_.port->count() == odometry_.seen) return;
+    odometry_.seen = odometry_.port->count();
+    const sim::OdometrySample& state = odometry_.port->value;
     if (controller_.update(state.stamp, {state.T_parent_child.p, state.T_parent_child.R,
                                          state.v_child, state.w_child}) != ControlStatus::ok) {
       return;  // a state that is not finite gets no answer, as from the node
@@ -191,17 +191,23 @@ class VesselControllerPlugin : public sim::Plugin {
     command_->write(answer_);
   }
 
+  /// The states that are answered.
+  struct Odometry {
+    std::string name;
+    sim::OutPort<sim::OdometrySample>* port = nullptr;
+    std::uint64_t seen = 0;
+  };
+
   sim::World& world_;
-  std::string owner_, odometry_name_;
+  std::string owner_;
   bool direct_;
   VesselController controller_;
   Inbox<sim::ScalarSample> speed_, heading_, course_, log_;
   Inbox<sim::TwistCommand> velocity_;
   Inbox<sim::PathCommand> path_;
   Inbox<sim::PoseSample> pose_;
-  sim::OutPort<sim::OdometrySample>* odometry_ = nullptr;
+  Odometry odometry_;
   sim::InHandle<sim::ActuatorCommand> command_;
-  std::uint64_t odometry_seen_ = 0;
   sim::ActuatorCommand answer_;
 };
 

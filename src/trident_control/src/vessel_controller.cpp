@@ -59,12 +59,12 @@ VesselController::VesselController(const VesselModel& model, const VesselControl
       speed_controller_(params.speed, model),
       path_(params.guidance),
       drift_(model, params.guidance.drift_time_constant),
-      place_hold_(params.station, model),
-      weather_vane_(params.station),
-      wave_filter_(params.station.wave_frequency),
       allocation_(model, params.allocation),
-      holds_pose_(can_hold_pose(params.station.behavior, allocation_, model.name)),
-      cruise_(params.speed.cruise) {}
+      station_{PlaceHold(params.station, model), WeatherVane(params.station),
+               WaveFilter(params.station.wave_frequency),
+               can_hold_pose(params.station.behavior, allocation_, model.name)} {
+  commanded_.cruise = params.speed.cruise;
+}
 
 bool VesselCommand::operator==(const VesselCommand& other) const {
   return kind == other.kind && speed == other.speed && rate == other.rate && angle == other.angle &&
@@ -77,12 +77,12 @@ void VesselController::reset() {
   pending_.erase(std::remove_if(pending_.begin(), pending_.end(), is_stamped), pending_.end());
   last_stamped_.reset();
   last_stamp_.reset();
-  log_.reset();
+  log_.speed.reset();
   mode_ = VesselMode::kIdle;
-  cruise_ = params_.speed.cruise;
+  commanded_.cruise = params_.speed.cruise;
   drift_.reset();
-  asked_.setZero();
-  given_.setZero();
+  forces_.asked.setZero();
+  forces_.given.setZero();
   allocation_.rest();
 }
 
@@ -105,8 +105,8 @@ CommandVerdict VesselController::push(SimTime stamp, const VesselCommand& comman
 
 void VesselController::set_log(SimTime stamp, double u_water) {
   if (!(std::abs(u_water) <= 1e3)) return;  // [m/s]; the node reports it
-  log_ = u_water;
-  log_stamp_ = stamp;
+  log_.speed = u_water;
+  log_.stamp = stamp;
 }
 
 /// One state: commands that are due set the mode, the mode sets heading and speed or a force, these
@@ -118,13 +118,13 @@ ControlStatus VesselController::update(SimTime stamp, const OdometryState& odome
   const double dt_s = last_stamp_ ? std::min((stamp - *last_stamp_).seconds(), kLongestStep) : 0.0;
   last_stamp_ = stamp;
   VesselState state = planar_state(odometry);
-  drift_.update(state, given_[1], dt_s);
+  drift_.update(state, forces_.given[1], dt_s);
   apply_due(stamp, state);
   if (mode_ == VesselMode::kIdle) {
     allocation_.rest();
     return ControlStatus::ok;
   }
-  if (mode_ == VesselMode::kStation) state = wave_filter_.filter(state, dt_s);
+  if (mode_ == VesselMode::kStation) state = station_.filter.filter(state, dt_s);
   actuate(setpoint(stamp, state, dt_s), stamp, state, dt_s);
   return ControlStatus::ok;
 }
@@ -146,32 +146,32 @@ void VesselController::enter(VesselMode mode, const VesselState& state) {
   if (mode_ == VesselMode::kIdle) autopilot_.reset(state);
   if (!is_speed_held_ || mode_ == VesselMode::kIdle) speed_controller_.reset(state.u);
   is_speed_held_ = true;
-  if (mode == VesselMode::kStation || mode == VesselMode::kCourse) crab_ = 0.0;
+  if (mode == VesselMode::kStation || mode == VesselMode::kCourse) commanded_.crab = 0.0;
   mode_ = mode;
 }
 
 void VesselController::apply(SimTime stamp, const VesselCommand& command,
                              const VesselState& state) {
   using Kind = VesselCommand::Kind;
-  commanded_at_ = stamp;
-  has_timeout_ = false;
+  commanded_.at = stamp;
+  commanded_.has_timeout = false;
   switch (command.kind) {
     case Kind::kSpeed:
-      cruise_ = command.speed;
+      commanded_.cruise = command.speed;
       return;
     case Kind::kVelocity:
       enter(VesselMode::kVelocity, state);
-      has_timeout_ = params_.cmd_vel.timeout > 0.0;
-      speed_ = command.speed;
-      rate_ = command.rate;
+      commanded_.has_timeout = params_.cmd_vel.timeout > 0.0;
+      commanded_.speed = command.speed;
+      commanded_.rate = command.rate;
       return;
     case Kind::kHeading:
       enter(VesselMode::kHeading, state);
-      angle_ = command.angle;
+      commanded_.angle = command.angle;
       return;
     case Kind::kCourse:
       if (mode_ != VesselMode::kCourse) enter(VesselMode::kCourse, state);
-      angle_ = command.angle;
+      commanded_.angle = command.angle;
       return;
     case Kind::kPath:
       enter(VesselMode::kPath, state);
@@ -188,14 +188,14 @@ void VesselController::keep_station(const Eigen::Vector2d& place, double heading
                                     const VesselState& state) {
   const bool is_new = mode_ != VesselMode::kStation;
   if (is_new) enter(VesselMode::kStation, state);
-  if (is_new) wave_filter_.reset();
-  station_ = place;
-  angle_ = heading;
-  if (is_new) is_near_station_ = false;
+  if (is_new) station_.filter.reset();
+  station_.p_world = place;
+  commanded_.angle = heading;
+  if (is_new) station_.is_near = false;
 }
 
 bool VesselController::has_log(SimTime stamp) const {
-  return log_ && (stamp - log_stamp_).seconds() <= params_.speed.log_timeout;
+  return log_.speed && (stamp - log_.stamp).seconds() <= params_.speed.log_timeout;
 }
 
 /// Nothing where a speed log is wanted and none is fresh: the feed-forward stands alone then.
@@ -203,31 +203,31 @@ std::optional<double> VesselController::measured_speed(SimTime stamp,
                                                        const VesselState& state) const {
   if (params_.speed.reference == SpeedReference::kOverGround) return state.u;
   if (!has_log(stamp)) return {};
-  return log_;
+  return log_.speed;
 }
 
 /// The integrals continue from what the actuators gave, not from what was asked (back-calculation):
 /// a saturated thruster does not wind them up.
 void VesselController::actuate(const Setpoint& setpoint, SimTime stamp, const VesselState& state,
                                double dt_s) {
-  asked_[2] = setpoint.rate ? autopilot_.turn(state, *setpoint.rate, dt_s)
-                            : autopilot_.hold(state, setpoint.heading, dt_s);
+  forces_.asked[2] = setpoint.rate ? autopilot_.turn(state, *setpoint.rate, dt_s)
+                                   : autopilot_.hold(state, setpoint.heading, dt_s);
   if (setpoint.force) {
-    asked_.head<2>() = *setpoint.force;
+    forces_.asked.head<2>() = *setpoint.force;
     is_speed_held_ = false;
   } else {
     if (!is_speed_held_) speed_controller_.reset(state.u);
     is_speed_held_ = true;
     const auto measured = setpoint.over_ground ? state.u : measured_speed(stamp, state);
-    asked_[0] = speed_controller_.hold(measured, setpoint.speed, dt_s);
-    asked_[1] = 0.0;
+    forces_.asked[0] = speed_controller_.hold(measured, setpoint.speed, dt_s);
+    forces_.asked[1] = 0.0;
   }
-  given_ = allocation_.allocate(asked_, state.u, dt_s);
-  autopilot_.settle(given_[2]);
+  forces_.given = allocation_.allocate(forces_.asked, state.u, dt_s);
+  autopilot_.settle(forces_.given[2]);
   if (setpoint.force) {
-    place_hold_.settle(given_.head<2>());
+    station_.hold.settle(forces_.given.head<2>());
   } else {
-    speed_controller_.settle(given_[0]);
+    speed_controller_.settle(forces_.given[0]);
   }
 }
 

@@ -27,12 +27,12 @@ VesselController::Setpoint VesselController::setpoint(SimTime stamp, const Vesse
     case VesselMode::kVelocity:
       return velocity_setpoint(stamp);
     case VesselMode::kHeading:
-      setpoint.heading = angle_;
-      setpoint.speed = cruise_;
+      setpoint.heading = commanded_.angle;
+      setpoint.speed = commanded_.cruise;
       break;
     case VesselMode::kCourse:
       setpoint.heading = course_heading(state, dt_s);
-      setpoint.speed = cruise_;
+      setpoint.speed = commanded_.cruise;
       break;
     case VesselMode::kPath:
       return path_setpoint(stamp, state, dt_s);
@@ -44,9 +44,10 @@ VesselController::Setpoint VesselController::setpoint(SimTime stamp, const Vesse
 
 VesselController::Setpoint VesselController::velocity_setpoint(SimTime stamp) const {
   Setpoint setpoint;
-  const bool is_old = has_timeout_ && (stamp - commanded_at_).seconds() > params_.cmd_vel.timeout;
-  setpoint.speed = is_old ? 0.0 : speed_;
-  setpoint.rate = is_old ? 0.0 : rate_;
+  const bool is_old =
+      commanded_.has_timeout && (stamp - commanded_.at).seconds() > params_.cmd_vel.timeout;
+  setpoint.speed = is_old ? 0.0 : commanded_.speed;
+  setpoint.rate = is_old ? 0.0 : commanded_.rate;
   return setpoint;
 }
 
@@ -54,8 +55,8 @@ double VesselController::course_heading(const VesselState& state, double dt_s) {
   const bool is_moving = std::hypot(state.u, state.v) > params_.course.min_speed;
   const double crab = is_moving ? std::atan2(state.v, state.u) : 0.0;
   const double part = -std::expm1(-dt_s / params_.course.crab_time_constant);
-  crab_ = wrap_to_pi(crab_ + part * angle_difference(crab, crab_));
-  return wrap_to_pi(angle_ - crab_);
+  commanded_.crab = wrap_to_pi(commanded_.crab + part * angle_difference(crab, commanded_.crab));
+  return wrap_to_pi(commanded_.angle - commanded_.crab);
 }
 
 double VesselController::slowed(double heading, const VesselState& state) const {
@@ -79,14 +80,14 @@ VesselController::Setpoint VesselController::path_setpoint(SimTime stamp, const 
   const double speed = speed_through_water(stamp, state);
   const double course = path_.update(state.p_world, drift_.drift(), speed, dt_s);
   setpoint.heading = steered_towards(course, speed, state);
-  setpoint.speed = cruise_ * slowed(setpoint.heading, state);
+  setpoint.speed = commanded_.cruise * slowed(setpoint.heading, state);
   if (!path_.is_finished()) return setpoint;
   if (params_.guidance.at_end == PathEnd::kKeepStation) {
     keep_station(path_.goal(), path_.direction(), state);
     return station_setpoint(state, dt_s);
   }
   enter(VesselMode::kVelocity, state);
-  speed_ = rate_ = 0.0;
+  commanded_.speed = commanded_.rate = 0.0;
   setpoint.speed = 0.0;
   setpoint.rate = 0.0;
   return setpoint;
@@ -94,27 +95,27 @@ VesselController::Setpoint VesselController::path_setpoint(SimTime stamp, const 
 
 VesselController::Setpoint VesselController::station_setpoint(const VesselState& state,
                                                               double dt_s) {
-  const Eigen::Vector2d away = station_ - state.p_world;
-  const double near = params_.station.approach_radius * (is_near_station_ ? kLeaveStation : 1.0);
-  const bool was_near = is_near_station_;
-  is_near_station_ = away.norm() <= near;
+  const Eigen::Vector2d away = station_.p_world - state.p_world;
+  const double near = params_.station.approach_radius * (station_.is_near ? kLeaveStation : 1.0);
+  const bool was_near = station_.is_near;
+  station_.is_near = away.norm() <= near;
   Setpoint setpoint;
   setpoint.over_ground = true;
-  if (!is_near_station_) {
+  if (!station_.is_near) {
     setpoint.heading = std::atan2(away.y(), away.x());
-    setpoint.speed = cruise_ * slowed(setpoint.heading, state);
+    setpoint.speed = commanded_.cruise * slowed(setpoint.heading, state);
     return setpoint;
   }
   if (!was_near) {
-    place_hold_.reset();
-    weather_vane_.start(state, station_);
+    station_.hold.reset();
+    station_.vane.start(state, station_.p_world);
   }
-  if (holds_pose_) {
-    setpoint.heading = angle_;
-    setpoint.force = place_hold_.hold(state, station_, dt_s);
+  if (station_.holds_pose) {
+    setpoint.heading = commanded_.angle;
+    setpoint.force = station_.hold.hold(state, station_.p_world, dt_s);
     return setpoint;
   }
-  const WeatherVane::Setpoint vane = weather_vane_.update(state, station_, dt_s);
+  const WeatherVane::Setpoint vane = station_.vane.update(state, station_.p_world, dt_s);
   setpoint.heading = vane.heading;
   setpoint.speed = vane.speed;
   return setpoint;
@@ -124,8 +125,8 @@ VesselController::Setpoint VesselController::station_setpoint(const VesselState&
 /// of its cruise speed.
 double VesselController::speed_through_water(SimTime stamp, const VesselState& state) const {
   const Eigen::Vector2d bow(std::cos(state.heading), std::sin(state.heading));
-  const double measured = has_log(stamp) ? *log_ : state.u - bow.dot(drift_.drift());
-  return std::max(measured, kMinSpeedFraction * cruise_);
+  const double measured = has_log(stamp) ? *log_.speed : state.u - bow.dot(drift_.drift());
+  return std::max(measured, kMinSpeedFraction * commanded_.cruise);
 }
 
 }  // namespace trident::control

@@ -19,6 +19,9 @@ class LineTransform {
         values_(static_cast<std::size_t>(longest)),
         from_(static_cast<std::size_t>(longest) + 1) {}
 
+  /// Lower envelope of the parabolas of a line's values, then their least at each place
+  /// (Felzenszwalb and Huttenlocher, "Distance Transforms of Sampled Functions", 2012): the squared
+  /// distance of two dimensions is that of columns taken along rows.
   void run(float* line, int count, std::ptrdiff_t step) {
     int top = -1;
     for (int i = 0; i < count; ++i) {
@@ -129,6 +132,8 @@ double DistanceField::ray(const Eigen::Vector2d& p_grid, double angle, double ma
   return max_range;
 }
 
+/// A return agrees with the map when an obstacle is near its end and nothing stands before it: the
+/// end alone would also agree through a wall.
 double scan_agreement(const DistanceField& field, const ScanPoints& points,
                       const SE2& T_grid_base) {
   if (points.p_base.empty()) return 0.0;

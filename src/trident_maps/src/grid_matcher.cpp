@@ -159,6 +159,9 @@ std::vector<GridMatcher::Node> GridMatcher::first_nodes(
   return nodes;
 }
 
+/// Best first: the node whose bound is the highest is divided next, so that leaves come out in the
+/// order of their scores, and the search ends at the first that is worse than what is kept.
+/// Distinct leaves are hypotheses of places that look alike.
 std::vector<GridMatcher::Node> GridMatcher::search(const std::vector<Rotation>& rotations) const {
   std::priority_queue<Node> open(std::less<Node>(), first_nodes(rotations));
   std::vector<Node> found;
@@ -202,6 +205,8 @@ SE2 GridMatcher::pose_of(const Rotation& rotation, const Node& node) const {
   return SE2::from_xy_yaw((node.column + 0.5) * cell_, (node.row + 0.5) * cell_, rotation.angle);
 }
 
+/// Mean likelihood of the returns, exp(-d^2 / 2 sigma^2) with the distance d to the nearest
+/// obstacle, as the likelihood field of AMCL has it; in [0, 1].
 double GridMatcher::score_in_grid(const ScanPoints& points, const SE2& T_grid_base) const {
   if (points.p_base.empty()) return 0.0;
   const double c = std::cos(T_grid_base.angle), s = std::sin(T_grid_base.angle);
@@ -247,6 +252,9 @@ SE2 GridMatcher::refined(const ScanPoints& points, SE2 T_grid_base) const {
   return T_grid_base;
 }
 
+/// Agreement counts before the score: in a map with few obstacles a pose that looks through walls
+/// may score higher than the true one. The sort is stable, so that equal hypotheses keep their
+/// order on every machine.
 std::vector<PoseHypothesis> GridMatcher::match(const ScanPoints& points) const {
   if (points.p_base.empty()) return {};
   const std::vector<Rotation> all = rotations(points);

@@ -22,6 +22,7 @@ constexpr std::array kKnownKeys{"image",       "resolution", "origin", "occupied
                                 "free_thresh", "negate",     "mode"};
 constexpr unsigned char kWhite = 254, kGray = 205, kBlack = 0;  // map_saver's
 
+/// Files of other programs have keys of their own, which map_server ignores as well.
 ConfigNode known_keys_only(const ConfigNode& node) {
   ConfigNode result = node;
   result.keys.clear();
@@ -96,6 +97,8 @@ std::string formatted(const char* format, Args... args) {
   return text.data();
 }
 
+/// Rows of an image go down, those of the grid up: the last row of the grid is written first. The
+/// three greys are those of map_saver.
 std::string pgm_of(const OccupancyGrid& grid, const SaveThresholds& thresholds) {
   std::string bytes = formatted("P5\n# CREATOR: map_saver.cpp %.3f m/pix\n%d %d\n255\n",
                                 grid.resolution, grid.width, grid.height);
@@ -138,6 +141,8 @@ void SaveThresholds::validate() const {
   }
 }
 
+/// The kind of an error is what map_server's service returns: a missing file, metadata or an image
+/// that cannot be used.
 OccupancyGrid load_map(const std::string& yaml_path) {
   std::error_code error;
   if (!fs::is_regular_file(yaml_path, error)) {

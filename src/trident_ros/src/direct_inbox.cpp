@@ -96,10 +96,11 @@ std::vector<pid_t> DirectSubscription::processes() const {
 }
 
 DirectInbox::DirectInbox(Sockets sockets) : sockets_(sockets), buffer_(kFirstBuffer) {
-  epoll_ = epoll_create1(EPOLL_CLOEXEC);
-  wake_ = eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
-  if (epoll_ < 0 || wake_ < 0) throw Error(std::string("sockets: ") + std::strerror(errno));
-  watch(epoll_, wake_, kWakeKey);
+  descriptors_.epoll = epoll_create1(EPOLL_CLOEXEC);
+  descriptors_.wake = eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
+  if (descriptors_.epoll < 0 || descriptors_.wake < 0)
+    throw Error(std::string("sockets: ") + std::strerror(errno));
+  watch(descriptors_.epoll, descriptors_.wake, kWakeKey);
   if (sockets_ == Sockets::kReadByRoscpp) return;
   listener_ = ros::PollManager::instance()->addPollThreadListener([this] { take_over_links(); });
 }
@@ -107,8 +108,8 @@ DirectInbox::DirectInbox(Sockets sockets) : sockets_(sockets), buffer_(kFirstBuf
 DirectInbox::~DirectInbox() {
   ros::PollManager::instance()->removePollThreadListener(listener_);
   links_.clear();
-  close(wake_);
-  close(epoll_);
+  close(descriptors_.wake);
+  close(descriptors_.epoll);
 }
 
 std::uint64_t DirectInbox::add(Topic topic) {
@@ -146,10 +147,10 @@ DirectInbox::Handler DirectInbox::putter(std::uint64_t id) {
 void DirectInbox::put(Item item) {
   hand_over("inbox put");
   {
-    const std::lock_guard<std::mutex> lock(put_mutex_);
-    put_.push_back(std::move(item));
+    const std::lock_guard<std::mutex> lock(put_.mutex);
+    put_.waiting.push_back(std::move(item));
   }
-  if (!has_put_.exchange(true)) wake();
+  if (!put_.any.exchange(true)) wake();
 }
 
 // On roscpp's socket thread, between two polls: nobody is reading.
@@ -178,8 +179,8 @@ void DirectInbox::take_over(Topic& topic, std::uint64_t id) {
     if (descriptor < 0) continue;
     transport->disableRead();
     const std::uint64_t key = next_key_++;
-    links_[key] = std::make_unique<Link>(epoll_, id, connection, descriptor);
-    watch(epoll_, descriptor, key);
+    links_[key] = std::make_unique<Link>(descriptors_.epoll, id, connection, descriptor);
+    watch(descriptors_.epoll, descriptor, key);
     newest_link_ = key;
   }
 }
@@ -187,7 +188,7 @@ void DirectInbox::take_over(Topic& topic, std::uint64_t id) {
 bool DirectInbox::wait(std::chrono::milliseconds limit) {
   std::array<epoll_event, 64> events;
   const int count =
-      epoll_wait(epoll_, events.data(), events.size(), static_cast<int>(limit.count()));
+      epoll_wait(descriptors_.epoll, events.data(), events.size(), static_cast<int>(limit.count()));
   ready_.clear();
   for (int i = 0; i < count; ++i) ready_.push_back(events[static_cast<std::size_t>(i)].data.u64);
   return count > 0;
@@ -198,9 +199,9 @@ void DirectInbox::read() {
   // Before what it announces: a put() that comes meanwhile must end the next wait.
   if (std::find(ready_.begin(), ready_.end(), kWakeKey) != ready_.end()) {
     std::uint64_t count = 0;
-    [[maybe_unused]] const auto size = ::read(wake_, &count, sizeof(count));
+    [[maybe_unused]] const auto size = ::read(descriptors_.wake, &count, sizeof(count));
   }
-  if (has_put_.exchange(false)) read_put();
+  if (put_.any.exchange(false)) read_put();
   for (const std::uint64_t key : ready_) {
     if (key != kWakeKey) read_link(key);
   }
@@ -209,7 +210,7 @@ void DirectInbox::read() {
 
 void DirectInbox::wake() {
   const std::uint64_t one = 1;
-  [[maybe_unused]] const auto size = ::write(wake_, &one, sizeof(one));
+  [[maybe_unused]] const auto size = ::write(descriptors_.wake, &one, sizeof(one));
 }
 
 std::size_t DirectInbox::link_count() {
@@ -219,10 +220,10 @@ std::size_t DirectInbox::link_count() {
 
 void DirectInbox::read_put() {
   {
-    const std::lock_guard<std::mutex> lock(put_mutex_);
-    being_read_.swap(put_);
+    const std::lock_guard<std::mutex> lock(put_.mutex);
+    put_.being_read.swap(put_.waiting);
   }
-  for (const Item& item : being_read_) {
+  for (const Item& item : put_.being_read) {
     const auto topic = topics_.find(item.topic);
     if (topic == topics_.end()) continue;
     if (item.object) {
@@ -233,7 +234,7 @@ void DirectInbox::read_put() {
     topic->second.has_new_link = true;
     has_new_links_ = true;
   }
-  being_read_.clear();
+  put_.being_read.clear();
 }
 
 void DirectInbox::read_link(std::uint64_t key) {

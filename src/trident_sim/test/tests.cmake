@@ -178,9 +178,9 @@ target_include_directories(trident_sim_marine_test PRIVATE src)  # parts of the 
 # Vessels under their controllers (trident_control_sim is defined later on).
 catkin_add_gtest(trident_sim_vessel_control_test
   test/marine/standalone_vessel.cpp
-  test/marine/vessel_control_test.cpp
-  test/marine/vessel_controller_plugin_test.cpp
-  test/marine/vessel_drift_test.cpp
+  test/marine/control/vessel_control_test.cpp
+  test/marine/control/vessel_controller_plugin_test.cpp
+  test/marine/control/vessel_drift_test.cpp
 )
 target_link_libraries(trident_sim_vessel_control_test
   trident_sim_test_support trident_control_sim ${GTEST_MAIN_LIBRARIES})

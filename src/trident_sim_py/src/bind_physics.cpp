@@ -4,8 +4,8 @@
 #include "bindings.h"
 #include "session.h"
 #include "trident_base/error.h"
-#include "trident_sim/joint_drive.h"
-#include "trident_sim/snapshot.h"
+#include "trident_sim/world/joint_drive.h"
+#include "trident_sim/world/snapshot.h"
 
 namespace py = pybind11;
 

@@ -79,8 +79,8 @@ class VesselController {
   /// Distance to the left of the path [m]; 0 without one.
   double cross_track_m() const { return mode_ == VesselMode::kPath ? path_.cross_track_m() : 0.0; }
   /// What was asked of the thrusters last, and what they give.
-  const PlanarForce& asked() const { return asked_; }
-  const PlanarForce& given() const { return given_; }  ///< see asked()
+  const PlanarForce& asked() const { return forces_.asked; }
+  const PlanarForce& given() const { return forces_.given; }  ///< see asked()
 
  private:
   struct Pending {
@@ -97,6 +97,33 @@ class VesselController {
     std::optional<double> rate;            // in place of the heading
     std::optional<Eigen::Vector2d> force;  // in place of the speed
     bool over_ground = false;              // the speed is, whatever the parameters say
+  };
+
+  /// What the last commands ask for.
+  struct Commanded {
+    SimTime at;
+    bool has_timeout = false;
+    double cruise = 0.0;  ///< speed of heading, course and path [m/s]
+    double speed = 0.0, rate = 0.0, angle = 0.0;
+    double crab = 0.0;  ///< by which the bow leads a course against the drift [rad]
+  };
+  /// Keeping a place, with its controllers.
+  struct StationKeeping {
+    PlaceHold hold;
+    WeatherVane vane;
+    WaveFilter filter;
+    bool holds_pose;
+    bool is_near = false;
+    Eigen::Vector2d p_world = Eigen::Vector2d::Zero();
+  };
+  /// Speed through the water, as it was measured last.
+  struct SpeedLog {
+    std::optional<double> speed;
+    SimTime stamp;
+  };
+  /// Of the last state: what the controllers asked for, and what the actuators give of it.
+  struct Forces {
+    PlanarForce asked = PlanarForce::Zero(), given = PlanarForce::Zero();
   };
 
   void apply_due(SimTime stamp, const VesselState& state);
@@ -120,24 +147,17 @@ class VesselController {
   SurgeSpeedController speed_controller_;
   LineOfSight path_;
   DriftObserver drift_;
-  PlaceHold place_hold_;
-  WeatherVane weather_vane_;
-  WaveFilter wave_filter_;
   ThrustAllocation allocation_;
 
   std::deque<Pending> pending_;
   std::optional<Pending> last_stamped_;  // of the commands that have acted
   std::optional<SimTime> last_stamp_;
   VesselMode mode_ = VesselMode::kIdle;
-  SimTime commanded_at_;
-  bool holds_pose_;
-  bool has_timeout_ = false, is_near_station_ = false, is_speed_held_ = false;
-  double cruise_ = 0.0;  // speed of heading, course and path
-  double speed_ = 0.0, rate_ = 0.0, angle_ = 0.0, crab_ = 0.0;
-  Eigen::Vector2d station_ = Eigen::Vector2d::Zero();
-  std::optional<double> log_;
-  SimTime log_stamp_;
-  PlanarForce asked_ = PlanarForce::Zero(), given_ = PlanarForce::Zero();
+  bool is_speed_held_ = false;
+  Commanded commanded_;
+  StationKeeping station_;
+  SpeedLog log_;
+  Forces forces_;
 };
 
 }  // namespace trident::control

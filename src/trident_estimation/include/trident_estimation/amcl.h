@@ -74,11 +74,42 @@ class Amcl {
   const PoseEstimate& estimate() const { return estimate_; }
   std::size_t particle_count() const { return particles_.size(); }  ///< follows KLD-sampling
   /// A particle's pose in the map, and its weight.
-  SE2 particle(std::size_t i) const { return T_map_origin_ * particles_.pose(i); }
+  SE2 particle(std::size_t i) const { return free_space_.T_map_origin * particles_.pose(i); }
   /// All of them sum up to one.
   double weight(std::size_t i) const { return particles_.weight[i]; }
 
  private:
+  /// Where poses may be drawn in the whole map.
+  struct FreeSpace {
+    SE2 T_map_origin;
+    std::vector<std::uint32_t> cells;
+    int width;
+    double resolution;
+  };
+  struct Draws {
+    RandomStream stream;
+    std::uint64_t count = 0;  ///< numbers everything that draws random numbers
+  };
+  struct Resampling {
+    std::vector<double> cumulative;
+    std::vector<std::uint32_t> guide;  ///< where a search of `cumulative` begins
+    int updates_since = 0;
+  };
+  struct LastOdometry {
+    std::optional<SE2> used;  ///< of the last update
+    std::optional<SE2> seen;  ///< of the last scan
+  };
+  /// The search for a robot that is lost.
+  struct Recovery {
+    int patience;              ///< disagreements that lead to a search; doubled by one in vain
+    int disagreements = 0;     ///< updates in a row
+    bool is_anywhere = false;  ///< look for the next scan in the whole map
+  };
+  /// Of augmented MCL (Thrun, Burgard and Fox, "Probabilistic Robotics", section 8.3.5).
+  struct MeanWeights {
+    double slow = 0.0, fast = 0.0;
+  };
+
   bool has_moved(const SE2& T_odom_base) const;
   void remove_jump(const SE2& T_odom_base, AmclStep& step);
   void note_mean_weight(double mean_weight);
@@ -94,29 +125,20 @@ class Amcl {
   void update_estimate();
 
   AmclParams params_;
-  SE2 T_map_origin_;
-  std::vector<std::uint32_t> free_cells_;
-  int width_;
-  double resolution_;
+  FreeSpace free_space_;
   LaserModel2d laser_;
   MotionModel motion_;
   std::unique_ptr<maps::GridMatcher> matcher_;  ///< only if it is wanted
-  RandomStream random_;
+  Draws random_;
 
   ParticleSet particles_, next_;
   PoseHistogram histogram_;
-  std::vector<double> cumulative_;
-  std::vector<std::uint32_t> guide_;  ///< where a search of `cumulative_` begins
+  Resampling resampling_;
   PoseEstimate estimate_;
-  std::optional<SE2> T_odom_used_;  ///< odometry of the last update
-  std::optional<SE2> T_odom_seen_;  ///< odometry of the last scan
+  LastOdometry T_odom_;
   bool is_forced_ = false;
-  bool is_anywhere_ = false;  ///< look for the next scan in the whole map
-  int disagreements_ = 0;     ///< updates in a row
-  int patience_;              ///< of them that lead to a search; doubled by one in vain
-  int updates_since_resampling_ = 0;
-  double slow_ = 0.0, fast_ = 0.0;  ///< means of weights
-  std::uint64_t draws_ = 0;         ///< numbers everything that draws random numbers
+  Recovery recovery_;
+  MeanWeights mean_weights_;
 };
 
 }  // namespace trident::estimation

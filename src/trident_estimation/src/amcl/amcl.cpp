@@ -99,15 +99,12 @@ void AmclParams::validate() const {
 
 Amcl::Amcl(const AmclParams& params, const OccupancyGrid& map)
     : params_(params),
-      T_map_origin_(map.T_map_origin),
-      free_cells_(free_cells_of(map)),
-      width_(map.width),
-      resolution_(map.resolution),
+      free_space_{map.T_map_origin, free_cells_of(map), map.width, map.resolution},
       laser_(map, params.laser),
       motion_(params.motion, params.seed),
       matcher_(params.recover_by_matching ? std::make_unique<maps::GridMatcher>(map) : nullptr),
-      random_(params.seed, "amcl"),
-      patience_(params.recovery_patience) {
+      random_{RandomStream(params.seed, "amcl")},
+      recovery_{params.recovery_patience} {
   params.validate();
   for (ParticleSet* set : {&particles_, &next_}) {
     set->reserve(static_cast<std::size_t>(params.max_particles));
@@ -125,14 +122,14 @@ void Amcl::set_pose(const SE2& T_map_base, const Eigen::Matrix3d& covariance) {
                 ") m, " + number_text(T_map_base.angle) + " rad, legal: finite, up to " +
                 number_text(kFarthest) + " m");
   const Eigen::Matrix3d root = square_root(covariance);
-  const SE2 T_origin_map = T_map_origin_.inverse();
-  ++draws_;
+  const SE2 T_origin_map = free_space_.T_map_origin.inverse();
+  ++random_.count;
   particles_.clear();
   for (int i = 0; i < params_.max_particles; ++i) {
-    const std::uint64_t number = (draws_ << 32) | static_cast<std::uint64_t>(i);
-    const Eigen::Vector3d away =
-        root * Eigen::Vector3d(random_.normal(number, kScatterX), random_.normal(number, kScatterY),
-                               random_.normal(number, kScatterYaw));
+    const std::uint64_t number = (random_.count << 32) | static_cast<std::uint64_t>(i);
+    const Eigen::Vector3d away = root * Eigen::Vector3d(random_.stream.normal(number, kScatterX),
+                                                        random_.stream.normal(number, kScatterY),
+                                                        random_.stream.normal(number, kScatterYaw));
     const SE2 T_grid_base =
         T_origin_map * SE2::from_xy_yaw(T_map_base.p.x() + away.x(), T_map_base.p.y() + away.y(),
                                         T_map_base.angle + away.z());
@@ -141,64 +138,66 @@ void Amcl::set_pose(const SE2& T_map_base, const Eigen::Matrix3d& covariance) {
                          static_cast<float>(T_grid_base.angle));
   }
   particles_.set_equal_weights();
-  T_odom_used_.reset();
-  is_anywhere_ = false;
-  disagreements_ = 0;
-  patience_ = params_.recovery_patience;
-  slow_ = fast_ = 0.0;
+  T_odom_.used.reset();
+  recovery_.is_anywhere = false;
+  recovery_.disagreements = 0;
+  recovery_.patience = params_.recovery_patience;
+  mean_weights_.slow = mean_weights_.fast = 0.0;
   update_estimate();
 }
 
 void Amcl::set_anywhere() {
-  ++draws_;
+  ++random_.count;
   particles_.clear();
   for (int i = 0; i < params_.max_particles; ++i) {
-    push_random_pose(particles_, (draws_ << 32) | static_cast<std::uint64_t>(i));
+    push_random_pose(particles_, (random_.count << 32) | static_cast<std::uint64_t>(i));
   }
   particles_.set_equal_weights();
-  T_odom_used_.reset();
-  is_anywhere_ = true;
-  slow_ = fast_ = 0.0;
+  T_odom_.used.reset();
+  recovery_.is_anywhere = true;
+  mean_weights_.slow = mean_weights_.fast = 0.0;
   update_estimate();
 }
 
 void Amcl::push_random_pose(ParticleSet& particles, std::uint64_t number) {
-  const std::uint64_t bits = random_.bits(number, kPlace);
-  const std::uint32_t cell = free_cells_[static_cast<std::size_t>(
-      to_unit(bits) * static_cast<double>(free_cells_.size()))];
-  const auto width = static_cast<std::uint32_t>(width_);
+  const std::uint64_t bits = random_.stream.bits(number, kPlace);
+  const std::uint32_t cell = free_space_.cells[static_cast<std::size_t>(
+      to_unit(bits) * static_cast<double>(free_space_.cells.size()))];
+  const auto width = static_cast<std::uint32_t>(free_space_.width);
   const std::uint32_t column = cell % width, row = cell / width;
-  const double x = column + random_.uniform(number, kScatterX);
-  const double y = row + random_.uniform(number, kScatterY);
-  particles.push_back(static_cast<float>(x * resolution_), static_cast<float>(y * resolution_),
-                      static_cast<float>((2.0 * random_.uniform(number, kHeading) - 1.0) * kPi));
+  const double x = column + random_.stream.uniform(number, kScatterX);
+  const double y = row + random_.stream.uniform(number, kScatterY);
+  particles.push_back(
+      static_cast<float>(x * free_space_.resolution),
+      static_cast<float>(y * free_space_.resolution),
+      static_cast<float>((2.0 * random_.stream.uniform(number, kHeading) - 1.0) * kPi));
 }
 
 bool Amcl::has_moved(const SE2& T_odom_base) const {
-  if (!T_odom_used_) return true;
-  const Eigen::Vector2d motion = T_odom_base.p - T_odom_used_->p;
+  if (!T_odom_.used) return true;
+  const Eigen::Vector2d motion = T_odom_base.p - T_odom_.used->p;
   return std::abs(motion.x()) > params_.update_min_d ||
          std::abs(motion.y()) > params_.update_min_d ||
-         std::abs(angle_difference(T_odom_base.angle, T_odom_used_->angle)) > params_.update_min_a;
+         std::abs(angle_difference(T_odom_base.angle, T_odom_.used->angle)) > params_.update_min_a;
 }
 
 /// Moves the odometry of the last update along, so that the jump is not taken for motion.
 void Amcl::remove_jump(const SE2& T_odom_base, AmclStep& step) {
-  if (T_odom_seen_ && T_odom_used_) {
-    const double jump = (T_odom_base.p - T_odom_seen_->p).norm();
+  if (T_odom_.seen && T_odom_.used) {
+    const double jump = (T_odom_base.p - T_odom_.seen->p).norm();
     if (jump > params_.max_odom_jump) {
       step.problem = "odometry jumped by " + number_text(std::round(jump * 100.0) / 100.0) +
                      " m from one scan to the next (max_odom_jump " +
                      number_text(params_.max_odom_jump) + " m); taken for a reset";
-      T_odom_used_ = T_odom_base * (T_odom_seen_->inverse() * *T_odom_used_);
+      T_odom_.used = T_odom_base * (T_odom_.seen->inverse() * *T_odom_.used);
     }
   }
-  T_odom_seen_ = T_odom_base;
+  T_odom_.seen = T_odom_base;
 }
 
 void Amcl::forget_odometry() {
-  T_odom_used_.reset();
-  T_odom_seen_.reset();
+  T_odom_.used.reset();
+  T_odom_.seen.reset();
 }
 
 /// One step of Monte Carlo localization: move by odometry, weigh by the scan, estimate, search if
@@ -212,8 +211,9 @@ AmclStep Amcl::update(const LaserScan& scan, const SE2& T_odom_base, const SE2& 
   if (!is_forced_ && !has_moved(T_odom_base)) return step;
   step.is_updated = true;
   is_forced_ = false;
-  if (T_odom_used_) motion_.apply(T_odom_used_->inverse() * T_odom_base, ++draws_, particles_);
-  T_odom_used_ = T_odom_base;
+  if (T_odom_.used)
+    motion_.apply(T_odom_.used->inverse() * T_odom_base, ++random_.count, particles_);
+  T_odom_.used = T_odom_base;
 
   const ScanBeams beams = select_beams(scan, params_.laser, T_start_end);
   if (beams.points.p_base.empty()) {
@@ -225,9 +225,9 @@ AmclStep Amcl::update(const LaserScan& scan, const SE2& T_odom_base, const SE2& 
   particles_.normalize();
   update_estimate();
   recover(beams, step);
-  if (++updates_since_resampling_ >= params_.resample_interval) {
+  if (++resampling_.updates_since >= params_.resample_interval) {
     resample();
-    updates_since_resampling_ = 0;
+    resampling_.updates_since = 0;
     step.is_resampled = true;
   }
   return step;
@@ -235,14 +235,19 @@ AmclStep Amcl::update(const LaserScan& scan, const SE2& T_odom_base, const SE2& 
 
 /// Augmented MCL ("Probabilistic Robotics", table 8.3).
 void Amcl::note_mean_weight(double mean_weight) {
-  slow_ += slow_ == 0.0 ? mean_weight : params_.recovery_alpha_slow * (mean_weight - slow_);
-  fast_ += fast_ == 0.0 ? mean_weight : params_.recovery_alpha_fast * (mean_weight - fast_);
+  mean_weights_.slow += mean_weights_.slow == 0.0
+                            ? mean_weight
+                            : params_.recovery_alpha_slow * (mean_weight - mean_weights_.slow);
+  mean_weights_.fast += mean_weights_.fast == 0.0
+                            ? mean_weight
+                            : params_.recovery_alpha_fast * (mean_weight - mean_weights_.fast);
 }
 
 /// Random particles are drawn while recent scans fit worse than they do in the long run.
 double Amcl::random_share() const {
   if (params_.recovery_alpha_slow == 0.0 || params_.recovery_alpha_fast == 0.0) return 0.0;
-  return slow_ > 0.0 ? std::max(0.0, 1.0 - fast_ / slow_) : 0.0;
+  return mean_weights_.slow > 0.0 ? std::max(0.0, 1.0 - mean_weights_.fast / mean_weights_.slow)
+                                  : 0.0;
 }
 
 /// Indexed search (Chen and Asau, On generating random variates from an empirical distribution,
@@ -250,33 +255,36 @@ double Amcl::random_share() const {
 /// draw need not begin at the first particle.
 void Amcl::make_guide() {
   const std::size_t count = particles_.size();
-  cumulative_.resize(count);
-  guide_.resize(count);
+  resampling_.cumulative.resize(count);
+  resampling_.guide.resize(count);
   double sum = 0.0;
-  for (std::size_t i = 0; i < count; ++i) cumulative_[i] = sum += particles_.weight[i];
-  cumulative_.back() = 2.0;  // above every uniform number, whatever rounding made of the sum
+  for (std::size_t i = 0; i < count; ++i) resampling_.cumulative[i] = sum += particles_.weight[i];
+  resampling_.cumulative.back() =
+      2.0;  // above every uniform number, whatever rounding made of the sum
   std::uint32_t at = 0;
   for (std::size_t slice = 0; slice < count; ++slice) {
     const double begin = static_cast<double>(slice) / static_cast<double>(count);
-    while (cumulative_[at] <= begin) ++at;
-    guide_[slice] = at;
+    while (resampling_.cumulative[at] <= begin) ++at;
+    resampling_.guide[slice] = at;
   }
 }
 
 /// The particle on which a uniform number falls, in constant time on average.
 std::size_t Amcl::chosen(double u) const {
-  std::size_t i = guide_[static_cast<std::size_t>(u * static_cast<double>(guide_.size()))];
-  while (cumulative_[i] <= u) ++i;
+  std::size_t i =
+      resampling_
+          .guide[static_cast<std::size_t>(u * static_cast<double>(resampling_.guide.size()))];
+  while (resampling_.cumulative[i] <= u) ++i;
   return i;
 }
 
 /// Adds one particle to the next set: a random pose, or one of those that there are, by weight.
 void Amcl::draw(double share_of_random, std::uint64_t number) {
-  if (share_of_random > 0.0 && random_.uniform(number, kFresh) < share_of_random) {
+  if (share_of_random > 0.0 && random_.stream.uniform(number, kFresh) < share_of_random) {
     push_random_pose(next_, number);
     return;
   }
-  const std::size_t parent = chosen(to_unit(random_.bits(number, kChoice)));
+  const std::size_t parent = chosen(to_unit(random_.stream.bits(number, kChoice)));
   next_.push_back(particles_.x[parent], particles_.y[parent], particles_.yaw[parent]);
 }
 
@@ -289,13 +297,13 @@ void Amcl::resample() {
   const double share = random_share();
   const auto least = static_cast<std::size_t>(params_.min_particles);
   const auto most = static_cast<std::size_t>(params_.max_particles);
-  ++draws_;
+  ++random_.count;
   make_guide();
   histogram_.reset(most);
   next_.clear();
   std::size_t wanted = most, cells = 0;
   for (std::uint64_t i = 0; next_.size() < wanted; ++i) {
-    draw(share, (draws_ << 32) | i);
+    draw(share, (random_.count << 32) | i);
     histogram_.insert(next_.x.back(), next_.y.back(), next_.yaw.back());
     if (histogram_.cell_count() == cells) continue;
     cells = histogram_.cell_count();
@@ -304,34 +312,34 @@ void Amcl::resample() {
   std::swap(particles_, next_);
   particles_.set_equal_weights();
   // Random particles have had a chance; otherwise there would be ever more of them.
-  if (share > 0.0) slow_ = fast_ = 0.0;
+  if (share > 0.0) mean_weights_.slow = mean_weights_.fast = 0.0;
 }
 
 /// Counts the updates in a row whose estimate does not explain the scan.
 bool Amcl::is_search_due() {
   const bool is_explained = estimate_.agreement >= params_.recovery_agreement;
-  disagreements_ = is_explained ? 0 : disagreements_ + 1;
-  if (is_explained) patience_ = params_.recovery_patience;
-  return is_anywhere_ || disagreements_ >= patience_;
+  recovery_.disagreements = is_explained ? 0 : recovery_.disagreements + 1;
+  if (is_explained) recovery_.patience = params_.recovery_patience;
+  return recovery_.is_anywhere || recovery_.disagreements >= recovery_.patience;
 }
 
 /// Looks for the scan in the whole map where the estimate does not explain it; less and less often
 /// where no place explains it better, as among crowds or on an old map.
 void Amcl::recover(const ScanBeams& beams, AmclStep& step) {
-  const SE2 T_grid_base = T_map_origin_.inverse() * estimate_.T_map_base;
+  const SE2 T_grid_base = free_space_.T_map_origin.inverse() * estimate_.T_map_base;
   estimate_.agreement = maps::scan_agreement(laser_.field(), beams.points, T_grid_base);
   if (!matcher_ || !is_search_due()) return;
   step.is_searched = true;
   std::vector<maps::PoseHypothesis> hypotheses = matcher_->match(thinned(beams.points));
-  const double least = is_anywhere_ ? 0.0 : estimate_.agreement + kClearlyBetter;
+  const double least = recovery_.is_anywhere ? 0.0 : estimate_.agreement + kClearlyBetter;
   hypotheses.erase(std::remove_if(hypotheses.begin(), hypotheses.end(),
                                   [least](const auto& h) { return h.agreement < least; }),
                    hypotheses.end());
-  is_anywhere_ = false;
-  disagreements_ = 0;
+  recovery_.is_anywhere = false;
+  recovery_.disagreements = 0;
   step.hypotheses = hypotheses.size();
   if (hypotheses.empty()) {
-    patience_ = std::min(2 * patience_, kMaxPatience * params_.recovery_patience);
+    recovery_.patience = std::min(2 * recovery_.patience, kMaxPatience * params_.recovery_patience);
   } else {
     inject(hypotheses, beams);
   }
@@ -345,17 +353,18 @@ void Amcl::inject(const std::vector<maps::PoseHypothesis>& hypotheses, const Sca
   const std::size_t fresh = each * hypotheses.size();
   const std::size_t kept =
       std::min(particles_.size(), std::min(fresh, most - std::min(fresh, most)));
-  ++draws_;
+  ++random_.count;
   make_guide();
   next_.clear();
   for (std::uint64_t i = 0; i < kept; ++i) {
-    const std::size_t parent = chosen(to_unit(random_.bits((draws_ << 32) | i, kChoice)));
+    const std::size_t parent =
+        chosen(to_unit(random_.stream.bits((random_.count << 32) | i, kChoice)));
     next_.push_back(particles_.x[parent], particles_.y[parent], particles_.yaw[parent]);
   }
   for (const maps::PoseHypothesis& hypothesis : hypotheses) {
-    const SE2 T_grid_base = T_map_origin_.inverse() * hypothesis.T_map_base;
+    const SE2 T_grid_base = free_space_.T_map_origin.inverse() * hypothesis.T_map_base;
     for (std::size_t i = 0; i < each; ++i) {
-      const auto away = random_.normals4((draws_ << 32) | next_.size(), kScatterX);
+      const auto away = random_.stream.normals4((random_.count << 32) | next_.size(), kScatterX);
       const auto sigma = static_cast<float>(kInjectedSigma);
       next_.push_back(static_cast<float>(T_grid_base.p.x()) + sigma * away[0],
                       static_cast<float>(T_grid_base.p.y()) + sigma * away[1],
@@ -365,19 +374,19 @@ void Amcl::inject(const std::vector<maps::PoseHypothesis>& hypotheses, const Sca
   }
   std::swap(particles_, next_);
   particles_.set_equal_weights();
-  slow_ = fast_ = laser_.weigh(beams, particles_);
+  mean_weights_.slow = mean_weights_.fast = laser_.weigh(beams, particles_);
   particles_.normalize();
   update_estimate();
-  const SE2 T_grid_base = T_map_origin_.inverse() * estimate_.T_map_base;
+  const SE2 T_grid_base = free_space_.T_map_origin.inverse() * estimate_.T_map_base;
   estimate_.agreement = maps::scan_agreement(laser_.field(), beams.points, T_grid_base);
 }
 
 void Amcl::update_estimate() {
   const std::vector<PoseCluster> clusters = histogram_.clusters(particles_);
   const PoseCluster& best = clusters.front();
-  estimate_.T_map_base = T_map_origin_ * best.T_grid_base;
+  estimate_.T_map_base = free_space_.T_map_origin * best.T_grid_base;
   Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
-  R.topLeftCorner<2, 2>() = T_map_origin_.rotation();
+  R.topLeftCorner<2, 2>() = free_space_.T_map_origin.rotation();
   estimate_.covariance = R * best.covariance * R.transpose();
   estimate_.cluster_weight = best.weight;
   estimate_.clusters = clusters.size();

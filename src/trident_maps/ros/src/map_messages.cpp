@@ -26,6 +26,8 @@ geometry_msgs::Pose to_pose_message(const SE2& T_parent_child) {
   return pose;
 }
 
+/// Of a pose in the plane: roll and pitch are dropped, as map_server's origin has none. A
+/// quaternion that is far from unit length is refused, since it says nothing about the heading.
 SE2 from_pose_message(const geometry_msgs::Pose& pose) {
   const Eigen::Quaterniond q(pose.orientation.w, pose.orientation.x, pose.orientation.y,
                              pose.orientation.z);

@@ -35,6 +35,8 @@ int percent(const std::string& option, const std::string& text) {
   return static_cast<int>(value);
 }
 
+/// The arguments of upstream's map_saver: -f NAME, --occ PERCENT and --free PERCENT. A later one of
+/// the same name counts.
 SaverOptions parse_options(int argc, char** argv) {
   SaverOptions options;
   for (int i = 1; i < argc; ++i) {
@@ -66,7 +68,7 @@ bool save_or_log(const SaverOptions& options, const OccupancyGrid& grid) {
   return true;
 }
 
-/// The message's grid; a message that is none is reported, and the next one waited for.
+/// The message's grid; a message without one is reported, and the next one waited for.
 std::optional<OccupancyGrid> grid_of(const nav_msgs::OccupancyGrid& message,
                                      ros_utils::Refusals& refusals) {
   try {

@@ -53,6 +53,9 @@ void MapServerNode::load(const std::string& yaml_path) {
   metadata_publisher_.publish(map_.info);
 }
 
+/// The service succeeds as a call in any case; its result says whether the file could be used. A
+/// file that cannot be used leaves the present map in place, so that who follows it is not
+/// stranded.
 bool MapServerNode::on_change_map(nav_msgs::LoadMap::Request& request,
                                   nav_msgs::LoadMap::Response& response) {
   response.result = nav_msgs::LoadMap::Response::RESULT_SUCCESS;
@@ -73,6 +76,7 @@ bool MapServerNode::on_change_map(nav_msgs::LoadMap::Request& request,
   return true;
 }
 
+/// A first map that cannot be loaded ends the process: nobody could be served without it.
 int map_server_main(int argc, char** argv) {
   ros::init(argc, argv, "map_server", ros::init_options::AnonymousName);
   if (argc != 2) {

@@ -100,6 +100,7 @@ class PolygonText {
  public:
   explicit PolygonText(const std::string& text) : text_(text) {}
 
+  /// A list of [x, y], as the parameter `footprint` of costmap_2d holds it in a string.
   std::vector<Point2> read() {
     std::vector<Point2> points;
     expect('[');
@@ -170,6 +171,9 @@ Point2 moved_corner(const Point2& before, const Point2& corner, const Point2& af
 
 }  // namespace
 
+/// Corners are turned counter-clockwise. The inscribed radius is the distance from the base's
+/// origin to the nearest side, the circumscribed one that to the farthest corner, as costmap_2d has
+/// them.
 Footprint polygon_footprint(std::vector<Point2> points) {
   require_finite(points);
   require_simple(points);

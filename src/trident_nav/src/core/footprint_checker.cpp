@@ -114,6 +114,8 @@ bool FootprintChecker::is_free(const CostGrid& grid, const Pose2& pose) const {
                      [&](const CellRun& run) { return is_run_free(grid, run); });
 }
 
+/// The worst of all cells under the footprint. A lethal one ends the search, since nothing is
+/// worse.
 Contact FootprintChecker::contact(const CostGrid& grid, const Pose2& pose) const {
   const GridGeometry& cells = grid.geometry;
   if (!cells.contains(cells.cell(pose.x, pose.y))) return Contact::kOutside;
@@ -131,6 +133,8 @@ Contact FootprintChecker::contact(const CostGrid& grid, const Pose2& pose) const
   return worst;
 }
 
+/// The highest cost under the footprint, by severity; lethal where it leaves the map. The table
+/// answers most poses without looking at cells one by one.
 std::uint8_t FootprintChecker::cost(const CostGrid& grid, const Pose2& pose) const {
   const GridGeometry& cells = grid.geometry;
   if (!cells.contains(cells.cell(pose.x, pose.y))) return kLethalCost;

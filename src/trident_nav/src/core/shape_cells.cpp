@@ -29,6 +29,8 @@ bool is_convex(const std::vector<Point2>& corners) {
 
 }  // namespace
 
+/// Rows from the lowest to the highest corner. A convex polygon has one run a row, which is found
+/// along its two sides at once; another one is intersected row by row.
 const std::vector<CellRun>& ShapeCells::polygon(const GridGeometry& grid,
                                                 const std::vector<Point2>& corners) {
   corners_.clear();
@@ -111,6 +113,7 @@ void ShapeCells::add_inside() {
   }
 }
 
+/// Intervals of a row that overlap or touch become one run, so that no cell is visited twice.
 void ShapeCells::merge(int y) {
   std::sort(intervals_.begin(), intervals_.end(),
             [](const Interval& a, const Interval& b) { return a.from < b.from; });
@@ -126,6 +129,8 @@ void ShapeCells::merge(int y) {
   }
 }
 
+/// Half the chord of a row is measured where the row comes nearest to the centre, so that every
+/// cell that the disc touches counts.
 const std::vector<CellRun>& ShapeCells::disc(const GridGeometry& grid, const Point2& center,
                                              double radius) {
   runs_.clear();

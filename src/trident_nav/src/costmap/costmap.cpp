@@ -55,6 +55,7 @@ void Costmap::set_footprint(const Footprint& footprint) {
   is_tracking_ = false;
 }
 
+/// The revision changes only with the costs, so that planners may keep what they have worked out.
 void Costmap::update(const CostmapInput& input) {
   const GridGeometry next = next_geometry(input.robot);
   has_moved_ = !same_cells(geometry_, next);
@@ -77,6 +78,9 @@ double Costmap::required_distance() const {
   return footprint_.circumscribed_radius + 2.0 * geometry_.resolution;
 }
 
+/// Distances of an inflation layer on top are those of the whole map, and cost nothing more. Else
+/// they are tracked here; a map that has moved or was tracked elsewhere begins again with all its
+/// blocks.
 void Costmap::update_distances() {
   const DistanceSource* source = stack_.top_distances();
   if (source != nullptr && source->distance_m() != nullptr) {
@@ -96,6 +100,9 @@ void Costmap::update_distances() {
   is_tracking_ = true;
 }
 
+/// A rolling window moves by whole cells of the grid that begins at the configured origin: costs
+/// keep their cells. A map that stands still follows the first layer that wants a size, the static
+/// map's.
 GridGeometry Costmap::next_geometry(const Pose2& robot) const {
   if (params_.rolling_window) {
     GridGeometry next = params_.geometry();

@@ -44,6 +44,8 @@ void DistanceTracker::resize(const GridGeometry& geometry) {
   result_.assign(longest, 0);
 }
 
+/// Distances are looked up by their square in cells, which is a whole number; beyond the reach all
+/// are the greatest one.
 void DistanceTracker::fill_tables() {
   const double resolution = geometry_.resolution > 0.0 ? geometry_.resolution : 1.0;
   const double cells =
@@ -60,6 +62,9 @@ void DistanceTracker::fill_tables() {
   table_m_.back() = max_distance_m_;
 }
 
+/// Few cells that become obstacles or cease to be ones are followed one by one through the columns
+/// that they reach; with many it is cheaper to work all columns out again. Only blocks whose rows
+/// have changed are measured then.
 void DistanceTracker::update(const std::uint8_t* cost, const BlockSet& changed,
                              DistanceSink& sink) {
   stale_.clear();
@@ -90,6 +95,7 @@ bool DistanceTracker::collect_toggles(const std::uint8_t* cost, const BlockSet& 
   return toggles_.size() <= most;
 }
 
+/// Blocks without a change are passed over by comparing all their cells at once.
 void DistanceTracker::collect_span(const std::uint8_t* cost, int y, int x0, int x1) {
   const std::size_t row = geometry_.index({0, y});
   const bool unknown = seeds_ == Seeds::kLethalOrUnknown;
@@ -106,6 +112,8 @@ void DistanceTracker::collect_span(const std::uint8_t* cost, int y, int x0, int 
   }
 }
 
+/// One pass along the columns and one back: the distance along the column to the nearest seed on
+/// either side.
 void DistanceTracker::rebuild_columns(const std::uint8_t* cost) {
   const auto width = static_cast<std::size_t>(geometry_.width);
   const auto none = static_cast<std::uint8_t>(reach_ + 1);
@@ -164,6 +172,8 @@ void DistanceTracker::set_rows(int x, int y, int rows) {
   stale_.insert_span(y, x - reach_, x + reach_ + 1);
 }
 
+/// Runs of blocks that are near a seed are measured, the others get the greatest distance, which
+/// needs no search.
 void DistanceTracker::refresh_span(int y, int x0, int x1, DistanceSink& sink) {
   const int first = x0 / kBlock, end = (x1 + kBlock - 1) / kBlock;
   find_near_blocks(y, first, end);

@@ -117,6 +117,17 @@ class DirectInbox {
     boost::shared_ptr<void const> object;
   };
 
+  struct Descriptors {
+    int epoll = -1;
+    int wake = -1;
+  };
+  /// What came through roscpp and waits for read().
+  struct PutItems {
+    std::atomic<bool> any{false};
+    std::mutex mutex;  ///< taken after mutex_: a handler may publish to a topic of this inbox
+    std::vector<Item> waiting, being_read;
+  };
+
   std::uint64_t add(Topic topic);
   std::unique_ptr<DirectSubscription> subscribed(ros::NodeHandle& node, std::uint64_t id,
                                                  ros::SubscribeOptions options);
@@ -133,16 +144,13 @@ class DirectInbox {
   Sockets sockets_;
   InlineCallbackQueue queue_;
   std::mutex mutex_;
-  int epoll_ = -1;
-  int wake_ = -1;
+  Descriptors descriptors_;
   std::uint64_t next_key_ = 1;
   std::atomic<std::uint64_t> newest_link_{0};
   std::unordered_map<std::uint64_t, Topic> topics_;
   std::unordered_map<std::uint64_t, std::unique_ptr<Link>> links_;
   std::atomic<bool> has_new_links_{false};
-  std::atomic<bool> has_put_{false};
-  std::mutex put_mutex_;  ///< taken after mutex_: a handler may publish to a topic of this inbox
-  std::vector<Item> put_, being_read_;
+  PutItems put_;
   std::vector<std::uint8_t> buffer_;
   std::vector<std::uint64_t> ready_;  ///< found by wait()
   boost::signals2::connection listener_;

@@ -31,6 +31,29 @@ class Geom {
   int watchers = 0;  ///< number of those who want its contacts
 };
 
+/// What a body weighs, with all links that it is made of.
+struct CompositeMass {
+  double mass_kg = 0.0;
+  /// About the center of mass, body frame [kg m^2].
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Identity();
+  Eigen::Matrix3d inertia_inverse = Eigen::Matrix3d::Identity();
+  double weight_kg = 0.0;  ///< of the links that gravity pulls
+  /// Where gravity pulls them, from the origin, body frame [m].
+  Eigen::Vector3d p_weight = Eigen::Vector3d::Zero();
+};
+
+/// How a body stood and moved at one moment.
+struct BodyMotion {
+  SE3 T_world_body;
+  Eigen::Vector3d v_world = Eigen::Vector3d::Zero();  ///< of the center of mass [m/s]
+  Eigen::Vector3d w_world = Eigen::Vector3d::Zero();  ///< [rad/s]
+};
+
+/// By which a body loses velocity without contact [1/s].
+struct BodyDamping {
+  double linear = 0.0, angular = 0.0;
+};
+
 /// One rigid body: a link with everything rigidly fixed to it, and the rotors it carries. The body
 /// frame has its origin at the composite center of mass and the axes of the first link. Plugins
 /// read the state and apply forces; only the engine moves it (World::set_link_state() and its kin
@@ -57,19 +80,19 @@ class Body {
   }
   /// velocity() and angular_velocity() at the beginning of the last step: accelerations are
   /// differences over a step.
-  const Eigen::Vector3d& previous_velocity() const { return v_before; }
+  const Eigen::Vector3d& previous_velocity() const { return before.v_world; }
   /// See previous_velocity(), world frame [rad/s].
-  const Eigen::Vector3d& previous_angular_velocity() const { return w_before; }
+  const Eigen::Vector3d& previous_angular_velocity() const { return before.w_world; }
 
-  double mass() const { return mass_kg; }  ///< [kg]
+  double mass() const { return composite.mass_kg; }  ///< [kg]
   /// About the center of mass, body frame [kg m^2].
-  const Eigen::Matrix3d& inertia_tensor() const { return inertia; }
+  const Eigen::Matrix3d& inertia_tensor() const { return composite.inertia; }
   /// Inverse of inertia_tensor() [1/(kg m^2)].
-  const Eigen::Matrix3d& inverse_inertia_tensor() const { return inertia_inverse; }
+  const Eigen::Matrix3d& inverse_inertia_tensor() const { return composite.inertia_inverse; }
   /// Mass of the links that gravity pulls [kg], and where it pulls them, body frame [m].
-  double weight_mass() const { return weight_kg; }
+  double weight_mass() const { return composite.weight_kg; }
   /// See weight_mass().
-  const Eigen::Vector3d& weight_point() const { return p_weight; }
+  const Eigen::Vector3d& weight_point() const { return composite.p_weight; }
   /// Whether it moves with its velocity, whatever force acts on it.
   bool is_kinematic() const { return kinematic; }
   /// Whether one of its shapes touched another one in the last step.
@@ -101,22 +124,16 @@ class Body {
   Eigen::Vector3d w_world = Eigen::Vector3d::Zero();
   Eigen::Matrix3d R_world_body = Eigen::Matrix3d::Identity();  ///< T_world_body.R as a matrix
 
-  double mass_kg = 0.0;
-  Eigen::Matrix3d inertia = Eigen::Matrix3d::Identity();
-  Eigen::Matrix3d inertia_inverse = Eigen::Matrix3d::Identity();
-  double linear_damping = 0.0, angular_damping = 0.0;
-  double weight_kg = 0.0;                              ///< of the links that gravity pulls
-  Eigen::Vector3d p_weight = Eigen::Vector3d::Zero();  ///< where, from the origin, body frame
+  CompositeMass composite;
+  BodyDamping damping;
 
   // Accumulated over a step, world frame, torque about the center of mass.
   Eigen::Vector3d force = Eigen::Vector3d::Zero();
   Eigen::Vector3d torque = Eigen::Vector3d::Zero();
   /// Angular momentum of the rotors about their own axes [kg m^2/s], body frame.
   Eigen::Vector3d rotor_momentum = Eigen::Vector3d::Zero();
-  // State at the beginning of the last step; accelerations are differences over a step.
-  SE3 T_before;
-  Eigen::Vector3d v_before = Eigen::Vector3d::Zero();
-  Eigen::Vector3d w_before = Eigen::Vector3d::Zero();
+  /// At the beginning of the last step; accelerations are differences over a step.
+  BodyMotion before;
   bool in_contact = false;  ///< this step
   bool kinematic = false;   ///< moves with its velocity, whatever pushes
 };

@@ -79,6 +79,11 @@ struct JointMotor {
   double effort_limit = 0.0;  ///< [N m] or [N]
 };
 
+/// Inertia of a rotor about its own centre of mass [kg m^2], across the axis as a mean.
+struct RotorInertia {
+  double axial = 0.0, transverse = 0.0;
+};
+
 /// A joint as users know it: rigid (no degree of freedom), held by ODE, or a rotor joint, which is
 /// kept as a scalar rate on its carrier (see docs/explanation/physics.md).
 struct Joint {
@@ -98,10 +103,9 @@ struct Joint {
       Eigen::Vector3d::UnitZ();  ///< of the carrier's body, rotor joint only
   /// Where the rotor's own axis points, which lags behind axis_body as in Gazebo; rotor joint only
   Eigen::Vector3d rotor_axis_body = Eigen::Vector3d::UnitZ();
-  double transverse_inertia = 0.0;  ///< [kg m^2], mean, rotor joint only
-  double axial_inertia = 0.0;       ///< [kg m^2], rotor joint only
-  double rotor_position = 0.0;      ///< [rad]
-  double rotor_velocity = 0.0;      ///< [rad/s]
+  RotorInertia rotor_inertia;   ///< rotor joint only
+  double rotor_position = 0.0;  ///< [rad]
+  double rotor_velocity = 0.0;  ///< [rad/s]
 
   /// Axes that can be read and driven; none of a rigid joint, a ball and a rotor joint's
   /// neighbours.

@@ -18,12 +18,9 @@ namespace trident::sim {
 class AnalyticSurface;
 class AnalyticSurfaceSource;
 class Model;
+class PacketRays;
 class World;
 struct Link;
-struct PacketHits;
-struct RayPacket;
-struct SurfaceLook;
-struct SurfacePoint;
 
 /// What rays hit: collision shapes (`ray` sensors) or visual shapes (`gpu_ray`, cameras).
 enum class RayGeometry { kCollision, kVisual };
@@ -90,6 +87,19 @@ class RayJob {
   virtual void finish() = 0;
 };
 
+/// Jobs of one phase of a step, in the order in which they were deferred.
+class DeferredRayJobs {
+ public:
+  void add(RayJob& job) { jobs_.push_back(&job); }
+  bool empty() const { return jobs_.empty(); }
+  const std::vector<RayJob*>& jobs() const { return jobs_; }
+  /// Forgets jobs that were done, or whose step ended with an error.
+  void clear() { jobs_.clear(); }
+
+ private:
+  std::vector<RayJob*> jobs_;
+};
+
 /// The world as rays see it, by Embree. What never moves lies in one scene, which is committed
 /// again when a part of it comes, goes or moves; every moving link has a scene of its own, which is
 /// instanced. Embree counts in float and only reports which surface is hit; where, and how it
@@ -145,19 +155,7 @@ class RayScene {
   /// times the luminance of its material's diffuse colour, of a collision 0. 0: nothing was hit.
   double intensity(const RayHit& hit) const;
 
-  // For pictures, whose neighbouring rays hit the same surfaces: see rays/ray_packet.h.
-
-  /// What each ray of a packet hits first, in float.
-  void intersect(const RayPacket& rays, PacketHits& hits, std::uint32_t mask = 0xffffffff) const;
-  /// Which rays of a packet anything that casts shadows lies on, bit by bit.
-  std::uint32_t shaded(const RayPacket& rays, std::uint32_t mask = 0xffffffff) const;
-  /// What the surface is like that a ray of a packet hit.
-  SurfaceLook look(std::uint32_t shape, std::uint32_t primitive) const;
-  /// The same at the point that a ray hits near distance `t`.
-  SurfacePoint look_at(std::uint32_t shape, std::uint32_t primitive, const Ray& ray,
-                       double t) const;
-
-  /// The analytic surface, which intersect() leaves out; nullptr where refresh_surface() was not
+  /// The analytic surface, which PacketRays leaves out; nullptr where refresh_surface() was not
   /// called, or none exists.
   const AnalyticSurface* surface() const;
   /// RayHit::shape of the analytic surface; RayHit::kNothing where none exists.
@@ -169,12 +167,8 @@ class RayScene {
   /// What RayHit::material counts in; of a collision scene empty. Valid until the next refresh().
   const std::vector<Material>& materials() const;
 
-  /// Defers a job to the end of the phase of the step that the world is in.
-  void defer(RayJob& job) { deferred_.push_back(&job); }
-  /// The jobs that were deferred since drop_deferred(), in that order.
-  const std::vector<RayJob*>& deferred() const { return deferred_; }
-  /// Forgets jobs that were done, or whose step ended with an error.
-  void drop_deferred() { deferred_.clear(); }
+  /// What is to be cast at the end of the phase of the step that the world is in.
+  DeferredRayJobs& deferred() { return deferred_; }
 
   /// How often what never moves, and the moving links' places, were committed.
   struct Commits {
@@ -184,9 +178,10 @@ class RayScene {
   Commits commits() const;
 
  private:
+  friend class PacketRays;
   class Content;
   std::unique_ptr<Content> content_;
-  std::vector<RayJob*> deferred_;
+  DeferredRayJobs deferred_;
 };
 
 /// The scene of a world, which is made when it is first asked for. It follows the world when its

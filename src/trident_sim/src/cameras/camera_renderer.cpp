@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "../rays/texture.h"
+#include "../rays/textures/texture.h"
 #include "image_noise.h"
 #include "surface_cache.h"
 
@@ -160,7 +160,7 @@ void CameraRenderer::see(const Frame& frame, const ViewTable::Tile& tile, bool w
   rays.t_min.fill(static_cast<float>(spec_.near_m));
   rays.t_max.fill(static_cast<float>(spec_.far_m));
   rays.valid.fill(-1);
-  frame.scene.intersect(rays, seen.hits);
+  PacketRays(frame.scene).intersect(rays, seen.hits);
   seen.points.valid.fill(0);
   for (int round = 0; round < kMaxBehindOneAnother; ++round) {
     bool is_done = true;
@@ -171,7 +171,7 @@ void CameraRenderer::see(const Frame& frame, const ViewTable::Tile& tile, bool w
     }
     if (is_done) return;
     PacketHits again;
-    frame.scene.intersect(rays, again);
+    PacketRays(frame.scene).intersect(rays, again);
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
       if (rays.valid[lane] == 0) continue;
       seen.hits.t[lane] = again.t[lane];
@@ -242,7 +242,8 @@ bool CameraRenderer::describe(const Frame& frame, std::size_t lane, bool with_lo
   Eigen::Vector2d uv;
   if (!surface.look.is_flat || (with_look && surface.look.is_smooth)) {
     const Ray ray{frame.p_world_camera, direction, static_cast<double>(rays.t_min[lane])};
-    const SurfacePoint point = frame.scene.look_at(shape, primitive, ray, seen.hits.t[lane]);
+    const SurfacePoint point =
+        PacketRays(frame.scene).look_at(shape, primitive, ray, seen.hits.t[lane]);
     t = point.t;
     normal = point.normal_world.cast<float>();
     const bool is_behind = point.normal_world.dot(direction) > 0.0;

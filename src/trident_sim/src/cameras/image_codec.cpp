@@ -11,7 +11,7 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "../rays/jpeg_errors.h"
+#include "../rays/textures/jpeg_errors.h"
 #include "trident_base/error.h"
 
 namespace trident::sim {

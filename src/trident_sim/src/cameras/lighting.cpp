@@ -128,7 +128,7 @@ void Lighting::add(const Lamp& lamp, const LitPoints& points, PacketColor& color
   const bool is_dark =
       std::all_of(rays.valid.begin(), rays.valid.end(), [](int v) { return v == 0; });
   if (is_dark) return;
-  if (lamp.casts_shadows) darken(scene_->shaded(rays), light);
+  if (lamp.casts_shadows) darken(PacketRays(*scene_).shaded(rays), light);
   add_diffuse(lamp.color, points, light, color);
 }
 

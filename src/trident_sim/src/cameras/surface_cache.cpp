@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "surface_cache.h"
 
-#include "../rays/texture.h"
+#include "../rays/textures/texture.h"
 
 namespace trident::sim {
 
@@ -17,7 +17,7 @@ void SurfaceCache::fill(Slot& slot, std::uint32_t shape, std::uint32_t primitive
   slot.shape = shape;
   slot.primitive = primitive;
   SeenSurface& surface = slot.surface;
-  surface.look = scene_->look(shape, primitive);
+  surface.look = PacketRays(*scene_).look(shape, primitive);
   const Eigen::Vector3d& normal = surface.look.normal_world;
   surface.gap_m = surface.look.offset_m - normal.dot(p_world_camera_);
   surface.normal_world = normal.cast<float>();

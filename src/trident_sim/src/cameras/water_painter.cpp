@@ -152,7 +152,7 @@ void WaterPainter::add_glitter(const Sun& sun, const std::array<Facet, kPacketLa
   to_sun.direction_z.fill(sun.to_sun.z());
   to_sun.t_min.fill(1e-3F);
   to_sun.t_max.fill(1e6F);
-  const std::uint32_t shaded = sun.casts_shadows ? scene_->shaded(to_sun) : 0U;
+  const std::uint32_t shaded = sun.casts_shadows ? PacketRays(*scene_).shaded(to_sun) : 0U;
   for (std::size_t i = 0; i < kPacketLanes; ++i) {
     if (to_sun.valid[i] == 0 || (shaded >> i & 1U) != 0) continue;
     for (std::size_t k = 0; k < 3; ++k) {

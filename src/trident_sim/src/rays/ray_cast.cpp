@@ -107,7 +107,7 @@ const TracedShape* RayScene::Content::nearest_plane(const Ray& ray, const RayFil
 
 const TracedShape& RayScene::Content::shape_hit(std::uint32_t instance,
                                                 std::uint32_t geometry_number) const {
-  return instance == RTC_INVALID_GEOMETRY_ID ? *fixed_shapes_[geometry_number]
+  return instance == RTC_INVALID_GEOMETRY_ID ? *fixed_.shapes[geometry_number]
                                              : *part_shapes_[instance][geometry_number];
 }
 
@@ -162,12 +162,12 @@ void RayScene::Content::cast_packet(const Ray* rays, RayHit* hits, std::size_t c
     set_ray(packet.embree.ray, lane, rays[lane], beyond(limits[lane]));
   }
   if (!fill_other_lanes(packet.embree.ray, packet.valid, rays)) return;
-  CastContext context = make_context(filter, false, some_cast_no_shadow_);
-  if (fixed_ != nullptr) {
+  CastContext context = make_context(filter, false, tables_.some_cast_no_shadow);
+  if (fixed_.scene != nullptr) {
     // It is the triangles that Embree intersects faster so.
-    if (fixed_has_triangles_ && coherent(packet.embree.ray))
+    if (fixed_.has_triangles && coherent(packet.embree.ray))
       context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-    rtcIntersect16(packet.valid.data(), fixed_.get(), &context.embree, &packet.embree);
+    rtcIntersect16(packet.valid.data(), fixed_.scene.get(), &context.embree, &packet.embree);
   }
   moving_.intersect(packet.valid, packet.embree, context);
   for (std::size_t lane = 0; lane < count; ++lane) {
@@ -198,8 +198,9 @@ void RayScene::Content::occlude_packet(const Ray* rays, bool* result, std::size_
   }
   if (!fill_other_lanes(packet, valid, rays)) return;
   // Never with the flag for coherent rays: with instances Embree 3.13.5 does not come back then.
-  CastContext context = make_context(filter, true, some_cast_no_shadow_);
-  if (fixed_ != nullptr) rtcOccluded16(valid.data(), fixed_.get(), &context.embree, &packet);
+  CastContext context = make_context(filter, true, tables_.some_cast_no_shadow);
+  if (fixed_.scene != nullptr)
+    rtcOccluded16(valid.data(), fixed_.scene.get(), &context.embree, &packet);
   const auto note = [&] {
     for (std::size_t lane = 0; lane < count; ++lane) {
       if (valid[lane] == 0 || packet.tfar[lane] >= 0.0F) continue;

@@ -34,28 +34,28 @@ std::string numbers(const Eigen::Vector3d& v) {
 /// go.
 void RayScene::Content::refresh() {
   if (device_ == nullptr) device_ = make_device();
-  surface_.reset();
+  surface_.now.reset();
   follow_models();
   follow_links();
-  if (models_changed_) {
+  if (changed_.models) {
     number();
     find_textures();
   }
   for (PlacedPlane& plane : planes_) plane.surface = flat_surface(*plane.shape, 0);
-  if (fixed_changed_) commit_fixed();
-  if (parts_changed_) {
+  if (changed_.fixed) commit_fixed();
+  if (changed_.parts) {
     attach_parts();
-  } else if (parts_moved_) {
+  } else if (changed_.places) {
     commit_moving();
   }
-  models_changed_ = fixed_changed_ = parts_changed_ = parts_moved_ = false;
+  changed_.models = changed_.fixed = changed_.parts = changed_.places = false;
 }
 
 void RayScene::Content::note_change(const TracedModel& traced) {
-  models_changed_ = true;
+  changed_.models = true;
   for (const TracedLink& link : traced.links) {
     if (link.shapes.empty()) continue;
-    (link.moves ? parts_changed_ : fixed_changed_) = true;
+    (link.moves ? changed_.parts : changed_.fixed) = true;
   }
 }
 
@@ -185,32 +185,32 @@ void RayScene::Content::follow_links() {
       if (same(T_world_link, link.T_world_link)) continue;
       link.T_world_link = T_world_link;
       set_places(link);
-      if (!link.moves) fixed_changed_ = true;
+      if (!link.moves) changed_.fixed = true;
       if (!link.part) continue;
       moving_.place(*link.part, T_world_link);
-      parts_moved_ = true;
+      changed_.places = true;
     }
   }
 }
 
 void RayScene::Content::number() {
-  shapes_.clear();
-  traced_shapes_.clear();
-  materials_.clear();
+  tables_.shapes.clear();
+  tables_.traced.clear();
+  tables_.materials.clear();
   planes_.clear();
-  some_cast_no_shadow_ = false;
+  tables_.some_cast_no_shadow = false;
   std::uint32_t model_id = 0, link_id = 0;
   for (auto& [model_name, model] : models_) {
     for (TracedLink& link : model.links) {
       for (const auto& shape : link.shapes) {
-        shape->index = static_cast<std::uint32_t>(shapes_.size());
-        traced_shapes_.push_back(shape.get());
-        shapes_.push_back({model_name, link.link->name, shape->name, model_id, link_id, model.model,
-                           link.link, shape->laser_retro});
+        shape->index = static_cast<std::uint32_t>(tables_.shapes.size());
+        tables_.traced.push_back(shape.get());
+        tables_.shapes.push_back({model_name, link.link->name, shape->name, model_id, link_id,
+                                  model.model, link.link, shape->laser_retro});
         if (shape->visual != nullptr) add_material(*shape);
         if (shape->kind == SurfaceKind::kPlane)
           planes_.push_back({shape.get(), flat_surface(*shape, 0)});
-        some_cast_no_shadow_ = some_cast_no_shadow_ || !shape->casts_shadows;
+        tables_.some_cast_no_shadow = tables_.some_cast_no_shadow || !shape->casts_shadows;
       }
       ++link_id;
     }
@@ -221,22 +221,22 @@ void RayScene::Content::number() {
 
 /// One scene for all that stands still; it is built again only when a part of it changed.
 void RayScene::Content::commit_fixed() {
-  fixed_.reset();
-  fixed_shapes_.clear();
-  fixed_has_triangles_ = geometry_ == RayGeometry::kVisual;
+  fixed_.scene.reset();
+  fixed_.shapes.clear();
+  fixed_.has_triangles = geometry_ == RayGeometry::kVisual;
   for (const auto& [name, model] : models_) {
     for (const TracedLink& link : model.links) {
       if (link.moves) continue;
       for (const auto& shape : link.shapes) {
         if (shape->kind == SurfaceKind::kPlane) continue;
-        if (fixed_ == nullptr) fixed_ = make_scene(device_.get(), SceneUse::kFixed);
-        attach_shape(device_.get(), fixed_.get(), *shape, box_form(geometry_));
-        fixed_shapes_.push_back(shape.get());
-        fixed_has_triangles_ |= shape->kind == SurfaceKind::kMesh;
+        if (fixed_.scene == nullptr) fixed_.scene = make_scene(device_.get(), SceneUse::kFixed);
+        attach_shape(device_.get(), fixed_.scene.get(), *shape, box_form(geometry_));
+        fixed_.shapes.push_back(shape.get());
+        fixed_.has_triangles |= shape->kind == SurfaceKind::kMesh;
       }
     }
   }
-  if (fixed_ != nullptr) rtcCommitScene(fixed_.get());
+  if (fixed_.scene != nullptr) rtcCommitScene(fixed_.scene.get());
   ++commits_.fixed;
 }
 

@@ -13,7 +13,7 @@
 #include "embree.h"
 #include "moving_parts.h"
 #include "ray_packet.h"
-#include "texture.h"
+#include "textures/texture.h"
 #include "trident_sim/model.h"
 #include "trident_sim/ray_scene.h"
 
@@ -51,8 +51,8 @@ class RayScene::Content {
   void refresh();
   std::shared_ptr<const AnalyticSurface> refresh_surface(const Eigen::Vector3d& p_world_viewer);
   double surface_ceiling_m();
-  const AnalyticSurface* surface() const { return surface_.get(); }
-  std::uint32_t surface_shape() const { return surface_shape_; }
+  const AnalyticSurface* surface() const { return surface_.now.get(); }
+  std::uint32_t surface_shape() const { return surface_.shape; }
   void add_surface(const AnalyticSurface& surface, Span<const Ray> rays, Span<RayHit> hits) const;
   void use_textures();
   Eigen::Vector3d albedo(const RayHit& hit) const;
@@ -68,8 +68,8 @@ class RayScene::Content {
                        double t) const;
 
   RayGeometry geometry() const { return geometry_; }
-  const std::vector<RayShape>& shapes() const { return shapes_; }
-  const std::vector<Material>& materials() const { return materials_; }
+  const std::vector<RayShape>& shapes() const { return tables_.shapes; }
+  const std::vector<Material>& materials() const { return tables_.materials; }
   const Commits& commits() const { return commits_; }
 
  private:
@@ -104,35 +104,53 @@ class RayScene::Content {
   RayHit describe(const Ray& ray, const TracedShape& shape, std::uint32_t primitive,
                   double t) const;
 
+  /// What indices of hits count in.
+  struct Tables {
+    std::vector<RayShape> shapes;
+    std::vector<const TracedShape*> traced;  ///< by TracedShape::index
+    std::vector<Material> materials;
+    bool some_cast_no_shadow = false;
+  };
+  /// What the next refresh() has to make again.
+  struct Changes {
+    bool models = false, fixed = false;
+    bool parts = false, places = false;  ///< of what moves
+  };
+  struct Textures {
+    bool are_used = false;
+    std::map<std::string, std::unique_ptr<Texture>> by_file;  ///< nullptr: cannot be read
+    std::vector<const Texture*> by_material;                  ///< nullptr: none
+  };
+  /// What never moves.
+  struct Fixed {
+    EmbreeScene scene;  ///< nullptr: empty
+    bool has_triangles = false;
+    std::vector<const TracedShape*> shapes;  ///< by geomID
+  };
+  /// The analytic surface.
+  struct Surface {
+    std::shared_ptr<AnalyticSurfaceSource> source;  ///< nullptr: the world has none
+    std::shared_ptr<const AnalyticSurface> now;     ///< nullptr: not asked for since refresh()
+    bool has_shape = false;
+    std::uint32_t shape = RayHit::kNothing;
+    std::uint32_t material = RayHit::kNothing;
+  };
+
   const World& world_;
   const RayGeometry geometry_;
-  std::vector<RayShape> shapes_;
-  std::vector<Material> materials_;
+  Tables tables_;
   Commits commits_;
   EmbreeDevice device_;  ///< goes after all that is made with it
   std::map<std::string, TracedModel> models_;
   std::optional<std::uint64_t> seen_models_;  ///< World::models_version()
   std::map<std::string, std::weak_ptr<const TriangleMesh>> meshes_;
-  bool use_textures_ = false;
-  std::map<std::string, std::unique_ptr<Texture>> textures_;  ///< nullptr: cannot be read
-  std::vector<const Texture*> material_textures_;             ///< by material; nullptr: none
-  bool models_changed_ = false, fixed_changed_ = false;
-  bool parts_changed_ = false, parts_moved_ = false;
-
-  EmbreeScene fixed_;  ///< nullptr: empty
-  bool fixed_has_triangles_ = false;
+  Textures textures_;
+  Changes changed_;
+  Fixed fixed_;
   MovingParts moving_;
   std::vector<PlacedPlane> planes_;
-  std::vector<const TracedShape*> fixed_shapes_;              ///< by geomID
   std::vector<std::vector<const TracedShape*>> part_shapes_;  ///< by part, then geomID
-  std::vector<const TracedShape*> traced_shapes_;             ///< by TracedShape::index
-  bool some_cast_no_shadow_ = false;
-
-  std::shared_ptr<AnalyticSurfaceSource> surface_source_;  ///< nullptr: the world has none
-  std::shared_ptr<const AnalyticSurface> surface_;  ///< nullptr: not asked for since refresh()
-  bool has_surface_shape_ = false;
-  std::uint32_t surface_shape_ = RayHit::kNothing;
-  std::uint32_t surface_material_ = RayHit::kNothing;
+  Surface surface_;
 };
 
 }  // namespace trident::sim

@@ -83,16 +83,16 @@ void RayScene::Content::intersect_packet(const RayPacket& rays, PacketHits& hits
       hits.shape[i] = plane.shape->index;
     }
   }
-  if (fixed_ == nullptr && moving_.empty()) return;
+  if (fixed_.scene == nullptr && moving_.empty()) return;
   alignas(64) RTCRayHit16 embree;
   copy_rays(rays, hits.t, mask, embree.ray);
   fill_other_lanes(rays, embree.ray);
   std::fill_n(embree.hit.geomID, kLanes, RTC_INVALID_GEOMETRY_ID);
   std::fill_n(embree.hit.instID[0], kLanes, RTC_INVALID_GEOMETRY_ID);
-  CastContext context = make_context(filter, false, some_cast_no_shadow_);
-  if (fixed_ != nullptr) {
+  CastContext context = make_context(filter, false, tables_.some_cast_no_shadow);
+  if (fixed_.scene != nullptr) {
     context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-    rtcIntersect16(rays.valid.data(), fixed_.get(), &context.embree, &embree);
+    rtcIntersect16(rays.valid.data(), fixed_.scene.get(), &context.embree, &embree);
   }
   moving_.intersect(rays.valid, embree, context);
   for (std::size_t i = 0; i < kLanes; ++i) {
@@ -118,7 +118,7 @@ std::uint32_t RayScene::Content::shaded_lanes(const RayPacket& rays, std::uint32
   copy_rays(rays, rays.t_max, mask, embree);
   fill_other_lanes(rays, embree);
   // Never with the flag for coherent rays: with instances Embree 3.13.5 does not come back then.
-  CastContext context = make_context(filter, true, some_cast_no_shadow_);
+  CastContext context = make_context(filter, true, tables_.some_cast_no_shadow);
   const auto left = [&] {
     MovingParts::Lanes valid;
     for (std::size_t i = 0; i < kLanes; ++i) {
@@ -131,9 +131,9 @@ std::uint32_t RayScene::Content::shaded_lanes(const RayPacket& rays, std::uint32
       shaded |= valid[i] != 0 && embree.tfar[i] < 0.0F ? 1U << i : 0U;
     }
   };
-  if (fixed_ != nullptr && (wanted & ~shaded) != 0) {
+  if (fixed_.scene != nullptr && (wanted & ~shaded) != 0) {
     alignas(64) const MovingParts::Lanes valid = left();
-    rtcOccluded16(valid.data(), fixed_.get(), &context.embree, &embree);
+    rtcOccluded16(valid.data(), fixed_.scene.get(), &context.embree, &embree);
     note(valid);
   }
   if (!moving_.empty() && (wanted & ~shaded) != 0) {
@@ -145,11 +145,12 @@ std::uint32_t RayScene::Content::shaded_lanes(const RayPacket& rays, std::uint32
 }
 
 SurfaceLook RayScene::Content::look(std::uint32_t shape_index, std::uint32_t primitive) const {
-  const TracedShape& shape = *traced_shapes_[shape_index];
+  const TracedShape& shape = *tables_.traced[shape_index];
   SurfaceLook look;
   look.material = shape.material;
   if (shape.has_mesh_materials) look.material += shape.mesh->triangle_materials[primitive];
-  if (look.material < material_textures_.size()) look.texture = material_textures_[look.material];
+  if (look.material < textures_.by_material.size())
+    look.texture = textures_.by_material[look.material];
   look.is_flat = !shape.is_round();
   if (!look.is_flat) return look;
   look.is_smooth = shape.kind == SurfaceKind::kMesh && !shape.mesh->normals.empty();
@@ -170,7 +171,7 @@ SurfaceLook RayScene::Content::look(std::uint32_t shape_index, std::uint32_t pri
 
 SurfacePoint RayScene::Content::look_at(std::uint32_t shape_index, std::uint32_t primitive,
                                         const Ray& ray, double t) const {
-  const TracedShape& shape = *traced_shapes_[shape_index];
+  const TracedShape& shape = *tables_.traced[shape_index];
   const LocalRay local = shape.to_local(ray);
   SurfacePoint point;
   point.t = t;

@@ -52,4 +52,25 @@ struct SurfacePoint {
   Eigen::Vector2d uv = Eigen::Vector2d::Zero();
 };
 
+/// A scene as pictures see it, whose neighbouring rays hit the same surfaces. The analytic surface
+/// is left out. Any number of threads may ask at the same time.
+class PacketRays {
+ public:
+  /// `scene` must outlive it.
+  explicit PacketRays(const RayScene& scene) : scene_(&scene) {}
+
+  /// What each ray of a packet hits first, in float.
+  void intersect(const RayPacket& rays, PacketHits& hits, std::uint32_t mask = 0xffffffff) const;
+  /// Which rays of a packet anything that casts shadows lies on, bit by bit.
+  std::uint32_t shaded(const RayPacket& rays, std::uint32_t mask = 0xffffffff) const;
+  /// What the surface is like that a ray of a packet hit.
+  SurfaceLook look(std::uint32_t shape, std::uint32_t primitive) const;
+  /// The same at the point that a ray hits near distance `t`.
+  SurfacePoint look_at(std::uint32_t shape, std::uint32_t primitive, const Ray& ray,
+                       double t) const;
+
+ private:
+  const RayScene* scene_;
+};
+
 }  // namespace trident::sim

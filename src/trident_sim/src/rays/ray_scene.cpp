@@ -71,21 +71,21 @@ void RayScene::use_textures() { content_->use_textures(); }
 
 Eigen::Vector3d RayScene::albedo(const RayHit& hit) const { return content_->albedo(hit); }
 
-void RayScene::intersect(const RayPacket& rays, PacketHits& hits, std::uint32_t mask) const {
-  content_->intersect_packet(rays, hits, mask);
+void PacketRays::intersect(const RayPacket& rays, PacketHits& hits, std::uint32_t mask) const {
+  scene_->content_->intersect_packet(rays, hits, mask);
 }
 
-std::uint32_t RayScene::shaded(const RayPacket& rays, std::uint32_t mask) const {
-  return content_->shaded_lanes(rays, mask);
+std::uint32_t PacketRays::shaded(const RayPacket& rays, std::uint32_t mask) const {
+  return scene_->content_->shaded_lanes(rays, mask);
 }
 
-SurfaceLook RayScene::look(std::uint32_t shape, std::uint32_t primitive) const {
-  return content_->look(shape, primitive);
+SurfaceLook PacketRays::look(std::uint32_t shape, std::uint32_t primitive) const {
+  return scene_->content_->look(shape, primitive);
 }
 
-SurfacePoint RayScene::look_at(std::uint32_t shape, std::uint32_t primitive, const Ray& ray,
-                               double t) const {
-  return content_->look_at(shape, primitive, ray, t);
+SurfacePoint PacketRays::look_at(std::uint32_t shape, std::uint32_t primitive, const Ray& ray,
+                                 double t) const {
+  return scene_->content_->look_at(shape, primitive, ray, t);
 }
 
 double RayScene::intensity(const RayHit& hit) const { return content_->intensity(hit); }

@@ -22,7 +22,7 @@ RayScene& RayScenes::scene(RayGeometry geometry) {
 
 void RayScenes::begin_steps() {
   for (const auto& scene : scenes_) {
-    if (scene != nullptr) scene->drop_deferred();
+    if (scene != nullptr) scene->deferred().clear();
   }
 }
 
@@ -32,8 +32,9 @@ bool RayScenes::collect_jobs() {
   for (const auto& scene : scenes_) {
     if (scene == nullptr || scene->deferred().empty()) continue;
     scene->refresh();
-    jobs_.insert(jobs_.end(), scene->deferred().begin(), scene->deferred().end());
-    scene->drop_deferred();
+    const std::vector<RayJob*>& deferred = scene->deferred().jobs();
+    jobs_.insert(jobs_.end(), deferred.begin(), deferred.end());
+    scene->deferred().clear();
   }
   return !jobs_.empty();
 }

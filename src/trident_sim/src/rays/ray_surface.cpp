@@ -11,38 +11,40 @@ namespace trident::sim {
 
 RayScene::Content::Content(const World& world, RayGeometry kind,
                            std::shared_ptr<AnalyticSurfaceSource> surface_source)
-    : world_(world), geometry_(kind), surface_source_(std::move(surface_source)) {}
+    : world_(world), geometry_(kind) {
+  surface_.source = std::move(surface_source);
+}
 RayScene::Content::~Content() = default;
 
 std::shared_ptr<const AnalyticSurface> RayScene::Content::refresh_surface(
     const Eigen::Vector3d& p_world_viewer) {
-  surface_.reset();
-  const bool exists = surface_source_ != nullptr && surface_source_->exists();
-  if (exists) surface_ = surface_source_->surface_at(p_world_viewer);
-  if (exists != has_surface_shape_) {
-    has_surface_shape_ = exists;
+  surface_.now.reset();
+  const bool exists = surface_.source != nullptr && surface_.source->exists();
+  if (exists) surface_.now = surface_.source->surface_at(p_world_viewer);
+  if (exists != surface_.has_shape) {
+    surface_.has_shape = exists;
     number();
     find_textures();
   }
-  return surface_;
+  return surface_.now;
 }
 
 double RayScene::Content::surface_ceiling_m() {
-  if (surface_source_ == nullptr) return -std::numeric_limits<double>::infinity();
-  return surface_source_->ceiling_m();
+  if (surface_.source == nullptr) return -std::numeric_limits<double>::infinity();
+  return surface_.source->ceiling_m();
 }
 
 /// After all models' shapes, so that those keep their numbers.
 void RayScene::Content::number_surface(std::uint32_t models, std::uint32_t links) {
-  surface_shape_ = RayHit::kNothing;
-  if (!has_surface_shape_) return;
-  const AnalyticSurfaceSpec& spec = surface_source_->spec();
-  surface_shape_ = static_cast<std::uint32_t>(shapes_.size());
-  shapes_.push_back(
+  surface_.shape = RayHit::kNothing;
+  if (!surface_.has_shape) return;
+  const AnalyticSurfaceSpec& spec = surface_.source->spec();
+  surface_.shape = static_cast<std::uint32_t>(tables_.shapes.size());
+  tables_.shapes.push_back(
       {spec.model, spec.link, spec.name, models, links, nullptr, nullptr, spec.laser_retro});
   if (geometry_ != RayGeometry::kVisual) return;
-  surface_material_ = static_cast<std::uint32_t>(materials_.size());
-  materials_.push_back(spec.material);
+  surface_.material = static_cast<std::uint32_t>(tables_.materials.size());
+  tables_.materials.push_back(spec.material);
 }
 
 /// The surface hides what lies beyond it, also where it is nearer than the ray counts.
@@ -60,8 +62,8 @@ void RayScene::Content::add_surface(const AnalyticSurface& surface, Span<const R
     hit = {};
     if (found.t < rays[i].t_min_m) continue;
     hit.distance_m = found.t;
-    hit.shape = surface_shape_;
-    hit.material = geometry_ == RayGeometry::kVisual ? surface_material_ : RayHit::kNothing;
+    hit.shape = surface_.shape;
+    hit.material = geometry_ == RayGeometry::kVisual ? surface_.material : RayHit::kNothing;
     hit.normal_world = found.normal_world;
   }
 }

@@ -19,7 +19,7 @@ bool WaterSurface::follow(const Eigen::Vector3d& p_world_viewer) {
   waves_ = nullptr;
   fades_ = false;
   strength_ = 1.0;
-  low_m_ = high_m_ = far_m_ = steepest_ = steepest_fading_ = 0.0;
+  low_m_ = high_m_ = far_m_ = steepest_.open = steepest_.fading = 0.0;
   time_s_ = tiles_->world().time().seconds();
   sea_ = tiles_->find_sea();
   if (sea_ == nullptr) return false;
@@ -47,8 +47,9 @@ void WaterSurface::find_tile(const Eigen::Vector2d& p_world_viewer) {
   high_m_ = std::max(0.0, static_cast<double>(tile_->bounds().high)) * strength_ * kSlack;
   far_m_ = std::max(kFarthestWaves_m, kFarPerHeight * (high_m_ - low_m_));
   const double per_m = strength_ * kSlack / pattern_->cell_m;
-  steepest_ = per_m * static_cast<double>(tile_->steepest_step_m());
-  steepest_fading_ = fades_ ? std::sqrt(2.0) * (high_m_ - low_m_) / pattern_->cell_m : steepest_;
+  steepest_.open = per_m * static_cast<double>(tile_->steepest_step_m());
+  steepest_.fading =
+      fades_ ? std::sqrt(2.0) * (high_m_ - low_m_) / pattern_->cell_m : steepest_.open;
 }
 
 double WaterSurface::strength(const Eigen::Vector2d& p_world) const {

@@ -52,9 +52,9 @@ class WaterSurface final : public AnalyticSurface {
   WaterReach reach(const Ray& ray) const;
   /// No steeper does it hit the water: the cosine to the surface's normal. The first is of any
   /// water, the second costs more, is of this reach and no greater.
-  double cos_most(const Ray& ray) const { return cos_most(ray, steepest_fading_); }
+  double cos_most(const Ray& ray) const { return cos_most(ray, steepest_.fading); }
   double cos_most(const Ray& ray, const WaterReach& reach) const {
-    return cos_most(ray, is_open_between(ray, reach) ? steepest_ : steepest_fading_);
+    return cos_most(ray, is_open_between(ray, reach) ? steepest_.open : steepest_.fading);
   }
   double height_m(const Eigen::Vector2d& p_world) const;
   /// d height / d place.
@@ -87,6 +87,11 @@ class WaterSurface final : public AnalyticSurface {
   /// h + h_u p + h_v q + h_uv p q within a cell, p and q in [0, 1] [m].
   struct Patch {
     double h, h_u, h_v, h_uv;
+  };
+  /// No slope is steeper.
+  struct Steepest {
+    double open = 0.0;    ///< away from the shore
+    double fading = 0.0;  ///< anywhere
   };
   /// What a ray hits first, square by square.
   struct Found {
@@ -146,8 +151,7 @@ class WaterSurface final : public AnalyticSurface {
   bool fades_ = false;                               ///< strength depends on the place
   double strength_ = 1.0;                            ///< away from the shore
   double low_m_ = 0.0, high_m_ = 0.0, far_m_ = 0.0;  ///< heights are about the still level
-  double steepest_ = 0.0;                            ///< no slope is steeper away from the shore,
-  double steepest_fading_ = 0.0;                     ///< or anywhere
+  Steepest steepest_;
 };
 
 /// The water that a scene's analytic surface is; nullptr: it is not water.

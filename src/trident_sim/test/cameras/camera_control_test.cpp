@@ -8,7 +8,7 @@
 
 #include "camera_robot.h"
 #include "trident_sim/commands.h"
-#include "trident_sim/snapshot.h"
+#include "trident_sim/world/snapshot.h"
 
 namespace trident::sim {
 namespace {

@@ -11,7 +11,7 @@
 #include <fstream>
 #include <limits>
 
-#include "rays/picture_file.h"
+#include "rays/textures/picture_file.h"
 #include "scratch_folder.h"
 #include "test_world.h"
 

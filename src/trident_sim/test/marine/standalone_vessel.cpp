@@ -12,9 +12,9 @@ StandaloneVessel::StandaloneVessel(const VesselParams& params, Restoring restori
       hull_(params.hull, params.water_density, gravity_m_s2),
       restoring_(restoring),
       gravity_(gravity_m_s2) {
-  body_.mass_kg = dynamics_.rigid_body().mass_kg;
-  body_.inertia = dynamics_.rigid_body().inertia_cg;
-  body_.inertia_inverse = body_.inertia.inverse();
+  body_.composite.mass_kg = dynamics_.rigid_body().mass_kg;
+  body_.composite.inertia = dynamics_.rigid_body().inertia_cg;
+  body_.composite.inertia_inverse = body_.composite.inertia.inverse();
   set_pose(SE3::identity());
 }
 
@@ -70,7 +70,8 @@ void StandaloneVessel::step(const Vector6d& tau, double dt_s, const Water& water
   Vector6d weight = Vector6d::Zero();
   HullLoad load;
   if (restoring_ == Restoring::kHull) {
-    weight.head<3>() = T.R.conjugate() * Eigen::Vector3d(0.0, 0.0, -body_.mass_kg * gravity_);
+    weight.head<3>() =
+        T.R.conjugate() * Eigen::Vector3d(0.0, 0.0, -body_.composite.mass_kg * gravity_);
     weight.tail<3>() = r_cg.cross(weight.head<3>());
     load = hull_.load(T, water, time_s_);
   } else if (restoring_ == Restoring::kLinear) {

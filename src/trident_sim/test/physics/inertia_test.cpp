@@ -27,7 +27,7 @@ TEST(Inertia, TwoFixedMassesByHand) {
   EXPECT_DOUBLE_EQ(body.mass(), 3.0);
   EXPECT_TRUE(is_near(body.pose().p, {1, 0, 0}, 1e-12));
   EXPECT_TRUE(near(body.inertia_tensor(), Eigen::Vector3d(0.11, 6.22, 6.33).asDiagonal(), 1e-12));
-  EXPECT_TRUE(near(body.inertia_tensor() * engine_body(body).inertia_inverse,
+  EXPECT_TRUE(near(body.inertia_tensor() * engine_body(body).composite.inertia_inverse,
                    Eigen::Matrix3d::Identity(), 1e-12));
 }
 
@@ -62,7 +62,7 @@ TEST(Inertia, ARotorJointLoadsItsCarrierRoundAndWithoutItsAxis) {
   const Eigen::Vector3d expected(0.007 + 4 * 1e-5 + 2 * arm, 0.008 + 4 * 1e-5 + 2 * arm,
                                  0.012 + 4 * arm);
   EXPECT_TRUE(near(quad.bodies[0]->inertia_tensor(), expected.asDiagonal(), 1e-12));
-  EXPECT_DOUBLE_EQ(quad.find_joint("rotor_0_joint")->axial_inertia, 2e-5);
+  EXPECT_DOUBLE_EQ(quad.find_joint("rotor_0_joint")->rotor_inertia.axial, 2e-5);
 }
 
 TEST(Inertia, ChainsOfFixedJointsInAnyOrderAreOneBody) {

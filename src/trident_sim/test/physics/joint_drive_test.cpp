@@ -7,7 +7,7 @@
 
 #include "models.h"
 #include "test_world.h"
-#include "trident_sim/joint_drive.h"
+#include "trident_sim/world/joint_drive.h"
 
 namespace trident::sim {
 namespace {

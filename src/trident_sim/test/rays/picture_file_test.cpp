@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
 // Pictures on disk.
-#include "rays/picture_file.h"
+#include "rays/textures/picture_file.h"
 
 #include <gtest/gtest.h>
 

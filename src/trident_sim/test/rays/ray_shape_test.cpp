@@ -82,7 +82,7 @@ TEST(RayShape, PacketsHitRoundShapesWhateverTheLengthOfTheirDirections) {
       same.push_back(ray_along(Eigen::Vector3d::Zero(), d));
     }
     PacketHits hits;
-    scene.intersect(rays, hits);
+    PacketRays(scene).intersect(rays, hits);
     for (std::size_t lane = 0; lane < kPacketLanes; ++lane) {
       const Eigen::Vector3d d(rays.direction_x[lane], rays.direction_y[lane],
                               rays.direction_z[lane]);

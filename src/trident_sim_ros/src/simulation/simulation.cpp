@@ -58,9 +58,9 @@ Simulation::Simulation(ros::NodeHandle& node, const ServerOptions& options)
       std::make_unique<World>(spec, resources_, registry_,
                               WorldOptions{options.seed, options.timing, report, find_tf_prefix,
                                            options.sensor_threads, log, odd_elements()});
-  real_time_factor_ = options.real_time_factor >= 0.0
-                          ? options.real_time_factor
-                          : spec.physics.real_time_update_rate_hz * spec.physics.max_step_size_s;
+  pace_.real_time_factor = options.real_time_factor >= 0.0 ? options.real_time_factor
+                                                           : spec.physics.real_time_update_rate_hz *
+                                                                 spec.physics.max_step_size_s;
   binder_ = std::make_unique<PortBinder>(node_, world_->ports());
   inputs_ = std::make_unique<InputBinder>(node_, world_->ports(), repeatability_);
   topics_ = std::make_unique<StateTopics>(node_, options.max_clock_rate_hz,
@@ -95,7 +95,7 @@ void Simulation::report(Severity severity, const std::string& text) {
 /// about, who rather see the others fly on.
 void Simulation::choose_policy() {
   if (!options_.has_default_policy) return;
-  rules_.policy = real_time_factor_ <= 0.0 ? LossPolicy::kWait : LossPolicy::kFreeRun;
+  rules_.policy = pace_.real_time_factor <= 0.0 ? LossPolicy::kWait : LossPolicy::kFreeRun;
 }
 
 void Simulation::fail(const std::string& error) {
@@ -143,8 +143,8 @@ std::string Simulation::run() {
   }
   topics_->publish(*world_, true);
   files_->finish(*world_,
-                 {end_reason_, error_, duration<double>(Clock::now() - first_step_).count(),
-                  stepped_once_ ? world_->time() - first_step_time_ : SimTime{0}},
+                 {end_reason_, error_, duration<double>(Clock::now() - first_step_.wall).count(),
+                  first_step_.is_made ? world_->time() - first_step_.sim : SimTime{0}},
                  repeatability_);
   return end_reason_;
 }
@@ -203,7 +203,7 @@ std::string Simulation::missing_for_start() {
 
 bool Simulation::start_allowed() {
   // Time zero is held once; who goes away later is the business of the policy.
-  if (!stepped_once_ && !answers_->missing_for_start().empty()) return false;
+  if (!first_step_.is_made && !answers_->missing_for_start().empty()) return false;
   return gate_->start_allowed(*world_, *binder_);
 }
 
@@ -237,16 +237,17 @@ bool Simulation::finished() {
 /// From here on wall time and simulated time are compared: a pause or a change of speed leaves no
 /// debt to be caught up with.
 void Simulation::restart_pace() {
-  pace_wall_ = Clock::now();
-  pace_sim_ = world_->time();
+  pace_.wall = Clock::now();
+  pace_.sim = world_->time();
 }
 
 /// Waits at most 5 ms at a time, so that services and the end of the process are not held up by a
 /// slow world.
 bool Simulation::pace_allows() {
-  if (real_time_factor_ <= 0.0) return true;
-  const double due_s = (world_->time() + world_->dt() - pace_sim_).seconds() / real_time_factor_;
-  const double ahead_s = due_s - duration<double>(Clock::now() - pace_wall_).count();
+  if (pace_.real_time_factor <= 0.0) return true;
+  const double due_s =
+      (world_->time() + world_->dt() - pace_.sim).seconds() / pace_.real_time_factor;
+  const double ahead_s = due_s - duration<double>(Clock::now() - pace_.wall).count();
   if (ahead_s < -kGivenUpDelay_s) restart_pace();
   if (ahead_s <= 0.0) return true;
   wait(microseconds(static_cast<int>(std::min(ahead_s, 0.005) * 1e6)));
@@ -262,10 +263,10 @@ void Simulation::wait(microseconds time) {
 /// What a controller answers goes out before what only displays or recorders need: transforms and
 /// odometry, then the states that the lockstep waits for, then all other samples.
 void Simulation::make_step() {
-  if (!stepped_once_) {
-    stepped_once_ = true;
-    first_step_ = Clock::now();
-    first_step_time_ = world_->time();
+  if (!first_step_.is_made) {
+    first_step_.is_made = true;
+    first_step_.wall = Clock::now();
+    first_step_.sim = world_->time();
   }
   // Who has begun to read since the last step, and waited for that, hears of this one.
   binder_->scan_subscribers();
@@ -273,7 +274,8 @@ void Simulation::make_step() {
   answers_->deliver(world_->time());
   world_->step();
   answers_->look_for_samples(world_->time());
-  const bool every_step = real_time_factor_ > 0.0 && real_time_factor_ <= kEveryStepFactor;
+  const bool every_step =
+      pace_.real_time_factor > 0.0 && pace_.real_time_factor <= kEveryStepFactor;
   topics_->publish(*world_, every_step);
   binder_->publish_fresh(PortRank::kTransform, PortRank::kOdometry, every_step);
   gate_->send_states(world_->time());
@@ -291,7 +293,7 @@ void Simulation::run_housekeeping() {
   topics_->catch_up_clock(world_->time());
   performance_.publish(*world_);
   if (!is_ready_) announce_readiness();
-  if (real_time_factor_ <= 0.0) gate_->pin_controllers();
+  if (pace_.real_time_factor <= 0.0) gate_->pin_controllers();
   for (const std::string& line : gate_->drain_events()) ROS_INFO("%s", line.c_str());
   log_notes();
   if (now < next_second_) return;
@@ -323,7 +325,7 @@ void Simulation::announce_readiness() {
 
 std::string Simulation::describe_state() {
   const bool waits = options_.holds_time_zero() || !options_.answers.empty();
-  if (!stepped_once_ && waits) {
+  if (!first_step_.is_made && waits) {
     const std::string missing = missing_for_start();
     if (!missing.empty()) return "waiting for " + missing;
   }
@@ -345,7 +347,7 @@ void Simulation::publish_diagnostics() {
 void Simulation::reset(bool with_time) {
   if (with_time) {
     world_->reset();
-    stepped_once_ = false;
+    first_step_.is_made = false;
     repeatability_.clear();
     files_->restart();
   } else {
@@ -360,11 +362,11 @@ void Simulation::reset(bool with_time) {
 }
 
 double Simulation::max_update_rate_hz() const {
-  return real_time_factor_ / world_->physics().max_step_size_s;
+  return pace_.real_time_factor / world_->physics().max_step_size_s;
 }
 
 void Simulation::set_max_update_rate_hz(double rate) {
-  real_time_factor_ = rate * world_->physics().max_step_size_s;
+  pace_.real_time_factor = rate * world_->physics().max_step_size_s;
   choose_policy();
   restart_pace();
 }

@@ -127,6 +127,18 @@ class Simulation {
   void publish_diagnostics() TRIDENT_REQUIRES(mutex_);
   std::string describe_state() TRIDENT_REQUIRES(mutex_);
 
+  /// Simulated time per wall time, kept from a moment of both.
+  struct Pace {
+    double real_time_factor = 1.0;
+    Clock::time_point wall;
+    SimTime sim;
+  };
+  struct FirstStep {
+    bool is_made = false;
+    Clock::time_point wall;
+    SimTime sim;  ///< before it
+  };
+
   ros::NodeHandle& node_;
   const ServerOptions options_;
   LossRules rules_;
@@ -152,12 +164,9 @@ class Simulation {
   bool ended_ TRIDENT_GUARDED_BY(mutex_) = false;
   std::uint64_t steps_wanted_ TRIDENT_GUARDED_BY(mutex_) = 0;
   std::condition_variable_any stepped_;
-  double real_time_factor_ TRIDENT_GUARDED_BY(mutex_) = 1.0;
-  Clock::time_point pace_wall_ TRIDENT_GUARDED_BY(mutex_);  ///< pace is kept from here
-  SimTime pace_sim_ TRIDENT_GUARDED_BY(mutex_);
-  Clock::time_point next_scan_, next_second_, first_step_;
-  bool stepped_once_ TRIDENT_GUARDED_BY(mutex_) = false;
-  SimTime first_step_time_ TRIDENT_GUARDED_BY(mutex_);
+  Pace pace_ TRIDENT_GUARDED_BY(mutex_);
+  Clock::time_point next_scan_, next_second_;
+  FirstStep first_step_ TRIDENT_GUARDED_BY(mutex_);
   std::string end_reason_, error_;
   ros::Publisher ready_;  ///< latched: everything that was declared is there
   bool is_ready_ TRIDENT_GUARDED_BY(mutex_) = false;

@@ -35,7 +35,7 @@ ScanReceiver::ScanReceiver(ros::NodeHandle node, const SlamNodeOptions& options,
       transforms_(ros::Duration(options.tf_buffer_duration)),
       intake_(intake_options(options), transforms_),
       stamps_(options.bag_loop_threshold) {
-  transform_input_ = std::make_unique<ros_utils::TransformInput>(
+  inputs_.transforms = std::make_unique<ros_utils::TransformInput>(
       transforms_, [this](const std::string& problem) { diagnostics_.report(problem); });
   timer_ = node.createWallTimer(ros::WallDuration(kIntakePeriod_s),
                                 [this](const ros::WallTimerEvent&) { hand_over(); });
@@ -43,21 +43,21 @@ ScanReceiver::ScanReceiver(ros::NodeHandle node, const SlamNodeOptions& options,
 }
 
 void ScanReceiver::stop() {
-  transform_input_.reset();
-  scan_subscriber_.shutdown();
-  imu_subscriber_.shutdown();
+  inputs_.transforms.reset();
+  inputs_.scans.shutdown();
+  inputs_.imu.shutdown();
 }
 
 void ScanReceiver::subscribe(ros::NodeHandle& node) {
   if (!options_.imu_topic.empty()) {
-    imu_subscriber_ = node.subscribe<sensor_msgs::Imu>(
+    inputs_.imu = node.subscribe<sensor_msgs::Imu>(
         options_.imu_topic, 0,
         [this](const sensor_msgs::ImuConstPtr& message) { intake_.add(*message); });
   }
   // Without a limit in synchronous mode: no scan may be lost.
   const int queue_size = options_.is_sync ? 0 : options_.scan_queue_size;
-  scan_subscriber_ = node.subscribe(options_.scan_topic, static_cast<std::uint32_t>(queue_size),
-                                    &ScanReceiver::receive, this);
+  inputs_.scans = node.subscribe(options_.scan_topic, static_cast<std::uint32_t>(queue_size),
+                                 &ScanReceiver::receive, this);
 }
 
 void ScanReceiver::receive(const sensor_msgs::LaserScanConstPtr& message) {

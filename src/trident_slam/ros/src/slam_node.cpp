@@ -45,8 +45,7 @@ SlamNode::SlamNode(const ros::NodeHandle& private_handle, const SlamNodeOptions&
       slam_(std::move(make), !options.odom_frame.empty()),
       diagnostics_(ros::NodeHandle()),
       scans_(options.is_sync),
-      transform_(ros::NodeHandle(), options),
-      poses_(ros::NodeHandle(), private_handle, options),
+      outputs_{{ros::NodeHandle(), options}, {ros::NodeHandle(), private_handle, options}},
       map_(ros::NodeHandle(), on_queue(private_handle, &slow_queue_), options, slam_,
            [this](const std::string& problem) { report(problem); }),
       autosave_(
@@ -93,8 +92,8 @@ void SlamNode::consume(const ScanRecord& record) {
     return result;
   });
   diagnostics_.add_scan(pose, std::move(calibration));
-  transform_.set(pose.T_map_base * record.T_odom_base.inverse());
-  poses_.publish(record, pose);
+  outputs_.transform.set(pose.T_map_base * record.T_odom_base.inverse());
+  outputs_.poses.publish(record, pose);
   if (on_scan_) on_scan_(record, pose);
   map_.publish_if_due(stamp);
   autosave_.after_scan(stamp);

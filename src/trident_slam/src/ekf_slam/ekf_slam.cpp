@@ -116,6 +116,9 @@ Eigen::Matrix2d EkfSlam::cross_covariance(const LandmarkPair& a, const LandmarkP
   return a.H * P * b.H.transpose();
 }
 
+/// Individual compatibility: landmarks within the gate of the Mahalanobis distance, the nearest
+/// first, so that the joint search finds a good hypothesis early. Equal distances go by the
+/// landmark, the same on every machine.
 std::vector<std::vector<LandmarkPair>> EkfSlam::compatible_pairs(
     const std::vector<PointObservation>& observations) const {
   std::vector<std::vector<LandmarkPair>> pairs(observations.size());
@@ -170,6 +173,8 @@ std::vector<int> EkfSlam::observe(const std::vector<PointObservation>& observati
   return ids;
 }
 
+/// With associations from outside, as data sets give them. All landmarks that are known correct the
+/// state before new ones are added: these begin with the corrected pose.
 void EkfSlam::observe_known(const std::vector<PointObservation>& observations,
                             const std::vector<int>& ids) {
   if (observations.size() != ids.size()) throw Error("each observation needs one id");

@@ -17,6 +17,8 @@ class EkfSlam2d::Impl {
  public:
   explicit Impl(const EkfSlam2dParams& params) : params_(params), filter_(params.filter) {}
 
+  /// Prediction by odometry, then correction by the posts that the scan shows. A scan that cannot
+  /// be used predicts only.
   ScanPose2d add_scan(const LaserScan& scan, const SE2& T_odom_base) {
     const OdometryMotion::Step motion = odometry_.next(T_odom_base);
     filter_.predict(motion.T_before_now, motion_covariance(motion));
@@ -44,6 +46,8 @@ class EkfSlam2d::Impl {
     return poses;
   }
 
+  /// The filter's own map is of landmarks; this one is of all scans at the poses of the filter, for
+  /// who wants a grid.
   OccupancyGrid map() const {
     ScanMapOptions options;
     options.resolution = params_.resolution;

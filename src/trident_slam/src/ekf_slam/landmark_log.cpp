@@ -59,6 +59,8 @@ class Line {
   std::string_view kind_;
 };
 
+/// The first line names the pose that the log begins with. Steps must follow each other: a gap
+/// would be motion that nobody has reported.
 void read_odometry(Line& line, std::vector<LandmarkLogStep>& steps) {
   const int from = line.id("from");
   if (steps.empty()) {
@@ -138,6 +140,8 @@ std::vector<LandmarkLogStep> read_landmark_log(const std::string& file) {
   return steps;
 }
 
+/// An association is correct where a true landmark and a found one are each other's most frequent
+/// partner: numbers of found landmarks are arbitrary, so that they are not compared themselves.
 AssociationScore score_association(const std::vector<LandmarkLogStep>& steps,
                                    const std::vector<std::vector<int>>& found) {
   if (found.size() != steps.size()) throw Error("one list of associations is needed for each step");

@@ -18,6 +18,8 @@ Eigen::Vector2d turned_left(const Eigen::Vector2d& v) { return {-v.y(), v.x()}; 
 
 }  // namespace
 
+/// x' = x + R(yaw) dp; yaw' = yaw + (1 + s) dyaw + b |dp|, with the scale error s and the drift b
+/// of odometry as states 3 and 4; F is the derivative by the state.
 Motion move(const RobotState& before, const SE2& T_before_now) {
   const double distance = T_before_now.p.norm();
   const Eigen::Vector2d step = rotation(before[2]) * T_before_now.p;

@@ -44,6 +44,8 @@ std::size_t first_beam(const LaserScan& scan, double clearance) {
   return 0;
 }
 
+/// Neighbouring returns that lie within the clearance of each other. The search begins at a gap, so
+/// that no cluster is cut where a full scan ends.
 std::vector<Cluster> clusters(const LaserScan& scan, double clearance) {
   std::vector<Cluster> result;
   const std::size_t start = first_beam(scan, clearance);
@@ -92,6 +94,8 @@ PointObservation middle_of(const LaserScan& scan, const Cluster& cluster, double
 
 }  // namespace
 
+/// A round post of radius r whose nearest point is at d fills an angle of 2 asin(r / (d + r));
+/// solved for r. What is wide, or has something close behind it on either side, is part of a wall.
 std::vector<PointObservation> find_posts(const LaserScan& scan, const PostParams& params) {
   std::vector<PointObservation> posts;
   for (const Cluster& cluster : clusters(scan, params.clearance)) {

@@ -59,6 +59,7 @@ void BeamCounts::count_passed(const Eigen::Vector2i& a, const Eigen::Vector2i& b
   }
 }
 
+/// Room for all ends is made once, before the beams are drawn.
 void BeamCounts::add_beams(const Eigen::Vector2d& p_map_laser,
                            const std::vector<Eigen::Vector2d>& p_map_ends) {
   if (p_map_ends.empty()) return;
@@ -77,6 +78,8 @@ void BeamCounts::add_beams(const Eigen::Vector2d& p_map_laser,
   }
 }
 
+/// A cell is a wall where enough beams have ended in it, and enough of those that touched it: beams
+/// that graze a wall pass through cells of it.
 OccupancyGrid BeamCounts::map() const {
   OccupancyGrid grid;
   grid.resolution = resolution_;

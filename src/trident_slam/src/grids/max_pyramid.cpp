@@ -30,6 +30,8 @@ void MaxPyramid::raise(int x, int y, std::uint8_t value) {
   }
 }
 
+/// A Gaussian about the point over three by three cells, in 1/255. Cells keep the greatest value,
+/// so that surfaces seen often do not outweigh others.
 void MaxPyramid::stamp(const Eigen::Vector2d& p) {
   const int x = cell_of(p.x());
   const int y = cell_of(p.y());

@@ -80,6 +80,8 @@ void SurfelMap::mark_neighbors(const Eigen::Vector2i& cell) {
   }
 }
 
+/// A cell may hold several surfels, one for each side of a thin wall. Mean and normal are running
+/// means over the points; surfels of hidden submaps are left as they are.
 void SurfelMap::insert_point(const SurfacePoint& point, int owner) {
   const Eigen::Vector2i cell = place_of(point.p).cell;
   std::int32_t first = std::max(first_.get(cell.x(), cell.y()), 0);

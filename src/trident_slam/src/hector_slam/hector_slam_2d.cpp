@@ -40,6 +40,8 @@ class HectorSlam2d::Impl {
     }
   }
 
+  /// A scan that cannot be used moves the pose by odometry alone, so that the next one is searched
+  /// for near the right place.
   ScanPose2d add_scan(const LaserScan& scan, const SE2& T_odom_base) {
     ScanPose2d result;
     result.problem = check_.problem(scan);

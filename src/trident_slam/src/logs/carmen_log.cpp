@@ -41,6 +41,7 @@ bool read_pose(Fields& fields, SE2& pose) {
   return true;
 }
 
+/// A count and as many readings. Returns what is wrong, empty when nothing is.
 std::string read_ranges(Fields& fields, std::vector<float>& ranges) {
   std::size_t count = 0;
   if (!fields.count(count)) return "the number of readings is missing or not a number";
@@ -165,6 +166,7 @@ bool CarmenLog::is_wanted(std::string_view message) {
   return message == scan_message_;
 }
 
+/// The old format: ranges, poses and stamp, without angles or limits.
 std::string CarmenLog::read_flaser(std::string_view rest, ScanRecord& record) {
   Fields fields(rest);
   Poses poses;
@@ -180,6 +182,7 @@ std::string CarmenLog::read_flaser(std::string_view rest, ScanRecord& record) {
   return {};
 }
 
+/// The newer format, which says its angles and its range limit itself.
 std::string CarmenLog::read_robotlaser(std::string_view rest, ScanRecord& record) {
   Fields fields(rest);
   double range_max = 0.0;

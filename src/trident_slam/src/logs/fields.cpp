@@ -37,6 +37,7 @@ bool Fields::count(std::size_t& value) { return parse(word(), value); }
 
 bool Fields::finite(double& value) { return number(value) && std::isfinite(value); }
 
+/// Digits are read exactly: a double holds a time of today only to some hundred nanoseconds.
 bool Fields::stamp(std::int64_t& nanoseconds) {
   constexpr std::int64_t kSecond = 1'000'000'000;
   constexpr std::int64_t kMaxSeconds = INT64_MAX / kSecond - 1;

@@ -189,6 +189,8 @@ void LineReader::check_length(std::size_t bytes) const {
               std::to_string(kLongestLine >> 20) + " MiB, expected a log file");
 }
 
+/// The end of a line is searched for only in what has been read since the last look. The last line
+/// of a file that is still being written has no end; it is handed out and marked as open.
 bool LineReader::next(std::string_view& line) {
   std::size_t searched = 0;
   while (true) {

@@ -96,6 +96,7 @@ bool take_flag(const std::string& word, OfflineCommand& options) {
   return true;
 }
 
+/// Options of the source of scans differ between programs, and are handed to it as they are.
 void take_value(const std::string& word, const std::string& value,
                 const std::vector<std::string>& source_options, OfflineCommand& options) {
   static const std::map<std::string, std::string OfflineCommand::*> kTexts = {

@@ -103,6 +103,8 @@ void write_results(const Slam2d& slam, std::size_t known_before,
 
 }  // namespace
 
+/// The causal trajectory holds each pose as it was known with its scan, the final one as loops have
+/// corrected it; both are written, as they answer different questions.
 OfflineResult run_offline(ScanSource& source, Slam2d& slam, const std::string& out_dir,
                           const OfflineProgress& progress, const OfflineScanBegins& begins) {
   OfflineResult result;

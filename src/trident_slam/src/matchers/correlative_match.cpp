@@ -27,6 +27,9 @@ class Search {
     turn_points(points, guess, window);
   }
 
+  /// Squares as large as the window are the roots; a level halves them (E. Olson, "Real-Time
+  /// Correlative Scan Matching", 2009; W. Hess et al., "Real-Time Loop Closure in 2D LIDAR SLAM",
+  /// 2016).
   std::optional<Candidate> run() {
     int level = 0;
     while (level + 1 < reference_.levels() && (1 << level) < reach_) ++level;
@@ -45,6 +48,8 @@ class Search {
   double yaw_of(int turn) const { return yaws_[static_cast<std::size_t>(turn)]; }
 
  private:
+  /// A step of heading moves the farthest point by one cell: finer ones would find the same cells,
+  /// coarser ones pass over poses.
   void turn_points(const std::vector<Eigen::Vector2f>& points, const SE2& guess,
                    const SearchWindow& window) {
     float farthest = 1.0F;

@@ -84,6 +84,8 @@ class Pairing {
     is_paired_ = true;
   }
 
+  /// A surface with a normal resists motion across it only, so that scans slide along walls; one
+  /// without holds the point in both directions, with less weight.
   void add(const Eigen::Vector2f& turned, const Eigen::Vector2f& t, const Surfel& surfel,
            NormalEquations* sums) const {
     const Eigen::Vector2d offset = (turned + t - surfel.mean).cast<double>();

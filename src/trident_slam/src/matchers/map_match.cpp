@@ -62,6 +62,9 @@ MapMatchSums map_match_sums(const ProbabilityGrid& map, const PointScan& scan,
   return sums;
 }
 
+/// Gauss-Newton on the map's gradient (S. Kohlbrecher et al., "A Flexible and Scalable SLAM System
+/// with Full 3D Motion Estimation", 2011). Information below the least stands for directions in
+/// which nothing was seen.
 MapMatch match_map(const ProbabilityGrid& map, const PointScan& scan, const SE2& guess,
                    int iterations) {
   MapMatch match;

@@ -94,6 +94,9 @@ const NdtMap::Normal* NdtMap::over(std::size_t g, const Eigen::Vector2d& p_ref) 
   return cell.count < kMinPoints ? nullptr : &cell.normal;
 }
 
+/// Overlapping grids, shifted by half a cell each (P. Biber and W. Strasser, "The Normal
+/// Distributions Transform", 2003): the cost is smooth where one grid alone would jump at its
+/// cells' borders.
 PoseCost ndt_cost(const NdtMap& map, const PointScan& scan, const SE2& T_ref_base,
                   std::vector<char>* is_on_surface) {
   PoseCost sum;

@@ -83,6 +83,9 @@ void BeamLayer::update(const CostmapInput& input, BlockSet& changed) {
   changed_.clear();
 }
 
+/// Fresh beams clear first, then all sources mark: a mark of one sensor is not cleared by the beam
+/// of another of the same moment. Marks that fresh beams see again are kept aside, so that clearing
+/// does not take them away for an instant.
 void BeamLayer::apply_data(double now_s) {
   kept_.clear();
   if (is_all_fresh_) {
@@ -184,6 +187,7 @@ void BeamLayer::forget(const CellBox& box, Side side) {
   is_all_fresh_ = true;
 }
 
+/// The methods of nav2's costmap, several cells at a time.
 void BeamLayer::combine(int y, int x0, int x1, std::uint8_t* cost) const {
   const std::uint8_t* own = costs_.row(y) + x0;
   const Bytes unknown = all_bytes(kUnknownCost);

@@ -72,6 +72,8 @@ class CostmapConfigReader {
                 : form_of(costmap_);
   }
 
+  /// The three forms are brought into one before anything is checked, so that a message names the
+  /// key that the user has written.
   CostmapConfig read() {
     config_detail::expect_map({source_.label, Range::any(), ""}, costmap_, source_.path);
     rename_keys();
@@ -139,6 +141,8 @@ class CostmapConfigReader {
     }
   }
 
+  /// Before there were plugins, `static_map` and `map_type` chose the layers, and their parameters
+  /// stood next to the costmap's own (costmap_2d before Hydro).
   void read_old() {
     if (is_true(costmap_.find("static_map"))) {
       LayerSpec& map = add_old_layer("static_layer", "costmap_2d::StaticLayer", kOldStaticKeys);
@@ -231,6 +235,8 @@ class CostmapConfigReader {
     }
   }
 
+  /// A layer that has no counterpart here is left out with its reason; a name that is not known at
+  /// all is an error, since the map would lack what it should show.
   void add_layer(const std::string& name, const std::string& plugin,
                  std::optional<ConfigNode> config, int line) {
     for (const IgnoredKey& ignored : kIgnoredPlugins) {
@@ -274,6 +280,8 @@ class CostmapConfigReader {
     const ConfigNode* names = config.find("observation_sources");
     return names != nullptr ? words_of(names->scalar) : std::vector<std::string>{};
   }
+  /// Moves the sources that a layer lists below one key. What they do not say themselves comes from
+  /// their layer, then from the costmap, as costmap_2d searches its parameters.
   void gather_sources(LayerSpec& spec) {
     ConfigNode& config = spec.setup.config;
     const std::vector<std::string> names = source_names(config);
@@ -353,6 +361,8 @@ class CostmapConfigReader {
 
   /// Removes keys that are not known, with one warning each.
   template <class Ignored>
+  /// One warning per key that has no effect: upstream's files hold keys that nobody reads, and a
+  /// misspelt one must be seen.
   void remove_unknown(ConfigNode& map, const std::vector<std::string>& known,
                       const Ignored& ignored, const std::string& path) {
     const std::vector<std::string> keys = map.keys;

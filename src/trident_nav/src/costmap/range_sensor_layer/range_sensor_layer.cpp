@@ -30,7 +30,7 @@ bool is_in_triangle(Cell o, Cell a, Cell b, Cell p, double widening) {
          turn * cross(o, a, p) >= least;
 }
 
-/// Whether a reading's field of view and ranges are those of a sensor; NaN is none.
+/// Whether a reading's field of view and ranges are those of a sensor; NaN is not.
 bool has_legal_limits(const RangeReading& reading) {
   return reading.field_of_view > 0.0 && reading.min_range >= 0.0 &&
          reading.max_range >= reading.min_range && std::isfinite(reading.max_range);

@@ -25,50 +25,51 @@ Potential::Result Potential::search(const CostGrid& grid, Cell goal, Cell start,
                                     const CancelFlag& cancel) {
   source_ = &grid;
   const Cell goal_inside{goal.x + 1, goal.y + 1};
-  const bool kept = ready_ && goal_inside == goal_ && equal(grid.geometry, geometry_) && !too_long_;
+  const bool kept = status_.is_ready && goal_inside == ends_.goal &&
+                    equal(grid.geometry, geometry_) && !status_.is_too_long;
   if (!kept) {
-    coarser_ = 1.0;
+    scale_.coarser = 1.0;
     begin(grid, goal_inside);
   }
-  expanded_ = 0;
+  expanded_.now = 0;
   aim({start.x + 1, start.y + 1});
   if (kept && !repair()) {
     begin(grid, goal_inside);
     aim({start.x + 1, start.y + 1});
   }
   Result result = run(cancel);
-  while (result == Result::kNoPath && too_long_ && least_straight_ > 64) {
-    coarser_ *= 16.0;
+  while (result == Result::kNoPath && status_.is_too_long && steps_.least_straight > 64) {
+    scale_.coarser *= 16.0;
     begin(grid, goal_inside);
     aim({start.x + 1, start.y + 1});
     result = run(cancel);
   }
   revision_ = grid.revision;
-  total_expanded_ += expanded_;
+  expanded_.total += expanded_.now;
   source_ = nullptr;
   return result;
 }
 
 std::uint32_t Potential::value(Cell c) const {
-  if (!ready_ || !geometry_.contains(c)) return kUnreached;
+  if (!status_.is_ready || !geometry_.contains(c)) return kUnreached;
   const int x = c.x + 1;
   const int y = c.y + 1;
-  const int number = (y / kTile) * tiles_x_ + x / kTile;
+  const int number = (y / kTile) * tiles_.x + x / kTile;
   const auto tile = static_cast<std::size_t>(number);
-  return tiles_[tile] == TileState::kUnused ? kUnreached : value_[index(x, y)];
+  return tiles_.state[tile] == TileState::kUnused ? kUnreached : cells_.value[index(x, y)];
 }
 
 float Potential::at(Cell c) const {
   const std::uint32_t v = value(c);
-  return v == kUnreached ? StepCosts::kBlocked : static_cast<float>(v / scale_);
+  return v == kUnreached ? StepCosts::kBlocked : static_cast<float>(v / scale_.value);
 }
 
 std::vector<Cell> Potential::trace() const {
   std::vector<Cell> cells;
-  Cell c = start_;
+  Cell c = ends_.start;
   while (true) {
     cells.push_back({c.x - 1, c.y - 1});
-    const int parent = state_[index(c.x, c.y)] & 0x0F;
+    const int parent = cells_.state[index(c.x, c.y)] & 0x0F;
     if (parent == kRoot) return cells;
     c = {c.x + kDx[parent], c.y + kDy[parent]};
   }
@@ -77,16 +78,16 @@ std::vector<Cell> Potential::trace() const {
 void Potential::allocate(const GridGeometry& geometry) {
   const int width = geometry.width + 2;
   const int height = geometry.height + 2;
-  tiles_x_ = (width + kTile - 1) / kTile;
-  tiles_y_ = (height + kTile - 1) / kTile;
-  stride_ = static_cast<std::size_t>(tiles_x_) * kTile;
-  const std::size_t needed = stride_ * static_cast<std::size_t>(tiles_y_) * kTile;
-  if (needed > allocated_) {
+  tiles_.x = (width + kTile - 1) / kTile;
+  tiles_.y = (height + kTile - 1) / kTile;
+  stride_ = static_cast<std::size_t>(tiles_.x) * kTile;
+  const std::size_t needed = stride_ * static_cast<std::size_t>(tiles_.y) * kTile;
+  if (needed > cells_.allocated) {
     // Not initialized: a tile is filled when a search comes to it.
-    value_.reset(new std::uint32_t[needed]);
-    cost_.reset(new std::uint8_t[needed]);
-    state_.reset(new std::uint8_t[needed]);
-    allocated_ = needed;
+    cells_.value.reset(new std::uint32_t[needed]);
+    cells_.cost.reset(new std::uint8_t[needed]);
+    cells_.state.reset(new std::uint8_t[needed]);
+    cells_.allocated = needed;
   }
   const auto stride = static_cast<std::ptrdiff_t>(stride_);
   for (std::size_t d = 0; d < 8; ++d) offset_[d] = kDy[d] * stride + kDx[d];
@@ -95,18 +96,18 @@ void Potential::allocate(const GridGeometry& geometry) {
 
 void Potential::begin(const CostGrid& grid, Cell goal) {
   allocate(grid.geometry);
-  tiles_.assign(static_cast<std::size_t>(tiles_x_) * static_cast<std::size_t>(tiles_y_),
-                TileState::kUnused);
-  goal_ = start_ = goal;
-  too_long_ = false;
-  total_expanded_ = 0;
-  ready_ = true;
-  choose_scale(coarser_);
+  tiles_.state.assign(static_cast<std::size_t>(tiles_.x) * static_cast<std::size_t>(tiles_.y),
+                      TileState::kUnused);
+  ends_.goal = ends_.start = goal;
+  status_.is_too_long = false;
+  expanded_.total = 0;
+  status_.is_ready = true;
+  choose_scale(scale_.coarser);
   queue_.reset(0, 0);
   fill_tile(goal.x / kTile, goal.y / kTile);
   const std::size_t root = index(goal.x, goal.y);
-  value_[root] = 0;
-  state_[root] = kRoot | kOpen;
+  cells_.value[root] = 0;
+  cells_.state[root] = kRoot | kOpen;
   queue_.push(0, pack(goal.x, goal.y));
 }
 
@@ -115,16 +116,16 @@ void Potential::begin(const CostGrid& grid, Cell goal) {
 void Potential::choose_scale(double coarser) {
   const double least = costs_.least();
   const double longest = 2.0 * (geometry_.width + geometry_.height + 64.0) * least;
-  scale_ = std::exp2(std::floor(std::log2(kLimit / longest / coarser)));
+  scale_.value = std::exp2(std::floor(std::log2(kLimit / longest / coarser)));
   for (std::size_t c = 0; c < 256; ++c) {
-    const double step = costs_.step[c] * scale_;
+    const double step = costs_.step[c] * scale_.value;
     const bool blocked = !(step < kLimit / 2.0);
-    straight_[c] = blocked ? kBlockedStep : static_cast<std::uint32_t>(std::lround(step));
-    diagonal_[c] =
+    steps_.straight[c] = blocked ? kBlockedStep : static_cast<std::uint32_t>(std::lround(step));
+    steps_.diagonal[c] =
         blocked ? kBlockedStep : static_cast<std::uint32_t>(std::lround(step * kDiagonal));
   }
-  least_straight_ = static_cast<std::uint32_t>(std::lround(least * scale_));
-  least_diagonal_ = static_cast<std::uint32_t>(std::lround(least * scale_ * kDiagonal));
+  steps_.least_straight = static_cast<std::uint32_t>(std::lround(least * scale_.value));
+  steps_.least_diagonal = static_cast<std::uint32_t>(std::lround(least * scale_.value * kDiagonal));
 }
 
 std::uint8_t Potential::source_cost(int x, int y) const {
@@ -136,8 +137,8 @@ std::uint8_t Potential::source_cost(int x, int y) const {
 }
 
 void Potential::fill_tile(int tile_x, int tile_y) {
-  const int number = tile_y * tiles_x_ + tile_x;
-  TileState& tile = tiles_[static_cast<std::size_t>(number)];
+  const int number = tile_y * tiles_.x + tile_x;
+  TileState& tile = tiles_.state[static_cast<std::size_t>(number)];
   if (tile != TileState::kUnused) return;
   tile = TileState::kFilled;
   const int x0 = tile_x * kTile;
@@ -146,11 +147,11 @@ void Potential::fill_tile(int tile_x, int tile_y) {
   const int to = std::min(x0 + kTile, geometry_.width + 1 - (low - 1));
   for (int y = tile_y * kTile; y < (tile_y + 1) * kTile; ++y) {
     const std::size_t row = index(x0, y);
-    std::fill_n(&value_[row], kTile, kUnreached);
-    std::memset(&state_[row], 0, kTile);
-    std::memset(&cost_[row], kLethalCost, kTile);
+    std::fill_n(&cells_.value[row], kTile, kUnreached);
+    std::memset(&cells_.state[row], 0, kTile);
+    std::memset(&cells_.cost[row], kLethalCost, kTile);
     if (y < low || y > geometry_.height - (low - 1) || from >= to) continue;
-    std::memcpy(&cost_[index(from, y)], source_->cost + geometry_.index({from - 1, y - 1}),
+    std::memcpy(&cells_.cost[index(from, y)], source_->cost + geometry_.index({from - 1, y - 1}),
                 static_cast<std::size_t>(to - from));
   }
 }
@@ -159,11 +160,11 @@ void Potential::fill_tile(int tile_x, int tile_y) {
 void Potential::surround(int x, int y) {
   const int tile_x = x / kTile;
   const int tile_y = y / kTile;
-  const int number = tile_y * tiles_x_ + tile_x;
-  TileState& tile = tiles_[static_cast<std::size_t>(number)];
+  const int number = tile_y * tiles_.x + tile_x;
+  TileState& tile = tiles_.state[static_cast<std::size_t>(number)];
   if (tile == TileState::kSurrounded) return;
-  for (int ty = std::max(0, tile_y - 1); ty <= std::min(tiles_y_ - 1, tile_y + 1); ++ty) {
-    for (int tx = std::max(0, tile_x - 1); tx <= std::min(tiles_x_ - 1, tile_x + 1); ++tx) {
+  for (int ty = std::max(0, tile_y - 1); ty <= std::min(tiles_.y - 1, tile_y + 1); ++ty) {
+    for (int tx = std::max(0, tile_x - 1); tx <= std::min(tiles_.x - 1, tile_x + 1); ++tx) {
       fill_tile(tx, ty);
     }
   }
@@ -173,21 +174,21 @@ void Potential::surround(int x, int y) {
 // Queues what is open by its cost to the new start.
 void Potential::aim(Cell start) {
   const std::vector<Packed> items = queue_.take_all();
-  start_ = start;
+  ends_.start = start;
   unsigned shift = 0;
-  while ((least_straight_ >> (shift + 3)) > 0) ++shift;
-  queue_.reset(heuristic(goal_.x, goal_.y), shift);
+  while ((steps_.least_straight >> (shift + 3)) > 0) ++shift;
+  queue_.reset(heuristic(ends_.goal.x, ends_.goal.y), shift);
   for (const Packed p : items) {
     const std::size_t i = index(p);
-    if ((state_[i] & kOpen) != 0) {
-      queue_.push(std::uint64_t{value_[i]} + heuristic(x_of(p), y_of(p)), p);
+    if ((cells_.state[i] & kOpen) != 0) {
+      queue_.push(std::uint64_t{cells_.value[i]} + heuristic(x_of(p), y_of(p)), p);
     }
   }
 }
 
 Potential::Result Potential::run(const CancelFlag& cancel) {
-  surround(start_.x, start_.y);
-  const std::uint32_t& found = value_[index(start_.x, start_.y)];
+  surround(ends_.start.x, ends_.start.y);
+  const std::uint32_t& found = cells_.value[index(ends_.start.x, ends_.start.y)];
   std::vector<Packed> later;
   Result result = Result::kFound;
   while (true) {
@@ -195,19 +196,19 @@ Potential::Result Potential::run(const CancelFlag& cancel) {
     if (queue_.lower_bound() >= found) break;
     const Packed p = queue_.pop();
     const std::size_t i = index(p);
-    if ((state_[i] & kOpen) == 0) continue;
-    if (std::uint64_t{value_[i]} + heuristic(x_of(p), y_of(p)) >= found) {
+    if ((cells_.state[i] & kOpen) == 0) continue;
+    if (std::uint64_t{cells_.value[i]} + heuristic(x_of(p), y_of(p)) >= found) {
       later.push_back(p);
       continue;
     }
     expand(p);
-    if ((++expanded_ & 0xFFFU) == 0 && cancel.load(std::memory_order_relaxed)) {
+    if ((++expanded_.now & 0xFFFU) == 0 && cancel.load(std::memory_order_relaxed)) {
       result = Result::kCanceled;
       break;
     }
   }
   for (const Packed p : later) {
-    queue_.push(std::uint64_t{value_[index(p)]} + heuristic(x_of(p), y_of(p)), p);
+    queue_.push(std::uint64_t{cells_.value[index(p)]} + heuristic(x_of(p), y_of(p)), p);
   }
   if (result == Result::kFound && found == kUnreached) result = Result::kNoPath;
   return result;
@@ -218,16 +219,16 @@ void Potential::expand(Packed p) {
   const int y = y_of(p);
   surround(x, y);
   const std::size_t i = index(x, y);
-  state_[i] &= static_cast<std::uint8_t>(~kOpen);
+  cells_.state[i] &= static_cast<std::uint8_t>(~kOpen);
   std::array<bool, 4> free{};
   for (int d = 0; d < 4; ++d) {
-    const std::uint32_t length = straight_[cost_[i + offset_[d]]];
+    const std::uint32_t length = steps_.straight[cells_.cost[i + offset_[d]]];
     free[d] = length != kBlockedStep;
     if (free[d]) relax(i, x + kDx[d], y + kDy[d], static_cast<std::uint8_t>(opposite(d)), length);
   }
   for (int d = 4; d < 8; ++d) {
     if (!free[kCut[d - 4][0]] || !free[kCut[d - 4][1]]) continue;
-    const std::uint32_t length = diagonal_[cost_[i + offset_[d]]];
+    const std::uint32_t length = steps_.diagonal[cells_.cost[i + offset_[d]]];
     if (length == kBlockedStep) continue;
     relax(i, x + kDx[d], y + kDy[d], static_cast<std::uint8_t>(opposite(d)), length);
   }

@@ -46,9 +46,9 @@ class Potential {
   /// The cells from the last start to the goal; only after Result::kFound.
   std::vector<Cell> trace() const;
   /// Cells that the last search expanded.
-  std::size_t expanded() const { return expanded_; }
+  std::size_t expanded() const { return expanded_.now; }
   /// Forgets everything.
-  void clear() { ready_ = false; }
+  void clear() { status_.is_ready = false; }
 
  private:
   static constexpr std::uint32_t kUnreached = std::numeric_limits<std::uint32_t>::max();
@@ -67,6 +67,39 @@ class Potential {
   static constexpr int x_of(Packed p) { return static_cast<int>(p & 0xFFFFU); }
   static constexpr int y_of(Packed p) { return static_cast<int>(p >> 16U); }
   enum class TileState : std::uint8_t { kUnused, kFilled, kSurrounded };
+
+  struct Status {
+    bool is_ready = false;
+    bool is_too_long = false;  ///< a path for the scale of the values
+  };
+  /// In the padded grid.
+  struct Ends {
+    Cell goal, start;
+  };
+  struct Expansions {
+    std::size_t now = 0, total = 0;  ///< of this search, and since the potential was begun
+  };
+  /// Values per metre of path cost.
+  struct Scale {
+    double value = 1.0;
+    double coarser = 1.0;  ///< by which it is divided, for paths that would not fit
+  };
+  /// What a step costs, by the cost of the cell.
+  struct StepTable {
+    std::array<std::uint32_t, 256> straight{}, diagonal{};
+    std::uint32_t least_straight = 0, least_diagonal = 0;
+  };
+  /// By cell of the padded grid.
+  struct CellData {
+    std::unique_ptr<std::uint32_t[]> value;
+    std::unique_ptr<std::uint8_t[]> cost, state;
+    std::size_t allocated = 0;
+  };
+  /// Squares of kTile cells, which are filled when the search reaches them.
+  struct Tiles {
+    int x = 0, y = 0;  ///< how many there are
+    std::vector<TileState> state;
+  };
 
   std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * stride_ + static_cast<std::size_t>(x);
@@ -96,52 +129,47 @@ class Potential {
 
   StepCosts costs_;
   bool outline_;
-  bool ready_ = false;
-  bool too_long_ = false;
-  double coarser_ = 1.0;
-  std::size_t expanded_ = 0, total_expanded_ = 0;
+  Status status_;
+  Expansions expanded_;
   const CostGrid* source_ = nullptr;  ///< Only during a search.
   GridGeometry geometry_;
   std::uint64_t revision_ = 0;
-  Cell goal_, start_;  ///< In the padded grid.
-  double scale_ = 1.0;
-  std::array<std::uint32_t, 256> straight_{}, diagonal_{};
-  std::uint32_t least_straight_ = 0, least_diagonal_ = 0;
-  std::size_t stride_ = 0, allocated_ = 0;
-  int tiles_x_ = 0, tiles_y_ = 0;
+  Ends ends_;
+  Scale scale_;
+  StepTable steps_;
+  std::size_t stride_ = 0;
   std::array<std::ptrdiff_t, 8> offset_{};
-  std::unique_ptr<std::uint32_t[]> value_;
-  std::unique_ptr<std::uint8_t[]> cost_, state_;
-  std::vector<TileState> tiles_;
+  CellData cells_;
+  Tiles tiles_;
   BucketQueue<Packed> queue_;
 };
 
 // Octile distance at the lowest step cost: never above the true cost, and consistent.
 inline std::uint32_t Potential::heuristic(int x, int y) const {
-  const auto dx = static_cast<std::uint32_t>(std::abs(x - start_.x));
-  const auto dy = static_cast<std::uint32_t>(std::abs(y - start_.y));
+  const auto dx = static_cast<std::uint32_t>(std::abs(x - ends_.start.x));
+  const auto dy = static_cast<std::uint32_t>(std::abs(y - ends_.start.y));
   const std::uint32_t most = std::max(dx, dy);
   const std::uint32_t least = std::min(dx, dy);
-  return least_straight_ * (most - least) + least_diagonal_ * least;
+  return steps_.least_straight * (most - least) + steps_.least_diagonal * least;
 }
 
 inline void Potential::relax(std::size_t from, int x, int y, std::uint8_t parent,
                              std::uint32_t length) {
   const std::size_t i = index(x, y);
-  const std::uint32_t v = value_[from] + length;
-  if (v >= value_[i]) return;
+  const std::uint32_t v = cells_.value[from] + length;
+  if (v >= cells_.value[i]) return;
   if (v >= kLimit) {
-    too_long_ = true;
+    status_.is_too_long = true;
     return;
   }
-  value_[i] = v;
-  state_[i] = parent;
+  cells_.value[i] = v;
+  cells_.state[i] = parent;
   open(x, y, i);
 }
 
 inline void Potential::open(int x, int y, std::size_t i) {
-  state_[i] |= kOpen;
-  queue_.push(std::uint64_t{value_[i]} + heuristic(x, y), pack(x, y));
+  cells_.state[i] |= kOpen;
+  queue_.push(std::uint64_t{cells_.value[i]} + heuristic(x, y), pack(x, y));
 }
 
 }  // namespace trident::nav

@@ -30,18 +30,19 @@ PoseSearch::Result PoseSearch::search(const CostGrid& grid, const Query& query,
 void PoseSearch::begin(const CostGrid& grid, const Query& query) {
   grid_ = grid;
   query_ = query;
-  cos_ = std::cos(query.offset);
-  sin_ = std::sin(query.offset);
+  rotation_.cos = std::cos(query.offset);
+  rotation_.sin = std::sin(query.offset);
   ends_.clear();
   for (const Primitive& p : motions_.primitives()) {
-    ends_.push_back({cos_ * p.dx - sin_ * p.dy, sin_ * p.dx + cos_ * p.dy});
+    ends_.push_back(
+        {rotation_.cos * p.dx - rotation_.sin * p.dy, rotation_.sin * p.dx + rotation_.cos * p.dy});
   }
   closed_.reset(grid.geometry, motions_.heading_count());
   nodes_.clear();
   iterations_ = 0;
   until_expansion_ = 0;
-  best_cost_ = std::numeric_limits<float>::infinity();
-  nearest_distance_ = std::numeric_limits<double>::infinity();
+  best_.cost = std::numeric_limits<float>::infinity();
+  nearest_.distance = std::numeric_limits<double>::infinity();
 }
 
 void PoseSearch::add_start() {
@@ -62,14 +63,14 @@ PoseSearch::Result PoseSearch::run(const CancelFlag& cancel) {
     }
     if (!queue_.advance() || is_done(found_at)) break;
     if (!take(queue_.pop())) continue;
-    if (found_at == 0 && std::isfinite(best_cost_)) found_at = iterations_;
+    if (found_at == 0 && std::isfinite(best_.cost)) found_at = iterations_;
   }
-  return std::isfinite(best_cost_) ? Result::kFound : Result::kNoPath;
+  return std::isfinite(best_.cost) ? Result::kFound : Result::kNoPath;
 }
 
 std::optional<PoseSearch::Result> PoseSearch::interrupted(const CancelFlag& cancel) const {
   if (cancel.load(std::memory_order_relaxed)) return Result::kCanceled;
-  if (std::isfinite(best_cost_)) return std::nullopt;
+  if (std::isfinite(best_.cost)) return std::nullopt;
   if (std::chrono::steady_clock::now() > query_.deadline) return Result::kTimeout;
   if (query_.max_iterations < 0) return std::nullopt;
   if (static_cast<std::int64_t>(iterations_) < query_.max_iterations) return std::nullopt;
@@ -77,9 +78,9 @@ std::optional<PoseSearch::Result> PoseSearch::interrupted(const CancelFlag& canc
 }
 
 bool PoseSearch::is_done(std::size_t found_at) const {
-  if (nearest_distance_ < query_.stop_within) return true;
-  if (!std::isfinite(best_cost_)) return false;
-  if (queue_.lower_bound() >= key_of(best_cost_)) return true;
+  if (nearest_.distance < query_.stop_within) return true;
+  if (!std::isfinite(best_.cost)) return false;
+  if (queue_.lower_bound() >= key_of(best_.cost)) return true;
   return iterations_ - found_at >= static_cast<std::size_t>(options_.max_on_approach_iterations);
 }
 
@@ -94,7 +95,7 @@ bool PoseSearch::take(const Candidate& candidate) {
   if (closed_.contains(cell.x, cell.y, node.heading)) return false;
   if (!candidate.has_curve && is_deferred(candidate, node)) return false;
   if (!query_.checker->is_free({from.x, from.y, pose_of(from).yaw}, motions_.poses(p), p.pose_count,
-                               cos_, sin_)) {
+                               rotation_.cos, rotation_.sin)) {
     return false;
   }
   closed_.insert(cell.x, cell.y, node.heading);
@@ -125,9 +126,9 @@ void PoseSearch::add_node(const Node& node) {
   nodes_.push_back(node);
   ++iterations_;
   const double line = distance(node.x, node.y, query_.goal.x, query_.goal.y);
-  if (line < nearest_distance_) {
-    nearest_distance_ = line;
-    nearest_node_ = index;
+  if (line < nearest_.distance) {
+    nearest_.distance = line;
+    nearest_.node = index;
   }
   if (--until_expansion_ <= 0) {
     if (line <= options_.max_expansion_length) try_goal(index);
@@ -148,7 +149,7 @@ void PoseSearch::expand(std::uint32_t index) {
     if (closed_.contains(cell.x, cell.y, p.end_heading)) continue;
     const float rest = estimate(cell.x, cell.y);
     const float g = from.g + motion_cost(from, p, grid_.at(cell));
-    if (!(g + rest < best_cost_)) continue;
+    if (!(g + rest < best_.cost)) continue;
     queue_.push(key_of(g + options_.estimate_weight * rest),
                 {index, g, static_cast<std::uint16_t>(i), false});
   }
@@ -173,11 +174,11 @@ void PoseSearch::try_goal(std::uint32_t index) {
   const int max_cost =
       options_.overrides_max_cost && is_near ? kLethalCost : options_.max_expansion_cost;
   const double rest = query_.checker->cost(curve, from, max_cost);
-  if (!(node.g + rest < static_cast<double>(best_cost_))) return;
+  if (!(node.g + rest < static_cast<double>(best_.cost))) return;
   if (!query_.checker->is_free(curve, from)) return;
-  best_cost_ = static_cast<float>(node.g + rest);
-  best_curve_ = curve;
-  best_node_ = index;
+  best_.cost = static_cast<float>(node.g + rest);
+  best_.curve = curve;
+  best_.node = index;
 }
 
 float PoseSearch::estimate(int x, int y) const {
@@ -214,7 +215,7 @@ TravelPath PoseSearch::trace(std::uint32_t node, bool to_goal) const {
     const Node& end = nodes_[chain[i]];
     append_motion(nodes_[end.parent], motions_.primitives()[end.primitive], path);
   }
-  if (to_goal) query_.checker->append(best_curve_, path);
+  if (to_goal) query_.checker->append(best_.curve, path);
   return path;
 }
 
@@ -227,8 +228,8 @@ void PoseSearch::append_motion(const Node& from, const Primitive& p, TravelPath&
     const bool is_end = i + 1 == p.pose_count;
     if (!is_end && distance(last.x, last.y, poses[i + 1].x, poses[i + 1].y) <= 1.0) continue;
     last = poses[i];
-    const Pose2 pose{from.x + cos_ * last.x - sin_ * last.y, from.y + sin_ * last.x + cos_ * last.y,
-                     yaw + last.yaw};
+    const Pose2 pose{from.x + rotation_.cos * last.x - rotation_.sin * last.y,
+                     from.y + rotation_.sin * last.x + rotation_.cos * last.y, yaw + last.yaw};
     path.points.push_back({pose, p.turn != 0, p.reverses});
   }
 }

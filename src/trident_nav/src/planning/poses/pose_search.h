@@ -63,12 +63,12 @@ class PoseSearch {
 
   Result search(const CostGrid& grid, const Query& query, const CancelFlag& cancel);
   /// The path of the last search that found one.
-  TravelPath path() const { return trace(best_node_, true); }
-  double cost() const { return best_cost_; }
+  TravelPath path() const { return trace(best_.node, true); }
+  double cost() const { return best_.cost; }
   /// The path to the pose nearest to the goal that the last search came to.
-  TravelPath nearest_path() const { return trace(nearest_node_, false); }
-  double nearest_cost() const { return static_cast<double>(nodes_[nearest_node_].g); }
-  double nearest_distance() const { return nearest_distance_; }
+  TravelPath nearest_path() const { return trace(nearest_.node, false); }
+  double nearest_cost() const { return static_cast<double>(nodes_[nearest_.node].g); }
+  double nearest_distance() const { return nearest_.distance; }
   std::size_t iterations() const { return iterations_; }
 
  private:
@@ -88,6 +88,21 @@ class PoseSearch {
   };
   struct Offset {
     double x, y;
+  };
+  /// Of the query's offset.
+  struct Rotation {
+    double cos = 1.0, sin = 0.0;
+  };
+  /// The cheapest path into the goal so far: a node, and the curve from it.
+  struct Best {
+    std::uint32_t node = 0;
+    MotionCurve curve;
+    float cost = 0.0F;
+  };
+  /// The node nearest to the goal so far.
+  struct Nearest {
+    std::uint32_t node = 0;
+    double distance = 0.0;
   };
   static constexpr std::uint16_t kNoPrimitive = 0xFFFF;
 
@@ -118,14 +133,12 @@ class PoseSearch {
   std::vector<Offset> ends_;  ///< Of the primitives, turned by the query's offset.
   std::vector<Node> nodes_;
   BucketQueue<Candidate> queue_;
-  double cos_ = 1.0, sin_ = 0.0;
+  Rotation rotation_;
   std::uint64_t base_key_ = 0;
   std::size_t iterations_ = 0;
   int until_expansion_ = 0;
-  std::uint32_t best_node_ = 0, nearest_node_ = 0;
-  MotionCurve best_curve_;
-  float best_cost_ = 0.0F;
-  double nearest_distance_ = 0.0;
+  Best best_;
+  Nearest nearest_;
 };
 
 }  // namespace trident::nav

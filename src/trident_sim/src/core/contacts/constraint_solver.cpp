@@ -35,8 +35,8 @@ Eigen::Vector3d bounded(const Eigen::Vector3d& v, double limit) {
 
 /// Hands the forces of this step to ODE.
 void load(const EngineBody& body) {
-  const double smallest_inertia = body.inertia.diagonal().minCoeff();
-  const Eigen::Vector3d force = bounded(body.force, kMaxAcceleration * body.mass_kg);
+  const double smallest_inertia = body.composite.inertia.diagonal().minCoeff();
+  const Eigen::Vector3d force = bounded(body.force, kMaxAcceleration * body.composite.mass_kg);
   const Eigen::Vector3d torque =
       bounded(body.torque + gyroscopic_torque(body), kMaxAcceleration * smallest_inertia);
   dBodySetForce(body.ode, force.x(), force.y(), force.z());
@@ -94,11 +94,11 @@ void ConstraintSolver::add(const Touch& touch) {
 void ConstraintSolver::solve(const std::vector<EngineBody*>& bodies,
                              const std::vector<Joint*>& joints, double dt_s) {
   gather(bodies, joints);
-  if (held_.empty()) return forget();
+  if (held_.bodies.empty()) return forget();
   dWorldSetCFM(world_, joints.empty() ? spec_.cfm : std::max(spec_.cfm, kMinJointCfm));
   for (Joint* joint : joints) prepare_ode_joint(*joint, spec_.erp, dt_s);
   for (Joint* joint : joints) apply_efforts(*joint, dt_s);
-  for (const EngineBody* body : held_) load(*body);
+  for (const EngineBody* body : held_.bodies) load(*body);
   active_.assign(bodies.size(), 1);
   is_solved_twice_.assign(bodies.size(), 0);
   friction_.resize(bodies.size());
@@ -107,8 +107,9 @@ void ConstraintSolver::solve(const std::vector<EngineBody*>& bodies,
   const bool any_bounded = choose_bounded();
   keep_normals(Pass::kPose);
   if (any_bounded) {
-    poses_.resize(held_.size());
-    for (std::size_t i = 0; i < held_.size(); ++i) poses_[i] = ode_pose(*held_[i]);
+    held_.poses.resize(held_.bodies.size());
+    for (std::size_t i = 0; i < held_.bodies.size(); ++i)
+      held_.poses[i] = ode_pose(*held_.bodies[i]);
     put_back_active();
     solve_pass(Pass::kVelocity, dt_s);
     keep_normals(Pass::kVelocity);
@@ -123,13 +124,13 @@ void ConstraintSolver::gather(const std::vector<EngineBody*>& bodies,
     islands_.add_rows(first, kRowsPerJoint);
     for (const Body* body : joint->held) islands_.join(first, engine_body(body)->number);
   }
-  held_.clear();
-  island_.clear();
+  held_.bodies.clear();
+  held_.islands.clear();
   for (EngineBody* body : bodies) {
     if (!is_constrained(*body)) continue;
     push(*body);  // joints are read where ODE has their bodies
-    held_.push_back(body);
-    island_.push_back(islands_.first_of_island(body->number));
+    held_.bodies.push_back(body);
+    held_.islands.push_back(islands_.first_of_island(body->number));
   }
 }
 
@@ -161,29 +162,30 @@ void ConstraintSolver::solve_pass(Pass pass, double dt_s) {
 /// ODE goes through an island from its first enabled body on and wakes the others: enabling the one
 /// of the first name makes the order of rows, hence rounding, independent of who came first.
 void ConstraintSolver::enable_active() {
-  for (std::size_t i = 0; i < held_.size(); ++i) {
-    if (held_[i]->number == island_[i] && active_[island_[i]]) dBodyEnable(held_[i]->ode);
+  for (std::size_t i = 0; i < held_.bodies.size(); ++i) {
+    if (held_.bodies[i]->number == held_.islands[i] && active_[held_.islands[i]])
+      dBodyEnable(held_.bodies[i]->ode);
   }
 }
 
 void ConstraintSolver::disable_all() const {
-  for (const EngineBody* body : held_) dBodyDisable(body->ode);
+  for (const EngineBody* body : held_.bodies) dBodyDisable(body->ode);
 }
 
 void ConstraintSolver::put_back_active() {
-  for (std::size_t i = 0; i < held_.size(); ++i) {
-    if (!active_[island_[i]]) continue;
-    push(*held_[i]);
-    load(*held_[i]);
-    dBodyDisable(held_[i]->ode);
+  for (std::size_t i = 0; i < held_.bodies.size(); ++i) {
+    if (!active_[held_.islands[i]]) continue;
+    push(*held_.bodies[i]);
+    load(*held_.bodies[i]);
+    dBodyDisable(held_.bodies[i]->ode);
   }
 }
 
 void ConstraintSolver::solve_large(double dt_s) {
-  for (std::size_t i = 0; i < held_.size(); ++i) {
-    const std::size_t island = island_[i];
-    if (held_[i]->number != island || !active_[island] || !is_large(island)) continue;
-    dBodyEnable(held_[i]->ode);
+  for (std::size_t i = 0; i < held_.bodies.size(); ++i) {
+    const std::size_t island = held_.islands[i];
+    if (held_.bodies[i]->number != island || !active_[island] || !is_large(island)) continue;
+    dBodyEnable(held_.bodies[i]->ode);
     if (!solve_iteratively(spec_.iterations, dt_s)) give_up(island);
     active_[island] = 0;
   }
@@ -210,11 +212,11 @@ bool ConstraintSolver::solve_exactly(double dt_s) {
 }
 
 void ConstraintSolver::put_back(std::size_t island) {
-  for (std::size_t i = 0; i < held_.size(); ++i) {
-    if (island_[i] != island) continue;
-    push(*held_[i]);
-    load(*held_[i]);
-    dBodyDisable(held_[i]->ode);
+  for (std::size_t i = 0; i < held_.bodies.size(); ++i) {
+    if (held_.islands[i] != island) continue;
+    push(*held_.bodies[i]);
+    load(*held_.bodies[i]);
+    dBodyDisable(held_.bodies[i]->ode);
   }
 }
 
@@ -222,8 +224,8 @@ void ConstraintSolver::put_back(std::size_t island) {
 void ConstraintSolver::give_up(std::size_t island) {
   put_back(island);
   const double none = std::numeric_limits<double>::quiet_NaN();
-  for (std::size_t i = 0; i < held_.size(); ++i) {
-    if (island_[i] == island) dBodySetLinearVel(held_[i]->ode, none, none, none);
+  for (std::size_t i = 0; i < held_.bodies.size(); ++i) {
+    if (held_.islands[i] == island) dBodySetLinearVel(held_.bodies[i]->ode, none, none, none);
   }
 }
 
@@ -232,15 +234,15 @@ void ConstraintSolver::give_up(std::size_t island) {
 /// other solver, the others to the same result.
 void ConstraintSolver::solve_one_by_one(double dt_s) {
   put_back_active();
-  for (std::size_t i = 0; i < held_.size(); ++i) {
-    const std::size_t island = island_[i];
-    if (held_[i]->number != island || !active_[island]) continue;
-    dBodyEnable(held_[i]->ode);
+  for (std::size_t i = 0; i < held_.bodies.size(); ++i) {
+    const std::size_t island = held_.islands[i];
+    if (held_.bodies[i]->number != island || !active_[island]) continue;
+    dBodyEnable(held_.bodies[i]->ode);
     const bool solved = solve_exactly(dt_s);
     disable_all();
     if (solved) continue;
     put_back(island);
-    dBodyEnable(held_[i]->ode);
+    dBodyEnable(held_.bodies[i]->ode);
     if (!solve_iteratively(std::max(spec_.iterations, kFallbackIterations), dt_s)) give_up(island);
     active_[island] = 0;
   }
@@ -282,12 +284,12 @@ void ConstraintSolver::make_joints(Pass pass, bool limits_known) {
 }
 
 void ConstraintSolver::finish(double dt_s) {
-  for (std::size_t i = 0; i < held_.size(); ++i) {
-    EngineBody& body = *held_[i];
+  for (std::size_t i = 0; i < held_.bodies.size(); ++i) {
+    EngineBody& body = *held_.bodies[i];
     pull(body);
-    if (is_solved_twice_[island_[i]]) {
-      body.T_world_body.p = poses_[i].p;
-      body.set_orientation(poses_[i].R);
+    if (is_solved_twice_[held_.islands[i]]) {
+      body.T_world_body.p = held_.poses[i].p;
+      body.set_orientation(held_.poses[i].R);
     }
     apply_velocity_decay(body, dt_s);
   }

@@ -78,6 +78,12 @@ class ConstraintSolver {
   const std::vector<Touch>& touches() const { return touches_; }
 
  private:
+  /// Bodies that are constrained.
+  struct Held {
+    std::vector<EngineBody*> bodies;
+    std::vector<std::size_t> islands;  ///< of each of them
+    std::vector<SE3> poses;            ///< of each of them, from the first pass
+  };
   /// How the rounds of friction of an island stand.
   struct Friction {
     double error_n, largest_n;      ///< of the last round
@@ -118,9 +124,7 @@ class ConstraintSolver {
   PhysicsSpec spec_;
   Islands islands_;
   std::vector<Touch> touches_;
-  std::vector<EngineBody*> held_;    ///< bodies that are constrained
-  std::vector<std::size_t> island_;  ///< of each of them
-  std::vector<SE3> poses_;           ///< of each of them, from the first pass
+  Held held_;
   // By the number of an island's first body.
   std::vector<char> active_;  ///< whether the next solution is for it
   std::vector<char> is_solved_twice_;

@@ -57,8 +57,8 @@ void ConstraintSolver::remember() {
 
 /// Small islands of which every contact was there in the last step.
 void ConstraintSolver::choose_warm(Pass pass) {
-  for (std::size_t i = 0; i < held_.size(); ++i) {
-    is_warm_[island_[i]] = active_[island_[i]] && !is_large(island_[i]);
+  for (std::size_t i = 0; i < held_.bodies.size(); ++i) {
+    is_warm_[held_.islands[i]] = active_[held_.islands[i]] && !is_large(held_.islands[i]);
   }
   for (Touch& touch : touches_) {
     const std::size_t island = island_of(touch);

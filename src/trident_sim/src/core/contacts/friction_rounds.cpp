@@ -92,9 +92,9 @@ bool ConstraintSolver::measure_friction() {
     friction.error_n = std::max(friction.error_n, error_of_normal(touch));
   }
   bool any = false;
-  for (std::size_t i = 0; i < held_.size(); ++i) {
-    const std::size_t island = island_[i];
-    if (held_[i]->number != island || !active_[island]) continue;
+  for (std::size_t i = 0; i < held_.bodies.size(); ++i) {
+    const std::size_t island = held_.islands[i];
+    if (held_.bodies[i]->number != island || !active_[island]) continue;
     const Friction& friction = friction_[island];
     active_[island] = friction.error_n > kTolerance * friction.largest_n;
     any = any || active_[island];
@@ -106,7 +106,7 @@ bool ConstraintSolver::measure_friction() {
 /// two rounds (Aitken's relaxation, see U. Kuettler, W. Wall, Comput. Mech. 43, 2008, eq. 44).
 void ConstraintSolver::relax_friction(bool first) {
   constexpr double kMinRelaxation = 0.1, kMaxRelaxation = 10.0;
-  for (const std::size_t island : island_) {
+  for (const std::size_t island : held_.islands) {
     friction_[island].toward = friction_[island].squared_change = 0.0;
     if (first) friction_[island].relaxation = 1.0;
   }
@@ -118,9 +118,9 @@ void ConstraintSolver::relax_friction(bool first) {
     friction.squared_change += (change - touch.change_n) * (change - touch.change_n);
     touch.change_n = change;
   }
-  for (std::size_t i = 0; i < held_.size(); ++i) {
-    if (held_[i]->number != island_[i]) continue;
-    Friction& friction = friction_[island_[i]];
+  for (std::size_t i = 0; i < held_.bodies.size(); ++i) {
+    if (held_.bodies[i]->number != held_.islands[i]) continue;
+    Friction& friction = friction_[held_.islands[i]];
     if (friction.toward == 0.0 || !(friction.squared_change > 0.0)) continue;
     friction.relaxation =
         std::clamp(-friction.relaxation * friction.toward / friction.squared_change, kMinRelaxation,

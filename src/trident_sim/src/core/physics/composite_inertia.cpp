@@ -66,15 +66,15 @@ RotorInertia rotor_inertia(const LinkSpec& link, const Eigen::Vector3d& rotor_ax
 void set_inertia(EngineBody& body, const CompositeInertia& inertia,
                  const Eigen::Quaterniond& R_model_body) {
   const Eigen::Matrix3d R = R_model_body.toRotationMatrix();
-  body.mass_kg = inertia.mass_kg;
-  body.inertia = R.transpose() * inertia.inertia * R;
-  body.inertia_inverse = body.inertia.inverse();
-  body.weight_kg = inertia.weight_kg;
-  body.p_weight = R.transpose() * (inertia.p_model_weight - inertia.p_model_com);
-  const Eigen::Matrix3d& I = body.inertia;
+  body.composite.mass_kg = inertia.mass_kg;
+  body.composite.inertia = R.transpose() * inertia.inertia * R;
+  body.composite.inertia_inverse = body.composite.inertia.inverse();
+  body.composite.weight_kg = inertia.weight_kg;
+  body.composite.p_weight = R.transpose() * (inertia.p_model_weight - inertia.p_model_com);
+  const Eigen::Matrix3d& I = body.composite.inertia;
   dMass mass;
-  dMassSetParameters(&mass, body.mass_kg, 0, 0, 0, I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2),
-                     I(1, 2));
+  dMassSetParameters(&mass, body.composite.mass_kg, 0, 0, 0, I(0, 0), I(1, 1), I(2, 2), I(0, 1),
+                     I(0, 2), I(1, 2));
   dBodySetMass(body.ode, &mass);
   if (body.kinematic) dBodySetKinematic(body.ode);  // which a mass ends
 }

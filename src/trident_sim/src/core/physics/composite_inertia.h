@@ -28,10 +28,7 @@ struct CompositeInertia {
 /// A rotor loads its carrier across its axis only: about the axis it is free.
 CompositeInertia compose_inertia(const std::vector<BodyPart>& parts);
 
-/// Inertia of a rotor about its own centre of mass [kg m^2], across the axis as a mean.
-struct RotorInertia {
-  double axial, transverse;
-};
+/// Of the links that a rotor joint turns.
 RotorInertia rotor_inertia(const LinkSpec& link, const Eigen::Vector3d& rotor_axis);
 
 /// Gives `body`, whose axes are turned by R_model_body, and its ODE body the inertia.

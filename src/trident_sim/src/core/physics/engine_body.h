@@ -28,27 +28,20 @@ struct EngineGeom final : Geom {
 
 /// A body as the engine knows it: all its state, and its ODE body.
 struct EngineBody final : Body {
-  using Body::angular_damping;
+  using Body::before;
+  using Body::composite;
+  using Body::damping;
   using Body::force;
   using Body::in_contact;
-  using Body::inertia;
-  using Body::inertia_inverse;
   using Body::kinematic;
-  using Body::linear_damping;
-  using Body::mass_kg;
   using Body::name;
-  using Body::p_weight;
   using Body::R_world_body;
   using Body::rotor_momentum;
-  using Body::T_before;
   using Body::T_world_body;
   using Body::T_world_body_initial;
   using Body::torque;
-  using Body::v_before;
   using Body::v_world;
-  using Body::w_before;
   using Body::w_world;
-  using Body::weight_kg;
 
   dBodyID ode = nullptr;
   std::vector<EngineGeom> geoms;
@@ -68,8 +61,8 @@ struct EngineBody final : Body {
     R_world_body = R_world_body_new.toRotationMatrix();
   }
   void state(StateArchive& archive) {
-    archive(T_world_body, R_world_body, v_world, w_world, T_before, v_before, w_before, force,
-            torque, rotor_momentum, in_contact, placed, frozen);
+    archive(T_world_body, R_world_body, v_world, w_world, before.T_world_body, before.v_world,
+            before.w_world, force, torque, rotor_momentum, in_contact, placed, frozen);
   }
 };
 

@@ -6,12 +6,12 @@ namespace trident::sim {
 
 void integrate_free_body(EngineBody& body, double dt_s) {
   if (!body.kinematic) {
-    body.v_world += (dt_s / body.mass_kg) * body.force;
+    body.v_world += (dt_s / body.composite.mass_kg) * body.force;
     const Eigen::Matrix3d& R = body.R_world_body;
     const Eigen::Vector3d w = R.transpose() * body.w_world;
     const Eigen::Vector3d torque =
-        R.transpose() * body.torque - w.cross(body.inertia * w + body.rotor_momentum);
-    body.w_world += dt_s * (R * (body.inertia_inverse * torque));
+        R.transpose() * body.torque - w.cross(body.composite.inertia * w + body.rotor_momentum);
+    body.w_world += dt_s * (R * (body.composite.inertia_inverse * torque));
     apply_velocity_decay(body, dt_s);
   }
   body.T_world_body.p += dt_s * body.v_world;

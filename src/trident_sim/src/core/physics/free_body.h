@@ -9,13 +9,13 @@ namespace trident::sim {
 /// -w x (I w + h) in the world frame: h is the momentum of the rotor joints.
 inline Eigen::Vector3d gyroscopic_torque(const EngineBody& body) {
   const Eigen::Vector3d w = body.R_world_body.transpose() * body.w_world;
-  return body.R_world_body * -w.cross(body.inertia * w + body.rotor_momentum);
+  return body.R_world_body * -w.cross(body.composite.inertia * w + body.rotor_momentum);
 }
 
 /// Gazebo's <velocity_decay>.
 inline void apply_velocity_decay(EngineBody& body, double dt_s) {
-  if (body.linear_damping > 0.0) body.v_world *= std::max(0.0, 1.0 - dt_s * body.linear_damping);
-  if (body.angular_damping > 0.0) body.w_world *= std::max(0.0, 1.0 - dt_s * body.angular_damping);
+  if (body.damping.linear > 0.0) body.v_world *= std::max(0.0, 1.0 - dt_s * body.damping.linear);
+  if (body.damping.angular > 0.0) body.w_world *= std::max(0.0, 1.0 - dt_s * body.damping.angular);
 }
 
 /// Not a number, or beyond what any vehicle does: the next steps could only make it worse.

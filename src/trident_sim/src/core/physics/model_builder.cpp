@@ -149,8 +149,8 @@ class Builder {
     body->T_world_body_initial = body->T_world_body;
     // Of links that are fixed to each other only the first one's switches count.
     body->kinematic = first.kinematic;
-    body->linear_damping = first.linear_damping;
-    body->angular_damping = first.angular_damping;
+    body->damping.linear = first.linear_damping;
+    body->damping.angular = first.angular_damping;
     body->self_collide = spec_.self_collide;
     body->owner = &model_;
     make_ode_body(*body);
@@ -283,9 +283,7 @@ class Builder {
   void make_rotor(Joint& joint) const {
     joint.is_rotor = true;
     const LinkSpec& spec = spec_.links[index_.at(joint.spec.child)];
-    const RotorInertia inertia = rotor_inertia(spec, joint.spec.axis_model);
-    joint.axial_inertia = inertia.axial;
-    joint.transverse_inertia = inertia.transverse;
+    joint.rotor_inertia = rotor_inertia(spec, joint.spec.axis_model);
     if (joint.child->body == nullptr) return;
     const Eigen::Quaterniond R_world_model = model_.T_world_model_initial.R;
     joint.axis_body =

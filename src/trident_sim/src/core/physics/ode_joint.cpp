@@ -231,9 +231,9 @@ std::unique_ptr<Body> make_shaft(const Model& model, const Joint& joint, dWorldI
   if (body_of(joint.parent) != nullptr) {
     inertia = std::min(inertia, joint.parent->body->inertia_tensor().trace());
   }
-  shaft->mass_kg = 1.0;
-  shaft->inertia = kLight * inertia * Eigen::Matrix3d::Identity();
-  shaft->inertia_inverse = shaft->inertia.inverse();
+  shaft->composite.mass_kg = 1.0;
+  shaft->composite.inertia = kLight * inertia * Eigen::Matrix3d::Identity();
+  shaft->composite.inertia_inverse = shaft->composite.inertia.inverse();
   shaft->T_world_body = shaft->T_world_body_initial = joint.child->body->pose();
   shaft->set_orientation(shaft->T_world_body.R);
   shaft->owner = &model;

@@ -19,15 +19,17 @@ constexpr int kMaxContacts = 250;
 bool is_constrained(const EngineBody& body) { return body.joint_count > 0 || body.in_contact; }
 
 void pull_down(EngineBody& body, const Eigen::Vector3d& gravity) {
-  const Eigen::Vector3d weight = body.weight_kg * gravity;
+  const Eigen::Vector3d weight = body.composite.weight_kg * gravity;
   body.force += weight;
-  if (!body.p_weight.isZero(0.0)) body.torque += (body.R_world_body * body.p_weight).cross(weight);
+  if (!body.composite.p_weight.isZero(0.0))
+    body.torque += (body.R_world_body * body.composite.p_weight).cross(weight);
 }
 
 }  // namespace
 
 PhysicsEngine::PhysicsEngine(const PhysicsSpec& spec, bool rotor_axes_lag, Report report)
-    : report_(std::move(report)), rotor_axes_lag_(rotor_axes_lag), contact_buffer_(1) {
+    : report_(std::move(report)), contact_buffer_(1) {
+  rotors_.axes_lag = rotor_axes_lag;
   init_ode();
   world_ = dWorldCreate();
   solver_ = std::make_unique<ConstraintSolver>(world_);
@@ -67,18 +69,18 @@ PhysicsEngine::StaticGeom PhysicsEngine::as_static(EngineGeom& geom) {
 void PhysicsEngine::list_joints(const Model& model) {
   for (const auto& joint : model.joints) {
     if (joint->ode != nullptr) ode_joints_.push_back(joint.get());
-    if (joint->is_rotor && joint->child->body != nullptr) rotor_joints_.push_back(joint.get());
+    if (joint->is_rotor && joint->child->body != nullptr) rotors_.joints.push_back(joint.get());
   }
 }
 
 /// Rotors of one body follow each other.
 void PhysicsEngine::list_rotor_carriers() {
-  for (std::size_t i = 0; i < rotor_joints_.size(); ++i) {
-    EngineBody* body = engine_body(rotor_joints_[i]->child->body);
-    if (rotor_carriers_.empty() || rotor_carriers_.back().body != body) {
-      rotor_carriers_.push_back({body, i, i});
+  for (std::size_t i = 0; i < rotors_.joints.size(); ++i) {
+    EngineBody* body = engine_body(rotors_.joints[i]->child->body);
+    if (rotors_.carriers.empty() || rotors_.carriers.back().body != body) {
+      rotors_.carriers.push_back({body, i, i});
     }
-    rotor_carriers_.back().last = i + 1;
+    rotors_.carriers.back().last = i + 1;
   }
 }
 
@@ -86,8 +88,8 @@ void PhysicsEngine::set_models(const std::vector<Model*>& models) {
   const std::vector<EngineBody*> before = std::move(bodies_);
   bodies_.clear();
   ode_joints_.clear();
-  rotor_joints_.clear();
-  rotor_carriers_.clear();
+  rotors_.joints.clear();
+  rotors_.carriers.clear();
   statics_.clear();
   reported_contacts_.clear();
   for (Model* model : models) {
@@ -120,9 +122,9 @@ void PhysicsEngine::state(StateArchive& archive) {
 void PhysicsEngine::begin_step() {
   for (EngineBody* body : bodies_) {
     body->in_contact = false;
-    body->T_before = body->T_world_body;
-    body->v_before = body->v_world;
-    body->w_before = body->w_world;
+    body->before.T_world_body = body->T_world_body;
+    body->before.v_world = body->v_world;
+    body->before.w_world = body->w_world;
     pull_down(*body, gravity_);
   }
 }
@@ -167,41 +169,42 @@ void PhysicsEngine::freeze(EngineBody& body) {
             "': its state grows without bound (over 1e5 m/s, 1e4 rad/s or 1e7 m, or not a number); "
             "it stands still from here until a reset");
   }
-  body.T_world_body.p = body.T_before.p;
-  body.set_orientation(body.T_before.R);
+  body.T_world_body.p = body.before.T_world_body.p;
+  body.set_orientation(body.before.T_world_body.R);
   body.v_world.setZero();
   body.w_world.setZero();
   body.frozen = true;
 }
 
 void PhysicsEngine::load_rotors(double dt_s) {
-  for (const RotorCarrier& carrier : rotor_carriers_) {
+  for (const RotorCarrier& carrier : rotors_.carriers) {
     EngineBody& body = *carrier.body;
     body.rotor_momentum.setZero();
     Eigen::Vector3d reaction = Eigen::Vector3d::Zero();
     for (std::size_t i = carrier.first; i < carrier.last; ++i) {
-      const Joint& joint = *rotor_joints_[i];
-      body.rotor_momentum += joint.axial_inertia * joint.rotor_velocity * joint.axis_body;
-      if (rotor_axes_lag_) reaction += rotor_axis_reaction(joint, spec_.erp, dt_s);
+      const Joint& joint = *rotors_.joints[i];
+      body.rotor_momentum += joint.rotor_inertia.axial * joint.rotor_velocity * joint.axis_body;
+      if (rotors_.axes_lag) reaction += rotor_axis_reaction(joint, spec_.erp, dt_s);
     }
-    if (rotor_axes_lag_) body.torque += body.R_world_body * reaction;
+    if (rotors_.axes_lag) body.torque += body.R_world_body * reaction;
   }
 }
 
 void PhysicsEngine::advance_rotors(double dt_s) {
   // Nothing turns a rotor about its axis within a step, so it keeps its rate in space and the
   // carrier's own turning shows in the joint rate; its motor sets the rate again in the next step.
-  for (const RotorCarrier& carrier : rotor_carriers_) {
+  for (const RotorCarrier& carrier : rotors_.carriers) {
     const EngineBody& body = *carrier.body;
     const Eigen::Vector3d w_body = body.R_world_body.transpose() * body.w_world;
-    const Eigen::Vector3d dw_body = body.R_world_body.transpose() * (body.w_world - body.w_before);
+    const Eigen::Vector3d dw_body =
+        body.R_world_body.transpose() * (body.w_world - body.before.w_world);
     for (std::size_t i = carrier.first; i < carrier.last; ++i) {
-      Joint& joint = *rotor_joints_[i];
+      Joint& joint = *rotors_.joints[i];
       joint.rotor_position += dt_s * joint.rotor_velocity;
       joint.rotor_velocity -= joint.axis_body.dot(dw_body);
     }
-    if (!rotor_axes_lag_) continue;
-    advance_rotor_axes({&rotor_joints_[carrier.first], carrier.last - carrier.first}, w_body,
+    if (!rotors_.axes_lag) continue;
+    advance_rotor_axes({&rotors_.joints[carrier.first], carrier.last - carrier.first}, w_body,
                        spec_.erp, dt_s);
   }
 }

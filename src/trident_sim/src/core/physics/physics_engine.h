@@ -65,10 +65,16 @@ class PhysicsEngine {
   void state(StateArchive& archive);
 
  private:
-  /// A body with rotors: rotor_joints_[first] to rotor_joints_[last - 1].
+  /// A body with rotors: the joints from `first` to `last` - 1.
   struct RotorCarrier {
     EngineBody* body;
     std::size_t first, last;
+  };
+  /// Joints whose rotors are kept as scalars.
+  struct Rotors {
+    bool axes_lag = false;
+    std::vector<Joint*> joints;
+    std::vector<RotorCarrier> carriers;
   };
   struct StaticGeom {
     EngineGeom* geom;
@@ -105,15 +111,14 @@ class PhysicsEngine {
 
   Report report_;
   PhysicsSpec spec_;
-  bool rotor_axes_lag_;
   Eigen::Vector3d gravity_;
   dWorldID world_;
   std::unique_ptr<ConstraintSolver> solver_;
   std::vector<EngineBody*> bodies_;
   std::vector<Eigen::Vector3d> centers_;  ///< of the bounding spheres, world frame
   std::vector<std::size_t> order_;        ///< bodies by the low end of their x interval
-  std::vector<Joint*> ode_joints_, rotor_joints_;
-  std::vector<RotorCarrier> rotor_carriers_;
+  std::vector<Joint*> ode_joints_;
+  Rotors rotors_;
   std::vector<StaticGeom> statics_;
   std::vector<dContact> contact_buffer_;
   /// A watched contact of this step, and its place among the solver's.

@@ -54,7 +54,7 @@ void advance_pair(Joint& a, Joint& b, const Eigen::Vector3d& w_body, double erp,
 }  // namespace
 
 Eigen::Vector3d rotor_axis_reaction(const Joint& joint, double erp, double dt_s) {
-  return -joint.transverse_inertia * erp / (dt_s * dt_s) *
+  return -joint.rotor_inertia.transverse * erp / (dt_s * dt_s) *
          joint.rotor_axis_body.cross(joint.axis_body);
 }
 

@@ -50,7 +50,7 @@ void move_origin(Model& model, EngineBody& body, const Eigen::Vector3d& shift_bo
     v += w.cross(arm);
   };
   move(body.T_world_body, body.v_world, body.w_world);
-  move(body.T_before, body.v_before, body.w_before);
+  move(body.before.T_world_body, body.before.v_world, body.before.w_world);
   body.T_world_body_initial.p += body.T_world_body_initial.R * shift_body;
   body.bound_center -= shift_body;
   for (const auto& link : model.links) {
@@ -156,9 +156,7 @@ void recompose(Model& model, EngineBody& body) {
       const auto at = std::find_if(links.begin(), links.end(), [&](std::size_t i) {
         return model.links[i].get() == joint->child;
       });
-      const RotorInertia rotor = rotor_inertia(model.spec.links[*at], joint->spec.axis_model);
-      joint->axial_inertia = rotor.axial;
-      joint->transverse_inertia = rotor.transverse;
+      joint->rotor_inertia = rotor_inertia(model.spec.links[*at], joint->spec.axis_model);
     }
     if (std::find(joint->held.begin(), joint->held.end(), &body) != joint->held.end()) {
       anchor_joint(model, *joint);

@@ -5,7 +5,7 @@
 #include <cstddef>
 
 #include "core/physics/engine_body.h"
-#include "trident_sim/axis_params.h"
+#include "trident_sim/world/axis_params.h"
 
 namespace trident::sim {
 

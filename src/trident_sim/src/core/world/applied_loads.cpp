@@ -1,14 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
+#include "trident_sim/world/applied_loads.h"
+
 #include <algorithm>
 #include <cmath>
 
 #include "drop_if.h"
 #include "trident_base/error.h"
-#include "trident_base/sha256.h"
 #include "trident_sim/motion_limits.h"
-#include "trident_sim/sea.h"
-#include "trident_sim/world.h"
 
 namespace trident::sim {
 namespace {
@@ -29,7 +28,7 @@ void check_drivable(const Joint& joint, std::size_t axis) {
 
 }  // namespace
 
-void World::apply_wrench(const AppliedWrench& wrench) {
+void AppliedLoads::apply_wrench(const AppliedWrench& wrench) {
   if (!is_within(wrench.force_world, kStrongest) || !is_within(wrench.torque_world, kStrongest) ||
       !is_within(wrench.p_link, kFarthestBodyM)) {
     throw Error("wrench on link '" + wrench.link->name +
@@ -41,11 +40,11 @@ void World::apply_wrench(const AppliedWrench& wrench) {
   wrenches_.push_back(wrench);
 }
 
-void World::clear_wrenches(const Link& link) {
+void AppliedLoads::clear_wrenches(const Link& link) {
   drop_if(wrenches_, [&link](const AppliedWrench& w) { return w.link == &link; });
 }
 
-void World::apply_effort(const AppliedEffort& effort) {
+void AppliedLoads::apply_effort(const AppliedEffort& effort) {
   if (!(std::abs(effort.effort) <= kStrongest)) {
     throw Error("effort on joint '" + effort.joint->spec.name + "' is not finite, or beyond 1e15");
   }
@@ -53,32 +52,32 @@ void World::apply_effort(const AppliedEffort& effort) {
   efforts_.push_back(effort);
 }
 
-void World::clear_efforts(const Joint& joint) {
+void AppliedLoads::clear_efforts(const Joint& joint) {
   drop_if(efforts_, [&joint](const AppliedEffort& e) { return e.joint == &joint; });
 }
 
 /// Made before the old one is removed, so that bad values leave that in place.
-JointDrive& World::add_drive(Joint& joint, const DriveSpec& spec, std::size_t axis) {
+JointDrive& AppliedLoads::add_drive(Joint& joint, const DriveSpec& spec, std::size_t axis) {
   auto drive = std::make_unique<JointDrive>(joint, axis, spec);
   remove_drive(joint, axis);
   drives_.push_back(std::move(drive));
   return *drives_.back();
 }
 
-JointDrive* World::find_drive(const Joint& joint, std::size_t axis) const {
+JointDrive* AppliedLoads::find_drive(const Joint& joint, std::size_t axis) const {
   for (const auto& drive : drives_) {
     if (&drive->joint() == &joint && drive->axis() == axis) return drive.get();
   }
   return nullptr;
 }
 
-void World::remove_drive(const Joint& joint, std::size_t axis) {
+void AppliedLoads::remove_drive(const Joint& joint, std::size_t axis) {
   drop_if(drives_,
           [&](const auto& drive) { return &drive->joint() == &joint && drive->axis() == axis; });
 }
 
 /// Drives may have come and gone since the snapshot, so that they are copied instead of exchanged.
-void World::restore_drives(const std::vector<JointDrive>& drives) {
+void AppliedLoads::restore_drives(const std::vector<JointDrive>& drives) {
   std::vector<std::unique_ptr<JointDrive>> restored;
   for (const JointDrive& then : drives) {
     // A holder of a drive keeps it: it stays the same object.
@@ -93,7 +92,7 @@ void World::restore_drives(const std::vector<JointDrive>& drives) {
 }
 
 /// In the order in which they were applied: sums of floating-point numbers depend on it.
-void World::apply_external(const StepInfo& info) {
+void AppliedLoads::apply_wrenches_and_efforts(const StepInfo& info) {
   drop_if(wrenches_, [&](const auto& w) { return finished(w.start, w.duration, info); });
   drop_if(efforts_, [&](const auto& e) { return finished(e.start, e.duration, info); });
   for (const AppliedWrench& wrench : wrenches_) {
@@ -107,39 +106,25 @@ void World::apply_external(const StepInfo& info) {
   }
 }
 
-namespace {
-
-void add_numbers(const double* first, int count, Sha256& hash) {
-  for (int i = 0; i < count; ++i) hash.update_double(first[i]);
+void AppliedLoads::apply_loads(const StepInfo& info) {
+  if (!wrenches_.empty() || !efforts_.empty()) apply_wrenches_and_efforts(info);
+  for (const auto& drive : drives_) drive->apply(info.dt_s);
 }
 
-void add_state(const Model& model, Sha256& hash) {
-  for (const auto& body : model.bodies) {
-    const SE3& T = body->pose();
-    add_numbers(T.p.data(), 3, hash);
-    add_numbers(T.R.coeffs().data(), 4, hash);
-    add_numbers(body->velocity().data(), 3, hash);
-    add_numbers(body->angular_velocity().data(), 3, hash);
-  }
-  for (const auto& joint : model.joints) {
-    if (joint->is_rotor) hash.update_double(joint->rotor_velocity);
-  }
+void AppliedLoads::reset_loads() {
+  wrenches_.clear();
+  efforts_.clear();
+  for (const auto& drive : drives_) drive->reset();
 }
 
-}  // namespace
-
-/// Only what two runs must have in common: names, poses, velocities, rotors, sea and air. Two equal
-/// hashes are the evidence that a run was repeated to the bit.
-std::string World::state_hash() const {
-  Sha256 hash;
-  hash.update_double(static_cast<double>(step_count_));
-  for (const auto& [name, model] : models_) {
-    hash.update_string(name);
-    add_state(*model, hash);
-  }
-  if (const auto sea = find_sea(*this)) hash.update_string(sea->state_text());
-  if (const auto air = find_air(*this)) hash.update_string(air->state_text());
-  return hash.hex_digest();
+void AppliedLoads::drop_loads_on(const Model& model) {
+  const auto of_model = [&model](const Link* link) {
+    return std::any_of(model.links.begin(), model.links.end(),
+                       [link](const auto& own) { return own.get() == link; });
+  };
+  drop_if(wrenches_, [&](const AppliedWrench& w) { return of_model(w.link); });
+  drop_if(efforts_, [&](const AppliedEffort& e) { return of_model(e.joint->child); });
+  drop_if(drives_, [&](const auto& drive) { return of_model(drive->joint().child); });
 }
 
 }  // namespace trident::sim

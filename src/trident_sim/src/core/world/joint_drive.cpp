@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-#include "trident_sim/joint_drive.h"
+#include "trident_sim/world/joint_drive.h"
 
 #include <algorithm>
 #include <cmath>

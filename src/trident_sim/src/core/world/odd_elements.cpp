@@ -26,20 +26,6 @@ bool falls(const Model& model) {
 
 }  // namespace
 
-void World::report_odd(const std::string& text) {
-  odd_elements_.push_back(text);
-  report(Severity::kWarning, text);
-}
-
-void World::leave_out_if_odd(const std::function<void()>& load) {
-  try {
-    load();
-  } catch (const Error& error) {
-    if (options_.odd_elements == OddElements::kRefuse) throw;
-    report_odd(std::string(error.what()) + "; left out");
-  }
-}
-
 /// Once in the world, and not where anything could stop a fall: ground, a wall, or the sea.
 void World::report_missing_floor() {
   next_floor_look_ = time_ + kFloorPeriod;

@@ -9,7 +9,8 @@
 #include "core/physics/run_time_changes.h"
 #include "trident_base/error.h"
 #include "trident_sim/motion_limits.h"
-#include "trident_sim/world.h"
+#include "trident_sim/plugin.h"
+#include "trident_sim/world/model_set.h"
 
 namespace trident::sim {
 namespace {
@@ -110,8 +111,8 @@ void carry(EngineBody& body, const Body* base, const SE3& T_move) {
   const SE3 moved = T_move * body.T_world_body;
   body.T_world_body.p = moved.p;
   body.set_orientation(moved.R.normalized());
-  body.v_world = body.v_before = v_at(base, moved.p) + T_move.R * v;
-  body.w_world = body.w_before = w_base + T_move.R * w;
+  body.v_world = body.before.v_world = v_at(base, moved.p) + T_move.R * v;
+  body.w_world = body.before.w_world = w_base + T_move.R * w;
 }
 
 /// Joints that can be given a position: one axis, or a universal joint's first.
@@ -163,7 +164,7 @@ double within_limits(const Joint& joint, double position) {
 
 /// Bodies of several links are composed again. A new spawn number makes older snapshots unfit,
 /// since they hold velocities of other centers of mass.
-void World::set_link_inertial(Link& link, const Inertial& inertial, bool gravity) {
+void ModelSet::set_link_inertial(Link& link, const Inertial& inertial, bool gravity) {
   validate(link, inertial);
   Model& model = *model_of(models_, link);
   const auto at = std::find_if(model.links.begin(), model.links.end(),
@@ -179,12 +180,12 @@ void World::set_link_inertial(Link& link, const Inertial& inertial, bool gravity
   for (const auto& plugin : model.plugins) plugin->body_frames_moved();
 }
 
-void World::set_axis_params(Joint& joint, std::size_t axis, const AxisParams& params) {
+void ModelSet::set_axis_params(Joint& joint, std::size_t axis, const AxisParams& params) {
   trident::sim::set_axis_params(joint, axis, params);
 }
 
 /// First all checks, then all moves: an error in the last joint must leave the first where it was.
-std::vector<std::string> World::set_joint_positions(
+std::vector<std::string> ModelSet::set_joint_positions(
     Model& model, const std::vector<std::pair<std::string, double>>& positions) {
   std::vector<std::pair<Joint*, double>> targets;
   std::vector<std::string> clamped;

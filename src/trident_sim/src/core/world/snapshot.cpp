@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
 // Saving and restoring a World.
-#include "trident_sim/snapshot.h"
+#include "trident_sim/world/snapshot.h"
 
 #include <algorithm>
 

@@ -2,10 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trident_sim/world.h"
 
-#include <algorithm>
-
 #include "core/physics/physics_engine.h"
-#include "drop_if.h"
 #include "physics_check.h"
 #include "trident_base/error.h"
 #include "trident_sim/motion_limits.h"
@@ -14,14 +11,10 @@ namespace trident::sim {
 
 World::World(const WorldSpec& spec, const Resources& resources, PluginRegistry& registry,
              WorldOptions options)
-    : name_(spec.name),
+    : WorldSetting(spec, resources, std::move(options)),
+      WorldReports(options_, *this),
       physics_(spec.physics),
-      spherical_(spec.spherical),
-      scene_(spec.scene),
-      lights_(spec.lights),
-      resources_(resources),
       registry_(registry),
-      options_(std::move(options)),
       workers_(options_.sensor_threads) {
   std::vector<std::string> odd;
   validate(physics_, options_.odd_elements == OddElements::kRefuse ? nullptr : &odd);
@@ -31,7 +24,7 @@ World::World(const WorldSpec& spec, const Resources& resources, PluginRegistry& 
       [this](const std::string& text) { report(Severity::kWarning, text); });
   dt_ = SimTime::from_seconds(physics_.max_step_size_s);
   for (const std::string& text : spec.odd_elements) report_odd(text);
-  odd_elements_.insert(odd_elements_.end(), spec.odd_repeats.begin(), spec.odd_repeats.end());
+  add_odd_repeats(spec.odd_repeats);
   for (const ModelSpec& model : spec.models) {
     leave_out_if_odd([&] { add_model(model, ""); });
   }
@@ -55,25 +48,6 @@ World::~World() {
   }
 }
 
-void World::report(Severity severity, const std::string& text) const {
-  if (options_.report) options_.report(severity, text);
-}
-
-/// Reported once by name, counted always: a robot that is refused a command in every step would
-/// fill a log otherwise.
-void World::diagnose(Diagnostic diagnostic) {
-  const Severity severity = diagnostic.severity;
-  const std::string text = diagnostic.subject + ": " + diagnostic.message;
-  if (!note(std::move(diagnostic))) return;
-  if (options_.diagnosed) {
-    options_.diagnosed(severity, text);
-  } else {
-    report(severity, text);
-  }
-}
-
-bool World::note(Diagnostic diagnostic) { return diagnostics_.add(std::move(diagnostic), time_); }
-
 /// The name and pose of the request take the place of the file's.
 Model& World::spawn(const SpawnRequest& request) {
   const std::string label = !request.label.empty()  ? request.label
@@ -90,7 +64,7 @@ Model& World::spawn(const SpawnRequest& request) {
 Model& World::spawn(ModelSpec spec, const std::string& robot_namespace) {
   const std::vector<std::string> odd = std::move(spec.odd_elements);
   for (const std::string& text : odd) report_odd(text);
-  odd_elements_.insert(odd_elements_.end(), spec.odd_repeats.begin(), spec.odd_repeats.end());
+  add_odd_repeats(spec.odd_repeats);
   Model& model = add_model(std::move(spec), robot_namespace);
   report_overlap(model);
   return model;
@@ -133,21 +107,10 @@ void World::report_overlap(const Model& model) {
              {"legal", "<= " + std::to_string(kDeepContact_m) + " m"}}});
 }
 
-/// What the world holds by address must not outlive the links and joints of the model.
-void World::drop_references(const Model& model) {
-  const auto of_model = [&model](const Link* link) {
-    return std::any_of(model.links.begin(), model.links.end(),
-                       [link](const auto& own) { return own.get() == link; });
-  };
-  drop_if(wrenches_, [&](const AppliedWrench& w) { return of_model(w.link); });
-  drop_if(efforts_, [&](const AppliedEffort& e) { return of_model(e.joint->child); });
-  drop_if(drives_, [&](const auto& drive) { return of_model(drive->joint().child); });
-}
-
 void World::remove(const std::string& name) {
   const auto it = models_.find(name);
   if (it == models_.end()) throw Error("model '" + name + "' does not exist");
-  drop_references(*it->second);
+  drop_loads_on(*it->second);
   it->second->plugins.clear();
   engine_->destroy(*it->second);
   diagnostics_.forget_model(name);
@@ -163,28 +126,6 @@ void World::set_physics(const PhysicsSpec& physics) {
   physics_ = checked;
   dt_ = SimTime::from_seconds(physics.max_step_size_s);
   engine_->configure(physics_);
-}
-
-Model* World::find_model(const std::string& name) const {
-  const auto it = models_.find(name);
-  return it == models_.end() ? nullptr : it->second.get();
-}
-
-/// A name without a model must be unique: the second link of that name makes it ambiguous.
-Link* World::find_link(const std::string& scoped_name) const {
-  const auto split = scoped_name.find("::");
-  if (split != std::string::npos) {
-    Model* model = find_model(scoped_name.substr(0, split));
-    if (model != nullptr) return model->find_link(scoped_name.substr(split + 2));
-  }
-  Link* found = nullptr;
-  for (const auto& [name, model] : models_) {
-    Link* link = model->find_link(scoped_name);
-    if (link == nullptr) continue;
-    if (found != nullptr) return nullptr;
-    found = link;
-  }
-  return found;
 }
 
 }  // namespace trident::sim

@@ -15,8 +15,8 @@ void place(EngineBody& body, const SE3& T_world_body, const Eigen::Vector3d& v_w
            const Eigen::Vector3d& w_world) {
   body.T_world_body.p = T_world_body.p;
   body.set_orientation(T_world_body.R);
-  body.v_world = body.v_before = v_world;
-  body.w_world = body.w_before = w_world;
+  body.v_world = body.before.v_world = v_world;
+  body.w_world = body.before.w_world = w_world;
   body.placed = true;
   body.frozen = false;
 }
@@ -35,9 +35,7 @@ void place_as_at_start(Model& model) {
 /// after every reset.
 void World::reset_models() {
   reset_step_ = step_count_;
-  wrenches_.clear();
-  efforts_.clear();
-  for (const auto& drive : drives_) drive->reset();
+  reset_loads();
   for (auto& [name, model] : models_) {
     place_as_at_start(*model);
     engine_->push_state(*model);
@@ -55,7 +53,7 @@ void World::reset() {
 }
 
 /// All bodies move by one rigid transform, so that joints keep their positions.
-void World::set_model_pose(Model& model, const SE3& T_world_model) {
+void ModelSet::set_model_pose(Model& model, const SE3& T_world_model) {
   if (!is_place(T_world_model)) {
     throw Error("model '" + model.name +
                 "': pose is not finite, is beyond 1e7 m or has a zero quaternion");
@@ -72,8 +70,8 @@ void World::set_model_pose(Model& model, const SE3& T_world_model) {
 }
 
 /// The twist of a rigid body: each center of mass moves by v + w x r.
-void World::set_model_twist(Model& model, const Eigen::Vector3d& v_world,
-                            const Eigen::Vector3d& w_world) {
+void ModelSet::set_model_twist(Model& model, const Eigen::Vector3d& v_world,
+                               const Eigen::Vector3d& w_world) {
   if (!is_motion(v_world, w_world)) {
     throw Error("model '" + model.name + "': twist is not finite, or beyond 1e5 m/s or 1e4 rad/s");
   }
@@ -85,8 +83,8 @@ void World::set_model_twist(Model& model, const Eigen::Vector3d& v_world,
   engine_->push_state(model);
 }
 
-void World::set_link_state(Link& link, const SE3& T_world_link, const Eigen::Vector3d& v_world,
-                           const Eigen::Vector3d& w_world) {
+void ModelSet::set_link_state(Link& link, const SE3& T_world_link, const Eigen::Vector3d& v_world,
+                              const Eigen::Vector3d& w_world) {
   if (!is_place(T_world_link) || !is_motion(v_world, w_world)) {
     throw Error("link '" + link.name +
                 "': state is not finite, is beyond 1e7 m, 1e5 m/s or 1e4 rad/s, or has a zero "

@@ -73,8 +73,7 @@ void World::sense(const StepInfo& info) {
 
 void World::actuate(const StepInfo& info) {
   run_phase(Phase::kActuate, info);
-  if (!wrenches_.empty() || !efforts_.empty()) apply_external(info);
-  for (const auto& drive : drives_) drive->apply(info.dt_s);
+  apply_loads(info);
 }
 
 void World::finish_step(const StepInfo& info) {

@@ -158,7 +158,7 @@ class UuvThrusterPlugin : public Plugin {
       : link_(moving_link(context, "linkName")),
         thruster_(read_thruster(context.params)),
         gain_(context.params.number("gain", 1.0, kAny)),
-        setup_(read_setup(context.params)),
+        setup_{read_setup(context.params), {}},
         input_(context, named_topic(context, "inputTopic", "input"), "input of the thruster", "",
                clamp(context.params), ActuatorInput::Source::kStampedTopic),
         thrust_(advertise<StampedNumber>(context, named_topic(context, "thrustTopic", "thrust"),
@@ -169,12 +169,13 @@ class UuvThrusterPlugin : public Plugin {
         setup_port_(
             advertise<ThrusterSetup>(context, own_topic(context, "setup"), PortRank::kState)),
         is_on_(advertise<FlagSample>(context, own_topic(context, "is_on"), PortRank::kState)),
-        thrust_efficiency_(advertise<NumberSample>(context, own_topic(context, "thrust_efficiency"),
-                                                   PortRank::kState)),
-        state_efficiency_(advertise<NumberSample>(
-            context, own_topic(context, "dynamic_state_efficiency"), PortRank::kState)) {
+        efficiencies_{
+            advertise<NumberSample>(context, own_topic(context, "thrust_efficiency"),
+                                    PortRank::kState),
+            advertise<NumberSample>(context, own_topic(context, "dynamic_state_efficiency"),
+                                    PortRank::kState)} {
     const PluginParams& params = context.params;
-    setup_port_->value = setup_now_ = setup_;
+    setup_port_->value = setup_.now = setup_.initial;
     limits_.lo = params.number("thrustMin", kAny.lo, kAny);
     limits_.hi = params.number("thrustMax", kAny.hi, {limits_.lo, kAny.hi});
     if (params.has("jointName")) joint_ = &required_joint(context, "jointName");
@@ -187,9 +188,9 @@ class UuvThrusterPlugin : public Plugin {
   void pre_step(Phase, World& world, const StepInfo& info) override {
     take_changes();
     if (const auto newest = input_.take(world)) command_ = *newest;
-    thruster_.step(setup_now_.is_on ? gain_ * command_ : 0.0, info.dt_s);
-    const double state = setup_now_.dynamic_state_efficiency * thruster_.state_value();
-    const double thrust = std::clamp(setup_now_.thrust_efficiency * thruster_.thrust_at(state),
+    thruster_.step(setup_.now.is_on ? gain_ * command_ : 0.0, info.dt_s);
+    const double state = setup_.now.dynamic_state_efficiency * thruster_.state_value();
+    const double thrust = std::clamp(setup_.now.thrust_efficiency * thruster_.thrust_at(state),
                                      limits_.lo, limits_.hi);
     const SE3 T_world_link = link_.T_world_link();
     const Eigen::Vector3d force = T_world_link.R * Eigen::Vector3d(thrust, 0.0, 0.0);
@@ -204,13 +205,13 @@ class UuvThrusterPlugin : public Plugin {
     command_ = 0.0;
     changes_->clear();
     changes_seen_ = 0;
-    setup_now_ = setup_;
+    setup_.now = setup_.initial;
     publish_setup();
   }
   void state(StateArchive& archive) override {
     thruster_.state(archive);
     input_.state(archive);
-    archive(command_, setup_now_, changes_seen_);
+    archive(command_, setup_.now, changes_seen_);
   }
 
  private:
@@ -224,12 +225,12 @@ class UuvThrusterPlugin : public Plugin {
   void take_changes() {
     for (changes_seen_ = std::max(changes_seen_, changes_->oldest());
          changes_seen_ < changes_->count(); ++changes_seen_) {
-      apply(changes_->at(changes_seen_), &setup_now_);
+      apply(changes_->at(changes_seen_), &setup_.now);
       publish_setup();
     }
   }
   void publish_setup() {
-    setup_port_->value = setup_now_;
+    setup_port_->value = setup_.now;
     setup_port_->publish();
   }
 
@@ -241,9 +242,9 @@ class UuvThrusterPlugin : public Plugin {
   }
 
   void publish(SimTime stamp, double thrust) {
-    write(is_on_, stamp, setup_now_.is_on);
-    write(thrust_efficiency_, stamp, setup_now_.thrust_efficiency);
-    write(state_efficiency_, stamp, setup_now_.dynamic_state_efficiency);
+    write(is_on_, stamp, setup_.now.is_on);
+    write(efficiencies_.thrust, stamp, setup_.now.thrust_efficiency);
+    write(efficiencies_.state, stamp, setup_.now.dynamic_state_efficiency);
     write(thrust_, stamp, thrust);
     if (wrench_->wanted()) {
       wrench_->value.stamp = stamp;
@@ -252,11 +253,18 @@ class UuvThrusterPlugin : public Plugin {
     }
   }
 
+  struct Setup {
+    ThrusterSetup initial, now;  ///< as the file says, and as services have changed it
+  };
+  struct Efficiencies {
+    OutHandle<NumberSample> thrust, state;
+  };
+
   Link& link_;
   Joint* joint_ = nullptr;
   UuvThruster thruster_;
   double gain_;
-  ThrusterSetup setup_, setup_now_;  // as the file says, and as services have changed it
+  Setup setup_;
   Limits limits_;
   ActuatorInput input_;
   double command_ = 0.0;
@@ -265,7 +273,7 @@ class UuvThrusterPlugin : public Plugin {
   InHandle<ThrusterChange> changes_;
   OutHandle<ThrusterSetup> setup_port_;
   OutHandle<FlagSample> is_on_;
-  OutHandle<NumberSample> thrust_efficiency_, state_efficiency_;
+  Efficiencies efficiencies_;
   std::uint64_t changes_seen_ = 0;
 };
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ray_shape.h"
+#include "rays/ray_shape.h"
 #include "trident_base/angle.h"
 
 namespace trident::sim {

@@ -89,16 +89,16 @@ class Gnss : public MeasuringPlugin {
         clock_(context.sensor != nullptr ? context.sensor->update_rate_hz : 0.0),
         stream_(context.world.seed(), context.name),
         sky_(make_sky(context.params.integer("satellites", 12, {0.0, 64.0}), stream_)),
-        has_rtk_(context.params.flag("rtk", true)),
-        sees_sky_(context.params.flag("skyView", false)),
-        rtk_satellites_(context.params.integer("rtkSatellites", 6, {4.0, 64.0})),
-        float_time_s_(context.params.number("floatTime", 5.0, {0.0, 1e6})),
-        fixed_time_s_(context.params.number("fixedTime", 30.0, {0.0, 1e6})) {
+        rtk_{context.params.flag("rtk", true),
+             context.params.integer("rtkSatellites", 6, {4.0, 64.0}),
+             context.params.number("floatTime", 5.0, {0.0, 1e6}),
+             context.params.number("fixedTime", 30.0, {0.0, 1e6})},
+        sees_sky_(context.params.flag("skyView", false)) {
     const PluginParams& params = context.params;
     errors_ = {FixErrors{0.0, 0.0}, read_errors(params, "single", {1.5, 3.0}),
                read_errors(params, "float", {0.2, 0.4}),
                read_errors(params, "fixed", {0.01, 0.02})};
-    if (fixed_time_s_ < float_time_s_) {
+    if (rtk_.fixed_time_s < rtk_.float_time_s) {
       params.refuse("fixedTime", params.text("fixedTime", "30"),
                     "at least <floatTime>, " + params.text("floatTime", "5"));
     }
@@ -131,22 +131,25 @@ class Gnss : public MeasuringPlugin {
  private:
   int count_satellites(const Eigen::Vector3d& p_world) {
     if (!sees_sky_) return static_cast<int>(sky_.size());
-    rays_.resize(sky_.size());
-    hits_.resize(sky_.size());
+    sight_.rays.resize(sky_.size());
+    sight_.hits.resize(sky_.size());
     for (std::size_t i = 0; i < sky_.size(); ++i) {
-      rays_[i].p_world_origin = p_world;
-      rays_[i].direction_world = sky_[i];
+      sight_.rays[i].p_world_origin = p_world;
+      sight_.rays[i].direction_world = sky_[i];
     }
     RayFilter others;
     others.exclude_link = &link_;
     RayScene& scene = rays(world_, RayGeometry::kCollision);
     scene.refresh();
-    scene.cast({rays_.data(), rays_.size()}, {hits_.data(), hits_.size()}, others);
-    return static_cast<int>(
-        std::count_if(hits_.begin(), hits_.end(), [](const RayHit& hit) { return !hit.is_hit(); }));
+    scene.cast({sight_.rays.data(), sight_.rays.size()}, {sight_.hits.data(), sight_.hits.size()},
+               others);
+    return static_cast<int>(std::count_if(sight_.hits.begin(), sight_.hits.end(),
+                                          [](const RayHit& hit) { return !hit.is_hit(); }));
   }
 
-  bool is_enough_for_rtk(int satellites) const { return has_rtk_ && satellites >= rtk_satellites_; }
+  bool is_enough_for_rtk(int satellites) const {
+    return rtk_.is_there && satellites >= rtk_.satellites;
+  }
 
   FixType find_type(int satellites, const StepInfo& info) {
     const bool may_use_rtk = is_enough_for_rtk(satellites);
@@ -154,8 +157,8 @@ class Gnss : public MeasuringPlugin {
     if (satellites < kMinForFix) return FixType::kNone;
     if (!may_use_rtk) return FixType::kSingle;
     const double good_s = static_cast<double>(info.sample - good_since_) * info.dt_s;
-    if (good_s < float_time_s_) return FixType::kSingle;
-    return good_s < fixed_time_s_ ? FixType::kFloat : FixType::kFixed;
+    if (good_s < rtk_.float_time_s) return FixType::kSingle;
+    return good_s < rtk_.fixed_time_s ? FixType::kFloat : FixType::kFixed;
   }
 
   const FixErrors& errors_of(FixType type) const { return errors_[static_cast<std::size_t>(type)]; }
@@ -183,22 +186,33 @@ class Gnss : public MeasuringPlugin {
     fix_->publish();
   }
 
+  /// Carrier-phase positioning (real-time kinematic), as the parameters set it.
+  struct Rtk {
+    bool is_there;
+    int satellites;                     ///< seen, at the least
+    double float_time_s, fixed_time_s;  ///< of a good view, until there is such a fix
+  };
+
+  /// Rays to the satellites, kept to save their memory.
+  struct Sight {
+    std::vector<Ray> rays;
+    std::vector<RayHit> hits;
+  };
+
   World& world_;
   Link& link_;
   SE3 T_link_antenna_;
   SampleClock clock_;
   RandomStream stream_;
   std::vector<Eigen::Vector3d> sky_;
-  bool has_rtk_, sees_sky_;
-  int rtk_satellites_;
-  double float_time_s_, fixed_time_s_;
+  Rtk rtk_;
+  bool sees_sky_;
   std::array<FixErrors, 4> errors_{};  ///< by FixType
   GeographicLib::LocalCartesian earth_;
   Eigen::Matrix3d R_enu_world_;
   OutHandle<GnssFixSample> fix_;
   OutHandle<GnssStatusSample> status_;
-  std::vector<Ray> rays_;
-  std::vector<RayHit> hits_;
+  Sight sight_;
   std::uint64_t good_since_ = 0;  ///< number of the step since when the view is good enough for RTK
 };
 

@@ -61,39 +61,39 @@ class PointLidar : public MeasuringPlugin, public RayJob {
 
  protected:
   void measure(const World&, const StepInfo& info) override {
-    casts_.clear();
+    step_.casts.clear();
     if (is_rolling_) {
       roll(info);
     } else if (clock_.is_due(info) && cloud_->wanted()) {
       T_world_sensor_ = link_.T_world_link() * T_link_sensor_;
-      casts_.push_back({{clock_.count_at(info), 0, pattern_->columns(), true}, info.end});
+      step_.casts.push_back({{clock_.count_at(info), 0, pattern_->columns(), true}, info.end});
     }
-    if (!casts_.empty()) caster_.scene().defer(*this);
+    if (!step_.casts.empty()) caster_.scene().deferred().add(*this);
   }
 
   Eigen::Vector2d viewer() const override { return T_world_sensor_.p.head<2>(); }
 
   std::size_t begin() override {
     caster_.refresh_water(T_world_sensor_.p);
-    blocks_.clear();
-    for (const Cast& cast : casts_) divide(cast);
-    if (returns_.size() < blocks_.size()) returns_.resize(blocks_.size());
-    return blocks_.size();
+    step_.blocks.clear();
+    for (const Cast& cast : step_.casts) divide(cast);
+    if (step_.returns.size() < step_.blocks.size()) step_.returns.resize(step_.blocks.size());
+    return step_.blocks.size();
   }
 
   void run_part(std::size_t part) override {
     thread_local Beams beams;
-    const Block& block = blocks_[part];
+    const Block& block = step_.blocks[part];
     cast_block(block, beams);
-    returns_[part].clear();
-    collect(block, beams, returns_[part]);
+    step_.returns[part].clear();
+    collect(block, beams, step_.returns[part]);
   }
 
   void finish() override {
     std::size_t part = 0;
-    for (const Cast& cast : casts_) {
-      for (; part < blocks_.size() && blocks_[part].cast == &cast; ++part) {
-        points_.insert(points_.end(), returns_[part].begin(), returns_[part].end());
+    for (const Cast& cast : step_.casts) {
+      for (; part < step_.blocks.size() && step_.blocks[part].cast == &cast; ++part) {
+        points_.insert(points_.end(), step_.returns[part].begin(), step_.returns[part].end());
       }
       if (cast.due.is_complete) publish(cast.stamp);
     }
@@ -108,9 +108,9 @@ class PointLidar : public MeasuringPlugin, public RayJob {
         clock_(context.sensor->update_rate_hz),
         is_rolling_(is_rolling),
         limits_(read_limits(spec, context.params)),
-        stddev_m_(
-            std::hypot(spec.noise.stddev, context.params.number("gaussianNoise", 0.0, {0.0, 1e6}))),
-        bias_m_(spec.noise.mean),
+        noise_{
+            std::hypot(spec.noise.stddev, context.params.number("gaussianNoise", 0.0, {0.0, 1e6})),
+            spec.noise.mean},
         stream_(context.world.seed(), context.name),
         caster_(context, limits_.range_min_m, limits_.range_max_m),
         pattern_(checked_pattern(context, spec, is_rolling)),
@@ -140,7 +140,7 @@ class PointLidar : public MeasuringPlugin, public RayJob {
     track_.follow(T_world_sensor_);
     sweep_.begin_step(info, cloud_->wanted());
     if (!cloud_->wanted()) points_.clear();
-    while (const auto due = sweep_.next()) casts_.push_back({*due, sweep_.stamp(*due)});
+    while (const auto due = sweep_.next()) step_.casts.push_back({*due, sweep_.stamp(*due)});
   }
 
   /// Columns of a scan that are due in this step.
@@ -166,7 +166,7 @@ class PointLidar : public MeasuringPlugin, public RayJob {
     for (std::size_t begin = cast.due.first, columns = 0; begin < cast.due.last; begin += columns) {
       const std::size_t left = cast.due.last - begin;
       columns = left <= kColumns * 3 / 2 ? left : kColumns;
-      blocks_.push_back({&cast, begin, columns});
+      step_.blocks.push_back({&cast, begin, columns});
     }
   }
 
@@ -217,8 +217,8 @@ class PointLidar : public MeasuringPlugin, public RayJob {
       if (!(hit.distance_m < limits_.range_max_m)) continue;
       const double intensity = caster_.intensity(hit);
       const double range_m =
-          hit.distance_m + bias_m_ +
-          (stddev_m_ > 0.0 ? stddev_m_ * static_cast<double>(noise.at(channel)) : 0.0);
+          hit.distance_m + noise_.bias_m +
+          (noise_.stddev_m > 0.0 ? noise_.stddev_m * static_cast<double>(noise.at(channel)) : 0.0);
       const bool counts = range_m >= limits_.range_min_m && range_m <= limits_.range_max_m &&
                           intensity >= limits_.intensity_min;
       if (!counts) continue;
@@ -236,23 +236,32 @@ class PointLidar : public MeasuringPlugin, public RayJob {
     cloud_->publish();
   }
 
+  /// Of each range, Gaussian.
+  struct RangeNoise {
+    double stddev_m, bias_m;
+  };
+  /// What is cast in a step, kept to save its memory.
+  struct Step {
+    std::vector<Cast> casts;
+    std::vector<Block> blocks;
+    std::vector<std::vector<LidarPoint>> returns;  ///< by block
+  };
+
   Link& link_;
   SE3 T_link_sensor_;
   SampleClock clock_;
   bool is_rolling_;
   ReturnLimits limits_;
-  double stddev_m_, bias_m_;
+  RangeNoise noise_;
   RandomStream stream_;
   BeamCaster caster_;
   std::unique_ptr<LidarPattern> pattern_;
   SensorTrack track_;
   RollingSweep sweep_;
   OutHandle<LidarCloudSample> cloud_;
-  SE3 T_world_sensor_;                            ///< now
-  std::vector<Cast> casts_;                       ///< of this step
-  std::vector<Block> blocks_;                     ///< of this step
-  std::vector<LidarPoint> points_;                ///< of the scan in progress
-  std::vector<std::vector<LidarPoint>> returns_;  ///< by block
+  SE3 T_world_sensor_;  ///< now
+  Step step_;
+  std::vector<LidarPoint> points_;  ///< of the scan in progress
 };
 
 PluginFactory point_lidar(const char* default_topic, bool is_rolling) {

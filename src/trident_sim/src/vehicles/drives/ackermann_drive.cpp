@@ -120,13 +120,11 @@ class AckermannDrive : public Plugin {
         spec_(spec),
         ticker_(spec.rate_hz),
         command_(context, spec.command_topic),
-        speed_limit_(speed_limit(context.params.owner())),
-        wheel_limit_(wheel_speed_limit(context.params.owner())),
-        steering_limit_(steering_limit(context.params.owner())),
-        left_(context.world, *spec.steering[0], spec, spec.steering_gains[0]),
-        right_(context.world, *spec.steering[1], spec, spec.steering_gains[1]),
-        rear_left_(context.world, *spec.rear[0], spec),
-        rear_right_(context.world, *spec.rear[1], spec),
+        limits_{speed_limit(context.params.owner()), wheel_speed_limit(context.params.owner()),
+                steering_limit(context.params.owner())},
+        front_{{context.world, *spec.steering[0], spec, spec.steering_gains[0]},
+               {context.world, *spec.steering[1], spec, spec.steering_gains[1]}},
+        rear_{{context.world, *spec.rear[0], spec}, {context.world, *spec.rear[1], spec}},
         output_(context, spec.odometry, spec.with_odometry, spec.with_odometry_transform),
         odometry_(spec.encoders) {
     const Covariance6 covariance =
@@ -150,30 +148,31 @@ class AckermannDrive : public Plugin {
       command_.poll(world);
       take_command(world);
     }
-    const Eigen::Vector2d angles = spec_.geometry.wheel_angles(wanted_steering_);
-    left_.aim(angles[0], info.dt_s);
-    right_.aim(angles[1], info.dt_s);
-    const Eigen::Vector2d speeds = spec_.geometry.rear_speeds(wanted_speed_, steering());
-    rear_left_.drive(speeds[0], info.dt_s);
-    rear_right_.drive(speeds[1], info.dt_s);
+    const Eigen::Vector2d angles = spec_.geometry.wheel_angles(wanted_.steering);
+    front_.left.aim(angles[0], info.dt_s);
+    front_.right.aim(angles[1], info.dt_s);
+    const Eigen::Vector2d speeds = spec_.geometry.rear_speeds(wanted_.speed, steering());
+    rear_.left.drive(speeds[0], info.dt_s);
+    rear_.right.drive(speeds[1], info.dt_s);
     if (spec_.steering_wheel != nullptr) {
-      const double turn = 0.5 * (left_.angle() + right_.angle()) / spec_.steering_wheel_ratio;
+      const double turn =
+          0.5 * (front_.left.angle() + front_.right.angle()) / spec_.steering_wheel_ratio;
       Steering{spec_.steering_wheel, spec_.steering_torque, 0.0, 0.0}.aim(turn, info.dt_s);
     }
   }
 
   void post_step(const World& world, const StepInfo& info) override {
-    const double before = travelled_rad_;
-    const Eigen::Vector2d p_before = p_;
+    const double before = travel_.wheels_rad;
+    const Eigen::Vector2d p_before = travel_.p_world;
     remember();
-    odometry_.update(travelled_rad_ - before, steering());
-    distance_m_ += (p_ - p_before).norm();
+    odometry_.update(travel_.wheels_rad - before, steering());
+    travel_.distance_m += (travel_.p_world - p_before).norm();
     if (!is_due_) return;
     if (output_.wanted()) publish_odometry(info.end);
     if (states_) states_->publish(world, info.end);
     if (frames_) frames_->publish(info.end);
     if (distance_ && distance_->wanted()) {
-      distance_->value = {info.end, distance_m_};
+      distance_->value = {info.end, travel_.distance_m};
       distance_->publish();
     }
   }
@@ -182,9 +181,9 @@ class AckermannDrive : public Plugin {
     ticker_.reset();
     command_.reset();
     odometry_.reset();
-    rear_left_.reset();
-    rear_right_.reset();
-    wanted_speed_ = wanted_steering_ = distance_m_ = 0.0;
+    rear_.left.reset();
+    rear_.right.reset();
+    wanted_.speed = wanted_.steering = travel_.distance_m = 0.0;
     is_due_ = false;
     remember();
   }
@@ -192,9 +191,10 @@ class AckermannDrive : public Plugin {
   void state(StateArchive& archive) override {
     ticker_.state(archive);
     command_.state(archive);
-    rear_left_.state(archive);
-    rear_right_.state(archive);
-    archive(odometry_, wanted_speed_, wanted_steering_, distance_m_, travelled_rad_, p_, is_due_);
+    rear_.left.state(archive);
+    rear_.right.state(archive);
+    archive(odometry_, wanted_.speed, wanted_.steering, travel_.distance_m, travel_.wheels_rad,
+            travel_.p_world, is_due_);
   }
 
  private:
@@ -210,11 +210,13 @@ class AckermannDrive : public Plugin {
   }
 
   /// As the front wheels stand.
-  double steering() const { return spec_.geometry.steering_of(left_.angle(), right_.angle()); }
+  double steering() const {
+    return spec_.geometry.steering_of(front_.left.angle(), front_.right.angle());
+  }
 
   void remember() {
-    travelled_rad_ = 0.5 * (rear_left_.angle() + rear_right_.angle());
-    p_ = model_.T_world_model().p.head<2>();
+    travel_.wheels_rad = 0.5 * (rear_.left.angle() + rear_.right.angle());
+    travel_.p_world = model_.T_world_model().p.head<2>();
   }
 
   void take_command(World& world) {
@@ -225,13 +227,13 @@ class AckermannDrive : public Plugin {
     if (spec_.turn_is_yaw_rate) {
       steering = std::atan2(spec_.geometry.wheelbase_m * turn, std::abs(speed));
     }
-    wanted_steering_ =
-        steering * steering_limit_.factor(world, steering, spec_.max_steer_rad, is_new);
-    wanted_speed_ = speed * speed_limit_.factor(world, speed, spec_.max_speed, is_new);
+    wanted_.steering =
+        steering * limits_.steering.factor(world, steering, spec_.max_steer_rad, is_new);
+    wanted_.speed = speed * limits_.speed.factor(world, speed, spec_.max_speed, is_new);
     const double rim =
-        spec_.geometry.rear_speeds(wanted_speed_, wanted_steering_).cwiseAbs().maxCoeff();
-    const double limit = std::min(rear_left_.speed_limit(), rear_right_.speed_limit());
-    wanted_speed_ *= wheel_limit_.factor(world, rim, limit, is_new);
+        spec_.geometry.rear_speeds(wanted_.speed, wanted_.steering).cwiseAbs().maxCoeff();
+    const double limit = std::min(rear_.left.speed_limit(), rear_.right.speed_limit());
+    wanted_.speed *= limits_.wheel.factor(world, rim, limit, is_new);
   }
 
   void publish_odometry(SimTime stamp) {
@@ -242,7 +244,7 @@ class AckermannDrive : public Plugin {
     const SE2& T_base_axle = spec_.T_base_axle;
     BaseState state;
     state.T_odom_base = (T_base_axle * odometry_.T_odom_axle() * T_base_axle.inverse()).to_se3();
-    const double speed = 0.5 * spec_.wheel_radius_m * (rear_left_.rate() + rear_right_.rate());
+    const double speed = 0.5 * spec_.wheel_radius_m * (rear_.left.rate() + rear_.right.rate());
     const double yaw_rate = speed * std::tan(steering()) / spec_.geometry.wheelbase_m;
     const Eigen::Vector3d twist = T_base_axle.adjoint() * Eigen::Vector3d(speed, 0.0, yaw_rate);
     state.v_base = {twist.x(), twist.y(), 0.0};
@@ -265,22 +267,40 @@ class AckermannDrive : public Plugin {
     return by_axle * odometry_.covariance() * by_axle.transpose();
   }
 
+  struct FrontWheels {
+    SteeredWheel left, right;
+  };
+  struct RearWheels {
+    RearWheel left, right;
+  };
+  struct Limits {
+    CommandLimit speed, wheel, steering;
+  };
+  /// Of the last command.
+  struct Wanted {
+    double speed = 0.0;     ///< [m/s]
+    double steering = 0.0;  ///< [rad]
+  };
+  struct Travel {
+    double wheels_rad = 0.0;  ///< turned by the rear wheels, their mean
+    double distance_m = 0.0;
+    Eigen::Vector2d p_world = Eigen::Vector2d::Zero();
+  };
+
   const Model& model_;
   AckermannSpec spec_;
   RateTicker ticker_;
   VelocityInput command_;
-  CommandLimit speed_limit_, wheel_limit_, steering_limit_;
-  SteeredWheel left_, right_;
-  RearWheel rear_left_, rear_right_;
+  Limits limits_;
+  FrontWheels front_;
+  RearWheels rear_;
   OdometryOutput output_;
   OutHandle<ScalarSample> distance_;
   BicycleOdometry odometry_;
   std::optional<JointStates> states_;
   std::optional<WheelFrames> frames_;
-  double wanted_speed_ = 0.0, wanted_steering_ = 0.0;
-  double travelled_rad_ = 0.0;  ///< turned by the rear wheels, their mean
-  double distance_m_ = 0.0;
-  Eigen::Vector2d p_ = Eigen::Vector2d::Zero();
+  Wanted wanted_;
+  Travel travel_;
   bool is_due_ = false;
 };
 

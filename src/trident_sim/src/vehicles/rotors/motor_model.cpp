@@ -26,17 +26,17 @@ class MotorModel : public Plugin {
     const std::string turning = params.required_text("turningDirection");
     if (turning != "cw" && turning != "ccw")
       params.refuse("turningDirection", turning, "cw or ccw");
-    direction_ = turning == "ccw" ? 1.0 : -1.0;
+    constants_.direction = turning == "ccw" ? 1.0 : -1.0;
     const std::string type = params.text("motorType", "velocity");
     if (type != "velocity") params.refuse("motorType", type, "velocity");
-    rotor_drag_ = params.number("rotorDragCoefficient", 1.0e-4, not_negative);
-    rolling_moment_ = params.number("rollingMomentCoefficient", 1.0e-6, not_negative);
-    max_speed_ = params.number("maxRotVelocity", 838.0, not_negative);
-    motor_constant_ = params.number("motorConstant", 8.54858e-06, not_negative);
-    moment_constant_ = params.number("momentConstant", 0.016, not_negative);
-    time_constant_up_s_ = params.number("timeConstantUp", 1.0 / 80.0, positive);
-    time_constant_down_s_ = params.number("timeConstantDown", 1.0 / 40.0, positive);
-    slowdown_ = params.number("rotorVelocitySlowdownSim", 10.0, positive);
+    constants_.rotor_drag = params.number("rotorDragCoefficient", 1.0e-4, not_negative);
+    constants_.rolling_moment = params.number("rollingMomentCoefficient", 1.0e-6, not_negative);
+    constants_.max_speed = params.number("maxRotVelocity", 838.0, not_negative);
+    constants_.motor = params.number("motorConstant", 8.54858e-06, not_negative);
+    constants_.moment = params.number("momentConstant", 0.016, not_negative);
+    decay_.time_constant_up_s = params.number("timeConstantUp", 1.0 / 80.0, positive);
+    decay_.time_constant_down_s = params.number("timeConstantDown", 1.0 / 40.0, positive);
+    constants_.slowdown = params.number("rotorVelocitySlowdownSim", 10.0, positive);
     command_ = subscribe<ActuatorCommand>(
         context, scoped_topic(params, params.text("commandSubTopic", "command/motor_speed")));
     wind_ = subscribe<WindSample>(
@@ -46,8 +46,8 @@ class MotorModel : public Plugin {
         PortRank::kState);
     name_ = params.owner();
     MotorModel::body_frames_moved();
-    axis_to_thrust_body_ = link_.T_body_link.R * Eigen::Vector3d::UnitZ() - joint_.axis_body;
-    is_thrust_along_axis_ = axis_to_thrust_body_.isZero(0.0);
+    tilt_.along_body = link_.T_body_link.R * Eigen::Vector3d::UnitZ() - joint_.axis_body;
+    tilt_.is_none = tilt_.along_body.isZero(0.0);
   }
 
   std::vector<Phase> phases() const override { return {Phase::kActuate}; }
@@ -67,17 +67,37 @@ class MotorModel : public Plugin {
   void body_frames_moved() override { arm_body_ = link_.T_body_link * link_.inertial.T_link_com.p; }
 
   void reset() override {
-    reference_ = 0.0;
-    filtered_ = 0.0;
+    speed_now_.reference = 0.0;
+    speed_now_.filtered = 0.0;
     command_seen_ = 0;
     refused_ = false;
     command_->clear();
   }
   void state(StateArchive& archive) override {
-    archive(reference_, filtered_, command_seen_, refused_);
+    archive(speed_now_.reference, speed_now_.filtered, command_seen_, refused_);
   }
 
  private:
+  /// As RotorS names them in its parameters, which give their units.
+  struct Constants {
+    double direction = 1.0;  ///< 1: counter-clockwise
+    double rotor_drag, rolling_moment, max_speed, motor, moment, slowdown;
+  };
+  /// Factors of the first-order lag for the step size that they were worked out for.
+  struct Decay {
+    double dt_s = -1.0, up = 0.0, down = 0.0;
+    double time_constant_up_s, time_constant_down_s;
+  };
+  /// As commanded, and behind the lag [rad/s].
+  struct Speed {
+    double reference = 0.0, filtered = 0.0;
+  };
+  /// From the rotor's axis to the direction of thrust.
+  struct ThrustTilt {
+    bool is_none = true;         ///< the joint turns about the link's z
+    Eigen::Vector3d along_body;  ///< zero then
+  };
+
   void read_command(World& world) {
     if (command_->count() == command_seen_) return;
     command_seen_ = command_->count();
@@ -88,7 +108,7 @@ class MotorModel : public Plugin {
       report_once(world, "is commanded " + std::to_string(speeds.data[motor_number_]) +
                              " rad/s, must be finite, up to 1e6");
     } else {
-      reference_ = std::min(speeds.data[motor_number_], max_speed_);
+      speed_now_.reference = std::min(speeds.data[motor_number_], constants_.max_speed);
       refused_ = false;
     }
   }
@@ -104,20 +124,23 @@ class MotorModel : public Plugin {
   void apply_forces() {
     Body& body = *link_.body;
     const Eigen::Matrix3d& R = body.rotation();
-    const double speed = (joint_.is_rotor ? joint_.rotor_velocity : joint_.velocity()) * slowdown_;
-    const double thrust = direction_ * std::abs(speed) * speed * motor_constant_;
+    const double speed =
+        (joint_.is_rotor ? joint_.rotor_velocity : joint_.velocity()) * constants_.slowdown;
+    const double thrust = constants_.direction * std::abs(speed) * speed * constants_.motor;
     const Eigen::Vector3d axis = R * joint_.rotor_axis_body;
     // Thrust acts along the rotor link's z, which leans with the rotor's axis.
     Eigen::Vector3d thrust_axis = axis;
-    if (!is_thrust_along_axis_) thrust_axis += R * axis_to_thrust_body_;
+    if (!tilt_.is_none) thrust_axis += R * tilt_.along_body;
     const Eigen::Vector3d arm = R * arm_body_;
     const Eigen::Vector3d velocity =
         body.velocity() + body.angular_velocity().cross(arm) - wind_velocity(arm);
     const Eigen::Vector3d across = velocity - velocity.dot(axis) * axis;
-    const Eigen::Vector3d force = thrust * thrust_axis - std::abs(speed) * rotor_drag_ * across;
+    const Eigen::Vector3d force =
+        thrust * thrust_axis - std::abs(speed) * constants_.rotor_drag * across;
     body.apply_force(force);
-    body.apply_torque(arm.cross(force) - direction_ * thrust * moment_constant_ * thrust_axis -
-                      std::abs(speed) * rolling_moment_ * across);
+    body.apply_torque(arm.cross(force) -
+                      constants_.direction * thrust * constants_.moment * thrust_axis -
+                      std::abs(speed) * constants_.rolling_moment * across);
   }
 
   /// What came on the topic, else the world's wind.
@@ -128,14 +151,14 @@ class MotorModel : public Plugin {
   }
 
   void advance_speed(double dt_s) {
-    if (dt_s != decay_dt_s_) {
-      decay_dt_s_ = dt_s;
-      decay_up_ = std::exp(-dt_s / time_constant_up_s_);
-      decay_down_ = std::exp(-dt_s / time_constant_down_s_);
+    if (dt_s != decay_.dt_s) {
+      decay_.dt_s = dt_s;
+      decay_.up = std::exp(-dt_s / decay_.time_constant_up_s);
+      decay_.down = std::exp(-dt_s / decay_.time_constant_down_s);
     }
-    const double decay = reference_ > filtered_ ? decay_up_ : decay_down_;
-    filtered_ = decay * filtered_ + (1.0 - decay) * reference_;
-    const double rate = direction_ * filtered_ / slowdown_;
+    const double decay = speed_now_.reference > speed_now_.filtered ? decay_.up : decay_.down;
+    speed_now_.filtered = decay * speed_now_.filtered + (1.0 - decay) * speed_now_.reference;
+    const double rate = constants_.direction * speed_now_.filtered / constants_.slowdown;
     if (joint_.is_rotor) {
       joint_.rotor_velocity = rate;
     } else {
@@ -151,16 +174,13 @@ class MotorModel : public Plugin {
   OutHandle<ScalarSample> speed_;
   Surroundings around_;
   Eigen::Vector3d arm_body_;  ///< rotor's centre of mass
-  double direction_ = 1.0;
-  double rotor_drag_, rolling_moment_, max_speed_, motor_constant_, moment_constant_, slowdown_;
-  double decay_dt_s_ = -1.0, decay_up_ = 0.0, decay_down_ = 0.0;
-  double reference_ = 0.0, filtered_ = 0.0;
+  Constants constants_;
+  Decay decay_;
+  Speed speed_now_;
   std::uint64_t command_seen_ = 0;
   std::size_t motor_number_ = 0;
-  bool is_thrust_along_axis_ = true;
   bool refused_ = false;
-  Eigen::Vector3d axis_to_thrust_body_;  ///< zero when the joint turns about the link's z
-  double time_constant_up_s_, time_constant_down_s_;
+  ThrustTilt tilt_;
   std::string name_;
 };
 

@@ -47,10 +47,10 @@ class Odometry : public MeasuringPlugin {
         link_(required_link(context, "linkName")),
         stream_(context.world.seed(), context.name) {
     const PluginParams& params = context.params;
-    position_ = read_noise(params, "Position", 0);
-    rotation_ = read_noise(params, "Quaternion", 3);
-    linear_ = read_noise(params, "LinearVelocity", 6);
-    angular_ = read_noise(params, "AngularVelocity", 9);
+    noise_.position = read_noise(params, "Position", 0);
+    noise_.rotation = read_noise(params, "Quaternion", 3);
+    noise_.linear = read_noise(params, "LinearVelocity", 6);
+    noise_.angular = read_noise(params, "AngularVelocity", 9);
     divisor_ = static_cast<std::uint64_t>(params.integer("measurementDivisor", 1, {1, 1e9}));
     delay_steps_ = static_cast<std::size_t>(params.integer("measurementDelay", 0, {0, 100000}));
     unknown_delay_ = SimTime::from_seconds(params.number("unknownDelay", 0.0, {0.0, 1e6}));
@@ -112,8 +112,8 @@ class Odometry : public MeasuringPlugin {
     OdometrySample& value = odometry_->value;
     value.parent_frame = parent;
     value.child_frame = child;
-    fill_diagonal(value.pose_covariance, position_.variance(), rotation_.variance());
-    fill_diagonal(value.twist_covariance, linear_.variance(), angular_.variance());
+    fill_diagonal(value.pose_covariance, noise_.position.variance(), noise_.rotation.variance());
+    fill_diagonal(value.twist_covariance, noise_.linear.variance(), noise_.angular.variance());
     scratch_ = value;
     pose_->value.frame = parent;
     pose_with_covariance_->value.frame = parent;
@@ -147,15 +147,16 @@ class Odometry : public MeasuringPlugin {
     const Eigen::Quaterniond R_link_world = T_world_link.R.conjugate();
     out.v_child = R_link_world * link_velocity_world(link_);
     out.w_child = R_link_world * link_.w_world();
-    if (!position_.zero()) out.T_parent_child.p += position_.sample(stream_, info.sample);
-    if (!rotation_.zero()) {
-      const Eigen::Vector3d half = 0.5 * rotation_.sample(stream_, info.sample);
+    if (!noise_.position.zero())
+      out.T_parent_child.p += noise_.position.sample(stream_, info.sample);
+    if (!noise_.rotation.zero()) {
+      const Eigen::Vector3d half = 0.5 * noise_.rotation.sample(stream_, info.sample);
       // First order of the exponential map: noise of a rotation vector, in the body's frame.
       const Eigen::Quaterniond small(1.0, half.x(), half.y(), half.z());
       out.T_parent_child.R = (out.T_parent_child.R * small).normalized();
     }
-    if (!linear_.zero()) out.v_child += linear_.sample(stream_, info.sample);
-    if (!angular_.zero()) out.w_child += angular_.sample(stream_, info.sample);
+    if (!noise_.linear.zero()) out.v_child += noise_.linear.sample(stream_, info.sample);
+    if (!noise_.angular.zero()) out.w_child += noise_.angular.sample(stream_, info.sample);
   }
 
   void send(const OdometrySample& out) {
@@ -187,9 +188,13 @@ class Odometry : public MeasuringPlugin {
     }
   }
 
+  struct Noise {
+    VectorNoise position, rotation, linear, angular;
+  };
+
   Link& link_;
   RandomStream stream_;
-  VectorNoise position_, rotation_, linear_, angular_;
+  Noise noise_;
   std::uint64_t divisor_ = 1;
   std::size_t delay_steps_ = 0;
   SimTime unknown_delay_;

@@ -54,6 +54,10 @@ class ScanReceiver {
     std::atomic<bool> is_active{false};
     ros::Time end;
   };
+  struct Inputs {
+    std::unique_ptr<ros_utils::TransformInput> transforms;
+    ros::Subscriber scans, imu;
+  };
   struct Throttle {
     ros::Time last;         ///< Stamp of the last scan that was used.
     std::size_t count = 0;  ///< Scans that were long enough after it.
@@ -70,8 +74,7 @@ class ScanReceiver {
   std::size_t reported_problems_ = 0;  ///< Of the intake.
   std::atomic<bool> is_paused_{false};
   PassedTime bag_loop_;
-  std::unique_ptr<ros_utils::TransformInput> transform_input_;
-  ros::Subscriber scan_subscriber_, imu_subscriber_;
+  Inputs inputs_;
   ros::WallTimer timer_;
 };
 

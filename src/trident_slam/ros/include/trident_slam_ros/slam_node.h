@@ -81,13 +81,19 @@ class SlamNode {
   /// Counts a problem in /diagnostics.
   void count_problem(const std::string& text) { diagnostics_.count(text); }
   /// After a new map or pose: map -> odom is known again with the next scan.
-  void forget_correction() { transform_.forget(); }
+  void forget_correction() { outputs_.transform.forget(); }
 
  private:
   /// Why the node ends; empty: it does not.
   struct EndReason {
     Mutex mutex;
     std::string text TRIDENT_GUARDED_BY(mutex);
+  };
+
+  /// Where the robot is: /tf, and topics.
+  struct Outputs {
+    TransformPublisher transform;
+    PosePublisher poses;
   };
 
   void work();
@@ -99,8 +105,7 @@ class SlamNode {
   GuardedSlam slam_;
   SlamDiagnostics diagnostics_;
   ScanQueue scans_;
-  TransformPublisher transform_;
-  PosePublisher poses_;
+  Outputs outputs_;
   MapServer map_;
   Autosave autosave_;
   OnScan on_scan_;

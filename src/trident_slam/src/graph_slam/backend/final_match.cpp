@@ -22,6 +22,9 @@ double farthest_move(const KeyframeGraph& a, const KeyframeGraph& b) {
 
 }  // namespace
 
+/// After F. Lu and E. Milios, "Globally Consistent Range Scan Alignment for Environment Mapping",
+/// 1997: edges between all scans that overlap, from matches at the present poses, and again until
+/// nothing moves. The graph keeps its own edges; the measured ones are returned.
 std::vector<GraphEdge> align_all_keyframes(KeyframeGraph* graph, const BackEndOptions& options) {
   const std::vector<GraphEdge> edges = graph->edges();
   std::vector<GraphEdge> all;
@@ -40,6 +43,8 @@ std::vector<GraphEdge> align_all_keyframes(KeyframeGraph* graph, const BackEndOp
   return all;
 }
 
+/// Each scan against the finished map, with its pose of the graph as a prior: poses between
+/// keyframes get what the loops have corrected. Scans with few points use all of them.
 std::vector<SE2> match_archive(const ScanArchive& archive, const KeyframeGraph& graph,
                                const PointScanOptions& ranges, const FinalMatchOptions& options) {
   SurfelMap surfaces;

@@ -18,6 +18,8 @@ namespace {
 /// A submap that can be reached, and how far away it is [m].
 using Step = std::pair<int, double>;
 
+/// Along the path a step is as long as the path that was driven; an edge that was matched is a
+/// short one, as it has no drift to speak of.
 std::vector<std::vector<Step>> steps_between_submaps(const KeyframeGraph& graph) {
   std::vector<std::vector<Step>> steps(static_cast<std::size_t>(graph.submaps()));
   for (std::size_t s = 1; s < steps.size(); ++s) {
@@ -164,10 +166,6 @@ Eigen::Vector3d edge_error(const GraphEdge& edge, const SE2& T_map_from, const S
 Eigen::Matrix3d sigma_information(double sigma, double sigma_yaw) {
   const double w = 1.0 / (sigma * sigma);
   return Eigen::Vector3d(w, w, 1.0 / (sigma_yaw * sigma_yaw)).asDiagonal();
-}
-
-void KeyframeGraph::forget_scan(int i) {
-  keyframes_[static_cast<std::size_t>(i)].scan = std::make_shared<const PointScan>();
 }
 
 void KeyframeGraph::set_scan(int i, std::shared_ptr<const PointScan> scan) {

@@ -70,8 +70,8 @@ class KeyframeGraph {
   /// far both may have drifted apart. An edge that closes a loop counts as one metre.
   std::vector<double> distances_from(int submap) const;
 
-  /// A keyframe whose scan is no longer part of the map keeps its place in the graph.
-  void forget_scan(int i);
+  /// A keyframe whose scan is no longer part of the map keeps its place in the graph, with an empty
+  /// scan.
   void set_scan(int i, std::shared_ptr<const PointScan> scan);
 
   /// What became of the keyframes when some were taken out.

@@ -209,7 +209,9 @@ void PoseGraphBackend::rebuild_surfaces() {
 
 void PoseGraphBackend::prune_replaced_scans() {
   PruneResult result = scan_pruner_.update(*graph_);
-  for (const int i : result.replaced) graph_->forget_scan(i);
+  for (const int i : result.replaced) {
+    graph_->set_scan(i, std::make_shared<const PointScan>());
+  }
   for (auto& [i, scan] : result.thinned) graph_->set_scan(i, std::move(scan));
   pruned_scans_ += static_cast<int>(result.replaced.size() + result.thinned.size());
   if (pruned_scans_ >= options_.back_end.pruning.batch && !worker_.is_busy()) {

@@ -73,6 +73,8 @@ bool is_doubtful(const MatchResult& match, const SE2& guess, const AlignmentOpti
 
 }  // namespace
 
+/// Each keyframe with later partners is a reference once, so that its surfaces are prepared once
+/// for all of them. A match that has gone far from its guess or fits badly gives no edge.
 std::vector<GraphEdge> make_scan_pair_edges(const KeyframeGraph& graph,
                                             const AlignmentOptions& options) {
   const std::vector<std::vector<int>> matched_with = later_partners(graph, options);

@@ -55,6 +55,8 @@ LocalMapper::Motion LocalMapper::predict(std::int64_t stamp_ns, const SE2& T_odo
   return motion;
 }
 
+/// Odometry is calibrated only by motion that it has reported itself, and interrupted otherwise:
+/// motion that scans have measured would confirm itself.
 MatchResult LocalMapper::match(const std::shared_ptr<const PointScan>& points,
                                const SE2& T_base_laser, Motion* motion) {
   motion_source_.measure(points, motion);

@@ -49,6 +49,8 @@ bool has_its_ranges(const ScanArchive::Entry& entry, const std::vector<LaserScan
 
 }  // namespace
 
+/// Ranges are kept as millimetres in 16 bits, which end at 65 m, since all scans of a drive stay in
+/// memory; 0 stands for no return.
 void ScanArchive::add(const LaserScan& scan, const Entry& entry, double max_range) {
   entries_.push_back(entry);
   entries_.back().first_range = Entry::kNoRanges;
@@ -75,6 +77,8 @@ std::uint32_t ScanArchive::geometry_of(const LaserScan& scan) {
   return static_cast<std::uint32_t>(geometries_.size() - 1);
 }
 
+/// Indices of the other archive are moved behind those of this one. Scans that belong to no
+/// keyframe are placed in the map, the others follow their keyframe.
 void ScanArchive::append(const ScanArchive& other, int keyframe, const SE2& T_map_other) {
   const auto geometry = static_cast<std::uint32_t>(geometries_.size());
   const auto first_range = static_cast<std::uint64_t>(ranges_.size());
@@ -112,6 +116,8 @@ SE2 ScanArchive::pose(std::size_t i, const KeyframeGraph& graph) const {
   return graph.pose(entry.keyframe) * entry.T_keyframe_base;
 }
 
+/// A scan of a keyframe that was taken out follows the one that stands in for it, at the same
+/// place. Without ranges it has nothing to give to a map, and goes.
 void ScanArchive::follow(const KeyframeGraph::Removal& removal) {
   std::vector<Entry> entries;
   for (Entry& entry : entries_) {
@@ -128,6 +134,7 @@ void ScanArchive::follow(const KeyframeGraph::Removal& removal) {
   entries_ = std::move(entries);
 }
 
+/// The order is that of load(); a change of it needs another version of the session file.
 void ScanArchive::save(BinaryWriter* writer) const {
   writer->put<std::uint64_t>(geometries_.size());
   for (const LaserScan& scan : geometries_) {

@@ -27,6 +27,8 @@ bool SubmapMatcher::is_outdated(const KeyframeGraph& graph, const SurfelMap& sur
   });
 }
 
+/// The nearest keyframes about a place, up to a number: a reference that grows with the map would
+/// make matching slower with every visit.
 void SubmapMatcher::rebuild(const KeyframeGraph& graph, const SurfelMap& surfaces,
                             const Eigen::Vector2d& p_map) {
   std::vector<std::pair<double, int>> near;

@@ -13,6 +13,7 @@
 namespace trident::slam {
 namespace {
 
+/// The keyframes nearest to a pose, whose free space can contradict it.
 std::vector<int> witnesses(const KeyframeGraph& graph, const SE2& T_map_base,
                            const LocalizationOptions& options) {
   std::vector<std::pair<double, int>> near;
@@ -38,6 +39,8 @@ double KidnapDetector::fit(const KeyframeGraph& graph, const SurfelMap& surfels,
   return agreement.overlap < options_.min_overlap ? match.inlier_fraction : agreement.ratio;
 }
 
+/// A pose elsewhere is on trial for some distance and scans while tracking continues; it is
+/// believed only if it fits over the whole trial, since a single scan fits in many places.
 std::optional<MatchResult> KidnapDetector::check(const KeyframeGraph& graph,
                                                  const SurfelMap& surfels, const PointScan& scan,
                                                  const SE2& T_last_base, const MatchResult& own,
@@ -72,6 +75,8 @@ void KidnapDetector::search(const KeyframeGraph& graph, const SurfelMap& surfels
   hypothesis_ = PoseHypothesis{*found};
 }
 
+/// The hypothesis moves with the robot and is matched by itself; it is dropped as soon as it does
+/// not lead the robot's own pose.
 void KidnapDetector::follow(const KeyframeGraph& graph, const SurfelMap& surfels,
                             const PointScan& scan, const SE2& T_last_base, double own_fit,
                             const LineMatchOptions& line) {

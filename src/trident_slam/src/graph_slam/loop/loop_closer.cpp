@@ -155,6 +155,8 @@ bool LoopCloser::is_enough(const std::vector<std::size_t>& group, double path_le
   return has_two_submaps && group.size() >= static_cast<std::size_t>(needed);
 }
 
+/// A group that agrees becomes edges together, and its candidates wait no more; the others may
+/// still find partners.
 std::vector<GraphEdge> LoopCloser::take_edges(const KeyframeGraph& graph,
                                               const std::vector<std::size_t>& group) {
   std::vector<GraphEdge> edges;
@@ -170,6 +172,8 @@ std::vector<GraphEdge> LoopCloser::take_edges(const KeyframeGraph& graph,
   return edges;
 }
 
+/// Fast estimate and check in match(), then agreement with earlier candidates. A candidate that
+/// tracking itself would have found is no loop: it has nothing to correct.
 std::vector<GraphEdge> LoopCloser::search(const KeyframeGraph& graph, int submap,
                                           const std::vector<double>& path_lengths) {
   for (const int place : candidates_near(graph, submap, path_lengths)) {

@@ -30,6 +30,8 @@ bool accept(const std::vector<GraphEdge>& loops, const BackEndOptions& options,
 
 }  // namespace
 
+/// On a copy of the graph, so that mapping continues meanwhile. Without a new loop nothing is
+/// optimized, and the poses stay as they are.
 LoopOutcome LoopWorker::run(KeyframeGraph graph, const Job& job, double surfel_cell) {
   LoopOutcome outcome{{}, {}, SurfelMap(surfel_cell)};
   for (const int submap : job.submaps) {

@@ -82,6 +82,8 @@ bool Place::is_seen_free(const Eigen::Vector2d& p_place) const {
   return false;
 }
 
+/// Points on a surface of the place speak for the pose, points where beams have passed speak
+/// against it; what lies in unknown space says nothing, and lowers the overlap.
 Agreement Place::agreement(const SurfelMap& surfels, const PointScan& cloud,
                            const SE2& T_place_cloud) const {
   const Eigen::Matrix2d R = T_place_cloud.rotation();

@@ -23,6 +23,8 @@ void insert_surfels(const SurfelMap& surfels, const Eigen::Vector2d& about, doub
   hits->insert(SE2::identity(), points);
 }
 
+/// The whole map and all headings by branch and bound, with thinned points; the best pose is then
+/// refined with all of them.
 std::optional<MatchResult> relocalize_in_map(const SurfelMap& surfels, const PointScan& scan,
                                              const LineMatchOptions& line,
                                              const RelocalizationOptions& options) {

@@ -17,6 +17,8 @@ void move_submap(int submap, const SE2& T_map_moved, KeyframeGraph* graph) {
 
 }  // namespace
 
+/// A loop that the user asks for is matched from where the user has put it, and refused if the
+/// scans do not fit there.
 bool MapEditor::close_loop(int older, int newer, const SE2& T_older_newer,
                            const ScanTrackerOptions& tracking) {
   SurfelMap reference(tracking.tracking.surfel_cell);
@@ -70,6 +72,8 @@ std::optional<GraphEdge> MapEditor::make_edge_at_pose(int keyframe, const SE2& T
   return std::nullopt;
 }
 
+/// All edges are added before the graph is optimized once: moves that belong together are not
+/// played off against each other.
 std::vector<int> MapEditor::move_keyframes(const std::map<int, SE2>& T_map_base) {
   backend_->finish_running_search();
   std::vector<int> rejected;
@@ -93,11 +97,13 @@ void MapEditor::pad_last_submap() {
   while (graph_->size() % graph_->submap_size() != 0) {
     const int last = graph_->size() - 1;
     const int k = graph_->add({graph_->pose(last), {}, (*graph_)[last].travelled});
-    graph_->forget_scan(k);
+    graph_->set_scan(k, std::make_shared<const PointScan>());
     graph_->add_edge({last, k, SE2::identity(), 1e6 * Eigen::Matrix3d::Identity()});
   }
 }
 
+/// The other session's keyframes follow those of this one, with numbers moved behind them; submaps
+/// do not mix the two. A weak edge ties both, until loops show how they lie.
 int MapEditor::join(const KeyframeGraph& other, const SE2& T_map_session, double gap) {
   pad_last_submap();
   const int first = graph_->size();

@@ -90,6 +90,8 @@ void write_session_file(const std::string& path, const BinaryWriter& contents) {
   keep_folder_of(path);
 }
 
+/// Name, version and checksum are read before anything else: a file that is cut off or damaged must
+/// not become a map that looks right.
 BinaryReader read_session_file(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) throw Error(path + ": cannot be read");

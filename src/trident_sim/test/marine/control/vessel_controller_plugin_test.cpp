@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "boat_world.h"
+#include "../boat_world.h"
 #include "controlled_boat.h"
 #include "plugin_conformance.h"
 #include "trident_control_sim/lee_plugin.h"

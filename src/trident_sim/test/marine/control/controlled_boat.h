@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "../standalone_vessel.h"
 #include "marine/environment/environment.h"
 #include "marine/vessel/rudder.h"
 #include "marine/vessel/thruster.h"
-#include "standalone_vessel.h"
 #include "trident_control/vessel_controller.h"
 
 namespace trident::sim {
