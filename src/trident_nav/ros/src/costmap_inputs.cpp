@@ -9,6 +9,7 @@
 #include <sensor_msgs/point_cloud2_iterator.h>
 #include <tf2/exceptions.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "trident_base/error.h"
@@ -22,6 +23,9 @@ namespace {
 
 constexpr double kMaxWait_s = 1.0;  // for a transform
 constexpr std::size_t kMaxPending = 50;
+// Between data and the update that takes them: more than their stamps differ from their period by,
+// and less than a simulator continues by before it waits.
+constexpr double kLockstepMargin_s = 0.005;
 
 LaserScan to_scan(const sensor_msgs::LaserScan& message) {
   LaserScan scan;
@@ -136,6 +140,26 @@ void CostmapInputs::add(BeamSource& source, const ros::Time& stamp, Observe obse
   const std::lock_guard lock(mutex_);
   if (pending_.size() >= kMaxPending) pending_.pop_front();
   pending_.push_back({&source, std::move(observe), stamp.toSec(), ros::WallTime::now()});
+  received_[&source].note(stamp.toSec());
+}
+
+/// Whether data of a source are to come that an update takes. A period is known from the second
+/// data on.
+bool CostmapInputs::is_late(double now_s) {
+  const std::lock_guard lock(mutex_);
+  return std::any_of(received_.begin(), received_.end(), [now_s](const auto& entry) {
+    const SourceAge& age = entry.second;
+    const double next_s = age.newest_s() + age.period_s();
+    return age.period_s() > 0.0 && next_s < now_s - kLockstepMargin_s;
+  });
+}
+
+/// For a while: a source may have ended.
+void CostmapInputs::await_data(double now_s) {
+  const ros::WallTime begun = ros::WallTime::now();
+  while (ros::ok() && (ros::WallTime::now() - begun).toSec() < kMaxWait_s && is_late(now_s)) {
+    ros::WallDuration(1e-4).sleep();
+  }
 }
 
 bool CostmapInputs::has_news() {
@@ -187,7 +211,8 @@ void CostmapInputs::apply_pending(Pending& pending, std::deque<Pending>* waiting
   }
 }
 
-void CostmapInputs::apply() {
+void CostmapInputs::apply(double now_s) {
+  if (is_lockstep_) await_data(now_s);
   std::deque<Pending> pending, waiting;
   std::vector<std::function<void()>> maps;
   {
@@ -202,7 +227,13 @@ void CostmapInputs::apply() {
       refusals_.note("map", std::string("a map is not used: ") + error.what());
     }
   }
-  for (Pending& one : pending) apply_pending(one, &waiting);
+  for (Pending& one : pending) {
+    if (is_lockstep_ && one.stamp_s >= now_s - kLockstepMargin_s) {
+      waiting.push_back(std::move(one));  // the next update takes it in any case
+    } else {
+      apply_pending(one, &waiting);
+    }
+  }
   const std::lock_guard lock(mutex_);
   pending_.insert(pending_.begin(), std::make_move_iterator(waiting.begin()),
                   std::make_move_iterator(waiting.end()));

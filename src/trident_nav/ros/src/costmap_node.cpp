@@ -92,7 +92,7 @@ void CostmapNode::update(double now_s) {
   const std::optional<Pose2> pose = robot(now_s, &problem);
   if (!pose) return;
   const std::lock_guard lock(mutex_);
-  inputs_.apply();
+  inputs_.apply(now_s);
   costmap_->update({now_s, *pose});
   is_all_unpublished_ |= costmap_->has_moved();
   if (!is_all_unpublished_) unpublished_ = joined(unpublished_, costmap_->changed().bounds());

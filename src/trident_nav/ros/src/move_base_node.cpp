@@ -8,6 +8,7 @@
 #include <tf2/exceptions.h>
 #include <tf2_geometry_msgs/tf2_geometry_msgs.h>
 
+#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -29,12 +30,12 @@ MoveBaseNode::MoveBaseNode(ros::NodeHandle& node, const ros::NodeHandle& private
                   [this](const std::string& problem) { refusals_.note("transform", problem); }),
       parts_(make_move_base_parts(private_node, buffer_, refusals_)) {
   serve(node, private_node);
-  global_thread_ = std::thread([this] { update_global(); });
+  if (!parts_->params.lockstep) global_thread_ = std::thread([this] { update_global(); });
 }
 
 MoveBaseNode::~MoveBaseNode() {
   is_ending_ = true;
-  global_thread_.join();
+  if (global_thread_.joinable()) global_thread_.join();
 }
 
 void MoveBaseNode::serve(ros::NodeHandle& node, ros::NodeHandle private_node) {
@@ -81,8 +82,11 @@ void MoveBaseNode::on_odometry(const nav_msgs::Odometry& message) {
   }
   parts_->world->note_odometry(message.header.stamp.toSec());
   const geometry_msgs::Twist& twist = message.twist.twist;
-  const std::lock_guard lock(odometry_mutex_);
-  measured_ = {twist.linear.x, twist.linear.y, twist.angular.z};
+  {
+    const std::lock_guard lock(odometry_mutex_);
+    measured_ = {twist.linear.x, twist.linear.y, twist.angular.z};
+  }
+  if (parts_->params.lockstep) lockstep_.samples.push(message.header.stamp.toSec());
 }
 
 /// While the robot drives, and once for each set of names.
@@ -113,6 +117,59 @@ void MoveBaseNode::update_global() {
 }
 
 void MoveBaseNode::run() {
+  if (parts_->params.lockstep) {
+    run_in_lockstep();
+  } else {
+    run_by_clock();
+  }
+}
+
+void MoveBaseNode::run_in_lockstep() {
+  constexpr std::chrono::milliseconds kPoll{100};  // whether the node is to end
+  while (ros::ok()) {
+    if (const auto stamp_s = lockstep_.samples.pop(kPoll)) answer(*stamp_s);
+  }
+}
+
+/// The simulator continues with the answer: until then nothing newer than the sample comes, so that
+/// equal samples give equal answers, however long they take.
+void MoveBaseNode::answer(double stamp_s) {
+  constexpr double kRounding_s = 1e-6;
+  reconfiguration_->apply();
+  await_transform(stamp_s);
+  const auto is_due = [&](double last_s, double period_s) {
+    return stamp_s < last_s || stamp_s - last_s >= period_s - kRounding_s;
+  };
+  if (is_due(lockstep_.updated_s, parts_->global->update_period_s())) {
+    lockstep_.updated_s = stamp_s;
+    parts_->global->update(stamp_s);
+  }
+  if (is_due(lockstep_.cycled_s, 1.0 / parts_->navigator->params().controller_frequency)) {
+    // Goals wait until the periods of all sources are known: before, nobody knows what is late.
+    constexpr double kSettle_s = 1.0;
+    if (lockstep_.cycled_s < 0.0) lockstep_.begun_s = stamp_s;
+    lockstep_.cycled_s = stamp_s;
+    if (stamp_s - lockstep_.begun_s < kSettle_s) {
+      parts_->local->update(stamp_s);
+    } else {
+      cycle(stamp_s);
+    }
+  }
+  links_.command.publish(lockstep_.answer);
+}
+
+/// The sample and its transform come on connections of their own.
+void MoveBaseNode::await_transform(double stamp_s) const {
+  constexpr double kLimit_s = 2.0;  // wall time
+  const ros::WallTime begun = ros::WallTime::now();
+  const ros::Time stamp(stamp_s);
+  while (ros::ok() && (ros::WallTime::now() - begun).toSec() < kLimit_s) {
+    if (buffer_.canTransform(parts_->local->frame(), parts_->local->base_frame(), stamp)) return;
+    ros::WallDuration(1e-4).sleep();
+  }
+}
+
+void MoveBaseNode::run_by_clock() {
   double frequency = parts_->navigator->params().controller_frequency;
   ros::Rate rate(frequency);
   while (ros::ok()) {
@@ -121,14 +178,13 @@ void MoveBaseNode::run() {
       frequency = parts_->navigator->params().controller_frequency;
       rate = ros::Rate(frequency);
     }
-    cycle();
+    cycle(ros::Time::now().toSec());
     rate.sleep();
   }
   send({});
 }
 
-void MoveBaseNode::cycle() {
-  const double now_s = ros::Time::now().toSec();
+void MoveBaseNode::cycle(double now_s) {
   parts_->local->update(now_s);
   take_goals(now_s);
   if (!goals_->is_active()) return;
@@ -220,7 +276,8 @@ void MoveBaseNode::send(const Twist2& twist) {
   message.linear.x = twist.vx;
   message.linear.y = twist.vy;
   message.angular.z = twist.wz;
-  links_.command.publish(message);
+  lockstep_.answer = message;
+  if (!parts_->params.lockstep) links_.command.publish(message);
   is_driving_ = twist.vx != 0.0 || twist.vy != 0.0 || twist.wz != 0.0;
 }
 

@@ -103,6 +103,11 @@ std::unique_ptr<MoveBaseParts> make_move_base_parts(const ros::NodeHandle& priva
   parts->world = std::make_unique<PlanningThread>(*parts->global, *parts->local, *parts->planner,
                                                   setup.limits);
   parts->world->set_odometry_topic(parts->control.odom_topic);
+  if (parts->params.lockstep) {
+    parts->world->plan_at_once();
+    parts->local->set_lockstep();
+    parts->global->set_lockstep();
+  }
   NavigatorParts navigator = make_navigator_parts(parts->params, setup, parts->tree, &warnings);
   std::vector<std::string> spaces = {"global_costmap", "local_costmap", parts->planner_space,
                                      parts->controller_space};

@@ -64,6 +64,12 @@ void PlanningThread::run() {
 }
 
 void PlanningThread::request_plan(const Pose2& start, const Pose2& goal) {
+  if (plans_at_once_) {
+    PlanOutcome outcome = plan_now(start, goal);
+    const std::lock_guard lock(mutex_);
+    outcome_ = std::move(outcome);
+    return;
+  }
   {
     const std::lock_guard lock(mutex_);
     outcome_.reset();

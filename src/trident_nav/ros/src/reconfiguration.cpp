@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trident_nav_ros/reconfiguration.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "trident_base/error.h"
@@ -62,7 +63,11 @@ void Reconfiguration::add_server(const std::string& name_space,
 }
 
 void Reconfiguration::serve_node() {
-  const std::vector<ConfigField> fields = config_fields<MoveBaseParams>();
+  std::vector<ConfigField> fields = config_fields<MoveBaseParams>();
+  // Who waits for whom is settled at the start.
+  fields.erase(std::remove_if(fields.begin(), fields.end(),
+                              [](const ConfigField& one) { return one.name == "lockstep"; }),
+               fields.end());
   add_server("", fields, only_fields(parts_.tree, fields),
              [this](const ConfigNode& values) { change_node(values); });
 }

@@ -8,6 +8,7 @@
 
 #include <deque>
 #include <functional>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -16,6 +17,7 @@
 
 #include "trident_nav/costmap/beam_layer.h"
 #include "trident_nav/costmap/costmap.h"
+#include "trident_nav/costmap/source_age.h"
 #include "trident_nav/costmap/static_layer.h"
 #include "trident_ros/refusals.h"
 
@@ -35,8 +37,13 @@ class CostmapInputs {
                                           Span<const SE3> T_costmap_laser)>;
   void set_scan_listener(ScanListener listener) { on_scan_ = std::move(listener); }
 
+  /// For a simulator that waits for the node: from now on an update takes exactly what is older
+  /// than itself by some milliseconds, and waits for scans that are to come by then as their
+  /// sources' periods say. What is used does not depend on which message comes first.
+  void set_lockstep() { is_lockstep_ = true; }
+
   /// Hands over what has come, but for what tf does not reach yet. The costmap is locked.
-  void apply();
+  void apply(double now_s);
   bool has_news();
 
  private:
@@ -52,6 +59,8 @@ class CostmapInputs {
   void subscribe_map(ros::NodeHandle& node, StaticLayer& layer);
   void subscribe_beams(ros::NodeHandle& node, BeamLayer& layer);
   bool is_refused(const BeamSource& source, const ros::Time& stamp);
+  void await_data(double now_s);
+  bool is_late(double now_s);
   void add(BeamSource& source, const ros::Time& stamp, Observe observe);
   void apply_pending(Pending& pending, std::deque<Pending>* waiting);
   std::optional<Observation> observe(const sensor_msgs::LaserScan& scan, const BeamSource& source);
@@ -63,8 +72,10 @@ class CostmapInputs {
   ros_utils::Refusals& refusals_;
   std::string frame_;
   ScanListener on_scan_;
+  bool is_lockstep_ = false;
   std::mutex mutex_;  // guards what follows
   std::deque<Pending> pending_;
+  std::map<const BeamSource*, SourceAge> received_;
   std::vector<std::function<void()>> maps_;
   std::vector<ros::Subscriber> subscribers_;
 };

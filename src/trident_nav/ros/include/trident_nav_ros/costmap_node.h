@@ -58,6 +58,8 @@ class CostmapNode {
   void set_scan_listener(CostmapInputs::ScanListener listener) {
     inputs_.set_scan_listener(std::move(listener));
   }
+  /// See CostmapInputs.
+  void set_lockstep() { inputs_.set_lockstep(); }
   /// Takes in what has come, and publishes what is due.
   void update(double now_s);
   /// What is missing before the costmap can be used: a map; empty: nothing.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <geometry_msgs/PoseStamped.h>
+#include <geometry_msgs/Twist.h>
 #include <nav_msgs/GetPlan.h>
 #include <nav_msgs/Odometry.h>
 #include <ros/ros.h>
@@ -20,6 +21,7 @@
 #include "trident_nav_ros/goal_server.h"
 #include "trident_nav_ros/move_base_parts.h"
 #include "trident_nav_ros/reconfiguration.h"
+#include "trident_nav_ros/sample_queue.h"
 #include "trident_ros/refusals.h"
 #include "trident_ros/transform_input.h"
 
@@ -38,8 +40,12 @@ class MoveBaseNode {
  private:
   void serve(ros::NodeHandle& node, ros::NodeHandle private_node);
   void update_global();
+  void run_by_clock();
+  void run_in_lockstep();
+  void answer(double stamp_s);
+  void await_transform(double stamp_s) const;
   void warn_of_rivals();
-  void cycle();
+  void cycle(double now_s);
   void take_goals(double now_s);
   bool place_goal(double now_s, std::string* problem);
   std::optional<NavigatorInput> sense(double now_s, std::string* problem);
@@ -75,6 +81,13 @@ class MoveBaseNode {
   std::atomic<bool> is_driving_{false};  // the last command was not zero
   std::string rivals_;                   // named in the latest warning; of global_thread_
   double warned_s_ = -1e9;
+  /// Of a run in lockstep; the controlling thread's but for the queue.
+  struct Lockstep {
+    SampleQueue samples;
+    geometry_msgs::Twist answer;  ///< The command at present.
+    double cycled_s = -1.0, updated_s = -1.0, begun_s = 0.0;
+  };
+  Lockstep lockstep_;
   std::atomic<bool> is_ending_{false};
   std::thread global_thread_;
 };

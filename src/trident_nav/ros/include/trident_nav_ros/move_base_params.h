@@ -42,6 +42,7 @@ struct MoveBaseParams : NavigatorParams {
   bool make_plan_clear_costmap = true;
   bool make_plan_add_unreachable_goal = true;
   MovingObstacleParams moving_obstacles;
+  bool lockstep = false;
 
   template <class Archive>
   void visit(Archive& ar) {
@@ -61,6 +62,9 @@ struct MoveBaseParams : NavigatorParams {
     ar.field("make_plan_add_unreachable_goal", make_plan_add_unreachable_goal,
              "accepted: a plan's last pose is what can be reached");
     ar.field("moving_obstacles", moving_obstacles, "what is tracked");
+    ar.field("lockstep", lockstep,
+             "each message of odometry is answered by one command, for a simulator that waits for "
+             "it; all is computed in between");
   }
 };
 

@@ -68,7 +68,8 @@ class PlannerNode {
 
  private:
   using Poses = std::vector<geometry_msgs::PoseStamped>;
-  /// A start without a frame: from where the robot is. Empty, with a problem, when it does not exist.
+  /// A start without a frame: from where the robot is. Empty, with a problem, when it does not
+  /// exist.
   Poses plan(const geometry_msgs::PoseStamped& start, const geometry_msgs::PoseStamped& goal,
              std::string* problem);
   std::optional<Pose2> placed(const geometry_msgs::PoseStamped& pose, double now_s,

@@ -34,6 +34,8 @@ class PlanningThread : public NavigatorWorld {
   }
   /// Odometry came, stamped so [s].
   void note_odometry(double stamp_s);
+  /// Plans are made within request_plan(), so that the same step takes them in each run.
+  void plan_at_once() { plans_at_once_ = true; }
   /// From the next plan on; from any thread.
   void set_limits(const MotionLimits& limits);
   void set_odometry_topic(const std::string& topic) { odom_topic_ = topic; }
@@ -59,6 +61,7 @@ class PlanningThread : public NavigatorWorld {
   Planner& planner_;
   Pose2 robot_global_, robot_local_;  // of the thread that steps the navigator
   std::string odom_topic_;
+  bool plans_at_once_ = false;
 
   std::mutex planner_mutex_;  // guards planner_, limits_ and avoided_
   MotionLimits limits_;

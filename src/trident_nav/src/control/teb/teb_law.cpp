@@ -108,10 +108,11 @@ Proposal TebLaw::propose(const Situation& situation) {
 }  // namespace
 
 void add_teb(ControlLawRegistry& registry) {
-  const ControlLawFactory factory = [](const ControlSetup& setup, const ConfigNode& params,
-                                       const std::string& label) {
+  ControlLawFactory factory = [](const ControlSetup& setup, const ConfigNode& params,
+                                 const std::string& label) {
     return std::make_unique<TebLaw>(setup, load_config_node<TebParams>(params, label));
   };
+  factory.fields = config_fields<TebParams>();
   registry.add("teb", factory);
   registry.add("teb_local_planner/TebLocalPlannerROS", factory);
 }
