@@ -34,7 +34,9 @@ HomotopyMap::HomotopyMap(const CostGrid& grid, const TebRegion& area, double ins
 }
 
 Point2 HomotopyMap::point(int node) const {
-  return {origin_.x + step_m_ * (node % width_), origin_.y + step_m_ * (node / width_)};
+  const int column = node % width_;
+  const int row = node / width_;
+  return {origin_.x + step_m_ * column, origin_.y + step_m_ * row};
 }
 
 int HomotopyMap::node_at(const Point2& point) const {
@@ -48,7 +50,7 @@ bool HomotopyMap::is_edge(int x, int y) const {
 }
 
 void HomotopyMap::block(const CostGrid& grid, double inscribed_radius, UnknownCells unknown) {
-  is_blocked_.assign(static_cast<std::size_t>(width_ * height_), 0);
+  is_blocked_.assign(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), 0);
   for (int node = 0; node < width_ * height_; ++node) {
     const Point2 p = point(node);
     const Cell cell = grid.geometry.cell(p.x, p.y);
@@ -77,7 +79,8 @@ bool HomotopyMap::flood(int seed, std::vector<std::uint8_t>* seen) const {
       const int nx = x + k % 3 - 1;
       const int ny = y + k / 3 - 1;
       if (nx < 0 || ny < 0 || nx >= width_ || ny >= height_) continue;
-      const auto next = static_cast<std::size_t>(ny * width_ + nx);
+      const int neighbor = ny * width_ + nx;
+      const auto next = static_cast<std::size_t>(neighbor);
       if (is_blocked_[next] == 0 || (*seen)[next] != 0) continue;
       (*seen)[next] = 1;
       open.push_back(static_cast<int>(next));
