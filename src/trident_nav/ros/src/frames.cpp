@@ -66,11 +66,12 @@ Pose2 placed_in(const Pose2& frame, const Pose2& pose) {
 
 std::optional<Pose2> newest_pose(const tf2::BufferCore& buffer, const std::string& target,
                                  const std::string& source, double now_s, double tolerance_s,
-                                 std::string* problem) {
+                                 std::string* problem, double* stamp_s) {
   try {
     const geometry_msgs::TransformStamped found =
         buffer.lookupTransform(target, source, ros::Time(0));
     const double age_s = now_s - found.header.stamp.toSec();
+    if (stamp_s != nullptr) *stamp_s = found.header.stamp.isZero() ? now_s : now_s - age_s;
     if (found.header.stamp.isZero() || age_s <= tolerance_s) return to_pose2(found.transform);
     *problem = "the newest transform from " + source + " to " + target + " is " +
                number_text(std::round(age_s * 1e3) / 1e3) + " s old, transform_tolerance is " +

@@ -251,13 +251,12 @@ bool MoveBaseNode::place_goal(double now_s, std::string* problem) {
 std::optional<NavigatorInput> MoveBaseNode::sense(double now_s, std::string* problem) {
   NavigatorInput input;
   input.now_s = now_s;
-  const std::optional<Pose2> local = parts_->local->robot(now_s, problem);
+  const std::optional<Pose2> local = parts_->local->robot(now_s, problem, &input.state.time_s);
   if (!local) return std::nullopt;
   const std::optional<Pose2> T_global_local = newest_pose(
       buffer_, parts_->global->frame(), parts_->local->frame(), now_s, INFINITY, problem);
   if (!T_global_local) return std::nullopt;
   input.state.pose = *local;
-  input.state.time_s = now_s;
   input.robot_global = placed_in(*T_global_local, *local);
   const std::lock_guard lock(odometry_mutex_);
   input.state.twist = measured_;

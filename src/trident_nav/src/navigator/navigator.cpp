@@ -52,11 +52,12 @@ std::string joined_texts(const std::vector<StaleSource>& sources) {
 NavigatorInput at_present(NavigatorInput input) {
   constexpr double kMaxAge_s = 0.3;  // nobody knows what it has done in longer times
   const double age_s = input.now_s - input.state.time_s;
-  if (!(age_s > 0.0 && age_s <= kMaxAge_s)) return input;
+  if (!(age_s > 0.0)) return input;
+  input.state.time_s = input.now_s;  // times of states never decrease
+  if (age_s > kMaxAge_s) return input;
   const Pose2 moved = integrate({}, input.state.twist, age_s);
   input.state.pose = placed(input.state.pose, moved);
   input.robot_global = placed(input.robot_global, moved);
-  input.state.time_s = input.now_s;
   return input;
 }
 

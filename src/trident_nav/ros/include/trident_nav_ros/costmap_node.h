@@ -51,8 +51,8 @@ class CostmapNode {
   /// While locked.
   Costmap& costmap() { return *costmap_; }
 
-  /// The newest pose of the robot; else a sentence says why it is unknown.
-  std::optional<Pose2> robot(double now_s, std::string* problem) const;
+  /// The newest pose of the robot and its time; else a sentence says why it is unknown.
+  std::optional<Pose2> robot(double now_s, std::string* problem, double* stamp_s = nullptr) const;
   /// See CostmapInputs; called by update(), with the costmap locked. To be set before its first
   /// call.
   void set_scan_listener(CostmapInputs::ScanListener listener) {

@@ -28,9 +28,10 @@ nav_msgs::Path path_message(const Path& path, const std::string& frame, double n
 Pose2 placed_in(const Pose2& frame, const Pose2& pose);
 
 /// The newest pose of a frame in another. Empty, with a sentence that names both frames and what is
-/// wrong, when tf has none, or one older than `tolerance_s`.
+/// wrong, when tf has none, or one older than `tolerance_s`. `stamp_s` gets its time; now if it is
+/// static.
 std::optional<Pose2> newest_pose(const tf2::BufferCore& buffer, const std::string& target,
                                  const std::string& source, double now_s, double tolerance_s,
-                                 std::string* problem);
+                                 std::string* problem, double* stamp_s = nullptr);
 
 }  // namespace trident::nav
