@@ -12,7 +12,7 @@ import pytest
 from trident_benchmarks.nav import movingai, speed
 from trident_eval.core.errors import EvalError
 
-WALL = ["....@...", "....@...", "....@...", "........"]  # the way around its end
+WALL = ["....@...", "....@...", "....@...", "........"]  # open at one end
 
 
 def write_map(folder: Path, length: float) -> None:

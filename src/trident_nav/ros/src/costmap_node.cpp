@@ -83,10 +83,8 @@ void CostmapNode::change_layer(const std::string& name, const ConfigNode& values
   builtin_layer_types().get(plugin_class(spec->plugin)).change(*costmap_->layer(name), setup);
 }
 
-std::optional<Pose2> CostmapNode::robot(double now_s, std::string* problem,
-                                        double* stamp_s) const {
-  return newest_pose(buffer_, frame_, base_frame_, now_s, transform_tolerance_s_, problem,
-                     stamp_s);
+std::optional<Pose2> CostmapNode::robot(double now_s, std::string* problem, double* stamp_s) const {
+  return newest_pose(buffer_, frame_, base_frame_, now_s, transform_tolerance_s_, problem, stamp_s);
 }
 
 void CostmapNode::update(double now_s) {
