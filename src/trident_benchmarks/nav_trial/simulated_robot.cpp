@@ -60,10 +60,10 @@ SimulatedRobot::SimulatedRobot(const TrialConfig& config, std::uint64_t seed)
   request.label = config.robot;
   request.T_world_model = planar(config.start[0], config.start[1], config.start[2]);
   robot_ = &world_->spawn(request);
-  scan_ = &listen<sim::LaserScanSample>(config.scan_topic);
-  imu_ = &listen<sim::ImuSample>(config.imu_topic);
-  command_ = world_->ports().find_in<sim::TwistCommand>(config.command_topic);
-  if (command_ == nullptr) {
+  ports_.scan = &listen<sim::LaserScanSample>(config.scan_topic);
+  ports_.imu = &listen<sim::ImuSample>(config.imu_topic);
+  ports_.command = world_->ports().find_in<sim::TwistCommand>(config.command_topic);
+  if (ports_.command == nullptr) {
     throw Error(config.robot + ": nothing takes velocities on " + config.command_topic);
   }
   T_base_laser_ = pose_of_sensor(*robot_, config.lidar);
@@ -107,19 +107,20 @@ void SimulatedRobot::step() {
   world_->step();
   read_gyro();
   // A quarter of a step is less than what times are rounded by.
-  if (time_s() - encoders_s_ >= odometry_period_s_ - 0.25 * world_->dt().seconds()) read_encoders();
+  if (time_s() - seen_.encoders_s >= odometry_period_s_ - 0.25 * world_->dt().seconds())
+    read_encoders();
 }
 
 void SimulatedRobot::read_gyro() {
-  if (imu_->count() == rates_) return;
-  rates_ = imu_->count();
-  odometry_.add_rate(imu_->value.w_imu.z(), time_s() - gyro_s_);
-  gyro_s_ = time_s();
+  if (ports_.imu->count() == seen_.rates) return;
+  seen_.rates = ports_.imu->count();
+  odometry_.add_rate(ports_.imu->value.w_imu.z(), time_s() - seen_.gyro_s);
+  seen_.gyro_s = time_s();
 }
 
 void SimulatedRobot::read_encoders() {
-  odometry_.add_turns(mean_position(left_), mean_position(right_), time_s() - encoders_s_);
-  encoders_s_ = time_s();
+  odometry_.add_turns(mean_position(left_), mean_position(right_), time_s() - seen_.encoders_s);
+  seen_.encoders_s = time_s();
 }
 
 void SimulatedRobot::command(const nav::Twist2& twist) {
@@ -127,13 +128,13 @@ void SimulatedRobot::command(const nav::Twist2& twist) {
   command.v_base.x() = twist.vx;
   command.v_base.y() = twist.vy;
   command.w_base.z() = twist.wz;
-  command_->write(command);
+  ports_.command->write(command);
 }
 
 std::optional<PlacedScan> SimulatedRobot::take_scan() {
-  if (scan_->count() == scans_) return std::nullopt;
-  scans_ = scan_->count();
-  const sim::LaserScanSample& sample = scan_->value;
+  if (ports_.scan->count() == seen_.scans) return std::nullopt;
+  seen_.scans = ports_.scan->count();
+  const sim::LaserScanSample& sample = ports_.scan->value;
   PlacedScan placed;
   placed.scan.stamp_ns = sample.stamp.ns;
   placed.scan.angle_min = sample.angle_min_rad;

@@ -40,7 +40,7 @@ class SimulatedRobot {
 
   const WheelOdometry& odometry() const { return odometry_; }
   /// When odometry was last computed.
-  double odometry_time_s() const { return encoders_s_; }
+  double odometry_time_s() const { return seen_.encoders_s; }
   /// The newest scan, once.
   std::optional<PlacedScan> take_scan();
   /// Where the robot is in the world.
@@ -60,15 +60,22 @@ class SimulatedRobot {
   sim::Resources resources_;
   std::unique_ptr<sim::World> world_;
   sim::Model* robot_ = nullptr;
-  sim::OutPort<sim::LaserScanSample>* scan_ = nullptr;
-  sim::OutPort<sim::ImuSample>* imu_ = nullptr;
-  sim::InPort<sim::TwistCommand>* command_ = nullptr;
+  struct Ports {
+    sim::OutPort<sim::LaserScanSample>* scan = nullptr;
+    sim::OutPort<sim::ImuSample>* imu = nullptr;
+    sim::InPort<sim::TwistCommand>* command = nullptr;
+  };
+  Ports ports_;
   SE3 T_base_laser_;
   std::vector<const sim::Joint*> left_, right_;
   WheelOdometry odometry_;
   double odometry_period_s_;
-  double encoders_s_ = 0.0, gyro_s_ = 0.0;
-  std::uint64_t scans_ = 0, rates_ = 0;
+  /// When each was last read, and how many of each have been.
+  struct Seen {
+    double encoders_s = 0.0, gyro_s = 0.0;
+    std::uint64_t scans = 0, rates = 0;
+  };
+  Seen seen_;
 };
 
 }  // namespace trident::benchmarks

@@ -94,11 +94,11 @@ void CostmapNode::update(double now_s) {
   const std::lock_guard lock(mutex_);
   inputs_.apply(now_s);
   costmap_->update({now_s, *pose});
-  is_all_unpublished_ |= costmap_->has_moved();
-  if (!is_all_unpublished_) unpublished_ = joined(unpublished_, costmap_->changed().bounds());
+  news_.is_all |= costmap_->has_moved();
+  if (!news_.is_all) news_.box = joined(news_.box, costmap_->changed().bounds());
   const double rate = costmap_->params().publish_frequency;
-  const bool is_time_back = now_s < published_s_;
-  if (rate > 0.0 && (is_time_back || (now_s - published_s_) * rate >= 1.0 - 1e-6)) {
+  const bool is_time_back = now_s < news_.published_s;
+  if (rate > 0.0 && (is_time_back || (now_s - news_.published_s) * rate >= 1.0 - 1e-6)) {
     publish(now_s, *pose);
   }
 }
@@ -115,15 +115,15 @@ std::string CostmapNode::missing() {
 }
 
 void CostmapNode::publish(double now_s, const Pose2& robot) {
-  published_s_ = now_s;
+  news_.published_s = now_s;
   publish_footprint(now_s, robot);
-  if (is_all_unpublished_ || costmap_->params().always_send_full_costmap) {
+  if (news_.is_all || costmap_->params().always_send_full_costmap) {
     publish_all(now_s);
-  } else if (!unpublished_.empty()) {
-    publish_part(now_s, unpublished_);
+  } else if (!news_.box.empty()) {
+    publish_part(now_s, news_.box);
   }
-  is_all_unpublished_ = false;
-  unpublished_ = {};
+  news_.is_all = false;
+  news_.box = {};
 }
 
 void CostmapNode::publish_all(double now_s) {

@@ -94,8 +94,8 @@ void MoveBaseNode::warn_of_rivals() {
   if (!is_driving_) return;
   const std::string topic = links_.command.getTopic();
   const std::string text = ros_utils::rivals_text(topic, ros_utils::topic_publishers(topic));
-  if (!text.empty() && text != rivals_) ROS_WARN("%s", text.c_str());
-  rivals_ = text;
+  if (!text.empty() && text != warned_.rivals) ROS_WARN("%s", text.c_str());
+  warned_.rivals = text;
 }
 
 void MoveBaseNode::update_global() {
@@ -212,7 +212,7 @@ void MoveBaseNode::take_goals(double now_s) {
     }
     parts_->navigator->cancel();
     unplaced_goal_ = goal->target_pose;
-    warned_s_ = now_s;
+    warned_.waiting_s = now_s;
   } else if (goals_->is_cancel_requested()) {
     parts_->navigator->cancel();
     unplaced_goal_.reset();
@@ -265,8 +265,8 @@ std::optional<NavigatorInput> MoveBaseNode::sense(double now_s, std::string* pro
 
 void MoveBaseNode::stand(double now_s, const std::string& why) {
   if (is_driving_) send({});
-  if (now_s >= warned_s_ && now_s - warned_s_ < kWarningPeriod_s) return;
-  warned_s_ = now_s;
+  if (now_s >= warned_.waiting_s && now_s - warned_.waiting_s < kWarningPeriod_s) return;
+  warned_.waiting_s = now_s;
   ROS_WARN("The robot waits: %s.", why.c_str());
 }
 
@@ -294,8 +294,9 @@ void MoveBaseNode::act(const NavigatorInput& input, const NavigatorOutput& outpu
   }
   send(output.twist);
   if (output.waiting.empty()) return;
-  if (input.now_s - warned_s_ < kWarningPeriod_s && input.now_s >= warned_s_) return;
-  warned_s_ = input.now_s;
+  if (input.now_s - warned_.waiting_s < kWarningPeriod_s && input.now_s >= warned_.waiting_s)
+    return;
+  warned_.waiting_s = input.now_s;
   ROS_WARN("%s", output.waiting.c_str());
 }
 

@@ -25,7 +25,7 @@ void PlanningThread::set_limits(const MotionLimits& limits) {
 PlanningThread::~PlanningThread() {
   {
     const std::lock_guard lock(mutex_);
-    is_ending_ = true;
+    order_.is_last = true;
     cancel_ = true;
   }
   changed_.notify_all();
@@ -42,12 +42,12 @@ PlanOutcome PlanningThread::plan_now(const Pose2& start, const Pose2& goal) {
 
 void PlanningThread::run() {
   std::unique_lock lock(mutex_);
-  while (!is_ending_) {
-    if (!request_) {
+  while (!order_.is_last) {
+    if (!order_.request) {
       changed_.wait(lock);
       continue;
     }
-    const Request request = *std::exchange(request_, std::nullopt);
+    const Request request = *std::exchange(order_.request, std::nullopt);
     cancel_ = false;
     lock.unlock();
     PlanOutcome outcome;
@@ -59,7 +59,7 @@ void PlanningThread::run() {
                               request.goal, limits_, cancel_);
     }
     lock.lock();
-    if (!cancel_) outcome_ = std::move(outcome);
+    if (!cancel_) order_.outcome = std::move(outcome);
   }
 }
 
@@ -67,13 +67,13 @@ void PlanningThread::request_plan(const Pose2& start, const Pose2& goal) {
   if (plans_at_once_) {
     PlanOutcome outcome = plan_now(start, goal);
     const std::lock_guard lock(mutex_);
-    outcome_ = std::move(outcome);
+    order_.outcome = std::move(outcome);
     return;
   }
   {
     const std::lock_guard lock(mutex_);
-    outcome_.reset();
-    request_ = Request{start, goal};
+    order_.outcome.reset();
+    order_.request = Request{start, goal};
     cancel_ = true;  // of the one in progress
   }
   changed_.notify_all();
@@ -81,13 +81,13 @@ void PlanningThread::request_plan(const Pose2& start, const Pose2& goal) {
 
 std::optional<PlanOutcome> PlanningThread::take_plan() {
   const std::lock_guard lock(mutex_);
-  return std::exchange(outcome_, std::nullopt);
+  return std::exchange(order_.outcome, std::nullopt);
 }
 
 void PlanningThread::cancel_plan() {
   const std::lock_guard lock(mutex_);
-  request_.reset();
-  outcome_.reset();
+  order_.request.reset();
+  order_.outcome.reset();
   cancel_ = true;
 }
 
@@ -104,10 +104,10 @@ void PlanningThread::avoid(const Path& ahead) {
 }
 
 void PlanningThread::forget(const ClearedArea& area) {
-  if (area.maps != AffectedMaps::kGlobal) forget_area(local_.costmap(), robot_local_, area);
+  if (area.maps != AffectedMaps::kGlobal) forget_area(local_.costmap(), robot_.in_local, area);
   if (area.maps == AffectedMaps::kLocal) return;
   const auto lock = global_.lock();
-  forget_area(global_.costmap(), robot_global_, area);
+  forget_area(global_.costmap(), robot_.in_global, area);
 }
 
 void PlanningThread::note_odometry(double stamp_s) {

@@ -63,7 +63,7 @@ class Pilot:
             pose.pose.orientation.w = 1.0
             publisher.publish(pose)
         for publisher in self._publishers:
-            deadline = time.monotonic() + _CONNECT_LIMIT_S  # anew with each that has connected
+            deadline = time.monotonic() + _CONNECT_LIMIT_S  # again with each that has connected
             while publisher.get_num_connections() == 0:
                 if time.monotonic() > deadline:
                     raise EvalError(f"no controller listens to {publisher.resolved_name}")

@@ -81,9 +81,13 @@ class CostmapNode {
   std::atomic<double> update_period_s_{0.2}, transform_tolerance_s_{0.3};
   std::mutex mutex_;  // guards the costmap and what follows
   ros::Publisher all_, parts_, footprint_;
-  CellBox unpublished_;
-  bool is_all_unpublished_ = true;
-  double published_s_ = -1.0;
+  /// What subscribers do not know yet.
+  struct News {
+    CellBox box;
+    bool is_all = true;
+    double published_s = -1.0;
+  };
+  News news_;
 };
 
 }  // namespace trident::nav

@@ -79,8 +79,12 @@ class MoveBaseNode {
   Twist2 measured_;
   std::optional<geometry_msgs::PoseStamped> unplaced_goal_;
   std::atomic<bool> is_driving_{false};  // the last command was not zero
-  std::string rivals_;                   // named in the latest warning; of global_thread_
-  double warned_s_ = -1e9;
+  /// The latest warnings.
+  struct Warned {
+    std::string rivals;  ///< Of the command's topic; of global_thread_.
+    double waiting_s = -1e9;
+  };
+  Warned warned_;
   /// Of a run in lockstep; the controlling thread's but for the queue.
   struct Lockstep {
     SampleQueue samples;

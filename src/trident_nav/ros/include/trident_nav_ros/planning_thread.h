@@ -28,10 +28,7 @@ class PlanningThread : public NavigatorWorld {
 
   /// A plan at once, in the calling thread.
   PlanOutcome plan_now(const Pose2& start, const Pose2& goal);
-  void set_robot(const Pose2& in_global, const Pose2& in_local) {
-    robot_global_ = in_global;
-    robot_local_ = in_local;
-  }
+  void set_robot(const Pose2& in_global, const Pose2& in_local) { robot_ = {in_global, in_local}; }
   /// Odometry came, stamped so [s].
   void note_odometry(double stamp_s);
   /// Plans are made within request_plan(), so that the same step takes them in each run.
@@ -59,7 +56,11 @@ class PlanningThread : public NavigatorWorld {
   CostmapNode& global_;
   CostmapNode& local_;
   Planner& planner_;
-  Pose2 robot_global_, robot_local_;  // of the thread that steps the navigator
+  /// Where it is; of the thread that steps the navigator.
+  struct Robot {
+    Pose2 in_global, in_local;
+  };
+  Robot robot_;
   std::string odom_topic_;
   bool plans_at_once_ = false;
 
@@ -69,10 +70,14 @@ class PlanningThread : public NavigatorWorld {
   CancelFlag cancel_{false};
   std::mutex mutex_;  // guards what follows
   std::condition_variable changed_;
-  std::optional<Request> request_;
-  std::optional<PlanOutcome> outcome_;
+  /// The latest plan that was asked for: waiting, or made and not taken.
+  struct Order {
+    std::optional<Request> request;
+    std::optional<PlanOutcome> outcome;
+    bool is_last = false;  ///< The thread ends.
+  };
+  Order order_;
   SourceAge odometry_;
-  bool is_ending_ = false;
   std::thread thread_;
 };
 

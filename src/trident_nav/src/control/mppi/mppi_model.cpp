@@ -90,10 +90,11 @@ MppiModel make_mppi_model(const MppiParams& params, const ControlSetup& setup) {
   model.dt_s = params.model_dt.value_or(horizon_s(model.limits, setup.footprint) / model.steps);
   model.period_s = setup.period_s;
   const double range = model.limits.vx_max - model.limits.vx_min;
-  model.vx_std = params.vx_std.value_or(noise_std(range, model.limits.ax_max, model.horizon_s()));
-  model.vy_std = params.vy_std.value_or(
+  model.noise_std.vx =
+      params.vx_std.value_or(noise_std(range, model.limits.ax_max, model.horizon_s()));
+  model.noise_std.vy = params.vy_std.value_or(
       noise_std(2.0 * model.limits.vy_max, model.limits.ay_max, model.horizon_s()));
-  model.wz_std = params.wz_std.value_or(
+  model.noise_std.wz = params.wz_std.value_or(
       noise_std(model.limits.wz_max, model.limits.alpha_max, model.horizon_s()));
   model.length_m = model.limits.vx_max * model.horizon_s();
   model.distance_scale = kTunedLength / model.length_m;

@@ -25,7 +25,7 @@ struct MppiModel {
   int steps = 0;
   double dt_s = 0.0;
   double period_s = 0.0;
-  double vx_std = 0.0, vy_std = 0.0, wz_std = 0.0;
+  Twist2 noise_std;       ///< Standard deviations of what is sampled [m/s, m/s, rad/s].
   double length_m = 0.0;  ///< Driven in the horizon at full speed.
   /// Of distances along the path and to the goal: what Nav2's weights are tuned for is a horizon of
   /// 1.4 m.

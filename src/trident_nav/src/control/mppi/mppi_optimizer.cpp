@@ -70,8 +70,8 @@ void MppiOptimizer::sample(int block, const ControlPlan& plan, Rollouts* rollout
 }
 
 void MppiOptimizer::add_smoothness(const Rollouts& rollouts, float* costs) const {
-  const auto per_vx = static_cast<float>(gamma_ / (model_.vx_std * model_.vx_std));
-  const auto per_wz = static_cast<float>(gamma_ / (model_.wz_std * model_.wz_std));
+  const auto per_vx = static_cast<float>(gamma_ / (model_.noise_std.vx * model_.noise_std.vx));
+  const auto per_wz = static_cast<float>(gamma_ / (model_.noise_std.wz * model_.noise_std.wz));
   run_lanes([&]() TRIDENT_LANES {
     for (int step = 1; step < rollouts.steps; ++step) {
       const float* vx = rollouts.at(rollouts.vx, step);

@@ -22,7 +22,7 @@ NoiseTable::NoiseTable(const MppiModel& model, std::uint64_t seed, bool regenera
       blocks_(model.blocks + kSpareBlocks),
       steps_(model.steps),
       correlation_(std::exp(-1.0 / (kCorrelationShare * model.steps))),
-      sigmas_{model.vx_std, model.vy_std, model.wz_std},
+      sigmas_{model.noise_std.vx, model.noise_std.vy, model.noise_std.wz},
       regenerates_(regenerates) {
   generate(0);
 }

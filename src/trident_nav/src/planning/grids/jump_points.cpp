@@ -26,40 +26,40 @@ JumpPoints::JumpPoints(const StepCosts& costs, bool outline) : costs_(costs), ou
 
 bool JumpPoints::read(const CostGrid& grid) {
   const bool is_known =
-      is_read_ && grid.revision == revision_ && is_same_place(grid.geometry, geometry_);
+      map_.is_read && grid.revision == map_.revision && is_same_place(grid.geometry, map_.geometry);
   if (!is_known) {
-    geometry_ = grid.geometry;
-    revision_ = grid.revision;
-    is_uniform_ = read_costs(grid);
-    is_read_ = true;
+    map_.geometry = grid.geometry;
+    map_.revision = grid.revision;
+    map_.is_uniform = read_costs(grid);
+    map_.is_read = true;
   }
-  return is_uniform_;
+  return map_.is_uniform;
 }
 
 // Whether there is one step cost; most costmaps show in their first rows that there is not, and
 // then cost nothing more.
 bool JumpPoints::read_costs(const CostGrid& grid) {
   float step = StepCosts::kBlocked;
-  for (std::size_t i = 0; i < geometry_.size(); ++i) {
+  for (std::size_t i = 0; i < map_.geometry.size(); ++i) {
     const float cost = costs_.step[grid.cost[i]];
     if (cost == StepCosts::kBlocked) continue;
     if (step == StepCosts::kBlocked) step = cost;
     if (cost != step) return false;
   }
-  step_ = step;
-  rows_.reset(geometry_.height, geometry_.width);
-  columns_.reset(geometry_.width, geometry_.height);
+  map_.step = step;
+  map_.rows.reset(map_.geometry.height, map_.geometry.width);
+  map_.columns.reset(map_.geometry.width, map_.geometry.height);
   const int edge = outline_ ? 1 : 0;
-  for (int y = 0; y < geometry_.height; ++y) {
-    const bool is_edge_row = y < edge || y >= geometry_.height - edge;
-    for (int x = 0; x < geometry_.width; ++x) {
-      const bool is_edge = is_edge_row || x < edge || x >= geometry_.width - edge;
+  for (int y = 0; y < map_.geometry.height; ++y) {
+    const bool is_edge_row = y < edge || y >= map_.geometry.height - edge;
+    for (int x = 0; x < map_.geometry.width; ++x) {
+      const bool is_edge = is_edge_row || x < edge || x >= map_.geometry.width - edge;
       if (!is_edge && !costs_.blocked(grid.at(Cell{x, y}))) continue;
-      rows_.block(y, x);
-      columns_.block(x, y);
+      map_.rows.block(y, x);
+      map_.columns.block(x, y);
     }
   }
-  tiles_x_ = geometry_.width / kTile + 1;
+  tiles_x_ = map_.geometry.width / kTile + 1;
   forget_nodes();
   return true;
 }
@@ -67,7 +67,7 @@ bool JumpPoints::read_costs(const CostGrid& grid) {
 void JumpPoints::forget_nodes() {
   tiles_.clear();
   tiles_.resize(static_cast<std::size_t>(tiles_x_) *
-                static_cast<std::size_t>(geometry_.height / kTile + 1));
+                static_cast<std::size_t>(map_.geometry.height / kTile + 1));
   search_ = 0;
 }
 
@@ -156,7 +156,7 @@ void JumpPoints::jump(Cell from, int direction) {
 // Offers the jump point along a straight line from a cell, which was reached from another.
 void JumpPoints::jump_straight(Cell from, Cell via, int direction) {
   const bool is_row = direction % 2 == 0;
-  const JumpScan& lines = is_row ? rows_ : columns_;
+  const JumpScan& lines = is_row ? map_.rows : map_.columns;
   const int line = is_row ? via.y : via.x;
   const bool has_goal = line == (is_row ? goal_.y : goal_.x);
   const int goal_at = has_goal ? (is_row ? goal_.x : goal_.y) : JumpScan::kNone;
@@ -188,7 +188,7 @@ void JumpPoints::offer(Cell from, Cell to, int direction) {
   Node& at = node(to);
   if (length >= at.length) return;
   at.length = static_cast<std::uint32_t>(length);
-  at.parent = static_cast<std::int32_t>(geometry_.index(from));
+  at.parent = static_cast<std::int32_t>(map_.geometry.index(from));
   at.direction = static_cast<unsigned>(direction) & 0xFU;
   at.is_open = 1;
   queue_.push(length + distance(to, goal_), to);
@@ -200,7 +200,7 @@ double JumpPoints::cost_of(const std::vector<Cell>& path) const {
     straight += path[i].x == path[i - 1].x || path[i].y == path[i - 1].y ? 1 : 0;
   }
   const int diagonal = static_cast<int>(path.size()) - 1 - straight;
-  return (straight + kDiagonal * diagonal) * step_;
+  return (straight + kDiagonal * diagonal) * map_.step;
 }
 
 // From one jump point to the next a path goes diagonally first, then straight.
@@ -208,7 +208,7 @@ std::vector<Cell> JumpPoints::trace() {
   std::vector<Cell> jumps{goal_};
   while (!(jumps.back() == start_)) {
     const std::int32_t parent = node(jumps.back()).parent;
-    jumps.push_back({parent % geometry_.width, parent / geometry_.width});
+    jumps.push_back({parent % map_.geometry.width, parent / map_.geometry.width});
   }
   std::vector<Cell> cells{start_};
   for (auto to = jumps.rbegin(); to != jumps.rend(); ++to) {

@@ -67,7 +67,7 @@ class JumpPoints {
   static constexpr std::uint32_t kMaxSearches = (std::uint32_t{1} << 27U) - 1;
 
   bool read_costs(const CostGrid& grid);
-  bool is_free(int x, int y) const { return !rows_.blocked(y, x); }
+  bool is_free(int x, int y) const { return !map_.rows.blocked(y, x); }
   void forget_nodes();
   Node& node(Cell c);
   void expand(Cell c);
@@ -82,11 +82,15 @@ class JumpPoints {
 
   StepCosts costs_;
   bool outline_;
-  GridGeometry geometry_;
-  std::uint64_t revision_ = 0;
-  bool is_read_ = false, is_uniform_ = false;
-  double step_ = 1.0;  ///< Of one cell's length.
-  JumpScan rows_, columns_;
+  /// What was read of the grid.
+  struct Map {
+    GridGeometry geometry;
+    std::uint64_t revision = 0;
+    bool is_read = false, is_uniform = false;
+    double step = 1.0;  ///< Of one cell's length.
+    JumpScan rows, columns;
+  };
+  Map map_;
   std::vector<std::unique_ptr<Tile>> tiles_;
   BucketQueue<Cell> queue_;
   Cell start_, goal_;
