@@ -99,7 +99,7 @@ def withstands(
     note_treated(target)
     found = Campaign(target, settings, examples, meanwhile).run()
     print(node, found.text())
-    assert not found.problems, found.text()
+    assert not found.problems, f"{found.text()}\nits log ends:\n{process.log[-3000:]}"
     refusals = sum(found.refused.values())  # each has its answer, and a line in the log
     count = len(logged_problems(process.log)) - refusals
     assert count < MAX_PROBLEMS, f"{count} problems:\n{process.log[:5000]}"

@@ -16,8 +16,9 @@ from hostile import Robot, endures, messages, odometry, room_scan, started, tran
 from move_base_msgs.msg import MoveBaseActionGoal
 from nav_msgs.msg import OccupancyGrid, Odometry
 from nav_msgs.srv import GetMap, GetPlan, GetPlanRequest
+from navfn.srv import MakeNavPlan, MakeNavPlanRequest
 from tf2_msgs.msg import TFMessage
-from trident.testing import LIMIT_S, Ros, eventually, package, program
+from trident.testing import LIMIT_S, Process, Ros, eventually, package, program, recorder
 from trident.testing.fuzz import Target
 
 #: For two roslaunch and what they start, one after the other.
@@ -91,6 +92,74 @@ def test_move_base(ros: Ros, map_file: Path) -> None:
     withstands(process, "/move_base", still_plans, examples, step, batch=40)
     for topic in (frames, odometries, maps):
         topic.unregister()
+    driver.close()
+
+
+COSTMAP = {
+    "global_frame": "odom",
+    "robot_base_frame": "base_footprint",
+    "rolling_window": True,
+    "width": 6.0,
+    "height": 6.0,
+    "robot_radius": 0.2,
+    "update_frequency": 20.0,
+    "publish_frequency": 20.0,
+    "plugins": [
+        {"name": "obstacle_layer", "type": "costmap_2d::ObstacleLayer"},
+        {"name": "inflation_layer", "type": "costmap_2d::InflationLayer"},
+    ],
+    "obstacle_layer": {"observation_sources": "scan", "scan": {"data_type": "LaserScan"}},
+}
+
+
+def standalone(ros: Ros, package_name: str, name: str) -> tuple[Process, Robot]:
+    """A node with a costmap of its own, and the robot that it listens to."""
+    ros.set_param("/node", {"costmap": COSTMAP})
+    command = [program(package_name, name), "__name:=node"]
+    process = started(ros, "/node", command)
+    return process, Robot("base_footprint").connected()
+
+
+@pytest.mark.fuzzes("costmap_2d/costmap_2d_node")
+def test_a_costmap_alone(ros: Ros) -> None:
+    process, driver = standalone(ros, "costmap_2d", "costmap_2d_node")
+
+    def is_published() -> None:
+        with recorder("/node/costmap/costmap", OccupancyGrid) as grids:
+            driver.drives_until(lambda: bool(grids.messages), "a costmap")
+
+    examples = {"/scan": room_scan(), "/tf": TFMessage([transform("odom", "base_footprint")])}
+    withstands(process, "/node", is_published, examples, driver.step, batch=40)
+    driver.close()
+
+
+@pytest.mark.fuzzes("navfn/navfn_node", "global_planner/planner")
+@pytest.mark.parametrize("names", [("navfn", "navfn_node"), ("global_planner", "planner")])
+def test_a_planner_alone(ros: Ros, names: tuple[str, str]) -> None:
+    process, driver = standalone(ros, *names)
+    request = MakeNavPlanRequest(start=place(-0.2, 0.1), goal=place(0.4, 0.2))
+    for pose in (request.start, request.goal):
+        pose.header.frame_id = "odom"
+
+    def still_plans() -> None:
+        rospy.wait_for_service("/node/make_plan", LIMIT_S)
+        ask = rospy.ServiceProxy("/node/make_plan", MakeNavPlan)
+
+        def has_plan() -> bool:
+            try:
+                return bool(ask(request).plan_found == 1)
+            except rospy.ServiceException:
+                return False
+
+        driver.drives_until(has_plan, "a plan")
+
+    examples = {
+        "/scan": room_scan(),
+        "/tf": TFMessage([transform("odom", "base_footprint")]),
+        "/node/goal": request.goal,
+        "/node/make_plan": request,
+    }
+    withstands(process, "/node", still_plans, examples, driver.step, batch=40)
     driver.close()
 
 

@@ -20,8 +20,8 @@ from trident_tool.workspace import TridentError, Workspace
 _OF_THE_TOOL = ("trident_fleet", "trident_msgs")
 #: The simulator loads plugins by name: what is compiled against it may be one.
 _SIMULATOR = "trident_sim"
-#: Compiled against it and no plugin: the simulator as a module of Python.
-_PYTHON_MODULE = "trident_sim_py"
+#: Compiled against it and no plugins: the simulator as a module of Python, and programs of benches.
+_NO_PLUGINS = frozenset({"trident_sim_py", "trident_benchmarks"})
 #: Their nodes start launch files of their own.
 _START_OTHERS = frozenset(
     {"trident_benchmarks", "trident_eval", "trident_testing", "trident_viewer"}
@@ -103,7 +103,7 @@ def _named_in_args(facts: Mapping[str, Any]) -> set[str]:
 def _plugin_packages(packages: Mapping[str, Package]) -> set[str]:
     """Packages of the workspace with plugins of the simulator."""
     plugins = {name for name, one in packages.items() if _SIMULATOR in one.builds_with}
-    return plugins - {_PYTHON_MODULE}
+    return plugins - _NO_PLUGINS
 
 
 def _with_all_they_run_with(names: set[str], packages: Mapping[str, Package]) -> set[str]:

@@ -122,13 +122,23 @@ void ScanIntake::add(const sensor_msgs::Imu& message) {
 /// so.
 std::optional<Eigen::Matrix3d> ScanIntake::rotation_of_imu(const std::string& imu) {
   if (imu.empty() || imu == options_.base_frame) return Eigen::Matrix3d::Identity();
-  if (!transforms_.canTransform(options_.base_frame, imu, ros::Time(0))) {
-    imu_problem_ = "transform " + options_.base_frame + " -> " + ros_utils::quoted(imu) +
-                   " is not known at all";
+  const auto mount = find_transform(options_.base_frame, imu, ros::Time(0));
+  if (mount) return rotation(mount->transform.rotation);
+  imu_problem_ =
+      "transform " + options_.base_frame + " -> " + ros_utils::quoted(imu) + " is not known at all";
+  return std::nullopt;
+}
+
+/// Transforms come in a thread of their own, so that one that could be looked up need not be there
+/// any more when it is: a frame may have got another parent.
+std::optional<geometry_msgs::TransformStamped> ScanIntake::find_transform(
+    const std::string& target, const std::string& source, const ros::Time& stamp) const {
+  if (!transforms_.canTransform(target, source, stamp)) return std::nullopt;
+  try {
+    return transforms_.lookupTransform(target, source, stamp);
+  } catch (const tf2::TransformException&) {
     return std::nullopt;
   }
-  const auto mount = transforms_.lookupTransform(options_.base_frame, imu, ros::Time(0));
-  return rotation(mount.transform.rotation);
 }
 
 /// From the front only, so that scans leave in the order in which they came.
@@ -187,16 +197,14 @@ std::vector<std::pair<std::string, std::string>> ScanIntake::needed(
 /// All transforms at the scan's own stamp; none is extrapolated.
 bool ScanIntake::resolve(const sensor_msgs::LaserScan& message, ScanRecord& record) {
   const ros::Time& stamp = message.header.stamp;
-  const std::string& laser = laser_frame(message);
-  for (const auto& [target, source] : needed(message)) {
-    if (!transforms_.canTransform(target, source, stamp)) return false;
-  }
   if (!options_.odom_frame.empty()) {
-    record.T_odom_base = planar(
-        transforms_.lookupTransform(options_.odom_frame, options_.base_frame, stamp).transform);
+    const auto pose = find_transform(options_.odom_frame, options_.base_frame, stamp);
+    if (!pose) return false;
+    record.T_odom_base = planar(pose->transform);
   }
-  record.scan = to_laser_scan(
-      message, transforms_.lookupTransform(options_.base_frame, laser, stamp).transform);
+  const auto mount = find_transform(options_.base_frame, laser_frame(message), stamp);
+  if (!mount) return false;
+  record.scan = to_laser_scan(message, mount->transform);
   return true;
 }
 
@@ -243,9 +251,8 @@ bool ScanIntake::may_still_come(const sensor_msgs::LaserScan& message) const {
   // As soon as both transforms have gone past the stamp, waiting is in vain.
   for (const auto& [target, source] : needed(message)) {
     if (transforms_.canTransform(target, source, stamp)) continue;
-    if (!transforms_.canTransform(target, source, ros::Time(0))) return true;
-    const ros::Time newest = transforms_.lookupTransform(target, source, ros::Time(0)).header.stamp;
-    return newest < stamp;
+    const auto newest = find_transform(target, source, ros::Time(0));
+    return !newest || newest->header.stamp < stamp;
   }
   return true;
 }

@@ -4,10 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <boost/make_shared.hpp>
 #include <cmath>
 #include <limits>
 #include <string>
+#include <thread>
 
 #include "trident_base/error.h"
 
@@ -65,6 +67,28 @@ TEST_F(ScanIntakeTest, AScanWaitsForItsTransformAndGetsThePoseOfItsStamp) {
   EXPECT_NEAR(records[0].T_odom_base.p.x(), 2.0, 1e-6);
   EXPECT_NEAR(records[0].scan.T_base_laser.p.x(), 0.2, 1e-6);
   EXPECT_EQ(intake_.problems().count(), 0U);
+}
+
+// Transforms come in a thread of their own: one that was there is not, a moment later, when its
+// frame got another parent.
+TEST_F(ScanIntakeTest, FramesThatChangeTheirParentsMeanwhileEndNothing) {
+  ScanIntakeOptions options;
+  options.waits_for_all = true;
+  ScanIntake intake(options, transforms_);
+  std::atomic<bool> is_over{false};
+  std::thread others([&] {
+    for (int k = 1; !is_over; ++k) {
+      odometry(k, 1.0);
+      transforms_.setTransform(transform("elsewhere", "base_footprint", k + 0.5), "test", false);
+    }
+  });
+  for (int i = 0; i < 20000; ++i) {
+    intake.add(boost::make_shared<sensor_msgs::LaserScan>(scan(1e9)));
+    EXPECT_NO_THROW(intake.take());
+    intake.clear();
+  }
+  is_over = true;
+  others.join();
 }
 
 TEST_F(ScanIntakeTest, WithoutAnOdometryFrameNoneIsWaitedFor) {

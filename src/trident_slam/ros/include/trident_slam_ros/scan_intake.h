@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <geometry_msgs/TransformStamped.h>
 #include <sensor_msgs/Imu.h>
 #include <sensor_msgs/LaserScan.h>
 #include <tf2/buffer_core.h>
@@ -82,6 +83,9 @@ class ScanIntake {
   /// False while rates may still come; else the record has its rate, or the reason is reported.
   bool has_settled_gyro(ScanRecord& record);
   std::optional<Eigen::Matrix3d> rotation_of_imu(const std::string& imu);
+  std::optional<geometry_msgs::TransformStamped> find_transform(const std::string& target,
+                                                                const std::string& source,
+                                                                const ros::Time& stamp) const;
   /// Whether the yaw rates up to a time are still worth waiting for.
   bool may_rates_come(std::int64_t end_ns) const;
   std::string why_missing(const sensor_msgs::LaserScan& message) const;

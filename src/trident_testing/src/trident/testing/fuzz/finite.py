@@ -10,7 +10,8 @@ from typing import Any
 
 import genpy
 
-#: Where infinity or NaN says that there was nothing to measure (REP 117, REP 118).
+#: Where infinity or NaN says that there was nothing to measure (REP 117, REP 118), that a parameter
+#: has no limit, or that its value follows from others.
 _MEANT = {
     ("sensor_msgs/LaserScan", "ranges"),
     ("sensor_msgs/LaserScan", "intensities"),
@@ -18,6 +19,7 @@ _MEANT = {
     ("geometry_msgs/Point32", "x"),
     ("geometry_msgs/Point32", "y"),
     ("geometry_msgs/Point32", "z"),
+    ("dynamic_reconfigure/DoubleParameter", "value"),
 }
 
 
