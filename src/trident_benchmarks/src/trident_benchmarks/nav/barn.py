@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import argparse
+import itertools
 import os
 import statistics
 from collections.abc import Sequence
@@ -81,36 +82,38 @@ def task_of(field: Field) -> Task:
     )
 
 
+def world_row(field: Field, runs: Sequence[Outcome]) -> dict[str, Any]:
+    """The means over the runs in one world."""
+    return {
+        "world": field.number,
+        "metric": statistics.fmean(metric(field, o.is_success, o.time_s) for o in runs),
+        "success": statistics.fmean(o.is_success for o in runs),
+        "collision": statistics.fmean(o.end == "collided" for o in runs),
+        "times_s": [round(o.time_s, 3) for o in runs],
+        "failures": [f"seed {o.seed}: {o.end}: {o.text}" for o in runs if not o.is_success],
+    }
+
+
 def row_of(fields: Sequence[Field], outcomes: Sequence[Sequence[Outcome]]) -> dict[str, Any]:
     """The means over worlds of the means over their runs; the time is that of all successes."""
-    worlds: list[dict[str, Any]] = [
-        {
-            "world": field.number,
-            "metric": statistics.fmean(metric(field, o.is_success, o.time_s) for o in runs),
-            "success": statistics.fmean(o.is_success for o in runs),
-            "collision": statistics.fmean(o.end == "collided" for o in runs),
-            "times_s": [round(o.time_s, 3) for o in runs],
-            "failures": [f"seed {o.seed}: {o.end}: {o.text}" for o in runs if not o.is_success],
-        }
-        for field, runs in zip(fields, outcomes, strict=True)
-    ]
-    every = [o for runs in outcomes for o in runs]
-    times = [o.time_s for o in every if o.is_success]
+    worlds = [world_row(field, runs) for field, runs in zip(fields, outcomes, strict=True)]
+    every = list(itertools.chain.from_iterable(outcomes))
     driven_s = sum(o.time_s for o in every)
-    return {
-        "suite": "barn",
-        "system": "this one",
-        **{
-            key: statistics.fmean(float(world[key]) for world in worlds)
-            for key in ("metric", "success", "collision")
-        },
-        "mean_time_s": statistics.fmean(times) if times else None,
+    row: dict[str, Any] = {"suite": "barn", "system": "this one"}
+    for key in ("metric", "success", "collision"):
+        row[key] = statistics.fmean(world[key] for world in worlds)
+    return row | {
+        "mean_time_s": _mean([o.time_s for o in every if o.is_success]),
         "runs": len(every),
         "recoveries": sum(len(o.recoveries) for o in every),
         "cpu_s_per_s": sum(o.cpu_s for o in every) / driven_s if driven_s else None,
         "unit": "metric, success, collision: 1; mean_time_s: s",
         "worlds": worlds,
     }
+
+
+def _mean(values: Sequence[float]) -> float | None:
+    return statistics.fmean(values) if values else None
 
 
 def table(rows: Sequence[dict[str, Any]]) -> str:
