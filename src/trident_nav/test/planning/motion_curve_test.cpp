@@ -1,12 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
 #include "planning/curves/motion_curve.h"
+#include "planning/curves/curve_checker.h"
+#include "planning/curves/path_shortcuts.h"
+#include "planning/reference_search.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "planning/curves/curve_checker.h"
+#include "planning/curves/path_shortcuts.h"
+#include "planning/reference_search.h"
 #include "trident_base/random_stream.h"
 #ifdef TRIDENT_TEST_OMPL
 #include <ompl/base/spaces/DubinsStateSpace.h>
@@ -133,6 +139,21 @@ TEST(MotionCurve, LengthsEqualThoseOfOmpl) {
   }
 }
 #endif
+
+TEST(PathShortcuts, APathThatEndsWhereItBeginsStays) {
+  testing::TestGrid cells(20, 20);
+  cells.measure_distances(5.0F);
+  const CostGrid grid = cells.view();
+  Footprint footprint;
+  footprint.inscribed_radius = footprint.circumscribed_radius = 0.5;
+  const FootprintContact contact(grid, footprint, FootprintContact::Unknown::kFree);
+  const CurveChecker checker(grid, contact, TravelCosts{});
+  TravelPath path;
+  path.points.push_back({{4.5, 5.5, 1.0}});
+  const TravelPath smooth = with_shortcuts(path, checker, ShortcutOptions{}, testing::kRunning);
+  ASSERT_EQ(smooth.points.size(), 1U);
+  EXPECT_EQ(smooth.points[0].pose.x, 4.5);
+}
 
 }  // namespace
 }  // namespace trident::nav

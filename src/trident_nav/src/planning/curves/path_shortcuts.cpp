@@ -42,9 +42,10 @@ class Pass {
   }
 
  private:
-  // Copies points up to a length of the path, at least one.
+  // Copies points up to a length of the path, at least one if there is one: a path that ends where
+  // it begins has none.
   void copy_until(std::size_t& at, double length) {
-    if (length <= 0.0) return;
+    if (length <= 0.0 || at + 1 >= path_.points.size()) return;
     do {
       result_.points.push_back(path_.points[++at]);
     } while (at + 1 < path_.points.size() && length_[at] < length);
