@@ -171,7 +171,7 @@ std::vector<ConfigField> controller_fields(const std::string& plugin) {
   std::vector<ConfigField> fields = config_fields<MotionParams>();
   const std::vector<std::string>& shared = motion_names();
   const ControlLawRegistry laws = builtin_control_laws();
-  for (const ConfigField& field : laws.get(plugin).fields) {
+  for (const ConfigField& field : laws.get(controller_name(plugin)).fields) {
     const bool is_shared = std::find(shared.begin(), shared.end(), field.name) != shared.end();
     if (!is_shared) fields.push_back(field);
   }

@@ -2,7 +2,26 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "laws.h"
 
+#include <string>
+
 namespace trident::nav {
+namespace {
+
+std::string with_slash(std::string name) {
+  const std::size_t at = name.find("::");
+  if (at != std::string::npos) name.replace(at, 2, "/");
+  return name;
+}
+
+}  // namespace
+
+std::string controller_name(const std::string& name) {
+  const ControlLawRegistry registry = builtin_control_laws();
+  for (const std::string& known : registry.names()) {
+    if (with_slash(known) == with_slash(name)) return known;
+  }
+  return name;
+}
 
 ControlLawRegistry builtin_control_laws() {
   ControlLawRegistry registry("controller");

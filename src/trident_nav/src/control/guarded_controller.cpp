@@ -226,8 +226,8 @@ std::unique_ptr<Controller> make_controller(const std::string& law, const Contro
   setup.validate();
   const ControlLawRegistry registry = builtin_control_laws();
   const ConfigNode given = expand_dotted_keys(params, label);
-  return std::make_unique<GuardedController>(setup, registry.get(law)(setup, given, label),
-                                             std::move(checker));
+  return std::make_unique<GuardedController>(
+      setup, registry.get(controller_name(law))(setup, given, label), std::move(checker));
 }
 
 }  // namespace trident::nav

@@ -175,6 +175,14 @@ TEST(Dwb, EachCriticHasANameAndDrives) {
   }
 }
 
+TEST(ControllerName, ColonsAndASlashAreTheSame) {
+  EXPECT_EQ(controller_name("nav2_mppi_controller/MPPIController"),
+            "nav2_mppi_controller::MPPIController");
+  EXPECT_EQ(controller_name("dwa_local_planner::DWAPlannerROS"), "dwa_local_planner/DWAPlannerROS");
+  EXPECT_EQ(controller_name("mppi"), "mppi");
+  EXPECT_EQ(controller_name("nobody/Knows"), "nobody/Knows");
+}
+
 TEST(Dwb, UnknownCriticsAndKeysAreNamed) {
   const auto message = [](const char* params) -> std::string {
     try {

@@ -83,4 +83,8 @@ using ControlLawRegistry = Registry<ControlLawFactory>;
 /// All laws of this package under their short names and those that ROS users know.
 ControlLawRegistry builtin_control_laws();
 
+/// The name under which a controller is registered: `package::Class` and `package/Class` are the
+/// same. A name that is not known is returned as it is.
+std::string controller_name(const std::string& name);
+
 }  // namespace trident::nav

@@ -124,7 +124,7 @@ std::unique_ptr<ControlLaw> make_primary(const std::string& name, const ControlS
                                          const ConfigNode& own, ConfigNode given,
                                          const std::string& label) {
   const ControlLawRegistry registry = builtin_control_laws();
-  const ControlLawFactory& factory = registry.get(name);
+  const ControlLawFactory& factory = registry.get(controller_name(name));
   for (std::size_t i = 0; i < own.keys.size(); ++i) {
     ConfigNode one;
     put_key(&one, own.keys[i], own.key_lines[i], own.items[i]);
