@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "bench_maps.h"
+#include "planning/grids/grid_directions.h"
 #include "planning/grids/grid_route.h"
 #include "planning/grids/path_points.h"
 #include "trident_nav/planning/theta_star_planner.h"
@@ -29,8 +30,6 @@ using trident::nav::CostGrid;
 using trident::nav::Pose2;
 using trident::nav::bench::BenchMap;
 using trident::nav::bench::Scenario;
-
-constexpr double kSqrt2 = 1.41421356237309504880;
 
 double cpu_ms() {
   timespec now{};
@@ -81,7 +80,8 @@ class PlainAStar {
         if (!is_free(c.x + dx, c.y + dy) || !is_free(c.x + dx, c.y) || !is_free(c.x, c.y + dy)) {
           continue;
         }
-        reach({c.x + dx, c.y + dy}, length + (dx != 0 && dy != 0 ? kSqrt2 : 1.0), c);
+        reach({c.x + dx, c.y + dy}, length + (dx != 0 && dy != 0 ? trident::nav::kDiagonal : 1.0),
+              c);
       }
     }
   }
@@ -91,7 +91,7 @@ class PlainAStar {
     at = {length, parent, search_, false};
     const int dx = std::abs(c.x - goal_.x);
     const int dy = std::abs(c.y - goal_.y);
-    heap_.push({length + std::abs(dx - dy) + kSqrt2 * std::min(dx, dy), c});
+    heap_.push({length + std::abs(dx - dy) + trident::nav::kDiagonal * std::min(dx, dy), c});
   }
 
   CostGrid grid_;

@@ -4,17 +4,9 @@
 
 #include <string>
 
+#include "trident_nav/core/plugin_name.h"
+
 namespace trident::nav {
-namespace {
-
-std::string with_slash(std::string name) {
-  const std::size_t at = name.find("::");
-  if (at != std::string::npos) name.replace(at, 2, "/");
-  return name;
-}
-
-}  // namespace
-
 std::string controller_name(const std::string& name) {
   const ControlLawRegistry registry = builtin_control_laws();
   for (const std::string& known : registry.names()) {

@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trident_nav/planning/planner_registry.h"
 
+#include <utility>
+
+#include "trident_nav/core/plugin_name.h"
+
 namespace trident::nav {
 
 Registry<PlannerFactory> builtin_planners() {
@@ -10,10 +14,6 @@ Registry<PlannerFactory> builtin_planners() {
   return registry;
 }
 
-std::string planner_name(std::string name) {
-  const std::size_t at = name.find("::");
-  if (at != std::string::npos) name.replace(at, 2, "/");
-  return name;
-}
+std::string planner_name(std::string name) { return with_slash(std::move(name)); }
 
 }  // namespace trident::nav

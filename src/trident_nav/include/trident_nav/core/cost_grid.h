@@ -41,6 +41,10 @@ struct GridGeometry {
     return static_cast<std::size_t>(c.y) * static_cast<std::size_t>(width) +
            static_cast<std::size_t>(c.x);
   }
+  friend bool operator==(const GridGeometry& a, const GridGeometry& b) {
+    return a.width == b.width && a.height == b.height && a.resolution == b.resolution &&
+           a.origin_x == b.origin_x && a.origin_y == b.origin_y;
+  }
   /// The cell that contains a point; may lie outside of the grid.
   Cell cell(double x, double y) const {
     return {static_cast<int>(std::floor((x - origin_x) / resolution)),

@@ -15,18 +15,13 @@ int sign(int value) { return (value > 0) - (value < 0); }
 
 unsigned bit(int direction) { return 1U << static_cast<unsigned>(direction); }
 
-bool is_same_place(const GridGeometry& a, const GridGeometry& b) {
-  return a.width == b.width && a.height == b.height && a.resolution == b.resolution &&
-         a.origin_x == b.origin_x && a.origin_y == b.origin_y;
-}
-
 }  // namespace
 
 JumpPoints::JumpPoints(const StepCosts& costs, bool outline) : costs_(costs), outline_(outline) {}
 
 bool JumpPoints::read(const CostGrid& grid) {
   const bool is_known =
-      map_.is_read && grid.revision == map_.revision && is_same_place(grid.geometry, map_.geometry);
+      map_.is_read && grid.revision == map_.revision && grid.geometry == map_.geometry;
   if (!is_known) {
     map_.geometry = grid.geometry;
     map_.revision = grid.revision;

@@ -10,14 +10,6 @@
 #include "planning/grids/grid_directions.h"
 
 namespace trident::nav {
-namespace {
-
-bool equal(const GridGeometry& a, const GridGeometry& b) {
-  return a.width == b.width && a.height == b.height && a.resolution == b.resolution &&
-         a.origin_x == b.origin_x && a.origin_y == b.origin_y;
-}
-
-}  // namespace
 
 Potential::Potential(const StepCosts& costs, bool outline) : costs_(costs), outline_(outline) {}
 
@@ -25,8 +17,8 @@ Potential::Result Potential::search(const CostGrid& grid, Cell goal, Cell start,
                                     const CancelFlag& cancel) {
   source_ = &grid;
   const Cell goal_inside{goal.x + 1, goal.y + 1};
-  const bool kept = status_.is_ready && goal_inside == ends_.goal &&
-                    equal(grid.geometry, geometry_) && !status_.is_too_long;
+  const bool kept = status_.is_ready && goal_inside == ends_.goal && grid.geometry == geometry_ &&
+                    !status_.is_too_long;
   if (!kept) {
     scale_.coarser = 1.0;
     begin(grid, goal_inside);
