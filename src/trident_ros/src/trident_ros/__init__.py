@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""What our nodes share: checks of incoming messages; refusals that are logged and counted."""
+"""What our nodes share: their start, checks of incoming messages, refusals that are counted."""
 
 from trident_ros.message_checks import (
     FARTHEST_M,
@@ -11,6 +11,7 @@ from trident_ros.message_checks import (
     quoted,
     stamp_problem,
 )
+from trident_ros.node import init_node
 from trident_ros.refusals import Refusals
 from trident_ros.services import is_offered
 from trident_ros.unknown_parameters import MISSION_PARAMETERS, warn_of_unknown_parameters
@@ -20,6 +21,7 @@ __all__ = [
     "LATEST_STAMP_S",
     "MISSION_PARAMETERS",
     "Refusals",
+    "init_node",
     "is_offered",
     "numbers_problem",
     "point_problem",

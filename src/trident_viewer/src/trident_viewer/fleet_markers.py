@@ -22,7 +22,7 @@ from trident_eval.core.tracks import Array
 from visualization_msgs.msg import Marker, MarkerArray
 
 from trident_msgs.msg import FleetState
-from trident_ros import Refusals, pose_problem, quoted, stamp_problem
+from trident_ros import Refusals, init_node, pose_problem, quoted, stamp_problem
 from trident_viewer.visuals import BOX, CYLINDER, MESH, SPHERE, Visual, visuals_of
 
 _PERIOD_S = 0.1
@@ -211,7 +211,7 @@ def _pose(T: Array) -> Any:
 
 def main() -> int:
     """Run until ROS ends."""
-    rospy.init_node("fleet_markers", anonymous=True)
+    init_node("fleet_markers", anonymous=True)
     fleet = FleetMarkers()
     refusals = Refusals()
     publisher = rospy.Publisher("/fleet_markers", MarkerArray, queue_size=1, latch=True)

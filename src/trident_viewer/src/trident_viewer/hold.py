@@ -15,7 +15,7 @@ from gazebo_msgs.srv import GetPhysicsProperties, GetWorldProperties
 from std_srvs.srv import Empty
 
 from trident_msgs.srv import Step
-from trident_ros import LATEST_STAMP_S
+from trident_ros import LATEST_STAMP_S, init_node
 from trident_viewer.launch_nodes import wait_for_nodes
 
 _START_LIMIT_S = 300.0  # on a loaded machine; the user who has started it sees it end
@@ -147,7 +147,7 @@ def main(arguments: list[str] | None = None) -> int:
         help="times real time, at most, so that nodes that are not waited for keep up; 0: any",
     )
     options = parser.parse_args(rospy.myargv(arguments or sys.argv)[1:])
-    rospy.init_node("hold_at", anonymous=True)
+    init_node("hold_at", anonymous=True)
     try:
         held = Held()
         if options.nodes:

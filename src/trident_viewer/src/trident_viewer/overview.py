@@ -20,6 +20,7 @@ from PIL import Image as Picture
 from sensor_msgs.msg import Image
 from trident_eval.core.errors import EvalError
 
+from trident_ros import init_node
 from trident_viewer.census import models_in_the_world
 from trident_viewer.framing import Lens, Sphere, all_inside, frame
 from trident_viewer.hold import Held
@@ -60,7 +61,7 @@ def main(arguments: list[str] | None = None) -> int:
         "--nodes", type=int, default=0, metavar="N", help="with --hold: of roslaunch, waited for"
     )
     options = parser.parse_args(rospy.myargv(arguments or sys.argv)[1:])
-    rospy.init_node("overview", anonymous=True)
+    init_node("overview", anonymous=True)
     try:
         lens = _lens(options.size)
         if options.stream:

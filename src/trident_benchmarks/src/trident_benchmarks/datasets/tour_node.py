@@ -34,7 +34,7 @@ from trident_nav.core.waypoints import FollowerConfig, WaypointFollower
 from trident_benchmarks.datasets.checked_buffer import CheckedBuffer
 from trident_benchmarks.datasets.scan_poses import Poses, ScanPoses
 from trident_benchmarks.datasets.tour_drive import SIMULATOR, LockstepDriver, is_sent
-from trident_ros import Refusals, is_offered, pose_problem, stamp_problem
+from trident_ros import Refusals, init_node, is_offered, pose_problem, stamp_problem
 
 _ROBOT = "ground_robot.launch"
 _MAP, _BASE, _ODOM = "map", "base_footprint", "odom"
@@ -266,5 +266,5 @@ def main() -> int:
     Returns:
         Exit code: 1 if it could not be driven to its end.
     """
-    rospy.init_node("slam_tour")
+    init_node("slam_tour")
     return 1 if Tour().run() else 0

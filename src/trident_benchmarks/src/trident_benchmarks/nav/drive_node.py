@@ -33,6 +33,7 @@ from trident_benchmarks.datasets.tour_node import stop
 from trident_benchmarks.nav.goals import Places, Pose, Tried, Verdict, lower_bound_s
 from trident_benchmarks.nav.pictures import draw_drive
 from trident_benchmarks.procfs import process_cpu_s
+from trident_ros import init_node
 
 RECORD = "navigation.json"
 PICTURE = "drive.png"
@@ -280,7 +281,7 @@ def main() -> int:
     Returns:
         Exit code: 1 unless all goals were reached without contact.
     """
-    rospy.init_node("navigate")
+    init_node("navigate")
     try:
         return 0 if Drive().run() else 1
     except EvalError as error:

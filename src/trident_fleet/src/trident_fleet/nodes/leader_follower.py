@@ -14,6 +14,7 @@ from trident_fleet.core.settings import FleetSettings, Vehicle, names_of
 from trident_fleet.nodes.follow_flight import follow_flight
 from trident_fleet.nodes.formation_runner import FormationRunner, refuse
 from trident_fleet.nodes.params import out_dir, warn_of_unknown
+from trident_ros import init_node
 
 
 def main() -> int:
@@ -22,7 +23,7 @@ def main() -> int:
     Returns:
         Exit code of the process.
     """
-    rospy.init_node("leader_follower")
+    init_node("leader_follower")
     folder = out_dir()
     try:
         get = Recorded(lambda name: rospy.get_param("~" + name, None))

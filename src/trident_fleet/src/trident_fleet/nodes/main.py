@@ -32,6 +32,7 @@ from trident_fleet.nodes.params import (
     out_dir,
     warn_of_unknown,
 )
+from trident_ros import init_node
 
 Lineup = tuple[list[Vehicle], list[Vehicle], Array]
 """The whole formation, the vehicles this process feeds, and the rows to fly."""
@@ -48,7 +49,7 @@ def main_one(guard: bool = False) -> int:
     Returns:
         Exit code of the process.
     """
-    rospy.init_node("formation")
+    init_node("formation")
     prefix, seq = str(rospy.get_param("~UAV", "")), rospy.get_param("~seq", 0)
     own = Vehicle(prefix.strip("/").rsplit("/", 1)[-1], prefix, 0)
 
@@ -71,7 +72,7 @@ def main_all() -> int:
     Returns:
         Exit code of the process.
     """
-    rospy.init_node("formation")
+    init_node("formation")
     given = get_param("vehicles")
 
     def lineup(settings: FleetSettings) -> Lineup:

@@ -15,6 +15,7 @@ from geometry_msgs.msg import Point, Pose, Quaternion
 from trident_fleet.core.errors import FormationError
 from trident_fleet.core.files.strict_yaml import three_numbers
 from trident_fleet.nodes.params import get_param
+from trident_ros import init_node
 
 _SERVICE = "/gazebo/spawn_urdf_model"
 _REPORT_S = 10.0
@@ -33,7 +34,7 @@ def main() -> int:
     Returns:
         Exit code of the process.
     """
-    rospy.init_node("spawn_fleet")
+    init_node("spawn_fleet")
     try:
         description, token = _text("robot_description"), _text("namespace_token")
         if token not in description:

@@ -25,7 +25,7 @@ from trident_fleet.core.settings import FleetSettings, Vehicle, read_settings
 from trident_fleet.nodes.flights import Flight, FlightContext, FlightMaker, formation_flight
 from trident_fleet.nodes.formation_runner import FormationRunner, refuse
 from trident_fleet.nodes.params import get_param, warn_of_unknown
-from trident_ros import MISSION_PARAMETERS
+from trident_ros import MISSION_PARAMETERS, init_node
 
 _SPACING_M = 3.0
 
@@ -97,7 +97,7 @@ def main() -> int:
     Returns:
         Exit code of the process.
     """
-    rospy.init_node("waypoint_flight")
+    init_node("waypoint_flight")
     name = str(rospy.get_param("~vehicle", ""))
     own = [Vehicle(name, f"/{name}/", 0)]
     settings = FleetSettings(FormationSource("waypoints"))

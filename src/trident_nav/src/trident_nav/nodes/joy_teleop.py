@@ -17,6 +17,7 @@ from sensor_msgs.msg import Joy
 from trident_nav.core.errors import NavError
 from trident_nav.core.joystick import Joystick, JoystickConfig
 from trident_nav.nodes.params import read_config, twist
+from trident_ros import init_node
 
 
 def main() -> int:
@@ -25,7 +26,7 @@ def main() -> int:
     Returns:
         Exit code of the process.
     """
-    rospy.init_node("teleop_twist_joy")
+    init_node("teleop_twist_joy")
     try:
         _flatten()
         joystick = Joystick(read_config(JoystickConfig))

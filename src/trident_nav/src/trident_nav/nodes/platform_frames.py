@@ -20,7 +20,7 @@ from tf2_msgs.msg import TFMessage
 
 from trident_nav.core.errors import NavError
 from trident_nav.core.places import earth_from_world, numbers, quaternion
-from trident_ros import warn_of_unknown_parameters
+from trident_ros import init_node, warn_of_unknown_parameters
 
 
 def transform(
@@ -89,7 +89,7 @@ def main() -> int:
     Returns:
         Exit code of the process.
     """
-    rospy.init_node("platform_frames")
+    init_node("platform_frames")
     warn_of_unknown_parameters((*_ORIGIN, "earth"))
     try:
         frames = _all_frames()

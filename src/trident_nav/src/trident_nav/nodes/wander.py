@@ -16,7 +16,7 @@ from trident_nav.core.errors import NavError
 from trident_nav.core.velocity import STOP
 from trident_nav.core.wander import Wander, WanderConfig
 from trident_nav.nodes.params import read_config, twist
-from trident_ros import Refusals, numbers_problem, stamp_problem
+from trident_ros import Refusals, init_node, numbers_problem, stamp_problem
 
 
 def main() -> int:
@@ -25,7 +25,7 @@ def main() -> int:
     Returns:
         Exit code of the process.
     """
-    rospy.init_node("wander")
+    init_node("wander")
     try:
         wander = Wander(read_config(WanderConfig))
     except NavError as error:

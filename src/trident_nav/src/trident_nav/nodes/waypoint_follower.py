@@ -25,7 +25,7 @@ from trident_nav.core.errors import NavError
 from trident_nav.core.velocity import Velocity
 from trident_nav.core.waypoints import FollowerConfig, WaypointFollower
 from trident_nav.nodes.params import read_config, twist
-from trident_ros import MISSION_PARAMETERS, Refusals, pose_problem, stamp_problem
+from trident_ros import MISSION_PARAMETERS, Refusals, init_node, pose_problem, stamp_problem
 
 _OWN = ("waypoints", "waypoints_file", "answers_always")
 
@@ -146,7 +146,7 @@ def main() -> int:
     Returns:
         Exit code of the process.
     """
-    rospy.init_node("waypoint_follower")
+    init_node("waypoint_follower")
     try:
         FollowerNode()
     except NavError as error:

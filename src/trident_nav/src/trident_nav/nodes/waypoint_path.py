@@ -22,6 +22,7 @@ from trident_nav.core.errors import NavError
 from trident_nav.core.places import from_start
 from trident_ros import (
     MISSION_PARAMETERS,
+    init_node,
     is_offered,
     quoted,
     stamp_problem,
@@ -116,7 +117,7 @@ def main() -> int:
     Returns:
         Exit code of the process.
     """
-    rospy.init_node("waypoint_path")
+    init_node("waypoint_path")
     warn_of_unknown_parameters((*MISSION_PARAMETERS, "waypoints", "frame", "vehicle"))
     vehicle = str(rospy.get_param("~vehicle", ""))
     try:
