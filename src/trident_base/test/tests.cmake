@@ -13,11 +13,11 @@ foreach(header IN LISTS trident_base_headers)
 endforeach()
 
 catkin_add_gtest(trident_base_test
-  test/bicycle_odometry_test.cpp
+  test/vehicle/bicycle_odometry_test.cpp
   test/config/config_document_test.cpp
   test/config/config_error_test.cpp
   test/config/config_fields_test.cpp
-  test/diff_drive_odometry_test.cpp
+  test/vehicle/diff_drive_odometry_test.cpp
   test/gauss_markov_test.cpp
   test/noise_test.cpp
   test/mutex_test.cpp
@@ -32,8 +32,8 @@ catkin_add_gtest(trident_base_test
   test/span_test.cpp
   test/shown_text_test.cpp
   test/string_util_test.cpp
-  test/thruster_curve_test.cpp
-  test/wheel_encoder_test.cpp
+  test/vehicle/thruster_curve_test.cpp
+  test/vehicle/wheel_encoder_test.cpp
   test/worker_pool_test.cpp
   test/config/yaml_config_test.cpp
   test/config/yaml_tree_test.cpp

@@ -9,7 +9,7 @@
 #include "box_least_squares.h"
 #include "trident_base/angle.h"
 #include "trident_base/error.h"
-#include "trident_base/thruster_curve.h"
+#include "trident_base/vehicle/thruster_curve.h"
 
 namespace trident::control {
 namespace {

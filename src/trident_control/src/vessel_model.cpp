@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "trident_base/se3.h"
-#include "trident_base/thruster_curve.h"
+#include "trident_base/vehicle/thruster_curve.h"
 
 namespace trident::control {
 namespace {

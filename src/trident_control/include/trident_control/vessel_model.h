@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "trident_base/rudder_params.h"
-#include "trident_base/thruster_params.h"
+#include "trident_base/vehicle/rudder_params.h"
+#include "trident_base/vehicle/thruster_params.h"
 
 namespace trident::control {
 

@@ -8,7 +8,7 @@
 
 #include "car.h"
 #include "trident_base/angle.h"
-#include "trident_base/bicycle_odometry.h"
+#include "trident_base/vehicle/bicycle_odometry.h"
 
 namespace trident::sim {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "cart.h"
 #include "trident_base/angle.h"
-#include "trident_base/diff_drive_odometry.h"
+#include "trident_base/vehicle/diff_drive_odometry.h"
 
 namespace trident::sim {
 namespace {

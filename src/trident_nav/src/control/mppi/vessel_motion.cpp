@@ -7,7 +7,7 @@
 
 #include "trident_base/angle.h"
 #include "trident_base/error.h"
-#include "trident_base/thruster_curve.h"
+#include "trident_base/vehicle/thruster_curve.h"
 #include "trident_control/vessel_model.h"
 
 namespace trident::nav {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "trident_base/rudder_params.h"
 #include "trident_base/se3.h"
+#include "trident_base/vehicle/rudder_params.h"
 
 namespace trident::sim {
 

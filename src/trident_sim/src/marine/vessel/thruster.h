@@ -5,7 +5,7 @@
 #include <string>
 
 #include "trident_base/se3.h"
-#include "trident_base/thruster_curve.h"
+#include "trident_base/vehicle/thruster_curve.h"
 
 namespace trident::sim {
 

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "hull_params.h"
-#include "trident_base/rudder_params.h"
 #include "trident_base/se3.h"
-#include "trident_base/thruster_params.h"
+#include "trident_base/vehicle/rudder_params.h"
+#include "trident_base/vehicle/thruster_params.h"
 #include "trident_base/yaml_config.h"
 #include "vessel_matrices.h"
 

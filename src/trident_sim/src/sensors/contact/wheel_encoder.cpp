@@ -4,7 +4,7 @@
 
 #include "core/plugins/plugin_util.h"
 #include "core/plugins/sample_clock.h"
-#include "trident_base/wheel_encoder.h"
+#include "trident_base/vehicle/wheel_encoder.h"
 #include "trident_sim/plugin_registry.h"
 
 namespace trident::sim {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "core/plugins/model_params.h"
-#include "trident_base/bicycle_odometry.h"
+#include "trident_base/vehicle/bicycle_odometry.h"
 
 namespace trident::sim {
 

@@ -8,7 +8,7 @@
 #include "core/plugins/rate_ticker.h"
 #include "drive_parts.h"
 #include "trident_base/angle.h"
-#include "trident_base/diff_drive_odometry.h"
+#include "trident_base/vehicle/diff_drive_odometry.h"
 #include "trident_sim/plugin_registry.h"
 #include "velocity_command.h"
 

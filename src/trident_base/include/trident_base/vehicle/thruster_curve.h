@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "trident_base/thruster_params.h"
+#include "trident_base/vehicle/thruster_params.h"
 
 namespace trident {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-#include "trident_base/bicycle_odometry.h"
+#include "trident_base/vehicle/bicycle_odometry.h"
 
 #include <gtest/gtest.h>
 

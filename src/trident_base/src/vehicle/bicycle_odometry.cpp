@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-#include "trident_base/bicycle_odometry.h"
+#include "trident_base/vehicle/bicycle_odometry.h"
 
 #include <cmath>
 #include <string>
 
-#include "trident_base/diff_drive_odometry.h"
 #include "trident_base/error.h"
+#include "trident_base/vehicle/diff_drive_odometry.h"
 
 namespace trident {
 namespace {
