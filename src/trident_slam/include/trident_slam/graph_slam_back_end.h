@@ -15,7 +15,7 @@ struct KeyframeEdgeOptions {
   double gap_variance_yaw = 0.1;   ///< [rad^2]
   double revisit_fraction = 0.25;  ///< in [0, 1]
   /// Preceding submaps that count as the current surroundings, not as a revisited place.
-  int own_submaps = 3;
+  int own_submaps = 1;
   double revisit_sigma = 0.03;      ///< [m]
   double revisit_sigma_yaw = 0.01;  ///< [rad]
   int deactivation_period = 5;  ///< keyframes after which drifted submaps are searched for again
