@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "trident_base/error.h"
+#include "trident_base/string_util.h"
 #include "trident_nav_ros/frames.h"
 #include "trident_nav_ros/input_checks.h"
 #include "trident_ros/topic_peers.h"
@@ -113,6 +114,7 @@ void MoveBaseNode::warn_of_rivals() {
   if (!is_driving_) return;
   const std::string topic = links_.command.getTopic();
   const std::string text = ros_utils::rivals_text(topic, ros_utils::topic_publishers(topic));
+  if (!text.empty()) refusals_.count("command", text);
   if (!text.empty() && text != warned_.rivals) ROS_WARN("%s", text.c_str());
   warned_.rivals = text;
 }
@@ -159,11 +161,15 @@ void MoveBaseNode::run_by_clock() {
 }
 
 void MoveBaseNode::cycle(double now_s) {
+  note_time(now_s);
   parts_->local->update(now_s);
   take_goals(now_s);
   if (!goals_->is_active()) return;
   std::string problem;
-  if (unplaced_goal_ && !place_goal(now_s, &problem)) return stand(now_s, problem);
+  if (unplaced_goal_ && !place_goal(now_s, &problem)) {
+    if (goals_->is_active()) stand(now_s, problem);
+    return;
+  }
   const std::optional<NavigatorInput> sensed = sense(now_s, &problem);
   if (!sensed) return stand(now_s, problem);
   parts_->world->set_robot(sensed->robot_global, sensed->state.pose);
@@ -174,6 +180,18 @@ void MoveBaseNode::cycle(double now_s) {
   input.tracks = parts_->moving->at(now_s);
   act(input, parts_->navigator->step(input));
   links_.control->publish(*parts_->controller, input.tracks);
+}
+
+/// The navigator's clock does not go back: after a jump it begins with its goal again.
+void MoveBaseNode::note_time(double now_s) {
+  const double back_s = std::exchange(warned_.cycled_s, now_s) - now_s;
+  if (back_s <= 0.0) return;
+  refusals_.note("time", "time went back by " + number_text(back_s) + " s to " +
+                             number_text(now_s) + " s; the goal is pursued as if it were new");
+  if (unplaced_goal_) unplaced_goal_->since_s = now_s;
+  if (parts_->navigator->is_active()) {
+    parts_->navigator->set_goal(parts_->navigator->goal(), now_s);
+  }
 }
 
 void MoveBaseNode::take_goals(double now_s) {
@@ -187,7 +205,7 @@ void MoveBaseNode::take_goals(double now_s) {
       return;
     }
     parts_->navigator->cancel();
-    unplaced_goal_ = goal->target_pose;
+    unplaced_goal_ = UnplacedGoal{goal->target_pose, now_s};
     warned_.waiting_s = now_s;
   } else if (goals_->is_cancel_requested()) {
     parts_->navigator->cancel();
@@ -202,7 +220,7 @@ bool MoveBaseNode::place_goal(double now_s, std::string* problem) {
   *problem = parts_->global->missing();
   if (!problem->empty()) return false;
   const std::string& frame = parts_->global->frame();
-  const std::string from = frame_name(unplaced_goal_->header.frame_id);
+  const std::string from = frame_name(unplaced_goal_->pose.header.frame_id);
   std::optional<Pose2> T_global_from = Pose2{};
   if (from.empty()) {
     *problem = "the goal has no frame";
@@ -211,9 +229,12 @@ bool MoveBaseNode::place_goal(double now_s, std::string* problem) {
   }
   if (from != frame) {
     T_global_from = newest_pose(buffer_, frame, from, now_s, INFINITY, problem);
-    if (!T_global_from) return false;
+    if (!T_global_from) {
+      give_up_frame(now_s, *problem);
+      return false;
+    }
   }
-  const Pose2 goal = placed_in(*T_global_from, to_pose2(unplaced_goal_->pose));
+  const Pose2 goal = placed_in(*T_global_from, to_pose2(unplaced_goal_->pose.pose));
   unplaced_goal_.reset();
   parts_->navigator->set_goal(goal, now_s);
   geometry_msgs::PoseStamped message;
@@ -222,6 +243,19 @@ bool MoveBaseNode::place_goal(double now_s, std::string* problem) {
   message.pose = to_message(goal);
   links_.current_goal.publish(message);
   return true;
+}
+
+/// A frame that is still unknown although the robot's own have been there for some time will not
+/// come.
+void MoveBaseNode::give_up_frame(double now_s, const std::string& problem) {
+  std::string of_robot;
+  if (!parts_->global->robot(now_s, &of_robot)) unplaced_goal_->since_s = now_s;
+  const double patience_s = parts_->navigator->params().planner_patience;
+  if (now_s - unplaced_goal_->since_s < patience_s) return;
+  end_goal(NavigatorStatus::kAborted,
+           "Failed to find a valid plan. Even after executing recovery behaviors. "
+           "planner_patience of " +
+               number_text(patience_s) + " s is over: " + problem + ".");
 }
 
 std::optional<NavigatorInput> MoveBaseNode::sense(double now_s, std::string* problem) {
@@ -240,6 +274,7 @@ std::optional<NavigatorInput> MoveBaseNode::sense(double now_s, std::string* pro
 
 void MoveBaseNode::stand(double now_s, const std::string& why) {
   if (is_driving_) send({});
+  refusals_.count("waiting", why);
   if (now_s >= warned_.waiting_s && now_s - warned_.waiting_s < kWarningPeriod_s) return;
   warned_.waiting_s = now_s;
   ROS_WARN("The robot waits: %s.", why.c_str());

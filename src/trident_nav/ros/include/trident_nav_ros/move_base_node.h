@@ -55,8 +55,10 @@ class MoveBaseNode {
   std::optional<Pose2> T_global_local(double now_s, std::string* problem) const;
   void warn_of_rivals();
   void cycle(double now_s);
+  void note_time(double now_s);
   void take_goals(double now_s);
   bool place_goal(double now_s, std::string* problem);
+  void give_up_frame(double now_s, const std::string& problem);
   std::optional<NavigatorInput> sense(double now_s, std::string* problem);
   void act(const NavigatorInput& input, const NavigatorOutput& output);
   void stand(double now_s, const std::string& why);
@@ -88,12 +90,18 @@ class MoveBaseNode {
 
   std::mutex odometry_mutex_;
   Twist2 measured_;
-  std::optional<geometry_msgs::PoseStamped> unplaced_goal_;
+  /// A goal whose pose in the global costmap is not known yet.
+  struct UnplacedGoal {
+    geometry_msgs::PoseStamped pose;
+    double since_s;  ///< That time the robot's own pose is known.
+  };
+  std::optional<UnplacedGoal> unplaced_goal_;
   std::atomic<bool> is_driving_{false};  // the last command was not zero
   /// The latest warnings.
   struct Warned {
     std::string rivals;  ///< Of the command's topic; of global_thread_.
     double waiting_s = -1e9;
+    double cycled_s = -1e9;  ///< The time of the last cycle.
   };
   Warned warned_;
   /// Of a run in lockstep; the controlling thread's but for the queue.
