@@ -5,17 +5,21 @@
 from __future__ import annotations
 
 import math
+import os
+import signal
 import subprocess
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import actionlib
 import pytest
+import rosnode
 import rospy
+import xacro
 from actionlib_msgs.msg import GoalStatus
 from diagnostic_msgs.msg import DiagnosticArray
-from geometry_msgs.msg import Point32, PoseStamped, Twist
-from harness import Process, Ros, eventually, recorder
+from geometry_msgs.msg import Point32, Twist
+from harness import Gazebo, Process, Ros, eventually, package, pose, recorder
 from move_base_msgs.msg import MoveBaseAction, MoveBaseGoal
 from nav_msgs.msg import Odometry
 from sensor_msgs.msg import LaserScan, PointCloud
@@ -93,7 +97,7 @@ BAD: dict[str, tuple[str, Callable[[], object], str]] = {
     "cut scan": ("/scan", lambda: scan(60, 1.0), "ranges has 60 beams, legal: 181"),
     "frame": ("/scan", lambda: scan(181, 1.0, "nowhere"), "nowhere"),
     "odometry": ("/odom", lambda: odometry(math.nan), "linear.x is nan, legal: up to"),
-    "goal": ("/move_base_simple/goal", lambda: pose(math.nan), "position is (nan"),
+    "goal": ("/move_base_simple/goal", lambda: goal_at(math.nan).target_pose, "position is (nan"),
 }
 KINDS = {"data", "transform", "odometry", "goal"}
 
@@ -104,8 +108,6 @@ def odometry(vx: float) -> Odometry:
     return message
 
 
-def pose(x: float) -> PoseStamped:
-    return goal_at(x).target_pose
 
 
 def stamped(message: object) -> object:
@@ -205,3 +207,68 @@ def test_data_from_before_the_transforms_are_passed_over_when_newer_ones_are_use
             clouds.publish(cloud)
     assert "xtrapolation" not in move_base.log, move_base.log
     assert "are not used" not in move_base.log, move_base.log
+
+
+def driven(ros: Ros, start_gazebo: Callable[..., Gazebo], folder: Path) -> tuple[Gazebo, Process]:
+    """A simulated robot whose commands time out, and move_base."""
+    name = "my_nav_robot"
+    urdf = Path(package("trident_description")) / f"urdf/{name}.urdf.xacro"
+    description = xacro.process_file(str(urdf), mappings={"command_timeout": "0.2"}).toxml()
+    ros.set_param("/robot_description", description)
+    gazebo = start_gazebo(
+        str(Path(package("trident_bringup")) / "worlds/room.world"), real_time_factor=1.0
+    )
+    gazebo.spawn(name, xml=description, at=pose(0.0, 0.0, 0.0), robot_namespace="/")
+    ros.launch(["rosrun", "robot_state_publisher", "robot_state_publisher"])
+    file = folder / "parameters.yaml"
+    text = PARAMETERS.replace("global_frame:", "robot_base_frame: base_footprint, global_frame:")
+    file.write_text(text, encoding="utf-8")
+    subprocess.run(["rosparam", "load", str(file), "/move_base"], check=True)
+    return gazebo, ros.launch(["rosrun", "move_base", "move_base"])
+
+
+def pid_of(node: str) -> int:
+    api = rosnode.get_api_uri(rospy.get_master(), node)
+    return int(rosnode.ServerProxy(api).getPid("/test")[2])
+
+
+def speed(message: Odometry) -> float:
+    twist = message.twist.twist
+    return math.hypot(twist.linear.x, twist.linear.y) + 0.1 * abs(twist.angular.z)
+
+
+def test_a_killed_move_base_leaves_a_robot_that_stands_and_can_be_started_again(
+    ros: Ros, start_gazebo: Callable[..., Gazebo], tmp_path: Path
+) -> None:
+    _gazebo, node = driven(ros, start_gazebo, tmp_path)
+    client = client_of(node)
+    client.send_goal(goal_at(3.5))
+    with recorder("/ground_truth/odom", Odometry) as truth:
+        eventually(lambda: bool(truth.messages) and speed(truth.messages[-1]) > 0.4, node.log)
+        os.kill(pid_of("/move_base"), signal.SIGKILL)
+        killed_s = truth.messages[-1].header.stamp.to_sec()
+        eventually(lambda: truth.messages[-1].header.stamp.to_sec() > killed_s + 0.8, "time")
+        (after, *_rest) = (m for m in truth.messages if m.header.stamp.to_sec() > killed_s + 0.5)
+        assert speed(after) < 0.03, after.twist.twist
+    again = ros.launch(["rosrun", "move_base", "move_base"])
+    eventually(lambda: client.get_state() == GoalStatus.LOST, "the client is told")
+    client = client_of(again)
+    client.send_goal(goal_at(0.0))
+    assert client.wait_for_result(rospy.Duration(LIMIT_S)), again.log
+    assert client.get_state() == GoalStatus.SUCCEEDED
+
+
+def test_a_goal_is_pursued_though_time_jumps_back(
+    ros: Ros, start_gazebo: Callable[..., Gazebo], tmp_path: Path
+) -> None:
+    gazebo, node = driven(ros, start_gazebo, tmp_path)
+    client = client_of(node)
+    with recorder("/ground_truth/odom", Odometry) as truth:
+        eventually(lambda: rospy.get_time() > 4.0, "some time to lose")
+        client.send_goal(goal_at(2.0))
+        eventually(lambda: truth.messages[-1].pose.pose.position.x > 0.3, node.log)
+        gazebo.ask("reset_simulation")
+        eventually(lambda: "time went back by" in node.log, node.log)
+        assert client.wait_for_result(rospy.Duration(LIMIT_S)), node.log
+        assert client.get_state() == GoalStatus.SUCCEEDED, node.log
+        assert abs(truth.messages[-1].pose.pose.position.x - 2.0) < 0.2
