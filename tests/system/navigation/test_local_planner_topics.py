@@ -201,7 +201,9 @@ def test_voxels_and_ends_of_clearing_beams_are_published(ros: Ros, tmp_path: Pat
     clouds = rospy.Publisher("/points", PointCloud, queue_size=1)
     cloud = PointCloud(points=[Point32(x=1.02, y=0.52, z=0.5)])
     cloud.header.frame_id = "base_link"
+    ros.launch(["rosrun", "costmap_2d", "costmap_2d_markers", f"voxel_grid:={below}/voxel_grid"])
     with (
+        recorder("/visualization_marker", Marker) as cubes,
         recorder(f"{below}/voxel_grid", VoxelGrid) as voxels,
         recorder(f"{below}/clearing_endpoints", PointCloud) as ends,
     ):
@@ -213,6 +215,9 @@ def test_voxels_and_ends_of_clearing_beams_are_published(ros: Ros, tmp_path: Pat
 
         eventually(is_marked, "a voxel at 0.5 m")
         eventually(lambda: bool(ends.messages), "ends of beams")
+        eventually(lambda: any(m.points for m in cubes.messages), "cubes")
+    cube = next(m.points[0] for m in cubes.messages if m.points)
+    assert (cube.x, cube.y, cube.z) == pytest.approx((1.025, 0.525, 0.5), abs=0.03)
     grid = voxels.messages[-1]
     assert (grid.size_x, grid.size_y, grid.size_z) == (80, 80, 10)
     assert grid.resolutions.z == pytest.approx(0.2)

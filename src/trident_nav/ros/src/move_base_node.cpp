@@ -58,6 +58,8 @@ void MoveBaseNode::serve(ros::NodeHandle& node, ros::NodeHandle private_node) {
       parts_->control.odom_topic, 5,
       [this](const nav_msgs::OdometryConstPtr& message) { on_odometry(*message); });
   links_.make_plan = private_node.advertiseService("make_plan", &MoveBaseNode::make_plan, this);
+  links_.planner_make_plan = private_node.advertiseService(parts_->planner_space + "/make_plan",
+                                                           &MoveBaseNode::make_plan, this);
   links_.clear_costmaps =
       private_node.advertiseService("clear_costmaps", &MoveBaseNode::clear_costmaps, this);
   goals_ = std::make_unique<GoalTopics>(node, "move_base");

@@ -41,7 +41,12 @@ PLANNERS = {
     "nav2_smac_planner/SmacPlannerLattice": "#e377c2",
 }
 # What makes a controller show all that it weighs.
-_SHOWN = {"MPPI": "{visualize: true}", "mppi": "{visualize: true}", "DWA": "{publish_traj_pc: true}"}
+_SHOWN = {
+    "MPPI": "{visualize: true}",
+    "mppi": "{visualize: true}",
+    "DWA": "{publish_traj_pc: true}",
+    "dwa": "{publish_traj_pc: true}",
+}
 
 
 @dataclass(frozen=True)
@@ -232,7 +237,8 @@ class Canvas:
     def __init__(self, plan: Plan, scale: int) -> None:
         """`scale`: pixels per cell."""
         image = Image.fromarray(colors_of(plan.costs))
-        self.image = image.resize((image.width * scale, image.height * scale), Image.NEAREST)
+        size = (image.width * scale, image.height * scale)
+        self.image = image.resize(size, Image.Resampling.NEAREST)
         self._plan, self._scale = plan, scale
         self.pen = ImageDraw.Draw(self.image, "RGBA")
 

@@ -82,7 +82,7 @@ class MoveBaseNode {
   struct Links {
     ros::Publisher command, current_goal, action_goal, recovery, global_path, local_path;
     ros::Subscriber simple_goal, odometry;
-    ros::ServiceServer make_plan, clear_costmaps;
+    ros::ServiceServer make_plan, planner_make_plan, clear_costmaps;
     std::unique_ptr<ControlTopics> control;
     std::unique_ptr<PotentialTopic> potential;
   };
