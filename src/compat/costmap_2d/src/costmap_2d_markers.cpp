@@ -7,7 +7,9 @@
 #include <visualization_msgs/Marker.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <string>
 
 namespace {
 
@@ -28,6 +30,24 @@ void add_column(const costmap_2d::VoxelGrid& grid, std::size_t cell,
   }
 }
 
+/// Empty, or what is wrong with a grid.
+std::string problem_of(const costmap_2d::VoxelGrid& grid) {
+  const geometry_msgs::Vector3& sides = grid.resolutions;
+  for (const double side : {sides.x, sides.y, sides.z}) {
+    if (!(side > 0.0 && side < 1e3)) {
+      return "resolutions has " + std::to_string(side) + " m, legal: above 0, below 1000";
+    }
+  }
+  const geometry_msgs::Point32& origin = grid.origin;
+  if (!std::isfinite(origin.x) || !std::isfinite(origin.y) || !std::isfinite(origin.z)) {
+    return "origin is not finite";
+  }
+  const std::size_t cells = std::size_t{grid.size_x} * grid.size_y;
+  if (grid.data.size() == cells) return "";
+  return "data has " + std::to_string(grid.data.size()) + " columns, legal: size_x * size_y = " +
+         std::to_string(cells);
+}
+
 visualization_msgs::Marker cubes_of(const costmap_2d::VoxelGrid& grid) {
   visualization_msgs::Marker marker;
   marker.header = grid.header;
@@ -38,11 +58,6 @@ visualization_msgs::Marker cubes_of(const costmap_2d::VoxelGrid& grid) {
   marker.color.r = 1.0F;
   marker.color.a = 1.0F;
   const std::size_t cells = std::size_t{grid.size_x} * grid.size_y;
-  if (grid.data.size() != cells) {
-    ROS_ERROR_THROTTLE(5.0, "voxel_grid: data has %zu columns, legal: size_x * size_y = %zu",
-                       grid.data.size(), cells);
-    return marker;
-  }
   for (std::size_t cell = 0; cell < cells; ++cell) add_column(grid, cell, &marker);
   return marker;
 }
@@ -55,7 +70,14 @@ int main(int argc, char** argv) {
   const ros::Publisher markers =
       node.advertise<visualization_msgs::Marker>("visualization_marker", 1);
   const boost::function<void(const costmap_2d::VoxelGridConstPtr&)> show =
-      [&markers](const costmap_2d::VoxelGridConstPtr& grid) { markers.publish(cubes_of(*grid)); };
+      [&markers](const costmap_2d::VoxelGridConstPtr& grid) {
+        const std::string problem = problem_of(*grid);
+        if (problem.empty()) {
+          markers.publish(cubes_of(*grid));
+        } else {
+          ROS_ERROR_THROTTLE(5.0, "voxel_grid is not shown: %s", problem.c_str());
+        }
+      };
   const ros::Subscriber grids = node.subscribe<costmap_2d::VoxelGrid>("voxel_grid", 1, show);
   ros::spin();
   return 0;
