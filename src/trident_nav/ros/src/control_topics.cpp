@@ -12,7 +12,7 @@
 namespace trident::nav {
 namespace {
 
-constexpr double kMaxWait_s = 1.0;  // for the transform of what was heard
+constexpr double kObstacleWait_s = 1.0;  // for the transform of what was heard
 
 bool is_heard(const ros::Publisher& publisher) {
   return publisher && publisher.getNumSubscribers() > 0;
@@ -103,7 +103,7 @@ void ControlTopics::take_obstacles(double now_s, MovingObstacles& moving) {
   const auto T_costmap_from = newest_pose(buffer_, frame_, from, now_s, INFINITY, &problem);
   if (T_costmap_from) {
     moving.set_reported(tracks_of(*message, *T_costmap_from), stamp_s);
-  } else if (!header.stamp.isZero() && now_s - stamp_s < kMaxWait_s) {
+  } else if (!header.stamp.isZero() && now_s - stamp_s < kObstacleWait_s) {
     const std::lock_guard lock(mutex_);
     if (!heard_.obstacles) heard_.obstacles = message;
   } else {
