@@ -56,6 +56,7 @@ add_library(trident_nav_control
   src/control/teb/teb_terms.cpp
   src/control/tracking/moving_obstacles.cpp
   src/control/tracking/obstacle_tracker.cpp
+  src/control/tracking/reported_obstacle.cpp
   src/control/tracking/scan_clusters.cpp
   src/control/trajectory_planner/trajectory_planner_law.cpp
 )
@@ -85,6 +86,7 @@ if(CATKIN_ENABLE_TESTING)
   catkin_add_gtest(trident_nav_control_test
     test/control/grid_world.cpp
     test/control/arrival_test.cpp
+    test/control/control_details_test.cpp
     test/control/controller_conformance_test.cpp
     test/control/laws_test.cpp
     test/control/moving_obstacles_test.cpp

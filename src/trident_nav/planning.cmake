@@ -71,7 +71,7 @@ endforeach()
 
 # --- programs behind `./trident plan` and `./trident lattice` -----------------------------------
 add_executable(nav_plan programs/nav_plan.cpp)
-target_link_libraries(nav_plan trident_nav_planning trident_nav_costmap trident_maps)
+target_link_libraries(nav_plan trident_nav_planning trident_nav_costmap trident_nav_control trident_maps)
 add_executable(nav_lattice programs/nav_lattice.cpp)
 target_include_directories(nav_lattice PRIVATE src)
 target_link_libraries(nav_lattice trident_nav_planning)

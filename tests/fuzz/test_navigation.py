@@ -11,7 +11,8 @@ from typing import Any
 import pytest
 import rospy
 import yaml
-from geometry_msgs.msg import PoseStamped
+from costmap_2d.msg import VoxelGrid
+from geometry_msgs.msg import Point32, Polygon, PoseStamped
 from hostile import Robot, endures, messages, odometry, room_scan, started, transform, withstands
 from move_base_msgs.msg import MoveBaseActionGoal
 from nav_msgs.msg import OccupancyGrid, Odometry
@@ -20,6 +21,7 @@ from navfn.srv import MakeNavPlan, MakeNavPlanRequest
 from tf2_msgs.msg import TFMessage
 from trident.testing import LIMIT_S, Process, Ros, eventually, package, program, recorder
 from trident.testing.fuzz import Target
+from visualization_msgs.msg import Marker
 
 #: For two roslaunch and what they start, one after the other.
 START_LIMIT_S = 3 * LIMIT_S
@@ -63,12 +65,23 @@ def test_move_base(ros: Ros, map_file: Path) -> None:
     whole = rospy.ServiceProxy("/static_map", GetMap)().map
     maps = rospy.Publisher("/map", OccupancyGrid, queue_size=1)
     eventually(lambda: maps.get_num_connections() > 0, maps.name)
+    # Hostile footprints have been legal, too.
+    shapes = [
+        rospy.Publisher(f"/move_base/{name}_costmap/footprint", Polygon, queue_size=1)
+        for name in ("global", "local")
+    ]
+    for topic in shapes:
+        eventually(lambda t=topic: t.get_num_connections() > 0, topic.name)  # type: ignore[misc]
+    corners = ((-0.1, -0.1), (0.1, -0.1), (0.1, 0.1), (-0.1, 0.1))
+    square = Polygon(points=[Point32(x=x, y=y) for x, y in corners])
     request = GetPlanRequest(start=place(-1.0, -1.0), goal=place(1.5, 1.0), tolerance=0.2)
 
     def still_plans() -> None:
         rospy.wait_for_service("/move_base/make_plan", LIMIT_S)
         ask = rospy.ServiceProxy("/move_base/make_plan", GetPlan)
         maps.publish(whole)  # hostile ones have been legal, too
+        for shape in shapes:
+            shape.publish(square)
 
         def has_plan() -> bool:
             step()
@@ -90,7 +103,7 @@ def test_move_base(ros: Ros, map_file: Path) -> None:
         "/move_base/make_plan": request,
     }
     withstands(process, "/move_base", still_plans, examples, step, batch=40)
-    for topic in (frames, odometries, maps):
+    for topic in (frames, odometries, maps, *shapes):
         topic.unregister()
     driver.close()
 
@@ -131,6 +144,28 @@ def test_a_costmap_alone(ros: Ros) -> None:
     examples = {"/scan": room_scan(), "/tf": TFMessage([transform("odom", "base_footprint")])}
     withstands(process, "/node", is_published, examples, driver.step, batch=40)
     driver.close()
+
+
+@pytest.mark.fuzzes("costmap_2d/costmap_2d_markers")
+def test_cubes_of_voxels(ros: Ros) -> None:
+    command = [program("costmap_2d", "costmap_2d_markers"), "__name:=cubes"]
+    process = started(ros, "/cubes", command)
+    grid = VoxelGrid(size_x=2, size_y=1, size_z=3, data=[1 << 17, 0])
+    grid.resolutions.x = grid.resolutions.y = grid.resolutions.z = 0.1
+    grids = rospy.Publisher("/voxel_grid", VoxelGrid, queue_size=1)
+    eventually(lambda: grids.get_num_connections() > 0, grids.name)
+
+    def still_shows() -> None:
+        with recorder("/visualization_marker", Marker) as markers:
+
+            def is_shown() -> bool:
+                grids.publish(grid)
+                return bool(markers.messages) and len(markers.messages[-1].points) == 1
+
+            eventually(is_shown, "a cube")
+
+    withstands(process, "/cubes", still_shows, {"/voxel_grid": grid})
+    grids.unregister()
 
 
 @pytest.mark.fuzzes("navfn/navfn_node", "global_planner/planner")

@@ -25,7 +25,7 @@ def add_navigation_commands(add: Callable[[str, Handler, str], argparse.Argument
         help="a map of map_server, start and goal [m, rad]",
     )
     sub.add_argument(
-        "--planner", metavar="NAME", help="default nav2_smac_planner/SmacPlannerHybrid"
+        "--planner", metavar="NAME", help="or all; default nav2_smac_planner/SmacPlannerHybrid"
     )
     sub.add_argument("--params", metavar="YAML", help="of the planner: a file, or the text")
     sub.add_argument("--footprint", metavar="[[X,Y],…]", help="of the robot; default: a Jackal's")
@@ -33,6 +33,9 @@ def add_navigation_commands(add: Callable[[str, Handler, str], argparse.Argument
     sub.add_argument("--turning-radius", type=float, metavar="M", help="of the robot; default 0")
     sub.add_argument("--inflation", type=float, metavar="M", help="its radius; default 0.55")
     sub.add_argument("--scaling", type=float, metavar="K", help="of inflation's costs; default 10")
+    sub.add_argument("--controller", metavar="NAME", help="draw what it weighs at the start, too")
+    sub.add_argument("--speed", type=float, metavar="V", help="of the robot there; default 0.5")
+    sub.add_argument("--layers", type=Path, metavar="FILE.png", help="a picture layer by layer")
     sub.add_argument("--out", type=Path, metavar="FILE.png", help="a picture of map and path")
     sub.add_argument("--json", type=Path, metavar="FILE.json", help="the path's poses")
 

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // nav_plan MAP.yaml X,Y,YAW X,Y,YAW [--planner NAME] [--params YAML] [--costmap YAML]
-// [--turning-radius M] [--grid FILE.pgm]: plans on a map and prints the outcome as JSON; --grid
-// gets the costmap's bytes, row 0 at the bottom. Exits with 0 when there is a path, with 1 when
+// [--turning-radius M] [--grid FILE.pgm] [--controller NAME [--controller-params YAML] [--speed V]]:
+// plans on a map and prints the outcome as JSON; --grid gets the costmap's bytes, row 0 at the
+// bottom; with --controller the JSON has what that weighs at the start of the path, for a robot
+// that already drives at that speed. Exits with 0 when there is a path, with 1 when
 // there is not, with 2 when the input is wrong.
 #include <chrono>
 #include <cstdio>
@@ -18,6 +20,7 @@
 #include "trident_base/error.h"
 #include "trident_base/yaml_config.h"
 #include "trident_maps/map_file.h"
+#include "trident_nav/control/controller.h"
 #include "trident_nav/core/footprint.h"
 #include "trident_nav/costmap/costmap.h"
 #include "trident_nav/costmap/costmap_config.h"
@@ -43,7 +46,10 @@ struct Arguments {
        "{plugins: [{name: static, type: costmap_2d::StaticLayer}, {name: inflation, type: "
        "costmap_2d::InflationLayer}]}"},
       {"turning-radius", "0"},
-      {"grid", ""}};
+      {"grid", ""},
+      {"controller", ""},
+      {"controller-params", "{}"},
+      {"speed", "0.5"}};
 };
 
 Pose2 parse_pose(const std::string& text) {
@@ -68,7 +74,9 @@ Arguments parse_arguments(int argc, char** argv) {
     const std::string word = argv[i];
     const auto found = result.options.find(word.substr(word.find_first_not_of('-')));
     if (word.rfind("--", 0) != 0 || found == result.options.end()) {
-      throw Error(word + ": legal: --planner, --params, --costmap, --turning-radius, --grid");
+      throw Error(word +
+                  ": legal: --planner, --params, --costmap, --turning-radius, --grid, "
+                  "--controller, --controller-params, --speed");
     }
     found->second = argv[i + 1];
   }
@@ -126,6 +134,41 @@ nlohmann::json to_json(const PlanOutcome& outcome, const CostGrid& grid,
   return json;
 }
 
+trident::nav::ControlSetup control_setup(const Arguments& arguments, double speed,
+                                         const trident::nav::Footprint& footprint) {
+  trident::nav::ControlSetup setup;
+  const double radius_m = std::atof(arguments.options.at("turning-radius").c_str());
+  setup.limits = {speed, -0.5 * speed, 0.0, 1.5, 1.0, 1.0, 1.0, 3.0, radius_m};
+  setup.footprint = footprint;
+  return setup;
+}
+
+/// What a controller weighs for its first command along a path.
+nlohmann::json weighed(const Arguments& arguments, const Costmap& costmap,
+                       const trident::nav::Path& path) {
+  const double speed = std::atof(arguments.options.at("speed").c_str());
+  const auto controller = trident::nav::make_controller(
+      arguments.options.at("controller"), control_setup(arguments, speed, costmap.footprint()),
+      trident::parse_yaml(arguments.options.at("controller-params"), "--controller-params"),
+      "--controller-params");
+  controller->set_watched({true, false});
+  trident::nav::RobotState state;
+  state.pose = arguments.start;
+  state.twist.vx = speed;
+  const auto outcome = controller->command(state, path, costmap.grid(), {});
+  const trident::nav::ControlDetails details = controller->details();
+  nlohmann::json json;
+  json["reason"] = outcome.reason;
+  json["selected"] = details.selected ? static_cast<int>(*details.selected) : -1;
+  json["trajectories"] = nlohmann::json::array();
+  for (const auto& trajectory : details.trajectories) {
+    nlohmann::json points = nlohmann::json::array();
+    for (const auto& point : trajectory.points) points.push_back({point.pose.x, point.pose.y});
+    json["trajectories"].push_back({{"cost", trajectory.cost}, {"points", points}});
+  }
+  return json;
+}
+
 int run(const Arguments& arguments) {
   const std::string name = trident::nav::planner_name(arguments.options.at("planner"));
   const auto planner = trident::nav::builtin_planners().get(name)(
@@ -140,7 +183,11 @@ int run(const Arguments& arguments) {
   const PlanOutcome outcome =
       planner->plan(grid, costmap.footprint(), arguments.start, arguments.goal, limits, cancel);
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - before;
-  std::cout << to_json(outcome, grid, costmap.footprint(), time.count()) << "\n";
+  nlohmann::json json = to_json(outcome, grid, costmap.footprint(), time.count());
+  if (!arguments.options.at("controller").empty() && !outcome.path.empty()) {
+    json["control"] = weighed(arguments, costmap, outcome.path);
+  }
+  std::cout << json << "\n";
   return outcome.failure == trident::nav::Failure::kNone ? 0 : 1;
 }
 

@@ -54,6 +54,40 @@ def test_a_path_is_drawn_and_written(
     assert {(255, 0, 0), (255, 165, 0), (20, 20, 20)} <= colors
 
 
+def test_the_paths_of_all_planners_are_drawn_on_one_map(
+    room: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    out, layers, poses = (tmp_path / name for name in ("all.png", "layers.png", "all.json"))
+    words = [str(room), "-1.8,-1,1.57", "1.8,-1.0,-1.57", "--planner", "all"]
+    words += ["--out", str(out), "--layers", str(layers), "--json", str(poses)]
+    assert plan.main(words) == 0
+    assert len(capsys.readouterr().out.splitlines()) == len(plan.PLANNERS)
+    assert set(json.loads(poses.read_text(encoding="utf-8"))) == set(plan.PLANNERS)
+    with Image.open(out) as image:
+        colors = {f"#{r:02x}{g:02x}{b:02x}" for _, (r, g, b) in image.getcolors(1 << 20) or []}
+        assert set(plan.PLANNERS.values()) <= colors
+        single = image.width
+    with Image.open(layers) as image:
+        assert image.width > 2 * single
+
+
+@pytest.mark.parametrize(
+    "controller", ["nav2_mppi_controller::MPPIController", "dwa_local_planner/DWAPlannerROS"]
+)
+def test_what_a_controller_weighs_is_drawn(room: Path, tmp_path: Path, controller: str) -> None:
+    out = tmp_path / "fan.png"
+    words = [str(room), "-1.8,-1,1.57", "1.8,-1.0,-1.57", "--controller", controller]
+    assert plan.main([*words, "--out", str(out)]) == 0
+    options = plan.make_parser().parse_args([words[0], f" {words[1]}", *words[2:]])
+    weighed = plan.find_plan(options).weighed
+    assert weighed is not None
+    assert len(weighed.trajectories) > 50
+    best = weighed.trajectories[weighed.selected]
+    assert best[-1, 1] > best[0, 1] + 0.2  # upwards, around the wall
+    with Image.open(out) as image:
+        assert (0, 0, 255) in {color for _, color in image.getcolors(1 << 20) or []}
+
+
 def test_no_path_says_why(room: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert plan.main([str(room), "-1.8,-1,0", "0,-1,0"]) == 1
     assert "no path. The footprint is in contact at the goal" in capsys.readouterr().out

@@ -19,9 +19,7 @@ Refusals::Refusals(ros::NodeHandle& node)
 
 void Refusals::note(const std::string& kind, const std::string& text) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  Kind& known = kinds_[kind];
-  known.newest = text;
-  ++known.count;
+  Kind& known = counted(kind, text);
   const ros::WallTime now = ros::WallTime::now();
   if (known.logged == 0 || (now - known.logged_at).toSec() >= kLogEveryS) {
     const std::uint64_t more = known.count - known.logged - 1;
@@ -30,6 +28,25 @@ void Refusals::note(const std::string& kind, const std::string& text) {
     known.logged = known.count;
     known.logged_at = now;
   }
+  publish_if_due();
+}
+
+void Refusals::count(const std::string& kind, const std::string& text) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  counted(kind, text);
+  publish_if_due();
+}
+
+/// While locked.
+Refusals::Kind& Refusals::counted(const std::string& kind, const std::string& text) {
+  Kind& known = kinds_[kind];
+  known.newest = text;
+  ++known.count;
+  return known;
+}
+
+void Refusals::publish_if_due() {
+  const ros::WallTime now = ros::WallTime::now();
   if ((now - published_at_).toSec() < kPublishEveryS) return;
   published_at_ = now;
   publish();

@@ -15,7 +15,7 @@ import rospy
 import yaml
 from actionlib_msgs.msg import GoalStatus
 from geometry_msgs.msg import PoseWithCovarianceStamped
-from harness import Launch, Ros, eventually, package, recorder
+from harness import REPO, Launch, Ros, eventually, package, recorder
 from move_base_msgs.msg import MoveBaseAction, MoveBaseGoal
 from trident_sim.occupancy import MapConfig, occupancy_map
 
@@ -117,8 +117,28 @@ def test_upstreams_packages_are_found(name: str) -> None:
     assert (Path(package(name)) / "package.xml").is_file()
 
 
-def test_rviz_shows_topics_that_move_base_has() -> None:
-    file = Path(package("turtlebot3_navigation")) / "rviz" / "turtlebot3_navigation.rviz"
+RVIZ = {
+    "turtlebot3_navigation": Path(package("turtlebot3_navigation")) / "rviz",
+    "navigation": REPO / "config" / "rviz",
+}
+
+
+@pytest.mark.parametrize("name", RVIZ)
+def test_rviz_loads_its_configuration_without_a_display(ros: Ros, name: str) -> None:
+    file = RVIZ[name] / f"{name}.rviz"
+    viewer = ros.launch(["xvfb-run", "-a", "rosrun", "rviz", "rviz", "-d", str(file)])
+    eventually(lambda: "/move_base_simple/goal" in topics(), viewer.log)
+    assert not [line for line in viewer.log.splitlines() if "could not be loaded" in line]
+    assert "ERROR" not in viewer.log, viewer.log
+
+
+def topics() -> set[str]:
+    return {name for name, _type in rospy.get_published_topics()}
+
+
+@pytest.mark.parametrize("name", RVIZ)
+def test_rviz_shows_topics_that_move_base_has(name: str) -> None:
+    file = RVIZ[name] / f"{name}.rviz"
     manager = yaml.safe_load(file.read_text(encoding="utf-8"))["Visualization Manager"]
     shown = {display["Topic"] for display in manager["Displays"] if "Topic" in display}
     assert {f"/move_base/{one}_costmap/costmap" for one in ("global", "local")} <= shown

@@ -23,6 +23,7 @@ namespace {
 
 constexpr double kMaxWait_s = 1.0;  // for a transform
 constexpr std::size_t kMaxPending = 50;
+constexpr std::size_t kKeptStamps = 20;  // of scans, in lockstep
 // Between data and the update that takes them: more than their stamps differ from their period by,
 // and less than a simulator continues by before it waits.
 constexpr double kLockstepMargin_s = 0.005;
@@ -141,6 +142,29 @@ void CostmapInputs::add(BeamSource& source, const ros::Time& stamp, Observe obse
   if (pending_.size() >= kMaxPending) pending_.pop_front();
   pending_.push_back({&source, std::move(observe), stamp.toSec(), ros::WallTime::now()});
   received_[&source].note(stamp.toSec());
+  if (is_lockstep_) note_scan(source, stamp.toSec());
+}
+
+/// While locked.
+void CostmapInputs::note_scan(const BeamSource& source, double stamp_s) {
+  if (source.params().data_type != BeamDataType::kLaserScan) return;
+  if (scan_times_.source == nullptr) scan_times_.source = &source;
+  if (scan_times_.source != &source) return;
+  std::deque<double>& stamps_s = scan_times_.stamps_s;
+  if (!stamps_s.empty() && stamp_s < stamps_s.back()) stamps_s.clear();  // time goes back
+  stamps_s.push_back(stamp_s);
+  if (stamps_s.size() > kKeptStamps) stamps_s.pop_front();
+}
+
+std::optional<double> CostmapInputs::await_scan(double now_s) {
+  await_data(now_s);
+  const std::lock_guard lock(mutex_);
+  const std::deque<double>& stamps_s = scan_times_.stamps_s;
+  const auto newest = std::find_if(stamps_s.rbegin(), stamps_s.rend(), [now_s](double stamp_s) {
+    return stamp_s < now_s - kLockstepMargin_s;
+  });
+  if (newest == stamps_s.rend()) return std::nullopt;
+  return *newest;
 }
 
 /// Whether data of a source are to come that an update takes. A period is known from the second
@@ -194,7 +218,10 @@ std::optional<Observation> CostmapInputs::observe(const sensor_msgs::LaserScan& 
 void CostmapInputs::apply_pending(Pending& pending, std::deque<Pending>* waiting) {
   const BeamSource& source = *pending.source;
   try {
-    if (auto observation = pending.observe()) pending.source->add(std::move(*observation));
+    if (auto observation = pending.observe()) {
+      if (on_observation_) on_observation_(source, *observation);
+      pending.source->add(std::move(*observation));
+    }
   } catch (const tf2::TransformException& error) {
     if ((ros::WallTime::now() - pending.since).toSec() < kMaxWait_s) {
       waiting->push_back(std::move(pending));

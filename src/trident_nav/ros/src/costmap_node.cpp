@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "trident_base/error.h"
 #include "trident_nav/core/footprint.h"
 #include "trident_nav/costmap/published_cost.h"
 #include "trident_nav_ros/frames.h"
@@ -23,6 +24,11 @@ CellBox joined(const CellBox& a, const CellBox& b) {
   if (a.empty()) return b;
   if (b.empty()) return a;
   return {std::min(a.x0, b.x0), std::min(a.y0, b.y0), std::max(a.x1, b.x1), std::max(a.y1, b.y1)};
+}
+
+bool is_same(const Footprint& a, const Footprint& b) {
+  return std::equal(a.points.begin(), a.points.end(), b.points.begin(), b.points.end(),
+                    [](const Point2& p, const Point2& q) { return p.x == q.x && p.y == q.y; });
 }
 
 }  // namespace
@@ -44,9 +50,47 @@ CostmapNode::CostmapNode(const ros::NodeHandle& node, const CostmapConfig& confi
       layers_(config.layers),
       inputs_(root_, *costmap_, buffer, refusals) {
   note_params(config.params);
-  all_ = node_.advertise<nav_msgs::OccupancyGrid>("costmap", 1, true);
-  parts_ = node_.advertise<map_msgs::OccupancyGridUpdate>("costmap_updates", 1);
-  footprint_ = node_.advertise<geometry_msgs::PolygonStamped>("footprint", 1);
+  topics_.all = node_.advertise<nav_msgs::OccupancyGrid>("costmap", 1, true);
+  topics_.parts = node_.advertise<map_msgs::OccupancyGridUpdate>("costmap_updates", 1);
+  topics_.footprint = node_.advertise<geometry_msgs::PolygonStamped>(
+      config.params.published_footprint_topic, 1);
+  topics_.voxels = std::make_unique<VoxelTopics>(node_, *costmap_, frame_);
+  inputs_.set_observation_listener(
+      [this](const BeamSource& source, const Observation& observation) {
+        topics_.voxels->note(source, observation);
+      });
+  const std::string topic = node_.resolveName(config.params.footprint_topic);
+  topics_.footprint_input = std::make_unique<FootprintInput>(
+      node_, topic,
+      [this, &refusals](const geometry_msgs::Polygon& polygon) {
+        take_footprint(polygon, refusals);
+      },
+      [topic, &refusals](const std::string& problem) {
+        refusals.note("footprint", "the footprint on " + topic + " is not used: " + problem);
+      });
+}
+
+/// Without the padding, as costmap_2d takes it. The same one again changes nothing.
+void CostmapNode::take_footprint(const geometry_msgs::Polygon& polygon,
+                                 ros_utils::Refusals& refusals) {
+  std::vector<Point2> corners;
+  for (const geometry_msgs::Point32& p : polygon.points) {
+    corners.push_back({static_cast<double>(p.x), static_cast<double>(p.y)});
+  }
+  std::function<void()> on_footprint;
+  try {
+    const std::lock_guard lock(mutex_);
+    on_footprint = topics_.on_footprint;
+    const Footprint next =
+        padded_footprint(polygon_footprint(corners), costmap_->params().footprint_padding);
+    if (is_same(next, costmap_->footprint())) return;
+    costmap_->set_footprint(next);
+  } catch (const Error& error) {
+    refusals.note("footprint", "a footprint for " + node_.getNamespace() +
+                                   " is not used: " + error.what());
+    return;
+  }
+  if (on_footprint) on_footprint();
 }
 
 void CostmapNode::note_params(const CostmapParams& params) {
@@ -84,6 +128,10 @@ void CostmapNode::change_layer(const std::string& name, const ConfigNode& values
 }
 
 std::optional<Pose2> CostmapNode::robot(double now_s, std::string* problem, double* stamp_s) const {
+  if (robot_source_) {
+    if (stamp_s != nullptr) *stamp_s = now_s;
+    return robot_source_(now_s, problem);
+  }
   return newest_pose(buffer_, frame_, base_frame_, now_s, transform_tolerance_s_, problem, stamp_s);
 }
 
@@ -94,6 +142,7 @@ void CostmapNode::update(double now_s) {
   const std::lock_guard lock(mutex_);
   inputs_.apply(now_s);
   costmap_->update({now_s, *pose});
+  topics_.voxels->publish(now_s);
   news_.is_all |= costmap_->has_moved();
   if (!news_.is_all) news_.box = joined(news_.box, costmap_->changed().bounds());
   const double rate = costmap_->params().publish_frequency;
@@ -137,7 +186,7 @@ void CostmapNode::publish_all(double now_s) {
   message.info.origin = to_message({grid.geometry.origin_x, grid.geometry.origin_y, 0.0});
   message.data.resize(grid.geometry.size());
   std::transform(grid.cost, grid.cost + grid.geometry.size(), message.data.begin(), published_cost);
-  all_.publish(message);
+  topics_.all.publish(message);
 }
 
 void CostmapNode::publish_part(double now_s, const CellBox& box) {
@@ -154,7 +203,7 @@ void CostmapNode::publish_part(double now_s, const CellBox& box) {
       message.data.push_back(published_cost(grid.at(Cell{x, y})));
     }
   }
-  parts_.publish(message);
+  topics_.parts.publish(message);
 }
 
 void CostmapNode::publish_footprint(double now_s, const Pose2& robot) {
@@ -167,7 +216,7 @@ void CostmapNode::publish_footprint(double now_s, const Pose2& robot) {
     point.y = static_cast<float>(p.y);
     message.polygon.points.push_back(point);
   }
-  footprint_.publish(message);
+  topics_.footprint.publish(message);
 }
 
 }  // namespace trident::nav

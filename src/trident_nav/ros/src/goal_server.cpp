@@ -77,6 +77,11 @@ bool GoalServer::is_current_active() {
          status == actionlib_msgs::GoalStatus::PREEMPTING;
 }
 
+bool GoalServer::has_new() {
+  const Lock lock(goals_mutex_);
+  return has_next_;
+}
+
 bool GoalServer::is_active() {
   const Lock lock(goals_mutex_);
   return is_current_active();

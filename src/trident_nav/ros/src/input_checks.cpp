@@ -37,6 +37,28 @@ std::string field_problem(const sensor_msgs::PointCloud2& cloud, const std::stri
          ", legal: up to point_step - 4 = " + std::to_string(std::int64_t{cloud.point_step} - 4);
 }
 
+// Of a scan that was cut: far fewer ranges than its angles say.
+std::string count_problem(const sensor_msgs::LaserScan& scan) {
+  const auto span = static_cast<double>(scan.angle_max) - static_cast<double>(scan.angle_min);
+  const double steps = span / static_cast<double>(scan.angle_increment);
+  if (!(steps > 0.0 && steps < 1e7)) return "";  // angle_max is often left out
+  const double expected = std::round(steps) + 1.0;
+  const double tolerated = std::max(2.0, 0.02 * expected);
+  if (static_cast<double>(scan.ranges.size()) >= expected - tolerated) return "";
+  return "ranges has " + std::to_string(scan.ranges.size()) + " beams, legal: " +
+         number_text(expected) + ", as angle_min, angle_max and angle_increment say";
+}
+
+// Of a scan in which no beam says anything: a lidar that is covered or broken.
+std::string blindness_problem(const sensor_msgs::LaserScan& scan) {
+  const bool sees = std::any_of(scan.ranges.begin(), scan.ranges.end(),
+                                [&](float range) { return range >= scan.range_min; });
+  if (sees) return "";
+  return "all " + std::to_string(scan.ranges.size()) +
+         " ranges are NaN or below range_min = " + number_text(scan.range_min) +
+         " m, legal: at least one that is not";
+}
+
 }  // namespace
 
 std::string goal_problem(const geometry_msgs::Pose& pose) {
@@ -58,11 +80,14 @@ std::string odometry_problem(const nav_msgs::Odometry& message, const ros::Time&
 }
 
 std::string beams_problem(const sensor_msgs::LaserScan& scan) {
-  const std::string problem = ros_utils::scan_problem(scan);
+  std::string problem = ros_utils::scan_problem(scan);
   if (!problem.empty()) return problem;
-  if (scan.range_min >= 0.0F && std::isfinite(scan.range_max)) return "";
-  return "range_min is " + number_text(scan.range_min) + " m, range_max " +
-         number_text(scan.range_max) + " m, legal: 0 <= range_min < range_max, finite";
+  if (!(scan.range_min >= 0.0F && std::isfinite(scan.range_max))) {
+    return "range_min is " + number_text(scan.range_min) + " m, range_max " +
+           number_text(scan.range_max) + " m, legal: 0 <= range_min < range_max, finite";
+  }
+  problem = count_problem(scan);
+  return problem.empty() ? blindness_problem(scan) : problem;
 }
 
 std::string cloud_problem(const sensor_msgs::PointCloud2& cloud) {

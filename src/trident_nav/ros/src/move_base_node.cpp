@@ -5,14 +5,13 @@
 #include <geometry_msgs/Twist.h>
 #include <move_base_msgs/RecoveryStatus.h>
 #include <nav_msgs/Path.h>
-#include <tf2/exceptions.h>
 #include <tf2_geometry_msgs/tf2_geometry_msgs.h>
 
-#include <chrono>
 #include <cmath>
 #include <utility>
 
 #include "trident_base/error.h"
+#include "trident_base/string_util.h"
 #include "trident_nav_ros/frames.h"
 #include "trident_nav_ros/input_checks.h"
 #include "trident_ros/topic_peers.h"
@@ -24,17 +23,22 @@ constexpr double kWarningPeriod_s = 5.0;
 
 }  // namespace
 
-MoveBaseNode::MoveBaseNode(ros::NodeHandle& node, const ros::NodeHandle& private_node)
+MoveBaseNode::MoveBaseNode(ros::NodeHandle& node, const ros::NodeHandle& private_node,
+                           const VoxelAdvertiser& voxels)
     : refusals_(node),
       transforms_(buffer_,
                   [this](const std::string& problem) { refusals_.note("transform", problem); }),
       parts_(make_move_base_parts(private_node, buffer_, refusals_)) {
+  parts_->global->advertise_voxels(voxels);
+  parts_->local->advertise_voxels(voxels);
+  serve_plugins(private_node);
   serve(node, private_node);
   if (!parts_->params.lockstep) global_thread_ = std::thread([this] { update_global(); });
 }
 
 MoveBaseNode::~MoveBaseNode() {
   is_ending_ = true;
+  parts_->world->set_plan_listener({});
   if (global_thread_.joinable()) global_thread_.join();
 }
 
@@ -54,11 +58,29 @@ void MoveBaseNode::serve(ros::NodeHandle& node, ros::NodeHandle private_node) {
       parts_->control.odom_topic, 5,
       [this](const nav_msgs::OdometryConstPtr& message) { on_odometry(*message); });
   links_.make_plan = private_node.advertiseService("make_plan", &MoveBaseNode::make_plan, this);
+  links_.planner_make_plan = private_node.advertiseService(parts_->planner_space + "/make_plan",
+                                                           &MoveBaseNode::make_plan, this);
   links_.clear_costmaps =
       private_node.advertiseService("clear_costmaps", &MoveBaseNode::clear_costmaps, this);
   goals_ = std::make_unique<GoalTopics>(node, "move_base");
   goals_->start();
   reconfiguration_ = std::make_unique<Reconfiguration>(private_node, *parts_, refusals_);
+}
+
+void MoveBaseNode::serve_plugins(const ros::NodeHandle& private_node) {
+  const MoveBaseParams& params = parts_->params;
+  links_.control = std::make_unique<ControlTopics>(
+      ros::NodeHandle(private_node, parts_->controller_space), params.base_local_planner,
+      parts_->local->frame(), buffer_, refusals_);
+  if (parts_->planner->potential_source() == nullptr) return;
+  links_.potential = std::make_unique<PotentialTopic>(
+      ros::NodeHandle(private_node, parts_->planner_space), params.base_global_planner);
+  parts_->world->set_plan_listener([this](const GridGeometry& geometry) {
+    std_msgs::Header header;
+    header.frame_id = parts_->global->frame();
+    header.stamp = ros::Time::now();
+    links_.potential->publish(parts_->planner->potential_source(), geometry, header);
+  });
 }
 
 void MoveBaseNode::on_simple_goal(const geometry_msgs::PoseStamped& message) {
@@ -94,6 +116,7 @@ void MoveBaseNode::warn_of_rivals() {
   if (!is_driving_) return;
   const std::string topic = links_.command.getTopic();
   const std::string text = ros_utils::rivals_text(topic, ros_utils::topic_publishers(topic));
+  if (!text.empty()) refusals_.count("command", text);
   if (!text.empty() && text != warned_.rivals) ROS_WARN("%s", text.c_str());
   warned_.rivals = text;
 }
@@ -124,51 +147,6 @@ void MoveBaseNode::run() {
   }
 }
 
-void MoveBaseNode::run_in_lockstep() {
-  constexpr std::chrono::milliseconds kPoll{100};  // whether the node is to end
-  while (ros::ok()) {
-    if (const auto stamp_s = lockstep_.samples.pop(kPoll)) answer(*stamp_s);
-  }
-}
-
-/// The simulator continues with the answer: until then nothing newer than the sample comes, so that
-/// equal samples give equal answers, however long they take.
-void MoveBaseNode::answer(double stamp_s) {
-  constexpr double kRounding_s = 1e-6;
-  reconfiguration_->apply();
-  await_transform(stamp_s);
-  const auto is_due = [&](double last_s, double period_s) {
-    return stamp_s < last_s || stamp_s - last_s >= period_s - kRounding_s;
-  };
-  if (is_due(lockstep_.updated_s, parts_->global->update_period_s())) {
-    lockstep_.updated_s = stamp_s;
-    parts_->global->update(stamp_s);
-  }
-  if (is_due(lockstep_.cycled_s, 1.0 / parts_->navigator->params().controller_frequency)) {
-    // Goals wait until the periods of all sources are known: before, nobody knows what is late.
-    constexpr double kSettle_s = 1.0;
-    if (lockstep_.cycled_s < 0.0) lockstep_.begun_s = stamp_s;
-    lockstep_.cycled_s = stamp_s;
-    if (stamp_s - lockstep_.begun_s < kSettle_s) {
-      parts_->local->update(stamp_s);
-    } else {
-      cycle(stamp_s);
-    }
-  }
-  links_.command.publish(lockstep_.answer);
-}
-
-/// The sample and its transform come on connections of their own.
-void MoveBaseNode::await_transform(double stamp_s) const {
-  constexpr double kLimit_s = 2.0;  // wall time
-  const ros::WallTime begun = ros::WallTime::now();
-  const ros::Time stamp(stamp_s);
-  while (ros::ok() && (ros::WallTime::now() - begun).toSec() < kLimit_s) {
-    if (buffer_.canTransform(parts_->local->frame(), parts_->local->base_frame(), stamp)) return;
-    ros::WallDuration(1e-4).sleep();
-  }
-}
-
 void MoveBaseNode::run_by_clock() {
   double frequency = parts_->navigator->params().controller_frequency;
   ros::Rate rate(frequency);
@@ -185,19 +163,37 @@ void MoveBaseNode::run_by_clock() {
 }
 
 void MoveBaseNode::cycle(double now_s) {
+  note_time(now_s);
   parts_->local->update(now_s);
   take_goals(now_s);
   if (!goals_->is_active()) return;
   std::string problem;
-  if (unplaced_goal_ && !place_goal(now_s, &problem)) return stand(now_s, problem);
+  if (unplaced_goal_ && !place_goal(now_s, &problem)) {
+    if (goals_->is_active()) stand(now_s, problem);
+    return;
+  }
   const std::optional<NavigatorInput> sensed = sense(now_s, &problem);
   if (!sensed) return stand(now_s, problem);
   parts_->world->set_robot(sensed->robot_global, sensed->state.pose);
   const auto lock = parts_->local->lock();
   NavigatorInput input = *sensed;
   input.local = parts_->local->costmap().grid();
+  links_.control->prepare(now_s, *parts_->controller, *parts_->moving);
   input.tracks = parts_->moving->at(now_s);
   act(input, parts_->navigator->step(input));
+  links_.control->publish(*parts_->controller, input.tracks);
+}
+
+/// The navigator's clock does not go back: after a jump it begins with its goal again.
+void MoveBaseNode::note_time(double now_s) {
+  const double back_s = std::exchange(warned_.cycled_s, now_s) - now_s;
+  if (back_s <= 0.0) return;
+  refusals_.note("time", "time went back by " + number_text(back_s) + " s to " +
+                             number_text(now_s) + " s; the goal is pursued as if it were new");
+  if (unplaced_goal_) unplaced_goal_->since_s = now_s;
+  if (parts_->navigator->is_active()) {
+    parts_->navigator->set_goal(parts_->navigator->goal(), now_s);
+  }
 }
 
 void MoveBaseNode::take_goals(double now_s) {
@@ -211,7 +207,7 @@ void MoveBaseNode::take_goals(double now_s) {
       return;
     }
     parts_->navigator->cancel();
-    unplaced_goal_ = goal->target_pose;
+    unplaced_goal_ = UnplacedGoal{goal->target_pose, now_s};
     warned_.waiting_s = now_s;
   } else if (goals_->is_cancel_requested()) {
     parts_->navigator->cancel();
@@ -226,7 +222,7 @@ bool MoveBaseNode::place_goal(double now_s, std::string* problem) {
   *problem = parts_->global->missing();
   if (!problem->empty()) return false;
   const std::string& frame = parts_->global->frame();
-  const std::string from = frame_name(unplaced_goal_->header.frame_id);
+  const std::string from = frame_name(unplaced_goal_->pose.header.frame_id);
   std::optional<Pose2> T_global_from = Pose2{};
   if (from.empty()) {
     *problem = "the goal has no frame";
@@ -235,9 +231,12 @@ bool MoveBaseNode::place_goal(double now_s, std::string* problem) {
   }
   if (from != frame) {
     T_global_from = newest_pose(buffer_, frame, from, now_s, INFINITY, problem);
-    if (!T_global_from) return false;
+    if (!T_global_from) {
+      give_up_frame(now_s, *problem);
+      return false;
+    }
   }
-  const Pose2 goal = placed_in(*T_global_from, to_pose2(unplaced_goal_->pose));
+  const Pose2 goal = placed_in(*T_global_from, to_pose2(unplaced_goal_->pose.pose));
   unplaced_goal_.reset();
   parts_->navigator->set_goal(goal, now_s);
   geometry_msgs::PoseStamped message;
@@ -248,16 +247,28 @@ bool MoveBaseNode::place_goal(double now_s, std::string* problem) {
   return true;
 }
 
+/// A frame that is still unknown although the robot's own have been there for some time will not
+/// come.
+void MoveBaseNode::give_up_frame(double now_s, const std::string& problem) {
+  std::string of_robot;
+  if (!parts_->global->robot(now_s, &of_robot)) unplaced_goal_->since_s = now_s;
+  const double patience_s = parts_->navigator->params().planner_patience;
+  if (now_s - unplaced_goal_->since_s < patience_s) return;
+  end_goal(NavigatorStatus::kAborted,
+           "Failed to find a valid plan. Even after executing recovery behaviors. "
+           "planner_patience of " +
+               number_text(patience_s) + " s is over: " + problem + ".");
+}
+
 std::optional<NavigatorInput> MoveBaseNode::sense(double now_s, std::string* problem) {
   NavigatorInput input;
   input.now_s = now_s;
   const std::optional<Pose2> local = parts_->local->robot(now_s, problem, &input.state.time_s);
   if (!local) return std::nullopt;
-  const std::optional<Pose2> T_global_local = newest_pose(
-      buffer_, parts_->global->frame(), parts_->local->frame(), now_s, INFINITY, problem);
-  if (!T_global_local) return std::nullopt;
+  const std::optional<Pose2> T = T_global_local(now_s, problem);
+  if (!T) return std::nullopt;
   input.state.pose = *local;
-  input.robot_global = placed_in(*T_global_local, *local);
+  input.robot_global = placed_in(*T, *local);
   const std::lock_guard lock(odometry_mutex_);
   input.state.twist = measured_;
   return input;
@@ -265,6 +276,7 @@ std::optional<NavigatorInput> MoveBaseNode::sense(double now_s, std::string* pro
 
 void MoveBaseNode::stand(double now_s, const std::string& why) {
   if (is_driving_) send({});
+  refusals_.count("waiting", why);
   if (now_s >= warned_.waiting_s && now_s - warned_.waiting_s < kWarningPeriod_s) return;
   warned_.waiting_s = now_s;
   ROS_WARN("The robot waits: %s.", why.c_str());
@@ -302,6 +314,7 @@ void MoveBaseNode::act(const NavigatorInput& input, const NavigatorOutput& outpu
 
 void MoveBaseNode::end_goal(NavigatorStatus status, const std::string& text) {
   send({});
+  lockstep_.awaits_goal = true;
   unplaced_goal_.reset();
   parts_->navigator->cancel();
   if (status == NavigatorStatus::kSucceeded) {
@@ -369,13 +382,13 @@ bool MoveBaseNode::clear_costmaps(std_srvs::Empty::Request& /*request*/,
   return true;
 }
 
-int move_base_main(int argc, char** argv) {
+int move_base_main(int argc, char** argv, const VoxelAdvertiser& voxels) {
   ros::init(argc, argv, "move_base");
   ros::NodeHandle node, private_node("~");
   ros::AsyncSpinner spinner(2);
   try {
     spinner.start();
-    MoveBaseNode move_base(node, private_node);
+    MoveBaseNode move_base(node, private_node, voxels);
     move_base.run();
   } catch (const Error& error) {
     ROS_FATAL("%s", error.what());

@@ -58,6 +58,9 @@ PlannerNode::PlannerNode(const ros::NodeHandle& private_node, const std::string&
       make_planner(plugin, tree.find(name), private_node.getNamespace() + "/" + name, &warnings);
   log_warnings(warnings);
   plan_ = node_.advertise<nav_msgs::Path>(name + "/plan", 1, true);
+  if (dynamic_cast<PotentialSource*>(planner_.get()) != nullptr) {
+    potential_ = std::make_unique<PotentialTopic>(ros::NodeHandle(node_, name), plugin);
+  }
   goal_ = node_.subscribe<geometry_msgs::PoseStamped>(
       "goal", 1, [this](const geometry_msgs::PoseStampedConstPtr& goal) { on_goal(*goal); });
 }
@@ -90,6 +93,10 @@ PlannerNode::Poses PlannerNode::plan(const geometry_msgs::PoseStamped& start,
   *problem = outcome.reason;
   nav_msgs::Path message = path_message(outcome.path, server_.frame(), now_s);
   plan_.publish(message);
+  if (potential_) {
+    potential_->publish(dynamic_cast<PotentialSource*>(planner_.get()), costmap.grid().geometry,
+                        message.header);
+  }
   return std::move(message.poses);
 }
 
@@ -99,11 +106,12 @@ void PlannerNode::on_goal(const geometry_msgs::PoseStamped& goal) {
   server_.refusals().note("goal", "there is no plan to the goal: " + problem);
 }
 
-int costmap_main(int argc, char** argv) {
+int costmap_main(int argc, char** argv, const VoxelAdvertiser& voxels) {
   ros::init(argc, argv, "costmap_2d_node");
   ros::AsyncSpinner spinner(2);
   try {
     CostmapServer server(ros::NodeHandle("~"));
+    server.costmap().advertise_voxels(voxels);
     spinner.start();
     server.run();
   } catch (const Error& error) {

@@ -22,6 +22,12 @@ void PlanningThread::set_limits(const MotionLimits& limits) {
   limits_ = limits;
 }
 
+void PlanningThread::set_plan_listener(
+    std::function<void(const GridGeometry& geometry)> listener) {
+  const std::lock_guard lock(planner_mutex_);
+  on_plan_ = std::move(listener);
+}
+
 PlanningThread::~PlanningThread() {
   {
     const std::lock_guard lock(mutex_);
@@ -37,7 +43,10 @@ PlanOutcome PlanningThread::plan_now(const Pose2& start, const Pose2& goal) {
   const auto lock = global_.lock();
   const CancelFlag never{false};
   const Costmap& costmap = global_.costmap();
-  return planner_.plan(costmap.grid(), costmap.footprint(), start, goal, limits_, never);
+  PlanOutcome outcome =
+      planner_.plan(costmap.grid(), costmap.footprint(), start, goal, limits_, never);
+  if (on_plan_) on_plan_(costmap.grid().geometry);
+  return outcome;
 }
 
 void PlanningThread::run() {
@@ -57,6 +66,7 @@ void PlanningThread::run() {
       const Costmap& costmap = global_.costmap();
       outcome = avoided_.plan(planner_, costmap.grid(), costmap.footprint(), request.start,
                               request.goal, limits_, cancel_);
+      if (on_plan_) on_plan_(costmap.grid().geometry);
     }
     lock.lock();
     if (!cancel_) order_.outcome = std::move(outcome);

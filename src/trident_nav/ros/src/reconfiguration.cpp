@@ -51,6 +51,7 @@ Reconfiguration::Reconfiguration(const ros::NodeHandle& private_node, MoveBasePa
   serve_controller();
   serve_costmap(*parts.global, "global_costmap");
   serve_costmap(*parts.local, "local_costmap");
+  parts.local->set_footprint_listener([this] { change_footprint(); });
 }
 
 void Reconfiguration::add_server(const std::string& name_space,
@@ -65,9 +66,10 @@ void Reconfiguration::add_server(const std::string& name_space,
 void Reconfiguration::serve_node() {
   std::vector<ConfigField> fields = config_fields<MoveBaseParams>();
   // Who waits for whom is settled at the start.
-  fields.erase(std::remove_if(fields.begin(), fields.end(),
-                              [](const ConfigField& one) { return one.name == "lockstep"; }),
-               fields.end());
+  const auto is_fixed = [](const ConfigField& one) {
+    return one.name == "lockstep" || one.name == "localization_lead" || one.name == "goal_patience";
+  };
+  fields.erase(std::remove_if(fields.begin(), fields.end(), is_fixed), fields.end());
   add_server("", fields, only_fields(parts_.tree, fields),
              [this](const ConfigNode& values) { change_node(values); });
 }

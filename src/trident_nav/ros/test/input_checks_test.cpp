@@ -86,6 +86,42 @@ sensor_msgs::PointCloud2 cloud_of(std::uint32_t points) {
   return cloud;
 }
 
+TEST(InputChecksTest, AScanThatWasCutNamesHowManyBeamsItShouldHave) {
+  sensor_msgs::LaserScan scan;
+  scan.angle_min = -3.1F;
+  scan.angle_max = 3.1F;
+  scan.angle_increment = 0.02F;
+  scan.range_min = 0.1F;
+  scan.range_max = 5.0F;
+  scan.ranges.assign(311, 1.0F);
+  EXPECT_EQ(beams_problem(scan), "");
+  scan.ranges.resize(306);  // drivers leave out a few
+  EXPECT_EQ(beams_problem(scan), "");
+  scan.ranges.resize(180);
+  EXPECT_EQ(beams_problem(scan),
+            "ranges has 180 beams, legal: 311, as angle_min, angle_max and angle_increment say");
+  scan.angle_max = 0.0F;
+  scan.angle_min = 0.0F;  // not given
+  EXPECT_EQ(beams_problem(scan), "");
+}
+
+TEST(InputChecksTest, AScanInWhichNoBeamSaysAnythingIsABlindLidar) {
+  sensor_msgs::LaserScan scan;
+  scan.angle_increment = 0.02F;
+  scan.range_min = 0.1F;
+  scan.range_max = 5.0F;
+  scan.ranges.assign(10, NAN);
+  const char* const kBlind =
+      "all 10 ranges are NaN or below range_min = 0.1 m, legal: at least one that is not";
+  EXPECT_EQ(beams_problem(scan), kBlind);
+  scan.ranges.assign(10, 0.0F);
+  EXPECT_EQ(beams_problem(scan), kBlind);
+  scan.ranges[3] = INFINITY;  // nothing is there
+  EXPECT_EQ(beams_problem(scan), "");
+  scan.ranges[3] = 2.0F;
+  EXPECT_EQ(beams_problem(scan), "");
+}
+
 TEST(InputChecksTest, CloudsHoldAllPointsThatTheyAnnounce) {
   EXPECT_EQ(cloud_problem(cloud_of(0)), "");
   EXPECT_EQ(cloud_problem(cloud_of(7)), "");

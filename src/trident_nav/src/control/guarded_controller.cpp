@@ -141,7 +141,13 @@ Proposal GuardedController::propose(const RobotState& state, const Path& path, c
   // The law, too, leaves what the guard wants, unless the robot has less.
   const bool has_room = padded_checker_.is_free(grid, state.pose);
   const FootprintChecker& checker = has_room ? padded_checker_ : *checker_;
-  const Situation situation{state, local, path.back(), grid, tracks, checker, window};
+  Situation situation{state, local, path.back(), grid, tracks, checker, window};
+  if (via_points_) situation.via_points = &*via_points_;
+  if (watch_.wanted.trajectories || watch_.wanted.cells) {
+    situation.watched = watch_.wanted;
+    situation.details = &watch_.noted;
+    watch_.noted.time_s = state.time_s;
+  }
   return law_->propose(situation);
 }
 
@@ -180,6 +186,7 @@ CommandOutcome GuardedController::guarded(const RobotState& state, Proposal prop
 
 CommandOutcome GuardedController::command(const RobotState& measured, const Path& path,
                                           const CostGrid& grid, const Tracks& tracks) {
+  watch_.noted = {};
   RobotState state = measured;
   // What odometry says of a motion that the base does not have is noise.
   if (setup_.limits.vy_max <= 0.0 && std::isfinite(state.twist.vy)) state.twist.vy = 0.0;

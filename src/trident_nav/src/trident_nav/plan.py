@@ -1,6 +1,11 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""``./trident plan``: plans on a map with any of the planners, and draws the path."""
+"""``./trident plan``: plans on a map with any of the planners, and draws the path.
+
+With ``--planner all`` each of them plans, and the picture has all paths. With ``--controller`` the
+picture has what that weighs at the start; with ``--layers`` a second one has the costmap layer by
+layer.
+"""
 
 from __future__ import annotations
 
@@ -25,6 +30,40 @@ from trident_nav.core.programs import find_program
 
 _POSE = re.compile(r"-[\d.][^a-z]*")
 _LETHAL, _UNKNOWN, _INSCRIBED = 254, 255, 253
+ALL = "all"
+# Planners that find a way around obstacles, each with the color of its path.
+PLANNERS = {
+    "navfn/NavfnROS": "#d62728",
+    "global_planner/GlobalPlanner": "#ff7f0e",
+    "nav2_theta_star_planner/ThetaStarPlanner": "#2ca02c",
+    "nav2_smac_planner/SmacPlanner2D": "#9467bd",
+    "nav2_smac_planner/SmacPlannerHybrid": "#1f77b4",
+    "nav2_smac_planner/SmacPlannerLattice": "#e377c2",
+}
+# What makes a controller show all that it weighs.
+_SHOWN = {
+    "MPPI": "{visualize: true}",
+    "mppi": "{visualize: true}",
+    "DWA": "{publish_traj_pc: true}",
+    "dwa": "{publish_traj_pc: true}",
+}
+
+
+@dataclass(frozen=True)
+class Weighed:
+    """What a controller weighed for a command.
+
+    Attributes:
+        reason: why it commands nothing; empty: it does.
+        trajectories: points x, y [m], shape (n, 2) each.
+        costs: of the trajectories; negative: not admissible.
+        selected: index of the best one; -1: none.
+    """
+
+    reason: str
+    trajectories: list[np.ndarray[Any, np.dtype[np.float64]]]
+    costs: list[float]
+    selected: int
 
 
 @dataclass(frozen=True)
@@ -50,6 +89,7 @@ class Plan:
     resolution_m: float
     origin_m: tuple[float, float]
     time_s: float
+    weighed: Weighed | None = None
 
     def length_m(self) -> float:
         """Of the path."""
@@ -66,7 +106,7 @@ def make_parser() -> argparse.ArgumentParser:
         "--planner",
         default="nav2_smac_planner/SmacPlannerHybrid",
         metavar="NAME",
-        help="as in base_global_planner; default %(default)s",
+        help="as in base_global_planner, or all; default %(default)s",
     )
     parser.add_argument(
         "--params", default="{}", metavar="YAML", help="of the planner: a file, or the text"
@@ -85,18 +125,28 @@ def make_parser() -> argparse.ArgumentParser:
     parser.add_argument(
         "--scaling", type=float, default=10.0, metavar="K", help="cost_scaling_factor; default 10"
     )
+    parser.add_argument(
+        "--controller", default="", metavar="NAME", help="as in base_local_planner: what it weighs"
+    )
+    parser.add_argument(
+        "--speed", type=float, default=0.5, metavar="V", help="of the robot there; default 0.5"
+    )
+    parser.add_argument("--layers", type=Path, metavar="FILE.png", help="picture of the layers")
     parser.add_argument("--out", type=Path, metavar="FILE.png", help="picture of map and path")
     parser.add_argument("--json", type=Path, metavar="FILE.json", help="the path's poses")
     return parser
 
 
-def costmap_yaml(options: argparse.Namespace) -> str:
-    """The configuration of a costmap with the map and its inflation."""
+_LAYERS = (
+    {"name": "static", "type": "costmap_2d::StaticLayer"},
+    {"name": "inflation", "type": "costmap_2d::InflationLayer"},
+)
+
+
+def costmap_yaml(options: argparse.Namespace, layers: int = len(_LAYERS)) -> str:
+    """The configuration of a costmap with the map and its inflation, or the first layers of it."""
     config: dict[str, Any] = {
-        "plugins": [
-            {"name": "static", "type": "costmap_2d::StaticLayer"},
-            {"name": "inflation", "type": "costmap_2d::InflationLayer"},
-        ],
+        "plugins": list(_LAYERS[:layers]),
         "track_unknown_space": True,
         "footprint_padding": 0.0,
         "inflation": {
@@ -111,8 +161,28 @@ def costmap_yaml(options: argparse.Namespace) -> str:
     return str(yaml.safe_dump(config, default_flow_style=True, width=10000))
 
 
-def find_plan(options: argparse.Namespace) -> Plan:
-    """Has ``nav_plan`` plan.
+def _controller_words(options: argparse.Namespace) -> list[str]:
+    if not options.controller:
+        return []
+    shown = next((text for key, text in _SHOWN.items() if key in options.controller), "{}")
+    words = ["--controller", options.controller, "--controller-params", shown]
+    return [*words, "--speed", str(options.speed)]
+
+
+def _weighed(answer: dict[str, Any]) -> Weighed | None:
+    control = answer.get("control")
+    if control is None:
+        return None
+    return Weighed(
+        reason=control["reason"],
+        trajectories=[np.array(one["points"], dtype=float) for one in control["trajectories"]],
+        costs=[float(one["cost"]) for one in control["trajectories"]],
+        selected=control["selected"],
+    )
+
+
+def find_plan(options: argparse.Namespace, planner: str = "", layers: int = len(_LAYERS)) -> Plan:
+    """Has ``nav_plan`` plan, with another planner and fewer layers than the options' if given.
 
     Raises:
         NavError: wrong input; the text is the program's.
@@ -122,9 +192,9 @@ def find_plan(options: argparse.Namespace) -> Plan:
     with tempfile.TemporaryDirectory() as folder:
         grid = Path(folder) / "grid.pgm"
         words = [options.map, options.start.strip(), options.goal.strip()]
-        words += ["--planner", options.planner, "--params", params, "--grid", str(grid)]
-        words += ["--costmap", costmap_yaml(options)]
-        words += ["--turning-radius", str(options.turning_radius)]
+        words += ["--planner", planner or options.planner, "--params", params]
+        words += ["--grid", str(grid), "--costmap", costmap_yaml(options, layers)]
+        words += ["--turning-radius", str(options.turning_radius), *_controller_words(options)]
         done = subprocess.run(
             [str(find_program("nav_plan")), *words], capture_output=True, text=True, check=False
         )
@@ -142,6 +212,7 @@ def find_plan(options: argparse.Namespace) -> Plan:
         resolution_m=answer["resolution_m"],
         origin_m=(answer["origin_m"][0], answer["origin_m"][1]),
         time_s=answer["time_s"],
+        weighed=_weighed(answer),
     )
 
 
@@ -160,6 +231,63 @@ def colors_of(costs: np.ndarray[Any, np.dtype[np.uint8]]) -> np.ndarray[Any, np.
     return np.asarray(table[costs])
 
 
+class Canvas:
+    """A costmap that is drawn on, in meters."""
+
+    def __init__(self, plan: Plan, scale: int) -> None:
+        """`scale`: pixels per cell."""
+        image = Image.fromarray(colors_of(plan.costs))
+        size = (image.width * scale, image.height * scale)
+        self.image = image.resize(size, Image.Resampling.NEAREST)
+        self._plan, self._scale = plan, scale
+        self.pen = ImageDraw.Draw(self.image, "RGBA")
+
+    def pixel(self, x: float, y: float) -> tuple[float, float]:
+        """Of a point [m]."""
+        column = (x - self._plan.origin_m[0]) / self._plan.resolution_m * self._scale
+        row = (y - self._plan.origin_m[1]) / self._plan.resolution_m * self._scale
+        return column, self.image.height - row
+
+    def line(self, points: np.ndarray[Any, Any], color: str, width: int) -> None:
+        """Through points, shape (n, 2 or more)."""
+        if len(points) > 1:
+            self.pen.line([self.pixel(p[0], p[1]) for p in points], fill=color, width=width)
+
+    def outline(self, pose: Sequence[float], color: str, width: int) -> None:
+        """The footprint at a pose."""
+        c, s = math.cos(pose[2]), math.sin(pose[2])
+        corners = self._plan.footprint @ np.array([[c, s], [-s, c]]) + np.asarray(pose[:2])
+        self.line(np.vstack([corners, corners[:1]]), color, width)
+
+    def ends(self, poses: Sequence[Sequence[float]]) -> None:
+        """The start's and the goal's poses."""
+        for pose, color in zip(poses, ("green", "purple"), strict=True):
+            self.outline(pose, color, 2)
+            tip = (pose[0] + 0.5 * math.cos(pose[2]), pose[1] + 0.5 * math.sin(pose[2]))
+            self.line(np.array([pose[:2], tip]), color, 2)
+
+    def legend(self, entries: dict[str, str]) -> None:
+        """Texts and their colors, in the upper left corner."""
+        height = 14
+        self.pen.rectangle((0, 0, 380, height * len(entries) + 6), fill=(255, 255, 255, 220))
+        for i, (text, color) in enumerate(entries.items()):
+            self.pen.rectangle((6, 6 + height * i, 18, 15 + height * i), fill=color)
+            self.pen.text((24, 4 + height * i), text, fill="black")
+
+
+def draw_fan(canvas: Canvas, weighed: Weighed) -> None:
+    """All trajectories from green, the cheapest, to red; gray: not admissible; the best in blue."""
+    # By rank: a few samples in contact cost far more than all others.
+    order = np.argsort(np.argsort(weighed.costs)) / max(1, len(weighed.costs) - 1)
+    for cost, points, share in sorted(
+        zip(weighed.costs, weighed.trajectories, order, strict=True), key=lambda one: -one[2]
+    ):
+        color = f"#{int(255 * share):02x}{int(200 * (1 - share)):02x}2850"
+        canvas.line(points, "#80808040" if cost < 0.0 else color, 1)
+    if weighed.selected >= 0:
+        canvas.line(weighed.trajectories[weighed.selected], "blue", 3)
+
+
 def draw(plan: Plan, poses: Sequence[Sequence[float]], scale: int) -> Image.Image:
     """The costmap, the path with the footprint along it, and the start's and the goal's poses.
 
@@ -168,52 +296,82 @@ def draw(plan: Plan, poses: Sequence[Sequence[float]], scale: int) -> Image.Imag
         poses: the start and the goal: x, y [m], yaw [rad].
         scale: pixels per cell.
     """
-    image = Image.fromarray(colors_of(plan.costs))
-    image = image.resize((image.width * scale, image.height * scale), Image.Resampling.NEAREST)
-    pen = ImageDraw.Draw(image)
-
-    def pixel(x: float, y: float) -> tuple[float, float]:
-        column = (x - plan.origin_m[0]) / plan.resolution_m * scale
-        return column, image.height - (y - plan.origin_m[1]) / plan.resolution_m * scale
-
-    def outline(pose: Sequence[float], color: str, width: int) -> None:
-        c, s = math.cos(pose[2]), math.sin(pose[2])
-        corners = plan.footprint @ np.array([[c, s], [-s, c]]) + np.asarray(pose[:2])
-        points = [pixel(x, y) for x, y in corners]
-        pen.line([*points, points[0]], fill=color, width=width)
-
+    canvas = Canvas(plan, scale)
     every = max(1, round(0.3 / plan.resolution_m))
     for pose in plan.path[::every]:
-        outline(pose, "orange", 1)
-    if len(plan.path) > 1:
-        pen.line([pixel(x, y) for x, y, _ in plan.path], fill="red", width=2)
-    for pose, color in zip(poses, ("green", "purple"), strict=True):
-        outline(pose, color, 2)
-        tip = (pose[0] + 0.5 * math.cos(pose[2]), pose[1] + 0.5 * math.sin(pose[2]))
-        pen.line([pixel(pose[0], pose[1]), pixel(*tip)], fill=color, width=2)
+        canvas.outline(pose, "orange", 1)
+    canvas.line(plan.path, "red", 2)
+    if plan.weighed is not None:
+        draw_fan(canvas, plan.weighed)
+    canvas.ends(poses)
+    return canvas.image
+
+
+def draw_all(
+    plans: dict[str, Plan], poses: Sequence[Sequence[float]], scale: int
+) -> Image.Image:
+    """The paths of several planners on one costmap, with a legend."""
+    canvas = Canvas(next(iter(plans.values())), scale)
+    entries = {}
+    for name, plan in plans.items():
+        canvas.line(plan.path, PLANNERS[name], 2)
+        length = f"{plan.length_m():.2f} m" if plan.found else "no path"
+        entries[f"{name}: {length}"] = PLANNERS[name]
+    canvas.ends(poses)
+    canvas.legend(entries)
+    return canvas.image
+
+
+def draw_layers(options: argparse.Namespace, planner: str) -> Image.Image:
+    """The costmap with one layer more in each panel, from left to right."""
+    panels = []
+    for count in range(1, len(_LAYERS) + 1):
+        plan = find_plan(options, planner, count)
+        canvas = Canvas(plan, _scale_of(plan))
+        canvas.legend({" + ".join(layer["name"] for layer in _LAYERS[:count]): "black"})
+        panels.append(canvas.image)
+    gap = 10
+    width = sum(one.width for one in panels) + gap * (len(panels) - 1)
+    image = Image.new("RGB", (width, panels[0].height), "white")
+    for i, one in enumerate(panels):
+        image.paste(one, (i * (one.width + gap), 0))
     return image
+
+
+def _scale_of(plan: Plan) -> int:
+    return max(1, min(8, 1200 // max(plan.costs.shape)))
 
 
 def _pose(text: str) -> list[float]:
     return [float(word) for word in text.split(",")]
 
 
+def _line(name: str, plan: Plan) -> str:
+    if not plan.found:
+        return f"{name}: no path. {plan.reason}"
+    length = f"{plan.length_m():.2f} m, {len(plan.path)} poses"
+    return f"{name}: {length}, {1e3 * plan.time_s:.1f} ms. {plan.reason}".rstrip()
+
+
 def run(options: argparse.Namespace) -> int:
     """Plans, reports in one line, and writes what was asked for; 1 when there is no path."""
-    plan = find_plan(options)
-    if plan.found:
-        print(
-            f"{options.planner}: {plan.length_m():.2f} m, {len(plan.path)} poses, "
-            f"{1e3 * plan.time_s:.1f} ms. {plan.reason}".rstrip()
-        )
-    else:
-        print(f"{options.planner}: no path. {plan.reason}")
-    if options.out is not None:
-        scale = max(1, min(8, 1200 // max(plan.costs.shape)))
-        draw(plan, [_pose(options.start), _pose(options.goal)], scale).save(options.out)
+    names = list(PLANNERS) if options.planner == ALL else [options.planner]
+    plans = {name: find_plan(options, name) for name in names}
+    for name, plan in plans.items():
+        print(_line(name, plan))
+    first = plans[names[0]]
+    poses = [_pose(options.start), _pose(options.goal)]
+    if options.out is not None and len(plans) > 1:
+        draw_all(plans, poses, _scale_of(first)).save(options.out)
+    elif options.out is not None:
+        draw(first, poses, _scale_of(first)).save(options.out)
+    if options.layers is not None:
+        draw_layers(options, names[0]).save(options.layers)
     if options.json is not None:
-        options.json.write_text(json.dumps(plan.path.tolist()) + "\n", encoding="utf-8")
-    return 0 if plan.found else 1
+        written = {name: plan.path.tolist() for name, plan in plans.items()}
+        only = written if len(written) > 1 else written[names[0]]
+        options.json.write_text(json.dumps(only) + "\n", encoding="utf-8")
+    return 0 if all(plan.found for plan in plans.values()) else 1
 
 
 def main(words: Sequence[str] | None = None) -> int:

@@ -22,6 +22,8 @@ class Refusals {
 
   /// Counts a refusal and logs it if its kind is due. `text`: what was refused and why.
   void note(const std::string& kind, const std::string& text);
+  /// Counts it without logging it: the node has its own sentence for the log.
+  void count(const std::string& kind, const std::string& text);
 
  private:
   struct Kind {
@@ -29,6 +31,8 @@ class Refusals {
     std::uint64_t count = 0, logged = 0;
     ros::WallTime logged_at;
   };
+  Kind& counted(const std::string& kind, const std::string& text);
+  void publish_if_due();
   void publish();
 
   std::mutex mutex_;

@@ -228,5 +228,21 @@ TEST(DiffDrive, TheRampOfSpeedIsItsAcceleration) {
   EXPECT_NEAR(cart.speed(), 1.0, 0.001);
 }
 
+TEST(DiffDrive, StandsSoonAfterItsCommandHasTimedOutHoweverSlowItsRampIs) {
+  CartWorld cart(rover_with({{"wheelAcceleration", "0.5"}, {"commandTimeout", "0.2"}}));
+  for (int i = 0; i < 20; ++i) {
+    cart.command(1.0, 0.0);
+    cart.run(0.1);
+  }
+  EXPECT_NEAR(cart.speed(), 1.0, 0.05);
+  cart.run(0.15);
+  EXPECT_GT(cart.speed(), 0.9);
+  cart.run(0.3);
+  EXPECT_NEAR(cart.speed(), 0.0, 0.01);
+  cart.command(0.3, 0.0);  // the next one drives it again
+  cart.run(0.18);
+  EXPECT_GT(cart.speed(), 0.05);
+}
+
 }  // namespace
 }  // namespace trident::sim

@@ -4,7 +4,8 @@
 
 It cuts the true map of the world, spawns the robot, and starts navigation.launch as a user would.
 Parameters: `~world`, `~robot`, `~goals`, `~seed`, `~robot_config` (YAML with the footprint and the
-limits), `~map_file` (empty: the true map), `~start` [x, y, yaw], `~lidar_height` [m], `~out_dir`.
+limits), `~map_file` (empty: the true map), `~start` [x, y, yaw], `~lidar_height` [m], `~out_dir`,
+`~lockstep` (the world is paused, and waits for move_base after that).
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ import json
 import math
 import subprocess
 import threading
+import time
 import warnings
 import xmlrpc.client
 from pathlib import Path
@@ -26,6 +28,7 @@ import yaml
 from actionlib_msgs.msg import GoalStatus
 from move_base_msgs.msg import MoveBaseAction, MoveBaseGoal, RecoveryStatus
 from nav_msgs.msg import Odometry
+from std_srvs.srv import Empty
 from trident_eval.core.errors import EvalError
 from trident_eval.ros_paths import package_folder
 
@@ -43,6 +46,8 @@ _SPARE_M = 0.1  # beyond the circumscribed circle that a goal has
 _SLOWEST = 10.0  # times the lower bound
 _LEAST_LIMIT_S = 60.0  # simulated time for a goal
 _START_LIMIT_S = 120.0  # simulated time until move_base is there
+_COMMAND_TIMEOUT_S = 0.3  # of robots whose description has such an argument
+_POLL_S = 0.02  # wall time
 _NODE = "/move_base"
 _FARTHEST_M = 1e8  # of a legal position
 _LENGTH_TOLERANCE = 0.01  # of a quaternion's length
@@ -144,6 +149,8 @@ class Drive:
         self._random = np.random.default_rng((int(rospy.get_param("~seed", 0)), 7))
         self._children: list[subprocess.Popen[bytes]] = []
         self._verdict = Verdict()
+        self._is_lockstep = bool(rospy.get_param("~lockstep", False))
+        self._last_goal: Pose | None = None
         places = self._cut_map(str(rospy.get_param("~world")))
         self._places = places
         self._truth = Truth(places)
@@ -184,7 +191,9 @@ class Drive:
     def _start(self) -> actionlib.SimpleActionClient:
         x, y, yaw = (float(value) for value in rospy.get_param("~start", [0.0, 0.0, 0.0]))
         robot = rospy.get_param("~robot", "my_nav_robot")
-        self._roslaunch("ground_robot.launch", robot=robot, x=x, y=y, yaw=yaw)
+        # Should move_base end, the robot does not drive on.
+        timeout = f"command_timeout:={_COMMAND_TIMEOUT_S}"
+        self._roslaunch("ground_robot.launch", robot=robot, x=x, y=y, yaw=yaw, xacro_args=timeout)
         self._roslaunch(
             "navigation.launch",
             map_file=str(rospy.get_param("~map_file", "")) or self._out / "true_map.yaml",
@@ -192,18 +201,37 @@ class Drive:
             initial_pose_x=x,
             initial_pose_y=y,
             initial_pose_a=yaw,
+            lockstep=self._is_lockstep,
         )
+        if self._is_lockstep:
+            self._begin_time()
+            self._last_goal = (x, y, yaw)
         client = actionlib.SimpleActionClient("move_base", MoveBaseAction)
         if not client.wait_for_server(rospy.Duration.from_sec(_START_LIMIT_S)):
             raise EvalError("move_base has not come")
         while self._truth.pose() is None and not rospy.is_shutdown():
-            rospy.sleep(0.1)
+            time.sleep(_POLL_S)  # of wall time: the world may stand
         return client
+
+    def _begin_time(self) -> None:
+        """Lets the world run once amcl has its map, so that it uses the same scans in each run."""
+        has_map = rospy.ServiceProxy("request_nomotion_update", Empty)
+        while not rospy.is_shutdown():
+            try:
+                has_map()
+                break
+            except rospy.ServiceException:
+                time.sleep(_POLL_S)
+        rospy.ServiceProxy("/gazebo/unpause_physics", Empty)()
 
     def _drive_to_one(self, client: actionlib.SimpleActionClient) -> None:
         start = self._truth.pose()
         assert start is not None
-        goal, length_m = self._places.goal(self._random, start, _MIN_DISTANCE_M)
+        # What the truth is when a goal has ended depends on which message comes first.
+        goal, length_m = self._places.goal(
+            self._random, self._last_goal or start, _MIN_DISTANCE_M
+        )
+        self._last_goal = goal if self._is_lockstep else None
         bound_s = lower_bound_s(length_m, start, goal, self._robot.speed, self._robot.turning_rate)
         self._truth.take_nearest()
         begin_s = rospy.get_time()

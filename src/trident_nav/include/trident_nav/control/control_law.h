@@ -5,10 +5,12 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "trident_base/config_fields.h"
 #include "trident_base/config_node.h"
 #include "trident_base/registry.h"
+#include "trident_nav/control/control_details.h"
 #include "trident_nav/control/goal_arrival.h"
 #include "trident_nav/control/motion.h"
 #include "trident_nav/control/path_tracker.h"
@@ -44,6 +46,10 @@ struct Situation {
   const Tracks& tracks;
   const FootprintChecker& checker;
   const TwistWindow& window;  ///< What can be reached within a period.
+  /// Points that the user wants to be passed near; nullptr: the law chooses its own.
+  const std::vector<Point2>* via_points = nullptr;
+  WatchedDetails watched = {};
+  ControlDetails* details = nullptr;  ///< Gets what is watched; nullptr: nothing is.
 };
 
 /// What a law wants, or why it wants nothing.

@@ -3,9 +3,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "trident_nav/control/braking_guard.h"
+#include "trident_nav/control/control_details.h"
 #include "trident_nav/control/control_law.h"
 #include "trident_nav/control/goal_arrival.h"
 #include "trident_nav/control/last_command.h"
@@ -29,6 +33,14 @@ class Controller {
                                  const Tracks& tracks) = 0;
   /// Forgets everything: the next call belongs to another goal.
   virtual void reset() = 0;
+
+  /// What the next commands note for details(); at first nothing.
+  virtual void set_watched(const WatchedDetails& /*watched*/) {}
+  /// What was noted for the last command; changes no command.
+  virtual ControlDetails details() const { return {}; }
+  /// Points in the grid's frame that trajectories shall pass near, in place of those that a law
+  /// takes from the path; nothing: its own. Laws without such points ignore them.
+  virtual void set_via_points(std::optional<std::vector<Point2>> /*points*/) {}
 };
 
 /// A control law within what all laws share: checked input, pruned path, arrival, turn to the
@@ -42,6 +54,11 @@ class GuardedController final : public Controller {
   CommandOutcome command(const RobotState& state, const Path& path, const CostGrid& grid,
                          const Tracks& tracks) override;
   void reset() override;
+  void set_watched(const WatchedDetails& watched) override { watch_.wanted = watched; }
+  ControlDetails details() const override { return watch_.noted; }
+  void set_via_points(std::optional<std::vector<Point2>> points) override {
+    via_points_ = std::move(points);
+  }
 
  private:
   CommandOutcome commanded(const RobotState& state, const Path& path, const CostGrid& grid,
@@ -61,6 +78,12 @@ class GuardedController final : public Controller {
   PathTracker tracker_;
   LastCommand last_command_;
   int blocked_calls_ = 0;  ///< In a row.
+  std::optional<std::vector<Point2>> via_points_;
+  struct Watch {
+    WatchedDetails wanted;
+    ControlDetails noted;
+  };
+  Watch watch_;
 };
 
 /// A guarded controller with the law of that name in `builtin_control_laws()`. `label` names the

@@ -29,7 +29,7 @@ struct CostmapParams {
   double robot_radius = 0.46;
   double footprint_padding = 0.01;
   std::string footprint_topic = "footprint";
-  std::string published_footprint_topic = "oriented_footprint";
+  std::string published_footprint_topic = "footprint";  // as in Noetic
 
   template <class Archive>
   void visit(Archive& ar) {

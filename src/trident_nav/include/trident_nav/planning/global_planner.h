@@ -87,6 +87,9 @@ class GlobalPlanner : public Planner, public PotentialSource {
                    const Pose2& goal, const MotionLimits& limits,
                    const CancelFlag& cancel) override;
   std::vector<float> potential() const override;
+  PotentialDisplay display() const override {
+    return {params_.publish_potential, params_.publish_scale};
+  }
 
  private:
   GlobalPlannerParams params_;

@@ -64,11 +64,13 @@ class NavfnPlanner : public Planner, public PotentialSource {
                    const Pose2& goal, const MotionLimits& limits,
                    const CancelFlag& cancel) override;
   std::vector<float> potential() const override;
+  PotentialDisplay display() const override { return display_; }
 
  private:
   std::unique_ptr<GridRoute> route_;
   GridGeometry geometry_;
   bool approach_orientation_ = false;
+  PotentialDisplay display_;
 };
 
 }  // namespace trident::nav

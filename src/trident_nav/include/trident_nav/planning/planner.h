@@ -29,10 +29,17 @@ class Planner {
                            const CancelFlag& cancel) = 0;
 };
 
+/// How a planner's parameters want its potential to be shown.
+struct PotentialDisplay {
+  bool is_wanted = false;
+  int greatest = 100;  ///< What the greatest potential becomes in an occupancy grid, 1 to 100.
+};
+
 /// A planner whose potential can be shown.
 class PotentialSource {
  public:
   virtual ~PotentialSource() = default;
+  virtual PotentialDisplay display() const = 0;
   /// The potential of all cells of the grid of the last plan in rows, in step costs; infinite where
   /// it is not known. Empty before the first plan.
   virtual std::vector<float> potential() const = 0;

@@ -37,10 +37,20 @@ class CostmapInputs {
                                           Span<const SE3> T_costmap_laser)>;
   void set_scan_listener(ScanListener listener) { on_scan_ = std::move(listener); }
 
+  /// Called in apply() with all that a source has seen, before the layer has it.
+  using ObservationListener =
+      std::function<void(const BeamSource& source, const Observation& observation)>;
+  void set_observation_listener(ObservationListener listener) {
+    on_observation_ = std::move(listener);
+  }
+
   /// For a simulator that waits for the node: from now on an update takes exactly what is older
   /// than itself by some milliseconds, and waits for scans that are to come by then as their
   /// sources' periods say. What is used does not depend on which message comes first.
   void set_lockstep() { is_lockstep_ = true; }
+  /// In lockstep, after a wait for it: the stamp of the newest scan that an update at `now_s` takes,
+  /// of the first source of scans; nothing: none has come.
+  std::optional<double> await_scan(double now_s);
 
   /// Hands over what has come, but for what tf does not reach yet. The costmap is locked.
   void apply(double now_s);
@@ -61,6 +71,7 @@ class CostmapInputs {
   bool is_refused(const BeamSource& source, const ros::Time& stamp);
   void await_data(double now_s);
   bool is_late(double now_s);
+  void note_scan(const BeamSource& source, double stamp_s);
   void add(BeamSource& source, const ros::Time& stamp, Observe observe);
   void apply_pending(Pending& pending, std::deque<Pending>* waiting);
   std::optional<Observation> observe(const sensor_msgs::LaserScan& scan, const BeamSource& source);
@@ -72,10 +83,17 @@ class CostmapInputs {
   ros_utils::Refusals& refusals_;
   std::string frame_;
   ScanListener on_scan_;
+  ObservationListener on_observation_;
   bool is_lockstep_ = false;
   std::mutex mutex_;  // guards what follows
   std::deque<Pending> pending_;
   std::map<const BeamSource*, SourceAge> received_;
+  /// Of the first source of scans, in lockstep: the stamps of its newest ones [s].
+  struct ScanTimes {
+    const BeamSource* source = nullptr;
+    std::deque<double> stamps_s;
+  };
+  ScanTimes scan_times_;
   std::vector<std::function<void()>> maps_;
   std::vector<ros::Subscriber> subscribers_;
 };

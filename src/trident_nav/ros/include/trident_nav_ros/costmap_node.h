@@ -7,6 +7,7 @@
 #include <tf2/buffer_core.h>
 
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -17,6 +18,8 @@
 #include "trident_nav/costmap/costmap.h"
 #include "trident_nav/costmap/costmap_config.h"
 #include "trident_nav_ros/costmap_inputs.h"
+#include "trident_nav_ros/footprint_input.h"
+#include "trident_nav_ros/voxel_topics.h"
 #include "trident_ros/refusals.h"
 
 namespace trident::nav {
@@ -24,8 +27,9 @@ namespace trident::nav {
 /// The layers of this package.
 Registry<LayerType> builtin_layer_types();
 
-/// A costmap with costmap_2d's topics: `costmap`, `costmap_updates`, `footprint`. Its owner calls
-/// update() at whatever times; it is published at its own rate.
+/// A costmap with costmap_2d's topics: `costmap`, `costmap_updates`, `footprint` out and in, and
+/// those of voxel layers. Its owner calls update() at whatever times; it is published at its own
+/// rate.
 class CostmapNode {
  public:
   /// `node`: with the name of the costmap. Throws ConfigError.
@@ -58,8 +62,21 @@ class CostmapNode {
   void set_scan_listener(CostmapInputs::ScanListener listener) {
     inputs_.set_scan_listener(std::move(listener));
   }
+  /// Publishes the voxels of the layers that want it, from now on; before the first update.
+  void advertise_voxels(const VoxelAdvertiser& advertiser) {
+    topics_.voxels->advertise_voxels(advertiser);
+  }
+  /// Called after another node has changed the footprint, in the thread of callbacks.
+  void set_footprint_listener(std::function<void()> listener) {
+    const std::lock_guard lock(mutex_);
+    topics_.on_footprint = std::move(listener);
+  }
   /// See CostmapInputs.
   void set_lockstep() { inputs_.set_lockstep(); }
+  std::optional<double> await_scan(double now_s) { return inputs_.await_scan(now_s); }
+  /// What says where the robot is in place of the newest transforms; before the first update.
+  using RobotSource = std::function<std::optional<Pose2>(double now_s, std::string* problem)>;
+  void set_robot_source(RobotSource source) { robot_source_ = std::move(source); }
   /// Takes in what has come, and publishes what is due.
   void update(double now_s);
   /// What is missing before the costmap can be used: a map; empty: nothing.
@@ -67,6 +84,7 @@ class CostmapNode {
 
  private:
   void note_params(const CostmapParams& params);
+  void take_footprint(const geometry_msgs::Polygon& polygon, ros_utils::Refusals& refusals);
   void publish(double now_s, const Pose2& robot);
   void publish_all(double now_s);
   void publish_part(double now_s, const CellBox& box);
@@ -77,10 +95,17 @@ class CostmapNode {
   std::unique_ptr<Costmap> costmap_;
   std::string frame_, base_frame_;
   std::vector<LayerSpec> layers_;
+  RobotSource robot_source_;
   CostmapInputs inputs_;
   std::atomic<double> update_period_s_{0.2}, transform_tolerance_s_{0.3};
   std::mutex mutex_;  // guards the costmap and what follows
-  ros::Publisher all_, parts_, footprint_;
+  struct Topics {
+    ros::Publisher all, parts, footprint;
+    std::unique_ptr<VoxelTopics> voxels;
+    std::unique_ptr<FootprintInput> footprint_input;
+    std::function<void()> on_footprint;
+  };
+  Topics topics_;
   /// What subscribers do not know yet.
   struct News {
     CellBox box;

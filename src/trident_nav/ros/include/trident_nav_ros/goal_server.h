@@ -26,6 +26,8 @@ class GoalServer : public actionlib::ActionServerBase<move_base_msgs::MoveBaseAc
   void receive(const move_base_msgs::MoveBaseActionGoalConstPtr& message);
   void receive_cancel(const actionlib_msgs::GoalIDConstPtr& id);
 
+  /// Whether take_new() would accept one.
+  bool has_new();
   /// Accepts the newest goal, if it has not been accepted, in place of the one before.
   boost::shared_ptr<const Goal> take_new();
   bool is_active();

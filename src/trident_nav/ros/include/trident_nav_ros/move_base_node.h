@@ -11,6 +11,7 @@
 #include <tf2_ros/buffer.h>
 
 #include <atomic>
+#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -18,8 +19,10 @@
 #include <thread>
 
 #include "trident_nav/navigator/navigator.h"
+#include "trident_nav_ros/control_topics.h"
 #include "trident_nav_ros/goal_server.h"
 #include "trident_nav_ros/move_base_parts.h"
+#include "trident_nav_ros/potential_topic.h"
 #include "trident_nav_ros/reconfiguration.h"
 #include "trident_nav_ros/sample_queue.h"
 #include "trident_ros/refusals.h"
@@ -31,7 +34,8 @@ namespace trident::nav {
 class MoveBaseNode {
  public:
   /// Throws Error for parameters that are not legal.
-  MoveBaseNode(ros::NodeHandle& node, const ros::NodeHandle& private_node);
+  MoveBaseNode(ros::NodeHandle& node, const ros::NodeHandle& private_node,
+               const VoxelAdvertiser& voxels);
   ~MoveBaseNode();
 
   /// Controls until the node is to end. Callbacks need threads of their own.
@@ -39,15 +43,22 @@ class MoveBaseNode {
 
  private:
   void serve(ros::NodeHandle& node, ros::NodeHandle private_node);
+  void serve_plugins(const ros::NodeHandle& private_node);
   void update_global();
   void run_by_clock();
   void run_in_lockstep();
   void answer(double stamp_s);
+  void prepare_lockstep();
   void await_transform(double stamp_s) const;
+  void await_localization(double stamp_s);
+  void await_goal();
+  std::optional<Pose2> T_global_local(double now_s, std::string* problem) const;
   void warn_of_rivals();
   void cycle(double now_s);
+  void note_time(double now_s);
   void take_goals(double now_s);
   bool place_goal(double now_s, std::string* problem);
+  void give_up_frame(double now_s, const std::string& problem);
   std::optional<NavigatorInput> sense(double now_s, std::string* problem);
   void act(const NavigatorInput& input, const NavigatorOutput& output);
   void stand(double now_s, const std::string& why);
@@ -71,18 +82,26 @@ class MoveBaseNode {
   struct Links {
     ros::Publisher command, current_goal, action_goal, recovery, global_path, local_path;
     ros::Subscriber simple_goal, odometry;
-    ros::ServiceServer make_plan, clear_costmaps;
+    ros::ServiceServer make_plan, planner_make_plan, clear_costmaps;
+    std::unique_ptr<ControlTopics> control;
+    std::unique_ptr<PotentialTopic> potential;
   };
   Links links_;
 
   std::mutex odometry_mutex_;
   Twist2 measured_;
-  std::optional<geometry_msgs::PoseStamped> unplaced_goal_;
+  /// A goal whose pose in the global costmap is not known yet.
+  struct UnplacedGoal {
+    geometry_msgs::PoseStamped pose;
+    double since_s;  ///< That time the robot's own pose is known.
+  };
+  std::optional<UnplacedGoal> unplaced_goal_;
   std::atomic<bool> is_driving_{false};  // the last command was not zero
   /// The latest warnings.
   struct Warned {
     std::string rivals;  ///< Of the command's topic; of global_thread_.
     double waiting_s = -1e9;
+    double cycled_s = -1e9;  ///< The time of the last cycle.
   };
   Warned warned_;
   /// Of a run in lockstep; the controlling thread's but for the queue.
@@ -90,13 +109,16 @@ class MoveBaseNode {
     SampleQueue samples;
     geometry_msgs::Twist answer;  ///< The command at present.
     double cycled_s = -1.0, updated_s = -1.0, begun_s = 0.0;
+    /// Time of the transform that localization has made of the newest scan [ns]; 0: none yet.
+    std::atomic<std::uint64_t> localized_ns{0};
+    bool awaits_goal = true;  ///< Nobody has been waited for since the last goal ended.
   };
   Lockstep lockstep_;
   std::atomic<bool> is_ending_{false};
   std::thread global_thread_;
 };
 
-/// The program of the package move_base.
-int move_base_main(int argc, char** argv);
+/// The program of the package move_base. `voxels`: of voxel_advertiser().
+int move_base_main(int argc, char** argv, const VoxelAdvertiser& voxels);
 
 }  // namespace trident::nav

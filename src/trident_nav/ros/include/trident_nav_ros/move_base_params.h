@@ -43,6 +43,8 @@ struct MoveBaseParams : NavigatorParams {
   bool make_plan_add_unreachable_goal = true;
   MovingObstacleParams moving_obstacles;
   bool lockstep = false;
+  double localization_lead = -1.0;
+  double goal_patience = 0.0;
 
   template <class Archive>
   void visit(Archive& ar) {
@@ -65,6 +67,13 @@ struct MoveBaseParams : NavigatorParams {
     ar.field("lockstep", lockstep,
              "each message of odometry is answered by one command, for a simulator that waits for "
              "it; all is computed in between");
+    ar.field("localization_lead", localization_lead, Range{-1.0, 10.0},
+             "in lockstep: by which localization stamps the transform that follows from a scan "
+             "ahead of it (amcl's transform_tolerance); that of each scan is waited for. Negative: "
+             "none is [s]");
+    ar.field("goal_patience", goal_patience, Range::non_negative(),
+             "in lockstep: wall time for which the world waits for the first goal, and for the "
+             "next one after each that has ended [s]");
   }
 };
 

@@ -16,6 +16,7 @@
 #include "trident_base/error.h"
 #include "trident_nav_ros/costmap_node.h"
 #include "trident_nav_ros/move_base_params.h"
+#include "trident_nav_ros/potential_topic.h"
 #include "trident_ros/refusals.h"
 #include "trident_ros/transform_input.h"
 
@@ -45,7 +46,7 @@ class CostmapServer {
 
 /// A planner on a costmap of its own, without a robot to drive: upstream's `navfn/navfn_node` and
 /// `global_planner/planner`. Subscribes `~goal`, to which it plans from where the robot is, and
-/// publishes `~NAME/plan`.
+/// publishes `~NAME/plan` and `~NAME/potential`.
 class PlannerNode {
  public:
   /// `plugin`: "navfn/NavfnROS"; `name`: of the planner's parameters and topics. Throws Error.
@@ -80,13 +81,14 @@ class PlannerNode {
   CostmapServer server_;
   std::mutex mutex_;  // guards the planner
   std::unique_ptr<Planner> planner_;
+  std::unique_ptr<PotentialTopic> potential_;
   ros::Publisher plan_;
   ros::Subscriber goal_;
   ros::ServiceServer service_;
 };
 
-/// The program costmap_2d/costmap_2d_node.
-int costmap_main(int argc, char** argv);
+/// The program costmap_2d/costmap_2d_node. `voxels`: of voxel_advertiser().
+int costmap_main(int argc, char** argv, const VoxelAdvertiser& voxels);
 
 /// The program of a stand-alone planner; MakePlan: navfn::MakeNavPlan.
 template <class MakePlan>

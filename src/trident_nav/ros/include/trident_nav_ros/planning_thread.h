@@ -33,6 +33,9 @@ class PlanningThread : public NavigatorWorld {
   void note_odometry(double stamp_s);
   /// Plans are made within request_plan(), so that the same step takes them in each run.
   void plan_at_once() { plans_at_once_ = true; }
+  /// Called after each plan with the grid that it was made on, while the planner is not used. To
+  /// be taken away (an empty one) before what it refers to ends.
+  void set_plan_listener(std::function<void(const GridGeometry& geometry)> listener);
   /// From the next plan on; from any thread.
   void set_limits(const MotionLimits& limits);
   void set_odometry_topic(const std::string& topic) { odom_topic_ = topic; }
@@ -64,7 +67,8 @@ class PlanningThread : public NavigatorWorld {
   std::string odom_topic_;
   bool plans_at_once_ = false;
 
-  std::mutex planner_mutex_;  // guards planner_, limits_ and avoided_
+  std::mutex planner_mutex_;  // guards planner_, limits_, on_plan_ and avoided_
+  std::function<void(const GridGeometry& geometry)> on_plan_;
   MotionLimits limits_;
   AvoidedPlaces avoided_;
   CancelFlag cancel_{false};

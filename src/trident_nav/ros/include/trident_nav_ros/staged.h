@@ -3,7 +3,9 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "trident_base/mutex.h"
 #include "trident_nav/control/controller.h"
@@ -42,6 +44,11 @@ class StagedController final : public Controller {
     return newest().command(state, path, grid, tracks);
   }
   void reset() override { newest().reset(); }
+  void set_watched(const WatchedDetails& watched) override { newest().set_watched(watched); }
+  ControlDetails details() const override { return current_->details(); }
+  void set_via_points(std::optional<std::vector<Point2>> points) override {
+    newest().set_via_points(std::move(points));
+  }
 
  private:
   Controller& newest() {
@@ -64,6 +71,10 @@ class StagedPlanner final : public Planner {
                    const CancelFlag& cancel) override {
     if (auto next = staged_.take()) current_ = std::move(next);
     return current_->plan(grid, footprint, start, goal, limits, cancel);
+  }
+  /// The potential of the planner of the last plan; nullptr: it has none.
+  const PotentialSource* potential_source() const {
+    return dynamic_cast<const PotentialSource*>(current_.get());
   }
 
  private:

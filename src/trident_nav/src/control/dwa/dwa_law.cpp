@@ -36,7 +36,7 @@ class DwaLaw final : public ControlLaw {
     if (const auto twist = straight_to_goal(situation, setup_, near_m)) {
       return {*twist, Failure::kNone, ""};
     }
-    const auto chosen = search_.best(samples(situation), situation, critics_);
+    const auto chosen = search_.best(samples(situation), situation, critics_, display());
     if (!chosen) {
       return {{}, Failure::kBlocked, "Each velocity that can be reached leads to contact."};
     }
@@ -60,6 +60,9 @@ class DwaLaw final : public ControlLaw {
     limits.alpha_max = std::min(limits.alpha_max, params.acc_lim_theta.value_or(limits.alpha_max));
     return setup;
   }
+
+  // Grids count cells, biases are per meter.
+  static constexpr double kTypicalResolution = 0.05;
 
   // A robot that neither drives nor turns as fast gets nowhere; but not faster than it can be yet.
   static double slowest(double wanted, double limit, double reachable) {
@@ -85,10 +88,14 @@ class DwaLaw final : public ControlLaw {
     return sample_velocities(window, sampling);
   }
 
+  SearchDisplay display() const {
+    return {params_.publish_traj_pc, params_.publish_cost_grid_pc,
+            kTypicalResolution * params_.path_distance_bias,
+            kTypicalResolution * params_.goal_distance_bias, params_.occdist_scale};
+  }
+
   TrajectoryCritics make_critics() const {
     const Aggregation all = params_.sum_scores ? Aggregation::kSum : Aggregation::kLast;
-    // Grids count cells, biases are per meter.
-    constexpr double kTypicalResolution = 0.05;
     const double path = kTypicalResolution * params_.path_distance_bias;
     const double goal = kTypicalResolution * params_.goal_distance_bias;
     const double ahead_m = params_.forward_point_distance;

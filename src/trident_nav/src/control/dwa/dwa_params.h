@@ -38,6 +38,8 @@ struct DwaParams {
   bool use_dwa = true;
   bool prune_plan = true;
   double moving_obstacle_scale = 1.0;
+  bool publish_traj_pc = false;
+  bool publish_cost_grid_pc = false;
 
   template <class Archive>
   void visit(Archive& ar) {
@@ -97,6 +99,8 @@ struct DwaParams {
         "times forward_point_distance from the goal, and within the tolerance, the point ahead "
         "is silent");
     ar.field("sum_scores", sum_scores, "scores of all poses, not of the last one");
+    ar.field("publish_traj_pc", publish_traj_pc, "`trajectory_cloud` has all trajectories tried");
+    ar.field("publish_cost_grid_pc", publish_cost_grid_pc, "`cost_cloud` has the scores of cells");
   }
 };
 

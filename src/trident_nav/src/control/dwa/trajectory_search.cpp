@@ -105,13 +105,14 @@ std::optional<RatedTwist> TrajectorySearch::best(const std::vector<Twist2>& samp
     roll(samples, first, situation, survey);
     const auto count = std::min<std::size_t>(kLanes, samples.size() - first);
     for (std::size_t k = 0; k < count; ++k) {
-      if (rollouts_.contact_step[k] < model_.steps) continue;
       const Candidate candidate{samples[first + k], &rollouts_, static_cast<int>(k),
                                 last_step(samples[first + k], scene.goal_distance_m)};
-      if (const auto total = score(scene, candidate, critics, least)) {
-        least = *total;
-        chosen = RatedTwist{candidate.twist, least};
-      }
+      const bool is_free = rollouts_.contact_step[k] >= model_.steps;
+      const auto total = is_free ? score(scene, candidate, critics, least) : std::nullopt;
+      if (situation.watched.trajectories) note(situation, candidate, total.value_or(-1.0));
+      if (!total) continue;
+      least = *total;
+      chosen = RatedTwist{candidate.twist, least};
     }
   }
   return chosen;
@@ -119,12 +120,66 @@ std::optional<RatedTwist> TrajectorySearch::best(const std::vector<Twist2>& samp
 
 std::optional<Twist2> TrajectorySearch::best(const std::vector<Twist2>& samples,
                                              const Situation& situation,
-                                             const TrajectoryCritics& critics) {
+                                             const TrajectoryCritics& critics,
+                                             const SearchDisplay& display) {
   const DwaScene scene = begin(situation);
   const auto chosen = best(samples, scene, critics);
   if (!chosen) return std::nullopt;
   for (const auto& critic : critics) critic->on_chosen(scene, chosen->twist);
+  describe(chosen->twist, scene, display);
   return chosen->twist;
+}
+
+/// `cost`: negative where the candidate is in contact, forbidden, or worse than another one.
+void TrajectorySearch::note(const Situation& situation, const Candidate& candidate,
+                            double cost) const {
+  ConsideredTrajectory trajectory;
+  trajectory.cost = cost;
+  trajectory.points.push_back({0.0, situation.state.pose, candidate.twist});
+  for (int step = 0; step <= candidate.last; ++step) {
+    trajectory.points.push_back({model_.dt_s * (step + 1),
+                                 candidate.pose(situation.state.pose, step), candidate.twist});
+  }
+  situation.details->trajectories.push_back(std::move(trajectory));
+}
+
+void TrajectorySearch::describe(const Twist2& chosen, const DwaScene& scene,
+                                const SearchDisplay& display) {
+  const Situation& situation = scene.situation;
+  if (situation.watched.cells && display.cells) describe_cells(situation, display);
+  if (!situation.watched.trajectories) return;
+  std::vector<ConsideredTrajectory>& noted = situation.details->trajectories;
+  const auto is_chosen = [&](const ConsideredTrajectory& one) {
+    const Twist2& twist = one.points.front().twist;
+    return twist.vx == chosen.vx && twist.vy == chosen.vy && twist.wz == chosen.wz;
+  };
+  auto at = std::find_if(noted.begin(), noted.end(), is_chosen);
+  if (at == noted.end()) return;
+  if (!display.trajectories) {
+    noted = {std::move(*at)};
+    at = noted.begin();
+  }
+  situation.details->selected = static_cast<std::size_t>(at - noted.begin());
+}
+
+void TrajectorySearch::describe_cells(const Situation& situation,
+                                      const SearchDisplay& display) const {
+  const GridGeometry& geometry = situation.grid.geometry;
+  for (Cell cell{0, 0}; cell.y < geometry.height; ++cell.y) {
+    for (cell.x = 0; cell.x < geometry.width; ++cell.x) {
+      CellScore score;
+      score.center = geometry.center(cell);
+      score.path = static_cast<double>(path_grid_.at(score.center.x, score.center.y));
+      score.goal = static_cast<double>(goal_grid_.at(score.center.x, score.center.y));
+      score.occupied = situation.grid.at(cell);
+      const bool is_reached = score.path < static_cast<double>(path_grid_.unreachable()) &&
+                              score.goal < static_cast<double>(goal_grid_.unreachable());
+      if (!is_reached || score.occupied >= kInscribedCost) continue;
+      score.total = display.path_weight * score.path + display.goal_weight * score.goal +
+                    display.cost_weight * score.occupied;
+      situation.details->cells.push_back(score);
+    }
+  }
 }
 
 }  // namespace trident::nav

@@ -19,6 +19,13 @@ struct SearchParams {
   bool accelerates = false;  ///< Velocities are reached within the trajectory, not at its begin.
 };
 
+/// Weights of what a cell is scored by, and what of a search is shown.
+struct SearchDisplay {
+  bool trajectories = false;  ///< All that were scored, not the chosen one alone.
+  bool cells = false;
+  double path_weight = 0.0, goal_weight = 0.0, cost_weight = 0.0;  ///< Per cell, and per cost.
+};
+
 /// A velocity and what its trajectory scores.
 struct RatedTwist {
   Twist2 twist;
@@ -36,9 +43,13 @@ class TrajectorySearch {
   /// The sample of the least score; nothing if each is in contact or forbidden.
   std::optional<RatedTwist> best(const std::vector<Twist2>& samples, const DwaScene& scene,
                                  const TrajectoryCritics& critics);
+  /// Notes the trajectory of what was chosen, at a speed that may be another sample's, and the cells
+  /// of the last begin(), as far as somebody watches.
+  void describe(const Twist2& chosen, const DwaScene& scene, const SearchDisplay& display);
+
   /// begin() and best(), and the critics are notified of what was chosen.
   std::optional<Twist2> best(const std::vector<Twist2>& samples, const Situation& situation,
-                             const TrajectoryCritics& critics);
+                             const TrajectoryCritics& critics, const SearchDisplay& display);
 
   double dt_s() const { return model_.dt_s; }
   /// How far from the robot trajectories get, with `margin_m` ahead of the base [m].
@@ -49,6 +60,8 @@ class TrajectorySearch {
             const ObstacleSurvey& survey);
   /// The step at which a candidate has driven as far as the goal is; its last one if it does not.
   int last_step(const Twist2& twist, double goal_distance_m) const;
+  void note(const Situation& situation, const Candidate& candidate, double cost) const;
+  void describe_cells(const Situation& situation, const SearchDisplay& display) const;
   std::optional<double> score(const DwaScene& scene, const Candidate& candidate,
                               const TrajectoryCritics& critics, double best) const;
 

@@ -113,7 +113,7 @@ Proposal DwbLaw::propose(const Situation& situation) {
     return {*twist, Failure::kNone, ""};
   }
   sample(situation);
-  const auto chosen = search_.best(samples_, situation, critics_);
+  const auto chosen = search_.best(samples_, situation, critics_, {});
   if (!chosen) {
     return {{}, Failure::kBlocked, "Each velocity that can be reached leads to contact."};
   }

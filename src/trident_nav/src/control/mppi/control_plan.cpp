@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "trident_nav/control/motion.h"
+
 namespace trident::nav {
 namespace {
 
@@ -30,6 +32,21 @@ ControlPlan shifted(const ControlPlan& plan, double dt_s, double elapsed_s) {
         plan_at(plan, plan.front(), dt_s, elapsed_s + dt_s * static_cast<double>(i + 1)));
   }
   return next;
+}
+
+ConsideredTrajectory trajectory_of(const ControlPlan& plan, const Pose2& start, double dt_s,
+                                   std::size_t every) {
+  ConsideredTrajectory trajectory;
+  Pose2 pose = start;
+  trajectory.points.push_back({0.0, pose, plan.empty() ? Twist2{} : plan.front()});
+  for (std::size_t i = 0; i < plan.size(); ++i) {
+    pose = integrate(pose, plan[i], dt_s);
+    const bool is_last = i + 1 == plan.size();
+    if ((i + 1) % every != 0 && !is_last) continue;
+    const Twist2& next = is_last ? plan[i] : plan[i + 1];
+    trajectory.points.push_back({dt_s * static_cast<double>(i + 1), pose, next});
+  }
+  return trajectory;
 }
 
 void write_lane(const ControlPlan& plan, int lane, Rollouts* rollouts) {

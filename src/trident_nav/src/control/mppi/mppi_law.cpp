@@ -45,6 +45,7 @@ class MppiLaw final : public ControlLaw {
   void shift_plan(double time_s);
   RatedPlan optimized(const Situation& situation, const CostGrid& grid, const RolloutStart& start);
   Twist2 command_of(const Situation& situation, const RolloutStart& start) const;
+  void describe(const Situation& situation, double cost) const;
 
   MppiParams params_;
   MppiModel model_;
@@ -104,6 +105,17 @@ Twist2 MppiLaw::command_of(const Situation& situation, const RolloutStart& start
   return {kept * twist.vx, kept * twist.vy, kept * twist.wz};
 }
 
+void MppiLaw::describe(const Situation& situation, double cost) const {
+  ControlDetails& details = *situation.details;
+  const Pose2& pose = situation.state.pose;
+  if (params_.visualize) {
+    optimizer_.describe(pose, params_.TrajectoryVisualizer, &details.trajectories);
+  }
+  details.selected = details.trajectories.size();
+  details.trajectories.push_back(trajectory_of(plan_, pose, model_.dt_s, 1));
+  details.trajectories.back().cost = cost;
+}
+
 Proposal MppiLaw::propose(const Situation& situation) {
   const CostGrid grid = distances_.of(situation.grid);
   trail_.add(situation.state.pose, grid.geometry.resolution);
@@ -111,6 +123,7 @@ Proposal MppiLaw::propose(const Situation& situation) {
   const RolloutStart start{situation.state.pose.yaw,
                            params_.open_loop ? sent_ : situation.state.twist};
   const RatedPlan rated = optimized(situation, grid, start);
+  if (situation.watched.trajectories) describe(situation, rated.cost);
   const double contact_s = model_.dt_s * (rated.contact_step + 1);
   if (rated.contact_step < model_.steps &&
       contact_s <= model_.period_s + braking_time(model_.limits, start.twist)) {

@@ -145,6 +145,16 @@ ControlPlan MppiOptimizer::kept_sample(std::size_t index) const {
   return plan;
 }
 
+void MppiOptimizer::describe(const Pose2& start, const TrajectoryVisualizerParams& shown,
+                             std::vector<ConsideredTrajectory>* noted) const {
+  const auto every = static_cast<std::size_t>(shown.trajectory_step);
+  for (std::size_t i = 0; i < costs_.size(); i += every) {
+    noted->push_back(
+        trajectory_of(kept_sample(i), start, model_.dt_s, static_cast<std::size_t>(shown.time_step)));
+    noted->back().cost = static_cast<double>(costs_[i]);
+  }
+}
+
 RatedPlan MppiOptimizer::optimize(const ControlPlan& plan, const Rollouts& deliberate,
                                   const CriticScene& scene, const RolloutStart& start,
                                   const ObstacleSurvey& survey) {

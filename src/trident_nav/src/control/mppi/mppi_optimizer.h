@@ -36,6 +36,10 @@ class MppiOptimizer {
   RatedPlan optimize(const ControlPlan& plan, const Rollouts& deliberate, const CriticScene& scene,
                      const RolloutStart& start, const ObstacleSurvey& survey);
 
+  /// Notes samples of the last call and their costs: those of every so many as the visualizer says.
+  void describe(const Pose2& start, const TrajectoryVisualizerParams& shown,
+                std::vector<ConsideredTrajectory>* noted) const;
+
   /// The costs of the last call, and the noise for the next one.
   const std::vector<float>& costs() const { return costs_; }
   void advance_noise() { noise_.advance(); }

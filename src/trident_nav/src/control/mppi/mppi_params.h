@@ -198,6 +198,18 @@ struct AckermannParams {
   }
 };
 
+/// What of the sampled trajectories is shown.
+struct TrajectoryVisualizerParams {
+  int trajectory_step = 5;
+  int time_step = 3;
+
+  template <class Archive>
+  void visit(Archive& ar) {
+    ar.field("trajectory_step", trajectory_step, Range{1, 100000}, "every so many trajectories");
+    ar.field("time_step", time_step, Range{1, 1000}, "every so many steps of a trajectory");
+  }
+};
+
 /// Names and defaults of Nav2's nav2_mppi_controller. What has no value is derived from the robot.
 struct MppiParams {
   int batch_size = 2000;
@@ -216,6 +228,7 @@ struct MppiParams {
   bool regenerate_noises = false;
   bool open_loop = false;
   bool visualize = false;
+  TrajectoryVisualizerParams TrajectoryVisualizer;
   std::optional<double> prune_distance;
   double transform_tolerance = 0.1;
   std::vector<std::string> critics{"ConstraintCritic", "ObstaclesCritic",     "GoalCritic",
@@ -259,7 +272,8 @@ struct MppiParams {
              "iterations from rest where all trajectories are in contact");
     ar.field("regenerate_noises", regenerate_noises, "fresh noise for each command");
     ar.field("open_loop", open_loop, "the last command stands for the measured speed");
-    ar.field("visualize", visualize, "trajectories are published");
+    ar.field("visualize", visualize, "the sampled trajectories are published");
+    ar.field("TrajectoryVisualizer", TrajectoryVisualizer, "which of them");
     ar.field("prune_distance", prune_distance, Range::positive(),
              "of the path that is looked at; default: the horizon's length [m]");
     ar.field("transform_tolerance", transform_tolerance, Range::non_negative(), "[s]");

@@ -35,9 +35,12 @@ double goal_yaw(const TebModel& model, const Situation& situation, double travel
 }
 
 void add_via_points(const TebModel& model, const std::vector<Point2>& points,
-                    std::vector<Point2>* via_points) {
+                    const std::vector<Point2>* given, std::vector<Point2>* via_points) {
   const double separation_m = model.params.global_plan_viapoint_sep;
-  if (separation_m <= 0.0) return;
+  if (separation_m <= 0.0) {
+    if (given != nullptr) *via_points = *given;
+    return;
+  }
   Point2 last = points.front();
   for (const Point2& p : points) {
     if (distance(last.x, last.y, p.x, p.y) < separation_m) continue;
@@ -81,7 +84,7 @@ TebGuide make_guide(const TebModel& model, const Situation& situation) {
   guide.goal = {guide.points.back().x, guide.points.back().y, goal_yaw(model, situation, facing)};
   guide.task.start_twist = situation.state.twist;
   guide.task.stops_at_end = path.ends_at_cusp || (path.reaches_goal && !model.params.free_goal_vel);
-  add_via_points(model, guide.points, &guide.task.via_points);
+  add_via_points(model, guide.points, situation.via_points, &guide.task.via_points);
   return guide;
 }
 

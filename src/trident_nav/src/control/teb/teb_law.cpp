@@ -101,6 +101,10 @@ Proposal TebLaw::propose(const Situation& situation) {
   const double short_s = situation.state.time_s - shortened_s_;
   if (is_short_ && short_s > model_.params.shrink_horizon_min_duration) is_short_ = false;
   const TebBand* const band = planner_.plan(situation, distances_.of(situation.grid));
+  if (situation.watched.trajectories) {
+    planner_.describe(situation.details);
+    situation.details->wants_feedback = model_.params.publish_feedback;
+  }
   if (band == nullptr) return without_band(situation);
   return {command_of(situation, *band), Failure::kNone, ""};
 }

@@ -208,7 +208,7 @@ struct TebParams {
              "poses that must be free of contact, and what is between them; negative: all");
     ar.field("feasibility_check_lookahead_distance", feasibility_check_lookahead_distance,
              "from the robot, beyond which poses are not checked; negative: no limit [m]");
-    ar.field("publish_feedback", publish_feedback, "not needed here");
+    ar.field("publish_feedback", publish_feedback, "`teb_feedback` is published");
     ar.field("min_resolution_collision_check_angular", min_resolution_collision_check_angular,
              Range::positive(), "between headings that are checked, at most [rad]");
     ar.field("control_look_ahead_poses", control_look_ahead_poses, Range{1, 500},

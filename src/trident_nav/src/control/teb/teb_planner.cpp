@@ -45,6 +45,24 @@ bool comes_back(const TebBand& band, double near_m) {
   return false;
 }
 
+// A band as a trajectory: each pose with the velocity to the next one.
+ConsideredTrajectory trajectory_of(const TebBand& band) {
+  ConsideredTrajectory trajectory;
+  double time_s = 0.0;
+  for (std::size_t i = 0; i < band.size(); ++i) {
+    TrajectoryPoint point{time_s, band[i].pose, {}};
+    if (i + 1 < band.size()) {
+      const SegmentMotion motion = segment_motion(band[i], band[i + 1], ArcLength::kExact);
+      const double dt_s = band[i].dt_s;
+      point.twist = {motion.along.value / dt_s, motion.across.value / dt_s,
+                     motion.turn.value / dt_s};
+    }
+    trajectory.points.push_back(point);
+    time_s += band[i].dt_s;
+  }
+  return trajectory;
+}
+
 }  // namespace
 
 bool is_band_free(const TebModel& model, const Situation& situation, const TebBand& band) {
@@ -241,6 +259,16 @@ void TebPlanner::drop_detours() {
                     candidates_.end());
 }
 
+void TebPlanner::describe(ControlDetails* details) const {
+  details->obstacles = around_.obstacles;
+  details->via_points = around_.via_points;
+  for (const Candidate& candidate : candidates_) {
+    if (candidate.is_present) details->selected = details->trajectories.size();
+    details->trajectories.push_back(trajectory_of(candidate.band));
+    details->trajectories.back().cost = candidate.is_free ? candidate.cost.sum() : -1.0;
+  }
+}
+
 const TebBand* TebPlanner::plan(const Situation& situation, const CostGrid& grid) {
   const TebGuide guide = make_guide(model_, situation);
   const double now_s = situation.state.time_s;
@@ -256,7 +284,9 @@ const TebBand* TebPlanner::plan(const Situation& situation, const CostGrid& grid
       candidate.signature = map.signature(points_of(candidate.band));
     }
     explore(guide, map, map.signature(guide.points));
-    optimize(situation, guide, shape, obstacles_about(situation, guide));
+    const TebObstacles obstacles = obstacles_about(situation, guide);
+    optimize(situation, guide, shape, obstacles);
+    if (situation.details != nullptr) around_ = {obstacles.centers, guide.task.via_points};
     drop_doubles(map);
     if (best(now_s) == nullptr) continue;
     drop_detours();

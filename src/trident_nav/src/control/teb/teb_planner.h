@@ -30,6 +30,8 @@ class TebPlanner {
   void reset();
 
   std::size_t bands() const { return candidates_.size(); }
+  /// Notes all bands, what they keep away from and what draws them, as the last plan left them.
+  void describe(ControlDetails* details) const;
 
  private:
   struct Candidate {
@@ -60,6 +62,11 @@ class TebPlanner {
   std::vector<Candidate> candidates_;
   Pose2 goal_;
   double switched_s_ = 0.0;
+  /// What the last plan was made with, for pictures.
+  struct Surroundings {
+    std::vector<Point2> obstacles, via_points;
+  };
+  Surroundings around_;
 };
 
 }  // namespace trident::nav

@@ -205,6 +205,9 @@ Proposal TrajectoryPlannerLaw::propose(const Situation& situation) {
   const DwaScene scene = search_.begin(situation);
   if (const auto chosen = choose(scene)) {
     for (const auto& critic : critics_) critic->on_chosen(scene, *chosen);
+    search_.describe(*chosen, scene,
+                     {false, params_.publish_cost_grid_pc, params_.path_distance_bias,
+                      params_.goal_distance_bias, params_.occdist_scale});
     return {*chosen, Failure::kNone, ""};
   }
   if (params_.escape_vel == 0.0) {

@@ -52,6 +52,7 @@ struct TrajectoryPlannerParams {
   double stop_time_buffer = 0.2;
   WorldModel world_model = WorldModel::kCostmap;
   double moving_obstacle_scale = 1.0;
+  bool publish_cost_grid_pc = false;
 
   template <class Archive>
   void visit(Archive& ar) {
@@ -108,6 +109,7 @@ struct TrajectoryPlannerParams {
              "straight to the end of the path ahead, whatever its course");
     ar.field("moving_obstacle_scale", moving_obstacle_scale, Range::non_negative(),
              "of nearness to moving obstacles");
+    ar.field("publish_cost_grid_pc", publish_cost_grid_pc, "`cost_cloud` has the scores of cells");
     ar.field("latch_xy_goal_tolerance", latch_xy_goal_tolerance,
              "a position once reached stays so while the robot turns, here always");
   }

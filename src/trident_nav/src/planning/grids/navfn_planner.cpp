@@ -27,7 +27,9 @@ GridRouteOptions navfn_options(double tolerance_m, bool allow_unknown) {
 
 NavfnPlanner::NavfnPlanner(const NavfnParams& params)
     : route_(std::make_unique<GridRoute>(
-          navfn_options(params.default_tolerance, params.allow_unknown))) {}
+          navfn_options(params.default_tolerance, params.allow_unknown))) {
+  display_.is_wanted = params.visualize_potential;
+}
 
 NavfnPlanner::NavfnPlanner(const Nav2NavfnParams& params)
     : route_(std::make_unique<GridRoute>(navfn_options(params.tolerance, params.allow_unknown))),

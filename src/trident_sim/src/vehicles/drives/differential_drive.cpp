@@ -110,6 +110,10 @@ class DifferentialDrive : public Plugin {
     double limit = wheels_.front().speed_limit();
     for (const DrivenWheel& wheel : wheels_) limit = std::min(limit, wheel.speed_limit());
     const double factor = limit_.factor(world, fastest, limit, command_.is_new());
+    if (command_.is_over()) {
+      for (DrivenWheel& wheel : wheels_) wheel.halt();
+      return;
+    }
     for (std::size_t i = 0; i < wheels_.size(); ++i) {
       const bool is_left = i < spec_.left.size();
       wheels_[i].set_speed(factor * (is_left ? ahead - aside : ahead + aside));
@@ -184,9 +188,10 @@ bool sides_are_swapped(const PluginContext& context, const Joint& left, const Jo
   return swapped;
 }
 
-/// libgazebo_ros_diff_drive.so. In addition to upstream's elements there is <encoderErrorPerMeter>
-/// [m^2/m]: the variance of a wheel's travel, from which the covariance of the encoders' odometry
-/// grows; 0, as upstream, reports upstream's constants.
+/// libgazebo_ros_diff_drive.so. In addition to upstream's elements there are <encoderErrorPerMeter>
+/// [m^2/m], the variance of a wheel's travel, from which the covariance of the encoders' odometry
+/// grows (0, as upstream, reports upstream's constants), and <commandTimeout> [s], after which a
+/// command is over and the wheels brake (negative, as upstream: never).
 DifferentialSpec read_diff_drive(const PluginContext& context) {
   const PluginParams& params = context.params;
   DifferentialSpec spec = read_common(context, FramePrefix::kTfPrefixOrNamespace, 0.34);
@@ -204,6 +209,7 @@ DifferentialSpec read_diff_drive(const PluginContext& context) {
   spec.with_joint_states = params.flag("publishWheelJointState", false);
   spec.from_encoders = is_second_choice(params, "odometrySource", "world", "encoder");
   spec.encoder_variance_m = params.number("encoderErrorPerMeter", 0.0, kNotNegative);
+  spec.command_timeout_s = params.number("commandTimeout", -1.0);
   spec.covariance = planar_covariance(1e-5, 1e-5, 1e-3);
   return spec;
 }

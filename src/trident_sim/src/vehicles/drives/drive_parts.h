@@ -62,6 +62,8 @@ class DrivenWheel {
   /// Of the rim, where the joint has a velocity limit, else infinite [m/s].
   double speed_limit() const;
   void set_speed(double rim_speed) { wanted_ = rim_speed; }
+  /// Brakes as hard as the torque can, whatever the acceleration.
+  void halt() { wanted_ = ramped_ = 0.0; }
   /// To be called before each step.
   void drive(double dt_s);
   void reset();

@@ -36,7 +36,8 @@ void VelocityInput::poll(World& world) {
     }
   }
   const double age_s = (world.time() - newest_).seconds();
-  if (timeout_s_ >= 0.0 && age_s > timeout_s_) command_ = {};
+  is_over_ = timeout_s_ >= 0.0 && age_s > timeout_s_;
+  if (is_over_) command_ = {};
 }
 
 void VelocityInput::refuse(World& world, const TwistCommand& command) const {

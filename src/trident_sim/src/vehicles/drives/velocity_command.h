@@ -21,6 +21,8 @@ class VelocityInput {
   const TwistCommand& command() const { return command_; }
   /// Of the last command, whether a new one came in the last poll().
   bool is_new() const { return is_new_; }
+  /// Whether the last command had timed out in the last poll().
+  bool is_over() const { return is_over_; }
   void reset();
   void state(StateArchive& archive) { archive(command_, seen_, newest_, is_new_); }
 
@@ -34,6 +36,7 @@ class VelocityInput {
   SimTime newest_;  ///< when it came
   std::uint64_t seen_ = 0;
   bool is_new_ = false;
+  bool is_over_ = false;  ///< follows from the others at each poll()
 };
 
 /// A number in a command that may be at most +-limit.
