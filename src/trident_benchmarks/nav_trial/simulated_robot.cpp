@@ -21,7 +21,7 @@ double yaw_of(const SE3& T) {
 }
 
 // Times of steps are rounded to nanoseconds.
-constexpr double kTimeSlack_s = 1e-6;
+constexpr double kOdometrySlack_s = 1e-6;
 
 /// When the last beam was taken.
 double end_of(const LaserScan& scan) {
@@ -198,7 +198,7 @@ std::optional<PlacedScan> SimulatedRobot::take_scan() {
   if (!ranging_.waiting || history_.is_empty()) return std::nullopt;
   const LaserScan& scan = *ranging_.waiting;
   // Robots stand before their first odometry.
-  if (end_of(scan) > history_.newest_s() + kTimeSlack_s) return std::nullopt;
+  if (end_of(scan) > history_.newest_s() + kOdometrySlack_s) return std::nullopt;
   PlacedScan result = placed(std::move(*ranging_.waiting));
   ranging_.waiting.reset();
   return result;
