@@ -6,6 +6,7 @@ set(trident_nav_planners
   grids/global_planner
   grids/navfn_planner
   grids/smac_2d_planner
+  poses/robot_planner
   poses/smac_hybrid_planner
   poses/smac_lattice_planner
   grids/theta_star_planner
@@ -93,6 +94,7 @@ if(CATKIN_ENABLE_TESTING)
     test/planning/planner_conformance_test.cpp
     test/planning/potential_test.cpp
     test/planning/reference_search.cpp
+    test/planning/robot_planner_test.cpp
     test/planning/smac_planners_test.cpp
     benchmark/bench_maps.cpp
   )

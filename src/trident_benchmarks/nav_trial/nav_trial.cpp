@@ -18,16 +18,32 @@ namespace {
 
 namespace bench = trident::benchmarks;
 
+nlohmann::json json_of(const bench::GoalResult& tried) {
+  return {{"goal", {tried.goal.x, tried.goal.y, tried.goal.yaw}},
+          {"end", bench::name_of(tried.end)},
+          {"text", tried.text},
+          {"time_s", tried.time_s},
+          {"position_error_m", tried.position_error_m},
+          {"heading_error_rad", tried.heading_error_rad},
+          {"touched", tried.touched},
+          {"recoveries", tried.recoveries}};
+}
+
 nlohmann::json json_of(std::uint64_t seed, const bench::TrialResult& result) {
   nlohmann::json track = nlohmann::json::array();
   for (const trident::nav::Pose2& pose : result.track) track.push_back({pose.x, pose.y, pose.yaw});
+  nlohmann::json goals = nlohmann::json::array();
+  for (const bench::GoalResult& tried : result.goals) goals.push_back(json_of(tried));
   return {{"seed", seed},
+          {"goals", goals},
+          {"localization_error_m", result.localization_error_m},
           {"end", bench::name_of(result.end)},
           {"time_s", result.time_s},
           {"text", result.text},
           {"recoveries", result.recoveries},
           {"odometry_error_m", result.odometry_error_m},
           {"top_speed_m_s", result.top_speed_m_s},
+          {"least_speed_m_s", result.least_speed_m_s},
           {"navigation_cpu_s", result.navigation_cpu_s},
           {"track", track}};
 }

@@ -9,6 +9,7 @@
 #include "trident_base/yaml_config.h"
 #include "trident_nav/costmap/beam_layer.h"
 #include "trident_nav/costmap/costmap_config.h"
+#include "trident_nav/costmap/static_layer.h"
 
 namespace trident::benchmarks {
 namespace {
@@ -52,6 +53,16 @@ ConfigNode own_keys(const ConfigNode& parameters) {
     own.items.push_back(parameters.items[i]);
   }
   return own;
+}
+
+void add_scan_to(nav::Costmap& costmap, const LaserScan& scan, const std::vector<SE3>& poses) {
+  for (const auto& layer : costmap.layers()) {
+    auto* beams = dynamic_cast<nav::BeamLayer*>(layer.get());
+    if (beams == nullptr) continue;
+    for (nav::BeamSource& source : beams->sources()) {
+      source.add(nav::observe_scan(scan, poses, source.params().inf_is_valid));
+    }
+  }
 }
 
 }  // namespace
@@ -116,27 +127,33 @@ bool NavigationStack::is_control_due(double now_s) const {
   return controlled_s_ < 0.0 || now_s - controlled_s_ >= control_period_s() - kTimeSlack_s;
 }
 
-void NavigationStack::add_scan(const PlacedScan& placed) {
+void NavigationStack::set_map(const OccupancyGrid& map) {
   for (const TimedCostmap* timed : {&global_, &local_}) {
     for (const auto& layer : timed->costmap->layers()) {
-      auto* beams = dynamic_cast<nav::BeamLayer*>(layer.get());
-      if (beams == nullptr) continue;
-      for (nav::BeamSource& source : beams->sources()) {
-        const std::vector<SE3> poses{placed.T_odom_laser};
-        source.add(nav::observe_scan(placed.scan, poses, source.params().inf_is_valid));
-      }
+      if (auto* fixed = dynamic_cast<nav::StaticLayer*>(layer.get())) fixed->set_map(map);
     }
   }
 }
 
+void NavigationStack::add_scan(const PlacedScan& placed) {
+  const std::vector<SE3> in_odom = placed.laser_poses();
+  std::vector<SE3> in_map;
+  for (const SE3& pose : in_odom) in_map.push_back(T_map_odom_.to_se3() * pose);
+  add_scan_to(*global_.costmap, placed.scan, in_map);
+  add_scan_to(*local_.costmap, placed.scan, in_odom);
+}
+
 nav::NavigatorOutput NavigationStack::cycle(double now_s, const nav::RobotState& robot) {
   controlled_s_ = now_s;
-  global_.update(now_s, robot.pose);
+  const SE2 T_map_base =
+      T_map_odom_ * SE2::from_xy_yaw(robot.pose.x, robot.pose.y, robot.pose.yaw);
+  const nav::Pose2 in_map{T_map_base.p.x(), T_map_base.p.y(), T_map_base.angle};
+  global_.update(now_s, in_map);
   local_.update(now_s, robot.pose);
-  world_->set_robot(robot.pose, robot.pose);
+  world_->set_robot(in_map, robot.pose);
   nav::NavigatorInput input;
   input.now_s = now_s;
-  input.robot_global = robot.pose;
+  input.robot_global = in_map;
   input.state = robot;
   input.local = local_.costmap->grid();
   return navigator_->step(input);

@@ -8,6 +8,8 @@
 
 #include "simulated_robot.h"
 #include "trident_base/config_node.h"
+#include "trident_base/occupancy_grid.h"
+#include "trident_base/se2.h"
 #include "trident_nav/costmap/costmap.h"
 #include "trident_nav/navigator/costmap_world.h"
 #include "trident_nav/navigator/navigator.h"
@@ -19,8 +21,9 @@ namespace trident::benchmarks {
 /// file's counts. Throws ConfigError.
 ConfigNode merged_parameters(const std::vector<std::string>& files);
 
-/// All that the node move_base has, made from the same parameters, without ROS: two costmaps in the
-/// frame of odometry, planner, controller, recoveries, navigator. One thread.
+/// All that the node move_base has, made from the same parameters, without ROS: the local costmap in
+/// the frame of odometry and the global one in the map's, which is the same until it is told
+/// otherwise, planner, controller, recoveries, navigator. One thread.
 class NavigationStack {
  public:
   /// `parameters`: the node's map. Throws Error.
@@ -31,7 +34,14 @@ class NavigationStack {
   double control_period_s() const { return 1.0 / params_.controller_frequency; }
   bool is_control_due(double now_s) const;
 
+  /// Gives a map to all static layers. Throws Error.
+  void set_map(const OccupancyGrid& map);
+  /// Where the frame of odometry lies in the map's from now on.
+  void set_map_pose(const SE2& T_map_odom) { T_map_odom_ = T_map_odom; }
+
+  /// `goal`: in the map's frame.
   void set_goal(const nav::Pose2& goal, double now_s) { navigator_->set_goal(goal, now_s); }
+  void cancel() { navigator_->cancel(); }
   /// Gives a scan to all sources of both costmaps.
   void add_scan(const PlacedScan& placed);
   /// What the control thread does once per period: costmaps at their rates, then the navigator.
@@ -54,6 +64,7 @@ class NavigationStack {
   std::unique_ptr<nav::Controller> controller_;
   std::unique_ptr<nav::CostmapWorld> world_;
   std::unique_ptr<nav::Navigator> navigator_;
+  SE2 T_map_odom_;
   double controlled_s_ = -1.0;
 };
 

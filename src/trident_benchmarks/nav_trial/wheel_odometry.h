@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "odometry.h"
 #include "trial_config.h"
 #include "trident_nav/core/geometry.h"
 
@@ -11,7 +12,7 @@ namespace trident::benchmarks {
 
 /// Dead reckoning as a robot with encoders and a gyro has it: travel of the wheels, turned by the
 /// integral of the measured rate. Errors of wheels and gyro are drawn once, from the seed.
-class WheelOdometry {
+class WheelOdometry : public Odometry {
  public:
   WheelOdometry(const OdometryParams& params, std::uint64_t seed);
 
@@ -21,10 +22,8 @@ class WheelOdometry {
   /// last call.
   void add_turns(double left_rad, double right_rad, double elapsed_s);
 
-  /// In the frame that the robot began in.
-  const nav::Pose2& pose() const { return pose_; }
-  /// Of the robot's base, from the latest measurements.
-  const nav::Twist2& twist() const { return twist_; }
+  const nav::Pose2& pose() const override { return pose_; }
+  const nav::Twist2& twist() const override { return twist_; }
 
  private:
   OdometryParams params_;

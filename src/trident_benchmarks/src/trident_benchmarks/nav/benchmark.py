@@ -10,12 +10,12 @@ from pathlib import Path
 from trident_benchmarks.options import positive
 
 #: Names of the suites; each is a module of this package with `measure(options)`.
-SUITES = ("barn", "movingai", "speed")
+SUITES = ("barn", "movingai", "office", "speed", "tight")
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     """Its options."""
-    parser.add_argument("--quick", action="store_true", help="six worlds, one seed each")
+    parser.add_argument("--quick", action="store_true", help="few worlds and goals, one seed each")
     parser.add_argument("--suite", choices=SUITES, default=SUITES[0], help="default: barn")
     parser.add_argument(
         "--worlds", type=Path, metavar="DIR", help="other worlds; default: $TRIDENT_DATA/SUITE"
@@ -25,6 +25,10 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--config", type=Path, action="append", default=[], help="parameters over the default ones"
     )
+    parser.add_argument(
+        "--robot", action="append", default=[], help="of the suites office and tight; default: all"
+    )
+    parser.add_argument("--scene", action="append", default=[], help="of tight; default: all")
     parser.add_argument("--out", type=Path, metavar="FILE.json", help="where the rows go")
     parser.add_argument("--picture", type=Path, metavar="FILE.png", help="worlds and tracks")
 

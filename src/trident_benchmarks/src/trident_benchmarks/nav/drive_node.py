@@ -4,8 +4,9 @@
 
 It cuts the true map of the world, spawns the robot, and starts navigation.launch as a user would.
 Parameters: `~world`, `~robot`, `~goals`, `~seed`, `~robot_config` (YAML with the footprint and the
-limits), `~map_file` (empty: the true map), `~start` [x, y, yaw], `~lidar_height` [m], `~out_dir`,
-`~lockstep` (the world is paused, and waits for move_base after that).
+limits), `~map_file` (empty: the true map), `~scan_topic` (empty: the robot's own), `~start`
+[x, y, yaw], `~lidar_height` [m], `~out_dir`, `~lockstep` (the world is paused, and waits for
+move_base after that).
 """
 
 from __future__ import annotations
@@ -24,7 +25,6 @@ import actionlib
 import numpy as np
 import rosgraph
 import rospy
-import yaml
 from actionlib_msgs.msg import GoalStatus
 from move_base_msgs.msg import MoveBaseAction, MoveBaseGoal, RecoveryStatus
 from nav_msgs.msg import Odometry
@@ -34,7 +34,9 @@ from trident_eval.ros_paths import package_folder
 
 from trident_benchmarks.datasets.tour_node import stop
 from trident_benchmarks.nav.goals import Places, Pose, Tried, Verdict, lower_bound_s
+from trident_benchmarks.nav.limits import RobotLimits
 from trident_benchmarks.nav.pictures import draw_drive
+from trident_benchmarks.nav.trials import scan_topic_of
 from trident_benchmarks.procfs import process_cpu_s
 from trident_ros import init_node
 
@@ -51,41 +53,6 @@ _POLL_S = 0.02  # wall time
 _NODE = "/move_base"
 _FARTHEST_M = 1e8  # of a legal position
 _LENGTH_TOLERANCE = 0.01  # of a quaternion's length
-
-
-class Robot:
-    """What navigation.launch needs to know of a robot."""
-
-    def __init__(self, file: Path) -> None:
-        """Read a file of config/nav/robots.
-
-        Raises:
-            EvalError: footprint or limits are missing.
-        """
-        tree = yaml.safe_load(file.read_text(encoding="utf-8"))
-        limits = next((v for v in tree.values() if isinstance(v, dict) and "max_vel_x" in v), None)
-        if limits is None:
-            raise EvalError(f"{file}: max_vel_x is missing, legal: in the map of a local planner")
-        self.speed = float(limits["max_vel_x"])
-        self.turning_rate = float(limits["max_vel_theta"])
-        self.tolerance_m = float(limits.get("xy_goal_tolerance", 0.1))
-        self.tolerance_rad = float(limits.get("yaw_goal_tolerance", 0.1))
-        costmap = tree.get("local_costmap", {})
-        self.inscribed_m, self.circumscribed_m = _radii(costmap, file)
-
-
-def _radii(costmap: dict[str, object], file: Path) -> tuple[float, float]:
-    if "robot_radius" in costmap:
-        radius = float(str(costmap["robot_radius"]))
-        return radius, radius
-    if "footprint" not in costmap:
-        raise EvalError(f"{file}: local_costmap has neither footprint nor robot_radius")
-    corners = np.array(costmap["footprint"], dtype=float)
-    following = np.roll(corners, -1, axis=0)
-    edges = following - corners
-    along = np.clip(-np.sum(corners * edges, axis=1) / np.sum(edges**2, axis=1), 0.0, 1.0)
-    nearest = np.linalg.norm(corners + along[:, None] * edges, axis=1)
-    return float(nearest.min()), float(np.linalg.norm(corners, axis=1).max())
 
 
 def plane_pose(message: Odometry) -> Pose | None:
@@ -145,7 +112,7 @@ class Drive:
         """Read the parameters, cut the map, and listen."""
         self._out = Path(str(rospy.get_param("~out_dir", "")) or "navigation").resolve()
         self._out.mkdir(parents=True, exist_ok=True)
-        self._robot = Robot(Path(str(rospy.get_param("~robot_config"))))
+        self._robot = RobotLimits(Path(str(rospy.get_param("~robot_config"))))
         self._random = np.random.default_rng((int(rospy.get_param("~seed", 0)), 7))
         self._children: list[subprocess.Popen[bytes]] = []
         self._verdict = Verdict()
@@ -198,6 +165,7 @@ class Drive:
             "navigation.launch",
             map_file=str(rospy.get_param("~map_file", "")) or self._out / "true_map.yaml",
             robot_config=rospy.get_param("~robot_config"),
+            scan_topic=str(rospy.get_param("~scan_topic", "")) or scan_topic_of(str(robot)),
             initial_pose_x=x,
             initial_pose_y=y,
             initial_pose_a=yaw,

@@ -10,14 +10,14 @@ import subprocess
 import tempfile
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 from trident_eval.core.errors import EvalError
 from trident_eval.ros_paths import package_folder, program
 
-_LIMIT_S = 1800.0  # wall time of a task
+_LIMIT_S = 7200.0  # wall time of a task
 _CONFIG = Path("config") / "nav"
 
 
@@ -32,14 +32,44 @@ class Robot:
         wheel_radius: as its odometry believes it [m].
         left: joints of the wheels of that side.
         right: joints of the wheels of that side.
+        odometry: topic of the odometry that its drive computes; empty: wheels and a gyro.
+        xacro_args: of its description.
     """
 
     name: str
     lidar: str
     scan: str
-    wheel_radius: float
-    left: tuple[str, ...]
-    right: tuple[str, ...]
+    wheel_radius: float = 0.1
+    left: tuple[str, ...] = ()
+    right: tuple[str, ...] = ()
+    odometry: str = ""
+    xacro_args: dict[str, str] = field(default_factory=dict)
+
+    def urdf(self) -> str:
+        """Its description.
+
+        Raises:
+            trident_sim.Error: it cannot be expanded.
+        """
+        from trident_sim import expand_xacro
+
+        path = package_folder("trident_description") / "urdf" / f"{self.name}.urdf.xacro"
+        return expand_xacro(path, **self.xacro_args)
+
+
+@dataclass(frozen=True)
+class MappingRobot(Robot):
+    """my_nav_robot with the RPLidar A1 that maps are made with."""
+
+    def urdf(self) -> str:
+        """Its description.
+
+        Raises:
+            EvalError: it cannot be expanded.
+        """
+        from trident_benchmarks.datasets.recorded_drive import description
+
+        return description()
 
 
 JACKAL = Robot(
@@ -50,6 +80,44 @@ JACKAL = Robot(
     ("front_left_wheel_joint", "rear_left_wheel_joint"),
     ("front_right_wheel_joint", "rear_right_wheel_joint"),
 )
+_ENCODERS = {"odometry_source": "encoder"}
+MY_NAV_ROBOT = MappingRobot("my_nav_robot", "laser_link", "scan", odometry="odom")
+BURGER = Robot("turtlebot3_burger", "base_scan", "scan", odometry="odom", xacro_args=_ENCODERS)
+WAFFLE = Robot("turtlebot3_waffle", "base_scan", "scan", odometry="odom", xacro_args=_ENCODERS)
+UGV = Robot("tutorial_ugv", "laser_link", "scan", odometry="odom", xacro_args=_ENCODERS)
+CAR = Robot("ackermann_car", "laser_link", "scan", odometry="odom", xacro_args=_ENCODERS)
+
+ROBOTS = (MY_NAV_ROBOT, BURGER, WAFFLE, JACKAL, UGV, CAR)
+
+
+def scan_topic_of(robot: str) -> str:
+    """The topic of a robot's lidar; "scan" for a robot that is not known."""
+    return next((known.scan for known in ROBOTS if known.name == robot), "scan")
+
+
+@dataclass(frozen=True)
+class KnownMap:
+    """What a robot knows of the world.
+
+    Attributes:
+        file: YAML file of the map.
+        pose: x, y [m], yaw [rad] of the map's frame in the world.
+        localization: "amcl" or "truth".
+    """
+
+    file: Path
+    pose: tuple[float, float, float]
+    localization: str = "amcl"
+
+    def record(self) -> dict[str, Any]:
+        """As the program has it."""
+        amcl = package_folder("trident_bringup") / "config" / "localization" / "amcl.yaml"
+        return {
+            "file": str(self.file.resolve()),
+            "pose": self.pose,
+            "localization": self.localization,
+            "amcl": str(amcl),
+        }
 
 
 @dataclass(frozen=True)
@@ -61,9 +129,11 @@ class Task:
         world: SDF text.
         start: x, y [m], yaw [rad] in the world.
         goal: the same, from the start.
-        time_limit_s: of a run.
+        time_limit_s: of a goal.
         success_radius_m: of the goal by the truth; 0: move_base's own judgment.
         moved_m: from which on the time counts.
+        goals: one after the other, in the world; none: `goal`.
+        extra: further keys of the program's configuration.
     """
 
     name: str
@@ -73,6 +143,33 @@ class Task:
     time_limit_s: float
     success_radius_m: float
     moved_m: float
+    goals: tuple[tuple[float, float, float], ...] = ()
+    extra: dict[str, Any] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class GoalOutcome:
+    """One goal of a run.
+
+    Attributes:
+        goal: x, y [m], yaw [rad] in the world.
+        end: "reached", "collided", "timeout" or "aborted".
+        text: why it was given up.
+        time_s: since it was given.
+        position_error_m: by the truth, at the end.
+        heading_error_rad: by the truth, at the end.
+        touched: what was touched first on the way; empty: nothing.
+        recoveries: how many.
+    """
+
+    goal: tuple[float, float, float]
+    end: str
+    text: str
+    time_s: float
+    position_error_m: float
+    heading_error_rad: float
+    touched: str
+    recoveries: int
 
 
 @dataclass(frozen=True)
@@ -80,12 +177,16 @@ class Outcome:
     """One run.
 
     Attributes:
+        seed: of its noise.
         end: "reached", "collided", "timeout" or "aborted".
         time_s: since it had moved.
         text: what was touched, or why the goal was given up.
         recoveries: with their causes.
         track: x, y, yaw by the truth.
         cpu_s: of costmaps, planner and controller.
+        goals: each that was tried.
+        localization_error_m: the greatest one at the end of a goal.
+        least_speed_m_s: by odometry; negative: backwards.
     """
 
     seed: int
@@ -95,6 +196,9 @@ class Outcome:
     recoveries: tuple[str, ...]
     track: tuple[tuple[float, float, float], ...]
     cpu_s: float
+    goals: tuple[GoalOutcome, ...] = ()
+    localization_error_m: float = 0.0
+    least_speed_m_s: float = 0.0
 
     @property
     def is_success(self) -> bool:
@@ -102,10 +206,12 @@ class Outcome:
         return self.end == "reached"
 
 
-def default_parameters(robot: Robot) -> list[Path]:
-    """The files of parameters of a robot without a map; later ones win."""
+def default_parameters(robot: Robot, has_map: bool = False) -> list[Path]:
+    """The files of parameters of a robot; later ones win."""
     folder = package_folder("trident_bringup") / _CONFIG
-    names = ("costmaps.yaml", "move_base.yaml", "mapless.yaml", f"robots/{robot.name}.yaml")
+    names = ["costmaps.yaml", "move_base.yaml", f"robots/{robot.name}.yaml"]
+    if not has_map:
+        names.insert(2, "mapless.yaml")
     return [folder / name for name in names]
 
 
@@ -139,13 +245,10 @@ class Trials:
         Raises:
             EvalError: a run could not be made.
         """
-        from trident_sim import expand_xacro
-
-        path = package_folder("trident_description") / "urdf" / f"{self._robot.name}.urdf.xacro"
         results = []
         with tempfile.TemporaryDirectory(prefix="trident_bench_") as name:
             folder = Path(name)
-            (folder / "robot.urdf").write_text(expand_xacro(path), encoding="utf-8")
+            (folder / "robot.urdf").write_text(self._robot.urdf(), encoding="utf-8")
             with ThreadPoolExecutor(self._jobs) as pool:
                 waiting = [pool.submit(self._run_one, folder, task, seeds) for task in tasks]
                 try:
@@ -188,12 +291,14 @@ class Trials:
             "time_limit_s": task.time_limit_s,
             "success_radius_m": task.success_radius_m,
             "moved_m": task.moved_m,
+            "goals": task.goals,
             "odometry": {
+                "topic": robot.odometry,
                 "wheel_radius": robot.wheel_radius,
                 "left_joints": robot.left,
                 "right_joints": robot.right,
             },
-        }
+        } | task.extra
 
 
 def _outcome(record: dict[str, Any]) -> Outcome:
@@ -205,4 +310,13 @@ def _outcome(record: dict[str, Any]) -> Outcome:
         recoveries=tuple(record["recoveries"]),
         track=tuple((x, y, yaw) for x, y, yaw in record["track"]),
         cpu_s=float(record["navigation_cpu_s"]),
+        goals=tuple(_goal_outcome(one) for one in record["goals"]),
+        localization_error_m=float(record["localization_error_m"]),
+        least_speed_m_s=float(record["least_speed_m_s"]),
     )
+
+
+def _goal_outcome(record: dict[str, Any]) -> GoalOutcome:
+    x, y, yaw = record["goal"]
+    values = {key: value for key, value in record.items() if key != "goal"}
+    return GoalOutcome(goal=(x, y, yaw), **values)
