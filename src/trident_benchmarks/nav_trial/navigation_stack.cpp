@@ -46,7 +46,8 @@ void merge(const ConfigNode& over, ConfigNode* under) {
 ConfigNode own_keys(const ConfigNode& parameters) {
   ConfigNode own = empty_map();
   for (std::size_t i = 0; i < parameters.keys.size(); ++i) {
-    if (parameters.items[i].kind == ConfigNode::Kind::kMap) continue;
+    const bool is_own_map = parameters.keys[i] == "moving_obstacles";
+    if (parameters.items[i].kind == ConfigNode::Kind::kMap && !is_own_map) continue;
     own.keys.push_back(parameters.keys[i]);
     own.key_lines.push_back(parameters.key_lines[i]);
     own.items.push_back(parameters.items[i]);
@@ -85,6 +86,7 @@ NavigationStack::TimedCostmap NavigationStack::make_costmap(const ConfigNode& pa
 
 NavigationStack::NavigationStack(const ConfigNode& parameters)
     : params_(load_config_node<nav::MoveBaseParams>(own_keys(parameters), "parameter")),
+      moving_(params_.moving_obstacles),
       global_(make_costmap(parameters, "global_costmap")),
       local_(make_costmap(parameters, "local_costmap")) {
   const std::string planner = nav::plugin_namespace(params_.base_global_planner);
@@ -124,9 +126,20 @@ void NavigationStack::add_scan(const PlacedScan& placed) {
       for (nav::BeamSource& source : beams->sources()) {
         const std::vector<SE3> poses{placed.T_odom_laser};
         source.add(nav::observe_scan(placed.scan, poses, source.params().inf_is_valid));
+        if (timed == &local_) track(source, placed);
       }
     }
   }
+}
+
+/// At the heights at which the source marks.
+void NavigationStack::track(const nav::BeamSource& source, const PlacedScan& placed) {
+  if (!moving_.is_enabled()) return;
+  const nav::HeightBand heights{source.params().min_obstacle_height,
+                                source.params().max_obstacle_height};
+  const std::vector<SE3> poses{placed.T_odom_laser};
+  moving_.add_scan(source.name(), 1e-9 * static_cast<double>(placed.scan.stamp_ns),
+                   nav::scan_points(placed.scan, poses, heights));
 }
 
 nav::NavigatorOutput NavigationStack::cycle(double now_s, const nav::RobotState& robot) {
@@ -139,6 +152,7 @@ nav::NavigatorOutput NavigationStack::cycle(double now_s, const nav::RobotState&
   input.robot_global = robot.pose;
   input.state = robot;
   input.local = local_.costmap->grid();
+  input.tracks = tracks_ = moving_.at(now_s);
   return navigator_->step(input);
 }
 

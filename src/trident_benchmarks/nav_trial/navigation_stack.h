@@ -8,6 +8,7 @@
 
 #include "simulated_robot.h"
 #include "trident_base/config_node.h"
+#include "trident_nav/control/moving_obstacles.h"
 #include "trident_nav/costmap/costmap.h"
 #include "trident_nav/navigator/costmap_world.h"
 #include "trident_nav/navigator/navigator.h"
@@ -32,11 +33,15 @@ class NavigationStack {
   bool is_control_due(double now_s) const;
 
   void set_goal(const nav::Pose2& goal, double now_s) { navigator_->set_goal(goal, now_s); }
-  /// Gives a scan to all sources of both costmaps.
+  /// Gives a scan to all sources of both costmaps, and tracks what moves in those of the local one.
   void add_scan(const PlacedScan& placed);
   /// What the control thread does once per period: costmaps at their rates, then the navigator.
   /// `robot`: as odometry has it.
   nav::NavigatorOutput cycle(double now_s, const nav::RobotState& robot);
+
+  /// What moved, as the last cycle had it, in the frame of odometry.
+  const nav::Tracks& tracks() const { return tracks_; }
+  const nav::Navigator& navigator() const { return *navigator_; }
 
  private:
   struct TimedCostmap {
@@ -46,9 +51,12 @@ class NavigationStack {
     void update(double now_s, const nav::Pose2& robot);
   };
   TimedCostmap make_costmap(const ConfigNode& parameters, const std::string& name);
+  void track(const nav::BeamSource& source, const PlacedScan& placed);
 
   nav::MoveBaseParams params_;
   nav::Warnings warnings_;
+  nav::MovingObstacles moving_;
+  nav::Tracks tracks_;
   TimedCostmap global_, local_;
   std::unique_ptr<nav::Planner> planner_;
   std::unique_ptr<nav::Controller> controller_;

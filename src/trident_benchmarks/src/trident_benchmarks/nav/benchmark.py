@@ -10,7 +10,7 @@ from pathlib import Path
 from trident_benchmarks.options import positive
 
 #: Names of the suites; each is a module of this package with `measure(options)`.
-SUITES = ("barn", "movingai", "speed")
+SUITES = ("barn", "movingai", "speed", "people", "pains")
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:

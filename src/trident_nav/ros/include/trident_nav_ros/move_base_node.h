@@ -19,6 +19,7 @@
 
 #include "trident_nav/navigator/navigator.h"
 #include "trident_nav_ros/goal_server.h"
+#include "trident_nav_ros/loop_watch.h"
 #include "trident_nav_ros/move_base_parts.h"
 #include "trident_nav_ros/reconfiguration.h"
 #include "trident_nav_ros/sample_queue.h"
@@ -46,6 +47,8 @@ class MoveBaseNode {
   void await_transform(double stamp_s) const;
   void warn_of_rivals();
   void cycle(double now_s);
+  void note_step(const char* step);
+  void tell_missed_periods(double now_s);
   void take_goals(double now_s);
   bool place_goal(double now_s, std::string* problem);
   std::optional<NavigatorInput> sense(double now_s, std::string* problem);
@@ -92,6 +95,7 @@ class MoveBaseNode {
     double cycled_s = -1.0, updated_s = -1.0, begun_s = 0.0;
   };
   Lockstep lockstep_;
+  LoopWatch watch_;
   std::atomic<bool> is_ending_{false};
   std::thread global_thread_;
 };
