@@ -9,6 +9,7 @@
 #include "simulated_robot.h"
 #include "trident_base/config_node.h"
 #include "trident_nav/control/moving_obstacles.h"
+#include "trident_nav/costmap/beam_source.h"
 #include "trident_nav/costmap/costmap.h"
 #include "trident_nav/navigator/costmap_world.h"
 #include "trident_nav/navigator/navigator.h"

@@ -37,7 +37,7 @@ TEST(Walkers, BeginAwayFromTheRobotAndFromEachOther) {
 TEST(Walkers, WalkThroughTheWholeHallWithoutOverlapAndStayInIt) {
   const WalkerParams params;
   Walkers walkers(params, 5, {-5.0, 0.0});
-  double nearest_m = 1e9, farthest_m = 0.0, fastest = 0.0;
+  double nearest_m = 1e9, farthest_m = -1e9, fastest = 0.0;
   for (int step = 0; step < 3000; ++step) {
     walkers.step(kStep_s);
     for (std::size_t i = 0; i < 10; ++i) {

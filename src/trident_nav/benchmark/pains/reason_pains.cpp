@@ -38,7 +38,8 @@ RobotWorld::Setup open_room() {
 std::string outcome_text(RobotWorld& world, const Pose2& goal, double limit_s = 90.0) {
   world.navigator().set_goal(goal, world.now_s());
   const NavigatorOutput output = world.drive(limit_s);
-  return output.status == NavigatorStatus::kAborted ? output.text : "";
+  return output.status == NavigatorStatus::kActive ? "still driving; " + world.waiting()
+                                                   : output.text;
 }
 
 std::string drive_to(const RobotWorld::Setup& setup, const Pose2& goal) {
@@ -61,7 +62,8 @@ std::string walled_in_goal() {
 std::string unseen_wall() {
   RobotWorld::Setup setup = open_room();
   setup.unmapped = {{3.0, 0.0, 3.1, 4.0}};
-  return drive_to(setup, {5.0, 2.0, 0.0});
+  RobotWorld world(setup);
+  return outcome_text(world, {5.0, 2.0, 0.0}, 300.0);
 }
 
 std::string walled_in_robot() {
@@ -143,7 +145,7 @@ Pains reason_pains(bool /*is_quick*/) {
        {"goal (9.00, 2.00)", "outside"}},
       {"goal walled in by the map", walled_in_goal, {"goal (5.00, 2.00)", "No path"}},
       {"goal walled in by what the lidar sees", unseen_wall, {"goal (5.00, 2.00)", "No path"}},
-      {"robot walled in", walled_in_robot, {"Failed to find a valid", "(1.00, 2.00)"}},
+      {"robot walled in", walled_in_robot, {"Failed to find a valid", "cut it off from the start"}},
       {"max_planning_retries used up", too_few_retries, {"max_planning_retries of 1"}},
       {"box around the robot", boxed_in, {"Even after executing recovery behaviors.", "obstacle"}},
       {"goal that is no number",
