@@ -31,3 +31,21 @@ if(CATKIN_ENABLE_TESTING)
   target_include_directories(trident_nav_navigator_test PRIVATE test)
   target_link_libraries(trident_nav_navigator_test trident_nav_navigator gtest_main)
 endif()
+
+# --- what users of other stacks complain of, as a program ------------------------------------------
+add_executable(nav_pain_scenes
+  benchmark/pains/band_pains.cpp
+  benchmark/pains/nav_pain_scenes.cpp
+  benchmark/pains/obstacle_pains.cpp
+  benchmark/pains/path_pains.cpp
+  benchmark/pains/reason_pains.cpp
+  benchmark/pains/tuning_pains.cpp
+  test/control/grid_world.cpp
+  test/control/scene.cpp
+  test/navigator/robot_world.cpp
+)
+target_include_directories(nav_pain_scenes PRIVATE test)
+target_compile_options(nav_pain_scenes PRIVATE -Wall -Wextra)
+target_link_libraries(nav_pain_scenes trident_nav_navigator)
+set_target_properties(nav_pain_scenes PROPERTIES
+  RUNTIME_OUTPUT_DIRECTORY ${CATKIN_DEVEL_PREFIX}/${CATKIN_PACKAGE_BIN_DESTINATION})

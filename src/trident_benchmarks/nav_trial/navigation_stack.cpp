@@ -47,7 +47,8 @@ void merge(const ConfigNode& over, ConfigNode* under) {
 ConfigNode own_keys(const ConfigNode& parameters) {
   ConfigNode own = empty_map();
   for (std::size_t i = 0; i < parameters.keys.size(); ++i) {
-    if (parameters.items[i].kind == ConfigNode::Kind::kMap) continue;
+    const bool is_own_map = parameters.keys[i] == "moving_obstacles";
+    if (parameters.items[i].kind == ConfigNode::Kind::kMap && !is_own_map) continue;
     own.keys.push_back(parameters.keys[i]);
     own.key_lines.push_back(parameters.key_lines[i]);
     own.items.push_back(parameters.items[i]);
@@ -55,14 +56,14 @@ ConfigNode own_keys(const ConfigNode& parameters) {
   return own;
 }
 
-void add_scan_to(nav::Costmap& costmap, const LaserScan& scan, const std::vector<SE3>& poses) {
+std::vector<nav::BeamSource*> beam_sources(nav::Costmap& costmap) {
+  std::vector<nav::BeamSource*> sources;
   for (const auto& layer : costmap.layers()) {
     auto* beams = dynamic_cast<nav::BeamLayer*>(layer.get());
     if (beams == nullptr) continue;
-    for (nav::BeamSource& source : beams->sources()) {
-      source.add(nav::observe_scan(scan, poses, source.params().inf_is_valid));
-    }
+    for (nav::BeamSource& source : beams->sources()) sources.push_back(&source);
   }
+  return sources;
 }
 
 }  // namespace
@@ -96,6 +97,7 @@ NavigationStack::TimedCostmap NavigationStack::make_costmap(const ConfigNode& pa
 
 NavigationStack::NavigationStack(const ConfigNode& parameters)
     : params_(load_config_node<nav::MoveBaseParams>(own_keys(parameters), "parameter")),
+      moving_(params_.moving_obstacles),
       global_(make_costmap(parameters, "global_costmap")),
       local_(make_costmap(parameters, "local_costmap")) {
   const std::string planner = nav::plugin_namespace(params_.base_global_planner);
@@ -139,8 +141,23 @@ void NavigationStack::add_scan(const PlacedScan& placed) {
   const std::vector<SE3> in_odom = placed.laser_poses();
   std::vector<SE3> in_map;
   for (const SE3& pose : in_odom) in_map.push_back(T_map_odom_.to_se3() * pose);
-  add_scan_to(*global_.costmap, placed.scan, in_map);
-  add_scan_to(*local_.costmap, placed.scan, in_odom);
+  for (nav::BeamSource* source : beam_sources(*global_.costmap)) {
+    source->add(nav::observe_scan(placed.scan, in_map, source->params().inf_is_valid));
+  }
+  for (nav::BeamSource* source : beam_sources(*local_.costmap)) {
+    source->add(nav::observe_scan(placed.scan, in_odom, source->params().inf_is_valid));
+    track(*source, placed.scan, in_odom);
+  }
+}
+
+/// At the heights at which the source marks.
+void NavigationStack::track(const nav::BeamSource& source, const LaserScan& scan,
+                            const std::vector<SE3>& poses) {
+  if (!moving_.is_enabled()) return;
+  const nav::HeightBand heights{source.params().min_obstacle_height,
+                                source.params().max_obstacle_height};
+  moving_.add_scan(source.name(), 1e-9 * static_cast<double>(scan.stamp_ns),
+                   nav::scan_points(scan, poses, heights));
 }
 
 nav::NavigatorOutput NavigationStack::cycle(double now_s, const nav::RobotState& robot) {
@@ -156,6 +173,7 @@ nav::NavigatorOutput NavigationStack::cycle(double now_s, const nav::RobotState&
   input.robot_global = in_map;
   input.state = robot;
   input.local = local_.costmap->grid();
+  input.tracks = tracks_ = moving_.at(now_s);
   return navigator_->step(input);
 }
 

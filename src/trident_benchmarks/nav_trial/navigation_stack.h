@@ -10,6 +10,8 @@
 #include "trident_base/config_node.h"
 #include "trident_base/occupancy_grid.h"
 #include "trident_base/se2.h"
+#include "trident_nav/control/moving_obstacles.h"
+#include "trident_nav/costmap/beam_source.h"
 #include "trident_nav/costmap/costmap.h"
 #include "trident_nav/navigator/costmap_world.h"
 #include "trident_nav/navigator/navigator.h"
@@ -42,11 +44,15 @@ class NavigationStack {
   /// `goal`: in the map's frame.
   void set_goal(const nav::Pose2& goal, double now_s) { navigator_->set_goal(goal, now_s); }
   void cancel() { navigator_->cancel(); }
-  /// Gives a scan to all sources of both costmaps.
+  /// Gives a scan to all sources of both costmaps, and tracks what moves in those of the local one.
   void add_scan(const PlacedScan& placed);
   /// What the control thread does once per period: costmaps at their rates, then the navigator.
   /// `robot`: as odometry has it.
   nav::NavigatorOutput cycle(double now_s, const nav::RobotState& robot);
+
+  /// What moved, as the last cycle had it, in the frame of odometry.
+  const nav::Tracks& tracks() const { return tracks_; }
+  const nav::Navigator& navigator() const { return *navigator_; }
 
  private:
   struct TimedCostmap {
@@ -56,9 +62,12 @@ class NavigationStack {
     void update(double now_s, const nav::Pose2& robot);
   };
   TimedCostmap make_costmap(const ConfigNode& parameters, const std::string& name);
+  void track(const nav::BeamSource& source, const LaserScan& scan, const std::vector<SE3>& poses);
 
   nav::MoveBaseParams params_;
   nav::Warnings warnings_;
+  nav::MovingObstacles moving_;
+  nav::Tracks tracks_;
   TimedCostmap global_, local_;
   std::unique_ptr<nav::Planner> planner_;
   std::unique_ptr<nav::Controller> controller_;

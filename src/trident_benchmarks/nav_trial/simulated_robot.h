@@ -56,6 +56,10 @@ class SimulatedRobot {
   std::optional<PlacedScan> take_scan();
   /// Where the robot is in the world.
   nav::Pose2 truth() const;
+  /// The world itself, for those who put other things into it.
+  sim::World& world() { return *world_; }
+  /// The robot in it.
+  const sim::Model& model() const { return *robot_; }
   /// What the robot touches but the floor: "model::link::collision" of both; empty: nothing.
   std::string touched() const;
 

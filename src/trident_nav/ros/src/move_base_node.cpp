@@ -156,15 +156,30 @@ void MoveBaseNode::run_by_clock() {
       frequency = parts_->navigator->params().controller_frequency;
       rate = ros::Rate(frequency);
     }
-    cycle(ros::Time::now().toSec());
+    const double now_s = ros::Time::now().toSec();
+    watch_.begin(now_s, ros::WallTime::now().toSec(), 1.0 / frequency);
+    cycle(now_s);
+    tell_missed_periods(now_s);
     rate.sleep();
   }
   send({});
 }
 
+void MoveBaseNode::note_step(const char* step) {
+  watch_.note(step, ros::WallTime::now().toSec());
+}
+
+/// Periods count while there is a goal.
+void MoveBaseNode::tell_missed_periods(double now_s) {
+  if (!goals_->is_active()) watch_.pause();
+  const std::string text = watch_.take_text(now_s);
+  if (!text.empty()) ROS_WARN("%s", text.c_str());
+}
+
 void MoveBaseNode::cycle(double now_s) {
   note_time(now_s);
   parts_->local->update(now_s);
+  note_step("The update of the local costmap");
   take_goals(now_s);
   if (!goals_->is_active()) return;
   std::string problem;
@@ -175,13 +190,16 @@ void MoveBaseNode::cycle(double now_s) {
   const std::optional<NavigatorInput> sensed = sense(now_s, &problem);
   if (!sensed) return stand(now_s, problem);
   parts_->world->set_robot(sensed->robot_global, sensed->state.pose);
+  note_step("The look-up of transforms");
   const auto lock = parts_->local->lock();
+  note_step("The wait for the local costmap");
   NavigatorInput input = *sensed;
   input.local = parts_->local->costmap().grid();
   links_.control->prepare(now_s, *parts_->controller, *parts_->moving);
   input.tracks = parts_->moving->at(now_s);
   act(input, parts_->navigator->step(input));
   links_.control->publish(*parts_->controller, input.tracks);
+  note_step("The search for a command");
 }
 
 /// The navigator's clock does not go back: after a jump it begins with its goal again.

@@ -86,6 +86,7 @@ void Navigator::set_goal(const Pose2& goal, double now_s) {
   forget_progress(now_s);
   goal_ = goal;
   next_recovery_ = 0;
+  tried_.clear();
   slow_.reset();
   cause_.clear();
   since_.motion_from = trail_.empty() ? Pose2{} : trail_.back();
@@ -128,7 +129,8 @@ bool Navigator::waits_for_sources(const NavigatorInput& input, NavigatorOutput* 
   const std::vector<StaleSource> stale = world_.stale_sources(input.now_s);
   if (stale.empty()) return false;
   const double waited_s = std::max(input.now_s - since_.step_s, 0.0);
-  for (double* since : {&since_.plan_s, &since_.command_s, &since_.motion_s, &since_.progress_s})
+  for (double* since : {&since_.plan_s, &since_.command_s, &since_.motion_s, &since_.progress_s,
+                        &since_.failing_s})
     *since += waited_s;
   output->waiting = "The robot stands until data come: " + joined_texts(stale) + ".";
   return true;
@@ -204,14 +206,17 @@ void Navigator::take_plan(const NavigatorInput& input, NavigatorOutput* output) 
   phase_ = Phase::kControlling;
 }
 
-/// While an old path is followed, a failed plan changes nothing.
+/// While an old path is followed, a failed plan changes nothing, unless the robot gets nowhere on
+/// that path.
 void Navigator::refuse_plan(const NavigatorInput& input, const PlanOutcome& outcome,
                             NavigatorOutput* output) {
-  ++since_.failed_plans;
-  if (phase_ != Phase::kPlanning) return;
+  if (since_.failed_plans++ == 0) since_.failing_s = input.now_s;
+  const bool is_following = phase_ != Phase::kPlanning;
+  if (is_following && !is_rerouted_) return;
   cause_ = outcome.reason;
   const NavigatorParams& params = parts_.params;
-  const bool is_over = input.now_s - since_.plan_s >= params.planner_patience;
+  const double since_s = is_following ? since_.failing_s : since_.plan_s;
+  const bool is_over = input.now_s - since_s >= params.planner_patience;
   const bool is_tried =
       params.max_planning_retries >= 0 && since_.failed_plans > params.max_planning_retries;
   if (!is_over && !is_tried) return;
@@ -251,6 +256,7 @@ void Navigator::note_progress(const NavigatorInput& input) {
   if (is_near_end || distance(from.x, from.y, pose.x, pose.y) > radius_m) {
     since_.progress_from = pose;
     since_.progress_s = input.now_s;
+    is_rerouted_ = false;
   }
   if (input.now_s - since_.progress_s < stuck_time_s()) return;
   since_.progress_s = input.now_s;
@@ -301,9 +307,25 @@ void Navigator::miss_command(const NavigatorInput& input, const CommandOutcome& 
   }
 }
 
+/// The recovery to be tried next, which is noted as tried. A robot that moves to and fro between
+/// places where it gets stuck does not begin anew at each of them.
+std::size_t Navigator::untried_recovery(const Pose2& robot) {
+  const double near_m =
+      std::max(parts_.params.oscillation_distance, parts_.footprint.circumscribed_radius);
+  const auto is_near = [&](const TriedPlace& place) {
+    return distance(place.at.x, place.at.y, robot.x, robot.y) < near_m;
+  };
+  auto place = std::find_if(tried_.begin(), tried_.end(), is_near);
+  if (place == tried_.end()) place = tried_.insert(place, TriedPlace{{robot.x, robot.y}, 0});
+  const std::size_t next = std::max(next_recovery_, place->count);
+  place->count = next + 1;
+  return next;
+}
+
 void Navigator::begin_recovery(Trigger trigger, const NavigatorInput& input,
                                NavigatorOutput* output) {
   trigger_ = trigger;
+  next_recovery_ = untried_recovery(input.robot_global);
   output->twist = braking(input);
   world_.cancel_plan();
   since_.has_request = false;

@@ -218,6 +218,28 @@ TEST_F(ScriptedNavigator, RecoveriesBeginAgainOnlyOnceTheRobotGotSomewhere) {
   EXPECT_EQ(recoveries_.size(), 2U);
 }
 
+TEST_F(ScriptedNavigator, RecoveriesDoNotBeginAgainAtAPlaceWhereTheyWereTried) {
+  Navigator navigator = make(clearings(2));
+  navigator.set_goal({9.0, 9.0, 0.0}, 0.0);
+  std::vector<std::string> names;
+  for (int round = 0; round < 6; ++round) {
+    world_.plan_failure.clear();
+    // To the other place, which makes recoveries begin again.
+    for (int i = 0; i < 30; ++i) {
+      input_.state.pose.x += round % 2 == 0 ? 0.1 : -0.1;
+      input_.robot_global = input_.state.pose;
+      if (step(navigator).status != NavigatorStatus::kActive) break;
+    }
+    world_.plan_failure = "The goal (9.00, 9.00) is walled in.";
+    controller_.outcome.failure = Failure::kBlocked;
+    if (run(navigator, 16.5).status == NavigatorStatus::kAborted) break;
+    controller_.outcome.failure = Failure::kNone;
+  }
+  for (const RecoveryNote& note : recoveries_) names.push_back(note.name);
+  EXPECT_EQ(navigator.is_active(), false);
+  EXPECT_LE(names.size(), 4U) << names.size();
+}
+
 TEST_F(ScriptedNavigator, ACanceledGoalLeavesTheRobotToOthers) {
   Navigator navigator = make();
   navigator.set_goal({2.0, 2.0, 0.0}, 0.0);
@@ -254,6 +276,32 @@ TEST_F(ScriptedNavigator, ARobotThatGetsNowhereLooksForAnotherPath) {
   EXPECT_EQ(world_.avoided, 0);
   run(navigator, 3.0);
   EXPECT_EQ(world_.avoided, 1);
+  EXPECT_TRUE(recoveries_.empty());
+}
+
+TEST_F(ScriptedNavigator, ARobotThatGetsNowhereOnThePathThatNoPlanReplacesGivesUp) {
+  Navigator navigator = make(clearings(1));
+  navigator.set_goal({3.0, 0.0, 0.0}, 0.0);
+  run(navigator, 1.0);
+  world_.plan_failure = "The goal (3.00, 0.00) is walled in.";
+  const NavigatorOutput output = run(navigator, 60.0);
+  EXPECT_EQ(output.status, NavigatorStatus::kAborted);
+  EXPECT_EQ(output.text.rfind("Failed to find a valid plan.", 0), 0U) << output.text;
+  EXPECT_NE(output.text.find(world_.plan_failure), std::string::npos) << output.text;
+  EXPECT_EQ(recoveries_.size(), 1U);
+}
+
+TEST_F(ScriptedNavigator, ARobotThatGetsOnKeepsItsPathThoughNoPlanReplacesIt) {
+  parts_.params.planner_frequency = 5.0;
+  Navigator navigator = make(clearings(1));
+  navigator.set_goal({30.0, 0.0, 0.0}, 0.0);
+  run(navigator, 1.0);
+  world_.plan_failure = "The planner is out of order.";
+  for (int i = 0; i < 200; ++i) {
+    input_.state.pose.x += 0.03;
+    input_.robot_global.x += 0.03;
+    EXPECT_EQ(step(navigator).status, NavigatorStatus::kActive);
+  }
   EXPECT_TRUE(recoveries_.empty());
 }
 
@@ -379,6 +427,19 @@ TEST(Navigator, StandsWhileTheLidarIsSilentAndContinuesByItself) {
   EXPECT_NE(world.waiting().find("scan"), std::string::npos) << world.waiting();
   world.set_lidar_on(true);
   EXPECT_EQ(world.drive(60.0).text, "Goal reached.");
+  EXPECT_FALSE(world.has_touched());
+}
+
+TEST(Navigator, GivesUpAGoalBehindAWallThatOnlyTheLidarSees) {
+  RobotWorld::Setup setup;
+  setup.start = {1.0, 2.0, 0.0};
+  setup.unmapped = {{3.0, 0.0, 3.1, 4.0}};
+  setup.params.planner_frequency = 2.0;
+  RobotWorld world(setup);
+  world.navigator().set_goal({5.0, 2.0, 0.0}, 0.0);
+  const NavigatorOutput output = world.drive(400.0);
+  EXPECT_EQ(output.status, NavigatorStatus::kAborted);
+  EXPECT_NE(output.text.find("goal (5.00, 2.00)"), std::string::npos) << output.text;
   EXPECT_FALSE(world.has_touched());
 }
 

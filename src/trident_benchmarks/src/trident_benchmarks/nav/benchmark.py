@@ -10,7 +10,7 @@ from pathlib import Path
 from trident_benchmarks.options import positive
 
 #: Names of the suites; each is a module of this package with `measure(options)`.
-SUITES = ("barn", "movingai", "office", "speed", "tight")
+SUITES = ("barn", "movingai", "office", "pains", "people", "speed", "tight")
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:

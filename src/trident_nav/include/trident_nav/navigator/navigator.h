@@ -97,6 +97,7 @@ class Navigator {
   void miss_command(const NavigatorInput& input, const CommandOutcome& outcome,
                     NavigatorOutput* output);
   void recover(const NavigatorInput& input, NavigatorOutput* output);
+  std::size_t untried_recovery(const Pose2& robot);
   void begin_recovery(Trigger trigger, const NavigatorInput& input, NavigatorOutput* output);
   void slow_down(const NavigatorInput& input, NavigatorOutput* output);
   void finish(NavigatorStatus status, std::string text, NavigatorOutput* output);
@@ -113,7 +114,7 @@ class Navigator {
   /// Times and counts since which something is tried.
   struct Patience {
     double plan_s = 0.0, command_s = 0.0, motion_s = 0.0, request_s = 0.0, step_s = 0.0;
-    double progress_s = 0.0;
+    double progress_s = 0.0, failing_s = 0.0;
     Pose2 progress_from;
     Pose2 motion_from;
     int failed_plans = 0;
@@ -122,6 +123,12 @@ class Navigator {
   Patience since_;
   Trigger trigger_ = Trigger::kPlanning;
   std::size_t next_recovery_ = 0;
+  /// Where recoveries began on the way to this goal, and how many were tried there.
+  struct TriedPlace {
+    Point2 at;
+    std::size_t count = 0;
+  };
+  std::vector<TriedPlace> tried_;
   std::optional<SlowDrive> slow_;  // since the robot was at slow_from_
   Pose2 slow_from_;
   std::string cause_;

@@ -21,6 +21,7 @@
 #include "trident_nav/navigator/navigator.h"
 #include "trident_nav_ros/control_topics.h"
 #include "trident_nav_ros/goal_server.h"
+#include "trident_nav_ros/loop_watch.h"
 #include "trident_nav_ros/move_base_parts.h"
 #include "trident_nav_ros/potential_topic.h"
 #include "trident_nav_ros/reconfiguration.h"
@@ -56,6 +57,8 @@ class MoveBaseNode {
   void warn_of_rivals();
   void cycle(double now_s);
   void note_time(double now_s);
+  void note_step(const char* step);
+  void tell_missed_periods(double now_s);
   void take_goals(double now_s);
   bool place_goal(double now_s, std::string* problem);
   void give_up_frame(double now_s, const std::string& problem);
@@ -114,6 +117,7 @@ class MoveBaseNode {
     bool awaits_goal = true;  ///< Nobody has been waited for since the last goal ended.
   };
   Lockstep lockstep_;
+  LoopWatch watch_;
   std::atomic<bool> is_ending_{false};
   std::thread global_thread_;
 };
