@@ -32,6 +32,7 @@ set(trident_nav_planning_sources
   src/planning/poses/pose_route_search.cpp
   src/planning/poses/pose_search.cpp
   src/planning/grids/potential.cpp
+  src/planning/grids/potential_cells.cpp
   src/planning/grids/potential_repair.cpp
   src/planning/poses/smac_options.cpp
   src/planning/grids/theta_search.cpp
@@ -62,7 +63,8 @@ install(TARGETS trident_nav_planning
 # --- benchmark programs -------------------------------------------------------------------------
 add_executable(nav_planning_bench benchmark/planning_bench.cpp benchmark/bench_maps.cpp)
 add_executable(nav_movingai_bench benchmark/movingai_bench.cpp benchmark/bench_maps.cpp)
-foreach(program nav_planning_bench nav_movingai_bench)
+add_executable(nav_replan_bench benchmark/replan_bench.cpp benchmark/bench_maps.cpp)
+foreach(program nav_planning_bench nav_movingai_bench nav_replan_bench)
   target_include_directories(${program} PRIVATE src benchmark)
   target_link_libraries(${program} trident_nav_planning)
   set_target_properties(${program} PROPERTIES

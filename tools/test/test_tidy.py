@@ -123,6 +123,33 @@ def test_results_survive_and_a_broken_one_counts_as_none(tmp_path: Path) -> None
     assert load_result(path) is None
 
 
+@pytest.mark.parametrize("signal", [9, 15])
+def test_a_result_of_a_killed_check_is_told_and_not_kept(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, signal: int
+) -> None:
+    program = tmp_path / "clang-tidy"
+    program.write_text(f"#!/bin/sh\nkill -{signal} $$\n", encoding="utf-8")
+    program.chmod(0o755)
+    (tmp_path / "build").mkdir()
+    unit, kept = CompileCommand(tmp_path / "a.cpp", ()), tmp_path / "cache" / "key"
+    path = {"PATH": f"{tmp_path}:{os.environ['PATH']}"}
+    monkeypatch.setenv("PATH", path["PATH"])
+    workspace = Workspace(tmp_path)
+    found = tidy._check_once(tmp_path / "lock", [(unit, kept)], workspace, path)
+    assert found[unit.source].code == -signal
+    assert f"a.cpp: clang-tidy was ended by signal {signal}" in found[unit.source].findings
+    assert not kept.exists()
+    program.write_text("#!/bin/sh\n", encoding="utf-8")
+    assert tidy._check_once(tmp_path / "lock", [(unit, kept)], workspace, path) == {
+        unit.source: Result(0, "")
+    }
+
+
+def test_a_kept_result_of_a_killed_check_counts_as_none(tmp_path: Path) -> None:
+    store_result(tmp_path / "key", Result(-15, ""))
+    assert load_result(tmp_path / "key") is None
+
+
 def test_cache_folder_follows_the_environment() -> None:
     assert cache_folder({"XDG_CACHE_HOME": "/c"}) == Path("/c/trident/clang-tidy")
     assert cache_folder({"HOME": "/h"}) == Path("/h/.cache/trident/clang-tidy")

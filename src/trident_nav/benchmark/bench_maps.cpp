@@ -102,6 +102,7 @@ CostGrid BenchMap::view() const {
   grid.distance_m = distance_m.empty() ? nullptr : distance_m.data();
   grid.max_distance_m = max_distance_m;
   grid.revision = revision;
+  grid.row_revisions = row_revisions.empty() ? nullptr : row_revisions.data();
   return grid;
 }
 
@@ -124,6 +125,21 @@ void inflate(BenchMap& map, const Inflation& inflation) {
       map.distance_m[i] =
           field.padded()[static_cast<std::size_t>((y + 1) * field.stride() + x + 1)];
       map.cost[i] = inflated(map.distance_m[i], inflation);
+    }
+  }
+}
+
+void add_box(BenchMap& map, Cell center, int side, const Inflation& inflation) {
+  const GridGeometry& g = map.geometry;
+  const int reach = static_cast<int>(std::ceil(inflation.inflation_radius_m / g.resolution));
+  const int half = side / 2;
+  const int x0 = center.x - half, y0 = center.y - half, x1 = x0 + side - 1, y1 = y0 + side - 1;
+  for (int y = std::max(0, y0 - reach); y <= std::min(g.height - 1, y1 + reach); ++y) {
+    for (int x = std::max(0, x0 - reach); x <= std::min(g.width - 1, x1 + reach); ++x) {
+      const int dx = std::max({0, x0 - x, x - x1});
+      const int dy = std::max({0, y0 - y, y - y1});
+      std::uint8_t& cost = map.cost[g.index({x, y})];
+      cost = std::max(cost, inflated(std::hypot(dx, dy) * g.resolution, inflation));
     }
   }
 }

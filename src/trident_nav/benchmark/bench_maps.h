@@ -21,6 +21,7 @@ struct BenchMap {
   std::vector<float> distance_m;
   float max_distance_m = 0.0F;
   std::uint64_t revision = 1;
+  std::vector<std::uint64_t> row_revisions;  ///< Empty: not kept.
 };
 
 /// How obstacles are inflated, in costmap_2d's terms.
@@ -32,6 +33,10 @@ struct Inflation {
 
 /// Costs and distances of a map from its lethal cells.
 void inflate(BenchMap& map, const Inflation& inflation);
+
+/// Adds an obstacle of so many cells a side about a cell, and what it costs to be near it. Distances
+/// stay as they are.
+void add_box(BenchMap& map, Cell center, int side, const Inflation& inflation = {});
 
 /// Rooms of 4 to 8 m along corridors of 2 m, doors of 1 m, furniture; cells of 0.05 m. Inflated.
 BenchMap office_map(int width, int height, std::uint64_t seed, const Inflation& inflation = {});

@@ -190,14 +190,20 @@ class Result:
     code: int
     findings: str
 
+    @property
+    def is_complete(self) -> bool:
+        """Whether clang-tidy came to its end; a signal that ends it says nothing of the source."""
+        return self.code >= 0
+
 
 def load_result(path: Path) -> Result | None:
-    """A kept result, or None if it cannot be read."""
+    """A kept result, or None if it cannot be read or is not complete."""
     try:
         data = json.loads(path.read_text(encoding="utf-8"))
-        return Result(int(data["code"]), str(data["findings"]))
+        result = Result(int(data["code"]), str(data["findings"]))
     except (OSError, ValueError, KeyError, TypeError):
         return None
+    return result if result.is_complete else None
 
 
 def store_result(path: Path, result: Result) -> None:
@@ -234,7 +240,8 @@ def _check_once(
         results = _check_together([unit for unit, _ in missing], workspace, env)
         for (unit, path), result in zip(missing, results, strict=True):
             found[unit.source] = result
-            store_result(path, result)
+            if result.is_complete:
+                store_result(path, result)
     return {source: result for source, result in found.items() if result is not None}
 
 
@@ -271,6 +278,8 @@ def _check(
     findings = process.stdout.replace(f"{workspace.root}/", "")
     if process.returncode != 0 and not findings.strip():
         findings = process.stderr.replace(f"{workspace.root}/", "")
+    if process.returncode < 0:
+        findings += f"{source.name}: clang-tidy was ended by signal {-process.returncode}\n"
     return Result(process.returncode, findings)
 
 

@@ -69,7 +69,17 @@ void Costmap::update(const CostmapInput& input) {
   }
   stack_.update(input);
   update_distances();
-  if (has_moved_ || !stack_.changed().empty()) ++revision_;
+  note_revision();
+}
+
+void Costmap::note_revision() {
+  if (!has_moved_ && stack_.changed().empty()) return;
+  ++revision_;
+  if (has_moved_ || row_revisions_.empty()) {
+    row_revisions_.assign(static_cast<std::size_t>(geometry_.height), revision_);
+  }
+  stack_.changed().for_each_span(
+      [this](int y, int, int) { row_revisions_[static_cast<std::size_t>(y)] = revision_; });
 }
 
 /// A free pose needs one look-up where the distance is known to exceed the circumscribed radius by
@@ -132,6 +142,7 @@ CostGrid Costmap::grid() const {
   grid.distance_m = is_of_layer ? source->distance_m() : distances_.distance_m();
   grid.max_distance_m = is_of_layer ? source->max_distance_m() : distances_.max_distance_m();
   grid.revision = revision_;
+  grid.row_revisions = row_revisions_.empty() ? nullptr : row_revisions_.data();
   return grid;
 }
 

@@ -37,8 +37,33 @@ void AvoidedPlaces::add(const CostGrid& grid, const Footprint& footprint, const 
   if (tightest) places_.push_back(*tightest);
 }
 
+bool AvoidedPlaces::is_kept(const CostGrid& grid) const {
+  return grid.revision != 0 && grid.revision == copy_.source_revision &&
+         grid.cost == copy_.source && grid.geometry == copy_.geometry;
+}
+
+// A grid that has not changed is not copied again: only the cells of the places are set anew, and
+// the copy keeps its revision when they are the same.
+void AvoidedPlaces::follow(const CostGrid& grid, const Pose2& start) {
+  const bool kept = is_kept(grid);
+  std::vector<std::size_t> before;
+  if (kept) {
+    before.swap(copy_.blocked);
+    for (const std::size_t i : before) copy_.cost[i] = grid.cost[i];
+  } else {
+    copy_.cost.assign(grid.cost, grid.cost + grid.geometry.size());
+    copy_.blocked.clear();
+    copy_.source = grid.cost;
+    copy_.geometry = grid.geometry;
+    copy_.source_revision = grid.revision;
+  }
+  for (const Disc& disc : places_) block(disc, start);
+  if (!kept || before != copy_.blocked) ++copy_.revision;
+}
+
 /// What is within the robot's reach at the start stays as it is, so that it can leave.
-void AvoidedPlaces::block(const Disc& disc, const GridGeometry& geometry, const Pose2& start) {
+void AvoidedPlaces::block(const Disc& disc, const Pose2& start) {
+  const GridGeometry& geometry = copy_.geometry;
   const double r = disc.radius_m;
   const Cell low = geometry.cell(disc.center.x - r, disc.center.y - r);
   const Cell high = geometry.cell(disc.center.x + r, disc.center.y + r);
@@ -47,8 +72,10 @@ void AvoidedPlaces::block(const Disc& disc, const GridGeometry& geometry, const 
       const Point2 p = geometry.center({x, y});
       if (distance(p.x, p.y, disc.center.x, disc.center.y) > r) continue;
       if (distance(p.x, p.y, start.x, start.y) < 0.5 * r) continue;
-      std::uint8_t& cost = cost_[geometry.index({x, y})];
-      if (cost < kInscribedCost) cost = kInscribedCost;
+      const std::size_t i = geometry.index({x, y});
+      if (copy_.cost[i] >= kInscribedCost) continue;
+      copy_.cost[i] = kInscribedCost;
+      copy_.blocked.push_back(i);
     }
   }
 }
@@ -57,11 +84,11 @@ PlanOutcome AvoidedPlaces::plan(Planner& planner, const CostGrid& grid, const Fo
                                 const Pose2& start, const Pose2& goal, const MotionLimits& limits,
                                 const CancelFlag& cancel) {
   if (places_.empty()) return planner.plan(grid, footprint, start, goal, limits, cancel);
-  cost_.assign(grid.cost, grid.cost + grid.geometry.size());
-  for (const Disc& disc : places_) block(disc, grid.geometry, start);
+  follow(grid, start);
   CostGrid around = grid;
-  around.cost = cost_.data();
-  around.revision = kOwnRevisions | ++revision_;
+  around.cost = copy_.cost.data();
+  around.revision = kOwnRevisions | copy_.revision;
+  around.row_revisions = nullptr;
   PlanOutcome outcome = planner.plan(around, footprint, start, goal, limits, cancel);
   const bool is_blocked = outcome.path.empty() && outcome.failure != Failure::kCanceled;
   if (!is_blocked) return outcome;

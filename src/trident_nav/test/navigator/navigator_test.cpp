@@ -380,6 +380,44 @@ TEST_F(WallWithGaps, PlansLeadThroughTheOtherGapAfterTheRobotGotStuckInOne) {
   EXPECT_GT(highest(plan()), 2.5);
 }
 
+/// Notes the grids that it is given.
+class NotingPlanner : public Planner {
+ public:
+  PlanOutcome plan(const CostGrid& grid, const Footprint&, const Pose2& start, const Pose2& goal,
+                   const MotionLimits&, const CancelFlag&) override {
+    costs.assign(grid.cost, grid.cost + grid.geometry.size());
+    revision = grid.revision;
+    return {{start, goal}, Failure::kNone, "", 1.0};
+  }
+  std::vector<std::uint8_t> costs;
+  std::uint64_t revision = 0;
+};
+
+TEST_F(WallWithGaps, AGridThatStaysIsGivenToThePlannerUnderTheSameRevision) {
+  make({1.0, 3.0});
+  const Path direct = plan();
+  avoided_.add(grid_, circle_footprint(0.45), {direct.begin() + 30, direct.end()});
+  NotingPlanner planner;
+  const auto plan_from = [&](double x) {
+    const CancelFlag never{false};
+    avoided_.plan(planner, grid_, circle_footprint(0.2), {x, 1.0, 0.0}, {5.0, 1.0, 0.0},
+                  MotionLimits{}, never);
+    return planner.revision;
+  };
+  const std::uint64_t far = plan_from(1.0);
+  const auto blocked = planner.costs;
+  EXPECT_NE(blocked, costs_);
+  EXPECT_EQ(plan_from(1.05), far);
+  EXPECT_NE(plan_from(3.0), far);  // the robot is in the place: its surroundings stay free
+  EXPECT_NE(planner.costs, blocked);
+  const std::uint64_t again = plan_from(1.0);
+  EXPECT_EQ(planner.costs, blocked);
+  costs_[5] = 77;
+  ++grid_.revision;
+  EXPECT_NE(plan_from(1.0), again);
+  EXPECT_EQ(planner.costs[5], 77);
+}
+
 TEST_F(WallWithGaps, TheOnlyGapIsTriedAgain) {
   make({1.0});
   const Path direct = plan();

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "planning/reference_search.h"
 #include "trident_base/random_stream.h"
@@ -94,6 +96,110 @@ TEST(Potential, IsExactAfterEveryRepair) {
       }
     }
   }
+}
+
+/// Mostly free ground with boxes, and costs that fall off around them as in an inflated costmap.
+class BoxGrid : public RandomGrid {
+ public:
+  BoxGrid(int seed, int width, int height) : RandomGrid(seed, width, height) {
+    std::fill(grid.cost.begin(), grid.cost.end(), kFreeCost);
+    for (int box = 0; box < width * height / 900; ++box) add_box();
+  }
+  void add_box() { stamp(number(8) + 1, number(8) + 1, kLethalCost); }
+  void clear_box() { stamp(number(20) + 1, number(20) + 1, kFreeCost); }
+
+ private:
+  void stamp(int wide, int high, std::uint8_t core) {
+    const int x0 = number(grid.geometry.width), y0 = number(grid.geometry.height);
+    for (int y = std::max(0, y0 - 6); y < std::min(grid.geometry.height, y0 + high + 6); ++y) {
+      for (int x = std::max(0, x0 - 6); x < std::min(grid.geometry.width, x0 + wide + 6); ++x) {
+        const int dx = std::max({0, x0 - x, x - x0 - wide + 1});
+        const int dy = std::max({0, y0 - y, y - y0 - high + 1});
+        const double falling = 252.0 * std::exp(-0.4 * std::hypot(dx, dy));
+        if (core == kFreeCost) grid(x, y) = kFreeCost;
+        if (core == kFreeCost || grid(x, y) == kLethalCost) continue;
+        const auto cost = dx + dy == 0 ? core : static_cast<std::uint8_t>(falling);
+        grid(x, y) = std::max(grid(x, y), cost);
+      }
+    }
+  }
+};
+
+TEST(Potential, EqualsDijkstraWhereCostsAreEqualOrFallOff) {
+  for (int seed = 0; seed < 20; ++seed) {
+    BoxGrid random(200 + seed, 190, 140);
+    Potential potential(weighted_costs());
+    expect_exact(potential, random.grid, random.free_cell(), random.free_cell());
+  }
+}
+
+TEST(Potential, IsExactWhileBoxesComeAndGoAndTheStartMoves) {
+  for (int seed = 0; seed < 12; ++seed) {
+    BoxGrid random(300 + seed, 190, 140);
+    Potential potential(weighted_costs());
+    const Cell goal = random.free_cell();
+    Cell start = random.free_cell();
+    for (int step = 0; step < 15; ++step) {
+      expect_exact(potential, random.grid, goal, start);
+      for (int box = 0; box < step % 4; ++box) {
+        random.add_box();
+        random.clear_box();
+      }
+      random.grid(goal.x, goal.y) = kFreeCost;
+      const Cell near{start.x + random.number(5) - 2, start.y + random.number(5) - 2};
+      if (random.grid.geometry.contains(near)) start = near;
+    }
+  }
+}
+
+TEST(Potential, AStartThatFollowsThePathNeedsNoSearch) {
+  BoxGrid random(7, 190, 140);
+  Potential potential(weighted_costs());
+  const Cell goal = random.free_cell();
+  expect_exact(potential, random.grid, goal, random.free_cell());
+  const std::vector<Cell> path = potential.trace();
+  for (std::size_t i = 1; i < path.size(); i += 5) {
+    expect_exact(potential, random.grid, goal, path[i]);
+    EXPECT_EQ(potential.expanded(), 0U);
+  }
+}
+
+TEST(Potential, WhatGetsDearerAwayFromThePathIsNotSearchedAgain) {
+  TestGrid grid(300, 300);
+  Potential potential(weighted_costs());
+  for (int y = 20; y < 280; ++y) grid(150, y) = kLethalCost;
+  const Cell goal{290, 150}, start{10, 150};
+  expect_exact(potential, grid, goal, start);
+  const Cell middle = potential.trace()[potential.trace().size() / 2];
+  const int far = middle.y < 150 ? 285 : 15;  // at the other end of the wall
+  for (int x = 100; x < 200; ++x) grid(x, far) = kLethalCost;
+  expect_exact(potential, grid, goal, start);
+  EXPECT_EQ(potential.expanded(), 0U);
+  for (int x = 100; x < 200; ++x) grid(x, middle.y) = kLethalCost;
+  expect_exact(potential, grid, goal, start);
+  EXPECT_GT(potential.expanded(), 0U);
+}
+
+TEST(Potential, OnlyRowsThatHaveChangedAreCompared) {
+  TestGrid grid(100, 100);
+  std::fill(grid.cost.begin(), grid.cost.end(), std::uint8_t{100});
+  std::vector<std::uint64_t> rows(100, 1);
+  const CancelFlag cancel{false};
+  Potential potential(weighted_costs());
+  const auto value = [&](std::uint64_t revision) {
+    CostGrid view = grid.view();
+    view.revision = revision;
+    view.row_revisions = rows.data();
+    EXPECT_EQ(potential.search(view, {90, 50}, {10, 50}, cancel), Potential::Result::kFound);
+    return potential.at({10, 50});
+  };
+  const float before = value(1);
+  for (int x = 20; x < 80; ++x) grid(x, 50) = kFreeCost;
+  EXPECT_EQ(value(2), before);  // so the rows say
+  rows[50] = 3;
+  EXPECT_LT(value(3), before);
+  for (int x = 20; x < 80; ++x) grid(x, 50) = 100;
+  EXPECT_EQ(value(2), before);  // a lower revision is another map's: all rows count
 }
 
 TEST(Potential, RepairExpandsFewCellsWhenLittleChanges) {

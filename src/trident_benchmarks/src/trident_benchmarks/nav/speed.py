@@ -16,6 +16,7 @@ _QUICK_QUERIES = 20
 RIVALS = {
     "6x6 m window, 360 beams": ("costmap_2d", 1.3),
     "4000x4000 all again": ("costmap_2d", 385.0),
+    "navfn, office 4000x4000: first plan to a goal": ("navfn, its A*, another map", 109.0),
     "dwa 20x40": ("dwa_local_planner", 8.4),
     "mppi 2000x56": ("Nav2", 10.0),
 }
@@ -89,5 +90,6 @@ def measure(options: argparse.Namespace) -> list[dict[str, Any]]:
     rows = cpu_rows("costmap", "trident_nav_costmap_bench")
     rows += cpu_rows("controller", "control_bench")
     rows += planner_rows("office", 632, queries)
+    rows += cpu_rows("planner", "nav_replan_bench", ["--queries", str(queries // 10)])
     print(table(rows))
     return rows

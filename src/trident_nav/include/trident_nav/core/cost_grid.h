@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cmath>
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -45,14 +45,25 @@ struct GridGeometry {
     return a.width == b.width && a.height == b.height && a.resolution == b.resolution &&
            a.origin_x == b.origin_x && a.origin_y == b.origin_y;
   }
-  /// The cell that contains a point; may lie outside of the grid.
+  /// The cell that contains a point; may lie outside of the grid. Numbers of columns and rows end
+  /// at +-kFarthestCell; a coordinate that is not a number counts as beyond the upper end.
   Cell cell(double x, double y) const {
-    return {static_cast<int>(std::floor((x - origin_x) / resolution)),
-            static_cast<int>(std::floor((y - origin_y) / resolution))};
+    return {whole((x - origin_x) / resolution), whole((y - origin_y) / resolution)};
   }
   /// The center of a cell.
   Point2 center(Cell c) const {
     return {origin_x + (c.x + 0.5) * resolution, origin_y + (c.y + 0.5) * resolution};
+  }
+  /// Sums of a few of them, and of a grid's sides, are still whole numbers.
+  static constexpr int kFarthestCell = 500'000'000;
+
+ private:
+  /// The greatest whole number not above a value. The order of the arguments takes nan to the end.
+  static int whole(double value) {
+    constexpr double kEnd = kFarthestCell;
+    const double inside = std::max(-kEnd, std::min(kEnd, value));
+    const int toward_zero = static_cast<int>(inside);
+    return toward_zero - (inside < toward_zero ? 1 : 0);
   }
 };
 
@@ -68,6 +79,8 @@ struct CostGrid {
   float max_distance_m = 0.0F;
   /// Count of changes; equal numbers of one costmap mean equal contents.
   std::uint64_t revision = 0;
+  /// Of each row the revision that last changed its costs; nullptr: not kept.
+  const std::uint64_t* row_revisions = nullptr;
 
   std::uint8_t at(Cell c) const { return cost[geometry.index(c)]; }
   /// Cost at a point; kUnknownCost outside.

@@ -57,6 +57,7 @@ class Costmap {
  private:
   GridGeometry next_geometry(const Pose2& robot) const;
   void update_distances();
+  void note_revision();
   double required_distance() const;
 
   CostmapParams params_;
@@ -67,6 +68,7 @@ class Costmap {
   bool is_tracking_ = false;   // distances_ is up to date
   bool has_moved_ = false;
   std::uint64_t revision_ = 0;
+  std::vector<std::uint64_t> row_revisions_;
 };
 
 }  // namespace trident::nav

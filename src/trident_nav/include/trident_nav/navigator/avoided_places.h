@@ -33,11 +33,22 @@ class AvoidedPlaces {
     double radius_m = 0.0;
   };
 
-  void block(const Disc& disc, const GridGeometry& geometry, const Pose2& start);
+  /// The costs with the places in them, and what they were made of.
+  struct Copy {
+    std::vector<std::uint8_t> cost;
+    std::vector<std::size_t> blocked;  ///< Cells that differ from the source.
+    const std::uint8_t* source = nullptr;
+    GridGeometry geometry;
+    std::uint64_t source_revision = 0;  ///< 0: of a grid that has none, and not kept.
+    std::uint64_t revision = 0;         ///< Of the copy.
+  };
+
+  bool is_kept(const CostGrid& grid) const;
+  void follow(const CostGrid& grid, const Pose2& start);
+  void block(const Disc& disc, const Pose2& start);
 
   std::vector<Disc> places_;
-  std::vector<std::uint8_t> cost_;
-  std::uint64_t revision_ = 0;
+  Copy copy_;
 };
 
 }  // namespace trident::nav

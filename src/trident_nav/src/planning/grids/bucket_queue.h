@@ -48,11 +48,23 @@ class BucketQueue {
     return base_ + (static_cast<std::uint64_t>(cursor_) << shift_);
   }
 
+  /// Whether a key belongs behind the lowest bucket. After `advance`.
+  bool is_later(std::uint64_t key) const {
+    return key > base_ && (key - base_) >> shift_ > static_cast<std::uint64_t>(cursor_);
+  }
+
   /// The newest of the lowest bucket. After `advance`.
   Item pop() {
     const Item item = buckets_[cursor_].back();
     buckets_[cursor_].pop_back();
     return item;
+  }
+
+  /// The item that comes so many pops later if nothing is pushed; the last of the bucket when there
+  /// are fewer. After `advance`.
+  const Item& ahead(std::size_t pops) const {
+    const std::vector<Item>& bucket = buckets_[cursor_];
+    return bucket[bucket.size() - 1 - std::min(pops, bucket.size() - 1)];
   }
 
   /// All items, in no order that matters; the queue is empty afterwards.

@@ -7,12 +7,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <limits>
-#include <memory>
-#include <optional>
 #include <vector>
 
 #include "planning/grids/bucket_queue.h"
+#include "planning/grids/potential_cells.h"
 #include "planning/grids/search_result.h"
 #include "planning/grids/step_costs.h"
 #include "trident_nav/core/cost_grid.h"
@@ -25,9 +23,15 @@ namespace trident::nav {
 ///
 /// A step costs its length (1 or sqrt 2) times the step cost of the cell that lies farther from the
 /// goal; a diagonal step needs both cells next to it. The search stops as soon as the start's
-/// potential is exact. A later search for the same goal continues: cells whose least path lost its
-/// support are searched again, cells that became cheaper are searched from, and all else stays (the
-/// idea of D* Lite, Koenig and Likhachev 2002, with one value per cell and parent pointers).
+/// potential is exact. From a cell it goes on only to those neighbors that its predecessor does not
+/// reach as cheaply without it, of equal paths taking those whose diagonal steps come first (the
+/// pruning of Harabor and Grastien, "Online Graph Pruning for Pathfinding on Grid Maps", AAAI 2011,
+/// with costs).
+///
+/// A later search for the same goal continues: cells that became cheaper are searched from, cells
+/// that became dearer count as what they were until a path is found that leads over them, and then
+/// the cells whose least path lost its support are searched again; all else stays (the idea of
+/// D* Lite, Koenig and Likhachev 2002, with one value per cell and parent pointers).
 class Potential {
  public:
   using Result = SearchResult;
@@ -39,9 +43,10 @@ class Potential {
   /// cost is of no influence. The grid's sides have at most 65,000 cells.
   Result search(const CostGrid& grid, Cell goal, Cell start, const CancelFlag& cancel);
 
-  /// The potential in step costs; infinite where nothing is known. Exact at the last start.
+  /// The potential in step costs; infinite where nothing is known. Exact at the last start; away
+  /// from its path it may not know yet of cells that became dearer.
   float at(Cell c) const;
-  /// Whether the last search has been at the cell.
+  /// Whether a search for this goal has been at the cell.
   bool reached(Cell c) const { return value(c) != kUnreached; }
   /// The cells from the last start to the goal; only after Result::kFound.
   std::vector<Cell> trace() const;
@@ -51,13 +56,17 @@ class Potential {
   void clear() { status_.is_ready = false; }
 
  private:
-  static constexpr std::uint32_t kUnreached = std::numeric_limits<std::uint32_t>::max();
-  static constexpr std::uint8_t kOpen = 0x10;
-  static constexpr std::uint8_t kRoot = 8;
+  using Node = PotentialCells::Node;
+  static constexpr std::uint32_t kUnreached = PotentialCells::kUnreached;
+  static constexpr std::uint8_t kRoot = PotentialCells::kRoot;
   static constexpr std::uint32_t kBlockedStep = 0x80000000U;
   /// Values stay below this, so that sums do not wrap around.
   static constexpr std::uint32_t kLimit = 0x7FFFFFFFU;
-  static constexpr int kTile = 64;
+
+  /// Cells are expanded out of turn up to a key of so many cheapest steps above the lowest.
+  static constexpr unsigned kAllowance = 16;
+  /// How many cells ahead of the one that is expanded are prefetched.
+  static constexpr std::size_t kPrefetch = 6;
 
   /// A cell of the padded grid: x in the low half, y in the high half.
   using Packed = std::uint32_t;
@@ -66,11 +75,11 @@ class Potential {
   }
   static constexpr int x_of(Packed p) { return static_cast<int>(p & 0xFFFFU); }
   static constexpr int y_of(Packed p) { return static_cast<int>(p >> 16U); }
-  enum class TileState : std::uint8_t { kUnused, kFilled, kSurrounded };
 
   struct Status {
     bool is_ready = false;
     bool is_too_long = false;  ///< a path for the scale of the values
+    bool has_dearer = false;   ///< cells that are dearer in the grid than is known
   };
   /// In the padded grid.
   struct Ends {
@@ -78,6 +87,7 @@ class Potential {
   };
   struct Expansions {
     std::size_t now = 0, total = 0;  ///< of this search, and since the potential was begun
+    std::size_t dropped = 0;         ///< cells that have lost their value in this search
   };
   /// Values per metre of path cost.
   struct Scale {
@@ -89,46 +99,62 @@ class Potential {
     std::array<std::uint32_t, 256> straight{}, diagonal{};
     std::uint32_t least_straight = 0, least_diagonal = 0;
   };
-  /// By cell of the padded grid.
-  struct CellData {
-    std::unique_ptr<std::uint32_t[]> value;
-    std::unique_ptr<std::uint8_t[]> cost, state;
-    std::size_t allocated = 0;
+  /// A cell that is expanded, and those around it.
+  struct Around {
+    Node* node;
+    int x, y;
+    std::array<std::ptrdiff_t, 8> offsets;
+    Node& next(int d) const { return node[offsets[static_cast<std::size_t>(d)]]; }
+    std::uint8_t cost(int d) const { return next(d).cost; }
+    Packed packed(int d) const {
+      return pack(x + kDx[static_cast<std::size_t>(d)], y + kDy[static_cast<std::size_t>(d)]);
+    }
   };
-  /// Squares of kTile cells, which are filled when the search reaches them.
-  struct Tiles {
-    int x = 0, y = 0;  ///< how many there are
-    std::vector<TileState> state;
-  };
+  using Cells = std::vector<Packed>;
 
-  std::size_t index(int x, int y) const {
-    return static_cast<std::size_t>(y) * stride_ + static_cast<std::size_t>(x);
-  }
-  std::size_t index(Packed p) const { return index(x_of(p), y_of(p)); }
+  std::size_t index(Packed p) const { return cells_.index(x_of(p), y_of(p)); }
   std::uint32_t value(Cell c) const;
-  std::uint32_t heuristic(int x, int y) const;
-  void allocate(const GridGeometry& geometry);
-  void begin(const CostGrid& grid, Cell goal);
+  std::uint32_t heuristic(int x, int y) const { return distance({x, y}, ends_.start); }
+  std::uint32_t distance(Cell a, Cell b) const;
+  std::uint64_t key(int x, int y, std::uint32_t value) const {
+    return std::uint64_t{value} + heuristic(x, y) + lead_;
+  }
+  std::uint32_t straight(std::uint8_t cost) const { return steps_.straight[cost]; }
+  std::uint32_t diagonal(std::uint8_t cost) const { return steps_.diagonal[cost]; }
+  bool is_blocked(std::uint8_t cost) const { return steps_.straight[cost] == kBlockedStep; }
+  Around around(int x, int y);
+  void prefetch(Packed p) const;
+
+  void begin(Cell goal, Cell start);
   void choose_scale(double coarser);
-  void fill_tile(int tile_x, int tile_y);
-  void surround(int x, int y);
-  bool repair();
-  void find_changes(std::vector<Packed>& changed);
-  void compare_row(int x0, int y, std::vector<Packed>& changed);
-  bool invalidate(const std::vector<Packed>& changed, std::vector<Packed>& invalid);
-  void seed_invalid(Packed p, std::vector<Packed>& stack);
-  void drop(Packed p, std::vector<Packed>& stack);
-  void offer_from_neighbors(Packed p);
-  void reopen_around(Packed p);
   void aim(Cell start);
   Result run(const CancelFlag& cancel);
-  void expand(Packed p);
-  void relax(std::size_t from, int x, int y, std::uint8_t parent, std::uint32_t length);
-  void open(int x, int y, std::size_t i);
-  std::uint8_t source_cost(int x, int y) const;
+  Result run_on_known_costs(const CancelFlag& cancel);
+  void expand_run(Packed p, std::uint64_t limit);
+  bool advance(Around& at, int direction, std::uint64_t limit);
+  bool expand_straight(const Around& at, int arrival);
+  bool expand_diagonal(const Around& at, int arrival);
+  void expand_all(const Around& at);
+  void relax(const Around& from, int direction, std::uint32_t length);
+  void set(Node& node, std::uint32_t value, int parent, Packed p);
+  static bool can_cut(const std::array<bool, 4>& free, int diagonal) {
+    const auto& cut = kCut[static_cast<std::size_t>(diagonal - 4)];
+    return free[static_cast<std::size_t>(cut[0])] && free[static_cast<std::size_t>(cut[1])];
+  }
+  void open(int x, int y, Node& node);
+
+  void take_changes();
+  void take_costs(const Cells& cells);
+  bool is_dearer(int x, int y) const;
+  bool raise_under_path();
+  bool raise_about(Cell c);
+  bool invalidate(const Cells& dearer, Cells& invalid);
+  void seed_invalid(Packed p, Cells& stack);
+  void drop(Packed p, Cells& stack);
+  void offer_from_neighbors(Packed p);
+  void reopen_around(Packed p);
 
   StepCosts costs_;
-  bool outline_;
   Status status_;
   Expansions expanded_;
   const CostGrid* source_ = nullptr;  ///< Only during a search.
@@ -137,39 +163,11 @@ class Potential {
   Ends ends_;
   Scale scale_;
   StepTable steps_;
-  std::size_t stride_ = 0;
-  std::array<std::ptrdiff_t, 8> offset_{};
-  CellData cells_;
-  Tiles tiles_;
+  /// By how much keys in the queue may be too high for the start that they were made for: the sum
+  /// of the distances between starts (D* Lite's key modifier).
+  std::uint64_t lead_ = 0;
+  PotentialCells cells_;
   BucketQueue<Packed> queue_;
 };
-
-// Octile distance at the lowest step cost: never above the true cost, and consistent.
-inline std::uint32_t Potential::heuristic(int x, int y) const {
-  const auto dx = static_cast<std::uint32_t>(std::abs(x - ends_.start.x));
-  const auto dy = static_cast<std::uint32_t>(std::abs(y - ends_.start.y));
-  const std::uint32_t most = std::max(dx, dy);
-  const std::uint32_t least = std::min(dx, dy);
-  return steps_.least_straight * (most - least) + steps_.least_diagonal * least;
-}
-
-inline void Potential::relax(std::size_t from, int x, int y, std::uint8_t parent,
-                             std::uint32_t length) {
-  const std::size_t i = index(x, y);
-  const std::uint32_t v = cells_.value[from] + length;
-  if (v >= cells_.value[i]) return;
-  if (v >= kLimit) {
-    status_.is_too_long = true;
-    return;
-  }
-  cells_.value[i] = v;
-  cells_.state[i] = parent;
-  open(x, y, i);
-}
-
-inline void Potential::open(int x, int y, std::size_t i) {
-  cells_.state[i] |= kOpen;
-  queue_.push(std::uint64_t{cells_.value[i]} + heuristic(x, y), pack(x, y));
-}
 
 }  // namespace trident::nav

@@ -1,143 +1,147 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-// How a kept potential follows changes of the costs. After it, every value is the cost of a real
-// path, and no cell that is not open could lower a neighbor: then continuing the search makes the
-// start's value exact.
-#include <algorithm>
-#include <cstring>
-
-#include "planning/grids/grid_directions.h"
+// How a kept potential follows changes of the costs. The costs that it knows are never above those
+// of the grid: cheaper ones are taken at once, dearer ones when the start's path leads over them.
+// Then the path's cost is that in the grid, and no other path of the grid costs less.
+//
+// After each change every value is the cost of a real path by the known costs, and every cell that
+// could lower a neighbor is open: then continuing the search makes the start's value exact. Since
+// an expansion leaves out what it could see to be in vain from the costs around it, cells next to a
+// changed one are opened again.
 #include "planning/grids/potential.h"
 
 namespace trident::nav {
 
-// False: so much lost its support that a new search is cheaper.
-bool Potential::repair() {
-  if (revision_ != 0 && source_->revision == revision_) return true;
-  std::vector<Packed> changed;
-  find_changes(changed);
-  std::vector<Packed> invalid;
-  if (!invalidate(changed, invalid)) return false;
-  std::vector<Packed> opened;
-  for (const Packed p : changed) {
-    std::uint8_t& cost = cells_.cost[index(p)];
-    if (steps_.straight[cost] == kBlockedStep) opened.push_back(p);
-    cost = source_cost(x_of(p), y_of(p));
+void Potential::take_changes() {
+  const std::uint64_t now = source_->revision;
+  if (now != 0 && now == revision_) return;
+  const std::uint64_t since = now > revision_ ? revision_ : 0;  // else of another origin
+  Cells cheaper;
+  cells_.for_each_difference(*source_, since, [&](int x, int y) {
+    const std::uint32_t known = straight(cells_[cells_.index(x, y)].cost);
+    const std::uint32_t cost = straight(cells_.cost_in(*source_, x, y));
+    if (cost < known) cheaper.push_back(pack(x, y));
+    status_.has_dearer |= cost > known;
+  });
+  take_costs(cheaper);
+}
+
+// Takes the grid's costs of cells, after their values have been dropped if they are dearer.
+void Potential::take_costs(const Cells& cells) {
+  for (const Packed p : cells) {
+    cells_.set_cost(x_of(p), y_of(p), cells_.cost_in(*source_, x_of(p), y_of(p)));
   }
+  for (const Packed p : cells) offer_from_neighbors(p);
+  for (const Packed p : cells) reopen_around(p);
+}
+
+bool Potential::is_dearer(int x, int y) const {
+  const std::uint8_t known = cells_[cells_.index(x, y)].cost;
+  return straight(cells_.cost_in(*source_, x, y)) > straight(known);
+}
+
+// Takes the dearer costs about those cells of the start's path, and next to its diagonal steps,
+// that are dearer than is known. False: there are none, and the path is right.
+bool Potential::raise_under_path() {
+  if (!status_.has_dearer) return false;
+  bool has_raised = false;
+  const std::vector<Cell> path = trace();
+  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+    const Cell a{path[i].x + 1, path[i].y + 1};
+    const Cell b{path[i + 1].x + 1, path[i + 1].y + 1};
+    if (!is_dearer(a.x, a.y) && !is_dearer(a.x, b.y) && !is_dearer(b.x, a.y)) continue;
+    has_raised = true;
+    if (raise_about(a)) continue;
+    begin(ends_.goal, ends_.start);
+    break;
+  }
+  return has_raised;
+}
+
+// False: so much lost its support that a new search is cheaper.
+bool Potential::raise_about(Cell c) {
+  Cells dearer;
+  cells_.for_each_difference_near(c.x, c.y, *source_, [&](int x, int y) {
+    if (is_dearer(x, y)) dearer.push_back(pack(x, y));
+  });
+  Cells invalid;
+  if (!invalidate(dearer, invalid)) return false;
+  take_costs(dearer);
   for (const Packed p : invalid) offer_from_neighbors(p);
-  for (const Packed p : changed) offer_from_neighbors(p);
-  for (const Packed p : opened) reopen_around(p);
   return true;
 }
 
-// The cells of tiles in use whose step cost is another one. Other differences are taken over.
-void Potential::find_changes(std::vector<Packed>& changed) {
-  for (int ty = 0; ty < tiles_.y; ++ty) {
-    for (int tx = 0; tx < tiles_.x; ++tx) {
-      const int number = ty * tiles_.x + tx;
-      if (tiles_.state[static_cast<std::size_t>(number)] == TileState::kUnused) continue;
-      for (int y = ty * kTile; y < (ty + 1) * kTile; ++y) compare_row(tx * kTile, y, changed);
-    }
-  }
-}
-
-void Potential::compare_row(int x0, int y, std::vector<Packed>& changed) {
-  const int low = outline_ ? 2 : 1;
-  const int from = std::max(x0, low);
-  const int to = std::min(x0 + kTile, geometry_.width + 2 - low);
-  if (y < low || y > geometry_.height + 1 - low || from >= to) return;
-  std::uint8_t* kept = &cells_.cost[index(from, y)];
-  const std::uint8_t* now = source_->cost + geometry_.index({from - 1, y - 1});
-  const auto count = static_cast<std::size_t>(to - from);
-  if (std::memcmp(kept, now, count) == 0) return;
-  for (std::size_t i = 0; i < count; ++i) {
-    if (kept[i] == now[i]) continue;
-    if (steps_.straight[kept[i]] == steps_.straight[now[i]]) {
-      kept[i] = now[i];
-    } else {
-      changed.push_back(pack(from + static_cast<int>(i), y));
-    }
-  }
-}
-
 // Unreaches all cells whose path to the goal contains a step that became dearer or impossible.
-bool Potential::invalidate(const std::vector<Packed>& changed, std::vector<Packed>& invalid) {
-  const std::size_t limit = expanded_.total / 2 + 4096;
-  std::vector<Packed> stack;
-  for (const Packed p : changed) {
+bool Potential::invalidate(const Cells& dearer, Cells& invalid) {
+  const std::size_t limit = expanded_.total / 4 + 4096;
+  Cells stack;
+  for (const Packed p : dearer) {
     seed_invalid(p, stack);
     while (!stack.empty()) {
       const Packed top = stack.back();
       stack.pop_back();
-      if (cells_.value[index(top)] == kUnreached || index(top) == index(ends_.goal.x, ends_.goal.y))
-        continue;
+      const Node& node = cells_[index(top)];
+      if (node.value == kUnreached || node.parent == kRoot) continue;
       drop(top, stack);
       invalid.push_back(top);
-      if (invalid.size() > limit) return false;
+      if (++expanded_.dropped > limit) return false;
     }
   }
   return true;
 }
 
-void Potential::seed_invalid(Packed p, std::vector<Packed>& stack) {
-  const std::size_t i = index(p);
-  const std::uint32_t now = steps_.straight[source_cost(x_of(p), y_of(p))];
-  if (now < steps_.straight[cells_.cost[i]]) return;
+// A cell, and the neighbors that step diagonally past it.
+void Potential::seed_invalid(Packed p, Cells& stack) {
   stack.push_back(p);
-  if (now != kBlockedStep) return;
-  surround(x_of(p), y_of(p));
-  // Neighbors that step diagonally past this cell.
+  if (!is_blocked(cells_.cost_in(*source_, x_of(p), y_of(p)))) return;
+  const Around at = around(x_of(p), y_of(p));
   for (int d = 0; d < 4; ++d) {
-    const std::size_t n = i + offset_[d];
-    const int parent = cells_.state[n] & 0x0F;
-    if (cells_.value[n] == kUnreached || parent < 4 || parent == kRoot) continue;
-    const auto& cut = kCut[parent - 4];
-    if (cut[0] == opposite(d) || cut[1] == opposite(d)) {
-      stack.push_back(pack(x_of(p) + kDx[d], y_of(p) + kDy[d]));
-    }
+    const Node& node = at.next(d);
+    if (node.value == kUnreached || node.parent < 4 || node.parent == kRoot) continue;
+    const auto& cut = kCut[node.parent - 4U];
+    if (cut[0] == opposite(d) || cut[1] == opposite(d)) stack.push_back(at.packed(d));
   }
 }
 
-void Potential::drop(Packed p, std::vector<Packed>& stack) {
-  surround(x_of(p), y_of(p));
-  const std::size_t i = index(p);
-  cells_.value[i] = kUnreached;
-  cells_.state[i] = 0;
+void Potential::drop(Packed p, Cells& stack) {
+  const Around at = around(x_of(p), y_of(p));
+  at.node->value = kUnreached;
+  at.node->parent = PotentialCells::kNoParent;
+  at.node->is_open = false;
   for (int d = 0; d < 8; ++d) {
-    const std::size_t n = i + offset_[d];
-    if (cells_.value[n] != kUnreached && (cells_.state[n] & 0x0F) == opposite(d)) {
-      stack.push_back(pack(x_of(p) + kDx[d], y_of(p) + kDy[d]));
-    }
+    if (at.next(d).parent == opposite(d)) stack.push_back(at.packed(d));
   }
 }
 
 // Lowers the value of a cell to the best that its neighbors offer.
 void Potential::offer_from_neighbors(Packed p) {
-  const std::size_t i = index(p);
-  const std::uint32_t straight = steps_.straight[cells_.cost[i]];
-  if (straight == kBlockedStep || p == pack(ends_.goal.x, ends_.goal.y)) return;
-  surround(x_of(p), y_of(p));
+  const Around at = around(x_of(p), y_of(p));
+  if (is_blocked(at.node->cost) || at.node->parent == kRoot) return;
   std::array<bool, 4> free{};
+  std::uint32_t best = at.node->value;
+  int parent = PotentialCells::kNoParent;
   for (int d = 0; d < 8; ++d) {
-    const std::size_t n = i + offset_[d];
-    if (d < 4) {
-      free[d] = steps_.straight[cells_.cost[n]] != kBlockedStep;
-    } else if (!free[kCut[d - 4][0]] || !free[kCut[d - 4][1]]) {
-      continue;
-    }
-    if (cells_.value[n] == kUnreached) continue;
-    relax(n, x_of(p), y_of(p), static_cast<std::uint8_t>(d),
-          d < 4 ? straight : steps_.diagonal[cells_.cost[i]]);
+    const Node& node = at.next(d);
+    if (d < 4) free[static_cast<std::size_t>(d)] = !is_blocked(node.cost);
+    if (d >= 4 && !can_cut(free, d)) continue;
+    if (node.value == kUnreached) continue;
+    const std::uint32_t v =
+        node.value + (d < 4 ? straight(at.node->cost) : diagonal(at.node->cost));
+    if (v >= best) continue;
+    best = v;
+    parent = d;
   }
+  if (parent != PotentialCells::kNoParent) set(*at.node, best, parent, p);
 }
 
-// Diagonal steps past this cell have become possible.
+// What a cell's costs had an influence on may be expanded otherwise now.
 void Potential::reopen_around(Packed p) {
-  surround(x_of(p), y_of(p));
-  for (int d = 0; d < 4; ++d) {
-    const std::size_t n = index(p) + offset_[d];
-    if (cells_.value[n] != kUnreached) open(x_of(p) + kDx[d], y_of(p) + kDy[d], n);
-  }
+  const Around at = around(x_of(p), y_of(p));
+  const auto reopen = [this](Node& node, Packed q) {
+    if (node.value != kUnreached && !node.is_open) open(x_of(q), y_of(q), node);
+  };
+  reopen(*at.node, p);
+  for (int d = 0; d < 8; ++d) reopen(at.next(d), at.packed(d));
 }
 
 }  // namespace trident::nav
