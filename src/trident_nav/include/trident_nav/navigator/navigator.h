@@ -122,6 +122,7 @@ class Navigator {
   Patience since_;
   Trigger trigger_ = Trigger::kPlanning;
   std::size_t next_recovery_ = 0;
+  Twist2 sent_;                    // in the last step
   std::optional<SlowDrive> slow_;  // since the robot was at slow_from_
   Pose2 slow_from_;
   std::string cause_;
